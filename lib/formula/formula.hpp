@@ -1,0 +1,54 @@
+// The small language in which STEP texts are written: C++ expressions over symbols, read back for the report.
+//
+//   + - * / ?: comparisons && || unary - parentheses, calls (sqrt cbrt pow<n> root<n> abs sin cos tan asin acos atan
+//   exp log min max), static_cast<double>(x), numbers, unit names (`d / mm`, `10.0 * mm`), and names that are symbols.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loadpath::formula {
+
+enum class Kind { number, symbol, negate, binary, call, choose };
+
+struct Node {
+  Kind kind = Kind::number;
+  std::string text;  // the number, name, operator or function as written; pow<3> keeps its argument: "pow<3>"
+  std::vector<Node> kids;
+};
+
+/// The tree of a formula, or nothing where the text is not in the language.
+std::optional<Node> parse(std::string_view cpp);
+
+/// The SI value of a symbol or unit name; nothing where it is unknown.
+using Known = std::function<std::optional<double>(std::string_view name)>;
+
+/// The value of the tree over SI values; NaN where a name is unknown.
+double value(const Node& tree, const Known& known);
+
+/// How a symbol's value is written when it is substituted: number and printed unit ("2700", "N·m"); nothing: keep the name.
+struct Written {
+  std::string number;
+  std::string unit;
+};
+using Substituted = std::function<std::optional<Written>(std::string_view name)>;
+
+/// A name as a symbol of the field: tau_adm, sigma_m1, d_i: Greek spelt out, subscript after the first '_', a second
+/// '_' a comma, m1 after sigma a -1, words of two or more Latin letters upright.
+std::string symbol_mathml(std::string_view name);
+std::string symbol_tex(std::string_view name);
+std::string symbol_plain(std::string_view name);  // τ_adm
+
+/// The branch of a choose that `known` selects is printed when `known` is given; both otherwise.
+std::string mathml(const Node& tree, const Substituted& substituted = {}, const Known& known = {});
+std::string tex(const Node& tree, const Substituted& substituted = {}, const Known& known = {});
+std::string plain(const Node& tree, const Substituted& substituted = {}, const Known& known = {});
+
+/// A value with its printed unit, in the three notations: 27.35 mm.
+std::string quantity_mathml(const Written& value);
+std::string quantity_tex(const Written& value);
+
+}  // namespace loadpath::formula

@@ -1,0 +1,82 @@
+// What is wrong with an input: where it stands, which rule it breaks, and what would be right.
+//
+// A Message is an id (the English literal, with arguments {1}, {2}...) and its arguments, never a finished sentence,
+// so that other languages can be added without touching the places that speak.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace loadpath {
+
+struct Message {
+  std::string_view id;            // a string literal
+  std::vector<std::string> args;  // {1} is args[0]
+
+  [[nodiscard]] bool empty() const { return id.empty(); }
+  [[nodiscard]] std::string text() const;
+};
+
+/// A message from its id and arguments: say("unknown unit '{1}'", unit).
+template <class... Args>
+Message say(std::string_view id, Args&&... args) {
+  return {id, {std::string(std::forward<Args>(args))...}};
+}
+
+/// A range of characters in a file, both counted from 1 in code points; line 0: the file as a whole.
+struct Place {
+  std::string file;
+  int line = 0;
+  int column = 0;
+  int length = 1;
+};
+
+/// What a parser of one string found: a byte range of that string, the rule, and the remedy.
+struct Fault {
+  std::size_t at = 0;
+  std::size_t length = 1;
+  Message message;
+  Message hint;
+};
+
+/// A value, or the reason why there is none.
+template <class T>
+class Outcome {
+ public:
+  Outcome(T value) : value_(std::move(value)), ok_(true) {}  // NOLINT(google-explicit-constructor)
+  Outcome(Fault fault) : fault_(std::move(fault)) {}         // NOLINT(google-explicit-constructor)
+
+  explicit operator bool() const { return ok_; }
+  const T& operator*() const { return value_; }
+  T& operator*() { return value_; }
+  const T* operator->() const { return &value_; }
+  T* operator->() { return &value_; }
+  [[nodiscard]] const Fault& fault() const { return fault_; }
+
+ private:
+  T value_{};
+  Fault fault_;
+  bool ok_ = false;
+};
+
+enum class Severity { error, warning };
+
+struct Issue {
+  Place place;
+  std::string key;  // the path of the field, "crankshaft.tau_adm"; empty where there is none
+  Message message;
+  Message hint;
+  Severity severity = Severity::error;
+};
+
+/// Issues in the order of their places, as `file:line:column`, the source line, a caret and the hint.
+/// `source(file)` gives the text of a file that an issue names, or an empty text.
+std::string render(std::vector<Issue> issues, std::string (*source)(const std::string& file));
+
+/// The candidate nearest to `word` (Damerau-Levenshtein, ignoring case first), or an empty string where none is near.
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace loadpath

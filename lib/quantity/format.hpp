@@ -1,0 +1,29 @@
+// Writes numbers and quantities for people, deterministically and without a locale.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "quantity/dimension.hpp"
+
+namespace loadpath {
+
+/// `digits` significant digits, trailing zeros kept off, no exponent between 1e-4 and 1e7, U+2212 never: "-27.35".
+std::string format_number(double value, int digits = 6);
+
+/// The shortest text that reads back to the same double.
+std::string format_exact(double value);
+
+/// `si` in `unit` ("12.5 mm"; the unit printed with · and superscripts: "N·m", "mm²", "1/s"). NaN: "not available".
+std::string format_quantity(double si, std::string_view unit, int digits = 6);
+
+/// The unit as it is printed: "N*m" -> "N·m", "mm^2" -> "mm²".
+std::string pretty_unit(std::string_view unit);
+
+/// A readable unit (MPa, kN, mm, N*m...) for a value of this dimension, as an ASCII unit text that parse_unit reads.
+std::string readable_unit(double si, const Dimension& dimension, Kind kind = Kind::plain);
+
+/// The factor and offset of a unit text that is known to be right (a field's own): asserts that it parses.
+double in_unit(double si, std::string_view unit);
+
+}  // namespace loadpath

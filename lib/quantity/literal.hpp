@@ -1,0 +1,40 @@
+// Reads a quantity as people write it: "30 MPa", "2,5 kN·m", "120 об/мин". It may refuse; it never guesses.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "issue.hpp"
+#include "quantity/dimension.hpp"
+
+namespace loadpath {
+
+/// What a field expects of a literal.
+struct Expected {
+  Dimension dimension;
+  Kind kind = Kind::plain;
+  std::string_view unit;  // the field's display unit, for hints: "write 30 mm"
+};
+
+struct Literal {
+  double si = 0.0;
+  Dimension dimension;
+};
+
+/// A literal that fits `expected`; else the place, the rule and the nearest right word.
+/// A bare number is accepted for a dimensionless field only. The grammar is in the guide of `loadpath convert --help`.
+Outcome<Literal> parse_literal(std::string_view text, const Expected& expected);
+
+/// A literal of any dimension (for `convert` and for expressions' own tests).
+Outcome<Literal> parse_literal(std::string_view text);
+
+struct UnitValue {
+  double factor = 1.0;    // SI value of one unit
+  double offset = 0.0;    // SI value of zero: 273.15 for °C, else 0
+  Dimension dimension;
+};
+
+/// A unit by itself: "N·m", "mm²", "об/мин", "lbf*in".
+Outcome<UnitValue> parse_unit(std::string_view text);
+
+}  // namespace loadpath

@@ -1,0 +1,56 @@
+// A quantity over the positions of a cycle, or a single value, with its dimension; and what can be read off it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "quantity/dimension.hpp"
+
+namespace loadpath {
+
+/// The positions that a series is given at. One object per step that makes series; its address is its identity.
+struct Axis {
+  std::string name;          // "lever: crank angle"
+  std::string unit = "deg";  // display unit of `at`
+  std::vector<double> at;    // SI, ascending or descending; a cycle holds no doubled end point
+  std::vector<double> share; // part of the cycle's time that belongs to each position; sums to 1; empty: not a cycle
+  double period = 0.0;       // SI, signed; 0: not a cycle
+  [[nodiscard]] bool cyclic() const { return period != 0.0; }
+};
+
+struct Signature {
+  Dimension dimension;
+  const Axis* axis = nullptr;  // null: one value
+};
+
+struct Value {
+  Signature signature;
+  std::vector<double> si;  // one, or one per position of the axis
+  [[nodiscard]] bool is_series() const { return signature.axis != nullptr; }
+};
+
+/// An extreme of a series, refined between positions by a local polynomial through five of them; where the polynomial
+/// and the parabola through three disagree (a jump, a coarse cycle) the position itself is taken.
+struct Extreme {
+  double value = 0.0;      // SI; NaN for an empty series or one that holds NaN
+  double at = 0.0;         // SI, on the axis
+  std::size_t nearest = 0; // index of the nearest position
+};
+Extreme maximum(const Value& series);
+Extreme minimum(const Value& series);
+/// The value of largest magnitude, with its sign (`peak` of the expressions is its magnitude).
+Extreme largest(const Value& series);
+
+/// Mean and root mean square over time on the closed cycle (trapezoid, end point counted once); NaN where the series
+/// is not a cycle.
+double mean(const Value& series);
+double root_mean_square(const Value& series);
+
+/// The value at a place of the axis: local cubic between positions, periodic on a cycle; NaN outside an open axis.
+double value_at(const Value& series, double at);
+
+/// The integral over the axis on the closed cycle: the work of a moment over the crank angle. NaN where not a cycle.
+double cycle_integral(const Value& series);
+
+}  // namespace loadpath

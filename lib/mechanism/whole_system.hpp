@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "mechanism/model.hpp"
+#include "lib/mechanism/model.hpp"
 
 namespace loadpath::mechanism {
 

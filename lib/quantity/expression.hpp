@@ -15,8 +15,8 @@
 #include <string_view>
 #include <vector>
 
-#include "issue.hpp"
-#include "quantity/series.hpp"
+#include "lib/issue.hpp"
+#include "lib/quantity/series.hpp"
 
 namespace loadpath {
 

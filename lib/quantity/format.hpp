@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "quantity/dimension.hpp"
+#include "lib/quantity/dimension.hpp"
 
 namespace loadpath {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "issue.hpp"
-#include "quantity/dimension.hpp"
+#include "lib/issue.hpp"
+#include "lib/quantity/dimension.hpp"
 
 namespace loadpath {
 

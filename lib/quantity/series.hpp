@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "quantity/dimension.hpp"
+#include "lib/quantity/dimension.hpp"
 
 namespace loadpath {
 

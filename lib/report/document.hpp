@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "draw/figure.hpp"
-#include "issue.hpp"
+#include "lib/draw/figure.hpp"
+#include "lib/issue.hpp"
 
 namespace loadpath::report {
 

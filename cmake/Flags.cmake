@@ -1,0 +1,19 @@
+# Warnings are errors. The numbers' flags: -fno-math-errno and -fno-trapping-math let loops with sqrt vectorise,
+# -ffp-contract=off keeps results equal to the bit on every instruction set; never -ffast-math, for NaN means "unset".
+add_library(loadpath_flags INTERFACE)
+target_compile_options(loadpath_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+                                                -fno-math-errno -fno-trapping-math -ffp-contract=off)
+target_compile_features(loadpath_flags INTERFACE cxx_std_20)
+target_include_directories(loadpath_flags INTERFACE ${PROJECT_SOURCE_DIR})
+
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # g++ 12 reports these wrongly from inside the standard library when it inlines at -O2 and above.
+  target_compile_options(loadpath_flags INTERFACE -Wno-restrict -Wno-maybe-uninitialized -Wno-stringop-overflow
+                                                  -Wno-array-bounds -Wno-dangling-pointer)
+endif()
+
+if(LOADPATH_SANITIZE)
+  target_compile_options(loadpath_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+                                                  -fno-omit-frame-pointer)
+  target_link_options(loadpath_flags INTERFACE -fsanitize=address,undefined)
+endif()

@@ -12,6 +12,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
                                                   -Wno-array-bounds -Wno-dangling-pointer)
 endif()
 
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  target_compile_options(loadpath_flags INTERFACE -Wno-sign-conversion)  # as g++ reads -Wconversion
+endif()
+
 if(LOADPATH_SANITIZE)
   target_compile_options(loadpath_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
                                                   -fno-omit-frame-pointer)

@@ -82,12 +82,17 @@ struct Scheme {
     std::string name;
     std::vector<Point> points;
   };
+  struct Named {           // a point of a link that is no joint: where a force acts
+    std::string name;
+    Point at;
+  };
   std::vector<Body> bodies;
   std::vector<Joint> joints;
   std::vector<Guide> guides;
   std::vector<Arrow> arrows;
   std::vector<Moment> moments;
   std::vector<Path> paths;
+  std::vector<Named> points;
 };
 
 /// A shaft seen from the side: cylinders in order along x, with torques and forces at places.

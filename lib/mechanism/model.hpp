@@ -4,12 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace loadpath::mechanism {
+#include "lib/mechanism/vec.hpp"
 
-struct Vec {
-  double x = 0.0;
-  double y = 0.0;
-};
+namespace loadpath::mechanism {
 
 /// The fixed link. Its frame is the global frame.
 inline constexpr int ground = -1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -25,11 +26,11 @@ struct Dimension {
   [[nodiscard]] constexpr bool is_angle_or_number() const { return without_angle() == Dimension{}; }
 
   friend constexpr Dimension operator*(Dimension a, const Dimension& b) {
-    for (int i = 0; i < count; ++i) a.twelfths[i] = static_cast<std::int16_t>(a.twelfths[i] + b.twelfths[i]);
+    for (std::size_t i = 0; i < count; ++i) a.twelfths[i] = static_cast<std::int16_t>(a.twelfths[i] + b.twelfths[i]);
     return a;
   }
   friend constexpr Dimension operator/(Dimension a, const Dimension& b) {
-    for (int i = 0; i < count; ++i) a.twelfths[i] = static_cast<std::int16_t>(a.twelfths[i] - b.twelfths[i]);
+    for (std::size_t i = 0; i < count; ++i) a.twelfths[i] = static_cast<std::int16_t>(a.twelfths[i] - b.twelfths[i]);
     return a;
   }
   /// The dimension to the power numerator/denominator.

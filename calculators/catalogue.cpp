@@ -1,0 +1,27 @@
+#include "calculators/catalogue.hpp"
+
+#include <array>
+
+namespace loadpath {
+
+namespace {
+
+// One line per calculator; the only list of them. Explicit, because a linker drops objects that nothing refers to.
+constexpr std::array all{
+    &erased<struct PlanarMechanism>,
+    &erased<struct Torsion>,
+    &erased<struct Overhung>,
+};
+
+}  // namespace
+
+Catalogue catalogue() {
+  static const auto calculators = [] {
+    std::array<const Calculator*, all.size()> list{};
+    for (std::size_t i = 0; i < all.size(); ++i) list[i] = &all[i]();
+    return list;
+  }();
+  return calculators;
+}
+
+}  // namespace loadpath

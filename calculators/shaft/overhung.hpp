@@ -1,0 +1,112 @@
+// A round shaft end that carries a transverse force on an overhang and a torque: bending and torsion together.
+//
+// Decides the least diameter at the bearing, where the bending moment F a and the torque T act at the same time, by
+// von Mises or Tresca; checks the neutral axis, where transverse shear and torsion add, and torsion alone where
+// tau_adm is given. Static strength with allowable stresses that already hold their safety.
+// Not covered: fatigue of the rotating shaft, notches and keyways, deflection, the bearing side of the shaft.
+#pragma once
+
+#include <array>
+
+#include "lib/draw/figure.hpp"
+#include "lib/field.hpp"
+#include "lib/trace.hpp"
+
+namespace loadpath {
+
+struct Overhung {
+  static constexpr auto id = "shaft.overhung";
+  static constexpr auto title = "Overhung shaft end in bending and torsion";
+  static constexpr auto scope =
+      "Least diameter of a round shaft at the bearing beside an overhang, from the transverse force and the torque that "
+      "act at the same time; stresses at the chosen diameter. Static strength. Fatigue, notches and deflection are not "
+      "covered.";
+  static constexpr auto source = "[B19], [Mises]";
+  static constexpr auto example = R"([project]
+title = "Crank on an overhang"
+
+[crank]
+calculator = "shaft.overhung"
+F = "3654 N"
+a = "50 mm"
+T = "78.3 N*m"
+K_A = 1.4
+sigma_adm = "60 MPa"
+tau_adm = "30 MPa"
+)";
+
+  enum class Hypothesis { mises, tresca };
+
+  struct Input {
+    Force F = unset<Force>;
+    Length a = unset<Length>;
+    Moment T = unset<Moment>;
+    double K_A = 1.0;
+    Length d = unset<Length>;
+    double chi = unset<double>;
+    Length d_bore = unset<Length>;
+    Stress sigma_adm = unset<Stress>;
+    Stress tau_adm = unset<Stress>;
+    Hypothesis hypothesis = Hypothesis::mises;
+  };
+  static constexpr std::tuple inputs{
+      Field{&Input::F, "F", N, "transverse force on the overhang"},
+      Field{&Input::a, "a", mm, "overhang: from the force to the middle of the bearing"}.at_least(0).usually(1, 1e4),
+      Field{&Input::T, "T", N_m, "torque at the same time"},
+      Field{&Input::K_A, "K_A", ratio, "service factor on force and torque: what they do not contain, once"}
+          .positive().usually(1, 4),
+      Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
+      Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}.at_least(0).below(0.99).may_be_missing(),
+      Field{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing().kept_in_search(),
+      Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable equivalent stress, without a further safety factor"}
+          .positive().usually(1, 2000),
+      Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress by torsion alone"}
+          .positive().usually(1, 1000).may_be_missing(),
+      Choice{&Input::hypothesis, "hypothesis", "strength hypothesis of the equivalent stress"}.may_be_missing()};
+
+  struct Result {
+    Moment M_b = unset<Moment>, M_t = unset<Moment>, M_v = unset<Moment>;
+    Length d_v = unset<Length>, d_t = unset<Length>, d_min = unset<Length>;
+    Length d = unset<Length>, d_bore = unset<Length>;
+    Stress sigma_b = unset<Stress>, tau_t = unset<Stress>;
+    Stress sigma_M = unset<Stress>, sigma_T = unset<Stress>, tau_Q = unset<Stress>;
+    double u_v = unset<double>, u_Q = unset<double>, u_tau = unset<double>;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::M_b, "M_b", N_m, "bending moment at the bearing"}.as(Role::result),
+      Field{&Result::M_t, "M_t", N_m, "design torque"}.as(Role::result),
+      Field{&Result::M_v, "M_v", N_m, "equivalent moment"}.as(Role::result),
+      Field{&Result::d_v, "d_v", mm, "least diameter by the equivalent stress"}.as(Role::result),
+      Field{&Result::d_t, "d_t", mm, "least diameter by torsion alone"}.as(Role::result),
+      Field{&Result::d_min, "d_min", mm, "least diameter by both"}.as(Role::result),
+      Field{&Result::d, "d", mm, "outer diameter"}.as(Role::result),
+      Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"}.as(Role::result),
+      Field{&Result::sigma_b, "sigma_b", MPa, "bending stress"}.as(Role::result),
+      Field{&Result::tau_t, "tau_t", MPa, "torsional stress"}.as(Role::result),
+      Field{&Result::sigma_M, "sigma_M", MPa, "equivalent stress by von Mises, extreme fibre"}.as(Role::result),
+      Field{&Result::sigma_T, "sigma_T", MPa, "equivalent stress by Tresca, extreme fibre"}.as(Role::result),
+      Field{&Result::tau_Q, "tau_Q", MPa, "shear stress at the neutral axis, torsion and transverse shear"}.as(Role::result),
+      Field{&Result::u_v, "u_v", ratio, "bending with torsion: equivalent stress over the allowable one"}.check(),
+      Field{&Result::u_Q, "u_Q", ratio, "shear at the neutral axis: equivalent stress over the allowable one"}.check(),
+      Field{&Result::u_tau, "u_tau", ratio, "torsion alone: shear stress over the allowable one"}.check("tau_adm")};
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return !(is_set(in.chi) && is_set(in.d_bore)); }, "chi, d_bore",
+                  "give the bore as chi or as d_bore, never both"},
+      Rule<Input>{[](const Input& in) { return !(is_set(in.d) && is_set(in.d_bore)) || in.d_bore < in.d; }, "d_bore, d",
+                  "the bore must be smaller than the shaft"}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+extern template Overhung::Result Overhung::evaluate(const Input&, NoTrace&);
+extern template Overhung::Result Overhung::evaluate(const Input&, Trace&);
+
+constexpr auto choices_of(Overhung::Hypothesis) {
+  return std::array{
+      ChoiceName<Overhung::Hypothesis>{Overhung::Hypothesis::mises, "mises", "von Mises, distortion energy"},
+      ChoiceName<Overhung::Hypothesis>{Overhung::Hypothesis::tresca, "tresca", "Tresca, largest shear stress"}};
+}
+
+}  // namespace loadpath

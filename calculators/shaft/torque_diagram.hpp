@@ -1,0 +1,44 @@
+// Torques along a shaft and the internal moment between them.
+#pragma once
+
+#include <cstddef>
+
+#include "lib/list.hpp"
+#include "lib/units.hpp"
+
+namespace loadpath::shaft {
+
+/// A torque on the shaft at x, positive like the torques of the input.
+struct AppliedTorque {
+  Length x;
+  Moment T;
+};
+
+/// A cylinder of the shaft as the user gave it; NaN where a value is left to the calculator.
+struct Cylinder {
+  Length l;
+  Length d;
+  double chi;
+  Length d_bore;
+};
+
+/// A stretch between two neighbouring sections in which moment and diameter are constant.
+struct Stretch {
+  Length x;  // of its left end
+  Length l;
+  Moment M;  // internal moment: the sum of the torques to its left
+  std::size_t cylinder;
+};
+
+inline constexpr std::size_t most_torques = 33;
+inline constexpr std::size_t most_cylinders = 32;
+inline constexpr std::size_t most_stretches = most_torques + most_cylinders;
+
+using Torques = List<AppliedTorque, most_torques + 1>;
+using Cylinders = List<Cylinder, most_cylinders>;
+using Stretches = List<Stretch, most_stretches>;
+
+/// The stretches from left to right. Torques may come in any order; those that share a place act together.
+Stretches stretches(const Torques& torques, const Cylinders& cylinders);
+
+}  // namespace loadpath::shaft

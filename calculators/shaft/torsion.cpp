@@ -1,0 +1,281 @@
+#include "calculators/shaft/torsion.hpp"
+
+#include <algorithm>
+
+#include "calculators/shaft/section.hpp"
+#include "lib/calculator_of.hpp"
+
+namespace loadpath {
+
+namespace {
+
+using shaft::Cylinder;
+using shaft::Cylinders;
+using shaft::Torques;
+
+Length total_length(const Torsion::Input& in) {
+  Length sum = 0.0 * m.one;
+  for (const auto& s : in.segments) sum += s.l;
+  for (const auto& t : in.torques) {
+    if (in.segments.empty()) sum = max(sum, t.x);
+  }
+  return is_set(in.l) ? in.l : sum;
+}
+
+Cylinders cylinders_of(const Torsion::Input& in) {
+  Cylinders cylinders;
+  for (const auto& s : in.segments) {
+    const bool own_bore = is_set(s.chi) || is_set(s.d_bore);
+    cylinders.push_back({s.l, is_set(s.d) ? s.d : in.d, own_bore ? s.chi : in.chi, own_bore ? s.d_bore : in.d_bore});
+  }
+  if (cylinders.empty()) {
+    cylinders.push_back({in.torques.empty() ? in.l : total_length(in), in.d, in.chi, in.d_bore});
+  }
+  return cylinders;
+}
+
+Moment sum_of(const Torques& torques) {
+  Moment sum = 0.0 * N_m.one;
+  for (const auto& t : torques) sum += t.T;
+  return sum;
+}
+
+/// The torques with the reaction of the end that is held, or the two ends of the short form.
+Torques torques_of(const Torsion::Input& in) {
+  const Length end = total_length(in);
+  if (in.torques.empty()) return {{0.0 * m.one, in.T}, {end, -in.T}};
+  Torques torques;
+  for (const auto& t : in.torques) torques.push_back({t.x, t.T});
+  const Moment reaction = -sum_of(torques);
+  if (in.fixed == Torsion::Fixed::left) torques.push_back({0.0 * m.one, reaction});
+  if (in.fixed == Torsion::Fixed::right) torques.push_back({end, reaction});
+  return torques;
+}
+
+/// What sizing and checking of one stretch need beside its moment.
+struct Allowed {
+  Stress tau_all;
+  Stress G;
+  Twist theta_adm;
+};
+
+/// The least diameter by strength: solid, with the bore as a ratio, or with the bore as a size.
+template <class Tracer>
+Length size_by_strength(Moment M_t, const Cylinder& c, Stress tau_all, Tracer& trace) {
+  const double chi = c.chi;
+  if (is_set(chi)) {
+    STEP(d_strength, cbrt(16.0 * M_t / (pi * tau_all * (1.0 - pow<4>(chi)))), "strength of a ring, [B19] (5)");
+    return d_strength;
+  }
+  if (is_set(c.d_bore)) {
+    const Length d = shaft::diameter_for_modulus(M_t / tau_all, c.d_bore);
+    trace.value("d_strength", d, "strength: the diameter at which W_t = M_t/tau_all with the given bore, [B19] (3)");
+    return d;
+  }
+  STEP(d_strength, cbrt(16.0 * M_t / (pi * tau_all)), "strength, [B19] (4)");
+  return d_strength;
+}
+
+/// The same by stiffness.
+template <class Tracer>
+Length size_by_stiffness(Moment M_t, const Cylinder& c, const Allowed& allowed, Tracer& trace) {
+  const auto& [tau_all, G, theta_adm] = allowed;
+  const double chi = c.chi;
+  const Length d_bore = c.d_bore;
+  if (!is_set(theta_adm)) return unset<Length>;
+  if (is_set(chi)) {
+    STEP(d_stiffness, sqrt(sqrt(32.0 * M_t / (pi * G * theta_adm * (1.0 - pow<4>(chi))))), "stiffness of a ring, [B19] (10)");
+    return d_stiffness;
+  }
+  if (is_set(d_bore)) {
+    STEP(d_stiffness, sqrt(sqrt(pow<4>(d_bore) + 32.0 * M_t / (pi * G * theta_adm))), "stiffness with the given bore, [B19] (8)");
+    return d_stiffness;
+  }
+  STEP(d_stiffness, sqrt(sqrt(32.0 * M_t / (pi * G * theta_adm))), "stiffness, [B19] (9)");
+  return d_stiffness;
+}
+
+/// Stress and twist of one stretch at its diameter.
+template <class Tracer>
+void load(Torsion::Stretch& s, Stress G, double K_A, Tracer& trace) {
+  const auto d = s.d, d_bore = s.d_bore, l = s.l;
+  const auto M = s.M, M_t = s.M_t;
+  STEP(I_t, pi / 32.0 * (pow<4>(d) - pow<4>(d_bore)), "polar second moment of a ring");
+  STEP(tau, M_t * d / (2.0 * I_t), "at the surface, [B19] (2)");
+  s.tau = tau;
+  if (!is_set(G)) return;
+  STEP(theta, K_A * M / (G * I_t), "twist per length, signed, [B19] (7)");
+  s.theta = theta;
+  if (!is_set(l)) return;
+  STEP(phi, theta * l, "twist of the stretch");
+  s.phi = phi;
+}
+
+/// Moments and least diameters, stretch by stretch.
+template <class Tracer>
+void size_stretches(const Torsion::Input& in, const shaft::Stretches& parts, const Cylinders& cylinders, const Allowed& allowed, Torsion::Result& r,
+                    Tracer& trace) {
+  const double K_A = in.K_A;
+  for (const shaft::Stretch& part : parts) {
+    [[maybe_unused]] const auto scope = trace.scope("segments", r.segments.size());
+    const Moment M = part.M;
+    const Cylinder& c = cylinders[part.cylinder];
+    trace.value("M", M, "internal moment: the sum of the torques to its left");
+    STEP(M_t, K_A * abs(M), "design moment");
+    if (is_set(c.chi)) trace.value("chi", c.chi, "bore ratio");
+    Torsion::Stretch& s = r.segments.emplace_back();
+    s.x = part.x;
+    s.l = part.l;
+    s.M = M;
+    s.M_t = M_t;
+    s.d = c.d;
+    s.d_bore = c.d_bore;
+    s.d_strength = size_by_strength(M_t, c, allowed.tau_all, trace);
+    s.d_stiffness = size_by_stiffness(M_t, c, allowed, trace);
+  }
+}
+
+/// The largest set value of a member over the stretches; unset where none is.
+template <class Quantity>
+Quantity largest(const Torsion::Result& r, Quantity Torsion::Stretch::*member) {
+  Quantity most = unset<Quantity>;
+  for (const Torsion::Stretch& s : r.segments) {
+    const Quantity value = abs(s.*member);
+    if (!is_set(most) || value > most) most = value;
+  }
+  return most;
+}
+
+template <class Tracer>
+void choose_least(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
+  const auto G = in.G;
+  const auto theta_adm = in.theta_adm;
+  const auto tau_all = r.tau_all;
+  const auto d_strength = r.d_strength = largest(r, &Torsion::Stretch::d_strength);
+  const auto d_stiffness = r.d_stiffness = largest(r, &Torsion::Stretch::d_stiffness);
+  r.M_max = largest(r, &Torsion::Stretch::M_t);
+  trace.value("d_strength", d_strength, "largest of the shaft");
+  if (is_set(theta_adm)) {
+    trace.value("d_stiffness", d_stiffness, "largest of the shaft");
+    STEP(D_star, 2.0 * tau_all / (G * theta_adm), "below this diameter stiffness governs, above it strength");
+    r.D_star = D_star;
+  }
+  STEP(d_min, is_set(d_stiffness) ? max(d_strength, d_stiffness) : d_strength, "the larger governs, [B19]");
+  r.d_min = d_min;
+}
+
+/// Diameters of the stretches: as given, else the least one of the shaft; a ratio gives the bore unless it is kept.
+void set_diameters(const Cylinders& cylinders, const shaft::Stretches& parts, Torsion::Result& r) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Cylinder& c = cylinders[parts[i].cylinder];
+    Torsion::Stretch& s = r.segments[i];
+    s.d = is_set(c.d) ? c.d : r.d_min;
+    s.d_bore = shaft::bore_of(c.d_bore, c.chi, s.d);
+  }
+  r.d = largest(r, &Torsion::Stretch::d);
+  r.d_bore = largest(r, &Torsion::Stretch::d_bore);
+}
+
+template <class Tracer>
+void load_stretches(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
+  double twist = 0.0, least = 0.0, most = 0.0;
+  for (std::size_t i = 0; i < r.segments.size(); ++i) {
+    [[maybe_unused]] const auto scope = trace.scope("segments", i);
+    Torsion::Stretch& s = r.segments[i];
+    load(s, in.G, in.K_A, trace);
+    r.sections.push_back({s.x, twist});
+    twist += s.phi;
+    least = min(least, twist);
+    most = max(most, twist);
+  }
+  r.sections.push_back({r.segments.back().x + r.segments.back().l, twist});
+  r.phi = twist;
+  r.phi_max = std::isnan(twist) ? twist : most - least;
+}
+
+template <class Tracer>
+void judge(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
+  const auto theta_adm = in.theta_adm;
+  const auto tau_all = r.tau_all;
+  const auto tau_max = r.tau_max = largest(r, &Torsion::Stretch::tau);
+  const auto theta_max = r.theta_max = largest(r, &Torsion::Stretch::theta);
+  trace.value("tau_max", tau_max, "largest of the shaft");
+  STEP(u_tau, tau_max / tau_all, "strength condition, [B19] (3)");
+  r.u_tau = u_tau;
+  if (is_set(theta_adm)) {
+    trace.value("theta_max", theta_max, "largest of the shaft");
+    STEP(u_theta, theta_max / theta_adm, "stiffness condition, [B19] (8)");
+    r.u_theta = u_theta;
+  }
+  if (is_set(r.phi)) trace.value("phi", r.phi, "sum over the stretches, with sign");
+  r.F_bend = is_set(in.F) ? abs(in.F) : 0.0 * N.one;
+}
+
+}  // namespace
+
+bool Torsion::torques_close(const Input& in) {
+  if (in.fixed != Fixed::none || in.torques.empty()) return true;
+  double sum = 0.0, largest = 0.0;
+  for (const auto& t : in.torques) {
+    sum += si_value(t.T);
+    largest = std::max(largest, std::abs(si_value(t.T)));
+  }
+  return std::abs(sum) <= 1e-6 * largest;
+}
+
+bool Torsion::torques_on_shaft(const Input& in) {
+  const Length end = total_length(in) * (1.0 + 1e-12);
+  return std::all_of(in.torques.begin(), in.torques.end(), [&](const Torque& t) { return t.x <= end; }) &&
+         (in.torques.empty() || end > 0.0 * m.one);
+}
+
+bool Torsion::bores_fit(const Input& in) {
+  return std::all_of(in.segments.begin(), in.segments.end(), [](const Segment& s) {
+    return !(is_set(s.chi) && is_set(s.d_bore)) && !(is_set(s.d) && is_set(s.d_bore) && s.d_bore >= s.d);
+  });
+}
+
+template <class Tracer>
+Torsion::Result Torsion::evaluate(const Input& in, Tracer& trace) {
+  const auto& tau_adm = in.tau_adm;
+  const auto& R_e = in.R_e;
+  const auto& S = in.S;
+  Result r;
+  STEP(tau_all, is_set(tau_adm) ? tau_adm : R_e / (sqrt(3.0) * S),
+       "as given, or from the yield strength by the distortion energy hypothesis");
+  r.tau_all = tau_all;
+  const Cylinders cylinders = cylinders_of(in);
+  const shaft::Stretches parts = shaft::stretches(torques_of(in), cylinders);
+  size_stretches(in, parts, cylinders, {tau_all, in.G, in.theta_adm}, r, trace);
+  choose_least(in, r, trace);
+  set_diameters(cylinders, parts, r);
+  load_stretches(in, r, trace);
+  judge(in, r, trace);
+  return r;
+}
+
+template Torsion::Result Torsion::evaluate(const Input&, NoTrace&);
+template Torsion::Result Torsion::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> Torsion::figures(const Input&, const Result& r) {
+  if (!is_set(r.segments.front().l)) return {};
+  draw::Curve moment{"M", {}, {}, true};
+  draw::Shaft side;
+  for (const Stretch& s : r.segments) {
+    for (const double x : {si_value(s.x), si_value(s.x + s.l)}) {
+      moment.x.push_back(x);
+      moment.y.push_back(si_value(s.M));
+    }
+    side.parts.push_back({si_value(s.l), si_value(s.d), si_value(s.d_bore)});
+  }
+  draw::Plot diagram;
+  diagram.x = {"x", "place along the shaft", "mm"};
+  diagram.y = {"M", "internal moment", "N*m"};
+  diagram.curves.push_back(std::move(moment));
+  return {{"shaft", "The shaft from the side", std::move(side)},
+          {"torque-diagram", "Torque diagram", std::move(diagram)}};
+}
+
+template const Calculator& erased<Torsion>();
+
+}  // namespace loadpath

@@ -1,0 +1,203 @@
+// Sizing and checking a round shaft, solid or bored, in torsion: strength, stiffness, twist.
+//
+// Decides the least diameter by tau <= tau_adm and by theta <= theta_adm, the stresses and the twist at the diameter
+// that is chosen, and which condition governs. Linear elastic, circular sections, static torques (Saint-Venant).
+// Sign: torques positive as given; the internal moment of a stretch is the sum of the torques to its left.
+// Not covered: bending (see shaft.overhung), fatigue, notches, keyways, buckling of thin tubes.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "calculators/shaft/torque_diagram.hpp"
+#include "lib/draw/figure.hpp"
+#include "lib/field.hpp"
+#include "lib/trace.hpp"
+
+namespace loadpath {
+
+struct Torsion {
+  static constexpr auto id = "shaft.torsion";
+  static constexpr auto title = "Shaft in torsion";
+  static constexpr auto scope =
+      "Least diameter of a round shaft, solid or bored, by strength and by stiffness; stresses and twist at the "
+      "chosen diameter. Static torsion of circular sections. Bending, fatigue and notches are not covered.";
+  static constexpr auto source = "[B19]";
+  static constexpr auto example = R"([project]
+title = "Line shaft"
+
+[line_shaft]
+calculator = "shaft.torsion"
+torques = [
+  { x = "0 mm", T = "900 N*m" },
+  { x = "300 mm", T = "-3600 N*m" },
+  { x = "800 mm", T = "1500 N*m" },
+  { x = "1000 mm", T = "1200 N*m" },
+]
+G = "80 GPa"
+tau_adm = "30 MPa"
+theta_adm = "0.004 rad/m"
+)";
+
+  enum class Fixed { none, left, right };
+
+  struct Segment {
+    Name name;
+    Length l = unset<Length>, d = unset<Length>;
+    double chi = unset<double>;
+    Length d_bore = unset<Length>;
+    static constexpr std::tuple fields{
+        NameField{&Segment::name, "name", "name of the part"}.may_be_missing(),
+        Field{&Segment::l, "l", mm, "length"}.positive().usually(0.1, 1e5),
+        Field{&Segment::d, "d", mm, "outer diameter; the common one where missing"}.positive().usually(1, 2000).may_be_missing(),
+        Field{&Segment::chi, "chi", ratio, "bore ratio d_bore/d"}.at_least(0).below(0.99).may_be_missing(),
+        Field{&Segment::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing()};
+  };
+
+  struct Torque {
+    Name name;
+    Length x = unset<Length>;
+    Moment T = unset<Moment>;
+    static constexpr std::tuple fields{
+        NameField{&Torque::name, "name", "what brings the torque"}.may_be_missing(),
+        Field{&Torque::x, "x", mm, "place from the left end"}.at_least(0),
+        Field{&Torque::T, "T", N_m, "torque on the shaft, signed"}};
+  };
+
+  struct Input {
+    Moment T = unset<Moment>;
+    Length l = unset<Length>;
+    Length d = unset<Length>;
+    double chi = unset<double>;
+    Length d_bore = unset<Length>;
+    double K_A = 1.0;
+    Stress G = unset<Stress>;
+    Stress tau_adm = unset<Stress>;
+    Stress R_e = unset<Stress>;
+    double S = unset<double>;
+    Twist theta_adm = unset<Twist>;
+    Force F = unset<Force>;
+    Fixed fixed = Fixed::none;
+    List<Torque, shaft::most_torques> torques;
+    List<Segment, shaft::most_cylinders> segments;
+  };
+  static bool torques_close(const Input& in);
+  static bool torques_on_shaft(const Input& in);
+  static bool bores_fit(const Input& in);
+  static constexpr std::tuple inputs{
+      Field{&Input::T, "T", N_m, "torque through the whole shaft, in place of torques"}.may_be_missing(),
+      Field{&Input::l, "l", mm, "length of the shaft, for the angle of twist"}.positive().may_be_missing(),
+      Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
+      Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}.at_least(0).below(0.99).may_be_missing(),
+      Field{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing().kept_in_search(),
+      Field{&Input::K_A, "K_A", ratio, "service factor: what the loads do not contain, once"}.positive().usually(1, 4),
+      Field{&Input::G, "G", GPa, "shear modulus"}.positive().usually(1, 500).from("material", "G"),
+      Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress, without a further safety factor"}
+          .positive().usually(1, 1000).may_be_missing(),
+      Field{&Input::R_e, "R_e", MPa, "yield strength, with S in place of tau_adm"}
+          .positive().usually(50, 2500).from("material", "R_e", "d", "tau_adm"),
+      Field{&Input::S, "S", ratio, "safety factor against yielding, with R_e"}.at_least(1).usually(1, 6).may_be_missing(),
+      Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}.positive().usually(0.02, 10).may_be_missing(),
+      Field{&Input::F, "F", N, "transverse force that comes with the torque; bends the shaft"}.coming_with("T"),
+      Choice{&Input::fixed, "fixed", "end that is held; its reaction closes the sum of the torques"}.may_be_missing(),
+      ListField{&Input::torques, "torques", "torques along the shaft; their sum is zero unless an end is fixed"}.may_be_missing(),
+      ListField{&Input::segments, "segments", "cylinders from left to right"}.may_be_missing()};
+
+  struct Stretch {
+    Length x = unset<Length>, l = unset<Length>;
+    Moment M = unset<Moment>, M_t = unset<Moment>;
+    Length d_strength = unset<Length>, d_stiffness = unset<Length>, d = unset<Length>, d_bore = unset<Length>;
+    Stress tau = unset<Stress>;
+    Twist theta = unset<Twist>;
+    double phi = unset<double>;
+    static constexpr std::tuple fields{
+        Field{&Stretch::x, "x", mm, "left end"}.as(Role::result),
+        Field{&Stretch::l, "l", mm, "length"}.as(Role::result),
+        Field{&Stretch::M, "M", N_m, "internal moment, signed"}.as(Role::result),
+        Field{&Stretch::M_t, "M_t", N_m, "design moment"}.as(Role::result),
+        Field{&Stretch::d_strength, "d_strength", mm, "least diameter by strength"}.as(Role::result),
+        Field{&Stretch::d_stiffness, "d_stiffness", mm, "least diameter by stiffness"}.as(Role::result),
+        Field{&Stretch::d, "d", mm, "outer diameter"}.as(Role::result),
+        Field{&Stretch::d_bore, "d_bore", mm, "bore"}.as(Role::result),
+        Field{&Stretch::tau, "tau", MPa, "largest shear stress"}.as(Role::result),
+        Field{&Stretch::theta, "theta", deg_per_m, "twist per length, signed"}.as(Role::result),
+        Field{&Stretch::phi, "phi", deg, "twist of the right end against the left, signed"}.as(Role::result)};
+  };
+
+  struct Section {
+    Length x = unset<Length>;
+    double phi = unset<double>;
+    static constexpr std::tuple fields{
+        Field{&Section::x, "x", mm, "place from the left end"}.as(Role::result),
+        Field{&Section::phi, "phi", deg, "twist against the left end, signed"}.as(Role::result)};
+  };
+
+  struct Result {
+    Stress tau_all = unset<Stress>;
+    Moment M_max = unset<Moment>;
+    Length d_strength = unset<Length>, d_stiffness = unset<Length>, d_min = unset<Length>;
+    Length D_star = unset<Length>;
+    Length d = unset<Length>, d_bore = unset<Length>;
+    Stress tau_max = unset<Stress>;
+    Twist theta_max = unset<Twist>;
+    double phi = unset<double>, phi_max = unset<double>;
+    double u_tau = unset<double>, u_theta = unset<double>;
+    Force F_bend = unset<Force>;
+    List<Stretch, shaft::most_stretches> segments;
+    List<Section, shaft::most_stretches + 1> sections;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::tau_all, "tau_all", MPa, "allowable shear stress"}.as(Role::result),
+      Field{&Result::M_max, "M_max", N_m, "largest design moment"}.as(Role::result),
+      Field{&Result::d_strength, "d_strength", mm, "least diameter by strength"}.as(Role::result),
+      Field{&Result::d_stiffness, "d_stiffness", mm, "least diameter by stiffness"}.as(Role::result),
+      Field{&Result::d_min, "d_min", mm, "least diameter by both"}.as(Role::result),
+      Field{&Result::D_star, "D_star", mm, "diameter below which stiffness governs, solid or bored alike"}.as(Role::result),
+      Field{&Result::d, "d", mm, "outer diameter, largest of the shaft"}.as(Role::result),
+      Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"}.as(Role::result),
+      Field{&Result::tau_max, "tau_max", MPa, "largest shear stress"}.as(Role::result),
+      Field{&Result::theta_max, "theta_max", deg_per_m, "largest twist per length"}.as(Role::result),
+      Field{&Result::phi, "phi", deg, "twist of the right end against the left, signed"}.as(Role::result),
+      Field{&Result::phi_max, "phi_max", deg, "largest twist between any two sections"}.as(Role::result),
+      Field{&Result::u_tau, "u_tau", ratio, "strength: largest shear stress over the allowable one"}.check(),
+      Field{&Result::u_theta, "u_theta", ratio, "stiffness: largest twist per length over the allowable one"}.check("theta_adm"),
+      Field{&Result::F_bend, "F_bend", N, "bending: transverse force, which torsion alone does not cover"}.limit(0, 1e-3),
+      ListField{&Result::segments, "segments", "stretches of constant moment and diameter, left to right"}.as(Role::result),
+      ListField{&Result::sections, "sections", "sections between the stretches"}.as(Role::result)};
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return is_set(in.T) == in.torques.empty(); }, "T, torques",
+                  "give either T or torques"},
+      Rule<Input>{[](const Input& in) { return is_set(in.tau_adm) || (is_set(in.R_e) && is_set(in.S)); },
+                  "tau_adm, R_e, S", "give tau_adm, or S with the yield strength R_e (or a material)"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.tau_adm) || !(is_set(in.S) || is_set(in.R_e)); },
+                  "tau_adm, R_e, S", "tau_adm already holds the safety: give tau_adm, or R_e with S, never both"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.theta_adm) || is_set(in.G); }, "theta_adm, G",
+                  "theta_adm needs the shear modulus G (or a material)"},
+      Rule<Input>{[](const Input& in) { return !(is_set(in.chi) && is_set(in.d_bore)); }, "chi, d_bore",
+                  "give the bore as chi or as d_bore, never both"},
+      Rule<Input>{[](const Input& in) { return !(is_set(in.d) && is_set(in.d_bore)) || in.d_bore < in.d; }, "d_bore, d",
+                  "the bore must be smaller than the shaft"},
+      Rule<Input>{[](const Input& in) { return in.segments.empty() || !is_set(in.l); }, "l, segments",
+                  "the length is the sum of the segments: give l or segments"},
+      Rule<Input>{&torques_close, "torques, fixed", "the torques must sum to zero, or one end must be fixed"},
+      Rule<Input>{&torques_on_shaft, "torques, segments, l", "every torque must lie on the shaft"},
+      Rule<Input>{&bores_fit, "segments", "the bore of a segment must be smaller than its diameter; give it as chi or as "
+                                          "d_bore, never both"}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template Torsion::Result Torsion::evaluate(const Input&, NoTrace&);
+extern template Torsion::Result Torsion::evaluate(const Input&, Trace&);
+
+constexpr auto choices_of(Torsion::Fixed) {
+  return std::array{ChoiceName<Torsion::Fixed>{Torsion::Fixed::none, "none", "free at both ends"},
+                    ChoiceName<Torsion::Fixed>{Torsion::Fixed::left, "left", "held at the left end"},
+                    ChoiceName<Torsion::Fixed>{Torsion::Fixed::right, "right", "held at the right end"}};
+}
+
+}  // namespace loadpath

@@ -1,0 +1,70 @@
+// A calculator without its C++ types: what the program's commands, readers, searches, sweeps and reports know of it.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "lib/draw/figure.hpp"
+#include "lib/record.hpp"
+#include "lib/trace.hpp"
+
+namespace loadpath {
+
+namespace project {
+class Step;
+struct StepInput;
+}  // namespace project
+
+struct RuleInfo {
+  const char* fields;
+  const char* text;
+};
+
+/// A column of a sweep: where a leaf of the input (or result) lies inside its record, and its values.
+struct InputColumn {
+  std::size_t offset;  // bytes from the start of the aggregate
+  const double* si;
+};
+struct ResultColumn {
+  std::size_t offset;
+  double* si;
+};
+
+struct Calculator {
+  const char* id = "";        // "shaft.torsion"
+  const char* title = "";     // "Torsion of a shaft"
+  const char* scope = "";     // what it decides, what it assumes, what it does not cover
+  const char* source = "";    // keys of tables/sources.toml: "[B19]"
+  const char* example = "";   // a project file that runs
+  const RecordType* input = nullptr;
+  const RecordType* result = nullptr;
+  std::span<const RuleInfo> rules;
+  bool (*holds)(std::size_t rule, const void* input) = nullptr;
+  void (*evaluate)(const void* input, void* result) = nullptr;
+  void (*explain)(const void* input, void* result, Trace& trace) = nullptr;
+  std::vector<draw::Figure> (*figures)(const void* input, const void* result) = nullptr;
+  /// `count` evaluations; `input` is the base record and holds the last point afterwards. Allocates nothing.
+  void (*sweep)(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out,
+                std::size_t count) = nullptr;
+  /// The step that runs it in a project.
+  std::unique_ptr<project::Step> (*make_step)(project::StepInput&& input) = nullptr;
+
+  [[nodiscard]] std::string_view element() const {
+    const std::string_view all = id;
+    return all.substr(0, all.find('.'));
+  }
+};
+
+/// What the program has; filled by calculators/catalogue.cpp, handed to whoever needs it.
+using Catalogue = std::span<const Calculator* const>;
+
+/// The erased form of a calculator class: defined by lib/calculator_of.hpp, instantiated in the calculator's source.
+template <class C>
+const Calculator& erased();
+
+const Calculator* find_calculator(Catalogue catalogue, std::string_view id);
+
+}  // namespace loadpath

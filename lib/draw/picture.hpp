@@ -1,0 +1,21 @@
+// A figure's content drawn: what lib/draw/svg.cpp puts into one element.
+#pragma once
+
+#include <string>
+
+#include "lib/draw/figure.hpp"
+#include "lib/draw/svg_writer.hpp"
+
+namespace loadpath::draw {
+
+struct Picture {
+  SvgWriter svg;
+  double height = 0.0;
+  std::string description;  // for screen readers
+};
+
+Picture picture(const Plot& plot);
+Picture picture(const Scheme& scheme);
+Picture picture(const Shaft& shaft);
+
+}  // namespace loadpath::draw

@@ -1,0 +1,91 @@
+#include "lib/draw/scheme_parts.hpp"
+
+#include <numbers>
+
+namespace loadpath::draw {
+namespace {
+
+constexpr double support_depth = 15.0, support_half = 8.5, ground_half = 13.0;
+
+}  // namespace
+
+std::vector<Point> convex_hull(std::vector<Point> points) {
+  const auto before = [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
+  const auto same = [](Point a, Point b) { return a.x == b.x && a.y == b.y; };
+  std::sort(points.begin(), points.end(), before);
+  points.erase(std::unique(points.begin(), points.end(), same), points.end());
+  if (points.size() < 3) return points;
+  std::vector<Point> hull;
+  const auto chain = [&](auto begin, auto end) {
+    const std::size_t base = hull.size();
+    for (auto p = begin; p != end; ++p) {
+      while (hull.size() >= base + 2 &&
+             cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 1e-3 * length(*p - hull.back())) {
+        hull.pop_back();
+      }
+      hull.push_back(*p);
+    }
+    hull.pop_back();
+  };
+  chain(points.begin(), points.end());
+  chain(points.rbegin(), points.rend());
+  return hull;
+}
+
+std::vector<Point> block(Point centre, Point direction) {
+  const Point a = 0.5 * block_length * direction, b = 0.5 * block_width * across(direction);
+  return {centre + a + b, centre + a - b, centre - a - b, centre - a + b};
+}
+
+void hatch(SvgWriter& svg, Point from, Point to) {
+  constexpr double spacing = 6.0, size = 6.0;
+  const Point d = unit(to - from);
+  const Point stroke = size * (across(d) - d);
+  std::vector<std::pair<Point, Point>> strokes;
+  const double whole = length(to - from);
+  for (double s = spacing; s <= whole + 1e-9 && strokes.size() < 200; s += spacing) {
+    strokes.push_back({from + s * d, from + s * d + stroke});
+  }
+  svg.strokes("light", strokes);
+}
+
+std::pair<Point, Point> support_ground(Point pin, Point direction) {
+  const Point foot = pin + support_depth * direction, side = ground_half * across(direction);
+  return {foot + side, foot - side};
+}
+
+void support(SvgWriter& svg, Point pin, Point direction) {
+  const Point foot = pin + support_depth * direction, side = support_half * across(direction);
+  svg.polygon("pin", {pin, foot + side, foot - side});
+  const auto [from, to] = support_ground(pin, direction);
+  svg.line("outline", from, to);
+  hatch(svg, from, to);
+}
+
+void arrow_head(SvgWriter& svg, std::string_view fill, Point tip, Point direction, double size) {
+  const Point back = tip - size * direction, side = 0.34 * size * across(direction);
+  svg.polygon(fill, {tip, back + side, back - side});
+}
+
+void arrow(SvgWriter& svg, int colour, Point from, Point to) {
+  constexpr double head = 11.0;
+  const double size = std::min(head, 0.7 * length(to - from));
+  const Point direction = unit(to - from);
+  const std::string number = std::to_string(colour);
+  svg.line("force c" + number, from, to - 0.8 * size * direction);
+  arrow_head(svg, "f" + number, to, direction, size);
+}
+
+void couple(SvgWriter& svg, Point at, bool positive) {
+  constexpr double pi = std::numbers::pi, head = 10.0;
+  const double start = positive ? -0.25 * pi : 1.25 * pi, sweep = (positive ? 1.5 : -1.5) * pi;
+  const double lead = head / couple_radius;  // the head follows the arc by its length
+  svg.arc("force c1", at, couple_radius, start, sweep - (positive ? lead : -lead) * 0.7);
+  const double end = start + sweep;
+  const Point tip = at + couple_radius * Point{std::cos(end), -std::sin(end)};
+  const double behind = end - (positive ? lead : -lead);
+  const Point back = at + couple_radius * Point{std::cos(behind), -std::sin(behind)};
+  arrow_head(svg, "f1", tip, unit(tip - back), head);
+}
+
+}  // namespace loadpath::draw

@@ -1,0 +1,69 @@
+#include "lib/draw/ticks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/quantity/format.hpp"
+
+namespace loadpath::draw {
+namespace {
+
+double power_of_ten(int exponent) { return std::pow(10.0, exponent); }
+int magnitude(double value) { return static_cast<int>(std::floor(std::log10(value) + 1e-9)); }
+
+double decimal_step(double least) {
+  const double unit = power_of_ten(magnitude(least));
+  for (const double k : {1.0, 2.0, 5.0}) {
+    if (k * unit >= least * (1.0 - 1e-9)) return k * unit;
+  }
+  return 10.0 * unit;
+}
+
+double degree_step(double least) {
+  for (const double step : {1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0, 360.0}) {
+    if (least > 0.5 && step >= least) return step;
+  }
+  return least > 360.0 ? 360.0 * std::ceil(least / 360.0) : decimal_step(least);
+}
+
+/// A range that can be divided: what has no extent is shown with zero, and zero with one on both sides.
+Range opened(Range data) {
+  const double size = std::max(std::fabs(data.low), std::fabs(data.high));
+  if (!(size > 1e-100)) return {-1.0, 1.0};
+  if (data.high - data.low > 1e-9 * size) return data;
+  return data.low > 0.0 ? Range{0.0, 2.0 * data.high} : Range{2.0 * data.low, 0.0};
+}
+
+double to_tick(double end, double tick, double reach) { return std::fabs(tick - end) <= reach ? tick : end; }
+
+/// The power of ten, a multiple of three, that keeps tick texts short; 0 for numbers that are written out.
+int written_power(const Range& range) {
+  const double size = std::max(std::fabs(range.low), std::fabs(range.high));
+  if (size < 1e5 && size >= 1e-2) return 0;
+  return 3 * static_cast<int>(std::floor((magnitude(size)) / 3.0));
+}
+
+}  // namespace
+
+std::string Axis::text(double tick) const {
+  const double size = std::max(std::fabs(range.low), std::fabs(range.high));
+  const int digits = std::clamp(magnitude(size) - magnitude(step) + 3, 3, 15);
+  return format_number(power == 0 ? tick : tick / power_of_ten(power), digits);
+}
+
+Axis axis(Range data, int most, Steps steps, Ends ends) {
+  const Range shown = opened(data);
+  const double extent = shown.high - shown.low;
+  Axis result;
+  result.step = steps == Steps::degrees ? degree_step(extent / most) : decimal_step(extent / most);
+  const double step = result.step, slack = 1e-6;
+  const double reach = ends == Ends::ticks ? step : 0.03 * extent;
+  result.range.low = to_tick(shown.low, step * std::floor(shown.low / step + slack), reach);
+  result.range.high = to_tick(shown.high, step * std::ceil(shown.high / step - slack), reach);
+  const double last = std::floor(result.range.high / step + slack);
+  for (double i = std::ceil(result.range.low / step - slack); i <= last; ++i) result.ticks.push_back(i * step + 0.0);
+  result.power = written_power(result.range);
+  return result;
+}
+
+}  // namespace loadpath::draw

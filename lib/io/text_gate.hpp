@@ -1,0 +1,21 @@
+// What is refused before a text reaches the TOML parser: Debian's toml++ 3.3 is undefined on bad UTF-8, on control
+// characters, and on a line-ending backslash that is followed by a letter outside ASCII.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lib/issue.hpp"
+
+namespace loadpath::io {
+
+inline constexpr std::size_t largest_file = 4 * 1024 * 1024;
+
+/// The first thing that cannot be passed on, with its place.
+std::optional<Issue> refuse_text(std::string_view text, const std::string& file);
+
+/// The length in bytes of the UTF-8 character at the start of `text`; 0 where it is none.
+std::size_t utf8_length(std::string_view text);
+
+}  // namespace loadpath::io

@@ -1,0 +1,233 @@
+#include "lib/quantity/series.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace loadpath {
+namespace {
+
+constexpr double not_available = std::numeric_limits<double>::quiet_NaN();
+
+struct Point {
+  double at = 0.0;
+  double value = 0.0;
+};
+
+/// The position `k` of a series, counted on through neighbouring turns of a cycle.
+Point point(const Value& series, std::ptrdiff_t k) {
+  const Axis& axis = *series.signature.axis;
+  const auto n = static_cast<std::ptrdiff_t>(axis.at.size());
+  const std::ptrdiff_t turn = k >= 0 ? k / n : (k + 1) / n - 1;
+  const auto i = static_cast<std::size_t>(k - turn * n);
+  return {axis.at[i] + static_cast<double>(turn) * axis.period, series.si[i]};
+}
+
+bool available(const Value& series) {
+  const Axis* axis = series.signature.axis;
+  return !series.si.empty() && (axis == nullptr || axis->at.size() == series.si.size()) &&
+         std::all_of(series.si.begin(), series.si.end(), [](double x) { return std::isfinite(x); });
+}
+
+bool over_a_cycle(const Value& series) {
+  const Axis* axis = series.signature.axis;
+  return axis != nullptr && axis->cyclic() && axis->at.size() == series.si.size() && !series.si.empty();
+}
+
+/// The polynomial through five points in Newton's form, seen from one of them: abscissae in steps, values as differences.
+class Quartic {
+ public:
+  Quartic(const std::array<double, 5>& t, const std::array<double, 5>& f) : t_{t}, coefficient_{f} {
+    for (std::size_t order = 1; order < 5; ++order) {
+      for (std::size_t k = 4; k >= order; --k) {
+        coefficient_[k] = (coefficient_[k] - coefficient_[k - 1]) / (t_[k] - t_[k - order]);
+      }
+      if (order == 2) std::copy(coefficient_.begin() + 2, coefficient_.end(), bend_.begin());
+    }
+  }
+
+  /// Whether the three parabolas through neighbouring points all open downwards with nearly one curvature. A quarter
+  /// keeps the quartic concave between the neighbours of the middle point and within 2 % of the second difference of
+  /// the parabola; a jump, a kink or fewer than about 12 positions to a wave bend the three apart.
+  [[nodiscard]] bool smooth_summit() const {
+    const double allowed = -0.25 * bend_[1];
+    return allowed > 0.0 && std::abs(bend_[0] - bend_[1]) <= allowed && std::abs(bend_[2] - bend_[1]) <= allowed;
+  }
+
+  struct Local {
+    double value = 0.0, slope = 0.0, curvature = 0.0;
+  };
+  [[nodiscard]] Local operator()(double t) const {
+    Local q{coefficient_[4], 0.0, 0.0};
+    for (std::size_t k = 4; k-- > 0;) {
+      const double step = t - t_[k];
+      q.curvature = q.curvature * step + 2.0 * q.slope;
+      q.slope = q.slope * step + q.value;
+      q.value = q.value * step + coefficient_[k];
+    }
+    return q;
+  }
+
+ private:
+  std::array<double, 5> t_;
+  std::array<double, 5> coefficient_;
+  std::array<double, 3> bend_{};
+};
+
+/// Newton's method for the summit between `low` and `high`, from the point at 0.
+std::optional<double> summit(const Quartic& quartic, double low, double high) {
+  double t = 0.0;
+  for (int i = 0; i < 12; ++i) {
+    const auto q = quartic(t);
+    if (!(q.curvature < 0.0)) return {};
+    const double next = std::clamp(t - q.slope / q.curvature, low, high);
+    if (std::abs(next - t) < 1e-12) return next;
+    t = next;
+  }
+  return {};
+}
+
+/// The place of a refined summit in the turn that the axis lists.
+double on_axis(const Axis& axis, double at) {
+  if (!axis.cyclic()) return at;
+  const double turn = (at - axis.at.front()) / axis.period;
+  return turn < 0.0 ? at + axis.period : at;
+}
+
+/// The summit of `way` times the series near position i, where one can be trusted; else the position itself.
+Extreme refined(const Value& series, std::size_t i, double way) {
+  const Axis& axis = *series.signature.axis;
+  const Extreme sample{series.si[i], axis.at[i], i};
+  const auto n = static_cast<std::ptrdiff_t>(series.si.size());
+  if (n < 5) return sample;
+  const auto middle = static_cast<std::ptrdiff_t>(i);
+  const auto first = axis.cyclic() ? middle - 2 : std::clamp<std::ptrdiff_t>(middle - 2, 0, n - 5);
+  const double step = (point(series, first + 4).at - point(series, first).at) / 4.0;
+
+  std::array<double, 5> t{};
+  std::array<double, 5> f{};
+  for (std::size_t k = 0; k < 5; ++k) {
+    const Point p = point(series, first + static_cast<std::ptrdiff_t>(k));
+    t[k] = (p.at - sample.at) / step;
+    f[k] = way * (p.value - sample.value);
+  }
+  const Quartic quartic{t, f};
+  if (!quartic.smooth_summit()) return sample;
+  const auto own = static_cast<std::size_t>(middle - first);
+  const auto top = summit(quartic, t[own == 0 ? 0 : own - 1], t[own == 4 ? 4 : own + 1]);
+  if (!top || !(quartic(*top).value > 0.0)) return sample;
+  return {sample.value + way * quartic(*top).value, on_axis(axis, sample.at + *top * step), i};
+}
+
+/// Whether `way` times the series is nowhere higher in the direct neighbourhood of position i.
+bool is_summit(const Value& series, std::size_t i, double way) {
+  const std::size_t n = series.si.size();
+  const bool cyclic = series.signature.axis->cyclic();
+  const double here = way * series.si[i];
+  const bool left = (i == 0 && !cyclic) || way * series.si[i == 0 ? n - 1 : i - 1] <= here;
+  const bool right = (i == n - 1 && !cyclic) || way * series.si[i == n - 1 ? 0 : i + 1] <= here;
+  return left && right;
+}
+
+Extreme extreme(const Value& series, double way) {
+  if (!available(series)) return {not_available, not_available, 0};
+  if (!series.is_series()) return {series.si.front(), 0.0, 0};
+  std::optional<Extreme> best;
+  for (std::size_t i = 0; i < series.si.size(); ++i) {
+    if (!is_summit(series, i, way)) continue;
+    const Extreme here = refined(series, i, way);
+    if (!best || way * here.value > way * best->value) best = here;
+  }
+  return *best;
+}
+
+/// The place within the axis: brought into the listed turn of a cycle; nothing outside an open axis.
+std::optional<double> place_on(const Axis& axis, double at) {
+  const double first = axis.at.front();
+  if (axis.cyclic()) {
+    const double turns = (at - first) / axis.period;
+    return first + (turns - std::floor(turns)) * axis.period;
+  }
+  const auto [low, high] = std::minmax(first, axis.at.back());
+  // The last position is computed, the place is typed: they may differ in the last digits.
+  const double slack = 1e-9 * (high - low);
+  if (!(at >= low - slack && at <= high + slack)) return {};
+  return std::clamp(at, low, high);
+}
+
+/// The index of the position at or before a place, in the direction of the axis.
+std::ptrdiff_t position_before(const Axis& axis, double at) {
+  const bool descending = axis.cyclic() ? axis.period < 0.0 : axis.at.back() < axis.at.front();
+  const auto after = std::upper_bound(axis.at.begin(), axis.at.end(), at,
+                                      [=](double a, double b) { return descending ? a > b : a < b; });
+  return std::max<std::ptrdiff_t>(after - axis.at.begin() - 1, 0);
+}
+
+double interpolated(const std::array<Point, 4>& points, std::size_t count, double at) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    double weight = 1.0;
+    for (std::size_t m = 0; m < count; ++m) {
+      if (m != k) weight *= (at - points[m].at) / (points[k].at - points[m].at);
+    }
+    sum += weight * points[k].value;
+  }
+  return sum;
+}
+
+}  // namespace
+
+Extreme maximum(const Value& series) { return extreme(series, 1.0); }
+
+Extreme minimum(const Value& series) { return extreme(series, -1.0); }
+
+Extreme largest(const Value& series) {
+  const Extreme high = maximum(series);
+  const Extreme low = minimum(series);
+  return std::abs(low.value) > std::abs(high.value) ? low : high;
+}
+
+double mean(const Value& series) {
+  if (!over_a_cycle(series)) return not_available;
+  const auto& share = series.signature.axis->share;
+  if (share.size() != series.si.size()) return not_available;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < share.size(); ++i) sum += share[i] * series.si[i];
+  return sum;
+}
+
+double root_mean_square(const Value& series) {
+  Value square = series;
+  for (double& x : square.si) x *= x;
+  return std::sqrt(mean(square));
+}
+
+double value_at(const Value& series, double at) {
+  const Axis* axis = series.signature.axis;
+  if (axis == nullptr || series.si.empty() || axis->at.size() != series.si.size()) return not_available;
+  const auto place = place_on(*axis, at);
+  if (!place) return not_available;
+  const auto n = static_cast<std::ptrdiff_t>(series.si.size());
+  const auto count = axis->cyclic() ? 4 : std::min<std::ptrdiff_t>(4, n);
+  auto first = position_before(*axis, *place) - 1;
+  if (!axis->cyclic()) first = std::clamp<std::ptrdiff_t>(first, 0, n - count);
+
+  std::array<Point, 4> points{};
+  for (std::ptrdiff_t k = 0; k < count; ++k) points[static_cast<std::size_t>(k)] = point(series, first + k);
+  return interpolated(points, static_cast<std::size_t>(count), *place);
+}
+
+double cycle_integral(const Value& series) {
+  if (!over_a_cycle(series)) return not_available;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < series.si.size(); ++i) {
+    const Point a = point(series, static_cast<std::ptrdiff_t>(i));
+    const Point b = point(series, static_cast<std::ptrdiff_t>(i) + 1);
+    sum += 0.5 * (a.value + b.value) * (b.at - a.at);
+  }
+  return sum;
+}
+
+}  // namespace loadpath

@@ -1,0 +1,25 @@
+// Code points of UTF-8 text: columns, cuts and comparisons are counted in them, never in bytes.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace loadpath {
+
+/// The first byte that is not part of well-formed UTF-8; npos where all is well.
+std::size_t first_invalid_byte(std::string_view text);
+
+/// How many bytes the character at `at` takes: 1 to 4, never past the end of `text`.
+std::size_t character_length(std::string_view text, std::size_t at);
+
+/// The code points of `text`; a byte that is not well-formed stands for itself.
+std::u32string code_points(std::string_view text);
+
+/// The text of code points.
+std::string utf8(std::u32string_view points);
+
+/// A Latin or Cyrillic capital as its small letter.
+char32_t lower_case(char32_t point);
+
+}  // namespace loadpath

@@ -16,6 +16,8 @@ namespace loadpath {
 namespace project {
 class Step;
 struct StepInput;
+/// The step of an ordinary calculator.
+std::unique_ptr<Step> make_calculator_step(StepInput&& input);
 }  // namespace project
 
 struct RuleInfo {

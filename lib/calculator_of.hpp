@@ -13,7 +13,6 @@
 #include <cstring>
 
 #include "lib/calculator.hpp"
-#include "lib/project/calculator_step.hpp"
 #include "lib/record_of.hpp"
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) && \

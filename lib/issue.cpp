@@ -1,11 +1,11 @@
 #include "lib/issue.hpp"
 
+#include "lib/utf8.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <tuple>
-
-#include "lib/utf8.hpp"
 
 namespace loadpath {
 namespace {
@@ -83,7 +83,8 @@ std::string render_one(const Issue& issue, const Lines& source) {
   if (issue.place.line <= 0 && !issue.key.empty()) text += issue.key + ": ";
   text += issue.message.text() + "\n";
   std::size_t gutter = 1;
-  if (const auto line = static_cast<std::size_t>(std::max(issue.place.line, 0)); line > 0 && line <= source.lines.size()) {
+  if (const auto line = static_cast<std::size_t>(std::max(issue.place.line, 0));
+      line > 0 && line <= source.lines.size()) {
     text += quote(issue.place, source.lines[line - 1]);
     gutter = std::to_string(line).size();
   }
@@ -146,7 +147,8 @@ std::string render(std::vector<Issue> issues, std::string (*source)(const std::s
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
   const std::u32string exact = code_points(word), wanted = lower(exact);
-  const std::size_t reach = std::min(std::max<std::size_t>(1, wanted.size() / 3), wanted.size() - (wanted.empty() ? 0 : 1));
+  const std::size_t reach =
+      std::min(std::max<std::size_t>(1, wanted.size() / 3), wanted.size() - (wanted.empty() ? 0 : 1));
   std::pair best{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max()};
   const std::string* found = nullptr;
   for (const std::string& candidate : candidates) {

@@ -1,3 +1,35 @@
+// The step that runs a calculator: expressions into inputs, values from tables, a search for sizes, the calculation at
+// every position of a cycle where an input is a series (lib/project/run.hpp).
 #pragma once
-#include "lib/calculator.hpp"
-namespace loadpath::project { class Step { public: virtual ~Step() = default; }; struct StepInput {}; std::unique_ptr<Step> make_calculator_step(StepInput&&); }
+
+#include "lib/project/providers.hpp"
+#include "lib/project/step.hpp"
+
+namespace loadpath::project {
+
+class CalculatorStep : public Step {
+ public:
+  using Step::Step;
+
+  void prepare(const Declared& declared, const Companion& companion, std::vector<Issue>& issues) override;
+  [[nodiscard]] Outcome<Signature> signature(const std::string& path) const override;
+  void solve(const Known& known, std::vector<Issue>& issues) override;
+
+  [[nodiscard]] const Axis* axis() const { return axis_; }
+  [[nodiscard]] const std::vector<Provided>& provided() const { return provided_; }
+  [[nodiscard]] const std::vector<Search>& searches() const { return searches_; }
+  /// The issue that a broken rule makes, at the first of its fields that was typed.
+  [[nodiscard]] Issue broken_rule(std::size_t rule) const;
+
+ private:
+  void find_searches(std::vector<Issue>& issues);
+  void check_rules_of_literals(std::vector<Issue>& issues);
+  [[nodiscard]] bool is_open(const std::string& field) const;
+  [[nodiscard]] Fault unknown_path(const std::string& path) const;
+
+  const Axis* axis_ = nullptr;  // of the series among the inputs; null: one position
+  std::vector<Provided> provided_;
+  std::vector<Search> searches_;
+};
+
+}  // namespace loadpath::project

@@ -1,1 +1,114 @@
+// One entry of a project. It has two phases: when the file is read it tells dimension and axis of every path that others
+// may refer to; when the project is solved it turns values into an account of what it found.
 #pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lib/calculator.hpp"
+#include "lib/project/reading.hpp"
+#include "lib/report/document.hpp"
+
+namespace loadpath::project {
+
+/// Where a value comes from, for the report: typed, an expression, a row of a table, a default.
+struct Origin {
+  Message text;
+  std::vector<std::string> sources;  // keys of tables/sources.toml
+  bool recalled = false;             // the row's source was not seen: flagged in the report
+};
+
+/// A named quantity of a step.
+struct Entry {
+  std::string path;  // within the step: "segments[2].tau"
+  std::string doc;   // a message id
+  std::string unit;  // display unit
+  Role role = Role::result;
+  Value value;
+  Origin origin;  // inputs only
+  std::string word;  // a choice or a name instead of a number
+};
+
+/// A line of the calculation; the scope names the element of a list that it belongs to ("segments[2]").
+struct Derived {
+  std::string scope;
+  report::Step step;
+};
+
+/// What a solved step has to say. Reports, JSON, the terminal and `verify` are written from it.
+struct Account {
+  std::vector<Entry> inputs;
+  std::vector<Entry> results;
+  std::vector<report::Verdict> verdicts;
+  Message governing;              // which position the derivation is for; empty where there is one value
+  std::vector<Derived> derivation;
+  std::vector<report::Block> blocks;  // what only this kind of step has: tables, notes
+  std::vector<draw::Figure> figures;
+};
+
+/// What is common to every step of a file.
+struct StepInput {
+  std::string name;
+  std::string title;
+  std::string note;
+  const Calculator* calculator = nullptr;
+  Reading reading;
+  /// Rows that the step names for its providers: "material" -> "C45E".
+  std::map<std::string, Typed> rows;
+  /// Display units of results that the user prefers: "d" -> "in".
+  std::map<std::string, std::string> display;
+  Place place;  // of the step's name
+};
+
+/// The signatures of other steps' paths, when the file is read.
+using Declared = Expression::Declared;
+/// Their values, when it is solved.
+using Known = Expression::Known;
+/// What else loads the part that takes a path's value (Step::companion, with the step's name); empty: nothing.
+using Companion = std::function<std::string(const std::string& path)>;
+
+class Step {
+ public:
+  explicit Step(StepInput&& input) : input_(std::move(input)) {}
+  virtual ~Step() = default;
+  Step(const Step&) = delete;
+  Step& operator=(const Step&) = delete;
+
+  [[nodiscard]] const std::string& name() const { return input_.name; }
+  [[nodiscard]] const StepInput& input() const { return input_; }
+
+  /// Checks what can be known before anything runs: expressions' dimensions, names, rules. Called in order of evaluation.
+  virtual void prepare(const Declared& declared, const Companion& companion, std::vector<Issue>& issues) = 0;
+  /// Dimension and axis of a path; a Fault with a hint where there is none. After `prepare`.
+  [[nodiscard]] virtual Outcome<Signature> signature(const std::string& path) const = 0;
+  /// The path (within this step) of what else loads the part that takes the value at `path`; empty: nothing.
+  [[nodiscard]] virtual std::string companion_of(const std::string& path) const;
+  /// Fills the account. A computed value that its field refuses becomes an issue at its expression.
+  virtual void solve(const Known& known, std::vector<Issue>& issues) = 0;
+  /// The value at a path, after `solve`; nothing where there is none (an element that the list does not have).
+  [[nodiscard]] virtual const Value* value(const std::string& path) const;
+
+  [[nodiscard]] const Account& account() const { return account_; }
+
+ protected:
+  [[nodiscard]] StepInput& own() { return input_; }
+  [[nodiscard]] Account& own_account() { return account_; }
+
+ private:
+  StepInput input_;
+  Account account_;
+};
+
+/// Checks the operands of a reading against their fields: dimension, references. The axis that they share, if any;
+/// `lifted` false refuses series.
+const Axis* check_operands(const Reading& reading, const std::string& step, bool lifted, const Declared& declared,
+                           std::vector<Issue>& issues);
+
+/// An issue at the field that was typed at `path`, or at the step's own place.
+Issue issue_at(const StepInput& input, const std::string& path, Message message, Message hint = {});
+
+/// The overall state of verdicts: the worst.
+report::State worst(const std::vector<report::Verdict>& verdicts);
+
+}  // namespace loadpath::project

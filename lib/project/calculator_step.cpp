@@ -1,0 +1,129 @@
+#include "lib/project/calculator_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/project/run.hpp"
+
+namespace loadpath::project {
+
+namespace {
+
+std::vector<std::string> split(std::string_view names) {
+  std::vector<std::string> parts;
+  while (!names.empty()) {
+    const std::size_t comma = names.find(", ");
+    parts.emplace_back(names.substr(0, comma));
+    names.remove_prefix(comma == std::string_view::npos ? names.size() : comma + 2);
+  }
+  return parts;
+}
+
+std::string head(std::string_view path) { return std::string(path.substr(0, path.find_first_of(".["))); }
+
+}  // namespace
+
+void CalculatorStep::prepare(const Declared& declared, const Companion& companion, std::vector<Issue>& issues) {
+  axis_ = check_operands(input().reading, name(), true, declared, issues);
+  provided_ = find_provided(input(), companion, issues);
+  find_searches(issues);
+  check_rules_of_literals(issues);
+}
+
+/// Searches that were written, and inputs that are searched for where they are missing.
+void CalculatorStep::find_searches(std::vector<Issue>& issues) {
+  searches_ = input().reading.searches;
+  void* data = input().reading.record.data.get();
+  for (const FieldInfo& field : input().calculator->input->fields) {
+    if (*field.searched_in != '\0' && input().reading.typed.count(field.key) == 0) {
+      searches_.push_back({field.key, {&field, data}, field.searched_in, input().place});
+    }
+  }
+  const auto stocks = stock_names();
+  for (const Search& search : searches_) {
+    if (std::find(stocks.begin(), stocks.end(), search.stock) != stocks.end()) continue;
+    const std::string near = nearest(search.stock, stocks);
+    issues.push_back({search.place, name() + "." + search.path, say("there is no stock '{1}'", search.stock),
+                      near.empty() ? Message{} : say("did you mean '{1}'?", near), Severity::error});
+  }
+  if (searches_.size() > 1 && !input().reading.searches.empty()) {
+    issues.push_back({searches_[1].place, name() + "." + searches_[1].path, say("one field at a time can be searched for"),
+                      say("give '{1}' a value", searches_[1].path), Severity::error});
+  }
+}
+
+/// Whether an input is known only when the project is solved.
+bool CalculatorStep::is_open(const std::string& field) const {
+  const auto concerns = [&](const auto& entry) { return head(entry.path) == field; };
+  const auto& reading = input().reading;
+  return std::any_of(reading.operands.begin(), reading.operands.end(), concerns) ||
+         std::any_of(searches_.begin(), searches_.end(), concerns) ||
+         std::any_of(provided_.begin(), provided_.end(), concerns);
+}
+
+void CalculatorStep::check_rules_of_literals(std::vector<Issue>& issues) {
+  const Calculator& calculator = *input().calculator;
+  for (std::size_t i = 0; i < calculator.rules.size(); ++i) {
+    const auto fields = split(calculator.rules[i].fields);
+    if (std::any_of(fields.begin(), fields.end(), [&](const std::string& f) { return is_open(f); })) continue;
+    if (!calculator.holds(i, input().reading.record.data.get())) issues.push_back(broken_rule(i));
+  }
+}
+
+Issue CalculatorStep::broken_rule(std::size_t rule) const {
+  const RuleInfo& info = input().calculator->rules[rule];
+  for (const std::string& field : split(info.fields)) {
+    if (input().reading.typed.count(field) != 0) return issue_at(input(), field, say(info.text));
+  }
+  return issue_at(input(), "", say(info.text));
+}
+
+Outcome<Signature> CalculatorStep::signature(const std::string& path) const {
+  for (const RecordType* type : {input().calculator->result, input().calculator->input}) {
+    std::span<const FieldInfo> fields = type->fields;
+    std::string rest = path;
+    while (!rest.empty()) {
+      const std::size_t end = rest.find_first_of(".[");
+      const FieldInfo* field = find_field(fields, std::string_view(rest).substr(0, end));
+      if (field == nullptr) break;
+      rest = end == std::string::npos ? "" : rest.substr(end);
+      if (field->type == FieldInfo::Type::quantity && rest.empty()) return Signature{field->dimension, axis_};
+      if (field->is_leaf()) break;
+      if (field->type == FieldInfo::Type::list) {  // an element by number or name; which there are is known later
+        const std::size_t stop = rest.starts_with('[') ? rest.find(']') + 1 : rest.find_first_of(".[", 1);
+        rest = stop == std::string::npos || stop == 0 ? "" : rest.substr(stop);
+      }
+      if (!rest.starts_with('.')) break;
+      rest.erase(0, 1);
+      fields = field->fields;
+    }
+  }
+  return unknown_path(path);
+}
+
+Fault CalculatorStep::unknown_path(const std::string& path) const {
+  std::vector<std::string> known;
+  Record blank(*input().calculator->result);
+  for_each_leaf(blank, [&](const std::string& leaf, const Leaf&) { known.push_back(leaf); });
+  for (const FieldInfo& f : input().calculator->result->fields) {
+    for (const FieldInfo& inner : f.fields) known.push_back(std::string(f.key) + "[1]." + inner.key);
+  }
+  const std::string near = nearest(path, known);
+  return {0, path.size(), say("'{1}' has no result '{2}'", name(), path),
+          near.empty() ? say("`loadpath describe {1}` lists them", input().calculator->id) : say("did you mean '{1}'?", name() + "." + near)};
+}
+
+void CalculatorStep::solve(const Known& known, std::vector<Issue>& issues) {
+  Run run(*this, known);
+  if (!run.evaluate_operands(issues)) return;
+  if (!run.check_rules(issues)) return;
+  run.search();
+  run.evaluate();
+  run.fill(own_account());
+}
+
+std::unique_ptr<Step> make_calculator_step(StepInput&& input) {
+  return std::make_unique<CalculatorStep>(std::move(input));
+}
+
+}  // namespace loadpath::project

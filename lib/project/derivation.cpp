@@ -1,0 +1,89 @@
+#include "lib/project/derivation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/formula/formula.hpp"
+#include "lib/quantity/format.hpp"
+
+namespace loadpath::project {
+
+namespace {
+
+std::string joined(const std::string& scope, std::string_view name) {
+  return scope.empty() ? std::string(name) : scope + "." + std::string(name);
+}
+
+/// The unit that the field of a line's symbol is shown in, or a readable one.
+std::string unit_of(const Line& line, const Record& input, const Record& result) {
+  for (const Record* record : {&result, &input}) {
+    const Leaf leaf = find_leaf(*record, joined(line.scope, line.symbol));
+    if (leaf && leaf.field->type == FieldInfo::Type::quantity && leaf.field->dimension.without_angle() == line.dimension) {
+      return leaf.field->unit;
+    }
+  }
+  return readable_unit(line.si, line.dimension);
+}
+
+void collect_names(const formula::Node& node, std::vector<std::string>& names) {
+  if (node.kind == formula::Kind::symbol && std::find(names.begin(), names.end(), node.text) == names.end()) {
+    names.push_back(node.text);
+  }
+  for (const formula::Node& kid : node.kids) collect_names(kid, names);
+}
+
+report::Step step_of(const Line& line, const Names& names, const std::string& unit) {
+  report::Step step;
+  step.symbol = line.symbol;
+  step.formula = line.formula;
+  step.value = {line.si, unit};
+  step.why = say(line.why);
+  std::vector<std::string> wanted;
+  if (const auto tree = formula::parse(line.formula)) collect_names(*tree, wanted);
+  for (const std::string& name : wanted) {
+    if (const auto known = names.find(line.scope, name)) step.given.push_back({name, known->si, known->unit});
+  }
+  return step;
+}
+
+}  // namespace
+
+std::optional<Names::Known> Names::find_here(const std::string& scope, std::string_view name) const {
+  const auto line = lines_.find(joined(scope, name));
+  if (line != lines_.end()) return line->second;
+  const auto from = [&](const Record& record) -> std::optional<Known> {
+    const Leaf leaf = find_leaf(record, joined(scope, name));
+    if (!leaf || leaf.field->get == nullptr) return std::nullopt;
+    return Known{leaf.get(), leaf.field->unit};
+  };
+  // A list of the input with the scope's name need not have the same elements as that of the result. At the top an input
+  // that was left open ("d") is what the calculator has put in its place.
+  if (!scope.empty()) return from(result_);
+  const auto typed = from(input_);
+  const auto found = from(result_);
+  return (!typed || std::isnan(typed->si)) && found ? found : typed;
+}
+
+std::optional<Names::Known> Names::find(const std::string& scope, std::string_view name) const {
+  std::string outer = scope;
+  while (true) {
+    if (const auto known = find_here(outer, name)) return known;
+    if (outer.empty()) return std::nullopt;
+    const std::size_t dot = outer.rfind('.');
+    outer.resize(dot == std::string::npos ? 0 : dot);
+  }
+}
+
+void Names::add(const Line& line) { lines_[joined(line.scope, line.symbol)] = {line.si, unit_of(line, input_, result_)}; }
+
+std::vector<Derived> derive(const Trace& trace, const Record& input, const Record& result) {
+  Names names(input, result);
+  std::vector<Derived> derived;
+  for (const Line& line : trace.lines()) {
+    derived.push_back({line.scope, step_of(line, names, unit_of(line, input, result))});
+    names.add(line);
+  }
+  return derived;
+}
+
+}  // namespace loadpath::project

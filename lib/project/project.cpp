@@ -1,0 +1,123 @@
+#include "lib/project/project.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "lib/project/order.hpp"
+#include "lib/project/read_parts.hpp"
+
+namespace loadpath::project {
+
+namespace {
+
+/// "lever.drive.M" -> "lever", "drive.M".
+std::pair<std::string, std::string> split_step(const std::string& path) {
+  const std::size_t dot = path.find('.');
+  return {path.substr(0, dot), dot == std::string::npos ? "" : path.substr(dot + 1)};
+}
+
+std::vector<std::string> names_of(const Project& project) {
+  std::vector<std::string> names;
+  for (const auto& step : project.steps) names.push_back(step->name());
+  return names;
+}
+
+Outcome<Signature> signature_of(const Project& project, const std::string& path) {
+  const auto [name, rest] = split_step(path);
+  const Step* step = project.find(name);
+  if (step != nullptr) return step->signature(rest);
+  const std::string near = nearest(name, names_of(project));
+  return Fault{0, path.size(), say("there is no step '{1}'", name),
+               near.empty() ? Message{} : say("did you mean '{1}'?", near + "." + rest)};
+}
+
+std::string companion_of(const Project& project, const std::string& path) {
+  const auto [name, rest] = split_step(path);
+  const Step* step = project.find(name);
+  const std::string companion = step == nullptr ? "" : step->companion_of(rest);
+  return companion.empty() ? "" : name + "." + companion;
+}
+
+void check_expectations(const Project& project, std::vector<Issue>& issues) {
+  for (const Expectation& e : project.expectations) {
+    const auto signature = e.value.check([&](const std::string& path) { return signature_of(project, path); });
+    if (!signature) {
+      const Fault& fault = signature.fault();
+      issues.push_back({place_in(e.place, e.text, fault.at, fault.length), "expect", fault.message, fault.hint, Severity::error});
+    } else if (signature->axis != nullptr) {
+      issues.push_back({e.place, "expect", say("'{1}' is a series over {2}", e.text, signature->axis->name),
+                        say("reduce it with peak, max, min, mean, rms or at"), Severity::error});
+    } else if (signature->dimension.without_angle() != e.is.dimension.without_angle()) {
+      issues.push_back({e.place, "expect", say("'{1}' is a {2}, and '{3}' is a {4}", e.text, name_of(signature->dimension), e.is_text, name_of(e.is.dimension)),
+                        {}, Severity::error});
+    }
+  }
+}
+
+}  // namespace
+
+const Step* Project::find(std::string_view name) const {
+  const auto found = std::find_if(steps.begin(), steps.end(), [&](const auto& s) { return s->name() == name; });
+  return found == steps.end() ? nullptr : found->get();
+}
+
+const Value* Project::value(const std::string& path) const {
+  const auto [name, rest] = split_step(path);
+  const Step* step = find(name);
+  return step == nullptr ? nullptr : step->value(rest);
+}
+
+bool has_errors(const std::vector<Issue>& issues) {
+  return std::any_of(issues.begin(), issues.end(), [](const Issue& i) { return i.severity == Severity::error; });
+}
+
+Project read_project(std::string_view text, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues) {
+  const io::Tree tree = io::read_toml(text, file, issues);
+  if (has_errors(issues)) return {};
+  return read_project(tree, file, catalogue, issues);
+}
+
+Project read_project(const io::Tree& tree, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues) {
+  Project project;
+  project.file = file;
+  for (const io::Tree::Entry& entry : tree.entries) {
+    if (entry.key == "project") {
+      read_heading(entry, project, issues);
+    } else if (entry.key == "expect") {
+      read_expectations(entry.value, project, issues);
+    } else if (auto step = read_step(entry, catalogue, issues)) {
+      project.steps.push_back(std::move(step));
+    }
+  }
+  if (project.steps.empty() && !has_errors(issues)) {
+    issues.push_back({{file, 0, 0, 1}, "", say("the project has no step"), say("a step is a table with a key calculator = \"...\""), Severity::error});
+  }
+  project.order = order_of_evaluation(project, issues);
+  const Declared declared = [&](const std::string& path) { return signature_of(project, path); };
+  const Companion companion = [&](const std::string& path) { return companion_of(project, path); };
+  for (const std::size_t i : project.order) project.steps[i]->prepare(declared, companion, issues);
+  if (project.order.size() == project.steps.size()) check_expectations(project, issues);
+  return project;
+}
+
+void solve(Project& project, std::vector<Issue>& issues) {
+  static const Value none{{}, {std::numeric_limits<double>::quiet_NaN()}};
+  const Known known = [&](const std::string& path) -> const Value& {
+    const Value* value = project.value(path);
+    return value == nullptr ? none : *value;
+  };
+  for (const std::size_t i : project.order) {
+    project.steps[i]->solve(known, issues);
+    if (has_errors(issues)) return;
+  }
+}
+
+std::vector<report::Verdict> verdicts(const Project& project) {
+  std::vector<report::Verdict> all;
+  for (const auto& step : project.steps) {
+    all.insert(all.end(), step->account().verdicts.begin(), step->account().verdicts.end());
+  }
+  return all;
+}
+
+}  // namespace loadpath::project

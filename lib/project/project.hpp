@@ -1,0 +1,55 @@
+// A project file: its steps, the order in which they follow from one another, and what is expected of them.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/project/step.hpp"
+#include "lib/quantity/literal.hpp"
+
+namespace loadpath::project {
+
+/// A reference value of an [[expect]] entry, for `verify`.
+struct Expectation {
+  std::string text;         // "crankshaft.d_min", as written
+  Expression value;
+  Literal is;
+  std::string is_text;      // as written
+  std::string unit;         // of `is`, for the table
+  std::optional<int> digits;        // half a unit of this significant digit
+  std::optional<double> within;     // relative
+  std::string source;
+  std::string note;         // "printed 15 N*m: erratum 0.4"
+  Place place;
+};
+
+struct Project {
+  std::string file;
+  std::string title;
+  std::vector<std::pair<std::string, std::string>> meta;  // number, revision, author, checker, date, note: as typed
+  std::vector<std::unique_ptr<Step>> steps;               // in the order of the file
+  std::vector<std::size_t> order;                         // of evaluation
+  std::vector<Expectation> expectations;
+
+  [[nodiscard]] const Step* find(std::string_view name) const;
+  /// The value at "step.path" after solving, or nothing.
+  [[nodiscard]] const Value* value(const std::string& path) const;
+};
+
+/// Reads a whole project and checks everything that can be known before it runs. With an error among the issues the
+/// project must not be solved.
+Project read_project(std::string_view text, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues);
+/// The same from a tree that is not a file's: the words of the shell.
+Project read_project(const io::Tree& tree, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues);
+
+/// Solves the steps in order; stops at the first step with an issue.
+void solve(Project& project, std::vector<Issue>& issues);
+
+bool has_errors(const std::vector<Issue>& issues);
+
+/// All verdicts, and the worst of them.
+std::vector<report::Verdict> verdicts(const Project& project);
+
+}  // namespace loadpath::project

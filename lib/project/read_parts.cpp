@@ -1,0 +1,208 @@
+#include "lib/project/read_parts.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "lib/quantity/format.hpp"
+
+namespace loadpath::project {
+
+namespace {
+
+using io::Tree;
+
+constexpr std::array reserved_names{
+    "shaft", "fatigue", "vessel", "column", "section", "gear", "belt", "chain", "drive", "machine", "motion", "dynamics",
+    "mechanism", "run", "list", "describe", "sweep", "verify", "tables", "convert", "schema", "init", "watch", "why",
+    "completion", "man", "project", "expect"};
+constexpr std::array heading_keys{"title", "number", "revision", "author", "checker", "date", "note"};
+const std::vector<std::string> step_keys{"calculator", "title", "note", "material", "display"};
+
+void add(std::vector<Issue>& issues, const Place& place, const std::string& key, Message message, Message hint = {}) {
+  issues.push_back({place, key, std::move(message), std::move(hint), Severity::error});
+}
+
+/// The text of an entry, or an issue and an empty text.
+std::string text_of(const Tree::Entry& entry, const std::string& key, std::vector<Issue>& issues) {
+  if (entry.value.type == Tree::Type::text) return entry.value.text;
+  add(issues, entry.value.place, key, say("'{1}' is a text, not {2}", key, io::word_for(entry.value.type)));
+  return {};
+}
+
+Message suggestion(const std::string& word, std::vector<std::string> candidates) {
+  const std::string near = nearest(word, candidates);
+  return near.empty() ? Message{} : say("did you mean '{1}'?", near);
+}
+
+const Calculator* calculator_of_step(const Tree::Entry& entry, Catalogue catalogue, std::vector<Issue>& issues) {
+  const auto* id = entry.value.find("calculator");
+  if (id == nullptr) {
+    add(issues, entry.place, entry.key, say("the step '{1}' has no calculator", entry.key),
+        say("write calculator = \"shaft.torsion\"; `loadpath list` shows all"));
+    return nullptr;
+  }
+  const std::string text = text_of(*id, entry.key + ".calculator", issues);
+  const Calculator* calculator = find_calculator(catalogue, text);
+  if (calculator == nullptr && !text.empty()) {
+    std::vector<std::string> ids;
+    for (const Calculator* c : catalogue) ids.emplace_back(c->id);
+    Message near = suggestion(text, ids);
+    add(issues, id->value.place, entry.key + ".calculator", say("there is no calculator '{1}'", text),
+        near.empty() ? say("`loadpath list` shows all") : std::move(near));
+  }
+  return calculator;
+}
+
+/// Rows that a step names for the tables its providers read: material = "C45E".
+void read_rows(const Tree& table, StepInput& input, std::vector<Issue>& issues) {
+  const auto* material = table.find("material");
+  if (material == nullptr) return;
+  const auto& fields = input.calculator->input->fields;
+  if (std::none_of(fields.begin(), fields.end(), [](const FieldInfo& f) { return std::string_view(f.provider.table) == "material"; })) {
+    add(issues, material->place, input.name + ".material", say("'{1}' takes nothing from a material", input.calculator->id));
+    return;
+  }
+  input.rows["material"] = {text_of(*material, input.name + ".material", issues), material->value.place};
+}
+
+void read_display(const Tree& table, StepInput& input, std::vector<Issue>& issues) {
+  const auto* display = table.find("display");
+  if (display == nullptr) return;
+  for (const Tree::Entry& entry : display->value.entries) {
+    const std::string key = input.name + ".display." + entry.key;
+    const std::string unit = text_of(entry, key, issues);
+    const FieldInfo* field = input.calculator->result == nullptr ? nullptr : find_field(input.calculator->result->fields, entry.key);
+    if (field == nullptr || field->type != FieldInfo::Type::quantity) {
+      add(issues, entry.place, key, say("'{1}' has no result '{2}'", input.name, entry.key));
+      continue;
+    }
+    const auto parsed = parse_unit(unit);
+    if (!parsed) {
+      add(issues, place_in(entry.value.place, unit, parsed.fault().at, parsed.fault().length), key, parsed.fault().message, parsed.fault().hint);
+    } else if (parsed->dimension != field->dimension) {
+      add(issues, entry.value.place, key, say("'{1}' is shown in a unit like {2}, not in {3}", entry.key, field->unit, unit));
+    } else {
+      input.display[entry.key] = unit;
+    }
+  }
+}
+
+bool name_is_free(const Tree::Entry& entry, std::vector<Issue>& issues) {
+  if (!is_name(entry.key)) {
+    add(issues, entry.place, entry.key, say("'{1}' is no name for a step", entry.key),
+        say("a name has Latin letters, digits and '_', and does not start with a digit"));
+  } else if (is_reserved(entry.key)) {
+    add(issues, entry.place, entry.key, say("'{1}' is a word of the program and cannot name a step", entry.key),
+        say("call it '{1}_1' or by its part of the machine", entry.key));
+  } else if (entry.value.type != Tree::Type::table) {
+    add(issues, entry.place, entry.key, say("'{1}' stands outside of a step", entry.key), say("a project file consists of tables: [crankshaft]"));
+  } else {
+    return true;
+  }
+  return false;
+}
+
+/// digits = 3, or within = "0.5 %"; neither: the digits that are written.
+void read_tolerance(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
+  if (const auto* digits = tree.find("digits")) {
+    const double n = digits->value.number;
+    if (digits->value.type != Tree::Type::number || n < 1 || n > 15) {
+      add(issues, digits->value.place, "expect.digits", say("digits is a whole number from 1 to 15"));
+    }
+    e.digits = static_cast<int>(n);
+  }
+  if (const auto* within = tree.find("within")) {
+    const auto literal = parse_literal(within->value.text, Expected{{}, Kind::plain, "-"});
+    if (!literal || !(literal->si > 0.0)) {
+      add(issues, within->value.place, "expect.within", say("within is a part of the value above zero: \"0.5 %\""));
+    } else {
+      e.within = literal->si;
+    }
+  }
+  if (e.digits.has_value() == e.within.has_value()) {
+    add(issues, tree.place, "expect", say("an expectation has either digits or within"));
+  }
+}
+
+std::optional<Expectation> read_expectation(const Tree& tree, std::vector<Issue>& issues) {
+  const std::size_t before = issues.size();
+  Expectation e;
+  for (const Tree::Entry& entry : tree.entries) {
+    static const std::vector<std::string> keys{"value", "is", "digits", "within", "source", "note"};
+    if (std::find(keys.begin(), keys.end(), entry.key) == keys.end()) {
+      add(issues, entry.place, "expect", say("'{1}' is no field here", entry.key), suggestion(entry.key, keys));
+    }
+  }
+  for (const auto& [key, target] : {std::pair{"value", &e.text}, {"is", &e.is_text}, {"source", &e.source}, {"note", &e.note}}) {
+    if (const auto* entry = tree.find(key)) *target = text_of(*entry, std::string("expect.") + key, issues);
+  }
+  if (e.text.empty() || e.is_text.empty() || e.source.empty()) {
+    add(issues, tree.place, "expect", say("an expectation needs value, is and source"));
+    return std::nullopt;
+  }
+  e.place = tree.find("value")->value.place;
+  if (e.text.starts_with('=')) {
+    e.text.erase(0, 1);
+    ++e.place.column;
+  }
+  auto parsed = Expression::parse(e.text);
+  if (!parsed) {
+    add(issues, place_in(e.place, e.text, parsed.fault().at, parsed.fault().length), "expect.value", parsed.fault().message, parsed.fault().hint);
+  } else {
+    e.value = std::move(*parsed);
+  }
+  const auto is = parse_literal(e.is_text);
+  if (!is) {
+    add(issues, place_in(tree.find("is")->value.place, e.is_text, is.fault().at, is.fault().length), "expect.is", is.fault().message, is.fault().hint);
+  } else {
+    e.is = *is;
+  }
+  read_tolerance(tree, e, issues);
+  return issues.size() == before ? std::optional(std::move(e)) : std::nullopt;
+}
+
+}  // namespace
+
+bool is_reserved(std::string_view name) {
+  return std::find(reserved_names.begin(), reserved_names.end(), name) != reserved_names.end();
+}
+
+void read_heading(const Tree::Entry& entry, Project& project, std::vector<Issue>& issues) {
+  if (entry.value.type != Tree::Type::table) {
+    return add(issues, entry.place, "project", say("'{1}' is a table of fields, not {2}", "project", io::word_for(entry.value.type)));
+  }
+  for (const Tree::Entry& e : entry.value.entries) {
+    if (std::find(heading_keys.begin(), heading_keys.end(), e.key) == heading_keys.end()) {
+      add(issues, e.place, "project." + e.key, say("'{1}' is no field here", e.key),
+          suggestion(e.key, std::vector<std::string>(heading_keys.begin(), heading_keys.end())));
+      continue;
+    }
+    const std::string text = text_of(e, "project." + e.key, issues);
+    if (e.key == "title") project.title = text;
+    else project.meta.emplace_back(e.key, text);
+  }
+}
+
+void read_expectations(const Tree& tree, Project& project, std::vector<Issue>& issues) {
+  if (tree.type != Tree::Type::array) return add(issues, tree.place, "expect", say("write expectations as [[expect]]"));
+  for (const Tree& item : tree.items) {
+    if (auto expectation = read_expectation(item, issues)) project.expectations.push_back(std::move(*expectation));
+  }
+}
+
+std::unique_ptr<Step> read_step(const Tree::Entry& entry, Catalogue catalogue, std::vector<Issue>& issues) {
+  if (!name_is_free(entry, issues)) return nullptr;
+  StepInput input;
+  input.name = entry.key;
+  input.place = entry.place;
+  input.calculator = calculator_of_step(entry, catalogue, issues);
+  if (input.calculator == nullptr) return nullptr;
+  if (const auto* title = entry.value.find("title")) input.title = text_of(*title, entry.key + ".title", issues);
+  if (const auto* note = entry.value.find("note")) input.note = text_of(*note, entry.key + ".note", issues);
+  read_rows(entry.value, input, issues);
+  read_display(entry.value, input, issues);
+  input.reading = read_record(entry.value, *input.calculator->input, entry.key + ".", step_keys, issues);
+  return input.calculator->make_step(std::move(input));
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,231 @@
+#include "lib/project/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lib/quantity/format.hpp"
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Every leaf in the order of for_each_leaf, without making paths.
+template <class Visit>
+void walk(std::span<const FieldInfo> fields, void* data, const Visit& visit) {
+  for (const FieldInfo& field : fields) {
+    if (field.is_leaf()) {
+      visit(field, data);
+    } else {
+      for (std::size_t i = 0; i < field.size(data); ++i) walk(field.fields, field.element(data, i), visit);
+    }
+  }
+}
+
+/// The value as one of the step's axis: a series over it, or the largest magnitude of a foreign series.
+Value fitted(const Value& value, const Axis* axis) {
+  if (!value.is_series() || value.signature.axis == axis) return value;
+  return {{value.signature.dimension, nullptr}, {std::abs(largest(value).value)}};
+}
+
+}  // namespace
+
+Run::Run(const CalculatorStep& step, const Known& known)
+    : step_(step),
+      calculator_(*step.input().calculator),
+      known_(known),
+      axis_(step.axis()),
+      record_(step.input().reading.record.clone()),
+      result_(*calculator_.result) {}
+
+bool Run::evaluate_operands(std::vector<Issue>& issues) {
+  for (const Operand& operand : step_.input().reading.operands) {
+    const FieldInfo& field = *operand.leaf.field;
+    Value value = operand.expression.evaluate(known_);
+    const auto refused = std::find_if(value.si.begin(), value.si.end(),
+                                      [&](double x) { return !std::isnan(x) && !field.bounds.holds(x); });
+    if (refused != value.si.end()) {
+      issues.push_back({place_in(operand.place, operand.text, 0, operand.text.size()), step_.name() + "." + operand.path,
+                        say("{1} = {2}: {3}", operand.path, format_quantity(*refused, field.unit), bounds_message(field).text()),
+                        {}, Severity::error});
+      continue;
+    }
+    inputs_.push_back({operand.path, map_leaf(operand.path), std::move(value), {say("= {1}", operand.text), {}, false}});
+  }
+  for (const Provided& provided : step_.provided()) {
+    for (const std::string& path : provided.companions) {
+      inputs_.push_back({provided.path, map_leaf(provided.path), fitted(known_(path), axis_),
+                         {say("comes with it: {1}", path), {}, false}});
+    }
+  }
+  return issues.empty();
+}
+
+bool Run::set_position(std::size_t i) {
+  bool available = true;
+  for (const Input& input : inputs_) {
+    const double si = input.value.si[input.value.is_series() ? i : 0];
+    available = available && !std::isnan(si);
+    input.leaf.set(si);
+  }
+  return available;
+}
+
+bool Run::check_rules(std::vector<Issue>& issues) {
+  provide(nan);
+  for (std::size_t i = 0; i < positions(); ++i) {
+    if (!set_position(i)) continue;
+    for (std::size_t rule = 0; rule < calculator_.rules.size(); ++rule) {
+      if (calculator_.holds(rule, record_.data.get())) continue;
+      issues.push_back(step_.broken_rule(rule));
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Run::provide(double size) {
+  missing_ = {};
+  for (const Provided& provided : step_.provided()) {
+    if (provided.row.empty()) continue;
+    const Lookup found = look_up(provided, size);
+    map_leaf(provided.path).set(found.si);
+    origins_[provided.path] = {say("{1}", provided.row), found.sources, found.recalled};
+    if (std::isnan(found.si)) missing_ = found.reason;
+  }
+  return missing_.empty();
+}
+
+const char* Run::size_field() const {
+  for (const Provided& provided : step_.provided()) {
+    if (*provided.leaf.field->provider.size != '\0') return provided.leaf.field->provider.size;
+  }
+  return nullptr;
+}
+
+double Run::size_now() {
+  const Leaf given = map_leaf(size_field());
+  if (given && !std::isnan(given.get())) return given.get();
+  const FieldInfo* result = find_field(calculator_.result->fields, size_field());
+  return result == nullptr ? nan : largest_result(*result);
+}
+
+/// A strength falls with the size that it is asked for, so the size only grows from one round to the next.
+bool Run::settle_sizes() {
+  if (size_field() == nullptr) return provide(nan);
+  double size = nan;
+  for (int round = 0; round < 20; ++round) {
+    if (!provide(size)) return false;
+    const double next = size_now();
+    if (std::isnan(next)) return true;  // something else is not available; the checks say so
+    if (next == size) return true;
+    size = next;
+  }
+  return true;
+}
+
+double Run::largest_result(const FieldInfo& field) {
+  Value column{{field.dimension, axis_}, {}};
+  for (std::size_t i = 0; i < positions(); ++i) {
+    if (set_position(i)) {
+      calculator_.evaluate(record_.data.get(), result_.data.get());
+      column.si.push_back(field.get(result_.data.get()));
+    } else {
+      column.si.push_back(nan);
+    }
+  }
+  return axis_ == nullptr ? column.si[0] : maximum(column).value;
+}
+
+bool Run::is_asked(const FieldInfo& check) const {
+  if (*check.asked_by == '\0') return true;
+  const Leaf asking = map_leaf(check.asked_by);
+  return asking && !std::isnan(asking.get());
+}
+
+bool Run::passes() {
+  if (!settle_sizes()) return false;
+  return std::all_of(calculator_.result->fields.begin(), calculator_.result->fields.end(), [&](const FieldInfo& f) {
+    return f.role != Role::check || !is_asked(f) || largest_result(f) <= 1.0;
+  });
+}
+
+/// What the sizing run has found for inputs that were left open and stay as they are when the size is rounded up.
+void Run::keep_sizing_results(const std::string& searched) {
+  for (const FieldInfo& field : calculator_.input->fields) {
+    const Leaf leaf = map_leaf(field.key);
+    const FieldInfo* result = find_field(calculator_.result->fields, field.key);
+    if (!field.kept || result == nullptr || !std::isnan(leaf.get())) continue;
+    const double si = largest_result(*result);
+    if (std::isnan(si) || si == 0.0) continue;
+    leaf.set(si);
+    origins_[field.key] = {say("of the least {1}, kept when it is rounded up", searched), {}, false};
+  }
+}
+
+void Run::search() {
+  if (step_.searches().empty()) return;
+  const Search& wanted = step_.searches().front();
+  const Leaf leaf = map_leaf(wanted.path);
+  settle_sizes();
+  const FieldInfo* result = find_field(calculator_.result->fields, wanted.path);
+  const double least = result == nullptr ? nan : largest_result(*result);
+  if (result != nullptr && std::isnan(least)) return;  // not even a least size: the checks say why
+  keep_sizing_results(wanted.path);
+  const std::vector<double> stock = stock_values(wanted.stock);
+  auto candidate = std::isnan(least) ? stock.begin() : std::lower_bound(stock.begin(), stock.end(), least * (1.0 - 1e-12));
+  for (; candidate != stock.end(); ++candidate) {
+    if (!wanted.leaf.field->bounds.holds(*candidate)) continue;
+    leaf.set(*candidate);
+    if (passes() || !missing_.empty()) break;
+  }
+  origins_[wanted.path] = {candidate == stock.end() ? say("largest of {1}; none passes", wanted.stock)
+                                                    : say("smallest of {1} that passes every check", wanted.stock), {}, false};
+}
+
+void Run::evaluate() {
+  settle_sizes();
+  if (!missing_.empty()) return;
+  columns_.clear();
+  for (std::size_t i = 0; i < positions(); ++i) {
+    const bool available = set_position(i);
+    if (available) calculator_.evaluate(record_.data.get(), result_.data.get());
+    if (columns_.empty() && available) {
+      for_each_leaf(result_, [&](const std::string& path, const Leaf& leaf) {
+        if (leaf.field->get != nullptr) columns_.push_back({path, leaf.field, std::vector<double>(positions(), nan)});
+      });
+    }
+    if (!available) continue;
+    std::size_t column = 0;
+    walk(calculator_.result->fields, result_.data.get(), [&](const FieldInfo& field, const void* owner) {
+      if (field.get != nullptr && column < columns_.size()) columns_[column++].si[i] = field.get(owner);
+    });
+  }
+  trace_governing();
+}
+
+/// The position where the largest check is largest, or the first that is available.
+std::size_t Run::governing_position() const {
+  std::size_t best = 0;
+  double most = -1.0;
+  for (const Column& column : columns_) {
+    if (column.field->role != Role::check || !is_asked(*column.field)) continue;
+    for (std::size_t i = 0; i < column.si.size(); ++i) {
+      if (column.si[i] > most) {
+        most = column.si[i];
+        best = i;
+      }
+    }
+  }
+  return best;
+}
+
+void Run::trace_governing() {
+  governing_ = governing_position();
+  traced_ = !columns_.empty() && set_position(governing_);
+  if (traced_) calculator_.explain(record_.data.get(), result_.data.get(), trace_);
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,125 @@
+// What a run has found, as an account.
+#include <algorithm>
+#include <cmath>
+
+#include "lib/project/derivation.hpp"
+#include "lib/project/run.hpp"
+#include "lib/quantity/format.hpp"
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr double rounding = 1e-9;  // a size that is just the least one passes
+
+/// "at 202.7 deg of lever: crank angle"
+Message at_place(const Extreme& extreme, const Axis& axis) {
+  return say("at {1} ({2})", format_quantity(extreme.at, axis.unit, 5), axis.name);
+}
+
+}  // namespace
+
+Value Run::value_of(const Column& column) const { return {{column.field->dimension, axis_}, column.si}; }
+
+Origin Run::origin_of(const std::string& path, const Leaf& leaf) const {
+  const auto known = origins_.find(path);
+  if (known != origins_.end()) return known->second;
+  for (const Input& input : inputs_) {
+    if (input.path == path) return input.origin;
+  }
+  const auto typed = step_.input().reading.typed.find(path);
+  if (typed != step_.input().reading.typed.end()) {
+    return {typed->second.mean_of_uncertain ? say("given, middle value") : say("given"), {}, false};
+  }
+  const bool open = leaf.field->type == FieldInfo::Type::quantity && std::isnan(leaf.get());
+  return {open ? Message{} : say("default"), {}, false};
+}
+
+void Run::fill(Account& account) const {
+  fill_inputs(account);
+  fill_results(account);
+  fill_verdicts(account);
+  if (traced_) account.derivation = derive(trace_, record_, result_);
+  if (axis_ != nullptr && traced_) {
+    account.governing = say("at {1} ({2}), where the governing check is largest", format_quantity(axis_->at[governing_], axis_->unit, 5), axis_->name);
+  }
+  if (traced_ && calculator_.figures != nullptr) account.figures = calculator_.figures(record_.data.get(), result_.data.get());
+}
+
+void Run::fill_inputs(Account& account) const {
+  for_each_leaf(record_, [&](const std::string& path, const Leaf& leaf) {
+    const FieldInfo& field = *leaf.field;
+    Entry entry{path, field.doc, field.unit, Role::input, {{field.dimension, nullptr}, {}}, origin_of(path, leaf), ""};
+    if (field.type == FieldInfo::Type::name) entry.word = field.text(leaf.owner);
+    if (field.type == FieldInfo::Type::choice) entry.word = field.choices[static_cast<std::size_t>(leaf.get())].key;
+    if (field.get != nullptr) entry.value.si = {leaf.get()};
+    for (const Input& input : inputs_) {
+      if (input.path == path) entry.value = input.value;
+    }
+    if (field.type == FieldInfo::Type::name && entry.word.empty()) return;
+    if (field.type == FieldInfo::Type::quantity && entry.origin.text.empty()) return;  // left open
+    account.inputs.push_back(std::move(entry));
+  });
+}
+
+void Run::fill_results(Account& account) const {
+  for (const Column& column : columns_) {
+    if (*column.field->asked_by != '\0' && !is_asked(*column.field)) continue;
+    const auto display = step_.input().display.find(column.path);
+    const std::string unit = display == step_.input().display.end() ? column.field->unit : display->second;
+    account.results.push_back({column.path, column.field->doc, unit, column.field->role, value_of(column), {}, ""});
+  }
+}
+
+report::Verdict Run::check_verdict(const Column& column) const {
+  const Extreme largest = axis_ == nullptr ? Extreme{column.si[0], 0.0, 0} : maximum(value_of(column));
+  report::Verdict v;
+  v.step = step_.name();
+  v.symbol = column.path;
+  v.meaning = say(column.field->doc);
+  v.bound = say("passes at 1 or less");
+  v.value = report::Quantity{largest.value, "-", 4};
+  v.state = std::isnan(largest.value) ? report::State::not_available
+            : largest.value <= 1.0 + rounding ? report::State::pass : report::State::fail;
+  if (!std::isnan(largest.value)) v.utilisation = largest.value;
+  if (axis_ != nullptr && v.utilisation) v.note = at_place(largest, *axis_);
+  return v;
+}
+
+report::Verdict Run::limit_verdict(const Column& column) const {
+  const Range& bounds = column.field->bounds;
+  const auto outside = [&](double x) { return std::isnan(x) || !bounds.holds(x); };
+  const auto distance = [&](double x) { return std::isnan(x) ? INFINITY : std::max(bounds.low - x, x - bounds.high); };
+  const auto worst = std::max_element(column.si.begin(), column.si.end(),
+                                      [&](double a, double b) { return distance(a) < distance(b); });
+  report::Verdict v;
+  v.step = step_.name();
+  v.symbol = column.path;
+  v.meaning = say(column.field->doc);
+  v.bound = say("covered from {1} to {2}", format_quantity(bounds.low, column.field->unit), format_quantity(bounds.high, column.field->unit));
+  v.value = report::Quantity{*worst, column.field->unit, 4};
+  v.state = std::isnan(*worst) ? report::State::not_available : outside(*worst) ? report::State::not_covered : report::State::pass;
+  return v;
+}
+
+void Run::fill_verdicts(Account& account) const {
+  for (const Column& column : columns_) {
+    if (column.field->role == Role::check && is_asked(*column.field)) account.verdicts.push_back(check_verdict(column));
+    if (column.field->role == Role::limit) account.verdicts.push_back(limit_verdict(column));
+  }
+  if (!columns_.empty()) return;
+  for (const FieldInfo& field : calculator_.result->fields) {  // nothing could be computed: say so check by check
+    if (field.role != Role::check || !is_asked(field)) continue;
+    report::Verdict v;
+    v.step = step_.name();
+    v.symbol = field.key;
+    v.meaning = say(field.doc);
+    v.bound = say("passes at 1 or less");
+    v.value = missing_.empty() ? report::State::not_available : report::State::not_covered;
+    v.state = missing_.empty() ? report::State::not_available : report::State::not_covered;
+    v.note = missing_;
+    account.verdicts.push_back(std::move(v));
+  }
+}
+
+}  // namespace loadpath::project

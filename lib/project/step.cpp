@@ -1,0 +1,89 @@
+#include "lib/project/step.hpp"
+
+#include <algorithm>
+
+#include "lib/quantity/format.hpp"
+
+namespace loadpath::project {
+
+std::string Step::companion_of(const std::string&) const { return {}; }
+
+const Value* Step::value(const std::string& path) const {
+  for (const auto* entries : {&account_.results, &account_.inputs}) {
+    for (const Entry& e : *entries) {
+      if (e.path == path && !e.value.si.empty()) return &e.value;
+    }
+  }
+  return nullptr;
+}
+
+Issue issue_at(const StepInput& input, const std::string& path, Message message, Message hint) {
+  const auto typed = input.reading.typed.find(path);
+  const Place place = typed == input.reading.typed.end() ? input.place : typed->second.place;
+  return {place, path.empty() ? input.name : input.name + "." + path, std::move(message), std::move(hint), Severity::error};
+}
+
+namespace {
+
+/// The axis of one operand after its dimension has been compared with that of its field.
+const Axis* check_operand(const Operand& operand, const std::string& step, const Declared& declared,
+                          std::vector<Issue>& issues) {
+  const std::string key = step + "." + operand.path;
+  const auto signature = operand.expression.check(declared);
+  if (!signature) {
+    const Fault& fault = signature.fault();
+    issues.push_back({place_in(operand.place, operand.text, fault.at, fault.length), key, fault.message, fault.hint,
+                      Severity::error});
+    return nullptr;
+  }
+  const Dimension& wanted = operand.leaf.field->dimension;
+  if (signature->dimension.without_angle() != wanted.without_angle()) {
+    issues.push_back({place_in(operand.place, operand.text, 0, operand.text.size()), key,
+                      say("'{1}' is a {2}, and this expression is a {3}", operand.path, name_of(wanted), name_of(signature->dimension)),
+                      {}, Severity::error});
+    return nullptr;
+  }
+  return signature->axis;
+}
+
+}  // namespace
+
+const Axis* check_operands(const Reading& reading, const std::string& step, bool lifted, const Declared& declared,
+                           std::vector<Issue>& issues) {
+  const Axis* shared = nullptr;
+  for (const Operand& operand : reading.operands) {
+    const Axis* axis = check_operand(operand, step, declared, issues);
+    if (axis == nullptr) continue;
+    const Place place = place_in(operand.place, operand.text, 0, operand.text.size());
+    const std::string key = step + "." + operand.path;
+    if (!lifted) {
+      issues.push_back({place, key, say("'{1}' takes one value, and this is a series over {2}", operand.path, axis->name),
+                        say("reduce it with peak, max, min, mean, rms or at"), Severity::error});
+    } else if (shared != nullptr && shared != axis) {
+      issues.push_back({place, key, say("this is a series over {1}, and another input is one over {2}", axis->name, shared->name),
+                        say("reduce one of them with peak, max, min, mean, rms or at"), Severity::error});
+    } else {
+      shared = axis;
+    }
+  }
+  return shared;
+}
+
+report::State worst(const std::vector<report::Verdict>& verdicts) {
+  report::State state = report::State::pass;
+  const auto severity = [](report::State s) {
+    switch (s) {
+      case report::State::pass: return 0;
+      case report::State::not_covered: return 1;
+      case report::State::not_available: return 2;
+      case report::State::fail: return 3;
+    }
+    return 3;
+  };
+  for (const report::Verdict& v : verdicts) {
+    if (severity(v.state) > severity(state)) state = v.state;
+  }
+  return state;
+}
+
+}  // namespace loadpath::project

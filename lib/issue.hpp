@@ -72,6 +72,14 @@ struct Issue {
   Severity severity = Severity::error;
 };
 
+/// Whether one of them is an error, not only a warning.
+inline bool has_errors(const std::vector<Issue>& issues) {
+  for (const Issue& issue : issues) {
+    if (issue.severity == Severity::error) return true;
+  }
+  return false;
+}
+
 /// Issues in the order of their places, as `file:line:column`, the source line, a caret and the hint.
 /// `source(file)` gives the text of a file that an issue names, or an empty text.
 std::string render(std::vector<Issue> issues, std::string (*source)(const std::string& file));

@@ -67,10 +67,6 @@ const Value* Project::value(const std::string& path) const {
   return step == nullptr ? nullptr : step->value(rest);
 }
 
-bool has_errors(const std::vector<Issue>& issues) {
-  return std::any_of(issues.begin(), issues.end(), [](const Issue& i) { return i.severity == Severity::error; });
-}
-
 Project read_project(std::string_view text, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues) {
   const io::Tree tree = io::read_toml(text, file, issues);
   if (has_errors(issues)) return {};

@@ -47,8 +47,6 @@ Project read_project(const io::Tree& tree, const std::string& file, Catalogue ca
 /// Solves the steps in order; stops at the first step with an issue.
 void solve(Project& project, std::vector<Issue>& issues);
 
-bool has_errors(const std::vector<Issue>& issues);
-
 /// All verdicts, and the worst of them.
 std::vector<report::Verdict> verdicts(const Project& project);
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "lib/quantity/format.hpp"
 
 namespace loadpath::project {
 
@@ -42,17 +41,9 @@ Run::Run(const CalculatorStep& step, const Known& known)
 
 bool Run::evaluate_operands(std::vector<Issue>& issues) {
   for (const Operand& operand : step_.input().reading.operands) {
-    const FieldInfo& field = *operand.leaf.field;
-    Value value = operand.expression.evaluate(known_);
-    const auto refused = std::find_if(value.si.begin(), value.si.end(),
-                                      [&](double x) { return !std::isnan(x) && !field.bounds.holds(x); });
-    if (refused != value.si.end()) {
-      issues.push_back({place_in(operand.place, operand.text, 0, operand.text.size()), step_.name() + "." + operand.path,
-                        say("{1} = {2}: {3}", operand.path, format_quantity(*refused, field.unit), bounds_message(field).text()),
-                        {}, Severity::error});
-      continue;
-    }
-    inputs_.push_back({operand.path, map_leaf(operand.path), std::move(value), {say("= {1}", operand.text), {}, false}});
+    auto value = evaluate_operand(operand, step_.name(), known_, issues);
+    if (!value) continue;
+    inputs_.push_back({operand.path, map_leaf(operand.path), std::move(*value), {say("= {1}", operand.text), {}, false}});
   }
   for (const Provided& provided : step_.provided()) {
     for (const std::string& path : provided.companions) {

@@ -1,6 +1,7 @@
 #include "lib/project/step.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lib/quantity/format.hpp"
 
@@ -67,6 +68,19 @@ const Axis* check_operands(const Reading& reading, const std::string& step, bool
     }
   }
   return shared;
+}
+
+std::optional<Value> evaluate_operand(const Operand& operand, const std::string& step, const Known& known,
+                                      std::vector<Issue>& issues) {
+  const FieldInfo& field = *operand.leaf.field;
+  Value value = operand.expression.evaluate(known);
+  const auto refused = std::find_if(value.si.begin(), value.si.end(),
+                                    [&](double x) { return !std::isnan(x) && !field.bounds.holds(x); });
+  if (refused == value.si.end()) return value;
+  issues.push_back({place_in(operand.place, operand.text, 0, operand.text.size()), step + "." + operand.path,
+                    say("{1} = {2}: {3}", operand.path, format_quantity(*refused, field.unit), bounds_message(field).text()),
+                    {}, Severity::error});
+  return std::nullopt;
 }
 
 report::State worst(const std::vector<report::Verdict>& verdicts) {

@@ -43,7 +43,8 @@ struct Account {
   std::vector<report::Verdict> verdicts;
   Message governing;              // which position the derivation is for; empty where there is one value
   std::vector<Derived> derivation;
-  std::vector<report::Block> blocks;  // what only this kind of step has: tables, notes
+  std::vector<report::Block> input_blocks;  // where the step shows its inputs itself, in place of the list of all
+  std::vector<report::Block> blocks;        // what only this kind of step has: tables, notes
   std::vector<draw::Figure> figures;
 };
 
@@ -104,6 +105,10 @@ class Step {
 /// `lifted` false refuses series.
 const Axis* check_operands(const Reading& reading, const std::string& step, bool lifted, const Declared& declared,
                            std::vector<Issue>& issues);
+
+/// The value of an operand; nothing and an issue where its field refuses it.
+std::optional<Value> evaluate_operand(const Operand& operand, const std::string& step, const Known& known,
+                                      std::vector<Issue>& issues);
 
 /// An issue at the field that was typed at `path`, or at the step's own place.
 Issue issue_at(const StepInput& input, const std::string& path, Message message, Message hint = {});

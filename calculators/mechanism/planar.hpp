@@ -1,0 +1,213 @@
+// A planar mechanism in a project: links, joints, drives and loads as a user writes them.
+//
+// Decides positions, velocities, accelerations, the reaction of every joint and the driving moment or force, over a turn
+// of the crank, over strokes of cylinders, or at given positions (lib/mechanism). Rigid links, no friction, no play.
+// Signs: moments counter-clockwise positive; a joint's force is that of its first link on its second (R_12).
+// A link's points are written in its own axes, or, where neither origin nor angle is given, as drawn on paper.
+#pragma once
+
+#include <array>
+
+#include "lib/field.hpp"
+
+namespace loadpath {
+
+struct PlanarMechanism {
+  static constexpr auto id = "mechanism.planar";
+  static constexpr auto title = "Planar mechanism";
+  static constexpr auto scope =
+      "Motion, joint reactions and driving effort of a planar mechanism with pins, slides and slots, with masses and "
+      "loads, over a cycle or at given positions. Rigid links; friction, play and elasticity are not covered.";
+  static constexpr auto source = "[A10], [D3]";
+  static constexpr auto example = R"([project]
+title = "Slider-crank"
+
+[press]
+calculator = "mechanism.planar"
+crank = { joint = "O", speed = "60 rpm", positions = 72 }
+
+[press.ground]
+O = ["0 mm", "0 mm"]
+B = ["0 mm", "0 mm"]
+
+[press.links.crank]
+points = { O = ["0 mm", "0 mm"], A = ["50 mm", "0 mm"] }
+angle = "30 deg"
+
+[press.links.rod]
+points = { A = ["0 mm", "0 mm"], B = ["200 mm", "0 mm"] }
+angle = "-7 deg"
+
+[press.links.slider]
+points = { B = ["0 mm", "0 mm"] }
+angle = "0 deg"
+mass = "2 kg"
+
+[press.joints]
+O = { type = "revolute", links = ["crank", "ground"] }
+A = { type = "revolute", links = ["crank", "rod"] }
+B = { type = "revolute", links = ["rod", "slider"] }
+guide = { type = "prismatic", links = ["slider", "ground"], points = ["B", "B"] }
+
+[[press.loads]]
+link = "slider"
+at = "B"
+F_x = "-1 kN"
+F_y = "0 N"
+)";
+
+  /// A point of a link: Cartesian, or by distance and angle.
+  struct Point {
+    Name name;
+    Length x = unset<Length>, y = unset<Length>, r = unset<Length>;
+    double angle = unset<double>;
+    static constexpr std::tuple fields{
+        NameField{&Point::name, "name", "name of the point"},
+        Field{&Point::x, "x", mm, "along the axes of the link"}.may_be_missing(),
+        Field{&Point::y, "y", mm, "across them"}.may_be_missing(),
+        Field{&Point::r, "r", mm, "distance from the origin, in place of x and y"}.may_be_missing(),
+        Field{&Point::angle, "angle", deg, "direction of that distance, from the x axis"}.may_be_missing()};
+  };
+  struct Origin {
+    Length x = unset<Length>, y = unset<Length>;
+    static constexpr std::tuple fields{Field{&Origin::x, "x", mm, "global"}, Field{&Origin::y, "y", mm, "global"}};
+  };
+  struct Pair {
+    Name first, second;
+    static constexpr std::tuple fields{NameField{&Pair::first, "first", "of the first link"},
+                                       NameField{&Pair::second, "second", "of the second link"}};
+  };
+
+  struct Link {
+    Name name;
+    List<Point, 16> points;
+    Mass mass = 0.0 * kg.one;
+    MassMoment J = 0.0 * kg_m2.one;
+    Name S;
+    Origin origin;
+    double angle = unset<double>;
+    static constexpr std::tuple fields{
+        NameField{&Link::name, "name", "name of the link"},
+        ListField{&Link::points, "points", "points in the link's axes, or as drawn where it has neither origin nor angle"}.as_arrays(),
+        Field{&Link::mass, "mass", kg, "mass"}.at_least(0),
+        Field{&Link::J, "J", kg_m2, "moment of inertia about the mass centre"}.at_least(0),
+        NameField{&Link::S, "S", "point that is the mass centre; the origin where missing"}.may_be_missing(),
+        Group{&Link::origin, "origin", "rough place of the link's origin in the stated assembly"}.as_array().may_be_missing(),
+        Field{&Link::angle, "angle", deg, "rough angle of the link in the stated assembly"}.may_be_missing()};
+  };
+
+  enum class Type { revolute, prismatic, slot };
+  struct Joint {
+    Name name;
+    Type type = Type::revolute;
+    Pair links, points;
+    double direction = 0.0;
+    double angle = unset<double>;
+    static constexpr std::tuple fields{
+        NameField{&Joint::name, "name", "name of the joint; also of its point on both links unless points says otherwise"},
+        Choice{&Joint::type, "type", "kind of joint"},
+        Group{&Joint::links, "links", "the two links; the ground is called ground"}.as_array(),
+        Group{&Joint::points, "points", "point of the first and of the second link"}.as_array().may_be_missing(),
+        Field{&Joint::direction, "direction", deg, "of the guide or slot through the second link's point, in that link's axes"},
+        Field{&Joint::angle, "angle", deg, "prismatic: angle of the first link against the second; as assembled where missing"}.may_be_missing()};
+  };
+
+  struct Crank {
+    Name joint, to;
+    AngularSpeed speed = 0.0 * rad_per_s.one;
+    AngularAcceleration acceleration = 0.0 * rad_per_s2.one;
+    double start = 0.0;
+    int positions = 360;
+    struct Place {
+      double angle = unset<double>;
+      static constexpr std::tuple fields{Field{&Place::angle, "angle", deg, "crank angle"}};
+    };
+    List<Place, 64> at;
+    static constexpr std::tuple fields{
+        NameField{&Crank::joint, "joint", "revolute joint that is driven"},
+        NameField{&Crank::to, "to", "point of the driven link that the crank angle is measured to; the link's x axis where missing"}.may_be_missing(),
+        Field{&Crank::speed, "speed", rad_per_s, "angular speed, counter-clockwise positive"},
+        Field{&Crank::acceleration, "acceleration", rad_per_s2, "angular acceleration at every position"},
+        Field{&Crank::start, "start", deg, "crank angle of the first position of a turn"},
+        Count{&Crank::positions, "positions", 8, 7200, "positions of a turn"},
+        ListField{&Crank::at, "at", "given crank angles, in place of a whole turn"}.as_arrays().may_be_missing()};
+  };
+
+  struct Cylinder {
+    Name name, joint;
+    Speed speed = 0.0 * m_per_s.one;
+    Acceleration acceleration = 0.0 * m_per_s2.one;
+    Length from = unset<Length>, to = unset<Length>;
+    static constexpr std::tuple fields{
+        NameField{&Cylinder::name, "name", "name of the drive"},
+        NameField{&Cylinder::joint, "joint", "prismatic or slot joint that is driven"},
+        Field{&Cylinder::speed, "speed", m_per_s, "speed of the first link along the guide"},
+        Field{&Cylinder::acceleration, "acceleration", m_per_s2, "acceleration along the guide"},
+        Field{&Cylinder::from, "from", mm, "place at the first position; as assembled where missing"}.may_be_missing(),
+        Field{&Cylinder::to, "to", mm, "place at the last position of a stroke"}.may_be_missing()};
+  };
+
+  enum class Axes { fixed, link };
+  struct Load {
+    Name name, link, at;
+    Force F = unset<Force>;
+    double direction = unset<double>;
+    Force F_x = unset<Force>, F_y = unset<Force>;
+    Moment M = unset<Moment>;
+    Axes axes = Axes::fixed;
+    static constexpr std::tuple fields{
+        NameField{&Load::name, "name", "name of the load"}.may_be_missing(),
+        NameField{&Load::link, "link", "link that it acts on"},
+        NameField{&Load::at, "at", "point that the force acts at"}.may_be_missing(),
+        Field{&Load::F, "F", N, "force, with its direction"}.may_be_missing(),
+        Field{&Load::direction, "direction", deg, "direction of the force, from the x axis"}.may_be_missing(),
+        Field{&Load::F_x, "F_x", N, "force along x, in place of F and direction"}.may_be_missing(),
+        Field{&Load::F_y, "F_y", N, "force along y"}.may_be_missing(),
+        Field{&Load::M, "M", N_m, "couple, counter-clockwise positive"}.may_be_missing(),
+        Choice{&Load::axes, "axes", "axes of direction, F_x and F_y"}.may_be_missing()};
+  };
+
+  enum class Analysis { kinetostatic, statics };
+  struct Input {
+    List<Point, 32> ground;
+    List<Link, 128> links;
+    List<Joint, 192> joints;
+    Crank crank;
+    List<Cylinder, 16> cylinders;
+    int positions = 1;
+    List<Load, 64> loads;
+    Acceleration gravity = 0.0 * m_per_s2.one;
+    double gravity_direction = -pi / 2.0;
+    Analysis analysis = Analysis::kinetostatic;
+  };
+  static constexpr std::tuple inputs{
+      ListField{&Input::ground, "ground", "points of the fixed link"}.as_arrays().may_be_missing(),
+      ListField{&Input::links, "links", "moving links, by name"},
+      ListField{&Input::joints, "joints", "joints, by name"},
+      Group{&Input::crank, "crank", "drive of a revolute joint"}.may_be_missing(),
+      ListField{&Input::cylinders, "cylinders", "drives of prismatic joints, by name"}.may_be_missing(),
+      Count{&Input::positions, "positions", 1, 7200, "positions of a stroke of cylinders"},
+      ListField{&Input::loads, "loads", "forces and couples"}.may_be_missing(),
+      Field{&Input::gravity, "gravity", m_per_s2, "acceleration of gravity; none where missing"}.at_least(0).usually(0, 30),
+      Field{&Input::gravity_direction, "gravity_direction", deg, "direction of gravity"},
+      Choice{&Input::analysis, "analysis", "with the inertia of the links, or loads alone"}.may_be_missing()};
+};
+
+constexpr auto choices_of(PlanarMechanism::Type) {
+  using T = PlanarMechanism::Type;
+  return std::array{ChoiceName<T>{T::revolute, "revolute", "pin: the points coincide, the links turn"},
+                    ChoiceName<T>{T::prismatic, "prismatic", "slide along a line of the second link, no turning"},
+                    ChoiceName<T>{T::slot, "slot", "pin of the first link in a slot of the second"}};
+}
+constexpr auto choices_of(PlanarMechanism::Axes) {
+  using T = PlanarMechanism::Axes;
+  return std::array{ChoiceName<T>{T::fixed, "fixed", "the force keeps its direction"},
+                    ChoiceName<T>{T::link, "link", "the force turns with the link"}};
+}
+constexpr auto choices_of(PlanarMechanism::Analysis) {
+  using T = PlanarMechanism::Analysis;
+  return std::array{ChoiceName<T>{T::kinetostatic, "kinetostatic", "loads, weights and inertia"},
+                    ChoiceName<T>{T::statics, "static", "loads and weights; no inertia"}};
+}
+
+}  // namespace loadpath

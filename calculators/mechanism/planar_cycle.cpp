@@ -1,0 +1,111 @@
+#include "calculators/mechanism/planar_cycle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath {
+
+namespace {
+
+using Planar = PlanarMechanism;
+using mechanism::Drive;
+using mechanism::Status;
+
+bool has_crank(const Planar::Input& in) { return !in.crank.joint.empty(); }
+
+/// The states of all drives at every position.
+struct Schedule {
+  std::vector<std::vector<Drive>> drives;
+  std::vector<double> at;  // of the axis: crank angles, or the first cylinder's places
+  double period = 0.0;     // of the crank angle, signed; 0: not a whole turn
+};
+
+/// Crank angles as the user counts them.
+std::vector<double> crank_angles(const Planar::Crank& crank) {
+  std::vector<double> angles;
+  for (const auto& place : crank.at) angles.push_back(place.angle);
+  if (!angles.empty()) return angles;
+  const double sense = si_value(crank.speed) < 0.0 ? -1.0 : 1.0;
+  for (int k = 0; k < crank.positions; ++k) angles.push_back(crank.start + sense * 2.0 * pi * k / crank.positions);
+  return angles;
+}
+
+/// Of angles that differ by whole turns, the one nearest to the assembled position.
+double whole_turns(double wanted, double assembled) { return 2.0 * pi * std::round((assembled - wanted) / (2.0 * pi)); }
+
+double place_of(const Planar::Cylinder& c, double assembled, std::size_t k, std::size_t count) {
+  const double from = is_set(c.from) ? si_value(c.from) : assembled;
+  const double to = is_set(c.to) ? si_value(c.to) : from;
+  return count < 2 ? from : from + (to - from) * static_cast<double>(k) / static_cast<double>(count - 1);
+}
+
+Schedule schedule_of(const Planar::Input& in, const mechanism::WholeSystem& system) {
+  Schedule schedule;
+  const std::vector<double> angles = has_crank(in) ? crank_angles(in.crank) : std::vector<double>{};
+  const std::size_t count = has_crank(in) ? angles.size() : static_cast<std::size_t>(in.positions);
+  const double turns = has_crank(in) ? whole_turns(angles[0], system.coordinate(0)) : 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    std::vector<Drive> drives;
+    if (has_crank(in)) drives.push_back({angles[k] + turns, si_value(in.crank.speed), si_value(in.crank.acceleration)});
+    for (const Planar::Cylinder& c : in.cylinders) {
+      drives.push_back({place_of(c, system.coordinate(drives.size()), k, count), si_value(c.speed), si_value(c.acceleration)});
+    }
+    schedule.at.push_back(has_crank(in) ? angles[k] : drives.empty() ? 0.0 : drives[0].coordinate);
+    schedule.drives.push_back(std::move(drives));
+  }
+  if (has_crank(in) && in.crank.at.empty()) schedule.period = si_value(in.crank.speed) < 0.0 ? -2.0 * pi : 2.0 * pi;
+  return schedule;
+}
+
+void fill_axis(const Schedule& schedule, Axis& axis) {
+  axis.at = schedule.at;
+  axis.period = schedule.period;
+  if (!axis.cyclic()) return;
+  axis.share.assign(axis.at.size(), 1.0 / static_cast<double>(axis.at.size()));  // the drive turns evenly
+}
+
+/// Solves the positions from the first on, or from the last back, until one does not close; that one is left open.
+Status run(mechanism::WholeSystem& system, const Schedule& schedule, bool statics, bool backward, Cycle& cycle) {
+  const std::size_t count = schedule.drives.size();
+  for (std::size_t n = 0; n < count; ++n) {
+    const std::size_t k = backward ? count - 1 - n : n;
+    if (cycle.closed[k]) return Status::closed;
+    std::vector<Drive> drives = schedule.drives[k];
+    if (backward && schedule.period != 0.0) drives[0].coordinate -= schedule.period;
+    const Status status = system.solve(drives, cycle.positions[k], statics);
+    if (status != Status::closed) return status;
+    cycle.closed[k] = true;
+    cycle.worst_condition = std::min(cycle.worst_condition, system.condition());
+  }
+  return Status::closed;
+}
+
+}  // namespace
+
+std::string axis_name(const Planar::Input& in) {
+  if (has_crank(in)) return in.crank.at.size() == 1 ? "" : "crank angle";
+  return in.positions > 1 ? "stroke" : "";
+}
+
+Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, Axis* axis) {
+  mechanism::WholeSystem system(model);
+  Cycle cycle;
+  cycle.first_failure = system.assemble();
+  const Schedule schedule = schedule_of(in, system);
+  if (axis != nullptr) fill_axis(schedule, *axis);
+  cycle.positions.assign(schedule.drives.size(), system.blank());
+  cycle.closed.assign(schedule.drives.size(), false);
+  if (cycle.first_failure != Status::closed) {
+    cycle.gap = system.gap();
+    return cycle;
+  }
+  const bool statics = in.analysis == Planar::Analysis::statics;
+  cycle.first_failure = run(system, schedule, statics, false, cycle);
+  if (cycle.first_failure == Status::closed) return cycle;
+  cycle.gap = system.gap();
+  mechanism::WholeSystem again(model);  // what closes on the other side of the gap is reached backwards from the start
+  if (again.assemble() == Status::closed) run(again, schedule, statics, true, cycle);
+  return cycle;
+}
+
+}  // namespace loadpath

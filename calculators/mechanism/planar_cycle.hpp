@@ -1,0 +1,28 @@
+// Takes a mechanism through its positions: a turn of the crank, strokes of cylinders, or the positions that are asked for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calculators/mechanism/planar.hpp"
+#include "lib/mechanism/whole_system.hpp"
+#include "lib/quantity/series.hpp"
+
+namespace loadpath {
+
+/// The solved positions. Where the mechanism does not close there is none.
+struct Cycle {
+  std::vector<mechanism::Position> positions;
+  std::vector<bool> closed;
+  mechanism::Status first_failure = mechanism::Status::closed;
+  mechanism::WholeSystem::Gap gap;  // at the first failure
+  double worst_condition = 1.0;     // smallest reciprocal condition number
+};
+
+/// Whether the positions make series, and over what: the name of the axis; empty where there is one position.
+std::string axis_name(const PlanarMechanism::Input& in);
+
+/// Fills the places of the axis and solves there. `axis` is null where there is one position.
+Cycle solve_cycle(const PlanarMechanism::Input& in, const mechanism::Model& model, Axis* axis);
+
+}  // namespace loadpath

@@ -1,0 +1,314 @@
+#include "calculators/mechanism/planar_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath {
+
+namespace {
+
+using Planar = PlanarMechanism;
+using mechanism::Vec;
+
+std::string path_of(const char* list, const Name& name, const char* field) {
+  return std::string(list) + "." + std::string(name.view()) + (*field == '\0' ? "" : "." + std::string(field));
+}
+
+Message nearest_hint(const Name& name, const std::vector<std::string>& candidates) {
+  const std::string near = nearest(name.view(), candidates);
+  return near.empty() ? Message{} : say("did you mean '{1}'?", near);
+}
+
+template <class Items>
+std::vector<std::string> names_in(const Items& items) {
+  std::vector<std::string> names;
+  for (const auto& item : items) names.emplace_back(item.name.view());
+  return names;
+}
+
+bool has_link(const Planar::Input& in, const Name& name) {
+  return name.view() == "ground" ||
+         std::any_of(in.links.begin(), in.links.end(), [&](const auto& l) { return l.name == name; });
+}
+
+const List<Planar::Point, 16>* points_of(const Planar::Input& in, int link) {
+  return link == mechanism::ground ? nullptr : &in.links[static_cast<std::size_t>(link)].points;
+}
+
+/// The joint's point on its two links: as written, else the joint's own name.
+std::pair<Name, Name> point_names(const Planar::Joint& joint) {
+  const Name first = joint.points.first.empty() ? joint.name : joint.points.first;
+  return {first, joint.points.second.empty() ? first : joint.points.second};
+}
+
+class NameCheck {
+ public:
+  explicit NameCheck(const Planar::Input& in) : in_(in) {}
+
+  std::vector<ModelFault> run() {
+    for (const auto& point : in_.ground) check_point(point, "ground." + std::string(point.name.view()));
+    for (const auto& link : in_.links) check_link(link);
+    for (const auto& joint : in_.joints) check_joint(joint);
+    check_drives();
+    for (std::size_t i = 0; i < in_.loads.size(); ++i) check_load(in_.loads[i], i);
+    check_shared_points();
+    return std::move(faults_);
+  }
+
+ private:
+  void add(std::string path, Message message, Message hint = {}) {
+    faults_.push_back({std::move(path), std::move(message), std::move(hint)});
+  }
+
+  void check_point(const Planar::Point& p, const std::string& path) {
+    const bool cartesian = is_set(p.x) && is_set(p.y), polar = is_set(p.r) && is_set(p.angle);
+    const bool any_cartesian = is_set(p.x) || is_set(p.y), any_polar = is_set(p.r) || is_set(p.angle);
+    if (!(cartesian && !any_polar) && !(polar && !any_cartesian)) {
+      add(path, say("a point has either x and y or r and angle"), say("write [\"40 mm\", \"0 mm\"] or { r = \"40 mm\", angle = \"20 deg\" }"));
+    }
+  }
+
+  void check_link(const Planar::Link& link) {
+    if (link.name.view() == "ground") add(path_of("links", link.name, ""), say("the fixed link is always called 'ground'; its points stand in [ground]"));
+    for (const auto& p : link.points) check_point(p, path_of("links", link.name, "points") + "." + std::string(p.name.view()));
+    if (!link.S.empty()) require_point(link_index(in_, link.name), link.S, path_of("links", link.name, "S"));
+    if (is_set(link.origin.x) && !is_set(link.angle)) {
+      add(path_of("links", link.name, "origin"), say("a link with an origin needs its angle too"));
+    }
+  }
+
+  bool require_link(const Name& name, const std::string& path) {
+    if (has_link(in_, name)) return true;
+    auto names = names_in(in_.links);
+    names.emplace_back("ground");
+    add(path, say("there is no link '{1}'", name.view()), nearest_hint(name, names));
+    return false;
+  }
+
+  void require_point(int link, const Name& name, const std::string& path) {
+    if (find_point(in_, link, name) != nullptr) return;
+    const auto* points = points_of(in_, link);
+    const auto names = points == nullptr ? names_in(in_.ground) : names_in(*points);
+    const std::string owner(link == mechanism::ground ? "ground" : in_.links[static_cast<std::size_t>(link)].name.view());
+    Message hint = nearest_hint(name, names);
+    if (hint.empty()) hint = say("give '{1}' among the points of '{2}', or name another point with points = [...]", name.view(), owner);
+    add(path, say("the link '{1}' has no point '{2}'", owner, name.view()), std::move(hint));
+  }
+
+  void check_joint(const Planar::Joint& joint) {
+    const std::string links = path_of("joints", joint.name, "links");
+    const std::string points = path_of("joints", joint.name, joint.points.first.empty() ? "links" : "points");
+    const bool first = require_link(joint.links.first, links), second = require_link(joint.links.second, links);
+    const auto [p1, p2] = point_names(joint);
+    if (first) require_point(link_index(in_, joint.links.first), p1, points);
+    if (second) require_point(link_index(in_, joint.links.second), p2, points);
+    if (is_set(joint.angle) && joint.type != Planar::Type::prismatic) {
+      add(path_of("joints", joint.name, "angle"), say("only a prismatic joint holds an angle"));
+    }
+  }
+
+  void require_joint(const Name& name, const std::string& path) {
+    const auto names = names_in(in_.joints);
+    if (std::find(names.begin(), names.end(), std::string(name.view())) != names.end()) return;
+    add(path, say("there is no joint '{1}'", name.view()), nearest_hint(name, names));
+  }
+
+  void check_drives() {
+    if (!in_.crank.joint.empty()) require_joint(in_.crank.joint, "crank.joint");
+    for (const auto& c : in_.cylinders) require_joint(c.joint, path_of("cylinders", c.name, "joint"));
+    if (in_.crank.joint.empty() || in_.crank.to.empty() || !faults_.empty()) return;
+    const auto joint = std::find_if(in_.joints.begin(), in_.joints.end(), [&](const auto& j) { return j.name == in_.crank.joint; });
+    const bool first_fixed = joint->links.first.view() == "ground";
+    require_point(link_index(in_, first_fixed ? joint->links.second : joint->links.first), in_.crank.to, "crank.to");
+  }
+
+  void check_load(const Planar::Load& load, std::size_t i) {
+    const std::string path = "loads" + (load.name.empty() ? "[" + std::to_string(i + 1) + "]" : "." + std::string(load.name.view()));
+    const bool known = require_link(load.link, path + ".link");
+    const bool polar = is_set(load.F) && is_set(load.direction), cartesian = is_set(load.F_x) && is_set(load.F_y);
+    const bool part = is_set(load.F) || is_set(load.direction) || is_set(load.F_x) || is_set(load.F_y);
+    if (known && load.link.view() == "ground") add(path + ".link", say("a load on the ground has no effect"), say("name a moving link"));
+    if (polar && cartesian) add(path, say("give either F with direction or F_x and F_y"));
+    if (part && !polar && !cartesian) add(path, say("give F with direction, or F_x and F_y"));
+    if (!part && !is_set(load.M)) add(path, say("a load has a force (F with direction, or F_x and F_y) or a couple M"));
+    if (part && load.at.empty()) add(path, say("a force needs the point it acts at: at = \"...\""));
+    if (known && !load.at.empty()) require_point(link_index(in_, load.link), load.at, path + ".at");
+  }
+
+  /// In a drawing one letter is one point: two links may share it only where a pin of that name joins them.
+  void check_shared_points() {
+    for (std::size_t a = 0; a < in_.links.size(); ++a) {
+      for (const auto& p : in_.links[a].points) {
+        for (std::size_t b = a + 1; b < in_.links.size(); ++b) {
+          const auto& other = in_.links[b];
+          if (find_point(in_, static_cast<int>(b), p.name) == nullptr || pinned(p.name)) continue;
+          add(path_of("links", other.name, "points") + "." + std::string(p.name.view()),
+              say("'{1}' is a point of '{2}' and of '{3}', but no pin '{1}' joins them", p.name.view(), in_.links[a].name.view(), other.name.view()),
+              say("give one of the two another name"));
+        }
+      }
+    }
+  }
+
+  bool pinned(const Name& name) const {
+    return std::any_of(in_.joints.begin(), in_.joints.end(), [&](const auto& j) {
+      return j.type == Planar::Type::revolute && point_names(j) == std::pair(name, name);
+    });
+  }
+
+  const Planar::Input& in_;
+  std::vector<ModelFault> faults_;
+};
+
+mechanism::Joint joint_of(const Planar::Input& in, const Planar::Joint& j) {
+  const auto [p1, p2] = point_names(j);
+  mechanism::Joint joint;
+  joint.name = j.name.view();
+  joint.kind = j.type == Planar::Type::revolute    ? mechanism::JointKind::revolute
+               : j.type == Planar::Type::prismatic ? mechanism::JointKind::prismatic
+                                                   : mechanism::JointKind::slot;
+  joint.i = link_index(in, j.links.first);
+  joint.j = link_index(in, j.links.second);
+  joint.point_i = vector_of(*find_point(in, joint.i, p1));
+  joint.point_j = vector_of(*find_point(in, joint.j, p2));
+  joint.direction = j.direction;
+  joint.angle = j.angle;  // where missing: as assembled, set once all links are placed
+  return joint;
+}
+
+bool is_drawn(const Planar::Link& link) { return !is_set(link.angle) && !is_set(link.origin.x); }
+
+mechanism::Link link_of(const Planar::Input& in, std::size_t i) {
+  const Planar::Link& l = in.links[i];
+  mechanism::Link link;
+  link.name = l.name.view();
+  link.mass = si_value(l.mass);
+  link.inertia = si_value(l.J);
+  if (!l.S.empty()) link.centre = vector_of(*find_point(in, static_cast<int>(i), l.S));
+  link.pose.phi = is_set(l.angle) ? l.angle : 0.0;
+  if (is_set(l.origin.x)) link.pose = {si_value(l.origin.x), si_value(l.origin.y), link.pose.phi};
+  return link;
+}
+
+Vec on_paper(const mechanism::Model& model, int link, Vec p) {
+  if (link == mechanism::ground) return p;
+  const mechanism::Pose& pose = model.links[static_cast<std::size_t>(link)].pose;
+  return Vec{pose.x, pose.y} + mechanism::turn(pose.phi)(p);
+}
+
+/// Links that have an angle but no origin are hung, one after the other, on a joint with a link that is placed.
+void place_links(const Planar::Input& in, mechanism::Model& model) {
+  std::vector<bool> placed;
+  for (const auto& l : in.links) placed.push_back(is_drawn(l) || is_set(l.origin.x));
+  const auto is_placed = [&](int link) { return link == mechanism::ground || placed[static_cast<std::size_t>(link)]; };
+  for (bool again = true; again;) {
+    again = false;
+    for (const mechanism::Joint& j : model.joints) {
+      if (is_placed(j.i) == is_placed(j.j)) continue;
+      const bool i_free = !is_placed(j.i);
+      const int free = i_free ? j.i : j.j;
+      const Vec target = on_paper(model, i_free ? j.j : j.i, i_free ? j.point_j : j.point_i);
+      mechanism::Pose& pose = model.links[static_cast<std::size_t>(free)].pose;
+      const Vec offset = mechanism::turn(pose.phi)(i_free ? j.point_i : j.point_j);
+      pose.x = target.x - offset.x;
+      pose.y = target.y - offset.y;
+      placed[static_cast<std::size_t>(free)] = again = true;
+    }
+  }
+}
+
+mechanism::Load load_of(const Planar::Input& in, const Planar::Load& l) {
+  mechanism::Load load;
+  load.name = l.name.view();
+  load.link = link_index(in, l.link);
+  if (!l.at.empty()) load.point = vector_of(*find_point(in, load.link, l.at));
+  if (is_set(l.F)) load.force = si_value(l.F) * Vec{std::cos(l.direction), std::sin(l.direction)};
+  if (is_set(l.F_x)) load.force = {si_value(l.F_x), si_value(l.F_y)};
+  load.turns_with_link = l.axes == Planar::Axes::link;
+  if (is_set(l.M)) load.moment = si_value(l.M);
+  return load;
+}
+
+int joint_index(const Planar::Input& in, const Name& name) {
+  const auto found = std::find_if(in.joints.begin(), in.joints.end(), [&](const auto& j) { return j.name == name; });
+  return static_cast<int>(found - in.joints.begin());
+}
+
+/// The crank turns against the fixed link where it has one, else the first link of the joint against the second.
+mechanism::Driver crank_driver(const Planar::Input& in, const mechanism::Model& model) {
+  const mechanism::Joint& joint = model.joints[static_cast<std::size_t>(joint_index(in, in.crank.joint))];
+  mechanism::Driver driver;
+  driver.name = "crank";
+  const bool first_fixed = joint.i == mechanism::ground;
+  driver.i = first_fixed ? joint.j : joint.i;
+  driver.j = first_fixed ? joint.i : joint.j;
+  if (!in.crank.to.empty()) {
+    const Vec to = vector_of(*find_point(in, driver.i, in.crank.to)) - (first_fixed ? joint.point_j : joint.point_i);
+    driver.offset = std::atan2(to.y, to.x);
+  }
+  return driver;
+}
+
+mechanism::Driver cylinder_driver(const Planar::Input& in, const Planar::Cylinder& c, const mechanism::Model& model) {
+  mechanism::Driver driver;
+  driver.name = c.name.view();
+  driver.kind = mechanism::Driver::Kind::linear;
+  driver.joint = joint_index(in, c.joint);
+  const mechanism::Joint& joint = model.joints[static_cast<std::size_t>(driver.joint)];
+  driver.i = joint.i;
+  driver.j = joint.j;
+  return driver;
+}
+
+}  // namespace
+
+std::vector<ModelFault> check_names(const Planar::Input& in) { return NameCheck(in).run(); }
+
+int link_index(const Planar::Input& in, const Name& name) {
+  for (std::size_t i = 0; i < in.links.size(); ++i) {
+    if (in.links[i].name == name) return static_cast<int>(i);
+  }
+  return mechanism::ground;
+}
+
+const Planar::Point* find_point(const Planar::Input& in, int link, const Name& name) {
+  const auto find = [&](const auto& points) -> const Planar::Point* {
+    const auto found = std::find_if(points.begin(), points.end(), [&](const auto& p) { return p.name == name; });
+    return found == points.end() ? nullptr : &*found;
+  };
+  return link == mechanism::ground ? find(in.ground) : find(in.links[static_cast<std::size_t>(link)].points);
+}
+
+Vec vector_of(const Planar::Point& p) {
+  if (is_set(p.x)) return {si_value(p.x), si_value(p.y)};
+  return si_value(p.r) * Vec{std::cos(p.angle), std::sin(p.angle)};
+}
+
+mechanism::Model model_of(const Planar::Input& in) {
+  mechanism::Model model;
+  for (std::size_t i = 0; i < in.links.size(); ++i) model.links.push_back(link_of(in, i));
+  for (const auto& j : in.joints) model.joints.push_back(joint_of(in, j));
+  place_links(in, model);
+  const auto phi = [&](int link) { return link == mechanism::ground ? 0.0 : model.links[static_cast<std::size_t>(link)].pose.phi; };
+  for (mechanism::Joint& j : model.joints) {
+    if (std::isnan(j.angle)) j.angle = phi(j.i) - phi(j.j);
+  }
+  if (!in.crank.joint.empty()) model.drivers.push_back(crank_driver(in, model));
+  for (const auto& c : in.cylinders) model.drivers.push_back(cylinder_driver(in, c, model));
+  for (const auto& l : in.loads) model.loads.push_back(load_of(in, l));
+  model.gravity = si_value(in.gravity) * Vec{std::cos(in.gravity_direction), std::sin(in.gravity_direction)};
+  return model;
+}
+
+std::vector<TracedPoint> traced_points(const Planar::Input& in) {
+  std::vector<TracedPoint> points;
+  for (std::size_t i = 0; i < in.links.size(); ++i) {
+    for (const auto& p : in.links[i].points) {
+      const bool known = std::any_of(points.begin(), points.end(), [&](const auto& t) { return t.name == p.name.view(); });
+      if (!known) points.push_back({std::string(p.name.view()), static_cast<int>(i), vector_of(p)});
+    }
+  }
+  return points;
+}
+
+}  // namespace loadpath

@@ -1,0 +1,30 @@
+// What a planar mechanism gives to other steps: paths, dimensions, and how each is read off a position.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "calculators/mechanism/planar_model.hpp"
+#include "lib/quantity/dimension.hpp"
+
+namespace loadpath {
+
+struct MechanismOutput {
+  std::string path;  // "joints.A.F"
+  std::string doc;
+  std::string unit;
+  Dimension dimension;
+  std::function<double(const mechanism::Position&)> read;
+};
+
+/// All outputs, in the order of reports. `model` must outlive nothing: what the readers need is copied.
+std::vector<MechanismOutput> mechanism_outputs(const PlanarMechanism::Input& in, const mechanism::Model& model);
+
+/// Global place, velocity and acceleration of a point of a link.
+struct PointMotion {
+  mechanism::Vec place, velocity, acceleration;
+};
+PointMotion motion_of(const mechanism::Position& p, int link, mechanism::Vec at);
+
+}  // namespace loadpath

@@ -1,0 +1,186 @@
+#include "calculators/mechanism/planar_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "calculators/mechanism/planar_model.hpp"
+#include "lib/mechanism/vec.hpp"
+#include "lib/quantity/format.hpp"
+
+namespace loadpath {
+
+namespace {
+
+using Planar = PlanarMechanism;
+using report::Cell;
+using report::Quantity;
+using report::Table;
+
+std::string text(const Name& name) { return std::string(name.view()); }
+
+std::string names_of_points(const Planar::Link& link) {
+  std::string all;
+  for (const auto& p : link.points) all += (all.empty() ? "" : ", ") + text(p.name);
+  return all;
+}
+
+Table link_table(const Planar::Input& in) {
+  Table table{say("Links"), {say("link"), say("points"), say("mass"), say("moment of inertia"), say("mass centre")}, {}};
+  for (const auto& l : in.links) {
+    table.rows.push_back({text(l.name), names_of_points(l), Quantity{si_value(l.mass), "kg"}, Quantity{si_value(l.J), "kg*m^2"},
+                          l.S.empty() ? Cell(say("origin")) : Cell(text(l.S))});
+  }
+  return table;
+}
+
+Table point_table(const Planar::Input& in) {
+  Table table{say("Points, in the axes of their link"), {say("point"), say("link"), say("x"), say("y")}, {}};
+  const auto add = [&](const Planar::Point& p, const std::string& link) {
+    const mechanism::Vec v = vector_of(p);
+    table.rows.push_back({text(p.name), link, Quantity{v.x, "mm"}, Quantity{v.y, "mm"}});
+  };
+  for (const auto& p : in.ground) add(p, "ground");
+  for (const auto& l : in.links) {
+    for (const auto& p : l.points) add(p, text(l.name));
+  }
+  return table;
+}
+
+Table joint_table(const Planar::Input& in) {
+  Table table{say("Joints"), {say("joint"), say("kind"), say("first link"), say("second link")}, {}};
+  constexpr auto types = choices_of(Planar::Type{});
+  for (const auto& j : in.joints) {
+    const auto type = std::find_if(types.begin(), types.end(), [&](const auto& t) { return t.value == j.type; });
+    table.rows.push_back({text(j.name), say(type->key), text(j.links.first), text(j.links.second)});
+  }
+  return table;
+}
+
+Table load_table(const Planar::Input& in) {
+  Table table{say("Loads"), {say("link"), say("point"), say("force"), say("direction"), say("couple"), say("axes")}, {}};
+  for (const auto& l : in.loads) {
+    const bool cartesian = is_set(l.F_x);
+    const double fx = si_value(l.F_x), fy = si_value(l.F_y);
+    const Cell none = std::string("–");
+    const Cell force = is_set(l.F) ? Cell(Quantity{si_value(l.F), "N"}) : cartesian ? Cell(Quantity{std::hypot(fx, fy), "N"}) : none;
+    const Cell direction = is_set(l.F) ? Cell(Quantity{l.direction, "deg"}) : cartesian ? Cell(Quantity{std::atan2(fy, fx), "deg"}) : none;
+    table.rows.push_back({text(l.link), l.at.empty() ? none : Cell(text(l.at)), force, direction,
+                          is_set(l.M) ? Cell(Quantity{si_value(l.M), "N*m"}) : none,
+                          l.axes == Planar::Axes::link ? say("of the link") : say("fixed")});
+  }
+  return table;
+}
+
+Table drive_table(const Planar::Input& in) {
+  Table table{say("Drive"), {}, {}};
+  if (!in.crank.joint.empty()) {
+    table.rows.push_back({say("driven joint"), text(in.crank.joint)});
+    table.rows.push_back({say("angular speed"), Quantity{si_value(in.crank.speed), "rad/s"}});
+    table.rows.push_back({say("angular acceleration"), Quantity{si_value(in.crank.acceleration), "rad/s^2"}});
+  }
+  for (const auto& c : in.cylinders) table.rows.push_back({text(c.name), text(c.joint)});
+  table.rows.push_back({say("gravity"), Quantity{si_value(in.gravity), "m/s^2"}});
+  table.rows.push_back({say("inertia of the links"), in.analysis == Planar::Analysis::statics ? say("left out") : say("included")});
+  return table;
+}
+
+/// Drives and joint forces: what parts are designed for.
+bool is_design_load(const std::string& path) {
+  return path == "drive.M" || path == "drive.P" || path.starts_with("cylinders.") || (path.starts_with("joints.") && !path.ends_with(".x") && !path.ends_with(".y"));
+}
+
+Table extremes_table(const project::Account& account, const Axis& axis) {
+  Table table{say("Extremes over the cycle"), {say("quantity"), say("largest"), say("at"), say("smallest"), say("at"), say("mean")}, {}};
+  for (const project::Entry& e : account.results) {
+    if (!is_design_load(e.path)) continue;
+    const Extreme high = maximum(e.value), low = minimum(e.value);
+    table.rows.push_back({e.path, Quantity{high.value, e.unit}, Quantity{high.at, axis.unit}, Quantity{low.value, e.unit},
+                          Quantity{low.at, axis.unit}, Quantity{mean(e.value), e.unit}});
+  }
+  return table;
+}
+
+Table position_table(const project::Account& account) {
+  Table table{say("Drive and reactions"), {say("quantity"), say("value"), say("meaning")}, {}};
+  for (const project::Entry& e : account.results) {
+    if (is_design_load(e.path) || e.path.starts_with("joints.")) table.rows.push_back({e.path, Quantity{e.value.si[0], e.unit}, say("{1}", e.doc)});
+  }
+  return table;
+}
+
+report::Verdict limit(const std::string& step, const char* symbol, Message meaning, double value, double bound) {
+  report::Verdict v;
+  v.step = step;
+  v.symbol = symbol;
+  v.meaning = std::move(meaning);
+  v.bound = say("at most {1}", format_number(bound));
+  v.value = Quantity{value, "-", 2};
+  v.state = std::isnan(value) ? report::State::not_available : value <= bound ? report::State::pass : report::State::fail;
+  return v;
+}
+
+report::Verdict closing(const std::string& step, const Planar::Input& in, const Cycle& cycle, const Axis* axis) {
+  report::Verdict v;
+  v.step = step;
+  v.symbol = "closes";
+  v.meaning = say("the mechanism closes at every position");
+  v.bound = say("every position");
+  const auto closed = static_cast<std::size_t>(std::count(cycle.closed.begin(), cycle.closed.end(), true));
+  v.value = say("{1} of {2}", std::to_string(closed), std::to_string(cycle.closed.size()));
+  v.state = closed == cycle.closed.size() ? report::State::pass : report::State::not_available;
+  if (v.state == report::State::pass) return v;
+  const auto first = std::find(cycle.closed.begin(), cycle.closed.end(), false) - cycle.closed.begin();
+  const auto last = std::find(cycle.closed.rbegin(), cycle.closed.rend(), false).base() - cycle.closed.begin() - 1;
+  const auto place = [&](std::ptrdiff_t k) {
+    return axis == nullptr ? std::string() : format_quantity(axis->at[static_cast<std::size_t>(k)], axis->unit, 5);
+  };
+  const std::string joint = cycle.gap.joint < 0 ? "" : text(in.joints[static_cast<std::size_t>(cycle.gap.joint)].name);
+  v.note = cycle.first_failure == mechanism::Status::singular
+               ? say("singular between {1} and {2}: the drive cannot hold the mechanism there", place(first), place(last))
+               : say("open between {1} and {2}: joint '{3}' stays {4} apart", place(first), place(last), joint, format_quantity(cycle.gap.size, "mm", 4));
+  return v;
+}
+
+}  // namespace
+
+std::vector<report::Block> model_tables(const Planar::Input& in) {
+  std::vector<report::Block> blocks{drive_table(in), link_table(in), point_table(in), joint_table(in)};
+  if (!in.loads.empty()) blocks.emplace_back(load_table(in));
+  return blocks;
+}
+
+std::vector<report::Block> result_tables(const project::Account& account, const Axis* axis) {
+  if (axis == nullptr) return {position_table(account)};
+  return {extremes_table(account, *axis)};
+}
+
+std::vector<report::Verdict> proof(const std::string& step, const Planar::Input& in, const Cycle& cycle, const Axis* axis) {
+  double force = 0.0, largest_force = 0.0, moment = 0.0, largest_moment = 0.0, power = 0.0, largest_power = 0.0;
+  bool any = false;
+  for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
+    if (!cycle.closed[k]) continue;
+    any = true;
+    const mechanism::Position& p = cycle.positions[k];
+    force = std::max(force, p.residual_force);
+    moment = std::max(moment, p.residual_moment);
+    power = std::max(power, std::abs(p.power_residual));
+    largest_power = std::max(largest_power, p.power_scale);
+    for (const auto& r : p.reactions) {
+      largest_force = std::max(largest_force, mechanism::length(r.force));
+      largest_moment = std::max({largest_moment, std::abs(r.couple), mechanism::length(r.force) * mechanism::length(r.at)});
+    }
+    for (const double e : p.effort) largest_moment = std::max(largest_moment, std::abs(e));
+  }
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const auto part = [&](double residual, double scale) { return !any ? none : scale > 0.0 ? residual / scale : 0.0; };
+  std::vector<report::Verdict> verdicts{closing(step, in, cycle, axis)};
+  verdicts.push_back(limit(step, "force_balance", say("equilibrium of every link: unbalanced force over the largest reaction"), part(force, largest_force), 1e-9));
+  verdicts.push_back(limit(step, "moment_balance", say("equilibrium of every link: unbalanced moment over the largest"), part(moment, largest_moment), 1e-9));
+  if (!in.crank.joint.empty() || !in.cylinders.empty()) {
+    verdicts.push_back(limit(step, "power_balance", say("power of drive, loads and weights against the change of kinetic energy"), part(power, largest_power), 1e-9));
+  }
+  return verdicts;
+}
+
+}  // namespace loadpath

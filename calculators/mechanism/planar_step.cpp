@@ -1,0 +1,106 @@
+#include "calculators/mechanism/planar_step.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "calculators/mechanism/planar_report.hpp"
+#include "lib/calculator.hpp"
+#include "lib/mechanism/structure.hpp"
+#include "lib/record_of.hpp"
+
+namespace loadpath {
+
+void PlanarStep::prepare(const project::Declared& declared, const project::Companion&, std::vector<Issue>& issues) {
+  const auto is_own = [&](const Issue& issue) { return issue.severity == Severity::error && issue.key.starts_with(name() + "."); };
+  check_operands(input().reading, name(), false, declared, issues);
+  for (const ModelFault& fault : check_names(data())) issues.push_back(issue_at(input(), fault.path, fault.message, fault.hint));
+  if (std::any_of(issues.begin(), issues.end(), is_own)) return;  // the model has holes: nothing more can be said of it
+  const mechanism::Model model = model_of(data());
+  outputs_ = mechanism_outputs(data(), model);
+  const std::string axis = axis_name(data());
+  if (!axis.empty()) axis_ = std::make_unique<Axis>(Axis{name() + ": " + axis, axis == "stroke" ? "mm" : "deg", {}, {}, 0.0});
+  if (input().reading.operands.empty()) diagnose_model(model, issues);
+}
+
+Outcome<Signature> PlanarStep::signature(const std::string& path) const {
+  const auto found = std::find_if(outputs_.begin(), outputs_.end(), [&](const auto& o) { return o.path == path; });
+  if (found != outputs_.end()) return Signature{found->dimension, axis_.get()};
+  std::vector<std::string> paths;
+  for (const auto& o : outputs_) paths.push_back(o.path);
+  const std::string near = nearest(path, paths);
+  return Fault{0, path.size(), say("'{1}' has no result '{2}'", name(), path),
+               near.empty() ? say("there are drive.M, joints.NAME.F, links.NAME.phi, points.NAME.v and the like")
+                            : say("did you mean '{1}'?", name() + "." + near)};
+}
+
+std::string PlanarStep::companion_of(const std::string& path) const {
+  return path == "drive.M" ? "joints." + std::string(data().crank.joint.view()) + ".F" : "";
+}
+
+/// The field of the project file that a finding is about.
+static std::string path_of(const mechanism::Finding& finding, const mechanism::Model& model) {
+  using About = mechanism::Finding::About;
+  switch (finding.about) {
+    case About::model: return "";
+    case About::link: return "links." + model.links[finding.index].name;
+    case About::joint: return "joints." + model.joints[finding.index].name;
+    case About::driver:
+      return model.drivers[finding.index].kind == mechanism::Driver::Kind::rotary ? "crank" : "cylinders." + model.drivers[finding.index].name;
+    case About::load: return "loads";
+  }
+  return "";
+}
+
+bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues) const {
+  const auto findings = mechanism::diagnose(model);
+  for (const mechanism::Finding& f : findings) issues.push_back(issue_at(input(), path_of(f, model), f.message, f.hint));
+  return findings.empty();
+}
+
+void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) {
+  const std::size_t before = issues.size();
+  for (const project::Operand& operand : input().reading.operands) {
+    if (const auto value = evaluate_operand(operand, name(), known, issues)) operand.leaf.set(value->si[0]);
+  }
+  if (issues.size() != before) return;
+  const mechanism::Model model = model_of(data());
+  if (!input().reading.operands.empty() && !diagnose_model(model, issues)) return;
+  const Cycle cycle = solve_cycle(data(), model, axis_.get());
+  outputs_ = mechanism_outputs(data(), model);
+  fill_values(cycle);
+  project::Account& account = own_account();
+  account.verdicts = proof(name(), data(), cycle, axis_.get());
+  account.input_blocks = model_tables(data());
+  account.blocks = result_tables(account, axis_.get());
+  account.figures = mechanism_figures(data(), model, cycle, account, axis_.get());
+}
+
+void PlanarStep::fill_values(const Cycle& cycle) {
+  auto& results = own_account().results;
+  results.clear();
+  for (const MechanismOutput& output : outputs_) {
+    Value value{{output.dimension, axis_.get()}, {}};
+    for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
+      value.si.push_back(cycle.closed[k] ? output.read(cycle.positions[k]) : std::numeric_limits<double>::quiet_NaN());
+    }
+    results.push_back({output.path, output.doc, output.unit, Role::result, std::move(value), {}, ""});
+  }
+}
+
+template <>
+const Calculator& erased<PlanarMechanism>() {
+  static const Calculator calculator = [] {
+    Calculator c;
+    c.id = PlanarMechanism::id;
+    c.title = PlanarMechanism::title;
+    c.scope = PlanarMechanism::scope;
+    c.source = PlanarMechanism::source;
+    c.example = PlanarMechanism::example;
+    c.input = &record_type<PlanarMechanism::Input, PlanarMechanism::inputs>();
+    c.make_step = [](project::StepInput&& input) -> std::unique_ptr<project::Step> { return std::make_unique<PlanarStep>(std::move(input)); };
+    return c;
+  }();
+  return calculator;
+}
+
+}  // namespace loadpath

@@ -1,0 +1,35 @@
+// The step of a planar mechanism in a project: its paths come from the names in its model.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "calculators/mechanism/planar_cycle.hpp"
+#include "calculators/mechanism/planar_outputs.hpp"
+#include "lib/project/step.hpp"
+
+namespace loadpath {
+
+class PlanarStep : public project::Step {
+ public:
+  using Step::Step;
+
+  void prepare(const project::Declared& declared, const project::Companion& companion, std::vector<Issue>& issues) override;
+  [[nodiscard]] Outcome<Signature> signature(const std::string& path) const override;
+  /// With the moment of a drive comes the force of its joint.
+  [[nodiscard]] std::string companion_of(const std::string& path) const override;
+  void solve(const project::Known& known, std::vector<Issue>& issues) override;
+
+ private:
+  [[nodiscard]] PlanarMechanism::Input& data() { return *static_cast<PlanarMechanism::Input*>(own().reading.record.data.get()); }
+  [[nodiscard]] const PlanarMechanism::Input& data() const {
+    return *static_cast<const PlanarMechanism::Input*>(input().reading.record.data.get());
+  }
+  bool diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues) const;
+  void fill_values(const Cycle& cycle);
+
+  std::vector<MechanismOutput> outputs_;
+  std::unique_ptr<Axis> axis_;  // null: one position
+};
+
+}  // namespace loadpath

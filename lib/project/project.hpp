@@ -17,7 +17,8 @@ struct Expectation {
   Expression value;
   Literal is;
   std::string is_text;      // as written
-  std::string unit;         // of `is`, for the table
+  double number = 0.0;      // of `is` in its own unit: what its digits count
+  std::string unit;         // of `is`; "-" for a number
   std::optional<int> digits;        // half a unit of this significant digit
   std::optional<double> within;     // relative
   std::string source;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "lib/quantity/format.hpp"
+#include "lib/quantity/number.hpp"
 
 namespace loadpath::project {
 
@@ -156,6 +156,10 @@ std::optional<Expectation> read_expectation(const Tree& tree, std::vector<Issue>
     add(issues, place_in(tree.find("is")->value.place, e.is_text, is.fault().at, is.fault().length), "expect.is", is.fault().message, is.fault().hint);
   } else {
     e.is = *is;
+    const auto number = read_number(e.is_text, 0);
+    e.number = number->value;
+    e.unit = e.is_text.substr(std::min(e.is_text.find_first_not_of(' ', number->end), e.is_text.size()));
+    if (e.unit.empty()) e.unit = "-";
   }
   read_tolerance(tree, e, issues);
   return issues.size() == before ? std::optional(std::move(e)) : std::nullopt;

@@ -1,0 +1,14 @@
+// PDF by a headless browser, where one is installed.
+#pragma once
+
+#include <string>
+
+namespace loadpath::cli {
+
+/// The path of a Chromium or Chrome, or an empty text.
+std::string find_browser();
+
+/// Prints a page to a PDF file; false where the browser fails.
+bool print_to_pdf(const std::string& html, const std::string& path);
+
+}  // namespace loadpath::cli

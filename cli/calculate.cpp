@@ -1,0 +1,65 @@
+#include <algorithm>
+#include <iostream>
+
+#include "cli/output.hpp"
+#include "cli/solving.hpp"
+#include "lib/io/tree.hpp"
+
+namespace loadpath::cli {
+
+namespace {
+
+using io::Tree;
+
+bool takes_text(const FieldInfo* field) {
+  return field == nullptr || field->type == FieldInfo::Type::quantity || field->type == FieldInfo::Type::choice ||
+         field->type == FieldInfo::Type::name;
+}
+
+/// The value of a flag as a project file would have it: a text as it stands, anything else as TOML's inline text.
+Tree value_of(const std::string& key, const std::string& text, const FieldInfo* field, std::vector<Issue>& issues) {
+  const std::string flag = "--" + key;
+  Tree value;
+  value.type = Tree::Type::text;
+  value.text = text;
+  value.place = {flag, 1, 1, 1};
+  const bool inline_table = text.starts_with('{');  // { stock = "R20" }
+  if (takes_text(field) && !inline_table) return value;
+  const std::string prefix = "value = ";
+  const Tree tree = io::read_toml(prefix + text, flag, issues);
+  const auto* entry = tree.find("value");
+  return entry == nullptr ? value : entry->value;
+}
+
+Tree project_tree(const CalculateOptions& options, std::vector<Issue>& issues) {
+  Tree step;
+  step.place = {"command line", 0, 0, 1};
+  Tree id;
+  id.type = Tree::Type::text;
+  id.text = options.calculator->id;
+  step.entries.push_back({"calculator", step.place, id});
+  for (const auto& [key, text] : options.values) {
+    const FieldInfo* field = find_field(options.calculator->input->fields, key);
+    step.entries.push_back({key, {"--" + key, 1, 1, 1}, value_of(key, text, field, issues)});
+  }
+  const std::string_view all = options.calculator->id;
+  Tree tree;
+  tree.entries.push_back({std::string(all.substr(all.find('.') + 1)), step.place, std::move(step)});
+  return tree;
+}
+
+}  // namespace
+
+int calculate(const CalculateOptions& options) {
+  if (!can_write(options.output)) return wrong_input;
+  std::vector<SourceText> sources;
+  for (const auto& [key, text] : options.values) sources.push_back({"--" + key, text});
+  return solve_and_show(
+      [&](std::vector<Issue>& issues) {
+        const Tree tree = project_tree(options, issues);
+        return has_errors(issues) ? project::Project{} : project::read_project(tree, "command line", catalogue(), issues);
+      },
+      sources, options.output, true);
+}
+
+}  // namespace loadpath::cli

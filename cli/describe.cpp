@@ -1,0 +1,86 @@
+#include <cmath>
+#include <iostream>
+
+#include "calculators/catalogue.hpp"
+#include "cli/commands.hpp"
+#include "cli/terminal.hpp"
+#include "lib/project/reading.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/table/table.hpp"
+
+namespace loadpath::cli {
+
+namespace {
+
+using Type = FieldInfo::Type;
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string bounds_of(const FieldInfo& field) {
+  const bool open = std::isinf(field.bounds.low) && std::isinf(field.bounds.high);
+  return open || field.type == Type::choice ? "" : project::bounds_message(field).text();
+}
+
+std::string words_of(const FieldInfo& field) {
+  std::string all;
+  for (const ChoiceInfo& c : field.choices) all += (all.empty() ? "" : " | ") + std::string(c.key);
+  return all;
+}
+
+std::string default_of(const FieldInfo& field, void* owner) {
+  if (*field.searched_in != '\0') return std::string("searched in ") + field.searched_in;
+  if (field.provider.kind == Provider::Kind::table) return std::string("from ") + field.provider.table;
+  if (field.provider.kind == Provider::Kind::companion) return std::string("comes with ") + field.provider.column;
+  if (field.type == Type::choice) return field.choices[static_cast<std::size_t>(field.get(owner))].key;
+  const bool number = field.type == Type::quantity || field.type == Type::count;
+  if (number && !std::isnan(field.get(owner))) return "default " + format_quantity(field.get(owner), field.type == Type::count ? "-" : field.unit);
+  return field.optional ? "optional" : "required";
+}
+
+void add_fields(std::span<const FieldInfo> fields, void* owner, const std::string& prefix, Rows& rows) {
+  for (const FieldInfo& f : fields) {
+    const std::string key = "  " + prefix + f.key;
+    if (f.is_leaf()) {
+      const std::string unit = f.type == Type::choice ? words_of(f) : f.type == Type::name ? "name" : f.type == Type::count ? "whole number" : f.unit;
+      const std::string rule = bounds_of(f);
+      rows.push_back({key, unit, f.role == Role::input ? default_of(f, owner) : "", f.doc + (rule.empty() ? "" : " (" + rule + ")")});
+      continue;
+    }
+    const bool list = f.type == Type::list;
+    rows.push_back({key + (list ? "[]" : ""), list ? "list, at most " + std::to_string(f.capacity) : "table", f.role == Role::input && !f.optional ? "required" : "", f.doc});
+    const std::shared_ptr<void> blank = nullptr;
+    void* inner = list ? f.push(owner) : f.element(owner, 0);
+    add_fields(f.fields, inner, prefix + f.key + (list ? "[]." : "."), rows);
+  }
+}
+
+void show_type(const char* title, const RecordType& type) {
+  Record blank(type);
+  Rows rows;
+  add_fields(type.fields, blank.data.get(), "", rows);
+  std::cout << title << "\n" << columns(rows) << "\n";
+}
+
+}  // namespace
+
+int describe(const DescribeOptions& options) {
+  const Calculator* c = find_calculator(catalogue(), options.id);
+  if (c == nullptr) {
+    std::vector<std::string> ids;
+    for (const Calculator* known : catalogue()) ids.emplace_back(known->id);
+    const std::string near = nearest(options.id, ids);
+    std::cerr << "loadpath: there is no calculator '" << options.id << "'\n  = help: "
+              << (near.empty() ? "`loadpath list` shows all" : "did you mean '" + near + "'?") << "\n";
+    return wrong_input;
+  }
+  std::cout << c->id << ": " << c->title << "\n\n" << c->scope << "\n\n";
+  for (const std::string& key : table::keys_in(c->source)) std::cout << "[" << key << "] " << table::citation(key) << "\n";
+  std::cout << "\n";
+  show_type("Inputs", *c->input);
+  for (const RuleInfo& rule : c->rules) std::cout << "  rule (" << rule.fields << "): " << rule.text << "\n";
+  if (!c->rules.empty()) std::cout << "\n";
+  if (c->result != nullptr) show_type("Results", *c->result);
+  std::cout << "Example, a project file that runs:\n\n" << c->example;
+  return passed;
+}
+
+}  // namespace loadpath::cli

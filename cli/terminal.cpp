@@ -1,0 +1,136 @@
+#include "cli/terminal.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+#include "lib/formula/formula.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/report/build.hpp"
+
+namespace loadpath::cli {
+
+namespace {
+
+std::size_t width_of(const std::string& text) {  // code points; an escape sequence has none
+  std::size_t width = 0;
+  bool escape = false;
+  for (const char c : text) {
+    if (c == '\033') escape = true;
+    if (!escape && (static_cast<unsigned char>(c) & 0xC0U) != 0x80U) ++width;
+    if (escape && c == 'm') escape = false;
+  }
+  return width;
+}
+
+std::string in_colour(const std::string& text, const char* code) {
+  return colours(Stream::out) ? "\033[" + std::string(code) + "m" + text + "\033[0m" : text;
+}
+
+std::string shown(const project::Entry& e) {
+  if (!e.word.empty()) return e.word;
+  if (!e.value.is_series()) return format_quantity(e.value.si.empty() ? NAN : e.value.si[0], e.unit);
+  const Extreme low = minimum(e.value), high = maximum(e.value);
+  const Axis& axis = *e.value.signature.axis;
+  return format_quantity(low.value, e.unit) + " (at " + format_quantity(low.at, axis.unit, 5) + ") to " +
+         format_quantity(high.value, e.unit) + " (at " + format_quantity(high.at, axis.unit, 5) + ")";
+}
+
+/// Results worth a line on the terminal: no elements of lists, no points, nothing that was not asked for.
+bool is_brief(const project::Entry& e) {
+  const bool open = e.value.si.size() == 1 && std::isnan(e.value.si[0]);
+  const bool joint_force = e.path.starts_with("joints.") && !e.path.ends_with(".x") && !e.path.ends_with(".y");
+  const bool element = e.path.find_first_of("[.") != std::string::npos && !e.path.starts_with("drive.") && !e.path.starts_with("cylinders.");
+  return e.role == Role::result && !open && (!element || joint_force);
+}
+
+void show_results(const project::Step& step) {
+  std::vector<std::vector<std::string>> rows;
+  for (const project::Entry& e : step.account().results) {
+    if (is_brief(e)) rows.push_back({"  " + e.path, shown(e), e.doc});
+  }
+  std::cout << columns(rows);
+}
+
+void show_derivation(const project::Step& step) {
+  if (!step.account().governing.empty()) std::cout << "  worked out " << step.account().governing.text() << ":\n";
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& [scope, line] : step.account().derivation) {
+    const auto tree = formula::parse(line.formula);
+    const std::string formula = line.formula.empty() ? "" : " = " + (tree ? formula::plain(*tree) : line.formula);
+    rows.push_back({"  " + (scope.empty() ? "" : scope + " ") + formula::symbol_plain(line.symbol) + formula,
+                    "= " + format_quantity(line.value.si, line.value.unit), line.why.text()});
+  }
+  std::cout << columns(rows);
+}
+
+void show_verdicts(const std::vector<report::Verdict>& verdicts) {
+  std::vector<std::vector<std::string>> rows;
+  for (const report::Verdict& v : verdicts) {
+    const auto* number = std::get_if<report::Quantity>(&v.value);
+    const auto* words = std::get_if<Message>(&v.value);
+    const std::string value = number != nullptr ? format_quantity(number->si, number->unit, 4) : words != nullptr ? words->text() : "";
+    rows.push_back({"  " + state_word(v.state), v.step + "." + v.symbol, value, v.meaning.text() + (v.note.empty() ? "" : "; " + v.note.text())});
+  }
+  std::cout << columns(rows);
+}
+
+}  // namespace
+
+bool colours(Stream stream) {
+  static const bool wanted = std::getenv("NO_COLOR") == nullptr;
+  return wanted && isatty(stream == Stream::out ? STDOUT_FILENO : STDERR_FILENO) != 0;
+}
+
+void show_issues(const std::vector<Issue>& issues, const std::vector<SourceText>& sources) {
+  std::cerr << render(issues, [&](const std::string& file) {
+    const auto found = std::find_if(sources.begin(), sources.end(), [&](const SourceText& s) { return s.file == file; });
+    return found == sources.end() ? std::string() : found->text;
+  });
+}
+
+std::string columns(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    if (widths.size() < row.size()) widths.resize(row.size(), 0);
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      text += row[i];
+      if (i + 1 < row.size()) text += std::string(widths[i] - width_of(row[i]) + 2, ' ');
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string state_word(report::State state) {
+  switch (state) {
+    case report::State::pass: return in_colour("pass", "32");
+    case report::State::fail: return in_colour("FAIL", "31;1");
+    case report::State::not_covered: return in_colour("not covered", "33");
+    case report::State::not_available: return in_colour("not available", "33");
+  }
+  return "";
+}
+
+void show_project(const project::Project& project, bool derivation) {
+  if (!project.title.empty()) std::cout << project.title << "\n\n";
+  for (const auto& step : project.steps) {
+    std::cout << step->name() << ": " << step->input().calculator->title << " (" << step->input().calculator->id << ")\n";
+    if (derivation) show_derivation(*step);
+    show_results(*step);
+    std::cout << "\n";
+  }
+  const auto verdicts = project::verdicts(project);
+  if (verdicts.empty()) return;
+  show_verdicts(verdicts);
+  std::cout << "\n" << report::overall(project::worst(verdicts)).text() << "\n";
+}
+
+}  // namespace loadpath::cli

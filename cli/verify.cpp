@@ -1,0 +1,67 @@
+#include <cmath>
+#include <iostream>
+
+#include "calculators/catalogue.hpp"
+#include "cli/commands.hpp"
+#include "cli/terminal.hpp"
+#include "lib/embedded.hpp"
+#include "lib/io/tree.hpp"
+#include "lib/project/verify.hpp"
+#include "lib/quantity/format.hpp"
+
+namespace loadpath::cli {
+
+namespace {
+
+struct Count {
+  int holds = 0;
+  int misses = 0;
+};
+
+std::string percent(double part) { return std::isnan(part) ? "not available" : format_quantity(part, "%", 2); }
+
+/// One case: its lines, and how many hold. False where it cannot be run.
+bool verify_one(const std::string& file, std::string_view text, Count& count) {
+  std::vector<Issue> issues;
+  project::Project project = project::read_project(text, file, catalogue(), issues);
+  if (!has_errors(issues)) project::solve(project, issues);
+  if (has_errors(issues)) {
+    show_issues(issues, {{file, std::string(text)}});
+    return false;
+  }
+  if (project.expectations.empty()) return true;
+  std::cout << file << (project.title.empty() ? "" : ": " + project.title) << "\n";
+  std::vector<std::vector<std::string>> rows{{"  ", "quantity", "published", "ours", "deviation", "source"}};
+  for (const project::Comparison& c : project::compare(project)) {
+    const project::Expectation& e = *c.expectation;
+    ++(c.holds ? count.holds : count.misses);
+    const int digits = e.digits ? std::max(*e.digits, 6) : 6;
+    rows.push_back({c.holds ? "  ok" : "  MISS", e.text, e.is_text, format_quantity(c.ours, e.unit, digits), percent(c.deviation),
+                    e.source + (e.note.empty() ? "" : "; " + e.note)});
+  }
+  std::cout << columns(rows) << "\n";
+  return true;
+}
+
+}  // namespace
+
+int verify(const VerifyOptions& options) {
+  Count count;
+  bool ran = true;
+  if (options.files.empty()) {
+    for (const embedded::File& file : embedded::reference()) ran = verify_one(std::string(file.name), file.text, count) && ran;
+  }
+  for (const std::string& path : options.files) {
+    std::string text;
+    if (!io::read_file(path, text)) {
+      std::cerr << "loadpath: cannot read '" << path << "'\n";
+      return wrong_input;
+    }
+    ran = verify_one(path, text, count) && ran;
+  }
+  std::cout << count.holds << " hold, " << count.misses << " miss\n";
+  if (!ran) return wrong_input;
+  return count.misses == 0 ? passed : not_passed;
+}
+
+}  // namespace loadpath::cli

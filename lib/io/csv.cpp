@@ -1,0 +1,44 @@
+#include "lib/io/csv.hpp"
+
+#include <cmath>
+
+#include "lib/quantity/format.hpp"
+
+namespace loadpath::io {
+
+namespace {
+
+/// Empty where there is no value: a reader of CSV must not meet "nan".
+std::string cell(double si, const std::string& unit) { return std::isfinite(si) ? format_exact(in_unit(si, unit)) : std::string(); }
+
+std::string table_of(const project::Account& account, const Axis& axis) {
+  std::string text = axis.name.substr(axis.name.find(": ") + 2) + " [" + axis.unit + "]";
+  std::vector<const project::Entry*> columns;
+  for (const project::Entry& e : account.results) {
+    if (e.value.signature.axis == &axis) columns.push_back(&e);
+  }
+  for (const auto* e : columns) text += "," + e->path + " [" + e->unit + "]";
+  text += "\n";
+  for (std::size_t i = 0; i < axis.at.size(); ++i) {
+    text += cell(axis.at[i], axis.unit);
+    for (const auto* e : columns) text += "," + cell(e->value.si[i], e->unit);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> csv_of(const project::Project& project) {
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const auto& step : project.steps) {
+    for (const project::Entry& e : step->account().results) {
+      if (!e.value.is_series()) continue;
+      files.emplace_back(step->name() + ".csv", table_of(step->account(), *e.value.signature.axis));
+      break;
+    }
+  }
+  return files;
+}
+
+}  // namespace loadpath::io

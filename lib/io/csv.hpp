@@ -1,0 +1,15 @@
+// The series of a solved project as comma-separated columns, one file per axis; the unit stands in the column's name.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lib/project/project.hpp"
+
+namespace loadpath::io {
+
+/// File names ("lever.csv") and texts, a file for each step that has series.
+std::vector<std::pair<std::string, std::string>> csv_of(const project::Project& project);
+
+}  // namespace loadpath::io

@@ -1,0 +1,133 @@
+#include "lib/io/json.hpp"
+
+#include <boost/json.hpp>
+
+#include <cmath>
+
+#include "lib/io/json_text.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/report/build.hpp"
+
+namespace loadpath::io {
+
+namespace {
+
+namespace json = boost::json;
+using project::Entry;
+using report::State;
+
+constexpr int schema_version = 1;
+
+const char* word_of(State state) {
+  switch (state) {
+    case State::pass: return "pass";
+    case State::fail: return "fail";
+    case State::not_covered: return "not covered";
+    case State::not_available: return "not available";
+  }
+  return "";
+}
+
+json::value number(double x) { return std::isfinite(x) ? json::value(x) : json::value(nullptr); }
+
+json::value quantity(double si, const Dimension& dimension) {
+  json::object object{{"value", number(si)}, {"unit", si_unit(dimension)}};
+  if (!std::isfinite(si)) object["reason"] = "not available";
+  return object;
+}
+
+json::value entry(const Entry& e) {
+  json::object object;
+  if (!e.word.empty()) {
+    object["value"] = e.word;
+  } else if (e.value.is_series()) {
+    json::array values;
+    for (const double x : e.value.si) values.push_back(number(x));
+    object = {{"unit", si_unit(e.value.signature.dimension)}, {"axis", e.value.signature.axis->name}, {"values", std::move(values)}};
+  } else {
+    object = quantity(e.value.si.empty() ? NAN : e.value.si[0], e.value.signature.dimension).as_object();
+  }
+  object["meaning"] = e.doc;
+  if (!e.origin.text.empty()) object["from"] = e.origin.text.text();
+  if (e.origin.recalled) object["recalled"] = true;
+  return object;
+}
+
+json::object entries(const std::vector<Entry>& list) {
+  json::object object;
+  for (const Entry& e : list) object[e.path] = entry(e);
+  return object;
+}
+
+json::array verdicts(const std::vector<report::Verdict>& list) {
+  json::array array;
+  for (const report::Verdict& v : list) {
+    json::object object{{"step", v.step}, {"name", v.symbol}, {"meaning", v.meaning.text()}};
+    const auto* value = std::get_if<report::Quantity>(&v.value);
+    object["value"] = value == nullptr ? json::value(nullptr) : number(value->si);
+    object["limit"] = v.bound.text();
+    object["verdict"] = word_of(v.state);
+    if (!v.note.empty()) object["reason"] = v.note.text();
+    array.push_back(std::move(object));
+  }
+  return array;
+}
+
+json::array derivation(const std::vector<project::Derived>& lines) {
+  json::array array;
+  for (const auto& [scope, step] : lines) {
+    json::object given;
+    for (const auto& g : step.given) given[g.name] = json::object{{"value", number(g.si)}, {"shown_in", g.unit}};
+    array.push_back(json::object{{"scope", scope}, {"symbol", step.symbol}, {"formula", step.formula}, {"given", std::move(given)},
+                                 {"value", number(step.value.si)}, {"shown_in", step.value.unit}, {"why", step.why.text()}});
+  }
+  return array;
+}
+
+/// The axes that the series of a step are given at, by name.
+json::object axes(const project::Account& account) {
+  json::object object;
+  for (const Entry& e : account.results) {
+    const Axis* axis = e.value.signature.axis;
+    if (axis == nullptr || object.contains(axis->name)) continue;
+    json::array at;
+    for (const double x : axis->at) at.push_back(number(x));
+    object[axis->name] = json::object{{"shown_in", axis->unit}, {"period", axis->period}, {"at", std::move(at)}};
+  }
+  return object;
+}
+
+json::object step_object(const project::Step& step) {
+  const project::Account& account = step.account();
+  json::object object{{"name", step.name()}, {"calculator", step.input().calculator->id}, {"title", step.input().title}};
+  object["inputs"] = entries(account.inputs);
+  if (json::object found = axes(account); !found.empty()) object["axes"] = std::move(found);
+  object["results"] = entries(account.results);
+  object["checks"] = verdicts(account.verdicts);
+  if (!account.governing.empty()) object["derivation_for"] = account.governing.text();
+  if (!account.derivation.empty()) object["derivation"] = derivation(account.derivation);
+  return object;
+}
+
+}  // namespace
+
+std::string json_of(const project::Project& project, std::string_view program) {
+  json::object meta{{"file", project.file}, {"title", project.title}};
+  for (const auto& [key, value] : project.meta) meta[key] = value;
+  json::array steps;
+  for (const auto& step : project.steps) steps.push_back(step_object(*step));
+  return text_of(json::object{{"schema", schema_version}, {"program", program}, {"project", std::move(meta)},
+                              {"verdict", word_of(project::worst(project::verdicts(project)))}, {"steps", std::move(steps)}});
+}
+
+std::string json_of(const std::vector<Issue>& issues) {
+  json::array array;
+  for (const Issue& i : issues) {
+    array.push_back(json::object{{"file", i.place.file}, {"line", i.place.line}, {"column", i.place.column}, {"key", i.key},
+                                 {"severity", i.severity == Severity::error ? "error" : "warning"},
+                                 {"message", i.message.text()}, {"help", i.hint.text()}});
+  }
+  return text_of(json::object{{"schema", schema_version}, {"issues", std::move(array)}});
+}
+
+}  // namespace loadpath::io

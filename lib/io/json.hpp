@@ -1,0 +1,18 @@
+// A solved project as one JSON object: numbers in SI with their unit beside them, null with a reason where there is none.
+#pragma once
+
+#include <string>
+
+#include "lib/project/project.hpp"
+
+namespace loadpath::io {
+
+std::string json_of(const project::Project& project, std::string_view program);
+
+/// The schema of a project file (JSON Schema, draft 2020-12), for editors.
+std::string project_schema(Catalogue catalogue);
+
+/// Issues as JSON, for programs that read `run --json`.
+std::string json_of(const std::vector<Issue>& issues);
+
+}  // namespace loadpath::io

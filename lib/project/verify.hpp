@@ -1,0 +1,23 @@
+// Reference cases: what a project expects of itself against what it finds.
+#pragma once
+
+#include "lib/project/project.hpp"
+
+namespace loadpath::project {
+
+/// One line of the table of `verify`; numbers in SI, shown in the unit that the expectation was written in.
+struct Comparison {
+  const Expectation* expectation = nullptr;
+  double ours = 0.0;       // NaN: not available
+  double deviation = 0.0;  // relative; absolute in SI where the expected value is 0
+  double allowed = 0.0;    // the same kind
+  bool holds = false;
+};
+
+/// The project must be solved.
+std::vector<Comparison> compare(const Project& project);
+
+/// The largest deviation that `digits` significant digits of `value` leave: half a unit of the last.
+double half_unit(double value, int digits);
+
+}  // namespace loadpath::project

@@ -1,0 +1,171 @@
+#include "lib/report/build.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "lib/quantity/format.hpp"
+#include "lib/table/table.hpp"
+
+namespace loadpath::report {
+
+namespace {
+
+using project::Account;
+using project::Entry;
+using project::Project;
+using project::Step;
+
+bool is_list_path(const std::string& path) { return path.find_first_of("[.") != std::string::npos; }
+
+/// A value as one cell: a number, or what a series amounts to.
+Cell cell_of(const Entry& entry) {
+  if (!entry.word.empty()) return entry.word;
+  if (!entry.value.is_series()) return Quantity{entry.value.si.empty() ? NAN : entry.value.si[0], entry.unit};
+  const double low = minimum(entry.value).value, high = maximum(entry.value).value;
+  return say("{1} to {2}", format_quantity(low, entry.unit, 5), format_quantity(high, entry.unit, 5));
+}
+
+Table input_table(const Account& account) {
+  Table table{say("Given"), {say("symbol"), say("meaning"), say("value"), say("from")}, {}};
+  for (const Entry& e : account.inputs) {
+    Cell symbol = is_list_path(e.path) ? Cell(e.path) : Cell(Symbol{e.path});
+    Cell from = e.origin.recalled ? Cell(say("{1}; recalled value, its source was not seen", e.origin.text.text())) : Cell(e.origin.text);
+    table.rows.push_back({std::move(symbol), say("{1}", e.doc), cell_of(e), std::move(from)});
+  }
+  return table;
+}
+
+Table result_table(const Account& account) {
+  Table table{say("Results"), {say("symbol"), say("meaning"), say("value")}, {}};
+  for (const Entry& e : account.results) {
+    const bool lists = is_list_path(e.path), judged = e.role != Role::result;
+    const bool open = e.value.si.size() == 1 && std::isnan(e.value.si[0]);
+    if (!lists && !judged && !open) table.rows.push_back({Symbol{e.path}, say("{1}", e.doc), cell_of(e)});
+  }
+  return table;
+}
+
+/// The elements of a result's lists, a table each.
+std::vector<Table> list_tables(const Account& account) {
+  std::vector<Table> tables;
+  std::string list, element;
+  for (const Entry& e : account.results) {
+    const std::size_t bracket = e.path.find('['), dot = e.path.find('.', bracket);
+    if (bracket == std::string::npos || dot == std::string::npos || e.value.is_series()) continue;
+    if (e.path.substr(0, bracket) != list) {
+      list = e.path.substr(0, bracket);
+      element.clear();
+      tables.push_back({say("{1}", list), {say("no.")}, {}});
+    }
+    Table& table = tables.back();
+    if (e.path.substr(0, dot) != element) {
+      element = e.path.substr(0, dot);
+      table.rows.push_back({element.substr(bracket + 1, element.size() - bracket - 2)});
+    }
+    if (table.rows.size() == 1) table.head.push_back(say("{1}", e.path.substr(dot + 1)));
+    table.rows.back().push_back(cell_of(e));
+  }
+  return tables;
+}
+
+template <class Items>
+void append(std::vector<Block>& blocks, const Items& items) {
+  for (const auto& item : items) blocks.emplace_back(item);
+}
+
+void add_step(const Step& step, std::vector<Block>& blocks) {
+  const Account& account = step.account();
+  const auto& input = step.input();
+  blocks.emplace_back(Heading{2, input.title.empty() ? step.name() : input.title, step.name()});
+  blocks.emplace_back(Paragraph{say("{1} ({2}). {3}", input.calculator->title, input.calculator->id, input.calculator->scope), Paragraph::Tone::note});
+  if (!input.note.empty()) blocks.emplace_back(Paragraph{say("{1}", input.note)});
+  if (account.input_blocks.empty()) blocks.emplace_back(input_table(account));
+  append(blocks, account.input_blocks);
+  if (!account.derivation.empty()) {
+    blocks.emplace_back(Heading{3, "Calculation", step.name() + "-calculation"});
+    if (!account.governing.empty()) blocks.emplace_back(Paragraph{say("Worked out {1}.", account.governing.text())});
+    append(blocks, derivation_blocks(account.derivation));
+  }
+  blocks.emplace_back(Heading{3, "Results", step.name() + "-results"});
+  if (account.blocks.empty()) {
+    blocks.emplace_back(result_table(account));
+    append(blocks, list_tables(account));
+  }
+  append(blocks, account.blocks);
+  append(blocks, account.figures);
+  if (!account.verdicts.empty()) blocks.emplace_back(Verdicts{account.verdicts});
+}
+
+/// Factors that raise a load or lower a strength, each where it is applied: once.
+void add_factors(const Project& project, std::vector<Block>& blocks) {
+  Table table{say("Factors, each applied once where it stands"), {say("step"), say("factor"), say("meaning"), say("value")}, {}};
+  for (const auto& step : project.steps) {
+    for (const Entry& e : step->account().inputs) {
+      if (e.path == "K_A" || e.path == "S") table.rows.push_back({step->name(), Symbol{e.path}, say("{1}", e.doc), cell_of(e)});
+    }
+  }
+  if (!table.rows.empty()) blocks.emplace_back(std::move(table));
+}
+
+/// Keys in brackets, "[B19]", of all texts that name a source.
+void collect_keys(const std::string& text, std::set<std::string>& keys) {
+  for (std::size_t open = text.find('['); open != std::string::npos; open = text.find('[', open + 1)) {
+    const std::size_t close = text.find(']', open);
+    if (close != std::string::npos) keys.insert(text.substr(open + 1, close - open - 1));
+  }
+}
+
+void add_sources(const Project& project, std::vector<Block>& blocks) {
+  std::set<std::string> keys;
+  for (const auto& step : project.steps) {
+    collect_keys(step->input().calculator->source, keys);
+    for (const auto& line : step->account().derivation) collect_keys(line.step.why.text(), keys);
+    for (const Entry& e : step->account().inputs) keys.insert(e.origin.sources.begin(), e.origin.sources.end());
+  }
+  Table sources{say("Sources"), {}, {}};
+  for (const std::string& key : keys) {
+    const std::string citation = table::citation(key);
+    if (!citation.empty()) sources.rows.push_back({"[" + key + "]", citation});
+  }
+  if (sources.rows.empty()) return;
+  blocks.emplace_back(Heading{2, "Sources", "sources"});
+  blocks.emplace_back(std::move(sources));
+}
+
+void add_signatures(std::vector<Block>& blocks) {
+  blocks.emplace_back(Heading{2, "Signatures", "signatures"});
+  Table table{{}, {say("part"), say("name"), say("date"), say("signature")}, {}};
+  for (const Message& part : {say("prepared"), say("checked"), say("approved")}) {
+    table.rows.push_back({part, std::string(), std::string(), std::string()});
+  }
+  blocks.emplace_back(std::move(table));
+}
+
+}  // namespace
+
+Message overall(State state) {
+  switch (state) {
+    case State::pass: return say("every check passes");
+    case State::fail: return say("a check fails");
+    case State::not_covered: return say("something is not covered");
+    case State::not_available: return say("something is not available");
+  }
+  return {};
+}
+
+Document build(const Project& project, std::string_view program) {
+  Document document;
+  document.title = project.title.empty() ? project.file : project.title;
+  document.meta.emplace_back(say("Project file"), project.file);
+  for (const auto& [key, value] : project.meta) document.meta.emplace_back(say("{1}", key), value);
+  document.meta.emplace_back(say("Program"), std::string(program));
+  document.summary.rows = project::verdicts(project);
+  add_factors(project, document.blocks);
+  for (const auto& step : project.steps) add_step(*step, document.blocks);
+  add_sources(project, document.blocks);
+  add_signatures(document.blocks);
+  return document;
+}
+
+}  // namespace loadpath::report

@@ -1,0 +1,18 @@
+// The report of a solved project, as a document.
+#pragma once
+
+#include "lib/project/project.hpp"
+#include "lib/report/document.hpp"
+
+namespace loadpath::report {
+
+Document build(const project::Project& project, std::string_view program);
+
+/// The lines of a calculation as blocks: where the elements of a list go through the same formulas, one of them is
+/// worked out and the others follow in a table.
+std::vector<Block> derivation_blocks(const std::vector<project::Derived>& lines);
+
+/// "passes", "fails"... in words, for the whole of the verdicts.
+Message overall(State state);
+
+}  // namespace loadpath::report

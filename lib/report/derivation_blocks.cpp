@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <cmath>
+
+#include "lib/report/build.hpp"
+
+namespace loadpath::report {
+
+namespace {
+
+using project::Derived;
+using Lines = std::vector<const Derived*>;
+
+std::string list_of(const std::string& scope) { return scope.substr(0, scope.find('[')); }
+
+/// The lines of one list, element by element.
+std::vector<Lines> by_element(const std::vector<Derived>& lines, std::size_t first, std::size_t end) {
+  std::vector<Lines> elements;
+  for (std::size_t i = first; i < end; ++i) {
+    if (elements.empty() || elements.back().front()->scope != lines[i].scope) elements.emplace_back();
+    elements.back().push_back(&lines[i]);
+  }
+  return elements;
+}
+
+bool same_formulas(const Lines& a, const Lines& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Derived* x, const Derived* y) {
+    return x->step.symbol == y->step.symbol && x->step.formula == y->step.formula;
+  });
+}
+
+Derivation worked(const Lines& lines) {
+  Derivation derivation;
+  for (const Derived* line : lines) derivation.steps.push_back(line->step);
+  return derivation;
+}
+
+Table values_of(const std::vector<Lines>& elements) {
+  Table table;
+  table.head.push_back(say("{1}", list_of(elements[0][0]->scope)));
+  for (const Derived* line : elements[0]) table.head.push_back(say("{1}", line->step.symbol));
+  for (const Lines& lines : elements) {
+    const std::string& scope = lines[0]->scope;
+    std::vector<Cell> row{scope.substr(scope.find('['))};
+    for (const Derived* line : lines) row.emplace_back(line->step.value);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+void add_list(const std::vector<Lines>& elements, std::vector<Block>& blocks) {
+  const bool alike = std::all_of(elements.begin(), elements.end(), [&](const Lines& l) { return same_formulas(l, elements[0]); });
+  if (!alike || elements.size() == 1) {
+    for (const Lines& lines : elements) {
+      if (elements.size() > 1) blocks.emplace_back(Paragraph{say("For {1}:", lines[0]->scope)});
+      blocks.emplace_back(worked(lines));
+    }
+    return;
+  }
+  const auto largest = std::max_element(elements.begin(), elements.end(), [](const Lines& a, const Lines& b) {
+    return std::abs(a.back()->step.value.si) < std::abs(b.back()->step.value.si);
+  });
+  blocks.emplace_back(Paragraph{say("Worked out for {1}; all of them follow in the table.", (*largest)[0]->scope)});
+  blocks.emplace_back(worked(*largest));
+  blocks.emplace_back(values_of(elements));
+}
+
+}  // namespace
+
+std::vector<Block> derivation_blocks(const std::vector<Derived>& lines) {
+  std::vector<Block> blocks;
+  for (std::size_t i = 0; i < lines.size();) {
+    std::size_t end = i;
+    while (end < lines.size() && list_of(lines[end].scope) == list_of(lines[i].scope)) ++end;
+    if (lines[i].scope.empty()) {
+      Lines top;
+      for (std::size_t k = i; k < end; ++k) top.push_back(&lines[k]);
+      blocks.emplace_back(worked(top));
+    } else {
+      add_list(by_element(lines, i, end), blocks);
+    }
+    i = end;
+  }
+  return blocks;
+}
+
+}  // namespace loadpath::report

@@ -4,16 +4,12 @@
 
 namespace loadpath {
 
-namespace {
-
 // One line per calculator; the only list of them. Explicit, because a linker drops objects that nothing refers to.
-constexpr std::array all{
+static constexpr std::array all{
     &erased<struct PlanarMechanism>,
     &erased<struct Torsion>,
     &erased<struct Overhung>,
 };
-
-}  // namespace
 
 Catalogue catalogue() {
   static const auto calculators = [] {

@@ -5,6 +5,7 @@
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "lib/project/reading.hpp"
+#include "lib/report/build.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/table/table.hpp"
 
@@ -12,6 +13,7 @@ namespace loadpath::cli {
 
 namespace {
 
+using report::keys_in;
 using Type = FieldInfo::Type;
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -47,7 +49,6 @@ void add_fields(std::span<const FieldInfo> fields, void* owner, const std::strin
     }
     const bool list = f.type == Type::list;
     rows.push_back({key + (list ? "[]" : ""), list ? "list, at most " + std::to_string(f.capacity) : "table", f.role == Role::input && !f.optional ? "required" : "", f.doc});
-    const std::shared_ptr<void> blank = nullptr;
     void* inner = list ? f.push(owner) : f.element(owner, 0);
     add_fields(f.fields, inner, prefix + f.key + (list ? "[]." : "."), rows);
   }
@@ -73,7 +74,7 @@ int describe(const DescribeOptions& options) {
     return wrong_input;
   }
   std::cout << c->id << ": " << c->title << "\n\n" << c->scope << "\n\n";
-  for (const std::string& key : table::keys_in(c->source)) std::cout << "[" << key << "] " << table::citation(key) << "\n";
+  for (const std::string& key : keys_in(c->source)) std::cout << "[" << key << "] " << table::citation(key) << "\n";
   std::cout << "\n";
   show_type("Inputs", *c->input);
   for (const RuleInfo& rule : c->rules) std::cout << "  rule (" << rule.fields << "): " << rule.text << "\n";

@@ -5,9 +5,11 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <map>
 
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
+#include "lib/issue.hpp"
 
 namespace loadpath::cli {
 
@@ -92,9 +94,10 @@ void setup_calculator(CLI::App& element, const Calculator& calculator, Calculate
 }
 
 void setup_calculators(CLI::App& app, std::deque<CalculateOptions>& options, Action& action) {
+  std::map<std::string, CLI::App*> elements;
   for (const Calculator* calculator : catalogue()) {
     const std::string element(calculator->element());
-    CLI::App* parent = app.get_subcommand_no_throw(element);
+    CLI::App*& parent = elements[element];
     if (parent == nullptr) {
       parent = app.add_subcommand(element, "calculators for this machine element");
       parent->require_subcommand(0, 1)->allow_extras();

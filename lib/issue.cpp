@@ -132,7 +132,7 @@ std::string Message::text() const {
   return out;
 }
 
-std::string render(std::vector<Issue> issues, std::string (*source)(const std::string& file)) {
+std::string render(std::vector<Issue> issues, const std::function<std::string(const std::string& file)>& source) {
   std::stable_sort(issues.begin(), issues.end(), [](const Issue& a, const Issue& b) {
     return std::tie(a.place.file, a.place.line, a.place.column) < std::tie(b.place.file, b.place.line, b.place.column);
   });

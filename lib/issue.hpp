@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -82,7 +83,7 @@ inline bool has_errors(const std::vector<Issue>& issues) {
 
 /// Issues in the order of their places, as `file:line:column`, the source line, a caret and the hint.
 /// `source(file)` gives the text of a file that an issue names, or an empty text.
-std::string render(std::vector<Issue> issues, std::string (*source)(const std::string& file));
+std::string render(std::vector<Issue> issues, const std::function<std::string(const std::string& file)>& source);
 
 /// The candidate nearest to `word` (Damerau-Levenshtein, ignoring case first), or an empty string where none is near.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);

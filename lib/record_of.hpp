@@ -38,7 +38,7 @@ template <const auto& fields, std::size_t I, class Owner, class Quantity>
 FieldInfo info_of(const Field<Owner, Quantity>& f) {
   FieldInfo info = described(f, FieldInfo::Type::quantity);
   info.unit = f.unit.symbol;
-  info.factor = si_value(f.unit.one);
+  info.factor = in_si(f.unit.one);
   info.dimension = f.unit.dimension();
   info.kind = f.unit.kind;
   info.bounds = f.bounds.times(info.factor);
@@ -47,7 +47,7 @@ FieldInfo info_of(const Field<Owner, Quantity>& f) {
   info.asked_by = f.asked_by;
   info.searched_in = f.searched_in;
   info.kept = f.kept;
-  info.get = [](const void* o) { return si_value(static_cast<const Owner*>(o)->*member_at<fields, I>); };
+  info.get = [](const void* o) { return in_si(static_cast<const Owner*>(o)->*member_at<fields, I>); };
   info.set = [](void* o, double v) { static_cast<Owner*>(o)->*member_at<fields, I> = from_si<Quantity>(v); };
   info.address = [](void* o) {
     auto& member = static_cast<Owner*>(o)->*member_at<fields, I>;

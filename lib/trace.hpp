@@ -60,7 +60,7 @@ class Trace {
 
   template <class Quantity>
   void step(const char* symbol, const char* formula, const char* why, const Quantity& q) {
-    lines_.push_back({scope_, symbol, formula, why, si_value(q), dimension_of<Quantity>});
+    lines_.push_back({scope_, symbol, formula, why, in_si(q), dimension_of<Quantity>});
   }
   /// A value that a helper has found and that later steps use.
   template <class Quantity>

@@ -109,9 +109,9 @@ template <class Quantity>
 inline constexpr Dimension dimension_of = detail::Traits<Quantity>::dimension;
 
 /// The SI number of a quantity, and back.
-inline constexpr double si_value(double number) { return number; }
+inline constexpr double in_si(double number) { return number; }
 template <class Unit>
-[[nodiscard]] constexpr double si_value(const boost::units::quantity<Unit>& q) {
+[[nodiscard]] constexpr double in_si(const boost::units::quantity<Unit>& q) {
   return q.value();
 }
 template <class Quantity>
@@ -129,7 +129,7 @@ inline constexpr Quantity unset = from_si<Quantity>(std::numeric_limits<double>:
 
 template <class Quantity>
 [[nodiscard]] bool is_set(const Quantity& q) {
-  return !std::isnan(si_value(q));
+  return !std::isnan(in_si(q));
 }
 
 /// A unit that a field is read and shown in. It fits one type of quantity; its dimension also knows the angle.
@@ -173,7 +173,7 @@ template <class Quantity>
 /// `d / mm` in a formula: the number.
 template <class Quantity>
 [[nodiscard]] constexpr double operator/(const Quantity& q, const Unit<Quantity>& unit) {
-  return si_value(q) / si_value(unit.one);
+  return in_si(q) / in_si(unit.one);
 }
 
 }  // namespace loadpath

@@ -25,7 +25,7 @@ std::vector<double> crank_angles(const Planar::Crank& crank) {
   std::vector<double> angles;
   for (const auto& place : crank.at) angles.push_back(place.angle);
   if (!angles.empty()) return angles;
-  const double sense = si_value(crank.speed) < 0.0 ? -1.0 : 1.0;
+  const double sense = in_si(crank.speed) < 0.0 ? -1.0 : 1.0;
   for (int k = 0; k < crank.positions; ++k) angles.push_back(crank.start + sense * 2.0 * pi * k / crank.positions);
   return angles;
 }
@@ -34,8 +34,8 @@ std::vector<double> crank_angles(const Planar::Crank& crank) {
 double whole_turns(double wanted, double assembled) { return 2.0 * pi * std::round((assembled - wanted) / (2.0 * pi)); }
 
 double place_of(const Planar::Cylinder& c, double assembled, std::size_t k, std::size_t count) {
-  const double from = is_set(c.from) ? si_value(c.from) : assembled;
-  const double to = is_set(c.to) ? si_value(c.to) : from;
+  const double from = is_set(c.from) ? in_si(c.from) : assembled;
+  const double to = is_set(c.to) ? in_si(c.to) : from;
   return count < 2 ? from : from + (to - from) * static_cast<double>(k) / static_cast<double>(count - 1);
 }
 
@@ -46,14 +46,14 @@ Schedule schedule_of(const Planar::Input& in, const mechanism::WholeSystem& syst
   const double turns = has_crank(in) ? whole_turns(angles[0], system.coordinate(0)) : 0.0;
   for (std::size_t k = 0; k < count; ++k) {
     std::vector<Drive> drives;
-    if (has_crank(in)) drives.push_back({angles[k] + turns, si_value(in.crank.speed), si_value(in.crank.acceleration)});
+    if (has_crank(in)) drives.push_back({angles[k] + turns, in_si(in.crank.speed), in_si(in.crank.acceleration)});
     for (const Planar::Cylinder& c : in.cylinders) {
-      drives.push_back({place_of(c, system.coordinate(drives.size()), k, count), si_value(c.speed), si_value(c.acceleration)});
+      drives.push_back({place_of(c, system.coordinate(drives.size()), k, count), in_si(c.speed), in_si(c.acceleration)});
     }
     schedule.at.push_back(has_crank(in) ? angles[k] : drives.empty() ? 0.0 : drives[0].coordinate);
     schedule.drives.push_back(std::move(drives));
   }
-  if (has_crank(in) && in.crank.at.empty()) schedule.period = si_value(in.crank.speed) < 0.0 ? -2.0 * pi : 2.0 * pi;
+  if (has_crank(in) && in.crank.at.empty()) schedule.period = in_si(in.crank.speed) < 0.0 ? -2.0 * pi : 2.0 * pi;
   return schedule;
 }
 

@@ -182,11 +182,11 @@ mechanism::Link link_of(const Planar::Input& in, std::size_t i) {
   const Planar::Link& l = in.links[i];
   mechanism::Link link;
   link.name = l.name.view();
-  link.mass = si_value(l.mass);
-  link.inertia = si_value(l.J);
+  link.mass = in_si(l.mass);
+  link.inertia = in_si(l.J);
   if (!l.S.empty()) link.centre = vector_of(*find_point(in, static_cast<int>(i), l.S));
   link.pose.phi = is_set(l.angle) ? l.angle : 0.0;
-  if (is_set(l.origin.x)) link.pose = {si_value(l.origin.x), si_value(l.origin.y), link.pose.phi};
+  if (is_set(l.origin.x)) link.pose = {in_si(l.origin.x), in_si(l.origin.y), link.pose.phi};
   return link;
 }
 
@@ -222,10 +222,10 @@ mechanism::Load load_of(const Planar::Input& in, const Planar::Load& l) {
   load.name = l.name.view();
   load.link = link_index(in, l.link);
   if (!l.at.empty()) load.point = vector_of(*find_point(in, load.link, l.at));
-  if (is_set(l.F)) load.force = si_value(l.F) * Vec{std::cos(l.direction), std::sin(l.direction)};
-  if (is_set(l.F_x)) load.force = {si_value(l.F_x), si_value(l.F_y)};
+  if (is_set(l.F)) load.force = in_si(l.F) * Vec{std::cos(l.direction), std::sin(l.direction)};
+  if (is_set(l.F_x)) load.force = {in_si(l.F_x), in_si(l.F_y)};
   load.turns_with_link = l.axes == Planar::Axes::link;
-  if (is_set(l.M)) load.moment = si_value(l.M);
+  if (is_set(l.M)) load.moment = in_si(l.M);
   return load;
 }
 
@@ -280,8 +280,8 @@ const Planar::Point* find_point(const Planar::Input& in, int link, const Name& n
 }
 
 Vec vector_of(const Planar::Point& p) {
-  if (is_set(p.x)) return {si_value(p.x), si_value(p.y)};
-  return si_value(p.r) * Vec{std::cos(p.angle), std::sin(p.angle)};
+  if (is_set(p.x)) return {in_si(p.x), in_si(p.y)};
+  return in_si(p.r) * Vec{std::cos(p.angle), std::sin(p.angle)};
 }
 
 mechanism::Model model_of(const Planar::Input& in) {
@@ -296,7 +296,7 @@ mechanism::Model model_of(const Planar::Input& in) {
   if (!in.crank.joint.empty()) model.drivers.push_back(crank_driver(in, model));
   for (const auto& c : in.cylinders) model.drivers.push_back(cylinder_driver(in, c, model));
   for (const auto& l : in.loads) model.loads.push_back(load_of(in, l));
-  model.gravity = si_value(in.gravity) * Vec{std::cos(in.gravity_direction), std::sin(in.gravity_direction)};
+  model.gravity = in_si(in.gravity) * Vec{std::cos(in.gravity_direction), std::sin(in.gravity_direction)};
   return model;
 }
 

@@ -28,7 +28,7 @@ std::string names_of_points(const Planar::Link& link) {
 Table link_table(const Planar::Input& in) {
   Table table{say("Links"), {say("link"), say("points"), say("mass"), say("moment of inertia"), say("mass centre")}, {}};
   for (const auto& l : in.links) {
-    table.rows.push_back({text(l.name), names_of_points(l), Quantity{si_value(l.mass), "kg"}, Quantity{si_value(l.J), "kg*m^2"},
+    table.rows.push_back({text(l.name), names_of_points(l), Quantity{in_si(l.mass), "kg"}, Quantity{in_si(l.J), "kg*m^2"},
                           l.S.empty() ? Cell(say("origin")) : Cell(text(l.S))});
   }
   return table;
@@ -61,12 +61,12 @@ Table load_table(const Planar::Input& in) {
   Table table{say("Loads"), {say("link"), say("point"), say("force"), say("direction"), say("couple"), say("axes")}, {}};
   for (const auto& l : in.loads) {
     const bool cartesian = is_set(l.F_x);
-    const double fx = si_value(l.F_x), fy = si_value(l.F_y);
+    const double fx = in_si(l.F_x), fy = in_si(l.F_y);
     const Cell none = std::string("–");
-    const Cell force = is_set(l.F) ? Cell(Quantity{si_value(l.F), "N"}) : cartesian ? Cell(Quantity{std::hypot(fx, fy), "N"}) : none;
+    const Cell force = is_set(l.F) ? Cell(Quantity{in_si(l.F), "N"}) : cartesian ? Cell(Quantity{std::hypot(fx, fy), "N"}) : none;
     const Cell direction = is_set(l.F) ? Cell(Quantity{l.direction, "deg"}) : cartesian ? Cell(Quantity{std::atan2(fy, fx), "deg"}) : none;
     table.rows.push_back({text(l.link), l.at.empty() ? none : Cell(text(l.at)), force, direction,
-                          is_set(l.M) ? Cell(Quantity{si_value(l.M), "N*m"}) : none,
+                          is_set(l.M) ? Cell(Quantity{in_si(l.M), "N*m"}) : none,
                           l.axes == Planar::Axes::link ? say("of the link") : say("fixed")});
   }
   return table;
@@ -76,11 +76,11 @@ Table drive_table(const Planar::Input& in) {
   Table table{say("Drive"), {}, {}};
   if (!in.crank.joint.empty()) {
     table.rows.push_back({say("driven joint"), text(in.crank.joint)});
-    table.rows.push_back({say("angular speed"), Quantity{si_value(in.crank.speed), "rad/s"}});
-    table.rows.push_back({say("angular acceleration"), Quantity{si_value(in.crank.acceleration), "rad/s^2"}});
+    table.rows.push_back({say("angular speed"), Quantity{in_si(in.crank.speed), "rad/s"}});
+    table.rows.push_back({say("angular acceleration"), Quantity{in_si(in.crank.acceleration), "rad/s^2"}});
   }
   for (const auto& c : in.cylinders) table.rows.push_back({text(c.name), text(c.joint)});
-  table.rows.push_back({say("gravity"), Quantity{si_value(in.gravity), "m/s^2"}});
+  table.rows.push_back({say("gravity"), Quantity{in_si(in.gravity), "m/s^2"}});
   table.rows.push_back({say("inertia of the links"), in.analysis == Planar::Analysis::statics ? say("left out") : say("included")});
   return table;
 }

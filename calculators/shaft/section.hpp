@@ -8,7 +8,7 @@ namespace loadpath::shaft {
 /// The outer diameter at which a bore of given size leaves the section modulus W_t = pi (d^4 - d_bore^4) / (16 d).
 /// Newton from above: the function is convex there, so the sequence falls to the root.
 inline Length diameter_for_modulus(SectionModulus W_t, Length d_bore) {
-  const double w = 16.0 * si_value(W_t) / pi, b = si_value(d_bore);
+  const double w = 16.0 * in_si(W_t) / pi, b = in_si(d_bore);
   double d = b + std::cbrt(w);
   for (int i = 0; i < 60; ++i) {
     const double next = d - (d * d * d * d - b * b * b * b - w * d) / (4.0 * d * d * d - w);

@@ -217,8 +217,8 @@ bool Torsion::torques_close(const Input& in) {
   if (in.fixed != Fixed::none || in.torques.empty()) return true;
   double sum = 0.0, largest = 0.0;
   for (const auto& t : in.torques) {
-    sum += si_value(t.T);
-    largest = std::max(largest, std::abs(si_value(t.T)));
+    sum += in_si(t.T);
+    largest = std::max(largest, std::abs(in_si(t.T)));
   }
   return std::abs(sum) <= 1e-6 * largest;
 }
@@ -262,11 +262,11 @@ std::vector<draw::Figure> Torsion::figures(const Input&, const Result& r) {
   draw::Curve moment{"M", {}, {}, true};
   draw::Shaft side;
   for (const Stretch& s : r.segments) {
-    for (const double x : {si_value(s.x), si_value(s.x + s.l)}) {
+    for (const double x : {in_si(s.x), in_si(s.x + s.l)}) {
       moment.x.push_back(x);
-      moment.y.push_back(si_value(s.M));
+      moment.y.push_back(in_si(s.M));
     }
-    side.parts.push_back({si_value(s.l), si_value(s.d), si_value(s.d_bore)});
+    side.parts.push_back({in_si(s.l), in_si(s.d), in_si(s.d_bore)});
   }
   draw::Plot diagram;
   diagram.x = {"x", "place along the shaft", "mm"};

@@ -1,10 +1,10 @@
 #include "lib/draw/display.hpp"
 
-#include <cmath>
-
 #include "lib/draw/typeset.hpp"
 #include "lib/issue.hpp"
 #include "lib/quantity/format.hpp"
+
+#include <cmath>
 
 namespace loadpath::draw {
 namespace {

@@ -1,9 +1,9 @@
 // Values as a figure writes them: in the unit of their axis, with few digits.
 #pragma once
 
-#include <string>
-
 #include "lib/draw/figure.hpp"
+
+#include <string>
 
 namespace loadpath::draw {
 

@@ -21,10 +21,10 @@ struct Scale {
 };
 
 struct Curve {
-  std::string label;       // a symbol ("M", "R_12") or words
-  std::vector<double> x;   // SI
-  std::vector<double> y;   // SI; NaN breaks the curve
-  bool filled = false;     // area to the zero line: diagrams along a shaft
+  std::string label;      // a symbol ("M", "R_12") or words
+  std::vector<double> x;  // SI
+  std::vector<double> y;  // SI; NaN breaks the curve
+  bool filled = false;    // area to the zero line: diagrams along a shaft
 };
 
 /// A point that is named: the peak, the design point.
@@ -59,30 +59,30 @@ struct Scheme {
     std::string name;
     Point at;
     Pin pin = Pin::revolute;
-    bool fixed = false;    // one of its links is the ground: hatched support
-    double angle = 0.0;    // of the guide, slider only
+    bool fixed = false;  // one of its links is the ground: hatched support
+    double angle = 0.0;  // of the guide, slider only
   };
-  struct Guide {           // the line that a slider or a pin in a slot runs on
+  struct Guide {  // the line that a slider or a pin in a slot runs on
     Point from;
     Point to;
-    bool fixed = false;    // belongs to the ground
+    bool fixed = false;  // belongs to the ground
   };
-  struct Arrow {           // a force at a point, N; arrows of one scheme share one scale
+  struct Arrow {  // a force at a point, N; arrows of one scheme share one scale
     Point at;
     Point force;
     std::string label;
-    bool load = true;      // load or reaction
+    bool load = true;  // load or reaction
   };
-  struct Moment {          // a couple at a point, N m, counter-clockwise positive
+  struct Moment {  // a couple at a point, N m, counter-clockwise positive
     Point at;
     double value = 0.0;
     std::string label;
   };
-  struct Path {            // the path of a point over the cycle
+  struct Path {  // the path of a point over the cycle
     std::string name;
     std::vector<Point> points;
   };
-  struct Named {           // a point of a link that is no joint: where a force acts
+  struct Named {  // a point of a link that is no joint: where a force acts
     std::string name;
     Point at;
   };

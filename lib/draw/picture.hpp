@@ -1,10 +1,10 @@
 // A figure's content drawn: what lib/draw/svg.cpp puts into one element.
 #pragma once
 
-#include <string>
-
 #include "lib/draw/figure.hpp"
 #include "lib/draw/svg_writer.hpp"
+
+#include <string>
 
 namespace loadpath::draw {
 

@@ -3,12 +3,6 @@
 #include <numbers>
 
 namespace loadpath::draw {
-namespace {
-
-constexpr double support_depth = 15.0, support_half = 8.5, ground_half = 13.0;
-
-}  // namespace
-
 std::vector<Point> convex_hull(std::vector<Point> points) {
   const auto before = [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
   const auto same = [](Point a, Point b) { return a.x == b.x && a.y == b.y; };
@@ -32,6 +26,13 @@ std::vector<Point> convex_hull(std::vector<Point> points) {
   return hull;
 }
 
+std::vector<Point> ring(Point centre, double radius) {
+  constexpr int corners = 12;
+  std::vector<Point> points;
+  for (int i = 0; i <= corners; ++i) points.push_back(centre + radius * along(2.0 * std::numbers::pi * i / corners));
+  return points;
+}
+
 std::vector<Point> block(Point centre, Point direction) {
   const Point a = 0.5 * block_length * direction, b = 0.5 * block_width * across(direction);
   return {centre + a + b, centre + a - b, centre - a - b, centre - a + b};
@@ -49,15 +50,11 @@ void hatch(SvgWriter& svg, Point from, Point to) {
   svg.strokes("light", strokes);
 }
 
-std::pair<Point, Point> support_ground(Point pin, Point direction) {
-  const Point foot = pin + support_depth * direction, side = ground_half * across(direction);
-  return {foot + side, foot - side};
-}
-
 void support(SvgWriter& svg, Point pin, Point direction) {
-  const Point foot = pin + support_depth * direction, side = support_half * across(direction);
-  svg.polygon("pin", {pin, foot + side, foot - side});
-  const auto [from, to] = support_ground(pin, direction);
+  constexpr double depth = 15.0, half = 8.5, ground_half = 13.0;
+  const Point foot = pin + depth * direction, side = across(direction);
+  svg.polygon("pin", {pin, foot + half * side, foot - half * side});
+  const Point from = foot + ground_half * side, to = foot - ground_half * side;
   svg.line("outline", from, to);
   hatch(svg, from, to);
 }
@@ -76,14 +73,15 @@ void arrow(SvgWriter& svg, int colour, Point from, Point to) {
   arrow_head(svg, "f" + number, to, direction, size);
 }
 
-void couple(SvgWriter& svg, Point at, bool positive) {
+void couple(SvgWriter& svg, Point at, Point opening, bool positive) {
   constexpr double pi = std::numbers::pi, head = 10.0;
-  const double start = positive ? -0.25 * pi : 1.25 * pi, sweep = (positive ? 1.5 : -1.5) * pi;
+  const double gap = std::atan2(-opening.y, opening.x), side = positive ? 1.0 : -1.0;
+  const double start = gap + side * 0.25 * pi, sweep = side * 1.5 * pi;
   const double lead = head / couple_radius;  // the head follows the arc by its length
-  svg.arc("force c1", at, couple_radius, start, sweep - (positive ? lead : -lead) * 0.7);
+  svg.arc("force c1", at, couple_radius, start, sweep - 0.7 * side * lead);
   const double end = start + sweep;
   const Point tip = at + couple_radius * Point{std::cos(end), -std::sin(end)};
-  const double behind = end - (positive ? lead : -lead);
+  const double behind = end - side * lead;
   const Point back = at + couple_radius * Point{std::cos(behind), -std::sin(behind)};
   arrow_head(svg, "f1", tip, unit(tip - back), head);
 }

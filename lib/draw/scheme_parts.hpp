@@ -9,6 +9,9 @@ inline constexpr double pin_radius = 4.6;
 inline constexpr double block_length = 26.0, block_width = 14.0;
 inline constexpr double couple_radius = 19.0;
 
+/// A closed polygon close to the circle.
+std::vector<Point> ring(Point centre, double radius);
+
 std::vector<Point> convex_hull(std::vector<Point> points);
 
 /// A rectangle of the slider's size, its length along `direction`.
@@ -19,14 +22,12 @@ void hatch(SvgWriter& svg, Point from, Point to);
 
 /// A triangle with its tip in the pin, on hatched ground that lies in `direction`.
 void support(SvgWriter& svg, Point pin, Point direction);
-/// The ends of the ground line of such a support.
-std::pair<Point, Point> support_ground(Point pin, Point direction);
 
 /// A filled head with its tip at `tip`.
 void arrow_head(SvgWriter& svg, std::string_view fill, Point tip, Point direction, double size);
 /// `colour`: the number of the accent.
 void arrow(SvgWriter& svg, int colour, Point from, Point to);
-/// Three quarters of a turn around the point, counter-clockwise on the page when positive.
-void couple(SvgWriter& svg, Point at, bool positive);
+/// Three quarters of a turn around the point, open towards `opening`, counter-clockwise on the page when positive.
+void couple(SvgWriter& svg, Point at, Point opening, bool positive);
 
 }  // namespace loadpath::draw

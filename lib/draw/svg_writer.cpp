@@ -1,60 +1,14 @@
 #include "lib/draw/svg_writer.hpp"
 
+#include "lib/draw/svg_style.hpp"
+#include "lib/markup.hpp"
+
 #include <charconv>
 #include <cstdlib>
 #include <numbers>
 
 namespace loadpath::draw {
 namespace {
-
-// `var` stands in a second declaration, so that viewers without CSS variables keep the first.
-struct Colour {
-  std::string_view variable, fallback;
-};
-constexpr Colour ink{"--ink", "#1b2530"}, muted{"--muted", "#56616d"}, grid{"--grid", "#dfe4ea"},
-    paper{"--paper", "#ffffff"}, accent{"--accent", "#0b5fa5"}, accent2{"--accent2", "#b4451c"},
-    accent3{"--accent3", "#2a7a48"};
-
-struct Rule {
-  std::string_view selector;
-  const Colour* stroke;
-  const Colour* fill;
-  std::string_view rest;
-};
-constexpr std::string_view crisp = "stroke-width:1;shape-rendering:crispEdges";
-constexpr Rule sheet[] = {
-    {".page", nullptr, &paper, ""},
-    {".grid", &grid, nullptr, crisp},
-    {".axis", &muted, nullptr, crisp},
-    {".zero", &ink, nullptr, crisp},
-    {".bound", &ink, nullptr, "stroke-width:1.3;stroke-dasharray:7 4"},
-    {".curve", nullptr, nullptr, "stroke-width:1.9;stroke-linejoin:round;stroke-linecap:round"},
-    {".d1", nullptr, nullptr, "stroke-dasharray:9 5"},
-    {".d2", nullptr, nullptr, "stroke-dasharray:.1 4.5;stroke-width:2.4"},
-    {".d3", nullptr, nullptr, "stroke-dasharray:11 4.5 .1 4.5"},
-    {".c0", &accent, nullptr, ""},
-    {".c1", &accent2, nullptr, ""},
-    {".c2", &accent3, nullptr, ""},
-    {".area", nullptr, nullptr, "stroke:none;fill-opacity:.13"},
-    {".f0", nullptr, &accent, ""},
-    {".f1", nullptr, &accent2, ""},
-    {".f2", nullptr, &accent3, ""},
-    {".thin", &ink, nullptr, "stroke-width:1"},
-    {".light", &muted, nullptr, "stroke-width:1"},
-    {".outline", &ink, nullptr, "stroke-width:1.6;stroke-linejoin:round"},
-    {".bar", &ink, nullptr, "stroke-width:4;stroke-linecap:round;stroke-linejoin:round"},
-    {".plate", &ink, &muted, "stroke-width:2.2;stroke-linejoin:round;fill-opacity:.16"},
-    {".pin", &ink, &paper, "stroke-width:1.7;stroke-linejoin:round"},
-    {".solid", nullptr, &ink, ""},
-    {".force", nullptr, nullptr, "stroke-width:2"},
-    {".dash", nullptr, nullptr, "stroke-dasharray:5 3.5"},
-    {".centre", &muted, nullptr, "stroke-width:1;stroke-dasharray:14 3 2.5 3"},
-    {"text", nullptr, &ink, "font:13px 'Helvetica Neue',Arial,'Liberation Sans',sans-serif;stroke:none"},
-    {".halo", &paper, nullptr, "stroke-width:4;stroke-linejoin:round;paint-order:stroke"},
-    {".quiet", nullptr, &muted, "font-size:12px"},
-    {".s", nullptr, nullptr, "font-family:'STIX Two Text',STIX,Cambria,'Times New Roman',serif;font-style:italic;font-size:1.14em"},
-    {".u", nullptr, nullptr, "font-size:.74em"},
-};
 
 void append_number(std::string& out, double value) {
   constexpr double limit = 1e6;
@@ -77,39 +31,6 @@ void append_coordinate(std::string& out, double value) {
   const bool after_command = (out.back() >= 'a' && out.back() <= 'z') || (out.back() >= 'A' && out.back() <= 'Z');
   if (number.front() != '-' && !after_command) out += ' ';
   out += number;
-}
-
-void append_escaped(std::string& out, std::string_view text) {
-  for (const char c : text) {
-    switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default:
-        if (static_cast<unsigned char>(c) >= 0x20) out += c;
-    }
-  }
-}
-
-void append_colour(std::string& out, std::string_view property, const Colour* colour) {
-  if (colour == nullptr) return;
-  for (const bool variable : {false, true}) {
-    out.append(property).append(":");
-    if (variable) out.append("var(").append(colour->variable).append(",");
-    out.append(colour->fallback).append(variable ? ");" : ";");
-  }
-}
-
-std::string style_sheet() {
-  std::string css;
-  for (const Rule& rule : sheet) {
-    css.append(".lp ").append(rule.selector).append("{");
-    append_colour(css, "stroke", rule.stroke);
-    append_colour(css, "fill", rule.fill);
-    css.append(rule.rest).append("}");
-  }
-  return css;
 }
 
 double rounded(double value) { return std::round(100.0 * value) / 100.0; }
@@ -216,16 +137,16 @@ void SvgWriter::text(std::string_view style, Point at, const Text& text, Anchor 
     if (run.face != Run::Face::words) body_ += sub ? " class=\"u\"" : " class=\"s\"";
     if (sub != dropped) attribute("dy", sub ? drop : -drop);
     if (marked) body_ += '>';
-    append_escaped(body_, run.text);
+    body_ += escaped(run.text);
     if (marked) body_ += "</tspan>";
     dropped = sub;
   }
   body_ += "</text>\n";
 }
 
-void SvgWriter::text(std::string_view style, const Box& box, const Text& text) {
+void SvgWriter::centred_text(std::string_view style, const Box& box, const Text& words) {
   constexpr double cap_half = 4.6;  // half the height of a capital
-  this->text(style, box.centre() + Point{0.0, cap_half}, text, Anchor::middle);
+  text(style, box.centre() + Point{0.0, cap_half}, words, Anchor::middle);
 }
 
 std::string SvgWriter::document(double height, std::string_view title, std::string_view description) const {
@@ -238,9 +159,9 @@ std::string SvgWriter::document(double height, std::string_view title, std::stri
   out += "\" height=\"";
   append_number(out, std::round(height / view_width * natural));
   out += "\" style=\"max-width:100%;height:auto\" fill=\"none\">\n<title>";
-  append_escaped(out, title);
+  out += escaped(title);
   out += "</title>\n<desc>";
-  append_escaped(out, description);
+  out += escaped(description);
   out += "</desc>\n<style>" + style_sheet() + "</style>\n<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n";
   return out + body_ + "</svg>\n";
 }

@@ -1,12 +1,12 @@
 // Writes SVG elements: at most two decimals, text escaped, never a number that is not finite.
 #pragma once
 
+#include "lib/draw/typeset.hpp"
+#include "lib/draw/view.hpp"
+
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "lib/draw/typeset.hpp"
-#include "lib/draw/view.hpp"
 
 namespace loadpath::draw {
 
@@ -27,7 +27,7 @@ class SvgWriter {
   /// `at` is on the base line; `turned`: reading upwards.
   void text(std::string_view style, Point at, const Text& text, Anchor anchor = Anchor::start, bool turned = false);
   /// Centred in a box of one line.
-  void text(std::string_view style, const Box& box, const Text& text);
+  void centred_text(std::string_view style, const Box& box, const Text& text);
 
   /// The <svg> element around what was written.
   [[nodiscard]] std::string document(double height, std::string_view title, std::string_view description) const;

@@ -1,9 +1,9 @@
 // Fewer points for the same picture.
 #pragma once
 
-#include <vector>
-
 #include "lib/draw/view.hpp"
+
+#include <vector>
 
 namespace loadpath::draw {
 

@@ -1,9 +1,9 @@
 #include "lib/draw/ticks.hpp"
 
+#include "lib/quantity/format.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "lib/quantity/format.hpp"
 
 namespace loadpath::draw {
 namespace {
@@ -23,7 +23,7 @@ double degree_step(double least) {
   for (const double step : {1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0, 360.0}) {
     if (least > 0.5 && step >= least) return step;
   }
-  return least > 360.0 ? 360.0 * std::ceil(least / 360.0) : decimal_step(least);
+  return least > 360.0 ? 360.0 * decimal_step(least / 360.0) : decimal_step(least);
 }
 
 /// A range that can be divided: what has no extent is shown with zero, and zero with one on both sides.
@@ -49,6 +49,14 @@ std::string Axis::text(double tick) const {
   const double size = std::max(std::fabs(range.low), std::fabs(range.high));
   const int digits = std::clamp(magnitude(size) - magnitude(step) + 3, 3, 15);
   return format_number(power == 0 ? tick : tick / power_of_ten(power), digits);
+}
+
+double round_below(double value) {
+  const double unit = power_of_ten(magnitude(value));
+  for (const double k : {5.0, 2.0}) {
+    if (k * unit <= value * (1.0 + 1e-9)) return k * unit;
+  }
+  return unit;
 }
 
 Axis axis(Range data, int most, Steps steps, Ends ends) {

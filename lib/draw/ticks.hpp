@@ -29,4 +29,7 @@ enum class Ends { data, ticks };  // the range ends where the data end (or at a 
 /// At most about `most` ticks. A range without extent is opened around its value and zero.
 Axis axis(Range data, int most, Steps steps, Ends ends);
 
+/// The largest of 1, 2, 5 times a power of ten that is not above `value`.
+double round_below(double value);
+
 }  // namespace loadpath::draw

@@ -12,12 +12,12 @@ using Face = Run::Face;
 constexpr char mark_open = '\x0e', mark_close = '\x0f';  // no text of a user holds control characters
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 37> greek{{
-    {"alpha", "α"},   {"beta", "β"},  {"gamma", "γ"}, {"delta", "δ"},   {"epsilon", "ε"}, {"zeta", "ζ"},
-    {"eta", "η"},     {"theta", "θ"}, {"iota", "ι"},  {"kappa", "κ"},   {"lambda", "λ"},  {"mu", "μ"},
-    {"nu", "ν"},      {"xi", "ξ"},    {"pi", "π"},    {"rho", "ρ"},     {"sigma", "σ"},   {"tau", "τ"},
-    {"upsilon", "υ"}, {"phi", "φ"},   {"chi", "χ"},   {"psi", "ψ"},     {"omega", "ω"},   {"Gamma", "Γ"},
-    {"Delta", "Δ"},   {"Theta", "Θ"}, {"Lambda", "Λ"}, {"Xi", "Ξ"},     {"Pi", "Π"},      {"Sigma", "Σ"},
-    {"Upsilon", "Υ"}, {"Phi", "Φ"},   {"Psi", "Ψ"},   {"Omega", "Ω"},   {"varphi", "φ"},  {"vartheta", "ϑ"},
+    {"alpha", "α"},   {"beta", "β"},  {"gamma", "γ"},  {"delta", "δ"}, {"epsilon", "ε"}, {"zeta", "ζ"},
+    {"eta", "η"},     {"theta", "θ"}, {"iota", "ι"},   {"kappa", "κ"}, {"lambda", "λ"},  {"mu", "μ"},
+    {"nu", "ν"},      {"xi", "ξ"},    {"pi", "π"},     {"rho", "ρ"},   {"sigma", "σ"},   {"tau", "τ"},
+    {"upsilon", "υ"}, {"phi", "φ"},   {"chi", "χ"},    {"psi", "ψ"},   {"omega", "ω"},   {"Gamma", "Γ"},
+    {"Delta", "Δ"},   {"Theta", "Θ"}, {"Lambda", "Λ"}, {"Xi", "Ξ"},    {"Pi", "Π"},      {"Sigma", "Σ"},
+    {"Upsilon", "Υ"}, {"Phi", "Φ"},   {"Psi", "Ψ"},    {"Omega", "Ω"}, {"varphi", "φ"},  {"vartheta", "ϑ"},
     {"ell", "ℓ"},
 }};
 
@@ -64,7 +64,8 @@ void append_base(Text& text, std::string_view base) {
 void append_symbol(Text& text, std::string_view name) {
   const std::size_t bar = std::min(name.find('_'), name.size());
   append_base(text, name.substr(0, bar));
-  if (bar + 1 < name.size()) text.push_back({subscript(name.substr(bar + 1), name.starts_with("sigma")), Face::subscript});
+  if (bar + 1 < name.size())
+    text.push_back({subscript(name.substr(bar + 1), name.starts_with("sigma")), Face::subscript});
 }
 
 void append_words(Text& text, std::string_view words) {

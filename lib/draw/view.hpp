@@ -1,11 +1,11 @@
 // The plane of the drawing: view units, y downwards.
 #pragma once
 
+#include "lib/draw/figure.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include "lib/draw/figure.hpp"
 
 namespace loadpath::draw {
 

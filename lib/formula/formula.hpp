@@ -1,7 +1,7 @@
 // The small language in which STEP texts are written: C++ expressions over symbols, read back for the report.
 //
-//   + - * / ?: comparisons && || unary - parentheses, calls (sqrt cbrt pow<n> root<n> abs sin cos tan asin acos atan
-//   exp log min max), static_cast<double>(x), numbers, unit names (`d / mm`, `10.0 * mm`), and names that are symbols.
+//   + - * / ?: comparisons && || unary - parentheses, calls (sqrt cbrt pow<n> root<n> pow(x, y) abs sin cos
+//   tan asin acos atan exp log min max is_set), static_cast<double>(x), numbers, unit names (`d / mm`, `10.0 * mm`), and names that are symbols.
 #pragma once
 
 #include <functional>
@@ -26,7 +26,7 @@ std::optional<Node> parse(std::string_view cpp);
 /// The SI value of a symbol or unit name; nothing where it is unknown.
 using Known = std::function<std::optional<double>(std::string_view name)>;
 
-/// The value of the tree over SI values; NaN where a name is unknown.
+/// The value of the tree over SI values; NaN where a name is unknown. `pi` and the units of lib/units.hpp need no `known`.
 double value(const Node& tree, const Known& known);
 
 /// How a symbol's value is written when it is substituted: number and printed unit ("2700", "N·m"); nothing: keep the name.
@@ -37,7 +37,8 @@ struct Written {
 using Substituted = std::function<std::optional<Written>(std::string_view name)>;
 
 /// A name as a symbol of the field: tau_adm, sigma_m1, d_i: Greek spelt out, subscript after the first '_', a second
-/// '_' a comma, m1 after sigma a -1, words of two or more Latin letters upright.
+/// '_' a comma, m1 after sigma or tau a -1, words of two or more Latin letters upright. MathML and TeX are fragments:
+/// the caller writes <math> or $ around them.
 std::string symbol_mathml(std::string_view name);
 std::string symbol_tex(std::string_view name);
 std::string symbol_plain(std::string_view name);  // τ_adm
@@ -46,9 +47,12 @@ std::string symbol_plain(std::string_view name);  // τ_adm
 std::string mathml(const Node& tree, const Substituted& substituted = {}, const Known& known = {});
 std::string tex(const Node& tree, const Substituted& substituted = {}, const Known& known = {});
 std::string plain(const Node& tree, const Substituted& substituted = {}, const Known& known = {});
+/// The terms of the outermost sum, each with its sign: between them a long formula may break.
+std::vector<std::string> mathml_terms(const Node& tree, const Substituted& substituted = {}, const Known& known = {});
 
 /// A value with its printed unit, in the three notations: 27.35 mm.
 std::string quantity_mathml(const Written& value);
 std::string quantity_tex(const Written& value);
+std::string quantity_plain(const Written& value);
 
 }  // namespace loadpath::formula

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace loadpath::mechanism {
@@ -13,6 +12,21 @@ constexpr std::size_t discarded = 0;
 
 Vec origin(std::span<const double> q, std::size_t link) { return {q[3 * link], q[3 * link + 1]}; }
 double angle(std::span<const double> q, std::size_t link) { return q[3 * link + 2]; }
+
+Vec inward(const Pair& pair, std::span<const double> velocity) {
+  const double omega_i = angle(velocity, pair.i);
+  const double omega_j = angle(velocity, pair.j);
+  return omega_i * omega_i * pair.arm_i - omega_j * omega_j * pair.arm_j;
+}
+
+// For `apart` projected on a direction that turns with link j: with the Coriolis term of the sliding.
+double along_turning(const Pair& pair, Vec direction, std::span<const double> velocity) {
+  const double omega = angle(velocity, pair.j);
+  const Vec sliding = origin(velocity, pair.i) + angle(velocity, pair.i) * normal(pair.arm_i) -
+                      origin(velocity, pair.j) - omega * normal(pair.arm_j);
+  return dot(direction, inward(pair, velocity) + omega * omega * pair.apart) -
+         2.0 * omega * dot(normal(direction), sliding);
+}
 
 }  // namespace
 
@@ -80,17 +94,24 @@ std::array<std::size_t, 6> Constraints::line_entries(std::size_t row, std::size_
 }
 
 void Constraints::add(const Joint& joint) {
-  Pair pair{.joint = joint, .i = index(joint.i), .j = index(joint.j), .row = rows_};
+  Pair pair{.kind = joint.kind,
+            .i = index(joint.i),
+            .j = index(joint.j),
+            .row = rows_,
+            .point_i = joint.point_i,
+            .point_j = joint.point_j,
+            .line = turn(joint.direction)({1.0, 0.0}),
+            .angle = joint.angle};
   assert(pair.i != pair.j);
   if (joint.kind == JointKind::revolute) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       entry(rows_ + axis, pair.i, axis, 1.0);
       entry(rows_ + axis, pair.j, axis, -1.0);
-      pair.slot[2 * axis] = entry(rows_ + axis, pair.i, 2);
-      pair.slot[2 * axis + 1] = entry(rows_ + axis, pair.j, 2);
+      pair.entries[2 * axis] = entry(rows_ + axis, pair.i, 2);
+      pair.entries[2 * axis + 1] = entry(rows_ + axis, pair.j, 2);
     }
   } else {
-    pair.slot = line_entries(rows_, pair.i, pair.j);
+    pair.entries = line_entries(rows_, pair.i, pair.j);
   }
   if (joint.kind == JointKind::prismatic) {
     entry(rows_ + 1, pair.i, 2, 1.0);
@@ -101,14 +122,16 @@ void Constraints::add(const Joint& joint) {
 }
 
 void Constraints::add(const Driver& driver) {
-  Drive drive{.driver = driver, .i = index(driver.i), .j = index(driver.j), .pair = 0};
+  Drive drive{.kind = driver.kind, .i = 0, .j = 0, .pair = 0, .offset = driver.offset};
   if (driver.kind == Driver::Kind::rotary) {
+    drive.i = index(driver.i);
+    drive.j = index(driver.j);
     assert(drive.i != drive.j);
     entry(rows_, drive.i, 2, 1.0);
     entry(rows_, drive.j, 2, -1.0);
   } else {
     drive.pair = static_cast<std::size_t>(driver.joint);
-    drive.slot = line_entries(rows_, pairs_[drive.pair].i, pairs_[drive.pair].j);
+    drive.entries = line_entries(rows_, pairs_[drive.pair].i, pairs_[drive.pair].j);
   }
   ++rows_;
   drives_.push_back(drive);
@@ -128,85 +151,65 @@ void Constraints::place(std::span<const double> q, std::span<const double> targe
 }
 
 void Constraints::place(Pair& pair, std::span<const double> q) {
-  const Joint& joint = pair.joint;
-  pair.arm_i = turns_[pair.i](joint.point_i);
-  pair.arm_j = turns_[pair.j](joint.point_j);
-  pair.apart = origin(q, pair.i) + pair.arm_i - (origin(q, pair.j) + pair.arm_j);
-  if (joint.kind == JointKind::revolute) {
+  pair.arm_i = turns_[pair.i](pair.point_i);
+  pair.arm_j = turns_[pair.j](pair.point_j);
+  pair.apart = (origin(q, pair.i) - origin(q, pair.j)) + (pair.arm_i - pair.arm_j);
+  if (pair.kind == JointKind::revolute) {
     residual_[pair.row] = pair.apart.x;
     residual_[pair.row + 1] = pair.apart.y;
-    jacobian_[pair.slot[0]] = -pair.arm_i.y;
-    jacobian_[pair.slot[1]] = pair.arm_j.y;
-    jacobian_[pair.slot[2]] = pair.arm_i.x;
-    jacobian_[pair.slot[3]] = -pair.arm_j.x;
+    jacobian_[pair.entries[0]] = -pair.arm_i.y;
+    jacobian_[pair.entries[1]] = pair.arm_j.y;
+    jacobian_[pair.entries[2]] = pair.arm_i.x;
+    jacobian_[pair.entries[3]] = -pair.arm_j.x;
     return;
   }
-  pair.along = turns_[pair.j](turn(joint.direction)({1.0, 0.0}));
-  const Vec across = normal(pair.along);
-  residual_[pair.row] = dot(across, pair.apart);
-  set_line(pair.slot, across, dot(pair.along, pair.arm_i), -dot(pair.along, pair.arm_j + pair.apart));
-  if (joint.kind == JointKind::prismatic) residual_[pair.row + 1] = phi_[pair.i] - phi_[pair.j] - joint.angle;
+  pair.along = turns_[pair.j](pair.line);
+  residual_[pair.row] = dot(normal(pair.along), pair.apart);
+  set_line(pair, normal(pair.along), pair.entries);
+  if (pair.kind == JointKind::prismatic) residual_[pair.row + 1] = phi_[pair.i] - phi_[pair.j] - pair.angle;
 }
 
 void Constraints::place(const Drive& drive) {
-  if (drive.driver.kind == Driver::Kind::rotary) return;
-  const Pair& pair = pairs_[drive.pair];
-  const Vec across = normal(pair.along);
-  set_line(drive.slot, pair.along, -dot(across, pair.arm_i), dot(across, pair.arm_j + pair.apart));
+  if (drive.kind == Driver::Kind::linear) set_line(pairs_[drive.pair], pairs_[drive.pair].along, drive.entries);
 }
 
-void Constraints::set_line(const std::array<std::size_t, 6>& slot, Vec direction, double turn_i, double turn_j) {
-  const std::array values{direction.x, direction.y, turn_i, -direction.x, -direction.y, turn_j};
-  for (std::size_t k = 0; k < values.size(); ++k) jacobian_[slot[k]] = values[k];
+// The row of `apart` projected on a direction that turns with link j.
+void Constraints::set_line(const Pair& pair, Vec direction, const std::array<std::size_t, 6>& entries) {
+  jacobian_[entries[0]] = direction.x;
+  jacobian_[entries[1]] = direction.y;
+  jacobian_[entries[2]] = cross(pair.arm_i, direction);
+  jacobian_[entries[3]] = -direction.x;
+  jacobian_[entries[4]] = -direction.y;
+  jacobian_[entries[5]] = -cross(pair.arm_j + pair.apart, direction);
 }
 
 double Constraints::coordinate(std::size_t driver) const {
   const Drive& drive = drives_[driver];
-  if (drive.driver.kind == Driver::Kind::rotary) return phi_[drive.i] - phi_[drive.j] + drive.driver.offset;
-  const Pair& pair = pairs_[drive.pair];
-  return dot(pair.along, pair.apart) + drive.driver.offset;
+  if (drive.kind == Driver::Kind::rotary) return phi_[drive.i] - phi_[drive.j] + drive.offset;
+  return dot(pairs_[drive.pair].along, pairs_[drive.pair].apart) + drive.offset;
 }
 
 double Constraints::opening(std::size_t joint) const {
   const Pair& pair = pairs_[joint];
-  if (pair.joint.kind == JointKind::slot) return std::abs(residual_[pair.row]);
+  if (pair.kind == JointKind::slot) return std::abs(residual_[pair.row]);
   return std::hypot(residual_[pair.row], residual_[pair.row + 1]);
 }
 
 void Constraints::centripetal(std::span<const double> velocity, std::span<double> right) const {
-  const auto relative = [&](const Pair& pair) {
-    return origin(velocity, pair.i) + angle(velocity, pair.i) * normal(pair.arm_i) -
-           (origin(velocity, pair.j) + angle(velocity, pair.j) * normal(pair.arm_j));
-  };
-  const auto inward = [&](const Pair& pair) {
-    const double omega_i = angle(velocity, pair.i);
-    const double omega_j = angle(velocity, pair.j);
-    return omega_i * omega_i * pair.arm_i - omega_j * omega_j * pair.arm_j;
-  };
-  // Second derivative of a projection of `apart` on a direction that turns with link j.
-  const auto turning = [&](const Pair& pair, Vec direction) {
-    const double omega = angle(velocity, pair.j);
-    return dot(direction, inward(pair) + omega * omega * pair.apart) -
-           2.0 * omega * dot(normal(direction), relative(pair));
-  };
   for (const auto& pair : pairs_) {
-    const Vec across = normal(pair.along);
-    switch (pair.joint.kind) {
-      case JointKind::revolute: {
-        const Vec in = inward(pair);
-        right[pair.row] = in.x;
-        right[pair.row + 1] = in.y;
-        break;
-      }
-      case JointKind::prismatic: right[pair.row + 1] = 0.0; [[fallthrough]];
-      case JointKind::slot: right[pair.row] = turning(pair, across); break;
+    if (pair.kind == JointKind::revolute) {
+      const Vec in = inward(pair, velocity);
+      right[pair.row] = in.x;
+      right[pair.row + 1] = in.y;
+    } else {
+      right[pair.row] = along_turning(pair, normal(pair.along), velocity);
+      if (pair.kind == JointKind::prismatic) right[pair.row + 1] = 0.0;
     }
   }
-  const std::size_t row = first_driver_row();
-  for (std::size_t k = 0; k < drives_.size(); ++k) {
-    const Drive& drive = drives_[k];
-    const bool linear = drive.driver.kind == Driver::Kind::linear;
-    right[row + k] = linear ? turning(pairs_[drive.pair], pairs_[drive.pair].along) : 0.0;
+  std::size_t row = first_driver_row();
+  for (const auto& drive : drives_) {
+    const Pair& pair = pairs_[drive.pair];
+    right[row++] = drive.kind == Driver::Kind::linear ? along_turning(pair, pair.along, velocity) : 0.0;
   }
 }
 

@@ -1,16 +1,16 @@
 // The constraint equations of a planar mechanism with their exact Jacobian and their centripetal terms.
 //
-// Coordinates: x, y, phi of each link's frame, link by link, then three zeros for the ground. Rows: two for a revolute or
-// prismatic joint, one for a slot, in the order of the joints; then one for each driver.
+// Coordinates: x, y, phi of each link's frame, link by link, then three zeros for the ground. Rows: two for a revolute
+// or prismatic joint, one for a slot, in the order of the joints; then one for each driver.
 #pragma once
+
+#include "lib/mechanism/model.hpp"
+#include "lib/numerics/elimination_order.hpp"
 
 #include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
-
-#include "lib/mechanism/model.hpp"
-#include "lib/numerics/elimination_order.hpp"
 
 namespace loadpath::mechanism {
 
@@ -21,13 +21,15 @@ Model in_unit_of_length(const Model& model, double unit);
 
 /// A joint with its vectors at the position held, global axes.
 struct Pair {
-  Joint joint;
-  std::size_t i, j;         // links; the ground comes last
-  std::size_t row;          // its first
-  std::array<std::size_t, 6> slot{};  // of its Jacobian entries that change
-  Vec arm_i, arm_j;         // from the frames' origins to point_i, point_j
-  Vec apart;                // from point_j to point_i
-  Vec along;                // the line; revolute: none
+  JointKind kind;
+  std::size_t i, j;            // links; the ground comes last
+  std::size_t row;             // its first
+  Vec point_i, point_j, line;  // frames of i, j, j
+  double angle;
+  std::array<std::size_t, 6> entries{};  // of its Jacobian entries that change
+  Vec arm_i{}, arm_j{};                  // from the frames' origins to point_i, point_j
+  Vec apart{};                           // from point_j to point_i
+  Vec along{};                           // the line
 };
 
 class Constraints {
@@ -55,10 +57,11 @@ class Constraints {
 
  private:
   struct Drive {
-    Driver driver;
-    std::size_t i, j;
-    std::size_t pair;                   // linear
-    std::array<std::size_t, 6> slot{};  // linear
+    Driver::Kind kind;
+    std::size_t i, j;  // rotary
+    std::size_t pair;  // linear
+    double offset;
+    std::array<std::size_t, 6> entries{};  // linear
   };
 
   [[nodiscard]] std::size_t index(int link) const { return link == ground ? ground_ : static_cast<std::size_t>(link); }
@@ -68,7 +71,7 @@ class Constraints {
   void add(const Driver& driver);
   void place(Pair& pair, std::span<const double> q);
   void place(const Drive& drive);
-  void set_line(const std::array<std::size_t, 6>& slot, Vec direction, double turn_i, double turn_j);
+  void set_line(const Pair& pair, Vec direction, const std::array<std::size_t, 6>& entries);
 
   std::size_t ground_;
   std::size_t rows_ = 0;

@@ -1,10 +1,10 @@
 // A planar mechanism in SI units: links, joints, drivers and loads. Angles in rad, moments positive counter-clockwise.
 #pragma once
 
+#include "lib/mechanism/vec.hpp"
+
 #include <string>
 #include <vector>
-
-#include "lib/mechanism/vec.hpp"
 
 namespace loadpath::mechanism {
 
@@ -57,10 +57,10 @@ struct Driver {
 struct Load {
   std::string name;
   int link = 0;
-  Vec point;                    // link frame
-  Vec force;                    // N
-  bool turns_with_link = false; // true: force in the link's axes; false: in the global ones
-  double moment = 0.0;          // N m
+  Vec point;                     // link frame
+  Vec force;                     // N
+  bool turns_with_link = false;  // true: force in the link's axes; false: in the global ones
+  double moment = 0.0;           // N m
 };
 
 struct Model {

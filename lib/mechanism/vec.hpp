@@ -24,9 +24,7 @@ inline double length(Vec a) { return std::hypot(a.x, a.y); }
 struct Turn {
   double cosine = 1.0;
   double sine = 0.0;
-  [[nodiscard]] constexpr Vec operator()(Vec a) const {
-    return {cosine * a.x - sine * a.y, sine * a.x + cosine * a.y};
-  }
+  [[nodiscard]] constexpr Vec operator()(Vec a) const { return {cosine * a.x - sine * a.y, sine * a.x + cosine * a.y}; }
 };
 
 inline Turn turn(double angle) { return {std::cos(angle), std::sin(angle)}; }

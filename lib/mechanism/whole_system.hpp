@@ -6,11 +6,12 @@
 // All memory is taken in the constructor: `assemble` and `solve` allocate nothing.
 #pragma once
 
+#include "lib/mechanism/model.hpp"
+
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
-
-#include "lib/mechanism/model.hpp"
 
 namespace loadpath::mechanism {
 
@@ -34,11 +35,11 @@ struct Position {
   std::vector<Pose> velocity;      // m/s, rad/s
   std::vector<Pose> acceleration;  // m/s^2, rad/s^2
   std::vector<Reaction> reactions;
-  std::vector<double> effort;      // N m or N, on link i of the driver
-  double residual_force = 0.0;     // largest unbalanced force on a link, N, by summing what acts on it
-  double residual_moment = 0.0;    // largest unbalanced moment about a link's mass centre, N m
-  double power_residual = 0.0;     // drives + loads + gravity - rate of kinetic energy, W
-  double power_scale = 0.0;        // sum of the magnitudes in the power balance, W
+  std::vector<double> effort;    // N m or N, on link i of the driver
+  double residual_force = 0.0;   // largest unbalanced force on a link, N, by summing what acts on it
+  double residual_moment = 0.0;  // largest unbalanced moment about a link's mass centre, N m
+  double power_residual = 0.0;   // drives + loads + gravity - rate of kinetic energy, W
+  double power_scale = 0.0;      // sum of the magnitudes in the power balance, W
 };
 
 enum class Status { closed, does_not_close, singular };
@@ -57,12 +58,17 @@ class WholeSystem {
   /// Moves from the position held now to these coordinates, in steps small enough to stay in the same assembly.
   Status move(std::span<const Drive> drives);
   /// `move`, then velocities, accelerations, reactions and efforts into `out` (made by `blank`). `statics`: no inertia.
+  /// When it fails, `out` and the position held stay as they were.
   Status solve(std::span<const Drive> drives, Position& out, bool statics = false);
   [[nodiscard]] Position blank() const;
-  /// The joint that is open widest when `move` has failed, and its gap in m.
+  /// For loads that vary over the cycle: the force (in the axes the load has) and the moment from the next `solve` on.
+  void set_load(std::size_t load, Vec force, double moment);
+  /// After a failure: the joint that stays open widest when the mechanism is pulled together as far as it goes, and the
+  /// part of the last `move`, 0 to 1, up to which it closes.
   struct Gap {
     int joint = -1;
-    double size = 0.0;
+    double size = 0.0;  // m
+    double reached = 0.0;
   };
   [[nodiscard]] Gap gap() const;
   /// Reciprocal condition number (1-norm estimate) of the constraint equations of the position held now.

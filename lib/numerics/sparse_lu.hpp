@@ -1,14 +1,14 @@
 // LU factors of a square matrix whose pattern never changes and whose values change often.
 //
-// The order of elimination is found once and kept as long as its pivots stay good; a pivot that has become poor brings a
-// new order. All memory is taken in the constructor.
+// The order of elimination is found once and kept as long as its pivots stay good; a pivot that has become poor brings
+// a new order. All memory is taken in the constructor.
 #pragma once
+
+#include "lib/numerics/elimination_order.hpp"
 
 #include <cstddef>
 #include <span>
 #include <vector>
-
-#include "lib/numerics/elimination_order.hpp"
 
 namespace loadpath {
 

@@ -55,4 +55,7 @@ enum class Kind : std::uint8_t { plain, temperature, difference, moment, energy 
 /// The dimension in words a machine designer uses ("stress", "moment"), or as a product of SI units.
 std::string name_of(const Dimension& dimension);
 
+/// The coherent SI unit as a text that parse_unit reads: "kg*m^2/s^3"; empty for a plain number.
+std::string si_unit(const Dimension& dimension);
+
 }  // namespace loadpath

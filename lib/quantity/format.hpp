@@ -1,10 +1,10 @@
 // Writes numbers and quantities for people, deterministically and without a locale.
 #pragma once
 
+#include "lib/quantity/dimension.hpp"
+
 #include <string>
 #include <string_view>
-
-#include "lib/quantity/dimension.hpp"
 
 namespace loadpath {
 

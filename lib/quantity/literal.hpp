@@ -1,11 +1,11 @@
 // Reads a quantity as people write it: "30 MPa", "2,5 kN·m", "120 об/мин". It may refuse; it never guesses.
 #pragma once
 
-#include <string>
-#include <string_view>
-
 #include "lib/issue.hpp"
 #include "lib/quantity/dimension.hpp"
+
+#include <string>
+#include <string_view>
 
 namespace loadpath {
 
@@ -29,12 +29,13 @@ Outcome<Literal> parse_literal(std::string_view text, const Expected& expected);
 Outcome<Literal> parse_literal(std::string_view text);
 
 struct UnitValue {
-  double factor = 1.0;    // SI value of one unit
-  double offset = 0.0;    // SI value of zero: 273.15 for °C, else 0
+  double factor = 1.0;  // SI value of one unit
+  double offset = 0.0;  // SI value of zero: 273.15 for °C, else 0
   Dimension dimension;
 };
 
-/// A unit by itself: "N·m", "mm²", "об/мин", "lbf*in".
+/// A unit by itself: "N·m", "mm²", "об/мин", "lbf*in"; "-" and "1" are the unit of a ratio. Without a field that
+/// expects an angular speed, 1/min is a frequency; a rotational speed has the unit rpm.
 Outcome<UnitValue> parse_unit(std::string_view text);
 
 }  // namespace loadpath

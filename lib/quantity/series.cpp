@@ -36,7 +36,8 @@ bool over_a_cycle(const Value& series) {
   return axis != nullptr && axis->cyclic() && axis->at.size() == series.si.size() && !series.si.empty();
 }
 
-/// The polynomial through five points in Newton's form, seen from one of them: abscissae in steps, values as differences.
+/// The polynomial through five points in Newton's form, seen from one of them: abscissae in steps, values as
+/// differences.
 class Quartic {
  public:
   Quartic(const std::array<double, 5>& t, const std::array<double, 5>& f) : t_{t}, coefficient_{f} {
@@ -49,8 +50,8 @@ class Quartic {
   }
 
   /// Whether the three parabolas through neighbouring points all open downwards with nearly one curvature. A quarter
-  /// keeps the quartic concave between the neighbours of the middle point and within 2 % of the second difference of
-  /// the parabola; a jump, a kink or fewer than about 12 positions to a wave bend the three apart.
+  /// keeps the quartic concave between the neighbours of the middle point, hence with one summit and close to the
+  /// parabola's; a jump, a kink or fewer than about 13 positions to a wave bend the three further apart.
   [[nodiscard]] bool smooth_summit() const {
     const double allowed = -0.25 * bend_[1];
     return allowed > 0.0 && std::abs(bend_[0] - bend_[1]) <= allowed && std::abs(bend_[2] - bend_[1]) <= allowed;

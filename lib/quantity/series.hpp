@@ -1,21 +1,21 @@
 // A quantity over the positions of a cycle, or a single value, with its dimension; and what can be read off it.
 #pragma once
 
+#include "lib/quantity/dimension.hpp"
+
 #include <cstddef>
 #include <string>
 #include <vector>
-
-#include "lib/quantity/dimension.hpp"
 
 namespace loadpath {
 
 /// The positions that a series is given at. One object per step that makes series; its address is its identity.
 struct Axis {
-  std::string name;          // "lever: crank angle"
-  std::string unit = "deg";  // display unit of `at`
-  std::vector<double> at;    // SI, ascending or descending; a cycle holds no doubled end point
-  std::vector<double> share; // part of the cycle's time that belongs to each position; sums to 1; empty: not a cycle
-  double period = 0.0;       // SI, signed; 0: not a cycle
+  std::string name;           // "lever: crank angle"
+  std::string unit = "deg";   // display unit of `at`
+  std::vector<double> at;     // SI, ascending or descending; a cycle holds no doubled end point
+  std::vector<double> share;  // part of the cycle's time that belongs to each position; sums to 1; empty: not a cycle
+  double period = 0.0;        // SI, signed; 0: not a cycle
   [[nodiscard]] bool cyclic() const { return period != 0.0; }
 };
 
@@ -30,12 +30,13 @@ struct Value {
   [[nodiscard]] bool is_series() const { return signature.axis != nullptr; }
 };
 
-/// An extreme of a series, refined between positions by a local polynomial through five of them; where the polynomial
-/// and the parabola through three disagree (a jump, a coarse cycle) the position itself is taken.
+/// An extreme of a series, refined between positions by the quartic through five of them; where the parabolas through
+/// three neighbours each differ by more than a quarter in curvature (a jump, a kink, fewer than about 13 positions to a
+/// wave) the position itself is taken. An open axis is never left.
 struct Extreme {
-  double value = 0.0;      // SI; NaN for an empty series or one that holds NaN
-  double at = 0.0;         // SI, on the axis
-  std::size_t nearest = 0; // index of the nearest position
+  double value = 0.0;       // SI; NaN for an empty series or one that holds NaN
+  double at = 0.0;          // SI, on the axis
+  std::size_t nearest = 0;  // index of the nearest position
 };
 Extreme maximum(const Value& series);
 Extreme minimum(const Value& series);

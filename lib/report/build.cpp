@@ -108,19 +108,11 @@ void add_factors(const Project& project, std::vector<Block>& blocks) {
   if (!table.rows.empty()) blocks.emplace_back(std::move(table));
 }
 
-/// Keys in brackets, "[B19]", of all texts that name a source.
-void collect_keys(const std::string& text, std::set<std::string>& keys) {
-  for (std::size_t open = text.find('['); open != std::string::npos; open = text.find('[', open + 1)) {
-    const std::size_t close = text.find(']', open);
-    if (close != std::string::npos) keys.insert(text.substr(open + 1, close - open - 1));
-  }
-}
-
 void add_sources(const Project& project, std::vector<Block>& blocks) {
   std::set<std::string> keys;
   for (const auto& step : project.steps) {
-    collect_keys(step->input().calculator->source, keys);
-    for (const auto& line : step->account().derivation) collect_keys(line.step.why.text(), keys);
+    keys.merge(keys_in(step->input().calculator->source));
+    for (const auto& line : step->account().derivation) keys.merge(keys_in(line.step.why.text()));
     for (const Entry& e : step->account().inputs) keys.insert(e.origin.sources.begin(), e.origin.sources.end());
   }
   Table sources{say("Sources"), {}, {}};
@@ -143,6 +135,15 @@ void add_signatures(std::vector<Block>& blocks) {
 }
 
 }  // namespace
+
+std::set<std::string> keys_in(std::string_view text) {
+  std::set<std::string> keys;
+  for (std::size_t open = text.find('['); open != std::string_view::npos; open = text.find('[', open + 1)) {
+    const std::size_t close = text.find(']', open);
+    if (close != std::string_view::npos) keys.emplace(text.substr(open + 1, close - open - 1));
+  }
+  return keys;
+}
 
 Message overall(State state) {
   switch (state) {

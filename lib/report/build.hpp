@@ -1,6 +1,10 @@
 // The report of a solved project, as a document.
 #pragma once
 
+#include <set>
+#include <string>
+#include <string_view>
+
 #include "lib/project/project.hpp"
 #include "lib/report/document.hpp"
 
@@ -11,6 +15,9 @@ Document build(const project::Project& project, std::string_view program);
 /// The lines of a calculation as blocks: where the elements of a list go through the same formulas, one of them is
 /// worked out and the others follow in a table.
 std::vector<Block> derivation_blocks(const std::vector<project::Derived>& lines);
+
+/// The keys of sources that a text names in brackets: "[B19] (4)" -> "B19".
+std::set<std::string> keys_in(std::string_view text);
 
 /// "passes", "fails"... in words, for the whole of the verdicts.
 Message overall(State state);

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include "cli/commands.hpp"
+#include "cli/terminal.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/table/table.hpp"
+
+namespace loadpath::cli {
+
+namespace {
+
+using table::Library;
+using table::Row;
+using table::Table;
+using Rows = std::vector<std::vector<std::string>>;
+
+int unknown(const std::string& word, const char* what, const std::vector<std::string>& candidates) {
+  const std::string near = nearest(word, candidates);
+  std::cerr << "loadpath: there is no " << what << " '" << word << "'\n  = help: "
+            << (near.empty() ? "`loadpath tables` shows all" : "did you mean '" + near + "'?") << "\n";
+  return wrong_input;
+}
+
+int show_index(const Library& library) {
+  Rows rows;
+  for (const Table& t : library.tables) rows.push_back({t.name, std::to_string(t.rows.size()) + " rows", t.title});
+  for (const table::Series& s : library.series) rows.push_back({s.table + " " + s.name, std::to_string(s.members.size()) + " sizes", s.title});
+  std::cout << columns(rows);
+  return passed;
+}
+
+std::string shown(const Table& t, const std::vector<table::Value>& values, const std::string& key) {
+  const auto value = std::find_if(values.begin(), values.end(), [&](const auto& v) { return v.key == key; });
+  if (value == values.end()) return "";
+  return format_number(in_unit(value->si, t.column(key)->unit), 5) + (value->sources.empty() ? " *" : "");
+}
+
+void add_row(const Table& t, const Row& row, Rows& rows) {
+  const std::size_t steps = std::max<std::size_t>(1, row.by_size.size());
+  for (std::size_t i = 0; i < steps; ++i) {
+    std::vector<std::string> cells{i == 0 ? row.name : "", i < row.by_size.size() ? format_number(in_unit(row.by_size[i].size_max, t.size.unit), 5) : ""};
+    for (const auto& column : t.columns) {
+      std::string cell = i == 0 ? shown(t, row.values, column.key) : "";
+      if (cell.empty() && i < row.by_size.size()) cell = shown(t, row.by_size[i].values, column.key);
+      cells.push_back(std::move(cell));
+    }
+    rows.push_back(std::move(cells));
+  }
+}
+
+void show_table(const Table& t, const Row* only) {
+  Rows rows{{"name", "up to [" + pretty_unit(t.size.unit) + "]"}};
+  for (const auto& column : t.columns) rows[0].push_back(column.key + (column.unit == "-" ? "" : " [" + pretty_unit(column.unit) + "]"));
+  for (const Row& row : t.rows) {
+    if (only == nullptr || only == &row) add_row(t, row, rows);
+  }
+  std::cout << t.title << " (" << t.name << ")\n" << columns(rows) << "* recalled: its source was not seen\n";
+}
+
+void show_details(const Row& row) {
+  std::cout << "\n" << row.standard << (row.kind.empty() ? "" : ", " + row.kind) << (row.note.empty() ? "" : "; " + row.note) << "\n";
+  std::vector<std::string> keys;
+  const auto collect = [&](const std::vector<table::Value>& values) {
+    for (const auto& v : values) {
+      for (const auto& key : v.sources) {
+        if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+      }
+    }
+  };
+  collect(row.values);
+  for (const auto& step : row.by_size) collect(step.values);
+  for (const auto& key : keys) std::cout << "[" << key << "] " << table::citation(key) << "\n";
+}
+
+int show_series(const table::Series& series) {
+  std::cout << series.title << " (" << series.table << " " << series.name << "), in " << series.unit << "\n";
+  for (std::size_t i = 0; i < series.members.size(); ++i) {
+    std::cout << format_number(series.members[i], 8) << ((i + 1) % 12 == 0 || i + 1 == series.members.size() ? "\n" : " ");
+  }
+  for (const auto& key : series.sources) std::cout << "[" << key << "] " << table::citation(key) << "\n";
+  return passed;
+}
+
+int show_audit(const Library& library) {
+  Rows rows{{"table", "row", "value", "", "up to"}};
+  for (const table::Recalled& r : table::audit(library)) {
+    rows.push_back({r.table, r.row, r.key, format_quantity(r.si, r.unit), std::isinf(r.size_max) ? "" : format_quantity(r.size_max, "mm")});
+  }
+  std::cout << columns(rows) << rows.size() - 1 << " values without a seen source\n";
+  return passed;
+}
+
+int show_row(const Library& library, const std::string& group, const std::string& name) {
+  const auto entry = table::find_row(library, group, name);
+  if (!entry) {
+    std::cerr << "loadpath: " << entry.fault().message.text() << "\n";
+    if (!entry.fault().hint.empty()) std::cerr << "  = help: " << entry.fault().hint.text() << "\n";
+    return wrong_input;
+  }
+  show_table(*entry->table, entry->row);
+  show_details(*entry->row);
+  return passed;
+}
+
+}  // namespace
+
+/// Tables are named whole ("materials/steel_aisi"), by their folder ("materials"), or a series by its own name ("R40").
+int tables(const TablesOptions& options) {
+  const Library& library = table::active();
+  if (options.audit) return show_audit(library);
+  if (options.table.empty()) return show_index(library);
+  std::vector<std::string> names;
+  std::vector<const Table*> chosen;
+  for (const Table& t : library.tables) {
+    const std::string folder = t.name.substr(0, t.name.find('/'));
+    if (t.name == options.table || folder == options.table) chosen.push_back(&t);
+    names.push_back(t.name);
+    names.push_back(folder);
+  }
+  for (const table::Series& s : library.series) {
+    if (s.name == options.table || (s.table == options.table && s.name == options.key)) return show_series(s);
+    names.push_back(s.name);
+  }
+  if (chosen.empty()) return unknown(options.table, "table", names);
+  if (!options.key.empty()) return show_row(library, chosen[0]->group, options.key);
+  for (const Table* t : chosen) show_table(*t, nullptr);
+  return passed;
+}
+
+}  // namespace loadpath::cli

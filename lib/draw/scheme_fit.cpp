@@ -1,0 +1,113 @@
+#include "lib/draw/scheme_fit.hpp"
+
+#include <limits>
+
+namespace loadpath::draw {
+namespace {
+
+constexpr double margin = 4.0, scale_bars = 34.0, least_height = 110.0, most_height = 400.0;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// A point of the mechanism and the room around it, in view units, for its sign and label.
+struct Sign {
+  Point at;
+  double room = 0.0;
+};
+
+template <class Items>
+Items with_place(const Items& items) {
+  Items kept;
+  for (const auto& item : items) {
+    if (drawable(item.at)) kept.push_back(item);
+  }
+  return kept;
+}
+
+std::vector<Point> drawable_points(const std::vector<Point>& points) {
+  std::vector<Point> kept;
+  for (const Point p : points) {
+    if (drawable(p)) kept.push_back(p);
+  }
+  return kept;
+}
+
+std::vector<Sign> signs(const Scheme& scheme) {
+  std::vector<Sign> all;
+  const auto add = [&](const std::vector<Point>& points, double room) {
+    for (const Point p : points) all.push_back({p, room});
+  };
+  for (const auto& body : scheme.bodies) add(body.points, 12.0);
+  for (const auto& path : scheme.paths) add(path.points, 2.0);
+  for (const auto& guide : scheme.guides) add({guide.from, guide.to}, 8.0);
+  for (const auto& joint : scheme.joints) all.push_back({joint.at, joint.fixed ? 28.0 : 24.0});
+  for (const auto& point : scheme.points) all.push_back({point.at, 22.0});
+  for (const auto& moment : scheme.moments) all.push_back({moment.at, 40.0});
+  for (const auto& arrow : scheme.arrows) all.push_back({arrow.at, 4.0});
+  return all;
+}
+
+Box extent(const std::vector<Sign>& signs, double scale) {
+  Box box{infinite, infinite, -infinite, -infinite};
+  for (const Sign& s : signs) box.include(Box::around({scale * s.at.x, -scale * s.at.y}, 2.0 * s.room, 2.0 * s.room));
+  return box;
+}
+
+double extent_in_metres(const std::vector<Sign>& signs) {
+  Box box{infinite, infinite, -infinite, -infinite};
+  for (const Sign& s : signs) box.include({s.at.x, s.at.y, s.at.x, s.at.y});
+  const double size = std::max(box.width(), box.height());
+  return size > 1e-100 ? size : 1.0;
+}
+
+double largest_scale(const std::vector<Sign>& signs, double first) {
+  double low = 0.0, high = first;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (low + high);
+    const Box box = extent(signs, middle);
+    const bool fits = box.width() <= view_width - 2.0 * margin && box.height() <= most_height - 2.0 * margin;
+    (fits ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+Scheme without_gaps(const Scheme& scheme) {
+  Scheme kept;
+  for (const auto& body : scheme.bodies) kept.bodies.push_back({body.name, drawable_points(body.points)});
+  for (const auto& path : scheme.paths) kept.paths.push_back({path.name, drawable_points(path.points)});
+  for (const auto& guide : scheme.guides) {
+    if (drawable(guide.from) && drawable(guide.to)) kept.guides.push_back(guide);
+  }
+  for (const auto& arrow : with_place(scheme.arrows)) {
+    if (drawable(arrow.force) && length(arrow.force) > 1e-100) kept.arrows.push_back(arrow);
+  }
+  for (const auto& moment : with_place(scheme.moments)) {
+    if (drawable(moment.value) && moment.value != 0.0) kept.moments.push_back(moment);
+  }
+  kept.joints = with_place(scheme.joints);
+  kept.points = with_place(scheme.points);
+  return kept;
+}
+
+Fit fit(const Scheme& scheme) {
+  constexpr double arrow_share = 0.25;
+  std::vector<Sign> all = signs(scheme);
+  if (all.empty()) return {1.0, 1.0, {}, least_height};
+  const double size = extent_in_metres(all);
+  double strongest = 0.0;
+  for (const auto& arrow : scheme.arrows) strongest = std::max(strongest, length(arrow.force));
+  const double metres_per_newton = strongest > 0.0 ? arrow_share * size / strongest : 0.0;
+  for (const auto& arrow : scheme.arrows) all.push_back({arrow.at + metres_per_newton * arrow.force, 24.0});
+
+  Fit result;
+  result.scale = largest_scale(all, view_width / size);
+  result.newton = metres_per_newton * result.scale;
+  const Box box = extent(all, result.scale);
+  const double drawing = std::max(box.height() + 2.0 * margin, least_height);
+  result.origin = Point{0.5 * view_width, 0.5 * drawing} - box.centre();
+  result.height = drawing + scale_bars;
+  return result;
+}
+
+}  // namespace loadpath::draw

@@ -1,0 +1,28 @@
+// Places a mechanism on the page: the points that can be drawn, the scale of lengths and that of forces.
+#pragma once
+
+#include "lib/draw/figure.hpp"
+#include "lib/draw/view.hpp"
+
+namespace loadpath::draw {
+
+/// The scheme without what has no place: points, forces and couples that were not computed or are zero.
+Scheme without_gaps(const Scheme& scheme);
+
+struct Fit {
+  double scale = 1.0;   // view units per metre
+  double newton = 1.0;  // view units per newton
+  Point origin;
+  double height = 0.0;
+
+  [[nodiscard]] Point at(Point p) const { return {origin.x + scale * p.x, origin.y - scale * p.y}; }
+  [[nodiscard]] Point tip(const Scheme::Arrow& arrow) const {
+    return at(arrow.at) + newton * Point{arrow.force.x, -arrow.force.y};
+  }
+};
+
+/// The largest drawing with equal scales in x and y that holds all signs and a quarter of its size for the largest
+/// force.
+Fit fit(const Scheme& scheme);
+
+}  // namespace loadpath::draw

@@ -1,0 +1,278 @@
+#include "lib/draw/picture.hpp"
+#include "lib/draw/scheme_parts.hpp"
+#include "lib/issue.hpp"
+#include "lib/quantity/format.hpp"
+
+namespace loadpath::draw {
+namespace {
+
+constexpr double shaft_left = 30.0, shaft_right = 450.0, least_length = 180.0;
+constexpr double least_depth = 78.0, most_depth = 170.0;  // of the thickest part
+constexpr double torque_reach = 16.0;                     // of a torque's line beyond the thickest part
+constexpr double torque_radius = 6.5;
+constexpr double row_height = 17.0;
+
+std::string millimetres(double metres) { return format_number(1e3 * metres, 5); }
+std::string diameter_text(double metres) { return "⌀" + millimetres(metres); }
+
+/// Rows of texts that do not touch: each text goes to the first row where it has room.
+class Rows {
+ public:
+  std::size_t row_of(double left, double right) {
+    std::size_t row = 0;
+    while (row < taken_.size() && !is_free(taken_[row], left, right)) ++row;
+    if (row == taken_.size()) taken_.emplace_back();
+    taken_[row].push_back({left, right});
+    return row;
+  }
+  [[nodiscard]] double height() const { return row_height * static_cast<double>(taken_.size()); }
+
+ private:
+  using Row = std::vector<std::pair<double, double>>;
+  static bool is_free(const Row& row, double left, double right) {
+    return std::none_of(row.begin(), row.end(), [&](const auto& t) { return left < t.second && t.first < right; });
+  }
+  std::vector<Row> taken_;
+};
+
+struct Cylinder {
+  const Shaft::Part* part;
+  double left, right, radius, bore;  // view units
+};
+
+struct TorqueSign {
+  const Shaft::Torque* torque;
+  Text text;
+  double x, half_width;
+  std::size_t row;
+};
+
+class ShaftPicture {
+ public:
+  explicit ShaftPicture(const Shaft& shaft);
+  Picture drawn();
+
+ private:
+  void place_cylinders();
+  void place_torques(const Shaft& shaft);
+  void draw_cylinders();
+  void draw_bores();
+  void draw_diameter(const Cylinder& c);
+  void draw_torque(const TorqueSign& sign);
+  void draw_lengths();
+  void draw_length(double left, double right, double y);
+  void draw_note();
+  [[nodiscard]] double at(double x) const { return 0.5 * (shaft_left + shaft_right) + scale_ * (x - 0.5 * length_); }
+  [[nodiscard]] double radius_at(double x) const;
+  [[nodiscard]] std::string description() const;
+
+  std::vector<Cylinder> cylinders_;
+  std::vector<TorqueSign> torques_;
+  double length_ = 0.0, thickest_ = 0.0;  // m
+  double scale_ = 1.0, radial_scale_ = 1.0;
+  double radius_ = 0.0, axis_ = 0.0, height_ = 60.0;
+  SvgWriter svg_;
+};
+
+ShaftPicture::ShaftPicture(const Shaft& shaft) {
+  for (const auto& part : shaft.parts) {
+    const bool real = drawable(part.length) && drawable(part.diameter) && part.length > 1e-9 && part.diameter > 1e-9;
+    if (!real) continue;
+    cylinders_.push_back({&part, length_, length_ + part.length, 0.0, 0.0});
+    length_ += part.length;
+    thickest_ = std::max(thickest_, part.diameter);
+  }
+  if (cylinders_.empty()) return;
+  place_cylinders();
+  place_torques(shaft);
+}
+
+/// True to scale where that gives a readable drawing; a slender shaft is drawn thicker, a disc longer.
+void ShaftPicture::place_cylinders() {
+  const double longest = shaft_right - shaft_left;
+  scale_ = std::min(longest / length_, std::max(most_depth / thickest_, least_length / length_));
+  radius_ = 0.5 * std::clamp(scale_ * thickest_, least_depth, most_depth);
+  radial_scale_ = 2.0 * radius_ / thickest_;
+  for (Cylinder& c : cylinders_) {
+    c.left = at(c.left), c.right = at(c.right);
+    c.radius = 0.5 * radial_scale_ * c.part->diameter;
+    c.bore = drawable(c.part->bore) ? 0.5 * radial_scale_ * std::clamp(c.part->bore, 0.0, c.part->diameter) : 0.0;
+  }
+}
+
+void ShaftPicture::place_torques(const Shaft& shaft) {
+  Rows rows;
+  for (const auto& torque : shaft.torques) {
+    if (!drawable(torque.x) || !drawable(torque.value) || torque.value == 0.0) continue;
+    const std::string value = format_quantity(torque.value, "N*m", 4);
+    const std::string words = torque.label.empty() ? value : say("{1} = {2}", symbol(torque.label), value).text();
+    const Text text = typeset(words);
+    const double half = 0.5 * width(text, text_size);
+    const double x = at(std::clamp(torque.x, 0.0, length_));
+    const double centre = std::clamp(x, half + 4.0, view_width - half - 4.0);
+    torques_.push_back({&torque, text, x, half, rows.row_of(centre - half - 5.0, centre + half + 5.0)});
+  }
+  const double above = torques_.empty() ? 12.0 : rows.height() + torque_reach + 2.0 * torque_radius + 2.0;
+  axis_ = above + radius_;
+}
+
+double ShaftPicture::radius_at(double x) const {
+  double radius = 0.0;
+  for (const Cylinder& c : cylinders_) {
+    if (x >= c.left - 0.01 && x <= c.right + 0.01) radius = std::max(radius, c.radius);
+  }
+  return radius;
+}
+
+void ShaftPicture::draw_cylinders() {
+  for (const Cylinder& c : cylinders_) {
+    svg_.rectangle("plate outline", {c.left, axis_ - c.radius, c.right, axis_ + c.radius});
+  }
+  svg_.line("centre", {cylinders_.front().left - 14.0, axis_}, {cylinders_.back().right + 14.0, axis_});
+}
+
+void ShaftPicture::draw_bores() {
+  std::vector<std::pair<Point, Point>> hidden;
+  double before = cylinders_.front().bore;
+  for (const Cylinder& c : cylinders_) {
+    for (const double side : {-1.0, 1.0}) {
+      if (c.bore > 0.0) hidden.push_back({{c.left, axis_ + side * c.bore}, {c.right, axis_ + side * c.bore}});
+      if (c.bore != before) hidden.push_back({{c.left, axis_ + side * before}, {c.left, axis_ + side * c.bore}});
+    }
+    before = c.bore;
+  }
+  svg_.strokes("thin dash", hidden);
+}
+
+void ShaftPicture::draw_diameter(const Cylinder& c) {
+  constexpr double head = 7.0, gap = 5.0;
+  const Text text = typeset(diameter_text(c.part->diameter));
+  const std::string bore = diameter_text(c.part->bore);
+  const double wide = width(text, text_size), room = c.right - c.left, middle = 0.5 * (c.left + c.right);
+  if (room < 24.0) {
+    svg_.text("quiet", {middle + 4.0, axis_ - c.radius - 4.0}, text, Anchor::start, true);
+    return;
+  }
+  const bool lies = room > wide + 3.0 * gap;
+  const double x = lies ? middle - 0.5 * (wide + gap) : middle + 7.0;
+  svg_.line("thin", {x, axis_ - c.radius}, {x, axis_ + c.radius});
+  arrow_head(svg_, "solid", {x, axis_ - c.radius}, {0.0, -1.0}, head);
+  arrow_head(svg_, "solid", {x, axis_ + c.radius}, {0.0, 1.0}, head);
+  if (!lies) {
+    svg_.text("", {x - 4.0, axis_ - 4.0}, text, Anchor::start, true);
+    if (c.bore > 0.0) svg_.text("quiet", {x - 4.0, axis_ + 4.0}, typeset(bore), Anchor::end, true);
+    return;
+  }
+  svg_.text("", {x + gap, axis_ - 5.0}, text);
+  if (c.bore > 0.0) {
+    const Text named = typeset(say("bore {1}", bore).text());
+    const bool fits = x + gap + width(named, text_size) < c.right;
+    svg_.text("quiet", {x + gap, axis_ + 14.0}, fits ? named : typeset(bore));
+  }
+}
+
+/// The couple as the two forces that turn the shaft: out of the page (dot) and into it (cross).
+void ShaftPicture::draw_torque(const TorqueSign& sign) {
+  const double surface = radius_at(sign.x), level = radius_ + torque_reach;
+  const double dot_side = sign.torque->value > 0.0 ? -1.0 : 1.0;
+  for (const double side : {-1.0, 1.0}) {
+    const Point centre{sign.x, axis_ + side * level};
+    svg_.line("force c1", {sign.x, axis_ + side * surface}, {sign.x, centre.y - side * torque_radius});
+    svg_.circle("pin c1", centre, torque_radius);
+    if (side == dot_side) {
+      svg_.circle("f1", centre, 2.4);
+    } else {
+      const double r = torque_radius * std::sqrt(0.5);
+      const Point down{r, r}, up{r, -r};
+      svg_.strokes("outline c1", {{centre - down, centre + down}, {centre - up, centre + up}});
+    }
+  }
+  const double middle = std::clamp(sign.x, sign.half_width + 4.0, view_width - sign.half_width - 4.0);
+  const double y = axis_ - level - torque_radius - 6.0 - row_height * static_cast<double>(sign.row);
+  svg_.text("halo f1", {middle, y}, sign.text, Anchor::middle);
+}
+
+void ShaftPicture::draw_length(double left, double right, double y) {
+  constexpr double head = 7.0;
+  svg_.line("thin", {left, y}, {right, y});
+  if (right - left > 3.0 * head) {
+    arrow_head(svg_, "solid", {left, y}, {-1.0, 0.0}, head);
+    arrow_head(svg_, "solid", {right, y}, {1.0, 0.0}, head);
+  } else {
+    const Point stroke{3.0, -3.0};
+    svg_.strokes("thin", {{Point{left, y} - stroke, Point{left, y} + stroke},
+                          {Point{right, y} - stroke, Point{right, y} + stroke}});
+  }
+}
+
+void ShaftPicture::draw_lengths() {
+  const double first = axis_ + radius_ + (torques_.empty() ? 28.0 : torque_reach + torque_radius + 26.0);
+  Rows below;
+  for (const Cylinder& c : cylinders_) {
+    const Text text = typeset(millimetres(c.part->length));
+    const double half = 0.5 * width(text, text_size), middle = 0.5 * (c.left + c.right);
+    draw_length(c.left, c.right, first);
+    const bool inside = c.right - c.left > 2.0 * half + 4.0;
+    const double drop =
+        inside ? -5.0 : 15.0 + row_height * static_cast<double>(below.row_of(middle - half - 4.0, middle + half + 4.0));
+    svg_.text("", {middle, first + drop}, text, Anchor::middle);
+  }
+  const double from = cylinders_.front().left, to = cylinders_.back().right;
+  const bool several = cylinders_.size() > 1;
+  const double last = several ? first + below.height() + 26.0 : first;
+  if (several) {
+    draw_length(from, to, last);
+    svg_.text("", {0.5 * (from + to), last - 5.0}, typeset(millimetres(length_)), Anchor::middle);
+  }
+  for (const Cylinder& c : cylinders_) {
+    const double start =
+        torques_.empty() ? axis_ + c.radius + 3.0 : axis_ + radius_ + torque_reach + torque_radius + 3.0;
+    svg_.line("light", {c.right, start}, {c.right, &c == &cylinders_.back() ? last + 4.0 : first + 4.0});
+    if (&c == &cylinders_.front()) svg_.line("light", {c.left, start}, {c.left, last + 4.0});
+  }
+  height_ = last + 14.0;
+}
+
+void ShaftPicture::draw_note() {
+  const bool true_to_scale = std::fabs(radial_scale_ - scale_) < 1e-6 * scale_;
+  const auto note = true_to_scale ? say("in mm") : say("in mm; diameters not to the scale of the lengths");
+  svg_.text("quiet", {view_width - 6.0, height_ + 8.0}, typeset(note.text()), Anchor::end);
+  height_ += 16.0;
+}
+
+std::string ShaftPicture::description() const {
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
+  for (const Cylinder& c : cylinders_) {
+    const std::string length = format_quantity(c.part->length, "mm", 5), d = format_quantity(c.part->diameter, "mm", 5);
+    add(c.bore > 0.0
+            ? say("length {1}, diameter {2}, bore {3}", length, d, format_quantity(c.part->bore, "mm", 5)).text()
+            : say("length {1}, diameter {2}", length, d).text());
+  }
+  for (const TorqueSign& sign : torques_) {
+    add(say("torque {1} = {2} at {3}", plain(sign.torque->label), format_quantity(sign.torque->value, "N*m", 4),
+            format_quantity(sign.torque->x, "mm", 5))
+            .text());
+  }
+  return text;
+}
+
+Picture ShaftPicture::drawn() {
+  if (cylinders_.empty()) {
+    svg_.centred_text("quiet", {0.0, 0.0, view_width, height_}, typeset(say("not available").text()));
+    return {svg_, height_, say("not available").text()};
+  }
+  draw_cylinders();
+  draw_bores();
+  for (const Cylinder& c : cylinders_) draw_diameter(c);
+  for (const TorqueSign& sign : torques_) draw_torque(sign);
+  draw_lengths();
+  draw_note();
+  return {svg_, height_, description()};
+}
+
+}  // namespace
+
+Picture picture(const Shaft& shaft) { return ShaftPicture(shaft).drawn(); }
+
+}  // namespace loadpath::draw

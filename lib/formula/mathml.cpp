@@ -1,0 +1,144 @@
+#include <algorithm>
+
+#include "lib/formula/print.hpp"
+#include "lib/markup.hpp"
+
+namespace loadpath::formula {
+namespace {
+
+std::string element(std::string_view name, std::string_view content) {
+  return "<" + std::string(name) + ">" + std::string(content) + "</" + std::string(name.substr(0, name.find(' '))) +
+         ">";
+}
+/// One child of a fraction or a script: a single element, or a row of them.
+std::string one(std::string_view markup) {
+  return std::count(markup.begin(), markup.end(), '<') == 2 ? std::string(markup) : element("mrow", markup);
+}
+std::string upright(std::string_view letters) { return element("mi mathvariant=\"normal\"", letters); }
+std::string blank(std::string_view width) { return "<mspace width=\"" + std::string(width) + "\"/>"; }
+
+/// Delimiters grow with what is taller than a line only: the font's next size stands far from its content.
+bool is_tall(std::string_view markup) {
+  for (const std::string_view tall : {"<mfrac", "<mroot", "<msqrt", "<mtable"}) {
+    if (markup.find(tall) != std::string_view::npos) return true;
+  }
+  return false;
+}
+std::string delimited(std::string_view open, std::string_view inner, std::string_view close) {
+  const std::string stretchy = is_tall(inner) ? "" : " stretchy=\"false\"";
+  return element("mrow", element("mo form=\"prefix\"" + stretchy, open) + std::string(inner) +
+                             element("mo form=\"postfix\"" + stretchy, close));
+}
+
+/// mm⁴ with a raised 4.
+std::string unit_markup(std::string_view pretty) {
+  std::string out, letters;
+  for (const UnitRun& run : unit_runs(pretty)) {
+    letters = upright(escaped(run.letters));
+    out += run.exponent.empty() ? letters : element("msup", letters + element("mn", run.exponent));
+  }
+  return out;
+}
+
+std::string glyphs(const Glyphs& g) {
+  if (g.italic) return element("mi", g.letters());
+  const bool digits = g.text.find_first_of("0123456789") != std::string::npos;
+  return digits ? element("mn", g.text) : upright(g.letters());
+}
+
+std::string subscripts(const std::vector<Word>& words) {
+  std::string row;
+  for (const Word& word : words) {
+    if (!row.empty()) row += "<mo>,</mo>";
+    for (const Glyphs& g : word) row += glyphs(g);
+  }
+  return one(row);
+}
+
+std::string_view function_name(std::string_view cpp) {
+  if (cpp == "log") return "ln";
+  if (cpp == "asin") return "arcsin";
+  if (cpp == "acos") return "arccos";
+  if (cpp == "atan") return "arctan";
+  return cpp;
+}
+
+class MathML : public Notation {
+ public:
+  std::string words(std::string_view text) const override { return element("mtext", escaped(text)); }
+  std::string number(std::string_view digits) const override { return element("mn", digits); }
+  std::string symbol(const Symbol& s, std::string_view exponent) const override {
+    const std::string base = glyphs(s.base);
+    if (s.subscripts.empty()) return exponent.empty() ? base : element("msup", base + one(exponent));
+    const std::string lower = base + subscripts(s.subscripts);
+    return exponent.empty() ? element("msub", lower) : element("msubsup", lower + one(exponent));
+  }
+  std::string unit(std::string_view pretty) const override { return unit_markup(pretty); }
+  std::string quantity(std::string_view number, std::string_view unit) const override {
+    return std::string(number) + blank("0.2em") + unit_markup(unit);
+  }
+  std::string minus() const override { return "<mo form=\"prefix\">−</mo>"; }
+  std::string infix(std::string_view op) const override {
+    // An operator may open a line of its own: without the attribute it would be set as a sign.
+    return element("mo form=\"infix\"", sign(op));
+  }
+  std::string thin_space() const override { return blank("0.17em"); }
+  std::string fraction(std::string_view over, std::string_view under) const override {
+    return element("mfrac", one(over) + one(under));
+  }
+  std::string power(std::string_view base, std::string_view exponent, Level) const override {
+    return element("msup", one(base) + one(exponent));
+  }
+  std::string root(int degree, std::string_view radicand) const override {
+    if (degree == 2) return element("msqrt", radicand);
+    return element("mroot", one(radicand) + number(std::to_string(degree)));
+  }
+  std::string fenced(std::string_view inner) const override {
+    return delimited("(", inner, ")");
+  }
+  std::string magnitude(std::string_view inner) const override {
+    return delimited("|", inner, "|");
+  }
+  std::string call(std::string_view function, const std::vector<std::string>& arguments) const override {
+    std::string list;
+    for (const std::string& a : arguments) list += (list.empty() ? "" : "<mo separator=\"true\">,</mo>") + a;
+    return element("mi", function_name(function)) + "<mo>&#x2061;</mo>" + fenced(list);
+  }
+  std::string either(std::string_view condition, std::string_view yes, std::string_view no) const override {
+    const auto row = [](std::string_view value, std::string_view when) {
+      return element("mtr", element("mtd", value) + element("mtd", when));
+    };
+    const std::string rows = row(yes, words("if") + blank("0.3em") + std::string(condition)) + row(no, words("otherwise"));
+    return element("mrow", "<mo stretchy=\"true\" form=\"prefix\">{</mo>" + element("mtable class=\"cases\" displaystyle=\"true\"", rows));
+  }
+
+ private:
+  static std::string_view sign(std::string_view op) {
+    if (op == "-") return "−";
+    if (op == "*") return "⋅";
+    if (op == "<") return "&lt;";
+    if (op == ">") return "&gt;";
+    if (op == "<=") return "≤";
+    if (op == ">=") return "≥";
+    if (op == "==") return "=";
+    if (op == "!=") return "≠";
+    if (op == "&&") return "∧";
+    if (op == "||") return "∨";
+    return op;
+  }
+};
+
+const MathML notation;
+
+}  // namespace
+
+std::string symbol_mathml(std::string_view name) { return notation.symbol(symbol(name), {}); }
+std::string mathml(const Node& tree, const Substituted& substituted, const Known& known) {
+  return print(notation, tree, substituted, known);
+}
+std::vector<std::string> mathml_terms(const Node& tree, const Substituted& substituted, const Known& known) {
+  return print_terms(notation, tree, substituted, known);
+}
+std::string quantity_mathml(const Written& value) { return print_quantity(notation, value); }
+
+}  // namespace loadpath::formula

@@ -1,0 +1,77 @@
+#include "lib/mechanism/structure.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace loadpath::mechanism {
+namespace {
+
+std::vector<std::size_t> all(std::size_t count) {
+  std::vector<std::size_t> indices(count);
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  return indices;
+}
+
+Finding not_closing(const Model& model, const Structure& structure) {
+  return {Finding::About::joint, structure.open_joint,
+          say("joint '{1}' does not close: a gap of {2} stays open", model.joints[structure.open_joint].name,
+              format_quantity(structure.gap, "mm", 4)),
+          say("the stated poses are too far from an assembly, or the lengths do not permit one")};
+}
+
+Finding wrong_number_of_drivers(const Model& model, const Structure& structure) {
+  const auto drivers = static_cast<int>(model.drivers.size());
+  Message message =
+      say("mobility {1}, but number of drivers {2}", std::to_string(structure.mobility), std::to_string(drivers));
+  Message hint =
+      structure.mobility > drivers
+          ? say("add a driver, or take a freedom away: {1} can still move", names_of(model.links, structure.loose))
+          : say("remove a driver: {1}", names_of(model.drivers, all(model.drivers.size())));
+  return {Finding::About::model, 0, std::move(message), std::move(hint)};
+}
+
+Finding singular(const Model& model, const Structure& structure) {
+  return {
+      Finding::About::model, 0,
+      say("the stated position is singular: {1} can move in more than one way", names_of(model.links, structure.loose)),
+      say("state the assembly a little away from this position, so that it is known which way it goes")};
+}
+
+Finding redundant(const Model& model, const std::vector<std::size_t>& joints) {
+  return {Finding::About::joint, joints.front(),
+          say("the joints {1} together hold one freedom too many: their reactions are not unique",
+              names_of(model.joints, joints)),
+          say("replace one of them by a joint with more freedom, or remove a link that only repeats what others do")};
+}
+
+Finding without_effect(const Model& model, const Structure& structure) {
+  return {Finding::About::driver, 0,
+          say("the drivers {1} do not hold {2} at the stated position",
+              names_of(model.drivers, all(model.drivers.size())), names_of(model.links, structure.loose)),
+          say("this is a dead point of the drive, or two drivers act on the same freedom")};
+}
+
+std::vector<Finding> about_mobility(const Model& model, const Structure& structure) {
+  if (!structure.closes) return {not_closing(model, structure)};
+  if (structure.singular) return {singular(model, structure)};
+  std::vector<Finding> findings;
+  for (const auto& joints : structure.redundant) findings.push_back(redundant(model, joints));
+  if (structure.mobility != static_cast<int>(model.drivers.size())) {
+    findings.push_back(wrong_number_of_drivers(model, structure));
+  } else if (!structure.loose.empty()) {
+    findings.push_back(without_effect(model, structure));
+  }
+  return findings;
+}
+
+}  // namespace
+
+std::vector<Finding> diagnose(const Model& model) {
+  std::vector<Finding> findings = check_parts(model);
+  if (findings.empty()) findings = about_mobility(model, analyse(model));
+  return findings;
+}
+
+}  // namespace loadpath::mechanism

@@ -1,0 +1,52 @@
+// Whether a model can be solved: its numbers, how it hangs together, its mobility by count and by rank, its
+// redundancies.
+#pragma once
+
+#include "lib/issue.hpp"
+#include "lib/mechanism/model.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace loadpath::mechanism {
+
+/// What stands in the way of solving a model, and which part of it that concerns.
+struct Finding {
+  enum class About { model, link, joint, driver, load };
+  About about = About::model;
+  std::size_t index = 0;
+  Message message;
+  Message hint;
+};
+
+/// Empty when the model can be solved at its stated assembly. Mobility 0 without drivers is legal: statics.
+std::vector<Finding> diagnose(const Model& model);
+
+/// The part of `diagnose` that needs no geometry: numbers, references, what is connected with what.
+std::vector<Finding> check_parts(const Model& model);
+
+/// Mobility and rank at the assembly nearest to the stated poses. The model has passed `check_parts`.
+struct Structure {
+  int mobility_by_count = 0;  // 3 n - 2 p5 - p4
+  int mobility = 0;           // by rank; the drivers do not count
+  bool closes = false;
+  std::size_t open_joint = 0;  // when it does not close: the widest
+  double gap = 0.0;            // m
+  bool singular = false;       // the rank is lower here than nearby: a dead point or a change point
+  /// Sets of joints that share one constraint too many, whichever of them is blamed; their reactions are not unique.
+  std::vector<std::vector<std::size_t>> redundant;
+  /// Links that move though all drivers are held.
+  std::vector<std::size_t> loose;
+};
+Structure analyse(const Model& model);
+
+/// "'crank', 'rod'".
+template <class Parts>
+std::string names_of(const Parts& parts, const std::vector<std::size_t>& chosen) {
+  std::string text;
+  for (const auto k : chosen) text += (text.empty() ? "'" : ", '") + parts[k].name + "'";
+  return text;
+}
+
+}  // namespace loadpath::mechanism

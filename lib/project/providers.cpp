@@ -1,0 +1,77 @@
+#include "lib/project/providers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/quantity/format.hpp"
+#include "lib/table/table.hpp"
+
+namespace loadpath::project {
+
+namespace {
+
+/// The row that the step names for this input; nothing where it names none, or where the row does not exist.
+std::optional<Provided> from_table(const StepInput& input, const FieldInfo& field, void* data, std::vector<Issue>& issues) {
+  const auto named = input.rows.find(field.provider.table);
+  if (named == input.rows.end() || input.reading.typed.count(field.provider.unless) != 0) return std::nullopt;
+  const std::string& row = named->second.text;
+  const auto entry = table::find_row(table::active(), field.provider.table, row);
+  if (entry) return Provided{field.key, {&field, data}, row, {}};
+  const Place place = place_in(named->second.place, row, entry.fault().at, row.size());
+  const bool said = std::any_of(issues.begin(), issues.end(), [&](const Issue& i) {
+    return i.place.line == place.line && i.place.column == place.column && i.place.file == place.file;
+  });
+  if (!said) issues.push_back({place, input.name + "." + field.provider.table, entry.fault().message, entry.fault().hint, Severity::error});
+  return std::nullopt;
+}
+
+/// What comes along with everything that the expression of another input refers to.
+std::optional<Provided> from_companion(const StepInput& input, const FieldInfo& field, void* data, const Companion& companion) {
+  Provided provided{field.key, {&field, data}, "", {}};
+  for (const Operand& operand : input.reading.operands) {
+    if (operand.path != field.provider.column) continue;
+    for (const auto& reference : operand.expression.references()) {
+      std::string path = companion(reference.path);
+      if (!path.empty()) provided.companions.push_back(std::move(path));
+    }
+  }
+  return provided.companions.empty() ? std::nullopt : std::optional(std::move(provided));
+}
+
+}  // namespace
+
+std::vector<Provided> find_provided(const StepInput& input, const Companion& companion, std::vector<Issue>& issues) {
+  std::vector<Provided> found;
+  void* data = input.reading.record.data.get();
+  for (const FieldInfo& field : input.calculator->input->fields) {
+    if (field.type != FieldInfo::Type::quantity || input.reading.typed.count(field.key) != 0) continue;
+    std::optional<Provided> provided;
+    if (field.provider.kind == Provider::Kind::table) provided = from_table(input, field, data, issues);
+    if (field.provider.kind == Provider::Kind::companion) provided = from_companion(input, field, data, companion);
+    if (provided) found.push_back(std::move(*provided));
+  }
+  return found;
+}
+
+Lookup look_up(const Provided& provided, double size) {
+  const FieldInfo& field = *provided.leaf.field;
+  const double at = *field.provider.size == '\0' ? table::no_size : std::isnan(size) ? 0.0 : size;
+  const auto entry = table::find_row(table::active(), field.provider.table, provided.row);
+  if (!entry) return {std::nan(""), {}, false, entry.fault().message};
+  const auto property = table::property(*entry, field.provider.column, at);
+  if (!property) return {std::nan(""), {}, false, property.fault().message};
+  return {property->si, property->sources, property->recalled, {}};
+}
+
+std::vector<double> stock_values(const std::string& stock) {
+  const auto series = table::find_series(table::active(), stock);
+  return series ? table::members_in_si(**series) : std::vector<double>{};
+}
+
+std::vector<std::string> stock_names() {
+  std::vector<std::string> names;
+  for (const table::Series& series : table::active().series) names.push_back(series.name);
+  return names;
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,36 @@
+// Where the tokens of an expression end. Every function takes the text and the byte at which a token may start and
+// gives the byte after it; the same byte where no such token starts there.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace loadpath::expression {
+
+std::size_t skip_space(std::string_view text, std::size_t at);
+
+/// One character, all its bytes.
+std::size_t character_end(std::string_view text, std::size_t at);
+
+std::size_t digits_end(std::string_view text, std::size_t at);
+
+/// `*` or `·`.
+std::size_t times_end(std::string_view text, std::size_t at);
+
+/// `-` or the minus sign of typeset text.
+std::size_t minus_end(std::string_view text, std::size_t at);
+
+/// A name: [A-Za-z_][A-Za-z0-9_]*.
+std::size_t name_end(std::string_view text, std::size_t at);
+
+/// A reference: names joined by dots, each with an index or without: shaft.segments[2].tau. It needs a dot.
+std::size_t path_end(std::string_view text, std::size_t at);
+
+/// A word of letters of any script, as units are written: mm, °, об.
+std::size_t word_end(std::string_view text, std::size_t at);
+
+/// The longest unit: words with exponents joined by * · /, up to what is a reference, a call, a number or pi. Several
+/// divisors stand in parentheses (`W/(m*K)`), a reciprocal may begin with 1 (`1/min`), a `^` behind a word is its own.
+std::size_t unit_end(std::string_view text, std::size_t at);
+
+}  // namespace loadpath::expression

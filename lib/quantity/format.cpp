@@ -1,0 +1,89 @@
+#include "lib/quantity/format.hpp"
+
+#include "lib/quantity/cursor.hpp"
+#include "lib/quantity/unit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+
+namespace loadpath {
+namespace {
+
+constexpr std::string_view not_available = "not available";
+
+bool is_ratio(std::string_view unit) { return unit.empty() || unit == "-" || unit == "1"; }
+
+/// The significant digits of a positive number, without the zeros behind them, and the power of ten of the first.
+struct Significant {
+  std::string digits;
+  int ten = 0;
+};
+
+Significant significant(double value, int count) {
+  std::array<char, 40> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific,
+                                 std::clamp(count, 1, 17) - 1)
+                       .ptr;
+  const char* const e = std::find(buffer.data(), end, 'e');
+  Significant number;
+  std::from_chars(e + (e[1] == '+' ? 2 : 1), end, number.ten);
+  std::copy_if(static_cast<const char*>(buffer.data()), e, std::back_inserter(number.digits), is_digit);
+  number.digits.erase(number.digits.find_last_not_of('0') + 1);
+  return number;
+}
+
+std::string with_point(std::string digits, std::size_t whole) {
+  if (digits.size() <= whole) return digits.append(whole - digits.size(), '0');
+  return digits.insert(whole, 1, '.');
+}
+
+}  // namespace
+
+std::string format_number(double value, int digits) {
+  if (!std::isfinite(value)) return std::string(not_available);
+  if (value == 0.0) return "0";
+  const std::string sign = value < 0.0 ? "-" : "";
+  const auto [written, ten] = significant(std::fabs(value), digits);
+  if (ten < -4 || ten >= 7) return sign + with_point(written, 1) + "e" + std::to_string(ten);
+  if (ten < 0) return sign + "0." + std::string(static_cast<std::size_t>(-ten - 1), '0') + written;
+  return sign + with_point(written, static_cast<std::size_t>(ten) + 1);
+}
+
+std::string format_exact(double value) {
+  std::array<char, 40> buffer{};
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+}
+
+std::string format_quantity(double si, std::string_view unit, int digits) {
+  const std::string number = format_number(in_unit(si, unit), digits);
+  if (is_ratio(unit) || !std::isfinite(si)) return number;
+  return number + " " + pretty_unit(unit);
+}
+
+std::string pretty_unit(std::string_view unit) {
+  if (is_ratio(unit)) return {};
+  std::string pretty;
+  for (Cursor in{unit}; !in.done();) {
+    Cursor ahead = in;
+    if (const std::string power = ahead.take("^") ? ahead.signed_integer() : ""; !power.empty()) {
+      for (const char c : power) pretty += c == '-' ? "⁻" : superscripts[static_cast<std::size_t>(c - '0')];
+      in = ahead;
+    } else {
+      const char c = unit[in.at++];
+      pretty += c == '*' ? "·" : std::string(1, c);
+    }
+  }
+  return pretty;
+}
+
+double in_unit(double si, std::string_view unit) {
+  if (is_ratio(unit)) return si;
+  const Outcome<ParsedUnit> read = read_unit(unit, 0);
+  assert(read && "the unit of a field must be in the table");
+  return read->from_si(si);
+}
+
+}  // namespace loadpath

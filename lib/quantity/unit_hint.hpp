@@ -1,0 +1,20 @@
+// The remedies for a unit that cannot be read.
+#pragma once
+
+#include "lib/issue.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace loadpath {
+
+Message unknown_unit(std::string_view name);
+Message unknown_unit_hint(std::string_view name);
+
+/// "kNm" as "kN*m": two known names that were run together; empty where the name is no such pair.
+std::string split(std::string_view name);
+
+/// How `above/below` and then `sign rest` is written with one division: "N/m*s" as 'N/(m*s)' or 'N*s/m'.
+Message one_division(std::string_view above, std::string_view below, char sign, std::string_view rest);
+
+}  // namespace loadpath

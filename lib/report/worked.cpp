@@ -1,0 +1,57 @@
+#include "lib/report/worked.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/quantity/format.hpp"
+
+namespace loadpath::report {
+namespace {
+
+constexpr int given_digits = 5;
+
+const Step::Given* find(const Step& step, std::string_view name) {
+  const auto found =
+      std::find_if(step.given.begin(), step.given.end(), [&](const Step::Given& given) { return given.name == name; });
+  return found == step.given.end() ? nullptr : &*found;
+}
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_name(std::string_view text) {
+  return !text.empty() && is_letter(text.front()) &&
+         std::all_of(text.begin(), text.end(), [](char c) { return is_letter(c) || (c >= '0' && c <= '9'); });
+}
+
+}  // namespace
+
+formula::Written written(const Quantity& quantity) {
+  const std::string number = format_number(in_unit(quantity.si, quantity.unit), quantity.digits);
+  return {number, std::isfinite(quantity.si) ? pretty_unit(quantity.unit) : ""};
+}
+
+Worked worked(const Step& step) {
+  const auto substituted = [&step](std::string_view name) -> std::optional<formula::Written> {
+    const Step::Given* given = find(step, name);
+    if (given == nullptr || std::isnan(given->si)) return std::nullopt;
+    return written({given->si, given->unit, given_digits});
+  };
+  const auto known = [&step](std::string_view name) -> std::optional<double> {
+    const Step::Given* given = find(step, name);
+    return given == nullptr ? std::nullopt : std::optional(given->si);
+  };
+  return {formula::parse(step.formula), substituted, known};
+}
+
+NamedSymbol named_symbol(std::string_view path) {
+  const std::size_t dot = path.rfind('.');
+  if (dot == std::string_view::npos) return {{}, path};
+  return {path.substr(0, dot), path.substr(dot + 1)};
+}
+
+bool is_symbol(const Message& head) {
+  if (head.id != "{1}" || head.args.empty() || !is_name(head.args[0])) return false;
+  const std::string& name = head.args[0];
+  return name.size() == 1 || name.find('_') != std::string::npos || formula::symbol_plain(name) != name;
+}
+
+}  // namespace loadpath::report

@@ -1,0 +1,33 @@
+// What the writers share about steps and values: names, numbers and trees ready to be printed.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lib/formula/formula.hpp"
+#include "lib/report/document.hpp"
+
+namespace loadpath::report {
+
+formula::Written written(const Quantity& quantity);
+
+/// A step's formula and how its names are printed; it refers to the step.
+struct Worked {
+  std::optional<formula::Node> tree;  // none: no formula, or a text outside the language
+  formula::Substituted substituted;
+  formula::Known known;
+};
+Worked worked(const Step& step);
+
+/// "segments[2].u_tau": the place, empty at the top, and the symbol.
+struct NamedSymbol {
+  std::string_view where;
+  std::string_view symbol;
+};
+NamedSymbol named_symbol(std::string_view path);
+
+/// A heading of a table that is nothing but a symbol: "tau_t", "d".
+bool is_symbol(const Message& head);
+
+}  // namespace loadpath::report

@@ -1,0 +1,120 @@
+#include "lib/quantity/format.hpp"
+#include "lib/table/table.hpp"
+#include "lib/utf8.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::table {
+
+namespace {
+
+std::u32string folded(std::string_view name) {
+  std::u32string points = code_points(name);
+  points.erase(std::remove(points.begin(), points.end(), U' '), points.end());
+  std::transform(points.begin(), points.end(), points.begin(), lower_case);
+  return points;
+}
+
+bool is_alias(const Row& row, const std::u32string& wanted) {
+  return std::any_of(row.aliases.begin(), row.aliases.end(), [&](const std::string& a) { return folded(a) == wanted; });
+}
+
+/// The latest table wins: a user's stand behind the built-in ones.
+template <class Holds>
+Entry last_row(const Library& library, std::string_view group, Holds holds) {
+  for (auto table = library.tables.rbegin(); table != library.tables.rend(); ++table) {
+    if (table->group != group) continue;
+    const auto row = std::find_if(table->rows.begin(), table->rows.end(), holds);
+    if (row != table->rows.end()) return {&*table, &*row};
+  }
+  return {};
+}
+
+std::vector<std::string> names_of(const Library& library, std::string_view group) {
+  std::vector<std::string> names;
+  for (const Table& table : library.tables) {
+    if (table.group != group) continue;
+    for (const Row& row : table.rows) {
+      names.push_back(row.name);
+      names.insert(names.end(), row.aliases.begin(), row.aliases.end());
+    }
+  }
+  return names;
+}
+
+Message did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
+  const std::string near = nearest(word, candidates);
+  return near.empty() ? Message{} : say("did you mean '{1}'?", near);
+}
+
+Fault fault(Message message, Message hint = {}) { return {0, 1, std::move(message), std::move(hint)}; }
+
+const Value* value_of(const std::vector<Value>& values, std::string_view key) {
+  const auto found = std::find_if(values.begin(), values.end(), [&](const Value& v) { return v.key == key; });
+  return found == values.end() ? nullptr : &*found;
+}
+
+Fault no_such_column(const Table& table, std::string_view key) {
+  std::vector<std::string> keys;
+  for (const Column& column : table.columns) keys.push_back(column.key);
+  return fault(say("the table '{1}' has no property '{2}'", table.name, key), did_you_mean(key, keys));
+}
+
+Fault no_value_at(const Entry& entry, std::string_view key, double size) {
+  const double covered = covered_size(entry, key);
+  const std::string& name = entry.row->name;
+  const auto text = [&](double x) { return format_quantity(x, entry.table->size.unit); };
+  if (covered == 0.0) return fault(say("'{1}' has no value of {2}", name, key));
+  if (std::isnan(size)) {
+    return fault(say("{1} of '{2}' depends on the size, which is not given", key, name),
+                 say("it is given up to {1}", text(covered)));
+  }
+  return fault(say("{1} of '{2}' is given up to {3}, not for {4}", key, name, text(covered), text(size)));
+}
+
+}  // namespace
+
+const Column* Table::column(std::string_view key) const {
+  const auto found = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.key == key; });
+  return found == columns.end() ? nullptr : &*found;
+}
+
+Outcome<Entry> find_row(const Library& library, std::string_view group, std::string_view name) {
+  const std::u32string wanted = folded(name);
+  Entry entry = last_row(library, group, [&](const Row& row) { return folded(row.name) == wanted; });
+  if (entry.row == nullptr) entry = last_row(library, group, [&](const Row& row) { return is_alias(row, wanted); });
+  if (entry.row != nullptr) return entry;
+  return fault(say("there is no {1} '{2}' in the tables", group, name), did_you_mean(name, names_of(library, group)));
+}
+
+Outcome<Property> property(const Entry& entry, std::string_view key, double size) {
+  const Column* column = entry.table->column(key);
+  if (column == nullptr) return no_such_column(*entry.table, key);
+  const Value* value = value_of(entry.row->values, key);
+  for (const Step& step : entry.row->by_size) {
+    if (value == nullptr && size <= step.size_max) value = value_of(step.values, key);
+  }
+  if (value == nullptr) return no_value_at(entry, key, size);
+  return Property{value->si, column->unit, value->sources, value->sources.empty()};
+}
+
+double covered_size(const Entry& entry, std::string_view key) {
+  if (value_of(entry.row->values, key) != nullptr) return std::numeric_limits<double>::infinity();
+  double covered = 0.0;
+  for (const Step& step : entry.row->by_size) {
+    if (value_of(step.values, key) != nullptr) covered = step.size_max;
+  }
+  return covered;
+}
+
+Outcome<const Series*> find_series(const Library& library, std::string_view name) {
+  std::vector<std::string> names;
+  for (const Series& series : library.series) {
+    if (series.name == name) return &series;
+    names.push_back(series.name);
+  }
+  return fault(say("there is no series '{1}'", name), did_you_mean(name, names));
+}
+
+}  // namespace loadpath::table

@@ -1,0 +1,118 @@
+#include "lib/table/reader.hpp"
+
+#include <algorithm>
+
+namespace loadpath::table {
+
+namespace {
+
+template <class Named>
+void replace_or_add(std::vector<Named>& all, Named one) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Named& n) { return n.name == one.name; });
+  if (found == all.end()) {
+    all.push_back(std::move(one));
+  } else {
+    *found = std::move(one);
+  }
+}
+
+}  // namespace
+
+void Reader::read(std::string_view text, const std::string& file) {
+  const Tree tree = io::read_toml(text, file, issues_);
+  check_keys(tree, {"table", "group", "title", "units", "unit", "row", "series", "sources", "methods"}, "");
+  if (const auto* sources = tree.find("sources")) read_citations(sources->value, false);
+  if (const auto* methods = tree.find("methods")) read_citations(methods->value, true);
+  if (tree.find("row") != nullptr) read_rows(tree);
+  if (tree.find("series") != nullptr) read_series_list(tree);
+}
+
+void Reader::read_citations(const Tree& table, bool of_method) {
+  for (const auto& entry : table.entries) {
+    library_.citations[entry.key] = {text_of(table, entry.key, "sources"), of_method};
+  }
+}
+
+Table& Reader::table_of(const Tree& file) {
+  Table head;
+  head.name = text_of(file, "table", "", true);
+  head.group = text_of(file, "group", "", true);
+  head.title = text_of(file, "title", "");
+  const auto same = [&](const Table& t) { return t.name == head.name; };
+  const auto found = std::find_if(library_.tables.begin(), library_.tables.end(), same);
+  return found != library_.tables.end() ? *found : library_.tables.emplace_back(std::move(head));
+}
+
+void Reader::read_rows(const Tree& file) {
+  Table& table = table_of(file);
+  const auto units = read_units(file, table);
+  add_columns(table, units);
+  std::set<std::string> seen;
+  for (const Tree& tree : file.find("row")->value.items) {
+    Row row;
+    if (!read_row(tree, units, row)) continue;
+    if (!seen.insert(row.name).second) complain(tree.place, row.name, say("there are two rows '{1}'", row.name));
+    replace_or_add(table.rows, std::move(row));
+  }
+}
+
+void Reader::read_series_list(const Tree& file) {
+  Series head;
+  head.table = text_of(file, "table", "", true);
+  head.unit = text_of(file, "unit", "", true);
+  const auto unit = file.find("unit");
+  if (const auto read = read_unit(head.unit, 0); unit != nullptr && !read) {
+    return complain(unit->value.place, "unit", read.fault().message, read.fault().hint);
+  }
+  for (const Tree& tree : file.find("series")->value.items) {
+    Series series = head;
+    if (read_series(tree, series)) replace_or_add(library_.series, std::move(series));
+  }
+}
+
+std::vector<Reader::ReadColumn> Reader::read_units(const Tree& file, const Table& table) {
+  std::vector<ReadColumn> units;
+  const auto* head = file.find("units");
+  if (head == nullptr) complain(file.place, "", say("'{1}' is missing", "units"));
+  for (std::size_t i = 0; head != nullptr && i < head->value.entries.size(); ++i) {
+    const auto& [key, place, value] = head->value.entries[i];
+    ReadColumn read{{key, value.text, {}}, {}};
+    if (value.text != "-") {
+      const auto unit = read_unit(value.text, 0);
+      if (!unit) complain(value.place, key, unit.fault().message, unit.fault().hint);
+      read.unit = unit ? *unit : ParsedUnit{};
+      read.column.dimension = read.unit.dimension;
+    }
+    const Column* known = key == table.size.key ? &table.size : table.column(key);
+    if (known != nullptr && !(known->dimension == read.column.dimension)) {
+      complain(value.place, key,
+               say("{1} of '{2}' is a {3}, not a {4}", key, table.name, name_of(known->dimension),
+                   name_of(read.column.dimension)));
+    }
+    units.push_back(std::move(read));
+  }
+  return units;
+}
+
+void Reader::add_columns(Table& table, const std::vector<ReadColumn>& units) {
+  for (const ReadColumn& read : units) {
+    if (read.column.key == "size_max") {
+      if (table.size.key.empty()) table.size = read.column;
+    } else if (table.column(read.column.key) == nullptr) {
+      table.columns.push_back(read.column);
+    }
+  }
+}
+
+void Reader::check_citations() {
+  std::vector<std::string> keys;
+  for (const auto& [key, citation] : library_.citations) keys.push_back(key);
+  for (const Cited& cited : cited_) {
+    if (library_.citations.count(cited.key) != 0) continue;
+    const std::string near = nearest(cited.key, keys);
+    complain(cited.place, "", say("there is no source '{1}'", cited.key),
+             near.empty() ? say("name it in [sources]") : say("did you mean '{1}'?", near));
+  }
+}
+
+}  // namespace loadpath::table

@@ -1,0 +1,122 @@
+#include "lib/table/reader.hpp"
+
+#include <algorithm>
+
+namespace loadpath::table {
+
+namespace {
+
+constexpr std::string_view words[] = {"name",    "aliases", "standard", "kind",    "note",
+                                      "by_size", "sources", "cite",     "recalled"};
+
+bool is_word(std::string_view key) { return std::find(std::begin(words), std::end(words), key) != std::end(words); }
+
+bool has(const std::vector<Value>& values, std::string_view key) {
+  return std::any_of(values.begin(), values.end(), [&](const Value& v) { return v.key == key; });
+}
+
+}  // namespace
+
+bool Reader::read_row(const Tree& tree, const std::vector<ReadColumn>& units, Row& row) {
+  const std::size_t before = issues_.size();
+  row.name = text_of(tree, "name", "", true);
+  row.standard = text_of(tree, "standard", row.name);
+  row.kind = text_of(tree, "kind", row.name);
+  row.note = text_of(tree, "note", row.name);
+  if (const auto* aliases = tree.find("aliases")) row.aliases = texts(aliases->value, row.name + ".aliases");
+  const Credit credit = read_credit(tree, row.name);
+  for (const auto& entry : tree.entries) {
+    if (!is_word(entry.key)) add_value(entry, units, row.name, {&credit}, row.values);
+  }
+  if (const auto* steps = tree.find("by_size")) read_steps(steps->value, units, row, credit);
+  check_recalled(tree, row, credit);
+  return issues_.size() == before;
+}
+
+void Reader::read_steps(const Tree& tree, const std::vector<ReadColumn>& units, Row& row, const Credit& credit) {
+  for (const Tree& item : tree.items) {
+    Step step = read_step(item, units, row.name, credit);
+    const double last = row.by_size.empty() ? 0.0 : row.by_size.back().size_max;
+    if (!(step.size_max > last)) complain(item.place, row.name + ".by_size", say("sizes must ascend from above zero"));
+    row.by_size.push_back(std::move(step));
+  }
+}
+
+Step Reader::read_step(const Tree& tree, const std::vector<ReadColumn>& units, const std::string& row,
+                       const Credit& credit) {
+  Step step;
+  const Credit own = read_credit(tree, row);
+  const Credit size{{"size_max"}, {}, {}, true};  // a size is the form of the table, it needs no source
+  for (const auto& entry : tree.entries) {
+    if (entry.key == "size_max") {
+      std::vector<Value> sizes;
+      add_value(entry, units, row, {&size}, sizes);
+      if (!sizes.empty()) step.size_max = sizes[0].si;
+    } else if (!is_word(entry.key)) {
+      add_value(entry, units, row, {&own, &credit}, step.values);
+    }
+  }
+  return step;
+}
+
+void Reader::add_value(const Tree::Entry& entry, const std::vector<ReadColumn>& units, const std::string& row,
+                       const std::vector<const Credit*>& credits, std::vector<Value>& values) {
+  const auto& [key, place, tree] = entry;
+  const auto unit = std::find_if(units.begin(), units.end(), [&k = key](const auto& u) { return u.column.key == k; });
+  if (unit == units.end()) {
+    Texts known(std::begin(words), std::end(words));
+    for (const ReadColumn& read : units) known.push_back(read.column.key);
+    const std::string near = nearest(key, known);
+    return complain(place, row + "." + key, say("'{1}' has no unit in 'units'", key),
+                    near.empty() ? Message{} : say("did you mean '{1}'?", near));
+  }
+  if (tree.type != Tree::Type::number) {
+    return complain(tree.place, row + "." + key, say("{1} must be a number", key),
+                    say("it is read in {1}, as 'units' says", unit->column.unit));
+  }
+  Value value{key, unit->unit.to_si(tree.number), {}};
+  for (const Credit* credit : credits) {
+    const auto cited = credit->cited.find(key);
+    if (cited != credit->cited.end()) value.sources = cited->second;
+    if (!value.sources.empty() || credit->all_recalled || credit->recalled.count(key) != 0) {
+      return values.push_back(std::move(value));
+    }
+    if (!credit->sources.empty()) {
+      value.sources = credit->sources;
+      return values.push_back(std::move(value));
+    }
+  }
+  complain(place, row + "." + key, say("{1} of '{2}' has no source", key, row),
+           say("name it in 'sources' or 'cite', or in 'recalled' where none was seen"));
+}
+
+void Reader::check_recalled(const Tree& tree, const Row& row, const Credit& credit) {
+  Texts named(credit.recalled.begin(), credit.recalled.end());
+  for (const auto& [key, sources] : credit.cited) named.push_back(key);
+  for (const std::string& key : named) {
+    const auto in_step = [&](const Step& step) { return has(step.values, key); };
+    if (has(row.values, key) || std::any_of(row.by_size.begin(), row.by_size.end(), in_step)) continue;
+    complain(tree.place, row.name, say("'{1}' has no value of {2}", row.name, key));
+  }
+}
+
+Reader::Credit Reader::read_credit(const Tree& tree, const std::string& row) {
+  Credit credit;
+  if (const auto* named = tree.find("sources")) credit.sources = sources(named->value, row + ".sources");
+  if (const auto* cite = tree.find("cite")) {
+    for (const auto& [source, place, keys] : cite->value.entries) {
+      cited_.push_back({source, place});
+      for (const std::string& key : texts(keys, row + ".cite")) credit.cited[key].push_back(source);
+    }
+  }
+  if (const auto* recalled = tree.find("recalled")) {
+    credit.all_recalled = recalled->value.type == Tree::Type::boolean && recalled->value.text == "true";
+    if (!credit.all_recalled) {
+      const Texts keys = texts(recalled->value, row + ".recalled");
+      credit.recalled = {keys.begin(), keys.end()};
+    }
+  }
+  return credit;
+}
+
+}  // namespace loadpath::table

@@ -1,0 +1,76 @@
+// Reads files of tables into a library. What is wrong becomes issues; the rest is read all the same.
+#pragma once
+
+#include "lib/io/tree.hpp"
+#include "lib/quantity/unit.hpp"
+#include "lib/table/table.hpp"
+
+#include <set>
+
+namespace loadpath::table {
+
+class Reader {
+ public:
+  Reader(Library& library, std::vector<Issue>& issues) : library_(library), issues_(issues) {}
+
+  void read(std::string_view text, const std::string& file);
+
+  /// Every key that was cited must have its citation, in whatever file.
+  void check_citations();
+
+ private:
+  using Tree = io::Tree;
+  using Texts = std::vector<std::string>;
+
+  struct ReadColumn {
+    Column column;
+    ParsedUnit unit;
+  };
+
+  /// Where the values of a row, a step or a series come from.
+  struct Credit {
+    Texts sources;
+    std::map<std::string, Texts> cited;  // key of a value -> sources
+    std::set<std::string> recalled;      // keys of values
+    bool all_recalled = false;
+  };
+
+  struct Cited {
+    std::string key;
+    Place place;
+  };
+
+  void read_citations(const Tree& table, bool of_method);
+  void read_rows(const Tree& file);
+  void read_series_list(const Tree& file);
+
+  Table& table_of(const Tree& file);
+  std::vector<ReadColumn> read_units(const Tree& file, const Table& table);
+  void add_columns(Table& table, const std::vector<ReadColumn>& units);
+  bool read_row(const Tree& tree, const std::vector<ReadColumn>& units, Row& row);
+  void read_entry(const Tree::Entry& entry, const std::vector<ReadColumn>& units, Row& row, const Credit& credit);
+  void read_steps(const Tree& tree, const std::vector<ReadColumn>& units, Row& row, const Credit& credit);
+  Step read_step(const Tree& tree, const std::vector<ReadColumn>& units, const std::string& row, const Credit& credit);
+  void add_value(const Tree::Entry& entry, const std::vector<ReadColumn>& units, const std::string& row,
+                 const std::vector<const Credit*>& credits, std::vector<Value>& values);
+  void check_recalled(const Tree& tree, const Row& row, const Credit& credit);
+
+  bool read_series(const Tree& tree, Series& series);
+  std::vector<double> ascending(const Tree& tree, const std::string& key);
+  std::vector<double> repeated(const Tree& tree, const std::vector<double>& decade, const std::string& name);
+  void read_origin(const Tree& tree, const std::vector<double>& listed, Series& series);
+
+  Credit read_credit(const Tree& tree, const std::string& row);
+  std::string text_of(const Tree& table, std::string_view key, const std::string& row, bool needed = false);
+  Texts texts(const Tree& tree, const std::string& key);
+  Texts sources(const Tree& tree, const std::string& key);
+  std::vector<double> numbers(const Tree& tree, const std::string& key);
+  void check_keys(const Tree& table, const Texts& known, const std::string& row);
+  void complain(const Place& place, std::string key, Message message, Message hint = {});
+
+  Library& library_;
+  std::vector<Issue>& issues_;
+  std::vector<Cited> cited_;
+};
+
+}  // namespace loadpath::table

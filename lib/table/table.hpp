@@ -1,0 +1,134 @@
+// Sourced data: properties of materials by size, series of preferred sizes, and the citations behind both.
+//
+// A value names its sources, or it is recalled: known from a standard or a handbook, but not yet seen in a source.
+#pragma once
+
+#include "lib/issue.hpp"
+#include "lib/quantity/dimension.hpp"
+
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loadpath::table {
+
+struct Value {
+  std::string key;
+  double si = 0.0;
+  std::vector<std::string> sources;  // keys of citations; none: recalled
+};
+
+/// Values that hold up to and including a size.
+struct Step {
+  double size_max = 0.0;
+  std::vector<Value> values;
+};
+
+struct Row {
+  std::string name;
+  std::vector<std::string> aliases;
+  std::string standard;
+  std::string kind;
+  std::string note;
+  std::vector<Value> values;  // at any size
+  std::vector<Step> by_size;  // ascending
+};
+
+struct Column {
+  std::string key;
+  std::string unit;  // for display; the values are SI
+  Dimension dimension;
+};
+
+struct Table {
+  std::string name;   // "materials/cast_iron"
+  std::string group;  // what a project file calls its rows: "material"
+  std::string title;
+  std::vector<Column> columns;
+  Column size;
+  std::vector<Row> rows;
+
+  [[nodiscard]] const Column* column(std::string_view key) const;
+};
+
+/// Sizes to choose from, ascending.
+struct Series {
+  std::string table;  // "preferred/numbers"
+  std::string name;   // "R40"
+  std::string title;
+  std::string unit;
+  std::vector<double> members;  // in the unit, each the double nearest to its decimal: 31.5
+  std::vector<std::string> sources;
+  std::vector<double> recalled;  // of the numbers that the file lists
+};
+
+struct Citation {
+  std::string text;
+  bool of_method = false;  // cited by a calculator, not by a value
+};
+
+struct Library {
+  std::vector<Table> tables;
+  std::vector<Series> series;
+  std::map<std::string, Citation, std::less<>> citations;
+};
+
+/// The tables that are built into the program, read when first asked for.
+const Library& built_in();
+
+/// A library with the tables of a file laid over it: rows and series of the same name are replaced, others are added.
+Library overlaid(Library base, std::string_view text, const std::string& file, std::vector<Issue>& issues);
+
+/// What look-ups without a library use: the built-in tables, or those that the command line put in their place before
+/// any project is read.
+const Library& active();
+void activate(Library library);
+
+struct Entry {
+  const Table* table = nullptr;
+  const Row* row = nullptr;
+};
+
+/// A row by its name, else by an alias, whatever the case and the spaces.
+Outcome<Entry> find_row(const Library& library, std::string_view group, std::string_view name);
+
+struct Property {
+  double si = 0.0;
+  std::string unit;
+  std::vector<std::string> sources;
+  bool recalled = false;
+};
+
+inline constexpr double no_size = std::numeric_limits<double>::quiet_NaN();
+
+/// A property at a size (SI). A size beyond the last one of the row has none: its strength is not covered.
+Outcome<Property> property(const Entry& entry, std::string_view key, double size = no_size);
+
+/// The largest size that a property is given for: infinite where it holds at any, zero where the row has no such value.
+double covered_size(const Entry& entry, std::string_view key);
+
+Outcome<const Series*> find_series(const Library& library, std::string_view name);
+
+/// The smallest member at or above a number in the unit of the series; a number that rounding put just above stays.
+Outcome<double> at_or_above(const Series& series, double number);
+
+std::vector<double> members_in_si(const Series& series);
+
+/// A value that no source was seen for.
+struct Recalled {
+  std::string table;
+  std::string row;
+  std::string key;  // of a member of a series: empty
+  double size_max = std::numeric_limits<double>::infinity();
+  double si = 0.0;
+  std::string unit;
+};
+
+std::vector<Recalled> audit(const Library& library);
+
+/// The bibliographic entry of a key; empty where there is none.
+std::string citation(std::string_view key);
+
+}  // namespace loadpath::table

@@ -1,0 +1,28 @@
+# Installs what is missing, from Debian, and nothing else. Sourced: `install_missing [--replace] PACKAGE...`.
+# Boost 1.81 takes the place of 1.74: apt would remove the old headers and what needs them without a question, so what it
+# would remove is shown and left to the user.
+install_missing() {
+  replace=""
+  if [ "${1:-}" = "--replace" ]; then replace=yes; shift; fi
+  missing=""
+  for package in "$@"; do
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q "ok installed" || missing="$missing $package"
+  done
+  [ -z "$missing" ] && return 0
+  echo "installing:$missing"
+  sudo=""
+  if [ "$(id -u)" != 0 ]; then
+    command -v sudo >/dev/null || { echo "error: packages are missing; run as root or install sudo" >&2; return 1; }
+    sudo=sudo
+  fi
+  $sudo apt-get update -qq
+  removed=$(apt-get install -s --no-install-recommends $missing | awk '/^Remv/ { print "  " $2 }')
+  if [ -n "$removed" ] && [ -z "$replace" ]; then
+    printf 'error: installing these would remove:\n%s\nrun again with --replace to agree\n' "$removed" >&2
+    return 1
+  fi
+  $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
+}
+
+build_packages="g++ cmake ninja-build libboost1.81-dev libboost-json1.81-dev libcli11-dev libtomlplusplus-dev libeigen3-dev"
+test_packages="doctest-dev"

@@ -1,0 +1,39 @@
+#!/bin/sh
+# Makes lib/report/fonts/loadpath-math.woff2 from STIX Math 1.1.1: what formulas need, with the MATH table, renamed as
+# the licence of a font with reserved names asks for. Needs fonts-stix, python3-fonttools and python3-brotli.
+set -eu
+source_font=${1:-/usr/share/fonts/opentype/stix-word/STIXMath-Regular.otf}
+target=$(cd "$(dirname "$0")/.." && pwd)/lib/report/fonts/loadpath-math.woff2
+renamed=$(mktemp --suffix=.otf)
+trap 'rm -f "$renamed"' EXIT
+
+/usr/bin/python3 - "$source_font" "$renamed" <<'PYTHON'
+import sys
+from fontTools.ttLib import TTFont
+
+font = TTFont(sys.argv[1], recalcTimestamp=False)
+names = {1: "Loadpath Math", 2: "Regular", 3: "Loadpath Math subset of version 1.1.1", 4: "Loadpath Math",
+         6: "LoadpathMath-Regular"}
+kept = {0, 13, 14}
+font["name"].names = [record for record in font["name"].names if record.nameID in kept]
+for number, text in names.items():
+    font["name"].setName(text, number, 3, 1, 0x409)
+cff = font["CFF "].cff
+cff.fontNames = ["LoadpathMath-Regular"]
+for key in ("FullName", "FamilyName"):
+    setattr(cff.topDictIndex[0], key, "Loadpath Math")
+# Browsers stop the index of a root short of its sign, so it is set nearer and lower.
+constants = font["MATH"].table.MathConstants
+constants.RadicalKernBeforeDegree.Value = 60
+constants.RadicalKernAfterDegree.Value = -360
+constants.RadicalDegreeBottomRaisePercent = 62
+font.save(sys.argv[2])
+PYTHON
+
+# Latin and its signs, Greek, punctuation, superscripts, letters, arrows, operators, radicals and fences, math italics
+/usr/bin/python3 -m fontTools.subset "$renamed" --output-file="$target" --flavor=woff2 --layout-features='*' \
+  --drop-tables+=FFTM --no-hinting --desubroutinize --no-recalc-timestamp --name-IDs='*' --notdef-outline --unicodes="\
+U+0020-007E,U+00A0,U+00AC,U+00B0-00B3,U+00B5,U+00B7,U+00B9,U+00D7,U+00F7,U+0391-03A1,U+03A3-03A9,U+03B1-03C9,U+03D1,\
+U+03D5,U+2009,U+200A,U+2013,U+2026,U+2032,U+2033,U+2044,U+210E,U+2126,U+2190,\
+U+2192,U+2202,U+2206,U+2211,U+2212,U+2215,U+221A-221C,U+221E,U+2223,U+2227,U+2228,U+222B,U+2248,U+2260,U+2264,U+2265,\
+U+22C5,U+1D434-1D467,U+1D6E2-1D71B"

@@ -1,0 +1,55 @@
+#include "tests/lib/draw/figures.hpp"
+#include "tests/lib/draw/svg_reader.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace loadpath::draw;
+using namespace loadpath::draw::test;
+
+TEST_SUITE("draw") {
+  TEST_CASE("a shaft carries its diameters, bore, lengths and torques") {
+    const std::string text = drawn(stepped_shaft());
+    for (const char* label : {"⌀50", "⌀70", "⌀55", "bore ⌀20", "300", "500", "200", "1000", "T1 = 900 N·m"}) {
+      CHECK_MESSAGE(says(text, label), label);
+    }
+    CHECK(count(text, "<rect class=\"plate ") == 3);
+    CHECK(count(text, "<path class=\"centre\"") == 1);
+    CHECK(count(text, "<path class=\"thin dash\"") == 1);
+  }
+
+  TEST_CASE("a positive torque comes out of the page above, a negative one below") {
+    Shaft shaft = stepped_shaft();
+    for (const double torque : {5.0, -5.0}) {
+      shaft.torques = {{0.5, torque, "T"}};
+      const std::string text = drawn(shaft);
+      const auto circles = elements(text, "circle");
+      REQUIRE(circles.size() == 3);
+      const auto dot = std::find_if(circles.begin(), circles.end(),
+                                    [](const Element& e) { return attribute(e.tag, "class") == "f1"; });
+      REQUIRE(dot != circles.end());
+      const double middle = 0.5 * (number(circles.front().tag, "cy") + number(circles.back().tag, "cy"));
+      CHECK((number(dot->tag, "cy") < middle) == (torque > 0.0));
+    }
+  }
+
+  TEST_CASE("a slender shaft is drawn thicker and says so") {
+    CHECK(says(drawn(stepped_shaft()), "in mm; diameters not to the scale of the lengths"));
+    Shaft stout;
+    stout.parts = {{0.1, 0.04, 0.0}, {0.08, 0.03, 0.0}};
+    CHECK(says(drawn(stout), "in mm"));
+  }
+
+  TEST_CASE("neighbouring torques are written in rows") {
+    Shaft shaft = stepped_shaft();
+    shaft.torques = {{0.50, 1.5, "T_1"}, {0.52, -1.5, "T_2"}, {0.54, 2.5, "T_3"}};
+    CHECK(overlap(drawn(shaft)) == "");
+  }
+
+  TEST_CASE("short parts keep their dimensions apart") {
+    Shaft shaft;
+    for (int i = 0; i < 12; ++i) shaft.parts.push_back({i % 2 == 0 ? 0.1 : 0.004, i % 2 == 0 ? 0.05 : 0.07, 0.0});
+    CHECK(overlap(drawn(shaft)) == "");
+  }
+
+  TEST_CASE("a shaft without parts says so") { CHECK(says(drawn(Shaft{}), "not available")); }
+}

@@ -1,0 +1,141 @@
+// Mechanisms that several tests use.
+#pragma once
+
+#include "lib/mechanism/model.hpp"
+#include "lib/mechanism/whole_system.hpp"
+
+#include <string>
+#include <utility>
+
+namespace loadpath::mechanism::models {
+
+inline int add_link(Model& model, std::string name, Pose pose, double mass = 0.0, double inertia = 0.0,
+                    Vec centre = {}) {
+  model.links.push_back({std::move(name), mass, inertia, centre, pose});
+  return static_cast<int>(model.links.size()) - 1;
+}
+
+/// A slender bar from its frame's origin along its x axis.
+inline int add_bar(Model& model, std::string name, Pose pose, double length, double mass) {
+  return add_link(model, std::move(name), pose, mass, mass * length * length / 12.0, {length / 2.0, 0.0});
+}
+
+inline void pin(Model& model, std::string name, int i, Vec point_i, int j, Vec point_j) {
+  model.joints.push_back({std::move(name), JointKind::revolute, i, j, point_i, point_j});
+}
+
+inline void slide(Model& model, std::string name, int i, Vec point_i, int j, Vec point_j, double direction = 0.0,
+                  double angle = 0.0) {
+  model.joints.push_back({std::move(name), JointKind::prismatic, i, j, point_i, point_j, direction, angle});
+}
+
+inline void slot(Model& model, std::string name, int i, Vec point_i, int j, Vec point_j, double direction = 0.0) {
+  model.joints.push_back({std::move(name), JointKind::slot, i, j, point_i, point_j, direction});
+}
+
+inline void drive_turning(Model& model, std::string name, int i, int j = ground, double offset = 0.0) {
+  model.drivers.push_back({std::move(name), Driver::Kind::rotary, i, j, -1, offset});
+}
+
+inline void drive_sliding(Model& model, std::string name, int joint, double offset = 0.0) {
+  model.drivers.push_back({std::move(name), Driver::Kind::linear, ground, ground, joint, offset});
+}
+
+inline void load(Model& model, std::string name, int link, Vec point, Vec force, double moment = 0.0) {
+  model.loads.push_back({std::move(name), link, point, force, false, moment});
+}
+
+/// Crank 0.1 m, rod 0.3 m, piston 2 kg on the x axis with -1000 N.
+inline Model slider_crank() {
+  Model model;
+  model.gravity = {0.0, -9.81};
+  const int crank = add_bar(model, "crank", {0.0, 0.0, 1.0}, 0.1, 1.0);
+  const int rod = add_bar(model, "rod", {0.054, 0.084, -0.28}, 0.3, 1.5);
+  const int piston = add_link(model, "piston", {0.34, 0.0, 0.0}, 2.0);
+  pin(model, "O", crank, {}, ground, {});
+  pin(model, "A", rod, {}, crank, {0.1, 0.0});
+  pin(model, "B", piston, {}, rod, {0.3, 0.0});
+  slide(model, "guide", piston, {}, ground, {});
+  drive_turning(model, "motor", crank);
+  load(model, "gas", piston, {}, {-1000.0, 0.0});
+  return model;
+}
+
+/// Crank 0.1, coupler 0.35, rocker 0.3, ground 0.4 m.
+inline Model four_bar_without_load() {
+  Model model;
+  model.gravity = {0.0, -9.81};
+  const int crank = add_bar(model, "crank", {0.0, 0.0, 1.0}, 0.1, 1.0);
+  const int coupler = add_bar(model, "coupler", {0.054, 0.084, 0.5}, 0.35, 1.5);
+  const int rocker = add_bar(model, "rocker", {0.4, 0.0, 1.8}, 0.3, 1.2);
+  pin(model, "O", crank, {}, ground, {});
+  pin(model, "A", coupler, {}, crank, {0.1, 0.0});
+  pin(model, "B", rocker, {0.3, 0.0}, coupler, {0.35, 0.0});
+  pin(model, "C", rocker, {}, ground, {0.4, 0.0});
+  drive_turning(model, "motor", crank);
+  return model;
+}
+
+/// -20 N m on the rocker.
+inline Model four_bar() {
+  Model model = four_bar_without_load();
+  load(model, "couple", 2, {}, {}, -20.0);
+  return model;
+}
+
+/// The four-bar with a bar of 0.5 m from the rocker's tip to a slider on y = 0.25 m with -1000 N.
+inline Model six_bar() {
+  Model model = four_bar_without_load();
+  const int bar = add_bar(model, "bar", {0.33, 0.29, 0.0}, 0.5, 1.0);
+  const int slider = add_link(model, "slider", {0.8, 0.25, 0.0}, 2.0);
+  pin(model, "B2", bar, {}, 2, {0.3, 0.0});
+  pin(model, "D", slider, {}, bar, {0.5, 0.0});
+  slide(model, "guide", slider, {}, ground, {0.0, 0.25});
+  load(model, "push", slider, {}, {-1000.0, 0.0});
+  return model;
+}
+
+/// Crank 0.03 m, slotted lever 20 kg about B at the origin; `with_slider`: a massless slider in place of the slot.
+inline Model slotted_lever(bool with_slider = false, double gamma = -0.349065850398865915) {
+  Model model;
+  const Pose crank_pose{0.09, 0.0, -1.0471975511965976};
+  const int crank = add_link(model, "crank", crank_pose);
+  const int lever = add_link(model, "lever", {0.0, 0.0, -0.2425}, 20.0, 0.14, {0.055, 0.0});
+  pin(model, "O", crank, {}, ground, {0.09, 0.0});
+  pin(model, "B", lever, {}, ground, {});
+  if (with_slider) {
+    const int slider = add_link(model, "slider", {0.105, -0.026, -0.2425});
+    pin(model, "A", slider, {}, crank, {0.03, 0.0});
+    slide(model, "slide", slider, {}, lever, {});
+  } else {
+    slot(model, "A", crank, {0.03, 0.0}, lever, {});
+  }
+  drive_turning(model, "motor", crank);
+  const Turn to_c = turn(gamma);
+  model.loads.push_back({"F3", lever, to_c({0.04, 0.0}), to_c({0.0, -720.0}), true, 0.0});
+  return model;
+}
+
+/// The position at these drives, from the stated assembly. Check `status`.
+struct Solved {
+  Status status;
+  Position at;
+};
+inline Solved solve(const Model& model, std::vector<Drive> drives, bool statics = false) {
+  WholeSystem system(model);
+  Solved solved{system.assemble(), system.blank()};
+  if (solved.status == Status::closed) solved.status = system.solve(drives, solved.at, statics);
+  return solved;
+}
+/// At the stated assembly, drivers at rest.
+inline Solved solve_at_rest(const Model& model) {
+  WholeSystem system(model);
+  Solved solved{system.assemble(), system.blank()};
+  std::vector<Drive> drives(model.drivers.size());
+  if (solved.status != Status::closed) return solved;
+  for (std::size_t k = 0; k < drives.size(); ++k) drives[k].coordinate = system.coordinate(k);
+  solved.status = system.solve(drives, solved.at);
+  return solved;
+}
+
+}  // namespace loadpath::mechanism::models

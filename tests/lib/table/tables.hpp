@@ -1,0 +1,27 @@
+// What the tests of tables share.
+#pragma once
+
+#include "lib/table/table.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace loadpath::table {
+
+constexpr double mm = 1e-3;
+constexpr double MPa = 1e6;
+
+inline Entry material(std::string_view name) {
+  const auto found = find_row(built_in(), "material", name);
+  REQUIRE_MESSAGE(found, name);
+  return *found;
+}
+
+/// A property that may be missing: NaN then.
+inline double value_of(const Entry& entry, std::string_view key, double size = no_size) {
+  const auto found = property(entry, key, size);
+  return found ? found->si : std::nan("");
+}
+
+}  // namespace loadpath::table

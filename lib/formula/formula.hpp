@@ -4,6 +4,7 @@
 //   tan asin acos atan exp log min max is_set), static_cast<double>(x), numbers, unit names (`d / mm`, `10.0 * mm`), and names that are symbols.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -49,6 +50,8 @@ std::string tex(const Node& tree, const Substituted& substituted = {}, const Kno
 std::string plain(const Node& tree, const Substituted& substituted = {}, const Known& known = {});
 /// The terms of the outermost sum, each with its sign: between them a long formula may break.
 std::vector<std::string> mathml_terms(const Node& tree, const Substituted& substituted = {}, const Known& known = {});
+/// About how many letters wide the widest of these terms is set.
+std::size_t breadth(const Node& tree, const Substituted& substituted = {}, const Known& known = {});
 
 /// A value with its printed unit, in the three notations: 27.35 mm.
 std::string quantity_mathml(const Written& value);

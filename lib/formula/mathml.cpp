@@ -41,9 +41,9 @@ std::string unit_markup(std::string_view pretty) {
 }
 
 std::string glyphs(const Glyphs& g) {
-  if (g.italic) return element("mi", g.letters());
+  if (g.italic) return element("mi", escaped(g.letters()));
   const bool digits = g.text.find_first_of("0123456789") != std::string::npos;
-  return digits ? element("mn", g.text) : upright(g.letters());
+  return digits ? element("mn", escaped(g.text)) : upright(escaped(g.letters()));
 }
 
 std::string subscripts(const std::vector<Word>& words) {

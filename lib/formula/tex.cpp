@@ -19,11 +19,18 @@ std::string ascii_minus(std::string_view number) {
   return number.starts_with(minus) ? "-" + std::string(number.substr(minus.size())) : std::string(number);
 }
 
+/// A name that is none: what TeX or a page would read as markup is left out.
+std::string without_markup(std::string text) {
+  std::erase_if(text, [](char c) { return std::string_view("\\{}$&#^_%~<>\"`*|").find(c) != std::string_view::npos; });
+  return text;
+}
+
 std::string glyphs(const Glyphs& g) {
   if (g.greek != nullptr) return std::string(g.greek->tex);
   if (g.text.starts_with("−")) return ascii_minus(g.text);
-  const bool plain = g.italic || g.text.find_first_not_of("0123456789.") == std::string::npos;
-  return plain ? g.text : upright(g.text);
+  const std::string letters = without_markup(g.text);
+  const bool plain = g.italic || letters.find_first_not_of("0123456789.") == std::string::npos;
+  return plain ? letters : upright(letters);
 }
 
 std::string word_text(const Word& word) {

@@ -13,8 +13,12 @@ Message word(State state);
 /// The outcome of all rows: the worst of them.
 State outcome(const Verdicts& verdicts);
 
-/// What decides: how many rows hold, and the highest utilisation.
-std::vector<Message> reasons(const Verdicts& verdicts);
+/// How many rows hold, or do not: "1 of 5 checks not met."
+Message tally(const Verdicts& verdicts);
+
+/// The row with the highest utilisation, or none, and what it is announced with.
+const Verdict* most_utilised(const Verdicts& verdicts);
+Message utilisation(const Verdict& row);
 
 /// Counts through a document.
 class Numbering {

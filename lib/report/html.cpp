@@ -1,7 +1,5 @@
 #include "lib/report/html.hpp"
 
-#include <algorithm>
-
 #include "lib/markup.hpp"
 #include "lib/report/conclusion.hpp"
 #include "lib/report/worked.hpp"
@@ -19,24 +17,6 @@ std::string numbered(std::string_view kind, int number, const Message& caption) 
 std::string head_cell(const Message& head, bool number) {
   return std::string("<th scope=\"col\"") + (number ? " class=\"number\">" : ">") +
          (is_symbol(head) ? page::symbol(head.args[0]) : escaped(head.text())) + "</th>";
-}
-
-/// Columns that hold quantities, where they hold anything, are set flush right.
-std::vector<bool> numeric_columns(const Table& table) {
-  std::vector<bool> quantity, other;
-  for (const auto& row : table.rows) {
-    quantity.resize(std::max(quantity.size(), row.size()));
-    other.resize(quantity.size());
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const auto* text = std::get_if<std::string>(&row[i]);
-      const bool is_quantity = std::holds_alternative<Quantity>(row[i]), empty = text != nullptr && text->empty();
-      quantity[i] = quantity[i] || is_quantity;
-      other[i] = other[i] || (!is_quantity && !empty);
-    }
-  }
-  for (std::size_t i = 0; i < quantity.size(); ++i) quantity[i] = quantity[i] && !other[i];
-  quantity.resize(std::max(quantity.size(), table.head.size()));
-  return quantity;
 }
 
 /// Writes block after block; numbers run through the page.

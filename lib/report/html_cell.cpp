@@ -57,11 +57,11 @@ std::string state(State state) {
 
 std::string conclusion(const Verdicts& verdicts) {
   if (verdicts.rows.empty()) return {};
-  std::string out = "<p class=\"conclusion " + std::string(css_class(outcome(verdicts))) + "\">" +
-                    state(outcome(verdicts)) + "<span>";
-  for (const Message& reason : reasons(verdicts)) out += escaped(reason.text()) + " ";
-  out.back() = '<';
-  return out + "/span></p>\n";
+  std::string out = "<p class=\"conclusion\">" + state(outcome(verdicts)) + "<span>" + escaped(tally(verdicts).text());
+  if (const Verdict* row = most_utilised(verdicts)) {
+    out += " " + escaped(utilisation(*row).text()) + " " + escaped(row->step) + " " + symbol(row->symbol) + ".";
+  }
+  return out + "</span></p>\n";
 }
 
 }  // namespace loadpath::report::page

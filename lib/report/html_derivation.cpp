@@ -31,12 +31,21 @@ std::string sides(const Step& step) {
   return symbolic + "<wbr><span class=\"numbers\">" + (says_more ? numeric + "<wbr>" : "") + value + "</span>";
 }
 
+/// A formula that cannot be broken to fit beside its reason, or on a page at all, is given room.
+std::string_view width_class(const Step& step) {
+  constexpr std::size_t beside_reason = 58, page = 84;  // letters
+  const Worked w = worked(step);
+  const std::size_t letters = w.tree ? formula::breadth(*w.tree, w.substituted, w.known) : step.formula.size();
+  if (letters > page) return "step wide small";
+  return letters > beside_reason ? "step wide" : "step";
+}
+
 }  // namespace
 
 std::string derivation(const Derivation& derivation) {
   std::string out = "<div class=\"derivation\">\n";
   for (const Step& step : derivation.steps) {
-    out += "<div class=\"step\"><div class=\"formula\"><div class=\"left\">" + symbol(step.symbol) +
+    out += "<div class=\"" + std::string(width_class(step)) + "\"><div class=\"formula\"><div class=\"left\">" + symbol(step.symbol) +
            "</div><div class=\"right\">" + sides(step) + "</div></div>";
     if (!step.why.empty()) out += "<p class=\"why\">" + escaped(step.why.text()) + "</p>";
     out += "</div>\n";

@@ -26,6 +26,12 @@ std::string subject(const Verdict& row, const std::set<std::string>& anchors) {
   return out;
 }
 
+/// A state in the place of a value says no more than the verdict.
+std::string value(const Verdict& row) {
+  if (std::holds_alternative<State>(row.value)) return "–";
+  return cell(row.value) + (row.utilisation ? bar(*row.utilisation) : "");
+}
+
 }  // namespace
 
 std::string verdicts(const Verdicts& verdicts, const std::set<std::string>& anchors) {
@@ -37,8 +43,8 @@ std::string verdicts(const Verdicts& verdicts, const std::set<std::string>& anch
   }
   out += "</tr></thead>\n<tbody>\n";
   for (const Verdict& row : verdicts.rows) {
-    out += "<tr><td class=\"subject\">" + subject(row, anchors) + "</td><td class=\"number\">" + cell(row.value) +
-           (row.utilisation ? bar(*row.utilisation) : "") + "</td><td class=\"bound\">" + escaped(row.bound.text()) +
+    out += "<tr><td class=\"subject\">" + subject(row, anchors) + "</td><td class=\"number\">" + value(row) +
+           "</td><td class=\"bound\">" + escaped(row.bound.text()) +
            "</td><td class=\"verdict\">" + state(row.state) + "</td></tr>\n";
   }
   return out + "</tbody></table></div>\n";

@@ -67,7 +67,6 @@ tbody td:empty{height:2.4rem;min-width:6rem}
 .bar .fail{background:repeating-linear-gradient(135deg,var(--fail) 0 5px,transparent 5px 7px)}
 .shapes{position:absolute}
 .shape{width:1em;height:1em;margin-right:.4em;vertical-align:-.13em}
-.shape .body,.shape{fill:currentColor}
 .body{fill:currentColor}
 .mark{fill:none;stroke:var(--mark);stroke-width:1.9;stroke-linecap:round;stroke-linejoin:round}
 .ring,.dash{fill:none;stroke:currentColor;stroke-width:1.5}
@@ -78,17 +77,18 @@ tbody td:empty{height:2.4rem;min-width:6rem}
 .state.not-available{color:var(--muted)}
 .conclusion{display:flex;flex-wrap:wrap;gap:.1rem 1rem;align-items:baseline;max-width:none;margin:0 0 1.2rem}
 .conclusion .state{font-size:1.3rem;font-weight:600}
-.conclusion .state::first-letter{text-transform:uppercase}
 )css";
 
 constexpr std::string_view formulas = R"css(
 math{font-family:"Loadpath Math","STIX Two Math","Cambria Math",math}
-mtable.cases mtd{text-align:left;padding:.1em .6em .1em 0}
+mtable.cases mtd{text-align:left;padding:.14em .6em .14em 0}
 .derivation{margin:.9rem 0 1.3rem}
 .step{display:grid;grid-template-columns:minmax(0,1fr) 11.5rem;column-gap:1.8rem;align-items:baseline;padding:.34rem 0;
 break-inside:avoid}
+.step.wide{grid-template-columns:minmax(0,1fr)}
+.wide .why{padding-left:3.75rem}
 .formula{display:grid;grid-template-columns:minmax(3.4rem,max-content) minmax(0,1fr);column-gap:.35rem;align-items:baseline}
-.left{text-align:right;white-space:nowrap}
+.left{text-align:right;white-space:nowrap;max-width:9rem;overflow-x:auto}
 .right{overflow-x:auto;overflow-y:hidden}
 .right math{margin-block:.18rem}
 .numbers{display:inline-block;max-width:100%}
@@ -128,9 +128,11 @@ h2{margin-top:1.8rem}
 a{color:inherit}
 .scroll,.right{overflow:visible}
 .bar,.bar span,.shape{print-color-adjust:exact;-webkit-print-color-adjust:exact}
+.small .formula{font-size:.8em}
 thead{display:table-header-group}
 tr,.caption,.warning{break-inside:avoid}
 p{orphans:3;widows:3}
+figure{max-width:13cm}
 }
 )css";
 
@@ -151,7 +153,7 @@ std::string quoted(std::string_view words) {
 }
 
 std::string page_rules(std::string_view header, std::string_view footer) {
-  const std::string face = "font:8.5pt Cambria,\"Liberation Serif\",\"Times New Roman\",serif;color:#5b626b;";
+  const std::string face = "font:9pt Cambria,\"STIX Two Text\",STIX,\"Liberation Serif\",\"Times New Roman\",serif;color:#5b626b;";
   return "@page{size:A4;margin:21mm 19mm 20mm;@top-left{" + face + "content:" + quoted(header) + "}@bottom-left{" +
          face + "content:" + quoted(footer) + "}@bottom-right{" + face +
          "content:counter(page) \" / \" counter(pages)}}\n@page:first{@top-left{content:none}}\n";

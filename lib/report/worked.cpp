@@ -54,4 +54,21 @@ bool is_symbol(const Message& head) {
   return name.size() == 1 || name.find('_') != std::string::npos || formula::symbol_plain(name) != name;
 }
 
+std::vector<bool> numeric_columns(const Table& table) {
+  std::vector<bool> quantity, other;
+  for (const auto& row : table.rows) {
+    quantity.resize(std::max(quantity.size(), row.size()));
+    other.resize(quantity.size());
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const auto* text = std::get_if<std::string>(&row[i]);
+      const bool is_quantity = std::holds_alternative<Quantity>(row[i]), empty = text != nullptr && text->empty();
+      quantity[i] = quantity[i] || is_quantity;
+      other[i] = other[i] || (!is_quantity && !empty);
+    }
+  }
+  for (std::size_t i = 0; i < quantity.size(); ++i) quantity[i] = quantity[i] && !other[i];
+  quantity.resize(std::max(quantity.size(), table.head.size()));
+  return quantity;
+}
+
 }  // namespace loadpath::report

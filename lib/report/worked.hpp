@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lib/formula/formula.hpp"
 #include "lib/report/document.hpp"
@@ -29,5 +30,8 @@ NamedSymbol named_symbol(std::string_view path);
 
 /// A heading of a table that is nothing but a symbol: "tau_t", "d".
 bool is_symbol(const Message& head);
+
+/// Columns that hold quantities, where they hold anything, are set flush right.
+std::vector<bool> numeric_columns(const Table& table);
 
 }  // namespace loadpath::report

@@ -1,0 +1,78 @@
+// Small documents for the writers' tests.
+#pragma once
+
+#include <string>
+
+#include "lib/report/document.hpp"
+
+namespace loadpath::report {
+
+inline Step torsion_step() {
+  return {"tau",
+          "T / (2.0 * W)",
+          {{"T", 600.0, "N*m"}, {"W", 24.5e-6, "mm^3"}},
+          {12.245e6, "MPa", 4},
+          say("at the surface")};
+}
+
+inline Verdict check(double u, State state) {
+  Verdict row;
+  row.step = "shaft";
+  row.symbol = "u_tau";
+  row.meaning = say("torsion alone");
+  row.utilisation = u;
+  row.value = Quantity{u, "-", 4};
+  row.bound = say("passes at 1 or less");
+  row.state = state;
+  return row;
+}
+
+inline Document shaft_document() {
+  Document document;
+  document.title = "Shaft";
+  document.meta = {{say("Project file"), "shaft.toml"}, {say("Program"), "loadpath 1.0"}};
+  document.summary.rows = {check(0.83, State::pass)};
+  document.blocks = {Heading{2, "Shaft", "shaft"}, Heading{3, "Calculation", "shaft-calculation"},
+                     Derivation{{torsion_step()}}};
+  return document;
+}
+
+/// What a browser would have to be told, and nothing of it may reach the page as markup.
+inline constexpr const char* hostile = "</title></style><script>alert(\"1\")</script> & 'q' \\ { } $x$ a|b `c` *d*";
+
+inline Document hostile_document() {
+  Document document;
+  document.title = hostile;
+  document.meta = {{say("{1}", hostile), hostile}};
+  Verdict row = check(2.0, State::fail);
+  row.step = row.symbol = hostile;
+  row.meaning = row.bound = row.note = say("{1}", hostile);
+  row.value = std::string(hostile);
+  document.summary.rows = {row};
+  Step step = torsion_step();
+  step.symbol = step.formula = hostile;
+  step.why = say("{1}", hostile);
+  draw::Figure figure;
+  figure.id = "x";
+  figure.caption = hostile;
+  document.blocks = {Heading{2, hostile, hostile},
+                     Paragraph{say("{1}", hostile)},
+                     Paragraph{say("{1}", hostile), Paragraph::Tone::warning},
+                     Table{say("{1}", hostile), {say("{1}", hostile)}, {{std::string(hostile)}, {Symbol{hostile}}}},
+                     Derivation{{step}},
+                     Verdicts{{row}},
+                     figure};
+  return document;
+}
+
+inline bool contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+/// From `from` up to and with `to`.
+inline std::string between(const std::string& text, std::string_view from, std::string_view to) {
+  const std::size_t begin = text.find(from);
+  if (begin == std::string::npos) return {};
+  const std::size_t end = text.find(to, begin);
+  return end == std::string::npos ? std::string() : text.substr(begin, end + to.size() - begin);
+}
+
+}  // namespace loadpath::report

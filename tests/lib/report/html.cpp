@@ -1,0 +1,156 @@
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "tests/lib/report/documents.hpp"
+
+using namespace loadpath;
+using namespace loadpath::report;
+
+namespace {
+
+std::string body(const std::vector<Block>& blocks) {
+  Document document;
+  document.title = "t";
+  document.blocks = blocks;
+  return between(html(document), "</header>\n", "</main>");
+}
+
+}  // namespace
+
+TEST_SUITE("report html") {
+  TEST_CASE("a step is its symbol, formula, numbers, value and reason") {
+    CHECK(body({Derivation{{torsion_step()}}}) ==
+          "</header>\n"
+          "<div class=\"derivation\">\n"
+          "<div class=\"step\"><div class=\"formula\"><div class=\"left\"><math><mi>τ</mi></math></div>"
+          "<div class=\"right\"><math displaystyle=\"true\"><mo>=</mo><mfrac><mi>T</mi>"
+          "<mrow><mn>2</mn><mspace width=\"0.17em\"/><mi>W</mi></mrow></mfrac></math><wbr><span class=\"numbers\">"
+          "<math displaystyle=\"true\"><mo>=</mo><mfrac><mrow><mn>600</mn><mspace width=\"0.2em\"/>"
+          "<mi mathvariant=\"normal\">N·m</mi></mrow><mrow><mn>2</mn><mo form=\"infix\">⋅</mo><mn>24500</mn>"
+          "<mspace width=\"0.2em\"/><msup><mi mathvariant=\"normal\">mm</mi><mn>3</mn></msup></mrow></mfrac></math><wbr>"
+          "<math displaystyle=\"true\"><mo>=</mo><mn>12.24</mn><mspace width=\"0.2em\"/>"
+          "<mi mathvariant=\"normal\">MPa</mi></math></span></div></div><p class=\"why\">at the surface</p></div>\n"
+          "</div>\n</main>");
+  }
+
+  TEST_CASE("a value without a formula stands alone, a value that is missing is said to be") {
+    Step step{"d", "", {}, {std::numeric_limits<double>::quiet_NaN(), "mm"}, {}};
+    CHECK(contains(body({Derivation{{step}}}),
+                   "<div class=\"right\"><math displaystyle=\"true\"><mo>=</mo><mtext>not available</mtext></math></div>"));
+  }
+
+  TEST_CASE("a formula outside of the language is shown as written") {
+    Step step = torsion_step();
+    step.formula = "a >> b";
+    CHECK(contains(body({Derivation{{step}}}), "<code>= a &gt;&gt; b</code>"));
+  }
+
+  TEST_CASE("a sum may break between its terms") {
+    Step step = torsion_step();
+    step.formula = "T + W";
+    CHECK(contains(body({Derivation{{step}}}), "<mi>T</mi></math><wbr><math displaystyle=\"true\">"
+                                               "<mo form=\"infix\">+</mo><mi>W</mi></math>"));
+  }
+
+  TEST_CASE("a formula too wide for its reason beside it has the reason below") {
+    Step step = torsion_step();
+    CHECK(contains(body({Derivation{{step}}}), "<div class=\"step\">"));
+    step.formula = "(T * T * W + T * T * W + T * T * W) * (T * W + W * T)";
+    CHECK(contains(body({Derivation{{step}}}), "<div class=\"step wide small\">"));
+  }
+
+  TEST_CASE("a table has its numbers flush right, symbols typeset and a numbered caption") {
+    const Table table{say("Given"),
+                      {say("{1}", "tau_t"), say("value"), say("{1}", "from")},
+                      {{Symbol{"d"}, Quantity{0.05, "mm"}, std::string("a & b")},
+                       {say("x"), Quantity{-1.0, "-"}, State::fail}}};
+    CHECK(body({table}) ==
+          "</header>\n"
+          "<div class=\"table\"><p class=\"caption\"><b>Table 1.</b> Given</p><div class=\"scroll\"><table>\n"
+          "<thead><tr><th scope=\"col\"><math><msub><mi>τ</mi><mi>t</mi></msub></math></th>"
+          "<th scope=\"col\" class=\"number\">value</th><th scope=\"col\">from</th></tr></thead>\n"
+          "<tbody>\n"
+          "<tr><td><math><mi>d</mi></math></td><td class=\"number\"><span class=\"quantity\">50 mm</span></td>"
+          "<td>a &amp; b</td></tr>\n"
+          "<tr><td>x</td><td class=\"number\"><span class=\"quantity\">−1</span></td><td>"
+          "<span class=\"state fail\"><svg class=\"shape\" aria-hidden=\"true\"><use href=\"#shape-fail\"/></svg>fail"
+          "</span></td></tr>\n"
+          "</tbody></table></div></div>\n</main>");
+  }
+
+  TEST_CASE("headings are numbered, tables and figures count through the page") {
+    const Table table{say("a"), {}, {}};
+    draw::Figure figure;
+    figure.caption = "moment";
+    const std::string out = body({Heading{2, "One", "one"}, Heading{3, "Part", "p"}, table, figure,
+                                  Heading{2, "Two", "two"}, Heading{3, "Part", "q"}, table, figure});
+    for (const char* part : {"<h2 id=\"one\"><span class=\"no\">1</span> One</h2>",
+                             "<h3 id=\"p\"><span class=\"no\">1.1</span> Part</h3>",
+                             "<h2 id=\"two\"><span class=\"no\">2</span> Two</h2>",
+                             "<h3 id=\"q\"><span class=\"no\">2.1</span> Part</h3>", "<b>Table 2.</b> a",
+                             "<figcaption><b>Figure 2.</b> moment</figcaption>"}) {
+      CAPTURE(part);
+      CHECK(contains(out, part));
+    }
+  }
+
+  TEST_CASE("the verdict is said in words and by a shape") {
+    struct Row {
+      State state;
+      const char *shape, *word;
+    };
+    for (const Row& row : std::vector<Row>{{State::pass, "#shape-pass", "pass"},
+                                           {State::fail, "#shape-fail", "fail"},
+                                           {State::not_covered, "#shape-not-covered", "not covered"},
+                                           {State::not_available, "#shape-not-available", "not available"}}) {
+      Document document = shaft_document();
+      document.summary.rows[0].state = row.state;
+      const std::string conclusion = between(html(document), "<p class=\"conclusion\">", "</p>");
+      CHECK(contains(conclusion, "href=\"" + std::string(row.shape) + "\"/></svg>" + row.word + "</span>"));
+    }
+  }
+
+  TEST_CASE("the conclusion counts the rows of the worst kind and names the highest utilisation") {
+    Document document = shaft_document();
+    CHECK(contains(html(document), "The one check passes. The highest utilisation is 0.83: shaft <math><msub>"));
+    document.summary.rows.push_back(check(1.274, State::fail));
+    document.summary.rows.push_back(check(0.5, State::not_covered));
+    CHECK(contains(html(document), "1 of 3 checks not met. The highest utilisation is 1.27: shaft"));
+    document.summary.rows.clear();
+    CHECK_FALSE(contains(html(document), "<p class=\"conclusion\""));
+  }
+
+  TEST_CASE("a utilisation draws a bar that ends at the edge") {
+    CHECK(contains(body({Verdicts{{check(0.5, State::pass)}}}), "<span class=\"pass\" style=\"width:40%\">"));
+    CHECK(contains(body({Verdicts{{check(7.0, State::fail)}}}), "<span class=\"fail\" style=\"width:100%\">"));
+    Verdict limit = check(0.0, State::pass);
+    limit.utilisation.reset();
+    CHECK_FALSE(contains(body({Verdicts{{limit}}}), "class=\"bar\""));
+  }
+
+  TEST_CASE("a row of the summary leads to the heading of its step") {
+    CHECK(contains(html(shaft_document()), "<td class=\"subject\"><a href=\"#shaft\">shaft</a> <math>"));
+  }
+
+  TEST_CASE("no text of a user becomes markup") {
+    const std::string page = html(hostile_document());
+    CHECK_FALSE(contains(page, "<script"));
+    CHECK_FALSE(contains(page, "alert(\""));
+    CHECK(contains(page, "&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt; &amp; &#39;q&#39;"));
+    CHECK_FALSE(contains(page, "</style><"));
+    CHECK(contains(page, "content:\"\\3c \\2f title\\3e "));
+  }
+
+  TEST_CASE("the page carries its font and asks nothing of the network, of scripts or of the clock") {
+    const std::string page = html(shaft_document());
+    CHECK(contains(page, "@font-face{font-family:\"Loadpath Math\";src:url(data:font/woff2;base64,d09GMk9UVE8A"));
+    for (const char* part : {"<script", "http:", "https:", "<link", "@import", "onload"}) {
+      CAPTURE(part);
+      CHECK_FALSE(contains(page, part));
+    }
+    CHECK(page == html(shaft_document()));
+  }
+}

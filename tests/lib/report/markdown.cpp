@@ -1,0 +1,88 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/lib/report/documents.hpp"
+
+using namespace loadpath;
+using namespace loadpath::report;
+
+TEST_SUITE("report markdown") {
+  TEST_CASE("a document reads as plain text") {
+    CHECK(markdown(shaft_document(), "shaft").text ==
+          "# Shaft\n"
+          "\n"
+          "- Project file: shaft.toml\n"
+          "- Program: loadpath 1.0\n"
+          "\n"
+          "✓ pass: The one check passes. The highest utilisation is 0.83: shaft $u_{\\tau}$.\n"
+          "\n"
+          "| check                           | value | condition           | verdict |\n"
+          "| :------------------------------ | ----: | :------------------ | :------ |\n"
+          "| shaft $u_{\\tau}$; torsion alone |  0.83 | passes at 1 or less | ✓ pass  |\n"
+          "\n"
+          "## 1 Shaft\n"
+          "\n"
+          "### 1.1 Calculation\n"
+          "\n"
+          "at the surface:\n"
+          "\n"
+          "$$\n"
+          "\\begin{aligned}\n"
+          "\\tau &= \\frac{T}{2\\thinspace W} \\cr\n"
+          "&= \\frac{600\\thinspace \\mathrm{N{\\cdot}m}}{2 \\cdot 24500\\thinspace \\mathrm{mm^{3}}} = "
+          "12.24\\thinspace \\mathrm{MPa}\n"
+          "\\end{aligned}\n"
+          "$$\n"
+          "\n");
+  }
+
+  TEST_CASE("words are never read as markup") {
+    struct Row {
+      std::string_view words, written;
+    };
+    for (const Row& row : std::vector<Row>{{"lever_1.toml, [B19] (2)", "lever_1.toml, [B19] (2)"},
+                                           {"_a_ *b* `c` $d$ e|f", "\\_a\\_ \\*b\\* \\`c\\` \\$d\\$ e\\|f"},
+                                           {"<b>&amp;", "&lt;b>\\&amp;"},
+                                           {"[a](b) [c]: d", "[a]\\(b) [c]\\: d"},
+                                           {"# a", "\\# a"},
+                                           {"- a", "\\- a"},
+                                           {"1. a", "1\\. a"},
+                                           {"1.5 mm", "1.5 mm"},
+                                           {"a\nb", "a b"}}) {
+      Document document;
+      document.blocks = {Paragraph{say("{1}", row.words)}};
+      CAPTURE(row.words);
+      CHECK(contains(markdown(document, "x").text, "\n\n" + std::string(row.written) + "\n\n"));
+    }
+  }
+
+  TEST_CASE("a table without headings still is one") {
+    Document document;
+    document.title = "t";
+    document.blocks = {Table{{}, {}, {{std::string("a"), Quantity{0.001, "mm"}}, {std::string("long")}}}};
+    CHECK(markdown(document, "x").text == "# t\n\n"
+                                          "|      |      |\n"
+                                          "| :--- | ---: |\n"
+                                          "| a    | 1 mm |\n"
+                                          "| long |      |\n\n");
+  }
+
+  TEST_CASE("figures are files beside the text, numbered so that their names differ") {
+    Document document;
+    draw::Figure figure;
+    figure.id = "moment";
+    figure.caption = "Drive moment";
+    document.blocks = {figure, figure};
+    const Markdown out = markdown(document, "my report");
+    REQUIRE(out.figures.size() == 2);
+    CHECK(out.figures[0].first == "my report-1-moment.svg");
+    CHECK(out.figures[1].first == "my report-2-moment.svg");
+    CHECK(out.figures[0].second == draw::svg(figure));
+    CHECK(contains(out.text, "![Drive moment](my%20report-1-moment.svg)\n\n**Figure 1.** Drive moment\n"));
+  }
+
+  TEST_CASE("no text of a user becomes markup in the summary, a table or a step") {
+    CHECK_FALSE(contains(markdown(hostile_document(), "x").text, "<script"));
+  }
+}

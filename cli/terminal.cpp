@@ -34,6 +34,7 @@ std::string shown(const project::Entry& e) {
   if (!e.word.empty()) return e.word;
   if (!e.value.is_series()) return format_quantity(e.value.si.empty() ? NAN : e.value.si[0], e.unit);
   const Extreme low = minimum(e.value), high = maximum(e.value);
+  if (low.value == high.value) return format_quantity(low.value, e.unit);
   const Axis& axis = *e.value.signature.axis;
   return format_quantity(low.value, e.unit) + " (at " + format_quantity(low.at, axis.unit, 5) + ") to " +
          format_quantity(high.value, e.unit) + " (at " + format_quantity(high.at, axis.unit, 5) + ")";
@@ -55,13 +56,25 @@ void show_results(const project::Step& step) {
   std::cout << columns(rows);
 }
 
+/// The formula of a line with the branch that ran; as it was written where it is not in the language.
+std::string plain_formula(const report::Step& line) {
+  const auto tree = formula::parse(line.formula);
+  if (!tree) return line.formula;
+  const formula::Known known = [&](std::string_view name) -> std::optional<double> {
+    const auto given = std::find_if(line.given.begin(), line.given.end(), [&](const auto& g) { return g.name == name; });
+    return given == line.given.end() ? std::nullopt : std::optional(given->si);
+  };
+  return formula::plain(*tree, {}, known);
+}
+
 void show_derivation(const project::Step& step) {
+  const auto& lines = step.account().derivation;
   if (!step.account().governing.empty()) std::cout << "  worked out " << step.account().governing.text() << ":\n";
+  const bool several = std::any_of(lines.begin(), lines.end(), [](const auto& d) { return d.scope.ends_with("[2]"); });
   std::vector<std::vector<std::string>> rows;
-  for (const auto& [scope, line] : step.account().derivation) {
-    const auto tree = formula::parse(line.formula);
-    const std::string formula = line.formula.empty() ? "" : " = " + (tree ? formula::plain(*tree) : line.formula);
-    rows.push_back({"  " + (scope.empty() ? "" : scope + " ") + formula::symbol_plain(line.symbol) + formula,
+  for (const auto& [scope, line] : lines) {
+    rows.push_back({"  " + (several && !scope.empty() ? scope + " " : "") + formula::symbol_plain(line.symbol) +
+                        (line.formula.empty() ? "" : " = " + plain_formula(line)),
                     "= " + format_quantity(line.value.si, line.value.unit), line.why.text()});
   }
   std::cout << columns(rows);

@@ -53,7 +53,7 @@ Schedule schedule_of(const Planar::Input& in, const mechanism::WholeSystem& syst
     schedule.at.push_back(has_crank(in) ? angles[k] : drives.empty() ? 0.0 : drives[0].coordinate);
     schedule.drives.push_back(std::move(drives));
   }
-  if (has_crank(in) && in.crank.at.empty()) schedule.period = in_si(in.crank.speed) < 0.0 ? -2.0 * pi : 2.0 * pi;
+  if (is_whole_turn(in)) schedule.period = in_si(in.crank.speed) < 0.0 ? -2.0 * pi : 2.0 * pi;
   return schedule;
 }
 
@@ -86,6 +86,8 @@ std::string axis_name(const Planar::Input& in) {
   if (has_crank(in)) return in.crank.at.size() == 1 ? "" : "crank angle";
   return in.positions > 1 ? "stroke" : "";
 }
+
+bool is_whole_turn(const Planar::Input& in) { return has_crank(in) && in.crank.at.empty(); }
 
 Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, Axis* axis) {
   mechanism::WholeSystem system(model);

@@ -22,6 +22,9 @@ struct Cycle {
 /// Whether the positions make series, and over what: the name of the axis; empty where there is one position.
 std::string axis_name(const PlanarMechanism::Input& in);
 
+/// Whether the positions are those of a whole turn of the crank.
+bool is_whole_turn(const PlanarMechanism::Input& in);
+
 /// Fills the places of the axis and solves there. `axis` is null where there is one position.
 Cycle solve_cycle(const PlanarMechanism::Input& in, const mechanism::Model& model, Axis* axis);
 

@@ -140,7 +140,7 @@ std::vector<draw::Figure> mechanism_figures(const PlanarMechanism::Input&, const
   if (axis == nullptr) return figures;
   const project::Entry* drive = find_entry(account, "drive.M");
   if (drive != nullptr && !std::isnan(largest(drive->value).value)) {
-    figures.push_back({"peak-position", "The mechanism where the moment of the drive is largest",
+    figures.push_back({"peak-position", "The mechanism at the position nearest to the largest moment of the drive",
                        scheme_at(model, cycle.positions[largest(drive->value).nearest])});
   }
   for (const auto& e : account.results) {

@@ -133,8 +133,13 @@ report::Verdict closing(const std::string& step, const Planar::Input& in, const 
   const auto first = std::find(cycle.closed.begin(), cycle.closed.end(), false) - cycle.closed.begin();
   const auto last = std::find(cycle.closed.rbegin(), cycle.closed.rend(), false).base() - cycle.closed.begin() - 1;
   const auto place = [&](std::ptrdiff_t k) {
-    return axis == nullptr ? std::string() : format_quantity(axis->at[static_cast<std::size_t>(k)], axis->unit, 5);
+    return format_quantity(axis->at[static_cast<std::size_t>(k)], axis->unit, 5);
   };
+  if (axis == nullptr) {
+    v.note = cycle.first_failure == mechanism::Status::singular ? say("the position is singular: the drive cannot hold the mechanism there")
+                                                                : say("joint '{1}' stays {2} apart", cycle.gap.joint < 0 ? "" : text(in.joints[static_cast<std::size_t>(cycle.gap.joint)].name), format_quantity(cycle.gap.size, "mm", 4));
+    return v;
+  }
   const std::string joint = cycle.gap.joint < 0 ? "" : text(in.joints[static_cast<std::size_t>(cycle.gap.joint)].name);
   v.note = cycle.first_failure == mechanism::Status::singular
                ? say("singular between {1} and {2}: the drive cannot hold the mechanism there", place(first), place(last))

@@ -13,12 +13,17 @@ namespace loadpath {
 void PlanarStep::prepare(const project::Declared& declared, const project::Companion&, std::vector<Issue>& issues) {
   const auto is_own = [&](const Issue& issue) { return issue.severity == Severity::error && issue.key.starts_with(name() + "."); };
   check_operands(input().reading, name(), false, declared, issues);
+  // What names hang on must see that a value is given; which one is known when the project is solved.
+  for (const project::Operand& operand : input().reading.operands) operand.leaf.set(operand.leaf.field->factor);
   for (const ModelFault& fault : check_names(data())) issues.push_back(issue_at(input(), fault.path, fault.message, fault.hint));
   if (std::any_of(issues.begin(), issues.end(), is_own)) return;  // the model has holes: nothing more can be said of it
   const mechanism::Model model = model_of(data());
   outputs_ = mechanism_outputs(data(), model);
   const std::string axis = axis_name(data());
-  if (!axis.empty()) axis_ = std::make_unique<Axis>(Axis{name() + ": " + axis, axis == "stroke" ? "mm" : "deg", {}, {}, 0.0});
+  if (!axis.empty()) {
+    const double period = is_whole_turn(data()) ? 2.0 * pi : 0.0;  // its sense is known when the cycle is solved
+    axis_ = std::make_unique<Axis>(Axis{name() + ": " + axis, axis == "stroke" ? "mm" : "deg", {}, {}, period});
+  }
   if (input().reading.operands.empty()) diagnose_model(model, issues);
 }
 
@@ -70,6 +75,9 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
   fill_values(cycle);
   project::Account& account = own_account();
   account.verdicts = proof(name(), data(), cycle, axis_.get());
+  account.inputs = project::input_entries(input().reading.record, [&](const std::string& path, const Leaf& leaf) {
+    return project::plain_origin(input().reading, path, leaf);
+  });
   account.input_blocks = model_tables(data());
   account.blocks = result_tables(account, axis_.get());
   account.figures = mechanism_figures(data(), model, cycle, account, axis_.get());

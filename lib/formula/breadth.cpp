@@ -1,7 +1,7 @@
-#include <algorithm>
-
 #include "lib/formula/print.hpp"
 #include "lib/utf8.hpp"
+
+#include <algorithm>
 
 namespace loadpath::formula {
 namespace {

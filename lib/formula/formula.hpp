@@ -1,7 +1,8 @@
 // The small language in which STEP texts are written: C++ expressions over symbols, read back for the report.
 //
 //   + - * / ?: comparisons && || unary - parentheses, calls (sqrt cbrt pow<n> root<n> pow(x, y) abs sin cos
-//   tan asin acos atan exp log min max is_set), static_cast<double>(x), numbers, unit names (`d / mm`, `10.0 * mm`), and names that are symbols.
+//   tan asin acos atan exp log min max is_set), static_cast<double>(x), numbers, unit names (`d / mm`, `10.0 * mm`),
+//   and names that are symbols.
 #pragma once
 
 #include <cstddef>
@@ -27,10 +28,12 @@ std::optional<Node> parse(std::string_view cpp);
 /// The SI value of a symbol or unit name; nothing where it is unknown.
 using Known = std::function<std::optional<double>(std::string_view name)>;
 
-/// The value of the tree over SI values; NaN where a name is unknown. `pi` and the units of lib/units.hpp need no `known`.
+/// The value of the tree over SI values; NaN where a name is unknown. `pi` and the units of lib/units.hpp need no
+/// `known`.
 double value(const Node& tree, const Known& known);
 
-/// How a symbol's value is written when it is substituted: number and printed unit ("2700", "N·m"); nothing: keep the name.
+/// How a symbol's value is written when it is substituted: number and printed unit ("2700", "N·m"); nothing: keep the
+/// name.
 struct Written {
   std::string number;
   std::string unit;

@@ -1,7 +1,7 @@
-#include <algorithm>
-
 #include "lib/formula/print.hpp"
 #include "lib/markup.hpp"
+
+#include <algorithm>
 
 namespace loadpath::formula {
 namespace {
@@ -93,12 +93,8 @@ class MathML : public Notation {
     if (degree == 2) return element("msqrt", radicand);
     return element("mroot", one(radicand) + number(std::to_string(degree)));
   }
-  std::string fenced(std::string_view inner) const override {
-    return delimited("(", inner, ")");
-  }
-  std::string magnitude(std::string_view inner) const override {
-    return delimited("|", inner, "|");
-  }
+  std::string fenced(std::string_view inner) const override { return delimited("(", inner, ")"); }
+  std::string magnitude(std::string_view inner) const override { return delimited("|", inner, "|"); }
   std::string call(std::string_view function, const std::vector<std::string>& arguments) const override {
     std::string list;
     for (const std::string& a : arguments) list += (list.empty() ? "" : "<mo separator=\"true\">,</mo>") + a;
@@ -108,8 +104,10 @@ class MathML : public Notation {
     const auto row = [](std::string_view value, std::string_view when) {
       return element("mtr", element("mtd", value) + element("mtd", when));
     };
-    const std::string rows = row(yes, words("if") + blank("0.3em") + std::string(condition)) + row(no, words("otherwise"));
-    return element("mrow", "<mo stretchy=\"true\" form=\"prefix\">{</mo>" + element("mtable class=\"cases\" displaystyle=\"true\"", rows));
+    const std::string rows =
+        row(yes, words("if") + blank("0.3em") + std::string(condition)) + row(no, words("otherwise"));
+    return element("mrow", "<mo stretchy=\"true\" form=\"prefix\">{</mo>" +
+                               element("mtable class=\"cases\" displaystyle=\"true\"", rows));
   }
 
  private:

@@ -1,12 +1,12 @@
+#include "lib/formula/formula.hpp"
+
 #include <algorithm>
 #include <array>
-
-#include "lib/formula/formula.hpp"
 
 namespace loadpath::formula {
 namespace {
 
-constexpr int deepest = 100;          // nesting of parentheses, calls and signs
+constexpr int deepest = 100;           // nesting of parentheses, calls and signs
 constexpr std::size_t longest = 4096;  // characters
 
 using Tree = std::optional<Node>;
@@ -16,10 +16,10 @@ struct Function {
   std::size_t arguments;
 };
 constexpr std::array functions = {
-    Function{"sqrt", 1}, Function{"cbrt", 1}, Function{"abs", 1},    Function{"sin", 1},
-    Function{"cos", 1},  Function{"tan", 1},  Function{"asin", 1},   Function{"acos", 1},
-    Function{"atan", 1}, Function{"exp", 1},  Function{"log", 1},    Function{"static_cast<double>", 1},
-    Function{"pow", 2},  Function{"min", 2},  Function{"max", 2},    Function{"is_set", 1}};
+    Function{"sqrt", 1}, Function{"cbrt", 1}, Function{"abs", 1},  Function{"sin", 1},
+    Function{"cos", 1},  Function{"tan", 1},  Function{"asin", 1}, Function{"acos", 1},
+    Function{"atan", 1}, Function{"exp", 1},  Function{"log", 1},  Function{"static_cast<double>", 1},
+    Function{"pow", 2},  Function{"min", 2},  Function{"max", 2},  Function{"is_set", 1}};
 
 bool is_function(std::string_view name) {
   return std::any_of(functions.begin(), functions.end(), [&](const Function& f) { return f.name == name; });
@@ -187,8 +187,6 @@ class Parser {
 
 }  // namespace
 
-std::optional<Node> parse(std::string_view cpp) {
-  return cpp.size() > longest ? std::nullopt : Parser(cpp).whole();
-}
+std::optional<Node> parse(std::string_view cpp) { return cpp.size() > longest ? std::nullopt : Parser(cpp).whole(); }
 
 }  // namespace loadpath::formula

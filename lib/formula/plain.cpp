@@ -1,6 +1,6 @@
-#include <array>
-
 #include "lib/formula/print.hpp"
+
+#include <array>
 
 namespace loadpath::formula {
 namespace {

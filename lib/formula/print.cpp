@@ -1,9 +1,9 @@
 #include "lib/formula/print.hpp"
 
+#include "lib/quantity/format.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "lib/quantity/format.hpp"
 
 namespace loadpath::formula {
 namespace {
@@ -60,12 +60,18 @@ class Printer {
 
   [[nodiscard]] Piece piece(const Node& tree) const {
     switch (tree.kind) {
-      case Kind::number: return written({without_idle_zeros(tree.text), {}});
-      case Kind::symbol: return named(tree.text);
-      case Kind::negate: return negated(tree.kids[0]);
-      case Kind::binary: return tree.text == "*" ? product(tree) : tree.text == "/" ? fraction(tree) : infix(tree);
-      case Kind::call: return call(tree);
-      case Kind::choose: return choice(tree);
+      case Kind::number:
+        return written({without_idle_zeros(tree.text), {}});
+      case Kind::symbol:
+        return named(tree.text);
+      case Kind::negate:
+        return negated(tree.kids[0]);
+      case Kind::binary:
+        return tree.text == "*" ? product(tree) : tree.text == "/" ? fraction(tree) : infix(tree);
+      case Kind::call:
+        return call(tree);
+      case Kind::choose:
+        return choice(tree);
     }
     return {};
   }
@@ -173,8 +179,8 @@ class Printer {
   [[nodiscard]] std::string between(const Piece& left, const Piece& right) const {
     const bool two_fractions = left.form == Form::fraction && right.form == Form::fraction;
     const bool after_value = substituted_ && right.form != Form::symbol;
-    const bool dot = right.form == Form::number || right.form == Form::quantity || two_fractions || after_value ||
-                     !to_.stacked();
+    const bool dot =
+        right.form == Form::number || right.form == Form::quantity || two_fractions || after_value || !to_.stacked();
     return dot ? to_.infix("*") : to_.thin_space();
   }
 

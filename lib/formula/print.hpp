@@ -2,13 +2,13 @@
 // by the notation.
 #pragma once
 
+#include "lib/formula/formula.hpp"
+#include "lib/formula/names.hpp"
+
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
-
-#include "lib/formula/formula.hpp"
-#include "lib/formula/names.hpp"
 
 namespace loadpath::formula {
 
@@ -30,11 +30,13 @@ class Notation {
   [[nodiscard]] virtual std::string infix(std::string_view op) const = 0;  // of C++
   [[nodiscard]] virtual std::string thin_space() const = 0;
   [[nodiscard]] virtual std::string fraction(std::string_view over, std::string_view under) const = 0;
-  [[nodiscard]] virtual std::string power(std::string_view base, std::string_view exponent, Level of_exponent) const = 0;
+  [[nodiscard]] virtual std::string power(std::string_view base, std::string_view exponent,
+                                          Level of_exponent) const = 0;
   [[nodiscard]] virtual std::string root(int degree, std::string_view radicand) const = 0;
   [[nodiscard]] virtual std::string fenced(std::string_view inner) const = 0;
   [[nodiscard]] virtual std::string magnitude(std::string_view inner) const = 0;
-  [[nodiscard]] virtual std::string call(std::string_view function, const std::vector<std::string>& arguments) const = 0;
+  [[nodiscard]] virtual std::string call(std::string_view function,
+                                         const std::vector<std::string>& arguments) const = 0;
   [[nodiscard]] virtual std::string either(std::string_view condition, std::string_view yes,
                                            std::string_view no) const = 0;
 };

@@ -1,30 +1,61 @@
+#include "lib/formula/names.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
-
-#include "lib/formula/names.hpp"
 
 namespace loadpath::formula {
 namespace {
 
 // Capitals that look like Latin ones have no macro in TeX.
-constexpr std::array greek = {
-    Greek{"alpha", "α", "\\alpha"},         Greek{"beta", "β", "\\beta"},       Greek{"gamma", "γ", "\\gamma"},
-    Greek{"delta", "δ", "\\delta"},         Greek{"epsilon", "ε", "\\varepsilon"}, Greek{"zeta", "ζ", "\\zeta"},
-    Greek{"eta", "η", "\\eta"},             Greek{"theta", "θ", "\\theta"},     Greek{"iota", "ι", "\\iota"},
-    Greek{"kappa", "κ", "\\kappa"},         Greek{"lambda", "λ", "\\lambda"},   Greek{"mu", "μ", "\\mu"},
-    Greek{"nu", "ν", "\\nu"},               Greek{"xi", "ξ", "\\xi"},           Greek{"omicron", "ο", "o"},
-    Greek{"pi", "π", "\\pi"},               Greek{"rho", "ρ", "\\rho"},         Greek{"sigma", "σ", "\\sigma"},
-    Greek{"tau", "τ", "\\tau"},             Greek{"upsilon", "υ", "\\upsilon"}, Greek{"phi", "φ", "\\varphi"},
-    Greek{"chi", "χ", "\\chi"},             Greek{"psi", "ψ", "\\psi"},         Greek{"omega", "ω", "\\omega"},
-    Greek{"Alpha", "Α", "\\mathrm{A}"},     Greek{"Beta", "Β", "\\mathrm{B}"},  Greek{"Gamma", "Γ", "\\Gamma"},
-    Greek{"Delta", "Δ", "\\Delta"},         Greek{"Epsilon", "Ε", "\\mathrm{E}"}, Greek{"Zeta", "Ζ", "\\mathrm{Z}"},
-    Greek{"Eta", "Η", "\\mathrm{H}"},       Greek{"Theta", "Θ", "\\Theta"},     Greek{"Iota", "Ι", "\\mathrm{I}"},
-    Greek{"Kappa", "Κ", "\\mathrm{K}"},     Greek{"Lambda", "Λ", "\\Lambda"},   Greek{"Mu", "Μ", "\\mathrm{M}"},
-    Greek{"Nu", "Ν", "\\mathrm{N}"},        Greek{"Xi", "Ξ", "\\Xi"},           Greek{"Omicron", "Ο", "\\mathrm{O}"},
-    Greek{"Pi", "Π", "\\Pi"},               Greek{"Rho", "Ρ", "\\mathrm{P}"},   Greek{"Sigma", "Σ", "\\Sigma"},
-    Greek{"Tau", "Τ", "\\mathrm{T}"},       Greek{"Upsilon", "Υ", "\\Upsilon"}, Greek{"Phi", "Φ", "\\Phi"},
-    Greek{"Chi", "Χ", "\\mathrm{X}"},       Greek{"Psi", "Ψ", "\\Psi"},         Greek{"Omega", "Ω", "\\Omega"}};
+constexpr std::array greek = {Greek{"alpha", "α", "\\alpha"},
+                              Greek{"beta", "β", "\\beta"},
+                              Greek{"gamma", "γ", "\\gamma"},
+                              Greek{"delta", "δ", "\\delta"},
+                              Greek{"epsilon", "ε", "\\varepsilon"},
+                              Greek{"zeta", "ζ", "\\zeta"},
+                              Greek{"eta", "η", "\\eta"},
+                              Greek{"theta", "θ", "\\theta"},
+                              Greek{"iota", "ι", "\\iota"},
+                              Greek{"kappa", "κ", "\\kappa"},
+                              Greek{"lambda", "λ", "\\lambda"},
+                              Greek{"mu", "μ", "\\mu"},
+                              Greek{"nu", "ν", "\\nu"},
+                              Greek{"xi", "ξ", "\\xi"},
+                              Greek{"omicron", "ο", "o"},
+                              Greek{"pi", "π", "\\pi"},
+                              Greek{"rho", "ρ", "\\rho"},
+                              Greek{"sigma", "σ", "\\sigma"},
+                              Greek{"tau", "τ", "\\tau"},
+                              Greek{"upsilon", "υ", "\\upsilon"},
+                              Greek{"phi", "φ", "\\varphi"},
+                              Greek{"chi", "χ", "\\chi"},
+                              Greek{"psi", "ψ", "\\psi"},
+                              Greek{"omega", "ω", "\\omega"},
+                              Greek{"Alpha", "Α", "\\mathrm{A}"},
+                              Greek{"Beta", "Β", "\\mathrm{B}"},
+                              Greek{"Gamma", "Γ", "\\Gamma"},
+                              Greek{"Delta", "Δ", "\\Delta"},
+                              Greek{"Epsilon", "Ε", "\\mathrm{E}"},
+                              Greek{"Zeta", "Ζ", "\\mathrm{Z}"},
+                              Greek{"Eta", "Η", "\\mathrm{H}"},
+                              Greek{"Theta", "Θ", "\\Theta"},
+                              Greek{"Iota", "Ι", "\\mathrm{I}"},
+                              Greek{"Kappa", "Κ", "\\mathrm{K}"},
+                              Greek{"Lambda", "Λ", "\\Lambda"},
+                              Greek{"Mu", "Μ", "\\mathrm{M}"},
+                              Greek{"Nu", "Ν", "\\mathrm{N}"},
+                              Greek{"Xi", "Ξ", "\\Xi"},
+                              Greek{"Omicron", "Ο", "\\mathrm{O}"},
+                              Greek{"Pi", "Π", "\\Pi"},
+                              Greek{"Rho", "Ρ", "\\mathrm{P}"},
+                              Greek{"Sigma", "Σ", "\\Sigma"},
+                              Greek{"Tau", "Τ", "\\mathrm{T}"},
+                              Greek{"Upsilon", "Υ", "\\Upsilon"},
+                              Greek{"Phi", "Φ", "\\Phi"},
+                              Greek{"Chi", "Χ", "\\mathrm{X}"},
+                              Greek{"Psi", "Ψ", "\\Psi"},
+                              Greek{"Omega", "Ω", "\\Omega"}};
 
 Glyphs letters(std::string_view text) {
   const auto found = std::find_if(greek.begin(), greek.end(), [&](const Greek& g) { return g.name == text; });

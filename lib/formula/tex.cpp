@@ -1,7 +1,7 @@
+#include "lib/formula/print.hpp"
+
 #include <algorithm>
 #include <array>
-
-#include "lib/formula/print.hpp"
 
 // No backslash stands before a punctuation mark (\, \{ \|) where TeX has a word for it: Markdown would swallow it.
 
@@ -48,14 +48,14 @@ struct Sign {
   std::string_view text;
   std::string_view tex;
 };
-constexpr std::array unit_signs = {Sign{"·", "{\\cdot}"}, Sign{"°", "^{\\circ}"}, Sign{"%", "\\%"},
-                                   Sign{"µ", "\\mu "},     Sign{"μ", "\\mu "}};
+constexpr std::array unit_signs = {Sign{"·", "{\\cdot}"}, Sign{"°", "^{\\circ}"}, Sign{"%", "\\%"}, Sign{"µ", "\\mu "},
+                                   Sign{"μ", "\\mu "}};
 
 std::string unit_letters(std::string_view letters) {
   std::string tex;
   while (!letters.empty()) {
-    const auto sign = std::find_if(unit_signs.begin(), unit_signs.end(),
-                                   [&](const Sign& s) { return letters.starts_with(s.text); });
+    const auto sign =
+        std::find_if(unit_signs.begin(), unit_signs.end(), [&](const Sign& s) { return letters.starts_with(s.text); });
     const bool found = sign != unit_signs.end();
     tex += found ? sign->tex : letters.substr(0, 1);
     letters.remove_prefix(found ? sign->text.size() : 1);
@@ -75,7 +75,7 @@ struct Name {
   std::string_view cpp;
   std::string_view tex;
 };
-constexpr std::array names = {Name{"log", "\\ln"},     Name{"asin", "\\arcsin"}, Name{"acos", "\\arccos"},
+constexpr std::array names = {Name{"log", "\\ln"},      Name{"asin", "\\arcsin"}, Name{"acos", "\\arccos"},
                               Name{"atan", "\\arctan"}, Name{"*", " \\cdot "},    Name{"<", " \\lt "},
                               Name{">", " \\gt "},      Name{"<=", " \\le "},     Name{">=", " \\ge "},
                               Name{"==", " = "},        Name{"!=", " \\ne "},     Name{"&&", " \\land "},

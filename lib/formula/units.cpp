@@ -1,10 +1,10 @@
 #include "lib/units.hpp"
 
+#include "lib/formula/names.hpp"
+
 #include <algorithm>
 #include <array>
 #include <utility>
-
-#include "lib/formula/names.hpp"
 
 namespace loadpath::formula {
 namespace {

@@ -1,10 +1,10 @@
+#include "lib/formula/formula.hpp"
+#include "lib/formula/names.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
-
-#include "lib/formula/formula.hpp"
-#include "lib/formula/names.hpp"
 
 namespace loadpath::formula {
 namespace {
@@ -79,10 +79,14 @@ Number of_call(const Node& tree, const Known& known) {
 
 Number evaluated(const Node& tree, const Known& known) {
   switch (tree.kind) {
-    case Kind::number: return read(tree.text);
-    case Kind::symbol: return named(tree.text, known);
-    case Kind::binary: return of_binary(tree, known);
-    case Kind::call: return of_call(tree, known);
+    case Kind::number:
+      return read(tree.text);
+    case Kind::symbol:
+      return named(tree.text, known);
+    case Kind::binary:
+      return of_binary(tree, known);
+    case Kind::call:
+      return of_call(tree, known);
     case Kind::negate: {
       const Number a = evaluated(tree.kids[0], known);
       return a ? Number(-*a) : a;

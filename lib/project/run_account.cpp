@@ -27,12 +27,7 @@ Origin Run::origin_of(const std::string& path, const Leaf& leaf) const {
   for (const Input& input : inputs_) {
     if (input.path == path) return input.origin;
   }
-  const auto typed = step_.input().reading.typed.find(path);
-  if (typed != step_.input().reading.typed.end()) {
-    return {typed->second.mean_of_uncertain ? say("given, middle value") : say("given"), {}, false};
-  }
-  const bool open = leaf.field->type == FieldInfo::Type::quantity && std::isnan(leaf.get());
-  return {open ? Message{} : say("default"), {}, false};
+  return plain_origin(step_.input().reading, path, leaf);
 }
 
 void Run::fill(Account& account) const {
@@ -47,19 +42,12 @@ void Run::fill(Account& account) const {
 }
 
 void Run::fill_inputs(Account& account) const {
-  for_each_leaf(record_, [&](const std::string& path, const Leaf& leaf) {
-    const FieldInfo& field = *leaf.field;
-    Entry entry{path, field.doc, field.unit, Role::input, {{field.dimension, nullptr}, {}}, origin_of(path, leaf), ""};
-    if (field.type == FieldInfo::Type::name) entry.word = field.text(leaf.owner);
-    if (field.type == FieldInfo::Type::choice) entry.word = field.choices[static_cast<std::size_t>(leaf.get())].key;
-    if (field.get != nullptr) entry.value.si = {leaf.get()};
+  account.inputs = input_entries(record_, [&](const std::string& path, const Leaf& leaf) { return origin_of(path, leaf); });
+  for (Entry& entry : account.inputs) {
     for (const Input& input : inputs_) {
-      if (input.path == path) entry.value = input.value;
+      if (input.path == entry.path) entry.value = input.value;
     }
-    if (field.type == FieldInfo::Type::name && entry.word.empty()) return;
-    if (field.type == FieldInfo::Type::quantity && entry.origin.text.empty()) return;  // left open
-    account.inputs.push_back(std::move(entry));
-  });
+  }
 }
 
 void Run::fill_results(Account& account) const {

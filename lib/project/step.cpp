@@ -83,6 +83,28 @@ std::optional<Value> evaluate_operand(const Operand& operand, const std::string&
   return std::nullopt;
 }
 
+std::vector<Entry> input_entries(const Record& record, const std::function<Origin(const std::string&, const Leaf&)>& origin) {
+  std::vector<Entry> entries;
+  for_each_leaf(record, [&](const std::string& path, const Leaf& leaf) {
+    const FieldInfo& field = *leaf.field;
+    Entry entry{path, field.doc, field.unit, Role::input, {{field.dimension, nullptr}, {}}, origin(path, leaf), ""};
+    if (field.type == FieldInfo::Type::name) entry.word = field.text(leaf.owner);
+    if (field.type == FieldInfo::Type::choice) entry.word = field.choices[static_cast<std::size_t>(leaf.get())].key;
+    if (field.get != nullptr) entry.value.si = {leaf.get()};
+    const bool unnamed = field.type == FieldInfo::Type::name && entry.word.empty();
+    const bool open = field.type == FieldInfo::Type::quantity && entry.origin.text.empty();
+    if (!unnamed && !open) entries.push_back(std::move(entry));
+  });
+  return entries;
+}
+
+Origin plain_origin(const Reading& reading, const std::string& path, const Leaf& leaf) {
+  const auto typed = reading.typed.find(path);
+  if (typed != reading.typed.end()) return {typed->second.mean_of_uncertain ? say("given, middle value") : say("given"), {}, false};
+  const bool open = leaf.field->type == FieldInfo::Type::quantity && std::isnan(leaf.get());
+  return {open ? Message{} : say("default"), {}, false};
+}
+
 report::State worst(const std::vector<report::Verdict>& verdicts) {
   report::State state = report::State::pass;
   const auto severity = [](report::State s) {

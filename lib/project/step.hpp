@@ -110,6 +110,11 @@ const Axis* check_operands(const Reading& reading, const std::string& step, bool
 std::optional<Value> evaluate_operand(const Operand& operand, const std::string& step, const Known& known,
                                       std::vector<Issue>& issues);
 
+/// The inputs of a record as entries, those left open and unnamed left out. `origin` tells where a leaf comes from.
+std::vector<Entry> input_entries(const Record& record, const std::function<Origin(const std::string& path, const Leaf& leaf)>& origin);
+/// "given" where it was typed, "default" where it has a value all the same.
+Origin plain_origin(const Reading& reading, const std::string& path, const Leaf& leaf);
+
 /// An issue at the field that was typed at `path`, or at the step's own place.
 Issue issue_at(const StepInput& input, const std::string& path, Message message, Message hint = {});
 

@@ -23,15 +23,23 @@ Cell cell_of(const Entry& entry) {
   if (!entry.word.empty()) return entry.word;
   if (!entry.value.is_series()) return Quantity{entry.value.si.empty() ? NAN : entry.value.si[0], entry.unit};
   const double low = minimum(entry.value).value, high = maximum(entry.value).value;
+  if (low == high) return Quantity{low, entry.unit};
   return say("{1} to {2}", format_quantity(low, entry.unit, 5), format_quantity(high, entry.unit, 5));
+}
+
+/// Where a value comes from, with the keys of its sources; a recalled value says so.
+Cell origin_cell(const project::Origin& origin) {
+  std::string text = origin.text.text();
+  for (const std::string& key : origin.sources) text += " [" + key + "]";
+  if (origin.recalled) return say("{1}; recalled, its source was not seen", text);
+  return text;
 }
 
 Table input_table(const Account& account) {
   Table table{say("Given"), {say("symbol"), say("meaning"), say("value"), say("from")}, {}};
   for (const Entry& e : account.inputs) {
     Cell symbol = is_list_path(e.path) ? Cell(e.path) : Cell(Symbol{e.path});
-    Cell from = e.origin.recalled ? Cell(say("{1}; recalled value, its source was not seen", e.origin.text.text())) : Cell(e.origin.text);
-    table.rows.push_back({std::move(symbol), say("{1}", e.doc), cell_of(e), std::move(from)});
+    table.rows.push_back({std::move(symbol), say("{1}", e.doc), cell_of(e), origin_cell(e.origin)});
   }
   return table;
 }
@@ -46,25 +54,41 @@ Table result_table(const Account& account) {
   return table;
 }
 
+/// "segments[2].tau" in its parts; nothing where the path is none of an element.
+struct ElementPath {
+  std::string list, number, field;
+};
+std::optional<ElementPath> element_path(const std::string& path) {
+  const std::size_t open = path.find('['), close = path.find("].", open);
+  if (open == std::string::npos || close == std::string::npos) return std::nullopt;
+  return ElementPath{path.substr(0, open), path.substr(open + 1, close - open - 1), path.substr(close + 2)};
+}
+
+/// Fields of a list's elements that have a value in one of them at least: "segments.tau".
+std::set<std::string> available_fields(const Account& account) {
+  std::set<std::string> fields;
+  for (const Entry& e : account.results) {
+    const auto path = element_path(e.path);
+    if (path && !e.value.is_series() && !std::isnan(e.value.si[0])) fields.insert(path->list + "." + path->field);
+  }
+  return fields;
+}
+
 /// The elements of a result's lists, a table each.
 std::vector<Table> list_tables(const Account& account) {
   std::vector<Table> tables;
-  std::string list, element;
+  const auto available = available_fields(account);
+  std::string list, number;
   for (const Entry& e : account.results) {
-    const std::size_t bracket = e.path.find('['), dot = e.path.find('.', bracket);
-    if (bracket == std::string::npos || dot == std::string::npos || e.value.is_series()) continue;
-    if (e.path.substr(0, bracket) != list) {
-      list = e.path.substr(0, bracket);
-      element.clear();
-      tables.push_back({say("{1}", list), {say("no.")}, {}});
-    }
+    const auto path = element_path(e.path);
+    if (!path || available.count(path->list + "." + path->field) == 0) continue;
+    if (path->list != list) tables.push_back({say("{1}", path->list), {say("no.")}, {}});
     Table& table = tables.back();
-    if (e.path.substr(0, dot) != element) {
-      element = e.path.substr(0, dot);
-      table.rows.push_back({element.substr(bracket + 1, element.size() - bracket - 2)});
-    }
-    if (table.rows.size() == 1) table.head.push_back(say("{1}", e.path.substr(dot + 1)));
+    if (path->list != list || path->number != number) table.rows.push_back({path->number});
+    if (table.rows.size() == 1) table.head.push_back(say("{1}", path->field));
     table.rows.back().push_back(cell_of(e));
+    list = path->list;
+    number = path->number;
   }
   return tables;
 }

@@ -1,19 +1,23 @@
 #include "lib/report/conclusion.hpp"
 
+#include "lib/quantity/format.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "lib/quantity/format.hpp"
 
 namespace loadpath::report {
 namespace {
 
 int severity(State state) {
   switch (state) {
-    case State::pass: return 0;
-    case State::not_covered: return 1;
-    case State::not_available: return 2;
-    case State::fail: return 3;
+    case State::pass:
+      return 0;
+    case State::not_covered:
+      return 1;
+    case State::not_available:
+      return 2;
+    case State::fail:
+      return 3;
   }
   return 3;
 }
@@ -22,10 +26,14 @@ int severity(State state) {
 
 Message word(State state) {
   switch (state) {
-    case State::pass: return say("pass");
-    case State::fail: return say("fail");
-    case State::not_covered: return say("not covered");
-    case State::not_available: return say("not available");
+    case State::pass:
+      return say("pass");
+    case State::fail:
+      return say("fail");
+    case State::not_covered:
+      return say("not covered");
+    case State::not_available:
+      return say("not available");
   }
   return {};
 }
@@ -44,10 +52,14 @@ Message tally(const Verdicts& verdicts) {
   const auto such = std::count_if(rows.begin(), rows.end(), [&](const Verdict& row) { return row.state == worst; });
   const std::string all = std::to_string(rows.size()), some = std::to_string(such);
   switch (worst) {
-    case State::pass: return rows.size() == 1 ? say("The one check passes.") : say("All {1} checks pass.", all);
-    case State::fail: return say("{1} of {2} checks not met.", some, all);
-    case State::not_covered: return say("{1} of {2} checks outside of what the method covers.", some, all);
-    case State::not_available: return say("{1} of {2} checks without a result.", some, all);
+    case State::pass:
+      return rows.size() == 1 ? say("The one check passes.") : say("All {1} checks pass.", all);
+    case State::fail:
+      return say("{1} of {2} checks not met.", some, all);
+    case State::not_covered:
+      return say("{1} of {2} checks outside of what the method covers.", some, all);
+    case State::not_available:
+      return say("{1} of {2} checks without a result.", some, all);
   }
   return {};
 }

@@ -1,9 +1,9 @@
 // The outcome of all checks in words, and the numbers of headings, tables and figures.
 #pragma once
 
-#include <string>
-
 #include "lib/report/document.hpp"
+
+#include <string>
 
 namespace loadpath::report {
 

@@ -46,8 +46,10 @@ class Writer {
   std::string operator()(const Paragraph& paragraph) {
     const std::string text = escaped(paragraph.text.text());
     switch (paragraph.tone) {
-      case Paragraph::Tone::plain: return "<p>" + text + "</p>\n";
-      case Paragraph::Tone::note: return "<p class=\"note\">" + text + "</p>\n";
+      case Paragraph::Tone::plain:
+        return "<p>" + text + "</p>\n";
+      case Paragraph::Tone::note:
+        return "<p class=\"note\">" + text + "</p>\n";
       case Paragraph::Tone::warning:
         return "<p class=\"warning\"><b>" + escaped(say("Warning:").text()) + "</b> " + text + "</p>\n";
     }

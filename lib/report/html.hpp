@@ -1,11 +1,11 @@
 // The parts of the HTML writer.
 #pragma once
 
+#include "lib/report/document.hpp"
+
 #include <set>
 #include <string>
 #include <string_view>
-
-#include "lib/report/document.hpp"
 
 namespace loadpath::report::page {
 

@@ -9,10 +9,14 @@ namespace {
 
 std::string_view css_class(State state) {
   switch (state) {
-    case State::pass: return "pass";
-    case State::fail: return "fail";
-    case State::not_covered: return "not-covered";
-    case State::not_available: return "not-available";
+    case State::pass:
+      return "pass";
+    case State::fail:
+      return "fail";
+    case State::not_covered:
+      return "not-covered";
+    case State::not_available:
+      return "not-available";
   }
   return {};
 }

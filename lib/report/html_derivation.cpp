@@ -45,8 +45,8 @@ std::string_view width_class(const Step& step) {
 std::string derivation(const Derivation& derivation) {
   std::string out = "<div class=\"derivation\">\n";
   for (const Step& step : derivation.steps) {
-    out += "<div class=\"" + std::string(width_class(step)) + "\"><div class=\"formula\"><div class=\"left\">" + symbol(step.symbol) +
-           "</div><div class=\"right\">" + sides(step) + "</div></div>";
+    out += "<div class=\"" + std::string(width_class(step)) + "\"><div class=\"formula\"><div class=\"left\">" +
+           symbol(step.symbol) + "</div><div class=\"right\">" + sides(step) + "</div></div>";
     if (!step.why.empty()) out += "<p class=\"why\">" + escaped(step.why.text()) + "</p>";
     out += "</div>\n";
   }

@@ -1,8 +1,8 @@
-#include <algorithm>
-
 #include "lib/markup.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/html.hpp"
+
+#include <algorithm>
 
 namespace loadpath::report::page {
 namespace {
@@ -12,8 +12,8 @@ constexpr double limit_at = 80.0;  // percent of the bar that stands for a utili
 std::string bar(double utilisation) {
   const double percent = std::clamp(limit_at * utilisation, 0.0, 100.0);
   const std::string_view state = utilisation <= 1.0 ? "pass" : "fail";
-  return "<span class=\"bar\" aria-hidden=\"true\"><span class=\"" + std::string(state) + "\" style=\"width:" +
-         format_number(percent, 3) + "%\"></span></span>";
+  return "<span class=\"bar\" aria-hidden=\"true\"><span class=\"" + std::string(state) +
+         "\" style=\"width:" + format_number(percent, 3) + "%\"></span></span>";
 }
 
 std::string subject(const Verdict& row, const std::set<std::string>& anchors) {
@@ -38,14 +38,14 @@ std::string verdicts(const Verdicts& verdicts, const std::set<std::string>& anch
   if (verdicts.rows.empty()) return {};
   std::string out = "<div class=\"scroll\"><table class=\"verdicts\">\n<thead><tr>";
   for (const Message& head : {say("check"), say("value"), say("condition"), say("verdict")}) {
-    out += std::string("<th scope=\"col\"") + (head.id == "value" ? " class=\"number\">" : ">") +
-           escaped(head.text()) + "</th>";
+    out += std::string("<th scope=\"col\"") + (head.id == "value" ? " class=\"number\">" : ">") + escaped(head.text()) +
+           "</th>";
   }
   out += "</tr></thead>\n<tbody>\n";
   for (const Verdict& row : verdicts.rows) {
     out += "<tr><td class=\"subject\">" + subject(row, anchors) + "</td><td class=\"number\">" + value(row) +
-           "</td><td class=\"bound\">" + escaped(row.bound.text()) +
-           "</td><td class=\"verdict\">" + state(row.state) + "</td></tr>\n";
+           "</td><td class=\"bound\">" + escaped(row.bound.text()) + "</td><td class=\"verdict\">" + state(row.state) +
+           "</td></tr>\n";
   }
   return out + "</tbody></table></div>\n";
 }

@@ -1,9 +1,9 @@
-#include <algorithm>
-
 #include "lib/formula/formula.hpp"
 #include "lib/report/conclusion.hpp"
 #include "lib/report/markdown_text.hpp"
 #include "lib/report/worked.hpp"
+
+#include <algorithm>
 
 namespace loadpath::report {
 namespace {
@@ -20,10 +20,14 @@ std::string symbol(std::string_view path) {
 std::string state(State s) {
   const std::string name = text(word(s).text());
   switch (s) {
-    case State::pass: return "✓ " + name;
-    case State::fail: return "✗ **" + name + "**";
-    case State::not_covered: return "◇ " + name;
-    case State::not_available: return "– " + name;
+    case State::pass:
+      return "✓ " + name;
+    case State::fail:
+      return "✗ **" + name + "**";
+    case State::not_covered:
+      return "◇ " + name;
+    case State::not_available:
+      return "– " + name;
   }
   return name;
 }

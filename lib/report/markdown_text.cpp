@@ -1,8 +1,8 @@
 #include "lib/report/markdown_text.hpp"
 
-#include <algorithm>
-
 #include "lib/utf8.hpp"
+
+#include <algorithm>
 
 namespace loadpath::report::md {
 namespace {
@@ -84,8 +84,9 @@ std::string text(std::string_view words) {
 }
 
 std::string code(std::string_view words) {
-  const std::string fence = words.find('`') == std::string_view::npos ? "`" : "`` ";
-  return fence + std::string(words) + std::string(fence.rbegin(), fence.rend());
+  std::string fence = "`";
+  while (words.find(fence) != std::string_view::npos) fence += '`';
+  return fence + " " + std::string(words) + " " + fence;
 }
 
 std::string inline_math(std::string_view tex) { return "$" + std::string(tex) + "$"; }

@@ -1,8 +1,8 @@
-#include <algorithm>
-
 #include "lib/embedded.hpp"
 #include "lib/report/base64.hpp"
 #include "lib/report/html.hpp"
+
+#include <algorithm>
 
 namespace loadpath::report::page {
 namespace {
@@ -136,7 +136,8 @@ figure{max-width:13cm}
 }
 )css";
 
-/// A CSS string: whatever is not a letter or digit is written as its code, so that nothing ends the string or the sheet.
+/// A CSS string: whatever is not a letter or digit is written as its code, so that nothing ends the string or the
+/// sheet.
 std::string quoted(std::string_view words) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string out = "\"";
@@ -153,7 +154,8 @@ std::string quoted(std::string_view words) {
 }
 
 std::string page_rules(std::string_view header, std::string_view footer) {
-  const std::string face = "font:9pt Cambria,\"STIX Two Text\",STIX,\"Liberation Serif\",\"Times New Roman\",serif;color:#5b626b;";
+  const std::string face =
+      "font:9pt Cambria,\"STIX Two Text\",STIX,\"Liberation Serif\",\"Times New Roman\",serif;color:#5b626b;";
   return "@page{size:A4;margin:21mm 19mm 20mm;@top-left{" + face + "content:" + quoted(header) + "}@bottom-left{" +
          face + "content:" + quoted(footer) + "}@bottom-right{" + face +
          "content:counter(page) \" / \" counter(pages)}}\n@page:first{@top-left{content:none}}\n";

@@ -1,9 +1,9 @@
 #include "lib/report/worked.hpp"
 
+#include "lib/quantity/format.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "lib/quantity/format.hpp"
 
 namespace loadpath::report {
 namespace {

@@ -1,13 +1,13 @@
 // What the writers share about steps and values: names, numbers and trees ready to be printed.
 #pragma once
 
+#include "lib/formula/formula.hpp"
+#include "lib/report/document.hpp"
+
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "lib/formula/formula.hpp"
-#include "lib/report/document.hpp"
 
 namespace loadpath::report {
 

@@ -2,6 +2,7 @@
 #include "lib/quantity/unit.hpp"
 #include "lib/table/reader.hpp"
 
+#include <optional>
 #include <stdexcept>
 
 namespace loadpath::table {
@@ -18,8 +19,8 @@ Library read_embedded() {
   return library;
 }
 
-Library& chosen() {
-  static Library library = built_in();
+std::optional<Library>& replacement() {
+  static std::optional<Library> library;
   return library;
 }
 
@@ -45,9 +46,9 @@ Library overlaid(Library base, std::string_view text, const std::string& file, s
   return base;
 }
 
-const Library& active() { return chosen(); }
+const Library& active() { return replacement() ? *replacement() : built_in(); }
 
-void activate(Library library) { chosen() = std::move(library); }
+void activate(Library library) { replacement() = std::move(library); }
 
 std::vector<Recalled> audit(const Library& library) {
   std::vector<Recalled> found;

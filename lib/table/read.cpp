@@ -20,7 +20,7 @@ void replace_or_add(std::vector<Named>& all, Named one) {
 
 void Reader::read(std::string_view text, const std::string& file) {
   const Tree tree = io::read_toml(text, file, issues_);
-  check_keys(tree, {"table", "group", "title", "units", "unit", "row", "series", "sources", "methods"}, "");
+  check_keys(tree, {"table", "group", "title", "units", "unit", "defaults", "row", "series", "sources", "methods"}, "");
   if (const auto* sources = tree.find("sources")) read_citations(sources->value, false);
   if (const auto* methods = tree.find("methods")) read_citations(methods->value, true);
   if (tree.find("row") != nullptr) read_rows(tree);
@@ -45,12 +45,12 @@ Table& Reader::table_of(const Tree& file) {
 
 void Reader::read_rows(const Tree& file) {
   Table& table = table_of(file);
-  const auto units = read_units(file, table);
-  add_columns(table, units);
+  const Frame frame = read_frame(file, table);
+  add_columns(table, frame.units);
   std::set<std::string> seen;
   for (const Tree& tree : file.find("row")->value.items) {
     Row row;
-    if (!read_row(tree, units, row)) continue;
+    if (!read_row(tree, frame, row)) continue;
     if (!seen.insert(row.name).second) complain(tree.place, row.name, say("there are two rows '{1}'", row.name));
     replace_or_add(table.rows, std::move(row));
   }
@@ -92,6 +92,15 @@ std::vector<Reader::ReadColumn> Reader::read_units(const Tree& file, const Table
     units.push_back(std::move(read));
   }
   return units;
+}
+
+Reader::Frame Reader::read_frame(const Tree& file, const Table& table) {
+  Frame frame{read_units(file, table), {}, {}};
+  if (const auto* defaults = file.find("defaults")) {
+    read_values(defaults->value, frame, frame.defaults);
+    frame.credit.sources = read_credit(defaults->value, "defaults").sources;
+  }
+  return frame;
 }
 
 void Reader::add_columns(Table& table, const std::vector<ReadColumn>& units) {

@@ -17,76 +17,86 @@ bool has(const std::vector<Value>& values, std::string_view key) {
 
 }  // namespace
 
-bool Reader::read_row(const Tree& tree, const std::vector<ReadColumn>& units, Row& row) {
+bool Reader::read_row(const Tree& tree, const Frame& frame, Row& row) {
   const std::size_t before = issues_.size();
   row.name = text_of(tree, "name", "", true);
-  row.standard = text_of(tree, "standard", row.name);
-  row.kind = text_of(tree, "kind", row.name);
   row.note = text_of(tree, "note", row.name);
   if (const auto* aliases = tree.find("aliases")) row.aliases = texts(aliases->value, row.name + ".aliases");
-  const Credit credit = read_credit(tree, row.name);
-  for (const auto& entry : tree.entries) {
-    if (!is_word(entry.key)) add_value(entry, units, row.name, {&credit}, row.values);
+  read_values(tree, frame, row);
+  if (row.standard.empty()) row.standard = frame.defaults.standard;
+  if (row.kind.empty()) row.kind = frame.defaults.kind;
+  for (const Value& value : frame.defaults.values) {
+    if (!has(row.values, value.key)) row.values.push_back(value);
   }
-  if (const auto* steps = tree.find("by_size")) read_steps(steps->value, units, row, credit);
-  check_recalled(tree, row, credit);
   return issues_.size() == before;
 }
 
-void Reader::read_steps(const Tree& tree, const std::vector<ReadColumn>& units, Row& row, const Credit& credit) {
+void Reader::read_values(const Tree& tree, const Frame& frame, Row& row) {
+  row.standard = text_of(tree, "standard", row.name);
+  row.kind = text_of(tree, "kind", row.name);
+  const Credit credit = read_credit(tree, row.name);
+  for (const auto& entry : tree.entries) {
+    if (!is_word(entry.key)) add_value(entry, frame, row.name, {&credit, &frame.credit}, row.values);
+  }
+  if (const auto* steps = tree.find("by_size")) read_steps(steps->value, frame, row, credit);
+  check_recalled(tree, row, credit);
+}
+
+void Reader::read_steps(const Tree& tree, const Frame& frame, Row& row, const Credit& credit) {
   for (const Tree& item : tree.items) {
-    Step step = read_step(item, units, row.name, credit);
+    Step step = read_step(item, frame, row.name, credit);
     const double last = row.by_size.empty() ? 0.0 : row.by_size.back().size_max;
     if (!(step.size_max > last)) complain(item.place, row.name + ".by_size", say("sizes must ascend from above zero"));
     row.by_size.push_back(std::move(step));
   }
 }
 
-Step Reader::read_step(const Tree& tree, const std::vector<ReadColumn>& units, const std::string& row,
-                       const Credit& credit) {
+Step Reader::read_step(const Tree& tree, const Frame& frame, const std::string& row, const Credit& credit) {
   Step step;
   const Credit own = read_credit(tree, row);
-  const Credit size{{"size_max"}, {}, {}, true};  // a size is the form of the table, it needs no source
+  const Credit form{{}, {}, {}, true};  // a size needs no source: it is the form of the table
   for (const auto& entry : tree.entries) {
     if (entry.key == "size_max") {
       std::vector<Value> sizes;
-      add_value(entry, units, row, {&size}, sizes);
+      add_value(entry, frame, row, {&form}, sizes);
       if (!sizes.empty()) step.size_max = sizes[0].si;
     } else if (!is_word(entry.key)) {
-      add_value(entry, units, row, {&own, &credit}, step.values);
+      add_value(entry, frame, row, {&own, &credit, &frame.credit}, step.values);
     }
   }
   return step;
 }
 
-void Reader::add_value(const Tree::Entry& entry, const std::vector<ReadColumn>& units, const std::string& row,
+const Reader::ReadColumn* Reader::column_of(const Tree::Entry& entry, const Frame& frame, const std::string& row) {
+  const auto named = [&](const ReadColumn& read) { return read.column.key == entry.key; };
+  const auto found = std::find_if(frame.units.begin(), frame.units.end(), named);
+  if (found != frame.units.end()) return &*found;
+  Texts known(std::begin(words), std::end(words));
+  for (const ReadColumn& read : frame.units) known.push_back(read.column.key);
+  const std::string near = nearest(entry.key, known);
+  complain(entry.place, row + "." + entry.key, say("'{1}' has no unit in 'units'", entry.key),
+           near.empty() ? Message{} : say("did you mean '{1}'?", near));
+  return nullptr;
+}
+
+void Reader::add_value(const Tree::Entry& entry, const Frame& frame, const std::string& row,
                        const std::vector<const Credit*>& credits, std::vector<Value>& values) {
-  const auto& [key, place, tree] = entry;
-  const auto unit = std::find_if(units.begin(), units.end(), [&k = key](const auto& u) { return u.column.key == k; });
-  if (unit == units.end()) {
-    Texts known(std::begin(words), std::end(words));
-    for (const ReadColumn& read : units) known.push_back(read.column.key);
-    const std::string near = nearest(key, known);
-    return complain(place, row + "." + key, say("'{1}' has no unit in 'units'", key),
-                    near.empty() ? Message{} : say("did you mean '{1}'?", near));
+  const ReadColumn* column = column_of(entry, frame, row);
+  if (column == nullptr) return;
+  const std::string& key = entry.key;
+  if (entry.value.type != Tree::Type::number) {
+    return complain(entry.value.place, row + "." + key, say("{1} must be a number", key),
+                    say("it is read in {1}, as 'units' says", column->column.unit));
   }
-  if (tree.type != Tree::Type::number) {
-    return complain(tree.place, row + "." + key, say("{1} must be a number", key),
-                    say("it is read in {1}, as 'units' says", unit->column.unit));
-  }
-  Value value{key, unit->unit.to_si(tree.number), {}};
+  Value value{key, column->unit.to_si(entry.value.number), {}};
   for (const Credit* credit : credits) {
     const auto cited = credit->cited.find(key);
-    if (cited != credit->cited.end()) value.sources = cited->second;
-    if (!value.sources.empty() || credit->all_recalled || credit->recalled.count(key) != 0) {
-      return values.push_back(std::move(value));
-    }
-    if (!credit->sources.empty()) {
-      value.sources = credit->sources;
-      return values.push_back(std::move(value));
-    }
+    value.sources = cited != credit->cited.end() ? cited->second : Texts{};
+    const bool recalled = credit->all_recalled || credit->recalled.count(key) != 0;
+    if (value.sources.empty() && !recalled) value.sources = credit->sources;
+    if (!value.sources.empty() || recalled) return values.push_back(std::move(value));
   }
-  complain(place, row + "." + key, say("{1} of '{2}' has no source", key, row),
+  complain(entry.place, row + "." + key, say("{1} of '{2}' has no source", key, row),
            say("name it in 'sources' or 'cite', or in 'recalled' where none was seen"));
 }
 

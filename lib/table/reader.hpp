@@ -1,4 +1,11 @@
 // Reads files of tables into a library. What is wrong becomes issues; the rest is read all the same.
+//
+// A file names its `table` and the `group` of its rows ("material"), the `units` of its columns, `[defaults]` for what
+// its rows share, and each `[[row]]`: name, aliases, standard, kind, note, its values, and `by_size` for those that
+// hold up to a `size_max`. `sources` are those of all values of a row or a step, `cite.KEY` those of the values it
+// lists, and `recalled` (a list, or true) marks the values that no source was seen for. A file of sizes has
+// `[[series]]` instead;
+// `[sources]` are the citations.
 #pragma once
 
 #include "lib/io/tree.hpp"
@@ -35,6 +42,13 @@ class Reader {
     bool all_recalled = false;
   };
 
+  /// What all rows of a file share.
+  struct Frame {
+    std::vector<ReadColumn> units;
+    Row defaults;
+    Credit credit;  // of values that a row gives itself: the default sources, not what the default values cite
+  };
+
   struct Cited {
     std::string key;
     Place place;
@@ -46,13 +60,15 @@ class Reader {
 
   Table& table_of(const Tree& file);
   std::vector<ReadColumn> read_units(const Tree& file, const Table& table);
+  Frame read_frame(const Tree& file, const Table& table);
   void add_columns(Table& table, const std::vector<ReadColumn>& units);
-  bool read_row(const Tree& tree, const std::vector<ReadColumn>& units, Row& row);
-  void read_entry(const Tree::Entry& entry, const std::vector<ReadColumn>& units, Row& row, const Credit& credit);
-  void read_steps(const Tree& tree, const std::vector<ReadColumn>& units, Row& row, const Credit& credit);
-  Step read_step(const Tree& tree, const std::vector<ReadColumn>& units, const std::string& row, const Credit& credit);
-  void add_value(const Tree::Entry& entry, const std::vector<ReadColumn>& units, const std::string& row,
+  bool read_row(const Tree& tree, const Frame& frame, Row& row);
+  void read_values(const Tree& tree, const Frame& frame, Row& row);
+  void read_steps(const Tree& tree, const Frame& frame, Row& row, const Credit& credit);
+  Step read_step(const Tree& tree, const Frame& frame, const std::string& row, const Credit& credit);
+  void add_value(const Tree::Entry& entry, const Frame& frame, const std::string& row,
                  const std::vector<const Credit*>& credits, std::vector<Value>& values);
+  const ReadColumn* column_of(const Tree::Entry& entry, const Frame& frame, const std::string& row);
   void check_recalled(const Tree& tree, const Row& row, const Credit& credit);
 
   bool read_series(const Tree& tree, Series& series);

@@ -1,10 +1,10 @@
+#include "lib/formula/formula.hpp"
+
 #include <doctest/doctest.h>
 
 #include <map>
 #include <string>
 #include <vector>
-
-#include "lib/formula/formula.hpp"
 
 using namespace loadpath::formula;
 
@@ -14,9 +14,9 @@ std::string plainly(std::string_view cpp) { return plain(parse(cpp).value()); }
 
 /// Names that stand for values: T and d with units, z without, n negative.
 std::optional<Written> numbers(std::string_view name) {
-  static const std::map<std::string_view, Written> values = {
-      {"T", {"600", "N·m"}}, {"d", {"50", "mm"}}, {"z", {"8", ""}}, {"n", {"-3", ""}}, {"x", {"-2", "mm"}},
-      {"e", {"1.5e-5", "mm"}}};
+  static const std::map<std::string_view, Written> values = {{"T", {"600", "N·m"}}, {"d", {"50", "mm"}},
+                                                             {"z", {"8", ""}},      {"n", {"-3", ""}},
+                                                             {"x", {"-2", "mm"}},   {"e", {"1.5e-5", "mm"}}};
   const auto found = values.find(name);
   return found == values.end() ? std::nullopt : std::optional(found->second);
 }
@@ -29,45 +29,44 @@ struct Row {
 
 TEST_SUITE("formula print") {
   TEST_CASE("plain text has the fewest parentheses that keep the meaning") {
-    for (const Row& row : std::vector<Row>{
-             {"a + b - c", "a + b − c"},
-             {"a - (b + c)", "a − (b + c)"},
-             {"a + (b - c)", "a + b − c"},
-             {"(a + b) * c", "(a + b) · c"},
-             {"((a)) * ((b))", "a · b"},
-             {"a * (b * c)", "a · b · c"},
-             {"a / (b * c)", "a / (b · c)"},
-             {"a / b / c", "a / (b · c)"},
-             {"a / (b / c)", "a / (b / c)"},
-             {"-a * b", "−a · b"},
-             {"a * -b", "a · (−b)"},
-             {"a - -b", "a − (−b)"},
-             {"-(a + b)", "−(a + b)"},
-             {"-(-a)", "−(−a)"},
-             {"a + -b * c", "a + (−b · c)"},
-             {"pow<2>(-a)", "(−a)²"},
-             {"pow<2>(a / b)", "(a / b)²"},
-             {"pow<3>(pow<2>(a))", "(a²)³"},
-             {"-pow<2>(a)", "−a²"},
-             {"pow(a, b + 1.0)", "a^(b + 1)"},
-             {"pow(a, -0.107)", "a^(−0.107)"},
-             {"pow<-2>(a)", "a⁻²"},
-             {"a * a * 3.0 * b * b * b", "a² · 3 · b³"},
-             {"sqrt(sqrt(a))", "∜(a)"},
-             {"root<5>(a)", "⁵√(a)"},
-             {"abs(a - b)", "|a − b|"},
-             {"log(a)", "ln(a)"},
-             {"static_cast<double>(n) * a", "n · a"},
-             {"static_cast<double>(n + k) * a", "(n + k) · a"},
-             {"a < b ? c : d", "a < b ? c : d"},
-             {"2.0 * (a < b ? c : d)", "2 · (a < b ? c : d)"},
-             {"a <= b && c != d || e", "a ≤ b and c ≠ d or e"},
-             {"(a < b || c) && d", "(a < b or c) and d"},
-             {"d / mm", "d / mm"},
-             {"10.0 * N_m", "10 · N·m"},
-             {"M / N_m", "M / (N·m)"},
-             {"210.0e9 * eps_0", "210 · 10⁹ · eps_0"},
-             {".50 + 100.0", "0.5 + 100"}}) {
+    for (const Row& row : std::vector<Row>{{"a + b - c", "a + b − c"},
+                                           {"a - (b + c)", "a − (b + c)"},
+                                           {"a + (b - c)", "a + b − c"},
+                                           {"(a + b) * c", "(a + b) · c"},
+                                           {"((a)) * ((b))", "a · b"},
+                                           {"a * (b * c)", "a · b · c"},
+                                           {"a / (b * c)", "a / (b · c)"},
+                                           {"a / b / c", "a / (b · c)"},
+                                           {"a / (b / c)", "a / (b / c)"},
+                                           {"-a * b", "−a · b"},
+                                           {"a * -b", "a · (−b)"},
+                                           {"a - -b", "a − (−b)"},
+                                           {"-(a + b)", "−(a + b)"},
+                                           {"-(-a)", "−(−a)"},
+                                           {"a + -b * c", "a + (−b · c)"},
+                                           {"pow<2>(-a)", "(−a)²"},
+                                           {"pow<2>(a / b)", "(a / b)²"},
+                                           {"pow<3>(pow<2>(a))", "(a²)³"},
+                                           {"-pow<2>(a)", "−a²"},
+                                           {"pow(a, b + 1.0)", "a^(b + 1)"},
+                                           {"pow(a, -0.107)", "a^(−0.107)"},
+                                           {"pow<-2>(a)", "a⁻²"},
+                                           {"a * a * 3.0 * b * b * b", "a² · 3 · b³"},
+                                           {"sqrt(sqrt(a))", "∜(a)"},
+                                           {"root<5>(a)", "⁵√(a)"},
+                                           {"abs(a - b)", "|a − b|"},
+                                           {"log(a)", "ln(a)"},
+                                           {"static_cast<double>(n) * a", "n · a"},
+                                           {"static_cast<double>(n + k) * a", "(n + k) · a"},
+                                           {"a < b ? c : d", "a < b ? c : d"},
+                                           {"2.0 * (a < b ? c : d)", "2 · (a < b ? c : d)"},
+                                           {"a <= b && c != d || e", "a ≤ b and c ≠ d or e"},
+                                           {"(a < b || c) && d", "(a < b or c) and d"},
+                                           {"d / mm", "d / mm"},
+                                           {"10.0 * N_m", "10 · N·m"},
+                                           {"M / N_m", "M / (N·m)"},
+                                           {"210.0e9 * eps_0", "210 · 10⁹ · eps_0"},
+                                           {".50 + 100.0", "0.5 + 100"}}) {
       CAPTURE(row.cpp);
       CHECK(plainly(row.cpp) == row.print);
     }
@@ -97,20 +96,21 @@ TEST_SUITE("formula print") {
   }
 
   TEST_CASE("MathML draws fractions, roots, powers, products") {
-    for (const Row& row : std::vector<Row>{
-             {"a / b", "<mfrac><mi>a</mi><mi>b</mi></mfrac>"},
-             {"2.0 * W", "<mn>2</mn><mspace width=\"0.17em\"/><mi>W</mi>"},
-             {"a * 2.0", "<mi>a</mi><mo form=\"infix\">⋅</mo><mn>2</mn>"},
-             {"pow<2>(tau_t)", "<msubsup><mi>τ</mi><mi>t</mi><mn>2</mn></msubsup>"},
-             {"tau_t * tau_t", "<msubsup><mi>τ</mi><mi>t</mi><mn>2</mn></msubsup>"},
-             {"sqrt(a)", "<msqrt><mi>a</mi></msqrt>"},
-             {"cbrt(-a)", "<mroot><mrow><mo form=\"prefix\">−</mo><mi>a</mi></mrow><mn>3</mn></mroot>"},
-             {"sin(a)", "<mi>sin</mi><mo>&#x2061;</mo><mrow><mo form=\"prefix\" stretchy=\"false\">(</mo><mi>a</mi>"
-             "<mo form=\"postfix\" stretchy=\"false\">)</mo></mrow>"},
-             {"exp(a)", "<msup><mi mathvariant=\"normal\">e</mi><mi>a</mi></msup>"},
-             {"d / mm", "<mfrac><mi>d</mi><mi mathvariant=\"normal\">mm</mi></mfrac>"},
-             {"a < b", "<mi>a</mi><mo form=\"infix\">&lt;</mo><mi>b</mi>"},
-             {"pi", "<mi mathvariant=\"normal\">π</mi>"}}) {
+    for (const Row& row :
+         std::vector<Row>{{"a / b", "<mfrac><mi>a</mi><mi>b</mi></mfrac>"},
+                          {"2.0 * W", "<mn>2</mn><mspace width=\"0.17em\"/><mi>W</mi>"},
+                          {"a * 2.0", "<mi>a</mi><mo form=\"infix\">⋅</mo><mn>2</mn>"},
+                          {"pow<2>(tau_t)", "<msubsup><mi>τ</mi><mi>t</mi><mn>2</mn></msubsup>"},
+                          {"tau_t * tau_t", "<msubsup><mi>τ</mi><mi>t</mi><mn>2</mn></msubsup>"},
+                          {"sqrt(a)", "<msqrt><mi>a</mi></msqrt>"},
+                          {"cbrt(-a)", "<mroot><mrow><mo form=\"prefix\">−</mo><mi>a</mi></mrow><mn>3</mn></mroot>"},
+                          {"sin(a)",
+                           "<mi>sin</mi><mo>&#x2061;</mo><mrow><mo form=\"prefix\" stretchy=\"false\">(</mo><mi>a</mi>"
+                           "<mo form=\"postfix\" stretchy=\"false\">)</mo></mrow>"},
+                          {"exp(a)", "<msup><mi mathvariant=\"normal\">e</mi><mi>a</mi></msup>"},
+                          {"d / mm", "<mfrac><mi>d</mi><mi mathvariant=\"normal\">mm</mi></mfrac>"},
+                          {"a < b", "<mi>a</mi><mo form=\"infix\">&lt;</mo><mi>b</mi>"},
+                          {"pi", "<mi mathvariant=\"normal\">π</mi>"}}) {
       CAPTURE(row.cpp);
       CHECK(mathml(parse(row.cpp).value()) == row.print);
     }
@@ -123,8 +123,7 @@ TEST_SUITE("formula print") {
              {"abs(F)", "\\left\\vert F \\right\\vert"},
              {"root<4>(a)", "\\sqrt[4]{a}"},
              {"atan(a)", "\\arctan\\left( a \\right)"},
-             {"a < b ? c : d",
-              "\\begin{cases}c & \\text{if }a \\lt b \\cr d & \\text{otherwise}\\end{cases}"}}) {
+             {"a < b ? c : d", "\\begin{cases}c & \\text{if }a \\lt b \\cr d & \\text{otherwise}\\end{cases}"}}) {
       CAPTURE(row.cpp);
       CHECK(tex(parse(row.cpp).value()) == row.print);
     }

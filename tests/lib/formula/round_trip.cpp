@@ -1,11 +1,11 @@
+#include "lib/formula/formula.hpp"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <random>
 #include <string>
 #include <vector>
-
-#include "lib/formula/formula.hpp"
 
 using namespace loadpath::formula;
 
@@ -28,17 +28,23 @@ class Trees {
     return {Kind::binary, operators[below(4)], {algebra(depth - 1), algebra(depth - 1)}};
   }
   Node any(int depth) {
-    static const std::vector<std::string> calls = {"sqrt",   "cbrt", "abs", "sin",     "exp",
+    static const std::vector<std::string> calls = {"sqrt",   "cbrt",    "abs", "sin",     "exp",
                                                    "pow<3>", "root<5>", "log", "pow<-2>", "static_cast<double>"};
     static const std::vector<std::string> pairs = {"+", "-", "*", "/", "<", ">=", "==", "&&", "||"};
     if (depth == 0) return leaf();
     switch (below(6)) {
-      case 0: return leaf();
-      case 1: return {Kind::negate, "-", {any(depth - 1)}};
-      case 2: return {Kind::call, calls[below(calls.size())], {any(depth - 1)}};
-      case 3: return {Kind::call, below(2) == 0 ? "min" : "max", {any(depth - 1), any(depth - 1)}};
-      case 4: return {Kind::choose, "?:", {any(depth - 1), any(depth - 1), any(depth - 1)}};
-      default: return {Kind::binary, pairs[below(pairs.size())], {any(depth - 1), any(depth - 1)}};
+      case 0:
+        return leaf();
+      case 1:
+        return {Kind::negate, "-", {any(depth - 1)}};
+      case 2:
+        return {Kind::call, calls[below(calls.size())], {any(depth - 1)}};
+      case 3:
+        return {Kind::call, below(2) == 0 ? "min" : "max", {any(depth - 1), any(depth - 1)}};
+      case 4:
+        return {Kind::choose, "?:", {any(depth - 1), any(depth - 1), any(depth - 1)}};
+      default:
+        return {Kind::binary, pairs[below(pairs.size())], {any(depth - 1), any(depth - 1)}};
     }
   }
 

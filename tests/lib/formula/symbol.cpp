@@ -1,9 +1,9 @@
+#include "lib/formula/formula.hpp"
+
 #include <doctest/doctest.h>
 
 #include <string>
 #include <vector>
-
-#include "lib/formula/formula.hpp"
 
 using namespace loadpath::formula;
 

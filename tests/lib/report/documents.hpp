@@ -1,9 +1,9 @@
 // Small documents for the writers' tests.
 #pragma once
 
-#include <string>
-
 #include "lib/report/document.hpp"
+
+#include <string>
 
 namespace loadpath::report {
 

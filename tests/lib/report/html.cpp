@@ -1,10 +1,10 @@
+#include "tests/lib/report/documents.hpp"
+
 #include <doctest/doctest.h>
 
 #include <limits>
 #include <string>
 #include <vector>
-
-#include "tests/lib/report/documents.hpp"
 
 using namespace loadpath;
 using namespace loadpath::report;
@@ -22,24 +22,26 @@ std::string body(const std::vector<Block>& blocks) {
 
 TEST_SUITE("report html") {
   TEST_CASE("a step is its symbol, formula, numbers, value and reason") {
-    CHECK(body({Derivation{{torsion_step()}}}) ==
-          "</header>\n"
-          "<div class=\"derivation\">\n"
-          "<div class=\"step\"><div class=\"formula\"><div class=\"left\"><math><mi>τ</mi></math></div>"
-          "<div class=\"right\"><math displaystyle=\"true\"><mo>=</mo><mfrac><mi>T</mi>"
-          "<mrow><mn>2</mn><mspace width=\"0.17em\"/><mi>W</mi></mrow></mfrac></math><wbr><span class=\"numbers\">"
-          "<math displaystyle=\"true\"><mo>=</mo><mfrac><mrow><mn>600</mn><mspace width=\"0.2em\"/>"
-          "<mi mathvariant=\"normal\">N·m</mi></mrow><mrow><mn>2</mn><mo form=\"infix\">⋅</mo><mn>24500</mn>"
-          "<mspace width=\"0.2em\"/><msup><mi mathvariant=\"normal\">mm</mi><mn>3</mn></msup></mrow></mfrac></math><wbr>"
-          "<math displaystyle=\"true\"><mo>=</mo><mn>12.24</mn><mspace width=\"0.2em\"/>"
-          "<mi mathvariant=\"normal\">MPa</mi></math></span></div></div><p class=\"why\">at the surface</p></div>\n"
-          "</div>\n</main>");
+    CHECK(
+        body({Derivation{{torsion_step()}}}) ==
+        "</header>\n"
+        "<div class=\"derivation\">\n"
+        "<div class=\"step\"><div class=\"formula\"><div class=\"left\"><math><mi>τ</mi></math></div>"
+        "<div class=\"right\"><math displaystyle=\"true\"><mo>=</mo><mfrac><mi>T</mi>"
+        "<mrow><mn>2</mn><mspace width=\"0.17em\"/><mi>W</mi></mrow></mfrac></math><wbr><span class=\"numbers\">"
+        "<math displaystyle=\"true\"><mo>=</mo><mfrac><mrow><mn>600</mn><mspace width=\"0.2em\"/>"
+        "<mi mathvariant=\"normal\">N·m</mi></mrow><mrow><mn>2</mn><mo form=\"infix\">⋅</mo><mn>24500</mn>"
+        "<mspace width=\"0.2em\"/><msup><mi mathvariant=\"normal\">mm</mi><mn>3</mn></msup></mrow></mfrac></math><wbr>"
+        "<math displaystyle=\"true\"><mo>=</mo><mn>12.24</mn><mspace width=\"0.2em\"/>"
+        "<mi mathvariant=\"normal\">MPa</mi></math></span></div></div><p class=\"why\">at the surface</p></div>\n"
+        "</div>\n</main>");
   }
 
   TEST_CASE("a value without a formula stands alone, a value that is missing is said to be") {
     Step step{"d", "", {}, {std::numeric_limits<double>::quiet_NaN(), "mm"}, {}};
-    CHECK(contains(body({Derivation{{step}}}),
-                   "<div class=\"right\"><math displaystyle=\"true\"><mo>=</mo><mtext>not available</mtext></math></div>"));
+    CHECK(contains(
+        body({Derivation{{step}}}),
+        "<div class=\"right\"><math displaystyle=\"true\"><mo>=</mo><mtext>not available</mtext></math></div>"));
   }
 
   TEST_CASE("a formula outside of the language is shown as written") {
@@ -51,8 +53,9 @@ TEST_SUITE("report html") {
   TEST_CASE("a sum may break between its terms") {
     Step step = torsion_step();
     step.formula = "T + W";
-    CHECK(contains(body({Derivation{{step}}}), "<mi>T</mi></math><wbr><math displaystyle=\"true\">"
-                                               "<mo form=\"infix\">+</mo><mi>W</mi></math>"));
+    CHECK(contains(body({Derivation{{step}}}),
+                   "<mi>T</mi></math><wbr><math displaystyle=\"true\">"
+                   "<mo form=\"infix\">+</mo><mi>W</mi></math>"));
   }
 
   TEST_CASE("a formula too wide for its reason beside it has the reason below") {
@@ -63,10 +66,10 @@ TEST_SUITE("report html") {
   }
 
   TEST_CASE("a table has its numbers flush right, symbols typeset and a numbered caption") {
-    const Table table{say("Given"),
-                      {say("{1}", "tau_t"), say("value"), say("{1}", "from")},
-                      {{Symbol{"d"}, Quantity{0.05, "mm"}, std::string("a & b")},
-                       {say("x"), Quantity{-1.0, "-"}, State::fail}}};
+    const Table table{
+        say("Given"),
+        {say("{1}", "tau_t"), say("value"), say("{1}", "from")},
+        {{Symbol{"d"}, Quantity{0.05, "mm"}, std::string("a & b")}, {say("x"), Quantity{-1.0, "-"}, State::fail}}};
     CHECK(body({table}) ==
           "</header>\n"
           "<div class=\"table\"><p class=\"caption\"><b>Table 1.</b> Given</p><div class=\"scroll\"><table>\n"
@@ -87,11 +90,10 @@ TEST_SUITE("report html") {
     figure.caption = "moment";
     const std::string out = body({Heading{2, "One", "one"}, Heading{3, "Part", "p"}, table, figure,
                                   Heading{2, "Two", "two"}, Heading{3, "Part", "q"}, table, figure});
-    for (const char* part : {"<h2 id=\"one\"><span class=\"no\">1</span> One</h2>",
-                             "<h3 id=\"p\"><span class=\"no\">1.1</span> Part</h3>",
-                             "<h2 id=\"two\"><span class=\"no\">2</span> Two</h2>",
-                             "<h3 id=\"q\"><span class=\"no\">2.1</span> Part</h3>", "<b>Table 2.</b> a",
-                             "<figcaption><b>Figure 2.</b> moment</figcaption>"}) {
+    for (const char* part :
+         {"<h2 id=\"one\"><span class=\"no\">1</span> One</h2>", "<h3 id=\"p\"><span class=\"no\">1.1</span> Part</h3>",
+          "<h2 id=\"two\"><span class=\"no\">2</span> Two</h2>", "<h3 id=\"q\"><span class=\"no\">2.1</span> Part</h3>",
+          "<b>Table 2.</b> a", "<figcaption><b>Figure 2.</b> moment</figcaption>"}) {
       CAPTURE(part);
       CHECK(contains(out, part));
     }

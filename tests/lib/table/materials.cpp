@@ -90,9 +90,9 @@ TEST_SUITE("table") {
       ++count[entry.row->name];
       for (const std::string& alias : entry.row->aliases) ++count[alias];
     });
-    for (const auto& [name, times] : count) {
-      CAPTURE(name);
-      CHECK(times == 1);
+    for (const auto& times : count) {
+      CAPTURE(times.first);
+      CHECK(times.second == 1);
     }
   }
 
@@ -102,10 +102,10 @@ TEST_SUITE("table") {
       each_value(*entry.row, [&](const Value& v) { cited.insert(v.sources.begin(), v.sources.end()); });
     });
     for (const Series& series : built_in().series) cited.insert(series.sources.begin(), series.sources.end());
-    for (const auto& [key, entry] : built_in().citations) {
-      CAPTURE(key);
-      CHECK(entry.text.size() > 20);
-      CHECK(entry.of_method != (cited.count(key) == 1));
+    for (const auto& known : built_in().citations) {
+      CAPTURE(known.first);
+      CHECK(known.second.text.size() > 20);
+      CHECK(known.second.of_method != (cited.count(known.first) == 1));
     }
     for (const std::string& key : cited) CHECK(built_in().citations.count(key) == 1);
   }

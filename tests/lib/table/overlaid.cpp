@@ -81,6 +81,37 @@ recalled = true
     CHECK(members_in_si(**find_series(mine, "stock")) == std::vector<double>{0.0127, 0.01905, 0.0254});
   }
 
+  TEST_CASE("a row takes from the file's defaults what it does not say itself") {
+    std::vector<Issue> issues;
+    const Library mine = overlaid(built_in(), R"(table = "mine"
+group = "material"
+units = { E = "GPa", nu = "-", R_m = "MPa" }
+[defaults]
+kind = "steel"
+E = 210
+nu = 0.3
+sources = ["Mott"]
+recalled = ["nu"]
+[[row]]
+name = "A"
+R_m = 500
+[[row]]
+name = "B"
+kind = "bronze"
+nu = 0.35
+)",
+                                  "mine.toml", issues);
+    CHECK(issues.empty());
+    const Entry a = *find_row(mine, "material", "A"), b = *find_row(mine, "material", "B");
+    CHECK(a.row->kind == "steel");
+    CHECK(b.row->kind == "bronze");
+    CHECK(value_of(a, "E") == 210e9);
+    CHECK(property(a, "R_m")->sources == std::vector<std::string>{"Mott"});
+    CHECK(property(a, "nu")->recalled);
+    CHECK(value_of(b, "nu") == 0.35);
+    CHECK(property(b, "nu")->sources == std::vector<std::string>{"Mott"});
+  }
+
   TEST_CASE("a wrong row is refused at its place") {
     struct Case {
       std::string row;

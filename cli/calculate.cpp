@@ -16,6 +16,19 @@ bool takes_text(const FieldInfo* field) {
          field->type == FieldInfo::Type::name;
 }
 
+/// Back to the places of the flag's own text, which stood behind `length` characters of a line.
+void move_back(Place& place, int length) {
+  if (place.line == 1) place.column = std::max(1, place.column - length);
+}
+void move_back(Tree& tree, int length) {
+  move_back(tree.place, length);
+  for (Tree& item : tree.items) move_back(item, length);
+  for (Tree::Entry& entry : tree.entries) {
+    move_back(entry.place, length);
+    move_back(entry.value, length);
+  }
+}
+
 /// The value of a flag as a project file would have it: a text as it stands, anything else as TOML's inline text.
 Tree value_of(const std::string& key, const std::string& text, const FieldInfo* field, std::vector<Issue>& issues) {
   const std::string flag = "--" + key;
@@ -26,9 +39,13 @@ Tree value_of(const std::string& key, const std::string& text, const FieldInfo* 
   const bool inline_table = text.starts_with('{');  // { stock = "R20" }
   if (takes_text(field) && !inline_table) return value;
   const std::string prefix = "value = ";
-  const Tree tree = io::read_toml(prefix + text, flag, issues);
-  const auto* entry = tree.find("value");
-  return entry == nullptr ? value : entry->value;
+  const auto length = static_cast<int>(prefix.size());
+  const std::size_t before = issues.size();
+  Tree tree = io::read_toml(prefix + text, flag, issues);
+  for (std::size_t i = before; i < issues.size(); ++i) move_back(issues[i].place, length);
+  if (tree.entries.empty()) return value;
+  move_back(tree, length);
+  return std::move(tree.entries[0].value);
 }
 
 Tree project_tree(const CalculateOptions& options, std::vector<Issue>& issues) {

@@ -71,6 +71,19 @@ void setup_tables(CLI::App& app, TablesOptions& options, Action& action) {
   sub->callback([&] { action = [&] { return tables(options); }; });
 }
 
+/// What the help shows behind a flag.
+std::string type_word(const FieldInfo& field) {
+  switch (field.type) {
+    case FieldInfo::Type::quantity: return std::string_view(field.unit) == "-" ? "NUMBER" : field.unit;
+    case FieldInfo::Type::count: return "COUNT";
+    case FieldInfo::Type::choice:
+    case FieldInfo::Type::name: return "WORD";
+    case FieldInfo::Type::group:
+    case FieldInfo::Type::list: return "TOML";
+  }
+  return "";
+}
+
 /// Flags of one calculator: the top-level fields of its input, and the rows that its providers look up.
 void setup_calculator(CLI::App& element, const Calculator& calculator, CalculateOptions& options, Action& action) {
   const std::string_view id = calculator.id;
@@ -82,8 +95,7 @@ void setup_calculator(CLI::App& element, const Calculator& calculator, Calculate
   };
   bool material = false;
   for (const FieldInfo& f : calculator.input->fields) {
-    const bool quantity = f.type == FieldInfo::Type::quantity;
-    add(f.key, f.doc, quantity ? f.unit : f.has_fields() ? "TOML" : "WORD");
+    add(f.key, f.doc, type_word(f));
     material = material || std::string_view(f.provider.table) == "material";
   }
   if (material) add("material", "row of the materials table that fills what is missing", "NAME");
@@ -99,53 +111,82 @@ void setup_calculators(CLI::App& app, std::deque<CalculateOptions>& options, Act
     const std::string element(calculator->element());
     CLI::App*& parent = elements[element];
     if (parent == nullptr) {
-      parent = app.add_subcommand(element, "calculators for this machine element");
-      parent->require_subcommand(0, 1)->allow_extras();
+      parent = app.add_subcommand(element, "calculators: ");
+      parent->require_subcommand(0, 1);
+      parent->footer("`loadpath describe " + element + ".NAME` tells the fields, sources and limits of one, with an example.");
+    } else {
+      parent->description(parent->get_description() + ", ");
     }
+    const std::string_view id = calculator->id;
+    parent->description(parent->get_description() + std::string(id.substr(id.find('.') + 1)));
     setup_calculator(*parent, *calculator, options.emplace_back(), action);
   }
+  for (const auto& [element, parent] : elements) parent->allow_extras();  // not before: its calculators would inherit it
 }
 
-/// What was typed where a command is expected, with the nearest one.
-int unknown_command(const CLI::App& app, const std::string& prefix) {
-  std::vector<std::string> names;
-  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(sub->get_name());
-  const auto words = app.remaining();
+int refuse(const std::string& what, const std::string& help) {
+  std::cerr << "loadpath: " << what << "\n  = help: " << help << "\n";
+  return wrong_input;
+}
+
+const CLI::App& deepest(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? app : deepest(*chosen.front());
+}
+
+/// "loadpath shaft torsion"
+std::string path_of(const CLI::App& command) {
+  return command.get_parent() == nullptr ? command.get_name() : path_of(*command.get_parent()) + " " + command.get_name();
+}
+
+int unknown_option(const CLI::App& command, const std::string& word) {
+  const std::string name = word.substr(0, word.find('='));
+  std::vector<std::string> options;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& long_name : option->get_lnames()) options.push_back("--" + long_name);
+  }
+  const std::string near = nearest(name, options);
+  return refuse("there is no option '" + name + "'",
+                near.empty() ? "`" + path_of(command) + " --help` shows what there is" : "did you mean '" + near + "'?");
+}
+
+/// What was typed where a command, or the calculator of an element, is expected.
+int unknown_command(const CLI::App& app, const CLI::App& command) {
+  const auto words = command.remaining();
   if (words.empty()) {
     std::cerr << app.help();
     return wrong_input;
   }
-  const std::string near = nearest(words[0], names);
+  if (words[0].starts_with('-')) return unknown_option(command, words[0]);
+  std::vector<std::string> names;
   std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  std::cerr << "loadpath: there is no " << (prefix.empty() ? "command" : "calculator") << " '" << prefix << words[0] << "'\n  = help: "
-            << (near.empty() ? "there is: " + all : "did you mean '" + prefix + near + "'?") << "\n";
-  return wrong_input;
+  for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(sub->get_name());
+    all += (all.empty() ? "" : ", ") + sub->get_name();
+  }
+  const std::string near = nearest(words[0], names);
+  const bool top = &app == &command;
+  const std::string prefix = top ? "" : command.get_name() + " ";
+  return refuse((top ? "there is no command '" : "there is no calculator '") + prefix + words[0] + "'",
+                near.empty() ? "there is: " + all : "did you mean '" + prefix + near + "'?");
 }
 
-int no_action(const CLI::App& app) {
-  for (const CLI::App* sub : app.get_subcommands()) return unknown_command(*sub, sub->get_name() + " ");
-  return unknown_command(app, "");
-}
-
-/// Wrong words on the command line: CLI11's sentence, with the nearest flag.
+/// Wrong words on the command line: an unknown option with the nearest one, or CLI11's sentence.
 int wrong_words(const CLI::App& app, const CLI::ParseError& error) {
-  std::cerr << "loadpath: " << error.what() << "\n";
-  const CLI::App* deepest = &app;
-  while (!deepest->get_subcommands().empty()) deepest = deepest->get_subcommands().front();
-  std::vector<std::string> flags;
-  for (const CLI::Option* option : deepest->get_options()) flags.push_back("--" + (option->get_lnames().empty() ? "" : option->get_lnames()[0]));
+  const CLI::App& command = deepest(app);
   const auto words = app.remaining(true);
-  const std::string near = words.empty() ? "" : nearest(words[0].substr(0, words[0].find('=')), flags);
-  std::cerr << "  = help: " << (near.empty() ? "--help shows what there is" : "did you mean '" + near + "'?") << "\n";
-  return wrong_input;
+  if (!words.empty() && words[0].starts_with("--")) return unknown_option(command, words[0]);
+  const std::string help = "`" + path_of(command) + " --help` shows what there is";
+  if (!words.empty()) return refuse("'" + words[0] + "' is not expected here", help);
+  const std::string said = error.what();
+  if (error.get_name() == "ArgumentMismatch") return refuse("'" + said.substr(0, said.find(':')) + "' needs a value", help);
+  return refuse(said, help);
 }
 
 int dispatch(int argc, char** argv) {
   CLI::App app("loadpath: design calculator for machine elements, from the loads of a mechanism to the sizes of its parts", "loadpath");
   app.set_version_flag("--version", program());
-  app.footer(footer);
-  app.allow_extras();
+  app.require_subcommand(0, 1);
   Action action;
   RunOptions run_options;
   DescribeOptions describe_options;
@@ -161,6 +202,8 @@ int dispatch(int argc, char** argv) {
   setup_tables(app, tables_options, action);
   app.add_subcommand("schema", "JSON Schema of a project file, for editors")->callback([&] { action = schema; });
   setup_calculators(app, calculate_options, action);
+  app.footer(footer);  // both only here: commands inherit what is set before they are made
+  app.allow_extras();
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help, --version
@@ -168,7 +211,7 @@ int dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return wrong_words(app, error);
   }
-  return action && app.remaining().empty() ? action() : no_action(app);
+  return action && app.remaining().empty() ? action() : unknown_command(app, deepest(app));
 }
 
 }  // namespace

@@ -21,3 +21,12 @@ if(LOADPATH_SANITIZE)
                                                   -fno-omit-frame-pointer)
   target_link_options(loadpath_flags INTERFACE -fsanitize=address,undefined)
 endif()
+
+# A release build of a target with little optimisation, and sources in it that get all of it (and so cannot share the
+# target's precompiled header).
+function(loadpath_cold target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+function(loadpath_hot)
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O3> SKIP_PRECOMPILE_HEADERS ON)
+endfunction()

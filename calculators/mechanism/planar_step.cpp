@@ -15,7 +15,7 @@ void PlanarStep::prepare(const project::Declared& declared, const project::Compa
   check_operands(input().reading, name(), false, declared, issues);
   // What names hang on must see that a value is given; which one is known when the project is solved.
   for (const project::Operand& operand : input().reading.operands) operand.leaf.set(operand.leaf.field->factor);
-  for (const ModelFault& fault : check_names(data())) issues.push_back(issue_at(input(), fault.path, fault.message, fault.hint));
+  add_faults_of_names(issues);
   if (std::any_of(issues.begin(), issues.end(), is_own)) return;  // the model has holes: nothing more can be said of it
   const mechanism::Model model = model_of(data());
   outputs_ = mechanism_outputs(data(), model);
@@ -25,6 +25,23 @@ void PlanarStep::prepare(const project::Declared& declared, const project::Compa
     axis_ = std::make_unique<Axis>(Axis{name() + ": " + axis, axis == "stroke" ? "mm" : "deg", {}, {}, period});
   }
   if (input().reading.operands.empty()) diagnose_model(model, issues);
+}
+
+/// What is wrong with names and points, but for what follows from an error that is there already.
+void PlanarStep::add_faults_of_names(std::vector<Issue>& issues) const {
+  std::vector<std::string> wrong;
+  for (const Issue& issue : issues) {
+    if (issue.severity == Severity::error && issue.key.starts_with(name() + ".")) wrong.push_back(issue.key.substr(name().size() + 1));
+  }
+  for (const char* list : {"ground", "links", "joints"}) {
+    if (std::find(wrong.begin(), wrong.end(), list) != wrong.end()) return;  // any name may be missing
+  }
+  for (const ModelFault& fault : check_names(data())) {
+    const bool follows = std::any_of(wrong.begin(), wrong.end(), [&](const std::string& path) {
+      return (path + ".").starts_with(fault.path + ".") || (fault.path + ".").starts_with(path + ".");
+    });
+    if (!follows) issues.push_back(issue_at(input(), fault.path, fault.message, fault.hint));
+  }
 }
 
 Outcome<Signature> PlanarStep::signature(const std::string& path) const {

@@ -25,6 +25,7 @@ class PlanarStep : public project::Step {
   [[nodiscard]] const PlanarMechanism::Input& data() const {
     return *static_cast<const PlanarMechanism::Input*>(input().reading.record.data.get());
   }
+  void add_faults_of_names(std::vector<Issue>& issues) const;
   bool diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues) const;
   void fill_values(const Cycle& cycle);
 

@@ -123,15 +123,12 @@ void size_stretches(const Torsion::Input& in, const shaft::Stretches& parts, con
     trace.value("M", M, "internal moment: the sum of the torques to its left");
     STEP(M_t, K_A * abs(M), "design moment");
     if (is_set(c.chi)) trace.value("chi", c.chi, "bore ratio");
-    Torsion::Stretch& s = r.segments.emplace_back();
-    s.x = part.x;
-    s.l = part.l;
-    s.M = M;
-    s.M_t = M_t;
+    Torsion::Stretch s{part.x, part.l, M, M_t};
     s.d = c.d;
     s.d_bore = c.d_bore;
     s.d_strength = size_by_strength(M_t, c, allowed.tau_all, trace);
     s.d_stiffness = size_by_stiffness(M_t, c, allowed, trace);
+    r.segments.push_back(s);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "lib/io/json_text.hpp"
 #include "lib/quantity/format.hpp"
+#include "lib/quantity/unit.hpp"
 #include "lib/report/build.hpp"
 
 namespace loadpath::io {
@@ -30,8 +31,16 @@ const char* word_of(State state) {
 
 json::value number(double x) { return std::isfinite(x) ? json::value(x) : json::value(nullptr); }
 
+/// The SI unit by its name where it has one: Pa, not kg/(m*s^2).
+std::string unit_of(const Dimension& dimension) {
+  for (const char* unit : {"N", "Pa", "N*m", "W", "N/m"}) {
+    if (const auto parsed = parse_unit(unit); parsed && parsed->dimension == dimension) return unit;
+  }
+  return si_unit(dimension);
+}
+
 json::value quantity(double si, const Dimension& dimension) {
-  json::object object{{"value", number(si)}, {"unit", si_unit(dimension)}};
+  json::object object{{"value", number(si)}, {"unit", unit_of(dimension)}};
   if (!std::isfinite(si)) object["reason"] = "not available";
   return object;
 }
@@ -43,7 +52,7 @@ json::value entry(const Entry& e) {
   } else if (e.value.is_series()) {
     json::array values;
     for (const double x : e.value.si) values.push_back(number(x));
-    object = {{"unit", si_unit(e.value.signature.dimension)}, {"axis", e.value.signature.axis->name}, {"values", std::move(values)}};
+    object = {{"unit", unit_of(e.value.signature.dimension)}, {"axis", e.value.signature.axis->name}, {"values", std::move(values)}};
   } else {
     object = quantity(e.value.si.empty() ? NAN : e.value.si[0], e.value.signature.dimension).as_object();
   }

@@ -15,7 +15,4 @@ inline constexpr std::size_t largest_file = 4 * 1024 * 1024;
 /// The first thing that cannot be passed on, with its place.
 std::optional<Issue> refuse_text(std::string_view text, const std::string& file);
 
-/// The length in bytes of the UTF-8 character at the start of `text`; 0 where it is none.
-std::size_t utf8_length(std::string_view text);
-
 }  // namespace loadpath::io

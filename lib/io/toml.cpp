@@ -75,7 +75,11 @@ Tree convert(const toml::node& node, const std::string& file) {
 
 /// `T = 900 N*m` without quotes is the commonest slip, and the parser's own words do not help there.
 Message hint_for(std::string_view line) {
+  const auto is_foreign = [](std::string_view text) {
+    return std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+  };
   const std::size_t equals = line.find('=');
+  if (line.starts_with('[') && is_foreign(line.substr(0, line.find(']')))) return say("a name has Latin letters, digits and '_'");
   if (equals == std::string_view::npos) return {};
   std::string_view value = line.substr(equals + 1);
   value.remove_prefix(std::min(value.find_first_not_of(" \t"), value.size()));
@@ -85,9 +89,14 @@ Message hint_for(std::string_view line) {
                     (std::isdigit(static_cast<unsigned char>(value[0])) != 0 || value[0] == '-' || value[0] == '+');
   if (bare) return say("write a quantity in quotes: \"{1}\"", value);
   const std::string_view key = line.substr(0, equals);
-  const bool foreign = std::any_of(key.begin(), key.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
-  return foreign && key.find('"') == std::string_view::npos ? say("write a key with other than Latin letters in quotes")
-                                                            : Message{};
+  return is_foreign(key) && key.find('"') == std::string_view::npos ? say("write a key with other than Latin letters in quotes")
+                                                                    : Message{};
+}
+
+/// "Error while parsing key-value pair: expected ..." without what the place shows already.
+std::string_view what_of(std::string_view description) {
+  const std::size_t colon = description.find(": ");
+  return description.starts_with("Error while parsing") && colon != std::string_view::npos ? description.substr(colon + 2) : description;
 }
 
 std::string_view line_of(std::string_view text, int line) {
@@ -108,7 +117,7 @@ Tree read_toml(std::string_view text, const std::string& file, std::vector<Issue
     return tree;
   } catch (const toml::parse_error& error) {
     const Place place = place_of(error.source(), file);
-    issues.push_back({place, "", say("the file is not valid TOML: {1}", error.description()),
+    issues.push_back({place, "", say("not valid TOML: {1}", what_of(error.description())),
                       hint_for(line_of(text, place.line)), Severity::error});
     return {};
   }

@@ -52,11 +52,20 @@ void CalculatorStep::find_searches(std::vector<Issue>& issues) {
   }
 }
 
-/// Whether an input is known only when the project is solved.
+/// Whether a table is to fill the input, be there such a row or not.
+bool CalculatorStep::names_row_for(const std::string& field) const {
+  const FieldInfo* info = find_field(input().calculator->input->fields, field);
+  const auto& typed = input().reading.typed;
+  return info != nullptr && input().rows.count(info->provider.table) != 0 && typed.count(field) == 0 &&
+         typed.count(info->provider.unless) == 0;
+}
+
+/// Whether an input is known only when the project is solved, or is wrong already.
 bool CalculatorStep::is_open(const std::string& field) const {
   const auto concerns = [&](const auto& entry) { return head(entry.path) == field; };
   const auto& reading = input().reading;
-  return std::any_of(reading.operands.begin(), reading.operands.end(), concerns) ||
+  return reading.faulty.count(field) != 0 || names_row_for(field) ||
+         std::any_of(reading.operands.begin(), reading.operands.end(), concerns) ||
          std::any_of(searches_.begin(), searches_.end(), concerns) ||
          std::any_of(provided_.begin(), provided_.end(), concerns);
 }

@@ -25,6 +25,7 @@ class CalculatorStep : public Step {
   void find_searches(std::vector<Issue>& issues);
   void check_rules_of_literals(std::vector<Issue>& issues);
   [[nodiscard]] bool is_open(const std::string& field) const;
+  [[nodiscard]] bool names_row_for(const std::string& field) const;
   [[nodiscard]] Fault unknown_path(const std::string& path) const;
 
   const Axis* axis_ = nullptr;  // of the series among the inputs; null: one position

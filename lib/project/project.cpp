@@ -27,8 +27,10 @@ Outcome<Signature> signature_of(const Project& project, const std::string& path)
   const Step* step = project.find(name);
   if (step != nullptr) return step->signature(rest);
   const std::string near = nearest(name, names_of(project));
-  return Fault{0, path.size(), say("there is no step '{1}'", name),
-               near.empty() ? Message{} : say("did you mean '{1}'?", near + "." + rest)};
+  if (!near.empty()) return Fault{0, path.size(), say("there is no step '{1}'", name), say("did you mean '{1}'?", near + "." + rest)};
+  std::string all;
+  for (const std::string& known : names_of(project)) all += (all.empty() ? "" : ", ") + known;
+  return Fault{0, path.size(), say("there is no step '{1}'", name), say("there is: {1}", all)};
 }
 
 std::string companion_of(const Project& project, const std::string& path) {

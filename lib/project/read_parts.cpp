@@ -25,7 +25,7 @@ void add(std::vector<Issue>& issues, const Place& place, const std::string& key,
 /// The text of an entry, or an issue and an empty text.
 std::string text_of(const Tree::Entry& entry, const std::string& key, std::vector<Issue>& issues) {
   if (entry.value.type == Tree::Type::text) return entry.value.text;
-  add(issues, entry.value.place, key, say("'{1}' is a text, not {2}", key, io::word_for(entry.value.type)));
+  add(issues, entry.value.place, key, say("'{1}' takes a text, not {2}", key, io::word_for(entry.value.type)));
   return {};
 }
 

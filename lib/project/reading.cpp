@@ -31,6 +31,7 @@ class Reader {
   void read_quantity(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_text_quantity(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_special(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
+  void read_spread(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_literal(const std::string& text, const Tree& tree, const FieldInfo& field, void* owner,
                     const std::string& path);
   void read_count(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
@@ -47,6 +48,7 @@ class Reader {
   void say_at(const Place& place, const std::string& path, Message message, Message hint = {},
               Severity severity = Severity::error) {
     issues_.push_back({place, prefix_ + path, std::move(message), std::move(hint), severity});
+    if (severity == Severity::error) reading_.faulty.insert(path.substr(0, path.find_first_of(".[")));
   }
   void fault_at(const Place& start, std::string_view text, const std::string& path, const Fault& fault) {
     say_at(place_in(start, text, fault.at, fault.length), path, fault.message, fault.hint);
@@ -83,6 +85,7 @@ void Reader::read_fields(const Tree& table, std::span<const FieldInfo> fields, v
     const std::string inner = joined(path, entry.key);
     if (field == nullptr) {
       say_at(entry.place, inner, say("'{1}' is no field here", entry.key), did_you_mean(entry.key, keys_of(fields)));
+      if (path.empty()) reading_.faulty.insert(nearest(entry.key, keys_of(fields)));
       continue;
     }
     reading_.typed[inner] = {entry.value.text, entry.value.place};
@@ -143,11 +146,18 @@ void Reader::read_special(const Tree& tree, const FieldInfo& field, void* owner,
   if (tree.find("from") != nullptr) {
     return say_at(tree.place, path, say("this is a range, and `run` takes one value"), say("use `loadpath sweep` for ranges"));
   }
-  const auto* middle = tree.find("mean") != nullptr ? tree.find("mean") : tree.find("value");
-  if (middle == nullptr) {
-    return say_at(tree.place, path, say("a quantity is expected, not {1}", io::word_for(tree.type)),
-                  say("write a text with a unit, \"30 {1}\"", field.unit));
+  if (tree.find("mean") != nullptr || tree.find("value") != nullptr) return read_spread(tree, field, owner, path);
+  say_at(tree.place, path, say("a quantity is expected, not {1}", io::word_for(tree.type)),
+         say("write a text with a unit, \"30 {1}\"", field.unit));
+}
+
+void Reader::read_spread(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  static const std::vector<std::string> keys{"mean", "sd", "value", "tolerance"};
+  for (const Tree::Entry& entry : tree.entries) {
+    if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
+    say_at(entry.place, path, say("'{1}' is no field here", entry.key), did_you_mean(entry.key, keys));
   }
+  const auto* middle = tree.find("mean") != nullptr ? tree.find("mean") : tree.find("value");
   read_quantity(middle->value, field, owner, path);
   reading_.typed[path].mean_of_uncertain = true;
   say_at(tree.place, path, say("'{1}' is uncertain; computed at its middle value", path), {}, Severity::warning);
@@ -225,8 +235,9 @@ void Reader::read_list(const Tree& tree, const FieldInfo& field, void* owner, co
 void Reader::read_element(const Tree& tree, const FieldInfo& list, void* owner, const std::string& path,
                           const Tree::Entry* named) {
   void* element = list.push(owner);
-  const std::size_t number = list.size(owner);
-  std::string inner = path + "[" + std::to_string(number) + "]";
+  const auto* own_name = find_field(list.fields, "name") == nullptr ? nullptr : tree.find("name");
+  std::string inner = path + "[" + std::to_string(list.size(owner)) + "]";
+  if (own_name != nullptr && is_name(own_name->value.text)) inner = path + "." + own_name->value.text;
   if (named != nullptr) {
     inner = path + "." + named->key;
     Tree name;
@@ -302,7 +313,8 @@ void Reader::check_names(const FieldInfo& list, void* owner, const std::string& 
   for (std::size_t i = 0; i < list.size(owner); ++i) {
     const std::string_view n = name->text(list.element(owner, i));
     if (!n.empty() && std::find(seen.begin(), seen.end(), n) != seen.end()) {
-      say_at(place, path, say("the name '{1}' stands twice in '{2}'", n, path));
+      const auto typed = reading_.typed.find(path + "." + std::string(n) + ".name");
+      say_at(typed == reading_.typed.end() ? place : typed->second.place, path, say("the name '{1}' stands twice in '{2}'", n, path));
     }
     seen.push_back(n);
   }

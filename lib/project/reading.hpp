@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,7 @@ struct Reading {
   std::vector<Operand> operands;
   std::vector<Search> searches;
   std::map<std::string, Typed> typed;  // by the path of the leaf; lists and groups by their own path too
+  std::set<std::string> faulty;        // top-level fields that an error is about: what else depends on them is not said
   Place place;                         // of the table
 };
 

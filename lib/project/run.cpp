@@ -40,6 +40,7 @@ Run::Run(const CalculatorStep& step, const Known& known)
       result_(*calculator_.result) {}
 
 bool Run::evaluate_operands(std::vector<Issue>& issues) {
+  const std::size_t before = issues.size();
   for (const Operand& operand : step_.input().reading.operands) {
     auto value = evaluate_operand(operand, step_.name(), known_, issues);
     if (!value) continue;
@@ -51,7 +52,7 @@ bool Run::evaluate_operands(std::vector<Issue>& issues) {
                          {say("comes with it: {1}", path), {}, false}});
     }
   }
-  return issues.empty();
+  return issues.size() == before;
 }
 
 bool Run::set_position(std::size_t i) {

@@ -19,8 +19,13 @@ const Value* Step::value(const std::string& path) const {
 }
 
 Issue issue_at(const StepInput& input, const std::string& path, Message message, Message hint) {
-  const auto typed = input.reading.typed.find(path);
-  const Place place = typed == input.reading.typed.end() ? input.place : typed->second.place;
+  const auto& typed = input.reading.typed;
+  std::string nearest_typed = path;
+  while (typed.count(nearest_typed) == 0 && !nearest_typed.empty()) {
+    const std::size_t end = nearest_typed.find_last_of(".[");
+    nearest_typed.resize(end == std::string::npos ? 0 : end);
+  }
+  const Place& place = nearest_typed.empty() ? input.place : typed.at(nearest_typed).place;
   return {place, path.empty() ? input.name : input.name + "." + path, std::move(message), std::move(hint), Severity::error};
 }
 

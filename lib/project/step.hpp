@@ -115,7 +115,7 @@ std::vector<Entry> input_entries(const Record& record, const std::function<Origi
 /// "given" where it was typed, "default" where it has a value all the same.
 Origin plain_origin(const Reading& reading, const std::string& path, const Leaf& leaf);
 
-/// An issue at the field that was typed at `path`, or at the step's own place.
+/// An issue at the field that was typed at `path`, or at what it is part of.
 Issue issue_at(const StepInput& input, const std::string& path, Message message, Message hint = {});
 
 /// The overall state of verdicts: the worst.

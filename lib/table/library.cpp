@@ -2,6 +2,7 @@
 #include "lib/quantity/unit.hpp"
 #include "lib/table/reader.hpp"
 
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 
@@ -9,19 +10,52 @@ namespace loadpath::table {
 
 namespace {
 
-Library read_embedded() {
+/// What is wrong with a built-in file is a fault of the program.
+void insist(const std::vector<Issue>& issues) {
+  if (!issues.empty()) throw std::logic_error(render(issues, [](const std::string&) { return std::string(); }));
+}
+
+Library read_all() {
   Library library;
   std::vector<Issue> issues;
   Reader reader(library, issues);
   for (const auto& file : embedded::tables()) reader.read(file.text, std::string(file.name));
   reader.check_citations();
-  if (!issues.empty()) throw std::logic_error(render(issues, [](const std::string&) { return std::string(); }));
+  insist(issues);
   return library;
 }
+
+/// A built-in file by itself, read when a look-up first needs it: reading all of them takes longer than most projects.
+struct OneFile {
+  std::once_flag once;
+  Library library;
+
+  const Library& read(const embedded::File& file) {
+    std::call_once(once, [&] {
+      std::vector<Issue> issues;
+      Reader(library, issues).read(file.text, std::string(file.name));
+      insist(issues);
+    });
+    return library;
+  }
+};
 
 std::optional<Library>& replacement() {
   static std::optional<Library> library;
   return library;
+}
+
+/// What is found in the tables in use; of the built-in ones the files that have the word are read first.
+template <class Find>
+auto look_for(std::string_view word, Find find) {
+  if (replacement()) return find(*replacement());
+  const auto files = embedded::tables();
+  static std::vector<OneFile> read(files.size());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (files[i].text.find(word) == std::string_view::npos) continue;
+    if (auto found = find(read[i].read(files[i]))) return found;
+  }
+  return find(built_in());
 }
 
 void audit_row(const Table& table, const Row& row, const std::vector<Value>& values, double size_max,
@@ -35,7 +69,7 @@ void audit_row(const Table& table, const Row& row, const std::vector<Value>& val
 }  // namespace
 
 const Library& built_in() {
-  static const Library library = read_embedded();
+  static const Library library = read_all();
   return library;
 }
 
@@ -68,10 +102,21 @@ std::vector<Recalled> audit(const Library& library) {
   return found;
 }
 
+Outcome<Entry> find_row(std::string_view group, std::string_view name) {
+  return look_for(name, [&](const Library& library) { return find_row(library, group, name); });
+}
+
+Outcome<const Series*> find_series(std::string_view name) {
+  return look_for(name, [&](const Library& library) { return find_series(library, name); });
+}
+
 std::string citation(std::string_view key) {
-  const auto& citations = active().citations;
-  const auto found = citations.find(key);
-  return found == citations.end() ? std::string() : found->second.text;
+  const auto find = [&](const Library& library) {
+    const auto found = library.citations.find(key);
+    return found == library.citations.end() ? nullptr : &found->second;
+  };
+  const Citation* found = look_for(key, find);
+  return found == nullptr ? std::string() : found->text;
 }
 
 }  // namespace loadpath::table

@@ -81,8 +81,7 @@ const Library& built_in();
 /// A library with the tables of a file laid over it: rows and series of the same name are replaced, others are added.
 Library overlaid(Library base, std::string_view text, const std::string& file, std::vector<Issue>& issues);
 
-/// What look-ups without a library use: the built-in tables, or those that the command line put in their place before
-/// any project is read.
+/// The tables in use: the built-in ones, or those that the command line put in their place before any project is read.
 const Library& active();
 void activate(Library library);
 
@@ -93,6 +92,8 @@ struct Entry {
 
 /// A row by its name, else by an alias, whatever the case and the spaces.
 Outcome<Entry> find_row(const Library& library, std::string_view group, std::string_view name);
+/// In the tables in use; reads of the built-in ones only what it needs. So do the others without a library.
+Outcome<Entry> find_row(std::string_view group, std::string_view name);
 
 struct Property {
   double si = 0.0;
@@ -110,6 +111,7 @@ Outcome<Property> property(const Entry& entry, std::string_view key, double size
 double covered_size(const Entry& entry, std::string_view key);
 
 Outcome<const Series*> find_series(const Library& library, std::string_view name);
+Outcome<const Series*> find_series(std::string_view name);
 
 /// The smallest member at or above a number in the unit of the series; a number that rounding put just above stays.
 Outcome<double> at_or_above(const Series& series, double number);

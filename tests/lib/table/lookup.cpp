@@ -66,6 +66,19 @@ TEST_SUITE("table") {
     CHECK(material("6082-T6").row->name == "EN AW-6082-T6");
   }
 
+  TEST_CASE("the tables in use answer like the whole library") {
+    for (const char* name : {"C45E", "1.0038", "ck45", "сталь 45"}) {
+      const auto found = find_row("material", name);
+      REQUIRE(found);
+      CHECK(found->row->name == material(name).row->name);
+      CHECK(value_of(*found, "R_m", 0.0) == value_of(material(name), "R_m", 0.0));
+    }
+    const auto unknown = find_row("material", "42CrMo5");
+    CHECK(unknown.fault().hint.text() == "did you mean '42CrMo4'?");
+    CHECK((*find_series("R40"))->members.size() == 201);
+    CHECK_FALSE(find_series("R21"));
+  }
+
   TEST_CASE("how far a property is covered can be asked") {
     CHECK(covered_size(material("C45E"), "R_e") == 100.0 * mm);
     CHECK(std::isinf(covered_size(material("C45E"), "E")));

@@ -1,0 +1,68 @@
+// What the benchmarks of sweeps share: columns in SI, a calculator's sweep over them, and the time of its fastest run.
+#pragma once
+
+#include "lib/calculator.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace loadpath::bench {
+
+constexpr std::size_t points = 4096;
+
+inline std::vector<double> spread(double low, double high, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> between(low, high);
+  std::vector<double> column(points);
+  for (double& x : column) x = between(random);
+  return column;
+}
+
+/// The place of a leaf inside its record.
+inline std::size_t offset_of(const Record& record, const std::string& path) {
+  const Leaf leaf = find_leaf(record, path);
+  return static_cast<std::size_t>(reinterpret_cast<const char*>(leaf.field->address(leaf.owner)) -
+                                  static_cast<const char*>(record.data.get()));
+}
+
+/// The fastest of many runs, in ns per point: the machine may be busy with something else.
+template <class Run>
+double fastest(Run run) {
+  using clock = std::chrono::steady_clock;
+  auto best = clock::duration::max();
+  for (int k = 0; k < 200; ++k) {
+    const auto start = clock::now();
+    run();
+    benchmark::ClobberMemory();
+    best = std::min(best, clock::now() - start);
+  }
+  return std::chrono::duration<double, std::nano>(best).count() / static_cast<double>(points);
+}
+
+/// Times `swept` beside `by_hand`, which must have written the same numbers.
+template <class Swept, class ByHand>
+void compare(benchmark::State& state, Swept swept, ByHand by_hand) {
+  for (auto _ : state) {
+    swept();
+    benchmark::ClobberMemory();
+  }
+  const double general = fastest(swept);
+  const double floor = fastest(by_hand);
+  state.counters["ns"] = general;
+  state.counters["ns_by_hand"] = floor;
+  state.counters["ratio"] = general / floor;
+}
+
+/// Columns of results agree to rounding.
+inline bool agree(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](double x, double y) { return x > 0.0 && std::abs(x - y) <= 1e-14 * y; });
+}
+
+}  // namespace loadpath::bench

@@ -1,0 +1,150 @@
+// Sweeps of the shaft calculators beside plain loops over doubles, written by hand for the one case.
+#include "calculators/shaft/overhung.hpp"
+#include "calculators/shaft/torsion.hpp"
+#include "tests/bench/sweep.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+using namespace loadpath;
+using namespace loadpath::bench;
+using std::numbers::pi;
+
+constexpr double G = 80e9, theta_adm = 0.004;
+
+struct Columns {
+  std::vector<double> first, tau_adm;
+  std::vector<double> d_min = std::vector<double>(points), u_tau = std::vector<double>(points);
+};
+
+/// Runs the sweep of a calculator over two columns of the input.
+class Sweep {
+ public:
+  Sweep(const Calculator& calculator, Record input, const std::string& first, const std::string& check, Columns& columns)
+      : calculator_(calculator), input_(std::move(input)) {
+    const Record result(*calculator.result);
+    in_ = {{offset_of(input_, first), columns.first.data()}, {offset_of(input_, "tau_adm"), columns.tau_adm.data()}};
+    out_ = {{offset_of(result, "d_min"), columns.d_min.data()}, {offset_of(result, check), columns.u_tau.data()}};
+  }
+  void operator()() const { calculator_.sweep(input_.data.get(), in_, out_, points); }
+
+ private:
+  const Calculator& calculator_;
+  Record input_;
+  std::vector<InputColumn> in_;
+  std::vector<ResultColumn> out_;
+};
+
+template <class C>
+Record record_of(const typename C::Input& input) {
+  Record record(*erased<C>().input);
+  *static_cast<typename C::Input*>(record.data.get()) = input;
+  return record;
+}
+
+Torsion::Input plain_shaft() {
+  Torsion::Input in;
+  in.G = from_si<Stress>(G);
+  in.theta_adm = from_si<Twist>(theta_adm);
+  return in;
+}
+
+void short_form(benchmark::State& state) {
+  Columns general{spread(50.0, 500.0, 1), spread(20e6, 60e6, 2)}, plain = general;
+  const Sweep sweep(erased<Torsion>(), record_of<Torsion>(plain_shaft()), "T", "u_tau", general);
+  const auto by_hand = [&] {
+    for (std::size_t i = 0; i < points; ++i) {
+      const double M = std::abs(plain.first[i]), tau_adm = plain.tau_adm[i];
+      const double d_strength = std::cbrt(16.0 * M / (pi * tau_adm));
+      const double d_stiffness = std::sqrt(std::sqrt(32.0 * M / (pi * G * theta_adm)));
+      const double d = std::max(d_strength, d_stiffness);
+      const double I_t = pi / 32.0 * d * d * d * d;
+      plain.d_min[i] = d;
+      plain.u_tau[i] = M * d / (2.0 * I_t) / tau_adm;
+    }
+  };
+  compare(state, sweep, by_hand);
+  if (!agree(general.d_min, plain.d_min) || !agree(general.u_tau, plain.u_tau)) state.SkipWithError("they disagree");
+}
+
+struct Part {
+  double l, d_bore;
+};
+struct Torque {
+  double x, T;
+};
+constexpr std::array<Part, 3> parts{{{0.30, 0.0}, {0.50, 0.02}, {0.20, 0.01}}};
+constexpr std::array<Torque, 4> torques{{{0.0, 900.0}, {0.3, -3600.0}, {0.8, 1500.0}, {1.0, 1200.0}}};
+
+Torsion::Input line_shaft() {
+  Torsion::Input in = plain_shaft();
+  for (const Torque& t : torques) in.torques.push_back({{}, t.x * m, t.T * N_m});
+  for (const Part& p : parts) in.segments.push_back({{}, p.l * m, 120.0 * mm, unset<double>, p.d_bore * m});
+  return in;
+}
+
+/// The outer diameter for a section modulus with a bore, by Newton from above.
+double bored(double w, double b) {
+  double d = b + std::cbrt(w);
+  while (true) {
+    const double next = d - (d * d * d * d - b * b * b * b - w * d) / (4.0 * d * d * d - w);
+    if (!(next < d)) return d;
+    d = next;
+  }
+}
+
+void line_shaft_by_hand(Columns& columns) {
+  for (std::size_t i = 0; i < points; ++i) {
+    const double K_A = columns.first[i], tau_adm = columns.tau_adm[i];
+    double M = 0.0, d_min = 0.0, tau = 0.0;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      M += torques[k].T;
+      const double M_t = K_A * std::abs(M), b = parts[k].d_bore, b4 = b * b * b * b;
+      const double d_strength = bored(16.0 * M_t / (pi * tau_adm), b);
+      const double d_stiffness = std::sqrt(std::sqrt(b4 + 32.0 * M_t / (pi * G * theta_adm)));
+      d_min = std::max(d_min, std::max(d_strength, d_stiffness));
+      const double d = 0.120, I_t = pi / 32.0 * (d * d * d * d - b4);
+      tau = std::max(tau, M_t * d / (2.0 * I_t));
+    }
+    columns.d_min[i] = d_min;
+    columns.u_tau[i] = tau / tau_adm;
+  }
+}
+
+void three_segments(benchmark::State& state) {
+  Columns general{spread(1.0, 2.0, 3), spread(20e6, 60e6, 4)}, plain = general;
+  const Sweep sweep(erased<Torsion>(), record_of<Torsion>(line_shaft()), "K_A", "u_tau", general);
+  compare(state, sweep, [&] { line_shaft_by_hand(plain); });
+  if (!agree(general.d_min, plain.d_min) || !agree(general.u_tau, plain.u_tau)) state.SkipWithError("they disagree");
+}
+
+void overhung(benchmark::State& state) {
+  constexpr double a = 0.05, T = 78.3, sigma_adm = 60e6;
+  Columns general{spread(500.0, 5000.0, 5), spread(20e6, 60e6, 6)}, plain = general;
+  Overhung::Input in;
+  in.a = a * m, in.T = T * N_m, in.sigma_adm = from_si<Stress>(sigma_adm);
+  const Sweep sweep(erased<Overhung>(), record_of<Overhung>(in), "F", "u_v", general);
+  const auto by_hand = [&] {
+    for (std::size_t i = 0; i < points; ++i) {
+      const double M = std::abs(plain.first[i]) * a;
+      const double d_v = std::cbrt(32.0 * std::sqrt(M * M + 0.75 * T * T) / (pi * sigma_adm));
+      const double d_t = std::cbrt(16.0 * T / (pi * plain.tau_adm[i]));
+      const double d = std::max(d_v, d_t);
+      const double W = pi / 32.0 * d * d * d, sigma_b = M / W, tau_t = T / (2.0 * W);
+      plain.d_min[i] = d;
+      plain.u_tau[i] = std::sqrt(sigma_b * sigma_b + 3.0 * tau_t * tau_t) / sigma_adm;
+    }
+  };
+  compare(state, sweep, by_hand);
+  if (!agree(general.d_min, plain.d_min) || !agree(general.u_tau, plain.u_tau)) state.SkipWithError("they disagree");
+}
+
+}  // namespace
+
+BENCHMARK(short_form);
+BENCHMARK(three_segments);
+BENCHMARK(overhung);
+BENCHMARK_MAIN();

@@ -34,7 +34,7 @@ std::string shown(const project::Entry& e) {
   if (!e.word.empty()) return e.word;
   if (!e.value.is_series()) return format_quantity(e.value.si.empty() ? NAN : e.value.si[0], e.unit);
   const Extreme low = minimum(e.value), high = maximum(e.value);
-  if (low.value == high.value) return format_quantity(low.value, e.unit);
+  if (low.value == high.value || std::isnan(low.value)) return format_quantity(low.value, e.unit);
   const Axis& axis = *e.value.signature.axis;
   return format_quantity(low.value, e.unit) + " (at " + format_quantity(low.at, axis.unit, 5) + ") to " +
          format_quantity(high.value, e.unit) + " (at " + format_quantity(high.at, axis.unit, 5) + ")";

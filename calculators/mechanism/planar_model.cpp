@@ -16,7 +16,10 @@ std::string path_of(const char* list, const Name& name, const char* field) {
 
 Message nearest_hint(const Name& name, const std::vector<std::string>& candidates) {
   const std::string near = nearest(name.view(), candidates);
-  return near.empty() ? Message{} : say("did you mean '{1}'?", near);
+  if (!near.empty()) return say("did you mean '{1}'?", near);
+  std::string all;
+  for (const std::string& candidate : candidates) all += (all.empty() ? "" : ", ") + candidate;
+  return say("there is: {1}", all);
 }
 
 template <class Items>
@@ -51,7 +54,7 @@ class NameCheck {
     for (const auto& joint : in_.joints) check_joint(joint);
     check_drives();
     for (std::size_t i = 0; i < in_.loads.size(); ++i) check_load(in_.loads[i], i);
-    check_shared_points();
+    if (faults_.empty()) check_shared_points();
     return std::move(faults_);
   }
 
@@ -90,18 +93,20 @@ class NameCheck {
     const auto* points = points_of(in_, link);
     const auto names = points == nullptr ? names_in(in_.ground) : names_in(*points);
     const std::string owner(link == mechanism::ground ? "ground" : in_.links[static_cast<std::size_t>(link)].name.view());
-    Message hint = nearest_hint(name, names);
-    if (hint.empty()) hint = say("give '{1}' among the points of '{2}', or name another point with points = [...]", name.view(), owner);
-    add(path, say("the link '{1}' has no point '{2}'", owner, name.view()), std::move(hint));
+    const std::string near = nearest(name.view(), names);
+    add(path, say("the link '{1}' has no point '{2}'", owner, name.view()),
+        near.empty() ? say("give '{1}' among the points of '{2}', or name another point with points = [...]", name.view(), owner)
+                     : say("did you mean '{1}'?", near));
   }
 
   void check_joint(const Planar::Joint& joint) {
     const std::string links = path_of("joints", joint.name, "links");
-    const std::string points = path_of("joints", joint.name, joint.points.first.empty() ? "links" : "points");
-    const bool first = require_link(joint.links.first, links), second = require_link(joint.links.second, links);
+    const std::string points = joint.points.first.empty() ? links : path_of("joints", joint.name, "points");
+    const bool first = require_link(joint.links.first, links + ".first");
+    const bool second = require_link(joint.links.second, links + ".second");
     const auto [p1, p2] = point_names(joint);
-    if (first) require_point(link_index(in_, joint.links.first), p1, points);
-    if (second) require_point(link_index(in_, joint.links.second), p2, points);
+    if (first) require_point(link_index(in_, joint.links.first), p1, points + ".first");
+    if (second) require_point(link_index(in_, joint.links.second), p2, points + ".second");
     if (is_set(joint.angle) && joint.type != Planar::Type::prismatic) {
       add(path_of("joints", joint.name, "angle"), say("only a prismatic joint holds an angle"));
     }
@@ -126,10 +131,11 @@ class NameCheck {
     const std::string path = "loads" + (load.name.empty() ? "[" + std::to_string(i + 1) + "]" : "." + std::string(load.name.view()));
     const bool known = require_link(load.link, path + ".link");
     const bool polar = is_set(load.F) && is_set(load.direction), cartesian = is_set(load.F_x) && is_set(load.F_y);
-    const bool part = is_set(load.F) || is_set(load.direction) || is_set(load.F_x) || is_set(load.F_y);
+    const bool any_polar = is_set(load.F) || is_set(load.direction), any_cartesian = is_set(load.F_x) || is_set(load.F_y);
+    const bool part = any_polar || any_cartesian;
     if (known && load.link.view() == "ground") add(path + ".link", say("a load on the ground has no effect"), say("name a moving link"));
-    if (polar && cartesian) add(path, say("give either F with direction or F_x and F_y"));
-    if (part && !polar && !cartesian) add(path, say("give F with direction, or F_x and F_y"));
+    if (any_polar && any_cartesian) add(path, say("give either F with direction or F_x and F_y, not both"));
+    else if (part && !polar && !cartesian) add(path, say("give F with direction, or F_x and F_y"));
     if (!part && !is_set(load.M)) add(path, say("a load has a force (F with direction, or F_x and F_y) or a couple M"));
     if (part && load.at.empty()) add(path, say("a force needs the point it acts at: at = \"...\""));
     if (known && !load.at.empty()) require_point(link_index(in_, load.link), load.at, path + ".at");

@@ -90,13 +90,19 @@ bool is_design_load(const std::string& path) {
   return path == "drive.M" || path == "drive.P" || path.starts_with("cylinders.") || (path.starts_with("joints.") && !path.ends_with(".x") && !path.ends_with(".y"));
 }
 
+/// The mean, with what rounding has left of a zero taken as one.
+double mean_of(const Value& series) {
+  const double average = mean(series);
+  return std::abs(average) < 1e-12 * std::abs(largest(series).value) ? 0.0 : average;
+}
+
 Table extremes_table(const project::Account& account, const Axis& axis) {
   Table table{say("Extremes over the cycle"), {say("quantity"), say("largest"), say("at"), say("smallest"), say("at"), say("mean")}, {}};
   for (const project::Entry& e : account.results) {
     if (!is_design_load(e.path)) continue;
     const Extreme high = maximum(e.value), low = minimum(e.value);
     table.rows.push_back({e.path, Quantity{high.value, e.unit}, Quantity{high.at, axis.unit}, Quantity{low.value, e.unit},
-                          Quantity{low.at, axis.unit}, Quantity{mean(e.value), e.unit}});
+                          Quantity{low.at, axis.unit}, Quantity{mean_of(e.value), e.unit}});
   }
   return table;
 }

@@ -75,7 +75,12 @@ static std::string path_of(const mechanism::Finding& finding, const mechanism::M
 
 bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues) const {
   const auto findings = mechanism::diagnose(model);
-  for (const mechanism::Finding& f : findings) issues.push_back(issue_at(input(), path_of(f, model), f.message, f.hint));
+  std::string said;
+  for (const mechanism::Finding& f : findings) {
+    if (f.message.text() == said) continue;  // a pin that is there twice holds two freedoms too many
+    said = f.message.text();
+    issues.push_back(issue_at(input(), path_of(f, model), f.message, f.hint));
+  }
   return findings.empty();
 }
 

@@ -40,16 +40,26 @@ Moment sum_of(const Torques& torques) {
   return sum;
 }
 
-/// The torques with the reaction of the end that is held, or the two ends of the short form.
+/// The torques with the reaction of the end that is held.
 Torques torques_of(const Torsion::Input& in) {
-  const Length end = total_length(in);
-  if (in.torques.empty()) return {{0.0 * m.one, in.T}, {end, -in.T}};
   Torques torques;
   for (const auto& t : in.torques) torques.push_back({t.x, t.T});
   const Moment reaction = -sum_of(torques);
   if (in.fixed == Torsion::Fixed::left) torques.push_back({0.0 * m.one, reaction});
-  if (in.fixed == Torsion::Fixed::right) torques.push_back({end, reaction});
+  if (in.fixed == Torsion::Fixed::right) torques.push_back({total_length(in), reaction});
   return torques;
+}
+
+/// The stretches of the torque diagram; in the short form the torque goes through every cylinder.
+shaft::Stretches stretches_of(const Torsion::Input& in, const Cylinders& cylinders) {
+  if (!in.torques.empty()) return shaft::stretches(torques_of(in), cylinders);
+  shaft::Stretches parts;
+  Length x = 0.0 * m.one;
+  for (const Cylinder& c : cylinders) {
+    parts.push_back({x, c.l, in.T, parts.size()});
+    x += c.l;
+  }
+  return parts;
 }
 
 /// What sizing and checking of one stretch need beside its moment.
@@ -111,11 +121,20 @@ void load(Torsion::Stretch& s, Stress G, double K_A, Tracer& trace) {
   s.phi = phi;
 }
 
-/// Moments and least diameters, stretch by stretch.
+/// The larger of two magnitudes; NaN where one is.
+template <class Quantity>
+Quantity larger(Quantity most, Quantity value) {
+  const Quantity magnitude = abs(value);
+  return is_set(most) && !(magnitude <= most) ? magnitude : most;
+}
+
+/// Moments and least diameters, stretch by stretch; the largest are those of the shaft.
 template <class Tracer>
-void size_stretches(const Torsion::Input& in, const shaft::Stretches& parts, const Cylinders& cylinders, const Allowed& allowed, Torsion::Result& r,
-                    Tracer& trace) {
+void size_stretches(const Torsion::Input& in, const shaft::Stretches& parts, const Cylinders& cylinders,
+                    Torsion::Result& r, Tracer& trace) {
   const double K_A = in.K_A;
+  r.M_max = 0.0 * N_m.one;
+  r.d_strength = r.d_stiffness = 0.0 * m.one;
   for (const shaft::Stretch& part : parts) {
     [[maybe_unused]] const auto scope = trace.scope("segments", r.segments.size());
     const Moment M = part.M;
@@ -123,24 +142,13 @@ void size_stretches(const Torsion::Input& in, const shaft::Stretches& parts, con
     trace.value("M", M, "internal moment: the sum of the torques to its left");
     STEP(M_t, K_A * abs(M), "design moment");
     if (is_set(c.chi)) trace.value("chi", c.chi, "bore ratio");
-    Torsion::Stretch s{part.x, part.l, M, M_t};
-    s.d = c.d;
-    s.d_bore = c.d_bore;
-    s.d_strength = size_by_strength(M_t, c, allowed.tau_all, trace);
-    s.d_stiffness = size_by_stiffness(M_t, c, allowed, trace);
-    r.segments.push_back(s);
+    const Length d_strength = size_by_strength(M_t, c, r.tau_all, trace);
+    const Length d_stiffness = size_by_stiffness(M_t, c, {r.tau_all, in.G, in.theta_adm}, trace);
+    r.segments.push_back({part.x, part.l, M, M_t, d_strength, d_stiffness, c.d, c.d_bore});
+    r.M_max = larger(r.M_max, M_t);
+    r.d_strength = larger(r.d_strength, d_strength);
+    r.d_stiffness = larger(r.d_stiffness, d_stiffness);
   }
-}
-
-/// The largest set value of a member over the stretches; unset where none is.
-template <class Quantity>
-Quantity largest(const Torsion::Result& r, Quantity Torsion::Stretch::*member) {
-  Quantity most = unset<Quantity>;
-  for (const Torsion::Stretch& s : r.segments) {
-    const Quantity value = abs(s.*member);
-    if (!is_set(most) || value > most) most = value;
-  }
-  return most;
 }
 
 template <class Tracer>
@@ -148,9 +156,7 @@ void choose_least(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
   const auto G = in.G;
   const auto theta_adm = in.theta_adm;
   const auto tau_all = r.tau_all;
-  const auto d_strength = r.d_strength = largest(r, &Torsion::Stretch::d_strength);
-  const auto d_stiffness = r.d_stiffness = largest(r, &Torsion::Stretch::d_stiffness);
-  r.M_max = largest(r, &Torsion::Stretch::M_t);
+  const auto d_strength = r.d_strength, d_stiffness = r.d_stiffness;
   trace.value("d_strength", d_strength, "largest of the shaft");
   if (is_set(theta_adm)) {
     trace.value("d_stiffness", d_stiffness, "largest of the shaft");
@@ -161,31 +167,32 @@ void choose_least(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
   r.d_min = d_min;
 }
 
-/// Diameters of the stretches: as given, else the least one of the shaft; a ratio gives the bore unless it is kept.
-void set_diameters(const Cylinders& cylinders, const shaft::Stretches& parts, Torsion::Result& r) {
+/// Stresses and twist at the diameters as given, else at the least one of the shaft; a ratio gives the bore unless it
+/// is kept.
+template <class Tracer>
+void load_stretches(const Torsion::Input& in, const shaft::Stretches& parts, const Cylinders& cylinders,
+                    Torsion::Result& r, Tracer& trace) {
+  double twist = 0.0, least = 0.0, most = 0.0;
+  r.d = r.d_bore = 0.0 * m.one;
+  r.tau_max = from_si<Stress>(0.0);
+  r.theta_max = from_si<Twist>(0.0);
   for (std::size_t i = 0; i < parts.size(); ++i) {
+    [[maybe_unused]] const auto scope = trace.scope("segments", i);
     const Cylinder& c = cylinders[parts[i].cylinder];
     Torsion::Stretch& s = r.segments[i];
     s.d = is_set(c.d) ? c.d : r.d_min;
     s.d_bore = shaft::bore_of(c.d_bore, c.chi, s.d);
-  }
-  r.d = largest(r, &Torsion::Stretch::d);
-  r.d_bore = largest(r, &Torsion::Stretch::d_bore);
-}
-
-template <class Tracer>
-void load_stretches(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
-  double twist = 0.0, least = 0.0, most = 0.0;
-  for (std::size_t i = 0; i < r.segments.size(); ++i) {
-    [[maybe_unused]] const auto scope = trace.scope("segments", i);
-    Torsion::Stretch& s = r.segments[i];
     load(s, in.G, in.K_A, trace);
+    r.d = larger(r.d, s.d);
+    r.d_bore = larger(r.d_bore, s.d_bore);
+    r.tau_max = larger(r.tau_max, s.tau);
+    r.theta_max = larger(r.theta_max, s.theta);
     r.sections.push_back({s.x, twist});
     twist += s.phi;
     least = min(least, twist);
     most = max(most, twist);
   }
-  r.sections.push_back({r.segments.back().x + r.segments.back().l, twist});
+  r.sections.push_back({parts.back().x + parts.back().l, twist});
   r.phi = twist;
   r.phi_max = std::isnan(twist) ? twist : most - least;
 }
@@ -194,8 +201,8 @@ template <class Tracer>
 void judge(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
   const auto theta_adm = in.theta_adm;
   const auto tau_all = r.tau_all;
-  const auto tau_max = r.tau_max = largest(r, &Torsion::Stretch::tau);
-  const auto theta_max = r.theta_max = largest(r, &Torsion::Stretch::theta);
+  const auto tau_max = r.tau_max;
+  const auto theta_max = r.theta_max;
   trace.value("tau_max", tau_max, "largest of the shaft");
   STEP(u_tau, tau_max / tau_all, "strength condition, [B19] (3)");
   r.u_tau = u_tau;
@@ -242,11 +249,10 @@ Torsion::Result Torsion::evaluate(const Input& in, Tracer& trace) {
        "as given, or from the yield strength by the distortion energy hypothesis");
   r.tau_all = tau_all;
   const Cylinders cylinders = cylinders_of(in);
-  const shaft::Stretches parts = shaft::stretches(torques_of(in), cylinders);
-  size_stretches(in, parts, cylinders, {tau_all, in.G, in.theta_adm}, r, trace);
+  const shaft::Stretches parts = stretches_of(in, cylinders);
+  size_stretches(in, parts, cylinders, r, trace);
   choose_least(in, r, trace);
-  set_diameters(cylinders, parts, r);
-  load_stretches(in, r, trace);
+  load_stretches(in, parts, cylinders, r, trace);
   judge(in, r, trace);
   return r;
 }

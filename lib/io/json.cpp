@@ -51,8 +51,13 @@ json::value entry(const Entry& e) {
     object["value"] = e.word;
   } else if (e.value.is_series()) {
     json::array values;
-    for (const double x : e.value.si) values.push_back(number(x));
+    bool complete = true;
+    for (const double x : e.value.si) {
+      values.push_back(number(x));
+      complete = complete && std::isfinite(x);
+    }
     object = {{"unit", unit_of(e.value.signature.dimension)}, {"axis", e.value.signature.axis->name}, {"values", std::move(values)}};
+    if (!complete) object["reason"] = "not available where null";
   } else {
     object = quantity(e.value.si.empty() ? NAN : e.value.si[0], e.value.signature.dimension).as_object();
   }
@@ -76,7 +81,8 @@ json::array verdicts(const std::vector<report::Verdict>& list) {
     object["value"] = value == nullptr ? json::value(nullptr) : number(value->si);
     object["limit"] = v.bound.text();
     object["verdict"] = word_of(v.state);
-    if (!v.note.empty()) object["reason"] = v.note.text();
+    const bool known = !object["value"].is_null();
+    if (!v.note.empty() || !known) object["reason"] = v.note.empty() ? word_of(v.state) : v.note.text();
     array.push_back(std::move(object));
   }
   return array;

@@ -10,6 +10,8 @@ namespace loadpath::project {
 
 namespace {
 
+constexpr std::size_t most_tables = 1000;
+
 /// "lever.drive.M" -> "lever", "drive.M".
 std::pair<std::string, std::string> split_step(const std::string& path) {
   const std::size_t dot = path.find('.');
@@ -78,6 +80,10 @@ Project read_project(std::string_view text, const std::string& file, Catalogue c
 Project read_project(const io::Tree& tree, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues) {
   Project project;
   project.file = file;
+  if (tree.entries.size() > most_tables) {
+    issues.push_back({tree.entries[most_tables].place, "", say("a project has at most {1} tables; here are {2}", std::to_string(most_tables), std::to_string(tree.entries.size())), {}, Severity::error});
+    return project;
+  }
   for (const io::Tree::Entry& entry : tree.entries) {
     if (entry.key == "project") {
       read_heading(entry, project, issues);

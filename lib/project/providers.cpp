@@ -15,7 +15,7 @@ std::optional<Provided> from_table(const StepInput& input, const FieldInfo& fiel
   const auto named = input.rows.find(field.provider.table);
   if (named == input.rows.end() || input.reading.typed.count(field.provider.unless) != 0) return std::nullopt;
   const std::string& row = named->second.text;
-  const auto entry = table::find_row(table::active(), field.provider.table, row);
+  const auto entry = table::find_row(field.provider.table, row);
   if (entry) return Provided{field.key, {&field, data}, row, {}};
   const Place place = place_in(named->second.place, row, entry.fault().at, row.size());
   const bool said = std::any_of(issues.begin(), issues.end(), [&](const Issue& i) {
@@ -56,7 +56,7 @@ std::vector<Provided> find_provided(const StepInput& input, const Companion& com
 Lookup look_up(const Provided& provided, double size) {
   const FieldInfo& field = *provided.leaf.field;
   const double at = *field.provider.size == '\0' ? table::no_size : std::isnan(size) ? 0.0 : size;
-  const auto entry = table::find_row(table::active(), field.provider.table, provided.row);
+  const auto entry = table::find_row(field.provider.table, provided.row);
   if (!entry) return {std::nan(""), {}, false, entry.fault().message};
   const auto property = table::property(*entry, field.provider.column, at);
   if (!property) return {std::nan(""), {}, false, property.fault().message};
@@ -64,7 +64,7 @@ Lookup look_up(const Provided& provided, double size) {
 }
 
 std::vector<double> stock_values(const std::string& stock) {
-  const auto series = table::find_series(table::active(), stock);
+  const auto series = table::find_series(stock);
   return series ? table::members_in_si(**series) : std::vector<double>{};
 }
 

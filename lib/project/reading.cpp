@@ -185,7 +185,8 @@ void Reader::read_literal(const std::string& text, const Tree& tree, const Field
 void Reader::read_count(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   const double n = tree.number;
   if (tree.type != Tree::Type::number || n != std::floor(n)) {
-    return say_at(tree.place, path, say("a whole number is expected, not {1}", io::word_for(tree.type)));
+    const bool number = tree.type == Tree::Type::number;
+    return say_at(tree.place, path, say("a whole number is expected, not {1}", number ? format_number(n) : std::string(io::word_for(tree.type))));
   }
   if (!field.bounds.holds(n)) {
     return say_at(tree.place, path, say("{1} = {2}: {3}", path, format_number(n), bounds_message(field).text()));
@@ -244,6 +245,7 @@ void Reader::read_element(const Tree& tree, const FieldInfo& list, void* owner, 
     name.type = Tree::Type::text;
     name.text = named->key;
     name.place = named->place;
+    reading_.typed[inner + ".name"] = {name.text, name.place};
     read_name(name, *find_field(list.fields, "name"), element, inner);
   }
   reading_.typed[inner] = {tree.text, tree.place};

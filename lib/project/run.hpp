@@ -57,6 +57,7 @@ class Run {
   void fill_inputs(Account& account) const;
   void fill_results(Account& account) const;
   void fill_verdicts(Account& account) const;
+  [[nodiscard]] Message missing_input() const;
   [[nodiscard]] report::Verdict check_verdict(const Column& column) const;
   [[nodiscard]] report::Verdict limit_verdict(const Column& column) const;
   [[nodiscard]] Value value_of(const Column& column) const;

@@ -59,6 +59,16 @@ void Run::fill_results(Account& account) const {
   }
 }
 
+/// Which of the inputs has no value somewhere; empty where all have.
+Message Run::missing_input() const {
+  for (const Input& input : inputs_) {
+    if (std::any_of(input.value.si.begin(), input.value.si.end(), [](double x) { return std::isnan(x); })) {
+      return say("'{1}' is not available: {2}", input.path, input.origin.text.text());
+    }
+  }
+  return {};
+}
+
 report::Verdict Run::check_verdict(const Column& column) const {
   const Extreme largest = axis_ == nullptr ? Extreme{column.si[0], 0.0, 0} : maximum(value_of(column));
   report::Verdict v;
@@ -69,7 +79,8 @@ report::Verdict Run::check_verdict(const Column& column) const {
   v.value = report::Quantity{largest.value, "-", 4};
   v.state = std::isnan(largest.value) ? report::State::not_available
             : largest.value <= 1.0 + rounding ? report::State::pass : report::State::fail;
-  if (!std::isnan(largest.value)) v.utilisation = largest.value;
+  if (std::isnan(largest.value)) v.note = missing_input();
+  else v.utilisation = largest.value;
   if (axis_ != nullptr && v.utilisation) v.note = at_place(largest, *axis_);
   return v;
 }
@@ -105,7 +116,7 @@ void Run::fill_verdicts(Account& account) const {
     v.bound = say("passes at 1 or less");
     v.value = missing_.empty() ? report::State::not_available : report::State::not_covered;
     v.state = missing_.empty() ? report::State::not_available : report::State::not_covered;
-    v.note = missing_;
+    v.note = missing_.empty() ? missing_input() : missing_;
     account.verdicts.push_back(std::move(v));
   }
 }

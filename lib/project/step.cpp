@@ -105,7 +105,12 @@ std::vector<Entry> input_entries(const Record& record, const std::function<Origi
 
 Origin plain_origin(const Reading& reading, const std::string& path, const Leaf& leaf) {
   const auto typed = reading.typed.find(path);
-  if (typed != reading.typed.end()) return {typed->second.mean_of_uncertain ? say("given, middle value") : say("given"), {}, false};
+  if (typed != reading.typed.end()) {
+    if (typed->second.mean_of_uncertain) return {say("given, middle value"), {}, false};
+    const bool quantity = leaf.field->type == FieldInfo::Type::quantity && !typed->second.text.empty();
+    const bool as_shown = !quantity || pretty_unit(typed->second.text) == format_quantity(leaf.get(), leaf.field->unit, 5);
+    return {as_shown ? say("given") : say("given as {1}", typed->second.text), {}, false};
+  }
   const bool open = leaf.field->type == FieldInfo::Type::quantity && std::isnan(leaf.get());
   return {open ? Message{} : say("default"), {}, false};
 }

@@ -35,15 +35,6 @@ Cell origin_cell(const project::Origin& origin) {
   return text;
 }
 
-Table input_table(const Account& account) {
-  Table table{say("Given"), {say("symbol"), say("meaning"), say("value"), say("from")}, {}};
-  for (const Entry& e : account.inputs) {
-    Cell symbol = is_list_path(e.path) ? Cell(e.path) : Cell(Symbol{e.path});
-    table.rows.push_back({std::move(symbol), say("{1}", e.doc), cell_of(e), origin_cell(e.origin)});
-  }
-  return table;
-}
-
 Table result_table(const Account& account) {
   Table table{say("Results"), {say("symbol"), say("meaning"), say("value")}, {}};
   for (const Entry& e : account.results) {
@@ -54,43 +45,69 @@ Table result_table(const Account& account) {
   return table;
 }
 
-/// "segments[2].tau" in its parts; nothing where the path is none of an element.
+/// "segments[2].tau" or "torques.M1.x" in its parts; nothing where the path is none of an element.
 struct ElementPath {
-  std::string list, number, field;
+  std::string list, element, field;
 };
 std::optional<ElementPath> element_path(const std::string& path) {
-  const std::size_t open = path.find('['), close = path.find("].", open);
-  if (open == std::string::npos || close == std::string::npos) return std::nullopt;
-  return ElementPath{path.substr(0, open), path.substr(open + 1, close - open - 1), path.substr(close + 2)};
+  const std::size_t first = path.find_first_of("[."), last = path.rfind('.');
+  if (first == std::string::npos || last == first) return std::nullopt;
+  const bool numbered = path[first] == '[';
+  return ElementPath{path.substr(0, first), path.substr(first + 1, last - first - (numbered ? 2 : 1)), path.substr(last + 1)};
 }
 
-/// Fields of a list's elements that have a value in one of them at least: "segments.tau".
-std::set<std::string> available_fields(const Account& account) {
+bool is_available(const Entry& e) { return !e.word.empty() || (!e.value.si.empty() && !std::isnan(e.value.si[0])); }
+
+/// Fields of a list's elements that have a value in one of them at least: "segments.tau". A name is the row's own.
+std::set<std::string> available_fields(const std::vector<Entry>& entries) {
   std::set<std::string> fields;
-  for (const Entry& e : account.results) {
+  for (const Entry& e : entries) {
     const auto path = element_path(e.path);
-    if (path && !e.value.is_series() && !std::isnan(e.value.si[0])) fields.insert(path->list + "." + path->field);
+    if (path && is_available(e) && path->field != "name") fields.insert(path->list + "." + path->field);
   }
   return fields;
 }
 
-/// The elements of a result's lists, a table each.
-std::vector<Table> list_tables(const Account& account) {
+/// The elements of lists, a table for each list.
+std::vector<Table> list_tables(const std::vector<Entry>& entries) {
   std::vector<Table> tables;
-  const auto available = available_fields(account);
-  std::string list, number;
-  for (const Entry& e : account.results) {
+  const auto available = available_fields(entries);
+  std::vector<std::string> columns;
+  std::string list, element;
+  for (const Entry& e : entries) {
     const auto path = element_path(e.path);
     if (!path || available.count(path->list + "." + path->field) == 0) continue;
-    if (path->list != list) tables.push_back({say("{1}", path->list), {say("no.")}, {}});
+    if (path->list != list) {
+      tables.push_back({say("{1}", path->list), {say("no.")}, {}});
+      columns.clear();
+    }
     Table& table = tables.back();
-    if (path->list != list || path->number != number) table.rows.push_back({path->number});
-    if (table.rows.size() == 1) table.head.push_back(say("{1}", path->field));
-    table.rows.back().push_back(cell_of(e));
+    if (path->list != list || path->element != element) table.rows.push_back({path->element});
+    auto column = std::find(columns.begin(), columns.end(), path->field);
+    if (column == columns.end()) {
+      table.head.push_back(say("{1}", path->field));
+      column = columns.insert(columns.end(), path->field);
+    }
+    auto& row = table.rows.back();
+    row.resize(std::max(row.size(), static_cast<std::size_t>(column - columns.begin()) + 1), std::string());
+    row.push_back(cell_of(e));
     list = path->list;
-    number = path->number;
+    element = path->element;
+  }
+  for (Table& table : tables) {
+    for (auto& row : table.rows) row.resize(table.head.size(), std::string());
   }
   return tables;
+}
+
+Table input_table(const Account& account) {
+  Table table{say("Given"), {say("symbol"), say("meaning"), say("value"), say("from")}, {}};
+  for (const Entry& e : account.inputs) {
+    if (element_path(e.path)) continue;
+    Cell symbol = is_list_path(e.path) ? Cell(e.path) : Cell(Symbol{e.path});
+    table.rows.push_back({std::move(symbol), say("{1}", e.doc), cell_of(e), origin_cell(e.origin)});
+  }
+  return table;
 }
 
 template <class Items>
@@ -104,7 +121,10 @@ void add_step(const Step& step, std::vector<Block>& blocks) {
   blocks.emplace_back(Heading{2, input.title.empty() ? step.name() : input.title, step.name()});
   blocks.emplace_back(Paragraph{say("{1} ({2}). {3}", input.calculator->title, input.calculator->id, input.calculator->scope), Paragraph::Tone::note});
   if (!input.note.empty()) blocks.emplace_back(Paragraph{say("{1}", input.note)});
-  if (account.input_blocks.empty()) blocks.emplace_back(input_table(account));
+  if (account.input_blocks.empty()) {
+    blocks.emplace_back(input_table(account));
+    append(blocks, list_tables(account.inputs));
+  }
   append(blocks, account.input_blocks);
   if (!account.derivation.empty()) {
     blocks.emplace_back(Heading{3, "Calculation", step.name() + "-calculation"});
@@ -114,7 +134,7 @@ void add_step(const Step& step, std::vector<Block>& blocks) {
   blocks.emplace_back(Heading{3, "Results", step.name() + "-results"});
   if (account.blocks.empty()) {
     blocks.emplace_back(result_table(account));
-    append(blocks, list_tables(account));
+    append(blocks, list_tables(account.results));
   }
   append(blocks, account.blocks);
   append(blocks, account.figures);

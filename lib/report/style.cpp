@@ -88,7 +88,7 @@ break-inside:avoid}
 .step.wide{grid-template-columns:minmax(0,1fr)}
 .wide .why{padding-left:3.75rem}
 .formula{display:grid;grid-template-columns:minmax(3.4rem,max-content) minmax(0,1fr);column-gap:.35rem;align-items:baseline}
-.left{text-align:right;white-space:nowrap;max-width:9rem;overflow-x:auto}
+.left{text-align:right;white-space:nowrap}
 .right{overflow-x:auto;overflow-y:hidden}
 .right math{margin-block:.18rem}
 .numbers{display:inline-block;max-width:100%}

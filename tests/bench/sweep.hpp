@@ -31,29 +31,27 @@ inline std::size_t offset_of(const Record& record, const std::string& path) {
                                   static_cast<const char*>(record.data.get()));
 }
 
-/// The fastest of many runs, in ns per point: the machine may be busy with something else.
 template <class Run>
-double fastest(Run run) {
+double ns_per_point(Run& run) {
   using clock = std::chrono::steady_clock;
-  auto best = clock::duration::max();
-  for (int k = 0; k < 200; ++k) {
-    const auto start = clock::now();
-    run();
-    benchmark::ClobberMemory();
-    best = std::min(best, clock::now() - start);
-  }
-  return std::chrono::duration<double, std::nano>(best).count() / static_cast<double>(points);
+  const auto start = clock::now();
+  run();
+  benchmark::ClobberMemory();
+  return std::chrono::duration<double, std::nano>(clock::now() - start).count() / static_cast<double>(points);
 }
 
-/// Times `swept` beside `by_hand`, which must have written the same numbers.
+/// Times `swept` beside `by_hand`. The fastest of many runs in turn: the machine may be busy with something else.
 template <class Swept, class ByHand>
 void compare(benchmark::State& state, Swept swept, ByHand by_hand) {
   for (auto _ : state) {
     swept();
     benchmark::ClobberMemory();
   }
-  const double general = fastest(swept);
-  const double floor = fastest(by_hand);
+  double general = ns_per_point(swept), floor = ns_per_point(by_hand);
+  for (int k = 0; k < 500; ++k) {
+    general = std::min(general, ns_per_point(swept));
+    floor = std::min(floor, ns_per_point(by_hand));
+  }
   state.counters["ns"] = general;
   state.counters["ns_by_hand"] = floor;
   state.counters["ratio"] = general / floor;

@@ -24,7 +24,7 @@ std::optional<double> known(std::string_view name) {
 
 }  // namespace
 
-TEST_SUITE("formula parse") {
+TEST_SUITE("formula") {
   TEST_CASE("the value is what C++ computes") {
     const double a = 3.0, b = -2.0, c = 0.5, d = 0.04, n = 7.0, W = 2.5, pi = std::acos(-1.0);
     struct Row {

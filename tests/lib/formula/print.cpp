@@ -27,7 +27,7 @@ struct Row {
 
 }  // namespace
 
-TEST_SUITE("formula print") {
+TEST_SUITE("formula") {
   TEST_CASE("plain text has the fewest parentheses that keep the meaning") {
     for (const Row& row : std::vector<Row>{{"a + b - c", "a + b − c"},
                                            {"a - (b + c)", "a − (b + c)"},

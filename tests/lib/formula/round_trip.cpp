@@ -105,7 +105,7 @@ bool close(double a, double b) {
 
 }  // namespace
 
-TEST_SUITE("formula round trip") {
+TEST_SUITE("formula") {
   TEST_CASE("a random tree written as C++ is read back with the same value") {
     Trees trees(1);
     for (int i = 0; i < 3000; ++i) {

@@ -6,7 +6,7 @@
 
 using namespace loadpath;
 
-TEST_SUITE("dimension") {
+TEST_SUITE("quantity") {
   TEST_CASE("a dimension is named in the words of a designer") {
     const std::pair<std::string_view, std::string_view> rows[] = {{"N*m", "moment"},
                                                                   {"MPa", "stress"},

@@ -32,7 +32,7 @@ constexpr std::string_view root_hint = "make it a number first: divide by 1 of i
 
 }  // namespace
 
-TEST_SUITE("quantity: expression, dimensions") {
+TEST_SUITE("quantity") {
   TEST_CASE("a name that is nothing gets the answer of the project, at its own place") {
     check_wrong({"2 * lever.mas", "lever.mas", "'lever.mas' has no result", "did you mean 'lever.mass'?"});
   }

@@ -22,7 +22,7 @@ double number(std::string_view text) {
 
 }  // namespace
 
-TEST_SUITE("quantity: expression, values") {
+TEST_SUITE("quantity") {
   TEST_CASE("constant expressions have known values") {
     const Row rows[] = {
         {"2 * pi", 2.0 * std::numbers::pi},

@@ -43,7 +43,7 @@ constexpr std::string_view times_hint = "write * between them";
 
 }  // namespace
 
-TEST_SUITE("quantity: expression, parsing") {
+TEST_SUITE("quantity") {
   TEST_CASE("references are listed as written, with their places") {
     const auto parsed = Expression::parse("2 N*m + lever.drive.M*shaft.segments[2].tau - shaft.segments.journal.tau");
     REQUIRE(parsed);

@@ -107,7 +107,7 @@ bool same(double a, double b) {
 
 }  // namespace
 
-TEST_SUITE("quantity: expression, properties") {
+TEST_SUITE("quantity") {
   TEST_CASE("a printed tree is read back with its value") {
     Generator generator{20};
     int finite = 0;

@@ -27,7 +27,7 @@ std::vector<double> numbers(std::size_t count, double decades) {
 
 }  // namespace
 
-TEST_SUITE("format") {
+TEST_SUITE("quantity") {
   TEST_CASE("a number has its significant digits and no more") {
     struct Row {
       double value;

@@ -24,7 +24,7 @@ const Expected celsius = in("°C", Kind::temperature), kelvin = in("K", Kind::di
 
 }  // namespace
 
-TEST_SUITE("literal") {
+TEST_SUITE("quantity") {
   TEST_CASE("notations of drawings, catalogues and textbooks are read") {
     struct Row {
       std::string_view text;

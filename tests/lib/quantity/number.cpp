@@ -4,7 +4,7 @@
 
 using namespace loadpath;
 
-TEST_SUITE("number") {
+TEST_SUITE("quantity") {
   TEST_CASE("a number is read as people write it, and the reader stops behind it") {
     struct Row {
       std::string_view text;

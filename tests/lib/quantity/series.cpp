@@ -41,7 +41,7 @@ double relative(double value, double exact) { return std::abs(value - exact) / s
 
 }  // namespace
 
-TEST_SUITE("quantity: series") {
+TEST_SUITE("quantity") {
   TEST_CASE("a cosine's extremes are found between 360 positions") {
     const Axis axis = cycle(360);
     for (const double phase : {0.0, 0.004, 0.0087, 1.0, 3.14, -0.003}) {

@@ -8,7 +8,7 @@
 
 using namespace loadpath;
 
-TEST_SUITE("unit") {
+TEST_SUITE("quantity") {
   TEST_CASE("spellings of one unit are equal to the bit") {
     const std::vector<std::vector<std::string_view>> same = {
         {"N*m", "N·m", "N⋅m", "N.m", "N m", "Nm", "N-m", "Н·м", "Нм", "N * m", "(N*m)", "m N", "newton metre", "J"},

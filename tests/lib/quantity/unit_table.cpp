@@ -10,7 +10,7 @@
 
 using namespace loadpath;
 
-TEST_SUITE("unit table") {
+TEST_SUITE("quantity") {
   TEST_CASE("every unit parses with every prefix that it takes") {
     for (const UnitName& name : all_unit_names(false)) {
       CAPTURE(name.text);

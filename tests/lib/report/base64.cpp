@@ -4,7 +4,7 @@
 
 using loadpath::report::base64;
 
-TEST_SUITE("report base64") {
+TEST_SUITE("report") {
   TEST_CASE("the test vectors of RFC 4648 come out") {
     CHECK(base64("").empty());
     CHECK(base64("f") == "Zg==");

@@ -20,7 +20,7 @@ std::string body(const std::vector<Block>& blocks) {
 
 }  // namespace
 
-TEST_SUITE("report html") {
+TEST_SUITE("report") {
   TEST_CASE("a step is its symbol, formula, numbers, value and reason") {
     CHECK(
         body({Derivation{{torsion_step()}}}) ==

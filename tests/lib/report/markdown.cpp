@@ -7,7 +7,7 @@
 using namespace loadpath;
 using namespace loadpath::report;
 
-TEST_SUITE("report markdown") {
+TEST_SUITE("report") {
   TEST_CASE("a document reads as plain text") {
     CHECK(markdown(shaft_document(), "shaft").text ==
           "# Shaft\n"

@@ -1,0 +1,55 @@
+// Reports of the examples, compared as text. A change of them is a decision: write the new text over the old with
+//   loadpath run examples/NAME/project.toml --report tests/golden/NAME.md
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "calculators/catalogue.hpp"
+#include "lib/io/tree.hpp"
+#include "lib/project/project.hpp"
+#include "lib/report/build.hpp"
+
+namespace {
+
+using namespace loadpath;
+
+std::string text_of(const std::string& path) {
+  std::string text;
+  REQUIRE(io::read_file(std::string(LOADPATH_ROOT) + "/" + path, text));
+  return text;
+}
+
+report::Document report_of(const std::string& name) {
+  const std::string file = "examples/" + name + "/project.toml";
+  std::vector<Issue> issues;
+  project::Project project = project::read_project(text_of(file), file, catalogue(), issues);
+  project::solve(project, issues);
+  REQUIRE(issues.empty());
+  return report::build(project, "loadpath " LOADPATH_VERSION);
+}
+
+}  // namespace
+
+TEST_SUITE("golden") {
+  TEST_CASE("the reports of the examples are as they were approved") {
+    for (const std::string name : {"slotted-lever", "line-shaft"}) {
+      CAPTURE(name);
+      CHECK(report::markdown(report_of(name), name).text == text_of("tests/golden/" + name + ".md"));
+    }
+  }
+
+  TEST_CASE("the page of a report stands alone: no script, no address that a browser would fetch") {
+    for (const std::string name : {"slotted-lever", "line-shaft"}) {
+      const std::string page = report::html(report_of(name));
+      CHECK(page.find("<script") == std::string::npos);
+      CHECK(page.find("src=\"http") == std::string::npos);
+      CHECK(page.find("href=\"http") == std::string::npos);
+      CHECK(page.find("url(http") == std::string::npos);
+      CHECK(page.find("nan") == std::string::npos);
+    }
+  }
+
+  TEST_CASE("a report is the same to the byte every time") {
+    CHECK(report::html(report_of("slotted-lever")) == report::html(report_of("slotted-lever")));
+  }
+}

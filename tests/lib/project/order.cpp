@@ -1,0 +1,45 @@
+#include "lib/project/order.hpp"
+
+#include "tests/lib/project/texts.hpp"
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+std::string step(const std::string& name, const std::string& T) {
+  return "[" + name + "]\ncalculator = \"shaft.torsion\"\nT = \"" + T + "\"\ntau_adm = \"30 MPa\"\n";
+}
+
+std::vector<std::string> order_of(const std::string& text) {
+  const auto project = solved(text);
+  std::vector<std::string> names;
+  for (const std::size_t i : project.order) names.push_back(project.steps[i]->name());
+  return names;
+}
+
+}  // namespace
+
+TEST_SUITE("project order") {
+  TEST_CASE("a step comes after those that it refers to, otherwise in the order of the file") {
+    CHECK(order_of(step("d", "=b.M_max + c.M_max") + step("a", "1 N*m") + step("c", "=a.M_max") + step("b", "=a.M_max")) ==
+          std::vector<std::string>{"a", "b", "c", "d"});
+    CHECK(order_of(step("b", "1 N*m") + step("a", "1 N*m")) == std::vector<std::string>{"b", "a"});
+  }
+
+  TEST_CASE("a circle of references is told with its members") {
+    CHECK(issues_of(step("a", "=1 N*m + b.M_max") + step("b", "=c.M_max") + step("c", "=a.M_max")) ==
+          R"(a.toml:1:2: error: the steps refer to one another in a circle: a -> b -> c -> a
+1 | [a]
+  |  ^
+  = help: give one of them a value
+)");
+    CHECK(issues_of(step("a", "=a.M_max")).starts_with("a.toml:1:2: error: the steps refer to one another in a circle: a -> a\n"));
+  }
+
+  TEST_CASE("a step outside of the circle is not named in it") {
+    const std::string said = issues_of(step("first", "=a.M_max") + step("a", "=b.M_max") + step("b", "=a.M_max"));
+    CHECK(said.starts_with("a.toml:5:2: error: the steps refer to one another in a circle: a -> b -> a\n"));
+    CHECK(said.find("first") == std::string::npos);
+  }
+}

@@ -1,0 +1,105 @@
+#include "lib/project/project.hpp"
+
+#include "tests/lib/project/texts.hpp"
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+TEST_SUITE("project") {
+  TEST_CASE("a step without a calculator is told how to name one") {
+    CHECK(issues_of("[axle]\nT = \"9 N*m\"\n") == R"(a.toml:1:2: error: the step 'axle' has no calculator
+1 | [axle]
+  |  ^^^^
+  = help: write calculator = "shaft.torsion"; `loadpath list` shows all
+)");
+  }
+
+  TEST_CASE("an unknown calculator is told with the nearest one") {
+    CHECK(issues_of("[axle]\ncalculator = \"shaft.torsoin\"\n") == R"(a.toml:2:15: error: there is no calculator 'shaft.torsoin'
+2 | calculator = "shaft.torsoin"
+  |               ^^^^^^^^^^^^^
+  = help: did you mean 'shaft.torsion'?
+)");
+  }
+
+  TEST_CASE("commands and elements cannot name a step") {
+    for (const char* word : {"run", "shaft", "mechanism", "sweep", "man"}) {
+      CAPTURE(word);
+      const std::string said = issues_of("[" + std::string(word) + "]\ncalculator = \"shaft.torsion\"\n");
+      CHECK(said.starts_with("a.toml:1:2: error: '" + std::string(word) + "' is a word of the program and cannot name a step\n"));
+    }
+  }
+
+  TEST_CASE("a step's name outside ASCII is refused, in quotes and without") {
+    CHECK(issues_of("[\"вал\"]\ncalculator = \"shaft.torsion\"\n") == R"(a.toml:1:2: error: 'вал' is no name for a step
+1 | ["вал"]
+  |  ^^^^^
+  = help: a name has Latin letters, digits and '_', and does not start with a digit
+)");
+    CHECK(issues_of("[вал]\ncalculator = \"shaft.torsion\"\n").ends_with("  = help: a name has Latin letters, digits and '_'\n"));
+  }
+
+  TEST_CASE("a key outside of a step is refused") {
+    CHECK(issues_of("T = \"9 N*m\"\n") == R"(a.toml:1:1: error: 'T' stands outside of a step
+1 | T = "9 N*m"
+  | ^
+  = help: a project file consists of tables: [crankshaft]
+)");
+  }
+
+  TEST_CASE("an empty project is refused") {
+    const std::string said = "a.toml: error: the project has no step\n  = help: a step is a table with a key calculator = \"...\"\n";
+    CHECK(issues_of("") == said);
+    CHECK(issues_of("[project]\ntitle = \"nothing\"\n") == said);
+  }
+
+  TEST_CASE("the heading has its own keys") {
+    CHECK(issues_of("[project]\ntitel = \"Drive\"\nauthor = 3\n" + axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\n") ==
+          R"(a.toml:2:1: error: 'titel' is no field here
+2 | titel = "Drive"
+  | ^^^^^
+  = help: did you mean 'title'?
+a.toml:3:10: error: 'project.author' takes a text, not a number
+3 | author = 3
+  |          ^
+)");
+    const auto project = solved("[project]\ntitle = \"Drive\"\nnumber = \"7\"\n" + axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\n");
+    CHECK(project.title == "Drive");
+    CHECK(project.meta == std::vector<std::pair<std::string, std::string>>{{"number", "7"}});
+  }
+
+  TEST_CASE("more tables than a project can have are refused before they are read") {
+    std::string text;
+    for (int i = 0; i < 1001; ++i) text += "[s" + std::to_string(i) + "]\ncalculator = \"shaft.torsion\"\n";
+    CHECK(issues_of(text).starts_with("a.toml:2001:2: error: a project has at most 1000 tables; here are 1001\n"));
+  }
+
+  TEST_CASE("steps keep the order of the file") {
+    const auto project = solved("[b]\ncalculator = \"shaft.torsion\"\nT = \"=a.M_max\"\ntau_adm = \"30 MPa\"\n"
+                                "[a]\ncalculator = \"shaft.torsion\"\nT = \"9 N*m\"\ntau_adm = \"30 MPa\"\n");
+    CHECK(project.steps[0]->name() == "b");
+    CHECK(project.steps[1]->name() == "a");
+    CHECK(value(project, "b.M_max") == doctest::Approx(9.0));
+  }
+
+  TEST_CASE("results are shown in the unit that the step asks for") {
+    const auto project = solved(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\ndisplay = { d_min = \"in\" }\n");
+    const auto& results = project.find("axle")->account().results;
+    const auto d_min = std::find_if(results.begin(), results.end(), [](const auto& e) { return e.path == "d_min"; });
+    REQUIRE(d_min != results.end());
+    CHECK(d_min->unit == "in");
+    CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\ndisplay = { d_min = \"kg\", d_mx = \"mm\", d = \"mn\" }\n") ==
+          R"(a.toml:5:22: error: 'd_min' is shown in a unit like mm, not in kg
+5 | display = { d_min = "kg", d_mx = "mm", d = "mn" }
+  |                      ^^
+a.toml:5:27: error: 'axle' has no result 'd_mx'
+5 | display = { d_min = "kg", d_mx = "mm", d = "mn" }
+  |                           ^^^^
+  = help: did you mean 'd_min'?
+a.toml:5:45: error: unknown unit 'mn'
+5 | display = { d_min = "kg", d_mx = "mm", d = "mn" }
+  |                                             ^^
+  = help: did you mean 'mm'?
+)");
+  }
+}

@@ -1,0 +1,48 @@
+// Projects as texts, what the program says of them, and what they come to.
+#pragma once
+
+#include "calculators/catalogue.hpp"
+#include "lib/project/project.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+namespace loadpath::test {
+
+inline const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\n";
+
+struct Told {
+  project::Project project;
+  std::vector<Issue> issues;
+};
+
+/// Read, and solved where that is allowed.
+inline Told told(const std::string& text) {
+  Told t;
+  t.project = project::read_project(text, "a.toml", catalogue(), t.issues);
+  if (!has_errors(t.issues)) project::solve(t.project, t.issues);
+  return t;
+}
+
+/// All issues, as the terminal shows them.
+inline std::string issues_of(const std::string& text) {
+  return render(told(text).issues, [&](const std::string&) { return text; });
+}
+
+inline project::Project solved(const std::string& text) {
+  Told t = told(text);
+  INFO(issues_of(text));
+  REQUIRE(t.issues.empty());
+  return std::move(t.project);
+}
+
+/// The value at a path; of a series its first.
+inline double value(const project::Project& project, const std::string& path) {
+  const Value* found = project.value(path);
+  INFO(path);
+  REQUIRE(found != nullptr);
+  return found->si[0];
+}
+
+}  // namespace loadpath::test

@@ -67,7 +67,8 @@ void PlotPicture::label_bound(const Bound& bound) {
   const Text text = typeset(symbol(bound.label) + " " + frame_.y().quantity(bound.y));
   const double wide = width(text, text_size), room = frame_.area().width() - wide - 8.0;
   std::vector<Candidate> places;
-  for (double share = 0.0; share <= 1.0; share += 0.125) {
+  for (int eighth = 0; eighth <= 8; ++eighth) {
+    const double share = 0.125 * eighth;
     const double x = frame_.area().right - 4.0 - 0.5 * wide - share * room;
     places.push_back({Box::around({x, end->y - 10.0}, wide, 14.0), share});
     places.push_back({Box::around({x, end->y + 10.0}, wide, 14.0), share + 0.1});

@@ -68,8 +68,8 @@ Axis axis(Range data, int most, Steps steps, Ends ends) {
   const double reach = ends == Ends::ticks ? step : 0.03 * extent;
   result.range.low = to_tick(shown.low, step * std::floor(shown.low / step + slack), reach);
   result.range.high = to_tick(shown.high, step * std::ceil(shown.high / step - slack), reach);
-  const double last = std::floor(result.range.high / step + slack);
-  for (double i = std::ceil(result.range.low / step - slack); i <= last; ++i) result.ticks.push_back(i * step + 0.0);
+  const double first = std::ceil(result.range.low / step - slack), last = std::floor(result.range.high / step + slack);
+  for (int i = 0; i <= static_cast<int>(last - first); ++i) result.ticks.push_back((first + i) * step + 0.0);
   result.power = written_power(result.range);
   return result;
 }

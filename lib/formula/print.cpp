@@ -158,6 +158,7 @@ class Printer {
     std::vector<Factor> factors;
     collect(tree, factors);
     std::vector<Piece> pieces;
+    pieces.reserve(factors.size());
     for (const Factor& factor : factors) {
       pieces.push_back(factor.times == 1 ? piece(*factor.node) : power(*factor.node, std::to_string(factor.times)));
     }

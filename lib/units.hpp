@@ -25,6 +25,7 @@
 #include <numbers>
 #include <type_traits>
 
+#include "lib/numerics/cube_root.hpp"
 #include "lib/quantity/dimension.hpp"
 
 namespace loadpath {
@@ -60,10 +61,20 @@ using std::max;
 using std::min;
 using std::sqrt;
 
+// By value, so that they are one instruction; std::max takes references and becomes a branch.
+template <class Unit, class Number>
+[[nodiscard]] auto max(const boost::units::quantity<Unit, Number>& a, const boost::units::quantity<Unit, Number>& b) {
+  return boost::units::quantity<Unit, Number>::from_value(std::max(a.value(), b.value()));
+}
+template <class Unit, class Number>
+[[nodiscard]] auto min(const boost::units::quantity<Unit, Number>& a, const boost::units::quantity<Unit, Number>& b) {
+  return boost::units::quantity<Unit, Number>::from_value(std::min(a.value(), b.value()));
+}
+
 template <class Unit, class Number>
 [[nodiscard]] auto cbrt(const boost::units::quantity<Unit, Number>& q) {
   using Result = decltype(root<3>(q));
-  return Result::from_value(std::cbrt(q.value()));
+  return Result::from_value(cube_root(q.value()));
 }
 
 namespace detail {

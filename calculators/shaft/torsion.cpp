@@ -50,13 +50,12 @@ Torques torques_of(const Torsion::Input& in) {
   return torques;
 }
 
-/// The stretches of the torque diagram; in the short form the torque goes through every cylinder.
-shaft::Stretches stretches_of(const Torsion::Input& in, const Cylinders& cylinders) {
-  if (!in.torques.empty()) return shaft::stretches(torques_of(in), cylinders);
+/// The short form: the torque goes through every cylinder.
+shaft::Stretches stretches_under(Moment T, const Cylinders& cylinders) {
   shaft::Stretches parts;
   Length x = 0.0 * m.one;
   for (const Cylinder& c : cylinders) {
-    parts.push_back({x, c.l, in.T, parts.size()});
+    parts.push_back({x, c.l, T, parts.size()});
     x += c.l;
   }
   return parts;
@@ -121,11 +120,10 @@ void load(Torsion::Stretch& s, Stress G, double K_A, Tracer& trace) {
   s.phi = phi;
 }
 
-/// The larger of two magnitudes; NaN where one is.
+/// Takes the magnitude where it is larger; unset stays unset.
 template <class Quantity>
-Quantity larger(Quantity most, Quantity value) {
-  const Quantity magnitude = abs(value);
-  return is_set(most) && !(magnitude <= most) ? magnitude : most;
+void raise(Quantity& largest, Quantity value) {
+  largest = max(abs(value), largest);
 }
 
 /// Moments and least diameters, stretch by stretch; the largest are those of the shaft.
@@ -133,8 +131,9 @@ template <class Tracer>
 void size_stretches(const Torsion::Input& in, const shaft::Stretches& parts, const Cylinders& cylinders,
                     Torsion::Result& r, Tracer& trace) {
   const double K_A = in.K_A;
-  r.M_max = 0.0 * N_m.one;
-  r.d_strength = r.d_stiffness = 0.0 * m.one;
+  const Allowed allowed{r.tau_all, in.G, in.theta_adm};
+  Moment M_max = 0.0 * N_m.one;
+  Length strongest = 0.0 * m.one, stiffest = strongest;
   for (const shaft::Stretch& part : parts) {
     [[maybe_unused]] const auto scope = trace.scope("segments", r.segments.size());
     const Moment M = part.M;
@@ -142,13 +141,14 @@ void size_stretches(const Torsion::Input& in, const shaft::Stretches& parts, con
     trace.value("M", M, "internal moment: the sum of the torques to its left");
     STEP(M_t, K_A * abs(M), "design moment");
     if (is_set(c.chi)) trace.value("chi", c.chi, "bore ratio");
-    const Length d_strength = size_by_strength(M_t, c, r.tau_all, trace);
-    const Length d_stiffness = size_by_stiffness(M_t, c, {r.tau_all, in.G, in.theta_adm}, trace);
-    r.segments.push_back({part.x, part.l, M, M_t, d_strength, d_stiffness, c.d, c.d_bore});
-    r.M_max = larger(r.M_max, M_t);
-    r.d_strength = larger(r.d_strength, d_strength);
-    r.d_stiffness = larger(r.d_stiffness, d_stiffness);
+    const Length d_strength = size_by_strength(M_t, c, allowed.tau_all, trace);
+    const Length d_stiffness = size_by_stiffness(M_t, c, allowed, trace);
+    r.segments.push_back({part.x, part.l, M, M_t, d_strength, d_stiffness});
+    raise(M_max, M_t);
+    raise(strongest, d_strength);
+    raise(stiffest, d_stiffness);
   }
+  r.M_max = M_max, r.d_strength = strongest, r.d_stiffness = stiffest;
 }
 
 template <class Tracer>
@@ -172,10 +172,11 @@ void choose_least(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
 template <class Tracer>
 void load_stretches(const Torsion::Input& in, const shaft::Stretches& parts, const Cylinders& cylinders,
                     Torsion::Result& r, Tracer& trace) {
+  Length x = 0.0 * m.one, d = x, d_bore = x;
+  Stress tau_max = from_si<Stress>(0.0);
+  Twist theta_max = from_si<Twist>(0.0);
   double twist = 0.0, least = 0.0, most = 0.0;
-  r.d = r.d_bore = 0.0 * m.one;
-  r.tau_max = from_si<Stress>(0.0);
-  r.theta_max = from_si<Twist>(0.0);
+  r.sections.push_back({x, twist});
   for (std::size_t i = 0; i < parts.size(); ++i) {
     [[maybe_unused]] const auto scope = trace.scope("segments", i);
     const Cylinder& c = cylinders[parts[i].cylinder];
@@ -183,16 +184,17 @@ void load_stretches(const Torsion::Input& in, const shaft::Stretches& parts, con
     s.d = is_set(c.d) ? c.d : r.d_min;
     s.d_bore = shaft::bore_of(c.d_bore, c.chi, s.d);
     load(s, in.G, in.K_A, trace);
-    r.d = larger(r.d, s.d);
-    r.d_bore = larger(r.d_bore, s.d_bore);
-    r.tau_max = larger(r.tau_max, s.tau);
-    r.theta_max = larger(r.theta_max, s.theta);
-    r.sections.push_back({s.x, twist});
+    raise(d, s.d);
+    raise(d_bore, s.d_bore);
+    raise(tau_max, s.tau);
+    raise(theta_max, s.theta);
+    x = s.x + s.l;
     twist += s.phi;
     least = min(least, twist);
     most = max(most, twist);
+    r.sections.push_back({x, twist});
   }
-  r.sections.push_back({parts.back().x + parts.back().l, twist});
+  r.d = d, r.d_bore = d_bore, r.tau_max = tau_max, r.theta_max = theta_max;
   r.phi = twist;
   r.phi_max = std::isnan(twist) ? twist : most - least;
 }
@@ -249,7 +251,8 @@ Torsion::Result Torsion::evaluate(const Input& in, Tracer& trace) {
        "as given, or from the yield strength by the distortion energy hypothesis");
   r.tau_all = tau_all;
   const Cylinders cylinders = cylinders_of(in);
-  const shaft::Stretches parts = stretches_of(in, cylinders);
+  const shaft::Stretches parts =
+      in.torques.empty() ? stretches_under(in.T, cylinders) : shaft::stretches(torques_of(in), cylinders);
   size_stretches(in, parts, cylinders, r, trace);
   choose_least(in, r, trace);
   load_stretches(in, parts, cylinders, r, trace);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "lib/quantity/number.hpp"
 
@@ -29,7 +30,7 @@ std::string text_of(const Tree::Entry& entry, const std::string& key, std::vecto
   return {};
 }
 
-Message suggestion(const std::string& word, std::vector<std::string> candidates) {
+Message suggestion(const std::string& word, const std::vector<std::string>& candidates) {
   const std::string near = nearest(word, candidates);
   return near.empty() ? Message{} : say("did you mean '{1}'?", near);
 }
@@ -71,9 +72,12 @@ void read_display(const Tree& table, StepInput& input, std::vector<Issue>& issue
   for (const Tree::Entry& entry : display->value.entries) {
     const std::string key = input.name + ".display." + entry.key;
     const std::string unit = text_of(entry, key, issues);
-    const FieldInfo* field = input.calculator->result == nullptr ? nullptr : find_field(input.calculator->result->fields, entry.key);
+    const auto fields = input.calculator->result == nullptr ? std::span<const FieldInfo>{} : input.calculator->result->fields;
+    const FieldInfo* field = find_field(fields, entry.key);
     if (field == nullptr || field->type != FieldInfo::Type::quantity) {
-      add(issues, entry.place, key, say("'{1}' has no result '{2}'", input.name, entry.key));
+      std::vector<std::string> results;
+      for (const FieldInfo& f : fields) results.emplace_back(f.key);
+      add(issues, entry.place, key, say("'{1}' has no result '{2}'", input.name, entry.key), suggestion(entry.key, results));
       continue;
     }
     const auto parsed = parse_unit(unit);
@@ -106,7 +110,7 @@ bool name_is_free(const Tree::Entry& entry, std::vector<Issue>& issues) {
 void read_tolerance(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
   if (const auto* digits = tree.find("digits")) {
     const double n = digits->value.number;
-    if (digits->value.type != Tree::Type::number || n < 1 || n > 15) {
+    if (digits->value.type != Tree::Type::number || n < 1 || n > 15 || n != std::floor(n)) {
       add(issues, digits->value.place, "expect.digits", say("digits is a whole number from 1 to 15"));
     }
     e.digits = static_cast<int>(n);
@@ -119,7 +123,7 @@ void read_tolerance(const Tree& tree, Expectation& e, std::vector<Issue>& issues
       e.within = literal->si;
     }
   }
-  if (e.digits.has_value() == e.within.has_value()) {
+  if ((tree.find("digits") == nullptr) == (tree.find("within") == nullptr)) {
     add(issues, tree.place, "expect", say("an expectation has either digits or within"));
   }
 }

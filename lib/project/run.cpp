@@ -173,8 +173,11 @@ void Run::search() {
     leaf.set(*candidate);
     if (passes() || !missing_.empty()) break;
   }
-  origins_[wanted.path] = {candidate == stock.end() ? say("largest of {1}; none passes", wanted.stock)
-                                                    : say("smallest of {1} that passes every check", wanted.stock), {}, false};
+  if (candidate == stock.end() && !stock.empty()) leaf.set(stock.back());
+  Message found = say("smallest of {1} that passes every check", wanted.stock);
+  if (!missing_.empty()) found = say("first of {1} for which a value is missing", wanted.stock);
+  if (candidate == stock.end()) found = say("largest of {1}; none passes", wanted.stock);
+  origins_[wanted.path] = {std::move(found), {}, false};
 }
 
 void Run::evaluate() {

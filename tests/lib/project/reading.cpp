@@ -90,9 +90,9 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
 
   TEST_CASE("an unknown key that is near nothing is told with all fields") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nsegments = [{ l = \"1 m\", width = \"3 mm\" }]\n") ==
-          R"(a.toml:5:25: error: 'width' is no field here
+          R"(a.toml:5:26: error: 'width' is no field here
 5 | segments = [{ l = "1 m", width = "3 mm" }]
-  |                         ^^^^^
+  |                          ^^^^^
   = help: there is: name, l, d, chi, d_bore
 )");
   }
@@ -108,9 +108,9 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
 
   TEST_CASE("a field that is missing inside a list is told by its element") {
     CHECK(issues_of(axle + "tau_adm = \"30 MPa\"\ntorques = [{ x = \"0 m\", T = \"9 N*m\" }, { name = \"gear\", T = \"-9 N*m\" }]\n") ==
-          R"(a.toml:4:39: error: 'torques.gear.x' is missing: place from the left end
+          R"(a.toml:4:40: error: 'torques.gear.x' is missing: place from the left end
 4 | torques = [{ x = "0 m", T = "9 N*m" }, { name = "gear", T = "-9 N*m" }]
-  |                                       ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  |                                        ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
   = help: write x = "... mm"
 )");
   }
@@ -120,7 +120,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
           R"(a.toml:7:12: error: unknown unit 'furlong'
 7 |   { x = "2 furlong", T = "0 N*m" },
   |            ^^^^^^^
-  = help: write a length, for example mm
+  = help: write a number and a unit, as in '30 mm'
 )");
   }
 

@@ -1,0 +1,142 @@
+#include "calculators/catalogue.hpp"
+#include "lib/io/json.hpp"
+#include "lib/io/tree.hpp"
+
+#include <boost/json.hpp>
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+using namespace loadpath;
+using io::Tree;
+namespace json = boost::json;
+
+namespace {
+
+const json::value& schema() {
+  static const json::value value = json::parse(io::project_schema(catalogue()));
+  return value;
+}
+
+std::string_view type_of(const Tree& tree) {
+  switch (tree.type) {
+    case Tree::Type::table: return "object";
+    case Tree::Type::array: return "array";
+    case Tree::Type::text: return "string";
+    case Tree::Type::number: return tree.number == static_cast<double>(static_cast<long long>(tree.number)) ? "integer" : "number";
+    case Tree::Type::boolean: return "boolean";
+  }
+  return "";
+}
+
+bool is_type(const json::value& wanted, const Tree& tree) {
+  if (const auto* words = wanted.if_array()) {
+    return std::any_of(words->begin(), words->end(), [&](const json::value& word) { return is_type(word, tree); });
+  }
+  const std::string_view type = type_of(tree);
+  return wanted == type || (wanted == "number" && type == "integer");
+}
+
+bool accepts(const json::value& value, const Tree& tree);
+
+bool accepts_entries(const json::object& rule, const Tree& tree) {
+  if (const auto* required = rule.if_contains("required")) {
+    for (const auto& key : required->as_array()) {
+      if (tree.find(key.as_string()) == nullptr) return false;
+    }
+  }
+  const auto* properties = rule.if_contains("properties");
+  const auto* others = rule.if_contains("additionalProperties");
+  return std::all_of(tree.entries.begin(), tree.entries.end(), [&](const Tree::Entry& entry) {
+    const auto* known = properties == nullptr ? nullptr : properties->as_object().if_contains(entry.key);
+    if (known != nullptr) return accepts(*known, entry.value);
+    return others == nullptr || accepts(*others, entry.value);
+  });
+}
+
+/// The part of JSON Schema that the program writes.
+bool accepts(const json::value& value, const Tree& tree) {
+  if (value.is_bool()) return value.as_bool();
+  const json::object& rule = value.as_object();
+  if (const auto* type = rule.if_contains("type"); type != nullptr && !is_type(*type, tree)) return false;
+  if (const auto* word = rule.if_contains("const"); word != nullptr && *word != std::string_view(tree.text)) return false;
+  if (const auto* words = rule.if_contains("enum")) {
+    const auto& all = words->as_array();
+    if (std::none_of(all.begin(), all.end(), [&](const json::value& w) { return w == std::string_view(tree.text); })) return false;
+  }
+  if (const auto* forms = rule.if_contains("anyOf")) {
+    const auto& all = forms->as_array();
+    if (std::none_of(all.begin(), all.end(), [&](const json::value& form) { return accepts(form, tree); })) return false;
+  }
+  if (const auto* forms = rule.if_contains("oneOf")) {
+    const auto& all = forms->as_array();
+    if (std::count_if(all.begin(), all.end(), [&](const json::value& form) { return accepts(form, tree); }) != 1) return false;
+  }
+  if (const auto* items = rule.if_contains("items"); items != nullptr && tree.type == Tree::Type::array) {
+    if (!std::all_of(tree.items.begin(), tree.items.end(), [&](const Tree& item) { return accepts(*items, item); })) return false;
+  }
+  if (const auto* most = rule.if_contains("maxItems"); most != nullptr && tree.items.size() > most->to_number<std::size_t>()) return false;
+  return tree.type != Tree::Type::table || accepts_entries(rule, tree);
+}
+
+Tree tree_of(const std::string& text) {
+  std::vector<Issue> issues;
+  Tree tree = io::read_toml(text, "a.toml", issues);
+  REQUIRE(issues.empty());
+  return tree;
+}
+
+}  // namespace
+
+TEST_SUITE("schema") {
+  TEST_CASE("it is a JSON Schema") {
+    CHECK(schema().at("$schema") == "https://json-schema.org/draft/2020-12/schema");
+    CHECK(schema().at("type") == "object");
+    CHECK(schema().at("properties").as_object().contains("project"));
+  }
+
+  TEST_CASE("it has a step for each calculator, with its fields") {
+    const auto& kinds = schema().at("additionalProperties").at("oneOf").as_array();
+    REQUIRE(kinds.size() == catalogue().size());
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      const auto& properties = kinds[i].at("properties").as_object();
+      CHECK(properties.at("calculator").at("const") == catalogue()[i]->id);
+      for (const FieldInfo& field : catalogue()[i]->input->fields) {
+        CAPTURE(field.key);
+        CHECK(properties.contains(field.key));
+        CHECK_FALSE(properties.at(field.key).at("description").as_string().empty());
+      }
+    }
+  }
+
+  TEST_CASE("it accepts every project of the repository") {
+    for (const char* folder : {"examples", "reference"}) {
+      for (const auto& file : std::filesystem::recursive_directory_iterator(std::filesystem::path(LOADPATH_ROOT) / folder)) {
+        if (file.path().extension() != ".toml") continue;
+        CAPTURE(file.path().string());
+        std::string text;
+        REQUIRE(io::read_file(file.path().string(), text));
+        CHECK(accepts(schema(), tree_of(text)));
+      }
+    }
+  }
+
+  TEST_CASE("it accepts the example of each calculator") {
+    for (const Calculator* calculator : catalogue()) {
+      CAPTURE(calculator->id);
+      CHECK(accepts(schema(), tree_of(calculator->example)));
+    }
+  }
+
+  TEST_CASE("it refuses what the program refuses") {
+    const std::string start = "[axle]\ncalculator = \"shaft.torsion\"\n";
+    CHECK(accepts(schema(), tree_of(start + "T = \"9 N*m\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(start + "T = 9\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(start + "tau_amd = \"9 MPa\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(start + "fixed = \"lft\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of("[axle]\ncalculator = \"shaft.torsoin\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of("[axle]\nT = \"9 N*m\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of("[project]\ntitel = \"x\"\n")));
+  }
+}

@@ -1,0 +1,99 @@
+#include "lib/project/verify.hpp"
+
+#include "tests/lib/project/texts.hpp"
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+/// A shaft whose largest moment is 100 N m, with one expectation; its lines start at line 6.
+std::string expecting(const std::string& lines) {
+  return axle + "T = \"100 N*m\"\ntau_adm = \"30 MPa\"\n[[expect]]\n" + lines;
+}
+
+project::Comparison compared(const std::string& lines) { return project::compare(solved(expecting(lines))).at(0); }
+
+const std::string source = "source = \"here\"\n";
+
+}  // namespace
+
+TEST_SUITE("project expectations") {
+  TEST_CASE("digits allow half a unit of the last") {
+    CHECK(project::half_unit(43.17, 4) == doctest::Approx(0.005));
+    CHECK(project::half_unit(-0.0432, 3) == doctest::Approx(0.00005));
+    CHECK(project::half_unit(100.0, 3) == doctest::Approx(0.5));
+    CHECK(compared("value = \"axle.M_max\"\nis = \"100.4 N*m\"\ndigits = 3\n" + source).holds);
+    CHECK_FALSE(compared("value = \"axle.M_max\"\nis = \"100.6 N*m\"\ndigits = 3\n" + source).holds);
+  }
+
+  TEST_CASE("the digits are counted in the unit that is written") {
+    CHECK(compared("value = \"axle.M_max\"\nis = \"0.1004 kN*m\"\ndigits = 3\n" + source).holds);
+    CHECK_FALSE(compared("value = \"axle.M_max\"\nis = \"0.1004 kN*m\"\ndigits = 4\n" + source).holds);
+  }
+
+  TEST_CASE("within is a part of the value") {
+    CHECK(compared("value = \"axle.M_max\"\nis = \"101 N*m\"\nwithin = \"1 %\"\n" + source).holds);
+    CHECK_FALSE(compared("value = \"axle.M_max\"\nis = \"102 N*m\"\nwithin = \"1 %\"\n" + source).holds);
+    CHECK(compared("value = \"axle.M_max\"\nis = \"101 N*m\"\nwithin = \"1 %\"\n" + source).deviation == doctest::Approx(-1.0 / 101.0));
+  }
+
+  TEST_CASE("an expected zero is compared in SI") {
+    CHECK(compared("value = \"axle.M_max - 100 N*m\"\nis = \"0 N*m\"\nwithin = \"1 %\"\n" + source).holds);
+  }
+
+  TEST_CASE("a value may be an expression") {
+    CHECK(compared("value = \"=axle.M_max / axle.T\"\nis = \"1\"\ndigits = 9\n" + source).holds);
+  }
+
+  TEST_CASE("what is not available is a miss") {
+    const auto project = told(axle + "T = \"=1 N*m / 0\"\ntau_adm = \"30 MPa\"\n[[expect]]\nvalue = \"axle.M_max\"\nis = \"1 N*m\"\ndigits = 3\n" + source).project;
+    CHECK_FALSE(project::compare(project).at(0).holds);
+  }
+
+  TEST_CASE("an expectation needs value, is and source") {
+    CHECK(issues_of(expecting("value = \"axle.M_max\"\nis = \"1 N*m\"\ndigits = 3\n")) ==
+          "a.toml:5:1: error: an expectation needs value, is and source\n5 | [[expect]]\n  | ^^^^^^^^^^\n");
+  }
+
+  TEST_CASE("an expectation has either digits or within") {
+    const std::string said = "error: an expectation has either digits or within\n5 | [[expect]]\n  | ^^^^^^^^^^\n";
+    const std::string value_and_is = "value = \"axle.M_max\"\nis = \"1 N*m\"\n" + source;
+    CHECK(issues_of(expecting(value_and_is)) == "a.toml:5:1: " + said);
+    CHECK(issues_of(expecting(value_and_is + "digits = 3\nwithin = \"1 %\"\n")) == "a.toml:5:1: " + said);
+    CHECK(issues_of(expecting(value_and_is + "digits = 99\n")) ==
+          "a.toml:9:10: error: digits is a whole number from 1 to 15\n9 | digits = 99\n  |          ^^\n");
+    CHECK(issues_of(expecting(value_and_is + "digits = 2.5\n")) ==
+          "a.toml:9:10: error: digits is a whole number from 1 to 15\n9 | digits = 2.5\n  |          ^^^\n");
+    CHECK(issues_of(expecting(value_and_is + "within = \"3 mm\"\n")) ==
+          "a.toml:9:11: error: within is a part of the value above zero: \"0.5 %\"\n9 | within = \"3 mm\"\n  |           ^^^^\n");
+  }
+
+  TEST_CASE("an unknown key of an expectation is told with the nearest one") {
+    CHECK(issues_of(expecting("value = \"axle.M_max\"\nis = \"1 N*m\"\ndigits = 3\nsuorce = \"here\"\n" + source)) ==
+          R"(a.toml:9:1: error: 'suorce' is no field here
+9 | suorce = "here"
+  | ^^^^^^
+  = help: did you mean 'source'?
+)");
+  }
+
+  TEST_CASE("dimensions, references and series of an expectation are checked when the file is read") {
+    CHECK(issues_of(expecting("value = \"axle.M_max\"\nis = \"1 N\"\ndigits = 3\n" + source)) ==
+          R"(a.toml:6:10: error: 'axle.M_max' is a moment, and '1 N' is a force
+6 | value = "axle.M_max"
+  |          ^^^^^^^^^^
+)");
+    CHECK(issues_of(expecting("value = \"axle.M_mx\"\nis = \"1 N*m\"\ndigits = 3\n" + source)) ==
+          R"(a.toml:6:10: error: 'axle' has no result 'M_mx'
+6 | value = "axle.M_mx"
+  |          ^^^^^^^^^
+  = help: did you mean 'axle.M_max'?
+)");
+  }
+
+  TEST_CASE("expectations are an array of tables") {
+    CHECK(issues_of(axle + "T = \"1 N*m\"\ntau_adm = \"30 MPa\"\n[expect]\nvalue = \"axle.M_max\"\n")
+              .starts_with("a.toml:5:1: error: write expectations as [[expect]]\n"));
+  }
+}

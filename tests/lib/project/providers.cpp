@@ -1,0 +1,71 @@
+#include "lib/project/providers.hpp"
+
+#include "tests/lib/project/texts.hpp"
+
+#include <algorithm>
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+project::Origin origin(const project::Project& project, const std::string& path) {
+  const auto& inputs = project.find("axle")->account().inputs;
+  const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const auto& e) { return e.path == path; });
+  REQUIRE(found != inputs.end());
+  return found->origin;
+}
+
+}  // namespace
+
+TEST_SUITE("project providers") {
+  TEST_CASE("a material fills what is missing, and the account cites its row") {
+    const auto project = solved(axle + "T = \"300 N*m\"\nS = 2\nmaterial = \"C45E\"\n");
+    CHECK(value(project, "axle.R_e") == doctest::Approx(430e6));
+    CHECK(origin(project, "R_e").text.text() == "C45E");
+    CHECK_FALSE(origin(project, "R_e").sources.empty());
+  }
+
+  TEST_CASE("what is typed wins over the row") {
+    const auto project = solved(axle + "T = \"90 N*m\"\nS = 2\nmaterial = \"C45E\"\nR_e = \"300 MPa\"\n");
+    CHECK(value(project, "axle.R_e") == doctest::Approx(300e6));
+    CHECK(origin(project, "R_e").text.text() == "given");
+  }
+
+  TEST_CASE("the strength of a row is that of the size that follows from it") {
+    CHECK(value(solved(axle + "T = \"10 N*m\"\nS = 2\nmaterial = \"C45E\"\n"), "axle.R_e") == doctest::Approx(490e6));
+    CHECK(value(solved(axle + "T = \"3 kN*m\"\nS = 2\nmaterial = \"C45E\"\n"), "axle.R_e") == doctest::Approx(370e6));
+  }
+
+  TEST_CASE("beyond the largest size of a row the check is not covered") {
+    const auto project = told(axle + "T = \"100 kN*m\"\nS = 2\nmaterial = \"C45E\"\n").project;
+    const auto verdicts = project::verdicts(project);
+    REQUIRE_FALSE(verdicts.empty());
+    CHECK(verdicts[0].state == report::State::not_covered);
+    CHECK_FALSE(verdicts[0].note.empty());
+  }
+
+  TEST_CASE("a material that does not exist is told with the nearest one, once") {
+    CHECK(issues_of(axle + "T = \"9 N*m\"\nS = 2\nmaterial = \"C54E\"\n") == R"(a.toml:5:13: error: there is no material 'C54E' in the tables
+5 | material = "C54E"
+  |             ^^^^
+  = help: did you mean 'C45E'?
+)");
+  }
+
+  TEST_CASE("a material that is no text is told in words") {
+    CHECK(issues_of(axle + "T = \"9 N*m\"\nS = 2\nmaterial = 3\n") == R"(a.toml:5:12: error: 'axle.material' takes a text, not a number
+5 | material = 3
+  |            ^
+)");
+  }
+
+  TEST_CASE("a calculator that takes nothing from a material says so") {
+    CHECK(issues_of("[bar]\ncalculator = \"mechanism.planar\"\nmaterial = \"C45E\"\nlinks = { a = { points = { O = [\"0 mm\", \"0 mm\"] } } }\n"
+                    "ground = { O = [\"0 mm\", \"0 mm\"] }\njoints = { O = { type = \"revolute\", links = [\"ground\", \"a\"] } }\ncrank = { joint = \"O\" }\n") ==
+          R"(a.toml:3:1: error: 'mechanism.planar' takes nothing from a material
+3 | material = "C45E"
+  | ^^^^^^^^
+)");
+  }
+}

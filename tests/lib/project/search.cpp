@@ -1,0 +1,62 @@
+#include "tests/lib/project/texts.hpp"
+
+#include "lib/project/providers.hpp"
+
+#include <algorithm>
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+std::string sized(const std::string& d) { return axle + "T = \"2700 N*m\"\ntau_adm = \"30 MPa\"\n" + d; }
+
+}  // namespace
+
+TEST_SUITE("project search") {
+  TEST_CASE("the smallest of the stock that passes every check is taken") {
+    const auto project = solved(sized("d = { stock = \"R20\" }\n"));
+    const double d = value(project, "axle.d"), least = value(project, "axle.d_min");
+    const auto stock = project::stock_values("R20");
+    CHECK(d == *std::lower_bound(stock.begin(), stock.end(), least));
+    CHECK(project::worst(project::verdicts(project)) == report::State::pass);
+  }
+
+  TEST_CASE("a size that is missing is searched for in the field's own stock, as '?' is") {
+    CHECK(value(solved(sized("")), "axle.d") == doctest::Approx(0.080));
+    CHECK(value(solved(sized("d = \"?\"\n")), "axle.d") == doctest::Approx(0.080));
+  }
+
+  TEST_CASE("the account says that a size was found, and in which stock") {
+    const auto project = solved(sized("d = { stock = \"R20\" }\n"));
+    for (const project::Entry& e : project.find("axle")->account().inputs) {
+      if (e.path == "d") CHECK(e.origin.text.text() == "smallest of R20 that passes every check");
+    }
+  }
+
+  TEST_CASE("a bore is kept when the diameter is rounded up") {
+    const auto project = solved(sized("chi = 0.6\n"));
+    CHECK(value(project, "axle.d_bore") < 0.6 * value(project, "axle.d"));
+    CHECK(value(project, "axle.d_bore") == doctest::Approx(0.6 * value(project, "axle.d_strength")));
+  }
+
+  TEST_CASE("no size of the stock passes: the largest is checked and fails") {
+    const auto project = solved(axle + "T = \"1e9 N*m\"\ntau_adm = \"30 MPa\"\nd = { stock = \"shaft\" }\n");
+    CHECK(value(project, "axle.d") == project::stock_values("shaft").back());
+    CHECK(project::worst(project::verdicts(project)) == report::State::fail);
+  }
+
+  TEST_CASE("an unknown stock is told with the nearest one") {
+    CHECK(issues_of(sized("d = { stock = \"R41\" }\n")) == R"(a.toml:5:16: error: there is no stock 'R41'
+5 | d = { stock = "R41" }
+  |                ^^^
+  = help: did you mean 'R40'?
+)");
+  }
+
+  TEST_CASE("a field that has no stock cannot be searched for") {
+    const std::string rule = "error: 'l' cannot be searched for\n";
+    CHECK(issues_of(sized("l = \"?\"\n")) == "a.toml:5:6: " + rule + "5 | l = \"?\"\n  |      ^\n  = help: give a value\n");
+    CHECK(issues_of(sized("l = { stock = \"R20\" }\n")) == "a.toml:5:7: " + rule + "5 | l = { stock = \"R20\" }\n  |       ^^^^^\n  = help: give a value\n");
+  }
+}

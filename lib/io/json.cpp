@@ -39,8 +39,9 @@ std::string unit_of(const Dimension& dimension) {
   return si_unit(dimension);
 }
 
-json::value quantity(double si, const Dimension& dimension) {
-  json::object object{{"value", number(si)}, {"unit", unit_of(dimension)}};
+/// A value and what goes with it; a value that does not exist has its reason.
+json::object valued(double si, json::object object) {
+  object["value"] = number(si);
   if (!std::isfinite(si)) object["reason"] = "not available";
   return object;
 }
@@ -59,7 +60,7 @@ json::value entry(const Entry& e) {
     object = {{"unit", unit_of(e.value.signature.dimension)}, {"axis", e.value.signature.axis->name}, {"values", std::move(values)}};
     if (!complete) object["reason"] = "not available where null";
   } else {
-    object = quantity(e.value.si.empty() ? NAN : e.value.si[0], e.value.signature.dimension).as_object();
+    object = valued(e.value.si.empty() ? NAN : e.value.si[0], {{"unit", unit_of(e.value.signature.dimension)}});
   }
   object["meaning"] = e.doc;
   if (!e.origin.text.empty()) object["from"] = e.origin.text.text();
@@ -92,9 +93,9 @@ json::array derivation(const std::vector<project::Derived>& lines) {
   json::array array;
   for (const auto& [scope, step] : lines) {
     json::object given;
-    for (const auto& g : step.given) given[g.name] = json::object{{"value", number(g.si)}, {"shown_in", g.unit}};
-    array.push_back(json::object{{"scope", scope}, {"symbol", step.symbol}, {"formula", step.formula}, {"given", std::move(given)},
-                                 {"value", number(step.value.si)}, {"shown_in", step.value.unit}, {"why", step.why.text()}});
+    for (const auto& g : step.given) given[g.name] = valued(g.si, {{"shown_in", g.unit}});
+    array.push_back(valued(step.value.si, {{"scope", scope}, {"symbol", step.symbol}, {"formula", step.formula}, {"given", std::move(given)},
+                                           {"shown_in", step.value.unit}, {"why", step.why.text()}}));
   }
   return array;
 }

@@ -69,7 +69,8 @@ TEST_SUITE("json") {
   }
 
   TEST_CASE("a check has value, limit and verdict") {
-    const auto& check = json_of(plain).at("steps").at(0).at("checks").at(0);
+    const json::value v = json_of(plain);
+    const auto& check = v.at("steps").at(0).at("checks").at(0);
     CHECK(check.at("name") == "u_tau");
     CHECK(check.at("verdict") == "pass");
     CHECK(check.at("limit") == "passes at 1 or less");
@@ -77,7 +78,8 @@ TEST_SUITE("json") {
   }
 
   TEST_CASE("the derivation carries formula, given values and result") {
-    const auto& lines = json_of(plain).at("steps").at(0).at("derivation").as_array();
+    const json::value v = json_of(plain);
+    const auto& lines = v.at("steps").at(0).at("derivation").as_array();
     const auto found = std::find_if(lines.begin(), lines.end(), [](const auto& l) { return l.at("symbol") == "M_t"; });
     REQUIRE(found != lines.end());
     CHECK(found->at("given").as_object().contains("K_A"));

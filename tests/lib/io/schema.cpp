@@ -30,12 +30,14 @@ std::string_view type_of(const Tree& tree) {
   return "";
 }
 
+bool is_word(const json::value& value, std::string_view word) { return value.is_string() && value.as_string() == word; }
+
 bool is_type(const json::value& wanted, const Tree& tree) {
   if (const auto* words = wanted.if_array()) {
     return std::any_of(words->begin(), words->end(), [&](const json::value& word) { return is_type(word, tree); });
   }
   const std::string_view type = type_of(tree);
-  return wanted == type || (wanted == "number" && type == "integer");
+  return is_word(wanted, type) || (is_word(wanted, "number") && type == "integer");
 }
 
 bool accepts(const json::value& value, const Tree& tree);
@@ -60,10 +62,10 @@ bool accepts(const json::value& value, const Tree& tree) {
   if (value.is_bool()) return value.as_bool();
   const json::object& rule = value.as_object();
   if (const auto* type = rule.if_contains("type"); type != nullptr && !is_type(*type, tree)) return false;
-  if (const auto* word = rule.if_contains("const"); word != nullptr && *word != std::string_view(tree.text)) return false;
+  if (const auto* word = rule.if_contains("const"); word != nullptr && !is_word(*word, tree.text)) return false;
   if (const auto* words = rule.if_contains("enum")) {
     const auto& all = words->as_array();
-    if (std::none_of(all.begin(), all.end(), [&](const json::value& w) { return w == std::string_view(tree.text); })) return false;
+    if (std::none_of(all.begin(), all.end(), [&](const json::value& w) { return is_word(w, tree.text); })) return false;
   }
   if (const auto* forms = rule.if_contains("anyOf")) {
     const auto& all = forms->as_array();

@@ -110,7 +110,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
     CHECK(issues_of(axle + "tau_adm = \"30 MPa\"\ntorques = [{ x = \"0 m\", T = \"9 N*m\" }, { name = \"gear\", T = \"-9 N*m\" }]\n") ==
           R"(a.toml:4:40: error: 'torques.gear.x' is missing: place from the left end
 4 | torques = [{ x = "0 m", T = "9 N*m" }, { name = "gear", T = "-9 N*m" }]
-  |                                        ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  |                                        ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
   = help: write x = "... mm"
 )");
   }

@@ -69,7 +69,7 @@ TEST_SUITE("project steps") {
     CHECK(issues_of(source + axle + "T = \"=a.segments[1].M_y\"\ntau_adm = \"30 MPa\"\n") == R"says(a.toml:7:7: error: 'a' has no result 'segments[1].M_y'
 7 | T = "=a.segments[1].M_y"
   |       ^^^^^^^^^^^^^^^^^
-  = help: did you mean 'a.segments[1].M'?
+  = help: did you mean 'a.segments[1].M_t'?
 )says");
   }
 

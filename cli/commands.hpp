@@ -49,7 +49,6 @@ int convert(const ConvertOptions& options);
 
 struct VerifyOptions {
   std::vector<std::string> files;
-  bool all = false;  // every line, not only one per case
 };
 int verify(const VerifyOptions& options);
 

@@ -38,7 +38,7 @@ int convert(const ConvertOptions& options) {
     if (!parsed) return refuse(text, 0, "quantity", parsed.fault());
     literal = *parsed;
   }
-  const std::string unit = options.unit.empty() ? readable_unit(literal.si, literal.dimension) : options.unit;
+  const std::string unit = !options.unit.empty() ? options.unit : literal.dimension.is_number() ? "-" : readable_unit(literal.si, literal.dimension);
   const auto target = parse_unit(unit);
   if (!target) return refuse(unit, 0, "unit", target.fault());
   if (target->dimension.without_angle() != literal.dimension.without_angle()) {

@@ -120,7 +120,7 @@ F_y = "0 N"
     int positions = 360;
     struct Place {
       double angle = unset<double>;
-      static constexpr std::tuple fields{Field{&Place::angle, "angle", deg, "crank angle"}};
+      static constexpr std::tuple fields{Field{&Place::angle, "angle", deg, "crank angle"}.within(-3600, 3600)};
     };
     List<Place, 64> at;
     static constexpr std::tuple fields{
@@ -128,9 +128,9 @@ F_y = "0 N"
         NameField{&Crank::to, "to", "point of the driven link that the crank angle is measured to; the link's x axis where missing"}.may_be_missing(),
         Field{&Crank::speed, "speed", rad_per_s, "angular speed, counter-clockwise positive"},
         Field{&Crank::acceleration, "acceleration", rad_per_s2, "angular acceleration at every position"},
-        Field{&Crank::start, "start", deg, "crank angle of the first position of a turn"},
+        Field{&Crank::start, "start", deg, "crank angle of the first position of a turn"}.within(-3600, 3600),
         Count{&Crank::positions, "positions", 8, 7200, "positions of a turn"},
-        ListField{&Crank::at, "at", "given crank angles, in place of a whole turn"}.as_arrays().may_be_missing()};
+        ListField{&Crank::at, "at", "given crank angles, rising or falling, in place of a whole turn"}.as_arrays().may_be_missing()};
   };
 
   struct Cylinder {

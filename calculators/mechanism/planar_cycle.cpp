@@ -64,6 +64,14 @@ void fill_axis(const Schedule& schedule, Axis& axis) {
   axis.share.assign(axis.at.size(), 1.0 / static_cast<double>(axis.at.size()));  // the drive turns evenly
 }
 
+/// Whether every effort and reaction is a number: a speed or mass beyond all measure makes none.
+bool is_finite(const mechanism::Position& p) {
+  return std::all_of(p.effort.begin(), p.effort.end(), [](double e) { return std::isfinite(e); }) &&
+         std::all_of(p.reactions.begin(), p.reactions.end(), [](const mechanism::Reaction& r) {
+           return std::isfinite(r.force.x) && std::isfinite(r.force.y) && std::isfinite(r.couple);
+         });
+}
+
 /// Solves the positions from the first on, or from the last back, until one does not close; that one is left open.
 Status run(mechanism::WholeSystem& system, const Schedule& schedule, bool statics, bool backward, Cycle& cycle) {
   const std::size_t count = schedule.drives.size();
@@ -74,6 +82,7 @@ Status run(mechanism::WholeSystem& system, const Schedule& schedule, bool static
     if (backward && schedule.period != 0.0) drives[0].coordinate -= schedule.period;
     const Status status = system.solve(drives, cycle.positions[k], statics);
     if (status != Status::closed) return status;
+    if (!is_finite(cycle.positions[k])) return Status::singular;
     cycle.closed[k] = true;
     cycle.worst_condition = std::min(cycle.worst_condition, system.condition());
   }

@@ -118,8 +118,17 @@ class NameCheck {
     add(path, say("there is no joint '{1}'", name.view()), nearest_hint(name, names));
   }
 
+  void require_turning(const Name& name) {
+    for (const auto& j : in_.joints) {
+      if (j.name == name && j.type != Planar::Type::revolute) {
+        add("crank.joint", say("a crank turns a revolute joint, and '{1}' is none", name.view()), say("a slide or a slot takes a cylinder"));
+      }
+    }
+  }
+
   void check_drives() {
     if (!in_.crank.joint.empty()) require_joint(in_.crank.joint, "crank.joint");
+    require_turning(in_.crank.joint);
     for (const auto& c : in_.cylinders) require_joint(c.joint, path_of("cylinders", c.name, "joint"));
     if (in_.crank.joint.empty() || in_.crank.to.empty() || !faults_.empty()) return;
     const auto joint = std::find_if(in_.joints.begin(), in_.joints.end(), [&](const auto& j) { return j.name == in_.crank.joint; });
@@ -147,7 +156,7 @@ class NameCheck {
       for (const auto& p : in_.links[a].points) {
         for (std::size_t b = a + 1; b < in_.links.size(); ++b) {
           const auto& other = in_.links[b];
-          if (find_point(in_, static_cast<int>(b), p.name) == nullptr || pinned(p.name)) continue;
+          if (find_point(in_, static_cast<int>(b), p.name) == nullptr || pinned(in_.links[a].name, other.name, p.name)) continue;
           add(path_of("links", other.name, "points") + "." + std::string(p.name.view()),
               say("'{1}' is a point of '{2}' and of '{3}', but no pin '{1}' joins them", p.name.view(), in_.links[a].name.view(), other.name.view()),
               say("give one of the two another name"));
@@ -156,10 +165,18 @@ class NameCheck {
     }
   }
 
-  bool pinned(const Name& name) const {
-    return std::any_of(in_.joints.begin(), in_.joints.end(), [&](const auto& j) {
-      return j.type == Planar::Type::revolute && point_names(j) == std::pair(name, name);
-    });
+  /// Whether pins of one name lead from a link to another, over a third where several links meet in one point.
+  bool pinned(const Name& from, const Name& to, const Name& pin) const {
+    std::vector<Name> reached{from};
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+      for (const auto& j : in_.joints) {
+        const bool is_pin = j.type == Planar::Type::revolute && point_names(j) == std::pair(pin, pin);
+        if (!is_pin || (j.links.first != reached[i] && j.links.second != reached[i])) continue;
+        const Name& other = j.links.first == reached[i] ? j.links.second : j.links.first;
+        if (std::find(reached.begin(), reached.end(), other) == reached.end()) reached.push_back(other);
+      }
+    }
+    return std::find(reached.begin(), reached.end(), to) != reached.end();
   }
 
   const Planar::Input& in_;

@@ -126,6 +126,13 @@ report::Verdict limit(const std::string& step, const char* symbol, Message meani
   return v;
 }
 
+Message why_open(const Planar::Input& in, const Cycle& cycle) {
+  if (cycle.first_failure == mechanism::Status::singular) return say("the drive cannot hold the mechanism there");
+  if (cycle.gap.joint < 0) return say("the drive could not be followed to its place");
+  return say("joint '{1}' stays {2} apart", text(in.joints[static_cast<std::size_t>(cycle.gap.joint)].name),
+             format_quantity(cycle.gap.size, "mm", 4));
+}
+
 report::Verdict closing(const std::string& step, const Planar::Input& in, const Cycle& cycle, const Axis* axis) {
   report::Verdict v;
   v.step = step;
@@ -136,20 +143,12 @@ report::Verdict closing(const std::string& step, const Planar::Input& in, const 
   v.value = say("{1} of {2}", std::to_string(closed), std::to_string(cycle.closed.size()));
   v.state = closed == cycle.closed.size() ? report::State::pass : report::State::not_available;
   if (v.state == report::State::pass) return v;
+  v.note = why_open(in, cycle);
+  if (axis == nullptr) return v;
   const auto first = std::find(cycle.closed.begin(), cycle.closed.end(), false) - cycle.closed.begin();
   const auto last = std::find(cycle.closed.rbegin(), cycle.closed.rend(), false).base() - cycle.closed.begin() - 1;
-  const auto place = [&](std::ptrdiff_t k) {
-    return format_quantity(axis->at[static_cast<std::size_t>(k)], axis->unit, 5);
-  };
-  if (axis == nullptr) {
-    v.note = cycle.first_failure == mechanism::Status::singular ? say("the position is singular: the drive cannot hold the mechanism there")
-                                                                : say("joint '{1}' stays {2} apart", cycle.gap.joint < 0 ? "" : text(in.joints[static_cast<std::size_t>(cycle.gap.joint)].name), format_quantity(cycle.gap.size, "mm", 4));
-    return v;
-  }
-  const std::string joint = cycle.gap.joint < 0 ? "" : text(in.joints[static_cast<std::size_t>(cycle.gap.joint)].name);
-  v.note = cycle.first_failure == mechanism::Status::singular
-               ? say("singular between {1} and {2}: the drive cannot hold the mechanism there", place(first), place(last))
-               : say("open between {1} and {2}: joint '{3}' stays {4} apart", place(first), place(last), joint, format_quantity(cycle.gap.size, "mm", 4));
+  const auto place = [&](std::ptrdiff_t k) { return format_quantity(axis->at[static_cast<std::size_t>(k)], axis->unit, 5); };
+  v.note = say("between {1} and {2}: {3}", place(first), place(last), v.note.text());
   return v;
 }
 

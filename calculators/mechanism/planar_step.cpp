@@ -10,7 +10,7 @@
 
 namespace loadpath {
 
-void PlanarStep::prepare(const project::Declared& declared, const project::Companion&, std::vector<Issue>& issues) {
+void PlanarStep::prepare(const project::Declared& declared, const project::Companions&, std::vector<Issue>& issues) {
   const auto is_own = [&](const Issue& issue) { return issue.severity == Severity::error && issue.key.starts_with(name() + "."); };
   check_operands(input().reading, name(), false, declared, issues);
   // What names hang on must see that a value is given; which one is known when the project is solved.
@@ -55,8 +55,9 @@ Outcome<Signature> PlanarStep::signature(const std::string& path) const {
                             : say("did you mean '{1}'?", name() + "." + near)};
 }
 
-std::string PlanarStep::companion_of(const std::string& path) const {
-  return path == "drive.M" ? "joints." + std::string(data().crank.joint.view()) + ".F" : "";
+std::vector<std::string> PlanarStep::companions_of(const std::string& path) const {
+  if (!path.starts_with("drive.M") && !path.starts_with("drive.P")) return {};
+  return {name() + ".joints." + std::string(data().crank.joint.view()) + ".F"};
 }
 
 /// The field of the project file that a finding is about.
@@ -73,7 +74,19 @@ static std::string path_of(const mechanism::Finding& finding, const mechanism::M
   return "";
 }
 
+/// Places of a series must follow one another, so that what lies between them can be told.
+static bool in_order(const PlanarMechanism::Crank& crank) {
+  const auto rising = [](const auto& a, const auto& b) { return a.angle >= b.angle; };
+  const auto falling = [](const auto& a, const auto& b) { return a.angle <= b.angle; };
+  return std::adjacent_find(crank.at.begin(), crank.at.end(), rising) == crank.at.end() ||
+         std::adjacent_find(crank.at.begin(), crank.at.end(), falling) == crank.at.end();
+}
+
 bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues) const {
+  if (!in_order(data().crank)) {
+    issues.push_back(issue_at(input(), "crank.at", say("the crank angles must rise, or fall, from each to the next")));
+    return false;
+  }
   const auto findings = mechanism::diagnose(model);
   std::string said;
   for (const mechanism::Finding& f : findings) {

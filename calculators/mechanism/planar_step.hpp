@@ -14,10 +14,10 @@ class PlanarStep : public project::Step {
  public:
   using Step::Step;
 
-  void prepare(const project::Declared& declared, const project::Companion& companion, std::vector<Issue>& issues) override;
+  void prepare(const project::Declared& declared, const project::Companions& companion, std::vector<Issue>& issues) override;
   [[nodiscard]] Outcome<Signature> signature(const std::string& path) const override;
-  /// With the moment of a drive comes the force of its joint.
-  [[nodiscard]] std::string companion_of(const std::string& path) const override;
+  /// With the moment or power of a drive comes the force of its joint.
+  [[nodiscard]] std::vector<std::string> companions_of(const std::string& path) const override;
   void solve(const project::Known& known, std::vector<Issue>& issues) override;
 
  private:

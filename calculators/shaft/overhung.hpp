@@ -78,7 +78,7 @@ tau_adm = "30 MPa"
       Field{&Result::M_v, "M_v", N_m, "equivalent moment"}.as(Role::result),
       Field{&Result::d_v, "d_v", mm, "least diameter by the equivalent stress"}.as(Role::result),
       Field{&Result::d_t, "d_t", mm, "least diameter by torsion alone"}.as(Role::result),
-      Field{&Result::d_min, "d_min", mm, "least diameter by both"}.as(Role::result),
+      Field{&Result::d_min, "d_min", mm, "least diameter by bending with torsion and by torsion alone; the neutral axis is checked at d"}.as(Role::result),
       Field{&Result::d, "d", mm, "outer diameter"}.as(Role::result),
       Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"}.as(Role::result),
       Field{&Result::sigma_b, "sigma_b", MPa, "bending stress"}.as(Role::result),

@@ -25,16 +25,16 @@ Stretches stretches(Torques torques, const Cylinders& cylinders) {
   Moment M = 0.0 * N_m.one;
   auto next = torques.begin();
   end = x;
-  for (std::size_t i = 0; i < cylinders.size(); ++i) {
-    end += cylinders[i].l;
+  for (const Cylinder& c : cylinders) {
+    end += c.l;
     while (end - x > same) {
       for (; next != torques.end() && next->x <= x + same; ++next) M += next->T;
       const Length stop = next != torques.end() && next->x < end - same ? next->x : end;
-      result.push_back({x, stop - x, M, i});
+      result.push_back({x, M, {stop - x, c.d, c.chi, c.d_bore}});
       x = stop;
     }
   }
-  if (result.empty()) result.push_back({x, end, M, 0});
+  if (result.empty()) result.push_back({x, M, cylinders.front()});
   return result;
 }
 

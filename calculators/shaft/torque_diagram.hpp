@@ -24,10 +24,9 @@ struct Cylinder {
 
 /// A stretch between two neighbouring sections in which moment and diameter are constant.
 struct Stretch {
-  Length x;  // of its left end
-  Length l;
-  Moment M;  // internal moment: the sum of the torques to its left
-  std::size_t cylinder;
+  Length x;           // of its left end
+  Moment M;           // internal moment: the sum of the torques to its left
+  Cylinder cylinder;  // that it is cut from, with the length of the stretch
 };
 
 inline constexpr std::size_t most_torques = 33;

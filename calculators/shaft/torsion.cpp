@@ -55,7 +55,7 @@ shaft::Stretches stretches_under(Moment T, const Cylinders& cylinders) {
   shaft::Stretches parts;
   Length x = 0.0 * m.one;
   for (const Cylinder& c : cylinders) {
-    parts.push_back({x, c.l, T, parts.size()});
+    parts.push_back({x, T, c});
     x += c.l;
   }
   return parts;
@@ -128,8 +128,7 @@ void raise(Quantity& largest, Quantity value) {
 
 /// Moments and least diameters, stretch by stretch; the largest are those of the shaft.
 template <class Tracer>
-void size_stretches(const Torsion::Input& in, const shaft::Stretches& parts, const Cylinders& cylinders,
-                    Torsion::Result& r, Tracer& trace) {
+void size_stretches(const Torsion::Input& in, const shaft::Stretches& parts, Torsion::Result& r, Tracer& trace) {
   const double K_A = in.K_A;
   const Allowed allowed{r.tau_all, in.G, in.theta_adm};
   Moment M_max = 0.0 * N_m.one;
@@ -137,13 +136,13 @@ void size_stretches(const Torsion::Input& in, const shaft::Stretches& parts, con
   for (const shaft::Stretch& part : parts) {
     [[maybe_unused]] const auto scope = trace.scope("segments", r.segments.size());
     const Moment M = part.M;
-    const Cylinder& c = cylinders[part.cylinder];
+    const Cylinder& c = part.cylinder;
     trace.value("M", M, "internal moment: the sum of the torques to its left");
     STEP(M_t, K_A * abs(M), "design moment");
     if (is_set(c.chi)) trace.value("chi", c.chi, "bore ratio");
     const Length d_strength = size_by_strength(M_t, c, allowed.tau_all, trace);
     const Length d_stiffness = size_by_stiffness(M_t, c, allowed, trace);
-    r.segments.push_back({part.x, part.l, M, M_t, d_strength, d_stiffness});
+    r.segments.push_back({part.x, c.l, M, M_t, d_strength, d_stiffness});
     raise(M_max, M_t);
     raise(strongest, d_strength);
     raise(stiffest, d_stiffness);
@@ -170,8 +169,7 @@ void choose_least(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
 /// Stresses and twist at the diameters as given, else at the least one of the shaft; a ratio gives the bore unless it
 /// is kept.
 template <class Tracer>
-void load_stretches(const Torsion::Input& in, const shaft::Stretches& parts, const Cylinders& cylinders,
-                    Torsion::Result& r, Tracer& trace) {
+void load_stretches(const Torsion::Input& in, const shaft::Stretches& parts, Torsion::Result& r, Tracer& trace) {
   Length x = 0.0 * m.one, d = x, d_bore = x;
   Stress tau_max = from_si<Stress>(0.0);
   Twist theta_max = from_si<Twist>(0.0);
@@ -179,7 +177,7 @@ void load_stretches(const Torsion::Input& in, const shaft::Stretches& parts, con
   r.sections.push_back({x, twist});
   for (std::size_t i = 0; i < parts.size(); ++i) {
     [[maybe_unused]] const auto scope = trace.scope("segments", i);
-    const Cylinder& c = cylinders[parts[i].cylinder];
+    const Cylinder& c = parts[i].cylinder;
     Torsion::Stretch& s = r.segments[i];
     s.d = is_set(c.d) ? c.d : r.d_min;
     s.d_bore = shaft::bore_of(c.d_bore, c.chi, s.d);
@@ -253,9 +251,9 @@ Torsion::Result Torsion::evaluate(const Input& in, Tracer& trace) {
   const Cylinders cylinders = cylinders_of(in);
   const shaft::Stretches parts =
       in.torques.empty() ? stretches_under(in.T, cylinders) : shaft::stretches(torques_of(in), cylinders);
-  size_stretches(in, parts, cylinders, r, trace);
+  size_stretches(in, parts, r, trace);
   choose_least(in, r, trace);
-  load_stretches(in, parts, cylinders, r, trace);
+  load_stretches(in, parts, r, trace);
   judge(in, r, trace);
   return r;
 }

@@ -1,6 +1,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -145,7 +146,7 @@ bool read_file(const std::string& path, std::string& text) {
     return true;
   }
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) return false;
+  if (!stream || std::filesystem::is_directory(path)) return false;
   text.assign(std::istreambuf_iterator<char>(stream), {});
   return !stream.bad();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "lib/project/run.hpp"
 
@@ -23,9 +24,9 @@ std::string head(std::string_view path) { return std::string(path.substr(0, path
 
 }  // namespace
 
-void CalculatorStep::prepare(const Declared& declared, const Companion& companion, std::vector<Issue>& issues) {
+void CalculatorStep::prepare(const Declared& declared, const Companions& companions, std::vector<Issue>& issues) {
   axis_ = check_operands(input().reading, name(), true, declared, issues);
-  provided_ = find_provided(input(), companion, issues);
+  provided_ = find_provided(input(), companions, issues);
   find_searches(issues);
   check_rules_of_literals(issues);
 }
@@ -99,7 +100,11 @@ Outcome<Signature> CalculatorStep::signature(const std::string& path) const {
       if (field->type == FieldInfo::Type::quantity && rest.empty()) return Signature{field->dimension, axis_};
       if (field->is_leaf()) break;
       if (field->type == FieldInfo::Type::list) {  // an element by number or name; which there are is known later
-        const std::size_t stop = rest.starts_with('[') ? rest.find(']') + 1 : rest.find_first_of(".[", 1);
+        const bool numbered = rest.starts_with('[');
+        const int number = numbered ? std::atoi(rest.c_str() + 1) : 1;
+        if (number < 1 || static_cast<std::size_t>(number) > field->capacity) break;
+        if (!numbered && find_field(field->fields, "name") == nullptr) break;
+        const std::size_t stop = numbered ? rest.find(']') + 1 : rest.find_first_of(".[", 1);
         rest = stop == std::string::npos || stop == 0 ? "" : rest.substr(stop);
       }
       if (!rest.starts_with('.')) break;
@@ -120,6 +125,12 @@ Fault CalculatorStep::unknown_path(const std::string& path) const {
   const std::string near = nearest(path, known);
   return {0, path.size(), say("'{1}' has no result '{2}'", name(), path),
           near.empty() ? say("`loadpath describe {1}` lists them", input().calculator->id) : say("did you mean '{1}'?", name() + "." + near)};
+}
+
+std::vector<std::string> CalculatorStep::companions_of(const std::string&) const {
+  std::vector<std::string> all;
+  for (const Provided& provided : provided_) all.insert(all.end(), provided.companions.begin(), provided.companions.end());
+  return all;
 }
 
 void CalculatorStep::solve(const Known& known, std::vector<Issue>& issues) {

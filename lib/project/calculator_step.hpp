@@ -11,8 +11,10 @@ class CalculatorStep : public Step {
  public:
   using Step::Step;
 
-  void prepare(const Declared& declared, const Companion& companion, std::vector<Issue>& issues) override;
+  void prepare(const Declared& declared, const Companions& companions, std::vector<Issue>& issues) override;
   [[nodiscard]] Outcome<Signature> signature(const std::string& path) const override;
+  /// What comes along with this step's own inputs goes on to who uses its results.
+  [[nodiscard]] std::vector<std::string> companions_of(const std::string& path) const override;
   void solve(const Known& known, std::vector<Issue>& issues) override;
 
   [[nodiscard]] const Axis* axis() const { return axis_; }

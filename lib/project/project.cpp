@@ -35,11 +35,10 @@ Outcome<Signature> signature_of(const Project& project, const std::string& path)
   return Fault{0, path.size(), say("there is no step '{1}'", name), say("there is: {1}", all)};
 }
 
-std::string companion_of(const Project& project, const std::string& path) {
+std::vector<std::string> companions_of(const Project& project, const std::string& path) {
   const auto [name, rest] = split_step(path);
   const Step* step = project.find(name);
-  const std::string companion = step == nullptr ? "" : step->companion_of(rest);
-  return companion.empty() ? "" : name + "." + companion;
+  return step == nullptr ? std::vector<std::string>{} : step->companions_of(rest);
 }
 
 void check_expectations(const Project& project, std::vector<Issue>& issues) {
@@ -98,8 +97,8 @@ Project read_project(const io::Tree& tree, const std::string& file, Catalogue ca
   }
   project.order = order_of_evaluation(project, issues);
   const Declared declared = [&](const std::string& path) { return signature_of(project, path); };
-  const Companion companion = [&](const std::string& path) { return companion_of(project, path); };
-  for (const std::size_t i : project.order) project.steps[i]->prepare(declared, companion, issues);
+  const Companions companions = [&](const std::string& path) { return companions_of(project, path); };
+  for (const std::size_t i : project.order) project.steps[i]->prepare(declared, companions, issues);
   if (project.order.size() == project.steps.size()) check_expectations(project, issues);
   return project;
 }

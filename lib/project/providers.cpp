@@ -26,13 +26,12 @@ std::optional<Provided> from_table(const StepInput& input, const FieldInfo& fiel
 }
 
 /// What comes along with everything that the expression of another input refers to.
-std::optional<Provided> from_companion(const StepInput& input, const FieldInfo& field, void* data, const Companion& companion) {
+std::optional<Provided> from_companion(const StepInput& input, const FieldInfo& field, void* data, const Companions& companions) {
   Provided provided{field.key, {&field, data}, "", {}};
   for (const Operand& operand : input.reading.operands) {
-    if (operand.path != field.provider.column) continue;
+    if (operand.path.substr(operand.path.rfind('.') + 1) != field.provider.column) continue;  // "T", "torques[2].T"
     for (const auto& reference : operand.expression.references()) {
-      std::string path = companion(reference.path);
-      if (!path.empty()) provided.companions.push_back(std::move(path));
+      for (std::string& path : companions(reference.path)) provided.companions.push_back(std::move(path));
     }
   }
   return provided.companions.empty() ? std::nullopt : std::optional(std::move(provided));
@@ -40,14 +39,14 @@ std::optional<Provided> from_companion(const StepInput& input, const FieldInfo& 
 
 }  // namespace
 
-std::vector<Provided> find_provided(const StepInput& input, const Companion& companion, std::vector<Issue>& issues) {
+std::vector<Provided> find_provided(const StepInput& input, const Companions& companions, std::vector<Issue>& issues) {
   std::vector<Provided> found;
   void* data = input.reading.record.data.get();
   for (const FieldInfo& field : input.calculator->input->fields) {
     if (field.type != FieldInfo::Type::quantity || input.reading.typed.count(field.key) != 0) continue;
     std::optional<Provided> provided;
     if (field.provider.kind == Provider::Kind::table) provided = from_table(input, field, data, issues);
-    if (field.provider.kind == Provider::Kind::companion) provided = from_companion(input, field, data, companion);
+    if (field.provider.kind == Provider::Kind::companion) provided = from_companion(input, field, data, companions);
     if (provided) found.push_back(std::move(*provided));
   }
   return found;

@@ -22,7 +22,7 @@ struct Lookup {
 };
 
 /// The inputs of a step that its providers fill. Rows that do not exist, or lack the column, become issues.
-std::vector<Provided> find_provided(const StepInput& input, const Companion& companion, std::vector<Issue>& issues);
+std::vector<Provided> find_provided(const StepInput& input, const Companions& companions, std::vector<Issue>& issues);
 
 /// The value of a table's row, at a size where it depends on one (NaN: the smallest size).
 Lookup look_up(const Provided& provided, double size);

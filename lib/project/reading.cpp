@@ -241,6 +241,9 @@ void Reader::read_element(const Tree& tree, const FieldInfo& list, void* owner, 
   if (own_name != nullptr && is_name(own_name->value.text)) inner = path + "." + own_name->value.text;
   if (named != nullptr) {
     inner = path + "." + named->key;
+    if (const auto* again = tree.find("name")) {
+      say_at(again->place, inner, say("the name already stands before the table: '{1}'", named->key), say("leave out 'name'"));
+    }
     Tree name;
     name.type = Tree::Type::text;
     name.text = named->key;

@@ -23,6 +23,15 @@ void walk(std::span<const FieldInfo> fields, void* data, const Visit& visit) {
   }
 }
 
+/// How many elements each list has, in the order of a walk.
+std::vector<std::size_t> list_sizes(std::span<const FieldInfo> fields, void* data) {
+  std::vector<std::size_t> sizes;
+  for (const FieldInfo& field : fields) {
+    if (field.type == FieldInfo::Type::list) sizes.push_back(field.size(data));
+  }
+  return sizes;
+}
+
 /// The value as one of the step's axis: a series over it, or the largest magnitude of a foreign series.
 Value fitted(const Value& value, const Axis* axis) {
   if (!value.is_series() || value.signature.axis == axis) return value;
@@ -47,12 +56,25 @@ bool Run::evaluate_operands(std::vector<Issue>& issues) {
     inputs_.push_back({operand.path, map_leaf(operand.path), std::move(*value), {say("= {1}", operand.text), {}, false}});
   }
   for (const Provided& provided : step_.provided()) {
-    for (const std::string& path : provided.companions) {
-      inputs_.push_back({provided.path, map_leaf(provided.path), fitted(known_(path), axis_),
-                         {say("comes with it: {1}", path), {}, false}});
-    }
+    if (!provided.companions.empty()) inputs_.push_back(companion_input(provided));
   }
   return issues.size() == before;
+}
+
+/// Of several things that come along, the largest at each position.
+Run::Input Run::companion_input(const Provided& provided) const {
+  Value most{{provided.leaf.field->dimension, nullptr}, {0.0}};
+  std::string names;
+  for (const std::string& path : provided.companions) {
+    const Value value = fitted(known_(path), axis_);
+    if (value.is_series() && !most.is_series()) most = {value.signature, std::vector<double>(value.si.size(), most.si[0])};
+    for (std::size_t i = 0; i < most.si.size(); ++i) {
+      const double size = std::abs(value.si[value.is_series() ? i : 0]);
+      if (!(size <= most.si[i])) most.si[i] = size;  // what is not available stays so
+    }
+    names += (names.empty() ? "" : ", ") + path;
+  }
+  return {provided.path, map_leaf(provided.path), std::move(most), {say("comes with it: {1}", names), {}, false}};
 }
 
 bool Run::set_position(std::size_t i) {
@@ -98,10 +120,9 @@ const char* Run::size_field() const {
 }
 
 double Run::size_now() {
+  if (const FieldInfo* result = find_field(calculator_.result->fields, size_field())) return largest_result(*result);
   const Leaf given = map_leaf(size_field());
-  if (given && !std::isnan(given.get())) return given.get();
-  const FieldInfo* result = find_field(calculator_.result->fields, size_field());
-  return result == nullptr ? nan : largest_result(*result);
+  return given ? given.get() : nan;
 }
 
 /// A strength falls with the size that it is asked for, so the size only grows from one round to the next.
@@ -184,21 +205,32 @@ void Run::evaluate() {
   settle_sizes();
   if (!missing_.empty()) return;
   columns_.clear();
+  std::vector<std::size_t> shape;  // of the result that the columns stand for
   for (std::size_t i = 0; i < positions(); ++i) {
-    const bool available = set_position(i);
-    if (available) calculator_.evaluate(record_.data.get(), result_.data.get());
-    if (columns_.empty() && available) {
-      for_each_leaf(result_, [&](const std::string& path, const Leaf& leaf) {
-        if (leaf.field->get != nullptr) columns_.push_back({path, leaf.field, std::vector<double>(positions(), nan)});
-      });
+    if (!set_position(i)) continue;
+    calculator_.evaluate(record_.data.get(), result_.data.get());
+    std::vector<std::size_t> here = list_sizes(calculator_.result->fields, result_.data.get());
+    if (columns_.empty() || here != shape) {
+      add_columns();
+      shape = std::move(here);
     }
-    if (!available) continue;
     std::size_t column = 0;
     walk(calculator_.result->fields, result_.data.get(), [&](const FieldInfo& field, const void* owner) {
-      if (field.get != nullptr && column < columns_.size()) columns_[column++].si[i] = field.get(owner);
+      if (field.get != nullptr) columns_[order_[column++]].si[i] = field.get(owner);
     });
   }
   trace_governing();
+}
+
+/// Columns for the leaves of the result as it is now, in the order of a walk; those that are known keep their values.
+void Run::add_columns() {
+  order_.clear();
+  for_each_leaf(result_, [&](const std::string& path, const Leaf& leaf) {
+    if (leaf.field->get == nullptr) return;
+    const auto known = std::find_if(columns_.begin(), columns_.end(), [&](const Column& c) { return c.path == path; });
+    order_.push_back(static_cast<std::size_t>(known - columns_.begin()));
+    if (known == columns_.end()) columns_.push_back({path, leaf.field, std::vector<double>(positions(), nan)});
+  });
 }
 
 /// The position where the largest check is largest, or the first that is available.

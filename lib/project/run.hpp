@@ -36,6 +36,8 @@ class Run {
     std::vector<double> si;
   };
 
+  [[nodiscard]] Input companion_input(const Provided& provided) const;
+  void add_columns();
   [[nodiscard]] std::size_t positions() const { return axis_ == nullptr ? 1 : axis_->at.size(); }
   /// Puts the inputs of position i into the record; false where one of them is not available there.
   bool set_position(std::size_t i);
@@ -73,6 +75,7 @@ class Run {
   std::map<std::string, Origin> origins_;  // of provided, kept and searched leaves
   Message missing_;                        // why a table's value is not available
   std::vector<Column> columns_;
+  std::vector<std::size_t> order_;  // of columns, for a walk over the result
   Trace trace_;
   std::size_t governing_ = 0;
   bool traced_ = false;

@@ -7,7 +7,7 @@
 
 namespace loadpath::project {
 
-std::string Step::companion_of(const std::string&) const { return {}; }
+std::vector<std::string> Step::companions_of(const std::string&) const { return {}; }
 
 const Value* Step::value(const std::string& path) const {
   for (const auto* entries : {&account_.results, &account_.inputs}) {

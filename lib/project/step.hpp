@@ -66,8 +66,8 @@ struct StepInput {
 using Declared = Expression::Declared;
 /// Their values, when it is solved.
 using Known = Expression::Known;
-/// What else loads the part that takes a path's value (Step::companion, with the step's name); empty: nothing.
-using Companion = std::function<std::string(const std::string& path)>;
+/// What else loads the part that takes a path's value: full paths (Step::companions_of).
+using Companions = std::function<std::vector<std::string>(const std::string& path)>;
 
 class Step {
  public:
@@ -80,11 +80,11 @@ class Step {
   [[nodiscard]] const StepInput& input() const { return input_; }
 
   /// Checks what can be known before anything runs: expressions' dimensions, names, rules. Called in order of evaluation.
-  virtual void prepare(const Declared& declared, const Companion& companion, std::vector<Issue>& issues) = 0;
+  virtual void prepare(const Declared& declared, const Companions& companions, std::vector<Issue>& issues) = 0;
   /// Dimension and axis of a path; a Fault with a hint where there is none. After `prepare`.
   [[nodiscard]] virtual Outcome<Signature> signature(const std::string& path) const = 0;
-  /// The path (within this step) of what else loads the part that takes the value at `path`; empty: nothing.
-  [[nodiscard]] virtual std::string companion_of(const std::string& path) const;
+  /// Full paths of what else loads the part that takes the value at `path`.
+  [[nodiscard]] virtual std::vector<std::string> companions_of(const std::string& path) const;
   /// Fills the account. A computed value that its field refuses becomes an issue at its expression.
   virtual void solve(const Known& known, std::vector<Issue>& issues) = 0;
   /// The value at a path, after `solve`; nothing where there is none (an element that the list does not have).

@@ -9,7 +9,7 @@ namespace loadpath::project {
 struct Comparison {
   const Expectation* expectation = nullptr;
   double ours = 0.0;       // NaN: not available
-  double deviation = 0.0;  // relative; absolute in SI where the expected value is 0
+  double deviation = 0.0;  // relative; absolute, in the unit of the expectation, where it expects 0
   double allowed = 0.0;    // the same kind
   bool holds = false;
 };

@@ -55,7 +55,7 @@ Desk::~Desk() {
   fs::remove_all(streams_of(folder_), error);
 }
 
-Outcome Desk::run(const std::vector<std::string>& words, const std::string& input, const Environment& environment) const {
+Ran Desk::run(const std::vector<std::string>& words, const std::string& input, const Environment& environment) const {
   const fs::path streams = streams_of(folder_);
   std::ofstream(streams / "in", std::ios::binary) << input;
   const pid_t child = fork();

@@ -10,7 +10,7 @@
 
 namespace loadpath::test {
 
-struct Outcome {
+struct Ran {
   int code = -1;
   std::string out;
   std::string error;
@@ -26,7 +26,7 @@ class Desk {
   Desk(const Desk&) = delete;
   Desk& operator=(const Desk&) = delete;
 
-  [[nodiscard]] Outcome run(const std::vector<std::string>& words, const std::string& input = "", const Environment& environment = {}) const;
+  [[nodiscard]] Ran run(const std::vector<std::string>& words, const std::string& input = "", const Environment& environment = {}) const;
   void put(const std::string& name, const std::string& text) const;
   [[nodiscard]] std::string get(const std::string& name) const;
   [[nodiscard]] bool has(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
@@ -38,6 +38,6 @@ class Desk {
 };
 
 /// One run where no file matters.
-inline Outcome loadpath_with(const std::vector<std::string>& words) { return Desk().run(words); }
+inline Ran loadpath_with(const std::vector<std::string>& words) { return Desk().run(words); }
 
 }  // namespace loadpath::test

@@ -1,0 +1,199 @@
+// What is wrong with a mechanism is told in the words of the project file, with the place.
+#include "tests/lib/project/texts.hpp"
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+const std::string press = R"([press]
+calculator = "mechanism.planar"
+crank = { joint = "O", speed = "60 rpm", positions = 12 }
+
+[press.ground]
+O = ["0 mm", "0 mm"]
+B = ["0 mm", "0 mm"]
+
+[press.links.crank]
+points = { O = ["0 mm", "0 mm"], A = ["50 mm", "0 mm"] }
+angle = "30 deg"
+
+[press.links.rod]
+points = { A = ["0 mm", "0 mm"], B = ["200 mm", "0 mm"] }
+angle = "-7 deg"
+
+[press.links.slider]
+points = { B = ["0 mm", "0 mm"] }
+angle = "0 deg"
+mass = "2 kg"
+
+[press.joints]
+O = { type = "revolute", links = ["crank", "ground"] }
+A = { type = "revolute", links = ["crank", "rod"] }
+B = { type = "revolute", links = ["rod", "slider"] }
+guide = { type = "prismatic", links = ["slider", "ground"], points = ["B", "B"] }
+
+[[press.loads]]
+name = "F1"
+link = "slider"
+at = "B"
+F_x = "-1 kN"
+F_y = "0 N"
+)";
+
+/// What is said when a part of the press is replaced.
+std::string with(const std::string& part, const std::string& other) {
+  std::string text = press;
+  const std::size_t at = text.find(part);
+  REQUIRE(at != std::string::npos);
+  return issues_of(text.replace(at, part.size(), other));
+}
+
+}  // namespace
+
+TEST_SUITE("mechanism faults") {
+  TEST_CASE("the press itself is sound") { CHECK(issues_of(press).empty()); }
+
+  TEST_CASE("a link that does not exist") {
+    CHECK(with("[\"crank\", \"rod\"]", "[\"crank\", \"rdo\"]") == R"(a.toml:24:45: error: there is no link 'rdo'
+24 | A = { type = "revolute", links = ["crank", "rdo"] }
+   |                                             ^^^
+   = help: did you mean 'rod'?
+)");
+    CHECK(with("link = \"slider\"", "link = \"hammer\"") == R"(a.toml:30:9: error: there is no link 'hammer'
+30 | link = "hammer"
+   |         ^^^^^^
+   = help: there is: crank, rod, slider, ground
+)");
+  }
+
+  TEST_CASE("a point that its link does not have") {
+    CHECK(with("at = \"B\"", "at = \"E\"") == R"(a.toml:31:7: error: the link 'slider' has no point 'E'
+31 | at = "E"
+   |       ^
+   = help: give 'E' among the points of 'slider', or name another point with points = [...]
+)");
+    CHECK(with("links = [\"crank\", \"rod\"] }", "links = [\"crank\", \"rod\"], points = [\"A\", \"Q\"] }") ==
+          R"(a.toml:24:68: error: the link 'rod' has no point 'Q'
+24 | A = { type = "revolute", links = ["crank", "rod"], points = ["A", "Q"] }
+   |                                                                    ^
+   = help: give 'Q' among the points of 'rod', or name another point with points = [...]
+)");
+  }
+
+  TEST_CASE("a joint of a link with itself") {
+    CHECK(with("[\"crank\", \"rod\"]", "[\"crank\", \"crank\"]") == R"(a.toml:24:5: error: joint 'A' connects 'crank' with itself
+24 | A = { type = "revolute", links = ["crank", "crank"] }
+   |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+   = help: a joint is between two links, or between a link and the ground
+)");
+  }
+
+  TEST_CASE("a point that two links share without a pin") {
+    CHECK(with("points = { B = [\"0 mm\", \"0 mm\"] }", "points = { A = [\"1 mm\", \"0 mm\"], B = [\"0 mm\", \"0 mm\"] }") ==
+          R"(a.toml:18:16: error: 'A' is a point of 'crank' and of 'slider', but no pin 'A' joins them
+18 | points = { A = ["1 mm", "0 mm"], B = ["0 mm", "0 mm"] }
+   |                ^^^^^^^^^^^^^^^^
+   = help: give one of the two another name
+)");
+  }
+
+  TEST_CASE("no drive where there is a freedom") {
+    CHECK(with("crank = { joint = \"O\", speed = \"60 rpm\", positions = 12 }\n", "") == R"(a.toml:1:2: error: mobility 1, but number of drivers 0
+1 | [press]
+  |  ^^^^^
+  = help: add a driver, or take a freedom away: 'crank', 'rod', 'slider' can still move
+)");
+  }
+
+  TEST_CASE("a drive of a joint that does not exist, or that cannot turn") {
+    CHECK(with("joint = \"O\"", "joint = \"Q\"") == R"(a.toml:3:20: error: there is no joint 'Q'
+3 | crank = { joint = "Q", speed = "60 rpm", positions = 12 }
+  |                    ^
+  = help: there is: O, A, B, guide
+)");
+    CHECK(with("joint = \"O\"", "joint = \"guide\"")
+              .starts_with("a.toml:3:9: error: driver 'crank' turns 'slider' against 'ground', but the prismatic joint 'guide' holds that angle\n"));
+  }
+
+  TEST_CASE("a parallelogram with a link too many") {
+    const std::string parallel = R"([bar]
+calculator = "mechanism.planar"
+crank = { joint = "A", speed = "60 rpm", positions = 12 }
+[bar.ground]
+A = ["0 mm", "0 mm"]
+D = ["150 mm", "0 mm"]
+E = ["75 mm", "0 mm"]
+[bar.links.a]
+points = { A = ["0 mm", "0 mm"], B = ["50 mm", "100 mm"] }
+[bar.links.b]
+points = { B = ["50 mm", "100 mm"], C = ["200 mm", "100 mm"], F = ["125 mm", "100 mm"] }
+[bar.links.c]
+points = { C = ["200 mm", "100 mm"], D = ["150 mm", "0 mm"] }
+[bar.links.e]
+points = { E = ["75 mm", "0 mm"], F = ["125 mm", "100 mm"] }
+[bar.joints]
+A = { type = "revolute", links = ["ground", "a"] }
+B = { type = "revolute", links = ["a", "b"] }
+C = { type = "revolute", links = ["b", "c"] }
+D = { type = "revolute", links = ["ground", "c"] }
+E = { type = "revolute", links = ["ground", "e"] }
+F = { type = "revolute", links = ["b", "e"] }
+)";
+    const std::string said = issues_of(parallel);
+    INFO(said);
+    CHECK(said.starts_with("a.toml:17:5: error: the joints "));
+    CHECK(said.find("together hold one freedom too many: their reactions are not unique") != std::string::npos);
+  }
+
+  TEST_CASE("a pin that is there twice is told once") {
+    const std::string said = issues_of(press + "[press.joints.O2]\ntype = \"revolute\"\nlinks = [\"crank\", \"ground\"]\npoints = [\"O\", \"O\"]\n");
+    CHECK(said.starts_with("a.toml:23:5: error: the joints 'O', 'O2' together hold one freedom too many: their reactions are not unique\n"));
+    CHECK(said.find("error", said.find("error") + 1) == std::string::npos);
+  }
+
+  TEST_CASE("lengths that do not close") {
+    CHECK(with("\"200 mm\"", "\"20 mm\"").starts_with("a.toml:25:5: error: joint 'B' does not close: a gap of "));
+  }
+
+  TEST_CASE("a link without a joint") {
+    CHECK(issues_of(press + "[press.links.free]\npoints = { Z = [\"0 mm\", \"0 mm\"] }\n")
+              .starts_with("a.toml:34:1: error: link 'free' has no joint\n"));
+  }
+
+  TEST_CASE("a load is whole, and of one kind") {
+    CHECK(with("F_y = \"0 N\"\n", "").starts_with("a.toml:28:1: error: give F with direction, or F_x and F_y\n"));
+    CHECK(with("F_y = \"0 N\"\n", "F_y = \"0 N\"\nF = \"3 N\"\n").starts_with("a.toml:28:1: error: give either F with direction or F_x and F_y, not both\n"));
+    CHECK(with("F_x = \"-1 kN\"\nF_y = \"0 N\"\n", "").starts_with("a.toml:28:1: error: a load has a force (F with direction, or F_x and F_y) or a couple M\n"));
+    CHECK(with("at = \"B\"\n", "").starts_with("a.toml:28:1: error: a force needs the point it acts at: at = \"...\"\n"));
+    CHECK(with("link = \"slider\"\nat", "link = \"ground\"\nat").starts_with("a.toml:30:9: error: a load on the ground has no effect\n"));
+  }
+
+  TEST_CASE("a point is given one way, and what is wrong in it is told once") {
+    CHECK(with("A = [\"50 mm\", \"0 mm\"]", "A = { r = \"50 mm\", x = \"3 mm\" }")
+              .starts_with("a.toml:10:38: error: a point has either x and y or r and angle\n"));
+    CHECK(with("A = [\"50 mm\", \"0 mm\"]", "A = [\"50\", \"0 mm\"]") == R"(a.toml:10:40: error: '50' has no unit, a length is expected
+10 | points = { O = ["0 mm", "0 mm"], A = ["50", "0 mm"] }
+   |                                        ^^
+   = help: write '50 mm'
+)");
+  }
+
+  TEST_CASE("numbers of the drive") {
+    CHECK(with("positions = 12", "positions = 4").starts_with("a.toml:3:54: error: crank.positions = 4: must be >= 8 and <= 7200\n"));
+    CHECK(with("positions = 12", "positions = 12.5").starts_with("a.toml:3:54: error: a whole number is expected, not 12.5\n"));
+    CHECK(with("\"60 rpm\"", "\"60 Hz\"") == R"(a.toml:3:33: error: '60 Hz' is a frequency, an angular speed is expected
+3 | crank = { joint = "O", speed = "60 Hz", positions = 12 }
+  |                                 ^^^^^
+  = help: write it in rpm or in rad/s
+)");
+  }
+
+  TEST_CASE("an expression in a mechanism is checked as everywhere") {
+    CHECK(with("mass = \"2 kg\"", "mass = \"=2 kg * 3 m\"") == R"(a.toml:20:10: error: 'links.slider.mass' is a mass, and this expression is a quantity in kg*m
+20 | mass = "=2 kg * 3 m"
+   |          ^^^^^^^^^^
+)");
+    CHECK(with("mass = \"2 kg\"", "mass = \"=2 kg - 3 kg\"").starts_with("a.toml:20:10: error: links.slider.mass = -1 kg: must be >= 0 kg\n"));
+  }
+}

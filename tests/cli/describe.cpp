@@ -1,0 +1,49 @@
+#include "calculators/catalogue.hpp"
+#include "tests/cli/process.hpp"
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_SUITE("cli describe") {
+  TEST_CASE("every calculator is listed and described with all its fields") {
+    const std::string list = loadpath_with({"list"}).out;
+    for (const Calculator* calculator : catalogue()) {
+      CAPTURE(calculator->id);
+      CHECK(contains(list, calculator->id));
+      const Ran o = loadpath_with({"describe", calculator->id});
+      CHECK(o.code == 0);
+      CHECK(contains(o.out, calculator->scope));
+      for (const FieldInfo& field : calculator->input->fields) CHECK(contains(o.out, std::string("  ") + field.key));
+      for (const RuleInfo& rule : calculator->rules) CHECK(contains(o.out, rule.text));
+    }
+  }
+
+  TEST_CASE("the example that is shown runs") {
+    for (const Calculator* calculator : catalogue()) {
+      const std::string shown = loadpath_with({"describe", calculator->id}).out;
+      const std::string head = "Example, a project file that runs:\n\n";
+      const Ran o = Desk().run({"run", "-"}, shown.substr(shown.find(head) + head.size()));
+      CAPTURE(o.error);
+      CHECK(o.code <= 1);
+    }
+  }
+
+  TEST_CASE("a calculator that does not exist is told with the nearest one") {
+    const Ran o = loadpath_with({"describe", "shaft.torsoin"});
+    CHECK(o.code == 2);
+    CHECK(o.error == "loadpath: there is no calculator 'shaft.torsoin'\n  = help: did you mean 'shaft.torsion'?\n");
+    CHECK(loadpath_with({"describe", "teapot"}).error == "loadpath: there is no calculator 'teapot'\n  = help: `loadpath list` shows all\n");
+  }
+
+  TEST_CASE("the schema is what the program writes") {
+    const Ran o = loadpath_with({"schema"});
+    CHECK(o.code == 0);
+    CHECK(o.out.starts_with("{\n  \"$schema\": \"https://json-schema.org/draft/2020-12/schema\","));
+  }
+}

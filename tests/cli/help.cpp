@@ -1,0 +1,71 @@
+#include "tests/cli/process.hpp"
+
+using namespace loadpath::test;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_SUITE("cli help") {
+  TEST_CASE("no words: the help on standard error, exit 2") {
+    const Ran o = loadpath_with({});
+    CHECK(o.code == 2);
+    CHECK(o.out.empty());
+    CHECK(contains(o.error, "loadpath run examples/slotted-lever/project.toml"));
+    CHECK(contains(o.error, "Exit codes: 0 solved"));
+  }
+
+  TEST_CASE("--help and --version are answers") {
+    CHECK(loadpath_with({"--help"}).code == 0);
+    CHECK(contains(loadpath_with({"--help"}).out, "shaft                       calculators: torsion, overhung\n"));
+    CHECK(loadpath_with({"--version"}).code == 0);
+    CHECK(loadpath_with({"--version"}).out.starts_with("loadpath "));
+  }
+
+  TEST_CASE("an element shows its calculators") {
+    const Ran o = loadpath_with({"shaft"});
+    CHECK(o.code == 2);
+    CHECK(contains(o.error, "Usage: loadpath shaft"));
+    CHECK(contains(o.error, "torsion"));
+    CHECK(contains(o.error, "overhung"));
+  }
+
+  TEST_CASE("the help of a calculator has its fields with units") {
+    const Ran o = loadpath_with({"shaft", "torsion", "--help"});
+    CHECK(o.code == 0);
+    CHECK(contains(o.out, "--tau_adm MPa"));
+    CHECK(contains(o.out, "--K_A NUMBER"));
+    CHECK(contains(o.out, "--segments TOML"));
+    CHECK(contains(o.out, "--material NAME"));
+    CHECK(contains(loadpath_with({"mechanism", "planar", "--help"}).out, "--positions COUNT"));
+  }
+
+  TEST_CASE("an unknown command is told with the nearest one, or with all") {
+    CHECK(loadpath_with({"runn", "a.toml"}).error == "loadpath: there is no command 'runn'\n  = help: did you mean 'run'?\n");
+    CHECK(loadpath_with({"teapot"}).error ==
+          "loadpath: there is no command 'teapot'\n  = help: there is: run, list, describe, convert, verify, tables, schema, mechanism, shaft\n");
+    CHECK(loadpath_with({"teapot"}).code == 2);
+  }
+
+  TEST_CASE("an unknown calculator is told with the nearest one") {
+    const Ran o = loadpath_with({"shaft", "torsoin", "--T", "3 N*m"});
+    CHECK(o.code == 2);
+    CHECK(o.error == "loadpath: there is no calculator 'shaft torsoin'\n  = help: did you mean 'shaft torsion'?\n");
+  }
+
+  TEST_CASE("an unknown option is told with the nearest one") {
+    CHECK(loadpath_with({"run", "--rport", "a.html", "a.toml"}).error == "loadpath: there is no option '--rport'\n  = help: did you mean '--report'?\n");
+    CHECK(loadpath_with({"--versoin"}).error == "loadpath: there is no option '--versoin'\n  = help: did you mean '--version'?\n");
+    CHECK(loadpath_with({"shaft", "--T", "3 N*m"}).error == "loadpath: there is no option '--T'\n  = help: `loadpath shaft --help` shows what there is\n");
+    CHECK(loadpath_with({"shaft", "--T", "3 N*m"}).code == 2);
+  }
+
+  TEST_CASE("a missing word and a word too many are told") {
+    const std::string help = "  = help: `loadpath run --help` shows what there is\n";
+    CHECK(loadpath_with({"run"}).error == "loadpath: file is required\n" + help);
+    CHECK(loadpath_with({"run", "a.toml", "b.toml"}).error == "loadpath: 'b.toml' is not expected here\n" + help);
+    CHECK(loadpath_with({"run"}).code == 2);
+  }
+}

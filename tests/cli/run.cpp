@@ -1,0 +1,247 @@
+#include "tests/cli/process.hpp"
+
+#include <boost/json.hpp>
+
+#include <cctype>
+#include <cmath>
+
+using namespace loadpath::test;
+namespace json = boost::json;
+
+namespace {
+
+const std::string passing = "[axle]\ncalculator = \"shaft.torsion\"\nT = \"2700 N*m\"\ntau_adm = \"30 MPa\"\n";
+const std::string failing = passing + "d = \"40 mm\"\n";
+const std::string wrong = "[axle]\ncalculator = \"shaft.torsion\"\nT = \"2700 N*m\"\ntau_adm = \"30 mpa\"\n";
+
+/// A four-bar that is driven by a link that cannot turn round, and two shafts behind it.
+const std::string not_turning = R"toml([bar]
+calculator = "mechanism.planar"
+crank = { joint = "A", speed = "60 rpm", positions = 36 }
+[bar.ground]
+A = ["0 mm", "0 mm"]
+D = ["150 mm", "0 mm"]
+[bar.links.a]
+points = { A = ["0 mm", "0 mm"], B = ["0 mm", "-100 mm"] }
+[bar.links.b]
+points = { B = ["0 mm", "-100 mm"], C = ["70 mm", "-90 mm"] }
+[bar.links.c]
+points = { C = ["70 mm", "-90 mm"], D = ["150 mm", "0 mm"] }
+[bar.joints]
+A = { type = "revolute", links = ["ground", "a"] }
+B = { type = "revolute", links = ["a", "b"] }
+C = { type = "revolute", links = ["b", "c"] }
+D = { type = "revolute", links = ["ground", "c"] }
+[[bar.loads]]
+link = "c"
+M = "5 N*m"
+[sized]
+calculator = "shaft.torsion"
+T = "=peak(bar.drive.M)"
+tau_adm = "30 MPa"
+[lifted]
+calculator = "shaft.overhung"
+F = "=bar.joints.A.F"
+T = "=bar.drive.M"
+a = "50 mm"
+sigma_adm = "60 MPa"
+)toml";
+
+Ran run(const std::string& project, std::vector<std::string> words = {}) {
+  words.insert(words.begin(), {"run", "-"});
+  return Desk().run(words, project);
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// Whether a number that is none stands in a text as a word.
+bool has_no_number(const std::string& text) {
+  for (const char* word : {"nan", "NaN", "inf", "Infinity", "-nan"}) {
+    for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at) {
+      const auto letter = [&](std::size_t i) { return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0; };
+      if (!(at > 0 && letter(at - 1)) && !letter(at + std::string(word).size())) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_SUITE("cli run") {
+  TEST_CASE("the exit code tells passed, not passed and wrong") {
+    CHECK(run(passing).code == 0);
+    CHECK(run(failing).code == 1);
+    CHECK(run(wrong).code == 2);
+  }
+
+  TEST_CASE("results are on standard output, all else on standard error") {
+    const Ran good = run(passing), bad = run(wrong);
+    CHECK(contains(good.out, "every check passes\n"));
+    CHECK(good.error.empty());
+    CHECK(bad.out.empty());
+    CHECK(bad.error == R"(standard input:4:15: error: unknown unit 'mpa'
+4 | tau_adm = "30 mpa"
+  |               ^^^
+  = help: did you mean 'MPa'?
+)");
+  }
+
+  TEST_CASE("a file is read by its name, and errors carry it") {
+    const Desk desk;
+    desk.put("shaft.toml", wrong);
+    CHECK(desk.run({"run", "shaft.toml"}).error.starts_with("shaft.toml:4:15: error: unknown unit 'mpa'\n"));
+    CHECK(desk.run({"run", "nothing.toml"}).error == "loadpath: cannot read 'nothing.toml'\n");
+    CHECK(desk.run({"run", "nothing.toml"}).code == 2);
+    CHECK(desk.run({"run", "."}).code == 2);
+  }
+
+  TEST_CASE("a file may be called like a command") {
+    const Desk desk;
+    desk.put("list", passing);
+    CHECK(desk.run({"run", "list"}).code == 0);
+  }
+
+  TEST_CASE("nothing is written when the input is wrong") {
+    const Desk desk;
+    desk.put("a.toml", wrong);
+    CHECK(desk.run({"run", "a.toml", "--report", "a.html", "--report", "a.md", "--csv", "out"}).code == 2);
+    CHECK(desk.files() == std::vector<std::string>{"a.toml"});
+  }
+
+  TEST_CASE("nothing is written when a computed value is out of bounds") {
+    const Desk desk;
+    desk.put("a.toml", passing + "K_A = \"=1 - 2\"\n");
+    const Ran o = desk.run({"run", "a.toml", "--report", "a.html"});
+    CHECK(o.code == 2);
+    CHECK(o.out.empty());
+    CHECK(o.error == "a.toml:5:9: error: K_A = -1: must be > 0\n5 | K_A = \"=1 - 2\"\n  |         ^^^^^\n");
+    CHECK(desk.files() == std::vector<std::string>{"a.toml"});
+  }
+
+  TEST_CASE("reports are written where they are asked for, several at once") {
+    const Desk desk;
+    const Ran o = desk.run({"run", "-", "--report", "out/a.html", "--report", "a.md"}, passing);
+    CHECK(o.code == 0);
+    CHECK(o.error == "report: out/a.html\nreport: a.md\n");
+    CHECK(desk.get("out/a.html").starts_with("<!doctype html>"));
+    CHECK(desk.has("a.md"));
+  }
+
+  TEST_CASE("a report that cannot be written is refused before solving") {
+    const Desk desk;
+    desk.put("file", "");
+    CHECK(desk.run({"run", "-", "--report", "a.doc"}, passing).error == "loadpath: a report is written as .html, .md or .pdf, not as 'a.doc'\n");
+    CHECK(desk.run({"run", "-", "--report", "file/a.html"}, passing).error == "loadpath: cannot write 'file/a.html': it is a folder, or lies in a file\n");
+    CHECK(desk.run({"run", "-", "--report", "/proc/a.html"}, passing).code == 2);
+    const Ran o = desk.run({"run", "-", "--report", "a.pdf"}, passing, {{"PATH", "/nowhere"}});
+    CHECK(o.code == 2);
+    CHECK(o.error.starts_with("loadpath: a PDF needs Chromium, and there is none\n"));
+    CHECK(desk.files() == std::vector<std::string>{"file"});
+  }
+
+  TEST_CASE("--quiet leaves errors and the exit code") {
+    const Ran good = run(passing + "theta_adm = \"200 deg/m\"\nG = \"80 GPa\"\n", {"--quiet"});
+    CHECK(good.code == 0);
+    CHECK(good.out.empty());
+    CHECK(good.error.empty());
+    CHECK(run(failing, {"--quiet"}).code == 1);
+    CHECK(run(wrong, {"--quiet"}).error.starts_with("standard input:4:15: error:"));
+  }
+
+  TEST_CASE("--json is one object, and a number reads back to the result") {
+    const Ran o = run(passing, {"--json"});
+    CHECK(o.code == 0);
+    const json::value v = json::parse(o.out);
+    CHECK(v.at("verdict") == "pass");
+    const double d = v.at("steps").at(0).at("results").at("d_min").at("value").as_double();
+    CHECK(d == doctest::Approx(std::cbrt(16.0 * 2700.0 / (std::acos(-1.0) * 30e6))).epsilon(1e-14));
+  }
+
+  TEST_CASE("--json tells what is wrong as one object too") {
+    const Ran o = run(wrong, {"--json"});
+    CHECK(o.code == 2);
+    const json::value v = json::parse(o.out);
+    CHECK(v.at("issues").at(0).at("message") == "unknown unit 'mpa'");
+    CHECK(contains(o.error, "unknown unit 'mpa'"));
+  }
+
+  TEST_CASE("no colour where nobody looks, nor with NO_COLOR") {
+    CHECK_FALSE(contains(run(failing).out, "\x1b"));
+    CHECK_FALSE(contains(Desk().run({"run", "-"}, failing, {{"NO_COLOR", "1"}}).out, "\x1b"));
+  }
+
+  TEST_CASE("two runs write the same bytes") {
+    const Desk one, two;
+    for (const Desk* desk : {&one, &two}) {
+      CHECK(desk->run({"run", LOADPATH_ROOT "/examples/slotted-lever/project.toml", "--report", "a.html", "--report", "a.md", "--csv", "csv", "--quiet"}).code == 1);
+    }
+    REQUIRE(one.files() == two.files());
+    CHECK(one.files().size() > 3);
+    for (const std::string& file : one.files()) {
+      CAPTURE(file);
+      CHECK(one.get(file) == two.get(file));
+    }
+    const std::vector<std::string> as_json{"run", LOADPATH_ROOT "/examples/slotted-lever/project.toml", "--json"};
+    CHECK(one.run(as_json).out == two.run(as_json).out);
+  }
+
+  TEST_CASE("the user's words are escaped in reports") {
+    const Desk desk;
+    const std::string script = "<script>alert('x')</script>";
+    desk.put("a.toml", "[project]\ntitle = \"" + script + "\"\nauthor = \"a & b <i>\"\n" + passing + "title = \"" + script + "\"\nnote = \"" + script + "\"\n");
+    REQUIRE(desk.run({"run", "a.toml", "--report", "a.html", "--report", "a.md"}).code == 0);
+    CHECK_FALSE(contains(desk.get("a.html"), "<script"));
+    CHECK_FALSE(contains(desk.get("a.html"), "<i>"));
+    CHECK(contains(desk.get("a.html"), "&lt;script&gt;"));
+    CHECK_FALSE(contains(desk.get("a.md"), "<script"));
+  }
+
+  TEST_CASE("a mechanism that does not close round the turn: exit 1, what depends on it is not available") {
+    const Desk desk;
+    desk.put("a.toml", not_turning);
+    const Ran o = desk.run({"run", "a.toml", "--json", "--report", "a.html", "--csv", "csv"});
+    CHECK(o.code == 1);
+    const json::value v = json::parse(o.out);
+    CHECK(v.at("verdict") == "not available");
+    const auto& steps = v.at("steps").as_array();
+    CHECK(contains(std::string(steps[0].at("checks").at(0).at("reason").as_string()), "open between"));
+    for (const std::size_t dependent : {1U, 2U}) {
+      const auto& checks = steps[dependent].at("checks").as_array();
+      REQUIRE_FALSE(checks.empty());
+      CHECK(checks[0].at("verdict") == "not available");
+      CHECK(contains(std::string(checks[0].at("reason").as_string()), " is not available: = "));
+    }
+    CHECK(contains(desk.get("a.html"), "not available"));
+    CHECK_FALSE(contains(desk.run({"run", "a.toml"}).out, "(at not available)"));
+  }
+
+  TEST_CASE("no number that is none stands in any output, whatever the input") {
+    const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\n";
+    const std::string pin = "[pin]\ncalculator = \"shaft.overhung\"\n";
+    const std::string projects[] = {
+        not_turning,
+        axle + "T = \"=1 N*m / 0\"\ntau_adm = \"30 MPa\"\n",
+        axle + "T = \"0 N*m\"\ntau_adm = \"30 MPa\"\ntheta_adm = \"1 deg/m\"\nG = \"80 GPa\"\n",
+        axle + "T = \"1e300 N*m\"\nK_A = 1e300\ntau_adm = \"1e-300 MPa\"\n",
+        axle + "T = \"1 N*m\"\nd = \"1e-300 mm\"\nl = \"1e300 m\"\nG = \"1e-300 GPa\"\ntheta_adm = \"1e-300 rad/m\"\ntau_adm = \"1 MPa\"\n",
+        axle + "T = \"1 N*m\"\nd_bore = \"1e300 mm\"\ntau_adm = \"1 MPa\"\n",
+        axle + "T = \"1 MN*m\"\nS = 3\nmaterial = \"C45E\"\n",
+        pin + "F = \"1e300 N\"\na = \"1e300 m\"\nT = \"1e300 N*m\"\nsigma_adm = \"1e-300 MPa\"\ntau_adm = \"1e-300 MPa\"\n",
+        pin + "F = \"0 N\"\na = \"1 mm\"\nT = \"0 N*m\"\nsigma_adm = \"60 MPa\"\n",
+    };
+    for (const std::string& project : projects) {
+      CAPTURE(project);
+      const Desk desk;
+      const Ran text = desk.run({"run", "-", "--report", "a.html", "--report", "a.md", "--csv", "csv"}, project);
+      CHECK(text.code <= 1);
+      CHECK_FALSE(has_no_number(text.out));
+      for (const std::string& file : desk.files()) {
+        CAPTURE(file);
+        CHECK_FALSE(has_no_number(desk.get(file)));
+      }
+      const Ran as_json = desk.run({"run", "-", "--json"}, project);
+      CHECK_FALSE(has_no_number(as_json.out));
+      CHECK_NOTHROW(json::parse(as_json.out));
+    }
+  }
+}

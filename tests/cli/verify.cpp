@@ -1,0 +1,46 @@
+#include "tests/cli/process.hpp"
+
+using namespace loadpath::test;
+
+namespace {
+
+std::string expecting(const std::string& is) {
+  return "[axle]\ncalculator = \"shaft.torsion\"\nT = \"2700 N*m\"\ntau_adm = \"30 MPa\"\n"
+         "[[expect]]\nvalue = \"axle.d_min\"\nis = \"" + is + "\"\ndigits = 4\nsource = \"by hand\"\n";
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_SUITE("cli verify") {
+  TEST_CASE("the built-in manual holds") {
+    const Ran o = loadpath_with({"verify"});
+    CHECK(o.code == 0);
+    CHECK(o.error.empty());
+    CHECK(o.out.ends_with(" hold, 0 miss\n"));
+    CHECK_FALSE(contains(o.out, "MISS"));
+  }
+
+  TEST_CASE("a file is compared with its own expectations") {
+    const Desk desk;
+    desk.put("a.toml", expecting("77.10 mm"));
+    desk.put("b.toml", expecting("77.20 mm"));
+    const Ran good = desk.run({"verify", "a.toml"}), both = desk.run({"verify", "a.toml", "b.toml"});
+    CHECK(good.code == 0);
+    CHECK(good.out.ends_with("1 hold, 0 miss\n"));
+    CHECK(both.code == 1);
+    CHECK(both.out.ends_with("1 hold, 1 miss\n"));
+    CHECK(contains(both.out, "  MISS  axle.d_min  77.20 mm"));
+    CHECK(contains(both.out, "by hand"));
+  }
+
+  TEST_CASE("a file that cannot be read or run is wrong input") {
+    const Desk desk;
+    desk.put("a.toml", expecting("77.10 kg"));
+    CHECK(desk.run({"verify", "none.toml"}).code == 2);
+    CHECK(desk.run({"verify", "none.toml"}).error == "loadpath: cannot read 'none.toml'\n");
+    CHECK(desk.run({"verify", "a.toml"}).code == 2);
+    CHECK(desk.run({"verify", "a.toml"}).error.starts_with("a.toml:6:10: error: 'axle.d_min' is a length, and '77.10 kg' is a mass\n"));
+  }
+}

@@ -41,7 +41,10 @@ int convert(const ConvertOptions& options) {
   const std::string unit = !options.unit.empty() ? options.unit : literal.dimension.is_number() ? "-" : readable_unit(literal.si, literal.dimension);
   const auto target = parse_unit(unit);
   if (!target) return refuse(unit, 0, "unit", target.fault());
-  if (target->dimension.without_angle() != literal.dimension.without_angle()) {
+  // A literal says what it is, so that Hz is not taken for rad/s; an expression is compared without its angle.
+  const bool fits = expression ? target->dimension.without_angle() == literal.dimension.without_angle()
+                               : target->dimension == literal.dimension;
+  if (!fits) {
     std::cerr << "loadpath: '" << text << "' is a " << name_of(literal.dimension) << ", '" << unit << "' is a unit of "
               << name_of(target->dimension) << "\n";
     return wrong_input;

@@ -48,7 +48,7 @@ void setup_describe(CLI::App& app, DescribeOptions& options, Action& action) {
 
 void setup_convert(CLI::App& app, ConvertOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("convert", "convert a quantity, or an expression that starts with =");
-  sub->add_option("quantity", options.quantity, "for example \"2700 lbf*in\", \"2,5 kN·m\", \"=2*pi*30 rpm\"")->required();
+  sub->add_option("quantity", options.quantity, "for example \"2700 lbf*in\", \"2,5 kN·m\", \"=30 kW / (1500 rpm)\"")->required();
   sub->add_option("unit", options.unit, "target unit; a readable one where missing");
   sub->footer(R"(Numbers: 30  1e6  2·10^6  1 200  1'200  2,5 (decimal comma)  1/2 in  1-1/2 in
 Units:   SI with prefixes, N·m N*m Nm, mm² mm^2, min⁻¹ 1/min, parentheses after a /; deg rad rev rpm rev/s min h d

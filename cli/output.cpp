@@ -79,6 +79,7 @@ bool write(const project::Project& project, const OutputOptions& options) {
   }
   if (!options.csv.empty()) {
     for (auto& [name, text] : io::csv_of(project)) files.push_back({fs::path(options.csv) / name, std::move(text)});
+    if (io::csv_of(project).empty()) std::cerr << "no series, so nothing to write as CSV\n";
   }
   if (!std::all_of(files.begin(), files.end(), write_file)) return false;
   for (const std::string& path : prints) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/quantity/format.hpp"
+
 namespace loadpath {
 
 namespace {
@@ -36,12 +38,6 @@ bool has_link(const Planar::Input& in, const Name& name) {
 
 const List<Planar::Point, 16>* points_of(const Planar::Input& in, int link) {
   return link == mechanism::ground ? nullptr : &in.links[static_cast<std::size_t>(link)].points;
-}
-
-/// The joint's point on its two links: as written, else the joint's own name.
-std::pair<Name, Name> point_names(const Planar::Joint& joint) {
-  const Name first = joint.points.first.empty() ? joint.name : joint.points.first;
-  return {first, joint.points.second.empty() ? first : joint.points.second};
 }
 
 class NameCheck {
@@ -285,7 +281,27 @@ mechanism::Driver cylinder_driver(const Planar::Input& in, const Planar::Cylinde
 
 }  // namespace
 
+std::vector<ModelFault> check_drawing(const Planar::Input& in, const mechanism::Model& model) {
+  const auto drawn = [&](int link) { return link == mechanism::ground || is_drawn(in.links[static_cast<std::size_t>(link)]); };
+  double size = 0.0;
+  for (const auto& j : model.joints) size = std::max({size, mechanism::length(j.point_i), mechanism::length(j.point_j)});
+  std::vector<ModelFault> faults;
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    const mechanism::Joint& j = model.joints[k];
+    const double apart = mechanism::length(j.point_i - j.point_j);
+    if (j.kind != mechanism::JointKind::revolute || !drawn(j.i) || !drawn(j.j) || apart <= 0.01 * size) continue;
+    faults.push_back({path_of("joints", in.joints[k].name, ""), say("the pin '{1}' is drawn at two places, {2} apart", j.name, format_quantity(apart, "mm", 4)),
+                      say("draw it at one place on both links, or give the links their angles")});
+  }
+  return faults;
+}
+
 std::vector<ModelFault> check_names(const Planar::Input& in) { return NameCheck(in).run(); }
+
+std::pair<Name, Name> point_names(const Planar::Joint& joint) {
+  const Name first = joint.points.first.empty() ? joint.name : joint.points.first;
+  return {first, joint.points.second.empty() ? first : joint.points.second};
+}
 
 int link_index(const Planar::Input& in, const Name& name) {
   for (std::size_t i = 0; i < in.links.size(); ++i) {

@@ -20,8 +20,14 @@ struct ModelFault {
 /// Names that do not exist, points that are not on their link, doubtful alternatives. Needs no values.
 std::vector<ModelFault> check_names(const PlanarMechanism::Input& in);
 
+/// Pins that two drawn links show at different places. Needs values.
+std::vector<ModelFault> check_drawing(const PlanarMechanism::Input& in, const mechanism::Model& model);
+
 /// The model; `in` has passed check_names. Links without a stated pose are placed as drawn, or by their joints.
 mechanism::Model model_of(const PlanarMechanism::Input& in);
+
+/// The names of a joint's point on its two links: as written, else the joint's own name.
+std::pair<Name, Name> point_names(const PlanarMechanism::Joint& joint);
 
 /// The index of a link, or mechanism::ground.
 int link_index(const PlanarMechanism::Input& in, const Name& name);

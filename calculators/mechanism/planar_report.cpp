@@ -48,24 +48,26 @@ Table point_table(const Planar::Input& in) {
 }
 
 Table joint_table(const Planar::Input& in) {
-  Table table{say("Joints"), {say("joint"), say("kind"), say("first link"), say("second link")}, {}};
+  Table table{say("Joints"), {say("joint"), say("kind"), say("first link"), say("point"), say("second link"), say("point"), say("direction")}, {}};
   constexpr auto types = choices_of(Planar::Type{});
   for (const auto& j : in.joints) {
     const auto type = std::find_if(types.begin(), types.end(), [&](const auto& t) { return t.value == j.type; });
-    table.rows.push_back({text(j.name), say(type->key), text(j.links.first), text(j.links.second)});
+    const auto [first, second] = point_names(j);
+    const Cell direction = j.type == Planar::Type::revolute ? Cell(std::string("–")) : Cell(Quantity{j.direction, "deg"});
+    table.rows.push_back({text(j.name), say(type->key), text(j.links.first), text(first), text(j.links.second), text(second), direction});
   }
   return table;
 }
 
 Table load_table(const Planar::Input& in) {
-  Table table{say("Loads"), {say("link"), say("point"), say("force"), say("direction"), say("couple"), say("axes")}, {}};
+  Table table{say("Loads"), {say("load"), say("link"), say("point"), say("force"), say("direction"), say("couple"), say("axes")}, {}};
   for (const auto& l : in.loads) {
     const bool cartesian = is_set(l.F_x);
     const double fx = in_si(l.F_x), fy = in_si(l.F_y);
     const Cell none = std::string("–");
     const Cell force = is_set(l.F) ? Cell(Quantity{in_si(l.F), "N"}) : cartesian ? Cell(Quantity{std::hypot(fx, fy), "N"}) : none;
     const Cell direction = is_set(l.F) ? Cell(Quantity{l.direction, "deg"}) : cartesian ? Cell(Quantity{std::atan2(fy, fx), "deg"}) : none;
-    table.rows.push_back({text(l.link), l.at.empty() ? none : Cell(text(l.at)), force, direction,
+    table.rows.push_back({l.name.empty() ? none : Cell(text(l.name)), text(l.link), l.at.empty() ? none : Cell(text(l.at)), force, direction,
                           is_set(l.M) ? Cell(Quantity{in_si(l.M), "N*m"}) : none,
                           l.axes == Planar::Axes::link ? say("of the link") : say("fixed")});
   }
@@ -78,9 +80,13 @@ Table drive_table(const Planar::Input& in) {
     table.rows.push_back({say("driven joint"), text(in.crank.joint)});
     table.rows.push_back({say("angular speed"), Quantity{in_si(in.crank.speed), "rad/s"}});
     table.rows.push_back({say("angular acceleration"), Quantity{in_si(in.crank.acceleration), "rad/s^2"}});
+    const bool turn = in.crank.at.empty();
+    table.rows.push_back({say("first crank angle"), Quantity{turn ? in.crank.start : in.crank.at[0].angle, "deg"}});
+    table.rows.push_back({say("positions"), std::to_string(turn ? static_cast<std::size_t>(in.crank.positions) : in.crank.at.size())});
   }
   for (const auto& c : in.cylinders) table.rows.push_back({text(c.name), text(c.joint)});
   table.rows.push_back({say("gravity"), Quantity{in_si(in.gravity), "m/s^2"}});
+  if (in_si(in.gravity) != 0.0) table.rows.push_back({say("direction of gravity"), Quantity{in.gravity_direction, "deg"}});
   table.rows.push_back({say("inertia of the links"), in.analysis == Planar::Analysis::statics ? say("left out") : say("included")});
   return table;
 }

@@ -1,6 +1,7 @@
 #include "calculators/mechanism/planar_step.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "calculators/mechanism/planar_report.hpp"
@@ -87,6 +88,9 @@ bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue
     issues.push_back(issue_at(input(), "crank.at", say("the crank angles must rise, or fall, from each to the next")));
     return false;
   }
+  const auto drawing = check_drawing(data(), model);
+  for (const ModelFault& fault : drawing) issues.push_back(issue_at(input(), fault.path, fault.message, fault.hint));
+  if (!drawing.empty()) return false;
   const auto findings = mechanism::diagnose(model);
   std::string said;
   for (const mechanism::Finding& f : findings) {
@@ -118,6 +122,16 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
   account.figures = mechanism_figures(data(), model, cycle, account, axis_.get());
 }
 
+/// The largest magnitude of each dimension over all outputs; what is 1e-13 of it is what rounding has left of a zero.
+static double largest_like(const Dimension& dimension, const std::vector<project::Entry>& entries) {
+  double most = 0.0;
+  for (const project::Entry& e : entries) {
+    if (e.value.signature.dimension != dimension) continue;
+    for (const double x : e.value.si) most = std::abs(x) > most ? std::abs(x) : most;
+  }
+  return most;
+}
+
 void PlanarStep::fill_values(const Cycle& cycle) {
   auto& results = own_account().results;
   results.clear();
@@ -127,6 +141,13 @@ void PlanarStep::fill_values(const Cycle& cycle) {
       value.si.push_back(cycle.closed[k] ? output.read(cycle.positions[k]) : std::numeric_limits<double>::quiet_NaN());
     }
     results.push_back({output.path, output.doc, output.unit, Role::result, std::move(value), {}, ""});
+  }
+  for (const Dimension& dimension : {N.dimension(), N_m.dimension()}) {
+    const double rounding = 1e-13 * largest_like(dimension, results);
+    for (project::Entry& e : results) {
+      if (e.value.signature.dimension != dimension) continue;
+      for (double& x : e.value.si) x = std::abs(x) <= rounding ? 0.0 : x;
+    }
   }
 }
 

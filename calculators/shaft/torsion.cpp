@@ -22,15 +22,15 @@ Length total_length(const Torsion::Input& in) {
   return is_set(in.l) ? in.l : sum;
 }
 
+Cylinder cylinder_of(const Torsion::Input& in, const Torsion::Segment& s) {
+  const bool own_bore = is_set(s.chi) || is_set(s.d_bore);
+  return {s.l, is_set(s.d) ? s.d : in.d, own_bore ? s.chi : in.chi, own_bore ? s.d_bore : in.d_bore};
+}
+
 Cylinders cylinders_of(const Torsion::Input& in) {
   Cylinders cylinders;
-  for (const auto& s : in.segments) {
-    const bool own_bore = is_set(s.chi) || is_set(s.d_bore);
-    cylinders.push_back({s.l, is_set(s.d) ? s.d : in.d, own_bore ? s.chi : in.chi, own_bore ? s.d_bore : in.d_bore});
-  }
-  if (cylinders.empty()) {
-    cylinders.push_back({in.torques.empty() ? in.l : total_length(in), in.d, in.chi, in.d_bore});
-  }
+  for (const auto& s : in.segments) cylinders.push_back(cylinder_of(in, s));
+  if (cylinders.empty()) cylinders.push_back({total_length(in), in.d, in.chi, in.d_bore});
   return cylinders;
 }
 
@@ -50,13 +50,14 @@ Torques torques_of(const Torsion::Input& in) {
   return torques;
 }
 
-/// The short form: the torque goes through every cylinder.
-shaft::Stretches stretches_under(Moment T, const Cylinders& cylinders) {
+/// The short form: one torque goes through the whole shaft.
+shaft::Stretches stretches_of_short_form(const Torsion::Input& in) {
   shaft::Stretches parts;
   Length x = 0.0 * m.one;
-  for (const Cylinder& c : cylinders) {
-    parts.push_back({x, T, c});
-    x += c.l;
+  if (in.segments.empty()) parts.push_back({x, in.T, {in.l, in.d, in.chi, in.d_bore}});
+  for (const auto& s : in.segments) {
+    parts.push_back({x, in.T, cylinder_of(in, s)});
+    x += s.l;
   }
   return parts;
 }
@@ -104,6 +105,18 @@ Length size_by_stiffness(Moment M_t, const Cylinder& c, const Allowed& allowed, 
   return d_stiffness;
 }
 
+template <class Tracer>
+Stress allowable(const Torsion::Input& in, Tracer& trace) {
+  const auto tau_adm = in.tau_adm, R_e = in.R_e;
+  const auto S = in.S;
+  if (is_set(tau_adm)) {
+    STEP(tau_all, tau_adm, "as given");
+    return tau_all;
+  }
+  STEP(tau_all, R_e / (sqrt(3.0) * S), "yielding in shear by the distortion energy hypothesis, [Mises]");
+  return tau_all;
+}
+
 /// Stress and twist of one stretch at its diameter.
 template <class Tracer>
 void load(Torsion::Stretch& s, Stress G, double K_A, Tracer& trace) {
@@ -120,10 +133,11 @@ void load(Torsion::Stretch& s, Stress G, double K_A, Tracer& trace) {
   s.phi = phi;
 }
 
-/// Takes the magnitude where it is larger; unset stays unset.
+/// Takes the magnitude where it is larger; once something is not available, the largest is not either.
 template <class Quantity>
 void raise(Quantity& largest, Quantity value) {
-  largest = max(abs(value), largest);
+  const Quantity size = abs(value);
+  largest = size > largest || size != size ? size : largest;
 }
 
 /// Moments and least diameters, stretch by stretch; the largest are those of the shaft.
@@ -132,7 +146,7 @@ void size_stretches(const Torsion::Input& in, const shaft::Stretches& parts, Tor
   const double K_A = in.K_A;
   const Allowed allowed{r.tau_all, in.G, in.theta_adm};
   Moment M_max = 0.0 * N_m.one;
-  Length strongest = 0.0 * m.one, stiffest = strongest;
+  Length strongest = 0.0 * m.one, stiffest = strongest, open = strongest;
   for (const shaft::Stretch& part : parts) {
     [[maybe_unused]] const auto scope = trace.scope("segments", r.segments.size());
     const Moment M = part.M;
@@ -146,7 +160,10 @@ void size_stretches(const Torsion::Input& in, const shaft::Stretches& parts, Tor
     raise(M_max, M_t);
     raise(strongest, d_strength);
     raise(stiffest, d_stiffness);
+    if (!is_set(c.d)) raise(open, is_set(d_stiffness) ? max(d_strength, d_stiffness) : d_strength);
   }
+  if (open > 0.0 * m.one) r.d = open;
+  if (is_set(in.d)) r.d = in.d;
   r.M_max = M_max, r.d_strength = strongest, r.d_stiffness = stiffest;
 }
 
@@ -164,13 +181,13 @@ void choose_least(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
   }
   STEP(d_min, is_set(d_stiffness) ? max(d_strength, d_stiffness) : d_strength, "the larger governs, [B19]");
   r.d_min = d_min;
+  r.governs = d_stiffness > d_strength ? Torsion::Governs::stiffness : Torsion::Governs::strength;
 }
 
-/// Stresses and twist at the diameters as given, else at the least one of the shaft; a ratio gives the bore unless it
-/// is kept.
+/// Stresses and twist at the diameters as given, else at the common one; a ratio gives the bore unless it is kept.
 template <class Tracer>
 void load_stretches(const Torsion::Input& in, const shaft::Stretches& parts, Torsion::Result& r, Tracer& trace) {
-  Length x = 0.0 * m.one, d = x, d_bore = x;
+  Length x = 0.0 * m.one, d_max = x;
   Stress tau_max = from_si<Stress>(0.0);
   Twist theta_max = from_si<Twist>(0.0);
   double twist = 0.0, least = 0.0, most = 0.0;
@@ -179,20 +196,19 @@ void load_stretches(const Torsion::Input& in, const shaft::Stretches& parts, Tor
     [[maybe_unused]] const auto scope = trace.scope("segments", i);
     const Cylinder& c = parts[i].cylinder;
     Torsion::Stretch& s = r.segments[i];
-    s.d = is_set(c.d) ? c.d : r.d_min;
+    s.d = is_set(c.d) ? c.d : r.d;
     s.d_bore = shaft::bore_of(c.d_bore, c.chi, s.d);
     load(s, in.G, in.K_A, trace);
-    raise(d, s.d);
-    raise(d_bore, s.d_bore);
+    raise(d_max, s.d);
     raise(tau_max, s.tau);
     raise(theta_max, s.theta);
     x = s.x + s.l;
     twist += s.phi;
     least = min(least, twist);
     most = max(most, twist);
-    r.sections.push_back({x, twist});
+    if (is_set(x)) r.sections.push_back({x, twist});
   }
-  r.d = d, r.d_bore = d_bore, r.tau_max = tau_max, r.theta_max = theta_max;
+  r.d_max = d_max, r.d_bore = shaft::bore_of(in.d_bore, in.chi, r.d), r.tau_max = tau_max, r.theta_max = theta_max;
   r.phi = twist;
   r.phi_max = std::isnan(twist) ? twist : most - least;
 }
@@ -234,23 +250,19 @@ bool Torsion::torques_on_shaft(const Input& in) {
 }
 
 bool Torsion::bores_fit(const Input& in) {
-  return std::all_of(in.segments.begin(), in.segments.end(), [](const Segment& s) {
-    return !(is_set(s.chi) && is_set(s.d_bore)) && !(is_set(s.d) && is_set(s.d_bore) && s.d_bore >= s.d);
+  return std::all_of(in.segments.begin(), in.segments.end(), [&](const Segment& s) {
+    const Length d = is_set(s.d) ? s.d : in.d;
+    const Length d_bore = is_set(s.d_bore) || is_set(s.chi) ? s.d_bore : in.d_bore;
+    return !(is_set(s.chi) && is_set(s.d_bore)) && !(is_set(d) && is_set(d_bore) && d_bore >= d);
   });
 }
 
 template <class Tracer>
 Torsion::Result Torsion::evaluate(const Input& in, Tracer& trace) {
-  const auto& tau_adm = in.tau_adm;
-  const auto& R_e = in.R_e;
-  const auto& S = in.S;
   Result r;
-  STEP(tau_all, is_set(tau_adm) ? tau_adm : R_e / (sqrt(3.0) * S),
-       "as given, or from the yield strength by the distortion energy hypothesis");
-  r.tau_all = tau_all;
-  const Cylinders cylinders = cylinders_of(in);
+  r.tau_all = allowable(in, trace);
   const shaft::Stretches parts =
-      in.torques.empty() ? stretches_under(in.T, cylinders) : shaft::stretches(torques_of(in), cylinders);
+      in.torques.empty() ? stretches_of_short_form(in) : shaft::stretches(torques_of(in), cylinders_of(in));
   size_stretches(in, parts, r, trace);
   choose_least(in, r, trace);
   load_stretches(in, parts, r, trace);

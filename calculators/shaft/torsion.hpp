@@ -41,6 +41,7 @@ theta_adm = "0.004 rad/m"
 )";
 
   enum class Fixed { none, left, right };
+  enum class Governs { strength, stiffness };
 
   struct Segment {
     Name name;
@@ -96,7 +97,7 @@ theta_adm = "0.004 rad/m"
       Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress, without a further safety factor"}
           .positive().usually(1, 1000).may_be_missing(),
       Field{&Input::R_e, "R_e", MPa, "yield strength, with S in place of tau_adm"}
-          .positive().usually(50, 2500).from("material", "R_e", "d", "tau_adm"),
+          .positive().usually(50, 2500).from("material", "R_e", "d_max", "tau_adm"),
       Field{&Input::S, "S", ratio, "safety factor against yielding, with R_e"}.at_least(1).usually(1, 6).may_be_missing(),
       Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}.positive().usually(0.02, 10).may_be_missing(),
       Field{&Input::F, "F", N, "transverse force that comes with the torque; bends the shaft"}.coming_with("T"),
@@ -122,7 +123,7 @@ theta_adm = "0.004 rad/m"
         Field{&Stretch::d_bore, "d_bore", mm, "bore"}.as(Role::result),
         Field{&Stretch::tau, "tau", MPa, "largest shear stress"}.as(Role::result),
         Field{&Stretch::theta, "theta", deg_per_m, "twist per length, signed"}.as(Role::result),
-        Field{&Stretch::phi, "phi", deg, "twist of the right end against the left, signed"}.as(Role::result)};
+        Field{&Stretch::phi, "phi", deg, "twist of the right end against the left, positive like M"}.as(Role::result)};
   };
 
   struct Section {
@@ -137,8 +138,9 @@ theta_adm = "0.004 rad/m"
     Stress tau_all = unset<Stress>;
     Moment M_max = unset<Moment>;
     Length d_strength = unset<Length>, d_stiffness = unset<Length>, d_min = unset<Length>;
+    Governs governs = Governs::strength;
     Length D_star = unset<Length>;
-    Length d = unset<Length>, d_bore = unset<Length>;
+    Length d = unset<Length>, d_bore = unset<Length>, d_max = unset<Length>;
     Stress tau_max = unset<Stress>;
     Twist theta_max = unset<Twist>;
     double phi = unset<double>, phi_max = unset<double>;
@@ -153,12 +155,14 @@ theta_adm = "0.004 rad/m"
       Field{&Result::d_strength, "d_strength", mm, "least diameter by strength"}.as(Role::result),
       Field{&Result::d_stiffness, "d_stiffness", mm, "least diameter by stiffness"}.as(Role::result),
       Field{&Result::d_min, "d_min", mm, "least diameter by both"}.as(Role::result),
+      Choice{&Result::governs, "governs", "condition that asks for the larger diameter"}.as(Role::result),
       Field{&Result::D_star, "D_star", mm, "diameter below which stiffness governs, solid or bored alike"}.as(Role::result),
-      Field{&Result::d, "d", mm, "outer diameter, largest of the shaft"}.as(Role::result),
+      Field{&Result::d, "d", mm, "outer diameter where no segment has its own"}.as(Role::result),
       Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"}.as(Role::result),
+      Field{&Result::d_max, "d_max", mm, "largest outer diameter of the shaft"}.as(Role::result),
       Field{&Result::tau_max, "tau_max", MPa, "largest shear stress"}.as(Role::result),
       Field{&Result::theta_max, "theta_max", deg_per_m, "largest twist per length"}.as(Role::result),
-      Field{&Result::phi, "phi", deg, "twist of the right end against the left, signed"}.as(Role::result),
+      Field{&Result::phi, "phi", deg, "twist of the right end against the left, positive like M"}.as(Role::result),
       Field{&Result::phi_max, "phi_max", deg, "largest twist between any two sections"}.as(Role::result),
       Field{&Result::u_tau, "u_tau", ratio, "strength: largest shear stress over the allowable one"}.check(),
       Field{&Result::u_theta, "u_theta", ratio, "stiffness: largest twist per length over the allowable one"}.check("theta_adm"),
@@ -179,6 +183,8 @@ theta_adm = "0.004 rad/m"
                   "give the bore as chi or as d_bore, never both"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.d) && is_set(in.d_bore)) || in.d_bore < in.d; }, "d_bore, d",
                   "the bore must be smaller than the shaft"},
+      Rule<Input>{[](const Input& in) { return in.fixed == Fixed::none || !in.torques.empty(); }, "fixed, torques",
+                  "a fixed end goes with torques; T alone runs through the whole shaft"},
       Rule<Input>{[](const Input& in) { return in.segments.empty() || !is_set(in.l); }, "l, segments",
                   "the length is the sum of the segments: give l or segments"},
       Rule<Input>{&torques_close, "torques, fixed", "the torques must sum to zero, or one end must be fixed"},
@@ -198,6 +204,11 @@ constexpr auto choices_of(Torsion::Fixed) {
   return std::array{ChoiceName<Torsion::Fixed>{Torsion::Fixed::none, "none", "free at both ends"},
                     ChoiceName<Torsion::Fixed>{Torsion::Fixed::left, "left", "held at the left end"},
                     ChoiceName<Torsion::Fixed>{Torsion::Fixed::right, "right", "held at the right end"}};
+}
+
+constexpr auto choices_of(Torsion::Governs) {
+  return std::array{ChoiceName<Torsion::Governs>{Torsion::Governs::strength, "strength", "the allowable stress"},
+                    ChoiceName<Torsion::Governs>{Torsion::Governs::stiffness, "stiffness", "the allowable twist"}};
 }
 
 }  // namespace loadpath

@@ -55,7 +55,10 @@ void Run::fill_results(Account& account) const {
     if (*column.field->asked_by != '\0' && !is_asked(*column.field)) continue;
     const auto display = step_.input().display.find(column.path);
     const std::string unit = display == step_.input().display.end() ? column.field->unit : display->second;
-    account.results.push_back({column.path, column.field->doc, unit, column.field->role, value_of(column), {}, ""});
+    Entry entry{column.path, column.field->doc, unit, column.field->role, value_of(column), {}, ""};
+    const bool one_word = column.field->type == FieldInfo::Type::choice && axis_ == nullptr;
+    if (one_word) entry.word = column.field->choices[static_cast<std::size_t>(column.si[0])].key;
+    account.results.push_back(std::move(entry));
   }
 }
 

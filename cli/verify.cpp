@@ -20,8 +20,8 @@ struct Count {
 
 std::string percent(double part) { return std::isnan(part) ? "not available" : format_quantity(part, "%", 2); }
 
-/// One case: its lines, and how many hold. False where it cannot be run.
-bool verify_one(const std::string& file, std::string_view text, Count& count) {
+/// One case: its lines, and how many hold. False where it cannot be run, or expects nothing though it was asked for.
+bool verify_one(const std::string& file, std::string_view text, bool asked_for, Count& count) {
   std::vector<Issue> issues;
   project::Project project = project::read_project(text, file, catalogue(), issues);
   if (!has_errors(issues)) project::solve(project, issues);
@@ -29,7 +29,10 @@ bool verify_one(const std::string& file, std::string_view text, Count& count) {
     show_issues(issues, {{file, std::string(text)}});
     return false;
   }
-  if (project.expectations.empty()) return true;
+  if (project.expectations.empty()) {
+    if (asked_for) std::cerr << "loadpath: '" << file << "' has no [[expect]] entry\n";
+    return !asked_for;
+  }
   std::cout << file << (project.title.empty() ? "" : ": " + project.title) << "\n";
   std::vector<std::vector<std::string>> rows{{"  ", "quantity", "published", "ours", "deviation", "source"}};
   for (const project::Comparison& c : project::compare(project)) {
@@ -49,7 +52,7 @@ int verify(const VerifyOptions& options) {
   Count count;
   bool ran = true;
   if (options.files.empty()) {
-    for (const embedded::File& file : embedded::reference()) ran = verify_one(std::string(file.name), file.text, count) && ran;
+    for (const embedded::File& file : embedded::reference()) ran = verify_one(std::string(file.name), file.text, false, count) && ran;
   }
   for (const std::string& path : options.files) {
     std::string text;
@@ -57,10 +60,10 @@ int verify(const VerifyOptions& options) {
       std::cerr << "loadpath: cannot read '" << path << "'\n";
       return wrong_input;
     }
-    ran = verify_one(path, text, count) && ran;
+    ran = verify_one(path, text, true, count) && ran;
   }
-  std::cout << count.holds << " hold, " << count.misses << " miss\n";
   if (!ran) return wrong_input;
+  std::cout << count.holds << " hold, " << count.misses << " miss\n";
   return count.misses == 0 ? passed : not_passed;
 }
 

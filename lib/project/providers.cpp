@@ -73,4 +73,10 @@ std::vector<std::string> stock_names() {
   return names;
 }
 
+Origin stock_origin(const std::string& stock, Message text) {
+  const auto series = table::find_series(stock);
+  if (!series) return {std::move(text), {}, false};
+  return {std::move(text), (*series)->sources, !(*series)->recalled.empty()};
+}
+
 }  // namespace loadpath::project

@@ -30,5 +30,7 @@ Lookup look_up(const Provided& provided, double size);
 /// The values of a stock in SI, ascending: "R20", "R40", "shaft"...; empty where the stock is unknown.
 std::vector<double> stock_values(const std::string& stock);
 std::vector<std::string> stock_names();
+/// The origin of a value that was taken from a stock: the stock's sources, or that one of its sizes is recalled.
+Origin stock_origin(const std::string& stock, Message text);
 
 }  // namespace loadpath::project

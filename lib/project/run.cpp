@@ -198,7 +198,7 @@ void Run::search() {
   Message found = say("smallest of {1} that passes every check", wanted.stock);
   if (!missing_.empty()) found = say("first of {1} for which a value is missing", wanted.stock);
   if (candidate == stock.end()) found = say("largest of {1}; none passes", wanted.stock);
-  origins_[wanted.path] = {std::move(found), {}, false};
+  origins_[wanted.path] = stock_origin(wanted.stock, std::move(found));
 }
 
 void Run::evaluate() {

@@ -70,30 +70,44 @@ void short_form(benchmark::State& state) {
   if (!agree(general.d_min, plain.d_min) || !agree(general.u_tau, plain.u_tau)) state.SkipWithError("they disagree");
 }
 
+enum class Bore { none, ratio, size };
 struct Part {
-  double l, d_bore;
+  double l;
+  Bore bore;
+  double of;
 };
 struct Torque {
   double x, T;
 };
-constexpr std::array<Part, 3> parts{{{0.30, 0.0}, {0.50, 0.02}, {0.20, 0.01}}};
+constexpr std::array<Part, 3> parts{{{0.30, Bore::none, 0.0}, {0.50, Bore::ratio, 0.5}, {0.20, Bore::size, 0.02}}};
 constexpr std::array<Torque, 4> torques{{{0.0, 900.0}, {0.3, -3600.0}, {0.8, 1500.0}, {1.0, 1200.0}}};
 
 Torsion::Input line_shaft() {
   Torsion::Input in = plain_shaft();
   for (const Torque& t : torques) in.torques.push_back({{}, t.x * m, t.T * N_m});
-  for (const Part& p : parts) in.segments.push_back({{}, p.l * m, 120.0 * mm, unset<double>, p.d_bore * m});
+  for (const Part& p : parts) {
+    in.segments.push_back({{}, p.l * m, 120.0 * mm});
+    if (p.bore == Bore::ratio) in.segments.back().chi = p.of;
+    if (p.bore == Bore::size) in.segments.back().d_bore = p.of * m;
+  }
   return in;
 }
 
-/// The outer diameter for a section modulus with a bore, by Newton from above.
-double bored(double w, double b) {
-  double d = b + std::cbrt(w);
-  while (true) {
-    const double next = d - (d * d * d * d - b * b * b * b - w * d) / (4.0 * d * d * d - w);
-    if (!(next < d)) return d;
-    d = next;
+struct Least {
+  double by_strength, by_stiffness, bore_at_120;
+};
+
+Least least_of(const Part& part, double M_t, double tau_adm) {
+  const double w = 16.0 * M_t / (pi * tau_adm), i = 32.0 * M_t / (pi * G * theta_adm);
+  if (part.bore == Bore::none) return {std::cbrt(w), std::sqrt(std::sqrt(i)), 0.0};
+  const double b = part.of, b4 = b * b * b * b;
+  if (part.bore == Bore::ratio) return {std::cbrt(w / (1.0 - b4)), std::sqrt(std::sqrt(i / (1.0 - b4))), b * 0.120};
+  double d = b + std::cbrt(w);  // Newton from above for d^4 - b^4 = w d
+  for (double next = 0.0; true; d = next) {
+    next = d - (d * d * d * d - b4 - w * d) / (4.0 * d * d * d - w);
+    if (!(next < d)) break;
   }
+  return {d, std::sqrt(std::sqrt(b4 + i)), b};
 }
 
 void line_shaft_by_hand(Columns& columns) {
@@ -102,12 +116,10 @@ void line_shaft_by_hand(Columns& columns) {
     double M = 0.0, d_min = 0.0, tau = 0.0;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       M += torques[k].T;
-      const double M_t = K_A * std::abs(M), b = parts[k].d_bore, b4 = b * b * b * b;
-      const double d_strength = bored(16.0 * M_t / (pi * tau_adm), b);
-      const double d_stiffness = std::sqrt(std::sqrt(b4 + 32.0 * M_t / (pi * G * theta_adm)));
-      d_min = std::max(d_min, std::max(d_strength, d_stiffness));
-      const double d = 0.120, I_t = pi / 32.0 * (d * d * d * d - b4);
-      tau = std::max(tau, M_t * d / (2.0 * I_t));
+      const double M_t = K_A * std::abs(M), d = 0.120;
+      const auto [by_strength, by_stiffness, b] = least_of(parts[k], M_t, tau_adm);
+      d_min = std::max(d_min, std::max(by_strength, by_stiffness));
+      tau = std::max(tau, M_t * d / (2.0 * pi / 32.0 * (d * d * d * d - b * b * b * b)));
     }
     columns.d_min[i] = d_min;
     columns.u_tau[i] = tau / tau_adm;

@@ -103,6 +103,10 @@ class NameCheck {
     const auto [p1, p2] = point_names(joint);
     if (first) require_point(link_index(in_, joint.links.first), p1, points + ".first");
     if (second) require_point(link_index(in_, joint.links.second), p2, points + ".second");
+    if (first && joint.links.first == joint.links.second) {
+      add(links, say("joint '{1}' connects '{2}' with itself", joint.name.view(), joint.links.first.view()),
+          say("a joint is between two links, or between a link and the ground"));
+    }
     if (is_set(joint.angle) && joint.type != Planar::Type::prismatic) {
       add(path_of("joints", joint.name, "angle"), say("only a prismatic joint holds an angle"));
     }
@@ -148,15 +152,18 @@ class NameCheck {
 
   /// In a drawing one letter is one point: two links may share it only where a pin of that name joins them.
   void check_shared_points() {
-    for (std::size_t a = 0; a < in_.links.size(); ++a) {
-      for (const auto& p : in_.links[a].points) {
-        for (std::size_t b = a + 1; b < in_.links.size(); ++b) {
-          const auto& other = in_.links[b];
-          if (find_point(in_, static_cast<int>(b), p.name) == nullptr || pinned(in_.links[a].name, other.name, p.name)) continue;
-          add(path_of("links", other.name, "points") + "." + std::string(p.name.view()),
-              say("'{1}' is a point of '{2}' and of '{3}', but no pin '{1}' joins them", p.name.view(), in_.links[a].name.view(), other.name.view()),
-              say("give one of the two another name"));
-        }
+    for (std::size_t b = 1; b < in_.links.size(); ++b) {
+      const auto& link = in_.links[b];
+      for (const auto& p : link.points) {
+        const auto shares = [&](const auto& other) {
+          return find_point(in_, link_index(in_, other.name), p.name) != nullptr && !pinned(other.name, link.name, p.name);
+        };
+        const auto end = in_.links.begin() + static_cast<std::ptrdiff_t>(b);
+        const auto other = std::find_if(in_.links.begin(), end, shares);
+        if (other == end) continue;
+        add(path_of("links", link.name, "points") + "." + std::string(p.name.view()),
+            say("'{1}' is a point of '{2}' and of '{3}', but no pin '{1}' joins them", p.name.view(), other->name.view(), link.name.view()),
+            say("give one of the two another name"));
       }
     }
   }

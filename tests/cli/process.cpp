@@ -25,20 +25,30 @@ void redirect(int to, const fs::path& path, int flags) {
 }
 
 /// In the child; nothing comes back from here.
-[[noreturn]] void become_program(const fs::path& folder, const fs::path& streams, const std::vector<std::string>& words,
-                                 const Environment& environment) {
-  std::vector<char*> arguments{const_cast<char*>("loadpath")};
+[[noreturn]] void become(const fs::path& folder, const fs::path& streams, const std::vector<std::string>& words,
+                         const Environment& environment) {
+  std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
   redirect(STDIN_FILENO, streams / "in", O_RDONLY);
   redirect(STDOUT_FILENO, streams / "out", O_WRONLY | O_CREAT | O_TRUNC);
   redirect(STDERR_FILENO, streams / "error", O_WRONLY | O_CREAT | O_TRUNC);
-  if (chdir(folder.c_str()) == 0) execv(LOADPATH_PROGRAM, arguments.data());
+  if (chdir(folder.c_str()) == 0) execv(arguments[0], arguments.data());
   _exit(127);
 }
 
 fs::path streams_of(const fs::path& folder) { return folder.string() + ".streams"; }
+
+Ran run_in(const fs::path& folder, const std::vector<std::string>& words, const std::string& input, const Environment& environment) {
+  const fs::path streams = streams_of(folder);
+  std::ofstream(streams / "in", std::ios::binary) << input;
+  const pid_t child = fork();
+  if (child == 0) become(folder, streams, words, environment);
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(streams / "out"), text_of(streams / "error")};
+}
 
 }  // namespace
 
@@ -56,13 +66,13 @@ Desk::~Desk() {
 }
 
 Ran Desk::run(const std::vector<std::string>& words, const std::string& input, const Environment& environment) const {
-  const fs::path streams = streams_of(folder_);
-  std::ofstream(streams / "in", std::ios::binary) << input;
-  const pid_t child = fork();
-  if (child == 0) become_program(folder_, streams, words, environment);
-  int status = 0;
-  REQUIRE(waitpid(child, &status, 0) == child);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(streams / "out"), text_of(streams / "error")};
+  std::vector<std::string> all{LOADPATH_PROGRAM};
+  all.insert(all.end(), words.begin(), words.end());
+  return run_in(folder_, all, input, environment);
+}
+
+Ran Desk::shell(const std::string& line) const {
+  return run_in(folder_, {"/bin/sh", "-c", "loadpath() { '" LOADPATH_PROGRAM "' \"$@\"; }; " + line}, "", {});
 }
 
 void Desk::put(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name, std::ios::binary) << text; }

@@ -27,6 +27,9 @@ class Desk {
   Desk& operator=(const Desk&) = delete;
 
   [[nodiscard]] Ran run(const std::vector<std::string>& words, const std::string& input = "", const Environment& environment = {}) const;
+  /// A line as a user types it; `loadpath` is the program under test.
+  [[nodiscard]] Ran shell(const std::string& line) const;
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   void put(const std::string& name, const std::string& text) const;
   [[nodiscard]] std::string get(const std::string& name) const;
   [[nodiscard]] bool has(const std::string& name) const { return std::filesystem::exists(folder_ / name); }

@@ -1,0 +1,50 @@
+// What README.md says that can be typed works as it says.
+#include "lib/io/tree.hpp"
+#include "tests/cli/process.hpp"
+
+#include <cstdlib>
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+struct Command {
+  std::string line;
+  int code = 0;
+};
+
+/// The lines of code blocks that start with the program's name; "# exit 1" behind one tells its exit code.
+std::vector<Command> commands_of(const std::string& text) {
+  std::vector<Command> commands;
+  bool code = false;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find('\n', from), text.size());
+    const std::string line = text.substr(from, end - from);
+    from = end + 1;
+    if (line.starts_with("```")) code = !code;
+    if (!code || !line.starts_with("loadpath ")) continue;
+    const std::size_t exit = line.find("# exit ");
+    commands.push_back({line, exit == std::string::npos ? 0 : std::atoi(line.c_str() + exit + 7)});
+  }
+  return commands;
+}
+
+}  // namespace
+
+TEST_SUITE("readme") {
+  TEST_CASE("every command line exits with the code that it is said to") {
+    std::string text;
+    REQUIRE(io::read_file(LOADPATH_ROOT "/README.md", text));
+    const auto commands = commands_of(text);
+    CHECK(commands.size() > 5);
+    const Desk desk;
+    std::filesystem::create_directory_symlink(LOADPATH_ROOT "/examples", desk.folder() / "examples");
+    for (const Command& command : commands) {
+      CAPTURE(command.line);
+      const Ran ran = desk.shell(command.line);
+      CAPTURE(ran.error);
+      CHECK(ran.code == command.code);
+    }
+  }
+}

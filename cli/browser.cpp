@@ -1,14 +1,13 @@
 #include "cli/browser.hpp"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <cstdlib>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <spawn.h>
 #include <sstream>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <vector>
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves its declaration to the user
@@ -74,10 +73,18 @@ bool print_to_pdf(const std::string& html, const std::string& path) {
   std::ofstream(page, std::ios::binary) << html;
   std::error_code error;
   if (target.has_parent_path()) fs::create_directories(target.parent_path(), error);
-  std::vector<std::string> words{find_browser(), "--headless", "--disable-gpu", "--disable-quic", "--no-first-run",
-                                 "--disable-background-networking", "--disable-component-update", "--disable-sync",
-                                 "--user-data-dir=" + (folder.path() / "profile").string(), "--no-pdf-header-footer",
-                                 "--print-to-pdf=" + target.string(), "file://" + page.string()};
+  std::vector<std::string> words{find_browser(),
+                                 "--headless",
+                                 "--disable-gpu",
+                                 "--disable-quic",
+                                 "--no-first-run",
+                                 "--disable-background-networking",
+                                 "--disable-component-update",
+                                 "--disable-sync",
+                                 "--user-data-dir=" + (folder.path() / "profile").string(),
+                                 "--no-pdf-header-footer",
+                                 "--print-to-pdf=" + target.string(),
+                                 "file://" + page.string()};
   if (geteuid() == 0) words.insert(words.begin() + 1, "--no-sandbox");  // Chromium refuses its sandbox to root
   return run_silently(words) && fs::exists(target);
 }

@@ -1,9 +1,9 @@
-#include <algorithm>
-#include <iostream>
-
 #include "cli/output.hpp"
 #include "cli/solving.hpp"
 #include "lib/io/tree.hpp"
+
+#include <algorithm>
+#include <iostream>
 
 namespace loadpath::cli {
 
@@ -74,7 +74,8 @@ int calculate(const CalculateOptions& options) {
   return solve_and_show(
       [&](std::vector<Issue>& issues) {
         const Tree tree = project_tree(options, issues);
-        return has_errors(issues) ? project::Project{} : project::read_project(tree, "command line", catalogue(), issues);
+        return has_errors(issues) ? project::Project{}
+                                  : project::read_project(tree, "command line", catalogue(), issues);
       },
       sources, options.output, true);
 }

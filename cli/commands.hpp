@@ -1,11 +1,11 @@
 // The commands of the program, one source each: plain options in, an exit code out.
 #pragma once
 
+#include "lib/calculator.hpp"
+
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "lib/calculator.hpp"
 
 namespace loadpath::cli {
 
@@ -16,7 +16,7 @@ enum Exit : int { passed = 0, not_passed = 1, wrong_input = 2, fault = 3, interr
 struct OutputOptions {
   std::vector<std::string> reports;  // .html, .md, .pdf
   bool json = false;
-  std::string csv;                   // folder
+  std::string csv;  // folder
   bool quiet = false;
 };
 

@@ -1,11 +1,11 @@
-#include <iostream>
-
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "lib/project/reading.hpp"
 #include "lib/quantity/expression.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"
+
+#include <iostream>
 
 namespace loadpath::cli {
 
@@ -38,7 +38,9 @@ int convert(const ConvertOptions& options) {
     if (!parsed) return refuse(text, 0, "quantity", parsed.fault());
     literal = *parsed;
   }
-  const std::string unit = !options.unit.empty() ? options.unit : literal.dimension.is_number() ? "-" : readable_unit(literal.si, literal.dimension);
+  const std::string unit = !options.unit.empty()           ? options.unit
+                           : literal.dimension.is_number() ? "-"
+                                                           : readable_unit(literal.si, literal.dimension);
   const auto target = parse_unit(unit);
   if (!target) return refuse(unit, 0, "unit", target.fault());
   // A literal says what it is, so that Hz is not taken for rad/s; an expression is compared without its angle.

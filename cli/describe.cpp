@@ -1,13 +1,13 @@
-#include <cmath>
-#include <iostream>
-
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "lib/project/reading.hpp"
-#include "lib/report/build.hpp"
 #include "lib/quantity/format.hpp"
+#include "lib/report/build.hpp"
 #include "lib/table/table.hpp"
+
+#include <cmath>
+#include <iostream>
 
 namespace loadpath::cli {
 
@@ -34,7 +34,8 @@ std::string default_of(const FieldInfo& field, void* owner) {
   if (field.provider.kind == Provider::Kind::companion) return std::string("comes with ") + field.provider.column;
   if (field.type == Type::choice) return field.choices[static_cast<std::size_t>(field.get(owner))].key;
   const bool number = field.type == Type::quantity || field.type == Type::count;
-  if (number && !std::isnan(field.get(owner))) return "default " + format_quantity(field.get(owner), field.type == Type::count ? "-" : field.unit);
+  if (number && !std::isnan(field.get(owner)))
+    return "default " + format_quantity(field.get(owner), field.type == Type::count ? "-" : field.unit);
   return field.optional ? "optional" : "required";
 }
 
@@ -42,13 +43,18 @@ void add_fields(std::span<const FieldInfo> fields, void* owner, const std::strin
   for (const FieldInfo& f : fields) {
     const std::string key = "  " + prefix + f.key;
     if (f.is_leaf()) {
-      const std::string unit = f.type == Type::choice ? words_of(f) : f.type == Type::name ? "name" : f.type == Type::count ? "whole number" : f.unit;
+      const std::string unit = f.type == Type::choice  ? words_of(f)
+                               : f.type == Type::name  ? "name"
+                               : f.type == Type::count ? "whole number"
+                                                       : f.unit;
       const std::string rule = bounds_of(f);
-      rows.push_back({key, unit, f.role == Role::input ? default_of(f, owner) : "", f.doc + (rule.empty() ? "" : " (" + rule + ")")});
+      rows.push_back({key, unit, f.role == Role::input ? default_of(f, owner) : "",
+                      f.doc + (rule.empty() ? "" : " (" + rule + ")")});
       continue;
     }
     const bool list = f.type == Type::list;
-    rows.push_back({key + (list ? "[]" : ""), list ? "list, at most " + std::to_string(f.capacity) : "table", f.role == Role::input && !f.optional ? "required" : "", f.doc});
+    rows.push_back({key + (list ? "[]" : ""), list ? "list, at most " + std::to_string(f.capacity) : "table",
+                    f.role == Role::input && !f.optional ? "required" : "", f.doc});
     void* inner = list ? f.push(owner) : f.element(owner, 0);
     add_fields(f.fields, inner, prefix + f.key + (list ? "[]." : "."), rows);
   }
@@ -69,8 +75,9 @@ int describe(const DescribeOptions& options) {
     std::vector<std::string> ids;
     for (const Calculator* known : catalogue()) ids.emplace_back(known->id);
     const std::string near = nearest(options.id, ids);
-    std::cerr << "loadpath: there is no calculator '" << options.id << "'\n  = help: "
-              << (near.empty() ? "`loadpath list` shows all" : "did you mean '" + near + "'?") << "\n";
+    std::cerr << "loadpath: there is no calculator '" << options.id
+              << "'\n  = help: " << (near.empty() ? "`loadpath list` shows all" : "did you mean '" + near + "'?")
+              << "\n";
     return wrong_input;
   }
   std::cout << c->id << ": " << c->title << "\n\n" << c->scope << "\n\n";

@@ -1,15 +1,16 @@
-#include <iostream>
-
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
+
+#include <iostream>
 
 namespace loadpath::cli {
 
 int list() {
   std::vector<std::vector<std::string>> rows;
   for (const Calculator* c : catalogue()) rows.push_back({c->id, c->title});
-  std::cout << columns(rows) << "\n`loadpath describe ID` tells the fields, sources and limits of one, with an example that runs.\n";
+  std::cout << columns(rows)
+            << "\n`loadpath describe ID` tells the fields, sources and limits of one, with an example that runs.\n";
   return passed;
 }
 

@@ -1,3 +1,7 @@
+#include "calculators/catalogue.hpp"
+#include "cli/commands.hpp"
+#include "lib/issue.hpp"
+
 #include <CLI/CLI.hpp>
 
 #include <csignal>
@@ -6,10 +10,6 @@
 #include <functional>
 #include <iostream>
 #include <map>
-
-#include "calculators/catalogue.hpp"
-#include "cli/commands.hpp"
-#include "lib/issue.hpp"
 
 namespace loadpath::cli {
 
@@ -27,7 +27,10 @@ Exit codes: 0 solved and every check passes; 1 solved, but a check fails, is not
 
 void add_output(CLI::App& app, OutputOptions& output) {
   app.add_option("--report", output.reports, "write a report: FILE.html, FILE.md or FILE.pdf")
-      ->type_name("FILE")->expected(1)->take_all()->allow_extra_args(false);
+      ->type_name("FILE")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
   app.add_flag("--json", output.json, "print the results as one JSON object");
   app.add_option("--csv", output.csv, "write the series of each step into this folder")->type_name("DIR");
   app.add_flag("--quiet", output.quiet, "print errors only");
@@ -48,7 +51,8 @@ void setup_describe(CLI::App& app, DescribeOptions& options, Action& action) {
 
 void setup_convert(CLI::App& app, ConvertOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("convert", "convert a quantity, or an expression that starts with =");
-  sub->add_option("quantity", options.quantity, "for example \"2700 lbf*in\", \"2,5 kN·m\", \"=30 kW / (1500 rpm)\"")->required();
+  sub->add_option("quantity", options.quantity, "for example \"2700 lbf*in\", \"2,5 kN·m\", \"=30 kW / (1500 rpm)\"")
+      ->required();
   sub->add_option("unit", options.unit, "target unit; a readable one where missing");
   sub->footer(R"(Numbers: 30  1e6  2·10^6  1 200  1'200  2,5 (decimal comma)  1/2 in  1-1/2 in
 Units:   SI with prefixes, N·m N*m Nm, mm² mm^2, min⁻¹ 1/min, parentheses after a /; deg rad rev rpm rev/s min h d
@@ -74,12 +78,16 @@ void setup_tables(CLI::App& app, TablesOptions& options, Action& action) {
 /// What the help shows behind a flag.
 std::string type_word(const FieldInfo& field) {
   switch (field.type) {
-    case FieldInfo::Type::quantity: return std::string_view(field.unit) == "-" ? "NUMBER" : field.unit;
-    case FieldInfo::Type::count: return "COUNT";
+    case FieldInfo::Type::quantity:
+      return std::string_view(field.unit) == "-" ? "NUMBER" : field.unit;
+    case FieldInfo::Type::count:
+      return "COUNT";
     case FieldInfo::Type::choice:
-    case FieldInfo::Type::name: return "WORD";
+    case FieldInfo::Type::name:
+      return "WORD";
     case FieldInfo::Type::group:
-    case FieldInfo::Type::list: return "TOML";
+    case FieldInfo::Type::list:
+      return "TOML";
   }
   return "";
 }
@@ -90,8 +98,11 @@ void setup_calculator(CLI::App& element, const Calculator& calculator, Calculate
   CLI::App* sub = element.add_subcommand(std::string(id.substr(id.find('.') + 1)), calculator.title);
   options.calculator = &calculator;
   const auto add = [&](const std::string& key, const std::string& doc, const std::string& type) {
-    sub->add_option_function<std::string>("--" + key, [&options, key](const std::string& text) { options.values.emplace_back(key, text); }, doc)
-        ->type_name(type)->expected(1)->allow_extra_args(false);
+    sub->add_option_function<std::string>(
+           "--" + key, [&options, key](const std::string& text) { options.values.emplace_back(key, text); }, doc)
+        ->type_name(type)
+        ->expected(1)
+        ->allow_extra_args(false);
   };
   bool material = false;
   for (const FieldInfo& f : calculator.input->fields) {
@@ -101,7 +112,8 @@ void setup_calculator(CLI::App& element, const Calculator& calculator, Calculate
   if (material) add("material", "row of the materials table that fills what is missing", "NAME");
   add("title", "title of the report", "TEXT");
   add_output(*sub, options.output);
-  sub->footer("`loadpath describe " + std::string(id) + "` tells more, with an example. A quantity is written with its unit: \"30 MPa\".");
+  sub->footer("`loadpath describe " + std::string(id) +
+              "` tells more, with an example. A quantity is written with its unit: \"30 MPa\".");
   sub->callback([&] { action = [&] { return calculate(options); }; });
 }
 
@@ -113,7 +125,8 @@ void setup_calculators(CLI::App& app, std::deque<CalculateOptions>& options, Act
     if (parent == nullptr) {
       parent = app.add_subcommand(element, "calculators: ");
       parent->require_subcommand(0, 1);
-      parent->footer("`loadpath describe " + element + ".NAME` tells the fields, sources and limits of one, with an example.");
+      parent->footer("`loadpath describe " + element +
+                     ".NAME` tells the fields, sources and limits of one, with an example.");
     } else {
       parent->description(parent->get_description() + ", ");
     }
@@ -121,7 +134,8 @@ void setup_calculators(CLI::App& app, std::deque<CalculateOptions>& options, Act
     parent->description(parent->get_description() + std::string(id.substr(id.find('.') + 1)));
     setup_calculator(*parent, *calculator, options.emplace_back(), action);
   }
-  for (const auto& [element, parent] : elements) parent->allow_extras();  // not before: its calculators would inherit it
+  for (const auto& [element, parent] : elements)
+    parent->allow_extras();  // not before: its calculators would inherit it
 }
 
 int refuse(const std::string& what, const std::string& help) {
@@ -136,7 +150,8 @@ const CLI::App& deepest(const CLI::App& app) {
 
 /// "loadpath shaft torsion"
 std::string path_of(const CLI::App& command) {
-  return command.get_parent() == nullptr ? command.get_name() : path_of(*command.get_parent()) + " " + command.get_name();
+  return command.get_parent() == nullptr ? command.get_name()
+                                         : path_of(*command.get_parent()) + " " + command.get_name();
 }
 
 int unknown_option(const CLI::App& command, const std::string& word) {
@@ -146,8 +161,9 @@ int unknown_option(const CLI::App& command, const std::string& word) {
     for (const std::string& long_name : option->get_lnames()) options.push_back("--" + long_name);
   }
   const std::string near = nearest(name, options);
-  return refuse("there is no option '" + name + "'",
-                near.empty() ? "`" + path_of(command) + " --help` shows what there is" : "did you mean '" + near + "'?");
+  return refuse("there is no option '" + name + "'", near.empty()
+                                                         ? "`" + path_of(command) + " --help` shows what there is"
+                                                         : "did you mean '" + near + "'?");
 }
 
 /// What was typed where a command, or the calculator of an element, is expected.
@@ -179,12 +195,15 @@ int wrong_words(const CLI::App& app, const CLI::ParseError& error) {
   const std::string help = "`" + path_of(command) + " --help` shows what there is";
   if (!words.empty()) return refuse("'" + words[0] + "' is not expected here", help);
   const std::string said = error.what();
-  if (error.get_name() == "ArgumentMismatch") return refuse("'" + said.substr(0, said.find(':')) + "' needs a value", help);
+  if (error.get_name() == "ArgumentMismatch")
+    return refuse("'" + said.substr(0, said.find(':')) + "' needs a value", help);
   return refuse(said, help);
 }
 
 int dispatch(int argc, char** argv) {
-  CLI::App app("loadpath: design calculator for machine elements, from the loads of a mechanism to the sizes of its parts", "loadpath");
+  CLI::App app(
+      "loadpath: design calculator for machine elements, from the loads of a mechanism to the sizes of its parts",
+      "loadpath");
   app.set_version_flag("--version", program());
   app.require_subcommand(0, 1);
   Action action;

@@ -1,14 +1,14 @@
 #include "cli/output.hpp"
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-
 #include "cli/browser.hpp"
 #include "lib/io/csv.hpp"
 #include "lib/io/json.hpp"
 #include "lib/report/build.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
 
 namespace loadpath::cli {
 
@@ -53,7 +53,8 @@ bool can_write(const OutputOptions& options) {
       return false;
     }
     if (kind == ".pdf" && find_browser().empty()) {
-      std::cerr << "loadpath: a PDF needs Chromium, and there is none\n  = help: install it (apt-get install chromium), or write "
+      std::cerr << "loadpath: a PDF needs Chromium, and there is none\n  = help: install it (apt-get install "
+                   "chromium), or write "
                    "an .html report and print it\n";
       return false;
     }

@@ -1,9 +1,9 @@
-#include <iostream>
-
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "cli/solving.hpp"
 #include "lib/io/tree.hpp"
+
+#include <iostream>
 
 namespace loadpath::cli {
 
@@ -15,8 +15,9 @@ int run(const RunOptions& options) {
     return wrong_input;
   }
   const std::string name = options.file == "-" ? "standard input" : options.file;
-  return solve_and_show([&](std::vector<Issue>& issues) { return project::read_project(text, name, catalogue(), issues); },
-                        {{name, text}}, options.output, false);
+  return solve_and_show(
+      [&](std::vector<Issue>& issues) { return project::read_project(text, name, catalogue(), issues); },
+      {{name, text}}, options.output, false);
 }
 
 }  // namespace loadpath::cli

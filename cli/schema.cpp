@@ -1,8 +1,8 @@
-#include <iostream>
-
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
 #include "lib/io/json.hpp"
+
+#include <iostream>
 
 namespace loadpath::cli {
 

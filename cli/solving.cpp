@@ -1,9 +1,9 @@
 #include "cli/solving.hpp"
 
-#include <iostream>
-
 #include "cli/output.hpp"
 #include "lib/io/json.hpp"
+
+#include <iostream>
 
 namespace loadpath::cli {
 
@@ -21,7 +21,8 @@ int exit_for(const std::vector<report::Verdict>& verdicts) {
   return project::worst(verdicts) == report::State::pass ? passed : not_passed;
 }
 
-int solve_and_show(const ReadProject& read, const std::vector<SourceText>& sources, const OutputOptions& output, bool derivation) {
+int solve_and_show(const ReadProject& read, const std::vector<SourceText>& sources, const OutputOptions& output,
+                   bool derivation) {
   std::vector<Issue> issues;
   project::Project project = read(issues);
   if (!has_errors(issues)) project::solve(project, issues);

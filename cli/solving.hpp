@@ -1,18 +1,19 @@
 // What `run` and the calculators of the shell share: read, solve, write, show, and the exit code.
 #pragma once
 
-#include <functional>
-
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
+
+#include <functional>
 
 namespace loadpath::cli {
 
 using ReadProject = std::function<project::Project(std::vector<Issue>& issues)>;
 
 /// `derivation`: the terminal shows the formulas too.
-int solve_and_show(const ReadProject& read, const std::vector<SourceText>& sources, const OutputOptions& output, bool derivation);
+int solve_and_show(const ReadProject& read, const std::vector<SourceText>& sources, const OutputOptions& output,
+                   bool derivation);
 
 /// The exit code that verdicts amount to.
 int exit_for(const std::vector<report::Verdict>& verdicts);

@@ -1,11 +1,11 @@
-#include <algorithm>
-#include <cmath>
-#include <iostream>
-
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/table/table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
 
 namespace loadpath::cli {
 
@@ -18,15 +18,17 @@ using Rows = std::vector<std::vector<std::string>>;
 
 int unknown(const std::string& word, const char* what, const std::vector<std::string>& candidates) {
   const std::string near = nearest(word, candidates);
-  std::cerr << "loadpath: there is no " << what << " '" << word << "'\n  = help: "
-            << (near.empty() ? "`loadpath tables` shows all" : "did you mean '" + near + "'?") << "\n";
+  std::cerr << "loadpath: there is no " << what << " '" << word
+            << "'\n  = help: " << (near.empty() ? "`loadpath tables` shows all" : "did you mean '" + near + "'?")
+            << "\n";
   return wrong_input;
 }
 
 int show_index(const Library& library) {
   Rows rows;
   for (const Table& t : library.tables) rows.push_back({t.name, std::to_string(t.rows.size()) + " rows", t.title});
-  for (const table::Series& s : library.series) rows.push_back({s.table + " " + s.name, std::to_string(s.members.size()) + " sizes", s.title});
+  for (const table::Series& s : library.series)
+    rows.push_back({s.table + " " + s.name, std::to_string(s.members.size()) + " sizes", s.title});
   std::cout << columns(rows);
   return passed;
 }
@@ -40,7 +42,9 @@ std::string shown(const Table& t, const std::vector<table::Value>& values, const
 void add_row(const Table& t, const Row& row, Rows& rows) {
   const std::size_t steps = std::max<std::size_t>(1, row.by_size.size());
   for (std::size_t i = 0; i < steps; ++i) {
-    std::vector<std::string> cells{i == 0 ? row.name : "", i < row.by_size.size() ? format_number(in_unit(row.by_size[i].size_max, t.size.unit), 5) : ""};
+    std::vector<std::string> cells{
+        i == 0 ? row.name : "",
+        i < row.by_size.size() ? format_number(in_unit(row.by_size[i].size_max, t.size.unit), 5) : ""};
     for (const auto& column : t.columns) {
       std::string cell = i == 0 ? shown(t, row.values, column.key) : "";
       if (cell.empty() && i < row.by_size.size()) cell = shown(t, row.by_size[i].values, column.key);
@@ -52,7 +56,8 @@ void add_row(const Table& t, const Row& row, Rows& rows) {
 
 void show_table(const Table& t, const Row* only) {
   Rows rows{{"name", "up to [" + pretty_unit(t.size.unit) + "]"}};
-  for (const auto& column : t.columns) rows[0].push_back(column.key + (column.unit == "-" ? "" : " [" + pretty_unit(column.unit) + "]"));
+  for (const auto& column : t.columns)
+    rows[0].push_back(column.key + (column.unit == "-" ? "" : " [" + pretty_unit(column.unit) + "]"));
   for (const Row& row : t.rows) {
     if (only == nullptr || only == &row) add_row(t, row, rows);
   }
@@ -60,7 +65,9 @@ void show_table(const Table& t, const Row* only) {
 }
 
 void show_details(const Row& row) {
-  std::cout << "\n" << row.standard << (row.kind.empty() ? "" : ", " + row.kind) << (row.note.empty() ? "" : "; " + row.note) << "\n";
+  std::cout << "\n"
+            << row.standard << (row.kind.empty() ? "" : ", " + row.kind) << (row.note.empty() ? "" : "; " + row.note)
+            << "\n";
   std::vector<std::string> keys;
   const auto collect = [&](const std::vector<table::Value>& values) {
     for (const auto& v : values) {
@@ -77,7 +84,8 @@ void show_details(const Row& row) {
 int show_series(const table::Series& series) {
   std::cout << series.title << " (" << series.table << " " << series.name << "), in " << series.unit << "\n";
   for (std::size_t i = 0; i < series.members.size(); ++i) {
-    std::cout << format_number(series.members[i], 8) << ((i + 1) % 12 == 0 || i + 1 == series.members.size() ? "\n" : " ");
+    std::cout << format_number(series.members[i], 8)
+              << ((i + 1) % 12 == 0 || i + 1 == series.members.size() ? "\n" : " ");
   }
   for (const auto& key : series.sources) std::cout << "[" << key << "] " << table::citation(key) << "\n";
   return passed;
@@ -86,7 +94,8 @@ int show_series(const table::Series& series) {
 int show_audit(const Library& library) {
   Rows rows{{"table", "row", "value", "", "up to"}};
   for (const table::Recalled& r : table::audit(library)) {
-    rows.push_back({r.table, r.row, r.key, format_quantity(r.si, r.unit), std::isinf(r.size_max) ? "" : format_quantity(r.size_max, "mm")});
+    rows.push_back({r.table, r.row, r.key, format_quantity(r.si, r.unit),
+                    std::isinf(r.size_max) ? "" : format_quantity(r.size_max, "mm")});
   }
   std::cout << columns(rows) << rows.size() - 1 << " values without a seen source\n";
   return passed;

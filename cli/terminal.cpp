@@ -1,15 +1,14 @@
 #include "cli/terminal.hpp"
 
-#include <unistd.h>
+#include "lib/formula/formula.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/report/build.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
-
-#include "lib/formula/formula.hpp"
-#include "lib/quantity/format.hpp"
-#include "lib/report/build.hpp"
+#include <unistd.h>
 
 namespace loadpath::cli {
 
@@ -44,7 +43,8 @@ std::string shown(const project::Entry& e) {
 bool is_brief(const project::Entry& e) {
   const bool open = e.value.si.size() == 1 && std::isnan(e.value.si[0]);
   const bool joint_force = e.path.starts_with("joints.") && !e.path.ends_with(".x") && !e.path.ends_with(".y");
-  const bool element = e.path.find_first_of("[.") != std::string::npos && !e.path.starts_with("drive.") && !e.path.starts_with("cylinders.");
+  const bool element = e.path.find_first_of("[.") != std::string::npos && !e.path.starts_with("drive.") &&
+                       !e.path.starts_with("cylinders.");
   return e.role == Role::result && !open && (!element || joint_force);
 }
 
@@ -61,7 +61,8 @@ std::string plain_formula(const report::Step& line) {
   const auto tree = formula::parse(line.formula);
   if (!tree) return line.formula;
   const formula::Known known = [&](std::string_view name) -> std::optional<double> {
-    const auto given = std::find_if(line.given.begin(), line.given.end(), [&](const auto& g) { return g.name == name; });
+    const auto given =
+        std::find_if(line.given.begin(), line.given.end(), [&](const auto& g) { return g.name == name; });
     return given == line.given.end() ? std::nullopt : std::optional(given->si);
   };
   return formula::plain(*tree, {}, known);
@@ -85,8 +86,11 @@ void show_verdicts(const std::vector<report::Verdict>& verdicts) {
   for (const report::Verdict& v : verdicts) {
     const auto* number = std::get_if<report::Quantity>(&v.value);
     const auto* words = std::get_if<Message>(&v.value);
-    const std::string value = number != nullptr ? format_quantity(number->si, number->unit, 4) : words != nullptr ? words->text() : "";
-    rows.push_back({"  " + state_word(v.state), v.step + "." + v.symbol, value, v.meaning.text() + (v.note.empty() ? "" : "; " + v.note.text())});
+    const std::string value = number != nullptr  ? format_quantity(number->si, number->unit, 4)
+                              : words != nullptr ? words->text()
+                                                 : "";
+    rows.push_back({"  " + state_word(v.state), v.step + "." + v.symbol, value,
+                    v.meaning.text() + (v.note.empty() ? "" : "; " + v.note.text())});
   }
   std::cout << columns(rows);
 }
@@ -100,7 +104,8 @@ bool colours(Stream stream) {
 
 void show_issues(const std::vector<Issue>& issues, const std::vector<SourceText>& sources) {
   std::cerr << render(issues, [&](const std::string& file) {
-    const auto found = std::find_if(sources.begin(), sources.end(), [&](const SourceText& s) { return s.file == file; });
+    const auto found =
+        std::find_if(sources.begin(), sources.end(), [&](const SourceText& s) { return s.file == file; });
     return found == sources.end() ? std::string() : found->text;
   });
 }
@@ -124,10 +129,14 @@ std::string columns(const std::vector<std::vector<std::string>>& rows) {
 
 std::string state_word(report::State state) {
   switch (state) {
-    case report::State::pass: return in_colour("pass", "32");
-    case report::State::fail: return in_colour("FAIL", "31;1");
-    case report::State::not_covered: return in_colour("not covered", "33");
-    case report::State::not_available: return in_colour("not available", "33");
+    case report::State::pass:
+      return in_colour("pass", "32");
+    case report::State::fail:
+      return in_colour("FAIL", "31;1");
+    case report::State::not_covered:
+      return in_colour("not covered", "33");
+    case report::State::not_available:
+      return in_colour("not available", "33");
   }
   return "";
 }
@@ -135,7 +144,8 @@ std::string state_word(report::State state) {
 void show_project(const project::Project& project, bool derivation) {
   if (!project.title.empty()) std::cout << project.title << "\n\n";
   for (const auto& step : project.steps) {
-    std::cout << step->name() << ": " << step->input().calculator->title << " (" << step->input().calculator->id << ")\n";
+    std::cout << step->name() << ": " << step->input().calculator->title << " (" << step->input().calculator->id
+              << ")\n";
     if (derivation) show_derivation(*step);
     show_results(*step);
     std::cout << "\n";

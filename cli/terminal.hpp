@@ -1,10 +1,10 @@
 // What the terminal shows: issues, a solved project in brief, tables; colour only where someone looks.
 #pragma once
 
+#include "lib/project/project.hpp"
+
 #include <string>
 #include <vector>
-
-#include "lib/project/project.hpp"
 
 namespace loadpath::cli {
 

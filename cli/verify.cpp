@@ -1,13 +1,14 @@
-#include <cmath>
-#include <iostream>
+#include "lib/project/verify.hpp"
 
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "lib/embedded.hpp"
 #include "lib/io/tree.hpp"
-#include "lib/project/verify.hpp"
 #include "lib/quantity/format.hpp"
+
+#include <cmath>
+#include <iostream>
 
 namespace loadpath::cli {
 
@@ -39,8 +40,8 @@ bool verify_one(const std::string& file, std::string_view text, bool asked_for, 
     const project::Expectation& e = *c.expectation;
     ++(c.holds ? count.holds : count.misses);
     const int digits = e.digits ? std::max(*e.digits, 6) : 6;
-    rows.push_back({c.holds ? "  ok" : "  MISS", e.text, e.is_text, format_quantity(c.ours, e.unit, digits), percent(c.deviation),
-                    e.source + (e.note.empty() ? "" : "; " + e.note)});
+    rows.push_back({c.holds ? "  ok" : "  MISS", e.text, e.is_text, format_quantity(c.ours, e.unit, digits),
+                    percent(c.deviation), e.source + (e.note.empty() ? "" : "; " + e.note)});
   }
   std::cout << columns(rows) << "\n";
   return true;
@@ -52,7 +53,8 @@ int verify(const VerifyOptions& options) {
   Count count;
   bool ran = true;
   if (options.files.empty()) {
-    for (const embedded::File& file : embedded::reference()) ran = verify_one(std::string(file.name), file.text, false, count) && ran;
+    for (const embedded::File& file : embedded::reference())
+      ran = verify_one(std::string(file.name), file.text, false, count) && ran;
   }
   for (const std::string& path : options.files) {
     std::string text;

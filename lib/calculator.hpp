@@ -1,15 +1,15 @@
 // A calculator without its C++ types: what the program's commands, readers, searches, sweeps and reports know of it.
 #pragma once
 
+#include "lib/draw/figure.hpp"
+#include "lib/record.hpp"
+#include "lib/trace.hpp"
+
 #include <cstddef>
 #include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
-
-#include "lib/draw/figure.hpp"
-#include "lib/record.hpp"
-#include "lib/trace.hpp"
 
 namespace loadpath {
 
@@ -36,11 +36,11 @@ struct ResultColumn {
 };
 
 struct Calculator {
-  const char* id = "";        // "shaft.torsion"
-  const char* title = "";     // "Torsion of a shaft"
-  const char* scope = "";     // what it decides, what it assumes, what it does not cover
-  const char* source = "";    // keys of tables/sources.toml: "[B19]"
-  const char* example = "";   // a project file that runs
+  const char* id = "";       // "shaft.torsion"
+  const char* title = "";    // "Torsion of a shaft"
+  const char* scope = "";    // what it decides, what it assumes, what it does not cover
+  const char* source = "";   // keys of tables/sources.toml: "[B19]"
+  const char* example = "";  // a project file that runs
   const RecordType* input = nullptr;
   const RecordType* result = nullptr;
   std::span<const RuleInfo> rules;

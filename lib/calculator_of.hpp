@@ -10,10 +10,10 @@
 //   };
 #pragma once
 
-#include <cstring>
-
 #include "lib/calculator.hpp"
 #include "lib/record_of.hpp"
+
+#include <cstring>
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) && \
     !defined(__SANITIZE_ADDRESS__)

@@ -4,12 +4,12 @@
 // All numbers given to a Field (bounds, plausible range) are in the field's own unit.
 #pragma once
 
+#include "lib/list.hpp"
+#include "lib/units.hpp"
+
 #include <limits>
 #include <tuple>
 #include <utility>
-
-#include "lib/list.hpp"
-#include "lib/units.hpp"
 
 namespace loadpath {
 
@@ -26,7 +26,9 @@ struct Range {
   [[nodiscard]] constexpr bool holds(double x) const {
     return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high);
   }
-  [[nodiscard]] constexpr Range times(double factor) const { return {low * factor, high * factor, low_open, high_open}; }
+  [[nodiscard]] constexpr Range times(double factor) const {
+    return {low * factor, high * factor, low_open, high_open};
+  }
 };
 
 /// Where the value of an input can come from when the user does not type it.
@@ -83,16 +85,18 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
   Range bounds;     // outside: refused (input), not covered (limit)
   Range plausible;  // outside: a warning
   Provider provider;
-  const char* asked_by = "";    // check: exists only where this input is given
-  const char* searched_in = ""; // input: where missing, the smallest value of this stock that passes every check
-  bool kept = false;            // input: where missing in a search, the result of the same key of the sizing run
+  const char* asked_by = "";     // check: exists only where this input is given
+  const char* searched_in = "";  // input: where missing, the smallest value of this stock that passes every check
+  bool kept = false;             // input: where missing in a search, the result of the same key of the sizing run
 
   constexpr Field(Quantity Owner::*member, const char* k, Unit<Quantity> u, const char* d)
       : Base{k, d}, at{member}, unit{u} {}
 
   [[nodiscard]] constexpr Field within(double low, double high) const { return bounded({low, high, false, false}); }
   [[nodiscard]] constexpr Field positive() const { return bounded({0.0, bounds.high, true, bounds.high_open}); }
-  [[nodiscard]] constexpr Field at_least(double low) const { return bounded({low, bounds.high, false, bounds.high_open}); }
+  [[nodiscard]] constexpr Field at_least(double low) const {
+    return bounded({low, bounds.high, false, bounds.high_open});
+  }
   [[nodiscard]] constexpr Field below(double high) const { return bounded({bounds.low, high, bounds.low_open, true}); }
   [[nodiscard]] constexpr Field usually(double low, double high) const {
     Field f = *this;

@@ -2,6 +2,9 @@
 // fields by lib/record_of.hpp, once per calculator; everything that uses it is ordinary code.
 #pragma once
 
+#include "lib/field.hpp"
+#include "lib/quantity/dimension.hpp"
+
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -10,9 +13,6 @@
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "lib/field.hpp"
-#include "lib/quantity/dimension.hpp"
 
 namespace loadpath {
 
@@ -48,10 +48,10 @@ struct FieldInfo {
   std::span<const FieldInfo> fields;    // group, list
   std::size_t capacity = 0;             // list
 
-  double* (*address)(void* owner) = nullptr;               // quantity
-  double (*get)(const void* owner) = nullptr;              // quantity, count, choice (its index)
-  void (*set)(void* owner, double si) = nullptr;           // quantity, count, choice
-  std::string_view (*text)(const void* owner) = nullptr;   // name
+  double* (*address)(void* owner) = nullptr;              // quantity
+  double (*get)(const void* owner) = nullptr;             // quantity, count, choice (its index)
+  void (*set)(void* owner, double si) = nullptr;          // quantity, count, choice
+  std::string_view (*text)(const void* owner) = nullptr;  // name
   void (*set_text)(void* owner, std::string_view text) = nullptr;
   std::size_t (*size)(const void* owner) = nullptr;        // list; a group has size 1
   void* (*element)(void* owner, std::size_t i) = nullptr;  // list, group

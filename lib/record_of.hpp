@@ -126,7 +126,8 @@ std::span<const FieldInfo> infos_of() {
   constexpr std::size_t count = std::tuple_size_v<std::remove_cvref_t<decltype(fields)>>;
   static const auto infos = []<std::size_t... I>(std::index_sequence<I...>) {
     return std::array<FieldInfo, count>{info_of<fields, I>(std::get<I>(fields))...};
-  }(std::make_index_sequence<count>{});
+  }
+  (std::make_index_sequence<count>{});
   return infos;
 }
 

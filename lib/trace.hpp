@@ -2,18 +2,18 @@
 // Trace the report prints the same line symbolically, with numbers, with its value and its reason.
 #pragma once
 
+#include "lib/units.hpp"
+
 #include <cstddef>
 #include <string>
 #include <vector>
-
-#include "lib/units.hpp"
 
 namespace loadpath {
 
 /// Declares `symbol` as the value of `formula` and tells the tracer. The text of `formula` must be in the language of
 /// lib/formula; `why` is a clause of a standard, a book with its equation, or the physical reason.
-#define STEP(symbol, formula, why)  \
-  const auto symbol = (formula);    \
+#define STEP(symbol, formula, why) \
+  const auto symbol = (formula);   \
   trace.step(#symbol, #formula, why, symbol)
 
 /// For sweeps and searches.
@@ -32,7 +32,7 @@ struct NoTrace {
 
 /// One line of a calculation.
 struct Line {
-  std::string scope;         // "segments[2]"; empty at the top
+  std::string scope;  // "segments[2]"; empty at the top
   const char* symbol = "";
   const char* formula = "";  // empty: found by a helper (a sum, a root), not by a formula
   const char* why = "";

@@ -4,6 +4,9 @@
 // cannot tell apart (deg from %, rpm from Hz, N*m from J) is part of the Unit that a field carries.
 #pragma once
 
+#include "lib/numerics/cube_root.hpp"
+#include "lib/quantity/dimension.hpp"
+
 #include <boost/units/cmath.hpp>
 #include <boost/units/quantity.hpp>
 #include <boost/units/systems/si/acceleration.hpp>
@@ -24,9 +27,6 @@
 #include <limits>
 #include <numbers>
 #include <type_traits>
-
-#include "lib/numerics/cube_root.hpp"
-#include "lib/quantity/dimension.hpp"
 
 namespace loadpath {
 
@@ -97,7 +97,8 @@ template <class Base, class Exponent, class Next>
 struct Exponents<boost::units::list<boost::units::dim<Base, Exponent>, Next>> {
   static constexpr Dimension value = [] {
     Dimension d = Exponents<Next>::value;
-    d.twelfths[place_of<Base>] = static_cast<std::int16_t>(Dimension::one * Exponent::Numerator / Exponent::Denominator);
+    d.twelfths[place_of<Base>] =
+        static_cast<std::int16_t>(Dimension::one * Exponent::Numerator / Exponent::Denominator);
     return d;
   }();
 };

@@ -1,12 +1,5 @@
 // What every calculator of the catalogue keeps: its fields are complete, its example runs, its readers refuse what they
 // must, a sweep equals single points, and the text of every STEP says what the code computes.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstring>
-#include <set>
-#include <string>
-
 #include "calculators/catalogue.hpp"
 #include "lib/formula/formula.hpp"
 #include "lib/io/tree.hpp"
@@ -16,6 +9,13 @@
 #include "lib/quantity/literal.hpp"
 #include "lib/report/build.hpp"
 #include "lib/table/table.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstring>
+#include <set>
+#include <string>
 
 namespace {
 
@@ -72,7 +72,8 @@ void check_fields(std::span<const FieldInfo> fields, const std::string& where) {
 /// One step with one field written as `value`.
 std::vector<Issue> issues_of(const Calculator& c, const std::string& key, const std::string& value) {
   std::vector<Issue> issues;
-  project::read_project("[part]\ncalculator = \"" + std::string(c.id) + "\"\n" + key + " = " + value + "\n", "part.toml", catalogue(), issues);
+  project::read_project("[part]\ncalculator = \"" + std::string(c.id) + "\"\n" + key + " = " + value + "\n",
+                        "part.toml", catalogue(), issues);
   return issues;
 }
 
@@ -87,7 +88,8 @@ bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; 
 
 /// Where a leaf lies inside its record.
 std::size_t offset_of(const Record& record, const Leaf& leaf) {
-  return static_cast<std::size_t>(reinterpret_cast<const char*>(leaf.field->address(leaf.owner)) - static_cast<const char*>(record.data.get()));
+  return static_cast<std::size_t>(reinterpret_cast<const char*>(leaf.field->address(leaf.owner)) -
+                                  static_cast<const char*>(record.data.get()));
 }
 
 }  // namespace
@@ -132,8 +134,10 @@ TEST_SUITE("contract") {
       for_each_leaf(s.input, [&](const std::string& path, const Leaf& leaf) {
         if (leaf.field->type != Type::quantity || std::isnan(leaf.get())) return;
         CAPTURE(path);
-        const auto read = parse_literal(format_exact(in_unit(leaf.get(), leaf.field->unit)) + (std::string_view(leaf.field->unit) == "-" ? "" : " " + std::string(leaf.field->unit)),
-                                        Expected{leaf.field->dimension, leaf.field->kind, leaf.field->unit});
+        const auto read =
+            parse_literal(format_exact(in_unit(leaf.get(), leaf.field->unit)) +
+                              (std::string_view(leaf.field->unit) == "-" ? "" : " " + std::string(leaf.field->unit)),
+                          Expected{leaf.field->dimension, leaf.field->kind, leaf.field->unit});
         REQUIRE(read);
         CHECK(read->si == doctest::Approx(leaf.get()).epsilon(1e-15));
       });
@@ -171,7 +175,8 @@ TEST_SUITE("contract") {
       const std::string key = c->input->fields[0].key;
       const std::string typo = key + key;
       bool found = false;
-      for (const Issue& i : issues_of(*c, typo, "\"1 mm\"")) found = found || (i.key == "part." + typo && i.place.line == 3);
+      for (const Issue& i : issues_of(*c, typo, "\"1 mm\""))
+        found = found || (i.key == "part." + typo && i.place.line == 3);
       CHECK_MESSAGE(found, c->id);
     }
   }
@@ -226,7 +231,8 @@ TEST_SUITE("contract") {
           if (f.type == Type::quantity) outputs.push_back(&f);
         }
         columns.assign(outputs.size(), std::vector<double>(values.size()));
-        for (std::size_t k = 0; k < outputs.size(); ++k) out.push_back({offset_of(s.result, {outputs[k], s.result.data.get()}), columns[k].data()});
+        for (std::size_t k = 0; k < outputs.size(); ++k)
+          out.push_back({offset_of(s.result, {outputs[k], s.result.data.get()}), columns[k].data()});
         Record swept = s.input.clone(), single = s.input.clone(), result(*c->result);
         const Leaf here = find_leaf(swept, path);
         const InputColumn in{offset_of(swept, here), values.data()};
@@ -234,7 +240,8 @@ TEST_SUITE("contract") {
         for (std::size_t i = 0; i < values.size(); ++i) {
           find_leaf(single, path).set(values[i]);
           c->evaluate(single.data.get(), result.data.get());
-          for (std::size_t k = 0; k < outputs.size(); ++k) CHECK(same_bits(columns[k][i], outputs[k]->get(result.data.get())));
+          for (std::size_t k = 0; k < outputs.size(); ++k)
+            CHECK(same_bits(columns[k][i], outputs[k]->get(result.data.get())));
         }
       });
     }

@@ -1,13 +1,13 @@
 // Reports of the examples, compared as text. A change of them is a decision: write the new text over the old with
 //   loadpath run examples/NAME/project.toml --report tests/golden/NAME.md
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "calculators/catalogue.hpp"
 #include "lib/io/tree.hpp"
 #include "lib/project/project.hpp"
 #include "lib/report/build.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
 
 namespace {
 

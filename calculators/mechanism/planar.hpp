@@ -1,14 +1,14 @@
 // A planar mechanism in a project: links, joints, drives and loads as a user writes them.
 //
-// Decides positions, velocities, accelerations, the reaction of every joint and the driving moment or force, over a turn
-// of the crank, over strokes of cylinders, or at given positions (lib/mechanism). Rigid links, no friction, no play.
-// Signs: moments counter-clockwise positive; a joint's force is that of its first link on its second (R_12).
-// A link's points are written in its own axes, or, where neither origin nor angle is given, as drawn on paper.
+// Decides positions, velocities, accelerations, the reaction of every joint and the driving moment or force, over a
+// turn of the crank, over strokes of cylinders, or at given positions (lib/mechanism). Rigid links, no friction, no
+// play. Signs: moments counter-clockwise positive; a joint's force is that of its first link on its second (R_12). A
+// link's points are written in its own axes, or, where neither origin nor angle is given, as drawn on paper.
 #pragma once
 
-#include <array>
-
 #include "lib/field.hpp"
+
+#include <array>
 
 namespace loadpath {
 
@@ -88,11 +88,15 @@ F_y = "0 N"
     double angle = unset<double>;
     static constexpr std::tuple fields{
         NameField{&Link::name, "name", "name of the link"},
-        ListField{&Link::points, "points", "points in the link's axes, or as drawn where it has neither origin nor angle"}.as_arrays(),
+        ListField{&Link::points, "points",
+                  "points in the link's axes, or as drawn where it has neither origin nor angle"}
+            .as_arrays(),
         Field{&Link::mass, "mass", kg, "mass"}.at_least(0),
         Field{&Link::J, "J", kg_m2, "moment of inertia about the mass centre"}.at_least(0),
         NameField{&Link::S, "S", "point that is the mass centre; the origin where missing"}.may_be_missing(),
-        Group{&Link::origin, "origin", "rough place of the link's origin in the stated assembly"}.as_array().may_be_missing(),
+        Group{&Link::origin, "origin", "rough place of the link's origin in the stated assembly"}
+            .as_array()
+            .may_be_missing(),
         Field{&Link::angle, "angle", deg, "rough angle of the link in the stated assembly"}.may_be_missing()};
   };
 
@@ -104,12 +108,16 @@ F_y = "0 N"
     double direction = 0.0;
     double angle = unset<double>;
     static constexpr std::tuple fields{
-        NameField{&Joint::name, "name", "name of the joint; also of its point on both links unless points says otherwise"},
+        NameField{&Joint::name, "name",
+                  "name of the joint; also of its point on both links unless points says otherwise"},
         Choice{&Joint::type, "type", "kind of joint"},
         Group{&Joint::links, "links", "the two links; the ground is called ground"}.as_array(),
         Group{&Joint::points, "points", "point of the first and of the second link"}.as_array().may_be_missing(),
-        Field{&Joint::direction, "direction", deg, "of the guide or slot through the second link's point, in that link's axes"},
-        Field{&Joint::angle, "angle", deg, "prismatic: angle of the first link against the second; as assembled where missing"}.may_be_missing()};
+        Field{&Joint::direction, "direction", deg,
+              "of the guide or slot through the second link's point, in that link's axes"},
+        Field{&Joint::angle, "angle", deg,
+              "prismatic: angle of the first link against the second; as assembled where missing"}
+            .may_be_missing()};
   };
 
   struct Crank {
@@ -125,12 +133,16 @@ F_y = "0 N"
     List<Place, 64> at;
     static constexpr std::tuple fields{
         NameField{&Crank::joint, "joint", "revolute joint that is driven"},
-        NameField{&Crank::to, "to", "point of the driven link that the crank angle is measured to; the link's x axis where missing"}.may_be_missing(),
+        NameField{&Crank::to, "to",
+                  "point of the driven link that the crank angle is measured to; the link's x axis where missing"}
+            .may_be_missing(),
         Field{&Crank::speed, "speed", rad_per_s, "angular speed, counter-clockwise positive"},
         Field{&Crank::acceleration, "acceleration", rad_per_s2, "angular acceleration at every position"},
         Field{&Crank::start, "start", deg, "crank angle of the first position of a turn"}.within(-3600, 3600),
         Count{&Crank::positions, "positions", 8, 7200, "positions of a turn"},
-        ListField{&Crank::at, "at", "given crank angles, rising or falling, in place of a whole turn"}.as_arrays().may_be_missing()};
+        ListField{&Crank::at, "at", "given crank angles, rising or falling, in place of a whole turn"}
+            .as_arrays()
+            .may_be_missing()};
   };
 
   struct Cylinder {
@@ -188,7 +200,8 @@ F_y = "0 N"
       ListField{&Input::cylinders, "cylinders", "drives of prismatic joints, by name"}.may_be_missing(),
       Count{&Input::positions, "positions", 1, 7200, "positions of a stroke of cylinders"},
       ListField{&Input::loads, "loads", "forces and couples"}.may_be_missing(),
-      Field{&Input::gravity, "gravity", m_per_s2, "acceleration of gravity; none where missing"}.at_least(0).usually(0, 30),
+      Field{&Input::gravity, "gravity", m_per_s2, "acceleration of gravity; none where missing"}.at_least(0).usually(
+          0, 30),
       Field{&Input::gravity_direction, "gravity_direction", deg, "direction of gravity"},
       Choice{&Input::analysis, "analysis", "with the inertia of the links, or loads alone"}.may_be_missing()};
 };

@@ -48,7 +48,8 @@ Schedule schedule_of(const Planar::Input& in, const mechanism::WholeSystem& syst
     std::vector<Drive> drives;
     if (has_crank(in)) drives.push_back({angles[k] + turns, in_si(in.crank.speed), in_si(in.crank.acceleration)});
     for (const Planar::Cylinder& c : in.cylinders) {
-      drives.push_back({place_of(c, system.coordinate(drives.size()), k, count), in_si(c.speed), in_si(c.acceleration)});
+      drives.push_back(
+          {place_of(c, system.coordinate(drives.size()), k, count), in_si(c.speed), in_si(c.acceleration)});
     }
     schedule.at.push_back(has_crank(in) ? angles[k] : drives.empty() ? 0.0 : drives[0].coordinate);
     schedule.drives.push_back(std::move(drives));

@@ -1,12 +1,13 @@
-// Takes a mechanism through its positions: a turn of the crank, strokes of cylinders, or the positions that are asked for.
+// Takes a mechanism through its positions: a turn of the crank, strokes of cylinders, or the positions that are asked
+// for.
 #pragma once
-
-#include <string>
-#include <vector>
 
 #include "calculators/mechanism/planar.hpp"
 #include "lib/mechanism/whole_system.hpp"
 #include "lib/quantity/series.hpp"
+
+#include <string>
+#include <vector>
 
 namespace loadpath {
 

@@ -1,9 +1,9 @@
 #include "calculators/mechanism/planar_model.hpp"
 
+#include "lib/quantity/format.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "lib/quantity/format.hpp"
 
 namespace loadpath {
 
@@ -63,13 +63,17 @@ class NameCheck {
     const bool cartesian = is_set(p.x) && is_set(p.y), polar = is_set(p.r) && is_set(p.angle);
     const bool any_cartesian = is_set(p.x) || is_set(p.y), any_polar = is_set(p.r) || is_set(p.angle);
     if (!(cartesian && !any_polar) && !(polar && !any_cartesian)) {
-      add(path, say("a point has either x and y or r and angle"), say("write [\"40 mm\", \"0 mm\"] or { r = \"40 mm\", angle = \"20 deg\" }"));
+      add(path, say("a point has either x and y or r and angle"),
+          say("write [\"40 mm\", \"0 mm\"] or { r = \"40 mm\", angle = \"20 deg\" }"));
     }
   }
 
   void check_link(const Planar::Link& link) {
-    if (link.name.view() == "ground") add(path_of("links", link.name, ""), say("the fixed link is always called 'ground'; its points stand in [ground]"));
-    for (const auto& p : link.points) check_point(p, path_of("links", link.name, "points") + "." + std::string(p.name.view()));
+    if (link.name.view() == "ground")
+      add(path_of("links", link.name, ""),
+          say("the fixed link is always called 'ground'; its points stand in [ground]"));
+    for (const auto& p : link.points)
+      check_point(p, path_of("links", link.name, "points") + "." + std::string(p.name.view()));
     if (!link.S.empty()) require_point(link_index(in_, link.name), link.S, path_of("links", link.name, "S"));
     if (is_set(link.origin.x) && !is_set(link.angle)) {
       add(path_of("links", link.name, "origin"), say("a link with an origin needs its angle too"));
@@ -88,11 +92,13 @@ class NameCheck {
     if (find_point(in_, link, name) != nullptr) return;
     const auto* points = points_of(in_, link);
     const auto names = points == nullptr ? names_in(in_.ground) : names_in(*points);
-    const std::string owner(link == mechanism::ground ? "ground" : in_.links[static_cast<std::size_t>(link)].name.view());
+    const std::string owner(link == mechanism::ground ? "ground"
+                                                      : in_.links[static_cast<std::size_t>(link)].name.view());
     const std::string near = nearest(name.view(), names);
     add(path, say("the link '{1}' has no point '{2}'", owner, name.view()),
-        near.empty() ? say("give '{1}' among the points of '{2}', or name another point with points = [...]", name.view(), owner)
-                     : say("did you mean '{1}'?", near));
+        near.empty()
+            ? say("give '{1}' among the points of '{2}', or name another point with points = [...]", name.view(), owner)
+            : say("did you mean '{1}'?", near));
   }
 
   void check_joint(const Planar::Joint& joint) {
@@ -121,7 +127,8 @@ class NameCheck {
   void require_turning(const Name& name) {
     for (const auto& j : in_.joints) {
       if (j.name == name && j.type != Planar::Type::revolute) {
-        add("crank.joint", say("a crank turns a revolute joint, and '{1}' is none", name.view()), say("a slide or a slot takes a cylinder"));
+        add("crank.joint", say("a crank turns a revolute joint, and '{1}' is none", name.view()),
+            say("a slide or a slot takes a cylinder"));
       }
     }
   }
@@ -131,20 +138,26 @@ class NameCheck {
     require_turning(in_.crank.joint);
     for (const auto& c : in_.cylinders) require_joint(c.joint, path_of("cylinders", c.name, "joint"));
     if (in_.crank.joint.empty() || in_.crank.to.empty() || !faults_.empty()) return;
-    const auto joint = std::find_if(in_.joints.begin(), in_.joints.end(), [&](const auto& j) { return j.name == in_.crank.joint; });
+    const auto joint =
+        std::find_if(in_.joints.begin(), in_.joints.end(), [&](const auto& j) { return j.name == in_.crank.joint; });
     const bool first_fixed = joint->links.first.view() == "ground";
     require_point(link_index(in_, first_fixed ? joint->links.second : joint->links.first), in_.crank.to, "crank.to");
   }
 
   void check_load(const Planar::Load& load, std::size_t i) {
-    const std::string path = "loads" + (load.name.empty() ? "[" + std::to_string(i + 1) + "]" : "." + std::string(load.name.view()));
+    const std::string path =
+        "loads" + (load.name.empty() ? "[" + std::to_string(i + 1) + "]" : "." + std::string(load.name.view()));
     const bool known = require_link(load.link, path + ".link");
     const bool polar = is_set(load.F) && is_set(load.direction), cartesian = is_set(load.F_x) && is_set(load.F_y);
-    const bool any_polar = is_set(load.F) || is_set(load.direction), any_cartesian = is_set(load.F_x) || is_set(load.F_y);
+    const bool any_polar = is_set(load.F) || is_set(load.direction),
+               any_cartesian = is_set(load.F_x) || is_set(load.F_y);
     const bool part = any_polar || any_cartesian;
-    if (known && load.link.view() == "ground") add(path + ".link", say("a load on the ground has no effect"), say("name a moving link"));
-    if (any_polar && any_cartesian) add(path, say("give either F with direction or F_x and F_y, not both"));
-    else if (part && !polar && !cartesian) add(path, say("give F with direction, or F_x and F_y"));
+    if (known && load.link.view() == "ground")
+      add(path + ".link", say("a load on the ground has no effect"), say("name a moving link"));
+    if (any_polar && any_cartesian)
+      add(path, say("give either F with direction or F_x and F_y, not both"));
+    else if (part && !polar && !cartesian)
+      add(path, say("give F with direction, or F_x and F_y"));
     if (!part && !is_set(load.M)) add(path, say("a load has a force (F with direction, or F_x and F_y) or a couple M"));
     if (part && load.at.empty()) add(path, say("a force needs the point it acts at: at = \"...\""));
     if (known && !load.at.empty()) require_point(link_index(in_, load.link), load.at, path + ".at");
@@ -156,13 +169,15 @@ class NameCheck {
       const auto& link = in_.links[b];
       for (const auto& p : link.points) {
         const auto shares = [&](const auto& other) {
-          return find_point(in_, link_index(in_, other.name), p.name) != nullptr && !pinned(other.name, link.name, p.name);
+          return find_point(in_, link_index(in_, other.name), p.name) != nullptr &&
+                 !pinned(other.name, link.name, p.name);
         };
         const auto end = in_.links.begin() + static_cast<std::ptrdiff_t>(b);
         const auto other = std::find_if(in_.links.begin(), end, shares);
         if (other == end) continue;
         add(path_of("links", link.name, "points") + "." + std::string(p.name.view()),
-            say("'{1}' is a point of '{2}' and of '{3}', but no pin '{1}' joins them", p.name.view(), other->name.view(), link.name.view()),
+            say("'{1}' is a point of '{2}' and of '{3}', but no pin '{1}' joins them", p.name.view(),
+                other->name.view(), link.name.view()),
             say("give one of the two another name"));
       }
     }
@@ -289,15 +304,19 @@ mechanism::Driver cylinder_driver(const Planar::Input& in, const Planar::Cylinde
 }  // namespace
 
 std::vector<ModelFault> check_drawing(const Planar::Input& in, const mechanism::Model& model) {
-  const auto drawn = [&](int link) { return link == mechanism::ground || is_drawn(in.links[static_cast<std::size_t>(link)]); };
+  const auto drawn = [&](int link) {
+    return link == mechanism::ground || is_drawn(in.links[static_cast<std::size_t>(link)]);
+  };
   double size = 0.0;
-  for (const auto& j : model.joints) size = std::max({size, mechanism::length(j.point_i), mechanism::length(j.point_j)});
+  for (const auto& j : model.joints)
+    size = std::max({size, mechanism::length(j.point_i), mechanism::length(j.point_j)});
   std::vector<ModelFault> faults;
   for (std::size_t k = 0; k < model.joints.size(); ++k) {
     const mechanism::Joint& j = model.joints[k];
     const double apart = mechanism::length(j.point_i - j.point_j);
     if (j.kind != mechanism::JointKind::revolute || !drawn(j.i) || !drawn(j.j) || apart <= 0.01 * size) continue;
-    faults.push_back({path_of("joints", in.joints[k].name, ""), say("the pin '{1}' is drawn at two places, {2} apart", j.name, format_quantity(apart, "mm", 4)),
+    faults.push_back({path_of("joints", in.joints[k].name, ""),
+                      say("the pin '{1}' is drawn at two places, {2} apart", j.name, format_quantity(apart, "mm", 4)),
                       say("draw it at one place on both links, or give the links their angles")});
   }
   return faults;
@@ -335,7 +354,9 @@ mechanism::Model model_of(const Planar::Input& in) {
   for (std::size_t i = 0; i < in.links.size(); ++i) model.links.push_back(link_of(in, i));
   for (const auto& j : in.joints) model.joints.push_back(joint_of(in, j));
   place_links(in, model);
-  const auto phi = [&](int link) { return link == mechanism::ground ? 0.0 : model.links[static_cast<std::size_t>(link)].pose.phi; };
+  const auto phi = [&](int link) {
+    return link == mechanism::ground ? 0.0 : model.links[static_cast<std::size_t>(link)].pose.phi;
+  };
   for (mechanism::Joint& j : model.joints) {
     if (std::isnan(j.angle)) j.angle = phi(j.i) - phi(j.j);
   }
@@ -350,7 +371,8 @@ std::vector<TracedPoint> traced_points(const Planar::Input& in) {
   std::vector<TracedPoint> points;
   for (std::size_t i = 0; i < in.links.size(); ++i) {
     for (const auto& p : in.links[i].points) {
-      const bool known = std::any_of(points.begin(), points.end(), [&](const auto& t) { return t.name == p.name.view(); });
+      const bool known =
+          std::any_of(points.begin(), points.end(), [&](const auto& t) { return t.name == p.name.view(); });
       if (!known) points.push_back({std::string(p.name.view()), static_cast<int>(i), vector_of(p)});
     }
   }

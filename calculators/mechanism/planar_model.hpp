@@ -1,12 +1,12 @@
 // From the words of a project to the solver's model: names become indices, points become vectors.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "calculators/mechanism/planar.hpp"
 #include "lib/issue.hpp"
 #include "lib/mechanism/whole_system.hpp"
+
+#include <string>
+#include <vector>
 
 namespace loadpath {
 

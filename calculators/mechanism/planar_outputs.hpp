@@ -1,12 +1,12 @@
 // What a planar mechanism gives to other steps: paths, dimensions, and how each is read off a position.
 #pragma once
 
+#include "calculators/mechanism/planar_model.hpp"
+#include "lib/quantity/dimension.hpp"
+
 #include <functional>
 #include <string>
 #include <vector>
-
-#include "calculators/mechanism/planar_model.hpp"
-#include "lib/quantity/dimension.hpp"
 
 namespace loadpath {
 

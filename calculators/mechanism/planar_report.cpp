@@ -1,12 +1,12 @@
 #include "calculators/mechanism/planar_report.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "calculators/mechanism/planar_model.hpp"
 #include "lib/mechanism/vec.hpp"
 #include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace loadpath {
 
@@ -26,10 +26,11 @@ std::string names_of_points(const Planar::Link& link) {
 }
 
 Table link_table(const Planar::Input& in) {
-  Table table{say("Links"), {say("link"), say("points"), say("mass"), say("moment of inertia"), say("mass centre")}, {}};
+  Table table{
+      say("Links"), {say("link"), say("points"), say("mass"), say("moment of inertia"), say("mass centre")}, {}};
   for (const auto& l : in.links) {
-    table.rows.push_back({text(l.name), names_of_points(l), Quantity{in_si(l.mass), "kg"}, Quantity{in_si(l.J), "kg*m^2"},
-                          l.S.empty() ? Cell(say("origin")) : Cell(text(l.S))});
+    table.rows.push_back({text(l.name), names_of_points(l), Quantity{in_si(l.mass), "kg"},
+                          Quantity{in_si(l.J), "kg*m^2"}, l.S.empty() ? Cell(say("origin")) : Cell(text(l.S))});
   }
   return table;
 }
@@ -48,26 +49,38 @@ Table point_table(const Planar::Input& in) {
 }
 
 Table joint_table(const Planar::Input& in) {
-  Table table{say("Joints"), {say("joint"), say("kind"), say("first link"), say("point"), say("second link"), say("point"), say("direction")}, {}};
+  Table table{
+      say("Joints"),
+      {say("joint"), say("kind"), say("first link"), say("point"), say("second link"), say("point"), say("direction")},
+      {}};
   constexpr auto types = choices_of(Planar::Type{});
   for (const auto& j : in.joints) {
     const auto type = std::find_if(types.begin(), types.end(), [&](const auto& t) { return t.value == j.type; });
     const auto [first, second] = point_names(j);
-    const Cell direction = j.type == Planar::Type::revolute ? Cell(std::string("–")) : Cell(Quantity{j.direction, "deg"});
-    table.rows.push_back({text(j.name), say(type->key), text(j.links.first), text(first), text(j.links.second), text(second), direction});
+    const Cell direction =
+        j.type == Planar::Type::revolute ? Cell(std::string("–")) : Cell(Quantity{j.direction, "deg"});
+    table.rows.push_back({text(j.name), say(type->key), text(j.links.first), text(first), text(j.links.second),
+                          text(second), direction});
   }
   return table;
 }
 
 Table load_table(const Planar::Input& in) {
-  Table table{say("Loads"), {say("load"), say("link"), say("point"), say("force"), say("direction"), say("couple"), say("axes")}, {}};
+  Table table{say("Loads"),
+              {say("load"), say("link"), say("point"), say("force"), say("direction"), say("couple"), say("axes")},
+              {}};
   for (const auto& l : in.loads) {
     const bool cartesian = is_set(l.F_x);
     const double fx = in_si(l.F_x), fy = in_si(l.F_y);
     const Cell none = std::string("–");
-    const Cell force = is_set(l.F) ? Cell(Quantity{in_si(l.F), "N"}) : cartesian ? Cell(Quantity{std::hypot(fx, fy), "N"}) : none;
-    const Cell direction = is_set(l.F) ? Cell(Quantity{l.direction, "deg"}) : cartesian ? Cell(Quantity{std::atan2(fy, fx), "deg"}) : none;
-    table.rows.push_back({l.name.empty() ? none : Cell(text(l.name)), text(l.link), l.at.empty() ? none : Cell(text(l.at)), force, direction,
+    const Cell force = is_set(l.F) ? Cell(Quantity{in_si(l.F), "N"})
+                       : cartesian ? Cell(Quantity{std::hypot(fx, fy), "N"})
+                                   : none;
+    const Cell direction = is_set(l.F) ? Cell(Quantity{l.direction, "deg"})
+                           : cartesian ? Cell(Quantity{std::atan2(fy, fx), "deg"})
+                                       : none;
+    table.rows.push_back({l.name.empty() ? none : Cell(text(l.name)), text(l.link),
+                          l.at.empty() ? none : Cell(text(l.at)), force, direction,
                           is_set(l.M) ? Cell(Quantity{in_si(l.M), "N*m"}) : none,
                           l.axes == Planar::Axes::link ? say("of the link") : say("fixed")});
   }
@@ -82,18 +95,22 @@ Table drive_table(const Planar::Input& in) {
     table.rows.push_back({say("angular acceleration"), Quantity{in_si(in.crank.acceleration), "rad/s^2"}});
     const bool turn = in.crank.at.empty();
     table.rows.push_back({say("first crank angle"), Quantity{turn ? in.crank.start : in.crank.at[0].angle, "deg"}});
-    table.rows.push_back({say("positions"), std::to_string(turn ? static_cast<std::size_t>(in.crank.positions) : in.crank.at.size())});
+    table.rows.push_back(
+        {say("positions"), std::to_string(turn ? static_cast<std::size_t>(in.crank.positions) : in.crank.at.size())});
   }
   for (const auto& c : in.cylinders) table.rows.push_back({text(c.name), text(c.joint)});
   table.rows.push_back({say("gravity"), Quantity{in_si(in.gravity), "m/s^2"}});
-  if (in_si(in.gravity) != 0.0) table.rows.push_back({say("direction of gravity"), Quantity{in.gravity_direction, "deg"}});
-  table.rows.push_back({say("inertia of the links"), in.analysis == Planar::Analysis::statics ? say("left out") : say("included")});
+  if (in_si(in.gravity) != 0.0)
+    table.rows.push_back({say("direction of gravity"), Quantity{in.gravity_direction, "deg"}});
+  table.rows.push_back(
+      {say("inertia of the links"), in.analysis == Planar::Analysis::statics ? say("left out") : say("included")});
   return table;
 }
 
 /// Drives and joint forces: what parts are designed for.
 bool is_design_load(const std::string& path) {
-  return path == "drive.M" || path == "drive.P" || path.starts_with("cylinders.") || (path.starts_with("joints.") && !path.ends_with(".x") && !path.ends_with(".y"));
+  return path == "drive.M" || path == "drive.P" || path.starts_with("cylinders.") ||
+         (path.starts_with("joints.") && !path.ends_with(".x") && !path.ends_with(".y"));
 }
 
 /// The mean, with what rounding has left of a zero taken as one.
@@ -103,12 +120,15 @@ double mean_of(const Value& series) {
 }
 
 Table extremes_table(const project::Account& account, const Axis& axis) {
-  Table table{say("Extremes over the cycle"), {say("quantity"), say("largest"), say("at"), say("smallest"), say("at"), say("mean")}, {}};
+  Table table{say("Extremes over the cycle"),
+              {say("quantity"), say("largest"), say("at"), say("smallest"), say("at"), say("mean")},
+              {}};
   for (const project::Entry& e : account.results) {
     if (!is_design_load(e.path)) continue;
     const Extreme high = maximum(e.value), low = minimum(e.value);
-    table.rows.push_back({e.path, Quantity{high.value, e.unit}, Quantity{high.at, axis.unit}, Quantity{low.value, e.unit},
-                          Quantity{low.at, axis.unit}, Quantity{mean_of(e.value), e.unit}});
+    table.rows.push_back({e.path, Quantity{high.value, e.unit}, Quantity{high.at, axis.unit},
+                          Quantity{low.value, e.unit}, Quantity{low.at, axis.unit},
+                          Quantity{mean_of(e.value), e.unit}});
   }
   return table;
 }
@@ -116,7 +136,8 @@ Table extremes_table(const project::Account& account, const Axis& axis) {
 Table position_table(const project::Account& account) {
   Table table{say("Drive and reactions"), {say("quantity"), say("value"), say("meaning")}, {}};
   for (const project::Entry& e : account.results) {
-    if (is_design_load(e.path) || e.path.starts_with("joints.")) table.rows.push_back({e.path, Quantity{e.value.si[0], e.unit}, say("{1}", e.doc)});
+    if (is_design_load(e.path) || e.path.starts_with("joints."))
+      table.rows.push_back({e.path, Quantity{e.value.si[0], e.unit}, say("{1}", e.doc)});
   }
   return table;
 }
@@ -128,7 +149,9 @@ report::Verdict limit(const std::string& step, const char* symbol, Message meani
   v.meaning = std::move(meaning);
   v.bound = say("at most {1}", format_number(bound));
   v.value = Quantity{value, "-", 2};
-  v.state = std::isnan(value) ? report::State::not_available : value <= bound ? report::State::pass : report::State::fail;
+  v.state = std::isnan(value) ? report::State::not_available
+            : value <= bound  ? report::State::pass
+                              : report::State::fail;
   return v;
 }
 
@@ -153,7 +176,9 @@ report::Verdict closing(const std::string& step, const Planar::Input& in, const 
   if (axis == nullptr) return v;
   const auto first = std::find(cycle.closed.begin(), cycle.closed.end(), false) - cycle.closed.begin();
   const auto last = std::find(cycle.closed.rbegin(), cycle.closed.rend(), false).base() - cycle.closed.begin() - 1;
-  const auto place = [&](std::ptrdiff_t k) { return format_quantity(axis->at[static_cast<std::size_t>(k)], axis->unit, 5); };
+  const auto place = [&](std::ptrdiff_t k) {
+    return format_quantity(axis->at[static_cast<std::size_t>(k)], axis->unit, 5);
+  };
   v.note = say("between {1} and {2}: {3}", place(first), place(last), v.note.text());
   return v;
 }
@@ -171,7 +196,8 @@ std::vector<report::Block> result_tables(const project::Account& account, const 
   return {extremes_table(account, *axis)};
 }
 
-std::vector<report::Verdict> proof(const std::string& step, const Planar::Input& in, const Cycle& cycle, const Axis* axis) {
+std::vector<report::Verdict> proof(const std::string& step, const Planar::Input& in, const Cycle& cycle,
+                                   const Axis* axis) {
   double force = 0.0, largest_force = 0.0, moment = 0.0, largest_moment = 0.0, power = 0.0, largest_power = 0.0;
   bool any = false;
   for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
@@ -184,17 +210,23 @@ std::vector<report::Verdict> proof(const std::string& step, const Planar::Input&
     largest_power = std::max(largest_power, p.power_scale);
     for (const auto& r : p.reactions) {
       largest_force = std::max(largest_force, mechanism::length(r.force));
-      largest_moment = std::max({largest_moment, std::abs(r.couple), mechanism::length(r.force) * mechanism::length(r.at)});
+      largest_moment =
+          std::max({largest_moment, std::abs(r.couple), mechanism::length(r.force) * mechanism::length(r.at)});
     }
     for (const double e : p.effort) largest_moment = std::max(largest_moment, std::abs(e));
   }
   const double none = std::numeric_limits<double>::quiet_NaN();
   const auto part = [&](double residual, double scale) { return !any ? none : scale > 0.0 ? residual / scale : 0.0; };
   std::vector<report::Verdict> verdicts{closing(step, in, cycle, axis)};
-  verdicts.push_back(limit(step, "force_balance", say("equilibrium of every link: unbalanced force over the largest reaction"), part(force, largest_force), 1e-9));
-  verdicts.push_back(limit(step, "moment_balance", say("equilibrium of every link: unbalanced moment over the largest"), part(moment, largest_moment), 1e-9));
+  verdicts.push_back(limit(step, "force_balance",
+                           say("equilibrium of every link: unbalanced force over the largest reaction"),
+                           part(force, largest_force), 1e-9));
+  verdicts.push_back(limit(step, "moment_balance", say("equilibrium of every link: unbalanced moment over the largest"),
+                           part(moment, largest_moment), 1e-9));
   if (!in.crank.joint.empty() || !in.cylinders.empty()) {
-    verdicts.push_back(limit(step, "power_balance", say("power of drive, loads and weights against the change of kinetic energy"), part(power, largest_power), 1e-9));
+    verdicts.push_back(limit(step, "power_balance",
+                             say("power of drive, loads and weights against the change of kinetic energy"),
+                             part(power, largest_power), 1e-9));
   }
   return verdicts;
 }

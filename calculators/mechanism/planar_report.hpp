@@ -1,11 +1,11 @@
 // What a planar mechanism says in a report: its model, extremes, reactions, proof, figures.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "calculators/mechanism/planar_cycle.hpp"
 #include "lib/project/step.hpp"
+
+#include <string>
+#include <vector>
 
 namespace loadpath {
 
@@ -14,9 +14,11 @@ std::vector<report::Block> model_tables(const PlanarMechanism::Input& in);
 /// Largest and smallest of drives and reactions over the cycle, or the reactions at the one position.
 std::vector<report::Block> result_tables(const project::Account& account, const Axis* axis);
 /// Whether it closes everywhere, the equilibrium of every link and the power balance.
-std::vector<report::Verdict> proof(const std::string& step, const PlanarMechanism::Input& in, const Cycle& cycle, const Axis* axis);
-/// The mechanism at the first position and where the drive and a reaction are largest; drive and reactions over the cycle.
-std::vector<draw::Figure> mechanism_figures(const PlanarMechanism::Input& in, const mechanism::Model& model, const Cycle& cycle,
-                                            const project::Account& account, const Axis* axis);
+std::vector<report::Verdict> proof(const std::string& step, const PlanarMechanism::Input& in, const Cycle& cycle,
+                                   const Axis* axis);
+/// The mechanism at the first position and where the drive and a reaction are largest; drive and reactions over the
+/// cycle.
+std::vector<draw::Figure> mechanism_figures(const PlanarMechanism::Input& in, const mechanism::Model& model,
+                                            const Cycle& cycle, const project::Account& account, const Axis* axis);
 
 }  // namespace loadpath

@@ -1,18 +1,20 @@
 #include "calculators/mechanism/planar_step.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "calculators/mechanism/planar_report.hpp"
 #include "lib/calculator.hpp"
 #include "lib/mechanism/structure.hpp"
 #include "lib/record_of.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace loadpath {
 
 void PlanarStep::prepare(const project::Declared& declared, const project::Companions&, std::vector<Issue>& issues) {
-  const auto is_own = [&](const Issue& issue) { return issue.severity == Severity::error && issue.key.starts_with(name() + "."); };
+  const auto is_own = [&](const Issue& issue) {
+    return issue.severity == Severity::error && issue.key.starts_with(name() + ".");
+  };
   check_operands(input().reading, name(), false, declared, issues);
   // What names hang on must see that a value is given; which one is known when the project is solved.
   for (const project::Operand& operand : input().reading.operands) operand.leaf.set(operand.leaf.field->factor);
@@ -32,7 +34,8 @@ void PlanarStep::prepare(const project::Declared& declared, const project::Compa
 void PlanarStep::add_faults_of_names(std::vector<Issue>& issues) const {
   std::vector<std::string> wrong;
   for (const Issue& issue : issues) {
-    if (issue.severity == Severity::error && issue.key.starts_with(name() + ".")) wrong.push_back(issue.key.substr(name().size() + 1));
+    if (issue.severity == Severity::error && issue.key.starts_with(name() + "."))
+      wrong.push_back(issue.key.substr(name().size() + 1));
   }
   for (const char* list : {"ground", "links", "joints"}) {
     if (std::find(wrong.begin(), wrong.end(), list) != wrong.end()) return;  // any name may be missing
@@ -65,12 +68,18 @@ std::vector<std::string> PlanarStep::companions_of(const std::string& path) cons
 static std::string path_of(const mechanism::Finding& finding, const mechanism::Model& model) {
   using About = mechanism::Finding::About;
   switch (finding.about) {
-    case About::model: return "";
-    case About::link: return "links." + model.links[finding.index].name;
-    case About::joint: return "joints." + model.joints[finding.index].name;
+    case About::model:
+      return "";
+    case About::link:
+      return "links." + model.links[finding.index].name;
+    case About::joint:
+      return "joints." + model.joints[finding.index].name;
     case About::driver:
-      return model.drivers[finding.index].kind == mechanism::Driver::Kind::rotary ? "crank" : "cylinders." + model.drivers[finding.index].name;
-    case About::load: return "loads";
+      return model.drivers[finding.index].kind == mechanism::Driver::Kind::rotary
+                 ? "crank"
+                 : "cylinders." + model.drivers[finding.index].name;
+    case About::load:
+      return "loads";
   }
   return "";
 }
@@ -161,7 +170,9 @@ const Calculator& erased<PlanarMechanism>() {
     c.source = PlanarMechanism::source;
     c.example = PlanarMechanism::example;
     c.input = &record_type<PlanarMechanism::Input, PlanarMechanism::inputs>();
-    c.make_step = [](project::StepInput&& input) -> std::unique_ptr<project::Step> { return std::make_unique<PlanarStep>(std::move(input)); };
+    c.make_step = [](project::StepInput&& input) -> std::unique_ptr<project::Step> {
+      return std::make_unique<PlanarStep>(std::move(input));
+    };
     return c;
   }();
   return calculator;

@@ -1,12 +1,12 @@
 // The step of a planar mechanism in a project: its paths come from the names in its model.
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "calculators/mechanism/planar_cycle.hpp"
 #include "calculators/mechanism/planar_outputs.hpp"
 #include "lib/project/step.hpp"
+
+#include <memory>
+#include <vector>
 
 namespace loadpath {
 
@@ -14,14 +14,17 @@ class PlanarStep : public project::Step {
  public:
   using Step::Step;
 
-  void prepare(const project::Declared& declared, const project::Companions& companion, std::vector<Issue>& issues) override;
+  void prepare(const project::Declared& declared, const project::Companions& companion,
+               std::vector<Issue>& issues) override;
   [[nodiscard]] Outcome<Signature> signature(const std::string& path) const override;
   /// With the moment or power of a drive comes the force of its joint.
   [[nodiscard]] std::vector<std::string> companions_of(const std::string& path) const override;
   void solve(const project::Known& known, std::vector<Issue>& issues) override;
 
  private:
-  [[nodiscard]] PlanarMechanism::Input& data() { return *static_cast<PlanarMechanism::Input*>(own().reading.record.data.get()); }
+  [[nodiscard]] PlanarMechanism::Input& data() {
+    return *static_cast<PlanarMechanism::Input*>(own().reading.record.data.get());
+  }
   [[nodiscard]] const PlanarMechanism::Input& data() const {
     return *static_cast<const PlanarMechanism::Input*>(input().reading.record.data.get());
   }

@@ -82,7 +82,8 @@ Overhung::Result Overhung::evaluate(const Input& in, Tracer& trace) {
   STEP(M_b, K_A * abs(F) * a, "at the bearing");
   STEP(M_t, K_A * abs(T), "at the same time");
   const double c = hypothesis == Hypothesis::mises ? 0.75 : 1.0;
-  trace.value("c", c, hypothesis == Hypothesis::mises ? "weight of torsion by von Mises" : "weight of torsion by Tresca");
+  trace.value("c", c,
+              hypothesis == Hypothesis::mises ? "weight of torsion by von Mises" : "weight of torsion by Tresca");
   STEP(M_v, sqrt(M_b * M_b + c * M_t * M_t), "equivalent moment");
   r.M_b = M_b, r.M_t = M_t, r.M_v = M_v;
   r.d_min = r.d_v = size_by_equivalent(M_v, in, trace);

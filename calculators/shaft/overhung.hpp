@@ -6,11 +6,11 @@
 // Not covered: fatigue of the rotating shaft, notches and keyways, deflection, the bearing side of the shaft.
 #pragma once
 
-#include <array>
-
 #include "lib/draw/figure.hpp"
 #include "lib/field.hpp"
 #include "lib/trace.hpp"
+
+#include <array>
 
 namespace loadpath {
 
@@ -18,7 +18,8 @@ struct Overhung {
   static constexpr auto id = "shaft.overhung";
   static constexpr auto title = "Overhung shaft end in bending and torsion";
   static constexpr auto scope =
-      "Least diameter of a round shaft at the bearing beside an overhang, from the transverse force and the torque that "
+      "Least diameter of a round shaft at the bearing beside an overhang, from the transverse force and the torque "
+      "that "
       "act at the same time; stresses at the chosen diameter. Static strength. Fatigue, notches and deflection are not "
       "covered.";
   static constexpr auto source = "[B19], [Mises]";
@@ -54,14 +55,18 @@ tau_adm = "30 MPa"
       Field{&Input::a, "a", mm, "overhang: from the force to the middle of the bearing"}.at_least(0).usually(1, 1e4),
       Field{&Input::T, "T", N_m, "torque at the same time"},
       Field{&Input::K_A, "K_A", ratio, "service factor on force and torque: what they do not contain, once"}
-          .positive().usually(1, 4),
+          .positive()
+          .usually(1, 4),
       Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
       Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}.at_least(0).below(0.99).may_be_missing(),
       Field{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing().kept_in_search(),
       Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable equivalent stress, without a further safety factor"}
-          .positive().usually(1, 2000),
+          .positive()
+          .usually(1, 2000),
       Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress by torsion alone"}
-          .positive().usually(1, 1000).may_be_missing(),
+          .positive()
+          .usually(1, 1000)
+          .may_be_missing(),
       Choice{&Input::hypothesis, "hypothesis", "strength hypothesis of the equivalent stress"}.may_be_missing()};
 
   struct Result {
@@ -78,14 +83,17 @@ tau_adm = "30 MPa"
       Field{&Result::M_v, "M_v", N_m, "equivalent moment"}.as(Role::result),
       Field{&Result::d_v, "d_v", mm, "least diameter by the equivalent stress"}.as(Role::result),
       Field{&Result::d_t, "d_t", mm, "least diameter by torsion alone"}.as(Role::result),
-      Field{&Result::d_min, "d_min", mm, "least diameter by bending with torsion and by torsion alone; the neutral axis is checked at d"}.as(Role::result),
+      Field{&Result::d_min, "d_min", mm,
+            "least diameter by bending with torsion and by torsion alone; the neutral axis is checked at d"}
+          .as(Role::result),
       Field{&Result::d, "d", mm, "outer diameter"}.as(Role::result),
       Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"}.as(Role::result),
       Field{&Result::sigma_b, "sigma_b", MPa, "bending stress"}.as(Role::result),
       Field{&Result::tau_t, "tau_t", MPa, "torsional stress"}.as(Role::result),
       Field{&Result::sigma_M, "sigma_M", MPa, "equivalent stress by von Mises, extreme fibre"}.as(Role::result),
       Field{&Result::sigma_T, "sigma_T", MPa, "equivalent stress by Tresca, extreme fibre"}.as(Role::result),
-      Field{&Result::tau_Q, "tau_Q", MPa, "shear stress at the neutral axis, torsion and transverse shear"}.as(Role::result),
+      Field{&Result::tau_Q, "tau_Q", MPa, "shear stress at the neutral axis, torsion and transverse shear"}.as(
+          Role::result),
       Field{&Result::u_v, "u_v", ratio, "bending with torsion: equivalent stress over the allowable one"}.check(),
       Field{&Result::u_Q, "u_Q", ratio, "shear at the neutral axis: equivalent stress over the allowable one"}.check(),
       Field{&Result::u_tau, "u_tau", ratio, "torsion alone: shear stress over the allowable one"}.check("tau_adm")};

@@ -1,10 +1,10 @@
 // Torques along a shaft and the internal moment between them.
 #pragma once
 
-#include <cstddef>
-
 #include "lib/list.hpp"
 #include "lib/units.hpp"
+
+#include <cstddef>
 
 namespace loadpath::shaft {
 
@@ -31,13 +31,15 @@ struct Stretch {
 
 inline constexpr std::size_t most_torques = 33;
 inline constexpr std::size_t most_cylinders = 32;
-inline constexpr std::size_t most_stretches = most_torques + 1 + most_cylinders;  // each ends at a torque or a cylinder's end
+inline constexpr std::size_t most_stretches =
+    most_torques + 1 + most_cylinders;  // each ends at a torque or a cylinder's end
 
 using Torques = List<AppliedTorque, most_torques + 1>;  // with the reaction of an end that is held
 using Cylinders = List<Cylinder, most_cylinders>;
 using Stretches = List<Stretch, most_stretches>;
 
-/// The stretches from left to right, at least one. Torques may come in any order; those that share a place act together.
+/// The stretches from left to right, at least one. Torques may come in any order; those that share a place act
+/// together.
 Stretches stretches(Torques torques, const Cylinders& cylinders);
 
 }  // namespace loadpath::shaft

@@ -1,9 +1,9 @@
 #include "calculators/shaft/torsion.hpp"
 
-#include <algorithm>
-
 #include "calculators/shaft/section.hpp"
 #include "lib/calculator_of.hpp"
+
+#include <algorithm>
 
 namespace loadpath {
 
@@ -94,11 +94,13 @@ Length size_by_stiffness(Moment M_t, const Cylinder& c, const Allowed& allowed, 
   const Length d_bore = c.d_bore;
   if (!is_set(theta_adm)) return unset<Length>;
   if (is_set(chi)) {
-    STEP(d_stiffness, sqrt(sqrt(32.0 * M_t / (pi * G * theta_adm * (1.0 - pow<4>(chi))))), "stiffness of a ring, [B19] (10)");
+    STEP(d_stiffness, sqrt(sqrt(32.0 * M_t / (pi * G * theta_adm * (1.0 - pow<4>(chi))))),
+         "stiffness of a ring, [B19] (10)");
     return d_stiffness;
   }
   if (is_set(d_bore)) {
-    STEP(d_stiffness, sqrt(sqrt(pow<4>(d_bore) + 32.0 * M_t / (pi * G * theta_adm))), "stiffness with the given bore, [B19] (8)");
+    STEP(d_stiffness, sqrt(sqrt(pow<4>(d_bore) + 32.0 * M_t / (pi * G * theta_adm))),
+         "stiffness with the given bore, [B19] (8)");
     return d_stiffness;
   }
   STEP(d_stiffness, sqrt(sqrt(32.0 * M_t / (pi * G * theta_adm))), "stiffness, [B19] (9)");

@@ -6,14 +6,14 @@
 // Not covered: bending (see shaft.overhung), fatigue, notches, keyways, buckling of thin tubes.
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <vector>
-
 #include "calculators/shaft/torque_diagram.hpp"
 #include "lib/draw/figure.hpp"
 #include "lib/field.hpp"
 #include "lib/trace.hpp"
+
+#include <array>
+#include <cmath>
+#include <vector>
 
 namespace loadpath {
 
@@ -51,7 +51,10 @@ theta_adm = "0.004 rad/m"
     static constexpr std::tuple fields{
         NameField{&Segment::name, "name", "name of the part"}.may_be_missing(),
         Field{&Segment::l, "l", mm, "length"}.positive().usually(0.1, 1e5),
-        Field{&Segment::d, "d", mm, "outer diameter; the common one where missing"}.positive().usually(1, 2000).may_be_missing(),
+        Field{&Segment::d, "d", mm, "outer diameter; the common one where missing"}
+            .positive()
+            .usually(1, 2000)
+            .may_be_missing(),
         Field{&Segment::chi, "chi", ratio, "bore ratio d_bore/d"}.at_least(0).below(0.99).may_be_missing(),
         Field{&Segment::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing()};
   };
@@ -60,10 +63,9 @@ theta_adm = "0.004 rad/m"
     Name name;
     Length x = unset<Length>;
     Moment T = unset<Moment>;
-    static constexpr std::tuple fields{
-        NameField{&Torque::name, "name", "what brings the torque"}.may_be_missing(),
-        Field{&Torque::x, "x", mm, "place from the left end"}.at_least(0),
-        Field{&Torque::T, "T", N_m, "torque on the shaft, signed"}};
+    static constexpr std::tuple fields{NameField{&Torque::name, "name", "what brings the torque"}.may_be_missing(),
+                                       Field{&Torque::x, "x", mm, "place from the left end"}.at_least(0),
+                                       Field{&Torque::T, "T", N_m, "torque on the shaft, signed"}};
   };
 
   struct Input {
@@ -95,14 +97,23 @@ theta_adm = "0.004 rad/m"
       Field{&Input::K_A, "K_A", ratio, "service factor: what the loads do not contain, once"}.positive().usually(1, 4),
       Field{&Input::G, "G", GPa, "shear modulus"}.positive().usually(1, 500).from("material", "G"),
       Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress, without a further safety factor"}
-          .positive().usually(1, 1000).may_be_missing(),
-      Field{&Input::R_e, "R_e", MPa, "yield strength, with S in place of tau_adm"}
-          .positive().usually(50, 2500).from("material", "R_e", "d_max", "tau_adm"),
-      Field{&Input::S, "S", ratio, "safety factor against yielding, with R_e"}.at_least(1).usually(1, 6).may_be_missing(),
-      Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}.positive().usually(0.02, 10).may_be_missing(),
+          .positive()
+          .usually(1, 1000)
+          .may_be_missing(),
+      Field{&Input::R_e, "R_e", MPa, "yield strength, with S in place of tau_adm"}.positive().usually(50, 2500).from(
+          "material", "R_e", "d_max", "tau_adm"),
+      Field{&Input::S, "S", ratio, "safety factor against yielding, with R_e"}
+          .at_least(1)
+          .usually(1, 6)
+          .may_be_missing(),
+      Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
+          .positive()
+          .usually(0.02, 10)
+          .may_be_missing(),
       Field{&Input::F, "F", N, "transverse force that comes with the torque; bends the shaft"}.coming_with("T"),
       Choice{&Input::fixed, "fixed", "end that is held; its reaction closes the sum of the torques"}.may_be_missing(),
-      ListField{&Input::torques, "torques", "torques along the shaft; their sum is zero unless an end is fixed"}.may_be_missing(),
+      ListField{&Input::torques, "torques", "torques along the shaft; their sum is zero unless an end is fixed"}
+          .may_be_missing(),
       ListField{&Input::segments, "segments", "cylinders from left to right"}.may_be_missing()};
 
   struct Stretch {
@@ -156,7 +167,8 @@ theta_adm = "0.004 rad/m"
       Field{&Result::d_stiffness, "d_stiffness", mm, "least diameter by stiffness"}.as(Role::result),
       Field{&Result::d_min, "d_min", mm, "least diameter by both"}.as(Role::result),
       Choice{&Result::governs, "governs", "condition that asks for the larger diameter"}.as(Role::result),
-      Field{&Result::D_star, "D_star", mm, "diameter below which stiffness governs, solid or bored alike"}.as(Role::result),
+      Field{&Result::D_star, "D_star", mm, "diameter below which stiffness governs, solid or bored alike"}.as(
+          Role::result),
       Field{&Result::d, "d", mm, "outer diameter where no segment has its own"}.as(Role::result),
       Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"}.as(Role::result),
       Field{&Result::d_max, "d_max", mm, "largest outer diameter of the shaft"}.as(Role::result),
@@ -165,9 +177,12 @@ theta_adm = "0.004 rad/m"
       Field{&Result::phi, "phi", deg, "twist of the right end against the left, positive like M"}.as(Role::result),
       Field{&Result::phi_max, "phi_max", deg, "largest twist between any two sections"}.as(Role::result),
       Field{&Result::u_tau, "u_tau", ratio, "strength: largest shear stress over the allowable one"}.check(),
-      Field{&Result::u_theta, "u_theta", ratio, "stiffness: largest twist per length over the allowable one"}.check("theta_adm"),
-      Field{&Result::F_bend, "F_bend", N, "bending: transverse force, which torsion alone does not cover"}.limit(0, 1e-3),
-      ListField{&Result::segments, "segments", "stretches of constant moment and diameter, left to right"}.as(Role::result),
+      Field{&Result::u_theta, "u_theta", ratio, "stiffness: largest twist per length over the allowable one"}.check(
+          "theta_adm"),
+      Field{&Result::F_bend, "F_bend", N, "bending: transverse force, which torsion alone does not cover"}.limit(0,
+                                                                                                                 1e-3),
+      ListField{&Result::segments, "segments", "stretches of constant moment and diameter, left to right"}.as(
+          Role::result),
       ListField{&Result::sections, "sections", "sections between the stretches"}.as(Role::result)};
 
   static constexpr std::array rules{
@@ -189,8 +204,9 @@ theta_adm = "0.004 rad/m"
                   "the length is the sum of the segments: give l or segments"},
       Rule<Input>{&torques_close, "torques, fixed", "the torques must sum to zero, or one end must be fixed"},
       Rule<Input>{&torques_on_shaft, "torques, segments, l", "every torque must lie on the shaft"},
-      Rule<Input>{&bores_fit, "segments", "the bore of a segment must be smaller than its diameter; give it as chi or as "
-                                          "d_bore, never both"}};
+      Rule<Input>{&bores_fit, "segments",
+                  "the bore of a segment must be smaller than its diameter; give it as chi or as "
+                  "d_bore, never both"}};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

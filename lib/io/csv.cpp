@@ -1,15 +1,17 @@
 #include "lib/io/csv.hpp"
 
-#include <cmath>
-
 #include "lib/quantity/format.hpp"
+
+#include <cmath>
 
 namespace loadpath::io {
 
 namespace {
 
 /// Empty where there is no value: a reader of CSV must not meet "nan". 15 digits: 30, not 29.999999999999996.
-std::string cell(double si, const std::string& unit) { return std::isfinite(si) ? format_number(in_unit(si, unit), 15) : std::string(); }
+std::string cell(double si, const std::string& unit) {
+  return std::isfinite(si) ? format_number(in_unit(si, unit), 15) : std::string();
+}
 
 std::string table_of(const project::Account& account, const Axis& axis) {
   std::string text = axis.name.substr(axis.name.find(": ") + 2) + " [" + axis.unit + "]";

@@ -1,11 +1,11 @@
 // The series of a solved project as comma-separated columns, one file per axis; the unit stands in the column's name.
 #pragma once
 
+#include "lib/project/project.hpp"
+
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "lib/project/project.hpp"
 
 namespace loadpath::io {
 

@@ -1,13 +1,13 @@
 #include "lib/io/json.hpp"
 
-#include <boost/json.hpp>
-
-#include <cmath>
-
 #include "lib/io/json_text.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/unit.hpp"
 #include "lib/report/build.hpp"
+
+#include <boost/json.hpp>
+
+#include <cmath>
 
 namespace loadpath::io {
 
@@ -21,10 +21,14 @@ constexpr int schema_version = 1;
 
 const char* word_of(State state) {
   switch (state) {
-    case State::pass: return "pass";
-    case State::fail: return "fail";
-    case State::not_covered: return "not covered";
-    case State::not_available: return "not available";
+    case State::pass:
+      return "pass";
+    case State::fail:
+      return "fail";
+    case State::not_covered:
+      return "not covered";
+    case State::not_available:
+      return "not available";
   }
   return "";
 }
@@ -57,7 +61,9 @@ json::value entry(const Entry& e) {
       values.push_back(number(x));
       complete = complete && std::isfinite(x);
     }
-    object = {{"unit", unit_of(e.value.signature.dimension)}, {"axis", e.value.signature.axis->name}, {"values", std::move(values)}};
+    object = {{"unit", unit_of(e.value.signature.dimension)},
+              {"axis", e.value.signature.axis->name},
+              {"values", std::move(values)}};
     if (!complete) object["reason"] = "not available where null";
   } else {
     object = valued(e.value.si.empty() ? NAN : e.value.si[0], {{"unit", unit_of(e.value.signature.dimension)}});
@@ -94,8 +100,12 @@ json::array derivation(const std::vector<project::Derived>& lines) {
   for (const auto& [scope, step] : lines) {
     json::object given;
     for (const auto& g : step.given) given[g.name] = valued(g.si, {{"shown_in", g.unit}});
-    array.push_back(valued(step.value.si, {{"scope", scope}, {"symbol", step.symbol}, {"formula", step.formula}, {"given", std::move(given)},
-                                           {"shown_in", step.value.unit}, {"why", step.why.text()}}));
+    array.push_back(valued(step.value.si, {{"scope", scope},
+                                           {"symbol", step.symbol},
+                                           {"formula", step.formula},
+                                           {"given", std::move(given)},
+                                           {"shown_in", step.value.unit},
+                                           {"why", step.why.text()}}));
   }
   return array;
 }
@@ -115,7 +125,8 @@ json::object axes(const project::Account& account) {
 
 json::object step_object(const project::Step& step) {
   const project::Account& account = step.account();
-  json::object object{{"name", step.name()}, {"calculator", step.input().calculator->id}, {"title", step.input().title}};
+  json::object object{
+      {"name", step.name()}, {"calculator", step.input().calculator->id}, {"title", step.input().title}};
   object["inputs"] = entries(account.inputs);
   if (json::object found = axes(account); !found.empty()) object["axes"] = std::move(found);
   object["results"] = entries(account.results);
@@ -132,16 +143,23 @@ std::string json_of(const project::Project& project, std::string_view program) {
   for (const auto& [key, value] : project.meta) meta[key] = value;
   json::array steps;
   for (const auto& step : project.steps) steps.push_back(step_object(*step));
-  return text_of(json::object{{"schema", schema_version}, {"program", program}, {"project", std::move(meta)},
-                              {"verdict", word_of(project::worst(project::verdicts(project)))}, {"steps", std::move(steps)}});
+  return text_of(json::object{{"schema", schema_version},
+                              {"program", program},
+                              {"project", std::move(meta)},
+                              {"verdict", word_of(project::worst(project::verdicts(project)))},
+                              {"steps", std::move(steps)}});
 }
 
 std::string json_of(const std::vector<Issue>& issues) {
   json::array array;
   for (const Issue& i : issues) {
-    array.push_back(json::object{{"file", i.place.file}, {"line", i.place.line}, {"column", i.place.column}, {"key", i.key},
+    array.push_back(json::object{{"file", i.place.file},
+                                 {"line", i.place.line},
+                                 {"column", i.place.column},
+                                 {"key", i.key},
                                  {"severity", i.severity == Severity::error ? "error" : "warning"},
-                                 {"message", i.message.text()}, {"help", i.hint.text()}});
+                                 {"message", i.message.text()},
+                                 {"help", i.hint.text()}});
   }
   return text_of(json::object{{"schema", schema_version}, {"issues", std::move(array)}});
 }

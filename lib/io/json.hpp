@@ -1,9 +1,10 @@
-// A solved project as one JSON object: numbers in SI with their unit beside them, null with a reason where there is none.
+// A solved project as one JSON object: numbers in SI with their unit beside them, null with a reason where there is
+// none.
 #pragma once
 
-#include <string>
-
 #include "lib/project/project.hpp"
+
+#include <string>
 
 namespace loadpath::io {
 

@@ -1,8 +1,8 @@
 #include "lib/io/json_text.hpp"
 
-#include <boost/json.hpp>
-
 #include "lib/quantity/format.hpp"
+
+#include <boost/json.hpp>
 
 namespace loadpath::io {
 

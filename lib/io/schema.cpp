@@ -1,9 +1,9 @@
+#include "lib/io/json.hpp"
+#include "lib/io/json_text.hpp"
+
 #include <boost/json.hpp>
 
 #include <cmath>
-
-#include "lib/io/json.hpp"
-#include "lib/io/json_text.hpp"
 
 namespace loadpath::io {
 
@@ -35,10 +35,15 @@ json::object choice(const FieldInfo& field) {
 }
 
 json::object list(const FieldInfo& field) {
-  json::array forms{json::object{{"type", "array"}, {"maxItems", field.capacity}, {"items", json::object{{"type", json::array{"object", "array", "string", "number"}}}}}};
+  json::array forms{
+      json::object{{"type", "array"},
+                   {"maxItems", field.capacity},
+                   {"items", json::object{{"type", json::array{"object", "array", "string", "number"}}}}}};
   if (!field.positional) forms[0].as_object()["items"] = object_of(field.fields, true);
   if (find_field(field.fields, "name") != nullptr) {
-    forms.push_back(json::object{{"type", "object"}, {"additionalProperties", field.positional ? json::value(true) : json::value(object_of(field.fields, false))}});
+    forms.push_back(json::object{
+        {"type", "object"},
+        {"additionalProperties", field.positional ? json::value(true) : json::value(object_of(field.fields, false))}});
   } else if (field.positional) {
     forms.push_back(json::object{{"type", json::array{"string", "number"}}});
   }
@@ -47,11 +52,16 @@ json::object list(const FieldInfo& field) {
 
 json::object field_schema(const FieldInfo& field) {
   switch (field.type) {
-    case Type::quantity: return quantity(field);
-    case Type::count: return {{"type", "integer"}, {"minimum", field.bounds.low}, {"maximum", field.bounds.high}};
-    case Type::choice: return choice(field);
-    case Type::name: return {{"type", "string"}, {"pattern", "^[A-Za-z_][A-Za-z0-9_]*$"}, {"maxLength", Name::capacity}};
-    case Type::list: return list(field);
+    case Type::quantity:
+      return quantity(field);
+    case Type::count:
+      return {{"type", "integer"}, {"minimum", field.bounds.low}, {"maximum", field.bounds.high}};
+    case Type::choice:
+      return choice(field);
+    case Type::name:
+      return {{"type", "string"}, {"pattern", "^[A-Za-z_][A-Za-z0-9_]*$"}, {"maxLength", Name::capacity}};
+    case Type::list:
+      return list(field);
     case Type::group:
       return field.positional ? json::object{{"type", json::array{"object", "array"}}} : object_of(field.fields, true);
   }
@@ -61,7 +71,8 @@ json::object field_schema(const FieldInfo& field) {
 json::object object_of(std::span<const FieldInfo> fields, bool names_inside) {
   json::object properties;
   for (const FieldInfo& field : fields) {
-    if (names_inside || std::string_view(field.key) != "name") properties[field.key] = described(field, field_schema(field));
+    if (names_inside || std::string_view(field.key) != "name")
+      properties[field.key] = described(field, field_schema(field));
   }
   return {{"type", "object"}, {"additionalProperties", false}, {"properties", std::move(properties)}};
 }
@@ -78,15 +89,21 @@ json::object step_schema(const Calculator& calculator) {
 
 json::object heading_schema() {
   json::object properties;
-  for (const char* key : {"title", "number", "revision", "author", "checker", "date", "note"}) properties[key] = json::object{{"type", "string"}};
+  for (const char* key : {"title", "number", "revision", "author", "checker", "date", "note"})
+    properties[key] = json::object{{"type", "string"}};
   return {{"type", "object"}, {"additionalProperties", false}, {"properties", std::move(properties)}};
 }
 
 json::object expectation_schema() {
   json::object properties;
-  for (const char* key : {"value", "is", "within", "source", "note"}) properties[key] = json::object{{"type", "string"}};
+  for (const char* key : {"value", "is", "within", "source", "note"})
+    properties[key] = json::object{{"type", "string"}};
   properties["digits"] = json::object{{"type", "integer"}, {"minimum", 1}, {"maximum", 15}};
-  return {{"type", "array"}, {"items", json::object{{"type", "object"}, {"additionalProperties", false}, {"required", json::array{"value", "is", "source"}}, {"properties", std::move(properties)}}}};
+  return {{"type", "array"},
+          {"items", json::object{{"type", "object"},
+                                 {"additionalProperties", false},
+                                 {"required", json::array{"value", "is", "source"}},
+                                 {"properties", std::move(properties)}}}};
 }
 
 }  // namespace
@@ -94,11 +111,12 @@ json::object expectation_schema() {
 std::string project_schema(Catalogue catalogue) {
   json::array kinds;
   for (const Calculator* calculator : catalogue) kinds.push_back(step_schema(*calculator));
-  return text_of(json::object{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                              {"title", "loadpath project"},
-                              {"type", "object"},
-                              {"properties", json::object{{"project", heading_schema()}, {"expect", expectation_schema()}}},
-                              {"additionalProperties", json::object{{"oneOf", std::move(kinds)}}}});
+  return text_of(
+      json::object{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                   {"title", "loadpath project"},
+                   {"type", "object"},
+                   {"properties", json::object{{"project", heading_schema()}, {"expect", expectation_schema()}}},
+                   {"additionalProperties", json::object{{"oneOf", std::move(kinds)}}}});
 }
 
 }  // namespace loadpath::io

@@ -33,18 +33,24 @@ Issue issue_at(std::string_view text, std::size_t at, const std::string& file, M
   const std::size_t start = before.rfind('\n') + 1;  // npos + 1 is 0
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
   const std::size_t column = 1 + code_points(before.substr(start)).size();
-  return {{file, static_cast<int>(line), static_cast<int>(column), 1}, "", std::move(message), std::move(hint), Severity::error};
+  return {{file, static_cast<int>(line), static_cast<int>(column), 1},
+          "",
+          std::move(message),
+          std::move(hint),
+          Severity::error};
 }
 
 }  // namespace
 
 std::optional<Issue> refuse_text(std::string_view text, const std::string& file) {
-  if (text.size() > largest_file) return Issue{{file, 0, 0, 1}, "", say("the file is larger than 4 MiB"), {}, Severity::error};
+  if (text.size() > largest_file)
+    return Issue{{file, 0, 0, 1}, "", say("the file is larger than 4 MiB"), {}, Severity::error};
   if (const std::size_t at = first_invalid_byte(text); at != std::string_view::npos) {
     return issue_at(text, at, file, say("this byte is not UTF-8"), say("save the file as UTF-8"));
   }
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (is_control(text[i])) return issue_at(text, i, file, say("the control character {1}", code_of(text[i])), say("remove it"));
+    if (is_control(text[i]))
+      return issue_at(text, i, file, say("the control character {1}", code_of(text[i])), say("remove it"));
     if (text[i] != '\\') continue;
     if (continues_outside_ascii(text, i)) {
       return issue_at(text, i, file, say("a backslash at the end of a line before a letter outside ASCII"),

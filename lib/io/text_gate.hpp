@@ -2,11 +2,11 @@
 // characters, and on a line-ending backslash that is followed by a letter outside ASCII.
 #pragma once
 
+#include "lib/issue.hpp"
+
 #include <optional>
 #include <string>
 #include <string_view>
-
-#include "lib/issue.hpp"
 
 namespace loadpath::io {
 

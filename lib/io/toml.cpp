@@ -1,3 +1,6 @@
+#include "lib/io/text_gate.hpp"
+#include "lib/io/tree.hpp"
+
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -7,15 +10,13 @@
 #include <iterator>
 #include <optional>
 
-#include "lib/io/text_gate.hpp"
-#include "lib/io/tree.hpp"
-
 namespace loadpath::io {
 
 namespace {
 
 Place place_of(const toml::source_region& source, const std::string& file) {
-  const int length = source.end.line == source.begin.line ? static_cast<int>(source.end.column - source.begin.column) : 1;
+  const int length =
+      source.end.line == source.begin.line ? static_cast<int>(source.end.column - source.begin.column) : 1;
   return {file, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column), std::max(1, length)};
 }
 
@@ -80,24 +81,29 @@ Message hint_for(std::string_view line) {
     return std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
   };
   const std::size_t equals = line.find('=');
-  if (line.starts_with('[') && is_foreign(line.substr(0, line.find(']')))) return say("a name has Latin letters, digits and '_'");
+  if (line.starts_with('[') && is_foreign(line.substr(0, line.find(']'))))
+    return say("a name has Latin letters, digits and '_'");
   if (equals == std::string_view::npos) return {};
   std::string_view value = line.substr(equals + 1);
   value.remove_prefix(std::min(value.find_first_not_of(" \t"), value.size()));
   value = value.substr(0, value.find('#'));
-  while (!value.empty() && (value.back() == ' ' || value.back() == '\r' || value.back() == '\t')) value.remove_suffix(1);
+  while (!value.empty() && (value.back() == ' ' || value.back() == '\r' || value.back() == '\t'))
+    value.remove_suffix(1);
   const bool bare = !value.empty() && value.find_first_of("\"'{[") == std::string_view::npos &&
                     (std::isdigit(static_cast<unsigned char>(value[0])) != 0 || value[0] == '-' || value[0] == '+');
   if (bare) return say("write a quantity in quotes: \"{1}\"", value);
   const std::string_view key = line.substr(0, equals);
-  return is_foreign(key) && key.find('"') == std::string_view::npos ? say("write a key with other than Latin letters in quotes")
-                                                                    : Message{};
+  return is_foreign(key) && key.find('"') == std::string_view::npos
+             ? say("write a key with other than Latin letters in quotes")
+             : Message{};
 }
 
 /// "Error while parsing key-value pair: expected ..." without what the place shows already.
 std::string_view what_of(std::string_view description) {
   const std::size_t colon = description.find(": ");
-  return description.starts_with("Error while parsing") && colon != std::string_view::npos ? description.substr(colon + 2) : description;
+  return description.starts_with("Error while parsing") && colon != std::string_view::npos
+             ? description.substr(colon + 2)
+             : description;
 }
 
 std::string_view line_of(std::string_view text, int line) {
@@ -126,11 +132,16 @@ Tree read_toml(std::string_view text, const std::string& file, std::vector<Issue
 
 std::string_view word_for(Tree::Type type) {
   switch (type) {
-    case Tree::Type::table: return "a table";
-    case Tree::Type::array: return "an array";
-    case Tree::Type::text: return "a text";
-    case Tree::Type::number: return "a number";
-    case Tree::Type::boolean: return "true, false or a date";
+    case Tree::Type::table:
+      return "a table";
+    case Tree::Type::array:
+      return "an array";
+    case Tree::Type::text:
+      return "a text";
+    case Tree::Type::number:
+      return "a number";
+    case Tree::Type::boolean:
+      return "true, false or a date";
   }
   return "";
 }

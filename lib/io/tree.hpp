@@ -1,11 +1,11 @@
 // What a project file says, before anyone knows what it means: tables, arrays and values with their places.
 #pragma once
 
+#include "lib/issue.hpp"
+
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "lib/issue.hpp"
 
 namespace loadpath::io {
 
@@ -14,8 +14,8 @@ struct Tree {
   struct Entry;
 
   Type type = Type::table;
-  Place place;                 // of the value; of text: of its first character inside the quotes
-  std::string text;            // the text; number and boolean as written
+  Place place;       // of the value; of text: of its first character inside the quotes
+  std::string text;  // the text; number and boolean as written
   double number = 0.0;
   std::vector<Tree> items;     // array
   std::vector<Entry> entries;  // table, in the order of the file

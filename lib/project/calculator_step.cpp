@@ -1,10 +1,10 @@
 #include "lib/project/calculator_step.hpp"
 
+#include "lib/project/run.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-
-#include "lib/project/run.hpp"
 
 namespace loadpath::project {
 
@@ -48,8 +48,9 @@ void CalculatorStep::find_searches(std::vector<Issue>& issues) {
                       near.empty() ? Message{} : say("did you mean '{1}'?", near), Severity::error});
   }
   if (searches_.size() > 1 && !input().reading.searches.empty()) {
-    issues.push_back({searches_[1].place, name() + "." + searches_[1].path, say("one field at a time can be searched for"),
-                      say("give '{1}' a value", searches_[1].path), Severity::error});
+    issues.push_back({searches_[1].place, name() + "." + searches_[1].path,
+                      say("one field at a time can be searched for"), say("give '{1}' a value", searches_[1].path),
+                      Severity::error});
   }
 }
 
@@ -124,12 +125,14 @@ Fault CalculatorStep::unknown_path(const std::string& path) const {
   }
   const std::string near = nearest(path, known);
   return {0, path.size(), say("'{1}' has no result '{2}'", name(), path),
-          near.empty() ? say("`loadpath describe {1}` lists them", input().calculator->id) : say("did you mean '{1}'?", name() + "." + near)};
+          near.empty() ? say("`loadpath describe {1}` lists them", input().calculator->id)
+                       : say("did you mean '{1}'?", name() + "." + near)};
 }
 
 std::vector<std::string> CalculatorStep::companions_of(const std::string&) const {
   std::vector<std::string> all;
-  for (const Provided& provided : provided_) all.insert(all.end(), provided.companions.begin(), provided.companions.end());
+  for (const Provided& provided : provided_)
+    all.insert(all.end(), provided.companions.begin(), provided.companions.end());
   return all;
 }
 

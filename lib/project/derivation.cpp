@@ -1,10 +1,10 @@
 #include "lib/project/derivation.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "lib/formula/formula.hpp"
 #include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace loadpath::project {
 
@@ -18,7 +18,8 @@ std::string joined(const std::string& scope, std::string_view name) {
 std::string unit_of(const Line& line, const Record& input, const Record& result) {
   for (const Record* record : {&result, &input}) {
     const Leaf leaf = find_leaf(*record, joined(line.scope, line.symbol));
-    if (leaf && leaf.field->type == FieldInfo::Type::quantity && leaf.field->dimension.without_angle() == line.dimension) {
+    if (leaf && leaf.field->type == FieldInfo::Type::quantity &&
+        leaf.field->dimension.without_angle() == line.dimension) {
       return leaf.field->unit;
     }
   }
@@ -56,8 +57,8 @@ std::optional<Names::Known> Names::find_here(const std::string& scope, std::stri
     if (!leaf || leaf.field->get == nullptr) return std::nullopt;
     return Known{leaf.get(), leaf.field->unit};
   };
-  // A list of the input with the scope's name need not have the same elements as that of the result. At the top an input
-  // that was left open ("d") is what the calculator has put in its place.
+  // A list of the input with the scope's name need not have the same elements as that of the result. At the top an
+  // input that was left open ("d") is what the calculator has put in its place.
   if (!scope.empty()) return from(result_);
   const auto typed = from(input_);
   const auto found = from(result_);
@@ -74,7 +75,9 @@ std::optional<Names::Known> Names::find(const std::string& scope, std::string_vi
   }
 }
 
-void Names::add(const Line& line) { lines_[joined(line.scope, line.symbol)] = {line.si, unit_of(line, input_, result_)}; }
+void Names::add(const Line& line) {
+  lines_[joined(line.scope, line.symbol)] = {line.si, unit_of(line, input_, result_)};
+}
 
 std::vector<Derived> derive(const Trace& trace, const Record& input, const Record& result) {
   Names names(input, result);

@@ -20,7 +20,8 @@ class Ordering {
   enum class State { fresh, open, done, in_cycle };
 
   std::size_t index_of(std::string_view name) const {
-    const auto found = std::find_if(project_.steps.begin(), project_.steps.end(), [&](const auto& s) { return s->name() == name; });
+    const auto found =
+        std::find_if(project_.steps.begin(), project_.steps.end(), [&](const auto& s) { return s->name() == name; });
     return static_cast<std::size_t>(found - project_.steps.begin());
   }
 
@@ -44,9 +45,11 @@ class Ordering {
 
   bool name_cycle(std::size_t first) {
     std::string members;
-    for (auto i = std::find(path_.begin(), path_.end(), first); i != path_.end(); ++i) members += project_.steps[*i]->name() + " -> ";
+    for (auto i = std::find(path_.begin(), path_.end(), first); i != path_.end(); ++i)
+      members += project_.steps[*i]->name() + " -> ";
     const std::string& name = project_.steps[first]->name();
-    issues_.push_back({project_.steps[first]->input().place, name, say("the steps refer to one another in a circle: {1}", members + name),
+    issues_.push_back({project_.steps[first]->input().place, name,
+                       say("the steps refer to one another in a circle: {1}", members + name),
                        say("give one of them a value"), Severity::error});
     return false;
   }

@@ -1,10 +1,10 @@
 #include "lib/project/project.hpp"
 
-#include <algorithm>
-#include <functional>
-
 #include "lib/project/order.hpp"
 #include "lib/project/read_parts.hpp"
+
+#include <algorithm>
+#include <functional>
 
 namespace loadpath::project {
 
@@ -29,7 +29,8 @@ Outcome<Signature> signature_of(const Project& project, const std::string& path)
   const Step* step = project.find(name);
   if (step != nullptr) return step->signature(rest);
   const std::string near = nearest(name, names_of(project));
-  if (!near.empty()) return Fault{0, path.size(), say("there is no step '{1}'", name), say("did you mean '{1}'?", near + "." + rest)};
+  if (!near.empty())
+    return Fault{0, path.size(), say("there is no step '{1}'", name), say("did you mean '{1}'?", near + "." + rest)};
   std::string all;
   for (const std::string& known : names_of(project)) all += (all.empty() ? "" : ", ") + known;
   return Fault{0, path.size(), say("there is no step '{1}'", name), say("there is: {1}", all)};
@@ -46,13 +47,18 @@ void check_expectations(const Project& project, std::vector<Issue>& issues) {
     const auto signature = e.value.check([&](const std::string& path) { return signature_of(project, path); });
     if (!signature) {
       const Fault& fault = signature.fault();
-      issues.push_back({place_in(e.place, e.text, fault.at, fault.length), "expect", fault.message, fault.hint, Severity::error});
+      issues.push_back(
+          {place_in(e.place, e.text, fault.at, fault.length), "expect", fault.message, fault.hint, Severity::error});
     } else if (signature->axis != nullptr) {
       issues.push_back({e.place, "expect", say("'{1}' is a series over {2}", e.text, signature->axis->name),
                         say("reduce it with peak, max, min, mean, rms or at"), Severity::error});
     } else if (signature->dimension.without_angle() != e.is.dimension.without_angle()) {
-      issues.push_back({e.place, "expect", say("'{1}' is a {2}, and '{3}' is a {4}", e.text, name_of(signature->dimension), e.is_text, name_of(e.is.dimension)),
-                        {}, Severity::error});
+      issues.push_back({e.place,
+                        "expect",
+                        say("'{1}' is a {2}, and '{3}' is a {4}", e.text, name_of(signature->dimension), e.is_text,
+                            name_of(e.is.dimension)),
+                        {},
+                        Severity::error});
     }
   }
 }
@@ -80,7 +86,12 @@ Project read_project(const io::Tree& tree, const std::string& file, Catalogue ca
   Project project;
   project.file = file;
   if (tree.entries.size() > most_tables) {
-    issues.push_back({tree.entries[most_tables].place, "", say("a project has at most {1} tables; here are {2}", std::to_string(most_tables), std::to_string(tree.entries.size())), {}, Severity::error});
+    issues.push_back({tree.entries[most_tables].place,
+                      "",
+                      say("a project has at most {1} tables; here are {2}", std::to_string(most_tables),
+                          std::to_string(tree.entries.size())),
+                      {},
+                      Severity::error});
     return project;
   }
   for (const io::Tree::Entry& entry : tree.entries) {
@@ -93,7 +104,11 @@ Project read_project(const io::Tree& tree, const std::string& file, Catalogue ca
     }
   }
   if (project.steps.empty() && !has_errors(issues)) {
-    issues.push_back({{file, 0, 0, 1}, "", say("the project has no step"), say("a step is a table with a key calculator = \"...\""), Severity::error});
+    issues.push_back({{file, 0, 0, 1},
+                      "",
+                      say("the project has no step"),
+                      say("a step is a table with a key calculator = \"...\""),
+                      Severity::error});
   }
   project.order = order_of_evaluation(project, issues);
   const Declared declared = [&](const std::string& path) { return signature_of(project, path); };

@@ -1,28 +1,28 @@
 // A project file: its steps, the order in which they follow from one another, and what is expected of them.
 #pragma once
 
+#include "lib/project/step.hpp"
+#include "lib/quantity/literal.hpp"
+
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "lib/project/step.hpp"
-#include "lib/quantity/literal.hpp"
-
 namespace loadpath::project {
 
 /// A reference value of an [[expect]] entry, for `verify`.
 struct Expectation {
-  std::string text;         // "crankshaft.d_min", as written
+  std::string text;  // "crankshaft.d_min", as written
   Expression value;
   Literal is;
-  std::string is_text;      // as written
-  double number = 0.0;      // of `is` in its own unit: what its digits count
-  std::string unit;         // of `is`; "-" for a number
-  std::optional<int> digits;        // half a unit of this significant digit
-  std::optional<double> within;     // relative
+  std::string is_text;           // as written
+  double number = 0.0;           // of `is` in its own unit: what its digits count
+  std::string unit;              // of `is`; "-" for a number
+  std::optional<int> digits;     // half a unit of this significant digit
+  std::optional<double> within;  // relative
   std::string source;
-  std::string note;         // "printed 15 N*m: erratum 0.4"
+  std::string note;  // "printed 15 N*m: erratum 0.4"
   Place place;
 };
 

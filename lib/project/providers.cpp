@@ -1,17 +1,18 @@
 #include "lib/project/providers.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "lib/quantity/format.hpp"
 #include "lib/table/table.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace loadpath::project {
 
 namespace {
 
 /// The row that the step names for this input; nothing where it names none, or where the row does not exist.
-std::optional<Provided> from_table(const StepInput& input, const FieldInfo& field, void* data, std::vector<Issue>& issues) {
+std::optional<Provided> from_table(const StepInput& input, const FieldInfo& field, void* data,
+                                   std::vector<Issue>& issues) {
   const auto named = input.rows.find(field.provider.table);
   if (named == input.rows.end() || input.reading.typed.count(field.provider.unless) != 0) return std::nullopt;
   const std::string& row = named->second.text;
@@ -21,12 +22,15 @@ std::optional<Provided> from_table(const StepInput& input, const FieldInfo& fiel
   const bool said = std::any_of(issues.begin(), issues.end(), [&](const Issue& i) {
     return i.place.line == place.line && i.place.column == place.column && i.place.file == place.file;
   });
-  if (!said) issues.push_back({place, input.name + "." + field.provider.table, entry.fault().message, entry.fault().hint, Severity::error});
+  if (!said)
+    issues.push_back(
+        {place, input.name + "." + field.provider.table, entry.fault().message, entry.fault().hint, Severity::error});
   return std::nullopt;
 }
 
 /// What comes along with everything that the expression of another input refers to.
-std::optional<Provided> from_companion(const StepInput& input, const FieldInfo& field, void* data, const Companions& companions) {
+std::optional<Provided> from_companion(const StepInput& input, const FieldInfo& field, void* data,
+                                       const Companions& companions) {
   Provided provided{field.key, {&field, data}, "", {}};
   for (const Operand& operand : input.reading.operands) {
     if (operand.path.substr(operand.path.rfind('.') + 1) != field.provider.column) continue;  // "T", "torques[2].T"

@@ -1,10 +1,10 @@
 #include "lib/project/read_parts.hpp"
 
+#include "lib/quantity/number.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "lib/quantity/number.hpp"
 
 namespace loadpath::project {
 
@@ -12,10 +12,10 @@ namespace {
 
 using io::Tree;
 
-constexpr std::array reserved_names{
-    "shaft", "fatigue", "vessel", "column", "section", "gear", "belt", "chain", "drive", "machine", "motion", "dynamics",
-    "mechanism", "run", "list", "describe", "sweep", "verify", "tables", "convert", "schema", "init", "watch", "why",
-    "completion", "man", "project", "expect"};
+constexpr std::array reserved_names{"shaft", "fatigue",  "vessel",  "column",     "section",  "gear",      "belt",
+                                    "chain", "drive",    "machine", "motion",     "dynamics", "mechanism", "run",
+                                    "list",  "describe", "sweep",   "verify",     "tables",   "convert",   "schema",
+                                    "init",  "watch",    "why",     "completion", "man",      "project",   "expect"};
 constexpr std::array heading_keys{"title", "number", "revision", "author", "checker", "date", "note"};
 const std::vector<std::string> step_keys{"calculator", "title", "note", "material", "display"};
 
@@ -59,8 +59,10 @@ void read_rows(const Tree& table, StepInput& input, std::vector<Issue>& issues) 
   const auto* material = table.find("material");
   if (material == nullptr) return;
   const auto& fields = input.calculator->input->fields;
-  if (std::none_of(fields.begin(), fields.end(), [](const FieldInfo& f) { return std::string_view(f.provider.table) == "material"; })) {
-    add(issues, material->place, input.name + ".material", say("'{1}' takes nothing from a material", input.calculator->id));
+  if (std::none_of(fields.begin(), fields.end(),
+                   [](const FieldInfo& f) { return std::string_view(f.provider.table) == "material"; })) {
+    add(issues, material->place, input.name + ".material",
+        say("'{1}' takes nothing from a material", input.calculator->id));
     return;
   }
   input.rows["material"] = {text_of(*material, input.name + ".material", issues), material->value.place};
@@ -72,19 +74,23 @@ void read_display(const Tree& table, StepInput& input, std::vector<Issue>& issue
   for (const Tree::Entry& entry : display->value.entries) {
     const std::string key = input.name + ".display." + entry.key;
     const std::string unit = text_of(entry, key, issues);
-    const auto fields = input.calculator->result == nullptr ? std::span<const FieldInfo>{} : input.calculator->result->fields;
+    const auto fields =
+        input.calculator->result == nullptr ? std::span<const FieldInfo>{} : input.calculator->result->fields;
     const FieldInfo* field = find_field(fields, entry.key);
     if (field == nullptr || field->type != FieldInfo::Type::quantity) {
       std::vector<std::string> results;
       for (const FieldInfo& f : fields) results.emplace_back(f.key);
-      add(issues, entry.place, key, say("'{1}' has no result '{2}'", input.name, entry.key), suggestion(entry.key, results));
+      add(issues, entry.place, key, say("'{1}' has no result '{2}'", input.name, entry.key),
+          suggestion(entry.key, results));
       continue;
     }
     const auto parsed = parse_unit(unit);
     if (!parsed) {
-      add(issues, place_in(entry.value.place, unit, parsed.fault().at, parsed.fault().length), key, parsed.fault().message, parsed.fault().hint);
+      add(issues, place_in(entry.value.place, unit, parsed.fault().at, parsed.fault().length), key,
+          parsed.fault().message, parsed.fault().hint);
     } else if (parsed->dimension != field->dimension) {
-      add(issues, entry.value.place, key, say("'{1}' is shown in a unit like {2}, not in {3}", entry.key, field->unit, unit));
+      add(issues, entry.value.place, key,
+          say("'{1}' is shown in a unit like {2}, not in {3}", entry.key, field->unit, unit));
     } else {
       input.display[entry.key] = unit;
     }
@@ -99,7 +105,8 @@ bool name_is_free(const Tree::Entry& entry, std::vector<Issue>& issues) {
     add(issues, entry.place, entry.key, say("'{1}' is a word of the program and cannot name a step", entry.key),
         say("call it '{1}_1' or by its part of the machine", entry.key));
   } else if (entry.value.type != Tree::Type::table) {
-    add(issues, entry.place, entry.key, say("'{1}' stands outside of a step", entry.key), say("a project file consists of tables: [crankshaft]"));
+    add(issues, entry.place, entry.key, say("'{1}' stands outside of a step", entry.key),
+        say("a project file consists of tables: [crankshaft]"));
   } else {
     return true;
   }
@@ -137,7 +144,8 @@ std::optional<Expectation> read_expectation(const Tree& tree, std::vector<Issue>
       add(issues, entry.place, "expect", say("'{1}' is no field here", entry.key), suggestion(entry.key, keys));
     }
   }
-  for (const auto& [key, target] : {std::pair{"value", &e.text}, {"is", &e.is_text}, {"source", &e.source}, {"note", &e.note}}) {
+  for (const auto& [key, target] :
+       {std::pair{"value", &e.text}, {"is", &e.is_text}, {"source", &e.source}, {"note", &e.note}}) {
     if (const auto* entry = tree.find(key)) *target = text_of(*entry, std::string("expect.") + key, issues);
   }
   if (e.text.empty() || e.is_text.empty() || e.source.empty()) {
@@ -151,13 +159,15 @@ std::optional<Expectation> read_expectation(const Tree& tree, std::vector<Issue>
   }
   auto parsed = Expression::parse(e.text);
   if (!parsed) {
-    add(issues, place_in(e.place, e.text, parsed.fault().at, parsed.fault().length), "expect.value", parsed.fault().message, parsed.fault().hint);
+    add(issues, place_in(e.place, e.text, parsed.fault().at, parsed.fault().length), "expect.value",
+        parsed.fault().message, parsed.fault().hint);
   } else {
     e.value = std::move(*parsed);
   }
   const auto is = parse_literal(e.is_text);
   if (!is) {
-    add(issues, place_in(tree.find("is")->value.place, e.is_text, is.fault().at, is.fault().length), "expect.is", is.fault().message, is.fault().hint);
+    add(issues, place_in(tree.find("is")->value.place, e.is_text, is.fault().at, is.fault().length), "expect.is",
+        is.fault().message, is.fault().hint);
   } else {
     e.is = *is;
     const auto number = read_number(e.is_text, 0);
@@ -177,7 +187,8 @@ bool is_reserved(std::string_view name) {
 
 void read_heading(const Tree::Entry& entry, Project& project, std::vector<Issue>& issues) {
   if (entry.value.type != Tree::Type::table) {
-    return add(issues, entry.place, "project", say("'{1}' is a table of fields, not {2}", "project", io::word_for(entry.value.type)));
+    return add(issues, entry.place, "project",
+               say("'{1}' is a table of fields, not {2}", "project", io::word_for(entry.value.type)));
   }
   for (const Tree::Entry& e : entry.value.entries) {
     if (std::find(heading_keys.begin(), heading_keys.end(), e.key) == heading_keys.end()) {
@@ -186,8 +197,10 @@ void read_heading(const Tree::Entry& entry, Project& project, std::vector<Issue>
       continue;
     }
     const std::string text = text_of(e, "project." + e.key, issues);
-    if (e.key == "title") project.title = text;
-    else project.meta.emplace_back(e.key, text);
+    if (e.key == "title")
+      project.title = text;
+    else
+      project.meta.emplace_back(e.key, text);
   }
 }
 

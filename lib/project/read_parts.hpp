@@ -1,9 +1,9 @@
 // The parts of a project file: its heading, its steps, what it expects.
 #pragma once
 
-#include <memory>
-
 #include "lib/project/project.hpp"
+
+#include <memory>
 
 namespace loadpath::project {
 

@@ -1,10 +1,10 @@
 #include "lib/project/reading.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace loadpath::project {
 
@@ -96,20 +96,29 @@ void Reader::read_fields(const Tree& table, std::span<const FieldInfo> fields, v
 
 void Reader::read_value(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   switch (field.type) {
-    case Type::quantity: return read_quantity(tree, field, owner, path);
-    case Type::count: return read_count(tree, field, owner, path);
-    case Type::choice: return read_choice(tree, field, owner, path);
-    case Type::name: return read_name(tree, field, owner, path);
-    case Type::group: return read_aggregate(tree, field, field.element(owner, 0), path);
-    case Type::list: return read_list(tree, field, owner, path);
+    case Type::quantity:
+      return read_quantity(tree, field, owner, path);
+    case Type::count:
+      return read_count(tree, field, owner, path);
+    case Type::choice:
+      return read_choice(tree, field, owner, path);
+    case Type::name:
+      return read_name(tree, field, owner, path);
+    case Type::group:
+      return read_aggregate(tree, field, field.element(owner, 0), path);
+    case Type::list:
+      return read_list(tree, field, owner, path);
   }
 }
 
 void Reader::read_quantity(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   switch (tree.type) {
-    case Tree::Type::text: return read_text_quantity(tree, field, owner, path);
-    case Tree::Type::number: return read_literal(format_exact(tree.number), tree, field, owner, path);
-    case Tree::Type::table: return read_special(tree, field, owner, path);
+    case Tree::Type::text:
+      return read_text_quantity(tree, field, owner, path);
+    case Tree::Type::number:
+      return read_literal(format_exact(tree.number), tree, field, owner, path);
+    case Tree::Type::table:
+      return read_special(tree, field, owner, path);
     case Tree::Type::array:
       return say_at(tree.place, path, say("a list of values makes this a range, and `run` takes one value"),
                     say("use `loadpath sweep` for ranges"));
@@ -139,12 +148,14 @@ void Reader::read_text_quantity(const Tree& tree, const FieldInfo& field, void* 
 /// { stock = "R40" }, { mean = ..., sd = ... }, { value = ..., tolerance = ... }; a range is for sweeps.
 void Reader::read_special(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   if (const auto* stock = tree.find("stock")) {
-    if (*field.searched_in == '\0') return say_at(stock->place, path, say("'{1}' cannot be searched for", path), say("give a value"));
+    if (*field.searched_in == '\0')
+      return say_at(stock->place, path, say("'{1}' cannot be searched for", path), say("give a value"));
     reading_.searches.push_back({path, {&field, owner}, stock->value.text, stock->value.place});
     return;
   }
   if (tree.find("from") != nullptr) {
-    return say_at(tree.place, path, say("this is a range, and `run` takes one value"), say("use `loadpath sweep` for ranges"));
+    return say_at(tree.place, path, say("this is a range, and `run` takes one value"),
+                  say("use `loadpath sweep` for ranges"));
   }
   if (tree.find("mean") != nullptr || tree.find("value") != nullptr) return read_spread(tree, field, owner, path);
   say_at(tree.place, path, say("a quantity is expected, not {1}", io::word_for(tree.type)),
@@ -186,7 +197,9 @@ void Reader::read_count(const Tree& tree, const FieldInfo& field, void* owner, c
   const double n = tree.number;
   if (tree.type != Tree::Type::number || n != std::floor(n)) {
     const bool number = tree.type == Tree::Type::number;
-    return say_at(tree.place, path, say("a whole number is expected, not {1}", number ? format_number(n) : std::string(io::word_for(tree.type))));
+    return say_at(
+        tree.place, path,
+        say("a whole number is expected, not {1}", number ? format_number(n) : std::string(io::word_for(tree.type))));
   }
   if (!field.bounds.holds(n)) {
     return say_at(tree.place, path, say("{1} = {2}: {3}", path, format_number(n), bounds_message(field).text()));
@@ -200,19 +213,23 @@ void Reader::read_choice(const Tree& tree, const FieldInfo& field, void* owner, 
   for (const ChoiceInfo& c : field.choices) words.emplace_back(c.key);
   const auto found = std::find(words.begin(), words.end(), tree.text);
   if (tree.type != Tree::Type::text || found == words.end()) {
-    const std::string written = tree.type == Tree::Type::text ? "'" + tree.text + "'" : std::string(io::word_for(tree.type));
-    return say_at(tree.place, path, say("{1} is none of the words for '{2}'", written, path), did_you_mean(tree.text, words));
+    const std::string written =
+        tree.type == Tree::Type::text ? "'" + tree.text + "'" : std::string(io::word_for(tree.type));
+    return say_at(tree.place, path, say("{1} is none of the words for '{2}'", written, path),
+                  did_you_mean(tree.text, words));
   }
   field.set(owner, static_cast<double>(found - words.begin()));
 }
 
 void Reader::read_name(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
-  if (tree.type != Tree::Type::text) return say_at(tree.place, path, say("a name is expected, not {1}", io::word_for(tree.type)));
+  if (tree.type != Tree::Type::text)
+    return say_at(tree.place, path, say("a name is expected, not {1}", io::word_for(tree.type)));
   if (!is_name(tree.text)) {
     return say_at(tree.place, path, say("'{1}' is no name", tree.text),
                   say("a name has Latin letters, digits and '_', and does not start with a digit"));
   }
-  if (tree.text.size() > Name::capacity) return say_at(tree.place, path, say("the name '{1}' is longer than 31 letters", tree.text));
+  if (tree.text.size() > Name::capacity)
+    return say_at(tree.place, path, say("the name '{1}' is longer than 31 letters", tree.text));
   field.set_text(owner, tree.text);
 }
 
@@ -221,7 +238,9 @@ void Reader::read_list(const Tree& tree, const FieldInfo& field, void* owner, co
                      find_field(field.fields, "name")->type == Type::name;
   const std::size_t count = named ? tree.entries.size() : tree.type == Tree::Type::array ? tree.items.size() : 1;
   if (count > field.capacity) {
-    return say_at(tree.place, path, say("at most {1} {2}; here are {3}", std::to_string(field.capacity), field.key, std::to_string(count)));
+    return say_at(
+        tree.place, path,
+        say("at most {1} {2}; here are {3}", std::to_string(field.capacity), field.key, std::to_string(count)));
   }
   if (named) {
     for (const Tree::Entry& entry : tree.entries) read_element(entry.value, field, owner, path, &entry);
@@ -242,7 +261,8 @@ void Reader::read_element(const Tree& tree, const FieldInfo& list, void* owner, 
   if (named != nullptr) {
     inner = path + "." + named->key;
     if (const auto* again = tree.find("name")) {
-      say_at(again->place, inner, say("the name already stands before the table: '{1}'", named->key), say("leave out 'name'"));
+      say_at(again->place, inner, say("the name already stands before the table: '{1}'", named->key),
+             say("leave out 'name'"));
     }
     Tree name;
     name.type = Tree::Type::text;
@@ -274,7 +294,8 @@ void Reader::read_array(const Tree& tree, const FieldInfo& field, void* inner, c
   const bool array = tree.type == Tree::Type::array;
   const std::size_t count = array ? tree.items.size() : 1;
   if (count > leaves.size()) {
-    return say_at(tree.place, path, say("at most {1} values here; there are {2}", std::to_string(leaves.size()), std::to_string(count)));
+    return say_at(tree.place, path,
+                  say("at most {1} values here; there are {2}", std::to_string(leaves.size()), std::to_string(count)));
   }
   for (std::size_t i = 0; i < count; ++i) {
     const Tree& item = array ? tree.items[i] : tree;
@@ -287,12 +308,16 @@ void Reader::read_array(const Tree& tree, const FieldInfo& field, void* inner, c
 
 bool is_missing(const FieldInfo& field, void* owner) {
   switch (field.type) {
-    case Type::quantity: return std::isnan(field.get(owner));
-    case Type::name: return field.text(owner).empty();
-    case Type::list: return field.size(owner) == 0;
+    case Type::quantity:
+      return std::isnan(field.get(owner));
+    case Type::name:
+      return field.text(owner).empty();
+    case Type::list:
+      return field.size(owner) == 0;
     case Type::count:
     case Type::choice:
-    case Type::group: return false;
+    case Type::group:
+      return false;
   }
   return false;
 }
@@ -319,7 +344,8 @@ void Reader::check_names(const FieldInfo& list, void* owner, const std::string& 
     const std::string_view n = name->text(list.element(owner, i));
     if (!n.empty() && std::find(seen.begin(), seen.end(), n) != seen.end()) {
       const auto typed = reading_.typed.find(path + "." + std::string(n) + ".name");
-      say_at(typed == reading_.typed.end() ? place : typed->second.place, path, say("the name '{1}' stands twice in '{2}'", n, path));
+      say_at(typed == reading_.typed.end() ? place : typed->second.place, path,
+             say("the name '{1}' stands twice in '{2}'", n, path));
     }
     seen.push_back(n);
   }

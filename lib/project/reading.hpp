@@ -1,14 +1,14 @@
 // Reads a table of a project file into the record of a calculator: literals at once, expressions for later.
 #pragma once
 
+#include "lib/io/tree.hpp"
+#include "lib/quantity/expression.hpp"
+#include "lib/record.hpp"
+
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
-
-#include "lib/io/tree.hpp"
-#include "lib/quantity/expression.hpp"
-#include "lib/record.hpp"
 
 namespace loadpath::project {
 

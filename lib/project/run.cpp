@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-
 namespace loadpath::project {
 
 namespace {
@@ -53,7 +52,8 @@ bool Run::evaluate_operands(std::vector<Issue>& issues) {
   for (const Operand& operand : step_.input().reading.operands) {
     auto value = evaluate_operand(operand, step_.name(), known_, issues);
     if (!value) continue;
-    inputs_.push_back({operand.path, map_leaf(operand.path), std::move(*value), {say("= {1}", operand.text), {}, false}});
+    inputs_.push_back(
+        {operand.path, map_leaf(operand.path), std::move(*value), {say("= {1}", operand.text), {}, false}});
   }
   for (const Provided& provided : step_.provided()) {
     if (!provided.companions.empty()) inputs_.push_back(companion_input(provided));
@@ -67,7 +67,8 @@ Run::Input Run::companion_input(const Provided& provided) const {
   std::string names;
   for (const std::string& path : provided.companions) {
     const Value value = fitted(known_(path), axis_);
-    if (value.is_series() && !most.is_series()) most = {value.signature, std::vector<double>(value.si.size(), most.si[0])};
+    if (value.is_series() && !most.is_series())
+      most = {value.signature, std::vector<double>(value.si.size(), most.si[0])};
     for (std::size_t i = 0; i < most.si.size(); ++i) {
       const double size = std::abs(value.si[value.is_series() ? i : 0]);
       if (!(size <= most.si[i])) most.si[i] = size;  // what is not available stays so
@@ -188,7 +189,8 @@ void Run::search() {
   if (result != nullptr && std::isnan(least)) return;  // not even a least size: the checks say why
   keep_sizing_results(wanted.path);
   const std::vector<double> stock = stock_values(wanted.stock);
-  auto candidate = std::isnan(least) ? stock.begin() : std::lower_bound(stock.begin(), stock.end(), least * (1.0 - 1e-12));
+  auto candidate =
+      std::isnan(least) ? stock.begin() : std::lower_bound(stock.begin(), stock.end(), least * (1.0 - 1e-12));
   for (; candidate != stock.end(); ++candidate) {
     if (!wanted.leaf.field->bounds.holds(*candidate)) continue;
     leaf.set(*candidate);

@@ -1,9 +1,9 @@
 // One solving of a calculator step: at one position, or at every position of a cycle.
 #pragma once
 
-#include <vector>
-
 #include "lib/project/calculator_step.hpp"
+
+#include <vector>
 
 namespace loadpath::project {
 

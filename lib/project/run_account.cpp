@@ -1,10 +1,10 @@
 // What a run has found, as an account.
-#include <algorithm>
-#include <cmath>
-
 #include "lib/project/derivation.hpp"
 #include "lib/project/run.hpp"
 #include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace loadpath::project {
 
@@ -36,13 +36,16 @@ void Run::fill(Account& account) const {
   fill_verdicts(account);
   if (traced_) account.derivation = derive(trace_, record_, result_);
   if (axis_ != nullptr && traced_) {
-    account.governing = say("at {1} ({2}), where the governing check is largest", format_quantity(axis_->at[governing_], axis_->unit, 5), axis_->name);
+    account.governing = say("at {1} ({2}), where the governing check is largest",
+                            format_quantity(axis_->at[governing_], axis_->unit, 5), axis_->name);
   }
-  if (traced_ && calculator_.figures != nullptr) account.figures = calculator_.figures(record_.data.get(), result_.data.get());
+  if (traced_ && calculator_.figures != nullptr)
+    account.figures = calculator_.figures(record_.data.get(), result_.data.get());
 }
 
 void Run::fill_inputs(Account& account) const {
-  account.inputs = input_entries(record_, [&](const std::string& path, const Leaf& leaf) { return origin_of(path, leaf); });
+  account.inputs =
+      input_entries(record_, [&](const std::string& path, const Leaf& leaf) { return origin_of(path, leaf); });
   for (Entry& entry : account.inputs) {
     for (const Input& input : inputs_) {
       if (input.path == entry.path) entry.value = input.value;
@@ -80,10 +83,13 @@ report::Verdict Run::check_verdict(const Column& column) const {
   v.meaning = say(column.field->doc);
   v.bound = say("passes at 1 or less");
   v.value = report::Quantity{largest.value, "-", 4};
-  v.state = std::isnan(largest.value) ? report::State::not_available
-            : largest.value <= 1.0 + rounding ? report::State::pass : report::State::fail;
-  if (std::isnan(largest.value)) v.note = missing_input();
-  else v.utilisation = largest.value;
+  v.state = std::isnan(largest.value)         ? report::State::not_available
+            : largest.value <= 1.0 + rounding ? report::State::pass
+                                              : report::State::fail;
+  if (std::isnan(largest.value))
+    v.note = missing_input();
+  else
+    v.utilisation = largest.value;
   if (axis_ != nullptr && v.utilisation) v.note = at_place(largest, *axis_);
   return v;
 }
@@ -98,9 +104,12 @@ report::Verdict Run::limit_verdict(const Column& column) const {
   v.step = step_.name();
   v.symbol = column.path;
   v.meaning = say(column.field->doc);
-  v.bound = say("covered from {1} to {2}", format_quantity(bounds.low, column.field->unit), format_quantity(bounds.high, column.field->unit));
+  v.bound = say("covered from {1} to {2}", format_quantity(bounds.low, column.field->unit),
+                format_quantity(bounds.high, column.field->unit));
   v.value = report::Quantity{*worst, column.field->unit, 4};
-  v.state = std::isnan(*worst) ? report::State::not_available : outside(*worst) ? report::State::not_covered : report::State::pass;
+  v.state = std::isnan(*worst) ? report::State::not_available
+            : outside(*worst)  ? report::State::not_covered
+                               : report::State::pass;
   return v;
 }
 

@@ -1,9 +1,9 @@
 #include "lib/project/step.hpp"
 
+#include "lib/quantity/format.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "lib/quantity/format.hpp"
 
 namespace loadpath::project {
 
@@ -26,7 +26,8 @@ Issue issue_at(const StepInput& input, const std::string& path, Message message,
     nearest_typed.resize(end == std::string::npos ? 0 : end);
   }
   const Place& place = nearest_typed.empty() ? input.place : typed.at(nearest_typed).place;
-  return {place, path.empty() ? input.name : input.name + "." + path, std::move(message), std::move(hint), Severity::error};
+  return {place, path.empty() ? input.name : input.name + "." + path, std::move(message), std::move(hint),
+          Severity::error};
 }
 
 namespace {
@@ -44,9 +45,12 @@ const Axis* check_operand(const Operand& operand, const std::string& step, const
   }
   const Dimension& wanted = operand.leaf.field->dimension;
   if (signature->dimension.without_angle() != wanted.without_angle()) {
-    issues.push_back({place_in(operand.place, operand.text, 0, operand.text.size()), key,
-                      say("'{1}' is a {2}, and this expression is a {3}", operand.path, name_of(wanted), name_of(signature->dimension)),
-                      {}, Severity::error});
+    issues.push_back({place_in(operand.place, operand.text, 0, operand.text.size()),
+                      key,
+                      say("'{1}' is a {2}, and this expression is a {3}", operand.path, name_of(wanted),
+                          name_of(signature->dimension)),
+                      {},
+                      Severity::error});
     return nullptr;
   }
   return signature->axis;
@@ -63,10 +67,12 @@ const Axis* check_operands(const Reading& reading, const std::string& step, bool
     const Place place = place_in(operand.place, operand.text, 0, operand.text.size());
     const std::string key = step + "." + operand.path;
     if (!lifted) {
-      issues.push_back({place, key, say("'{1}' takes one value, and this is a series over {2}", operand.path, axis->name),
+      issues.push_back({place, key,
+                        say("'{1}' takes one value, and this is a series over {2}", operand.path, axis->name),
                         say("reduce it with peak, max, min, mean, rms or at"), Severity::error});
     } else if (shared != nullptr && shared != axis) {
-      issues.push_back({place, key, say("this is a series over {1}, and another input is one over {2}", axis->name, shared->name),
+      issues.push_back({place, key,
+                        say("this is a series over {1}, and another input is one over {2}", axis->name, shared->name),
                         say("reduce one of them with peak, max, min, mean, rms or at"), Severity::error});
     } else {
       shared = axis;
@@ -82,13 +88,17 @@ std::optional<Value> evaluate_operand(const Operand& operand, const std::string&
   const auto refused = std::find_if(value.si.begin(), value.si.end(),
                                     [&](double x) { return !std::isnan(x) && !field.bounds.holds(x); });
   if (refused == value.si.end()) return value;
-  issues.push_back({place_in(operand.place, operand.text, 0, operand.text.size()), step + "." + operand.path,
-                    say("{1} = {2}: {3}", operand.path, format_quantity(*refused, field.unit), bounds_message(field).text()),
-                    {}, Severity::error});
+  issues.push_back(
+      {place_in(operand.place, operand.text, 0, operand.text.size()),
+       step + "." + operand.path,
+       say("{1} = {2}: {3}", operand.path, format_quantity(*refused, field.unit), bounds_message(field).text()),
+       {},
+       Severity::error});
   return std::nullopt;
 }
 
-std::vector<Entry> input_entries(const Record& record, const std::function<Origin(const std::string&, const Leaf&)>& origin) {
+std::vector<Entry> input_entries(const Record& record,
+                                 const std::function<Origin(const std::string&, const Leaf&)>& origin) {
   std::vector<Entry> entries;
   for_each_leaf(record, [&](const std::string& path, const Leaf& leaf) {
     const FieldInfo& field = *leaf.field;
@@ -108,7 +118,8 @@ Origin plain_origin(const Reading& reading, const std::string& path, const Leaf&
   if (typed != reading.typed.end()) {
     if (typed->second.mean_of_uncertain) return {say("given, middle value"), {}, false};
     const bool quantity = leaf.field->type == FieldInfo::Type::quantity && !typed->second.text.empty();
-    const bool as_shown = !quantity || pretty_unit(typed->second.text) == format_quantity(leaf.get(), leaf.field->unit, 5);
+    const bool as_shown =
+        !quantity || pretty_unit(typed->second.text) == format_quantity(leaf.get(), leaf.field->unit, 5);
     return {as_shown ? say("given") : say("given as {1}", typed->second.text), {}, false};
   }
   const bool open = leaf.field->type == FieldInfo::Type::quantity && std::isnan(leaf.get());
@@ -119,10 +130,14 @@ report::State worst(const std::vector<report::Verdict>& verdicts) {
   report::State state = report::State::pass;
   const auto severity = [](report::State s) {
     switch (s) {
-      case report::State::pass: return 0;
-      case report::State::not_covered: return 1;
-      case report::State::not_available: return 2;
-      case report::State::fail: return 3;
+      case report::State::pass:
+        return 0;
+      case report::State::not_covered:
+        return 1;
+      case report::State::not_available:
+        return 2;
+      case report::State::fail:
+        return 3;
     }
     return 3;
   };

@@ -1,14 +1,14 @@
-// One entry of a project. It has two phases: when the file is read it tells dimension and axis of every path that others
-// may refer to; when the project is solved it turns values into an account of what it found.
+// One entry of a project. It has two phases: when the file is read it tells dimension and axis of every path that
+// others may refer to; when the project is solved it turns values into an account of what it found.
 #pragma once
-
-#include <memory>
-#include <string>
-#include <vector>
 
 #include "lib/calculator.hpp"
 #include "lib/project/reading.hpp"
 #include "lib/report/document.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace loadpath::project {
 
@@ -26,7 +26,7 @@ struct Entry {
   std::string unit;  // display unit
   Role role = Role::result;
   Value value;
-  Origin origin;  // inputs only
+  Origin origin;     // inputs only
   std::string word;  // a choice or a name instead of a number
 };
 
@@ -41,7 +41,7 @@ struct Account {
   std::vector<Entry> inputs;
   std::vector<Entry> results;
   std::vector<report::Verdict> verdicts;
-  Message governing;              // which position the derivation is for; empty where there is one value
+  Message governing;  // which position the derivation is for; empty where there is one value
   std::vector<Derived> derivation;
   std::vector<report::Block> input_blocks;  // where the step shows its inputs itself, in place of the list of all
   std::vector<report::Block> blocks;        // what only this kind of step has: tables, notes
@@ -79,7 +79,8 @@ class Step {
   [[nodiscard]] const std::string& name() const { return input_.name; }
   [[nodiscard]] const StepInput& input() const { return input_; }
 
-  /// Checks what can be known before anything runs: expressions' dimensions, names, rules. Called in order of evaluation.
+  /// Checks what can be known before anything runs: expressions' dimensions, names, rules. Called in order of
+  /// evaluation.
   virtual void prepare(const Declared& declared, const Companions& companions, std::vector<Issue>& issues) = 0;
   /// Dimension and axis of a path; a Fault with a hint where there is none. After `prepare`.
   [[nodiscard]] virtual Outcome<Signature> signature(const std::string& path) const = 0;
@@ -111,7 +112,8 @@ std::optional<Value> evaluate_operand(const Operand& operand, const std::string&
                                       std::vector<Issue>& issues);
 
 /// The inputs of a record as entries, those left open and unnamed left out. `origin` tells where a leaf comes from.
-std::vector<Entry> input_entries(const Record& record, const std::function<Origin(const std::string& path, const Leaf& leaf)>& origin);
+std::vector<Entry> input_entries(const Record& record,
+                                 const std::function<Origin(const std::string& path, const Leaf& leaf)>& origin);
 /// "given" where it was typed, "default" where it has a value all the same.
 Origin plain_origin(const Reading& reading, const std::string& path, const Leaf& leaf);
 

@@ -1,8 +1,8 @@
 #include "lib/project/verify.hpp"
 
-#include <cmath>
-
 #include "lib/quantity/literal.hpp"
+
+#include <cmath>
 
 namespace loadpath::project {
 

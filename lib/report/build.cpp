@@ -1,11 +1,11 @@
 #include "lib/report/build.hpp"
 
+#include "lib/quantity/format.hpp"
+#include "lib/table/table.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
-
-#include "lib/quantity/format.hpp"
-#include "lib/table/table.hpp"
 
 namespace loadpath::report {
 
@@ -53,7 +53,8 @@ std::optional<ElementPath> element_path(const std::string& path) {
   const std::size_t first = path.find_first_of("[."), last = path.rfind('.');
   if (first == std::string::npos || last == first) return std::nullopt;
   const bool numbered = path[first] == '[';
-  return ElementPath{path.substr(0, first), path.substr(first + 1, last - first - (numbered ? 2 : 1)), path.substr(last + 1)};
+  return ElementPath{path.substr(0, first), path.substr(first + 1, last - first - (numbered ? 2 : 1)),
+                     path.substr(last + 1)};
 }
 
 bool is_available(const Entry& e) { return !e.word.empty() || (!e.value.si.empty() && !std::isnan(e.value.si[0])); }
@@ -119,7 +120,9 @@ void add_step(const Step& step, std::vector<Block>& blocks) {
   const Account& account = step.account();
   const auto& input = step.input();
   blocks.emplace_back(Heading{2, input.title.empty() ? step.name() : input.title, step.name()});
-  blocks.emplace_back(Paragraph{say("{1} ({2}). {3}", input.calculator->title, input.calculator->id, input.calculator->scope), Paragraph::Tone::note});
+  blocks.emplace_back(
+      Paragraph{say("{1} ({2}). {3}", input.calculator->title, input.calculator->id, input.calculator->scope),
+                Paragraph::Tone::note});
   if (!input.note.empty()) blocks.emplace_back(Paragraph{say("{1}", input.note)});
   if (account.input_blocks.empty()) {
     blocks.emplace_back(input_table(account));
@@ -143,10 +146,13 @@ void add_step(const Step& step, std::vector<Block>& blocks) {
 
 /// Factors that raise a load or lower a strength, each where it is applied: once.
 void add_factors(const Project& project, std::vector<Block>& blocks) {
-  Table table{say("Factors, each applied once where it stands"), {say("step"), say("factor"), say("meaning"), say("value")}, {}};
+  Table table{say("Factors, each applied once where it stands"),
+              {say("step"), say("factor"), say("meaning"), say("value")},
+              {}};
   for (const auto& step : project.steps) {
     for (const Entry& e : step->account().inputs) {
-      if (e.path == "K_A" || e.path == "S") table.rows.push_back({step->name(), Symbol{e.path}, say("{1}", e.doc), cell_of(e)});
+      if (e.path == "K_A" || e.path == "S")
+        table.rows.push_back({step->name(), Symbol{e.path}, say("{1}", e.doc), cell_of(e)});
     }
   }
   if (!table.rows.empty()) blocks.emplace_back(std::move(table));
@@ -191,10 +197,14 @@ std::set<std::string> keys_in(std::string_view text) {
 
 Message overall(State state) {
   switch (state) {
-    case State::pass: return say("every check passes");
-    case State::fail: return say("a check fails");
-    case State::not_covered: return say("something is not covered");
-    case State::not_available: return say("something is not available");
+    case State::pass:
+      return say("every check passes");
+    case State::fail:
+      return say("a check fails");
+    case State::not_covered:
+      return say("something is not covered");
+    case State::not_available:
+      return say("something is not available");
   }
   return {};
 }

@@ -1,12 +1,12 @@
 // The report of a solved project, as a document.
 #pragma once
 
+#include "lib/project/project.hpp"
+#include "lib/report/document.hpp"
+
 #include <set>
 #include <string>
 #include <string_view>
-
-#include "lib/project/project.hpp"
-#include "lib/report/document.hpp"
 
 namespace loadpath::report {
 

@@ -1,7 +1,7 @@
+#include "lib/report/build.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "lib/report/build.hpp"
 
 namespace loadpath::report {
 
@@ -48,7 +48,8 @@ Table values_of(const std::vector<Lines>& elements) {
 }
 
 void add_list(const std::vector<Lines>& elements, std::vector<Block>& blocks) {
-  const bool alike = std::all_of(elements.begin(), elements.end(), [&](const Lines& l) { return same_formulas(l, elements[0]); });
+  const bool alike =
+      std::all_of(elements.begin(), elements.end(), [&](const Lines& l) { return same_formulas(l, elements[0]); });
   if (!alike || elements.size() == 1) {
     for (const Lines& lines : elements) {
       if (elements.size() > 1) blocks.emplace_back(Paragraph{say("For {1}:", lines[0]->scope)});

@@ -1,14 +1,14 @@
 // A report as data: what is said, in which order. Writers (html.cpp, markdown.cpp) decide how it looks.
 #pragma once
 
+#include "lib/draw/figure.hpp"
+#include "lib/issue.hpp"
+
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
-
-#include "lib/draw/figure.hpp"
-#include "lib/issue.hpp"
 
 namespace loadpath::report {
 
@@ -60,14 +60,14 @@ struct Derivation {
 };
 /// A check or a limit and how it came out; the writer draws a bar for a utilisation.
 struct Verdict {
-  std::string step;       // "crankshaft"
-  std::string symbol;     // "u_tau"
+  std::string step;    // "crankshaft"
+  std::string symbol;  // "u_tau"
   Message meaning;
   std::optional<double> utilisation;  // none for a limit
-  Cell value;             // what is compared
-  Message bound;          // "passes at 1 or less", "0 to 0.9"
+  Cell value;                         // what is compared
+  Message bound;                      // "passes at 1 or less", "0 to 0.9"
   State state = State::not_available;
-  Message note;           // where it governs, why it is not covered; may be empty
+  Message note;  // where it governs, why it is not covered; may be empty
 };
 struct Verdicts {
   std::vector<Verdict> rows;

@@ -1,6 +1,7 @@
 // Sweeps of the shaft calculators beside plain loops over doubles, written by hand for the one case.
-#include "calculators/shaft/overhung.hpp"
 #include "calculators/shaft/torsion.hpp"
+
+#include "calculators/shaft/overhung.hpp"
 #include "tests/bench/sweep.hpp"
 
 #include <array>
@@ -23,7 +24,8 @@ struct Columns {
 /// Runs the sweep of a calculator over two columns of the input.
 class Sweep {
  public:
-  Sweep(const Calculator& calculator, Record input, const std::string& first, const std::string& check, Columns& columns)
+  Sweep(const Calculator& calculator, Record input, const std::string& first, const std::string& check,
+        Columns& columns)
       : calculator_(calculator), input_(std::move(input)) {
     const Record result(*calculator.result);
     in_ = {{offset_of(input_, first), columns.first.data()}, {offset_of(input_, "tau_adm"), columns.tau_adm.data()}};

@@ -21,8 +21,11 @@ TEST_SUITE("cli calculate") {
   }
 
   TEST_CASE("flags take what a file takes: decimal comma, material, search") {
-    CHECK(loadpath_with({"shaft", "torsion", "--T", "2,7 kN·m", "--material", "C45E", "--S", "2", "--chi", "0.6"}).code == 0);
-    const Ran o = loadpath_with({"shaft", "torsion", "--T=2700 N*m", "--tau_adm=30 MPa", "--d", "{ stock = \"R20\" }", "--json"});
+    CHECK(
+        loadpath_with({"shaft", "torsion", "--T", "2,7 kN·m", "--material", "C45E", "--S", "2", "--chi", "0.6"}).code ==
+        0);
+    const Ran o =
+        loadpath_with({"shaft", "torsion", "--T=2700 N*m", "--tau_adm=30 MPa", "--d", "{ stock = \"R20\" }", "--json"});
     CHECK(o.code == 0);
     const auto v = boost::json::parse(o.out);
     CHECK(v.at("steps").at(0).at("inputs").at("d").at("from") == "smallest of R20 that passes every check");
@@ -33,22 +36,27 @@ TEST_SUITE("cli calculate") {
   }
 
   TEST_CASE("a list is TOML's inline text") {
-    CHECK(loadpath_with({"shaft", "torsion", "--tau_adm", "30 MPa", "--torques", R"([{ x = "0 mm", T = "90 N*m" }, { x = "1 m", T = "-90 N*m" }])"}).code == 0);
+    CHECK(loadpath_with({"shaft", "torsion", "--tau_adm", "30 MPa", "--torques",
+                         R"([{ x = "0 mm", T = "90 N*m" }, { x = "1 m", T = "-90 N*m" }])"})
+              .code == 0);
   }
 
   TEST_CASE("an error stands at its place in the flag's own text") {
-    CHECK(loadpath_with({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 mpa"}).error == R"(--tau_adm:1:4: error: unknown unit 'mpa'
+    CHECK(loadpath_with({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 mpa"}).error ==
+          R"(--tau_adm:1:4: error: unknown unit 'mpa'
 1 | 30 mpa
   |    ^^^
   = help: did you mean 'MPa'?
 )");
-    CHECK(loadpath_with({"shaft", "torsion", "--tau_adm", "30 MPa", "--torques", R"([{ x = "0 mm", T = "90 N" }])"}).error ==
+    CHECK(loadpath_with({"shaft", "torsion", "--tau_adm", "30 MPa", "--torques", R"([{ x = "0 mm", T = "90 N" }])"})
+              .error ==
           R"(--torques:1:21: error: '90 N' is a force, a moment is expected
 1 | [{ x = "0 mm", T = "90 N" }]
   |                     ^^^^
   = help: write a unit such as N*m
 )");
-    CHECK(loadpath_with({"shaft", "torsion", "--tau_adm", "30 MPa", "--torques", "[{ x = 3 mm }]"}).error.starts_with("--torques:1:10: error: not valid TOML"));
+    CHECK(loadpath_with({"shaft", "torsion", "--tau_adm", "30 MPa", "--torques", "[{ x = 3 mm }]"})
+              .error.starts_with("--torques:1:10: error: not valid TOML"));
   }
 
   TEST_CASE("an unknown flag is told with the nearest one, and nothing is computed") {
@@ -65,21 +73,25 @@ TEST_SUITE("cli calculate") {
   }
 
   TEST_CASE("a rule that is broken is told without a place") {
-    CHECK(loadpath_with({"shaft", "torsion", "--tau_adm", "30 MPa"}).error == "command line: error: torsion: give either T or torques\n");
+    CHECK(loadpath_with({"shaft", "torsion", "--tau_adm", "30 MPa"}).error ==
+          "command line: error: torsion: give either T or torques\n");
   }
 
   TEST_CASE("a mechanism from the shell is told what it lacks") {
-    const Ran o = loadpath_with({"mechanism", "planar", "--links", R"({ crank = { points = { O = ["0 mm", "0 mm"] } } })"});
+    const Ran o =
+        loadpath_with({"mechanism", "planar", "--links", R"({ crank = { points = { O = ["0 mm", "0 mm"] } } })"});
     CHECK(o.code == 2);
     CHECK(o.error == "command line: error: planar.joints: 'joints' is missing: joints, by name\n");
-    CHECK(loadpath_with({"mechanism", "planar", "--links", "{ crank = 3 }", "--joints", "{}"}).error.starts_with("--links:1:11: error: 'links.crank' is a table of fields, not a number\n"));
+    CHECK(loadpath_with({"mechanism", "planar", "--links", "{ crank = 3 }", "--joints", "{}"})
+              .error.starts_with("--links:1:11: error: 'links.crank' is a table of fields, not a number\n"));
   }
 
   TEST_CASE("a mechanism from the shell is solved") {
-    const Ran o = loadpath_with({"mechanism", "planar", "--ground", R"({ O = ["0 mm", "0 mm"] })", "--links",
-                                     R"({ crank = { angle = "0 deg", points = { O = ["0 mm", "0 mm"], A = ["50 mm", "0 mm"] } } })", "--joints",
-                                     R"({ O = { type = "revolute", links = ["ground", "crank"] } })", "--crank", R"({ joint = "O", at = "0 deg" })",
-                                     "--loads", R"([{ link = "crank", at = "A", F_x = "0 N", F_y = "-100 N" }])"});
+    const Ran o = loadpath_with(
+        {"mechanism", "planar", "--ground", R"({ O = ["0 mm", "0 mm"] })", "--links",
+         R"({ crank = { angle = "0 deg", points = { O = ["0 mm", "0 mm"], A = ["50 mm", "0 mm"] } } })", "--joints",
+         R"({ O = { type = "revolute", links = ["ground", "crank"] } })", "--crank", R"({ joint = "O", at = "0 deg" })",
+         "--loads", R"([{ link = "crank", at = "A", F_x = "0 N", F_y = "-100 N" }])"});
     CHECK(o.error.empty());
     CHECK(o.code == 0);
     CHECK(contains(o.out, "5 N·m"));
@@ -87,7 +99,9 @@ TEST_SUITE("cli calculate") {
 
   TEST_CASE("a report is written from the shell too") {
     const Desk desk;
-    CHECK(desk.run({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 MPa", "--title", "Drive", "--report", "a.html"}).code == 0);
+    CHECK(desk.run({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 MPa", "--title", "Drive", "--report",
+                    "a.html"})
+              .code == 0);
     CHECK(contains(desk.get("a.html"), "Drive"));
   }
 }

@@ -19,8 +19,12 @@ Ran convert(std::vector<std::string> words) {
 TEST_SUITE("cli convert") {
   TEST_CASE("quantities become what is asked for") {
     const Row rows[] = {
-        {{"2700 lbf*in", "N*m"}, "305.0590384 N·m\n"}, {{"2,5 kN·m", "N*m"}, "2500 N·m\n"}, {{"-5 °C", "K"}, "268.15 K\n"},
-        {{"120 rpm", "rad/s"}, "12.56637061 rad/s\n"}, {{"1-1/2 in", "mm"}, "38.1 mm\n"},   {{"30 МПа", "ksi"}, "4.351132132 ksi\n"},
+        {{"2700 lbf*in", "N*m"}, "305.0590384 N·m\n"},
+        {{"2,5 kN·m", "N*m"}, "2500 N·m\n"},
+        {{"-5 °C", "K"}, "268.15 K\n"},
+        {{"120 rpm", "rad/s"}, "12.56637061 rad/s\n"},
+        {{"1-1/2 in", "mm"}, "38.1 mm\n"},
+        {{"30 МПа", "ksi"}, "4.351132132 ksi\n"},
     };
     for (const Row& row : rows) {
       CAPTURE(row.words[0]);
@@ -39,10 +43,12 @@ TEST_SUITE("cli convert") {
   TEST_CASE("a unit that is left out is chosen") { CHECK(convert({"2700 lbf*in"}).out == "305.0590384 N·m\n"); }
 
   TEST_CASE("what is wrong is told at its character") {
-    CHECK(convert({"30 mpa"}).error == "quantity:1:4: error: unknown unit 'mpa'\n1 | 30 mpa\n  |    ^^^\n  = help: did you mean 'MPa'?\n");
+    CHECK(convert({"30 mpa"}).error ==
+          "quantity:1:4: error: unknown unit 'mpa'\n1 | 30 mpa\n  |    ^^^\n  = help: did you mean 'MPa'?\n");
     CHECK(convert({"30 mm", "mn"}).error.starts_with("unit:1:1: error: unknown unit 'mn'\n"));
     CHECK(convert({"1,234.5 mm"}).error.starts_with("quantity:1:1: error: '1,234.5' has more than one decimal mark\n"));
-    CHECK(convert({"=a.b + 1"}).error == "quantity:1:2: error: 'a.b' refers to a project, and there is none here\n1 | =a.b + 1\n  |  ^^^\n");
+    CHECK(convert({"=a.b + 1"}).error ==
+          "quantity:1:2: error: 'a.b' refers to a project, and there is none here\n1 | =a.b + 1\n  |  ^^^\n");
     CHECK(convert({"=1 mm + 1 kg"}).code == 2);
   }
 

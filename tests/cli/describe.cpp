@@ -38,7 +38,8 @@ TEST_SUITE("cli describe") {
     const Ran o = loadpath_with({"describe", "shaft.torsoin"});
     CHECK(o.code == 2);
     CHECK(o.error == "loadpath: there is no calculator 'shaft.torsoin'\n  = help: did you mean 'shaft.torsion'?\n");
-    CHECK(loadpath_with({"describe", "teapot"}).error == "loadpath: there is no calculator 'teapot'\n  = help: `loadpath list` shows all\n");
+    CHECK(loadpath_with({"describe", "teapot"}).error ==
+          "loadpath: there is no calculator 'teapot'\n  = help: `loadpath list` shows all\n");
   }
 
   TEST_CASE("the schema is what the program writes") {

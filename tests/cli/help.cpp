@@ -43,9 +43,11 @@ TEST_SUITE("cli help") {
   }
 
   TEST_CASE("an unknown command is told with the nearest one, or with all") {
-    CHECK(loadpath_with({"runn", "a.toml"}).error == "loadpath: there is no command 'runn'\n  = help: did you mean 'run'?\n");
+    CHECK(loadpath_with({"runn", "a.toml"}).error ==
+          "loadpath: there is no command 'runn'\n  = help: did you mean 'run'?\n");
     CHECK(loadpath_with({"teapot"}).error ==
-          "loadpath: there is no command 'teapot'\n  = help: there is: run, list, describe, convert, verify, tables, schema, mechanism, shaft\n");
+          "loadpath: there is no command 'teapot'\n  = help: there is: run, list, describe, convert, verify, tables, "
+          "schema, mechanism, shaft\n");
     CHECK(loadpath_with({"teapot"}).code == 2);
   }
 
@@ -56,9 +58,12 @@ TEST_SUITE("cli help") {
   }
 
   TEST_CASE("an unknown option is told with the nearest one") {
-    CHECK(loadpath_with({"run", "--rport", "a.html", "a.toml"}).error == "loadpath: there is no option '--rport'\n  = help: did you mean '--report'?\n");
-    CHECK(loadpath_with({"--versoin"}).error == "loadpath: there is no option '--versoin'\n  = help: did you mean '--version'?\n");
-    CHECK(loadpath_with({"shaft", "--T", "3 N*m"}).error == "loadpath: there is no option '--T'\n  = help: `loadpath shaft --help` shows what there is\n");
+    CHECK(loadpath_with({"run", "--rport", "a.html", "a.toml"}).error ==
+          "loadpath: there is no option '--rport'\n  = help: did you mean '--report'?\n");
+    CHECK(loadpath_with({"--versoin"}).error ==
+          "loadpath: there is no option '--versoin'\n  = help: did you mean '--version'?\n");
+    CHECK(loadpath_with({"shaft", "--T", "3 N*m"}).error ==
+          "loadpath: there is no option '--T'\n  = help: `loadpath shaft --help` shows what there is\n");
     CHECK(loadpath_with({"shaft", "--T", "3 N*m"}).code == 2);
   }
 

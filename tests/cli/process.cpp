@@ -1,12 +1,11 @@
 #include "tests/cli/process.hpp"
 
-#include <fcntl.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
+#include <fcntl.h>
 #include <fstream>
 #include <iterator>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace loadpath::test {
 
@@ -40,14 +39,16 @@ void redirect(int to, const fs::path& path, int flags) {
 
 fs::path streams_of(const fs::path& folder) { return folder.string() + ".streams"; }
 
-Ran run_in(const fs::path& folder, const std::vector<std::string>& words, const std::string& input, const Environment& environment) {
+Ran run_in(const fs::path& folder, const std::vector<std::string>& words, const std::string& input,
+           const Environment& environment) {
   const fs::path streams = streams_of(folder);
   std::ofstream(streams / "in", std::ios::binary) << input;
   const pid_t child = fork();
   if (child == 0) become(folder, streams, words, environment);
   int status = 0;
   REQUIRE(waitpid(child, &status, 0) == child);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(streams / "out"), text_of(streams / "error")};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(streams / "out"),
+          text_of(streams / "error")};
 }
 
 }  // namespace
@@ -75,7 +76,9 @@ Ran Desk::shell(const std::string& line) const {
   return run_in(folder_, {"/bin/sh", "-c", "loadpath() { '" LOADPATH_PROGRAM "' \"$@\"; }; " + line}, "", {});
 }
 
-void Desk::put(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name, std::ios::binary) << text; }
+void Desk::put(const std::string& name, const std::string& text) const {
+  std::ofstream(folder_ / name, std::ios::binary) << text;
+}
 
 std::string Desk::get(const std::string& name) const { return text_of(folder_ / name); }
 

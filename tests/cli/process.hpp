@@ -26,7 +26,8 @@ class Desk {
   Desk(const Desk&) = delete;
   Desk& operator=(const Desk&) = delete;
 
-  [[nodiscard]] Ran run(const std::vector<std::string>& words, const std::string& input = "", const Environment& environment = {}) const;
+  [[nodiscard]] Ran run(const std::vector<std::string>& words, const std::string& input = "",
+                        const Environment& environment = {}) const;
   /// A line as a user types it; `loadpath` is the program under test.
   [[nodiscard]] Ran shell(const std::string& line) const;
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }

@@ -58,7 +58,9 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 bool has_no_number(const std::string& text) {
   for (const char* word : {"nan", "NaN", "inf", "Infinity", "-nan"}) {
     for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at) {
-      const auto letter = [&](std::size_t i) { return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0; };
+      const auto letter = [&](std::size_t i) {
+        return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0;
+      };
       if (!(at > 0 && letter(at - 1)) && !letter(at + std::string(word).size())) return true;
     }
   }
@@ -130,8 +132,10 @@ TEST_SUITE("cli run") {
   TEST_CASE("a report that cannot be written is refused before solving") {
     const Desk desk;
     desk.put("file", "");
-    CHECK(desk.run({"run", "-", "--report", "a.doc"}, passing).error == "loadpath: a report is written as .html, .md or .pdf, not as 'a.doc'\n");
-    CHECK(desk.run({"run", "-", "--report", "file/a.html"}, passing).error == "loadpath: cannot write 'file/a.html': it is a folder, or lies in a file\n");
+    CHECK(desk.run({"run", "-", "--report", "a.doc"}, passing).error ==
+          "loadpath: a report is written as .html, .md or .pdf, not as 'a.doc'\n");
+    CHECK(desk.run({"run", "-", "--report", "file/a.html"}, passing).error ==
+          "loadpath: cannot write 'file/a.html': it is a folder, or lies in a file\n");
     CHECK(desk.run({"run", "-", "--report", "/proc/a.html"}, passing).code == 2);
     const Ran o = desk.run({"run", "-", "--report", "a.pdf"}, passing, {{"PATH", "/nowhere"}});
     CHECK(o.code == 2);
@@ -173,7 +177,9 @@ TEST_SUITE("cli run") {
   TEST_CASE("two runs write the same bytes") {
     const Desk one, two;
     for (const Desk* desk : {&one, &two}) {
-      CHECK(desk->run({"run", LOADPATH_ROOT "/examples/slotted-lever/project.toml", "--report", "a.html", "--report", "a.md", "--csv", "csv", "--quiet"}).code == 1);
+      CHECK(desk->run({"run", LOADPATH_ROOT "/examples/slotted-lever/project.toml", "--report", "a.html", "--report",
+                       "a.md", "--csv", "csv", "--quiet"})
+                .code == 1);
     }
     REQUIRE(one.files() == two.files());
     CHECK(one.files().size() > 3);
@@ -188,7 +194,8 @@ TEST_SUITE("cli run") {
   TEST_CASE("the user's words are escaped in reports") {
     const Desk desk;
     const std::string script = "<script>alert('x')</script>";
-    desk.put("a.toml", "[project]\ntitle = \"" + script + "\"\nauthor = \"a & b <i>\"\n" + passing + "title = \"" + script + "\"\nnote = \"" + script + "\"\n");
+    desk.put("a.toml", "[project]\ntitle = \"" + script + "\"\nauthor = \"a & b <i>\"\n" + passing + "title = \"" +
+                           script + "\"\nnote = \"" + script + "\"\n");
     REQUIRE(desk.run({"run", "a.toml", "--report", "a.html", "--report", "a.md"}).code == 0);
     CHECK_FALSE(contains(desk.get("a.html"), "<script"));
     CHECK_FALSE(contains(desk.get("a.html"), "<i>"));
@@ -223,10 +230,14 @@ TEST_SUITE("cli run") {
         axle + "T = \"=1 N*m / 0\"\ntau_adm = \"30 MPa\"\n",
         axle + "T = \"0 N*m\"\ntau_adm = \"30 MPa\"\ntheta_adm = \"1 deg/m\"\nG = \"80 GPa\"\n",
         axle + "T = \"1e300 N*m\"\nK_A = 1e300\ntau_adm = \"1e-300 MPa\"\n",
-        axle + "T = \"1 N*m\"\nd = \"1e-300 mm\"\nl = \"1e300 m\"\nG = \"1e-300 GPa\"\ntheta_adm = \"1e-300 rad/m\"\ntau_adm = \"1 MPa\"\n",
+        axle +
+            "T = \"1 N*m\"\nd = \"1e-300 mm\"\nl = \"1e300 m\"\nG = \"1e-300 GPa\"\ntheta_adm = \"1e-300 "
+            "rad/m\"\ntau_adm = \"1 MPa\"\n",
         axle + "T = \"1 N*m\"\nd_bore = \"1e300 mm\"\ntau_adm = \"1 MPa\"\n",
         axle + "T = \"1 MN*m\"\nS = 3\nmaterial = \"C45E\"\n",
-        pin + "F = \"1e300 N\"\na = \"1e300 m\"\nT = \"1e300 N*m\"\nsigma_adm = \"1e-300 MPa\"\ntau_adm = \"1e-300 MPa\"\n",
+        pin +
+            "F = \"1e300 N\"\na = \"1e300 m\"\nT = \"1e300 N*m\"\nsigma_adm = \"1e-300 MPa\"\ntau_adm = \"1e-300 "
+            "MPa\"\n",
         pin + "F = \"0 N\"\na = \"1 mm\"\nT = \"0 N*m\"\nsigma_adm = \"60 MPa\"\n",
     };
     for (const std::string& project : projects) {

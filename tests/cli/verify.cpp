@@ -6,7 +6,8 @@ namespace {
 
 std::string expecting(const std::string& is) {
   return "[axle]\ncalculator = \"shaft.torsion\"\nT = \"2700 N*m\"\ntau_adm = \"30 MPa\"\n"
-         "[[expect]]\nvalue = \"axle.d_min\"\nis = \"" + is + "\"\ndigits = 4\nsource = \"by hand\"\n";
+         "[[expect]]\nvalue = \"axle.d_min\"\nis = \"" +
+         is + "\"\ndigits = 4\nsource = \"by hand\"\n";
 }
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -41,6 +42,7 @@ TEST_SUITE("cli verify") {
     CHECK(desk.run({"verify", "none.toml"}).code == 2);
     CHECK(desk.run({"verify", "none.toml"}).error == "loadpath: cannot read 'none.toml'\n");
     CHECK(desk.run({"verify", "a.toml"}).code == 2);
-    CHECK(desk.run({"verify", "a.toml"}).error.starts_with("a.toml:6:10: error: 'axle.d_min' is a length, and '77.10 kg' is a mass\n"));
+    CHECK(desk.run({"verify", "a.toml"})
+              .error.starts_with("a.toml:6:10: error: 'axle.d_min' is a length, and '77.10 kg' is a mass\n"));
   }
 }

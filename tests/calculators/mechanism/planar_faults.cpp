@@ -82,7 +82,8 @@ TEST_SUITE("mechanism faults") {
   }
 
   TEST_CASE("a joint of a link with itself") {
-    CHECK(with("[\"crank\", \"rod\"]", "[\"crank\", \"crank\"]") == R"(a.toml:24:34: error: joint 'A' connects 'crank' with itself
+    CHECK(with("[\"crank\", \"rod\"]", "[\"crank\", \"crank\"]") ==
+          R"(a.toml:24:34: error: joint 'A' connects 'crank' with itself
 24 | A = { type = "revolute", links = ["crank", "crank"] }
    |                                  ^^^^^^^^^^^^^^^^^^
    = help: a joint is between two links, or between a link and the ground
@@ -90,7 +91,8 @@ TEST_SUITE("mechanism faults") {
   }
 
   TEST_CASE("a point that two links share without a pin") {
-    CHECK(with("points = { B = [\"0 mm\", \"0 mm\"] }", "points = { A = [\"1 mm\", \"0 mm\"], B = [\"0 mm\", \"0 mm\"] }") ==
+    CHECK(with("points = { B = [\"0 mm\", \"0 mm\"] }",
+               "points = { A = [\"1 mm\", \"0 mm\"], B = [\"0 mm\", \"0 mm\"] }") ==
           R"(a.toml:18:16: error: 'A' is a point of 'crank' and of 'slider', but no pin 'A' joins them
 18 | points = { A = ["1 mm", "0 mm"], B = ["0 mm", "0 mm"] }
    |                ^^^^^^^^^^^^^^^^
@@ -99,7 +101,8 @@ TEST_SUITE("mechanism faults") {
   }
 
   TEST_CASE("no drive where there is a freedom") {
-    CHECK(with("crank = { joint = \"O\", speed = \"60 rpm\", positions = 12 }\n", "") == R"(a.toml:1:2: error: mobility 1, but number of drivers 0
+    CHECK(with("crank = { joint = \"O\", speed = \"60 rpm\", positions = 12 }\n", "") ==
+          R"(a.toml:1:2: error: mobility 1, but number of drivers 0
 1 | [press]
   |  ^^^^^
   = help: add a driver, or take a freedom away: 'crank', 'rod', 'slider' can still move
@@ -112,7 +115,8 @@ TEST_SUITE("mechanism faults") {
   |                    ^
   = help: there is: O, A, B, guide
 )");
-    CHECK(with("joint = \"O\"", "joint = \"guide\"") == R"(a.toml:3:20: error: a crank turns a revolute joint, and 'guide' is none
+    CHECK(with("joint = \"O\"", "joint = \"guide\"") ==
+          R"(a.toml:3:20: error: a crank turns a revolute joint, and 'guide' is none
 3 | crank = { joint = "guide", speed = "60 rpm", positions = 12 }
   |                    ^^^^^
   = help: a slide or a slot takes a cylinder
@@ -150,8 +154,11 @@ F = { type = "revolute", links = ["b", "e"] }
   }
 
   TEST_CASE("a pin that is there twice is told once") {
-    const std::string said = issues_of(press + "[press.joints.O2]\ntype = \"revolute\"\nlinks = [\"crank\", \"ground\"]\npoints = [\"O\", \"O\"]\n");
-    CHECK(said.starts_with("a.toml:23:5: error: the joints 'O', 'O2' together hold one freedom too many: their reactions are not unique\n"));
+    const std::string said = issues_of(
+        press + "[press.joints.O2]\ntype = \"revolute\"\nlinks = [\"crank\", \"ground\"]\npoints = [\"O\", \"O\"]\n");
+    CHECK(
+        said.starts_with("a.toml:23:5: error: the joints 'O', 'O2' together hold one freedom too many: their reactions "
+                         "are not unique\n"));
     CHECK(said.find("error", said.find("error") + 1) == std::string::npos);
   }
 
@@ -166,16 +173,22 @@ F = { type = "revolute", links = ["b", "e"] }
 
   TEST_CASE("a load is whole, and of one kind") {
     CHECK(with("F_y = \"0 N\"\n", "").starts_with("a.toml:28:1: error: give F with direction, or F_x and F_y\n"));
-    CHECK(with("F_y = \"0 N\"\n", "F_y = \"0 N\"\nF = \"3 N\"\n").starts_with("a.toml:28:1: error: give either F with direction or F_x and F_y, not both\n"));
-    CHECK(with("F_x = \"-1 kN\"\nF_y = \"0 N\"\n", "").starts_with("a.toml:28:1: error: a load has a force (F with direction, or F_x and F_y) or a couple M\n"));
-    CHECK(with("at = \"B\"\n", "").starts_with("a.toml:28:1: error: a force needs the point it acts at: at = \"...\"\n"));
-    CHECK(with("link = \"slider\"\nat", "link = \"ground\"\nat").starts_with("a.toml:30:9: error: a load on the ground has no effect\n"));
+    CHECK(with("F_y = \"0 N\"\n", "F_y = \"0 N\"\nF = \"3 N\"\n")
+              .starts_with("a.toml:28:1: error: give either F with direction or F_x and F_y, not both\n"));
+    CHECK(
+        with("F_x = \"-1 kN\"\nF_y = \"0 N\"\n", "")
+            .starts_with("a.toml:28:1: error: a load has a force (F with direction, or F_x and F_y) or a couple M\n"));
+    CHECK(
+        with("at = \"B\"\n", "").starts_with("a.toml:28:1: error: a force needs the point it acts at: at = \"...\"\n"));
+    CHECK(with("link = \"slider\"\nat", "link = \"ground\"\nat")
+              .starts_with("a.toml:30:9: error: a load on the ground has no effect\n"));
   }
 
   TEST_CASE("a point is given one way, and what is wrong in it is told once") {
     CHECK(with("A = [\"50 mm\", \"0 mm\"]", "A = { r = \"50 mm\", x = \"3 mm\" }")
               .starts_with("a.toml:10:38: error: a point has either x and y or r and angle\n"));
-    CHECK(with("A = [\"50 mm\", \"0 mm\"]", "A = [\"50\", \"0 mm\"]") == R"(a.toml:10:40: error: '50' has no unit, a length is expected
+    CHECK(with("A = [\"50 mm\", \"0 mm\"]", "A = [\"50\", \"0 mm\"]") ==
+          R"(a.toml:10:40: error: '50' has no unit, a length is expected
 10 | points = { O = ["0 mm", "0 mm"], A = ["50", "0 mm"] }
    |                                        ^^
    = help: write '50 mm'
@@ -183,8 +196,10 @@ F = { type = "revolute", links = ["b", "e"] }
   }
 
   TEST_CASE("numbers of the drive") {
-    CHECK(with("positions = 12", "positions = 4").starts_with("a.toml:3:54: error: crank.positions = 4: must be >= 8 and <= 7200\n"));
-    CHECK(with("positions = 12", "positions = 12.5").starts_with("a.toml:3:54: error: a whole number is expected, not 12.5\n"));
+    CHECK(with("positions = 12", "positions = 4")
+              .starts_with("a.toml:3:54: error: crank.positions = 4: must be >= 8 and <= 7200\n"));
+    CHECK(with("positions = 12", "positions = 12.5")
+              .starts_with("a.toml:3:54: error: a whole number is expected, not 12.5\n"));
     CHECK(with("\"60 rpm\"", "\"60 Hz\"") == R"(a.toml:3:33: error: '60 Hz' is a frequency, an angular speed is expected
 3 | crank = { joint = "O", speed = "60 Hz", positions = 12 }
   |                                 ^^^^^
@@ -193,10 +208,12 @@ F = { type = "revolute", links = ["b", "e"] }
   }
 
   TEST_CASE("an expression in a mechanism is checked as everywhere") {
-    CHECK(with("mass = \"2 kg\"", "mass = \"=2 kg * 3 m\"") == R"(a.toml:20:10: error: 'links.slider.mass' is a mass, and this expression is a quantity in kg*m
+    CHECK(with("mass = \"2 kg\"", "mass = \"=2 kg * 3 m\"") ==
+          R"(a.toml:20:10: error: 'links.slider.mass' is a mass, and this expression is a quantity in kg*m
 20 | mass = "=2 kg * 3 m"
    |          ^^^^^^^^^^
 )");
-    CHECK(with("mass = \"2 kg\"", "mass = \"=2 kg - 3 kg\"").starts_with("a.toml:20:10: error: links.slider.mass = -1 kg: must be >= 0 kg\n"));
+    CHECK(with("mass = \"2 kg\"", "mass = \"=2 kg - 3 kg\"")
+              .starts_with("a.toml:20:10: error: links.slider.mass = -1 kg: must be >= 0 kg\n"));
   }
 }

@@ -1,13 +1,13 @@
 #include "calculators/shaft/overhung.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-
 #include "calculators/catalogue.hpp"
 #include "calculators/shaft/torsion.hpp"
 #include "lib/io/tree.hpp"
 #include "lib/project/project.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
 
 namespace {
 
@@ -120,8 +120,10 @@ TEST_SUITE("shaft") {
     for (const Row row : {Row{15, 490}, {16, 490}, {17, 430}, {40, 430}, {41, 370}, {100, 370}, {101, NAN}}) {
       CAPTURE(row.d_mm);
       std::vector<Issue> issues;
-      const project::Project p = solved("[part]\ncalculator = \"shaft.torsion\"\nT = \"10 N*m\"\nmaterial = \"C45E\"\nS = 2\nd = \"" +
-                                            std::to_string(row.d_mm) + " mm\"\n", issues);
+      const project::Project p =
+          solved("[part]\ncalculator = \"shaft.torsion\"\nT = \"10 N*m\"\nmaterial = \"C45E\"\nS = 2\nd = \"" +
+                     std::to_string(row.d_mm) + " mm\"\n",
+                 issues);
       REQUIRE(issues.empty());
       if (std::isnan(row.R_e)) {
         CHECK(project::worst(project::verdicts(p)) == report::State::not_covered);
@@ -133,7 +135,8 @@ TEST_SUITE("shaft") {
 
   TEST_CASE("the bore of the least shaft is kept when the diameter is rounded up") {
     std::vector<Issue> issues;
-    const project::Project p = solved("[part]\ncalculator = \"shaft.torsion\"\nT = \"2700 N*m\"\ntau_adm = \"30 MPa\"\nchi = 0.6\n", issues);
+    const project::Project p =
+        solved("[part]\ncalculator = \"shaft.torsion\"\nT = \"2700 N*m\"\ntau_adm = \"30 MPa\"\nchi = 0.6\n", issues);
     REQUIRE(issues.empty());
     CHECK(rel(p.value("part.d_bore")->si[0], 0.6 * p.value("part.d_min")->si[0]) < 1e-12);
     CHECK(p.value("part.d")->si[0] > p.value("part.d_min")->si[0]);
@@ -144,7 +147,10 @@ TEST_SUITE("shaft") {
     std::vector<double> sizes;
     for (const std::string T : {"900 N*m", "0.9 kN*m", "900000 N*mm"}) {
       std::vector<Issue> issues;
-      sizes.push_back(solved("[part]\ncalculator = \"shaft.torsion\"\nT = \"" + T + "\"\ntau_adm = \"30 MPa\"\n", issues).value("part.d_min")->si[0]);
+      sizes.push_back(
+          solved("[part]\ncalculator = \"shaft.torsion\"\nT = \"" + T + "\"\ntau_adm = \"30 MPa\"\n", issues)
+              .value("part.d_min")
+              ->si[0]);
     }
     CHECK(rel(sizes[1], sizes[0]) < 1e-14);
     CHECK(rel(sizes[2], sizes[0]) < 1e-14);

@@ -27,7 +27,8 @@ bool nulls_have_reasons(const json::value& v) {
   if (object == nullptr) return true;
   for (const auto& [key, item] : *object) {
     const auto* list = item.if_array();
-    const bool holed = list != nullptr && std::any_of(list->begin(), list->end(), [](const auto& x) { return x.is_null(); });
+    const bool holed =
+        list != nullptr && std::any_of(list->begin(), list->end(), [](const auto& x) { return x.is_null(); });
     if ((item.is_null() || holed) && !object->contains("reason")) return false;
     if (!nulls_have_reasons(item)) return false;
   }
@@ -96,8 +97,10 @@ TEST_SUITE("json") {
   }
 
   TEST_CASE("hostile numbers leave valid JSON") {
-    for (const char* lines : {"T = \"1e300 N*m\"\nK_A = 1e300\ntau_adm = \"1e-300 MPa\"\n", "T = \"0 N*m\"\ntau_adm = \"30 MPa\"\n",
-                              "T = \"1 N*m\"\nd = \"1e-300 mm\"\ntau_adm = \"1e-300 MPa\"\ntheta_adm = \"1e-300 rad/m\"\nG = \"1e-300 GPa\"\nl = \"1e300 m\"\n"}) {
+    for (const char* lines :
+         {"T = \"1e300 N*m\"\nK_A = 1e300\ntau_adm = \"1e-300 MPa\"\n", "T = \"0 N*m\"\ntau_adm = \"30 MPa\"\n",
+          "T = \"1 N*m\"\nd = \"1e-300 mm\"\ntau_adm = \"1e-300 MPa\"\ntheta_adm = \"1e-300 rad/m\"\nG = \"1e-300 "
+          "GPa\"\nl = \"1e300 m\"\n"}) {
       CAPTURE(lines);
       json::value v;
       CHECK_NOTHROW(v = json_of(axle + lines));

@@ -21,11 +21,16 @@ const json::value& schema() {
 
 std::string_view type_of(const Tree& tree) {
   switch (tree.type) {
-    case Tree::Type::table: return "object";
-    case Tree::Type::array: return "array";
-    case Tree::Type::text: return "string";
-    case Tree::Type::number: return tree.number == static_cast<double>(static_cast<long long>(tree.number)) ? "integer" : "number";
-    case Tree::Type::boolean: return "boolean";
+    case Tree::Type::table:
+      return "object";
+    case Tree::Type::array:
+      return "array";
+    case Tree::Type::text:
+      return "string";
+    case Tree::Type::number:
+      return tree.number == static_cast<double>(static_cast<long long>(tree.number)) ? "integer" : "number";
+    case Tree::Type::boolean:
+      return "boolean";
   }
   return "";
 }
@@ -69,16 +74,21 @@ bool accepts(const json::value& value, const Tree& tree) {
   }
   if (const auto* forms = rule.if_contains("anyOf")) {
     const auto& all = forms->as_array();
-    if (std::none_of(all.begin(), all.end(), [&](const json::value& form) { return accepts(form, tree); })) return false;
+    if (std::none_of(all.begin(), all.end(), [&](const json::value& form) { return accepts(form, tree); }))
+      return false;
   }
   if (const auto* forms = rule.if_contains("oneOf")) {
     const auto& all = forms->as_array();
-    if (std::count_if(all.begin(), all.end(), [&](const json::value& form) { return accepts(form, tree); }) != 1) return false;
+    if (std::count_if(all.begin(), all.end(), [&](const json::value& form) { return accepts(form, tree); }) != 1)
+      return false;
   }
   if (const auto* items = rule.if_contains("items"); items != nullptr && tree.type == Tree::Type::array) {
-    if (!std::all_of(tree.items.begin(), tree.items.end(), [&](const Tree& item) { return accepts(*items, item); })) return false;
+    if (!std::all_of(tree.items.begin(), tree.items.end(), [&](const Tree& item) { return accepts(*items, item); }))
+      return false;
   }
-  if (const auto* most = rule.if_contains("maxItems"); most != nullptr && tree.items.size() > most->to_number<std::size_t>()) return false;
+  if (const auto* most = rule.if_contains("maxItems");
+      most != nullptr && tree.items.size() > most->to_number<std::size_t>())
+    return false;
   return tree.type != Tree::Type::table || accepts_entries(rule, tree);
 }
 
@@ -114,7 +124,8 @@ TEST_SUITE("schema") {
 
   TEST_CASE("it accepts every project of the repository") {
     for (const char* folder : {"examples", "reference"}) {
-      for (const auto& file : std::filesystem::recursive_directory_iterator(std::filesystem::path(LOADPATH_ROOT) / folder)) {
+      for (const auto& file :
+           std::filesystem::recursive_directory_iterator(std::filesystem::path(LOADPATH_ROOT) / folder)) {
         if (file.path().extension() != ".toml") continue;
         CAPTURE(file.path().string());
         std::string text;

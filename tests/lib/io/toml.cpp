@@ -54,7 +54,8 @@ TEST_SUITE("toml") {
   }
 
   TEST_CASE("a Cyrillic key without quotes is told to take them") {
-    CHECK(issues_of("момент = \"3 N*m\"\n").ends_with("  = help: write a key with other than Latin letters in quotes\n"));
+    CHECK(
+        issues_of("момент = \"3 N*m\"\n").ends_with("  = help: write a key with other than Latin letters in quotes\n"));
     CHECK(issues_of("[вал]\n").ends_with("  = help: a name has Latin letters, digits and '_'\n"));
   }
 
@@ -76,15 +77,19 @@ TEST_SUITE("toml") {
   }
 
   TEST_CASE("control characters are told with their code") {
-    CHECK(issues_of("a = \"x\x07y\"\n") == "a.toml:1:7: error: the control character U+0007\n1 | a = \"x\xEF\xBF\xBDy\"\n  |       ^\n  = help: remove it\n");
+    CHECK(issues_of("a = \"x\x07y\"\n") ==
+          "a.toml:1:7: error: the control character U+0007\n1 | a = \"x\xEF\xBF\xBDy\"\n  |       ^\n  = help: remove "
+          "it\n");
     CHECK(issues_of("[a\x1b]\n").starts_with("a.toml:1:3: error: the control character U+001B\n"));
     CHECK(issues_of("a = 1 # \x7f\n").starts_with("a.toml:1:9: error: the control character U+007F\n"));
-    CHECK(issues_of(std::string("a = 1\0b = 2\n", 12)).starts_with("a.toml:1:6: error: the control character U+0000\n"));
+    CHECK(
+        issues_of(std::string("a = 1\0b = 2\n", 12)).starts_with("a.toml:1:6: error: the control character U+0000\n"));
     CHECK(issues_of("a = 1\t# tab\r\nb = 2\r\n").empty());
   }
 
   TEST_CASE("a line-ending backslash before a letter outside ASCII is refused") {
-    CHECK(issues_of("note = \"\"\"one \\\n  два\"\"\"\n") == R"(a.toml:1:15: error: a backslash at the end of a line before a letter outside ASCII
+    CHECK(issues_of("note = \"\"\"one \\\n  два\"\"\"\n") ==
+          R"(a.toml:1:15: error: a backslash at the end of a line before a letter outside ASCII
 1 | note = """one \
   |               ^
   = help: write the text in one line

@@ -1,5 +1,4 @@
 #include "lib/project/verify.hpp"
-
 #include "tests/lib/project/texts.hpp"
 
 using namespace loadpath;
@@ -35,7 +34,8 @@ TEST_SUITE("project expectations") {
   TEST_CASE("within is a part of the value") {
     CHECK(compared("value = \"axle.M_max\"\nis = \"101 N*m\"\nwithin = \"1 %\"\n" + source).holds);
     CHECK_FALSE(compared("value = \"axle.M_max\"\nis = \"102 N*m\"\nwithin = \"1 %\"\n" + source).holds);
-    CHECK(compared("value = \"axle.M_max\"\nis = \"101 N*m\"\nwithin = \"1 %\"\n" + source).deviation == doctest::Approx(-1.0 / 101.0));
+    CHECK(compared("value = \"axle.M_max\"\nis = \"101 N*m\"\nwithin = \"1 %\"\n" + source).deviation ==
+          doctest::Approx(-1.0 / 101.0));
   }
 
   TEST_CASE("an expected zero is compared in SI") {
@@ -47,7 +47,11 @@ TEST_SUITE("project expectations") {
   }
 
   TEST_CASE("what is not available is a miss") {
-    const auto project = told(axle + "T = \"=1 N*m / 0\"\ntau_adm = \"30 MPa\"\n[[expect]]\nvalue = \"axle.M_max\"\nis = \"1 N*m\"\ndigits = 3\n" + source).project;
+    const auto project = told(axle +
+                              "T = \"=1 N*m / 0\"\ntau_adm = \"30 MPa\"\n[[expect]]\nvalue = \"axle.M_max\"\nis = \"1 "
+                              "N*m\"\ndigits = 3\n" +
+                              source)
+                             .project;
     CHECK_FALSE(project::compare(project).at(0).holds);
   }
 
@@ -66,7 +70,8 @@ TEST_SUITE("project expectations") {
     CHECK(issues_of(expecting(value_and_is + "digits = 2.5\n")) ==
           "a.toml:9:10: error: digits is a whole number from 1 to 15\n9 | digits = 2.5\n  |          ^^^\n");
     CHECK(issues_of(expecting(value_and_is + "within = \"3 mm\"\n")) ==
-          "a.toml:9:11: error: within is a part of the value above zero: \"0.5 %\"\n9 | within = \"3 mm\"\n  |           ^^^^\n");
+          "a.toml:9:11: error: within is a part of the value above zero: \"0.5 %\"\n9 | within = \"3 mm\"\n  |         "
+          "  ^^^^\n");
   }
 
   TEST_CASE("an unknown key of an expectation is told with the nearest one") {

@@ -22,8 +22,8 @@ std::vector<std::string> order_of(const std::string& text) {
 
 TEST_SUITE("project order") {
   TEST_CASE("a step comes after those that it refers to, otherwise in the order of the file") {
-    CHECK(order_of(step("d", "=b.M_max + c.M_max") + step("a", "1 N*m") + step("c", "=a.M_max") + step("b", "=a.M_max")) ==
-          std::vector<std::string>{"a", "b", "c", "d"});
+    CHECK(order_of(step("d", "=b.M_max + c.M_max") + step("a", "1 N*m") + step("c", "=a.M_max") +
+                   step("b", "=a.M_max")) == std::vector<std::string>{"a", "b", "c", "d"});
     CHECK(order_of(step("b", "1 N*m") + step("a", "1 N*m")) == std::vector<std::string>{"b", "a"});
   }
 
@@ -34,7 +34,8 @@ TEST_SUITE("project order") {
   |  ^
   = help: give one of them a value
 )");
-    CHECK(issues_of(step("a", "=a.M_max")).starts_with("a.toml:1:2: error: the steps refer to one another in a circle: a -> a\n"));
+    CHECK(issues_of(step("a", "=a.M_max"))
+              .starts_with("a.toml:1:2: error: the steps refer to one another in a circle: a -> a\n"));
   }
 
   TEST_CASE("a step outside of the circle is not named in it") {

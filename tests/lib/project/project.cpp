@@ -15,7 +15,8 @@ TEST_SUITE("project") {
   }
 
   TEST_CASE("an unknown calculator is told with the nearest one") {
-    CHECK(issues_of("[axle]\ncalculator = \"shaft.torsoin\"\n") == R"(a.toml:2:15: error: there is no calculator 'shaft.torsoin'
+    CHECK(issues_of("[axle]\ncalculator = \"shaft.torsoin\"\n") ==
+          R"(a.toml:2:15: error: there is no calculator 'shaft.torsoin'
 2 | calculator = "shaft.torsoin"
   |               ^^^^^^^^^^^^^
   = help: did you mean 'shaft.torsion'?
@@ -26,7 +27,8 @@ TEST_SUITE("project") {
     for (const char* word : {"run", "shaft", "mechanism", "sweep", "man"}) {
       CAPTURE(word);
       const std::string said = issues_of("[" + std::string(word) + "]\ncalculator = \"shaft.torsion\"\n");
-      CHECK(said.starts_with("a.toml:1:2: error: '" + std::string(word) + "' is a word of the program and cannot name a step\n"));
+      CHECK(said.starts_with("a.toml:1:2: error: '" + std::string(word) +
+                             "' is a word of the program and cannot name a step\n"));
     }
   }
 
@@ -36,7 +38,8 @@ TEST_SUITE("project") {
   |  ^^^^^
   = help: a name has Latin letters, digits and '_', and does not start with a digit
 )");
-    CHECK(issues_of("[вал]\ncalculator = \"shaft.torsion\"\n").ends_with("  = help: a name has Latin letters, digits and '_'\n"));
+    CHECK(issues_of("[вал]\ncalculator = \"shaft.torsion\"\n")
+              .ends_with("  = help: a name has Latin letters, digits and '_'\n"));
   }
 
   TEST_CASE("a key outside of a step is refused") {
@@ -48,7 +51,8 @@ TEST_SUITE("project") {
   }
 
   TEST_CASE("an empty project is refused") {
-    const std::string said = "a.toml: error: the project has no step\n  = help: a step is a table with a key calculator = \"...\"\n";
+    const std::string said =
+        "a.toml: error: the project has no step\n  = help: a step is a table with a key calculator = \"...\"\n";
     CHECK(issues_of("") == said);
     CHECK(issues_of("[project]\ntitle = \"nothing\"\n") == said);
   }
@@ -63,7 +67,8 @@ a.toml:3:10: error: 'project.author' takes a text, not a number
 3 | author = 3
   |          ^
 )");
-    const auto project = solved("[project]\ntitle = \"Drive\"\nnumber = \"7\"\n" + axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\n");
+    const auto project =
+        solved("[project]\ntitle = \"Drive\"\nnumber = \"7\"\n" + axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\n");
     CHECK(project.title == "Drive");
     CHECK(project.meta == std::vector<std::pair<std::string, std::string>>{{"number", "7"}});
   }
@@ -75,8 +80,9 @@ a.toml:3:10: error: 'project.author' takes a text, not a number
   }
 
   TEST_CASE("steps keep the order of the file") {
-    const auto project = solved("[b]\ncalculator = \"shaft.torsion\"\nT = \"=a.M_max\"\ntau_adm = \"30 MPa\"\n"
-                                "[a]\ncalculator = \"shaft.torsion\"\nT = \"9 N*m\"\ntau_adm = \"30 MPa\"\n");
+    const auto project = solved(
+        "[b]\ncalculator = \"shaft.torsion\"\nT = \"=a.M_max\"\ntau_adm = \"30 MPa\"\n"
+        "[a]\ncalculator = \"shaft.torsion\"\nT = \"9 N*m\"\ntau_adm = \"30 MPa\"\n");
     CHECK(project.steps[0]->name() == "b");
     CHECK(project.steps[1]->name() == "a");
     CHECK(value(project, "b.M_max") == doctest::Approx(9.0));

@@ -46,7 +46,8 @@ TEST_SUITE("project providers") {
   }
 
   TEST_CASE("a material that does not exist is told with the nearest one, once") {
-    CHECK(issues_of(axle + "T = \"9 N*m\"\nS = 2\nmaterial = \"C54E\"\n") == R"(a.toml:5:13: error: there is no material 'C54E' in the tables
+    CHECK(issues_of(axle + "T = \"9 N*m\"\nS = 2\nmaterial = \"C54E\"\n") ==
+          R"(a.toml:5:13: error: there is no material 'C54E' in the tables
 5 | material = "C54E"
   |             ^^^^
   = help: did you mean 'C45E'?
@@ -54,15 +55,18 @@ TEST_SUITE("project providers") {
   }
 
   TEST_CASE("a material that is no text is told in words") {
-    CHECK(issues_of(axle + "T = \"9 N*m\"\nS = 2\nmaterial = 3\n") == R"(a.toml:5:12: error: 'axle.material' takes a text, not a number
+    CHECK(issues_of(axle + "T = \"9 N*m\"\nS = 2\nmaterial = 3\n") ==
+          R"(a.toml:5:12: error: 'axle.material' takes a text, not a number
 5 | material = 3
   |            ^
 )");
   }
 
   TEST_CASE("a calculator that takes nothing from a material says so") {
-    CHECK(issues_of("[bar]\ncalculator = \"mechanism.planar\"\nmaterial = \"C45E\"\nlinks = { a = { points = { O = [\"0 mm\", \"0 mm\"] } } }\n"
-                    "ground = { O = [\"0 mm\", \"0 mm\"] }\njoints = { O = { type = \"revolute\", links = [\"ground\", \"a\"] } }\ncrank = { joint = \"O\" }\n") ==
+    CHECK(issues_of("[bar]\ncalculator = \"mechanism.planar\"\nmaterial = \"C45E\"\nlinks = { a = { points = { O = "
+                    "[\"0 mm\", \"0 mm\"] } } }\n"
+                    "ground = { O = [\"0 mm\", \"0 mm\"] }\njoints = { O = { type = \"revolute\", links = [\"ground\", "
+                    "\"a\"] } }\ncrank = { joint = \"O\" }\n") ==
           R"(a.toml:3:1: error: 'mechanism.planar' takes nothing from a material
 3 | material = "C45E"
   | ^^^^^^^^

@@ -7,7 +7,8 @@ using namespace loadpath::test;
 
 TEST_SUITE("project reading") {
   TEST_CASE("a wrong dimension is told with the one that is expected") {
-    CHECK(issues_of(axle + "T = \"2700 N\"\ntau_adm = \"30 MPa\"\n") == R"(a.toml:3:6: error: '2700 N' is a force, a moment is expected
+    CHECK(issues_of(axle + "T = \"2700 N\"\ntau_adm = \"30 MPa\"\n") ==
+          R"(a.toml:3:6: error: '2700 N' is a force, a moment is expected
 3 | T = "2700 N"
   |      ^^^^^^
   = help: write a unit such as N*m
@@ -107,7 +108,8 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
   }
 
   TEST_CASE("a field that is missing inside a list is told by its element") {
-    CHECK(issues_of(axle + "tau_adm = \"30 MPa\"\ntorques = [{ x = \"0 m\", T = \"9 N*m\" }, { name = \"gear\", T = \"-9 N*m\" }]\n") ==
+    CHECK(issues_of(axle + "tau_adm = \"30 MPa\"\ntorques = [{ x = \"0 m\", T = \"9 N*m\" }, { name = \"gear\", T = "
+                           "\"-9 N*m\" }]\n") ==
           R"(a.toml:4:40: error: 'torques.gear.x' is missing: place from the left end
 4 | torques = [{ x = "0 m", T = "9 N*m" }, { name = "gear", T = "-9 N*m" }]
   |                                        ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
@@ -116,7 +118,8 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
   }
 
   TEST_CASE("the caret finds its place in arrays and inline tables over several lines") {
-    CHECK(issues_of(axle + "tau_adm = \"30 MPa\"\ntorques = [\n  { x = \"0 m\", T = \"9 N*m\" },\n  { x = \"1 m\", T = \"-9 Н·мм\" },\n  { x = \"2 furlong\", T = \"0 N*m\" },\n]\n") ==
+    CHECK(issues_of(axle + "tau_adm = \"30 MPa\"\ntorques = [\n  { x = \"0 m\", T = \"9 N*m\" },\n  { x = \"1 m\", T = "
+                           "\"-9 Н·мм\" },\n  { x = \"2 furlong\", T = \"0 N*m\" },\n]\n") ==
           R"(a.toml:7:12: error: unknown unit 'furlong'
 7 |   { x = "2 furlong", T = "0 N*m" },
   |            ^^^^^^^
@@ -132,7 +135,8 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
   }
 
   TEST_CASE("a name that stands twice in a list is told at the second") {
-    CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\n[[axle.segments]]\nname = \"hub\"\nl = \"1 m\"\n[[axle.segments]]\nname = \"hub\"\nl = \"2 m\"\n") ==
+    CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\n[[axle.segments]]\nname = \"hub\"\nl = \"1 "
+                           "m\"\n[[axle.segments]]\nname = \"hub\"\nl = \"2 m\"\n") ==
           R"(a.toml:9:9: error: the name 'hub' stands twice in 'segments'
 9 | name = "hub"
   |         ^^^
@@ -142,13 +146,18 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
   TEST_CASE("names have Latin letters, digits and '_'") {
     const std::string rule = "  = help: a name has Latin letters, digits and '_', and does not start with a digit\n";
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nsegments = { \"втулка\" = { l = \"1 m\" } }\n") ==
-          "a.toml:5:14: error: 'втулка' is no name\n5 | segments = { \"втулка\" = { l = \"1 m\" } }\n  |              ^^^^^^^^\n" + rule);
+          "a.toml:5:14: error: 'втулка' is no name\n5 | segments = { \"втулка\" = { l = \"1 m\" } }\n  |              "
+          "^^^^^^^^\n" +
+              rule);
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nsegments = [{ name = \"2nd\", l = \"1 m\" }]\n") ==
-          "a.toml:5:23: error: '2nd' is no name\n5 | segments = [{ name = \"2nd\", l = \"1 m\" }]\n  |                       ^^^\n" + rule);
+          "a.toml:5:23: error: '2nd' is no name\n5 | segments = [{ name = \"2nd\", l = \"1 m\" }]\n  |                 "
+          "      ^^^\n" +
+              rule);
   }
 
   TEST_CASE("a word that is none of a choice is told with the nearest one") {
-    CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nfixed = \"lft\"\n") == R"(a.toml:5:10: error: 'lft' is none of the words for 'fixed'
+    CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nfixed = \"lft\"\n") ==
+          R"(a.toml:5:10: error: 'lft' is none of the words for 'fixed'
 5 | fixed = "lft"
   |          ^^^
   = help: did you mean 'left'?
@@ -180,10 +189,12 @@ a.toml:7:9: error: 'axle.title' takes a text, not a number
     CHECK(issues_of(axle + "T = { from = \"30 N*m\", to = \"60 N*m\", step = \"1 N*m\" }\ntau_adm = \"30 MPa\"\n") ==
           "a.toml:3:5: error: this is a range, and `run` takes one value\n"
           "3 | T = { from = \"30 N*m\", to = \"60 N*m\", step = \"1 N*m\" }\n"
-          "  |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^\n" + remedy);
+          "  |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^\n" +
+              remedy);
     CHECK(issues_of(axle + "T = [\"30 N*m\", \"60 N*m\"]\ntau_adm = \"30 MPa\"\n") ==
           "a.toml:3:5: error: a list of values makes this a range, and `run` takes one value\n"
-          "3 | T = [\"30 N*m\", \"60 N*m\"]\n  |     ^^^^^^^^^^^^^^^^^^^^\n" + remedy);
+          "3 | T = [\"30 N*m\", \"60 N*m\"]\n  |     ^^^^^^^^^^^^^^^^^^^^\n" +
+              remedy);
   }
 
   TEST_CASE("an uncertain value runs at its middle and says so") {
@@ -210,7 +221,8 @@ a.toml:3:25: error: 'tolerence' is no field here
 6 | d_bore = "50 mm"
   |           ^^^^^
 )");
-    CHECK(issues_of(axle + "tau_adm = \"30 MPa\"\n") == "a.toml:1:2: error: give either T or torques\n1 | [axle]\n  |  ^^^^\n");
+    CHECK(issues_of(axle + "tau_adm = \"30 MPa\"\n") ==
+          "a.toml:1:2: error: give either T or torques\n1 | [axle]\n  |  ^^^^\n");
   }
 
   TEST_CASE("an allowable stress and a material with a safety factor exclude one another") {
@@ -222,7 +234,8 @@ a.toml:3:25: error: 'tolerence' is no field here
   }
 
   TEST_CASE("all errors of a file are told at once, in the order of their places") {
-    CHECK(issues_of("[axle]\ncalculator = \"shaft.torsion\"\nT = \"9 N\"\ntau_adm = 30\n\n[pin]\ncalculator = \"shaft.overhang\"\n\n[run]\nx = 1\n") ==
+    CHECK(issues_of("[axle]\ncalculator = \"shaft.torsion\"\nT = \"9 N\"\ntau_adm = 30\n\n[pin]\ncalculator = "
+                    "\"shaft.overhang\"\n\n[run]\nx = 1\n") ==
           R"(a.toml:3:6: error: '9 N' is a force, a moment is expected
 3 | T = "9 N"
   |      ^^^
@@ -251,8 +264,10 @@ a.toml:9:2: error: 'run' is a word of the program and cannot name a step
   }
 
   TEST_CASE("a list element is found by its number and by its name") {
-    const auto project = solved(axle + "tau_adm = \"30 MPa\"\n[[axle.torques]]\nname = \"gear\"\nx = \"0 m\"\nT = \"=2 * 4 N*m\"\n"
-                                "[[axle.torques]]\nx = \"1 m\"\nT = \"-8 N*m\"\n");
+    const auto project =
+        solved(axle +
+               "tau_adm = \"30 MPa\"\n[[axle.torques]]\nname = \"gear\"\nx = \"0 m\"\nT = \"=2 * 4 N*m\"\n"
+               "[[axle.torques]]\nx = \"1 m\"\nT = \"-8 N*m\"\n");
     CHECK(value(project, "axle.torques.gear.T") == doctest::Approx(8.0));
     CHECK(value(project, "axle.torques[2].T") == doctest::Approx(-8.0));
   }

@@ -1,6 +1,5 @@
-#include "tests/lib/project/texts.hpp"
-
 #include "lib/project/providers.hpp"
+#include "tests/lib/project/texts.hpp"
 
 #include <algorithm>
 
@@ -56,7 +55,9 @@ TEST_SUITE("project search") {
 
   TEST_CASE("a field that has no stock cannot be searched for") {
     const std::string rule = "error: 'l' cannot be searched for\n";
-    CHECK(issues_of(sized("l = \"?\"\n")) == "a.toml:5:6: " + rule + "5 | l = \"?\"\n  |      ^\n  = help: give a value\n");
-    CHECK(issues_of(sized("l = { stock = \"R20\" }\n")) == "a.toml:5:7: " + rule + "5 | l = { stock = \"R20\" }\n  |       ^^^^^\n  = help: give a value\n");
+    CHECK(issues_of(sized("l = \"?\"\n")) ==
+          "a.toml:5:6: " + rule + "5 | l = \"?\"\n  |      ^\n  = help: give a value\n");
+    CHECK(issues_of(sized("l = { stock = \"R20\" }\n")) ==
+          "a.toml:5:7: " + rule + "5 | l = { stock = \"R20\" }\n  |       ^^^^^\n  = help: give a value\n");
   }
 }

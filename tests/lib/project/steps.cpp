@@ -1,5 +1,4 @@
 #include "lib/project/step.hpp"
-
 #include "tests/lib/project/texts.hpp"
 
 #include <algorithm>
@@ -47,12 +46,14 @@ const report::Verdict& verdict(const project::Project& project, const std::strin
 TEST_SUITE("project steps") {
   TEST_CASE("a step that does not exist is told with the nearest one, or with all") {
     const std::string source = "[crank]\ncalculator = \"shaft.torsion\"\nT = \"9 N*m\"\ntau_adm = \"30 MPa\"\n";
-    CHECK(issues_of(source + axle + "T = \"=crnak.M_max\"\ntau_adm = \"30 MPa\"\n") == R"says(a.toml:7:7: error: there is no step 'crnak'
+    CHECK(issues_of(source + axle + "T = \"=crnak.M_max\"\ntau_adm = \"30 MPa\"\n") ==
+          R"says(a.toml:7:7: error: there is no step 'crnak'
 7 | T = "=crnak.M_max"
   |       ^^^^^^^^^^^
   = help: did you mean 'crank.M_max'?
 )says");
-    CHECK(issues_of(source + axle + "T = \"=2 * lever.drive.M\"\ntau_adm = \"30 MPa\"\n") == R"says(a.toml:7:11: error: there is no step 'lever'
+    CHECK(issues_of(source + axle + "T = \"=2 * lever.drive.M\"\ntau_adm = \"30 MPa\"\n") ==
+          R"says(a.toml:7:11: error: there is no step 'lever'
 7 | T = "=2 * lever.drive.M"
   |           ^^^^^^^^^^^^^
   = help: there is: crank, axle
@@ -60,13 +61,15 @@ TEST_SUITE("project steps") {
   }
 
   TEST_CASE("a result that does not exist is told with the nearest one") {
-    CHECK(issues_of(bar + axle + "T = \"=peak(bar.drive.N)\"\ntau_adm = \"30 MPa\"\n") == R"says(a.toml:20:12: error: 'bar' has no result 'drive.N'
+    CHECK(issues_of(bar + axle + "T = \"=peak(bar.drive.N)\"\ntau_adm = \"30 MPa\"\n") ==
+          R"says(a.toml:20:12: error: 'bar' has no result 'drive.N'
 20 | T = "=peak(bar.drive.N)"
    |            ^^^^^^^^^^^
    = help: did you mean 'bar.drive.M'?
 )says");
     const std::string source = "[a]\ncalculator = \"shaft.torsion\"\nT = \"9 N*m\"\ntau_adm = \"30 MPa\"\n";
-    CHECK(issues_of(source + axle + "T = \"=a.segments[1].M_y\"\ntau_adm = \"30 MPa\"\n") == R"says(a.toml:7:7: error: 'a' has no result 'segments[1].M_y'
+    CHECK(issues_of(source + axle + "T = \"=a.segments[1].M_y\"\ntau_adm = \"30 MPa\"\n") ==
+          R"says(a.toml:7:7: error: 'a' has no result 'segments[1].M_y'
 7 | T = "=a.segments[1].M_y"
   |       ^^^^^^^^^^^^^^^^^
   = help: did you mean 'a.segments[1].M_t'?
@@ -87,7 +90,8 @@ TEST_SUITE("project steps") {
   }
 
   TEST_CASE("a faulty expression is told at its character") {
-    CHECK(issues_of(axle + "T = \"= 3 N*m + \"\ntau_adm = \"30 MPa\"\n") == R"says(a.toml:3:15: error: a value is missing at the end
+    CHECK(issues_of(axle + "T = \"= 3 N*m + \"\ntau_adm = \"30 MPa\"\n") ==
+          R"says(a.toml:3:15: error: a value is missing at the end
 3 | T = "= 3 N*m + "
   |               ^
   = help: write a number, a reference such as lever.drive.M, or a function
@@ -96,8 +100,10 @@ TEST_SUITE("project steps") {
 
   TEST_CASE("a step that takes one value refuses a series") {
     const std::string text = bar + other_bar();
-    const std::string fed = text.substr(0, text.rfind("\"0 N\"")) + "\"=bar.joints.O.F\"" + text.substr(text.rfind("\"0 N\"") + 5);
-    CHECK(issues_of(fed) == R"says(a.toml:33:9: error: 'loads.weight.F_x' takes one value, and this is a series over bar: crank angle
+    const std::string fed =
+        text.substr(0, text.rfind("\"0 N\"")) + "\"=bar.joints.O.F\"" + text.substr(text.rfind("\"0 N\"") + 5);
+    CHECK(issues_of(fed) ==
+          R"says(a.toml:33:9: error: 'loads.weight.F_x' takes one value, and this is a series over bar: crank angle
 33 | F_x = "=bar.joints.O.F"
    |         ^^^^^^^^^^^^^^
    = help: reduce it with peak, max, min, mean, rms or at
@@ -106,8 +112,9 @@ TEST_SUITE("project steps") {
 
   TEST_CASE("series over unlike cycles do not meet, neither in an expression nor in a step") {
     const std::string pin = "[pin]\ncalculator = \"shaft.overhung\"\na = \"50 mm\"\nsigma_adm = \"60 MPa\"\n";
-    CHECK(issues_of(bar + other_bar() + pin + "F = \"=bar.joints.O.F\"\nT = \"=rod.drive.M\"\n") ==
-          R"says(a.toml:40:7: error: this is a series over rod: crank angle, and another input is one over bar: crank angle
+    CHECK(
+        issues_of(bar + other_bar() + pin + "F = \"=bar.joints.O.F\"\nT = \"=rod.drive.M\"\n") ==
+        R"says(a.toml:40:7: error: this is a series over rod: crank angle, and another input is one over bar: crank angle
 40 | T = "=rod.drive.M"
    |       ^^^^^^^^^^^
    = help: reduce one of them with peak, max, min, mean, rms or at
@@ -136,7 +143,8 @@ TEST_SUITE("project steps") {
   }
 
   TEST_CASE("a step that is fed a series gives series, and its check is the worst of them") {
-    const auto project = solved(bar + "[axle]\ncalculator = \"shaft.torsion\"\nT = \"=bar.drive.M\"\ntau_adm = \"30 MPa\"\nd = \"20 mm\"\n");
+    const auto project = solved(
+        bar + "[axle]\ncalculator = \"shaft.torsion\"\nT = \"=bar.drive.M\"\ntau_adm = \"30 MPa\"\nd = \"20 mm\"\n");
     const Value* tau = project.value("axle.tau_max");
     REQUIRE(tau != nullptr);
     CHECK(tau->si.size() == 8);

@@ -22,6 +22,10 @@ if(LOADPATH_SANITIZE)
   target_link_options(loadpath_flags INTERFACE -fsanitize=address,undefined)
 endif()
 
+if(LOADPATH_FUZZ)
+  target_compile_options(loadpath_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
 # A release build of a target with little optimisation, and sources in it that get all of it (and so cannot share the
 # target's precompiled header).
 function(loadpath_cold target)

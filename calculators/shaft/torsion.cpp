@@ -213,7 +213,7 @@ void load_stretches(const Torsion::Input& in, const shaft::Stretches& parts, Tor
   }
   r.d_max = d_max, r.d_bore = shaft::bore_of(in.d_bore, in.chi, r.d), r.tau_max = tau_max, r.theta_max = theta_max;
   r.phi = twist;
-  r.phi_max = most - least;
+  r.phi_max = is_set(twist) ? most - least : unset<double>;
 }
 
 template <class Tracer>

@@ -10,7 +10,7 @@
 
 namespace loadpath::io {
 
-inline constexpr std::size_t largest_file = 4 * 1024 * 1024;
+inline constexpr std::size_t largest_file = std::size_t{4} << 20U;
 
 /// The first thing that cannot be passed on, with its place.
 std::optional<Issue> refuse_text(std::string_view text, const std::string& file);

@@ -130,7 +130,7 @@ void Parser::unit(Node& literal) {
                 say("write a temperature difference in K"));
   }
   if (unit->dimension == Dimension::of(0, 0, -1) && written.find("Hz") == std::string::npos &&
-      written.find("s") == std::string::npos) {
+      written.find('s') == std::string::npos) {
     return fail(from, end - from, say("'{1}' is a speed in revolutions to some and a frequency to others", written),
                 say("write rpm for a speed of rotation"));
   }

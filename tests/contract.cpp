@@ -9,6 +9,7 @@
 #include "lib/quantity/literal.hpp"
 #include "lib/report/build.hpp"
 #include "lib/table/table.hpp"
+#include "tests/allocations.hpp"
 
 #include <doctest/doctest.h>
 
@@ -216,7 +217,7 @@ TEST_SUITE("contract") {
     }
   }
 
-  TEST_CASE("a sweep equals single points to the bit") {
+  TEST_CASE("a sweep equals single points to the bit and takes no memory") {
     for (const Calculator* c : plain_calculators()) {
       const Solved s = solved_example(*c);
       for_each_leaf(s.input, [&](const std::string& path, const Leaf& leaf) {
@@ -236,7 +237,9 @@ TEST_SUITE("contract") {
         Record swept = s.input.clone(), single = s.input.clone(), result(*c->result);
         const Leaf here = find_leaf(swept, path);
         const InputColumn in{offset_of(swept, here), values.data()};
+        const std::size_t before = tests::allocations();
         c->sweep(swept.data.get(), {&in, 1}, out, values.size());
+        CHECK(tests::allocations() == before);
         for (std::size_t i = 0; i < values.size(); ++i) {
           find_leaf(single, path).set(values[i]);
           c->evaluate(single.data.get(), result.data.get());

@@ -135,12 +135,11 @@ void load(Torsion::Stretch& s, Stress G, double K_A, Tracer& trace) {
   s.phi = phi;
 }
 
-/// Takes the magnitude where it is larger. Magnitudes are ordered like their bits, and NaN lies above them all: once
-/// something is not available, the largest is not either.
+/// Takes the magnitude where it is larger. Once something is not available, the largest is not either.
 template <class Quantity>
 void raise(Quantity& largest, Quantity value) {
-  const auto bits = [](Quantity q) { return std::bit_cast<std::uint64_t>(std::abs(in_si(q))); };
-  largest = from_si<Quantity>(std::bit_cast<double>(std::max(bits(largest), bits(value))));
+  const Quantity size = abs(value);
+  if (is_set(largest) && !(size <= largest)) largest = size;
 }
 
 /// Moments and least diameters, stretch by stretch; the largest are those of the shaft.

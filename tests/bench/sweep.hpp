@@ -14,7 +14,7 @@
 
 namespace loadpath::bench {
 
-constexpr std::size_t points = 4096;
+constexpr std::size_t points = 1000;
 
 inline std::vector<double> spread(double low, double high, unsigned seed) {
   std::mt19937 random(seed);

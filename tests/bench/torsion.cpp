@@ -16,20 +16,25 @@ using std::numbers::pi;
 
 constexpr double G = 80e9, theta_adm = 0.004;
 
+/// Two columns that vary, and a column for each result: the plain loops compute what the calculator computes.
 struct Columns {
   std::vector<double> first, tau_adm;
-  std::vector<double> d_min = std::vector<double>(points), u_tau = std::vector<double>(points);
+  std::vector<std::vector<double>> results;
+  Columns(std::vector<double> varied, std::vector<double> allowed, std::size_t count)
+      : first(std::move(varied)), tau_adm(std::move(allowed)), results(count, std::vector<double>(points)) {}
 };
 
 /// Runs the sweep of a calculator over two columns of the input.
 class Sweep {
  public:
-  Sweep(const Calculator& calculator, Record input, const std::string& first, const std::string& check,
+  Sweep(const Calculator& calculator, Record input, const std::string& first, const std::vector<std::string>& results,
         Columns& columns)
       : calculator_(calculator), input_(std::move(input)) {
     const Record result(*calculator.result);
     in_ = {{offset_of(input_, first), columns.first.data()}, {offset_of(input_, "tau_adm"), columns.tau_adm.data()}};
-    out_ = {{offset_of(result, "d_min"), columns.d_min.data()}, {offset_of(result, check), columns.u_tau.data()}};
+    for (std::size_t k = 0; k < results.size(); ++k) {
+      out_.push_back({offset_of(result, results[k]), columns.results[k].data()});
+    }
   }
   void operator()() const { calculator_.sweep(input_.data.get(), in_, out_, points); }
 
@@ -39,6 +44,15 @@ class Sweep {
   std::vector<InputColumn> in_;
   std::vector<ResultColumn> out_;
 };
+
+template <class Swept, class ByHand>
+void race(benchmark::State& state, const Swept& sweep, const ByHand& by_hand, const Columns& general,
+          const Columns& plain) {
+  compare(state, sweep, by_hand);
+  if (!std::equal(general.results.begin(), general.results.end(), plain.results.begin(), agree)) {
+    state.SkipWithError("they disagree");
+  }
+}
 
 template <class C>
 Record record_of(const typename C::Input& input) {
@@ -55,8 +69,10 @@ Torsion::Input plain_shaft() {
 }
 
 void short_form(benchmark::State& state) {
-  Columns general{spread(50.0, 500.0, 1), spread(20e6, 60e6, 2)}, plain = general;
-  const Sweep sweep(erased<Torsion>(), record_of<Torsion>(plain_shaft()), "T", "u_tau", general);
+  const std::vector<std::string> results{"d_strength", "d_stiffness", "d_min", "D_star",
+                                         "tau_max",    "theta_max",   "u_tau", "u_theta"};
+  Columns general(spread(50.0, 500.0, 1), spread(20e6, 60e6, 2), results.size()), plain = general;
+  const Sweep sweep(erased<Torsion>(), record_of<Torsion>(plain_shaft()), "T", results, general);
   const auto by_hand = [&] {
     for (std::size_t i = 0; i < points; ++i) {
       const double M = std::abs(plain.first[i]), tau_adm = plain.tau_adm[i];
@@ -64,12 +80,13 @@ void short_form(benchmark::State& state) {
       const double d_stiffness = std::sqrt(std::sqrt(32.0 * M / (pi * G * theta_adm)));
       const double d = std::max(d_strength, d_stiffness);
       const double I_t = pi / 32.0 * d * d * d * d;
-      plain.d_min[i] = d;
-      plain.u_tau[i] = M * d / (2.0 * I_t) / tau_adm;
+      const double tau = M * d / (2.0 * I_t), theta = M / (G * I_t);
+      const std::array found{d_strength,    d_stiffness,      d, 2.0 * tau_adm / (G * theta_adm), tau, theta,
+                             tau / tau_adm, theta / theta_adm};
+      for (std::size_t k = 0; k < found.size(); ++k) plain.results[k][i] = found[k];
     }
   };
-  compare(state, sweep, by_hand);
-  if (!agree(general.d_min, plain.d_min) || !agree(general.u_tau, plain.u_tau)) state.SkipWithError("they disagree");
+  race(state, sweep, by_hand, general, plain);
 }
 
 enum class Bore { none, ratio, size };
@@ -123,24 +140,24 @@ void line_shaft_by_hand(Columns& columns) {
       d_min = std::max(d_min, std::max(by_strength, by_stiffness));
       tau = std::max(tau, M_t * d / (2.0 * pi / 32.0 * (d * d * d * d - b * b * b * b)));
     }
-    columns.d_min[i] = d_min;
-    columns.u_tau[i] = tau / tau_adm;
+    columns.results[0][i] = d_min;
+    columns.results[1][i] = tau / tau_adm;
   }
 }
 
 void three_segments(benchmark::State& state) {
-  Columns general{spread(1.0, 2.0, 3), spread(20e6, 60e6, 4)}, plain = general;
-  const Sweep sweep(erased<Torsion>(), record_of<Torsion>(line_shaft()), "K_A", "u_tau", general);
-  compare(state, sweep, [&] { line_shaft_by_hand(plain); });
-  if (!agree(general.d_min, plain.d_min) || !agree(general.u_tau, plain.u_tau)) state.SkipWithError("they disagree");
+  Columns general(spread(1.0, 2.0, 3), spread(20e6, 60e6, 4), 2), plain = general;
+  const Sweep sweep(erased<Torsion>(), record_of<Torsion>(line_shaft()), "K_A", {"d_min", "u_tau"}, general);
+  race(
+      state, sweep, [&] { line_shaft_by_hand(plain); }, general, plain);
 }
 
 void overhung(benchmark::State& state) {
   constexpr double a = 0.05, T = 78.3, sigma_adm = 60e6;
-  Columns general{spread(500.0, 5000.0, 5), spread(20e6, 60e6, 6)}, plain = general;
+  Columns general(spread(500.0, 5000.0, 5), spread(20e6, 60e6, 6), 2), plain = general;
   Overhung::Input in;
   in.a = a * m, in.T = T * N_m, in.sigma_adm = from_si<Stress>(sigma_adm);
-  const Sweep sweep(erased<Overhung>(), record_of<Overhung>(in), "F", "u_v", general);
+  const Sweep sweep(erased<Overhung>(), record_of<Overhung>(in), "F", {"d_min", "u_v"}, general);
   const auto by_hand = [&] {
     for (std::size_t i = 0; i < points; ++i) {
       const double M = std::abs(plain.first[i]) * a;
@@ -148,12 +165,11 @@ void overhung(benchmark::State& state) {
       const double d_t = std::cbrt(16.0 * T / (pi * plain.tau_adm[i]));
       const double d = std::max(d_v, d_t);
       const double W = pi / 32.0 * d * d * d, sigma_b = M / W, tau_t = T / (2.0 * W);
-      plain.d_min[i] = d;
-      plain.u_tau[i] = std::sqrt(sigma_b * sigma_b + 3.0 * tau_t * tau_t) / sigma_adm;
+      plain.results[0][i] = d;
+      plain.results[1][i] = std::sqrt(sigma_b * sigma_b + 3.0 * tau_t * tau_t) / sigma_adm;
     }
   };
-  compare(state, sweep, by_hand);
-  if (!agree(general.d_min, plain.d_min) || !agree(general.u_tau, plain.u_tau)) state.SkipWithError("they disagree");
+  race(state, sweep, by_hand, general, plain);
 }
 
 }  // namespace

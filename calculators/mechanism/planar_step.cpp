@@ -55,7 +55,7 @@ Outcome<Signature> PlanarStep::signature(const std::string& path) const {
   for (const auto& o : outputs_) paths.push_back(o.path);
   const std::string near = nearest(path, paths);
   return Fault{0, path.size(), say("'{1}' has no result '{2}'", name(), path),
-               near.empty() ? say("there are drive.M, joints.NAME.F, links.NAME.phi, points.NAME.v and the like")
+               near.empty() ? say("`loadpath describe {1}` lists them", input().calculator->id)
                             : say("did you mean '{1}'?", name() + "." + near)};
 }
 
@@ -170,6 +170,7 @@ const Calculator& erased<PlanarMechanism>() {
     c.source = PlanarMechanism::source;
     c.example = PlanarMechanism::example;
     c.input = &record_type<PlanarMechanism::Input, PlanarMechanism::inputs>();
+    c.patterns = mechanism_result_patterns();
     c.make_step = [](project::StepInput&& input) -> std::unique_ptr<project::Step> {
       return std::make_unique<PlanarStep>(std::move(input));
     };

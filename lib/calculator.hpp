@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lib/draw/figure.hpp"
+#include "lib/issue.hpp"
 #include "lib/record.hpp"
 #include "lib/trace.hpp"
 
@@ -54,6 +55,8 @@ struct Calculator {
   std::vector<ResultPattern> patterns;  // in place of `result`, where names in the input make the paths
   std::span<const RuleInfo> rules;
   bool (*holds)(std::size_t rule, const void* input) = nullptr;
+  /// What is wrong with an input that breaks the rule: the rule's particulars, else its text.
+  FieldFault (*fault_of)(std::size_t rule, const void* input) = nullptr;
   void (*evaluate)(const void* input, void* result) = nullptr;
   void (*explain)(const void* input, void* result, Trace& trace) = nullptr;
   std::vector<draw::Figure> (*figures)(const void* input, const void* result) = nullptr;

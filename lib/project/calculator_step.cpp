@@ -77,16 +77,18 @@ void CalculatorStep::check_rules_of_literals(std::vector<Issue>& issues) {
   for (std::size_t i = 0; i < calculator.rules.size(); ++i) {
     const auto fields = split(calculator.rules[i].fields);
     if (std::any_of(fields.begin(), fields.end(), [&](const std::string& f) { return is_open(f); })) continue;
-    if (!calculator.holds(i, input().reading.record.data.get())) issues.push_back(broken_rule(i));
+    const Record& record = input().reading.record;
+    if (!calculator.holds(i, record.data.get())) issues.push_back(broken_rule(i, record));
   }
 }
 
-Issue CalculatorStep::broken_rule(std::size_t rule) const {
-  const RuleInfo& info = input().calculator->rules[rule];
-  for (const std::string& field : split(info.fields)) {
-    if (input().reading.typed.count(field) != 0) return issue_at(input(), field, say(info.text));
+Issue CalculatorStep::broken_rule(std::size_t rule, const Record& record) const {
+  const Calculator& calculator = *input().calculator;
+  FieldFault fault = calculator.fault_of(rule, record.data.get());
+  for (const std::string& field : split(calculator.rules[rule].fields)) {
+    if (fault.path.empty() && input().reading.typed.count(field) != 0) fault.path = field;
   }
-  return issue_at(input(), "", say(info.text));
+  return issue_at(input(), fault.path, std::move(fault.message), std::move(fault.hint));
 }
 
 Outcome<Signature> CalculatorStep::signature(const std::string& path) const {

@@ -227,9 +227,43 @@ a.toml:3:25: error: 'tolerence' is no field here
 
   TEST_CASE("an allowable stress and a material with a safety factor exclude one another") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nmaterial = \"C45E\"\nS = 2\n") ==
+          R"(a.toml:6:5: error: tau_adm already holds the safety, and S would be a second one
+6 | S = 2
+  |     ^
+  = help: leave out S; or leave out tau_adm, and S counts against the yield strength R_e, given or of a material
+)");
+    CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nR_e = \"355 MPa\"\nS = 2\n") ==
           R"(a.toml:4:12: error: tau_adm already holds the safety: give tau_adm, or R_e with S, never both
 4 | tau_adm = "30 MPa"
   |            ^^^^^^
+)");
+  }
+
+  TEST_CASE("a rule that knows particulars says which element and how much") {
+    const std::string torques = axle + "tau_adm = \"30 MPa\"\ntorques = [{ x = \"0 m\", T = \"90 N*m\" }, ";
+    CHECK(issues_of(torques + "{ x = \"1 m\", T = \"-60 N*m\" }]\n") ==
+          R"(a.toml:4:11: error: the torques sum to 30 N·m, not to zero
+4 | torques = [{ x = "0 m", T = "90 N*m" }, { x = "1 m", T = "-60 N*m" }]
+  |           ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  = help: add the torque of -30 N·m that is missing, or hold an end: fixed = "left" or fixed = "right"
+)");
+    CHECK(issues_of(torques + "{ x = \"1.2 m\", T = \"-90 N*m\" }]\nl = \"1 m\"\n") ==
+          R"(a.toml:4:48: error: torque 2 stands at 1200 mm, beyond the end of the shaft at 1000 mm
+4 | torques = [{ x = "0 m", T = "90 N*m" }, { x = "1.2 m", T = "-90 N*m" }]
+  |                                                ^^^^^
+  = help: x counts from the left end: correct it, or the length l
+)");
+    CHECK(issues_of(torques + "{ name = \"gear\", x = \"1.2 m\", T = \"-90 N*m\" }]\nsegments = [{ l = \"1 m\" }]\n") ==
+          R"(a.toml:4:63: error: torque 'gear' stands at 1200 mm, beyond the end of the shaft at 1000 mm
+4 | torques = [{ x = "0 m", T = "90 N*m" }, { name = "gear", x = "1.2 m", T = "-90 N*m" }]
+  |                                                               ^^^^^
+  = help: x counts from the left end: correct it, or the lengths of the segments
+)");
+    CHECK(issues_of(torques + "{ x = \"0 m\", T = \"-90 N*m\" }]\n") ==
+          R"(a.toml:4:11: error: all torques act at one place, and the shaft has no length
+4 | torques = [{ x = "0 m", T = "90 N*m" }, { x = "0 m", T = "-90 N*m" }]
+  |           ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  = help: give each torque the place x that it acts at, from the left end
 )");
   }
 

@@ -27,7 +27,23 @@ void PlanarStep::prepare(const project::Declared& declared, const project::Compa
     const double period = is_whole_turn(data()) ? 2.0 * pi : 0.0;  // its sense is known when the cycle is solved
     axis_ = std::make_unique<Axis>(Axis{name() + ": " + axis, axis == "stroke" ? "mm" : "deg", {}, {}, period});
   }
+  add_idle_fields(issues);
   if (input().reading.operands.empty()) diagnose_model(model, issues);
+}
+
+/// Fields that would do nothing beside the drive that is given.
+void PlanarStep::add_idle_fields(std::vector<Issue>& issues) const {
+  const auto typed = [&](const char* path) { return input().reading.typed.count(path) != 0; };
+  for (const char* path : {"crank.start", "crank.positions"}) {
+    if (!typed("crank.at") || !typed(path)) continue;
+    issues.push_back(issue_at(input(), path,
+                              say("'{1}' is of a whole turn, and 'crank.at' gives the crank angles", path),
+                              say("leave out one of the two")));
+  }
+  if (typed("crank") && typed("positions")) {
+    issues.push_back(issue_at(input(), "positions", say("'positions' is of strokes of cylinders, and a crank drives"),
+                              say("the positions of a turn stand in the crank: crank = { positions = 72 }")));
+  }
 }
 
 /// What is wrong with names and points, but for what follows from an error that is there already.

@@ -71,6 +71,11 @@ void read_rows(const Tree& table, StepInput& input, std::vector<Issue>& issues) 
 void read_display(const Tree& table, StepInput& input, std::vector<Issue>& issues) {
   const auto* display = table.find("display");
   if (display == nullptr) return;
+  if (display->value.type != Tree::Type::table) {
+    return add(issues, display->value.place, input.name + ".display",
+               say("'{1}' is a table of units, not {2}", "display", io::word_for(display->value.type)),
+               say("name the results: display = { d = \"in\" }"));
+  }
   for (const Tree::Entry& entry : display->value.entries) {
     const std::string key = input.name + ".display." + entry.key;
     const std::string unit = text_of(entry, key, issues);

@@ -49,6 +49,26 @@ TEST_SUITE("project reading") {
 )");
   }
 
+  TEST_CASE("an expression without its '=' is told as one") {
+    CHECK(issues_of(axle + "T = \"peak(lever.drive.M)\"\ntau_adm = \"30 MPa\"\n") ==
+          R"says(a.toml:3:6: error: 'peak(lever.drive.M)' is an expression without its '='
+3 | T = "peak(lever.drive.M)"
+  |      ^^^^^^^^^^^^^^^^^^^
+  = help: an expression starts with '=': write "=peak(lever.drive.M)"
+)says");
+    CHECK(issues_of(axle + "T = \"2 * lever.drive.M\"\ntau_adm = \"30 MPa\"\n")
+              .starts_with("a.toml:3:6: error: '2 * lever.drive.M' is an expression without its '='\n"));
+  }
+
+  TEST_CASE("display is a table of units") {
+    CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\ndisplay = \"in\"\n") ==
+          R"(a.toml:5:12: error: 'display' is a table of units, not a text
+5 | display = "in"
+  |            ^^
+  = help: name the results: display = { d = "in" }
+)");
+  }
+
   TEST_CASE("what is not finite is no number") {
     CHECK(issues_of(axle + "T = \"nan N*m\"\ntau_adm = inf\n") ==
           R"(a.toml:3:6: error: 'nan' is not a number to calculate with

@@ -12,10 +12,10 @@ namespace {
 
 using io::Tree;
 
-constexpr std::array reserved_names{"shaft", "fatigue",  "vessel",  "column",     "section",  "gear",      "belt",
-                                    "chain", "drive",    "machine", "motion",     "dynamics", "mechanism", "run",
-                                    "list",  "describe", "sweep",   "verify",     "tables",   "convert",   "schema",
-                                    "init",  "watch",    "why",     "completion", "man",      "project",   "expect"};
+constexpr std::array reserved{"shaft", "fatigue",  "vessel",  "column",     "section",  "gear",      "belt",
+                              "chain", "drive",    "machine", "motion",     "dynamics", "mechanism", "run",
+                              "list",  "describe", "sweep",   "verify",     "tables",   "convert",   "schema",
+                              "init",  "watch",    "why",     "completion", "man",      "project",   "expect"};
 constexpr std::array heading_keys{"title", "number", "revision", "author", "checker", "date", "note"};
 const std::vector<std::string> step_keys{"calculator", "title", "note", "material", "display"};
 
@@ -206,9 +206,9 @@ std::optional<Expectation> read_expectation(const Tree& tree, std::vector<Issue>
 
 }  // namespace
 
-bool is_reserved(std::string_view name) {
-  return std::find(reserved_names.begin(), reserved_names.end(), name) != reserved_names.end();
-}
+std::span<const char* const> reserved_names() { return reserved; }
+
+bool is_reserved(std::string_view name) { return std::find(reserved.begin(), reserved.end(), name) != reserved.end(); }
 
 void read_heading(const Tree::Entry& entry, Project& project, std::vector<Issue>& issues) {
   if (entry.value.type != Tree::Type::table) {

@@ -67,6 +67,16 @@ void show_type(const char* title, const RecordType& type) {
   std::cout << title << "\n" << columns(rows) << "\n";
 }
 
+/// Results whose paths come from the names in a project file.
+void show_patterns(std::span<const ResultPattern> patterns) {
+  Rows rows;
+  for (const ResultPattern& p : patterns) {
+    const std::string where = *p.where == '\0' ? "" : std::string(" (") + p.where + ")";
+    rows.push_back({std::string("  ") + p.path, p.unit, p.doc + where});
+  }
+  std::cout << "Results, NAME as in the project file\n" << columns(rows) << "\n";
+}
+
 }  // namespace
 
 int describe(const DescribeOptions& options) {
@@ -87,6 +97,7 @@ int describe(const DescribeOptions& options) {
   for (const RuleInfo& rule : c->rules) std::cout << "  rule (" << rule.fields << "): " << rule.text << "\n";
   if (!c->rules.empty()) std::cout << "\n";
   if (c->result != nullptr) show_type("Results", *c->result);
+  if (!c->patterns.empty()) show_patterns(c->patterns);
   std::cout << "Example, a project file that runs:\n\n" << c->example;
   return passed;
 }

@@ -187,6 +187,14 @@ int unknown_command(const CLI::App& app, const CLI::App& command) {
                 near.empty() ? "there is: " + all : "did you mean '" + prefix + near + "'?");
 }
 
+/// An option of the command that takes one value and was given several; null where there is none.
+const CLI::Option* repeated_option(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() > 1 && option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw) return option;
+  }
+  return nullptr;
+}
+
 /// Wrong words on the command line: an unknown option with the nearest one, or CLI11's sentence.
 int wrong_words(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = deepest(app);
@@ -194,6 +202,9 @@ int wrong_words(const CLI::App& app, const CLI::ParseError& error) {
   if (!words.empty() && words[0].starts_with("--")) return unknown_option(command, words[0]);
   const std::string help = "`" + path_of(command) + " --help` shows what there is";
   if (!words.empty()) return refuse("'" + words[0] + "' is not expected here", help);
+  if (const CLI::Option* option = repeated_option(command)) {
+    return refuse("'" + option->get_name() + "' is given more than once", "it takes one value: leave out all but one");
+  }
   const std::string said = error.what();
   if (error.get_name() == "ArgumentMismatch")
     return refuse("'" + said.substr(0, said.find(':')) + "' needs a value", help);

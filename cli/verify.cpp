@@ -19,7 +19,13 @@ struct Count {
   int misses = 0;
 };
 
-std::string percent(double part) { return std::isnan(part) ? "not available" : format_quantity(part, "%", 2); }
+/// A part of the value; where it is zero, or has a tolerance in its own unit, the difference.
+std::string deviation_of(const project::Comparison& c) {
+  const project::Expectation& e = *c.expectation;
+  if (std::isnan(c.deviation)) return "not available";
+  const bool absolute = e.within_si || e.is.si == 0.0;
+  return absolute ? format_quantity(c.ours - e.is.si, e.unit, 2) : format_quantity(c.deviation, "%", 2);
+}
 
 /// One case: its lines, and how many hold. False where it cannot be run, or expects nothing though it was asked for.
 bool verify_one(const std::string& file, std::string_view text, bool asked_for, Count& count) {
@@ -41,7 +47,7 @@ bool verify_one(const std::string& file, std::string_view text, bool asked_for, 
     ++(c.holds ? count.holds : count.misses);
     const int digits = e.digits ? std::max(*e.digits, 6) : 6;
     rows.push_back({c.holds ? "  ok" : "  MISS", e.text, e.is_text, format_quantity(c.ours, e.unit, digits),
-                    percent(c.deviation), e.source + (e.note.empty() ? "" : "; " + e.note)});
+                    deviation_of(c), e.source + (e.note.empty() ? "" : "; " + e.note)});
   }
   std::cout << columns(rows) << "\n";
   return true;

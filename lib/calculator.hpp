@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lib/draw/figure.hpp"
+#include "lib/issue.hpp"
 #include "lib/record.hpp"
 #include "lib/trace.hpp"
 
@@ -25,6 +26,14 @@ struct RuleInfo {
   const char* text;
 };
 
+/// A result whose path holds a name of the input: "joints.NAME.F".
+struct ResultPattern {
+  const char* path;
+  const char* unit;
+  const char* doc;
+  const char* where;  // which of the names have it; empty: all
+};
+
 /// A column of a sweep: where a leaf of the input (or result) lies inside its record, and its values.
 struct InputColumn {
   std::size_t offset;  // bytes from the start of the aggregate
@@ -43,8 +52,11 @@ struct Calculator {
   const char* example = "";  // a project file that runs
   const RecordType* input = nullptr;
   const RecordType* result = nullptr;
+  std::vector<ResultPattern> patterns;  // in place of `result`, where names in the input make the paths
   std::span<const RuleInfo> rules;
   bool (*holds)(std::size_t rule, const void* input) = nullptr;
+  /// What is wrong with an input that breaks the rule: the rule's particulars, else its text.
+  FieldFault (*fault_of)(std::size_t rule, const void* input) = nullptr;
   void (*evaluate)(const void* input, void* result) = nullptr;
   void (*explain)(const void* input, void* result, Trace& trace) = nullptr;
   std::vector<draw::Figure> (*figures)(const void* input, const void* result) = nullptr;

@@ -34,6 +34,13 @@ inline constexpr auto rule_infos = [] {
   return infos;
 }();
 
+template <class Input>
+FieldFault fault_of(const Rule<Input>& rule, const Input& in) {
+  FieldFault fault = rule.particulars == nullptr ? FieldFault{} : rule.particulars(in);
+  if (fault.message.empty()) fault.message = say(rule.text);
+  return fault;
+}
+
 template <class C>
 LOADPATH_SWEEP void sweep_loop(typename C::Input& input, std::span<const InputColumn> in,
                                std::span<const ResultColumn> out, std::size_t count) {
@@ -63,6 +70,9 @@ Calculator calculator_of() {
   c.result = &record_type<Result, C::results>();
   c.rules = detail::rule_infos<C>;
   c.holds = [](std::size_t rule, const void* in) { return C::rules[rule].holds(*static_cast<const Input*>(in)); };
+  c.fault_of = [](std::size_t rule, const void* in) {
+    return detail::fault_of(C::rules[rule], *static_cast<const Input*>(in));
+  };
   c.evaluate = [](const void* in, void* out) {
     NoTrace trace;
     *static_cast<Result*>(out) = C::evaluate(*static_cast<const Input*>(in), trace);

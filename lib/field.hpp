@@ -13,6 +13,8 @@
 
 namespace loadpath {
 
+struct FieldFault;
+
 /// A check is a utilisation, demand over capacity, passing at <= 1. A limit is a validity range: outside its bounds the
 /// verdict is "not covered".
 enum class Role { input, result, check, limit };
@@ -196,12 +198,15 @@ struct ListField : detail::Described<ListField<Owner, Element, N>> {
   }
 };
 
-/// A rule between fields: alternatives, order, sums. `fields` names them, separated by ", ".
+/// A rule between fields: alternatives, order, sums. `fields` names them, separated by ", ". `particulars`, where there
+/// are any, says of an input that breaks the rule what the text leaves open: which element, how much, what to do. An
+/// empty path or message there stands for the rule's own.
 template <class Input>
 struct Rule {
   bool (*holds)(const Input&);
   const char* fields;
   const char* text;
+  FieldFault (*particulars)(const Input&) = nullptr;
 };
 
 }  // namespace loadpath

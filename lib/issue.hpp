@@ -63,6 +63,13 @@ class Outcome {
   bool ok_ = false;
 };
 
+/// What is wrong with values that were read: the path of the field that says it ("joints.A.links"), rule and remedy.
+struct FieldFault {
+  std::string path;
+  Message message;
+  Message hint;
+};
+
 enum class Severity { error, warning };
 
 struct Issue {

@@ -1,8 +1,11 @@
 // What README.md says that can be typed works as it says.
 #include "lib/io/tree.hpp"
+#include "lib/project/read_parts.hpp"
 #include "tests/cli/process.hpp"
 
+#include <algorithm>
 #include <cstdlib>
+#include <sstream>
 
 using namespace loadpath;
 using namespace loadpath::test;
@@ -46,5 +49,31 @@ TEST_SUITE("readme") {
       CAPTURE(ran.error);
       CHECK(ran.code == command.code);
     }
+  }
+
+  TEST_CASE("the words that cannot name a step are those of the program, in its order") {
+    std::string words;
+    for (const char* word : project::reserved_names()) words += (words.empty() ? "" : " ") + std::string(word);
+    std::string text;
+    REQUIRE(io::read_file(LOADPATH_ROOT "/README.md", text));
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    CHECK(text.find("cannot name one: `" + words + "`.") != std::string::npos);
+  }
+
+  TEST_CASE("every command of the help stands in a line that can be typed") {
+    std::string text;
+    REQUIRE(io::read_file(LOADPATH_ROOT "/README.md", text));
+    std::istringstream help(loadpath_with({"--help"}).out);
+    std::string line;
+    while (std::getline(help, line) && line != "Subcommands:") continue;
+    int commands = 0;
+    while (std::getline(help, line) && line.starts_with("  ")) {
+      const std::string command = line.substr(2, line.find(' ', 2) - 2);
+      CAPTURE(command);
+      if (command == "mechanism") continue;  // its fields are tables: a project file suits it better
+      CHECK(text.find("\nloadpath " + command) != std::string::npos);
+      ++commands;
+    }
+    CHECK(commands >= 8);
   }
 }

@@ -178,7 +178,9 @@ class NameCheck {
         add(path_of("links", link.name, "points") + "." + std::string(p.name.view()),
             say("'{1}' is a point of '{2}' and of '{3}', but no pin '{1}' joins them", p.name.view(),
                 other->name.view(), link.name.view()),
-            say("give one of the two another name"));
+            say("give one of the two another name, or add the joint {1} = { type = \"revolute\", links = [\"{2}\", "
+                "\"{3}\"] }",
+                p.name.view(), other->name.view(), link.name.view()));
       }
     }
   }

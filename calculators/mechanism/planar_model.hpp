@@ -10,12 +10,7 @@
 
 namespace loadpath {
 
-/// Something that is wrong with the words, and the path of the field that says it ("joints.A.links").
-struct ModelFault {
-  std::string path;
-  Message message;
-  Message hint;
-};
+using ModelFault = FieldFault;
 
 /// Names that do not exist, points that are not on their link, doubtful alternatives. Needs no values.
 std::vector<ModelFault> check_names(const PlanarMechanism::Input& in);

@@ -2,6 +2,8 @@
 
 #include "lib/mechanism/vec.hpp"
 
+#include <array>
+
 namespace loadpath {
 
 namespace {
@@ -9,93 +11,139 @@ namespace {
 using mechanism::Position;
 using mechanism::Vec;
 
-/// A unit with its dimension, by a Unit of lib/units.hpp.
-template <class Quantity>
-MechanismOutput output(std::string path, const char* doc, const Unit<Quantity>& unit,
-                       std::function<double(const Position&)> read) {
-  return {std::move(path), doc, unit.symbol, unit.dimension(), std::move(read)};
+/// What every thing of one kind gives: a path with NAME for the thing's own, and how the value is read off a position.
+template <class Thing>
+struct Row {
+  ResultPattern pattern;
+  Dimension dimension;
+  double (*read)(const Thing&, const Position&);
+  bool (*has)(const Thing&) = nullptr;  // null: every thing of the kind
+};
+
+template <class Thing, class Quantity>
+constexpr Row<Thing> row(const char* path, const char* doc, const Unit<Quantity>& unit,
+                         double (*read)(const Thing&, const Position&), bool (*has)(const Thing&) = nullptr,
+                         const char* where = "") {
+  return {{path, unit.symbol, doc, where}, unit.dimension(), read, has};
 }
 
-using Outputs = std::vector<MechanismOutput>;
+struct Drive {
+  std::string name;
+  std::size_t index;
+  mechanism::Driver driver;
 
-void add_drives(const mechanism::Model& model, Outputs& out) {
-  for (std::size_t d = 0; d < model.drivers.size(); ++d) {
-    const mechanism::Driver driver = model.drivers[d];
-    const auto speed = [driver](const Position& p) {
-      const auto of = [&](int link) {
-        return link == mechanism::ground ? mechanism::Pose{} : p.velocity[static_cast<std::size_t>(link)];
-      };
-      return of(driver.i).phi - of(driver.j).phi;
+  static bool is_rotary(const Drive& d) { return d.driver.kind == mechanism::Driver::Kind::rotary; }
+  static bool is_linear(const Drive& d) { return !is_rotary(d); }
+  [[nodiscard]] double speed(const Position& p) const {
+    const auto of = [&](int link) {
+      return link == mechanism::ground ? mechanism::Pose{} : p.velocity[static_cast<std::size_t>(link)];
     };
-    if (driver.kind == mechanism::Driver::Kind::rotary) {
-      out.push_back(output("drive.M", "moment of the drive on the driven link, counter-clockwise positive", N_m,
-                           [d](const Position& p) { return p.effort[d]; }));
-      out.push_back(
-          output("drive.P", "power of the drive", W, [d, speed](const Position& p) { return p.effort[d] * speed(p); }));
-    } else {
-      out.push_back(output("cylinders." + driver.name + ".F", "force of the drive on the first link, along the guide",
-                           N, [d](const Position& p) { return p.effort[d]; }));
-    }
+    return of(driver.i).phi - of(driver.j).phi;
   }
+};
+
+constexpr std::array drive_rows{
+    row<Drive>(
+        "drive.M", "moment of the drive on the driven link, counter-clockwise positive", N_m,
+        [](const Drive& d, const Position& p) { return p.effort[d.index]; }, &Drive::is_rotary, "with a crank"),
+    row<Drive>(
+        "drive.P", "power of the drive", W,
+        [](const Drive& d, const Position& p) { return p.effort[d.index] * d.speed(p); }, &Drive::is_rotary,
+        "with a crank"),
+    row<Drive>(
+        "cylinders.NAME.F", "force of the drive on the first link, along the guide", N,
+        [](const Drive& d, const Position& p) { return p.effort[d.index]; }, &Drive::is_linear)};
+
+struct Joint {
+  std::string name;
+  std::size_t index;
+  mechanism::JointKind kind;
+
+  static bool is_prismatic(const Joint& j) { return j.kind == mechanism::JointKind::prismatic; }
+};
+
+constexpr std::array joint_rows{
+    row<Joint>("joints.NAME.F", "magnitude of the joint's force", N,
+               [](const Joint& j, const Position& p) { return mechanism::length(p.reactions[j.index].force); }),
+    row<Joint>("joints.NAME.x", "force of the first link on the second, along x", N,
+               [](const Joint& j, const Position& p) { return -p.reactions[j.index].force.x; }),
+    row<Joint>("joints.NAME.y", "force of the first link on the second, along y", N,
+               [](const Joint& j, const Position& p) { return -p.reactions[j.index].force.y; }),
+    row<Joint>(
+        "joints.NAME.M", "couple of the first link on the second at the first link's point", N_m,
+        [](const Joint& j, const Position& p) { return -p.reactions[j.index].couple; }, &Joint::is_prismatic,
+        "prismatic joints")};
+
+struct Link {
+  std::string name;
+  std::size_t index;
+};
+
+constexpr std::array link_rows{row<Link>("links.NAME.phi", "angle of the link's axes", deg,
+                                         [](const Link& l, const Position& p) { return p.pose[l.index].phi; }),
+                               row<Link>("links.NAME.omega", "angular speed", rad_per_s,
+                                         [](const Link& l, const Position& p) { return p.velocity[l.index].phi; }),
+                               row<Link>("links.NAME.epsilon", "angular acceleration", rad_per_s2,
+                                         [](const Link& l, const Position& p) { return p.acceleration[l.index].phi; })};
+
+PointMotion motion(const TracedPoint& point, const Position& p) { return motion_of(p, point.link, point.at); }
+
+constexpr std::array point_rows{
+    row<TracedPoint>("points.NAME.x", "place along x", mm,
+                     [](const TracedPoint& t, const Position& p) { return motion(t, p).place.x; }),
+    row<TracedPoint>("points.NAME.y", "place along y", mm,
+                     [](const TracedPoint& t, const Position& p) { return motion(t, p).place.y; }),
+    row<TracedPoint>("points.NAME.v", "speed", m_per_s,
+                     [](const TracedPoint& t, const Position& p) { return mechanism::length(motion(t, p).velocity); }),
+    row<TracedPoint>("points.NAME.v_x", "velocity along x", m_per_s,
+                     [](const TracedPoint& t, const Position& p) { return motion(t, p).velocity.x; }),
+    row<TracedPoint>("points.NAME.v_y", "velocity along y", m_per_s,
+                     [](const TracedPoint& t, const Position& p) { return motion(t, p).velocity.y; }),
+    row<TracedPoint>(
+        "points.NAME.a", "magnitude of the acceleration", m_per_s2,
+        [](const TracedPoint& t, const Position& p) { return mechanism::length(motion(t, p).acceleration); }),
+    row<TracedPoint>("points.NAME.a_x", "acceleration along x", m_per_s2,
+                     [](const TracedPoint& t, const Position& p) { return motion(t, p).acceleration.x; }),
+    row<TracedPoint>("points.NAME.a_y", "acceleration along y", m_per_s2,
+                     [](const TracedPoint& t, const Position& p) { return motion(t, p).acceleration.y; })};
+
+std::string named(std::string path, const std::string& name) {
+  const std::size_t at = path.find("NAME");
+  return at == std::string::npos ? path : path.replace(at, 4, name);
 }
 
-void add_joints(const mechanism::Model& model, Outputs& out) {
-  for (std::size_t j = 0; j < model.joints.size(); ++j) {
-    const std::string path = "joints." + model.joints[j].name;
-    out.push_back(output(path + ".F", "magnitude of the joint's force", N,
-                         [j](const Position& p) { return mechanism::length(p.reactions[j].force); }));
-    out.push_back(output(path + ".x", "force of the first link on the second, along x", N,
-                         [j](const Position& p) { return -p.reactions[j].force.x; }));
-    out.push_back(output(path + ".y", "force of the first link on the second, along y", N,
-                         [j](const Position& p) { return -p.reactions[j].force.y; }));
-    if (model.joints[j].kind != mechanism::JointKind::prismatic) continue;
-    out.push_back(output(path + ".M", "couple of the first link on the second at the first link's point", N_m,
-                         [j](const Position& p) { return -p.reactions[j].couple; }));
-  }
-}
-
-void add_links(const mechanism::Model& model, Outputs& out) {
-  for (std::size_t k = 0; k < model.links.size(); ++k) {
-    const std::string path = "links." + model.links[k].name;
-    out.push_back(
-        output(path + ".phi", "angle of the link's axes", deg, [k](const Position& p) { return p.pose[k].phi; }));
-    out.push_back(
-        output(path + ".omega", "angular speed", rad_per_s, [k](const Position& p) { return p.velocity[k].phi; }));
-    out.push_back(output(path + ".epsilon", "angular acceleration", rad_per_s2,
-                         [k](const Position& p) { return p.acceleration[k].phi; }));
-  }
-}
-
-void add_points(const PlanarMechanism::Input& in, Outputs& out) {
-  for (const TracedPoint& point : traced_points(in)) {
-    const std::string path = "points." + point.name;
-    const auto motion = [link = point.link, at = point.at](const Position& p) { return motion_of(p, link, at); };
-    out.push_back(output(path + ".x", "place along x", mm, [motion](const Position& p) { return motion(p).place.x; }));
-    out.push_back(output(path + ".y", "place along y", mm, [motion](const Position& p) { return motion(p).place.y; }));
-    out.push_back(output(path + ".v", "speed", m_per_s,
-                         [motion](const Position& p) { return mechanism::length(motion(p).velocity); }));
-    out.push_back(output(path + ".v_x", "velocity along x", m_per_s,
-                         [motion](const Position& p) { return motion(p).velocity.x; }));
-    out.push_back(output(path + ".v_y", "velocity along y", m_per_s,
-                         [motion](const Position& p) { return motion(p).velocity.y; }));
-    out.push_back(output(path + ".a", "magnitude of the acceleration", m_per_s2,
-                         [motion](const Position& p) { return mechanism::length(motion(p).acceleration); }));
-    out.push_back(output(path + ".a_x", "acceleration along x", m_per_s2,
-                         [motion](const Position& p) { return motion(p).acceleration.x; }));
-    out.push_back(output(path + ".a_y", "acceleration along y", m_per_s2,
-                         [motion](const Position& p) { return motion(p).acceleration.y; }));
+template <class Thing, std::size_t Count>
+void add(const Thing& thing, const std::array<Row<Thing>, Count>& rows, std::vector<MechanismOutput>& out) {
+  for (const Row<Thing>& r : rows) {
+    if (r.has != nullptr && !r.has(thing)) continue;
+    out.push_back({named(r.pattern.path, thing.name), r.pattern.doc, r.pattern.unit, r.dimension,
+                   [thing, read = r.read](const Position& p) { return read(thing, p); }});
   }
 }
 
 }  // namespace
 
 std::vector<MechanismOutput> mechanism_outputs(const PlanarMechanism::Input& in, const mechanism::Model& model) {
-  Outputs out;
-  add_drives(model, out);
-  add_joints(model, out);
-  add_links(model, out);
-  add_points(in, out);
+  std::vector<MechanismOutput> out;
+  for (std::size_t d = 0; d < model.drivers.size(); ++d)
+    add(Drive{model.drivers[d].name, d, model.drivers[d]}, drive_rows, out);
+  for (std::size_t j = 0; j < model.joints.size(); ++j)
+    add(Joint{model.joints[j].name, j, model.joints[j].kind}, joint_rows, out);
+  for (std::size_t k = 0; k < model.links.size(); ++k) add(Link{model.links[k].name, k}, link_rows, out);
+  for (const TracedPoint& point : traced_points(in)) add(point, point_rows, out);
   return out;
+}
+
+std::vector<ResultPattern> mechanism_result_patterns() {
+  std::vector<ResultPattern> patterns;
+  const auto list = [&](const auto& rows) {
+    for (const auto& r : rows) patterns.push_back(r.pattern);
+  };
+  list(drive_rows);
+  list(joint_rows);
+  list(link_rows);
+  list(point_rows);
+  return patterns;
 }
 
 PointMotion motion_of(const Position& p, int link, Vec at) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calculators/mechanism/planar_model.hpp"
+#include "lib/calculator.hpp"
 #include "lib/quantity/dimension.hpp"
 
 #include <functional>
@@ -20,6 +21,9 @@ struct MechanismOutput {
 
 /// All outputs, in the order of reports. `model` must outlive nothing: what the readers need is copied.
 std::vector<MechanismOutput> mechanism_outputs(const PlanarMechanism::Input& in, const mechanism::Model& model);
+
+/// The same before there is a model: NAME stands for the names in it.
+std::vector<ResultPattern> mechanism_result_patterns();
 
 /// Global place, velocity and acceleration of a point of a link.
 struct PointMotion {

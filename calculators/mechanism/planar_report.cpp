@@ -196,6 +196,15 @@ std::vector<report::Block> result_tables(const project::Account& account, const 
   return {extremes_table(account, *axis)};
 }
 
+/// The larger magnitude; what is not a number stays so.
+static double larger(double most, double x) { return std::isnan(most) || std::abs(x) <= most ? most : std::abs(x); }
+
+/// A residual as a part of what it is a residual of; of nothing it is zero. What cannot be told is no number.
+static double part_of(double residual, double scale) {
+  if (!std::isfinite(residual) || !std::isfinite(scale)) return std::numeric_limits<double>::quiet_NaN();
+  return scale > 0.0 ? residual / scale : 0.0;
+}
+
 std::vector<report::Verdict> proof(const std::string& step, const Planar::Input& in, const Cycle& cycle,
                                    const Axis* axis) {
   double force = 0.0, largest_force = 0.0, moment = 0.0, largest_moment = 0.0, power = 0.0, largest_power = 0.0;
@@ -204,19 +213,18 @@ std::vector<report::Verdict> proof(const std::string& step, const Planar::Input&
     if (!cycle.closed[k]) continue;
     any = true;
     const mechanism::Position& p = cycle.positions[k];
-    force = std::max(force, p.residual_force);
-    moment = std::max(moment, p.residual_moment);
-    power = std::max(power, std::abs(p.power_residual));
-    largest_power = std::max(largest_power, p.power_scale);
+    force = larger(force, p.residual_force);
+    moment = larger(moment, p.residual_moment);
+    power = larger(power, p.power_residual);
+    largest_power = larger(largest_power, p.power_scale);
     for (const auto& r : p.reactions) {
-      largest_force = std::max(largest_force, mechanism::length(r.force));
-      largest_moment =
-          std::max({largest_moment, std::abs(r.couple), mechanism::length(r.force) * mechanism::length(r.at)});
+      largest_force = larger(largest_force, mechanism::length(r.force));
+      largest_moment = larger(larger(largest_moment, r.couple), mechanism::length(r.force) * mechanism::length(r.at));
     }
-    for (const double e : p.effort) largest_moment = std::max(largest_moment, std::abs(e));
+    for (const double e : p.effort) largest_moment = larger(largest_moment, e);
   }
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const auto part = [&](double residual, double scale) { return !any ? none : scale > 0.0 ? residual / scale : 0.0; };
+  const auto part = [&](double residual, double scale) { return any ? part_of(residual, scale) : none; };
   std::vector<report::Verdict> verdicts{closing(step, in, cycle, axis)};
   verdicts.push_back(limit(step, "force_balance",
                            say("equilibrium of every link: unbalanced force over the largest reaction"),

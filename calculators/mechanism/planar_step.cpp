@@ -27,7 +27,23 @@ void PlanarStep::prepare(const project::Declared& declared, const project::Compa
     const double period = is_whole_turn(data()) ? 2.0 * pi : 0.0;  // its sense is known when the cycle is solved
     axis_ = std::make_unique<Axis>(Axis{name() + ": " + axis, axis == "stroke" ? "mm" : "deg", {}, {}, period});
   }
+  add_idle_fields(issues);
   if (input().reading.operands.empty()) diagnose_model(model, issues);
+}
+
+/// Fields that would do nothing beside the drive that is given.
+void PlanarStep::add_idle_fields(std::vector<Issue>& issues) const {
+  const auto typed = [&](const char* path) { return input().reading.typed.count(path) != 0; };
+  for (const char* path : {"crank.start", "crank.positions"}) {
+    if (!typed("crank.at") || !typed(path)) continue;
+    issues.push_back(issue_at(input(), path,
+                              say("'{1}' is of a whole turn, and 'crank.at' gives the crank angles", path),
+                              say("leave out one of the two")));
+  }
+  if (typed("crank") && typed("positions")) {
+    issues.push_back(issue_at(input(), "positions", say("'positions' is of strokes of cylinders, and a crank drives"),
+                              say("the positions of a turn stand in the crank: crank = { positions = 72 }")));
+  }
 }
 
 /// What is wrong with names and points, but for what follows from an error that is there already.
@@ -55,7 +71,7 @@ Outcome<Signature> PlanarStep::signature(const std::string& path) const {
   for (const auto& o : outputs_) paths.push_back(o.path);
   const std::string near = nearest(path, paths);
   return Fault{0, path.size(), say("'{1}' has no result '{2}'", name(), path),
-               near.empty() ? say("there are drive.M, joints.NAME.F, links.NAME.phi, points.NAME.v and the like")
+               near.empty() ? say("`loadpath describe {1}` lists them", input().calculator->id)
                             : say("did you mean '{1}'?", name() + "." + near)};
 }
 
@@ -170,6 +186,7 @@ const Calculator& erased<PlanarMechanism>() {
     c.source = PlanarMechanism::source;
     c.example = PlanarMechanism::example;
     c.input = &record_type<PlanarMechanism::Input, PlanarMechanism::inputs>();
+    c.patterns = mechanism_result_patterns();
     c.make_step = [](project::StepInput&& input) -> std::unique_ptr<project::Step> {
       return std::make_unique<PlanarStep>(std::move(input));
     };

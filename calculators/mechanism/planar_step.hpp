@@ -29,6 +29,7 @@ class PlanarStep : public project::Step {
     return *static_cast<const PlanarMechanism::Input*>(input().reading.record.data.get());
   }
   void add_faults_of_names(std::vector<Issue>& issues) const;
+  void add_idle_fields(std::vector<Issue>& issues) const;
   bool diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues) const;
   void fill_values(const Cycle& cycle);
 

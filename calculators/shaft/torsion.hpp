@@ -9,6 +9,7 @@
 #include "calculators/shaft/torque_diagram.hpp"
 #include "lib/draw/figure.hpp"
 #include "lib/field.hpp"
+#include "lib/issue.hpp"
 #include "lib/trace.hpp"
 
 #include <array>
@@ -88,6 +89,9 @@ theta_adm = "0.004 rad/m"
   static bool torques_close(const Input& in);
   static bool torques_on_shaft(const Input& in);
   static bool bores_fit(const Input& in);
+  static FieldFault two_safeties(const Input& in);
+  static FieldFault open_sum(const Input& in);
+  static FieldFault torque_off_shaft(const Input& in);
   static constexpr std::tuple inputs{
       Field{&Input::T, "T", N_m, "torque through the whole shaft, in place of torques"}.may_be_missing(),
       Field{&Input::l, "l", mm, "length of the shaft, for the angle of twist"}.positive().may_be_missing(),
@@ -191,7 +195,8 @@ theta_adm = "0.004 rad/m"
       Rule<Input>{[](const Input& in) { return is_set(in.tau_adm) || (is_set(in.R_e) && is_set(in.S)); },
                   "tau_adm, R_e, S", "give tau_adm, or S with the yield strength R_e (or a material)"},
       Rule<Input>{[](const Input& in) { return !is_set(in.tau_adm) || !(is_set(in.S) || is_set(in.R_e)); },
-                  "tau_adm, R_e, S", "tau_adm already holds the safety: give tau_adm, or R_e with S, never both"},
+                  "tau_adm, R_e, S", "tau_adm already holds the safety: give tau_adm, or R_e with S, never both",
+                  &two_safeties},
       Rule<Input>{[](const Input& in) { return !is_set(in.theta_adm) || is_set(in.G); }, "theta_adm, G",
                   "theta_adm needs the shear modulus G (or a material)"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.chi) && is_set(in.d_bore)); }, "chi, d_bore",
@@ -202,8 +207,9 @@ theta_adm = "0.004 rad/m"
                   "a fixed end goes with torques; T alone runs through the whole shaft"},
       Rule<Input>{[](const Input& in) { return in.segments.empty() || !is_set(in.l); }, "l, segments",
                   "the length is the sum of the segments: give l or segments"},
-      Rule<Input>{&torques_close, "torques, fixed", "the torques must sum to zero, or one end must be fixed"},
-      Rule<Input>{&torques_on_shaft, "torques, segments, l", "every torque must lie on the shaft"},
+      Rule<Input>{&torques_close, "torques, fixed", "the torques must sum to zero, or one end must be fixed",
+                  &open_sum},
+      Rule<Input>{&torques_on_shaft, "torques, segments, l", "every torque must lie on the shaft", &torque_off_shaft},
       Rule<Input>{&bores_fit, "segments",
                   "the bore of a segment must be smaller than its diameter; give it as chi or as "
                   "d_bore, never both"}};

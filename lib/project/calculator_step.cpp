@@ -20,6 +20,9 @@ std::vector<std::string> split(std::string_view names) {
   return parts;
 }
 
+/// What a field is, from its meaning: "yield strength, with S in place of tau_adm".
+std::string noun_of(std::string_view doc) { return std::string(doc.substr(0, doc.find_first_of(",;:"))); }
+
 std::string head(std::string_view path) { return std::string(path.substr(0, path.find_first_of(".["))); }
 
 }  // namespace
@@ -77,16 +80,38 @@ void CalculatorStep::check_rules_of_literals(std::vector<Issue>& issues) {
   for (std::size_t i = 0; i < calculator.rules.size(); ++i) {
     const auto fields = split(calculator.rules[i].fields);
     if (std::any_of(fields.begin(), fields.end(), [&](const std::string& f) { return is_open(f); })) continue;
-    if (!calculator.holds(i, input().reading.record.data.get())) issues.push_back(broken_rule(i));
+    const Record& record = input().reading.record;
+    if (!calculator.holds(i, record.data.get())) issues.push_back(broken_rule(i, record));
   }
 }
 
-Issue CalculatorStep::broken_rule(std::size_t rule) const {
-  const RuleInfo& info = input().calculator->rules[rule];
-  for (const std::string& field : split(info.fields)) {
-    if (input().reading.typed.count(field) != 0) return issue_at(input(), field, say(info.text));
+/// The input of a rule that a row was to fill, and the row has no such value; null where there is none.
+const Provided* CalculatorStep::lacking_row(std::size_t rule, const Record& record) const {
+  const auto fields = split(input().calculator->rules[rule].fields);
+  for (const Provided& provided : provided_) {
+    const bool concerned = std::find(fields.begin(), fields.end(), provided.path) != fields.end();
+    if (concerned && !provided.row.empty() && std::isnan(find_leaf(record, provided.path).get())) return &provided;
   }
-  return issue_at(input(), "", say(info.text));
+  return nullptr;
+}
+
+Issue CalculatorStep::broken_rule(std::size_t rule, const Record& record) const {
+  const Calculator& calculator = *input().calculator;
+  if (const Provided* provided = lacking_row(rule, record)) {
+    const FieldInfo& field = *provided->leaf.field;
+    const Provider& from = field.provider;
+    return {place_in(input().rows.at(from.table).place, provided->row, 0, provided->row.size()),
+            name() + "." + from.table,
+            say("the {1} '{2}' has no {3} {4}", from.table, provided->row, noun_of(field.doc), field.key),
+            *from.unless == '\0' ? say("name another, or give {1}", field.key)
+                                 : say("name another, or give {1} in its place", from.unless),
+            Severity::error};
+  }
+  FieldFault fault = calculator.fault_of(rule, record.data.get());
+  for (const std::string& field : split(calculator.rules[rule].fields)) {
+    if (fault.path.empty() && input().reading.typed.count(field) != 0) fault.path = field;
+  }
+  return issue_at(input(), fault.path, std::move(fault.message), std::move(fault.hint));
 }
 
 Outcome<Signature> CalculatorStep::signature(const std::string& path) const {

@@ -20,10 +20,12 @@ class CalculatorStep : public Step {
   [[nodiscard]] const Axis* axis() const { return axis_; }
   [[nodiscard]] const std::vector<Provided>& provided() const { return provided_; }
   [[nodiscard]] const std::vector<Search>& searches() const { return searches_; }
-  /// The issue that a broken rule makes, at the first of its fields that was typed.
-  [[nodiscard]] Issue broken_rule(std::size_t rule) const;
+  /// The issue that an input makes by breaking a rule: where the rule says, else at the first of its fields that was
+  /// typed.
+  [[nodiscard]] Issue broken_rule(std::size_t rule, const Record& record) const;
 
  private:
+  [[nodiscard]] const Provided* lacking_row(std::size_t rule, const Record& record) const;
   void find_searches(std::vector<Issue>& issues);
   void check_rules_of_literals(std::vector<Issue>& issues);
   [[nodiscard]] bool is_open(const std::string& field) const;

@@ -16,11 +16,12 @@ struct Expectation {
   std::string text;  // "crankshaft.d_min", as written
   Expression value;
   Literal is;
-  std::string is_text;           // as written
-  double number = 0.0;           // of `is` in its own unit: what its digits count
-  std::string unit;              // of `is`; "-" for a number
-  std::optional<int> digits;     // half a unit of this significant digit
-  std::optional<double> within;  // relative
+  std::string is_text;              // as written
+  double number = 0.0;              // of `is` in its own unit: what its digits count
+  std::string unit;                 // of `is`; "-" for a number
+  std::optional<int> digits;        // half a unit of this significant digit
+  std::optional<double> within;     // relative
+  std::optional<double> within_si;  // absolute
   std::string source;
   std::string note;  // "printed 15 N*m: erratum 0.4"
   Place place;

@@ -12,10 +12,10 @@ namespace {
 
 using io::Tree;
 
-constexpr std::array reserved_names{"shaft", "fatigue",  "vessel",  "column",     "section",  "gear",      "belt",
-                                    "chain", "drive",    "machine", "motion",     "dynamics", "mechanism", "run",
-                                    "list",  "describe", "sweep",   "verify",     "tables",   "convert",   "schema",
-                                    "init",  "watch",    "why",     "completion", "man",      "project",   "expect"};
+constexpr std::array reserved{"shaft", "fatigue",  "vessel",  "column",     "section",  "gear",      "belt",
+                              "chain", "drive",    "machine", "motion",     "dynamics", "mechanism", "run",
+                              "list",  "describe", "sweep",   "verify",     "tables",   "convert",   "schema",
+                              "init",  "watch",    "why",     "completion", "man",      "project",   "expect"};
 constexpr std::array heading_keys{"title", "number", "revision", "author", "checker", "date", "note"};
 const std::vector<std::string> step_keys{"calculator", "title", "note", "material", "display"};
 
@@ -71,6 +71,11 @@ void read_rows(const Tree& table, StepInput& input, std::vector<Issue>& issues) 
 void read_display(const Tree& table, StepInput& input, std::vector<Issue>& issues) {
   const auto* display = table.find("display");
   if (display == nullptr) return;
+  if (display->value.type != Tree::Type::table) {
+    return add(issues, display->value.place, input.name + ".display",
+               say("'{1}' is a table of units, not {2}", "display", io::word_for(display->value.type)),
+               say("name the results: display = { d = \"in\" }"));
+  }
   for (const Tree::Entry& entry : display->value.entries) {
     const std::string key = input.name + ".display." + entry.key;
     const std::string unit = text_of(entry, key, issues);
@@ -113,7 +118,34 @@ bool name_is_free(const Tree::Entry& entry, std::vector<Issue>& issues) {
   return false;
 }
 
-/// digits = 3, or within = "0.5 %"; neither: the digits that are written.
+/// within = "0.5 %", a part of the value, or "0.1 mm", a quantity like it.
+void read_within(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
+  const Message remedy = e.unit.empty() || e.unit == "-"
+                             ? say("write a part of the value, \"0.5 %\"")
+                             : say("write a part of the value, \"0.5 %\", or a quantity like it, \"0.1 {1}\"", e.unit);
+  auto literal = parse_literal(tree.text);
+  if (literal && literal->dimension == Dimension::of(0, 0, 0, 1))  // 0.1 K, never a point on the scale
+    literal = parse_literal(tree.text, Expected{literal->dimension, Kind::difference, "K"});
+  if (!literal) {
+    const Fault& fault = literal.fault();
+    return add(issues, place_in(tree.place, tree.text, fault.at, fault.length), "expect.within", fault.message,
+               fault.hint.empty() ? remedy : fault.hint);
+  }
+  const Place place = place_in(tree.place, tree.text, 0, tree.text.size());
+  if (!(literal->si > 0.0)) return add(issues, place, "expect.within", say("within must be > 0"), remedy);
+  if (literal->dimension.is_number()) {
+    e.within = literal->si;
+  } else if (literal->dimension.without_angle() == e.is.dimension.without_angle()) {
+    e.within_si = literal->si;
+  } else if (!e.unit.empty()) {  // else `is` has been told already
+    add(issues, place, "expect.within",
+        say("'{1}' ({2}) is no tolerance of '{3}' ({4})", tree.text, name_of(literal->dimension), e.is_text,
+            name_of(e.is.dimension)),
+        remedy);
+  }
+}
+
+/// digits = 3, or within = "0.5 %" or "0.1 mm".
 void read_tolerance(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
   if (const auto* digits = tree.find("digits")) {
     const double n = digits->value.number;
@@ -122,14 +154,7 @@ void read_tolerance(const Tree& tree, Expectation& e, std::vector<Issue>& issues
     }
     e.digits = static_cast<int>(n);
   }
-  if (const auto* within = tree.find("within")) {
-    const auto literal = parse_literal(within->value.text, Expected{{}, Kind::plain, "-"});
-    if (!literal || !(literal->si > 0.0)) {
-      add(issues, within->value.place, "expect.within", say("within is a part of the value above zero: \"0.5 %\""));
-    } else {
-      e.within = literal->si;
-    }
-  }
+  if (const auto* within = tree.find("within")) read_within(within->value, e, issues);
   if ((tree.find("digits") == nullptr) == (tree.find("within") == nullptr)) {
     add(issues, tree.place, "expect", say("an expectation has either digits or within"));
   }
@@ -181,9 +206,9 @@ std::optional<Expectation> read_expectation(const Tree& tree, std::vector<Issue>
 
 }  // namespace
 
-bool is_reserved(std::string_view name) {
-  return std::find(reserved_names.begin(), reserved_names.end(), name) != reserved_names.end();
-}
+std::span<const char* const> reserved_names() { return reserved; }
+
+bool is_reserved(std::string_view name) { return std::find(reserved.begin(), reserved.end(), name) != reserved.end(); }
 
 void read_heading(const Tree::Entry& entry, Project& project, std::vector<Issue>& issues) {
   if (entry.value.type != Tree::Type::table) {

@@ -4,6 +4,7 @@
 #include "lib/project/project.hpp"
 
 #include <memory>
+#include <span>
 
 namespace loadpath::project {
 
@@ -13,6 +14,7 @@ void read_expectations(const io::Tree& tree, Project& project, std::vector<Issue
 std::unique_ptr<Step> read_step(const io::Tree::Entry& entry, Catalogue catalogue, std::vector<Issue>& issues);
 
 /// Words that no step can be called: commands, elements, `project`, `expect`.
+std::span<const char* const> reserved_names();
 bool is_reserved(std::string_view name);
 
 }  // namespace loadpath::project

@@ -174,9 +174,19 @@ void Reader::read_spread(const Tree& tree, const FieldInfo& field, void* owner, 
   say_at(tree.place, path, say("'{1}' is uncertain; computed at its middle value", path), {}, Severity::warning);
 }
 
+/// Whether a text that is no quantity refers to other steps, as expressions do.
+bool is_bare_expression(const std::string& text) {
+  const auto parsed = Expression::parse(text);
+  return parsed && !parsed->references().empty();
+}
+
 void Reader::read_literal(const std::string& text, const Tree& tree, const FieldInfo& field, void* owner,
                           const std::string& path) {
   const auto literal = parse_literal(text, Expected{field.dimension, field.kind, field.unit});
+  if (!literal && is_bare_expression(text)) {
+    return say_at(place_in(tree.place, text, 0, text.size()), path, say("'{1}' is an expression without its '='", text),
+                  say("an expression starts with '=': write \"={1}\"", text));
+  }
   if (!literal) return fault_at(tree.place, text, path, literal.fault());
   const double si = literal->si;
   if (!field.bounds.holds(si)) {

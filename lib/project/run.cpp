@@ -94,7 +94,7 @@ bool Run::check_rules(std::vector<Issue>& issues) {
     if (!set_position(i)) continue;
     for (std::size_t rule = 0; rule < calculator_.rules.size(); ++rule) {
       if (calculator_.holds(rule, record_.data.get())) continue;
-      issues.push_back(step_.broken_rule(rule));
+      issues.push_back(step_.broken_rule(rule, record_));
       return false;
     }
   }

@@ -14,7 +14,9 @@ Comparison compare(const Expectation& e, const Known& known) {
   c.ours = e.value.evaluate(known).si[0];
   const double scale = e.is.si == 0.0 ? parse_unit(e.unit)->factor : std::abs(e.is.si);  // of 0: in its own unit
   c.deviation = (c.ours - e.is.si) / scale;
-  c.allowed = e.within ? *e.within : half_unit(e.number, *e.digits) / (e.number == 0.0 ? 1.0 : std::abs(e.number));
+  c.allowed = e.within      ? *e.within
+              : e.within_si ? *e.within_si / scale
+                            : half_unit(e.number, *e.digits) / (e.number == 0.0 ? 1.0 : std::abs(e.number));
   c.holds = std::abs(c.deviation) <= c.allowed * (1.0 + 1e-9);  // NaN does not hold
   return c;
 }

@@ -72,6 +72,15 @@ TEST_SUITE("cli calculate") {
     CHECK(loadpath_with({"shaft", "torsion", "heavy"}).error == "loadpath: 'heavy' is not expected here\n" + help);
   }
 
+  TEST_CASE("a flag that is given twice is told, and nothing is computed") {
+    const Ran o = loadpath_with({"shaft", "torsion", "--T", "1 N*m", "--T", "2 N*m", "--tau_adm", "30 MPa"});
+    CHECK(o.code == 2);
+    CHECK(o.out.empty());
+    CHECK(o.error == "loadpath: '--T' is given more than once\n  = help: it takes one value: leave out all but one\n");
+    CHECK(loadpath_with({"run", "a.toml", "--csv", "a", "--csv=b"}).error ==
+          "loadpath: '--csv' is given more than once\n  = help: it takes one value: leave out all but one\n");
+  }
+
   TEST_CASE("a rule that is broken is told without a place") {
     CHECK(loadpath_with({"shaft", "torsion", "--tau_adm", "30 MPa"}).error ==
           "command line: error: torsion: give either T or torques\n");

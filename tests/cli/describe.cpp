@@ -24,6 +24,20 @@ TEST_SUITE("cli describe") {
     }
   }
 
+  TEST_CASE("results whose paths come from names are described by patterns with unit and meaning") {
+    const std::string shown = loadpath_with({"describe", "mechanism.planar"}).out;
+    CHECK(contains(shown, "Results, NAME as in the project file\n"));
+    CHECK(contains(shown, "  joints.NAME.F       N        magnitude of the joint's force\n"));
+    CHECK(contains(shown,
+                   "  joints.NAME.M       N*m      couple of the first link on the second at the first link's "
+                   "point (prismatic joints)\n"));
+    for (const char* path : {"drive.M", "drive.P", "cylinders.NAME.F", "joints.NAME.x", "links.NAME.phi",
+                             "links.NAME.omega", "points.NAME.x", "points.NAME.a_y"}) {
+      CAPTURE(path);
+      CHECK(contains(shown, "\n  " + std::string(path) + " "));
+    }
+  }
+
   TEST_CASE("the example that is shown runs") {
     for (const Calculator* calculator : catalogue()) {
       const std::string shown = loadpath_with({"describe", calculator->id}).out;

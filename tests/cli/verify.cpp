@@ -36,6 +36,14 @@ TEST_SUITE("cli verify") {
     CHECK(contains(both.out, "by hand"));
   }
 
+  TEST_CASE("where the tolerance is a quantity the deviation is one") {
+    const Desk desk;
+    std::string text = expecting("77.20 mm");
+    text.replace(text.find("digits = 4"), 10, "within = \"0,1 mm\"");
+    desk.put("a.toml", text);
+    CHECK(contains(desk.run({"verify", "a.toml"}).out, "  ok  axle.d_min  77.20 mm   77.1029 mm  -0.097 mm"));
+  }
+
   TEST_CASE("a file that cannot be read or run is wrong input") {
     const Desk desk;
     desk.put("a.toml", expecting("77.10 kg"));

@@ -96,7 +96,7 @@ TEST_SUITE("mechanism faults") {
           R"(a.toml:18:16: error: 'A' is a point of 'crank' and of 'slider', but no pin 'A' joins them
 18 | points = { A = ["1 mm", "0 mm"], B = ["0 mm", "0 mm"] }
    |                ^^^^^^^^^^^^^^^^
-   = help: give one of the two another name
+   = help: give one of the two another name, or add the joint A = { type = "revolute", links = ["crank", "slider"] }
 )");
   }
 
@@ -192,6 +192,24 @@ F = { type = "revolute", links = ["b", "e"] }
 10 | points = { O = ["0 mm", "0 mm"], A = ["50", "0 mm"] }
    |                                        ^^
    = help: write '50 mm'
+)");
+  }
+
+  TEST_CASE("fields that the drive would leave idle") {
+    CHECK(with("positions = 12", "positions = 12, at = \"30 deg\"") ==
+          R"(a.toml:3:54: error: 'crank.positions' is of a whole turn, and 'crank.at' gives the crank angles
+3 | crank = { joint = "O", speed = "60 rpm", positions = 12, at = "30 deg" }
+  |                                                      ^^
+  = help: leave out one of the two
+)");
+    CHECK(with("positions = 12", "start = \"9 deg\", at = \"30 deg\"")
+              .starts_with(
+                  "a.toml:3:51: error: 'crank.start' is of a whole turn, and 'crank.at' gives the crank angles\n"));
+    CHECK(with("[press.ground]", "positions = 12\n[press.ground]") ==
+          R"(a.toml:5:13: error: 'positions' is of strokes of cylinders, and a crank drives
+5 | positions = 12
+  |             ^^
+  = help: the positions of a turn stand in the crank: crank = { positions = 72 }
 )");
   }
 

@@ -38,6 +38,18 @@ TEST_SUITE("project expectations") {
           doctest::Approx(-1.0 / 101.0));
   }
 
+  TEST_CASE("within may be a quantity like the value, in any unit of it") {
+    for (const char* within : {"1 N*m", "1,0 N·m", "0.001 kN*m"}) {
+      CAPTURE(within);
+      const std::string tolerance = "\"\nwithin = \"" + std::string(within) + "\"\n" + source;
+      CHECK(compared("value = \"axle.M_max\"\nis = \"101 N*m" + tolerance).holds);
+      CHECK(compared("value = \"axle.M_max\"\nis = \"0.099 kN*m" + tolerance).holds);
+      CHECK_FALSE(compared("value = \"axle.M_max\"\nis = \"101.01 N*m" + tolerance).holds);
+      CHECK(compared("value = \"axle.M_max - 99.5 N*m\"\nis = \"0 N*m" + tolerance).holds);
+      CHECK_FALSE(compared("value = \"axle.M_max - 98.5 N*m\"\nis = \"0 N*m" + tolerance).holds);
+    }
+  }
+
   TEST_CASE("an expected zero is compared in SI") {
     CHECK(compared("value = \"axle.M_max - 100 N*m\"\nis = \"0 N*m\"\nwithin = \"1 %\"\n" + source).holds);
   }
@@ -70,8 +82,21 @@ TEST_SUITE("project expectations") {
     CHECK(issues_of(expecting(value_and_is + "digits = 2.5\n")) ==
           "a.toml:9:10: error: digits is a whole number from 1 to 15\n9 | digits = 2.5\n  |          ^^^\n");
     CHECK(issues_of(expecting(value_and_is + "within = \"3 mm\"\n")) ==
-          "a.toml:9:11: error: within is a part of the value above zero: \"0.5 %\"\n9 | within = \"3 mm\"\n  |         "
-          "  ^^^^\n");
+          R"(a.toml:9:11: error: '3 mm' (length) is no tolerance of '1 N*m' (moment)
+9 | within = "3 mm"
+  |           ^^^^
+  = help: write a part of the value, "0.5 %", or a quantity like it, "0.1 N*m"
+)");
+    CHECK(issues_of(expecting(value_and_is + "within = \"-0.1 N*m\"\n")) ==
+          R"(a.toml:9:11: error: within must be > 0
+9 | within = "-0.1 N*m"
+  |           ^^^^^^^^
+  = help: write a part of the value, "0.5 %", or a quantity like it, "0.1 N*m"
+)");
+    CHECK(issues_of(expecting(value_and_is + "within = \"0.1 mpa\"\n"))
+              .starts_with("a.toml:9:15: error: unknown unit 'mpa'\n"));
+    CHECK(issues_of(expecting("value = \"axle.u_tau\"\nis = \"1\"\n" + source + "within = \"3 mm\"\n"))
+              .ends_with("  = help: write a part of the value, \"0.5 %\"\n"));
   }
 
   TEST_CASE("an unknown key of an expectation is told with the nearest one") {

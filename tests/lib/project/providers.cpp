@@ -54,6 +54,16 @@ TEST_SUITE("project providers") {
 )");
   }
 
+  TEST_CASE("a material that has no such strength says so") {
+    CHECK(issues_of(axle + "T = \"9 N*m\"\nS = 2\nmaterial = \"EN-GJL-150\"\n") ==
+          R"(a.toml:5:13: error: the material 'EN-GJL-150' has no yield strength R_e
+5 | material = "EN-GJL-150"
+  |             ^^^^^^^^^^
+  = help: name another, or give tau_adm in its place
+)");
+    CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nmaterial = \"EN-GJL-150\"\n").empty());
+  }
+
   TEST_CASE("a material that is no text is told in words") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\nS = 2\nmaterial = 3\n") ==
           R"(a.toml:5:12: error: 'axle.material' takes a text, not a number

@@ -49,6 +49,26 @@ TEST_SUITE("project reading") {
 )");
   }
 
+  TEST_CASE("an expression without its '=' is told as one") {
+    CHECK(issues_of(axle + "T = \"peak(lever.drive.M)\"\ntau_adm = \"30 MPa\"\n") ==
+          R"says(a.toml:3:6: error: 'peak(lever.drive.M)' is an expression without its '='
+3 | T = "peak(lever.drive.M)"
+  |      ^^^^^^^^^^^^^^^^^^^
+  = help: an expression starts with '=': write "=peak(lever.drive.M)"
+)says");
+    CHECK(issues_of(axle + "T = \"2 * lever.drive.M\"\ntau_adm = \"30 MPa\"\n")
+              .starts_with("a.toml:3:6: error: '2 * lever.drive.M' is an expression without its '='\n"));
+  }
+
+  TEST_CASE("display is a table of units") {
+    CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\ndisplay = \"in\"\n") ==
+          R"(a.toml:5:12: error: 'display' is a table of units, not a text
+5 | display = "in"
+  |            ^^
+  = help: name the results: display = { d = "in" }
+)");
+  }
+
   TEST_CASE("what is not finite is no number") {
     CHECK(issues_of(axle + "T = \"nan N*m\"\ntau_adm = inf\n") ==
           R"(a.toml:3:6: error: 'nan' is not a number to calculate with
@@ -227,9 +247,43 @@ a.toml:3:25: error: 'tolerence' is no field here
 
   TEST_CASE("an allowable stress and a material with a safety factor exclude one another") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nmaterial = \"C45E\"\nS = 2\n") ==
+          R"(a.toml:6:5: error: tau_adm already holds the safety, and S would be a second one
+6 | S = 2
+  |     ^
+  = help: leave out S; or leave out tau_adm, and S counts against the yield strength R_e, given or of a material
+)");
+    CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nR_e = \"355 MPa\"\nS = 2\n") ==
           R"(a.toml:4:12: error: tau_adm already holds the safety: give tau_adm, or R_e with S, never both
 4 | tau_adm = "30 MPa"
   |            ^^^^^^
+)");
+  }
+
+  TEST_CASE("a rule that knows particulars says which element and how much") {
+    const std::string torques = axle + "tau_adm = \"30 MPa\"\ntorques = [{ x = \"0 m\", T = \"90 N*m\" }, ";
+    CHECK(issues_of(torques + "{ x = \"1 m\", T = \"-60 N*m\" }]\n") ==
+          R"(a.toml:4:11: error: the torques sum to 30 N·m, not to zero
+4 | torques = [{ x = "0 m", T = "90 N*m" }, { x = "1 m", T = "-60 N*m" }]
+  |           ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  = help: add the torque of -30 N·m that is missing, or hold an end: fixed = "left" or fixed = "right"
+)");
+    CHECK(issues_of(torques + "{ x = \"1.2 m\", T = \"-90 N*m\" }]\nl = \"1 m\"\n") ==
+          R"(a.toml:4:48: error: torque 2 stands at 1200 mm, beyond the end of the shaft at 1000 mm
+4 | torques = [{ x = "0 m", T = "90 N*m" }, { x = "1.2 m", T = "-90 N*m" }]
+  |                                                ^^^^^
+  = help: x counts from the left end: correct it, or the length l
+)");
+    CHECK(issues_of(torques + "{ name = \"gear\", x = \"1.2 m\", T = \"-90 N*m\" }]\nsegments = [{ l = \"1 m\" }]\n") ==
+          R"(a.toml:4:63: error: torque 'gear' stands at 1200 mm, beyond the end of the shaft at 1000 mm
+4 | torques = [{ x = "0 m", T = "90 N*m" }, { name = "gear", x = "1.2 m", T = "-90 N*m" }]
+  |                                                               ^^^^^
+  = help: x counts from the left end: correct it, or the lengths of the segments
+)");
+    CHECK(issues_of(torques + "{ x = \"0 m\", T = \"-90 N*m\" }]\n") ==
+          R"(a.toml:4:11: error: all torques act at one place, and the shaft has no length
+4 | torques = [{ x = "0 m", T = "90 N*m" }, { x = "0 m", T = "-90 N*m" }]
+  |           ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  = help: give each torque the place x that it acts at, from the left end
 )");
   }
 

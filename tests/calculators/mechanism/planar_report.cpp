@@ -1,0 +1,69 @@
+#include "calculators/mechanism/planar_report.hpp"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+
+using namespace loadpath;
+
+namespace {
+
+/// Two positions of one joint whose reaction is 100 N at an arm of 1 m.
+Cycle cycle_of(const mechanism::Position& first, const mechanism::Position& second) {
+  Cycle cycle;
+  cycle.positions = {first, second};
+  cycle.closed = {true, true};
+  return cycle;
+}
+
+mechanism::Position balanced() {
+  mechanism::Position p;
+  p.reactions.resize(1);
+  p.reactions[0].force = {100.0, 0.0};
+  p.reactions[0].at = {0.0, 1.0};
+  p.power_scale = 50.0;
+  return p;
+}
+
+PlanarMechanism::Input driven() {
+  PlanarMechanism::Input in;
+  in.crank.joint = "O";
+  return in;
+}
+
+report::State state_of(const char* symbol, const Cycle& cycle) {
+  for (const report::Verdict& v : proof("press", driven(), cycle, nullptr)) {
+    if (v.symbol == symbol) return v.state;
+  }
+  FAIL("no such proof");
+  return report::State::fail;
+}
+
+}  // namespace
+
+TEST_SUITE("mechanism report") {
+  TEST_CASE("the proof of equilibrium passes where nothing is left over, and fails where something is") {
+    mechanism::Position off = balanced();
+    off.residual_force = off.residual_moment = off.power_residual = -1e-3;
+    for (const char* symbol : {"force_balance", "moment_balance", "power_balance"}) {
+      CAPTURE(symbol);
+      CHECK(state_of(symbol, cycle_of(balanced(), balanced())) == report::State::pass);
+      CHECK(state_of(symbol, cycle_of(balanced(), off)) == report::State::fail);
+    }
+  }
+
+  TEST_CASE("a residual or a scale that is no number is never passed, whichever position it stands at") {
+    for (const double none : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+      mechanism::Position residual = balanced(), scale = balanced();
+      residual.residual_force = residual.residual_moment = residual.power_residual = none;
+      scale.reactions[0].force.x = scale.power_scale = none;
+      for (const char* symbol : {"force_balance", "moment_balance", "power_balance"}) {
+        CAPTURE(symbol);
+        for (const mechanism::Position& p : {residual, scale}) {
+          CHECK(state_of(symbol, cycle_of(p, balanced())) == report::State::not_available);
+          CHECK(state_of(symbol, cycle_of(balanced(), p)) == report::State::not_available);
+        }
+      }
+    }
+  }
+}

@@ -124,7 +124,7 @@ TEST_SUITE("contract") {
       CHECK_MESSAGE(issues.empty(), (issues.empty() ? "" : issues[0].message.text()));
       REQUIRE(p.steps.size() == 1);
       CHECK(p.steps[0]->input().calculator == c);
-      CHECK(project::worst(project::verdicts(p)) == report::State::pass);
+      CHECK(report::worst(project::verdicts(p)) == report::State::pass);
     }
   }
 

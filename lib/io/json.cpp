@@ -15,23 +15,11 @@ namespace {
 
 namespace json = boost::json;
 using project::Entry;
-using report::State;
 
 constexpr int schema_version = 1;
 
-const char* word_of(State state) {
-  switch (state) {
-    case State::pass:
-      return "pass";
-    case State::fail:
-      return "fail";
-    case State::not_covered:
-      return "not covered";
-    case State::not_available:
-      return "not available";
-  }
-  return "";
-}
+/// A state by its word in English, whatever the language of the report.
+std::string word_of(report::State state) { return std::string(report::word(state).id); }
 
 json::value number(double x) { return std::isfinite(x) ? json::value(x) : json::value(nullptr); }
 
@@ -146,7 +134,7 @@ std::string json_of(const project::Project& project, std::string_view program) {
   return text_of(json::object{{"schema", schema_version},
                               {"program", program},
                               {"project", std::move(meta)},
-                              {"verdict", word_of(project::worst(project::verdicts(project)))},
+                              {"verdict", word_of(report::worst(project::verdicts(project)))},
                               {"steps", std::move(steps)}});
 }
 

@@ -126,25 +126,4 @@ Origin plain_origin(const Reading& reading, const std::string& path, const Leaf&
   return {open ? Message{} : say("default"), {}, false};
 }
 
-report::State worst(const std::vector<report::Verdict>& verdicts) {
-  report::State state = report::State::pass;
-  const auto severity = [](report::State s) {
-    switch (s) {
-      case report::State::pass:
-        return 0;
-      case report::State::not_covered:
-        return 1;
-      case report::State::not_available:
-        return 2;
-      case report::State::fail:
-        return 3;
-    }
-    return 3;
-  };
-  for (const report::Verdict& v : verdicts) {
-    if (severity(v.state) > severity(state)) state = v.state;
-  }
-  return state;
-}
-
 }  // namespace loadpath::project

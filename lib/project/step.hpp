@@ -120,7 +120,4 @@ Origin plain_origin(const Reading& reading, const std::string& path, const Leaf&
 /// An issue at the field that was typed at `path`, or at what it is part of.
 Issue issue_at(const StepInput& input, const std::string& path, Message message, Message hint = {});
 
-/// The overall state of verdicts: the worst.
-report::State worst(const std::vector<report::Verdict>& verdicts);
-
 }  // namespace loadpath::project

@@ -195,20 +195,6 @@ std::set<std::string> keys_in(std::string_view text) {
   return keys;
 }
 
-Message overall(State state) {
-  switch (state) {
-    case State::pass:
-      return say("every check passes");
-    case State::fail:
-      return say("a check fails");
-    case State::not_covered:
-      return say("something is not covered");
-    case State::not_available:
-      return say("something is not available");
-  }
-  return {};
-}
-
 Document build(const Project& project, std::string_view program) {
   Document document;
   document.title = project.title.empty() ? project.file : project.title;

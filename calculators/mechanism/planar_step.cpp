@@ -53,10 +53,10 @@ Outcome<Signature> PlanarStep::signature(const std::string& path) const {
   if (found != outputs_.end()) return Signature{found->dimension, axis_.get()};
   std::vector<std::string> paths;
   for (const auto& o : outputs_) paths.push_back(o.path);
-  const std::string near = nearest(path, paths);
-  return Fault{0, path.size(), say("'{1}' has no result '{2}'", name(), path),
-               near.empty() ? say("there are drive.M, joints.NAME.F, links.NAME.phi, points.NAME.v and the like")
-                            : say("did you mean '{1}'?", name() + "." + near)};
+  return Fault{
+      0, path.size(), say("'{1}' has no result '{2}'", name(), path),
+      did_you_mean(path, paths, say("there are drive.M, joints.NAME.F, links.NAME.phi, points.NAME.v and the like"),
+                   name() + ".")};
 }
 
 std::vector<std::string> PlanarStep::companions_of(const std::string& path) const {

@@ -31,9 +31,7 @@ Outcome<Signature> signature_of(const Project& project, const std::string& path)
   const std::string near = nearest(name, names_of(project));
   if (!near.empty())
     return Fault{0, path.size(), say("there is no step '{1}'", name), say("did you mean '{1}'?", near + "." + rest)};
-  std::string all;
-  for (const std::string& known : names_of(project)) all += (all.empty() ? "" : ", ") + known;
-  return Fault{0, path.size(), say("there is no step '{1}'", name), say("there is: {1}", all)};
+  return Fault{0, path.size(), say("there is no step '{1}'", name), there_is(names_of(project))};
 }
 
 std::vector<std::string> companions_of(const Project& project, const std::string& path) {

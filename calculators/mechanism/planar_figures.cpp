@@ -121,11 +121,7 @@ draw::Curve curve_of(const std::string& label, const Value& value) {
 
 draw::Figure drive_figure(const project::Entry& entry, const Axis& axis) {
   const bool rotary = entry.path == "drive.M";
-  draw::Plot plot{{"phi", axis.name.substr(axis.name.find(": ") + 2), axis.unit},
-                  {rotary ? "M" : "F", entry.doc, entry.unit},
-                  {},
-                  {},
-                  {}};
+  draw::Plot plot{{"phi", axis.quantity, axis.unit}, {rotary ? "M" : "F", entry.doc, entry.unit}, {}, {}, {}};
   plot.curves.push_back(curve_of(rotary ? "M" : "F", entry.value));
   const Extreme peak = largest(entry.value);
   if (!std::isnan(peak.value)) plot.marks.push_back({peak.at, peak.value, "peak"});
@@ -134,8 +130,7 @@ draw::Figure drive_figure(const project::Entry& entry, const Axis& axis) {
 }
 
 draw::Figure reactions_figure(const mechanism::Model& model, const project::Account& account, const Axis& axis) {
-  draw::Plot plot{
-      {"phi", axis.name.substr(axis.name.find(": ") + 2), axis.unit}, {"R", "force of the joints", "N"}, {}, {}, {}};
+  draw::Plot plot{{"phi", axis.quantity, axis.unit}, {"R", "force of the joints", "N"}, {}, {}, {}};
   for (const auto& j : model.joints) {
     if (plot.curves.size() == 6) break;  // more cannot be told apart
     if (const auto* e = find_entry(account, "joints." + j.name + ".F"))

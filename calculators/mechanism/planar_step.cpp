@@ -25,7 +25,7 @@ void PlanarStep::prepare(const project::Declared& declared, const project::Compa
   const std::string axis = axis_name(data());
   if (!axis.empty()) {
     const double period = is_whole_turn(data()) ? 2.0 * pi : 0.0;  // its sense is known when the cycle is solved
-    axis_ = std::make_unique<Axis>(Axis{name() + ": " + axis, axis == "stroke" ? "mm" : "deg", {}, {}, period});
+    axis_ = std::make_unique<Axis>(Axis{name(), axis, axis == "stroke" ? "mm" : "deg", {}, {}, period});
   }
   if (input().reading.operands.empty()) diagnose_model(model, issues);
 }

@@ -50,7 +50,7 @@ json::value entry(const Entry& e) {
       complete = complete && std::isfinite(x);
     }
     object = {{"unit", unit_of(e.value.signature.dimension)},
-              {"axis", e.value.signature.axis->name},
+              {"axis", e.value.signature.axis->name()},
               {"values", std::move(values)}};
     if (!complete) object["reason"] = "not available where null";
   } else {
@@ -103,10 +103,10 @@ json::object axes(const project::Account& account) {
   json::object object;
   for (const Entry& e : account.results) {
     const Axis* axis = e.value.signature.axis;
-    if (axis == nullptr || object.contains(axis->name)) continue;
+    if (axis == nullptr || object.contains(axis->name())) continue;
     json::array at;
     for (const double x : axis->at) at.push_back(number(x));
-    object[axis->name] = json::object{{"shown_in", axis->unit}, {"period", axis->period}, {"at", std::move(at)}};
+    object[axis->name()] = json::object{{"shown_in", axis->unit}, {"period", axis->period}, {"at", std::move(at)}};
   }
   return object;
 }

@@ -48,7 +48,7 @@ void check_expectations(const Project& project, std::vector<Issue>& issues) {
       issues.push_back(
           {place_in(e.place, e.text, fault.at, fault.length), "expect", fault.message, fault.hint, Severity::error});
     } else if (signature->axis != nullptr) {
-      issues.push_back({e.place, "expect", say("'{1}' is a series over {2}", e.text, signature->axis->name),
+      issues.push_back({e.place, "expect", say("'{1}' is a series over {2}", e.text, signature->axis->name()),
                         say("reduce it with peak, max, min, mean, rms or at"), Severity::error});
     } else if (signature->dimension.without_angle() != e.is.dimension.without_angle()) {
       issues.push_back({e.place,

@@ -68,12 +68,13 @@ const Axis* check_operands(const Reading& reading, const std::string& step, bool
     const std::string key = step + "." + operand.path;
     if (!lifted) {
       issues.push_back({place, key,
-                        say("'{1}' takes one value, and this is a series over {2}", operand.path, axis->name),
+                        say("'{1}' takes one value, and this is a series over {2}", operand.path, axis->name()),
                         say("reduce it with peak, max, min, mean, rms or at"), Severity::error});
     } else if (shared != nullptr && shared != axis) {
-      issues.push_back({place, key,
-                        say("this is a series over {1}, and another input is one over {2}", axis->name, shared->name),
-                        say("reduce one of them with peak, max, min, mean, rms or at"), Severity::error});
+      issues.push_back(
+          {place, key,
+           say("this is a series over {1}, and another input is one over {2}", axis->name(), shared->name()),
+           say("reduce one of them with peak, max, min, mean, rms or at"), Severity::error});
     } else {
       shared = axis;
     }

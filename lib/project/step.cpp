@@ -106,6 +106,7 @@ std::vector<Entry> input_entries(const Record& record,
     Entry entry{path, field.doc, field.unit, Role::input, {{field.dimension, nullptr}, {}}, origin(path, leaf), ""};
     if (field.type == FieldInfo::Type::name) entry.word = field.text(leaf.owner);
     if (field.type == FieldInfo::Type::choice) entry.word = field.choices[static_cast<std::size_t>(leaf.get())].key;
+    entry.is_factor = field.is_factor;
     if (field.get != nullptr) entry.value.si = {leaf.get()};
     const bool unnamed = field.type == FieldInfo::Type::name && entry.word.empty();
     const bool open = field.type == FieldInfo::Type::quantity && entry.origin.text.empty();

@@ -26,8 +26,9 @@ struct Entry {
   std::string unit;  // display unit
   Role role = Role::result;
   Value value;
-  Origin origin;     // inputs only
-  std::string word;  // a choice or a name instead of a number
+  Origin origin;           // inputs only
+  std::string word;        // a choice or a name instead of a number
+  bool is_factor = false;  // inputs only: see Field::factor
 };
 
 /// A line of the calculation; the scope names the element of a list that it belongs to ("segments[2]").

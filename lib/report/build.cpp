@@ -151,8 +151,7 @@ void add_factors(const Project& project, std::vector<Block>& blocks) {
               {}};
   for (const auto& step : project.steps) {
     for (const Entry& e : step->account().inputs) {
-      if (e.path == "K_A" || e.path == "S")
-        table.rows.push_back({step->name(), Symbol{e.path}, say("{1}", e.doc), cell_of(e)});
+      if (e.is_factor) table.rows.push_back({step->name(), Symbol{e.path}, say("{1}", e.doc), cell_of(e)});
     }
   }
   if (!table.rows.empty()) blocks.emplace_back(std::move(table));

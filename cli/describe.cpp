@@ -84,10 +84,8 @@ int describe(const DescribeOptions& options) {
   if (c == nullptr) {
     std::vector<std::string> ids;
     for (const Calculator* known : catalogue()) ids.emplace_back(known->id);
-    const std::string near = nearest(options.id, ids);
     std::cerr << "loadpath: there is no calculator '" << options.id
-              << "'\n  = help: " << (near.empty() ? "`loadpath list` shows all" : "did you mean '" + near + "'?")
-              << "\n";
+              << "'\n  = help: " << did_you_mean(options.id, ids, say("`loadpath list` shows all")).text() << "\n";
     return wrong_input;
   }
   std::cout << c->id << ": " << c->title << "\n\n" << c->scope << "\n\n";

@@ -160,10 +160,8 @@ int unknown_option(const CLI::App& command, const std::string& word) {
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& long_name : option->get_lnames()) options.push_back("--" + long_name);
   }
-  const std::string near = nearest(name, options);
-  return refuse("there is no option '" + name + "'", near.empty()
-                                                         ? "`" + path_of(command) + " --help` shows what there is"
-                                                         : "did you mean '" + near + "'?");
+  return refuse("there is no option '" + name + "'",
+                did_you_mean(name, options, say("`{1} --help` shows what there is", path_of(command))).text());
 }
 
 /// What was typed where a command, or the calculator of an element, is expected.
@@ -175,16 +173,13 @@ int unknown_command(const CLI::App& app, const CLI::App& command) {
   }
   if (words[0].starts_with('-')) return unknown_option(command, words[0]);
   std::vector<std::string> names;
-  std::string all;
   for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; })) {
     names.push_back(sub->get_name());
-    all += (all.empty() ? "" : ", ") + sub->get_name();
   }
-  const std::string near = nearest(words[0], names);
   const bool top = &app == &command;
   const std::string prefix = top ? "" : command.get_name() + " ";
   return refuse((top ? "there is no command '" : "there is no calculator '") + prefix + words[0] + "'",
-                near.empty() ? "there is: " + all : "did you mean '" + prefix + near + "'?");
+                did_you_mean(words[0], names, there_is(names), prefix).text());
 }
 
 /// An option of the command that takes one value and was given several; null where there is none.

@@ -18,7 +18,7 @@ void tell(const std::vector<Issue>& issues, const std::vector<SourceText>& sourc
 }  // namespace
 
 int exit_for(const std::vector<report::Verdict>& verdicts) {
-  return project::worst(verdicts) == report::State::pass ? passed : not_passed;
+  return report::worst(verdicts) == report::State::pass ? passed : not_passed;
 }
 
 int solve_and_show(const ReadProject& read, const std::vector<SourceText>& sources, const OutputOptions& output,

@@ -17,10 +17,8 @@ using table::Table;
 using Rows = std::vector<std::vector<std::string>>;
 
 int unknown(const std::string& word, const char* what, const std::vector<std::string>& candidates) {
-  const std::string near = nearest(word, candidates);
   std::cerr << "loadpath: there is no " << what << " '" << word
-            << "'\n  = help: " << (near.empty() ? "`loadpath tables` shows all" : "did you mean '" + near + "'?")
-            << "\n";
+            << "'\n  = help: " << did_you_mean(word, candidates, say("`loadpath tables` shows all")).text() << "\n";
   return wrong_input;
 }
 

@@ -128,17 +128,8 @@ std::string columns(const std::vector<std::vector<std::string>>& rows) {
 }
 
 std::string state_word(report::State state) {
-  switch (state) {
-    case report::State::pass:
-      return in_colour("pass", "32");
-    case report::State::fail:
-      return in_colour("FAIL", "31;1");
-    case report::State::not_covered:
-      return in_colour("not covered", "33");
-    case report::State::not_available:
-      return in_colour("not available", "33");
-  }
-  return "";
+  if (state == report::State::fail) return in_colour("FAIL", "31;1");
+  return in_colour(report::word(state).text(), state == report::State::pass ? "32" : "33");
 }
 
 void show_project(const project::Project& project, bool derivation) {
@@ -153,7 +144,7 @@ void show_project(const project::Project& project, bool derivation) {
   const auto verdicts = project::verdicts(project);
   if (verdicts.empty()) return;
   show_verdicts(verdicts);
-  std::cout << "\n" << report::overall(project::worst(verdicts)).text() << "\n";
+  std::cout << "\n" << report::overall(report::worst(verdicts)).text() << "\n";
 }
 
 }  // namespace loadpath::cli

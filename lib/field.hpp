@@ -90,6 +90,7 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
   const char* asked_by = "";     // check: exists only where this input is given
   const char* searched_in = "";  // input: where missing, the smallest value of this stock that passes every check
   bool kept = false;             // input: where missing in a search, the result of the same key of the sizing run
+  bool is_factor = false;        // input: raises a load or lowers a strength; the report lists where each is applied
 
   constexpr Field(Quantity Owner::*member, const char* k, Unit<Quantity> u, const char* d)
       : Base{k, d}, at{member}, unit{u} {}
@@ -128,6 +129,11 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
   [[nodiscard]] constexpr Field kept_in_search() const {
     Field f = *this;
     f.kept = true;
+    return f;
+  }
+  [[nodiscard]] constexpr Field factor() const {
+    Field f = *this;
+    f.is_factor = true;
     return f;
   }
 

@@ -161,4 +161,16 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   return found != nullptr ? *found : std::string();
 }
 
+Message did_you_mean(std::string_view word, const std::vector<std::string>& candidates, Message otherwise,
+                     const std::string& prefix) {
+  const std::string near = nearest(word, candidates);
+  return near.empty() ? std::move(otherwise) : say("did you mean '{1}'?", prefix + near);
+}
+
+Message there_is(const std::vector<std::string>& candidates) {
+  std::string all;
+  for (const std::string& candidate : candidates) all += (all.empty() ? "" : ", ") + candidate;
+  return say("there is: {1}", all);
+}
+
 }  // namespace loadpath

@@ -43,6 +43,7 @@ struct FieldInfo {
   const char* asked_by = "";
   const char* searched_in = "";
   bool kept = false;
+  bool is_factor = false;
 
   std::span<const ChoiceInfo> choices;  // choice
   std::span<const FieldInfo> fields;    // group, list

@@ -47,6 +47,7 @@ FieldInfo info_of(const Field<Owner, Quantity>& f) {
   info.asked_by = f.asked_by;
   info.searched_in = f.searched_in;
   info.kept = f.kept;
+  info.is_factor = f.is_factor;
   info.get = [](const void* o) { return in_si(static_cast<const Owner*>(o)->*member_at<fields, I>); };
   info.set = [](void* o, double v) { static_cast<Owner*>(o)->*member_at<fields, I> = from_si<Quantity>(v); };
   info.address = [](void* o) {

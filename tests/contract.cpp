@@ -125,7 +125,7 @@ TEST_SUITE("contract") {
       CHECK_MESSAGE(issues.empty(), (issues.empty() ? "" : issues[0].message.text()));
       REQUIRE(p.steps.size() == 1);
       CHECK(p.steps[0]->input().calculator == c);
-      CHECK(project::worst(project::verdicts(p)) == report::State::pass);
+      CHECK(report::worst(project::verdicts(p)) == report::State::pass);
     }
   }
 
@@ -202,7 +202,7 @@ TEST_SUITE("contract") {
       for (const Line& line : s.trace.lines()) {
         CAPTURE(c->id);
         CAPTURE(line.symbol);
-        if (*line.formula != '\0') {
+        if (!line.formula.empty()) {
           const auto tree = formula::parse(line.formula);
           REQUIRE(tree);
           const double value = formula::value(*tree, [&](std::string_view name) -> std::optional<double> {

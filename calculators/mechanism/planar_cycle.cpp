@@ -85,7 +85,8 @@ Status run(mechanism::WholeSystem& system, const Schedule& schedule, bool static
     if (status != Status::closed) return status;
     if (!is_finite(cycle.positions[k])) return Status::singular;
     cycle.closed[k] = true;
-    cycle.worst_condition = std::min(cycle.worst_condition, system.condition());
+    const double condition = 1.0 / system.condition();
+    if (condition > cycle.worst_condition) cycle.worst_condition = condition, cycle.worst_at = k;
   }
   return Status::closed;
 }

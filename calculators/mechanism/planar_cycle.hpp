@@ -17,7 +17,8 @@ struct Cycle {
   std::vector<bool> closed;
   mechanism::Status first_failure = mechanism::Status::closed;
   mechanism::WholeSystem::Gap gap;  // at the first failure
-  double worst_condition = 1.0;     // smallest reciprocal condition number
+  double worst_condition = 0.0;     // largest condition number of the constraints; 0: no position is closed
+  std::size_t worst_at = 0;         // where that is
 };
 
 /// Whether the positions make series, and over what: the name of the axis; empty where there is one position.

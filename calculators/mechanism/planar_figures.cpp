@@ -47,7 +47,22 @@ Scheme::Guide guide_of(const mechanism::Joint& j, const Position& p) {
           point(start + (std::max(0.0, reach) + margin) * along), j.j == mechanism::ground};
 }
 
+/// What rounding leaves of a zero beside the largest reaction and its moment: not drawn.
+struct Negligible {
+  double force = 0.0, moment = 0.0;
+};
+Negligible negligible(const Position& p) {
+  Negligible least;
+  for (const auto& r : p.reactions) {
+    const double force = 1e-12 * mechanism::length(r.force);
+    least.force = std::max(least.force, force);
+    least.moment = std::max(least.moment, force * mechanism::length(r.at));
+  }
+  return least;
+}
+
 Scheme scheme_at(const mechanism::Model& model, const Position& p) {
+  const Negligible rounding = negligible(p);
   Scheme scheme;
   for (std::size_t k = 0; k < model.links.size(); ++k) {
     Scheme::Body body{model.links[k].name, {}};
@@ -65,7 +80,7 @@ Scheme scheme_at(const mechanism::Model& model, const Position& p) {
                              phi + j.direction});
     if (slides) scheme.guides.push_back(guide_of(j, p));
     const Vec force = -p.reactions[n].force;  // of the first link on the second
-    if (mechanism::length(force) > 0.0)
+    if (mechanism::length(force) > rounding.force)
       scheme.arrows.push_back({point(p.reactions[n].at), point(force), "R_" + j.name, false});
   }
   for (const auto& l : model.loads) {
@@ -82,7 +97,7 @@ Scheme scheme_at(const mechanism::Model& model, const Position& p) {
       return j.kind == mechanism::JointKind::revolute &&
              std::minmax(j.i, j.j) == std::minmax(model.drivers[d].i, model.drivers[d].j);
     });
-    if (joint != model.joints.end())
+    if (joint != model.joints.end() && std::abs(p.effort[d]) > rounding.moment)
       scheme.moments.push_back({point(on_paper(p, joint->i, joint->point_i)), p.effort[d], "M"});
   }
   return scheme;
@@ -121,11 +136,7 @@ draw::Curve curve_of(const std::string& label, const Value& value) {
 
 draw::Figure drive_figure(const project::Entry& entry, const Axis& axis) {
   const bool rotary = entry.path == "drive.M";
-  draw::Plot plot{{"phi", axis.name.substr(axis.name.find(": ") + 2), axis.unit},
-                  {rotary ? "M" : "F", entry.doc, entry.unit},
-                  {},
-                  {},
-                  {}};
+  draw::Plot plot{{"phi", axis.quantity, axis.unit}, {rotary ? "M" : "F", entry.doc, entry.unit}, {}, {}, {}};
   plot.curves.push_back(curve_of(rotary ? "M" : "F", entry.value));
   const Extreme peak = largest(entry.value);
   if (!std::isnan(peak.value)) plot.marks.push_back({peak.at, peak.value, "peak"});
@@ -134,8 +145,7 @@ draw::Figure drive_figure(const project::Entry& entry, const Axis& axis) {
 }
 
 draw::Figure reactions_figure(const mechanism::Model& model, const project::Account& account, const Axis& axis) {
-  draw::Plot plot{
-      {"phi", axis.name.substr(axis.name.find(": ") + 2), axis.unit}, {"R", "force of the joints", "N"}, {}, {}, {}};
+  draw::Plot plot{{"phi", axis.quantity, axis.unit}, {"R", "force of the joints", "N"}, {}, {}, {}};
   for (const auto& j : model.joints) {
     if (plot.curves.size() == 6) break;  // more cannot be told apart
     if (const auto* e = find_entry(account, "joints." + j.name + ".F"))

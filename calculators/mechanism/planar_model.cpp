@@ -16,14 +16,6 @@ std::string path_of(const char* list, const Name& name, const char* field) {
   return std::string(list) + "." + std::string(name.view()) + (*field == '\0' ? "" : "." + std::string(field));
 }
 
-Message nearest_hint(const Name& name, const std::vector<std::string>& candidates) {
-  const std::string near = nearest(name.view(), candidates);
-  if (!near.empty()) return say("did you mean '{1}'?", near);
-  std::string all;
-  for (const std::string& candidate : candidates) all += (all.empty() ? "" : ", ") + candidate;
-  return say("there is: {1}", all);
-}
-
 template <class Items>
 std::vector<std::string> names_in(const Items& items) {
   std::vector<std::string> names;
@@ -84,7 +76,7 @@ class NameCheck {
     if (has_link(in_, name)) return true;
     auto names = names_in(in_.links);
     names.emplace_back("ground");
-    add(path, say("there is no link '{1}'", name.view()), nearest_hint(name, names));
+    add(path, say("there is no link '{1}'", name.view()), did_you_mean(name.view(), names, there_is(names)));
     return false;
   }
 
@@ -94,11 +86,10 @@ class NameCheck {
     const auto names = points == nullptr ? names_in(in_.ground) : names_in(*points);
     const std::string owner(link == mechanism::ground ? "ground"
                                                       : in_.links[static_cast<std::size_t>(link)].name.view());
-    const std::string near = nearest(name.view(), names);
     add(path, say("the link '{1}' has no point '{2}'", owner, name.view()),
-        near.empty()
-            ? say("give '{1}' among the points of '{2}', or name another point with points = [...]", name.view(), owner)
-            : say("did you mean '{1}'?", near));
+        did_you_mean(name.view(), names,
+                     say("give '{1}' among the points of '{2}', or name another point with points = [...]", name.view(),
+                         owner)));
   }
 
   void check_joint(const Planar::Joint& joint) {
@@ -121,7 +112,7 @@ class NameCheck {
   void require_joint(const Name& name, const std::string& path) {
     const auto names = names_in(in_.joints);
     if (std::find(names.begin(), names.end(), std::string(name.view())) != names.end()) return;
-    add(path, say("there is no joint '{1}'", name.view()), nearest_hint(name, names));
+    add(path, say("there is no joint '{1}'", name.view()), did_you_mean(name.view(), names, there_is(names)));
   }
 
   void require_turning(const Name& name) {

@@ -142,6 +142,20 @@ Table position_table(const project::Account& account) {
   return table;
 }
 
+Table determinacy_table(const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis) {
+  Table table{say("Mobility and conditioning"), {}, {}};
+  table.rows.push_back(
+      {say("mobility by count, 3 n − 2 p5 − p4; drives not counted"), std::to_string(structure.mobility_by_count)});
+  table.rows.push_back({say("mobility by rank of the constraints"), std::to_string(structure.mobility)});
+  if (cycle.worst_condition == 0.0) return table;
+  const Message largest = say("largest condition number of the constraints");
+  table.rows.push_back(
+      {axis == nullptr ? largest
+                       : say("{1}, at {2}", largest.text(), format_quantity(axis->at[cycle.worst_at], axis->unit, 5)),
+       Quantity{cycle.worst_condition, "-", 2}});
+  return table;
+}
+
 report::Verdict limit(const std::string& step, const char* symbol, Message meaning, double value, double bound) {
   report::Verdict v;
   v.step = step;
@@ -191,9 +205,10 @@ std::vector<report::Block> model_tables(const Planar::Input& in) {
   return blocks;
 }
 
-std::vector<report::Block> result_tables(const project::Account& account, const Axis* axis) {
-  if (axis == nullptr) return {position_table(account)};
-  return {extremes_table(account, *axis)};
+std::vector<report::Block> result_tables(const project::Account& account, const mechanism::Structure& structure,
+                                         const Cycle& cycle, const Axis* axis) {
+  return {axis == nullptr ? position_table(account) : extremes_table(account, *axis),
+          determinacy_table(structure, cycle, axis)};
 }
 
 /// The larger magnitude; what is not a number stays so.

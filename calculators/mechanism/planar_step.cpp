@@ -25,7 +25,7 @@ void PlanarStep::prepare(const project::Declared& declared, const project::Compa
   const std::string axis = axis_name(data());
   if (!axis.empty()) {
     const double period = is_whole_turn(data()) ? 2.0 * pi : 0.0;  // its sense is known when the cycle is solved
-    axis_ = std::make_unique<Axis>(Axis{name() + ": " + axis, axis == "stroke" ? "mm" : "deg", {}, {}, period});
+    axis_ = std::make_unique<Axis>(Axis{name(), axis, axis == "stroke" ? "mm" : "deg", {}, {}, period});
   }
   add_idle_fields(issues);
   if (input().reading.operands.empty()) diagnose_model(model, issues);
@@ -69,10 +69,9 @@ Outcome<Signature> PlanarStep::signature(const std::string& path) const {
   if (found != outputs_.end()) return Signature{found->dimension, axis_.get()};
   std::vector<std::string> paths;
   for (const auto& o : outputs_) paths.push_back(o.path);
-  const std::string near = nearest(path, paths);
-  return Fault{0, path.size(), say("'{1}' has no result '{2}'", name(), path),
-               near.empty() ? say("`loadpath describe {1}` lists them", input().calculator->id)
-                            : say("did you mean '{1}'?", name() + "." + near)};
+  return Fault{
+      0, path.size(), say("'{1}' has no result '{2}'", name(), path),
+      did_you_mean(path, paths, say("`loadpath describe {1}` lists them", input().calculator->id), name() + ".")};
 }
 
 std::vector<std::string> PlanarStep::companions_of(const std::string& path) const {
@@ -143,7 +142,7 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
     return project::plain_origin(input().reading, path, leaf);
   });
   account.input_blocks = model_tables(data());
-  account.blocks = result_tables(account, axis_.get());
+  account.blocks = result_tables(account, mechanism::analyse(model), cycle, axis_.get());
   account.figures = mechanism_figures(data(), model, cycle, account, axis_.get());
 }
 

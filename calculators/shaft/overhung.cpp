@@ -1,46 +1,16 @@
 #include "calculators/shaft/overhung.hpp"
 
-#include "calculators/shaft/section.hpp"
+#include "calculators/shaft/round_sizing.hpp"
 #include "lib/calculator_of.hpp"
 
 namespace loadpath {
 
 namespace {
 
-/// The least diameter by the equivalent moment: solid, with the bore as a ratio, or with the bore as a size.
-template <class Tracer>
-Length size_by_equivalent(Moment M_v, const Overhung::Input& in, Tracer& trace) {
-  const auto sigma_adm = in.sigma_adm;
-  const auto chi = in.chi;
-  if (is_set(chi)) {
-    STEP(d_v, cbrt(32.0 * M_v / (pi * sigma_adm * (1.0 - pow<4>(chi)))), "W = M_v/sigma_adm for a ring");
-    return d_v;
-  }
-  if (is_set(in.d_bore)) {
-    const Length d = shaft::diameter_for_modulus(2.0 * M_v / sigma_adm, in.d_bore);
-    trace.value("d_v", d, "the diameter at which W = M_v/sigma_adm with the given bore");
-    return d;
-  }
-  STEP(d_v, cbrt(32.0 * M_v / (pi * sigma_adm)), "W = M_v/sigma_adm for a solid circle");
-  return d_v;
-}
-
-template <class Tracer>
-Length size_by_torsion(Moment M_t, const Overhung::Input& in, Tracer& trace) {
-  const auto tau_adm = in.tau_adm;
-  const auto chi = in.chi;
-  if (is_set(chi)) {
-    STEP(d_t, cbrt(16.0 * M_t / (pi * tau_adm * (1.0 - pow<4>(chi)))), "torsion of a ring, [B19] (5)");
-    return d_t;
-  }
-  if (is_set(in.d_bore)) {
-    const Length d = shaft::diameter_for_modulus(M_t / tau_adm, in.d_bore);
-    trace.value("d_t", d, "torsion: the diameter at which W_t = M_t/tau_adm with the given bore");
-    return d;
-  }
-  STEP(d_t, cbrt(16.0 * M_t / (pi * tau_adm)), "torsion, [B19] (4)");
-  return d_t;
-}
+constexpr shaft::SizingReasons by_equivalent{"W = M_v/sigma_adm for a solid circle", "W = M_v/sigma_adm for a ring",
+                                             "the diameter at which W = M_v/sigma_adm with the given bore"};
+constexpr shaft::SizingReasons by_torsion{"torsion, [B19] (4)", "torsion of a ring, [B19] (5)",
+                                          "torsion: the diameter at which W_t = M_t/tau_adm with the given bore"};
 
 /// Stresses and utilisations at the diameter.
 template <class Tracer>
@@ -86,10 +56,11 @@ Overhung::Result Overhung::evaluate(const Input& in, Tracer& trace) {
               hypothesis == Hypothesis::mises ? "weight of torsion by von Mises" : "weight of torsion by Tresca");
   STEP(M_v, sqrt(M_b * M_b + c * M_t * M_t), "equivalent moment");
   r.M_b = M_b, r.M_t = M_t, r.M_v = M_v;
-  r.d_min = r.d_v = size_by_equivalent(M_v, in, trace);
+  const shaft::Bore bore_for_sizing{chi, bore};
+  r.d_min = r.d_v = shaft::size_by_equivalent(M_v, sigma_adm, bore_for_sizing, by_equivalent, trace);
   if (is_set(tau_adm)) {
     const Length d_v = r.d_v;
-    const Length d_t = r.d_t = size_by_torsion(M_t, in, trace);
+    const Length d_t = r.d_t = shaft::size_by_torsion(M_t, tau_adm, bore_for_sizing, by_torsion, trace);
     STEP(d_min, max(d_v, d_t), "the larger governs");
     r.d_min = d_min;
   }

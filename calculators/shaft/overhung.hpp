@@ -56,7 +56,8 @@ tau_adm = "30 MPa"
       Field{&Input::T, "T", N_m, "torque at the same time"},
       Field{&Input::K_A, "K_A", ratio, "service factor on force and torque: what they do not contain, once"}
           .positive()
-          .usually(1, 4),
+          .usually(1, 4)
+          .factor(),
       Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
       Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}.at_least(0).below(0.99).may_be_missing(),
       Field{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing().kept_in_search(),

@@ -1,6 +1,6 @@
 #include "calculators/shaft/torsion.hpp"
 
-#include "calculators/shaft/section.hpp"
+#include "calculators/shaft/round_sizing.hpp"
 #include "lib/calculator_of.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -74,21 +74,18 @@ struct Allowed {
   Twist theta_adm;
 };
 
-/// The least diameter by strength: solid, with the bore as a ratio, or with the bore as a size.
+constexpr shaft::SizingReasons by_strength{
+    "strength, [B19] (4)", "strength of a ring, [B19] (5)",
+    "strength: the diameter at which W_t = M_t/tau_all with the given bore, [B19] (3)"};
+
+NoTrace in_terms_of_strength(NoTrace&) { return {}; }
+RenamedTrace in_terms_of_strength(Trace& trace) { return {trace, {{"d_t", "d_strength"}, {"tau_adm", "tau_all"}}}; }
+
+/// The least diameter by strength.
 template <class Tracer>
 Length size_by_strength(Moment M_t, const Cylinder& c, Stress tau_all, Tracer& trace) {
-  const double chi = c.chi;
-  if (is_set(chi)) {
-    STEP(d_strength, cbrt(16.0 * M_t / (pi * tau_all * (1.0 - pow<4>(chi)))), "strength of a ring, [B19] (5)");
-    return d_strength;
-  }
-  if (is_set(c.d_bore)) {
-    const Length d = shaft::diameter_for_modulus(M_t / tau_all, c.d_bore);
-    trace.value("d_strength", d, "strength: the diameter at which W_t = M_t/tau_all with the given bore, [B19] (3)");
-    return d;
-  }
-  STEP(d_strength, cbrt(16.0 * M_t / (pi * tau_all)), "strength, [B19] (4)");
-  return d_strength;
+  auto renamed = in_terms_of_strength(trace);
+  return shaft::size_by_torsion(M_t, tau_all, {c.chi, c.d_bore}, by_strength, renamed);
 }
 
 /// The same by stiffness.

@@ -98,7 +98,10 @@ theta_adm = "0.004 rad/m"
       Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
       Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}.at_least(0).below(0.99).may_be_missing(),
       Field{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing().kept_in_search(),
-      Field{&Input::K_A, "K_A", ratio, "service factor: what the loads do not contain, once"}.positive().usually(1, 4),
+      Field{&Input::K_A, "K_A", ratio, "service factor: what the loads do not contain, once"}
+          .positive()
+          .usually(1, 4)
+          .factor(),
       Field{&Input::G, "G", GPa, "shear modulus"}.positive().usually(1, 500).from("material", "G"),
       Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress, without a further safety factor"}
           .positive()
@@ -109,7 +112,8 @@ theta_adm = "0.004 rad/m"
       Field{&Input::S, "S", ratio, "safety factor against yielding, with R_e"}
           .at_least(1)
           .usually(1, 6)
-          .may_be_missing(),
+          .may_be_missing()
+          .factor(),
       Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
           .positive()
           .usually(0.02, 10)

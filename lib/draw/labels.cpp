@@ -88,11 +88,13 @@ std::array<Box, 2> both_sides(Point foot, Point direction, double gap, double wi
 
 std::vector<Candidate> beside(Point from, Point to, double gap, double width, double height) {
   std::vector<Candidate> candidates;
-  for (const double t : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8}) {
-    const Point foot = from + t * (to - from);
-    for (const Box& box : both_sides(foot, unit(to - from), gap, width, height)) {
-      const double below = box.centre().y > foot.y ? 1.0 : 0.0;
-      candidates.push_back({box, below + 10.0 * std::fabs(t - 0.5)});
+  for (const double far : {0.0, 14.0, 28.0}) {  // one and two lines off: where links lie on one another
+    for (const double t : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8}) {
+      const Point foot = from + t * (to - from);
+      for (const Box& box : both_sides(foot, unit(to - from), gap + far, width, height)) {
+        const double below = box.centre().y > foot.y ? 1.0 : 0.0;
+        candidates.push_back({box, below + far + 10.0 * std::fabs(t - 0.5)});
+      }
     }
   }
   return candidates;

@@ -21,7 +21,7 @@ class Outline : public Notation {
     for (const Word& word : s.subscripts) {
       for (const Glyphs& g : word) index += length(g.letters());
     }
-    return letters(length(s.base.letters())) + script(std::max(index, exponent.size()));
+    return letters(length(s.base.letters())) + script(std::max(index, exponent.size() + (s.star ? 1 : 0)));
   }
   std::string unit(std::string_view pretty) const override { return letters(length(pretty)); }
   std::string quantity(std::string_view number, std::string_view unit) const override {

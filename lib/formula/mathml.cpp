@@ -69,6 +69,11 @@ class MathML : public Notation {
   std::string number(std::string_view digits) const override { return element("mn", digits); }
   std::string symbol(const Symbol& s, std::string_view exponent) const override {
     const std::string base = glyphs(s.base);
+    if (s.star) {
+      const std::string upper = one("<mo>*</mo>" + std::string(exponent));
+      return s.subscripts.empty() ? element("msup", base + upper)
+                                  : element("msubsup", base + subscripts(s.subscripts) + upper);
+    }
     if (s.subscripts.empty()) return exponent.empty() ? base : element("msup", base + one(exponent));
     const std::string lower = base + subscripts(s.subscripts);
     return exponent.empty() ? element("msub", lower) : element("msubsup", lower + one(exponent));

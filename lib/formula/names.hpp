@@ -40,10 +40,11 @@ struct Glyphs {
 };
 using Word = std::vector<Glyphs>;
 
-/// tau_adm_1: τ with the subscripts "adm" and "1".
+/// tau_adm_1: τ with the subscripts "adm" and "1". D_star: D with a raised star.
 struct Symbol {
   Glyphs base;
   std::vector<Word> subscripts;
+  bool star = false;
 };
 Symbol symbol(std::string_view name);
 

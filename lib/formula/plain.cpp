@@ -26,7 +26,7 @@ class Plain : public Notation {
   std::string words(std::string_view text) const override { return std::string(text); }
   std::string number(std::string_view digits) const override { return std::string(digits); }
   std::string symbol(const Symbol& s, std::string_view exponent) const override {
-    std::string text = s.base.letters();
+    std::string text = s.base.letters() + (s.star ? "*" : "");
     for (std::size_t i = 0; i < s.subscripts.size(); ++i) {
       text += i == 0 ? "_" : ",";
       for (const Glyphs& g : s.subscripts[i]) text += g.letters();

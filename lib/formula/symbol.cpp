@@ -91,11 +91,13 @@ Symbol symbol(std::string_view name) {
   const std::size_t bar = std::min(name.find('_', 1), name.size());
   const std::string_view base = name.substr(0, bar);
   const std::size_t end = stem(base) == 0 ? base.size() : stem(base);
-  Symbol s{letters(base.substr(0, end)), {}};
+  Symbol s{letters(base.substr(0, end)), {}, false};
   if (end < base.size()) s.subscripts.push_back(subscript(base.substr(end), s.base));
   for (std::size_t from = bar; from < name.size();) {
     const std::size_t next = std::min(name.find('_', from + 1), name.size());
-    if (next > from + 1) s.subscripts.push_back(subscript(name.substr(from + 1, next - from - 1), s.base));
+    const std::string_view part = name.substr(from + 1, next - from - 1);
+    if (part == "star") s.star = true;
+    if (!part.empty() && part != "star") s.subscripts.push_back(subscript(part, s.base));
     from = next;
   }
   return s;

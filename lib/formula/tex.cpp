@@ -93,7 +93,9 @@ class Tex : public Notation {
   std::string symbol(const Symbol& s, std::string_view exponent) const override {
     std::string tex = glyphs(s.base);
     if (!s.subscripts.empty()) tex += "_" + braced(subscripts(s.subscripts));
-    if (!exponent.empty()) tex += "^" + braced(exponent);
+    if (s.star || !exponent.empty()) {
+      tex += "^" + braced((s.star ? exponent.empty() ? "\\ast" : "\\ast " : "") + std::string(exponent));
+    }
     return tex;
   }
   std::string unit(std::string_view pretty) const override { return unit_text(pretty); }

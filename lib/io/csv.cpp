@@ -14,7 +14,7 @@ std::string cell(double si, const std::string& unit) {
 }
 
 std::string table_of(const project::Account& account, const Axis& axis) {
-  std::string text = axis.name.substr(axis.name.find(": ") + 2) + " [" + axis.unit + "]";
+  std::string text = axis.quantity + " [" + axis.unit + "]";
   std::vector<const project::Entry*> columns;
   for (const project::Entry& e : account.results) {
     if (e.value.signature.axis == &axis) columns.push_back(&e);

@@ -15,23 +15,11 @@ namespace {
 
 namespace json = boost::json;
 using project::Entry;
-using report::State;
 
 constexpr int schema_version = 1;
 
-const char* word_of(State state) {
-  switch (state) {
-    case State::pass:
-      return "pass";
-    case State::fail:
-      return "fail";
-    case State::not_covered:
-      return "not covered";
-    case State::not_available:
-      return "not available";
-  }
-  return "";
-}
+/// A state by its word in English, whatever the language of the report.
+std::string word_of(report::State state) { return std::string(report::word(state).id); }
 
 json::value number(double x) { return std::isfinite(x) ? json::value(x) : json::value(nullptr); }
 
@@ -62,7 +50,7 @@ json::value entry(const Entry& e) {
       complete = complete && std::isfinite(x);
     }
     object = {{"unit", unit_of(e.value.signature.dimension)},
-              {"axis", e.value.signature.axis->name},
+              {"axis", e.value.signature.axis->name()},
               {"values", std::move(values)}};
     if (!complete) object["reason"] = "not available where null";
   } else {
@@ -115,10 +103,10 @@ json::object axes(const project::Account& account) {
   json::object object;
   for (const Entry& e : account.results) {
     const Axis* axis = e.value.signature.axis;
-    if (axis == nullptr || object.contains(axis->name)) continue;
+    if (axis == nullptr || object.contains(axis->name())) continue;
     json::array at;
     for (const double x : axis->at) at.push_back(number(x));
-    object[axis->name] = json::object{{"shown_in", axis->unit}, {"period", axis->period}, {"at", std::move(at)}};
+    object[axis->name()] = json::object{{"shown_in", axis->unit}, {"period", axis->period}, {"at", std::move(at)}};
   }
   return object;
 }
@@ -146,7 +134,7 @@ std::string json_of(const project::Project& project, std::string_view program) {
   return text_of(json::object{{"schema", schema_version},
                               {"program", program},
                               {"project", std::move(meta)},
-                              {"verdict", word_of(project::worst(project::verdicts(project)))},
+                              {"verdict", word_of(report::worst(project::verdicts(project)))},
                               {"steps", std::move(steps)}});
 }
 

@@ -46,9 +46,8 @@ void CalculatorStep::find_searches(std::vector<Issue>& issues) {
   const auto stocks = stock_names();
   for (const Search& search : searches_) {
     if (std::find(stocks.begin(), stocks.end(), search.stock) != stocks.end()) continue;
-    const std::string near = nearest(search.stock, stocks);
     issues.push_back({search.place, name() + "." + search.path, say("there is no stock '{1}'", search.stock),
-                      near.empty() ? Message{} : say("did you mean '{1}'?", near), Severity::error});
+                      did_you_mean(search.stock, stocks), Severity::error});
   }
   if (searches_.size() > 1 && !input().reading.searches.empty()) {
     issues.push_back({searches_[1].place, name() + "." + searches_[1].path,
@@ -148,10 +147,8 @@ Fault CalculatorStep::unknown_path(const std::string& path) const {
   for (const FieldInfo& f : input().calculator->result->fields) {
     for (const FieldInfo& inner : f.fields) known.push_back(std::string(f.key) + "[1]." + inner.key);
   }
-  const std::string near = nearest(path, known);
   return {0, path.size(), say("'{1}' has no result '{2}'", name(), path),
-          near.empty() ? say("`loadpath describe {1}` lists them", input().calculator->id)
-                       : say("did you mean '{1}'?", name() + "." + near)};
+          did_you_mean(path, known, say("`loadpath describe {1}` lists them", input().calculator->id), name() + ".")};
 }
 
 std::vector<std::string> CalculatorStep::companions_of(const std::string&) const {

@@ -31,9 +31,7 @@ Outcome<Signature> signature_of(const Project& project, const std::string& path)
   const std::string near = nearest(name, names_of(project));
   if (!near.empty())
     return Fault{0, path.size(), say("there is no step '{1}'", name), say("did you mean '{1}'?", near + "." + rest)};
-  std::string all;
-  for (const std::string& known : names_of(project)) all += (all.empty() ? "" : ", ") + known;
-  return Fault{0, path.size(), say("there is no step '{1}'", name), say("there is: {1}", all)};
+  return Fault{0, path.size(), say("there is no step '{1}'", name), there_is(names_of(project))};
 }
 
 std::vector<std::string> companions_of(const Project& project, const std::string& path) {
@@ -50,7 +48,7 @@ void check_expectations(const Project& project, std::vector<Issue>& issues) {
       issues.push_back(
           {place_in(e.place, e.text, fault.at, fault.length), "expect", fault.message, fault.hint, Severity::error});
     } else if (signature->axis != nullptr) {
-      issues.push_back({e.place, "expect", say("'{1}' is a series over {2}", e.text, signature->axis->name),
+      issues.push_back({e.place, "expect", say("'{1}' is a series over {2}", e.text, signature->axis->name()),
                         say("reduce it with peak, max, min, mean, rms or at"), Severity::error});
     } else if (signature->dimension.without_angle() != e.is.dimension.without_angle()) {
       issues.push_back({e.place,

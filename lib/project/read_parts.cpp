@@ -30,11 +30,6 @@ std::string text_of(const Tree::Entry& entry, const std::string& key, std::vecto
   return {};
 }
 
-Message suggestion(const std::string& word, const std::vector<std::string>& candidates) {
-  const std::string near = nearest(word, candidates);
-  return near.empty() ? Message{} : say("did you mean '{1}'?", near);
-}
-
 const Calculator* calculator_of_step(const Tree::Entry& entry, Catalogue catalogue, std::vector<Issue>& issues) {
   const auto* id = entry.value.find("calculator");
   if (id == nullptr) {
@@ -47,9 +42,8 @@ const Calculator* calculator_of_step(const Tree::Entry& entry, Catalogue catalog
   if (calculator == nullptr && !text.empty()) {
     std::vector<std::string> ids;
     for (const Calculator* c : catalogue) ids.emplace_back(c->id);
-    Message near = suggestion(text, ids);
     add(issues, id->value.place, entry.key + ".calculator", say("there is no calculator '{1}'", text),
-        near.empty() ? say("`loadpath list` shows all") : std::move(near));
+        did_you_mean(text, ids, say("`loadpath list` shows all")));
   }
   return calculator;
 }
@@ -86,7 +80,7 @@ void read_display(const Tree& table, StepInput& input, std::vector<Issue>& issue
       std::vector<std::string> results;
       for (const FieldInfo& f : fields) results.emplace_back(f.key);
       add(issues, entry.place, key, say("'{1}' has no result '{2}'", input.name, entry.key),
-          suggestion(entry.key, results));
+          did_you_mean(entry.key, results));
       continue;
     }
     const auto parsed = parse_unit(unit);
@@ -166,7 +160,7 @@ std::optional<Expectation> read_expectation(const Tree& tree, std::vector<Issue>
   for (const Tree::Entry& entry : tree.entries) {
     static const std::vector<std::string> keys{"value", "is", "digits", "within", "source", "note"};
     if (std::find(keys.begin(), keys.end(), entry.key) == keys.end()) {
-      add(issues, entry.place, "expect", say("'{1}' is no field here", entry.key), suggestion(entry.key, keys));
+      add(issues, entry.place, "expect", say("'{1}' is no field here", entry.key), did_you_mean(entry.key, keys));
     }
   }
   for (const auto& [key, target] :
@@ -218,7 +212,7 @@ void read_heading(const Tree::Entry& entry, Project& project, std::vector<Issue>
   for (const Tree::Entry& e : entry.value.entries) {
     if (std::find(heading_keys.begin(), heading_keys.end(), e.key) == heading_keys.end()) {
       add(issues, e.place, "project." + e.key, say("'{1}' is no field here", e.key),
-          suggestion(e.key, std::vector<std::string>(heading_keys.begin(), heading_keys.end())));
+          did_you_mean(e.key, std::vector<std::string>(heading_keys.begin(), heading_keys.end())));
       continue;
     }
     const std::string text = text_of(e, "project." + e.key, issues);

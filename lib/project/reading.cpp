@@ -69,12 +69,9 @@ std::vector<std::string> keys_of(std::span<const FieldInfo> fields) {
   return keys;
 }
 
-Message did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
-  const std::string near = nearest(word, candidates);
-  if (!near.empty()) return say("did you mean '{1}'?", near);
-  std::string all;
-  for (const std::string& c : candidates) all += (all.empty() ? "" : ", ") + c;
-  return say("there is: {1}", all);
+/// The nearest candidate, or all of them.
+Message one_of(const std::string& word, const std::vector<std::string>& candidates) {
+  return did_you_mean(word, candidates, there_is(candidates));
 }
 
 void Reader::read_fields(const Tree& table, std::span<const FieldInfo> fields, void* owner, const std::string& path,
@@ -84,7 +81,7 @@ void Reader::read_fields(const Tree& table, std::span<const FieldInfo> fields, v
     const FieldInfo* field = find_field(fields, entry.key);
     const std::string inner = joined(path, entry.key);
     if (field == nullptr) {
-      say_at(entry.place, inner, say("'{1}' is no field here", entry.key), did_you_mean(entry.key, keys_of(fields)));
+      say_at(entry.place, inner, say("'{1}' is no field here", entry.key), one_of(entry.key, keys_of(fields)));
       if (path.empty()) reading_.faulty.insert(nearest(entry.key, keys_of(fields)));
       continue;
     }
@@ -166,7 +163,7 @@ void Reader::read_spread(const Tree& tree, const FieldInfo& field, void* owner, 
   static const std::vector<std::string> keys{"mean", "sd", "value", "tolerance"};
   for (const Tree::Entry& entry : tree.entries) {
     if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
-    say_at(entry.place, path, say("'{1}' is no field here", entry.key), did_you_mean(entry.key, keys));
+    say_at(entry.place, path, say("'{1}' is no field here", entry.key), one_of(entry.key, keys));
   }
   const auto* middle = tree.find("mean") != nullptr ? tree.find("mean") : tree.find("value");
   read_quantity(middle->value, field, owner, path);
@@ -225,8 +222,7 @@ void Reader::read_choice(const Tree& tree, const FieldInfo& field, void* owner, 
   if (tree.type != Tree::Type::text || found == words.end()) {
     const std::string written =
         tree.type == Tree::Type::text ? "'" + tree.text + "'" : std::string(io::word_for(tree.type));
-    return say_at(tree.place, path, say("{1} is none of the words for '{2}'", written, path),
-                  did_you_mean(tree.text, words));
+    return say_at(tree.place, path, say("{1} is none of the words for '{2}'", written, path), one_of(tree.text, words));
   }
   field.set(owner, static_cast<double>(found - words.begin()));
 }
@@ -289,7 +285,7 @@ void Reader::read_aggregate(const Tree& tree, const FieldInfo& field, void* inne
   if (tree.type == Tree::Type::table) return read_fields(tree, field.fields, inner, path, {});
   if (!field.positional) {
     return say_at(tree.place, path, say("'{1}' is a table of fields, not {2}", path, io::word_for(tree.type)),
-                  did_you_mean("", keys_of(field.fields)));
+                  there_is(keys_of(field.fields)));
   }
   read_array(tree, field, inner, path);
 }

@@ -14,7 +14,7 @@ constexpr double rounding = 1e-9;  // a size that is just the least one passes
 
 /// "at 202.7 deg of lever: crank angle"
 Message at_place(const Extreme& extreme, const Axis& axis) {
-  return say("at {1} ({2})", format_quantity(extreme.at, axis.unit, 5), axis.name);
+  return say("at {1} ({2})", format_quantity(extreme.at, axis.unit, 5), axis.name());
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ void Run::fill(Account& account) const {
   if (traced_) account.derivation = derive(trace_, record_, result_);
   if (axis_ != nullptr && traced_) {
     account.governing = say("at {1} ({2}), where the governing check is largest",
-                            format_quantity(axis_->at[governing_], axis_->unit, 5), axis_->name);
+                            format_quantity(axis_->at[governing_], axis_->unit, 5), axis_->name());
   }
   if (traced_ && calculator_.figures != nullptr)
     account.figures = calculator_.figures(record_.data.get(), result_.data.get());

@@ -68,12 +68,13 @@ const Axis* check_operands(const Reading& reading, const std::string& step, bool
     const std::string key = step + "." + operand.path;
     if (!lifted) {
       issues.push_back({place, key,
-                        say("'{1}' takes one value, and this is a series over {2}", operand.path, axis->name),
+                        say("'{1}' takes one value, and this is a series over {2}", operand.path, axis->name()),
                         say("reduce it with peak, max, min, mean, rms or at"), Severity::error});
     } else if (shared != nullptr && shared != axis) {
-      issues.push_back({place, key,
-                        say("this is a series over {1}, and another input is one over {2}", axis->name, shared->name),
-                        say("reduce one of them with peak, max, min, mean, rms or at"), Severity::error});
+      issues.push_back(
+          {place, key,
+           say("this is a series over {1}, and another input is one over {2}", axis->name(), shared->name()),
+           say("reduce one of them with peak, max, min, mean, rms or at"), Severity::error});
     } else {
       shared = axis;
     }
@@ -105,6 +106,7 @@ std::vector<Entry> input_entries(const Record& record,
     Entry entry{path, field.doc, field.unit, Role::input, {{field.dimension, nullptr}, {}}, origin(path, leaf), ""};
     if (field.type == FieldInfo::Type::name) entry.word = field.text(leaf.owner);
     if (field.type == FieldInfo::Type::choice) entry.word = field.choices[static_cast<std::size_t>(leaf.get())].key;
+    entry.is_factor = field.is_factor;
     if (field.get != nullptr) entry.value.si = {leaf.get()};
     const bool unnamed = field.type == FieldInfo::Type::name && entry.word.empty();
     const bool open = field.type == FieldInfo::Type::quantity && entry.origin.text.empty();
@@ -124,27 +126,6 @@ Origin plain_origin(const Reading& reading, const std::string& path, const Leaf&
   }
   const bool open = leaf.field->type == FieldInfo::Type::quantity && std::isnan(leaf.get());
   return {open ? Message{} : say("default"), {}, false};
-}
-
-report::State worst(const std::vector<report::Verdict>& verdicts) {
-  report::State state = report::State::pass;
-  const auto severity = [](report::State s) {
-    switch (s) {
-      case report::State::pass:
-        return 0;
-      case report::State::not_covered:
-        return 1;
-      case report::State::not_available:
-        return 2;
-      case report::State::fail:
-        return 3;
-    }
-    return 3;
-  };
-  for (const report::Verdict& v : verdicts) {
-    if (severity(v.state) > severity(state)) state = v.state;
-  }
-  return state;
 }
 
 }  // namespace loadpath::project

@@ -26,8 +26,9 @@ struct Entry {
   std::string unit;  // display unit
   Role role = Role::result;
   Value value;
-  Origin origin;     // inputs only
-  std::string word;  // a choice or a name instead of a number
+  Origin origin;           // inputs only
+  std::string word;        // a choice or a name instead of a number
+  bool is_factor = false;  // inputs only: see Field::factor
 };
 
 /// A line of the calculation; the scope names the element of a list that it belongs to ("segments[2]").
@@ -119,8 +120,5 @@ Origin plain_origin(const Reading& reading, const std::string& path, const Leaf&
 
 /// An issue at the field that was typed at `path`, or at what it is part of.
 Issue issue_at(const StepInput& input, const std::string& path, Message message, Message hint = {});
-
-/// The overall state of verdicts: the worst.
-report::State worst(const std::vector<report::Verdict>& verdicts);
 
 }  // namespace loadpath::project

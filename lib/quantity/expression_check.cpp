@@ -86,7 +86,7 @@ class Check {
   }
 
   [[nodiscard]] static Fault unlike_axes(const Node& node, const Axis& a, const Axis& b) {
-    return fault(node, say("series of unlike axes cannot be combined: '{1}' and '{2}'", a.name, b.name),
+    return fault(node, say("series of unlike axes cannot be combined: '{1}' and '{2}'", a.name(), b.name()),
                  say("reduce one of them with peak, max, mean, at ..."));
   }
 
@@ -180,7 +180,7 @@ class Check {
                                              : say("use the value as it is"));
     }
     if (f.rule == Rule::cycle_reduction && !axis->cyclic()) {
-      return fault(node, say("'{1}' needs a closed cycle, and '{2}' is none", f.name, axis->name),
+      return fault(node, say("'{1}' needs a closed cycle, and '{2}' is none", f.name, axis->name()),
                    say("reduce the series with max, min or peak"));
     }
     if (f.rule == Rule::place) {
@@ -192,7 +192,7 @@ class Check {
   [[nodiscard]] static std::optional<Fault> wrong_place(const Node& place, const Signature& given, const Axis& axis) {
     const auto unit = parse_unit(axis.unit);
     if (unit && given.dimension != unit->dimension) {
-      return fault(place, say("the place must be on the axis '{1}', not {2}", axis.name, name_of(given.dimension)),
+      return fault(place, say("the place must be on the axis '{1}', not {2}", axis.name(), name_of(given.dimension)),
                    say("write it in {1}, as in 60 {1}", axis.unit));
     }
     if (is_constant(place)) return {};

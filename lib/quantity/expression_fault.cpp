@@ -31,11 +31,10 @@ void Parser::fail_missing_value() {
 
 void Parser::fail_unknown_function(const std::string& name) {
   const auto names = function_names();
-  const auto near = nearest(name, names);
   std::string all;
   for (const auto& known : names) all += (all.empty() ? "" : ", ") + known;
   fail(next_, name.size(), say("unknown function '{1}'", name),
-       near.empty() ? say("the functions are {1}", all) : say("did you mean '{1}'?", near));
+       did_you_mean(name, names, say("the functions are {1}", all)));
 }
 
 void Parser::fail_bare_name(std::size_t end) {

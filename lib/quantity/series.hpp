@@ -11,11 +11,13 @@ namespace loadpath {
 
 /// The positions that a series is given at. One object per step that makes series; its address is its identity.
 struct Axis {
-  std::string name;           // "lever: crank angle"
+  std::string step;           // "lever"
+  std::string quantity;       // "crank angle"
   std::string unit = "deg";   // display unit of `at`
   std::vector<double> at;     // SI, ascending or descending; a cycle holds no doubled end point
   std::vector<double> share;  // part of the cycle's time that belongs to each position; sums to 1; empty: not a cycle
   double period = 0.0;        // SI, signed; 0: not a cycle
+  [[nodiscard]] std::string name() const { return step + ": " + quantity; }
   [[nodiscard]] bool cyclic() const { return period != 0.0; }
 };
 

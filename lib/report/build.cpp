@@ -151,8 +151,7 @@ void add_factors(const Project& project, std::vector<Block>& blocks) {
               {}};
   for (const auto& step : project.steps) {
     for (const Entry& e : step->account().inputs) {
-      if (e.path == "K_A" || e.path == "S")
-        table.rows.push_back({step->name(), Symbol{e.path}, say("{1}", e.doc), cell_of(e)});
+      if (e.is_factor) table.rows.push_back({step->name(), Symbol{e.path}, say("{1}", e.doc), cell_of(e)});
     }
   }
   if (!table.rows.empty()) blocks.emplace_back(std::move(table));
@@ -193,20 +192,6 @@ std::set<std::string> keys_in(std::string_view text) {
     if (close != std::string_view::npos) keys.emplace(text.substr(open + 1, close - open - 1));
   }
   return keys;
-}
-
-Message overall(State state) {
-  switch (state) {
-    case State::pass:
-      return say("every check passes");
-    case State::fail:
-      return say("a check fails");
-    case State::not_covered:
-      return say("something is not covered");
-    case State::not_available:
-      return say("something is not available");
-  }
-  return {};
 }
 
 Document build(const Project& project, std::string_view program) {

@@ -19,7 +19,4 @@ std::vector<Block> derivation_blocks(const std::vector<project::Derived>& lines)
 /// The keys of sources that a text names in brackets: "[B19] (4)" -> "B19".
 std::set<std::string> keys_in(std::string_view text);
 
-/// "passes", "fails"... in words, for the whole of the verdicts.
-Message overall(State state);
-
 }  // namespace loadpath::report

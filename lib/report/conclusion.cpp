@@ -6,52 +6,19 @@
 #include <cmath>
 
 namespace loadpath::report {
-namespace {
 
-int severity(State state) {
-  switch (state) {
-    case State::pass:
-      return 0;
-    case State::not_covered:
-      return 1;
-    case State::not_available:
-      return 2;
-    case State::fail:
-      return 3;
-  }
-  return 3;
-}
-
-}  // namespace
-
-Message word(State state) {
-  switch (state) {
-    case State::pass:
-      return say("pass");
-    case State::fail:
-      return say("fail");
-    case State::not_covered:
-      return say("not covered");
-    case State::not_available:
-      return say("not available");
-  }
-  return {};
-}
-
-State outcome(const Verdicts& verdicts) {
-  State worst = State::pass;
-  for (const Verdict& row : verdicts.rows) {
-    if (severity(row.state) > severity(worst)) worst = row.state;
-  }
-  return worst;
+State worst(const std::vector<Verdict>& verdicts) {
+  State state = State::pass;
+  for (const Verdict& row : verdicts) state = std::max(state, row.state);
+  return state;
 }
 
 Message tally(const Verdicts& verdicts) {
   const auto& rows = verdicts.rows;
-  const State worst = outcome(verdicts);
-  const auto such = std::count_if(rows.begin(), rows.end(), [&](const Verdict& row) { return row.state == worst; });
+  const State state = worst(rows);
+  const auto such = std::count_if(rows.begin(), rows.end(), [&](const Verdict& row) { return row.state == state; });
   const std::string all = std::to_string(rows.size()), some = std::to_string(such);
-  switch (worst) {
+  switch (state) {
     case State::pass:
       return rows.size() == 1 ? say("The one check passes.") : say("All {1} checks pass.", all);
     case State::fail:

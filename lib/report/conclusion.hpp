@@ -7,12 +7,6 @@
 
 namespace loadpath::report {
 
-/// "pass", "not covered".
-Message word(State state);
-
-/// The outcome of all rows: the worst of them.
-State outcome(const Verdicts& verdicts);
-
 /// How many rows hold, or do not: "1 of 5 checks not met."
 Message tally(const Verdicts& verdicts);
 

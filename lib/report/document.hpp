@@ -3,6 +3,7 @@
 
 #include "lib/draw/figure.hpp"
 #include "lib/issue.hpp"
+#include "lib/report/state.hpp"
 
 #include <optional>
 #include <string>
@@ -22,7 +23,6 @@ struct Quantity {
 struct Symbol {
   std::string name;
 };
-enum class State { pass, fail, not_covered, not_available };
 /// Text of the user or of a message: escaped by the writer.
 using Cell = std::variant<std::string, Message, Quantity, Symbol, State>;
 
@@ -72,6 +72,8 @@ struct Verdict {
 struct Verdicts {
   std::vector<Verdict> rows;
 };
+/// The state of all of them: the worst.
+State worst(const std::vector<Verdict>& verdicts);
 
 using Block = std::variant<Heading, Paragraph, Table, Derivation, Verdicts, draw::Figure>;
 

@@ -7,20 +7,6 @@
 namespace loadpath::report::page {
 namespace {
 
-std::string_view css_class(State state) {
-  switch (state) {
-    case State::pass:
-      return "pass";
-    case State::fail:
-      return "fail";
-    case State::not_covered:
-      return "not-covered";
-    case State::not_available:
-      return "not-available";
-  }
-  return {};
-}
-
 struct CellText {
   std::string operator()(const std::string& text) const { return escaped(text); }
   std::string operator()(const Message& message) const { return escaped(message.text()); }
@@ -54,14 +40,15 @@ std::string_view shapes() {
 }
 
 std::string state(State state) {
-  const std::string name(css_class(state));
+  const std::string name = slug(state);
   return "<span class=\"state " + name + "\"><svg class=\"shape\" aria-hidden=\"true\"><use href=\"#shape-" + name +
          "\"/></svg>" + escaped(word(state).text()) + "</span>";
 }
 
 std::string conclusion(const Verdicts& verdicts) {
   if (verdicts.rows.empty()) return {};
-  std::string out = "<p class=\"conclusion\">" + state(outcome(verdicts)) + "<span>" + escaped(tally(verdicts).text());
+  std::string out =
+      "<p class=\"conclusion\">" + state(worst(verdicts.rows)) + "<span>" + escaped(tally(verdicts).text());
   if (const Verdict* row = most_utilised(verdicts)) {
     out += " " + escaped(utilisation(*row).text()) + " " + escaped(row->step) + " " + symbol(row->symbol) + ".";
   }

@@ -19,17 +19,7 @@ std::string symbol(std::string_view path) {
 
 std::string state(State s) {
   const std::string name = text(word(s).text());
-  switch (s) {
-    case State::pass:
-      return "✓ " + name;
-    case State::fail:
-      return "✗ **" + name + "**";
-    case State::not_covered:
-      return "◇ " + name;
-    case State::not_available:
-      return "– " + name;
-  }
-  return name;
+  return mark(s) + (s == State::fail ? " **" + name + "**" : " " + name);
 }
 
 struct CellText {
@@ -60,7 +50,7 @@ std::string verdicts(const Verdicts& verdicts) {
 
 std::string conclusion(const Verdicts& all) {
   if (all.rows.empty()) return {};
-  std::string out = state(outcome(all)) + ": " + text(tally(all).text());
+  std::string out = state(worst(all.rows)) + ": " + text(tally(all).text());
   if (const Verdict* row = most_utilised(all)) {
     out += " " + text(utilisation(*row).text()) + " " + text(row->step) + " " + symbol(row->symbol) + ".";
   }

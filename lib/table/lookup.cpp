@@ -43,11 +43,6 @@ std::vector<std::string> names_of(const Library& library, std::string_view group
   return names;
 }
 
-Message did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
-  const std::string near = nearest(word, candidates);
-  return near.empty() ? Message{} : say("did you mean '{1}'?", near);
-}
-
 Fault fault(Message message, Message hint = {}) { return {0, 1, std::move(message), std::move(hint)}; }
 
 const Value* value_of(const std::vector<Value>& values, std::string_view key) {

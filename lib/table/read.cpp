@@ -118,9 +118,8 @@ void Reader::check_citations() {
   for (const auto& [key, citation] : library_.citations) keys.push_back(key);
   for (const Cited& cited : cited_) {
     if (library_.citations.count(cited.key) != 0) continue;
-    const std::string near = nearest(cited.key, keys);
     complain(cited.place, "", say("there is no source '{1}'", cited.key),
-             near.empty() ? say("name it in [sources]") : say("did you mean '{1}'?", near));
+             did_you_mean(cited.key, keys, say("name it in [sources]")));
   }
 }
 

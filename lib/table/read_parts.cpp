@@ -46,9 +46,8 @@ std::vector<double> Reader::numbers(const Tree& tree, const std::string& key) {
 void Reader::check_keys(const Tree& table, const Texts& known, const std::string& row) {
   for (const auto& entry : table.entries) {
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
-    const std::string near = nearest(entry.key, known);
     complain(entry.place, row.empty() ? entry.key : row + "." + entry.key, say("unknown key '{1}'", entry.key),
-             near.empty() ? Message{} : say("did you mean '{1}'?", near));
+             did_you_mean(entry.key, known));
   }
 }
 

@@ -73,9 +73,8 @@ const Reader::ReadColumn* Reader::column_of(const Tree::Entry& entry, const Fram
   if (found != frame.units.end()) return &*found;
   Texts known(std::begin(words), std::end(words));
   for (const ReadColumn& read : frame.units) known.push_back(read.column.key);
-  const std::string near = nearest(entry.key, known);
   complain(entry.place, row + "." + entry.key, say("'{1}' has no unit in 'units'", entry.key),
-           near.empty() ? Message{} : say("did you mean '{1}'?", near));
+           did_you_mean(entry.key, known));
   return nullptr;
 }
 

@@ -10,8 +10,8 @@ namespace {
 
 using namespace loadpath;
 
-const Axis cycle{"lever: crank angle", "deg", {0, 1, 2, 3, 4, 5}, {.1, .2, .2, .2, .2, .1}, 6.283185307179586};
-const Axis open_axis{"column: height", "m", {5, 3, 2, 1}, {}, 0.0};
+const Axis cycle{"lever", "crank angle", "deg", {0, 1, 2, 3, 4, 5}, {.1, .2, .2, .2, .2, .1}, 6.283185307179586};
+const Axis open_axis{"column", "height", "m", {5, 3, 2, 1}, {}, 0.0};
 const Value values[] = {
     {{Dimension::of(2, 1, -2), &cycle}, {1, -7, 3e300, 4, 0, 2}},
     {{Dimension::of(1, 1, -2), &open_axis}, {1, 0, std::numeric_limits<double>::infinity(), 4}},

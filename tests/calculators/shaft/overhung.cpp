@@ -126,7 +126,7 @@ TEST_SUITE("shaft") {
                  issues);
       REQUIRE(issues.empty());
       if (std::isnan(row.R_e)) {
-        CHECK(project::worst(project::verdicts(p)) == report::State::not_covered);
+        CHECK(report::worst(project::verdicts(p)) == report::State::not_covered);
       } else {
         CHECK(rel(p.value("part.tau_all")->si[0] * std::sqrt(3.0) * 2, row.R_e * 1e6) < 1e-12);
       }

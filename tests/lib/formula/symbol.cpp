@@ -33,6 +33,7 @@ TEST_SUITE("formula") {
              {"Sigma", "Σ", "\\Sigma", "<mi>Σ</mi>"},
              {"Re", "Re", "\\mathrm{Re}", "<mi mathvariant=\"normal\">Re</mi>"},
              {"a<b", "a<b", "\\mathrm{ab}", "<mi mathvariant=\"normal\">a&lt;b</mi>"},
+             {"D_star", "D*", "D^{\\ast}", "<msup><mi>D</mi><mo>*</mo></msup>"},
              {"d_", "d", "d", "<mi>d</mi>"}}) {
       CAPTURE(row.name);
       CHECK(symbol_plain(row.name) == row.plain);

@@ -18,7 +18,7 @@ TEST_SUITE("project search") {
     const double d = value(project, "axle.d"), least = value(project, "axle.d_min");
     const auto stock = project::stock_values("R20");
     CHECK(d == *std::lower_bound(stock.begin(), stock.end(), least));
-    CHECK(project::worst(project::verdicts(project)) == report::State::pass);
+    CHECK(report::worst(project::verdicts(project)) == report::State::pass);
   }
 
   TEST_CASE("a size that is missing is searched for in the field's own stock, as '?' is") {
@@ -42,7 +42,7 @@ TEST_SUITE("project search") {
   TEST_CASE("no size of the stock passes: the largest is checked and fails") {
     const auto project = solved(axle + "T = \"1e9 N*m\"\ntau_adm = \"30 MPa\"\nd = { stock = \"shaft\" }\n");
     CHECK(value(project, "axle.d") == project::stock_values("shaft").back());
-    CHECK(project::worst(project::verdicts(project)) == report::State::fail);
+    CHECK(report::worst(project::verdicts(project)) == report::State::fail);
   }
 
   TEST_CASE("an unknown stock is told with the nearest one") {

@@ -158,7 +158,7 @@ TEST_SUITE("project steps") {
     const report::Verdict& v = verdict(project, "axle", "u_tau");
     CHECK(v.state == report::State::not_available);
     CHECK(v.note.text() == "'T' is not available: = 9 N*m / (0 mm / (1 mm))");
-    CHECK(project::worst(project::verdicts(project)) == report::State::not_available);
+    CHECK(report::worst(project::verdicts(project)) == report::State::not_available);
   }
 
   TEST_CASE("numbers beyond all measure come to a verdict, never to a pass") {

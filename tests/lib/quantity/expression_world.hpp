@@ -13,7 +13,7 @@ namespace loadpath::expression_test {
 
 inline const Axis& crank() {
   static const Axis axis = [] {
-    Axis a{"lever: crank angle", "deg", {}, std::vector<double>(360, 1.0 / 360.0), 2.0 * std::numbers::pi};
+    Axis a{"lever", "crank angle", "deg", {}, std::vector<double>(360, 1.0 / 360.0), 2.0 * std::numbers::pi};
     for (int i = 0; i < 360; ++i) a.at.push_back(i * std::numbers::pi / 180.0);
     return a;
   }();
@@ -21,7 +21,7 @@ inline const Axis& crank() {
 }
 
 inline const Axis& height() {
-  static const Axis axis{"column: height", "m", {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}, {}, 0.0};
+  static const Axis axis{"column", "height", "m", {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}, {}, 0.0};
   return axis;
 }
 

@@ -14,7 +14,7 @@ using std::numbers::pi;
 namespace {
 
 Axis cycle(std::size_t positions, double period = 2.0 * pi, double start = 0.0) {
-  Axis axis{"crank: angle", "deg", {}, {}, period};
+  Axis axis{"crank", "angle", "deg", {}, {}, period};
   const auto n = static_cast<double>(positions);
   for (std::size_t i = 0; i < positions; ++i) axis.at.push_back(start + static_cast<double>(i) * period / n);
   axis.share.assign(positions, 1.0 / n);
@@ -22,7 +22,7 @@ Axis cycle(std::size_t positions, double period = 2.0 * pi, double start = 0.0) 
 }
 
 Axis open(double from, double to, std::size_t positions) {
-  Axis axis{"column: height", "m", {}, {}, 0.0};
+  Axis axis{"column", "height", "m", {}, {}, 0.0};
   for (std::size_t i = 0; i < positions; ++i) {
     axis.at.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(positions - 1));
   }

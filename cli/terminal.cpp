@@ -73,6 +73,7 @@ void show_derivation(const project::Step& step) {
   if (!step.account().governing.empty()) std::cout << "  worked out " << step.account().governing.text() << ":\n";
   const bool several = std::any_of(lines.begin(), lines.end(), [](const auto& d) { return d.scope.ends_with("[2]"); });
   std::vector<std::vector<std::string>> rows;
+  rows.reserve(lines.size());
   for (const auto& [scope, line] : lines) {
     rows.push_back({"  " + (several && !scope.empty() ? scope + " " : "") + formula::symbol_plain(line.symbol) +
                         (line.formula.empty() ? "" : " = " + plain_formula(line)),

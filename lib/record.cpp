@@ -64,9 +64,11 @@ void for_each_leaf(std::span<const FieldInfo> fields, void* data, const VisitLea
     const bool list = field.type == FieldInfo::Type::list;
     const std::size_t count = list ? field.size(data) : 1;
     for (std::size_t i = 0; i < count; ++i) {
-      const std::string prefix = field.key + (list ? element_path(field, data, i) : std::string());
+      std::string prefix = field.key;
+      if (list) prefix += element_path(field, data, i);
+      prefix += '.';
       for_each_leaf(field.fields, field.element(data, i),
-                    [&](const std::string& path, const Leaf& leaf) { visit(prefix + "." + path, leaf); });
+                    [&](const std::string& path, const Leaf& leaf) { visit(prefix + path, leaf); });
     }
   }
 }

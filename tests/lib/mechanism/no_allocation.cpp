@@ -14,14 +14,14 @@ TEST_SUITE("mechanism") {
     for (const Model& model : {models::slider_crank(), models::six_bar(), models::slotted_lever(), rocker_driven}) {
       WholeSystem system(model);
       Position at = system.blank();
-      const std::size_t before = tests::allocations();
+      const std::size_t before = loadpath::tests::allocations();
       int failed = system.assemble() == Status::closed ? 0 : 1;
       const double start = system.coordinate(0);
       for (int k = 0; k < 72; ++k) {
         const Drive drive{start + 0.1 * k, 10.0, 0.0};
         failed += system.solve({&drive, 1}, at) == Status::closed ? 0 : 1;
       }
-      const std::size_t after = tests::allocations();
+      const std::size_t after = loadpath::tests::allocations();
       CHECK(after == before);
       CHECK((failed > 0) == (model.drivers[0].i == 2));
     }

@@ -97,29 +97,61 @@ double on_axis(const Axis& axis, double at) {
   return turn < 0.0 ? at + axis.period : at;
 }
 
-/// The summit of `way` times the series near position i, where one can be trusted; else the position itself.
+/// Five neighbouring positions around one of them: places in steps from it, and the values.
+struct Window {
+  std::array<double, 5> t{};
+  std::array<double, 5> value{};
+  std::size_t own = 0;
+  double step = 0.0;
+};
+
+Window window_around(const Value& series, std::size_t i) {
+  const auto n = static_cast<std::ptrdiff_t>(series.si.size());
+  const auto middle = static_cast<std::ptrdiff_t>(i);
+  const auto first = series.signature.axis->cyclic() ? middle - 2 : std::clamp<std::ptrdiff_t>(middle - 2, 0, n - 5);
+  Window window;
+  window.own = static_cast<std::size_t>(middle - first);
+  window.step = (point(series, first + 4).at - point(series, first).at) / 4.0;
+  for (std::size_t k = 0; k < 5; ++k) {
+    const Point p = point(series, first + static_cast<std::ptrdiff_t>(k));
+    window.t[k] = (p.at - series.signature.axis->at[i]) / window.step;
+    window.value[k] = p.value;
+  }
+  return window;
+}
+
+/// Where `height` has its summit near the window's own position, and how far above it, where one can be trusted.
+std::optional<Point> summit_near(const Window& window, const std::array<double, 5>& height) {
+  const Quartic quartic{window.t, height};
+  if (!quartic.smooth_summit()) return {};
+  const std::size_t own = window.own;
+  const auto top = summit(quartic, window.t[own == 0 ? 0 : own - 1], window.t[own == 4 ? 4 : own + 1]);
+  if (!top || !(quartic(*top).value > 0.0)) return {};
+  return Point{*top, quartic(*top).value};
+}
+
+/// The summit of `way` times the series near position i; the position itself where none can be trusted. A magnitude has
+/// a kink where it passes through zero, its square has none: the valleys of what is nowhere negative are also sought
+/// there.
 Extreme refined(const Value& series, std::size_t i, double way) {
   const Axis& axis = *series.signature.axis;
   const Extreme sample{series.si[i], axis.at[i], i};
-  const auto n = static_cast<std::ptrdiff_t>(series.si.size());
-  if (n < 5) return sample;
-  const auto middle = static_cast<std::ptrdiff_t>(i);
-  const auto first = axis.cyclic() ? middle - 2 : std::clamp<std::ptrdiff_t>(middle - 2, 0, n - 5);
-  const double step = (point(series, first + 4).at - point(series, first).at) / 4.0;
-
-  std::array<double, 5> t{};
-  std::array<double, 5> f{};
-  for (std::size_t k = 0; k < 5; ++k) {
-    const Point p = point(series, first + static_cast<std::ptrdiff_t>(k));
-    t[k] = (p.at - sample.at) / step;
-    f[k] = way * (p.value - sample.value);
+  if (series.si.size() < 5) return sample;
+  const Window window = window_around(series, i);
+  std::array<double, 5> height{};
+  std::transform(window.value.begin(), window.value.end(), height.begin(),
+                 [&](double x) { return way * (x - sample.value); });
+  if (const auto top = summit_near(window, height)) {
+    return {sample.value + way * top->value, on_axis(axis, sample.at + top->at * window.step), i};
   }
-  const Quartic quartic{t, f};
-  if (!quartic.smooth_summit()) return sample;
-  const auto own = static_cast<std::size_t>(middle - first);
-  const auto top = summit(quartic, t[own == 0 ? 0 : own - 1], t[own == 4 ? 4 : own + 1]);
-  if (!top || !(quartic(*top).value > 0.0)) return sample;
-  return {sample.value + way * quartic(*top).value, on_axis(axis, sample.at + *top * step), i};
+  const bool magnitude = std::all_of(window.value.begin(), window.value.end(), [](double x) { return x >= 0.0; });
+  if (way > 0.0 || sample.value == 0.0 || !magnitude) return sample;
+  std::transform(window.value.begin(), window.value.end(), height.begin(),
+                 [&](double x) { return (sample.value - x) * (sample.value + x); });
+  const auto top = summit_near(window, height);
+  if (!top) return sample;
+  const double square = sample.value * sample.value - top->value;
+  return {std::sqrt(std::max(square, 0.0)), on_axis(axis, sample.at + top->at * window.step), i};
 }
 
 /// Whether `way` times the series is nowhere higher in the direct neighbourhood of position i.

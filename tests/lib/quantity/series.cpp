@@ -115,6 +115,15 @@ TEST_SUITE("quantity") {
     }
   }
 
+  TEST_CASE("a magnitude that passes through zero between the positions has its valley there") {
+    const Axis axis = cycle(360, 2.0 * pi, 0.004);
+    const Extreme least = minimum(over(axis, [](double phi) { return std::abs(700.0 * std::cos(phi)); }));
+    CHECK(least.value < 1e-3);
+    CHECK(std::abs(std::cos(least.at)) < 1e-6);
+    const Extreme of_two = minimum(over(axis, [](double phi) { return std::hypot(700.0 * std::cos(phi), 0.5); }));
+    CHECK(relative(of_two.value, 0.5) < 1e-3);
+  }
+
   TEST_CASE("an extreme beside the first position is reported within the listed turn") {
     const Axis axis = cycle(360);
     const Value series = over(axis, [](double x) { return std::cos(x + 0.003); });

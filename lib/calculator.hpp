@@ -26,12 +26,12 @@ struct RuleInfo {
   const char* text;
 };
 
-/// A result whose path holds a name of the input: "joints.NAME.F".
+/// A result that depends on the model: "drive.M", or "joints.NAME.F" with a name of the input in its place.
 struct ResultPattern {
   const char* path;
   const char* unit;
   const char* doc;
-  const char* where;  // which of the names have it; empty: all
+  const char* where;  // when it exists; empty: always
 };
 
 /// A column of a sweep: where a leaf of the input (or result) lies inside its record, and its values.

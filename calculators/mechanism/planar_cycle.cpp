@@ -86,7 +86,10 @@ Status run(mechanism::WholeSystem& system, const Schedule& schedule, bool static
     if (!is_finite(cycle.positions[k])) return Status::singular;
     cycle.closed[k] = true;
     const double condition = 1.0 / system.condition();
-    if (condition > cycle.worst_condition) cycle.worst_condition = condition, cycle.worst_at = k;
+    if (std::isfinite(condition) && condition > cycle.worst_condition) {
+      cycle.worst_condition = condition;
+      cycle.worst_at = k;
+    }
   }
   return Status::closed;
 }

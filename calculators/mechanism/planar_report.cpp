@@ -148,7 +148,7 @@ Table determinacy_table(const mechanism::Structure& structure, const Cycle& cycl
       {say("mobility by count, 3 n − 2 p5 − p4; drives not counted"), std::to_string(structure.mobility_by_count)});
   table.rows.push_back({say("mobility by rank of the constraints"), std::to_string(structure.mobility)});
   if (cycle.worst_condition == 0.0) return table;
-  const Message largest = say("largest condition number of the constraints");
+  const Message largest = say("largest condition number of constraints and drives, 1-norm, estimated");
   table.rows.push_back(
       {axis == nullptr ? largest
                        : say("{1}, at {2}", largest.text(), format_quantity(axis->at[cycle.worst_at], axis->unit, 5)),
@@ -211,45 +211,67 @@ std::vector<report::Block> result_tables(const project::Account& account, const 
           determinacy_table(structure, cycle, axis)};
 }
 
+namespace {
+
 /// The larger magnitude; what is not a number stays so.
-static double larger(double most, double x) { return std::isnan(most) || std::abs(x) <= most ? most : std::abs(x); }
+double larger(double most, double x) { return std::isnan(most) || std::abs(x) <= most ? most : std::abs(x); }
 
 /// A residual as a part of what it is a residual of; of nothing it is zero. What cannot be told is no number.
-static double part_of(double residual, double scale) {
+double part_of(double residual, double scale) {
   if (!std::isfinite(residual) || !std::isfinite(scale)) return std::numeric_limits<double>::quiet_NaN();
-  return scale > 0.0 ? residual / scale : 0.0;
+  if (scale > 0.0) return residual / scale;
+  return residual == 0.0 ? 0.0 : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::vector<report::Verdict> proof(const std::string& step, const Planar::Input& in, const Cycle& cycle,
-                                   const Axis* axis) {
-  double force = 0.0, largest_force = 0.0, moment = 0.0, largest_moment = 0.0, power = 0.0, largest_power = 0.0;
+/// The largest of what is left over, and of what it is left over from, over the positions that close.
+struct Leftovers {
+  double force = 0.0, largest_force = 0.0;    // N
+  double moment = 0.0, largest_moment = 0.0;  // N m
+  double power = 0.0, largest_power = 0.0;    // W
   bool any = false;
-  for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
-    if (!cycle.closed[k]) continue;
+
+  void add_force(mechanism::Vec force_there, mechanism::Vec at) {
+    largest_force = larger(largest_force, mechanism::length(force_there));
+    largest_moment = larger(largest_moment, mechanism::length(force_there) * mechanism::length(at));
+  }
+  /// The effort of a crank is a moment, that of a cylinder a force.
+  void add(const mechanism::Position& p, bool crank) {
     any = true;
-    const mechanism::Position& p = cycle.positions[k];
     force = larger(force, p.residual_force);
     moment = larger(moment, p.residual_moment);
     power = larger(power, p.power_residual);
     largest_power = larger(largest_power, p.power_scale);
     for (const auto& r : p.reactions) {
-      largest_force = larger(largest_force, mechanism::length(r.force));
-      largest_moment = larger(larger(largest_moment, r.couple), mechanism::length(r.force) * mechanism::length(r.at));
+      add_force(r.force, r.at);
+      largest_moment = larger(largest_moment, r.couple);
     }
-    for (const double e : p.effort) largest_moment = larger(largest_moment, e);
+    for (std::size_t d = 0; d < p.effort.size(); ++d) {
+      double& largest = d == 0 && crank ? largest_moment : largest_force;
+      largest = larger(largest, p.effort[d]);
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<report::Verdict> proof(const std::string& step, const Planar::Input& in, const Cycle& cycle,
+                                   const Axis* axis) {
+  Leftovers left;
+  for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
+    if (cycle.closed[k]) left.add(cycle.positions[k], !in.crank.joint.empty());
   }
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const auto part = [&](double residual, double scale) { return any ? part_of(residual, scale) : none; };
+  const auto part = [&](double residual, double scale) { return left.any ? part_of(residual, scale) : none; };
   std::vector<report::Verdict> verdicts{closing(step, in, cycle, axis)};
   verdicts.push_back(limit(step, "force_balance",
                            say("equilibrium of every link: unbalanced force over the largest reaction"),
-                           part(force, largest_force), 1e-9));
+                           part(left.force, left.largest_force), 1e-9));
   verdicts.push_back(limit(step, "moment_balance", say("equilibrium of every link: unbalanced moment over the largest"),
-                           part(moment, largest_moment), 1e-9));
+                           part(left.moment, left.largest_moment), 1e-9));
   if (!in.crank.joint.empty() || !in.cylinders.empty()) {
     verdicts.push_back(limit(step, "power_balance",
                              say("power of drive, loads and weights against the change of kinetic energy"),
-                             part(power, largest_power), 1e-9));
+                             part(left.power, left.largest_power), 1e-9));
   }
   return verdicts;
 }

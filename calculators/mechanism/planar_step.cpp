@@ -44,6 +44,24 @@ void PlanarStep::add_idle_fields(std::vector<Issue>& issues) const {
     issues.push_back(issue_at(input(), "positions", say("'positions' is of strokes of cylinders, and a crank drives"),
                               say("the positions of a turn stand in the crank: crank = { positions = 72 }")));
   }
+  if (!typed("crank")) add_idle_strokes(issues);
+}
+
+/// A stroke needs both ends and a number of positions.
+void PlanarStep::add_idle_strokes(std::vector<Issue>& issues) const {
+  const bool several = data().positions > 1;
+  if (several && !data().cylinders.empty() && !is_set(data().cylinders.front().to)) {
+    issues.push_back(issue_at(input(), "positions",
+                              say("'positions' is of a stroke, and the cylinder '{1}' has no end of it",
+                                  std::string(data().cylinders.front().name.view())),
+                              say("add 'to', the place at the last position")));
+  }
+  for (const auto& cylinder : data().cylinders) {
+    if (several || !is_set(cylinder.to)) continue;
+    issues.push_back(issue_at(input(), "cylinders." + std::string(cylinder.name.view()) + ".to",
+                              say("'to' is the end of a stroke, and only one position is solved"),
+                              say("add the number of positions, positions = 72, or leave out 'to'")));
+  }
 }
 
 /// What is wrong with names and points, but for what follows from an error that is there already.

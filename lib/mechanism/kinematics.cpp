@@ -117,7 +117,7 @@ void Constraints::add(const Joint& joint) {
     entry(rows_ + 1, pair.i, 2, 1.0);
     entry(rows_ + 1, pair.j, 2, -1.0);
   }
-  rows_ += joint.kind == JointKind::slot ? 1 : 2;
+  rows_ += static_cast<std::size_t>(constraint_count(joint.kind));
   pairs_.push_back(pair);
 }
 

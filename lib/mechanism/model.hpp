@@ -28,6 +28,9 @@ struct Link {
 
 enum class JointKind { revolute, prismatic, slot };
 
+/// Of the three freedoms between two links, how many a joint takes away.
+constexpr int constraint_count(JointKind kind) { return kind == JointKind::slot ? 1 : 2; }
+
 /// A joint between link i and link j. Revolute: point_i and point_j coincide. Slot: the pin point_i of link i lies on
 /// the line of link j through point_j at `direction`; it may turn. Prismatic: the same, and phi_i - phi_j = `angle`.
 struct Joint {

@@ -125,7 +125,7 @@ std::vector<std::vector<std::size_t>> joints_of(const MatrixXd& dependencies, st
     std::vector<std::size_t> set;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const auto first = static_cast<Index>(pairs[k].row);
-      const Index rows = pairs[k].kind == JointKind::slot ? 1 : 2;
+      const Index rows = constraint_count(pairs[k].kind);
       if (in_support(dependencies, v, first) || in_support(dependencies, v, first + rows - 1)) set.push_back(k);
     }
     sets.push_back(std::move(set));
@@ -148,7 +148,7 @@ std::vector<std::size_t> links_of(const MatrixXd& motions) {
 
 int count_mobility(const Model& model) {
   int mobility = 3 * static_cast<int>(model.links.size());
-  for (const auto& joint : model.joints) mobility -= joint.kind == JointKind::slot ? 1 : 2;
+  for (const auto& joint : model.joints) mobility -= constraint_count(joint.kind);
   return mobility;
 }
 

@@ -70,17 +70,23 @@ void read_display(const Tree& table, StepInput& input, std::vector<Issue>& issue
                say("'{1}' is a table of units, not {2}", "display", io::word_for(display->value.type)),
                say("name the results: display = { d = \"in\" }"));
   }
+  if (input.calculator->result == nullptr) {
+    return add(issues, display->place, input.name + ".display",
+               say("'{1}' shows its results in readable units of its own", input.calculator->id),
+               say("leave out 'display'; the JSON output is in SI units"));
+  }
   for (const Tree::Entry& entry : display->value.entries) {
     const std::string key = input.name + ".display." + entry.key;
+    const std::size_t before = issues.size();
     const std::string unit = text_of(entry, key, issues);
-    const auto fields =
-        input.calculator->result == nullptr ? std::span<const FieldInfo>{} : input.calculator->result->fields;
+    if (issues.size() != before) continue;
+    const auto fields = input.calculator->result->fields;
     const FieldInfo* field = find_field(fields, entry.key);
     if (field == nullptr || field->type != FieldInfo::Type::quantity) {
       std::vector<std::string> results;
       for (const FieldInfo& f : fields) results.emplace_back(f.key);
       add(issues, entry.place, key, say("'{1}' has no result '{2}'", input.name, entry.key),
-          did_you_mean(entry.key, results));
+          did_you_mean(entry.key, results, there_is(results)));
       continue;
     }
     const auto parsed = parse_unit(unit);
@@ -117,6 +123,9 @@ void read_within(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
   const Message remedy = e.unit.empty() || e.unit == "-"
                              ? say("write a part of the value, \"0.5 %\"")
                              : say("write a part of the value, \"0.5 %\", or a quantity like it, \"0.1 {1}\"", e.unit);
+  if (tree.type != Tree::Type::text) {
+    return add(issues, tree.place, "expect.within", say("within is a text with a unit"), remedy);
+  }
   auto literal = parse_literal(tree.text);
   if (literal && literal->dimension == Dimension::of(0, 0, 0, 1))  // 0.1 K, never a point on the scale
     literal = parse_literal(tree.text, Expected{literal->dimension, Kind::difference, "K"});
@@ -127,9 +136,12 @@ void read_within(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
   }
   const Place place = place_in(tree.place, tree.text, 0, tree.text.size());
   if (!(literal->si > 0.0)) return add(issues, place, "expect.within", say("within must be > 0"), remedy);
-  if (literal->dimension.is_number()) {
+  if (tree.text.find('%') != std::string::npos) {
     e.within = literal->si;
-  } else if (literal->dimension.without_angle() == e.is.dimension.without_angle()) {
+  } else if (literal->dimension.is_number()) {
+    add(issues, place, "expect.within", say("'{1}' may be a part of the value or a difference from it", tree.text),
+        remedy);
+  } else if (literal->dimension == e.is.dimension) {
     e.within_si = literal->si;
   } else if (!e.unit.empty()) {  // else `is` has been told already
     add(issues, place, "expect.within",

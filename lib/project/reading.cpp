@@ -173,6 +173,7 @@ void Reader::read_spread(const Tree& tree, const FieldInfo& field, void* owner, 
 
 /// Whether a text that is no quantity refers to other steps, as expressions do.
 bool is_bare_expression(const std::string& text) {
+  if (parse_unit(text)) return false;  // a number was forgotten
   const auto parsed = Expression::parse(text);
   return parsed && !parsed->references().empty();
 }

@@ -213,6 +213,35 @@ F = { type = "revolute", links = ["b", "e"] }
 )");
   }
 
+  TEST_CASE("a stroke has an end and a number of positions") {
+    const std::string stroke = R"([press]
+calculator = "mechanism.planar"
+ground = { O = ["0 mm", "0 mm"] }
+links.ram = { points = { P = ["100 mm", "0 mm"] }, mass = "2 kg", angle = "0 deg", origin = ["0 mm", "0 mm"] }
+joints.G = { type = "prismatic", links = ["ram", "ground"], points = ["P", "O"] }
+cylinders.c = { joint = "G", speed = "1 m/s", to = "150 mm" }
+positions = 12
+)";
+    const auto without = [&](const std::string& part) {
+      std::string text = stroke;
+      text.erase(text.find(part), part.size());
+      return issues_of(text);
+    };
+    CHECK(issues_of(stroke).empty());
+    CHECK(without(", to = \"150 mm\"") ==
+          R"(a.toml:7:13: error: 'positions' is of a stroke, and the cylinder 'c' has no end of it
+7 | positions = 12
+  |             ^^
+  = help: add 'to', the place at the last position
+)");
+    CHECK(without("positions = 12\n") ==
+          R"(a.toml:6:53: error: 'to' is the end of a stroke, and only one position is solved
+6 | cylinders.c = { joint = "G", speed = "1 m/s", to = "150 mm" }
+  |                                                     ^^^^^^
+  = help: add the number of positions, positions = 72, or leave out 'to'
+)");
+  }
+
   TEST_CASE("numbers of the drive") {
     CHECK(with("positions = 12", "positions = 4")
               .starts_with("a.toml:3:54: error: crank.positions = 4: must be >= 8 and <= 7200\n"));

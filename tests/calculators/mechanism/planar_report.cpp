@@ -52,6 +52,19 @@ TEST_SUITE("mechanism report") {
     }
   }
 
+  TEST_CASE("the force of a cylinder counts as a force; what is left over from nothing is not passed") {
+    mechanism::Position off = balanced();
+    off.reactions[0].force = {};
+    off.residual_force = off.residual_moment = 1e-3;
+    PlanarMechanism::Input pushed;
+    pushed.cylinders.resize(1);
+    off.effort = {1e9};
+    for (const report::Verdict& v : proof("press", pushed, cycle_of(off, off), nullptr)) {
+      if (std::string(v.symbol) == "force_balance") CHECK(v.state == report::State::pass);
+      if (std::string(v.symbol) == "moment_balance") CHECK(v.state == report::State::not_available);
+    }
+  }
+
   TEST_CASE("a residual or a scale that is no number is never passed, whichever position it stands at") {
     for (const double none : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
       mechanism::Position residual = balanced(), scale = balanced();

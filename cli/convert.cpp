@@ -5,6 +5,7 @@
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"
 
+#include <cmath>
 #include <iostream>
 
 namespace loadpath::cli {
@@ -33,6 +34,11 @@ int convert(const ConvertOptions& options) {
     if (!signature) return refuse(text, 1, "quantity", signature.fault());
     static const Value none;
     literal = {parsed->evaluate([](const std::string&) -> const Value& { return none; }).si[0], signature->dimension};
+    if (!std::isfinite(literal.si)) {
+      return refuse(
+          text, 1, "quantity",
+          {0, text.size() - 1, say("there is no such number: a division by zero, or a root of a negative"), {}});
+    }
   } else {
     const auto parsed = parse_literal(text);
     if (!parsed) return refuse(text, 0, "quantity", parsed.fault());

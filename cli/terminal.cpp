@@ -41,11 +41,10 @@ std::string shown(const project::Entry& e) {
 
 /// Results worth a line on the terminal: no elements of lists, no points, nothing that was not asked for.
 bool is_brief(const project::Entry& e) {
-  const bool open = e.value.si.size() == 1 && std::isnan(e.value.si[0]);
   const bool joint_force = e.path.starts_with("joints.") && !e.path.ends_with(".x") && !e.path.ends_with(".y");
   const bool element = e.path.find_first_of("[.") != std::string::npos && !e.path.starts_with("drive.") &&
                        !e.path.starts_with("cylinders.");
-  return e.role == Role::result && !open && (!element || joint_force);
+  return e.role == Role::result && !project::is_open(e) && (!element || joint_force);
 }
 
 void show_results(const project::Step& step) {

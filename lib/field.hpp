@@ -87,7 +87,7 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
   Range bounds;     // outside: refused (input), not covered (limit)
   Range plausible;  // outside: a warning
   Provider provider;
-  const char* asked_by = "";     // check: exists only where this input is given
+  const char* asked_by = "";     // check or limit: exists only where this input is given
   const char* searched_in = "";  // input: where missing, the smallest value of this stock that passes every check
   bool kept = false;             // input: where missing in a search, the result of the same key of the sizing run
   bool is_factor = false;        // input: raises a load or lowers a strength; the report lists where each is applied
@@ -120,7 +120,11 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
     f.asked_by = input;
     return f;
   }
-  [[nodiscard]] constexpr Field limit(double low, double high) const { return within(low, high).as(Role::limit); }
+  [[nodiscard]] constexpr Field limit(double low, double high, const char* input = "") const {
+    Field f = within(low, high).as(Role::limit);
+    f.asked_by = input;
+    return f;
+  }
   [[nodiscard]] constexpr Field searched(const char* stock) const {
     Field f = *this;
     f.searched_in = stock;

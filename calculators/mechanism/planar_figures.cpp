@@ -163,12 +163,15 @@ std::vector<draw::Figure> mechanism_figures(const PlanarMechanism::Input&, const
   if (first == cycle.closed.end()) return figures;
   Scheme start = scheme_at(model, cycle.positions[static_cast<std::size_t>(first - cycle.closed.begin())]);
   if (axis != nullptr) add_paths(model, cycle, start);
-  figures.push_back(
-      {"first-position", "The mechanism at the first position, with loads and joint forces", std::move(start)});
+  figures.push_back({"first-position",
+                     "The mechanism at the first position, with the loads and, in each joint, the force of its first "
+                     "link on the second",
+                     std::move(start)});
   if (axis == nullptr) return figures;
   const project::Entry* drive = find_entry(account, "drive.M");
   if (drive != nullptr && !std::isnan(largest(drive->value).value)) {
-    figures.push_back({"peak-position", "The mechanism at the position nearest to the largest moment of the drive",
+    figures.push_back({"peak-position",
+                       "The mechanism at the position nearest to the largest moment of the drive, with the same forces",
                        scheme_at(model, cycle.positions[largest(drive->value).nearest])});
   }
   for (const auto& e : account.results) {

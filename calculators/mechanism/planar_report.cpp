@@ -184,7 +184,7 @@ report::Verdict closing(const std::string& step, const Planar::Input& in, const 
   v.bound = say("every position");
   const auto closed = static_cast<std::size_t>(std::count(cycle.closed.begin(), cycle.closed.end(), true));
   v.value = say("{1} of {2}", std::to_string(closed), std::to_string(cycle.closed.size()));
-  v.state = closed == cycle.closed.size() ? report::State::pass : report::State::not_available;
+  v.state = closed == cycle.closed.size() ? report::State::pass : report::State::fail;
   if (v.state == report::State::pass) return v;
   v.note = why_open(in, cycle);
   if (axis == nullptr) return v;

@@ -83,6 +83,7 @@ void PlanarStep::add_faults_of_names(std::vector<Issue>& issues) const {
 }
 
 Outcome<Signature> PlanarStep::signature(const std::string& path) const {
+  if (outputs_.empty()) return Fault{};  // the model has holes, which are told
   const auto found = std::find_if(outputs_.begin(), outputs_.end(), [&](const auto& o) { return o.path == path; });
   if (found != outputs_.end()) return Signature{found->dimension, axis_.get()};
   std::vector<std::string> paths;

@@ -232,7 +232,7 @@ void judge(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
     r.u_theta = u_theta;
   }
   if (is_set(r.phi)) trace.value("phi", r.phi, "sum over the stretches, with sign");
-  r.F_bend = is_set(in.F) ? abs(in.F) : 0.0 * N.one;
+  r.F_bend = abs(in.F);
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ void check_expectations(const Project& project, std::vector<Issue>& issues) {
     const auto signature = e.value.check([&](const std::string& path) { return signature_of(project, path); });
     if (!signature) {
       const Fault& fault = signature.fault();
+      if (fault.message.empty()) continue;
       issues.push_back(
           {place_in(e.place, e.text, fault.at, fault.length), "expect", fault.message, fault.hint, Severity::error});
     } else if (signature->axis != nullptr) {

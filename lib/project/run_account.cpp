@@ -17,6 +17,16 @@ Message at_place(const Extreme& extreme, const Axis& axis) {
   return say("at {1} ({2})", format_quantity(extreme.at, axis.unit, 5), axis.name());
 }
 
+/// The choices that occur, in their order: "strength", or over a series "strength, stiffness".
+std::string words_of(const FieldInfo& field, const std::vector<double>& si) {
+  std::string words;
+  for (std::size_t k = 0; k < field.choices.size(); ++k) {
+    if (std::find(si.begin(), si.end(), static_cast<double>(k)) == si.end()) continue;
+    words += (words.empty() ? "" : ", ") + std::string(field.choices[k].key);
+  }
+  return words;
+}
+
 }  // namespace
 
 Value Run::value_of(const Column& column) const { return {{column.field->dimension, axis_}, column.si}; }
@@ -59,8 +69,7 @@ void Run::fill_results(Account& account) const {
     const auto display = step_.input().display.find(column.path);
     const std::string unit = display == step_.input().display.end() ? column.field->unit : display->second;
     Entry entry{column.path, column.field->doc, unit, column.field->role, value_of(column), {}, ""};
-    const bool one_word = column.field->type == FieldInfo::Type::choice && axis_ == nullptr;
-    if (one_word) entry.word = column.field->choices[static_cast<std::size_t>(column.si[0])].key;
+    if (column.field->type == FieldInfo::Type::choice) entry.word = words_of(*column.field, column.si);
     account.results.push_back(std::move(entry));
   }
 }
@@ -115,7 +124,8 @@ report::Verdict Run::limit_verdict(const Column& column) const {
 
 void Run::fill_verdicts(Account& account) const {
   for (const Column& column : columns_) {
-    if (column.field->role == Role::check && is_asked(*column.field)) account.verdicts.push_back(check_verdict(column));
+    if (!is_asked(*column.field)) continue;
+    if (column.field->role == Role::check) account.verdicts.push_back(check_verdict(column));
     if (column.field->role == Role::limit) account.verdicts.push_back(limit_verdict(column));
   }
   if (!columns_.empty()) return;

@@ -30,6 +30,11 @@ Issue issue_at(const StepInput& input, const std::string& path, Message message,
           Severity::error};
 }
 
+bool is_open(const Entry& entry) {
+  const auto& si = entry.value.si;
+  return entry.word.empty() && !si.empty() && std::all_of(si.begin(), si.end(), [](double x) { return std::isnan(x); });
+}
+
 namespace {
 
 /// The axis of one operand after its dimension has been compared with that of its field.
@@ -39,6 +44,7 @@ const Axis* check_operand(const Operand& operand, const std::string& step, const
   const auto signature = operand.expression.check(declared);
   if (!signature) {
     const Fault& fault = signature.fault();
+    if (fault.message.empty()) return nullptr;
     issues.push_back({place_in(operand.place, operand.text, fault.at, fault.length), key, fault.message, fault.hint,
                       Severity::error});
     return nullptr;

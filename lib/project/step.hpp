@@ -31,6 +31,9 @@ struct Entry {
   bool is_factor = false;  // inputs only: see Field::factor
 };
 
+/// Whether nothing is known of it, at no position.
+bool is_open(const Entry& entry);
+
 /// A line of the calculation; the scope names the element of a list that it belongs to ("segments[2]").
 struct Derived {
   std::string scope;
@@ -83,7 +86,8 @@ class Step {
   /// Checks what can be known before anything runs: expressions' dimensions, names, rules. Called in order of
   /// evaluation.
   virtual void prepare(const Declared& declared, const Companions& companions, std::vector<Issue>& issues) = 0;
-  /// Dimension and axis of a path; a Fault with a hint where there is none. After `prepare`.
+  /// Dimension and axis of a path; a Fault with a hint where there is none, without a message where the step's own
+  /// errors, which are told, leave it unknown. After `prepare`.
   [[nodiscard]] virtual Outcome<Signature> signature(const std::string& path) const = 0;
   /// Full paths of what else loads the part that takes the value at `path`.
   [[nodiscard]] virtual std::vector<std::string> companions_of(const std::string& path) const;

@@ -39,8 +39,7 @@ Table result_table(const Account& account) {
   Table table{say("Results"), {say("symbol"), say("meaning"), say("value")}, {}};
   for (const Entry& e : account.results) {
     const bool lists = is_list_path(e.path), judged = e.role != Role::result;
-    const bool open = e.value.si.size() == 1 && std::isnan(e.value.si[0]);
-    if (!lists && !judged && !open) table.rows.push_back({Symbol{e.path}, say("{1}", e.doc), cell_of(e)});
+    if (!lists && !judged && !is_open(e)) table.rows.push_back({Symbol{e.path}, say("{1}", e.doc), cell_of(e)});
   }
   return table;
 }

@@ -197,6 +197,6 @@ TEST_SUITE("shaft") {
     in.F = -3654.0 * N;
     CHECK(solve(in).F_bend / N == 3654.0);
     in.F = unset<Force>;
-    CHECK(solve(in).F_bend / N == 0.0);
+    CHECK_FALSE(is_set(solve(in).F_bend));
   }
 }

@@ -1,10 +1,12 @@
 #include "calculators/mechanism/planar_report.hpp"
 
 #include "calculators/mechanism/planar_model.hpp"
+#include "lib/mechanism/assur.hpp"
 #include "lib/mechanism/vec.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -142,6 +144,40 @@ Table position_table(const project::Account& account) {
   return table;
 }
 
+/// "2 · 3 + 0 = 6": what the joints take away from the links of a group.
+std::string count_of(const mechanism::Group& group) {
+  const auto drives = group.drivers.size();
+  return std::to_string(3 * group.links.size()) + " = 2 · " + std::to_string(group.p5) + " + " +
+         std::to_string(group.p4) + (drives == 0 ? "" : " + " + std::to_string(drives));
+}
+
+template <class Parts>
+std::string listed(const Parts& parts, const std::vector<std::size_t>& chosen) {
+  std::string names;
+  for (const std::size_t k : chosen) names += (names.empty() ? "" : ", ") + parts[k].name;
+  return names;
+}
+
+Message kind_of(const mechanism::Group& group) {
+  static constexpr std::array roman{"", "I", "II", "III", "IV", "V", "VI", "VII", "VIII"};
+  if (group.contour_class == 1) return say("initial link");
+  const auto k = static_cast<std::size_t>(group.contour_class);
+  const std::string number = k < roman.size() ? roman[k] : std::to_string(k);
+  const Message group_class = say("class {1}, order {2}", number, std::to_string(group.order));
+  return group.kind.empty() ? group_class : say("{1}, {2}", group_class.text(), group.kind);
+}
+
+Table structure_table(const mechanism::Model& model) {
+  Table table{say("Structure: groups in order of attachment, 3 n = 2 p5 + p4 + drives"),
+              {say("links"), say("joints"), say("kind"), say("count")},
+              {}};
+  for (const mechanism::Group& group : mechanism::groups(model)) {
+    table.rows.push_back(
+        {listed(model.links, group.links), listed(model.joints, group.joints), kind_of(group), count_of(group)});
+  }
+  return table;
+}
+
 Table determinacy_table(const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis) {
   Table table{say("Mobility and conditioning"), {}, {}};
   table.rows.push_back(
@@ -205,9 +241,9 @@ std::vector<report::Block> model_tables(const Planar::Input& in) {
   return blocks;
 }
 
-std::vector<report::Block> result_tables(const project::Account& account, const mechanism::Structure& structure,
-                                         const Cycle& cycle, const Axis* axis) {
-  return {axis == nullptr ? position_table(account) : extremes_table(account, *axis),
+std::vector<report::Block> result_tables(const project::Account& account, const mechanism::Model& model,
+                                         const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis) {
+  return {axis == nullptr ? position_table(account) : extremes_table(account, *axis), structure_table(model),
           determinacy_table(structure, cycle, axis)};
 }
 

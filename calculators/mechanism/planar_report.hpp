@@ -12,10 +12,10 @@ namespace loadpath {
 
 /// Links, joints, drives and loads as tables.
 std::vector<report::Block> model_tables(const PlanarMechanism::Input& in);
-/// Largest and smallest of drives and reactions over the cycle, or the reactions at the one position; how well the
-/// equations determine them.
-std::vector<report::Block> result_tables(const project::Account& account, const mechanism::Structure& structure,
-                                         const Cycle& cycle, const Axis* axis);
+/// Largest and smallest of drives and reactions over the cycle, or the reactions at the one position; the groups that
+/// the mechanism is built of, and how well the equations determine it.
+std::vector<report::Block> result_tables(const project::Account& account, const mechanism::Model& model,
+                                         const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis);
 /// Whether it closes everywhere, the equilibrium of every link and the power balance.
 std::vector<report::Verdict> proof(const std::string& step, const PlanarMechanism::Input& in, const Cycle& cycle,
                                    const Axis* axis);

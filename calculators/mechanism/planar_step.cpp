@@ -161,7 +161,7 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
     return project::plain_origin(input().reading, path, leaf);
   });
   account.input_blocks = model_tables(data());
-  account.blocks = result_tables(account, mechanism::analyse(model), cycle, axis_.get());
+  account.blocks = result_tables(account, model, mechanism::analyse(model), cycle, axis_.get());
   account.figures = mechanism_figures(data(), model, cycle, account, axis_.get());
 }
 

@@ -73,18 +73,27 @@ bool is_finite(const mechanism::Position& p) {
          });
 }
 
+/// What is solved: a mechanism, its drives at every position, with inertia or without.
+struct Task {
+  const mechanism::Model& model;
+  const Schedule& schedule;
+  bool statics;
+};
+
 /// Solves the positions from the first on, or from the last back, until one does not close; that one is left open.
-Status run(mechanism::WholeSystem& system, const Schedule& schedule, bool statics, bool backward, Cycle& cycle) {
+Status run(mechanism::WholeSystem& system, const Task& task, bool backward, Cycle& cycle) {
+  const Schedule& schedule = task.schedule;
   const std::size_t count = schedule.drives.size();
   for (std::size_t n = 0; n < count; ++n) {
     const std::size_t k = backward ? count - 1 - n : n;
     if (cycle.closed[k]) return Status::closed;
     std::vector<Drive> drives = schedule.drives[k];
     if (backward && schedule.period != 0.0) drives[0].coordinate -= schedule.period;
-    const Status status = system.solve(drives, cycle.positions[k], statics);
+    const Status status = system.solve(drives, cycle.positions[k], task.statics);
     if (status != Status::closed) return status;
     if (!is_finite(cycle.positions[k])) return Status::singular;
     cycle.closed[k] = true;
+    cycle.residuals[k] = mechanism::residuals(task.model, drives, task.statics, cycle.positions[k]);
     const double condition = 1.0 / system.condition();
     if (std::isfinite(condition) && condition > cycle.worst_condition) {
       cycle.worst_condition = condition;
@@ -110,17 +119,18 @@ Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, Axis* 
   const Schedule schedule = schedule_of(in, system);
   if (axis != nullptr) fill_axis(schedule, *axis);
   cycle.positions.assign(schedule.drives.size(), system.blank());
+  cycle.residuals.assign(schedule.drives.size(), {});
   cycle.closed.assign(schedule.drives.size(), false);
   if (cycle.first_failure != Status::closed) {
     cycle.gap = system.gap();
     return cycle;
   }
-  const bool statics = in.analysis == Planar::Analysis::statics;
-  cycle.first_failure = run(system, schedule, statics, false, cycle);
+  const Task task{model, schedule, in.analysis == Planar::Analysis::statics};
+  cycle.first_failure = run(system, task, false, cycle);
   if (cycle.first_failure == Status::closed) return cycle;
   cycle.gap = system.gap();
   mechanism::WholeSystem again(model);  // what closes on the other side of the gap is reached backwards from the start
-  if (again.assemble() == Status::closed) run(again, schedule, statics, true, cycle);
+  if (again.assemble() == Status::closed) run(again, task, true, cycle);
   return cycle;
 }
 

@@ -271,15 +271,15 @@ struct Leftovers {
     largest_moment = larger(largest_moment, mechanism::length(force_there) * mechanism::length(at));
   }
   /// The effort of a crank is a moment, that of a cylinder a force.
-  void add(const mechanism::Position& p, bool crank) {
+  void add(const mechanism::Position& p, const mechanism::Residuals& r, bool crank) {
     any = true;
-    force = larger(force, p.residual_force);
-    moment = larger(moment, p.residual_moment);
-    power = larger(power, p.power_residual);
-    largest_power = larger(largest_power, p.power_scale);
-    for (const auto& r : p.reactions) {
-      add_force(r.force, r.at);
-      largest_moment = larger(largest_moment, r.couple);
+    force = larger(force, r.force);
+    moment = larger(moment, r.moment);
+    power = larger(power, r.power);
+    largest_power = larger(largest_power, r.power_scale);
+    for (const auto& reaction : p.reactions) {
+      add_force(reaction.force, reaction.at);
+      largest_moment = larger(largest_moment, reaction.couple);
     }
     for (std::size_t d = 0; d < p.effort.size(); ++d) {
       double& largest = d == 0 && crank ? largest_moment : largest_force;
@@ -294,7 +294,7 @@ std::vector<report::Verdict> proof(const std::string& step, const Planar::Input&
                                    const Axis* axis) {
   Leftovers left;
   for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
-    if (cycle.closed[k]) left.add(cycle.positions[k], !in.crank.joint.empty());
+    if (cycle.closed[k]) left.add(cycle.positions[k], cycle.residuals[k], !in.crank.joint.empty());
   }
   const double none = std::numeric_limits<double>::quiet_NaN();
   const auto part = [&](double residual, double scale) { return left.any ? part_of(residual, scale) : none; };

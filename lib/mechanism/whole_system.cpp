@@ -19,7 +19,6 @@ struct WholeSystem::Work {
         length(characteristic_length(given)),
         scaled(in_unit_of_length(given, length)),
         continuation(scaled),
-        balance(given),
         goal(given.drivers.size()) {
     for (auto* x : {&velocity, &acceleration, &multipliers}) x->resize(continuation.q().size());
   }
@@ -37,7 +36,6 @@ struct WholeSystem::Work {
   double length;  // the unit of length inside
   Model scaled;
   Continuation continuation;
-  Balance balance;
   std::vector<double> goal, velocity, acceleration, multipliers;
 };
 
@@ -67,7 +65,6 @@ Status WholeSystem::solve(std::span<const Drive> drives, Position& out, bool sta
   w.store(w.acceleration, out.acceleration);
   const Constraints& constraints = w.continuation.constraints();
   share_out(w.model, constraints, w.continuation.q(), w.multipliers, w.length, out);
-  w.balance.check(w.model, constraints, drives, statics, out);
   return Status::closed;
 }
 
@@ -94,14 +91,7 @@ void WholeSystem::Work::store(std::span<const double> x, std::vector<Pose>& pose
   for (std::size_t k = 0; k < poses.size(); ++k) poses[k] = {length * x[3 * k], length * x[3 * k + 1], x[3 * k + 2]};
 }
 
-Position WholeSystem::blank() const {
-  const Model& model = work_->model;
-  Position position;
-  for (auto* poses : {&position.pose, &position.velocity, &position.acceleration}) poses->resize(model.links.size());
-  position.reactions.resize(model.joints.size());
-  position.effort.resize(model.drivers.size());
-  return position;
-}
+Position WholeSystem::blank() const { return blank_position(work_->model); }
 
 void WholeSystem::set_load(std::size_t load, Vec force, double moment) {
   const double length = work_->length;

@@ -7,42 +7,13 @@
 #pragma once
 
 #include "lib/mechanism/model.hpp"
+#include "lib/mechanism/position.hpp"
 
 #include <cstddef>
 #include <memory>
 #include <span>
-#include <vector>
 
 namespace loadpath::mechanism {
-
-/// The state of one driver: coordinate, speed, acceleration (rad or m, per s, per s^2).
-struct Drive {
-  double coordinate = 0.0;
-  double speed = 0.0;
-  double acceleration = 0.0;
-};
-
-/// Force and couple that link j exerts on link i, global axes, at the joint's pin (point_i of link i).
-struct Reaction {
-  Vec at;             // global
-  Vec force;          // N
-  double couple = 0;  // N m; prismatic only
-};
-
-/// Everything at one position. Vectors are as long as the model's links, joints, drivers.
-struct Position {
-  std::vector<Pose> pose;
-  std::vector<Pose> velocity;      // m/s, rad/s
-  std::vector<Pose> acceleration;  // m/s^2, rad/s^2
-  std::vector<Reaction> reactions;
-  std::vector<double> effort;    // N m or N, on link i of the driver
-  double residual_force = 0.0;   // largest unbalanced force on a link, N, by summing what acts on it
-  double residual_moment = 0.0;  // largest unbalanced moment about a link's mass centre, N m
-  double power_residual = 0.0;   // drives + loads + gravity - rate of kinetic energy, W
-  double power_scale = 0.0;      // sum of the magnitudes in the power balance, W
-};
-
-enum class Status { closed, does_not_close, singular };
 
 class WholeSystem {
  public:

@@ -8,21 +8,27 @@ using namespace loadpath;
 
 namespace {
 
-/// Two positions of one joint whose reaction is 100 N at an arm of 1 m.
-Cycle cycle_of(const mechanism::Position& first, const mechanism::Position& second) {
+struct Solved {
+  mechanism::Position position;
+  mechanism::Residuals residuals;
+};
+
+Cycle cycle_of(const Solved& first, const Solved& second) {
   Cycle cycle;
-  cycle.positions = {first, second};
+  cycle.positions = {first.position, second.position};
+  cycle.residuals = {first.residuals, second.residuals};
   cycle.closed = {true, true};
   return cycle;
 }
 
-mechanism::Position balanced() {
-  mechanism::Position p;
-  p.reactions.resize(1);
-  p.reactions[0].force = {100.0, 0.0};
-  p.reactions[0].at = {0.0, 1.0};
-  p.power_scale = 50.0;
-  return p;
+/// One joint whose reaction is 100 N at an arm of 1 m.
+Solved balanced() {
+  Solved s;
+  s.position.reactions.resize(1);
+  s.position.reactions[0].force = {100.0, 0.0};
+  s.position.reactions[0].at = {0.0, 1.0};
+  s.residuals.power_scale = 50.0;
+  return s;
 }
 
 PlanarMechanism::Input driven() {
@@ -43,8 +49,8 @@ report::State state_of(const char* symbol, const Cycle& cycle) {
 
 TEST_SUITE("mechanism report") {
   TEST_CASE("the proof of equilibrium passes where nothing is left over, and fails where something is") {
-    mechanism::Position off = balanced();
-    off.residual_force = off.residual_moment = off.power_residual = -1e-3;
+    Solved off = balanced();
+    off.residuals.force = off.residuals.moment = off.residuals.power = -1e-3;
     for (const char* symbol : {"force_balance", "moment_balance", "power_balance"}) {
       CAPTURE(symbol);
       CHECK(state_of(symbol, cycle_of(balanced(), balanced())) == report::State::pass);
@@ -53,12 +59,12 @@ TEST_SUITE("mechanism report") {
   }
 
   TEST_CASE("the force of a cylinder counts as a force; what is left over from nothing is not passed") {
-    mechanism::Position off = balanced();
-    off.reactions[0].force = {};
-    off.residual_force = off.residual_moment = 1e-3;
+    Solved off = balanced();
+    off.position.reactions[0].force = {};
+    off.residuals.force = off.residuals.moment = 1e-3;
     PlanarMechanism::Input pushed;
     pushed.cylinders.resize(1);
-    off.effort = {1e9};
+    off.position.effort = {1e9};
     for (const report::Verdict& v : proof("press", pushed, cycle_of(off, off), nullptr)) {
       if (std::string(v.symbol) == "force_balance") CHECK(v.state == report::State::pass);
       if (std::string(v.symbol) == "moment_balance") CHECK(v.state == report::State::not_available);
@@ -67,14 +73,14 @@ TEST_SUITE("mechanism report") {
 
   TEST_CASE("a residual or a scale that is no number is never passed, whichever position it stands at") {
     for (const double none : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-      mechanism::Position residual = balanced(), scale = balanced();
-      residual.residual_force = residual.residual_moment = residual.power_residual = none;
-      scale.reactions[0].force.x = scale.power_scale = none;
+      Solved residual = balanced(), scale = balanced();
+      residual.residuals.force = residual.residuals.moment = residual.residuals.power = none;
+      scale.position.reactions[0].force.x = scale.residuals.power_scale = none;
       for (const char* symbol : {"force_balance", "moment_balance", "power_balance"}) {
         CAPTURE(symbol);
-        for (const mechanism::Position& p : {residual, scale}) {
-          CHECK(state_of(symbol, cycle_of(p, balanced())) == report::State::not_available);
-          CHECK(state_of(symbol, cycle_of(balanced(), p)) == report::State::not_available);
+        for (const Solved& s : {residual, scale}) {
+          CHECK(state_of(symbol, cycle_of(s, balanced())) == report::State::not_available);
+          CHECK(state_of(symbol, cycle_of(balanced(), s)) == report::State::not_available);
         }
       }
     }

@@ -1,6 +1,7 @@
 // Mechanisms that several tests use.
 #pragma once
 
+#include "lib/mechanism/balance.hpp"
 #include "lib/mechanism/model.hpp"
 #include "lib/mechanism/whole_system.hpp"
 
@@ -120,11 +121,13 @@ inline Model slotted_lever(bool with_slider = false, double gamma = -0.349065850
 struct Solved {
   Status status;
   Position at;
+  Residuals left = {};
 };
 inline Solved solve(const Model& model, std::vector<Drive> drives, bool statics = false) {
   WholeSystem system(model);
   Solved solved{system.assemble(), system.blank()};
   if (solved.status == Status::closed) solved.status = system.solve(drives, solved.at, statics);
+  if (solved.status == Status::closed) solved.left = residuals(model, drives, statics, solved.at);
   return solved;
 }
 /// At the stated assembly, drivers at rest.

@@ -181,9 +181,9 @@ TEST_SUITE("mechanism") {
     for (const auto& [model, drive] : rows) {
       const Solved solved = solve(model, {drive});
       REQUIRE(solved.status == Status::closed);
-      CHECK(solved.at.residual_force <= 1e-10);
-      CHECK(solved.at.residual_moment <= 1e-10);
-      CHECK(std::abs(solved.at.power_residual) <= 1e-12 * solved.at.power_scale);
+      CHECK(solved.left.force <= 1e-10);
+      CHECK(solved.left.moment <= 1e-10);
+      CHECK(std::abs(solved.left.power) <= 1e-12 * solved.left.power_scale);
     }
   }
 

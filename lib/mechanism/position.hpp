@@ -1,0 +1,44 @@
+// What a solver gives at one position of a mechanism.
+#pragma once
+
+#include "lib/mechanism/model.hpp"
+
+#include <vector>
+
+namespace loadpath::mechanism {
+
+/// The state of one driver: coordinate, speed, acceleration (rad or m, per s, per s^2).
+struct Drive {
+  double coordinate = 0.0;
+  double speed = 0.0;
+  double acceleration = 0.0;
+};
+
+/// Force and couple that link j exerts on link i, global axes, at the joint's pin (point_i of link i).
+struct Reaction {
+  Vec at;             // global
+  Vec force;          // N
+  double couple = 0;  // N m; prismatic only
+};
+
+/// Everything at one position. Vectors are as long as the model's links, joints, drivers.
+struct Position {
+  std::vector<Pose> pose;
+  std::vector<Pose> velocity;      // m/s, rad/s
+  std::vector<Pose> acceleration;  // m/s^2, rad/s^2
+  std::vector<Reaction> reactions;
+  std::vector<double> effort;  // N m or N, on link i of the driver
+};
+
+/// A position of this model with room for everything, so that solving one allocates nothing.
+inline Position blank_position(const Model& model) {
+  Position position;
+  for (auto* poses : {&position.pose, &position.velocity, &position.acceleration}) poses->resize(model.links.size());
+  position.reactions.resize(model.joints.size());
+  position.effort.resize(model.drivers.size());
+  return position;
+}
+
+enum class Status { closed, does_not_close, singular };
+
+}  // namespace loadpath::mechanism

@@ -5,34 +5,24 @@ namespace {
 
 Vec at(std::span<const double> q, std::size_t link) { return {q[3 * link], q[3 * link + 1]}; }
 
-Vec global_force(const Load& load, const Turn& turned) {
-  return load.turns_with_link ? turned(load.force) : load.force;
-}
-
-Vec point_acceleration(Vec origin, double epsilon, double omega, Vec arm) {
-  return origin + epsilon * normal(arm) - omega * omega * arm;
-}
-
 }  // namespace
 
 void required_forces(const Model& model, const Constraints& constraints, std::span<const double> velocity,
                      std::span<const double> acceleration, bool statics, std::span<double> required) {
   for (std::size_t k = 0; k < model.links.size(); ++k) {
-    const Link& link = model.links[k];
-    const Vec arm = constraints.turned(k)(link.centre);
-    const double epsilon = statics ? 0.0 : acceleration[3 * k + 2];
-    const Vec a = statics ? Vec{} : point_acceleration(at(acceleration, k), epsilon, velocity[3 * k + 2], arm);
-    const Vec force = link.mass * (a - model.gravity);
-    required[3 * k] = force.x;
-    required[3 * k + 1] = force.y;
-    required[3 * k + 2] = link.inertia * epsilon + cross(arm, force);
+    const Acceleration a{at(acceleration, k), velocity[3 * k + 2], acceleration[3 * k + 2]};
+    const Wrench needed =
+        inertia_less_weight(model.links[k], constraints.turned(k), statics ? Acceleration{} : a, model.gravity);
+    required[3 * k] = needed.force.x;
+    required[3 * k + 1] = needed.force.y;
+    required[3 * k + 2] = needed.moment;
   }
   for (const auto& load : model.loads) {
     const auto k = static_cast<std::size_t>(load.link);
-    const Vec force = global_force(load, constraints.turned(k));
-    required[3 * k] -= force.x;
-    required[3 * k + 1] -= force.y;
-    required[3 * k + 2] -= load.moment + cross(constraints.turned(k)(load.point), force);
+    const Wrench acting = wrench_of(load, constraints.turned(k));
+    required[3 * k] -= acting.force.x;
+    required[3 * k + 1] -= acting.force.y;
+    required[3 * k + 2] -= acting.moment;
   }
 }
 

@@ -9,6 +9,40 @@
 
 namespace loadpath::mechanism {
 
+/// A force and a moment on a link, about its frame's origin.
+struct Wrench {
+  Vec force;            // N
+  double moment = 0.0;  // N m
+  /// What acts about another origin, which lies `lever` away from this one.
+  void add(const Wrench& other, Vec lever) {
+    force = force + other.force;
+    moment += other.moment + cross(lever, other.force);
+  }
+  void subtract(const Wrench& other) {
+    force = force - other.force;
+    moment -= other.moment;
+  }
+};
+
+/// Of a link: its frame's origin and its turning.
+struct Acceleration {
+  Vec origin;  // m/s^2
+  double omega = 0.0, epsilon = 0.0;
+};
+
+/// What it takes to move a link so, m a and J epsilon, less its weight.
+inline Wrench inertia_less_weight(const Link& link, const Turn& turned, const Acceleration& a, Vec gravity) {
+  const Vec arm = turned(link.centre);
+  const Vec centre = a.origin + a.epsilon * normal(arm) - a.omega * a.omega * arm;
+  const Vec force = link.mass * (centre - gravity);
+  return {force, link.inertia * a.epsilon + cross(arm, force)};
+}
+
+inline Wrench wrench_of(const Load& load, const Turn& turned) {
+  const Vec force = load.turns_with_link ? turned(load.force) : load.force;
+  return {force, load.moment + cross(turned(load.point), force)};
+}
+
 /// Inertia less loads and gravity, per coordinate: the right side of the transposed system for the multipliers.
 /// `statics`: without inertia.
 void required_forces(const Model& model, const Constraints& constraints, std::span<const double> velocity,

@@ -30,7 +30,7 @@ struct WholeSystem::Work {
   void find_velocity(std::span<const Drive> drives);
   void find_acceleration(std::span<const Drive> drives);
   void find_multipliers(bool statics);
-  void store(std::span<const double> x, std::vector<Pose>& poses) const;
+  void store(std::span<const double> x, std::span<Pose> poses) const;
 
   Model model;    // as given
   double length;  // the unit of length inside
@@ -48,6 +48,17 @@ Status WholeSystem::assemble() { return work_->continuation.assemble(work_->scal
 double WholeSystem::coordinate(std::size_t driver) const {
   return work_->unit(driver) * work_->continuation.drives()[driver];
 }
+
+void WholeSystem::hold(std::span<const Pose> poses, std::span<const Drive> drives) {
+  Work& w = *work_;
+  for (std::size_t k = 0; k < drives.size(); ++k) w.goal[k] = drives[k].coordinate / w.unit(k);
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    w.scaled.links[k].pose = {poses[k].x / w.length, poses[k].y / w.length, poses[k].phi};
+  }
+  w.continuation.hold(w.scaled, w.goal);
+}
+
+void WholeSystem::store_poses(std::span<Pose> poses) const { work_->store(work_->continuation.q(), poses); }
 
 Status WholeSystem::move(std::span<const Drive> drives) {
   for (std::size_t k = 0; k < drives.size(); ++k) work_->goal[k] = drives[k].coordinate / work_->unit(k);
@@ -87,7 +98,7 @@ void WholeSystem::Work::find_multipliers(bool statics) {
   continuation.factors().solve_transposed(unknowns(multipliers));
 }
 
-void WholeSystem::Work::store(std::span<const double> x, std::vector<Pose>& poses) const {
+void WholeSystem::Work::store(std::span<const double> x, std::span<Pose> poses) const {
   for (std::size_t k = 0; k < poses.size(); ++k) poses[k] = {length * x[3 * k], length * x[3 * k + 1], x[3 * k + 2]};
 }
 

@@ -59,41 +59,51 @@ void GroupMotion::carry_acceleration(std::size_t t) {
   }
 }
 
-// How fast a cut opens, along one of its equations.
-double GroupMotion::open_velocity(std::size_t k, const CutRow& row) const {
+// How fast a cut opens.
+GroupMotion::Opening GroupMotion::opening_speed(std::size_t k) const {
   const Cut& cut = plan_.cuts[k];
   const Vec pin = at_.cut(k).pin;
   const Moving &i = moving_[cut.i], &j = moving_[cut.j];
-  const Vec apart = i.velocity + i.omega * normal(pin - at_.link(cut.i).origin) - j.velocity -
-                    j.omega * normal(pin - at_.link(cut.j).origin);
-  return dot(row.e, apart) + row.m * (i.omega - j.omega);
+  return {i.velocity + i.omega * normal(pin - at_.link(cut.i).origin) - j.velocity -
+              j.omega * normal(pin - at_.link(cut.j).origin),
+          i.omega - j.omega};
 }
 
 // The same for the acceleration, less Coriolis' part where the cut lets the pin slide along a line that turns.
-double GroupMotion::open_acceleration(std::size_t k, const CutRow& row) const {
+GroupMotion::Opening GroupMotion::opening_acceleration(std::size_t k) const {
   const Cut& cut = plan_.cuts[k];
-  const Vec pin = at_.cut(k).pin;
+  const CutPlace& at = at_.cut(k);
   const Moving &i = moving_[cut.i], &j = moving_[cut.j];
-  const Vec arm_i = pin - at_.link(cut.i).origin, arm_j = pin - at_.link(cut.j).origin;
-  const Vec apart = i.acceleration + i.epsilon * normal(arm_i) - i.omega * i.omega * arm_i - j.acceleration -
-                    j.epsilon * normal(arm_j) + j.omega * j.omega * arm_j;
-  const double open = dot(row.e, apart) + row.m * (i.epsilon - j.epsilon);
-  if (cut.kind != Cut::Kind::slide && cut.kind != Cut::Kind::slot) return open;
-  const Vec along = at_.cut(k).along;
-  return open - 2.0 * j.omega * dot(row.e, normal(along)) * open_velocity(k, {along, 0.0});
+  const Vec arm_i = at.pin - at_.link(cut.i).origin, arm_j = at.pin - at_.link(cut.j).origin;
+  Opening opening{i.acceleration + i.epsilon * normal(arm_i) - i.omega * i.omega * arm_i - j.acceleration -
+                      j.epsilon * normal(arm_j) + j.omega * j.omega * arm_j,
+                  i.epsilon - j.epsilon};
+  if (cut.kind == Cut::Kind::slide || cut.kind == Cut::Kind::slot) {
+    const double sliding = dot(at.along, opening_speed(k).apart);
+    opening.apart = opening.apart - 2.0 * j.omega * sliding * normal(at.along);
+  }
+  return opening;
 }
 
-/// The coordinates of a group of which `carry` takes the links along: as the drives say, the unknown ones such that
-/// none of its cuts opens.
-template <class Carry, class Open>
-void GroupMotion::close(std::size_t g, std::span<double> rates, Carry carry, Open open) {
+/// The coordinates of a group of which `carry` takes the links along: as `given` by the drives, the unknown ones such
+/// that none of its cuts opens.
+template <class Carry, class Open, class Given>
+void GroupMotion::close(std::size_t g, std::span<double> rates, Carry carry, Open open, Given given) {
   const GroupPlan& group = plan_.groups[g];
-  for (const std::size_t t : group.unknowns) rates[t] = 0.0;
-  for (std::size_t t = group.first_tree; t < group.last_tree; ++t) carry(t);
+  for (std::size_t t = group.first_tree; t < group.last_tree; ++t) {
+    const TreeJoint& tree = plan_.tree[t];
+    rates[t] = tree.driver == none ? 0.0 : tree.sense * given(tree.driver);
+    carry(t);
+  }
   if (group.unknowns.empty()) return;
   for (std::size_t k = group.first_cut; k < group.last_cut; ++k) {
     const Cut& cut = plan_.cuts[k];
-    for (std::size_t r = 0; r < cut.rows(); ++r) right_[cut.row + r] = -open(k, at_.cut(k).rows[r]);
+    const Opening opening = open(k);
+    for (std::size_t r = 0; r < cut.rows(); ++r) {
+      const CutRow& row = at_.cut(k).rows[r];
+      right_[cut.row + r] = -dot(row.e, opening.apart) - row.m * opening.turning;
+    }
+    if (cut.driver != none) right_[cut.row] += given(cut.driver);
   }
   const std::span<double> right = std::span(right_).first(group.unknowns.size());
   at_.loops(g).solve(right);
@@ -104,32 +114,16 @@ void GroupMotion::close(std::size_t g, std::span<double> rates, Carry carry, Ope
 void GroupMotion::find_velocities(std::span<const Drive> drives) {
   for (std::size_t g = 0; g < plan_.groups.size(); ++g) {
     close(
-        g, rate_,
-        [&](std::size_t t) {
-          const TreeJoint& tree = plan_.tree[t];
-          if (tree.driver != none) rate_[t] = tree.sense * drives[tree.driver].speed;
-          carry_velocity(t);
-        },
-        [&](std::size_t k, const CutRow& row) {
-          const std::size_t driver = plan_.cuts[k].driver;
-          return open_velocity(k, row) - (driver == none ? 0.0 : drives[driver].speed);
-        });
+        g, rate_, [&](std::size_t t) { carry_velocity(t); }, [&](std::size_t k) { return opening_speed(k); },
+        [&](std::size_t d) { return drives[d].speed; });
   }
 }
 
 void GroupMotion::find_accelerations(std::span<const Drive> drives) {
   for (std::size_t g = 0; g < plan_.groups.size(); ++g) {
     close(
-        g, second_,
-        [&](std::size_t t) {
-          const TreeJoint& tree = plan_.tree[t];
-          if (tree.driver != none) second_[t] = tree.sense * drives[tree.driver].acceleration;
-          carry_acceleration(t);
-        },
-        [&](std::size_t k, const CutRow& row) {
-          const std::size_t driver = plan_.cuts[k].driver;
-          return open_acceleration(k, row) - (driver == none ? 0.0 : drives[driver].acceleration);
-        });
+        g, second_, [&](std::size_t t) { carry_acceleration(t); },
+        [&](std::size_t k) { return opening_acceleration(k); }, [&](std::size_t d) { return drives[d].acceleration; });
   }
 }
 

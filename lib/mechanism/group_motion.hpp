@@ -36,10 +36,15 @@ class GroupMotion {
  private:
   void carry_velocity(std::size_t tree);
   void carry_acceleration(std::size_t tree);
-  [[nodiscard]] double open_velocity(std::size_t cut, const CutRow& row) const;
-  [[nodiscard]] double open_acceleration(std::size_t cut, const CutRow& row) const;
-  template <class Carry, class Open>
-  void close(std::size_t g, std::span<double> rates, Carry carry, Open open);
+  /// Of the pin of link i against the same point of link j, and of the links.
+  struct Opening {
+    Vec apart;
+    double turning = 0.0;
+  };
+  [[nodiscard]] Opening opening_speed(std::size_t cut) const;
+  [[nodiscard]] Opening opening_acceleration(std::size_t cut) const;
+  template <class Carry, class Open, class Given>
+  void close(std::size_t g, std::span<double> rates, Carry carry, Open open, Given given);
 
   void find_cut_forces(std::size_t g, Position& out);
   void sum_up(const GroupPlan& group, std::span<double> along);

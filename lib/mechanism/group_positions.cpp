@@ -187,7 +187,8 @@ void GroupPositions::refer(const GroupPlan& group) {
 Locus GroupPositions::path(std::size_t mover, Vec point) const {
   const Hung& hung = hung_[mover];
   if (plan_.tree[mover].kind == TreeJoint::Kind::slide) return {true, point, hung.along};
-  return {false, hung.pin, {}, length(point - hung.pin)};
+  const Vec arm = point - hung.pin;
+  return {false, hung.pin, {}, std::sqrt(dot(arm, arm))};
 }
 
 Locus GroupPositions::path_of_i(const GroupPlan& group) const {

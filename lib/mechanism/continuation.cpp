@@ -48,6 +48,8 @@ void Continuation::hold(const Model& model, std::span<const double> drives) {
   take_poses(model);
   std::ranges::copy(drives, held_.begin());
   target_ = held_;
+  place();
+  constraints_.count_turns();
   assembled_ = correct(quadratic);
 }
 

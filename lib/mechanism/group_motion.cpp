@@ -59,30 +59,31 @@ void GroupMotion::carry_acceleration(std::size_t t) {
   }
 }
 
-// How fast a cut opens.
-GroupMotion::Opening GroupMotion::opening_speed(std::size_t k) const {
+// How fast a cut opens along its equations.
+void GroupMotion::opening_speed(std::size_t k, std::span<double> out) const {
   const Cut& cut = plan_.cuts[k];
-  const Vec pin = at_.cut(k).pin;
+  const PairPlace& at = at_.cut(k);
   const Moving &i = moving_[cut.i], &j = moving_[cut.j];
-  return {i.velocity + i.omega * normal(pin - at_.link(cut.i).origin) - j.velocity -
-              j.omega * normal(pin - at_.link(cut.j).origin),
-          i.omega - j.omega};
+  const Vec apart = i.velocity + i.omega * normal(at.at - at_.link(cut.i).origin) - j.velocity -
+                    j.omega * normal(at.at - at_.link(cut.j).origin);
+  for (std::size_t r = 0; r < out.size(); ++r) {
+    out[r] = dot(at.rows[r].e, apart) + at.rows[r].m * (i.omega - j.omega);
+  }
 }
 
-// The same for the acceleration, less Coriolis' part where the cut lets the pin slide along a line that turns.
-GroupMotion::Opening GroupMotion::opening_acceleration(std::size_t k) const {
+// The same for the acceleration, beyond what the joint allows.
+void GroupMotion::opening_acceleration(std::size_t k, std::span<double> out) const {
   const Cut& cut = plan_.cuts[k];
-  const CutPlace& at = at_.cut(k);
+  const PairPlace& at = at_.cut(k);
   const Moving &i = moving_[cut.i], &j = moving_[cut.j];
-  const Vec arm_i = at.pin - at_.link(cut.i).origin, arm_j = at.pin - at_.link(cut.j).origin;
-  Opening opening{i.acceleration + i.epsilon * normal(arm_i) - i.omega * i.omega * arm_i - j.acceleration -
-                      j.epsilon * normal(arm_j) + j.omega * j.omega * arm_j,
-                  i.epsilon - j.epsilon};
-  if (cut.kind == Cut::Kind::slide || cut.kind == Cut::Kind::slot) {
-    const double sliding = dot(at.along, opening_speed(k).apart);
-    opening.apart = opening.apart - 2.0 * j.omega * sliding * normal(at.along);
+  const Placed &place_i = at_.link(cut.i), &place_j = at_.link(cut.j);
+  const Vec arm_i = at.at - place_i.origin, arm_j = at.at - place_j.origin;
+  const Vec apart = i.acceleration + i.epsilon * normal(arm_i) - i.omega * i.omega * arm_i - j.acceleration -
+                    j.epsilon * normal(arm_j) + j.omega * j.omega * arm_j;
+  held_acceleration(cut.shape, at, place_i, place_j, {i.velocity, i.omega}, {j.velocity, j.omega}, out);
+  for (std::size_t r = 0; r < out.size(); ++r) {
+    out[r] = dot(at.rows[r].e, apart) + at.rows[r].m * (i.epsilon - j.epsilon) - out[r];
   }
-  return opening;
 }
 
 /// The coordinates of a group of which `carry` takes the links along: as `given` by the drives, the unknown ones such
@@ -98,12 +99,10 @@ void GroupMotion::close(std::size_t g, std::span<double> rates, Carry carry, Ope
   if (group.unknowns.empty()) return;
   for (std::size_t k = group.first_cut; k < group.last_cut; ++k) {
     const Cut& cut = plan_.cuts[k];
-    const Opening opening = open(k);
-    for (std::size_t r = 0; r < cut.rows(); ++r) {
-      const CutRow& row = at_.cut(k).rows[r];
-      right_[cut.row + r] = -dot(row.e, opening.apart) - row.m * opening.turning;
-    }
-    if (cut.driver != none) right_[cut.row] += given(cut.driver);
+    const std::span<double> rows = std::span(right_).subspan(cut.row, cut.shape.rows());
+    open(k, rows);
+    for (double& speed : rows) speed = -speed;
+    if (cut.driver != none) rows[0] += given(cut.driver);
   }
   const std::span<double> right = std::span(right_).first(group.unknowns.size());
   at_.loops(g).solve(right);
@@ -114,7 +113,8 @@ void GroupMotion::close(std::size_t g, std::span<double> rates, Carry carry, Ope
 void GroupMotion::find_velocities(std::span<const Drive> drives) {
   for (std::size_t g = 0; g < plan_.groups.size(); ++g) {
     close(
-        g, rate_, [&](std::size_t t) { carry_velocity(t); }, [&](std::size_t k) { return opening_speed(k); },
+        g, rate_, [&](std::size_t t) { carry_velocity(t); },
+        [&](std::size_t k, std::span<double> rows) { opening_speed(k, rows); },
         [&](std::size_t d) { return drives[d].speed; });
   }
 }
@@ -123,7 +123,8 @@ void GroupMotion::find_accelerations(std::span<const Drive> drives) {
   for (std::size_t g = 0; g < plan_.groups.size(); ++g) {
     close(
         g, second_, [&](std::size_t t) { carry_acceleration(t); },
-        [&](std::size_t k) { return opening_acceleration(k); }, [&](std::size_t d) { return drives[d].acceleration; });
+        [&](std::size_t k, std::span<double> rows) { opening_acceleration(k, rows); },
+        [&](std::size_t d) { return drives[d].acceleration; });
   }
 }
 
@@ -153,9 +154,9 @@ void GroupMotion::find_cut_forces(std::size_t g, Position& out) {
   at_.loops(g).solve_transposed(right);
   for (std::size_t k = group.first_cut; k < group.last_cut; ++k) {
     const Cut& cut = plan_.cuts[k];
-    const CutPlace& at = at_.cut(k);
-    Reaction reaction{.at = at.pin, .force = {}};
-    for (std::size_t r = 0; r < cut.rows(); ++r) {
+    const PairPlace& at = at_.cut(k);
+    Reaction reaction{.at = at.at, .force = {}};
+    for (std::size_t r = 0; r < cut.shape.rows(); ++r) {
       reaction.force = reaction.force + right[cut.row + r] * at.rows[r].e;
       reaction.couple += right[cut.row + r] * at.rows[r].m;
     }
@@ -200,10 +201,11 @@ void GroupMotion::find_tree_force(std::size_t t, Position& out) {
   const Vec origin = at_.link(tree.link).origin;
   moving_[tree.on].needed.add(needed, origin - at_.link(tree.on).origin);
   if (tree.joint == none) return;
-  const bool turns = tree.kind == TreeJoint::Kind::turn;
+  const bool turns = tree.kind == TreeJoint::Kind::turn, slides = tree.kind == TreeJoint::Kind::slide;
   Vec force = needed.force;
   double couple = 0.0;
-  const double effort = turns ? needed.moment + cross(origin - hung.pin, force) : dot(force, hung.along);
+  double effort = slides ? dot(force, hung.along) : 0.0;
+  if (turns) effort = needed.moment + cross(origin - hung.pin, force);
   Vec at = hung.pin;
   if (!turns) {
     force = force - effort * hung.along;

@@ -36,13 +36,8 @@ class GroupMotion {
  private:
   void carry_velocity(std::size_t tree);
   void carry_acceleration(std::size_t tree);
-  /// Of the pin of link i against the same point of link j, and of the links.
-  struct Opening {
-    Vec apart;
-    double turning = 0.0;
-  };
-  [[nodiscard]] Opening opening_speed(std::size_t cut) const;
-  [[nodiscard]] Opening opening_acceleration(std::size_t cut) const;
+  void opening_speed(std::size_t cut, std::span<double> out) const;
+  void opening_acceleration(std::size_t cut, std::span<double> out) const;
   template <class Carry, class Open, class Given>
   void close(std::size_t g, std::span<double> rates, Carry carry, Open open, Given given);
 

@@ -60,7 +60,9 @@ class Planner {
 
   [[nodiscard]] int rank_of(const Group& group, const Joint& joint, std::size_t k) const {
     const std::size_t i = index(joint.i), j = index(joint.j);
-    if (placed_[i] == placed_[j] || joint.kind == JointKind::slot) return 0;
+    if (placed_[i] == placed_[j]) return 0;
+    if (joint.kind == JointKind::rigid) return 4;
+    if (joint.kind != JointKind::revolute && joint.kind != JointKind::prismatic) return 0;
     if (driver_of(group, joint, k) != none) return 3;
     return before_[placed_[i] ? i : j] ? 2 : 1;
   }
@@ -88,8 +90,8 @@ class Planner {
                    .pin = link_is_i ? joint.point_i : joint.point_j,
                    .seat = link_is_i ? joint.point_j : joint.point_i};
     used_joints_[k] = true;
-    if (joint.kind == JointKind::prismatic) {
-      tree.kind = TreeJoint::Kind::slide;
+    if (joint.kind != JointKind::revolute) {
+      tree.kind = joint.kind == JointKind::rigid ? TreeJoint::Kind::fixed : TreeJoint::Kind::slide;
       tree.angle = link_is_i ? joint.angle : -joint.angle;
       tree.turned = turn(tree.angle);
       tree.along = link_is_i ? unit(joint.direction) : -unit(joint.direction - joint.angle);
@@ -131,7 +133,7 @@ class Planner {
 
   void number_unknowns(GroupPlan& plan) {
     for (std::size_t t = plan.first_tree; t < plan.last_tree; ++t) {
-      if (plan_.tree[t].driver != none) continue;
+      if (plan_.tree[t].driver != none || plan_.tree[t].kind == TreeJoint::Kind::fixed) continue;
       plan_.tree[t].unknown = plan.unknowns.size();
       plan.unknowns.push_back(t);
     }
@@ -141,7 +143,7 @@ class Planner {
     std::size_t row = 0;
     const auto add = [&](Cut cut) {
       cut.row = row;
-      row += cut.rows();
+      row += cut.shape.rows();
       cut.movers = movers_of(plan, cut);
       plan_.cuts.push_back(std::move(cut));
     };
@@ -156,31 +158,17 @@ class Planner {
 
   [[nodiscard]] Cut cut_of(std::size_t k) const {
     const Joint& joint = model_.joints[k];
-    return {.kind = joint.kind == JointKind::revolute    ? Cut::Kind::pin
-                    : joint.kind == JointKind::prismatic ? Cut::Kind::slide
-                                                         : Cut::Kind::slot,
-            .i = index(joint.i),
-            .j = index(joint.j),
-            .joint = k,
-            .point_i = joint.point_i,
-            .point_j = joint.point_j,
-            .line = unit(joint.direction),
-            .angle = joint.angle,
-            .turned = turn(joint.angle),
-            .movers = {}};
+    return {.shape = shape_of(joint), .i = index(joint.i), .j = index(joint.j), .joint = k};
   }
 
   [[nodiscard]] Cut cut_of_drive(std::size_t d) const {
     const Driver& driver = model_.drivers[d];
-    Cut cut{.kind = Cut::Kind::turning_drive, .i = index(driver.i), .j = index(driver.j), .movers = {}};
-    if (driver.kind == Driver::Kind::linear) {
-      cut = cut_of(index(driver.joint));
-      cut.kind = Cut::Kind::sliding_drive;
-    }
-    cut.joint = none;
-    cut.driver = d;
-    cut.offset = driver.offset;
-    return cut;
+    const bool linear = driver.kind == Driver::Kind::linear;
+    const Joint* slide = linear ? &model_.joints[index(driver.joint)] : nullptr;
+    return {.shape = shape_of(driver, slide),
+            .i = index(linear ? slide->i : driver.i),
+            .j = index(linear ? slide->j : driver.j),
+            .driver = d};
   }
 
   /// The unknown coordinates between link i and link j: those above both move neither against the other.
@@ -222,17 +210,17 @@ class Planner {
   [[nodiscard]] Closing closed_form(const GroupPlan& plan, const Cut& cut) const {
     const auto turns = [&](std::size_t t) { return t != none && plan_.tree[t].kind == TreeJoint::Kind::turn; };
     const bool turns_i = turns(plan.mover_i), turns_j = turns(plan.mover_j);
-    switch (cut.kind) {
-      case Cut::Kind::pin:
+    if (cut.shape.kind != PairShape::Kind::joint) return Closing::by_newton;
+    switch (cut.shape.joint) {
+      case JointKind::revolute:
         return Closing::two_paths;
-      case Cut::Kind::slot:
+      case JointKind::slot:
         if (plan.mover_j == none) return Closing::two_paths;
         return turns_j ? Closing::slot_about_pin : Closing::slot_along_slide;
-      case Cut::Kind::slide:
+      case JointKind::prismatic:
         if (turns_i && turns_j) return Closing::slide_of_two_turns;
         return turns_i || turns_j ? Closing::slide_of_turn : Closing::by_newton;
-      case Cut::Kind::turning_drive:
-      case Cut::Kind::sliding_drive:
+      default:
         break;
     }
     return Closing::by_newton;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "lib/mechanism/model.hpp"
+#include "lib/mechanism/pair.hpp"
 
 #include <cstddef>
 #include <limits>
@@ -16,7 +17,7 @@ inline constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 /// The model's links keep their numbers, the ground comes next, then massless ones: a link that neither a turning nor a
 /// sliding joint leads to hangs on two crossed slides.
 struct TreeJoint {
-  enum class Kind { turn, slide };
+  enum class Kind { turn, slide, fixed };
   Kind kind = Kind::turn;
   std::size_t link = 0, on = 0;
   std::size_t joint = none;   // of the model
@@ -27,7 +28,7 @@ struct TreeJoint {
   std::size_t unknown = none;  // its number among the unknown coordinates of the group
   Vec pin = {}, seat = {};     // frames of link and of `on`; the pin lies at the seat, or slides from there
   Vec along{1.0, 0.0};         // slide: unit vector in the frame of `on`, in which the coordinate counts
-  double angle = 0.0;          // slide: of link against `on`
+  double angle = 0.0;          // slide, fixed: of link against `on`
   Turn turned = {};            // the same
 };
 
@@ -39,18 +40,11 @@ struct Mover {
 
 /// A joint, or a drive, that closes a loop.
 struct Cut {
-  enum class Kind { pin, slide, slot, turning_drive, sliding_drive };
-  Kind kind = Kind::pin;
+  PairShape shape;
   std::size_t i = 0, j = 0;
   std::size_t joint = none, driver = none;
-  std::size_t row = 0;             // its first in the group
-  Vec point_i = {}, point_j = {};  // frames of i and j
-  Vec line{1.0, 0.0};              // frame of j
-  double angle = 0.0;              // slide: of i against j
-  Turn turned = {};                // the same
-  double offset = 0.0;             // of a drive
-  std::vector<Mover> movers;
-  [[nodiscard]] std::size_t rows() const { return kind == Kind::pin || kind == Kind::slide ? 2 : 1; }
+  std::size_t row = 0;  // its first in the group
+  std::vector<Mover> movers = {};
 };
 
 /// How the loops of a group are closed: in closed form where a dyad, or one link with a slot, gives one.

@@ -30,11 +30,7 @@ GroupPositions::GroupPositions(const Plan& plan, double length)
     most = std::max(most, group.unknowns.size());
   }
   step_.resize(most);
-  for (std::size_t k = 0; k < plan.cuts.size(); ++k) {
-    if (plan.cuts[k].kind == Cut::Kind::pin) cuts_[k].rows = {CutRow{{1.0, 0.0}}, CutRow{{0.0, 1.0}}};
-    if (plan.cuts[k].kind == Cut::Kind::slide) cuts_[k].rows[1].m = 1.0;
-    if (plan.cuts[k].kind == Cut::Kind::turning_drive) cuts_[k].rows[0].m = 1.0;
-  }
+  for (std::size_t k = 0; k < plan.cuts.size(); ++k) prepare(plan.cuts[k].shape, cuts_[k]);
 }
 
 void GroupPositions::place(std::size_t t) {
@@ -46,7 +42,7 @@ void GroupPositions::place(std::size_t t) {
   if (tree.kind == TreeJoint::Kind::turn) {
     link.turned = on.turned * hung.turned;
     link.phi = on.phi + hung.value;
-  } else {
+  } else {  // fixed: a slide of the length 0
     link.turned = on.turned * tree.turned;
     link.phi = on.phi + tree.angle;
     hung.along = on.turned(tree.along);
@@ -61,12 +57,7 @@ void GroupPositions::place_tree(const GroupPlan& group) {
 
 void GroupPositions::place_cut(std::size_t k) {
   const Cut& cut = plan_.cuts[k];
-  CutPlace& at = cuts_[k];
-  at.pin = links_[cut.i].point(cut.point_i);
-  at.seat = links_[cut.j].point(cut.point_j);
-  if (cut.kind == Cut::Kind::pin || cut.kind == Cut::Kind::turning_drive) return;
-  at.along = links_[cut.j].turned(cut.line);
-  at.rows[0].e = cut.kind == Cut::Kind::sliding_drive ? at.along : normal(at.along);
+  mechanism::place(cut.shape, links_[cut.i], links_[cut.j], cuts_[k]);
 }
 
 // The turn decides; of the angles that differ by whole turns the one next to the angle before.
@@ -85,6 +76,11 @@ void GroupPositions::adopt(std::span<const Pose> poses) {
     place_tree(plan_.groups[g]);
     take_side(g);
   }
+  for (std::size_t k = 0; k < cuts_.size(); ++k) {
+    const Cut& cut = plan_.cuts[k];
+    place_cut(k);
+    count_turns(cut.shape, links_[cut.i], links_[cut.j], cuts_[k]);
+  }
 }
 
 void GroupPositions::read_value(std::size_t t) {
@@ -92,6 +88,7 @@ void GroupPositions::read_value(std::size_t t) {
   const Placed& link = links_[tree.link];
   Placed& on = links_[tree.on];
   Hung& hung = hung_[t];
+  if (tree.kind == TreeJoint::Kind::fixed) return;
   if (tree.on > plan_.ground) on = {{}, link.origin, 0.0};
   if (tree.kind == TreeJoint::Kind::turn) {
     hung.value = link.phi - on.phi;
@@ -108,7 +105,7 @@ void GroupPositions::take_side(std::size_t g) {
   const GroupPlan& group = plan_.groups[g];
   if (group.closing == Closing::nothing || group.closing == Closing::by_newton) return;
   place_cut(group.first_cut);
-  const CutPlace closed = cuts_[group.first_cut];
+  const PairPlace closed = cuts_[group.first_cut];
   std::array<double, 2> values{};
   std::array<Turn, 2> turns{};
   for (std::size_t u = 0; u < group.unknowns.size(); ++u) {
@@ -116,7 +113,7 @@ void GroupPositions::take_side(std::size_t g) {
     turns[u] = hung_[group.unknowns[u]].turned;
   }
   refer(group);
-  if (group.closing == Closing::two_paths) branch_[g] = branch_of(path_of_i(group), path_of_j(group), closed.pin);
+  if (group.closing == Closing::two_paths) branch_[g] = branch_of(path_of_i(group), path_of_j(group), closed.at);
   if (group.closing == Closing::slot_about_pin) branch_[g] = side(cross(from_pivot_of_j(group), normal(closed.along)));
   if (group.closing == Closing::slide_of_two_turns)
     branch_[g] = side(cross(between_pivots(group), normal(closed.along)));
@@ -191,12 +188,10 @@ Locus GroupPositions::path(std::size_t mover, Vec point) const {
   return {false, hung.pin, {}, std::sqrt(dot(arm, arm))};
 }
 
-Locus GroupPositions::path_of_i(const GroupPlan& group) const {
-  return path(group.mover_i, cuts_[group.first_cut].pin);
-}
+Locus GroupPositions::path_of_i(const GroupPlan& group) const { return path(group.mover_i, cuts_[group.first_cut].at); }
 
 Locus GroupPositions::path_of_j(const GroupPlan& group) const {
-  const CutPlace& cut = cuts_[group.first_cut];
+  const PairPlace& cut = cuts_[group.first_cut];
   return group.mover_j == none ? Locus{true, cut.seat, cut.along} : path(group.mover_j, cut.seat);
 }
 
@@ -212,18 +207,18 @@ void GroupPositions::reach(std::size_t mover, Vec from, Vec to) {
 bool GroupPositions::close_two_paths(const GroupPlan& group, double branch) {
   const Meeting meeting = meet(path_of_i(group), path_of_j(group), branch);
   if (!is_clear(meeting.sine)) return false;
-  const CutPlace& cut = cuts_[group.first_cut];
-  reach(group.mover_i, cut.pin, meeting.at);
+  const PairPlace& cut = cuts_[group.first_cut];
+  reach(group.mover_i, cut.at, meeting.at);
   if (group.mover_j != none) reach(group.mover_j, cut.seat, meeting.at);
   return true;
 }
 
 Vec GroupPositions::from_pivot_of_j(const GroupPlan& group) const {
-  return cuts_[group.first_cut].pin - hung_[group.mover_j].pin;
+  return cuts_[group.first_cut].at - hung_[group.mover_j].pin;
 }
 
 bool GroupPositions::close_slot_about_pin(const GroupPlan& group, double branch) {
-  const CutPlace& cut = cuts_[group.first_cut];
+  const PairPlace& cut = cuts_[group.first_cut];
   const Vec across = normal(cut.along);
   const double distance = dot(across, cut.seat - hung_[group.mover_j].pin);
   const Meeting turned = unit_vector_with_projection(from_pivot_of_j(group), distance, branch);
@@ -239,15 +234,15 @@ Vec GroupPositions::between_pivots(const GroupPlan& group) const {
 // The turn of link i that puts it at its angle against link j.
 Turn GroupPositions::turn_into_line(const GroupPlan& group) const {
   const Cut& cut = plan_.cuts[group.first_cut];
-  return links_[cut.j].turned * cut.turned * links_[cut.i].turned.back();
+  return links_[cut.j].turned * cut.shape.turned * links_[cut.i].turned.back();
 }
 
 // With link i at its angle to link j both turn together, until the line of j leads through the pin of i.
 bool GroupPositions::close_slide_of_two_turns(const GroupPlan& group, double branch) {
-  const CutPlace& cut = cuts_[group.first_cut];
+  const PairPlace& cut = cuts_[group.first_cut];
   const Turn aligned = turn_into_line(group);
   const Vec across = normal(cut.along);
-  const Vec arm_i = aligned(cut.pin - hung_[group.mover_i].pin), arm_j = cut.seat - hung_[group.mover_j].pin;
+  const Vec arm_i = aligned(cut.at - hung_[group.mover_i].pin), arm_j = cut.seat - hung_[group.mover_j].pin;
   const Meeting turned = unit_vector_with_projection(between_pivots(group), dot(across, arm_j - arm_i), branch);
   if (!is_clear(turned.sine)) return false;
   const Turn together = turn(across, turned.at);
@@ -267,11 +262,11 @@ bool GroupPositions::close_slide_of_turn(const GroupPlan& group) {
 
 // Along its slide, until the pin of i lies on the line of j.
 bool GroupPositions::slide_to_line(const GroupPlan& group, std::size_t mover, double side) {
-  const CutPlace& cut = cuts_[group.first_cut];
+  const PairPlace& cut = cuts_[group.first_cut];
   const Vec across = normal(cut.along);
   const double sine = side * dot(across, hung_[mover].along);
   if (!is_clear(std::abs(sine))) return false;
-  hung_[mover].value += dot(across, cut.seat - cut.pin) / sine;
+  hung_[mover].value += dot(across, cut.seat - cut.at) / sine;
   return true;
 }
 
@@ -317,7 +312,9 @@ double GroupPositions::newton_step(std::size_t g) {
   place_turned(group);
   if (!factor(g)) return std::numeric_limits<double>::quiet_NaN();
   for (std::size_t k = group.first_cut; k < group.last_cut; ++k) {
-    residual(k, std::span(step_).subspan(plan_.cuts[k].row, plan_.cuts[k].rows()));
+    const Cut& cut = plan_.cuts[k];
+    open(cut.shape, cuts_[k], links_[cut.i], links_[cut.j], cut.driver == none ? 0.0 : target_[cut.driver],
+         std::span(step_).subspan(cut.row, cut.shape.rows()));
   }
   loops_[g].solve(std::span(step_).first(group.unknowns.size()));
   double size = 0.0;
@@ -326,16 +323,6 @@ double GroupPositions::newton_step(std::size_t g) {
     size = std::max(size, std::abs(in_own_unit(group.unknowns[u], step_[u])));
   }
   return size;
-}
-
-void GroupPositions::residual(std::size_t k, std::span<double> out) const {
-  const Cut& cut = plan_.cuts[k];
-  const CutPlace& at = cuts_[k];
-  const Vec apart = at.pin - at.seat;
-  const double turned = links_[cut.i].phi - links_[cut.j].phi;
-  for (std::size_t r = 0; r < out.size(); ++r) out[r] = dot(at.rows[r].e, apart) + at.rows[r].m * turned;
-  if (cut.kind == Cut::Kind::slide) out[1] -= cut.angle;
-  if (cut.driver != none) out[0] += cut.offset - target_[cut.driver];
 }
 
 bool GroupPositions::factor() {
@@ -355,10 +342,10 @@ bool GroupPositions::factor(std::size_t g) {
     for (const Mover& mover : cut.movers) {
       const TreeJoint& tree = plan_.tree[mover.tree];
       const Hung& hung = hung_[mover.tree];
-      for (std::size_t r = 0; r < cut.rows(); ++r) {
-        const CutRow& row = cuts_[k].rows[r];
+      for (std::size_t r = 0; r < cut.shape.rows(); ++r) {
+        const PairRow& row = cuts_[k].rows[r];
         const double work =
-            tree.kind == TreeJoint::Kind::turn ? cross(cuts_[k].pin - hung.pin, row.e) + row.m : dot(hung.along, row.e);
+            tree.kind == TreeJoint::Kind::turn ? cross(cuts_[k].at - hung.pin, row.e) + row.m : dot(hung.along, row.e);
         loops.at(cut.row + r, tree.unknown) = mover.side * work;
       }
     }

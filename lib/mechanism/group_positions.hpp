@@ -14,33 +14,11 @@
 
 namespace loadpath::mechanism {
 
-/// Where a link is.
-struct Placed {
-  Turn turned;
-  Vec origin;
-  double phi = 0.0;
-  [[nodiscard]] Vec point(Vec own) const { return origin + turned(own); }
-};
-
 /// A tree joint where the mechanism is, global axes.
 struct Hung {
   double value = 0.0;  // its coordinate, rad or m
   Turn turned;         // turn: of link against `on`
   Vec pin, along;
-};
-
-/// One equation of a cut: a force of 1 along e and a couple m on link i at the pin, with the opposite on link j, do no
-/// work in the motions that the cut allows.
-struct CutRow {
-  Vec e;
-  double m = 0.0;
-};
-
-/// A cut where the mechanism is, global axes.
-struct CutPlace {
-  Vec pin, seat;  // points of link i and of link j
-  Vec along;      // the line of link j
-  std::array<CutRow, 2> rows;
 };
 
 /// A guess of where the unknown coordinates go in a move, by tree joints: their change and, halved, its curvature.
@@ -64,7 +42,7 @@ class GroupPositions {
 
   [[nodiscard]] const Placed& link(std::size_t k) const { return links_[k]; }
   [[nodiscard]] const Hung& hung(std::size_t tree) const { return hung_[tree]; }
-  [[nodiscard]] const CutPlace& cut(std::size_t k) const { return cuts_[k]; }
+  [[nodiscard]] const PairPlace& cut(std::size_t k) const { return cuts_[k]; }
   /// The closing equations of a group: rows by its cuts, columns by its unknown coordinates.
   [[nodiscard]] SmallLu& loops(std::size_t group) { return loops_[group]; }
 
@@ -97,14 +75,13 @@ class GroupPositions {
   [[nodiscard]] double in_own_unit(std::size_t tree, double value) const;
   void place_turned(const GroupPlan& group);
   double newton_step(std::size_t g);
-  void residual(std::size_t k, std::span<double> out) const;
   bool factor(std::size_t g);
 
   const Plan& plan_;
   double length_;
   std::vector<Placed> links_;
   std::vector<Hung> hung_;
-  std::vector<CutPlace> cuts_;
+  std::vector<PairPlace> cuts_;
   std::vector<double> branch_;  // of groups
   std::vector<SmallLu> loops_;  // of groups
   std::vector<double> target_;  // of drives

@@ -26,20 +26,18 @@ void required_forces(const Model& model, const Constraints& constraints, std::sp
   }
 }
 
-void share_out(const Model& model, const Constraints& constraints, std::span<const double> q,
-               std::span<const double> multipliers, double length, Position& out) {
+void share_out(const Model& model, const Constraints& constraints, std::span<const double> multipliers, double length,
+               Position& out) {
   for (std::size_t k = 0; k < out.reactions.size(); ++k) {
     const Pair& pair = constraints.pairs()[k];
-    const double first = multipliers[pair.row];
     Reaction& reaction = out.reactions[k];
-    reaction.at = length * (at(q, pair.i) + pair.arm_i);
-    reaction.couple = 0.0;
-    if (pair.kind == JointKind::revolute) {
-      reaction.force = length * Vec{first, multipliers[pair.row + 1]};
-    } else {
-      reaction.force = length * (first * normal(pair.along));
-      if (pair.kind == JointKind::prismatic) reaction.couple = length * length * multipliers[pair.row + 1];
+    reaction = {};
+    for (std::size_t r = 0; r < pair.shape.rows(); ++r) {
+      const double multiplier = length * multipliers[pair.row + r];
+      reaction.force = reaction.force + multiplier * pair.at.rows[r].e;
+      reaction.couple += length * multiplier * pair.at.rows[r].m;
     }
+    reaction.at = length * pair.at.at;
   }
   const auto efforts = multipliers.subspan(constraints.first_driver_row());
   for (std::size_t k = 0; k < out.effort.size(); ++k) {

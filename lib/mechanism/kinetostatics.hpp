@@ -49,7 +49,7 @@ void required_forces(const Model& model, const Constraints& constraints, std::sp
                      std::span<const double> acceleration, bool statics, std::span<double> required);
 
 /// Reactions and efforts from the multipliers; `length`: the unit of length of the constraints, in m.
-void share_out(const Model& model, const Constraints& constraints, std::span<const double> q,
-               std::span<const double> multipliers, double length, Position& out);
+void share_out(const Model& model, const Constraints& constraints, std::span<const double> multipliers, double length,
+               Position& out);
 
 }  // namespace loadpath::mechanism

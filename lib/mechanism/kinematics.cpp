@@ -48,7 +48,6 @@ Model in_unit_of_length(const Model& model, double unit) {
     joint.radius_i *= shrink;
     joint.radius_j *= shrink;
     joint.phase *= shrink;
-    joint.tension *= shrink;
   }
   for (auto& driver : scaled.drivers) {
     if (driver.kind == Driver::Kind::linear) driver.offset *= shrink;

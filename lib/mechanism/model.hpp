@@ -47,6 +47,16 @@ constexpr int constraint_count(JointKind kind) {
   return 0;
 }
 
+/// What resists the motion of a joint. Dry friction goes with the joint's force: in a pin by its radius, in a slide by
+/// the two edges on which the block rests (`Joint::guide_length`), in rolling by the lever arm of the resistance.
+struct Friction {
+  double coefficient = 0.0;
+  double pin_radius = 0.0;   // m: revolute, slot
+  double rolling_arm = 0.0;  // m: rolling
+  double viscous = 0.0;      // N m s, or N s/m in a slide
+  [[nodiscard]] bool any() const { return coefficient > 0.0 || rolling_arm > 0.0 || viscous > 0.0; }
+};
+
 /// A joint between link i and link j.
 /// - Revolute: point_i and point_j coincide. Slot: the pin point_i of link i lies on the line of link j through point_j
 ///   at `direction`; it may turn. Prismatic: the same, and phi_i - phi_j = `angle`. Rigid: revolute, and the angle.
@@ -70,7 +80,10 @@ struct Joint {
   double radius_j = 0.0;
   double pressure_angle = 0.0;  // of teeth, rad: gear and rack
   double tension = 0.0;         // N, of the slack side of a belt
-  double phase = 0.0;           // m
+  double guide_length = 0.0;    // m, of the block about point_i: prismatic
+  double guide_width = 0.0;     // m, between the faces that the block rests on: prismatic
+  Friction friction = {};
+  double phase = 0.0;  // m
 };
 
 /// Rotary: coordinate = phi_i - phi_j + offset. Linear, on a prismatic or slot joint: coordinate = distance of point_i

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "calculators/mechanism/planar.hpp"
-#include "lib/mechanism/balance.hpp"
+#include "lib/mechanism/proof/balance.hpp"
 #include "lib/mechanism/whole_system.hpp"
 #include "lib/quantity/series.hpp"
 

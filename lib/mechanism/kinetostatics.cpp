@@ -1,17 +1,11 @@
 #include "lib/mechanism/kinetostatics.hpp"
 
+#include "lib/mechanism/point_motion.hpp"
+
 namespace loadpath::mechanism {
 namespace {
 
 Vec at(std::span<const double> q, std::size_t link) { return {q[3 * link], q[3 * link + 1]}; }
-
-Vec global_force(const Load& load, const Turn& turned) {
-  return load.turns_with_link ? turned(load.force) : load.force;
-}
-
-Vec point_acceleration(Vec origin, double epsilon, double omega, Vec arm) {
-  return origin + epsilon * normal(arm) - omega * omega * arm;
-}
 
 }  // namespace
 
@@ -21,7 +15,8 @@ void required_forces(const Model& model, const Constraints& constraints, std::sp
     const Link& link = model.links[k];
     const Vec arm = constraints.turned(k)(link.centre);
     const double epsilon = statics ? 0.0 : acceleration[3 * k + 2];
-    const Vec a = statics ? Vec{} : point_acceleration(at(acceleration, k), epsilon, velocity[3 * k + 2], arm);
+    const Pose frame{acceleration[3 * k], acceleration[3 * k + 1], epsilon};
+    const Vec a = statics ? Vec{} : point_acceleration(frame, velocity[3 * k + 2], arm);
     const Vec force = link.mass * (a - model.gravity);
     required[3 * k] = force.x;
     required[3 * k + 1] = force.y;
@@ -37,11 +32,12 @@ void required_forces(const Model& model, const Constraints& constraints, std::sp
 }
 
 void share_out(const Model& model, const Constraints& constraints, std::span<const double> q,
-               std::span<const double> multipliers, double length, Position& out) {
-  for (std::size_t k = 0; k < out.reactions.size(); ++k) {
+               std::span<const double> multipliers, double length, std::span<Reaction> reactions,
+               std::span<double> effort) {
+  for (std::size_t k = 0; k < reactions.size(); ++k) {
     const Pair& pair = constraints.pairs()[k];
     const double first = multipliers[pair.row];
-    Reaction& reaction = out.reactions[k];
+    Reaction& reaction = reactions[k];
     reaction.at = length * (at(q, pair.i) + pair.arm_i);
     reaction.couple = 0.0;
     if (pair.kind == JointKind::revolute) {
@@ -52,9 +48,9 @@ void share_out(const Model& model, const Constraints& constraints, std::span<con
     }
   }
   const auto efforts = multipliers.subspan(constraints.first_driver_row());
-  for (std::size_t k = 0; k < out.effort.size(); ++k) {
+  for (std::size_t k = 0; k < effort.size(); ++k) {
     const bool rotary = model.drivers[k].kind == Driver::Kind::rotary;
-    out.effort[k] = (rotary ? length * length : length) * efforts[k];
+    effort[k] = (rotary ? length * length : length) * efforts[k];
   }
 }
 

@@ -16,6 +16,7 @@ void required_forces(const Model& model, const Constraints& constraints, std::sp
 
 /// Reactions and efforts from the multipliers; `length`: the unit of length of the constraints, in m.
 void share_out(const Model& model, const Constraints& constraints, std::span<const double> q,
-               std::span<const double> multipliers, double length, Position& out);
+               std::span<const double> multipliers, double length, std::span<Reaction> reactions,
+               std::span<double> effort);
 
 }  // namespace loadpath::mechanism

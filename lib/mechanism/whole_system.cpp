@@ -64,7 +64,7 @@ Status WholeSystem::solve(std::span<const Drive> drives, Position& out, bool sta
   w.store(w.velocity, out.velocity);
   w.store(w.acceleration, out.acceleration);
   const Constraints& constraints = w.continuation.constraints();
-  share_out(w.model, constraints, w.continuation.q(), w.multipliers, w.length, out);
+  share_out(w.model, constraints, w.continuation.q(), w.multipliers, w.length, out.reactions, out.effort);
   return Status::closed;
 }
 

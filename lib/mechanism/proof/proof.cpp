@@ -15,7 +15,7 @@ double Proof::part(double force) const {
 }
 
 bool Proof::trustworthy() const {
-  return part(unbalanced) <= tolerance &&
+  return motion <= tolerance && part(unbalanced) <= tolerance &&
          std::ranges::all_of(disagreement, [&](double force) { return part(force) <= tolerance; });
 }
 
@@ -26,6 +26,7 @@ Proof Prover::prove(std::span<const Drive> drives, bool statics, const Position&
   instant_.take(at, statics);
   Proof proof;
   proof.residuals = residuals(instant_.model(), drives, instant_.active(), at);
+  proof.motion = motion_residual(instant_, drives);
   proof.unbalanced = largest_residual(proof.residuals);
   proof.largest_force = largest_force(at);
   proof.condition = instant_.condition();

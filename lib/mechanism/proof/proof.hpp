@@ -4,6 +4,7 @@
 
 #include "lib/mechanism/proof/all_equations.hpp"
 #include "lib/mechanism/proof/balance.hpp"
+#include "lib/mechanism/proof/motion.hpp"
 #include "lib/mechanism/proof/opened_chain.hpp"
 #include "lib/mechanism/proof/virtual_work.hpp"
 #include "lib/mechanism/proof/zhukovsky.hpp"
@@ -23,13 +24,14 @@ struct Proof {
   std::array<double, methods> disagreement{};
   Residuals residuals;
   double unbalanced = 0.0;     // the largest residual of a link, N, moments likewise
+  double motion = 0.0;         // the largest error of places, velocities and accelerations, of the whole, `motion.hpp`
   double largest_force = 0.0;  // of reactions, efforts and active forces, N, moments likewise
   double condition = 1.0;      // number of the position, 1-norm, at least 1
 
   /// A part of the largest force times the condition number. What cannot be told is no number.
   [[nodiscard]] double part(double force) const;
   [[nodiscard]] double part(Method method) const { return part(disagreement[method]); }
-  /// Whether all methods and the equilibrium of every link agree within the tolerance.
+  /// Whether the motion, all methods and the equilibrium of every link agree within the tolerance.
   [[nodiscard]] bool trustworthy() const;
 };
 

@@ -57,6 +57,7 @@ inline void check_trustworthy(const Proof& proof) {
     CHECK(proof.part(static_cast<Proof::Method>(method)) <= 1e-12);
   }
   CHECK(proof.part(proof.unbalanced) <= 1e-12);
+  CHECK(proof.motion <= 1e-12);
   CHECK(proof.trustworthy());
 }
 

@@ -90,6 +90,10 @@ TEST_SUITE("mechanism") {
     CHECK(proof.trustworthy());
   }
 
+  TEST_CASE("a position in which all accelerations cancel is proved like its neighbours") {
+    for (const double crank : {-1e-9, 0.0, 1e-9}) check_trustworthy(prove(slotted_lever(), {{crank, 45.0, 0.0}}).proof);
+  }
+
   TEST_CASE("a load that changes between positions is seen by the next proof") {
     Model model = four_bar();
     Prover prover(model);
@@ -158,6 +162,26 @@ TEST_SUITE("mechanism") {
     CHECK_FALSE(agrees(proof, Proof::whole_system));
     CHECK_FALSE(agrees(proof, Proof::released_constraints));
     CHECK_FALSE(agrees(proof, Proof::opened_chain));
+  }
+
+  TEST_CASE("a place, a velocity or an acceleration that is off by a millionth is caught") {
+    for (const int order : {0, 1, 2}) {
+      const Proof proof = prove_changed([&](Position& at, double) {
+        if (order == 0) at.pose[2].phi += 1e-6;
+        if (order == 1) at.velocity[3].phi += 1e-6 * 20.0;
+        if (order == 2) at.acceleration[4].x *= 1.0 + 1e-6;
+      });
+      CHECK(proof.motion > Proof::tolerance);
+      CHECK_FALSE(proof.trustworthy());
+    }
+  }
+
+  TEST_CASE("a drive that is not where it should be, or not as fast, is caught") {
+    const Model model = boom();
+    const Proven proven = prove(model, {{1.15, 0.2, -0.1}});
+    for (const Drive& drive : {Drive{1.16, 0.2, -0.1}, Drive{1.15, 0.21, -0.1}, Drive{1.15, 0.2, -0.11}}) {
+      CHECK(Prover(model).prove({&drive, 1}, false, proven.solved.at).motion > 1e-3);
+    }
   }
 
   TEST_CASE("forces of statics are not those of motion") {

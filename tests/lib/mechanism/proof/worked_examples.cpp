@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -88,6 +89,35 @@ TEST_SUITE("mechanism") {
       CAPTURE(by.method);
       CHECK(by.forces.reactions[2].couple == doctest::Approx(-18.75218637).epsilon(1e-8));
     }
+  }
+
+  TEST_CASE("text C, 4.6.4: an initial link driven through a coupling, by every method") {
+    Model model;
+    const int crank = add_link(model, "crank", {0.0, 0.0, 0.0});
+    pin(model, "O", crank, {}, ground, {});
+    drive_turning(model, "coupling", crank);
+    load(model, "R21", crank, {0.02267980607, 0.044560368}, {180.0, -420.0});
+    const Position at = position_of(solve_at_rest(model));
+    check_efforts(model, at, {17.54638479});
+    check_reactions(model, at, {{"O", {-180.0, 420.0}}});
+  }
+
+  TEST_CASE("text C, 4.7: Zhukovsky's lever of a slider-crank, and every other method") {
+    Model model;
+    const double crank_angle = 50.0 * degree, r = 0.12, l = 0.45;
+    const Vec a = r * Vec{std::cos(crank_angle), std::sin(crank_angle)};
+    const Vec b{a.x + std::sqrt(l * l - a.y * a.y), 0.0};
+    const int crank = bar_between(model, "1", {}, a);
+    const int rod = bar_between(model, "2", a, b);
+    const int slider = add_link(model, "3", {b.x, 0.0, 0.0});
+    pin_at(model, "O", crank, ground, {});
+    pin_at(model, "A", rod, crank, a);
+    pin_at(model, "B", slider, rod, b);
+    slide(model, "guide", slider, {}, ground, {});
+    drive_turning(model, "M", crank);
+    load(model, "2", rod, {0.2, 0.0}, {20.0, -90.0}, 6.0);
+    load(model, "3", slider, {}, {-650.0, -30.0});
+    check_efforts(model, position_of(solve_at_rest(model)), {-63.32516895});
   }
 
   TEST_CASE("text D, examples 2, 3 and 5, by every method") {

@@ -16,8 +16,4 @@ double difference(const Reaction& a, const Reaction& b, double length) {
   return larger_magnitude(mechanism::length(b.force - a.force), moment / length);
 }
 
-double force_of(const Driver& driver, double effort, double length) {
-  return driver.kind == Driver::Kind::rotary ? effort / length : effort;
-}
-
 }  // namespace loadpath::mechanism

@@ -18,7 +18,5 @@ Forces blank_forces(const Model& model);
 
 /// The largest difference of two reactions, N; moments about the place of the first over `length`, m.
 double difference(const Reaction& a, const Reaction& b, double length);
-/// Force, N, of an effort: a moment acts on an arm of this length, m.
-double force_of(const Driver& driver, double effort, double length);
 
 }  // namespace loadpath::mechanism

@@ -41,8 +41,8 @@ void Instant::find_motions() {
                                motions.cwiseAbs().colwise().sum().maxCoeff<Eigen::PropagateNaN>();
 }
 
-double Instant::virtual_rate(std::size_t driver) const {
-  return model_->drivers[driver].kind == Driver::Kind::rotary ? 1.0 : length_;
+double Instant::effort_arm(std::size_t driver) const {
+  return model_->drivers[driver].kind == Driver::Kind::rotary ? length_ : 1.0;
 }
 
 double Instant::virtual_power(std::size_t row) const {

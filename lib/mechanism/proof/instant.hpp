@@ -28,6 +28,9 @@ class Instant {
   [[nodiscard]] const Constraints& constraints() const { return constraints_; }
   [[nodiscard]] std::span<const double> q() const { return q_; }
 
+  /// A driver's effort over the force that is compared with others: that unit for a moment, 1 for a force.
+  [[nodiscard]] double effort_arm(std::size_t driver) const;
+
   /// How this link moves, m/s and 1/s, when the constraint of this row alone gives way, at a rate of 1 rad or one unit
   /// of length per second. With a driver's row: when this driver alone moves.
   [[nodiscard]] Pose virtual_velocity(std::size_t row, std::size_t link) const {
@@ -35,7 +38,7 @@ class Instant {
     return {length_ * v[0], length_ * v[1], v[2]};
   }
   /// The rate of a driver in its virtual velocities, rad/s or m/s.
-  [[nodiscard]] double virtual_rate(std::size_t driver) const;
+  [[nodiscard]] double virtual_rate(std::size_t driver) const { return length_ / effort_arm(driver); }
   /// W, of everything that acts, in the virtual velocities of this row.
   [[nodiscard]] double virtual_power(std::size_t row) const;
 

@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <cassert>
+#include <utility>
 
 namespace loadpath::mechanism {
 namespace {
@@ -29,9 +31,11 @@ Vec place(std::span<const double> q, std::size_t link) { return {q[3 * link], q[
 /// From the origin of the first link, about which all moments are taken.
 Vec from_reference(std::span<const double> q, std::size_t link) { return place(q, link) - place(q, 0); }
 
-Reaction reaction_at(Vec at, const Triple& force, Vec reference, double length) {
-  const Vec f{force[0], force[1]};
-  return {length * at, f, length * (force[2] - cross(at - reference, f))};
+Reaction reaction_in(const Instant& instant, const Pair& pair, const Triple& on_i) {
+  const Vec force{on_i[0], on_i[1]};
+  const Vec from_first = from_reference(instant.q(), pair.i) + pair.arm_i;
+  return {instant.length() * (place(instant.q(), pair.i) + pair.arm_i), force,
+          instant.length() * (on_i[2] - cross(from_first, force))};
 }
 
 }  // namespace
@@ -39,7 +43,7 @@ Reaction reaction_at(Vec at, const Triple& force, Vec reference, double length) 
 OpenedChain::OpenedChain(const Instant& instant)
     : links_(instant.model().links.size()), rows_(instant.constraints().rows()), acting_(3 * links_ * (rows_ + 1)) {
   const Constraints& constraints = instant.constraints();
-  grow_tree(instant.model(), constraints);
+  grow_tree(constraints);
   for (const std::size_t joint : opened_) {
     const Pair& pair = constraints.pairs()[joint];
     for (std::size_t n = 0; n < rows_of(pair); ++n) unknowns_.push_back(pair.row + n);
@@ -47,24 +51,26 @@ OpenedChain::OpenedChain(const Instant& instant)
   for (std::size_t row = constraints.first_driver_row(); row < rows_; ++row) unknowns_.push_back(row);
   on_part_.resize(3 * links_ * (unknowns_.size() + 1));
   forces_.resize(unknowns_.size());
+  moments_.resize(forces_.size() * forces_.size());
+  active_moments_.resize(forces_.size());
 }
 
-void OpenedChain::grow_tree(const Model& model, const Constraints& constraints) {
-  std::vector<bool> attached(links_ + 1, false), used(model.joints.size(), false);
+void OpenedChain::grow_tree(const Constraints& constraints) {
+  const auto pairs = constraints.pairs();
+  std::vector<bool> attached(links_ + 1, false), used(pairs.size(), false);
   attached[links_] = true;  // the ground
-  for (std::size_t grown = 0; grown < links_; ++grown) {
-    std::size_t best = used.size();
-    for (std::size_t k = 0; k < used.size(); ++k) {
-      const Pair& pair = constraints.pairs()[k];
-      if (attached[pair.i] == attached[pair.j]) continue;
-      if (best == used.size() || rows_of(pair) > rows_of(constraints.pairs()[best])) best = k;
+  for (std::size_t best = 0; best < pairs.size();) {
+    best = pairs.size();
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      if (attached[pairs[k].i] == attached[pairs[k].j]) continue;
+      if (best == pairs.size() || rows_of(pairs[k]) > rows_of(pairs[best])) best = k;
     }
-    if (best == used.size()) break;
-    const Pair& pair = constraints.pairs()[best];
-    branches_.push_back(attached[pair.i] ? Branch{pair.j, pair.i, best} : Branch{pair.i, pair.j, best});
+    if (best == pairs.size()) continue;
+    const auto [i, j] = std::pair(pairs[best].i, pairs[best].j);
+    branches_.push_back(attached[i] ? Branch{j, i, best} : Branch{i, j, best});
     attached[branches_.back().link] = used[best] = true;
   }
-  for (std::size_t k = 0; k < used.size(); ++k) {
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
     if (!used[k]) opened_.push_back(k);
   }
 }
@@ -78,16 +84,18 @@ const double* OpenedChain::on_part(std::size_t link, std::size_t column) const {
 }
 
 void OpenedChain::find_forces(const Instant& instant, Forces& forces) {
-  find_actions(instant);
-  sum_up_parts();
-  solve(instant.constraints());
-  find_reactions(instant, forces);
-}
-
-void OpenedChain::find_actions(const Instant& instant) {
   std::ranges::fill(acting_, 0.0);
   add_constraints(instant);
   add_active_forces(instant);
+  sum_up_parts();
+  write_moments(instant.constraints());
+  solve_moments();
+  find_tree_reactions(instant, forces);
+  find_opened_reactions(instant, forces);
+  for (std::size_t k = 0; k < forces.effort.size(); ++k) {
+    const double force = forces_[forces_.size() - forces.effort.size() + k];
+    forces.effort[k] = instant.effort_arm(k) * force;
+  }
 }
 
 // A row of the Jacobian holds, for each link, the force and the moment about its origin of a unit of the row's force.
@@ -128,52 +136,52 @@ void OpenedChain::sum_up_parts() {
   }
 }
 
-void OpenedChain::solve(const Constraints& constraints) {
-  const auto size = static_cast<Eigen::Index>(unknowns_.size());
-  if (size == 0) return;
-  Eigen::MatrixXd moments(size, size);
-  Eigen::VectorXd active(size);
-  Eigen::Index equation = 0;
+void OpenedChain::write_moments(const Constraints& constraints) {
+  const std::size_t size = forces_.size();
+  std::size_t equation = 0;
   for (const Branch& branch : branches_) {
     const Pair& pair = constraints.pairs()[branch.joint];
     const Triple first = View(acting(branch.link, pair.row));
     const Triple second = View(acting(branch.link, std::min(pair.row + 1, rows_)));
     const Freedoms free = freedoms(first, rows_of(pair) == 2 ? &second : nullptr);
     for (std::size_t n = 0; n < free.count; ++n, ++equation) {
-      for (std::size_t u = 0; u < unknowns_.size(); ++u) {
-        moments(equation, static_cast<Eigen::Index>(u)) = free.motion[n].dot(View(on_part(branch.link, u)));
+      for (std::size_t u = 0; u < size; ++u) {
+        moments_[u * size + equation] = free.motion[n].dot(View(on_part(branch.link, u)));
       }
-      active[equation] = free.motion[n].dot(View(on_part(branch.link, unknowns_.size())));
+      active_moments_[equation] = free.motion[n].dot(View(on_part(branch.link, size)));
     }
   }
+  assert(equation == size);
+}
+
+void OpenedChain::solve_moments() {
+  const auto size = static_cast<Eigen::Index>(forces_.size());
+  if (size == 0) return;
+  const Eigen::Map<const Eigen::MatrixXd> moments(moments_.data(), size, size);
+  const Eigen::Map<const Eigen::VectorXd> active(active_moments_.data(), size);
   Eigen::Map<Eigen::VectorXd>(forces_.data(), size) = moments.partialPivLu().solve(-active);
 }
 
-void OpenedChain::find_reactions(const Instant& instant, Forces& forces) const {
-  const Constraints& constraints = instant.constraints();
-  const Vec reference = place(instant.q(), 0);
-  const auto store = [&](std::size_t joint, const Triple& on_link, bool on_i) {
-    const Pair& pair = constraints.pairs()[joint];
-    forces.reactions[joint] = reaction_at(place(instant.q(), pair.i) + pair.arm_i, on_i ? on_link : Triple(-on_link),
-                                          reference, instant.length());
-  };
+// Whatever acts on a part is held by the joint that it hangs on.
+void OpenedChain::find_tree_reactions(const Instant& instant, Forces& forces) const {
   for (const Branch& branch : branches_) {
-    Triple sum = View(on_part(branch.link, unknowns_.size()));
+    Triple sum = View(on_part(branch.link, forces_.size()));
     for (std::size_t u = 0; u < forces_.size(); ++u) sum += forces_[u] * View(on_part(branch.link, u));
-    store(branch.joint, -sum, constraints.pairs()[branch.joint].i == branch.link);
+    const Pair& pair = instant.constraints().pairs()[branch.joint];
+    forces.reactions[branch.joint] = reaction_in(instant, pair, pair.i == branch.link ? Triple(-sum) : sum);
   }
+}
+
+void OpenedChain::find_opened_reactions(const Instant& instant, Forces& forces) const {
   std::size_t u = 0;
   for (const std::size_t joint : opened_) {
-    const Pair& pair = constraints.pairs()[joint];
-    const bool on_i = pair.i != links_;
+    const Pair& pair = instant.constraints().pairs()[joint];
+    const bool on_i = pair.i != links_;  // else on the ground, of which the rows hold nothing
     Triple sum = Triple::Zero();
-    for (std::size_t n = 0; n < rows_of(pair); ++n)
-      sum += forces_[u++] * View(acting(on_i ? pair.i : pair.j, pair.row + n));
-    store(joint, sum, on_i);
-  }
-  for (std::size_t k = 0; k < forces.effort.size(); ++k) {
-    const bool rotary = instant.model().drivers[k].kind == Driver::Kind::rotary;
-    forces.effort[k] = (rotary ? instant.length() : 1.0) * forces_[u++];
+    for (std::size_t n = 0; n < rows_of(pair); ++n, ++u) {
+      sum += forces_[u] * View(acting(on_i ? pair.i : pair.j, pair.row + n));
+    }
+    forces.reactions[joint] = reaction_in(instant, pair, on_i ? sum : Triple(-sum));
   }
 }
 

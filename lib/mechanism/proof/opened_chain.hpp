@@ -14,7 +14,7 @@ namespace loadpath::mechanism {
 
 class OpenedChain {
  public:
-  /// Opens joints that take away few freedoms rather than others.
+  /// Opens joints that take away few freedoms rather than others. All links hang together by joints.
   explicit OpenedChain(const Instant& instant);
 
   void find_forces(const Instant& instant, Forces& forces);
@@ -28,13 +28,14 @@ class OpenedChain {
     std::size_t joint;
   };
 
-  void grow_tree(const Model& model, const Constraints& constraints);
-  void find_actions(const Instant& instant);
+  void grow_tree(const Constraints& constraints);
   void add_constraints(const Instant& instant);
   void add_active_forces(const Instant& instant);
   void sum_up_parts();
-  void solve(const Constraints& constraints);
-  void find_reactions(const Instant& instant, Forces& forces) const;
+  void write_moments(const Constraints& constraints);
+  void solve_moments();
+  void find_tree_reactions(const Instant& instant, Forces& forces) const;
+  void find_opened_reactions(const Instant& instant, Forces& forces) const;
   [[nodiscard]] const double* acting(std::size_t link, std::size_t column) const;
   [[nodiscard]] const double* on_part(std::size_t link, std::size_t column) const;
 
@@ -47,6 +48,9 @@ class OpenedChain {
   std::vector<double> acting_;   // on each link: of a unit of each row's force; then of all active forces
   std::vector<double> on_part_;  // on each link and all beyond it: of a unit of each unknown; then active
   std::vector<double> forces_;   // the unknowns, N
+
+  // An equation for each freedom of the tree; a column for each unknown.
+  std::vector<double> moments_, active_moments_;
 };
 
 }  // namespace loadpath::mechanism

@@ -56,7 +56,7 @@ void Prover::compare(Proof::Method method, Proof& proof) const {
 void Prover::compare_effort(Proof::Method method, std::size_t driver, double effort, Proof& proof) const {
   const double off = effort - instant_.at().effort[driver];
   double& most = proof.disagreement[method];
-  most = larger_magnitude(most, force_of(instant_.model().drivers[driver], off, instant_.length()));
+  most = larger_magnitude(most, off / instant_.effort_arm(driver));
 }
 
 double Prover::largest_force(const Position& at) const {
@@ -65,7 +65,7 @@ double Prover::largest_force(const Position& at) const {
     most = larger_magnitude(larger_magnitude(most, length(r.force)), r.couple / instant_.length());
   }
   for (std::size_t k = 0; k < at.effort.size(); ++k) {
-    most = larger_magnitude(most, force_of(instant_.model().drivers[k], at.effort[k], instant_.length()));
+    most = larger_magnitude(most, at.effort[k] / instant_.effort_arm(k));
   }
   for (const ActiveForce& a : instant_.active()) {
     most = larger_magnitude(larger_magnitude(most, length(a.force)), a.couple / instant_.length());

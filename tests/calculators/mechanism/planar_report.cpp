@@ -107,23 +107,25 @@ TEST_SUITE("mechanism report") {
   }
 
   TEST_CASE("each method has its verdict, over the largest force times the condition number") {
-    const std::pair<const char*, mechanism::Proof::Method> methods[] = {
-        {"whole_system", mechanism::Proof::whole_system},
-        {"opened_chain", mechanism::Proof::opened_chain},
-        {"released_constraints", mechanism::Proof::released_constraints},
-        {"virtual_power", mechanism::Proof::virtual_power},
-        {"zhukovsky_lever", mechanism::Proof::zhukovsky}};
-    for (const auto& [symbol, method] : methods) {
-      CAPTURE(symbol);
+    const struct {
+      const char* symbol;
+      mechanism::Proof::Method method;
+    } methods[] = {{"whole_system", mechanism::Proof::whole_system},
+                   {"opened_chain", mechanism::Proof::opened_chain},
+                   {"released_constraints", mechanism::Proof::released_constraints},
+                   {"virtual_power", mechanism::Proof::virtual_power},
+                   {"zhukovsky_lever", mechanism::Proof::zhukovsky}};
+    for (const auto& m : methods) {
+      CAPTURE(m.symbol);
       Cycle cycle = proven();
-      CHECK(verdict_of(symbol, cycle).state == report::State::pass);
-      cycle.proofs[1].disagreement[method] = 2e-8;
-      CHECK(verdict_of(symbol, cycle).state == report::State::fail);
-      CHECK(verdict_of(symbol, cycle).note.text() == "at 90 deg");
+      CHECK(verdict_of(m.symbol, cycle).state == report::State::pass);
+      cycle.proofs[1].disagreement[m.method] = 2e-8;
+      CHECK(verdict_of(m.symbol, cycle).state == report::State::fail);
+      CHECK(verdict_of(m.symbol, cycle).note.text() == "at 90 deg");
       cycle.proofs[1].condition = 3.0;
-      CHECK(verdict_of(symbol, cycle).state == report::State::pass);
-      cycle.proofs[0].disagreement[method] = std::numeric_limits<double>::quiet_NaN();
-      CHECK(verdict_of(symbol, cycle).state == report::State::not_available);
+      CHECK(verdict_of(m.symbol, cycle).state == report::State::pass);
+      cycle.proofs[0].disagreement[m.method] = std::numeric_limits<double>::quiet_NaN();
+      CHECK(verdict_of(m.symbol, cycle).state == report::State::not_available);
     }
   }
 

@@ -204,6 +204,19 @@ inline Model telescope() {
   return model;
 }
 
+/// An ellipse trammel: two pins of a bar, 0.3 m apart, in two crossed slots; a cylinder pushes the first along its
+/// slot.
+inline Model trammel() {
+  Model model;
+  model.gravity = {0.0, -9.81};
+  const int bar = add_bar(model, "bar", {0.2, 0.0, 2.3}, 0.5, 2.0);
+  slot(model, "A", bar, {}, ground, {});
+  slot(model, "B", bar, {0.3, 0.0}, ground, {}, 1.4);
+  drive_sliding(model, "cylinder", 0);
+  load(model, "P", bar, {0.5, 0.0}, {70.0, -40.0}, 2.0);
+  return model;
+}
+
 /// The position at these drives, from the stated assembly. Check `status`.
 struct Solved {
   Status status;

@@ -72,6 +72,7 @@ TEST_SUITE("mechanism") {
                  {"driven piston", driven_piston(), {{0.37, 0.7, 2.0}}},
                  {"boom", boom(), {{1.15, 0.2, -0.1}}},
                  {"five-bar", five_bar(), {{2.1, 3.0, 10.0}, {0.9, -4.0, 6.0}}},
+                 {"trammel", trammel(), {{0.22, 0.4, -0.7}}},
                  {"telescope", telescope(), {{0.8, 0.5, -1.0}, {0.6, 0.3, 0.4}}}};
     for (const auto& c : cases) {
       CAPTURE(c.name);

@@ -55,13 +55,14 @@ TEST_SUITE("mechanism") {
   }
 
   TEST_CASE("text A, example 10.1: the driving moment over a turn by every method") {
-    const std::map<double, double> moments{{-45.0, 13.75554497}, {0.0, 7.2},     {90.0, -6.8643},
-                                           {150.0, 60.65372005}, {180.0, -14.4}, {210.0, -79.81527509},
-                                           {285.0, 15.27211539}};
+    const struct {
+      double crank_deg, moment;
+    } rows[] = {{-45.0, 13.75554497},  {0.0, 7.2},          {90.0, -6.8643}, {150.0, 60.65372005}, {180.0, -14.4},
+                {210.0, -79.81527509}, {285.0, 15.27211539}};
     const Model model = slotted_lever();
-    for (const auto& [crank_deg, moment] : moments) {
-      CAPTURE(crank_deg);
-      check_efforts(model, position_of(solve(model, {{crank_deg * degree, 45.0, 0.0}})), {moment});
+    for (const auto& row : rows) {
+      CAPTURE(row.crank_deg);
+      check_efforts(model, position_of(solve(model, {{row.crank_deg * degree, 45.0, 0.0}})), {row.moment});
     }
   }
 

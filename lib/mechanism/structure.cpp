@@ -124,9 +124,11 @@ std::vector<std::vector<std::size_t>> joints_of(const MatrixXd& dependencies, st
   for (Index v = 0; v < dependencies.cols(); ++v) {
     std::vector<std::size_t> set;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
-      const auto first = static_cast<Index>(pairs[k].row);
-      const Index rows = constraint_count(pairs[k].kind);
-      if (in_support(dependencies, v, first) || in_support(dependencies, v, first + rows - 1)) set.push_back(k);
+      bool held = false;
+      for (std::size_t r = 0; r < pairs[k].shape.rows(); ++r) {
+        held = held || in_support(dependencies, v, static_cast<Index>(pairs[k].row + r));
+      }
+      if (held) set.push_back(k);
     }
     sets.push_back(std::move(set));
   }

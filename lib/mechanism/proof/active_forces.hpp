@@ -1,4 +1,5 @@
-// What acts on the links besides joints and drives: weights, forces of inertia, loads.
+// What acts on the links besides the constraints: weights, forces of inertia, loads; and what reactions bring with
+// them.
 #pragma once
 
 #include "lib/mechanism/model.hpp"
@@ -10,9 +11,9 @@
 namespace loadpath::mechanism {
 
 struct ActiveForce {
-  enum class Kind { weight, inertia, load };
+  enum class Kind { weight, inertia, load, induced };
   Kind kind;
-  std::size_t index;    // of the link, or of the load
+  std::size_t index;    // of the link, of the load, or of the joint
   std::size_t link;     // on which it acts
   Vec arm;              // from the origin of the link's frame, global axes, m
   Vec force;            // N, global axes

@@ -25,6 +25,11 @@ void AllEquations::find_forces(const Instant& instant, Forces& forces) {
   flatten(instant.at().velocity, velocity_);
   flatten(instant.at().acceleration, acceleration_);
   required_forces(model, instant.constraints(), velocity_, acceleration_, instant.statics(), unknowns_);
+  for (const ActiveForce& induced : instant.induced()) {
+    unknowns_[3 * induced.link] -= induced.force.x;
+    unknowns_[3 * induced.link + 1] -= induced.force.y;
+    unknowns_[3 * induced.link + 2] -= induced.couple + cross(induced.arm, induced.force);
+  }
   // In the constraints' unit of length; kg and s stay.
   for (std::size_t k = 0; k < unknowns_.size(); ++k) unknowns_[k] /= k % 3 == 2 ? length * length : length;
   if (factors_.factor(instant.constraints().jacobian())) {
@@ -32,7 +37,7 @@ void AllEquations::find_forces(const Instant& instant, Forces& forces) {
   } else {
     std::ranges::fill(unknowns_, std::numeric_limits<double>::quiet_NaN());
   }
-  share_out(model, instant.constraints(), instant.q(), unknowns_, length, forces.reactions, forces.effort);
+  share_out(model, instant.constraints(), unknowns_, length, forces.reactions, forces.effort);
 }
 
 }  // namespace loadpath::mechanism

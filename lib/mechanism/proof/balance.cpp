@@ -1,5 +1,7 @@
 #include "lib/mechanism/proof/balance.hpp"
 
+#include "lib/mechanism/induced.hpp"
+#include "lib/mechanism/point_motion.hpp"
 #include "lib/numerics/magnitude.hpp"
 
 namespace loadpath::mechanism {
@@ -69,8 +71,17 @@ class Balance {
 
   void add_joint(std::size_t k) {
     const Reaction& reaction = at_.reactions[k];
-    push(model_.joints[k].i, reaction.at, reaction.force, reaction.couple);
-    push(model_.joints[k].j, reaction.at, -reaction.force, -reaction.couple);
+    const Joint& joint = model_.joints[k];
+    push(joint.i, reaction.at, reaction.force, reaction.couple);
+    push(joint.j, reaction.at, -reaction.force, -reaction.couple);
+    // An ideal joint does no work: to count it would hide what is wrong with it.
+    if (modes_of(joint) > 0) add_power(power_on(joint.i, reaction) - power_on(joint.j, reaction));
+  }
+
+  [[nodiscard]] double power_on(int link, const Reaction& by) const {
+    if (link == ground) return 0.0;
+    const auto k = static_cast<std::size_t>(link);
+    return dot(by.force, point_velocity(at_.velocity[k], by.at - origin(k))) + by.couple * at_.velocity[k].phi;
   }
 
   const Model& model_;

@@ -20,7 +20,7 @@ struct LinkResidual {
 struct Residuals {
   double force = 0.0;                    // largest on a link, N
   double moment = 0.0;                   // largest on a link, N m
-  double power = 0.0;                    // drives + loads + gravity - rate of kinetic energy, W
+  double power = 0.0;                    // drives + loads + gravity - friction - rate of kinetic energy, W
   double power_scale = 0.0;              // sum of the magnitudes in the power balance, W
   std::vector<LinkResidual> links = {};  // magnitudes, as the links of the model
 };

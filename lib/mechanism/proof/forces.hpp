@@ -16,6 +16,11 @@ struct Forces {
 
 Forces blank_forces(const Model& model);
 
+/// Of two that act at the same place.
+inline Reaction operator+(const Reaction& a, const Reaction& b) {
+  return {a.at, a.force + b.force, a.couple + b.couple};
+}
+
 /// The largest difference of two reactions, N; moments about the place of the first over `length`, m.
 double difference(const Reaction& a, const Reaction& b, double length);
 

@@ -1,5 +1,6 @@
 // A mechanism at one position, as the proofs see it: its constraints there, what acts on it, and its virtual
-// velocities. Poses, velocities and accelerations are taken from the position, reactions and efforts are not.
+// velocities. Poses, velocities and accelerations are taken from the position, reactions and efforts are not; but for
+// what a reaction brings with it that its constraints cannot supply: friction, what presses teeth apart, slack sides.
 #pragma once
 
 #include "lib/mechanism/kinematics.hpp"
@@ -22,6 +23,11 @@ class Instant {
   [[nodiscard]] const Position& at() const { return *at_; }
   [[nodiscard]] bool statics() const { return statics_; }
   [[nodiscard]] std::span<const ActiveForce> active() const { return active_; }
+  /// Of `active`, what reactions bring with them, and the rest.
+  [[nodiscard]] std::span<const ActiveForce> induced() const { return active().subspan(external_); }
+  [[nodiscard]] std::span<const ActiveForce> external() const { return active().first(external_); }
+  /// What the reaction of a joint holds besides the forces of its constraints.
+  [[nodiscard]] const Reaction& beside_constraints(std::size_t joint) const { return beside_[joint]; }
 
   /// The unit of length of constraints and coordinates, m: what makes a moment comparable with a force.
   [[nodiscard]] double length() const { return length_; }
@@ -46,6 +52,9 @@ class Instant {
   [[nodiscard]] double condition() const { return condition_; }
 
  private:
+  void place();
+  void find_induced_forces();
+  void add_induced(int link, std::size_t joint, const Reaction& acting, double sense);
   void find_motions();
 
   const Model* model_;
@@ -55,6 +64,8 @@ class Instant {
   Constraints constraints_;
   std::vector<double> q_, no_targets_;
   std::vector<ActiveForce> active_;
+  std::size_t external_ = 0;
+  std::vector<Reaction> beside_;
   std::vector<double> jacobian_, motions_;  // dense; motions: a column of the inverse after the other
   double condition_ = 0.0;
 };

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <utility>
 
@@ -12,18 +13,18 @@ namespace {
 using Triple = Eigen::Vector3d;  // force and moment; or velocity of the common point and angular speed
 using View = Eigen::Map<const Triple>;
 
-std::size_t rows_of(const Pair& pair) { return static_cast<std::size_t>(constraint_count(pair.kind)); }
-
-/// Motions in which a joint with these forces does no work: about a pin, along a guide; with one force both.
+/// Motions in which a joint with these forces does no work: about a pin, along a guide; with one force both; none in a
+/// rigid joint.
 struct Freedoms {
   std::size_t count;
-  Triple motion[2];
+  std::array<Triple, 2> motion;
 };
 
-Freedoms freedoms(const Triple& force, const Triple* second) {
-  if (second != nullptr) return {1, {force.cross(*second).normalized(), {}}};
-  const Triple along = Triple(-force[1], force[0], 0.0).normalized();
-  return {2, {along, force.cross(along).normalized()}};
+Freedoms freedoms(std::span<const Triple> forces) {
+  if (forces.size() > 2) return {0, {}};
+  if (forces.size() == 2) return {1, {forces[0].cross(forces[1]).normalized(), Triple::Zero()}};
+  const Triple along = Triple(-forces[0][1], forces[0][0], 0.0).normalized();
+  return {2, {along, forces[0].cross(along).normalized()}};
 }
 
 Vec place(std::span<const double> q, std::size_t link) { return {q[3 * link], q[3 * link + 1]}; }
@@ -33,9 +34,8 @@ Vec from_reference(std::span<const double> q, std::size_t link) { return place(q
 
 Reaction reaction_in(const Instant& instant, const Pair& pair, const Triple& on_i) {
   const Vec force{on_i[0], on_i[1]};
-  const Vec from_first = from_reference(instant.q(), pair.i) + pair.arm_i;
-  return {instant.length() * (place(instant.q(), pair.i) + pair.arm_i), force,
-          instant.length() * (on_i[2] - cross(from_first, force))};
+  const Vec from_first = pair.at.at - place(instant.q(), 0);
+  return {instant.length() * pair.at.at, force, instant.length() * (on_i[2] - cross(from_first, force))};
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ OpenedChain::OpenedChain(const Instant& instant)
   grow_tree(constraints);
   for (const std::size_t joint : opened_) {
     const Pair& pair = constraints.pairs()[joint];
-    for (std::size_t n = 0; n < rows_of(pair); ++n) unknowns_.push_back(pair.row + n);
+    for (std::size_t n = 0; n < pair.shape.rows(); ++n) unknowns_.push_back(pair.row + n);
   }
   for (std::size_t row = constraints.first_driver_row(); row < rows_; ++row) unknowns_.push_back(row);
   on_part_.resize(3 * links_ * (unknowns_.size() + 1));
@@ -63,7 +63,7 @@ void OpenedChain::grow_tree(const Constraints& constraints) {
     best = pairs.size();
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       if (attached[pairs[k].i] == attached[pairs[k].j]) continue;
-      if (best == pairs.size() || rows_of(pairs[k]) > rows_of(pairs[best])) best = k;
+      if (best == pairs.size() || pairs[k].shape.rows() > pairs[best].shape.rows()) best = k;
     }
     if (best == pairs.size()) continue;
     const auto [i, j] = std::pair(pairs[best].i, pairs[best].j);
@@ -141,9 +141,9 @@ void OpenedChain::write_moments(const Constraints& constraints) {
   std::size_t equation = 0;
   for (const Branch& branch : branches_) {
     const Pair& pair = constraints.pairs()[branch.joint];
-    const Triple first = View(acting(branch.link, pair.row));
-    const Triple second = View(acting(branch.link, std::min(pair.row + 1, rows_)));
-    const Freedoms free = freedoms(first, rows_of(pair) == 2 ? &second : nullptr);
+    std::array<Triple, 3> held;
+    for (std::size_t r = 0; r < pair.shape.rows(); ++r) held[r] = View(acting(branch.link, pair.row + r));
+    const Freedoms free = freedoms(std::span(held).first(pair.shape.rows()));
     for (std::size_t n = 0; n < free.count; ++n, ++equation) {
       for (std::size_t u = 0; u < size; ++u) {
         moments_[u * size + equation] = free.motion[n].dot(View(on_part(branch.link, u)));
@@ -178,7 +178,7 @@ void OpenedChain::find_opened_reactions(const Instant& instant, Forces& forces) 
     const Pair& pair = instant.constraints().pairs()[joint];
     const bool on_i = pair.i != links_;  // else on the ground, of which the rows hold nothing
     Triple sum = Triple::Zero();
-    for (std::size_t n = 0; n < rows_of(pair); ++n, ++u) {
+    for (std::size_t n = 0; n < pair.shape.rows(); ++n, ++u) {
       sum += forces_[u] * View(acting(on_i ? pair.i : pair.j, pair.row + n));
     }
     forces.reactions[joint] = reaction_in(instant, pair, on_i ? sum : Triple(-sum));

@@ -25,7 +25,7 @@ Prover::Prover(const Model& model)
 Proof Prover::prove(std::span<const Drive> drives, bool statics, const Position& at) {
   instant_.take(at, statics);
   Proof proof;
-  proof.residuals = residuals(instant_.model(), drives, instant_.active(), at);
+  proof.residuals = residuals(instant_.model(), drives, instant_.external(), at);
   proof.motion = motion_residual(instant_, drives);
   proof.unbalanced = largest_residual(proof.residuals);
   proof.largest_force = largest_force(at);
@@ -48,7 +48,8 @@ void Prover::compare(Proof::Method method, Proof& proof) const {
   const Position& at = instant_.at();
   double& most = proof.disagreement[method];
   for (std::size_t k = 0; k < at.reactions.size(); ++k) {
-    most = larger_magnitude(most, difference(at.reactions[k], forces_.reactions[k], instant_.length()));
+    const Reaction found = forces_.reactions[k] + instant_.beside_constraints(k);
+    most = larger_magnitude(most, difference(at.reactions[k], found, instant_.length()));
   }
   for (std::size_t k = 0; k < at.effort.size(); ++k) compare_effort(method, k, forces_.effort[k], proof);
 }

@@ -15,7 +15,7 @@ void ReleasedConstraints::find_forces(const Instant& instant, Forces& forces) {
   for (std::size_t row = 0; row < multipliers_.size(); ++row) {
     multipliers_[row] = -instant.virtual_power(row) / (length * length);
   }
-  share_out(instant.model(), instant.constraints(), instant.q(), multipliers_, length, forces.reactions, forces.effort);
+  share_out(instant.model(), instant.constraints(), multipliers_, length, forces.reactions, forces.effort);
 }
 
 }  // namespace loadpath::mechanism

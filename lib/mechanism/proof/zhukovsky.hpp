@@ -15,7 +15,7 @@ struct ZhukovskyLever {
   /// A force at the image of its point. A couple is a pair of forces at two points of its link.
   struct Force {
     ActiveForce::Kind kind;
-    std::size_t index;  // of the link, or of the load
+    std::size_t index;  // as in ActiveForce
     std::size_t link;
     bool of_couple;
     Vec image;

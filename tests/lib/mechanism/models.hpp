@@ -96,6 +96,40 @@ inline Model six_bar() {
   return model;
 }
 
+/// The four-bar with equal rockers 0.4 m apart, coupled one after the other: `dyads` of them.
+inline Model chain(int dyads) {
+  Model model = four_bar();
+  for (int k = 1; k < dyads; ++k) {
+    const int rocker = 2 * k;
+    const int coupler = add_bar(model, "coupler " + std::to_string(k), {0.4 * k - 0.068, 0.292, 0.0}, 0.4, 1.5);
+    const int next = add_bar(model, "rocker " + std::to_string(k), {0.4 * (k + 1), 0.0, 1.8}, 0.3, 1.2);
+    pin(model, "A" + std::to_string(k), coupler, {}, rocker, {0.3, 0.0});
+    pin(model, "B" + std::to_string(k), next, {0.3, 0.0}, coupler, {0.4, 0.0});
+    pin(model, "C" + std::to_string(k), next, {}, ground, {0.4 * (k + 1), 0.0});
+  }
+  return model;
+}
+
+/// Six links: a crank of 0.064 m and a group of class III, a link with three pins on a bar and two rockers.
+inline Model class_three() {
+  Model model;
+  model.gravity = {0.0, -9.81};
+  const int crank = add_bar(model, "crank", {0.0, 0.0, -1.357}, 0.064, 1.0);
+  const int bar = add_bar(model, "bar", {0.0136, -0.0625, 0.119}, 0.1824, 1.1);
+  const int plate = add_link(model, "plate", {0.1947, -0.041, -0.338}, 2.4, 0.019, {0.108, 0.022});
+  const int right = add_bar(model, "right", {0.4977, 0.2425, -1.728}, 0.3739, 2.0);
+  const int left = add_bar(model, "left", {0.1394, -0.0662, 0.859}, 0.369, 2.0);
+  pin(model, "O", crank, {}, ground, {});
+  pin(model, "A", bar, {}, crank, {0.064, 0.0});
+  pin(model, "B", plate, {}, bar, {0.1824, 0.0});
+  pin(model, "C", right, {0.3739, 0.0}, plate, {0.259, 0.0});
+  pin(model, "D", right, {}, ground, {0.4977, 0.2425});
+  pin(model, "E", left, {0.369, 0.0}, plate, {0.091, 0.3013});
+  pin(model, "F", left, {}, ground, {0.1394, -0.0662});
+  drive_turning(model, "motor", crank);
+  return model;
+}
+
 /// Crank 0.03 m, slotted lever 20 kg about B at the origin; `with_slider`: a massless slider in place of the slot.
 inline Model slotted_lever(bool with_slider = false, double gamma = -0.349065850398865915) {
   Model model;

@@ -1,5 +1,6 @@
 // Random mechanisms whose answers come from an independent solver: slider-cranks, four-bars, Watt and Stephenson
 // six-bars, slotted levers, class III groups, chains of up to 50 dyads.
+#include "lib/mechanism/group_system.hpp"
 #include "lib/mechanism/structure.hpp"
 #include "lib/mechanism/whole_system.hpp"
 #include "tests/lib/mechanism/reference.hpp"
@@ -80,12 +81,13 @@ void compare_forces(const Named& named, const Position& mine, const json::value&
 }
 
 // `stride`: which of the answered positions follows; prime to their number.
+template <class System>
 double worst_error(const json::value& file, std::size_t stride, std::string& kind) {
   const Named named = model_of(file.at("model"));
   const auto& driver = file.at("model").at("drivers").at(0);
-  WholeSystem system(named.model);
+  System system(named.model);
   REQUIRE(system.assemble() == Status::closed);
-  Position mine = system.blank();
+  Position mine = blank_position(named.model);
   Errors errors;
   const auto& answers = file.at("answers").as_array();
   for (std::size_t k = 0; k < answers.size(); ++k) {
@@ -99,13 +101,14 @@ double worst_error(const json::value& file, std::size_t stride, std::string& kin
   return errors.worst(kind);
 }
 
+template <class System>
 void check_all(std::size_t stride) {
   const auto all = files();
   REQUIRE(all.size() == 34);
   for (const auto& path : all) {
     CAPTURE(path.filename().string());
     std::string kind;
-    const double worst = worst_error(read(path), stride, kind);
+    const double worst = worst_error<System>(read(path), stride, kind);
     CAPTURE(kind);
     CHECK(worst <= 1e-11);
   }
@@ -114,9 +117,15 @@ void check_all(std::size_t stride) {
 }  // namespace
 
 TEST_SUITE("mechanism") {
-  TEST_CASE("random mechanisms agree with an independent solver over a full turn") { check_all(1); }
+  TEST_CASE_TEMPLATE("random mechanisms agree with an independent solver over a full turn", System, WholeSystem,
+                     GroupSystem) {
+    check_all<System>(1);
+  }
 
-  TEST_CASE("random mechanisms keep their assembly over moves of any length") { check_all(7); }
+  TEST_CASE_TEMPLATE("random mechanisms keep their assembly over moves of any length", System, WholeSystem,
+                     GroupSystem) {
+    check_all<System>(7);
+  }
 
   TEST_CASE("random mechanisms give no findings") {
     for (const char* name : {"kulisa_turning_2", "class3_1", "watt_2_3", "chain_10_1"}) {

@@ -14,6 +14,18 @@ bool has_teeth(const Joint& joint) {
 
 bool rubs(const Joint& joint) { return joint.kind != JointKind::belt && !has_teeth(joint) && joint.friction.any(); }
 
+/// The span of a belt that is not the one of its equation: mirrored at the line of centres.
+struct Span {
+  Vec at, along;
+};
+Span other_span(const PairShape& shape, const PairPlace& at) {
+  const Vec e = (-1.0 / std::sqrt(dot(at.apart, at.apart))) * at.apart;
+  const Vec along = 2.0 * dot(e, at.along) * e - at.along;
+  return {at.seat + at.apart - shape.radius_i * normal(along), along};
+}
+
+}  // namespace
+
 std::size_t modes_of(const Joint& joint) {
   if (joint.kind == JointKind::belt || has_teeth(joint)) return 1;
   if (!rubs(joint)) return 0;
@@ -29,18 +41,6 @@ std::size_t modes_of(const Joint& joint) {
       return 0;
   }
 }
-
-/// The span of a belt that is not the one of its equation: mirrored at the line of centres.
-struct Span {
-  Vec at, along;
-};
-Span other_span(const PairShape& shape, const PairPlace& at) {
-  const Vec e = (-1.0 / std::sqrt(dot(at.apart, at.apart))) * at.apart;
-  const Vec along = 2.0 * dot(e, at.along) * e - at.along;
-  return {at.seat + at.apart - shape.radius_i * normal(along), along};
-}
-
-}  // namespace
 
 InducedForces::InducedForces(const Model& model) : model_(model) {
   for (std::size_t k = 0; k < model.joints.size(); ++k) {

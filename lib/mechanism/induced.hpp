@@ -29,6 +29,9 @@ struct Induced {
   std::span<const double> amounts = {};
 };
 
+/// How many forces the reaction of this joint brings with it.
+std::size_t modes_of(const Joint& joint);
+
 class InducedForces {
  public:
   /// The model must outlive this.

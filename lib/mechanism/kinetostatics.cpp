@@ -27,10 +27,10 @@ void required_forces(const Model& model, const Constraints& constraints, std::sp
 }
 
 void share_out(const Model& model, const Constraints& constraints, std::span<const double> multipliers, double length,
-               Position& out) {
-  for (std::size_t k = 0; k < out.reactions.size(); ++k) {
+               std::span<Reaction> reactions, std::span<double> effort) {
+  for (std::size_t k = 0; k < reactions.size(); ++k) {
     const Pair& pair = constraints.pairs()[k];
-    Reaction& reaction = out.reactions[k];
+    Reaction& reaction = reactions[k];
     reaction = {};
     for (std::size_t r = 0; r < pair.shape.rows(); ++r) {
       const double multiplier = length * multipliers[pair.row + r];
@@ -40,9 +40,9 @@ void share_out(const Model& model, const Constraints& constraints, std::span<con
     reaction.at = length * pair.at.at;
   }
   const auto efforts = multipliers.subspan(constraints.first_driver_row());
-  for (std::size_t k = 0; k < out.effort.size(); ++k) {
+  for (std::size_t k = 0; k < effort.size(); ++k) {
     const bool rotary = model.drivers[k].kind == Driver::Kind::rotary;
-    out.effort[k] = (rotary ? length * length : length) * efforts[k];
+    effort[k] = (rotary ? length * length : length) * efforts[k];
   }
 }
 

@@ -108,6 +108,11 @@ struct Load {
   double moment = 0.0;           // N m
 };
 
+/// The force in global axes, on a link that is turned by this.
+inline Vec global_force(const Load& load, const Turn& turned) {
+  return load.turns_with_link ? turned(load.force) : load.force;
+}
+
 struct Model {
   std::vector<Link> links;
   std::vector<Joint> joints;

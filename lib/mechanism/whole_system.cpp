@@ -114,7 +114,7 @@ void WholeSystem::Work::find_forces(bool statics, const Induced& modes, Position
     act(pair.j, mode, force);
   }
   continuation.factors().solve_transposed(unknowns(multipliers));
-  share_out(model, constraints, multipliers, length, out);
+  share_out(model, constraints, multipliers, length, out.reactions, out.effort);
 }
 
 // On what the constraints must supply for a link; `amount`: per unit of length.

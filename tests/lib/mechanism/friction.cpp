@@ -1,6 +1,7 @@
 // Friction in joints: textbook cases by hand, and what must hold for every mechanism with friction.
 #include "lib/mechanism/group_system.hpp"
 #include "tests/lib/mechanism/models.hpp"
+#include "tests/lib/mechanism/proof/methods.hpp"
 
 #include <doctest/doctest.h>
 
@@ -155,6 +156,17 @@ TEST_SUITE("mechanism") {
           CHECK(std::abs(left.power) <= 1e-11 * left.power_scale);
         }
       }
+    }
+  }
+
+  TEST_CASE("all proofs agree with friction in every joint, and see an effort without it") {
+    for (const Model& model : {rubbing_slider_crank(0.15), rubbing_lever(0.1), drawer(0.1, 0.25)}) {
+      const std::vector<Drive> drives{{1.0, 30.0, 0.0}};
+      Position at = position_of(model, drives);
+      Prover prover(model);
+      check_trustworthy(prover.prove(drives, false, at));
+      at.effort[0] *= 0.9;
+      CHECK_FALSE(prover.prove(drives, false, at).trustworthy());
     }
   }
 

@@ -4,6 +4,7 @@
 #include "lib/mechanism/pair.hpp"
 #include "lib/mechanism/structure.hpp"
 #include "tests/lib/mechanism/models.hpp"
+#include "tests/lib/mechanism/proof/methods.hpp"
 
 #include <doctest/doctest.h>
 
@@ -224,6 +225,18 @@ TEST_SUITE("mechanism") {
         CHECK(left.force <= 1e-12 * largest_force(at));
         CHECK(left.moment <= 1e-12 * largest_force(at));
         CHECK(std::abs(left.power) <= 1e-11 * left.power_scale);
+      }
+    }
+  }
+
+  TEST_CASE("every kind of joint: all proofs agree, over many turns") {
+    for (const Case& c : cases()) {
+      CAPTURE(c.name);
+      Run<GroupSystem> run(c.model);
+      Prover prover(c.model);
+      for (int k = 0; k < 20; ++k) {
+        const Position& at = run(0.37 * k);
+        check_trustworthy(prover.prove(run.drives, false, at));
       }
     }
   }

@@ -18,13 +18,20 @@ namespace {
 using Planar = PlanarMechanism;
 using report::Quantity;
 
+// What is left of nothing is noise: its size says no more than that.
+constexpr double rounding = 1e-12;
+
 report::Verdict limit(const std::string& step, const char* symbol, Message meaning, double value, double bound) {
   report::Verdict v;
   v.step = step;
   v.symbol = symbol;
   v.meaning = std::move(meaning);
   v.bound = say("at most {1}", format_number(bound));
-  v.value = Quantity{value, "-", 2};
+  if (value <= rounding) {
+    v.value = say("at most {1}", format_number(rounding));
+  } else {
+    v.value = Quantity{value, "-", 2};
+  }
   v.state = std::isnan(value) ? report::State::not_available
             : value <= bound  ? report::State::pass
                               : report::State::fail;
@@ -41,6 +48,15 @@ Message why_open(const Planar::Input& in, const Cycle& cycle) {
 
 std::string place_of(std::size_t k, const Axis& axis) { return format_quantity(axis.at[k], axis.unit, 5); }
 
+/// From the first position where this is so to the last.
+std::string range_of(const std::vector<bool>& positions, bool so, const Axis& axis) {
+  const auto first = std::find(positions.begin(), positions.end(), so) - positions.begin();
+  const auto last = std::find(positions.rbegin(), positions.rend(), so).base() - positions.begin() - 1;
+  return say("{1} and {2}", place_of(static_cast<std::size_t>(first), axis),
+             place_of(static_cast<std::size_t>(last), axis))
+      .text();
+}
+
 report::Verdict closing(const std::string& step, const Planar::Input& in, const Cycle& cycle, const Axis* axis) {
   report::Verdict v;
   v.step = step;
@@ -52,12 +68,24 @@ report::Verdict closing(const std::string& step, const Planar::Input& in, const 
   v.state = closed == cycle.closed.size() ? report::State::pass : report::State::fail;
   if (v.state == report::State::pass) return v;
   v.note = why_open(in, cycle);
-  if (axis == nullptr) return v;
-  const auto first = std::find(cycle.closed.begin(), cycle.closed.end(), false) - cycle.closed.begin();
-  const auto last = std::find(cycle.closed.rbegin(), cycle.closed.rend(), false).base() - cycle.closed.begin() - 1;
-  v.note = say("between {1} and {2}: {3}", place_of(static_cast<std::size_t>(first), *axis),
-               place_of(static_cast<std::size_t>(last), *axis), v.note.text());
+  if (axis != nullptr) v.note = say("between {1}: {2}", range_of(cycle.closed, false, *axis), v.note.text());
   return v;
+}
+
+/// Said only of a mechanism with friction.
+void add_jamming(const std::string& step, const Planar::Input& in, const Cycle& cycle, const Axis* axis,
+                 std::vector<report::Verdict>& verdicts) {
+  if (std::none_of(in.joints.begin(), in.joints.end(), [](const auto& j) { return j.mu != 0.0; })) return;
+  const auto jams = static_cast<std::size_t>(std::count(cycle.jams.begin(), cycle.jams.end(), true));
+  report::Verdict v;
+  v.step = step;
+  v.symbol = "moves";
+  v.meaning = say("friction does not jam the mechanism");
+  v.bound = say("every position");
+  v.value = say("{1} of {2}", std::to_string(cycle.jams.size() - jams), std::to_string(cycle.jams.size()));
+  v.state = jams == 0 ? report::State::pass : report::State::fail;
+  if (jams > 0 && axis != nullptr) v.note = say("jams between {1}", range_of(cycle.jams, true, *axis));
+  verdicts.push_back(std::move(v));
 }
 
 /// A residual as a part of what it is a residual of; of nothing it is zero. What cannot be told is no number.
@@ -124,7 +152,7 @@ template <class Measure>
 std::optional<std::size_t> worst_position(const Cycle& cycle, Measure measure) {
   std::optional<std::size_t> worst;
   for (std::size_t k = 0; k < cycle.proofs.size(); ++k) {
-    if (!cycle.closed[k]) continue;
+    if (!cycle.has_forces(k)) continue;
     const double here = measure(cycle.proofs[k]);
     if (std::isnan(here)) return k;
     if (!worst || here > measure(cycle.proofs[*worst])) worst = k;
@@ -148,7 +176,7 @@ report::Verdict trust(const std::string& step, const Cycle& cycle, const Axis* a
   std::vector<std::size_t> doubtful;
   std::size_t closed = 0;
   for (std::size_t k = 0; k < cycle.proofs.size(); ++k) {
-    if (!cycle.closed[k]) continue;
+    if (!cycle.has_forces(k)) continue;
     ++closed;
     if (!cycle.proofs[k].trustworthy()) doubtful.push_back(k);
   }
@@ -189,11 +217,12 @@ std::vector<report::Verdict> proof(const std::string& step, const Planar::Input&
                                    const Axis* axis) {
   Leftovers left;
   for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
-    if (cycle.closed[k]) left.add(cycle.positions[k], cycle.proofs[k].residuals, !in.crank.joint.empty());
+    if (cycle.has_forces(k)) left.add(cycle.positions[k], cycle.proofs[k].residuals, !in.crank.joint.empty());
   }
   const double none = std::numeric_limits<double>::quiet_NaN();
   const auto part = [&](double residual, double scale) { return left.any ? part_of(residual, scale) : none; };
   std::vector<report::Verdict> verdicts{closing(step, in, cycle, axis)};
+  add_jamming(step, in, cycle, axis, verdicts);
   verdicts.push_back(limit(step, "force_balance",
                            say("equilibrium of every link: unbalanced force over the largest reaction"),
                            part(left.force, left.largest_force), 1e-9));

@@ -57,6 +57,14 @@ Model in_unit_of_length(const Model& model, double unit) {
     load.force = shrink * load.force;
     load.moment *= shrink * shrink;
   }
+  for (auto& spring : scaled.springs) {
+    const bool turning = spring.kind == Spring::Kind::turning;
+    spring.point_i = shrink * spring.point_i;
+    spring.point_j = shrink * spring.point_j;
+    spring.free *= turning ? 1.0 : shrink;
+    spring.rate *= turning ? shrink * shrink : 1.0;
+    spring.damping *= turning ? shrink * shrink : 1.0;
+  }
   scaled.gravity = shrink * scaled.gravity;
   return scaled;
 }

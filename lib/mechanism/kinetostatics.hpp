@@ -40,7 +40,7 @@ inline Wrench inertia_less_weight(const Link& link, const Turn& turned, const Ac
 }
 
 inline Wrench wrench_of(const Load& load, const Turn& turned) {
-  const Vec force = global_force(load, turned);
+  const Vec force = global_force(load, load.force, turned);
   return {force, load.moment + cross(turned(load.point), force)};
 }
 

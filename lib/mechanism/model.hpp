@@ -109,15 +109,31 @@ struct Load {
 };
 
 /// The force in global axes, on a link that is turned by this.
-inline Vec global_force(const Load& load, const Turn& turned) {
-  return load.turns_with_link ? turned(load.force) : load.force;
+/// Of a load whose force in its own axes is this.
+inline Vec global_force(const Load& load, Vec own, const Turn& turned) {
+  return load.turns_with_link ? turned(own) : own;
 }
+
+/// A spring with a damper between link i and link j: from point to point, or, turning, between the links' angles.
+struct Spring {
+  enum class Kind { linear, turning };
+  std::string name;
+  Kind kind = Kind::linear;
+  int i = ground;
+  int j = ground;
+  Vec point_i;           // frame of i
+  Vec point_j;           // frame of j
+  double rate = 0.0;     // N/m or N m/rad
+  double free = 0.0;     // length without force, m; turning: phi_i - phi_j without moment, rad
+  double damping = 0.0;  // N s/m or N m s/rad
+};
 
 struct Model {
   std::vector<Link> links;
   std::vector<Joint> joints;
   std::vector<Driver> drivers;
   std::vector<Load> loads;
+  std::vector<Spring> springs;
   Vec gravity;  // m/s^2, (0, -9.81) for gravity downward
 };
 

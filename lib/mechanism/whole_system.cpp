@@ -75,6 +75,7 @@ Status WholeSystem::solve(std::span<const Drive> drives, Position& out, bool sta
   Work& w = *work_;
   w.find_velocity(drives);
   w.find_acceleration(drives);
+  for (std::size_t n = 0; n < out.loads.size(); ++n) out.loads[n] = {w.model.loads[n].force, w.model.loads[n].moment};
   w.store(w.continuation.q(), out.pose);
   w.store(w.velocity, out.velocity);
   w.store(w.acceleration, out.acceleration);

@@ -15,7 +15,7 @@ TEST_SUITE("cli calculate") {
     const Ran o = loadpath_with({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 MPa"});
     CHECK(o.code == 0);
     CHECK(o.error.empty());
-    CHECK(contains(o.out, "d_strength = ∛(16 · M_t / (π · τ_all))"));
+    CHECK(contains(o.out, "d_strength = ∛(16 · W_t / π)"));
     CHECK(contains(o.out, "77.1029 mm"));
     CHECK(contains(o.out, "pass  torsion.u_tau"));
   }

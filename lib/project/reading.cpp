@@ -18,12 +18,19 @@ std::size_t code_points(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
+/// Fields, and the aggregate that holds them.
+struct Part {
+  std::span<const FieldInfo> fields;
+  void* owner = nullptr;
+};
+
 class Reader {
  public:
   Reader(Reading& reading, std::vector<Issue>& issues, std::string prefix)
       : reading_(reading), issues_(issues), prefix_(std::move(prefix)) {}
 
-  void read_fields(const Tree& table, std::span<const FieldInfo> fields, void* owner, const std::string& path,
+  /// Each key goes to the part that has a field of that name.
+  void read_fields(const Tree& table, const std::vector<Part>& parts, const std::string& path,
                    const std::vector<std::string>& reserved);
 
  private:
@@ -38,8 +45,15 @@ class Reader {
   void read_choice(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_name(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_list(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
-  void read_element(const Tree& tree, const FieldInfo& list, void* owner, const std::string& path,
-                    const Tree::Entry* named);
+  /// A list, and how many of its elements a template has laid out.
+  struct Target {
+    const FieldInfo& list;
+    void* owner;
+    std::size_t given;
+    [[nodiscard]] std::vector<std::string> given_names() const;
+    [[nodiscard]] void* find_given(const std::string& name) const;
+  };
+  void read_element(const Tree& tree, const Target& target, const std::string& path, const Tree::Entry* named);
   void read_aggregate(const Tree& tree, const FieldInfo& field, void* inner, const std::string& path);
   void read_array(const Tree& tree, const FieldInfo& field, void* inner, const std::string& path);
   void require(std::span<const FieldInfo> fields, void* owner, const std::string& path, const Place& place);
@@ -63,9 +77,11 @@ std::string joined(const std::string& path, std::string_view key) {
   return path.empty() ? std::string(key) : path + "." + std::string(key);
 }
 
-std::vector<std::string> keys_of(std::span<const FieldInfo> fields) {
+std::vector<std::string> keys_of(const std::vector<Part>& parts) {
   std::vector<std::string> keys;
-  for (const FieldInfo& field : fields) keys.emplace_back(field.key);
+  for (const Part& part : parts) {
+    for (const FieldInfo& field : part.fields) keys.emplace_back(field.key);
+  }
   return keys;
 }
 
@@ -74,21 +90,22 @@ Message one_of(const std::string& word, const std::vector<std::string>& candidat
   return did_you_mean(word, candidates, there_is(candidates));
 }
 
-void Reader::read_fields(const Tree& table, std::span<const FieldInfo> fields, void* owner, const std::string& path,
+void Reader::read_fields(const Tree& table, const std::vector<Part>& parts, const std::string& path,
                          const std::vector<std::string>& reserved) {
   for (const Tree::Entry& entry : table.entries) {
     if (std::find(reserved.begin(), reserved.end(), entry.key) != reserved.end()) continue;
-    const FieldInfo* field = find_field(fields, entry.key);
     const std::string inner = joined(path, entry.key);
-    if (field == nullptr) {
-      say_at(entry.place, inner, say("'{1}' is no field here", entry.key), one_of(entry.key, keys_of(fields)));
-      if (path.empty()) reading_.faulty.insert(nearest(entry.key, keys_of(fields)));
+    const auto part = std::find_if(parts.begin(), parts.end(),
+                                   [&](const Part& p) { return find_field(p.fields, entry.key) != nullptr; });
+    if (part == parts.end()) {
+      say_at(entry.place, inner, say("'{1}' is no field here", entry.key), one_of(entry.key, keys_of(parts)));
+      if (path.empty()) reading_.faulty.insert(nearest(entry.key, keys_of(parts)));
       continue;
     }
     reading_.typed[inner] = {entry.value.text, entry.value.place};
-    read_value(entry.value, *field, owner, inner);
+    read_value(entry.value, *find_field(part->fields, entry.key), part->owner, inner);
   }
-  require(fields, owner, path, table.place);
+  for (const Part& part : parts) require(part.fields, part.owner, path, table.place);
 }
 
 void Reader::read_value(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
@@ -243,30 +260,49 @@ void Reader::read_name(const Tree& tree, const FieldInfo& field, void* owner, co
 void Reader::read_list(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   const bool named = tree.type == Tree::Type::table && find_field(field.fields, "name") != nullptr &&
                      find_field(field.fields, "name")->type == Type::name;
-  const std::size_t count = named ? tree.entries.size() : tree.type == Tree::Type::array ? tree.items.size() : 1;
+  const Target target{field, owner, field.size(owner)};
+  std::size_t count = target.given + (tree.type == Tree::Type::array ? tree.items.size() : 1);
+  if (named) {
+    const auto is_new = [&](const Tree::Entry& entry) { return target.find_given(entry.key) == nullptr; };
+    count = target.given + static_cast<std::size_t>(std::count_if(tree.entries.begin(), tree.entries.end(), is_new));
+  }
   if (count > field.capacity) {
     return say_at(
         tree.place, path,
         say("at most {1} {2}; here are {3}", std::to_string(field.capacity), field.key, std::to_string(count)));
   }
   if (named) {
-    for (const Tree::Entry& entry : tree.entries) read_element(entry.value, field, owner, path, &entry);
+    for (const Tree::Entry& entry : tree.entries) read_element(entry.value, target, path, &entry);
   } else if (tree.type == Tree::Type::array) {
-    for (const Tree& item : tree.items) read_element(item, field, owner, path, nullptr);
+    for (const Tree& item : tree.items) read_element(item, target, path, nullptr);
   } else {
-    read_element(tree, field, owner, path, nullptr);
+    read_element(tree, target, path, nullptr);
   }
   check_names(field, owner, path, tree.place);
 }
 
-void Reader::read_element(const Tree& tree, const FieldInfo& list, void* owner, const std::string& path,
-                          const Tree::Entry* named) {
-  void* element = list.push(owner);
+std::vector<std::string> Reader::Target::given_names() const {
+  std::vector<std::string> names;
+  const FieldInfo* name = find_field(list.fields, "name");
+  for (std::size_t i = 0; name != nullptr && i < given; ++i) names.emplace_back(name->text(list.element(owner, i)));
+  return names;
+}
+
+void* Reader::Target::find_given(const std::string& name) const {
+  const auto names = given_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? nullptr : list.element(owner, static_cast<std::size_t>(found - names.begin()));
+}
+
+void Reader::read_element(const Tree& tree, const Target& target, const std::string& path, const Tree::Entry* named) {
+  const auto& [list, owner, given] = target;
   const auto* own_name = find_field(list.fields, "name") == nullptr ? nullptr : tree.find("name");
+  const std::string written = named != nullptr ? named->key : own_name != nullptr ? own_name->value.text : "";
+  void* const known = target.find_given(written);
+  void* const element = known != nullptr ? known : list.push(owner);
   std::string inner = path + "[" + std::to_string(list.size(owner)) + "]";
-  if (own_name != nullptr && is_name(own_name->value.text)) inner = path + "." + own_name->value.text;
+  if (is_name(written) || named != nullptr) inner = path + "." + written;
   if (named != nullptr) {
-    inner = path + "." + named->key;
     if (const auto* again = tree.find("name")) {
       say_at(again->place, inner, say("the name already stands before the table: '{1}'", named->key),
              say("leave out 'name'"));
@@ -278,15 +314,21 @@ void Reader::read_element(const Tree& tree, const FieldInfo& list, void* owner, 
     reading_.typed[inner + ".name"] = {name.text, name.place};
     read_name(name, *find_field(list.fields, "name"), element, inner);
   }
+  if (known != nullptr && reading_.typed.count(inner) != 0)
+    say_at(tree.place, path, say("the name '{1}' stands twice in '{2}'", written, path));
   reading_.typed[inner] = {tree.text, tree.place};
+  const std::size_t before = issues_.size();
   read_aggregate(tree, list, element, inner);
+  for (std::size_t i = before; i < issues_.size() && known == nullptr; ++i) {  // it lacks what one of the given has
+    if (issues_[i].hint.empty()) issues_[i].hint = did_you_mean(written, target.given_names(), {}, path + ".");
+  }
 }
 
 void Reader::read_aggregate(const Tree& tree, const FieldInfo& field, void* inner, const std::string& path) {
-  if (tree.type == Tree::Type::table) return read_fields(tree, field.fields, inner, path, {});
+  if (tree.type == Tree::Type::table) return read_fields(tree, {{field.fields, inner}}, path, {});
   if (!field.positional) {
     return say_at(tree.place, path, say("'{1}' is a table of fields, not {2}", path, io::word_for(tree.type)),
-                  there_is(keys_of(field.fields)));
+                  there_is(keys_of({{field.fields, inner}})));
   }
   read_array(tree, field, inner, path);
 }
@@ -360,12 +402,18 @@ void Reader::check_names(const FieldInfo& list, void* owner, const std::string& 
 
 }  // namespace
 
-Reading read_record(const io::Tree& table, const RecordType& type, const std::string& prefix,
+Reading read_record(const io::Tree& table, const RecordType& type, const Template* from, const std::string& prefix,
                     const std::vector<std::string>& reserved, std::vector<Issue>& issues) {
   Reading reading;
   reading.record = Record(type);
   reading.place = table.place;
-  Reader(reading, issues, prefix).read_fields(table, type.fields, reading.record.data.get(), "", reserved);
+  std::vector<Part> parts{{type.fields, reading.record.data.get()}};
+  if (from != nullptr) {
+    from->lay_out(reading.record.data.get());
+    reading.parameters = Record(*from->parameters);
+    parts.insert(parts.begin(), {from->parameters->fields, reading.parameters.data.get()});
+  }
+  Reader(reading, issues, prefix).read_fields(table, parts, "", reserved);
   return reading;
 }
 

@@ -92,6 +92,25 @@ std::string type_word(const FieldInfo& field) {
   return "";
 }
 
+using AddFlag = std::function<void(const std::string& key, const std::string& doc, const std::string& type)>;
+
+/// The name of a template, and the parameters of all of them, each once.
+void add_templates(const Calculator& calculator, const AddFlag& add) {
+  if (calculator.templates.empty()) return;
+  add("template", "input known in shape, by its parameters: `loadpath describe " + std::string(calculator.id) + "`",
+      "NAME");
+  std::map<std::string, std::string> users;
+  for (const Template* t : calculator.templates) {
+    for (const FieldInfo& f : t->parameters->fields)
+      users[f.key] += (users[f.key].empty() ? "" : ", ") + std::string(t->id);
+  }
+  for (const Template* t : calculator.templates) {
+    for (const FieldInfo& f : t->parameters->fields) {
+      if (const auto used = users.extract(f.key)) add(f.key, "of " + used.mapped(), type_word(f));
+    }
+  }
+}
+
 /// Flags of one calculator: the top-level fields of its input, and the rows that its providers look up.
 void setup_calculator(CLI::App& element, const Calculator& calculator, CalculateOptions& options, Action& action) {
   const std::string_view id = calculator.id;
@@ -109,6 +128,7 @@ void setup_calculator(CLI::App& element, const Calculator& calculator, Calculate
     add(f.key, f.doc, type_word(f));
     material = material || std::string_view(f.provider.table) == "material";
   }
+  add_templates(calculator, add);
   if (material) add("material", "row of the materials table that fills what is missing", "NAME");
   add("title", "title of the report", "TEXT");
   add_output(*sub, options.output);

@@ -106,6 +106,17 @@ TEST_SUITE("cli calculate") {
     CHECK(contains(o.out, "5 N·m"));
   }
 
+  TEST_CASE("a mechanism from the shell is a template with its parameters as flags") {
+    const Ran o = loadpath_with({"mechanism", "planar", "--template", "scotch_yoke", "--r", "25 mm", "--crank",
+                                 R"({ speed = "60 rpm", positions = 12 })", "--links", R"({ yoke.mass = "2 kg" })"});
+    CHECK(o.error.empty());
+    CHECK(o.code == 0);
+    CHECK(loadpath_with({"mechanism", "planar", "--template", "scotchyoke"}).error ==
+          "--template:1:1: error: there is no template 'scotchyoke'\n1 | scotchyoke\n  | ^^^^^^^^^^\n  = help: did you "
+          "mean "
+          "'scotch_yoke'?\n");
+  }
+
   TEST_CASE("a report is written from the shell too") {
     const Desk desk;
     CHECK(desk.run({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 MPa", "--title", "Drive", "--report",

@@ -14,13 +14,6 @@ namespace {
 using Planar = PlanarMechanism;
 using project::Reading;
 
-/// What a template lays out, before any value is known.
-Record laid_out(const Template& from) {
-  Record record(record_type<Planar::Input, Planar::inputs>());
-  from.lay_out(record.data.get());
-  return record;
-}
-
 bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
@@ -30,16 +23,6 @@ std::string told_path(const std::string& path) {
   const bool of_point =
       path.starts_with("ground.") || (path.starts_with("links.") && path.find(".points.") != std::string::npos);
   return of_point ? path.substr(0, path.rfind('.')) : path;
-}
-
-bool is_given_in(const Record& laid, const std::string& path) {
-  if (!find_leaf(laid, path)) return false;
-  const std::string_view key = std::string_view(path).substr(path.rfind('.') + 1);
-  const std::string_view head = std::string_view(path).substr(0, path.find('.'));
-  if (is_one_of(head, {"ground", "links", "joints"})) return !is_one_of(key, {"name", "mass", "J", "S"});
-  if (head == "crank")
-    return is_one_of(key, {"joint", "to"}) && !find_leaf(laid, "crank.joint").field->text(laid.data.get()).empty();
-  return head == "cylinders" && key == "joint";
 }
 
 /// Values of what the template draws; masses stay the user's.
@@ -67,7 +50,21 @@ std::optional<FieldFault> set_inertia(Planar::Link& link, Length l, const Readin
 
 }  // namespace
 
-bool is_given_by(const Template& from, const std::string& path) { return is_given_in(laid_out(from), path); }
+Record laid_out(const Template& from) {
+  Record record(record_type<Planar::Input, Planar::inputs>());
+  from.lay_out(record.data.get());
+  return record;
+}
+
+bool is_given_in(const Record& laid, const std::string& path) {
+  if (!find_leaf(laid, path)) return false;
+  const std::string_view key = std::string_view(path).substr(path.rfind('.') + 1);
+  const std::string_view head = std::string_view(path).substr(0, path.find('.'));
+  if (is_one_of(head, {"ground", "links", "joints"})) return !is_one_of(key, {"name", "mass", "J", "S"});
+  if (head == "crank")
+    return is_one_of(key, {"joint", "to"}) && !find_leaf(laid, "crank.joint").field->text(laid.data.get()).empty();
+  return head == "cylinders" && key == "joint";
+}
 
 std::vector<FieldFault> check_overrides(const Template& from, const Reading& reading) {
   const Record laid = laid_out(from);

@@ -11,8 +11,10 @@
 
 namespace loadpath {
 
-/// Whether the template gives the value at this path, so that the user may not.
-bool is_given_by(const Template& from, const std::string& path);
+/// What the template lays out, before any value is known.
+Record laid_out(const Template& from);
+/// Whether that has the value at this path, so that the user may not give it.
+bool is_given_in(const Record& laid, const std::string& path);
 /// Typed fields that the template gives. Needs no values.
 std::vector<FieldFault> check_overrides(const Template& from, const project::Reading& reading);
 

@@ -180,10 +180,10 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
   account.figures = mechanism_figures(data(), model, cycle, account, axis_.get());
 }
 
-/// Where the value of an input comes from: typed, from the template, a default.
-project::Origin PlanarStep::origin_of(const std::string& path, const Leaf& leaf) const {
-  if (input().from != nullptr && input().reading.typed.count(path) == 0) {
-    if (is_given_by(*input().from, path)) return {say("template {1}", input().from->id), {}, false};
+/// Where the value of an input comes from: typed, from the template (what that has `laid`), a default.
+project::Origin PlanarStep::origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const {
+  if (laid != nullptr && input().reading.typed.count(path) == 0) {
+    if (is_given_in(*laid, path)) return {say("template {1}", input().from->id), {}, false};
     if (path.ends_with(".J") && leaf.get() > 0.0) return {say("slender bar"), {}, false};
   }
   return project::plain_origin(input().reading, path, leaf);
@@ -191,7 +191,10 @@ project::Origin PlanarStep::origin_of(const std::string& path, const Leaf& leaf)
 
 void PlanarStep::fill_inputs() {
   project::Account& account = own_account();
-  const auto origin = [&](const std::string& path, const Leaf& leaf) { return origin_of(path, leaf); };
+  const Record laid = input().from == nullptr ? Record() : laid_out(*input().from);
+  const auto origin = [&](const std::string& path, const Leaf& leaf) {
+    return origin_of(input().from == nullptr ? nullptr : &laid, path, leaf);
+  };
   account.inputs = project::input_entries(input().reading.record, origin);
   account.input_blocks = model_tables(data());
   if (input().from == nullptr) return;

@@ -11,6 +11,7 @@ static constexpr std::array list{
     &planar_template<struct OscillatingCylinder>,
     &planar_template<struct FourBar>,
     &planar_template<struct SlottedLever>,
+    &planar_template<struct Shaper>,
     &planar_template<struct Whitworth>,
     &planar_template<struct ScotchYoke>,
     &planar_template<struct Watt2>,

@@ -49,6 +49,13 @@ std::optional<FieldFault> pin_runs_through(const char* pin, Length r, Length d) 
       part_of_a_turn()};
 }
 
+FieldFault leaves_slot(const char* path, Length lever, Length farthest) {
+  return {path,
+          say("the crank's pin leaves the slot: it comes as far as d + r = {1} from B, and the lever is {2} long",
+              text_of(farthest), text_of(lever)),
+          part_of_a_turn()};
+}
+
 std::string Sketch::where() const {
   return std::isnan(angle_) ? "" : " at a crank angle of " + format_quantity(angle_, "deg", 5);
 }

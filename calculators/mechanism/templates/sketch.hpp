@@ -48,6 +48,8 @@ std::string text_of(Length l);
 Message part_of_a_turn();
 /// A crank as long as the distance of the pin that it turns something about: its own pin comes to lie on that one.
 std::optional<FieldFault> pin_runs_through(const char* pin, Length r, Length d);
+/// A slotted lever about B that is shorter than the crank's pin is far; `path`: the parameter that is its length.
+FieldFault leaves_slot(const char* path, Length lever, Length farthest);
 
 class Sketch {
  public:

@@ -40,12 +40,7 @@ loads = [{ link = "lever", M = "-30 N*m" }]
 
   [[nodiscard]] std::optional<FieldFault> crank_stop() const {
     if (l > d + r) return pin_runs_through("B", r, d);
-    return FieldFault{
-        "l",
-        say("the crank's pin leaves the slot: it comes as far as d + r = {1} from B, and the lever is {2} "
-            "long",
-            text_of(d + r), text_of(l)),
-        part_of_a_turn()};
+    return leaves_slot("l", l, d + r);
   }
 };
 

@@ -56,7 +56,7 @@ loads = [{ link = "ram", at = "D", F_x = "-1.5 kN", F_y = "0 N" }]
                         say("the slotted lever does not turn round: the crank, r = {1}, must be longer than the "
                             "distance of the lever's pin, d = {2}",
                             text_of(r), text_of(d)),
-                        say("with a shorter crank the lever swings: template = \"slotted_lever\"")};
+                        say("with a shorter crank the lever swings: template = \"shaper\"")};
     }
     if (l > c + abs(e)) return std::nullopt;
     return FieldFault{"l",

@@ -366,9 +366,18 @@ TEST_SUITE("mechanism template faults") {
         start + "template = \"whitworth\"\nr = \"100 mm\"\nd = \"40 mm\"\nc = \"80 mm\"\nl = \"250 mm\"\n";
     CHECK(said(whitworth, "\"40 mm\"", "\"140 mm\"") ==
           "a.r: the slotted lever does not turn round: the crank, r = 100 mm, must be longer than the distance of the "
-          "lever's pin, d = 140 mm; with a shorter crank the lever swings: template = \"slotted_lever\"");
+          "lever's pin, d = 140 mm; with a shorter crank the lever swings: template = \"shaper\"");
     CHECK(said(whitworth, "\"250 mm\"", "\"70 mm\"") ==
           "a.l: the lever cannot turn round: the rod, l = 70 mm, must be longer than arm and offset together, 80 mm" +
+              remedy);
+    const std::string shaper = find_template(planar(), "shaper")->example;
+    CHECK(said(shaper, "d = \"250 mm\"", "d = \"70 mm\"") ==
+          "shaper.r: the lever does not swing: the crank, r = 80 mm, must be shorter than the distance of the lever's "
+          "pin, d = 70 mm; with a longer crank the lever turns round: template = \"whitworth\"");
+    CHECK(said(shaper, "c = \"450 mm\"", "c = \"330 mm\"").starts_with("shaper.c: the crank's pin leaves the slot: "));
+    CHECK(said(shaper, "e = \"440 mm\"", "e = \"600 mm\"") ==
+          "shaper.l: the crank cannot turn round: the end of the lever comes as far as 173.66 mm from the guide, and "
+          "the rod is 150 mm long" +
               remedy);
     const std::string engine = start + "template = \"oscillating_cylinder\"\nr = \"40 mm\"\nd = \"160 mm\"\n";
     CHECK(
@@ -380,11 +389,13 @@ TEST_SUITE("mechanism template faults") {
 
   TEST_CASE("lengths that do not meet at the first position are told by name") {
     const std::string at = "at = \"0 deg\"";
-    CHECK(said(replaced(four_bar, "positions = 12", at), "b = \"120 mm\"", "b = \"160 mm\"") ==
-          "a: 'coupler' (160 mm) and 'rocker' (80 mm) do not meet at a crank angle of 0 deg: their other ends are 60 mm "
-          "apart; change a length, or start elsewhere");
+    CHECK(
+        said(replaced(four_bar, "positions = 12", at), "b = \"120 mm\"", "b = \"160 mm\"") ==
+        "a: 'coupler' (160 mm) and 'rocker' (80 mm) do not meet at a crank angle of 0 deg: their other ends are 60 mm "
+        "apart; change a length, or start elsewhere");
     CHECK(said(replaced(slider, "positions = 12", "at = \"90 deg\""), "l = \"200 mm\"", "l = \"45 mm\"") ==
-          "a: 'rod' (45 mm) does not reach its guide, which is 50 mm away at a crank angle of 90 deg; change a length, or "
+          "a: 'rod' (45 mm) does not reach its guide, which is 50 mm away at a crank angle of 90 deg; change a length, "
+          "or "
           "start elsewhere");
     const Template* loader = find_template(planar(), "loader_arm");
     CHECK(said(loader->example, "s_1 = \"1 m\"", "s_1 = \"4 m\"").starts_with("loader: 'arm' ("));

@@ -21,9 +21,9 @@ void PlanarStep::prepare(const project::Declared& declared, const project::Compa
   check_operands(input().reading, name(), false, declared, issues);
   // What names hang on must see that a value is given; which one is known when the project is solved.
   for (const project::Operand& operand : input().reading.operands) operand.leaf.set(operand.leaf.field->factor);
+  if (input().from != nullptr) add_faults(check_overrides(*input().from, input().reading), issues);
   add_faults_of_names(issues);
   const bool known = input().reading.operands.empty();
-  if (input().from != nullptr) add_faults(check_overrides(*input().from, input().reading), issues);
   if (known && !std::any_of(issues.begin(), issues.end(), is_own)) expand_template(issues);
   if (std::any_of(issues.begin(), issues.end(), is_own)) return;  // the model has holes: nothing more can be said of it
   const mechanism::Model model = model_of(data());

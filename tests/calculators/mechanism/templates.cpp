@@ -334,6 +334,14 @@ TEST_SUITE("mechanism template faults") {
           std::string::npos);
   }
 
+  TEST_CASE("a point of the template given the other way is told once, and a link that stands twice too") {
+    CHECK(said(slider, "r = \"50", "links.rod.points.B = { r = \"1 mm\", angle = \"0 deg\" }\nr = \"50")
+              .starts_with("a.links.rod.points.B: 'links.rod.points.B' comes from the template 'slider_crank'; "));
+    CHECK(said(slider, "r = \"50",
+               "links = [{ name = \"rod\", mass = \"1 kg\" }, { name = \"rod\", J = \"1 kg*m^2\" }]\nr = \"50") ==
+          "a.links: the name 'rod' stands twice in 'links'");
+  }
+
   TEST_CASE("a bar with a mass centre of its own needs its inertia") {
     CHECK(said(slider, "r = \"50", "links.rod = { mass = \"1 kg\", S = \"B\" }\nr = \"50") ==
           "a.links.rod: 'links.rod.J' is missing: with a mass centre of its own 'rod' is no slender bar; write J = "

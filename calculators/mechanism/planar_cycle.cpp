@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace loadpath {
 
@@ -80,8 +81,18 @@ struct Task {
   bool statics;
 };
 
+void prove(mechanism::Prover& prover, const Task& task, std::span<const Drive> drives, std::size_t k, Cycle& cycle) {
+  cycle.proofs[k] = prover.prove(drives, task.statics, cycle.positions[k]);
+  const double condition = cycle.proofs[k].condition;
+  if (std::isfinite(condition) && condition > cycle.worst_condition) {
+    cycle.worst_condition = condition;
+    cycle.worst_at = k;
+  }
+}
+
 /// Solves the positions from the first on, or from the last back, until one does not close; that one is left open.
 Status run(mechanism::WholeSystem& system, const Task& task, bool backward, Cycle& cycle) {
+  mechanism::Prover prover(task.model);
   const Schedule& schedule = task.schedule;
   const std::size_t count = schedule.drives.size();
   for (std::size_t n = 0; n < count; ++n) {
@@ -93,12 +104,7 @@ Status run(mechanism::WholeSystem& system, const Task& task, bool backward, Cycl
     if (status != Status::closed) return status;
     if (!is_finite(cycle.positions[k])) return Status::singular;
     cycle.closed[k] = true;
-    cycle.residuals[k] = mechanism::residuals(task.model, drives, task.statics, cycle.positions[k]);
-    const double condition = 1.0 / system.condition();
-    if (std::isfinite(condition) && condition > cycle.worst_condition) {
-      cycle.worst_condition = condition;
-      cycle.worst_at = k;
-    }
+    prove(prover, task, drives, k, cycle);
   }
   return Status::closed;
 }
@@ -121,7 +127,7 @@ Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, Axis* 
   const Schedule schedule = schedule_of(in, system);
   if (axis != nullptr) fill_axis(schedule, *axis);
   cycle.positions.assign(schedule.drives.size(), system.blank());
-  cycle.residuals.assign(schedule.drives.size(), {});
+  cycle.proofs.assign(schedule.drives.size(), {});
   cycle.closed.assign(schedule.drives.size(), false);
   if (cycle.first_failure != Status::closed) {
     cycle.gap = system.gap();

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "calculators/mechanism/planar.hpp"
-#include "lib/mechanism/balance.hpp"
+#include "lib/mechanism/proof/proof.hpp"
 #include "lib/mechanism/whole_system.hpp"
 #include "lib/quantity/series.hpp"
 
@@ -15,7 +15,7 @@ namespace loadpath {
 /// The solved positions. Where the mechanism does not close there is none.
 struct Cycle {
   std::vector<mechanism::Position> positions;
-  std::vector<mechanism::Residuals> residuals;
+  std::vector<mechanism::Proof> proofs;
   std::vector<bool> closed;
   mechanism::Status first_failure = mechanism::Status::closed;
   mechanism::WholeSystem::Gap gap;  // at the first failure

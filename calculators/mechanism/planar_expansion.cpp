@@ -25,10 +25,10 @@ std::string told_path(const std::string& path) {
   return of_point ? path.substr(0, path.rfind('.')) : path;
 }
 
-/// Values of what the template draws; masses stay the user's.
+/// Values of what the template draws; masses and friction stay the user's.
 void put(const Planar::Input& drawn, Planar::Input& in) {
   std::copy(drawn.ground.begin(), drawn.ground.end(), in.ground.begin());
-  std::copy(drawn.joints.begin(), drawn.joints.end(), in.joints.begin());
+  for (std::size_t i = 0; i < drawn.joints.size(); ++i) in.joints[i].direction = drawn.joints[i].direction;
   for (std::size_t i = 0; i < drawn.links.size(); ++i) {
     in.links[i].origin = drawn.links[i].origin;
     in.links[i].angle = drawn.links[i].angle;
@@ -60,7 +60,8 @@ bool is_given_in(const Record& laid, const std::string& path) {
   if (!find_leaf(laid, path)) return false;
   const std::string_view key = std::string_view(path).substr(path.rfind('.') + 1);
   const std::string_view head = std::string_view(path).substr(0, path.find('.'));
-  if (is_one_of(head, {"ground", "links", "joints"})) return !is_one_of(key, {"name", "mass", "J", "S"});
+  if (head == "ground" || head == "links") return !is_one_of(key, {"name", "mass", "J", "S"});
+  if (head == "joints") return is_one_of(key, {"type", "first", "second", "direction", "angle"});
   if (head == "crank")
     return is_one_of(key, {"joint", "to"}) && !find_leaf(laid, "crank.joint").field->text(laid.data.get()).empty();
   return head == "cylinders" && key == "joint";
@@ -73,7 +74,7 @@ std::vector<FieldFault> check_overrides(const Template& from, const Reading& rea
     const std::string path = told_path(entry.first);
     if (!is_given_in(laid, entry.first) || (!faults.empty() && faults.back().path == path)) continue;
     faults.push_back({path, say("'{1}' comes from the template '{2}'", path, from.id),
-                      say("leave it out; of a template's links mass, J and S are free, and new points")});
+                      say("leave it out; mass, J and S of its links, friction in its joints and new points are free")});
   }
   return faults;
 }

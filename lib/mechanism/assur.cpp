@@ -104,7 +104,8 @@ std::vector<Group> groups(const Model& model) {
   for (std::size_t k = 0; k < model.joints.size(); ++k) {
     Group& group = last_of(model.joints[k].i, model.joints[k].j);
     group.joints.push_back(k);
-    (model.joints[k].kind == JointKind::slot ? group.p4 : group.p5) += 1;
+    group.p5 += constraint_count(model.joints[k].kind) / 2;  // a rigid joint counts as one of each
+    group.p4 += constraint_count(model.joints[k].kind) % 2;
   }
   for (std::size_t k = 0; k < model.drivers.size(); ++k) {
     const Equation& equation = equations[equations.size() - model.drivers.size() + k];

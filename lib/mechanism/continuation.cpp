@@ -35,13 +35,26 @@ Continuation::Continuation(const Model& model)
   for (auto* x : {&held_, &target_, &held_at_start_}) x->resize(model.drivers.size());
 }
 
-Status Continuation::assemble(const Model& model) {
+void Continuation::take_poses(const Model& model) {
   for (std::size_t k = 0; k < model.links.size(); ++k) {
     const Pose& pose = model.links[k].pose;
     q_[3 * k] = pose.x;
     q_[3 * k + 1] = pose.y;
     q_[3 * k + 2] = pose.phi;
   }
+}
+
+void Continuation::hold(const Model& model, std::span<const double> drives) {
+  take_poses(model);
+  std::ranges::copy(drives, held_.begin());
+  target_ = held_;
+  place();
+  constraints_.count_turns();
+  assembled_ = correct(quadratic);
+}
+
+Status Continuation::assemble(const Model& model) {
+  take_poses(model);
   place();
   for (std::size_t k = 0; k < held_.size(); ++k) held_[k] = constraints_.coordinate(k);
   target_ = held_;

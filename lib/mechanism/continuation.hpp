@@ -16,6 +16,8 @@ class Continuation {
   explicit Continuation(const Model& model);
 
   Status assemble(const Model& model);
+  /// Takes over the poses of the model, closed at these coordinates of the drivers.
+  void hold(const Model& model, std::span<const double> drives);
   /// To these coordinates of the drivers, which are finite; stays where it was when that fails, as it does without an
   /// assembly.
   Status move(std::span<const double> goal);
@@ -28,6 +30,7 @@ class Continuation {
 
  private:
   [[nodiscard]] std::span<double> unknowns(std::vector<double>& x) const { return {x.data(), constraints_.columns()}; }
+  void take_poses(const Model& model);
   void place() { constraints_.place(q_, target_); }
   bool find_newton_step();
   bool pull_together();

@@ -19,7 +19,12 @@ class Chain {
   static constexpr std::size_t outside = 0;
 
   Chain(const Model& model, const Group& group) : group_(group), members_(1 + group.links.size()) {
-    for (const std::size_t k : group.joints) add(model.joints[k]);
+    for (const std::size_t k : group.joints) {
+      if (model.joints[k].kind != JointKind::rigid) add(model.joints[k]);
+    }
+    for (const std::size_t k : group.joints) {
+      if (model.joints[k].kind == JointKind::rigid) add(model.joints[k]);
+    }
     order_ = outer_joints();
     for (const std::size_t k : group.drivers) lock(model, model.drivers[k]);
   }
@@ -53,13 +58,29 @@ class Chain {
 
   void add(const Joint& joint) {
     const std::size_t i = member(joint.i), j = member(joint.j);
-    if (joint.kind == JointKind::slot) {
-      const std::size_t slider = members_++;
-      edges_.push_back({'R', i, slider});
-      edges_.push_back({'P', slider, j});
-    } else {
-      edges_.push_back({joint.kind == JointKind::revolute ? 'R' : 'P', i, j});
+    switch (joint.kind) {
+      case JointKind::revolute:
+      case JointKind::rolling:
+      case JointKind::rolling_on_line:
+        return edges_.push_back({'R', i, j});
+      case JointKind::prismatic:
+        return edges_.push_back({'P', i, j});
+      case JointKind::rigid:
+        return merge(i, j);
+      case JointKind::slot:
+      case JointKind::rack:
+        return add_between(i, 'R', 'P', j);
+      case JointKind::gear:
+      case JointKind::belt:
+        return add_between(i, 'R', 'R', j);
     }
+  }
+
+  /// A joint with one constraint stands for a member with two joints.
+  void add_between(std::size_t i, char first, char second, std::size_t j) {
+    const std::size_t between = members_++;
+    edges_.push_back({first, i, between});
+    edges_.push_back({second, between, j});
   }
 
   /// The members on both sides of a driver become one; what lies between them alone is then no joint any more.
@@ -67,6 +88,10 @@ class Chain {
     const bool linear = driver.kind == Driver::Kind::linear;
     const Joint* joint = linear ? &model.joints[static_cast<std::size_t>(driver.joint)] : nullptr;
     const std::size_t i = member(linear ? joint->i : driver.i), j = member(linear ? joint->j : driver.j);
+    merge(i, j);
+  }
+
+  void merge(std::size_t i, std::size_t j) {
     const auto [kept, merged] = std::minmax(i, j);
     for (Edge& e : edges_) {
       if (e.a == merged) e.a = kept;

@@ -1,10 +1,11 @@
 // The constraint equations of a planar mechanism with their exact Jacobian and their centripetal terms.
 //
-// Coordinates: x, y, phi of each link's frame, link by link, then three zeros for the ground. Rows: two for a revolute
-// or prismatic joint, one for a slot, in the order of the joints; then one for each driver.
+// Coordinates: x, y, phi of each link's frame, link by link, then three zeros for the ground. Rows: as many as each
+// joint has constraints, in the order of the joints; then one for each driver.
 #pragma once
 
 #include "lib/mechanism/model.hpp"
+#include "lib/mechanism/pair.hpp"
 #include "lib/numerics/elimination_order.hpp"
 
 #include <array>
@@ -19,17 +20,13 @@ double characteristic_length(const Model& model);
 /// The same mechanism with lengths in this unit; kg and s stay.
 Model in_unit_of_length(const Model& model, double unit);
 
-/// A joint with its vectors at the position held, global axes.
+/// A joint or a drive of the mechanism, at the position held.
 struct Pair {
-  JointKind kind;
-  std::size_t i, j;            // links; the ground comes last
-  std::size_t row;             // its first
-  Vec point_i, point_j, line;  // frames of i, j, j
-  double angle;
-  std::array<std::size_t, 6> entries{};  // of its Jacobian entries that change
-  Vec arm_i{}, arm_j{};                  // from the frames' origins to point_i, point_j
-  Vec apart{};                           // from point_j to point_i
-  Vec along{};                           // the line
+  PairShape shape;
+  std::size_t i = 0, j = 0;  // links; the ground comes last
+  std::size_t row = 0;       // its first
+  PairPlace at = {};
+  std::array<std::array<std::size_t, 6>, 3> entries = {};  // of its rows in the Jacobian
 };
 
 class Constraints {
@@ -38,11 +35,14 @@ class Constraints {
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
   [[nodiscard]] std::size_t columns() const { return 3 * ground_; }
-  [[nodiscard]] std::size_t first_driver_row() const { return rows_ - drives_.size(); }
+  [[nodiscard]] std::size_t first_driver_row() const { return rows_ - drives().size(); }
   [[nodiscard]] std::span<const MatrixEntry> pattern() const { return std::span(pattern_).subspan(1); }
 
   /// Goes to these coordinates; `targets`: what the drivers' coordinates should be.
   void place(std::span<const double> q, std::span<const double> targets);
+  /// At coordinates that are an assembly: chooses the whole turns of wheels about each other, which coordinates do not
+  /// tell.
+  void count_turns();
   [[nodiscard]] std::span<const double> residual() const { return residual_; }
   [[nodiscard]] std::span<const double> jacobian() const { return std::span(jacobian_).subspan(1); }
   /// J times the acceleration, as far as it comes from the velocities alone.
@@ -51,34 +51,22 @@ class Constraints {
   /// How far the joint is from being closed.
   [[nodiscard]] double opening(std::size_t joint) const;
 
-  [[nodiscard]] std::span<const Pair> pairs() const { return pairs_; }
+  /// The joints.
+  [[nodiscard]] std::span<const Pair> pairs() const { return std::span(pairs_).first(joints_); }
   /// Of a link's frame; the ground's comes last.
-  [[nodiscard]] const Turn& turned(std::size_t link) const { return turns_[link]; }
+  [[nodiscard]] const Turn& turned(std::size_t link) const { return placed_[link].turned; }
 
  private:
-  struct Drive {
-    Driver::Kind kind;
-    std::size_t i, j;  // rotary
-    std::size_t pair;  // linear
-    double offset;
-    std::array<std::size_t, 6> entries{};  // linear
-  };
-
   [[nodiscard]] std::size_t index(int link) const { return link == ground ? ground_ : static_cast<std::size_t>(link); }
-  std::size_t entry(std::size_t row, std::size_t link, std::size_t component, double value = 0.0);
-  std::array<std::size_t, 6> line_entries(std::size_t row, std::size_t i, std::size_t j);
-  void add(const Joint& joint);
-  void add(const Driver& driver);
-  void place(Pair& pair, std::span<const double> q);
-  void place(const Drive& drive);
-  void set_line(const Pair& pair, Vec direction, const std::array<std::size_t, 6>& entries);
+  [[nodiscard]] std::span<const Pair> drives() const { return std::span(pairs_).subspan(joints_); }
+  std::size_t entry(std::size_t row, std::size_t link, std::size_t component, bool occupied);
+  void add(const PairShape& shape, int i, int j);
+  void set_rows(const Pair& pair);
 
-  std::size_t ground_;
+  std::size_t ground_, joints_;
   std::size_t rows_ = 0;
-  std::vector<Pair> pairs_;
-  std::vector<Drive> drives_;
-  std::vector<Turn> turns_;
-  std::vector<double> phi_;
+  std::vector<Pair> pairs_;  // joints, then drives
+  std::vector<Placed> placed_;
   std::vector<MatrixEntry> pattern_;  // the first takes what belongs to the ground, and is no entry
   std::vector<double> jacobian_, residual_;
 };

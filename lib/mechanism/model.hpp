@@ -26,13 +26,47 @@ struct Link {
   Pose pose;             // the stated assembly, near which the mechanism is closed
 };
 
-enum class JointKind { revolute, prismatic, slot };
+enum class JointKind { revolute, prismatic, slot, rigid, gear, rack, belt, rolling, rolling_on_line };
 
 /// Of the three freedoms between two links, how many a joint takes away.
-constexpr int constraint_count(JointKind kind) { return kind == JointKind::slot ? 1 : 2; }
+constexpr int constraint_count(JointKind kind) {
+  switch (kind) {
+    case JointKind::rigid:
+      return 3;
+    case JointKind::revolute:
+    case JointKind::prismatic:
+    case JointKind::rolling:
+    case JointKind::rolling_on_line:
+      return 2;
+    case JointKind::slot:
+    case JointKind::gear:
+    case JointKind::rack:
+    case JointKind::belt:
+      return 1;
+  }
+  return 0;
+}
 
-/// A joint between link i and link j. Revolute: point_i and point_j coincide. Slot: the pin point_i of link i lies on
-/// the line of link j through point_j at `direction`; it may turn. Prismatic: the same, and phi_i - phi_j = `angle`.
+/// What resists the motion of a joint. Dry friction goes with the joint's force: in a pin by its radius, in a slide by
+/// the two edges on which the block rests (`Joint::guide_length`), in rolling by the lever arm of the resistance.
+struct Friction {
+  double coefficient = 0.0;
+  double pin_radius = 0.0;   // m: revolute, slot
+  double rolling_arm = 0.0;  // m: rolling
+  double viscous = 0.0;      // N m s, or N s/m in a slide
+  [[nodiscard]] bool any() const { return coefficient > 0.0 || rolling_arm > 0.0 || viscous > 0.0; }
+};
+
+/// A joint between link i and link j.
+/// - Revolute: point_i and point_j coincide. Slot: the pin point_i of link i lies on the line of link j through point_j
+///   at `direction`; it may turn. Prismatic: the same, and phi_i - phi_j = `angle`. Rigid: revolute, and the angle.
+/// - Wheels with centres at point_i and point_j that roll on each other: a gear holds no more than that (its centres
+/// are
+///   held by other joints), rolling holds the contact too. An internal ring has a negative radius. A belt, or chain,
+///   couples them from apart; crossed, one radius is negative.
+/// - Rack and rolling on a line: wheel i on the line of j through point_j at `direction`, at a distance of radius_i to
+///   the side on which it is assembled.
+/// What the rolling keeps constant, `phase`, is as in the stated assembly (set_phase).
 struct Joint {
   std::string name;
   JointKind kind = JointKind::revolute;
@@ -41,7 +75,15 @@ struct Joint {
   Vec point_i;             // frame of i
   Vec point_j;             // frame of j
   double direction = 0.0;  // of the line, frame of j
-  double angle = 0.0;      // prismatic only
+  double angle = 0.0;      // prismatic and rigid
+  double radius_i = 0.0;   // m, of wheels; on a line negative on its right side
+  double radius_j = 0.0;
+  double pressure_angle = 0.0;  // of teeth, rad: gear and rack
+  double tension = 0.0;         // N, of the slack side of a belt
+  double guide_length = 0.0;    // m, of the block about point_i: prismatic
+  double guide_width = 0.0;     // m, between the faces that the block rests on: prismatic
+  Friction friction = {};
+  double phase = 0.0;  // m
 };
 
 /// Rotary: coordinate = phi_i - phi_j + offset. Linear, on a prismatic or slot joint: coordinate = distance of point_i
@@ -65,6 +107,11 @@ struct Load {
   bool turns_with_link = false;  // true: force in the link's axes; false: in the global ones
   double moment = 0.0;           // N m
 };
+
+/// The force in global axes, on a link that is turned by this.
+inline Vec global_force(const Load& load, const Turn& turned) {
+  return load.turns_with_link ? turned(load.force) : load.force;
+}
 
 struct Model {
   std::vector<Link> links;

@@ -39,6 +39,8 @@ inline Position blank_position(const Model& model) {
   return position;
 }
 
-enum class Status { closed, does_not_close, singular };
+/// `jams`: it moves so, but friction grows with the force of the drive and no force is enough; the motion is given, the
+/// forces are not.
+enum class Status { closed, does_not_close, singular, jams };
 
 }  // namespace loadpath::mechanism

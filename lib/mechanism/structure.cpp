@@ -124,9 +124,11 @@ std::vector<std::vector<std::size_t>> joints_of(const MatrixXd& dependencies, st
   for (Index v = 0; v < dependencies.cols(); ++v) {
     std::vector<std::size_t> set;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
-      const auto first = static_cast<Index>(pairs[k].row);
-      const Index rows = constraint_count(pairs[k].kind);
-      if (in_support(dependencies, v, first) || in_support(dependencies, v, first + rows - 1)) set.push_back(k);
+      bool held = false;
+      for (std::size_t r = 0; r < pairs[k].shape.rows(); ++r) {
+        held = held || in_support(dependencies, v, static_cast<Index>(pairs[k].row + r));
+      }
+      if (held) set.push_back(k);
     }
     sets.push_back(std::move(set));
   }
@@ -150,6 +152,21 @@ int count_mobility(const Model& model) {
   int mobility = 3 * static_cast<int>(model.links.size());
   for (const auto& joint : model.joints) mobility -= constraint_count(joint.kind);
   return mobility;
+}
+
+std::vector<Misfit> misfits_of(const Constraints& constraints, double length) {
+  constexpr double tolerance = 0.01;  // pitch circles that are a little apart only change the working radii
+  std::vector<Misfit> misfits;
+  for (std::size_t k = 0; k < constraints.pairs().size(); ++k) {
+    const Pair& pair = constraints.pairs()[k];
+    const double apart = mechanism::length(pair.at.apart);
+    const double sum = std::abs(pair.shape.radius_i + pair.shape.radius_j);
+    const double difference = std::abs(pair.shape.radius_i - pair.shape.radius_j);
+    const bool gear = pair.shape.joint == JointKind::gear && std::abs(apart - sum) > tolerance * sum;
+    const bool belt = pair.shape.joint == JointKind::belt && apart <= (1.0 + tolerance) * difference;
+    if (gear || belt) misfits.push_back({k, length * apart, length * (gear ? sum : difference)});
+  }
+  return misfits;
 }
 
 void find_widest(const Constraints& constraints, double length, Structure& structure) {
@@ -177,6 +194,7 @@ Structure analyse(const Model& model) {
     find_widest(free.constraints(), length, structure);
     return structure;
   }
+  structure.misfits = misfits_of(free.constraints(), length);
   if (!driven.close()) {
     const Assembly as_far_as_possible = driven;
     driven.go_to(free.q());

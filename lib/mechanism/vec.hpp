@@ -25,8 +25,21 @@ struct Turn {
   double cosine = 1.0;
   double sine = 0.0;
   [[nodiscard]] constexpr Vec operator()(Vec a) const { return {cosine * a.x - sine * a.y, sine * a.x + cosine * a.y}; }
+  [[nodiscard]] constexpr Turn back() const { return {cosine, -sine}; }
 };
 
+/// One turn after another.
+constexpr Turn operator*(Turn a, Turn b) {
+  return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
+}
+
 inline Turn turn(double angle) { return {std::cos(angle), std::sin(angle)}; }
+/// The turn that takes the direction of `from` to that of `to`, which is as long.
+constexpr Turn turn(Vec from, Vec to) {
+  const double inverse = 1.0 / dot(from, from);
+  return {dot(from, to) * inverse, cross(from, to) * inverse};
+}
+/// Between -pi and pi.
+inline double angle_of(Turn turned) { return std::atan2(turned.sine, turned.cosine); }
 
 }  // namespace loadpath::mechanism

@@ -1,6 +1,7 @@
 #include "lib/mechanism/whole_system.hpp"
 
 #include "lib/mechanism/continuation.hpp"
+#include "lib/mechanism/induced.hpp"
 #include "lib/mechanism/kinematics.hpp"
 #include "lib/mechanism/kinetostatics.hpp"
 
@@ -19,6 +20,7 @@ struct WholeSystem::Work {
         length(characteristic_length(given)),
         scaled(in_unit_of_length(given, length)),
         continuation(scaled),
+        induced(model),
         goal(given.drivers.size()) {
     for (auto* x : {&velocity, &acceleration, &multipliers}) x->resize(continuation.q().size());
   }
@@ -29,13 +31,16 @@ struct WholeSystem::Work {
   }
   void find_velocity(std::span<const Drive> drives);
   void find_acceleration(std::span<const Drive> drives);
-  void find_multipliers(bool statics);
-  void store(std::span<const double> x, std::vector<Pose>& poses) const;
+  bool find_all_forces(bool statics, Position& out);
+  void find_forces(bool statics, const Induced& modes, Position& out);
+  void act(std::size_t link, const InducedMode& mode, double amount);
+  void store(std::span<const double> x, std::span<Pose> poses) const;
 
   Model model;    // as given
   double length;  // the unit of length inside
   Model scaled;
   Continuation continuation;
+  InducedForces induced;
   std::vector<double> goal, velocity, acceleration, multipliers;
 };
 
@@ -49,6 +54,17 @@ double WholeSystem::coordinate(std::size_t driver) const {
   return work_->unit(driver) * work_->continuation.drives()[driver];
 }
 
+void WholeSystem::hold(std::span<const Pose> poses, std::span<const Drive> drives) {
+  Work& w = *work_;
+  for (std::size_t k = 0; k < drives.size(); ++k) w.goal[k] = drives[k].coordinate / w.unit(k);
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    w.scaled.links[k].pose = {poses[k].x / w.length, poses[k].y / w.length, poses[k].phi};
+  }
+  w.continuation.hold(w.scaled, w.goal);
+}
+
+void WholeSystem::store_poses(std::span<Pose> poses) const { work_->store(work_->continuation.q(), poses); }
+
 Status WholeSystem::move(std::span<const Drive> drives) {
   for (std::size_t k = 0; k < drives.size(); ++k) work_->goal[k] = drives[k].coordinate / work_->unit(k);
   return work_->continuation.move(work_->goal);
@@ -59,13 +75,10 @@ Status WholeSystem::solve(std::span<const Drive> drives, Position& out, bool sta
   Work& w = *work_;
   w.find_velocity(drives);
   w.find_acceleration(drives);
-  w.find_multipliers(statics);
   w.store(w.continuation.q(), out.pose);
   w.store(w.velocity, out.velocity);
   w.store(w.acceleration, out.acceleration);
-  const Constraints& constraints = w.continuation.constraints();
-  share_out(w.model, constraints, w.continuation.q(), w.multipliers, w.length, out);
-  return Status::closed;
+  return w.find_all_forces(statics, out) ? Status::closed : Status::jams;
 }
 
 void WholeSystem::Work::find_velocity(std::span<const Drive> drives) {
@@ -82,12 +95,38 @@ void WholeSystem::Work::find_acceleration(std::span<const Drive> drives) {
   continuation.factors().solve(unknowns(acceleration));
 }
 
-void WholeSystem::Work::find_multipliers(bool statics) {
-  required_forces(scaled, continuation.constraints(), velocity, acceleration, statics, multipliers);
-  continuation.factors().solve_transposed(unknowns(multipliers));
+bool WholeSystem::Work::find_all_forces(bool statics, Position& out) {
+  if (!induced.none()) {
+    return induced.solve(out, [&](const Induced& modes) { find_forces(statics, modes, out); });
+  }
+  find_forces(statics, {}, out);
+  return true;
 }
 
-void WholeSystem::Work::store(std::span<const double> x, std::vector<Pose>& poses) const {
+void WholeSystem::Work::find_forces(bool statics, const Induced& modes, Position& out) {
+  const Constraints& constraints = continuation.constraints();
+  required_forces(scaled, constraints, velocity, acceleration, statics, multipliers);
+  for (std::size_t m = 0; m < modes.modes.size(); ++m) {
+    const InducedMode& mode = modes.modes[m];
+    const Pair& pair = constraints.pairs()[mode.joint];
+    const double force = modes.amounts[m] / length;
+    act(pair.i, mode, -force);
+    act(pair.j, mode, force);
+  }
+  continuation.factors().solve_transposed(unknowns(multipliers));
+  share_out(model, constraints, multipliers, length, out.reactions, out.effort);
+}
+
+// On what the constraints must supply for a link; `amount`: per unit of length.
+void WholeSystem::Work::act(std::size_t link, const InducedMode& mode, double amount) {
+  const std::span<const double> q = continuation.q();
+  const Vec arm = (1.0 / length) * mode.at - Vec{q[3 * link], q[3 * link + 1]};
+  multipliers[3 * link] += amount * mode.force.x;
+  multipliers[3 * link + 1] += amount * mode.force.y;
+  multipliers[3 * link + 2] += amount * (mode.couple / length + cross(arm, mode.force));
+}
+
+void WholeSystem::Work::store(std::span<const double> x, std::span<Pose> poses) const {
   for (std::size_t k = 0; k < poses.size(); ++k) poses[k] = {length * x[3 * k], length * x[3 * k + 1], x[3 * k + 2]};
 }
 

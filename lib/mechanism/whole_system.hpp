@@ -26,6 +26,9 @@ class WholeSystem {
   Status assemble();
   /// The drivers' coordinates of the position held now (after `assemble` or `move`).
   [[nodiscard]] double coordinate(std::size_t driver) const;
+  /// Takes over a position that is closed at these coordinates of the drivers.
+  void hold(std::span<const Pose> poses, std::span<const Drive> drives);
+  void store_poses(std::span<Pose> poses) const;
   /// Moves from the position held now to these coordinates, in steps small enough to stay in the same assembly.
   Status move(std::span<const Drive> drives);
   /// `move`, then velocities, accelerations, reactions and efforts into `out` (made by `blank`). `statics`: no inertia.

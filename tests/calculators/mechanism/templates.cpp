@@ -270,6 +270,13 @@ joints.bore = { type = "prismatic", links = ["plunger", "ground"], points = ["V"
     CHECK(report::worst(project::verdicts(p)) == report::State::pass);
   }
 
+  TEST_CASE("friction in a template's joints is the user's") {
+    const auto p = solved(slider + "links.slider.mass = \"9 kg\"\njoints.guide.c = \"20 N*s/m\"\n");
+    CHECK(value(p, "a.joints.guide.c") == 20.0);
+    CHECK(mean(*p.value("a.drive.P")) > 0.1);
+    CHECK(mean(*solved(slider + "links.slider.mass = \"9 kg\"\n").value("a.drive.P")) == doctest::Approx(0.0));
+  }
+
   TEST_CASE("parameters and masses are expressions over other steps") {
     const auto p = solved("[b]\ncalculator = \"shaft.torsion\"\nT = \"2700 N*m\"\ntau_adm = \"30 MPa\"\n" +
                           replaced(slider, "r = \"50 mm\"", "r = \"=b.d / 2\"") + "links.rod.mass = \"=2 * 3 kg\"\n");
@@ -327,8 +334,8 @@ TEST_SUITE("mechanism template faults") {
 
   TEST_CASE("what the template gives is not given again") {
     CHECK(said(slider, "r = \"50", "links.rod.angle = \"3 deg\"\nr = \"50") ==
-          "a.links.rod.angle: 'links.rod.angle' comes from the template 'slider_crank'; leave it out; of a template's "
-          "links mass, J and S are free, and new points");
+          "a.links.rod.angle: 'links.rod.angle' comes from the template 'slider_crank'; leave it out; mass, J "
+          "and S of its links, friction in its joints and new points are free");
     CHECK(said(slider, "speed =", "joint = \"A\", speed =").starts_with("a.crank.joint: 'crank.joint' comes from "));
     CHECK(said(slider, "r = \"50", "links.rod.points.B = [\"1 mm\", \"0 mm\"]\nr = \"50").find("comes from") !=
           std::string::npos);

@@ -1,0 +1,231 @@
+#include "lib/mechanism/group_motion.hpp"
+
+#include <algorithm>
+
+namespace loadpath::mechanism {
+namespace {
+
+std::size_t most_unknowns(const Plan& plan) {
+  std::size_t most = 0;
+  for (const GroupPlan& group : plan.groups) most = std::max(most, group.unknowns.size());
+  return most;
+}
+
+}  // namespace
+
+GroupMotion::GroupMotion(const Model& model, const Plan& plan, GroupPositions& at)
+    : model_(model),
+      plan_(plan),
+      at_(at),
+      moving_(plan.links),
+      rate_(plan.tree.size()),
+      second_(plan.tree.size()),
+      right_(most_unknowns(plan)),
+      above_(plan.links) {}
+
+// A link moves as the one that it hangs on, and turns or slides against it.
+void GroupMotion::carry_velocity(std::size_t t) {
+  const TreeJoint& tree = plan_.tree[t];
+  const Hung& hung = at_.hung(t);
+  const Vec on = at_.link(tree.on).origin, origin = at_.link(tree.link).origin;
+  const Moving& base = moving_[tree.on];
+  Moving& link = moving_[tree.link];
+  link.omega = base.omega;
+  link.velocity = base.velocity + base.omega * normal(origin - on);
+  if (tree.kind == TreeJoint::Kind::turn) {
+    link.omega += rate_[t];
+    link.velocity = link.velocity + rate_[t] * normal(origin - hung.pin);
+  } else {
+    link.velocity = link.velocity + rate_[t] * hung.along;
+  }
+}
+
+void GroupMotion::carry_acceleration(std::size_t t) {
+  const TreeJoint& tree = plan_.tree[t];
+  const Hung& hung = at_.hung(t);
+  const Vec on = at_.link(tree.on).origin, origin = at_.link(tree.link).origin;
+  const Moving& base = moving_[tree.on];
+  Moving& link = moving_[tree.link];
+  link.epsilon = base.epsilon;
+  if (tree.kind == TreeJoint::Kind::turn) {
+    link.epsilon += second_[t];
+    const Vec lever = hung.pin - on, arm = origin - hung.pin;
+    link.acceleration = base.acceleration + base.epsilon * normal(lever) - base.omega * base.omega * lever +
+                        link.epsilon * normal(arm) - link.omega * link.omega * arm;
+  } else {
+    const Vec lever = origin - on;
+    link.acceleration = base.acceleration + base.epsilon * normal(lever) - base.omega * base.omega * lever +
+                        2.0 * base.omega * rate_[t] * normal(hung.along) + second_[t] * hung.along;
+  }
+}
+
+// How fast a cut opens along its equations.
+void GroupMotion::opening_speed(std::size_t k, std::span<double> out) const {
+  const Cut& cut = plan_.cuts[k];
+  const PairPlace& at = at_.cut(k);
+  const Moving &i = moving_[cut.i], &j = moving_[cut.j];
+  const Vec apart = i.velocity + i.omega * normal(at.at - at_.link(cut.i).origin) - j.velocity -
+                    j.omega * normal(at.at - at_.link(cut.j).origin);
+  for (std::size_t r = 0; r < out.size(); ++r) {
+    out[r] = dot(at.rows[r].e, apart) + at.rows[r].m * (i.omega - j.omega);
+  }
+}
+
+// The same for the acceleration, beyond what the joint allows.
+void GroupMotion::opening_acceleration(std::size_t k, std::span<double> out) const {
+  const Cut& cut = plan_.cuts[k];
+  const PairPlace& at = at_.cut(k);
+  const Moving &i = moving_[cut.i], &j = moving_[cut.j];
+  const Placed &place_i = at_.link(cut.i), &place_j = at_.link(cut.j);
+  const Vec arm_i = at.at - place_i.origin, arm_j = at.at - place_j.origin;
+  const Vec apart = i.acceleration + i.epsilon * normal(arm_i) - i.omega * i.omega * arm_i - j.acceleration -
+                    j.epsilon * normal(arm_j) + j.omega * j.omega * arm_j;
+  held_acceleration(cut.shape, at, place_i, place_j, {i.velocity, i.omega}, {j.velocity, j.omega}, out);
+  for (std::size_t r = 0; r < out.size(); ++r) {
+    out[r] = dot(at.rows[r].e, apart) + at.rows[r].m * (i.epsilon - j.epsilon) - out[r];
+  }
+}
+
+/// The coordinates of a group of which `carry` takes the links along: as `given` by the drives, the unknown ones such
+/// that none of its cuts opens.
+template <class Carry, class Open, class Given>
+void GroupMotion::close(std::size_t g, std::span<double> rates, Carry carry, Open open, Given given) {
+  const GroupPlan& group = plan_.groups[g];
+  for (std::size_t t = group.first_tree; t < group.last_tree; ++t) {
+    const TreeJoint& tree = plan_.tree[t];
+    rates[t] = tree.driver == none ? 0.0 : tree.sense * given(tree.driver);
+    carry(t);
+  }
+  if (group.unknowns.empty()) return;
+  for (std::size_t k = group.first_cut; k < group.last_cut; ++k) {
+    const Cut& cut = plan_.cuts[k];
+    const std::span<double> rows = std::span(right_).subspan(cut.row, cut.shape.rows());
+    open(k, rows);
+    for (double& speed : rows) speed = -speed;
+    if (cut.driver != none) rows[0] += given(cut.driver);
+  }
+  const std::span<double> right = std::span(right_).first(group.unknowns.size());
+  at_.loops(g).solve(right);
+  for (std::size_t u = 0; u < right.size(); ++u) rates[group.unknowns[u]] = right[u];
+  for (std::size_t t = group.first_tree; t < group.last_tree; ++t) carry(t);
+}
+
+void GroupMotion::find_velocities(std::span<const Drive> drives) {
+  for (std::size_t g = 0; g < plan_.groups.size(); ++g) {
+    close(
+        g, rate_, [&](std::size_t t) { carry_velocity(t); },
+        [&](std::size_t k, std::span<double> rows) { opening_speed(k, rows); },
+        [&](std::size_t d) { return drives[d].speed; });
+  }
+}
+
+void GroupMotion::find_accelerations(std::span<const Drive> drives) {
+  for (std::size_t g = 0; g < plan_.groups.size(); ++g) {
+    close(
+        g, second_, [&](std::size_t t) { carry_acceleration(t); },
+        [&](std::size_t k, std::span<double> rows) { opening_acceleration(k, rows); },
+        [&](std::size_t d) { return drives[d].acceleration; });
+  }
+}
+
+void GroupMotion::find_forces(bool statics, const Induced& induced, Position& out) {
+  for (std::size_t k = 0; k < model_.links.size(); ++k) {
+    const Moving& m = moving_[k];
+    const Acceleration of_link = statics ? Acceleration{} : Acceleration{m.acceleration, m.omega, m.epsilon};
+    moving_[k].needed = inertia_less_weight(model_.links[k], at_.link(k).turned, of_link, model_.gravity);
+  }
+  for (std::size_t k = plan_.ground; k < plan_.links; ++k) moving_[k].needed = {};
+  for (const Load& load : model_.loads) {
+    const auto k = static_cast<std::size_t>(load.link);
+    moving_[k].needed.subtract(wrench_of(load, at_.link(k).turned));
+  }
+  for (std::size_t m = 0; m < induced.modes.size(); ++m) {
+    const InducedMode& mode = induced.modes[m];
+    const Joint& joint = model_.joints[mode.joint];
+    const Reaction acting{mode.at, induced.amounts[m] * mode.force, induced.amounts[m] * mode.couple};
+    supply(index(joint.i), acting, 1.0);
+    supply(index(joint.j), acting, -1.0);
+  }
+  for (std::size_t g = plan_.groups.size(); g-- > 0;) {
+    const GroupPlan& group = plan_.groups[g];
+    if (!group.unknowns.empty()) find_cut_forces(g, out);
+    for (std::size_t t = group.last_tree; t-- > group.first_tree;) find_tree_force(t, out);
+  }
+}
+
+// The cuts take up what would move the unknown coordinates.
+void GroupMotion::find_cut_forces(std::size_t g, Position& out) {
+  const GroupPlan& group = plan_.groups[g];
+  const std::span<double> right = std::span(right_).first(group.unknowns.size());
+  sum_up(group, right);
+  at_.loops(g).solve_transposed(right);
+  for (std::size_t k = group.first_cut; k < group.last_cut; ++k) {
+    const Cut& cut = plan_.cuts[k];
+    const PairPlace& at = at_.cut(k);
+    Reaction reaction{.at = at.at, .force = {}};
+    for (std::size_t r = 0; r < cut.shape.rows(); ++r) {
+      reaction.force = reaction.force + right[cut.row + r] * at.rows[r].e;
+      reaction.couple += right[cut.row + r] * at.rows[r].m;
+    }
+    supply(cut.i, reaction, 1.0);
+    supply(cut.j, reaction, -1.0);
+    if (cut.joint != none) out.reactions[cut.joint] = reaction;
+    if (cut.driver != none) out.effort[cut.driver] = right[cut.row];
+  }
+}
+
+// What the links above each unknown coordinate need, along that coordinate.
+void GroupMotion::sum_up(const GroupPlan& group, std::span<double> along) {
+  for (std::size_t t = group.first_tree; t < group.last_tree; ++t) {
+    const std::size_t k = plan_.tree[t].link;
+    above_[k] = moving_[k].needed;
+  }
+  for (std::size_t t = group.last_tree; t-- > group.first_tree;) {
+    const TreeJoint& tree = plan_.tree[t];
+    const Hung& hung = at_.hung(t);
+    const Wrench& needed = above_[tree.link];
+    const Vec origin = at_.link(tree.link).origin;
+    if (tree.unknown != none) {
+      along[tree.unknown] = tree.kind == TreeJoint::Kind::turn ? needed.moment + cross(origin - hung.pin, needed.force)
+                                                               : dot(needed.force, hung.along);
+    }
+    above_[tree.on].add(needed, origin - at_.link(tree.on).origin);
+  }
+}
+
+// A reaction does part of what a link needs.
+void GroupMotion::supply(std::size_t link, const Reaction& reaction, double sense) {
+  Wrench& needed = moving_[link].needed;
+  needed.force = needed.force - sense * reaction.force;
+  needed.moment -= sense * (reaction.couple + cross(reaction.at - at_.link(link).origin, reaction.force));
+}
+
+std::size_t GroupMotion::index(int link) const {
+  return link == ground ? plan_.ground : static_cast<std::size_t>(link);
+}
+
+// What a link still needs comes through its tree joint, and is needed then by the link that it hangs on.
+void GroupMotion::find_tree_force(std::size_t t, Position& out) {
+  const TreeJoint& tree = plan_.tree[t];
+  const Hung& hung = at_.hung(t);
+  const Wrench& needed = moving_[tree.link].needed;
+  const Vec origin = at_.link(tree.link).origin;
+  moving_[tree.on].needed.add(needed, origin - at_.link(tree.on).origin);
+  if (tree.joint == none) return;
+  const bool turns = tree.kind == TreeJoint::Kind::turn, slides = tree.kind == TreeJoint::Kind::slide;
+  Vec force = needed.force;
+  double couple = 0.0;
+  double effort = slides ? dot(force, hung.along) : 0.0;
+  if (turns) effort = needed.moment + cross(origin - hung.pin, force);
+  Vec at = hung.pin;
+  if (!turns) {
+    force = force - effort * hung.along;
+    if (!tree.link_is_i) at = at_.link(tree.on).point(tree.seat);
+    couple = needed.moment + cross(origin - at, needed.force);
+  }
+  const double sense = tree.link_is_i ? 1.0 : -1.0;
+  out.reactions[tree.joint] = {at, sense * force, sense * couple};
+  if (tree.driver != none) out.effort[tree.driver] = tree.sense * effort;
+}
+
+}  // namespace loadpath::mechanism

@@ -1,0 +1,42 @@
+// Positions, velocities, accelerations, reactions and driving efforts of a planar mechanism, group by group: forward
+// through the initial links and Assur groups in their order of attachment, back for the forces. The cost is linear in
+// the number of groups. What the groups cannot follow by themselves, a change point or a long move, is followed by the
+// equations of the whole system (whole_system.hpp), which also tell why a position is not reached.
+//
+// The model has passed `diagnose`. All memory is taken in the constructor: `assemble` and `solve` allocate nothing.
+#pragma once
+
+#include "lib/mechanism/model.hpp"
+#include "lib/mechanism/position.hpp"
+#include "lib/mechanism/whole_system.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+namespace loadpath::mechanism {
+
+class GroupSystem {
+ public:
+  explicit GroupSystem(const Model& model);
+  ~GroupSystem();
+  GroupSystem(GroupSystem&&) noexcept;
+
+  /// Closes the mechanism near the stated poses, at the drivers' coordinates that those poses have.
+  Status assemble();
+  /// The drivers' coordinates of the position held now.
+  [[nodiscard]] double coordinate(std::size_t driver) const;
+  /// Moves from the position held now to these coordinates without leaving the assembly, then fills `out` (made by
+  /// `blank_position`). `statics`: no inertia. When it fails, `out` and the position held stay as they were.
+  Status solve(std::span<const Drive> drives, Position& out, bool statics = false);
+  /// For loads that vary over the cycle: the force (in the axes the load has) and the moment from the next `solve` on.
+  void set_load(std::size_t load, Vec force, double moment);
+  /// After a failure, as WholeSystem::gap.
+  [[nodiscard]] WholeSystem::Gap gap() const;
+
+ private:
+  struct Work;
+  std::unique_ptr<Work> work_;
+};
+
+}  // namespace loadpath::mechanism

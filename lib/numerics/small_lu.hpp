@@ -1,0 +1,42 @@
+// LU factors of a small dense matrix; all memory is taken in the constructor. Sizes 1 and 2, which are most of what a
+// mechanism's groups need, go by their determinant.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace loadpath {
+
+class SmallLu {
+ public:
+  explicit SmallLu(std::size_t size) : size_(size), a_(size * size), order_(size), work_(size) {}
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] double& at(std::size_t row, std::size_t column) { return a_[row * size_ + column]; }
+
+  void clear() { std::fill(a_.begin(), a_.end(), 0.0); }
+  /// Factors the matrix that was filled in. False when it is singular to rounding.
+  [[nodiscard]] bool factor();
+  /// +1 or -1: the sign of the determinant of what was factored.
+  [[nodiscard]] double sign() const { return sign_; }
+  /// Replaces the right side by the solution of A x = b, or of A^T x = b.
+  void solve(std::span<double> right);
+  void solve_transposed(std::span<double> right);
+
+ private:
+  bool factor_two();
+  bool eliminate();
+  [[nodiscard]] bool choose_pivot(std::size_t step);
+
+  std::size_t size_;
+  std::vector<double> a_;
+  std::vector<std::size_t> order_;
+  std::vector<double> work_;  // the rows' scales while factoring; the right side while solving
+  double inverse_ = 0.0;      // of the determinant, sizes 1 and 2
+  double sign_ = 1.0;
+};
+
+}  // namespace loadpath

@@ -95,8 +95,12 @@ F_y = "0 N"
                   "points in the link's axes, or as drawn where it has neither origin nor angle"}
             .as_arrays(),
         Field{&Link::mass, "mass", kg, "mass"}.at_least(0),
-        Field{&Link::J, "J", kg_m2, "moment of inertia about the mass centre"}.at_least(0),
-        NameField{&Link::S, "S", "point that is the mass centre; the origin where missing"}.may_be_missing(),
+        Field{&Link::J, "J", kg_m2,
+              "moment of inertia about the mass centre; where missing 0, for a template's bar that of a slender bar"}
+            .at_least(0),
+        NameField{&Link::S, "S",
+                  "point that is the mass centre; where missing the origin, for a template's bar its middle S_LINK"}
+            .may_be_missing(),
         Group{&Link::origin, "origin", "rough place of the link's origin in the stated assembly"}
             .as_array()
             .may_be_missing(),

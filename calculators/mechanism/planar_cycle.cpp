@@ -130,6 +130,8 @@ std::string axis_name(const Planar::Input& in) {
   return in.positions > 1 ? "stroke" : "";
 }
 
+double first_crank_angle(const Planar::Crank& crank) { return crank.at.empty() ? crank.start : crank.at[0].angle; }
+
 bool is_whole_turn(const Planar::Input& in) { return has_crank(in) && in.crank.at.empty(); }
 
 Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, Axis* axis) {

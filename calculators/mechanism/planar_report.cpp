@@ -95,7 +95,7 @@ Table drive_table(const Planar::Input& in) {
     table.rows.push_back({say("angular speed"), Quantity{in_si(in.crank.speed), "rad/s"}});
     table.rows.push_back({say("angular acceleration"), Quantity{in_si(in.crank.acceleration), "rad/s^2"}});
     const bool turn = in.crank.at.empty();
-    table.rows.push_back({say("first crank angle"), Quantity{turn ? in.crank.start : in.crank.at[0].angle, "deg"}});
+    table.rows.push_back({say("first crank angle"), Quantity{first_crank_angle(in.crank), "deg"}});
     table.rows.push_back(
         {say("positions"), std::to_string(turn ? static_cast<std::size_t>(in.crank.positions) : in.crank.at.size())});
   }

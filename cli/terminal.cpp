@@ -44,7 +44,10 @@ bool is_brief(const project::Entry& e) {
   const bool joint_force = e.path.starts_with("joints.") && !e.path.ends_with(".x") && !e.path.ends_with(".y");
   const bool element = e.path.find_first_of("[.") != std::string::npos && !e.path.starts_with("drive.") &&
                        !e.path.starts_with("cylinders.");
-  return e.role == Role::result && !project::is_open(e) && (!element || joint_force);
+  const bool internal =
+      e.path.starts_with("springs.") ||
+      (e.path.starts_with("links.") && (e.path.ends_with(".N") || e.path.ends_with(".V") || e.path.ends_with(".M_b")));
+  return e.role == Role::result && !project::is_open(e) && (!element || joint_force || internal);
 }
 
 void show_results(const project::Step& step) {

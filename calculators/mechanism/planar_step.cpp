@@ -1,6 +1,8 @@
 #include "calculators/mechanism/planar_step.hpp"
 
+#include "calculators/mechanism/planar_design_outputs.hpp"
 #include "calculators/mechanism/planar_expansion.hpp"
+#include "calculators/mechanism/planar_loads.hpp"
 #include "calculators/mechanism/planar_report.hpp"
 #include "calculators/mechanism/templates/planar_template.hpp"
 #include "lib/calculator.hpp"
@@ -149,7 +151,9 @@ bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue
     issues.push_back(issue_at(input(), "crank.at", say("the crank angles must rise, or fall, from each to the next")));
     return false;
   }
-  const auto drawing = check_drawing(data(), model);
+  auto drawing = check_drawing(data(), model);
+  for (FieldFault& fault : check_shares(data())) drawing.push_back(std::move(fault));
+  for (FieldFault& fault : check_mass_lines(data(), model)) drawing.push_back(std::move(fault));
   add_faults(drawing, issues);
   if (!drawing.empty()) return false;
   const auto findings = mechanism::diagnose(model);
@@ -224,7 +228,7 @@ void PlanarStep::fill_values(const Cycle& cycle) {
     }
     results.push_back({output.path, output.doc, output.unit, Role::result, std::move(value), {}, ""});
   }
-  for (const Dimension& dimension : {N.dimension(), N_m.dimension()}) {
+  for (const Dimension& dimension : {N.dimension(), N_m.dimension(), W.dimension()}) {
     const double rounding = 1e-13 * largest_like(dimension, results);
     for (project::Entry& e : results) {
       if (e.value.signature.dimension != dimension) continue;

@@ -45,6 +45,10 @@ void required_forces(const Model& model, const Constraints& constraints, std::sp
     required[3 * k + 1] -= acting.force.y;
     required[3 * k + 2] -= acting.moment;
   }
+}
+
+void supply_springs(const Model& model, const Constraints& constraints, std::span<const double> velocity,
+                    std::span<double> required) {
   for (const Spring& spring : model.springs) add_spring(spring, constraints, velocity, required);
 }
 

@@ -49,6 +49,10 @@ inline Wrench wrench_of(const Load& load, const Turn& turned) {
 void required_forces(const Model& model, const Constraints& constraints, std::span<const double> velocity,
                      std::span<const double> acceleration, bool statics, std::span<double> required);
 
+/// What springs do of that. The model is in the unit of length of the constraints.
+void supply_springs(const Model& model, const Constraints& constraints, std::span<const double> velocity,
+                    std::span<double> required);
+
 /// Reactions and efforts from the multipliers; `length`: the unit of length of the constraints, in m.
 void share_out(const Model& model, const Constraints& constraints, std::span<const double> multipliers, double length,
                std::span<Reaction> reactions, std::span<double> effort);

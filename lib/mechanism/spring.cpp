@@ -1,5 +1,7 @@
 #include "lib/mechanism/spring.hpp"
 
+#include "lib/mechanism/frames.hpp"
+
 #include <cmath>
 
 namespace loadpath::mechanism {
@@ -26,17 +28,8 @@ SpringNow spring_now(const Spring& spring, const Placed& i, const Placed& j, con
 }
 
 SpringNow spring_now(const Spring& spring, const Position& at) {
-  const auto placed = [&](int link) {
-    if (link == ground) return Placed{};
-    const Pose& pose = at.pose[static_cast<std::size_t>(link)];
-    return Placed{turn(pose.phi), {pose.x, pose.y}, pose.phi};
-  };
-  const auto speeds = [&](int link) {
-    if (link == ground) return Speeds{};
-    const Pose& v = at.velocity[static_cast<std::size_t>(link)];
-    return Speeds{{v.x, v.y}, v.phi};
-  };
-  return spring_now(spring, placed(spring.i), placed(spring.j), speeds(spring.i), speeds(spring.j));
+  return spring_now(spring, placed_at(at, spring.i), placed_at(at, spring.j), speeds_at(at, spring.i),
+                    speeds_at(at, spring.j));
 }
 
 }  // namespace loadpath::mechanism

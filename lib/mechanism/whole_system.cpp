@@ -107,6 +107,7 @@ bool WholeSystem::Work::find_all_forces(bool statics, Position& out) {
 void WholeSystem::Work::find_forces(bool statics, const Induced& modes, Position& out) {
   const Constraints& constraints = continuation.constraints();
   required_forces(scaled, constraints, velocity, acceleration, statics, multipliers);
+  supply_springs(scaled, constraints, velocity, multipliers);
   for (std::size_t m = 0; m < modes.modes.size(); ++m) {
     const InducedMode& mode = modes.modes[m];
     const Pair& pair = constraints.pairs()[mode.joint];

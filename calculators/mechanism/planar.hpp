@@ -184,12 +184,19 @@ F_y = "0 N"
     AngularSpeed speed = 0.0 * rad_per_s.one;
     AngularAcceleration acceleration = 0.0 * rad_per_s2.one;
     double start = 0.0;
-    int positions = 360;
+    int positions = 360, turns = 1;
     struct Place {
       double angle = unset<double>;
       static constexpr std::tuple fields{Field{&Place::angle, "angle", deg, "crank angle"}.within(-3600, 3600)};
     };
     List<Place, 64> at;
+    struct Moment {
+      Time t = unset<Time>;
+      double angle = unset<double>;
+      static constexpr std::tuple fields{Field{&Moment::t, "t", s, "time"},
+                                         Field{&Moment::angle, "angle", deg, "crank angle then"}.within(-36000, 36000)};
+    };
+    List<Moment, 64> law;
     static constexpr std::tuple fields{
         NameField{&Crank::joint, "joint", "revolute joint that is driven"},
         NameField{&Crank::to, "to",
@@ -198,8 +205,13 @@ F_y = "0 N"
         Field{&Crank::speed, "speed", rad_per_s, "angular speed, counter-clockwise positive"},
         Field{&Crank::acceleration, "acceleration", rad_per_s2, "angular acceleration at every position"},
         Field{&Crank::start, "start", deg, "crank angle of the first position of a turn"}.within(-3600, 3600),
-        Count{&Crank::positions, "positions", 8, 7200, "positions of a turn"},
+        Count{&Crank::positions, "positions", 8, 7200, "positions of a cycle"},
+        Count{&Crank::turns, "turns", 1, 100, "turns of the crank until the mechanism is back where it was"},
         ListField{&Crank::at, "at", "given crank angles, rising or falling, in place of a whole turn"}
+            .as_arrays()
+            .may_be_missing(),
+        ListField{&Crank::law, "law",
+                  "crank angles over time, in place of a turn at a given speed; smooth, from rest to rest"}
             .as_arrays()
             .may_be_missing()};
   };
@@ -209,13 +221,23 @@ F_y = "0 N"
     Speed speed = 0.0 * m_per_s.one;
     Acceleration acceleration = 0.0 * m_per_s2.one;
     Length from = unset<Length>, to = unset<Length>;
+    struct Moment {
+      Time t = unset<Time>;
+      Length place = unset<Length>;
+      static constexpr std::tuple fields{Field{&Moment::t, "t", s, "time"},
+                                         Field{&Moment::place, "place", mm, "place along the guide then"}};
+    };
+    List<Moment, 64> law;
     static constexpr std::tuple fields{
         NameField{&Cylinder::name, "name", "name of the drive"},
         NameField{&Cylinder::joint, "joint", "prismatic or slot joint that is driven"},
         Field{&Cylinder::speed, "speed", m_per_s, "speed of the first link along the guide"},
         Field{&Cylinder::acceleration, "acceleration", m_per_s2, "acceleration along the guide"},
         Field{&Cylinder::from, "from", mm, "place at the first position; as assembled where missing"}.may_be_missing(),
-        Field{&Cylinder::to, "to", mm, "place at the last position of a stroke"}.may_be_missing()};
+        Field{&Cylinder::to, "to", mm, "place at the last position of a stroke"}.may_be_missing(),
+        ListField{&Cylinder::law, "law", "places over time, in place of a stroke; smooth, from rest to rest"}
+            .as_arrays()
+            .may_be_missing()};
   };
 
   enum class Axes { fixed, link };
@@ -297,7 +319,7 @@ F_y = "0 N"
       ListField{&Input::joints, "joints", "joints, by name"},
       Group{&Input::crank, "crank", "drive of a revolute joint"}.may_be_missing(),
       ListField{&Input::cylinders, "cylinders", "drives of prismatic joints, by name"}.may_be_missing(),
-      Count{&Input::positions, "positions", 1, 7200, "positions of a stroke of cylinders"},
+      Count{&Input::positions, "positions", 1, 7200, "positions of a stroke of cylinders, or of a law of motion"},
       ListField{&Input::loads, "loads", "forces and couples"}.may_be_missing(),
       ListField{&Input::springs, "springs", "springs and dampers, by name"}.may_be_missing(),
       Field{&Input::gravity, "gravity", m_per_s2, "acceleration of gravity; none where missing"}.at_least(0).usually(

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "calculators/mechanism/planar.hpp"
+#include "lib/issue.hpp"
 #include "lib/mechanism/group_system.hpp"
 #include "lib/mechanism/proof/proof.hpp"
 #include "lib/quantity/series.hpp"
@@ -17,6 +18,7 @@ struct Cycle {
   std::vector<mechanism::Position> positions;
   std::vector<mechanism::Proof> proofs;
   std::vector<bool> closed;
+  bool returns = true;     // after a whole turn, to where it began
   std::vector<bool> jams;  // closed, but friction lets no drive move it: it has no forces there
   mechanism::Status first_failure = mechanism::Status::closed;
   mechanism::WholeSystem::Gap gap;  // at the first failure
@@ -34,6 +36,11 @@ double first_crank_angle(const PlanarMechanism::Crank& crank);
 
 /// Whether the positions are those of a whole turn of the crank.
 bool is_whole_turn(const PlanarMechanism::Input& in);
+
+/// Whether a drive follows a law of motion; the axis is time then.
+bool has_law(const PlanarMechanism::Input& in);
+/// Laws of motion with too few moments, or moments that do not follow one another. Needs values.
+std::vector<FieldFault> check_laws(const PlanarMechanism::Input& in);
 
 /// Fills the places of the axis and solves there. `axis` is null where there is one position.
 Cycle solve_cycle(const PlanarMechanism::Input& in, const mechanism::Model& model, Axis* axis);

@@ -44,24 +44,24 @@ std::pair<Name, Name> end_of(const Planar::Spring& spring) {
   return {spring.points.first, spring.points.second.empty() ? spring.points.first : spring.points.second};
 }
 
-mechanism::Spring spring_of(const Planar::Input& in, const Planar::Spring& s) {
+mechanism::Spring spring_of(const Planar::Input& in, const Planar::Spring& given) {
   mechanism::Spring spring;
-  spring.name = s.name.view();
-  spring.i = link_index(in, s.links.first);
-  spring.j = link_index(in, s.links.second);
-  if (turns(s)) {
+  spring.name = given.name.view();
+  spring.i = link_index(in, given.links.first);
+  spring.j = link_index(in, given.links.second);
+  if (turns(given)) {
     spring.kind = mechanism::Spring::Kind::turning;
-    spring.rate = in_si(s.k_turn);
-    spring.free = is_set(s.free_angle) ? s.free_angle : 0.0;
-    spring.damping = in_si(s.c_turn);
+    spring.rate = in_si(given.k_turn);
+    spring.free = is_set(given.free_angle) ? given.free_angle : 0.0;
+    spring.damping = in_si(given.c_turn);
     return spring;
   }
-  const auto [first, second] = end_of(s);
+  const auto [first, second] = end_of(given);
   spring.point_i = vector_of(*find_point(in, spring.i, first));
   spring.point_j = vector_of(*find_point(in, spring.j, second));
-  spring.rate = in_si(s.k);
-  spring.free = is_set(s.free) ? in_si(s.free) : 0.0;
-  spring.damping = in_si(s.c);
+  spring.rate = in_si(given.k);
+  spring.free = is_set(given.free) ? in_si(given.free) : 0.0;
+  spring.damping = in_si(given.c);
   return spring;
 }
 
@@ -102,21 +102,22 @@ std::vector<FieldFault> check_shares(const Planar::Input& in) {
           {path_of(in.loads[k], k), say("the crank angles of 'over' must rise from each to the next"), {}});
       break;
     }
-    if (over[over.size() - 1].angle - over[0].angle > 2.0 * pi * (1.0 + 1e-12))
-      faults.push_back({path_of(in.loads[k], k), say("the crank angles of 'over' reach round more than one turn"), {}});
+    if (over[over.size() - 1].angle - over[0].angle > 2.0 * pi * in.crank.turns * (1.0 + 1e-12))
+      faults.push_back(
+          {path_of(in.loads[k], k), say("the crank angles of 'over' reach round more than one cycle"), {}});
   }
   return faults;
 }
 
-double share_at(const Planar::Load& load, double crank_angle) {
+double share_at(const Planar::Load& load, double crank_angle, double period) {
   const auto& over = load.over;
   if (over.empty()) return 1.0;
-  const double turn = 2.0 * pi, first = over[0].angle;
-  const double angle = crank_angle - turn * std::floor((crank_angle - first) / turn);
+  const double first = over[0].angle;
+  const double angle = crank_angle - period * std::floor((crank_angle - first) / period);
   std::size_t k = 0;
   while (k + 1 < over.size() && over[k + 1].angle <= angle) ++k;
   const bool last = k + 1 == over.size();
-  const double next = last ? first + turn : over[k + 1].angle, next_share = last ? over[0].share : over[k + 1].share;
+  const double next = last ? first + period : over[k + 1].angle, next_share = last ? over[0].share : over[k + 1].share;
   const double width = next - over[k].angle;
   return width > 0.0 ? over[k].share + (next_share - over[k].share) * (angle - over[k].angle) / width : over[k].share;
 }
@@ -150,17 +151,17 @@ Table spring_table(const Planar::Input& in) {
               {say("name"), say("first link"), say("point"), say("second link"), say("point"), say("rate"),
                say("without force"), say("damping")},
               {}};
-  for (const auto& s : in.springs) {
-    const bool turning = turns(s);
-    const auto [first, second] = end_of(s);
+  for (const auto& spring : in.springs) {
+    const bool turning = turns(spring);
+    const auto [first, second] = end_of(spring);
     const Cell none = std::string("–");
     table.rows.push_back(
-        {text(s.name), text(s.links.first), first.empty() ? none : Cell(text(first)), text(s.links.second),
+        {text(spring.name), text(spring.links.first), first.empty() ? none : Cell(text(first)), text(spring.links.second),
          second.empty() ? none : Cell(text(second)),
-         turning ? Cell(Quantity{in_si(s.k_turn), "N*m/rad"}) : Cell(Quantity{in_si(s.k), "N/mm"}),
-         turning ? Cell(Quantity{is_set(s.free_angle) ? s.free_angle : 0.0, "deg"})
-                 : Cell(Quantity{is_set(s.free) ? in_si(s.free) : 0.0, "mm"}),
-         turning ? Cell(Quantity{in_si(s.c_turn), "N*m*s/rad"}) : Cell(Quantity{in_si(s.c), "N*s/m"})});
+         turning ? Cell(Quantity{in_si(spring.k_turn), "N*m/rad"}) : Cell(Quantity{in_si(spring.k), "N/mm"}),
+         turning ? Cell(Quantity{is_set(spring.free_angle) ? spring.free_angle : 0.0, "deg"})
+                 : Cell(Quantity{is_set(spring.free) ? in_si(spring.free) : 0.0, "mm"}),
+         turning ? Cell(Quantity{in_si(spring.c_turn), "N*m*s/rad"}) : Cell(Quantity{in_si(spring.c), "N*s/m"})});
   }
   return table;
 }

@@ -21,8 +21,9 @@ std::vector<FieldFault> check_fields(const PlanarMechanism::Spring& spring);
 /// Crank angles of a load's shares that do not rise, or reach round more than a turn. Needs values.
 std::vector<FieldFault> check_shares(const PlanarMechanism::Input& in);
 
-/// The share of F and M that acts at a crank angle; 1 where the load does not vary.
-double share_at(const PlanarMechanism::Load& load, double crank_angle);
+/// The share of F and M that acts at a crank angle, given over one period of the crank, rad; 1 where the load does not
+/// vary.
+double share_at(const PlanarMechanism::Load& load, double crank_angle, double period);
 
 report::Table load_table(const PlanarMechanism::Input& in);
 report::Table spring_table(const PlanarMechanism::Input& in);

@@ -352,7 +352,7 @@ mechanism::Model model_of(const Planar::Input& in) {
   if (!in.crank.joint.empty()) model.drivers.push_back(crank_driver(in, model));
   for (const auto& c : in.cylinders) model.drivers.push_back(cylinder_driver(in, c, model));
   for (const auto& l : in.loads) model.loads.push_back(load_of(in, l));
-  for (const auto& s : in.springs) model.springs.push_back(spring_of(in, s));
+  for (const auto& spring : in.springs) model.springs.push_back(spring_of(in, spring));
   model.gravity = in_si(in.gravity) * Vec{std::cos(in.gravity_direction), std::sin(in.gravity_direction)};
   return model;
 }

@@ -72,6 +72,19 @@ report::Verdict closing(const std::string& step, const Planar::Input& in, const 
   return v;
 }
 
+/// Means over the turn are those of a cycle only if the mechanism is back then where it began.
+report::Verdict no_return(const std::string& step, const Planar::Input& in) {
+  report::Verdict v;
+  v.step = step;
+  v.symbol = "returns";
+  v.meaning = say("after the cycle the mechanism is where it began");
+  v.bound = say("after {1} turns", std::to_string(in.crank.turns));
+  v.value = say("elsewhere");
+  v.state = report::State::fail;
+  v.note = say("give the turns of the crank that make a cycle: crank = { turns = ... }");
+  return v;
+}
+
 /// Said only of a mechanism with friction.
 void add_jamming(const std::string& step, const Planar::Input& in, const Cycle& cycle, const Axis* axis,
                  std::vector<report::Verdict>& verdicts) {
@@ -223,6 +236,7 @@ std::vector<report::Verdict> proof(const std::string& step, const Planar::Input&
   const auto part = [&](double residual, double scale) { return left.any ? part_of(residual, scale) : none; };
   std::vector<report::Verdict> verdicts{closing(step, in, cycle, axis)};
   add_jamming(step, in, cycle, axis, verdicts);
+  if (!cycle.returns) verdicts.push_back(no_return(step, in));
   verdicts.push_back(limit(step, "force_balance",
                            say("equilibrium of every link: unbalanced force over the largest reaction"),
                            part(left.force, left.largest_force), 1e-9));

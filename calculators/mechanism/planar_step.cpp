@@ -33,7 +33,8 @@ void PlanarStep::prepare(const project::Declared& declared, const project::Compa
   const std::string axis = axis_name(data());
   if (!axis.empty()) {
     const double period = is_whole_turn(data()) ? 2.0 * pi : 0.0;  // its sense is known when the cycle is solved
-    axis_ = std::make_unique<Axis>(Axis{name(), axis, axis == "stroke" ? "mm" : "deg", {}, {}, period});
+    const char* const unit = axis == "time" ? "s" : axis == "stroke" ? "mm" : "deg";
+    axis_ = std::make_unique<Axis>(Axis{name(), axis, unit, {}, {}, period});
   }
   add_idle_fields(issues);
   if (known) diagnose_model(model, issues);
@@ -153,6 +154,7 @@ bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue
   }
   auto drawing = check_drawing(data(), model);
   for (FieldFault& fault : check_shares(data())) drawing.push_back(std::move(fault));
+  for (FieldFault& fault : check_laws(data())) drawing.push_back(std::move(fault));
   for (FieldFault& fault : check_mass_lines(data(), model)) drawing.push_back(std::move(fault));
   add_faults(drawing, issues);
   if (!drawing.empty()) return false;

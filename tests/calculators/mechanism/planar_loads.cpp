@@ -111,7 +111,16 @@ TEST_SUITE("mechanism faults") {
     CHECK(message_of("F_y = \"0 N\"", "F_y = \"0 N\"\nover = [[\"90 deg\", 1], [\"20 deg\", 0]]") ==
           "the crank angles of 'over' must rise from each to the next");
     CHECK(message_of("F_y = \"0 N\"", "F_y = \"0 N\"\nover = [[\"0 deg\", 1], [\"400 deg\", 0]]") ==
-          "the crank angles of 'over' reach round more than one turn");
+          "the crank angles of 'over' reach round more than one cycle");
+  }
+
+  TEST_CASE("laws of motion") {
+    CHECK(message_of("positions = 72 }", "law = [[\"0 s\", \"0 deg\"]] }") ==
+          "a law of motion has two moments or more");
+    CHECK(message_of("positions = 72 }", "law = [[\"1 s\", \"0 deg\"], [\"0.5 s\", \"90 deg\"]] }") ==
+          "the times of a law must rise from each to the next");
+    CHECK(with("speed = \"300 rpm\", positions = 72 }", "law = [[\"0 s\", \"10 deg\"], [\"0.5 s\", \"90 deg\"]] }")
+              .empty());
   }
 
   TEST_CASE("a link that is said to be a uniform bar") {
@@ -123,15 +132,15 @@ TEST_SUITE("mechanism faults") {
 TEST_SUITE("mechanism loads") {
   TEST_CASE("a load's share goes straight from each crank angle to the next, and round to the first") {
     PlanarMechanism::Load load;
-    CHECK(share_at(load, 1.0) == 1.0);
+    CHECK(share_at(load, 1.0, 2.0 * pi) == 1.0);
     load.over.resize(3);
     load.over[0] = {0.0, 0.0};
     load.over[1] = {pi, 1.0};
     load.over[2] = {1.5 * pi, 0.5};
-    CHECK(share_at(load, 0.5 * pi) == doctest::Approx(0.5));
-    CHECK(share_at(load, 1.25 * pi) == doctest::Approx(0.75));
-    CHECK(share_at(load, 1.75 * pi) == doctest::Approx(0.25));
-    CHECK(share_at(load, 0.5 * pi + 6.0 * pi) == doctest::Approx(0.5));
-    CHECK(share_at(load, 0.5 * pi - 8.0 * pi) == doctest::Approx(0.5));
+    CHECK(share_at(load, 0.5 * pi, 2.0 * pi) == doctest::Approx(0.5));
+    CHECK(share_at(load, 1.25 * pi, 2.0 * pi) == doctest::Approx(0.75));
+    CHECK(share_at(load, 1.75 * pi, 2.0 * pi) == doctest::Approx(0.25));
+    CHECK(share_at(load, 0.5 * pi + 6.0 * pi, 2.0 * pi) == doctest::Approx(0.5));
+    CHECK(share_at(load, 0.5 * pi - 8.0 * pi, 2.0 * pi) == doctest::Approx(0.5));
   }
 }

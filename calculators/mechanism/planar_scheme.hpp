@@ -1,0 +1,31 @@
+// A planar mechanism as lib/draw shows it.
+#pragma once
+
+#include "calculators/mechanism/planar_cycle.hpp"
+#include "calculators/mechanism/planar_model.hpp"
+#include "lib/draw/figure.hpp"
+
+#include <vector>
+
+namespace loadpath {
+
+/// How far a pin goes along its guide or slot: from the line's own point, m.
+struct Stroke {
+  double from = 0.0, to = 0.0;
+};
+/// Of every joint over the cycle; of joints without a line empty.
+std::vector<Stroke> strokes_of(const mechanism::Model& model, const Cycle& cycle);
+
+/// What is drawn: forces that are zero at this position too, where the drawing moves.
+enum class Shown { at_rest, moving };
+
+/// The scheme at a position, as `still`, and by which links its parts are carried. A joint's arrow is the force of its
+/// first link on its second.
+/// `points`: named where no joint has them.
+draw::Motion scheme_at(const mechanism::Model& model, const mechanism::Position& at, const std::vector<Stroke>& strokes,
+                       const std::vector<TracedPoint>& points, Shown shown);
+
+/// The paths of moving points over the positions, with a dozen of these on each; `cyclic`: they end where they began.
+void add_paths(const std::vector<TracedPoint>& points, const Cycle& cycle, bool cyclic, draw::Scheme& scheme);
+
+}  // namespace loadpath

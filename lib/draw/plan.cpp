@@ -13,7 +13,7 @@ bool drawable(const Plan& plan) {
 }  // namespace
 
 Picture picture(const Plans& plans) {
-  constexpr double alone = 380.0, in_row = 210.0, gap = 8.0;
+  constexpr double alone = 330.0, in_row = 210.0, gap = 8.0;
   const std::size_t columns = plans.panels.size() > 1 ? 2 : 1;
   const double width = (view_width - gap * static_cast<double>(columns - 1)) / static_cast<double>(columns);
   Picture out;

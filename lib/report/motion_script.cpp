@@ -51,9 +51,10 @@ for (const box of document.querySelectorAll(".motion")) {
     g.children[0].setAttribute("d", path([[x0, y0], [x1 - 0.8 * head * ex, y1 - 0.8 * head * ey]]));
     g.children[1].setAttribute("d", path([[x1, y1], [bx - w * ey, by + w * ex], [bx + w * ey, by - w * ex]]) + "z");
   };
-  const put = (text, x, y, shown) => {
-    text.setAttribute("x", round(x));
-    text.setAttribute("y", round(y + 4.6));
+  const put = (text, [x, y], ex, ey, shown) => {
+    const half = text.getComputedTextLength() / 2, far = 5 + Math.abs(ex) * half + Math.abs(ey) * 8;
+    text.setAttribute("x", round(Math.max(half, Math.min(text.ownerSVGElement.viewBox.baseVal.width - half, x + far * ex))));
+    text.setAttribute("y", round(y + far * ey + 4.6));
     text.setAttribute("visibility", shown ? "inherit" : "hidden");
   };
 
@@ -66,7 +67,7 @@ for (const box of document.querySelectorAll(".motion")) {
       for (const [g, n, [link, , x, y]] of list) {
         const [u, v] = foot(n, [link, x, y], k), [fx, fy] = force(n, k);
         const dx = data.newton * fx, dy = -data.newton * fy, length = Math.hypot(dx, dy) || 1;
-        if (name) put(g, u + dx + (14 * dx) / length, v + dy + (11 * dy) / length, length > 4);
+        if (name) put(g, [u + dx, v + dy], dx / length, dy / length, length > 4);
         else draw(g, [u, v], [u + dx, v + dy]);
       }
     }
@@ -84,14 +85,15 @@ for (const box of document.querySelectorAll(".motion")) {
     }
     const middle = (i) => (Math.min(...points.map((p) => p[i])) + Math.max(...points.map((p) => p[i]))) / 2;
     const dx = 130 - middle(0), dy = 120 - middle(1), apart = sides.length === 2 ? 3 : 0;
+    const area = points.reduce((sum, [x, y], i) => (i ? sum + points[i - 1][0] * y - x * points[i - 1][1] : 0), 0);
+    const out = apart || area < 0 ? 1 : -1;
     sides.forEach((side, i) => {
       const [[x0, y0], [x1, y1]] = [points[i], points[i + 1]], length = Math.hypot(x1 - x0, y1 - y0) || 1;
       const nx = -(y1 - y0) / length, ny = (x1 - x0) / length;
       const from = [x0 + dx + apart * nx, y0 + dy + apart * ny], to = [x1 + dx + apart * nx, y1 + dy + apart * ny];
       draw(g.querySelector(`[data-side="${i}"]`), from, to);
-      const mx = (from[0] + to[0]) / 2, my = (from[1] + to[1]) / 2;
-      const out = apart || nx * (mx - 130) + ny * (my - 120) >= 0 ? 1 : -1;
-      put(g.querySelector(`[data-side-name="${i}"]`).firstElementChild, mx + out * 20 * nx, my + out * 14 * ny, length > 4);
+      const middles = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
+      put(g.querySelector(`[data-side-name="${i}"]`).firstElementChild, middles, out * nx, out * ny, length > 4);
     });
   };
   const show = (k) => {

@@ -135,6 +135,7 @@ h2{font-size:1.25rem;margin-top:2.3rem}
 .verdicts .number{text-align:left;grid-row:2}
 .verdicts .bar{display:inline-block;width:6.5rem;margin:0 0 .1rem .7rem}
 .verdicts .bound{grid-row:3;grid-column:1/3}
+.plan{max-width:14rem}
 }
 )css";
 

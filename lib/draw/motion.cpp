@@ -21,9 +21,13 @@ Plan plan_at(const Motion& motion, const Motion::LinkPlan& of, std::size_t frame
   return plan;
 }
 
-Box extent(const Plan& plan) {
+Box extent(const Motion& motion, const Motion::LinkPlan& of, std::size_t frame) {
   Box box;
-  for (const auto& v : plan.vectors) box.include({v.to.x, v.to.y, v.to.x, v.to.y});
+  Point end;
+  for (const auto& side : of.sides) {
+    end = end + side.sense * motion.forces[side.force].values[frame];
+    box.include({end.x, end.y, end.x, end.y});
+  }
   return box;
 }
 
@@ -31,12 +35,12 @@ Box extent(const Plan& plan) {
 PlanFit plan_fit(const Motion& motion, const Motion::LinkPlan& plan) {
   double width = 1e-300, height = 1e-300;
   for (std::size_t k = 0; k < motion.axis.si.size(); ++k) {
-    const Box box = extent(plan_at(motion, plan, k));
+    const Box box = extent(motion, plan, k);
     width = std::max(width, box.width()), height = std::max(height, box.height());
   }
   PlanFit fit;
   fit.scale = std::min((plan_width - 2.0 * plan_room) / width, (plan_height - 2.0 * plan_room) / height);
-  const Point centre = extent(plan_at(motion, plan, motion.shown)).centre();
+  const Point centre = extent(motion, plan, motion.shown).centre();
   fit.origin = Point{0.5 * plan_width, 0.5 * plan_height} - fit.scale * Point{centre.x, -centre.y};
   fit.area = {0.0, 0.0, plan_width, plan_height + plan_bar};
   return fit;

@@ -108,6 +108,22 @@ Scheme without_gaps(const Scheme& scheme) {
 
 namespace {
 
+/// The corners of all signs that have the same room: as good as all of them, and few.
+std::vector<Sign> corners(const std::vector<Sign>& signs) {
+  std::vector<std::pair<double, Box>> boxes;
+  for (const Sign& s : signs) {
+    const Box at{s.at.x, s.at.y, s.at.x, s.at.y};
+    const auto same = std::find_if(boxes.begin(), boxes.end(), [&](const auto& b) { return b.first == s.room; });
+    same == boxes.end() ? boxes.push_back({s.room, at}) : same->second.include(at);
+  }
+  std::vector<Sign> kept;
+  for (const auto& [room, box] : boxes) {
+    kept.push_back({{box.left, box.top}, room});
+    kept.push_back({{box.right, box.bottom}, room});
+  }
+  return kept;
+}
+
 /// The force that the largest arrow stands for has its share of the drawing.
 constexpr double arrow_share = 0.25;
 
@@ -118,6 +134,7 @@ Fit fit(std::vector<Sign> all, const std::vector<Scheme::Arrow>& arrows) {
   for (const auto& arrow : arrows) strongest = std::max(strongest, length(arrow.force));
   const double metres_per_newton = strongest > 0.0 ? arrow_share * size / strongest : 0.0;
   for (const auto& arrow : arrows) all.push_back({arrow.at + metres_per_newton * arrow.force, 24.0});
+  all = corners(all);
 
   Fit result;
   result.scale = largest_scale(all, view_width / size);

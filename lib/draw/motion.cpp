@@ -69,6 +69,11 @@ std::string number_text(const Motion::Number& number, std::size_t frame) {
   return std::isfinite(si) ? format_number(in_unit(si, number.unit), 5) : "–";
 }
 
+std::string printed(std::string number) {
+  if (number.starts_with('-')) number.replace(0, 1, "−");
+  return number;
+}
+
 MotionPictures motion_pictures(const Figure& figure) {
   const auto& motion = std::get<Motion>(figure.content);
   const Fit placed = fit(motion);

@@ -20,7 +20,7 @@ Picture picture(const Plans& plans) {
   double row_end = 0.0;
   for (std::size_t n = 0; n < plans.panels.size(); ++n) {
     const Plan& plan = plans.panels[n];
-    if (n % columns == 0) out.height = row_end;
+    if (n % columns == 0) out.height = row_end + (n == 0 ? 0.0 : gap);
     const double left = static_cast<double>(n % columns) * (width + gap);
     const PlanFit placed = fit(plan, {left, out.height}, width, columns == 1 ? alone : in_row);
     if (drawable(plan)) draw_plan(out.svg, plan, placed), draw_plan_scales(out.svg, plan, placed);

@@ -11,7 +11,7 @@ using draw::Motion;
 
 std::string number_row(const Motion::Number& number, std::size_t frame, const std::string& mark) {
   return "<tr title=\"" + escaped(say(number.meaning).text()) + "\"><td>" + symbol(number.symbol) +
-         "</td><td class=\"number\" " + mark + ">" + draw::number_text(number, frame) + "</td><td>" +
+         "</td><td class=\"number\" " + mark + ">" + draw::printed(draw::number_text(number, frame)) + "</td><td>" +
          escaped(pretty_unit(number.unit)) + "</td></tr>\n";
 }
 

@@ -33,6 +33,7 @@ for (const box of document.querySelectorAll(".motion")) {
     const [, , x, y] = forces[n].columns;
     return x ? [data.step * value(x, k), data.step * value(y, k)] : place(at, k);
   };
+  const minus = (text) => text.replace(/^-/, "−");
   const round = (v) => Math.round(100 * v) / 100;
   const words = (text) => text.split(" ").map(Number);
   const carried = all("[data-carried]").map((g) => [g, words(g.dataset.carried)]);
@@ -103,8 +104,8 @@ for (const box of document.querySelectorAll(".motion")) {
       box.querySelector(".plan-of span").textContent = choice.value;
       polygon(choice.selectedIndex, k);
     }
-    box.querySelector("[data-axis]").textContent = places[k];
-    all("[data-number]").forEach((cell, n) => (cell.textContent = texts[n][k]));
+    box.querySelector("[data-axis]").textContent = minus(places[k]);
+    all("[data-number]").forEach((cell, n) => (cell.textContent = minus(texts[n][k])));
     slider.setAttribute("aria-valuetext", `${places[k]} ${slider.dataset.unit}`);
   };
   const go = (k) => { slider.value = k; show(k); };

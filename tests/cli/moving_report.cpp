@@ -80,7 +80,7 @@ TEST_SUITE("moving report in a browser") {
     for (const std::string degrees : {"-60", "90", "203"}) {
       CAPTURE(degrees);
       const std::string page = opened(desk, chromium, "r.html#position=" + degrees);
-      CHECK(after(page, "data-axis=\"\">", '<') == degrees);
+      CHECK(after(page, "data-axis=\"\">", '<') == draw::printed(degrees));
       const auto at = static_cast<std::size_t>(
           std::find_if(angles.begin(), angles.end(),
                        [&](double a) { return std::abs(a * 57.29577951308232 - std::stod(degrees)) < 1e-6; }) -
@@ -91,7 +91,7 @@ TEST_SUITE("moving report in a browser") {
         CAPTURE(path);
         const auto& result = step.at("results").at(path);
         const draw::Motion::Number number{"", "", result.at("unit").as_string().c_str(), column(result.at("values"))};
-        CHECK(number_shown(page, n++) == draw::number_text(number, at));
+        CHECK(number_shown(page, n++) == draw::printed(draw::number_text(number, at)));
       }
       CHECK(page.find("aria-valuetext=\"" + degrees + " deg\"") != std::string::npos);
       const std::string plan = page.substr(page.find("data-plan=\"1\" visibility=\"visible\""));

@@ -101,10 +101,11 @@ class MotionPlan {
       add_part(corner, of(pair.pin), "a_r_" + pair.joint->name);
     }
   }
-  /// From the image of a link's first joint to those of the others: towards it, then across.
+  /// From the image of a link's fixed joint, or else its first, to those of the others: towards it, then across.
   void add_turning_accelerations() {
     for (std::size_t k = 0; k < subject_.model.links.size(); ++k) {
-      const auto points = joint_points(subject_, static_cast<int>(k));
+      auto points = joint_points(subject_, static_cast<int>(k));
+      std::stable_partition(points.begin(), points.end(), [&](const auto& p) { return length(of(p)) <= negligible(); });
       const double omega = subject_.at.velocity[k].phi, phi = subject_.at.pose[k].phi;
       for (std::size_t n = 1; n < points.size(); ++n) {
         const Vec arm = mechanism::turn(phi)(points[n].own - points[0].own);

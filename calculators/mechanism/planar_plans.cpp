@@ -99,13 +99,16 @@ Plan zhukovsky_lever(const PlanSubject& subject) {
     for (auto& p : image.points) p = turned(p);
   }
   for (auto& p : plan.points) p.at = turned(p.at);
+  double largest = 0.0;
+  for (const auto& v : plan.vectors) largest = std::max(largest, std::hypot(v.to.x, v.to.y));
   plan.vectors.clear();
   for (std::size_t k = 0; k < subject.model.links.size(); ++k) {
     const int link = static_cast<int>(k);
     for (const ActingForce& acting : external_forces(subject.model, subject.at, link, subject.statics)) {
       const bool load = acting.cause == Cause::load || acting.cause == Cause::drive;
       const draw::Point foot = point(lever_arm(subject, link, acting.at));
-      if (length(acting.force) > 0.0) plan.forces.push_back({foot, point(acting.force), acting.name(), load});
+      const bool has_moment = length(acting.force) > 0.0 && std::hypot(foot.x, foot.y) > rounding * largest;
+      if (has_moment) plan.forces.push_back({foot, point(acting.force), acting.name(), load});
       const bool turns = acting.couple != 0.0 && subject.at.velocity[k].phi != 0.0;
       if (!turns) continue;
       const bool inertia = acting.cause == Cause::inertia;

@@ -19,6 +19,7 @@ std::string list(const Items& items, const Write& write) {
 
 std::string column(const std::vector<double>& values, double step) {
   std::vector<long> changes;
+  changes.reserve(values.size());
   long last = 0;
   for (const double v : values) {
     const long whole = std::lround(v / step);
@@ -33,6 +34,7 @@ std::string column(const std::vector<double>& values, double step) {
 template <class Items, class Read>
 std::string column_of(const Items& items, double step, const Read& read) {
   std::vector<double> values;
+  values.reserve(items.size());
   for (const auto& item : items) values.push_back(read(item));
   return column(values, step);
 }
@@ -82,6 +84,7 @@ std::string texts(const Motion::Number& number) {
 
 std::string motion_data(const Motion& motion, const Fit& scheme, const std::vector<PlanFit>& plans) {
   std::vector<std::string> shapes;
+  shapes.reserve(plans.size());
   for (std::size_t k = 0; k < plans.size(); ++k) shapes.push_back(plan_data(motion.plans[k], plans[k]));
   const auto as_is = [](const std::string& text) { return text; };
   return "{\"shown\":" + std::to_string(motion.shown) + ",\"step\":" + format_number(length_step) +

@@ -50,6 +50,9 @@ using AngularSpeed = boost::units::quantity<si::frequency>;
 using AngularAcceleration = decltype(AngularSpeed() / Time());
 using Twist = decltype(1.0 / Length());  // angle per length
 using Power = boost::units::quantity<si::power>;
+using Stiffness = decltype(Force() / Length());
+using Damping = decltype(Force() / Speed());
+using TurningDamping = decltype(Moment() * Time());
 
 // The functions that formulas use, for quantities and numbers alike.
 using boost::units::abs;
@@ -175,6 +178,10 @@ inline constexpr Unit<Speed> m_per_s{"m/s", from_si<Speed>(1.0)};
 inline constexpr Unit<Acceleration> m_per_s2{"m/s^2", from_si<Acceleration>(1.0)};
 inline constexpr Unit<AngularSpeed> rad_per_s{"rad/s", from_si<AngularSpeed>(1.0), 1};
 inline constexpr Unit<AngularAcceleration> rad_per_s2{"rad/s^2", from_si<AngularAcceleration>(1.0), 1};
+inline constexpr Unit<Stiffness> N_per_mm{"N/mm", from_si<Stiffness>(1e3)};
+inline constexpr Unit<Moment> N_m_per_rad{"N*m/rad", from_si<Moment>(1.0), -1};
+inline constexpr Unit<Damping> N_s_per_m{"N*s/m", from_si<Damping>(1.0)};
+inline constexpr Unit<TurningDamping> N_m_s{"N*m*s/rad", from_si<TurningDamping>(1.0), -1};
 inline constexpr Unit<Power> W{"W", from_si<Power>(1.0)};
 
 /// `10.0 * mm` in a formula.

@@ -1,9 +1,9 @@
 // A planar mechanism in a project: links, joints, drives and loads as a user writes them.
 //
 // Decides positions, velocities, accelerations, the reaction of every joint and the driving moment or force, over a
-// turn of the crank, over strokes of cylinders, or at given positions (lib/mechanism). Rigid links, no friction, no
-// play. Signs: moments counter-clockwise positive; a joint's force is that of its first link on its second (R_12). A
-// link's points are written in its own axes, or, where neither origin nor angle is given, as drawn on paper.
+// turn of the crank, over strokes of cylinders, or at given positions (lib/mechanism). Rigid links, no play. Signs:
+// moments counter-clockwise positive; a joint's force is that of its first link on its second (R_12). A link's points
+// are written in its own axes, or, where neither origin nor angle is given, as drawn on paper.
 #pragma once
 
 #include "lib/field.hpp"
@@ -16,8 +16,11 @@ struct PlanarMechanism {
   static constexpr auto id = "mechanism.planar";
   static constexpr auto title = "Planar mechanism";
   static constexpr auto scope =
-      "Motion, joint reactions and driving effort of a planar mechanism with pins, slides and slots, with masses and "
-      "loads, over a cycle or at given positions. Rigid links; friction, play and elasticity are not covered.";
+      "Motion, joint reactions and driving effort of a planar mechanism with pins, slides, slots, gears, belts, "
+      "rolling "
+      "wheels and friction, with masses and loads, over a cycle or at given positions. Rigid links; play and "
+      "elasticity "
+      "are not covered.";
   static constexpr auto source = "[A10], [D3]";
   static constexpr auto example = R"([project]
 title = "Slider-crank"
@@ -92,32 +95,84 @@ F_y = "0 N"
                   "points in the link's axes, or as drawn where it has neither origin nor angle"}
             .as_arrays(),
         Field{&Link::mass, "mass", kg, "mass"}.at_least(0),
-        Field{&Link::J, "J", kg_m2, "moment of inertia about the mass centre"}.at_least(0),
-        NameField{&Link::S, "S", "point that is the mass centre; the origin where missing"}.may_be_missing(),
+        Field{&Link::J, "J", kg_m2,
+              "moment of inertia about the mass centre; where missing 0, for a template's bar that of a slender bar"}
+            .at_least(0),
+        NameField{&Link::S, "S",
+                  "point that is the mass centre; where missing the origin, for a template's bar its middle S_LINK"}
+            .may_be_missing(),
         Group{&Link::origin, "origin", "rough place of the link's origin in the stated assembly"}
             .as_array()
             .may_be_missing(),
         Field{&Link::angle, "angle", deg, "rough angle of the link in the stated assembly"}.may_be_missing()};
   };
 
-  enum class Type { revolute, prismatic, slot };
+  enum class Type {
+    revolute,
+    prismatic,
+    slot,
+    rigid,
+    gear,
+    ring_gear,
+    rack,
+    belt,
+    crossed_belt,
+    rolling,
+    rolling_inside,
+    rolling_on_line
+  };
+  struct Radii {
+    Length first = unset<Length>, second = unset<Length>;
+    static constexpr std::tuple fields{Field{&Radii::first, "first", mm, "of the first link's wheel"}.positive(),
+                                       Field{&Radii::second, "second", mm, "of the second link's wheel"}.positive()};
+  };
   struct Joint {
     Name name;
     Type type = Type::revolute;
     Pair links, points;
     double direction = 0.0;
     double angle = unset<double>;
+    Radii radii;
+    Length radius = unset<Length>;
+    double pressure_angle = pi / 9.0;
+    Force slack = 0.0 * N.one;
+    double mu = 0.0;
+    Length pin_radius = unset<Length>, guide_length = unset<Length>, guide_width = unset<Length>;
+    Length rolling_arm = 0.0 * m.one;
+    Damping c = 0.0 * N_s_per_m.one;
+    TurningDamping c_turn = 0.0 * N_m_s.one;
     static constexpr std::tuple fields{
         NameField{&Joint::name, "name",
                   "name of the joint; also of its point on both links unless points says otherwise"},
         Choice{&Joint::type, "type", "kind of joint"},
         Group{&Joint::links, "links", "the two links; the ground is called ground"}.as_array(),
-        Group{&Joint::points, "points", "point of the first and of the second link"}.as_array().may_be_missing(),
+        Group{&Joint::points, "points", "point of the first and of the second link; of wheels their centres"}
+            .as_array()
+            .may_be_missing(),
         Field{&Joint::direction, "direction", deg,
-              "of the guide or slot through the second link's point, in that link's axes"},
+              "of the guide, slot or rack through the second link's point, in that link's axes"},
         Field{&Joint::angle, "angle", deg,
-              "prismatic: angle of the first link against the second; as assembled where missing"}
-            .may_be_missing()};
+              "prismatic, rigid: angle of the first link against the second; as assembled where missing"}
+            .may_be_missing(),
+        Group{&Joint::radii, "radii", "two wheels: their pitch or rolling radii"}.as_array().may_be_missing(),
+        Field{&Joint::radius, "radius", mm, "rack, rolling_on_line: radius of the first link's wheel"}
+            .positive()
+            .may_be_missing(),
+        Field{&Joint::pressure_angle, "pressure_angle", deg, "teeth: angle of the force against the pitch line"}.within(
+            0, 45),
+        Field{&Joint::slack, "slack", N, "belts: tension of the slack span"}.at_least(0),
+        Field{&Joint::mu, "mu", ratio, "coefficient of friction: revolute, prismatic, slot"}.within(0, 2),
+        Field{&Joint::pin_radius, "pin_radius", mm, "revolute, slot: radius of the pin"}.positive().may_be_missing(),
+        Field{&Joint::guide_length, "guide_length", mm,
+              "prismatic: length of the block about the first link's point, for the forces on its edges"}
+            .positive()
+            .may_be_missing(),
+        Field{&Joint::guide_width, "guide_width", mm, "prismatic: distance between the two faces that it rests on"}
+            .at_least(0)
+            .may_be_missing(),
+        Field{&Joint::rolling_arm, "rolling_arm", mm, "rolling: lever arm of the rolling resistance"}.at_least(0),
+        Field{&Joint::c, "c", N_s_per_m, "prismatic, slot: viscous resistance to sliding"}.at_least(0),
+        Field{&Joint::c_turn, "c_turn", N_m_s, "revolute, rolling: viscous resistance to turning"}.at_least(0)};
   };
 
   struct Crank {
@@ -208,9 +263,19 @@ F_y = "0 N"
 
 constexpr auto choices_of(PlanarMechanism::Type) {
   using T = PlanarMechanism::Type;
-  return std::array{ChoiceName<T>{T::revolute, "revolute", "pin: the points coincide, the links turn"},
-                    ChoiceName<T>{T::prismatic, "prismatic", "slide along a line of the second link, no turning"},
-                    ChoiceName<T>{T::slot, "slot", "pin of the first link in a slot of the second"}};
+  return std::array{
+      ChoiceName<T>{T::revolute, "revolute", "pin: the points coincide, the links turn"},
+      ChoiceName<T>{T::prismatic, "prismatic", "slide along a line of the second link, no turning"},
+      ChoiceName<T>{T::slot, "slot", "pin of the first link in a slot of the second"},
+      ChoiceName<T>{T::rigid, "rigid", "the points coincide, no turning"},
+      ChoiceName<T>{T::gear, "gear", "spur gears that mesh outside; other joints hold their centres"},
+      ChoiceName<T>{T::ring_gear, "ring_gear", "spur gear of the first link inside the ring of the second"},
+      ChoiceName<T>{T::rack, "rack", "spur gear of the first link on a rack of the second"},
+      ChoiceName<T>{T::belt, "belt", "belt or chain over wheels on both links, open"},
+      ChoiceName<T>{T::crossed_belt, "crossed_belt", "the same, crossed"},
+      ChoiceName<T>{T::rolling, "rolling", "wheels that roll on each other without slip"},
+      ChoiceName<T>{T::rolling_inside, "rolling_inside", "wheel of the first link that rolls inside the second's"},
+      ChoiceName<T>{T::rolling_on_line, "rolling_on_line", "wheel of the first link on a line of the second"}};
 }
 constexpr auto choices_of(PlanarMechanism::Axes) {
   using T = PlanarMechanism::Axes;

@@ -35,7 +35,7 @@ class Animation {
  public:
   explicit Animation(const AnimationSubject& subject)
       : in_(subject), frames_(frames_of(subject.cycle, subject.governing, frames_that_fit(subject))) {
-    motion_ = scheme_at(in_.model, position(shown()), in_.strokes, in_.points, Shown::moving);
+    motion_ = scheme_at(in_.model, position(shown()), in_.extents, in_.points, Shown::moving);
     add_paths(in_.points, in_.cycle, in_.axis.cyclic(), motion_.still);
     motion_.shown = shown();
     add_links();
@@ -80,7 +80,7 @@ class Animation {
     for (std::size_t n = 0; n < in_.model.joints.size(); ++n) add_reaction(n);
     std::size_t id = in_.model.joints.size();
     for (std::size_t n = 0; n < in_.model.loads.size(); ++n) {
-      if (mechanism::length(in_.model.loads[n].force) > 0.0) ids_[{Cause::load, n}] = id++;
+      if (in_.extents.loads_push[n]) ids_[{Cause::load, n}] = id++;
     }
   }
 
@@ -96,8 +96,11 @@ class Animation {
 
   void add_couples() {
     std::size_t id = 0;
-    for (const auto& load : in_.model.loads) {
-      if (load.moment != 0.0) motion_.couples[id++].values.assign(frames_.size(), load.moment);
+    for (std::size_t n = 0; n < in_.model.loads.size(); ++n) {
+      if (!in_.extents.loads_turn[n]) continue;
+      for (std::size_t f = 0; f < frames_.size(); ++f)
+        motion_.couples[id].values.push_back(position(f).loads[n].moment);
+      ++id;
     }
     for (std::size_t d = 0; d < in_.model.drivers.size() && id < motion_.couples.size(); ++d) {
       if (in_.model.drivers[d].kind != mechanism::Driver::Kind::rotary) continue;
@@ -172,11 +175,12 @@ class Animation {
 }  // namespace
 
 std::vector<std::size_t> frames_of(const Cycle& cycle, std::size_t governing, std::size_t most) {
-  const auto count = static_cast<std::size_t>(std::count(cycle.closed.begin(), cycle.closed.end(), true));
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < cycle.positions.size(); ++k) count += cycle.has_forces(k) ? 1 : 0;
   const std::size_t stride = count <= most ? 1 : (count + most - 1) / most;
   std::vector<std::size_t> frames;
   for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
-    if (cycle.closed[k] && (k % stride == 0 || k == governing)) frames.push_back(k);
+    if (cycle.has_forces(k) && (k % stride == 0 || k == governing)) frames.push_back(k);
   }
   return frames;
 }

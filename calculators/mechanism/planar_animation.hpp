@@ -11,15 +11,15 @@ namespace loadpath {
 struct AnimationSubject {
   const mechanism::Model& model;
   const Cycle& cycle;
-  const std::vector<Stroke>& strokes;
+  const Extents& extents;
   const std::vector<TracedPoint>& points;
   const project::Account& account;
   const Axis& axis;
-  std::size_t governing = 0;  // a closed position: the one that is printed
+  std::size_t governing = 0;  // a position with forces: the one that is printed
   bool statics = false;
 };
 
-/// Of the positions that close all are frames, or every second, third... where they are very many.
+/// Of the positions that have forces all are frames, or every second, third... where they are very many.
 draw::Figure animation(const AnimationSubject& subject);
 
 /// The positions that become frames, the governing one among them.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 
 namespace loadpath {
 
@@ -39,7 +41,7 @@ double place_of(const Planar::Cylinder& c, double assembled, std::size_t k, std:
   return count < 2 ? from : from + (to - from) * static_cast<double>(k) / static_cast<double>(count - 1);
 }
 
-Schedule schedule_of(const Planar::Input& in, const mechanism::WholeSystem& system) {
+Schedule schedule_of(const Planar::Input& in, const mechanism::GroupSystem& system) {
   Schedule schedule;
   const std::vector<double> angles = has_crank(in) ? crank_angles(in.crank) : std::vector<double>{};
   const std::size_t count = has_crank(in) ? angles.size() : static_cast<std::size_t>(in.positions);
@@ -73,6 +75,13 @@ bool is_finite(const mechanism::Position& p) {
          });
 }
 
+/// The motion stays, forces there are none.
+void take_forces_away(mechanism::Position& p) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (double& effort : p.effort) effort = none;
+  for (mechanism::Reaction& reaction : p.reactions) reaction = {reaction.at, {none, none}, none};
+}
+
 /// What is solved: a mechanism, its drives at every position, with inertia or without.
 struct Task {
   const mechanism::Model& model;
@@ -80,8 +89,18 @@ struct Task {
   bool statics;
 };
 
+void prove(mechanism::Prover& prover, const Task& task, std::span<const Drive> drives, std::size_t k, Cycle& cycle) {
+  cycle.proofs[k] = prover.prove(drives, task.statics, cycle.positions[k]);
+  const double condition = cycle.proofs[k].condition;
+  if (std::isfinite(condition) && condition > cycle.worst_condition) {
+    cycle.worst_condition = condition;
+    cycle.worst_at = k;
+  }
+}
+
 /// Solves the positions from the first on, or from the last back, until one does not close; that one is left open.
-Status run(mechanism::WholeSystem& system, const Task& task, bool backward, Cycle& cycle) {
+Status run(mechanism::GroupSystem& system, const Task& task, bool backward, Cycle& cycle) {
+  mechanism::Prover prover(task.model);
   const Schedule& schedule = task.schedule;
   const std::size_t count = schedule.drives.size();
   for (std::size_t n = 0; n < count; ++n) {
@@ -90,15 +109,16 @@ Status run(mechanism::WholeSystem& system, const Task& task, bool backward, Cycl
     std::vector<Drive> drives = schedule.drives[k];
     if (backward && schedule.period != 0.0) drives[0].coordinate -= schedule.period;
     const Status status = system.solve(drives, cycle.positions[k], task.statics);
-    if (status != Status::closed) return status;
-    if (!is_finite(cycle.positions[k])) return Status::singular;
-    cycle.closed[k] = true;
-    cycle.residuals[k] = mechanism::residuals(task.model, drives, task.statics, cycle.positions[k]);
-    const double condition = 1.0 / system.condition();
-    if (std::isfinite(condition) && condition > cycle.worst_condition) {
-      cycle.worst_condition = condition;
-      cycle.worst_at = k;
+    if (status != Status::closed && status != Status::jams) return status;
+    cycle.jams[k] = status == Status::jams;
+    if (cycle.jams[k]) {
+      take_forces_away(cycle.positions[k]);
+    } else if (is_finite(cycle.positions[k])) {
+      prove(prover, task, drives, k, cycle);
+    } else {
+      return Status::singular;
     }
+    cycle.closed[k] = true;
   }
   return Status::closed;
 }
@@ -110,17 +130,20 @@ std::string axis_name(const Planar::Input& in) {
   return in.positions > 1 ? "stroke" : "";
 }
 
+double first_crank_angle(const Planar::Crank& crank) { return crank.at.empty() ? crank.start : crank.at[0].angle; }
+
 bool is_whole_turn(const Planar::Input& in) { return has_crank(in) && in.crank.at.empty(); }
 
 Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, Axis* axis) {
-  mechanism::WholeSystem system(model);
+  mechanism::GroupSystem system(model);
   Cycle cycle;
   cycle.first_failure = system.assemble();
   const Schedule schedule = schedule_of(in, system);
   if (axis != nullptr) fill_axis(schedule, *axis);
-  cycle.positions.assign(schedule.drives.size(), system.blank());
-  cycle.residuals.assign(schedule.drives.size(), {});
+  cycle.positions.assign(schedule.drives.size(), mechanism::blank_position(model));
+  cycle.proofs.assign(schedule.drives.size(), {});
   cycle.closed.assign(schedule.drives.size(), false);
+  cycle.jams = cycle.closed;
   if (cycle.first_failure != Status::closed) {
     cycle.gap = system.gap();
     return cycle;
@@ -129,7 +152,7 @@ Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, Axis* 
   cycle.first_failure = run(system, task, false, cycle);
   if (cycle.first_failure == Status::closed) return cycle;
   cycle.gap = system.gap();
-  mechanism::WholeSystem again(model);  // what closes on the other side of the gap is reached backwards from the start
+  mechanism::GroupSystem again(model);  // what closes on the other side of the gap is reached backwards from the start
   if (again.assemble() == Status::closed) run(again, task, true, cycle);
   return cycle;
 }

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "calculators/mechanism/planar.hpp"
-#include "lib/mechanism/balance.hpp"
-#include "lib/mechanism/whole_system.hpp"
+#include "lib/mechanism/group_system.hpp"
+#include "lib/mechanism/proof/proof.hpp"
 #include "lib/quantity/series.hpp"
 
 #include <string>
@@ -15,16 +15,22 @@ namespace loadpath {
 /// The solved positions. Where the mechanism does not close there is none.
 struct Cycle {
   std::vector<mechanism::Position> positions;
-  std::vector<mechanism::Residuals> residuals;
+  std::vector<mechanism::Proof> proofs;
   std::vector<bool> closed;
+  std::vector<bool> jams;  // closed, but friction lets no drive move it: it has no forces there
   mechanism::Status first_failure = mechanism::Status::closed;
   mechanism::WholeSystem::Gap gap;  // at the first failure
   double worst_condition = 0.0;     // largest condition number of the constraints; 0: no position is closed
   std::size_t worst_at = 0;         // where that is
+
+  [[nodiscard]] bool has_forces(std::size_t k) const { return closed[k] && !jams[k]; }
 };
 
 /// Whether the positions make series, and over what: the name of the axis; empty where there is one position.
 std::string axis_name(const PlanarMechanism::Input& in);
+
+/// The crank angle of the first position, as the user counts it.
+double first_crank_angle(const PlanarMechanism::Crank& crank);
 
 /// Whether the positions are those of a whole turn of the crank.
 bool is_whole_turn(const PlanarMechanism::Input& in);

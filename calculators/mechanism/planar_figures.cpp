@@ -47,15 +47,21 @@ draw::Figure reactions_figure(const mechanism::Model& model, const project::Acco
   return {"reactions", "Forces in the joints over the cycle", std::move(plot)};
 }
 
-/// The position nearest to the largest moment of the drive, or force of the first cylinder; else the first that closes.
+/// The position nearest to the largest moment of the drive, or force of the first cylinder; else the first that has
+/// forces; one past the last where none has.
 std::size_t governing_position(const Cycle& cycle, const project::Account& account) {
   for (const auto& e : account.results) {
     if (e.path != "drive.M" && !e.path.starts_with("cylinders.")) continue;
     const Extreme peak = largest(e.value);
-    if (!std::isnan(peak.value) && cycle.closed[peak.nearest]) return peak.nearest;
+    if (!std::isnan(peak.value) && cycle.has_forces(peak.nearest)) return peak.nearest;
   }
-  return static_cast<std::size_t>(std::find(cycle.closed.begin(), cycle.closed.end(), true) - cycle.closed.begin());
+  std::size_t first = 0;
+  while (first < cycle.positions.size() && !cycle.has_forces(first)) ++first;
+  return first;
 }
+
+/// The positions that the user has asked for by their angles, where they are few enough for a page.
+bool draws_each(const PlanarMechanism::Input& in) { return in.crank.at.size() > 1 && in.crank.at.size() <= 12; }
 
 }  // namespace
 
@@ -64,22 +70,31 @@ std::vector<draw::Figure> mechanism_figures(const PlanarMechanism::Input& in, co
   std::vector<draw::Figure> figures;
   const auto first = std::find(cycle.closed.begin(), cycle.closed.end(), true);
   if (first == cycle.closed.end()) return figures;
-  const std::vector<Stroke> strokes = strokes_of(model, cycle);
+  const Extents extents = extents_of(model, cycle);
   const std::vector<TracedPoint> points = traced_points(in);
   const auto& start = cycle.positions[static_cast<std::size_t>(first - cycle.closed.begin())];
-  draw::Scheme scheme = scheme_at(model, start, strokes, points, Shown::at_rest).still;
+  draw::Scheme scheme = scheme_at(model, start, extents, points, Shown::at_rest).still;
   if (axis != nullptr) add_paths(points, cycle, axis->cyclic(), scheme);
   figures.push_back({"first-position",
                      "The mechanism at the first position, with the loads and, in each joint, the force of its first "
                      "link on the second",
                      std::move(scheme)});
   const std::size_t governing = axis == nullptr ? 0 : governing_position(cycle, account);
+  const bool has_forces = governing < cycle.positions.size() && cycle.has_forces(governing);
   const bool statics = in.analysis == PlanarMechanism::Analysis::statics;
-  if (axis != nullptr)
-    figures.push_back(animation({model, cycle, strokes, points, account, *axis, governing, statics}));
-  const auto plans = plan_figures({model, points, cycle.positions[governing], statics});
-  figures.insert(figures.end(), plans.begin(), plans.end());
+  if (axis != nullptr && has_forces)
+    figures.push_back(animation({model, cycle, extents, points, account, *axis, governing, statics}));
+  if (has_forces) {
+    const auto plans = plan_figures({model, points, cycle.positions[governing], statics});
+    figures.insert(figures.end(), plans.begin(), plans.end());
+  }
   if (axis == nullptr) return figures;
+  for (std::size_t k = 1; k < cycle.positions.size() && draws_each(in); ++k) {
+    if (!cycle.closed[k]) continue;
+    figures.push_back({"position-" + std::to_string(k + 1),
+                       "The mechanism at the given crank angle, with the same forces",
+                       scheme_at(model, cycle.positions[k], extents, points, Shown::at_rest).still});
+  }
   for (const auto& e : account.results) {
     if (e.path == "drive.M" || e.path.starts_with("cylinders.")) figures.push_back(drive_figure(e, *axis));
   }

@@ -2,6 +2,7 @@
 
 #include "calculators/mechanism/planar_outputs.hpp"
 #include "lib/draw/typeset.hpp"
+#include "lib/mechanism/spring.hpp"
 
 namespace loadpath {
 
@@ -22,10 +23,23 @@ void add_loads(const Model& model, const Position& at, int link, std::vector<Act
   for (std::size_t n = 0; n < model.loads.size(); ++n) {
     const mechanism::Load& load = model.loads[n];
     if (load.link != link) continue;
-    const Vec force = load.turns_with_link ? mechanism::turn(angle_of(at, link))(load.force) : load.force;
-    const bool is_force = mechanism::length(force) > 0.0;
-    forces.push_back({Cause::load, n, 1.0, motion_of(at, link, load.point).place, force, load.moment,
-                      named(load.name, is_force ? "F" : "M")});
+    const mechanism::LoadNow& now = at.loads[n];
+    const Vec force = mechanism::global_force(load, now.force, mechanism::turn(angle_of(at, link)));
+    const bool is_couple = mechanism::length(force) == 0.0 && now.moment != 0.0;
+    forces.push_back({Cause::load, n, 1.0, motion_of(at, link, load.point).place, force, now.moment,
+                      named(load.name, is_couple ? "M" : "F")});
+  }
+}
+
+void add_springs(const Model& model, const Position& at, int link, std::vector<ActingForce>& forces) {
+  for (std::size_t n = 0; n < model.springs.size(); ++n) {
+    const mechanism::Spring& spring = model.springs[n];
+    if (spring.i != link && spring.j != link) continue;
+    const mechanism::SpringNow now = mechanism::spring_now(spring, at);
+    const bool first = spring.i == link, turning = spring.kind == mechanism::Spring::Kind::turning;
+    const double sense = first ? 1.0 : -1.0;
+    forces.push_back({Cause::spring, n, sense, first ? now.at_i : now.at_j, sense * now.force, sense * now.couple,
+                      (turning ? "M_" : "F_") + spring.name});
   }
 }
 
@@ -80,6 +94,7 @@ std::string ActingForce::name() const { return sense < 0.0 ? "−" + draw::symbo
 std::vector<ActingForce> external_forces(const Model& model, const Position& at, int link, bool statics) {
   std::vector<ActingForce> forces;
   add_loads(model, at, link, forces);
+  add_springs(model, at, link, forces);
   add_mass(model, at, link, statics, forces);
   add_drives(model, at, link, forces);
   return forces;

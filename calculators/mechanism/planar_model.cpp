@@ -1,5 +1,6 @@
 #include "calculators/mechanism/planar_model.hpp"
 
+#include "calculators/mechanism/planar_joints.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -104,9 +105,7 @@ class NameCheck {
       add(links, say("joint '{1}' connects '{2}' with itself", joint.name.view(), joint.links.first.view()),
           say("a joint is between two links, or between a link and the ground"));
     }
-    if (is_set(joint.angle) && joint.type != Planar::Type::prismatic) {
-      add(path_of("joints", joint.name, "angle"), say("only a prismatic joint holds an angle"));
-    }
+    for (FieldFault& fault : check_fields(joint)) faults_.push_back(std::move(fault));
   }
 
   void require_joint(const Name& name, const std::string& path) {
@@ -196,17 +195,11 @@ class NameCheck {
 
 mechanism::Joint joint_of(const Planar::Input& in, const Planar::Joint& j) {
   const auto [p1, p2] = point_names(j);
-  mechanism::Joint joint;
-  joint.name = j.name.view();
-  joint.kind = j.type == Planar::Type::revolute    ? mechanism::JointKind::revolute
-               : j.type == Planar::Type::prismatic ? mechanism::JointKind::prismatic
-                                                   : mechanism::JointKind::slot;
+  mechanism::Joint joint = joint_values(j);
   joint.i = link_index(in, j.links.first);
   joint.j = link_index(in, j.links.second);
   joint.point_i = vector_of(*find_point(in, joint.i, p1));
   joint.point_j = vector_of(*find_point(in, joint.j, p2));
-  joint.direction = j.direction;
-  joint.angle = j.angle;  // where missing: as assembled, set once all links are placed
   return joint;
 }
 
@@ -230,6 +223,12 @@ Vec on_paper(const mechanism::Model& model, int link, Vec p) {
   return Vec{pose.x, pose.y} + mechanism::turn(pose.phi)(p);
 }
 
+/// Whether the points of its two links lie in one place, or at least on one line.
+bool brings_together(mechanism::JointKind kind) {
+  using Kind = mechanism::JointKind;
+  return kind == Kind::revolute || kind == Kind::prismatic || kind == Kind::slot || kind == Kind::rigid;
+}
+
 /// Links that have an angle but no origin are hung, one after the other, on a joint with a link that is placed.
 void place_links(const Planar::Input& in, mechanism::Model& model) {
   std::vector<bool> placed;
@@ -238,7 +237,7 @@ void place_links(const Planar::Input& in, mechanism::Model& model) {
   for (bool again = true; again;) {
     again = false;
     for (const mechanism::Joint& j : model.joints) {
-      if (is_placed(j.i) == is_placed(j.j)) continue;
+      if (is_placed(j.i) == is_placed(j.j) || !brings_together(j.kind)) continue;
       const bool i_free = !is_placed(j.i);
       const int free = i_free ? j.i : j.j;
       const Vec target = on_paper(model, i_free ? j.j : j.i, i_free ? j.point_j : j.point_i);
@@ -347,12 +346,7 @@ mechanism::Model model_of(const Planar::Input& in) {
   for (std::size_t i = 0; i < in.links.size(); ++i) model.links.push_back(link_of(in, i));
   for (const auto& j : in.joints) model.joints.push_back(joint_of(in, j));
   place_links(in, model);
-  const auto phi = [&](int link) {
-    return link == mechanism::ground ? 0.0 : model.links[static_cast<std::size_t>(link)].pose.phi;
-  };
-  for (mechanism::Joint& j : model.joints) {
-    if (std::isnan(j.angle)) j.angle = phi(j.i) - phi(j.j);
-  }
+  take_from_assembly(model);
   if (!in.crank.joint.empty()) model.drivers.push_back(crank_driver(in, model));
   for (const auto& c : in.cylinders) model.drivers.push_back(cylinder_driver(in, c, model));
   for (const auto& l : in.loads) model.loads.push_back(load_of(in, l));

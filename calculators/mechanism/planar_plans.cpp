@@ -105,7 +105,7 @@ Plan zhukovsky_lever(const PlanSubject& subject) {
   for (std::size_t k = 0; k < subject.model.links.size(); ++k) {
     const int link = static_cast<int>(k);
     for (const ActingForce& acting : external_forces(subject.model, subject.at, link, subject.statics)) {
-      const bool load = acting.cause == Cause::load || acting.cause == Cause::drive;
+      const bool load = acting.cause != Cause::weight && acting.cause != Cause::inertia;
       const draw::Point foot = point(lever_arm(subject, link, acting.at));
       const bool has_moment = length(acting.force) > 0.0 && std::hypot(foot.x, foot.y) > rounding * largest;
       if (has_moment) plan.forces.push_back({foot, point(acting.force), acting.name(), load});
@@ -156,6 +156,9 @@ std::vector<draw::Figure> plan_figures(const PlanSubject& subject) {
                      "Acceleration plan, with the normal and tangential parts between the points of a link and, where "
                      "links slide, the relative part and that of Coriolis",
                      draw::Plans{{acceleration_plan(subject)}}});
+  const bool rubs = std::any_of(subject.model.joints.begin(), subject.model.joints.end(),
+                                [](const mechanism::Joint& j) { return j.friction.any(); });
+  if (rubs) return figures;  // the lever says nothing of the forces inside the joints, which then do work
   Plan lever = zhukovsky_lever(subject);
   if (!lever.forces.empty() || !lever.moments.empty()) {
     figures.push_back(

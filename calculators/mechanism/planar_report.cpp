@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace loadpath {
 
@@ -96,7 +95,7 @@ Table drive_table(const Planar::Input& in) {
     table.rows.push_back({say("angular speed"), Quantity{in_si(in.crank.speed), "rad/s"}});
     table.rows.push_back({say("angular acceleration"), Quantity{in_si(in.crank.acceleration), "rad/s^2"}});
     const bool turn = in.crank.at.empty();
-    table.rows.push_back({say("first crank angle"), Quantity{turn ? in.crank.start : in.crank.at[0].angle, "deg"}});
+    table.rows.push_back({say("first crank angle"), Quantity{first_crank_angle(in.crank), "deg"}});
     table.rows.push_back(
         {say("positions"), std::to_string(turn ? static_cast<std::size_t>(in.crank.positions) : in.crank.at.size())});
   }
@@ -184,53 +183,12 @@ Table determinacy_table(const mechanism::Structure& structure, const Cycle& cycl
       {say("mobility by count, 3 n − 2 p5 − p4; drives not counted"), std::to_string(structure.mobility_by_count)});
   table.rows.push_back({say("mobility by rank of the constraints"), std::to_string(structure.mobility)});
   if (cycle.worst_condition == 0.0) return table;
-  const Message largest = say("largest condition number of constraints and drives, 1-norm, estimated");
+  const Message largest = say("largest condition number of constraints and drives, 1-norm");
   table.rows.push_back(
       {axis == nullptr ? largest
                        : say("{1}, at {2}", largest.text(), format_quantity(axis->at[cycle.worst_at], axis->unit, 5)),
        Quantity{cycle.worst_condition, "-", 2}});
   return table;
-}
-
-report::Verdict limit(const std::string& step, const char* symbol, Message meaning, double value, double bound) {
-  report::Verdict v;
-  v.step = step;
-  v.symbol = symbol;
-  v.meaning = std::move(meaning);
-  v.bound = say("at most {1}", format_number(bound));
-  v.value = Quantity{value, "-", 2};
-  v.state = std::isnan(value) ? report::State::not_available
-            : value <= bound  ? report::State::pass
-                              : report::State::fail;
-  return v;
-}
-
-Message why_open(const Planar::Input& in, const Cycle& cycle) {
-  if (cycle.first_failure == mechanism::Status::singular) return say("the drive cannot hold the mechanism there");
-  if (cycle.gap.joint < 0) return say("the drive could not be followed to its place");
-  return say("joint '{1}' stays {2} apart", text(in.joints[static_cast<std::size_t>(cycle.gap.joint)].name),
-             format_quantity(cycle.gap.size, "mm", 4));
-}
-
-report::Verdict closing(const std::string& step, const Planar::Input& in, const Cycle& cycle, const Axis* axis) {
-  report::Verdict v;
-  v.step = step;
-  v.symbol = "closes";
-  v.meaning = say("the mechanism closes at every position");
-  v.bound = say("every position");
-  const auto closed = static_cast<std::size_t>(std::count(cycle.closed.begin(), cycle.closed.end(), true));
-  v.value = say("{1} of {2}", std::to_string(closed), std::to_string(cycle.closed.size()));
-  v.state = closed == cycle.closed.size() ? report::State::pass : report::State::fail;
-  if (v.state == report::State::pass) return v;
-  v.note = why_open(in, cycle);
-  if (axis == nullptr) return v;
-  const auto first = std::find(cycle.closed.begin(), cycle.closed.end(), false) - cycle.closed.begin();
-  const auto last = std::find(cycle.closed.rbegin(), cycle.closed.rend(), false).base() - cycle.closed.begin() - 1;
-  const auto place = [&](std::ptrdiff_t k) {
-    return format_quantity(axis->at[static_cast<std::size_t>(k)], axis->unit, 5);
-  };
-  v.note = say("between {1} and {2}: {3}", place(first), place(last), v.note.text());
-  return v;
 }
 
 }  // namespace
@@ -245,71 +203,6 @@ std::vector<report::Block> result_tables(const project::Account& account, const 
                                          const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis) {
   return {axis == nullptr ? position_table(account) : extremes_table(account, *axis), structure_table(model),
           determinacy_table(structure, cycle, axis)};
-}
-
-namespace {
-
-/// The larger magnitude; what is not a number stays so.
-double larger(double most, double x) { return std::isnan(most) || std::abs(x) <= most ? most : std::abs(x); }
-
-/// A residual as a part of what it is a residual of; of nothing it is zero. What cannot be told is no number.
-double part_of(double residual, double scale) {
-  if (!std::isfinite(residual) || !std::isfinite(scale)) return std::numeric_limits<double>::quiet_NaN();
-  if (scale > 0.0) return residual / scale;
-  return residual == 0.0 ? 0.0 : std::numeric_limits<double>::quiet_NaN();
-}
-
-/// The largest of what is left over, and of what it is left over from, over the positions that close.
-struct Leftovers {
-  double force = 0.0, largest_force = 0.0;    // N
-  double moment = 0.0, largest_moment = 0.0;  // N m
-  double power = 0.0, largest_power = 0.0;    // W
-  bool any = false;
-
-  void add_force(mechanism::Vec force_there, mechanism::Vec at) {
-    largest_force = larger(largest_force, mechanism::length(force_there));
-    largest_moment = larger(largest_moment, mechanism::length(force_there) * mechanism::length(at));
-  }
-  /// The effort of a crank is a moment, that of a cylinder a force.
-  void add(const mechanism::Position& p, const mechanism::Residuals& r, bool crank) {
-    any = true;
-    force = larger(force, r.force);
-    moment = larger(moment, r.moment);
-    power = larger(power, r.power);
-    largest_power = larger(largest_power, r.power_scale);
-    for (const auto& reaction : p.reactions) {
-      add_force(reaction.force, reaction.at);
-      largest_moment = larger(largest_moment, reaction.couple);
-    }
-    for (std::size_t d = 0; d < p.effort.size(); ++d) {
-      double& largest = d == 0 && crank ? largest_moment : largest_force;
-      largest = larger(largest, p.effort[d]);
-    }
-  }
-};
-
-}  // namespace
-
-std::vector<report::Verdict> proof(const std::string& step, const Planar::Input& in, const Cycle& cycle,
-                                   const Axis* axis) {
-  Leftovers left;
-  for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
-    if (cycle.closed[k]) left.add(cycle.positions[k], cycle.residuals[k], !in.crank.joint.empty());
-  }
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  const auto part = [&](double residual, double scale) { return left.any ? part_of(residual, scale) : none; };
-  std::vector<report::Verdict> verdicts{closing(step, in, cycle, axis)};
-  verdicts.push_back(limit(step, "force_balance",
-                           say("equilibrium of every link: unbalanced force over the largest reaction"),
-                           part(left.force, left.largest_force), 1e-9));
-  verdicts.push_back(limit(step, "moment_balance", say("equilibrium of every link: unbalanced moment over the largest"),
-                           part(left.moment, left.largest_moment), 1e-9));
-  if (!in.crank.joint.empty() || !in.cylinders.empty()) {
-    verdicts.push_back(limit(step, "power_balance",
-                             say("power of drive, loads and weights against the change of kinetic energy"),
-                             part(left.power, left.largest_power), 1e-9));
-  }
-  return verdicts;
 }
 
 }  // namespace loadpath

@@ -16,11 +16,12 @@ std::vector<report::Block> model_tables(const PlanarMechanism::Input& in);
 /// the mechanism is built of, and how well the equations determine it.
 std::vector<report::Block> result_tables(const project::Account& account, const mechanism::Model& model,
                                          const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis);
-/// Whether it closes everywhere, the equilibrium of every link and the power balance.
+/// Whether it closes everywhere; the equilibrium of every link and the power balance; the forces found again by other
+/// methods, and the positions that are not trustworthy.
 std::vector<report::Verdict> proof(const std::string& step, const PlanarMechanism::Input& in, const Cycle& cycle,
                                    const Axis* axis);
-/// The mechanism at the first position and where the drive and a reaction are largest; drive and reactions over the
-/// cycle.
+/// The mechanism at the first position, at each of up to 12 given angles, and where the drive is largest; drive and
+/// reactions over the cycle.
 std::vector<draw::Figure> mechanism_figures(const PlanarMechanism::Input& in, const mechanism::Model& model,
                                             const Cycle& cycle, const project::Account& account, const Axis* axis);
 

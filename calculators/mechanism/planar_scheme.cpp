@@ -34,7 +34,7 @@ double reach(const mechanism::Joint& j, const Position& p) {
 }
 
 /// The points of a link that joints and loads use, each once, in the order of the joints.
-std::vector<Vec> used_points(const mechanism::Model& model, int link) {
+std::vector<Vec> used_points(const mechanism::Model& model, const Extents& extents, int link) {
   std::vector<Vec> points;
   const auto add = [&](Vec at) {
     const bool known =
@@ -45,8 +45,13 @@ std::vector<Vec> used_points(const mechanism::Model& model, int link) {
     if (j.i == link) add(j.point_i);
     if (j.j == link && !has_line(j.kind) && !has_rack(j.kind)) add(j.point_j);
   }
-  for (const auto& l : model.loads) {
-    if (l.link == link && (l.force.x != 0.0 || l.force.y != 0.0)) add(l.point);
+  for (std::size_t n = 0; n < model.loads.size(); ++n) {
+    if (model.loads[n].link == link && extents.loads_push[n]) add(model.loads[n].point);
+  }
+  for (const auto& s : model.springs) {
+    if (s.kind == mechanism::Spring::Kind::turning) continue;
+    if (s.i == link) add(s.point_i);
+    if (s.j == link) add(s.point_j);
   }
   return points;
 }
@@ -67,11 +72,11 @@ Negligible negligible(const Position& p) {
 
 class Drawing {
  public:
-  Drawing(const mechanism::Model& model, const Position& at, const std::vector<Stroke>& strokes,
+  Drawing(const mechanism::Model& model, const Position& at, const Extents& extents,
           const std::vector<TracedPoint>& points, Shown shown)
       : model_(model),
         at_(at),
-        strokes_(strokes),
+        extents_(extents),
         points_(points),
         moving_(shown == Shown::moving),
         rounding_(negligible(at)) {
@@ -80,7 +85,7 @@ class Drawing {
       add_joint(n);
       add_reaction(n);
     }
-    for (const auto& l : model.loads) add_load(l);
+    for (std::size_t n = 0; n < model.loads.size(); ++n) add_load(n);
     for (const TracedPoint& p : points) add_point(p);
     for (std::size_t d = 0; d < model.drivers.size(); ++d) add_drive(d);
   }
@@ -113,7 +118,7 @@ class Drawing {
   void add_body(std::size_t k) {
     const int link = static_cast<int>(k);
     Scheme::Body body{model_.links[k].name, {}};
-    for (const Vec own : used_points(model_, link)) body.points.push_back(point(on_paper(at_, link, own)));
+    for (const Vec own : used_points(model_, extents_, link)) body.points.push_back(point(on_paper(at_, link, own)));
     for (const TracedPoint& p : points_) {  // a mass centre may lie anywhere, other points belong to the link's shape
       const bool is_centre = model_.links[k].mass > 0.0 && mechanism::length(p.at - model_.links[k].centre) == 0.0;
       if (p.link == link && !is_centre) body.points.push_back(point(on_paper(at_, link, p.at)));
@@ -161,9 +166,9 @@ class Drawing {
     const Vec start = on_paper(at_, j.j, j.point_j), along = line_of(j, at_);
     const bool fixed = j.j == mechanism::ground;
     // A slot begins at its link's own pin; where a fixed guide begins is of no meaning.
-    const double from = fixed ? strokes_[n].from : std::min(0.0, strokes_[n].from);
-    const double to = fixed ? strokes_[n].to : std::max(0.0, strokes_[n].to);
-    const double margin = std::max(0.2 * (strokes_[n].to - strokes_[n].from), 0.1 * size());
+    const double from = fixed ? extents_.strokes[n].from : std::min(0.0, extents_.strokes[n].from);
+    const double to = fixed ? extents_.strokes[n].to : std::max(0.0, extents_.strokes[n].to);
+    const double margin = std::max(0.2 * (extents_.strokes[n].to - extents_.strokes[n].from), 0.1 * size());
     const double before = !fixed && from == 0.0 ? 0.0 : margin, after = !fixed && to == 0.0 ? 0.0 : margin;
     scheme().guides.push_back({point(start + (from - before) * along), point(start + (to + after) * along), fixed});
     motion_.guides.push_back({j.j, j.j});
@@ -197,18 +202,20 @@ class Drawing {
     motion_.forces.push_back({{}, {}, {j.i, -1}});
   }
 
-  void add_load(const mechanism::Load& l) {
-    const Vec force = l.turns_with_link ? mechanism::turn(angle_of(at_, l.link))(l.force) : l.force;
+  void add_load(std::size_t n) {
+    const mechanism::Load& l = model_.loads[n];
+    const mechanism::LoadNow& now = at_.loads[n];
+    const Vec force = mechanism::global_force(l, now.force, mechanism::turn(angle_of(at_, l.link)));
     const Vec place = on_paper(at_, l.link, l.point);
-    if (mechanism::length(force) > 0.0) {
+    if (mechanism::length(force) > 0.0 || (moving_ && extents_.loads_push[n])) {
       scheme().arrows.push_back({point(place), point(force), l.name.empty() ? "F" : l.name, true});
       motion_.forces.push_back({{}, {}, {l.link, -1}});
     }
-    if (l.moment == 0.0) return;
+    if (now.moment == 0.0 && !(moving_ && extents_.loads_turn[n])) return;
     // A couple without a point belongs to the whole link.
-    const bool has_place = mechanism::length(force) > 0.0 || mechanism::length(l.point) > 0.0;
+    const bool has_place = extents_.loads_push[n] || mechanism::length(l.point) > 0.0;
     const draw::Point seat = has_place ? point(place) : middle_of(static_cast<std::size_t>(l.link));
-    scheme().moments.push_back({seat, l.moment, l.name.empty() ? "M" : l.name});
+    scheme().moments.push_back({seat, now.moment, l.name.empty() ? "M" : l.name});
     motion_.couples.push_back({{}, {l.link, -1}});
   }
 
@@ -226,7 +233,7 @@ class Drawing {
 
   const mechanism::Model& model_;
   const Position& at_;
-  const std::vector<Stroke>& strokes_;
+  const Extents& extents_;
   const std::vector<TracedPoint>& points_;
   bool moving_;
   Negligible rounding_;
@@ -245,23 +252,31 @@ bool rests(const std::vector<draw::Point>& path) {
 
 }  // namespace
 
-std::vector<Stroke> strokes_of(const mechanism::Model& model, const Cycle& cycle) {
-  std::vector<Stroke> strokes(model.joints.size());
-  for (std::size_t n = 0; n < model.joints.size(); ++n) {
-    bool first = true;
-    for (std::size_t k = 0; k < cycle.positions.size() && has_line(model.joints[n].kind); ++k) {
-      if (!cycle.closed[k]) continue;
-      const double at = reach(model.joints[n], cycle.positions[k]);
-      strokes[n] = first ? Stroke{at, at} : Stroke{std::min(strokes[n].from, at), std::max(strokes[n].to, at)};
-      first = false;
+Extents extents_of(const mechanism::Model& model, const Cycle& cycle) {
+  Extents all{std::vector<Stroke>(model.joints.size()), std::vector<bool>(model.loads.size()),
+              std::vector<bool>(model.loads.size())};
+  bool first = true;
+  for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
+    if (!cycle.closed[k]) continue;
+    const Position& p = cycle.positions[k];
+    for (std::size_t n = 0; n < model.joints.size(); ++n) {
+      if (!has_line(model.joints[n].kind)) continue;
+      const double at = reach(model.joints[n], p);
+      Stroke& stroke = all.strokes[n];
+      stroke = first ? Stroke{at, at} : Stroke{std::min(stroke.from, at), std::max(stroke.to, at)};
     }
+    for (std::size_t n = 0; n < model.loads.size(); ++n) {
+      all.loads_push[n] = all.loads_push[n] || mechanism::length(p.loads[n].force) > 0.0;
+      all.loads_turn[n] = all.loads_turn[n] || p.loads[n].moment != 0.0;
+    }
+    first = false;
   }
-  return strokes;
+  return all;
 }
 
-Motion scheme_at(const mechanism::Model& model, const Position& at, const std::vector<Stroke>& strokes,
+Motion scheme_at(const mechanism::Model& model, const Position& at, const Extents& extents,
                  const std::vector<TracedPoint>& points, Shown shown) {
-  return Drawing(model, at, strokes, points, shown).taken();
+  return Drawing(model, at, extents, points, shown).taken();
 }
 
 void add_paths(const std::vector<TracedPoint>& points, const Cycle& cycle, bool cyclic, Scheme& scheme) {

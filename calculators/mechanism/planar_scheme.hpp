@@ -13,8 +13,12 @@ namespace loadpath {
 struct Stroke {
   double from = 0.0, to = 0.0;
 };
-/// Of every joint over the cycle; of joints without a line empty.
-std::vector<Stroke> strokes_of(const mechanism::Model& model, const Cycle& cycle);
+/// What a drawing that moves needs room for at every position.
+struct Extents {
+  std::vector<Stroke> strokes;               // of every joint; of joints without a line empty
+  std::vector<bool> loads_push, loads_turn;  // somewhere in the cycle
+};
+Extents extents_of(const mechanism::Model& model, const Cycle& cycle);
 
 /// What is drawn: forces that are zero at this position too, where the drawing moves.
 enum class Shown { at_rest, moving };
@@ -22,7 +26,7 @@ enum class Shown { at_rest, moving };
 /// The scheme at a position, as `still`, and by which links its parts are carried. A joint's arrow is the force of its
 /// first link on its second.
 /// `points`: named where no joint has them.
-draw::Motion scheme_at(const mechanism::Model& model, const mechanism::Position& at, const std::vector<Stroke>& strokes,
+draw::Motion scheme_at(const mechanism::Model& model, const mechanism::Position& at, const Extents& extents,
                        const std::vector<TracedPoint>& points, Shown shown);
 
 /// The paths of moving points over the positions, with a dozen of these on each; `cyclic`: they end where they began.

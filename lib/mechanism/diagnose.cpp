@@ -53,10 +53,24 @@ Finding without_effect(const Model& model, const Structure& structure) {
           say("this is a dead point of the drive, or two drivers act on the same freedom")};
 }
 
+Finding not_fitting(const Model& model, const Misfit& misfit) {
+  const Joint& joint = model.joints[misfit.joint];
+  const std::string apart = format_quantity(misfit.apart, "mm", 4), needed = format_quantity(misfit.needed, "mm", 4);
+  Message message =
+      joint.kind == JointKind::belt
+          ? say("the wheels of the belt '{1}' lie in one another: {2} from centre to centre, and that must be more "
+                "than {3}",
+                joint.name, apart, needed)
+          : say("the centres of the gears of '{1}' are {2} apart, their radii ask for {3}", joint.name, apart, needed);
+  return {Finding::About::joint, misfit.joint, std::move(message), say("move a centre, or change a radius")};
+}
+
 std::vector<Finding> about_mobility(const Model& model, const Structure& structure) {
   if (!structure.closes) return {not_closing(model, structure)};
-  if (structure.singular) return {singular(model, structure)};
   std::vector<Finding> findings;
+  for (const Misfit& misfit : structure.misfits) findings.push_back(not_fitting(model, misfit));
+  if (!findings.empty()) return findings;
+  if (structure.singular) return {singular(model, structure)};
   for (const auto& joints : structure.redundant) findings.push_back(redundant(model, joints));
   if (structure.mobility != static_cast<int>(model.drivers.size())) {
     findings.push_back(wrong_number_of_drivers(model, structure));

@@ -1,5 +1,7 @@
 #include "lib/mechanism/group_motion.hpp"
 
+#include "lib/mechanism/spring.hpp"
+
 #include <algorithm>
 
 namespace loadpath::mechanism {
@@ -128,7 +130,7 @@ void GroupMotion::find_accelerations(std::span<const Drive> drives) {
   }
 }
 
-void GroupMotion::find_forces(bool statics, Position& out) {
+void GroupMotion::find_forces(bool statics, const Induced& induced, Position& out) {
   for (std::size_t k = 0; k < model_.links.size(); ++k) {
     const Moving& m = moving_[k];
     const Acceleration of_link = statics ? Acceleration{} : Acceleration{m.acceleration, m.omega, m.epsilon};
@@ -138,6 +140,21 @@ void GroupMotion::find_forces(bool statics, Position& out) {
   for (const Load& load : model_.loads) {
     const auto k = static_cast<std::size_t>(load.link);
     moving_[k].needed.subtract(wrench_of(load, at_.link(k).turned));
+  }
+  for (const Spring& spring : model_.springs) {
+    const std::size_t i = index(spring.i), j = index(spring.j);
+    const Moving &on_i = moving_[i], &on_j = moving_[j];
+    const SpringNow now =
+        spring_now(spring, at_.link(i), at_.link(j), {on_i.velocity, on_i.omega}, {on_j.velocity, on_j.omega});
+    supply(i, {now.at_i, now.force, now.couple}, 1.0);
+    supply(j, {now.at_j, now.force, now.couple}, -1.0);
+  }
+  for (std::size_t m = 0; m < induced.modes.size(); ++m) {
+    const InducedMode& mode = induced.modes[m];
+    const Joint& joint = model_.joints[mode.joint];
+    const Reaction acting{mode.at, induced.amounts[m] * mode.force, induced.amounts[m] * mode.couple};
+    supply(index(joint.i), acting, 1.0);
+    supply(index(joint.j), acting, -1.0);
   }
   for (std::size_t g = plan_.groups.size(); g-- > 0;) {
     const GroupPlan& group = plan_.groups[g];
@@ -191,6 +208,10 @@ void GroupMotion::supply(std::size_t link, const Reaction& reaction, double sens
   Wrench& needed = moving_[link].needed;
   needed.force = needed.force - sense * reaction.force;
   needed.moment -= sense * (reaction.couple + cross(reaction.at - at_.link(link).origin, reaction.force));
+}
+
+std::size_t GroupMotion::index(int link) const {
+  return link == ground ? plan_.ground : static_cast<std::size_t>(link);
 }
 
 // What a link still needs comes through its tree joint, and is needed then by the link that it hangs on.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lib/mechanism/group_positions.hpp"
+#include "lib/mechanism/induced.hpp"
 #include "lib/mechanism/kinetostatics.hpp"
 #include "lib/mechanism/model.hpp"
 
@@ -26,8 +27,9 @@ class GroupMotion {
   void find_velocities(std::span<const Drive> drives);
   /// After the velocities.
   void find_accelerations(std::span<const Drive> drives);
-  /// After both, or, `statics`, without them. Reactions and efforts are written to `out`.
-  void find_forces(bool statics, Position& out);
+  /// After both; `statics`: as if the accelerations were zero. Reactions and efforts in equilibrium with what is
+  /// induced are written to `out`.
+  void find_forces(bool statics, const Induced& induced, Position& out);
 
   [[nodiscard]] const Moving& link(std::size_t k) const { return moving_[k]; }
   /// Of the tree joints' coordinates, from the velocities and accelerations found last.
@@ -44,6 +46,7 @@ class GroupMotion {
   void find_cut_forces(std::size_t g, Position& out);
   void sum_up(const GroupPlan& group, std::span<double> along);
   void supply(std::size_t link, const Reaction& reaction, double sense);
+  [[nodiscard]] std::size_t index(int link) const;
   void find_tree_force(std::size_t tree, Position& out);
 
   const Model& model_;

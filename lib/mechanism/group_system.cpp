@@ -18,6 +18,7 @@ struct GroupSystem::Work {
         plan(plan_of(given)),
         positions(plan, length),
         motion(model, plan, positions),
+        induced(model),
         whole(given),
         held(given.links.size()),
         drives(given.drivers.size()),
@@ -31,12 +32,14 @@ struct GroupSystem::Work {
   void adopt();
   void hold(std::span<const Drive> goal);
   void store(Position& out) const;
+  bool find_forces(bool statics, Position& out);
 
   Model model;
   double length;
   Plan plan;
   GroupPositions positions;
   GroupMotion motion;
+  InducedForces induced;
   WholeSystem whole;
   std::vector<Pose> held;
   std::vector<Drive> drives;  // of the position held
@@ -67,9 +70,8 @@ Status GroupSystem::solve(std::span<const Drive> drives, Position& out, bool sta
   if (const Status status = w.go_to(drives); status != Status::closed) return status;
   w.motion.find_velocities(drives);
   w.motion.find_accelerations(drives);
-  w.motion.find_forces(statics, out);
   w.store(out);
-  return Status::closed;
+  return w.find_forces(statics, out) ? Status::closed : Status::jams;
 }
 
 Status GroupSystem::Work::go_to(std::span<const Drive> goal) {
@@ -125,6 +127,15 @@ void GroupSystem::Work::store(Position& out) const {
     out.velocity[k] = {m.velocity.x, m.velocity.y, m.omega};
     out.acceleration[k] = {m.acceleration.x, m.acceleration.y, m.epsilon};
   }
+  for (std::size_t n = 0; n < out.loads.size(); ++n) out.loads[n] = {model.loads[n].force, model.loads[n].moment};
+}
+
+bool GroupSystem::Work::find_forces(bool statics, Position& out) {
+  if (!induced.none()) {
+    return induced.solve(out, [&](const Induced& modes) { motion.find_forces(statics, modes, out); });
+  }
+  motion.find_forces(statics, {}, out);
+  return true;
 }
 
 void GroupSystem::set_load(std::size_t load, Vec force, double moment) {

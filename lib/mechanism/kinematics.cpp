@@ -48,7 +48,6 @@ Model in_unit_of_length(const Model& model, double unit) {
     joint.radius_i *= shrink;
     joint.radius_j *= shrink;
     joint.phase *= shrink;
-    joint.tension *= shrink;
   }
   for (auto& driver : scaled.drivers) {
     if (driver.kind == Driver::Kind::linear) driver.offset *= shrink;
@@ -57,6 +56,14 @@ Model in_unit_of_length(const Model& model, double unit) {
     load.point = shrink * load.point;
     load.force = shrink * load.force;
     load.moment *= shrink * shrink;
+  }
+  for (auto& spring : scaled.springs) {
+    const bool turning = spring.kind == Spring::Kind::turning;
+    spring.point_i = shrink * spring.point_i;
+    spring.point_j = shrink * spring.point_j;
+    spring.free *= turning ? 1.0 : shrink;
+    spring.rate *= turning ? shrink * shrink : 1.0;
+    spring.damping *= turning ? shrink * shrink : 1.0;
   }
   scaled.gravity = shrink * scaled.gravity;
   return scaled;

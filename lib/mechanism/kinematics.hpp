@@ -55,9 +55,10 @@ class Constraints {
   [[nodiscard]] std::span<const Pair> pairs() const { return std::span(pairs_).first(joints_); }
   /// Of a link's frame; the ground's comes last.
   [[nodiscard]] const Turn& turned(std::size_t link) const { return placed_[link].turned; }
+  [[nodiscard]] const Placed& placed(int link) const { return placed_[index(link)]; }
+  [[nodiscard]] std::size_t index(int link) const { return link == ground ? ground_ : static_cast<std::size_t>(link); }
 
  private:
-  [[nodiscard]] std::size_t index(int link) const { return link == ground ? ground_ : static_cast<std::size_t>(link); }
   [[nodiscard]] std::span<const Pair> drives() const { return std::span(pairs_).subspan(joints_); }
   std::size_t entry(std::size_t row, std::size_t link, std::size_t component, bool occupied);
   void add(const PairShape& shape, int i, int j);

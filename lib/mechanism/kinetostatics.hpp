@@ -3,6 +3,7 @@
 
 #include "lib/mechanism/kinematics.hpp"
 #include "lib/mechanism/model.hpp"
+#include "lib/mechanism/point_motion.hpp"
 #include "lib/mechanism/position.hpp"
 
 #include <span>
@@ -33,13 +34,13 @@ struct Acceleration {
 /// What it takes to move a link so, m a and J epsilon, less its weight.
 inline Wrench inertia_less_weight(const Link& link, const Turn& turned, const Acceleration& a, Vec gravity) {
   const Vec arm = turned(link.centre);
-  const Vec centre = a.origin + a.epsilon * normal(arm) - a.omega * a.omega * arm;
+  const Vec centre = point_acceleration({a.origin.x, a.origin.y, a.epsilon}, a.omega, arm);
   const Vec force = link.mass * (centre - gravity);
   return {force, link.inertia * a.epsilon + cross(arm, force)};
 }
 
 inline Wrench wrench_of(const Load& load, const Turn& turned) {
-  const Vec force = load.turns_with_link ? turned(load.force) : load.force;
+  const Vec force = global_force(load, load.force, turned);
   return {force, load.moment + cross(turned(load.point), force)};
 }
 
@@ -50,6 +51,6 @@ void required_forces(const Model& model, const Constraints& constraints, std::sp
 
 /// Reactions and efforts from the multipliers; `length`: the unit of length of the constraints, in m.
 void share_out(const Model& model, const Constraints& constraints, std::span<const double> multipliers, double length,
-               Position& out);
+               std::span<Reaction> reactions, std::span<double> effort);
 
 }  // namespace loadpath::mechanism

@@ -47,6 +47,16 @@ constexpr int constraint_count(JointKind kind) {
   return 0;
 }
 
+/// What resists the motion of a joint. Dry friction goes with the joint's force: in a pin by its radius, in a slide by
+/// the two edges on which the block rests (`Joint::guide_length`), in rolling by the lever arm of the resistance.
+struct Friction {
+  double coefficient = 0.0;
+  double pin_radius = 0.0;   // m: revolute, slot
+  double rolling_arm = 0.0;  // m: rolling
+  double viscous = 0.0;      // N m s, or N s/m in a slide
+  [[nodiscard]] bool any() const { return coefficient > 0.0 || rolling_arm > 0.0 || viscous > 0.0; }
+};
+
 /// A joint between link i and link j.
 /// - Revolute: point_i and point_j coincide. Slot: the pin point_i of link i lies on the line of link j through point_j
 ///   at `direction`; it may turn. Prismatic: the same, and phi_i - phi_j = `angle`. Rigid: revolute, and the angle.
@@ -70,7 +80,10 @@ struct Joint {
   double radius_j = 0.0;
   double pressure_angle = 0.0;  // of teeth, rad: gear and rack
   double tension = 0.0;         // N, of the slack side of a belt
-  double phase = 0.0;           // m
+  double guide_length = 0.0;    // m, of the block about point_i: prismatic
+  double guide_width = 0.0;     // m, between the faces that the block rests on: prismatic
+  Friction friction = {};
+  double phase = 0.0;  // m
 };
 
 /// Rotary: coordinate = phi_i - phi_j + offset. Linear, on a prismatic or slot joint: coordinate = distance of point_i
@@ -95,11 +108,32 @@ struct Load {
   double moment = 0.0;           // N m
 };
 
+/// The force in global axes, on a link that is turned by this.
+/// Of a load whose force in its own axes is this.
+inline Vec global_force(const Load& load, Vec own, const Turn& turned) {
+  return load.turns_with_link ? turned(own) : own;
+}
+
+/// A spring with a damper between link i and link j: from point to point, or, turning, between the links' angles.
+struct Spring {
+  enum class Kind { linear, turning };
+  std::string name;
+  Kind kind = Kind::linear;
+  int i = ground;
+  int j = ground;
+  Vec point_i;           // frame of i
+  Vec point_j;           // frame of j
+  double rate = 0.0;     // N/m or N m/rad
+  double free = 0.0;     // length without force, m; turning: phi_i - phi_j without moment, rad
+  double damping = 0.0;  // N s/m or N m s/rad
+};
+
 struct Model {
   std::vector<Link> links;
   std::vector<Joint> joints;
   std::vector<Driver> drivers;
   std::vector<Load> loads;
+  std::vector<Spring> springs;
   Vec gravity;  // m/s^2, (0, -9.81) for gravity downward
 };
 

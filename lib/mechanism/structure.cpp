@@ -154,6 +154,21 @@ int count_mobility(const Model& model) {
   return mobility;
 }
 
+std::vector<Misfit> misfits_of(const Constraints& constraints, double length) {
+  constexpr double tolerance = 0.01;  // pitch circles that are a little apart only change the working radii
+  std::vector<Misfit> misfits;
+  for (std::size_t k = 0; k < constraints.pairs().size(); ++k) {
+    const Pair& pair = constraints.pairs()[k];
+    const double apart = mechanism::length(pair.at.apart);
+    const double sum = std::abs(pair.shape.radius_i + pair.shape.radius_j);
+    const double difference = std::abs(pair.shape.radius_i - pair.shape.radius_j);
+    const bool gear = pair.shape.joint == JointKind::gear && std::abs(apart - sum) > tolerance * sum;
+    const bool belt = pair.shape.joint == JointKind::belt && apart <= (1.0 + tolerance) * difference;
+    if (gear || belt) misfits.push_back({k, length * apart, length * (gear ? sum : difference)});
+  }
+  return misfits;
+}
+
 void find_widest(const Constraints& constraints, double length, Structure& structure) {
   for (std::size_t k = 0; k < constraints.pairs().size(); ++k) {
     const double gap = length * constraints.opening(k);
@@ -179,6 +194,7 @@ Structure analyse(const Model& model) {
     find_widest(free.constraints(), length, structure);
     return structure;
   }
+  structure.misfits = misfits_of(free.constraints(), length);
   if (!driven.close()) {
     const Assembly as_far_as_possible = driven;
     driven.go_to(free.q());

@@ -26,6 +26,12 @@ std::vector<Finding> diagnose(const Model& model);
 /// The part of `diagnose` that needs no geometry: numbers, references, what is connected with what.
 std::vector<Finding> check_parts(const Model& model);
 
+/// Wheels whose centres are not as far apart as their radii ask.
+struct Misfit {
+  std::size_t joint = 0;
+  double apart = 0.0, needed = 0.0;  // m; of a belt the least distance
+};
+
 /// Mobility and rank at the assembly nearest to the stated poses. The model has passed `check_parts`.
 struct Structure {
   int mobility_by_count = 0;  // 3 n - 2 p5 - p4
@@ -36,6 +42,8 @@ struct Structure {
   bool singular = false;       // the rank is lower here than nearby: a dead point or a change point
   /// Sets of joints that share one constraint too many, whichever of them is blamed; their reactions are not unique.
   std::vector<std::vector<std::size_t>> redundant;
+  /// Of gears and belts, whose joint does not hold its centres.
+  std::vector<Misfit> misfits;
   /// Links that move though all drivers are held.
   std::vector<std::size_t> loose;
 };

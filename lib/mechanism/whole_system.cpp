@@ -1,6 +1,7 @@
 #include "lib/mechanism/whole_system.hpp"
 
 #include "lib/mechanism/continuation.hpp"
+#include "lib/mechanism/induced.hpp"
 #include "lib/mechanism/kinematics.hpp"
 #include "lib/mechanism/kinetostatics.hpp"
 
@@ -19,6 +20,7 @@ struct WholeSystem::Work {
         length(characteristic_length(given)),
         scaled(in_unit_of_length(given, length)),
         continuation(scaled),
+        induced(model),
         goal(given.drivers.size()) {
     for (auto* x : {&velocity, &acceleration, &multipliers}) x->resize(continuation.q().size());
   }
@@ -29,13 +31,16 @@ struct WholeSystem::Work {
   }
   void find_velocity(std::span<const Drive> drives);
   void find_acceleration(std::span<const Drive> drives);
-  void find_multipliers(bool statics);
+  bool find_all_forces(bool statics, Position& out);
+  void find_forces(bool statics, const Induced& modes, Position& out);
+  void act(std::size_t link, const InducedMode& mode, double amount);
   void store(std::span<const double> x, std::span<Pose> poses) const;
 
   Model model;    // as given
   double length;  // the unit of length inside
   Model scaled;
   Continuation continuation;
+  InducedForces induced;
   std::vector<double> goal, velocity, acceleration, multipliers;
 };
 
@@ -70,13 +75,11 @@ Status WholeSystem::solve(std::span<const Drive> drives, Position& out, bool sta
   Work& w = *work_;
   w.find_velocity(drives);
   w.find_acceleration(drives);
-  w.find_multipliers(statics);
+  for (std::size_t n = 0; n < out.loads.size(); ++n) out.loads[n] = {w.model.loads[n].force, w.model.loads[n].moment};
   w.store(w.continuation.q(), out.pose);
   w.store(w.velocity, out.velocity);
   w.store(w.acceleration, out.acceleration);
-  const Constraints& constraints = w.continuation.constraints();
-  share_out(w.model, constraints, w.multipliers, w.length, out);
-  return Status::closed;
+  return w.find_all_forces(statics, out) ? Status::closed : Status::jams;
 }
 
 void WholeSystem::Work::find_velocity(std::span<const Drive> drives) {
@@ -93,9 +96,35 @@ void WholeSystem::Work::find_acceleration(std::span<const Drive> drives) {
   continuation.factors().solve(unknowns(acceleration));
 }
 
-void WholeSystem::Work::find_multipliers(bool statics) {
-  required_forces(scaled, continuation.constraints(), velocity, acceleration, statics, multipliers);
+bool WholeSystem::Work::find_all_forces(bool statics, Position& out) {
+  if (!induced.none()) {
+    return induced.solve(out, [&](const Induced& modes) { find_forces(statics, modes, out); });
+  }
+  find_forces(statics, {}, out);
+  return true;
+}
+
+void WholeSystem::Work::find_forces(bool statics, const Induced& modes, Position& out) {
+  const Constraints& constraints = continuation.constraints();
+  required_forces(scaled, constraints, velocity, acceleration, statics, multipliers);
+  for (std::size_t m = 0; m < modes.modes.size(); ++m) {
+    const InducedMode& mode = modes.modes[m];
+    const Pair& pair = constraints.pairs()[mode.joint];
+    const double force = modes.amounts[m] / length;
+    act(pair.i, mode, -force);
+    act(pair.j, mode, force);
+  }
   continuation.factors().solve_transposed(unknowns(multipliers));
+  share_out(model, constraints, multipliers, length, out.reactions, out.effort);
+}
+
+// On what the constraints must supply for a link; `amount`: per unit of length.
+void WholeSystem::Work::act(std::size_t link, const InducedMode& mode, double amount) {
+  const std::span<const double> q = continuation.q();
+  const Vec arm = (1.0 / length) * mode.at - Vec{q[3 * link], q[3 * link + 1]};
+  multipliers[3 * link] += amount * mode.force.x;
+  multipliers[3 * link + 1] += amount * mode.force.y;
+  multipliers[3 * link + 2] += amount * (mode.couple / length + cross(arm, mode.force));
 }
 
 void WholeSystem::Work::store(std::span<const double> x, std::span<Pose> poses) const {

@@ -16,16 +16,19 @@ bool SmallLu::factor() {
   if (size_ == 2) return factor_two();
   if (size_ != 1) return eliminate();
   inverse_ = 1.0 / a_[0];
+  sign_ = std::copysign(1.0, a_[0]);
   return std::abs(a_[0]) > 0.0;
 }
 
 bool SmallLu::factor_two() {
   const double determinant = a_[0] * a_[3] - a_[1] * a_[2];
   inverse_ = 1.0 / determinant;
+  sign_ = std::copysign(1.0, determinant);
   return std::abs(determinant) > rounding * larger(a_[0] * a_[3], a_[1] * a_[2]);
 }
 
 bool SmallLu::eliminate() {
+  sign_ = 1.0;
   for (std::size_t r = 0; r < size_; ++r) {
     order_[r] = r;
     work_[r] = 0.0;
@@ -52,7 +55,9 @@ bool SmallLu::choose_pivot(std::size_t step) {
     std::swap_ranges(&at(step, 0), &at(step, 0) + size_, &at(best, 0));
     std::swap(work_[step], work_[best]);
     std::swap(order_[step], order_[best]);
+    sign_ = -sign_;
   }
+  sign_ = std::copysign(sign_, sign_ * at(step, step));
   return std::abs(at(step, step)) > rounding * work_[step];
 }
 

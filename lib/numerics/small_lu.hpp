@@ -20,6 +20,8 @@ class SmallLu {
   void clear() { std::fill(a_.begin(), a_.end(), 0.0); }
   /// Factors the matrix that was filled in. False when it is singular to rounding.
   [[nodiscard]] bool factor();
+  /// +1 or -1: the sign of the determinant of what was factored.
+  [[nodiscard]] double sign() const { return sign_; }
   /// Replaces the right side by the solution of A x = b, or of A^T x = b.
   void solve(std::span<double> right);
   void solve_transposed(std::span<double> right);
@@ -34,6 +36,7 @@ class SmallLu {
   std::vector<std::size_t> order_;
   std::vector<double> work_;  // the rows' scales while factoring; the right side while solving
   double inverse_ = 0.0;      // of the determinant, sizes 1 and 2
+  double sign_ = 1.0;
 };
 
 }  // namespace loadpath

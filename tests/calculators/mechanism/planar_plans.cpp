@@ -156,6 +156,7 @@ TEST_SUITE("mechanism plans") {
     Cycle cycle;
     cycle.positions.resize(1000);
     cycle.closed.assign(1000, true);
+    cycle.jams.assign(1000, false);
     for (std::size_t k = 0; k < 100; ++k) cycle.closed[k] = false;
     const auto all = frames_of(cycle, 501, 2000);
     CHECK(all.size() == 900);

@@ -16,8 +16,11 @@ struct Solved {
 Cycle cycle_of(const Solved& first, const Solved& second) {
   Cycle cycle;
   cycle.positions = {first.position, second.position};
-  cycle.residuals = {first.residuals, second.residuals};
+  cycle.proofs.resize(2);
+  cycle.proofs[0].residuals = first.residuals;
+  cycle.proofs[1].residuals = second.residuals;
   cycle.closed = {true, true};
+  cycle.jams = {false, false};
   return cycle;
 }
 
@@ -43,6 +46,24 @@ report::State state_of(const char* symbol, const Cycle& cycle) {
   }
   FAIL("no such proof");
   return report::State::fail;
+}
+
+Axis crank_angles() { return {"press", "crank angle", "deg", {0.0, pi / 2.0}, {}, 2.0 * pi}; }
+
+/// Two positions with forces of 100 N.
+Cycle proven() {
+  Cycle cycle = cycle_of(balanced(), balanced());
+  for (mechanism::Proof& p : cycle.proofs) p.largest_force = 100.0;
+  return cycle;
+}
+
+report::Verdict verdict_of(const std::string& symbol, const Cycle& cycle) {
+  const Axis axis = crank_angles();
+  for (const report::Verdict& v : proof("press", driven(), cycle, &axis)) {
+    if (v.symbol == symbol) return v;
+  }
+  FAIL("no such proof");
+  return {};
 }
 
 }  // namespace
@@ -83,6 +104,49 @@ TEST_SUITE("mechanism report") {
           CHECK(state_of(symbol, cycle_of(balanced(), s)) == report::State::not_available);
         }
       }
+    }
+  }
+
+  TEST_CASE("each method has its verdict, over the largest force times the condition number") {
+    const struct {
+      const char* symbol;
+      mechanism::Proof::Method method;
+    } methods[] = {{"whole_system", mechanism::Proof::whole_system},
+                   {"opened_chain", mechanism::Proof::opened_chain},
+                   {"released_constraints", mechanism::Proof::released_constraints},
+                   {"virtual_power", mechanism::Proof::virtual_power},
+                   {"zhukovsky_lever", mechanism::Proof::zhukovsky}};
+    for (const auto& m : methods) {
+      CAPTURE(m.symbol);
+      Cycle cycle = proven();
+      CHECK(verdict_of(m.symbol, cycle).state == report::State::pass);
+      cycle.proofs[1].disagreement[m.method] = 2e-8;
+      CHECK(verdict_of(m.symbol, cycle).state == report::State::fail);
+      CHECK(verdict_of(m.symbol, cycle).note.text() == "at 90 deg");
+      cycle.proofs[1].condition = 3.0;
+      CHECK(verdict_of(m.symbol, cycle).state == report::State::pass);
+      cycle.proofs[0].disagreement[m.method] = std::numeric_limits<double>::quiet_NaN();
+      CHECK(verdict_of(m.symbol, cycle).state == report::State::not_available);
+    }
+  }
+
+  TEST_CASE("positions that are not trustworthy are told with their crank angles") {
+    Cycle cycle = proven();
+    CHECK(verdict_of("trustworthy", cycle).state == report::State::pass);
+    cycle.proofs[1].motion = 1e-9;
+    CHECK(verdict_of("trustworthy", cycle).state == report::State::fail);
+    CHECK(verdict_of("trustworthy", cycle).note.text() == "not trustworthy at 90 deg");
+    cycle.proofs[0].unbalanced = 1.0;
+    CHECK(verdict_of("trustworthy", cycle).note.text() ==
+          "not trustworthy at 2 positions, first at 0 deg, last at 90 deg");
+    cycle.closed = {false, false};
+    CHECK(verdict_of("trustworthy", cycle).state == report::State::not_available);
+  }
+
+  TEST_CASE("a frame has no drive to be found again") {
+    for (const report::Verdict& v : proof("frame", {}, proven(), nullptr)) {
+      CHECK(std::string(v.symbol) != "virtual_power");
+      CHECK(std::string(v.symbol) != "zhukovsky_lever");
     }
   }
 }

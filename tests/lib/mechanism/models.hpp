@@ -1,8 +1,8 @@
 // Mechanisms that several tests use.
 #pragma once
 
-#include "lib/mechanism/balance.hpp"
 #include "lib/mechanism/model.hpp"
+#include "lib/mechanism/proof/balance.hpp"
 #include "lib/mechanism/whole_system.hpp"
 
 #include <string>
@@ -148,6 +148,106 @@ inline Model slotted_lever(bool with_slider = false, double gamma = -0.349065850
   drive_turning(model, "motor", crank);
   const Turn to_c = turn(gamma);
   model.loads.push_back({"F3", lever, to_c({0.04, 0.0}), to_c({0.0, -720.0}), true, 0.0});
+  return model;
+}
+
+/// A crank on a moving base: the slot's line turns, and neither of its links is the ground's neighbour alone.
+inline Model slot_on_a_moving_link(bool with_slider) {
+  Model model;
+  model.gravity = {1.0, -9.0};
+  const int crank = add_link(model, "crank", {0.0, 0.0, 0.4}, 1.2, 0.02, {0.05, 0.01});
+  const int rod = add_link(model, "rod", {0.2, 0.08, 0.3}, 0.8, 0.03, {0.2, -0.02});
+  const int lever = add_link(model, "lever", {0.5, -0.4, 1.7}, 2.0, 0.06, {0.1, 0.03});
+  pin(model, "O", crank, {}, ground, {});
+  pin(model, "A", rod, {}, crank, {0.2, 0.03});
+  pin(model, "C", lever, {}, ground, {0.5, -0.4});
+  pin(model, "D", rod, {0.45, 0.05}, lever, {0.62, -0.03});
+  // A free arm on the crank whose pin runs in a slanting slot of the lever.
+  const int arm = add_link(model, "arm", {0.2, 0.08, 0.0}, 0.5, 0.01, {0.1, 0.0});
+  pin(model, "E", arm, {}, crank, {0.15, -0.02});
+  const Vec tip{0.3, 0.02};
+  const Vec foot{0.2, 0.01};
+  const double direction = 1.3;
+  if (with_slider) {
+    const int slider = add_link(model, "slider", {0.44, -0.2, 1.7});
+    pin(model, "F", arm, tip, slider, {});
+    slide(model, "slide", slider, {}, lever, foot, direction);
+  } else {
+    slot(model, "F", arm, tip, lever, foot, direction);
+  }
+  drive_turning(model, "motor", crank);
+  model.loads.push_back({"P", arm, {0.2, 0.1}, {40.0, -25.0}, true, 1.5});
+  model.loads.push_back({"Q", lever, {0.3, 0.0}, {-60.0, 15.0}, false, -2.0});
+  return model;
+}
+
+/// The piston of the slider-crank, driven along its guide.
+inline Model driven_piston() {
+  Model model = slider_crank();
+  model.drivers.clear();
+  drive_sliding(model, "cylinder", 3, 0.05);
+  return model;
+}
+
+/// A boom on a pivot, raised by a cylinder that swings about its foot.
+inline Model boom() {
+  Model model;
+  model.gravity = {0.0, -9.81};
+  const int arm = add_link(model, "boom", {0.0, 0.0, 0.6}, 120.0, 30.0, {1.1, 0.1});
+  const int barrel = add_link(model, "barrel", {0.7, -0.5, 1.2}, 15.0, 0.5, {0.3, 0.0});
+  const int rod = add_link(model, "rod", {0.9, 0.6, 1.2}, 8.0, 0.3, {-0.4, 0.0});
+  pin(model, "O", arm, {}, ground, {});
+  pin(model, "foot", barrel, {}, ground, {0.7, -0.5});
+  pin(model, "head", rod, {}, arm, {1.2, -0.05});
+  slide(model, "cylinder", rod, {}, barrel, {});
+  drive_sliding(model, "oil", 3);
+  load(model, "payload", arm, {2.4, 0.0}, {0.0, -2000.0});
+  return model;
+}
+
+/// Two driven cranks 0.2 and 0.15 m at 0.5 m and the two bars of 0.4 m between them; a force at the pin of the bars.
+inline Model five_bar() {
+  Model model;
+  model.gravity = {0.0, -9.81};
+  const int left = add_bar(model, "left", {0.0, 0.0, 2.0}, 0.2, 1.0);
+  const int right = add_bar(model, "right", {0.5, 0.0, 1.0}, 0.15, 0.8);
+  const int first = add_bar(model, "first", {-0.08, 0.18, 0.5}, 0.4, 1.5);
+  const int second = add_bar(model, "second", {0.58, 0.13, 2.4}, 0.4, 1.4);
+  pin(model, "O", left, {}, ground, {});
+  pin(model, "C", right, {}, ground, {0.5, 0.0});
+  pin(model, "A", first, {}, left, {0.2, 0.0});
+  pin(model, "B", second, {}, right, {0.15, 0.0});
+  pin(model, "P", first, {0.4, 0.0}, second, {0.4, 0.0});
+  drive_turning(model, "motor", left);
+  drive_turning(model, "second motor", right);
+  load(model, "work", first, {0.4, 0.0}, {-80.0, 150.0}, 3.0);
+  return model;
+}
+
+/// A turning column with an arm that a cylinder moves out: no loop.
+inline Model telescope() {
+  Model model;
+  model.gravity = {0.0, -9.81};
+  const int column = add_bar(model, "column", {0.0, 0.0, 0.7}, 1.2, 30.0);
+  const int arm = add_bar(model, "arm", {0.6, 0.5, 0.7}, 1.0, 12.0);
+  pin(model, "O", column, {}, ground, {});
+  slide(model, "cylinder", arm, {}, column, {0.1, 0.05});
+  drive_turning(model, "motor", column);
+  drive_sliding(model, "oil", 1);
+  load(model, "payload", arm, {1.0, 0.0}, {0.0, -700.0});
+  return model;
+}
+
+/// An ellipse trammel: two pins of a bar, 0.3 m apart, in two crossed slots; a cylinder pushes the first along its
+/// slot.
+inline Model trammel() {
+  Model model;
+  model.gravity = {0.0, -9.81};
+  const int bar = add_bar(model, "bar", {0.2, 0.0, 2.3}, 0.5, 2.0);
+  slot(model, "A", bar, {}, ground, {});
+  slot(model, "B", bar, {0.3, 0.0}, ground, {}, 1.4);
+  drive_sliding(model, "cylinder", 0);
+  load(model, "P", bar, {0.5, 0.0}, {70.0, -40.0}, 2.0);
   return model;
 }
 

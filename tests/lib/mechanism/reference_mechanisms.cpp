@@ -3,88 +3,20 @@
 #include "lib/mechanism/group_system.hpp"
 #include "lib/mechanism/structure.hpp"
 #include "lib/mechanism/whole_system.hpp"
+#include "tests/lib/mechanism/reference.hpp"
 
-#include <boost/json.hpp>
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <string>
-#include <vector>
 
 namespace {
 
 using namespace loadpath::mechanism;
 namespace json = boost::json;
-
-json::value read(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return json::parse(text.str());
-}
-
-double number(const json::value& object, const char* key) { return object.at(key).to_number<double>(); }
-double optional_number(const json::value& object, const char* key) {
-  const auto* value = object.as_object().if_contains(key);
-  return value ? value->to_number<double>() : 0.0;
-}
-Vec vec(const json::value& pair) { return {pair.at(0).to_number<double>(), pair.at(1).to_number<double>()}; }
-std::string text(const json::value& object, const char* key) { return json::value_to<std::string>(object.at(key)); }
-
-struct Named {
-  Model model;
-  std::map<std::string, int> links{{"ground", ground}};
-  [[nodiscard]] int link(const json::value& object, const char* key) const { return links.at(text(object, key)); }
-};
-
-void add_links(const json::value& given, Named& named) {
-  for (const auto& body : given.at("bodies").as_array()) {
-    const auto& pose = body.at("pose");
-    named.links[text(body, "name")] = static_cast<int>(named.model.links.size());
-    named.model.links.push_back({text(body, "name"), number(body, "m"), number(body, "J"), vec(body.at("com")),
-                                 Pose{vec(pose).x, vec(pose).y, pose.at(2).to_number<double>()}});
-  }
-}
-
-void add_joints(const json::value& given, Named& named) {
-  for (const auto& joint : given.at("joints").as_array()) {
-    const bool revolute = text(joint, "type") == "revolute";
-    named.model.joints.push_back({text(joint, "name"), revolute ? JointKind::revolute : JointKind::prismatic,
-                                  named.link(joint, "i"), named.link(joint, "j"), vec(joint.at("pi")),
-                                  vec(joint.at("pj")), optional_number(joint, "dir"), optional_number(joint, "ang")});
-  }
-}
-
-void add_loads(const json::value& given, Named& named) {
-  for (const auto& load : given.at("loads").as_array()) {
-    Load added{.name = text(load, "name"), .link = named.link(load, "body"), .point = {}, .force = {}};
-    if (text(load, "type") == "moment") {
-      added.moment = number(load, "M");
-    } else {
-      added.point = vec(load.at("p"));
-      added.force = vec(load.at("F"));
-      added.turns_with_link = text(load, "frame") == "body";
-    }
-    named.model.loads.push_back(added);
-  }
-}
-
-Named model_of(const json::value& given) {
-  Named named;
-  add_links(given, named);
-  add_joints(given, named);
-  add_loads(given, named);
-  named.model.gravity = vec(given.at("gravity"));
-  for (const auto& driver : given.at("drivers").as_array()) {
-    named.model.drivers.push_back(
-        {text(driver, "name"), Driver::Kind::rotary, named.link(driver, "i"), named.link(driver, "j")});
-  }
-  return named;
-}
+using namespace reference;
 
 // The largest error and the largest value of each kind over a file.
 class Errors {
@@ -153,8 +85,6 @@ template <class System>
 double worst_error(const json::value& file, std::size_t stride, std::string& kind) {
   const Named named = model_of(file.at("model"));
   const auto& driver = file.at("model").at("drivers").at(0);
-  const double speed = number(driver, "w");
-  const double acceleration = number(driver, "eps");
   System system(named.model);
   REQUIRE(system.assemble() == Status::closed);
   Position mine = blank_position(named.model);
@@ -162,9 +92,7 @@ double worst_error(const json::value& file, std::size_t stride, std::string& kin
   const auto& answers = file.at("answers").as_array();
   for (std::size_t k = 0; k < answers.size(); ++k) {
     const auto& answer = answers[k * stride % answers.size()];
-    const double t = number(answer, "t");
-    const Drive drive{number(driver, "q0") + (speed + acceleration * t / 2.0) * t, speed + acceleration * t,
-                      acceleration};
+    const Drive drive = drive_at(driver, number(answer, "t"));
     REQUIRE(system.solve({&drive, 1}, mine) == Status::closed);
     double energy = 0.0;
     compare_motion(named.model, mine, answer, errors, energy);
@@ -175,11 +103,9 @@ double worst_error(const json::value& file, std::size_t stride, std::string& kin
 
 template <class System>
 void check_all(std::size_t stride) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& file : std::filesystem::directory_iterator(LOADPATH_TEST_DATA)) files.push_back(file.path());
-  std::ranges::sort(files);
-  REQUIRE(files.size() == 34);
-  for (const auto& path : files) {
+  const auto all = files();
+  REQUIRE(all.size() == 34);
+  for (const auto& path : all) {
     CAPTURE(path.filename().string());
     std::string kind;
     const double worst = worst_error<System>(read(path), stride, kind);

@@ -14,61 +14,8 @@ using namespace loadpath::mechanism::models;
 
 void check_near(double mine, double other, double scale) { CHECK(std::abs(mine - other) <= 1e-11 * scale); }
 
-// A crank on a moving base: the slot's line turns, and neither of its links is the ground's neighbour alone.
-Model slot_on_a_moving_link(bool with_slider) {
-  Model model;
-  model.gravity = {1.0, -9.0};
-  const int crank = add_link(model, "crank", {0.0, 0.0, 0.4}, 1.2, 0.02, {0.05, 0.01});
-  const int rod = add_link(model, "rod", {0.2, 0.08, 0.3}, 0.8, 0.03, {0.2, -0.02});
-  const int lever = add_link(model, "lever", {0.5, -0.4, 1.7}, 2.0, 0.06, {0.1, 0.03});
-  pin(model, "O", crank, {}, ground, {});
-  pin(model, "A", rod, {}, crank, {0.2, 0.03});
-  pin(model, "C", lever, {}, ground, {0.5, -0.4});
-  pin(model, "D", rod, {0.45, 0.05}, lever, {0.62, -0.03});
-  // A free arm on the crank whose pin runs in a slanting slot of the lever.
-  const int arm = add_link(model, "arm", {0.2, 0.08, 0.0}, 0.5, 0.01, {0.1, 0.0});
-  pin(model, "E", arm, {}, crank, {0.15, -0.02});
-  const Vec tip{0.3, 0.02};
-  const Vec foot{0.2, 0.01};
-  const double direction = 1.3;
-  if (with_slider) {
-    const int slider = add_link(model, "slider", {0.44, -0.2, 1.7});
-    pin(model, "F", arm, tip, slider, {});
-    slide(model, "slide", slider, {}, lever, foot, direction);
-  } else {
-    slot(model, "F", arm, tip, lever, foot, direction);
-  }
-  drive_turning(model, "motor", crank);
-  model.loads.push_back({"P", arm, {0.2, 0.1}, {40.0, -25.0}, true, 1.5});
-  model.loads.push_back({"Q", lever, {0.3, 0.0}, {-60.0, 15.0}, false, -2.0});
-  return model;
-}
-
-// The piston of a slider-crank, driven along its guide, with the closed form of the crank's angle.
+// The closed form of the crank's angle when the piston of the slider-crank drives.
 double crank_angle(double x) { return std::acos((x * x + 0.1 * 0.1 - 0.3 * 0.3) / (2.0 * 0.1 * x)); }
-
-Model driven_piston() {
-  Model model = slider_crank();
-  model.drivers.clear();
-  drive_sliding(model, "cylinder", 3, 0.05);
-  return model;
-}
-
-// A boom on a pivot, raised by a cylinder that swings about its foot.
-Model boom() {
-  Model model;
-  model.gravity = {0.0, -9.81};
-  const int arm = add_link(model, "boom", {0.0, 0.0, 0.6}, 120.0, 30.0, {1.1, 0.1});
-  const int barrel = add_link(model, "barrel", {0.7, -0.5, 1.2}, 15.0, 0.5, {0.3, 0.0});
-  const int rod = add_link(model, "rod", {0.9, 0.6, 1.2}, 8.0, 0.3, {-0.4, 0.0});
-  pin(model, "O", arm, {}, ground, {});
-  pin(model, "foot", barrel, {}, ground, {0.7, -0.5});
-  pin(model, "head", rod, {}, arm, {1.2, -0.05});
-  slide(model, "cylinder", rod, {}, barrel, {});
-  drive_sliding(model, "oil", 3);
-  load(model, "payload", arm, {2.4, 0.0}, {0.0, -2000.0});
-  return model;
-}
 
 // The boom's angle by the law of cosines, for the length of the cylinder.
 double boom_angle(double cylinder) {

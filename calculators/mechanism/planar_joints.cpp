@@ -1,0 +1,216 @@
+#include "calculators/mechanism/planar_joints.hpp"
+
+#include "lib/mechanism/pair.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace loadpath {
+
+namespace {
+
+using Planar = PlanarMechanism;
+using Type = Planar::Type;
+using mechanism::JointKind;
+using mechanism::Vec;
+
+/// A field that only some types take, and whether a joint has it.
+struct Special {
+  const char* key;
+  bool (*given)(const Planar::Joint&);
+  std::array<Type, 6> types;  // padded with the first
+  const char* of;
+};
+
+constexpr auto wheels =
+    std::array{Type::gear, Type::ring_gear, Type::belt, Type::crossed_belt, Type::rolling, Type::rolling_inside};
+
+const std::array specials{
+    Special{"angle",
+            [](const Planar::Joint& j) { return is_set(j.angle); },
+            {Type::prismatic, Type::rigid, Type::rigid, Type::rigid, Type::rigid, Type::rigid},
+            "prismatic and rigid joints"},
+    Special{"radii", [](const Planar::Joint& j) { return is_set(j.radii.first); }, wheels, "joints of two wheels"},
+    Special{"radius",
+            [](const Planar::Joint& j) { return is_set(j.radius); },
+            {Type::rack, Type::rolling_on_line, Type::rack, Type::rack, Type::rack, Type::rack},
+            "racks and wheels on a line"},
+    Special{"slack",
+            [](const Planar::Joint& j) { return in_si(j.slack) != 0.0; },
+            {Type::belt, Type::crossed_belt, Type::belt, Type::belt, Type::belt, Type::belt},
+            "belts"},
+    Special{"mu",
+            [](const Planar::Joint& j) { return j.mu != 0.0; },
+            {Type::revolute, Type::prismatic, Type::slot, Type::slot, Type::slot, Type::slot},
+            "revolute joints, prismatic joints and slots"},
+    Special{"pin_radius",
+            [](const Planar::Joint& j) { return is_set(j.pin_radius); },
+            {Type::revolute, Type::slot, Type::slot, Type::slot, Type::slot, Type::slot},
+            "pins: revolute and slot"},
+    Special{"guide_length",
+            [](const Planar::Joint& j) { return is_set(j.guide_length); },
+            {Type::prismatic, Type::prismatic, Type::prismatic, Type::prismatic, Type::prismatic, Type::prismatic},
+            "prismatic joints"},
+    Special{"guide_width",
+            [](const Planar::Joint& j) { return is_set(j.guide_width); },
+            {Type::prismatic, Type::prismatic, Type::prismatic, Type::prismatic, Type::prismatic, Type::prismatic},
+            "prismatic joints"},
+    Special{"rolling_arm",
+            [](const Planar::Joint& j) { return in_si(j.rolling_arm) != 0.0; },
+            {Type::rolling, Type::rolling_inside, Type::rolling_on_line, Type::rolling, Type::rolling, Type::rolling},
+            "rolling wheels"},
+    Special{"c",
+            [](const Planar::Joint& j) { return in_si(j.c) != 0.0; },
+            {Type::prismatic, Type::slot, Type::slot, Type::slot, Type::slot, Type::slot},
+            "slides: prismatic and slot"},
+    Special{
+        "c_turn",
+        [](const Planar::Joint& j) { return in_si(j.c_turn) != 0.0; },
+        {Type::revolute, Type::rolling, Type::rolling_inside, Type::rolling_on_line, Type::revolute, Type::revolute},
+        "joints that turn: revolute and rolling"}};
+
+bool takes(const Special& special, Type type) {
+  return std::find(special.types.begin(), special.types.end(), type) != special.types.end();
+}
+
+const char* key_of(Type type) {
+  for (const auto& choice : choices_of(type)) {
+    if (choice.value == type) return choice.key;
+  }
+  return "";
+}
+
+class FieldCheck {
+ public:
+  explicit FieldCheck(const Planar::Joint& joint) : joint_(joint) {}
+
+  std::vector<FieldFault> run() {
+    for (const Special& special : specials) {
+      if (special.given(joint_) && !takes(special, joint_.type)) refuse(special);
+    }
+    const bool two_wheels = std::find(wheels.begin(), wheels.end(), joint_.type) != wheels.end();
+    if (two_wheels && !is_set(joint_.radii.first)) need("radii", "radii = [\"20 mm\", \"50 mm\"]");
+    const bool on_line = joint_.type == Type::rack || joint_.type == Type::rolling_on_line;
+    if (on_line && !is_set(joint_.radius)) need("radius", "radius = \"20 mm\"");
+    check_friction();
+    check_ring();
+    return std::move(faults_);
+  }
+
+ private:
+  [[nodiscard]] std::string path(const char* field) const {
+    return "joints." + std::string(joint_.name.view()) + (*field == 0 ? "" : "." + std::string(field));
+  }
+
+  void refuse(const Special& special) {
+    faults_.push_back({path(special.key),
+                       say("'{1}' belongs to {2}, and '{3}' is of type {4}", special.key, special.of,
+                           joint_.name.view(), key_of(joint_.type)),
+                       say("leave it out, or change the type")});
+  }
+
+  void need(const char* field, const char* example) {
+    faults_.push_back({path(""),
+                       say("joint '{1}' of type {2} needs '{3}'", joint_.name.view(), key_of(joint_.type), field),
+                       say("add {1}", example)});
+  }
+
+  void check_friction() {
+    if (joint_.mu == 0.0) return;
+    if (joint_.type == Type::revolute && !is_set(joint_.pin_radius)) need("pin_radius", "pin_radius = \"10 mm\"");
+    if (joint_.type != Type::prismatic) return;
+    if (!is_set(joint_.guide_length)) need("guide_length", "guide_length = \"60 mm\"");
+    if (!is_set(joint_.guide_width)) need("guide_width", "guide_width = \"30 mm\"; 0 where both edges rub on one line");
+  }
+
+  void check_ring() {
+    const bool inside = joint_.type == Type::ring_gear || joint_.type == Type::rolling_inside;
+    if (!inside || !is_set(joint_.radii.first) || joint_.radii.first < joint_.radii.second) return;
+    faults_.push_back(
+        {path("radii"),
+         say("the wheel of the first link, {1}, does not fit into that of the second, {2}",
+             format_quantity(in_si(joint_.radii.first), "mm"), format_quantity(in_si(joint_.radii.second), "mm")),
+         say("the second link carries the ring, and has the larger radius")});
+  }
+
+  const Planar::Joint& joint_;
+  std::vector<FieldFault> faults_;
+};
+
+JointKind kind_of(Type type) {
+  switch (type) {
+    case Type::revolute:
+      return JointKind::revolute;
+    case Type::prismatic:
+      return JointKind::prismatic;
+    case Type::slot:
+      return JointKind::slot;
+    case Type::rigid:
+      return JointKind::rigid;
+    case Type::gear:
+    case Type::ring_gear:
+      return JointKind::gear;
+    case Type::rack:
+      return JointKind::rack;
+    case Type::belt:
+    case Type::crossed_belt:
+      return JointKind::belt;
+    case Type::rolling:
+    case Type::rolling_inside:
+      return JointKind::rolling;
+    case Type::rolling_on_line:
+      return JointKind::rolling_on_line;
+  }
+  return JointKind::revolute;
+}
+
+bool has_line_and_wheel(JointKind kind) { return kind == JointKind::rack || kind == JointKind::rolling_on_line; }
+
+template <class Quantity>
+double si_or_zero(const Quantity& q) {
+  return is_set(q) ? in_si(q) : 0.0;
+}
+
+/// Of a link as placed.
+mechanism::Placed placed(const mechanism::Model& model, int link) {
+  if (link == mechanism::ground) return {};
+  const mechanism::Pose& pose = model.links[static_cast<std::size_t>(link)].pose;
+  return {mechanism::turn(pose.phi), {pose.x, pose.y}, pose.phi};
+}
+
+}  // namespace
+
+std::vector<FieldFault> check_fields(const Planar::Joint& joint) { return FieldCheck(joint).run(); }
+
+mechanism::Joint joint_values(const Planar::Joint& j) {
+  mechanism::Joint joint;
+  joint.name = j.name.view();
+  joint.kind = kind_of(j.type);
+  joint.direction = j.direction;
+  joint.angle = j.angle;
+  joint.radius_i = has_line_and_wheel(joint.kind) ? si_or_zero(j.radius) : si_or_zero(j.radii.first);
+  const bool mirrored = j.type == Type::ring_gear || j.type == Type::rolling_inside || j.type == Type::crossed_belt;
+  joint.radius_j = (mirrored ? -1.0 : 1.0) * si_or_zero(j.radii.second);
+  joint.pressure_angle = j.pressure_angle;
+  joint.tension = in_si(j.slack);
+  joint.guide_length = si_or_zero(j.guide_length);
+  joint.guide_width = si_or_zero(j.guide_width);
+  joint.friction = {j.mu, si_or_zero(j.pin_radius), in_si(j.rolling_arm), in_si(j.c) + in_si(j.c_turn)};
+  return joint;
+}
+
+void take_from_assembly(mechanism::Model& model) {
+  for (mechanism::Joint& joint : model.joints) {
+    const mechanism::Placed i = placed(model, joint.i), j = placed(model, joint.j);
+    if (!std::isfinite(joint.angle)) joint.angle = i.phi - j.phi;
+    if (!has_line_and_wheel(joint.kind)) continue;
+    const Vec along = j.turned(mechanism::turn(joint.direction)({1.0, 0.0}));
+    const bool right = cross(along, i.point(joint.point_i) - j.point(joint.point_j)) < 0.0;
+    joint.radius_i = right ? -joint.radius_i : joint.radius_i;
+  }
+  mechanism::take_phases(model);
+}
+
+}  // namespace loadpath

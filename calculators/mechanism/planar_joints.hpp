@@ -1,0 +1,22 @@
+// Joints from the words of a project to those of the solver: which fields each type takes, and what becomes of them.
+#pragma once
+
+#include "calculators/mechanism/planar.hpp"
+#include "lib/issue.hpp"
+#include "lib/mechanism/model.hpp"
+
+#include <vector>
+
+namespace loadpath {
+
+/// Fields that the type of the joint needs and has not, or has and does not take.
+std::vector<FieldFault> check_fields(const PlanarMechanism::Joint& joint);
+
+/// All but links and points; the angle may be unset, to be taken as assembled.
+mechanism::Joint joint_values(const PlanarMechanism::Joint& joint);
+
+/// What is taken from the assembly, once all links are placed: angles that are not given, the side of wheels on lines,
+/// the phases of wheels.
+void take_from_assembly(mechanism::Model& model);
+
+}  // namespace loadpath

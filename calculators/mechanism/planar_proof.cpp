@@ -1,0 +1,240 @@
+// What a report says about the proof of a planar mechanism: closing, equilibrium, power, and the reactions and drives
+// found again by other methods.
+#include "calculators/mechanism/planar_report.hpp"
+#include "lib/mechanism/vec.hpp"
+#include "lib/numerics/magnitude.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace loadpath {
+
+namespace {
+
+using Planar = PlanarMechanism;
+using report::Quantity;
+
+// What is left of nothing is noise: its size says no more than that.
+constexpr double rounding = 1e-12;
+
+report::Verdict limit(const std::string& step, const char* symbol, Message meaning, double value, double bound) {
+  report::Verdict v;
+  v.step = step;
+  v.symbol = symbol;
+  v.meaning = std::move(meaning);
+  v.bound = say("at most {1}", format_number(bound));
+  if (value <= rounding) {
+    v.value = say("at most {1}", format_number(rounding));
+  } else {
+    v.value = Quantity{value, "-", 2};
+  }
+  v.state = std::isnan(value) ? report::State::not_available
+            : value <= bound  ? report::State::pass
+                              : report::State::fail;
+  return v;
+}
+
+Message why_open(const Planar::Input& in, const Cycle& cycle) {
+  if (cycle.first_failure == mechanism::Status::singular) return say("the drive cannot hold the mechanism there");
+  if (cycle.gap.joint < 0) return say("the drive could not be followed to its place");
+  return say("joint '{1}' stays {2} apart",
+             std::string(in.joints[static_cast<std::size_t>(cycle.gap.joint)].name.view()),
+             format_quantity(cycle.gap.size, "mm", 4));
+}
+
+std::string place_of(std::size_t k, const Axis& axis) { return format_quantity(axis.at[k], axis.unit, 5); }
+
+/// From the first position where this is so to the last.
+std::string range_of(const std::vector<bool>& positions, bool so, const Axis& axis) {
+  const auto first = std::find(positions.begin(), positions.end(), so) - positions.begin();
+  const auto last = std::find(positions.rbegin(), positions.rend(), so).base() - positions.begin() - 1;
+  return say("{1} and {2}", place_of(static_cast<std::size_t>(first), axis),
+             place_of(static_cast<std::size_t>(last), axis))
+      .text();
+}
+
+report::Verdict closing(const std::string& step, const Planar::Input& in, const Cycle& cycle, const Axis* axis) {
+  report::Verdict v;
+  v.step = step;
+  v.symbol = "closes";
+  v.meaning = say("the mechanism closes at every position");
+  v.bound = say("every position");
+  const auto closed = static_cast<std::size_t>(std::count(cycle.closed.begin(), cycle.closed.end(), true));
+  v.value = say("{1} of {2}", std::to_string(closed), std::to_string(cycle.closed.size()));
+  v.state = closed == cycle.closed.size() ? report::State::pass : report::State::fail;
+  if (v.state == report::State::pass) return v;
+  v.note = why_open(in, cycle);
+  if (axis != nullptr) v.note = say("between {1}: {2}", range_of(cycle.closed, false, *axis), v.note.text());
+  return v;
+}
+
+/// Said only of a mechanism with friction.
+void add_jamming(const std::string& step, const Planar::Input& in, const Cycle& cycle, const Axis* axis,
+                 std::vector<report::Verdict>& verdicts) {
+  if (std::none_of(in.joints.begin(), in.joints.end(), [](const auto& j) { return j.mu != 0.0; })) return;
+  const auto jams = static_cast<std::size_t>(std::count(cycle.jams.begin(), cycle.jams.end(), true));
+  report::Verdict v;
+  v.step = step;
+  v.symbol = "moves";
+  v.meaning = say("friction does not jam the mechanism");
+  v.bound = say("every position");
+  v.value = say("{1} of {2}", std::to_string(cycle.jams.size() - jams), std::to_string(cycle.jams.size()));
+  v.state = jams == 0 ? report::State::pass : report::State::fail;
+  if (jams > 0 && axis != nullptr) v.note = say("jams between {1}", range_of(cycle.jams, true, *axis));
+  verdicts.push_back(std::move(v));
+}
+
+/// A residual as a part of what it is a residual of; of nothing it is zero. What cannot be told is no number.
+double part_of(double residual, double scale) {
+  if (!std::isfinite(residual) || !std::isfinite(scale)) return std::numeric_limits<double>::quiet_NaN();
+  if (scale > 0.0) return residual / scale;
+  return residual == 0.0 ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The largest of what is left over, and of what it is left over from, over the positions that close.
+struct Leftovers {
+  double force = 0.0, largest_force = 0.0;    // N
+  double moment = 0.0, largest_moment = 0.0;  // N m
+  double power = 0.0, largest_power = 0.0;    // W
+  bool any = false;
+
+  void add_force(mechanism::Vec force_there, mechanism::Vec at) {
+    largest_force = larger_magnitude(largest_force, mechanism::length(force_there));
+    largest_moment = larger_magnitude(largest_moment, mechanism::length(force_there) * mechanism::length(at));
+  }
+  /// The effort of a crank is a moment, that of a cylinder a force.
+  void add(const mechanism::Position& p, const mechanism::Residuals& r, bool crank) {
+    any = true;
+    force = larger_magnitude(force, r.force);
+    moment = larger_magnitude(moment, r.moment);
+    power = larger_magnitude(power, r.power);
+    largest_power = larger_magnitude(largest_power, r.power_scale);
+    for (const auto& reaction : p.reactions) {
+      add_force(reaction.force, reaction.at);
+      largest_moment = larger_magnitude(largest_moment, reaction.couple);
+    }
+    for (std::size_t d = 0; d < p.effort.size(); ++d) {
+      double& largest = d == 0 && crank ? largest_moment : largest_force;
+      largest = larger_magnitude(largest, p.effort[d]);
+    }
+  }
+};
+
+/// What a method of the proof finds again, and from what.
+struct MethodText {
+  mechanism::Proof::Method method;
+  const char* symbol;
+  Message meaning;
+  bool of_drives;  // finds efforts only
+};
+
+std::array<MethodText, mechanism::Proof::methods> method_texts() {
+  using mechanism::Proof;
+  return {{{Proof::whole_system, "whole_system",
+            say("forces found again from the equilibrium of all links at once: largest difference"), false},
+           {Proof::opened_chain, "opened_chain",
+            say("forces found again from moments about the joints of the opened chain: largest difference"), false},
+           {Proof::released_constraints, "released_constraints",
+            say("each reaction found again from the work when its constraint alone is released: largest difference"),
+            false},
+           {Proof::virtual_power, "virtual_power",
+            say("driving effort found again from the powers of all that acts: largest difference"), true},
+           {Proof::zhukovsky, "zhukovsky_lever",
+            say("driving effort found again with Zhukovsky's lever: largest difference"), true}}};
+}
+
+/// The position where this is largest; what is not a number counts as largest of all.
+template <class Measure>
+std::optional<std::size_t> worst_position(const Cycle& cycle, Measure measure) {
+  std::optional<std::size_t> worst;
+  for (std::size_t k = 0; k < cycle.proofs.size(); ++k) {
+    if (!cycle.has_forces(k)) continue;
+    const double here = measure(cycle.proofs[k]);
+    if (std::isnan(here)) return k;
+    if (!worst || here > measure(cycle.proofs[*worst])) worst = k;
+  }
+  return worst;
+}
+
+/// The largest of a measure over the positions, and where, when that is too large.
+template <class Measure>
+report::Verdict at_worst(const std::string& step, const char* symbol, Message meaning, const Cycle& cycle,
+                         const Axis* axis, Measure measure) {
+  const auto worst = worst_position(cycle, measure);
+  const double off = worst ? measure(cycle.proofs[*worst]) : std::numeric_limits<double>::quiet_NaN();
+  report::Verdict v = limit(step, symbol, std::move(meaning), off, mechanism::Proof::tolerance);
+  if (worst && v.state != report::State::pass && axis != nullptr) v.note = say("at {1}", place_of(*worst, *axis));
+  return v;
+}
+
+/// Says how many positions the proofs hold at, and where they do not first and last.
+report::Verdict trust(const std::string& step, const Cycle& cycle, const Axis* axis) {
+  std::vector<std::size_t> doubtful;
+  std::size_t closed = 0;
+  for (std::size_t k = 0; k < cycle.proofs.size(); ++k) {
+    if (!cycle.has_forces(k)) continue;
+    ++closed;
+    if (!cycle.proofs[k].trustworthy()) doubtful.push_back(k);
+  }
+  report::Verdict v;
+  v.step = step;
+  v.symbol = "trustworthy";
+  v.meaning = say("motion and forces are proved: differences over the largest force times the condition number");
+  v.bound = say("every position");
+  v.value = say("{1} of {2}", std::to_string(closed - doubtful.size()), std::to_string(closed));
+  v.state = closed == 0 ? report::State::not_available : doubtful.empty() ? report::State::pass : report::State::fail;
+  if (doubtful.empty() || axis == nullptr) return v;
+  const std::string first = place_of(doubtful.front(), *axis), last = place_of(doubtful.back(), *axis);
+  v.note = doubtful.size() == 1 ? say("not trustworthy at {1}", first)
+                                : say("not trustworthy at {1} positions, first at {2}, last at {3}",
+                                      std::to_string(doubtful.size()), first, last);
+  return v;
+}
+
+std::vector<report::Verdict> methods(const std::string& step, const Planar::Input& in, const Cycle& cycle,
+                                     const Axis* axis) {
+  const bool driven = !in.crank.joint.empty() || !in.cylinders.empty();
+  std::vector<report::Verdict> verdicts;
+  verdicts.push_back(at_worst(
+      step, "motion", say("joints closed, velocities and accelerations as joints and drives allow: largest error"),
+      cycle, axis, [](const mechanism::Proof& p) { return p.motion; }));
+  for (const MethodText& text : method_texts()) {
+    if (!driven && text.of_drives) continue;
+    verdicts.push_back(at_worst(step, text.symbol, text.meaning, cycle, axis,
+                                [&](const mechanism::Proof& p) { return p.part(text.method); }));
+  }
+  verdicts.push_back(trust(step, cycle, axis));
+  return verdicts;
+}
+
+}  // namespace
+
+std::vector<report::Verdict> proof(const std::string& step, const Planar::Input& in, const Cycle& cycle,
+                                   const Axis* axis) {
+  Leftovers left;
+  for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
+    if (cycle.has_forces(k)) left.add(cycle.positions[k], cycle.proofs[k].residuals, !in.crank.joint.empty());
+  }
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const auto part = [&](double residual, double scale) { return left.any ? part_of(residual, scale) : none; };
+  std::vector<report::Verdict> verdicts{closing(step, in, cycle, axis)};
+  add_jamming(step, in, cycle, axis, verdicts);
+  verdicts.push_back(limit(step, "force_balance",
+                           say("equilibrium of every link: unbalanced force over the largest reaction"),
+                           part(left.force, left.largest_force), 1e-9));
+  verdicts.push_back(limit(step, "moment_balance", say("equilibrium of every link: unbalanced moment over the largest"),
+                           part(left.moment, left.largest_moment), 1e-9));
+  if (!in.crank.joint.empty() || !in.cylinders.empty()) {
+    verdicts.push_back(limit(step, "power_balance",
+                             say("power of drive, loads and weights against the change of kinetic energy"),
+                             part(left.power, left.largest_power), 1e-9));
+  }
+  for (report::Verdict& v : methods(step, in, cycle, axis)) verdicts.push_back(std::move(v));
+  return verdicts;
+}
+
+}  // namespace loadpath

@@ -1,0 +1,111 @@
+// Forces that a joint's reaction brings with it: what presses the teeth of gears apart, the slack side of a belt,
+// friction. They change the equilibrium, and with it the reactions that induce them.
+#pragma once
+
+#include "lib/mechanism/kinetostatics.hpp"
+#include "lib/mechanism/model.hpp"
+#include "lib/mechanism/pair.hpp"
+#include "lib/mechanism/position.hpp"
+#include "lib/numerics/small_lu.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace loadpath::mechanism {
+
+/// An induced force of the amount 1: on link i of its joint, at `at`, the opposite on link j. The amounts are in N, or
+/// in N m where it is a couple.
+struct InducedMode {
+  std::size_t joint = 0;
+  Vec at;
+  Vec force;
+  double couple = 0.0;
+};
+
+/// Of the modes, at these amounts.
+struct Induced {
+  std::span<const InducedMode> modes = {};
+  std::span<const double> amounts = {};
+};
+
+/// How many forces the reaction of this joint brings with it.
+std::size_t modes_of(const Joint& joint);
+
+class InducedForces {
+ public:
+  /// The model must outlive this.
+  explicit InducedForces(const Model& model);
+
+  [[nodiscard]] bool none() const { return modes_.empty(); }
+
+  /// Finds the amounts at a position whose poses and velocities are there, and adds them to its reactions.
+  /// `find_forces(induced)` fills its reactions and efforts in equilibrium with what is induced. False where the
+  /// mechanism jams: as friction grows from nothing, there comes a point from which on no force of the drives moves it.
+  /// A joint that rests has no friction, for its direction is not known.
+  template <class FindForces>
+  [[nodiscard]] bool solve(Position& at, FindForces find_forces) {
+    start(at);
+    for (int part = 1; part <= parts_; ++part) {
+      const double share = static_cast<double>(part) / parts_;
+      const auto induce_anew = [&] {
+        find_forces(Induced{modes_, amounts_});
+        induce(at, share);
+      };
+      if (!find_amounts(at, induce_anew)) return false;
+    }
+    add_to(at);
+    return true;
+  }
+
+ private:
+  struct Source {  // of one mode or two
+    std::size_t joint = 0;
+    std::size_t first = 0;
+    PairShape shape = {};
+    PairPlace place = {};
+    double sliding = 0.0;  // m/s, of link i along the line of j
+    double turning = 0.0;  // rad/s, of link i against link j
+  };
+
+  void start(const Position& at);
+  void set_up(Source& source, const Position& at);
+  void set_modes(const Source& source);
+  void induce(const Position& at, double share);
+  void induce(const Source& source, const Reaction& by, double share);
+  void add_to(Position& at) const;
+  [[nodiscard]] bool is_settled(const Position& at) const;
+  [[nodiscard]] bool step();
+
+  /// Newton's iteration for amounts that induce themselves; what they induce is linear in them but for the signs.
+  template <class InduceAnew>
+  bool find_amounts(const Position& at, InduceAnew induce_anew) {
+    constexpr int most_steps = 30;
+    for (int k = 0; k < most_steps; ++k) {
+      induce_anew();
+      if (is_settled(at)) return true;
+      before_ = induced_;
+      const double little = 1e-6 * largest_force(at);
+      for (std::size_t m = 0; m < amounts_.size(); ++m) {
+        amounts_[m] += little;
+        induce_anew();
+        amounts_[m] -= little;
+        for (std::size_t r = 0; r < amounts_.size(); ++r) {
+          newton_.at(r, m) = (r == m ? 1.0 : 0.0) - (induced_[r] - before_[r]) / little;
+        }
+      }
+      if (!step()) return false;
+    }
+    return false;
+  }
+  [[nodiscard]] static double largest_force(const Position& at);
+
+  const Model& model_;
+  std::vector<Source> sources_;
+  std::vector<InducedMode> modes_;
+  std::vector<double> amounts_, induced_, before_;
+  SmallLu newton_{0};
+  int parts_ = 1;  // in which friction grows
+};
+
+}  // namespace loadpath::mechanism

@@ -1,0 +1,30 @@
+// What acts on the links besides the constraints: weights, forces of inertia, loads, springs; and what reactions bring
+// with them.
+#pragma once
+
+#include "lib/mechanism/model.hpp"
+#include "lib/mechanism/position.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace loadpath::mechanism {
+
+struct ActiveForce {
+  enum class Kind { weight, inertia, load, spring, induced };
+  Kind kind;
+  std::size_t index;    // of the link, of the load, of the spring, or of the joint
+  std::size_t link;     // on which it acts
+  Vec arm;              // from the origin of the link's frame, global axes, m
+  Vec force;            // N, global axes
+  double couple = 0.0;  // N m
+};
+
+/// Weights, loads, springs and, unless `statics`, forces of inertia (D'Alembert) act at the mass centre; what is zero
+/// is left out.
+void find_active_forces(const Model& model, const Position& at, bool statics, std::vector<ActiveForce>& active);
+
+/// W, when the link moves so.
+double power(const ActiveForce& active, const Pose& velocity);
+
+}  // namespace loadpath::mechanism

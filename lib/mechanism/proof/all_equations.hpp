@@ -1,0 +1,22 @@
+// The proof by the whole system: the equations of equilibrium of all links at once, three for each, for all components
+// of the reactions and all efforts.
+#pragma once
+
+#include "lib/mechanism/proof/forces.hpp"
+#include "lib/mechanism/proof/instant.hpp"
+#include "lib/numerics/sparse_lu.hpp"
+
+namespace loadpath::mechanism {
+
+class AllEquations {
+ public:
+  explicit AllEquations(const Instant& instant);
+  /// What is singular to rounding gives no numbers.
+  void find_forces(const Instant& instant, Forces& forces);
+
+ private:
+  SparseLu factors_;
+  std::vector<double> velocity_, acceleration_, unknowns_;
+};
+
+}  // namespace loadpath::mechanism

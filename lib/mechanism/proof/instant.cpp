@@ -1,0 +1,103 @@
+#include "lib/mechanism/proof/instant.hpp"
+
+#include "lib/mechanism/induced.hpp"
+
+#include <Eigen/LU>
+
+#include <array>
+
+namespace loadpath::mechanism {
+namespace {
+
+using Row = Eigen::Vector3d;  // a force and a couple in units of length
+
+/// The part of a reaction that is square to the forces of the joint's constraints.
+Reaction beside(const Pair& pair, const Reaction& reaction, double length) {
+  Row left(reaction.force.x, reaction.force.y, reaction.couple / length);
+  std::array<Row, 3> rows;
+  for (std::size_t r = 0; r < pair.shape.rows(); ++r) {
+    const PairRow& row = pair.at.rows[r];
+    rows[r] = {row.e.x, row.e.y, row.m};
+    for (std::size_t n = 0; n < r; ++n) rows[r] -= rows[n].dot(rows[r]) * rows[n];
+    rows[r].normalize();
+    left -= rows[r].dot(left) * rows[r];
+  }
+  return {reaction.at, {left[0], left[1]}, length * left[2]};
+}
+
+}  // namespace
+
+Instant::Instant(const Model& model)
+    : model_(&model),
+      length_(characteristic_length(model)),
+      constraints_(in_unit_of_length(model, length_)),
+      q_(3 * (model.links.size() + 1)),  // the ground's stay zero
+      no_targets_(model.drivers.size()),
+      beside_(model.joints.size()),
+      jacobian_(constraints_.rows() * constraints_.columns()),
+      motions_(jacobian_.size()) {}
+
+void Instant::take(const Position& at, bool statics) {
+  at_ = &at;
+  statics_ = statics;
+  for (std::size_t k = 0; k < at.pose.size(); ++k) {
+    q_[3 * k] = at.pose[k].x / length_;
+    q_[3 * k + 1] = at.pose[k].y / length_;
+    q_[3 * k + 2] = at.pose[k].phi;
+  }
+  place();
+  find_active_forces(*model_, at, statics, active_);
+  find_induced_forces();
+  find_motions();
+}
+
+void Instant::place() {
+  constraints_.place(q_, no_targets_);
+  constraints_.count_turns();
+  constraints_.place(q_, no_targets_);
+}
+
+void Instant::find_induced_forces() {
+  external_ = active_.size();
+  for (std::size_t k = 0; k < beside_.size(); ++k) {
+    const Joint& joint = model_->joints[k];
+    if (modes_of(joint) == 0) continue;
+    beside_[k] = beside(constraints_.pairs()[k], at_->reactions[k], length_);
+    add_induced(joint.i, k, beside_[k], 1.0);
+    add_induced(joint.j, k, beside_[k], -1.0);
+  }
+}
+
+void Instant::add_induced(int link, std::size_t joint, const Reaction& acting, double sense) {
+  if (link == ground) return;
+  const auto k = static_cast<std::size_t>(link);
+  const Vec arm = acting.at - Vec{at_->pose[k].x, at_->pose[k].y};
+  active_.push_back({ActiveForce::Kind::induced, joint, k, arm, sense * acting.force, sense * acting.couple});
+}
+
+void Instant::find_motions() {
+  const auto size = static_cast<Eigen::Index>(constraints_.rows());
+  Eigen::Map<Eigen::MatrixXd> jacobian(jacobian_.data(), size, size);
+  Eigen::Map<Eigen::MatrixXd> motions(motions_.data(), size, size);
+  jacobian.setZero();
+  const auto pattern = constraints_.pattern();
+  for (std::size_t n = 0; n < pattern.size(); ++n) {
+    jacobian(pattern[n].row, pattern[n].column) = constraints_.jacobian()[n];
+  }
+  motions = jacobian.partialPivLu().inverse();
+  condition_ = size == 0 ? 1.0
+                         : jacobian.cwiseAbs().colwise().sum().maxCoeff() *
+                               motions.cwiseAbs().colwise().sum().maxCoeff<Eigen::PropagateNaN>();
+}
+
+double Instant::effort_arm(std::size_t driver) const {
+  return model_->drivers[driver].kind == Driver::Kind::rotary ? length_ : 1.0;
+}
+
+double Instant::virtual_power(std::size_t row) const {
+  double sum = 0.0;
+  for (const ActiveForce& active : active_) sum += power(active, virtual_velocity(row, active.link));
+  return sum;
+}
+
+}  // namespace loadpath::mechanism

@@ -1,0 +1,73 @@
+// A mechanism at one position, as the proofs see it: its constraints there, what acts on it, and its virtual
+// velocities. Poses, velocities and accelerations are taken from the position, reactions and efforts are not; but for
+// what a reaction brings with it that its constraints cannot supply: friction, what presses teeth apart, slack sides.
+#pragma once
+
+#include "lib/mechanism/kinematics.hpp"
+#include "lib/mechanism/proof/active_forces.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace loadpath::mechanism {
+
+class Instant {
+ public:
+  /// The model is referred to: its loads may change between positions.
+  explicit Instant(const Model& model);
+  /// Goes to this position, which is referred to. `statics`: without inertia.
+  void take(const Position& at, bool statics);
+
+  [[nodiscard]] const Model& model() const { return *model_; }
+  [[nodiscard]] const Position& at() const { return *at_; }
+  [[nodiscard]] bool statics() const { return statics_; }
+  [[nodiscard]] std::span<const ActiveForce> active() const { return active_; }
+  /// Of `active`, what reactions bring with them, and the rest.
+  [[nodiscard]] std::span<const ActiveForce> induced() const { return active().subspan(external_); }
+  [[nodiscard]] std::span<const ActiveForce> external() const { return active().first(external_); }
+  /// What the reaction of a joint holds besides the forces of its constraints.
+  [[nodiscard]] const Reaction& beside_constraints(std::size_t joint) const { return beside_[joint]; }
+
+  /// The unit of length of constraints and coordinates, m: what makes a moment comparable with a force.
+  [[nodiscard]] double length() const { return length_; }
+  [[nodiscard]] const Constraints& constraints() const { return constraints_; }
+  [[nodiscard]] std::span<const double> q() const { return q_; }
+
+  /// A driver's effort over the force that is compared with others: that unit for a moment, 1 for a force.
+  [[nodiscard]] double effort_arm(std::size_t driver) const;
+
+  /// How this link moves, m/s and 1/s, when the constraint of this row alone gives way, at a rate of 1 rad or one unit
+  /// of length per second. With a driver's row: when this driver alone moves.
+  [[nodiscard]] Pose virtual_velocity(std::size_t row, std::size_t link) const {
+    const double* v = &motions_[row * constraints_.columns() + 3 * link];
+    return {length_ * v[0], length_ * v[1], v[2]};
+  }
+  /// The rate of a driver in its virtual velocities, rad/s or m/s.
+  [[nodiscard]] double virtual_rate(std::size_t driver) const { return length_ / effort_arm(driver); }
+  /// W, of everything that acts, in the virtual velocities of this row.
+  [[nodiscard]] double virtual_power(std::size_t row) const;
+
+  /// Of the position: condition number of its constraint equations with this unit of length, 1-norm.
+  [[nodiscard]] double condition() const { return condition_; }
+
+ private:
+  void place();
+  void find_induced_forces();
+  void add_induced(int link, std::size_t joint, const Reaction& acting, double sense);
+  void find_motions();
+
+  const Model* model_;
+  const Position* at_ = nullptr;
+  bool statics_ = false;
+  double length_;
+  Constraints constraints_;
+  std::vector<double> q_, no_targets_;
+  std::vector<ActiveForce> active_;
+  std::size_t external_ = 0;
+  std::vector<Reaction> beside_;
+  std::vector<double> jacobian_, motions_;  // dense; motions: a column of the inverse after the other
+  double condition_ = 0.0;
+};
+
+}  // namespace loadpath::mechanism

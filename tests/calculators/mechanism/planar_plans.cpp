@@ -17,11 +17,20 @@ using mechanism::Vec;
 
 namespace {
 
+/// A rocker on a spring with a damper, and a turning one: they belong to the plans as loads do.
+mechanism::Model sprung() {
+  mechanism::Model model = models::four_bar();
+  using Kind = mechanism::Spring::Kind;
+  model.springs.push_back({"spring", Kind::linear, 2, mechanism::ground, {0.15, 0.0}, {0.6, 0.2}, 2e3, 0.1, 50.0});
+  model.springs.push_back({"bush", Kind::turning, 1, 2, {}, {}, 8.0, 0.0, 0.3});
+  return model;
+}
+
 /// Every model at positions over its turn, with a speed at which inertia tells.
 void at_positions(const std::function<void(const PlanSubject&)>& check) {
   const std::vector<TracedPoint> points{{"A", 0, {0.1, 0.0}}};
   for (const mechanism::Model& model : {models::slider_crank(), models::four_bar(), models::six_bar(),
-                                        models::class_three(), models::slotted_lever()}) {
+                                        models::class_three(), models::slotted_lever(), sprung()}) {
     mechanism::WholeSystem system(model);
     REQUIRE(system.assemble() == mechanism::Status::closed);
     const double start = system.coordinate(0);

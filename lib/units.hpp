@@ -169,7 +169,7 @@ inline constexpr Unit<SectionModulus> mm3{"mm^3", from_si<SectionModulus>(1e-9)}
 inline constexpr Unit<SecondMoment> mm4{"mm^4", from_si<SecondMoment>(1e-12)};
 inline constexpr Unit<Mass> kg{"kg", from_si<Mass>(1.0)};
 inline constexpr Unit<MassMoment> kg_m2{"kg*m^2", from_si<MassMoment>(1.0)};
-inline constexpr Unit<Time> s{"s", from_si<Time>(1.0)};
+inline constexpr Unit<Time> sec{"s", from_si<Time>(1.0)};
 inline constexpr Unit<Force> N{"N", from_si<Force>(1.0)};
 inline constexpr Unit<Moment> N_m{"N*m", from_si<Moment>(1.0), 0, Kind::moment};
 inline constexpr Unit<Stress> MPa{"MPa", from_si<Stress>(1e6)};

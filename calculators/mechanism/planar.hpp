@@ -193,7 +193,7 @@ F_y = "0 N"
     struct Moment {
       Time t = unset<Time>;
       double angle = unset<double>;
-      static constexpr std::tuple fields{Field{&Moment::t, "t", s, "time"},
+      static constexpr std::tuple fields{Field{&Moment::t, "t", sec, "time"},
                                          Field{&Moment::angle, "angle", deg, "crank angle then"}.within(-36000, 36000)};
     };
     List<Moment, 64> law;
@@ -224,7 +224,7 @@ F_y = "0 N"
     struct Moment {
       Time t = unset<Time>;
       Length place = unset<Length>;
-      static constexpr std::tuple fields{Field{&Moment::t, "t", s, "time"},
+      static constexpr std::tuple fields{Field{&Moment::t, "t", sec, "time"},
                                          Field{&Moment::place, "place", mm, "place along the guide then"}};
     };
     List<Moment, 64> law;

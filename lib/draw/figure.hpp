@@ -81,10 +81,31 @@ struct Scheme {
   struct Path {  // the path of a point over the cycle
     std::string name;
     std::vector<Point> points;
+    std::vector<Point> positions = {};  // some of them, evenly spread over the cycle
   };
   struct Named {  // a point of a link that is no joint: where a force acts
     std::string name;
     Point at;
+  };
+  struct Wheel {  // the pitch circle of a gear, a pulley, a roller
+    Point at;
+    double radius = 0.0;  // of a ring with inner teeth negative
+    double angle = 0.0;   // of a mark on it, so that its turning is seen
+    bool fixed = false;
+  };
+  struct Belt {  // or chain: around two wheels
+    Point from;
+    Point to;
+    double radius_from = 0.0;
+    double radius_to = 0.0;
+    bool crossed = false;
+  };
+  struct Rack {  // the pitch line of a rack, or a track that a wheel rolls on
+    Point from;
+    Point to;
+    bool toothed = true;
+    bool left = true;  // the wheel lies on the left of the way from `from` to `to`
+    bool fixed = false;
   };
   std::vector<Body> bodies;
   std::vector<Joint> joints;
@@ -93,6 +114,92 @@ struct Scheme {
   std::vector<Moment> moments;
   std::vector<Path> paths;
   std::vector<Named> points;
+  std::vector<Wheel> wheels = {};
+  std::vector<Belt> belts = {};
+  std::vector<Rack> racks = {};
+};
+
+/// Vectors out of a pole or head to tail: a plan of forces, velocities or accelerations; what they measure is drawn to
+/// one scale.
+struct Plan {
+  enum class Tone { first, second, third, part };  // what is told apart; a part is drawn thin
+  struct Vector {
+    Point from;
+    Point to;
+    std::string label;
+    Tone tone = Tone::first;
+  };
+  struct Image {  // a link as the plan shows it
+    std::string name;
+    std::vector<Point> points;
+  };
+  struct Named {
+    std::string name;
+    Point at;
+  };
+  std::string title;  // of the panel; empty where it is the only one
+  std::string unit;   // of the vectors: "N"
+  std::vector<Vector> vectors;
+  std::vector<Image> images = {};
+  std::vector<Named> points = {};
+  std::vector<Scheme::Arrow> forces = {};    // at points of the plan, to a scale of their own: Zhukovsky's lever
+  std::vector<Scheme::Moment> moments = {};  // on links of the plan
+};
+struct Plans {
+  std::vector<Plan> panels;
+};
+
+/// A scheme that moves: one of its positions as it is printed, and what changes from frame to frame.
+struct Motion {
+  /// The links that carry a part of the scheme and turn it; -1: nothing.
+  struct Carried {
+    int place = -1;
+    int turn = -1;
+  };
+  struct Pose {
+    Point at;
+    double phi = 0.0;
+  };
+  struct Link {
+    std::vector<Pose> poses;
+  };
+  struct Force {
+    std::vector<Point> values;       // N
+    std::vector<Point> places = {};  // where it acts, unless a link carries that
+    Carried carried = {};
+  };
+  struct Couple {
+    std::vector<double> values;  // N m
+    Carried carried = {};
+  };
+  /// The force plan of a link: sides head to tail, each a force or its opposite.
+  struct Side {
+    std::size_t force = 0;
+    double sense = 1.0;
+    std::string label;
+    Plan::Tone tone = Plan::Tone::first;
+  };
+  struct LinkPlan {
+    std::string link;
+    std::vector<Side> sides;
+  };
+  /// A quantity that is shown as a number.
+  struct Number {
+    std::string symbol;
+    std::string meaning;
+    std::string unit;
+    std::vector<double> si;
+  };
+  Scheme still;
+  std::size_t shown = 0;                                       // the frame of `still`
+  std::vector<Link> links;                                     // link k carries body k
+  std::vector<Carried> joints, guides, points, wheels, racks;  // of the parts of `still`, in their order
+  std::vector<Force> forces;    // first those of the arrows of `still`, in their order, then others of the plans
+  std::vector<Couple> couples;  // of the moments of `still`, in their order
+  std::vector<LinkPlan> plans;
+  std::size_t shown_plan = 0;
+  Number axis;
+  std::vector<Number> numbers;
 };
 
 /// A shaft seen from the side: cylinders in order along x, with torques and forces at places.
@@ -114,7 +221,7 @@ struct Shaft {
 struct Figure {
   std::string id;       // unique in a step, a file-name part: "torque-diagram"
   std::string caption;  // a message id, without numbers
-  std::variant<Plot, Scheme, Shaft> content;
+  std::variant<Plot, Scheme, Shaft, Plans, Motion> content;
 };
 
 /// The figure as one <svg> element: no script, no external reference, colours by CSS variables with fallbacks,

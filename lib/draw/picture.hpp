@@ -17,5 +17,8 @@ struct Picture {
 Picture picture(const Plot& plot);
 Picture picture(const Scheme& scheme);
 Picture picture(const Shaft& shaft);
+Picture picture(const Plans& plans);
+/// At the position that is printed.
+Picture picture(const Motion& motion);
 
 }  // namespace loadpath::draw

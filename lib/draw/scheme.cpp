@@ -1,60 +1,10 @@
-#include "lib/draw/labels.hpp"
-#include "lib/draw/picture.hpp"
-#include "lib/draw/scheme_fit.hpp"
 #include "lib/draw/scheme_parts.hpp"
+#include "lib/draw/scheme_picture.hpp"
 #include "lib/draw/thin.hpp"
-#include "lib/draw/ticks.hpp"
-#include "lib/issue.hpp"
-#include "lib/quantity/format.hpp"
 
 #include <array>
-#include <set>
 
 namespace loadpath::draw {
-namespace {
-
-std::string force_text(double newton) {
-  return newton >= 1e6 ? format_quantity(newton, "MN", 4) : format_quantity(newton, newton >= 1e3 ? "kN" : "N", 4);
-}
-std::string length_text(double metre) { return format_quantity(metre, metre >= 1.0 ? "m" : "mm", 4); }
-
-class SchemePicture {
- public:
-  explicit SchemePicture(const Scheme& scheme)
-      : scheme_(without_gaps(scheme)), fit_(fit(scheme_)), labels_({2.0, 2.0, view_width - 2.0, fit_.height - 30.0}) {}
-  Picture drawn();
-
- private:
-  void draw_guides();
-  void draw_paths();
-  void draw_bodies();
-  void draw_supports();
-  void draw_block(const Scheme::Joint& joint);
-  void draw_pins();
-  void draw_forces();
-  void label_points();
-  void label_forces();
-  void label_moments();
-  void label_bodies();
-  void draw_scales();
-
-  [[nodiscard]] Point at(Point p) const { return fit_.at(p); }
-  [[nodiscard]] std::vector<Point> outline(const Scheme::Body& body) const;
-  [[nodiscard]] Point couple_opening(Point p) const;
-  [[nodiscard]] Point support_direction(const Scheme::Joint& joint) const;
-  [[nodiscard]] bool lies_on(Point p, const Scheme::Guide& guide) const;
-  [[nodiscard]] bool carries_block(const Scheme::Guide& guide) const;
-  void label(std::string_view style, const std::vector<Candidate>& places, const Text& text) {
-    svg_.centred_text(style, labels_.place(places), text);
-  }
-  double draw_scale(double x, double view_per_si, std::string (*written)(double));
-  [[nodiscard]] std::string description() const;
-
-  Scheme scheme_;
-  Fit fit_;
-  Labels labels_;
-  SvgWriter svg_;
-};
 
 std::vector<Point> SchemePicture::outline(const Scheme::Body& body) const {
   std::vector<Point> points;
@@ -63,15 +13,18 @@ std::vector<Point> SchemePicture::outline(const Scheme::Body& body) const {
 }
 
 void SchemePicture::draw_guides() {
-  for (const auto& guide : scheme_.guides) {
+  for (std::size_t n = 0; n < scheme_.guides.size(); ++n) {
+    const auto& guide = scheme_.guides[n];
     Point from = at(guide.from), to = at(guide.to);
     if (from.x > to.x) std::swap(from, to);
     if (guide.fixed && carries_block(guide)) {
       const Point below = (0.5 * block_width + 1.0) * across(unit(to - from));
       from = from + below, to = to + below;
     }
-    svg_.line(guide.fixed ? "outline" : "light", from, to);
-    if (guide.fixed) hatch(svg_, from, to);
+    carried(carrier(&Motion::guides, n), guide.from, [&, from = from, to = to] {
+      svg_.line(guide.fixed ? "outline" : "rail", from, to);
+      if (guide.fixed) hatch(svg_, from, to);
+    });
     labels_.keep_off({from, to}, guide.fixed ? 5.0 : 2.0);
   }
 }
@@ -82,15 +35,18 @@ void SchemePicture::draw_paths() {
     for (const Point p : path.points) points.push_back(at(p));
     points = thin(points);
     svg_.polyline("light dash", points);
+    for (const Point p : path.positions) svg_.circle("dot", at(p), 1.7);
     labels_.keep_off(points, 1.0, 0.1);
   }
 }
 
 void SchemePicture::draw_bodies() {
-  for (const auto& body : scheme_.bodies) {
-    std::vector<Point> points = outline(body);
-    if (points.size() == 2) svg_.line("bar", points[0], points[1]);
-    if (points.size() > 2) svg_.polygon("plate", points);
+  for (std::size_t k = 0; k < scheme_.bodies.size(); ++k) {
+    std::vector<Point> points = outline(scheme_.bodies[k]);
+    if (points.size() < 2) continue;
+    const int link = static_cast<int>(k);
+    carried({link, link}, scheme_.bodies[k].points.front(),
+            [&] { points.size() == 2 ? svg_.line("bar", points[0], points[1]) : svg_.polygon("plate", points); });
     if (points.size() > 2) points.push_back(points.front());
     labels_.keep_off(points, 3.0);
   }
@@ -126,9 +82,10 @@ Point SchemePicture::support_direction(const Scheme::Joint& joint) const {
 }
 
 void SchemePicture::draw_supports() {
-  for (const auto& joint : scheme_.joints) {
+  for (std::size_t n = 0; n < scheme_.joints.size(); ++n) {
+    const auto& joint = scheme_.joints[n];
     if (joint.pin == Scheme::Pin::slider) {
-      draw_block(joint);
+      carried(carrier(&Motion::joints, n), joint.at, [&] { draw_block(joint); });
     } else if (joint.fixed) {
       const Point direction = support_direction(joint);
       support(svg_, at(joint.at), direction);
@@ -166,13 +123,17 @@ void SchemePicture::draw_block(const Scheme::Joint& joint) {
 }
 
 void SchemePicture::draw_pins() {
-  for (const auto& joint : scheme_.joints) {
-    if (joint.pin == Scheme::Pin::revolute) svg_.circle("pin", at(joint.at), pin_radius);
+  for (std::size_t n = 0; n < scheme_.joints.size(); ++n) {
+    const auto& joint = scheme_.joints[n];
+    const Motion::Carried by{carrier(&Motion::joints, n).place, -1};
+    if (joint.pin == Scheme::Pin::revolute)
+      carried(by, joint.at, [&] { svg_.circle("pin", at(joint.at), pin_radius); });
     labels_.keep_off(Box::around(at(joint.at), 2.0 * pin_radius, 2.0 * pin_radius));
   }
-  for (const auto& point : scheme_.points) {
-    svg_.circle("solid", at(point.at), 3.0);
-    labels_.keep_off(Box::around(at(point.at), 7.0, 7.0));
+  for (std::size_t n = 0; n < scheme_.points.size(); ++n) {
+    const Point place = scheme_.points[n].at;
+    carried(carrier(&Motion::points, n), place, [&] { svg_.circle("solid", at(place), 3.0); });
+    labels_.keep_off(Box::around(at(place), 7.0, 7.0));
   }
 }
 
@@ -186,104 +147,44 @@ Point SchemePicture::couple_opening(Point p) const {
 }
 
 void SchemePicture::draw_forces() {
-  for (const auto& a : scheme_.arrows) {
-    arrow(svg_, a.load ? 1 : 0, at(a.at), fit_.tip(a));
+  for (std::size_t n = 0; n < scheme_.arrows.size(); ++n) {
+    const auto& a = scheme_.arrows[n];
+    force_group("data-force", n, [&] { arrow(svg_, a.load ? 1 : 0, at(a.at), fit_.tip(a)); });
     labels_.keep_off({at(a.at), fit_.tip(a)}, 3.0);
   }
-  for (const auto& moment : scheme_.moments) {
-    couple(svg_, at(moment.at), couple_opening(moment.at), moment.value > 0.0);
-    labels_.keep_off(ring(at(moment.at), couple_radius), 2.0);
-  }
 }
 
-void SchemePicture::label_points() {
-  std::set<std::string> done;
-  const auto name = [&](const std::string& text, Point p, double gap) {
-    if (!done.insert(text).second) return;
-    label("halo", around(at(p), gap, width(typeset(text), 1.1 * text_size)), typeset(text));
-  };
-  for (const auto& joint : scheme_.joints) name(joint.name, joint.at, pin_radius + 2.5);
-  for (const auto& point : scheme_.points) name(point.name, point.at, 5.0);
-}
-
-void SchemePicture::label_forces() {
-  for (const auto& a : scheme_.arrows) {
-    const Text text = typeset(a.label);
-    const double wide = width(text, 1.1 * text_size);
-    std::vector<Candidate> places = around(fit_.tip(a), 3.0, wide);
-    for (Candidate& c : beside(at(a.at), fit_.tip(a), 4.0, wide)) places.push_back({c.box, 1.0 + c.cost});
-    label(a.load ? "halo f1" : "halo f0", places, text);
-  }
-}
-
-void SchemePicture::label_moments() {
-  for (const auto& moment : scheme_.moments) {
-    const std::string value = format_quantity(moment.value, "N*m", 4);
-    const Text text = typeset(say("{1} = {2}", symbol(moment.label), value).text());
-    label("halo f1", around(at(moment.at), couple_radius + 3.0, width(text, text_size)), text);
-  }
-}
-
-void SchemePicture::label_bodies() {
-  for (const auto& body : scheme_.bodies) {
-    const std::vector<Point> points = outline(body);
-    if (points.empty() || body.name.empty()) continue;
-    const Text text = typeset(body.name);
-    const double wide = width(text, text_size);
-    std::vector<Candidate> places;
-    if (points.size() > 2) {
-      Point sum;
-      for (const Point p : points) sum = sum + p;
-      places = {{Box::around(1.0 / static_cast<double>(points.size()) * sum, wide, line_height), -5.0}};
+void SchemePicture::draw_couples() {
+  for (std::size_t n = 0; n < scheme_.moments.size(); ++n) {
+    const auto& moment = scheme_.moments[n];
+    const Point centre = at(moment.at), opening = couple_opening(moment.at);
+    if (motion_ == nullptr) {
+      couple(svg_, centre, opening, moment.value > 0.0);
+    } else {  // both senses are there, one is shown
+      const std::string place = text_of(motion_->couples[n].carried, centre);
+      for (const bool positive : {true, false}) {
+        const bool shown = positive == (moment.value > 0.0);
+        svg_.begin_group({{"data-couple", std::to_string(n) + (positive ? " +" : " -")},
+                          {"data-carried", place},
+                          {"visibility", shown ? "visible" : "hidden"}});
+        couple(svg_, centre, opening, positive);
+        svg_.end_group();
+      }
     }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const auto sides = beside(points[i], points[(i + 1) % points.size()], 5.0, wide);
-      places.insert(places.end(), sides.begin(), sides.end());
-    }
-    label("quiet", places, text);
+    labels_.keep_off(ring(centre, couple_radius), 2.0);
   }
-}
-
-/// A bar of a round length with what it stands for; returns where the next one may begin.
-double SchemePicture::draw_scale(double x, double view_per_si, std::string (*written)(double)) {
-  constexpr double longest = 80.0;
-  const double value = round_below(longest / view_per_si), y = fit_.height - 13.0;
-  const Point from{x, y}, to{x + value * view_per_si, y}, tick{0.0, 3.5};
-  svg_.strokes("thin", {{from, to}, {from - tick, from + tick}, {to - tick, to + tick}});
-  const Text text = typeset(written(value));
-  svg_.text("quiet", to + Point{7.0, 4.0}, text);
-  return to.x + 7.0 + width(text, text_size) + 26.0;
-}
-
-void SchemePicture::draw_scales() {
-  double x = 10.0;
-  if (!scheme_.bodies.empty() || !scheme_.joints.empty()) x = draw_scale(x, fit_.scale, length_text);
-  if (!scheme_.arrows.empty()) draw_scale(x, fit_.newton, force_text);
-}
-
-std::string SchemePicture::description() const {
-  std::string text;
-  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
-  for (const auto& body : scheme_.bodies) add(say("link {1}", plain(body.name)).text());
-  for (const auto& joint : scheme_.joints) {
-    const bool slider = joint.pin == Scheme::Pin::slider;
-    add(say(slider ? "slider {1}" : joint.fixed ? "fixed pin {1}" : "pin {1}", plain(joint.name)).text());
-  }
-  for (const auto& a : scheme_.arrows) {
-    add(say("force {1} = {2}", plain(a.label), force_text(length(a.force))).text());
-  }
-  for (const auto& m : scheme_.moments) {
-    add(say("moment {1} = {2}", plain(m.label), format_quantity(m.value, "N*m", 4)).text());
-  }
-  return text;
 }
 
 Picture SchemePicture::drawn() {
   draw_guides();
   draw_paths();
+  draw_belts();
+  draw_racks();
+  draw_wheels();
   draw_bodies();
   draw_supports();
   draw_forces();
+  draw_couples();
   draw_pins();
   label_moments();
   label_points();
@@ -293,8 +194,11 @@ Picture SchemePicture::drawn() {
   return {svg_, fit_.height, description()};
 }
 
-}  // namespace
+Picture picture(const Scheme& scheme) {
+  const Scheme kept = without_gaps(scheme);
+  return SchemePicture(kept, fit(kept)).drawn();
+}
 
-Picture picture(const Scheme& scheme) { return SchemePicture(scheme).drawn(); }
+Picture picture(const Motion& motion) { return picture(motion.still); }
 
 }  // namespace loadpath::draw

@@ -43,6 +43,12 @@ std::vector<Sign> signs(const Scheme& scheme) {
   for (const auto& point : scheme.points) all.push_back({point.at, 22.0});
   for (const auto& moment : scheme.moments) all.push_back({moment.at, 40.0});
   for (const auto& arrow : scheme.arrows) all.push_back({arrow.at, 4.0});
+  for (const auto& rack : scheme.racks) add({rack.from, rack.to}, 14.0);
+  for (const auto& wheel : scheme.wheels) {
+    const double r = std::fabs(wheel.radius);
+    for (const Point corner : {Point{r, 0.0}, Point{-r, 0.0}, Point{0.0, r}, Point{0.0, -r}})
+      all.push_back({wheel.at + corner, 4.0});
+  }
   return all;
 }
 
@@ -75,7 +81,8 @@ double largest_scale(const std::vector<Sign>& signs, double first) {
 Scheme without_gaps(const Scheme& scheme) {
   Scheme kept;
   for (const auto& body : scheme.bodies) kept.bodies.push_back({body.name, drawable_points(body.points)});
-  for (const auto& path : scheme.paths) kept.paths.push_back({path.name, drawable_points(path.points)});
+  for (const auto& path : scheme.paths)
+    kept.paths.push_back({path.name, drawable_points(path.points), drawable_points(path.positions)});
   for (const auto& guide : scheme.guides) {
     if (drawable(guide.from) && drawable(guide.to)) kept.guides.push_back(guide);
   }
@@ -87,18 +94,47 @@ Scheme without_gaps(const Scheme& scheme) {
   }
   kept.joints = with_place(scheme.joints);
   kept.points = with_place(scheme.points);
+  for (const auto& wheel : with_place(scheme.wheels)) {
+    if (drawable(wheel.radius)) kept.wheels.push_back(wheel);
+  }
+  for (const auto& belt : scheme.belts) {
+    if (drawable(belt.from) && drawable(belt.to)) kept.belts.push_back(belt);
+  }
+  for (const auto& rack : scheme.racks) {
+    if (drawable(rack.from) && drawable(rack.to)) kept.racks.push_back(rack);
+  }
   return kept;
 }
 
-Fit fit(const Scheme& scheme) {
-  constexpr double arrow_share = 0.25;
-  std::vector<Sign> all = signs(scheme);
+namespace {
+
+/// The corners of all signs that have the same room: as good as all of them, and few.
+std::vector<Sign> corners(const std::vector<Sign>& signs) {
+  std::vector<std::pair<double, Box>> boxes;
+  for (const Sign& s : signs) {
+    const Box at{s.at.x, s.at.y, s.at.x, s.at.y};
+    const auto same = std::find_if(boxes.begin(), boxes.end(), [&](const auto& b) { return b.first == s.room; });
+    same == boxes.end() ? boxes.push_back({s.room, at}) : same->second.include(at);
+  }
+  std::vector<Sign> kept;
+  for (const auto& [room, box] : boxes) {
+    kept.push_back({{box.left, box.top}, room});
+    kept.push_back({{box.right, box.bottom}, room});
+  }
+  return kept;
+}
+
+/// The force that the largest arrow stands for has its share of the drawing.
+constexpr double arrow_share = 0.25;
+
+Fit fit(std::vector<Sign> all, const std::vector<Scheme::Arrow>& arrows) {
   if (all.empty()) return {1.0, 1.0, {}, least_height};
   const double size = extent_in_metres(all);
   double strongest = 0.0;
-  for (const auto& arrow : scheme.arrows) strongest = std::max(strongest, length(arrow.force));
+  for (const auto& arrow : arrows) strongest = std::max(strongest, length(arrow.force));
   const double metres_per_newton = strongest > 0.0 ? arrow_share * size / strongest : 0.0;
-  for (const auto& arrow : scheme.arrows) all.push_back({arrow.at + metres_per_newton * arrow.force, 24.0});
+  for (const auto& arrow : arrows) all.push_back({arrow.at + metres_per_newton * arrow.force, 24.0});
+  all = corners(all);
 
   Fit result;
   result.scale = largest_scale(all, view_width / size);
@@ -108,6 +144,44 @@ Fit fit(const Scheme& scheme) {
   result.origin = Point{0.5 * view_width, 0.5 * drawing} - box.centre();
   result.height = drawing + scale_bars;
   return result;
+}
+
+/// A point of the still scheme at another frame.
+Point moved(const Motion& motion, Motion::Carried by, Point at, std::size_t frame) {
+  if (by.place < 0) return at;
+  const auto& poses = motion.links[static_cast<std::size_t>(by.place)].poses;
+  const Motion::Pose &from = poses[motion.shown], &to = poses[frame];
+  const Point arm = at - from.at, e = along(to.phi - from.phi);
+  return to.at + Point{e.x * arm.x - e.y * arm.y, e.y * arm.x + e.x * arm.y};
+}
+
+}  // namespace
+
+Fit fit(const Scheme& scheme) { return fit(signs(scheme), scheme.arrows); }
+
+Fit fit(const Motion& motion) {
+  std::vector<Sign> all = signs(motion.still);
+  std::vector<Scheme::Arrow> arrows;
+  const Scheme& still = motion.still;
+  for (std::size_t k = 0; k < motion.axis.si.size(); ++k) {
+    const auto add = [&](Motion::Carried by, Point at, double room) {
+      all.push_back({moved(motion, by, at, k), room});
+    };
+    for (std::size_t n = 0; n < still.bodies.size(); ++n) {
+      for (const Point p : still.bodies[n].points) add({static_cast<int>(n), -1}, p, 12.0);
+    }
+    for (std::size_t n = 0; n < still.joints.size(); ++n) add(motion.joints[n], still.joints[n].at, 24.0);
+    for (std::size_t n = 0; n < still.guides.size(); ++n) {
+      for (const Point p : {still.guides[n].from, still.guides[n].to}) add(motion.guides[n], p, 3.0);
+    }
+    for (std::size_t n = 0; n < motion.still.arrows.size(); ++n) {
+      const auto& force = motion.forces[n];
+      const Point at =
+          force.places.empty() ? moved(motion, force.carried, motion.still.arrows[n].at, k) : force.places[k];
+      arrows.push_back({at, force.values[k], "", false});
+    }
+  }
+  return fit(all, arrows);
 }
 
 }  // namespace loadpath::draw

@@ -16,6 +16,7 @@ struct Fit {
   double height = 0.0;
 
   [[nodiscard]] Point at(Point p) const { return {origin.x + scale * p.x, origin.y - scale * p.y}; }
+  [[nodiscard]] Point back(Point view) const { return {(view.x - origin.x) / scale, (origin.y - view.y) / scale}; }
   [[nodiscard]] Point tip(const Scheme::Arrow& arrow) const {
     return at(arrow.at) + newton * Point{arrow.force.x, -arrow.force.y};
   }
@@ -24,5 +25,7 @@ struct Fit {
 /// The largest drawing with equal scales in x and y that holds all signs and a quarter of its size for the largest
 /// force.
 Fit fit(const Scheme& scheme);
+/// The same for all positions of a scheme that moves.
+Fit fit(const Motion& motion);
 
 }  // namespace loadpath::draw

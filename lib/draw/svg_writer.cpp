@@ -41,6 +41,12 @@ void SvgWriter::open(std::string_view element, std::string_view style) {
   body_.append("<").append(element).append(" class=\"").append(style).append("\"");
 }
 
+void SvgWriter::begin_group(const std::vector<std::pair<std::string_view, std::string>>& attributes) {
+  body_ += "<g";
+  for (const auto& [name, value] : attributes) body_.append(" ").append(name).append("=\"") += escaped(value) + "\"";
+  body_ += ">\n";
+}
+
 void SvgWriter::attribute(std::string_view name, double value) {
   body_.append(" ").append(name).append("=\"");
   append_number(body_, value);
@@ -149,15 +155,16 @@ void SvgWriter::centred_text(std::string_view style, const Box& box, const Text&
   text(style, box.centre() + Point{0.0, cap_half}, words, Anchor::middle);
 }
 
-std::string SvgWriter::document(double height, std::string_view title, std::string_view description) const {
-  constexpr double natural = 560.0;  // pixels on a wide page
+std::string SvgWriter::document(double height, std::string_view title, std::string_view description,
+                                double width) const {
+  const double natural = std::round(560.0 / view_width * width);  // pixels on a wide page
   std::string out = "<svg class=\"lp\" xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0";
-  append_coordinate(out, view_width);
+  append_coordinate(out, width);
   append_coordinate(out, std::round(height));
   out += "\" width=\"";
   append_number(out, natural);
   out += "\" height=\"";
-  append_number(out, std::round(height / view_width * natural));
+  append_number(out, std::round(height / width * natural));
   out += "\" style=\"max-width:100%;height:auto\" fill=\"none\">\n<title>";
   out += escaped(title);
   out += "</title>\n<desc>";

@@ -29,8 +29,13 @@ class SvgWriter {
   /// Centred in a box of one line.
   void centred_text(std::string_view style, const Box& box, const Text& text);
 
+  /// What stands between belongs together; the attributes' values are escaped.
+  void begin_group(const std::vector<std::pair<std::string_view, std::string>>& attributes);
+  void end_group() { body_ += "</g>\n"; }
+
   /// The <svg> element around what was written.
-  [[nodiscard]] std::string document(double height, std::string_view title, std::string_view description) const;
+  [[nodiscard]] std::string document(double height, std::string_view title, std::string_view description,
+                                     double width = view_width) const;
 
  private:
   void open(std::string_view element, std::string_view style);

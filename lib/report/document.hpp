@@ -84,7 +84,8 @@ struct Document {
   std::vector<Block> blocks;
 };
 
-/// One self-contained page: no network, no script; embedded math font; light, dark and print.
+/// One self-contained page: no network; embedded math font; light, dark and print. A script only where a mechanism
+/// moves, and the page reads without it.
 std::string html(const Document& document);
 /// Markdown with $$ formulas; figures are named `figures[i].first` and hold SVG text, to be written beside it.
 struct Markdown {

@@ -70,8 +70,13 @@ class Writer {
   std::string operator()(const Derivation& derivation) { return page::derivation(derivation); }
   std::string operator()(const Verdicts& verdicts) { return page::verdicts(verdicts, {}); }
   std::string operator()(const draw::Figure& figure) {
-    return "<figure>" + draw::svg(figure) + "<figcaption>" +
-           numbered("Figure", numbering_.figure(), say(figure.caption)) + "</figcaption></figure>\n";
+    const bool moves = std::holds_alternative<draw::Motion>(figure.content);
+    has_motion_ = has_motion_ || moves;
+    return (moves ? "<figure class=\"moving\">" + page::motion(figure) : "<figure>" + draw::svg(figure)) +
+           "<figcaption>" + numbered("Figure", numbering_.figure(), say(figure.caption)) + "</figcaption></figure>\n";
+  }
+  [[nodiscard]] std::string script() const {
+    return has_motion_ ? "<script>\n" + std::string(page::motion_script()) + "</script>\n" : "";
   }
 
  private:
@@ -103,6 +108,7 @@ class Writer {
 
   std::set<std::string> anchors_;
   Numbering numbering_;
+  bool has_motion_ = false;
 };
 
 }  // namespace
@@ -116,8 +122,8 @@ std::string html(const Document& document) {
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
       escaped(document.title) + "</title>\n<style>\n" + page::style(document.title, footer) +
       "</style>\n</head>\n<body>\n" + std::string(page::shapes()) + "<main>\n" + writer.front(document);
-  for (const Block& block : document.blocks) out += std::visit(writer, block);
-  return out + "</main>\n</body>\n</html>\n";
+  for (const Block& block : document.blocks) out += std::visit([&](const auto& b) { return writer(b); }, block);
+  return out + "</main>\n" + writer.script() + "</body>\n</html>\n";
 }
 
 }  // namespace loadpath::report

@@ -24,6 +24,11 @@ std::string derivation(const Derivation& derivation);
 std::string verdicts(const Verdicts& verdicts, const std::set<std::string>& anchors);
 std::string conclusion(const Verdicts& verdicts);
 
+/// A figure that holds a Motion; without scripts it is a picture.
+std::string motion(const draw::Figure& figure);
+/// What moves them, once in a page that has some.
+std::string_view motion_script();
+
 /// The style sheet with the math font in it; `header` and `footer` stand on every printed page.
 std::string style(std::string_view header, std::string_view footer);
 

@@ -96,6 +96,24 @@ break-inside:avoid}
 figure{margin:1.8rem 0;break-inside:avoid}
 figure svg{display:block;max-width:100%;height:auto}
 figcaption{margin-top:.5rem;max-width:40rem}
+.pictures{display:flex;flex-wrap:wrap;gap:.4rem 1.2rem;align-items:flex-start}
+.scheme{flex:2 1 26rem;min-width:0}
+.plan{flex:1 1 14rem;min-width:0;max-width:19rem}
+.scheme svg{width:100%}
+.plan-of{margin:0;font-size:.86rem;color:var(--muted)}
+.plan-of span{color:var(--ink)}
+.numbers-now{width:auto;margin-top:.5rem}
+.numbers-now td{padding:.14rem .7rem .14rem 0}
+.numbers-now .number{min-width:4.5rem}
+.controls{display:flex;flex-wrap:wrap;gap:.5rem 1.1rem;align-items:center;margin-bottom:.8rem;
+font:.82rem "Helvetica Neue",Arial,"Liberation Sans",sans-serif}
+.controls[hidden]{display:none}
+.controls label{display:flex;gap:.5em;align-items:center}
+.controls .slide{flex:1 1 14rem}
+.controls input{flex:1;min-width:6rem;accent-color:var(--accent)}
+.controls button,.controls select{font:inherit;color:var(--ink);background:var(--tint);border:1px solid var(--muted);
+border-radius:3px;padding:.3em .7em}
+.controls button{min-width:4.6em}
 )css";
 
 constexpr std::string_view narrow = R"css(
@@ -117,6 +135,7 @@ h2{font-size:1.25rem;margin-top:2.3rem}
 .verdicts .number{text-align:left;grid-row:2}
 .verdicts .bar{display:inline-block;width:6.5rem;margin:0 0 .1rem .7rem}
 .verdicts .bound{grid-row:3;grid-column:1/3}
+.plan{max-width:14rem}
 }
 )css";
 
@@ -133,6 +152,8 @@ thead{display:table-header-group}
 tr,.caption,.warning{break-inside:avoid}
 p{orphans:3;widows:3}
 figure{max-width:13cm}
+figure.moving{max-width:none}
+.controls{display:none!important}
 }
 )css";
 

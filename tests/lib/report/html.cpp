@@ -155,4 +155,23 @@ TEST_SUITE("report") {
     }
     CHECK(page == html(shaft_document()));
   }
+
+  TEST_CASE("a mechanism that moves has one small script in the page, and no name stands in its data") {
+    draw::Motion motion;
+    motion.still.bodies = {{hostile, {{0.0, 0.0}, {1.0, 0.0}}}};
+    motion.links = {{{{{0.0, 0.0}, 0.0}, {{0.0, 0.0}, 0.1}}}};
+    motion.forces = {{{{1.0, 0.0}, {1.0, 0.0}}}, {{{-1.0, 0.0}, {-1.0, 0.0}}}};
+    motion.plans = {{hostile, {{0, 1.0, hostile}, {1, 1.0, hostile}}}};
+    motion.axis = {"phi", hostile, "deg", {0.0, 0.1}};
+    motion.numbers = {{hostile, hostile, "N", {1.0, 2.0}}};
+    const draw::Figure figure{"turn", "It turns", motion};
+    Document document;
+    document.blocks = {figure, figure};
+    const std::string page = html(document);
+    CHECK_FALSE(contains(page, "<script>alert"));
+    CHECK(page.find("<script>") == page.rfind("<script>"));
+    CHECK(between(page, "<script>", "</script>").size() < 7500);
+    CHECK_FALSE(contains(between(page, "application/json\">", "</script>"), "alert"));
+    CHECK(contains(page, "<div class=\"controls\" hidden>"));
+  }
 }

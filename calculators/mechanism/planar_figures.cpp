@@ -47,19 +47,6 @@ draw::Figure reactions_figure(const mechanism::Model& model, const project::Acco
   return {"reactions", "Forces in the joints over the cycle", std::move(plot)};
 }
 
-/// The position nearest to the largest moment of the drive, or force of the first cylinder; else the first that has
-/// forces; one past the last where none has.
-std::size_t governing_position(const Cycle& cycle, const project::Account& account) {
-  for (const auto& e : account.results) {
-    if (e.path != "drive.M" && !e.path.starts_with("cylinders.")) continue;
-    const Extreme peak = largest(e.value);
-    if (!std::isnan(peak.value) && cycle.has_forces(peak.nearest)) return peak.nearest;
-  }
-  std::size_t first = 0;
-  while (first < cycle.positions.size() && !cycle.has_forces(first)) ++first;
-  return first;
-}
-
 /// The positions that the user has asked for by their angles, where they are few enough for a page.
 bool draws_each(const PlanarMechanism::Input& in) { return in.crank.at.size() > 1 && in.crank.at.size() <= 12; }
 

@@ -191,4 +191,15 @@ std::vector<report::Block> result_tables(const project::Account& account, const 
   return blocks;
 }
 
+std::size_t governing_position(const Cycle& cycle, const project::Account& account) {
+  for (const auto& e : account.results) {
+    if (e.path != "drive.M" && !e.path.starts_with("cylinders.")) continue;
+    const Extreme peak = largest(e.value);
+    if (!std::isnan(peak.value) && cycle.has_forces(peak.nearest)) return peak.nearest;
+  }
+  std::size_t first = 0;
+  while (first < cycle.positions.size() && !cycle.has_forces(first)) ++first;
+  return first;
+}
+
 }  // namespace loadpath

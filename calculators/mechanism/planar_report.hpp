@@ -25,4 +25,8 @@ std::vector<report::Verdict> proof(const std::string& step, const PlanarMechanis
 std::vector<draw::Figure> mechanism_figures(const PlanarMechanism::Input& in, const mechanism::Model& model,
                                             const Cycle& cycle, const project::Account& account, const Axis* axis);
 
+/// The position nearest to the largest moment of the drive, or force of the first cylinder; else the first that has
+/// forces; one past the last where none has.
+std::size_t governing_position(const Cycle& cycle, const project::Account& account);
+
 }  // namespace loadpath

@@ -135,6 +135,8 @@ static std::string path_of(const mechanism::Finding& finding, const mechanism::M
                  : "cylinders." + model.drivers[finding.index].name;
     case About::load:
       return "loads";
+    case About::spring:
+      return "springs." + model.springs[finding.index].name;
   }
   return "";
 }

@@ -28,6 +28,7 @@ class PartChecks {
     for (std::size_t k = 0; k < model_.joints.size(); ++k) check(k, model_.joints[k]);
     for (std::size_t k = 0; k < model_.drivers.size(); ++k) check(k, model_.drivers[k]);
     for (std::size_t k = 0; k < model_.loads.size(); ++k) check(k, model_.loads[k]);
+    for (std::size_t k = 0; k < model_.springs.size(); ++k) check(k, model_.springs[k]);
     if (!finite({model_.gravity.x, model_.gravity.y})) add(About::model, 0, say("the gravity is not a finite number"));
     if (findings_.empty()) check_connected();
     return std::move(findings_);
@@ -37,7 +38,9 @@ class PartChecks {
   void check(std::size_t k, const Link& link);
   void check(std::size_t k, const Joint& joint);
   void check(std::size_t k, const Driver& driver);
+  void check_wheels(std::size_t k, const Joint& joint);
   void check(std::size_t k, const Load& load);
+  void check(std::size_t k, const Spring& spring);
   void check_rotary(std::size_t k, const Driver& driver);
   void check_linear(std::size_t k, const Driver& driver);
   void check_driven_once(std::size_t k, const Driver& driver);
@@ -90,6 +93,27 @@ void PartChecks::check(std::size_t k, const Joint& joint) {
   }
   if (!finite({joint.point_i.x, joint.point_i.y, joint.point_j.x, joint.point_j.y, joint.direction, joint.angle})) {
     add(About::joint, k, say("joint '{1}': a point or an angle of it is not a finite number", joint.name));
+  }
+  check_wheels(k, joint);
+  const Friction& f = joint.friction;
+  if (!finite({f.coefficient, f.pin_radius, f.rolling_arm, f.viscous, joint.guide_length, joint.guide_width}) ||
+      std::min({f.coefficient, f.pin_radius, f.rolling_arm, f.viscous, joint.guide_length, joint.guide_width}) < 0.0) {
+    add(About::joint, k,
+        say("joint '{1}': its friction and the sizes for it must be finite and not negative", joint.name));
+  }
+}
+
+void PartChecks::check_wheels(std::size_t k, const Joint& joint) {
+  const bool on_line = joint.kind == JointKind::rack || joint.kind == JointKind::rolling_on_line;
+  const bool two = joint.kind == JointKind::gear || joint.kind == JointKind::belt || joint.kind == JointKind::rolling;
+  if (!on_line && !two) return;
+  if (!finite({joint.radius_i, joint.radius_j, joint.pressure_angle, joint.tension, joint.phase})) {
+    add(About::joint, k, say("joint '{1}': a number of its wheels is not finite", joint.name));
+  } else if (joint.radius_i == 0.0 || (two && joint.radius_j == 0.0)) {
+    add(About::joint, k, say("joint '{1}' has a wheel without a radius", joint.name));
+  } else if (joint.kind != JointKind::belt && two && joint.radius_i + joint.radius_j == 0.0) {
+    add(About::joint, k, say("joint '{1}': a wheel fills its ring, and cannot roll in it", joint.name),
+        say("make the wheel smaller than the ring"));
   }
 }
 
@@ -151,6 +175,17 @@ void PartChecks::check(std::size_t k, const Load& load) {
   }
   if (!finite({load.point.x, load.point.y, load.force.x, load.force.y, load.moment})) {
     add(About::load, k, say("load '{1}': its point, force or moment is not a finite number", load.name));
+  }
+}
+
+void PartChecks::check(std::size_t k, const Spring& spring) {
+  if (!exists(spring.i) || !exists(spring.j) || spring.i == spring.j) {
+    add(About::spring, k, say("spring '{1}' does not act between two links", spring.name));
+  }
+  if (!finite({spring.rate, spring.free, spring.damping, spring.point_i.x, spring.point_i.y, spring.point_j.x,
+               spring.point_j.y}) ||
+      spring.rate < 0.0 || spring.damping < 0.0) {
+    add(About::spring, k, say("spring '{1}': its rate and damping must be finite and not negative", spring.name));
   }
 }
 

@@ -13,7 +13,7 @@ namespace loadpath::mechanism {
 
 /// What stands in the way of solving a model, and which part of it that concerns.
 struct Finding {
-  enum class About { model, link, joint, driver, load };
+  enum class About { model, link, joint, driver, load, spring };
   About about = About::model;
   std::size_t index = 0;
   Message message;

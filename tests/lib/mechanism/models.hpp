@@ -1,6 +1,7 @@
 // Mechanisms that several tests use.
 #pragma once
 
+#include "lib/mechanism/group_system.hpp"
 #include "lib/mechanism/model.hpp"
 #include "lib/mechanism/proof/balance.hpp"
 #include "lib/mechanism/whole_system.hpp"
@@ -258,16 +259,16 @@ struct Solved {
   Residuals left = {};
 };
 inline Solved solve(const Model& model, std::vector<Drive> drives, bool statics = false) {
-  WholeSystem system(model);
-  Solved solved{system.assemble(), system.blank()};
+  GroupSystem system(model);
+  Solved solved{system.assemble(), blank_position(model)};
   if (solved.status == Status::closed) solved.status = system.solve(drives, solved.at, statics);
   if (solved.status == Status::closed) solved.left = residuals(model, drives, statics, solved.at);
   return solved;
 }
 /// At the stated assembly, drivers at rest.
 inline Solved solve_at_rest(const Model& model) {
-  WholeSystem system(model);
-  Solved solved{system.assemble(), system.blank()};
+  GroupSystem system(model);
+  Solved solved{system.assemble(), blank_position(model)};
   std::vector<Drive> drives(model.drivers.size());
   if (solved.status != Status::closed) return solved;
   for (std::size_t k = 0; k < drives.size(); ++k) drives[k].coordinate = system.coordinate(k);

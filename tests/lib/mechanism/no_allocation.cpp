@@ -7,13 +7,17 @@
 #include <cstddef>
 
 TEST_SUITE("mechanism") {
-  TEST_CASE("a turn of the crank allocates nothing, nor does a move that fails") {
+  TEST_CASE_TEMPLATE("a turn of the crank allocates nothing, nor does a move that fails", System,
+                     loadpath::mechanism::WholeSystem, loadpath::mechanism::GroupSystem) {
     using namespace loadpath::mechanism;
     Model rocker_driven = models::four_bar();
     rocker_driven.drivers[0].i = 2;
-    for (const Model& model : {models::slider_crank(), models::six_bar(), models::slotted_lever(), rocker_driven}) {
-      WholeSystem system(model);
-      Position at = system.blank();
+    Model rubbing = models::slider_crank();
+    for (Joint& joint : rubbing.joints) joint.friction = {.coefficient = 0.1, .pin_radius = 0.01};
+    for (const Model& model : {models::slider_crank(), models::six_bar(), models::slotted_lever(),
+                               models::class_three(), rubbing, rocker_driven}) {
+      System system(model);
+      Position at = blank_position(model);
       const std::size_t before = loadpath::tests::allocations();
       int failed = system.assemble() == Status::closed ? 0 : 1;
       const double start = system.coordinate(0);

@@ -99,6 +99,33 @@ TEST_SUITE("mechanism") {
          "load 'gas' acts on no link"},
         {"load not finite", [](Model& m) { m.loads[0].force.x = not_a_number; }, About::load, 0,
          "load 'gas': its point, force or moment is not a finite number"},
+        {"friction", [](Model& m) { m.joints[1].friction.coefficient = -0.1; }, About::joint, 1,
+         "joint 'A': its friction and the sizes for it must be finite and not negative"},
+        {"wheel without a radius", [](Model& m) { m.joints[1].kind = JointKind::gear; }, About::joint, 1,
+         "joint 'A' has a wheel without a radius"},
+        {"wheel not finite",
+         [](Model& m) {
+           m.joints[1].kind = JointKind::rack;
+           m.joints[1].radius_i = not_a_number;
+         },
+         About::joint, 1, "joint 'A': a number of its wheels is not finite"},
+        {"wheel that fills its ring",
+         [](Model& m) {
+           m.joints[1].kind = JointKind::rolling;
+           m.joints[1].radius_i = 0.05;
+           m.joints[1].radius_j = -0.05;
+         },
+         About::joint, 1, "joint 'A': a wheel fills its ring, and cannot roll in it"},
+        {"spring at one link",
+         [](Model& m) {
+           m.springs.push_back({"k", Spring::Kind::linear, 1, 1, {}, {}, 1.0, 0.0, 0.0});
+         },
+         About::spring, 0, "spring 'k' does not act between two links"},
+        {"spring that pushes",
+         [](Model& m) {
+           m.springs.push_back({"k", Spring::Kind::linear, 1, 0, {}, {}, -1.0, 0.0, 0.0});
+         },
+         About::spring, 0, "spring 'k': its rate and damping must be finite and not negative"},
         {"gravity", [](Model& m) { m.gravity.y = not_a_number; }, About::model, 0,
          "the gravity is not a finite number"},
     };

@@ -234,6 +234,11 @@ F_y = "0 N"
         Choice{&Load::axes, "axes", "axes of direction, F_x and F_y"}.may_be_missing()};
   };
 
+  struct Side {
+    Name side;
+    static constexpr std::tuple fields{NameField{&Side::side, "side", "side of a group: \"B_left\", \"D_ahead\""}};
+  };
+
   enum class Analysis { kinetostatic, statics };
   struct Input {
     List<Point, 32> ground;
@@ -243,6 +248,7 @@ F_y = "0 N"
     List<Cylinder, 16> cylinders;
     int positions = 1;
     List<Load, 64> loads;
+    List<Side, 16> sides;
     Acceleration gravity = 0.0 * m_per_s2.one;
     double gravity_direction = -pi / 2.0;
     Analysis analysis = Analysis::kinetostatic;
@@ -255,6 +261,10 @@ F_y = "0 N"
       ListField{&Input::cylinders, "cylinders", "drives of prismatic joints, by name"}.may_be_missing(),
       Count{&Input::positions, "positions", 1, 7200, "positions of a stroke of cylinders"},
       ListField{&Input::loads, "loads", "forces and couples"}.may_be_missing(),
+      ListField{&Input::sides, "sides",
+                "assembly by the sides of its groups, which the report lists; as stated or drawn where missing"}
+          .as_arrays()
+          .may_be_missing(),
       Field{&Input::gravity, "gravity", m_per_s2, "acceleration of gravity; none where missing"}.at_least(0).usually(
           0, 30),
       Field{&Input::gravity_direction, "gravity_direction", deg, "direction of gravity"},

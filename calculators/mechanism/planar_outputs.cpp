@@ -1,5 +1,6 @@
 #include "calculators/mechanism/planar_outputs.hpp"
 
+#include "calculators/mechanism/planar_kinematics.hpp"
 #include "lib/mechanism/vec.hpp"
 
 #include <array>
@@ -116,8 +117,13 @@ template <class Thing, std::size_t Count>
 void add(const Thing& thing, const std::array<Row<Thing>, Count>& rows, std::vector<MechanismOutput>& out) {
   for (const Row<Thing>& r : rows) {
     if (r.has != nullptr && !r.has(thing)) continue;
-    out.push_back({named(r.pattern.path, thing.name), r.pattern.doc, r.pattern.unit, r.dimension,
-                   [thing, read = r.read](const Position& p) { return read(thing, p); }});
+    out.push_back({named(r.pattern.path, thing.name),
+                   r.pattern.doc,
+                   r.pattern.unit,
+                   r.dimension,
+                   [thing, read = r.read](const Position& p) { return read(thing, p); },
+                   {},
+                   false});
   }
 }
 
@@ -131,6 +137,7 @@ std::vector<MechanismOutput> mechanism_outputs(const PlanarMechanism::Input& in,
     add(Joint{model.joints[j].name, j, model.joints[j].kind}, joint_rows, out);
   for (std::size_t k = 0; k < model.links.size(); ++k) add(Link{model.links[k].name, k}, link_rows, out);
   for (const TracedPoint& point : traced_points(in)) add(point, point_rows, out);
+  add_kinematic_outputs(in, model, out);
   return out;
 }
 
@@ -143,6 +150,7 @@ std::vector<ResultPattern> mechanism_result_patterns() {
   list(joint_rows);
   list(link_rows);
   list(point_rows);
+  for (const ResultPattern& p : kinematic_result_patterns()) patterns.push_back(p);
   return patterns;
 }
 

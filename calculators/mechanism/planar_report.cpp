@@ -111,7 +111,7 @@ Table drive_table(const Planar::Input& in) {
 /// Drives and joint forces: what parts are designed for.
 bool is_design_load(const std::string& path) {
   return path == "drive.M" || path == "drive.P" || path.starts_with("cylinders.") ||
-         (path.starts_with("joints.") && !path.ends_with(".x") && !path.ends_with(".y"));
+         (path.starts_with("joints.") && (path.ends_with(".F") || path.ends_with(".M")));
 }
 
 /// The mean, with what rounding has left of a zero taken as one.
@@ -137,7 +137,7 @@ Table extremes_table(const project::Account& account, const Axis& axis) {
 Table position_table(const project::Account& account) {
   Table table{say("Drive and reactions"), {say("quantity"), say("value"), say("meaning")}, {}};
   for (const project::Entry& e : account.results) {
-    if (is_design_load(e.path) || e.path.starts_with("joints."))
+    if (is_design_load(e.path) || (e.path.starts_with("joints.") && e.value.signature.dimension == N.dimension()))
       table.rows.push_back({e.path, Quantity{e.value.si[0], e.unit}, say("{1}", e.doc)});
   }
   return table;

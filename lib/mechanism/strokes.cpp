@@ -124,12 +124,22 @@ class Finder {
     return {};
   }
 
+  /// From the last position on to where the first one comes again.
+  void complete_turn(const Stroke& stroke, std::vector<double>& places) const {
+    const std::size_t last = course_.at.size() - 1;
+    if (!course_.known[last] || !course_.known[0]) return;
+    Neighbourhood near(model_, course_.derivatives[last]);
+    if (const auto end = near.motion(stroke, course_.at[0] + course_.period - course_.at[last]))
+      places.push_back(end->coordinate);
+  }
+
   void measure(Stroke& stroke) const {
     std::vector<double> places;
     for (const Reversal& r : stroke.reversals) places.push_back(r.coordinate);
     for (std::size_t k = 0; k < course_.at.size(); ++k) {
       if (course_.known[k]) places.push_back(motions_[k].coordinate);
     }
+    if (course_.period != 0.0 && stroke.reversals.empty()) complete_turn(stroke, places);
     const auto [low, high] = std::ranges::minmax(places);
     stroke.range = high - low;
     if (course_.period == 0.0 || stroke.reversals.size() != 2) return;

@@ -94,6 +94,7 @@ TEST_SUITE("mechanism") {
     CHECK(piston.reversals[0].coordinate == doctest::Approx(0.2));
     CHECK(piston.reversals[1].coordinate == doctest::Approx(0.4));
     CHECK(stroke_of(all, Stroke::Of::link, 0).reversals.empty());
+    CHECK(stroke_of(all, Stroke::Of::link, 0).range == doctest::Approx(2.0 * pi).epsilon(1e-12));
   }
 
   TEST_CASE("an offset slider-crank: extremes where crank and rod are in line") {

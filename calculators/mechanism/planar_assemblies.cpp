@@ -5,7 +5,7 @@
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <string_view>
 
 namespace loadpath {
 
@@ -49,31 +49,42 @@ const Assembly* best(const std::vector<Assembly>& list, const PlanarMechanism::I
   return chosen;
 }
 
-/// Where a dyad goes through its change point, on the axis.
-struct Change {
-  std::string joint;
-  double at = 0.0;
-};
-
-std::optional<double> passes(double before, double after, double from, double way) {
-  if (before * after >= 0.0) return {};
-  return from + way * before / (before - after);
+/// The intervals between positions: from, to, and the way of the axis between them.
+template <class See>
+void for_each_interval(const Cycle& cycle, const Axis& axis, See see) {
+  const std::size_t count = cycle.positions.size();
+  for (std::size_t k = 0; k < (axis.cyclic() ? count : count - 1); ++k) {
+    const std::size_t next = (k + 1) % count;
+    if (!cycle.closed[k] || !cycle.closed[next]) continue;
+    see(k, next, axis.at[next] - axis.at[k] + (next == 0 ? axis.period : 0.0));
+  }
 }
 
-std::vector<Change> changes(const mechanism::Model& model, const Cycle& cycle, const Axis& axis) {
-  std::vector<Change> found;
-  const std::size_t count = cycle.positions.size();
+std::string place(double at, const Axis& axis) { return format_quantity(at, axis.unit, 4); }
+
+/// Where dyads go through their change points: the sine of the closing angle through zero.
+void add_dyads(const mechanism::Model& model, const Cycle& cycle, const Axis& axis, std::vector<std::string>& found) {
   for (const mechanism::DyadClosing& dyad : dyad_closings(model, plan_of(model))) {
     const auto sine = [&](std::size_t k) { return closing_angle(model, dyad, cycle.positions[k].pose).sine; };
-    for (std::size_t k = 0; k < (axis.cyclic() ? count : count - 1); ++k) {
-      const std::size_t next = (k + 1) % count;
-      if (!cycle.closed[k] || !cycle.closed[next]) continue;
-      const double way = axis.at[next] - axis.at[k] + (next == 0 ? axis.period : 0.0);
-      if (const auto at = passes(sine(k), sine(next), axis.at[k], way))
-        found.push_back({model.joints[dyad.joint].name, *at});
-    }
+    for_each_interval(cycle, axis, [&](std::size_t k, std::size_t next, double way) {
+      const double before = sine(k), after = sine(next);
+      if (before * after >= 0.0) return;
+      const double at = axis.at[k] + way * before / (before - after);
+      found.push_back(say("{1} at {2}", model.joints[dyad.joint].name, place(at, axis)).text());
+    });
   }
-  return found;
+}
+
+void add_iterated(const mechanism::Model& model, const Cycle& cycle, const Kinematics& kinematics, const Axis& axis,
+                  std::vector<std::string>& found) {
+  for (const Kinematics::Iterated& group : kinematics.iterated) {
+    for_each_interval(cycle, axis, [&](std::size_t k, std::size_t next, double way) {
+      if (group.signs[k] * group.signs[next] >= 0.0) return;
+      found.push_back(say("{1} between {2} and {3}", model.links[group.link].name, place(axis.at[k], axis),
+                          place(axis.at[k] + way, axis))
+                          .text());
+    });
+  }
 }
 
 }  // namespace
@@ -96,17 +107,18 @@ std::vector<FieldFault> choose_assembly(const PlanarMechanism::Input& in, mechan
 }
 
 std::vector<report::Verdict> changes_of_assembly(const std::string& step, const mechanism::Model& model,
-                                                 const Cycle& cycle, const Axis* axis) {
+                                                 const Cycle& cycle, const Kinematics& kinematics, const Axis* axis) {
   if (axis == nullptr) return {};
-  const auto found = changes(model, cycle, *axis);
+  std::vector<std::string> found;
+  add_dyads(model, cycle, *axis, found);
+  add_iterated(model, cycle, kinematics, *axis, found);
   if (found.empty()) return {};
   std::string places;
-  for (const Change& c : found)
-    places += (places.empty() ? "" : ", ") + say("{1} at {2}", c.joint, format_quantity(c.at, axis->unit, 4)).text();
+  for (const std::string& place : found) places += (places.empty() ? "" : ", ") + place;
   report::Verdict v;
   v.step = step;
   v.symbol = "assembly";
-  v.meaning = say("every dyad stays on its side");
+  v.meaning = say("every group keeps its assembly");
   v.bound = say("no change point");
   v.value = say("passed {1} times", std::to_string(found.size()));
   v.state = report::State::not_covered;

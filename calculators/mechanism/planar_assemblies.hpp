@@ -16,10 +16,10 @@ namespace loadpath {
 /// changes, and faults say why, where there is no such assembly. The model has passed mechanism::diagnose.
 std::vector<FieldFault> choose_assembly(const PlanarMechanism::Input& in, mechanism::Model& model);
 
-/// Said only where a dyad passes to its other side: at the change point the drive alone does not tell which way the
-/// mechanism goes on.
+/// Said only where a group passes to another of its assemblies: at the change point the drive alone does not tell which
+/// way the mechanism goes on.
 std::vector<report::Verdict> changes_of_assembly(const std::string& step, const mechanism::Model& model,
-                                                 const Cycle& cycle, const Axis* axis);
+                                                 const Cycle& cycle, const Kinematics& kinematics, const Axis* axis);
 
 /// Assemblies at the first position, transmission angles, strokes, instantaneous centres at the first position.
 std::vector<report::Block> motion_tables(const project::Account& account, const mechanism::Model& model,

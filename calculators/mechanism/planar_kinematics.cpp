@@ -152,6 +152,14 @@ void add_ranges(const mechanism::Model& model, std::vector<MechanismOutput>& out
   }
 }
 
+std::vector<std::size_t> iterated_groups(const mechanism::Plan& plan) {
+  std::vector<std::size_t> groups;
+  for (std::size_t g = 0; g < plan.groups.size(); ++g) {
+    if (plan.groups[g].closing == mechanism::Closing::by_newton) groups.push_back(g);
+  }
+  return groups;
+}
+
 }  // namespace
 
 Kinematics kinematics_of(const mechanism::Model& model, const Cycle& cycle, const Axis* axis) {
@@ -159,8 +167,14 @@ Kinematics kinematics_of(const mechanism::Model& model, const Cycle& cycle, cons
   if (model.drivers.size() != 1) return kinematics;
   mechanism::PositionFunctions functions(model);
   kinematics.derivatives = cycle.positions;
-  for (std::size_t k = 0; k < cycle.positions.size(); ++k)
+  const auto iterated = iterated_groups(functions.plan());
+  for (const std::size_t g : iterated)
+    kinematics.iterated.push_back({first_link(functions.plan(), functions.plan().groups[g]), {}});
+  for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
     kinematics.known.push_back(cycle.closed[k] && functions.derive(kinematics.derivatives[k]));
+    for (std::size_t n = 0; n < iterated.size(); ++n)
+      kinematics.iterated[n].signs.push_back(kinematics.known[k] ? functions.sign(iterated[n]) : 0.0);
+  }
   if (axis != nullptr)
     kinematics.strokes = strokes(model, {axis->at, axis->period, kinematics.derivatives, kinematics.known});
   return kinematics;

@@ -14,7 +14,13 @@ namespace loadpath {
 struct Kinematics {
   std::vector<mechanism::Position> derivatives;  // as mechanism::PositionFunctions derives them
   std::vector<bool> known;                       // at which positions
-  std::vector<mechanism::Stroke> strokes;        // over the cycle
+  /// Of the groups without closed form: the first link, and where known the sign that changes with the assembly.
+  struct Iterated {
+    std::size_t link = 0;
+    std::vector<double> signs;
+  };
+  std::vector<Iterated> iterated;
+  std::vector<mechanism::Stroke> strokes;  // over the cycle
 };
 
 /// `axis` is null where there is one position.

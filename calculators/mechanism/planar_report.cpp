@@ -182,6 +182,13 @@ Table determinacy_table(const mechanism::Structure& structure, const Cycle& cycl
   table.rows.push_back(
       {say("mobility by count, 3 n − 2 p5 − p4; drives not counted"), std::to_string(structure.mobility_by_count)});
   table.rows.push_back({say("mobility by rank of the constraints"), std::to_string(structure.mobility)});
+  const auto steps = std::count(cycle.in_steps.begin(), cycle.in_steps.end(), true);
+  if (steps > 0 && axis != nullptr) {
+    const auto first = std::find(cycle.in_steps.begin(), cycle.in_steps.end(), true) - cycle.in_steps.begin();
+    table.rows.push_back({say("positions near a change point, followed in small steps; first at {1}",
+                              format_quantity(axis->at[static_cast<std::size_t>(first)], axis->unit, 5)),
+                          std::to_string(steps)});
+  }
   if (cycle.worst_condition == 0.0) return table;
   const Message largest = say("largest condition number of constraints and drives, 1-norm");
   table.rows.push_back(

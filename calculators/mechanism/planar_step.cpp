@@ -179,7 +179,8 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
   fill_values(cycle, kinematics);
   project::Account& account = own_account();
   account.verdicts = proof(name(), data(), cycle, axis_.get());
-  for (auto& v : changes_of_assembly(name(), model, cycle, axis_.get())) account.verdicts.push_back(std::move(v));
+  for (auto& v : changes_of_assembly(name(), model, cycle, kinematics, axis_.get()))
+    account.verdicts.push_back(std::move(v));
   fill_inputs();
   account.blocks = result_tables(account, model, mechanism::analyse(model), cycle, axis_.get());
   for (auto& b : motion_tables(account, model, cycle, kinematics, axis_.get())) account.blocks.push_back(std::move(b));

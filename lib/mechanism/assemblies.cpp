@@ -110,7 +110,7 @@ class Search {
     number(all);
     for (const Closed& closed : all) {
       if (!positions_.close_from(g, closed.coordinates)) continue;
-      if (!wheels) sides_.push_back(model_.links[first_link(group)].name + "_" + std::to_string(closed.number));
+      if (!wheels) sides_.push_back(model_.links[first_link(plan_, group)].name + "_" + std::to_string(closed.number));
       close_group(g + 1);
       if (!wheels) sides_.pop_back();
     }
@@ -133,12 +133,6 @@ class Search {
     return values;
   }
 
-  [[nodiscard]] std::size_t first_link(const GroupPlan& group) const {
-    std::size_t first = none;
-    for (std::size_t t = group.first_tree; t < group.last_tree; ++t) first = std::min(first, plan_.tree[t].link);
-    return first;
-  }
-
   void add(const GroupPlan& group, bool stated, std::vector<Closed>& all) const {
     Closed closed;
     closed.stated = stated;
@@ -151,7 +145,7 @@ class Search {
                                 [&](const Placed& a, const Placed& b) { return coincide(a, b); });
     };
     if (std::ranges::any_of(all, is_same)) return;
-    const double angle = angle_of(positions_.link(first_link(group)).turned);
+    const double angle = angle_of(positions_.link(first_link(plan_, group)).turned);
     closed.angle = angle < 0.0 ? angle + whole_turn : angle;
     all.push_back(std::move(closed));
   }

@@ -68,6 +68,7 @@ ClosingAngle closing_angle(const Model& model, const DyadClosing& dyad, std::spa
   const auto pin = [&](std::size_t joint) { return pin_of(model.joints[joint], poses); };
   const bool between = dyad.kind == Kind::pivots_along_line;
   const Vec arm = between ? pin(dyad.first) - pin(dyad.second) : pin(dyad.joint) - pin(dyad.first);
+  if (length(arm) == 0.0) return {0.0, 1.0};  // the pin is at the pivot: nothing is transmitted
   const double inverse = 1.0 / length(arm);
   if (dyad.kind == Kind::two_arms) {
     const Vec other = pin(dyad.joint) - pin(dyad.second);

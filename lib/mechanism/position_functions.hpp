@@ -20,6 +20,10 @@ class PositionFunctions {
   /// From the poses of `at`, an assembly, its velocities and accelerations as the first and second derivatives with
   /// respect to the drive's coordinate: rad and m per rad, or per m. False where the drive cannot hold the mechanism.
   [[nodiscard]] bool derive(Position& at);
+  /// Of the closing equations of a group, in order of attachment, where it was derived last: the sign of their
+  /// determinant, +1 or -1. It changes where the group passes from one of its assemblies to another.
+  [[nodiscard]] double sign(std::size_t group) { return positions_.loops(group).sign(); }
+  [[nodiscard]] const Plan& plan() const { return plan_; }
 
  private:
   const Model& model_;

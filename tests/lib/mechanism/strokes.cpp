@@ -1,5 +1,6 @@
 #include "lib/mechanism/strokes.hpp"
 
+#include "lib/mechanism/assemblies.hpp"
 #include "lib/mechanism/group_system.hpp"
 #include "lib/mechanism/position_functions.hpp"
 #include "tests/lib/mechanism/models.hpp"
@@ -82,6 +83,31 @@ TEST_SUITE("mechanism") {
         CHECK(std::abs(at.velocity[k].x - omega * derived.velocity[k].x) <= 1e-12);
       }
     }
+  }
+
+  TEST_CASE("of all assemblies as many close with a positive determinant as with a negative one") {
+    for (const Model& model : {four_bar(), slider_crank(), slotted_lever(), class_three()}) {
+      double sum = 0.0;
+      for (const Assembly& assembly : assemblies(model).list) {
+        Position at = blank_position(model);
+        at.pose = assembly.poses;
+        PositionFunctions functions(model);
+        REQUIRE(functions.derive(at));
+        sum += functions.sign(functions.plan().groups.size() - 1);
+      }
+      CHECK(sum == 0.0);
+    }
+  }
+
+  TEST_CASE("a move near a change point is followed in small steps, and that is known") {
+    GroupSystem system(four_bar());
+    REQUIRE(system.assemble() == Status::closed);
+    Position at = blank_position(four_bar());
+    const Drive near{1.1, 0.0, 0.0}, far{3.1, 0.0, 0.0};
+    REQUIRE(system.solve({&near, 1}, at) == Status::closed);
+    CHECK_FALSE(system.followed_in_steps());
+    REQUIRE(system.solve({&far, 1}, at) == Status::closed);
+    CHECK(system.followed_in_steps());
   }
 
   TEST_CASE("a central slider-crank has the stroke 2 r, and takes as long forth as back") {

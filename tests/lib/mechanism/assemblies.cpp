@@ -48,6 +48,24 @@ void check_closed(const Model& model, const Assemblies& found) {
   }
 }
 
+/// The class III group with other lengths, where all six of its assemblies are real.
+Model six_fold() {
+  Model model = class_three();
+  model.links[0].pose = {0.0, 0.0, 0.0};
+  model.links[1].pose = {0.064, 0.0, 1.1413};
+  model.links[2].pose = {0.293, 0.5001, -0.0013};
+  model.links[3].pose = {0.664, 0.09, 1.5244};
+  model.links[4].pose = {0.394, 0.29, 1.592};
+  model.joints[2].point_j = {0.55, 0.0};  // B of the bar
+  model.joints[3].point_i = {0.41, 0.0};  // C
+  model.joints[3].point_j = {0.39, 0.0};
+  model.joints[4].point_j = {0.664, 0.09};  // D
+  model.joints[5].point_i = {0.5, 0.0};     // E
+  model.joints[5].point_j = {0.09, 0.29};
+  model.joints[6].point_j = {0.394, 0.29};  // F
+  return model;
+}
+
 /// How often the third bar of the class III group fits, when the first goes once round: counted by sign changes, with
 /// the plate on either side of its second bar.
 int fits_of_class_three(const Model& model) {
@@ -141,6 +159,19 @@ TEST_SUITE("mechanism") {
     CHECK(found.list.size() <= 6);
     CHECK(found.list[0].sides[0].starts_with("bar_"));
     check_closed(model, found);
+  }
+
+  TEST_CASE("where a class III group has its most assemblies, six, all are found, numbered by the first link's angle") {
+    const Assemblies found = assemblies(six_fold());
+    // The bar's angles where the last bar fits, by going round in small steps as above.
+    const double angles[] = {0.0176, 0.0386, 0.3292, 1.1413, 1.6584, 5.1751};
+    REQUIRE(found.list.size() == 6);
+    CHECK(found.list[0].name() == "bar_4");
+    for (const Assembly& assembly : found.list) {
+      const double angle = angles[assembly.sides[0].back() - '1'];
+      CHECK(std::cos(assembly.poses[1].phi - angle) == doctest::Approx(1.0).epsilon(1e-7));
+    }
+    check_closed(six_fold(), found);
   }
 
   TEST_CASE("without a loop there is one assembly; of very many the first are listed, and that is said") {

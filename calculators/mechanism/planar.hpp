@@ -21,7 +21,7 @@ struct PlanarMechanism {
       "wheels and friction, with masses and loads, over a cycle or at given positions. Rigid links; play and "
       "elasticity "
       "are not covered.";
-  static constexpr auto source = "[A10], [D3]";
+  static constexpr auto source = "[A10], [B29], [B31], [D3]";
   static constexpr auto example = R"([project]
 title = "Slider-crank"
 

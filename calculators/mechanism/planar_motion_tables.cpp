@@ -64,6 +64,19 @@ Extreme smallest(const project::Account& account, const std::string& path) {
   return {};
 }
 
+/// Teeth press at the same angle at every position.
+void add_teeth(const mechanism::Model& model, const Axis* axis, Table& table) {
+  for (const mechanism::Joint& joint : model.joints) {
+    if (joint.kind != mechanism::JointKind::gear && joint.kind != mechanism::JointKind::rack) continue;
+    const std::string pressure = format_quantity(joint.pressure_angle, "deg", 4);
+    std::vector<Cell> row{joint.name, say("teeth, pressure angle {1}", pressure),
+                          Quantity{0.5 * pi - joint.pressure_angle, "deg"}};
+    if (axis != nullptr) row.emplace_back(std::string("–"));
+    row.emplace_back(std::string("–"));
+    table.rows.push_back(std::move(row));
+  }
+}
+
 void add_transmission(const mechanism::Model& model, const project::Account& account, const Axis* axis,
                       std::vector<report::Block>& blocks) {
   Table table{say("Transmission angles"), {say("joint"), say("side"), say("smallest"), say("at"), say("remark")}, {}};
@@ -76,6 +89,7 @@ void add_transmission(const mechanism::Model& model, const project::Account& acc
     row.push_back(remark(least.value));
     table.rows.push_back(std::move(row));
   }
+  add_teeth(model, axis, table);
   if (!table.rows.empty()) blocks.emplace_back(std::move(table));
 }
 

@@ -130,6 +130,24 @@ joints.C = { type = "revolute", links = ["ground", "rocker"] }
     CHECK(remark("b = \"220 mm\"") == "below 40 deg: light loads only");
   }
 
+  TEST_CASE("teeth have their pressure angle at every position") {
+    const auto gears = solved(head + R"(crank = { joint = "O", speed = "60 rpm", positions = 12 }
+ground = { O = ["0 mm", "0 mm"], C = ["60 mm", "0 mm"] }
+links.pinion = { points = { O = ["0 mm", "0 mm"] }, angle = "0 deg" }
+links.wheel = { points = { C = ["0 mm", "0 mm"] }, angle = "0 deg" }
+joints.O = { type = "revolute", links = ["ground", "pinion"] }
+joints.C = { type = "revolute", links = ["ground", "wheel"] }
+joints.mesh = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"], radii = ["20 mm", "40 mm"] }
+)");
+    const report::Table* table = table_of(gears, "Transmission angles");
+    REQUIRE(table != nullptr);
+    CHECK(text_of(table->rows[0][1]) == "teeth, pressure angle 20 deg");
+    CHECK(number_of(table->rows[0][2]) == doctest::Approx(70.0 * pi / 180.0));
+    CHECK(value(gears, "a.links.wheel.swing") == doctest::Approx(pi));
+    CHECK(value(gears, "a.links.wheel.dphi") == doctest::Approx(-0.5));
+    CHECK(table_of(gears, "Assemblies") == nullptr);
+  }
+
   TEST_CASE("strokes: the piston's 2 r, the rocker's swing, a lever's quick return") {
     CHECK(value(solved(piston), "a.joints.guide.stroke") == doctest::Approx(0.1));
     const auto angle = [](double reach) { return std::acos((0.16 + 0.09 - reach * reach) / 0.24); };

@@ -21,7 +21,7 @@ struct PlanarMechanism {
       "wheels and friction, with masses and loads, over a cycle or at given positions. Rigid links; play and "
       "elasticity "
       "are not covered.";
-  static constexpr auto source = "[A10], [D3]";
+  static constexpr auto source = "[A10], [B29], [B31], [D3]";
   static constexpr auto example = R"([project]
 title = "Slider-crank"
 
@@ -299,6 +299,11 @@ F_y = "0 N"
         Field{&Spring::c_turn, "c_turn", N_m_s, "damping of the turning, in place of c"}.at_least(0)};
   };
 
+  struct Side {
+    Name side;
+    static constexpr std::tuple fields{NameField{&Side::side, "side", "side of a group: \"B_left\", \"D_ahead\""}};
+  };
+
   enum class Analysis { kinetostatic, statics };
   struct Input {
     List<Point, 32> ground;
@@ -309,6 +314,7 @@ F_y = "0 N"
     int positions = 1;
     List<Load, 64> loads;
     List<Spring, 32> springs;
+    List<Side, 16> sides;
     Acceleration gravity = 0.0 * m_per_s2.one;
     double gravity_direction = -pi / 2.0;
     Analysis analysis = Analysis::kinetostatic;
@@ -322,6 +328,10 @@ F_y = "0 N"
       Count{&Input::positions, "positions", 1, 7200, "positions of a stroke of cylinders, or of a law of motion"},
       ListField{&Input::loads, "loads", "forces and couples"}.may_be_missing(),
       ListField{&Input::springs, "springs", "springs and dampers, by name"}.may_be_missing(),
+      ListField{&Input::sides, "sides",
+                "assembly by the sides of its groups, which the report lists; as stated or drawn where missing"}
+          .as_arrays()
+          .may_be_missing(),
       Field{&Input::gravity, "gravity", m_per_s2, "acceleration of gravity; none where missing"}.at_least(0).usually(
           0, 30),
       Field{&Input::gravity_direction, "gravity_direction", deg, "direction of gravity"},

@@ -188,6 +188,7 @@ Status run(mechanism::GroupSystem& system, const Task& task, bool backward, Cycl
     const Status status = system.solve(drives, cycle.positions[k], task.statics);
     if (status != Status::closed && status != Status::jams) return status;
     cycle.jams[k] = status == Status::jams;
+    cycle.in_steps[k] = n > 0 && system.followed_in_steps();
     if (cycle.jams[k]) {
       take_forces_away(cycle.positions[k]);
     } else if (is_finite(cycle.positions[k])) {
@@ -262,7 +263,7 @@ Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, Axis* 
   cycle.positions.assign(schedule.drives.size(), mechanism::blank_position(model));
   cycle.proofs.assign(schedule.drives.size(), {});
   cycle.closed.assign(schedule.drives.size(), false);
-  cycle.jams = cycle.closed;
+  cycle.jams = cycle.in_steps = cycle.closed;
   if (cycle.first_failure != Status::closed) {
     cycle.gap = system.gap();
     return cycle;

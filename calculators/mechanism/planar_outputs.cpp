@@ -1,6 +1,7 @@
 #include "calculators/mechanism/planar_outputs.hpp"
 
 #include "calculators/mechanism/planar_design_outputs.hpp"
+#include "calculators/mechanism/planar_kinematics.hpp"
 #include "calculators/mechanism/planar_rows.hpp"
 #include "lib/mechanism/vec.hpp"
 
@@ -108,6 +109,7 @@ std::vector<MechanismOutput> mechanism_outputs(const PlanarMechanism::Input& in,
   for (std::size_t k = 0; k < model.links.size(); ++k) add_outputs(Link{model.links[k].name, k}, link_rows, out);
   for (const TracedPoint& point : traced_points(in)) add_outputs(point, point_rows, out);
   add_design_outputs(in, model, out);
+  add_kinematic_outputs(in, model, out);
   return out;
 }
 
@@ -119,6 +121,7 @@ std::vector<ResultPattern> mechanism_result_patterns() {
   list(link_rows);
   list(point_rows);
   list_design_patterns(patterns);
+  for (const ResultPattern& p : kinematic_result_patterns()) patterns.push_back(p);
   return patterns;
 }
 

@@ -11,12 +11,18 @@
 
 namespace loadpath {
 
+struct Cycle;
+struct Kinematics;
+
 struct MechanismOutput {
   std::string path;  // "joints.A.F"
   std::string doc;
   std::string unit;
   Dimension dimension;
   std::function<double(const mechanism::Position&)> read;
+  /// In place of `read`, of the whole cycle: a value for every position, or one value.
+  std::function<std::vector<double>(const Cycle&, const Kinematics&)> read_cycle = {};
+  bool is_single = false;
 };
 
 /// All outputs, in the order of reports. `model` must outlive nothing: what the readers need is copied.

@@ -92,8 +92,11 @@ Table drive_table(const Planar::Input& in) {
 bool is_design_load(const std::string& path) {
   const bool internal =
       path.starts_with("links.") && (path.ends_with(".N") || path.ends_with(".V") || path.ends_with(".M_b"));
-  return internal || path.starts_with("springs.") || path.starts_with("drive.") || path.starts_with("cylinders.") ||
-         (path.starts_with("joints.") && !path.ends_with(".x") && !path.ends_with(".y"));
+  const bool joint = path.starts_with("joints.") &&
+                     (path.ends_with(".F") || path.ends_with(".M") || path.ends_with(".N") || path.ends_with(".F_t") ||
+                      path.ends_with(".F_r") || path.ends_with(".N_front") || path.ends_with(".N_back"));
+  return internal || joint || path.starts_with("springs.") || path.starts_with("drive.") ||
+         path.starts_with("cylinders.");
 }
 
 /// The mean, with what rounding has left of a zero taken as one.
@@ -119,7 +122,7 @@ Table extremes_table(const project::Account& account, const Axis& axis) {
 Table position_table(const project::Account& account) {
   Table table{say("Drive and reactions"), {say("quantity"), say("value"), say("meaning")}, {}};
   for (const project::Entry& e : account.results) {
-    if (is_design_load(e.path) || e.path.starts_with("joints."))
+    if (is_design_load(e.path) || (e.path.starts_with("joints.") && e.value.signature.dimension == N.dimension()))
       table.rows.push_back({e.path, Quantity{e.value.si[0], e.unit}, say("{1}", e.doc)});
   }
   return table;
@@ -164,6 +167,13 @@ Table determinacy_table(const mechanism::Structure& structure, const Cycle& cycl
   table.rows.push_back(
       {say("mobility by count, 3 n − 2 p5 − p4; drives not counted"), std::to_string(structure.mobility_by_count)});
   table.rows.push_back({say("mobility by rank of the constraints"), std::to_string(structure.mobility)});
+  const auto steps = std::count(cycle.in_steps.begin(), cycle.in_steps.end(), true);
+  if (steps > 0 && axis != nullptr) {
+    const auto first = std::find(cycle.in_steps.begin(), cycle.in_steps.end(), true) - cycle.in_steps.begin();
+    table.rows.push_back({say("positions near a change point, followed in small steps; first at {1}",
+                              format_quantity(axis->at[static_cast<std::size_t>(first)], axis->unit, 5)),
+                          std::to_string(steps)});
+  }
   if (cycle.worst_condition == 0.0) return table;
   const Message largest = say("largest condition number of constraints and drives, 1-norm");
   table.rows.push_back(

@@ -37,8 +37,11 @@ template <class Thing, std::size_t Count>
 void add_outputs(const Thing& thing, const std::array<Row<Thing>, Count>& rows, std::vector<MechanismOutput>& out) {
   for (const Row<Thing>& r : rows) {
     if (r.has != nullptr && !r.has(thing)) continue;
-    out.push_back({named(r.pattern.path, thing.name), r.pattern.doc, r.pattern.unit, r.dimension,
-                   [thing, read = r.read](const mechanism::Position& p) { return read(thing, p); }});
+    out.push_back({.path = named(r.pattern.path, thing.name),
+                   .doc = r.pattern.doc,
+                   .unit = r.pattern.unit,
+                   .dimension = r.dimension,
+                   .read = [thing, read = r.read](const mechanism::Position& p) { return read(thing, p); }});
   }
 }
 

@@ -1,5 +1,6 @@
 #include "calculators/mechanism/planar_step.hpp"
 
+#include "calculators/mechanism/planar_assemblies.hpp"
 #include "calculators/mechanism/planar_design_outputs.hpp"
 #include "calculators/mechanism/planar_expansion.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
@@ -28,7 +29,7 @@ void PlanarStep::prepare(const project::Declared& declared, const project::Compa
   const bool known = input().reading.operands.empty();
   if (known && !std::any_of(issues.begin(), issues.end(), is_own)) expand_template(issues);
   if (std::any_of(issues.begin(), issues.end(), is_own)) return;  // the model has holes: nothing more can be said of it
-  const mechanism::Model model = model_of(data());
+  mechanism::Model model = model_of(data());
   outputs_ = mechanism_outputs(data(), model);
   const std::string axis = axis_name(data());
   if (!axis.empty()) {
@@ -37,7 +38,7 @@ void PlanarStep::prepare(const project::Declared& declared, const project::Compa
     axis_ = std::make_unique<Axis>(Axis{name(), axis, unit, {}, {}, period});
   }
   add_idle_fields(issues);
-  if (known) diagnose_model(model, issues);
+  if (known && diagnose_model(model, issues)) add_faults(choose_assembly(data(), model), issues);
 }
 
 void PlanarStep::add_faults(const std::vector<FieldFault>& faults, std::vector<Issue>& issues) const {
@@ -106,7 +107,7 @@ void PlanarStep::add_faults_of_names(std::vector<Issue>& issues) const {
 Outcome<Signature> PlanarStep::signature(const std::string& path) const {
   if (outputs_.empty()) return Fault{};  // the model has holes, which are told
   const auto found = std::find_if(outputs_.begin(), outputs_.end(), [&](const auto& o) { return o.path == path; });
-  if (found != outputs_.end()) return Signature{found->dimension, axis_.get()};
+  if (found != outputs_.end()) return Signature{found->dimension, found->is_single ? nullptr : axis_.get()};
   std::vector<std::string> paths;
   for (const auto& o : outputs_) paths.push_back(o.path);
   return Fault{
@@ -176,15 +177,21 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
     if (const auto value = evaluate_operand(operand, name(), known, issues)) operand.leaf.set(value->si[0]);
   }
   if (issues.size() != before || !expand_template(issues)) return;
-  const mechanism::Model model = model_of(data());
+  mechanism::Model model = model_of(data());
   if (!input().reading.operands.empty() && !diagnose_model(model, issues)) return;
+  add_faults(choose_assembly(data(), model), issues);
+  if (issues.size() != before) return;
   const Cycle cycle = solve_cycle(data(), model, axis_.get());
+  const Kinematics kinematics = kinematics_of(model, cycle, axis_.get());
   outputs_ = mechanism_outputs(data(), model);
-  fill_values(cycle);
+  fill_values(cycle, kinematics);
   project::Account& account = own_account();
   account.verdicts = proof(name(), data(), cycle, axis_.get());
+  for (auto& v : changes_of_assembly(name(), model, cycle, kinematics, axis_.get()))
+    account.verdicts.push_back(std::move(v));
   fill_inputs();
   account.blocks = result_tables(account, model, mechanism::analyse(model), cycle, axis_.get());
+  for (auto& b : motion_tables(account, model, cycle, kinematics, axis_.get())) account.blocks.push_back(std::move(b));
   account.figures = mechanism_figures(data(), model, cycle, account, axis_.get());
 }
 
@@ -222,14 +229,20 @@ static double largest_like(const Dimension& dimension, const std::vector<project
   return most;
 }
 
-void PlanarStep::fill_values(const Cycle& cycle) {
+/// One value, or one for every position; none where the mechanism does not close.
+static std::vector<double> values_of(const MechanismOutput& output, const Cycle& cycle, const Kinematics& kinematics) {
+  if (output.read_cycle) return output.read_cycle(cycle, kinematics);
+  std::vector<double> values;
+  for (std::size_t k = 0; k < cycle.positions.size(); ++k)
+    values.push_back(cycle.closed[k] ? output.read(cycle.positions[k]) : std::numeric_limits<double>::quiet_NaN());
+  return values;
+}
+
+void PlanarStep::fill_values(const Cycle& cycle, const Kinematics& kinematics) {
   auto& results = own_account().results;
   results.clear();
   for (const MechanismOutput& output : outputs_) {
-    Value value{{output.dimension, axis_.get()}, {}};
-    for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
-      value.si.push_back(cycle.closed[k] ? output.read(cycle.positions[k]) : std::numeric_limits<double>::quiet_NaN());
-    }
+    Value value{{output.dimension, output.is_single ? nullptr : axis_.get()}, values_of(output, cycle, kinematics)};
     results.push_back({output.path, output.doc, output.unit, Role::result, std::move(value), {}, ""});
   }
   for (const Dimension& dimension : {N.dimension(), N_m.dimension(), W.dimension()}) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calculators/mechanism/planar_cycle.hpp"
+#include "calculators/mechanism/planar_kinematics.hpp"
 #include "calculators/mechanism/planar_outputs.hpp"
 #include "lib/project/step.hpp"
 
@@ -37,7 +38,7 @@ class PlanarStep : public project::Step {
   bool expand_template(std::vector<Issue>& issues);
   [[nodiscard]] project::Origin origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const;
   void fill_inputs();
-  void fill_values(const Cycle& cycle);
+  void fill_values(const Cycle& cycle, const Kinematics& kinematics);
 
   std::vector<MechanismOutput> outputs_;
   std::unique_ptr<Axis> axis_;  // null: one position

@@ -235,6 +235,12 @@ class Planner {
 
 }  // namespace
 
+std::size_t first_link(const Plan& plan, const GroupPlan& group) {
+  std::size_t first = none;
+  for (std::size_t t = group.first_tree; t < group.last_tree; ++t) first = std::min(first, plan.tree[t].link);
+  return first;
+}
+
 Plan plan_of(const Model& model) { return Planner(model).run(); }
 
 }  // namespace loadpath::mechanism

@@ -75,6 +75,9 @@ struct Plan {
   std::vector<GroupPlan> groups;  // in order of attachment
 };
 
+/// Of the model's links in a group the one with the lowest number: a group is called by it.
+std::size_t first_link(const Plan& plan, const GroupPlan& group);
+
 /// The model has passed `diagnose`.
 Plan plan_of(const Model& model);
 

@@ -40,6 +40,15 @@ class GroupPositions {
   /// Sets up the closing equations where the mechanism is. False where they are singular.
   [[nodiscard]] bool factor();
 
+  /// The search of assemblies (group_search.cpp): the drives' coordinates; then the groups one after the other, each
+  /// on its side +1 or -1 where it has a closed form, else by iteration from these unknown coordinates. False where
+  /// that leads to no assembly.
+  void aim(std::span<const Drive> drives);
+  [[nodiscard]] bool close_on_side(std::size_t g, double branch);
+  [[nodiscard]] bool close_from(std::size_t g, std::span<const double> start);
+  /// The side of the assembly held, +1 or -1.
+  [[nodiscard]] double branch(std::size_t g) const { return branch_[g]; }
+
   [[nodiscard]] const Placed& link(std::size_t k) const { return links_[k]; }
   [[nodiscard]] const Hung& hung(std::size_t tree) const { return hung_[tree]; }
   [[nodiscard]] const PairPlace& cut(std::size_t k) const { return cuts_[k]; }
@@ -70,6 +79,8 @@ class GroupPositions {
   bool close_slide_of_turn(const GroupPlan& group);
   bool slide_to_line(const GroupPlan& group, std::size_t mover, double side);
   [[nodiscard]] bool is_clear(double sine) const { return sine > least_sine_; }
+
+  void unwind(const GroupPlan& group);
 
   bool close_by_newton(std::size_t g, const Prediction& prediction);
   [[nodiscard]] double in_own_unit(std::size_t tree, double value) const;

@@ -46,6 +46,7 @@ struct GroupSystem::Work {
   std::vector<Drive> way;     // to the goal, as if it took the time 1
   bool iterates = false;      // some group is closed by iteration
   bool closed = false;
+  bool in_steps = false;
 };
 
 GroupSystem::GroupSystem(const Model& model) : work_(std::make_unique<Work>(model)) {}
@@ -76,7 +77,8 @@ Status GroupSystem::solve(std::span<const Drive> drives, Position& out, bool sta
 
 Status GroupSystem::Work::go_to(std::span<const Drive> goal) {
   if (!closed) return Status::does_not_close;
-  if (go_by_groups(goal)) {
+  in_steps = !go_by_groups(goal);
+  if (!in_steps) {
     hold(goal);
     return Status::closed;
   }
@@ -137,6 +139,8 @@ bool GroupSystem::Work::find_forces(bool statics, Position& out) {
   motion.find_forces(statics, {}, out);
   return true;
 }
+
+bool GroupSystem::followed_in_steps() const { return work_->in_steps; }
 
 void GroupSystem::set_load(std::size_t load, Vec force, double moment) {
   work_->model.loads[load].force = force;

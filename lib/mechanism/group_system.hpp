@@ -29,6 +29,8 @@ class GroupSystem {
   /// Moves from the position held now to these coordinates without leaving the assembly, then fills `out` (made by
   /// `blank_position`). `statics`: no inertia. When it fails, `out` and the position held stay as they were.
   Status solve(std::span<const Drive> drives, Position& out, bool statics = false);
+  /// Whether the last `solve` had to follow the mechanism in small steps: near a change point, or over a long way.
+  [[nodiscard]] bool followed_in_steps() const;
   /// For loads that vary over the cycle: the force (in the axes the load has) and the moment from the next `solve` on.
   void set_load(std::size_t load, Vec force, double moment);
   /// After a failure, as WholeSystem::gap.

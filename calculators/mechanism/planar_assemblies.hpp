@@ -1,0 +1,28 @@
+// The assemblies of a planar mechanism in a project: chosen by the names of their sides, listed, and whether the one
+// that is followed is kept over the cycle.
+#pragma once
+
+#include "calculators/mechanism/planar_cycle.hpp"
+#include "calculators/mechanism/planar_kinematics.hpp"
+#include "lib/issue.hpp"
+#include "lib/project/step.hpp"
+
+#include <string>
+#include <vector>
+
+namespace loadpath {
+
+/// Puts the links of the model where the assembly has them whose sides are named; the other sides as stated. Nothing
+/// changes, and faults say why, where there is no such assembly. The model has passed mechanism::diagnose.
+std::vector<FieldFault> choose_assembly(const PlanarMechanism::Input& in, mechanism::Model& model);
+
+/// Said only where a group passes to another of its assemblies: at the change point the drive alone does not tell which
+/// way the mechanism goes on.
+std::vector<report::Verdict> changes_of_assembly(const std::string& step, const mechanism::Model& model,
+                                                 const Cycle& cycle, const Kinematics& kinematics, const Axis* axis);
+
+/// Assemblies at the first position, transmission angles, strokes, instantaneous centres at the first position.
+std::vector<report::Block> motion_tables(const project::Account& account, const mechanism::Model& model,
+                                         const Cycle& cycle, const Kinematics& kinematics, const Axis* axis);
+
+}  // namespace loadpath

@@ -1,0 +1,33 @@
+// What a planar mechanism gives of its motion beside places, velocities and accelerations: motion along guides,
+// derivatives of position functions, transmission angles, strokes.
+#pragma once
+
+#include "calculators/mechanism/planar_cycle.hpp"
+#include "calculators/mechanism/planar_outputs.hpp"
+#include "lib/mechanism/strokes.hpp"
+
+#include <vector>
+
+namespace loadpath {
+
+/// Of a mechanism with one drive; empty where it has none or several.
+struct Kinematics {
+  std::vector<mechanism::Position> derivatives;  // as mechanism::PositionFunctions derives them
+  std::vector<bool> known;                       // at which positions
+  /// Of the groups without closed form: the first link, and where known the sign that changes with the assembly.
+  struct Iterated {
+    std::size_t link = 0;
+    std::vector<double> signs;
+  };
+  std::vector<Iterated> iterated;
+  std::vector<mechanism::Stroke> strokes;  // over the cycle
+};
+
+/// `axis` is null where there is one position.
+Kinematics kinematics_of(const mechanism::Model& model, const Cycle& cycle, const Axis* axis);
+
+void add_kinematic_outputs(const PlanarMechanism::Input& in, const mechanism::Model& model,
+                           std::vector<MechanismOutput>& out);
+std::vector<ResultPattern> kinematic_result_patterns();
+
+}  // namespace loadpath

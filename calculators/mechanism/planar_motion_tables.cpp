@@ -1,0 +1,158 @@
+// What a report says about the motion of a planar mechanism.
+#include "calculators/mechanism/planar_assemblies.hpp"
+#include "lib/mechanism/assemblies.hpp"
+#include "lib/mechanism/closing.hpp"
+#include "lib/mechanism/instant_centres.hpp"
+#include "lib/mechanism/kinematics.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath {
+
+namespace {
+
+using mechanism::InstantCentre;
+using mechanism::Stroke;
+using report::Cell;
+using report::Quantity;
+using report::Table;
+
+// multibodysystemsdynamics.pages.dev, glossary: 40 degrees in general machinery, 30 where loads are light.
+constexpr double least_gamma = 40.0 * pi / 180.0, least_gamma_light = 30.0 * pi / 180.0;
+constexpr std::size_t most_rows = 16;
+
+mechanism::Model at_position(mechanism::Model model, const mechanism::Position& p) {
+  for (std::size_t k = 0; k < model.links.size(); ++k) model.links[k].pose = p.pose[k];
+  return model;
+}
+
+void add_assemblies(const mechanism::Model& model, std::vector<report::Block>& blocks) {
+  const auto found = mechanism::assemblies(model);
+  if (found.list.size() < 2) return;
+  Table table{found.complete ? say("Assemblies at the first position")
+                             : say("Assemblies found at the first position; there may be more"),
+              {say("assembly"), say("followed")},
+              {}};
+  for (std::size_t k = 0; k < std::min(found.list.size(), most_rows); ++k) {
+    const auto& a = found.list[k];
+    table.rows.push_back({a.name(), a.followed ? Cell(say("yes")) : Cell(std::string("–"))});
+  }
+  blocks.emplace_back(std::move(table));
+}
+
+Message side_meaning(const mechanism::Model& model, const mechanism::DyadClosing& dyad) {
+  using Kind = mechanism::DyadClosing::Kind;
+  const auto name = [&](std::size_t joint) { return model.joints[joint].name; };
+  if (dyad.kind == Kind::two_arms) return say("left: of the way from {1} to {2}", name(dyad.first), name(dyad.second));
+  if (dyad.kind == Kind::arm_and_line) return say("ahead: of {1} along {2}", name(dyad.first), name(dyad.line));
+  return dyad.first == dyad.joint ? say("ahead: of {1} along the slot", name(dyad.second))
+                                  : say("ahead: {1} of {2} along the guide", name(dyad.first), name(dyad.second));
+}
+
+Cell remark(double gamma) {
+  if (gamma >= least_gamma) return std::string("–");
+  return gamma >= least_gamma_light ? say("below 40 deg: light loads only") : say("below 30 deg");
+}
+
+/// Over the positions, refined between them.
+Extreme smallest(const project::Account& account, const std::string& path) {
+  for (const project::Entry& e : account.results) {
+    if (e.path == path) return minimum(e.value);
+  }
+  return {};
+}
+
+/// Teeth press at the same angle at every position.
+void add_teeth(const mechanism::Model& model, const Axis* axis, Table& table) {
+  for (const mechanism::Joint& joint : model.joints) {
+    if (joint.kind != mechanism::JointKind::gear && joint.kind != mechanism::JointKind::rack) continue;
+    const std::string pressure = format_quantity(joint.pressure_angle, "deg", 4);
+    std::vector<Cell> row{joint.name, say("teeth, pressure angle {1}", pressure),
+                          Quantity{0.5 * pi - joint.pressure_angle, "deg"}};
+    if (axis != nullptr) row.emplace_back(std::string("–"));
+    row.emplace_back(std::string("–"));
+    table.rows.push_back(std::move(row));
+  }
+}
+
+void add_transmission(const mechanism::Model& model, const project::Account& account, const Axis* axis,
+                      std::vector<report::Block>& blocks) {
+  Table table{say("Transmission angles"), {say("joint"), say("side"), say("smallest"), say("at"), say("remark")}, {}};
+  if (axis == nullptr) table.head.erase(table.head.begin() + 3);
+  for (const mechanism::DyadClosing& dyad : dyad_closings(model, plan_of(model))) {
+    const std::string& joint = model.joints[dyad.joint].name;
+    const Extreme least = smallest(account, "joints." + joint + ".gamma");
+    std::vector<Cell> row{joint, side_meaning(model, dyad), Quantity{least.value, "deg"}};
+    if (axis != nullptr) row.emplace_back(Quantity{least.at, axis->unit});
+    row.push_back(remark(least.value));
+    table.rows.push_back(std::move(row));
+  }
+  add_teeth(model, axis, table);
+  if (!table.rows.empty()) blocks.emplace_back(std::move(table));
+}
+
+void add_strokes(const mechanism::Model& model, const Kinematics& kinematics, const Axis* axis,
+                 std::vector<report::Block>& blocks) {
+  Table table{say("Strokes; at its extremes a part cannot drive the mechanism"),
+              {say("part"), say("extreme"), say("at"), say("extreme"), say("at"), say("stroke"), say("time ratio")},
+              {}};
+  for (const Stroke& s : kinematics.strokes) {
+    if (s.reversals.size() < 2) continue;
+    const bool link = s.of == Stroke::Of::link;
+    const char* unit = link ? "deg" : "mm";
+    const auto [low, high] = std::minmax_element(s.reversals.begin(), s.reversals.end(),
+                                                 [](auto& a, auto& b) { return a.coordinate < b.coordinate; });
+    table.rows.push_back({link ? model.links[s.index].name : model.joints[s.index].name,
+                          Quantity{low->coordinate, unit}, Quantity{low->drive, axis->unit},
+                          Quantity{high->coordinate, unit}, Quantity{high->drive, axis->unit}, Quantity{s.range, unit},
+                          s.time_ratio > 0.0 ? Cell(Quantity{s.time_ratio, "-"}) : Cell(std::string("–"))});
+  }
+  if (!table.rows.empty()) blocks.emplace_back(std::move(table));
+}
+
+std::vector<Cell> cells_of(const InstantCentre& centre) {
+  const Cell nothing = std::string("–");
+  if (centre.kind == InstantCentre::Kind::at_rest) return {say("at rest"), nothing};
+  if (centre.kind == InstantCentre::Kind::point) return {Quantity{centre.at.x, "mm"}, Quantity{centre.at.y, "mm"}};
+  double direction = std::atan2(centre.direction.y, centre.direction.x);
+  if (direction <= -1e-9) direction += pi;  // towards either end
+  return {say("at infinity, towards {1}", format_quantity(direction, "deg", 5)), nothing};
+}
+
+/// Of every two links where they are few, else against the ground.
+void add_centres(const mechanism::Model& model, const mechanism::Position& derivatives,
+                 std::vector<report::Block>& blocks) {
+  constexpr std::size_t few_links = 3;
+  Table table{
+      say("Instantaneous centres at the first position"), {say("link"), say("against"), say("x"), say("y")}, {}};
+  const auto name = [&](int link) {
+    return link == mechanism::ground ? std::string("ground") : model.links[static_cast<std::size_t>(link)].name;
+  };
+  for (const auto& pair : instant_centres(derivatives, mechanism::characteristic_length(model))) {
+    if (pair.j != mechanism::ground && model.links.size() > few_links) continue;
+    std::vector<Cell> row{name(pair.i), name(pair.j)};
+    for (Cell& cell : cells_of(pair.centre)) row.push_back(std::move(cell));
+    table.rows.push_back(std::move(row));
+  }
+  blocks.emplace_back(std::move(table));
+}
+
+}  // namespace
+
+std::vector<report::Block> motion_tables(const project::Account& account, const mechanism::Model& model,
+                                         const Cycle& cycle, const Kinematics& kinematics, const Axis* axis) {
+  std::vector<report::Block> blocks;
+  const auto closed = std::find(cycle.closed.begin(), cycle.closed.end(), true);
+  if (closed == cycle.closed.end()) return blocks;
+  const auto first = static_cast<std::size_t>(closed - cycle.closed.begin());
+  add_assemblies(at_position(model, cycle.positions[first]), blocks);
+  add_transmission(model, account, axis, blocks);
+  if (axis != nullptr) add_strokes(model, kinematics, axis, blocks);
+  if (first < kinematics.known.size() && kinematics.known[first])
+    add_centres(model, kinematics.derivatives[first], blocks);
+  return blocks;
+}
+
+}  // namespace loadpath

@@ -1,0 +1,38 @@
+// Derivatives of the position functions of a mechanism with one drive: how every link moves per radian or metre of the
+// drive, whatever its speed. Also called velocity and acceleration analogues.
+#pragma once
+
+#include "lib/mechanism/group_motion.hpp"
+#include "lib/mechanism/group_plan.hpp"
+#include "lib/mechanism/group_positions.hpp"
+#include "lib/mechanism/model.hpp"
+#include "lib/mechanism/position.hpp"
+
+namespace loadpath::mechanism {
+
+class PositionFunctions {
+ public:
+  /// The model has one driver and has passed `diagnose`; it is referred to.
+  explicit PositionFunctions(const Model& model);
+  PositionFunctions(const PositionFunctions&) = delete;
+  PositionFunctions& operator=(const PositionFunctions&) = delete;
+
+  /// From the poses of `at`, an assembly, its velocities and accelerations as the first and second derivatives with
+  /// respect to the drive's coordinate: rad and m per rad, or per m. False where the drive cannot hold the mechanism.
+  [[nodiscard]] bool derive(Position& at);
+  /// Of the closing equations of a group, in order of attachment, where it was derived last: the sign of their
+  /// determinant, +1 or -1. It changes where the group passes from one of its assemblies to another.
+  [[nodiscard]] double sign(std::size_t group) { return positions_.loops(group).sign(); }
+  [[nodiscard]] const Plan& plan() const { return plan_; }
+
+ private:
+  const Model& model_;
+  Plan plan_;
+  GroupPositions positions_;
+  GroupMotion motion_;
+};
+
+/// The coordinate of a drive at these poses, rad or m.
+double drive_coordinate(const Model& model, std::size_t driver, const Position& at);
+
+}  // namespace loadpath::mechanism

@@ -1,27 +1,18 @@
-// Forces that a joint's reaction brings with it: what presses the teeth of gears apart, the slack side of a belt,
-// friction. They change the equilibrium, and with it the reactions that induce them.
+// The equilibrium with forces that the reactions bring with them (induced_source.hpp): they change the reactions that
+// induce them.
 #pragma once
 
-#include "lib/mechanism/kinetostatics.hpp"
+#include "lib/mechanism/induced_source.hpp"
 #include "lib/mechanism/model.hpp"
-#include "lib/mechanism/pair.hpp"
 #include "lib/mechanism/position.hpp"
 #include "lib/numerics/small_lu.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 namespace loadpath::mechanism {
-
-/// An induced force of the amount 1: on link i of its joint, at `at`, the opposite on link j. The amounts are in N, or
-/// in N m where it is a couple.
-struct InducedMode {
-  std::size_t joint = 0;
-  Vec at;
-  Vec force;
-  double couple = 0.0;
-};
 
 /// Of the modes, at these amounts.
 struct Induced {
@@ -29,15 +20,15 @@ struct Induced {
   std::span<const double> amounts = {};
 };
 
-/// How many forces the reaction of this joint brings with it.
-std::size_t modes_of(const Joint& joint);
-
 class InducedForces {
  public:
   /// The model must outlive this.
   explicit InducedForces(const Model& model);
 
   [[nodiscard]] bool none() const { return modes_.empty(); }
+  /// Of the last `solve`.
+  [[nodiscard]] Induced found() const { return {modes_, amounts_}; }
+  [[nodiscard]] std::span<const InducedSource> sources() const { return sources_; }
 
   /// Finds the amounts at a position whose poses and velocities are there, and adds them to its reactions.
   /// `find_forces(induced)` fills its reactions and efforts in equilibrium with what is induced. False where the
@@ -59,20 +50,8 @@ class InducedForces {
   }
 
  private:
-  struct Source {  // of one mode or two
-    std::size_t joint = 0;
-    std::size_t first = 0;
-    PairShape shape = {};
-    PairPlace place = {};
-    double sliding = 0.0;  // m/s, of link i along the line of j
-    double turning = 0.0;  // rad/s, of link i against link j
-  };
-
   void start(const Position& at);
-  void set_up(Source& source, const Position& at);
-  void set_modes(const Source& source);
   void induce(const Position& at, double share);
-  void induce(const Source& source, const Reaction& by, double share);
   void add_to(Position& at) const;
   [[nodiscard]] bool is_settled(const Position& at) const;
   [[nodiscard]] bool step();
@@ -101,7 +80,7 @@ class InducedForces {
   [[nodiscard]] static double largest_force(const Position& at);
 
   const Model& model_;
-  std::vector<Source> sources_;
+  std::vector<InducedSource> sources_;
   std::vector<InducedMode> modes_;
   std::vector<double> amounts_, induced_, before_;
   SmallLu newton_{0};

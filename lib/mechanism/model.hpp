@@ -1,4 +1,5 @@
 // A planar mechanism in SI units: links, joints, drivers and loads. Angles in rad, moments positive counter-clockwise.
+// Templates on the scalar, so that what is computed from a model can be differentiated with respect to its numbers.
 #pragma once
 
 #include "lib/mechanism/vec.hpp"
@@ -12,19 +13,23 @@ namespace loadpath::mechanism {
 inline constexpr int ground = -1;
 
 /// Where a link's own frame lies in the global one; also its rates of change.
-struct Pose {
-  double x = 0.0;
-  double y = 0.0;
-  double phi = 0.0;
+template <class Scalar>
+struct BasicPose {
+  Scalar x = 0.0;
+  Scalar y = 0.0;
+  Scalar phi = 0.0;
 };
+using Pose = BasicPose<double>;
 
-struct Link {
+template <class Scalar>
+struct BasicLink {
   std::string name;
-  double mass = 0.0;     // kg
-  double inertia = 0.0;  // kg m^2, about the mass centre
-  Vec centre;            // mass centre, link frame
-  Pose pose;             // the stated assembly, near which the mechanism is closed
+  Scalar mass = 0.0;        // kg
+  Scalar inertia = 0.0;     // kg m^2, about the mass centre
+  BasicVec<Scalar> centre;  // mass centre, link frame
+  BasicPose<Scalar> pose;   // the stated assembly, near which the mechanism is closed
 };
+using Link = BasicLink<double>;
 
 enum class JointKind { revolute, prismatic, slot, rigid, gear, rack, belt, rolling, rolling_on_line };
 
@@ -49,13 +54,15 @@ constexpr int constraint_count(JointKind kind) {
 
 /// What resists the motion of a joint. Dry friction goes with the joint's force: in a pin by its radius, in a slide by
 /// the two edges on which the block rests (`Joint::guide_length`), in rolling by the lever arm of the resistance.
-struct Friction {
-  double coefficient = 0.0;
-  double pin_radius = 0.0;   // m: revolute, slot
-  double rolling_arm = 0.0;  // m: rolling
-  double viscous = 0.0;      // N m s, or N s/m in a slide
+template <class Scalar>
+struct BasicFriction {
+  Scalar coefficient = 0.0;
+  Scalar pin_radius = 0.0;   // m: revolute, slot
+  Scalar rolling_arm = 0.0;  // m: rolling
+  Scalar viscous = 0.0;      // N m s, or N s/m in a slide
   [[nodiscard]] bool any() const { return coefficient > 0.0 || rolling_arm > 0.0 || viscous > 0.0; }
 };
+using Friction = BasicFriction<double>;
 
 /// A joint between link i and link j.
 /// - Revolute: point_i and point_j coincide. Slot: the pin point_i of link i lies on the line of link j through point_j
@@ -67,74 +74,88 @@ struct Friction {
 /// - Rack and rolling on a line: wheel i on the line of j through point_j at `direction`, at a distance of radius_i to
 ///   the side on which it is assembled.
 /// What the rolling keeps constant, `phase`, is as in the stated assembly (set_phase).
-struct Joint {
+template <class Scalar>
+struct BasicJoint {
   std::string name;
   JointKind kind = JointKind::revolute;
   int i = ground;
   int j = ground;
-  Vec point_i;             // frame of i
-  Vec point_j;             // frame of j
-  double direction = 0.0;  // of the line, frame of j
-  double angle = 0.0;      // prismatic and rigid
-  double radius_i = 0.0;   // m, of wheels; on a line negative on its right side
-  double radius_j = 0.0;
-  double pressure_angle = 0.0;  // of teeth, rad: gear and rack
-  double tension = 0.0;         // N, of the slack side of a belt
-  double guide_length = 0.0;    // m, of the block about point_i: prismatic
-  double guide_width = 0.0;     // m, between the faces that the block rests on: prismatic
-  Friction friction = {};
-  double phase = 0.0;  // m
+  BasicVec<Scalar> point_i;  // frame of i
+  BasicVec<Scalar> point_j;  // frame of j
+  Scalar direction = 0.0;    // of the line, frame of j
+  Scalar angle = 0.0;        // prismatic and rigid
+  Scalar radius_i = 0.0;     // m, of wheels; on a line negative on its right side
+  Scalar radius_j = 0.0;
+  Scalar pressure_angle = 0.0;  // of teeth, rad: gear and rack
+  Scalar tension = 0.0;         // N, of the slack side of a belt
+  Scalar guide_length = 0.0;    // m, of the block about point_i: prismatic
+  Scalar guide_width = 0.0;     // m, between the faces that the block rests on: prismatic
+  BasicFriction<Scalar> friction = {};
+  Scalar phase = 0.0;  // m
 };
+using Joint = BasicJoint<double>;
+
+enum class DriverKind { rotary, linear };
 
 /// Rotary: coordinate = phi_i - phi_j + offset. Linear, on a prismatic or slot joint: coordinate = distance of point_i
 /// from point_j along the line, + offset. The effort (moment or force) is what the drive does to link i; it does the
 /// opposite to link j. Power = effort * speed.
-struct Driver {
-  enum class Kind { rotary, linear };
+template <class Scalar>
+struct BasicDriver {
+  using Kind = DriverKind;
   std::string name;
   Kind kind = Kind::rotary;
   int i = ground;
   int j = ground;
   int joint = -1;  // index into joints, linear only
-  double offset = 0.0;
+  Scalar offset = 0.0;
 };
+using Driver = BasicDriver<double>;
 
-struct Load {
+template <class Scalar>
+struct BasicLoad {
   std::string name;
   int link = 0;
-  Vec point;                     // link frame
-  Vec force;                     // N
+  BasicVec<Scalar> point;        // link frame
+  BasicVec<Scalar> force;        // N
   bool turns_with_link = false;  // true: force in the link's axes; false: in the global ones
-  double moment = 0.0;           // N m
+  Scalar moment = 0.0;           // N m
 };
+using Load = BasicLoad<double>;
 
-/// The force in global axes, on a link that is turned by this.
-/// Of a load whose force in its own axes is this.
-inline Vec global_force(const Load& load, Vec own, const Turn& turned) {
+/// The force in global axes, of a load whose force in its own axes is this, on a link that is turned so.
+template <class Scalar>
+BasicVec<Scalar> global_force(const BasicLoad<Scalar>& load, BasicVec<Scalar> own, const BasicTurn<Scalar>& turned) {
   return load.turns_with_link ? turned(own) : own;
 }
 
+enum class SpringKind { linear, turning };
+
 /// A spring with a damper between link i and link j: from point to point, or, turning, between the links' angles.
-struct Spring {
-  enum class Kind { linear, turning };
+template <class Scalar>
+struct BasicSpring {
+  using Kind = SpringKind;
   std::string name;
   Kind kind = Kind::linear;
   int i = ground;
   int j = ground;
-  Vec point_i;           // frame of i
-  Vec point_j;           // frame of j
-  double rate = 0.0;     // N/m or N m/rad
-  double free = 0.0;     // length without force, m; turning: phi_i - phi_j without moment, rad
-  double damping = 0.0;  // N s/m or N m s/rad
+  BasicVec<Scalar> point_i;  // frame of i
+  BasicVec<Scalar> point_j;  // frame of j
+  Scalar rate = 0.0;         // N/m or N m/rad
+  Scalar free = 0.0;         // length without force, m; turning: phi_i - phi_j without moment, rad
+  Scalar damping = 0.0;      // N s/m or N m s/rad
 };
+using Spring = BasicSpring<double>;
 
-struct Model {
-  std::vector<Link> links;
-  std::vector<Joint> joints;
-  std::vector<Driver> drivers;
-  std::vector<Load> loads;
-  std::vector<Spring> springs;
-  Vec gravity;  // m/s^2, (0, -9.81) for gravity downward
+template <class Scalar>
+struct BasicModel {
+  std::vector<BasicLink<Scalar>> links;
+  std::vector<BasicJoint<Scalar>> joints;
+  std::vector<BasicDriver<Scalar>> drivers;
+  std::vector<BasicLoad<Scalar>> loads;
+  std::vector<BasicSpring<Scalar>> springs;
+  BasicVec<Scalar> gravity;  // m/s^2, (0, -9.81) for gravity downward
 };
+using Model = BasicModel<double>;
 
 }  // namespace loadpath::mechanism

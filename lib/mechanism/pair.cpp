@@ -1,66 +1,83 @@
 #include "lib/mechanism/pair.hpp"
 
+#include "lib/numerics/dual.hpp"
+
 #include <cmath>
 #include <numbers>
 
 namespace loadpath::mechanism {
 namespace {
 
+using std::atan2, std::copysign, std::round, std::sqrt;
+
 constexpr double whole_turn = 2.0 * std::numbers::pi;
 
-bool is_joint(const PairShape& shape, JointKind kind) {
-  return shape.kind == PairShape::Kind::joint && shape.joint == kind;
+template <class Scalar>
+bool is_joint(const BasicPairShape<Scalar>& shape, JointKind kind) {
+  return shape.kind == PairKind::joint && shape.joint == kind;
 }
 
-bool holds_pin(const PairShape& shape) {
+template <class Scalar>
+bool holds_pin(const BasicPairShape<Scalar>& shape) {
   return is_joint(shape, JointKind::revolute) || is_joint(shape, JointKind::rigid);
 }
 
-bool on_line(const PairShape& shape) {
+template <class Scalar>
+bool on_line(const BasicPairShape<Scalar>& shape) {
   return is_joint(shape, JointKind::prismatic) || is_joint(shape, JointKind::slot);
 }
 
-bool has_wheel_on_line(const PairShape& shape) {
+template <class Scalar>
+bool has_wheel_on_line(const BasicPairShape<Scalar>& shape) {
   return is_joint(shape, JointKind::rack) || is_joint(shape, JointKind::rolling_on_line);
 }
 
-bool has_two_wheels(const PairShape& shape) {
+template <class Scalar>
+bool has_two_wheels(const BasicPairShape<Scalar>& shape) {
   return is_joint(shape, JointKind::gear) || is_joint(shape, JointKind::rolling) || is_joint(shape, JointKind::belt);
 }
 
 /// The radius of wheel j as a gear would have it that turns as the belt does.
-double rolling_radius_j(const PairShape& shape) {
+template <class Scalar>
+Scalar rolling_radius_j(const BasicPairShape<Scalar>& shape) {
   return is_joint(shape, JointKind::belt) ? -shape.radius_j : shape.radius_j;
 }
 
 /// What the wheels keep constant while they roll, but for whole turns of the line of centres.
-double rolled(const PairShape& shape, const PairPlace& at, const Placed& i, const Placed& j) {
+template <class Scalar>
+Scalar rolled(const BasicPairShape<Scalar>& shape, const BasicPairPlace<Scalar>& at, const BasicPlaced<Scalar>& i,
+              const BasicPlaced<Scalar>& j) {
   if (has_wheel_on_line(shape)) return dot(at.along, at.apart) + shape.radius_i * (i.phi - j.phi);
-  const double radius_j = rolling_radius_j(shape);
+  const Scalar radius_j = rolling_radius_j(shape);
   return shape.radius_i * i.phi + radius_j * j.phi - (shape.radius_i + radius_j) * at.centres;
 }
 
-Vec velocity_at(Vec point, const Placed& link, const Speeds& speed) {
+template <class Scalar>
+BasicVec<Scalar> velocity_at(BasicVec<Scalar> point, const BasicPlaced<Scalar>& link,
+                             const BasicSpeeds<Scalar>& speed) {
   return speed.origin + speed.omega * normal(point - link.origin);
 }
 
-void turn_centres(PairPlace& at) {
-  const double angle = std::atan2(-at.apart.y, -at.apart.x);
-  at.centres = angle + whole_turn * std::round((at.centres - angle) / whole_turn);
+template <class Scalar>
+void turn_centres(BasicPairPlace<Scalar>& at) {
+  const Scalar angle = atan2(-at.apart.y, -at.apart.x);
+  at.centres = angle + whole_turn * round((at.centres - angle) / whole_turn);
 }
 
 /// The tangent of the belt from wheel i to wheel j: the span that wheel i pays out when it turns clockwise.
-void place_belt(const PairShape& shape, PairPlace& at) {
-  const double distance = std::sqrt(dot(at.apart, at.apart));
-  const Vec e = (-1.0 / distance) * at.apart;
-  const double sine = (shape.radius_i - shape.radius_j) / distance;
-  const double cosine = std::sqrt(1.0 - sine * sine);
+template <class Scalar>
+void place_belt(const BasicPairShape<Scalar>& shape, BasicPairPlace<Scalar>& at) {
+  const Scalar distance = sqrt(dot(at.apart, at.apart));
+  const BasicVec<Scalar> e = (-1.0 / distance) * at.apart;
+  const Scalar sine = (shape.radius_i - shape.radius_j) / distance;
+  const Scalar cosine = sqrt(1.0 - sine * sine);
   at.along = cosine * e - sine * normal(e);
   at.rows[0].e = at.along;
   at.at = at.at + shape.radius_i * normal(at.along);
 }
 
-void place_wheels(const PairShape& shape, PairPlace& at) {
+template <class Scalar>
+void place_wheels(const BasicPairShape<Scalar>& shape, BasicPairPlace<Scalar>& at) {
   turn_centres(at);
   if (is_joint(shape, JointKind::belt)) return place_belt(shape, at);
   at.along = (-1.0 / (shape.radius_i + shape.radius_j)) * at.apart;
@@ -69,7 +86,8 @@ void place_wheels(const PairShape& shape, PairPlace& at) {
   at.at = at.at + shape.radius_i * at.along;
 }
 
-void place_on_line(const PairShape& shape, PairPlace& at) {
+template <class Scalar>
+void place_on_line(const BasicPairShape<Scalar>& shape, BasicPairPlace<Scalar>& at) {
   at.rows[0].e = at.along;
   at.rows[1].e = normal(at.along);
   at.at = at.at - shape.radius_i * normal(at.along);
@@ -77,7 +95,8 @@ void place_on_line(const PairShape& shape, PairPlace& at) {
 
 }  // namespace
 
-PairShape shape_of(const Joint& joint) {
+template <class Scalar>
+BasicPairShape<Scalar> shape_of(const BasicJoint<Scalar>& joint) {
   return {.joint = joint.kind,
           .point_i = joint.point_i,
           .point_j = joint.point_j,
@@ -89,69 +108,80 @@ PairShape shape_of(const Joint& joint) {
           .phase = joint.phase};
 }
 
-PairShape shape_of(const Driver& driver, const Joint* joint) {
-  PairShape shape = joint == nullptr ? PairShape{} : shape_of(*joint);
-  shape.kind = driver.kind == Driver::Kind::rotary ? PairShape::Kind::turning_drive : PairShape::Kind::sliding_drive;
+template <class Scalar>
+BasicPairShape<Scalar> shape_of(const BasicDriver<Scalar>& driver, const BasicJoint<Scalar>* joint) {
+  BasicPairShape<Scalar> shape = joint == nullptr ? BasicPairShape<Scalar>{} : shape_of(*joint);
+  shape.kind = driver.kind == Driver::Kind::rotary ? PairKind::turning_drive : PairKind::sliding_drive;
   shape.offset = driver.offset;
   return shape;
 }
 
-RowPattern pattern_of(const PairShape& shape, std::size_t row) {
+template <class Scalar>
+RowPattern pattern_of(const BasicPairShape<Scalar>& shape, std::size_t row) {
   if (holds_pin(shape) && row < 2) return {row == 0, row == 1, true};
-  const bool turning = shape.kind == PairShape::Kind::turning_drive || is_joint(shape, JointKind::rigid) ||
+  const bool turning = shape.kind == PairKind::turning_drive || is_joint(shape, JointKind::rigid) ||
                        (is_joint(shape, JointKind::prismatic) && row == 1);
   return {!turning, !turning, true};
 }
 
-void prepare(const PairShape& shape, PairPlace& at) {
-  if (holds_pin(shape)) at.rows = {PairRow{{1.0, 0.0}}, PairRow{{0.0, 1.0}}, PairRow{{}, 1.0}};
-  if (shape.kind == PairShape::Kind::turning_drive) at.rows[0].m = 1.0;
+template <class Scalar>
+void prepare(const BasicPairShape<Scalar>& shape, BasicPairPlace<Scalar>& at) {
+  if (holds_pin(shape))
+    at.rows = {BasicPairRow<Scalar>{{1.0, 0.0}}, BasicPairRow<Scalar>{{0.0, 1.0}}, BasicPairRow<Scalar>{{}, 1.0}};
+  if (shape.kind == PairKind::turning_drive) at.rows[0].m = 1.0;
   if (is_joint(shape, JointKind::prismatic)) at.rows[1].m = 1.0;
 }
 
-void place(const PairShape& shape, const Placed& i, const Placed& j, PairPlace& at) {
+template <class Scalar>
+void place(const BasicPairShape<Scalar>& shape, const BasicPlaced<Scalar>& i, const BasicPlaced<Scalar>& j,
+           BasicPairPlace<Scalar>& at) {
   at.at = i.point(shape.point_i);
   at.at_j = at.seat = j.point(shape.point_j);
   at.apart = at.at - at.seat;
-  if (holds_pin(shape) || shape.kind == PairShape::Kind::turning_drive) return;
+  if (holds_pin(shape) || shape.kind == PairKind::turning_drive) return;
   at.along = j.turned(shape.line);
   if (has_two_wheels(shape)) {
     place_wheels(shape, at);
   } else if (has_wheel_on_line(shape)) {
     place_on_line(shape, at);
   } else {
-    at.rows[0].e = shape.kind == PairShape::Kind::sliding_drive ? at.along : normal(at.along);
+    at.rows[0].e = shape.kind == PairKind::sliding_drive ? at.along : normal(at.along);
   }
   at.at_j = at.at;
 }
 
-void count_turns(const PairShape& shape, const Placed& i, const Placed& j, PairPlace& at) {
+template <class Scalar>
+void count_turns(const BasicPairShape<Scalar>& shape, const BasicPlaced<Scalar>& i, const BasicPlaced<Scalar>& j,
+                 BasicPairPlace<Scalar>& at) {
   if (!has_two_wheels(shape)) return;
-  const double turn = whole_turn * (shape.radius_i + rolling_radius_j(shape));
-  if (turn != 0.0) at.centres += whole_turn * std::round((rolled(shape, at, i, j) - shape.phase) / turn);
+  const Scalar turn = whole_turn * (shape.radius_i + rolling_radius_j(shape));
+  if (turn != 0.0) at.centres += whole_turn * round((rolled(shape, at, i, j) - shape.phase) / turn);
 }
 
-void take_phases(Model& model) {
+template <class Scalar>
+void take_phases(BasicModel<Scalar>& model) {
   const auto placed = [&](int link) {
-    if (link == ground) return Placed{};
-    const Pose& pose = model.links[static_cast<std::size_t>(link)].pose;
-    return Placed{turn(pose.phi), {pose.x, pose.y}, pose.phi};
+    if (link == ground) return BasicPlaced<Scalar>{};
+    const BasicPose<Scalar>& pose = model.links[static_cast<std::size_t>(link)].pose;
+    return BasicPlaced<Scalar>{turn(pose.phi), {pose.x, pose.y}, pose.phi};
   };
-  for (Joint& joint : model.joints) {
-    const PairShape shape = shape_of(joint);
+  for (BasicJoint<Scalar>& joint : model.joints) {
+    const BasicPairShape<Scalar> shape = shape_of(joint);
     if (!has_two_wheels(shape) && !has_wheel_on_line(shape)) continue;
-    PairPlace at;
+    BasicPairPlace<Scalar> at;
     place(shape, placed(joint.i), placed(joint.j), at);
     joint.phase = rolled(shape, at, placed(joint.i), placed(joint.j));
   }
 }
 
-void open(const PairShape& shape, const PairPlace& at, const Placed& i, const Placed& j, double target,
-          std::span<double> residual) {
-  const double turned = i.phi - j.phi;
-  if (shape.kind == PairShape::Kind::turning_drive) {
+template <class Scalar>
+void open(const BasicPairShape<Scalar>& shape, const BasicPairPlace<Scalar>& at, const BasicPlaced<Scalar>& i,
+          const BasicPlaced<Scalar>& j, std::type_identity_t<Scalar> target,
+          std::span<std::type_identity_t<Scalar>> residual) {
+  const Scalar turned = i.phi - j.phi;
+  if (shape.kind == PairKind::turning_drive) {
     residual[0] = turned + shape.offset - target;
-  } else if (shape.kind == PairShape::Kind::sliding_drive) {
+  } else if (shape.kind == PairKind::sliding_drive) {
     residual[0] = dot(at.along, at.apart) + shape.offset - target;
   } else if (holds_pin(shape)) {
     residual[0] = at.apart.x;
@@ -165,33 +195,65 @@ void open(const PairShape& shape, const PairPlace& at, const Placed& i, const Pl
     if (is_joint(shape, JointKind::belt)) residual[0] = -residual[0];
     if (is_joint(shape, JointKind::rolling_on_line)) residual[1] = dot(normal(at.along), at.apart) - shape.radius_i;
     if (is_joint(shape, JointKind::rolling)) {
-      const double sum = shape.radius_i + shape.radius_j;
-      residual[1] = sum - std::copysign(std::sqrt(dot(at.apart, at.apart)), sum);
+      const Scalar sum = shape.radius_i + shape.radius_j;
+      residual[1] = sum - copysign(sqrt(dot(at.apart, at.apart)), sum);
     }
   }
 }
 
-void held_acceleration(const PairShape& shape, const PairPlace& at, const Placed& i, const Placed& j,
-                       const Speeds& speed_i, const Speeds& speed_j, std::span<double> along) {
-  for (double& a : along) a = 0.0;
+template <class Scalar>
+void held_acceleration(const BasicPairShape<Scalar>& shape, const BasicPairPlace<Scalar>& at,
+                       const BasicPlaced<Scalar>& i, const BasicPlaced<Scalar>& j, const BasicSpeeds<Scalar>& speed_i,
+                       const BasicSpeeds<Scalar>& speed_j, std::span<std::type_identity_t<Scalar>> along) {
+  for (Scalar& a : along) a = 0.0;
   if (on_line(shape)) {  // Coriolis
-    const Vec sliding = velocity_at(at.at, i, speed_i) - velocity_at(at.at, j, speed_j);
+    const BasicVec<Scalar> sliding = velocity_at(at.at, i, speed_i) - velocity_at(at.at, j, speed_j);
     along[0] = 2.0 * speed_j.omega * dot(at.along, sliding);
   } else if (is_joint(shape, JointKind::belt)) {
     // The row is taken at one end of the span: as the span turns, and link j under it, the other end falls behind.
-    const Vec centre_i = at.seat + at.apart;
-    const Vec apart = velocity_at(centre_i, i, speed_i) - velocity_at(at.seat, j, speed_j);
-    const double centres = cross(at.apart, apart) / dot(at.apart, at.apart);
+    const BasicVec<Scalar> centre_i = at.seat + at.apart;
+    const BasicVec<Scalar> apart = velocity_at(centre_i, i, speed_i) - velocity_at(at.seat, j, speed_j);
+    const Scalar centres = cross(at.apart, apart) / dot(at.apart, at.apart);
     along[0] = dot(at.along, at.seat - at.at) * (centres * centres - speed_j.omega * speed_j.omega);
   } else if (is_joint(shape, JointKind::rolling_on_line)) {
-    const double omega = speed_i.omega - speed_j.omega;
+    const Scalar omega = speed_i.omega - speed_j.omega;
     along[1] = shape.radius_i * omega * omega;
   } else if (is_joint(shape, JointKind::rolling)) {
-    const double sum = shape.radius_i + shape.radius_j;
-    const double centres = (shape.radius_i * speed_i.omega + shape.radius_j * speed_j.omega) / sum;
+    const Scalar sum = shape.radius_i + shape.radius_j;
+    const Scalar centres = (shape.radius_i * speed_i.omega + shape.radius_j * speed_j.omega) / sum;
     along[1] = sum * centres * centres - shape.radius_i * speed_i.omega * speed_i.omega -
                shape.radius_j * speed_j.omega * speed_j.omega;
   }
 }
+
+template BasicPairShape<double> shape_of(const BasicJoint<double>&);
+template BasicPairShape<double> shape_of(const BasicDriver<double>&, const BasicJoint<double>*);
+template RowPattern pattern_of(const BasicPairShape<double>&, std::size_t);
+template void prepare(const BasicPairShape<double>&, BasicPairPlace<double>&);
+template void place(const BasicPairShape<double>&, const BasicPlaced<double>&, const BasicPlaced<double>&,
+                    BasicPairPlace<double>&);
+template void count_turns(const BasicPairShape<double>&, const BasicPlaced<double>&, const BasicPlaced<double>&,
+                          BasicPairPlace<double>&);
+template void take_phases(BasicModel<double>&);
+template void open(const BasicPairShape<double>&, const BasicPairPlace<double>&, const BasicPlaced<double>&,
+                   const BasicPlaced<double>&, double, std::span<double>);
+template void held_acceleration(const BasicPairShape<double>&, const BasicPairPlace<double>&,
+                                const BasicPlaced<double>&, const BasicPlaced<double>&, const BasicSpeeds<double>&,
+                                const BasicSpeeds<double>&, std::span<double>);
+
+template BasicPairShape<Dual> shape_of(const BasicJoint<Dual>&);
+template BasicPairShape<Dual> shape_of(const BasicDriver<Dual>&, const BasicJoint<Dual>*);
+template RowPattern pattern_of(const BasicPairShape<Dual>&, std::size_t);
+template void prepare(const BasicPairShape<Dual>&, BasicPairPlace<Dual>&);
+template void place(const BasicPairShape<Dual>&, const BasicPlaced<Dual>&, const BasicPlaced<Dual>&,
+                    BasicPairPlace<Dual>&);
+template void count_turns(const BasicPairShape<Dual>&, const BasicPlaced<Dual>&, const BasicPlaced<Dual>&,
+                          BasicPairPlace<Dual>&);
+template void take_phases(BasicModel<Dual>&);
+template void open(const BasicPairShape<Dual>&, const BasicPairPlace<Dual>&, const BasicPlaced<Dual>&,
+                   const BasicPlaced<Dual>&, Dual, std::span<Dual>);
+template void held_acceleration(const BasicPairShape<Dual>&, const BasicPairPlace<Dual>&, const BasicPlaced<Dual>&,
+                                const BasicPlaced<Dual>&, const BasicSpeeds<Dual>&, const BasicSpeeds<Dual>&,
+                                std::span<Dual>);
 
 }  // namespace loadpath::mechanism

@@ -5,12 +5,15 @@
 
 namespace loadpath::mechanism {
 
-constexpr Vec point_velocity(const Pose& velocity, Vec arm) {
-  return Vec{velocity.x, velocity.y} + velocity.phi * normal(arm);
+template <class Scalar>
+constexpr BasicVec<Scalar> point_velocity(const BasicPose<Scalar>& velocity, BasicVec<Scalar> arm) {
+  return BasicVec<Scalar>{velocity.x, velocity.y} + velocity.phi * normal(arm);
 }
 
-constexpr Vec point_acceleration(const Pose& acceleration, double omega, Vec arm) {
-  return Vec{acceleration.x, acceleration.y} + acceleration.phi * normal(arm) - omega * omega * arm;
+template <class Scalar>
+constexpr BasicVec<Scalar> point_acceleration(const BasicPose<Scalar>& acceleration, std::type_identity_t<Scalar> omega,
+                                              BasicVec<Scalar> arm) {
+  return BasicVec<Scalar>{acceleration.x, acceleration.y} + acceleration.phi * normal(arm) - omega * omega * arm;
 }
 
 }  // namespace loadpath::mechanism

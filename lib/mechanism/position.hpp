@@ -15,11 +15,13 @@ struct Drive {
 };
 
 /// Force and couple that link j exerts on link i, global axes, at the joint's pin (point_i of link i).
-struct Reaction {
-  Vec at;             // global
-  Vec force;          // N
-  double couple = 0;  // N m; prismatic only
+template <class Scalar>
+struct BasicReaction {
+  BasicVec<Scalar> at;     // global
+  BasicVec<Scalar> force;  // N
+  Scalar couple = 0.0;     // N m; prismatic only
 };
+using Reaction = BasicReaction<double>;
 
 /// A load as it is at a position: loads may vary over the cycle.
 struct LoadNow {

@@ -1,39 +1,77 @@
-// Vectors in the plane.
+// Vectors in the plane, of numbers or of numbers with their derivatives (lib/numerics/dual.hpp).
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 namespace loadpath::mechanism {
 
-struct Vec {
-  double x = 0.0;
-  double y = 0.0;
+template <class Scalar>
+struct BasicVec {
+  Scalar x = 0.0;
+  Scalar y = 0.0;
 };
+using Vec = BasicVec<double>;
 
-constexpr Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y}; }
-constexpr Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
-constexpr Vec operator-(Vec a) { return {-a.x, -a.y}; }
-constexpr Vec operator*(double s, Vec a) { return {s * a.x, s * a.y}; }
-constexpr double dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y; }
-constexpr double cross(Vec a, Vec b) { return a.x * b.y - a.y * b.x; }
+template <class Scalar>
+constexpr BasicVec<Scalar> operator+(BasicVec<Scalar> a, BasicVec<Scalar> b) {
+  return {a.x + b.x, a.y + b.y};
+}
+template <class Scalar>
+constexpr BasicVec<Scalar> operator-(BasicVec<Scalar> a, BasicVec<Scalar> b) {
+  return {a.x - b.x, a.y - b.y};
+}
+template <class Scalar>
+constexpr BasicVec<Scalar> operator-(BasicVec<Scalar> a) {
+  return {-a.x, -a.y};
+}
+template <class Scalar>
+constexpr BasicVec<Scalar> operator*(std::type_identity_t<Scalar> s, BasicVec<Scalar> a) {
+  return {s * a.x, s * a.y};
+}
+template <class Scalar>
+constexpr Scalar dot(BasicVec<Scalar> a, BasicVec<Scalar> b) {
+  return a.x * b.x + a.y * b.y;
+}
+template <class Scalar>
+constexpr Scalar cross(BasicVec<Scalar> a, BasicVec<Scalar> b) {
+  return a.x * b.y - a.y * b.x;
+}
 /// Turned by a right angle, counter-clockwise.
-constexpr Vec normal(Vec a) { return {-a.y, a.x}; }
-inline double length(Vec a) { return std::hypot(a.x, a.y); }
+template <class Scalar>
+constexpr BasicVec<Scalar> normal(BasicVec<Scalar> a) {
+  return {-a.y, a.x};
+}
+template <class Scalar>
+Scalar length(BasicVec<Scalar> a) {
+  using std::hypot;
+  return hypot(a.x, a.y);
+}
 
 /// A rotation, by the cosine and sine of its angle.
-struct Turn {
-  double cosine = 1.0;
-  double sine = 0.0;
-  [[nodiscard]] constexpr Vec operator()(Vec a) const { return {cosine * a.x - sine * a.y, sine * a.x + cosine * a.y}; }
-  [[nodiscard]] constexpr Turn back() const { return {cosine, -sine}; }
+template <class Scalar>
+struct BasicTurn {
+  Scalar cosine = 1.0;
+  Scalar sine = 0.0;
+  [[nodiscard]] constexpr BasicVec<Scalar> operator()(BasicVec<Scalar> a) const {
+    return {cosine * a.x - sine * a.y, sine * a.x + cosine * a.y};
+  }
+  [[nodiscard]] constexpr BasicTurn back() const { return {cosine, -sine}; }
 };
+using Turn = BasicTurn<double>;
 
 /// One turn after another.
-constexpr Turn operator*(Turn a, Turn b) {
+template <class Scalar>
+constexpr BasicTurn<Scalar> operator*(BasicTurn<Scalar> a, BasicTurn<Scalar> b) {
   return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
 }
 
-inline Turn turn(double angle) { return {std::cos(angle), std::sin(angle)}; }
+template <class Scalar>
+BasicTurn<Scalar> turn(Scalar angle) {
+  using std::cos;
+  using std::sin;
+  return {cos(angle), sin(angle)};
+}
 /// The turn that takes the direction of `from` to that of `to`, which is as long.
 constexpr Turn turn(Vec from, Vec to) {
   const double inverse = 1.0 / dot(from, from);

@@ -33,7 +33,6 @@ struct WholeSystem::Work {
   void find_acceleration(std::span<const Drive> drives);
   bool find_all_forces(bool statics, Position& out);
   void find_forces(bool statics, const Induced& modes, Position& out);
-  void act(std::size_t link, const InducedMode& mode, double amount);
   void store(std::span<const double> x, std::span<Pose> poses) const;
 
   Model model;    // as given
@@ -110,22 +109,10 @@ void WholeSystem::Work::find_forces(bool statics, const Induced& modes, Position
   supply_springs(scaled, constraints, velocity, multipliers);
   for (std::size_t m = 0; m < modes.modes.size(); ++m) {
     const InducedMode& mode = modes.modes[m];
-    const Pair& pair = constraints.pairs()[mode.joint];
-    const double force = modes.amounts[m] / length;
-    act(pair.i, mode, -force);
-    act(pair.j, mode, force);
+    take_from_required(mode, modes.amounts[m], length, constraints.pairs()[mode.joint], continuation.q(), multipliers);
   }
   continuation.factors().solve_transposed(unknowns(multipliers));
   share_out(model, constraints, multipliers, length, out.reactions, out.effort);
-}
-
-// On what the constraints must supply for a link; `amount`: per unit of length.
-void WholeSystem::Work::act(std::size_t link, const InducedMode& mode, double amount) {
-  const std::span<const double> q = continuation.q();
-  const Vec arm = (1.0 / length) * mode.at - Vec{q[3 * link], q[3 * link + 1]};
-  multipliers[3 * link] += amount * mode.force.x;
-  multipliers[3 * link + 1] += amount * mode.force.y;
-  multipliers[3 * link + 2] += amount * (mode.couple / length + cross(arm, mode.force));
 }
 
 void WholeSystem::Work::store(std::span<const double> x, std::span<Pose> poses) const {

@@ -35,7 +35,9 @@ Instant::Instant(const Model& model)
       no_targets_(model.drivers.size()),
       beside_(model.joints.size()),
       jacobian_(constraints_.rows() * constraints_.columns()),
-      motions_(jacobian_.size()) {}
+      motions_(jacobian_.size()) {
+  active_.reserve(2 * model.links.size() + model.loads.size() + 2 * model.joints.size());
+}
 
 void Instant::take(const Position& at, bool statics) {
   at_ = &at;

@@ -43,6 +43,10 @@ class Instant {
     const double* v = &motions_[row * constraints_.columns() + 3 * link];
     return {length_ * v[0], length_ * v[1], v[2]};
   }
+  /// The same of all coordinates, in units of length: what the inverse of the Jacobian has in this column.
+  [[nodiscard]] std::span<const double> virtual_motion(std::size_t row) const {
+    return std::span(motions_).subspan(row * constraints_.columns(), constraints_.columns());
+  }
   /// The rate of a driver in its virtual velocities, rad/s or m/s.
   [[nodiscard]] double virtual_rate(std::size_t driver) const { return length_ / effort_arm(driver); }
   /// W, of everything that acts, in the virtual velocities of this row.

@@ -1,0 +1,62 @@
+// Forces that a joint's reaction brings with it: what presses the teeth of gears apart, the slack side of a belt,
+// friction. Where they act, and how large the reaction makes them.
+#pragma once
+
+#include "lib/mechanism/kinematics.hpp"
+#include "lib/mechanism/model.hpp"
+#include "lib/mechanism/pair.hpp"
+#include "lib/mechanism/position.hpp"
+
+#include <cstddef>
+#include <span>
+#include <type_traits>
+
+namespace loadpath::mechanism {
+
+/// An induced force of the amount 1: on link i of its joint, at `at`, the opposite on link j. The amounts are in N, or
+/// in N m where it is a couple.
+template <class Scalar>
+struct BasicInducedMode {
+  std::size_t joint = 0;
+  BasicVec<Scalar> at;
+  BasicVec<Scalar> force;
+  Scalar couple = 0.0;
+};
+using InducedMode = BasicInducedMode<double>;
+
+/// A joint that induces forces, at a position.
+template <class Scalar>
+struct BasicInducedSource {
+  std::size_t joint = 0;
+  std::size_t first = 0;  // of its modes, one or two
+  BasicPairShape<Scalar> shape = {};
+  BasicPairPlace<Scalar> place = {};
+  Scalar sliding = 0.0;  // m/s, of link i along the line of j
+  Scalar turning = 0.0;  // rad/s, of link i against link j
+};
+using InducedSource = BasicInducedSource<double>;
+
+/// How many forces the reaction of this joint brings with it.
+std::size_t modes_of(const Joint& joint);
+/// Whether there is friction among them.
+bool rubs(const Joint& joint);
+
+/// Goes to a position.
+template <class Scalar>
+void set_up(const BasicJoint<Scalar>& joint, std::span<const BasicPose<std::type_identity_t<Scalar>>> poses,
+            std::span<const BasicPose<std::type_identity_t<Scalar>>> velocities, BasicInducedSource<Scalar>& source);
+template <class Scalar>
+void set_modes(const BasicInducedSource<Scalar>& source,
+               std::span<BasicInducedMode<std::type_identity_t<Scalar>>> modes);
+/// The amounts that a force of the joint's constraints induces; `share`: of the coefficients of friction.
+template <class Scalar>
+void induce(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& source, const BasicReaction<Scalar>& by,
+            double share, std::span<std::type_identity_t<Scalar>> amount);
+/// Takes what this amount of a mode does to the links i and j from what the constraints must supply; `length`: the unit
+/// of length of the coordinates q and of what is required, m.
+template <class Scalar>
+void take_from_required(const BasicInducedMode<Scalar>& mode, std::type_identity_t<Scalar> amount, double length,
+                        const BasicPair<Scalar>& pair, std::span<const std::type_identity_t<Scalar>> q,
+                        std::span<std::type_identity_t<Scalar>> required);
+
+}  // namespace loadpath::mechanism

@@ -18,7 +18,7 @@ struct Cycle {
   std::vector<mechanism::Position> positions;
   std::vector<mechanism::Proof> proofs;
   std::vector<bool> closed;
-  bool returns = true;     // after a whole turn, to where it began
+  bool returns = true;         // after a whole turn, to where it began
   std::vector<bool> in_steps;  // closed, but near a change point: followed from the position before in small steps
   std::vector<bool> jams;      // closed, but friction lets no drive move it: it has no forces there
   mechanism::Status first_failure = mechanism::Status::closed;

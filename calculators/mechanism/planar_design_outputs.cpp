@@ -3,6 +3,8 @@
 #include "calculators/mechanism/planar_rows.hpp"
 #include "lib/mechanism/frames.hpp"
 #include "lib/mechanism/member.hpp"
+#include "lib/mechanism/reduction.hpp"
+#include "lib/mechanism/shaking.hpp"
 #include "lib/mechanism/spring.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -190,11 +192,21 @@ struct Machine {
   std::string name;
   std::shared_ptr<const mechanism::Model> model;
   std::vector<std::size_t> useful;  // loads
+  std::shared_ptr<mechanism::Reduction> reduction;
+  bool cranked = false;
 
   static bool has_friction(const Machine& m) {
     return std::any_of(m.model->joints.begin(), m.model->joints.end(), rubs);
   }
   static bool has_use(const Machine& m) { return !m.useful.empty(); }
+  static bool has_crank(const Machine& m) { return m.cranked; }
+  static bool shakes(const Machine& m) {
+    return std::any_of(m.model->links.begin(), m.model->links.end(), [](const auto& link) { return link.mass > 0.0; });
+  }
+  [[nodiscard]] mechanism::Shaking shaking(const Position& p) const { return mechanism::shaking(*model, p, {}); }
+  [[nodiscard]] mechanism::Reduced reduced(const Position& p) const {
+    return reduction->find(p).value_or(mechanism::Reduced{none, none, none, none});
+  }
 };
 
 double loss(const Machine& m, const Position& p) {
@@ -218,6 +230,25 @@ double use(const Machine& m, const Position& p) {
 }
 
 constexpr std::array machine_rows{
+    row<Machine>(
+        "drive.J_red", "moment of inertia of all links, reduced to the crank", kg_m2,
+        [](const Machine& m, const Position& p) { return m.reduced(p).inertia; }, &Machine::has_crank, "with a crank"),
+    row<Machine>(
+        "drive.M_red", "moment of loads, weights and springs, reduced to the crank", N_m,
+        [](const Machine& m, const Position& p) { return m.reduced(p).moment; }, &Machine::has_crank, "with a crank"),
+    row<Machine>(
+        "frame.F", "shaking force on the frame, the magnitude of -sum m a", N,
+        [](const Machine& m, const Position& p) { return mechanism::length(m.shaking(p).force); }, &Machine::shakes,
+        "links with mass"),
+    row<Machine>(
+        "frame.x", "shaking force along x", N, [](const Machine& m, const Position& p) { return m.shaking(p).force.x; },
+        &Machine::shakes, "links with mass"),
+    row<Machine>(
+        "frame.y", "shaking force along y", N, [](const Machine& m, const Position& p) { return m.shaking(p).force.y; },
+        &Machine::shakes, "links with mass"),
+    row<Machine>(
+        "frame.M", "shaking moment on the frame about the global origin", N_m,
+        [](const Machine& m, const Position& p) { return m.shaking(p).moment; }, &Machine::shakes, "links with mass"),
     row<Machine>("drive.P_loss", "power that friction takes in all joints", W, &loss, &Machine::has_friction,
                  "with friction"),
     row<Machine>("drive.P_useful", "power against the useful loads", W, &use, &Machine::has_use, "with useful loads")};
@@ -252,7 +283,7 @@ void add_design_outputs(const Planar::Input& in, const mechanism::Model& model, 
     if (touches) add_outputs(Contact{joint.name, k, joint}, contact_rows, out);
     if (rubs(joint)) add_outputs(Rubbing{joint.name, k, kept}, rubbing_rows, out);
   }
-  Machine machine{"", kept, {}};
+  Machine machine{"", kept, {}, std::make_shared<mechanism::Reduction>(*kept), !in.crank.joint.empty() && !statics};
   for (std::size_t n = 0; n < in.loads.size(); ++n) {
     if (in.loads[n].useful == Planar::Useful::yes) machine.useful.push_back(n);
   }

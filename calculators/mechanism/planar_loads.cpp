@@ -156,8 +156,8 @@ Table spring_table(const Planar::Input& in) {
     const auto [first, second] = end_of(spring);
     const Cell none = std::string("–");
     table.rows.push_back(
-        {text(spring.name), text(spring.links.first), first.empty() ? none : Cell(text(first)), text(spring.links.second),
-         second.empty() ? none : Cell(text(second)),
+        {text(spring.name), text(spring.links.first), first.empty() ? none : Cell(text(first)),
+         text(spring.links.second), second.empty() ? none : Cell(text(second)),
          turning ? Cell(Quantity{in_si(spring.k_turn), "N*m/rad"}) : Cell(Quantity{in_si(spring.k), "N/mm"}),
          turning ? Cell(Quantity{is_set(spring.free_angle) ? spring.free_angle : 0.0, "deg"})
                  : Cell(Quantity{is_set(spring.free) ? in_si(spring.free) : 0.0, "mm"}),

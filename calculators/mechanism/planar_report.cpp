@@ -95,8 +95,8 @@ bool is_design_load(const std::string& path) {
   const bool joint = path.starts_with("joints.") &&
                      (path.ends_with(".F") || path.ends_with(".M") || path.ends_with(".N") || path.ends_with(".F_t") ||
                       path.ends_with(".F_r") || path.ends_with(".N_front") || path.ends_with(".N_back"));
-  return internal || joint || path.starts_with("springs.") || path.starts_with("drive.") ||
-         path.starts_with("cylinders.");
+  return internal || joint || path.starts_with("springs.") || path.starts_with("drive.") || path == "frame.F" ||
+         path == "frame.M" || path.starts_with("cylinders.");
 }
 
 /// The mean, with what rounding has left of a zero taken as one.

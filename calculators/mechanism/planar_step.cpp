@@ -3,6 +3,7 @@
 #include "calculators/mechanism/planar_assemblies.hpp"
 #include "calculators/mechanism/planar_design_outputs.hpp"
 #include "calculators/mechanism/planar_expansion.hpp"
+#include "calculators/mechanism/planar_influence.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
 #include "calculators/mechanism/planar_report.hpp"
 #include "calculators/mechanism/templates/planar_template.hpp"
@@ -192,6 +193,9 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
   fill_inputs();
   account.blocks = result_tables(account, model, mechanism::analyse(model), cycle, axis_.get());
   for (auto& b : motion_tables(account, model, cycle, kinematics, axis_.get())) account.blocks.push_back(std::move(b));
+  const bool statics = data().analysis == PlanarMechanism::Analysis::statics;
+  for (auto& b : influence_tables(model, cycle, governing_position(cycle, account), statics))
+    account.blocks.emplace_back(std::move(b));
   account.figures = mechanism_figures(data(), model, cycle, account, axis_.get());
 }
 

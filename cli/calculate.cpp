@@ -1,6 +1,7 @@
 #include "cli/output.hpp"
 #include "cli/solving.hpp"
 #include "lib/io/tree.hpp"
+#include "lib/project/part.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -36,8 +37,8 @@ Tree value_of(const std::string& key, const std::string& text, const FieldInfo* 
   value.type = Tree::Type::text;
   value.text = text;
   value.place = {flag, 1, 1, 1};
-  const bool inline_table = text.starts_with('{');  // { stock = "R20" }
-  if (takes_text(field) && !inline_table) return value;
+  const bool structured = text.starts_with('{') || text.starts_with('[');  // { stock = "R20" }, ["0 deg", "90 deg"]
+  if (takes_text(field) && !structured) return value;
   const std::string prefix = "value = ";
   const auto length = static_cast<int>(prefix.size());
   const std::size_t before = issues.size();
@@ -48,21 +49,86 @@ Tree value_of(const std::string& key, const std::string& text, const FieldInfo* 
   return std::move(tree.entries[0].value);
 }
 
-Tree project_tree(const CalculateOptions& options, std::vector<Issue>& issues) {
+void put(Tree& table, Tree::Entry entry) {
+  const auto known = std::find_if(table.entries.begin(), table.entries.end(),
+                                  [&](const Tree::Entry& e) { return e.key == entry.key; });
+  if (known == table.entries.end())
+    table.entries.push_back(std::move(entry));
+  else
+    *known = std::move(entry);
+}
+
+void take(Tree& table, const std::string& key) {
+  std::erase_if(table.entries, [&](const Tree::Entry& e) { return e.key == key; });
+}
+
+Tree* crank_of(Tree& step) {
+  for (Tree::Entry& entry : step.entries) {
+    if (entry.key == "crank" && entry.value.type == Tree::Type::table) return &entry.value;
+  }
+  return nullptr;
+}
+
+Tree::Entry flag_entry(const std::string& key, const std::string& text, const FieldInfo* field,
+                       std::vector<Issue>& issues) {
+  return {key, {"--" + key, 1, 1, 1}, value_of(key, text, field, issues)};
+}
+
+/// The crank angles of `--at`, in place of a whole turn.
+void put_angles(Tree& step, const std::string& at, std::vector<Issue>& issues) {
+  Tree* const crank = crank_of(step);
+  if (crank == nullptr) {
+    issues.push_back({{"--at", 0, 0, 1},
+                      "",
+                      say("crank angles are of a crank, and there is none"),
+                      say("write its speed: crank = { speed = \"60 rpm\" }"),
+                      Severity::error});
+    return;
+  }
+  for (const char* key : {"at", "start", "positions"}) take(*crank, key);
+  put(*crank, flag_entry("at", at, nullptr, issues));
+}
+
+/// Flags in place of what a step says. The number of positions goes to the crank where there is one.
+void put_flags(Tree& step, const CalculateOptions& options, std::vector<Issue>& issues) {
+  for (const auto& [key, text] : options.values) {
+    if (key != "positions")
+      put(step, flag_entry(key, text, find_field(options.calculator->input->fields, key), issues));
+  }
+  for (const auto& [key, text] : options.values) {
+    if (key != "positions") continue;
+    Tree* const crank = crank_of(step);
+    if (crank != nullptr) take(*crank, "at");
+    put(crank == nullptr ? step : *crank,
+        flag_entry(key, text, find_field(options.calculator->input->fields, key), issues));
+  }
+  if (!options.at.empty()) put_angles(step, options.at, issues);
+}
+
+Tree tree_of_flags(const CalculateOptions& options, std::vector<Issue>& issues) {
   Tree step;
   step.place = {"command line", 0, 0, 1};
   Tree id;
   id.type = Tree::Type::text;
   id.text = options.calculator->id;
   step.entries.push_back({"calculator", step.place, id});
-  for (const auto& [key, text] : options.values) {
-    const FieldInfo* field = find_field(options.calculator->input->fields, key);
-    step.entries.push_back({key, {"--" + key, 1, 1, 1}, value_of(key, text, field, issues)});
-  }
+  put_flags(step, options, issues);
   const std::string_view all = options.calculator->id;
   Tree tree;
   tree.entries.push_back({std::string(all.substr(all.find('.') + 1)), step.place, std::move(step)});
   return tree;
+}
+
+Tree tree_of_file(const CalculateOptions& options, const SourceText& source, std::vector<Issue>& issues) {
+  const std::string id = options.calculator->id;
+  Tree part = project::part_for(io::read_toml(source.text, source.file, issues), id);
+  if (part.entries.empty() && !has_errors(issues)) {
+    issues.push_back({{source.file, 0, 0, 1}, "", say("the project has no step of '{1}'", id), {}, Severity::error});
+  }
+  for (Tree::Entry& entry : part.entries) {
+    if (project::runs(entry, id)) put_flags(entry.value, options, issues);
+  }
+  return part;
 }
 
 }  // namespace
@@ -71,11 +137,18 @@ int calculate(const CalculateOptions& options) {
   if (!can_write(options.output)) return wrong_input;
   std::vector<SourceText> sources;
   for (const auto& [key, text] : options.values) sources.push_back({"--" + key, text});
+  sources.push_back({"--at", options.at});
+  SourceText file{options.file == "-" ? "standard input" : options.file, ""};
+  if (!options.file.empty() && !io::read_file(options.file, file.text)) {
+    std::cerr << "loadpath: cannot read '" << options.file << "'\n";
+    return wrong_input;
+  }
+  sources.push_back(file);
   return solve_and_show(
       [&](std::vector<Issue>& issues) {
-        const Tree tree = project_tree(options, issues);
-        return has_errors(issues) ? project::Project{}
-                                  : project::read_project(tree, "command line", catalogue(), issues);
+        const Tree tree = options.file.empty() ? tree_of_flags(options, issues) : tree_of_file(options, file, issues);
+        if (has_errors(issues)) return project::Project{};
+        return project::read_project(tree, options.file.empty() ? "command line" : file.file, catalogue(), issues);
       },
       sources, options.output, true);
 }

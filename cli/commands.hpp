@@ -16,7 +16,9 @@ enum Exit : int { passed = 0, not_passed = 1, wrong_input = 2, fault = 3, interr
 struct OutputOptions {
   std::vector<std::string> reports;  // .html, .md, .pdf
   bool json = false;
-  std::string csv;  // folder
+  std::string csv;  // folder, or a .csv file for the one step that has series
+  std::string svg;  // folder for every figure, or an .svg file for the first drawing of a mechanism
+  std::string dxf;  // file for that drawing
   bool quiet = false;
 };
 
@@ -26,9 +28,12 @@ struct RunOptions {
 };
 int run(const RunOptions& options);
 
-/// One calculator from the shell: its flags are the keys of a project file.
+/// One calculator from the shell: its flags are the keys of a project file. With a file the steps of this calculator in
+/// it, and what they refer to; the flags then stand in place of what these steps say.
 struct CalculateOptions {
   const Calculator* calculator = nullptr;
+  std::string file;
+  std::string at;                                           // crank angles, in place of those of the file
   std::vector<std::pair<std::string, std::string>> values;  // key, text as typed
   OutputOptions output;
 };

@@ -77,21 +77,79 @@ void show_patterns(std::span<const ResultPattern> patterns) {
   std::cout << "Results, NAME as in the project file\n" << columns(rows) << "\n";
 }
 
+std::string joined(const std::vector<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+  return all;
+}
+
+/// The names of list elements that a template has laid out, and of those within them.
+void add_names(std::span<const FieldInfo> fields, void* owner, const std::string& prefix, Rows& rows) {
+  for (const FieldInfo& f : fields) {
+    if (f.type != Type::list || f.size(owner) == 0) continue;
+    const FieldInfo* name = find_field(f.fields, "name");
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < f.size(owner); ++i) names.emplace_back(name->text(f.element(owner, i)));
+    rows.push_back({"  " + prefix + f.key, joined(names)});
+    for (std::size_t i = 0; i < names.size(); ++i)
+      add_names(f.fields, f.element(owner, i), prefix + f.key + "." + names[i] + ".", rows);
+  }
+}
+
+void show_template(const Calculator& calculator, const Template& t) {
+  std::cout << calculator.id << "." << t.id << ": " << t.title << "\n\n" << t.doc << "\n\n";
+  show_type("Parameters, beside the fields of the calculator", *t.parameters);
+  Record laid(*calculator.input);
+  t.lay_out(laid.data.get());
+  Rows rows;
+  add_names(laid.type->fields, laid.data.get(), "", rows);
+  std::cout << "Makes\n" << columns(rows) << "\nExample, a project file that runs:\n\n" << t.example;
+}
+
+void show_templates(const Calculator& calculator) {
+  Rows rows;
+  for (const Template* t : calculator.templates) {
+    std::vector<std::string> keys;
+    for (const FieldInfo& f : t->parameters->fields) keys.emplace_back(f.key);
+    rows.push_back({std::string("  ") + t->id, t->title, joined(keys)});
+  }
+  std::cout << "Templates, template = \"NAME\" with its parameters in place of what it makes\n"
+            << columns(rows) << "  `loadpath describe " << calculator.id << ".NAME` tells more\n\n";
+}
+
+/// "mechanism.planar.slider_crank": shows the template; false where there is none of that name.
+bool describe_template(const std::string& id) {
+  for (const Calculator* c : catalogue()) {
+    const std::string prefix = std::string(c->id) + ".";
+    const Template* t = id.starts_with(prefix) ? find_template(*c, id.substr(prefix.size())) : nullptr;
+    if (t == nullptr) continue;
+    show_template(*c, *t);
+    return true;
+  }
+  return false;
+}
+
+int refuse(const std::string& id) {
+  std::vector<std::string> ids;
+  for (const Calculator* known : catalogue()) {
+    ids.emplace_back(known->id);
+    for (const Template* t : known->templates) ids.push_back(std::string(known->id) + "." + t->id);
+  }
+  std::cerr << "loadpath: there is no calculator '" << id
+            << "'\n  = help: " << did_you_mean(id, ids, say("`loadpath list` shows all")).text() << "\n";
+  return wrong_input;
+}
+
 }  // namespace
 
 int describe(const DescribeOptions& options) {
   const Calculator* c = find_calculator(catalogue(), options.id);
-  if (c == nullptr) {
-    std::vector<std::string> ids;
-    for (const Calculator* known : catalogue()) ids.emplace_back(known->id);
-    std::cerr << "loadpath: there is no calculator '" << options.id
-              << "'\n  = help: " << did_you_mean(options.id, ids, say("`loadpath list` shows all")).text() << "\n";
-    return wrong_input;
-  }
+  if (c == nullptr) return describe_template(options.id) ? passed : refuse(options.id);
   std::cout << c->id << ": " << c->title << "\n\n" << c->scope << "\n\n";
   for (const std::string& key : keys_in(c->source)) std::cout << "[" << key << "] " << table::citation(key) << "\n";
   std::cout << "\n";
   show_type("Inputs", *c->input);
+  if (!c->templates.empty()) show_templates(*c);
   for (const RuleInfo& rule : c->rules) std::cout << "  rule (" << rule.fields << "): " << rule.text << "\n";
   if (!c->rules.empty()) std::cout << "\n";
   if (c->result != nullptr) show_type("Results", *c->result);

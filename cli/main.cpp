@@ -20,6 +20,7 @@ using Action = std::function<int()>;
 constexpr auto footer = R"(Examples:
   loadpath run examples/slotted-lever/project.toml --report report.html
   loadpath shaft torsion --T "2700 N*m" --tau_adm "30 MPa"
+  loadpath mechanism planar --file examples/toggle-press/project.toml --svg press.svg
   loadpath convert "2700 lbf*in" "N*m"
 
 Exit codes: 0 solved and every check passes; 1 solved, but a check fails, is not covered or not available;
@@ -32,7 +33,8 @@ void add_output(CLI::App& app, OutputOptions& output) {
       ->take_all()
       ->allow_extra_args(false);
   app.add_flag("--json", output.json, "print the results as one JSON object");
-  app.add_option("--csv", output.csv, "write the series of each step into this folder")->type_name("DIR");
+  app.add_option("--csv", output.csv, "write the series: each step's into a folder, or the one's into FILE.csv")
+      ->type_name("PATH");
   app.add_flag("--quiet", output.quiet, "print errors only");
 }
 
@@ -92,6 +94,36 @@ std::string type_word(const FieldInfo& field) {
   return "";
 }
 
+void add_drawing(CLI::App& app, CalculateOptions& options) {
+  app.add_option("--at", options.at, "crank angles in place of a turn: \"30 deg\", or [\"0 deg\", \"90 deg\"]")
+      ->type_name("deg");
+  app.add_option("--svg", options.output.svg,
+                 "write the mechanism at the first position as FILE.svg, or every figure "
+                 "into a folder (at up to 12 given angles)")
+      ->type_name("PATH");
+  app.add_option("--dxf", options.output.dxf, "write the mechanism at the first position for CAD (DXF R12, mm)")
+      ->type_name("FILE");
+}
+
+using AddFlag = std::function<void(const std::string& key, const std::string& doc, const std::string& type)>;
+
+/// The name of a template, and the parameters of all of them, each once.
+void add_templates(const Calculator& calculator, const AddFlag& add) {
+  if (calculator.templates.empty()) return;
+  add("template", "input known in shape, by its parameters: `loadpath describe " + std::string(calculator.id) + "`",
+      "NAME");
+  std::map<std::string, std::string> users;
+  for (const Template* t : calculator.templates) {
+    for (const FieldInfo& f : t->parameters->fields)
+      users[f.key] += (users[f.key].empty() ? "" : ", ") + std::string(t->id);
+  }
+  for (const Template* t : calculator.templates) {
+    for (const FieldInfo& f : t->parameters->fields) {
+      if (const auto used = users.extract(f.key)) add(f.key, "of " + used.mapped(), type_word(f));
+    }
+  }
+}
+
 /// Flags of one calculator: the top-level fields of its input, and the rows that its providers look up.
 void setup_calculator(CLI::App& element, const Calculator& calculator, CalculateOptions& options, Action& action) {
   const std::string_view id = calculator.id;
@@ -109,9 +141,15 @@ void setup_calculator(CLI::App& element, const Calculator& calculator, Calculate
     add(f.key, f.doc, type_word(f));
     material = material || std::string_view(f.provider.table) == "material";
   }
+  add_templates(calculator, add);
   if (material) add("material", "row of the materials table that fills what is missing", "NAME");
   add("title", "title of the report", "TEXT");
+  sub->add_option(
+         "--file", options.file,
+         "project file: its steps of this calculator, and what they refer to; other flags replace their fields")
+      ->type_name("FILE");
   add_output(*sub, options.output);
+  if (calculator.element() == "mechanism") add_drawing(*sub, options);
   sub->footer("`loadpath describe " + std::string(id) +
               "` tells more, with an example. A quantity is written with its unit: \"30 MPa\".");
   sub->callback([&] { action = [&] { return calculate(options); }; });

@@ -2,6 +2,7 @@
 
 #include "cli/browser.hpp"
 #include "lib/io/csv.hpp"
+#include "lib/io/dxf.hpp"
 #include "lib/io/json.hpp"
 #include "lib/report/build.hpp"
 
@@ -30,6 +31,46 @@ std::vector<File> report_files(const report::Document& document, const std::stri
   std::vector<File> files{{path, markdown.text}};
   for (const auto& [name, svg] : markdown.figures) files.push_back({base.parent_path() / name, svg});
   return files;
+}
+
+/// FILE.csv for the one step that has series, or a file for each in a folder. False where one file cannot hold them.
+bool add_series(const project::Project& project, const std::string& path, std::vector<File>& files) {
+  auto tables = io::csv_of(project);
+  if (tables.empty()) std::cerr << "no series, so nothing to write as CSV\n";
+  const bool one_file = ending(path) == ".csv";
+  if (one_file && tables.size() > 1) {
+    std::cerr << "loadpath: '" << path << "' is one file, and " << tables.size()
+              << " steps have series\n  = help: name a folder\n";
+    return false;
+  }
+  for (auto& [name, text] : tables)
+    files.push_back({one_file ? fs::path(path) : fs::path(path) / name, std::move(text)});
+  return true;
+}
+
+/// The drawing of the first mechanism at its first position; null where nothing closes.
+const draw::Figure* first_drawing(const project::Project& project) {
+  for (const auto& step : project.steps) {
+    for (const draw::Figure& figure : step->account().figures) {
+      if (std::holds_alternative<draw::Scheme>(figure.content)) return &figure;
+    }
+  }
+  return nullptr;
+}
+
+/// FILE.svg with the first drawing, or every figure in a folder; FILE.dxf with that drawing.
+void add_drawings(const project::Project& project, const OutputOptions& options, std::vector<File>& files) {
+  const draw::Figure* drawing = first_drawing(project);
+  if (drawing == nullptr && !(options.svg.empty() && options.dxf.empty()))
+    std::cerr << "the mechanism closes nowhere, so there is nothing to draw\n";
+  if (drawing == nullptr) return;
+  if (!options.dxf.empty()) files.push_back({options.dxf, io::dxf_of(std::get<draw::Scheme>(drawing->content))});
+  if (options.svg.empty()) return;
+  if (ending(options.svg) == ".svg") return files.push_back({options.svg, draw::svg(*drawing)});
+  for (const auto& step : project.steps) {
+    for (const draw::Figure& figure : step->account().figures)
+      files.push_back({fs::path(options.svg) / (step->name() + "-" + figure.id + ".svg"), draw::svg(figure)});
+  }
 }
 
 bool write_file(const File& file) {
@@ -78,10 +119,8 @@ bool write(const project::Project& project, const OutputOptions& options) {
       for (File& file : report_files(document, path)) files.push_back(std::move(file));
     }
   }
-  if (!options.csv.empty()) {
-    for (auto& [name, text] : io::csv_of(project)) files.push_back({fs::path(options.csv) / name, std::move(text)});
-    if (io::csv_of(project).empty()) std::cerr << "no series, so nothing to write as CSV\n";
-  }
+  if (!options.csv.empty() && !add_series(project, options.csv, files)) return false;
+  add_drawings(project, options, files);
   if (!std::all_of(files.begin(), files.end(), write_file)) return false;
   for (const std::string& path : prints) {
     if (!print_to_pdf(report::html(document), path)) {

@@ -22,7 +22,7 @@ int exit_for(const std::vector<report::Verdict>& verdicts) {
 }
 
 int solve_and_show(const ReadProject& read, const std::vector<SourceText>& sources, const OutputOptions& output,
-                   bool derivation) {
+                   bool in_full) {
   std::vector<Issue> issues;
   project::Project project = read(issues);
   if (!has_errors(issues)) project::solve(project, issues);
@@ -32,7 +32,7 @@ int solve_and_show(const ReadProject& read, const std::vector<SourceText>& sourc
   if (output.json) {
     std::cout << io::json_of(project, program());
   } else if (!output.quiet) {
-    show_project(project, derivation);
+    show_project(project, in_full);
   }
   return exit_for(project::verdicts(project));
 }

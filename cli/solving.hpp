@@ -11,9 +11,9 @@ namespace loadpath::cli {
 
 using ReadProject = std::function<project::Project(std::vector<Issue>& issues)>;
 
-/// `derivation`: the terminal shows the formulas too.
+/// `in_full`: the terminal shows the formulas too, and of a mechanism its tables.
 int solve_and_show(const ReadProject& read, const std::vector<SourceText>& sources, const OutputOptions& output,
-                   bool derivation);
+                   bool in_full);
 
 /// The exit code that verdicts amount to.
 int exit_for(const std::vector<report::Verdict>& verdicts);

@@ -44,7 +44,10 @@ bool is_brief(const project::Entry& e) {
   const bool joint_force = e.path.starts_with("joints.") && !e.path.ends_with(".x") && !e.path.ends_with(".y");
   const bool element = e.path.find_first_of("[.") != std::string::npos && !e.path.starts_with("drive.") &&
                        !e.path.starts_with("cylinders.");
-  return e.role == Role::result && !project::is_open(e) && (!element || joint_force);
+  const bool internal =
+      e.path.starts_with("springs.") ||
+      (e.path.starts_with("links.") && (e.path.ends_with(".N") || e.path.ends_with(".V") || e.path.ends_with(".M_b")));
+  return e.role == Role::result && !project::is_open(e) && (!element || joint_force || internal);
 }
 
 void show_results(const project::Step& step) {
@@ -53,6 +56,35 @@ void show_results(const project::Step& step) {
     if (is_brief(e)) rows.push_back({"  " + e.path, shown(e), e.doc});
   }
   std::cout << columns(rows);
+}
+
+std::string text_of(const report::Cell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* message = std::get_if<Message>(&cell)) return message->text();
+  if (const auto* quantity = std::get_if<report::Quantity>(&cell))
+    return format_quantity(quantity->si, quantity->unit, quantity->digits);
+  if (const auto* symbol = std::get_if<report::Symbol>(&cell)) return symbol->name;
+  return state_word(std::get<report::State>(cell));
+}
+
+void show_table(const report::Table& table) {
+  std::cout << "  " << table.caption.text() << "\n";
+  std::vector<std::vector<std::string>> rows;
+  if (!table.head.empty()) rows.emplace_back();
+  for (const Message& word : table.head) rows.back().push_back(word.text());
+  for (const auto& row : table.rows) {
+    rows.emplace_back();
+    for (const report::Cell& cell : row) rows.back().push_back(text_of(cell));
+  }
+  for (auto& row : rows) row.front().insert(0, "    ");
+  std::cout << columns(rows);
+}
+
+/// What only this kind of step has to say: of a mechanism its extremes and its structure.
+void show_tables(const project::Step& step) {
+  for (const report::Block& block : step.account().blocks) {
+    if (const auto* table = std::get_if<report::Table>(&block)) show_table(*table);
+  }
 }
 
 /// The formula of a line with the branch that ran; as it was written where it is not in the language.
@@ -132,13 +164,16 @@ std::string state_word(report::State state) {
   return in_colour(report::word(state).text(), state == report::State::pass ? "32" : "33");
 }
 
-void show_project(const project::Project& project, bool derivation) {
+void show_project(const project::Project& project, bool in_full) {
   if (!project.title.empty()) std::cout << project.title << "\n\n";
   for (const auto& step : project.steps) {
     std::cout << step->name() << ": " << step->input().calculator->title << " (" << step->input().calculator->id
               << ")\n";
-    if (derivation) show_derivation(*step);
-    show_results(*step);
+    if (in_full) show_derivation(*step);
+    if (in_full && !step->account().blocks.empty())
+      show_tables(*step);
+    else
+      show_results(*step);
     std::cout << "\n";
   }
   const auto verdicts = project::verdicts(project);

@@ -19,8 +19,8 @@ void show_issues(const std::vector<Issue>& issues, const std::vector<SourceText>
 enum class Stream { out, error };
 bool colours(Stream stream);
 
-/// The results and verdicts of a solved project; `derivation`: its formulas too.
-void show_project(const project::Project& project, bool derivation);
+/// The results and verdicts of a solved project; `in_full`: its formulas too, and of a mechanism its tables.
+void show_project(const project::Project& project, bool in_full);
 
 /// Rows of cells as columns, the first row a head.
 std::string columns(const std::vector<std::vector<std::string>>& rows);

@@ -34,6 +34,18 @@ struct ResultPattern {
   const char* where;  // when it exists; empty: always
 };
 
+/// An input that is known in shape: a few parameters of its own in place of many elements. In a project file the key
+/// `template` names it, and its parameters stand beside the calculator's own fields.
+struct Template {
+  const char* id = "";       // "slider_crank"
+  const char* title = "";    // "Slider-crank, central or offset"
+  const char* doc = "";      // what is joined to what, and where the origin is
+  const char* example = "";  // a project file that runs
+  const RecordType* parameters = nullptr;
+  /// Puts every element that the template makes into a blank input: names, no values.
+  void (*lay_out)(void* input) = nullptr;
+};
+
 /// A column of a sweep: where a leaf of the input (or result) lies inside its record, and its values.
 struct InputColumn {
   std::size_t offset;  // bytes from the start of the aggregate
@@ -53,6 +65,7 @@ struct Calculator {
   const RecordType* input = nullptr;
   const RecordType* result = nullptr;
   std::vector<ResultPattern> patterns;  // in place of `result`, where names in the input make the paths
+  std::span<const Template* const> templates;
   std::span<const RuleInfo> rules;
   bool (*holds)(std::size_t rule, const void* input) = nullptr;
   /// What is wrong with an input that breaks the rule: the rule's particulars, else its text.
@@ -80,5 +93,6 @@ template <class C>
 const Calculator& erased();
 
 const Calculator* find_calculator(Catalogue catalogue, std::string_view id);
+const Template* find_template(const Calculator& calculator, std::string_view id);
 
 }  // namespace loadpath

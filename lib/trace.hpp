@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace loadpath {
@@ -17,12 +16,19 @@ namespace loadpath {
   const auto symbol = (formula);   \
   trace.step(#symbol, #formula, why, symbol)
 
+/// The value of `formula`, told to the tracer under a symbol that only the caller of a shared formula knows.
+#define NAMED_STEP(symbol, formula, why) trace.named(symbol, #formula, why, (formula))
+
 /// For sweeps and searches.
 struct NoTrace {
   struct Scope {};
   static constexpr bool traces = false;
   template <class... Arguments>
   void step(const Arguments&...) {}
+  template <class Quantity>
+  [[nodiscard]] Quantity named(const char*, const char*, const char*, const Quantity& q) {
+    return q;
+  }
   template <class... Arguments>
   void value(const Arguments&...) {}
   template <class... Arguments>
@@ -34,8 +40,8 @@ struct NoTrace {
 /// One line of a calculation.
 struct Line {
   std::string scope;  // "segments[2]"; empty at the top
-  std::string symbol;
-  std::string formula;  // empty: found by a helper (a sum, a root), not by a formula
+  const char* symbol = "";
+  const char* formula = "";  // empty: found by a helper (a sum, a root), not by a formula
   const char* why = "";
   double si = 0.0;
   Dimension dimension;
@@ -60,13 +66,18 @@ class Trace {
   };
 
   template <class Quantity>
-  void step(std::string symbol, std::string formula, const char* why, const Quantity& q) {
-    lines_.push_back({scope_, std::move(symbol), std::move(formula), why, in_si(q), dimension_of<Quantity>});
+  void step(const char* symbol, const char* formula, const char* why, const Quantity& q) {
+    lines_.push_back({scope_, symbol, formula, why, in_si(q), dimension_of<Quantity>});
+  }
+  template <class Quantity>
+  [[nodiscard]] Quantity named(const char* symbol, const char* formula, const char* why, const Quantity& q) {
+    step(symbol, formula, why, q);
+    return q;
   }
   /// A value that a helper has found and that later steps use.
   template <class Quantity>
-  void value(std::string symbol, const Quantity& q, const char* why) {
-    step(std::move(symbol), "", why, q);
+  void value(const char* symbol, const Quantity& q, const char* why) {
+    step(symbol, "", why, q);
   }
   /// Lines until the end of the scope belong to element i of a list of the result.
   Scope scope(const char* list, std::size_t i) { return {*this, list, i}; }
@@ -76,32 +87,6 @@ class Trace {
  private:
   std::string scope_;
   std::vector<Line> lines_;
-};
-
-/// Symbols of a formula that calculators share, and what one of them calls them: {{"d_t", "d_strength"}}.
-using NewNames = std::vector<std::pair<std::string, std::string>>;
-
-/// Tells a trace the steps of a shared formula in the symbols of the calculator that uses it.
-class RenamedTrace {
- public:
-  static constexpr bool traces = true;
-
-  RenamedTrace(Trace& trace, NewNames names) : trace_(trace), names_(std::move(names)) {}
-
-  template <class Quantity>
-  void step(const char* symbol, const char* formula, const char* why, const Quantity& q) {
-    trace_.step(renamed(symbol), renamed(formula), why, q);
-  }
-  template <class Quantity>
-  void value(const char* symbol, const Quantity& q, const char* why) {
-    trace_.value(renamed(symbol), q, why);
-  }
-
- private:
-  [[nodiscard]] std::string renamed(const char* text) const;
-
-  Trace& trace_;
-  NewNames names_;
 };
 
 }  // namespace loadpath

@@ -202,7 +202,7 @@ TEST_SUITE("contract") {
       for (const Line& line : s.trace.lines()) {
         CAPTURE(c->id);
         CAPTURE(line.symbol);
-        if (!line.formula.empty()) {
+        if (*line.formula != '\0') {
           const auto tree = formula::parse(line.formula);
           REQUIRE(tree);
           const double value = formula::value(*tree, [&](std::string_view name) -> std::optional<double> {

@@ -19,6 +19,8 @@ std::string text_of(const std::string& path) {
   return text;
 }
 
+constexpr const char* examples[] = {"slotted-lever", "line-shaft", "toggle-press"};
+
 report::Document report_of(const std::string& name) {
   const std::string file = "examples/" + name + "/project.toml";
   std::vector<Issue> issues;
@@ -32,14 +34,14 @@ report::Document report_of(const std::string& name) {
 
 TEST_SUITE("golden") {
   TEST_CASE("the reports of the examples are as they were approved") {
-    for (const std::string name : {"slotted-lever", "line-shaft"}) {
+    for (const std::string name : examples) {
       CAPTURE(name);
       CHECK(report::markdown(report_of(name), name).text == text_of("tests/golden/" + name + ".md"));
     }
   }
 
   TEST_CASE("the page of a report stands alone: no script, no address that a browser would fetch") {
-    for (const std::string name : {"slotted-lever", "line-shaft"}) {
+    for (const std::string name : examples) {
       const std::string page = report::html(report_of(name));
       CHECK(page.find("<script") == std::string::npos);
       CHECK(page.find("src=\"http") == std::string::npos);

@@ -81,6 +81,7 @@ F_y = "0 N"
                                        NameField{&Pair::second, "second", "of the second link"}};
   };
 
+  enum class MassLine { automatic, uniform, lumped };
   struct Link {
     Name name;
     List<Point, 16> points;
@@ -89,18 +90,25 @@ F_y = "0 N"
     Name S;
     Origin origin;
     double angle = unset<double>;
+    MassLine mass_line = MassLine::automatic;
     static constexpr std::tuple fields{
         NameField{&Link::name, "name", "name of the link"},
         ListField{&Link::points, "points",
                   "points in the link's axes, or as drawn where it has neither origin nor angle"}
             .as_arrays(),
         Field{&Link::mass, "mass", kg, "mass"}.at_least(0),
-        Field{&Link::J, "J", kg_m2, "moment of inertia about the mass centre"}.at_least(0),
-        NameField{&Link::S, "S", "point that is the mass centre; the origin where missing"}.may_be_missing(),
+        Field{&Link::J, "J", kg_m2,
+              "moment of inertia about the mass centre; where missing 0, for a template's bar that of a slender bar"}
+            .at_least(0),
+        NameField{&Link::S, "S",
+                  "point that is the mass centre; where missing the origin, for a template's bar its middle S_LINK"}
+            .may_be_missing(),
         Group{&Link::origin, "origin", "rough place of the link's origin in the stated assembly"}
             .as_array()
             .may_be_missing(),
-        Field{&Link::angle, "angle", deg, "rough angle of the link in the stated assembly"}.may_be_missing()};
+        Field{&Link::angle, "angle", deg, "rough angle of the link in the stated assembly"}.may_be_missing(),
+        Choice{&Link::mass_line, "mass_line", "how its mass lies along its axis, for its internal forces"}
+            .may_be_missing()};
   };
 
   enum class Type {
@@ -211,6 +219,12 @@ F_y = "0 N"
   };
 
   enum class Axes { fixed, link };
+  enum class Useful { no, yes };
+  struct Share {
+    double angle = unset<double>, share = unset<double>;
+    static constexpr std::tuple fields{Field{&Share::angle, "angle", deg, "crank angle"}.within(-3600, 3600),
+                                       Field{&Share::share, "share", ratio, "share of F and M there"}};
+  };
   struct Load {
     Name name, link, at;
     Force F = unset<Force>;
@@ -218,6 +232,8 @@ F_y = "0 N"
     Force F_x = unset<Force>, F_y = unset<Force>;
     Moment M = unset<Moment>;
     Axes axes = Axes::fixed;
+    List<Share, 24> over;
+    Useful useful = Useful::no;
     static constexpr std::tuple fields{
         NameField{&Load::name, "name", "name of the load"}.may_be_missing(),
         NameField{&Load::link, "link", "link that it acts on"},
@@ -227,7 +243,38 @@ F_y = "0 N"
         Field{&Load::F_x, "F_x", N, "force along x, in place of F and direction"}.may_be_missing(),
         Field{&Load::F_y, "F_y", N, "force along y"}.may_be_missing(),
         Field{&Load::M, "M", N_m, "couple, counter-clockwise positive"}.may_be_missing(),
-        Choice{&Load::axes, "axes", "axes of direction, F_x and F_y"}.may_be_missing()};
+        Choice{&Load::axes, "axes", "axes of direction, F_x and F_y"}.may_be_missing(),
+        ListField{
+            &Load::over, "over",
+            "shares of F and M over the crank angle, rising, straight from each to the next and round to the first"}
+            .as_arrays()
+            .may_be_missing(),
+        Choice{&Load::useful, "useful",
+               "whether the work against it is what the machine is for: the efficiency counts it"}
+            .may_be_missing()};
+  };
+
+  struct Spring {
+    Name name;
+    Pair links, points;
+    Stiffness k = 0.0 * N_per_mm.one;
+    Length free = unset<Length>;
+    Damping c = 0.0 * N_s_per_m.one;
+    Moment k_turn = 0.0 * N_m_per_rad.one;
+    double free_angle = unset<double>;
+    TurningDamping c_turn = 0.0 * N_m_s.one;
+    static constexpr std::tuple fields{
+        NameField{&Spring::name, "name", "name of the spring or damper"},
+        Group{&Spring::links, "links", "the two links; the ground is called ground"}.as_array(),
+        Group{&Spring::points, "points", "its ends, on the first and on the second link"}.as_array().may_be_missing(),
+        Field{&Spring::k, "k", N_per_mm, "rate"}.at_least(0),
+        Field{&Spring::free, "free", mm, "length without force"}.at_least(0).may_be_missing(),
+        Field{&Spring::c, "c", N_s_per_m, "damping"}.at_least(0),
+        Field{&Spring::k_turn, "k_turn", N_m_per_rad, "rate of a turning spring, in place of k"}.at_least(0),
+        Field{&Spring::free_angle, "free_angle", deg,
+              "turning: angle of the first link against the second without moment"}
+            .may_be_missing(),
+        Field{&Spring::c_turn, "c_turn", N_m_s, "damping of the turning, in place of c"}.at_least(0)};
   };
 
   enum class Analysis { kinetostatic, statics };
@@ -239,6 +286,7 @@ F_y = "0 N"
     List<Cylinder, 16> cylinders;
     int positions = 1;
     List<Load, 64> loads;
+    List<Spring, 32> springs;
     Acceleration gravity = 0.0 * m_per_s2.one;
     double gravity_direction = -pi / 2.0;
     Analysis analysis = Analysis::kinetostatic;
@@ -251,6 +299,7 @@ F_y = "0 N"
       ListField{&Input::cylinders, "cylinders", "drives of prismatic joints, by name"}.may_be_missing(),
       Count{&Input::positions, "positions", 1, 7200, "positions of a stroke of cylinders"},
       ListField{&Input::loads, "loads", "forces and couples"}.may_be_missing(),
+      ListField{&Input::springs, "springs", "springs and dampers, by name"}.may_be_missing(),
       Field{&Input::gravity, "gravity", m_per_s2, "acceleration of gravity; none where missing"}.at_least(0).usually(
           0, 30),
       Field{&Input::gravity_direction, "gravity_direction", deg, "direction of gravity"},
@@ -277,6 +326,18 @@ constexpr auto choices_of(PlanarMechanism::Axes) {
   using T = PlanarMechanism::Axes;
   return std::array{ChoiceName<T>{T::fixed, "fixed", "the force keeps its direction"},
                     ChoiceName<T>{T::link, "link", "the force turns with the link"}};
+}
+constexpr auto choices_of(PlanarMechanism::MassLine) {
+  using T = PlanarMechanism::MassLine;
+  return std::array{
+      ChoiceName<T>{T::automatic, "automatic", "uniform where J and S are those of a slender bar, else lumped"},
+      ChoiceName<T>{T::uniform, "uniform", "evenly along the axis; J must be m l^2 / 12 within 1 %"},
+      ChoiceName<T>{T::lumped, "lumped", "all of it at the mass centre"}};
+}
+constexpr auto choices_of(PlanarMechanism::Useful) {
+  using T = PlanarMechanism::Useful;
+  return std::array{ChoiceName<T>{T::no, "no", "not counted as useful"},
+                    ChoiceName<T>{T::yes, "yes", "the machine is there to work against it"}};
 }
 constexpr auto choices_of(PlanarMechanism::Analysis) {
   using T = PlanarMechanism::Analysis;

@@ -1,5 +1,7 @@
 #include "calculators/mechanism/planar_cycle.hpp"
 
+#include "calculators/mechanism/planar_loads.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -84,10 +86,22 @@ void take_forces_away(mechanism::Position& p) {
 
 /// What is solved: a mechanism, its drives at every position, with inertia or without.
 struct Task {
-  const mechanism::Model& model;
+  const Planar::Input& in;
+  mechanism::Model& model;  // its loads as they are at the position
   const Schedule& schedule;
   bool statics;
 };
+
+void set_loads(const Task& task, mechanism::GroupSystem& system, double crank_angle) {
+  for (std::size_t k = 0; k < task.in.loads.size(); ++k) {
+    if (task.in.loads[k].over.empty()) continue;
+    const double share = share_at(task.in.loads[k], crank_angle);
+    const mechanism::Load full = load_of(task.in, task.in.loads[k]);
+    task.model.loads[k].force = share * full.force;
+    task.model.loads[k].moment = share * full.moment;
+    system.set_load(k, task.model.loads[k].force, task.model.loads[k].moment);
+  }
+}
 
 void prove(mechanism::Prover& prover, const Task& task, std::span<const Drive> drives, std::size_t k, Cycle& cycle) {
   cycle.proofs[k] = prover.prove(drives, task.statics, cycle.positions[k]);
@@ -108,6 +122,7 @@ Status run(mechanism::GroupSystem& system, const Task& task, bool backward, Cycl
     if (cycle.closed[k]) return Status::closed;
     std::vector<Drive> drives = schedule.drives[k];
     if (backward && schedule.period != 0.0) drives[0].coordinate -= schedule.period;
+    if (!drives.empty()) set_loads(task, system, drives[0].coordinate);
     const Status status = system.solve(drives, cycle.positions[k], task.statics);
     if (status != Status::closed && status != Status::jams) return status;
     cycle.jams[k] = status == Status::jams;
@@ -130,6 +145,8 @@ std::string axis_name(const Planar::Input& in) {
   return in.positions > 1 ? "stroke" : "";
 }
 
+double first_crank_angle(const Planar::Crank& crank) { return crank.at.empty() ? crank.start : crank.at[0].angle; }
+
 bool is_whole_turn(const Planar::Input& in) { return has_crank(in) && in.crank.at.empty(); }
 
 Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, Axis* axis) {
@@ -146,7 +163,8 @@ Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, Axis* 
     cycle.gap = system.gap();
     return cycle;
   }
-  const Task task{model, schedule, in.analysis == Planar::Analysis::statics};
+  mechanism::Model now = model;
+  const Task task{in, now, schedule, in.analysis == Planar::Analysis::statics};
   cycle.first_failure = run(system, task, false, cycle);
   if (cycle.first_failure == Status::closed) return cycle;
   cycle.gap = system.gap();

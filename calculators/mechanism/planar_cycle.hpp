@@ -29,6 +29,9 @@ struct Cycle {
 /// Whether the positions make series, and over what: the name of the axis; empty where there is one position.
 std::string axis_name(const PlanarMechanism::Input& in);
 
+/// The crank angle of the first position, as the user counts it.
+double first_crank_angle(const PlanarMechanism::Crank& crank);
+
 /// Whether the positions are those of a whole turn of the crank.
 bool is_whole_turn(const PlanarMechanism::Input& in);
 

@@ -154,9 +154,17 @@ draw::Figure reactions_figure(const mechanism::Model& model, const project::Acco
   return {"reactions", "Forces in the joints over the cycle", std::move(plot)};
 }
 
+/// The positions that the user has asked for by their angles, where they are few enough for a page.
+bool draws_each(const PlanarMechanism::Input& in) { return in.crank.at.size() > 1 && in.crank.at.size() <= 12; }
+
+draw::Figure figure_at(const mechanism::Model& model, const Cycle& cycle, std::size_t k) {
+  return {"position-" + std::to_string(k + 1), "The mechanism at the given crank angle, with the same forces",
+          scheme_at(model, cycle.positions[k])};
+}
+
 }  // namespace
 
-std::vector<draw::Figure> mechanism_figures(const PlanarMechanism::Input&, const mechanism::Model& model,
+std::vector<draw::Figure> mechanism_figures(const PlanarMechanism::Input& in, const mechanism::Model& model,
                                             const Cycle& cycle, const project::Account& account, const Axis* axis) {
   std::vector<draw::Figure> figures;
   const auto first = std::find(cycle.closed.begin(), cycle.closed.end(), true);
@@ -168,6 +176,9 @@ std::vector<draw::Figure> mechanism_figures(const PlanarMechanism::Input&, const
                      "link on the second",
                      std::move(start)});
   if (axis == nullptr) return figures;
+  for (std::size_t k = 1; k < cycle.positions.size() && draws_each(in); ++k) {
+    if (cycle.closed[k]) figures.push_back(figure_at(model, cycle, k));
+  }
   const project::Entry* drive = find_entry(account, "drive.M");
   if (drive != nullptr && !std::isnan(largest(drive->value).value)) {
     figures.push_back({"peak-position",

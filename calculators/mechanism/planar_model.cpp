@@ -1,6 +1,7 @@
 #include "calculators/mechanism/planar_model.hpp"
 
 #include "calculators/mechanism/planar_joints.hpp"
+#include "calculators/mechanism/planar_loads.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -43,6 +44,7 @@ class NameCheck {
     for (const auto& joint : in_.joints) check_joint(joint);
     check_drives();
     for (std::size_t i = 0; i < in_.loads.size(); ++i) check_load(in_.loads[i], i);
+    for (const auto& spring : in_.springs) check_spring(spring);
     if (faults_.empty()) check_shared_points();
     return std::move(faults_);
   }
@@ -153,6 +155,18 @@ class NameCheck {
     if (known && !load.at.empty()) require_point(link_index(in_, load.link), load.at, path + ".at");
   }
 
+  void check_spring(const Planar::Spring& spring) {
+    const bool first = require_link(spring.links.first, path_of("springs", spring.name, "links") + ".first");
+    const bool second = require_link(spring.links.second, path_of("springs", spring.name, "links") + ".second");
+    for (FieldFault& fault : check_fields(spring)) faults_.push_back(std::move(fault));
+    if (first && second && spring.links.first == spring.links.second)
+      add(path_of("springs", spring.name, "links"), say("a spring acts between two links, or a link and the ground"));
+    if (spring.points.first.empty()) return;
+    const std::string points = path_of("springs", spring.name, "points");
+    if (first) require_point(link_index(in_, spring.links.first), spring.points.first, points + ".first");
+    if (second) require_point(link_index(in_, spring.links.second), end_of(spring).second, points + ".second");
+  }
+
   /// In a drawing one letter is one point: two links may share it only where a pin of that name joins them.
   void check_shared_points() {
     for (std::size_t b = 1; b < in_.links.size(); ++b) {
@@ -250,18 +264,6 @@ void place_links(const Planar::Input& in, mechanism::Model& model) {
   }
 }
 
-mechanism::Load load_of(const Planar::Input& in, const Planar::Load& l) {
-  mechanism::Load load;
-  load.name = l.name.view();
-  load.link = link_index(in, l.link);
-  if (!l.at.empty()) load.point = vector_of(*find_point(in, load.link, l.at));
-  if (is_set(l.F)) load.force = in_si(l.F) * Vec{std::cos(l.direction), std::sin(l.direction)};
-  if (is_set(l.F_x)) load.force = {in_si(l.F_x), in_si(l.F_y)};
-  load.turns_with_link = l.axes == Planar::Axes::link;
-  if (is_set(l.M)) load.moment = in_si(l.M);
-  return load;
-}
-
 int joint_index(const Planar::Input& in, const Name& name) {
   const auto found = std::find_if(in.joints.begin(), in.joints.end(), [&](const auto& j) { return j.name == name; });
   return static_cast<int>(found - in.joints.begin());
@@ -350,6 +352,7 @@ mechanism::Model model_of(const Planar::Input& in) {
   if (!in.crank.joint.empty()) model.drivers.push_back(crank_driver(in, model));
   for (const auto& c : in.cylinders) model.drivers.push_back(cylinder_driver(in, c, model));
   for (const auto& l : in.loads) model.loads.push_back(load_of(in, l));
+  for (const auto& s : in.springs) model.springs.push_back(spring_of(in, s));
   model.gravity = in_si(in.gravity) * Vec{std::cos(in.gravity_direction), std::sin(in.gravity_direction)};
   return model;
 }

@@ -1,5 +1,7 @@
 #include "calculators/mechanism/planar_outputs.hpp"
 
+#include "calculators/mechanism/planar_design_outputs.hpp"
+#include "calculators/mechanism/planar_rows.hpp"
 #include "lib/mechanism/vec.hpp"
 
 #include <array>
@@ -10,22 +12,10 @@ namespace {
 
 using mechanism::Position;
 using mechanism::Vec;
-
-/// What every thing of one kind gives: a path with NAME for the thing's own, and how the value is read off a position.
-template <class Thing>
-struct Row {
-  ResultPattern pattern;
-  Dimension dimension;
-  double (*read)(const Thing&, const Position&);
-  bool (*has)(const Thing&) = nullptr;  // null: every thing of the kind
-};
-
-template <class Thing, class Quantity>
-constexpr Row<Thing> row(const char* path, const char* doc, const Unit<Quantity>& unit,
-                         double (*read)(const Thing&, const Position&), bool (*has)(const Thing&) = nullptr,
-                         const char* where = "") {
-  return {{path, unit.symbol, doc, where}, unit.dimension(), read, has};
-}
+using planar::add_outputs;
+using planar::list_patterns;
+using planar::Row;
+using planar::row;
 
 struct Drive {
   std::string name;
@@ -107,42 +97,28 @@ constexpr std::array point_rows{
     row<TracedPoint>("points.NAME.a_y", "acceleration along y", m_per_s2,
                      [](const TracedPoint& t, const Position& p) { return motion(t, p).acceleration.y; })};
 
-std::string named(std::string path, const std::string& name) {
-  const std::size_t at = path.find("NAME");
-  return at == std::string::npos ? path : path.replace(at, 4, name);
-}
-
-template <class Thing, std::size_t Count>
-void add(const Thing& thing, const std::array<Row<Thing>, Count>& rows, std::vector<MechanismOutput>& out) {
-  for (const Row<Thing>& r : rows) {
-    if (r.has != nullptr && !r.has(thing)) continue;
-    out.push_back({named(r.pattern.path, thing.name), r.pattern.doc, r.pattern.unit, r.dimension,
-                   [thing, read = r.read](const Position& p) { return read(thing, p); }});
-  }
-}
-
 }  // namespace
 
 std::vector<MechanismOutput> mechanism_outputs(const PlanarMechanism::Input& in, const mechanism::Model& model) {
   std::vector<MechanismOutput> out;
   for (std::size_t d = 0; d < model.drivers.size(); ++d)
-    add(Drive{model.drivers[d].name, d, model.drivers[d]}, drive_rows, out);
+    add_outputs(Drive{model.drivers[d].name, d, model.drivers[d]}, drive_rows, out);
   for (std::size_t j = 0; j < model.joints.size(); ++j)
-    add(Joint{model.joints[j].name, j, model.joints[j].kind}, joint_rows, out);
-  for (std::size_t k = 0; k < model.links.size(); ++k) add(Link{model.links[k].name, k}, link_rows, out);
-  for (const TracedPoint& point : traced_points(in)) add(point, point_rows, out);
+    add_outputs(Joint{model.joints[j].name, j, model.joints[j].kind}, joint_rows, out);
+  for (std::size_t k = 0; k < model.links.size(); ++k) add_outputs(Link{model.links[k].name, k}, link_rows, out);
+  for (const TracedPoint& point : traced_points(in)) add_outputs(point, point_rows, out);
+  add_design_outputs(in, model, out);
   return out;
 }
 
 std::vector<ResultPattern> mechanism_result_patterns() {
   std::vector<ResultPattern> patterns;
-  const auto list = [&](const auto& rows) {
-    for (const auto& r : rows) patterns.push_back(r.pattern);
-  };
+  const auto list = [&](const auto& rows) { list_patterns(rows, patterns); };
   list(drive_rows);
   list(joint_rows);
   list(link_rows);
   list(point_rows);
+  list_design_patterns(patterns);
   return patterns;
 }
 

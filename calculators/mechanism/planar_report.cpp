@@ -1,5 +1,7 @@
 #include "calculators/mechanism/planar_report.hpp"
 
+#include "calculators/mechanism/planar_efficiency.hpp"
+#include "calculators/mechanism/planar_loads.hpp"
 #include "calculators/mechanism/planar_model.hpp"
 #include "lib/mechanism/assur.hpp"
 #include "lib/mechanism/vec.hpp"
@@ -66,28 +68,6 @@ Table joint_table(const Planar::Input& in) {
   return table;
 }
 
-Table load_table(const Planar::Input& in) {
-  Table table{say("Loads"),
-              {say("load"), say("link"), say("point"), say("force"), say("direction"), say("couple"), say("axes")},
-              {}};
-  for (const auto& l : in.loads) {
-    const bool cartesian = is_set(l.F_x);
-    const double fx = in_si(l.F_x), fy = in_si(l.F_y);
-    const Cell none = std::string("–");
-    const Cell force = is_set(l.F) ? Cell(Quantity{in_si(l.F), "N"})
-                       : cartesian ? Cell(Quantity{std::hypot(fx, fy), "N"})
-                                   : none;
-    const Cell direction = is_set(l.F) ? Cell(Quantity{l.direction, "deg"})
-                           : cartesian ? Cell(Quantity{std::atan2(fy, fx), "deg"})
-                                       : none;
-    table.rows.push_back({l.name.empty() ? none : Cell(text(l.name)), text(l.link),
-                          l.at.empty() ? none : Cell(text(l.at)), force, direction,
-                          is_set(l.M) ? Cell(Quantity{in_si(l.M), "N*m"}) : none,
-                          l.axes == Planar::Axes::link ? say("of the link") : say("fixed")});
-  }
-  return table;
-}
-
 Table drive_table(const Planar::Input& in) {
   Table table{say("Drive"), {}, {}};
   if (!in.crank.joint.empty()) {
@@ -95,7 +75,7 @@ Table drive_table(const Planar::Input& in) {
     table.rows.push_back({say("angular speed"), Quantity{in_si(in.crank.speed), "rad/s"}});
     table.rows.push_back({say("angular acceleration"), Quantity{in_si(in.crank.acceleration), "rad/s^2"}});
     const bool turn = in.crank.at.empty();
-    table.rows.push_back({say("first crank angle"), Quantity{turn ? in.crank.start : in.crank.at[0].angle, "deg"}});
+    table.rows.push_back({say("first crank angle"), Quantity{first_crank_angle(in.crank), "deg"}});
     table.rows.push_back(
         {say("positions"), std::to_string(turn ? static_cast<std::size_t>(in.crank.positions) : in.crank.at.size())});
   }
@@ -110,7 +90,9 @@ Table drive_table(const Planar::Input& in) {
 
 /// Drives and joint forces: what parts are designed for.
 bool is_design_load(const std::string& path) {
-  return path == "drive.M" || path == "drive.P" || path.starts_with("cylinders.") ||
+  const bool internal =
+      path.starts_with("links.") && (path.ends_with(".N") || path.ends_with(".V") || path.ends_with(".M_b"));
+  return internal || path.starts_with("springs.") || path.starts_with("drive.") || path.starts_with("cylinders.") ||
          (path.starts_with("joints.") && !path.ends_with(".x") && !path.ends_with(".y"));
 }
 
@@ -122,14 +104,14 @@ double mean_of(const Value& series) {
 
 Table extremes_table(const project::Account& account, const Axis& axis) {
   Table table{say("Extremes over the cycle"),
-              {say("quantity"), say("largest"), say("at"), say("smallest"), say("at"), say("mean")},
+              {say("quantity"), say("largest"), say("at"), say("smallest"), say("at"), say("mean"), say("rms")},
               {}};
   for (const project::Entry& e : account.results) {
     if (!is_design_load(e.path)) continue;
     const Extreme high = maximum(e.value), low = minimum(e.value);
     table.rows.push_back({e.path, Quantity{high.value, e.unit}, Quantity{high.at, axis.unit},
-                          Quantity{low.value, e.unit}, Quantity{low.at, axis.unit},
-                          Quantity{mean_of(e.value), e.unit}});
+                          Quantity{low.value, e.unit}, Quantity{low.at, axis.unit}, Quantity{mean_of(e.value), e.unit},
+                          Quantity{root_mean_square(e.value), e.unit}});
   }
   return table;
 }
@@ -196,13 +178,17 @@ Table determinacy_table(const mechanism::Structure& structure, const Cycle& cycl
 std::vector<report::Block> model_tables(const Planar::Input& in) {
   std::vector<report::Block> blocks{drive_table(in), link_table(in), point_table(in), joint_table(in)};
   if (!in.loads.empty()) blocks.emplace_back(load_table(in));
+  if (!in.springs.empty()) blocks.emplace_back(spring_table(in));
   return blocks;
 }
 
 std::vector<report::Block> result_tables(const project::Account& account, const mechanism::Model& model,
                                          const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis) {
-  return {axis == nullptr ? position_table(account) : extremes_table(account, *axis), structure_table(model),
-          determinacy_table(structure, cycle, axis)};
+  std::vector<report::Block> blocks{axis == nullptr ? position_table(account) : extremes_table(account, *axis)};
+  if (auto efficiency = efficiency_table(account, axis)) blocks.emplace_back(std::move(*efficiency));
+  blocks.emplace_back(structure_table(model));
+  blocks.emplace_back(determinacy_table(structure, cycle, axis));
+  return blocks;
 }
 
 }  // namespace loadpath

@@ -1,24 +1,32 @@
 #include "calculators/mechanism/planar_step.hpp"
 
+#include "calculators/mechanism/planar_design_outputs.hpp"
+#include "calculators/mechanism/planar_expansion.hpp"
+#include "calculators/mechanism/planar_loads.hpp"
 #include "calculators/mechanism/planar_report.hpp"
+#include "calculators/mechanism/templates/planar_template.hpp"
 #include "lib/calculator.hpp"
 #include "lib/mechanism/structure.hpp"
 #include "lib/record_of.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace loadpath {
 
 void PlanarStep::prepare(const project::Declared& declared, const project::Companions&, std::vector<Issue>& issues) {
   const auto is_own = [&](const Issue& issue) {
-    return issue.severity == Severity::error && issue.key.starts_with(name() + ".");
+    return issue.severity == Severity::error && (issue.key + ".").starts_with(name() + ".");
   };
   check_operands(input().reading, name(), false, declared, issues);
   // What names hang on must see that a value is given; which one is known when the project is solved.
   for (const project::Operand& operand : input().reading.operands) operand.leaf.set(operand.leaf.field->factor);
+  if (input().from != nullptr) add_faults(check_overrides(*input().from, input().reading), issues);
   add_faults_of_names(issues);
+  const bool known = input().reading.operands.empty();
+  if (known && !std::any_of(issues.begin(), issues.end(), is_own)) expand_template(issues);
   if (std::any_of(issues.begin(), issues.end(), is_own)) return;  // the model has holes: nothing more can be said of it
   const mechanism::Model model = model_of(data());
   outputs_ = mechanism_outputs(data(), model);
@@ -28,7 +36,18 @@ void PlanarStep::prepare(const project::Declared& declared, const project::Compa
     axis_ = std::make_unique<Axis>(Axis{name(), axis, axis == "stroke" ? "mm" : "deg", {}, {}, period});
   }
   add_idle_fields(issues);
-  if (input().reading.operands.empty()) diagnose_model(model, issues);
+  if (known) diagnose_model(model, issues);
+}
+
+void PlanarStep::add_faults(const std::vector<FieldFault>& faults, std::vector<Issue>& issues) const {
+  for (const FieldFault& fault : faults) issues.push_back(issue_at(input(), fault.path, fault.message, fault.hint));
+}
+
+bool PlanarStep::expand_template(std::vector<Issue>& issues) {
+  if (input().from == nullptr) return true;
+  const auto faults = expand(*input().from, input().reading, data());
+  add_faults(faults, issues);
+  return faults.empty();
 }
 
 /// Fields that would do nothing beside the drive that is given.
@@ -40,11 +59,12 @@ void PlanarStep::add_idle_fields(std::vector<Issue>& issues) const {
                               say("'{1}' is of a whole turn, and 'crank.at' gives the crank angles", path),
                               say("leave out one of the two")));
   }
-  if (typed("crank") && typed("positions")) {
+  const bool crank = !data().crank.joint.empty();
+  if (crank && typed("positions")) {
     issues.push_back(issue_at(input(), "positions", say("'positions' is of strokes of cylinders, and a crank drives"),
                               say("the positions of a turn stand in the crank: crank = { positions = 72 }")));
   }
-  if (!typed("crank")) add_idle_strokes(issues);
+  if (!crank) add_idle_strokes(issues);
 }
 
 /// A stroke needs both ends and a number of positions.
@@ -131,8 +151,10 @@ bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue
     issues.push_back(issue_at(input(), "crank.at", say("the crank angles must rise, or fall, from each to the next")));
     return false;
   }
-  const auto drawing = check_drawing(data(), model);
-  for (const ModelFault& fault : drawing) issues.push_back(issue_at(input(), fault.path, fault.message, fault.hint));
+  auto drawing = check_drawing(data(), model);
+  for (FieldFault& fault : check_shares(data())) drawing.push_back(std::move(fault));
+  for (FieldFault& fault : check_mass_lines(data(), model)) drawing.push_back(std::move(fault));
+  add_faults(drawing, issues);
   if (!drawing.empty()) return false;
   const auto findings = mechanism::diagnose(model);
   std::string said;
@@ -149,7 +171,7 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
   for (const project::Operand& operand : input().reading.operands) {
     if (const auto value = evaluate_operand(operand, name(), known, issues)) operand.leaf.set(value->si[0]);
   }
-  if (issues.size() != before) return;
+  if (issues.size() != before || !expand_template(issues)) return;
   const mechanism::Model model = model_of(data());
   if (!input().reading.operands.empty() && !diagnose_model(model, issues)) return;
   const Cycle cycle = solve_cycle(data(), model, axis_.get());
@@ -157,12 +179,33 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
   fill_values(cycle);
   project::Account& account = own_account();
   account.verdicts = proof(name(), data(), cycle, axis_.get());
-  account.inputs = project::input_entries(input().reading.record, [&](const std::string& path, const Leaf& leaf) {
-    return project::plain_origin(input().reading, path, leaf);
-  });
-  account.input_blocks = model_tables(data());
+  fill_inputs();
   account.blocks = result_tables(account, model, mechanism::analyse(model), cycle, axis_.get());
   account.figures = mechanism_figures(data(), model, cycle, account, axis_.get());
+}
+
+/// Where the value of an input comes from: typed, from the template (what that has `laid`), a default.
+project::Origin PlanarStep::origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const {
+  if (laid != nullptr && input().reading.typed.count(path) == 0) {
+    if (is_given_in(*laid, path)) return {say("template {1}", input().from->id), {}, false};
+    if (path.ends_with(".J") && leaf.get() > 0.0) return {say("slender bar"), {}, false};
+  }
+  return project::plain_origin(input().reading, path, leaf);
+}
+
+void PlanarStep::fill_inputs() {
+  project::Account& account = own_account();
+  const Record laid = input().from == nullptr ? Record() : laid_out(*input().from);
+  const auto origin = [&](const std::string& path, const Leaf& leaf) {
+    return origin_of(input().from == nullptr ? nullptr : &laid, path, leaf);
+  };
+  account.inputs = project::input_entries(input().reading.record, origin);
+  account.input_blocks = model_tables(data());
+  if (input().from == nullptr) return;
+  const Record& parameters = input().reading.parameters;
+  auto entries = project::input_entries(parameters, origin);
+  std::move(entries.begin(), entries.end(), std::inserter(account.inputs, account.inputs.begin()));
+  account.input_blocks.insert(account.input_blocks.begin(), template_table(*input().from, parameters));
 }
 
 /// The largest magnitude of each dimension over all outputs; what is 1e-13 of it is what rounding has left of a zero.
@@ -185,7 +228,7 @@ void PlanarStep::fill_values(const Cycle& cycle) {
     }
     results.push_back({output.path, output.doc, output.unit, Role::result, std::move(value), {}, ""});
   }
-  for (const Dimension& dimension : {N.dimension(), N_m.dimension()}) {
+  for (const Dimension& dimension : {N.dimension(), N_m.dimension(), W.dimension()}) {
     const double rounding = 1e-13 * largest_like(dimension, results);
     for (project::Entry& e : results) {
       if (e.value.signature.dimension != dimension) continue;
@@ -205,6 +248,7 @@ const Calculator& erased<PlanarMechanism>() {
     c.example = PlanarMechanism::example;
     c.input = &record_type<PlanarMechanism::Input, PlanarMechanism::inputs>();
     c.patterns = mechanism_result_patterns();
+    c.templates = templates::all();
     c.make_step = [](project::StepInput&& input) -> std::unique_ptr<project::Step> {
       return std::make_unique<PlanarStep>(std::move(input));
     };

@@ -32,6 +32,11 @@ class PlanarStep : public project::Step {
   void add_idle_fields(std::vector<Issue>& issues) const;
   void add_idle_strokes(std::vector<Issue>& issues) const;
   bool diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues) const;
+  void add_faults(const std::vector<FieldFault>& faults, std::vector<Issue>& issues) const;
+  /// Puts the template's values, if there is one, into the input; false where they do not fit together.
+  bool expand_template(std::vector<Issue>& issues);
+  [[nodiscard]] project::Origin origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const;
+  void fill_inputs();
   void fill_values(const Cycle& cycle);
 
   std::vector<MechanismOutput> outputs_;

@@ -7,10 +7,16 @@ namespace loadpath {
 
 namespace {
 
-constexpr shaft::SizingReasons by_equivalent{"W = M_v/sigma_adm for a solid circle", "W = M_v/sigma_adm for a ring",
-                                             "the diameter at which W = M_v/sigma_adm with the given bore"};
+constexpr shaft::SizingReasons by_equivalent{"bending with torsion, a solid circle", "bending with torsion, a ring",
+                                             "bending with torsion: the diameter that has W_t with the given bore"};
 constexpr shaft::SizingReasons by_torsion{"torsion, [B19] (4)", "torsion of a ring, [B19] (5)",
-                                          "torsion: the diameter at which W_t = M_t/tau_adm with the given bore"};
+                                          "torsion: the diameter that has W_t with the given bore, [B19] (3)"};
+
+template <class Tracer>
+Length size_by_torsion(Moment M_t, Stress tau_adm, const shaft::Bore& bore, Tracer& trace) {
+  STEP(W_t, M_t / tau_adm, "section modulus that torsion alone asks for, [B19] (3)");
+  return shaft::size_for_modulus("d_t", W_t, bore, by_torsion, trace);
+}
 
 /// Stresses and utilisations at the diameter.
 template <class Tracer>
@@ -57,10 +63,10 @@ Overhung::Result Overhung::evaluate(const Input& in, Tracer& trace) {
   STEP(M_v, sqrt(M_b * M_b + c * M_t * M_t), "equivalent moment");
   r.M_b = M_b, r.M_t = M_t, r.M_v = M_v;
   const shaft::Bore bore_for_sizing{chi, bore};
-  r.d_min = r.d_v = shaft::size_by_equivalent(M_v, sigma_adm, bore_for_sizing, by_equivalent, trace);
+  STEP(W_t, 2.0 * M_v / sigma_adm, "modulus asked for by W = M_v/sigma_adm; in torsion it is twice W");
+  r.d_min = r.d_v = shaft::size_for_modulus("d_v", W_t, bore_for_sizing, by_equivalent, trace);
   if (is_set(tau_adm)) {
-    const Length d_v = r.d_v;
-    const Length d_t = r.d_t = shaft::size_by_torsion(M_t, tau_adm, bore_for_sizing, by_torsion, trace);
+    const Length d_v = r.d_v, d_t = r.d_t = size_by_torsion(M_t, tau_adm, bore_for_sizing, trace);
     STEP(d_min, max(d_v, d_t), "the larger governs");
     r.d_min = d_min;
   }

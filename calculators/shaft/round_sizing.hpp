@@ -17,38 +17,16 @@ struct SizingReasons {
   const char *solid, *ratio, *size;
 };
 
-/// d_t, at which W_t = M_t/tau_adm.
+/// The least diameter with the modulus W_t in torsion, told under the caller's symbol. In bending W = W_t/2.
 template <class Tracer>
-Length size_by_torsion(Moment M_t, Stress tau_adm, const Bore& bore, const SizingReasons& why, Tracer& trace) {
+Length size_for_modulus(const char* symbol, SectionModulus W_t, const Bore& bore, const SizingReasons& why,
+                        Tracer& trace) {
   const auto chi = bore.chi;
-  if (is_set(chi)) {
-    STEP(d_t, cbrt(16.0 * M_t / (pi * tau_adm * (1.0 - pow<4>(chi)))), why.ratio);
-    return d_t;
-  }
-  if (is_set(bore.d_bore)) {
-    const Length d = diameter_for_modulus(M_t / tau_adm, bore.d_bore);
-    trace.value("d_t", d, why.size);
-    return d;
-  }
-  STEP(d_t, cbrt(16.0 * M_t / (pi * tau_adm)), why.solid);
-  return d_t;
-}
-
-/// d_v, at which W = M_v/sigma_adm.
-template <class Tracer>
-Length size_by_equivalent(Moment M_v, Stress sigma_adm, const Bore& bore, const SizingReasons& why, Tracer& trace) {
-  const auto chi = bore.chi;
-  if (is_set(chi)) {
-    STEP(d_v, cbrt(32.0 * M_v / (pi * sigma_adm * (1.0 - pow<4>(chi)))), why.ratio);
-    return d_v;
-  }
-  if (is_set(bore.d_bore)) {
-    const Length d = diameter_for_modulus(2.0 * M_v / sigma_adm, bore.d_bore);
-    trace.value("d_v", d, why.size);
-    return d;
-  }
-  STEP(d_v, cbrt(32.0 * M_v / (pi * sigma_adm)), why.solid);
-  return d_v;
+  if (is_set(chi)) return NAMED_STEP(symbol, cbrt(16.0 * W_t / (pi * (1.0 - pow<4>(chi)))), why.ratio);
+  if (!is_set(bore.d_bore)) return NAMED_STEP(symbol, cbrt(16.0 * W_t / pi), why.solid);
+  const Length d = diameter_for_modulus(W_t, bore.d_bore);
+  trace.value(symbol, d, why.size);
+  return d;
 }
 
 }  // namespace loadpath::shaft

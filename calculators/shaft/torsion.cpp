@@ -74,18 +74,14 @@ struct Allowed {
   Twist theta_adm;
 };
 
-constexpr shaft::SizingReasons by_strength{
-    "strength, [B19] (4)", "strength of a ring, [B19] (5)",
-    "strength: the diameter at which W_t = M_t/tau_all with the given bore, [B19] (3)"};
-
-NoTrace in_terms_of_strength(NoTrace&) { return {}; }
-RenamedTrace in_terms_of_strength(Trace& trace) { return {trace, {{"d_t", "d_strength"}, {"tau_adm", "tau_all"}}}; }
+constexpr shaft::SizingReasons by_strength{"strength, [B19] (4)", "strength of a ring, [B19] (5)",
+                                           "strength: the diameter that has W_t with the given bore, [B19] (3)"};
 
 /// The least diameter by strength.
 template <class Tracer>
 Length size_by_strength(Moment M_t, const Cylinder& c, Stress tau_all, Tracer& trace) {
-  auto renamed = in_terms_of_strength(trace);
-  return shaft::size_by_torsion(M_t, tau_all, {c.chi, c.d_bore}, by_strength, renamed);
+  STEP(W_t, M_t / tau_all, "section modulus in torsion that strength asks for, [B19] (3)");
+  return shaft::size_for_modulus("d_strength", W_t, {c.chi, c.d_bore}, by_strength, trace);
 }
 
 /// The same by stiffness.

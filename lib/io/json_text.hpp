@@ -1,7 +1,7 @@
 // Writes a JSON value as text: indented, keys in the order they were added, numbers the shortest that read back.
 #pragma once
 
-#include <boost/json/value.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <string>
 

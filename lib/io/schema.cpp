@@ -4,6 +4,8 @@
 #include <boost/json.hpp>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace loadpath::io {
 
@@ -77,6 +79,39 @@ json::object object_of(std::span<const FieldInfo> fields, bool names_inside) {
   return {{"type", "object"}, {"additionalProperties", false}, {"properties", std::move(properties)}};
 }
 
+/// What holds where a step names this template, or none: which keys there are, and what its parameters take.
+json::object keys_with(const Template* t, const std::vector<std::string>& own) {
+  json::object named{{"required", json::array{"template"}}};
+  json::object then;
+  json::array keys(own.begin(), own.end());
+  if (t != nullptr) {
+    json::object parameters = object_of(t->parameters->fields, true)["properties"].as_object();
+    for (const auto& [key, schema] : parameters) keys.emplace_back(key);
+    keys.emplace_back("template");
+    named["properties"] = json::object{{"template", json::object{{"const", t->id}}}};
+    then["properties"] = std::move(parameters);
+  }
+  then["propertyNames"] = json::object{{"enum", std::move(keys)}};
+  json::object condition = t == nullptr ? json::object{{"not", std::move(named)}} : std::move(named);
+  return {{"if", std::move(condition)}, {"then", std::move(then)}};
+}
+
+/// The key that names a template, and the parameters of each beside the fields of the step.
+void add_templates(const Calculator& calculator, json::object& step) {
+  json::object& properties = step["properties"].as_object();
+  std::vector<std::string> own;
+  for (const auto& property : properties) own.emplace_back(property.key());
+  json::array words, conditions{keys_with(nullptr, own)};
+  for (const Template* t : calculator.templates) {
+    words.emplace_back(t->id);
+    conditions.push_back(keys_with(t, own));
+    for (const FieldInfo& f : t->parameters->fields) properties[f.key] = json::object{};
+  }
+  properties["template"] =
+      json::object{{"enum", std::move(words)}, {"description", "an input known in shape, by its parameters"}};
+  step["allOf"] = std::move(conditions);
+}
+
 json::object step_schema(const Calculator& calculator) {
   json::object step = object_of(calculator.input->fields, true);
   json::object& properties = step["properties"].as_object();
@@ -84,6 +119,7 @@ json::object step_schema(const Calculator& calculator) {
   for (const char* key : {"title", "note", "material"}) properties[key] = json::object{{"type", "string"}};
   properties["display"] = json::object{{"type", "object"}, {"additionalProperties", json::object{{"type", "string"}}}};
   step["required"] = json::array{"calculator"};
+  if (!calculator.templates.empty()) add_templates(calculator, step);
   return step;
 }
 

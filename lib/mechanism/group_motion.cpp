@@ -1,5 +1,7 @@
 #include "lib/mechanism/group_motion.hpp"
 
+#include "lib/mechanism/spring.hpp"
+
 #include <algorithm>
 
 namespace loadpath::mechanism {
@@ -138,6 +140,14 @@ void GroupMotion::find_forces(bool statics, const Induced& induced, Position& ou
   for (const Load& load : model_.loads) {
     const auto k = static_cast<std::size_t>(load.link);
     moving_[k].needed.subtract(wrench_of(load, at_.link(k).turned));
+  }
+  for (const Spring& spring : model_.springs) {
+    const std::size_t i = index(spring.i), j = index(spring.j);
+    const Moving &on_i = moving_[i], &on_j = moving_[j];
+    const SpringNow now =
+        spring_now(spring, at_.link(i), at_.link(j), {on_i.velocity, on_i.omega}, {on_j.velocity, on_j.omega});
+    supply(i, {now.at_i, now.force, now.couple}, 1.0);
+    supply(j, {now.at_j, now.force, now.couple}, -1.0);
   }
   for (std::size_t m = 0; m < induced.modes.size(); ++m) {
     const InducedMode& mode = induced.modes[m];

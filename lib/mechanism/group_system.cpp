@@ -127,6 +127,7 @@ void GroupSystem::Work::store(Position& out) const {
     out.velocity[k] = {m.velocity.x, m.velocity.y, m.omega};
     out.acceleration[k] = {m.acceleration.x, m.acceleration.y, m.epsilon};
   }
+  for (std::size_t n = 0; n < out.loads.size(); ++n) out.loads[n] = {model.loads[n].force, model.loads[n].moment};
 }
 
 bool GroupSystem::Work::find_forces(bool statics, Position& out) {

@@ -71,6 +71,14 @@ void change_unit_of_length(BasicModel<Scalar>& model, double unit) {
     load.force = shrink * load.force;
     load.moment *= shrink * shrink;
   }
+  for (auto& spring : model.springs) {
+    const bool turning = spring.kind == Spring::Kind::turning;
+    spring.point_i = shrink * spring.point_i;
+    spring.point_j = shrink * spring.point_j;
+    spring.free *= turning ? 1.0 : shrink;
+    spring.rate *= turning ? shrink * shrink : 1.0;
+    spring.damping *= turning ? shrink * shrink : 1.0;
+  }
   model.gravity = shrink * model.gravity;
 }
 

@@ -63,9 +63,10 @@ class BasicConstraints {
   [[nodiscard]] std::span<const BasicPair<Scalar>> pairs() const { return std::span(pairs_).first(joints_); }
   /// Of a link's frame; the ground's comes last.
   [[nodiscard]] const BasicTurn<Scalar>& turned(std::size_t link) const { return placed_[link].turned; }
+  [[nodiscard]] const BasicPlaced<Scalar>& placed(int link) const { return placed_[index(link)]; }
+  [[nodiscard]] std::size_t index(int link) const { return link == ground ? ground_ : static_cast<std::size_t>(link); }
 
  private:
-  [[nodiscard]] std::size_t index(int link) const { return link == ground ? ground_ : static_cast<std::size_t>(link); }
   [[nodiscard]] std::span<const BasicPair<Scalar>> drives() const { return std::span(pairs_).subspan(joints_); }
   std::size_t entry(std::size_t row, std::size_t link, std::size_t component, bool occupied);
   void add(const BasicPairShape<Scalar>& shape, int i, int j);

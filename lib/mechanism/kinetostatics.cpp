@@ -1,5 +1,6 @@
 #include "lib/mechanism/kinetostatics.hpp"
 
+#include "lib/mechanism/spring.hpp"
 #include "lib/numerics/dual.hpp"
 
 namespace loadpath::mechanism {
@@ -8,6 +9,26 @@ namespace {
 template <class Scalar>
 BasicVec<Scalar> at(std::span<const Scalar> q, std::size_t link) {
   return {q[3 * link], q[3 * link + 1]};
+}
+
+template <class Scalar>
+void add_spring(const BasicSpring<Scalar>& spring, const BasicConstraints<Scalar>& constraints,
+                std::span<const Scalar> velocity, std::span<Scalar> required) {
+  const auto speeds = [&](int link) {
+    const std::size_t k = constraints.index(link);
+    return BasicSpeeds<Scalar>{at(velocity, k), velocity[3 * k + 2]};
+  };
+  const BasicPlaced<Scalar>&i = constraints.placed(spring.i), &j = constraints.placed(spring.j);
+  const BasicSpringNow<Scalar> now = spring_now(spring, i, j, speeds(spring.i), speeds(spring.j));
+  const auto supply = [&](int link, const BasicPlaced<Scalar>& frame, BasicVec<Scalar> place, double sense) {
+    if (link == ground) return;
+    Scalar* const of_link = &required[3 * constraints.index(link)];
+    of_link[0] -= sense * now.force.x;
+    of_link[1] -= sense * now.force.y;
+    of_link[2] -= sense * (now.couple + cross(place - frame.origin, now.force));
+  };
+  supply(spring.i, i, now.at_i, 1.0);
+  supply(spring.j, j, now.at_j, -1.0);
 }
 
 }  // namespace
@@ -35,6 +56,13 @@ void required_forces(const BasicModel<Scalar>& model, const BasicConstraints<Sca
 }
 
 template <class Scalar>
+void supply_springs(const BasicModel<Scalar>& model, const BasicConstraints<Scalar>& constraints,
+                    std::span<const std::type_identity_t<Scalar>> velocity,
+                    std::span<std::type_identity_t<Scalar>> required) {
+  for (const auto& spring : model.springs) add_spring(spring, constraints, velocity, required);
+}
+
+template <class Scalar>
 void share_out(const BasicModel<Scalar>& model, const BasicConstraints<Scalar>& constraints,
                std::span<const std::type_identity_t<Scalar>> multipliers, double length,
                std::span<BasicReaction<std::type_identity_t<Scalar>>> reactions,
@@ -59,10 +87,14 @@ void share_out(const BasicModel<Scalar>& model, const BasicConstraints<Scalar>& 
 
 template void required_forces(const BasicModel<double>&, const BasicConstraints<double>&, std::span<const double>,
                               std::span<const double>, bool, std::span<double>);
+template void supply_springs(const BasicModel<double>&, const BasicConstraints<double>&, std::span<const double>,
+                             std::span<double>);
 template void share_out(const BasicModel<double>&, const BasicConstraints<double>&, std::span<const double>, double,
                         std::span<BasicReaction<double>>, std::span<double>);
 template void required_forces(const BasicModel<Dual>&, const BasicConstraints<Dual>&, std::span<const Dual>,
                               std::span<const Dual>, bool, std::span<Dual>);
+template void supply_springs(const BasicModel<Dual>&, const BasicConstraints<Dual>&, std::span<const Dual>,
+                             std::span<Dual>);
 template void share_out(const BasicModel<Dual>&, const BasicConstraints<Dual>&, std::span<const Dual>, double,
                         std::span<BasicReaction<Dual>>, std::span<Dual>);
 

@@ -47,7 +47,7 @@ BasicWrench<Scalar> inertia_less_weight(const BasicLink<Scalar>& link, const Bas
 
 template <class Scalar>
 BasicWrench<Scalar> wrench_of(const BasicLoad<Scalar>& load, const BasicTurn<Scalar>& turned) {
-  const BasicVec<Scalar> force = global_force(load, turned);
+  const BasicVec<Scalar> force = global_force(load, load.force, turned);
   return {force, load.moment + cross(turned(load.point), force)};
 }
 
@@ -58,6 +58,12 @@ void required_forces(const BasicModel<Scalar>& model, const BasicConstraints<Sca
                      std::span<const std::type_identity_t<Scalar>> velocity,
                      std::span<const std::type_identity_t<Scalar>> acceleration, bool statics,
                      std::span<std::type_identity_t<Scalar>> required);
+
+/// What springs do of that. The model is in the unit of length of the constraints.
+template <class Scalar>
+void supply_springs(const BasicModel<Scalar>& model, const BasicConstraints<Scalar>& constraints,
+                    std::span<const std::type_identity_t<Scalar>> velocity,
+                    std::span<std::type_identity_t<Scalar>> required);
 
 /// Reactions and efforts from the multipliers; `length`: the unit of length of the constraints, in m.
 template <class Scalar>

@@ -1,14 +1,13 @@
 #include "lib/mechanism/member.hpp"
 
-#include "lib/mechanism/kinetostatics.hpp"
+#include "lib/mechanism/point_motion.hpp"
+#include "lib/mechanism/spring.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace loadpath::mechanism {
 namespace {
-
-Turn back(Turn turned) { return turned.back(); }
 
 Vec point_on(const Joint& joint, std::size_t link) {
   return joint.i == static_cast<int>(link) ? joint.point_i : joint.point_j;
@@ -74,44 +73,51 @@ void MemberLoads::take(const Position& at, bool statics) {
 }
 
 // On the axis at the foot of the perpendicular, with the moment about it.
-void MemberLoads::add(const Position&, Vec place, Vec force, double couple) {
-  const Vec own = back(turned_)(place - origin_), along = back(turned_)(force);
+void MemberLoads::add(Vec place, Vec force, double couple) {
+  const Vec own = turned_.back()(place - origin_), along = turned_.back()(force);
   const double x = std::clamp(own.x, 0.0, length_);
   actions_.push_back({x, along, couple + cross(own - Vec{x, 0.0}, along)});
 }
 
 void MemberLoads::add_mass(const Position& at, bool statics) {
   const Link& link = model_.links[member_.link];
-  const Pose &v = at.velocity[member_.link], &a = at.acceleration[member_.link];
+  const Pose &pose = at.pose[member_.link], &v = at.velocity[member_.link], &a = at.acceleration[member_.link];
   const Acceleration moving = statics ? Acceleration{} : Acceleration{{a.x, a.y}, v.phi, a.phi};
-  if (member_.mass == MassLine::lumped) {
-    const Wrench needed = inertia_less_weight(link, turn(at.pose[member_.link].phi), moving, model_.gravity);
-    add(at, {at.pose[member_.link].x, at.pose[member_.link].y}, -needed.force, -needed.moment);
-    // About the frame's origin: moved to the mass centre, so that it acts there.
-    Action action = actions_.back();
-    const Vec centre =
-        Vec{at.pose[member_.link].x, at.pose[member_.link].y} + turn(at.pose[member_.link].phi)(link.centre);
-    const double about_centre =
-        -needed.moment - cross(centre - Vec{at.pose[member_.link].x, at.pose[member_.link].y}, -needed.force);
-    actions_.pop_back();
-    (void)action;
-    add(at, centre, -needed.force, about_centre);
-    return;
+  const Vec frame{pose.x, pose.y}, centre = frame + turn(pose.phi)(link.centre);
+  const Wrench needed = inertia_less_weight(link, turn(pose.phi), moving, model_.gravity);
+  const double couple = -link.inertia * moving.epsilon;
+  if (member_.mass == MassLine::uniform) {
+    spread_mass(moving, origin_ - frame);
+    const Vec spread = turned_(length_ * first_ + 0.5 * length_ * length_ * slope_);
+    const double moment = length_ * length_ * (0.5 * first_.y + slope_.y * length_ / 3.0);
+    // What the link's own mass centre and moment of inertia have beyond those of the bar.
+    add(origin_, -needed.force - spread, couple - cross(centre - origin_, needed.force) - moment);
+  } else {
+    add(centre, -needed.force, couple);
   }
-  const Vec arm = origin_ - Vec{at.pose[member_.link].x, at.pose[member_.link].y};
-  const Vec start = moving.origin + moving.epsilon * normal(arm) - moving.omega * moving.omega * arm;
-  const double density = link.mass / length_;
-  first_ = -density * back(turned_)(start - model_.gravity);
+}
+
+// The force of inertia and the weight, per length, of a point at x.
+void MemberLoads::spread_mass(const Acceleration& moving, Vec arm) {
+  const Vec start = point_acceleration({moving.origin.x, moving.origin.y, moving.epsilon}, moving.omega, arm);
+  const double density = model_.links[member_.link].mass / length_;
+  first_ = -density * turned_.back()(start - model_.gravity);
   slope_ = -density * Vec{-moving.omega * moving.omega, moving.epsilon};
 }
 
 void MemberLoads::add_loads(const Position& at) {
   const Pose& pose = at.pose[member_.link];
-  for (const Load& load : model_.loads) {
+  const Turn link = turn(pose.phi);
+  for (std::size_t n = 0; n < model_.loads.size(); ++n) {
+    const Load& load = model_.loads[n];
     if (load.link != static_cast<int>(member_.link)) continue;
-    const Turn link = turn(pose.phi);
-    const Vec force = load.turns_with_link ? link(load.force) : load.force;
-    add(at, Vec{pose.x, pose.y} + link(load.point), force, load.moment);
+    const LoadNow& now = at.loads[n];
+    add(Vec{pose.x, pose.y} + link(load.point), global_force(load, now.force, link), now.moment);
+  }
+  for (const Spring& spring : model_.springs) {
+    const SpringNow now = spring_now(spring, at);
+    if (spring.i == static_cast<int>(member_.link)) add(now.at_i, now.force, now.couple);
+    if (spring.j == static_cast<int>(member_.link)) add(now.at_j, -now.force, -now.couple);
   }
 }
 
@@ -121,7 +127,7 @@ void MemberLoads::add_joints(const Position& at) {
     if (!is_at(joint, member_.link)) continue;
     const double sense = joint.i == static_cast<int>(member_.link) ? 1.0 : -1.0;
     const Reaction& reaction = at.reactions[k];
-    add(at, reaction.at, sense * reaction.force, sense * reaction.couple);
+    add(reaction.at, sense * reaction.force, sense * reaction.couple);
   }
 }
 
@@ -141,11 +147,11 @@ void MemberLoads::add_drives(const Position& at) {
     const double sense = i == link ? 1.0 : -1.0;
     const Vec place = at.reactions[static_cast<std::size_t>(found - model_.joints.begin())].at;
     if (!linear) {
-      add(at, place, {}, sense * at.effort[d]);
+      add(place, {}, sense * at.effort[d]);
       continue;
     }
     const double on = found->j == ground ? 0.0 : at.pose[static_cast<std::size_t>(found->j)].phi;
-    add(at, place, sense * at.effort[d] * turn(on + found->direction)({1.0, 0.0}), 0.0);
+    add(place, sense * at.effort[d] * turn(on + found->direction)({1.0, 0.0}), 0.0);
   }
 }
 

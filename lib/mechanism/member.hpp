@@ -1,6 +1,7 @@
 // The internal forces of a link as a straight bar: axial force, shear and bending moment over its length, in its axes.
 #pragma once
 
+#include "lib/mechanism/kinetostatics.hpp"
 #include "lib/mechanism/model.hpp"
 #include "lib/mechanism/position.hpp"
 
@@ -64,11 +65,12 @@ class MemberLoads {
     Vec force;      // in the axes of the member
     double couple;  // with the moment of the force about the axis
   };
-  void add(const Position& at, Vec place, Vec force, double couple);
+  void add(Vec place, Vec force, double couple);
   void add_joints(const Position& at);
   void add_drives(const Position& at);
   void add_loads(const Position& at);
   void add_mass(const Position& at, bool statics);
+  void spread_mass(const Acceleration& moving, Vec arm);
   void sum_up();
   [[nodiscard]] SectionForces further(const SectionForces& from, double x) const;
 

@@ -123,11 +123,29 @@ struct BasicLoad {
 };
 using Load = BasicLoad<double>;
 
-/// The force in global axes, on a link that is turned by this.
+/// The force in global axes, of a load whose force in its own axes is this, on a link that is turned so.
 template <class Scalar>
-BasicVec<Scalar> global_force(const BasicLoad<Scalar>& load, const BasicTurn<Scalar>& turned) {
-  return load.turns_with_link ? turned(load.force) : load.force;
+BasicVec<Scalar> global_force(const BasicLoad<Scalar>& load, BasicVec<Scalar> own, const BasicTurn<Scalar>& turned) {
+  return load.turns_with_link ? turned(own) : own;
 }
+
+enum class SpringKind { linear, turning };
+
+/// A spring with a damper between link i and link j: from point to point, or, turning, between the links' angles.
+template <class Scalar>
+struct BasicSpring {
+  using Kind = SpringKind;
+  std::string name;
+  Kind kind = Kind::linear;
+  int i = ground;
+  int j = ground;
+  BasicVec<Scalar> point_i;  // frame of i
+  BasicVec<Scalar> point_j;  // frame of j
+  Scalar rate = 0.0;         // N/m or N m/rad
+  Scalar free = 0.0;         // length without force, m; turning: phi_i - phi_j without moment, rad
+  Scalar damping = 0.0;      // N s/m or N m s/rad
+};
+using Spring = BasicSpring<double>;
 
 template <class Scalar>
 struct BasicModel {
@@ -135,6 +153,7 @@ struct BasicModel {
   std::vector<BasicJoint<Scalar>> joints;
   std::vector<BasicDriver<Scalar>> drivers;
   std::vector<BasicLoad<Scalar>> loads;
+  std::vector<BasicSpring<Scalar>> springs;
   BasicVec<Scalar> gravity;  // m/s^2, (0, -9.81) for gravity downward
 };
 using Model = BasicModel<double>;

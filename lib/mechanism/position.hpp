@@ -23,13 +23,20 @@ struct BasicReaction {
 };
 using Reaction = BasicReaction<double>;
 
-/// Everything at one position. Vectors are as long as the model's links, joints, drivers.
+/// A load as it is at a position: loads may vary over the cycle.
+struct LoadNow {
+  Vec force;            // N, in the axes that the load has
+  double moment = 0.0;  // N m
+};
+
+/// Everything at one position. Vectors are as long as the model's links, joints, drivers, loads.
 struct Position {
   std::vector<Pose> pose;
   std::vector<Pose> velocity;      // m/s, rad/s
   std::vector<Pose> acceleration;  // m/s^2, rad/s^2
   std::vector<Reaction> reactions;
   std::vector<double> effort;  // N m or N, on link i of the driver
+  std::vector<LoadNow> loads;
 };
 
 /// A position of this model with room for everything, so that solving one allocates nothing.
@@ -38,6 +45,7 @@ inline Position blank_position(const Model& model) {
   for (auto* poses : {&position.pose, &position.velocity, &position.acceleration}) poses->resize(model.links.size());
   position.reactions.resize(model.joints.size());
   position.effort.resize(model.drivers.size());
+  for (const Load& load : model.loads) position.loads.push_back({load.force, load.moment});
   return position;
 }
 

@@ -74,6 +74,7 @@ Status WholeSystem::solve(std::span<const Drive> drives, Position& out, bool sta
   Work& w = *work_;
   w.find_velocity(drives);
   w.find_acceleration(drives);
+  for (std::size_t n = 0; n < out.loads.size(); ++n) out.loads[n] = {w.model.loads[n].force, w.model.loads[n].moment};
   w.store(w.continuation.q(), out.pose);
   w.store(w.velocity, out.velocity);
   w.store(w.acceleration, out.acceleration);
@@ -105,6 +106,7 @@ bool WholeSystem::Work::find_all_forces(bool statics, Position& out) {
 void WholeSystem::Work::find_forces(bool statics, const Induced& modes, Position& out) {
   const Constraints& constraints = continuation.constraints();
   required_forces(scaled, constraints, velocity, acceleration, statics, multipliers);
+  supply_springs(scaled, constraints, velocity, multipliers);
   for (std::size_t m = 0; m < modes.modes.size(); ++m) {
     const InducedMode& mode = modes.modes[m];
     take_from_required(mode, modes.amounts[m], length, constraints.pairs()[mode.joint], continuation.q(), multipliers);

@@ -17,7 +17,7 @@ constexpr std::array reserved{"shaft", "fatigue",  "vessel",  "column",     "sec
                               "list",  "describe", "sweep",   "verify",     "tables",   "convert",   "schema",
                               "init",  "watch",    "why",     "completion", "man",      "project",   "expect"};
 constexpr std::array heading_keys{"title", "number", "revision", "author", "checker", "date", "note"};
-const std::vector<std::string> step_keys{"calculator", "title", "note", "material", "display"};
+const std::vector<std::string> step_keys{"calculator", "template", "title", "note", "material", "display"};
 
 void add(std::vector<Issue>& issues, const Place& place, const std::string& key, Message message, Message hint = {}) {
   issues.push_back({place, key, std::move(message), std::move(hint), Severity::error});
@@ -46,6 +46,26 @@ const Calculator* calculator_of_step(const Tree::Entry& entry, Catalogue catalog
         did_you_mean(text, ids, say("`loadpath list` shows all")));
   }
   return calculator;
+}
+
+/// The template that a step names, if any; false where there is no such.
+bool read_template(const Tree& table, StepInput& input, std::vector<Issue>& issues) {
+  const auto* named = table.find("template");
+  if (named == nullptr) return true;
+  const std::string key = input.name + ".template";
+  if (input.calculator->templates.empty()) {
+    add(issues, named->place, key, say("'{1}' has no templates", input.calculator->id));
+    return false;
+  }
+  const std::size_t before = issues.size();
+  const std::string id = text_of(*named, key, issues);
+  input.from = find_template(*input.calculator, id);
+  if (input.from != nullptr || issues.size() != before) return input.from != nullptr;
+  std::vector<std::string> ids;
+  for (const Template* t : input.calculator->templates) ids.emplace_back(t->id);
+  add(issues, place_in(named->value.place, id, 0, id.size()), key, say("there is no template '{1}'", id),
+      did_you_mean(id, ids, there_is(ids)));
+  return false;
 }
 
 /// Rows that a step names for the tables its providers read: material = "C45E".
@@ -248,12 +268,12 @@ std::unique_ptr<Step> read_step(const Tree::Entry& entry, Catalogue catalogue, s
   input.name = entry.key;
   input.place = entry.place;
   input.calculator = calculator_of_step(entry, catalogue, issues);
-  if (input.calculator == nullptr) return nullptr;
+  if (input.calculator == nullptr || !read_template(entry.value, input, issues)) return nullptr;
   if (const auto* title = entry.value.find("title")) input.title = text_of(*title, entry.key + ".title", issues);
   if (const auto* note = entry.value.find("note")) input.note = text_of(*note, entry.key + ".note", issues);
   read_rows(entry.value, input, issues);
   read_display(entry.value, input, issues);
-  input.reading = read_record(entry.value, *input.calculator->input, entry.key + ".", step_keys, issues);
+  input.reading = read_record(entry.value, *input.calculator->input, input.from, entry.key + ".", step_keys, issues);
   return input.calculator->make_step(std::move(input));
 }
 

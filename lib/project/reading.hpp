@@ -1,6 +1,7 @@
 // Reads a table of a project file into the record of a calculator: literals at once, expressions for later.
 #pragma once
 
+#include "lib/calculator.hpp"
 #include "lib/io/tree.hpp"
 #include "lib/quantity/expression.hpp"
 #include "lib/record.hpp"
@@ -39,6 +40,7 @@ struct Typed {
 /// What a table says about a record.
 struct Reading {
   Record record;
+  Record parameters;  // of the template that laid the record out; without type where there is none
   std::vector<Operand> operands;
   std::vector<Search> searches;
   std::map<std::string, Typed> typed;  // by the path of the leaf; lists and groups by their own path too
@@ -46,8 +48,9 @@ struct Reading {
   Place place;                         // of the table
 };
 
-/// Reads `table` into a fresh record; keys in `reserved` are left to the caller. `prefix` starts the keys of issues.
-Reading read_record(const io::Tree& table, const RecordType& type, const std::string& prefix,
+/// Reads `table` into a fresh record, or into one that `from` lays out: an element that is there already takes what
+/// stands under its name. Keys in `reserved` are left to the caller; `prefix` starts the keys of issues.
+Reading read_record(const io::Tree& table, const RecordType& type, const Template* from, const std::string& prefix,
                     const std::vector<std::string>& reserved, std::vector<Issue>& issues);
 
 /// "must be > 0 mm", from the bounds of a field.

@@ -58,6 +58,7 @@ struct StepInput {
   std::string title;
   std::string note;
   const Calculator* calculator = nullptr;
+  const Template* from = nullptr;  // null: the input is written out
   Reading reading;
   /// Rows that the step names for its providers: "material" -> "C45E".
   std::map<std::string, Typed> rows;

@@ -15,7 +15,7 @@ TEST_SUITE("cli calculate") {
     const Ran o = loadpath_with({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 MPa"});
     CHECK(o.code == 0);
     CHECK(o.error.empty());
-    CHECK(contains(o.out, "d_strength = ∛(16 · M_t / (π · τ_all))"));
+    CHECK(contains(o.out, "d_strength = ∛(16 · W_t / π)"));
     CHECK(contains(o.out, "77.1029 mm"));
     CHECK(contains(o.out, "pass  torsion.u_tau"));
   }
@@ -104,6 +104,17 @@ TEST_SUITE("cli calculate") {
     CHECK(o.error.empty());
     CHECK(o.code == 0);
     CHECK(contains(o.out, "5 N·m"));
+  }
+
+  TEST_CASE("a mechanism from the shell is a template with its parameters as flags") {
+    const Ran o = loadpath_with({"mechanism", "planar", "--template", "scotch_yoke", "--r", "25 mm", "--crank",
+                                 R"({ speed = "60 rpm", positions = 12 })", "--links", R"({ yoke.mass = "2 kg" })"});
+    CHECK(o.error.empty());
+    CHECK(o.code == 0);
+    CHECK(loadpath_with({"mechanism", "planar", "--template", "scotchyoke"}).error ==
+          "--template:1:1: error: there is no template 'scotchyoke'\n1 | scotchyoke\n  | ^^^^^^^^^^\n  = help: did you "
+          "mean "
+          "'scotch_yoke'?\n");
   }
 
   TEST_CASE("a report is written from the shell too") {

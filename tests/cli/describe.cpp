@@ -27,11 +27,11 @@ TEST_SUITE("cli describe") {
   TEST_CASE("results whose paths come from names are described by patterns with unit and meaning") {
     const std::string shown = loadpath_with({"describe", "mechanism.planar"}).out;
     CHECK(contains(shown, "Results, NAME as in the project file\n"));
-    CHECK(contains(shown, "  joints.NAME.F       N        magnitude of the joint's force\n"));
+    CHECK(contains(shown, " N        magnitude of the joint's force\n"));
     CHECK(contains(shown,
-                   "  joints.NAME.M       N*m      couple of the first link on the second at the first link's "
-                   "point (prismatic joints)\n"));
-    for (const char* path : {"drive.M", "drive.P", "cylinders.NAME.F", "joints.NAME.x", "links.NAME.phi",
+                   " N*m      couple of the first link on the second at the first link's point (prismatic joints)\n"));
+    for (const char* path : {"drive.M", "drive.P", "cylinders.NAME.F", "joints.NAME.x", "joints.NAME.F",
+                             "joints.NAME.N_front", "links.NAME.M_b", "springs.NAME.F", "links.NAME.phi",
                              "links.NAME.omega", "points.NAME.x", "points.NAME.a_y"}) {
       CAPTURE(path);
       CHECK(contains(shown, "\n  " + std::string(path) + " "));
@@ -46,6 +46,23 @@ TEST_SUITE("cli describe") {
       CAPTURE(o.error);
       CHECK(o.code <= 1);
     }
+  }
+
+  TEST_CASE("a calculator lists its templates, and each is described with what it makes and an example that runs") {
+    const std::string planar = loadpath_with({"describe", "mechanism.planar"}).out;
+    CHECK(contains(planar, "\n  slider_crank          Slider-crank, central or offset"));
+    CHECK(contains(planar, "`loadpath describe mechanism.planar.NAME` tells more\n"));
+    const Ran o = loadpath_with({"describe", "mechanism.planar.slider_crank"});
+    CHECK(o.code == 0);
+    CHECK(o.out.starts_with("mechanism.planar.slider_crank: Slider-crank, central or offset\n"));
+    CHECK(contains(o.out, "\n  r         mm              required      length of the crank OA (must be > 0 mm)\n"));
+    CHECK(contains(o.out, "Makes\n  ground               O, G\n  links                crank, rod, slider\n"));
+    CHECK(contains(o.out, "\n  links.crank.points   O, A, S_crank\n"));
+    const std::string head = "Example, a project file that runs:\n\n";
+    CHECK(Desk().run({"run", "-"}, o.out.substr(o.out.find(head) + head.size())).code == 0);
+    CHECK(loadpath_with({"describe", "mechanism.planar.slidercrank"}).error ==
+          "loadpath: there is no calculator 'mechanism.planar.slidercrank'\n  = help: did you mean "
+          "'mechanism.planar.slider_crank'?\n");
   }
 
   TEST_CASE("a calculator that does not exist is told with the nearest one") {

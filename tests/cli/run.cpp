@@ -1,4 +1,5 @@
 #include "tests/cli/process.hpp"
+#include "tests/lib/project/texts.hpp"
 
 #include <boost/json.hpp>
 
@@ -14,28 +15,8 @@ const std::string passing = "[axle]\ncalculator = \"shaft.torsion\"\nT = \"2700 
 const std::string failing = passing + "d = \"40 mm\"\n";
 const std::string wrong = "[axle]\ncalculator = \"shaft.torsion\"\nT = \"2700 N*m\"\ntau_adm = \"30 mpa\"\n";
 
-/// A four-bar that is driven by a link that cannot turn round, and two shafts behind it.
-const std::string not_turning = R"toml([bar]
-calculator = "mechanism.planar"
-crank = { joint = "A", speed = "60 rpm", positions = 36 }
-[bar.ground]
-A = ["0 mm", "0 mm"]
-D = ["150 mm", "0 mm"]
-[bar.links.a]
-points = { A = ["0 mm", "0 mm"], B = ["0 mm", "-100 mm"] }
-[bar.links.b]
-points = { B = ["0 mm", "-100 mm"], C = ["70 mm", "-90 mm"] }
-[bar.links.c]
-points = { C = ["70 mm", "-90 mm"], D = ["150 mm", "0 mm"] }
-[bar.joints]
-A = { type = "revolute", links = ["ground", "a"] }
-B = { type = "revolute", links = ["a", "b"] }
-C = { type = "revolute", links = ["b", "c"] }
-D = { type = "revolute", links = ["ground", "c"] }
-[[bar.loads]]
-link = "c"
-M = "5 N*m"
-[sized]
+/// A four-bar that cannot turn round, and two shafts behind it.
+const std::string not_turning = bar_that_cannot_turn(36) + R"toml([sized]
 calculator = "shaft.torsion"
 T = "=peak(bar.drive.M)"
 tau_adm = "30 MPa"

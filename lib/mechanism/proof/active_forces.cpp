@@ -1,6 +1,7 @@
 #include "lib/mechanism/proof/active_forces.hpp"
 
 #include "lib/mechanism/point_motion.hpp"
+#include "lib/mechanism/spring.hpp"
 
 namespace loadpath::mechanism {
 namespace {
@@ -31,7 +32,20 @@ void find_active_forces(const Model& model, const Position& at, bool statics, st
     const Load& load = model.loads[n];
     const auto k = static_cast<std::size_t>(load.link);
     const Turn turned = turn(at.pose[k].phi);
-    active.push_back({Kind::load, n, k, turned(load.point), global_force(load, turned), load.moment});
+    const LoadNow& now = at.loads[n];
+    active.push_back({Kind::load, n, k, turned(load.point), global_force(load, now.force, turned), now.moment});
+  }
+  for (std::size_t n = 0; n < model.springs.size(); ++n) {
+    const Spring& spring = model.springs[n];
+    const SpringNow now = spring_now(spring, at);
+    const auto pull = [&](int link, Vec place, double sense) {
+      if (link == ground) return;
+      const auto k = static_cast<std::size_t>(link);
+      const Vec arm = place - Vec{at.pose[k].x, at.pose[k].y};
+      active.push_back({Kind::spring, n, k, arm, sense * now.force, sense * now.couple});
+    };
+    pull(spring.i, now.at_i, 1.0);
+    pull(spring.j, now.at_j, -1.0);
   }
 }
 

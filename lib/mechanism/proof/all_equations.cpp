@@ -25,10 +25,8 @@ void AllEquations::find_forces(const Instant& instant, Forces& forces) {
   flatten(instant.at().velocity, velocity_);
   flatten(instant.at().acceleration, acceleration_);
   required_forces(model, instant.constraints(), velocity_, acceleration_, instant.statics(), unknowns_);
-  for (const ActiveForce& induced : instant.induced()) {
-    unknowns_[3 * induced.link] -= induced.force.x;
-    unknowns_[3 * induced.link + 1] -= induced.force.y;
-    unknowns_[3 * induced.link + 2] -= induced.couple + cross(induced.arm, induced.force);
+  for (const ActiveForce& active : instant.active()) {
+    if (active.kind == ActiveForce::Kind::spring || active.kind == ActiveForce::Kind::induced) supply(active);
   }
   // In the constraints' unit of length; kg and s stay.
   for (std::size_t k = 0; k < unknowns_.size(); ++k) unknowns_[k] /= k % 3 == 2 ? length * length : length;
@@ -38,6 +36,12 @@ void AllEquations::find_forces(const Instant& instant, Forces& forces) {
     std::ranges::fill(unknowns_, std::numeric_limits<double>::quiet_NaN());
   }
   share_out(model, instant.constraints(), unknowns_, length, forces.reactions, forces.effort);
+}
+
+void AllEquations::supply(const ActiveForce& active) {
+  unknowns_[3 * active.link] -= active.force.x;
+  unknowns_[3 * active.link + 1] -= active.force.y;
+  unknowns_[3 * active.link + 2] -= active.couple + cross(active.arm, active.force);
 }
 
 }  // namespace loadpath::mechanism

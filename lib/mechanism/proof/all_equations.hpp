@@ -15,6 +15,8 @@ class AllEquations {
   void find_forces(const Instant& instant, Forces& forces);
 
  private:
+  void supply(const ActiveForce& active);
+
   SparseLu factors_;
   std::vector<double> velocity_, acceleration_, unknowns_;
 };

@@ -9,28 +9,7 @@ using namespace loadpath::test;
 
 namespace {
 
-/// A four-bar whose driven link cannot turn round: open from 10 to 170 deg of 12 positions.
-const std::string bar = R"([bar]
-calculator = "mechanism.planar"
-crank = { joint = "A", speed = "60 rpm", positions = 12 }
-[bar.ground]
-A = ["0 mm", "0 mm"]
-D = ["150 mm", "0 mm"]
-[bar.links.a]
-points = { A = ["0 mm", "0 mm"], B = ["0 mm", "-100 mm"] }
-[bar.links.b]
-points = { B = ["0 mm", "-100 mm"], C = ["70 mm", "-90 mm"] }
-[bar.links.c]
-points = { C = ["70 mm", "-90 mm"], D = ["150 mm", "0 mm"] }
-[bar.joints]
-A = { type = "revolute", links = ["ground", "a"] }
-B = { type = "revolute", links = ["a", "b"] }
-C = { type = "revolute", links = ["b", "c"] }
-D = { type = "revolute", links = ["ground", "c"] }
-[[bar.loads]]
-link = "c"
-M = "5 N*m"
-)";
+const std::string bar = bar_that_cannot_turn(12);
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;

@@ -53,6 +53,13 @@ bool accepts_entries(const json::object& rule, const Tree& tree) {
       if (tree.find(key.as_string()) == nullptr) return false;
     }
   }
+  if (const auto* names = rule.if_contains("propertyNames")) {
+    const auto& known = names->at("enum").as_array();
+    for (const Tree::Entry& entry : tree.entries) {
+      if (std::none_of(known.begin(), known.end(), [&](const json::value& w) { return is_word(w, entry.key); }))
+        return false;
+    }
+  }
   const auto* properties = rule.if_contains("properties");
   const auto* others = rule.if_contains("additionalProperties");
   return std::all_of(tree.entries.begin(), tree.entries.end(), [&](const Tree::Entry& entry) {
@@ -82,6 +89,14 @@ bool accepts(const json::value& value, const Tree& tree) {
     if (std::count_if(all.begin(), all.end(), [&](const json::value& form) { return accepts(form, tree); }) != 1)
       return false;
   }
+  if (const auto* conditions = rule.if_contains("allOf")) {
+    const auto& all = conditions->as_array();
+    if (!std::all_of(all.begin(), all.end(), [&](const json::value& c) { return accepts(c, tree); })) return false;
+  }
+  if (const auto* wrong = rule.if_contains("not"); wrong != nullptr && accepts(*wrong, tree)) return false;
+  if (const auto* condition = rule.if_contains("if");
+      condition != nullptr && accepts(*condition, tree) && !accepts(rule.at("then"), tree))
+    return false;
   if (const auto* items = rule.if_contains("items"); items != nullptr && tree.type == Tree::Type::array) {
     if (!std::all_of(tree.items.begin(), tree.items.end(), [&](const Tree& item) { return accepts(*items, item); }))
       return false;
@@ -140,6 +155,20 @@ TEST_SUITE("schema") {
       CAPTURE(calculator->id);
       CHECK(accepts(schema(), tree_of(calculator->example)));
     }
+  }
+
+  TEST_CASE("it knows the templates: their words, and the parameters of each") {
+    const std::string start = "[press]\ncalculator = \"mechanism.planar\"\n";
+    for (const Calculator* calculator : catalogue()) {
+      for (const Template* t : calculator->templates) {
+        CAPTURE(t->id);
+        CHECK(accepts(schema(), tree_of(t->example)));
+      }
+    }
+    CHECK_FALSE(accepts(schema(), tree_of(start + "template = \"slidercrank\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(start + "template = \"slider_crank\"\nx_C = \"3 mm\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(start + "template = \"slider_crank\"\nr = 3\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(start + "r = \"3 mm\"\n")));
   }
 
   TEST_CASE("it refuses what the program refuses") {

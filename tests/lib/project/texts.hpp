@@ -12,6 +12,32 @@ namespace loadpath::test {
 
 inline const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\n";
 
+/// A four-bar driven by a link that cannot turn round: open from about 10 to 170 deg.
+inline std::string bar_that_cannot_turn(int positions) {
+  return R"([bar]
+calculator = "mechanism.planar"
+crank = { joint = "A", speed = "60 rpm", positions = )" +
+         std::to_string(positions) + R"( }
+[bar.ground]
+A = ["0 mm", "0 mm"]
+D = ["150 mm", "0 mm"]
+[bar.links.a]
+points = { A = ["0 mm", "0 mm"], B = ["0 mm", "-100 mm"] }
+[bar.links.b]
+points = { B = ["0 mm", "-100 mm"], C = ["70 mm", "-90 mm"] }
+[bar.links.c]
+points = { C = ["70 mm", "-90 mm"], D = ["150 mm", "0 mm"] }
+[bar.joints]
+A = { type = "revolute", links = ["ground", "a"] }
+B = { type = "revolute", links = ["a", "b"] }
+C = { type = "revolute", links = ["b", "c"] }
+D = { type = "revolute", links = ["ground", "c"] }
+[[bar.loads]]
+link = "c"
+M = "5 N*m"
+)";
+}
+
 struct Told {
   project::Project project;
   std::vector<Issue> issues;

@@ -1,0 +1,287 @@
+#include "calculators/mechanism/planar_design_outputs.hpp"
+
+#include "calculators/mechanism/planar_rows.hpp"
+#include "lib/mechanism/frames.hpp"
+#include "lib/mechanism/member.hpp"
+#include "lib/mechanism/spring.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace loadpath {
+
+namespace {
+
+using mechanism::JointKind;
+using mechanism::Position;
+using mechanism::Vec;
+using planar::row;
+using Planar = PlanarMechanism;
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+// ---- internal forces of links
+
+mechanism::Member member_of(const Planar::Input& in, const mechanism::Model& model, std::size_t k) {
+  mechanism::Member member = mechanism::member_of(model, k);
+  const bool bar = member.length() > 0.0 && mechanism::is_uniform(model, member);
+  const bool uniform = in.links[k].mass_line == Planar::MassLine::uniform ||
+                       (in.links[k].mass_line == Planar::MassLine::automatic && bar);
+  member.mass = uniform ? mechanism::MassLine::uniform : mechanism::MassLine::lumped;
+  return member;
+}
+
+struct Bar {
+  std::string name;
+  std::shared_ptr<const mechanism::Model> model;
+  std::shared_ptr<mechanism::MemberLoads> loads;
+  bool statics = false;
+
+  [[nodiscard]] mechanism::MemberLoads::Peaks peaks(const Position& p) const {
+    loads->take(p, statics);
+    return loads->peaks();
+  }
+};
+
+constexpr std::array bar_rows{
+    row<Bar>(
+        "links.NAME.N", "axial force of the largest magnitude over the link's length, tension positive", N,
+        [](const Bar& b, const Position& p) { return b.peaks(p).N.N; }, nullptr, "links with two joints or more"),
+    row<Bar>(
+        "links.NAME.V", "shear force of the largest magnitude over its length", N,
+        [](const Bar& b, const Position& p) { return b.peaks(p).V.V; }, nullptr, "links with two joints or more"),
+    row<Bar>(
+        "links.NAME.M_b", "bending moment of the largest magnitude over its length", N_m,
+        [](const Bar& b, const Position& p) { return b.peaks(p).M.M; }, nullptr, "links with two joints or more")};
+
+// ---- guides
+
+/// What the first link does to the second across the guide.
+struct Guide {
+  std::string name;
+  std::size_t index = 0;
+  mechanism::Joint joint;
+
+  struct Pressure {
+    double N = 0.0;  // to the left of the guide's direction
+    double M = 0.0;  // at the first link's point, of the pressing alone
+  };
+  [[nodiscard]] Pressure pressure(const Position& p) const {
+    const mechanism::Reaction& r = p.reactions[index];
+    const Vec along = mechanism::turn(mechanism::placed_at(p, joint.j).phi + joint.direction)({1.0, 0.0});
+    const double pressing = dot(r.force, normal(along)), rubbing = dot(r.force, along);
+    const double sense = rubbing == 0.0 ? 0.0 : std::copysign(1.0, rubbing);
+    const double rubbed = sense * joint.friction.coefficient * 0.5 * joint.guide_width * pressing;
+    return {-pressing, -(r.couple - rubbed)};
+  }
+  static bool has_length(const Guide& g) { return g.joint.guide_length > 0.0; }
+};
+
+constexpr std::array guide_rows{
+    row<Guide>(
+        "joints.NAME.N", "force of the first link across the guide, to its left", N,
+        [](const Guide& g, const Position& p) { return g.pressure(p).N; }, nullptr, "prismatic joints"),
+    row<Guide>(
+        "joints.NAME.h", "where that force lies: distance from the first link's point, along the guide", mm,
+        [](const Guide& g, const Position& p) {
+          const auto [pressing, M] = g.pressure(p);
+          return M == 0.0 ? 0.0 : pressing == 0.0 ? none : M / pressing;
+        },
+        nullptr, "prismatic joints"),
+    row<Guide>(
+        "joints.NAME.N_front", "force on the front edge of the block, N/2 + M/l", N,
+        [](const Guide& g, const Position& p) {
+          const auto [pressing, M] = g.pressure(p);
+          return 0.5 * pressing + M / g.joint.guide_length;
+        },
+        &Guide::has_length, "with a guide_length"),
+    row<Guide>(
+        "joints.NAME.N_back", "force on its back edge, N/2 - M/l", N,
+        [](const Guide& g, const Position& p) {
+          const auto [pressing, M] = g.pressure(p);
+          return 0.5 * pressing - M / g.joint.guide_length;
+        },
+        &Guide::has_length, "with a guide_length")};
+
+// ---- wheels
+
+struct Contact {
+  std::string name;
+  std::size_t index = 0;
+  mechanism::Joint joint;
+
+  struct Forces {
+    double T = 0.0, N = 0.0;  // along and across the contact
+  };
+  [[nodiscard]] Forces forces(const Position& p) const {
+    const mechanism::PairShape shape = mechanism::shape_of(joint);
+    mechanism::PairPlace at;
+    mechanism::place(shape, mechanism::placed_at(p, joint.i), mechanism::placed_at(p, joint.j), at);
+    const Vec force = p.reactions[index].force;
+    const bool line = joint.kind == JointKind::rack || joint.kind == JointKind::rolling_on_line;
+    const Vec towards_axis = line ? std::copysign(1.0, joint.radius_i) * normal(at.along) : -at.along;
+    return {dot(force, at.rows[0].e), dot(force, towards_axis)};
+  }
+  static bool meshes(const Contact& c) { return c.joint.kind == JointKind::gear || c.joint.kind == JointKind::rack; }
+  static bool rolls(const Contact& c) { return !meshes(c); }
+};
+
+constexpr std::array contact_rows{
+    row<Contact>(
+        "joints.NAME.F_t", "circumferential force on the first link's wheel; its sign tells the loaded flank", N,
+        [](const Contact& c, const Position& p) { return c.forces(p).T; }, &Contact::meshes, "gears and racks"),
+    row<Contact>(
+        "joints.NAME.F_r", "radial force, which presses the wheels apart", N,
+        [](const Contact& c, const Position& p) { return c.forces(p).N; }, &Contact::meshes, "gears and racks"),
+    row<Contact>(
+        "joints.NAME.N", "force that presses the wheels together; negative: the contact is lost", N,
+        [](const Contact& c, const Position& p) { return c.forces(p).N; }, &Contact::rolls, "rolling wheels"),
+    row<Contact>(
+        "joints.NAME.mu_req", "coefficient of friction that rolling without slip needs", ratio,
+        [](const Contact& c, const Position& p) {
+          const auto [T, pressing] = c.forces(p);
+          return T == 0.0 ? 0.0 : pressing > 0.0 ? std::abs(T) / pressing : none;
+        },
+        &Contact::rolls, "rolling wheels")};
+
+// ---- springs
+
+struct Elastic {
+  std::string name;
+  mechanism::Spring spring;
+  static bool pulls(const Elastic& e) { return e.spring.kind == mechanism::Spring::Kind::linear; }
+  static bool turns(const Elastic& e) { return !pulls(e); }
+};
+
+constexpr std::array spring_rows{
+    row<Elastic>(
+        "springs.NAME.F", "force, tension positive", N,
+        [](const Elastic& e, const Position& p) { return spring_now(e.spring, p).effort; }, &Elastic::pulls,
+        "springs that pull"),
+    row<Elastic>(
+        "springs.NAME.s", "stretch beyond the length without force", mm,
+        [](const Elastic& e, const Position& p) { return spring_now(e.spring, p).stretch; }, &Elastic::pulls,
+        "springs that pull"),
+    row<Elastic>(
+        "springs.NAME.M", "moment on the second link, counter-clockwise positive", N_m,
+        [](const Elastic& e, const Position& p) { return spring_now(e.spring, p).effort; }, &Elastic::turns,
+        "springs that turn")};
+
+// ---- friction
+
+struct Rubbing {
+  std::string name;
+  std::size_t index = 0;
+  std::shared_ptr<const mechanism::Model> model;
+};
+
+constexpr std::array rubbing_rows{row<Rubbing>(
+    "joints.NAME.P_loss", "power that friction takes", W,
+    [](const Rubbing& r, const Position& p) { return loss_of(*r.model, r.index, p); }, nullptr,
+    "joints with friction")};
+
+bool rubs(const mechanism::Joint& joint) { return joint.friction.any(); }
+
+/// The mechanism as a whole.
+struct Machine {
+  std::string name;
+  std::shared_ptr<const mechanism::Model> model;
+  std::vector<std::size_t> useful;  // loads
+
+  static bool has_friction(const Machine& m) {
+    return std::any_of(m.model->joints.begin(), m.model->joints.end(), rubs);
+  }
+  static bool has_use(const Machine& m) { return !m.useful.empty(); }
+};
+
+double loss(const Machine& m, const Position& p) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < m.model->joints.size(); ++k) {
+    if (rubs(m.model->joints[k])) sum += loss_of(*m.model, k, p);
+  }
+  return sum;
+}
+
+double use(const Machine& m, const Position& p) {
+  double sum = 0.0;
+  for (const std::size_t n : m.useful) {
+    const mechanism::Load& load = m.model->loads[n];
+    const mechanism::Placed frame = mechanism::placed_at(p, load.link);
+    const mechanism::Speeds speed = mechanism::speeds_at(p, load.link);
+    const Vec velocity = speed.origin + speed.omega * normal(frame.turned(load.point));
+    sum -= dot(global_force(load, p.loads[n].force, frame.turned), velocity) + p.loads[n].moment * speed.omega;
+  }
+  return sum;
+}
+
+constexpr std::array machine_rows{
+    row<Machine>("drive.P_loss", "power that friction takes in all joints", W, &loss, &Machine::has_friction,
+                 "with friction"),
+    row<Machine>("drive.P_useful", "power against the useful loads", W, &use, &Machine::has_use, "with useful loads")};
+
+}  // namespace
+
+double loss_of(const mechanism::Model& model, std::size_t k, const Position& at) {
+  const mechanism::Joint& joint = model.joints[k];
+  const mechanism::Reaction& r = at.reactions[k];
+  const auto power_on = [&](int link) {
+    const mechanism::Placed frame = mechanism::placed_at(at, link);
+    const mechanism::Speeds speed = mechanism::speeds_at(at, link);
+    return dot(r.force, speed.origin + speed.omega * normal(r.at - frame.origin)) + r.couple * speed.omega;
+  };
+  return power_on(joint.j) - power_on(joint.i);
+}
+
+void add_design_outputs(const Planar::Input& in, const mechanism::Model& model, std::vector<MechanismOutput>& out) {
+  const auto kept = std::make_shared<const mechanism::Model>(model);
+  const bool statics = in.analysis == Planar::Analysis::statics;
+  for (std::size_t k = 0; k < model.links.size(); ++k) {
+    const mechanism::Member member = member_of(in, *kept, k);
+    if (member.length() == 0.0) continue;
+    const auto loads = std::make_shared<mechanism::MemberLoads>(*kept, member);
+    add_outputs(Bar{model.links[k].name, kept, loads, statics}, bar_rows, out);
+  }
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    const mechanism::Joint& joint = model.joints[k];
+    if (joint.kind == JointKind::prismatic) add_outputs(Guide{joint.name, k, joint}, guide_rows, out);
+    const bool touches = joint.kind == JointKind::gear || joint.kind == JointKind::rack ||
+                         joint.kind == JointKind::rolling || joint.kind == JointKind::rolling_on_line;
+    if (touches) add_outputs(Contact{joint.name, k, joint}, contact_rows, out);
+    if (rubs(joint)) add_outputs(Rubbing{joint.name, k, kept}, rubbing_rows, out);
+  }
+  Machine machine{"", kept, {}};
+  for (std::size_t n = 0; n < in.loads.size(); ++n) {
+    if (in.loads[n].useful == Planar::Useful::yes) machine.useful.push_back(n);
+  }
+  add_outputs(machine, machine_rows, out);
+  for (const mechanism::Spring& spring : model.springs) add_outputs(Elastic{spring.name, spring}, spring_rows, out);
+}
+
+void list_design_patterns(std::vector<ResultPattern>& patterns) {
+  planar::list_patterns(bar_rows, patterns);
+  planar::list_patterns(guide_rows, patterns);
+  planar::list_patterns(contact_rows, patterns);
+  planar::list_patterns(rubbing_rows, patterns);
+  planar::list_patterns(machine_rows, patterns);
+  planar::list_patterns(spring_rows, patterns);
+}
+
+std::vector<FieldFault> check_mass_lines(const Planar::Input& in, const mechanism::Model& model) {
+  std::vector<FieldFault> faults;
+  for (std::size_t k = 0; k < in.links.size(); ++k) {
+    if (in.links[k].mass_line != Planar::MassLine::uniform) continue;
+    const mechanism::Member member = mechanism::member_of(model, k);
+    if (member.length() > 0.0 && mechanism::is_uniform(model, member)) continue;
+    const double l = member.length(), J = model.links[k].mass * l * l / 12.0;
+    faults.push_back({"links." + model.links[k].name + ".mass_line",
+                      say("link '{1}' is no uniform bar of {2}: that has its mass centre in the middle and J = {3}",
+                          model.links[k].name, format_quantity(l, "mm", 4), format_quantity(J, "kg*m^2", 4)),
+                      say("correct S and J, or say mass_line = \"lumped\"")});
+  }
+  return faults;
+}
+
+}  // namespace loadpath

@@ -1,0 +1,168 @@
+#include "calculators/mechanism/planar_loads.hpp"
+
+#include <cmath>
+
+namespace loadpath {
+
+namespace {
+
+using Planar = PlanarMechanism;
+using mechanism::Vec;
+using report::Cell;
+using report::Quantity;
+using report::Table;
+
+std::string text(const Name& name) { return std::string(name.view()); }
+
+bool turns(const Planar::Spring& spring) {
+  return in_si(spring.k_turn) != 0.0 || in_si(spring.c_turn) != 0.0 || is_set(spring.free_angle);
+}
+
+bool pulls(const Planar::Spring& spring) {
+  return in_si(spring.k) != 0.0 || in_si(spring.c) != 0.0 || is_set(spring.free);
+}
+
+std::string path_of(const Planar::Load& load, std::size_t k) {
+  return "loads" + (load.name.empty() ? "[" + std::to_string(k + 1) + "]" : "." + text(load.name)) + ".over";
+}
+
+}  // namespace
+
+mechanism::Load load_of(const Planar::Input& in, const Planar::Load& l) {
+  mechanism::Load load;
+  load.name = l.name.view();
+  load.link = link_index(in, l.link);
+  if (!l.at.empty()) load.point = vector_of(*find_point(in, load.link, l.at));
+  if (is_set(l.F)) load.force = in_si(l.F) * Vec{std::cos(l.direction), std::sin(l.direction)};
+  if (is_set(l.F_x)) load.force = {in_si(l.F_x), in_si(l.F_y)};
+  load.turns_with_link = l.axes == Planar::Axes::link;
+  if (is_set(l.M)) load.moment = in_si(l.M);
+  return load;
+}
+
+std::pair<Name, Name> end_of(const Planar::Spring& spring) {
+  return {spring.points.first, spring.points.second.empty() ? spring.points.first : spring.points.second};
+}
+
+mechanism::Spring spring_of(const Planar::Input& in, const Planar::Spring& s) {
+  mechanism::Spring spring;
+  spring.name = s.name.view();
+  spring.i = link_index(in, s.links.first);
+  spring.j = link_index(in, s.links.second);
+  if (turns(s)) {
+    spring.kind = mechanism::Spring::Kind::turning;
+    spring.rate = in_si(s.k_turn);
+    spring.free = is_set(s.free_angle) ? s.free_angle : 0.0;
+    spring.damping = in_si(s.c_turn);
+    return spring;
+  }
+  const auto [first, second] = end_of(s);
+  spring.point_i = vector_of(*find_point(in, spring.i, first));
+  spring.point_j = vector_of(*find_point(in, spring.j, second));
+  spring.rate = in_si(s.k);
+  spring.free = is_set(s.free) ? in_si(s.free) : 0.0;
+  spring.damping = in_si(s.c);
+  return spring;
+}
+
+std::vector<FieldFault> check_fields(const Planar::Spring& spring) {
+  const std::string path = "springs." + text(spring.name);
+  if (turns(spring) && pulls(spring)) {
+    return {{path, say("'{1}' has fields of a spring that pulls and of one that turns", spring.name.view()),
+             say("either k, free and c, or k_turn, free_angle and c_turn")}};
+  }
+  if (turns(spring)) return {};
+  if (in_si(spring.k) == 0.0 && in_si(spring.c) == 0.0) {
+    return {{path, say("'{1}' has neither a rate nor a damping", spring.name.view()),
+             say("add k = \"5 N/mm\", k_turn = \"2 N*m/rad\", c or c_turn")}};
+  }
+  std::vector<FieldFault> faults;
+  if (in_si(spring.k) != 0.0 && !is_set(spring.free)) {
+    faults.push_back({path, say("the spring '{1}' needs its length without force", spring.name.view()),
+                      say("add free = \"80 mm\"")});
+  }
+  if (spring.points.first.empty()) {
+    faults.push_back({path, say("'{1}' needs the points of its ends", spring.name.view()),
+                      say("add points = [\"A\", \"B\"]: the point of the first and of the second link")});
+  }
+  return faults;
+}
+
+std::vector<FieldFault> check_shares(const Planar::Input& in) {
+  std::vector<FieldFault> faults;
+  for (std::size_t k = 0; k < in.loads.size(); ++k) {
+    const auto& over = in.loads[k].over;
+    if (over.empty()) continue;
+    if (in.crank.joint.empty())
+      faults.push_back({path_of(in.loads[k], k), say("'over' goes by the crank angle, and there is no crank"),
+                        say("leave it out, or drive by a crank")});
+    for (std::size_t n = 1; n < over.size(); ++n) {
+      if (over[n].angle > over[n - 1].angle) continue;
+      faults.push_back(
+          {path_of(in.loads[k], k), say("the crank angles of 'over' must rise from each to the next"), {}});
+      break;
+    }
+    if (over[over.size() - 1].angle - over[0].angle > 2.0 * pi * (1.0 + 1e-12))
+      faults.push_back({path_of(in.loads[k], k), say("the crank angles of 'over' reach round more than one turn"), {}});
+  }
+  return faults;
+}
+
+double share_at(const Planar::Load& load, double crank_angle) {
+  const auto& over = load.over;
+  if (over.empty()) return 1.0;
+  const double turn = 2.0 * pi, first = over[0].angle;
+  const double angle = crank_angle - turn * std::floor((crank_angle - first) / turn);
+  std::size_t k = 0;
+  while (k + 1 < over.size() && over[k + 1].angle <= angle) ++k;
+  const bool last = k + 1 == over.size();
+  const double next = last ? first + turn : over[k + 1].angle, next_share = last ? over[0].share : over[k + 1].share;
+  const double width = next - over[k].angle;
+  return width > 0.0 ? over[k].share + (next_share - over[k].share) * (angle - over[k].angle) / width : over[k].share;
+}
+
+Table load_table(const Planar::Input& in) {
+  Table table{say("Loads"),
+              {say("load"), say("link"), say("point"), say("force"), say("direction"), say("couple"), say("axes"),
+               say("over the cycle")},
+              {}};
+  for (const auto& l : in.loads) {
+    const bool cartesian = is_set(l.F_x);
+    const double fx = in_si(l.F_x), fy = in_si(l.F_y);
+    const Cell none = std::string("–");
+    const Cell force = is_set(l.F) ? Cell(Quantity{in_si(l.F), "N"})
+                       : cartesian ? Cell(Quantity{std::hypot(fx, fy), "N"})
+                                   : none;
+    const Cell direction = is_set(l.F) ? Cell(Quantity{l.direction, "deg"})
+                           : cartesian ? Cell(Quantity{std::atan2(fy, fx), "deg"})
+                                       : none;
+    table.rows.push_back({l.name.empty() ? none : Cell(text(l.name)), text(l.link),
+                          l.at.empty() ? none : Cell(text(l.at)), force, direction,
+                          is_set(l.M) ? Cell(Quantity{in_si(l.M), "N*m"}) : none,
+                          l.axes == Planar::Axes::link ? say("of the link") : say("fixed"),
+                          l.over.empty() ? say("constant") : say("by {1} shares", std::to_string(l.over.size()))});
+  }
+  return table;
+}
+
+Table spring_table(const Planar::Input& in) {
+  Table table{say("Springs and dampers"),
+              {say("name"), say("first link"), say("point"), say("second link"), say("point"), say("rate"),
+               say("without force"), say("damping")},
+              {}};
+  for (const auto& s : in.springs) {
+    const bool turning = turns(s);
+    const auto [first, second] = end_of(s);
+    const Cell none = std::string("–");
+    table.rows.push_back(
+        {text(s.name), text(s.links.first), first.empty() ? none : Cell(text(first)), text(s.links.second),
+         second.empty() ? none : Cell(text(second)),
+         turning ? Cell(Quantity{in_si(s.k_turn), "N*m/rad"}) : Cell(Quantity{in_si(s.k), "N/mm"}),
+         turning ? Cell(Quantity{is_set(s.free_angle) ? s.free_angle : 0.0, "deg"})
+                 : Cell(Quantity{is_set(s.free) ? in_si(s.free) : 0.0, "mm"}),
+         turning ? Cell(Quantity{in_si(s.c_turn), "N*m*s/rad"}) : Cell(Quantity{in_si(s.c), "N*s/m"})});
+  }
+  return table;
+}
+
+}  // namespace loadpath

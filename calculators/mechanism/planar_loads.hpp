@@ -1,0 +1,30 @@
+// Loads, springs and dampers of a mechanism: from the words of a project to the solver's, over the cycle, and in
+// tables.
+#pragma once
+
+#include "calculators/mechanism/planar_model.hpp"
+#include "lib/report/document.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace loadpath {
+
+mechanism::Load load_of(const PlanarMechanism::Input& in, const PlanarMechanism::Load& load);
+mechanism::Spring spring_of(const PlanarMechanism::Input& in, const PlanarMechanism::Spring& spring);
+
+/// The points of a spring's ends: as written; the second as the first where missing.
+std::pair<Name, Name> end_of(const PlanarMechanism::Spring& spring);
+
+/// Fields of a spring that contradict each other or are missing.
+std::vector<FieldFault> check_fields(const PlanarMechanism::Spring& spring);
+/// Crank angles of a load's shares that do not rise, or reach round more than a turn. Needs values.
+std::vector<FieldFault> check_shares(const PlanarMechanism::Input& in);
+
+/// The share of F and M that acts at a crank angle; 1 where the load does not vary.
+double share_at(const PlanarMechanism::Load& load, double crank_angle);
+
+report::Table load_table(const PlanarMechanism::Input& in);
+report::Table spring_table(const PlanarMechanism::Input& in);
+
+}  // namespace loadpath

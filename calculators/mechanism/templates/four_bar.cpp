@@ -1,0 +1,29 @@
+#include "calculators/mechanism/templates/four_bar_lengths.hpp"
+#include "calculators/mechanism/templates/planar_template_of.hpp"
+
+namespace loadpath::templates {
+
+struct FourBar : FourBarLengths {
+  static constexpr auto id = "four_bar";
+  static constexpr auto title = "Four-bar linkage";
+  static constexpr auto doc =
+      "Crank OA turns about the origin O; the coupler AB moves the rocker CB, whose fixed pin C is on the x axis.";
+  static constexpr auto example = R"([bar]
+calculator = "mechanism.planar"
+template = "four_bar"
+a = "40 mm"
+b = "120 mm"
+c = "80 mm"
+d = "100 mm"
+crank = { speed = "60 rpm", positions = 72 }
+links.coupler.mass = "1 kg"
+links.rocker.mass = "0.8 kg"
+loads = [{ link = "rocker", M = "-15 N*m" }]
+)";
+
+  void draw(Sketch& sketch) const { FourBarLengths::draw(sketch, pins(sketch)); }
+};
+
+template const PlanarTemplate& planar_template<FourBar>();
+
+}  // namespace loadpath::templates

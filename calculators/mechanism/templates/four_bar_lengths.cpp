@@ -1,0 +1,46 @@
+#include "calculators/mechanism/templates/four_bar_lengths.hpp"
+
+namespace loadpath::templates {
+
+std::optional<FieldFault> stop_of(const Chain& chain, const char* path) {
+  const Length far = chain.frame + chain.crank, near = abs(chain.frame - chain.crank);
+  const Length stretched = chain.coupler + chain.rocker, folded = abs(chain.coupler - chain.rocker);
+  if (stretched <= far) {
+    return FieldFault{path,
+                      say("the crank cannot turn round: its pin comes as far as {1} from the {2}'s fixed pin, and {3} "
+                          "and {2} reach {4}",
+                          text_of(far), chain.rocker_name, chain.coupler_name, text_of(stretched)),
+                      part_of_a_turn()};
+  }
+  if (near <= folded) {
+    return FieldFault{path,
+                      say("the crank cannot turn round: its pin comes as near as {1} to the {2}'s fixed pin, and {3} "
+                          "and {2} differ by {4}",
+                          text_of(near), chain.rocker_name, chain.coupler_name, text_of(folded)),
+                      part_of_a_turn()};
+  }
+  return std::nullopt;
+}
+
+FourBarLengths::Pins FourBarLengths::pins(Sketch& sketch) const {
+  Pins at{{"O", {0.0, 0.0}}, {"A", polar(a, sketch.crank_angle())}, {"B", {}}, {"C", {in_si(d), 0.0}}};
+  at.B.at = sketch.meet({"coupler", at.A.at, b}, Reach{"rocker", at.C.at, c}, assembly);
+  return at;
+}
+
+void FourBarLengths::draw(Sketch& sketch, const Pins& at, const Pin* coupler_pin, const Pin* rocker_pin) const {
+  sketch.fixed(at.O);
+  sketch.fixed(at.C);
+  sketch.bar("crank", at.O, at.A, a);
+  sketch.bar("coupler", at.A, at.B, b);
+  if (coupler_pin != nullptr) sketch.point(coupler_pin->name, coupler_pin->at);
+  sketch.bar("rocker", at.C, at.B, c);
+  if (rocker_pin != nullptr) sketch.point(rocker_pin->name, rocker_pin->at);
+  sketch.revolute("O", "ground", "crank");
+  sketch.revolute("A", "crank", "coupler");
+  sketch.revolute("B", "coupler", "rocker");
+  sketch.revolute("C", "ground", "rocker");
+  sketch.crank("O");
+}
+
+}  // namespace loadpath::templates

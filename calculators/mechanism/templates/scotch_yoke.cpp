@@ -1,0 +1,38 @@
+#include "calculators/mechanism/templates/planar_template_of.hpp"
+
+namespace loadpath::templates {
+
+struct ScotchYoke {
+  static constexpr auto id = "scotch_yoke";
+  static constexpr auto title = "Scotch yoke: harmonic motion";
+  static constexpr auto doc =
+      "Crank OA turns about the origin O; its pin A runs in the yoke's slot, which is at right angles to the yoke's "
+      "guide along the x axis.";
+  static constexpr auto example = R"([pump]
+calculator = "mechanism.planar"
+template = "scotch_yoke"
+r = "25 mm"
+crank = { speed = "300 rpm", positions = 72 }
+links.crank.mass = "0.4 kg"
+links.yoke.mass = "1.5 kg"
+loads = [{ link = "yoke", at = "K", F_x = "-400 N", F_y = "0 N" }]
+)";
+
+  Length r = unset<Length>;
+  static constexpr std::tuple fields{Field{&ScotchYoke::r, "r", mm, "length of the crank OA"}.positive()};
+
+  void draw(Sketch& sketch) const {
+    const Pin O{"O", {0.0, 0.0}}, A{"A", polar(r, sketch.crank_angle())}, K{"K", {A.at.x, 0.0}};
+    sketch.fixed(O);
+    sketch.bar("crank", O, A, r);
+    sketch.block("yoke", K, 0.0);
+    sketch.revolute("O", "ground", "crank");
+    sketch.slot("A", {"crank", "yoke"}, {"A", "K"}, pi / 2.0);
+    sketch.prismatic("guide", {"yoke", "ground"}, {"K", "O"});
+    sketch.crank("O");
+  }
+};
+
+template const PlanarTemplate& planar_template<ScotchYoke>();
+
+}  // namespace loadpath::templates

@@ -1,0 +1,76 @@
+#include "calculators/mechanism/templates/planar_template_of.hpp"
+
+namespace loadpath::templates {
+
+struct Shaper {
+  static constexpr auto id = "shaper";
+  static constexpr auto title = "Shaper: crank, swinging slotted lever, rod and ram";
+  static constexpr auto doc =
+      "Crank OA turns about the origin O; its pin A runs in the slot of the lever BC, which swings about B below O, "
+      "outside of the crank's circle. The lever moves the ram D through the rod CD along a guide parallel to the x "
+      "axis.";
+  static constexpr auto example = R"([shaper]
+calculator = "mechanism.planar"
+template = "shaper"
+r = "80 mm"
+d = "250 mm"
+c = "450 mm"
+l = "150 mm"
+e = "440 mm"
+crank = { speed = "60 rpm", positions = 72 }
+links.lever.mass = "6 kg"
+links.ram.mass = "15 kg"
+loads = [{ link = "ram", at = "D", F_x = "-1.5 kN", F_y = "0 N" }]
+)";
+
+  Length r = unset<Length>, d = unset<Length>, c = unset<Length>, l = unset<Length>, e = unset<Length>;
+  Assembly assembly = Assembly::open;
+  static constexpr std::tuple fields{
+      Field{&Shaper::r, "r", mm, "length of the crank OA"}.positive(),
+      Field{&Shaper::d, "d", mm, "distance of the lever's pin B from O, more than r"}.positive(),
+      Field{&Shaper::c, "c", mm, "length of the lever BC"}.positive(),
+      Field{&Shaper::l, "l", mm, "length of the rod CD"}.positive(),
+      Field{&Shaper::e, "e", mm, "height of the guide above B"},
+      Choice{&Shaper::assembly, "assembly", "open: the ram is ahead of C in x, crossed: behind it"}.may_be_missing()};
+
+  void draw(Sketch& sketch) const {
+    const Pin O{"O", {0.0, 0.0}}, A{"A", polar(r, sketch.crank_angle())}, B{"B", {0.0, -in_si(d)}};
+    const Pin C{"C", B.at + polar(c, direction(B.at, A.at))}, G{"G", {0.0, in_si(e - d)}};
+    const Pin D{"D", sketch.meet({"rod", C.at, l}, Line{G.at, {1.0, 0.0}}, assembly)};
+    for (const Pin& pin : {O, B, G}) sketch.fixed(pin);
+    sketch.bar("crank", O, A, r);
+    sketch.bar("lever", B, C, c);
+    sketch.bar("rod", C, D, l);
+    sketch.block("ram", D, 0.0);
+    sketch.revolute("O", "ground", "crank");
+    sketch.slot("A", {"crank", "lever"}, {"A", "B"});
+    sketch.revolute("B", "ground", "lever");
+    sketch.revolute("C", "lever", "rod");
+    sketch.revolute("D", "rod", "ram");
+    sketch.prismatic("guide", {"ram", "ground"}, {"D", "G"});
+    sketch.crank("O");
+  }
+
+  [[nodiscard]] std::optional<FieldFault> crank_stop() const {
+    if (r >= d) {
+      return FieldFault{"r",
+                        say("the lever does not swing: the crank, r = {1}, must be shorter than the distance of the "
+                            "lever's pin, d = {2}",
+                            text_of(r), text_of(d)),
+                        say("with a longer crank the lever turns round: template = \"whitworth\"")};
+    }
+    if (c <= d + r) return leaves_slot("c", c, d + r);
+    const Length lowest = c * sqrt(1.0 - r * r / (d * d));  // of C above B, at the ends of the swing
+    const Length away = max(abs(c - e), abs(lowest - e));
+    if (l > away) return std::nullopt;
+    return FieldFault{"l",
+                      say("the crank cannot turn round: the end of the lever comes as far as {1} from the guide, and "
+                          "the rod is {2} long",
+                          text_of(away), text_of(l)),
+                      part_of_a_turn()};
+  }
+};
+
+template const PlanarTemplate& planar_template<Shaper>();
+
+}  // namespace loadpath::templates

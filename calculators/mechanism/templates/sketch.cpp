@@ -1,0 +1,154 @@
+#include "calculators/mechanism/templates/sketch.hpp"
+
+#include "lib/quantity/format.hpp"
+
+#include <cmath>
+
+namespace loadpath::templates {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+PlanarMechanism::Point point_of(const char* name, Vec at) {
+  PlanarMechanism::Point point;
+  point.name = name;
+  point.x = from_si<Length>(at.x);
+  point.y = from_si<Length>(at.y);
+  return point;
+}
+
+void put_zero(PlanarMechanism::Point& point) { point.x = point.y = 0.0 * m.one; }
+
+}  // namespace
+
+void put_zeros(PlanarMechanism::Input& in) {
+  for (auto& point : in.ground) put_zero(point);
+  for (auto& link : in.links) {
+    for (auto& point : link.points) put_zero(point);
+    link.origin = {0.0 * m.one, 0.0 * m.one};
+    link.angle = 0.0;
+  }
+  for (auto& joint : in.joints) joint.direction = 0.0;
+}
+
+Vec polar(Length r, double angle) { return in_si(r) * Vec{std::cos(angle), std::sin(angle)}; }
+Vec cartesian(Length x, Length y) { return {in_si(x), in_si(y)}; }
+double direction(Vec from, Vec to) { return std::atan2(to.y - from.y, to.x - from.x); }
+std::string text_of(Length l) { return format_quantity(in_si(l), "mm", 5); }
+
+Message part_of_a_turn() {
+  return say("change a length, or solve a part of the turn: crank = { at = [\"0 deg\", \"10 deg\"] }");
+}
+
+std::optional<FieldFault> pin_runs_through(const char* pin, Length r, Length d) {
+  if (abs(r - d) > 1e-9 * d) return std::nullopt;
+  return FieldFault{
+      "r",
+      say("the crank cannot turn round: r and d are both {1}, so that its pin A comes to lie on {2}", text_of(r), pin),
+      part_of_a_turn()};
+}
+
+FieldFault leaves_slot(const char* path, Length lever, Length farthest) {
+  return {path,
+          say("the crank's pin leaves the slot: it comes as far as d + r = {1} from B, and the lever is {2} long",
+              text_of(farthest), text_of(lever)),
+          part_of_a_turn()};
+}
+
+std::string Sketch::where() const {
+  return std::isnan(angle_) ? "" : " at a crank angle of " + format_quantity(angle_, "deg", 5);
+}
+
+void Sketch::refuse(Message message) {
+  const Message hint = std::isnan(angle_) ? say("change a length") : say("change a length, or start elsewhere");
+  if (!fault_) fault_ = FieldFault{"", std::move(message), hint};
+}
+
+Vec Sketch::meet(const Reach& one, const Reach& other, Assembly assembly) {
+  const double r = in_si(one.l), q = in_si(other.l);
+  const Vec apart = other.from - one.from;
+  const double d = mechanism::length(apart);
+  const double along = (d * d + r * r - q * q) / (2.0 * d), across_squared = r * r - along * along;
+  if (!(across_squared >= 0.0)) {
+    refuse(say("'{1}' ({2}) and '{3}' ({4}) do not meet{5}: their other ends are {6} apart", one.link, text_of(one.l),
+               other.link, text_of(other.l), where(), text_of(from_si<Length>(d))));
+    return {nan, nan};
+  }
+  const double across = (assembly == Assembly::open ? 1.0 : -1.0) * std::sqrt(across_squared);
+  return one.from + (along / d) * apart + (across / d) * mechanism::normal(apart);
+}
+
+Vec Sketch::meet(const Reach& link, const Line& line, Assembly assembly) {
+  const Vec to = line.through - link.from;
+  const double away = mechanism::cross(line.along, to), l = in_si(link.l);
+  const double rest = l * l - away * away;
+  if (!(rest >= 0.0)) {
+    refuse(say("'{1}' ({2}) does not reach its guide, which is {3} away{4}", link.link, text_of(link.l),
+               text_of(from_si<Length>(std::abs(away))), where()));
+    return {nan, nan};
+  }
+  const double ahead = (assembly == Assembly::open ? 1.0 : -1.0) * std::sqrt(rest);
+  return line.through + (ahead - mechanism::dot(to, line.along)) * line.along;
+}
+
+void Sketch::fixed(const Pin& pin) { in_.ground.push_back(point_of(pin.name, pin.at)); }
+
+void Sketch::link(const char* name, Vec origin, double angle) {
+  PlanarMechanism::Link link;
+  link.name = name;
+  link.origin = {from_si<Length>(origin.x), from_si<Length>(origin.y)};
+  link.angle = angle;
+  in_.links.push_back(link);
+}
+
+void Sketch::bar(const char* name, const Pin& from, const Pin& to, Length l) {
+  link(name, from.at, direction(from.at, to.at));
+  point(from.name, {0.0, 0.0});
+  point(to.name, {in_si(l), 0.0});
+  const std::string centre = std::string("S_") + name;
+  point(centre.c_str(), {0.5 * in_si(l), 0.0});
+  in_.links.back().S = Name(centre);
+  bars_.emplace_back(in_.links.size() - 1, l);
+}
+
+void Sketch::point(const char* name, Vec at) { in_.links.back().points.push_back(point_of(name, at)); }
+
+void Sketch::block(const char* name, const Pin& pin, double angle) {
+  link(name, pin.at, angle);
+  point(pin.name, {0.0, 0.0});
+}
+
+void Sketch::joint(const char* name, PlanarMechanism::Type type, const PlanarMechanism::Pair& links,
+                   const PlanarMechanism::Pair& points, double angle) {
+  PlanarMechanism::Joint joint;
+  joint.name = name;
+  joint.type = type;
+  joint.links = links;
+  joint.points = points;
+  joint.direction = angle;
+  in_.joints.push_back(joint);
+}
+
+void Sketch::revolute(const char* name, const char* first, const char* second, const char* point) {
+  joint(name, PlanarMechanism::Type::revolute, {first, second}, {point, point}, 0.0);
+}
+
+void Sketch::prismatic(const char* name, std::pair<const char*, const char*> links,
+                       std::pair<const char*, const char*> points, double angle) {
+  joint(name, PlanarMechanism::Type::prismatic, {links.first, links.second}, {points.first, points.second}, angle);
+}
+
+void Sketch::slot(const char* name, std::pair<const char*, const char*> links,
+                  std::pair<const char*, const char*> points, double angle) {
+  joint(name, PlanarMechanism::Type::slot, {links.first, links.second}, {points.first, points.second}, angle);
+}
+
+void Sketch::cylinder(const char* name, const char* joint) {
+  PlanarMechanism::Cylinder cylinder;
+  cylinder.name = name;
+  cylinder.joint = joint;
+  in_.cylinders.push_back(cylinder);
+}
+
+}  // namespace loadpath::templates

@@ -1,0 +1,109 @@
+// Draws a mechanism at its first position: where the pins are follows from lengths, never from rough angles.
+//
+// Template sources use it. Links lie in axes of their own: the origin is the first pin, the x axis runs to the second.
+#pragma once
+
+#include "calculators/mechanism/planar.hpp"
+#include "lib/issue.hpp"
+#include "lib/mechanism/vec.hpp"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace loadpath::templates {
+
+using mechanism::Vec;
+
+/// Which of the two ways to put two lengths together. Each template says what it means there.
+enum class Assembly { open, crossed };
+
+/// A pin of a link, and where it is on paper.
+struct Pin {
+  const char* name;
+  Vec at;
+};
+
+/// A link as far as it decides where others are.
+struct Reach {
+  const char* link;
+  Vec from;
+  Length l;
+};
+
+/// The straight line of a guide.
+struct Line {
+  Vec through;
+  Vec along;  // unit
+};
+
+Vec polar(Length r, double angle);
+Vec cartesian(Length x, Length y);
+/// The direction from one point to another, rad.
+double direction(Vec from, Vec to);
+/// "120 mm"
+std::string text_of(Length l);
+
+/// What to do about a crank that cannot turn round.
+Message part_of_a_turn();
+/// A crank as long as the distance of the pin that it turns something about: its own pin comes to lie on that one.
+std::optional<FieldFault> pin_runs_through(const char* pin, Length r, Length d);
+/// A slotted lever about B that is shorter than the crank's pin is far; `path`: the parameter that is its length.
+FieldFault leaves_slot(const char* path, Length lever, Length farthest);
+
+class Sketch {
+ public:
+  /// `angle`: the crank's at the first position, rad; NaN where there is none.
+  Sketch(PlanarMechanism::Input& in, double angle) : in_(in), angle_(angle) {}
+
+  [[nodiscard]] double crank_angle() const { return angle_; }
+
+  /// The place where two links meet; left of the way from one to the other where `open`, right of it where `crossed`.
+  Vec meet(const Reach& one, const Reach& other, Assembly assembly);
+  /// The place where a link meets a line, ahead of its foot on the line where `open`, behind it where `crossed`.
+  Vec meet(const Reach& link, const Line& line, Assembly assembly);
+
+  void fixed(const Pin& pin);
+  /// A bar with two pins; its mass centre is the point S_LINK in the middle.
+  void bar(const char* link, const Pin& from, const Pin& to, Length l);
+  /// One more pin on the link drawn last, in its axes.
+  void point(const char* name, Vec at);
+  /// A link with one pin that slides or turns in place; its mass centre is the pin.
+  void block(const char* link, const Pin& pin, double angle);
+
+  void revolute(const char* joint, const char* first, const char* second, const char* point = "");
+  /// The point of the first link on the line through that of the second, at `angle` in the axes of the second.
+  void prismatic(const char* joint, std::pair<const char*, const char*> links,
+                 std::pair<const char*, const char*> points, double angle = 0.0);
+  void slot(const char* joint, std::pair<const char*, const char*> links, std::pair<const char*, const char*> points,
+            double angle = 0.0);
+  void crank(const char* joint) { in_.crank.joint = joint; }
+  void cylinder(const char* name, const char* joint);
+
+  /// What does not meet, the first of it: what follows from it is not said.
+  [[nodiscard]] const std::optional<FieldFault>& fault() const { return fault_; }
+  /// The bars and their lengths.
+  [[nodiscard]] const std::vector<std::pair<std::size_t, Length>>& bars() const { return bars_; }
+
+ private:
+  void link(const char* name, Vec origin, double angle);
+  void joint(const char* name, PlanarMechanism::Type type, const PlanarMechanism::Pair& links,
+             const PlanarMechanism::Pair& points, double angle);
+  void refuse(Message message);
+  [[nodiscard]] std::string where() const;
+
+  PlanarMechanism::Input& in_;
+  double angle_;
+  std::optional<FieldFault> fault_;
+  std::vector<std::pair<std::size_t, Length>> bars_;
+};
+
+/// Zeros where the numbers of a drawing without lengths go: they are given, whatever they will be.
+void put_zeros(PlanarMechanism::Input& in);
+
+constexpr auto choices_of(Assembly) {
+  return std::array{ChoiceName<Assembly>{Assembly::open, "open", "the usual way"},
+                    ChoiceName<Assembly>{Assembly::crossed, "crossed", "the other way, mirrored"}};
+}
+
+}  // namespace loadpath::templates

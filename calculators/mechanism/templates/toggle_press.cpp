@@ -1,0 +1,68 @@
+#include "calculators/mechanism/templates/four_bar_lengths.hpp"
+#include "calculators/mechanism/templates/planar_template_of.hpp"
+
+namespace loadpath::templates {
+
+struct TogglePress {
+  static constexpr auto id = "toggle_press";
+  static constexpr auto title = "Toggle press";
+  static constexpr auto doc =
+      "Crank OA turns about the origin O; the rod AB moves the knee B of a toggle. Its upper lever CB hangs on the "
+      "fixed pin C, its lower lever BD pushes the ram D along the vertical through C.";
+  static constexpr auto example = R"([press]
+calculator = "mechanism.planar"
+template = "toggle_press"
+r = "40 mm"
+l = "215 mm"
+b = "180 mm"
+f = "180 mm"
+x_C = "260 mm"
+y_C = "170 mm"
+crank = { speed = "30 rpm", positions = 72 }
+links.ram.mass = "40 kg"
+loads = [{ link = "ram", at = "D", F_x = "0 N", F_y = "8 kN" }]
+)";
+
+  Length r = unset<Length>, l = unset<Length>, b = unset<Length>, f = unset<Length>;
+  Length x_C = unset<Length>, y_C = unset<Length>;
+  Assembly assembly = Assembly::open, ram = Assembly::open;
+  static constexpr std::tuple fields{
+      Field{&TogglePress::r, "r", mm, "length of the crank OA"}.positive(),
+      Field{&TogglePress::l, "l", mm, "length of the rod AB"}.positive(),
+      Field{&TogglePress::b, "b", mm, "length of the upper lever CB"}.positive(),
+      Field{&TogglePress::f, "f", mm, "length of the lower lever BD"}.positive(),
+      Field{&TogglePress::x_C, "x_C", mm, "fixed pin C"},
+      Field{&TogglePress::y_C, "y_C", mm, "fixed pin C"},
+      Choice{&TogglePress::assembly, "assembly", "B is right of the way from A to C: open, or left of it: crossed"}
+          .may_be_missing(),
+      Choice{&TogglePress::ram, "ram", "open: the ram is below B, crossed: above it"}.may_be_missing()};
+
+  void draw(Sketch& sketch) const {
+    const Pin O{"O", {0.0, 0.0}}, A{"A", polar(r, sketch.crank_angle())}, C{"C", cartesian(x_C, y_C)};
+    const Pin B{"B", sketch.meet({"upper", C.at, b}, Reach{"rod", A.at, l}, assembly)};
+    const Pin D{"D", sketch.meet({"lower", B.at, f}, Line{C.at, {0.0, -1.0}}, ram)};
+    sketch.fixed(O);
+    sketch.fixed(C);
+    sketch.bar("crank", O, A, r);
+    sketch.bar("rod", A, B, l);
+    sketch.bar("upper", C, B, b);
+    sketch.bar("lower", B, D, f);
+    sketch.block("ram", D, 0.0);
+    sketch.revolute("O", "ground", "crank");
+    sketch.revolute("A", "crank", "rod");
+    sketch.revolute("B", "rod", "upper");
+    sketch.revolute("B_lower", "upper", "lower", "B");
+    sketch.revolute("C", "ground", "upper");
+    sketch.revolute("D", "lower", "ram");
+    sketch.prismatic("guide", {"ram", "ground"}, {"D", "C"}, -pi / 2.0);
+    sketch.crank("O");
+  }
+
+  [[nodiscard]] std::optional<FieldFault> crank_stop() const {
+    return stop_of({r, l, b, sqrt(x_C * x_C + y_C * y_C), "rod", "upper lever"}, "r");
+  }
+};
+
+template const PlanarTemplate& planar_template<TogglePress>();
+
+}  // namespace loadpath::templates

@@ -1,0 +1,72 @@
+#include "calculators/mechanism/templates/planar_template_of.hpp"
+
+namespace loadpath::templates {
+
+struct Whitworth {
+  static constexpr auto id = "whitworth";
+  static constexpr auto title = "Whitworth quick return: the slotted lever turns round";
+  static constexpr auto doc =
+      "Crank OA turns about the origin O; its pin A turns the slotted lever about B below O, which lies within the "
+      "crank's circle. The lever's other arm BC moves the ram D through the rod CD along a guide parallel to the x "
+      "axis.";
+  static constexpr auto example = R"([shaper]
+calculator = "mechanism.planar"
+template = "whitworth"
+r = "100 mm"
+d = "40 mm"
+c = "80 mm"
+l = "250 mm"
+crank = { speed = "60 rpm", positions = 72 }
+links.ram.mass = "12 kg"
+loads = [{ link = "ram", at = "D", F_x = "-1.5 kN", F_y = "0 N" }]
+)";
+
+  Length r = unset<Length>, d = unset<Length>, c = unset<Length>, l = unset<Length>, e = 0.0 * m.one;
+  Assembly assembly = Assembly::open;
+  static constexpr std::tuple fields{
+      Field{&Whitworth::r, "r", mm, "length of the crank OA"}.positive(),
+      Field{&Whitworth::d, "d", mm, "distance of the lever's pin B from O, less than r"}.positive(),
+      Field{&Whitworth::c, "c", mm, "length of the lever's arm BC, opposite to A"}.positive(),
+      Field{&Whitworth::l, "l", mm, "length of the rod CD"}.positive(),
+      Field{&Whitworth::e, "e", mm, "height of the guide above B"},
+      Choice{&Whitworth::assembly, "assembly", "open: the ram is ahead of C in x, crossed: behind it"}
+          .may_be_missing()};
+
+  void draw(Sketch& sketch) const {
+    const Pin O{"O", {0.0, 0.0}}, A{"A", polar(r, sketch.crank_angle())}, B{"B", {0.0, -in_si(d)}};
+    const Pin C{"C", B.at + polar(c, direction(A.at, B.at))}, G{"G", {0.0, in_si(e - d)}};
+    const Pin D{"D", sketch.meet({"rod", C.at, l}, Line{G.at, {1.0, 0.0}}, assembly)};
+    for (const Pin& pin : {O, B, G}) sketch.fixed(pin);
+    sketch.bar("crank", O, A, r);
+    sketch.bar("lever", B, C, c);
+    sketch.bar("rod", C, D, l);
+    sketch.block("ram", D, 0.0);
+    sketch.revolute("O", "ground", "crank");
+    sketch.slot("A", {"crank", "lever"}, {"A", "B"});
+    sketch.revolute("B", "ground", "lever");
+    sketch.revolute("C", "lever", "rod");
+    sketch.revolute("D", "rod", "ram");
+    sketch.prismatic("guide", {"ram", "ground"}, {"D", "G"});
+    sketch.crank("O");
+  }
+
+  [[nodiscard]] std::optional<FieldFault> crank_stop() const {
+    if (r <= d) {
+      return FieldFault{"r",
+                        say("the slotted lever does not turn round: the crank, r = {1}, must be longer than the "
+                            "distance of the lever's pin, d = {2}",
+                            text_of(r), text_of(d)),
+                        say("with a shorter crank the lever swings: template = \"shaper\"")};
+    }
+    if (l > c + abs(e)) return std::nullopt;
+    return FieldFault{"l",
+                      say("the lever cannot turn round: the rod, l = {1}, must be longer than arm and offset together, "
+                          "{2}",
+                          text_of(l), text_of(c + abs(e))),
+                      part_of_a_turn()};
+  }
+};
+
+template const PlanarTemplate& planar_template<Whitworth>();
+
+}  // namespace loadpath::templates

@@ -1,0 +1,103 @@
+#include "tests/cli/process.hpp"
+
+#include <algorithm>
+
+using namespace loadpath::test;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+const std::string project = R"([project]
+title = "Press"
+[press]
+calculator = "mechanism.planar"
+template = "slider_crank"
+r = "50 mm"
+l = "200 mm"
+crank = { speed = "60 rpm", positions = 12 }
+links.slider.mass = "2 kg"
+[broken]
+calculator = "shaft.torsion"
+T = "=peak(press.drive.M) * 3 mm"
+)";
+
+Ran mechanism(const Desk& desk, std::vector<std::string> words) {
+  words.insert(words.begin(), {"mechanism", "planar", "--file", "-"});
+  return desk.run(words, project);
+}
+
+}  // namespace
+
+TEST_SUITE("cli mechanism") {
+  TEST_CASE("a mechanism of a project file is solved by itself: extremes, structure, mobility, proof") {
+    const Ran o = mechanism(Desk(), {});
+    CHECK(o.code == 0);
+    CHECK(o.error.empty());
+    CHECK(o.out.starts_with("Press\n\npress: Planar mechanism (mechanism.planar)\n  Extremes over the cycle\n"));
+    CHECK(contains(o.out, "    rod, slider  A, B, guide  class II, order 2, RRP  6 = 2 · 3 + 0\n"));
+    CHECK(contains(o.out, "    mobility by rank of the constraints "));
+    CHECK(contains(o.out, "  12 of 12  "));
+    CHECK_FALSE(contains(o.out, "broken"));
+  }
+
+  TEST_CASE("flags stand in place of what the file says") {
+    CHECK(contains(mechanism(Desk(), {"--positions", "36"}).out, "  36 of 36  "));
+    CHECK(contains(mechanism(Desk(), {"--at", "[\"0 deg\", \"90 deg\"]"}).out, "  2 of 2  "));
+    CHECK(contains(mechanism(Desk(), {"--at", "30 deg"}).out, "Drive and reactions\n"));
+    CHECK(contains(mechanism(Desk(), {"--r", "250 mm"}).error,
+                   ": error: the crank cannot turn round: the rod, l = 200 mm"));
+    CHECK(mechanism(Desk(), {"--r", "250 mm"}).code == 2);
+    CHECK(mechanism(Desk(), {"--at", "x deg"}).error.starts_with("--at:1:1: error: a number must come first"));
+  }
+
+  TEST_CASE("the mechanism is drawn where it is asked for, for a page and for CAD, and its series written") {
+    const Desk desk;
+    CHECK(mechanism(desk, {"--at", "[\"0 deg\", \"90 deg\"]", "--svg", "a.svg", "--dxf", "a.dxf", "--csv", "a.csv"})
+              .code == 0);
+    CHECK(desk.files() == std::vector<std::string>{"a.csv", "a.dxf", "a.svg"});
+    CHECK(desk.get("a.svg").starts_with("<svg"));
+    CHECK(contains(desk.get("a.dxf"), "\nLINE\n8\nrod\n10\n50\n20\n0\n30\n0\n11\n250\n21\n0\n31\n0\n"));
+    const std::string csv = desk.get("a.csv");
+    CHECK(std::count(csv.begin(), csv.end(), '\n') == 3);
+  }
+
+  TEST_CASE("a folder takes every figure, one for each given angle among them") {
+    const Desk desk;
+    CHECK(mechanism(desk, {"--at", "[\"0 deg\", \"90 deg\"]", "--svg", "out"}).code == 0);
+    CHECK(desk.has("out/press-first-position.svg"));
+    CHECK(desk.has("out/press-position-2.svg"));
+    CHECK(desk.has("out/press-reactions.svg"));
+  }
+
+  TEST_CASE("one file holds one step's series") {
+    const Desk desk;
+    const Ran o = desk.run({"run", "-", "--csv", "a.csv"},
+                           project.substr(0, project.find("[broken]")) +
+                               "[lifted]\ncalculator = \"shaft.overhung\"\nF = \"=press.joints.O.F\"\nT = "
+                               "\"=press.drive.M\"\na = \"5 mm\"\nsigma_adm = \"60 MPa\"\n");
+    CHECK(o.code == 2);
+    CHECK(o.error == "loadpath: 'a.csv' is one file, and 2 steps have series\n  = help: name a folder\n");
+    CHECK(desk.files().empty());
+  }
+
+  TEST_CASE("a file without such a step, or without a crank, is told") {
+    const Desk desk;
+    desk.put("a.toml", "[axle]\ncalculator = \"shaft.torsion\"\nT = \"9 N*m\"\ntau_adm = \"30 MPa\"\n");
+    CHECK(desk.run({"mechanism", "planar", "--file", "a.toml"}).error ==
+          "a.toml: error: the project has no step of 'mechanism.planar'\n");
+    CHECK(desk.run({"mechanism", "planar", "--file", "b.toml"}).error == "loadpath: cannot read 'b.toml'\n");
+    CHECK(desk.run({"mechanism", "planar", "--template", "scotch_yoke", "--r", "9 mm", "--at", "3 deg"}).error ==
+          "--at: error: crank angles are of a crank, and there is none\n  = help: write its speed: crank = { speed = "
+          "\"60 rpm\" }\n");
+  }
+
+  TEST_CASE("any calculator takes its steps from a file, and what they refer to") {
+    const Ran o = loadpath_with(
+        {"shaft", "torsion", "--file", LOADPATH_ROOT "/examples/slotted-lever/project.toml", "--tau_adm", "40 MPa"});
+    CHECK(o.code == 1);
+    CHECK(contains(o.out, "d_strength = ∛(16 · W_t / π)"));
+    CHECK(contains(o.out, "24.8497 mm"));
+    CHECK_FALSE(contains(o.out, "crank_end"));
+  }
+}

@@ -1,0 +1,76 @@
+// Springs and dampers: by hand, and what must hold for every mechanism.
+#include "lib/mechanism/group_system.hpp"
+#include "lib/mechanism/spring.hpp"
+#include "tests/lib/mechanism/models.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace loadpath::mechanism;
+using namespace loadpath::mechanism::models;
+
+/// The slider-crank with a spring from rod to ground, one between crank and piston, one that turns against the crank.
+Model sprung() {
+  Model model = slider_crank();
+  model.springs.push_back({"a", Spring::Kind::linear, 1, ground, {0.1, 0.02}, {0.1, -0.3}, 2000.0, 0.2, 15.0});
+  model.springs.push_back({"b", Spring::Kind::linear, 0, 2, {0.05, 0.0}, {0.0, 0.05}, 500.0, 0.1, 0.0});
+  model.springs.push_back({"c", Spring::Kind::turning, 0, ground, {}, {}, 3.0, 0.2, 0.05});
+  return model;
+}
+
+}  // namespace
+
+TEST_SUITE("mechanism") {
+  TEST_CASE("a stretched spring pulls its ends together, a damper resists their parting") {
+    Model model;
+    const int block = add_link(model, "block", {});
+    slide(model, "guide", block, {}, ground, {});
+    drive_sliding(model, "drive", 0);
+    model.springs.push_back({"k", Spring::Kind::linear, block, ground, {}, {-0.3, 0.4}, 1000.0, 0.4, 20.0});
+    const Solved solved = solve(model, {{0.0, 0.5, 0.0}});
+    REQUIRE(solved.status == Status::closed);
+    // 0.5 m long, parting with 0.6 * 0.5 m/s.
+    const double effort = 1000.0 * 0.1 + 20.0 * 0.3;
+    CHECK(solved.at.effort[0] == doctest::Approx(0.6 * effort));
+    CHECK(spring_now(model.springs[0], solved.at).effort == doctest::Approx(effort));
+  }
+
+  TEST_CASE("with springs the links are in equilibrium, the power balances and both solvers agree") {
+    const Model model = sprung();
+    GroupSystem groups(model);
+    WholeSystem whole(model);
+    REQUIRE(groups.assemble() == Status::closed);
+    REQUIRE(whole.assemble() == Status::closed);
+    Position a = blank_position(model), b = a;
+    for (int k = 0; k < 60; ++k) {
+      const Drive drive{1.0 + 0.1 * k, 12.0, 30.0};
+      REQUIRE(groups.solve({&drive, 1}, a) == Status::closed);
+      REQUIRE(whole.solve({&drive, 1}, b) == Status::closed);
+      CHECK(a.effort[0] == doctest::Approx(b.effort[0]).epsilon(1e-11));
+      const Residuals left = residuals(model, {&drive, 1}, false, a);
+      CHECK(left.force <= 1e-9);
+      CHECK(left.moment <= 1e-9);
+      CHECK(std::abs(left.power) <= 1e-11 * left.power_scale);
+    }
+  }
+
+  TEST_CASE("over a whole turn springs give back what they take") {
+    Model model = sprung();
+    for (Spring& spring : model.springs) spring.damping = 0.0;
+    model.loads.clear();
+    model.springs.pop_back();  // a turning spring winds up
+    GroupSystem system(model);
+    REQUIRE(system.assemble() == Status::closed);
+    Position at = blank_position(model);
+    double work = 0.0;
+    for (int k = 0; k < 360; ++k) {
+      const Drive drive{1.0 + k * 3.14159265358979323846 / 180.0, 12.0, 0.0};
+      REQUIRE(system.solve({&drive, 1}, at) == Status::closed);
+      work += at.effort[0];
+    }
+    CHECK(std::abs(work) <= 1e-9);
+  }
+}

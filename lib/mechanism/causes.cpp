@@ -3,8 +3,6 @@
 #include "lib/mechanism/induced_source.hpp"
 #include "lib/mechanism/kinetostatics.hpp"
 
-#include <cmath>
-
 namespace loadpath::mechanism {
 
 CauseSplit::CauseSplit(const Model& model)
@@ -13,6 +11,8 @@ CauseSplit::CauseSplit(const Model& model)
   for (std::size_t k = 0; k < model.links.size(); ++k) causes_.push_back({Cause::Kind::inertia, k});
   first_load_ = causes_.size();
   for (std::size_t k = 0; k < model.loads.size(); ++k) causes_.push_back({Cause::Kind::load, k});
+  first_spring_ = causes_.size();
+  for (std::size_t k = 0; k < model.springs.size(); ++k) causes_.push_back({Cause::Kind::spring, k});
   for (std::size_t k = 0; k < model.joints.size(); ++k) {
     induced_[k] = causes_.size();
     if (modes_of(model.joints[k]) > 0) causes_.push_back({Cause::Kind::induced, k});
@@ -28,6 +28,8 @@ std::size_t CauseSplit::cause_of(const ActiveForce& force) const {
       return 1 + force.index;
     case ActiveForce::Kind::load:
       return first_load_ + force.index;
+    case ActiveForce::Kind::spring:
+      return first_spring_ + force.index;
     case ActiveForce::Kind::induced:
       break;
   }
@@ -36,7 +38,7 @@ std::size_t CauseSplit::cause_of(const ActiveForce& force) const {
 
 bool CauseSplit::find(const Position& at, bool statics) {
   instant_.take(at, statics);
-  if (!std::isfinite(instant_.condition())) return false;
+  if (instant_.is_singular()) return false;
   for (std::size_t cause = 0; cause < causes_.size(); ++cause) find_share(cause);
   return true;
 }

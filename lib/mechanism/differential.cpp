@@ -9,40 +9,6 @@ namespace {
 
 constexpr std::size_t lanes = std::tuple_size_v<decltype(Dual::d)>;
 
-BasicVec<Dual> as_dual(Vec v) { return {v.x, v.y}; }
-BasicPose<Dual> as_dual(const Pose& p) { return {p.x, p.y, p.phi}; }
-
-BasicLink<Dual> as_dual(const Link& link) {
-  return {link.name, link.mass, link.inertia, as_dual(link.centre), as_dual(link.pose)};
-}
-
-BasicFriction<Dual> as_dual(const Friction& f) { return {f.coefficient, f.pin_radius, f.rolling_arm, f.viscous}; }
-
-BasicJoint<Dual> as_dual(const Joint& joint) {
-  return {.name = joint.name,
-          .kind = joint.kind,
-          .i = joint.i,
-          .j = joint.j,
-          .point_i = as_dual(joint.point_i),
-          .point_j = as_dual(joint.point_j),
-          .direction = joint.direction,
-          .angle = joint.angle,
-          .radius_i = joint.radius_i,
-          .radius_j = joint.radius_j,
-          .pressure_angle = joint.pressure_angle,
-          .tension = joint.tension,
-          .guide_length = joint.guide_length,
-          .guide_width = joint.guide_width,
-          .friction = as_dual(joint.friction),
-          .phase = joint.phase};
-}
-
-BasicDriver<Dual> as_dual(const Driver& d) { return {d.name, d.kind, d.i, d.j, d.joint, d.offset}; }
-
-BasicLoad<Dual> as_dual(const Load& load) {
-  return {load.name, load.link, as_dual(load.point), as_dual(load.force), load.turns_with_link, load.moment};
-}
-
 void take(std::span<const Pose> poses, double length, std::span<Dual> x) {
   for (std::size_t k = 0; k < poses.size(); ++k) {
     x[3 * k] = poses[k].x / length;
@@ -61,16 +27,6 @@ bool is_constant(const Dual& a) {
 }
 
 }  // namespace
-
-BasicModel<Dual> as_dual(const Model& model) {
-  BasicModel<Dual> dual;
-  for (const auto& link : model.links) dual.links.push_back(as_dual(link));
-  for (const auto& joint : model.joints) dual.joints.push_back(as_dual(joint));
-  for (const auto& driver : model.drivers) dual.drivers.push_back(as_dual(driver));
-  for (const auto& load : model.loads) dual.loads.push_back(as_dual(load));
-  dual.gravity = as_dual(model.gravity);
-  return dual;
-}
 
 Differential::Differential(const Instant& instant)
     : instant_(instant),
@@ -97,6 +53,11 @@ Differential::Differential(const Instant& instant)
 
 bool Differential::start(bool statics) {
   statics_ = statics;
+  for (std::size_t n = 0; n < model_.loads.size(); ++n) {  // they may vary over the cycle
+    const LoadNow& now = instant_.at().loads[n];
+    model_.loads[n].force = {now.force.x, now.force.y};
+    model_.loads[n].moment = now.moment;
+  }
   const double length = instant_.length();
   for (std::size_t row = 0; row < powers_.size(); ++row) {
     double sum = 0.0;
@@ -223,6 +184,7 @@ void Differential::move_induced() {
 
 void Differential::find_forces() {
   required_forces(scaled_, constraints_, velocity_, acceleration_, statics_, right_);
+  supply_springs(scaled_, constraints_, velocity_, right_);
   for (std::size_t m = 0; m < modes_.size(); ++m) {
     take_from_required(modes_[m], amounts_[m], instant_.length(), constraints_.pairs()[modes_[m].joint], q_, right_);
   }

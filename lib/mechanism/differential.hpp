@@ -2,6 +2,7 @@
 // seeded in the model (lib/numerics/dual.hpp).
 #pragma once
 
+#include "lib/mechanism/dual_model.hpp"
 #include "lib/mechanism/induced.hpp"
 #include "lib/mechanism/kinematics.hpp"
 #include "lib/mechanism/position.hpp"
@@ -13,9 +14,6 @@
 #include <vector>
 
 namespace loadpath::mechanism {
-
-/// The same, its numbers as constants.
-BasicModel<Dual> as_dual(const Model& model);
 
 class Differential {
  public:

@@ -22,7 +22,7 @@ class List {
 };
 
 void List::add_joint(const Joint& joint, std::size_t k) {
-  using enum Dimension;
+  using enum Parameter::Dimension;
   add(k, {point_i_x, point_i_y, point_j_x, point_j_y});
   switch (joint.kind) {
     case JointKind::revolute:
@@ -54,11 +54,15 @@ void List::add_joint(const Joint& joint, std::size_t k) {
 }  // namespace
 
 std::vector<Parameter> parameters_of(const Model& model) {
-  using enum Dimension;
+  using enum Parameter::Dimension;
   List list;
   for (std::size_t k = 0; k < model.joints.size(); ++k) list.add_joint(model.joints[k], k);
   for (std::size_t k = 0; k < model.links.size(); ++k) list.add(k, {mass, inertia, centre_x, centre_y});
   for (std::size_t k = 0; k < model.drivers.size(); ++k) list.add(k, {offset});
+  for (std::size_t k = 0; k < model.springs.size(); ++k) {
+    if (model.springs[k].kind == Spring::Kind::linear) list.add(k, {spring_i_x, spring_i_y, spring_j_x, spring_j_y});
+    list.add(k, {rate, Dimension::free, damping});
+  }
   return list.take();
 }
 

@@ -8,8 +8,8 @@
 
 namespace loadpath::mechanism {
 
-/// In the units of the model: m, rad, kg, kg m^2, 1. Points and mass centres are in the frames of their links. Moving
-/// the coordinate of a driver on is the opposite of raising its offset, at the same speed.
+/// In the units of the model: m, rad, kg, kg m^2, 1, and those of springs. Points and mass centres are in the frames of
+/// their links. Moving the coordinate of a driver on is the opposite of raising its offset, at the same speed.
 struct Parameter {
   enum class Dimension {
     point_i_x,  // of joints, to `friction_coefficient`
@@ -27,15 +27,23 @@ struct Parameter {
     inertia,
     centre_x,
     centre_y,
-    offset,  // of drivers
+    offset,      // of drivers
+    spring_i_x,  // of springs, from here on
+    spring_i_y,
+    spring_j_x,
+    spring_j_y,
+    rate,
+    free,
+    damping,
   };
   Dimension dimension = Dimension::mass;
-  std::size_t index = 0;  // of the joint, link or driver
+  std::size_t index = 0;  // of the joint, link, driver or spring
 
   friend bool operator==(const Parameter&, const Parameter&) = default;
 };
 
-/// All that position or forces of this mechanism can depend on.
+/// All of these that position or forces of this mechanism can depend on; loads, gravity, belt tension and the sizes of
+/// guides that only friction feels are not among them.
 std::vector<Parameter> parameters_of(const Model& model);
 
 template <class Scalar>
@@ -74,9 +82,23 @@ Scalar& number(BasicModel<Scalar>& model, const Parameter& parameter) {
     case centre_y:
       return model.links[k].centre.y;
     case offset:
+      return model.drivers[k].offset;
+    case spring_i_x:
+      return model.springs[k].point_i.x;
+    case spring_i_y:
+      return model.springs[k].point_i.y;
+    case spring_j_x:
+      return model.springs[k].point_j.x;
+    case spring_j_y:
+      return model.springs[k].point_j.y;
+    case rate:
+      return model.springs[k].rate;
+    case free:
+      return model.springs[k].free;
+    case damping:
       break;
   }
-  return model.drivers[k].offset;
+  return model.springs[k].damping;
 }
 
 }  // namespace loadpath::mechanism

@@ -32,7 +32,7 @@ Reduction::Reduction(const Model& model)
 
 std::optional<Reduced> Reduction::find(const Position& at, std::size_t driver) {
   instant_.take(at, true);
-  if (!std::isfinite(instant_.condition())) return std::nullopt;
+  if (instant_.is_singular()) return std::nullopt;
   find_unit_motion(driver);
   Reduced reduced;
   for (std::size_t k = 0; k < at.pose.size(); ++k) {

@@ -18,7 +18,7 @@ namespace loadpath::mechanism {
 struct Reduced {
   double inertia = 0.0;     // kg m^2 or kg: twice the kinetic energy over the square of the drive's speed
   double derivative = 0.0;  // of the inertia, by the drive's coordinate: kg m^2/rad or kg/m
-  double moment = 0.0;      // N m or N, positive with the coordinate: of loads and weights
+  double moment = 0.0;      // N m or N, positive with the coordinate: of loads, weights and springs
   double induced = 0.0;     // likewise: of friction and what else the position's reactions bring with them
   /// What the drive must do if it is the only one that moves: J epsilon + dJ/dphi omega^2 / 2 - M.
   [[nodiscard]] double effort(const Drive& drive) const {
@@ -31,7 +31,7 @@ class Reduction {
   /// The model is referred to: its loads may change between positions.
   explicit Reduction(const Model& model);
   /// At a position, of which poses count, and for what is induced the reactions. Nothing where the drive cannot move
-  /// the mechanism, at a dead point. Allocates nothing.
+  /// the mechanism, at a dead point. Takes no memory but the scratch of an inverse.
   [[nodiscard]] std::optional<Reduced> find(const Position& at, std::size_t driver = 0);
 
  private:

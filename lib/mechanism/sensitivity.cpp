@@ -60,12 +60,4 @@ std::size_t Sensitivity::find_parameter(const Parameter& parameter) const {
   return static_cast<std::size_t>(std::ranges::find(list, parameter) - list.begin());
 }
 
-void Sensitivity::set_load(std::size_t load, Vec force, double moment) {
-  work_->model.loads[load].force = force;
-  work_->model.loads[load].moment = moment;
-  auto& seeded = work_->differential.model().loads[load];
-  seeded.force = {force.x, force.y};
-  seeded.moment = moment;
-}
-
 }  // namespace loadpath::mechanism

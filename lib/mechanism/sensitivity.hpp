@@ -28,9 +28,10 @@ class Sensitivity {
 
   [[nodiscard]] std::span<const Parameter> parameters() const;
 
-  /// At a position that a solver found, the drives staying as they are. `singular`: near a dead point, where there are
-  /// no derivatives; `jams`: as the solver has it. Where the sense of friction or the loaded flank changes, the
-  /// derivative is the one of the side on which the position is. Allocates nothing.
+  /// At a position that a solver found, the drives and the loads of the position staying as they are. `singular`: near
+  /// a dead point, where there are no derivatives; `jams`: as the solver has it. Where the sense of friction or the
+  /// loaded flank changes, the derivative is the one of the side on which the position is. Takes no memory but the
+  /// scratch of an inverse.
   Status find(const Position& at, bool statics = false);
 
   /// After `find` has closed: every number of the position, per unit of this parameter. The phase of wheels is
@@ -38,9 +39,6 @@ class Sensitivity {
   [[nodiscard]] const Position& by(std::size_t parameter) const;
   /// The number of this parameter in `parameters()`; as many as there are when it is not among them.
   [[nodiscard]] std::size_t find_parameter(const Parameter& parameter) const;
-
-  /// For loads that vary over the cycle: as WholeSystem::set_load.
-  void set_load(std::size_t load, Vec force, double moment);
 
  private:
   struct Work;

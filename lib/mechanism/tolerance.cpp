@@ -61,7 +61,12 @@ class ToleranceAnalysis::Corners {
  public:
   Corners(const Model& model, const Position& at, std::span<const Drive> drives, const Output& output,
           std::span<const Tolerance> tolerances, bool statics)
-      : model_(model), at_(at), drives_(drives), output_(output), tolerances_(tolerances), statics_(statics) {}
+      : model_(model), at_(at), drives_(drives), output_(output), tolerances_(tolerances), statics_(statics) {
+    for (std::size_t n = 0; n < model_.loads.size(); ++n) {
+      model_.loads[n].force = at.loads[n].force;
+      model_.loads[n].moment = at.loads[n].moment;
+    }
+  }
 
   [[nodiscard]] std::span<const Tolerance> tolerances() const { return tolerances_; }
   /// `side`: of each tolerance, in half widths.
@@ -81,7 +86,7 @@ class ToleranceAnalysis::Corners {
   }
 
  private:
-  const Model& model_;
+  Model model_;
   const Position& at_;
   std::span<const Drive> drives_;
   const Output& output_;

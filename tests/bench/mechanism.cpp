@@ -1,6 +1,8 @@
 // A cycle of 720 positions through the general solvers, by groups and by the whole system at once, beside closed forms
 // written for the one linkage. Per position: coordinates, velocities, accelerations, all reactions, driving moment.
+#include "lib/mechanism/causes.hpp"
 #include "lib/mechanism/group_system.hpp"
+#include "lib/mechanism/sensitivity.hpp"
 #include "lib/mechanism/whole_system.hpp"
 #include "tests/bench/hand_written_linkages.hpp"
 #include "tests/lib/mechanism/models.hpp"
@@ -64,6 +66,7 @@ class GeneralCycle {
     closed_ = closed_ && system_.solve({&drive, 1}, at_) == Status::closed;
     return at_.effort[0];
   }
+  [[nodiscard]] const Position& at() const { return at_; }
   [[nodiscard]] bool closed() const { return closed_; }
 
  private:
@@ -118,6 +121,23 @@ void alone(benchmark::State& state, const Model& model) {
   state.counters["ns_per_link"] = by_groups / static_cast<double>(model.links.size());
 }
 
+// What a design needs besides: all derivatives, the split by cause.
+void six_bar_design(benchmark::State& state) {
+  const Model model = models::six_bar();
+  GeneralCycle<GroupSystem> groups(model);
+  groups.effort(1.0);
+  Sensitivity sensitivity(model);
+  CauseSplit split(model);
+  bool found = true;
+  for (auto _ : state) found = sensitivity.find(groups.at()) == Status::closed && found;
+  const auto derivatives = [&] { return sensitivity.find(groups.at()) == Status::closed; };
+  const auto causes = [&] { return split.find(groups.at()); };
+  state.counters["ns_all_derivatives"] = positions * fastest(derivatives);
+  state.counters["ns_by_cause"] = positions * fastest(causes);
+  state.counters["parameters"] = static_cast<double>(sensitivity.parameters().size());
+  if (!found || !causes()) state.SkipWithError("no derivatives");
+}
+
 void class_three(benchmark::State& state) { alone(state, models::class_three()); }
 void chain_of_5(benchmark::State& state) { alone(state, models::chain(5)); }
 void chain_of_50(benchmark::State& state) { alone(state, models::chain(50)); }
@@ -127,6 +147,7 @@ void chain_of_50(benchmark::State& state) { alone(state, models::chain(50)); }
 BENCHMARK(slider_crank);
 BENCHMARK(four_bar);
 BENCHMARK(six_bar);
+BENCHMARK(six_bar_design);
 BENCHMARK(class_three);
 BENCHMARK(chain_of_5);
 BENCHMARK(chain_of_50);

@@ -36,7 +36,7 @@ Instant::Instant(const Model& model)
       beside_(model.joints.size()),
       jacobian_(constraints_.rows() * constraints_.columns()),
       motions_(jacobian_.size()) {
-  active_.reserve(2 * model.links.size() + model.loads.size() + 2 * model.joints.size());
+  active_.reserve(2 * model.links.size() + model.loads.size() + 2 * model.springs.size() + 2 * model.joints.size());
 }
 
 void Instant::take(const Position& at, bool statics) {

@@ -16,7 +16,8 @@ class Instant {
  public:
   /// The model is referred to: its loads may change between positions.
   explicit Instant(const Model& model);
-  /// Goes to this position, which is referred to. `statics`: without inertia.
+  /// Goes to this position, which is referred to. `statics`: without inertia. Takes no memory but the scratch of an
+  /// inverse.
   void take(const Position& at, bool statics);
 
   [[nodiscard]] const Model& model() const { return *model_; }
@@ -54,6 +55,8 @@ class Instant {
 
   /// Of the position: condition number of its constraint equations with this unit of length, 1-norm.
   [[nodiscard]] double condition() const { return condition_; }
+  /// To rounding: at most three digits of what the inverse gives are left.
+  [[nodiscard]] bool is_singular() const { return !(condition_ <= 1e13); }
 
  private:
   void place();

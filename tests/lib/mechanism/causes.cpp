@@ -49,6 +49,13 @@ Model with_friction(Model model) {
   return model;
 }
 
+Model sprung_lever() {
+  Model model = slotted_lever();
+  model.springs.push_back({"a", Spring::Kind::linear, 1, ground, {0.1, 0.02}, {0.1, -0.3}, 2000.0, 0.2, 15.0});
+  model.springs.push_back({"c", Spring::Kind::turning, 0, 1, {}, {}, 3.0, 0.2, 0.05});
+  return model;
+}
+
 }  // namespace
 
 TEST_SUITE("mechanism") {
@@ -56,7 +63,7 @@ TEST_SUITE("mechanism") {
     std::vector<Case> all = cases();
     for (const Model& model :
          {slider_crank(), four_bar(), six_bar(), slotted_lever(), class_three(), five_bar(), boom(), telescope(),
-          trammel(), with_friction(slider_crank()), with_friction(slotted_lever())}) {
+          trammel(), with_friction(slider_crank()), with_friction(slotted_lever()), sprung_lever()}) {
       all.push_back({model.links.back().name.c_str(), model});
     }
     for (const Case& c : all) {

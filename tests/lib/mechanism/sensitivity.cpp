@@ -129,6 +129,14 @@ TEST_SUITE("mechanism") {
     }
   }
 
+  TEST_CASE("sensitivities with springs and dampers, and to them") {
+    Model model = slider_crank();
+    model.springs.push_back({"a", Spring::Kind::linear, 1, ground, {0.1, 0.02}, {0.1, -0.3}, 2000.0, 0.2, 15.0});
+    model.springs.push_back({"b", Spring::Kind::linear, 0, 2, {0.05, 0.0}, {0.0, 0.05}, 500.0, 0.1, 0.0});
+    model.springs.push_back({"c", Spring::Kind::turning, 0, ground, {}, {}, 3.0, 0.2, 0.05});
+    for (const Moved& m : moved(model)) check_all_derivatives(m);
+  }
+
   TEST_CASE("a crank that carries a mass: its moment's derivatives in closed form") {
     Model model;
     model.gravity = {0.0, -9.81};

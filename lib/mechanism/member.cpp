@@ -158,13 +158,15 @@ void MemberLoads::add_drives(const Position& at) {
 void MemberLoads::sum_up() {
   std::ranges::stable_sort(actions_, {}, &Action::x);
   stations_.assign(1, {});
-  for (const Action& action : actions_) {
-    if (action.x > stations_.back().x) stations_.push_back(further(stations_.back(), action.x));
-    SectionForces after = stations_.back();
-    after.N -= action.force.x;
-    after.V += action.force.y;
-    after.M -= action.couple;
-    stations_.push_back(after);
+  const double together = 1e-9 * length_;  // as the pins of a compound hinge: nothing lies between them
+  for (std::size_t k = 0; k < actions_.size(); ++k) {
+    const bool elsewhere = k == 0 || actions_[k].x - stations_.back().x > together;
+    if (actions_[k].x - stations_.back().x > together) stations_.push_back(further(stations_.back(), actions_[k].x));
+    if (elsewhere) stations_.push_back(stations_.back());
+    SectionForces& after = stations_.back();
+    after.N -= actions_[k].force.x;
+    after.V += actions_[k].force.y;
+    after.M -= actions_[k].couple;
   }
   if (stations_.back().x < length_) stations_.push_back(further(stations_.back(), length_));
 }

@@ -214,7 +214,13 @@ double interpolated(const std::array<Point, 4>& points, std::size_t count, doubl
 
 Extreme maximum(const Value& series) { return extreme(series, 1.0); }
 
-Extreme minimum(const Value& series) { return extreme(series, -1.0); }
+// Between positions a curve that touches zero from above may seem to pass it, and is taken as zero.
+Extreme minimum(const Value& series) {
+  Extreme low = extreme(series, -1.0);
+  const bool below = std::any_of(series.si.begin(), series.si.end(), [](double x) { return x < 0.0; });
+  if (low.value < 0.0 && !below) low.value = 0.0;
+  return low;
+}
 
 Extreme largest(const Value& series) {
   const Extreme high = maximum(series);

@@ -201,6 +201,45 @@ mechanism::Joint joint_values(const Planar::Joint& j) {
   return joint;
 }
 
+std::vector<report::Table> detail_tables(const Planar::Input& in) {
+  using report::Cell;
+  using report::Quantity;
+  const auto millimetres = [](const Length& length) {
+    return is_set(length) && in_si(length) != 0.0 ? Cell(Quantity{in_si(length), "mm"}) : Cell(std::string("–"));
+  };
+  report::Table wheels{
+      say("Wheels"),
+      {say("joint"), say("radius, first link"), say("second link"), say("pressure angle"), say("slack")},
+      {}};
+  report::Table friction{say("Friction and guides"),
+                         {say("joint"), say("coefficient"), say("radius of the pin"), say("length of the guide"),
+                          say("its width"), say("rolling arm"), say("viscous")},
+                         {}};
+  for (const Planar::Joint& j : in.joints) {
+    const std::string name(j.name.view());
+    const bool teeth = j.type == Type::gear || j.type == Type::ring_gear || j.type == Type::rack;
+    const bool belt = j.type == Type::belt || j.type == Type::crossed_belt;
+    if (is_set(j.radii.first) || is_set(j.radius)) {
+      wheels.rows.push_back({name, millimetres(is_set(j.radius) ? j.radius : j.radii.first),
+                             millimetres(j.radii.second),
+                             teeth ? Cell(Quantity{j.pressure_angle, "deg"}) : Cell(std::string("–")),
+                             belt ? Cell(Quantity{in_si(j.slack), "N"}) : Cell(std::string("–"))});
+    }
+    const bool sliding = in_si(j.c) != 0.0, turning = in_si(j.c_turn) != 0.0;
+    if (j.mu == 0.0 && !is_set(j.guide_length) && in_si(j.rolling_arm) == 0.0 && !sliding && !turning) continue;
+    friction.rows.push_back({name, j.mu == 0.0 ? Cell(std::string("–")) : Cell(Quantity{j.mu, "-"}),
+                             millimetres(j.pin_radius), millimetres(j.guide_length), millimetres(j.guide_width),
+                             millimetres(j.rolling_arm),
+                             sliding   ? Cell(Quantity{in_si(j.c), "N*s/m"})
+                             : turning ? Cell(Quantity{in_si(j.c_turn), "N*m*s/rad"})
+                                       : Cell(std::string("–"))});
+  }
+  std::vector<report::Table> tables;
+  if (!wheels.rows.empty()) tables.push_back(std::move(wheels));
+  if (!friction.rows.empty()) tables.push_back(std::move(friction));
+  return tables;
+}
+
 void take_from_assembly(mechanism::Model& model) {
   for (mechanism::Joint& joint : model.joints) {
     const mechanism::Placed i = placed(model, joint.i), j = placed(model, joint.j);

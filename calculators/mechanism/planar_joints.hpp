@@ -4,6 +4,7 @@
 #include "calculators/mechanism/planar.hpp"
 #include "lib/issue.hpp"
 #include "lib/mechanism/model.hpp"
+#include "lib/report/document.hpp"
 
 #include <vector>
 
@@ -14,6 +15,9 @@ std::vector<FieldFault> check_fields(const PlanarMechanism::Joint& joint);
 
 /// All but links and points; the angle may be unset, to be taken as assembled.
 mechanism::Joint joint_values(const PlanarMechanism::Joint& joint);
+
+/// The radii of wheels, and what resists in joints; only where there are such.
+std::vector<report::Table> detail_tables(const PlanarMechanism::Input& in);
 
 /// What is taken from the assembly, once all links are placed: angles that are not given, the side of wheels on lines,
 /// the phases of wheels.

@@ -1,6 +1,7 @@
 #include "calculators/mechanism/planar_report.hpp"
 
 #include "calculators/mechanism/planar_efficiency.hpp"
+#include "calculators/mechanism/planar_joints.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
 #include "calculators/mechanism/planar_model.hpp"
 #include "lib/mechanism/assur.hpp"
@@ -187,6 +188,7 @@ Table determinacy_table(const mechanism::Structure& structure, const Cycle& cycl
 
 std::vector<report::Block> model_tables(const Planar::Input& in) {
   std::vector<report::Block> blocks{drive_table(in), link_table(in), point_table(in), joint_table(in)};
+  for (report::Table& table : detail_tables(in)) blocks.emplace_back(std::move(table));
   if (!in.loads.empty()) blocks.emplace_back(load_table(in));
   if (!in.springs.empty()) blocks.emplace_back(spring_table(in));
   return blocks;

@@ -21,7 +21,8 @@ bool has_crank(const Planar::Input& in) { return !in.crank.joint.empty(); }
 /// The states of all drives at every position.
 struct Schedule {
   std::vector<std::vector<Drive>> drives;
-  std::vector<double> at;  // of the axis: crank angles, or the first cylinder's places
+  std::vector<double> at;  // of the axis: crank angles, or the first cylinder's places, or times
+  double turns = 0.0;      // by which the drive's coordinate is ahead of the crank angle, rad
   double period = 0.0;     // of the crank angle, signed; 0: not a whole turn
 };
 
@@ -60,6 +61,7 @@ Schedule schedule_of(const Planar::Input& in, const mechanism::GroupSystem& syst
     schedule.at.push_back(has_crank(in) ? angles[k] : drives.empty() ? 0.0 : drives[0].coordinate);
     schedule.drives.push_back(std::move(drives));
   }
+  schedule.turns = turns;
   if (is_whole_turn(in)) schedule.period = (in_si(in.crank.speed) < 0.0 ? -2.0 : 2.0) * pi * in.crank.turns;
   return schedule;
 }
@@ -94,11 +96,13 @@ Drive drive_at(const Law& law, const Drive& start, double since, double t) {
 Schedule schedule_by_law(const Planar::Input& in, const mechanism::GroupSystem& system) {
   std::vector<Law> laws;
   std::vector<Drive> starts;
+  double ahead = 0.0;
   if (has_crank(in)) {
     laws.emplace_back(in.crank);
     const double start = in.crank.law.empty() ? in.crank.start : in.crank.law[0].angle;
     const double turns = whole_turns(start, system.coordinate(0));
     for (double& angle : laws.back().place) angle += turns;
+    ahead = turns;
     starts.push_back({start + turns, in_si(in.crank.speed), in_si(in.crank.acceleration)});
   }
   for (const Planar::Cylinder& c : in.cylinders) {
@@ -113,7 +117,8 @@ Schedule schedule_by_law(const Planar::Input& in, const mechanism::GroupSystem& 
     last = std::max(last, law.t.back());
   }
   Schedule schedule;
-  const int count = in.crank.law.empty() ? in.positions : in.crank.positions;
+  schedule.turns = ahead;
+  const int count = has_crank(in) ? in.crank.positions : in.positions;
   for (int k = 0; k < count; ++k) {
     const double t = count > 1 ? first + (last - first) * k / (count - 1) : first;
     schedule.at.push_back(t);
@@ -184,7 +189,7 @@ Status run(mechanism::GroupSystem& system, const Task& task, bool backward, Cycl
     if (cycle.closed[k]) return Status::closed;
     std::vector<Drive> drives = schedule.drives[k];
     if (backward && schedule.period != 0.0) drives[0].coordinate -= schedule.period;
-    if (!drives.empty()) set_loads(task, system, drives[0].coordinate);
+    if (!drives.empty()) set_loads(task, system, drives[0].coordinate - schedule.turns);
     const Status status = system.solve(drives, cycle.positions[k], task.statics);
     if (status != Status::closed && status != Status::jams) return status;
     cycle.jams[k] = status == Status::jams;

@@ -75,7 +75,8 @@ struct Guide {
     const mechanism::Reaction& r = p.reactions[index];
     const Vec along = mechanism::turn(mechanism::placed_at(p, joint.j).phi + joint.direction)({1.0, 0.0});
     const double pressing = dot(r.force, normal(along)), rubbing = dot(r.force, along);
-    const double sense = rubbing == 0.0 ? 0.0 : std::copysign(1.0, rubbing);
+    const bool rests = std::abs(rubbing) <= 1e-9 * std::abs(pressing);  // what is left then is rounding
+    const double sense = rests ? 0.0 : std::copysign(1.0, rubbing);
     const double rubbed = sense * joint.friction.coefficient * 0.5 * joint.guide_width * pressing;
     return {-pressing, -(r.couple - rubbed)};
   }
@@ -124,8 +125,9 @@ struct Contact {
     mechanism::place(shape, mechanism::placed_at(p, joint.i), mechanism::placed_at(p, joint.j), at);
     const Vec force = p.reactions[index].force;
     const bool line = joint.kind == JointKind::rack || joint.kind == JointKind::rolling_on_line;
-    const Vec towards_axis = line ? std::copysign(1.0, joint.radius_i) * normal(at.along) : -at.along;
-    return {dot(force, at.rows[0].e), dot(force, towards_axis)};
+    const Vec along = (1.0 / mechanism::length(at.along)) * at.along;  // pitch circles may lie a little apart
+    const Vec towards_axis = line ? std::copysign(1.0, joint.radius_i) * normal(along) : -along;
+    return {dot(force, line ? along : normal(along)), dot(force, towards_axis)};
   }
   static bool meshes(const Contact& c) { return c.joint.kind == JointKind::gear || c.joint.kind == JointKind::rack; }
   static bool rolls(const Contact& c) { return !meshes(c); }
@@ -193,7 +195,7 @@ struct Machine {
   std::shared_ptr<const mechanism::Model> model;
   std::vector<std::size_t> useful;  // loads
   std::shared_ptr<mechanism::Reduction> reduction;
-  bool cranked = false;
+  bool cranked = false, statics = false;
 
   static bool has_friction(const Machine& m) {
     return std::any_of(m.model->joints.begin(), m.model->joints.end(), rubs);
@@ -201,7 +203,8 @@ struct Machine {
   static bool has_use(const Machine& m) { return !m.useful.empty(); }
   static bool has_crank(const Machine& m) { return m.cranked; }
   static bool shakes(const Machine& m) {
-    return std::any_of(m.model->links.begin(), m.model->links.end(), [](const auto& link) { return link.mass > 0.0; });
+    return !m.statics &&
+           std::any_of(m.model->links.begin(), m.model->links.end(), [](const auto& link) { return link.mass > 0.0; });
   }
   [[nodiscard]] mechanism::Shaking shaking(const Position& p) const { return mechanism::shaking(*model, p, {}); }
   [[nodiscard]] mechanism::Reduced reduced(const Position& p) const {
@@ -283,7 +286,8 @@ void add_design_outputs(const Planar::Input& in, const mechanism::Model& model, 
     if (touches) add_outputs(Contact{joint.name, k, joint}, contact_rows, out);
     if (rubs(joint)) add_outputs(Rubbing{joint.name, k, kept}, rubbing_rows, out);
   }
-  Machine machine{"", kept, {}, std::make_shared<mechanism::Reduction>(*kept), !in.crank.joint.empty() && !statics};
+  Machine machine{"",     kept, {}, std::make_shared<mechanism::Reduction>(*kept), !in.crank.joint.empty() && !statics,
+                  statics};
   for (std::size_t n = 0; n < in.loads.size(); ++n) {
     if (in.loads[n].useful == Planar::Useful::yes) machine.useful.push_back(n);
   }

@@ -144,7 +144,9 @@ Described describe(const Parameter& p, mechanism::Model& model) {
     case centre_y:
       return length_of(say("mass centre of {1}, y", link()));
     case offset:
-      return angle_of(say("place of the drive {1}", model.drivers[p.index].name));
+      return model.drivers[p.index].kind == mechanism::Driver::Kind::linear
+                 ? length_of(say("place of the drive {1}", model.drivers[p.index].name))
+                 : angle_of(say("place of the drive {1}", model.drivers[p.index].name));
     case spring_i_x:
     case spring_i_y:
     case spring_j_x:
@@ -153,7 +155,9 @@ Described describe(const Parameter& p, mechanism::Model& model) {
     case rate:
       return part_of(say("rate of {1}", spring()), value);
     case free:
-      return part_of(say("free length of {1}", spring()), value);
+      return model.springs[p.index].kind == mechanism::Spring::Kind::turning
+                 ? angle_of(say("free angle of {1}", spring()))
+                 : part_of(say("free length of {1}", spring()), value);
     case damping:
       return part_of(say("damping of {1}", spring()), value);
   }

@@ -1,5 +1,6 @@
 #include "calculators/mechanism/planar_kinematics.hpp"
 
+#include "calculators/mechanism/planar_rows.hpp"
 #include "lib/mechanism/closing.hpp"
 #include "lib/mechanism/point_motion.hpp"
 #include "lib/mechanism/position_functions.hpp"
@@ -13,12 +14,12 @@ namespace loadpath {
 
 namespace {
 
+using planar::named;
+
 using mechanism::Position;
 using mechanism::Stroke;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-std::string named(std::string path, const std::string& name) { return path.replace(path.find("NAME"), 4, name); }
 
 struct Guided {
   const char* path;
@@ -162,7 +163,7 @@ std::vector<std::size_t> iterated_groups(const mechanism::Plan& plan) {
 
 }  // namespace
 
-Kinematics kinematics_of(const mechanism::Model& model, const Cycle& cycle, const Axis* axis) {
+Kinematics kinematics_of(const mechanism::Model& model, const Cycle& cycle, const Axis* axis, bool goes_by_drive) {
   Kinematics kinematics;
   if (model.drivers.size() != 1) return kinematics;
   mechanism::PositionFunctions functions(model);
@@ -175,7 +176,7 @@ Kinematics kinematics_of(const mechanism::Model& model, const Cycle& cycle, cons
     for (std::size_t n = 0; n < iterated.size(); ++n)
       kinematics.iterated[n].signs.push_back(kinematics.known[k] ? functions.sign(iterated[n]) : 0.0);
   }
-  if (axis != nullptr)
+  if (axis != nullptr && goes_by_drive)
     kinematics.strokes = strokes(model, {axis->at, axis->period, kinematics.derivatives, kinematics.known});
   return kinematics;
 }
@@ -188,7 +189,7 @@ void add_kinematic_outputs(const PlanarMechanism::Input& in, const mechanism::Mo
   add_transmission(model, out);
   if (model.drivers.size() != 1) return;
   if (model.drivers[0].kind == mechanism::Driver::Kind::rotary) add_derivatives(in, model, out);
-  if (!axis_name(in).empty()) add_ranges(model, out);
+  if (!axis_name(in).empty() && !has_law(in)) add_ranges(model, out);
 }
 
 std::vector<ResultPattern> kinematic_result_patterns() {

@@ -23,8 +23,9 @@ struct Kinematics {
   std::vector<mechanism::Stroke> strokes;  // over the cycle
 };
 
-/// `axis` is null where there is one position.
-Kinematics kinematics_of(const mechanism::Model& model, const Cycle& cycle, const Axis* axis);
+/// `axis` is null where there is one position. `goes_by_drive`: it is the coordinate of the drive, not time; without it
+/// there are no strokes.
+Kinematics kinematics_of(const mechanism::Model& model, const Cycle& cycle, const Axis* axis, bool goes_by_drive);
 
 void add_kinematic_outputs(const PlanarMechanism::Input& in, const mechanism::Model& model,
                            std::vector<MechanismOutput>& out);

@@ -85,11 +85,19 @@ report::Verdict no_return(const std::string& step, const Planar::Input& in) {
   return v;
 }
 
+/// Whether no drive moves: then friction could act either way.
+bool is_at_rest(const Planar::Input& in) {
+  const auto rests = [](const auto& c) { return in_si(c.speed) == 0.0; };
+  return !has_law(in) && in_si(in.crank.speed) == 0.0 && std::all_of(in.cylinders.begin(), in.cylinders.end(), rests);
+}
+
 /// Said only of a mechanism with friction.
 void add_jamming(const std::string& step, const Planar::Input& in, const Cycle& cycle, const Axis* axis,
                  std::vector<report::Verdict>& verdicts) {
-  if (std::none_of(in.joints.begin(), in.joints.end(), [](const auto& j) { return j.mu != 0.0; })) return;
   const auto jams = static_cast<std::size_t>(std::count(cycle.jams.begin(), cycle.jams.end(), true));
+  const bool rubs = std::any_of(in.joints.begin(), in.joints.end(),
+                                [](const auto& j) { return j.mu != 0.0 || in_si(j.rolling_arm) != 0.0; });
+  if (!rubs && jams == 0) return;
   report::Verdict v;
   v.step = step;
   v.symbol = "moves";
@@ -98,6 +106,10 @@ void add_jamming(const std::string& step, const Planar::Input& in, const Cycle& 
   v.value = say("{1} of {2}", std::to_string(cycle.jams.size() - jams), std::to_string(cycle.jams.size()));
   v.state = jams == 0 ? report::State::pass : report::State::fail;
   if (jams > 0 && axis != nullptr) v.note = say("jams between {1}", range_of(cycle.jams, true, *axis));
+  if (is_at_rest(in)) {
+    v.state = report::State::not_covered;
+    v.note = say("at rest friction has no direction: give the drive a speed");
+  }
   verdicts.push_back(std::move(v));
 }
 

@@ -63,7 +63,7 @@ void PlanarStep::add_idle_fields(std::vector<Issue>& issues) const {
                               say("leave out one of the two")));
   }
   const bool crank = !data().crank.joint.empty();
-  if (crank && typed("positions")) {
+  if (crank && typed("positions") && !has_law(data())) {
     issues.push_back(issue_at(input(), "positions", say("'positions' is of strokes of cylinders, and a crank drives"),
                               say("the positions of a turn stand in the crank: crank = { positions = 72 }")));
   }
@@ -73,6 +73,7 @@ void PlanarStep::add_idle_fields(std::vector<Issue>& issues) const {
 /// A stroke needs both ends and a number of positions.
 void PlanarStep::add_idle_strokes(std::vector<Issue>& issues) const {
   const bool several = data().positions > 1;
+  if (has_law(data())) return;
   if (several && !data().cylinders.empty() && !is_set(data().cylinders.front().to)) {
     issues.push_back(issue_at(input(), "positions",
                               say("'positions' is of a stroke, and the cylinder '{1}' has no end of it",
@@ -183,7 +184,7 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
   add_faults(choose_assembly(data(), model), issues);
   if (issues.size() != before) return;
   const Cycle cycle = solve_cycle(data(), model, axis_.get());
-  const Kinematics kinematics = kinematics_of(model, cycle, axis_.get());
+  const Kinematics kinematics = kinematics_of(model, cycle, axis_.get(), !has_law(data()));
   outputs_ = mechanism_outputs(data(), model);
   fill_values(cycle, kinematics);
   project::Account& account = own_account();

@@ -2,15 +2,21 @@
 
 #include "lib/quantity/format.hpp"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 
 namespace loadpath::io {
 
 namespace {
 
-/// Empty where there is no value: a reader of CSV must not meet "nan". 15 digits: 30, not 29.999999999999996.
-std::string cell(double si, const std::string& unit) {
-  return std::isfinite(si) ? format_number(in_unit(si, unit), 15) : std::string();
+/// Nothing where there is no value: a reader of CSV must not meet "nan". 15 digits: 30, not 29.999999999999996.
+void add_cell(double value, std::string& text) {
+  if (!std::isfinite(value)) return;
+  std::array<char, 32> buffer{};
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value + 0.0, std::chars_format::general, 15);
+  text.append(buffer.data(), end.ptr);
 }
 
 std::string table_of(const project::Account& account, const Axis& axis) {
@@ -21,10 +27,16 @@ std::string table_of(const project::Account& account, const Axis& axis) {
   }
   for (const auto* e : columns) text += "," + e->path + " [" + e->unit + "]";
   text += "\n";
-  for (std::size_t i = 0; i < axis.at.size(); ++i) {
-    text += cell(axis.at[i], axis.unit);
-    for (const auto* e : columns) text += "," + cell(e->value.si[i], e->unit);
-    text += "\n";
+  const std::vector<double> places = in_unit(axis.at, axis.unit);
+  std::vector<std::vector<double>> values;
+  for (const auto* e : columns) values.push_back(in_unit(e->value.si, e->unit));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    add_cell(places[i], text);
+    for (const auto& column : values) {
+      text += ',';
+      add_cell(column[i], text);
+    }
+    text += '\n';
   }
   return text;
 }

@@ -109,7 +109,8 @@ double GroupSystem::Work::find_way(std::span<const Drive> goal) {
   for (std::size_t k = 0; k < goal.size(); ++k) {
     way[k].speed = goal[k].coordinate - drives[k].coordinate;
     const bool linear = model.drivers[k].kind == Driver::Kind::linear;
-    most = std::max(most, std::abs(way[k].speed) / (linear ? length : 1.0));
+    const double share = std::abs(way[k].speed) / (linear ? length : 1.0);
+    if (!(share <= most)) most = share;  // what is no number stays so
   }
   return most;
 }

@@ -131,21 +131,22 @@ void MemberLoads::add_joints(const Position& at) {
   }
 }
 
-// The couple of a rotary drive acts at the pin that joins its two links.
+// The couple of a rotary drive acts at the pin that joins its two links, or, where none does, at the start.
 void MemberLoads::add_drives(const Position& at) {
   for (std::size_t d = 0; d < model_.drivers.size(); ++d) {
     const Driver& driver = model_.drivers[d];
     const bool linear = driver.kind == Driver::Kind::linear;
     const auto same = [&](const Joint& j) {
+      if (j.kind != JointKind::revolute) return false;
       return (j.i == driver.i && j.j == driver.j) || (j.i == driver.j && j.j == driver.i);
     };
     const auto found = linear ? model_.joints.begin() + driver.joint : std::ranges::find_if(model_.joints, same);
-    if (found == model_.joints.end()) continue;
+    const bool joined = found != model_.joints.end();
     const int i = linear ? found->i : driver.i, j = linear ? found->j : driver.j;
     const int link = static_cast<int>(member_.link);
     if (i != link && j != link) continue;
     const double sense = i == link ? 1.0 : -1.0;
-    const Vec place = at.reactions[static_cast<std::size_t>(found - model_.joints.begin())].at;
+    const Vec place = joined ? at.reactions[static_cast<std::size_t>(found - model_.joints.begin())].at : origin_;
     if (!linear) {
       add(place, {}, sense * at.effort[d]);
       continue;

@@ -80,10 +80,13 @@ template <class Scalar>
 void place_wheels(const BasicPairShape<Scalar>& shape, BasicPairPlace<Scalar>& at) {
   turn_centres(at);
   if (is_joint(shape, JointKind::belt)) return place_belt(shape, at);
-  at.along = (-1.0 / (shape.radius_i + shape.radius_j)) * at.apart;
+  const Scalar sum = shape.radius_i + shape.radius_j;
+  const Scalar towards = (sum < 0.0 ? 1.0 : -1.0) / sqrt(dot(at.apart, at.apart));
+  at.along = towards * at.apart;
   at.rows[0].e = normal(at.along);
   at.rows[1].e = at.along;
-  at.at = at.at + shape.radius_i * at.along;
+  // Pitch circles that lie a little apart touch where they divide the line of centres.
+  at.at = at.at - (shape.radius_i / sum) * at.apart;
 }
 
 template <class Scalar>

@@ -80,9 +80,9 @@ struct BasicPairPlace {
   BasicVec<Scalar> at_j;   // and on j: the same once the pair is closed
   BasicVec<Scalar> seat;   // point_j
   BasicVec<Scalar> apart;  // from the seat to the pin of link i
-  BasicVec<Scalar>
-      along;  // the line of link j; wheels: from the centre of i towards that of j, over the sum of the radii
-  Scalar centres = 0.0;  // wheels: angle of the line of centres, continuous
+  BasicVec<Scalar> along;  // the line of link j; of the belt; wheels: from the centre of i towards the other pitch
+                           // circle, a unit vector
+  Scalar centres = 0.0;    // wheels: angle of the line of centres, continuous
   std::array<BasicPairRow<Scalar>, 3> rows;
 };
 using PairPlace = BasicPairPlace<double>;

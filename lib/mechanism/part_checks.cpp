@@ -154,6 +154,9 @@ void PartChecks::check_linear(std::size_t k, const Driver& driver) {
   if (joint.kind == JointKind::revolute) {
     add(About::driver, k, say("driver '{1}' is linear, but joint '{2}' is revolute", driver.name, joint.name),
         say("a linear driver needs a prismatic joint or a slot"));
+  } else if (joint.kind != JointKind::prismatic && joint.kind != JointKind::slot) {
+    add(About::driver, k, say("driver '{1}' is linear, but joint '{2}' does not slide", driver.name, joint.name),
+        say("a linear driver needs a prismatic joint or a slot"));
   }
   check_driven_once(k, driver);
 }

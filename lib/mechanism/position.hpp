@@ -19,7 +19,7 @@ template <class Scalar>
 struct BasicReaction {
   BasicVec<Scalar> at;     // global
   BasicVec<Scalar> force;  // N
-  Scalar couple = 0.0;     // N m; prismatic only
+  Scalar couple = 0.0;     // N m; of what holds the angle, and of friction
 };
 using Reaction = BasicReaction<double>;
 

@@ -86,4 +86,12 @@ double in_unit(double si, std::string_view unit) {
   return read->from_si(si);
 }
 
+std::vector<double> in_unit(std::vector<double> si, std::string_view unit) {
+  if (is_ratio(unit)) return si;
+  const Outcome<ParsedUnit> read = read_unit(unit, 0);
+  assert(read && "the unit of a field must be in the table");
+  for (double& value : si) value = read->from_si(value);
+  return si;
+}
+
 }  // namespace loadpath

@@ -43,6 +43,9 @@ struct Bar {
   bool statics = false;
 
   [[nodiscard]] mechanism::MemberLoads::Peaks peaks(const Position& p) const {
+    const bool unknown =
+        std::any_of(p.reactions.begin(), p.reactions.end(), [](const auto& r) { return !std::isfinite(r.force.x); });
+    if (unknown) return {{0.0, none, none, none}, {0.0, none, none, none}, {0.0, none, none, none}};
     loads->take(p, statics);
     return loads->peaks();
   }

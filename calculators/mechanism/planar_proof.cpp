@@ -1,6 +1,8 @@
 // What a report says about the proof of a planar mechanism: closing, equilibrium, power, and the reactions and drives
 // found again by other methods.
+#include "calculators/mechanism/planar_model.hpp"
 #include "calculators/mechanism/planar_report.hpp"
+#include "lib/mechanism/frames.hpp"
 #include "lib/mechanism/vec.hpp"
 #include "lib/numerics/magnitude.hpp"
 #include "lib/quantity/format.hpp"
@@ -89,6 +91,41 @@ report::Verdict no_return(const std::string& step, const Planar::Input& in) {
 bool is_at_rest(const Planar::Input& in) {
   const auto rests = [](const auto& c) { return in_si(c.speed) == 0.0; };
   return !has_law(in) && in_si(in.crank.speed) == 0.0 && std::all_of(in.cylinders.begin(), in.cylinders.end(), rests);
+}
+
+/// The force that presses a rolling wheel against what it rolls on, N.
+double pressing(const mechanism::Joint& joint, const mechanism::Position& at, std::size_t k) {
+  mechanism::PairPlace place;
+  mechanism::place(mechanism::shape_of(joint), mechanism::placed_at(at, joint.i), mechanism::placed_at(at, joint.j),
+                   place);
+  const bool line = joint.kind == mechanism::JointKind::rolling_on_line;
+  const double side = line ? std::copysign(1.0, joint.radius_i) : -1.0;
+  return side * mechanism::dot(at.reactions[k].force, place.rows[1].e);
+}
+
+/// A wheel that rolls must press: nothing pulls it back.
+std::vector<report::Verdict> contacts(const std::string& step, const Planar::Input& in, const Cycle& cycle,
+                                      const Axis* axis) {
+  std::vector<report::Verdict> verdicts;
+  const mechanism::Model model = model_of(in);
+  for (std::size_t n = 0; n < model.joints.size(); ++n) {
+    const mechanism::Joint& joint = model.joints[n];
+    if (joint.kind != mechanism::JointKind::rolling && joint.kind != mechanism::JointKind::rolling_on_line) continue;
+    std::vector<bool> lost(cycle.positions.size());
+    for (std::size_t k = 0; k < lost.size(); ++k)
+      lost[k] = cycle.has_forces(k) && pressing(joint, cycle.positions[k], n) < 0.0;
+    const auto count = static_cast<std::size_t>(std::count(lost.begin(), lost.end(), true));
+    report::Verdict v;
+    v.step = step;
+    v.symbol = "contact_" + joint.name;
+    v.meaning = say("the wheel of joint '{1}' stays on what it rolls on", joint.name);
+    v.bound = say("every position");
+    v.value = say("{1} of {2}", std::to_string(lost.size() - count), std::to_string(lost.size()));
+    v.state = count == 0 ? report::State::pass : report::State::fail;
+    if (count > 0 && axis != nullptr) v.note = say("lifts off between {1}", range_of(lost, true, *axis));
+    verdicts.push_back(std::move(v));
+  }
+  return verdicts;
 }
 
 /// Said only of a mechanism with friction.
@@ -249,6 +286,7 @@ std::vector<report::Verdict> proof(const std::string& step, const Planar::Input&
   std::vector<report::Verdict> verdicts{closing(step, in, cycle, axis)};
   add_jamming(step, in, cycle, axis, verdicts);
   if (!cycle.returns) verdicts.push_back(no_return(step, in));
+  for (report::Verdict& v : contacts(step, in, cycle, axis)) verdicts.push_back(std::move(v));
   verdicts.push_back(limit(step, "force_balance",
                            say("equilibrium of every link: unbalanced force over the largest reaction"),
                            part(left.force, left.largest_force), 1e-9));

@@ -73,14 +73,25 @@ Table drive_table(const Planar::Input& in) {
   Table table{say("Drive"), {}, {}};
   if (!in.crank.joint.empty()) {
     table.rows.push_back({say("driven joint"), text(in.crank.joint)});
-    table.rows.push_back({say("angular speed"), Quantity{in_si(in.crank.speed), "rad/s"}});
-    table.rows.push_back({say("angular acceleration"), Quantity{in_si(in.crank.acceleration), "rad/s^2"}});
+    for (const auto& moment : in.crank.law)
+      table.rows.push_back(
+          {say("crank angle at {1}", format_quantity(in_si(moment.t), "s")), Quantity{moment.angle, "deg"}});
+    if (in.crank.law.empty()) {
+      table.rows.push_back({say("angular speed"), Quantity{in_si(in.crank.speed), "rad/s"}});
+      table.rows.push_back({say("angular acceleration"), Quantity{in_si(in.crank.acceleration), "rad/s^2"}});
+    }
     const bool turn = in.crank.at.empty();
     table.rows.push_back({say("first crank angle"), Quantity{first_crank_angle(in.crank), "deg"}});
     table.rows.push_back(
         {say("positions"), std::to_string(turn ? static_cast<std::size_t>(in.crank.positions) : in.crank.at.size())});
   }
-  for (const auto& c : in.cylinders) table.rows.push_back({text(c.name), text(c.joint)});
+  for (const auto& c : in.cylinders) {
+    table.rows.push_back({text(c.name), text(c.joint)});
+    for (const auto& moment : c.law) {
+      table.rows.push_back({say("place of {1} at {2}", text(c.name), format_quantity(in_si(moment.t), "s")),
+                            Quantity{in_si(moment.place), "mm"}});
+    }
+  }
   table.rows.push_back({say("gravity"), Quantity{in_si(in.gravity), "m/s^2"}});
   if (in_si(in.gravity) != 0.0)
     table.rows.push_back({say("direction of gravity"), Quantity{in.gravity_direction, "deg"}});

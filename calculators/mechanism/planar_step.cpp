@@ -62,6 +62,11 @@ void PlanarStep::add_idle_fields(std::vector<Issue>& issues) const {
                               say("'{1}' is of a whole turn, and 'crank.at' gives the crank angles", path),
                               say("leave out one of the two")));
   }
+  for (const char* const path : {"crank.speed", "crank.acceleration", "crank.start", "crank.at"}) {
+    if (data().crank.law.empty() || !typed(path)) continue;
+    issues.push_back(issue_at(input(), path, say("'{1}' and 'crank.law' both say how the crank moves", path),
+                              say("leave out one of the two")));
+  }
   const bool crank = !data().crank.joint.empty();
   if (crank && typed("positions") && !has_law(data())) {
     issues.push_back(issue_at(input(), "positions", say("'positions' is of strokes of cylinders, and a crank drives"),

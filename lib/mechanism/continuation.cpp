@@ -18,6 +18,7 @@ constexpr double quadratic = 1e-7;  // a Newton step as small as this leaves rou
 constexpr double largest_correction = 0.2;
 // Of a move: the step that is no longer halved, and what is missing at a position that cannot be passed.
 constexpr double shortest_part = 1e-9;
+constexpr int most_parts = 5000;  // a move that needs more creeps along a position that it never passes
 constexpr double nearly_all = 1.0 - 1e-6;
 
 double largest(std::span<const double> x) {
@@ -122,7 +123,8 @@ Status Continuation::move(std::span<const double> goal) {
   start_ = q_;
   held_at_start_ = held_;
   double reached = 0.0;
-  while (reached < 1.0) {
+  for (int parts = 0; reached < 1.0; ++parts) {
+    if (parts == most_parts) return give_up(reached, goal);
     base_ = q_;
     predict(goal);
     const double least = std::min(1.0, shortest_part / (1.0 - reached));

@@ -161,10 +161,10 @@ std::vector<Misfit> misfits_of(const Constraints& constraints, double length) {
     const Pair& pair = constraints.pairs()[k];
     const double apart = mechanism::length(pair.at.apart);
     const double sum = std::abs(pair.shape.radius_i + pair.shape.radius_j);
-    const double difference = std::abs(pair.shape.radius_i - pair.shape.radius_j);
+    const double least = std::abs(pair.shape.radius_i) + std::abs(pair.shape.radius_j);
     const bool gear = pair.shape.joint == JointKind::gear && std::abs(apart - sum) > tolerance * sum;
-    const bool belt = pair.shape.joint == JointKind::belt && apart <= (1.0 + tolerance) * difference;
-    if (gear || belt) misfits.push_back({k, length * apart, length * (gear ? sum : difference)});
+    const bool belt = pair.shape.joint == JointKind::belt && apart <= least;
+    if (gear || belt) misfits.push_back({k, length * apart, length * (gear ? sum : least)});
   }
   return misfits;
 }

@@ -115,9 +115,10 @@ TEST_SUITE("mechanism faults") {
   }
 
   TEST_CASE("laws of motion") {
-    CHECK(message_of("positions = 72 }", "law = [[\"0 s\", \"0 deg\"]] }") ==
+    CHECK(message_of("speed = \"300 rpm\", positions = 72 }", "law = [[\"0 s\", \"0 deg\"]] }") ==
           "a law of motion has two moments or more");
-    CHECK(message_of("positions = 72 }", "law = [[\"1 s\", \"0 deg\"], [\"0.5 s\", \"90 deg\"]] }") ==
+    CHECK(message_of("speed = \"300 rpm\", positions = 72 }",
+                     "law = [[\"1 s\", \"0 deg\"], [\"0.5 s\", \"90 deg\"]] }") ==
           "the times of a law must rise from each to the next");
     CHECK(with("speed = \"300 rpm\", positions = 72 }", "law = [[\"0 s\", \"10 deg\"], [\"0.5 s\", \"90 deg\"]] }")
               .empty());

@@ -207,7 +207,7 @@ std::vector<report::Table> detail_tables(const Planar::Input& in) {
   const auto millimetres = [](const Length& length) {
     return is_set(length) && in_si(length) != 0.0 ? Cell(Quantity{in_si(length), "mm"}) : Cell(std::string("–"));
   };
-  report::Table wheels{
+  report::Table rolling{
       say("Wheels"),
       {say("joint"), say("radius, first link"), say("second link"), say("pressure angle"), say("slack")},
       {}};
@@ -220,10 +220,10 @@ std::vector<report::Table> detail_tables(const Planar::Input& in) {
     const bool teeth = j.type == Type::gear || j.type == Type::ring_gear || j.type == Type::rack;
     const bool belt = j.type == Type::belt || j.type == Type::crossed_belt;
     if (is_set(j.radii.first) || is_set(j.radius)) {
-      wheels.rows.push_back({name, millimetres(is_set(j.radius) ? j.radius : j.radii.first),
-                             millimetres(j.radii.second),
-                             teeth ? Cell(Quantity{j.pressure_angle, "deg"}) : Cell(std::string("–")),
-                             belt ? Cell(Quantity{in_si(j.slack), "N"}) : Cell(std::string("–"))});
+      rolling.rows.push_back({name, millimetres(is_set(j.radius) ? j.radius : j.radii.first),
+                              millimetres(j.radii.second),
+                              teeth ? Cell(Quantity{j.pressure_angle, "deg"}) : Cell(std::string("–")),
+                              belt ? Cell(Quantity{in_si(j.slack), "N"}) : Cell(std::string("–"))});
     }
     const bool sliding = in_si(j.c) != 0.0, turning = in_si(j.c_turn) != 0.0;
     if (j.mu == 0.0 && !is_set(j.guide_length) && in_si(j.rolling_arm) == 0.0 && !sliding && !turning) continue;
@@ -235,7 +235,7 @@ std::vector<report::Table> detail_tables(const Planar::Input& in) {
                                        : Cell(std::string("–"))});
   }
   std::vector<report::Table> tables;
-  if (!wheels.rows.empty()) tables.push_back(std::move(wheels));
+  if (!rolling.rows.empty()) tables.push_back(std::move(rolling));
   if (!friction.rows.empty()) tables.push_back(std::move(friction));
   return tables;
 }

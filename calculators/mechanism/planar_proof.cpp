@@ -106,7 +106,12 @@ double pressing(const mechanism::Joint& joint, const mechanism::Position& at, st
 /// A wheel that rolls must press: nothing pulls it back.
 std::vector<report::Verdict> contacts(const std::string& step, const Planar::Input& in, const Cycle& cycle,
                                       const Axis* axis) {
+  using Type = Planar::Type;
   std::vector<report::Verdict> verdicts;
+  const bool rolls = std::any_of(in.joints.begin(), in.joints.end(), [](const auto& j) {
+    return j.type == Type::rolling || j.type == Type::rolling_inside || j.type == Type::rolling_on_line;
+  });
+  if (!rolls) return verdicts;
   const mechanism::Model model = model_of(in);
   for (std::size_t n = 0; n < model.joints.size(); ++n) {
     const mechanism::Joint& joint = model.joints[n];

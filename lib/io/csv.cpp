@@ -29,6 +29,7 @@ std::string table_of(const project::Account& account, const Axis& axis) {
   text += "\n";
   const std::vector<double> places = in_unit(axis.at, axis.unit);
   std::vector<std::vector<double>> values;
+  values.reserve(columns.size());
   for (const auto* e : columns) values.push_back(in_unit(e->value.si, e->unit));
   for (std::size_t i = 0; i < places.size(); ++i) {
     add_cell(places[i], text);

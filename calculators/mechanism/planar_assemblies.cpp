@@ -89,8 +89,14 @@ void add_iterated(const mechanism::Model& model, const Cycle& cycle, const Kinem
 
 }  // namespace
 
-std::vector<FieldFault> choose_assembly(const PlanarMechanism::Input& in, mechanism::Model& model) {
+std::vector<FieldFault> choose_assembly(const PlanarMechanism::Input& in, const mechanism::Structure& structure,
+                                        mechanism::Model& model) {
   if (in.sides.empty()) return {};
+  if (!structure.redundant.empty())
+    return {{"sides",
+             say("sides do not tell the assembly where joints hold too much: {1}",
+                 names_of(model.joints, structure.redundant[0])),
+             say("state the rough place and angle of the links, or draw them")}};
   const auto list = mechanism::assemblies(model).list;
   const auto sides = all_sides(list);
   std::vector<FieldFault> faults;
@@ -108,7 +114,7 @@ std::vector<FieldFault> choose_assembly(const PlanarMechanism::Input& in, mechan
 
 std::vector<report::Verdict> changes_of_assembly(const std::string& step, const mechanism::Model& model,
                                                  const Cycle& cycle, const Kinematics& kinematics, const Axis* axis) {
-  if (axis == nullptr) return {};
+  if (axis == nullptr || !cycle.unique.empty()) return {};
   std::vector<std::string> found;
   add_dyads(model, cycle, *axis, found);
   add_iterated(model, cycle, kinematics, *axis, found);

@@ -5,6 +5,7 @@
 #include "calculators/mechanism/planar_cycle.hpp"
 #include "calculators/mechanism/planar_kinematics.hpp"
 #include "lib/issue.hpp"
+#include "lib/mechanism/structure.hpp"
 #include "lib/project/step.hpp"
 
 #include <string>
@@ -13,11 +14,13 @@
 namespace loadpath {
 
 /// Puts the links of the model where the assembly has them whose sides are named; the other sides as stated. Nothing
-/// changes, and faults say why, where there is no such assembly. The model has passed mechanism::diagnose.
-std::vector<FieldFault> choose_assembly(const PlanarMechanism::Input& in, mechanism::Model& model);
+/// changes, and faults say why, where there is no such assembly. The model has passed mechanism::diagnose, which gave
+/// the structure.
+std::vector<FieldFault> choose_assembly(const PlanarMechanism::Input& in, const mechanism::Structure& structure,
+                                        mechanism::Model& model);
 
-/// Said only where a group passes to another of its assemblies: at the change point the drive alone does not tell which
-/// way the mechanism goes on.
+/// Said only where a group passes to another of its assemblies, and no joint that holds too much keeps it from that: at
+/// the change point the drive alone does not tell which way the mechanism goes on.
 std::vector<report::Verdict> changes_of_assembly(const std::string& step, const mechanism::Model& model,
                                                  const Cycle& cycle, const Kinematics& kinematics, const Axis* axis);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 
 namespace loadpath {
@@ -46,7 +47,7 @@ double place_of(const Planar::Cylinder& c, double assembled, std::size_t k, std:
   return count < 2 ? from : from + (to - from) * static_cast<double>(k) / static_cast<double>(count - 1);
 }
 
-Schedule schedule_of(const Planar::Input& in, const mechanism::GroupSystem& system) {
+Schedule schedule_of(const Planar::Input& in, const mechanism::ReleasedSystem& system) {
   Schedule schedule;
   const std::vector<double> angles = has_crank(in) ? crank_angles(in.crank) : std::vector<double>{};
   const std::size_t count = has_crank(in) ? angles.size() : static_cast<std::size_t>(in.positions);
@@ -93,7 +94,7 @@ Drive drive_at(const Law& law, const Drive& start, double since, double t) {
 }
 
 /// Equal steps of time, from the first moment of a law to the last of one.
-Schedule schedule_by_law(const Planar::Input& in, const mechanism::GroupSystem& system) {
+Schedule schedule_by_law(const Planar::Input& in, const mechanism::ReleasedSystem& system) {
   std::vector<Law> laws;
   std::vector<Drive> starts;
   double ahead = 0.0;
@@ -154,19 +155,17 @@ void take_forces_away(mechanism::Position& p) {
 /// What is solved: a mechanism, its drives at every position, with inertia or without.
 struct Task {
   const Planar::Input& in;
-  mechanism::Model& model;  // its loads as they are at the position
+  const mechanism::Model& model;
   const Schedule& schedule;
   bool statics;
 };
 
-void set_loads(const Task& task, mechanism::GroupSystem& system, double crank_angle) {
+void set_loads(const Task& task, mechanism::ReleasedSystem& system, double crank_angle) {
   for (std::size_t k = 0; k < task.in.loads.size(); ++k) {
     if (task.in.loads[k].over.empty()) continue;
     const double share = share_at(task.in.loads[k], crank_angle, 2.0 * pi * task.in.crank.turns);
     const mechanism::Load full = load_of(task.in, task.in.loads[k]);
-    task.model.loads[k].force = share * full.force;
-    task.model.loads[k].moment = share * full.moment;
-    system.set_load(k, task.model.loads[k].force, task.model.loads[k].moment);
+    system.set_load(k, share * full.force, share * full.moment);
   }
 }
 
@@ -180,8 +179,9 @@ void prove(mechanism::Prover& prover, const Task& task, std::span<const Drive> d
 }
 
 /// Solves the positions from the first on, or from the last back, until one does not close; that one is left open.
-Status run(mechanism::GroupSystem& system, const Task& task, bool backward, Cycle& cycle) {
-  mechanism::Prover prover(task.model);
+Status run(mechanism::ReleasedSystem& system, const Task& task, bool backward, Cycle& cycle) {
+  std::optional<mechanism::Prover> prover;
+  int proves = -1;  // which release
   const Schedule& schedule = task.schedule;
   const std::size_t count = schedule.drives.size();
   for (std::size_t n = 0; n < count; ++n) {
@@ -197,7 +197,9 @@ Status run(mechanism::GroupSystem& system, const Task& task, bool backward, Cycl
     if (cycle.jams[k]) {
       take_forces_away(cycle.positions[k]);
     } else if (is_finite(cycle.positions[k])) {
-      prove(prover, task, drives, k, cycle);
+      if (proves != system.release_number()) prover.emplace(system.model());
+      proves = system.release_number();
+      prove(*prover, task, drives, k, cycle);
     } else {
       return Status::singular;
     }
@@ -207,7 +209,7 @@ Status run(mechanism::GroupSystem& system, const Task& task, bool backward, Cycl
 }
 
 /// Whether every link is where it was once the cycle is over, but for whole turns.
-bool returns(mechanism::GroupSystem& system, const Task& task, const mechanism::Position& first) {
+bool returns(mechanism::ReleasedSystem& system, const Task& task, const mechanism::Position& first) {
   constexpr double tolerance = 1e-6;
   std::vector<Drive> drives = task.schedule.drives.front();
   drives[0].coordinate += task.schedule.period;
@@ -259,8 +261,8 @@ std::vector<FieldFault> check_laws(const Planar::Input& in) {
   return faults;
 }
 
-Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, Axis* axis) {
-  mechanism::GroupSystem system(model);
+Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, bool redundant, Axis* axis) {
+  mechanism::ReleasedSystem system(model, redundant);
   Cycle cycle;
   cycle.first_failure = system.assemble();
   const Schedule schedule = has_law(in) ? schedule_by_law(in, system) : schedule_of(in, system);
@@ -273,15 +275,16 @@ Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, Axis* 
     cycle.gap = system.gap();
     return cycle;
   }
-  mechanism::Model now = model;
-  const Task task{in, now, schedule, in.analysis == Planar::Analysis::statics};
+  if (redundant) cycle.unique = mechanism::uniqueness(model);
+  const Task task{in, model, schedule, in.analysis == Planar::Analysis::statics};
   cycle.first_failure = run(system, task, false, cycle);
   if (cycle.first_failure == Status::closed) {
     cycle.returns = schedule.period == 0.0 || returns(system, task, cycle.positions[0]);
     return cycle;
   }
   cycle.gap = system.gap();
-  mechanism::GroupSystem again(model);  // what closes on the other side of the gap is reached backwards from the start
+  mechanism::ReleasedSystem again(
+      model, redundant);  // what closes on the other side of the gap is reached backwards from the start
   if (again.assemble() == Status::closed) run(again, task, true, cycle);
   return cycle;
 }

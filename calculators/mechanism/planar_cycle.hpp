@@ -4,8 +4,9 @@
 
 #include "calculators/mechanism/planar.hpp"
 #include "lib/issue.hpp"
-#include "lib/mechanism/group_system.hpp"
 #include "lib/mechanism/proof/proof.hpp"
+#include "lib/mechanism/release.hpp"
+#include "lib/mechanism/released_system.hpp"
 #include "lib/quantity/series.hpp"
 
 #include <string>
@@ -22,9 +23,10 @@ struct Cycle {
   std::vector<bool> in_steps;  // closed, but near a change point: followed from the position before in small steps
   std::vector<bool> jams;      // closed, but friction lets no drive move it: it has no forces there
   mechanism::Status first_failure = mechanism::Status::closed;
-  mechanism::WholeSystem::Gap gap;  // at the first failure
-  double worst_condition = 0.0;     // largest condition number of the constraints; 0: no position is closed
-  std::size_t worst_at = 0;         // where that is
+  mechanism::WholeSystem::Gap gap;            // at the first failure
+  double worst_condition = 0.0;               // largest condition number of the constraints; 0: no position is closed
+  std::size_t worst_at = 0;                   // where that is
+  std::vector<mechanism::Uniqueness> unique;  // of each joint's reaction; empty where all are
 
   [[nodiscard]] bool has_forces(std::size_t k) const { return closed[k] && !jams[k]; }
 };
@@ -43,7 +45,8 @@ bool has_law(const PlanarMechanism::Input& in);
 /// Laws of motion with too few moments, or moments that do not follow one another. Needs values.
 std::vector<FieldFault> check_laws(const PlanarMechanism::Input& in);
 
-/// Fills the places of the axis and solves there. `axis` is null where there is one position.
-Cycle solve_cycle(const PlanarMechanism::Input& in, const mechanism::Model& model, Axis* axis);
+/// Fills the places of the axis and solves there. `axis` is null where there is one position. `redundant`: joints hold
+/// too much.
+Cycle solve_cycle(const PlanarMechanism::Input& in, const mechanism::Model& model, bool redundant, Axis* axis);
 
 }  // namespace loadpath

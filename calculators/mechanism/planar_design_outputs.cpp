@@ -40,12 +40,20 @@ struct Bar {
   std::string name;
   std::shared_ptr<const mechanism::Model> model;
   std::shared_ptr<mechanism::MemberLoads> loads;
+  std::size_t index = 0;
   bool statics = false;
 
+  [[nodiscard]] bool knows_reactions(const Position& p) const {
+    const int own = static_cast<int>(index);
+    for (std::size_t k = 0; k < model->joints.size(); ++k) {
+      const auto& [at, force, couple] = p.reactions[k];
+      const bool known = std::isfinite(force.x) && std::isfinite(couple);
+      if (!known && (model->joints[k].i == own || model->joints[k].j == own)) return false;
+    }
+    return true;
+  }
   [[nodiscard]] mechanism::MemberLoads::Peaks peaks(const Position& p) const {
-    const bool unknown =
-        std::any_of(p.reactions.begin(), p.reactions.end(), [](const auto& r) { return !std::isfinite(r.force.x); });
-    if (unknown) return {{0.0, none, none, none}, {0.0, none, none, none}, {0.0, none, none, none}};
+    if (!knows_reactions(p)) return {{0.0, none, none, none}, {0.0, none, none, none}, {0.0, none, none, none}};
     loads->take(p, statics);
     return loads->peaks();
   }
@@ -279,7 +287,7 @@ void add_design_outputs(const Planar::Input& in, const mechanism::Model& model, 
     const mechanism::Member member = member_of(in, *kept, k);
     if (member.length() == 0.0) continue;
     const auto loads = std::make_shared<mechanism::MemberLoads>(*kept, member);
-    add_outputs(Bar{model.links[k].name, kept, loads, statics}, bar_rows, out);
+    add_outputs(Bar{model.links[k].name, kept, loads, k, statics}, bar_rows, out);
   }
   for (std::size_t k = 0; k < model.joints.size(); ++k) {
     const mechanism::Joint& joint = model.joints[k];

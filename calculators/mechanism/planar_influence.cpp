@@ -62,7 +62,7 @@ std::vector<Column> columns_of(const mechanism::Model& model, const Position& at
   for (std::size_t k = 0; k < model.joints.size() && columns.size() < most_columns; ++k) {
     const mechanism::Vec force = at.reactions[k].force;
     const double size = mechanism::length(force);
-    if (size == 0.0) continue;
+    if (!(size > 0.0)) continue;
     columns.push_back({"joints." + model.joints[k].name + ".F", "N", k, false, (1.0 / size) * force, size});
   }
   return columns;
@@ -205,7 +205,8 @@ std::vector<Table> influence_tables(const mechanism::Model& model, const Cycle& 
   std::vector<Table> tables;
   if (governing >= cycle.positions.size() || !cycle.has_forces(governing)) return tables;
   add_causes(model, cycle.positions[governing], statics, tables);
-  add_changes(model, cycle.positions[governing], statics, tables);
+  // With other dimensions joints that hold too much would not close.
+  if (cycle.unique.empty()) add_changes(model, cycle.positions[governing], statics, tables);
   return tables;
 }
 

@@ -147,8 +147,10 @@ std::vector<report::Block> motion_tables(const project::Account& account, const 
   const auto closed = std::find(cycle.closed.begin(), cycle.closed.end(), true);
   if (closed == cycle.closed.end()) return blocks;
   const auto first = static_cast<std::size_t>(closed - cycle.closed.begin());
-  add_assemblies(at_position(model, cycle.positions[first]), blocks);
-  add_transmission(model, account, axis, blocks);
+  if (cycle.unique.empty()) {  // else what was released would be taken for what the mechanism can do
+    add_assemblies(at_position(model, cycle.positions[first]), blocks);
+    add_transmission(model, account, axis, blocks);
+  }
   if (axis != nullptr) add_strokes(model, kinematics, axis, blocks);
   if (first < kinematics.known.size() && kinematics.known[first])
     add_centres(model, kinematics.derivatives[first], blocks);

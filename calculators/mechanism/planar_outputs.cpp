@@ -15,7 +15,6 @@ using mechanism::Position;
 using mechanism::Vec;
 using planar::add_outputs;
 using planar::list_patterns;
-using planar::Row;
 using planar::row;
 
 struct Drive {

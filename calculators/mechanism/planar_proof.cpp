@@ -127,6 +127,7 @@ std::vector<report::Verdict> contacts(const std::string& step, const Planar::Inp
     v.bound = say("every position");
     v.value = say("{1} of {2}", std::to_string(lost.size() - count), std::to_string(lost.size()));
     v.state = count == 0 ? report::State::pass : report::State::fail;
+    if (!cycle.unique.empty() && !cycle.unique[n].force) v.state = report::State::not_covered;
     if (count > 0 && axis != nullptr) v.note = say("lifts off between {1}", range_of(lost, true, *axis));
     verdicts.push_back(std::move(v));
   }

@@ -4,6 +4,7 @@
 #include "calculators/mechanism/planar_joints.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
 #include "calculators/mechanism/planar_model.hpp"
+#include "calculators/mechanism/planar_redundancy.hpp"
 #include "lib/mechanism/assur.hpp"
 #include "lib/mechanism/vec.hpp"
 #include "lib/quantity/format.hpp"
@@ -117,12 +118,13 @@ double mean_of(const Value& series) {
   return std::abs(average) < 1e-12 * std::abs(largest(series).value) ? 0.0 : average;
 }
 
-Table extremes_table(const project::Account& account, const Axis& axis) {
+/// What is not unique is told in a table of its own.
+Table extremes_table(const project::Account& account, const Cycle& cycle, const Axis& axis) {
   Table table{say("Extremes over the cycle"),
               {say("quantity"), say("largest"), say("at"), say("smallest"), say("at"), say("mean"), say("rms")},
               {}};
   for (const project::Entry& e : account.results) {
-    if (!is_design_load(e.path)) continue;
+    if (!is_design_load(e.path) || (!cycle.unique.empty() && is_open(e))) continue;
     const Extreme high = maximum(e.value), low = minimum(e.value);
     table.rows.push_back({e.path, Quantity{high.value, e.unit}, Quantity{high.at, axis.unit},
                           Quantity{low.value, e.unit}, Quantity{low.at, axis.unit}, Quantity{mean_of(e.value), e.unit},
@@ -163,8 +165,11 @@ Message kind_of(const mechanism::Group& group) {
   return group.kind.empty() ? group_class : say("{1}, {2}", group_class.text(), group.kind);
 }
 
-Table structure_table(const mechanism::Model& model) {
-  Table table{say("Structure: groups in order of attachment, 3 n = 2 p5 + p4 + drives"),
+Table structure_table(const mechanism::Model& model, bool released) {
+  Table table{released
+                  ? say("Structure, without what joints hold too much: groups in order of attachment, 3 n = 2 p5 + "
+                        "p4 + drives")
+                  : say("Structure: groups in order of attachment, 3 n = 2 p5 + p4 + drives"),
               {say("links"), say("joints"), say("kind"), say("count")},
               {}};
   for (const mechanism::Group& group : mechanism::groups(model)) {
@@ -207,10 +212,11 @@ std::vector<report::Block> model_tables(const Planar::Input& in) {
 
 std::vector<report::Block> result_tables(const project::Account& account, const mechanism::Model& model,
                                          const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis) {
-  std::vector<report::Block> blocks{axis == nullptr ? position_table(account) : extremes_table(account, *axis)};
+  std::vector<report::Block> blocks{axis == nullptr ? position_table(account) : extremes_table(account, cycle, *axis)};
   if (auto efficiency = efficiency_table(account, axis)) blocks.emplace_back(std::move(*efficiency));
-  blocks.emplace_back(structure_table(model));
+  blocks.emplace_back(structure_table(model, !cycle.unique.empty()));
   blocks.emplace_back(determinacy_table(structure, cycle, axis));
+  if (!cycle.unique.empty()) blocks.emplace_back(uniqueness_table(model, cycle));
   return blocks;
 }
 

@@ -5,6 +5,7 @@
 #include "calculators/mechanism/planar_expansion.hpp"
 #include "calculators/mechanism/planar_influence.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
+#include "calculators/mechanism/planar_redundancy.hpp"
 #include "calculators/mechanism/planar_report.hpp"
 #include "calculators/mechanism/templates/planar_template.hpp"
 #include "lib/calculator.hpp"
@@ -39,7 +40,7 @@ void PlanarStep::prepare(const project::Declared& declared, const project::Compa
     axis_ = std::make_unique<Axis>(Axis{name(), axis, unit, {}, {}, period});
   }
   add_idle_fields(issues);
-  if (known && diagnose_model(model, issues)) add_faults(choose_assembly(data(), model), issues);
+  if (known && diagnose_model(model, issues)) add_faults(choose_assembly(data(), structure_, model), issues);
 }
 
 void PlanarStep::add_faults(const std::vector<FieldFault>& faults, std::vector<Issue>& issues) const {
@@ -157,7 +158,7 @@ static bool in_order(const PlanarMechanism::Crank& crank) {
          std::adjacent_find(crank.at.begin(), crank.at.end(), falling) == crank.at.end();
 }
 
-bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues) const {
+bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues) {
   if (!in_order(data().crank)) {
     issues.push_back(issue_at(input(), "crank.at", say("the crank angles must rise, or fall, from each to the next")));
     return false;
@@ -168,7 +169,7 @@ bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue
   for (FieldFault& fault : check_mass_lines(data(), model)) drawing.push_back(std::move(fault));
   add_faults(drawing, issues);
   if (!drawing.empty()) return false;
-  const auto findings = mechanism::diagnose(model);
+  const auto findings = mechanism::diagnose(model, structure_);
   std::string said;
   for (const mechanism::Finding& f : findings) {
     if (f.message.text() == said) continue;  // a pin that is there twice holds two freedoms too many
@@ -186,23 +187,30 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
   if (issues.size() != before || !expand_template(issues)) return;
   mechanism::Model model = model_of(data());
   if (!input().reading.operands.empty() && !diagnose_model(model, issues)) return;
-  add_faults(choose_assembly(data(), model), issues);
+  add_faults(choose_assembly(data(), structure_, model), issues);
   if (issues.size() != before) return;
-  const Cycle cycle = solve_cycle(data(), model, axis_.get());
-  const Kinematics kinematics = kinematics_of(model, cycle, axis_.get(), !has_law(data()));
+  const bool redundant = !structure_.redundant.empty();
+  Cycle cycle = solve_cycle(data(), model, redundant, axis_.get());
   outputs_ = mechanism_outputs(data(), model);
-  fill_values(cycle, kinematics);
   project::Account& account = own_account();
   account.verdicts = proof(name(), data(), cycle, axis_.get());
+  const mechanism::Model given = model;
+  if (redundant) {
+    for (auto& v : redundancies(name(), model, structure_)) account.verdicts.push_back(std::move(v));
+    hide_what_is_not_unique(cycle);
+    model = determinate(model, cycle);
+  }
+  const Kinematics kinematics = kinematics_of(model, cycle, axis_.get(), !has_law(data()));
+  fill_values(model, cycle, kinematics);
   for (auto& v : changes_of_assembly(name(), model, cycle, kinematics, axis_.get()))
     account.verdicts.push_back(std::move(v));
   fill_inputs();
-  account.blocks = result_tables(account, model, mechanism::analyse(model), cycle, axis_.get());
+  account.blocks = result_tables(account, model, structure_, cycle, axis_.get());
   for (auto& b : motion_tables(account, model, cycle, kinematics, axis_.get())) account.blocks.push_back(std::move(b));
   const bool statics = data().analysis == PlanarMechanism::Analysis::statics;
   for (auto& b : influence_tables(model, cycle, governing_position(cycle, account), statics))
     account.blocks.emplace_back(std::move(b));
-  account.figures = mechanism_figures(data(), model, cycle, account, axis_.get());
+  account.figures = mechanism_figures(data(), given, cycle, account, axis_.get());
 }
 
 /// Where the value of an input comes from: typed, from the template (what that has `laid`), a default.
@@ -248,11 +256,17 @@ static std::vector<double> values_of(const MechanismOutput& output, const Cycle&
   return values;
 }
 
-void PlanarStep::fill_values(const Cycle& cycle, const Kinematics& kinematics) {
+/// `model`: what was solved; it lacks the outputs of what was released of the given one.
+void PlanarStep::fill_values(const mechanism::Model& model, const Cycle& cycle, const Kinematics& kinematics) {
+  const auto solved = mechanism_outputs(data(), model);
   auto& results = own_account().results;
   results.clear();
   for (const MechanismOutput& output : outputs_) {
-    Value value{{output.dimension, output.is_single ? nullptr : axis_.get()}, values_of(output, cycle, kinematics)};
+    const auto found = std::find_if(solved.begin(), solved.end(), [&](const auto& s) { return s.path == output.path; });
+    const std::size_t count = output.is_single ? 1 : cycle.positions.size();
+    Value value{{output.dimension, output.is_single ? nullptr : axis_.get()},
+                found == solved.end() ? std::vector<double>(count, std::numeric_limits<double>::quiet_NaN())
+                                      : values_of(*found, cycle, kinematics)};
     results.push_back({output.path, output.doc, output.unit, Role::result, std::move(value), {}, ""});
   }
   for (const Dimension& dimension : {N.dimension(), N_m.dimension(), W.dimension()}) {

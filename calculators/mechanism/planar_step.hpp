@@ -4,6 +4,7 @@
 #include "calculators/mechanism/planar_cycle.hpp"
 #include "calculators/mechanism/planar_kinematics.hpp"
 #include "calculators/mechanism/planar_outputs.hpp"
+#include "lib/mechanism/structure.hpp"
 #include "lib/project/step.hpp"
 
 #include <memory>
@@ -32,15 +33,16 @@ class PlanarStep : public project::Step {
   void add_faults_of_names(std::vector<Issue>& issues) const;
   void add_idle_fields(std::vector<Issue>& issues) const;
   void add_idle_strokes(std::vector<Issue>& issues) const;
-  bool diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues) const;
+  bool diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues);
   void add_faults(const std::vector<FieldFault>& faults, std::vector<Issue>& issues) const;
   /// Puts the template's values, if there is one, into the input; false where they do not fit together.
   bool expand_template(std::vector<Issue>& issues);
   [[nodiscard]] project::Origin origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const;
   void fill_inputs();
-  void fill_values(const Cycle& cycle, const Kinematics& kinematics);
+  void fill_values(const mechanism::Model& model, const Cycle& cycle, const Kinematics& kinematics);
 
   std::vector<MechanismOutput> outputs_;
+  mechanism::Structure structure_;
   std::unique_ptr<Axis> axis_;  // null: one position
 };
 

@@ -7,6 +7,7 @@
 
 #include <boost/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace loadpath::io {
@@ -22,6 +23,13 @@ constexpr int schema_version = 1;
 std::string word_of(report::State state) { return std::string(report::word(state).id); }
 
 json::value number(double x) { return std::isfinite(x) ? json::value(x) : json::value(nullptr); }
+
+json::array numbers(const std::vector<double>& list) {
+  json::array array;
+  array.reserve(list.size());
+  for (const double x : list) array.push_back(number(x));
+  return array;
+}
 
 /// The SI unit by its name where it has one: Pa, not kg/(m*s^2).
 std::string unit_of(const Dimension& dimension) {
@@ -43,12 +51,8 @@ json::value entry(const Entry& e) {
   if (!e.word.empty()) {
     object["value"] = e.word;
   } else if (e.value.is_series()) {
-    json::array values;
-    bool complete = true;
-    for (const double x : e.value.si) {
-      values.push_back(number(x));
-      complete = complete && std::isfinite(x);
-    }
+    json::array values = numbers(e.value.si);
+    const bool complete = std::all_of(e.value.si.begin(), e.value.si.end(), [](double x) { return std::isfinite(x); });
     object = {{"unit", unit_of(e.value.signature.dimension)},
               {"axis", e.value.signature.axis->name()},
               {"values", std::move(values)}};
@@ -104,9 +108,7 @@ json::object axes(const project::Account& account) {
   for (const Entry& e : account.results) {
     const Axis* axis = e.value.signature.axis;
     if (axis == nullptr || object.contains(axis->name())) continue;
-    json::array at;
-    for (const double x : axis->at) at.push_back(number(x));
-    object[axis->name()] = json::object{{"shown_in", axis->unit}, {"period", axis->period}, {"at", std::move(at)}};
+    object[axis->name()] = json::object{{"shown_in", axis->unit}, {"period", axis->period}, {"at", numbers(axis->at)}};
   }
   return object;
 }

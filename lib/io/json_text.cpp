@@ -45,7 +45,7 @@ void write(const boost::json::value& value, const std::string& indent, std::stri
   if (const auto* object = value.if_object()) return write(*object, indent, out);
   if (const auto* array = value.if_array()) return write(*array, indent, out);
   if (const auto* number = value.if_double()) {
-    out += format_exact(*number);
+    append_exact(*number, out);
   } else {
     out += boost::json::serialize(value);
   }

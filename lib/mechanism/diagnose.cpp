@@ -1,3 +1,5 @@
+#include "lib/mechanism/induced_source.hpp"
+#include "lib/mechanism/release.hpp"
 #include "lib/mechanism/structure.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -46,6 +48,30 @@ Finding redundant(const Model& model, const std::vector<std::size_t>& joints) {
           say("replace one of them by a joint with more freedom, or remove a link that only repeats what others do")};
 }
 
+Finding rubs_without_knowing(const Model& model, std::size_t joint) {
+  return {
+      Finding::About::joint, joint,
+      say("what joint '{1}' induces, friction or the pressing of teeth and belts, hangs on its reaction, and that is "
+          "not unique: other joints hold the same freedom",
+          model.joints[joint].name),
+      say("leave out its friction and pressure angle, or the joints that repeat it")};
+}
+
+/// What keeps a mechanism with joints that hold too much from being solved.
+std::vector<Finding> about_redundancy(const Model& model, const Structure& structure) {
+  std::vector<Finding> findings;
+  if (!can_release(model)) {
+    for (const auto& joints : structure.redundant) findings.push_back(redundant(model, joints));
+    return findings;
+  }
+  const auto unique = uniqueness(model);
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    const bool known = unique[k].force && unique[k].couple;
+    if (!known && modes_of(model.joints[k]) > 0) findings.push_back(rubs_without_knowing(model, k));
+  }
+  return findings;
+}
+
 Finding without_effect(const Model& model, const Structure& structure) {
   return {Finding::About::driver, 0,
           say("the drivers {1} do not hold {2} at the stated position",
@@ -71,7 +97,7 @@ std::vector<Finding> about_mobility(const Model& model, const Structure& structu
   for (const Misfit& misfit : structure.misfits) findings.push_back(not_fitting(model, misfit));
   if (!findings.empty()) return findings;
   if (structure.singular) return {singular(model, structure)};
-  for (const auto& joints : structure.redundant) findings.push_back(redundant(model, joints));
+  if (!structure.redundant.empty()) findings = about_redundancy(model, structure);
   if (structure.mobility != static_cast<int>(model.drivers.size())) {
     findings.push_back(wrong_number_of_drivers(model, structure));
   } else if (!structure.loose.empty()) {
@@ -82,10 +108,16 @@ std::vector<Finding> about_mobility(const Model& model, const Structure& structu
 
 }  // namespace
 
-std::vector<Finding> diagnose(const Model& model) {
+std::vector<Finding> diagnose(const Model& model, Structure& structure) {
   std::vector<Finding> findings = check_parts(model);
-  if (findings.empty()) findings = about_mobility(model, analyse(model));
-  return findings;
+  if (!findings.empty()) return findings;
+  structure = analyse(model);
+  return about_mobility(model, structure);
+}
+
+std::vector<Finding> diagnose(const Model& model) {
+  Structure structure;
+  return diagnose(model, structure);
 }
 
 }  // namespace loadpath::mechanism

@@ -73,6 +73,8 @@ class Chain {
       case JointKind::gear:
       case JointKind::belt:
         return add_between(i, 'R', 'R', j);
+      case JointKind::none:
+        return;
     }
   }
 

@@ -31,7 +31,8 @@ struct BasicLink {
 };
 using Link = BasicLink<double>;
 
-enum class JointKind { revolute, prismatic, slot, rigid, gear, rack, belt, rolling, rolling_on_line };
+/// `none`: what is left of a joint whose constraints are all released (release.hpp).
+enum class JointKind { revolute, prismatic, slot, rigid, gear, rack, belt, rolling, rolling_on_line, none };
 
 /// Of the three freedoms between two links, how many a joint takes away.
 constexpr int constraint_count(JointKind kind) {
@@ -48,6 +49,8 @@ constexpr int constraint_count(JointKind kind) {
     case JointKind::rack:
     case JointKind::belt:
       return 1;
+    case JointKind::none:
+      return 0;
   }
   return 0;
 }

@@ -181,6 +181,7 @@ template <class Scalar>
 void open(const BasicPairShape<Scalar>& shape, const BasicPairPlace<Scalar>& at, const BasicPlaced<Scalar>& i,
           const BasicPlaced<Scalar>& j, std::type_identity_t<Scalar> target,
           std::span<std::type_identity_t<Scalar>> residual) {
+  if (is_joint(shape, JointKind::none)) return;
   const Scalar turned = i.phi - j.phi;
   if (shape.kind == PairKind::turning_drive) {
     residual[0] = turned + shape.offset - target;

@@ -23,8 +23,10 @@ class List {
 
 void List::add_joint(const Joint& joint, std::size_t k) {
   using enum Parameter::Dimension;
+  if (joint.kind == JointKind::none) return;
   add(k, {point_i_x, point_i_y, point_j_x, point_j_y});
   switch (joint.kind) {
+    case JointKind::none:
     case JointKind::revolute:
       break;
     case JointKind::prismatic:

@@ -1,8 +1,6 @@
 #include "lib/mechanism/structure.hpp"
 
-#include "lib/mechanism/kinematics.hpp"
-
-#include <Eigen/QR>
+#include "lib/mechanism/free_mechanism.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,124 +8,21 @@
 namespace loadpath::mechanism {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
-// Of what differs from zero in a matrix whose entries are about 1.
-constexpr double rank_threshold = 1e-9;
-constexpr double support_threshold = 1e-7;
-constexpr double closed = 1e-11;
-
-// A basis of the null space with few entries per vector: each holds one dependent column and the columns it depends on.
-MatrixXd kernel(const MatrixXd& a) {
-  Eigen::ColPivHouseholderQR<MatrixXd> qr;
-  qr.setThreshold(rank_threshold);
-  qr.compute(a);
-  const Index rank = a.size() == 0 ? 0 : qr.rank();
-  const Index left = a.cols() - rank;
-  MatrixXd basis = MatrixXd::Zero(a.cols(), left);
-  if (left == 0) return basis;
-  if (rank > 0) {
-    const auto independent = qr.matrixR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>();
-    basis.topRows(rank) = -independent.solve(MatrixXd(qr.matrixR().topRightCorner(rank, left)));
-  }
-  basis.bottomRows(left).setIdentity();
-  if (rank > 0) basis = qr.colsPermutation() * basis;
-  return basis;
-}
-
-bool in_support(const MatrixXd& basis, Index vector, Index row) {
-  return std::abs(basis(row, vector)) > support_threshold * basis.col(vector).cwiseAbs().maxCoeff();
-}
-
-// The mechanism at coordinates that may be anywhere, with any number of constraints.
-class Assembly {
- public:
-  explicit Assembly(const Model& model)
-      : constraints_(model),
-        targets_(model.drivers.size()),
-        q_(VectorXd::Zero(static_cast<Index>(constraints_.columns() + 3))) {
-    for (std::size_t k = 0; k < model.links.size(); ++k) {
-      const Pose& pose = model.links[k].pose;
-      q_.segment<3>(static_cast<Index>(3 * k)) << pose.x, pose.y, pose.phi;
-    }
-    go_to(q_);
-  }
-
-  // Its drivers are then where they should be.
-  void go_to(const VectorXd& q) {
-    q_ = q;
-    place();
-    for (std::size_t k = 0; k < targets_.size(); ++k) targets_[k] = constraints_.coordinate(k);
-    place();
-  }
-
-  // By steps of least norm.
-  bool close() {
-    constexpr int most_steps = 40;
-    constexpr double longest_step = 0.3;
-    for (int k = 0; k < most_steps && residual().norm() > rounding(); ++k) {
-      Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition;
-      decomposition.setThreshold(rank_threshold);
-      decomposition.compute(jacobian());
-      const VectorXd step = decomposition.solve(residual());
-      shift(-step * std::min(1.0, longest_step / step.cwiseAbs().maxCoeff()));
-    }
-    return residual().norm() <= closed * (1.0 + q_.norm());
-  }
-
-  void shift(const VectorXd& by) {
-    q_.head(by.size()) += by;
-    place();
-  }
-
-  [[nodiscard]] MatrixXd jacobian() const {
-    MatrixXd full = MatrixXd::Zero(static_cast<Index>(constraints_.rows()), static_cast<Index>(constraints_.columns()));
-    for (std::size_t k = 0; k < constraints_.pattern().size(); ++k) {
-      full(constraints_.pattern()[k].row, constraints_.pattern()[k].column) = constraints_.jacobian()[k];
-    }
-    return full;
-  }
-
-  [[nodiscard]] const Constraints& constraints() const { return constraints_; }
-  [[nodiscard]] const VectorXd& q() const { return q_; }
-
- private:
-  void place() { constraints_.place({q_.data(), static_cast<std::size_t>(q_.size())}, targets_); }
-  [[nodiscard]] double rounding() const { return 1e-15 * (1.0 + q_.norm()); }
-  [[nodiscard]] Eigen::Map<const VectorXd> residual() const {
-    return {constraints_.residual().data(), static_cast<Index>(constraints_.rows())};
-  }
-
-  Constraints constraints_;
-  std::vector<double> targets_;
-  VectorXd q_;
-};
-
 // Whether dependent constraints are so at this position only: a little further on they are independent, or the motions
 // that they leave lead nowhere.
-bool dependent_here_only(Assembly assembly, const MatrixXd& motions) {
+bool dependent_here_only(FreeMechanism mechanism) {
   constexpr double little = 1e-2;
-  const Index count = motions.cols();
-  if (count == 0) return false;
-  // Unequal shares, so that no symmetry of the position is kept.
-  const VectorXd mixed = motions * VectorXd::LinSpaced(count, 1.0, 1.6180339887);
-  const VectorXd start = assembly.q();
-  assembly.shift(mixed * (little / mixed.cwiseAbs().maxCoeff()));
-  if (!assembly.close() || (assembly.q() - start).cwiseAbs().maxCoeff() < 0.5 * little) return true;
-  return kernel(assembly.jacobian().transpose()).cols() == 0;
+  if (mechanism.motions().empty()) return false;
+  return !mechanism.move_on(little) || mechanism.self_stresses().empty();
 }
 
-std::vector<std::vector<std::size_t>> joints_of(const MatrixXd& dependencies, std::span<const Pair> pairs) {
+std::vector<std::vector<std::size_t>> joints_of(const NullSpace& self_stresses, std::span<const Pair> pairs) {
   std::vector<std::vector<std::size_t>> sets;
-  for (Index v = 0; v < dependencies.cols(); ++v) {
+  for (const auto& stress : self_stresses) {
     std::vector<std::size_t> set;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       bool held = false;
-      for (std::size_t r = 0; r < pairs[k].shape.rows(); ++r) {
-        held = held || in_support(dependencies, v, static_cast<Index>(pairs[k].row + r));
-      }
+      for (std::size_t r = 0; r < pairs[k].shape.rows(); ++r) held = held || in_support(stress, pairs[k].row + r);
       if (held) set.push_back(k);
     }
     sets.push_back(std::move(set));
@@ -136,16 +31,15 @@ std::vector<std::vector<std::size_t>> joints_of(const MatrixXd& dependencies, st
   return sets;
 }
 
-std::vector<std::size_t> links_of(const MatrixXd& motions) {
-  std::vector<std::size_t> links;
-  for (Index c = 0; c < motions.rows(); c += 3) {
-    bool moves = false;
-    for (Index v = 0; v < motions.cols(); ++v) {
-      for (Index axis = 0; axis < 3; ++axis) moves = moves || in_support(motions, v, c + axis);
-    }
-    if (moves) links.push_back(static_cast<std::size_t>(c / 3));
+std::vector<std::size_t> links_of(const NullSpace& motions, std::size_t links) {
+  std::vector<std::size_t> moving;
+  for (std::size_t k = 0; k < links; ++k) {
+    const auto moves = [&](const auto& motion) {
+      return in_support(motion, 3 * k) || in_support(motion, 3 * k + 1) || in_support(motion, 3 * k + 2);
+    };
+    if (std::ranges::any_of(motions, moves)) moving.push_back(k);
   }
-  return links;
+  return moving;
 }
 
 int count_mobility(const Model& model) {
@@ -185,9 +79,9 @@ Structure analyse(const Model& model) {
   structure.mobility_by_count = count_mobility(model);
   const double length = characteristic_length(model);
   Model scaled = in_unit_of_length(model, length);
-  Assembly driven(scaled);
+  FreeMechanism driven(scaled);
   scaled.drivers.clear();
-  Assembly free(scaled);
+  FreeMechanism free(scaled);
 
   structure.closes = free.close();
   if (!structure.closes) {
@@ -196,18 +90,17 @@ Structure analyse(const Model& model) {
   }
   structure.misfits = misfits_of(free.constraints(), length);
   if (!driven.close()) {
-    const Assembly as_far_as_possible = driven;
+    const FreeMechanism as_far_as_possible = driven;
     driven.go_to(free.q());
     // With dependent constraints it is the drivers that contradict each other, not the lengths.
-    structure.closes = kernel(driven.jacobian().transpose()).cols() > 0;
+    structure.closes = !driven.self_stresses().empty();
     if (!structure.closes) find_widest(as_far_as_possible.constraints(), length, structure);
   }
-  structure.loose = links_of(kernel(driven.jacobian()));
-  const MatrixXd motions = kernel(free.jacobian());
-  const MatrixXd dependencies = kernel(free.jacobian().transpose());
-  structure.mobility = static_cast<int>(motions.cols());
-  structure.singular = dependencies.cols() > 0 && dependent_here_only(free, motions);
-  if (!structure.singular) structure.redundant = joints_of(dependencies, free.constraints().pairs());
+  structure.loose = links_of(driven.motions(), model.links.size());
+  const NullSpace self_stresses = free.self_stresses();
+  structure.mobility = static_cast<int>(free.motions().size());
+  structure.singular = !self_stresses.empty() && dependent_here_only(free);
+  if (!structure.singular) structure.redundant = joints_of(self_stresses, free.constraints().pairs());
   return structure;
 }
 

@@ -20,9 +20,6 @@ struct Finding {
   Message hint;
 };
 
-/// Empty when the model can be solved at its stated assembly. Mobility 0 without drivers is legal: statics.
-std::vector<Finding> diagnose(const Model& model);
-
 /// The part of `diagnose` that needs no geometry: numbers, references, what is connected with what.
 std::vector<Finding> check_parts(const Model& model);
 
@@ -48,6 +45,12 @@ struct Structure {
   std::vector<std::size_t> loose;
 };
 Structure analyse(const Model& model);
+
+/// Empty when the model can be solved at its stated assembly. Mobility 0 without drivers is legal: statics. So are
+/// joints that hold too much, where that can be released and no friction hangs on a reaction that is not unique.
+std::vector<Finding> diagnose(const Model& model);
+/// Gives the structure too; it is empty where the model has not passed `check_parts`.
+std::vector<Finding> diagnose(const Model& model, Structure& structure);
 
 /// "'crank', 'rod'".
 template <class Parts>

@@ -53,8 +53,14 @@ std::string format_number(double value, int digits) {
 }
 
 std::string format_exact(double value) {
+  std::string text;
+  append_exact(value, text);
+  return text;
+}
+
+void append_exact(double value, std::string& text) {
   std::array<char, 40> buffer{};
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+  text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
 }
 
 std::string format_quantity(double si, std::string_view unit, int digits) {

@@ -14,6 +14,7 @@ std::string format_number(double value, int digits = 6);
 
 /// The shortest text that reads back to the same double.
 std::string format_exact(double value);
+void append_exact(double value, std::string& text);
 
 /// `si` in `unit` ("12.5 mm"; the unit printed with · and superscripts: "N·m", "mm²", "1/s"). NaN: "not available".
 std::string format_quantity(double si, std::string_view unit, int digits = 6);

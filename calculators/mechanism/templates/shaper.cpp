@@ -1,8 +1,9 @@
 #include "calculators/mechanism/templates/planar_template_of.hpp"
+#include "calculators/mechanism/templates/quick_return.hpp"
 
 namespace loadpath::templates {
 
-struct Shaper {
+struct Shaper : QuickReturn {
   static constexpr auto id = "shaper";
   static constexpr auto title = "Shaper: crank, swinging slotted lever, rod and ram";
   static constexpr auto doc =
@@ -23,8 +24,7 @@ links.ram.mass = "15 kg"
 loads = [{ link = "ram", at = "D", F_x = "-1.5 kN", F_y = "0 N" }]
 )";
 
-  Length r = unset<Length>, d = unset<Length>, c = unset<Length>, l = unset<Length>, e = unset<Length>;
-  Assembly assembly = Assembly::open;
+  Length e = unset<Length>;
   static constexpr std::tuple fields{
       Field{&Shaper::r, "r", mm, "length of the crank OA"}.positive(),
       Field{&Shaper::d, "d", mm, "distance of the lever's pin B from O, more than r"}.positive(),
@@ -33,23 +33,7 @@ loads = [{ link = "ram", at = "D", F_x = "-1.5 kN", F_y = "0 N" }]
       Field{&Shaper::e, "e", mm, "height of the guide above B"},
       Choice{&Shaper::assembly, "assembly", "open: the ram is ahead of C in x, crossed: behind it"}.may_be_missing()};
 
-  void draw(Sketch& sketch) const {
-    const Pin O{"O", {0.0, 0.0}}, A{"A", polar(r, sketch.crank_angle())}, B{"B", {0.0, -in_si(d)}};
-    const Pin C{"C", B.at + polar(c, direction(B.at, A.at))}, G{"G", {0.0, in_si(e - d)}};
-    const Pin D{"D", sketch.meet({"rod", C.at, l}, Line{G.at, {1.0, 0.0}}, assembly)};
-    for (const Pin& pin : {O, B, G}) sketch.fixed(pin);
-    sketch.bar("crank", O, A, r);
-    sketch.bar("lever", B, C, c);
-    sketch.bar("rod", C, D, l);
-    sketch.block("ram", D, 0.0);
-    sketch.revolute("O", "ground", "crank");
-    sketch.slot("A", {"crank", "lever"}, {"A", "B"});
-    sketch.revolute("B", "ground", "lever");
-    sketch.revolute("C", "lever", "rod");
-    sketch.revolute("D", "rod", "ram");
-    sketch.prismatic("guide", {"ram", "ground"}, {"D", "G"});
-    sketch.crank("O");
-  }
+  void draw(Sketch& sketch) const { QuickReturn::draw(sketch, Arm::along_slot, e); }
 
   [[nodiscard]] std::optional<FieldFault> crank_stop() const {
     if (r >= d) {

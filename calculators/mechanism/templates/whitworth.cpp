@@ -1,8 +1,9 @@
 #include "calculators/mechanism/templates/planar_template_of.hpp"
+#include "calculators/mechanism/templates/quick_return.hpp"
 
 namespace loadpath::templates {
 
-struct Whitworth {
+struct Whitworth : QuickReturn {
   static constexpr auto id = "whitworth";
   static constexpr auto title = "Whitworth quick return: the slotted lever turns round";
   static constexpr auto doc =
@@ -21,8 +22,7 @@ links.ram.mass = "12 kg"
 loads = [{ link = "ram", at = "D", F_x = "-1.5 kN", F_y = "0 N" }]
 )";
 
-  Length r = unset<Length>, d = unset<Length>, c = unset<Length>, l = unset<Length>, e = 0.0 * m.one;
-  Assembly assembly = Assembly::open;
+  Length e = 0.0 * m.one;
   static constexpr std::tuple fields{
       Field{&Whitworth::r, "r", mm, "length of the crank OA"}.positive(),
       Field{&Whitworth::d, "d", mm, "distance of the lever's pin B from O, less than r"}.positive(),
@@ -32,23 +32,7 @@ loads = [{ link = "ram", at = "D", F_x = "-1.5 kN", F_y = "0 N" }]
       Choice{&Whitworth::assembly, "assembly", "open: the ram is ahead of C in x, crossed: behind it"}
           .may_be_missing()};
 
-  void draw(Sketch& sketch) const {
-    const Pin O{"O", {0.0, 0.0}}, A{"A", polar(r, sketch.crank_angle())}, B{"B", {0.0, -in_si(d)}};
-    const Pin C{"C", B.at + polar(c, direction(A.at, B.at))}, G{"G", {0.0, in_si(e - d)}};
-    const Pin D{"D", sketch.meet({"rod", C.at, l}, Line{G.at, {1.0, 0.0}}, assembly)};
-    for (const Pin& pin : {O, B, G}) sketch.fixed(pin);
-    sketch.bar("crank", O, A, r);
-    sketch.bar("lever", B, C, c);
-    sketch.bar("rod", C, D, l);
-    sketch.block("ram", D, 0.0);
-    sketch.revolute("O", "ground", "crank");
-    sketch.slot("A", {"crank", "lever"}, {"A", "B"});
-    sketch.revolute("B", "ground", "lever");
-    sketch.revolute("C", "lever", "rod");
-    sketch.revolute("D", "rod", "ram");
-    sketch.prismatic("guide", {"ram", "ground"}, {"D", "G"});
-    sketch.crank("O");
-  }
+  void draw(Sketch& sketch) const { QuickReturn::draw(sketch, Arm::opposite, e); }
 
   [[nodiscard]] std::optional<FieldFault> crank_stop() const {
     if (r <= d) {

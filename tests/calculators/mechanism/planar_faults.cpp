@@ -123,45 +123,6 @@ TEST_SUITE("mechanism faults") {
 )");
   }
 
-  TEST_CASE("a parallelogram with a link too many") {
-    const std::string parallel = R"([bar]
-calculator = "mechanism.planar"
-crank = { joint = "A", speed = "60 rpm", positions = 12 }
-[bar.ground]
-A = ["0 mm", "0 mm"]
-D = ["150 mm", "0 mm"]
-E = ["75 mm", "0 mm"]
-[bar.links.a]
-points = { A = ["0 mm", "0 mm"], B = ["50 mm", "100 mm"] }
-[bar.links.b]
-points = { B = ["50 mm", "100 mm"], C = ["200 mm", "100 mm"], F = ["125 mm", "100 mm"] }
-[bar.links.c]
-points = { C = ["200 mm", "100 mm"], D = ["150 mm", "0 mm"] }
-[bar.links.e]
-points = { E = ["75 mm", "0 mm"], F = ["125 mm", "100 mm"] }
-[bar.joints]
-A = { type = "revolute", links = ["ground", "a"] }
-B = { type = "revolute", links = ["a", "b"] }
-C = { type = "revolute", links = ["b", "c"] }
-D = { type = "revolute", links = ["ground", "c"] }
-E = { type = "revolute", links = ["ground", "e"] }
-F = { type = "revolute", links = ["b", "e"] }
-)";
-    const std::string said = issues_of(parallel);
-    INFO(said);
-    CHECK(said.starts_with("a.toml:17:5: error: the joints "));
-    CHECK(said.find("together hold one freedom too many: their reactions are not unique") != std::string::npos);
-  }
-
-  TEST_CASE("a pin that is there twice is told once") {
-    const std::string said = issues_of(
-        press + "[press.joints.O2]\ntype = \"revolute\"\nlinks = [\"crank\", \"ground\"]\npoints = [\"O\", \"O\"]\n");
-    CHECK(
-        said.starts_with("a.toml:23:5: error: the joints 'O', 'O2' together hold one freedom too many: their reactions "
-                         "are not unique\n"));
-    CHECK(said.find("error", said.find("error") + 1) == std::string::npos);
-  }
-
   TEST_CASE("lengths that do not close") {
     CHECK(with("\"200 mm\"", "\"20 mm\"").starts_with("a.toml:25:5: error: joint 'B' does not close: a gap of "));
   }

@@ -1,0 +1,56 @@
+#include "calculators/mechanism/planar_redundancy.hpp"
+
+#include "lib/mechanism/release.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace loadpath {
+
+std::vector<report::Verdict> redundancies(const std::string& step, const mechanism::Model& model,
+                                          const mechanism::Structure& structure) {
+  std::vector<report::Verdict> verdicts;
+  for (const auto& joints : structure.redundant) {
+    report::Verdict v;
+    v.step = step;
+    v.symbol = "determinate";
+    v.meaning = say("equilibrium of rigid links alone decides every reaction");
+    v.bound = say("no joint holds too much");
+    v.value = say("{1} joints share a freedom", std::to_string(joints.size()));
+    v.state = report::State::not_covered;
+    v.note = say("the joints {1} together hold one freedom too many: what they share depends on play and elasticity",
+                 names_of(model.joints, joints));
+    verdicts.push_back(std::move(v));
+  }
+  return verdicts;
+}
+
+report::Table uniqueness_table(const mechanism::Model& model, const Cycle& cycle) {
+  report::Table table{say("Reactions that equilibrium alone decides"), {say("joint"), say("force"), say("couple")}, {}};
+  const auto word = [](bool unique) { return unique ? say("unique") : say("not unique"); };
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    const mechanism::JointKind kind = model.joints[k].kind;
+    const bool turns = kind != mechanism::JointKind::prismatic && kind != mechanism::JointKind::rigid;
+    table.rows.push_back({model.joints[k].name, word(cycle.unique[k].force),
+                          turns ? report::Cell(std::string("–")) : report::Cell(word(cycle.unique[k].couple))});
+  }
+  return table;
+}
+
+void hide_what_is_not_unique(Cycle& cycle) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (mechanism::Position& p : cycle.positions) {
+    for (std::size_t k = 0; k < cycle.unique.size(); ++k) {
+      if (!cycle.unique[k].force) p.reactions[k].force = {none, none};
+      if (!cycle.unique[k].couple) p.reactions[k].couple = none;
+    }
+  }
+}
+
+mechanism::Model determinate(const mechanism::Model& model, const Cycle& cycle) {
+  const auto closed = std::find(cycle.closed.begin(), cycle.closed.end(), true) - cycle.closed.begin();
+  if (static_cast<std::size_t>(closed) == cycle.closed.size()) return model;
+  return mechanism::release(model, cycle.positions[static_cast<std::size_t>(closed)].pose).value_or(model);
+}
+
+}  // namespace loadpath

@@ -1,0 +1,93 @@
+// Mechanisms in a project whose joints hold more than is needed.
+#include "tests/lib/project/texts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+// Three parallel cranks of a coupler that carries a weight; E does not lie in line with A and D.
+const std::string parallel = R"([bar]
+calculator = "mechanism.planar"
+crank = { joint = "A", to = "B", speed = "60 rpm", positions = 12 }
+gravity = "9.81 m/s^2"
+[bar.ground]
+A = ["0 mm", "0 mm"]
+D = ["150 mm", "0 mm"]
+E = ["75 mm", "40 mm"]
+[bar.links.a]
+points = { A = ["0 mm", "0 mm"], B = ["50 mm", "100 mm"] }
+[bar.links.b]
+points = { B = ["50 mm", "100 mm"], C = ["200 mm", "100 mm"], F = ["125 mm", "140 mm"] }
+mass = "2 kg"
+[bar.links.c]
+points = { C = ["200 mm", "100 mm"], D = ["150 mm", "0 mm"] }
+[bar.links.e]
+points = { E = ["75 mm", "40 mm"], F = ["125 mm", "140 mm"] }
+[bar.joints]
+A = { type = "revolute", links = ["ground", "a"] }
+B = { type = "revolute", links = ["a", "b"] }
+C = { type = "revolute", links = ["b", "c"] }
+D = { type = "revolute", links = ["ground", "c"] }
+E = { type = "revolute", links = ["ground", "e"] }
+F = { type = "revolute", links = ["b", "e"] }
+)";
+
+}  // namespace
+
+TEST_SUITE("mechanism held too much in a project") {
+  TEST_CASE("what is unique is given, what is not never is") {
+    const auto project = solved(parallel);
+    const Value* effort = project.value("bar.drive.M");
+    REQUIRE(effort != nullptr);
+    // The weight's centre goes round with the radius of the cranks, at any angle of the crank.
+    const double r = std::hypot(0.05, 0.1);
+    for (std::size_t k = 0; k < effort->si.size(); ++k) {
+      const double angle = effort->signature.axis->at[k];
+      CHECK(effort->si[k] == doctest::Approx(2.0 * 9.81 * r * std::cos(angle)).epsilon(1e-9));
+    }
+    for (const char* path : {"bar.joints.A.F", "bar.joints.F.x", "bar.links.b.M_b"}) {
+      const Value* value = project.value(path);
+      CAPTURE(path);
+      REQUIRE(value != nullptr);
+      CHECK(std::all_of(value->si.begin(), value->si.end(), [](double x) { return std::isnan(x); }));
+    }
+    CHECK_FALSE(std::isnan(value(project, "bar.links.b.omega")));
+  }
+
+  TEST_CASE("the report says which joints share what") {
+    const auto project = solved(parallel);
+    const auto& verdicts = project.steps[0]->account().verdicts;
+    const auto said = std::find_if(verdicts.begin(), verdicts.end(),
+                                   [](const report::Verdict& v) { return v.symbol == "determinate"; });
+    REQUIRE(said != verdicts.end());
+    CHECK(said->state == report::State::not_covered);
+    CHECK(said->note.text() ==
+          "the joints 'A', 'B', 'C', 'D', 'E', 'F' together hold one freedom too many: what they share depends on play "
+          "and elasticity");
+    for (const report::Verdict& v : verdicts) {
+      CAPTURE(v.symbol);
+      CHECK((v.state == report::State::pass || v.symbol == "determinate"));
+    }
+  }
+
+  TEST_CASE("friction that hangs on a shared reaction is refused") {
+    std::string text = parallel;
+    const std::string b = R"(links = ["a", "b"])";
+    text.replace(text.find(b), b.size(), b + ", mu = 0.1, pin_radius = \"10 mm\"");
+    CHECK(issues_of(text).find("error: what joint 'B' induces, friction or the pressing of teeth and belts, hangs on "
+                               "its reaction, and that is not unique: other joints hold the same freedom") !=
+          std::string::npos);
+  }
+
+  TEST_CASE("sides do not tell such an assembly") {
+    std::string text = parallel;
+    const std::string gravity = "gravity =";
+    text.replace(text.find(gravity), gravity.size(), "sides = [\"C_left\"]\n" + gravity);
+    CHECK(issues_of(text).find("error: sides do not tell the assembly where joints hold too much") !=
+          std::string::npos);
+  }
+}

@@ -74,7 +74,7 @@ void Parser::fail_comma() {
 }
 
 void Parser::fail_unexpected_word(std::size_t end) {
-  const auto run = unit_end(text_, next_);
+  const auto run = unit_end(text_, next_, variable_);
   const auto path = path_end(text_, next_);
   if (run != next_ && is_unit(text_.substr(next_, run - next_))) {
     const auto unit = slice(next_, run);

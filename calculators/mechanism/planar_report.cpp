@@ -4,6 +4,7 @@
 #include "calculators/mechanism/planar_joints.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
 #include "calculators/mechanism/planar_model.hpp"
+#include "calculators/mechanism/planar_rest.hpp"
 #include "lib/mechanism/assur.hpp"
 #include "lib/mechanism/vec.hpp"
 #include "lib/quantity/format.hpp"
@@ -76,17 +77,24 @@ Table drive_table(const Planar::Input& in) {
     for (const auto& moment : in.crank.law)
       table.rows.push_back(
           {say("crank angle at {1}", format_quantity(in_si(moment.t), "s")), Quantity{moment.angle, "deg"}});
-    if (in.crank.law.empty()) {
+    if (!in.crank.angle_of_t.empty()) {
+      table.rows.push_back({say("crank angle at t"), std::string(in.crank.angle_of_t.view())});
+      table.rows.push_back({say("for"), Quantity{in_si(in.crank.duration), "s"}});
+    } else if (in.crank.law.empty()) {
       table.rows.push_back({say("angular speed"), Quantity{in_si(in.crank.speed), "rad/s"}});
       table.rows.push_back({say("angular acceleration"), Quantity{in_si(in.crank.acceleration), "rad/s^2"}});
     }
     const bool turn = in.crank.at.empty();
-    table.rows.push_back({say("first crank angle"), Quantity{first_crank_angle(in.crank), "deg"}});
+    if (!has_law(in)) table.rows.push_back({say("first crank angle"), Quantity{first_crank_angle(in.crank), "deg"}});
     table.rows.push_back(
         {say("positions"), std::to_string(turn ? static_cast<std::size_t>(in.crank.positions) : in.crank.at.size())});
   }
   for (const auto& c : in.cylinders) {
     table.rows.push_back({text(c.name), text(c.joint)});
+    if (!c.place_of_t.empty()) {
+      table.rows.push_back({say("place of {1} at t", text(c.name)), std::string(c.place_of_t.view())});
+      table.rows.push_back({say("for"), Quantity{in_si(c.duration), "s"}});
+    }
     for (const auto& moment : c.law) {
       table.rows.push_back({say("place of {1} at {2}", text(c.name), format_quantity(in_si(moment.t), "s")),
                             Quantity{in_si(moment.place), "mm"}});
@@ -107,6 +115,9 @@ bool is_design_load(const std::string& path) {
   const bool joint = path.starts_with("joints.") &&
                      (path.ends_with(".F") || path.ends_with(".M") || path.ends_with(".N") || path.ends_with(".F_t") ||
                       path.ends_with(".F_r") || path.ends_with(".N_front") || path.ends_with(".N_back"));
+  const bool of_rest = path.ends_with("_min") || path.ends_with("_max") || path.ends_with("_forward") ||
+                       path.ends_with("_backward");  // tables of their own
+  if (of_rest) return false;
   return internal || joint || path.starts_with("springs.") || path.starts_with("drive.") || path == "frame.F" ||
          path == "frame.M" || path.starts_with("cylinders.");
 }
@@ -195,6 +206,51 @@ Table determinacy_table(const mechanism::Structure& structure, const Cycle& cycl
   return table;
 }
 
+/// A crossing of zero between two positions, by halving on the series between them.
+double crossing(const Value& series, double low, double high) {
+  const bool rises = value_at(series, low) < 0.0;
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (low + high);
+    ((value_at(series, middle) < 0.0) == rises ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// Where the sign of the circumferential force changes: the play is passed there, with a knock.
+std::string changes_of_flank(const Value& series, const Axis& axis) {
+  const double negligible = 1e-9 * std::abs(largest(series).value);
+  std::string places;
+  std::optional<std::size_t> before;
+  const auto look = [&](std::size_t k, double ahead) {
+    const double here = series.si[k];
+    if (std::isnan(here) || std::abs(here) <= negligible) return;
+    if (before && series.si[*before] * here < 0.0) {
+      const double at = crossing(series, axis.at[*before], axis.at[k] + ahead);
+      places += (places.empty() ? "" : ", ") + format_quantity(at, axis.unit, 5);
+    }
+    before = k;
+  };
+  for (std::size_t k = 0; k < series.si.size(); ++k) look(k, 0.0);
+  const auto loaded = [&](double x) { return std::abs(x) > negligible; };
+  const auto first = std::find_if(series.si.begin(), series.si.end(), loaded);
+  if (axis.cyclic() && first != series.si.end()) look(static_cast<std::size_t>(first - series.si.begin()), axis.period);
+  return places;
+}
+
+std::optional<Table> flank_table(const project::Account& account, const mechanism::Model& model, const Axis* axis) {
+  if (axis == nullptr) return {};
+  Table table{say("Loaded flanks of teeth"), {say("joint"), say("the flank changes at")}, {}};
+  for (const mechanism::Joint& joint : model.joints) {
+    for (const project::Entry& e : account.results) {
+      if (e.path != "joints." + joint.name + ".F_t") continue;
+      const std::string places = changes_of_flank(e.value, *axis);
+      table.rows.push_back({joint.name, places.empty() ? Cell(say("nowhere")) : Cell(places)});
+    }
+  }
+  if (table.rows.empty()) return {};
+  return table;
+}
+
 }  // namespace
 
 std::vector<report::Block> model_tables(const Planar::Input& in) {
@@ -209,6 +265,9 @@ std::vector<report::Block> result_tables(const project::Account& account, const 
                                          const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis) {
   std::vector<report::Block> blocks{axis == nullptr ? position_table(account) : extremes_table(account, *axis)};
   if (auto efficiency = efficiency_table(account, axis)) blocks.emplace_back(std::move(*efficiency));
+  if (auto standing = standing_table(model, cycle, axis)) blocks.emplace_back(std::move(*standing));
+  if (auto resting = dead_point_table(model, cycle, axis)) blocks.emplace_back(std::move(*resting));
+  if (auto flanks = flank_table(account, model, axis)) blocks.emplace_back(std::move(*flanks));
   blocks.emplace_back(structure_table(model));
   blocks.emplace_back(determinacy_table(structure, cycle, axis));
   return blocks;

@@ -43,12 +43,12 @@ struct Cycle {
   /// There, with the friction of what rests one way and the other; an empty one where friction lets it not move so.
   std::vector<std::vector<mechanism::Position>> either_way;
   std::vector<StandingEffort> standing;  // with friction and one drive; where it does not close, meaningless
-  /// The least friction with which it stands somewhere under its load without its drive.
+  /// The least friction with which it stands under its load without its drive: somewhere, and at every position.
   struct Threshold {
     double share = 0.0;  // of the friction that it has
     std::size_t at = 0;
   };
-  std::optional<Threshold> stands_from;
+  std::optional<Threshold> stands_somewhere, stands_everywhere;
   mechanism::Status first_failure = mechanism::Status::closed;
   mechanism::WholeSystem::Gap gap;  // at the first failure
   double worst_condition = 0.0;     // largest condition number of the constraints; 0: no position is closed

@@ -38,6 +38,7 @@ class EitherWay {
         done[k] = true;
       }
     }
+    if (!all_stand_) cycle_.stands_everywhere.reset();
   }
 
  private:
@@ -56,7 +57,7 @@ class EitherWay {
     Drive& drive = drives[0];
     drive.speed = drive.acceleration = 0.0;
     cycle_.standing[k] = {effort(system, drives, -1.0), effort(system, drives, 0.0), effort(system, drives, 1.0)};
-    find_threshold(system, drives, k);
+    find_thresholds(system, drives, k);
   }
 
   /// Joints rest while others move.
@@ -97,19 +98,24 @@ class EitherWay {
   }
 
   /// The effort against the load falls with friction; where it is gone, the mechanism stands.
-  void find_threshold(GroupSystem& system, std::vector<Drive>& drives, std::size_t k) {
+  void find_thresholds(GroupSystem& system, std::vector<Drive>& drives, std::size_t k) {
     const StandingEffort& standing = cycle_.standing[k];
+    all_stand_ = all_stand_ && standing.stands();
     if (!standing.stands() || !is_loaded(standing)) return;
     const double sense = standing.without > 0.0 ? 1.0 : -1.0;
     const auto stands = [&](double share) { return !(sense * effort(system, drives, -sense, share) > 0.0); };
-    double high = cycle_.stands_from ? cycle_.stands_from->share : 1.0, low = 0.0;
-    constexpr double closer = 1e-6;
-    if (cycle_.stands_from && !stands((1.0 - closer) * high)) return;
-    while (high - low > 1e-9) {
-      const double middle = 0.5 * (low + high);
-      (stands(middle) ? high : low) = middle;
-    }
-    cycle_.stands_from = Cycle::Threshold{high, k};
+    const auto least = [&](double low, double high) {
+      while (high - low > 1e-9) {
+        const double middle = 0.5 * (low + high);
+        (stands(middle) ? high : low) = middle;
+      }
+      return Cycle::Threshold{high, k};
+    };
+    constexpr double nearly = 1.0 - 1e-6;
+    auto &somewhere = cycle_.stands_somewhere, &everywhere = cycle_.stands_everywhere;
+    const double first = somewhere ? somewhere->share : 1.0, last = everywhere ? everywhere->share : 0.0;
+    if (!somewhere || stands(nearly * first)) somewhere = least(0.0, first);
+    if (!everywhere || (all_stand_ && !stands(last))) everywhere = least(last, 1.0);
   }
 
   /// Without a load it stands anyway.
@@ -121,6 +127,7 @@ class EitherWay {
   const CycleTask& task_;
   Cycle& cycle_;
   Position position_;
+  bool all_stand_ = true;
 };
 
 }  // namespace

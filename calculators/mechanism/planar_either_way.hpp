@@ -8,7 +8,7 @@ namespace loadpath {
 /// Whether some joint has dry friction or loses power: what holds a mechanism that rests.
 bool has_dry_friction(const mechanism::Model& model);
 
-/// Of the positions that close: fills `either_way`, `standing` and `stands_from`.
+/// Of the positions that close: fills `either_way`, `standing` and its thresholds.
 void solve_either_way(const CycleTask& task, Cycle& cycle);
 
 }  // namespace loadpath

@@ -70,6 +70,11 @@ Table joint_table(const Planar::Input& in) {
   return table;
 }
 
+void add_sense(Message what, Planar::Impending impending, Table& table) {
+  if (impending == Planar::Impending::either) return;
+  table.rows.push_back({std::move(what), impending == Planar::Impending::forward ? say("forward") : say("backward")});
+}
+
 Table drive_table(const Planar::Input& in) {
   Table table{say("Drive"), {}, {}};
   if (!in.crank.joint.empty()) {
@@ -84,6 +89,7 @@ Table drive_table(const Planar::Input& in) {
       table.rows.push_back({say("angular speed"), Quantity{in_si(in.crank.speed), "rad/s"}});
       table.rows.push_back({say("angular acceleration"), Quantity{in_si(in.crank.acceleration), "rad/s^2"}});
     }
+    add_sense(say("about to turn"), in.crank.impending, table);
     const bool turn = in.crank.at.empty();
     if (!has_law(in)) table.rows.push_back({say("first crank angle"), Quantity{first_crank_angle(in.crank), "deg"}});
     table.rows.push_back(
@@ -91,6 +97,7 @@ Table drive_table(const Planar::Input& in) {
   }
   for (const auto& c : in.cylinders) {
     table.rows.push_back({text(c.name), text(c.joint)});
+    add_sense(say("{1} is about to move", text(c.name)), c.impending, table);
     if (!c.place_of_t.empty()) {
       table.rows.push_back({say("place of {1} at t", text(c.name)), std::string(c.place_of_t.view())});
       table.rows.push_back({say("for"), Quantity{in_si(c.duration), "s"}});

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace loadpath {
 
@@ -69,24 +70,20 @@ constexpr ResultPattern drive_most{"drive.M_max", "N*m", "largest moment of the 
 constexpr ResultPattern cylinder_least{"cylinders.NAME.F_min", "N",
                                        "least force of the drive, friction of what rests either way", "with friction"};
 constexpr ResultPattern cylinder_most{"cylinders.NAME.F_max", "N", "largest force of the drive so", "with friction"};
-constexpr ResultPattern joint_least{"joints.NAME.F_min", "N",
-                                    "least magnitude of the joint's force, friction of what rests either way",
-                                    "with friction"};
-constexpr ResultPattern joint_most{"joints.NAME.F_max", "N", "largest magnitude of the joint's force so",
+constexpr ResultPattern joint_most{"joints.NAME.F_max", "N",
+                                   "largest magnitude of the joint's force, friction of what rests either way",
                                    "with friction"};
 
 template <class Read>
-void add_band(const ResultPattern& least, const ResultPattern& most, const std::string& name,
-              const Dimension& dimension, Read read, std::vector<MechanismOutput>& out) {
-  const auto over_cycle = [read](double Band::*end) {
-    return [read, end](const Cycle& cycle, const Kinematics&) {
-      std::vector<double> values;
-      for (std::size_t k = 0; k < cycle.positions.size(); ++k) values.push_back(band_at(cycle, k, read).*end);
-      return values;
-    };
+void add_end(const ResultPattern& pattern, const std::string& name, double Band::*end, Read read,
+             std::vector<MechanismOutput>& out) {
+  const auto over_cycle = [read, end](const Cycle& cycle, const Kinematics&) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < cycle.positions.size(); ++k) values.push_back(band_at(cycle, k, read).*end);
+    return values;
   };
-  out.push_back({named(least.path, name), least.doc, least.unit, dimension, {}, over_cycle(&Band::least), false});
-  out.push_back({named(most.path, name), most.doc, most.unit, dimension, {}, over_cycle(&Band::most), false});
+  const Dimension dimension = std::string_view(pattern.unit) == "N" ? N.dimension() : N_m.dimension();
+  out.push_back({named(pattern.path, name), pattern.doc, pattern.unit, dimension, {}, over_cycle, false});
 }
 
 void add_standing(const mechanism::Driver& driver, std::vector<MechanismOutput>& out) {
@@ -150,7 +147,9 @@ class StandingTable {
     add_jamming(say("no effort starts it backward"), &StandingEffort::backward);
     const auto stands = [this](std::size_t k) { return cycle_.closed[k] && cycle_.standing[k].stands(); };
     add(say("stands without its drive"), where(stands));
-    add_threshold();
+    add_threshold(say("least friction with which its load does not drive it back, as a part of what it has"),
+                  cycle_.stands_somewhere);
+    if (axis_ != nullptr) add_threshold(say("the same for every position"), cycle_.stands_everywhere);
     return std::move(table_);
   }
 
@@ -189,10 +188,9 @@ class StandingTable {
     }
   }
 
-  void add_threshold() {
-    if (!cycle_.stands_from) return;
-    const auto& [share, at] = *cycle_.stands_from;
-    const Message what = say("least friction with which its load does not drive it back, as a part of what it has");
+  void add_threshold(const Message& what, const std::optional<Cycle::Threshold>& threshold) {
+    if (!threshold) return;
+    const auto& [share, at] = *threshold;
     add(axis_ == nullptr ? what : say("{1}; at {2}", what.text(), place_of(at, *axis_)), Quantity{share, "-", 4});
     if (const auto mu = common_coefficient(model_))
       add(say("coefficient of friction then"), Quantity{share * *mu, "-", 4});
@@ -221,12 +219,12 @@ void add_rest_outputs(const mechanism::Model& model, std::vector<MechanismOutput
   for (std::size_t d = 0; d < model.drivers.size(); ++d) {
     const auto effort = [d](const Position& p) { return p.effort[d]; };
     const bool rotary = model.drivers[d].kind == mechanism::Driver::Kind::rotary;
-    add_band(rotary ? drive_least : cylinder_least, rotary ? drive_most : cylinder_most, model.drivers[d].name,
-             rotary ? N_m.dimension() : N.dimension(), effort, out);
+    add_end(rotary ? drive_least : cylinder_least, model.drivers[d].name, &Band::least, effort, out);
+    add_end(rotary ? drive_most : cylinder_most, model.drivers[d].name, &Band::most, effort, out);
   }
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
     const auto force = [j](const Position& p) { return mechanism::length(p.reactions[j].force); };
-    add_band(joint_least, joint_most, model.joints[j].name, N.dimension(), force, out);
+    add_end(joint_most, model.joints[j].name, &Band::most, force, out);
   }
 }
 
@@ -235,7 +233,7 @@ void list_rest_patterns(std::vector<ResultPattern>& patterns) {
     patterns.push_back(row.crank);
     patterns.push_back(row.cylinder);
   }
-  for (const ResultPattern& p : {drive_least, drive_most, cylinder_least, cylinder_most, joint_least, joint_most})
+  for (const ResultPattern& p : {drive_least, drive_most, cylinder_least, cylinder_most, joint_most})
     patterns.push_back(p);
 }
 
@@ -248,10 +246,9 @@ std::optional<Table> standing_table(const mechanism::Model& model, const Cycle& 
 std::optional<Table> dead_point_table(const mechanism::Model& model, const Cycle& cycle, const Axis* axis) {
   constexpr int most_positions = 6;
   Table table{say("Where joints rest, friction either way"), {say("at"), say("quantity"), say("from"), say("to")}, {}};
-  int shown = 0;
-  for (std::size_t k = 0; k < cycle.either_way.size() && shown < most_positions; ++k) {
-    if (cycle.either_way[k].empty()) continue;
-    const std::size_t before = table.rows.size();
+  int resting = 0;
+  for (std::size_t k = 0; k < cycle.either_way.size(); ++k) {
+    if (cycle.either_way[k].empty() || ++resting > most_positions) continue;
     const std::string place = axis == nullptr ? "–" : place_of(k, *axis);
     for (std::size_t d = 0; d < model.drivers.size(); ++d) {
       const bool rotary = model.drivers[d].kind == mechanism::Driver::Kind::rotary;
@@ -263,8 +260,10 @@ std::optional<Table> dead_point_table(const mechanism::Model& model, const Cycle
       const Band band = band_at(cycle, k, [j](const Position& p) { return mechanism::length(p.reactions[j].force); });
       add_difference(place, "joints." + model.joints[j].name + ".F", "N", band, table);
     }
-    if (table.rows.size() > before) ++shown;
   }
+  if (resting > most_positions)
+    table.caption = say("{1}: the first {2} of {3} positions", table.caption.text(), std::to_string(most_positions),
+                        std::to_string(resting));
   if (table.rows.empty()) return {};
   return table;
 }

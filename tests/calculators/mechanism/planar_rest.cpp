@@ -124,7 +124,7 @@ links.slider.mass = "2 kg"
 loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "-500 N" }]
 )";
     const auto project = solved(text);
-    const Value& least = *project.value("a.joints.guide.F_min");
+    const Value& least = *project.value("a.joints.guide.F");
     const Value& most = *project.value("a.joints.guide.F_max");
     for (std::size_t k = 0; k < least.si.size(); ++k) {
       CAPTURE(k);
@@ -162,6 +162,10 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "-500 N" }]
     lift = replaced(lift, "efficiency = 0.9", "efficiency = 0.4, efficiency_back = -0.5");
     const auto worm = solved(lift);
     CHECK(text_of(*cell_of(*table_of(worm, "At rest"), "stands without its drive")) == "at every position");
+    // It stands everywhere as soon as 1 - efficiency_back, here 1.5, is 1: two thirds of its friction.
+    const report::Cell* share = cell_of(*table_of(worm, "At rest"), "the same for every position");
+    REQUIRE(share != nullptr);
+    CHECK(std::get<report::Quantity>(*share).si == doctest::Approx(2.0 / 3.0).epsilon(1e-6));
     const auto back = solved(
         replaced(replaced(lift, "efficiency = 0.4, efficiency_back = -0.5", "efficiency = 0.8"), "10 N*m", "-10 N*m"));
     const report::Table* power = table_of(back, "Power over the turn");

@@ -71,6 +71,18 @@ Drive drive_at(const DriveLaw& law, const Drive& start, double since, double t) 
   return {there.value, there.first, there.second};
 }
 
+/// Where a law turns round, rounding leaves a speed of either sign: the drive rests there.
+void let_rest(Schedule& schedule) {
+  constexpr double rounding = 1e-9;  // of its largest speed
+  for (std::size_t d = 0; !schedule.drives.empty() && d < schedule.drives.front().size(); ++d) {
+    double most = 0.0;
+    for (const auto& drives : schedule.drives) most = std::max(most, std::abs(drives[d].speed));
+    for (auto& drives : schedule.drives) {
+      if (std::abs(drives[d].speed) <= rounding * most) drives[d].speed = 0.0;
+    }
+  }
+}
+
 /// Equal steps of time, from the first moment of a law to the last of one.
 Schedule schedule_by_laws(const Planar::Input& in, const mechanism::GroupSystem& system) {
   std::vector<DriveLaw> laws;
@@ -102,6 +114,7 @@ Schedule schedule_by_laws(const Planar::Input& in, const mechanism::GroupSystem&
     for (std::size_t d = 0; d < laws.size(); ++d) drives.push_back(drive_at(laws[d], starts[d], first, t));
     if (has_crank(in)) drives[0].coordinate += schedule.turns;
   }
+  let_rest(schedule);
   return schedule;
 }
 

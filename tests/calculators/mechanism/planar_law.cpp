@@ -51,6 +51,26 @@ TEST_SUITE("mechanism law") {
     }
   }
 
+  TEST_CASE("where a law turns round, friction acts either way, and the moment is a band about that without it") {
+    std::string text = by(arm, "angle_of_t = \"90 deg*sin(2*pi*t/(2 s))\", duration = \"2 s\"");
+    const std::string pin = "links = [\"ground\", \"arm\"]";
+    text.replace(text.find(pin), pin.size(), pin + ", mu = 0.1, pin_radius = \"10 mm\"");
+    const auto project =
+        solved("project.title = \"a\"\n" + text + "[[a.loads]]\nlink = \"arm\"\nat = \"O\"\nF_x = \"50 N\"\n");
+    const Value& M = *project.value("a.drive.M");
+    const Value& least = *project.value("a.drive.M_min");
+    const Value& most = *project.value("a.drive.M_max");
+    for (std::size_t k = 0; k < M.si.size(); ++k) {
+      CAPTURE(k);
+      const double t = 2.0 * static_cast<double>(k) / 40.0;
+      const double without = -0.02 * pi / 2.0 * pi * pi * std::sin(pi * t), friction = 0.1 * 0.01 * 50.0;
+      const bool turns = k == 10 || k == 30;
+      const double sense = turns ? 0.0 : std::cos(pi * t) > 0.0 ? 1.0 : -1.0;
+      CHECK(M.si[k] == doctest::Approx(without + sense * friction).scale(1.0));
+      CHECK(most.si[k] - least.si[k] == doctest::Approx(turns ? 2.0 * friction : 0.0).scale(1.0));
+    }
+  }
+
   TEST_CASE("a cylinder by a formula") {
     const auto project = solved(by(ram, "place_of_t = \"10 mm + 40 mm*(1 - cos(pi*t/(1 s)))/2\", duration = \"1 s\""));
     const Value& F = *project.value("a.cylinders.c.F");

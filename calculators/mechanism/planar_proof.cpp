@@ -103,6 +103,15 @@ bool is_at_rest(const Planar::Input& in) {
   return !has_law(in) && rests(in.crank) && std::all_of(in.cylinders.begin(), in.cylinders.end(), rests);
 }
 
+/// Whether there is a position where no effort of the only drive starts it this way.
+bool holds_against(const Cycle& cycle, double sense) {
+  for (std::size_t k = 0; k < cycle.standing.size(); ++k) {
+    const StandingEffort& effort = cycle.standing[k];
+    if (cycle.closed[k] && std::isnan(sense > 0.0 ? effort.forward : effort.backward)) return true;
+  }
+  return false;
+}
+
 /// The positions where friction holds what rests against any effort one way or another.
 std::vector<bool> held_one_way(const Cycle& cycle) {
   std::vector<bool> held(cycle.positions.size());
@@ -187,9 +196,15 @@ void add_jamming(const std::string& step, const Planar::Input& in, const Cycle& 
     const std::vector<bool> held = held_one_way(cycle);
     const bool none = std::find(held.begin(), held.end(), true) == held.end();
     v.state = none ? v.state : report::State::not_covered;
-    v.note = none ? say("at rest friction acts either way: the results are without it, and the effort lies between "
-                        "M_min and M_max, F_min and F_max; state 'impending' for one way")
-                  : say("at rest friction acts either way, and one way no effort moves it: state 'impending'");
+    const bool one_drive = !cycle.standing.empty();
+    v.note =
+        none ? say("at rest friction acts either way: the results are without it, and the effort lies between "
+                   "M_min and M_max, F_min and F_max; state 'impending' for one way")
+        : one_drive && holds_against(cycle, 1.0)
+            ? say("at rest friction acts either way, and no effort of the drive starts it forward; state 'impending'")
+        : one_drive && holds_against(cycle, -1.0)
+            ? say("at rest friction acts either way, and no effort of the drive starts it backward; state 'impending'")
+            : say("at rest friction acts either way, and one way no effort starts it; state 'impending'");
   }
   verdicts.push_back(std::move(v));
 }

@@ -1,4 +1,5 @@
 // Friction at rest, self-locking, losses and loaded flanks as a project gives them.
+#include "calculators/mechanism/planar_ranges.hpp"
 #include "lib/quantity/series.hpp"
 #include "tests/lib/project/texts.hpp"
 
@@ -77,6 +78,44 @@ std::string replaced(std::string text, const std::string& part, const std::strin
 }  // namespace
 
 TEST_SUITE("mechanism rest") {
+  TEST_CASE("runs of positions: each by itself, and in a cycle over its end") {
+    const std::vector<bool> positions{true, false, true, true, true, false, true, true};
+    const auto open = planar::runs_of(positions, true, false);
+    REQUIRE(open.size() == 3);
+    CHECK(open[1].first == 2);
+    CHECK(open[1].last == 4);
+    CHECK(open[1].count == 3);
+    const auto cyclic = planar::runs_of(positions, true, true);
+    REQUIRE(cyclic.size() == 2);
+    CHECK(cyclic[0].first == 6);
+    CHECK(cyclic[0].last == 0);
+    CHECK(cyclic[0].count == 3);
+    CHECK(planar::runs_of({true, true}, true, true)[0].count == 2);
+    CHECK(planar::runs_of({true, true}, false, true).empty());
+  }
+
+  TEST_CASE("a block that jams when it is pushed off its middle at rest, and comes back") {
+    // l / (2 mu) = 400 mm, and the rod pushes at 500 mm: F = P / (1 - 2 mu h / l) has no positive value.
+    const auto jam = solved(R"([a]
+calculator = "mechanism.planar"
+ground = { O = ["0 mm", "0 mm"], R = ["0 mm", "500 mm"] }
+links.block = { points = { B = ["0 mm", "0 mm"], P = ["-100 mm", "500 mm"] }, angle = "0 deg", origin = ["0 mm", "0 mm"] }
+links.rod = { points = { Q = ["0 mm", "0 mm"], E = ["200 mm", "0 mm"] }, angle = "0 deg", origin = ["-300 mm", "500 mm"] }
+joints.G = { type = "prismatic", links = ["block", "ground"], points = ["B", "O"], mu = 0.25, guide_length = "200 mm", guide_width = "0 mm" }
+joints.rail = { type = "prismatic", links = ["rod", "ground"], points = ["Q", "R"] }
+joints.push = { type = "slot", links = ["block", "rod"], points = ["P", "E"], direction = "90 deg" }
+cylinders.drive = { joint = "rail" }
+loads = [{ link = "block", at = "B", F_x = "-100 N" }]
+)");
+    CHECK(value(jam, "a.cylinders.drive.F_backward") == doctest::Approx(100.0 / (1.0 + 500.0 / 400.0)));
+    CHECK(std::isnan(value(jam, "a.cylinders.drive.F_forward")));
+    CHECK(text_of(*cell_of(*table_of(jam, "At rest"), "no effort starts it forward")) == "yes");
+    const report::Verdict& moves = verdict_of(jam, "moves");
+    CHECK(moves.state == report::State::not_covered);
+    CHECK(moves.note.text() ==
+          "at rest friction acts either way, and no effort of the drive starts it forward; state 'impending'");
+  }
+
   TEST_CASE("what pushes a block up a plane, what lets it down, and that steeper than arctan mu it slides back") {
     for (const double degrees : {10.0, 30.0}) {
       const auto project = solved(plane(std::to_string(degrees) + " deg", ""));

@@ -9,7 +9,6 @@ namespace loadpath {
 namespace {
 
 using mechanism::Drive;
-using mechanism::FrictionTaken;
 using mechanism::GroupSystem;
 using mechanism::Position;
 using mechanism::Resting;

@@ -185,6 +185,7 @@ double centre_distance(const Constraints& constraints, const Joint& joint) {
 std::vector<std::size_t> parting_joints(Assembly assembly, const std::vector<Joint>& joints) {
   constexpr double little = 1e-2, negligible = 1e-7;
   std::vector<double> before;
+  before.reserve(joints.size());
   for (const Joint& joint : joints) before.push_back(centre_distance(assembly.constraints(), joint));
   std::vector<std::size_t> parting;
   const MatrixXd motions = kernel(assembly.jacobian());

@@ -14,7 +14,7 @@ using io::Tree;
 
 bool takes_text(const FieldInfo* field) {
   return field == nullptr || field->type == FieldInfo::Type::quantity || field->type == FieldInfo::Type::choice ||
-         field->type == FieldInfo::Type::name;
+         field->type == FieldInfo::Type::name || field->type == FieldInfo::Type::formula;
 }
 
 /// Back to the places of the flag's own text, which stood behind `length` characters of a line.

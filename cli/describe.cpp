@@ -43,10 +43,11 @@ void add_fields(std::span<const FieldInfo> fields, void* owner, const std::strin
   for (const FieldInfo& f : fields) {
     const std::string key = "  " + prefix + f.key;
     if (f.is_leaf()) {
-      const std::string unit = f.type == Type::choice  ? words_of(f)
-                               : f.type == Type::name  ? "name"
-                               : f.type == Type::count ? "whole number"
-                                                       : f.unit;
+      const std::string unit = f.type == Type::choice    ? words_of(f)
+                               : f.type == Type::name    ? "name"
+                               : f.type == Type::formula ? "formula"
+                               : f.type == Type::count   ? "whole number"
+                                                         : f.unit;
       const std::string rule = bounds_of(f);
       rows.push_back({key, unit, f.role == Role::input ? default_of(f, owner) : "",
                       f.doc + (rule.empty() ? "" : " (" + rule + ")")});

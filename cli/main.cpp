@@ -87,6 +87,8 @@ std::string type_word(const FieldInfo& field) {
     case FieldInfo::Type::choice:
     case FieldInfo::Type::name:
       return "WORD";
+    case FieldInfo::Type::formula:
+      return "FORMULA";
     case FieldInfo::Type::group:
     case FieldInfo::Type::list:
       return "TOML";

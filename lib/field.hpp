@@ -172,6 +172,14 @@ struct NameField : detail::Described<NameField<Owner>> {
       : detail::Described<NameField<Owner>>{k, d}, at{member} {}
 };
 
+/// A quantity as a formula of one variable (lib/quantity/law.hpp); the calculator reads it.
+template <class Owner>
+struct FormulaField : detail::Described<FormulaField<Owner>> {
+  Formula Owner::*at;
+  constexpr FormulaField(Formula Owner::*member, const char* k, const char* d)
+      : detail::Described<FormulaField<Owner>>{k, d}, at{member} {}
+};
+
 /// One of a few words; `choices_of(Enum{})` is found beside the enum class and gives an array of ChoiceName.
 template <class Owner, class Enum>
 struct Choice : detail::Described<Choice<Owner, Enum>> {

@@ -14,26 +14,33 @@ namespace loadpath {
 template <class Element, std::size_t N>
 using List = boost::container::static_vector<Element, N>;
 
-/// A short name (of an element, a link, a joint), held in place.
-class Name {
+/// A short text, held in place.
+template <std::size_t most>
+class ShortText {
  public:
-  static constexpr std::size_t capacity = 31;
+  static constexpr std::size_t capacity = most;
+  static_assert(capacity <= 255, "its size is one byte");
 
-  constexpr Name() = default;
+  constexpr ShortText() = default;
   /// At most `capacity` bytes; what is longer is cut (readers refuse it before).
-  constexpr Name(std::string_view text)  // NOLINT(google-explicit-constructor)
+  constexpr ShortText(std::string_view text)  // NOLINT(google-explicit-constructor)
       : size_(static_cast<unsigned char>(std::min(text.size(), capacity))) {
     std::copy_n(text.begin(), size_, bytes_.begin());
   }
-  constexpr Name(const char* text) : Name(std::string_view(text)) {}  // NOLINT(google-explicit-constructor)
+  constexpr ShortText(const char* text) : ShortText(std::string_view(text)) {}  // NOLINT(google-explicit-constructor)
 
   [[nodiscard]] constexpr std::string_view view() const { return {bytes_.data(), size_}; }
   [[nodiscard]] constexpr bool empty() const { return size_ == 0; }
-  constexpr bool operator==(const Name& other) const { return view() == other.view(); }
+  constexpr bool operator==(const ShortText& other) const { return view() == other.view(); }
 
  private:
   std::array<char, capacity> bytes_{};
   unsigned char size_ = 0;
 };
+
+/// Of an element, a link, a joint.
+using Name = ShortText<31>;
+/// A quantity as a function of one variable: "30 deg + 9 deg*sin(t/(1 s))".
+using Formula = ShortText<160>;
 
 }  // namespace loadpath

@@ -23,7 +23,7 @@ struct ChoiceInfo {
 
 /// One field. Which of the accessors are set depends on the type; `owner` points to the aggregate that holds it.
 struct FieldInfo {
-  enum class Type { quantity, count, choice, name, group, list };
+  enum class Type { quantity, count, choice, name, formula, group, list };
 
   Type type = Type::quantity;
   const char* key = "";
@@ -47,12 +47,12 @@ struct FieldInfo {
 
   std::span<const ChoiceInfo> choices;  // choice
   std::span<const FieldInfo> fields;    // group, list
-  std::size_t capacity = 0;             // list
+  std::size_t capacity = 0;             // list: elements; name, formula: bytes
 
   double* (*address)(void* owner) = nullptr;              // quantity
   double (*get)(const void* owner) = nullptr;             // quantity, count, choice (its index)
   void (*set)(void* owner, double si) = nullptr;          // quantity, count, choice
-  std::string_view (*text)(const void* owner) = nullptr;  // name
+  std::string_view (*text)(const void* owner) = nullptr;  // name, formula
   void (*set_text)(void* owner, std::string_view text) = nullptr;
   std::size_t (*size)(const void* owner) = nullptr;        // list; a group has size 1
   void* (*element)(void* owner, std::size_t i) = nullptr;  // list, group

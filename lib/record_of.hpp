@@ -70,11 +70,24 @@ FieldInfo info_of(const Count<Owner>& f) {
   return info;
 }
 
+template <const auto& fields, std::size_t I, class Owner, std::size_t capacity>
+void let_text(ShortText<capacity> Owner::*, FieldInfo& info) {
+  info.capacity = capacity;
+  info.text = [](const void* o) { return (static_cast<const Owner*>(o)->*member_at<fields, I>).view(); };
+  info.set_text = [](void* o, std::string_view t) { static_cast<Owner*>(o)->*member_at<fields, I> = t; };
+}
+
 template <const auto& fields, std::size_t I, class Owner>
 FieldInfo info_of(const NameField<Owner>& f) {
   FieldInfo info = described(f, FieldInfo::Type::name);
-  info.text = [](const void* o) { return (static_cast<const Owner*>(o)->*member_at<fields, I>).view(); };
-  info.set_text = [](void* o, std::string_view t) { static_cast<Owner*>(o)->*member_at<fields, I> = Name(t); };
+  let_text<fields, I>(f.at, info);
+  return info;
+}
+
+template <const auto& fields, std::size_t I, class Owner>
+FieldInfo info_of(const FormulaField<Owner>& f) {
+  FieldInfo info = described(f, FieldInfo::Type::formula);
+  let_text<fields, I>(f.at, info);
   return info;
 }
 

@@ -143,6 +143,7 @@ F_y = "0 N"
     double mu = 0.0;
     Length pin_radius = unset<Length>, guide_length = unset<Length>, guide_width = unset<Length>;
     Length rolling_arm = 0.0 * m.one;
+    double efficiency = 1.0, efficiency_back = unset<double>;
     Damping c = 0.0 * N_s_per_m.one;
     TurningDamping c_turn = 0.0 * N_m_s.one;
     static constexpr std::tuple fields{
@@ -175,9 +176,18 @@ F_y = "0 N"
             .at_least(0)
             .may_be_missing(),
         Field{&Joint::rolling_arm, "rolling_arm", mm, "rolling: lever arm of the rolling resistance"}.at_least(0),
+        Field{&Joint::efficiency, "efficiency", ratio, "teeth, belts: power passed on over power taken in"}.within(0.01,
+                                                                                                                   1),
+        Field{&Joint::efficiency_back, "efficiency_back", ratio,
+              "the same when the second link drives; as efficiency where missing, negative where that locks (worms)"}
+            .within(-20, 1)
+            .may_be_missing(),
         Field{&Joint::c, "c", N_s_per_m, "prismatic, slot: viscous resistance to sliding"}.at_least(0),
         Field{&Joint::c_turn, "c_turn", N_m_s, "revolute, rolling: viscous resistance to turning"}.at_least(0)};
   };
+
+  enum class Impending { either, forward, backward };
+  enum class LawShape { spline, monotone };
 
   struct Crank {
     Name joint, to;
@@ -197,6 +207,10 @@ F_y = "0 N"
                                          Field{&Moment::angle, "angle", deg, "crank angle then"}.within(-36000, 36000)};
     };
     List<Moment, 64> law;
+    LawShape law_shape = LawShape::spline;
+    Formula angle_of_t;
+    Time duration = unset<Time>;
+    Impending impending = Impending::either;
     static constexpr std::tuple fields{
         NameField{&Crank::joint, "joint", "revolute joint that is driven"},
         NameField{&Crank::to, "to",
@@ -213,6 +227,15 @@ F_y = "0 N"
         ListField{&Crank::law, "law",
                   "crank angles over time, in place of a turn at a given speed; smooth, from rest to rest"}
             .as_arrays()
+            .may_be_missing(),
+        Choice{&Crank::law_shape, "law_shape", "how 'law' runs between its points"}.may_be_missing(),
+        FormulaField{&Crank::angle_of_t, "angle_of_t",
+                     "crank angle as a formula of the time t, in place of a law by points: 30 deg + 9 deg*sin(t/(1 s))"}
+            .may_be_missing(),
+        Field{&Crank::duration, "duration", sec, "time for which the formula holds, from t = 0 s"}
+            .positive()
+            .may_be_missing(),
+        Choice{&Crank::impending, "impending", "which way a crank at rest is about to turn: the sense of friction"}
             .may_be_missing()};
   };
 
@@ -228,6 +251,10 @@ F_y = "0 N"
                                          Field{&Moment::place, "place", mm, "place along the guide then"}};
     };
     List<Moment, 64> law;
+    LawShape law_shape = LawShape::spline;
+    Formula place_of_t;
+    Time duration = unset<Time>;
+    Impending impending = Impending::either;
     static constexpr std::tuple fields{
         NameField{&Cylinder::name, "name", "name of the drive"},
         NameField{&Cylinder::joint, "joint", "prismatic or slot joint that is driven"},
@@ -237,6 +264,15 @@ F_y = "0 N"
         Field{&Cylinder::to, "to", mm, "place at the last position of a stroke"}.may_be_missing(),
         ListField{&Cylinder::law, "law", "places over time, in place of a stroke; smooth, from rest to rest"}
             .as_arrays()
+            .may_be_missing(),
+        Choice{&Cylinder::law_shape, "law_shape", "how 'law' runs between its points"}.may_be_missing(),
+        FormulaField{&Cylinder::place_of_t, "place_of_t",
+                     "place along the guide as a formula of the time t, in place of a law by points"}
+            .may_be_missing(),
+        Field{&Cylinder::duration, "duration", sec, "time for which the formula holds, from t = 0 s"}
+            .positive()
+            .may_be_missing(),
+        Choice{&Cylinder::impending, "impending", "which way a drive at rest is about to move: the sense of friction"}
             .may_be_missing()};
   };
 
@@ -371,6 +407,17 @@ constexpr auto choices_of(PlanarMechanism::Useful) {
   using T = PlanarMechanism::Useful;
   return std::array{ChoiceName<T>{T::no, "no", "not counted as useful"},
                     ChoiceName<T>{T::yes, "yes", "the machine is there to work against it"}};
+}
+constexpr auto choices_of(PlanarMechanism::Impending) {
+  using T = PlanarMechanism::Impending;
+  return std::array{ChoiceName<T>{T::either, "either", "not stated: the effort is a band, from one way to the other"},
+                    ChoiceName<T>{T::forward, "forward", "in the positive sense of the drive"},
+                    ChoiceName<T>{T::backward, "backward", "in the negative sense"}};
+}
+constexpr auto choices_of(PlanarMechanism::LawShape) {
+  using T = PlanarMechanism::LawShape;
+  return std::array{ChoiceName<T>{T::spline, "spline", "a cubic spline: gentle, but it may swing beyond the points"},
+                    ChoiceName<T>{T::monotone, "monotone", "never beyond the points; rests where they turn or dwell"}};
 }
 constexpr auto choices_of(PlanarMechanism::Analysis) {
   using T = PlanarMechanism::Analysis;

@@ -3,25 +3,53 @@
 #pragma once
 
 #include "calculators/mechanism/planar.hpp"
+#include "calculators/mechanism/planar_law.hpp"
+#include "calculators/mechanism/planar_schedule.hpp"
 #include "lib/issue.hpp"
 #include "lib/mechanism/proof/proof.hpp"
 #include "lib/mechanism/release.hpp"
 #include "lib/mechanism/released_system.hpp"
 #include "lib/quantity/series.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace loadpath {
+
+/// The effort of a drive without inertia that starts the mechanism from rest, and the one that holds it without
+/// friction, N m or N. What is no number: no effort starts it that way.
+struct StandingEffort {
+  double backward = 0.0, without = 0.0, forward = 0.0;
+
+  /// Whether it stands without its drive.
+  [[nodiscard]] bool stands() const { return !(backward > 0.0) && !(forward < 0.0); }
+};
 
 /// The solved positions. Where the mechanism does not close there is none.
 struct Cycle {
   std::vector<mechanism::Position> positions;
   std::vector<mechanism::Proof> proofs;
   std::vector<bool> closed;
-  bool returns = true;         // after a whole turn, to where it began
-  std::vector<bool> in_steps;  // closed, but near a change point: followed from the position before in small steps
-  std::vector<bool> jams;      // closed, but friction lets no drive move it: it has no forces there
+  bool returns = true;  // after a whole turn, to where it began
+  /// By how much a turning spring is wound up then, rad.
+  struct Winding {
+    std::size_t spring = 0;
+    double by = 0.0;
+  };
+  std::vector<Winding> windings;
+  std::vector<bool> in_steps;   // closed, but near a change point: followed from the position before in small steps
+  std::vector<bool> jams;       // closed, but friction lets no drive move it: it has no forces there
+  std::vector<bool> some_rest;  // joints with friction: as at a dead point, or the whole mechanism
+  /// There, with the friction of what rests one way and the other; an empty one where friction lets it not move so.
+  std::vector<std::vector<mechanism::Position>> either_way;
+  std::vector<StandingEffort> standing;  // with friction and one drive; where it does not close, meaningless
+  /// The least friction with which it stands under its load without its drive: somewhere, and at every position.
+  struct Threshold {
+    double share = 0.0;  // of the friction that it has
+    std::size_t at = 0;
+  };
+  std::optional<Threshold> stands_somewhere, stands_everywhere;
   mechanism::Status first_failure = mechanism::Status::closed;
   mechanism::WholeSystem::Gap gap;            // at the first failure
   double worst_condition = 0.0;               // largest condition number of the constraints; 0: no position is closed
@@ -36,14 +64,6 @@ std::string axis_name(const PlanarMechanism::Input& in);
 
 /// The crank angle of the first position, as the user counts it.
 double first_crank_angle(const PlanarMechanism::Crank& crank);
-
-/// Whether the positions are those of a whole turn of the crank.
-bool is_whole_turn(const PlanarMechanism::Input& in);
-
-/// Whether a drive follows a law of motion; the axis is time then.
-bool has_law(const PlanarMechanism::Input& in);
-/// Laws of motion with too few moments, or moments that do not follow one another. Needs values.
-std::vector<FieldFault> check_laws(const PlanarMechanism::Input& in);
 
 /// Fills the places of the axis and solves there. `axis` is null where there is one position. `redundant`: joints hold
 /// too much.

@@ -194,7 +194,7 @@ struct Rubbing {
 };
 
 constexpr std::array rubbing_rows{row<Rubbing>(
-    "joints.NAME.P_loss", "power that friction takes", W,
+    "joints.NAME.P_loss", "power that friction or meshing takes", W,
     [](const Rubbing& r, const Position& p) { return loss_of(*r.model, r.index, p); }, nullptr,
     "joints with friction")};
 

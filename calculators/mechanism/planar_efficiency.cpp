@@ -62,7 +62,10 @@ std::optional<report::Table> efficiency_table(const project::Account& account, c
   }
   if (use) {
     table.rows.push_back({say("power against the useful loads"), Quantity{useful, "W"}});
-    table.rows.push_back({say("efficiency"), efficiency(drive, useful)});
+    const bool back = drive < 0.0 && useful < 0.0;
+    table.rows.push_back(
+        {back ? say("efficiency of the reversed flow, from the loads to the drive") : say("efficiency"),
+         efficiency(drive, useful)});
   }
   return table;
 }

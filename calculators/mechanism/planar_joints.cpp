@@ -61,6 +61,14 @@ const std::array specials{
             [](const Planar::Joint& j) { return in_si(j.rolling_arm) != 0.0; },
             {Type::rolling, Type::rolling_inside, Type::rolling_on_line, Type::rolling, Type::rolling, Type::rolling},
             "rolling wheels"},
+    Special{"efficiency",
+            [](const Planar::Joint& j) { return j.efficiency != 1.0; },
+            {Type::gear, Type::ring_gear, Type::rack, Type::belt, Type::crossed_belt, Type::gear},
+            "teeth and belts"},
+    Special{"efficiency_back",
+            [](const Planar::Joint& j) { return is_set(j.efficiency_back); },
+            {Type::gear, Type::ring_gear, Type::rack, Type::belt, Type::crossed_belt, Type::gear},
+            "teeth and belts"},
     Special{"c",
             [](const Planar::Joint& j) { return in_si(j.c) != 0.0; },
             {Type::prismatic, Type::slot, Type::slot, Type::slot, Type::slot, Type::slot},
@@ -197,7 +205,13 @@ mechanism::Joint joint_values(const Planar::Joint& j) {
   joint.tension = in_si(j.slack);
   joint.guide_length = si_or_zero(j.guide_length);
   joint.guide_width = si_or_zero(j.guide_width);
-  joint.friction = {j.mu, si_or_zero(j.pin_radius), in_si(j.rolling_arm), in_si(j.c) + in_si(j.c_turn)};
+  const double efficiency_back = is_set(j.efficiency_back) ? j.efficiency_back : j.efficiency;
+  joint.friction = {j.mu,
+                    si_or_zero(j.pin_radius),
+                    in_si(j.rolling_arm),
+                    in_si(j.c) + in_si(j.c_turn),
+                    1.0 - j.efficiency,
+                    1.0 - efficiency_back};
   return joint;
 }
 
@@ -207,10 +221,10 @@ std::vector<report::Table> detail_tables(const Planar::Input& in) {
   const auto millimetres = [](const Length& length) {
     return is_set(length) && in_si(length) != 0.0 ? Cell(Quantity{in_si(length), "mm"}) : Cell(std::string("–"));
   };
-  report::Table rolling{
-      say("Wheels"),
-      {say("joint"), say("radius, first link"), say("second link"), say("pressure angle"), say("slack")},
-      {}};
+  report::Table rolling{say("Wheels"),
+                        {say("joint"), say("radius, first link"), say("second link"), say("pressure angle"),
+                         say("slack"), say("efficiency"), say("backward")},
+                        {}};
   report::Table friction{say("Friction and guides"),
                          {say("joint"), say("coefficient"), say("radius of the pin"), say("length of the guide"),
                           say("its width"), say("rolling arm"), say("viscous")},
@@ -220,10 +234,12 @@ std::vector<report::Table> detail_tables(const Planar::Input& in) {
     const bool teeth = j.type == Type::gear || j.type == Type::ring_gear || j.type == Type::rack;
     const bool belt = j.type == Type::belt || j.type == Type::crossed_belt;
     if (is_set(j.radii.first) || is_set(j.radius)) {
-      rolling.rows.push_back({name, millimetres(is_set(j.radius) ? j.radius : j.radii.first),
-                              millimetres(j.radii.second),
-                              teeth ? Cell(Quantity{j.pressure_angle, "deg"}) : Cell(std::string("–")),
-                              belt ? Cell(Quantity{in_si(j.slack), "N"}) : Cell(std::string("–"))});
+      rolling.rows.push_back(
+          {name, millimetres(is_set(j.radius) ? j.radius : j.radii.first), millimetres(j.radii.second),
+           teeth ? Cell(Quantity{j.pressure_angle, "deg"}) : Cell(std::string("–")),
+           belt ? Cell(Quantity{in_si(j.slack), "N"}) : Cell(std::string("–")),
+           teeth || belt ? Cell(Quantity{j.efficiency, "-"}) : Cell(std::string("–")),
+           is_set(j.efficiency_back) ? Cell(Quantity{j.efficiency_back, "-"}) : Cell(std::string("–"))});
     }
     const bool sliding = in_si(j.c) != 0.0, turning = in_si(j.c_turn) != 0.0;
     if (j.mu == 0.0 && !is_set(j.guide_length) && in_si(j.rolling_arm) == 0.0 && !sliding && !turning) continue;

@@ -22,6 +22,11 @@ bool pulls(const Planar::Spring& spring) {
   return in_si(spring.k) != 0.0 || in_si(spring.c) != 0.0 || is_set(spring.free);
 }
 
+/// One of them alone: the other is zero.
+bool is_cartesian(const Planar::Load& load) { return is_set(load.F_x) || is_set(load.F_y); }
+
+double si_or_zero(const Force& force) { return is_set(force) ? in_si(force) : 0.0; }
+
 std::string path_of(const Planar::Load& load, std::size_t k) {
   return "loads" + (load.name.empty() ? "[" + std::to_string(k + 1) + "]" : "." + text(load.name)) + ".over";
 }
@@ -34,7 +39,7 @@ mechanism::Load load_of(const Planar::Input& in, const Planar::Load& l) {
   load.link = link_index(in, l.link);
   if (!l.at.empty()) load.point = vector_of(*find_point(in, load.link, l.at));
   if (is_set(l.F)) load.force = in_si(l.F) * Vec{std::cos(l.direction), std::sin(l.direction)};
-  if (is_set(l.F_x)) load.force = {in_si(l.F_x), in_si(l.F_y)};
+  if (is_cartesian(l)) load.force = {si_or_zero(l.F_x), si_or_zero(l.F_y)};
   load.turns_with_link = l.axes == Planar::Axes::link;
   if (is_set(l.M)) load.moment = in_si(l.M);
   return load;
@@ -128,8 +133,8 @@ Table load_table(const Planar::Input& in) {
                say("over the cycle")},
               {}};
   for (const auto& l : in.loads) {
-    const bool cartesian = is_set(l.F_x);
-    const double fx = in_si(l.F_x), fy = in_si(l.F_y);
+    const bool cartesian = is_cartesian(l);
+    const double fx = si_or_zero(l.F_x), fy = si_or_zero(l.F_y);
     const Cell none = std::string("–");
     const Cell force = is_set(l.F) ? Cell(Quantity{in_si(l.F), "N"})
                        : cartesian ? Cell(Quantity{std::hypot(fx, fy), "N"})

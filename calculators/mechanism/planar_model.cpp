@@ -140,13 +140,12 @@ class NameCheck {
     const std::string path =
         "loads" + (load.name.empty() ? "[" + std::to_string(i + 1) + "]" : "." + std::string(load.name.view()));
     const bool known = require_link(load.link, path + ".link");
-    const bool polar = is_set(load.F) && is_set(load.direction), cartesian = is_set(load.F_x) && is_set(load.F_y);
-    const bool any_polar = is_set(load.F) || is_set(load.direction),
-               any_cartesian = is_set(load.F_x) || is_set(load.F_y);
-    const bool part = any_polar || any_cartesian;
+    const bool polar = is_set(load.F) && is_set(load.direction), cartesian = is_set(load.F_x) || is_set(load.F_y);
+    const bool any_polar = is_set(load.F) || is_set(load.direction);
+    const bool part = any_polar || cartesian;
     if (known && load.link.view() == "ground")
       add(path + ".link", say("a load on the ground has no effect"), say("name a moving link"));
-    if (any_polar && any_cartesian)
+    if (any_polar && cartesian)
       add(path, say("give either F with direction or F_x and F_y, not both"));
     else if (part && !polar && !cartesian)
       add(path, say("give F with direction, or F_x and F_y"));

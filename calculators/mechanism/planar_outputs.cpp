@@ -2,6 +2,7 @@
 
 #include "calculators/mechanism/planar_design_outputs.hpp"
 #include "calculators/mechanism/planar_kinematics.hpp"
+#include "calculators/mechanism/planar_rest.hpp"
 #include "calculators/mechanism/planar_rows.hpp"
 #include "lib/mechanism/vec.hpp"
 
@@ -109,6 +110,7 @@ std::vector<MechanismOutput> mechanism_outputs(const PlanarMechanism::Input& in,
   for (const TracedPoint& point : traced_points(in)) add_outputs(point, point_rows, out);
   add_design_outputs(in, model, out);
   add_kinematic_outputs(in, model, out);
+  add_rest_outputs(model, out);
   return out;
 }
 
@@ -121,6 +123,7 @@ std::vector<ResultPattern> mechanism_result_patterns() {
   list(point_rows);
   list_design_patterns(patterns);
   for (const ResultPattern& p : kinematic_result_patterns()) patterns.push_back(p);
+  list_rest_patterns(patterns);
   return patterns;
 }
 

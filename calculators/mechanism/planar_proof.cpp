@@ -1,6 +1,7 @@
 // What a report says about the proof of a planar mechanism: closing, equilibrium, power, and the reactions and drives
 // found again by other methods.
 #include "calculators/mechanism/planar_model.hpp"
+#include "calculators/mechanism/planar_ranges.hpp"
 #include "calculators/mechanism/planar_report.hpp"
 #include "lib/mechanism/frames.hpp"
 #include "lib/mechanism/vec.hpp"
@@ -43,20 +44,27 @@ report::Verdict limit(const std::string& step, const char* symbol, Message meani
 Message why_open(const Planar::Input& in, const Cycle& cycle) {
   if (cycle.first_failure == mechanism::Status::singular) return say("the drive cannot hold the mechanism there");
   if (cycle.gap.joint < 0) return say("the drive could not be followed to its place");
+  const auto type = in.joints[static_cast<std::size_t>(cycle.gap.joint)].type;
+  if (type == Planar::Type::belt || type == Planar::Type::crossed_belt) {
+    return say("the belt '{1}' keeps its length, and its centres would have to move apart or together",
+               std::string(in.joints[static_cast<std::size_t>(cycle.gap.joint)].name.view()));
+  }
   return say("joint '{1}' stays {2} apart",
              std::string(in.joints[static_cast<std::size_t>(cycle.gap.joint)].name.view()),
              format_quantity(cycle.gap.size, "mm", 4));
 }
 
-std::string place_of(std::size_t k, const Axis& axis) { return format_quantity(axis.at[k], axis.unit, 5); }
+using planar::place_of;
 
-/// From the first position where this is so to the last.
+/// "between 30 deg and 60 deg", the longest run where more than one is, with their number.
 std::string range_of(const std::vector<bool>& positions, bool so, const Axis& axis) {
-  const auto first = std::find(positions.begin(), positions.end(), so) - positions.begin();
-  const auto last = std::find(positions.rbegin(), positions.rend(), so).base() - positions.begin() - 1;
-  return say("{1} and {2}", place_of(static_cast<std::size_t>(first), axis),
-             place_of(static_cast<std::size_t>(last), axis))
-      .text();
+  const auto runs = planar::runs_of(positions, so, axis.cyclic());
+  const auto longest =
+      std::max_element(runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.count < b.count; });
+  const std::string first = place_of(longest->first, axis), last = place_of(longest->last, axis);
+  const Message run = longest->count == 1 ? say("at {1}", first) : say("between {1} and {2}", first, last);
+  return runs.size() == 1 ? run.text()
+                          : say("{1}, the longest of {2} ranges", run.text(), std::to_string(runs.size())).text();
 }
 
 report::Verdict closing(const std::string& step, const Planar::Input& in, const Cycle& cycle, const Axis* axis) {
@@ -70,7 +78,7 @@ report::Verdict closing(const std::string& step, const Planar::Input& in, const 
   v.state = closed == cycle.closed.size() ? report::State::pass : report::State::fail;
   if (v.state == report::State::pass) return v;
   v.note = why_open(in, cycle);
-  if (axis != nullptr) v.note = say("between {1}: {2}", range_of(cycle.closed, false, *axis), v.note.text());
+  if (axis != nullptr) v.note = say("{1}: {2}", range_of(cycle.closed, false, *axis), v.note.text());
   return v;
 }
 
@@ -87,10 +95,45 @@ report::Verdict no_return(const std::string& step, const Planar::Input& in) {
   return v;
 }
 
-/// Whether no drive moves: then friction could act either way.
+/// Whether no drive moves nor says which way it is about to: then friction could act either way.
 bool is_at_rest(const Planar::Input& in) {
-  const auto rests = [](const auto& c) { return in_si(c.speed) == 0.0; };
-  return !has_law(in) && in_si(in.crank.speed) == 0.0 && std::all_of(in.cylinders.begin(), in.cylinders.end(), rests);
+  const auto rests = [](const auto& drive) {
+    return in_si(drive.speed) == 0.0 && drive.impending == Planar::Impending::either;
+  };
+  return !has_law(in) && rests(in.crank) && std::all_of(in.cylinders.begin(), in.cylinders.end(), rests);
+}
+
+/// Whether there is a position where no effort of the only drive starts it this way.
+bool holds_against(const Cycle& cycle, double sense) {
+  for (std::size_t k = 0; k < cycle.standing.size(); ++k) {
+    const StandingEffort& effort = cycle.standing[k];
+    if (cycle.closed[k] && std::isnan(sense > 0.0 ? effort.forward : effort.backward)) return true;
+  }
+  return false;
+}
+
+/// The positions where friction holds what rests against any effort one way or another.
+std::vector<bool> held_one_way(const Cycle& cycle) {
+  std::vector<bool> held(cycle.positions.size());
+  for (std::size_t k = 0; k < cycle.either_way.size(); ++k) {
+    const auto& ways = cycle.either_way[k];
+    held[k] = std::any_of(ways.begin(), ways.end(), [](const auto& way) { return way.pose.empty(); });
+  }
+  return held;
+}
+
+/// A turning spring whose angle does not come back is wound up further with every cycle.
+report::Verdict wound_up(const std::string& step, const Planar::Input& in, const Cycle::Winding& winding) {
+  const std::string name(in.springs[winding.spring].name.view());
+  report::Verdict v;
+  v.step = step;
+  v.symbol = "returns_" + name;
+  v.meaning = say("after the cycle the spring '{1}' is as it was", name);
+  v.bound = say("the same angle");
+  v.value = Quantity{winding.by, "deg", 4};
+  v.state = report::State::fail;
+  v.note = say("it is wound up further with every cycle; these results are of the first");
+  return v;
 }
 
 /// The force that presses a rolling wheel against what it rolls on, N.
@@ -128,7 +171,7 @@ std::vector<report::Verdict> contacts(const std::string& step, const Planar::Inp
     v.value = say("{1} of {2}", std::to_string(lost.size() - count), std::to_string(lost.size()));
     v.state = count == 0 ? report::State::pass : report::State::fail;
     if (!cycle.unique.empty() && !cycle.unique[n].force) v.state = report::State::not_covered;
-    if (count > 0 && axis != nullptr) v.note = say("lifts off between {1}", range_of(lost, true, *axis));
+    if (count > 0 && axis != nullptr) v.note = say("lifts off {1}", range_of(lost, true, *axis));
     verdicts.push_back(std::move(v));
   }
   return verdicts;
@@ -138,8 +181,9 @@ std::vector<report::Verdict> contacts(const std::string& step, const Planar::Inp
 void add_jamming(const std::string& step, const Planar::Input& in, const Cycle& cycle, const Axis* axis,
                  std::vector<report::Verdict>& verdicts) {
   const auto jams = static_cast<std::size_t>(std::count(cycle.jams.begin(), cycle.jams.end(), true));
-  const bool rubs = std::any_of(in.joints.begin(), in.joints.end(),
-                                [](const auto& j) { return j.mu != 0.0 || in_si(j.rolling_arm) != 0.0; });
+  const bool rubs = std::any_of(in.joints.begin(), in.joints.end(), [](const auto& j) {
+    return j.mu != 0.0 || in_si(j.rolling_arm) != 0.0 || j.efficiency != 1.0 || is_set(j.efficiency_back);
+  });
   if (!rubs && jams == 0) return;
   report::Verdict v;
   v.step = step;
@@ -148,10 +192,20 @@ void add_jamming(const std::string& step, const Planar::Input& in, const Cycle& 
   v.bound = say("every position");
   v.value = say("{1} of {2}", std::to_string(cycle.jams.size() - jams), std::to_string(cycle.jams.size()));
   v.state = jams == 0 ? report::State::pass : report::State::fail;
-  if (jams > 0 && axis != nullptr) v.note = say("jams between {1}", range_of(cycle.jams, true, *axis));
+  if (jams > 0 && axis != nullptr) v.note = say("jams {1}", range_of(cycle.jams, true, *axis));
   if (is_at_rest(in)) {
-    v.state = report::State::not_covered;
-    v.note = say("at rest friction has no direction: give the drive a speed");
+    const std::vector<bool> held = held_one_way(cycle);
+    const bool none = std::find(held.begin(), held.end(), true) == held.end();
+    v.state = none ? v.state : report::State::not_covered;
+    const bool one_drive = !cycle.standing.empty();
+    v.note =
+        none ? say("at rest friction acts either way: the results are without it, and the effort lies between "
+                   "M_min and M_max, F_min and F_max; state 'impending' for one way")
+        : one_drive && holds_against(cycle, 1.0)
+            ? say("at rest friction acts either way, and no effort of the drive starts it forward; state 'impending'")
+        : one_drive && holds_against(cycle, -1.0)
+            ? say("at rest friction acts either way, and no effort of the drive starts it backward; state 'impending'")
+            : say("at rest friction acts either way, and one way no effort starts it; state 'impending'");
   }
   verdicts.push_back(std::move(v));
 }
@@ -292,6 +346,7 @@ std::vector<report::Verdict> proof(const std::string& step, const Planar::Input&
   std::vector<report::Verdict> verdicts{closing(step, in, cycle, axis)};
   add_jamming(step, in, cycle, axis, verdicts);
   if (!cycle.returns) verdicts.push_back(no_return(step, in));
+  for (const Cycle::Winding& winding : cycle.windings) verdicts.push_back(wound_up(step, in, winding));
   for (report::Verdict& v : contacts(step, in, cycle, axis)) verdicts.push_back(std::move(v));
   verdicts.push_back(limit(step, "force_balance",
                            say("equilibrium of every link: unbalanced force over the largest reaction"),

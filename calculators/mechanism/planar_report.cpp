@@ -1,10 +1,12 @@
 #include "calculators/mechanism/planar_report.hpp"
 
 #include "calculators/mechanism/planar_efficiency.hpp"
+#include "calculators/mechanism/planar_flanks.hpp"
 #include "calculators/mechanism/planar_joints.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
 #include "calculators/mechanism/planar_model.hpp"
 #include "calculators/mechanism/planar_redundancy.hpp"
+#include "calculators/mechanism/planar_rest.hpp"
 #include "lib/mechanism/assur.hpp"
 #include "lib/mechanism/vec.hpp"
 #include "lib/quantity/format.hpp"
@@ -70,6 +72,11 @@ Table joint_table(const Planar::Input& in) {
   return table;
 }
 
+void add_sense(Message what, Planar::Impending impending, Table& table) {
+  if (impending == Planar::Impending::either) return;
+  table.rows.push_back({std::move(what), impending == Planar::Impending::forward ? say("forward") : say("backward")});
+}
+
 Table drive_table(const Planar::Input& in) {
   Table table{say("Drive"), {}, {}};
   if (!in.crank.joint.empty()) {
@@ -77,17 +84,26 @@ Table drive_table(const Planar::Input& in) {
     for (const auto& moment : in.crank.law)
       table.rows.push_back(
           {say("crank angle at {1}", format_quantity(in_si(moment.t), "s")), Quantity{moment.angle, "deg"}});
-    if (in.crank.law.empty()) {
+    if (!in.crank.angle_of_t.empty()) {
+      table.rows.push_back({say("crank angle at t"), std::string(in.crank.angle_of_t.view())});
+      table.rows.push_back({say("for"), Quantity{in_si(in.crank.duration), "s"}});
+    } else if (in.crank.law.empty()) {
       table.rows.push_back({say("angular speed"), Quantity{in_si(in.crank.speed), "rad/s"}});
       table.rows.push_back({say("angular acceleration"), Quantity{in_si(in.crank.acceleration), "rad/s^2"}});
     }
+    add_sense(say("about to turn"), in.crank.impending, table);
     const bool turn = in.crank.at.empty();
-    table.rows.push_back({say("first crank angle"), Quantity{first_crank_angle(in.crank), "deg"}});
+    if (!has_law(in)) table.rows.push_back({say("first crank angle"), Quantity{first_crank_angle(in.crank), "deg"}});
     table.rows.push_back(
         {say("positions"), std::to_string(turn ? static_cast<std::size_t>(in.crank.positions) : in.crank.at.size())});
   }
   for (const auto& c : in.cylinders) {
     table.rows.push_back({text(c.name), text(c.joint)});
+    add_sense(say("{1} is about to move", text(c.name)), c.impending, table);
+    if (!c.place_of_t.empty()) {
+      table.rows.push_back({say("place of {1} at t", text(c.name)), std::string(c.place_of_t.view())});
+      table.rows.push_back({say("for"), Quantity{in_si(c.duration), "s"}});
+    }
     for (const auto& moment : c.law) {
       table.rows.push_back({say("place of {1} at {2}", text(c.name), format_quantity(in_si(moment.t), "s")),
                             Quantity{in_si(moment.place), "mm"}});
@@ -108,6 +124,9 @@ bool is_design_load(const std::string& path) {
   const bool joint = path.starts_with("joints.") &&
                      (path.ends_with(".F") || path.ends_with(".M") || path.ends_with(".N") || path.ends_with(".F_t") ||
                       path.ends_with(".F_r") || path.ends_with(".N_front") || path.ends_with(".N_back"));
+  const bool of_rest = path.ends_with("_min") || path.ends_with("_max") || path.ends_with("_forward") ||
+                       path.ends_with("_backward");  // tables of their own
+  if (of_rest) return false;
   return internal || joint || path.starts_with("springs.") || path.starts_with("drive.") || path == "frame.F" ||
          path == "frame.M" || path.starts_with("cylinders.");
 }
@@ -214,6 +233,9 @@ std::vector<report::Block> result_tables(const project::Account& account, const 
                                          const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis) {
   std::vector<report::Block> blocks{axis == nullptr ? position_table(account) : extremes_table(account, cycle, *axis)};
   if (auto efficiency = efficiency_table(account, axis)) blocks.emplace_back(std::move(*efficiency));
+  if (auto standing = standing_table(model, cycle, axis)) blocks.emplace_back(std::move(*standing));
+  if (auto resting = dead_point_table(model, cycle, axis)) blocks.emplace_back(std::move(*resting));
+  if (auto flanks = flank_table(account, model, axis)) blocks.emplace_back(std::move(*flanks));
   blocks.emplace_back(structure_table(model, !cycle.unique.empty()));
   blocks.emplace_back(determinacy_table(structure, cycle, axis));
   if (!cycle.unique.empty()) blocks.emplace_back(uniqueness_table(model, cycle));

@@ -63,17 +63,33 @@ void PlanarStep::add_idle_fields(std::vector<Issue>& issues) const {
                               say("'{1}' is of a whole turn, and 'crank.at' gives the crank angles", path),
                               say("leave out one of the two")));
   }
+  const bool formula = !data().crank.angle_of_t.empty();
   for (const char* const path : {"crank.speed", "crank.acceleration", "crank.start", "crank.at"}) {
-    if (data().crank.law.empty() || !typed(path)) continue;
-    issues.push_back(issue_at(input(), path, say("'{1}' and 'crank.law' both say how the crank moves", path),
-                              say("leave out one of the two")));
+    if ((data().crank.law.empty() && !formula) || !typed(path)) continue;
+    issues.push_back(
+        issue_at(input(), path,
+                 say("'{1}' and '{2}' both say how the crank moves", path, formula ? "crank.angle_of_t" : "crank.law"),
+                 say("leave out one of the two")));
   }
+  add_idle_senses(issues);
   const bool crank = !data().crank.joint.empty();
   if (crank && typed("positions") && !has_law(data())) {
     issues.push_back(issue_at(input(), "positions", say("'positions' is of strokes of cylinders, and a crank drives"),
                               say("the positions of a turn stand in the crank: crank = { positions = 72 }")));
   }
   if (!crank) add_idle_strokes(issues);
+}
+
+/// Friction of what moves has its sense from the motion.
+void PlanarStep::add_idle_senses(std::vector<Issue>& issues) const {
+  const auto check = [&](const auto& drive, const std::string& path) {
+    if (drive.impending == PlanarMechanism::Impending::either || in_si(drive.speed) == 0.0) return;
+    issues.push_back(issue_at(input(), path + ".impending",
+                              say("'impending' is of a drive that rests, and '{1}' has a speed", path),
+                              say("leave out one of the two")));
+  };
+  check(data().crank, "crank");
+  for (const auto& cylinder : data().cylinders) check(cylinder, "cylinders." + std::string(cylinder.name.view()));
 }
 
 /// A stroke needs both ends and a number of positions.
@@ -169,6 +185,10 @@ bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue
   for (FieldFault& fault : check_mass_lines(data(), model)) drawing.push_back(std::move(fault));
   add_faults(drawing, issues);
   if (!drawing.empty()) return false;
+  for (const FieldFault& warning : overshooting_laws(data())) {
+    issues.push_back(issue_at(input(), warning.path, warning.message, warning.hint));
+    issues.back().severity = Severity::warning;
+  }
   const auto findings = mechanism::diagnose(model, structure_);
   std::string said;
   for (const mechanism::Finding& f : findings) {

@@ -62,6 +62,8 @@ json::object field_schema(const FieldInfo& field) {
       return choice(field);
     case Type::name:
       return {{"type", "string"}, {"pattern", "^[A-Za-z_][A-Za-z0-9_]*$"}, {"maxLength", Name::capacity}};
+    case Type::formula:
+      return {{"type", "string"}, {"maxLength", field.capacity}};
     case Type::list:
       return list(field);
     case Type::group:

@@ -23,6 +23,20 @@ Finding not_closing(const Model& model, const Structure& structure) {
           say("the stated poses are too far from an assembly, or the lengths do not permit one")};
 }
 
+/// Gears, racks, belts and rolling wheels without one of which the mechanism would move.
+std::vector<std::size_t> locking_wheels(const Model& model) {
+  std::vector<std::size_t> locking;
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    const JointKind kind = model.joints[k].kind;
+    if (constraint_count(kind) != 1 || kind == JointKind::slot) continue;
+    Model without = model;
+    without.joints.erase(without.joints.begin() + static_cast<std::ptrdiff_t>(k));
+    without.drivers.clear();
+    if (check_parts(without).empty() && analyse(without).mobility > 0) locking.push_back(k);
+  }
+  return locking;
+}
+
 Finding wrong_number_of_drivers(const Model& model, const Structure& structure) {
   const auto drivers = static_cast<int>(model.drivers.size());
   Message message =
@@ -31,6 +45,11 @@ Finding wrong_number_of_drivers(const Model& model, const Structure& structure) 
       structure.mobility > drivers
           ? say("add a driver, or take a freedom away: {1} can still move", names_of(model.links, structure.loose))
           : say("remove a driver: {1}", names_of(model.drivers, all(model.drivers.size())));
+  const auto locking = structure.mobility == 0 ? locking_wheels(model) : std::vector<std::size_t>{};
+  if (locking.size() > 1) {
+    hint = say("nothing can move: the ratios of {1} contradict each other; correct their radii, or leave one out",
+               names_of(model.joints, locking));
+  }
   return {Finding::About::model, 0, std::move(message), std::move(hint)};
 }
 
@@ -82,6 +101,12 @@ Finding without_effect(const Model& model, const Structure& structure) {
 Finding not_fitting(const Model& model, const Misfit& misfit) {
   const Joint& joint = model.joints[misfit.joint];
   const std::string apart = format_quantity(misfit.apart, "mm", 4), needed = format_quantity(misfit.needed, "mm", 4);
+  if (joint.kind == JointKind::rack) {
+    return {Finding::About::joint, misfit.joint,
+            say("the centre of the wheel of '{1}' is {2} from the line of its rack, and its radius is {3}", joint.name,
+                apart, needed),
+            say("move the rack's point or the centre, or change the radius")};
+  }
   Message message =
       joint.kind == JointKind::belt
           ? say("the wheels of the belt '{1}' lie in one another: {2} from centre to centre, and that must be more "
@@ -91,9 +116,26 @@ Finding not_fitting(const Model& model, const Misfit& misfit) {
   return {Finding::About::joint, misfit.joint, std::move(message), say("move a centre, or change a radius")};
 }
 
+Finding parting(const Model& model, std::size_t index) {
+  const Joint& joint = model.joints[index];
+  if (joint.kind == JointKind::belt) {
+    return {Finding::About::joint, index,
+            say("the belt '{1}' keeps its length, and the distance of its centres changes as the mechanism moves",
+                joint.name),
+            say("hold both centres on one link; a tensioner is a wheel on a link of its own with a second belt")};
+  }
+  return {Finding::About::joint, index,
+          say("the teeth of '{1}' do not stay in mesh: the distance of its centres changes as the mechanism moves",
+              joint.name),
+          say("hold the distance by other joints: both centres on one link, or a slide along the rack")};
+}
+
 std::vector<Finding> about_mobility(const Model& model, const Structure& structure) {
-  if (!structure.closes) return {not_closing(model, structure)};
   std::vector<Finding> findings;
+  if (!structure.closes) {
+    for (const std::size_t joint : structure.parting) findings.push_back(parting(model, joint));
+    return findings.empty() ? std::vector<Finding>{not_closing(model, structure)} : findings;
+  }
   for (const Misfit& misfit : structure.misfits) findings.push_back(not_fitting(model, misfit));
   if (!findings.empty()) return findings;
   if (structure.singular) return {singular(model, structure)};
@@ -102,6 +144,8 @@ std::vector<Finding> about_mobility(const Model& model, const Structure& structu
     findings.push_back(wrong_number_of_drivers(model, structure));
   } else if (!structure.loose.empty()) {
     findings.push_back(without_effect(model, structure));
+  } else {
+    for (const std::size_t joint : structure.parting) findings.push_back(parting(model, joint));
   }
   return findings;
 }

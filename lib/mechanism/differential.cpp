@@ -174,11 +174,13 @@ void Differential::find_motion() {
 }
 
 void Differential::move_induced() {
-  for (auto& source : sources_) {
+  for (std::size_t k = 0; k < sources_.size(); ++k) {
+    BasicInducedSource<Dual>& source = sources_[k];
     const auto& joint = model_.joints[source.joint];
     source.shape = shape_of(joint);
+    source.tendency = induced_.sources()[k].tendency;  // a sense does not change with a dimension
     set_up(joint, poses_, velocities_, source);
-    set_modes(source, std::span(modes_).subspan(source.first));
+    set_modes(joint, source, std::span(modes_).subspan(source.first));
   }
 }
 

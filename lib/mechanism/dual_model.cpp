@@ -10,7 +10,9 @@ BasicLink<Dual> as_dual(const Link& link) {
   return {link.name, link.mass, link.inertia, as_dual(link.centre), as_dual(link.pose)};
 }
 
-BasicFriction<Dual> as_dual(const Friction& f) { return {f.coefficient, f.pin_radius, f.rolling_arm, f.viscous}; }
+BasicFriction<Dual> as_dual(const Friction& f) {
+  return {f.coefficient, f.pin_radius, f.rolling_arm, f.viscous, f.loss, f.loss_back};
+}
 
 BasicJoint<Dual> as_dual(const Joint& joint) {
   return {.name = joint.name,

@@ -31,6 +31,7 @@ struct GroupSystem::Work {
   double find_way(std::span<const Drive> goal);
   void adopt();
   void hold(std::span<const Drive> goal);
+  void find_tendency(std::span<const Drive> goal, Position& out);
   void store(Position& out) const;
   bool find_forces(bool statics, Position& out);
 
@@ -47,6 +48,7 @@ struct GroupSystem::Work {
   bool iterates = false;      // some group is closed by iteration
   bool closed = false;
   bool in_steps = false;
+  FrictionTaken friction;
 };
 
 GroupSystem::GroupSystem(const Model& model) : work_(std::make_unique<Work>(model)) {}
@@ -69,9 +71,12 @@ double GroupSystem::coordinate(std::size_t driver) const { return work_->drives[
 Status GroupSystem::solve(std::span<const Drive> drives, Position& out, bool statics) {
   Work& w = *work_;
   if (const Status status = w.go_to(drives); status != Status::closed) return status;
+  const bool rubs = !w.induced.none();
+  if (rubs && !moves(drives)) w.find_tendency(drives, out);
   w.motion.find_velocities(drives);
   w.motion.find_accelerations(drives);
   w.store(out);
+  if (rubs && moves(drives)) std::ranges::copy(out.velocity, out.tendency.begin());
   return w.find_forces(statics, out) ? Status::closed : Status::jams;
 }
 
@@ -123,6 +128,15 @@ void GroupSystem::Work::hold(std::span<const Drive> goal) {
   }
 }
 
+void GroupSystem::Work::find_tendency(std::span<const Drive> goal, Position& out) {
+  for (std::size_t k = 0; k < goal.size(); ++k) way[k].speed = goal[k].impending;
+  motion.find_velocities(way);
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    const Moving& m = motion.link(k);
+    out.tendency[k] = {m.velocity.x, m.velocity.y, m.omega};
+  }
+}
+
 void GroupSystem::Work::store(Position& out) const {
   for (std::size_t k = 0; k < held.size(); ++k) {
     const Moving& m = motion.link(k);
@@ -135,13 +149,18 @@ void GroupSystem::Work::store(Position& out) const {
 
 bool GroupSystem::Work::find_forces(bool statics, Position& out) {
   if (!induced.none()) {
-    return induced.solve(out, [&](const Induced& modes) { motion.find_forces(statics, modes, out); });
+    return induced.solve(
+        out, [&](const Induced& modes) { motion.find_forces(statics, modes, out); }, friction);
   }
   motion.find_forces(statics, {}, out);
   return true;
 }
 
 bool GroupSystem::followed_in_steps() const { return work_->in_steps; }
+
+bool GroupSystem::some_joint_rests() const { return work_->induced.some_rest(); }
+
+void GroupSystem::take_friction(FrictionTaken taken) { work_->friction = taken; }
 
 void GroupSystem::set_load(std::size_t load, Vec force, double moment) {
   work_->model.loads[load].force = force;

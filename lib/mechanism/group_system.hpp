@@ -6,6 +6,7 @@
 // The model has passed `diagnose`. All memory is taken in the constructor: `assemble` and `solve` allocate nothing.
 #pragma once
 
+#include "lib/mechanism/induced_source.hpp"
 #include "lib/mechanism/model.hpp"
 #include "lib/mechanism/position.hpp"
 #include "lib/mechanism/whole_system.hpp"
@@ -31,6 +32,10 @@ class GroupSystem {
   Status solve(std::span<const Drive> drives, Position& out, bool statics = false);
   /// Whether the last `solve` had to follow the mechanism in small steps: near a change point, or over a long way.
   [[nodiscard]] bool followed_in_steps() const;
+  /// Of joints that rest while others move, and how much of all dry friction and losses; from the next `solve` on.
+  void take_friction(FrictionTaken taken);
+  /// Whether at the last `solve` a joint with friction did not move, nor was about to.
+  [[nodiscard]] bool some_joint_rests() const;
   /// For loads that vary over the cycle: the force (in the axes the load has) and the moment from the next `solve` on.
   void set_load(std::size_t load, Vec force, double moment);
   /// After a failure, as WholeSystem::gap.

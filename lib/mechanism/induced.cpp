@@ -1,11 +1,13 @@
 #include "lib/mechanism/induced.hpp"
 
+#include "lib/mechanism/kinematics.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace loadpath::mechanism {
 
-InducedForces::InducedForces(const Model& model) : model_(model) {
+InducedForces::InducedForces(const Model& model) : model_(model), size_(characteristic_length(model)) {
   for (std::size_t k = 0; k < model.joints.size(); ++k) {
     const Joint& joint = model.joints[k];
     const std::size_t count = modes_of(joint);
@@ -18,12 +20,33 @@ InducedForces::InducedForces(const Model& model) : model_(model) {
   newton_ = SmallLu(modes_.size());
 }
 
-void InducedForces::start(const Position& at) {
+void InducedForces::start(const Position& at, Resting resting) {
   std::ranges::fill(amounts_, 0.0);
+  const RestLimits slow = limits(at);
+  some_rest_ = false;
   for (InducedSource& source : sources_) {
-    set_up(model_.joints[source.joint], at.pose, at.velocity, source);
-    set_modes(source, std::span(modes_).subspan(source.first));
+    const Joint& joint = model_.joints[source.joint];
+    set_up(joint, at.pose, at.velocity, source);
+    set_modes(joint, source, std::span(modes_).subspan(source.first));
+    if (!rubs(joint)) continue;
+    source.tendency = tendency_of(joint, source, at, Resting::without_friction, slow);
+    const bool at_rest = rests(source);
+    some_rest_ = some_rest_ || at_rest;
+    if (at_rest && resting != Resting::without_friction)
+      source.tendency = tendency_of(joint, source, at, resting, slow);
   }
+}
+
+RestLimits InducedForces::limits(const Position& at) const {
+  constexpr double rounding = 1e-9;
+  const auto fastest = [this](const std::vector<Pose>& rates) {
+    double most = 0.0;
+    for (const Pose& rate : rates)
+      most = std::max({most, std::abs(rate.phi), std::abs(rate.x) / size_, std::abs(rate.y) / size_});
+    return rounding * most;
+  };
+  const double omega = fastest(at.tendency), epsilon = fastest(at.acceleration);
+  return {size_ * omega, omega, size_ * epsilon, epsilon};
 }
 
 void InducedForces::induce(const Position& at, double share) {

@@ -29,16 +29,19 @@ class InducedForces {
   /// Of the last `solve`.
   [[nodiscard]] Induced found() const { return {modes_, amounts_}; }
   [[nodiscard]] std::span<const InducedSource> sources() const { return sources_; }
+  /// Whether a joint with friction was at rest there, so that `FrictionTaken` told its sense, or nothing did.
+  [[nodiscard]] bool some_rest() const { return some_rest_; }
 
   /// Finds the amounts at a position whose poses and velocities are there, and adds them to its reactions.
   /// `find_forces(induced)` fills its reactions and efforts in equilibrium with what is induced. False where the
   /// mechanism jams: as friction grows from nothing, there comes a point from which on no force of the drives moves it.
-  /// A joint that rests has no friction, for its direction is not known.
+  /// `friction.resting`: for the joints that rest while others move. In a mechanism that rests as a whole and is not
+  /// about to move either, there is no friction, for its direction is not known.
   template <class FindForces>
-  [[nodiscard]] bool solve(Position& at, FindForces find_forces) {
-    start(at);
+  [[nodiscard]] bool solve(Position& at, FindForces find_forces, FrictionTaken friction = {}) {
+    start(at, friction.resting);
     for (int part = 1; part <= parts_; ++part) {
-      const double share = static_cast<double>(part) / parts_;
+      const double share = friction.share * static_cast<double>(part) / parts_;
       const auto induce_anew = [&] {
         find_forces(Induced{modes_, amounts_});
         induce(at, share);
@@ -50,7 +53,8 @@ class InducedForces {
   }
 
  private:
-  void start(const Position& at);
+  void start(const Position& at, Resting resting);
+  [[nodiscard]] RestLimits limits(const Position& at) const;
   void induce(const Position& at, double share);
   void add_to(Position& at) const;
   [[nodiscard]] bool is_settled(const Position& at) const;
@@ -84,6 +88,8 @@ class InducedForces {
   std::vector<InducedMode> modes_;
   std::vector<double> amounts_, induced_, before_;
   SmallLu newton_{0};
+  double size_ = 1.0;  // of the mechanism, m
+  bool some_rest_ = false;
   int parts_ = 1;  // in which friction grows
 };
 

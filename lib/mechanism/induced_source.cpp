@@ -1,5 +1,7 @@
 #include "lib/mechanism/induced_source.hpp"
 
+#include "lib/mechanism/frames.hpp"
+#include "lib/mechanism/point_motion.hpp"
 #include "lib/numerics/dual.hpp"
 
 #include <algorithm>
@@ -10,13 +12,27 @@ namespace {
 
 using std::abs, std::copysign, std::sqrt, std::tan;
 
+double value_of(double x) { return x; }
+double value_of(const Dual& x) { return x.value; }
+
 template <class Scalar>
 double sign(const Scalar& value) {
   return value > 0.0 ? 1.0 : (value < 0.0 ? -1.0 : 0.0);
 }
 
-bool has_teeth(const Joint& joint) {
-  return (joint.kind == JointKind::gear || joint.kind == JointKind::rack) && joint.pressure_angle != 0.0;
+/// Teeth press the wheels apart, the slack span of a belt draws them together.
+template <class Scalar>
+bool has_steady_mode(const BasicJoint<Scalar>& joint) {
+  return joint.kind == JointKind::belt || !(joint.pressure_angle == 0.0);
+}
+
+template <class Scalar>
+bool loses(const BasicJoint<Scalar>& joint) {
+  return !(joint.friction.loss == 0.0 && joint.friction.loss_back == 0.0);
+}
+
+bool passes_power(JointKind kind) {
+  return kind == JointKind::gear || kind == JointKind::rack || kind == JointKind::belt;
 }
 
 /// The span of a belt that is not the one of its equation: mirrored at the line of centres.
@@ -31,24 +47,116 @@ Span<Scalar> other_span(const BasicPairShape<Scalar>& shape, const BasicPairPlac
   return {at.seat + at.apart - shape.radius_i * normal(along), along};
 }
 
+/// The force through teeth or a belt, and the arms at which it turns its wheels, those of a rack's wheel alone.
+template <class Scalar>
+struct Passing {
+  BasicVec<Scalar> along;
+  Scalar arm_i = 0.0, arm_j = 0.0;
+};
+template <class Scalar>
+Passing<Scalar> passing(const BasicPairShape<Scalar>& shape, const BasicPairPlace<Scalar>& at) {
+  const BasicVec<Scalar> along = shape.joint == JointKind::gear ? normal(at.along) : at.along;
+  return {along, cross(at.at - at.seat - at.apart, along), cross(at.at - at.seat, along)};
+}
+
+/// The modes of what is lost: the first where wheel i drives, which then gives off all that passes, and link j receives
+/// less; the second where link j drives. Two wheels: a force across the line of centres, in the centre of the driving
+/// one. A rack: a force along it in the wheel's centre, or a couple on the wheel.
+template <class Scalar>
+void set_loss_modes(const BasicPairShape<Scalar>& shape, const BasicPairPlace<Scalar>& at,
+                    std::span<BasicInducedMode<std::type_identity_t<Scalar>>, 2> modes) {
+  const BasicVec<Scalar> centre_i = at.seat + at.apart;
+  const auto in = [&](BasicInducedMode<Scalar>& mode, BasicVec<Scalar> place, BasicVec<Scalar> force) {
+    mode.at = at.at;
+    mode.force = force;
+    mode.couple = cross(place - at.at, force);
+  };
+  if (shape.joint == JointKind::rack) {
+    in(modes[0], centre_i, at.along);
+    in(modes[1], at.at, {});
+    modes[1].couple = 1.0;
+    return;
+  }
+  const BasicVec<Scalar> across = normal((1.0 / sqrt(dot(at.apart, at.apart))) * at.apart);
+  in(modes[0], centre_i, across);
+  in(modes[1], at.seat, across);
+}
+
+/// Their amounts: so large that the power of a mode is that part of the power that passes. At rest nothing is lost.
+template <class Scalar>
+void induce_loss(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& source,
+                 const BasicReaction<Scalar>& by, double share, std::span<std::type_identity_t<Scalar>, 2> amount) {
+  const Passing<Scalar> through = passing(source.shape, source.place);
+  const Scalar force = dot(by.force, through.along);
+  const double sense = sign(source.tendency.passing);
+  const bool i_drives = sign(force) * sense < 0.0;
+  const Scalar lost = share * (i_drives ? joint.friction.loss : joint.friction.loss_back) * abs(force) * sense;
+  amount[0] = amount[1] = 0.0;
+  if (joint.kind == JointKind::rack) {
+    amount[i_drives ? 0 : 1] = i_drives ? lost : -lost * through.arm_i;
+    return;
+  }
+  const Scalar apart = sqrt(dot(source.place.apart, source.place.apart));
+  amount[i_drives ? 0 : 1] = lost * (i_drives ? through.arm_j : through.arm_i) / apart;
+}
+
+/// The motion of a joint, or its rate, from that of points and angles of links.
+template <class PointRate, class TurnRate>
+JointMotion measured(const Joint& joint, const InducedSource& source, PointRate of_point, TurnRate of_angle) {
+  const PairPlace& at = source.place;
+  JointMotion motion;
+  motion.sliding = dot(at.along, of_point(joint.i, at.at) - of_point(joint.j, at.at));
+  motion.turning = of_angle(joint.i) - of_angle(joint.j);
+  if (!passes_power(joint.kind)) return motion;
+  double against_centres = motion.turning;
+  if (joint.kind != JointKind::rack) {
+    const Vec apart = of_point(joint.i, at.seat + at.apart) - of_point(joint.j, at.seat);
+    against_centres = of_angle(joint.i) - cross(at.apart, apart) / dot(at.apart, at.apart);
+  }
+  motion.passing = against_centres * passing(source.shape, at).arm_i;
+  return motion;
+}
+
+JointMotion velocity_of(const Joint& joint, const InducedSource& source, const Position& at) {
+  const auto rates = [&](int link) { return link == ground ? Pose{} : at.tendency[static_cast<std::size_t>(link)]; };
+  const auto of_point = [&](int link, Vec point) {
+    const Pose rate = rates(link);
+    return Vec{rate.x, rate.y} + rate.phi * normal(point - placed_at(at, link).origin);
+  };
+  return measured(joint, source, of_point, [&](int link) { return rates(link).phi; });
+}
+
+JointMotion acceleration_of(const Joint& joint, const InducedSource& source, const Position& at) {
+  const auto rates = [&](int link) {
+    return link == ground ? Pose{} : at.acceleration[static_cast<std::size_t>(link)];
+  };
+  const auto of_point = [&](int link, Vec point) {
+    return point_acceleration(rates(link), speeds_at(at, link).omega, point - placed_at(at, link).origin);
+  };
+  return measured(joint, source, of_point, [&](int link) { return rates(link).phi; });
+}
+
 }  // namespace
 
-bool rubs(const Joint& joint) { return joint.kind != JointKind::belt && !has_teeth(joint) && joint.friction.any(); }
+bool rubs(const Joint& joint) { return joint.friction.any(); }
 
 std::size_t modes_of(const Joint& joint) {
-  if (joint.kind == JointKind::belt || has_teeth(joint)) return 1;
-  if (!rubs(joint)) return 0;
   switch (joint.kind) {
+    case JointKind::gear:
+    case JointKind::rack:
+    case JointKind::belt:
+      return (has_steady_mode(joint) ? 1 : 0) + (loses(joint) ? 2 : 0);
     case JointKind::prismatic:
     case JointKind::slot:
-      return 2;
+      return rubs(joint) ? 2 : 0;
     case JointKind::revolute:
     case JointKind::rolling:
     case JointKind::rolling_on_line:
-      return 1;
-    default:
-      return 0;
+      return rubs(joint) ? 1 : 0;
+    case JointKind::rigid:
+      break;
   }
+  return 0;
 }
 
 template <class Scalar>
@@ -72,13 +180,43 @@ void set_up(const BasicJoint<Scalar>& joint, std::span<const BasicPose<std::type
   source.sliding = dot(source.place.along, apart);
 }
 
+JointMotion tendency_of(const Joint& joint, const InducedSource& source, const Position& at, Resting resting,
+                        const RestLimits& limits) {
+  JointMotion motion = velocity_of(joint, source, at);
+  const bool slides = abs(motion.sliding) > limits.speed, turns = abs(motion.turning) > limits.omega;
+  const bool passes = abs(motion.passing) > limits.speed;
+  JointMotion next;
+  if (resting != Resting::without_friction && !(slides && turns && passes)) {
+    next = acceleration_of(joint, source, at);
+    const double way = resting == Resting::as_before ? -1.0 : 1.0;
+    next.sliding = abs(next.sliding) > limits.acceleration ? way * next.sliding : 0.0;
+    next.turning = abs(next.turning) > limits.epsilon ? way * next.turning : 0.0;
+    next.passing = abs(next.passing) > limits.acceleration ? way * next.passing : 0.0;
+  }
+  if (!slides) motion.sliding = next.sliding;
+  if (!turns) motion.turning = next.turning;
+  if (!passes) motion.passing = next.passing;
+  return motion;
+}
+
+bool rests(const InducedSource& source) {
+  const JointMotion& motion = source.tendency;
+  if (passes_power(source.shape.joint)) return motion.passing == 0.0;
+  if (source.shape.joint == JointKind::prismatic) return motion.sliding == 0.0;
+  if (source.shape.joint == JointKind::slot) return motion.sliding == 0.0 && motion.turning == 0.0;
+  return motion.turning == 0.0;
+}
+
 template <class Scalar>
-void set_modes(const BasicInducedSource<Scalar>& source,
+void set_modes(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& source,
                std::span<BasicInducedMode<std::type_identity_t<Scalar>>> modes) {
   const BasicPairPlace<Scalar>& at = source.place;
   BasicInducedMode<Scalar>* const mode = modes.data();
+  if (passes_power(joint.kind) && loses(joint))
+    set_loss_modes(source.shape, at, modes.subspan(has_steady_mode(joint) ? 1 : 0).template first<2>());
+  if (passes_power(joint.kind) && !has_steady_mode(joint)) return;
   mode->at = at.at;
-  switch (source.shape.joint) {
+  switch (joint.kind) {
     case JointKind::gear:  // towards the axis of wheel i
       mode->force = -at.along;
       break;
@@ -108,38 +246,40 @@ void induce(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& s
   const BasicFriction<Scalar>& friction = joint.friction;
   const Scalar mu = share * friction.coefficient;
   const BasicVec<Scalar> along = source.place.along;
+  const double sliding = sign(source.tendency.sliding), turning = sign(source.tendency.turning);
+  if (passes_power(joint.kind) && loses(joint))
+    induce_loss(joint, source, by, share, amount.subspan(has_steady_mode(joint) ? 1 : 0).template first<2>());
   switch (joint.kind) {
     case JointKind::gear:
-      amount[0] = tan(joint.pressure_angle) * abs(dot(by.force, normal(along)));
+      if (has_steady_mode(joint)) amount[0] = tan(joint.pressure_angle) * abs(dot(by.force, normal(along)));
       break;
     case JointKind::rack:
-      amount[0] = tan(joint.pressure_angle) * abs(dot(by.force, along));
+      if (has_steady_mode(joint)) amount[0] = tan(joint.pressure_angle) * abs(dot(by.force, along));
       break;
     case JointKind::belt:  // the equation's span cannot push: then the other one pulls
       amount[0] = joint.tension + std::max<Scalar>(0.0, -dot(by.force, along));
       break;
     case JointKind::revolute:
-      amount[0] = -sign(source.turning) * mu * friction.pin_radius * length(by.force) -
-                  share * friction.viscous * source.turning;
+      amount[0] = -turning * mu * friction.pin_radius * length(by.force) - share * friction.viscous * source.turning;
       break;
     case JointKind::prismatic: {
       const Scalar pressing = dot(by.force, normal(along));
       const Scalar tilting = joint.guide_length > 0.0 ? 2.0 * by.couple / joint.guide_length : Scalar(0.0);
       const Scalar edges = std::max<Scalar>(abs(pressing), abs(tilting));  // |R/2 + R h/l| + |R/2 - R h/l|
-      amount[0] = -sign(source.sliding) * mu * edges - share * friction.viscous * source.sliding;
-      amount[1] = -sign(source.sliding) * mu * 0.5 * joint.guide_width * pressing;
+      amount[0] = -sliding * mu * edges - share * friction.viscous * source.sliding;
+      amount[1] = -sliding * mu * 0.5 * joint.guide_width * pressing;
       break;
     }
     case JointKind::slot: {  // where the pin touches it may slide, roll or both
       const Scalar pressing = dot(by.force, normal(along));
       const Scalar arm = sign(pressing) * friction.pin_radius;
-      const Scalar rubbing = source.sliding + arm * source.turning;
-      amount[0] = -sign(rubbing) * mu * abs(pressing) - share * friction.viscous * rubbing;
+      const double sense = sign(source.tendency.sliding + value_of(arm) * source.tendency.turning);
+      amount[0] = -sense * mu * abs(pressing) - share * friction.viscous * (source.sliding + arm * source.turning);
       amount[1] = arm * amount[0];
       break;
     }
     default:
-      amount[0] = -sign(source.turning) * share * friction.rolling_arm * abs(dot(by.force, source.place.rows[1].e)) -
+      amount[0] = -turning * share * friction.rolling_arm * abs(dot(by.force, source.place.rows[1].e)) -
                   share * friction.viscous * source.turning;
   }
 }
@@ -162,12 +302,13 @@ void take_from_required(const BasicInducedMode<Scalar>& mode, std::type_identity
 
 template void set_up(const BasicJoint<double>&, std::span<const BasicPose<double>>, std::span<const BasicPose<double>>,
                      BasicInducedSource<double>&);
-template void set_modes(const BasicInducedSource<double>&, std::span<BasicInducedMode<double>>);
+template void set_modes(const BasicJoint<double>&, const BasicInducedSource<double>&,
+                        std::span<BasicInducedMode<double>>);
 template void induce(const BasicJoint<double>&, const BasicInducedSource<double>&, const BasicReaction<double>&, double,
                      std::span<double>);
 template void set_up(const BasicJoint<Dual>&, std::span<const BasicPose<Dual>>, std::span<const BasicPose<Dual>>,
                      BasicInducedSource<Dual>&);
-template void set_modes(const BasicInducedSource<Dual>&, std::span<BasicInducedMode<Dual>>);
+template void set_modes(const BasicJoint<Dual>&, const BasicInducedSource<Dual>&, std::span<BasicInducedMode<Dual>>);
 template void induce(const BasicJoint<Dual>&, const BasicInducedSource<Dual>&, const BasicReaction<Dual>&, double,
                      std::span<Dual>);
 template void take_from_required(const BasicInducedMode<double>&, double, double, const BasicPair<double>&,

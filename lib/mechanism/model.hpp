@@ -63,7 +63,11 @@ struct BasicFriction {
   Scalar pin_radius = 0.0;   // m: revolute, slot
   Scalar rolling_arm = 0.0;  // m: rolling
   Scalar viscous = 0.0;      // N m s, or N s/m in a slide
-  [[nodiscard]] bool any() const { return coefficient > 0.0 || rolling_arm > 0.0 || viscous > 0.0; }
+  Scalar loss = 0.0;         // teeth, belts: part of the power that passes from link i to link j, 1 - efficiency
+  Scalar loss_back = 0.0;    // the same from link j to link i; beyond 1 where nothing passes
+  [[nodiscard]] bool any() const {
+    return coefficient > 0.0 || rolling_arm > 0.0 || viscous > 0.0 || loss > 0.0 || loss_back > 0.0;
+  }
 };
 using Friction = BasicFriction<double>;
 

@@ -50,7 +50,7 @@ void List::add_joint(const Joint& joint, std::size_t k) {
   }
   if (modes_of(joint) == 0) return;
   if (joint.pressure_angle != 0.0) add(k, {pressure_angle});
-  if (rubs(joint)) add(k, {pin_radius, friction_coefficient});
+  if (joint.friction.coefficient > 0.0) add(k, {pin_radius, friction_coefficient});
 }
 
 }  // namespace

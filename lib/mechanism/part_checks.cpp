@@ -96,8 +96,10 @@ void PartChecks::check(std::size_t k, const Joint& joint) {
   }
   check_wheels(k, joint);
   const Friction& f = joint.friction;
-  if (!finite({f.coefficient, f.pin_radius, f.rolling_arm, f.viscous, joint.guide_length, joint.guide_width}) ||
-      std::min({f.coefficient, f.pin_radius, f.rolling_arm, f.viscous, joint.guide_length, joint.guide_width}) < 0.0) {
+  if (!finite({f.coefficient, f.pin_radius, f.rolling_arm, f.viscous, f.loss, f.loss_back, joint.guide_length,
+               joint.guide_width}) ||
+      std::min({f.coefficient, f.pin_radius, f.rolling_arm, f.viscous, f.loss, f.loss_back, joint.guide_length,
+                joint.guide_width}) < 0.0) {
     add(About::joint, k,
         say("joint '{1}': its friction and the sizes for it must be finite and not negative", joint.name));
   }

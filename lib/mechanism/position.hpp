@@ -3,16 +3,26 @@
 
 #include "lib/mechanism/model.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace loadpath::mechanism {
 
-/// The state of one driver: coordinate, speed, acceleration (rad or m, per s, per s^2).
+/// The state of one driver: coordinate, speed, acceleration (rad or m, per s, per s^2). Where all drivers rest,
+/// `impending` tells which way this one is about to move: +1 or -1, 0: not known.
 struct Drive {
   double coordinate = 0.0;
   double speed = 0.0;
   double acceleration = 0.0;
+  double impending = 0.0;
 };
+
+/// Whether some driver moves.
+inline bool moves(std::span<const Drive> drives) {
+  return std::any_of(drives.begin(), drives.end(), [](const Drive& d) { return d.speed != 0.0; });
+}
 
 /// Force and couple that link j exerts on link i, global axes, at the joint's pin (point_i of link i).
 template <class Scalar>
@@ -34,6 +44,7 @@ struct Position {
   std::vector<Pose> pose;
   std::vector<Pose> velocity;      // m/s, rad/s
   std::vector<Pose> acceleration;  // m/s^2, rad/s^2
+  std::vector<Pose> tendency;      // of a mechanism with friction: its velocity, or that of the impending motion
   std::vector<Reaction> reactions;
   std::vector<double> effort;  // N m or N, on link i of the driver
   std::vector<LoadNow> loads;
@@ -42,7 +53,8 @@ struct Position {
 /// A position of this model with room for everything, so that solving one allocates nothing.
 inline Position blank_position(const Model& model) {
   Position position;
-  for (auto* poses : {&position.pose, &position.velocity, &position.acceleration}) poses->resize(model.links.size());
+  for (auto* poses : {&position.pose, &position.velocity, &position.acceleration, &position.tendency})
+    poses->resize(model.links.size());
   position.reactions.resize(model.joints.size());
   position.effort.resize(model.drivers.size());
   for (const Load& load : model.loads) position.loads.push_back({load.force, load.moment});

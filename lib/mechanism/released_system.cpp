@@ -53,6 +53,7 @@ struct ReleasedSystem::Work {
   Position position;       // on the way
   std::vector<Pose> held;  // of the last position
   std::vector<Drive> held_drives;
+  FrictionTaken taken;
   double first_grip = 0.0;
   int releases = 0;
   WholeSystem::Gap gap;
@@ -65,6 +66,7 @@ void ReleasedSystem::Work::release_here() {
   first_grip = grip(model, held);
   system = std::make_unique<GroupSystem>(model);
   system->assemble();
+  system->take_friction(taken);
   ++releases;
 }
 
@@ -145,6 +147,13 @@ Status ReleasedSystem::solve(std::span<const Drive> drives, Position& out, bool 
 }
 
 bool ReleasedSystem::followed_in_steps() const { return work_->system->followed_in_steps(); }
+
+void ReleasedSystem::take_friction(FrictionTaken taken) {
+  work_->taken = taken;
+  work_->system->take_friction(taken);
+}
+
+bool ReleasedSystem::some_joint_rests() const { return work_->system->some_joint_rests(); }
 
 void ReleasedSystem::set_load(std::size_t load, Vec force, double moment) {
   for (Model* model : {&work_->given, &work_->model}) {

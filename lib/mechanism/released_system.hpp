@@ -23,6 +23,8 @@ class ReleasedSystem {
   [[nodiscard]] double coordinate(std::size_t driver) const;
   Status solve(std::span<const Drive> drives, Position& out, bool statics = false);
   [[nodiscard]] bool followed_in_steps() const;
+  void take_friction(FrictionTaken taken);
+  [[nodiscard]] bool some_joint_rests() const;
   void set_load(std::size_t load, Vec force, double moment);
   [[nodiscard]] WholeSystem::Gap gap() const;
 

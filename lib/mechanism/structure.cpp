@@ -59,8 +59,55 @@ std::vector<Misfit> misfits_of(const Constraints& constraints, double length) {
     const bool gear = pair.shape.joint == JointKind::gear && std::abs(apart - sum) > tolerance * sum;
     const bool belt = pair.shape.joint == JointKind::belt && apart <= least;
     if (gear || belt) misfits.push_back({k, length * apart, length * (gear ? sum : least)});
+    const double height = std::abs(dot(pair.at.apart, normal(pair.at.along))), radius = std::abs(pair.shape.radius_i);
+    if (pair.shape.joint == JointKind::rack && std::abs(height - radius) > tolerance * radius)
+      misfits.push_back({k, length * height, length * radius});
   }
   return misfits;
+}
+
+/// The distance that other joints must hold for this one; of other kinds 0.
+double centre_distance(const Constraints& constraints, const Joint& joint) {
+  const bool two = joint.kind == JointKind::gear || joint.kind == JointKind::belt;
+  if (!two && joint.kind != JointKind::rack) return 0.0;
+  const Placed& j = constraints.placed(joint.j);
+  const Vec apart = constraints.placed(joint.i).point(joint.point_i) - j.point(joint.point_j);
+  return two ? length(apart) : std::abs(dot(apart, normal(j.turned(turn(joint.direction)({1.0, 0.0})))));
+}
+
+// A little further on in every motion at once, so that a distance that is extreme here is seen to change too.
+std::vector<std::size_t> parting_joints(FreeMechanism mechanism, const std::vector<Joint>& joints) {
+  constexpr double little = 1e-2, negligible = 1e-7;
+  std::vector<double> before;
+  before.reserve(joints.size());
+  for (const Joint& joint : joints) before.push_back(centre_distance(mechanism.constraints(), joint));
+  std::vector<std::size_t> parting;
+  if (mechanism.motions().empty() || !mechanism.move_on(little)) return parting;
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const double now = centre_distance(mechanism.constraints(), joints[k]);
+    if (std::abs(now - before[k]) > negligible * before[k]) parting.push_back(k);
+  }
+  return parting;
+}
+
+// The equation of a belt is that of a constant distance, and does not close without it: what its centres do is seen
+// where it is left out.
+std::vector<std::size_t> parting_belts(const Model& model) {
+  std::vector<std::size_t> belts;
+  Model without = model;
+  without.joints.clear();
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    if (model.joints[k].kind == JointKind::belt) {
+      belts.push_back(k);
+    } else {
+      without.joints.push_back(model.joints[k]);
+    }
+  }
+  FreeMechanism mechanism(without);
+  if (belts.empty() || !mechanism.close()) return {};
+  std::vector<std::size_t> parting = parting_joints(mechanism, model.joints);
+  std::erase_if(parting, [&](std::size_t k) { return model.joints[k].kind != JointKind::belt; });
+  return parting;
 }
 
 void find_widest(const Constraints& constraints, double length, Structure& structure) {
@@ -83,6 +130,7 @@ Structure analyse(const Model& model) {
   scaled.drivers.clear();
   FreeMechanism free(scaled);
 
+  structure.parting = parting_belts(scaled);
   structure.closes = free.close();
   if (!structure.closes) {
     find_widest(free.constraints(), length, structure);
@@ -97,6 +145,7 @@ Structure analyse(const Model& model) {
     if (!structure.closes) find_widest(as_far_as_possible.constraints(), length, structure);
   }
   structure.loose = links_of(driven.motions(), model.links.size());
+  if (structure.parting.empty()) structure.parting = parting_joints(free, scaled.joints);
   const NullSpace self_stresses = free.self_stresses();
   structure.mobility = static_cast<int>(free.motions().size());
   structure.singular = !self_stresses.empty() && dependent_here_only(free);

@@ -26,7 +26,7 @@ std::vector<Finding> check_parts(const Model& model);
 /// Wheels whose centres are not as far apart as their radii ask.
 struct Misfit {
   std::size_t joint = 0;
-  double apart = 0.0, needed = 0.0;  // m; of a belt the least distance
+  double apart = 0.0, needed = 0.0;  // m; of a belt the least distance, of a rack that of its line
 };
 
 /// Mobility and rank at the assembly nearest to the stated poses. The model has passed `check_parts`.
@@ -41,6 +41,8 @@ struct Structure {
   std::vector<std::vector<std::size_t>> redundant;
   /// Of gears and belts, whose joint does not hold its centres.
   std::vector<Misfit> misfits;
+  /// Gears, racks and belts whose centres do not keep their distance as the mechanism moves.
+  std::vector<std::size_t> parting;
   /// Links that move though all drivers are held.
   std::vector<std::size_t> loose;
 };

@@ -29,6 +29,7 @@ struct WholeSystem::Work {
   [[nodiscard]] std::span<double> unknowns(std::vector<double>& x) const {
     return {x.data(), continuation.constraints().columns()};
   }
+  void find_tendency(std::span<const Drive> drives, Position& out);
   void find_velocity(std::span<const Drive> drives);
   void find_acceleration(std::span<const Drive> drives);
   bool find_all_forces(bool statics, Position& out);
@@ -72,13 +73,23 @@ Status WholeSystem::move(std::span<const Drive> drives) {
 Status WholeSystem::solve(std::span<const Drive> drives, Position& out, bool statics) {
   if (const Status status = move(drives); status != Status::closed) return status;
   Work& w = *work_;
+  if (!moves(drives)) w.find_tendency(drives, out);
   w.find_velocity(drives);
   w.find_acceleration(drives);
   for (std::size_t n = 0; n < out.loads.size(); ++n) out.loads[n] = {w.model.loads[n].force, w.model.loads[n].moment};
   w.store(w.continuation.q(), out.pose);
   w.store(w.velocity, out.velocity);
+  if (moves(drives)) std::ranges::copy(out.velocity, out.tendency.begin());
   w.store(w.acceleration, out.acceleration);
   return w.find_all_forces(statics, out) ? Status::closed : Status::jams;
+}
+
+void WholeSystem::Work::find_tendency(std::span<const Drive> drives, Position& out) {
+  std::ranges::fill(velocity, 0.0);
+  const std::size_t row = continuation.constraints().first_driver_row();
+  for (std::size_t k = 0; k < drives.size(); ++k) velocity[row + k] = drives[k].impending / unit(k);
+  continuation.factors().solve(unknowns(velocity));
+  store(velocity, out.tendency);
 }
 
 void WholeSystem::Work::find_velocity(std::span<const Drive> drives) {

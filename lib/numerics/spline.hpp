@@ -1,21 +1,42 @@
-// The cubic spline through given points that starts and ends at rest: its second derivative is continuous.
+// Curves through given points that start and end at rest, with continuous second derivatives.
 #pragma once
+
+#include "lib/numerics/jet.hpp"
 
 #include <span>
 #include <vector>
 
 namespace loadpath {
 
+/// The cubic spline: gentle, but it may swing beyond its points.
 class RestToRestSpline {
  public:
   /// Two points or more, x strictly ascending.
   RestToRestSpline(std::span<const double> x, std::span<const double> y);
 
-  struct Value {
-    double y = 0.0, first = 0.0, second = 0.0;  // and its derivatives
-  };
   /// Before the first point and after the last it rests.
-  [[nodiscard]] Value at(double x) const;
+  [[nodiscard]] Jet at(double x) const;
+
+  /// Where it lies beyond the two points that it is between, and by how much.
+  struct Overshoot {
+    double x = 0.0, y = 0.0, by = 0.0;
+  };
+  /// The largest; 0 where there is none.
+  [[nodiscard]] Overshoot largest_overshoot() const;
+
+ private:
+  std::vector<double> x_, y_, slope_;
+};
+
+/// Polynomials of the fifth degree that rise where the points rise, fall where they fall and rest where they turn or
+/// dwell: never beyond the points. The second derivative is zero at each of them, the slope between points that rise or
+/// fall the harmonic mean of those on its sides; with at most twice the smaller of these the curve is monotone.
+class MonotoneSpline {
+ public:
+  /// Two points or more, x strictly ascending.
+  MonotoneSpline(std::span<const double> x, std::span<const double> y);
+  /// Before the first point and after the last it rests.
+  [[nodiscard]] Jet at(double x) const;
 
  private:
   std::vector<double> x_, y_, slope_;

@@ -141,4 +141,15 @@ void Reader::read_name(const Tree& tree, const FieldInfo& field, void* owner, co
   field.set_text(owner, tree.text);
 }
 
+void Reader::read_formula(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  if (tree.type != Tree::Type::text)
+    return say_at(tree.place, path, say("a formula is expected, not {1}", io::word_for(tree.type)),
+                  say("write it as a text: \"20 mm*sin(t/(1 s))\""));
+  if (tree.text.size() > field.capacity) {
+    return say_at(tree.place, path, say("the formula is longer than {1} letters", std::to_string(field.capacity)),
+                  say("shorten it"));
+  }
+  field.set_text(owner, tree.text);
+}
+
 }  // namespace loadpath::project

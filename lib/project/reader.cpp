@@ -51,6 +51,8 @@ void Reader::read_value(const Tree& tree, const FieldInfo& field, void* owner, c
       return read_choice(tree, field, owner, path);
     case Type::name:
       return read_name(tree, field, owner, path);
+    case Type::formula:
+      return read_formula(tree, field, owner, path);
     case Type::group:
       return read_aggregate(tree, field, field.element(owner, 0), path);
     case Type::list:
@@ -94,6 +96,7 @@ static bool is_missing(const FieldInfo& field, void* owner) {
     case Type::quantity:
       return std::isnan(field.get(owner));
     case Type::name:
+    case Type::formula:
       return field.text(owner).empty();
     case Type::list:
       return field.size(owner) == 0;

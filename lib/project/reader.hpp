@@ -38,6 +38,7 @@ class Reader {
   void read_count(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_choice(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_name(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
+  void read_formula(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_list(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   /// A list, and how many of its elements a template has laid out.
   struct Target {

@@ -110,11 +110,12 @@ std::vector<Entry> input_entries(const Record& record,
   for_each_leaf(record, [&](const std::string& path, const Leaf& leaf) {
     const FieldInfo& field = *leaf.field;
     Entry entry{path, field.doc, field.unit, Role::input, {{field.dimension, nullptr}, {}}, origin(path, leaf), ""};
-    if (field.type == FieldInfo::Type::name) entry.word = field.text(leaf.owner);
+    const bool is_text = field.type == FieldInfo::Type::name || field.type == FieldInfo::Type::formula;
+    if (is_text) entry.word = field.text(leaf.owner);
     if (field.type == FieldInfo::Type::choice) entry.word = field.choices[static_cast<std::size_t>(leaf.get())].key;
     entry.is_factor = field.is_factor;
     if (field.get != nullptr) entry.value.si = {leaf.get()};
-    const bool unnamed = field.type == FieldInfo::Type::name && entry.word.empty();
+    const bool unnamed = is_text && entry.word.empty();
     const bool open = field.type == FieldInfo::Type::quantity && entry.origin.text.empty();
     if (!unnamed && !open) entries.push_back(std::move(entry));
   });

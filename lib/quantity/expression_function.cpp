@@ -23,8 +23,11 @@ constexpr Function reduction(std::string_view name, std::string_view form, doubl
   return {.name = name, .form = form, .rule = rule, .least = 1, .most = 1, .reduce = f};
 }
 
-constexpr Function map(std::string_view name, std::string_view form, Rule rule, double (*f)(double), int degree = 1) {
-  return {.name = name, .form = form, .rule = rule, .least = 1, .most = 1, .map = f, .degree = degree};
+using JetOf = Jet (*)(const Jet&);
+
+constexpr Function map(std::string_view name, std::string_view form, Rule rule, double (*f)(double), JetOf jet,
+                       int degree = 1) {
+  return {.name = name, .form = form, .rule = rule, .least = 1, .most = 1, .map = f, .degree = degree, .jet = jet};
 }
 
 constexpr Function functions[] = {
@@ -36,23 +39,31 @@ constexpr Function functions[] = {
     {.name = "at", .form = "at(series, place)", .rule = Rule::place, .least = 2, .most = 2},
     {"max", "max(series) or max(a, b)", Rule::selection, 1, any_number, highest, nullptr, greater},
     {"min", "min(series) or min(a, b)", Rule::selection, 1, any_number, lowest, nullptr, smaller},
-    map("abs", "abs(x)", Rule::same, [](double x) { return std::abs(x); }),
     map(
-        "sqrt", "sqrt(x)", Rule::root, [](double x) { return std::sqrt(x); }, 2),
+        "abs", "abs(x)", Rule::same, [](double x) { return std::abs(x); }, nullptr),
     map(
-        "cbrt", "cbrt(x)", Rule::root, [](double x) { return std::cbrt(x); }, 3),
-    map("sin", "sin(angle)", Rule::trigonometric, [](double x) { return std::sin(x); }),
-    map("cos", "cos(angle)", Rule::trigonometric, [](double x) { return std::cos(x); }),
-    map("tan", "tan(angle)", Rule::trigonometric, [](double x) { return std::tan(x); }),
-    map("asin", "asin(x)", Rule::inverse, [](double x) { return std::asin(x); }),
-    map("acos", "acos(x)", Rule::inverse, [](double x) { return std::acos(x); }),
-    map("atan", "atan(x)", Rule::inverse, [](double x) { return std::atan(x); }),
+        "sqrt", "sqrt(x)", Rule::root, [](double x) { return std::sqrt(x); }, sqrt, 2),
+    map(
+        "cbrt", "cbrt(x)", Rule::root, [](double x) { return std::cbrt(x); }, cbrt, 3),
+    map(
+        "sin", "sin(angle)", Rule::trigonometric, [](double x) { return std::sin(x); }, sin),
+    map(
+        "cos", "cos(angle)", Rule::trigonometric, [](double x) { return std::cos(x); }, cos),
+    map(
+        "tan", "tan(angle)", Rule::trigonometric, [](double x) { return std::tan(x); }, tan),
+    map(
+        "asin", "asin(x)", Rule::inverse, [](double x) { return std::asin(x); }, asin),
+    map(
+        "acos", "acos(x)", Rule::inverse, [](double x) { return std::acos(x); }, acos),
+    map(
+        "atan", "atan(x)", Rule::inverse, [](double x) { return std::atan(x); }, atan),
     {.name = "atan2",
      .form = "atan2(y, x)",
      .rule = Rule::ratio,
      .least = 2,
      .most = 2,
-     .join = [](double y, double x) { return std::atan2(y, x); }},
+     .join = [](double y, double x) { return std::atan2(y, x); },
+     .jet_of_two = atan2},
 };
 
 }  // namespace

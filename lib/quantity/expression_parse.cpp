@@ -120,7 +120,7 @@ Node Parser::number() {
 
 void Parser::unit(Node& literal) {
   const auto from = next_;
-  const auto end = unit_end(text_, from);
+  const auto end = unit_end(text_, from, variable_);
   if (!take(end)) return;
   const auto unit = read_unit(text_.substr(0, end), from);
   if (!unit) return fail_unit(unit.fault());
@@ -148,6 +148,7 @@ Node Parser::name() {
   const auto behind = skip_space(text_, end);
   if (behind < text_.size() && text_[behind] == '(') return call(end);
   const auto word = text_.substr(next_, end - next_);
+  if (word == variable_) return reference(end);
   if (word == "pi") return constant(std::numbers::pi, {}, end);
   if (word == "g") return constant(9.80665, Dimension::of(1, 0, -2), end);  // standard acceleration, CGPM 1901
   fail_bare_name(end);
@@ -206,6 +207,6 @@ void Parser::arguments(Node& node, std::size_t open) {
   }
 }
 
-Outcome<Parsed> parse(std::string_view text) { return Parser{text}.parse(); }
+Outcome<Parsed> parse(std::string_view text, std::string_view variable) { return Parser{text, variable}.parse(); }
 
 }  // namespace loadpath::expression

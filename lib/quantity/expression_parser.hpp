@@ -15,7 +15,9 @@ namespace loadpath::expression {
 /// Recursive descent. The first fault ends the text, so that every loop ends and later faults count for nothing.
 class Parser {
  public:
-  explicit Parser(std::string_view text) : text_{text} { step_to(0); }
+  explicit Parser(std::string_view text, std::string_view variable = {}) : text_{text}, variable_{variable} {
+    step_to(0);
+  }
   Outcome<Parsed> parse();
 
  private:
@@ -68,7 +70,7 @@ class Parser {
   void fail_unexpected_word(std::size_t end);
   void fail_missing_operator(std::size_t end);
 
-  std::string_view text_;
+  std::string_view text_, variable_;
   std::size_t next_ = 0;  // where the next token starts
   std::size_t end_ = 0;   // where the last one ended
   int depth_ = 0;

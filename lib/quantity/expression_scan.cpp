@@ -52,13 +52,20 @@ std::size_t index_end(std::string_view text, std::size_t at) {
   return end > at + 1 && character(text, end) == ']' ? end + 1 : at;
 }
 
-/// A word that cannot be a reference, a call or the constant pi. `30 MPa (2)` lacks an operator, `2 cos (x)` is a call.
-bool is_bare(std::string_view text, std::size_t at, std::size_t end) {
+/// What a unit is looked for in, and the word that is none.
+struct Units {
+  std::string_view text, variable;
+};
+
+/// A word that cannot be a reference, a call, the constant pi or the variable. `30 MPa (2)` lacks an operator, `2 cos
+/// (x)` is a call.
+bool is_bare(const Units& in, std::size_t at, std::size_t end) {
+  const auto text = in.text;
   const auto word = text.substr(at, end - at);
   const bool dotted = character(text, end) == '.' && is_letter(character(text, end + 1));
   const bool called =
       character(text, end) == '(' || (character(text, skip_space(text, end)) == '(' && find_function(word) != nullptr);
-  return !word.empty() && !dotted && !called && character(text, end) != '[' && word != "pi";
+  return !word.empty() && !dotted && !called && character(text, end) != '[' && word != "pi" && word != in.variable;
 }
 
 std::size_t exponent_end(std::string_view text, std::size_t at) {
@@ -71,43 +78,43 @@ std::size_t exponent_end(std::string_view text, std::size_t at) {
   return character(text, whole) == '.' ? digits_end(text, whole + 1) : whole;
 }
 
-std::size_t divisor_end(std::string_view text, std::size_t at);
+std::size_t divisor_end(const Units& in, std::size_t at);
 
-std::size_t factor_end(std::string_view text, std::size_t at) {
-  const auto word = word_end(text, at);
-  return is_bare(text, at, word) ? exponent_end(text, word) : at;
+std::size_t factor_end(const Units& in, std::size_t at) {
+  const auto word = word_end(in.text, at);
+  return is_bare(in, at, word) ? exponent_end(in.text, word) : at;
 }
 
 /// A joiner and what it joins.
-std::size_t joined_end(std::string_view text, std::size_t at, Symbols by) {
-  const auto joiner = skip_space(text, at);
-  const auto behind = symbol_end(text, joiner, by);
+std::size_t joined_end(const Units& in, std::size_t at, Symbols by) {
+  const auto joiner = skip_space(in.text, at);
+  const auto behind = symbol_end(in.text, joiner, by);
   if (behind == joiner) return at;
-  const auto factor = skip_space(text, behind);
-  const auto end = text[joiner] == '/' ? divisor_end(text, factor) : factor_end(text, factor);
+  const auto factor = skip_space(in.text, behind);
+  const auto end = in.text[joiner] == '/' ? divisor_end(in, factor) : factor_end(in, factor);
   return end == factor ? at : end;
 }
 
-std::size_t product_end(std::string_view text, std::size_t at, Symbols by) {
-  for (auto next = joined_end(text, at, by); next != at; next = joined_end(text, at, by)) at = next;
+std::size_t product_end(const Units& in, std::size_t at, Symbols by) {
+  for (auto next = joined_end(in, at, by); next != at; next = joined_end(in, at, by)) at = next;
   return at;
 }
 
 /// A factor or a product of words in parentheses: W/(m*K). A single word in them is left to the expression: N/(g).
-std::size_t divisor_end(std::string_view text, std::size_t at) {
-  if (character(text, at) != '(') return factor_end(text, at);
-  const auto inside = skip_space(text, at + 1);
-  const auto first = factor_end(text, inside);
+std::size_t divisor_end(const Units& in, std::size_t at) {
+  if (character(in.text, at) != '(') return factor_end(in, at);
+  const auto inside = skip_space(in.text, at + 1);
+  const auto first = factor_end(in, inside);
   if (first == inside) return at;
-  const auto last = product_end(text, first, Symbols{times});
-  const auto close = skip_space(text, last);
-  return last != first && character(text, close) == ')' ? exponent_end(text, close + 1) : at;
+  const auto last = product_end(in, first, Symbols{times});
+  const auto close = skip_space(in.text, last);
+  return last != first && character(in.text, close) == ')' ? exponent_end(in.text, close + 1) : at;
 }
 
 /// `1/` and a word.
-std::size_t reciprocal_end(std::string_view text, std::size_t at) {
-  if (character(text, at) != '1') return at;
-  const auto end = joined_end(text, at + 1, Symbols{joiners}.last(1));
+std::size_t reciprocal_end(const Units& in, std::size_t at) {
+  if (character(in.text, at) != '1') return at;
+  const auto end = joined_end(in, at + 1, Symbols{joiners}.last(1));
   return end == at + 1 ? at : end;
 }
 
@@ -157,10 +164,11 @@ std::size_t word_end(std::string_view text, std::size_t at) {
   return at;
 }
 
-std::size_t unit_end(std::string_view text, std::size_t at) {
-  auto end = factor_end(text, at);
-  if (end == at) end = reciprocal_end(text, at);
-  return end == at ? at : product_end(text, end, joiners);
+std::size_t unit_end(std::string_view text, std::size_t at, std::string_view variable) {
+  const Units in{text, variable};
+  auto end = factor_end(in, at);
+  if (end == at) end = reciprocal_end(in, at);
+  return end == at ? at : product_end(in, end, joiners);
 }
 
 }  // namespace loadpath::expression

@@ -31,6 +31,7 @@ std::size_t word_end(std::string_view text, std::size_t at);
 
 /// The longest unit: words with exponents joined by * · /, up to what is a reference, a call, a number or pi. Several
 /// divisors stand in parentheses (`W/(m*K)`), a reciprocal may begin with 1 (`1/min`), a `^` behind a word is its own.
-std::size_t unit_end(std::string_view text, std::size_t at);
+/// `variable`: a word that is no unit.
+std::size_t unit_end(std::string_view text, std::size_t at, std::string_view variable = {});
 
 }  // namespace loadpath::expression

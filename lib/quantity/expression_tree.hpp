@@ -1,6 +1,7 @@
 // The parsed expression, shared by its parser, its check and its evaluation.
 #pragma once
 
+#include "lib/numerics/jet.hpp"
 #include "lib/quantity/expression.hpp"
 
 #include <string>
@@ -31,6 +32,8 @@ struct Function {
   double (*map)(double) = nullptr;
   double (*join)(double, double) = nullptr;
   int degree = 1;
+  Jet (*jet)(const Jet&) = nullptr;  // of a smooth function of one argument; null where it has kinks
+  Jet (*jet_of_two)(const Jet&, const Jet&) = nullptr;
 };
 
 /// Null where no function has the name.
@@ -59,7 +62,8 @@ struct Parsed {
   Tree tree;
   std::vector<Expression::Reference> references;
 };
-Outcome<Parsed> parse(std::string_view text);
+/// `variable`: a bare name that is a reference and no unit; empty: there is none.
+Outcome<Parsed> parse(std::string_view text, std::string_view variable = {});
 
 Outcome<Signature> check(const Tree& tree, const Expression::Declared& declared);
 

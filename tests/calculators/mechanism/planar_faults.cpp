@@ -1,6 +1,8 @@
 // What is wrong with a mechanism is told in the words of the project file, with the place.
 #include "tests/lib/project/texts.hpp"
 
+#include <algorithm>
+
 using namespace loadpath;
 using namespace loadpath::test;
 
@@ -133,7 +135,9 @@ TEST_SUITE("mechanism faults") {
   }
 
   TEST_CASE("a load is whole, and of one kind") {
-    CHECK(with("F_y = \"0 N\"\n", "").starts_with("a.toml:28:1: error: give F with direction, or F_x and F_y\n"));
+    CHECK(with("F_y = \"0 N\"\n", "").empty());  // the other one is zero
+    CHECK(with("F_x = \"-1 kN\"\nF_y = \"0 N\"\n", "F = \"3 N\"\n")
+              .starts_with("a.toml:28:1: error: give F with direction, or F_x and F_y\n"));
     CHECK(with("F_y = \"0 N\"\n", "F_y = \"0 N\"\nF = \"3 N\"\n")
               .starts_with("a.toml:28:1: error: give either F with direction or F_x and F_y, not both\n"));
     CHECK(
@@ -223,5 +227,77 @@ positions = 12
 )");
     CHECK(with("mass = \"2 kg\"", "mass = \"=2 kg - 3 kg\"")
               .starts_with("a.toml:20:10: error: links.slider.mass = -1 kg: must be >= 0 kg\n"));
+  }
+
+  TEST_CASE("a belt whose centres move apart is told by its length") {
+    const std::string belt = R"(
+[press.links.pulley]
+points = { A = ["0 mm", "0 mm"] }
+angle = "0 deg"
+[press.joints.P]
+type = "revolute"
+links = ["rod", "pulley"]
+points = ["A", "A"]
+[press.joints.loop]
+type = "belt"
+links = ["pulley", "ground"]
+points = ["A", "T"]
+radii = ["10 mm", "12 mm"]
+)";
+    std::string text = press + belt;
+    text.replace(text.find("B = [\"0 mm\", \"0 mm\"]\n"), 22, "B = [\"0 mm\", \"0 mm\"]\nT = [\"0 mm\", \"300 mm\"]\n");
+    const std::string said = issues_of(text);
+    INFO(said);
+    CHECK(said.find("error: the belt 'loop' keeps its length, and the distance of its centres changes as the mechanism "
+                    "moves\n") != std::string::npos);
+    CHECK(said.find("= help: hold both centres on one link") != std::string::npos);
+  }
+
+  TEST_CASE("gears whose ratios contradict each other") {
+    const std::string said = issues_of(R"([a]
+calculator = "mechanism.planar"
+crank = { joint = "O", speed = "60 rpm" }
+ground = { O = ["0 mm", "0 mm"], C = ["60 mm", "0 mm"] }
+links.pinion = { points = { O = ["0 mm", "0 mm"] }, angle = "0 deg" }
+links.wheel = { points = { C = ["0 mm", "0 mm"] }, angle = "0 deg" }
+joints.O = { type = "revolute", links = ["ground", "pinion"] }
+joints.C = { type = "revolute", links = ["ground", "wheel"] }
+joints.m1 = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"], radii = ["20 mm", "40 mm"] }
+joints.m2 = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"], radii = ["30 mm", "30 mm"] }
+)");
+    INFO(said);
+    CHECK(said.find("error: mobility 0, but number of drivers 1\n") != std::string::npos);
+    CHECK(said.find("= help: nothing can move: the ratios of 'm1', 'm2' contradict each other; correct their radii, or "
+                    "leave one out\n") != std::string::npos);
+  }
+
+  TEST_CASE("a rack that does not lie on the pitch circle of its wheel") {
+    const std::string said = issues_of(R"([a]
+calculator = "mechanism.planar"
+crank = { joint = "O", speed = "60 rpm", at = "10 deg" }
+ground = { O = ["0 mm", "0 mm"], R = ["0 mm", "25 mm"] }
+links.pinion = { points = { O = ["0 mm", "0 mm"] }, angle = "0 deg" }
+links.rack = { points = { R = ["0 mm", "0 mm"] }, angle = "0 deg", origin = ["0 mm", "25 mm"] }
+joints.O = { type = "revolute", links = ["pinion", "ground"] }
+joints.G = { type = "prismatic", links = ["rack", "ground"], points = ["R", "R"] }
+joints.mesh = { type = "rack", links = ["pinion", "rack"], points = ["O", "R"], radius = "20 mm" }
+)");
+    INFO(said);
+    CHECK(said.find("error: the centre of the wheel of 'mesh' is 25 mm from the line of its rack, and its radius is "
+                    "20 mm\n") != std::string::npos);
+  }
+
+  TEST_CASE("a turning spring that every turn winds up further") {
+    const auto wound = solved(press + R"([press.springs.coil]
+links = ["crank", "ground"]
+k_turn = "2 N*m/rad"
+free_angle = "0 deg"
+)");
+    const auto& verdicts = wound.steps[0]->account().verdicts;
+    const auto found =
+        std::find_if(verdicts.begin(), verdicts.end(), [](const auto& v) { return v.symbol == "returns_coil"; });
+    REQUIRE(found != verdicts.end());
+    CHECK(found->state == report::State::fail);
+    CHECK(std::get<report::Quantity>(found->value).si == doctest::Approx(2.0 * pi));
   }
 }

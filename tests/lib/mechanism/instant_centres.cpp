@@ -19,7 +19,7 @@ using namespace loadpath::mechanism::models;
 using Kind = InstantCentre::Kind;
 
 /// One link at the origin that moves so.
-Position moving(Pose velocity, Pose acceleration = {}) { return {{{}}, {velocity}, {acceleration}, {}, {}, {}}; }
+Position moving(Pose velocity, Pose acceleration = {}) { return {{{}}, {velocity}, {acceleration}, {velocity}, {}, {}, {}}; }
 
 void check_at(const InstantCentre& centre, Vec place) {
   REQUIRE(centre.kind == Kind::point);

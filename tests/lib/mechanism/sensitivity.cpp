@@ -129,6 +129,21 @@ TEST_SUITE("mechanism") {
     }
   }
 
+  TEST_CASE("sensitivities with losses of teeth and belts") {
+    for (Case c : cases()) {
+      bool loses = false;
+      for (Joint& joint : c.model.joints) {
+        const bool passes =
+            joint.kind == JointKind::gear || joint.kind == JointKind::rack || joint.kind == JointKind::belt;
+        if (passes) joint.friction.loss = joint.friction.loss_back = 0.1;
+        loses = loses || passes;
+      }
+      if (!loses) continue;
+      CAPTURE(c.name);
+      for (const Moved& m : moved(c.model)) check_all_derivatives(m);
+    }
+  }
+
   TEST_CASE("sensitivities with springs and dampers, and to them") {
     Model model = slider_crank();
     model.springs.push_back({"a", Spring::Kind::linear, 1, ground, {0.1, 0.02}, {0.1, -0.3}, 2000.0, 0.2, 15.0});

@@ -1,0 +1,14 @@
+// Solves a mechanism with friction again where its sense is not known: at rest, and where joints rest for a moment.
+#pragma once
+
+#include "calculators/mechanism/planar_cycle.hpp"
+
+namespace loadpath {
+
+/// Whether some joint has dry friction or loses power: what holds a mechanism that rests.
+bool has_dry_friction(const mechanism::Model& model);
+
+/// Of the positions that close: fills `either_way`, `standing` and its thresholds.
+void solve_either_way(const CycleTask& task, Cycle& cycle);
+
+}  // namespace loadpath

@@ -16,7 +16,7 @@ struct PlanarMechanism {
   static constexpr auto id = "mechanism.planar";
   static constexpr auto title = "Planar mechanism";
   static constexpr auto scope =
-      "Motion, joint reactions and driving effort of a planar mechanism with pins, slides, slots, gears, belts, "
+      "Motion, joint reactions and driving effort of a planar mechanism with pins, slides, slots, gears, belts, cams, "
       "rolling "
       "wheels and friction, with masses and loads, over a cycle or at given positions. Rigid links; play and "
       "elasticity "
@@ -123,8 +123,11 @@ F_y = "0 N"
     crossed_belt,
     rolling,
     rolling_inside,
-    rolling_on_line
+    rolling_on_line,
+    cam,
+    cam_flat
   };
+  enum class Holding { one_side, groove };
   struct Radii {
     Length first = unset<Length>, second = unset<Length>;
     static constexpr std::tuple fields{Field{&Radii::first, "first", mm, "of the first link's wheel"}.positive(),
@@ -139,6 +142,9 @@ F_y = "0 N"
     Radii radii;
     Length radius = unset<Length>;
     double pressure_angle = pi / 9.0;
+    Name profile;
+    double face = 0.0;
+    Holding holding = Holding::one_side;
     Force slack = 0.0 * N.one;
     double mu = 0.0;
     Length pin_radius = unset<Length>, guide_length = unset<Length>, guide_width = unset<Length>;
@@ -154,18 +160,27 @@ F_y = "0 N"
             .as_array()
             .may_be_missing(),
         Field{&Joint::direction, "direction", deg,
-              "of the guide, slot or rack through the second link's point, in that link's axes"},
+              "of the guide, slot or rack through the second link's point, or of its profile's x axis, in that link's "
+              "axes"},
         Field{&Joint::angle, "angle", deg,
               "prismatic, rigid: angle of the first link against the second; as assembled where missing"}
             .may_be_missing(),
         Group{&Joint::radii, "radii", "two wheels: their pitch or rolling radii"}.as_array().may_be_missing(),
-        Field{&Joint::radius, "radius", mm, "rack, rolling_on_line: radius of the first link's wheel"}
+        Field{&Joint::radius, "radius", mm,
+              "rack, rolling_on_line: radius of the first link's wheel; cam: of its roller, where missing that of the "
+              "profile"}
             .positive()
             .may_be_missing(),
         Field{&Joint::pressure_angle, "pressure_angle", deg, "teeth: angle of the force against the pitch line"}.within(
             0, 45),
+        NameField{&Joint::profile, "profile", "cam, cam_flat: profile of the second link, one of the profiles"}
+            .may_be_missing(),
+        Field{&Joint::face, "face", deg, "cam_flat: direction of the flat face, in the first link's axes"},
+        Choice{&Joint::holding, "holding", "cam, cam_flat: whether the cam can also pull"}.may_be_missing(),
         Field{&Joint::slack, "slack", N, "belts: tension of the slack span"}.at_least(0),
-        Field{&Joint::mu, "mu", ratio, "coefficient of friction: revolute, prismatic, slot"}.within(0, 2),
+        Field{&Joint::mu, "mu", ratio,
+              "coefficient of friction: revolute, prismatic, slot, cam_flat, and an edge on a cam"}
+            .within(0, 2),
         Field{&Joint::pin_radius, "pin_radius", mm, "revolute, slot: radius of the pin"}.positive().may_be_missing(),
         Field{&Joint::guide_length, "guide_length", mm,
               "prismatic: length of the block about the first link's point, for the forces on its edges"}
@@ -177,6 +192,71 @@ F_y = "0 N"
         Field{&Joint::rolling_arm, "rolling_arm", mm, "rolling: lever arm of the rolling resistance"}.at_least(0),
         Field{&Joint::c, "c", N_s_per_m, "prismatic, slot: viscous resistance to sliding"}.at_least(0),
         Field{&Joint::c_turn, "c_turn", N_m_s, "revolute, rolling: viscous resistance to turning"}.at_least(0)};
+  };
+
+  /// The profile of a cam: by the lift that it gives its follower, or by its shape.
+  enum class Shape { sliding, swinging, flat, circle, points };
+  enum class Law { dwell, harmonic, cycloidal, polynomial_345, polynomial_4567, constant_velocity };
+  enum class Sense { counter_clockwise, clockwise };
+  enum class Hand { left, right };
+  struct Segment {
+    Law law = Law::dwell;
+    double angle = unset<double>;
+    Length lift = unset<Length>;
+    double swing = unset<double>;
+    static constexpr std::tuple fields{
+        Choice{&Segment::law, "law", "law of motion over the segment"}.may_be_missing(),
+        Field{&Segment::angle, "angle", deg, "angle of the cam that it takes"}.within(0, 360),
+        Field{&Segment::lift, "lift", mm, "rise of the follower over it; a fall is negative"}.may_be_missing(),
+        Field{&Segment::swing, "swing", deg, "swinging: the same of the arm, away from the cam"}
+            .within(-180, 180)
+            .may_be_missing()};
+  };
+  struct Vertex {
+    Length x = unset<Length>, y = unset<Length>;
+    static constexpr std::tuple fields{Field{&Vertex::x, "x", mm, "along the profile's axes"},
+                                       Field{&Vertex::y, "y", mm, "across them"}};
+  };
+  struct Profile {
+    Name name;
+    Shape shape = Shape::sliding;
+    Length base = unset<Length>, roller = 0.0 * m.one, offset = 0.0 * m.one;
+    Length pivot = unset<Length>, arm = unset<Length>;
+    Hand side = Hand::left;
+    Sense sense = Sense::counter_clockwise;
+    List<Segment, 16> segments;
+    Length r = unset<Length>;
+    Vertex centre;
+    List<Vertex, 128> points;
+    static constexpr std::tuple fields{
+        NameField{&Profile::name, "name", "name of the profile"},
+        Choice{&Profile::shape, "shape", "by what it is given"},
+        Field{&Profile::base, "base", mm, "by lift: radius of the base circle of the cam itself"}
+            .positive()
+            .may_be_missing(),
+        Field{&Profile::roller, "roller", mm, "sliding, swinging: radius of the roller that it is made for; 0: an edge"}
+            .at_least(0),
+        Field{&Profile::offset, "offset", mm,
+              "sliding: of the guide from the cam's axis, to the left as the follower rises"},
+        Field{&Profile::pivot, "pivot", mm, "swinging: distance of the arm's pivot from the cam's axis"}
+            .positive()
+            .may_be_missing(),
+        Field{&Profile::arm, "arm", mm, "swinging: length of the arm, from its pivot to the roller"}
+            .positive()
+            .may_be_missing(),
+        Choice{&Profile::side, "side", "swinging: where the roller is, as seen from the cam's axis to the pivot"}
+            .may_be_missing(),
+        Choice{&Profile::sense, "sense", "by lift: how the cam turns as the segments follow each other"}
+            .may_be_missing(),
+        ListField{&Profile::segments, "segments",
+                  "by lift: rises, dwells and falls over a turn; the first begins where the guide, or the way to the "
+                  "pivot, is the profile's x axis"}
+            .may_be_missing(),
+        Field{&Profile::r, "r", mm, "circle: its radius"}.positive().may_be_missing(),
+        Group{&Profile::centre, "centre", "circle: its centre, from the cam's axis"}.as_array().may_be_missing(),
+        ListField{&Profile::points, "points", "points: of the profile, all round, from the cam's axis"}
+            .as_arrays()
+            .may_be_missing()};
   };
 
   struct Crank {
@@ -309,6 +389,7 @@ F_y = "0 N"
     List<Point, 32> ground;
     List<Link, 128> links;
     List<Joint, 192> joints;
+    List<Profile, 8> profiles;
     Crank crank;
     List<Cylinder, 16> cylinders;
     int positions = 1;
@@ -323,6 +404,7 @@ F_y = "0 N"
       ListField{&Input::ground, "ground", "points of the fixed link"}.as_arrays().may_be_missing(),
       ListField{&Input::links, "links", "moving links, by name"},
       ListField{&Input::joints, "joints", "joints, by name"},
+      ListField{&Input::profiles, "profiles", "profiles of cams, by name"}.may_be_missing(),
       Group{&Input::crank, "crank", "drive of a revolute joint"}.may_be_missing(),
       ListField{&Input::cylinders, "cylinders", "drives of prismatic joints, by name"}.may_be_missing(),
       Count{&Input::positions, "positions", 1, 7200, "positions of a stroke of cylinders, or of a law of motion"},
@@ -353,7 +435,43 @@ constexpr auto choices_of(PlanarMechanism::Type) {
       ChoiceName<T>{T::crossed_belt, "crossed_belt", "the same, crossed"},
       ChoiceName<T>{T::rolling, "rolling", "wheels that roll on each other without slip"},
       ChoiceName<T>{T::rolling_inside, "rolling_inside", "wheel of the first link that rolls inside the second's"},
-      ChoiceName<T>{T::rolling_on_line, "rolling_on_line", "wheel of the first link on a line of the second"}};
+      ChoiceName<T>{T::rolling_on_line, "rolling_on_line", "wheel of the first link on a line of the second"},
+      ChoiceName<T>{T::cam, "cam", "roller or edge about the first link's point on the profile of the second, whose "
+                                   "axis is the second's point; the spin of the roller is left out"},
+      ChoiceName<T>{T::cam_flat, "cam_flat", "flat face through the first link's point on the profile of the second"}};
+}
+constexpr auto choices_of(PlanarMechanism::Holding) {
+  using T = PlanarMechanism::Holding;
+  return std::array{ChoiceName<T>{T::one_side, "one_side", "the cam only pushes: elsewhere the follower lifts off"},
+                    ChoiceName<T>{T::groove, "groove", "it holds the follower on both sides"}};
+}
+constexpr auto choices_of(PlanarMechanism::Shape) {
+  using T = PlanarMechanism::Shape;
+  return std::array{
+      ChoiceName<T>{T::sliding, "sliding", "by the lift of a follower with a roller or an edge on a straight guide"},
+      ChoiceName<T>{T::swinging, "swinging", "by the swing of an arm with a roller or an edge"},
+      ChoiceName<T>{T::flat, "flat", "by the lift of a flat face on a straight guide square to it"},
+      ChoiceName<T>{T::circle, "circle", "a circle, as of an eccentric"},
+      ChoiceName<T>{T::points, "points", "smooth through points, with a continuous curvature"}};
+}
+constexpr auto choices_of(PlanarMechanism::Law) {
+  using T = PlanarMechanism::Law;
+  return std::array{
+      ChoiceName<T>{T::dwell, "dwell", "the follower rests"},
+      ChoiceName<T>{T::harmonic, "harmonic", "simple harmonic; the acceleration jumps beside a dwell"},
+      ChoiceName<T>{T::cycloidal, "cycloidal", "sine of the acceleration; no jump beside a dwell"},
+      ChoiceName<T>{T::polynomial_345, "3-4-5", "polynomial, no acceleration at the ends"},
+      ChoiceName<T>{T::polynomial_4567, "4-5-6-7", "polynomial, neither acceleration nor jerk at the ends"},
+      ChoiceName<T>{T::constant_velocity, "constant_velocity", "refused: its acceleration at the ends is infinite"}};
+}
+constexpr auto choices_of(PlanarMechanism::Sense) {
+  using T = PlanarMechanism::Sense;
+  return std::array{ChoiceName<T>{T::counter_clockwise, "counter_clockwise", "counter-clockwise"},
+                    ChoiceName<T>{T::clockwise, "clockwise", "clockwise"}};
+}
+constexpr auto choices_of(PlanarMechanism::Hand) {
+  using T = PlanarMechanism::Hand;
+  return std::array{ChoiceName<T>{T::left, "left", "on the left"}, ChoiceName<T>{T::right, "right", "on the right"}};
 }
 constexpr auto choices_of(PlanarMechanism::Axes) {
   using T = PlanarMechanism::Axes;

@@ -1,9 +1,11 @@
 #include "calculators/mechanism/planar_report.hpp"
 
+#include "calculators/mechanism/planar_cams.hpp"
 #include "calculators/mechanism/planar_efficiency.hpp"
 #include "calculators/mechanism/planar_joints.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
 #include "calculators/mechanism/planar_model.hpp"
+#include "calculators/mechanism/planar_profiles.hpp"
 #include "lib/mechanism/assur.hpp"
 #include "lib/mechanism/vec.hpp"
 #include "lib/quantity/format.hpp"
@@ -174,11 +176,14 @@ Table structure_table(const mechanism::Model& model) {
   return table;
 }
 
-Table determinacy_table(const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis) {
+Table determinacy_table(const mechanism::Model& model, const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis) {
   Table table{say("Mobility and conditioning"), {}, {}};
   table.rows.push_back(
       {say("mobility by count, 3 n − 2 p5 − p4; drives not counted"), std::to_string(structure.mobility_by_count)});
   table.rows.push_back({say("mobility by rank of the constraints"), std::to_string(structure.mobility)});
+  for (const std::string& name : passive_freedoms(model)) {
+    table.rows.push_back({say("passive freedom, not counted: the roller of '{1}' turns freely", name), std::string("1")});
+  }
   const auto steps = std::count(cycle.in_steps.begin(), cycle.in_steps.end(), true);
   if (steps > 0 && axis != nullptr) {
     const auto first = std::find(cycle.in_steps.begin(), cycle.in_steps.end(), true) - cycle.in_steps.begin();
@@ -200,6 +205,7 @@ Table determinacy_table(const mechanism::Structure& structure, const Cycle& cycl
 std::vector<report::Block> model_tables(const Planar::Input& in) {
   std::vector<report::Block> blocks{drive_table(in), link_table(in), point_table(in), joint_table(in)};
   for (report::Table& table : detail_tables(in)) blocks.emplace_back(std::move(table));
+  for (report::Table& table : profile_tables(in)) blocks.emplace_back(std::move(table));
   if (!in.loads.empty()) blocks.emplace_back(load_table(in));
   if (!in.springs.empty()) blocks.emplace_back(spring_table(in));
   return blocks;
@@ -210,7 +216,7 @@ std::vector<report::Block> result_tables(const project::Account& account, const 
   std::vector<report::Block> blocks{axis == nullptr ? position_table(account) : extremes_table(account, *axis)};
   if (auto efficiency = efficiency_table(account, axis)) blocks.emplace_back(std::move(*efficiency));
   blocks.emplace_back(structure_table(model));
-  blocks.emplace_back(determinacy_table(structure, cycle, axis));
+  blocks.emplace_back(determinacy_table(model, structure, cycle, axis));
   return blocks;
 }
 

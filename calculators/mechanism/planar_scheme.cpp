@@ -131,6 +131,7 @@ class Drawing {
     if (has_pin(j.kind) || has_line(j.kind)) add_pin(n);
     if (has_line(j.kind)) add_guide(n);
     if (has_rack(j.kind)) add_rack(j);
+    if (j.kind == JointKind::cam) return add_cam(n);
     if (has_pin(j.kind) || has_line(j.kind)) return;
     add_wheel(j.i, j.point_i, j.radius_i);
     if (has_rack(j.kind)) return;
@@ -141,9 +142,34 @@ class Drawing {
     }
   }
 
+  /// The profile on link j, and what of link i touches it: a roller about a pin, a face.
+  void add_cam(std::size_t n) {
+    constexpr int corners = 180;
+    const mechanism::Joint& j = model_.joints[n];
+    const mechanism::Turn turned = mechanism::turn(j.direction);
+    Scheme::Outline outline{point(on_paper(at_, j.j, j.point_j)), {}, j.j == mechanism::ground};
+    double reach = 0.0;
+    for (int k = 0; k < corners; ++k) {
+      const Vec flank = j.profile->flank(2.0 * pi * k / corners);
+      reach = std::max(reach, mechanism::length(flank));
+      outline.points.push_back(point(on_paper(at_, j.j, j.point_j + turned(flank))));
+    }
+    scheme().outlines.push_back(std::move(outline));
+    motion_.outlines.push_back({j.j, j.j});
+    if (j.contact == mechanism::CamContact::round) {
+      if (j.radius_i > 0.0) add_wheel(j.i, j.point_i, j.radius_i);
+      return add_pin(n);
+    }
+    const Vec along = mechanism::turn(angle_of(at_, j.i) + j.angle)({1.0, 0.0}), foot = on_paper(at_, j.i, j.point_i);
+    scheme().racks.push_back({point(foot - reach * along), point(foot + reach * along), false, true,
+                              j.i == mechanism::ground});
+    motion_.racks.push_back({j.i, j.i});
+  }
+
   void add_pin(std::size_t n) {
     const mechanism::Joint& j = model_.joints[n];
-    const bool slides = has_line(j.kind), fixed = j.i == mechanism::ground || j.j == mechanism::ground;
+    const bool slides = has_line(j.kind), cam = j.kind == JointKind::cam;
+    const bool fixed = !cam && (j.i == mechanism::ground || j.j == mechanism::ground);
     scheme().joints.push_back({j.name, point(on_paper(at_, j.i, j.point_i)),
                                slides ? Scheme::Pin::slider : Scheme::Pin::revolute, fixed && !slides,
                                angle_of(at_, j.j) + j.direction});

@@ -45,6 +45,7 @@ std::size_t modes_of(const Joint& joint) {
     case JointKind::revolute:
     case JointKind::rolling:
     case JointKind::rolling_on_line:
+    case JointKind::cam:
       return 1;
     default:
       return 0;
@@ -97,6 +98,9 @@ void set_modes(const BasicInducedSource<Scalar>& source,
       mode[1].at = at.at;
       mode[1].couple = 1.0;
       break;
+    case JointKind::cam:
+      mode->force = at.along;
+      break;
     default:
       mode->couple = 1.0;
   }
@@ -138,6 +142,10 @@ void induce(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& s
       amount[1] = arm * amount[0];
       break;
     }
+    case JointKind::cam:
+      amount[0] = -sign(source.sliding) * mu * abs(dot(by.force, source.place.rows[0].e)) -
+                  share * friction.viscous * source.sliding;
+      break;
     default:
       amount[0] = -sign(source.turning) * share * friction.rolling_arm * abs(dot(by.force, source.place.rows[1].e)) -
                   share * friction.viscous * source.turning;

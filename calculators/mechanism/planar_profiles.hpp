@@ -1,0 +1,36 @@
+// Profiles of cams from the words of a project to those of the solver.
+#pragma once
+
+#include "calculators/mechanism/planar.hpp"
+#include "lib/issue.hpp"
+#include "lib/mechanism/model.hpp"
+#include "lib/report/document.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace loadpath {
+
+/// The profile that a joint names; nullptr where there is none of that name.
+const PlanarMechanism::Profile* find_profile(const PlanarMechanism::Input& in, const Name& name);
+
+bool is_cam(PlanarMechanism::Type type);
+
+/// Fields that the shape of a profile needs and has not, or has and does not take. Needs no values.
+std::vector<FieldFault> check_fields(const PlanarMechanism::Profile& profile);
+/// Lengths and angles that make no profile, or none that a flat face can touch all round. Needs values.
+std::vector<FieldFault> check_profiles(const PlanarMechanism::Input& in);
+
+std::shared_ptr<const mechanism::Profile> profile_of(const PlanarMechanism::Profile& profile);
+
+/// The radius of the roller of a cam joint, m; 0 of an edge.
+double roller_radius(const PlanarMechanism::Input& in, const PlanarMechanism::Joint& joint);
+
+/// The angle of the cam at which it touches a straight guide at this parameter of its profile, for laws of lift; else
+/// where the point of the profile lies as seen from the axis. rad, 0 to 2 pi.
+double cam_angle(const mechanism::Profile& profile, double parameter);
+
+/// Dimensions and segments of the profiles.
+std::vector<report::Table> profile_tables(const PlanarMechanism::Input& in);
+
+}  // namespace loadpath

@@ -6,6 +6,7 @@
 // are written in its own axes, or, where neither origin nor angle is given, as drawn on paper.
 #pragma once
 
+#include "calculators/mechanism/cam_profile.hpp"
 #include "lib/field.hpp"
 
 #include <array>
@@ -194,71 +195,6 @@ F_y = "0 N"
         Field{&Joint::c_turn, "c_turn", N_m_s, "revolute, rolling: viscous resistance to turning"}.at_least(0)};
   };
 
-  /// The profile of a cam: by the lift that it gives its follower, or by its shape.
-  enum class Shape { sliding, swinging, flat, circle, points };
-  enum class Law { dwell, harmonic, cycloidal, polynomial_345, polynomial_4567, constant_velocity };
-  enum class Sense { counter_clockwise, clockwise };
-  enum class Hand { left, right };
-  struct Segment {
-    Law law = Law::dwell;
-    double angle = unset<double>;
-    Length lift = unset<Length>;
-    double swing = unset<double>;
-    static constexpr std::tuple fields{
-        Choice{&Segment::law, "law", "law of motion over the segment"}.may_be_missing(),
-        Field{&Segment::angle, "angle", deg, "angle of the cam that it takes"}.within(0, 360),
-        Field{&Segment::lift, "lift", mm, "rise of the follower over it; a fall is negative"}.may_be_missing(),
-        Field{&Segment::swing, "swing", deg, "swinging: the same of the arm, away from the cam"}
-            .within(-180, 180)
-            .may_be_missing()};
-  };
-  struct Vertex {
-    Length x = unset<Length>, y = unset<Length>;
-    static constexpr std::tuple fields{Field{&Vertex::x, "x", mm, "along the profile's axes"},
-                                       Field{&Vertex::y, "y", mm, "across them"}};
-  };
-  struct Profile {
-    Name name;
-    Shape shape = Shape::sliding;
-    Length base = unset<Length>, roller = 0.0 * m.one, offset = 0.0 * m.one;
-    Length pivot = unset<Length>, arm = unset<Length>;
-    Hand side = Hand::left;
-    Sense sense = Sense::counter_clockwise;
-    List<Segment, 16> segments;
-    Length r = unset<Length>;
-    Vertex centre;
-    List<Vertex, 128> points;
-    static constexpr std::tuple fields{
-        NameField{&Profile::name, "name", "name of the profile"},
-        Choice{&Profile::shape, "shape", "by what it is given"},
-        Field{&Profile::base, "base", mm, "by lift: radius of the base circle of the cam itself"}
-            .positive()
-            .may_be_missing(),
-        Field{&Profile::roller, "roller", mm, "sliding, swinging: radius of the roller that it is made for; 0: an edge"}
-            .at_least(0),
-        Field{&Profile::offset, "offset", mm,
-              "sliding: of the guide from the cam's axis, to the left as the follower rises"},
-        Field{&Profile::pivot, "pivot", mm, "swinging: distance of the arm's pivot from the cam's axis"}
-            .positive()
-            .may_be_missing(),
-        Field{&Profile::arm, "arm", mm, "swinging: length of the arm, from its pivot to the roller"}
-            .positive()
-            .may_be_missing(),
-        Choice{&Profile::side, "side", "swinging: where the roller is, as seen from the cam's axis to the pivot"}
-            .may_be_missing(),
-        Choice{&Profile::sense, "sense", "by lift: how the cam turns as the segments follow each other"}
-            .may_be_missing(),
-        ListField{&Profile::segments, "segments",
-                  "by lift: rises, dwells and falls over a turn; the first begins where the guide, or the way to the "
-                  "pivot, is the profile's x axis"}
-            .may_be_missing(),
-        Field{&Profile::r, "r", mm, "circle: its radius"}.positive().may_be_missing(),
-        Group{&Profile::centre, "centre", "circle: its centre, from the cam's axis"}.as_array().may_be_missing(),
-        ListField{&Profile::points, "points", "points: of the profile, all round, from the cam's axis"}
-            .as_arrays()
-            .may_be_missing()};
-  };
-
   struct Crank {
     Name joint, to;
     AngularSpeed speed = 0.0 * rad_per_s.one;
@@ -389,7 +325,7 @@ F_y = "0 N"
     List<Point, 32> ground;
     List<Link, 128> links;
     List<Joint, 192> joints;
-    List<Profile, 8> profiles;
+    List<CamProfile, 8> profiles;
     Crank crank;
     List<Cylinder, 16> cylinders;
     int positions = 1;
@@ -436,42 +372,15 @@ constexpr auto choices_of(PlanarMechanism::Type) {
       ChoiceName<T>{T::rolling, "rolling", "wheels that roll on each other without slip"},
       ChoiceName<T>{T::rolling_inside, "rolling_inside", "wheel of the first link that rolls inside the second's"},
       ChoiceName<T>{T::rolling_on_line, "rolling_on_line", "wheel of the first link on a line of the second"},
-      ChoiceName<T>{T::cam, "cam", "roller or edge about the first link's point on the profile of the second, whose "
-                                   "axis is the second's point; the spin of the roller is left out"},
+      ChoiceName<T>{T::cam, "cam",
+                    "roller or edge about the first link's point on the profile of the second, whose "
+                    "axis is the second's point; the spin of the roller is left out"},
       ChoiceName<T>{T::cam_flat, "cam_flat", "flat face through the first link's point on the profile of the second"}};
 }
 constexpr auto choices_of(PlanarMechanism::Holding) {
   using T = PlanarMechanism::Holding;
   return std::array{ChoiceName<T>{T::one_side, "one_side", "the cam only pushes: elsewhere the follower lifts off"},
                     ChoiceName<T>{T::groove, "groove", "it holds the follower on both sides"}};
-}
-constexpr auto choices_of(PlanarMechanism::Shape) {
-  using T = PlanarMechanism::Shape;
-  return std::array{
-      ChoiceName<T>{T::sliding, "sliding", "by the lift of a follower with a roller or an edge on a straight guide"},
-      ChoiceName<T>{T::swinging, "swinging", "by the swing of an arm with a roller or an edge"},
-      ChoiceName<T>{T::flat, "flat", "by the lift of a flat face on a straight guide square to it"},
-      ChoiceName<T>{T::circle, "circle", "a circle, as of an eccentric"},
-      ChoiceName<T>{T::points, "points", "smooth through points, with a continuous curvature"}};
-}
-constexpr auto choices_of(PlanarMechanism::Law) {
-  using T = PlanarMechanism::Law;
-  return std::array{
-      ChoiceName<T>{T::dwell, "dwell", "the follower rests"},
-      ChoiceName<T>{T::harmonic, "harmonic", "simple harmonic; the acceleration jumps beside a dwell"},
-      ChoiceName<T>{T::cycloidal, "cycloidal", "sine of the acceleration; no jump beside a dwell"},
-      ChoiceName<T>{T::polynomial_345, "3-4-5", "polynomial, no acceleration at the ends"},
-      ChoiceName<T>{T::polynomial_4567, "4-5-6-7", "polynomial, neither acceleration nor jerk at the ends"},
-      ChoiceName<T>{T::constant_velocity, "constant_velocity", "refused: its acceleration at the ends is infinite"}};
-}
-constexpr auto choices_of(PlanarMechanism::Sense) {
-  using T = PlanarMechanism::Sense;
-  return std::array{ChoiceName<T>{T::counter_clockwise, "counter_clockwise", "counter-clockwise"},
-                    ChoiceName<T>{T::clockwise, "clockwise", "clockwise"}};
-}
-constexpr auto choices_of(PlanarMechanism::Hand) {
-  using T = PlanarMechanism::Hand;
-  return std::array{ChoiceName<T>{T::left, "left", "on the left"}, ChoiceName<T>{T::right, "right", "on the right"}};
 }
 constexpr auto choices_of(PlanarMechanism::Axes) {
   using T = PlanarMechanism::Axes;

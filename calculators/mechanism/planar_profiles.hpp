@@ -12,16 +12,27 @@
 namespace loadpath {
 
 /// The profile that a joint names; nullptr where there is none of that name.
-const PlanarMechanism::Profile* find_profile(const PlanarMechanism::Input& in, const Name& name);
+const CamProfile* find_profile(const PlanarMechanism::Input& in, const Name& name);
+
+/// The word of a project for a choice of a profile.
+template <class Enum>
+const char* word_of(Enum choice) {
+  return choices_of(choice)[static_cast<std::size_t>(choice)].key;
+}
+
+/// Of a segment, m or rad.
+double rise_of(const CamProfile& profile, const CamProfile::Segment& segment);
 
 bool is_cam(PlanarMechanism::Type type);
 
 /// Fields that the shape of a profile needs and has not, or has and does not take. Needs no values.
-std::vector<FieldFault> check_fields(const PlanarMechanism::Profile& profile);
-/// Lengths and angles that make no profile, or none that a flat face can touch all round. Needs values.
+std::vector<FieldFault> check_fields(const CamProfile& profile);
+/// Lengths and angles that make no profile. Needs values.
+std::vector<FieldFault> check_values(const CamProfile& profile);
+/// The same of all of them; also a profile that a flat face, or a roller of its radius, cannot touch all round.
 std::vector<FieldFault> check_profiles(const PlanarMechanism::Input& in);
 
-std::shared_ptr<const mechanism::Profile> profile_of(const PlanarMechanism::Profile& profile);
+std::shared_ptr<const mechanism::Profile> profile_of(const CamProfile& profile);
 
 /// The radius of the roller of a cam joint, m; 0 of an edge.
 double roller_radius(const PlanarMechanism::Input& in, const PlanarMechanism::Joint& joint);

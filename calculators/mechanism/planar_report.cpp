@@ -176,13 +176,15 @@ Table structure_table(const mechanism::Model& model) {
   return table;
 }
 
-Table determinacy_table(const mechanism::Model& model, const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis) {
+Table determinacy_table(const mechanism::Model& model, const mechanism::Structure& structure, const Cycle& cycle,
+                        const Axis* axis) {
   Table table{say("Mobility and conditioning"), {}, {}};
   table.rows.push_back(
       {say("mobility by count, 3 n − 2 p5 − p4; drives not counted"), std::to_string(structure.mobility_by_count)});
   table.rows.push_back({say("mobility by rank of the constraints"), std::to_string(structure.mobility)});
   for (const std::string& name : passive_freedoms(model)) {
-    table.rows.push_back({say("passive freedom, not counted: the roller of '{1}' turns freely", name), std::string("1")});
+    table.rows.push_back(
+        {say("passive freedom, not counted: the roller of '{1}' turns freely", name), std::string("1")});
   }
   const auto steps = std::count(cycle.in_steps.begin(), cycle.in_steps.end(), true);
   if (steps > 0 && axis != nullptr) {

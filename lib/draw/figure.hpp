@@ -197,8 +197,8 @@ struct Motion {
     std::vector<double> si;
   };
   Scheme still;
-  std::size_t shown = 0;                                       // the frame of `still`
-  std::vector<Link> links;                                     // link k carries body k
+  std::size_t shown = 0;                                                 // the frame of `still`
+  std::vector<Link> links;                                               // link k carries body k
   std::vector<Carried> joints, guides, points, wheels, racks, outlines;  // of the parts of `still`, in their order
   std::vector<Force> forces;    // first those of the arrows of `still`, in their order, then others of the plans
   std::vector<Couple> couples;  // of the moments of `still`, in their order

@@ -23,6 +23,7 @@ Vec path_at(const Model& model, std::size_t guide, int follower, Vec point, cons
 std::optional<std::size_t> guide_of(const Model& model, std::size_t cam) {
   const int follower = model.joints[cam].i;
   std::optional<std::size_t> guide;
+  if (follower == ground) return guide;
   for (std::size_t k = 0; k < model.joints.size(); ++k) {
     const Joint& joint = model.joints[k];
     if (joint.kind != JointKind::prismatic && joint.kind != JointKind::revolute) continue;
@@ -46,7 +47,9 @@ CamState cam_state(const Model& model, std::size_t k, const Position& at) {
   if (const auto guide = guide_of(model, k)) {
     const Vec point = joint.contact == CamContact::flat ? place.at : i.point(joint.point_i);
     const Vec path = path_at(model, *guide, joint.i, point, at);
-    state.pressure_angle = std::atan2(std::abs(cross(path, out)), std::abs(dot(path, out)));
+    constexpr double rounding = 1e-14;  // of the sine
+    const double across = std::abs(cross(path, out));
+    state.pressure_angle = across <= rounding * length(path) ? 0.0 : std::atan2(across, std::abs(dot(path, out)));
   }
   return state;
 }

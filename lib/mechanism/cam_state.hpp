@@ -11,7 +11,7 @@ namespace loadpath::mechanism {
 
 struct CamState {
   double pressing = 0.0;  // N, that the cam pushes the follower with; negative: it would have to pull
-  double sliding = 0.0;   // m/s, of the follower on the cam, counter-clockwise round it; a roller's surface stands still
+  double sliding = 0.0;  // m/s, of the follower on the cam, counter-clockwise round it; a roller's surface stands still
   /// Between the normal of the contact and the path of the follower's point, rad, 0 to pi/2; none where no pin or slide
   /// of the follower tells that path.
   std::optional<double> pressure_angle;

@@ -108,8 +108,8 @@ using PairPlace = BasicPairPlace<double>;
 /// Sets the rows that never change.
 template <class Scalar>
 void prepare(const BasicPairShape<Scalar>& shape, BasicPairPlace<Scalar>& at);
-/// Goes with the links; wheels: to the angle of the line of centres next to the one before; cams: to the contact next to
-/// the one before, at first to the nearest of all.
+/// Goes with the links; wheels: to the angle of the line of centres next to the one before; cams: to the contact next
+/// to the one before, at first to the nearest of all.
 template <class Scalar>
 void place(const BasicPairShape<Scalar>& shape, const BasicPlaced<Scalar>& i, const BasicPlaced<Scalar>& j,
            BasicPairPlace<Scalar>& at);

@@ -87,7 +87,7 @@ std::vector<double> chord_parameters(std::span<const Vec> points) {
   return parameters;
 }
 
-std::vector<double> coordinates(std::span<const Vec> points, double Vec::* coordinate) {
+std::vector<double> coordinates(std::span<const Vec> points, double Vec::*coordinate) {
   std::vector<double> values;
   for (const Vec& p : points) values.push_back(p.*coordinate);
   return values;

@@ -1,8 +1,9 @@
 // The profile of a cam: a closed curve in the cam's own axes, its origin the cam's axis.
 //
-// It is told by a curve, run through counter-clockwise, and lies inside of that by `inset`: a law of lift gives the path
-// of the roller's centre, which the flank of the cam keeps the roller's radius away from. Tangent and curvature are
-// exact, so that the follower's acceleration is that of the law. R. L. Norton, Design of Machinery, chapter on cams.
+// It is told by a curve, run through counter-clockwise, and lies inside of that by `inset`: a law of lift gives the
+// path of the roller's centre, which the flank of the cam keeps the roller's radius away from. Tangent and curvature
+// are exact, so that the follower's acceleration is that of the law. R. L. Norton, Design of Machinery, chapter on
+// cams.
 #pragma once
 
 #include "lib/mechanism/lift.hpp"

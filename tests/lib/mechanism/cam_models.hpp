@@ -64,8 +64,8 @@ inline Model cam_with_roller(LiftLaw law = LiftLaw::polynomial_4567, double offs
 inline Model cam_with_arm() {
   Model model;
   const int cam = add_cam(model, 0.5);
-  const SwingingFollower path{rise_dwell_fall(LiftLaw::polynomial_4567, 0.3), CamSense::counter_clockwise, 0.038, 0.07,
-                              0.06, 1.0};
+  const SwingingFollower path{
+      rise_dwell_fall(LiftLaw::polynomial_4567, 0.3), CamSense::counter_clockwise, 0.038, 0.07, 0.06, 1.0};
   const int arm = add_bar(model, "arm", {0.07, 0.0, std::numbers::pi - path.base_angle() - 0.05}, 0.06, 0.3);
   pin(model, "A", arm, {}, ground, {0.07, 0.0});
   load(model, "press", arm, {0.05, 0.0}, {-20.0, -300.0}, 2.0);
@@ -117,8 +117,8 @@ inline Model cam_on_a_moving_link() {
   model.links.back().pose = {seat.x, seat.y, 0.5};
   slide(model, "guide", follower, {}, coupler, {0.1, 0.0}, quarter_turn, 0.0);
   load(model, "press", follower, {}, {5.0, -80.0});
-  touch(model, follower, {}, cam, Profile(SplineCurve(oval_points(24, 0.036, 0.03, {0.003, 0.002}))),
-        CamContact::round, 0.0, 0.4);
+  touch(model, follower, {}, cam, Profile(SplineCurve(oval_points(24, 0.036, 0.03, {0.003, 0.002}))), CamContact::round,
+        0.0, 0.4);
   return model;
 }
 

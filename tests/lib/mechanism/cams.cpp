@@ -4,12 +4,14 @@
 #include "lib/mechanism/group_system.hpp"
 #include "lib/mechanism/structure.hpp"
 #include "tests/lib/mechanism/cam_models.hpp"
+#include "tests/lib/mechanism/proof/methods.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace {
 
@@ -176,8 +178,8 @@ TEST_SUITE("mechanism") {
     const Profile profile(SlidingFollower{rise_dwell_fall(LiftLaw::cycloidal, 0.012), {}, 0.04, 0.0}, 0.01);
     for (const double phi : {0.4, 1.2, 1.9}) {
       const Expected s = cycloidal(0.012, 120.0 * degree, phi);
-      const double r = 0.04 + s.s, rho = std::pow(r * r + s.first * s.first, 1.5) /
-                                         (r * r + 2.0 * s.first * s.first - r * s.second);
+      const double r = 0.04 + s.s,
+                   rho = std::pow(r * r + s.first * s.first, 1.5) / (r * r + 2.0 * s.first * s.first - r * s.second);
       const CurvePoint on = profile.at(-phi);
       CHECK(on.pace / on.turning == doctest::Approx(rho).epsilon(1e-12));
     }
@@ -202,8 +204,7 @@ TEST_SUITE("mechanism") {
     Model model = cam_with_roller(LiftLaw::cycloidal, 0.0);
     model.loads.clear();
     const double rest = 0.04;  // of the follower on the base circle
-    model.springs.push_back(
-        {"spring", Spring::Kind::linear, 1, ground, {}, {0.0, rest + 0.1}, k, 0.1 + squeeze, 0.0});
+    model.springs.push_back({"spring", Spring::Kind::linear, 1, ground, {}, {0.0, rest + 0.1}, k, 0.1 + squeeze, 0.0});
     double least = 1e300;  // of omega^2, where the follower slows down
     for (double phi = 0.0; phi < 120.0 * degree; phi += 1e-5) {
       const Expected s = cycloidal(h, 120.0 * degree, phi);
@@ -242,11 +243,75 @@ TEST_SUITE("mechanism") {
     }
   }
 
+  TEST_CASE("random cams with arms: both solvers agree, and every proof holds") {
+    std::mt19937 random(7);
+    const auto between = [&](double low, double high) {
+      return low + (high - low) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+    };
+    for (int n = 0; n < 40; ++n) {
+      CAPTURE(n);
+      const double side = n % 2 == 0 ? 1.0 : -1.0, pivot = between(0.06, 0.1), length = between(0.05, 0.09);
+      const double reach = between(std::abs(pivot - length) + 0.02, 0.7 * (pivot + length)), roll = between(0.0, 0.01);
+      const auto sense = n % 3 == 0 ? CamSense::clockwise : CamSense::counter_clockwise;
+      const auto law = static_cast<LiftLaw>(1 + n % 4);
+      const SwingingFollower path{rise_dwell_fall(law, between(0.05, 0.3)), sense, reach, pivot, length, side};
+      Model model;
+      const int cam = add_cam(model, between(-3.0, 3.0));
+      const double start = model.links[0].pose.phi;
+      // Where the arm stands then, by its own law: the cam's angle counts against its sense.
+      const double angle = sense == CamSense::clockwise ? -start : start;
+      const double swing = path.base_angle() + path.lift.at(angle).s;
+      const int arm = add_bar(model, "arm", {pivot, 0.0, pi - side * swing}, length, between(0.1, 1.0));
+      pin(model, "A", arm, {}, ground, {pivot, 0.0});
+      load(model, "press", arm, {0.8 * length, 0.0}, {between(-50.0, 50.0), between(-300.0, 300.0)},
+           between(-2.0, 2.0));
+      touch(model, arm, {length, 0.0}, cam, Profile(path, roll), CamContact::round, roll, 0.0);
+      Running groups(model);
+      WholeSystem whole(model);
+      REQUIRE(whole.assemble() == Status::closed);
+      Prover prover(model);
+      for (int k = 0; k < 12; ++k) {
+        const Drive drive{start + 0.55 * k, 20.0, 50.0};
+        const Position a = groups(drive.coordinate), b = solved(whole, model, drive.coordinate);
+        CHECK(std::abs(a.pose[1].phi - b.pose[1].phi) <= 1e-11);
+        CHECK(std::abs(a.effort[0] - b.effort[0]) <= 1e-9 * (1.0 + std::abs(b.effort[0])));
+        const double now =
+            path.base_angle() + path.lift.at(sense == CamSense::clockwise ? -drive.coordinate : drive.coordinate).s;
+        CHECK(std::abs(a.pose[1].phi - (pi - side * now)) <= 1e-11);
+        check_trustworthy(prover.prove({&drive, 1}, false, a));
+      }
+    }
+  }
+
+  TEST_CASE("a follower sets out from its dwell, and comes to it, as anywhere else") {
+    for (const double step : {1.0, 5.0, 15.0}) {
+      CAPTURE(step);
+      for (const Model& model : {cam_with_roller(LiftLaw::cycloidal), cam_with_flat_face(LiftLaw::polynomial_345)}) {
+        Running run(model);
+        int in_steps = 0;
+        for (double angle = 0.7; angle < 7.5; angle += step * degree) {
+          run(angle);
+          in_steps += run.system.followed_in_steps() ? 1 : 0;
+        }
+        CHECK(in_steps == 0);
+      }
+    }
+  }
+
   TEST_CASE("a cam takes one freedom") {
     const Structure structure = analyse(cam_with_roller());
     CHECK(structure.mobility_by_count == 1);
     CHECK(structure.mobility == 1);
     CHECK(structure.redundant.empty());
+    // A roller that is a link of its own has one more, which is named.
+    Model rolling = cam_with_roller();
+    const int roller_link = add_link(rolling, "roller", rolling.links[1].pose, 0.1, 1e-6);
+    pin(rolling, "R", roller_link, {}, 1, {});
+    rolling.joints[2].i = roller_link;
+    const auto findings = diagnose(rolling);
+    REQUIRE(findings.size() == 1);
+    CHECK(findings[0].message.text() ==
+          "the roller 'roller' spins about 'R' whatever the drive does: a passive freedom");
     Model bare = cam_with_roller();
     bare.joints.back().profile = nullptr;
     CHECK(check_parts(bare).size() == 1);

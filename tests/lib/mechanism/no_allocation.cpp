@@ -14,9 +14,9 @@ TEST_SUITE("mechanism") {
     rocker_driven.drivers[0].i = 2;
     Model rubbing = models::slider_crank();
     for (Joint& joint : rubbing.joints) joint.friction = {.coefficient = 0.1, .pin_radius = 0.01};
-    for (const Model& model : {models::slider_crank(), models::six_bar(), models::slotted_lever(),
-                               models::class_three(), rubbing, rocker_driven, models::cam_with_roller(),
-                               models::cam_with_arm(), models::oval_with_flat_arm()}) {
+    for (const Model& model :
+         {models::slider_crank(), models::six_bar(), models::slotted_lever(), models::class_three(), rubbing,
+          rocker_driven, models::cam_with_roller(), models::cam_with_arm(), models::oval_with_flat_arm()}) {
       System system(model);
       Position at = blank_position(model);
       const std::size_t before = loadpath::tests::allocations();

@@ -138,13 +138,13 @@ struct Case {
 };
 inline std::vector<Case> cases() {
   std::vector<Case> all{{"gear train", gear_train(0.349)},
-          {"planetary", planetary()},
-          {"rack", pinion_and_rack()},
-          {"rolling wheel", rolling_wheel()},
-          {"rolling on a wheel", rolling_on_wheel()},
-          {"open belt", belt_on_rocker(false)},
-          {"tight belt", belt_on_rocker(false, 50.0)},
-          {"crossed belt", belt_on_rocker(true, 20.0)},
+                        {"planetary", planetary()},
+                        {"rack", pinion_and_rack()},
+                        {"rolling wheel", rolling_wheel()},
+                        {"rolling on a wheel", rolling_on_wheel()},
+                        {"open belt", belt_on_rocker(false)},
+                        {"tight belt", belt_on_rocker(false, 50.0)},
+                        {"crossed belt", belt_on_rocker(true, 20.0)},
                         {"weld", welded_four_bar()}};
   for (CamCase& c : cam_cases()) all.push_back({c.name, std::move(c.model)});
   return all;

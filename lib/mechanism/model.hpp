@@ -80,10 +80,9 @@ using Friction = BasicFriction<double>;
 /// - Rack and rolling on a line: wheel i on the line of j through point_j at `direction`, at a distance of radius_i to
 ///   the side on which it is assembled.
 /// What the rolling keeps constant, `phase`, is as in the stated assembly (set_phase).
-/// - Cam: link i touches the profile of link j, whose axis is point_j and which is turned by `direction`. Round: a
-/// roller
-///   about point_i, or, radius_i = 0, an edge; its spin is no coordinate. Flat: a face through point_i, `angle` its
-///   direction in the frame of i, the cam to its right.
+/// - Cam: link i touches the profile of link j, whose axis is point_j and which is turned by `direction`. Round: it has
+///   a roller about point_i, or an edge, radius_i = 0; the spin of the roller is no coordinate. Flat: it has a face
+///   through point_i in the direction `angle` of the frame of i, with the cam to its right.
 template <class Scalar>
 struct BasicJoint {
   std::string name;

@@ -18,10 +18,8 @@ struct PlanarMechanism {
   static constexpr auto title = "Planar mechanism";
   static constexpr auto scope =
       "Motion, joint reactions and driving effort of a planar mechanism with pins, slides, slots, gears, belts, cams, "
-      "rolling "
-      "wheels and friction, with masses and loads, over a cycle or at given positions. Rigid links; play and "
-      "elasticity "
-      "are not covered.";
+      "rolling wheels and friction, with masses and loads, over a cycle or at given positions. Rigid links; play and "
+      "elasticity are not covered.";
   static constexpr auto source = "[A10], [B29], [B31], [D3]";
   static constexpr auto example = R"([project]
 title = "Slider-crank"

@@ -2,8 +2,7 @@
 //
 // It is told by a curve, run through counter-clockwise, and lies inside of that by `inset`: a law of lift gives the
 // path of the roller's centre, which the flank of the cam keeps the roller's radius away from. Tangent and curvature
-// are exact, so that the follower's acceleration is that of the law. R. L. Norton, Design of Machinery, chapter on
-// cams.
+// are exact, so that the follower's acceleration is that of the law.
 #pragma once
 
 #include "lib/mechanism/lift.hpp"

@@ -1,5 +1,7 @@
 // Cams in a project: what they come to, what is said where the follower lifts off or a profile cannot be made, and what
 // is wrong with a profile.
+#include "lib/draw/figure.hpp"
+#include "lib/io/dxf.hpp"
 #include "lib/quantity/series.hpp"
 #include "tests/lib/project/texts.hpp"
 
@@ -154,6 +156,35 @@ TEST_SUITE("mechanism cams") {
     CHECK(said("base = \"30 mm\"\n", "") == "valve.profiles.lobe: profile 'lobe' of the shape sliding needs base");
     CHECK(said("base = \"30 mm\"", "arm = \"60 mm\"\nbase = \"30 mm\"") ==
           "valve.profiles.lobe.arm: a profile of the shape sliding takes no 'arm'");
+  }
+
+  TEST_CASE("of a template's cam it is said under the parameter") {
+    const std::string arm =
+        "[a]\ncalculator = \"mechanism.planar\"\ntemplate = \"cam_arm\"\nbase = \"30 mm\"\nroller = \"8 mm\"\n"
+        "pivot = \"80 mm\"\narm = \"70 mm\"\ncrank = { speed = \"60 rpm\" }\nsegments = [{ law = \"3-4-5\", angle = "
+        "\"180 deg\", swing = \"15 deg\" }, { law = \"3-4-5\", angle = \"180 deg\", swing = \"-15 deg\" }]\n";
+    CHECK(told(arm).issues.empty());
+    const auto far = told(replaced(arm, "\"80 mm\"", "\"180 mm\"")).issues;
+    REQUIRE(far.size() == 1);
+    CHECK(far[0].key == "a.arm");
+    const auto open = told(replaced(arm, "\"-15 deg\"", "\"-14 deg\"")).issues;
+    REQUIRE(open.size() == 1);
+    CHECK(open[0].key == "a.segments");
+    CHECK(open[0].message.text() == "after a turn the follower is 1 deg off where it was");
+  }
+
+  TEST_CASE("a drawing for other programs has the profile on a layer of its own") {
+    draw::Scheme scheme;
+    scheme.bodies.push_back({"cam", {{0.0, 0.0}, {0.04, 0.0}}});
+    CHECK(io::dxf_of(scheme).find("cams") == std::string::npos);
+    scheme.outlines.push_back({{0.0, 0.0}, {{0.03, 0.0}, {0.0, 0.03}, {-0.03, 0.0}}});
+    const std::string dxf = io::dxf_of(scheme);
+    std::size_t lines = 0;
+    for (std::size_t at = dxf.find("LINE\n8\ncams\n"); at != std::string::npos;
+         at = dxf.find("LINE\n8\ncams\n", at + 1))
+      ++lines;
+    CHECK(lines == 3);
+    CHECK(dxf.find("10\n30\n20\n0\n") != std::string::npos);
   }
 
   TEST_CASE("a flat face does not fit a hollow profile") {

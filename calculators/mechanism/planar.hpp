@@ -6,6 +6,7 @@
 // are written in its own axes, or, where neither origin nor angle is given, as drawn on paper.
 #pragma once
 
+#include "calculators/mechanism/cam_profile.hpp"
 #include "lib/field.hpp"
 
 #include <array>
@@ -16,11 +17,9 @@ struct PlanarMechanism {
   static constexpr auto id = "mechanism.planar";
   static constexpr auto title = "Planar mechanism";
   static constexpr auto scope =
-      "Motion, joint reactions and driving effort of a planar mechanism with pins, slides, slots, gears, belts, "
-      "rolling "
-      "wheels and friction, with masses and loads, over a cycle or at given positions. Rigid links; play and "
-      "elasticity "
-      "are not covered.";
+      "Motion, joint reactions and driving effort of a planar mechanism with pins, slides, slots, gears, belts, cams, "
+      "rolling wheels and friction, with masses and loads, over a cycle or at given positions. Rigid links; play and "
+      "elasticity are not covered.";
   static constexpr auto source = "[A10], [B29], [B31], [D3]";
   static constexpr auto example = R"([project]
 title = "Slider-crank"
@@ -123,8 +122,11 @@ F_y = "0 N"
     crossed_belt,
     rolling,
     rolling_inside,
-    rolling_on_line
+    rolling_on_line,
+    cam,
+    cam_flat
   };
+  enum class Holding { one_side, groove };
   struct Radii {
     Length first = unset<Length>, second = unset<Length>;
     static constexpr std::tuple fields{Field{&Radii::first, "first", mm, "of the first link's wheel"}.positive(),
@@ -139,6 +141,9 @@ F_y = "0 N"
     Radii radii;
     Length radius = unset<Length>;
     double pressure_angle = pi / 9.0;
+    Name profile;
+    double face = 0.0;
+    Holding holding = Holding::one_side;
     Force slack = 0.0 * N.one;
     double mu = 0.0;
     Length pin_radius = unset<Length>, guide_length = unset<Length>, guide_width = unset<Length>;
@@ -155,18 +160,27 @@ F_y = "0 N"
             .as_array()
             .may_be_missing(),
         Field{&Joint::direction, "direction", deg,
-              "of the guide, slot or rack through the second link's point, in that link's axes"},
+              "of the guide, slot or rack through the second link's point, or of its profile's x axis, in that link's "
+              "axes"},
         Field{&Joint::angle, "angle", deg,
               "prismatic, rigid: angle of the first link against the second; as assembled where missing"}
             .may_be_missing(),
         Group{&Joint::radii, "radii", "two wheels: their pitch or rolling radii"}.as_array().may_be_missing(),
-        Field{&Joint::radius, "radius", mm, "rack, rolling_on_line: radius of the first link's wheel"}
+        Field{&Joint::radius, "radius", mm,
+              "rack, rolling_on_line: radius of the first link's wheel; cam: of its roller, where missing that of the "
+              "profile"}
             .positive()
             .may_be_missing(),
         Field{&Joint::pressure_angle, "pressure_angle", deg, "teeth: angle of the force against the pitch line"}.within(
             0, 45),
+        NameField{&Joint::profile, "profile", "cam, cam_flat: profile of the second link, one of the profiles"}
+            .may_be_missing(),
+        Field{&Joint::face, "face", deg, "cam_flat: direction of the flat face, in the first link's axes"},
+        Choice{&Joint::holding, "holding", "cam, cam_flat: whether the cam can also pull"}.may_be_missing(),
         Field{&Joint::slack, "slack", N, "belts: tension of the slack span"}.at_least(0),
-        Field{&Joint::mu, "mu", ratio, "coefficient of friction: revolute, prismatic, slot"}.within(0, 2),
+        Field{&Joint::mu, "mu", ratio,
+              "coefficient of friction: revolute, prismatic, slot, cam_flat, and an edge on a cam"}
+            .within(0, 2),
         Field{&Joint::pin_radius, "pin_radius", mm, "revolute, slot: radius of the pin"}.positive().may_be_missing(),
         Field{&Joint::guide_length, "guide_length", mm,
               "prismatic: length of the block about the first link's point, for the forces on its edges"}
@@ -345,6 +359,7 @@ F_y = "0 N"
     List<Point, 32> ground;
     List<Link, 128> links;
     List<Joint, 192> joints;
+    List<CamProfile, 8> profiles;
     Crank crank;
     List<Cylinder, 16> cylinders;
     int positions = 1;
@@ -359,6 +374,7 @@ F_y = "0 N"
       ListField{&Input::ground, "ground", "points of the fixed link"}.as_arrays().may_be_missing(),
       ListField{&Input::links, "links", "moving links, by name"},
       ListField{&Input::joints, "joints", "joints, by name"},
+      ListField{&Input::profiles, "profiles", "profiles of cams, by name"}.may_be_missing(),
       Group{&Input::crank, "crank", "drive of a revolute joint"}.may_be_missing(),
       ListField{&Input::cylinders, "cylinders", "drives of prismatic joints, by name"}.may_be_missing(),
       Count{&Input::positions, "positions", 1, 7200, "positions of a stroke of cylinders, or of a law of motion"},
@@ -389,7 +405,16 @@ constexpr auto choices_of(PlanarMechanism::Type) {
       ChoiceName<T>{T::crossed_belt, "crossed_belt", "the same, crossed"},
       ChoiceName<T>{T::rolling, "rolling", "wheels that roll on each other without slip"},
       ChoiceName<T>{T::rolling_inside, "rolling_inside", "wheel of the first link that rolls inside the second's"},
-      ChoiceName<T>{T::rolling_on_line, "rolling_on_line", "wheel of the first link on a line of the second"}};
+      ChoiceName<T>{T::rolling_on_line, "rolling_on_line", "wheel of the first link on a line of the second"},
+      ChoiceName<T>{T::cam, "cam",
+                    "roller or edge about the first link's point on the profile of the second, whose "
+                    "axis is the second's point; the spin of the roller is left out"},
+      ChoiceName<T>{T::cam_flat, "cam_flat", "flat face through the first link's point on the profile of the second"}};
+}
+constexpr auto choices_of(PlanarMechanism::Holding) {
+  using T = PlanarMechanism::Holding;
+  return std::array{ChoiceName<T>{T::one_side, "one_side", "the cam only pushes: elsewhere the follower lifts off"},
+                    ChoiceName<T>{T::groove, "groove", "it holds the follower on both sides"}};
 }
 constexpr auto choices_of(PlanarMechanism::Axes) {
   using T = PlanarMechanism::Axes;

@@ -1,5 +1,6 @@
 #include "calculators/mechanism/planar_design_outputs.hpp"
 
+#include "calculators/mechanism/planar_cams.hpp"
 #include "calculators/mechanism/planar_rows.hpp"
 #include "lib/mechanism/frames.hpp"
 #include "lib/mechanism/member.hpp"
@@ -297,6 +298,7 @@ void add_design_outputs(const Planar::Input& in, const mechanism::Model& model, 
     if (touches) add_outputs(Contact{joint.name, k, joint}, contact_rows, out);
     if (rubs(joint)) add_outputs(Rubbing{joint.name, k, kept}, rubbing_rows, out);
   }
+  add_cam_outputs(model, out);
   Machine machine{"",     kept, {}, std::make_shared<mechanism::Reduction>(*kept), !in.crank.joint.empty() && !statics,
                   statics};
   for (std::size_t n = 0; n < in.loads.size(); ++n) {
@@ -311,6 +313,7 @@ void list_design_patterns(std::vector<ResultPattern>& patterns) {
   planar::list_patterns(guide_rows, patterns);
   planar::list_patterns(contact_rows, patterns);
   planar::list_patterns(rubbing_rows, patterns);
+  list_cam_patterns(patterns);
   planar::list_patterns(machine_rows, patterns);
   planar::list_patterns(spring_rows, patterns);
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace loadpath {
 
@@ -29,6 +30,7 @@ std::string told_path(const std::string& path) {
 void put(const Planar::Input& drawn, Planar::Input& in) {
   std::copy(drawn.ground.begin(), drawn.ground.end(), in.ground.begin());
   for (std::size_t i = 0; i < drawn.joints.size(); ++i) in.joints[i].direction = drawn.joints[i].direction;
+  std::copy(drawn.profiles.begin(), drawn.profiles.end(), in.profiles.begin());
   for (std::size_t i = 0; i < drawn.links.size(); ++i) {
     in.links[i].origin = drawn.links[i].origin;
     in.links[i].angle = drawn.links[i].angle;
@@ -61,7 +63,8 @@ bool is_given_in(const Record& laid, const std::string& path) {
   const std::string_view key = std::string_view(path).substr(path.rfind('.') + 1);
   const std::string_view head = std::string_view(path).substr(0, path.find('.'));
   if (head == "ground" || head == "links") return !is_one_of(key, {"name", "mass", "J", "S"});
-  if (head == "joints") return is_one_of(key, {"type", "first", "second", "direction", "angle"});
+  if (head == "joints") return is_one_of(key, {"type", "first", "second", "direction", "angle", "profile"});
+  if (head == "profiles") return key != "name";
   if (head == "crank")
     return is_one_of(key, {"joint", "to"}) && !find_leaf(laid, "crank.joint").field->text(laid.data.get()).empty();
   return head == "cylinders" && key == "joint";
@@ -103,6 +106,7 @@ report::Table template_table(const Template& from, const Record& parameters) {
   for_each_leaf(parameters, [&](const std::string& path, const Leaf& leaf) {
     const FieldInfo& field = *leaf.field;
     const bool choice = field.type == FieldInfo::Type::choice;
+    if (!choice && !std::isfinite(leaf.get())) return;  // left out
     report::Cell value = report::Quantity{leaf.get(), field.unit};
     if (choice) value = say(field.choices[static_cast<std::size_t>(leaf.get())].key);
     table.rows.push_back({report::Symbol{path}, say(field.doc), std::move(value)});

@@ -1,5 +1,6 @@
 #include "calculators/mechanism/planar_joints.hpp"
 
+#include "calculators/mechanism/planar_profiles.hpp"
 #include "lib/mechanism/pair.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -35,16 +36,28 @@ const std::array specials{
     Special{"radii", [](const Planar::Joint& j) { return is_set(j.radii.first); }, wheels, "joints of two wheels"},
     Special{"radius",
             [](const Planar::Joint& j) { return is_set(j.radius); },
-            {Type::rack, Type::rolling_on_line, Type::rack, Type::rack, Type::rack, Type::rack},
-            "racks and wheels on a line"},
+            {Type::rack, Type::rolling_on_line, Type::cam, Type::rack, Type::rack, Type::rack},
+            "racks, wheels on a line and rollers on a cam"},
+    Special{"profile",
+            [](const Planar::Joint& j) { return !j.profile.empty(); },
+            {Type::cam, Type::cam_flat, Type::cam, Type::cam, Type::cam, Type::cam},
+            "cams"},
+    Special{"face",
+            [](const Planar::Joint& j) { return j.face != 0.0; },
+            {Type::cam_flat, Type::cam_flat, Type::cam_flat, Type::cam_flat, Type::cam_flat, Type::cam_flat},
+            "flat faces on a cam"},
+    Special{"holding",
+            [](const Planar::Joint& j) { return j.holding != Planar::Holding::one_side; },
+            {Type::cam, Type::cam_flat, Type::cam, Type::cam, Type::cam, Type::cam},
+            "cams"},
     Special{"slack",
             [](const Planar::Joint& j) { return in_si(j.slack) != 0.0; },
             {Type::belt, Type::crossed_belt, Type::belt, Type::belt, Type::belt, Type::belt},
             "belts"},
     Special{"mu",
             [](const Planar::Joint& j) { return j.mu != 0.0; },
-            {Type::revolute, Type::prismatic, Type::slot, Type::slot, Type::slot, Type::slot},
-            "revolute joints, prismatic joints and slots"},
+            {Type::revolute, Type::prismatic, Type::slot, Type::cam, Type::cam_flat, Type::slot},
+            "revolute joints, prismatic joints, slots and cams"},
     Special{"pin_radius",
             [](const Planar::Joint& j) { return is_set(j.pin_radius); },
             {Type::revolute, Type::slot, Type::slot, Type::slot, Type::slot, Type::slot},
@@ -71,8 +84,8 @@ const std::array specials{
             "teeth and belts"},
     Special{"c",
             [](const Planar::Joint& j) { return in_si(j.c) != 0.0; },
-            {Type::prismatic, Type::slot, Type::slot, Type::slot, Type::slot, Type::slot},
-            "slides: prismatic and slot"},
+            {Type::prismatic, Type::slot, Type::cam, Type::cam_flat, Type::slot, Type::slot},
+            "what slides: prismatic, slot and cams"},
     Special{
         "c_turn",
         [](const Planar::Joint& j) { return in_si(j.c_turn) != 0.0; },
@@ -102,6 +115,7 @@ class FieldCheck {
     if (two_wheels && !is_set(joint_.radii.first)) need("radii", "radii = [\"20 mm\", \"50 mm\"]");
     const bool on_line = joint_.type == Type::rack || joint_.type == Type::rolling_on_line;
     if (on_line && !is_set(joint_.radius)) need("radius", "radius = \"20 mm\"");
+    if (is_cam(joint_.type) && joint_.profile.empty()) need("profile", "profile = \"NAME\", and it to the profiles");
     check_friction();
     check_ring();
     return std::move(faults_);
@@ -170,6 +184,9 @@ JointKind kind_of(Type type) {
       return JointKind::rolling;
     case Type::rolling_on_line:
       return JointKind::rolling_on_line;
+    case Type::cam:
+    case Type::cam_flat:
+      return JointKind::cam;
   }
   return JointKind::revolute;
 }
@@ -205,6 +222,10 @@ mechanism::Joint joint_values(const Planar::Joint& j) {
   joint.tension = in_si(j.slack);
   joint.guide_length = si_or_zero(j.guide_length);
   joint.guide_width = si_or_zero(j.guide_width);
+  if (j.type == Type::cam_flat) {
+    joint.contact = mechanism::CamContact::flat;
+    joint.angle = j.face;
+  }
   const double efficiency_back = is_set(j.efficiency_back) ? j.efficiency_back : j.efficiency;
   joint.friction = {j.mu,
                     si_or_zero(j.pin_radius),
@@ -260,6 +281,10 @@ void take_from_assembly(mechanism::Model& model) {
   for (mechanism::Joint& joint : model.joints) {
     const mechanism::Placed i = placed(model, joint.i), j = placed(model, joint.j);
     if (!std::isfinite(joint.angle)) joint.angle = i.phi - j.phi;
+    if (joint.kind == JointKind::cam && joint.contact == mechanism::CamContact::flat) {
+      const Vec face = i.turned(mechanism::turn(joint.angle)({1.0, 0.0}));
+      if (cross(face, j.point(joint.point_j) - i.point(joint.point_i)) > 0.0) joint.angle += pi;
+    }
     if (!has_line_and_wheel(joint.kind)) continue;
     const Vec along = j.turned(mechanism::turn(joint.direction)({1.0, 0.0}));
     const bool right = cross(along, i.point(joint.point_i) - j.point(joint.point_j)) < 0.0;

@@ -2,6 +2,7 @@
 
 #include "calculators/mechanism/planar_joints.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
+#include "calculators/mechanism/planar_profiles.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -42,6 +43,9 @@ class NameCheck {
     for (const auto& point : in_.ground) check_point(point, "ground." + std::string(point.name.view()));
     for (const auto& link : in_.links) check_link(link);
     for (const auto& joint : in_.joints) check_joint(joint);
+    for (const auto& profile : in_.profiles) {
+      for (FieldFault& fault : check_fields(profile)) faults_.push_back(std::move(fault));
+    }
     check_drives();
     for (std::size_t i = 0; i < in_.loads.size(); ++i) check_load(in_.loads[i], i);
     for (const auto& spring : in_.springs) check_spring(spring);
@@ -108,6 +112,20 @@ class NameCheck {
           say("a joint is between two links, or between a link and the ground"));
     }
     for (FieldFault& fault : check_fields(joint)) faults_.push_back(std::move(fault));
+    if (is_cam(joint.type) && !joint.profile.empty()) check_cam(joint);
+  }
+
+  void check_cam(const Planar::Joint& joint) {
+    if (find_profile(in_, joint.profile) == nullptr) {
+      const auto names = names_in(in_.profiles);
+      add(path_of("joints", joint.name, "profile"), say("there is no profile '{1}'", joint.profile.view()),
+          did_you_mean(joint.profile.view(), names,
+                       say("add it: profiles.{1} = { shape = \"circle\", r = \"40 mm\" }", joint.profile.view())));
+    }
+    if (roller_radius(in_, joint) == 0.0 || (joint.mu == 0.0 && in_si(joint.c) == 0.0)) return;
+    add(path_of("joints", joint.name, joint.mu != 0.0 ? "mu" : "c"),
+        say("the roller of joint '{1}' rolls on its cam, and does not rub", joint.name.view()),
+        say("leave it out; an edge (radius 0) and a flat face rub"));
   }
 
   void require_joint(const Name& name, const std::string& path) {
@@ -213,6 +231,10 @@ mechanism::Joint joint_of(const Planar::Input& in, const Planar::Joint& j) {
   joint.j = link_index(in, j.links.second);
   joint.point_i = vector_of(*find_point(in, joint.i, p1));
   joint.point_j = vector_of(*find_point(in, joint.j, p2));
+  if (is_cam(j.type)) {
+    joint.profile = profile_of(*find_profile(in, j.profile));
+    joint.radius_i = roller_radius(in, j);
+  }
   return joint;
 }
 

@@ -77,6 +77,22 @@ void add_teeth(const mechanism::Model& model, const Axis* axis, Table& table) {
   }
 }
 
+/// The largest pressure angle of a cam leaves the smallest of transmission.
+void add_cams(const mechanism::Model& model, const project::Account& account, const Axis* axis, Table& table) {
+  for (const mechanism::Joint& joint : model.joints) {
+    if (joint.kind != mechanism::JointKind::cam) continue;
+    for (const project::Entry& e : account.results) {
+      if (e.path != "joints." + joint.name + ".alpha") continue;
+      const Extreme most = maximum(e.value);
+      std::vector<Cell> row{joint.name, say("cam, pressure angle {1}", format_quantity(most.value, "deg", 4)),
+                            Quantity{0.5 * pi - most.value, "deg"}};
+      if (axis != nullptr) row.emplace_back(Quantity{most.at, axis->unit});
+      row.push_back(remark(0.5 * pi - most.value));
+      table.rows.push_back(std::move(row));
+    }
+  }
+}
+
 void add_transmission(const mechanism::Model& model, const project::Account& account, const Axis* axis,
                       std::vector<report::Block>& blocks) {
   Table table{say("Transmission angles"), {say("joint"), say("side"), say("smallest"), say("at"), say("remark")}, {}};
@@ -90,6 +106,7 @@ void add_transmission(const mechanism::Model& model, const project::Account& acc
     table.rows.push_back(std::move(row));
   }
   add_teeth(model, axis, table);
+  add_cams(model, account, axis, table);
   if (!table.rows.empty()) blocks.emplace_back(std::move(table));
 }
 

@@ -1,8 +1,11 @@
 // What a report says about the proof of a planar mechanism: closing, equilibrium, power, and the reactions and drives
 // found again by other methods.
+#include "calculators/mechanism/planar_cams.hpp"
 #include "calculators/mechanism/planar_model.hpp"
+#include "calculators/mechanism/planar_profiles.hpp"
 #include "calculators/mechanism/planar_ranges.hpp"
 #include "calculators/mechanism/planar_report.hpp"
+#include "lib/mechanism/cam_state.hpp"
 #include "lib/mechanism/frames.hpp"
 #include "lib/mechanism/vec.hpp"
 #include "lib/numerics/magnitude.hpp"
@@ -136,8 +139,17 @@ report::Verdict wound_up(const std::string& step, const Planar::Input& in, const
   return v;
 }
 
-/// The force that presses a rolling wheel against what it rolls on, N.
-double pressing(const mechanism::Joint& joint, const mechanism::Position& at, std::size_t k) {
+/// Whether a joint only pushes: nothing pulls a wheel back on what it rolls on, or a follower on its cam.
+bool only_pushes(const Planar::Joint& joint) {
+  using Type = Planar::Type;
+  if (is_cam(joint.type)) return joint.holding == Planar::Holding::one_side;
+  return joint.type == Type::rolling || joint.type == Type::rolling_inside || joint.type == Type::rolling_on_line;
+}
+
+/// The force that presses a rolling wheel against what it rolls on, or a follower against its cam, N.
+double pressing(const mechanism::Model& model, const mechanism::Position& at, std::size_t k) {
+  const mechanism::Joint& joint = model.joints[k];
+  if (joint.kind == mechanism::JointKind::cam) return mechanism::cam_state(model, k, at).pressing;
   mechanism::PairPlace place;
   mechanism::place(mechanism::shape_of(joint), mechanism::placed_at(at, joint.i), mechanism::placed_at(at, joint.j),
                    place);
@@ -146,27 +158,22 @@ double pressing(const mechanism::Joint& joint, const mechanism::Position& at, st
   return side * mechanism::dot(at.reactions[k].force, place.rows[1].e);
 }
 
-/// A wheel that rolls must press: nothing pulls it back.
-std::vector<report::Verdict> contacts(const std::string& step, const Planar::Input& in, const Cycle& cycle,
-                                      const Axis* axis) {
-  using Type = Planar::Type;
+std::vector<report::Verdict> contacts(const std::string& step, const Planar::Input& in, const mechanism::Model& model,
+                                      const Cycle& cycle, const Axis* axis) {
   std::vector<report::Verdict> verdicts;
-  const bool rolls = std::any_of(in.joints.begin(), in.joints.end(), [](const auto& j) {
-    return j.type == Type::rolling || j.type == Type::rolling_inside || j.type == Type::rolling_on_line;
-  });
-  if (!rolls) return verdicts;
-  const mechanism::Model model = model_of(in);
   for (std::size_t n = 0; n < model.joints.size(); ++n) {
     const mechanism::Joint& joint = model.joints[n];
-    if (joint.kind != mechanism::JointKind::rolling && joint.kind != mechanism::JointKind::rolling_on_line) continue;
+    if (!only_pushes(in.joints[n])) continue;
+    const bool cam = joint.kind == mechanism::JointKind::cam;
     std::vector<bool> lost(cycle.positions.size());
     for (std::size_t k = 0; k < lost.size(); ++k)
-      lost[k] = cycle.has_forces(k) && pressing(joint, cycle.positions[k], n) < 0.0;
+      lost[k] = cycle.has_forces(k) && pressing(model, cycle.positions[k], n) < 0.0;
     const auto count = static_cast<std::size_t>(std::count(lost.begin(), lost.end(), true));
     report::Verdict v;
     v.step = step;
     v.symbol = "contact_" + joint.name;
-    v.meaning = say("the wheel of joint '{1}' stays on what it rolls on", joint.name);
+    v.meaning = cam ? say("the follower of joint '{1}' stays on its cam", joint.name)
+                    : say("the wheel of joint '{1}' stays on what it rolls on", joint.name);
     v.bound = say("every position");
     v.value = say("{1} of {2}", std::to_string(lost.size() - count), std::to_string(lost.size()));
     v.state = count == 0 ? report::State::pass : report::State::fail;
@@ -347,7 +354,11 @@ std::vector<report::Verdict> proof(const std::string& step, const Planar::Input&
   add_jamming(step, in, cycle, axis, verdicts);
   if (!cycle.returns) verdicts.push_back(no_return(step, in));
   for (const Cycle::Winding& winding : cycle.windings) verdicts.push_back(wound_up(step, in, winding));
-  for (report::Verdict& v : contacts(step, in, cycle, axis)) verdicts.push_back(std::move(v));
+  if (std::any_of(in.joints.begin(), in.joints.end(), [](const auto& j) { return only_pushes(j) || is_cam(j.type); })) {
+    const mechanism::Model model = model_of(in);
+    for (report::Verdict& v : contacts(step, in, model, cycle, axis)) verdicts.push_back(std::move(v));
+    for (report::Verdict& v : profile_verdicts(step, model)) verdicts.push_back(std::move(v));
+  }
   verdicts.push_back(limit(step, "force_balance",
                            say("equilibrium of every link: unbalanced force over the largest reaction"),
                            part(left.force, left.largest_force), 1e-9));

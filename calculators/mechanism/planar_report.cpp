@@ -1,10 +1,12 @@
 #include "calculators/mechanism/planar_report.hpp"
 
+#include "calculators/mechanism/planar_cams.hpp"
 #include "calculators/mechanism/planar_efficiency.hpp"
 #include "calculators/mechanism/planar_flanks.hpp"
 #include "calculators/mechanism/planar_joints.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
 #include "calculators/mechanism/planar_model.hpp"
+#include "calculators/mechanism/planar_profiles.hpp"
 #include "calculators/mechanism/planar_redundancy.hpp"
 #include "calculators/mechanism/planar_rest.hpp"
 #include "lib/mechanism/assur.hpp"
@@ -198,11 +200,16 @@ Table structure_table(const mechanism::Model& model, bool released) {
   return table;
 }
 
-Table determinacy_table(const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis) {
+Table determinacy_table(const mechanism::Model& model, const mechanism::Structure& structure, const Cycle& cycle,
+                        const Axis* axis) {
   Table table{say("Mobility and conditioning"), {}, {}};
   table.rows.push_back(
       {say("mobility by count, 3 n − 2 p5 − p4; drives not counted"), std::to_string(structure.mobility_by_count)});
   table.rows.push_back({say("mobility by rank of the constraints"), std::to_string(structure.mobility)});
+  for (const std::string& name : passive_freedoms(model)) {
+    table.rows.push_back(
+        {say("passive freedom, not counted: the roller of '{1}' turns freely", name), std::string("1")});
+  }
   const auto steps = std::count(cycle.in_steps.begin(), cycle.in_steps.end(), true);
   if (steps > 0 && axis != nullptr) {
     const auto first = std::find(cycle.in_steps.begin(), cycle.in_steps.end(), true) - cycle.in_steps.begin();
@@ -224,6 +231,7 @@ Table determinacy_table(const mechanism::Structure& structure, const Cycle& cycl
 std::vector<report::Block> model_tables(const Planar::Input& in) {
   std::vector<report::Block> blocks{drive_table(in), link_table(in), point_table(in), joint_table(in)};
   for (report::Table& table : detail_tables(in)) blocks.emplace_back(std::move(table));
+  for (report::Table& table : profile_tables(in)) blocks.emplace_back(std::move(table));
   if (!in.loads.empty()) blocks.emplace_back(load_table(in));
   if (!in.springs.empty()) blocks.emplace_back(spring_table(in));
   return blocks;
@@ -237,7 +245,7 @@ std::vector<report::Block> result_tables(const project::Account& account, const 
   if (auto resting = dead_point_table(model, cycle, axis)) blocks.emplace_back(std::move(*resting));
   if (auto flanks = flank_table(account, model, axis)) blocks.emplace_back(std::move(*flanks));
   blocks.emplace_back(structure_table(model, !cycle.unique.empty()));
-  blocks.emplace_back(determinacy_table(structure, cycle, axis));
+  blocks.emplace_back(determinacy_table(model, structure, cycle, axis));
   if (!cycle.unique.empty()) blocks.emplace_back(uniqueness_table(model, cycle));
   return blocks;
 }

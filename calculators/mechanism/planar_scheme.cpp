@@ -33,6 +33,19 @@ double reach(const mechanism::Joint& j, const Position& p) {
   return mechanism::dot(on_paper(p, j.i, j.point_i) - on_paper(p, j.j, j.point_j), line_of(j, p));
 }
 
+bool has_face(const mechanism::Joint& j) {
+  return j.kind == JointKind::cam && j.contact == mechanism::CamContact::flat;
+}
+
+Vec face_of(const mechanism::Joint& j, const Position& p) {
+  return mechanism::turn(angle_of(p, j.i) + j.angle)({1.0, 0.0});
+}
+
+/// Where the cam touches along a flat face.
+double reach_on_face(const mechanism::Joint& j, std::size_t n, const Position& p) {
+  return mechanism::dot(p.reactions[n].at - on_paper(p, j.i, j.point_i), face_of(j, p));
+}
+
 /// The points of a link that joints and loads use, each once, in the order of the joints.
 std::vector<Vec> used_points(const mechanism::Model& model, const Extents& extents, int link) {
   std::vector<Vec> points;
@@ -131,6 +144,7 @@ class Drawing {
     if (has_pin(j.kind) || has_line(j.kind)) add_pin(n);
     if (has_line(j.kind)) add_guide(n);
     if (has_rack(j.kind)) add_rack(j);
+    if (j.kind == JointKind::cam) return add_cam(n);
     if (has_pin(j.kind) || has_line(j.kind)) return;
     add_wheel(j.i, j.point_i, j.radius_i);
     if (has_rack(j.kind)) return;
@@ -141,9 +155,34 @@ class Drawing {
     }
   }
 
+  /// The profile on link j, and what of link i touches it: a roller about a pin, a face.
+  void add_cam(std::size_t n) {
+    constexpr int corners = 180;
+    const mechanism::Joint& j = model_.joints[n];
+    const mechanism::Turn turned = mechanism::turn(j.direction);
+    Scheme::Outline outline{point(on_paper(at_, j.j, j.point_j)), {}, j.j == mechanism::ground};
+    for (int k = 0; k < corners; ++k) {
+      const Vec flank = j.profile->flank(2.0 * pi * k / corners);
+      outline.points.push_back(point(on_paper(at_, j.j, j.point_j + turned(flank))));
+    }
+    scheme().outlines.push_back(std::move(outline));
+    motion_.outlines.push_back({j.j, j.j});
+    if (j.contact == mechanism::CamContact::round) {
+      if (j.radius_i > 0.0) add_wheel(j.i, j.point_i, j.radius_i);
+      return add_pin(n);
+    }
+    const Vec along = face_of(j, at_), foot = on_paper(at_, j.i, j.point_i);
+    const auto [from, to] = extents_.strokes[n];
+    const double margin = 0.3 * (to - from) + 0.05 * size();
+    scheme().racks.push_back({point(foot + (from - margin) * along), point(foot + (to + margin) * along), false, true,
+                              j.i == mechanism::ground});
+    motion_.racks.push_back({j.i, j.i});
+  }
+
   void add_pin(std::size_t n) {
     const mechanism::Joint& j = model_.joints[n];
-    const bool slides = has_line(j.kind), fixed = j.i == mechanism::ground || j.j == mechanism::ground;
+    const bool slides = has_line(j.kind), cam = j.kind == JointKind::cam;
+    const bool fixed = !cam && (j.i == mechanism::ground || j.j == mechanism::ground);
     scheme().joints.push_back({j.name, point(on_paper(at_, j.i, j.point_i)),
                                slides ? Scheme::Pin::slider : Scheme::Pin::revolute, fixed && !slides,
                                angle_of(at_, j.j) + j.direction});
@@ -260,8 +299,9 @@ Extents extents_of(const mechanism::Model& model, const Cycle& cycle) {
     if (!cycle.closed[k]) continue;
     const Position& p = cycle.positions[k];
     for (std::size_t n = 0; n < model.joints.size(); ++n) {
-      if (!has_line(model.joints[n].kind)) continue;
-      const double at = reach(model.joints[n], p);
+      const mechanism::Joint& j = model.joints[n];
+      if (!has_line(j.kind) && !has_face(j)) continue;
+      const double at = has_face(j) ? reach_on_face(j, n, p) : reach(j, p);
       Stroke& stroke = all.strokes[n];
       stroke = first ? Stroke{at, at} : Stroke{std::min(stroke.from, at), std::max(stroke.to, at)};
     }

@@ -9,7 +9,7 @@
 
 namespace loadpath {
 
-/// How far a pin goes along its guide or slot: from the line's own point, m.
+/// How far a pin goes along its guide or slot, or a contact along a flat face: from its own point, m.
 struct Stroke {
   double from = 0.0, to = 0.0;
 };

@@ -5,6 +5,7 @@
 #include "calculators/mechanism/planar_expansion.hpp"
 #include "calculators/mechanism/planar_influence.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
+#include "calculators/mechanism/planar_profiles.hpp"
 #include "calculators/mechanism/planar_redundancy.hpp"
 #include "calculators/mechanism/planar_report.hpp"
 #include "calculators/mechanism/templates/planar_template.hpp"
@@ -181,6 +182,7 @@ bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue
   }
   auto drawing = check_drawing(data(), model);
   for (FieldFault& fault : check_shares(data())) drawing.push_back(std::move(fault));
+  for (FieldFault& fault : check_profiles(data())) drawing.push_back(std::move(fault));
   for (FieldFault& fault : check_laws(data())) drawing.push_back(std::move(fault));
   for (FieldFault& fault : check_mass_lines(data(), model)) drawing.push_back(std::move(fault));
   add_faults(drawing, issues);

@@ -100,6 +100,11 @@ struct Scheme {
     double radius_to = 0.0;
     bool crossed = false;
   };
+  struct Outline {  // a closed curve on a link: the profile of a cam
+    Point at;       // its axis
+    std::vector<Point> points;
+    bool fixed = false;
+  };
   struct Rack {  // the pitch line of a rack, or a track that a wheel rolls on
     Point from;
     Point to;
@@ -117,6 +122,7 @@ struct Scheme {
   std::vector<Wheel> wheels = {};
   std::vector<Belt> belts = {};
   std::vector<Rack> racks = {};
+  std::vector<Outline> outlines = {};
 };
 
 /// Vectors out of a pole or head to tail: a plan of forces, velocities or accelerations; what they measure is drawn to
@@ -191,9 +197,9 @@ struct Motion {
     std::vector<double> si;
   };
   Scheme still;
-  std::size_t shown = 0;                                       // the frame of `still`
-  std::vector<Link> links;                                     // link k carries body k
-  std::vector<Carried> joints, guides, points, wheels, racks;  // of the parts of `still`, in their order
+  std::size_t shown = 0;                                                 // the frame of `still`
+  std::vector<Link> links;                                               // link k carries body k
+  std::vector<Carried> joints, guides, points, wheels, racks, outlines;  // of the parts of `still`, in their order
   std::vector<Force> forces;    // first those of the arrows of `still`, in their order, then others of the plans
   std::vector<Couple> couples;  // of the moments of `still`, in their order
   std::vector<LinkPlan> plans;

@@ -180,6 +180,7 @@ Picture SchemePicture::drawn() {
   draw_paths();
   draw_belts();
   draw_racks();
+  draw_outlines();
   draw_wheels();
   draw_bodies();
   draw_supports();

@@ -44,6 +44,7 @@ std::vector<Sign> signs(const Scheme& scheme) {
   for (const auto& moment : scheme.moments) all.push_back({moment.at, 40.0});
   for (const auto& arrow : scheme.arrows) all.push_back({arrow.at, 4.0});
   for (const auto& rack : scheme.racks) add({rack.from, rack.to}, 14.0);
+  for (const auto& outline : scheme.outlines) add(outline.points, 4.0);
   for (const auto& wheel : scheme.wheels) {
     const double r = std::fabs(wheel.radius);
     for (const Point corner : {Point{r, 0.0}, Point{-r, 0.0}, Point{0.0, r}, Point{0.0, -r}})
@@ -96,6 +97,9 @@ Scheme without_gaps(const Scheme& scheme) {
   kept.points = with_place(scheme.points);
   for (const auto& wheel : with_place(scheme.wheels)) {
     if (drawable(wheel.radius)) kept.wheels.push_back(wheel);
+  }
+  for (const auto& outline : with_place(scheme.outlines)) {
+    kept.outlines.push_back({outline.at, drawable_points(outline.points), outline.fixed});
   }
   for (const auto& belt : scheme.belts) {
     if (drawable(belt.from) && drawable(belt.to)) kept.belts.push_back(belt);
@@ -173,6 +177,9 @@ Fit fit(const Motion& motion) {
     for (std::size_t n = 0; n < still.joints.size(); ++n) add(motion.joints[n], still.joints[n].at, 24.0);
     for (std::size_t n = 0; n < still.guides.size(); ++n) {
       for (const Point p : {still.guides[n].from, still.guides[n].to}) add(motion.guides[n], p, 3.0);
+    }
+    for (std::size_t n = 0; n < still.outlines.size(); ++n) {
+      for (const Point p : still.outlines[n].points) add(motion.outlines[n], p, 4.0);
     }
     for (std::size_t n = 0; n < motion.still.arrows.size(); ++n) {
       const auto& force = motion.forces[n];

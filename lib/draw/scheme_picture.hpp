@@ -29,6 +29,7 @@ class SchemePicture {
   void draw_couples();
   void draw_belts();
   void draw_racks();
+  void draw_outlines();
   void draw_wheels();
   void draw_wheel(const Scheme::Wheel& wheel);
   void label_points();

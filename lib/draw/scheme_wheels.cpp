@@ -1,4 +1,4 @@
-// Wheels, belts and racks of a mechanism's picture.
+// Wheels, belts, racks and cams of a mechanism's picture.
 #include "lib/draw/scheme_parts.hpp"
 #include "lib/draw/scheme_picture.hpp"
 
@@ -55,6 +55,16 @@ void SchemePicture::draw_wheel(const Scheme::Wheel& wheel) {
   if (wheel.fixed) return;
   const Point towards{std::cos(wheel.angle), -std::sin(wheel.angle)};
   svg_.line("light", centre, centre + radius * towards);
+}
+
+void SchemePicture::draw_outlines() {
+  for (std::size_t n = 0; n < scheme_.outlines.size(); ++n) {
+    const auto& outline = scheme_.outlines[n];
+    std::vector<Point> points;
+    for (const Point p : outline.points) points.push_back(at(p));
+    carried(carrier(&Motion::outlines, n), outline.at, [&] { svg_.polygon("wheel", points); });
+    labels_.keep_off(points, 2.0);
+  }
 }
 
 void SchemePicture::draw_wheels() {

@@ -26,6 +26,10 @@ Scheme in_mm(Scheme scheme) {
   for (auto& body : scheme.bodies)
     std::transform(body.points.begin(), body.points.end(), body.points.begin(), [](Point p) { return in_mm(p); });
   for (auto& joint : scheme.joints) joint.at = in_mm(joint.at);
+  for (auto& outline : scheme.outlines) {
+    std::transform(outline.points.begin(), outline.points.end(), outline.points.begin(),
+                   [](Point p) { return in_mm(p); });
+  }
   for (auto& guide : scheme.guides) guide.from = in_mm(guide.from), guide.to = in_mm(guide.to);
   return scheme;
 }
@@ -75,6 +79,7 @@ void Drawing::header() {
 
 void Drawing::layers() {
   std::vector<std::string> names{"pins", "guides"};
+  if (!scheme_.outlines.empty()) names.emplace_back("cams");
   for (const auto& body : scheme_.bodies) names.push_back(body.name);
   section("TABLES");
   pair(0, "TABLE"), pair(2, "LAYER"), pair(70, std::to_string(names.size()));
@@ -131,6 +136,7 @@ std::string Drawing::text() {
     if (joint.pin == Scheme::Pin::revolute) circle("pins", joint.at);
   }
   for (const auto& guide : scheme_.guides) line("guides", guide.from, guide.to);
+  for (const auto& outline : scheme_.outlines) polygon("cams", outline.points);
   pair(0, "ENDSEC"), pair(0, "EOF");
   return std::move(text_);
 }

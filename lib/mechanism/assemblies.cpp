@@ -35,10 +35,11 @@ class Spread {
   std::uint64_t state_ = 0;
 };
 
+/// Or a cam: where they touch tells on which side they are.
 bool has_wheels(const Plan& plan, const GroupPlan& group) {
   return std::any_of(plan.cuts.begin() + static_cast<std::ptrdiff_t>(group.first_cut),
                      plan.cuts.begin() + static_cast<std::ptrdiff_t>(group.last_cut),
-                     [](const Cut& cut) { return cut.shape.radius_i != 0.0; });
+                     [](const Cut& cut) { return cut.shape.radius_i != 0.0 || cut.shape.profile != nullptr; });
 }
 
 class Search {

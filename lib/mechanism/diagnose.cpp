@@ -53,6 +53,37 @@ Finding wrong_number_of_drivers(const Model& model, const Structure& structure) 
   return {Finding::About::model, 0, std::move(message), std::move(hint)};
 }
 
+/// The pin about which a link spins that is nothing but the roller of a cam; nullptr where it is more than that.
+const Joint* pin_of_roller(const Model& model, std::size_t k) {
+  const int link = static_cast<int>(k);
+  const Joint *pin = nullptr, *cam = nullptr;
+  for (const Joint& joint : model.joints) {
+    if (joint.i != link && joint.j != link) continue;
+    const bool rolls = joint.kind == JointKind::cam && joint.contact == CamContact::round && joint.i == link;
+    if ((rolls && cam != nullptr) || (!rolls && (joint.kind != JointKind::revolute || pin != nullptr))) return nullptr;
+    (rolls ? cam : pin) = &joint;
+  }
+  if (pin == nullptr || cam == nullptr) return nullptr;
+  const Vec own = pin->i == link ? pin->point_i : pin->point_j;
+  return length(own - cam->point_i) == 0.0 ? pin : nullptr;
+}
+
+/// Rollers that are links of their own: each has a freedom that no drive has to hold.
+std::vector<Finding> spinning_rollers(const Model& model, const Structure& structure) {
+  std::vector<Finding> findings;
+  for (const std::size_t k : structure.loose) {
+    const Joint* pin = pin_of_roller(model, k);
+    if (pin == nullptr) continue;
+    findings.push_back(
+        {Finding::About::link, k,
+         say("the roller '{1}' spins about '{2}' whatever the drive does: a passive freedom", model.links[k].name,
+             pin->name),
+         say("leave the link out: give the cam's joint the link that carries the roller, the pin as its point, and the "
+             "radius")});
+  }
+  return findings;
+}
+
 Finding singular(const Model& model, const Structure& structure) {
   return {
       Finding::About::model, 0,
@@ -140,6 +171,9 @@ std::vector<Finding> about_mobility(const Model& model, const Structure& structu
   if (!findings.empty()) return findings;
   if (structure.singular) return {singular(model, structure)};
   if (!structure.redundant.empty()) findings = about_redundancy(model, structure);
+  const bool sound = findings.empty();
+  for (Finding& finding : spinning_rollers(model, structure)) findings.push_back(std::move(finding));
+  if (sound && !findings.empty()) return findings;
   if (structure.mobility != static_cast<int>(model.drivers.size())) {
     findings.push_back(wrong_number_of_drivers(model, structure));
   } else if (!structure.loose.empty()) {

@@ -30,7 +30,10 @@ BasicJoint<Dual> as_dual(const Joint& joint) {
           .guide_length = joint.guide_length,
           .guide_width = joint.guide_width,
           .friction = as_dual(joint.friction),
-          .phase = joint.phase};
+          .phase = joint.phase,
+          .contact = joint.contact,
+          .profile = joint.profile,
+          .metre = joint.metre};
 }
 
 BasicDriver<Dual> as_dual(const Driver& d) { return {d.name, d.kind, d.i, d.j, d.joint, d.offset}; }

@@ -73,6 +73,8 @@ class Chain {
       case JointKind::gear:
       case JointKind::belt:
         return add_between(i, 'R', 'R', j);
+      case JointKind::cam:  // the second joint is at the centre of curvature
+        return add_between(i, joint.contact == CamContact::flat ? 'P' : 'R', 'R', j);
       case JointKind::none:
         return;
     }

@@ -126,6 +126,7 @@ void GroupPositions::take_side(std::size_t g) {
 
 bool GroupPositions::move(std::span<const Drive> drives, double change, const Prediction& prediction) {
   least_sine_ = near_change + change;
+  change_ = change;
   for (std::size_t d = 0; d < drives.size(); ++d) target_[d] = drives[d].coordinate;
   for (std::size_t g = 0; g < plan_.groups.size(); ++g) {
     const GroupPlan& group = plan_.groups[g];
@@ -273,6 +274,7 @@ bool GroupPositions::slide_to_line(const GroupPlan& group, std::size_t mover, do
 // From the predicted coordinates; a step that is not much smaller than the one before leads to another assembly.
 bool GroupPositions::close_by_newton(std::size_t g, const Prediction& prediction) {
   constexpr double longest_move = 0.5, largest_correction = 0.2, exact = 1e-13, quadratic = 1e-7;
+  constexpr double setting_out = 0.3;  // of the drives' change: a follower leaves its dwell faster than predicted
   constexpr int most_steps = 8;
   const GroupPlan& group = plan_.groups[g];
   double way = 0.0;
@@ -281,7 +283,7 @@ bool GroupPositions::close_by_newton(std::size_t g, const Prediction& prediction
     hung_[t].value += prediction.first[t] + 0.5 * prediction.second[t];
   }
   if (!(way < longest_move)) return false;
-  double most = largest_correction * way + quadratic, previous = most;
+  double most = largest_correction * (way + setting_out * change_) + quadratic, previous = most;
   for (int k = 0; k < most_steps; ++k) {
     const double size = newton_step(g);
     if (!(size <= most)) return false;

@@ -98,6 +98,7 @@ class GroupPositions {
   std::vector<double> target_;  // of drives
   std::vector<double> step_;
   double least_sine_ = 0.0;
+  double change_ = 0.0;  // of the drives, in a move
 };
 
 }  // namespace loadpath::mechanism

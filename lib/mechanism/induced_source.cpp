@@ -152,8 +152,10 @@ std::size_t modes_of(const Joint& joint) {
     case JointKind::revolute:
     case JointKind::rolling:
     case JointKind::rolling_on_line:
+    case JointKind::cam:
       return rubs(joint) ? 1 : 0;
     case JointKind::rigid:
+    case JointKind::none:
       break;
   }
   return 0;
@@ -202,7 +204,8 @@ JointMotion tendency_of(const Joint& joint, const InducedSource& source, const P
 bool rests(const InducedSource& source) {
   const JointMotion& motion = source.tendency;
   if (passes_power(source.shape.joint)) return motion.passing == 0.0;
-  if (source.shape.joint == JointKind::prismatic) return motion.sliding == 0.0;
+  const bool only_slides = source.shape.joint == JointKind::prismatic || source.shape.joint == JointKind::cam;
+  if (only_slides) return motion.sliding == 0.0;
   if (source.shape.joint == JointKind::slot) return motion.sliding == 0.0 && motion.turning == 0.0;
   return motion.turning == 0.0;
 }
@@ -234,6 +237,9 @@ void set_modes(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>
       mode->force = at.along;
       mode[1].at = at.at;
       mode[1].couple = 1.0;
+      break;
+    case JointKind::cam:
+      mode->force = at.along;
       break;
     default:
       mode->couple = 1.0;
@@ -278,6 +284,10 @@ void induce(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& s
       amount[1] = arm * amount[0];
       break;
     }
+    case JointKind::cam:
+      amount[0] =
+          -sliding * mu * abs(dot(by.force, source.place.rows[0].e)) - share * friction.viscous * source.sliding;
+      break;
     default:
       amount[0] = -turning * share * friction.rolling_arm * abs(dot(by.force, source.place.rows[1].e)) -
                   share * friction.viscous * source.turning;

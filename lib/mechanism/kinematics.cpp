@@ -62,6 +62,7 @@ void change_unit_of_length(BasicModel<Scalar>& model, double unit) {
     joint.radius_i *= shrink;
     joint.radius_j *= shrink;
     joint.phase *= shrink;
+    joint.metre *= shrink;
   }
   for (auto& driver : model.drivers) {
     if (driver.kind == Driver::Kind::linear) driver.offset *= shrink;

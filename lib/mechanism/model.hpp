@@ -2,8 +2,10 @@
 // Templates on the scalar, so that what is computed from a model can be differentiated with respect to its numbers.
 #pragma once
 
+#include "lib/mechanism/profile.hpp"
 #include "lib/mechanism/vec.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,7 +34,7 @@ struct BasicLink {
 using Link = BasicLink<double>;
 
 /// `none`: what is left of a joint whose constraints are all released (release.hpp).
-enum class JointKind { revolute, prismatic, slot, rigid, gear, rack, belt, rolling, rolling_on_line, none };
+enum class JointKind { revolute, prismatic, slot, rigid, gear, rack, belt, rolling, rolling_on_line, cam, none };
 
 /// Of the three freedoms between two links, how many a joint takes away.
 constexpr int constraint_count(JointKind kind) {
@@ -48,12 +50,16 @@ constexpr int constraint_count(JointKind kind) {
     case JointKind::gear:
     case JointKind::rack:
     case JointKind::belt:
+    case JointKind::cam:
       return 1;
     case JointKind::none:
       return 0;
   }
   return 0;
 }
+
+/// What of link i touches a cam: a roller or a rounded edge about a point, or a flat face.
+enum class CamContact { round, flat };
 
 /// What resists the motion of a joint. Dry friction goes with the joint's force: in a pin by its radius, in a slide by
 /// the two edges on which the block rests (`Joint::guide_length`), in rolling by the lever arm of the resistance.
@@ -81,6 +87,9 @@ using Friction = BasicFriction<double>;
 /// - Rack and rolling on a line: wheel i on the line of j through point_j at `direction`, at a distance of radius_i to
 ///   the side on which it is assembled.
 /// What the rolling keeps constant, `phase`, is as in the stated assembly (set_phase).
+/// - Cam: link i touches the profile of link j, whose axis is point_j and which is turned by `direction`. Round: it has
+///   a roller about point_i, or an edge, radius_i = 0; the spin of the roller is no coordinate. Flat: it has a face
+///   through point_i in the direction `angle` of the frame of i, with the cam to its right.
 template <class Scalar>
 struct BasicJoint {
   std::string name;
@@ -89,8 +98,8 @@ struct BasicJoint {
   int j = ground;
   BasicVec<Scalar> point_i;  // frame of i
   BasicVec<Scalar> point_j;  // frame of j
-  Scalar direction = 0.0;    // of the line, frame of j
-  Scalar angle = 0.0;        // prismatic and rigid
+  Scalar direction = 0.0;    // of the line or the profile, frame of j
+  Scalar angle = 0.0;        // prismatic and rigid; of a flat face, frame of i
   Scalar radius_i = 0.0;     // m, of wheels; on a line negative on its right side
   Scalar radius_j = 0.0;
   Scalar pressure_angle = 0.0;  // of teeth, rad: gear and rack
@@ -99,6 +108,9 @@ struct BasicJoint {
   Scalar guide_width = 0.0;     // m, between the faces that the block rests on: prismatic
   BasicFriction<Scalar> friction = {};
   Scalar phase = 0.0;  // m
+  CamContact contact = CamContact::round;
+  std::shared_ptr<const Profile> profile = nullptr;  // cam: in m, whatever the unit of length of the model
+  Scalar metre = 1.0;                                // in that unit
 };
 using Joint = BasicJoint<double>;
 

@@ -1,5 +1,6 @@
 #include "lib/mechanism/pair.hpp"
 
+#include "lib/mechanism/cam.hpp"
 #include "lib/numerics/dual.hpp"
 
 #include <cmath>
@@ -53,12 +54,6 @@ Scalar rolled(const BasicPairShape<Scalar>& shape, const BasicPairPlace<Scalar>&
 }
 
 template <class Scalar>
-BasicVec<Scalar> velocity_at(BasicVec<Scalar> point, const BasicPlaced<Scalar>& link,
-                             const BasicSpeeds<Scalar>& speed) {
-  return speed.origin + speed.omega * normal(point - link.origin);
-}
-
-template <class Scalar>
 void turn_centres(BasicPairPlace<Scalar>& at) {
   const Scalar angle = atan2(-at.apart.y, -at.apart.x);
   at.centres = angle + whole_turn * round((at.centres - angle) / whole_turn);
@@ -108,7 +103,10 @@ BasicPairShape<Scalar> shape_of(const BasicJoint<Scalar>& joint) {
           .turned = turn(joint.angle),
           .radius_i = joint.radius_i,
           .radius_j = joint.radius_j,
-          .phase = joint.phase};
+          .phase = joint.phase,
+          .contact = joint.contact,
+          .profile = joint.profile.get(),
+          .metre = joint.metre};
 }
 
 template <class Scalar>
@@ -143,7 +141,9 @@ void place(const BasicPairShape<Scalar>& shape, const BasicPlaced<Scalar>& i, co
   at.apart = at.at - at.seat;
   if (holds_pin(shape) || shape.kind == PairKind::turning_drive) return;
   at.along = j.turned(shape.line);
-  if (has_two_wheels(shape)) {
+  if (is_joint(shape, JointKind::cam)) {
+    place_cam(shape, i, j, at);
+  } else if (has_two_wheels(shape)) {
     place_wheels(shape, at);
   } else if (has_wheel_on_line(shape)) {
     place_on_line(shape, at);
@@ -194,6 +194,8 @@ void open(const BasicPairShape<Scalar>& shape, const BasicPairPlace<Scalar>& at,
   } else if (on_line(shape)) {
     residual[0] = dot(normal(at.along), at.apart);
     if (residual.size() == 2) residual[1] = turned - shape.angle;
+  } else if (is_joint(shape, JointKind::cam)) {
+    residual[0] = at.touch.gap;
   } else {
     residual[0] = rolled(shape, at, i, j) - shape.phase;
     if (is_joint(shape, JointKind::belt)) residual[0] = -residual[0];
@@ -213,6 +215,8 @@ void held_acceleration(const BasicPairShape<Scalar>& shape, const BasicPairPlace
   if (on_line(shape)) {  // Coriolis
     const BasicVec<Scalar> sliding = velocity_at(at.at, i, speed_i) - velocity_at(at.at, j, speed_j);
     along[0] = 2.0 * speed_j.omega * dot(at.along, sliding);
+  } else if (is_joint(shape, JointKind::cam)) {
+    along[0] = acceleration_on_cam(shape, at, i, j, speed_i, speed_j);
   } else if (is_joint(shape, JointKind::belt)) {
     // The row is taken at one end of the span: as the span turns, and link j under it, the other end falls behind.
     const BasicVec<Scalar> centre_i = at.seat + at.apart;

@@ -29,6 +29,12 @@ struct BasicSpeeds {
 };
 using Speeds = BasicSpeeds<double>;
 
+template <class Scalar>
+BasicVec<Scalar> velocity_at(BasicVec<Scalar> point, const BasicPlaced<Scalar>& link,
+                             const BasicSpeeds<Scalar>& speed) {
+  return speed.origin + speed.omega * normal(point - link.origin);
+}
+
 enum class PairKind { joint, turning_drive, sliding_drive };
 
 /// What joints and drives have in common; the numbers of a Joint, ready for use.
@@ -45,6 +51,9 @@ struct BasicPairShape {
   Scalar radius_j = 0.0;
   Scalar phase = 0.0;   // wheels: what their rolling keeps constant, m
   Scalar offset = 0.0;  // of a drive
+  CamContact contact = CamContact::round;
+  const Profile* profile = nullptr;  // of a cam; the joint that it belongs to keeps it
+  Scalar metre = 1.0;                // of the profile, in the unit of length
 
   [[nodiscard]] std::size_t rows() const {
     return kind == Kind::joint ? static_cast<std::size_t>(constraint_count(joint)) : 1;
@@ -73,6 +82,14 @@ struct RowPattern {
 template <class Scalar>
 RowPattern pattern_of(const BasicPairShape<Scalar>& shape, std::size_t row);
 
+/// Where a follower touches its cam.
+template <class Scalar>
+struct BasicTouch {
+  Scalar parameter = Profile::anywhere;  // of the profile's curve; next to the one before
+  Scalar gap = 0.0;                      // between them, negative where they overlap
+  Scalar bend = 0.0;                     // round: curvature of the path of its centre; flat: radius of the profile's
+};
+
 /// A pair at a position, global axes.
 template <class Scalar>
 struct BasicPairPlace {
@@ -81,8 +98,9 @@ struct BasicPairPlace {
   BasicVec<Scalar> seat;   // point_j
   BasicVec<Scalar> apart;  // from the seat to the pin of link i
   BasicVec<Scalar> along;  // the line of link j; of the belt; wheels: from the centre of i towards the other pitch
-                           // circle, a unit vector
+                           // circle, a unit vector; the tangent of a cam, which runs round it counter-clockwise
   Scalar centres = 0.0;    // wheels: angle of the line of centres, continuous
+  BasicTouch<Scalar> touch;
   std::array<BasicPairRow<Scalar>, 3> rows;
 };
 using PairPlace = BasicPairPlace<double>;
@@ -90,7 +108,8 @@ using PairPlace = BasicPairPlace<double>;
 /// Sets the rows that never change.
 template <class Scalar>
 void prepare(const BasicPairShape<Scalar>& shape, BasicPairPlace<Scalar>& at);
-/// Goes with the links; wheels: to the angle of the line of centres next to the one before.
+/// Goes with the links; wheels: to the angle of the line of centres next to the one before; cams: to the contact next
+/// to the one before, at first to the nearest of all.
 template <class Scalar>
 void place(const BasicPairShape<Scalar>& shape, const BasicPlaced<Scalar>& i, const BasicPlaced<Scalar>& j,
            BasicPairPlace<Scalar>& at);

@@ -42,6 +42,9 @@ void List::add_joint(const Joint& joint, std::size_t k) {
     case JointKind::rolling_on_line:
       add(k, {direction, radius_i});
       break;
+    case JointKind::cam:
+      add(k, {direction, joint.contact == CamContact::flat ? angle : radius_i});
+      break;
     case JointKind::gear:
     case JointKind::belt:
     case JointKind::rolling:

@@ -42,8 +42,8 @@ struct Parameter {
   friend bool operator==(const Parameter&, const Parameter&) = default;
 };
 
-/// All of these that position or forces of this mechanism can depend on; loads, gravity, belt tension and the sizes of
-/// guides that only friction feels are not among them.
+/// All of these that position or forces of this mechanism can depend on; loads, gravity, belt tension, the sizes of
+/// guides that only friction feels and those of a cam's profile are not among them.
 std::vector<Parameter> parameters_of(const Model& model);
 
 template <class Scalar>

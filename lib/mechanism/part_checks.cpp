@@ -39,6 +39,7 @@ class PartChecks {
   void check(std::size_t k, const Joint& joint);
   void check(std::size_t k, const Driver& driver);
   void check_wheels(std::size_t k, const Joint& joint);
+  void check_cam(std::size_t k, const Joint& joint);
   void check(std::size_t k, const Load& load);
   void check(std::size_t k, const Spring& spring);
   void check_rotary(std::size_t k, const Driver& driver);
@@ -95,6 +96,7 @@ void PartChecks::check(std::size_t k, const Joint& joint) {
     add(About::joint, k, say("joint '{1}': a point or an angle of it is not a finite number", joint.name));
   }
   check_wheels(k, joint);
+  check_cam(k, joint);
   const Friction& f = joint.friction;
   if (!finite({f.coefficient, f.pin_radius, f.rolling_arm, f.viscous, f.loss, f.loss_back, joint.guide_length,
                joint.guide_width}) ||
@@ -116,6 +118,15 @@ void PartChecks::check_wheels(std::size_t k, const Joint& joint) {
   } else if (joint.kind != JointKind::belt && two && joint.radius_i + joint.radius_j == 0.0) {
     add(About::joint, k, say("joint '{1}': a wheel fills its ring, and cannot roll in it", joint.name),
         say("make the wheel smaller than the ring"));
+  }
+}
+
+void PartChecks::check_cam(std::size_t k, const Joint& joint) {
+  if (joint.kind != JointKind::cam) return;
+  if (joint.profile == nullptr) {
+    add(About::joint, k, say("joint '{1}' is a cam without a profile", joint.name), say("give it a profile"));
+  } else if (!(std::isfinite(joint.radius_i) && joint.radius_i >= 0.0)) {
+    add(About::joint, k, say("joint '{1}': the radius of its roller must be finite and not negative", joint.name));
   }
 }
 

@@ -56,6 +56,7 @@ std::vector<Joint> loosened(const Joint& joint) {
     case JointKind::gear:
     case JointKind::rack:
     case JointKind::belt:
+    case JointKind::cam:
       return {of_kind(joint, JointKind::none)};
     case JointKind::none:
       return {};

@@ -83,4 +83,7 @@ struct DualNumber {
 /// As many as fill the registers of most machines well.
 using Dual = DualNumber<8>;
 
+inline double value_of(double number) { return number; }
+inline double value_of(const Dual& number) { return number.value; }
+
 }  // namespace loadpath

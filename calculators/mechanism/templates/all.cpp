@@ -19,6 +19,9 @@ static constexpr std::array list{
     &planar_template<struct Stephenson3>,
     &planar_template<struct TogglePress>,
     &planar_template<struct LoaderArm>,
+    &planar_template<struct CamFollower>,
+    &planar_template<struct CamArm>,
+    &planar_template<struct CamFlatFollower>,
 };
 // clang-format on
 

@@ -1,7 +1,9 @@
 #include "calculators/mechanism/templates/sketch.hpp"
 
+#include "calculators/mechanism/planar_profiles.hpp"
 #include "lib/quantity/format.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace loadpath::templates {
@@ -30,6 +32,11 @@ void put_zeros(PlanarMechanism::Input& in) {
     link.angle = 0.0;
   }
   for (auto& joint : in.joints) joint.direction = 0.0;
+  for (auto& profile : in.profiles) {
+    profile.base = 0.0 * m.one;
+    if (profile.shape == CamProfile::Shape::swinging) profile.pivot = profile.arm = 0.0 * m.one;
+    if (profile.segments.empty()) profile.segments.push_back({.angle = 0.0});
+  }
 }
 
 Vec polar(Length r, double angle) { return in_si(r) * Vec{std::cos(angle), std::sin(angle)}; }
@@ -142,6 +149,29 @@ void Sketch::prismatic(const char* name, std::pair<const char*, const char*> lin
 void Sketch::slot(const char* name, std::pair<const char*, const char*> links,
                   std::pair<const char*, const char*> points, double angle) {
   joint(name, PlanarMechanism::Type::slot, {links.first, links.second}, {points.first, points.second}, angle);
+}
+
+void Sketch::cam(const char* name, std::pair<const char*, const char*> links,
+                 std::pair<const char*, const char*> points, const CamProfile& profile, double angle,
+                 PlanarMechanism::Type type) {
+  joint(name, type, {links.first, links.second}, {points.first, points.second}, angle);
+  in_.joints.back().profile = profile.name;
+  in_.profiles.push_back(profile);
+  if (fault_ || std::isnan(angle_)) return;
+  auto faults = check_fields(profile);
+  if (faults.empty()) faults = check_values(profile);
+  if (faults.empty()) return;
+  fault_ = std::move(faults.front());
+  const std::string own = "profiles." + std::string(profile.name.view());
+  fault_->path.erase(0, std::min(fault_->path.size(), own.size() + 1));
+}
+
+Vec Sketch::follower_at(const CamProfile& profile, double angle) const {
+  const auto shape = profile_of(profile);
+  const Vec at = mechanism::turn(angle_ + angle)(shape->at(-angle_).at);
+  if (profile.shape != CamProfile::Shape::flat) return at;
+  const Vec out = mechanism::turn(angle)({1.0, 0.0});  // the profile touches beside it
+  return mechanism::dot(at, out) * out;
 }
 
 void Sketch::cylinder(const char* name, const char* joint) {

@@ -77,6 +77,12 @@ class Sketch {
                  std::pair<const char*, const char*> points, double angle = 0.0);
   void slot(const char* joint, std::pair<const char*, const char*> links, std::pair<const char*, const char*> points,
             double angle = 0.0);
+  /// The follower's point on the profile of the cam, whose axis is the cam's point; the profile's x axis at `angle` in
+  /// the axes of the cam. What is wrong with the profile is told under its own fields: the template's have their names.
+  void cam(const char* joint, std::pair<const char*, const char*> links, std::pair<const char*, const char*> points,
+           const CamProfile& profile, double angle, PlanarMechanism::Type type = PlanarMechanism::Type::cam);
+  /// Where the follower's point is: a roller's centre, the middle of a flat face.
+  [[nodiscard]] Vec follower_at(const CamProfile& profile, double angle) const;
   void crank(const char* joint) { in_.crank.joint = joint; }
   void cylinder(const char* name, const char* joint);
 

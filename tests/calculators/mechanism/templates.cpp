@@ -41,11 +41,30 @@ std::string link_text(const Planar::Link& l) {
          (l.S.empty() ? "" : ", S = " + quoted(l.S)) + " }\n";
 }
 
+template <class Enum>
+std::string key_of(Enum value) {
+  return "\"" + std::string(choices_of(value)[static_cast<std::size_t>(value)].key) + "\"";
+}
+
+std::string profile_text(const CamProfile& p) {
+  std::string text = "profiles." + std::string(p.name.view()) + " = { shape = " + key_of(p.shape) +
+                     ", sense = " + key_of(p.sense) + ", side = " + key_of(p.side) + ", base = " + metres(p.base) +
+                     ", roller = " + metres(p.roller) + ", offset = " + metres(p.offset);
+  if (is_set(p.pivot)) text += ", pivot = " + metres(p.pivot) + ", arm = " + metres(p.arm);
+  text += ", segments = [";
+  for (const auto& s : p.segments) {
+    text += "{ law = " + key_of(s.law) + ", angle = " + radians(s.angle);
+    if (is_set(s.lift)) text += ", lift = " + metres(s.lift);
+    if (is_set(s.swing)) text += ", swing = " + radians(s.swing);
+    text += " }, ";
+  }
+  return text + "] }\n";
+}
+
 std::string joint_text(const Planar::Joint& j) {
-  const char* types[] = {"revolute", "prismatic", "slot"};
-  std::string text = "joints." + std::string(j.name.view()) + " = { type = \"" + types[static_cast<int>(j.type)] +
-                     "\", links = [" + quoted(j.links.first) + ", " + quoted(j.links.second) +
-                     "], direction = " + radians(j.direction);
+  std::string text = "joints." + std::string(j.name.view()) + " = { type = " + key_of(j.type) + ", links = [" +
+                     quoted(j.links.first) + ", " + quoted(j.links.second) + "], direction = " + radians(j.direction);
+  if (!j.profile.empty()) text += ", profile = " + quoted(j.profile);
   if (!j.points.first.empty()) text += ", points = [" + quoted(j.points.first) + ", " + quoted(j.points.second) + "]";
   return text + " }\n";
 }
@@ -55,6 +74,7 @@ std::string written_out(const Planar::Input& in) {
   std::string text = "ground = " + points_text(in.ground) + "\n";
   for (const auto& link : in.links) text += link_text(link);
   for (const auto& joint : in.joints) text += joint_text(joint);
+  for (const auto& profile : in.profiles) text += profile_text(profile);
   return text;
 }
 
@@ -79,7 +99,7 @@ std::string replaced(std::string text, const std::string& part, const std::strin
 
 /// The example of a template without template, parameters and masses, and with the joints of its drives.
 std::string without_template(const Template& t, const Planar::Input& in) {
-  std::vector<std::string> starts{"template", "links."};
+  std::vector<std::string> starts{"template", "links.", "ground."};
   for (const FieldInfo& f : t.parameters->fields) starts.push_back(std::string(f.key) + " = ");
   std::string text = without(t.example, starts);
   if (!in.crank.joint.empty()) text = replaced(text, "crank = {", "crank = { joint = " + quoted(in.crank.joint) + ",");

@@ -118,7 +118,7 @@ TEST_SUITE("mechanism") {
   }
 
   TEST_CASE("sensitivities with friction, which the reactions induce that it changes") {
-    for (Model model : {slider_crank(), slotted_lever(), four_bar()}) {
+    for (Model model : {slider_crank(), slotted_lever(), four_bar(), cam_with_flat_face(), cam_with_arm()}) {
       CAPTURE(model.links.back().name);
       for (Joint& joint : model.joints) {
         joint.friction = {.coefficient = 0.1, .pin_radius = 0.008, .viscous = 0.3};

@@ -1,8 +1,8 @@
-// Mechanisms with gears, racks, belts, rolling wheels and rigid joints that several tests use.
+// Mechanisms with cams, gears, racks, belts, rolling wheels and rigid joints that several tests use.
 #pragma once
 
 #include "lib/mechanism/pair.hpp"
-#include "tests/lib/mechanism/models.hpp"
+#include "tests/lib/mechanism/cam_models.hpp"
 
 #include <cmath>
 #include <vector>
@@ -137,15 +137,17 @@ struct Case {
   Model model;
 };
 inline std::vector<Case> cases() {
-  return {{"gear train", gear_train(0.349)},
-          {"planetary", planetary()},
-          {"rack", pinion_and_rack()},
-          {"rolling wheel", rolling_wheel()},
-          {"rolling on a wheel", rolling_on_wheel()},
-          {"open belt", belt_on_rocker(false)},
-          {"tight belt", belt_on_rocker(false, 50.0)},
-          {"crossed belt", belt_on_rocker(true, 20.0)},
-          {"weld", welded_four_bar()}};
+  std::vector<Case> all{{"gear train", gear_train(0.349)},
+                        {"planetary", planetary()},
+                        {"rack", pinion_and_rack()},
+                        {"rolling wheel", rolling_wheel()},
+                        {"rolling on a wheel", rolling_on_wheel()},
+                        {"open belt", belt_on_rocker(false)},
+                        {"tight belt", belt_on_rocker(false, 50.0)},
+                        {"crossed belt", belt_on_rocker(true, 20.0)},
+                        {"weld", welded_four_bar()}};
+  for (CamCase& c : cam_cases()) all.push_back({c.name, std::move(c.model)});
+  return all;
 }
 
 }  // namespace loadpath::mechanism::models

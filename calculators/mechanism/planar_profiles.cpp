@@ -1,0 +1,166 @@
+#include "calculators/mechanism/planar_profiles.hpp"
+
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath {
+
+namespace {
+
+using Planar = PlanarMechanism;
+using Shape = CamProfile::Shape;
+using mechanism::Vec;
+
+constexpr double whole_turn = 2.0 * pi;
+
+mechanism::LiftLaw law_of(CamProfile::Law law) {
+  switch (law) {
+    case CamProfile::Law::harmonic:
+      return mechanism::LiftLaw::harmonic;
+    case CamProfile::Law::cycloidal:
+      return mechanism::LiftLaw::cycloidal;
+    case CamProfile::Law::polynomial_345:
+      return mechanism::LiftLaw::polynomial_345;
+    case CamProfile::Law::polynomial_4567:
+      return mechanism::LiftLaw::polynomial_4567;
+    case CamProfile::Law::dwell:
+    case CamProfile::Law::constant_velocity:
+      break;
+  }
+  return mechanism::LiftLaw::dwell;
+}
+
+mechanism::Lift lift_of(const CamProfile& profile) {
+  std::vector<mechanism::LiftSegment> segments;
+  for (const CamProfile::Segment& s : profile.segments) {
+    segments.push_back({law_of(s.law), s.angle, rise_of(profile, s)});
+  }
+  return mechanism::Lift(segments);
+}
+
+/// Round counter-clockwise.
+std::vector<Vec> points_of(const CamProfile& profile) {
+  std::vector<Vec> points;
+  for (const CamProfile::Vertex& p : profile.points) points.push_back({in_si(p.x), in_si(p.y)});
+  double area = 0.0;
+  for (std::size_t k = 0; k < points.size(); ++k) area += cross(points[k], points[(k + 1) % points.size()]);
+  if (area < 0.0) std::reverse(points.begin(), points.end());
+  return points;
+}
+
+mechanism::Profile::Curve curve_of(const CamProfile& p) {
+  const auto sense =
+      p.sense == CamProfile::Sense::clockwise ? mechanism::CamSense::clockwise : mechanism::CamSense::counter_clockwise;
+  const double base = in_si(p.base), reach = base + in_si(p.roller);
+  switch (p.shape) {
+    case Shape::sliding:
+      return mechanism::SlidingFollower{lift_of(p), sense, reach, in_si(p.offset)};
+    case Shape::swinging:
+      return mechanism::SwingingFollower{lift_of(p),     sense,        reach,
+                                         in_si(p.pivot), in_si(p.arm), p.side == CamProfile::Hand::left ? 1.0 : -1.0};
+    case Shape::flat:
+      return mechanism::FlatFollower{lift_of(p), sense, base};
+    case Shape::points:
+      return mechanism::SplineCurve(points_of(p));
+    case Shape::circle:
+      break;
+  }
+  const bool centred = !is_set(p.centre.x);
+  return mechanism::Circle{centred ? Vec{} : Vec{in_si(p.centre.x), in_si(p.centre.y)}, in_si(p.r)};
+}
+
+report::Table segment_table(const CamProfile& profile) {
+  report::Table table{say("Profile {1}: segments of the lift", profile.name.view()),
+                      {say("from"), say("to"), say("law"), say("rise"), say("remark")},
+                      {}};
+  const char* const unit = profile.shape == Shape::swinging ? "deg" : "mm";
+  const std::vector<double> jumps = lift_of(profile).jumps();
+  double from = 0.0;
+  for (const CamProfile::Segment& s : profile.segments) {
+    const bool jumps_here =
+        std::any_of(jumps.begin(), jumps.end(), [&](double at) { return std::abs(at - from) < 1e-9; });
+    table.rows.push_back({report::Quantity{from, "deg"}, report::Quantity{from + s.angle, "deg"}, say(word_of(s.law)),
+                          report::Quantity{rise_of(profile, s), unit},
+                          jumps_here ? say("the acceleration jumps where it begins") : report::Cell(std::string("–"))});
+    from += s.angle;
+  }
+  return table;
+}
+
+}  // namespace
+
+const CamProfile* find_profile(const Planar::Input& in, const Name& name) {
+  const auto found =
+      std::find_if(in.profiles.begin(), in.profiles.end(), [&](const CamProfile& p) { return p.name == name; });
+  return found == in.profiles.end() ? nullptr : &*found;
+}
+
+bool is_cam(Planar::Type type) { return type == Planar::Type::cam || type == Planar::Type::cam_flat; }
+
+double rise_of(const CamProfile& profile, const CamProfile::Segment& segment) {
+  if (profile.shape == Shape::swinging) return is_set(segment.swing) ? segment.swing : 0.0;
+  return is_set(segment.lift) ? in_si(segment.lift) : 0.0;
+}
+
+std::shared_ptr<const mechanism::Profile> profile_of(const CamProfile& profile) {
+  const double inset =
+      profile.shape == Shape::sliding || profile.shape == Shape::swinging ? in_si(profile.roller) : 0.0;
+  return std::make_shared<const mechanism::Profile>(curve_of(profile), inset);
+}
+
+double roller_radius(const Planar::Input& in, const Planar::Joint& joint) {
+  if (joint.type == Planar::Type::cam_flat) return 0.0;
+  if (is_set(joint.radius)) return in_si(joint.radius);
+  const CamProfile* profile = find_profile(in, joint.profile);
+  return profile == nullptr ? 0.0 : in_si(profile->roller);
+}
+
+double cam_angle(const mechanism::Profile& profile, double parameter) {
+  const auto by_lift = [&](mechanism::CamSense sense) {
+    return sense == mechanism::CamSense::clockwise ? parameter : -parameter;
+  };
+  double angle = 0.0;
+  if (const auto* sliding = std::get_if<mechanism::SlidingFollower>(&profile.curve())) {
+    angle = by_lift(sliding->sense);
+  } else if (const auto* swinging = std::get_if<mechanism::SwingingFollower>(&profile.curve())) {
+    angle = by_lift(swinging->sense);
+  } else if (const auto* flat = std::get_if<mechanism::FlatFollower>(&profile.curve())) {
+    angle = by_lift(flat->sense);
+  } else {
+    const Vec flank = profile.flank(parameter);
+    angle = std::atan2(flank.y, flank.x);
+  }
+  return angle - whole_turn * std::floor(angle / whole_turn);
+}
+
+std::vector<report::Table> profile_tables(const Planar::Input& in) {
+  using report::Cell;
+  using report::Quantity;
+  std::vector<report::Table> tables;
+  if (in.profiles.empty()) return tables;
+  const auto length = [](const Length& l, bool has) {
+    return has && is_set(l) ? Cell(Quantity{in_si(l), "mm"}) : Cell(std::string("–"));
+  };
+  report::Table table{say("Profiles of cams"),
+                      {say("profile"), say("shape"), say("base circle"), say("roller"), say("offset"), say("pivot"),
+                       say("arm"), say("radius of the circle"), say("the cam turns")},
+                      {}};
+  for (const CamProfile& p : in.profiles) {
+    const bool lift = is_by_lift(p.shape);
+    table.rows.push_back(
+        {std::string(p.name.view()), say(word_of(p.shape)), length(p.base, lift),
+         length(p.roller, lift && p.shape != Shape::flat), length(p.offset, p.shape == Shape::sliding),
+         length(p.pivot, p.shape == Shape::swinging), length(p.arm, p.shape == Shape::swinging),
+         length(p.r, p.shape == Shape::circle),
+         lift ? Cell(say(choices_of(p.sense)[static_cast<std::size_t>(p.sense)].doc)) : Cell(std::string("–"))});
+  }
+  tables.push_back(std::move(table));
+  for (const CamProfile& p : in.profiles) {
+    if (is_by_lift(p.shape)) tables.push_back(segment_table(p));
+  }
+  return tables;
+}
+
+}  // namespace loadpath

@@ -1,0 +1,62 @@
+#include "calculators/mechanism/templates/planar_template_of.hpp"
+
+namespace loadpath::templates {
+
+struct CamArm {
+  static constexpr auto id = "cam_arm";
+  static constexpr auto title = "Cam with a swinging arm, with a roller or an edge";
+  static constexpr auto doc =
+      "The cam turns about the origin O; an arm AB turns about A on the x axis and has a roller about B, or an edge "
+      "there. The law of its swing begins at the crank angle 0.";
+  static constexpr auto example = R"([shear]
+calculator = "mechanism.planar"
+template = "cam_arm"
+base = "30 mm"
+roller = "8 mm"
+pivot = "80 mm"
+arm = "70 mm"
+segments = [{ law = "4-5-6-7", angle = "120 deg", swing = "15 deg" }, { angle = "30 deg" }, { law = "4-5-6-7", angle = "120 deg", swing = "-15 deg" }, { angle = "90 deg" }]
+crank = { speed = "120 rpm", positions = 72 }
+links.arm.mass = "0.6 kg"
+loads = [{ link = "arm", at = "B", F_x = "0 N", F_y = "-300 N" }]
+)";
+
+  Length base = unset<Length>, roller = 0.0 * m.one, pivot = unset<Length>, arm = unset<Length>;
+  CamProfile::Hand side = CamProfile::Hand::left;
+  CamProfile::Sense sense = CamProfile::Sense::counter_clockwise;
+  List<CamProfile::Segment, 16> segments;
+  static constexpr std::tuple fields{
+      Field{&CamArm::base, "base", mm, "radius of the base circle of the cam itself"}.positive(),
+      Field{&CamArm::roller, "roller", mm, "radius of the roller; 0: an edge"}.at_least(0),
+      Field{&CamArm::pivot, "pivot", mm, "distance of the pivot A from the cam's axis"}.positive(),
+      Field{&CamArm::arm, "arm", mm, "length of the arm AB"}.positive(),
+      Choice{&CamArm::side, "side", "of the roller: left is above the x axis, right below it"}.may_be_missing(),
+      Choice{&CamArm::sense, "sense", "how the cam turns as the segments follow each other"}.may_be_missing(),
+      ListField{&CamArm::segments, "segments", "rises, dwells and falls over a turn, by their swing"}};
+
+  void draw(Sketch& sketch) const {
+    CamProfile profile;
+    profile.name = "lobe";
+    profile.shape = CamProfile::Shape::swinging;
+    profile.base = base;
+    profile.roller = roller;
+    profile.pivot = pivot;
+    profile.arm = arm;
+    profile.side = side;
+    profile.sense = sense;
+    profile.segments = segments;
+    const Pin O{"O", {0.0, 0.0}}, A{"A", {in_si(pivot), 0.0}}, B{"B", sketch.follower_at(profile, 0.0)};
+    sketch.fixed(O);
+    sketch.fixed(A);
+    sketch.block("cam", O, sketch.crank_angle());
+    sketch.bar("arm", A, B, arm);
+    sketch.revolute("O", "ground", "cam");
+    sketch.revolute("A", "ground", "arm");
+    sketch.cam("contact", {"arm", "cam"}, {"B", "O"}, profile, 0.0);
+    sketch.crank("O");
+  }
+};
+
+template const PlanarTemplate& planar_template<CamArm>();
+
+}  // namespace loadpath::templates

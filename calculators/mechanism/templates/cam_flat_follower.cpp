@@ -1,0 +1,50 @@
+#include "calculators/mechanism/templates/planar_template_of.hpp"
+
+namespace loadpath::templates {
+
+struct CamFlatFollower {
+  static constexpr auto id = "cam_flat_follower";
+  static constexpr auto title = "Cam with a flat-faced follower on a straight guide";
+  static constexpr auto doc =
+      "The cam turns about the origin O; its follower slides along y above it and has a flat face square to that, "
+      "through B. The law of its lift begins at the crank angle 0.";
+  static constexpr auto example = R"([tappet]
+calculator = "mechanism.planar"
+template = "cam_flat_follower"
+base = "30 mm"
+segments = [{ law = "harmonic", angle = "180 deg", lift = "10 mm" }, { law = "harmonic", angle = "180 deg", lift = "-10 mm" }]
+crank = { speed = "300 rpm", positions = 72 }
+links.follower.mass = "0.5 kg"
+loads = [{ link = "follower", at = "B", F_x = "0 N", F_y = "-150 N" }]
+)";
+
+  Length base = unset<Length>;
+  CamProfile::Sense sense = CamProfile::Sense::counter_clockwise;
+  List<CamProfile::Segment, 16> segments;
+  static constexpr std::tuple fields{
+      Field{&CamFlatFollower::base, "base", mm, "radius of the base circle of the cam"}.positive(),
+      Choice{&CamFlatFollower::sense, "sense", "how the cam turns as the segments follow each other"}.may_be_missing(),
+      ListField{&CamFlatFollower::segments, "segments", "rises, dwells and falls over a turn"}};
+
+  void draw(Sketch& sketch) const {
+    constexpr double up = pi / 2.0;
+    CamProfile profile;
+    profile.name = "lobe";
+    profile.shape = CamProfile::Shape::flat;
+    profile.base = base;
+    profile.sense = sense;
+    profile.segments = segments;
+    const Pin O{"O", {0.0, 0.0}}, B{"B", sketch.follower_at(profile, up)};
+    sketch.fixed(O);
+    sketch.block("cam", O, sketch.crank_angle());
+    sketch.block("follower", B, 0.0);
+    sketch.revolute("O", "ground", "cam");
+    sketch.prismatic("guide", {"follower", "ground"}, {"B", "O"}, up);
+    sketch.cam("contact", {"follower", "cam"}, {"B", "O"}, profile, up, PlanarMechanism::Type::cam_flat);
+    sketch.crank("O");
+  }
+};
+
+template const PlanarTemplate& planar_template<CamFlatFollower>();
+
+}  // namespace loadpath::templates

@@ -1,0 +1,58 @@
+#include "calculators/mechanism/templates/planar_template_of.hpp"
+
+namespace loadpath::templates {
+
+struct CamFollower {
+  static constexpr auto id = "cam_follower";
+  static constexpr auto title = "Cam with a follower on a straight guide, with a roller or an edge";
+  static constexpr auto doc =
+      "The cam turns about the origin O; its follower slides along y and has a roller about B, or an edge there. The "
+      "law "
+      "of its lift begins at the crank angle 0.";
+  static constexpr auto example = R"([valve]
+calculator = "mechanism.planar"
+template = "cam_follower"
+base = "30 mm"
+roller = "10 mm"
+segments = [{ law = "cycloidal", angle = "90 deg", lift = "12 mm" }, { angle = "40 deg" }, { law = "3-4-5", angle = "110 deg", lift = "-12 mm" }, { angle = "120 deg" }]
+crank = { speed = "300 rpm", positions = 72 }
+links.cam.mass = "1.5 kg"
+links.follower.mass = "0.8 kg"
+ground.T = ["0 mm", "100 mm"]
+springs.spring = { links = ["follower", "ground"], points = ["B", "T"], k = "8 N/mm", free = "75 mm" }
+)";
+
+  Length base = unset<Length>, roller = 0.0 * m.one, offset = 0.0 * m.one;
+  CamProfile::Sense sense = CamProfile::Sense::counter_clockwise;
+  List<CamProfile::Segment, 16> segments;
+  static constexpr std::tuple fields{
+      Field{&CamFollower::base, "base", mm, "radius of the base circle of the cam itself"}.positive(),
+      Field{&CamFollower::roller, "roller", mm, "radius of the roller; 0: an edge"}.at_least(0),
+      Field{&CamFollower::offset, "offset", mm, "of the guide, to the left of the cam's axis"},
+      Choice{&CamFollower::sense, "sense", "how the cam turns as the segments follow each other"}.may_be_missing(),
+      ListField{&CamFollower::segments, "segments", "rises, dwells and falls over a turn"}};
+
+  void draw(Sketch& sketch) const {
+    constexpr double up = pi / 2.0;
+    CamProfile profile;
+    profile.name = "lobe";
+    profile.base = base;
+    profile.roller = roller;
+    profile.offset = offset;
+    profile.sense = sense;
+    profile.segments = segments;
+    const Pin O{"O", {0.0, 0.0}}, G{"G", {-in_si(offset), 0.0}}, B{"B", sketch.follower_at(profile, up)};
+    sketch.fixed(O);
+    sketch.fixed(G);
+    sketch.block("cam", O, sketch.crank_angle());
+    sketch.block("follower", B, 0.0);
+    sketch.revolute("O", "ground", "cam");
+    sketch.prismatic("guide", {"follower", "ground"}, {"B", "G"}, up);
+    sketch.cam("contact", {"follower", "cam"}, {"B", "O"}, profile, up);
+    sketch.crank("O");
+  }
+};
+
+template const PlanarTemplate& planar_template<CamFollower>();
+
+}  // namespace loadpath::templates

@@ -1,0 +1,82 @@
+#include "lib/mechanism/lift.hpp"
+
+#include "lib/numerics/dual.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace loadpath::mechanism {
+namespace {
+
+using std::cos, std::sin;
+using std::numbers::pi;
+
+constexpr double whole_turn = 2.0 * pi;
+
+/// A law over its own segment: a rise of 1 while x goes from 0 to 1.
+template <class Scalar>
+BasicLift<Scalar> unit_rise(LiftLaw law, Scalar x) {
+  switch (law) {
+    case LiftLaw::dwell:
+      break;
+    case LiftLaw::harmonic:
+      return {0.5 - 0.5 * cos(pi * x), 0.5 * pi * sin(pi * x), 0.5 * pi * pi * cos(pi * x)};
+    case LiftLaw::cycloidal:
+      return {x - sin(whole_turn * x) / whole_turn, 1.0 - cos(whole_turn * x), whole_turn * sin(whole_turn * x)};
+    case LiftLaw::polynomial_345:
+      return {x * x * x * (10.0 + x * (-15.0 + 6.0 * x)), 30.0 * x * x * (1.0 + x * (-2.0 + x)),
+              60.0 * x * (1.0 + x * (-3.0 + 2.0 * x))};
+    case LiftLaw::polynomial_4567:
+      return {x * x * x * x * (35.0 + x * (-84.0 + x * (70.0 - 20.0 * x))),
+              140.0 * x * x * x * (1.0 + x * (-3.0 + x * (3.0 - x))),
+              420.0 * x * x * (1.0 + x * (-4.0 + x * (5.0 - 2.0 * x)))};
+  }
+  return {};
+}
+
+}  // namespace
+
+Lift::Lift(std::span<const LiftSegment> segments) {
+  double start = 0.0, from = 0.0;
+  for (const LiftSegment& segment : segments) {
+    pieces_.push_back({segment.law, start, segment.angle, from, segment.rise});
+    start += segment.angle;
+    from += segment.rise;
+  }
+  if (pieces_.empty()) pieces_.push_back({LiftLaw::dwell, 0.0, whole_turn, 0.0, 0.0});
+}
+
+template <class Scalar>
+BasicLift<Scalar> Lift::of(const Piece& piece, Scalar angle) {
+  const double pace = 1.0 / piece.angle;
+  const BasicLift<Scalar> unit = unit_rise<Scalar>(piece.law, pace * (angle - piece.start));
+  return {piece.from + piece.rise * unit.s, piece.rise * pace * unit.first, piece.rise * pace * pace * unit.second};
+}
+
+template <class Scalar>
+BasicLift<Scalar> Lift::at(Scalar angle) const {
+  const double turns = std::floor(value_of(angle) / whole_turn);
+  const Scalar within = angle - whole_turn * turns;
+  auto piece = pieces_.begin();
+  while (piece + 1 != pieces_.end() && value_of(within) >= (piece + 1)->start) ++piece;
+  return of<Scalar>(*piece, within);
+}
+
+std::vector<double> Lift::jumps() const {
+  constexpr double rounding = 1e-9;
+  double most = 0.0;
+  for (const Piece& piece : pieces_) most = std::max(most, std::abs(piece.rise) / (piece.angle * piece.angle));
+  std::vector<double> angles;
+  for (std::size_t k = 0; k < pieces_.size(); ++k) {
+    const Piece &before = pieces_[k], &after = pieces_[(k + 1) % pieces_.size()];
+    const double end = of(before, before.start + before.angle).second, begin = of(after, after.start).second;
+    if (std::abs(end - begin) > rounding * most) angles.push_back(after.start);
+  }
+  return angles;
+}
+
+template BasicLift<double> Lift::at(double) const;
+template BasicLift<Dual> Lift::at(Dual) const;
+
+}  // namespace loadpath::mechanism

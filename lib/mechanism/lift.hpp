@@ -1,0 +1,49 @@
+// The lift of a cam's follower over a turn of the cam: segments of rise, dwell and fall, each by a law of motion.
+//
+// The laws, for a part x of the segment's angle: harmonic (1 - cos pi x)/2, cycloidal x - sin(2 pi x)/(2 pi), and the
+// polynomials that rest at both ends with (3-4-5) the acceleration zero there and (4-5-6-7) the jerk too.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace loadpath::mechanism {
+
+enum class LiftLaw { dwell, harmonic, cycloidal, polynomial_345, polynomial_4567 };
+
+struct LiftSegment {
+  LiftLaw law = LiftLaw::dwell;
+  double angle = 0.0;  // of the cam, rad, > 0
+  double rise = 0.0;   // m, or rad of an arm; a fall is negative
+};
+
+/// A lift and its derivatives with respect to the cam's angle.
+template <class Scalar>
+struct BasicLift {
+  Scalar s = 0.0, first = 0.0, second = 0.0;
+};
+
+class Lift {
+ public:
+  /// Segments whose angles make a whole turn and whose rises cancel; it begins at zero. Without segments it rests.
+  explicit Lift(std::span<const LiftSegment> segments);
+
+  /// At this angle of the cam, rad, any number of turns.
+  template <class Scalar>
+  [[nodiscard]] BasicLift<Scalar> at(Scalar angle) const;
+
+  /// Where two segments meet and the acceleration jumps: angles of the cam, rad. A follower knocks there.
+  [[nodiscard]] std::vector<double> jumps() const;
+
+ private:
+  struct Piece {
+    LiftLaw law;
+    double start, angle, from, rise;
+  };
+  template <class Scalar>
+  static BasicLift<Scalar> of(const Piece& piece, Scalar angle);
+
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace loadpath::mechanism

@@ -192,6 +192,7 @@ Status run(mechanism::GroupSystem& system, const Task& task, bool backward, Cycl
     if (!drives.empty()) set_loads(task, system, drives[0].coordinate - schedule.turns);
     const Status status = system.solve(drives, cycle.positions[k], task.statics);
     if (status != Status::closed && status != Status::jams) return status;
+    cycle.drives[k] = drives;
     cycle.jams[k] = status == Status::jams;
     cycle.in_steps[k] = n > 0 && system.followed_in_steps();
     if (cycle.jams[k]) {
@@ -267,6 +268,7 @@ Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, Axis* 
   if (axis != nullptr) fill_axis(schedule, *axis);
   cycle.positions.assign(schedule.drives.size(), mechanism::blank_position(model));
   cycle.proofs.assign(schedule.drives.size(), {});
+  cycle.drives = schedule.drives;
   cycle.closed.assign(schedule.drives.size(), false);
   cycle.jams = cycle.in_steps = cycle.closed;
   if (cycle.first_failure != Status::closed) {

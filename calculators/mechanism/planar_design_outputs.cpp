@@ -1,6 +1,8 @@
 #include "calculators/mechanism/planar_design_outputs.hpp"
 
+#include "calculators/mechanism/planar_rounding.hpp"
 #include "calculators/mechanism/planar_rows.hpp"
+#include "calculators/mechanism/planar_wheel_outputs.hpp"
 #include "lib/mechanism/frames.hpp"
 #include "lib/mechanism/member.hpp"
 #include "lib/mechanism/reduction.hpp"
@@ -81,7 +83,9 @@ struct Guide {
     const bool rests = std::abs(rubbing) <= 1e-9 * std::abs(pressing);  // what is left then is rounding
     const double sense = rests ? 0.0 : std::copysign(1.0, rubbing);
     const double rubbed = sense * joint.friction.coefficient * 0.5 * joint.guide_width * pressing;
-    return {-pressing, -(r.couple - rubbed)};
+    const Rounding least = rounding_at(p);
+    const double couple = r.couple - rubbed;
+    return {std::abs(pressing) <= least.force ? 0.0 : -pressing, std::abs(couple) <= least.moment ? 0.0 : -couple};
   }
   static bool has_length(const Guide& g) { return g.joint.guide_length > 0.0; }
 };
@@ -111,48 +115,6 @@ constexpr std::array guide_rows{
           return 0.5 * pressing - M / g.joint.guide_length;
         },
         &Guide::has_length, "with a guide_length")};
-
-// ---- wheels
-
-struct Contact {
-  std::string name;
-  std::size_t index = 0;
-  mechanism::Joint joint;
-
-  struct Forces {
-    double T = 0.0, N = 0.0;  // along and across the contact
-  };
-  [[nodiscard]] Forces forces(const Position& p) const {
-    const mechanism::PairShape shape = mechanism::shape_of(joint);
-    mechanism::PairPlace at;
-    mechanism::place(shape, mechanism::placed_at(p, joint.i), mechanism::placed_at(p, joint.j), at);
-    const Vec force = p.reactions[index].force;
-    const bool line = joint.kind == JointKind::rack || joint.kind == JointKind::rolling_on_line;
-    const Vec along = (1.0 / mechanism::length(at.along)) * at.along;  // pitch circles may lie a little apart
-    const Vec towards_axis = line ? std::copysign(1.0, joint.radius_i) * normal(along) : -along;
-    return {dot(force, line ? along : normal(along)), dot(force, towards_axis)};
-  }
-  static bool meshes(const Contact& c) { return c.joint.kind == JointKind::gear || c.joint.kind == JointKind::rack; }
-  static bool rolls(const Contact& c) { return !meshes(c); }
-};
-
-constexpr std::array contact_rows{
-    row<Contact>(
-        "joints.NAME.F_t", "circumferential force on the first link's wheel; its sign tells the loaded flank", N,
-        [](const Contact& c, const Position& p) { return c.forces(p).T; }, &Contact::meshes, "gears and racks"),
-    row<Contact>(
-        "joints.NAME.F_r", "radial force, which presses the wheels apart", N,
-        [](const Contact& c, const Position& p) { return c.forces(p).N; }, &Contact::meshes, "gears and racks"),
-    row<Contact>(
-        "joints.NAME.N", "force that presses the wheels together; negative: the contact is lost", N,
-        [](const Contact& c, const Position& p) { return c.forces(p).N; }, &Contact::rolls, "rolling wheels"),
-    row<Contact>(
-        "joints.NAME.mu_req", "coefficient of friction that rolling without slip needs", ratio,
-        [](const Contact& c, const Position& p) {
-          const auto [T, pressing] = c.forces(p);
-          return T == 0.0 ? 0.0 : pressing > 0.0 ? std::abs(T) / pressing : none;
-        },
-        &Contact::rolls, "rolling wheels")};
 
 // ---- springs
 
@@ -284,9 +246,7 @@ void add_design_outputs(const Planar::Input& in, const mechanism::Model& model, 
   for (std::size_t k = 0; k < model.joints.size(); ++k) {
     const mechanism::Joint& joint = model.joints[k];
     if (joint.kind == JointKind::prismatic) add_outputs(Guide{joint.name, k, joint}, guide_rows, out);
-    const bool touches = joint.kind == JointKind::gear || joint.kind == JointKind::rack ||
-                         joint.kind == JointKind::rolling || joint.kind == JointKind::rolling_on_line;
-    if (touches) add_outputs(Contact{joint.name, k, joint}, contact_rows, out);
+    add_wheel_outputs(joint, k, out);
     if (rubs(joint)) add_outputs(Rubbing{joint.name, k, kept}, rubbing_rows, out);
   }
   Machine machine{"",     kept, {}, std::make_shared<mechanism::Reduction>(*kept), !in.crank.joint.empty() && !statics,
@@ -301,7 +261,7 @@ void add_design_outputs(const Planar::Input& in, const mechanism::Model& model, 
 void list_design_patterns(std::vector<ResultPattern>& patterns) {
   planar::list_patterns(bar_rows, patterns);
   planar::list_patterns(guide_rows, patterns);
-  planar::list_patterns(contact_rows, patterns);
+  list_wheel_patterns(patterns);
   planar::list_patterns(rubbing_rows, patterns);
   planar::list_patterns(machine_rows, patterns);
   planar::list_patterns(spring_rows, patterns);

@@ -1,6 +1,9 @@
 #include "calculators/mechanism/planar_outputs.hpp"
 
+#include "calculators/mechanism/planar_accuracy.hpp"
+#include "calculators/mechanism/planar_balance.hpp"
 #include "calculators/mechanism/planar_design_outputs.hpp"
+#include "calculators/mechanism/planar_efficiency.hpp"
 #include "calculators/mechanism/planar_kinematics.hpp"
 #include "calculators/mechanism/planar_rows.hpp"
 #include "lib/mechanism/vec.hpp"
@@ -110,6 +113,9 @@ std::vector<MechanismOutput> mechanism_outputs(const PlanarMechanism::Input& in,
   for (const TracedPoint& point : traced_points(in)) add_outputs(point, point_rows, out);
   add_design_outputs(in, model, out);
   add_kinematic_outputs(in, model, out);
+  add_efficiency_outputs(in, model, out);
+  add_error_outputs(in, out);
+  add_balance_outputs(in, out);
   return out;
 }
 
@@ -122,6 +128,9 @@ std::vector<ResultPattern> mechanism_result_patterns() {
   list(point_rows);
   list_design_patterns(patterns);
   for (const ResultPattern& p : kinematic_result_patterns()) patterns.push_back(p);
+  list_efficiency_patterns(patterns);
+  list_error_patterns(patterns);
+  list_balance_patterns(patterns);
   return patterns;
 }
 

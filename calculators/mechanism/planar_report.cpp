@@ -1,8 +1,10 @@
 #include "calculators/mechanism/planar_report.hpp"
 
+#include "calculators/mechanism/planar_accuracy.hpp"
 #include "calculators/mechanism/planar_efficiency.hpp"
 #include "calculators/mechanism/planar_joints.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
+#include "calculators/mechanism/planar_masses.hpp"
 #include "calculators/mechanism/planar_model.hpp"
 #include "lib/mechanism/assur.hpp"
 #include "lib/mechanism/vec.hpp"
@@ -114,7 +116,8 @@ bool is_design_load(const std::string& path) {
 /// The mean, with what rounding has left of a zero taken as one.
 double mean_of(const Value& series) {
   const double average = mean(series);
-  return std::abs(average) < 1e-12 * std::abs(largest(series).value) ? 0.0 : average;
+  const double rounding = std::max(series.rounding, 1e-12 * std::abs(largest(series).value));
+  return std::abs(average) < rounding ? 0.0 : average;
 }
 
 Table extremes_table(const project::Account& account, const Axis& axis) {
@@ -122,7 +125,13 @@ Table extremes_table(const project::Account& account, const Axis& axis) {
               {say("quantity"), say("largest"), say("at"), say("smallest"), say("at"), say("mean"), say("rms")},
               {}};
   for (const project::Entry& e : account.results) {
-    if (!is_design_load(e.path)) continue;
+    if (!is_design_load(e.path) || !e.value.is_series()) continue;
+    if (is_constant(e.value)) {  // said once
+      const Quantity value{e.value.si.front(), e.unit};
+      table.rows.push_back(
+          {e.path, value, say("constant"), std::string("–"), std::string("–"), value, std::string("–")});
+      continue;
+    }
     const Extreme high = maximum(e.value), low = minimum(e.value);
     table.rows.push_back({e.path, Quantity{high.value, e.unit}, Quantity{high.at, axis.unit},
                           Quantity{low.value, e.unit}, Quantity{low.at, axis.unit}, Quantity{mean_of(e.value), e.unit},
@@ -199,9 +208,11 @@ Table determinacy_table(const mechanism::Structure& structure, const Cycle& cycl
 
 std::vector<report::Block> model_tables(const Planar::Input& in) {
   std::vector<report::Block> blocks{drive_table(in), link_table(in), point_table(in), joint_table(in)};
+  if (auto reductions = reduction_table(in)) blocks.emplace_back(std::move(*reductions));
   for (report::Table& table : detail_tables(in)) blocks.emplace_back(std::move(table));
   if (!in.loads.empty()) blocks.emplace_back(load_table(in));
   if (!in.springs.empty()) blocks.emplace_back(spring_table(in));
+  for (report::Table& table : tolerance_tables(in)) blocks.emplace_back(std::move(table));
   return blocks;
 }
 

@@ -1,11 +1,15 @@
 #include "calculators/mechanism/planar_step.hpp"
 
+#include "calculators/mechanism/planar_accuracy.hpp"
 #include "calculators/mechanism/planar_assemblies.hpp"
+#include "calculators/mechanism/planar_balance.hpp"
 #include "calculators/mechanism/planar_design_outputs.hpp"
 #include "calculators/mechanism/planar_expansion.hpp"
 #include "calculators/mechanism/planar_influence.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
+#include "calculators/mechanism/planar_masses.hpp"
 #include "calculators/mechanism/planar_report.hpp"
+#include "calculators/mechanism/planar_rounding.hpp"
 #include "calculators/mechanism/templates/planar_template.hpp"
 #include "lib/calculator.hpp"
 #include "lib/mechanism/structure.hpp"
@@ -166,6 +170,7 @@ bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue
   for (FieldFault& fault : check_shares(data())) drawing.push_back(std::move(fault));
   for (FieldFault& fault : check_laws(data())) drawing.push_back(std::move(fault));
   for (FieldFault& fault : check_mass_lines(data(), model)) drawing.push_back(std::move(fault));
+  for (FieldFault& fault : check_reductions(data())) drawing.push_back(std::move(fault));
   add_faults(drawing, issues);
   if (!drawing.empty()) return false;
   const auto findings = mechanism::diagnose(model);
@@ -191,7 +196,9 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
   const Cycle cycle = solve_cycle(data(), model, axis_.get());
   const Kinematics kinematics = kinematics_of(model, cycle, axis_.get(), !has_law(data()));
   outputs_ = mechanism_outputs(data(), model);
-  fill_values(cycle, kinematics);
+  const Errors errors = errors_of(data(), model, cycle);
+  const Balanced balanced = balance_of(data(), model, cycle);
+  fill_values({cycle, kinematics, errors, balanced});
   project::Account& account = own_account();
   account.verdicts = proof(name(), data(), cycle, axis_.get());
   for (auto& v : changes_of_assembly(name(), model, cycle, kinematics, axis_.get()))
@@ -202,6 +209,8 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
   const bool statics = data().analysis == PlanarMechanism::Analysis::statics;
   for (auto& b : influence_tables(model, cycle, governing_position(cycle, account), statics))
     account.blocks.emplace_back(std::move(b));
+  for (auto& b : error_tables(data(), errors, axis_.get())) account.blocks.emplace_back(std::move(b));
+  for (auto& b : balance_tables(data(), balanced)) account.blocks.emplace_back(std::move(b));
   account.figures = mechanism_figures(data(), model, cycle, account, axis_.get());
 }
 
@@ -229,38 +238,30 @@ void PlanarStep::fill_inputs() {
   account.input_blocks.insert(account.input_blocks.begin(), template_table(*input().from, parameters));
 }
 
-/// The largest magnitude of each dimension over all outputs; what is 1e-13 of it is what rounding has left of a zero.
-static double largest_like(const Dimension& dimension, const std::vector<project::Entry>& entries) {
-  double most = 0.0;
-  for (const project::Entry& e : entries) {
-    if (e.value.signature.dimension != dimension) continue;
-    for (const double x : e.value.si) most = std::abs(x) > most ? std::abs(x) : most;
-  }
-  return most;
-}
-
 /// One value, or one for every position; none where the mechanism does not close.
-static std::vector<double> values_of(const MechanismOutput& output, const Cycle& cycle, const Kinematics& kinematics) {
-  if (output.read_cycle) return output.read_cycle(cycle, kinematics);
+static MechanismOutput::Values values_of(const MechanismOutput& output, const Solved& solved,
+                                         const project::Account& account) {
+  if (output.read_results) return output.read_results(account);
+  if (output.read_cycle) return output.read_cycle(solved);
+  const Cycle& cycle = solved.cycle;
   std::vector<double> values;
   for (std::size_t k = 0; k < cycle.positions.size(); ++k)
     values.push_back(cycle.closed[k] ? output.read(cycle.positions[k]) : std::numeric_limits<double>::quiet_NaN());
   return values;
 }
 
-void PlanarStep::fill_values(const Cycle& cycle, const Kinematics& kinematics) {
-  auto& results = own_account().results;
-  results.clear();
-  for (const MechanismOutput& output : outputs_) {
-    Value value{{output.dimension, output.is_single ? nullptr : axis_.get()}, values_of(output, cycle, kinematics)};
-    results.push_back({output.path, output.doc, output.unit, Role::result, std::move(value), {}, ""});
-  }
-  for (const Dimension& dimension : {N.dimension(), N_m.dimension(), W.dimension()}) {
-    const double rounding = 1e-13 * largest_like(dimension, results);
-    for (project::Entry& e : results) {
-      if (e.value.signature.dimension != dimension) continue;
-      for (double& x : e.value.si) x = std::abs(x) <= rounding ? 0.0 : x;
+void PlanarStep::fill_values(const Solved& solved) {
+  project::Account& account = own_account();
+  account.results.clear();
+  for (const bool of_others : {false, true}) {
+    for (const MechanismOutput& output : outputs_) {
+      if (of_others != static_cast<bool>(output.read_results)) continue;
+      auto [si, missing] = values_of(output, solved, account);
+      Value value{{output.dimension, output.is_single ? nullptr : axis_.get()}, std::move(si)};
+      account.results.push_back(
+          {output.path, output.doc, output.unit, Role::result, std::move(value), {}, "", false, std::move(missing)});
     }
+    clear_rounding(account.results);
   }
 }
 

@@ -37,6 +37,7 @@ for (const box of document.querySelectorAll(".motion")) {
   const round = (v) => Math.round(100 * v) / 100;
   const words = (text) => text.split(" ").map(Number);
   const carried = all("[data-carried]").map((g) => [g, words(g.dataset.carried)]);
+  const springs = all("[data-between]").map((g) => [g, words(g.dataset.between)]);
   const arrows = all("[data-force]").map((g) => [g, +g.dataset.force, words(g.dataset.at)]);
   const names = all("[data-name]").map((g) => [g.firstElementChild, +g.dataset.name, words(g.dataset.at)]);
   const couples = all("[data-couple]").map((g) => [g, g.dataset.couple.split(" ")]);
@@ -63,6 +64,13 @@ for (const box of document.querySelectorAll(".motion")) {
     for (const [g, [link, turning, x, y]] of carried) {
       const [u, v] = place([link, x, y], k);
       g.setAttribute("transform", `translate(${round(u)} ${round(v)}) rotate(${round(turned(turning, k))}) translate(${-x} ${-y})`);
+    }
+    for (const [g, [from, to, x0, y0, x1, y1]] of springs) {
+      const [u0, v0] = place([from, x0, y0], k), [u1, v1] = place([to, x1, y1], k);
+      const turn = (x, y) => (Math.atan2(y, x) * 180) / Math.PI;
+      const stretch = Math.hypot(u1 - u0, v1 - v0) / (Math.hypot(x1 - x0, y1 - y0) || 1);
+      g.setAttribute("transform", `translate(${round(u0)} ${round(v0)}) rotate(${round(turn(u1 - u0, v1 - v0))}) ` +
+        `scale(${round(1000 * stretch) / 1000} 1) rotate(${round(-turn(x1 - x0, y1 - y0))}) translate(${-x0} ${-y0})`);
     }
     for (const [list, name] of [[arrows, false], [names, true]]) {
       for (const [g, n, [link, , x, y]] of list) {

@@ -46,6 +46,16 @@ double radius_of(const planar::Counterweight& weight) { return is_set(weight.rad
 
 bool has_place(const planar::Counterweight& weight) { return is_set(weight.radius) || in_si(weight.mass) > 0.0; }
 
+/// Moments that rounding leaves where all forces go through the origin are none.
+ShakingCycle without_rounding(ShakingCycle shaking, const Cycle& cycle) {
+  double arm = 0.0;
+  for (const mechanism::Position& p : cycle.positions) {
+    for (const mechanism::Pose& pose : p.pose) arm = std::max(arm, std::hypot(pose.x, pose.y));
+  }
+  if (shaking.peak_moment <= 1e-13 * shaking.peak_force * arm) shaking.peak_moment = shaking.rms_moment = 0.0;
+  return shaking;
+}
+
 mechanism::Model balanced_model(const Planar::Input& in, const mechanism::Model& model,
                                 const std::vector<Counterweight>& weights) {
   mechanism::Model balanced = model;
@@ -203,8 +213,8 @@ Balanced balance_of(const Planar::Input& in, const mechanism::Model& model, cons
   balanced.weights = mechanism::find_counterweights(model, cycle.positions, sites,
                                                     rms ? mechanism::BalanceAim::rms : mechanism::BalanceAim::peak);
   const mechanism::Model with = balanced_model(in, model, balanced.weights);
-  balanced.before = mechanism::shaking_over(model, cycle.positions, {});
-  balanced.after = mechanism::shaking_over(with, cycle.positions, {});
+  balanced.before = without_rounding(mechanism::shaking_over(model, cycle.positions, {}), cycle);
+  balanced.after = without_rounding(mechanism::shaking_over(with, cycle.positions, {}), cycle);
   for (const mechanism::Position& at : cycle.positions) balanced.left.push_back(mechanism::shaking(with, at, {}));
   balanced.knows_moment = std::all_of(in.counterweights.begin(), in.counterweights.end(), has_place);
   return balanced;

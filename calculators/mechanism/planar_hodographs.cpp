@@ -74,12 +74,6 @@ std::vector<std::size_t> marked(const Axis& axis) {
   return places;
 }
 
-/// The axes that a hodograph is drawn in.
-struct Frame {
-  Message title;
-  int link;
-};
-
 class Hodograph {
  public:
   Hodograph(const mechanism::Model& model, const Cycle& cycle, const Axis& axis, const Loaded& of)
@@ -127,7 +121,10 @@ class Hodograph {
     return plan;
   }
 
-  [[nodiscard]] std::string place(std::size_t k) const { return format_quantity(axis_.at[k], axis_.unit, 4); }
+  [[nodiscard]] std::string place(std::size_t k) const {
+    if (axis_.unit != "deg") return format_quantity(axis_.at[k], axis_.unit, 4);
+    return format_number(in_unit(axis_.at[k], axis_.unit), 4) + "°";
+  }
 
   const mechanism::Model& model_;
   const Cycle& cycle_;

@@ -135,9 +135,22 @@ class Drawing {
     const Scheme::Pin pin = slides                       ? Scheme::Pin::slider
                             : j.kind == JointKind::rigid ? Scheme::Pin::welded
                                                          : Scheme::Pin::revolute;
-    scheme().joints.push_back(
-        {j.name, point(on_paper(at_, j.i, j.point_i)), pin, fixed && !slides, angle_of(at_, j.j) + j.direction});
+    const Vec place = on_paper(at_, j.i, j.point_i);
+    const double angle = pin == Scheme::Pin::welded ? angle_between(j, place) : angle_of(at_, j.j) + j.direction;
+    scheme().joints.push_back({j.name, point(place), pin, fixed && !slides, angle});
     motion_.joints.push_back({fixed && !slides ? mechanism::ground : j.i, j.j});
+  }
+
+  /// Half-way between the two links of a weld, as they go off from it; the ground goes nowhere.
+  double angle_between(const mechanism::Joint& j, Vec place) {
+    Vec sum;
+    for (const int link : {j.i, j.j}) {
+      if (link == mechanism::ground) continue;
+      const draw::Point middle = middle_of(static_cast<std::size_t>(link));
+      const Vec off = Vec{middle.x, middle.y} - place;
+      if (mechanism::length(off) > 0.0) sum = sum + (1.0 / mechanism::length(off)) * off;
+    }
+    return std::atan2(sum.y, sum.x);
   }
 
   void add_point(const TracedPoint& p) {

@@ -60,7 +60,7 @@ struct Scheme {
     Point at;
     Pin pin = Pin::revolute;
     bool fixed = false;  // one of its links is the ground: hatched support
-    double angle = 0.0;  // of the guide, slider only
+    double angle = 0.0;  // of a slider's guide; of a weld half-way between its two links
   };
   struct Guide {  // the line that a slider or a pin in a slot runs on
     Point from;

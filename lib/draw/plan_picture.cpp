@@ -64,14 +64,23 @@ class PlanPicture {
   void draw_traces() {
     if (plan_.traces.empty()) return;
     const Point pole = fit_.at({});
-    svg_.line("axis", {fit_.area.left + 8.0, pole.y}, {fit_.area.right - 8.0, pole.y});
-    svg_.line("axis", {pole.x, fit_.area.top + title_room(plan_) + 2.0}, {pole.x, fit_.area.bottom - bar_height});
+    const double top = fit_.area.top + title_room(plan_);
+    const Point left{fit_.area.left + 8.0, pole.y}, right{fit_.area.right - 8.0, pole.y};
+    const Point high{pole.x, top + 2.0}, low{pole.x, fit_.area.bottom - bar_height};
+    labels_.keep_off({fit_.area.left, fit_.area.top, fit_.area.right, top});
+    for (const auto& [from, to] : {std::pair(left, right), std::pair(high, low)}) {
+      svg_.line("axis", from, to);
+      labels_.keep_off({from, to}, 1.0, 0.3);
+    }
     for (const auto& trace : plan_.traces) {
       std::vector<Point> points;
       for (const Point p : trace.points) points.push_back(fit_.at(p));
       points = thin(points);
       svg_.polyline("curve c1", points);
-      for (const auto& mark : trace.marks) svg_.circle(mark.governing ? "f0" : "f1", fit_.at(mark.at), 2.6);
+      for (const auto& mark : trace.marks) {
+        svg_.circle(mark.governing ? "f0" : "f1", fit_.at(mark.at), 2.6);
+        labels_.keep_off(Box::around(fit_.at(mark.at), 6.0, 6.0));
+      }
       labels_.keep_off(points, 2.0);
     }
   }
@@ -81,7 +90,7 @@ class PlanPicture {
       for (const auto& mark : trace.marks) {
         const Text text = typeset(mark.label);
         const auto places = around(fit_.at(mark.at), 4.0, width(text, text_size));
-        if (mark.governing)
+        if (mark.governing)  // always named; of the others those that have room
           svg_.centred_text("halo f0", labels_.place(places), text);
         else if (const auto free = labels_.place_free(places))
           svg_.centred_text("quiet halo", *free, text);

@@ -111,14 +111,20 @@ std::vector<Point> SchemePicture::directions_at(const Scheme::Joint& joint) cons
 
 void SchemePicture::draw_weld(const Scheme::Joint& joint) {
   const std::vector<Point> directions = directions_at(joint);
-  if (joint.fixed && !directions.empty()) {
-    clamp(svg_, at(joint.at), directions[0]);
-  } else if (directions.size() > 1 && std::fabs(cross(directions[0], directions[1])) > 0.1) {
-    weld(svg_, at(joint.at), directions[0], directions[1]);
-  } else {  // in one line: a seam across
-    const Point along = directions.empty() ? Point{1.0, 0.0} : directions[0], side = 6.0 * across(along);
-    svg_.line("rail", at(joint.at) + side, at(joint.at) - side);
+  const Point between{std::cos(joint.angle), -std::sin(joint.angle)};
+  Point first = between, second = between;  // of the links that meet here, those with the weld between them
+  double most = -1.0;
+  for (std::size_t a = 0; a < directions.size(); ++a) {
+    for (std::size_t b = joint.fixed ? a : a + 1; b < (joint.fixed ? a + 1 : directions.size()); ++b) {
+      const Point sum = directions[a] + directions[b];
+      const double fit = length(sum) > 0.1 ? dot(unit(sum), between) : 0.0;
+      if (fit > most) most = fit, first = directions[a], second = directions[b];
+    }
   }
+  if (joint.fixed) return clamp(svg_, at(joint.at), first);
+  if (std::fabs(cross(first, second)) > 0.1) return weld(svg_, at(joint.at), first, second);
+  const Point side = 6.0 * across(first);  // in one line: a seam across
+  svg_.line("rail", at(joint.at) + side, at(joint.at) - side);
 }
 
 void SchemePicture::label_springs() {

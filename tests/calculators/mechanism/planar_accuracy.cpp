@@ -5,14 +5,12 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 using namespace loadpath;
 using namespace loadpath::test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double r = 0.05, l = 0.2, F = 1000.0;
 
 const std::string press = R"(

@@ -5,14 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 using namespace loadpath;
 using namespace loadpath::test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
 const std::string head = "[a]\ncalculator = \"mechanism.planar\"\n";
 const std::string turn = "crank = { joint = \"O\", speed = \"100 rad/s\", positions = 36 }\n";
 

@@ -62,6 +62,37 @@ TEST_SUITE("mechanism") {
     CHECK(e.shares[0] == doctest::Approx(by_r).epsilon(1e-12));
   }
 
+  TEST_CASE("a dimension that moves several numbers is one, and carries the point that it moves") {
+    // The whole mechanism is shifted along x: both bearings on the ground, and the piston with them.
+    const double t = 1e-4;
+    const Tolerance shift{{{{Dimension::point_j_x, 0}}, {{Dimension::point_j_y, 0}, 0.0}}, t};
+    const Tolerance doubled{{{{Dimension::point_j_x, 0}, 2.0}}, t};
+    const double once = error_of(slider_crank(), 1.1, piston, {shift}).worst();
+    CHECK(error_of(slider_crank(), 1.1, piston, {doubled}).worst() == doctest::Approx(2.0 * once).epsilon(1e-12));
+    const Output tool{.kind = Output::Kind::y, .index = 2, .point = {0.03, 0.0}};
+    const Tolerance own{{}, t, 3.0, Tolerance::Moved{2, {0.03, 0.0}, {0.6, 0.8}}};
+    CHECK(error_of(slider_crank(), 1.1, tool, {own}).worst() == doctest::Approx(0.8 * t).epsilon(1e-12));
+    CHECK(error_of(slider_crank(), 1.1, piston, {own}).worst() == 0.0);
+  }
+
+  TEST_CASE("a load changes the effort by its share, and its place by the moment of it") {
+    Model model = slider_crank();
+    Sensitivity sensitivity(model);
+    const Position at = at_rest(model, 1.1);
+    REQUIRE(sensitivity.find(at) == Status::closed);
+    const auto by = [&](Dimension dimension) {
+      return sensitivity.by(sensitivity.find_parameter({dimension, 0})).effort[0];
+    };
+    for (const auto& [dimension, step] :
+         {std::pair(Dimension::load_x, 1.0), std::pair(Dimension::load_y, 1.0), std::pair(Dimension::load_moment, 1.0),
+          std::pair(Dimension::load_at_x, 1e-3), std::pair(Dimension::load_at_y, 1e-3)}) {
+      Model other = model;
+      number(other, {dimension, 0}) += step;
+      CHECK(by(dimension) * step ==
+            doctest::Approx(at_rest(other, 1.1).effort[0] - at.effort[0]).epsilon(1e-6).scale(std::abs(at.effort[0])));
+    }
+  }
+
   TEST_CASE("a mass counts for the effort and not for the place") {
     const Parameter mass{Dimension::mass, 1};
     const OutputError place = error_of(slider_crank(), 1.1, piston, {{{{mass}}, 0.01}});

@@ -212,9 +212,14 @@ void add_error_outputs(const Planar::Input& in, std::vector<MechanismOutput>& ou
 }
 
 void list_error_patterns(std::vector<ResultPattern>& patterns) {
-  constexpr const char* units = "mm, deg, N or N*m";
-  patterns.push_back({"accuracy.NAME.worst", units, worst_doc, "outputs under accuracy"});
-  patterns.push_back({"accuracy.NAME.statistical", units, statistical_doc, "outputs under accuracy"});
+  struct Of {
+    const char *unit, *where;
+  };
+  for (const Of& of : {Of{mm.symbol, "accuracy of x, y"}, Of{deg.symbol, "accuracy of an angle"},
+                       Of{N_m.symbol, "accuracy of a crank's drive"}, Of{N.symbol, "accuracy of forces"}}) {
+    patterns.push_back({"accuracy.NAME.worst", of.unit, worst_doc, of.where});
+    patterns.push_back({"accuracy.NAME.statistical", of.unit, statistical_doc, of.where});
+  }
 }
 
 std::vector<Table> tolerance_tables(const Planar::Input& in) {

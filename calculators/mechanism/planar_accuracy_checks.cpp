@@ -152,6 +152,14 @@ void need(const planar::Accuracy& wanted, const char* field, NameFaults& faults)
 }
 
 void check_point(const planar::Accuracy& wanted, const std::string& path, NameFaults& faults) {
+  if (!wanted.link.empty()) {
+    if (!faults.require_link(wanted.link, path + ".link")) return;
+    const int link = link_index(faults.input(), wanted.link);
+    faults.require_point(link, wanted.point, path + ".point");
+    if (link == mechanism::ground)
+      faults.add(path + ".link", say("a point of the ground does not move"), say("name a moving link"));
+    return;
+  }
   std::vector<std::string> names;
   for (const TracedPoint& p : traced_points(faults.input())) names.push_back(p.name);
   if (std::find(names.begin(), names.end(), wanted.point.view()) != names.end()) return;

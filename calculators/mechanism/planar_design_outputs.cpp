@@ -1,5 +1,6 @@
 #include "calculators/mechanism/planar_design_outputs.hpp"
 
+#include "calculators/mechanism/planar_cycle.hpp"
 #include "calculators/mechanism/planar_rounding.hpp"
 #include "calculators/mechanism/planar_rows.hpp"
 #include "calculators/mechanism/planar_wheel_outputs.hpp"
@@ -234,6 +235,21 @@ double loss_of(const mechanism::Model& model, std::size_t k, const Position& at)
   return power_on(joint.j) - power_on(joint.i);
 }
 
+/// A guide that carries a couple alone has no force whose place could be told, and says so.
+static void add_guide(const Guide& guide, std::vector<MechanismOutput>& out) {
+  add_outputs(guide, guide_rows, out);
+  const std::string path = planar::named("joints.NAME.h", guide.name);
+  const auto h = std::find_if(out.begin(), out.end(), [&](const MechanismOutput& o) { return o.path == path; });
+  h->read_cycle = [read = h->read](const Solved& solved) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < solved.cycle.positions.size(); ++k)
+      values.push_back(solved.cycle.closed[k] ? read(solved.cycle.positions[k]) : none);
+    const bool open = std::any_of(values.begin(), values.end(), [](double x) { return std::isnan(x); });
+    return MechanismOutput::Values(
+        std::move(values), open ? say("where there is none, the guide carries a couple alone, or nothing") : Message{});
+  };
+}
+
 void add_design_outputs(const Planar::Input& in, const mechanism::Model& model, std::vector<MechanismOutput>& out) {
   const auto kept = std::make_shared<const mechanism::Model>(model);
   const bool statics = in.analysis == Planar::Analysis::statics;
@@ -245,7 +261,7 @@ void add_design_outputs(const Planar::Input& in, const mechanism::Model& model, 
   }
   for (std::size_t k = 0; k < model.joints.size(); ++k) {
     const mechanism::Joint& joint = model.joints[k];
-    if (joint.kind == JointKind::prismatic) add_outputs(Guide{joint.name, k, joint}, guide_rows, out);
+    if (joint.kind == JointKind::prismatic) add_guide(Guide{joint.name, k, joint}, out);
     add_wheel_outputs(joint, k, out);
     if (rubs(joint)) add_outputs(Rubbing{joint.name, k, kept}, rubbing_rows, out);
   }

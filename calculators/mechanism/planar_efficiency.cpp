@@ -52,12 +52,12 @@ Efficiency undefined(const Message& reason) { return {none, none, reason, reason
 
 Efficiency efficiency(double drive, double useful) {
   if (std::isnan(drive) || std::isnan(useful)) return undefined(say("some positions have no forces"));
-  if (drive == 0.0 || useful == 0.0) return undefined(say("not defined: no mean power"));
+  if (drive == 0.0 || useful == 0.0) return undefined(say("no mean power"));
   if (drive > 0.0 && useful > 0.0)
     return {useful / drive, none, {}, say("the drive moves the load, see drive.efficiency")};
   if (drive < 0.0 && useful < 0.0)
     return {none, drive / useful, say("the load moves the drive, see drive.efficiency_back"), {}};
-  return undefined(say("not defined: drive and useful loads both take power"));
+  return undefined(say("drive and useful loads both take power"));
 }
 
 Efficiency efficiency_of(const Means& means) {
@@ -99,7 +99,7 @@ std::optional<report::Table> efficiency_table(const project::Account& account, c
     const Efficiency found = efficiency_of(means);
     const bool back = !std::isnan(found.back);
     const Cell value = back                        ? Cell(Quantity{found.back, "-", 4})
-                       : std::isnan(found.forward) ? Cell(found.why_not_forward)
+                       : std::isnan(found.forward) ? Cell(say("not available: {1}", found.why_not_forward.text()))
                                                    : Cell(Quantity{found.forward, "-", 4});
     table.rows.push_back({back ? say("efficiency, driven by the load") : say("efficiency"), value});
   }

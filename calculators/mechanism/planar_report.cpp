@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace loadpath {
 
@@ -125,13 +126,7 @@ Table extremes_table(const project::Account& account, const Axis& axis) {
               {say("quantity"), say("largest"), say("at"), say("smallest"), say("at"), say("mean"), say("rms")},
               {}};
   for (const project::Entry& e : account.results) {
-    if (!is_design_load(e.path) || !e.value.is_series()) continue;
-    if (is_constant(e.value)) {  // said once
-      const Quantity value{e.value.si.front(), e.unit};
-      table.rows.push_back(
-          {e.path, value, say("constant"), std::string("–"), std::string("–"), value, std::string("–")});
-      continue;
-    }
+    if (!is_design_load(e.path) || !e.value.is_series() || is_constant(e.value)) continue;
     const Extreme high = maximum(e.value), low = minimum(e.value);
     table.rows.push_back({e.path, Quantity{high.value, e.unit}, Quantity{high.at, axis.unit},
                           Quantity{low.value, e.unit}, Quantity{low.at, axis.unit}, Quantity{mean_of(e.value), e.unit},
@@ -140,11 +135,26 @@ Table extremes_table(const project::Account& account, const Axis& axis) {
   return table;
 }
 
+/// What has no extremes.
+std::optional<Table> constant_table(const project::Account& account) {
+  Table table{say("Constant over the cycle"), {say("quantity"), say("value"), say("meaning")}, {}};
+  for (const project::Entry& e : account.results) {
+    if (!is_design_load(e.path) || !e.value.is_series() || !is_constant(e.value)) continue;
+    table.rows.push_back({e.path, Quantity{e.value.si.front(), e.unit}, say("{1}", e.doc)});
+  }
+  if (table.rows.empty()) return std::nullopt;
+  return table;
+}
+
 Table position_table(const project::Account& account) {
   Table table{say("Drive and reactions"), {say("quantity"), say("value"), say("meaning")}, {}};
   for (const project::Entry& e : account.results) {
-    if (is_design_load(e.path) || (e.path.starts_with("joints.") && e.value.signature.dimension == N.dimension()))
-      table.rows.push_back({e.path, Quantity{e.value.si[0], e.unit}, say("{1}", e.doc)});
+    if (!is_design_load(e.path) && !(e.path.starts_with("joints.") && e.value.signature.dimension == N.dimension()))
+      continue;
+    const bool told = std::isnan(e.value.si[0]) && !e.missing.empty();
+    table.rows.push_back(
+        {e.path, told ? Cell(say("not available: {1}", e.missing.text())) : Cell(Quantity{e.value.si[0], e.unit}),
+         say("{1}", e.doc)});
   }
   return table;
 }
@@ -219,6 +229,9 @@ std::vector<report::Block> model_tables(const Planar::Input& in) {
 std::vector<report::Block> result_tables(const project::Account& account, const mechanism::Model& model,
                                          const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis) {
   std::vector<report::Block> blocks{axis == nullptr ? position_table(account) : extremes_table(account, *axis)};
+  if (axis != nullptr) {
+    if (auto constant = constant_table(account)) blocks.emplace_back(std::move(*constant));
+  }
   if (auto efficiency = efficiency_table(account, axis)) blocks.emplace_back(std::move(*efficiency));
   blocks.emplace_back(structure_table(model));
   blocks.emplace_back(determinacy_table(structure, cycle, axis));

@@ -185,11 +185,15 @@ Output output_of(const Planar::Input& in, const mechanism::Model& model, const p
   switch (wanted.of) {
     case Watched::x:
     case Watched::y: {
+      const Output::Kind kind = wanted.of == Watched::x ? Output::Kind::x : Output::Kind::y;
+      if (!wanted.link.empty()) {
+        const int link = link_index(in, wanted.link);
+        return {kind, static_cast<std::size_t>(link), vector_of(*find_point(in, link, wanted.point))};
+      }
       const auto points = traced_points(in);
       const auto point =
           std::find_if(points.begin(), points.end(), [&](const auto& p) { return p.name == wanted.point.view(); });
-      return {wanted.of == Watched::x ? Output::Kind::x : Output::Kind::y, static_cast<std::size_t>(point->link),
-              point->at};
+      return {kind, static_cast<std::size_t>(point->link), point->at};
     }
     case Watched::angle:
       return {Output::Kind::phi, index_of(in.links, wanted.link), {}};

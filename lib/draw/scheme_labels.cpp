@@ -73,8 +73,11 @@ void SchemePicture::label_bodies() {
       const auto sides = beside(points[i], points[(i + 1) % points.size()], 5.0, wide);
       places.insert(places.end(), sides.begin(), sides.end());
     }
-    if (points.size() == 2) {  // a short link in a crowd: farther off
-      for (Candidate& c : around(0.5 * (points[0] + points[1]), 12.0, wide)) places.push_back({c.box, 30.0 + c.cost});
+    if (points.size() < 3) {  // a short link in a crowd: farther off
+      for (const double gap : {12.0, 26.0, 40.0}) {
+        for (Candidate& c : around(0.5 * (points.front() + points.back()), gap, wide))
+          places.push_back({c.box, 18.0 + gap + c.cost});
+      }
     }
     const Box place = labels_.place(places);
     const Point centre = fit_.back(place.centre());

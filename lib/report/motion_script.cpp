@@ -65,12 +65,11 @@ for (const box of document.querySelectorAll(".motion")) {
       const [u, v] = place([link, x, y], k);
       g.setAttribute("transform", `translate(${round(u)} ${round(v)}) rotate(${round(turned(turning, k))}) translate(${-x} ${-y})`);
     }
-    for (const [g, [from, to, x0, y0, x1, y1]] of springs) {
-      const [u0, v0] = place([from, x0, y0], k), [u1, v1] = place([to, x1, y1], k);
-      const turn = (x, y) => (Math.atan2(y, x) * 180) / Math.PI;
-      const stretch = Math.hypot(u1 - u0, v1 - v0) / (Math.hypot(x1 - x0, y1 - y0) || 1);
-      g.setAttribute("transform", `translate(${round(u0)} ${round(v0)}) rotate(${round(turn(u1 - u0, v1 - v0))}) ` +
-        `scale(${round(1000 * stretch) / 1000} 1) rotate(${round(-turn(x1 - x0, y1 - y0))}) translate(${-x0} ${-y0})`);
+    for (const [g, [i, j, x, y, a, b]] of springs) {
+      const [u, v] = place([i, x, y], k), [p, q] = place([j, a, b], k), degree = Math.PI / 180;
+      const stretch = Math.hypot(p - u, q - v) / (Math.hypot(a - x, b - y) || 1);
+      g.setAttribute("transform", `translate(${round(u)} ${round(v)}) rotate(${round(Math.atan2(q - v, p - u) / degree)}) ` +
+        `scale(${stretch.toFixed(4)} 1) rotate(${round(Math.atan2(y - b, a - x) / degree)}) translate(${-x} ${-y})`);
     }
     for (const [list, name] of [[arrows, false], [names, true]]) {
       for (const [g, n, [link, , x, y]] of list) {

@@ -102,7 +102,7 @@ TEST_SUITE("mechanism accuracy") {
   }
 
   TEST_CASE("play in a pin counts half its diameter along the rod, whichever way it goes") {
-    std::string text = press + of_piston;
+    std::string text = press + "accuracy.place = { of = \"x\", point = \"B\", link = \"slider\" }\n";
     const std::string pin = "links = [\"rod\", \"slider\"]";
     text.insert(text.find(pin) + pin.size(), ", clearance = \"0.1 mm\"");
     at_every_position(solved(text), "place", [](double phi, double worst, double error) {
@@ -171,6 +171,9 @@ TEST_SUITE("mechanism accuracy") {
               "a tolerance of mass has no 'joint'"},
         Wrong{good + "accuracy.x = { of = \"x\" }\n", "the output 'x' of kind x needs 'point'"},
         Wrong{good + "accuracy.x = { of = \"y\", point = \"Q\" }\n", "there is no moving point 'Q'"},
+        Wrong{good + "accuracy.x = { of = \"y\", point = \"T\", link = \"rod\" }\n", "the link 'rod' has no point 'T'"},
+        Wrong{good + "accuracy.x = { of = \"y\", point = \"O\", link = \"ground\" }\n",
+              "a point of the ground does not move"},
         Wrong{good + "accuracy.x = { of = \"angle\", link = \"ground\" }\n", "the ground does not turn"},
         Wrong{good + "accuracy.x = { of = \"force\" }\n", "the output 'x' of kind force needs 'joint'"},
         Wrong{good + "accuracy.x = { of = \"drive\", joint = \"B\" }\n", "the joint 'B' has no drive"}};

@@ -126,7 +126,7 @@ class NameCheck : private NameFaults {
     if (second) require_point(link_index(in_, spring.links.second), end_of(spring).second, points + ".second");
   }
 
-  /// In a drawing one letter is one point: two links may share it only where a pin of that name joins them.
+  /// In a drawing one letter is one point: two links may share it only where a pin, or weld, of that name joins them.
   void check_shared_points() {
     for (std::size_t b = 1; b < in_.links.size(); ++b) {
       const auto& link = in_.links[b];
@@ -148,12 +148,13 @@ class NameCheck : private NameFaults {
     }
   }
 
-  /// Whether pins of one name lead from a link to another, over a third where several links meet in one point.
+  /// Whether pins or welds of one name lead from a link to another, over a third where several links meet in one point.
   bool pinned(const Name& from, const Name& to, const Name& pin) const {
     std::vector<Name> reached{from};
     for (std::size_t i = 0; i < reached.size(); ++i) {
       for (const auto& j : in_.joints) {
-        const bool is_pin = j.type == Planar::Type::revolute && point_names(j) == std::pair(pin, pin);
+        const bool joins = j.type == Planar::Type::revolute || j.type == Planar::Type::rigid;
+        const bool is_pin = joins && point_names(j) == std::pair(pin, pin);
         if (!is_pin || (j.links.first != reached[i] && j.links.second != reached[i])) continue;
         const Name& other = j.links.first == reached[i] ? j.links.second : j.links.first;
         if (std::find(reached.begin(), reached.end(), other) == reached.end()) reached.push_back(other);

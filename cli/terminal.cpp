@@ -29,16 +29,19 @@ std::string in_colour(const std::string& text, const char* code) {
   return colours(Stream::out) ? "\033[" + std::string(code) + "m" + text + "\033[0m" : text;
 }
 
+std::string not_available(const project::Entry& e) {
+  return e.missing.empty() ? format_quantity(NAN, e.unit) : say("not available: {1}", e.missing.text()).text();
+}
+
 std::string shown(const project::Entry& e) {
   if (!e.word.empty()) return e.word;
   if (!e.value.is_series()) {
     const double si = e.value.si.empty() ? NAN : e.value.si[0];
-    if (std::isnan(si) && !e.missing.empty()) return say("not available: {1}", e.missing.text()).text();
-    return format_quantity(si, e.unit);
+    return std::isnan(si) ? not_available(e) : format_quantity(si, e.unit);
   }
   if (is_constant(e.value)) return say("{1}, constant", format_quantity(e.value.si.front(), e.unit)).text();
   const Extreme low = minimum(e.value), high = maximum(e.value);
-  if (std::isnan(low.value)) return format_quantity(low.value, e.unit);
+  if (std::isnan(low.value)) return not_available(e);
   const Axis& axis = *e.value.signature.axis;
   return format_quantity(low.value, e.unit) + " (at " + format_quantity(low.at, axis.unit, 5) + ") to " +
          format_quantity(high.value, e.unit) + " (at " + format_quantity(high.at, axis.unit, 5) + ")";

@@ -1,9 +1,9 @@
 // A planar mechanism in a project: links, joints, drives and loads as a user writes them.
 //
 // Decides positions, velocities, accelerations, the reaction of every joint and the driving moment or force, over a
-// turn of the crank, over strokes of cylinders, or at given positions (lib/mechanism). Rigid links, no play. Signs:
-// moments counter-clockwise positive; a joint's force is that of its first link on its second (R_12). A link's points
-// are written in its own axes, or, where neither origin nor angle is given, as drawn on paper.
+// turn of the crank, over strokes of cylinders, or at given positions (lib/mechanism). Rigid links; play counts as an
+// error only. Signs: moments counter-clockwise positive; a joint's force is that of its first link on its second
+// (R_12). A link's points are written in its own axes, or, where neither origin nor angle is given, as drawn on paper.
 #pragma once
 
 #include "calculators/mechanism/planar_design.hpp"
@@ -19,9 +19,8 @@ struct PlanarMechanism {
   static constexpr auto scope =
       "Motion, joint reactions and driving effort of a planar mechanism with pins, slides, slots, gears, belts, "
       "rolling "
-      "wheels and friction, with masses and loads, over a cycle or at given positions. Rigid links; play and "
-      "elasticity "
-      "are not covered.";
+      "wheels and friction, with masses and loads, over a cycle or at given positions. Rigid links; play counts as an "
+      "error of outputs, elasticity is not covered.";
   static constexpr auto source = "[A10], [B29], [B31], [D3]";
   static constexpr auto example = R"([project]
 title = "Slider-crank"

@@ -61,8 +61,13 @@ MechanismOutput output_at(const Planar::Input& in, std::size_t index, const char
   const Kind kind = kind_of(in, wanted);
   const auto over_cycle = [index, read](const Solved& solved) {
     std::vector<double> values;
-    for (const OutputError& error : solved.errors.at[index]) values.push_back(read(error));
-    return MechanismOutput::Values(std::move(values));
+    bool open = false;
+    for (const OutputError& error : solved.errors.at[index]) {
+      values.push_back(read(error));
+      open = open || std::isnan(values.back());
+    }
+    return MechanismOutput::Values(
+        std::move(values), open ? say("at some positions there is a dead point, a jam or no force") : Message{});
   };
   return {"accuracy." + text(wanted.name) + what, doc, kind.unit, kind.dimension, {}, over_cycle};
 }
@@ -117,9 +122,12 @@ Message method_of(const std::vector<OutputError>& errors) {
   const auto unknown = count_of(errors, [](const OutputError& e) { return !is_known(e); });
   const auto open = count_of(errors, [](const OutputError& e) { return e.status == Status::does_not_close; });
   const auto anew = count_of(errors, [](const OutputError& e) { return e.recomputed; });
-  if (open > 0) return say("at {1} positions some corners do not close", std::to_string(open));
-  if (unknown > 0) return say("not available at {1} positions: dead point, jam or no forces", std::to_string(unknown));
-  if (anew > 0) return say("corners solved again at {1} positions", std::to_string(anew));
+  const auto told = [&](std::string_view id, std::size_t count) {
+    return say(id, std::to_string(count), std::to_string(errors.size()));
+  };
+  if (open > 0) return told("some corners do not close, at {1} of {2} positions", open);
+  if (unknown > 0) return told("not available at {1} of {2} positions: dead point, jam or no forces", unknown);
+  if (anew > 0) return told("corners solved again, at {1} of {2} positions", anew);
   return say("derivatives; two corners solved again at each position");
 }
 

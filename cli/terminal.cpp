@@ -29,11 +29,19 @@ std::string in_colour(const std::string& text, const char* code) {
   return colours(Stream::out) ? "\033[" + std::string(code) + "m" + text + "\033[0m" : text;
 }
 
+std::string not_available(const project::Entry& e) {
+  return e.missing.empty() ? format_quantity(NAN, e.unit) : say("not available: {1}", e.missing.text()).text();
+}
+
 std::string shown(const project::Entry& e) {
   if (!e.word.empty()) return e.word;
-  if (!e.value.is_series()) return format_quantity(e.value.si.empty() ? NAN : e.value.si[0], e.unit);
+  if (!e.value.is_series()) {
+    const double si = e.value.si.empty() ? NAN : e.value.si[0];
+    return std::isnan(si) ? not_available(e) : format_quantity(si, e.unit);
+  }
+  if (is_constant(e.value)) return say("{1}, constant", format_quantity(e.value.si.front(), e.unit)).text();
   const Extreme low = minimum(e.value), high = maximum(e.value);
-  if (low.value == high.value || std::isnan(low.value)) return format_quantity(low.value, e.unit);
+  if (std::isnan(low.value)) return not_available(e);
   const Axis& axis = *e.value.signature.axis;
   return format_quantity(low.value, e.unit) + " (at " + format_quantity(low.at, axis.unit, 5) + ") to " +
          format_quantity(high.value, e.unit) + " (at " + format_quantity(high.at, axis.unit, 5) + ")";
@@ -42,12 +50,14 @@ std::string shown(const project::Entry& e) {
 /// Results worth a line on the terminal: no elements of lists, no points, nothing that was not asked for.
 bool is_brief(const project::Entry& e) {
   const bool joint_force = e.path.starts_with("joints.") && !e.path.ends_with(".x") && !e.path.ends_with(".y");
+  const bool asked = e.path.starts_with("accuracy.") || e.path.starts_with("counterweights.");
   const bool element = e.path.find_first_of("[.") != std::string::npos && !e.path.starts_with("drive.") &&
-                       !e.path.starts_with("cylinders.");
+                       !e.path.starts_with("cylinders.") && !asked;
   const bool internal =
       e.path.starts_with("springs.") ||
       (e.path.starts_with("links.") && (e.path.ends_with(".N") || e.path.ends_with(".V") || e.path.ends_with(".M_b")));
-  return e.role == Role::result && !project::is_open(e) && (!element || joint_force || internal);
+  return e.role == Role::result && (!project::is_open(e) || !e.missing.empty()) &&
+         (!element || joint_force || internal);
 }
 
 void show_results(const project::Step& step) {

@@ -1,12 +1,13 @@
 // A planar mechanism in a project: links, joints, drives and loads as a user writes them.
 //
 // Decides positions, velocities, accelerations, the reaction of every joint and the driving moment or force, over a
-// turn of the crank, over strokes of cylinders, or at given positions (lib/mechanism). Rigid links, no play. Signs:
-// moments counter-clockwise positive; a joint's force is that of its first link on its second (R_12). A link's points
-// are written in its own axes, or, where neither origin nor angle is given, as drawn on paper.
+// turn of the crank, over strokes of cylinders, or at given positions (lib/mechanism). Rigid links; play counts as an
+// error only. Signs: moments counter-clockwise positive; a joint's force is that of its first link on its second
+// (R_12). A link's points are written in its own axes, or, where neither origin nor angle is given, as drawn on paper.
 #pragma once
 
 #include "calculators/mechanism/cam_profile.hpp"
+#include "calculators/mechanism/planar_design.hpp"
 #include "lib/field.hpp"
 
 #include <array>
@@ -18,8 +19,9 @@ struct PlanarMechanism {
   static constexpr auto title = "Planar mechanism";
   static constexpr auto scope =
       "Motion, joint reactions and driving effort of a planar mechanism with pins, slides, slots, gears, belts, cams, "
-      "rolling wheels and friction, with masses and loads, over a cycle or at given positions. Rigid links; play and "
-      "elasticity are not covered.";
+      "rolling wheels and friction, with masses and loads, over a cycle or at given positions. Rigid links; play "
+      "counts "
+      "as an error of outputs, elasticity is not covered.";
   static constexpr auto source = "[A10], [B29], [B31], [D3]";
   static constexpr auto example = R"([project]
 title = "Slider-crank"
@@ -81,6 +83,7 @@ F_y = "0 N"
   };
 
   enum class MassLine { automatic, uniform, lumped };
+  enum class Masses { as_given, two_points, three_points };
   struct Link {
     Name name;
     List<Point, 16> points;
@@ -90,6 +93,8 @@ F_y = "0 N"
     Origin origin;
     double angle = unset<double>;
     MassLine mass_line = MassLine::automatic;
+    Masses masses = Masses::as_given;
+    Pair mass_points;
     static constexpr std::tuple fields{
         NameField{&Link::name, "name", "name of the link"},
         ListField{&Link::points, "points",
@@ -107,6 +112,10 @@ F_y = "0 N"
             .may_be_missing(),
         Field{&Link::angle, "angle", deg, "rough angle of the link in the stated assembly"}.may_be_missing(),
         Choice{&Link::mass_line, "mass_line", "how its mass lies along its axis, for its internal forces"}
+            .may_be_missing(),
+        Choice{&Link::masses, "masses", "whether its mass is reduced to points, and to which"}.may_be_missing(),
+        Group{&Link::mass_points, "mass_points", "two of its points, on a line with S, that the mass is reduced to"}
+            .as_array()
             .may_be_missing()};
   };
 
@@ -147,7 +156,7 @@ F_y = "0 N"
     Force slack = 0.0 * N.one;
     double mu = 0.0;
     Length pin_radius = unset<Length>, guide_length = unset<Length>, guide_width = unset<Length>;
-    Length rolling_arm = 0.0 * m.one;
+    Length rolling_arm = 0.0 * m.one, clearance = 0.0 * m.one;
     double efficiency = 1.0, efficiency_back = unset<double>;
     Damping c = 0.0 * N_s_per_m.one;
     TurningDamping c_turn = 0.0 * N_m_s.one;
@@ -197,7 +206,10 @@ F_y = "0 N"
             .within(-20, 1)
             .may_be_missing(),
         Field{&Joint::c, "c", N_s_per_m, "prismatic, slot: viscous resistance to sliding"}.at_least(0),
-        Field{&Joint::c_turn, "c_turn", N_m_s, "revolute, rolling: viscous resistance to turning"}.at_least(0)};
+        Field{&Joint::c_turn, "c_turn", N_m_s, "revolute, rolling: viscous resistance to turning"}.at_least(0),
+        Field{&Joint::clearance, "clearance", mm,
+              "revolute: play of the pin in its diameter, which shifts it by half of that either way"}
+            .at_least(0)};
   };
 
   enum class Impending { either, forward, backward };
@@ -366,6 +378,11 @@ F_y = "0 N"
     List<Load, 64> loads;
     List<Spring, 32> springs;
     List<Side, 16> sides;
+    List<planar::Tolerance, 64> tolerances;
+    List<planar::Accuracy, 16> accuracy;
+    List<planar::Counterweight, 16> counterweights;
+    planar::Balance balance = planar::Balance::rms;
+    List<planar::Hodograph, 16> hodographs;
     Acceleration gravity = 0.0 * m_per_s2.one;
     double gravity_direction = -pi / 2.0;
     Analysis analysis = Analysis::kinetostatic;
@@ -382,6 +399,15 @@ F_y = "0 N"
       ListField{&Input::springs, "springs", "springs and dampers, by name"}.may_be_missing(),
       ListField{&Input::sides, "sides",
                 "assembly by the sides of its groups, which the report lists; as stated or drawn where missing"}
+          .as_arrays()
+          .may_be_missing(),
+      ListField{&Input::tolerances, "tolerances", "dimensions and masses that are not exact, by name"}.may_be_missing(),
+      ListField{&Input::accuracy, "accuracy", "outputs whose error by tolerances and play is wanted, by name"}
+          .may_be_missing(),
+      ListField{&Input::counterweights, "counterweights", "where counterweights are wanted, by name"}.may_be_missing(),
+      Choice{&Input::balance, "balance", "what counterweights make as small as it gets"}.may_be_missing(),
+      ListField{&Input::hodographs, "hodographs",
+                "joints whose force is drawn as a hodograph; the busiest where missing"}
           .as_arrays()
           .may_be_missing(),
       Field{&Input::gravity, "gravity", m_per_s2, "acceleration of gravity; none where missing"}.at_least(0).usually(
@@ -427,6 +453,13 @@ constexpr auto choices_of(PlanarMechanism::MassLine) {
       ChoiceName<T>{T::automatic, "automatic", "uniform where J and S are those of a slender bar, else lumped"},
       ChoiceName<T>{T::uniform, "uniform", "evenly along the axis; J must be m l^2 / 12 within 1 %"},
       ChoiceName<T>{T::lumped, "lumped", "all of it at the mass centre"}};
+}
+constexpr auto choices_of(PlanarMechanism::Masses) {
+  using T = PlanarMechanism::Masses;
+  return std::array{
+      ChoiceName<T>{T::as_given, "as_given", "mass, mass centre and J as they are"},
+      ChoiceName<T>{T::two_points, "two_points", "static replacement: two masses in mass_points; J becomes theirs"},
+      ChoiceName<T>{T::three_points, "three_points", "dynamic replacement: a third mass in S keeps J"}};
 }
 constexpr auto choices_of(PlanarMechanism::Useful) {
   using T = PlanarMechanism::Useful;

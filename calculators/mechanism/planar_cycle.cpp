@@ -67,6 +67,7 @@ Status run(mechanism::ReleasedSystem& system, const CycleTask& task, bool backwa
     set_loads(task, system, drives);
     const Status status = system.solve(drives, cycle.positions[k], task.statics);
     if (status != Status::closed && status != Status::jams) return status;
+    cycle.drives[k] = drives;
     cycle.jams[k] = status == Status::jams;
     cycle.in_steps[k] = n > 0 && system.followed_in_steps();
     cycle.some_rest[k] = system.some_joint_rests();
@@ -136,6 +137,7 @@ Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, bool r
   if (axis != nullptr) fill_axis(schedule, *axis);
   cycle.positions.assign(schedule.drives.size(), mechanism::blank_position(model));
   cycle.proofs.assign(schedule.drives.size(), {});
+  cycle.drives = schedule.drives;
   cycle.closed.assign(schedule.drives.size(), false);
   cycle.jams = cycle.in_steps = cycle.some_rest = cycle.closed;
   if (cycle.first_failure != Status::closed) {

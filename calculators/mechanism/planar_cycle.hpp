@@ -29,6 +29,7 @@ struct StandingEffort {
 /// The solved positions. Where the mechanism does not close there is none.
 struct Cycle {
   std::vector<mechanism::Position> positions;
+  std::vector<std::vector<mechanism::Drive>> drives;  // with which they are solved
   std::vector<mechanism::Proof> proofs;
   std::vector<bool> closed;
   bool returns = true;  // after a whole turn, to where it began

@@ -1,7 +1,10 @@
 #include "calculators/mechanism/planar_design_outputs.hpp"
 
 #include "calculators/mechanism/planar_cams.hpp"
+#include "calculators/mechanism/planar_cycle.hpp"
+#include "calculators/mechanism/planar_rounding.hpp"
 #include "calculators/mechanism/planar_rows.hpp"
+#include "calculators/mechanism/planar_wheel_outputs.hpp"
 #include "lib/mechanism/frames.hpp"
 #include "lib/mechanism/member.hpp"
 #include "lib/mechanism/reduction.hpp"
@@ -90,7 +93,9 @@ struct Guide {
     const bool rests = std::abs(rubbing) <= 1e-9 * std::abs(pressing);  // what is left then is rounding
     const double sense = rests ? 0.0 : std::copysign(1.0, rubbing);
     const double rubbed = sense * joint.friction.coefficient * 0.5 * joint.guide_width * pressing;
-    return {-pressing, -(r.couple - rubbed)};
+    const Rounding least = rounding_at(p);
+    const double couple = r.couple - rubbed;
+    return {std::abs(pressing) <= least.force ? 0.0 : -pressing, std::abs(couple) <= least.moment ? 0.0 : -couple};
   }
   static bool has_length(const Guide& g) { return g.joint.guide_length > 0.0; }
 };
@@ -120,48 +125,6 @@ constexpr std::array guide_rows{
           return 0.5 * pressing - M / g.joint.guide_length;
         },
         &Guide::has_length, "with a guide_length")};
-
-// ---- wheels
-
-struct Contact {
-  std::string name;
-  std::size_t index = 0;
-  mechanism::Joint joint;
-
-  struct Forces {
-    double T = 0.0, N = 0.0;  // along and across the contact
-  };
-  [[nodiscard]] Forces forces(const Position& p) const {
-    const mechanism::PairShape shape = mechanism::shape_of(joint);
-    mechanism::PairPlace at;
-    mechanism::place(shape, mechanism::placed_at(p, joint.i), mechanism::placed_at(p, joint.j), at);
-    const Vec force = p.reactions[index].force;
-    const bool line = joint.kind == JointKind::rack || joint.kind == JointKind::rolling_on_line;
-    const Vec along = (1.0 / mechanism::length(at.along)) * at.along;  // pitch circles may lie a little apart
-    const Vec towards_axis = line ? std::copysign(1.0, joint.radius_i) * normal(along) : -along;
-    return {dot(force, line ? along : normal(along)), dot(force, towards_axis)};
-  }
-  static bool meshes(const Contact& c) { return c.joint.kind == JointKind::gear || c.joint.kind == JointKind::rack; }
-  static bool rolls(const Contact& c) { return !meshes(c); }
-};
-
-constexpr std::array contact_rows{
-    row<Contact>(
-        "joints.NAME.F_t", "circumferential force on the first link's wheel; its sign tells the loaded flank", N,
-        [](const Contact& c, const Position& p) { return c.forces(p).T; }, &Contact::meshes, "gears and racks"),
-    row<Contact>(
-        "joints.NAME.F_r", "radial force, which presses the wheels apart", N,
-        [](const Contact& c, const Position& p) { return c.forces(p).N; }, &Contact::meshes, "gears and racks"),
-    row<Contact>(
-        "joints.NAME.N", "force that presses the wheels together; negative: the contact is lost", N,
-        [](const Contact& c, const Position& p) { return c.forces(p).N; }, &Contact::rolls, "rolling wheels"),
-    row<Contact>(
-        "joints.NAME.mu_req", "coefficient of friction that rolling without slip needs", ratio,
-        [](const Contact& c, const Position& p) {
-          const auto [T, pressing] = c.forces(p);
-          return T == 0.0 ? 0.0 : pressing > 0.0 ? std::abs(T) / pressing : none;
-        },
-        &Contact::rolls, "rolling wheels")};
 
 // ---- springs
 
@@ -199,8 +162,6 @@ constexpr std::array rubbing_rows{row<Rubbing>(
     [](const Rubbing& r, const Position& p) { return loss_of(*r.model, r.index, p); }, nullptr,
     "joints with friction")};
 
-bool rubs(const mechanism::Joint& joint) { return joint.friction.any(); }
-
 /// The mechanism as a whole.
 struct Machine {
   std::string name;
@@ -210,7 +171,7 @@ struct Machine {
   bool cranked = false, statics = false;
 
   static bool has_friction(const Machine& m) {
-    return std::any_of(m.model->joints.begin(), m.model->joints.end(), rubs);
+    return std::any_of(m.model->joints.begin(), m.model->joints.end(), [](const auto& j) { return rubs(j); });
   }
   static bool has_use(const Machine& m) { return !m.useful.empty(); }
   static bool has_crank(const Machine& m) { return m.cranked; }
@@ -281,6 +242,21 @@ double loss_of(const mechanism::Model& model, std::size_t k, const Position& at)
   return power_on(joint.j) - power_on(joint.i);
 }
 
+/// A guide that carries a couple alone has no force whose place could be told, and says so.
+static void add_guide(const Guide& guide, std::vector<MechanismOutput>& out) {
+  add_outputs(guide, guide_rows, out);
+  const std::string path = planar::named("joints.NAME.h", guide.name);
+  const auto h = std::find_if(out.begin(), out.end(), [&](const MechanismOutput& o) { return o.path == path; });
+  h->read_cycle = [read = h->read](const Solved& solved) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < solved.cycle.positions.size(); ++k)
+      values.push_back(solved.cycle.closed[k] ? read(solved.cycle.positions[k]) : none);
+    const bool open = std::any_of(values.begin(), values.end(), [](double x) { return std::isnan(x); });
+    return MechanismOutput::Values(
+        std::move(values), open ? say("where there is none, the guide carries a couple alone, or nothing") : Message{});
+  };
+}
+
 void add_design_outputs(const Planar::Input& in, const mechanism::Model& model, std::vector<MechanismOutput>& out) {
   const auto kept = std::make_shared<const mechanism::Model>(model);
   const bool statics = in.analysis == Planar::Analysis::statics;
@@ -292,10 +268,8 @@ void add_design_outputs(const Planar::Input& in, const mechanism::Model& model, 
   }
   for (std::size_t k = 0; k < model.joints.size(); ++k) {
     const mechanism::Joint& joint = model.joints[k];
-    if (joint.kind == JointKind::prismatic) add_outputs(Guide{joint.name, k, joint}, guide_rows, out);
-    const bool touches = joint.kind == JointKind::gear || joint.kind == JointKind::rack ||
-                         joint.kind == JointKind::rolling || joint.kind == JointKind::rolling_on_line;
-    if (touches) add_outputs(Contact{joint.name, k, joint}, contact_rows, out);
+    if (joint.kind == JointKind::prismatic) add_guide(Guide{joint.name, k, joint}, out);
+    add_wheel_outputs(joint, k, out);
     if (rubs(joint)) add_outputs(Rubbing{joint.name, k, kept}, rubbing_rows, out);
   }
   add_cam_outputs(model, out);
@@ -311,7 +285,7 @@ void add_design_outputs(const Planar::Input& in, const mechanism::Model& model, 
 void list_design_patterns(std::vector<ResultPattern>& patterns) {
   planar::list_patterns(bar_rows, patterns);
   planar::list_patterns(guide_rows, patterns);
-  planar::list_patterns(contact_rows, patterns);
+  list_wheel_patterns(patterns);
   planar::list_patterns(rubbing_rows, patterns);
   list_cam_patterns(patterns);
   planar::list_patterns(machine_rows, patterns);

@@ -1,10 +1,16 @@
 #include "calculators/mechanism/planar_efficiency.hpp"
 
+#include "lib/units.hpp"
+
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace loadpath {
 
 namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 using report::Cell;
 using report::Quantity;
@@ -13,6 +19,8 @@ using report::Quantity;
 class Means {
  public:
   explicit Means(const project::Account& account) : account_(account) {}
+
+  [[nodiscard]] const project::Account& account() const { return account_; }
 
   [[nodiscard]] const project::Entry* find(const std::string& path) const {
     for (const project::Entry& e : account_.results) {
@@ -35,13 +43,39 @@ class Means {
 Cell share(double part, double whole) { return Quantity{part / whole, "-", 4}; }
 
 /// Useful work over the work of the drive; of a machine that is driven by its load, the other way round.
-Cell efficiency(double drive, double useful) {
-  if (std::isnan(drive) || std::isnan(useful)) return say("not available: some positions have no forces");
-  if (drive == 0.0 || useful == 0.0) return say("not defined: no mean power");
-  if (drive > 0.0 && useful > 0.0) return share(useful, drive);
-  if (drive < 0.0 && useful < 0.0) return share(drive, useful);
-  return say("not defined: drive and useful loads both take power");
+struct Efficiency {
+  double forward = none, back = none;
+  Message why_not_forward, why_not_back;
+};
+
+Efficiency undefined(const Message& reason) { return {none, none, reason, reason}; }
+
+Efficiency efficiency(double drive, double useful) {
+  if (std::isnan(drive) || std::isnan(useful)) return undefined(say("some positions have no forces"));
+  if (drive == 0.0 || useful == 0.0) return undefined(say("no mean power"));
+  if (drive > 0.0 && useful > 0.0)
+    return {useful / drive, none, {}, say("the drive moves the load, see drive.efficiency")};
+  if (drive < 0.0 && useful < 0.0)
+    return {none, drive / useful, say("the load moves the drive, see drive.efficiency_back"), {}};
+  return undefined(say("drive and useful loads both take power"));
 }
+
+Efficiency efficiency_of(const Means& means) {
+  const project::Entry* drive = means.find("drive.P");
+  if (drive == nullptr || !drive->value.is_series() || !drive->value.signature.axis->cyclic())
+    return undefined(say("the positions are no whole turn of the crank"));
+  for (const project::Entry& e : means.account().results) {
+    if (e.path.starts_with("cylinders.")) return undefined(say("several drives share the work"));
+  }
+  if (means.find("drive.P_useful") == nullptr) return undefined(say("no load is marked useful"));
+  return efficiency(means.of("drive.P"), means.of("drive.P_useful"));
+}
+
+constexpr ResultPattern forward_pattern{"drive.efficiency", "-", "useful work over the work of the drive, over a turn",
+                                        "with a crank, and friction or useful loads"};
+constexpr ResultPattern back_pattern{"drive.efficiency_back", "-",
+                                     "driven by the load: work that the drive takes over the work of the useful loads",
+                                     "with a crank, and friction or useful loads"};
 
 }  // namespace
 
@@ -62,12 +96,38 @@ std::optional<report::Table> efficiency_table(const project::Account& account, c
   }
   if (use) {
     table.rows.push_back({say("power against the useful loads"), Quantity{useful, "W"}});
-    const bool back = drive < 0.0 && useful < 0.0;
+    const Efficiency found = efficiency_of(means);
+    const bool back = !std::isnan(found.back);
+    const Cell value = back                        ? Cell(Quantity{found.back, "-", 4})
+                       : std::isnan(found.forward) ? Cell(say("not available: {1}", found.why_not_forward.text()))
+                                                   : Cell(Quantity{found.forward, "-", 4});
     table.rows.push_back(
-        {back ? say("efficiency of the reversed flow, from the loads to the drive") : say("efficiency"),
-         efficiency(drive, useful)});
+        {back ? say("efficiency of the reversed flow, from the loads to the drive") : say("efficiency"), value});
   }
   return table;
+}
+
+void add_efficiency_outputs(const PlanarMechanism::Input& in, const mechanism::Model& model,
+                            std::vector<MechanismOutput>& out) {
+  const bool friction =
+      std::any_of(model.joints.begin(), model.joints.end(), [](const auto& j) { return j.friction.any(); });
+  const bool use = std::any_of(in.loads.begin(), in.loads.end(),
+                               [](const auto& load) { return load.useful == PlanarMechanism::Useful::yes; });
+  if (in.crank.joint.empty() || (!friction && !use)) return;
+  const auto add = [&](const ResultPattern& pattern, double Efficiency::*value, Message Efficiency::*reason) {
+    const auto read = [value, reason](const project::Account& account) {
+      const Efficiency found = efficiency_of(Means(account));
+      return MechanismOutput::Values({found.*value}, found.*reason);
+    };
+    out.push_back({pattern.path, pattern.doc, pattern.unit, ratio.dimension(), {}, {}, true, read});
+  };
+  add(forward_pattern, &Efficiency::forward, &Efficiency::why_not_forward);
+  add(back_pattern, &Efficiency::back, &Efficiency::why_not_back);
+}
+
+void list_efficiency_patterns(std::vector<ResultPattern>& patterns) {
+  patterns.push_back(forward_pattern);
+  patterns.push_back(back_pattern);
 }
 
 }  // namespace loadpath

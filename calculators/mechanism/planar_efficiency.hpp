@@ -1,6 +1,7 @@
 // Where the power of the drive goes over a whole turn: friction, useful work, efficiency.
 #pragma once
 
+#include "calculators/mechanism/planar_outputs.hpp"
 #include "lib/project/step.hpp"
 
 #include <optional>
@@ -9,5 +10,11 @@ namespace loadpath {
 
 /// Nothing for a mechanism without friction and useful loads, or without a whole turn: no mean says anything then.
 std::optional<report::Table> efficiency_table(const project::Account& account, const Axis* axis);
+
+/// drive.efficiency, and drive.efficiency_back of a machine that is driven by its load: of a mechanism with a crank and
+/// friction or useful loads. Where it is not defined there is a reason.
+void add_efficiency_outputs(const PlanarMechanism::Input& in, const mechanism::Model& model,
+                            std::vector<MechanismOutput>& out);
+void list_efficiency_patterns(std::vector<ResultPattern>& patterns);
 
 }  // namespace loadpath

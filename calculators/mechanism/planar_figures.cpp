@@ -1,4 +1,5 @@
 #include "calculators/mechanism/planar_animation.hpp"
+#include "calculators/mechanism/planar_hodographs.hpp"
 #include "calculators/mechanism/planar_plans.hpp"
 #include "calculators/mechanism/planar_report.hpp"
 #include "calculators/mechanism/planar_scheme.hpp"
@@ -86,6 +87,7 @@ std::vector<draw::Figure> mechanism_figures(const PlanarMechanism::Input& in, co
     if (e.path == "drive.M" || e.path.starts_with("cylinders.")) figures.push_back(drive_figure(e, *axis));
   }
   figures.push_back(reactions_figure(model, account, *axis));
+  for (draw::Figure& figure : hodograph_figures(in, model, cycle, *axis)) figures.push_back(std::move(figure));
   return figures;
 }
 

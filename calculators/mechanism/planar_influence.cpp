@@ -21,16 +21,19 @@ constexpr std::size_t most_columns = 7;
 constexpr std::size_t most_parameters = 12;
 constexpr double negligible = 1e-12;  // of the largest value of its kind
 
+std::string load_name(const mechanism::Model& model, std::size_t load) {
+  const std::string& name = model.loads[load].name;
+  return name.empty() ? std::to_string(load + 1) : name;
+}
+
 Message name_of(const Cause& cause, const mechanism::Model& model) {
   switch (cause.kind) {
     case Cause::Kind::weights:
       return say("weights");
     case Cause::Kind::inertia:
       return say("inertia of {1}", model.links[cause.index].name);
-    case Cause::Kind::load: {
-      const std::string& name = model.loads[cause.index].name;
-      return say("load {1}", name.empty() ? std::to_string(cause.index + 1) : name);
-    }
+    case Cause::Kind::load:
+      return say("load {1}", load_name(model, cause.index));
     case Cause::Kind::spring:
       return say("spring {1}", model.springs[cause.index].name);
     case Cause::Kind::induced:
@@ -112,6 +115,7 @@ Described describe(const Parameter& p, mechanism::Model& model) {
   const auto joint = [&]() -> const mechanism::Joint& { return model.joints[p.index]; };
   const auto link = [&] { return model.links[p.index].name; };
   const auto spring = [&] { return model.springs[p.index].name; };
+  const auto load = [&] { return load_name(model, p.index); };
   switch (p.dimension) {
     case point_i_x:
       return length_of(say("{1} on {2}, x", joint().name, link_name(model, joint().i)));
@@ -160,6 +164,15 @@ Described describe(const Parameter& p, mechanism::Model& model) {
                  : part_of(say("free length of {1}", spring()), value);
     case damping:
       return part_of(say("damping of {1}", spring()), value);
+    case load_x:
+    case load_y:
+      return part_of(say("force of load {1}", load()), value);
+    case load_moment:
+      return part_of(say("couple of load {1}", load()), value);
+    case load_at_x:
+      return length_of(say("place of load {1}, x", load()));
+    case load_at_y:
+      return length_of(say("place of load {1}, y", load()));
   }
   return part_of(say("mass of {1}", link()), value);
 }
@@ -173,10 +186,18 @@ std::vector<Change> changes_of(const mechanism::Model& model, const Position& at
   mechanism::Sensitivity sensitivity(model);
   if (sensitivity.find(at, statics) != mechanism::Status::closed) return {};
   mechanism::Model numbers = model;
+  for (std::size_t n = 0; n < numbers.loads.size(); ++n) {  // as they are at the position
+    numbers.loads[n].force = at.loads[n].force;
+    numbers.loads[n].moment = at.loads[n].moment;
+  }
   std::vector<Change> changes;
   for (std::size_t k = 0; k < sensitivity.parameters().size(); ++k) {
+    const Parameter::Dimension dimension = sensitivity.parameters()[k].dimension;
+    if (dimension == Parameter::Dimension::load_y) continue;
     Described parameter = describe(sensitivity.parameters()[k], numbers);
-    const double by = sensitivity.by(k).effort[0] * parameter.step;
+    double by = sensitivity.by(k).effort[0] * parameter.step;
+    if (dimension == Parameter::Dimension::load_x)  // a force changes along itself: with its y, which comes next
+      by += sensitivity.by(k + 1).effort[0] * describe(sensitivity.parameters()[k + 1], numbers).step;
     if (std::abs(by) > 1e-9 * std::abs(at.effort[0])) changes.push_back({std::move(parameter), by});
   }
   std::stable_sort(changes.begin(), changes.end(),
@@ -189,7 +210,7 @@ void add_changes(const mechanism::Model& model, const Position& at, bool statics
   if (model.drivers.empty() || at.effort[0] == 0.0) return;
   const bool rotary = model.drivers[0].kind == mechanism::Driver::Kind::rotary;
   Table table{say("What changes the effort of the drive most, at the governing position (exact derivatives)"),
-              {say("dimension or mass"), say("changed by"), say("changes the effort by"), say("part of it")},
+              {say("dimension, mass or load"), say("changed by"), say("changes the effort by"), say("part of it")},
               {}};
   for (const Change& change : changes_of(model, at, statics)) {
     table.rows.push_back({change.parameter.name, change.parameter.shown, Quantity{change.by, rotary ? "N*m" : "N", 3},

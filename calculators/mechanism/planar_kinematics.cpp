@@ -107,7 +107,8 @@ void add_transmission(const mechanism::Model& model, std::vector<MechanismOutput
 
 template <class Read>
 void add_derivative(const Derivative& row, const std::string& name, Read read, std::vector<MechanismOutput>& out) {
-  const auto over_cycle = [read](const Cycle&, const Kinematics& kinematics) {
+  const auto over_cycle = [read](const Solved& solved) {
+    const Kinematics& kinematics = solved.kinematics;
     std::vector<double> values;
     for (std::size_t k = 0; k < kinematics.known.size(); ++k)
       values.push_back(kinematics.known[k] ? read(kinematics.derivatives[k]) : none);
@@ -140,7 +141,7 @@ std::vector<double> range_of(const Kinematics& kinematics, Stroke::Of of, std::s
 
 void add_range(const ResultPattern& pattern, const std::string& name, Stroke::Of of, std::size_t index,
                std::vector<MechanismOutput>& out) {
-  const auto read = [of, index](const Cycle&, const Kinematics& k) { return range_of(k, of, index); };
+  const auto read = [of, index](const Solved& solved) { return range_of(solved.kinematics, of, index); };
   const Dimension dimension = of == Stroke::Of::link ? deg.dimension() : mm.dimension();
   out.push_back({named(pattern.path, name), pattern.doc, pattern.unit, dimension, {}, read, true});
 }

@@ -1,7 +1,12 @@
 #include "calculators/mechanism/planar_model.hpp"
 
+#include "calculators/mechanism/planar_accuracy.hpp"
+#include "calculators/mechanism/planar_balance.hpp"
+#include "calculators/mechanism/planar_hodographs.hpp"
 #include "calculators/mechanism/planar_joints.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
+#include "calculators/mechanism/planar_masses.hpp"
+#include "calculators/mechanism/planar_names.hpp"
 #include "calculators/mechanism/planar_profiles.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -15,49 +20,29 @@ namespace {
 using Planar = PlanarMechanism;
 using mechanism::Vec;
 
-std::string path_of(const char* list, const Name& name, const char* field) {
-  return std::string(list) + "." + std::string(name.view()) + (*field == '\0' ? "" : "." + std::string(field));
-}
-
-template <class Items>
-std::vector<std::string> names_in(const Items& items) {
-  std::vector<std::string> names;
-  for (const auto& item : items) names.emplace_back(item.name.view());
-  return names;
-}
-
-bool has_link(const Planar::Input& in, const Name& name) {
-  return name.view() == "ground" ||
-         std::any_of(in.links.begin(), in.links.end(), [&](const auto& l) { return l.name == name; });
-}
-
-const List<Planar::Point, 16>* points_of(const Planar::Input& in, int link) {
-  return link == mechanism::ground ? nullptr : &in.links[static_cast<std::size_t>(link)].points;
-}
-
-class NameCheck {
+class NameCheck : private NameFaults {
  public:
-  explicit NameCheck(const Planar::Input& in) : in_(in) {}
+  explicit NameCheck(const Planar::Input& in) : NameFaults(in), in_(in) {}
 
   std::vector<ModelFault> run() {
     for (const auto& point : in_.ground) check_point(point, "ground." + std::string(point.name.view()));
     for (const auto& link : in_.links) check_link(link);
     for (const auto& joint : in_.joints) check_joint(joint);
     for (const auto& profile : in_.profiles) {
-      for (FieldFault& fault : check_fields(profile)) faults_.push_back(std::move(fault));
+      for (FieldFault& fault : check_fields(profile)) add(std::move(fault));
     }
     check_drives();
     for (std::size_t i = 0; i < in_.loads.size(); ++i) check_load(in_.loads[i], i);
     for (const auto& spring : in_.springs) check_spring(spring);
-    if (faults_.empty()) check_shared_points();
-    return std::move(faults_);
+    for (const auto& link : in_.links) check_mass_points(link, *this);
+    check_accuracy(*this);
+    check_balance(*this);
+    check_hodographs(*this);
+    if (none()) check_shared_points();
+    return take();
   }
 
  private:
-  void add(std::string path, Message message, Message hint = {}) {
-    faults_.push_back({std::move(path), std::move(message), std::move(hint)});
-  }
-
   void check_point(const Planar::Point& p, const std::string& path) {
     const bool cartesian = is_set(p.x) && is_set(p.y), polar = is_set(p.r) && is_set(p.angle);
     const bool any_cartesian = is_set(p.x) || is_set(p.y), any_polar = is_set(p.r) || is_set(p.angle);
@@ -79,26 +64,6 @@ class NameCheck {
     }
   }
 
-  bool require_link(const Name& name, const std::string& path) {
-    if (has_link(in_, name)) return true;
-    auto names = names_in(in_.links);
-    names.emplace_back("ground");
-    add(path, say("there is no link '{1}'", name.view()), did_you_mean(name.view(), names, there_is(names)));
-    return false;
-  }
-
-  void require_point(int link, const Name& name, const std::string& path) {
-    if (find_point(in_, link, name) != nullptr) return;
-    const auto* points = points_of(in_, link);
-    const auto names = points == nullptr ? names_in(in_.ground) : names_in(*points);
-    const std::string owner(link == mechanism::ground ? "ground"
-                                                      : in_.links[static_cast<std::size_t>(link)].name.view());
-    add(path, say("the link '{1}' has no point '{2}'", owner, name.view()),
-        did_you_mean(name.view(), names,
-                     say("give '{1}' among the points of '{2}', or name another point with points = [...]", name.view(),
-                         owner)));
-  }
-
   void check_joint(const Planar::Joint& joint) {
     const std::string links = path_of("joints", joint.name, "links");
     const std::string points = joint.points.first.empty() ? links : path_of("joints", joint.name, "points");
@@ -111,7 +76,7 @@ class NameCheck {
       add(links, say("joint '{1}' connects '{2}' with itself", joint.name.view(), joint.links.first.view()),
           say("a joint is between two links, or between a link and the ground"));
     }
-    for (FieldFault& fault : check_fields(joint)) faults_.push_back(std::move(fault));
+    for (FieldFault& fault : check_fields(joint)) add(std::move(fault));
     if (is_cam(joint.type) && !joint.profile.empty()) check_cam(joint);
   }
 
@@ -128,12 +93,6 @@ class NameCheck {
         say("leave it out; an edge (radius 0) and a flat face rub"));
   }
 
-  void require_joint(const Name& name, const std::string& path) {
-    const auto names = names_in(in_.joints);
-    if (std::find(names.begin(), names.end(), std::string(name.view())) != names.end()) return;
-    add(path, say("there is no joint '{1}'", name.view()), did_you_mean(name.view(), names, there_is(names)));
-  }
-
   void require_turning(const Name& name) {
     for (const auto& j : in_.joints) {
       if (j.name == name && j.type != Planar::Type::revolute) {
@@ -147,7 +106,7 @@ class NameCheck {
     if (!in_.crank.joint.empty()) require_joint(in_.crank.joint, "crank.joint");
     require_turning(in_.crank.joint);
     for (const auto& c : in_.cylinders) require_joint(c.joint, path_of("cylinders", c.name, "joint"));
-    if (in_.crank.joint.empty() || in_.crank.to.empty() || !faults_.empty()) return;
+    if (in_.crank.joint.empty() || in_.crank.to.empty() || !none()) return;
     const auto joint =
         std::find_if(in_.joints.begin(), in_.joints.end(), [&](const auto& j) { return j.name == in_.crank.joint; });
     const bool first_fixed = joint->links.first.view() == "ground";
@@ -175,7 +134,7 @@ class NameCheck {
   void check_spring(const Planar::Spring& spring) {
     const bool first = require_link(spring.links.first, path_of("springs", spring.name, "links") + ".first");
     const bool second = require_link(spring.links.second, path_of("springs", spring.name, "links") + ".second");
-    for (FieldFault& fault : check_fields(spring)) faults_.push_back(std::move(fault));
+    for (FieldFault& fault : check_fields(spring)) add(std::move(fault));
     if (first && second && spring.links.first == spring.links.second)
       add(path_of("springs", spring.name, "links"), say("a spring acts between two links, or a link and the ground"));
     if (spring.points.first.empty()) return;
@@ -184,7 +143,7 @@ class NameCheck {
     if (second) require_point(link_index(in_, spring.links.second), end_of(spring).second, points + ".second");
   }
 
-  /// In a drawing one letter is one point: two links may share it only where a pin of that name joins them.
+  /// In a drawing one letter is one point: two links may share it only where a pin, or weld, of that name joins them.
   void check_shared_points() {
     for (std::size_t b = 1; b < in_.links.size(); ++b) {
       const auto& link = in_.links[b];
@@ -206,12 +165,13 @@ class NameCheck {
     }
   }
 
-  /// Whether pins of one name lead from a link to another, over a third where several links meet in one point.
+  /// Whether pins or welds of one name lead from a link to another, over a third where several links meet in one point.
   bool pinned(const Name& from, const Name& to, const Name& pin) const {
     std::vector<Name> reached{from};
     for (std::size_t i = 0; i < reached.size(); ++i) {
       for (const auto& j : in_.joints) {
-        const bool is_pin = j.type == Planar::Type::revolute && point_names(j) == std::pair(pin, pin);
+        const bool joins = j.type == Planar::Type::revolute || j.type == Planar::Type::rigid;
+        const bool is_pin = joins && point_names(j) == std::pair(pin, pin);
         if (!is_pin || (j.links.first != reached[i] && j.links.second != reached[i])) continue;
         const Name& other = j.links.first == reached[i] ? j.links.second : j.links.first;
         if (std::find(reached.begin(), reached.end(), other) == reached.end()) reached.push_back(other);
@@ -221,7 +181,6 @@ class NameCheck {
   }
 
   const Planar::Input& in_;
-  std::vector<ModelFault> faults_;
 };
 
 mechanism::Joint joint_of(const Planar::Input& in, const Planar::Joint& j) {
@@ -247,6 +206,7 @@ mechanism::Link link_of(const Planar::Input& in, std::size_t i) {
   link.mass = in_si(l.mass);
   link.inertia = in_si(l.J);
   if (!l.S.empty()) link.centre = vector_of(*find_point(in, static_cast<int>(i), l.S));
+  link.inertia = reduced_inertia(l, link);
   link.pose.phi = is_set(l.angle) ? l.angle : 0.0;
   if (is_set(l.origin.x)) link.pose = {in_si(l.origin.x), in_si(l.origin.y), link.pose.phi};
   return link;

@@ -1,6 +1,9 @@
 #include "calculators/mechanism/planar_outputs.hpp"
 
+#include "calculators/mechanism/planar_accuracy.hpp"
+#include "calculators/mechanism/planar_balance.hpp"
 #include "calculators/mechanism/planar_design_outputs.hpp"
+#include "calculators/mechanism/planar_efficiency.hpp"
 #include "calculators/mechanism/planar_kinematics.hpp"
 #include "calculators/mechanism/planar_rest.hpp"
 #include "calculators/mechanism/planar_rows.hpp"
@@ -111,6 +114,9 @@ std::vector<MechanismOutput> mechanism_outputs(const PlanarMechanism::Input& in,
   add_design_outputs(in, model, out);
   add_kinematic_outputs(in, model, out);
   add_rest_outputs(model, out);
+  add_efficiency_outputs(in, model, out);
+  add_error_outputs(in, out);
+  add_balance_outputs(in, out);
   return out;
 }
 
@@ -124,6 +130,9 @@ std::vector<ResultPattern> mechanism_result_patterns() {
   list_design_patterns(patterns);
   for (const ResultPattern& p : kinematic_result_patterns()) patterns.push_back(p);
   list_rest_patterns(patterns);
+  list_efficiency_patterns(patterns);
+  list_error_patterns(patterns);
+  list_balance_patterns(patterns);
   return patterns;
 }
 

@@ -3,26 +3,49 @@
 
 #include "calculators/mechanism/planar_model.hpp"
 #include "lib/calculator.hpp"
+#include "lib/issue.hpp"
 #include "lib/quantity/dimension.hpp"
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace loadpath {
 
+namespace project {
+struct Account;
+}
 struct Cycle;
 struct Kinematics;
+struct Errors;
+struct Balanced;
+
+/// What is known when all positions are solved.
+struct Solved {
+  const Cycle& cycle;
+  const Kinematics& kinematics;
+  const Errors& errors;
+  const Balanced& balanced;
+};
 
 struct MechanismOutput {
+  struct Values {
+    std::vector<double> si;  // one for every position, or one
+    Message missing;         // why there are none, or not everywhere; empty: there are, or it goes without saying
+    Values(std::vector<double> values, Message reason = {})  // NOLINT(google-explicit-constructor)
+        : si(std::move(values)), missing(std::move(reason)) {}
+  };
   std::string path;  // "joints.A.F"
   std::string doc;
   std::string unit;
   Dimension dimension;
   std::function<double(const mechanism::Position&)> read;
-  /// In place of `read`, of the whole cycle: a value for every position, or one value.
-  std::function<std::vector<double>(const Cycle&, const Kinematics&)> read_cycle = {};
+  /// In place of `read`, of all that is solved.
+  std::function<Values(const Solved&)> read_cycle = {};
   bool is_single = false;
+  /// In place of `read`, of the results before it.
+  std::function<Values(const project::Account&)> read_results = {};
 };
 
 /// All outputs, in the order of reports. `model` must outlive nothing: what the readers need is copied.

@@ -1,10 +1,12 @@
 #include "calculators/mechanism/planar_report.hpp"
 
+#include "calculators/mechanism/planar_accuracy.hpp"
 #include "calculators/mechanism/planar_cams.hpp"
 #include "calculators/mechanism/planar_efficiency.hpp"
 #include "calculators/mechanism/planar_flanks.hpp"
 #include "calculators/mechanism/planar_joints.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
+#include "calculators/mechanism/planar_masses.hpp"
 #include "calculators/mechanism/planar_model.hpp"
 #include "calculators/mechanism/planar_profiles.hpp"
 #include "calculators/mechanism/planar_redundancy.hpp"
@@ -16,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace loadpath {
 
@@ -136,7 +139,8 @@ bool is_design_load(const std::string& path) {
 /// The mean, with what rounding has left of a zero taken as one.
 double mean_of(const Value& series) {
   const double average = mean(series);
-  return std::abs(average) < 1e-12 * std::abs(largest(series).value) ? 0.0 : average;
+  const double rounding = std::max(series.rounding, 1e-12 * std::abs(largest(series).value));
+  return std::abs(average) < rounding ? 0.0 : average;
 }
 
 /// What is not unique is told in a table of its own.
@@ -145,7 +149,8 @@ Table extremes_table(const project::Account& account, const Cycle& cycle, const 
               {say("quantity"), say("largest"), say("at"), say("smallest"), say("at"), say("mean"), say("rms")},
               {}};
   for (const project::Entry& e : account.results) {
-    if (!is_design_load(e.path) || (!cycle.unique.empty() && is_open(e))) continue;
+    if (!is_design_load(e.path) || !e.value.is_series() || is_constant(e.value)) continue;
+    if (!cycle.unique.empty() && is_open(e)) continue;
     const Extreme high = maximum(e.value), low = minimum(e.value);
     table.rows.push_back({e.path, Quantity{high.value, e.unit}, Quantity{high.at, axis.unit},
                           Quantity{low.value, e.unit}, Quantity{low.at, axis.unit}, Quantity{mean_of(e.value), e.unit},
@@ -154,11 +159,26 @@ Table extremes_table(const project::Account& account, const Cycle& cycle, const 
   return table;
 }
 
+/// What has no extremes.
+std::optional<Table> constant_table(const project::Account& account) {
+  Table table{say("Constant over the cycle"), {say("quantity"), say("value"), say("meaning")}, {}};
+  for (const project::Entry& e : account.results) {
+    if (!is_design_load(e.path) || !e.value.is_series() || !is_constant(e.value)) continue;
+    table.rows.push_back({e.path, Quantity{e.value.si.front(), e.unit}, say("{1}", e.doc)});
+  }
+  if (table.rows.empty()) return std::nullopt;
+  return table;
+}
+
 Table position_table(const project::Account& account) {
   Table table{say("Drive and reactions"), {say("quantity"), say("value"), say("meaning")}, {}};
   for (const project::Entry& e : account.results) {
-    if (is_design_load(e.path) || (e.path.starts_with("joints.") && e.value.signature.dimension == N.dimension()))
-      table.rows.push_back({e.path, Quantity{e.value.si[0], e.unit}, say("{1}", e.doc)});
+    if (!is_design_load(e.path) && !(e.path.starts_with("joints.") && e.value.signature.dimension == N.dimension()))
+      continue;
+    const bool told = std::isnan(e.value.si[0]) && !e.missing.empty();
+    table.rows.push_back(
+        {e.path, told ? Cell(say("not available: {1}", e.missing.text())) : Cell(Quantity{e.value.si[0], e.unit}),
+         say("{1}", e.doc)});
   }
   return table;
 }
@@ -230,16 +250,21 @@ Table determinacy_table(const mechanism::Model& model, const mechanism::Structur
 
 std::vector<report::Block> model_tables(const Planar::Input& in) {
   std::vector<report::Block> blocks{drive_table(in), link_table(in), point_table(in), joint_table(in)};
+  if (auto reductions = reduction_table(in)) blocks.emplace_back(std::move(*reductions));
   for (report::Table& table : detail_tables(in)) blocks.emplace_back(std::move(table));
   for (report::Table& table : profile_tables(in)) blocks.emplace_back(std::move(table));
   if (!in.loads.empty()) blocks.emplace_back(load_table(in));
   if (!in.springs.empty()) blocks.emplace_back(spring_table(in));
+  for (report::Table& table : tolerance_tables(in)) blocks.emplace_back(std::move(table));
   return blocks;
 }
 
 std::vector<report::Block> result_tables(const project::Account& account, const mechanism::Model& model,
                                          const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis) {
   std::vector<report::Block> blocks{axis == nullptr ? position_table(account) : extremes_table(account, cycle, *axis)};
+  if (axis != nullptr) {
+    if (auto constant = constant_table(account)) blocks.emplace_back(std::move(*constant));
+  }
   if (auto efficiency = efficiency_table(account, axis)) blocks.emplace_back(std::move(*efficiency));
   if (auto standing = standing_table(model, cycle, axis)) blocks.emplace_back(std::move(*standing));
   if (auto resting = dead_point_table(model, cycle, axis)) blocks.emplace_back(std::move(*resting));

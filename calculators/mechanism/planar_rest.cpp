@@ -77,7 +77,8 @@ constexpr ResultPattern joint_most{"joints.NAME.F_max", "N",
 template <class Read>
 void add_end(const ResultPattern& pattern, const std::string& name, double Band::*end, Read read,
              std::vector<MechanismOutput>& out) {
-  const auto over_cycle = [read, end](const Cycle& cycle, const Kinematics&) {
+  const auto over_cycle = [read, end](const Solved& solved) {
+    const Cycle& cycle = solved.cycle;
     std::vector<double> values;
     for (std::size_t k = 0; k < cycle.positions.size(); ++k) values.push_back(band_at(cycle, k, read).*end);
     return values;
@@ -90,7 +91,8 @@ void add_standing(const mechanism::Driver& driver, std::vector<MechanismOutput>&
   const bool rotary = driver.kind == mechanism::Driver::Kind::rotary;
   for (const Standing& row : standing_rows) {
     const ResultPattern& pattern = rotary ? row.crank : row.cylinder;
-    const auto read = [effort = row.effort](const Cycle& cycle, const Kinematics&) {
+    const auto read = [effort = row.effort](const Solved& solved) {
+      const Cycle& cycle = solved.cycle;
       std::vector<double> values(cycle.positions.size(), none);
       for (std::size_t k = 0; k < cycle.standing.size(); ++k)
         values[k] = cycle.closed[k] ? cycle.standing[k].*effort : none;

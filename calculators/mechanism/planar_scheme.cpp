@@ -2,6 +2,7 @@
 
 #include "calculators/mechanism/planar_forces.hpp"
 #include "calculators/mechanism/planar_outputs.hpp"
+#include "calculators/mechanism/planar_rounding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,20 +70,6 @@ std::vector<Vec> used_points(const mechanism::Model& model, const Extents& exten
   return points;
 }
 
-/// What rounding leaves of a zero beside the largest reaction and its moment: not drawn.
-struct Negligible {
-  double force = 0.0, moment = 0.0;
-};
-Negligible negligible(const Position& p) {
-  Negligible least;
-  for (const auto& r : p.reactions) {
-    const double force = 1e-12 * mechanism::length(r.force);
-    least.force = std::max(least.force, force);
-    least.moment = std::max(least.moment, force * mechanism::length(r.at));
-  }
-  return least;
-}
-
 class Drawing {
  public:
   Drawing(const mechanism::Model& model, const Position& at, const Extents& extents,
@@ -92,12 +79,13 @@ class Drawing {
         extents_(extents),
         points_(points),
         moving_(shown == Shown::moving),
-        rounding_(negligible(at)) {
+        rounding_(rounding_at(at)) {
     for (std::size_t k = 0; k < model.links.size(); ++k) add_body(k);
     for (std::size_t n = 0; n < model.joints.size(); ++n) {
       add_joint(n);
       add_reaction(n);
     }
+    for (const mechanism::Spring& spring : model.springs) add_spring(spring);
     for (std::size_t n = 0; n < model.loads.size(); ++n) add_load(n);
     for (const TracedPoint& p : points) add_point(p);
     for (std::size_t d = 0; d < model.drivers.size(); ++d) add_drive(d);
@@ -183,10 +171,25 @@ class Drawing {
     const mechanism::Joint& j = model_.joints[n];
     const bool slides = has_line(j.kind), cam = j.kind == JointKind::cam;
     const bool fixed = !cam && (j.i == mechanism::ground || j.j == mechanism::ground);
-    scheme().joints.push_back({j.name, point(on_paper(at_, j.i, j.point_i)),
-                               slides ? Scheme::Pin::slider : Scheme::Pin::revolute, fixed && !slides,
-                               angle_of(at_, j.j) + j.direction});
+    const Scheme::Pin pin = slides                       ? Scheme::Pin::slider
+                            : j.kind == JointKind::rigid ? Scheme::Pin::welded
+                                                         : Scheme::Pin::revolute;
+    const Vec place = on_paper(at_, j.i, j.point_i);
+    const double angle = pin == Scheme::Pin::welded ? angle_between(j, place) : angle_of(at_, j.j) + j.direction;
+    scheme().joints.push_back({j.name, point(place), pin, fixed && !slides, angle});
     motion_.joints.push_back({fixed && !slides ? mechanism::ground : j.i, j.j});
+  }
+
+  /// Half-way between the two links of a weld, as they go off from it; the ground goes nowhere.
+  double angle_between(const mechanism::Joint& j, Vec place) {
+    Vec sum;
+    for (const int link : {j.i, j.j}) {
+      if (link == mechanism::ground) continue;
+      const draw::Point middle = middle_of(static_cast<std::size_t>(link));
+      const Vec off = Vec{middle.x, middle.y} - place;
+      if (mechanism::length(off) > 0.0) sum = sum + (1.0 / mechanism::length(off)) * off;
+    }
+    return std::atan2(sum.y, sum.x);
   }
 
   void add_point(const TracedPoint& p) {
@@ -233,9 +236,40 @@ class Drawing {
     motion_.wheels.push_back({link, link});
   }
 
+  void add_spring(const mechanism::Spring& spring) {
+    const bool pulls = spring.rate > 0.0, damps = spring.damping > 0.0;
+    if (spring.kind == mechanism::Spring::Kind::linear) {
+      scheme().springs.push_back({spring.name, point(on_paper(at_, spring.i, spring.point_i)),
+                                  point(on_paper(at_, spring.j, spring.point_j)), pulls, damps});
+      motion_.springs.push_back({spring.i, spring.j});
+      if (spring.i == mechanism::ground) add_anchor(spring.point_i);
+      if (spring.j == mechanism::ground) add_anchor(spring.point_j);
+      return;
+    }
+    const auto joint = joint_between(spring.i, spring.j);
+    if (joint == model_.joints.end()) return;  // two links far from each other: there is no place for it
+    scheme().coils.push_back({spring.name, point(on_paper(at_, joint->i, joint->point_i)), pulls, damps});
+    motion_.coils.push_back({joint->i, joint->j});
+  }
+
+  /// What holds the end of a spring on the ground, unless a joint stands there.
+  void add_anchor(Vec place) {
+    const auto same = [&](const Scheme::Joint& j) { return j.fixed && j.at.x == place.x && j.at.y == place.y; };
+    if (std::any_of(scheme().joints.begin(), scheme().joints.end(), same)) return;
+    scheme().joints.push_back({"", point(place), Scheme::Pin::revolute, true, 0.0});
+    motion_.joints.push_back({});
+  }
+
+  [[nodiscard]] std::vector<mechanism::Joint>::const_iterator joint_between(int i, int j) const {
+    return std::find_if(model_.joints.begin(), model_.joints.end(), [&](const auto& joint) {
+      return joint.kind == JointKind::revolute && std::minmax(joint.i, joint.j) == std::minmax(i, j);
+    });
+  }
+
   void add_reaction(std::size_t n) {
     const Vec force = -at_.reactions[n].force;
-    if (!moving_ && mechanism::length(force) <= rounding_.force) return;
+    const bool is_known = std::isfinite(force.x) && std::isfinite(force.y);  // where it jams no force is
+    if (!moving_ && !(is_known && mechanism::length(force) > rounding_.force)) return;
     const mechanism::Joint& j = model_.joints[n];
     scheme().arrows.push_back({point(at_.reactions[n].at), point(force), "R_" + j.name, false});
     motion_.forces.push_back({{}, {}, {j.i, -1}});
@@ -261,10 +295,8 @@ class Drawing {
   void add_drive(std::size_t d) {
     const mechanism::Driver& driver = model_.drivers[d];
     if (driver.kind != mechanism::Driver::Kind::rotary) return;
-    const auto joint = std::find_if(model_.joints.begin(), model_.joints.end(), [&](const auto& j) {
-      return j.kind == JointKind::revolute && std::minmax(j.i, j.j) == std::minmax(driver.i, driver.j);
-    });
-    const bool negligible = std::abs(at_.effort[d]) <= rounding_.moment && !moving_;
+    const auto joint = joint_between(driver.i, driver.j);
+    const bool negligible = !(std::abs(at_.effort[d]) > rounding_.moment) && !moving_;
     if (joint == model_.joints.end() || negligible) return;
     scheme().moments.push_back({point(on_paper(at_, joint->i, joint->point_i)), at_.effort[d], "M"});
     motion_.couples.push_back({{}, {joint->i == mechanism::ground ? mechanism::ground : joint->i, -1}});
@@ -275,7 +307,7 @@ class Drawing {
   const Extents& extents_;
   const std::vector<TracedPoint>& points_;
   bool moving_;
-  Negligible rounding_;
+  Rounding rounding_;
   Motion motion_;
 };
 

@@ -1,13 +1,17 @@
 #include "calculators/mechanism/planar_step.hpp"
 
+#include "calculators/mechanism/planar_accuracy.hpp"
 #include "calculators/mechanism/planar_assemblies.hpp"
+#include "calculators/mechanism/planar_balance.hpp"
 #include "calculators/mechanism/planar_design_outputs.hpp"
 #include "calculators/mechanism/planar_expansion.hpp"
 #include "calculators/mechanism/planar_influence.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
+#include "calculators/mechanism/planar_masses.hpp"
 #include "calculators/mechanism/planar_profiles.hpp"
 #include "calculators/mechanism/planar_redundancy.hpp"
 #include "calculators/mechanism/planar_report.hpp"
+#include "calculators/mechanism/planar_rounding.hpp"
 #include "calculators/mechanism/templates/planar_template.hpp"
 #include "lib/calculator.hpp"
 #include "lib/mechanism/structure.hpp"
@@ -185,6 +189,7 @@ bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue
   for (FieldFault& fault : check_profiles(data())) drawing.push_back(std::move(fault));
   for (FieldFault& fault : check_laws(data())) drawing.push_back(std::move(fault));
   for (FieldFault& fault : check_mass_lines(data(), model)) drawing.push_back(std::move(fault));
+  for (FieldFault& fault : check_reductions(data())) drawing.push_back(std::move(fault));
   add_faults(drawing, issues);
   if (!drawing.empty()) return false;
   for (const FieldFault& warning : overshooting_laws(data())) {
@@ -197,6 +202,14 @@ bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue
     if (f.message.text() == said) continue;  // a pin that is there twice holds two freedoms too many
     said = f.message.text();
     issues.push_back(issue_at(input(), path_of(f, model), f.message, f.hint));
+  }
+  if (!structure_.redundant.empty() && !data().accuracy.empty()) {
+    issues.push_back(
+        issue_at(input(), "accuracy",
+                 say("errors are not covered where joints hold too much: with other dimensions they would "
+                     "not close"),
+                 say("leave out what repeats the others: {1}", names_of(model.joints, structure_.redundant[0]))));
+    return false;
   }
   return findings.empty();
 }
@@ -223,7 +236,9 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
     model = determinate(model, cycle);
   }
   const Kinematics kinematics = kinematics_of(model, cycle, axis_.get(), !has_law(data()));
-  fill_values(model, cycle, kinematics);
+  const Errors errors = errors_of(data(), model, cycle);
+  const Balanced balanced = balance_of(data(), model, cycle);
+  fill_values(model, {cycle, kinematics, errors, balanced});
   for (auto& v : changes_of_assembly(name(), model, cycle, kinematics, axis_.get()))
     account.verdicts.push_back(std::move(v));
   fill_inputs();
@@ -232,6 +247,8 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
   const bool statics = data().analysis == PlanarMechanism::Analysis::statics;
   for (auto& b : influence_tables(model, cycle, governing_position(cycle, account), statics))
     account.blocks.emplace_back(std::move(b));
+  for (auto& b : error_tables(data(), errors, axis_.get())) account.blocks.emplace_back(std::move(b));
+  for (auto& b : balance_tables(data(), balanced)) account.blocks.emplace_back(std::move(b));
   account.figures = mechanism_figures(data(), given, cycle, account, axis_.get());
 }
 
@@ -259,44 +276,40 @@ void PlanarStep::fill_inputs() {
   account.input_blocks.insert(account.input_blocks.begin(), template_table(*input().from, parameters));
 }
 
-/// The largest magnitude of each dimension over all outputs; what is 1e-13 of it is what rounding has left of a zero.
-static double largest_like(const Dimension& dimension, const std::vector<project::Entry>& entries) {
-  double most = 0.0;
-  for (const project::Entry& e : entries) {
-    if (e.value.signature.dimension != dimension) continue;
-    for (const double x : e.value.si) most = std::abs(x) > most ? std::abs(x) : most;
-  }
-  return most;
-}
-
 /// One value, or one for every position; none where the mechanism does not close.
-static std::vector<double> values_of(const MechanismOutput& output, const Cycle& cycle, const Kinematics& kinematics) {
-  if (output.read_cycle) return output.read_cycle(cycle, kinematics);
+static MechanismOutput::Values values_of(const MechanismOutput& output, const Solved& solved,
+                                         const project::Account& account) {
+  if (output.read_results) return output.read_results(account);
+  if (output.read_cycle) return output.read_cycle(solved);
+  const Cycle& cycle = solved.cycle;
   std::vector<double> values;
   for (std::size_t k = 0; k < cycle.positions.size(); ++k)
     values.push_back(cycle.closed[k] ? output.read(cycle.positions[k]) : std::numeric_limits<double>::quiet_NaN());
   return values;
 }
 
+static MechanismOutput::Values not_unique(const MechanismOutput& output, const Solved& solved) {
+  const std::size_t count = output.is_single ? 1 : solved.cycle.positions.size();
+  return {std::vector<double>(count, std::numeric_limits<double>::quiet_NaN()),
+          say("not unique: other joints hold the same freedom")};
+}
+
 /// `model`: what was solved; it lacks the outputs of what was released of the given one.
-void PlanarStep::fill_values(const mechanism::Model& model, const Cycle& cycle, const Kinematics& kinematics) {
-  const auto solved = mechanism_outputs(data(), model);
-  auto& results = own_account().results;
-  results.clear();
-  for (const MechanismOutput& output : outputs_) {
-    const auto found = std::find_if(solved.begin(), solved.end(), [&](const auto& s) { return s.path == output.path; });
-    const std::size_t count = output.is_single ? 1 : cycle.positions.size();
-    Value value{{output.dimension, output.is_single ? nullptr : axis_.get()},
-                found == solved.end() ? std::vector<double>(count, std::numeric_limits<double>::quiet_NaN())
-                                      : values_of(*found, cycle, kinematics)};
-    results.push_back({output.path, output.doc, output.unit, Role::result, std::move(value), {}, ""});
-  }
-  for (const Dimension& dimension : {N.dimension(), N_m.dimension(), W.dimension()}) {
-    const double rounding = 1e-13 * largest_like(dimension, results);
-    for (project::Entry& e : results) {
-      if (e.value.signature.dimension != dimension) continue;
-      for (double& x : e.value.si) x = std::abs(x) <= rounding ? 0.0 : x;
+void PlanarStep::fill_values(const mechanism::Model& model, const Solved& solved) {
+  const auto outputs = mechanism_outputs(data(), model);
+  project::Account& account = own_account();
+  account.results.clear();
+  for (const bool of_others : {false, true}) {
+    for (const MechanismOutput& output : outputs_) {
+      if (of_others != static_cast<bool>(output.read_results)) continue;
+      const auto found =
+          std::find_if(outputs.begin(), outputs.end(), [&](const auto& o) { return o.path == output.path; });
+      auto [si, missing] = found == outputs.end() ? not_unique(output, solved) : values_of(*found, solved, account);
+      Value value{{output.dimension, output.is_single ? nullptr : axis_.get()}, std::move(si)};
+      account.results.push_back(
+          {output.path, output.doc, output.unit, Role::result, std::move(value), {}, "", false, std::move(missing)});
     }
+    clear_rounding(account.results);
   }
 }
 

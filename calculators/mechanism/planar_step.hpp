@@ -40,7 +40,7 @@ class PlanarStep : public project::Step {
   bool expand_template(std::vector<Issue>& issues);
   [[nodiscard]] project::Origin origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const;
   void fill_inputs();
-  void fill_values(const mechanism::Model& model, const Cycle& cycle, const Kinematics& kinematics);
+  void fill_values(const mechanism::Model& model, const Solved& solved);
 
   std::vector<MechanismOutput> outputs_;
   mechanism::Structure structure_;

@@ -122,6 +122,12 @@ template <class Tracer>
 void load(Torsion::Stretch& s, Stress G, double K_A, Tracer& trace) {
   const auto d = s.d, d_bore = s.d_bore, l = s.l;
   const auto M = s.M, M_t = s.M_t;
+  if (M_t <= 0.0 * N_m.one && !(d > d_bore)) {  // no moment has sized it, and none loads it
+    s.tau = from_si<Stress>(0.0);
+    if (is_set(G)) s.theta = from_si<Twist>(0.0), s.phi = is_set(l) ? 0.0 : s.phi;
+    trace.value("tau", s.tau, "no moment");
+    return;
+  }
   STEP(I_t, pi / 32.0 * (pow<4>(d) - pow<4>(d_bore)), "polar second moment of a ring");
   STEP(tau, M_t * d / (2.0 * I_t), "at the surface, [B19] (2)");
   s.tau = tau;
@@ -147,6 +153,7 @@ void size_stretches(const Torsion::Input& in, const shaft::Stretches& parts, Tor
   const Allowed allowed{r.tau_all, in.G, in.theta_adm};
   Moment M_max = 0.0 * N_m.one;
   Length strongest = 0.0 * m.one, stiffest = strongest, open = strongest;
+  bool any_open = false;
   for (const shaft::Stretch& part : parts) {
     [[maybe_unused]] const auto scope = trace.scope("segments", r.segments.size());
     const Moment M = part.M;
@@ -160,9 +167,11 @@ void size_stretches(const Torsion::Input& in, const shaft::Stretches& parts, Tor
     raise(M_max, M_t);
     raise(strongest, d_strength);
     raise(stiffest, d_stiffness);
-    if (!is_set(c.d)) raise(open, is_set(d_stiffness) ? max(d_strength, d_stiffness) : d_strength);
+    if (is_set(c.d)) continue;
+    any_open = true;
+    raise(open, is_set(d_stiffness) ? max(d_strength, d_stiffness) : d_strength);
   }
-  if (open > 0.0 * m.one) r.d = open;
+  if (any_open) r.d = open;
   if (is_set(in.d)) r.d = in.d;
   r.M_max = M_max, r.d_strength = strongest, r.d_stiffness = stiffest;
 }

@@ -54,13 +54,13 @@ struct Scheme {
     std::string name;
     std::vector<Point> points;  // joints and points of the link; drawn as a bar, or a plate from three points on
   };
-  enum class Pin { revolute, slider };
+  enum class Pin { revolute, slider, welded };
   struct Joint {
     std::string name;
     Point at;
     Pin pin = Pin::revolute;
     bool fixed = false;  // one of its links is the ground: hatched support
-    double angle = 0.0;  // of the guide, slider only
+    double angle = 0.0;  // of a slider's guide; of a weld half-way between its two links
   };
   struct Guide {  // the line that a slider or a pin in a slot runs on
     Point from;
@@ -112,6 +112,19 @@ struct Scheme {
     bool left = true;  // the wheel lies on the left of the way from `from` to `to`
     bool fixed = false;
   };
+  struct Spring {  // between two points, with its damper
+    std::string name;
+    Point from;
+    Point to;
+    bool pulls = true;   // there is a spring
+    bool damps = false;  // there is a damper
+  };
+  struct Coil {  // a spring, or damper, that turns two links against each other
+    std::string name;
+    Point at;
+    bool pulls = true;
+    bool damps = false;
+  };
   std::vector<Body> bodies;
   std::vector<Joint> joints;
   std::vector<Guide> guides;
@@ -123,6 +136,8 @@ struct Scheme {
   std::vector<Belt> belts = {};
   std::vector<Rack> racks = {};
   std::vector<Outline> outlines = {};
+  std::vector<Spring> springs = {};
+  std::vector<Coil> coils = {};
 };
 
 /// Vectors out of a pole or head to tail: a plan of forces, velocities or accelerations; what they measure is drawn to
@@ -143,6 +158,15 @@ struct Plan {
     std::string name;
     Point at;
   };
+  struct Mark {  // of a trace
+    Point at;
+    std::string label;  // a crank angle
+    bool governing = false;
+  };
+  struct Trace {  // of the end of a vector that has its start in the pole: a hodograph
+    std::vector<Point> points;
+    std::vector<Mark> marks;
+  };
   std::string title;  // of the panel; empty where it is the only one
   std::string unit;   // of the vectors: "N"
   std::vector<Vector> vectors;
@@ -150,6 +174,7 @@ struct Plan {
   std::vector<Named> points = {};
   std::vector<Scheme::Arrow> forces = {};    // at points of the plan, to a scale of their own: Zhukovsky's lever
   std::vector<Scheme::Moment> moments = {};  // on links of the plan
+  std::vector<Trace> traces = {};
 };
 struct Plans {
   std::vector<Plan> panels;
@@ -161,6 +186,11 @@ struct Motion {
   struct Carried {
     int place = -1;
     int turn = -1;
+  };
+  /// The links that carry the two ends of a spring; -1: the ground.
+  struct Between {
+    int from = -1;
+    int to = -1;
   };
   struct Pose {
     Point at;
@@ -200,6 +230,8 @@ struct Motion {
   std::size_t shown = 0;                                                 // the frame of `still`
   std::vector<Link> links;                                               // link k carries body k
   std::vector<Carried> joints, guides, points, wheels, racks, outlines;  // of the parts of `still`, in their order
+  std::vector<Between> springs;                                          // likewise
+  std::vector<Carried> coils;
   std::vector<Force> forces;    // first those of the arrows of `still`, in their order, then others of the plans
   std::vector<Couple> couples;  // of the moments of `still`, in their order
   std::vector<LinkPlan> plans;

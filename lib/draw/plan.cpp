@@ -7,7 +7,11 @@ namespace {
 
 bool drawable(const Plan& plan) {
   const auto whole = [](const Plan::Vector& v) { return draw::drawable(v.from) && draw::drawable(v.to); };
-  return std::all_of(plan.vectors.begin(), plan.vectors.end(), whole);
+  const auto drawn = [](const Plan::Trace& t) {
+    return std::all_of(t.points.begin(), t.points.end(), [](Point p) { return draw::drawable(p); });
+  };
+  return std::all_of(plan.vectors.begin(), plan.vectors.end(), whole) &&
+         std::all_of(plan.traces.begin(), plan.traces.end(), drawn);
 }
 
 }  // namespace

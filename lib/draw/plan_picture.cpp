@@ -2,6 +2,7 @@
 
 #include "lib/draw/scale_bar.hpp"
 #include "lib/draw/scheme_parts.hpp"
+#include "lib/draw/thin.hpp"
 #include "lib/issue.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -21,6 +22,9 @@ Box extent(const Plan& plan, double per_newton) {
     for (const Point p : image.points) include(p);
   }
   for (const auto& point : plan.points) include(point.at);
+  for (const auto& trace : plan.traces) {
+    for (const Point p : trace.points) include(p);
+  }
   for (const auto& force : plan.forces) include(force.at), include(force.at + per_newton * force.force);
   for (const auto& moment : plan.moments) include(moment.at);
   return box;
@@ -45,15 +49,55 @@ class PlanPicture {
 
   void draw() {
     svg_.text("quiet", Point{fit_.area.left + 10.0, fit_.area.top + 14.0}, typeset(plan_.title));
+    draw_traces();
     draw_images();
     draw_vectors();
     draw_forces();
     draw_points();
     name_vectors();
     name_forces();
+    name_marks();
   }
 
  private:
+  /// Hodographs, on the axes that they are seen in.
+  void draw_traces() {
+    if (plan_.traces.empty()) return;
+    const Point pole = fit_.at({});
+    const double top = fit_.area.top + title_room(plan_);
+    const Point left{fit_.area.left + 8.0, pole.y}, right{fit_.area.right - 8.0, pole.y};
+    const Point high{pole.x, top + 2.0}, low{pole.x, fit_.area.bottom - bar_height};
+    labels_.keep_off({fit_.area.left, fit_.area.top, fit_.area.right, top});
+    for (const auto& [from, to] : {std::pair(left, right), std::pair(high, low)}) {
+      svg_.line("axis", from, to);
+      labels_.keep_off({from, to}, 1.0, 0.3);
+    }
+    for (const auto& trace : plan_.traces) {
+      std::vector<Point> points;
+      for (const Point p : trace.points) points.push_back(fit_.at(p));
+      points = thin(points);
+      svg_.polyline("curve c1", points);
+      for (const auto& mark : trace.marks) {
+        svg_.circle(mark.governing ? "f0" : "f1", fit_.at(mark.at), 2.6);
+        labels_.keep_off(Box::around(fit_.at(mark.at), 6.0, 6.0));
+      }
+      labels_.keep_off(points, 2.0);
+    }
+  }
+
+  void name_marks() {
+    for (const auto& trace : plan_.traces) {
+      for (const auto& mark : trace.marks) {
+        const Text text = typeset(mark.label);
+        const auto places = around(fit_.at(mark.at), 4.0, width(text, text_size));
+        if (mark.governing)  // always named; of the others those that have room
+          svg_.centred_text("halo f0", labels_.place(places), text);
+        else if (const auto free = labels_.place_free(places))
+          svg_.centred_text("quiet halo", *free, text);
+      }
+    }
+  }
+
   void draw_images() {
     for (const auto& image : plan_.images) {
       std::vector<Point> points;

@@ -86,6 +86,8 @@ void SchemePicture::draw_supports() {
     const auto& joint = scheme_.joints[n];
     if (joint.pin == Scheme::Pin::slider) {
       carried(carrier(&Motion::joints, n), joint.at, [&] { draw_block(joint); });
+    } else if (joint.pin == Scheme::Pin::welded) {
+      carried(carrier(&Motion::joints, n), joint.at, [&] { draw_weld(joint); });
     } else if (joint.fixed) {
       const Point direction = support_direction(joint);
       support(svg_, at(joint.at), direction);
@@ -182,6 +184,7 @@ Picture SchemePicture::drawn() {
   draw_racks();
   draw_outlines();
   draw_wheels();
+  draw_springs();
   draw_bodies();
   draw_supports();
   draw_forces();
@@ -191,6 +194,7 @@ Picture SchemePicture::drawn() {
   label_points();
   label_forces();
   label_bodies();
+  label_springs();
   draw_scales();
   return {svg_, fit_.height, description()};
 }

@@ -45,6 +45,8 @@ std::vector<Sign> signs(const Scheme& scheme) {
   for (const auto& arrow : scheme.arrows) all.push_back({arrow.at, 4.0});
   for (const auto& rack : scheme.racks) add({rack.from, rack.to}, 14.0);
   for (const auto& outline : scheme.outlines) add(outline.points, 4.0);
+  for (const auto& spring : scheme.springs) add({spring.from, spring.to}, 12.0);
+  for (const auto& coil : scheme.coils) all.push_back({coil.at, 24.0});
   for (const auto& wheel : scheme.wheels) {
     const double r = std::fabs(wheel.radius);
     for (const Point corner : {Point{r, 0.0}, Point{-r, 0.0}, Point{0.0, r}, Point{0.0, -r}})
@@ -107,6 +109,10 @@ Scheme without_gaps(const Scheme& scheme) {
   for (const auto& rack : scheme.racks) {
     if (drawable(rack.from) && drawable(rack.to)) kept.racks.push_back(rack);
   }
+  for (const auto& spring : scheme.springs) {
+    if (drawable(spring.from) && drawable(spring.to)) kept.springs.push_back(spring);
+  }
+  kept.coils = with_place(scheme.coils);
   return kept;
 }
 

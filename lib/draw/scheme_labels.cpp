@@ -9,15 +9,20 @@
 
 namespace loadpath::draw {
 
+static std::string rounded(double v) { return format_number(std::round(100.0 * v) / 100.0); }
+
 std::string SchemePicture::text_of(Motion::Carried by, Point anchor) {
-  const auto rounded = [](double v) { return format_number(std::round(100.0 * v) / 100.0); };
   return std::to_string(by.place) + " " + std::to_string(by.turn) + " " + rounded(anchor.x) + " " + rounded(anchor.y);
+}
+
+std::string SchemePicture::text_of(Motion::Between by, Point from, Point to) {
+  return text_of(Motion::Carried{by.from, by.to}, from) + " " + rounded(to.x) + " " + rounded(to.y);
 }
 
 void SchemePicture::label_points() {
   std::set<std::string> done;
   const auto name = [&](const std::string& text, Point p, double gap, int by) {
-    if (!done.insert(text).second) return;
+    if (text.empty() || !done.insert(text).second) return;
     const Box place = labels_.place(around(at(p), gap, width(typeset(text), 1.1 * text_size)));
     // It goes round with its link, so that it stays off that.
     carried({by, -1}, fit_.back(place.centre()), [&] { svg_.centred_text("halo", place, typeset(text)); });
@@ -68,8 +73,11 @@ void SchemePicture::label_bodies() {
       const auto sides = beside(points[i], points[(i + 1) % points.size()], 5.0, wide);
       places.insert(places.end(), sides.begin(), sides.end());
     }
-    if (points.size() == 2) {  // a short link in a crowd: farther off
-      for (Candidate& c : around(0.5 * (points[0] + points[1]), 12.0, wide)) places.push_back({c.box, 30.0 + c.cost});
+    if (points.size() < 3) {  // a short link in a crowd: farther off
+      for (const double gap : {12.0, 26.0, 40.0}) {
+        for (Candidate& c : around(0.5 * (points.front() + points.back()), gap, wide))
+          places.push_back({c.box, 18.0 + gap + c.cost});
+      }
     }
     const Box place = labels_.place(places);
     const Point centre = fit_.back(place.centre());
@@ -95,8 +103,17 @@ std::string SchemePicture::description() const {
   for (const auto& body : scheme_.bodies) add(say("link {1}", plain(body.name)).text());
   for (const auto& joint : scheme_.joints) {
     const bool slider = joint.pin == Scheme::Pin::slider;
-    add(say(slider ? "slider {1}" : joint.fixed ? "fixed pin {1}" : "pin {1}", plain(joint.name)).text());
+    const bool welded = joint.pin == Scheme::Pin::welded;
+    if (joint.name.empty()) continue;
+    add(say(slider        ? "slider {1}"
+            : welded      ? "weld {1}"
+            : joint.fixed ? "fixed pin {1}"
+                          : "pin {1}",
+            plain(joint.name))
+            .text());
   }
+  for (const auto& s : scheme_.springs) add(say(s.pulls ? "spring {1}" : "damper {1}", plain(s.name)).text());
+  for (const auto& c : scheme_.coils) add(say(c.pulls ? "spring {1}" : "damper {1}", plain(c.name)).text());
   for (const auto& a : scheme_.arrows) {
     add(say("force {1} = {2}", plain(a.label), force_text(length(a.force))).text());
   }

@@ -8,6 +8,7 @@ namespace loadpath::draw {
 inline constexpr double pin_radius = 4.6;
 inline constexpr double block_length = 26.0, block_width = 14.0;
 inline constexpr double couple_radius = 19.0;
+inline constexpr double coil_radius = 13.0;
 
 /// A closed polygon close to the circle.
 std::vector<Point> ring(Point centre, double radius);
@@ -22,6 +23,16 @@ void hatch(SvgWriter& svg, Point from, Point to);
 
 /// A triangle with its tip in the pin, on hatched ground that lies in `direction`.
 void support(SvgWriter& svg, Point pin, Point direction);
+
+/// A triangle filled between two directions from a corner: links that are one piece.
+void weld(SvgWriter& svg, Point corner, Point along, Point other);
+/// A link that is built into hatched ground; `direction` from the ground into the link.
+void clamp(SvgWriter& svg, Point end, Point direction);
+
+/// A spring, a damper, or one beside the other, from point to point.
+void spring(SvgWriter& svg, Point from, Point to, bool pulls, bool damps);
+/// A spring, or damper, that turns about a point.
+void coil(SvgWriter& svg, Point at, bool pulls);
 
 /// A filled head with its tip at `tip`.
 void arrow_head(SvgWriter& svg, std::string_view fill, Point tip, Point direction, double size);

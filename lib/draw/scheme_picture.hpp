@@ -1,4 +1,4 @@
-// A mechanism drawn in one position: what lib/draw/scheme.cpp, scheme_wheels.cpp and scheme_labels.cpp share.
+// A mechanism drawn in one position: what lib/draw/scheme*.cpp share.
 #pragma once
 
 #include "lib/draw/labels.hpp"
@@ -32,15 +32,19 @@ class SchemePicture {
   void draw_outlines();
   void draw_wheels();
   void draw_wheel(const Scheme::Wheel& wheel);
+  void draw_springs();
+  void draw_weld(const Scheme::Joint& joint);
   void label_points();
   void label_forces();
   void label_moments();
   void label_bodies();
+  void label_springs();
   void draw_scales();
 
   [[nodiscard]] Point at(Point p) const { return fit_.at(p); }
   [[nodiscard]] std::vector<Point> outline(const Scheme::Body& body) const;
   [[nodiscard]] Point couple_opening(Point p) const;
+  [[nodiscard]] std::vector<Point> directions_at(const Scheme::Joint& joint) const;
   [[nodiscard]] Point support_direction(const Scheme::Joint& joint) const;
   [[nodiscard]] bool lies_on(Point p, const Scheme::Guide& guide) const;
   [[nodiscard]] bool carries_block(const Scheme::Guide& guide) const;
@@ -71,6 +75,7 @@ class SchemePicture {
     svg_.end_group();
   }
   static std::string text_of(Motion::Carried by, Point anchor);
+  static std::string text_of(Motion::Between by, Point from, Point to);
 
   Scheme scheme_;
   Fit fit_;

@@ -40,9 +40,9 @@ std::string unit_of(const Dimension& dimension) {
 }
 
 /// A value and what goes with it; a value that does not exist has its reason.
-json::object valued(double si, json::object object) {
+json::object valued(double si, json::object object, const Message& missing = {}) {
   object["value"] = number(si);
-  if (!std::isfinite(si)) object["reason"] = "not available";
+  if (!std::isfinite(si)) object["reason"] = missing.empty() ? "not available" : missing.text();
   return object;
 }
 
@@ -56,9 +56,10 @@ json::value entry(const Entry& e) {
     object = {{"unit", unit_of(e.value.signature.dimension)},
               {"axis", e.value.signature.axis->name()},
               {"values", std::move(values)}};
-    if (!complete) object["reason"] = "not available where null";
+    if (!complete) object["reason"] = e.missing.empty() ? "not available where null" : e.missing.text();
   } else {
-    object = valued(e.value.si.empty() ? NAN : e.value.si[0], {{"unit", unit_of(e.value.signature.dimension)}});
+    object =
+        valued(e.value.si.empty() ? NAN : e.value.si[0], {{"unit", unit_of(e.value.signature.dimension)}}, e.missing);
   }
   object["meaning"] = e.doc;
   if (!e.origin.text.empty()) object["from"] = e.origin.text.text();

@@ -12,9 +12,6 @@ namespace {
 
 using std::abs, std::copysign, std::sqrt, std::tan;
 
-double value_of(double x) { return x; }
-double value_of(const Dual& x) { return x.value; }
-
 template <class Scalar>
 double sign(const Scalar& value) {
   return value > 0.0 ? 1.0 : (value < 0.0 ? -1.0 : 0.0);

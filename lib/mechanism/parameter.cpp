@@ -68,6 +68,7 @@ std::vector<Parameter> parameters_of(const Model& model) {
     if (model.springs[k].kind == Spring::Kind::linear) list.add(k, {spring_i_x, spring_i_y, spring_j_x, spring_j_y});
     list.add(k, {rate, Dimension::free, damping});
   }
+  for (std::size_t k = 0; k < model.loads.size(); ++k) list.add(k, {load_x, load_y, load_moment, load_at_x, load_at_y});
   return list.take();
 }
 

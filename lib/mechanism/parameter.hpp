@@ -1,4 +1,4 @@
-// The dimensions and masses of a mechanism, one number each: what a drawing states with a tolerance.
+// The dimensions, masses and loads of a mechanism, one number each: what a drawing states with a tolerance.
 #pragma once
 
 #include "lib/mechanism/model.hpp"
@@ -8,8 +8,9 @@
 
 namespace loadpath::mechanism {
 
-/// In the units of the model: m, rad, kg, kg m^2, 1, and those of springs. Points and mass centres are in the frames of
-/// their links. Moving the coordinate of a driver on is the opposite of raising its offset, at the same speed.
+/// In the units of the model: m, rad, kg, kg m^2, 1, N, N m, and those of springs. Points and mass centres are in the
+/// frames of their links. Moving the coordinate of a driver on is the opposite of raising its offset, at the same
+/// speed.
 struct Parameter {
   enum class Dimension {
     point_i_x,  // of joints, to `friction_coefficient`
@@ -35,15 +36,20 @@ struct Parameter {
     rate,
     free,
     damping,
+    load_x,  // of loads, in the axes that the load has, from here on
+    load_y,
+    load_moment,
+    load_at_x,  // where it acts, link frame
+    load_at_y,
   };
   Dimension dimension = Dimension::mass;
-  std::size_t index = 0;  // of the joint, link, driver or spring
+  std::size_t index = 0;  // of the joint, link, driver, spring or load
 
   friend bool operator==(const Parameter&, const Parameter&) = default;
 };
 
-/// All of these that position or forces of this mechanism can depend on; loads, gravity, belt tension, the sizes of
-/// guides that only friction feels and those of a cam's profile are not among them.
+/// All of these that position or forces of this mechanism can depend on; gravity, belt tension, the sizes of guides
+/// that only friction feels and those of a cam's profile are not among them.
 std::vector<Parameter> parameters_of(const Model& model);
 
 template <class Scalar>
@@ -96,9 +102,19 @@ Scalar& number(BasicModel<Scalar>& model, const Parameter& parameter) {
     case free:
       return model.springs[k].free;
     case damping:
+      return model.springs[k].damping;
+    case load_x:
+      return model.loads[k].force.x;
+    case load_y:
+      return model.loads[k].force.y;
+    case load_moment:
+      return model.loads[k].moment;
+    case load_at_x:
+      return model.loads[k].point.x;
+    case load_at_y:
       break;
   }
-  return model.springs[k].damping;
+  return model.loads[k].point.y;
 }
 
 }  // namespace loadpath::mechanism

@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace loadpath::mechanism {
@@ -12,9 +13,19 @@ namespace {
 
 /// The forces of counterweights over a cycle: as they are without, and per unit of each mass moment.
 struct BalanceEquations {
-  Eigen::MatrixXd per_unit;  // two rows for each position, two columns for each site
+  Eigen::MatrixXd per_unit;  // two rows for each position; columns of each site, in order: one for each of its axes
   Eigen::VectorXd force;
 };
+
+/// Along which its mass moment is free, link frame: of a stated direction only the first.
+struct Axes {
+  std::array<Vec, 2> along;
+  Eigen::Index count;
+};
+Axes axes_of(const CounterweightSite& site) {
+  if (site.direction) return {{turn(*site.direction)({1.0, 0.0}), {}}, 1};
+  return {{Vec{1.0, 0.0}, Vec{0.0, 1.0}}, 2};
+}
 
 void write_site(const CounterweightSite& site, const Position& at, Eigen::Index row, Eigen::Index column,
                 BalanceEquations& equations) {
@@ -23,8 +34,9 @@ void write_site(const CounterweightSite& site, const Position& at, Eigen::Index 
   const Vec of_pivot = point_acceleration(acceleration, velocity.phi, turned(site.pivot));
   equations.force[row] -= site.mass * of_pivot.x;
   equations.force[row + 1] -= site.mass * of_pivot.y;
-  for (const Eigen::Index k : {0, 1}) {
-    const Vec arm = turned(k == 0 ? Vec{1.0, 0.0} : Vec{0.0, 1.0});
+  const Axes axes = axes_of(site);
+  for (Eigen::Index k = 0; k < axes.count; ++k) {
+    const Vec arm = turned(axes.along[static_cast<std::size_t>(k)]);
     const Vec a = point_acceleration({0.0, 0.0, acceleration.phi}, velocity.phi, arm);
     equations.per_unit(row, column + k) = -a.x;
     equations.per_unit(row + 1, column + k) = -a.y;
@@ -33,15 +45,19 @@ void write_site(const CounterweightSite& site, const Position& at, Eigen::Index 
 
 BalanceEquations equations_of(const Model& model, std::span<const Position> cycle,
                               std::span<const CounterweightSite> sites) {
-  const auto rows = static_cast<Eigen::Index>(2 * cycle.size()), columns = static_cast<Eigen::Index>(2 * sites.size());
+  const auto rows = static_cast<Eigen::Index>(2 * cycle.size());
+  Eigen::Index columns = 0;
+  for (const CounterweightSite& site : sites) columns += axes_of(site).count;
   BalanceEquations equations{Eigen::MatrixXd::Zero(rows, columns), Eigen::VectorXd::Zero(rows)};
   for (Eigen::Index row = 0; row < rows; row += 2) {
     const Position& at = cycle[static_cast<std::size_t>(row / 2)];
     const Vec force = shaking(model, at, {}).force;
     equations.force[row] += force.x;
     equations.force[row + 1] += force.y;
-    for (Eigen::Index column = 0; column < columns; column += 2) {
-      write_site(sites[static_cast<std::size_t>(column / 2)], at, row, column, equations);
+    Eigen::Index column = 0;
+    for (const CounterweightSite& site : sites) {
+      write_site(site, at, row, column, equations);
+      column += axes_of(site).count;
     }
   }
   return equations;
@@ -126,9 +142,15 @@ std::vector<Counterweight> find_counterweights(const Model& model, std::span<con
   if (cycle.empty() || sites.empty()) return weights;
   const BalanceEquations equations = equations_of(model, cycle, sites);
   const Eigen::VectorXd moments = aim == BalanceAim::rms ? least_squares(equations) : least_peak(equations);
-  for (std::size_t k = 0; k < sites.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(2 * k);
-    weights.push_back({sites[k], {moments[column], moments[column + 1]}});
+  Eigen::Index column = 0;
+  for (const CounterweightSite& site : sites) {
+    const Axes axes = axes_of(site);
+    Vec moment;
+    for (Eigen::Index k = 0; k < axes.count; ++k) {
+      moment = moment + moments[column + k] * axes.along[static_cast<std::size_t>(k)];
+    }
+    weights.push_back({site, moment});
+    column += axes.count;
   }
   return weights;
 }
@@ -136,12 +158,16 @@ std::vector<Counterweight> find_counterweights(const Model& model, std::span<con
 Model with_counterweights(const Model& model, std::span<const Counterweight> weights, double radius) {
   Model balanced = model;
   for (const Counterweight& weight : weights) {
-    const double mass = weight.site.mass > 0.0 ? weight.site.mass : weight.mass_at(radius);
-    if (mass == 0.0) continue;
     Link& link = balanced.links[weight.site.link];
-    link = with_point_mass(link, weight.site.pivot + (1.0 / mass) * weight.mass_moment, mass);
+    link = with_counterweight(link, weight, radius);
   }
   return balanced;
+}
+
+Link with_counterweight(const Link& link, const Counterweight& weight, double radius) {
+  const double mass = weight.site.mass > 0.0 ? weight.site.mass : weight.mass_at(radius);
+  if (mass == 0.0) return link;
+  return with_point_mass(link, weight.site.pivot + (1.0 / mass) * weight.mass_moment, mass);
 }
 
 Link with_point_mass(const Link& link, Vec at, double mass) {

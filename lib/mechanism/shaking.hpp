@@ -6,6 +6,7 @@
 #include "lib/mechanism/position.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,10 +32,11 @@ ShakingCycle shaking_over(const Model& model, std::span<const Position> cycle, V
 /// counts besides its moment and must be stated; about a fixed pivot it does not.
 struct CounterweightSite {
   std::size_t link = 0;
-  Vec pivot;          // link frame, m
-  double mass = 0.0;  // kg
+  Vec pivot;                             // link frame, m
+  double mass = 0.0;                     // kg
+  std::optional<double> direction = {};  // of its arm, rad, link frame; nothing: the best one
 };
-/// Its mass times its arm from the pivot, link frame, kg m.
+/// Its mass times its arm from the pivot, link frame, kg m. In a stated direction it may come out opposite to it.
 struct Counterweight {
   CounterweightSite site;
   Vec mass_moment;
@@ -53,6 +55,8 @@ std::vector<Counterweight> find_counterweights(const Model& model, std::span<con
 /// With point masses for the counterweights at this distance from their pivots, m, > 0; a site with a stated mass has
 /// that mass at the arm that it needs. The motion stays as it is; forces and shaking moment are to be found anew.
 Model with_counterweights(const Model& model, std::span<const Counterweight> weights, double radius);
+/// With one of them.
+Link with_counterweight(const Link& link, const Counterweight& weight, double radius);
 
 /// Mass, mass centre and moment of inertia with a point mass at this place of the link's frame.
 Link with_point_mass(const Link& link, Vec at, double mass);

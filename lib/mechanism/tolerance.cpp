@@ -18,6 +18,13 @@ constexpr double rounding = 1e-12;
 
 double square(double x) { return x * x; }
 
+/// Whether the dimension moves the point of the output on its link.
+bool follows(const Output& output, const Tolerance& tolerance) {
+  const bool is_place = output.kind == Output::Kind::x || output.kind == Output::Kind::y;
+  return is_place && tolerance.moved && tolerance.moved->link == output.index &&
+         length(tolerance.moved->point - output.point) == 0.0;
+}
+
 }  // namespace
 
 double Output::value(const Position& at) const {
@@ -72,8 +79,11 @@ class ToleranceAnalysis::Corners {
   /// `side`: of each tolerance, in half widths.
   [[nodiscard]] std::optional<double> solve(std::span<const double> side) const {
     Model corner = model_;
+    Output output = output_;
     for (std::size_t k = 0; k < tolerances_.size(); ++k) {
-      number(corner, tolerances_[k].parameter) += side[k] * tolerances_[k].half_width;
+      const double by = side[k] * tolerances_[k].half_width;
+      for (const Tolerance::Term& term : tolerances_[k].terms) number(corner, term.parameter) += by * term.weight;
+      if (follows(output_, tolerances_[k])) output.point = output.point + by * tolerances_[k].moved->by;
     }
     take_phases(corner);
     for (std::size_t k = 0; k < corner.links.size(); ++k) corner.links[k].pose = at_.pose[k];
@@ -82,7 +92,7 @@ class ToleranceAnalysis::Corners {
     if (system.assemble() != Status::closed || system.solve(drives_, at, statics_) != Status::closed) {
       return std::nullopt;
     }
-    return output_.value(at);
+    return output.value(at);
   }
 
  private:
@@ -159,14 +169,25 @@ OutputError ToleranceAnalysis::find(const Position& at, std::span<const Drive> d
 void ToleranceAnalysis::add_linear(const Output& output, const Position& at, std::span<const Tolerance> tolerances,
                                    OutputError& error) const {
   for (const Tolerance& tolerance : tolerances) {
-    const std::size_t p = sensitivity_.find_parameter(tolerance.parameter);
-    const bool counts = p < sensitivity_.parameters().size();
-    const double share = counts ? output.change(at, sensitivity_.by(p)) * tolerance.half_width : 0.0;
-    error.shares.push_back(share);
-    error.worst_high += std::abs(share);
-    error.worst_low -= std::abs(share);
-    error.deviation += square(share / tolerance.sigmas);
+    const double part = share(output, at, tolerance);
+    error.shares.push_back(part);
+    error.worst_high += std::abs(part);
+    error.worst_low -= std::abs(part);
+    error.deviation += square(part / tolerance.sigmas);
   }
+}
+
+double ToleranceAnalysis::share(const Output& output, const Position& at, const Tolerance& tolerance) const {
+  double slope = 0.0;
+  for (const Tolerance::Term& term : tolerance.terms) {
+    const std::size_t p = sensitivity_.find_parameter(term.parameter);
+    if (p < sensitivity_.parameters().size()) slope += term.weight * output.change(at, sensitivity_.by(p));
+  }
+  if (follows(output, tolerance)) {
+    const Vec by = turn(at.pose[output.index].phi)(tolerance.moved->by);
+    slope += output.kind == Output::Kind::x ? by.x : by.y;
+  }
+  return slope * tolerance.half_width;
 }
 
 void ToleranceAnalysis::recompute(const Corners& corners, OutputError& error) {

@@ -9,6 +9,7 @@
 #include "lib/mechanism/sensitivity.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,11 +29,22 @@ struct Output {
   [[nodiscard]] double change(const Position& at, const Position& by) const;
 };
 
-/// The parameter is within +-`half_width` of its number in the model, which is `sigmas` standard deviations.
+/// A dimension that is within +-`half_width` of what it is in the model, which is `sigmas` standard deviations. One
+/// dimension of a drawing may move several numbers of the model: a point of a link those of all joints that lie there.
 struct Tolerance {
-  Parameter parameter;
-  double half_width = 0.0;  // in the parameter's unit, >= 0
+  struct Term {
+    Parameter parameter;
+    double weight = 1.0;  // the parameter's change per unit of the dimension's
+  };
+  /// A point of a link that goes with the dimension, for outputs of its place.
+  struct Moved {
+    std::size_t link = 0;
+    Vec point, by;  // link frame; `by` per unit of the dimension
+  };
+  std::vector<Term> terms;
+  double half_width = 0.0;  // in the dimension's unit, >= 0
   double sigmas = 3.0;
+  std::optional<Moved> moved = {};
 };
 
 /// Diametral clearance of a revolute joint. It works like a massless link of half that length between the two centres:
@@ -79,7 +91,8 @@ class ToleranceAnalysis {
   static constexpr std::size_t most_varied = 10;
 
   explicit ToleranceAnalysis(const Model& model);
-  /// At a position of the model solved at these drives. A parameter that the model does not depend on counts nothing.
+  /// At a position of the model solved at these drives, with the loads of the position. A parameter that the model does
+  /// not depend on counts nothing.
   [[nodiscard]] OutputError find(const Position& at, std::span<const Drive> drives, const Output& output,
                                  std::span<const Tolerance> tolerances, std::span<const Clearance> clearances = {},
                                  bool statics = false);
@@ -88,6 +101,7 @@ class ToleranceAnalysis {
   class Corners;
   void add_linear(const Output& output, const Position& at, std::span<const Tolerance> tolerances,
                   OutputError& error) const;
+  [[nodiscard]] double share(const Output& output, const Position& at, const Tolerance& tolerance) const;
   /// Clearances count by the derivatives also where corners are solved again.
   void add_clearances(const Output& output, const Position& at, std::span<const Clearance> clearances,
                       OutputError& error) const;

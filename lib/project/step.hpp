@@ -29,6 +29,7 @@ struct Entry {
   Origin origin;           // inputs only
   std::string word;        // a choice or a name instead of a number
   bool is_factor = false;  // inputs only: see Field::factor
+  Message missing = {};    // why there is no value, or none at some positions; empty: "not available"
 };
 
 /// Whether nothing is known of it, at no position.

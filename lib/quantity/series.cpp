@@ -222,6 +222,16 @@ Extreme minimum(const Value& series) {
   return low;
 }
 
+bool is_constant(const Value& series) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double x : series.si) {
+    if (std::isnan(x)) return false;
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+  return !series.si.empty() && high - low <= series.rounding;
+}
+
 Extreme largest(const Value& series) {
   const Extreme high = maximum(series);
   const Extreme low = minimum(series);

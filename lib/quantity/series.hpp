@@ -29,6 +29,7 @@ struct Signature {
 struct Value {
   Signature signature;
   std::vector<double> si;  // one, or one per position of the axis
+  double rounding = 0.0;   // SI: of which size a difference of values is nothing, from the terms they are computed of
   [[nodiscard]] bool is_series() const { return signature.axis != nullptr; }
 };
 
@@ -44,6 +45,8 @@ Extreme maximum(const Value& series);
 Extreme minimum(const Value& series);
 /// The value of largest magnitude, with its sign (`peak` of the expressions is its magnitude).
 Extreme largest(const Value& series);
+/// Whether its values differ by nothing but rounding. Not of a series that holds NaN.
+bool is_constant(const Value& series);
 
 /// Mean and root mean square over time on the closed cycle (trapezoid, end point counted once); NaN where the series
 /// is not a cycle.

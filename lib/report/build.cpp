@@ -21,9 +21,13 @@ bool is_list_path(const std::string& path) { return path.find_first_of("[.") != 
 /// A value as one cell: a number, or what a series amounts to.
 Cell cell_of(const Entry& entry) {
   if (!entry.word.empty()) return entry.word;
-  if (!entry.value.is_series()) return Quantity{entry.value.si.empty() ? NAN : entry.value.si[0], entry.unit};
+  if (!entry.value.is_series()) {
+    const double si = entry.value.si.empty() ? NAN : entry.value.si[0];
+    if (std::isnan(si) && !entry.missing.empty()) return say("not available: {1}", entry.missing.text());
+    return Quantity{si, entry.unit};
+  }
+  if (is_constant(entry.value)) return Quantity{entry.value.si.front(), entry.unit};
   const double low = minimum(entry.value).value, high = maximum(entry.value).value;
-  if (low == high) return Quantity{low, entry.unit};
   return say("{1} to {2}", format_quantity(low, entry.unit, 5), format_quantity(high, entry.unit, 5));
 }
 

@@ -37,6 +37,7 @@ for (const box of document.querySelectorAll(".motion")) {
   const round = (v) => Math.round(100 * v) / 100;
   const words = (text) => text.split(" ").map(Number);
   const carried = all("[data-carried]").map((g) => [g, words(g.dataset.carried)]);
+  const springs = all("[data-between]").map((g) => [g, words(g.dataset.between)]);
   const arrows = all("[data-force]").map((g) => [g, +g.dataset.force, words(g.dataset.at)]);
   const names = all("[data-name]").map((g) => [g.firstElementChild, +g.dataset.name, words(g.dataset.at)]);
   const couples = all("[data-couple]").map((g) => [g, g.dataset.couple.split(" ")]);
@@ -63,6 +64,12 @@ for (const box of document.querySelectorAll(".motion")) {
     for (const [g, [link, turning, x, y]] of carried) {
       const [u, v] = place([link, x, y], k);
       g.setAttribute("transform", `translate(${round(u)} ${round(v)}) rotate(${round(turned(turning, k))}) translate(${-x} ${-y})`);
+    }
+    for (const [g, [i, j, x, y, a, b]] of springs) {
+      const [u, v] = place([i, x, y], k), [p, q] = place([j, a, b], k), degree = Math.PI / 180;
+      const stretch = Math.hypot(p - u, q - v) / (Math.hypot(a - x, b - y) || 1);
+      g.setAttribute("transform", `translate(${round(u)} ${round(v)}) rotate(${round(Math.atan2(q - v, p - u) / degree)}) ` +
+        `scale(${stretch.toFixed(4)} 1) rotate(${round(Math.atan2(y - b, a - x) / degree)}) translate(${-x} ${-y})`);
     }
     for (const [list, name] of [[arrows, false], [names, true]]) {
       for (const [g, n, [link, , x, y]] of list) {

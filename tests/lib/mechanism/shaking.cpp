@@ -67,6 +67,22 @@ TEST_SUITE("mechanism") {
     }
   }
 
+  TEST_CASE("in a stated direction a counterweight takes what lies in it") {
+    Model model = slider_crank();
+    model.links[0].centre = {0.04, 0.02};
+    model.links[1].mass = model.links[1].inertia = model.links[2].mass = 0.0;
+    const std::vector<Position> cycle = turn_of(model);
+    const double along = 0.7, m = model.links[0].mass;
+    const auto weights =
+        find_counterweights(model, cycle, std::vector<CounterweightSite>{{.link = 0, .pivot = {}, .direction = along}});
+    const Vec e{std::cos(along), std::sin(along)};
+    const double part = -m * dot(Vec{0.04, 0.02}, e);
+    CHECK(weights[0].mass_moment.x == doctest::Approx(part * e.x).epsilon(1e-12));
+    CHECK(weights[0].mass_moment.y == doctest::Approx(part * e.y).epsilon(1e-12));
+    const ShakingCycle after = shaking_over(with_counterweights(model, weights, 0.1), cycle, {});
+    CHECK(after.rms_force == doctest::Approx(m * std::abs(cross(Vec{0.04, 0.02}, e)) * 2500.0).epsilon(1e-9));
+  }
+
   // R. S. Berkof, G. G. Lowen: the coupler's mass moment, divided between its pins, is balanced at crank and rocker.
   TEST_CASE("counterweights on crank and rocker take all of a four-bar's shaking force") {
     Model model = four_bar();

@@ -49,7 +49,7 @@ TEST_SUITE("mechanism") {
   TEST_CASE("tolerances of crank and rod: worst case and root of squares by hand") {
     const double phi = 1.1, t_r = 2e-5, t_l = 5e-5, s = std::sin(phi), root = std::sqrt(l * l - r * r * s * s);
     const double by_r = (std::cos(phi) - r * s * s / root) * t_r, by_l = l / root * t_l;
-    const OutputError e = error_of(slider_crank(), phi, piston, {{crank_length, t_r}, {rod_length, t_l, 2.0}});
+    const OutputError e = error_of(slider_crank(), phi, piston, {{{{crank_length}}, t_r}, {{{rod_length}}, t_l, 2.0}});
     CHECK(e.status == Status::closed);
     CHECK_FALSE(e.recomputed);
     CHECK(e.curvature < 1e-3);
@@ -62,14 +62,45 @@ TEST_SUITE("mechanism") {
     CHECK(e.shares[0] == doctest::Approx(by_r).epsilon(1e-12));
   }
 
+  TEST_CASE("a dimension that moves several numbers is one, and carries the point that it moves") {
+    // The whole mechanism is shifted along x: both bearings on the ground, and the piston with them.
+    const double t = 1e-4;
+    const Tolerance shift{{{{Dimension::point_j_x, 0}}, {{Dimension::point_j_y, 0}, 0.0}}, t};
+    const Tolerance doubled{{{{Dimension::point_j_x, 0}, 2.0}}, t};
+    const double once = error_of(slider_crank(), 1.1, piston, {shift}).worst();
+    CHECK(error_of(slider_crank(), 1.1, piston, {doubled}).worst() == doctest::Approx(2.0 * once).epsilon(1e-12));
+    const Output tool{.kind = Output::Kind::y, .index = 2, .point = {0.03, 0.0}};
+    const Tolerance own{{}, t, 3.0, Tolerance::Moved{2, {0.03, 0.0}, {0.6, 0.8}}};
+    CHECK(error_of(slider_crank(), 1.1, tool, {own}).worst() == doctest::Approx(0.8 * t).epsilon(1e-12));
+    CHECK(error_of(slider_crank(), 1.1, piston, {own}).worst() == 0.0);
+  }
+
+  TEST_CASE("a load changes the effort by its share, and its place by the moment of it") {
+    Model model = slider_crank();
+    Sensitivity sensitivity(model);
+    const Position at = at_rest(model, 1.1);
+    REQUIRE(sensitivity.find(at) == Status::closed);
+    const auto by = [&](Dimension dimension) {
+      return sensitivity.by(sensitivity.find_parameter({dimension, 0})).effort[0];
+    };
+    for (const auto& [dimension, step] :
+         {std::pair(Dimension::load_x, 1.0), std::pair(Dimension::load_y, 1.0), std::pair(Dimension::load_moment, 1.0),
+          std::pair(Dimension::load_at_x, 1e-3), std::pair(Dimension::load_at_y, 1e-3)}) {
+      Model other = model;
+      number(other, {dimension, 0}) += step;
+      CHECK(by(dimension) * step ==
+            doctest::Approx(at_rest(other, 1.1).effort[0] - at.effort[0]).epsilon(1e-6).scale(std::abs(at.effort[0])));
+    }
+  }
+
   TEST_CASE("a mass counts for the effort and not for the place") {
     const Parameter mass{Dimension::mass, 1};
-    const OutputError place = error_of(slider_crank(), 1.1, piston, {{mass, 0.01}});
+    const OutputError place = error_of(slider_crank(), 1.1, piston, {{{{mass}}, 0.01}});
     CHECK(place.worst() == 0.0);
     CHECK_FALSE(place.recomputed);
     const Output effort{.kind = Output::Kind::effort};
-    CHECK(error_of(slider_crank(), 1.1, effort, {{mass, 0.01}}).worst() > 0.0);
-    CHECK(error_of(slider_crank(), 1.1, effort, {{{Dimension::radius_i, 0}, 0.01}}).worst() == 0.0);
+    CHECK(error_of(slider_crank(), 1.1, effort, {{{{mass}}, 0.01}}).worst() > 0.0);
+    CHECK(error_of(slider_crank(), 1.1, effort, {{{{{Dimension::radius_i, 0}}}, 0.01}}).worst() == 0.0);
   }
 
   TEST_CASE("clearance in the pins of a rod under pressure shortens it") {
@@ -101,7 +132,7 @@ TEST_SUITE("mechanism") {
     const Model model = driven_piston();
     const Output crank{.kind = Output::Kind::phi, .index = 0};
     const double x = 0.3999, t = 4e-5;
-    const OutputError e = error_of(model, x + 0.05, crank, {{rod_length, t}});
+    const OutputError e = error_of(model, x + 0.05, crank, {{{{rod_length}}, t}});
     CHECK(e.recomputed);
     CHECK(e.curvature > ToleranceAnalysis::most_curvature);
     const auto angle = [&](double rod) { return std::acos((r * r + x * x - rod * rod) / (2.0 * r * x)); };
@@ -110,7 +141,7 @@ TEST_SUITE("mechanism") {
     CHECK(e.worst_low == doctest::Approx(angle(l - t) - angle(l)).epsilon(1e-6));
     CHECK(e.deviation == doctest::Approx((angle(l + t) - angle(l - t)) / 6.0).epsilon(1e-6));
     // Closer than the tolerance some corners are no mechanism.
-    CHECK(error_of(model, x + 0.05, crank, {{rod_length, 2e-4}}).status == Status::does_not_close);
+    CHECK(error_of(model, x + 0.05, crank, {{{{rod_length}}, 2e-4}}).status == Status::does_not_close);
   }
 
   TEST_CASE("with many tolerances near a dead point, the worst corner is found") {
@@ -119,7 +150,7 @@ TEST_SUITE("mechanism") {
     std::vector<Tolerance> tolerances;
     Sensitivity all(model);
     for (const Parameter& parameter : all.parameters()) {
-      if (parameter.dimension <= Dimension::point_j_y) tolerances.push_back({parameter, 6e-6});
+      if (parameter.dimension <= Dimension::point_j_y) tolerances.push_back({{{parameter}}, 6e-6});
     }
     const OutputError e = error_of(model, 0.3999 + 0.05, crank, tolerances);
     CHECK(e.status == Status::closed);
@@ -138,7 +169,7 @@ TEST_SUITE("mechanism") {
     at.pose = {{0.0, 0.0, 0.0}, {0.1, 0.0, 0.0}, {0.4, 0.0, 0.0}};
     const Drive drive{0.45, 0.0, 0.0};
     const OutputError e =
-        ToleranceAnalysis(model).find(at, {&drive, 1}, piston, std::vector<Tolerance>{{rod_length, 1e-5}});
+        ToleranceAnalysis(model).find(at, {&drive, 1}, piston, std::vector<Tolerance>{{{{rod_length}}, 1e-5}});
     CHECK(e.status == Status::singular);
   }
 }

@@ -266,4 +266,16 @@ TEST_SUITE("quantity") {
     CHECK(std::isnan(value_at(series, std::numeric_limits<double>::infinity())));
     CHECK(std::isnan(value_at(Value{{}, {3.0}}, 0.0)));
   }
+
+  TEST_CASE("a series is constant when its values differ by no more than their rounding") {
+    const Axis axis{"a", "crank angle", "deg", {0.0, 1.0, 2.0}, {}, 0.0};
+    Value series{{{}, &axis}, {5.0, 5.0 + 1e-15, 5.0 - 1e-15}, 1e-14};
+    CHECK(is_constant(series));
+    series.rounding = 1e-16;
+    CHECK_FALSE(is_constant(series));
+    series.si = {0.0, 0.0, std::numeric_limits<double>::quiet_NaN()};
+    CHECK_FALSE(is_constant(series));
+    series.si.clear();
+    CHECK_FALSE(is_constant(series));
+  }
 }

@@ -170,7 +170,7 @@ TEST_SUITE("report") {
     const std::string page = html(document);
     CHECK_FALSE(contains(page, "<script>alert"));
     CHECK(page.find("<script>") == page.rfind("<script>"));
-    CHECK(between(page, "<script>", "</script>").size() < 7500);
+    CHECK(between(page, "<script>", "</script>").size() < 7800);
     CHECK_FALSE(contains(between(page, "application/json\">", "</script>"), "alert"));
     CHECK(contains(page, "<div class=\"controls\" hidden>"));
   }

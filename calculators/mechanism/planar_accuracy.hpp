@@ -1,0 +1,37 @@
+// Errors of outputs by tolerances of dimensions and masses and by the play of pins, over the cycle
+// (lib/mechanism/tolerance.hpp).
+#pragma once
+
+#include "calculators/mechanism/planar_cycle.hpp"
+#include "calculators/mechanism/planar_names.hpp"
+#include "calculators/mechanism/planar_outputs.hpp"
+#include "lib/mechanism/tolerance.hpp"
+#include "lib/report/document.hpp"
+
+#include <string>
+#include <vector>
+
+namespace loadpath {
+
+/// Of all outputs that a project asks for, in its order.
+struct Errors {
+  std::vector<std::vector<mechanism::OutputError>> at;  // of each output, at every position; `shares` in the order of
+                                                        // `names`
+  std::vector<std::string> names;                       // of the tolerances, then of the pins with play
+};
+
+/// Tolerances and outputs that do not say what they are of, or of what is not there. Needs no values.
+void check_accuracy(NameFaults& faults);
+
+/// Empty where nothing is asked for. Positions without forces have no error of forces.
+Errors errors_of(const PlanarMechanism::Input& in, const mechanism::Model& model, const Cycle& cycle);
+
+void add_error_outputs(const PlanarMechanism::Input& in, std::vector<MechanismOutput>& out);
+void list_error_patterns(std::vector<ResultPattern>& patterns);
+
+/// What has which tolerance; nothing where nothing has.
+std::vector<report::Table> tolerance_tables(const PlanarMechanism::Input& in);
+/// The largest errors, where they are and what contributes to them.
+std::vector<report::Table> error_tables(const PlanarMechanism::Input& in, const Errors& errors, const Axis* axis);
+
+}  // namespace loadpath

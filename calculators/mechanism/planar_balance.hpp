@@ -1,0 +1,33 @@
+// Counterweights that a project asks for, and what they leave of the shaking force (lib/mechanism/shaking.hpp).
+#pragma once
+
+#include "calculators/mechanism/planar_cycle.hpp"
+#include "calculators/mechanism/planar_names.hpp"
+#include "calculators/mechanism/planar_outputs.hpp"
+#include "lib/mechanism/shaking.hpp"
+#include "lib/report/document.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace loadpath {
+
+/// Empty where no counterweights are asked for or not every position closes.
+struct Balanced {
+  std::vector<mechanism::Counterweight> weights;  // in the order of the project
+  mechanism::ShakingCycle before, after;          // moments about the global origin
+  std::vector<mechanism::Shaking> left;           // with the counterweights, at every position
+  bool knows_moment = false;                      // afterwards: every counterweight has a mass or a radius
+};
+
+/// Counterweights that say too little, or where there is nothing to balance. Needs no values.
+void check_balance(NameFaults& faults);
+
+Balanced balance_of(const PlanarMechanism::Input& in, const mechanism::Model& model, const Cycle& cycle);
+
+void add_balance_outputs(const PlanarMechanism::Input& in, std::vector<MechanismOutput>& out);
+void list_balance_patterns(std::vector<ResultPattern>& patterns);
+
+std::vector<report::Table> balance_tables(const PlanarMechanism::Input& in, const Balanced& balanced);
+
+}  // namespace loadpath

@@ -1,0 +1,20 @@
+// Hodographs of joint forces: the end of the force over the cycle, on either part and in fixed axes.
+#pragma once
+
+#include "calculators/mechanism/planar_cycle.hpp"
+#include "calculators/mechanism/planar_names.hpp"
+#include "lib/draw/figure.hpp"
+
+#include <vector>
+
+namespace loadpath {
+
+/// Joints that do not exist or are named twice. Needs no values.
+void check_hodographs(NameFaults& faults);
+
+/// Of the joints that the project names, else of the three pins with the largest forces. A joint without a force has
+/// none.
+std::vector<draw::Figure> hodograph_figures(const PlanarMechanism::Input& in, const mechanism::Model& model,
+                                            const Cycle& cycle, const Axis& axis);
+
+}  // namespace loadpath

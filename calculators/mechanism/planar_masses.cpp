@@ -1,0 +1,121 @@
+#include "calculators/mechanism/planar_masses.hpp"
+
+#include "calculators/mechanism/planar_model.hpp"
+#include "lib/mechanism/reduction.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+
+namespace loadpath {
+
+namespace {
+
+using Planar = PlanarMechanism;
+using Masses = Planar::Masses;
+using mechanism::PointMass;
+using mechanism::Vec;
+
+const Planar::Point* point_of(const Planar::Link& link, const Name& name) {
+  const auto found =
+      std::find_if(link.points.begin(), link.points.end(), [&](const auto& p) { return p.name == name; });
+  return found == link.points.end() ? nullptr : &*found;
+}
+
+/// With its own moment of inertia.
+mechanism::Link own_of(const Planar::Link& l) {
+  mechanism::Link link;
+  link.mass = in_si(l.mass);
+  link.inertia = in_si(l.J);
+  if (!l.S.empty()) link.centre = vector_of(*point_of(l, l.S));
+  return link;
+}
+
+/// None where the points do not fit.
+std::vector<PointMass> masses_of(const Planar::Link& l, const mechanism::Link& link) {
+  const Vec a = vector_of(*point_of(l, l.mass_points.first)), b = vector_of(*point_of(l, l.mass_points.second));
+  if (l.masses == Masses::two_points) {
+    const auto masses = mechanism::statically_equivalent(link, a, b);
+    return masses ? std::vector(masses->begin(), masses->end()) : std::vector<PointMass>{};
+  }
+  const auto masses = mechanism::dynamically_equivalent(link, a, b);
+  return masses ? std::vector(masses->begin(), masses->end()) : std::vector<PointMass>{};
+}
+
+std::string text(const Name& name) { return std::string(name.view()); }
+
+}  // namespace
+
+void check_mass_points(const Planar::Link& link, NameFaults& faults) {
+  const std::string path = path_of("links", link.name, "mass_points");
+  const bool wanted = link.masses != Masses::as_given, given = !link.mass_points.first.empty();
+  if (wanted && !given) {
+    faults.add(path_of("links", link.name),
+               say("the mass of '{1}' is reduced to points, and they are not named", link.name.view()),
+               say("add mass_points = [\"A\", \"B\"]: two of its points, on a line with S"));
+  }
+  if (given && !wanted) {
+    faults.add(path, say("'mass_points' has no effect: the mass of '{1}' is as given", link.name.view()),
+               say("add masses = \"two_points\" or \"three_points\", or leave them out"));
+  }
+  if (!given) return;
+  const int index = link_index(faults.input(), link.name);
+  const bool first = faults.require_point(index, link.mass_points.first, path + ".first");
+  const bool second = faults.require_point(index, link.mass_points.second, path + ".second");
+  if (first && second && link.mass_points.first == link.mass_points.second)
+    faults.add(path,
+               say("a mass is reduced to two different points, and both are '{1}'", text(link.mass_points.first)));
+}
+
+std::vector<FieldFault> check_reductions(const Planar::Input& in) {
+  std::vector<FieldFault> faults;
+  for (const Planar::Link& l : in.links) {
+    if (l.masses == Masses::as_given) continue;
+    const mechanism::Link link = own_of(l);
+    const std::string path = path_of("links", l.name, "mass_points"), a = text(l.mass_points.first),
+                      b = text(l.mass_points.second), name = text(l.name);
+    if (!(link.mass > 0.0)) {
+      faults.push_back({path, say("the link '{1}' has no mass to reduce to points", name), say("give its mass")});
+      continue;
+    }
+    const auto masses = masses_of(l, link);
+    const bool outside = std::any_of(masses.begin(), masses.begin() + std::min<std::ptrdiff_t>(2, std::ssize(masses)),
+                                     [](const PointMass& part) { return part.mass < 0.0; });
+    if (!masses.empty() && !outside) continue;
+    faults.push_back({path, say("the mass centre of '{1}' does not lie between '{2}' and '{3}'", name, a, b),
+                      say("name two points with S on the line between them")});
+  }
+  return faults;
+}
+
+double reduced_inertia(const Planar::Link& l, const mechanism::Link& own) {
+  if (l.masses != Masses::two_points) return own.inertia;
+  const auto masses = masses_of(l, own);
+  return masses.empty() ? own.inertia : own.inertia - mechanism::missing_inertia(own, masses);
+}
+
+std::optional<report::Table> reduction_table(const Planar::Input& in) {
+  using report::Cell;
+  using report::Quantity;
+  report::Table table{say("Masses reduced to points"),
+                      {say("link"), say("replacement"), say("mass in the first point"), say("in the second"),
+                       say("in S"), say("own moment of inertia"), say("of the points")},
+                      {}};
+  for (const Planar::Link& l : in.links) {
+    if (l.masses == Masses::as_given) continue;
+    const mechanism::Link link = own_of(l);
+    const auto masses = masses_of(l, link);
+    const bool is_static = masses.size() == 2;
+    const auto cell = [&](const Name& at, std::size_t k) {
+      return Cell(text(at) + ": " + format_quantity(masses[k].mass, "kg", 5));
+    };
+    table.rows.push_back(
+        {text(l.name), is_static ? say("static: the moment of inertia is not kept") : say("dynamic: it is kept"),
+         cell(l.mass_points.first, 0), cell(l.mass_points.second, 1),
+         is_static ? Cell(std::string("–")) : Cell(Quantity{masses[2].mass, "kg"}), Quantity{link.inertia, "kg*m^2"},
+         Quantity{link.inertia - mechanism::missing_inertia(link, masses), "kg*m^2"}});
+  }
+  if (table.rows.empty()) return std::nullopt;
+  return table;
+}
+
+}  // namespace loadpath

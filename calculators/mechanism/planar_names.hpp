@@ -1,0 +1,51 @@
+// Finds what the names in a mechanism stand for, and collects what is wrong with them.
+#pragma once
+
+#include "calculators/mechanism/planar.hpp"
+#include "lib/issue.hpp"
+
+#include <string>
+#include <vector>
+
+namespace loadpath {
+
+class NameFaults {
+ public:
+  explicit NameFaults(const PlanarMechanism::Input& in) : in_(in) {}
+
+  [[nodiscard]] const PlanarMechanism::Input& input() const { return in_; }
+  [[nodiscard]] bool none() const { return faults_.empty(); }
+  [[nodiscard]] std::vector<FieldFault> take() { return std::move(faults_); }
+
+  void add(std::string path, Message message, Message hint = {}) {
+    faults_.push_back({std::move(path), std::move(message), std::move(hint)});
+  }
+  void add(FieldFault fault) { faults_.push_back(std::move(fault)); }
+
+  /// False, and a fault at `path`, where the mechanism has no such link; the ground is one.
+  bool require_link(const Name& name, const std::string& path);
+  bool require_joint(const Name& name, const std::string& path);
+  bool require_spring(const Name& name, const std::string& path);
+  /// Of a link that is there, or the ground.
+  bool require_point(int link, const Name& name, const std::string& path);
+
+ private:
+  bool require(bool found, const Name& name, const std::string& path, std::string_view kind,
+               const std::vector<std::string>& names);
+
+  const PlanarMechanism::Input& in_;
+  std::vector<FieldFault> faults_;
+};
+
+/// The names of the elements of a list.
+template <class Items>
+std::vector<std::string> names_in(const Items& items) {
+  std::vector<std::string> names;
+  for (const auto& item : items) names.emplace_back(item.name.view());
+  return names;
+}
+
+/// The path of a named element of a list, or of a field of it: "links.rod.S".
+std::string path_of(const char* list, const Name& name, const char* field = "");
+
+}  // namespace loadpath

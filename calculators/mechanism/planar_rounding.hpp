@@ -1,0 +1,23 @@
+// What rounding leaves in the results of a mechanism: told from values by the size of what they are computed from.
+#pragma once
+
+#include "lib/mechanism/position.hpp"
+#include "lib/project/step.hpp"
+
+#include <vector>
+
+namespace loadpath {
+
+/// What rounding leaves of a zero at a position, beside the largest reaction and its moment about the origin.
+struct Rounding {
+  double force = 0.0;   // N
+  double moment = 0.0;  // N m
+};
+Rounding rounding_at(const mechanism::Position& p);
+
+/// Gives every result the size of its rounding, and makes zeros of what is no larger. A sum is as exact as its largest
+/// term: a force is one of forces, a moment of moments and of forces at the mechanism's arms, a power of forces at its
+/// speeds.
+void clear_rounding(std::vector<project::Entry>& results);
+
+}  // namespace loadpath

@@ -9,14 +9,15 @@ PositionFunctions::PositionFunctions(const Model& model)
     : model_(model),
       plan_(plan_of(model)),
       positions_(plan_, characteristic_length(model)),
-      motion_(model_, plan_, positions_) {}
+      motion_(model_, plan_, positions_),
+      drives_(model.drivers.size()) {}
 
-bool PositionFunctions::derive(Position& at) {
+bool PositionFunctions::derive(Position& at, std::size_t driver) {
   positions_.adopt(at.pose);
   if (!positions_.factor()) return false;
-  const Drive even{0.0, 1.0, 0.0};
-  motion_.find_velocities({&even, 1});
-  motion_.find_accelerations({&even, 1});
+  for (std::size_t d = 0; d < drives_.size(); ++d) drives_[d].speed = d == driver ? 1.0 : 0.0;
+  motion_.find_velocities(drives_);
+  motion_.find_accelerations(drives_);
   for (std::size_t k = 0; k < at.pose.size(); ++k) {
     const Moving& m = motion_.link(k);
     at.velocity[k] = {m.velocity.x, m.velocity.y, m.omega};

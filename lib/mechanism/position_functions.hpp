@@ -1,5 +1,5 @@
-// Derivatives of the position functions of a mechanism with one drive: how every link moves per radian or metre of the
-// drive, whatever its speed. Also called velocity and acceleration analogues.
+// Derivatives of the position functions of a mechanism: how every link moves per radian or metre of a drive, whatever
+// its speed. Also called velocity and acceleration analogues.
 #pragma once
 
 #include "lib/mechanism/group_motion.hpp"
@@ -8,18 +8,22 @@
 #include "lib/mechanism/model.hpp"
 #include "lib/mechanism/position.hpp"
 
+#include <cstddef>
+#include <vector>
+
 namespace loadpath::mechanism {
 
 class PositionFunctions {
  public:
-  /// The model has one driver and has passed `diagnose`; it is referred to.
+  /// The model has passed `diagnose`; it is referred to.
   explicit PositionFunctions(const Model& model);
   PositionFunctions(const PositionFunctions&) = delete;
   PositionFunctions& operator=(const PositionFunctions&) = delete;
 
   /// From the poses of `at`, an assembly, its velocities and accelerations as the first and second derivatives with
-  /// respect to the drive's coordinate: rad and m per rad, or per m. False where the drive cannot hold the mechanism.
-  [[nodiscard]] bool derive(Position& at);
+  /// respect to a drive's coordinate, the others holding still: rad and m per rad, or per m. False where the drives
+  /// cannot hold the mechanism.
+  [[nodiscard]] bool derive(Position& at, std::size_t driver = 0);
   /// Of the closing equations of a group, in order of attachment, where it was derived last: the sign of their
   /// determinant, +1 or -1. It changes where the group passes from one of its assemblies to another.
   [[nodiscard]] double sign(std::size_t group) { return positions_.loops(group).sign(); }
@@ -30,6 +34,7 @@ class PositionFunctions {
   Plan plan_;
   GroupPositions positions_;
   GroupMotion motion_;
+  std::vector<Drive> drives_;
 };
 
 /// The coordinate of a drive at these poses, rad or m.

@@ -23,51 +23,25 @@ std::optional<Vec> line_through_centre(const Link& link, Vec a, Vec b) {
 
 }  // namespace
 
-Reduction::Reduction(const Model& model)
-    : instant_(model), unit_velocity_(model.links.size()), unit_acceleration_(model.links.size()) {
-  const std::size_t size = instant_.constraints().columns();
-  for (auto* x : {&velocity_, &acceleration_}) x->resize(size + 3);
-  centripetal_.resize(size);
-}
+Reduction::Reduction(const Model& model) : instant_(model), functions_(model), unit_(blank_position(model)) {}
 
 std::optional<Reduced> Reduction::find(const Position& at, std::size_t driver) {
-  instant_.take(at, true);
-  if (instant_.is_singular()) return std::nullopt;
-  find_unit_motion(driver);
+  unit_ = at;
+  if (!functions_.derive(unit_, driver)) return std::nullopt;
+  instant_.take_forces(at, true);
   Reduced reduced;
   for (std::size_t k = 0; k < at.pose.size(); ++k) {
     const Link& link = instant_.model().links[k];
     const Vec arm = turn(at.pose[k].phi)(link.centre);
-    const Pose &v = unit_velocity_[k], &a = unit_acceleration_[k];
+    const Pose &v = unit_.velocity[k], &a = unit_.acceleration[k];
     const Vec speed = point_velocity(v, arm);
     reduced.inertia += link.mass * dot(speed, speed) + link.inertia * v.phi * v.phi;
     reduced.derivative +=
         2.0 * (link.mass * dot(speed, point_acceleration(a, v.phi, arm)) + link.inertia * v.phi * a.phi);
   }
-  for (const ActiveForce& force : instant_.external()) reduced.moment += power(force, unit_velocity_[force.link]);
-  for (const ActiveForce& force : instant_.induced()) reduced.induced += power(force, unit_velocity_[force.link]);
+  for (const ActiveForce& force : instant_.external()) reduced.moment += power(force, unit_.velocity[force.link]);
+  for (const ActiveForce& force : instant_.induced()) reduced.induced += power(force, unit_.velocity[force.link]);
   return reduced;
-}
-
-// The drive at a speed of one and without acceleration.
-void Reduction::find_unit_motion(std::size_t driver) {
-  const Constraints& constraints = instant_.constraints();
-  const double length = instant_.length(), rate = instant_.virtual_rate(driver);
-  const auto column = instant_.virtual_motion(constraints.first_driver_row() + driver);
-  std::ranges::transform(column, velocity_.begin(), [&](double v) { return v / rate; });
-  constraints.centripetal(velocity_, centripetal_);
-  std::ranges::fill(acceleration_, 0.0);
-  for (std::size_t row = 0; row < centripetal_.size(); ++row) {
-    const auto motion = instant_.virtual_motion(row);
-    for (std::size_t c = 0; c < motion.size(); ++c) acceleration_[c] += motion[c] * centripetal_[row];
-  }
-  const auto pose = [&](const std::vector<double>& x, std::size_t k) {
-    return Pose{length * x[3 * k], length * x[3 * k + 1], x[3 * k + 2]};
-  };
-  for (std::size_t k = 0; k < unit_velocity_.size(); ++k) {
-    unit_velocity_[k] = pose(velocity_, k);
-    unit_acceleration_[k] = pose(acceleration_, k);
-  }
 }
 
 std::optional<std::array<PointMass, 2>> statically_equivalent(const Link& link, Vec a, Vec b) {

@@ -4,6 +4,7 @@
 
 #include "lib/mechanism/model.hpp"
 #include "lib/mechanism/position.hpp"
+#include "lib/mechanism/position_functions.hpp"
 #include "lib/mechanism/proof/instant.hpp"
 
 #include <array>
@@ -31,15 +32,13 @@ class Reduction {
   /// The model is referred to: its loads may change between positions.
   explicit Reduction(const Model& model);
   /// At a position, of which poses count, and for what is induced the reactions. Nothing where the drive cannot move
-  /// the mechanism, at a dead point. Takes no memory but the scratch of an inverse.
+  /// the mechanism, at a dead point. Takes no memory.
   [[nodiscard]] std::optional<Reduced> find(const Position& at, std::size_t driver = 0);
 
  private:
-  void find_unit_motion(std::size_t driver);
-
   Instant instant_;
-  std::vector<double> velocity_, centripetal_, acceleration_;
-  std::vector<Pose> unit_velocity_, unit_acceleration_;  // at a speed of 1 rad/s or 1 m/s, kept
+  PositionFunctions functions_;
+  Position unit_;  // as the drive moves it at a speed of 1 rad/s or 1 m/s, kept
 };
 
 struct PointMass {

@@ -40,6 +40,11 @@ Instant::Instant(const Model& model)
 }
 
 void Instant::take(const Position& at, bool statics) {
+  take_forces(at, statics);
+  find_motions();
+}
+
+void Instant::take_forces(const Position& at, bool statics) {
   at_ = &at;
   statics_ = statics;
   for (std::size_t k = 0; k < at.pose.size(); ++k) {
@@ -50,7 +55,6 @@ void Instant::take(const Position& at, bool statics) {
   place();
   find_active_forces(*model_, at, statics, active_);
   find_induced_forces();
-  find_motions();
 }
 
 void Instant::place() {

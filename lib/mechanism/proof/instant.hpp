@@ -19,6 +19,8 @@ class Instant {
   /// Goes to this position, which is referred to. `statics`: without inertia. Takes no memory but the scratch of an
   /// inverse.
   void take(const Position& at, bool statics);
+  /// The same without virtual velocities and the condition number.
+  void take_forces(const Position& at, bool statics);
 
   [[nodiscard]] const Model& model() const { return *model_; }
   [[nodiscard]] const Position& at() const { return *at_; }

@@ -55,12 +55,6 @@ k = "8 N/mm"
 free = "75 mm"
 )";
 
-std::string replaced(std::string text, const std::string& part, const std::string& other) {
-  const std::size_t at = text.find(part);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, part.size(), other);
-}
-
 std::string changed(const std::string& part, const std::string& other) { return replaced(valve, part, other); }
 
 /// A rise so steep that the profile is hollow at its foot.

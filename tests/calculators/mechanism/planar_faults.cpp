@@ -44,12 +44,7 @@ F_y = "0 N"
 )";
 
 /// What is said when a part of the press is replaced.
-std::string with(const std::string& part, const std::string& other) {
-  std::string text = press;
-  const std::size_t at = text.find(part);
-  REQUIRE(at != std::string::npos);
-  return issues_of(text.replace(at, part.size(), other));
-}
+std::string with(const std::string& part, const std::string& other) { return issues_of(replaced(press, part, other)); }
 
 }  // namespace
 

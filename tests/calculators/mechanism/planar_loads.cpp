@@ -53,18 +53,9 @@ F_x = "-1 kN"
 F_y = "0 N"
 )";
 
-std::string with(const std::string& part, const std::string& other) {
-  std::string text = press;
-  const std::size_t at = text.find(part);
-  REQUIRE(at != std::string::npos);
-  return issues_of(text.replace(at, part.size(), other));
-}
-
-/// The message alone.
+std::string with(const std::string& part, const std::string& other) { return issues_of(replaced(press, part, other)); }
 std::string message_of(const std::string& part, const std::string& other) {
-  const std::string told = with(part, other);
-  const std::size_t from = told.find("error: ");
-  return from == std::string::npos ? told : told.substr(from + 7, told.find('\n') - from - 7);
+  return first_error(replaced(press, part, other));
 }
 
 }  // namespace

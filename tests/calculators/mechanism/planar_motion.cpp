@@ -24,12 +24,6 @@ joints.B = { type = "revolute", links = ["ground", "lever"] }
 joints.A = { type = "slot", links = ["crank", "lever"], points = ["A", "B"] }
 )";
 
-std::string replaced(std::string text, const std::string& part, const std::string& other) {
-  const std::size_t at = text.find(part);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, part.size(), other);
-}
-
 const Value& value_of(const project::Project& project, const std::string& path) {
   const Value* value = project.steps[0]->value(path);
   CAPTURE(path);

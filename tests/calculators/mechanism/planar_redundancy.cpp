@@ -75,18 +75,15 @@ TEST_SUITE("mechanism held too much in a project") {
   }
 
   TEST_CASE("friction that hangs on a shared reaction is refused") {
-    std::string text = parallel;
     const std::string b = R"(links = ["a", "b"])";
-    text.replace(text.find(b), b.size(), b + ", mu = 0.1, pin_radius = \"10 mm\"");
+    const std::string text = replaced(parallel, b, b + ", mu = 0.1, pin_radius = \"10 mm\"");
     CHECK(issues_of(text).find("error: what joint 'B' induces, friction or the pressing of teeth and belts, hangs on "
                                "its reaction, and that is not unique: other joints hold the same freedom") !=
           std::string::npos);
   }
 
   TEST_CASE("sides do not tell such an assembly") {
-    std::string text = parallel;
-    const std::string gravity = "gravity =";
-    text.replace(text.find(gravity), gravity.size(), "sides = [\"C_left\"]\n" + gravity);
+    const std::string text = replaced(parallel, "gravity =", "sides = [\"C_left\"]\ngravity =");
     CHECK(issues_of(text).find("error: sides do not tell the assembly where joints hold too much") !=
           std::string::npos);
   }

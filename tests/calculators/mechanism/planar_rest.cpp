@@ -69,12 +69,6 @@ const report::Verdict& verdict_of(const project::Project& project, const std::st
   return *found;
 }
 
-std::string replaced(std::string text, const std::string& part, const std::string& other) {
-  const std::size_t at = text.find(part);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, part.size(), other);
-}
-
 }  // namespace
 
 TEST_SUITE("mechanism rest") {

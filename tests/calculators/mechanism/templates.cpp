@@ -91,12 +91,6 @@ std::string without(const std::string& text, const std::vector<std::string>& sta
   return left;
 }
 
-std::string replaced(std::string text, const std::string& part, const std::string& other) {
-  const std::size_t at = text.find(part);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, part.size(), other);
-}
-
 /// The example of a template without template, parameters and masses, and with the joints of its drives.
 std::string without_template(const Template& t, const Planar::Input& in) {
   std::vector<std::string> starts{"template", "links.", "ground."};

@@ -56,6 +56,22 @@ inline std::string issues_of(const std::string& text) {
   return render(told(text).issues, [&](const std::string&) { return text; });
 }
 
+/// The first message of an error.
+inline std::string first_error(const std::string& text) {
+  const std::string told = issues_of(text), error = "error: ";
+  const std::size_t from = told.find(error);
+  return from == std::string::npos ? told
+                                   : told.substr(from + error.size(), told.find('\n', from) - from - error.size());
+}
+
+/// The text with another in the place of a part that it has.
+inline std::string replaced(std::string text, const std::string& part, const std::string& other) {
+  const std::size_t at = text.find(part);
+  INFO(part);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, part.size(), other);
+}
+
 inline project::Project solved(const std::string& text) {
   Told t = told(text);
   INFO(issues_of(text));

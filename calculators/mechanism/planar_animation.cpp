@@ -156,7 +156,7 @@ class Animation {
     motion_.axis = {"phi", in_.axis.quantity, in_.axis.unit, at_frames(in_.axis.at)};
     if (in_.axis.quantity == "stroke") motion_.axis.symbol = "s";
     for (const auto& e : in_.account.results) {
-      const bool drive = e.path == "drive.M" || e.path.starts_with("cylinders.");
+      const bool drive = is_drive_effort(e.path);
       const bool joint = e.path.starts_with("joints.") && e.path.ends_with(".F");
       if ((!drive && !joint) || motion_.numbers.size() == most_numbers) continue;
       const std::size_t first = e.path.find('.') + 1;

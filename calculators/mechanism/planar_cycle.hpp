@@ -11,6 +11,7 @@
 #include "lib/mechanism/released_system.hpp"
 #include "lib/quantity/series.hpp"
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,12 +19,14 @@
 namespace loadpath {
 
 /// The effort of a drive without inertia that starts the mechanism from rest, and the one that holds it without
-/// friction, N m or N. What is no number: no effort starts it that way.
+/// friction, N m or N. What is no number there: no effort starts it that way.
 struct StandingEffort {
-  double backward = 0.0, without = 0.0, forward = 0.0;
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  double backward = none, without = none, forward = none;
+  bool known = false;  // the position was reached
 
   /// Whether it stands without its drive.
-  [[nodiscard]] bool stands() const { return !(backward > 0.0) && !(forward < 0.0); }
+  [[nodiscard]] bool stands() const { return known && !(backward > 0.0) && !(forward < 0.0); }
 };
 
 /// The solved positions. Where the mechanism does not close there is none.
@@ -44,7 +47,7 @@ struct Cycle {
   std::vector<bool> some_rest;  // joints with friction: as at a dead point, or the whole mechanism
   /// There, with the friction of what rests one way and the other; an empty one where friction lets it not move so.
   std::vector<std::vector<mechanism::Position>> either_way;
-  std::vector<StandingEffort> standing;  // with friction and one drive; where it does not close, meaningless
+  std::vector<StandingEffort> standing;  // with friction and one drive
   /// The least friction with which it stands under its load without its drive: somewhere, and at every position.
   struct Threshold {
     double share = 0.0;  // of the friction that it has

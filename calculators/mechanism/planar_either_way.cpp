@@ -15,7 +15,6 @@ using mechanism::Resting;
 using mechanism::Status;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t most_drives = 4;  // of which every way is tried
 
 class EitherWay {
  public:
@@ -55,8 +54,10 @@ class EitherWay {
     if (cycle_.standing.empty()) return;
     Drive& drive = drives[0];
     drive.speed = drive.acceleration = 0.0;
-    cycle_.standing[k] = {effort(system, drives, -1.0), effort(system, drives, 0.0), effort(system, drives, 1.0)};
-    find_thresholds(system, drives, k);
+    StandingEffort& standing = cycle_.standing[k];
+    standing = {effort(system, drives, -1.0), effort(system, drives, 0.0), effort(system, drives, 1.0)};
+    standing.known = std::isfinite(standing.without);
+    if (standing.known) find_thresholds(system, drives, k);
   }
 
   /// Joints rest while others move.
@@ -70,15 +71,13 @@ class EitherWay {
 
   /// All rests: every drive may be about to move one way or the other, but for those that say which.
   void add_ways(ReleasedSystem& system, std::vector<Drive> drives, std::size_t k) {
-    if (drives.size() > most_drives) return;
-    const std::vector<Drive> stated = drives;
-    for (std::size_t way = 0; way < (std::size_t{1} << drives.size()); ++way) {
-      bool known = false;
-      for (std::size_t d = 0; d < drives.size(); ++d) {
-        drives[d].impending = (way >> d) % 2 == 1 ? 1.0 : -1.0;
-        known = known || stated[d].impending == -drives[d].impending;
-      }
-      if (!known) add(system, drives, k);
+    std::vector<Drive*> open;
+    for (Drive& drive : drives) {
+      if (drive.impending == 0.0) open.push_back(&drive);
+    }
+    for (std::size_t way = 0; way < (std::size_t{1} << open.size()); ++way) {
+      for (std::size_t d = 0; d < open.size(); ++d) open[d]->impending = (way >> d) % 2 == 1 ? 1.0 : -1.0;
+      add(system, drives, k);
     }
   }
 
@@ -136,6 +135,20 @@ bool has_dry_friction(const mechanism::Model& model) {
     const mechanism::Friction& f = joint.friction;
     return f.coefficient > 0.0 || f.rolling_arm > 0.0 || f.loss > 0.0 || f.loss_back > 0.0;
   });
+}
+
+std::vector<FieldFault> check_rest(const PlanarMechanism::Input& in, const mechanism::Model& model) {
+  constexpr int most = 4;  // of which every way is tried
+  const auto rests = [](const auto& drive) { return in_si(drive.speed) == 0.0; };
+  const auto is_open = [](const auto& drive) { return drive.impending == PlanarMechanism::Impending::either; };
+  const bool all_rest = rests(in.crank) && std::all_of(in.cylinders.begin(), in.cylinders.end(), rests);
+  const auto cylinders = std::count_if(in.cylinders.begin(), in.cylinders.end(), is_open);
+  const auto open = cylinders + (has_crank(in) && is_open(in.crank) ? 1 : 0);
+  if (has_law(in) || !all_rest || open <= most || !has_dry_friction(model)) return {};
+  return {
+      {"cylinders",
+       say("friction of {1} drives at rest is not covered: each may be about to move either way", std::to_string(open)),
+       say("state 'impending' of all but {1}, or give them their speeds", std::to_string(most))}};
 }
 
 void solve_either_way(const CycleTask& task, Cycle& cycle) {

@@ -8,6 +8,9 @@ namespace loadpath {
 /// Whether some joint has dry friction or loses power: what holds a mechanism that rests.
 bool has_dry_friction(const mechanism::Model& model);
 
+/// More drives at rest than can be tried either way. Needs values.
+std::vector<FieldFault> check_rest(const PlanarMechanism::Input& in, const mechanism::Model& model);
+
 /// Of the positions that close: fills `either_way`, `standing` and its thresholds.
 void solve_either_way(const CycleTask& task, Cycle& cycle);
 

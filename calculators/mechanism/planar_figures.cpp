@@ -1,5 +1,6 @@
 #include "calculators/mechanism/planar_animation.hpp"
 #include "calculators/mechanism/planar_hodographs.hpp"
+#include "calculators/mechanism/planar_outputs.hpp"
 #include "calculators/mechanism/planar_plans.hpp"
 #include "calculators/mechanism/planar_report.hpp"
 #include "calculators/mechanism/planar_scheme.hpp"
@@ -84,7 +85,7 @@ std::vector<draw::Figure> mechanism_figures(const PlanarMechanism::Input& in, co
                        scheme_at(model, cycle.positions[k], extents, points, Shown::at_rest).still});
   }
   for (const auto& e : account.results) {
-    if (e.path == "drive.M" || e.path.starts_with("cylinders.")) figures.push_back(drive_figure(e, *axis));
+    if (is_drive_effort(e.path)) figures.push_back(drive_figure(e, *axis));
   }
   figures.push_back(reactions_figure(model, account, *axis));
   for (draw::Figure& figure : hodograph_figures(in, model, cycle, *axis)) figures.push_back(std::move(figure));

@@ -27,7 +27,8 @@ std::string changes_of_flank(const Value& series, const Axis& axis) {
   std::optional<std::size_t> before;
   const auto look = [&](std::size_t k, double ahead) {
     const double here = series.si[k];
-    if (std::isnan(here) || std::abs(here) <= negligible) return;
+    if (std::isnan(here)) return before.reset();  // what happens in a gap is not known
+    if (std::abs(here) <= negligible) return;
     if (before && series.si[*before] * here < 0.0) {
       const double at = crossing(series, axis.at[*before], axis.at[k] + ahead);
       places += (places.empty() ? "" : ", ") + format_quantity(at, axis.unit, 5);
@@ -35,8 +36,8 @@ std::string changes_of_flank(const Value& series, const Axis& axis) {
     before = k;
   };
   for (std::size_t k = 0; k < series.si.size(); ++k) look(k, 0.0);
-  const auto loaded = [&](double x) { return std::abs(x) > negligible; };
-  const auto first = std::find_if(series.si.begin(), series.si.end(), loaded);
+  const auto settles = [&](double x) { return !(std::abs(x) <= negligible); };
+  const auto first = std::find_if(series.si.begin(), series.si.end(), settles);
   if (axis.cyclic() && first != series.si.end()) look(static_cast<std::size_t>(first - series.si.begin()), axis.period);
   return places;
 }

@@ -49,6 +49,7 @@ class LawCheck {
  public:
   std::vector<FieldFault> run(const Planar::Input& in) {
     for_each_drive(in, [this](const auto& drive, int positions) { check(drive, positions); });
+    if (faults_.empty()) check_times(in);
     return std::move(faults_);
   }
 
@@ -69,6 +70,23 @@ class LawCheck {
           say("leave it out"));
     if (!drive.law.empty()) check_points(drive, path + ".law");
     if (!formula_of(drive).empty()) check_formula(drive, formula, positions);
+  }
+
+  /// A formula is not used outside of the time for which it holds; points rest before and after theirs.
+  void check_times(const Planar::Input& in) {
+    double first = 0.0, last = 0.0;
+    for_each_drive(in, [&](const auto& drive, int) {
+      if (follows_law(drive))
+        first = std::min(first, DriveLaw(drive).first()), last = std::max(last, DriveLaw(drive).last());
+    });
+    for_each_drive(in, [&](const auto& drive, int) {
+      if (formula_of(drive).empty() || (first == 0.0 && last == DriveLaw(drive).last())) return;
+      add(path_of(drive) + ".duration",
+          say("the law of '{1}' holds from 0 s to {2}, and other drives move from {3} to {4}", path_of(drive),
+              format_quantity(DriveLaw(drive).last(), "s", 4), format_quantity(first, "s", 4),
+              format_quantity(last, "s", 4)),
+          say("let all laws hold over the same time"));
+    });
   }
 
   template <class Drive>

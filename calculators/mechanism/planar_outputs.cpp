@@ -103,6 +103,10 @@ constexpr std::array point_rows{
 
 }  // namespace
 
+bool is_drive_effort(std::string_view path) {
+  return path == "drive.M" || (path.starts_with("cylinders.") && path.ends_with(".F"));
+}
+
 std::vector<MechanismOutput> mechanism_outputs(const PlanarMechanism::Input& in, const mechanism::Model& model) {
   std::vector<MechanismOutput> out;
   for (std::size_t d = 0; d < model.drivers.size(); ++d)

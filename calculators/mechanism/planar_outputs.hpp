@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -47,6 +48,9 @@ struct MechanismOutput {
   /// In place of `read`, of the results before it.
   std::function<Values(const project::Account&)> read_results = {};
 };
+
+/// Whether a result is the effort of a drive itself, "drive.M" or "cylinders.NAME.F".
+bool is_drive_effort(std::string_view path);
 
 /// All outputs, in the order of reports. `model` must outlive nothing: what the readers need is copied.
 std::vector<MechanismOutput> mechanism_outputs(const PlanarMechanism::Input& in, const mechanism::Model& model);

@@ -5,6 +5,7 @@
 #include "calculators/mechanism/planar_profiles.hpp"
 #include "calculators/mechanism/planar_ranges.hpp"
 #include "calculators/mechanism/planar_report.hpp"
+#include "calculators/mechanism/planar_rounding.hpp"
 #include "lib/mechanism/cam_state.hpp"
 #include "lib/mechanism/frames.hpp"
 #include "lib/mechanism/vec.hpp"
@@ -110,7 +111,7 @@ bool is_at_rest(const Planar::Input& in) {
 bool holds_against(const Cycle& cycle, double sense) {
   for (std::size_t k = 0; k < cycle.standing.size(); ++k) {
     const StandingEffort& effort = cycle.standing[k];
-    if (cycle.closed[k] && std::isnan(sense > 0.0 ? effort.forward : effort.backward)) return true;
+    if (effort.known && std::isnan(sense > 0.0 ? effort.forward : effort.backward)) return true;
   }
   return false;
 }
@@ -167,7 +168,7 @@ std::vector<report::Verdict> contacts(const std::string& step, const Planar::Inp
     const bool cam = joint.kind == mechanism::JointKind::cam;
     std::vector<bool> lost(cycle.positions.size());
     for (std::size_t k = 0; k < lost.size(); ++k)
-      lost[k] = cycle.has_forces(k) && pressing(model, cycle.positions[k], n) < 0.0;
+      lost[k] = cycle.has_forces(k) && pressing(model, cycle.positions[k], n) < -rounding_at(cycle.positions[k]).force;
     const auto count = static_cast<std::size_t>(std::count(lost.begin(), lost.end(), true));
     report::Verdict v;
     v.step = step;
@@ -175,9 +176,14 @@ std::vector<report::Verdict> contacts(const std::string& step, const Planar::Inp
     v.meaning = cam ? say("the follower of joint '{1}' stays on its cam", joint.name)
                     : say("the wheel of joint '{1}' stays on what it rolls on", joint.name);
     v.bound = say("every position");
+    if (!cycle.unique.empty() && !cycle.unique[n].force) {
+      v.value = say("not unique");
+      v.state = report::State::not_covered;
+      verdicts.push_back(std::move(v));
+      continue;
+    }
     v.value = say("{1} of {2}", std::to_string(lost.size() - count), std::to_string(lost.size()));
     v.state = count == 0 ? report::State::pass : report::State::fail;
-    if (!cycle.unique.empty() && !cycle.unique[n].force) v.state = report::State::not_covered;
     if (count > 0 && axis != nullptr) v.note = say("lifts off {1}", range_of(lost, true, *axis));
     verdicts.push_back(std::move(v));
   }

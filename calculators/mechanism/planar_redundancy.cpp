@@ -37,13 +37,18 @@ report::Table uniqueness_table(const mechanism::Model& model, const Cycle& cycle
   return table;
 }
 
-void hide_what_is_not_unique(Cycle& cycle) {
+static void hide(const std::vector<mechanism::Uniqueness>& unique, mechanism::Position& p) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  for (mechanism::Position& p : cycle.positions) {
-    for (std::size_t k = 0; k < cycle.unique.size(); ++k) {
-      if (!cycle.unique[k].force) p.reactions[k].force = {none, none};
-      if (!cycle.unique[k].couple) p.reactions[k].couple = none;
-    }
+  for (std::size_t k = 0; k < p.reactions.size(); ++k) {
+    if (!unique[k].force) p.reactions[k].force = {none, none};
+    if (!unique[k].couple) p.reactions[k].couple = none;
+  }
+}
+
+void hide_what_is_not_unique(Cycle& cycle) {
+  for (mechanism::Position& p : cycle.positions) hide(cycle.unique, p);
+  for (auto& ways : cycle.either_way) {
+    for (mechanism::Position& way : ways) hide(cycle.unique, way);
   }
 }
 

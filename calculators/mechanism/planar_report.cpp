@@ -277,7 +277,7 @@ std::vector<report::Block> result_tables(const project::Account& account, const 
 
 std::size_t governing_position(const Cycle& cycle, const project::Account& account) {
   for (const auto& e : account.results) {
-    if (e.path != "drive.M" && !e.path.starts_with("cylinders.")) continue;
+    if (!is_drive_effort(e.path)) continue;
     const Extreme peak = largest(e.value);
     if (!std::isnan(peak.value) && cycle.has_forces(peak.nearest)) return peak.nearest;
   }

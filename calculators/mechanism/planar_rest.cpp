@@ -43,25 +43,32 @@ constexpr std::array standing_rows{
 
 /// Of all that friction may make where joints rest.
 struct Band {
-  double least = none, most = none;
+  double least = std::numeric_limits<double>::infinity(), most = -least;
 
+  /// What is no number leaves no band.
   void take(double value) {
-    least = least <= value ? least : value;
-    most = most >= value ? most : value;
+    least = std::isnan(value) || value < least ? value : least;
+    most = std::isnan(value) || value > most ? value : most;
   }
+  static Band open() { return {none, none}; }
 };
 
 template <class Read>
 Band band_at(const Cycle& cycle, std::size_t k, Read read) {
   Band band;
-  if (!cycle.has_forces(k)) return band;
+  if (!cycle.has_forces(k)) return Band::open();
   band.take(read(cycle.positions[k]));
   if (cycle.either_way.empty()) return band;
   for (const Position& way : cycle.either_way[k]) {
-    if (way.pose.empty()) return {};  // it jams so: no effort is too large
+    if (way.pose.empty()) return Band::open();  // it jams so: no effort is too large
     band.take(read(way));
   }
   return band;
+}
+
+MechanismOutput::Values with_reason(std::vector<double> values) {
+  const bool open = std::any_of(values.begin(), values.end(), [](double x) { return std::isnan(x); });
+  return {std::move(values), open ? say("friction lets no effort move it that way") : Message{}};
 }
 
 constexpr ResultPattern drive_least{
@@ -81,7 +88,7 @@ void add_end(const ResultPattern& pattern, const std::string& name, double Band:
     const Cycle& cycle = solved.cycle;
     std::vector<double> values;
     for (std::size_t k = 0; k < cycle.positions.size(); ++k) values.push_back(band_at(cycle, k, read).*end);
-    return values;
+    return with_reason(std::move(values));
   };
   const Dimension dimension = std::string_view(pattern.unit) == "N" ? N.dimension() : N_m.dimension();
   out.push_back({named(pattern.path, name), pattern.doc, pattern.unit, dimension, {}, over_cycle, false});
@@ -96,7 +103,7 @@ void add_standing(const mechanism::Driver& driver, std::vector<MechanismOutput>&
       std::vector<double> values(cycle.positions.size(), none);
       for (std::size_t k = 0; k < cycle.standing.size(); ++k)
         values[k] = cycle.closed[k] ? cycle.standing[k].*effort : none;
-      return values;
+      return with_reason(std::move(values));
     };
     const Dimension dimension = rotary ? N_m.dimension() : N.dimension();
     out.push_back({named(pattern.path, driver.name), pattern.doc, pattern.unit, dimension, {}, read, false});
@@ -147,7 +154,7 @@ class StandingTable {
     add_extreme(say("effort that starts it backward"), &StandingEffort::backward, false);
     add_jamming(say("no effort starts it forward"), &StandingEffort::forward);
     add_jamming(say("no effort starts it backward"), &StandingEffort::backward);
-    const auto stands = [this](std::size_t k) { return cycle_.closed[k] && cycle_.standing[k].stands(); };
+    const auto stands = [this](std::size_t k) { return cycle_.standing[k].stands(); };
     add(say("stands without its drive"), where(stands));
     add_threshold(say("least friction with which its load does not drive it back, as a part of what it has"),
                   cycle_.stands_somewhere);
@@ -171,7 +178,7 @@ class StandingTable {
     std::optional<std::size_t> at;
     for (std::size_t k = 0; k < cycle_.standing.size(); ++k) {
       const double here = cycle_.standing[k].*effort;
-      if (!cycle_.closed[k] || std::isnan(here)) continue;
+      if (std::isnan(here)) continue;
       const double best = at ? cycle_.standing[*at].*effort : here;
       if (!at || (largest ? here > best : here < best)) at = k;
     }
@@ -184,7 +191,7 @@ class StandingTable {
   }
 
   void add_jamming(Message what, double StandingEffort::*effort) {
-    const auto jams = [&](std::size_t k) { return cycle_.closed[k] && std::isnan(cycle_.standing[k].*effort); };
+    const auto jams = [&](std::size_t k) { return cycle_.standing[k].known && std::isnan(cycle_.standing[k].*effort); };
     for (std::size_t k = 0; k < cycle_.standing.size(); ++k) {
       if (jams(k)) return add(std::move(what), where(jams));
     }

@@ -4,6 +4,7 @@
 #include "calculators/mechanism/planar_assemblies.hpp"
 #include "calculators/mechanism/planar_balance.hpp"
 #include "calculators/mechanism/planar_design_outputs.hpp"
+#include "calculators/mechanism/planar_either_way.hpp"
 #include "calculators/mechanism/planar_expansion.hpp"
 #include "calculators/mechanism/planar_influence.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
@@ -78,19 +79,43 @@ void PlanarStep::add_idle_fields(std::vector<Issue>& issues) const {
   }
   add_idle_senses(issues);
   const bool crank = !data().crank.joint.empty();
-  if (crank && typed("positions") && !has_law(data())) {
+  if (crank && typed("positions")) {
     issues.push_back(issue_at(input(), "positions", say("'positions' is of strokes of cylinders, and a crank drives"),
                               say("the positions of a turn stand in the crank: crank = { positions = 72 }")));
   }
+  add_idle_motions(issues);
   if (!crank) add_idle_strokes(issues);
+}
+
+/// A cylinder with a law has its places and speeds from it.
+void PlanarStep::add_idle_motions(std::vector<Issue>& issues) const {
+  for (const auto& cylinder : data().cylinders) {
+    if (cylinder.law.empty() && cylinder.place_of_t.empty()) continue;
+    const std::string path = "cylinders." + std::string(cylinder.name.view()) + ".";
+    const std::string law = path + (cylinder.law.empty() ? "place_of_t" : "law");
+    for (const char* const field : {"speed", "acceleration", "from", "to"}) {
+      if (input().reading.typed.count(path + field) == 0) continue;
+      issues.push_back(issue_at(input(), path + field,
+                                say("'{1}' and '{2}' both say how the cylinder moves", path + field, law),
+                                say("leave out one of the two")));
+    }
+  }
 }
 
 /// Friction of what moves has its sense from the motion.
 void PlanarStep::add_idle_senses(std::vector<Issue>& issues) const {
+  const auto moves = [](const auto& drive) { return in_si(drive.speed) != 0.0; };
+  const auto& cylinders = data().cylinders;
+  const bool some_move =
+      has_law(data()) || moves(data().crank) || std::any_of(cylinders.begin(), cylinders.end(), moves);
   const auto check = [&](const auto& drive, const std::string& path) {
-    if (drive.impending == PlanarMechanism::Impending::either || in_si(drive.speed) == 0.0) return;
+    const auto& typed = input().reading.typed;
+    const auto has = [&](const char* field) { return typed.count(path + field) != 0; };
+    const bool follows_law = has(".law") || has(".angle_of_t") || has(".place_of_t");  // told with the law
+    if (drive.impending == PlanarMechanism::Impending::either || !some_move || follows_law) return;
     issues.push_back(issue_at(input(), path + ".impending",
-                              say("'impending' is of a drive that rests, and '{1}' has a speed", path),
+                              moves(drive) ? say("'impending' is of a drive that rests, and '{1}' has a speed", path)
+                                           : say("'impending' is of a mechanism that rests, and another drive moves"),
                               say("leave out one of the two")));
   };
   check(data().crank, "crank");
@@ -188,6 +213,7 @@ bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue
   for (FieldFault& fault : check_shares(data())) drawing.push_back(std::move(fault));
   for (FieldFault& fault : check_profiles(data())) drawing.push_back(std::move(fault));
   for (FieldFault& fault : check_laws(data())) drawing.push_back(std::move(fault));
+  for (FieldFault& fault : check_rest(data(), model)) drawing.push_back(std::move(fault));
   for (FieldFault& fault : check_mass_lines(data(), model)) drawing.push_back(std::move(fault));
   for (FieldFault& fault : check_reductions(data())) drawing.push_back(std::move(fault));
   add_faults(drawing, issues);

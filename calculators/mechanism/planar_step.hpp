@@ -33,6 +33,7 @@ class PlanarStep : public project::Step {
   void add_faults_of_names(std::vector<Issue>& issues) const;
   void add_idle_fields(std::vector<Issue>& issues) const;
   void add_idle_senses(std::vector<Issue>& issues) const;
+  void add_idle_motions(std::vector<Issue>& issues) const;
   void add_idle_strokes(std::vector<Issue>& issues) const;
   bool diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues);
   void add_faults(const std::vector<FieldFault>& faults, std::vector<Issue>& issues) const;

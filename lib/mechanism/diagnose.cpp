@@ -23,12 +23,31 @@ Finding not_closing(const Model& model, const Structure& structure) {
           say("the stated poses are too far from an assembly, or the lengths do not permit one")};
 }
 
+/// Whether a joint holds a ratio of speeds.
+bool has_ratio(JointKind kind) {
+  switch (kind) {
+    case JointKind::gear:
+    case JointKind::rack:
+    case JointKind::belt:
+    case JointKind::rolling:
+    case JointKind::rolling_on_line:
+      return true;
+    case JointKind::revolute:
+    case JointKind::prismatic:
+    case JointKind::slot:
+    case JointKind::rigid:
+    case JointKind::cam:
+    case JointKind::none:
+      break;
+  }
+  return false;
+}
+
 /// Gears, racks, belts and rolling wheels without one of which the mechanism would move.
 std::vector<std::size_t> locking_wheels(const Model& model) {
   std::vector<std::size_t> locking;
   for (std::size_t k = 0; k < model.joints.size(); ++k) {
-    const JointKind kind = model.joints[k].kind;
-    if (constraint_count(kind) != 1 || kind == JointKind::slot) continue;
+    if (!has_ratio(model.joints[k].kind)) continue;
     Model without = model;
     without.joints.erase(without.joints.begin() + static_cast<std::ptrdiff_t>(k));
     without.drivers.clear();

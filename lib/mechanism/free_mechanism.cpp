@@ -129,7 +129,8 @@ double FreeMechanism::grip(std::size_t rank) const {
     return std::abs(qr.matrixR()(static_cast<Index>(k), static_cast<Index>(k)));
   };
   const double largest = pivot(0);
-  return largest > 0.0 && rank <= constraints_.rows() ? pivot(rank - 1) / largest : 0.0;
+  return largest > 0.0 && rank <= std::min(constraints_.rows(), constraints_.columns()) ? pivot(rank - 1) / largest
+                                                                                        : 0.0;
 }
 
 }  // namespace loadpath::mechanism

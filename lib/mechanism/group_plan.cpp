@@ -145,6 +145,7 @@ class Planner {
       cut.row = row;
       row += cut.shape.rows();
       cut.movers = movers_of(plan, cut);
+      plan.on_cam = plan.on_cam || cut.shape.profile != nullptr;
       plan_.cuts.push_back(std::move(cut));
     };
     for (const std::size_t k : group.joints) {
@@ -220,7 +221,14 @@ class Planner {
       case JointKind::prismatic:
         if (turns_i && turns_j) return Closing::slide_of_two_turns;
         return turns_i || turns_j ? Closing::slide_of_turn : Closing::by_newton;
-      default:
+      case JointKind::rigid:
+      case JointKind::gear:
+      case JointKind::rack:
+      case JointKind::belt:
+      case JointKind::rolling:
+      case JointKind::rolling_on_line:
+      case JointKind::cam:
+      case JointKind::none:
         break;
     }
     return Closing::by_newton;

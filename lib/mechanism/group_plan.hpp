@@ -63,6 +63,7 @@ struct GroupPlan {
   std::size_t first_cut = 0, last_cut = 0;
   std::vector<std::size_t> unknowns;  // tree joints
   Closing closing = Closing::nothing;
+  bool on_cam = false;                         // some cut is a follower on its cam
   std::size_t mover_i = none, mover_j = none;  // closed forms: the tree joints that move the two sides of the cut
 };
 

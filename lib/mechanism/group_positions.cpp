@@ -283,7 +283,8 @@ bool GroupPositions::close_by_newton(std::size_t g, const Prediction& prediction
     hung_[t].value += prediction.first[t] + 0.5 * prediction.second[t];
   }
   if (!(way < longest_move)) return false;
-  double most = largest_correction * (way + setting_out * change_) + quadratic, previous = most;
+  const double beyond = group.on_cam ? setting_out * change_ : 0.0;
+  double most = largest_correction * (way + beyond) + quadratic, previous = most;
   for (int k = 0; k < most_steps; ++k) {
     const double size = newton_step(g);
     if (!(size <= most)) return false;

@@ -30,7 +30,7 @@ void InducedForces::start(const Position& at, Resting resting) {
     set_modes(joint, source, std::span(modes_).subspan(source.first));
     if (!rubs(joint)) continue;
     source.tendency = tendency_of(joint, source, at, Resting::without_friction, slow);
-    const bool at_rest = rests(source);
+    const bool at_rest = rests(model_.joints[source.joint], source);
     some_rest_ = some_rest_ || at_rest;
     if (at_rest && resting != Resting::without_friction)
       source.tendency = tendency_of(joint, source, at, resting, slow);

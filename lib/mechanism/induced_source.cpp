@@ -198,13 +198,27 @@ JointMotion tendency_of(const Joint& joint, const InducedSource& source, const P
   return motion;
 }
 
-bool rests(const InducedSource& source) {
-  const JointMotion& motion = source.tendency;
-  if (passes_power(source.shape.joint)) return motion.passing == 0.0;
-  const bool only_slides = source.shape.joint == JointKind::prismatic || source.shape.joint == JointKind::cam;
-  if (only_slides) return motion.sliding == 0.0;
-  if (source.shape.joint == JointKind::slot) return motion.sliding == 0.0 && motion.turning == 0.0;
-  return motion.turning == 0.0;
+bool rests(const Joint& joint, const InducedSource& source) {
+  const bool slides = source.tendency.sliding != 0.0, turns = source.tendency.turning != 0.0;
+  switch (joint.kind) {
+    case JointKind::gear:
+    case JointKind::rack:
+    case JointKind::belt:
+      return source.tendency.passing == 0.0;
+    case JointKind::prismatic:
+    case JointKind::cam:
+      return !slides;
+    case JointKind::slot:  // turning, a pin rubs only at its radius
+      return !slides && (joint.friction.pin_radius == 0.0 || !turns);
+    case JointKind::revolute:
+    case JointKind::rolling:
+    case JointKind::rolling_on_line:
+      return !turns;
+    case JointKind::rigid:
+    case JointKind::none:
+      break;
+  }
+  return false;
 }
 
 template <class Scalar>
@@ -238,8 +252,14 @@ void set_modes(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>
     case JointKind::cam:
       mode->force = at.along;
       break;
-    default:
+    case JointKind::revolute:
+    case JointKind::rolling:
+    case JointKind::rolling_on_line:
       mode->couple = 1.0;
+      break;
+    case JointKind::rigid:
+    case JointKind::none:
+      break;
   }
 }
 
@@ -285,9 +305,14 @@ void induce(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& s
       amount[0] =
           -sliding * mu * abs(dot(by.force, source.place.rows[0].e)) - share * friction.viscous * source.sliding;
       break;
-    default:
+    case JointKind::rolling:
+    case JointKind::rolling_on_line:
       amount[0] = -turning * share * friction.rolling_arm * abs(dot(by.force, source.place.rows[1].e)) -
                   share * friction.viscous * source.turning;
+      break;
+    case JointKind::rigid:
+    case JointKind::none:
+      break;
   }
 }
 

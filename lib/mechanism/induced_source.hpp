@@ -70,7 +70,7 @@ struct RestLimits {
 JointMotion tendency_of(const Joint& joint, const InducedSource& source, const Position& at, Resting resting,
                         const RestLimits& limits);
 /// Whether its dry friction has no sense.
-bool rests(const InducedSource& source);
+bool rests(const Joint& joint, const InducedSource& source);
 template <class Scalar>
 void set_modes(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& source,
                std::span<BasicInducedMode<std::type_identity_t<Scalar>>> modes);

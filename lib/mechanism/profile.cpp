@@ -122,13 +122,13 @@ double iterate(double parameter, Step step) {
   return Profile::anywhere;
 }
 
-/// From `start`; where there is none, or nothing is found from there, from the best place of all.
+/// From `start`; where there is none, or nothing is found from there, from the best place of all. No number where that
+/// leads nowhere.
 template <class Step, class Measure>
 double find(double start, Step step, Measure measure) {
   const double next = std::isfinite(start) ? iterate(start, step) : Profile::anywhere;
   if (std::isfinite(next)) return next;
-  const double best = best_of_all(measure), found = iterate(best, step);
-  return std::isfinite(found) ? found : best;
+  return iterate(best_of_all(measure), step);
 }
 
 }  // namespace

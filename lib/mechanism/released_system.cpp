@@ -31,15 +31,12 @@ struct ReleasedSystem::Work {
         redundant(held_too_much && all.close()),
         position(blank_position(stated)),
         held_drives(stated.drivers.size()) {
-    if (redundant) {
-      held = all.poses(unit);
-      release_here();
-    } else {
-      system = std::make_unique<GroupSystem>(stated);
-    }
+    if (redundant) held = all.poses(unit);
+    redundant = redundant && release_here();
+    if (!redundant) system = std::make_unique<GroupSystem>(stated);
   }
 
-  void release_here();
+  bool release_here();
   Status follow(std::span<const Drive> goal, bool statics, int halvings, Position& out);
   bool fits(Status status, const Position& at, double least_grip);
   void hold(std::span<const Drive> goal, const Position& at);
@@ -60,17 +57,22 @@ struct ReleasedSystem::Work {
   bool opens = false;  // the released mechanism closed, the given one did not
 };
 
-/// At the position held. The model has passed `diagnose`, so that there is something to release.
-void ReleasedSystem::Work::release_here() {
-  if (auto next = release(given, held)) model = std::move(*next);
-  first_grip = grip(model, held);
-  system = std::make_unique<GroupSystem>(model);
-  system->assemble();
+/// At the position held. False, and all stays as it is, where nothing can be released there.
+bool ReleasedSystem::Work::release_here() {
+  auto next = release(given, held);
+  if (!next) return false;
+  auto solver = std::make_unique<GroupSystem>(*next);
+  if (solver->assemble() != Status::closed) return false;
+  model = std::move(*next);
+  system = std::move(solver);
   system->take_friction(taken);
+  first_grip = grip(model, held);
   ++releases;
+  return true;
 }
 
 bool ReleasedSystem::Work::fits(Status status, const Position& at, double least_grip) {
+  opens = false;
   if (status != Status::closed && status != Status::jams) return false;
   std::vector<double> q;
   for (const Pose& pose : at.pose) q.insert(q.end(), {pose.x / unit, pose.y / unit, pose.phi});
@@ -93,8 +95,7 @@ Status ReleasedSystem::Work::follow(std::span<const Drive> goal, bool statics, i
     hold(goal, out);
     return status;
   }
-  release_here();
-  status = system->solve(goal, out, statics);
+  if (release_here()) status = system->solve(goal, out, statics);
   const bool last = halvings == 0;
   if (fits(status, out, last ? 0.0 : enough * first_grip)) {
     hold(goal, out);

@@ -1,0 +1,112 @@
+// The drives of a planar mechanism: a crank and cylinders, at a speed or by a law of motion.
+#pragma once
+
+#include "lib/field.hpp"
+
+#include <array>
+
+namespace loadpath::planar {
+
+enum class Impending { either, forward, backward };
+enum class LawShape { spline, monotone };
+
+struct Crank {
+  Name joint, to;
+  AngularSpeed speed = 0.0 * rad_per_s.one;
+  AngularAcceleration acceleration = 0.0 * rad_per_s2.one;
+  double start = 0.0;
+  int positions = 360, turns = 1;
+  struct Place {
+    double angle = unset<double>;
+    static constexpr std::tuple fields{Field{&Place::angle, "angle", deg, "crank angle"}.within(-3600, 3600)};
+  };
+  List<Place, 64> at;
+  struct Moment {
+    Time t = unset<Time>;
+    double angle = unset<double>;
+    static constexpr std::tuple fields{Field{&Moment::t, "t", sec, "time"},
+                                       Field{&Moment::angle, "angle", deg, "crank angle then"}.within(-36000, 36000)};
+  };
+  List<Moment, 64> law;
+  LawShape law_shape = LawShape::spline;
+  Formula angle_of_t;
+  Time duration = unset<Time>;
+  Impending impending = Impending::either;
+  static constexpr std::tuple fields{
+      NameField{&Crank::joint, "joint", "revolute joint that is driven"},
+      NameField{&Crank::to, "to",
+                "point of the driven link that the crank angle is measured to; the link's x axis where missing"}
+          .may_be_missing(),
+      Field{&Crank::speed, "speed", rad_per_s, "angular speed, counter-clockwise positive"},
+      Field{&Crank::acceleration, "acceleration", rad_per_s2, "angular acceleration at every position"},
+      Field{&Crank::start, "start", deg, "crank angle of the first position of a turn"}.within(-3600, 3600),
+      Count{&Crank::positions, "positions", 8, 7200, "positions of a cycle"},
+      Count{&Crank::turns, "turns", 1, 100, "turns of the crank until the mechanism is back where it was"},
+      ListField{&Crank::at, "at", "given crank angles, rising or falling, in place of a whole turn"}
+          .as_arrays()
+          .may_be_missing(),
+      ListField{&Crank::law, "law",
+                "crank angles over time, in place of a turn at a given speed; smooth, from rest to rest"}
+          .as_arrays()
+          .may_be_missing(),
+      Choice{&Crank::law_shape, "law_shape", "how 'law' runs between its points"}.may_be_missing(),
+      FormulaField{&Crank::angle_of_t, "angle_of_t",
+                   "crank angle as a formula of the time t, in place of a law by points: 30 deg + 9 deg*sin(t/(1 s))"}
+          .may_be_missing(),
+      Field{&Crank::duration, "duration", sec, "time for which the formula holds, from t = 0 s"}
+          .positive()
+          .may_be_missing(),
+      Choice{&Crank::impending, "impending", "which way a crank at rest is about to turn: the sense of friction"}
+          .may_be_missing()};
+};
+
+struct Cylinder {
+  Name name, joint;
+  Speed speed = 0.0 * m_per_s.one;
+  Acceleration acceleration = 0.0 * m_per_s2.one;
+  Length from = unset<Length>, to = unset<Length>;
+  struct Moment {
+    Time t = unset<Time>;
+    Length place = unset<Length>;
+    static constexpr std::tuple fields{Field{&Moment::t, "t", sec, "time"},
+                                       Field{&Moment::place, "place", mm, "place along the guide then"}};
+  };
+  List<Moment, 64> law;
+  LawShape law_shape = LawShape::spline;
+  Formula place_of_t;
+  Time duration = unset<Time>;
+  Impending impending = Impending::either;
+  static constexpr std::tuple fields{
+      NameField{&Cylinder::name, "name", "name of the drive"},
+      NameField{&Cylinder::joint, "joint", "prismatic or slot joint that is driven"},
+      Field{&Cylinder::speed, "speed", m_per_s, "speed of the first link along the guide"},
+      Field{&Cylinder::acceleration, "acceleration", m_per_s2, "acceleration along the guide"},
+      Field{&Cylinder::from, "from", mm, "place at the first position; as assembled where missing"}.may_be_missing(),
+      Field{&Cylinder::to, "to", mm, "place at the last position of a stroke"}.may_be_missing(),
+      ListField{&Cylinder::law, "law", "places over time, in place of a stroke; smooth, from rest to rest"}
+          .as_arrays()
+          .may_be_missing(),
+      Choice{&Cylinder::law_shape, "law_shape", "how 'law' runs between its points"}.may_be_missing(),
+      FormulaField{&Cylinder::place_of_t, "place_of_t",
+                   "place along the guide as a formula of the time t, in place of a law by points"}
+          .may_be_missing(),
+      Field{&Cylinder::duration, "duration", sec, "time for which the formula holds, from t = 0 s"}
+          .positive()
+          .may_be_missing(),
+      Choice{&Cylinder::impending, "impending", "which way a drive at rest is about to move: the sense of friction"}
+          .may_be_missing()};
+};
+
+constexpr auto choices_of(Impending) {
+  using T = Impending;
+  return std::array{ChoiceName<T>{T::either, "either", "not stated: the effort is a band, from one way to the other"},
+                    ChoiceName<T>{T::forward, "forward", "in the positive sense of the drive"},
+                    ChoiceName<T>{T::backward, "backward", "in the negative sense"}};
+}
+constexpr auto choices_of(LawShape) {
+  using T = LawShape;
+  return std::array{ChoiceName<T>{T::spline, "spline", "a cubic spline: gentle, but it may swing beyond the points"},
+                    ChoiceName<T>{T::monotone, "monotone", "never beyond the points; rests where they turn or dwell"}};
+}
+
+}  // namespace loadpath::planar

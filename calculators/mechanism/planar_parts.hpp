@@ -1,0 +1,202 @@
+// The links of a planar mechanism with their points and masses, and the joints between them, as a user writes them.
+#pragma once
+
+#include "lib/field.hpp"
+
+#include <array>
+
+namespace loadpath::planar {
+
+/// A point of a link: Cartesian, or by distance and angle.
+struct Point {
+  Name name;
+  Length x = unset<Length>, y = unset<Length>, r = unset<Length>;
+  double angle = unset<double>;
+  static constexpr std::tuple fields{
+      NameField{&Point::name, "name", "name of the point"},
+      Field{&Point::x, "x", mm, "along the axes of the link"}.may_be_missing(),
+      Field{&Point::y, "y", mm, "across them"}.may_be_missing(),
+      Field{&Point::r, "r", mm, "distance from the origin, in place of x and y"}.may_be_missing(),
+      Field{&Point::angle, "angle", deg, "direction of that distance, from the x axis"}.may_be_missing()};
+};
+struct Origin {
+  Length x = unset<Length>, y = unset<Length>;
+  static constexpr std::tuple fields{Field{&Origin::x, "x", mm, "global"}, Field{&Origin::y, "y", mm, "global"}};
+};
+struct Pair {
+  Name first, second;
+  static constexpr std::tuple fields{NameField{&Pair::first, "first", "of the first link"},
+                                     NameField{&Pair::second, "second", "of the second link"}};
+};
+
+enum class MassLine { automatic, uniform, lumped };
+enum class Masses { as_given, two_points, three_points };
+struct Link {
+  Name name;
+  List<Point, 16> points;
+  Mass mass = 0.0 * kg.one;
+  MassMoment J = 0.0 * kg_m2.one;
+  Name S;
+  Origin origin;
+  double angle = unset<double>;
+  MassLine mass_line = MassLine::automatic;
+  Masses masses = Masses::as_given;
+  Pair mass_points;
+  static constexpr std::tuple fields{
+      NameField{&Link::name, "name", "name of the link"},
+      ListField{&Link::points, "points", "points in the link's axes, or as drawn where it has neither origin nor angle"}
+          .as_arrays(),
+      Field{&Link::mass, "mass", kg, "mass"}.at_least(0),
+      Field{&Link::J, "J", kg_m2,
+            "moment of inertia about the mass centre; where missing 0, for a template's bar that of a slender bar"}
+          .at_least(0),
+      NameField{&Link::S, "S",
+                "point that is the mass centre; where missing the origin, for a template's bar its middle S_LINK"}
+          .may_be_missing(),
+      Group{&Link::origin, "origin", "rough place of the link's origin in the stated assembly"}
+          .as_array()
+          .may_be_missing(),
+      Field{&Link::angle, "angle", deg, "rough angle of the link in the stated assembly"}.may_be_missing(),
+      Choice{&Link::mass_line, "mass_line", "how its mass lies along its axis, for its internal forces"}
+          .may_be_missing(),
+      Choice{&Link::masses, "masses", "whether its mass is reduced to points, and to which"}.may_be_missing(),
+      Group{&Link::mass_points, "mass_points", "two of its points, on a line with S, that the mass is reduced to"}
+          .as_array()
+          .may_be_missing()};
+};
+
+enum class Type {
+  revolute,
+  prismatic,
+  slot,
+  rigid,
+  gear,
+  ring_gear,
+  rack,
+  belt,
+  crossed_belt,
+  rolling,
+  rolling_inside,
+  rolling_on_line,
+  cam,
+  cam_flat
+};
+enum class Holding { one_side, groove };
+struct Radii {
+  Length first = unset<Length>, second = unset<Length>;
+  static constexpr std::tuple fields{Field{&Radii::first, "first", mm, "of the first link's wheel"}.positive(),
+                                     Field{&Radii::second, "second", mm, "of the second link's wheel"}.positive()};
+};
+struct Joint {
+  Name name;
+  Type type = Type::revolute;
+  Pair links, points;
+  double direction = 0.0;
+  double angle = unset<double>;
+  Radii radii;
+  Length radius = unset<Length>;
+  double pressure_angle = pi / 9.0;
+  Name profile;
+  double face = 0.0;
+  Holding holding = Holding::one_side;
+  Force slack = 0.0 * N.one;
+  double mu = 0.0;
+  Length pin_radius = unset<Length>, guide_length = unset<Length>, guide_width = unset<Length>;
+  Length rolling_arm = 0.0 * m.one, clearance = 0.0 * m.one;
+  double efficiency = 1.0, efficiency_back = unset<double>;
+  Damping c = 0.0 * N_s_per_m.one;
+  TurningDamping c_turn = 0.0 * N_m_s.one;
+  static constexpr std::tuple fields{
+      NameField{&Joint::name, "name",
+                "name of the joint; also of its point on both links unless points says otherwise"},
+      Choice{&Joint::type, "type", "kind of joint"},
+      Group{&Joint::links, "links", "the two links; the ground is called ground"}.as_array(),
+      Group{&Joint::points, "points", "point of the first and of the second link; of wheels their centres"}
+          .as_array()
+          .may_be_missing(),
+      Field{&Joint::direction, "direction", deg,
+            "of the guide, slot or rack through the second link's point, or of its profile's x axis, in that link's "
+            "axes"},
+      Field{&Joint::angle, "angle", deg,
+            "prismatic, rigid: angle of the first link against the second; as assembled where missing"}
+          .may_be_missing(),
+      Group{&Joint::radii, "radii", "two wheels: their pitch or rolling radii"}.as_array().may_be_missing(),
+      Field{&Joint::radius, "radius", mm,
+            "rack, rolling_on_line: radius of the first link's wheel; cam: of its roller, where missing that of the "
+            "profile"}
+          .positive()
+          .may_be_missing(),
+      Field{&Joint::pressure_angle, "pressure_angle", deg, "teeth: angle of the force against the pitch line"}.within(
+          0, 45),
+      NameField{&Joint::profile, "profile", "cam, cam_flat: profile of the second link, one of the profiles"}
+          .may_be_missing(),
+      Field{&Joint::face, "face", deg, "cam_flat: direction of the flat face, in the first link's axes"},
+      Choice{&Joint::holding, "holding", "cam, cam_flat: whether the cam can also pull"}.may_be_missing(),
+      Field{&Joint::slack, "slack", N, "belts: tension of the slack span"}.at_least(0),
+      Field{&Joint::mu, "mu", ratio,
+            "coefficient of friction: revolute, prismatic, slot, cam_flat, and an edge on a cam"}
+          .within(0, 2),
+      Field{&Joint::pin_radius, "pin_radius", mm, "revolute, slot: radius of the pin"}.positive().may_be_missing(),
+      Field{&Joint::guide_length, "guide_length", mm,
+            "prismatic: length of the block about the first link's point, for the forces on its edges"}
+          .positive()
+          .may_be_missing(),
+      Field{&Joint::guide_width, "guide_width", mm, "prismatic: distance between the two faces that it rests on"}
+          .at_least(0)
+          .may_be_missing(),
+      Field{&Joint::rolling_arm, "rolling_arm", mm, "rolling: lever arm of the rolling resistance"}.at_least(0),
+      Field{&Joint::efficiency, "efficiency", ratio, "teeth, belts: power passed on over power taken in"}.within(0.01,
+                                                                                                                 1),
+      Field{&Joint::efficiency_back, "efficiency_back", ratio,
+            "the same when the second link drives; as efficiency where missing, negative where that locks (worms)"}
+          .within(-20, 1)
+          .may_be_missing(),
+      Field{&Joint::c, "c", N_s_per_m, "prismatic, slot, cams: viscous resistance to sliding"}.at_least(0),
+      Field{&Joint::c_turn, "c_turn", N_m_s, "revolute, rolling: viscous resistance to turning"}.at_least(0),
+      Field{&Joint::clearance, "clearance", mm,
+            "revolute: play of the pin in its diameter, which shifts it by half of that either way"}
+          .at_least(0)};
+};
+
+constexpr auto choices_of(Type) {
+  using T = Type;
+  return std::array{
+      ChoiceName<T>{T::revolute, "revolute", "pin: the points coincide, the links turn"},
+      ChoiceName<T>{T::prismatic, "prismatic", "slide along a line of the second link, no turning"},
+      ChoiceName<T>{T::slot, "slot", "pin of the first link in a slot of the second"},
+      ChoiceName<T>{T::rigid, "rigid", "the points coincide, no turning"},
+      ChoiceName<T>{T::gear, "gear", "spur gears that mesh outside; other joints hold their centres"},
+      ChoiceName<T>{T::ring_gear, "ring_gear", "spur gear of the first link inside the ring of the second"},
+      ChoiceName<T>{T::rack, "rack", "spur gear of the first link on a rack of the second"},
+      ChoiceName<T>{T::belt, "belt",
+                    "belt or chain over wheels on both links, open; the distance of their centres must not change"},
+      ChoiceName<T>{T::crossed_belt, "crossed_belt", "the same, crossed"},
+      ChoiceName<T>{T::rolling, "rolling", "wheels that roll on each other without slip"},
+      ChoiceName<T>{T::rolling_inside, "rolling_inside", "wheel of the first link that rolls inside the second's"},
+      ChoiceName<T>{T::rolling_on_line, "rolling_on_line", "wheel of the first link on a line of the second"},
+      ChoiceName<T>{T::cam, "cam",
+                    "roller or edge about the first link's point on the profile of the second, whose "
+                    "axis is the second's point; the spin of the roller is left out"},
+      ChoiceName<T>{T::cam_flat, "cam_flat", "flat face through the first link's point on the profile of the second"}};
+}
+constexpr auto choices_of(Holding) {
+  using T = Holding;
+  return std::array{ChoiceName<T>{T::one_side, "one_side", "the cam only pushes: elsewhere the follower lifts off"},
+                    ChoiceName<T>{T::groove, "groove", "it holds the follower on both sides"}};
+}
+constexpr auto choices_of(MassLine) {
+  using T = MassLine;
+  return std::array{
+      ChoiceName<T>{T::automatic, "automatic", "uniform where J and S are those of a slender bar, else lumped"},
+      ChoiceName<T>{T::uniform, "uniform", "evenly along the axis; J must be m l^2 / 12 within 1 %"},
+      ChoiceName<T>{T::lumped, "lumped", "all of it at the mass centre"}};
+}
+constexpr auto choices_of(Masses) {
+  using T = Masses;
+  return std::array{
+      ChoiceName<T>{T::as_given, "as_given", "mass, mass centre and J as they are"},
+      ChoiceName<T>{T::two_points, "two_points", "static replacement: two masses in mass_points; J becomes theirs"},
+      ChoiceName<T>{T::three_points, "three_points", "dynamic replacement: a third mass in S keeps J"}};
+}
+
+}  // namespace loadpath::planar

@@ -59,6 +59,7 @@ Status run(mechanism::ReleasedSystem& system, const CycleTask& task, bool backwa
   int proves = -1;  // which release
   const Schedule& schedule = task.schedule;
   const std::size_t count = schedule.drives.size();
+  std::optional<std::size_t> passing;  // a change point, until the position after it is reached
   for (std::size_t n = 0; n < count; ++n) {
     const std::size_t k = backward ? count - 1 - n : n;
     if (cycle.closed[k]) return Status::closed;
@@ -66,7 +67,16 @@ Status run(mechanism::ReleasedSystem& system, const CycleTask& task, bool backwa
     if (backward && schedule.period != 0.0) drives[0].coordinate -= schedule.period;
     set_loads(task, system, drives);
     const Status status = system.solve(drives, cycle.positions[k], task.statics);
-    if (status != Status::closed && status != Status::jams) return status;
+    if (status == Status::singular && !passing) {
+      passing = k;
+      cycle.at_change_point[k] = true;
+      continue;
+    }
+    if (status != Status::closed && status != Status::jams) {
+      if (passing) cycle.at_change_point[*passing] = false;
+      return status;
+    }
+    passing.reset();
     cycle.drives[k] = drives;
     cycle.jams[k] = status == Status::jams;
     cycle.in_steps[k] = n > 0 && system.followed_in_steps();
@@ -139,7 +149,7 @@ Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, bool r
   cycle.proofs.assign(schedule.drives.size(), {});
   cycle.drives = schedule.drives;
   cycle.closed.assign(schedule.drives.size(), false);
-  cycle.jams = cycle.in_steps = cycle.some_rest = cycle.closed;
+  cycle.at_change_point = cycle.jams = cycle.in_steps = cycle.some_rest = cycle.closed;
   if (cycle.first_failure != Status::closed) {
     cycle.gap = system.gap();
     return cycle;
@@ -148,7 +158,7 @@ Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, bool r
   const CycleTask task{in, model, redundant, schedule, in.analysis == Planar::Analysis::statics};
   cycle.first_failure = run(system, task, false, cycle);
   if (cycle.first_failure == Status::closed) {
-    cycle.returns = schedule.period == 0.0 || returns(system, task, cycle);
+    cycle.returns = schedule.period == 0.0 || !cycle.closed[0] || returns(system, task, cycle);
   } else {
     cycle.gap = system.gap();
     mechanism::ReleasedSystem again(model,

@@ -42,6 +42,7 @@ struct Cycle {
     double by = 0.0;
   };
   std::vector<Winding> windings;
+  std::vector<bool> at_change_point;  // not closed: the drives do not hold it there; what lies beyond is solved
   std::vector<bool> in_steps;   // closed, but near a change point: followed from the position before in small steps
   std::vector<bool> jams;       // closed, but friction lets no drive move it: it has no forces there
   std::vector<bool> some_rest;  // joints with friction: as at a dead point, or the whole mechanism

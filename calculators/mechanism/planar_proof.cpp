@@ -71,6 +71,20 @@ std::string range_of(const std::vector<bool>& positions, bool so, const Axis& ax
                           : say("{1}, the longest of {2} ranges", run.text(), std::to_string(runs.size())).text();
 }
 
+/// Where the drives do not hold the mechanism, and nothing else is wrong.
+Message change_points(const Cycle& cycle, const Axis& axis) {
+  std::string places;
+  for (std::size_t k = 0; k < cycle.at_change_point.size(); ++k) {
+    if (cycle.at_change_point[k]) places += (places.empty() ? "" : ", ") + place_of(k, axis);
+  }
+  if (!axis.cyclic())
+    return say("a change point at {1}: the drive does not hold it there; choose places beside it", places);
+  const double half = 0.5 * (axis.at[1] - axis.at[0]);
+  return say(
+      "a change point at {1}: the drive does not hold it there; choose places beside it, crank = { start = \"{2}\" }",
+      places, format_quantity(axis.at[0] + half, axis.unit, 5));
+}
+
 report::Verdict closing(const std::string& step, const Planar::Input& in, const Cycle& cycle, const Axis* axis) {
   report::Verdict v;
   v.step = step;
@@ -81,6 +95,11 @@ report::Verdict closing(const std::string& step, const Planar::Input& in, const 
   v.value = say("{1} of {2}", std::to_string(closed), std::to_string(cycle.closed.size()));
   v.state = closed == cycle.closed.size() ? report::State::pass : report::State::fail;
   if (v.state == report::State::pass) return v;
+  const auto change = std::count(cycle.at_change_point.begin(), cycle.at_change_point.end(), true);
+  if (axis != nullptr && closed + static_cast<std::size_t>(change) == cycle.closed.size()) {
+    v.note = change_points(cycle, *axis);
+    return v;
+  }
   v.note = why_open(in, cycle);
   if (axis != nullptr) v.note = say("{1}: {2}", range_of(cycle.closed, false, *axis), v.note.text());
   return v;
@@ -209,7 +228,7 @@ void add_jamming(const std::string& step, const Planar::Input& in, const Cycle& 
   if (is_at_rest(in)) {
     const std::vector<bool> held = held_one_way(cycle);
     const bool none = std::find(held.begin(), held.end(), true) == held.end();
-    v.state = none ? v.state : report::State::not_covered;
+    v.state = report::State::not_covered;
     const bool one_drive = !cycle.standing.empty();
     v.note =
         none ? say("at rest friction acts either way: the results are without it, and the effort lies between "

@@ -10,16 +10,16 @@ namespace loadpath {
 std::vector<report::Verdict> redundancies(const std::string& step, const mechanism::Model& model,
                                           const mechanism::Structure& structure) {
   std::vector<report::Verdict> verdicts;
-  for (const auto& joints : structure.redundant) {
+  for (const auto& [joints, freedoms] : mechanism::shared_freedoms(structure)) {
     report::Verdict v;
     v.step = step;
     v.symbol = "determinate";
     v.meaning = say("equilibrium of rigid links alone decides every reaction");
     v.bound = say("no joint holds too much");
-    v.value = say("{1} joints share a freedom", std::to_string(joints.size()));
+    v.value = say("shared by {1} joints", std::to_string(joints.size()));
     v.state = report::State::not_covered;
-    v.note = say("the joints {1} together hold one freedom too many: what they share depends on play and elasticity",
-                 names_of(model.joints, joints));
+    v.note =
+        say("{1}: what they share depends on play and elasticity", mechanism::too_many(model, joints, freedoms).text());
     verdicts.push_back(std::move(v));
   }
   return verdicts;

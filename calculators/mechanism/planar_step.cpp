@@ -314,13 +314,15 @@ static MechanismOutput::Values values_of(const MechanismOutput& output, const So
   return values;
 }
 
-static MechanismOutput::Values not_unique(const MechanismOutput& output, const Solved& solved) {
-  const std::size_t count = output.is_single ? 1 : solved.cycle.positions.size();
-  return {std::vector<double>(count, std::numeric_limits<double>::quiet_NaN()),
-          say("not unique: other joints hold the same freedom")};
+/// Where joints hold too much, what is missing has that reason; but for the motion, which is what it is.
+static void say_not_unique(const Cycle& cycle, MechanismOutput::Values& values) {
+  const bool missing = std::any_of(values.si.begin(), values.si.end(), [](double x) { return std::isnan(x); });
+  const bool all_closed = std::find(cycle.closed.begin(), cycle.closed.end(), false) == cycle.closed.end();
+  if (missing && all_closed && !cycle.unique.empty())
+    values.missing = say("not unique: other joints hold the same freedom");
 }
 
-/// `model`: what was solved; it lacks the outputs of what was released of the given one.
+/// `model`: what was solved; what was released of the given one is read from that.
 void PlanarStep::fill_values(const mechanism::Model& model, const Solved& solved) {
   const auto outputs = mechanism_outputs(data(), model);
   project::Account& account = own_account();
@@ -330,7 +332,9 @@ void PlanarStep::fill_values(const mechanism::Model& model, const Solved& solved
       if (of_others != static_cast<bool>(output.read_results)) continue;
       const auto found =
           std::find_if(outputs.begin(), outputs.end(), [&](const auto& o) { return o.path == output.path; });
-      auto [si, missing] = found == outputs.end() ? not_unique(output, solved) : values_of(*found, solved, account);
+      auto values = values_of(found == outputs.end() ? output : *found, solved, account);
+      say_not_unique(solved.cycle, values);
+      auto& [si, missing] = values;
       Value value{{output.dimension, output.is_single ? nullptr : axis_.get()}, std::move(si)};
       account.results.push_back(
           {output.path, output.doc, output.unit, Role::result, std::move(value), {}, "", false, std::move(missing)});

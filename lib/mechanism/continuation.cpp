@@ -181,13 +181,13 @@ bool Continuation::correct(double most) {
 Status Continuation::give_up(double reached, std::span<const double> goal) {
   q_ = start_;
   std::ranges::copy(goal, target_.begin());
-  pull_together();
+  const bool together = pull_together();  // then it closes there, and only the way is lost
   gap_ = widest(reached);
   q_ = start_;
   held_ = held_at_start_;
   target_ = held_;
   correct(quadratic);
-  return reached > nearly_all ? Status::singular : Status::does_not_close;
+  return together || reached > nearly_all ? Status::singular : Status::does_not_close;
 }
 
 }  // namespace loadpath::mechanism

@@ -110,10 +110,9 @@ Finding singular(const Model& model, const Structure& structure) {
       say("state the assembly a little away from this position, so that it is known which way it goes")};
 }
 
-Finding redundant(const Model& model, const std::vector<std::size_t>& joints) {
-  return {Finding::About::joint, joints.front(),
-          say("the joints {1} together hold one freedom too many: their reactions are not unique",
-              names_of(model.joints, joints)),
+Finding redundant(const Model& model, const SharedFreedoms& shared) {
+  return {Finding::About::joint, shared.joints.front(),
+          say("{1}: their reactions are not unique", too_many(model, shared.joints, shared.freedoms).text()),
           say("replace one of them by a joint with more freedom, or remove a link that only repeats what others do")};
 }
 
@@ -130,7 +129,7 @@ Finding rubs_without_knowing(const Model& model, std::size_t joint) {
 std::vector<Finding> about_redundancy(const Model& model, const Structure& structure) {
   std::vector<Finding> findings;
   if (!can_release(model)) {
-    for (const auto& joints : structure.redundant) findings.push_back(redundant(model, joints));
+    for (const SharedFreedoms& shared : shared_freedoms(structure)) findings.push_back(redundant(model, shared));
     return findings;
   }
   const auto unique = uniqueness(model);
@@ -204,6 +203,21 @@ std::vector<Finding> about_mobility(const Model& model, const Structure& structu
 }
 
 }  // namespace
+
+std::vector<SharedFreedoms> shared_freedoms(const Structure& structure) {
+  std::vector<SharedFreedoms> all;
+  for (const auto& joints : structure.redundant) {  // in order: equal ones are neighbours
+    if (all.empty() || all.back().joints != joints) all.push_back({joints, 0});
+    ++all.back().freedoms;
+  }
+  return all;
+}
+
+Message too_many(const Model& model, const std::vector<std::size_t>& joints, std::size_t freedoms) {
+  return freedoms == 1 ? say("the joints {1} together hold one freedom too many", names_of(model.joints, joints))
+                       : say("the joints {1} together hold {2} freedoms too many", names_of(model.joints, joints),
+                             std::to_string(freedoms));
+}
 
 std::vector<Finding> diagnose(const Model& model, Structure& structure) {
   std::vector<Finding> findings = check_parts(model);

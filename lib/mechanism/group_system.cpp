@@ -21,6 +21,7 @@ struct GroupSystem::Work {
         induced(model),
         whole(given),
         held(given.links.size()),
+        reached(given.links.size()),
         drives(given.drivers.size()),
         way(given.drivers.size()) {
     iterates = std::ranges::any_of(plan.groups, [](const auto& g) { return g.closing == Closing::by_newton; });
@@ -42,7 +43,7 @@ struct GroupSystem::Work {
   GroupMotion motion;
   InducedForces induced;
   WholeSystem whole;
-  std::vector<Pose> held;
+  std::vector<Pose> held, reached;
   std::vector<Drive> drives;  // of the position held
   std::vector<Drive> way;     // to the goal, as if it took the time 1
   bool iterates = false;      // some group is closed by iteration
@@ -91,11 +92,17 @@ Status GroupSystem::Work::go_to(std::span<const Drive> goal) {
   whole.hold(held, drives);
   const Status status = whole.move(goal);
   if (status == Status::closed) {
-    std::ranges::copy(goal, drives.begin());
-    whole.store_poses(held);
+    whole.store_poses(reached);
+    positions.adopt(reached);
+    if (positions.factor()) {
+      std::ranges::copy(goal, drives.begin());
+      std::ranges::copy(reached, held.begin());
+      return status;
+    }
   }
   positions.adopt(held);
-  return positions.factor() ? status : Status::singular;
+  closed = positions.factor();  // back where it was
+  return status == Status::closed ? Status::singular : status;
 }
 
 bool GroupSystem::Work::go_by_groups(std::span<const Drive> goal) {

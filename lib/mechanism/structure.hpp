@@ -54,6 +54,15 @@ std::vector<Finding> diagnose(const Model& model);
 /// Gives the structure too; it is empty where the model has not passed `check_parts`.
 std::vector<Finding> diagnose(const Model& model, Structure& structure);
 
+/// The sets of `redundant`, each once, with how many freedoms too many they hold.
+struct SharedFreedoms {
+  std::vector<std::size_t> joints;
+  std::size_t freedoms = 0;
+};
+std::vector<SharedFreedoms> shared_freedoms(const Structure& structure);
+/// "the joints 'A', 'B' together hold one freedom too many"
+Message too_many(const Model& model, const std::vector<std::size_t>& joints, std::size_t freedoms);
+
 /// "'crank', 'rod'".
 template <class Parts>
 std::string names_of(const Parts& parts, const std::vector<std::size_t>& chosen) {

@@ -6,7 +6,10 @@
 namespace loadpath {
 namespace {
 
-constexpr double rounding = 1e-14;  // of a pivot, against the largest of its row
+// Of a pivot, against the largest of its column: what a coordinate still does of itself where the others make up for it
+// as far as they can. Where two roots meet, iteration finds them to half of the digits only, and what is that close to
+// them cannot be told from them.
+constexpr double rounding = 1e-7;
 
 double larger(double a, double b) { return std::max(std::abs(a), std::abs(b)); }
 
@@ -24,7 +27,8 @@ bool SmallLu::factor_two() {
   const double determinant = a_[0] * a_[3] - a_[1] * a_[2];
   inverse_ = 1.0 / determinant;
   sign_ = std::copysign(1.0, determinant);
-  return std::abs(determinant) > rounding * larger(a_[0] * a_[3], a_[1] * a_[2]);
+  const double first = a_[0] * a_[0] + a_[2] * a_[2], second = a_[1] * a_[1] + a_[3] * a_[3];
+  return determinant * determinant > rounding * rounding * first * second;
 }
 
 bool SmallLu::eliminate() {
@@ -32,7 +36,11 @@ bool SmallLu::eliminate() {
   for (std::size_t r = 0; r < size_; ++r) {
     order_[r] = r;
     work_[r] = 0.0;
-    for (std::size_t c = 0; c < size_; ++c) work_[r] = larger(work_[r], at(r, c));
+    columns_[r] = 0.0;
+    for (std::size_t c = 0; c < size_; ++c) {
+      work_[r] = larger(work_[r], at(r, c));
+      columns_[r] = larger(columns_[r], at(c, r));
+    }
   }
   for (std::size_t step = 0; step < size_; ++step) {
     if (!choose_pivot(step)) return false;
@@ -58,7 +66,7 @@ bool SmallLu::choose_pivot(std::size_t step) {
     sign_ = -sign_;
   }
   sign_ = std::copysign(sign_, sign_ * at(step, step));
-  return std::abs(at(step, step)) > rounding * work_[step];
+  return std::abs(at(step, step)) > rounding * columns_[step];
 }
 
 void SmallLu::solve(std::span<double> x) {

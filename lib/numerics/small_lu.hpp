@@ -12,13 +12,14 @@ namespace loadpath {
 
 class SmallLu {
  public:
-  explicit SmallLu(std::size_t size) : size_(size), a_(size * size), order_(size), work_(size) {}
+  explicit SmallLu(std::size_t size) : size_(size), a_(size * size), order_(size), work_(size), columns_(size) {}
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] double& at(std::size_t row, std::size_t column) { return a_[row * size_ + column]; }
 
   void clear() { std::fill(a_.begin(), a_.end(), 0.0); }
-  /// Factors the matrix that was filled in. False when it is singular to rounding.
+  /// Factors the matrix that was filled in. False when it is singular: a column differs from what the others make of it
+  /// by less than 1e-7 of its size.
   [[nodiscard]] bool factor();
   /// +1 or -1: the sign of the determinant of what was factored.
   [[nodiscard]] double sign() const { return sign_; }
@@ -34,8 +35,9 @@ class SmallLu {
   std::size_t size_;
   std::vector<double> a_;
   std::vector<std::size_t> order_;
-  std::vector<double> work_;  // the rows' scales while factoring; the right side while solving
-  double inverse_ = 0.0;      // of the determinant, sizes 1 and 2
+  std::vector<double> work_;     // the rows' scales while factoring; the right side while solving
+  std::vector<double> columns_;  // their scales
+  double inverse_ = 0.0;         // of the determinant, sizes 1 and 2
   double sign_ = 1.0;
 };
 

@@ -207,4 +207,39 @@ joints.mesh = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"],
                                 "T = \"=100 N*m * a.links.rocker.swing\"\ntau_adm = \"30 MPa\"\nd = \"60 mm\"\n");
     CHECK(value(project, "b.T") == doctest::Approx(100.0 * value(project, "a.links.rocker.swing")));
   }
+
+  TEST_CASE("a change point that is hit is told, and what lies beyond it is solved") {
+    const std::string parallel = R"([par]
+calculator = "mechanism.planar"
+crank = { joint = "O1", speed = "60 rpm", positions = 72, start = "90 deg" }
+gravity = "10 m/s^2"
+ground = { O1 = ["0 mm", "0 mm"], O2 = ["100 mm", "0 mm"] }
+[par.links]
+c1 = { points = { O1 = ["0 mm", "0 mm"], A1 = ["50 mm", "0 mm"] }, angle = "90 deg" }
+c2 = { points = { O2 = ["0 mm", "0 mm"], A2 = ["50 mm", "0 mm"] }, angle = "90 deg" }
+bar = { points = { A1 = ["0 mm", "0 mm"], A2 = ["100 mm", "0 mm"], S = ["50 mm", "0 mm"] }, angle = "0 deg", mass = "5 kg", S = "S" }
+[par.joints]
+O1 = { links = ["c1", "ground"] }
+O2 = { links = ["c2", "ground"] }
+A1 = { links = ["c1", "bar"] }
+A2 = { links = ["c2", "bar"] }
+)";
+    const auto project = solved(parallel);
+    const Value* effort = project.value("par.drive.M");
+    for (std::size_t k = 0; k < 72; ++k) {
+      const double angle = effort->signature.axis->at[k];
+      CAPTURE(k);
+      if (k == 18 || k == 54) {
+        CHECK(std::isnan(effort->si[k]));
+      } else {
+        CHECK(effort->si[k] == doctest::Approx(5.0 * 10.0 * 0.05 * std::cos(angle)).epsilon(1e-9));
+      }
+    }
+    const auto& verdicts = project.steps[0]->account().verdicts;
+    CHECK(verdicts[0].note.text() ==
+          "a change point at 180 deg, 360 deg: the drive does not hold it there; choose places beside it, crank = { "
+          "start = \"92.5 deg\" }");
+    const auto beside = solved(replaced(parallel, "90 deg\" }\ngravity", "92.5 deg\" }\ngravity"));
+    CHECK(beside.steps[0]->account().verdicts[0].state == report::State::pass);
+  }
 }

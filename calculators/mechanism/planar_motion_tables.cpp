@@ -1,5 +1,6 @@
 // What a report says about the motion of a planar mechanism.
 #include "calculators/mechanism/planar_assemblies.hpp"
+#include "calculators/mechanism/planar_rounding.hpp"
 #include "lib/mechanism/assemblies.hpp"
 #include "lib/mechanism/closing.hpp"
 #include "lib/mechanism/instant_centres.hpp"
@@ -129,12 +130,18 @@ void add_strokes(const mechanism::Model& model, const Kinematics& kinematics, co
   if (!table.rows.empty()) blocks.emplace_back(std::move(table));
 }
 
-std::vector<Cell> cells_of(const InstantCentre& centre) {
+/// `size`: of the mechanism; beside it and beside the other coordinate a zero is told as one.
+std::vector<Cell> cells_of(const InstantCentre& centre, double size) {
   const Cell nothing = std::string("–");
   if (centre.kind == InstantCentre::Kind::at_rest) return {say("at rest"), nothing};
-  if (centre.kind == InstantCentre::Kind::point) return {Quantity{centre.at.x, "mm"}, Quantity{centre.at.y, "mm"}};
-  double direction = std::atan2(centre.direction.y, centre.direction.x);
-  if (direction <= -1e-9) direction += pi;  // towards either end
+  if (centre.kind == InstantCentre::Kind::point) {
+    const double least = 1e-12 * std::max(size, mechanism::length(centre.at));
+    const auto told = [&](double at) { return Quantity{std::abs(at) <= least ? 0.0 : at, "mm"}; };
+    return {told(centre.at.x), told(centre.at.y)};
+  }
+  double direction = direction_of(centre.direction);  // towards either end
+  if (direction < 0.0) direction += pi;
+  if (direction == pi) direction = 0.0;
   return {say("at infinity, towards {1}", format_quantity(direction, "deg", 5)), nothing};
 }
 
@@ -147,10 +154,11 @@ void add_centres(const mechanism::Model& model, const mechanism::Position& deriv
   const auto name = [&](int link) {
     return link == mechanism::ground ? std::string("ground") : model.links[static_cast<std::size_t>(link)].name;
   };
-  for (const auto& pair : instant_centres(derivatives, mechanism::characteristic_length(model))) {
+  const double size = mechanism::characteristic_length(model);
+  for (const auto& pair : instant_centres(derivatives, size)) {
     if (pair.j != mechanism::ground && model.links.size() > few_links) continue;
     std::vector<Cell> row{name(pair.i), name(pair.j)};
-    for (Cell& cell : cells_of(pair.centre)) row.push_back(std::move(cell));
+    for (Cell& cell : cells_of(pair.centre, size)) row.push_back(std::move(cell));
     table.rows.push_back(std::move(row));
   }
   blocks.emplace_back(std::move(table));

@@ -15,6 +15,7 @@ namespace loadpath {
 namespace {
 
 using mechanism::InstantCentre;
+using mechanism::Reversal;
 using mechanism::Stroke;
 using report::Cell;
 using report::Quantity;
@@ -111,20 +112,25 @@ void add_transmission(const mechanism::Model& model, const project::Account& acc
   if (!table.rows.empty()) blocks.emplace_back(std::move(table));
 }
 
+/// What is no more than `least` is a zero but for rounding, and told as one.
+double settled(double x, double least) { return std::abs(x) <= least ? 0.0 : x; }
+
 void add_strokes(const mechanism::Model& model, const Kinematics& kinematics, const Axis* axis,
                  std::vector<report::Block>& blocks) {
   Table table{say("Strokes; at its extremes a part cannot drive the mechanism"),
               {say("part"), say("extreme"), say("at"), say("extreme"), say("at"), say("stroke"), say("time ratio")},
               {}};
+  const double step = axis->at.size() > 1 ? std::abs(axis->at[1] - axis->at[0]) : 0.0;
+  const auto place = [&](const Reversal& r) { return Quantity{settled(r.drive, 1e-6 * step), axis->unit}; };
   for (const Stroke& s : kinematics.strokes) {
     if (s.reversals.size() < 2) continue;
     const bool link = s.of == Stroke::Of::link;
     const char* unit = link ? "deg" : "mm";
+    const auto extreme = [&](const Reversal& r) { return Quantity{settled(r.coordinate, 1e-12 * s.range), unit}; };
     const auto [low, high] = std::minmax_element(s.reversals.begin(), s.reversals.end(),
                                                  [](auto& a, auto& b) { return a.coordinate < b.coordinate; });
-    table.rows.push_back({link ? model.links[s.index].name : model.joints[s.index].name,
-                          Quantity{low->coordinate, unit}, Quantity{low->drive, axis->unit},
-                          Quantity{high->coordinate, unit}, Quantity{high->drive, axis->unit}, Quantity{s.range, unit},
+    table.rows.push_back({link ? model.links[s.index].name : model.joints[s.index].name, extreme(*low), place(*low),
+                          extreme(*high), place(*high), Quantity{s.range, unit},
                           s.time_ratio > 0.0 ? Cell(Quantity{s.time_ratio, "-"}) : Cell(std::string("–"))});
   }
   if (!table.rows.empty()) blocks.emplace_back(std::move(table));
@@ -136,8 +142,7 @@ std::vector<Cell> cells_of(const InstantCentre& centre, double size) {
   if (centre.kind == InstantCentre::Kind::at_rest) return {say("at rest"), nothing};
   if (centre.kind == InstantCentre::Kind::point) {
     const double least = 1e-12 * std::max(size, mechanism::length(centre.at));
-    const auto told = [&](double at) { return Quantity{std::abs(at) <= least ? 0.0 : at, "mm"}; };
-    return {told(centre.at.x), told(centre.at.y)};
+    return {Quantity{settled(centre.at.x, least), "mm"}, Quantity{settled(centre.at.y, least), "mm"}};
   }
   double direction = direction_of(centre.direction);  // towards either end
   if (direction < 0.0) direction += pi;

@@ -153,8 +153,7 @@ class Animation {
   }
 
   void add_numbers() {
-    motion_.axis = {"phi", in_.axis.quantity, in_.axis.unit, at_frames(in_.axis.at)};
-    if (in_.axis.quantity == "stroke") motion_.axis.symbol = "s";
+    motion_.axis = {axis_symbol(in_.axis), in_.axis.quantity, in_.axis.unit, at_frames(in_.axis.at)};
     for (const auto& e : in_.account.results) {
       const bool drive = is_drive_effort(e.path);
       const bool joint = e.path.starts_with("joints.") && e.path.ends_with(".F");

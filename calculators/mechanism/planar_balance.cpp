@@ -1,6 +1,7 @@
 #include "calculators/mechanism/planar_balance.hpp"
 
 #include "calculators/mechanism/planar_model.hpp"
+#include "calculators/mechanism/planar_rounding.hpp"
 #include "calculators/mechanism/planar_rows.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -67,7 +68,7 @@ mechanism::Model balanced_model(const Planar::Input& in, const mechanism::Model&
 }
 
 double moment_of(const Counterweight& w) { return mechanism::length(w.mass_moment); }
-double angle_of(const Counterweight& w) { return std::atan2(w.mass_moment.y, w.mass_moment.x); }
+double angle_of(const Counterweight& w) { return direction_of(w.mass_moment); }
 double mass_of(const planar::Counterweight& weight, const Counterweight& found) {
   if (in_si(weight.mass) > 0.0) return in_si(weight.mass);
   return is_set(weight.radius) ? found.mass_at(in_si(weight.radius)) : none;

@@ -137,6 +137,11 @@ std::string axis_name(const Planar::Input& in) {
   return in.positions > 1 ? "stroke" : "";
 }
 
+std::string axis_symbol(const Axis& axis) {
+  if (axis.quantity == "time") return "t";
+  return axis.quantity == "stroke" ? "s" : "phi";
+}
+
 double first_crank_angle(const Planar::Crank& crank) { return crank.at.empty() ? crank.start : crank.at[0].angle; }
 
 Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, bool redundant, Axis* axis) {

@@ -66,6 +66,8 @@ struct Cycle {
 
 /// Whether the positions make series, and over what: the name of the axis; empty where there is one position.
 std::string axis_name(const PlanarMechanism::Input& in);
+/// Its symbol: of time t, of a stroke s, of the crank angle phi.
+std::string axis_symbol(const Axis& axis);
 
 /// The crank angle of the first position, as the user counts it.
 double first_crank_angle(const PlanarMechanism::Crank& crank);

@@ -29,18 +29,22 @@ draw::Curve curve_of(const std::string& label, const Value& value) {
   return curve;
 }
 
+draw::Scale scale_of(const Axis& axis) { return {axis_symbol(axis), axis.quantity, axis.unit}; }
+
 draw::Figure drive_figure(const project::Entry& entry, const Axis& axis) {
   const bool rotary = entry.path == "drive.M";
-  draw::Plot plot{{"phi", axis.quantity, axis.unit}, {rotary ? "M" : "F", entry.doc, entry.unit}, {}, {}, {}};
+  draw::Plot plot{scale_of(axis), {rotary ? "M" : "F", entry.doc, entry.unit}, {}, {}, {}};
   plot.curves.push_back(curve_of(rotary ? "M" : "F", entry.value));
   const Extreme peak = largest(entry.value);
   if (!std::isnan(peak.value)) plot.marks.push_back({peak.at, peak.value, "peak"});
-  return {rotary ? "drive" : "drive-" + entry.path,
-          rotary ? "Moment of the drive over the crank angle" : "Force of the drive over the stroke", std::move(plot)};
+  const bool timed = axis.quantity == "time";
+  const char* const moment = timed ? "Moment of the drive over time" : "Moment of the drive over the crank angle";
+  const char* const force = timed ? "Force of the drive over time" : "Force of the drive over the stroke";
+  return {rotary ? "drive" : "drive-" + entry.path, rotary ? moment : force, std::move(plot)};
 }
 
 draw::Figure reactions_figure(const mechanism::Model& model, const project::Account& account, const Axis& axis) {
-  draw::Plot plot{{"phi", axis.quantity, axis.unit}, {"R", "force of the joints", "N"}, {}, {}, {}};
+  draw::Plot plot{scale_of(axis), {"R", "force of the joints", "N"}, {}, {}, {}};
   for (const auto& j : model.joints) {
     if (plot.curves.size() == 6) break;  // more cannot be told apart
     if (const auto* e = find_entry(account, "joints." + j.name + ".F"))

@@ -1,6 +1,7 @@
 // Velocity and acceleration plans.
 #include "calculators/mechanism/planar_outputs.hpp"
 #include "calculators/mechanism/planar_plans.hpp"
+#include "lib/draw/typeset.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -29,6 +30,8 @@ using Quantity = Vec PointMotion::*;
 Vec value(const PlanSubject& subject, const ImagePoint& p, Quantity quantity) {
   return motion_of(subject.at, p.link, p.own).*quantity;
 }
+
+constexpr const char *velocity_pole = "p", *acceleration_pole = "p_a";
 
 /// Textbooks name the images by the small letters of the points.
 std::string small(std::string name) {
@@ -135,7 +138,18 @@ class MotionPlan {
     plan_.vectors.push_back({{}, point(of(p)), "", Plan::Tone::first});
     name(p);
   }
-  void name(const ImagePoint& p) { plan_.points.push_back({small(p.name), point(of(p))}); }
+  void name(const ImagePoint& p) { plan_.points.push_back({label(small(p.name)), point(of(p))}); }
+  /// What would have the label of a pole, or of another point (A and a), has a prime.
+  [[nodiscard]] std::string label(const std::string& name) const {
+    const auto taken = [&](const std::string& text) {
+      return text == velocity_pole || text == acceleration_pole ||
+             std::any_of(plan_.points.begin(), plan_.points.end(),
+                         [&](const auto& other) { return other.name == text; });
+    };
+    std::string text = name, primes;
+    for (; taken(text); text = draw::symbol(name) + primes) primes += "′";
+    return text;
+  }
 
   void add_part(Vec from, Vec to, std::string label) {
     if (length(to - from) <= negligible()) return;
@@ -157,14 +171,14 @@ class MotionPlan {
 }  // namespace
 
 Plan velocity_plan(const PlanSubject& subject) {
-  MotionPlan plan(subject, &PointMotion::velocity, "m/s", "p");
+  MotionPlan plan(subject, &PointMotion::velocity, "m/s", velocity_pole);
   plan.add_sliding_points();
   plan.add_sliding_velocities();
   return plan.plan();
 }
 
 Plan acceleration_plan(const PlanSubject& subject) {
-  MotionPlan plan(subject, &PointMotion::acceleration, "m/s^2", "p_a");
+  MotionPlan plan(subject, &PointMotion::acceleration, "m/s^2", acceleration_pole);
   plan.add_sliding_points();
   plan.add_turning_accelerations();
   plan.add_sliding_accelerations();

@@ -1,5 +1,6 @@
 // What a report says about the motion of a planar mechanism.
 #include "calculators/mechanism/planar_assemblies.hpp"
+#include "calculators/mechanism/planar_rounding.hpp"
 #include "lib/mechanism/assemblies.hpp"
 #include "lib/mechanism/closing.hpp"
 #include "lib/mechanism/instant_centres.hpp"
@@ -14,6 +15,7 @@ namespace loadpath {
 namespace {
 
 using mechanism::InstantCentre;
+using mechanism::Reversal;
 using mechanism::Stroke;
 using report::Cell;
 using report::Quantity;
@@ -110,31 +112,41 @@ void add_transmission(const mechanism::Model& model, const project::Account& acc
   if (!table.rows.empty()) blocks.emplace_back(std::move(table));
 }
 
+/// What is no more than `least` is a zero but for rounding, and told as one.
+double settled(double x, double least) { return std::abs(x) <= least ? 0.0 : x; }
+
 void add_strokes(const mechanism::Model& model, const Kinematics& kinematics, const Axis* axis,
                  std::vector<report::Block>& blocks) {
   Table table{say("Strokes; at its extremes a part cannot drive the mechanism"),
               {say("part"), say("extreme"), say("at"), say("extreme"), say("at"), say("stroke"), say("time ratio")},
               {}};
+  const double step = axis->at.size() > 1 ? std::abs(axis->at[1] - axis->at[0]) : 0.0;
+  const auto place = [&](const Reversal& r) { return Quantity{settled(r.drive, 1e-6 * step), axis->unit}; };
   for (const Stroke& s : kinematics.strokes) {
     if (s.reversals.size() < 2) continue;
     const bool link = s.of == Stroke::Of::link;
     const char* unit = link ? "deg" : "mm";
+    const auto extreme = [&](const Reversal& r) { return Quantity{settled(r.coordinate, 1e-12 * s.range), unit}; };
     const auto [low, high] = std::minmax_element(s.reversals.begin(), s.reversals.end(),
                                                  [](auto& a, auto& b) { return a.coordinate < b.coordinate; });
-    table.rows.push_back({link ? model.links[s.index].name : model.joints[s.index].name,
-                          Quantity{low->coordinate, unit}, Quantity{low->drive, axis->unit},
-                          Quantity{high->coordinate, unit}, Quantity{high->drive, axis->unit}, Quantity{s.range, unit},
+    table.rows.push_back({link ? model.links[s.index].name : model.joints[s.index].name, extreme(*low), place(*low),
+                          extreme(*high), place(*high), Quantity{s.range, unit},
                           s.time_ratio > 0.0 ? Cell(Quantity{s.time_ratio, "-"}) : Cell(std::string("–"))});
   }
   if (!table.rows.empty()) blocks.emplace_back(std::move(table));
 }
 
-std::vector<Cell> cells_of(const InstantCentre& centre) {
+/// `size`: of the mechanism; beside it and beside the other coordinate a zero is told as one.
+std::vector<Cell> cells_of(const InstantCentre& centre, double size) {
   const Cell nothing = std::string("–");
   if (centre.kind == InstantCentre::Kind::at_rest) return {say("at rest"), nothing};
-  if (centre.kind == InstantCentre::Kind::point) return {Quantity{centre.at.x, "mm"}, Quantity{centre.at.y, "mm"}};
-  double direction = std::atan2(centre.direction.y, centre.direction.x);
-  if (direction <= -1e-9) direction += pi;  // towards either end
+  if (centre.kind == InstantCentre::Kind::point) {
+    const double least = 1e-12 * std::max(size, mechanism::length(centre.at));
+    return {Quantity{settled(centre.at.x, least), "mm"}, Quantity{settled(centre.at.y, least), "mm"}};
+  }
+  double direction = direction_of(centre.direction);  // towards either end
+  if (direction < 0.0) direction += pi;
+  if (direction == pi) direction = 0.0;
   return {say("at infinity, towards {1}", format_quantity(direction, "deg", 5)), nothing};
 }
 
@@ -147,10 +159,11 @@ void add_centres(const mechanism::Model& model, const mechanism::Position& deriv
   const auto name = [&](int link) {
     return link == mechanism::ground ? std::string("ground") : model.links[static_cast<std::size_t>(link)].name;
   };
-  for (const auto& pair : instant_centres(derivatives, mechanism::characteristic_length(model))) {
+  const double size = mechanism::characteristic_length(model);
+  for (const auto& pair : instant_centres(derivatives, size)) {
     if (pair.j != mechanism::ground && model.links.size() > few_links) continue;
     std::vector<Cell> row{name(pair.i), name(pair.j)};
-    for (Cell& cell : cells_of(pair.centre)) row.push_back(std::move(cell));
+    for (Cell& cell : cells_of(pair.centre, size)) row.push_back(std::move(cell));
     table.rows.push_back(std::move(row));
   }
   blocks.emplace_back(std::move(table));

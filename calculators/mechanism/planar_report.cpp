@@ -145,16 +145,18 @@ double mean_of(const Value& series) {
 
 /// What is not unique is told in a table of its own.
 Table extremes_table(const project::Account& account, const Cycle& cycle, const Axis& axis) {
-  Table table{say("Extremes over the cycle"),
-              {say("quantity"), say("largest"), say("at"), say("smallest"), say("at"), say("mean"), say("rms")},
-              {}};
+  Table table{
+      say("Extremes over the cycle"), {say("quantity"), say("largest"), say("at"), say("smallest"), say("at")}, {}};
+  if (axis.cyclic()) table.head.insert(table.head.end(), {say("mean"), say("rms")});
   for (const project::Entry& e : account.results) {
     if (!is_design_load(e.path) || !e.value.is_series() || is_constant(e.value)) continue;
     if (!cycle.unique.empty() && is_open(e)) continue;
     const Extreme high = maximum(e.value), low = minimum(e.value);
-    table.rows.push_back({e.path, Quantity{high.value, e.unit}, Quantity{high.at, axis.unit},
-                          Quantity{low.value, e.unit}, Quantity{low.at, axis.unit}, Quantity{mean_of(e.value), e.unit},
-                          Quantity{root_mean_square(e.value), e.unit}});
+    std::vector<Cell> row{e.path, Quantity{high.value, e.unit}, Quantity{high.at, axis.unit},
+                          Quantity{low.value, e.unit}, Quantity{low.at, axis.unit}};
+    if (axis.cyclic())
+      row.insert(row.end(), {Quantity{mean_of(e.value), e.unit}, Quantity{root_mean_square(e.value), e.unit}});
+    table.rows.push_back(std::move(row));
   }
   return table;
 }

@@ -39,6 +39,7 @@ std::vector<Scale> scales_of(const std::vector<project::Entry>& results) {
           {rad_per_s2.dimension(), std::max(of(rad_per_s2.dimension()), turning * turning)},
           {N.dimension(), force},
           {N_m.dimension(), moment},
+          {kg_m2.dimension(), of(kg_m2.dimension())},
           {W.dimension(), std::max({of(W.dimension()), force * speed, moment * turning})}};
 }
 
@@ -53,6 +54,12 @@ Rounding rounding_at(const mechanism::Position& p) {
     least.moment = std::max(least.moment, force * mechanism::length(r.at));
   }
   return least;
+}
+
+double direction_of(mechanism::Vec v) {
+  constexpr double part = 1e-9;
+  if (std::abs(v.y) <= part * std::abs(v.x)) return v.x < 0.0 ? pi : 0.0;
+  return std::atan2(v.y, v.x);
 }
 
 void clear_rounding(std::vector<project::Entry>& results) {

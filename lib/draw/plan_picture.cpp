@@ -9,9 +9,43 @@
 namespace loadpath::draw {
 namespace {
 
-constexpr double room_x = 30.0, room_y = 22.0, title_height = 20.0, bar_height = 28.0, least_height = 60.0;
+constexpr double room_x = 30.0, room_y = 22.0, title_height = 20.0, title_margin = 10.0, bar_height = 28.0,
+                 least_height = 60.0;
 
-double title_room(const Plan& plan) { return plan.title.empty() ? 0.0 : title_height; }
+/// The title in lines that are no wider than its panel.
+std::vector<Text> title_lines(const std::string& title, double panel) {
+  std::vector<Text> lines;
+  std::string line;
+  for (std::size_t begin = 0; begin < title.size();) {
+    const std::size_t end = std::min(title.find(' ', begin), title.size());
+    const std::string word = title.substr(begin, end - begin), longer = line.empty() ? word : line + " " + word;
+    const bool full = !line.empty() && width(typeset(longer), text_size) > panel - 2.0 * title_margin;
+    if (full) lines.push_back(typeset(line));
+    line = full ? word : longer;
+    begin = end + 1;
+  }
+  if (!line.empty()) lines.push_back(typeset(line));
+  return lines;
+}
+
+double title_room(const Plan& plan, double panel) {
+  if (plan.title.empty()) return 0.0;
+  return title_height + line_height * static_cast<double>(title_lines(plan.title, panel).size() - 1);
+}
+
+/// Where names may stand: not on the title, not on the scale bars.
+Box free_of_words(const Plan& plan, const Box& area) {
+  constexpr double bar_words = 22.0;
+  return {area.left + 2.0, area.top + title_room(plan, area.width()) + 2.0, area.right - 2.0, area.bottom - bar_words};
+}
+
+/// The places right beside a dot: a name further off would be taken for another dot's.
+std::vector<Candidate> close_to(Point dot, double wide) {
+  constexpr double far = 12.0;
+  auto places = around(dot, 4.0, wide);
+  std::erase_if(places, [](const Candidate& c) { return c.cost >= far; });
+  return places;
+}
 
 /// Everything that must be seen, in the unit of the vectors and upwards; forces as arrows of `per_newton`.
 Box extent(const Plan& plan, double per_newton) {
@@ -45,10 +79,14 @@ std::string (*text_in(const std::string& unit))(double) {
 class PlanPicture {
  public:
   PlanPicture(SvgWriter& svg, const Plan& plan, const PlanFit& fit, Findable findable)
-      : svg_(svg), plan_(plan), fit_(fit), findable_(findable == Findable::yes), labels_(fit.area.grown(-2.0)) {}
+      : svg_(svg),
+        plan_(plan),
+        fit_(fit),
+        findable_(findable == Findable::yes),
+        labels_(free_of_words(plan, fit.area)) {}
 
   void draw() {
-    svg_.text("quiet", Point{fit_.area.left + 10.0, fit_.area.top + 14.0}, typeset(plan_.title));
+    draw_title();
     draw_traces();
     draw_images();
     draw_vectors();
@@ -60,14 +98,21 @@ class PlanPicture {
   }
 
  private:
+  void draw_title() {
+    Point foot{fit_.area.left + title_margin, fit_.area.top + 14.0};
+    for (const Text& line : title_lines(plan_.title, fit_.area.width())) {
+      svg_.text("quiet", foot, line);
+      foot.y += line_height;
+    }
+  }
+
   /// Hodographs, on the axes that they are seen in.
   void draw_traces() {
     if (plan_.traces.empty()) return;
     const Point pole = fit_.at({});
-    const double top = fit_.area.top + title_room(plan_);
+    const double top = fit_.area.top + title_room(plan_, fit_.area.width());
     const Point left{fit_.area.left + 8.0, pole.y}, right{fit_.area.right - 8.0, pole.y};
     const Point high{pole.x, top + 2.0}, low{pole.x, fit_.area.bottom - bar_height};
-    labels_.keep_off({fit_.area.left, fit_.area.top, fit_.area.right, top});
     for (const auto& [from, to] : {std::pair(left, right), std::pair(high, low)}) {
       svg_.line("axis", from, to);
       labels_.keep_off({from, to}, 1.0, 0.3);
@@ -89,7 +134,7 @@ class PlanPicture {
     for (const auto& trace : plan_.traces) {
       for (const auto& mark : trace.marks) {
         const Text text = typeset(mark.label);
-        const auto places = around(fit_.at(mark.at), 4.0, width(text, text_size));
+        const auto places = close_to(fit_.at(mark.at), width(text, text_size));
         if (mark.governing)  // always named; of the others those that have room
           svg_.centred_text("halo f0", labels_.place(places), text);
         else if (const auto free = labels_.place_free(places))
@@ -144,8 +189,12 @@ class PlanPicture {
     }
   }
 
+  /// The pole is a ring: only what is at rest lies there.
   void draw_points() {
-    for (const auto& point : plan_.points) svg_.circle("solid", fit_.at(point.at), 2.2);
+    for (const auto& point : plan_.points) {
+      const bool pole = point.at.x == 0.0 && point.at.y == 0.0;
+      pole ? svg_.circle("pin", fit_.at({}), 3.6) : svg_.circle("solid", fit_.at(point.at), 2.2);
+    }
     for (const auto& point : plan_.points) {
       const Text text = typeset(point.name);
       svg_.centred_text("halo", labels_.place(around(fit_.at(point.at), 3.5, width(text, 1.1 * text_size))), text);
@@ -208,7 +257,7 @@ PlanFit fit(const Plan& plan, Point corner, double width, double most_height) {
                   : 1.0;
   fit.newton = per_newton * fit.scale;
   const double height = std::max(fit.scale * box.height() + 2.0 * (room_y + room), least_height);
-  const double top = corner.y + title_room(plan);
+  const double top = corner.y + title_room(plan, width);
   fit.origin = Point{corner.x + 0.5 * width, top + 0.5 * height} - fit.scale * Point{box.centre().x, -box.centre().y};
   fit.area = {corner.x, corner.y, corner.x + width, top + height + bar_height};
   return fit;

@@ -3,6 +3,34 @@
 #include <numbers>
 
 namespace loadpath::draw {
+
+namespace {
+
+double distance_to_segment(Point p, Point from, Point to) {
+  const Point d = to - from;
+  const double whole = dot(d, d);
+  const double t = whole > 0.0 ? std::clamp(dot(p - from, d) / whole, 0.0, 1.0) : 0.0;
+  return length(p - (from + t * d));
+}
+
+/// The corners that stand out by more than a little: of points on a line the two ends are left.
+std::vector<Point> without_flat_corners(std::vector<Point> hull) {
+  constexpr double little = 1e-5;  // of the hull's size
+  Box box{hull[0].x, hull[0].y, hull[0].x, hull[0].y};
+  for (const Point p : hull) box.include({p.x, p.y, p.x, p.y});
+  const double tolerance = little * std::hypot(box.width(), box.height());
+  for (std::size_t i = 0; i < hull.size() && hull.size() > 2;) {
+    const Point before = hull[i == 0 ? hull.size() - 1 : i - 1], after = hull[i + 1 == hull.size() ? 0 : i + 1];
+    if (distance_to_segment(hull[i], before, after) > tolerance)
+      ++i;
+    else
+      hull.erase(hull.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return hull;
+}
+
+}  // namespace
+
 std::vector<Point> convex_hull(std::vector<Point> points) {
   const auto before = [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
   const auto same = [](Point a, Point b) { return a.x == b.x && a.y == b.y; };
@@ -13,17 +41,15 @@ std::vector<Point> convex_hull(std::vector<Point> points) {
   const auto chain = [&](auto begin, auto end) {
     const std::size_t base = hull.size();
     for (auto p = begin; p != end; ++p) {
-      while (hull.size() >= base + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 1e-3 * length(*p - hull.back())) {
+      while (hull.size() >= base + 2 && cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 0.0)
         hull.pop_back();
-      }
       hull.push_back(*p);
     }
     hull.pop_back();
   };
   chain(points.begin(), points.end());
   chain(points.rbegin(), points.rend());
-  return hull;
+  return without_flat_corners(std::move(hull));
 }
 
 std::vector<Point> ring(Point centre, double radius) {

@@ -90,11 +90,14 @@ std::optional<double> summit(const Quartic& quartic, double low, double high) {
   return {};
 }
 
-/// The place of a refined summit in the turn that the axis lists.
+/// The place of a summit in the turn that the axis lists. A millionth of a step is less than what refining can tell: no
+/// further from the beginning of the axis, or from zero, it is that.
 double on_axis(const Axis& axis, double at) {
-  if (!axis.cyclic()) return at;
-  const double turn = (at - axis.at.front()) / axis.period;
-  return turn < 0.0 ? at + axis.period : at;
+  if (axis.at.size() < 2) return at;
+  const double first = axis.at.front(), least = 1e-6 * std::abs(axis.at[1] - first);
+  if (std::abs(at - first) <= least) at = first;
+  if (axis.cyclic() && (at - first) / axis.period < 0.0) at += axis.period;
+  return std::abs(at) <= least ? 0.0 : at;
 }
 
 /// Five neighbouring positions around one of them: places in steps from it, and the values.
@@ -135,14 +138,14 @@ std::optional<Point> summit_near(const Window& window, const std::array<double, 
 /// there.
 Extreme refined(const Value& series, std::size_t i, double way) {
   const Axis& axis = *series.signature.axis;
-  const Extreme sample{series.si[i], axis.at[i], i};
+  const Extreme sample{series.si[i], on_axis(axis, axis.at[i]), i};
   if (series.si.size() < 5) return sample;
   const Window window = window_around(series, i);
   std::array<double, 5> height{};
   std::transform(window.value.begin(), window.value.end(), height.begin(),
                  [&](double x) { return way * (x - sample.value); });
   if (const auto top = summit_near(window, height)) {
-    return {sample.value + way * top->value, on_axis(axis, sample.at + top->at * window.step), i};
+    return {sample.value + way * top->value, on_axis(axis, axis.at[i] + top->at * window.step), i};
   }
   const bool magnitude = std::all_of(window.value.begin(), window.value.end(), [](double x) { return x >= 0.0; });
   if (way > 0.0 || sample.value == 0.0 || !magnitude) return sample;
@@ -151,7 +154,7 @@ Extreme refined(const Value& series, std::size_t i, double way) {
   const auto top = summit_near(window, height);
   if (!top) return sample;
   const double square = sample.value * sample.value - top->value;
-  return {std::sqrt(std::max(square, 0.0)), on_axis(axis, sample.at + top->at * window.step), i};
+  return {std::sqrt(std::max(square, 0.0)), on_axis(axis, axis.at[i] + top->at * window.step), i};
 }
 
 /// Whether `way` times the series is nowhere higher in the direct neighbourhood of position i.
@@ -164,6 +167,10 @@ bool is_summit(const Value& series, std::size_t i, double way) {
   return left && right;
 }
 
+/// By what two heights may differ and yet be reached alike: rounding, or what it leaves of a solved position.
+double tie(const Value& series, double height) { return std::max(series.rounding, 1e-12 * std::abs(height)); }
+
+/// Of summits that are equally high the first.
 Extreme extreme(const Value& series, double way) {
   if (!available(series)) return {not_available, not_available, 0};
   if (!series.is_series()) return {series.si.front(), 0.0, 0};
@@ -171,7 +178,10 @@ Extreme extreme(const Value& series, double way) {
   for (std::size_t i = 0; i < series.si.size(); ++i) {
     if (!is_summit(series, i, way)) continue;
     const Extreme here = refined(series, i, way);
-    if (!best || way * here.value > way * best->value) best = here;
+    if (!best || way * (here.value - best->value) > tie(series, best->value))
+      best = here;
+    else if (way * here.value > way * best->value)
+      best->value = here.value;
   }
   return *best;
 }
@@ -235,7 +245,12 @@ bool is_constant(const Value& series) {
 Extreme largest(const Value& series) {
   const Extreme high = maximum(series);
   const Extreme low = minimum(series);
-  return std::abs(low.value) > std::abs(high.value) ? low : high;
+  const double ahead = std::abs(low.value) - std::abs(high.value), alike = tie(series, high.value);
+  if (std::abs(ahead) <= alike) {
+    const bool low_first = low.nearest < high.nearest;
+    return low_first ? low : high;
+  }
+  return ahead > 0.0 ? low : high;
 }
 
 double mean(const Value& series) {

@@ -60,7 +60,9 @@ class Writer {
     if (!table.caption.empty()) {
       out += "<p class=\"caption\">" + numbered("Table", numbering_.table(), table.caption) + "</p>";
     }
-    out += "<div class=\"scroll\"><table>\n";
+    constexpr std::size_t many_columns = 7;  // set closer, so that they fit the page
+    out += table.head.size() < many_columns ? "<div class=\"scroll\"><table>\n"
+                                            : "<div class=\"scroll\"><table class=\"dense\">\n";
     const std::vector<bool> numeric = numeric_columns(table);
     if (!table.head.empty()) out += "<thead><tr>" + head(table, numeric) + "</tr></thead>\n";
     out += "<tbody>\n";

@@ -52,6 +52,8 @@ thead th{border-bottom:1px solid var(--rule)}
 th{font-weight:400;font-style:italic;text-align:left;vertical-align:bottom}
 th,td{padding:.32rem 1rem .32rem 0}
 td{vertical-align:baseline}
+.dense{font-size:.86rem}
+.dense th,.dense td{padding-right:.65rem}
 th:last-child,td:last-child{padding-right:0}
 tbody tr+tr td{border-top:1px solid var(--grid)}
 tbody td:empty{height:2.4rem;min-width:6rem}

@@ -41,6 +41,17 @@ TEST_SUITE("cli mechanism") {
     CHECK_FALSE(contains(o.out, "broken"));
   }
 
+  TEST_CASE("at given angles there is no mean over time, and no column of it") {
+    const Ran given = mechanism(Desk(), {"--at", "[\"0 deg\", \"90 deg\"]"}), turn = mechanism(Desk(), {});
+    const auto head = [](const std::string& text) {
+      const std::size_t from = text.find("largest");
+      return text.substr(from, text.find('\n', from) - from);
+    };
+    CHECK(contains(head(turn.out), "rms"));
+    CHECK_FALSE(contains(head(given.out), "mean"));
+    CHECK_FALSE(contains(head(given.out), "rms"));
+  }
+
   TEST_CASE("flags stand in place of what the file says") {
     CHECK(contains(mechanism(Desk(), {"--positions", "36"}).out, "  36 of 36  "));
     CHECK(contains(mechanism(Desk(), {"--at", "[\"0 deg\", \"90 deg\"]"}).out, "  2 of 2  "));

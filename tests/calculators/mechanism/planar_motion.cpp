@@ -49,6 +49,27 @@ double number_of(const report::Cell& cell) { return std::get<report::Quantity>(c
 }  // namespace
 
 TEST_SUITE("mechanism motion") {
+  TEST_CASE("a zero in the tables of the motion is a zero, and a direction is told one way") {
+    for (const char* crank : {"start = \"-90.1 deg\", positions = 361", "start = \"-90 deg\"", "start = \"0 deg\""}) {
+      CAPTURE(crank);
+      const auto project = solved(replaced(piston, "positions = 72", crank));
+      int numbers = 0;
+      for (const char* title : {"Strokes", "Instantaneous centres"}) {
+        const report::Table* table = table_of(project, title);
+        REQUIRE(table != nullptr);
+        for (const auto& row : table->rows) {
+          for (const report::Cell& cell : row) {
+            const auto* q = std::get_if<report::Quantity>(&cell);
+            if (q == nullptr) continue;
+            CHECK((q->si == 0.0 || std::abs(q->si) > 1e-9));
+            ++numbers;
+          }
+        }
+      }
+      CHECK(numbers >= 15);
+    }
+  }
+
   TEST_CASE("an assembly is chosen by the side of a dyad, and the report lists them all") {
     const auto stated = solved(rocker), other = solved(rocker + "sides = [\"B_right\"]\n");
     const report::Table* table = table_of(stated, "Assemblies at the first position");

@@ -2,6 +2,7 @@
 
 #include "calculators/mechanism/planar_animation.hpp"
 #include "calculators/mechanism/planar_outputs.hpp"
+#include "lib/draw/typeset.hpp"
 #include "tests/lib/mechanism/models.hpp"
 
 #include <doctest/doctest.h>
@@ -104,6 +105,25 @@ TEST_SUITE("mechanism plans") {
       CHECK(image[n].x - image[0].x == doctest::Approx(expected.x).epsilon(1e-12));
       CHECK(image[n].y - image[0].y == doctest::Approx(expected.y).epsilon(1e-12));
     }
+  }
+
+  TEST_CASE("no two points of a plan have one label, nor one that of the pole") {
+    const mechanism::Model model = models::slider_crank();
+    mechanism::WholeSystem system(model);
+    REQUIRE(system.assemble() == mechanism::Status::closed);
+    mechanism::Position at = system.blank();
+    const mechanism::Drive drive{1.0, 30.0, 0.0};
+    REQUIRE(system.solve({&drive, 1}, at, false) == mechanism::Status::closed);
+    const std::vector<TracedPoint> points{
+        {"P", 0, {0.1, 0.0}}, {"p", 0, {0.2, 0.0}}, {"A", 0, {0.3, 0.0}}, {"P_a", 0, {0.4, 0.0}}};
+    const auto names = [](const draw::Plan& plan) {
+      std::vector<std::string> all;
+      for (const auto& p : plan.points) all.push_back(draw::plain(p.name));
+      return all;
+    };
+    CHECK(names(velocity_plan({model, points, at, false})) == std::vector<std::string>{"p", "p′", "p′′", "a", "p_a′"});
+    CHECK(names(acceleration_plan({model, points, at, false})) ==
+          std::vector<std::string>{"p_a", "p′", "p′′", "a", "p_a′"});
   }
 
   TEST_CASE("the parts of an acceleration lead from the image of one point to that of the other") {

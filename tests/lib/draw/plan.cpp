@@ -1,4 +1,5 @@
 #include "lib/draw/plan_picture.hpp"
+#include "lib/draw/typeset.hpp"
 #include "tests/lib/draw/figures.hpp"
 #include "tests/lib/draw/svg_reader.hpp"
 
@@ -47,6 +48,49 @@ TEST_SUITE("draw") {
     CHECK(well_formed(text));
     CHECK(says(text, "crank"));
     CHECK(count(text, "<path class=\"force ") == 8);
+  }
+
+  TEST_CASE("a title that is wider than its panel is set in lines, and the next panel's stays clear of it") {
+    Plan plan = triangle();
+    plan.title = "joint_of_the_rod: connecting_rod on crosshead, in the axes of connecting_rod";
+    const std::string text = drawn({plan, plan});
+    CHECK(well_formed(text));
+    CHECK_FALSE(says(text, plain(plan.title)));
+    CHECK(overlap(text).empty());
+    const double narrow = fit(plan, {}, 200.0, 180.0).area.height(), wide = fit(plan, {}, 900.0, 180.0).area.height();
+    CHECK(narrow > wide);
+  }
+
+  TEST_CASE("the angles on a flat hodograph stand beside their dots, off the scale bar") {
+    Plan plan{"A: rod on slider", "N", {{{}, {100.0, 0.0}, "R_A"}}};
+    Plan::Trace trace;
+    for (int k = 0; k < 12; ++k) {
+      trace.points.push_back({100.0 - 15.0 * k, 0.2 * (k % 3)});
+      trace.marks.push_back({trace.points.back(), std::to_string(30 * k) + "°", k == 0});
+    }
+    plan.traces.push_back(trace);
+    const std::string text = drawn({plan, plan});
+    CHECK(overlap(text).empty());
+    const PlanFit placed = fit(plan, {}, 236.0, 210.0);
+    int named = 0;
+    for (const Element& e : elements(text, "text")) {
+      for (const auto& mark : trace.marks) {
+        if (words(e.text) != mark.label || text_box(e).left > 236.0) continue;
+        const Point dot = placed.at(mark.at);
+        CHECK(length(text_box(e).centre() - dot) < 40.0);
+        CHECK(text_box(e).bottom < placed.area.bottom - 20.0);
+        ++named;
+      }
+    }
+    CHECK(named >= 3);
+  }
+
+  TEST_CASE("the pole of a plan is a ring, what moves has a dot") {
+    Plan plan{"", "m/s", {{{}, {1.0, 0.0}, ""}}};
+    plan.points = {{"p", {}}, {"a", {1.0, 0.0}}};
+    const std::string text = drawn({plan});
+    CHECK(count(text, "<circle class=\"pin\"") == 1);
+    CHECK(count(text, "<circle class=\"solid\"") == 1);
   }
 
   TEST_CASE("a plan of nothing, or of what is no number, is drawn without it") {

@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include <numbers>
+
 using namespace loadpath::draw;
 using namespace loadpath::draw::test;
 
@@ -70,6 +72,22 @@ TEST_SUITE("draw") {
     CHECK(convex_hull({{0, 0}, {5, 5}, {10, 10}}).size() == 2);
     CHECK(convex_hull({{1, 1}, {1, 1}}).size() == 1);
     CHECK(convex_hull({}).empty());
+  }
+
+  TEST_CASE("points on a line but for rounding make a bar from end to end, whichever way it points") {
+    for (int degrees = 0; degrees < 360; degrees += 15) {
+      const double turn = degrees * std::numbers::pi / 180.0;
+      for (const double size : {1e-3, 1.0, 1e5}) {
+        const Point way = size * along(turn);
+        const std::vector<Point> bar = convex_hull({{0.0, 0.0}, way, 0.5 * way + 1e-15 * size * across(along(turn))});
+        CAPTURE(degrees);
+        REQUIRE(bar.size() == 2);
+        CHECK(length(bar[1] - bar[0]) == doctest::Approx(size).epsilon(1e-12));
+      }
+    }
+    CHECK(convex_hull({{0.0, 0.0}, {1e-3, 0.0}, {5e-4, 1e-6}}).size() == 3);              // a plate, however small
+    const Point middle{1.2246467991473532e-18, 0.02}, top{2.4492935982947064e-18, 0.04};  // of a crank at 90 deg
+    CHECK(length(convex_hull({{0.0, 0.0}, top, middle}).front()) == 0.0);
   }
 
   TEST_CASE("a fixed slider without a guide gets hatched ground, with a guide the guide is hatched") {

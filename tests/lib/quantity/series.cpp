@@ -87,6 +87,32 @@ TEST_SUITE("quantity") {
     }
   }
 
+  TEST_CASE("an extreme that is reached twice, but for rounding, is told at the first place") {
+    const Axis axis = cycle(360);
+    for (const double rounding : {-1e-15, 1e-15}) {
+      const Value twice = over(axis, [=](double x) { return std::cos(2.0 * x - 1.0) + (x > 3.0 ? rounding : 0.0); });
+      CHECK(maximum(twice).at == doctest::Approx(0.5));
+      CHECK(minimum(twice).at == doctest::Approx(0.5 + 0.5 * pi));
+      CHECK(largest(twice).at == doctest::Approx(0.5));
+    }
+    Value coarse = over(axis, [](double x) { return std::cos(2.0 * x - 1.0) + (x > 3.0 ? 1e-6 : 0.0); });
+    CHECK(maximum(coarse).at == doctest::Approx(0.5 + pi));
+    coarse.rounding = 2e-6;
+    CHECK(maximum(coarse).at == doctest::Approx(0.5));
+  }
+
+  TEST_CASE("an extreme at zero, or at the beginning of a turn, is told there and not a rounding off") {
+    for (const double start : {0.0, -0.5 * pi, 1e-17}) {
+      CAPTURE(start);
+      const Axis axis = cycle(360, 2.0 * pi, start);
+      const Value lines = over(axis, [](double x) { return std::cos(x + 1e-13); });
+      CHECK(maximum(lines).at == 0.0);
+      CHECK(maximum(over(axis, [](double x) { return -std::abs(std::sin(0.5 * x)); })).at == 0.0);
+    }
+    const Axis axis = cycle(360);
+    CHECK(maximum(over(axis, [](double x) { return std::cos(x - 1e-5); })).at == doctest::Approx(1e-5));
+  }
+
   TEST_CASE("a jump is not overshot") {
     const Axis axis = cycle(36);
     for (std::size_t width = 1; width < 36; ++width) {

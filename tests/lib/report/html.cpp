@@ -84,6 +84,16 @@ TEST_SUITE("report") {
           "</tbody></table></div></div>\n</main>");
   }
 
+  TEST_CASE("a table of many columns is set closer, others are not") {
+    Table table{say("Extremes"), {}, {{}}};
+    for (int columns = 1; columns <= 9; ++columns) {
+      table.head.push_back(say("at"));
+      table.rows[0].push_back(Quantity{1.0, "N"});
+      CAPTURE(columns);
+      CHECK(contains(body({table}), "<table class=\"dense\">") == (columns >= 7));
+    }
+  }
+
   TEST_CASE("headings are numbered, tables and figures count through the page") {
     const Table table{say("a"), {}, {}};
     draw::Figure figure;

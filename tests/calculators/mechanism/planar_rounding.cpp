@@ -1,0 +1,40 @@
+#include "calculators/mechanism/planar_rounding.hpp"
+
+#include "calculators/mechanism/planar_cycle.hpp"
+#include "lib/units.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace loadpath;
+
+TEST_SUITE("mechanism rounding") {
+  TEST_CASE("what is far below the largest value of its dimension is a zero, of a moment of inertia too") {
+    std::vector<project::Entry> results(1);
+    results[0].value = {{kg_m2.dimension(), nullptr}, {7.4e-69, 0.033, 1e-9}};
+    clear_rounding(results);
+    CHECK(results[0].value.si == std::vector<double>{0.0, 0.033, 1e-9});
+    CHECK(results[0].value.rounding > 0.0);
+  }
+
+  TEST_CASE("a direction along the axis is 0 or half a turn, whatever the sign of its rounding") {
+    for (const double off : {-1e-16, -0.0, 0.0, 1e-16}) {
+      CHECK(direction_of({2.0, off}) == 0.0);
+      CHECK(direction_of({-2.0, off}) == pi);
+    }
+    CHECK(direction_of({0.0, -1.0}) == -0.5 * pi);
+    CHECK(direction_of({-1.0, -1.0}) == std::atan2(-1.0, -1.0));
+  }
+
+  TEST_CASE("the symbol of the axis is that of what is counted: time t, stroke s, crank angle phi") {
+    const auto symbol = [](const char* quantity) {
+      Axis axis;
+      axis.quantity = quantity;
+      return axis_symbol(axis);
+    };
+    CHECK(symbol("time") == "t");
+    CHECK(symbol("stroke") == "s");
+    CHECK(symbol("crank angle") == "phi");
+  }
+}

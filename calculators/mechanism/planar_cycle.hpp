@@ -42,9 +42,10 @@ struct Cycle {
     double by = 0.0;
   };
   std::vector<Winding> windings;
-  std::vector<bool> in_steps;   // closed, but near a change point: followed from the position before in small steps
-  std::vector<bool> jams;       // closed, but friction lets no drive move it: it has no forces there
-  std::vector<bool> some_rest;  // joints with friction: as at a dead point, or the whole mechanism
+  std::vector<bool> in_steps;    // closed, followed from the position before in small steps
+  std::vector<bool> jams;        // closed, but friction lets no drive move it: it has no forces there
+  std::vector<bool> undirected;  // closed, but the ends of a spring coincide: its force has no direction there
+  std::vector<bool> some_rest;   // joints with friction: as at a dead point, or the whole mechanism
   /// There, with the friction of what rests one way and the other; an empty one where friction lets it not move so.
   std::vector<std::vector<mechanism::Position>> either_way;
   std::vector<StandingEffort> standing;  // with friction and one drive
@@ -60,7 +61,7 @@ struct Cycle {
   std::size_t worst_at = 0;                   // where that is
   std::vector<mechanism::Uniqueness> unique;  // of each joint's reaction; empty where all are
 
-  [[nodiscard]] bool has_forces(std::size_t k) const { return closed[k] && !jams[k]; }
+  [[nodiscard]] bool has_forces(std::size_t k) const { return closed[k] && !jams[k] && !undirected[k]; }
 };
 
 /// Whether the positions make series, and over what: the name of the axis; empty where there is one position.

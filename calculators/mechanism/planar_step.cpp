@@ -9,6 +9,7 @@
 #include "calculators/mechanism/planar_influence.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
 #include "calculators/mechanism/planar_masses.hpp"
+#include "calculators/mechanism/planar_missing.hpp"
 #include "calculators/mechanism/planar_profiles.hpp"
 #include "calculators/mechanism/planar_redundancy.hpp"
 #include "calculators/mechanism/planar_report.hpp"
@@ -216,6 +217,7 @@ bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue
   for (FieldFault& fault : check_rest(data(), model)) drawing.push_back(std::move(fault));
   for (FieldFault& fault : check_mass_lines(data(), model)) drawing.push_back(std::move(fault));
   for (FieldFault& fault : check_reductions(data())) drawing.push_back(std::move(fault));
+  for (FieldFault& fault : check_half_widths(data())) drawing.push_back(std::move(fault));
   add_faults(drawing, issues);
   if (!drawing.empty()) return false;
   for (const FieldFault& warning : overshooting_laws(data())) {
@@ -330,10 +332,18 @@ void PlanarStep::fill_values(const mechanism::Model& model, const Solved& solved
       if (of_others != static_cast<bool>(output.read_results)) continue;
       const auto found =
           std::find_if(outputs.begin(), outputs.end(), [&](const auto& o) { return o.path == output.path; });
-      auto [si, missing] = found == outputs.end() ? not_unique(output, solved) : values_of(*found, solved, account);
-      Value value{{output.dimension, output.is_single ? nullptr : axis_.get()}, std::move(si)};
-      account.results.push_back(
-          {output.path, output.doc, output.unit, Role::result, std::move(value), {}, "", false, std::move(missing)});
+      auto values = found == outputs.end() ? not_unique(output, solved) : values_of(*found, solved, account);
+      explain_missing(data(), solved.cycle, values);
+      Value value{{output.dimension, output.is_single ? nullptr : axis_.get()}, std::move(values.si)};
+      account.results.push_back({output.path,
+                                 output.doc,
+                                 output.unit,
+                                 Role::result,
+                                 std::move(value),
+                                 {},
+                                 "",
+                                 false,
+                                 std::move(values.missing)});
     }
     clear_rounding(account.results);
   }

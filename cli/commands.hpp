@@ -18,7 +18,7 @@ struct OutputOptions {
   bool json = false;
   std::string csv;  // folder, or a .csv file for the one step that has series
   std::string svg;  // folder for every figure, or an .svg file for the first drawing of a mechanism
-  std::string dxf;  // file for that drawing
+  std::string dxf;  // file for that drawing, or folder for those of several mechanisms
   bool quiet = false;
 };
 

@@ -97,13 +97,15 @@ std::string type_word(const FieldInfo& field) {
 }
 
 void add_drawing(CLI::App& app, CalculateOptions& options) {
-  app.add_option("--at", options.at, "crank angles in place of a turn: \"30 deg\", or [\"0 deg\", \"90 deg\"]")
+  app.add_option("--at", options.at,
+                 "crank angles in place of a turn: --at \"30 deg\", or --at '[\"0 deg\", \"90 deg\"]'")
       ->type_name("deg");
   app.add_option("--svg", options.output.svg,
                  "write the mechanism at the first position as FILE.svg, or every figure "
                  "into a folder (at up to 12 given angles)")
       ->type_name("PATH");
-  app.add_option("--dxf", options.output.dxf, "write the mechanism at the first position for CAD (DXF R12, mm)")
+  app.add_option("--dxf", options.output.dxf,
+                 "write the mechanism at the first position for CAD (DXF R12, mm); of several, into a folder")
       ->type_name("FILE");
 }
 

@@ -48,29 +48,51 @@ bool add_series(const project::Project& project, const std::string& path, std::v
   return true;
 }
 
-/// The drawing of the first mechanism at its first position; null where nothing closes.
-const draw::Figure* first_drawing(const project::Project& project) {
+struct Drawing {
+  std::string step;
+  const draw::Figure* figure;
+};
+
+/// The drawing of every mechanism at its first position, but for those that close nowhere.
+std::vector<Drawing> drawings_of(const project::Project& project) {
+  std::vector<Drawing> drawings;
   for (const auto& step : project.steps) {
-    for (const draw::Figure& figure : step->account().figures) {
-      if (std::holds_alternative<draw::Scheme>(figure.content)) return &figure;
-    }
+    const auto& figures = step->account().figures;
+    const auto scheme = std::find_if(figures.begin(), figures.end(), [](const draw::Figure& figure) {
+      return std::holds_alternative<draw::Scheme>(figure.content);
+    });
+    if (scheme != figures.end()) drawings.push_back({step->name(), &*scheme});
   }
-  return nullptr;
+  return drawings;
 }
 
-/// FILE.svg with the first drawing, or every figure in a folder; FILE.dxf with that drawing.
-void add_drawings(const project::Project& project, const OutputOptions& options, std::vector<File>& files) {
-  const draw::Figure* drawing = first_drawing(project);
-  if (drawing == nullptr && !(options.svg.empty() && options.dxf.empty()))
-    std::cerr << "the mechanism closes nowhere, so there is nothing to draw\n";
-  if (drawing == nullptr) return;
-  if (!options.dxf.empty()) files.push_back({options.dxf, io::dxf_of(std::get<draw::Scheme>(drawing->content))});
-  if (options.svg.empty()) return;
-  if (ending(options.svg) == ".svg") return files.push_back({options.svg, draw::svg(*drawing)});
+/// Whether one file is named for the drawings of several mechanisms, which is told.
+bool is_one_for_several(const std::string& path, const char* kind, const std::vector<Drawing>& drawings) {
+  if (ending(path) != kind || drawings.size() < 2) return false;
+  std::cerr << "loadpath: '" << path << "' is one file, and " << drawings.size()
+            << " mechanisms are drawn\n  = help: name a folder\n";
+  return true;
+}
+
+/// FILE.svg with the drawing of the mechanism, or every figure in a folder; FILE.dxf with that drawing, or, of
+/// several mechanisms, a folder with a file for each. False where one file cannot hold them.
+bool add_drawings(const project::Project& project, const OutputOptions& options, std::vector<File>& files) {
+  if (options.svg.empty() && options.dxf.empty()) return true;
+  const std::vector<Drawing> drawings = drawings_of(project);
+  if (drawings.empty()) std::cerr << "the mechanism closes nowhere, so there is nothing to draw\n";
+  if (is_one_for_several(options.svg, ".svg", drawings) || is_one_for_several(options.dxf, ".dxf", drawings))
+    return false;
+  for (const auto& [step, figure] : drawings) {
+    const fs::path dxf = drawings.size() == 1 ? fs::path(options.dxf) : fs::path(options.dxf) / (step + ".dxf");
+    if (!options.dxf.empty()) files.push_back({dxf, io::dxf_of(std::get<draw::Scheme>(figure->content))});
+    if (ending(options.svg) == ".svg") files.push_back({options.svg, draw::svg(*figure)});
+  }
+  if (drawings.empty() || options.svg.empty() || ending(options.svg) == ".svg") return true;
   for (const auto& step : project.steps) {
     for (const draw::Figure& figure : step->account().figures)
       files.push_back({fs::path(options.svg) / (step->name() + "-" + figure.id + ".svg"), draw::svg(figure)});
   }
+  return true;
 }
 
 bool write_file(const File& file) {
@@ -120,7 +142,7 @@ bool write(const project::Project& project, const OutputOptions& options) {
     }
   }
   if (!options.csv.empty() && !add_series(project, options.csv, files)) return false;
-  add_drawings(project, options, files);
+  if (!add_drawings(project, options, files)) return false;
   if (!std::all_of(files.begin(), files.end(), write_file)) return false;
   for (const std::string& path : prints) {
     if (!print_to_pdf(report::html(document), path)) {

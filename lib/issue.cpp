@@ -54,17 +54,21 @@ struct Excerpt {
 
 Excerpt excerpt(std::u32string line, std::size_t caret, std::size_t length) {
   caret = std::min(caret, line.size());
-  std::size_t from = 0;
+  std::size_t from = 0, cut = 0;  // cut: of the line's end, where dots stand
   if (line.size() > widest_line) {
     const std::size_t before = widest_line / 3;
     from = std::min(caret > before ? caret - before : 0, line.size() - widest_line);
     const bool cut_after = from + widest_line < line.size();
     line = line.substr(from, widest_line);
     if (from > 0) line.replace(0, 3, U"...");
-    if (cut_after) line.replace(widest_line - 3, 3, U"...");
+    if (cut_after) {
+      cut = 3;
+      line.replace(widest_line - cut, cut, U"...");
+    }
   }
   caret -= from;
-  const std::size_t room = line.size() > caret ? line.size() - caret : 1;
+  const std::size_t end = line.size() - cut;
+  const std::size_t room = end > caret ? end - caret : 1;
   return {std::move(line), caret, std::clamp<std::size_t>(length, 1, room)};
 }
 

@@ -23,6 +23,9 @@ struct Errors {
 /// Tolerances and outputs that do not say what they are of, or of what is not there. Needs no values.
 void check_accuracy(NameFaults& faults);
 
+/// Tolerances as wide as what they are of: lengths, radii, masses. Needs values, and names that are right.
+std::vector<FieldFault> check_half_widths(const PlanarMechanism::Input& in);
+
 /// Empty where nothing is asked for. Positions without forces have no error of forces.
 Errors errors_of(const PlanarMechanism::Input& in, const mechanism::Model& model, const Cycle& cycle);
 

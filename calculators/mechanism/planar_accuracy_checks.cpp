@@ -2,9 +2,13 @@
 #include "calculators/mechanism/planar_accuracy.hpp"
 #include "calculators/mechanism/planar_model.hpp"
 #include "calculators/mechanism/planar_tolerances.hpp"
+#include "lib/mechanism/vec.hpp"
+#include "lib/quantity/format.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 
 namespace loadpath {
 
@@ -145,6 +149,38 @@ class ToleranceCheck {
   ToleranceShape shape_;
 };
 
+/// The dimension that has the tolerance, SI; none where it may be zero, or has no half width of its own kind.
+std::optional<double> value_of(const Planar::Input& in, const planar::Tolerance& t) {
+  switch (t.of) {
+    case Toleranced::length: {
+      const int link = link_index(in, t.link);
+      return mechanism::length(vector_of(*find_point(in, link, t.to)) - vector_of(*find_point(in, link, t.point)));
+    }
+    case Toleranced::mass: {
+      const double mass = in_si(in.links[static_cast<std::size_t>(link_index(in, t.link))].mass);
+      return mass == 0.0 ? std::nullopt : std::optional(mass);
+    }
+    case Toleranced::radius:
+    case Toleranced::radius_second: {
+      const Planar::Joint& joint = joint_of(in, t.joint);
+      const Length radius = !is_set(joint.radii.first)   ? joint.radius
+                            : t.of == Toleranced::radius ? joint.radii.first
+                                                         : joint.radii.second;
+      return in_si(radius);
+    }
+    case Toleranced::x:
+    case Toleranced::y:
+    case Toleranced::angle:
+    case Toleranced::J:
+    case Toleranced::direction:
+    case Toleranced::mu:
+    case Toleranced::rate:
+    case Toleranced::drive:
+      break;
+  }
+  return std::nullopt;
+}
+
 void need(const planar::Accuracy& wanted, const char* field, NameFaults& faults) {
   faults.add(path_of("accuracy", wanted.name),
              say("the output '{1}' of kind {2} needs '{3}'", wanted.name.view(), key_of(wanted.of), field),
@@ -177,9 +213,30 @@ void check_drive(const planar::Accuracy& wanted, const std::string& path, NameFa
                say("add joint = \"...\", the driven joint"));
 }
 
+/// Whether there is a field that the kind of output does not take.
+bool has_idle_field(const planar::Accuracy& wanted, const std::string& path, bool place, NameFaults& faults) {
+  struct Field {
+    const char* key;
+    const Name& name;
+    bool belongs;
+  };
+  const std::array fields{Field{"point", wanted.point, place},
+                          Field{"link", wanted.link, place || wanted.of == Watched::angle},
+                          Field{"joint", wanted.joint, wanted.of == Watched::drive || wanted.of == Watched::force}};
+  bool idle = false;
+  for (const Field& field : fields) {
+    if (field.name.empty() || field.belongs) continue;
+    idle = true;
+    faults.add(path + "." + field.key, say("an output of kind {1} has no '{2}'", key_of(wanted.of), field.key),
+               say("leave it out"));
+  }
+  return idle;
+}
+
 void check_output(const planar::Accuracy& wanted, NameFaults& faults) {
   const std::string path = path_of("accuracy", wanted.name);
   const bool place = wanted.of == Watched::x || wanted.of == Watched::y;
+  if (has_idle_field(wanted, path, place, faults)) return;
   if (place) return wanted.point.empty() ? need(wanted, "point", faults) : check_point(wanted, path, faults);
   if (wanted.of == Watched::drive) return check_drive(wanted, path, faults);
   if (wanted.of == Watched::force) {
@@ -210,6 +267,21 @@ void check_accuracy(NameFaults& faults) {
                say("add tolerances = { rod = { link = \"rod\", point = \"A\", to = \"B\", t = \"0.05 mm\" } }"));
   for (const planar::Tolerance& t : in.tolerances) ToleranceCheck(t, faults).run();
   for (const planar::Accuracy& wanted : in.accuracy) check_output(wanted, faults);
+}
+
+std::vector<FieldFault> check_half_widths(const Planar::Input& in) {
+  std::vector<FieldFault> faults;
+  for (const planar::Tolerance& t : in.tolerances) {
+    const auto own = value_of(in, t);
+    const HalfWidth half = half_width(t);
+    if (!own || is_set(t.t_part) || half.si < std::abs(*own)) continue;
+    faults.push_back(
+        {path_of("tolerances", t.name, is_set(t.t_mass) ? "t_mass" : "t"),
+         say("the tolerance '{1}', {2}, is as wide as the {3} that it is of, {4}", t.name.view(),
+             format_quantity(half.si, half.unit), key_of(t.of), format_quantity(std::abs(*own), half.unit)),
+         say("the half width must be smaller; check its unit")});
+  }
+  return faults;
 }
 
 }  // namespace loadpath

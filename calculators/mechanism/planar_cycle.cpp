@@ -3,6 +3,7 @@
 #include "calculators/mechanism/planar_either_way.hpp"
 #include "calculators/mechanism/planar_law.hpp"
 #include "calculators/mechanism/planar_schedule.hpp"
+#include "lib/mechanism/spring.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -78,10 +79,11 @@ Status run(mechanism::ReleasedSystem& system, const CycleTask& task, bool backwa
     }
     passing.reset();
     cycle.drives[k] = drives;
-    cycle.jams[k] = status == Status::jams;
+    cycle.undirected[k] = mechanism::some_spring_has_no_direction(task.model, cycle.positions[k]);
+    cycle.jams[k] = !cycle.undirected[k] && status == Status::jams;
     cycle.in_steps[k] = n > 0 && system.followed_in_steps();
     cycle.some_rest[k] = system.some_joint_rests();
-    if (cycle.jams[k]) {
+    if (cycle.jams[k] || cycle.undirected[k]) {
       take_forces_away(cycle.positions[k]);
     } else if (is_finite(cycle.positions[k])) {
       if (proves != system.release_number()) prover.emplace(system.model());
@@ -154,7 +156,7 @@ Cycle solve_cycle(const Planar::Input& in, const mechanism::Model& model, bool r
   cycle.proofs.assign(schedule.drives.size(), {});
   cycle.drives = schedule.drives;
   cycle.closed.assign(schedule.drives.size(), false);
-  cycle.at_change_point = cycle.jams = cycle.in_steps = cycle.some_rest = cycle.closed;
+  cycle.at_change_point = cycle.jams = cycle.undirected = cycle.in_steps = cycle.some_rest = cycle.closed;
   if (cycle.first_failure != Status::closed) {
     cycle.gap = system.gap();
     return cycle;

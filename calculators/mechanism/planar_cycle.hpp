@@ -43,9 +43,10 @@ struct Cycle {
   };
   std::vector<Winding> windings;
   std::vector<bool> at_change_point;  // not closed: the drives do not hold it there; what lies beyond is solved
-  std::vector<bool> in_steps;   // closed, but near a change point: followed from the position before in small steps
-  std::vector<bool> jams;       // closed, but friction lets no drive move it: it has no forces there
-  std::vector<bool> some_rest;  // joints with friction: as at a dead point, or the whole mechanism
+  std::vector<bool> in_steps;         // closed, followed from the position before in small steps
+  std::vector<bool> jams;             // closed, but friction lets no drive move it: it has no forces there
+  std::vector<bool> undirected;       // closed, but the ends of a spring coincide: its force has no direction there
+  std::vector<bool> some_rest;        // joints with friction: as at a dead point, or the whole mechanism
   /// There, with the friction of what rests one way and the other; an empty one where friction lets it not move so.
   std::vector<std::vector<mechanism::Position>> either_way;
   std::vector<StandingEffort> standing;  // with friction and one drive
@@ -61,7 +62,14 @@ struct Cycle {
   std::size_t worst_at = 0;                   // where that is
   std::vector<mechanism::Uniqueness> unique;  // of each joint's reaction; empty where all are
 
-  [[nodiscard]] bool has_forces(std::size_t k) const { return closed[k] && !jams[k]; }
+  [[nodiscard]] bool has_forces(std::size_t k) const { return closed[k] && !jams[k] && !undirected[k]; }
+  /// Whether it is solved everywhere but where it hits a change point.
+  [[nodiscard]] bool closes_but_at_change_points() const {
+    for (std::size_t k = 0; k < closed.size(); ++k) {
+      if (!closed[k] && !at_change_point[k]) return false;
+    }
+    return true;
+  }
 };
 
 /// Whether the positions make series, and over what: the name of the axis; empty where there is one position.

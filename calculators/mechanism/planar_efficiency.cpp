@@ -57,7 +57,8 @@ Efficiency efficiency(double drive, double useful) {
     return {useful / drive, none, {}, say("the drive moves the load, see drive.efficiency")};
   if (drive < 0.0 && useful < 0.0)
     return {none, drive / useful, say("the load moves the drive, see drive.efficiency_back"), {}};
-  return undefined(say("drive and useful loads both take power"));
+  return undefined(drive > 0.0 ? say("drive and useful loads both supply power")
+                               : say("drive and useful loads both take power"));
 }
 
 Efficiency efficiency_of(const Means& means) {

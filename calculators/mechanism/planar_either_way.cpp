@@ -44,6 +44,7 @@ class EitherWay {
     std::vector<Drive> drives = task_.schedule.drives[k];
     if (backward && task_.schedule.period != 0.0) drives[0].coordinate -= task_.schedule.period;
     set_loads(task_, system, drives);
+    if (cycle_.undirected[k]) return;
     if (cycle_.some_rest[k]) {
       if (mechanism::moves(drives)) {
         add_sides(system, drives, k);

@@ -276,6 +276,30 @@ mechanism::Driver cylinder_driver(const Planar::Input& in, const Planar::Cylinde
   return driver;
 }
 
+/// A link whose only two joints are pins at points in one place.
+void check_lengths(const Planar::Input& in, const mechanism::Model& model, double size,
+                   std::vector<ModelFault>& faults) {
+  for (std::size_t k = 0; k < in.links.size(); ++k) {
+    std::vector<std::pair<Name, Vec>> pins;
+    bool only_pins = true;
+    for (std::size_t n = 0; n < model.joints.size(); ++n) {
+      const mechanism::Joint& joint = model.joints[n];
+      const bool first = joint.i == static_cast<int>(k);
+      if (!first && joint.j != static_cast<int>(k)) continue;
+      only_pins = only_pins && joint.kind == mechanism::JointKind::revolute;
+      const auto names = point_names(in.joints[n]);
+      pins.emplace_back(first ? names.first : names.second, first ? joint.point_i : joint.point_j);
+    }
+    if (!only_pins || pins.size() != 2 || pins[0].first == pins[1].first) continue;
+    if (mechanism::length(pins[0].second - pins[1].second) > 1e-9 * size) continue;
+    const auto& name = in.links[k].name;
+    faults.push_back({path_of("links", name, "points"),
+                      say("points {1} and {2} of '{3}' coincide: it moves nothing", pins[0].first.view(),
+                          pins[1].first.view(), name.view()),
+                      say("lay them apart, or join its neighbours by one pin and leave '{1}' out", name.view())});
+  }
+}
+
 }  // namespace
 
 std::vector<ModelFault> check_drawing(const Planar::Input& in, const mechanism::Model& model) {
@@ -294,6 +318,7 @@ std::vector<ModelFault> check_drawing(const Planar::Input& in, const mechanism::
                       say("the pin '{1}' is drawn at two places, {2} apart", j.name, format_quantity(apart, "mm", 4)),
                       say("draw it at one place on both links, or give the links their angles")});
   }
+  check_lengths(in, model, size, faults);
   return faults;
 }
 

@@ -136,12 +136,15 @@ struct Joint {
       Field{&Joint::mu, "mu", ratio,
             "coefficient of friction: revolute, prismatic, slot, cam_flat, and an edge on a cam"}
           .within(0, 2),
-      Field{&Joint::pin_radius, "pin_radius", mm, "revolute, slot: radius of the pin"}.positive().may_be_missing(),
-      Field{&Joint::guide_length, "guide_length", mm,
-            "prismatic: length of the block about the first link's point, for the forces on its edges"}
+      Field{&Joint::pin_radius, "pin_radius", mm, "revolute, slot: radius of the pin; mu needs it"}
           .positive()
           .may_be_missing(),
-      Field{&Joint::guide_width, "guide_width", mm, "prismatic: distance between the two faces that it rests on"}
+      Field{&Joint::guide_length, "guide_length", mm,
+            "prismatic: length of the block about the first link's point, for the forces on its edges; mu needs it"}
+          .positive()
+          .may_be_missing(),
+      Field{&Joint::guide_width, "guide_width", mm,
+            "prismatic: distance between the two faces that it rests on; mu needs it"}
           .at_least(0)
           .may_be_missing(),
       Field{&Joint::rolling_arm, "rolling_arm", mm, "rolling: lever arm of the rolling resistance"}.at_least(0),

@@ -1,6 +1,7 @@
 // What a report says about the proof of a planar mechanism: closing, equilibrium, power, and the reactions and drives
 // found again by other methods.
 #include "calculators/mechanism/planar_cams.hpp"
+#include "calculators/mechanism/planar_missing.hpp"
 #include "calculators/mechanism/planar_model.hpp"
 #include "calculators/mechanism/planar_profiles.hpp"
 #include "calculators/mechanism/planar_ranges.hpp"
@@ -59,17 +60,7 @@ Message why_open(const Planar::Input& in, const Cycle& cycle) {
 }
 
 using planar::place_of;
-
-/// "between 30 deg and 60 deg", the longest run where more than one is, with their number.
-std::string range_of(const std::vector<bool>& positions, bool so, const Axis& axis) {
-  const auto runs = planar::runs_of(positions, so, axis.cyclic());
-  const auto longest =
-      std::max_element(runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.count < b.count; });
-  const std::string first = place_of(longest->first, axis), last = place_of(longest->last, axis);
-  const Message run = longest->count == 1 ? say("at {1}", first) : say("between {1} and {2}", first, last);
-  return runs.size() == 1 ? run.text()
-                          : say("{1}, the longest of {2} ranges", run.text(), std::to_string(runs.size())).text();
-}
+using planar::range_of;
 
 /// Where the drives do not hold the mechanism, and nothing else is wrong.
 Message change_points(const Cycle& cycle, const Axis& axis) {
@@ -95,13 +86,19 @@ report::Verdict closing(const std::string& step, const Planar::Input& in, const 
   v.value = say("{1} of {2}", std::to_string(closed), std::to_string(cycle.closed.size()));
   v.state = closed == cycle.closed.size() ? report::State::pass : report::State::fail;
   if (v.state == report::State::pass) return v;
-  const auto change = std::count(cycle.at_change_point.begin(), cycle.at_change_point.end(), true);
-  if (axis != nullptr && closed + static_cast<std::size_t>(change) == cycle.closed.size()) {
+  if (axis != nullptr && cycle.closes_but_at_change_points()) {
     v.note = change_points(cycle, *axis);
     return v;
   }
   v.note = why_open(in, cycle);
-  if (axis != nullptr) v.note = say("{1}: {2}", range_of(cycle.closed, false, *axis), v.note.text());
+  if (axis == nullptr) return v;
+  v.note = say("{1}: {2}", range_of(cycle.closed, false, *axis), v.note.text());
+  if (is_whole_turn(in) && cycle.first_failure == mechanism::Status::does_not_close) {
+    v.note =
+        say("{1}; the crank does not turn round: change the lengths, or give it angles where the mechanism closes, "
+            "crank = { at = [...] }",
+            v.note.text());
+  }
   return v;
 }
 
@@ -377,6 +374,7 @@ std::vector<report::Verdict> proof(const std::string& step, const Planar::Input&
   const auto part = [&](double residual, double scale) { return left.any ? part_of(residual, scale) : none; };
   std::vector<report::Verdict> verdicts{closing(step, in, cycle, axis)};
   add_jamming(step, in, cycle, axis, verdicts);
+  if (auto directed = direction_of_springs(step, in, cycle, axis)) verdicts.push_back(std::move(*directed));
   if (!cycle.returns) verdicts.push_back(no_return(step, in));
   for (const Cycle::Winding& winding : cycle.windings) verdicts.push_back(wound_up(step, in, winding));
   if (std::any_of(in.joints.begin(), in.joints.end(), [](const auto& j) { return only_pushes(j) || is_cam(j.type); })) {

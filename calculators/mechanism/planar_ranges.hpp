@@ -1,9 +1,11 @@
 // Runs of neighbouring positions of a cycle, and how they are told.
 #pragma once
 
+#include "lib/issue.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/series.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -37,5 +39,16 @@ inline std::vector<Run> runs_of(const std::vector<bool>& positions, bool so, boo
 }
 
 inline std::string place_of(std::size_t k, const Axis& axis) { return format_quantity(axis.at[k], axis.unit, 5); }
+
+/// "between 30 deg and 60 deg", the longest run where more than one is, with their number.
+inline std::string range_of(const std::vector<bool>& positions, bool so, const Axis& axis) {
+  const auto runs = runs_of(positions, so, axis.cyclic());
+  const auto longest =
+      std::max_element(runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.count < b.count; });
+  const std::string first = place_of(longest->first, axis), last = place_of(longest->last, axis);
+  const Message run = longest->count == 1 ? say("at {1}", first) : say("between {1} and {2}", first, last);
+  return runs.size() == 1 ? run.text()
+                          : say("{1}, the longest of {2} ranges", run.text(), std::to_string(runs.size())).text();
+}
 
 }  // namespace loadpath::planar

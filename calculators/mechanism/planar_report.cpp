@@ -82,10 +82,24 @@ void add_sense(Message what, Planar::Impending impending, Table& table) {
   table.rows.push_back({std::move(what), impending == Planar::Impending::forward ? say("forward") : say("backward")});
 }
 
+/// "from the x axis to point A of crank": between what the crank angle is measured.
+Message crank_angle_of(const Planar::Input& in) {
+  const auto joint =
+      std::find_if(in.joints.begin(), in.joints.end(), [&](const auto& j) { return j.name == in.crank.joint; });
+  const bool first_fixed = joint->links.first.view() == "ground";
+  const Name &link = first_fixed ? joint->links.second : joint->links.first,
+             &base = first_fixed ? joint->links.first : joint->links.second;
+  const std::string from =
+      base.view() == "ground" ? say("from the x axis").text() : say("from the x axis of {1}", text(base)).text();
+  return in.crank.to.empty() ? say("{1} to the x axis of {2}'s own axes", from, text(link))
+                             : say("{1} to point {2} of {3}", from, text(in.crank.to), text(link));
+}
+
 Table drive_table(const Planar::Input& in) {
   Table table{say("Drive"), {}, {}};
   if (!in.crank.joint.empty()) {
     table.rows.push_back({say("driven joint"), text(in.crank.joint)});
+    table.rows.push_back({say("crank angle"), crank_angle_of(in)});
     for (const auto& moment : in.crank.law)
       table.rows.push_back(
           {say("crank angle at {1}", format_quantity(in_si(moment.t), "s")), Quantity{moment.angle, "deg"}});
@@ -235,7 +249,7 @@ Table determinacy_table(const mechanism::Model& model, const mechanism::Structur
   const auto steps = std::count(cycle.in_steps.begin(), cycle.in_steps.end(), true);
   if (steps > 0 && axis != nullptr) {
     const auto first = std::find(cycle.in_steps.begin(), cycle.in_steps.end(), true) - cycle.in_steps.begin();
-    table.rows.push_back({say("positions near a change point, followed in small steps; first at {1}",
+    table.rows.push_back({say("positions that were followed in small steps; first at {1}",
                               format_quantity(axis->at[static_cast<std::size_t>(first)], axis->unit, 5)),
                           std::to_string(steps)});
   }

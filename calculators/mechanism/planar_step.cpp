@@ -9,6 +9,7 @@
 #include "calculators/mechanism/planar_influence.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
 #include "calculators/mechanism/planar_masses.hpp"
+#include "calculators/mechanism/planar_missing.hpp"
 #include "calculators/mechanism/planar_profiles.hpp"
 #include "calculators/mechanism/planar_redundancy.hpp"
 #include "calculators/mechanism/planar_report.hpp"
@@ -216,6 +217,7 @@ bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue
   for (FieldFault& fault : check_rest(data(), model)) drawing.push_back(std::move(fault));
   for (FieldFault& fault : check_mass_lines(data(), model)) drawing.push_back(std::move(fault));
   for (FieldFault& fault : check_reductions(data())) drawing.push_back(std::move(fault));
+  for (FieldFault& fault : check_half_widths(data())) drawing.push_back(std::move(fault));
   add_faults(drawing, issues);
   if (!drawing.empty()) return false;
   for (const FieldFault& warning : overshooting_laws(data())) {
@@ -314,14 +316,6 @@ static MechanismOutput::Values values_of(const MechanismOutput& output, const So
   return values;
 }
 
-/// Where joints hold too much, what is missing has that reason; but for the motion, which is what it is.
-static void say_not_unique(const Cycle& cycle, MechanismOutput::Values& values) {
-  const bool missing = std::any_of(values.si.begin(), values.si.end(), [](double x) { return std::isnan(x); });
-  const bool all_closed = std::find(cycle.closed.begin(), cycle.closed.end(), false) == cycle.closed.end();
-  if (missing && all_closed && !cycle.unique.empty())
-    values.missing = say("not unique: other joints hold the same freedom");
-}
-
 /// `model`: what was solved; what was released of the given one is read from that.
 void PlanarStep::fill_values(const mechanism::Model& model, const Solved& solved) {
   const auto outputs = mechanism_outputs(data(), model);
@@ -333,7 +327,7 @@ void PlanarStep::fill_values(const mechanism::Model& model, const Solved& solved
       const auto found =
           std::find_if(outputs.begin(), outputs.end(), [&](const auto& o) { return o.path == output.path; });
       auto values = values_of(found == outputs.end() ? output : *found, solved, account);
-      say_not_unique(solved.cycle, values);
+      explain_missing(data(), solved.cycle, values);
       auto& [si, missing] = values;
       Value value{{output.dimension, output.is_single ? nullptr : axis_.get()}, std::move(si)};
       account.results.push_back(

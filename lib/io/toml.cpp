@@ -1,5 +1,6 @@
 #include "lib/io/text_gate.hpp"
 #include "lib/io/tree.hpp"
+#include "lib/utf8.hpp"
 
 #include <toml++/toml.h>
 
@@ -98,6 +99,25 @@ Message hint_for(std::string_view line) {
              : Message{};
 }
 
+/// The quote of a text that is still open where the line ends; nothing where none is, or the text may have several
+/// lines.
+std::optional<char> open_quote(std::string_view line) {
+  if (line.find("\"\"\"") != std::string_view::npos || line.find("'''") != std::string_view::npos) return {};
+  std::optional<char> open;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (open == '"' && line[i] == '\\') {
+      ++i;
+    } else if (open) {
+      if (line[i] == *open) open.reset();
+    } else if (line[i] == '#') {
+      break;
+    } else if (line[i] == '"' || line[i] == '\'') {
+      open = line[i];
+    }
+  }
+  return open;
+}
+
 /// "Error while parsing key-value pair: expected ..." without what the place shows already.
 std::string_view what_of(std::string_view description) {
   const std::size_t colon = description.find(": ");
@@ -108,7 +128,9 @@ std::string_view what_of(std::string_view description) {
 
 std::string_view line_of(std::string_view text, int line) {
   for (int i = 1; i < line; ++i) text.remove_prefix(std::min(text.find('\n') + 1, text.size()));
-  return text.substr(0, text.find('\n'));
+  text = text.substr(0, text.find('\n'));
+  if (text.ends_with('\r')) text.remove_suffix(1);
+  return text;
 }
 
 }  // namespace
@@ -124,8 +146,15 @@ Tree read_toml(std::string_view text, const std::string& file, std::vector<Issue
     return tree;
   } catch (const toml::parse_error& error) {
     const Place place = place_of(error.source(), file);
-    issues.push_back({place, "", say("not valid TOML: {1}", what_of(error.description())),
-                      hint_for(line_of(text, place.line)), Severity::error});
+    const std::string_view line = line_of(text, place.line);
+    const auto open = open_quote(line);
+    if (open && static_cast<std::size_t>(place.column) > code_points(line).size()) {
+      issues.push_back({place, "", say("the text is not closed"), say("add {1} where it ends", std::string(1, *open)),
+                        Severity::error});
+      return {};
+    }
+    issues.push_back(
+        {place, "", say("not valid TOML: {1}", what_of(error.description())), hint_for(line), Severity::error});
     return {};
   }
 }

@@ -42,6 +42,7 @@ class PartChecks {
   void check_cam(std::size_t k, const Joint& joint);
   void check(std::size_t k, const Load& load);
   void check(std::size_t k, const Spring& spring);
+  void check_ends(std::size_t k, const Spring& spring);
   void check_rotary(std::size_t k, const Driver& driver);
   void check_linear(std::size_t k, const Driver& driver);
   void check_driven_once(std::size_t k, const Driver& driver);
@@ -202,7 +203,35 @@ void PartChecks::check(std::size_t k, const Spring& spring) {
                spring.point_j.y}) ||
       spring.rate < 0.0 || spring.damping < 0.0) {
     add(About::spring, k, say("spring '{1}': its rate and damping must be finite and not negative", spring.name));
+  } else if (spring.kind == Spring::Kind::linear) {
+    check_ends(k, spring);
   }
+}
+
+/// Ends on one pin, or on pins that hold one place together, never part.
+void PartChecks::check_ends(std::size_t k, const Spring& spring) {
+  struct End {
+    int link;
+    Vec point;
+    bool operator==(const End& o) const { return link == o.link && point.x == o.point.x && point.y == o.point.y; }
+  };
+  std::vector<End> place{{spring.i, spring.point_i}};
+  const auto reach = [&](const End& from, const End& to) {
+    if (std::ranges::find(place, from) == place.end() || std::ranges::find(place, to) != place.end()) return false;
+    place.push_back(to);
+    return true;
+  };
+  for (bool again = true; again;) {
+    again = false;
+    for (const Joint& joint : model_.joints) {
+      if (joint.kind != JointKind::revolute && joint.kind != JointKind::rigid) continue;
+      const End i{joint.i, joint.point_i}, j{joint.j, joint.point_j};
+      again = reach(i, j) || reach(j, i) || again;
+    }
+  }
+  if (std::ranges::find(place, End{spring.j, spring.point_j}) == place.end()) return;
+  add(About::spring, k, say("both ends of spring '{1}' are in one place: it has no direction to act in", spring.name),
+      say("lay its ends at points that move apart; a spring that turns about a pin has k_turn, c_turn"));
 }
 
 void PartChecks::check_connected() {

@@ -17,11 +17,15 @@ struct BasicSpringNow {
 };
 using SpringNow = BasicSpringNow<double>;
 
-/// A spring whose ends coincide pulls nowhere.
+/// Where the ends of a spring with a free length or a damper coincide its force has no direction: it and the effort are
+/// no numbers there.
 template <class Scalar>
 BasicSpringNow<Scalar> spring_now(const BasicSpring<Scalar>& spring, const BasicPlaced<Scalar>& i,
                                   const BasicPlaced<Scalar>& j, const BasicSpeeds<Scalar>& speed_i,
                                   const BasicSpeeds<Scalar>& speed_j);
 SpringNow spring_now(const Spring& spring, const Position& at);
+
+/// Whether the ends of some spring coincide there, and its force has no direction.
+bool some_spring_has_no_direction(const Model& model, const Position& at);
 
 }  // namespace loadpath::mechanism

@@ -9,6 +9,10 @@ using Type = FieldInfo::Type;
 void Reader::read_list(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   const bool named = tree.type == Tree::Type::table && find_field(field.fields, "name") != nullptr &&
                      find_field(field.fields, "name")->type == Type::name;
+  if (tree.type == Tree::Type::array && tree.items.empty()) {
+    return say_at(tree.place, path, say("'{1}' is empty", path),
+                  field.optional ? say("give what it lists, or leave it out") : say("give what it lists"));
+  }
   const Target target{field, owner, field.size(owner)};
   std::size_t count = target.given + (tree.type == Tree::Type::array ? tree.items.size() : 1);
   if (named) {

@@ -56,6 +56,8 @@ TEST_SUITE("cli mechanism") {
     CHECK(contains(mechanism(Desk(), {"--positions", "36"}).out, "  36 of 36  "));
     CHECK(contains(mechanism(Desk(), {"--at", "[\"0 deg\", \"90 deg\"]"}).out, "  2 of 2  "));
     CHECK(contains(mechanism(Desk(), {"--at", "30 deg"}).out, "Drive and reactions\n"));
+    CHECK(contains(mechanism(Desk(), {"--at", "\"30 deg\""}).out, "Drive and reactions\n"));
+    CHECK(contains(mechanism(Desk(), {"--at", "[]"}).error, "--at:1:1: error: 'crank.at' is empty\n"));
     CHECK(contains(mechanism(Desk(), {"--r", "250 mm"}).error,
                    ": error: the crank cannot turn round: the rod, l = 200 mm"));
     CHECK(mechanism(Desk(), {"--r", "250 mm"}).code == 2);
@@ -71,6 +73,23 @@ TEST_SUITE("cli mechanism") {
     CHECK(contains(desk.get("a.dxf"), "\nLINE\n8\nrod\n10\n50\n20\n0\n30\n0\n11\n250\n21\n0\n31\n0\n"));
     const std::string csv = desk.get("a.csv");
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 3);
+  }
+
+  TEST_CASE("one file is not enough for the drawings of two mechanisms") {
+    std::string two = project.substr(0, project.find("[broken]"));
+    const std::string step = two.substr(two.find("[press]"));
+    two += "[second" + step.substr(6);
+    for (const char* const kind : {"svg", "dxf"}) {
+      const Desk desk;
+      const std::string file = std::string("two.") + kind, option = std::string("--") + kind;
+      const Ran one = desk.run({"mechanism", "planar", "--file", "-", option, file}, two);
+      CHECK(contains(one.error,
+                     "loadpath: '" + file + "' is one file, and 2 mechanisms are drawn\n  = help: name a folder\n"));
+      CHECK(one.code == 2);
+      CHECK(desk.files().empty());
+      CHECK(desk.run({"mechanism", "planar", "--file", "-", option, "out"}, two).code == 0);
+      CHECK(desk.has(kind == std::string("svg") ? "out/second-first-position.svg" : "out/second.dxf"));
+    }
   }
 
   TEST_CASE("a folder takes every figure, one for each given angle among them") {

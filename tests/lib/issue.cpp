@@ -62,6 +62,9 @@ TEST_SUITE("issue") {
     CHECK(shown.substr(4, 3) == "...");
     CHECK(shown.ends_with("..."));
     CHECK(shown[text.find('^') - caret_line] == 'X');
+    const std::string wide = render({issue("long.toml", 1, 309, 300)}, shaft_file);
+    CHECK(wide.ends_with("^\n"));
+    CHECK(wide.size() - wide.rfind("\n  | ") - 2 == 104 - 3);  // none below the dots
   }
 
   TEST_CASE("what would move the cursor is not sent to the terminal") {

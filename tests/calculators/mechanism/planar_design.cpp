@@ -178,6 +178,22 @@ TEST_SUITE("mechanism design") {
     CHECK(entry_of(none, "drive.efficiency").missing.text() == "no mean power");
     const auto unmarked = solved(with_friction(press("", "", even + " }]\n")));
     CHECK(entry_of(unmarked, "drive.efficiency").missing.text() == "no load is marked useful");
+
+    // A load along the motion and a gear that lets nothing back: both push, or, turned the other way, neither.
+    const auto worm = [&](const char* moment, const char* back) {
+      return solved(head + turn + R"(ground = { O = ["0 mm", "0 mm"], C = ["110 mm", "0 mm"] }
+links.worm = { points = { O = ["0 mm", "0 mm"] }, angle = "0 deg" }
+links.wheel = { points = { C = ["0 mm", "0 mm"] }, angle = "0 deg" }
+joints.O = { type = "revolute", links = ["worm", "ground"] }
+joints.C = { type = "revolute", links = ["wheel", "ground"] }
+joints.mesh = { type = "gear", links = ["worm", "wheel"], points = ["O", "C"], radii = ["10 mm", "100 mm"], efficiency = 0.4, efficiency_back = )" +
+                    back + " }\nloads = [{ link = \"wheel\", useful = \"yes\", M = \"" + moment + "\" }]\n");
+    };
+    const auto locked = worm("-100 N*m", "-0.5");
+    CHECK(number_of(locked, "drive.P") > 0.0);
+    CHECK(number_of(locked, "drive.P_useful") < 0.0);
+    CHECK(entry_of(locked, "drive.efficiency").missing.text() == "drive and useful loads both supply power");
+    CHECK(number_of(worm("100 N*m", "-0.5"), "drive.efficiency") == doctest::Approx(0.4).epsilon(1e-9));
   }
 
   TEST_CASE("spans of a belt: their difference carries the moment, the slack one its tension") {

@@ -115,7 +115,7 @@ joints.C = { type = "revolute", links = ["ground", "rocker"] }
           "the drive alone does not tell which way the mechanism goes on: B at 180 deg, B at 360 deg");
     const report::Table* table = table_of(flat, "Mobility and conditioning");
     REQUIRE(table != nullptr);
-    CHECK(text_of(table->rows[2][0]) == "positions near a change point, followed in small steps; first at 171 deg");
+    CHECK(text_of(table->rows[2][0]) == "positions that were followed in small steps; first at 171 deg");
     const auto plain = solved(rocker);
     CHECK(table_of(plain, "Mobility and conditioning")->rows.size() == 3);
     const auto& sound = plain.steps[0]->account().verdicts;

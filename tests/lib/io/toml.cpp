@@ -53,6 +53,22 @@ TEST_SUITE("toml") {
 )");
   }
 
+  TEST_CASE("a text that is not closed is told where it would be") {
+    CHECK(issues_of("[m]\nmass = \"3 kg\nangle = \"0 deg\"\n") == R"(a.toml:2:13: error: the text is not closed
+2 | mass = "3 kg
+  |             ^
+  = help: add " where it ends
+)");
+    CHECK(issues_of("a = { b = 'x }") == R"(a.toml:1:15: error: the text is not closed
+1 | a = { b = 'x }
+  |               ^
+  = help: add ' where it ends
+)");
+    CHECK(issues_of("a = \"x\r\nb = 1\r\n").starts_with("a.toml:1:7: error: the text is not closed\n"));
+    CHECK(issues_of("a = \"x\\\"\n").starts_with("a.toml:1:9: error: the text is not closed\n"));
+    CHECK(issues_of("a = \"it's\" x # \"\n").starts_with("a.toml:1:12: error: not valid TOML: "));
+  }
+
   TEST_CASE("a Cyrillic key without quotes is told to take them") {
     CHECK(
         issues_of("момент = \"3 N*m\"\n").ends_with("  = help: write a key with other than Latin letters in quotes\n"));

@@ -38,6 +38,25 @@ TEST_SUITE("mechanism") {
     CHECK(spring_now(model.springs[0], solved.at).effort == doctest::Approx(effort));
   }
 
+  TEST_CASE("where its ends coincide a spring has no direction, unless it has no force there") {
+    Model model;
+    const int block = add_link(model, "block", {});
+    slide(model, "guide", block, {}, ground, {});
+    const Position at = blank_position(model);
+    const Spring free_length{"k", Spring::Kind::linear, block, ground, {}, {}, 1000.0, 0.4, 0.0};
+    const Spring damper{"c", Spring::Kind::linear, block, ground, {}, {}, 0.0, 0.0, 20.0};
+    const Spring no_length{"0", Spring::Kind::linear, block, ground, {}, {}, 1000.0, 0.0, 0.0};
+    CHECK(std::isnan(spring_now(free_length, at).effort));
+    CHECK(std::isnan(spring_now(free_length, at).force.x));
+    CHECK(std::isnan(spring_now(damper, at).effort));
+    CHECK(spring_now(no_length, at).effort == 0.0);
+    CHECK(length(spring_now(no_length, at).force) == 0.0);
+    model.springs = {no_length};
+    CHECK_FALSE(some_spring_has_no_direction(model, at));
+    model.springs.push_back(damper);
+    CHECK(some_spring_has_no_direction(model, at));
+  }
+
   TEST_CASE("with springs the links are in equilibrium, the power balances and both solvers agree") {
     const Model model = sprung();
     GroupSystem groups(model);

@@ -1,0 +1,216 @@
+// What has no size: links without length, springs without direction, lists without items, tolerances as wide as what
+// they are of; and what is said where a mechanism does not close, jams or has no forces.
+#include "tests/lib/project/texts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+/// A slider-crank of 50 mm and 200 mm, with more lines.
+std::string press(const std::string& more) {
+  return R"([press]
+calculator = "mechanism.planar"
+crank = { joint = "O", speed = "60 rpm", positions = 12 }
+ground = { O = ["0 mm", "0 mm"], G = ["0 mm", "0 mm"] }
+links.crank = { points = { O = ["0 mm", "0 mm"], A = ["50 mm", "0 mm"] }, angle = "30 deg" }
+links.rod = { points = { A = ["0 mm", "0 mm"], B = ["200 mm", "0 mm"] }, angle = "-7 deg" }
+links.slider = { points = { B = ["0 mm", "0 mm"] }, angle = "0 deg", mass = "2 kg" }
+joints.O = { type = "revolute", links = ["crank", "ground"] }
+joints.A = { type = "revolute", links = ["crank", "rod"] }
+joints.B = { type = "revolute", links = ["rod", "slider"] }
+joints.guide = { type = "prismatic", links = ["slider", "ground"], points = ["B", "G"] }
+loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "0 N" }]
+)" + more;
+}
+
+std::string said_of(const std::string& part, const std::string& other) {
+  return issues_of(replaced(press(""), part, other));
+}
+
+/// A block that a cylinder pushes from -50 mm to 50 mm over the foot of its spring, at the sixth of eleven positions.
+std::string over_its_spring(const std::string& free, const std::string& friction = "") {
+  return R"([block]
+calculator = "mechanism.planar"
+positions = 11
+ground = { G = ["0 mm", "0 mm"] }
+links.ram = { points = { B = ["0 mm", "0 mm"] }, angle = "0 deg" }
+joints.guide = { type = "prismatic", links = ["ram", "ground"], points = ["B", "G"])" +
+         friction + R"( }
+springs.back = { links = ["ram", "ground"], points = ["B", "G"], k = "2 N/mm", free = ")" +
+         free + R"(" }
+cylinders.push = { joint = "guide", speed = "1 m/s", from = "-50 mm", to = "50 mm" }
+)";
+}
+
+const project::Entry& entry_of(const project::Project& project, const std::string& path) {
+  const auto& results = project.steps[0]->account().results;
+  const auto found = std::find_if(results.begin(), results.end(), [&](const auto& e) { return e.path == path; });
+  INFO(path);
+  REQUIRE(found != results.end());
+  return *found;
+}
+
+const report::Verdict& verdict_of(const project::Project& project, const std::string& symbol) {
+  const auto& verdicts = project.steps[0]->account().verdicts;
+  const auto found = std::find_if(verdicts.begin(), verdicts.end(), [&](const auto& v) { return v.symbol == symbol; });
+  REQUIRE(found != verdicts.end());
+  return *found;
+}
+
+/// What the table of the drive says of the crank angle.
+std::string crank_angle_of(const project::Project& project) {
+  for (const report::Block& block : project.steps[0]->account().input_blocks) {
+    const auto* table = std::get_if<report::Table>(&block);
+    if (table == nullptr || table->caption.text() != "Drive") continue;
+    for (const auto& row : table->rows) {
+      if (std::get<Message>(row[0]).text() == "crank angle") return std::get<Message>(row[1]).text();
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_SUITE("mechanism degenerate") {
+  TEST_CASE("a link whose only two pins are at one place moves nothing") {
+    CHECK(said_of("A = [\"50 mm\", \"0 mm\"]", "A = [\"0 mm\", \"0 mm\"]") ==
+          R"(a.toml:5:26: error: points O and A of 'crank' coincide: it moves nothing
+5 | links.crank = { points = { O = ["0 mm", "0 mm"], A = ["0 mm", "0 mm"] }, angle = "30 deg" }
+  |                          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  = help: lay them apart, or join its neighbours by one pin and leave 'crank' out
+)");
+    CHECK(said_of("B = [\"200 mm\", \"0 mm\"]", "B = [\"0 mm\", \"0 mm\"]")
+              .starts_with("a.toml:6:24: error: points A and B of 'rod' coincide: it moves nothing\n"));
+  }
+
+  TEST_CASE("a wheel on the pin of another link is no such link") {
+    CHECK(issues_of(press(R"(links.wheel = { points = { A = ["0 mm", "0 mm"] }, angle = "0 deg" }
+joints.A2 = { type = "revolute", links = ["crank", "wheel"], points = ["A", "A"] }
+joints.mesh = { type = "gear", links = ["ground", "wheel"], points = ["O", "A"], radii = ["30 mm", "20 mm"] }
+)"))
+              .empty());
+  }
+
+  TEST_CASE("a spring whose ends are on one pin has no direction") {
+    CHECK(issues_of(
+              press("springs.s = { links = [\"crank\", \"ground\"], points = [\"O\", \"O\"], k = \"2 N/mm\", free = "
+                    "\"10 mm\" }\n")) ==
+          R"(a.toml:13:13: error: both ends of spring 's' are in one place: it has no direction to act in
+13 | springs.s = { links = ["crank", "ground"], points = ["O", "O"], k = "2 N/mm", free = "10 mm" }
+   |             ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+   = help: lay its ends at points that move apart; a spring that turns about a pin has k_turn, c_turn
+)");
+    const std::string other_end =
+        "springs.s = { links = [\"crank\", \"ground\"], points = [\"A\", \"O\"], k = \"2 N/mm\", "
+        "free = \"10 mm\" }\n";
+    CHECK(issues_of(press(other_end)).empty());
+  }
+
+  TEST_CASE("where the ends of a spring meet its force has no direction, and elsewhere it has") {
+    for (const char* const friction : {"", ", mu = 0.1, guide_length = \"60 mm\", guide_width = \"0 mm\""}) {
+      CAPTURE(friction);
+      const auto project = solved(over_its_spring("20 mm", friction));
+      const auto& entry = entry_of(project, "cylinders.push.F");
+      // 50 mm is 30 mm beyond the free length: 60 N back to the foot, on either side of it. The guide carries nothing.
+      CHECK(entry.value.si.front() == doctest::Approx(-60.0).epsilon(1e-9));
+      CHECK(entry.value.si.back() == doctest::Approx(60.0).epsilon(1e-9));
+      CHECK(std::isnan(entry.value.si[5]));
+      CHECK(entry.missing.text() ==
+            "the ends of spring 'back' coincide at some positions, and its force has no direction there");
+      CHECK(std::isnan(entry_of(project, "springs.back.F").value.si[5]));
+      CHECK(entry_of(project, "joints.guide.s").value.si[5] == doctest::Approx(0.0));
+      const report::Verdict& directed = verdict_of(project, "directed_back");
+      CHECK(directed.state == report::State::fail);
+      CHECK(directed.note.text() == "they coincide at 0 mm");
+      const auto& verdicts = project.steps[0]->account().verdicts;
+      const auto moves =
+          std::find_if(verdicts.begin(), verdicts.end(), [](const auto& v) { return v.symbol == "moves"; });
+      CHECK((moves == verdicts.end() || moves->state == report::State::pass));
+    }
+  }
+
+  TEST_CASE("a spring without a free length has no force where its ends meet") {
+    const auto project = solved(over_its_spring("0 mm"));
+    const auto& force = entry_of(project, "cylinders.push.F");
+    CHECK(force.value.si.back() == doctest::Approx(100.0).epsilon(1e-9));
+    CHECK(std::abs(force.value.si[5]) <= 1e-9);
+    CHECK(force.missing.empty());
+  }
+
+  TEST_CASE("a crank that does not turn round: what to do, and why its results are missing") {
+    const auto bar = solved(bar_that_cannot_turn(36));
+    const std::string note = verdict_of(bar, "closes").note.text();
+    INFO(note);
+    CHECK(
+        note.ends_with("; the crank does not turn round: change the lengths, or give it angles where the mechanism "
+                       "closes, crank = { at = [...] }"));
+    CHECK(entry_of(bar, "drive.M").missing.text() == "the mechanism does not close at every position");
+    CHECK(entry_of(solved(press("")), "drive.M").missing.empty());
+  }
+
+  TEST_CASE("where friction jams the mechanism, its forces are missing for that") {
+    // l / (2 mu) = 400 mm, and the rod pushes at 500 mm.
+    const auto jam = solved(R"([a]
+calculator = "mechanism.planar"
+ground = { O = ["0 mm", "0 mm"], R = ["0 mm", "500 mm"] }
+links.block = { points = { B = ["0 mm", "0 mm"], P = ["-100 mm", "500 mm"] }, angle = "0 deg", origin = ["0 mm", "0 mm"] }
+links.rod = { points = { Q = ["0 mm", "0 mm"], E = ["200 mm", "0 mm"] }, angle = "0 deg", origin = ["-300 mm", "500 mm"] }
+joints.G = { type = "prismatic", links = ["block", "ground"], points = ["B", "O"], mu = 0.25, guide_length = "200 mm", guide_width = "0 mm" }
+joints.rail = { type = "prismatic", links = ["rod", "ground"], points = ["Q", "R"] }
+joints.push = { type = "slot", links = ["block", "rod"], points = ["P", "E"], direction = "90 deg" }
+cylinders.drive = { joint = "rail", impending = "forward" }
+loads = [{ link = "block", at = "B", F_x = "-100 N" }]
+)");
+    CHECK(entry_of(jam, "cylinders.drive.F").missing.text() == "friction jams the mechanism");
+    CHECK(entry_of(jam, "links.block.phi").missing.empty());
+  }
+
+  TEST_CASE("a list that is written lists something") {
+    for (const char* const list : {"hodographs", "sides"}) {
+      CHECK(issues_of(press(std::string(list) + " = []\n")) ==
+            "a.toml:13:" + std::to_string(std::string(list).size() + 4) + ": error: '" + list + "' is empty\n13 | " +
+                list + " = []\n   | " + std::string(std::string(list).size() + 3, ' ') +
+                "^^\n   = help: give what it lists, or leave it out\n");
+    }
+    CHECK(said_of("positions = 12", "at = []").starts_with("a.toml:3:47: error: 'crank.at' is empty\n"));
+    CHECK(said_of("positions = 12", "law = []").starts_with("a.toml:3:48: error: 'crank.law' is empty\n"));
+    CHECK(said_of("F_y = \"0 N\" }]", "F_y = \"0 N\", over = [] }]")
+              .starts_with("a.toml:12:76: error: 'loads[1].over' is empty\n"));
+  }
+
+  TEST_CASE("a tolerance is narrower than the dimension that it is of") {
+    const std::string place = "accuracy.place = { of = \"x\", point = \"B\" }\n";
+    CHECK(issues_of(press(place + "tolerances.c = { link = \"crank\", point = \"O\", to = \"A\", t = \"50 mm\" }\n")) ==
+          R"(a.toml:14:74: error: the tolerance 'c', 50 mm, is as wide as the length that it is of, 50 mm
+14 | tolerances.c = { link = "crank", point = "O", to = "A", t = "50 mm" }
+   |                                                              ^^^^^
+   = help: the half width must be smaller; check its unit
+)");
+    CHECK(issues_of(press(place + "tolerances.c = { link = \"crank\", point = \"O\", to = \"A\", t = \"49 mm\" }\n"))
+              .find("as wide") == std::string::npos);
+    CHECK(first_error(press(place + "tolerances.m = { of = \"mass\", link = \"slider\", t_mass = \"3 kg\" }\n")) ==
+          "the tolerance 'm', 3 kg, is as wide as the mass that it is of, 2 kg");
+  }
+
+  TEST_CASE("fields that a kind of output does not take") {
+    const std::string tolerance = "tolerances.c = { link = \"crank\", point = \"O\", to = \"A\", t = \"1 mm\" }\n";
+    CHECK(issues_of(press(tolerance + "accuracy.x = { of = \"drive\", point = \"B\" }\n")) ==
+          R"(a.toml:14:40: error: an output of kind drive has no 'point'
+14 | accuracy.x = { of = "drive", point = "B" }
+   |                                       ^
+   = help: leave it out
+)");
+    CHECK(first_error(press(tolerance + "accuracy.x = { of = \"x\", point = \"B\", joint = \"O\" }\n")) ==
+          "an output of kind x has no 'joint'");
+  }
+
+  TEST_CASE("the report says from where to where the crank angle is measured") {
+    CHECK(crank_angle_of(solved(press(""))) == "from the x axis to the x axis of crank's own axes");
+    CHECK(crank_angle_of(solved(replaced(press(""), "joint = \"O\"", "joint = \"O\", to = \"A\""))) ==
+          "from the x axis to point A of crank");
+  }
+}

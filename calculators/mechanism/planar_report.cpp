@@ -90,8 +90,8 @@ Message crank_angle_of(const Planar::Input& in) {
   const Name &link = first_fixed ? joint->links.second : joint->links.first,
              &base = first_fixed ? joint->links.first : joint->links.second;
   const std::string from =
-      base.view() == "ground" ? say("from the x axis").text() : say("from the x axis of {1}", text(base)).text();
-  return in.crank.to.empty() ? say("{1} to the x axis of {2}'s own axes", from, text(link))
+      base.view() == "ground" ? say("from the x axis").text() : say("from {1}'s own x axis", text(base)).text();
+  return in.crank.to.empty() ? say("{1} to {2}'s own x axis", from, text(link))
                              : say("{1} to point {2} of {3}", from, text(in.crank.to), text(link));
 }
 
@@ -157,6 +157,12 @@ double mean_of(const Value& series) {
   return std::abs(average) < rounding ? 0.0 : average;
 }
 
+/// A value of a result, or why it is missing.
+Cell value_cell(const project::Entry& e, double si) {
+  const bool told = std::isnan(si) && !e.missing.empty();
+  return told ? Cell(say("not available: {1}", e.missing.text())) : Cell(Quantity{si, e.unit});
+}
+
 /// What is not unique is told in a table of its own.
 Table extremes_table(const project::Account& account, const Cycle& cycle, const Axis& axis) {
   Table table{
@@ -166,8 +172,8 @@ Table extremes_table(const project::Account& account, const Cycle& cycle, const 
     if (!is_design_load(e.path) || !e.value.is_series() || is_constant(e.value)) continue;
     if (!cycle.unique.empty() && is_open(e)) continue;
     const Extreme high = maximum(e.value), low = minimum(e.value);
-    std::vector<Cell> row{e.path, Quantity{high.value, e.unit}, Quantity{high.at, axis.unit},
-                          Quantity{low.value, e.unit}, Quantity{low.at, axis.unit}};
+    std::vector<Cell> row{e.path, value_cell(e, high.value), Quantity{high.at, axis.unit}, Quantity{low.value, e.unit},
+                          Quantity{low.at, axis.unit}};
     if (axis.cyclic())
       row.insert(row.end(), {Quantity{mean_of(e.value), e.unit}, Quantity{root_mean_square(e.value), e.unit}});
     table.rows.push_back(std::move(row));
@@ -191,10 +197,7 @@ Table position_table(const project::Account& account) {
   for (const project::Entry& e : account.results) {
     if (!is_design_load(e.path) && !(e.path.starts_with("joints.") && e.value.signature.dimension == N.dimension()))
       continue;
-    const bool told = std::isnan(e.value.si[0]) && !e.missing.empty();
-    table.rows.push_back(
-        {e.path, told ? Cell(say("not available: {1}", e.missing.text())) : Cell(Quantity{e.value.si[0], e.unit}),
-         say("{1}", e.doc)});
+    table.rows.push_back({e.path, value_cell(e, e.value.si[0]), say("{1}", e.doc)});
   }
   return table;
 }

@@ -203,7 +203,7 @@ void PartChecks::check(std::size_t k, const Spring& spring) {
                spring.point_j.y}) ||
       spring.rate < 0.0 || spring.damping < 0.0) {
     add(About::spring, k, say("spring '{1}': its rate and damping must be finite and not negative", spring.name));
-  } else if (spring.kind == Spring::Kind::linear) {
+  } else if (spring.kind == Spring::Kind::linear && spring.i != spring.j) {
     check_ends(k, spring);
   }
 }

@@ -186,6 +186,7 @@ TEST_SUITE("mechanism plans") {
     cycle.positions.resize(1000);
     cycle.closed.assign(1000, true);
     cycle.jams.assign(1000, false);
+    cycle.undirected = cycle.jams;
     for (std::size_t k = 0; k < 100; ++k) cycle.closed[k] = false;
     const auto all = frames_of(cycle, 501, 2000);
     CHECK(all.size() == 900);

@@ -35,7 +35,8 @@ struct Value {
 
 /// An extreme of a series, refined between positions by the quartic through five of them; where the parabolas through
 /// three neighbours each differ by more than a quarter in curvature (a jump, a kink, fewer than about 13 positions to a
-/// wave) the position itself is taken. An open axis is never left.
+/// wave) the position itself is taken. An open axis is never left. Of extremes that differ by no more than the
+/// series' rounding, or 1e-12 of their size, the first; a place is zero within 1e-6 of a step.
 struct Extreme {
   double value = 0.0;       // SI; NaN for an empty series or one that holds NaN
   double at = 0.0;          // SI, on the axis

@@ -20,7 +20,7 @@ Cycle cycle_of(const Solved& first, const Solved& second) {
   cycle.proofs[0].residuals = first.residuals;
   cycle.proofs[1].residuals = second.residuals;
   cycle.closed = {true, true};
-  cycle.jams = cycle.undirected = {false, false};
+  cycle.jams = cycle.undirected = cycle.at_change_point = {false, false};
   return cycle;
 }
 

@@ -3,6 +3,7 @@
 #include "lib/draw/figure.hpp"
 #include "lib/io/dxf.hpp"
 #include "lib/quantity/series.hpp"
+#include "tests/lib/project/accounts.hpp"
 #include "tests/lib/project/texts.hpp"
 
 #include <algorithm>
@@ -67,12 +68,6 @@ std::string said(const std::string& part, const std::string& other) {
   const auto issues = told(changed(part, other)).issues;
   REQUIRE(issues.size() == 1);
   return issues[0].key + ": " + issues[0].message.text();
-}
-
-const report::Verdict* find_verdict(const project::Project& project, const std::string& symbol) {
-  const auto& verdicts = project.steps[0]->account().verdicts;
-  const auto found = std::find_if(verdicts.begin(), verdicts.end(), [&](const auto& v) { return v.symbol == symbol; });
-  return found == verdicts.end() ? nullptr : &*found;
 }
 
 report::State state_of(const project::Project& project, const std::string& symbol) {

@@ -1,5 +1,6 @@
 // What has no size: links without length, springs without direction, lists without items, tolerances as wide as what
 // they are of; and what is said where a mechanism does not close, jams or has no forces.
+#include "tests/lib/project/accounts.hpp"
 #include "tests/lib/project/texts.hpp"
 
 #include <algorithm>
@@ -44,21 +45,6 @@ springs.back = { links = ["ram", "ground"], points = ["B", "G"], k = "2 N/mm", f
          free + R"(" }
 cylinders.push = { joint = "guide", speed = "1 m/s", from = "-50 mm", to = "50 mm" }
 )";
-}
-
-const project::Entry& entry_of(const project::Project& project, const std::string& path) {
-  const auto& results = project.steps[0]->account().results;
-  const auto found = std::find_if(results.begin(), results.end(), [&](const auto& e) { return e.path == path; });
-  INFO(path);
-  REQUIRE(found != results.end());
-  return *found;
-}
-
-const report::Verdict& verdict_of(const project::Project& project, const std::string& symbol) {
-  const auto& verdicts = project.steps[0]->account().verdicts;
-  const auto found = std::find_if(verdicts.begin(), verdicts.end(), [&](const auto& v) { return v.symbol == symbol; });
-  REQUIRE(found != verdicts.end());
-  return *found;
 }
 
 /// What the table of the drive says of the crank angle.

@@ -1,6 +1,7 @@
 // Counterweights, masses in points, efficiency, belts and hodographs as a project gives them.
 #include "lib/draw/figure.hpp"
 #include "lib/quantity/series.hpp"
+#include "tests/lib/project/accounts.hpp"
 #include "tests/lib/project/texts.hpp"
 
 #include <algorithm>
@@ -28,13 +29,6 @@ links.rod = { points = { A = ["0 mm", "0 mm"], B = ["200 mm", "0 mm"], C = ["80 
          rod + " }\n" + load;
 }
 
-const project::Entry& entry_of(const project::Project& project, const std::string& path) {
-  for (const project::Entry& e : project.steps[0]->account().results) {
-    if (e.path == path) return e;
-  }
-  FAIL("no result ", path);
-  return project.steps[0]->account().results[0];
-}
 const Value& value_of(const project::Project& project, const std::string& path) {
   return entry_of(project, path).value;
 }

@@ -1,5 +1,6 @@
 // Assemblies, transmission angles, strokes, relative motion and derivatives as a project gives them.
 #include "lib/quantity/series.hpp"
+#include "tests/lib/project/accounts.hpp"
 #include "tests/lib/project/texts.hpp"
 
 #include <algorithm>
@@ -29,19 +30,6 @@ const Value& value_of(const project::Project& project, const std::string& path) 
   CAPTURE(path);
   REQUIRE(value != nullptr);
   return *value;
-}
-
-const report::Table* table_of(const project::Project& project, const std::string& start) {
-  for (const report::Block& block : project.steps[0]->account().blocks) {
-    const auto* table = std::get_if<report::Table>(&block);
-    if (table != nullptr && table->caption.text().starts_with(start)) return table;
-  }
-  return nullptr;
-}
-
-std::string text_of(const report::Cell& cell) {
-  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
-  return std::get<Message>(cell).text();
 }
 
 double number_of(const report::Cell& cell) { return std::get<report::Quantity>(cell).si; }

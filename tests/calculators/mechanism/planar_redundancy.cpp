@@ -1,4 +1,5 @@
 // Mechanisms in a project whose joints hold more than is needed.
+#include "tests/lib/project/accounts.hpp"
 #include "tests/lib/project/texts.hpp"
 
 #include <algorithm>
@@ -60,15 +61,12 @@ TEST_SUITE("mechanism held too much in a project") {
 
   TEST_CASE("the report says which joints share what") {
     const auto project = solved(parallel);
-    const auto& verdicts = project.steps[0]->account().verdicts;
-    const auto said = std::find_if(verdicts.begin(), verdicts.end(),
-                                   [](const report::Verdict& v) { return v.symbol == "determinate"; });
-    REQUIRE(said != verdicts.end());
-    CHECK(said->state == report::State::not_covered);
-    CHECK(said->note.text() ==
+    const report::Verdict& said = verdict_of(project, "determinate");
+    CHECK(said.state == report::State::not_covered);
+    CHECK(said.note.text() ==
           "the joints 'A', 'B', 'C', 'D', 'E', 'F' together hold one freedom too many: what they share depends on play "
           "and elasticity");
-    for (const report::Verdict& v : verdicts) {
+    for (const report::Verdict& v : project.steps[0]->account().verdicts) {
       CAPTURE(v.symbol);
       CHECK((v.state == report::State::pass || v.symbol == "determinate"));
     }

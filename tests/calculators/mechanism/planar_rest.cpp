@@ -1,6 +1,7 @@
 // Friction at rest, self-locking, losses and loaded flanks as a project gives them.
 #include "calculators/mechanism/planar_ranges.hpp"
 #include "lib/quantity/series.hpp"
+#include "tests/lib/project/accounts.hpp"
 #include "tests/lib/project/texts.hpp"
 
 #include <algorithm>
@@ -42,31 +43,11 @@ joints.mesh = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"],
 loads = [{ link = "wheel", M = "10 N*m", useful = "yes", over = [["0 deg", 1], ["90 deg", 1], ["180 deg", -1], ["270 deg", -1]] }]
 )";
 
-const report::Table* table_of(const project::Project& project, const std::string& start) {
-  for (const report::Block& block : project.steps[0]->account().blocks) {
-    const auto* table = std::get_if<report::Table>(&block);
-    if (table != nullptr && table->caption.text().starts_with(start)) return table;
-  }
-  return nullptr;
-}
-
-std::string text_of(const report::Cell& cell) {
-  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
-  return std::get<Message>(cell).text();
-}
-
 const report::Cell* cell_of(const report::Table& table, const std::string& start) {
   for (const auto& row : table.rows) {
     if (text_of(row[0]).starts_with(start)) return &row[1];
   }
   return nullptr;
-}
-
-const report::Verdict& verdict_of(const project::Project& project, const std::string& symbol) {
-  const auto& verdicts = project.steps[0]->account().verdicts;
-  const auto found = std::find_if(verdicts.begin(), verdicts.end(), [&](const auto& v) { return v.symbol == symbol; });
-  REQUIRE(found != verdicts.end());
-  return *found;
 }
 
 }  // namespace

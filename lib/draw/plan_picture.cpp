@@ -18,7 +18,10 @@ std::vector<Text> title_lines(const std::string& title, double panel) {
   std::string line;
   for (std::size_t begin = 0; begin < title.size();) {
     const std::size_t end = std::min(title.find(' ', begin), title.size());
-    const std::string word = title.substr(begin, end - begin), longer = line.empty() ? word : line + " " + word;
+    const std::string word = title.substr(begin, end - begin);
+    std::string longer = line;
+    if (!line.empty()) longer += ' ';
+    longer += word;
     const bool full = !line.empty() && width(typeset(longer), text_size) > panel - 2.0 * title_margin;
     if (full) lines.push_back(typeset(line));
     line = full ? word : longer;

@@ -14,7 +14,6 @@ namespace loadpath {
 namespace {
 
 using mechanism::Counterweight;
-using mechanism::Shaking;
 using mechanism::ShakingCycle;
 using mechanism::Vec;
 using report::Cell;

@@ -19,7 +19,9 @@ using namespace loadpath::mechanism::models;
 using Kind = InstantCentre::Kind;
 
 /// One link at the origin that moves so.
-Position moving(Pose velocity, Pose acceleration = {}) { return {{{}}, {velocity}, {acceleration}, {velocity}, {}, {}, {}}; }
+Position moving(Pose velocity, Pose acceleration = {}) {
+  return {{{}}, {velocity}, {acceleration}, {velocity}, {}, {}, {}};
+}
 
 void check_at(const InstantCentre& centre, Vec place) {
   REQUIRE(centre.kind == Kind::point);

@@ -17,9 +17,9 @@ TEST_SUITE("mechanism") {
     for (Joint& joint : rubbing.joints) joint.friction = {.coefficient = 0.1, .pin_radius = 0.01};
     Model losing = models::gear_train(0.349);
     losing.joints.back().friction.loss = 0.1;
-    for (const Model& model : {models::slider_crank(), models::six_bar(), models::slotted_lever(),
-                               models::class_three(), rubbing, losing, rocker_driven, models::cam_with_roller(),
-                               models::cam_with_arm(), models::oval_with_flat_arm()}) {
+    for (const Model& model :
+         {models::slider_crank(), models::six_bar(), models::slotted_lever(), models::class_three(), rubbing, losing,
+          rocker_driven, models::cam_with_roller(), models::cam_with_arm(), models::oval_with_flat_arm()}) {
       System system(model);
       Position at = blank_position(model);
       const std::size_t before = loadpath::tests::allocations();

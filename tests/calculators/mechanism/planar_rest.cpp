@@ -70,18 +70,8 @@ TEST_SUITE("mechanism rest") {
   }
 
   TEST_CASE("a block that jams when it is pushed off its middle at rest, and comes back") {
-    // l / (2 mu) = 400 mm, and the rod pushes at 500 mm: F = P / (1 - 2 mu h / l) has no positive value.
-    const auto jam = solved(R"([a]
-calculator = "mechanism.planar"
-ground = { O = ["0 mm", "0 mm"], R = ["0 mm", "500 mm"] }
-links.block = { points = { B = ["0 mm", "0 mm"], P = ["-100 mm", "500 mm"] }, angle = "0 deg", origin = ["0 mm", "0 mm"] }
-links.rod = { points = { Q = ["0 mm", "0 mm"], E = ["200 mm", "0 mm"] }, angle = "0 deg", origin = ["-300 mm", "500 mm"] }
-joints.G = { type = "prismatic", links = ["block", "ground"], points = ["B", "O"], mu = 0.25, guide_length = "200 mm", guide_width = "0 mm" }
-joints.rail = { type = "prismatic", links = ["rod", "ground"], points = ["Q", "R"] }
-joints.push = { type = "slot", links = ["block", "rod"], points = ["P", "E"], direction = "90 deg" }
-cylinders.drive = { joint = "rail" }
-loads = [{ link = "block", at = "B", F_x = "-100 N" }]
-)");
+    // F = P / (1 - 2 mu h / l) has no positive value.
+    const auto jam = solved(block_that_jams(R"({ joint = "rail" })"));
     CHECK(value(jam, "a.cylinders.drive.F_backward") == doctest::Approx(100.0 / (1.0 + 500.0 / 400.0)));
     CHECK(std::isnan(value(jam, "a.cylinders.drive.F_forward")));
     CHECK(text_of(*cell_of(*table_of(jam, "At rest"), "no effort starts it forward")) == "yes");

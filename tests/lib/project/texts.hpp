@@ -38,6 +38,22 @@ M = "5 N*m"
 )";
 }
 
+/// A block whose guide jams when it is pushed forward: l / (2 mu) = 400 mm, and the rod pushes at 500 mm. `cylinder`:
+/// of the rod.
+inline std::string block_that_jams(const std::string& cylinder) {
+  return R"([a]
+calculator = "mechanism.planar"
+ground = { O = ["0 mm", "0 mm"], R = ["0 mm", "500 mm"] }
+links.block = { points = { B = ["0 mm", "0 mm"], P = ["-100 mm", "500 mm"] }, angle = "0 deg", origin = ["0 mm", "0 mm"] }
+links.rod = { points = { Q = ["0 mm", "0 mm"], E = ["200 mm", "0 mm"] }, angle = "0 deg", origin = ["-300 mm", "500 mm"] }
+joints.G = { type = "prismatic", links = ["block", "ground"], points = ["B", "O"], mu = 0.25, guide_length = "200 mm", guide_width = "0 mm" }
+joints.rail = { type = "prismatic", links = ["rod", "ground"], points = ["Q", "R"] }
+joints.push = { type = "slot", links = ["block", "rod"], points = ["P", "E"], direction = "90 deg" }
+loads = [{ link = "block", at = "B", F_x = "-100 N" }]
+cylinders.drive = )" +
+         cylinder + "\n";
+}
+
 struct Told {
   project::Project project;
   std::vector<Issue> issues;

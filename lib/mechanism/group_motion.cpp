@@ -25,66 +25,56 @@ GroupMotion::GroupMotion(const Model& model, const Plan& plan, GroupPositions& a
       right_(most_unknowns(plan)),
       above_(plan.links) {}
 
-// A link moves as the one that it hangs on, and turns or slides against it.
-void GroupMotion::carry_velocity(std::size_t t) {
+// What runs once for every link of a position is inline: the calls would cost as much as the work.
+
+// A link moves as the one that it hangs on does at the pin, and turns or slides against it.
+inline void GroupMotion::carry_velocity(std::size_t t) {
   const TreeJoint& tree = plan_.tree[t];
   const Hung& hung = at_.hung(t);
-  const Vec on = at_.link(tree.on).origin, origin = at_.link(tree.link).origin;
   const Moving& base = moving_[tree.on];
   Moving& link = moving_[tree.link];
-  link.omega = base.omega;
-  link.velocity = base.velocity + base.omega * normal(origin - on);
-  if (tree.kind == TreeJoint::Kind::turn) {
-    link.omega += rate_[t];
-    link.velocity = link.velocity + rate_[t] * normal(origin - hung.pin);
-  } else {
-    link.velocity = link.velocity + rate_[t] * hung.along;
-  }
+  const bool turns = tree.kind == TreeJoint::Kind::turn;
+  link.omega = turns ? base.omega + rate_[t] : base.omega;
+  link.velocity = base.velocity + base.omega * normal(hung.lever) + link.omega * normal(hung.arm);
+  if (!turns) link.velocity = link.velocity + rate_[t] * hung.along;
 }
 
-void GroupMotion::carry_acceleration(std::size_t t) {
+inline void GroupMotion::carry_acceleration(std::size_t t) {
   const TreeJoint& tree = plan_.tree[t];
   const Hung& hung = at_.hung(t);
-  const Vec on = at_.link(tree.on).origin, origin = at_.link(tree.link).origin;
   const Moving& base = moving_[tree.on];
   Moving& link = moving_[tree.link];
-  link.epsilon = base.epsilon;
-  if (tree.kind == TreeJoint::Kind::turn) {
-    link.epsilon += second_[t];
-    const Vec lever = hung.pin - on, arm = origin - hung.pin;
-    link.acceleration = base.acceleration + base.epsilon * normal(lever) - base.omega * base.omega * lever +
-                        link.epsilon * normal(arm) - link.omega * link.omega * arm;
-  } else {
-    const Vec lever = origin - on;
-    link.acceleration = base.acceleration + base.epsilon * normal(lever) - base.omega * base.omega * lever +
-                        2.0 * base.omega * rate_[t] * normal(hung.along) + second_[t] * hung.along;
+  const bool turns = tree.kind == TreeJoint::Kind::turn;
+  link.epsilon = turns ? base.epsilon + second_[t] : base.epsilon;
+  link.acceleration = base.acceleration + base.gained(hung.lever) + link.gained(hung.arm);
+  if (!turns) {
+    link.acceleration = link.acceleration + 2.0 * base.omega * rate_[t] * normal(hung.along) + second_[t] * hung.along;
   }
 }
 
 // How fast a cut opens along its equations.
-void GroupMotion::opening_speed(std::size_t k, std::span<double> out) const {
+inline void GroupMotion::opening_speed(std::size_t k, std::span<double> out) const {
   const Cut& cut = plan_.cuts[k];
-  const PairPlace& at = at_.cut(k);
+  const CutPlace& at = at_.cut(k);
   const Moving &i = moving_[cut.i], &j = moving_[cut.j];
-  const Vec apart = i.velocity + i.omega * normal(at.at - at_.link(cut.i).origin) - j.velocity -
-                    j.omega * normal(at.at - at_.link(cut.j).origin);
+  const Vec apart = i.velocity + i.omega * normal(at.arm_i) - j.velocity - j.omega * normal(at.arm_j);
   for (std::size_t r = 0; r < out.size(); ++r) {
-    out[r] = dot(at.rows[r].e, apart) + at.rows[r].m * (i.omega - j.omega);
+    const PairRow& row = at.pair.rows[r];
+    out[r] = dot(row.e, apart) + row.m * (i.omega - j.omega);
   }
 }
 
 // The same for the acceleration, beyond what the joint allows.
-void GroupMotion::opening_acceleration(std::size_t k, std::span<double> out) const {
+inline void GroupMotion::opening_acceleration(std::size_t k, std::span<double> out) const {
   const Cut& cut = plan_.cuts[k];
-  const PairPlace& at = at_.cut(k);
+  const CutPlace& at = at_.cut(k);
   const Moving &i = moving_[cut.i], &j = moving_[cut.j];
-  const Placed &place_i = at_.link(cut.i), &place_j = at_.link(cut.j);
-  const Vec arm_i = at.at - place_i.origin, arm_j = at.at - place_j.origin;
-  const Vec apart = i.acceleration + i.epsilon * normal(arm_i) - i.omega * i.omega * arm_i - j.acceleration -
-                    j.epsilon * normal(arm_j) + j.omega * j.omega * arm_j;
-  held_acceleration(cut.shape, at, place_i, place_j, {i.velocity, i.omega}, {j.velocity, j.omega}, out);
+  const Vec apart = i.acceleration + i.gained(at.arm_i) - j.acceleration - j.gained(at.arm_j);
+  held_acceleration(cut.shape, at.pair, at_.link(cut.i), at_.link(cut.j), {i.velocity, i.omega}, {j.velocity, j.omega},
+                    out);
   for (std::size_t r = 0; r < out.size(); ++r) {
-    out[r] = dot(at.rows[r].e, apart) + at.rows[r].m * (i.epsilon - j.epsilon) - out[r];
+    const PairRow& row = at.pair.rows[r];
+    out[r] = dot(row.e, apart) + row.m * (i.epsilon - j.epsilon) - out[r];
   }
 }
 
@@ -101,7 +91,7 @@ void GroupMotion::close(std::size_t g, std::span<double> rates, Carry carry, Ope
   if (group.unknowns.empty()) return;
   for (std::size_t k = group.first_cut; k < group.last_cut; ++k) {
     const Cut& cut = plan_.cuts[k];
-    const std::span<double> rows = std::span(right_).subspan(cut.row, cut.shape.rows());
+    const std::span<double> rows = std::span(right_).subspan(cut.row, cut.rows);
     open(k, rows);
     for (double& speed : rows) speed = -speed;
     if (cut.driver != none) rows[0] += given(cut.driver);
@@ -164,28 +154,29 @@ void GroupMotion::find_forces(bool statics, const Induced& induced, Position& ou
 }
 
 // The cuts take up what would move the unknown coordinates.
-void GroupMotion::find_cut_forces(std::size_t g, Position& out) {
+inline void GroupMotion::find_cut_forces(std::size_t g, Position& out) {
   const GroupPlan& group = plan_.groups[g];
   const std::span<double> right = std::span(right_).first(group.unknowns.size());
   sum_up(group, right);
   at_.loops(g).solve_transposed(right);
   for (std::size_t k = group.first_cut; k < group.last_cut; ++k) {
     const Cut& cut = plan_.cuts[k];
-    const PairPlace& at = at_.cut(k);
-    Reaction reaction{.at = at.at, .force = {}};
-    for (std::size_t r = 0; r < cut.shape.rows(); ++r) {
-      reaction.force = reaction.force + right[cut.row + r] * at.rows[r].e;
-      reaction.couple += right[cut.row + r] * at.rows[r].m;
+    const CutPlace& at = at_.cut(k);
+    Reaction reaction{.at = at.pair.at, .force = {}};
+    for (std::size_t r = 0; r < cut.rows; ++r) {
+      const PairRow& row = at.pair.rows[r];
+      reaction.force = reaction.force + right[cut.row + r] * row.e;
+      reaction.couple += right[cut.row + r] * row.m;
     }
-    supply(cut.i, reaction, 1.0);
-    supply(cut.j, reaction, -1.0);
+    moving_[cut.i].needed.subtract({reaction.force, reaction.couple + cross(at.arm_i, reaction.force)});
+    moving_[cut.j].needed.add({reaction.force, reaction.couple}, at.arm_j);
     if (cut.joint != none) out.reactions[cut.joint] = reaction;
     if (cut.driver != none) out.effort[cut.driver] = right[cut.row];
   }
 }
 
 // What the links above each unknown coordinate need, along that coordinate.
-void GroupMotion::sum_up(const GroupPlan& group, std::span<double> along) {
+inline void GroupMotion::sum_up(const GroupPlan& group, std::span<double> along) {
   for (std::size_t t = group.first_tree; t < group.last_tree; ++t) {
     const std::size_t k = plan_.tree[t].link;
     above_[k] = moving_[k].needed;
@@ -194,47 +185,42 @@ void GroupMotion::sum_up(const GroupPlan& group, std::span<double> along) {
     const TreeJoint& tree = plan_.tree[t];
     const Hung& hung = at_.hung(t);
     const Wrench& needed = above_[tree.link];
-    const Vec origin = at_.link(tree.link).origin;
+    const double about_pin = needed.moment + cross(hung.arm, needed.force);
     if (tree.unknown != none) {
-      along[tree.unknown] = tree.kind == TreeJoint::Kind::turn ? needed.moment + cross(origin - hung.pin, needed.force)
-                                                               : dot(needed.force, hung.along);
+      along[tree.unknown] = tree.kind == TreeJoint::Kind::turn ? about_pin : dot(needed.force, hung.along);
     }
-    above_[tree.on].add(needed, origin - at_.link(tree.on).origin);
+    if (!tree.based) above_[tree.on].add({needed.force, about_pin}, hung.lever);
   }
 }
 
 // A reaction does part of what a link needs.
-void GroupMotion::supply(std::size_t link, const Reaction& reaction, double sense) {
+inline void GroupMotion::supply(std::size_t link, const Reaction& reaction, double sense) {
   Wrench& needed = moving_[link].needed;
   needed.force = needed.force - sense * reaction.force;
   needed.moment -= sense * (reaction.couple + cross(reaction.at - at_.link(link).origin, reaction.force));
 }
 
-std::size_t GroupMotion::index(int link) const {
+inline std::size_t GroupMotion::index(int link) const {
   return link == ground ? plan_.ground : static_cast<std::size_t>(link);
 }
 
 // What a link still needs comes through its tree joint, and is needed then by the link that it hangs on.
-void GroupMotion::find_tree_force(std::size_t t, Position& out) {
+inline void GroupMotion::find_tree_force(std::size_t t, Position& out) {
   const TreeJoint& tree = plan_.tree[t];
   const Hung& hung = at_.hung(t);
-  const Wrench& needed = moving_[tree.link].needed;
-  const Vec origin = at_.link(tree.link).origin;
-  moving_[tree.on].needed.add(needed, origin - at_.link(tree.on).origin);
+  const Vec force = moving_[tree.link].needed.force;
+  const double about_pin = moving_[tree.link].needed.moment + cross(hung.arm, force);
+  moving_[tree.on].needed.add({force, about_pin}, hung.lever);
   if (tree.joint == none) return;
-  const bool turns = tree.kind == TreeJoint::Kind::turn, slides = tree.kind == TreeJoint::Kind::slide;
-  Vec force = needed.force;
-  double couple = 0.0;
-  double effort = slides ? dot(force, hung.along) : 0.0;
-  if (turns) effort = needed.moment + cross(origin - hung.pin, force);
-  Vec at = hung.pin;
-  if (!turns) {
-    force = force - effort * hung.along;
-    if (!tree.link_is_i) at = at_.link(tree.on).point(tree.seat);
-    couple = needed.moment + cross(origin - at, needed.force);
+  Reaction through{hung.pin, force};
+  double effort = about_pin;
+  if (tree.kind != TreeJoint::Kind::turn) {
+    effort = tree.kind == TreeJoint::Kind::slide ? dot(force, hung.along) : 0.0;
+    const Vec slid = tree.link_is_i ? Vec{} : hung.value * hung.along;  // the pin of link i lies at the seat then
+    through = {hung.pin - slid, force - effort * hung.along, about_pin + cross(slid, force)};
   }
   const double sense = tree.link_is_i ? 1.0 : -1.0;
-  out.reactions[tree.joint] = {at, sense * force, sense * couple};
+  out.reactions[tree.joint] = {through.at, sense * through.force, sense * through.couple};
   if (tree.driver != none) out.effort[tree.driver] = tree.sense * effort;
 }
 

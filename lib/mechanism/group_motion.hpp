@@ -17,6 +17,9 @@ struct Moving {
   Vec velocity, acceleration;
   double omega = 0.0, epsilon = 0.0;
   Wrench needed;
+
+  /// What the acceleration of a point of the link, `arm` away from its origin, has beyond that of the origin.
+  [[nodiscard]] Vec gained(Vec arm) const { return epsilon * normal(arm) - omega * omega * arm; }
 };
 
 class GroupMotion {

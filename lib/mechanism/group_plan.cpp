@@ -126,7 +126,8 @@ class Planner {
     return plan_.links++;
   }
 
-  void push(const TreeJoint& tree) {
+  void push(TreeJoint tree) {
+    tree.based = before_[tree.on];
     placed_[tree.link] = true;
     plan_.tree.push_back(tree);
   }
@@ -143,7 +144,8 @@ class Planner {
     std::size_t row = 0;
     const auto add = [&](Cut cut) {
       cut.row = row;
-      row += cut.shape.rows();
+      cut.rows = cut.shape.rows();
+      row += cut.rows;
       cut.movers = movers_of(plan, cut);
       plan.on_cam = plan.on_cam || cut.shape.profile != nullptr;
       plan_.cuts.push_back(std::move(cut));

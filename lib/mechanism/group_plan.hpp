@@ -20,6 +20,7 @@ struct TreeJoint {
   enum class Kind { turn, slide, fixed };
   Kind kind = Kind::turn;
   std::size_t link = 0, on = 0;
+  bool based = false;         // `on` was there before the group
   std::size_t joint = none;   // of the model
   bool link_is_i = true;      // of that joint
   std::size_t driver = none;  // that gives the coordinate
@@ -43,7 +44,7 @@ struct Cut {
   PairShape shape;
   std::size_t i = 0, j = 0;
   std::size_t joint = none, driver = none;
-  std::size_t row = 0;  // its first in the group
+  std::size_t row = 0, rows = 0;  // its first in the group, and how many
   std::vector<Mover> movers = {};
 };
 

@@ -30,15 +30,16 @@ GroupPositions::GroupPositions(const Plan& plan, double length)
     most = std::max(most, group.unknowns.size());
   }
   step_.resize(most);
-  for (std::size_t k = 0; k < plan.cuts.size(); ++k) prepare(plan.cuts[k].shape, cuts_[k]);
+  for (std::size_t k = 0; k < plan.cuts.size(); ++k) prepare(plan.cuts[k].shape, cuts_[k].pair);
 }
 
-void GroupPositions::place(std::size_t t) {
+// Inline as in group_motion.cpp.
+inline void GroupPositions::place(std::size_t t) {
   const TreeJoint& tree = plan_.tree[t];
   const Placed& on = links_[tree.on];
   Placed& link = links_[tree.link];
   Hung& hung = hung_[t];
-  hung.pin = on.point(tree.seat);
+  hung.lever = on.turned(tree.seat);
   if (tree.kind == TreeJoint::Kind::turn) {
     link.turned = on.turned * hung.turned;
     link.phi = on.phi + hung.value;
@@ -46,22 +47,27 @@ void GroupPositions::place(std::size_t t) {
     link.turned = on.turned * tree.turned;
     link.phi = on.phi + tree.angle;
     hung.along = on.turned(tree.along);
-    hung.pin = hung.pin + hung.value * hung.along;
+    hung.lever = hung.lever + hung.value * hung.along;
   }
-  link.origin = hung.pin - link.turned(tree.pin);
+  hung.pin = on.origin + hung.lever;
+  hung.arm = -link.turned(tree.pin);
+  link.origin = hung.pin + hung.arm;
 }
 
 void GroupPositions::place_tree(const GroupPlan& group) {
   for (std::size_t t = group.first_tree; t < group.last_tree; ++t) place(t);
 }
 
-void GroupPositions::place_cut(std::size_t k) {
+inline void GroupPositions::place_cut(std::size_t k) {
   const Cut& cut = plan_.cuts[k];
-  mechanism::place(cut.shape, links_[cut.i], links_[cut.j], cuts_[k]);
+  CutPlace& at = cuts_[k];
+  mechanism::place(cut.shape, links_[cut.i], links_[cut.j], at.pair);
+  at.arm_i = at.pair.at - links_[cut.i].origin;
+  at.arm_j = at.pair.at - links_[cut.j].origin;
 }
 
 // The turn decides; of the angles that differ by whole turns the one next to the angle before.
-void GroupPositions::set_turn(std::size_t t, Turn turned) {
+inline void GroupPositions::set_turn(std::size_t t, Turn turned) {
   hung_[t].turned = turned;
   const double angle = angle_of(turned);
   hung_[t].value = angle + whole_turn * std::round((hung_[t].value - angle) / whole_turn);
@@ -79,7 +85,7 @@ void GroupPositions::adopt(std::span<const Pose> poses) {
   for (std::size_t k = 0; k < cuts_.size(); ++k) {
     const Cut& cut = plan_.cuts[k];
     place_cut(k);
-    count_turns(cut.shape, links_[cut.i], links_[cut.j], cuts_[k]);
+    count_turns(cut.shape, links_[cut.i], links_[cut.j], cuts_[k].pair);
   }
 }
 
@@ -105,7 +111,7 @@ void GroupPositions::take_side(std::size_t g) {
   const GroupPlan& group = plan_.groups[g];
   if (group.closing == Closing::nothing || group.closing == Closing::by_newton) return;
   place_cut(group.first_cut);
-  const PairPlace closed = cuts_[group.first_cut];
+  const PairPlace closed = cuts_[group.first_cut].pair;
   std::array<double, 2> values{};
   std::array<Turn, 2> turns{};
   for (std::size_t u = 0; u < group.unknowns.size(); ++u) {
@@ -182,21 +188,23 @@ void GroupPositions::refer(const GroupPlan& group) {
   place_cut(group.first_cut);
 }
 
-Locus GroupPositions::path(std::size_t mover, Vec point) const {
+inline Locus GroupPositions::path(std::size_t mover, Vec point) const {
   const Hung& hung = hung_[mover];
   if (plan_.tree[mover].kind == TreeJoint::Kind::slide) return {true, point, hung.along};
   const Vec arm = point - hung.pin;
   return {false, hung.pin, {}, std::sqrt(dot(arm, arm))};
 }
 
-Locus GroupPositions::path_of_i(const GroupPlan& group) const { return path(group.mover_i, cuts_[group.first_cut].at); }
+Locus GroupPositions::path_of_i(const GroupPlan& group) const {
+  return path(group.mover_i, cuts_[group.first_cut].pair.at);
+}
 
 Locus GroupPositions::path_of_j(const GroupPlan& group) const {
-  const PairPlace& cut = cuts_[group.first_cut];
+  const PairPlace& cut = cuts_[group.first_cut].pair;
   return group.mover_j == none ? Locus{true, cut.seat, cut.along} : path(group.mover_j, cut.seat);
 }
 
-void GroupPositions::reach(std::size_t mover, Vec from, Vec to) {
+inline void GroupPositions::reach(std::size_t mover, Vec from, Vec to) {
   const Hung& hung = hung_[mover];
   if (plan_.tree[mover].kind == TreeJoint::Kind::slide) {
     hung_[mover].value = dot(to - from, hung.along);
@@ -208,18 +216,18 @@ void GroupPositions::reach(std::size_t mover, Vec from, Vec to) {
 bool GroupPositions::close_two_paths(const GroupPlan& group, double branch) {
   const Meeting meeting = meet(path_of_i(group), path_of_j(group), branch);
   if (!is_clear(meeting.sine)) return false;
-  const PairPlace& cut = cuts_[group.first_cut];
+  const PairPlace& cut = cuts_[group.first_cut].pair;
   reach(group.mover_i, cut.at, meeting.at);
   if (group.mover_j != none) reach(group.mover_j, cut.seat, meeting.at);
   return true;
 }
 
 Vec GroupPositions::from_pivot_of_j(const GroupPlan& group) const {
-  return cuts_[group.first_cut].at - hung_[group.mover_j].pin;
+  return cuts_[group.first_cut].pair.at - hung_[group.mover_j].pin;
 }
 
 bool GroupPositions::close_slot_about_pin(const GroupPlan& group, double branch) {
-  const PairPlace& cut = cuts_[group.first_cut];
+  const PairPlace& cut = cuts_[group.first_cut].pair;
   const Vec across = normal(cut.along);
   const double distance = dot(across, cut.seat - hung_[group.mover_j].pin);
   const Meeting turned = unit_vector_with_projection(from_pivot_of_j(group), distance, branch);
@@ -240,7 +248,7 @@ Turn GroupPositions::turn_into_line(const GroupPlan& group) const {
 
 // With link i at its angle to link j both turn together, until the line of j leads through the pin of i.
 bool GroupPositions::close_slide_of_two_turns(const GroupPlan& group, double branch) {
-  const PairPlace& cut = cuts_[group.first_cut];
+  const PairPlace& cut = cuts_[group.first_cut].pair;
   const Turn aligned = turn_into_line(group);
   const Vec across = normal(cut.along);
   const Vec arm_i = aligned(cut.at - hung_[group.mover_i].pin), arm_j = cut.seat - hung_[group.mover_j].pin;
@@ -263,7 +271,7 @@ bool GroupPositions::close_slide_of_turn(const GroupPlan& group) {
 
 // Along its slide, until the pin of i lies on the line of j.
 bool GroupPositions::slide_to_line(const GroupPlan& group, std::size_t mover, double side) {
-  const PairPlace& cut = cuts_[group.first_cut];
+  const PairPlace& cut = cuts_[group.first_cut].pair;
   const Vec across = normal(cut.along);
   const double sine = side * dot(across, hung_[mover].along);
   if (!is_clear(std::abs(sine))) return false;
@@ -316,8 +324,8 @@ double GroupPositions::newton_step(std::size_t g) {
   if (!factor(g)) return std::numeric_limits<double>::quiet_NaN();
   for (std::size_t k = group.first_cut; k < group.last_cut; ++k) {
     const Cut& cut = plan_.cuts[k];
-    open(cut.shape, cuts_[k], links_[cut.i], links_[cut.j], cut.driver == none ? 0.0 : target_[cut.driver],
-         std::span(step_).subspan(cut.row, cut.shape.rows()));
+    open(cut.shape, cuts_[k].pair, links_[cut.i], links_[cut.j], cut.driver == none ? 0.0 : target_[cut.driver],
+         std::span(step_).subspan(cut.row, cut.rows));
   }
   loops_[g].solve(std::span(step_).first(group.unknowns.size()));
   double size = 0.0;
@@ -342,14 +350,14 @@ bool GroupPositions::factor(std::size_t g) {
   for (std::size_t k = group.first_cut; k < group.last_cut; ++k) {
     place_cut(k);
     const Cut& cut = plan_.cuts[k];
+    const PairPlace& at = cuts_[k].pair;
     for (const Mover& mover : cut.movers) {
       const TreeJoint& tree = plan_.tree[mover.tree];
-      const Hung& hung = hung_[mover.tree];
-      for (std::size_t r = 0; r < cut.shape.rows(); ++r) {
-        const PairRow& row = cuts_[k].rows[r];
-        const double work =
-            tree.kind == TreeJoint::Kind::turn ? cross(cuts_[k].at - hung.pin, row.e) + row.m : dot(hung.along, row.e);
-        loops.at(cut.row + r, tree.unknown) = mover.side * work;
+      const bool turns = tree.kind == TreeJoint::Kind::turn;
+      const double omega = turns ? mover.side : 0.0;  // at the coordinate's unit speed
+      const Vec speed = mover.side * (turns ? normal(at.at - hung_[mover.tree].pin) : hung_[mover.tree].along);
+      for (std::size_t r = 0; r < cut.rows; ++r) {
+        loops.at(cut.row + r, tree.unknown) = dot(speed, at.rows[r].e) + omega * at.rows[r].m;
       }
     }
   }

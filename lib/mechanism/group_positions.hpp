@@ -19,6 +19,13 @@ struct Hung {
   double value = 0.0;  // its coordinate, rad or m
   Turn turned;         // turn: of link against `on`
   Vec pin, along;
+  Vec lever, arm;  // from the origin of `on` to the pin, and on to that of link
+};
+
+/// A cut where the mechanism is, with the arms from the origins of its links to where its forces act, global axes.
+struct CutPlace {
+  PairPlace pair;
+  Vec arm_i, arm_j;
 };
 
 /// A guess of where the unknown coordinates go in a move, by tree joints: their change and, halved, its curvature.
@@ -51,7 +58,7 @@ class GroupPositions {
 
   [[nodiscard]] const Placed& link(std::size_t k) const { return links_[k]; }
   [[nodiscard]] const Hung& hung(std::size_t tree) const { return hung_[tree]; }
-  [[nodiscard]] const PairPlace& cut(std::size_t k) const { return cuts_[k]; }
+  [[nodiscard]] const CutPlace& cut(std::size_t k) const { return cuts_[k]; }
   /// The closing equations of a group: rows by its cuts, columns by its unknown coordinates.
   [[nodiscard]] SmallLu& loops(std::size_t group) { return loops_[group]; }
 
@@ -92,7 +99,7 @@ class GroupPositions {
   double length_;
   std::vector<Placed> links_;
   std::vector<Hung> hung_;
-  std::vector<PairPlace> cuts_;
+  std::vector<CutPlace> cuts_;
   std::vector<double> branch_;  // of groups
   std::vector<SmallLu> loops_;  // of groups
   std::vector<double> target_;  // of drives

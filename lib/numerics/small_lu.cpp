@@ -6,32 +6,16 @@
 namespace loadpath {
 namespace {
 
-// Of a pivot, against the largest of its column: what a coordinate still does of itself where the others make up for it
-// as far as they can. Where two roots meet, iteration finds them to half of the digits only, and what is that close to
-// them cannot be told from them.
-constexpr double rounding = 1e-7;
-
 double larger(double a, double b) { return std::max(std::abs(a), std::abs(b)); }
 
 }  // namespace
 
-bool SmallLu::factor() {
-  if (size_ == 2) return factor_two();
-  if (size_ != 1) return eliminate();
-  inverse_ = 1.0 / a_[0];
-  sign_ = std::copysign(1.0, a_[0]);
-  return std::abs(a_[0]) > 0.0;
-}
-
-bool SmallLu::factor_two() {
-  const double determinant = a_[0] * a_[3] - a_[1] * a_[2];
-  inverse_ = 1.0 / determinant;
-  sign_ = std::copysign(1.0, determinant);
-  const double first = a_[0] * a_[0] + a_[2] * a_[2], second = a_[1] * a_[1] + a_[3] * a_[3];
-  return determinant * determinant > rounding * rounding * first * second;
-}
-
-bool SmallLu::eliminate() {
+bool SmallLu::factor_any() {
+  if (size_ == 1) {
+    inverse_ = 1.0 / a_[0];
+    sign_ = std::copysign(1.0, a_[0]);
+    return std::abs(a_[0]) > 0.0;
+  }
   sign_ = 1.0;
   for (std::size_t r = 0; r < size_; ++r) {
     order_[r] = r;
@@ -69,13 +53,9 @@ bool SmallLu::choose_pivot(std::size_t step) {
   return std::abs(at(step, step)) > rounding * columns_[step];
 }
 
-void SmallLu::solve(std::span<double> x) {
+void SmallLu::solve_any(std::span<double> x) {
   if (size_ == 1) {
     x[0] *= inverse_;
-  } else if (size_ == 2) {
-    const double first = x[0];
-    x[0] = inverse_ * (a_[3] * first - a_[1] * x[1]);
-    x[1] = inverse_ * (a_[0] * x[1] - a_[2] * first);
   } else {
     for (std::size_t r = 0; r < size_; ++r) {
       work_[r] = x[order_[r]];
@@ -89,13 +69,9 @@ void SmallLu::solve(std::span<double> x) {
   }
 }
 
-void SmallLu::solve_transposed(std::span<double> x) {
+void SmallLu::solve_any_transposed(std::span<double> x) {
   if (size_ == 1) {
     x[0] *= inverse_;
-  } else if (size_ == 2) {
-    const double first = x[0];
-    x[0] = inverse_ * (a_[3] * first - a_[2] * x[1]);
-    x[1] = inverse_ * (a_[0] * x[1] - a_[1] * first);
   } else {
     for (std::size_t r = 0; r < size_; ++r) {
       work_[r] = x[r];

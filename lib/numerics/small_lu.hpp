@@ -20,16 +20,25 @@ class SmallLu {
   void clear() { std::fill(a_.begin(), a_.end(), 0.0); }
   /// Factors the matrix that was filled in. False when it is singular: a column differs from what the others make of it
   /// by less than 1e-7 of its size.
-  [[nodiscard]] bool factor();
+  [[nodiscard]] bool factor() { return size_ == 2 ? factor_two() : factor_any(); }
   /// +1 or -1: the sign of the determinant of what was factored.
   [[nodiscard]] double sign() const { return sign_; }
   /// Replaces the right side by the solution of A x = b, or of A^T x = b.
-  void solve(std::span<double> right);
-  void solve_transposed(std::span<double> right);
+  void solve(std::span<double> right) { size_ == 2 ? solve_two(right, a_[1], a_[2]) : solve_any(right); }
+  void solve_transposed(std::span<double> right) {
+    size_ == 2 ? solve_two(right, a_[2], a_[1]) : solve_any_transposed(right);
+  }
 
  private:
   bool factor_two();
-  bool eliminate();
+  void solve_two(std::span<double> x, double right_of_first, double below_first) const {
+    const double first = x[0];
+    x[0] = inverse_ * (a_[3] * first - right_of_first * x[1]);
+    x[1] = inverse_ * (a_[0] * x[1] - below_first * first);
+  }
+  bool factor_any();
+  void solve_any(std::span<double> right);
+  void solve_any_transposed(std::span<double> right);
   [[nodiscard]] bool choose_pivot(std::size_t step);
 
   std::size_t size_;
@@ -39,6 +48,18 @@ class SmallLu {
   std::vector<double> columns_;  // their scales
   double inverse_ = 0.0;         // of the determinant, sizes 1 and 2
   double sign_ = 1.0;
+  // Of a pivot, against the largest of its column: what a coordinate still does of itself where the others make up for
+  // it as far as they can. Where two roots meet, iteration finds them to half of the digits only, and what is that
+  // close to them cannot be told from them.
+  static constexpr double rounding = 1e-7;
 };
+
+inline bool SmallLu::factor_two() {
+  const double determinant = a_[0] * a_[3] - a_[1] * a_[2];
+  inverse_ = 1.0 / determinant;
+  sign_ = std::copysign(1.0, determinant);
+  const double first = a_[0] * a_[0] + a_[2] * a_[2], second = a_[1] * a_[1] + a_[3] * a_[3];
+  return determinant * determinant > rounding * rounding * first * second;
+}
 
 }  // namespace loadpath

@@ -2,6 +2,7 @@
 #include "calculators/mechanism/planar_loads.hpp"
 
 #include "lib/project/project.hpp"
+#include "tests/lib/project/accounts.hpp"
 #include "tests/lib/project/texts.hpp"
 
 using namespace loadpath;

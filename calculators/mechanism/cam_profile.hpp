@@ -9,7 +9,16 @@ namespace loadpath {
 
 struct CamProfile {
   enum class Shape { sliding, swinging, flat, circle, points };
-  enum class Law { dwell, harmonic, cycloidal, polynomial_345, polynomial_4567, constant_velocity };
+  enum class Law {
+    dwell,
+    harmonic,
+    cycloidal,
+    polynomial_345,
+    polynomial_4567,
+    modified_sine,
+    modified_trapezoid,
+    constant_velocity
+  };
   enum class Sense { counter_clockwise, clockwise };
   enum class Hand { left, right };
   struct Segment {
@@ -95,6 +104,8 @@ constexpr auto choices_of(CamProfile::Law) {
       ChoiceName<T>{T::cycloidal, "cycloidal", "sine of the acceleration; no jump beside a dwell"},
       ChoiceName<T>{T::polynomial_345, "3-4-5", "polynomial, no acceleration at the ends"},
       ChoiceName<T>{T::polynomial_4567, "4-5-6-7", "polynomial, neither acceleration nor jerk at the ends"},
+      ChoiceName<T>{T::modified_sine, "modified_sine", "sines of the acceleration, low peaks of velocity and torque"},
+      ChoiceName<T>{T::modified_trapezoid, "modified_trapezoid", "the least peak of acceleration of these laws"},
       ChoiceName<T>{T::constant_velocity, "constant_velocity", "refused: its acceleration at the ends is infinite"}};
 }
 constexpr auto choices_of(CamProfile::Sense) {

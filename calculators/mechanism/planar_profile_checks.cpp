@@ -93,7 +93,7 @@ class FieldCheck {
     if (segment.law == CamProfile::Law::constant_velocity) {
       faults_.push_back({segment_path(profile_, k, "law"),
                          say("at the ends of a segment with constant velocity the acceleration is infinite"),
-                         say("take cycloidal, 3-4-5 or 4-5-6-7")});
+                         say("take cycloidal, 3-4-5, 4-5-6-7, modified_sine or modified_trapezoid")});
     } else if (swings ? lift : swing) {
       faults_.push_back({segment_path(profile_, k, swings ? "lift" : "swing"),
                          say("a profile of the shape {1} is told by '{2}'", word_of(profile_.shape), own), Message{}});

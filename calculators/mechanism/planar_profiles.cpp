@@ -25,6 +25,10 @@ mechanism::LiftLaw law_of(CamProfile::Law law) {
       return mechanism::LiftLaw::polynomial_345;
     case CamProfile::Law::polynomial_4567:
       return mechanism::LiftLaw::polynomial_4567;
+    case CamProfile::Law::modified_sine:
+      return mechanism::LiftLaw::modified_sine;
+    case CamProfile::Law::modified_trapezoid:
+      return mechanism::LiftLaw::modified_trapezoid;
     case CamProfile::Law::dwell:
     case CamProfile::Law::constant_velocity:
       break;

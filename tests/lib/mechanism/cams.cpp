@@ -61,6 +61,18 @@ Expected cycloidal(double h, double beta, double phi) {
           2.0 * pi * h / (beta * beta) * std::sin(x)};
 }
 
+double modified_sine_pieces(double x) {
+  if (x < 0.125) return std::sin(0.5 * pi * x / 0.125);
+  if (x < 0.875) return std::cos(pi * (x - 0.125) / 0.75);
+  return -std::cos(0.5 * pi * (x - 0.875) / 0.125);
+}
+
+double modified_trapezoid_pieces(double x) {
+  if (x > 0.5) return -modified_trapezoid_pieces(1.0 - x);
+  if (x < 0.125) return std::sin(0.5 * pi * x / 0.125);
+  return x < 0.375 ? 1.0 : std::cos(pi * (x - 0.375) / 0.25);
+}
+
 }  // namespace
 
 TEST_SUITE("mechanism") {
@@ -141,7 +153,8 @@ TEST_SUITE("mechanism") {
   TEST_CASE("laws of lift rise by one from rest to rest, and their derivatives are those of the rise") {
     constexpr double h = 1e-4;
     using enum LiftLaw;
-    for (const LiftLaw law : {harmonic, cycloidal, polynomial_345, polynomial_4567}) {
+    for (const LiftLaw law :
+         {harmonic, cycloidal, polynomial_345, polynomial_4567, modified_sine, modified_trapezoid}) {
       CAPTURE(static_cast<int>(law));
       const Lift lift = rise_dwell_fall(law, 1.0);
       CHECK(lift.at(120.0 * degree).s == doctest::Approx(1.0).epsilon(1e-14));
@@ -157,7 +170,50 @@ TEST_SUITE("mechanism") {
       }
     }
     CHECK(rise_dwell_fall(harmonic, 0.01).jumps().size() == 4);
-    CHECK(rise_dwell_fall(cycloidal, 0.01).jumps().empty());
+    for (const LiftLaw law : {cycloidal, polynomial_345, polynomial_4567, modified_sine, modified_trapezoid})
+      CHECK(rise_dwell_fall(law, 0.01).jumps().empty());
+  }
+
+  // Peaks as MechDesigner's reference of motion laws and Rothbart's handbook have them, in h/T and h/T^2.
+  TEST_CASE("modified sine and modified trapezoid are their pieces of acceleration, integrated twice") {
+    struct Case {
+      LiftLaw law;
+      double (*pieces)(double x);  // up to a factor
+      double velocity, acceleration;
+    };
+    for (const Case& c : {Case{LiftLaw::modified_sine, modified_sine_pieces, 1.7596, 5.5280},
+                          Case{LiftLaw::modified_trapezoid, modified_trapezoid_pieces, 2.0, 4.8881}}) {
+      CAPTURE(static_cast<int>(c.law));
+      const Lift lift(std::vector<LiftSegment>{{c.law, 1.0, 1.0}, {LiftLaw::dwell, 2.0 * pi - 1.0, 0.0}});
+      constexpr int parts = 40000;
+      const double step = 1.0 / parts;
+      double whole = 0.0, speed = 0.0;
+      for (int k = 0; k < parts; ++k) {
+        whole += step * (speed + 0.5 * step * c.pieces((k + 0.5) * step));
+        speed += step * c.pieces((k + 0.5) * step);
+      }
+      CHECK(std::abs(speed) <= 1e-12);
+      double s = 0.0, v = 0.0, fastest = 0.0, steepest = 0.0;
+      for (int k = 0; k < parts; ++k) {
+        const double x = k * step, a = c.pieces(x + 0.5 * step) / whole;
+        if (k % 37 == 0) {
+          CAPTURE(x);
+          CHECK(std::abs(lift.at(x).s - s) <= 1e-8);
+          CHECK(std::abs(lift.at(x).first - v) <= 1e-7);
+          CHECK(std::abs(lift.at(x).second - c.pieces(x) / whole) <= 1e-7);
+        }
+        fastest = std::max(fastest, lift.at(x).first);
+        steepest = std::max(steepest, std::abs(lift.at(x).second));
+        s += step * (v + 0.5 * step * a);
+        v += step * a;
+      }
+      CHECK(std::abs(fastest - c.velocity) <= 5e-5);
+      CHECK(std::abs(steepest - c.acceleration) <= 5e-5);
+      for (const double x : {0.125, 0.375, 0.5, 0.625, 0.875}) {
+        CHECK(std::abs(lift.at(x + 1e-12).second - lift.at(x - 1e-12).second) <= 1e-9);
+        CHECK(std::abs(lift.at(x + 1e-12).s - lift.at(x - 1e-12).s) <= 1e-11);
+      }
+    }
   }
 
   TEST_CASE("the tightest bends of a profile") {

@@ -35,7 +35,7 @@ void put_zeros(PlanarMechanism::Input& in) {
   for (auto& joint : in.joints) joint.direction = 0.0;
   for (auto& profile : in.profiles) {
     profile.base = 0.0 * m.one;
-    if (profile.shape == CamProfile::Shape::swinging) profile.pivot = profile.arm = 0.0 * m.one;
+    if (is_by_swing(profile.shape)) profile.pivot = profile.arm = 0.0 * m.one;
     if (profile.segments.empty()) profile.segments.push_back({.angle = 0.0});
   }
 }

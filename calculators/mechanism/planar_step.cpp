@@ -16,6 +16,7 @@
 #include "calculators/mechanism/planar_redundancy.hpp"
 #include "calculators/mechanism/planar_report.hpp"
 #include "calculators/mechanism/planar_rounding.hpp"
+#include "calculators/mechanism/planar_sources.hpp"
 #include "calculators/mechanism/templates/planar_template.hpp"
 #include "lib/calculator.hpp"
 #include "lib/mechanism/structure.hpp"
@@ -271,6 +272,7 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
   for (auto& v : changes_of_assembly(name(), model, cycle, kinematics, axis_.get()))
     account.verdicts.push_back(std::move(v));
   fill_inputs();
+  account.sources = sources_used(data(), structure_);
   account.blocks = result_tables(account, model, structure_, cycle, axis_.get());
   for (auto& b : motion_tables(account, model, cycle, kinematics, axis_.get())) account.blocks.push_back(std::move(b));
   const bool statics = data().analysis == PlanarMechanism::Analysis::statics;
@@ -347,6 +349,7 @@ const Calculator& erased<PlanarMechanism>() {
     c.title = PlanarMechanism::title;
     c.scope = PlanarMechanism::scope;
     c.source = PlanarMechanism::source;
+    c.used_sources = occasional_sources();
     c.example = PlanarMechanism::example;
     c.input = &record_type<PlanarMechanism::Input, PlanarMechanism::inputs>();
     c.patterns = mechanism_result_patterns();

@@ -164,6 +164,7 @@ void add_sources(const Project& project, std::vector<Block>& blocks) {
   std::set<std::string> keys;
   for (const auto& step : project.steps) {
     keys.merge(keys_in(step->input().calculator->source));
+    keys.insert(step->account().sources.begin(), step->account().sources.end());
     for (const auto& line : step->account().derivation) keys.merge(keys_in(line.step.why.text()));
     for (const Entry& e : step->account().inputs) keys.insert(e.origin.sources.begin(), e.origin.sources.end());
   }

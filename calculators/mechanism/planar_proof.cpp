@@ -55,7 +55,7 @@ Message why_open(const Planar::Input& in, const Cycle& cycle) {
     return say("the belt '{1}' keeps its length, and its centres would have to move apart or together",
                std::string(in.joints[static_cast<std::size_t>(cycle.gap.joint)].name.view()));
   }
-  return say("joint '{1}' stays {2} apart",
+  return say("the parts of joint '{1}' come no closer than {2}",
              std::string(in.joints[static_cast<std::size_t>(cycle.gap.joint)].name.view()),
              format_quantity(cycle.gap.size, "mm", 4));
 }
@@ -112,7 +112,9 @@ report::Verdict no_return(const std::string& step, const Planar::Input& in) {
   v.bound = say("after {1} turns", std::to_string(in.crank.turns));
   v.value = say("elsewhere");
   v.state = report::State::fail;
-  v.note = say("give the turns of the crank that make a cycle: crank = { turns = ... }");
+  v.note =
+      say("give the turns of the crank that make a cycle, crank = { turns = ... }; where these are too many, "
+          "give crank angles in place of a cycle, crank = { at = [...] }, and there are no means");
   return v;
 }
 

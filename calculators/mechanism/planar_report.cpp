@@ -160,8 +160,9 @@ Cell value_cell(const project::Entry& e, double si) {
 
 /// What is not unique is told in a table of its own.
 Table extremes_table(const project::Account& account, const Cycle& cycle, const Axis& axis) {
-  Table table{
-      say("Extremes over the cycle"), {say("quantity"), say("largest"), say("at"), say("smallest"), say("at")}, {}};
+  Table table{axis.cyclic() ? say("Extremes over the cycle") : say("Extremes over the positions"),
+              {say("quantity"), say("largest"), say("at"), say("smallest"), say("at")},
+              {}};
   if (axis.cyclic()) table.head.insert(table.head.end(), {say("mean"), say("rms")});
   for (const project::Entry& e : account.results) {
     if (!is_design_load(e.path) || !e.value.is_series() || is_constant(e.value)) continue;
@@ -177,8 +178,10 @@ Table extremes_table(const project::Account& account, const Cycle& cycle, const 
 }
 
 /// What has no extremes.
-std::optional<Table> constant_table(const project::Account& account) {
-  Table table{say("Constant over the cycle"), {say("quantity"), say("value"), say("meaning")}, {}};
+std::optional<Table> constant_table(const project::Account& account, const Axis& axis) {
+  Table table{axis.cyclic() ? say("Constant over the cycle") : say("Constant over the positions"),
+              {say("quantity"), say("value"), say("meaning")},
+              {}};
   for (const project::Entry& e : account.results) {
     if (!is_design_load(e.path) || !e.value.is_series() || !is_constant(e.value)) continue;
     table.rows.push_back({e.path, Quantity{e.value.si.front(), e.unit}, say("{1}", e.doc)});
@@ -277,7 +280,7 @@ std::vector<report::Block> result_tables(const project::Account& account, const 
                                          const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis) {
   std::vector<report::Block> blocks{axis == nullptr ? position_table(account) : extremes_table(account, cycle, *axis)};
   if (axis != nullptr) {
-    if (auto constant = constant_table(account)) blocks.emplace_back(std::move(*constant));
+    if (auto constant = constant_table(account, *axis)) blocks.emplace_back(std::move(*constant));
   }
   if (auto efficiency = efficiency_table(account, axis)) blocks.emplace_back(std::move(*efficiency));
   if (auto standing = standing_table(model, cycle, axis)) blocks.emplace_back(std::move(*standing));

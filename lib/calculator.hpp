@@ -57,11 +57,12 @@ struct ResultColumn {
 };
 
 struct Calculator {
-  const char* id = "";       // "shaft.torsion"
-  const char* title = "";    // "Torsion of a shaft"
-  const char* scope = "";    // what it decides, what it assumes, what it does not cover
-  const char* source = "";   // keys of tables/sources.toml: "[B19]"
-  const char* example = "";  // a project file that runs
+  const char* id = "";                    // "shaft.torsion"
+  const char* title = "";                 // "Torsion of a shaft"
+  const char* scope = "";                 // what it decides, what it assumes, what it does not cover
+  const char* source = "";                // keys of tables/sources.toml: "[B19]"
+  const char* example = "";               // a project file that runs
+  std::vector<std::string> used_sources;  // keys that a step cites only where it uses them (project::Account::sources)
   const RecordType* input = nullptr;
   const RecordType* result = nullptr;
   std::vector<ResultPattern> patterns;  // in place of `result`, where names in the input make the paths

@@ -51,6 +51,20 @@ struct ChoiceName {
   const char* doc;
 };
 
+/// What the words of a choice say of this value.
+template <class Enum>
+constexpr ChoiceName<Enum> choice_of(Enum value) {
+  for (const auto& choice : choices_of(value)) {
+    if (choice.value == value) return choice;
+  }
+  return {value, "", ""};
+}
+/// The word of a project for it.
+template <class Enum>
+constexpr const char* word_of(Enum value) {
+  return choice_of(value).key;
+}
+
 namespace detail {
 
 /// What fields of all types share, each a link of the chain that declares it.

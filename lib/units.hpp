@@ -147,6 +147,10 @@ template <class Quantity>
 [[nodiscard]] bool is_set(const Quantity& q) {
   return !std::isnan(in_si(q));
 }
+template <class Quantity>
+[[nodiscard]] double si_or_zero(const Quantity& q) {
+  return is_set(q) ? in_si(q) : 0.0;
+}
 
 /// A unit that a field is read and shown in. It fits one type of quantity; its dimension also knows the angle.
 template <class Quantity>

@@ -69,7 +69,11 @@ void clear_rounding(std::vector<project::Entry>& results) {
                                     [&](const Scale& s) { return s.dimension == e.value.signature.dimension; });
     if (scale == scales.end()) continue;
     e.value.rounding = rounding * scale->largest;
-    for (double& x : e.value.si) x = std::abs(x) <= e.value.rounding ? 0.0 : x;
+    const bool direction = e.path.starts_with("links.") && e.path.ends_with(".phi");
+    for (double& x : e.value.si) {
+      if (std::abs(x) <= e.value.rounding) x = 0.0;
+      if (direction && std::abs(x + pi) <= e.value.rounding) x = pi;
+    }
   }
 }
 

@@ -6,14 +6,17 @@
 #include "calculators/mechanism/planar_design_outputs.hpp"
 #include "calculators/mechanism/planar_either_way.hpp"
 #include "calculators/mechanism/planar_expansion.hpp"
+#include "calculators/mechanism/planar_hodographs.hpp"
 #include "calculators/mechanism/planar_influence.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
 #include "calculators/mechanism/planar_masses.hpp"
 #include "calculators/mechanism/planar_missing.hpp"
+#include "calculators/mechanism/planar_names.hpp"
 #include "calculators/mechanism/planar_profiles.hpp"
 #include "calculators/mechanism/planar_redundancy.hpp"
 #include "calculators/mechanism/planar_report.hpp"
 #include "calculators/mechanism/planar_rounding.hpp"
+#include "calculators/mechanism/planar_sources.hpp"
 #include "calculators/mechanism/templates/planar_template.hpp"
 #include "lib/calculator.hpp"
 #include "lib/mechanism/structure.hpp"
@@ -92,12 +95,11 @@ void PlanarStep::add_idle_fields(std::vector<Issue>& issues) const {
 void PlanarStep::add_idle_motions(std::vector<Issue>& issues) const {
   for (const auto& cylinder : data().cylinders) {
     if (cylinder.law.empty() && cylinder.place_of_t.empty()) continue;
-    const std::string path = "cylinders." + std::string(cylinder.name.view()) + ".";
-    const std::string law = path + (cylinder.law.empty() ? "place_of_t" : "law");
+    const std::string law = path_of("cylinders", cylinder.name, cylinder.law.empty() ? "place_of_t" : "law");
     for (const char* const field : {"speed", "acceleration", "from", "to"}) {
-      if (input().reading.typed.count(path + field) == 0) continue;
-      issues.push_back(issue_at(input(), path + field,
-                                say("'{1}' and '{2}' both say how the cylinder moves", path + field, law),
+      const std::string path = path_of("cylinders", cylinder.name, field);
+      if (input().reading.typed.count(path) == 0) continue;
+      issues.push_back(issue_at(input(), path, say("'{1}' and '{2}' both say how the cylinder moves", path, law),
                                 say("leave out one of the two")));
     }
   }
@@ -120,7 +122,7 @@ void PlanarStep::add_idle_senses(std::vector<Issue>& issues) const {
                               say("leave out one of the two")));
   };
   check(data().crank, "crank");
-  for (const auto& cylinder : data().cylinders) check(cylinder, "cylinders." + std::string(cylinder.name.view()));
+  for (const auto& cylinder : data().cylinders) check(cylinder, path_of("cylinders", cylinder.name));
 }
 
 /// A stroke needs both ends and a number of positions.
@@ -135,7 +137,7 @@ void PlanarStep::add_idle_strokes(std::vector<Issue>& issues) const {
   }
   for (const auto& cylinder : data().cylinders) {
     if (several || !is_set(cylinder.to)) continue;
-    issues.push_back(issue_at(input(), "cylinders." + std::string(cylinder.name.view()) + ".to",
+    issues.push_back(issue_at(input(), path_of("cylinders", cylinder.name, "to"),
                               say("'to' is the end of a stroke, and only one position is solved"),
                               say("add the number of positions, positions = 72, or leave out 'to'")));
   }
@@ -182,17 +184,17 @@ static std::string path_of(const mechanism::Finding& finding, const mechanism::M
     case About::model:
       return "";
     case About::link:
-      return "links." + model.links[finding.index].name;
+      return path_of("links", model.links[finding.index].name);
     case About::joint:
-      return "joints." + model.joints[finding.index].name;
+      return path_of("joints", model.joints[finding.index].name);
     case About::driver:
       return model.drivers[finding.index].kind == mechanism::Driver::Kind::rotary
                  ? "crank"
-                 : "cylinders." + model.drivers[finding.index].name;
+                 : path_of("cylinders", model.drivers[finding.index].name);
     case About::load:
       return "loads";
     case About::spring:
-      return "springs." + model.springs[finding.index].name;
+      return path_of("springs", model.springs[finding.index].name);
   }
   return "";
 }
@@ -256,7 +258,7 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
   Cycle cycle = solve_cycle(data(), model, redundant, axis_.get());
   outputs_ = mechanism_outputs(data(), model);
   project::Account& account = own_account();
-  account.verdicts = proof(name(), data(), cycle, axis_.get());
+  account.verdicts = proof(name(), data(), model, cycle, axis_.get());
   const mechanism::Model given = model;
   if (redundant) {
     for (auto& v : redundancies(name(), model, structure_)) account.verdicts.push_back(std::move(v));
@@ -270,6 +272,7 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
   for (auto& v : changes_of_assembly(name(), model, cycle, kinematics, axis_.get()))
     account.verdicts.push_back(std::move(v));
   fill_inputs();
+  account.sources = sources_used(data(), structure_);
   account.blocks = result_tables(account, model, structure_, cycle, axis_.get());
   for (auto& b : motion_tables(account, model, cycle, kinematics, axis_.get())) account.blocks.push_back(std::move(b));
   const bool statics = data().analysis == PlanarMechanism::Analysis::statics;
@@ -277,6 +280,7 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
     account.blocks.emplace_back(std::move(b));
   for (auto& b : error_tables(data(), errors, axis_.get())) account.blocks.emplace_back(std::move(b));
   for (auto& b : balance_tables(data(), balanced)) account.blocks.emplace_back(std::move(b));
+  for (auto& note : missing_hodographs(data(), cycle, axis_.get())) account.blocks.emplace_back(std::move(note));
   account.figures = mechanism_figures(data(), given, cycle, account, axis_.get());
 }
 
@@ -345,6 +349,7 @@ const Calculator& erased<PlanarMechanism>() {
     c.title = PlanarMechanism::title;
     c.scope = PlanarMechanism::scope;
     c.source = PlanarMechanism::source;
+    c.used_sources = occasional_sources();
     c.example = PlanarMechanism::example;
     c.input = &record_type<PlanarMechanism::Input, PlanarMechanism::inputs>();
     c.patterns = mechanism_result_patterns();

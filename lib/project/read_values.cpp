@@ -90,7 +90,7 @@ void Reader::read_literal(const std::string& text, const Tree& tree, const Field
   const double si = literal->si;
   if (!field.bounds.holds(si)) {
     return say_at(tree.place, path,
-                  say("{1} = {2}: {3}", path, format_quantity(si, field.unit), bounds_message(field).text()));
+                  say("{1} = {2}: {3}", path, format_quantity(si, field.unit), bounds_message(field)));
   }
   if (!field.plausible.holds(si)) {
     say_at(tree.place, path,
@@ -111,7 +111,7 @@ void Reader::read_count(const Tree& tree, const FieldInfo& field, void* owner, c
         say("a whole number is expected, not {1}", number ? format_number(n) : std::string(io::word_for(tree.type))));
   }
   if (!field.bounds.holds(n)) {
-    return say_at(tree.place, path, say("{1} = {2}: {3}", path, format_number(n), bounds_message(field).text()));
+    return say_at(tree.place, path, say("{1} = {2}: {3}", path, format_number(n), bounds_message(field)));
   }
   reading_.typed[path].text = format_number(n);
   field.set(owner, n);

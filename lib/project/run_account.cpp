@@ -78,7 +78,7 @@ void Run::fill_results(Account& account) const {
 Message Run::missing_input() const {
   for (const Input& input : inputs_) {
     if (std::any_of(input.value.si.begin(), input.value.si.end(), [](double x) { return std::isnan(x); })) {
-      return say("'{1}' is not available: {2}", input.path, input.origin.text.text());
+      return say("'{1}' is not available: {2}", input.path, input.origin.text);
     }
   }
   return {};

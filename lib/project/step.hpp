@@ -51,6 +51,7 @@ struct Account {
   std::vector<report::Block> input_blocks;  // where the step shows its inputs itself, in place of the list of all
   std::vector<report::Block> blocks;        // what only this kind of step has: tables, notes
   std::vector<draw::Figure> figures;
+  std::vector<std::string> sources;  // keys of tables/sources.toml, beside those that the calculator always cites
 };
 
 /// What is common to every step of a file.

@@ -5,6 +5,7 @@
 #include <boost/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace loadpath;
 using namespace loadpath::test;
@@ -15,6 +16,11 @@ namespace {
 json::value json_of(const std::string& text) { return json::parse(io::json_of(told(text).project, "loadpath test")); }
 
 const std::string plain = axle + "T = \"2700 N*m\"\ntau_adm = \"30 MPa\"\n";
+
+/// The same bar where the driven link can turn.
+const std::string turning = replaced(bar_that_cannot_turn(36),
+                                     "\"0 mm\", \"-100 mm\"] }\n[bar.links.b]\npoints = { B = [\"0 mm\", \"-100 mm\"]",
+                                     "\"0 mm\", \"-20 mm\"] }\n[bar.links.b]\npoints = { B = [\"0 mm\", \"-20 mm\"]");
 
 /// Whether a null has its reason beside it, everywhere in a value.
 bool nulls_have_reasons(const json::value& v) {
@@ -106,6 +112,43 @@ TEST_SUITE("json") {
       CHECK_NOTHROW(v = json_of(axle + lines));
       CHECK(nulls_have_reasons(v));
     }
+  }
+
+  TEST_CASE("series read back to the bit") {
+    const auto project = told(bar_that_cannot_turn(90)).project;
+    const json::value v = json::parse(io::json_of(project, ""));
+    for (const auto& e : project.steps[0]->account().results) {
+      CAPTURE(e.path);
+      const auto& result = v.at("steps").at(0).at("results").at(e.path);
+      if (!e.value.is_series()) continue;
+      const auto& values = result.at("values").as_array();
+      REQUIRE(values.size() == e.value.si.size());
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        CHECK(values[k].is_null() == std::isnan(e.value.si[k]));
+        if (!values[k].is_null()) CHECK(values[k].to_number<double>() == e.value.si[k]);
+      }
+    }
+  }
+
+  TEST_CASE("of series that are not chosen the extremes stay, single values stay as they are") {
+    const auto project = solved(turning);
+    const json::value all = json::parse(io::json_of(project, ""));
+    const json::value some = json::parse(io::json_of(project, "", project::SeriesChoice({"*.M"})));
+    const auto &results = some.at("steps").at(0).at("results"), &before = all.at("steps").at(0).at("results");
+    CHECK(results.at("drive.M") == before.at("drive.M"));
+    CHECK(results.at("links.c.swing") == before.at("links.c.swing"));
+    CHECK(some.at("steps").at(0).at("axes") == all.at("steps").at(0).at("axes"));
+    const auto& force = results.at("joints.A.F").as_object();
+    CHECK_FALSE(force.contains("values"));
+    CHECK(force.at("unit") == "N");
+    const Value& series = *project.value("bar.joints.A.F");
+    CHECK(force.at("min").to_number<double>() == minimum(series).value);
+    CHECK(force.at("max").to_number<double>() == maximum(series).value);
+    CHECK(results.at("links.a.omega").at("min") == results.at("links.a.omega").at("max"));
+    const json::value open =
+        json::parse(io::json_of(told(bar_that_cannot_turn(12)).project, "", project::SeriesChoice({"joints.*"})));
+    CHECK(open.at("steps").at(0).at("results").at("drive.M").at("max").is_null());
+    CHECK(nulls_have_reasons(open));
   }
 
   TEST_CASE("issues are an object too") {

@@ -64,6 +64,8 @@ std::string table_of(const std::vector<const Entry*>& series) {
     columns.emplace_back(e->value.si, e->value.rounding, e->unit);
   }
   text += "\n";
+  constexpr std::size_t usual = 16;  // length of a cell
+  text.reserve(text.size() + usual * columns.size() * axis.at.size());
   for (std::size_t i = 0; i < axis.at.size(); ++i) {
     for (const Column& column : columns) {
       column.add_cell(i, text);

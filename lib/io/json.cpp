@@ -6,6 +6,7 @@
 #include "lib/report/build.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace loadpath::io {
@@ -22,10 +23,15 @@ std::string word_of(report::State state) { return std::string(report::word(state
 
 /// The SI unit by its name where it has one: Pa, not kg/(m*s^2).
 std::string unit_of(const Dimension& dimension) {
-  for (const char* unit : {"N", "Pa", "N*m", "W", "N/m"}) {
-    if (const auto parsed = parse_unit(unit); parsed && parsed->dimension == dimension) return unit;
-  }
-  return si_unit(dimension);
+  constexpr std::array words{"N", "Pa", "N*m", "W", "N/m"};
+  static const auto units = [&] {
+    std::array<Dimension, words.size()> dimensions;
+    std::transform(words.begin(), words.end(), dimensions.begin(),
+                   [](auto word) { return parse_unit(word)->dimension; });
+    return dimensions;
+  }();
+  const auto found = std::find(units.begin(), units.end(), dimension);
+  return found == units.end() ? si_unit(dimension) : words[static_cast<std::size_t>(found - units.begin())];
 }
 
 /// A value, with its reason where it does not exist.

@@ -35,7 +35,7 @@ void write(const boost::json::value& value, JsonWriter& out) {
   if (const auto* array = value.if_array()) return write(*array, out);
   if (const auto* text = value.if_string()) return out.write(std::string_view(*text));
   if (const auto* number = value.if_double()) return out.write(*number);
-  if (const auto* count = value.if_int64()) return out.write(*count);
+  if (value.is_number()) return out.write(value.to_number<std::int64_t>());
   if (const auto* is = value.if_bool()) return out.write(*is);
   out.write_null();
 }

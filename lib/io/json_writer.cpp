@@ -70,11 +70,12 @@ void JsonWriter::write(double value) {
 void JsonWriter::write(const std::vector<double>& values, double rounding) {
   open_array(Items::side_by_side);
   const Decimals decimals = Decimals::within(rounding);
-  for (const double x : values) {
-    if (std::isfinite(x))
-      decimals.append_exact(x, item());
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (k > 0) text_ += ", ";
+    if (std::isfinite(values[k]))
+      decimals.append_exact(values[k], text_);
     else
-      write_null();
+      text_ += "null";
   }
   close_array();
 }

@@ -28,30 +28,47 @@ double whole(double value, int power) {
   return static_cast<double>(static_cast<std::int64_t>(multiple + std::copysign(0.5, multiple)));
 }
 
-void append_zeros(int count, std::string& text) {
-  if (count > 0) text.append(static_cast<std::size_t>(count), '0');
-}
+/// Digits as they are written, with room for a sign and zeros in front, and for a point and zeros behind.
+class Digits {
+ public:
+  explicit Digits(std::uint64_t number) : end_(std::to_chars(first_, text_.data() + text_.size(), number).ptr) {}
 
-/// Digits times 10^power, with a point, or with an exponent where that would take too many zeros.
-void append_placed(std::string_view digits, int power, std::string& text) {
-  const int before = static_cast<int>(digits.size()) + power;  // digits before the point
-  if (before < -4 || before > 15) {
-    text += digits[0];
-    if (digits.size() > 1) text.append(".").append(digits.substr(1));
-    text.append(before - 1 < 0 ? "e-" : "e+").append(std::abs(before - 1) < 10 ? "0" : "");
-    text += std::to_string(std::abs(before - 1));
-  } else if (before <= 0) {
-    text += "0.";
-    append_zeros(-before, text);
-    text += digits;
-  } else if (power < 0) {
-    const auto point = static_cast<std::size_t>(before);
-    text.append(digits.substr(0, point)).append(".").append(digits.substr(point));
-  } else {
-    text += digits;
-    append_zeros(power, text);
+  /// Times 10^power: with a point, or with an exponent where that would take too many zeros.
+  void place(int power) {
+    const auto before = static_cast<int>(end_ - first_) + power;  // digits before the point
+    if (before < -3 || before > 15) {
+      raise(before - 1);
+    } else if (before <= 0) {
+      first_ -= 2 - before;
+      std::fill_n(first_, 2 - before, '0');
+      first_[1] = '.';
+    } else if (power < 0) {
+      put_point(before);
+    } else {
+      end_ = std::fill_n(end_, power, '0');
+    }
   }
-}
+  void put_sign() { *--first_ = '-'; }
+  [[nodiscard]] std::string_view text() const { return {first_, static_cast<std::size_t>(end_ - first_)}; }
+
+ private:
+  void put_point(int before) {
+    std::copy_backward(first_ + before, end_, end_ + 1);
+    first_[before] = '.';
+    ++end_;
+  }
+  void raise(int exponent) {
+    if (end_ - first_ > 1) put_point(1);
+    *end_++ = 'e';
+    *end_++ = exponent < 0 ? '-' : '+';
+    if (std::abs(exponent) < 10) *end_++ = '0';
+    end_ = std::to_chars(end_, text_.data() + text_.size(), std::abs(exponent)).ptr;
+  }
+
+  std::array<char, 48> text_{};
+  char* first_ = text_.data() + 8;
+  char* end_;
+};
 
 /// `number`, whole and below `most`, times 10^power.
 void append_multiple(double number, int power, std::string& text) {
@@ -61,10 +78,10 @@ void append_multiple(double number, int power, std::string& text) {
     return;
   }
   for (; left % 10 == 0; left /= 10) ++power;
-  std::array<char, 20> digits{};
-  const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), left).ptr;
-  if (number < 0.0) text += '-';
-  append_placed({digits.data(), static_cast<std::size_t>(end - digits.data())}, power, text);
+  Digits digits(left);
+  digits.place(power);
+  if (number < 0.0) digits.put_sign();
+  text += digits.text();
 }
 
 /// A power of ten that is beyond all doubles stands for those beyond it, and for that of zero.

@@ -5,7 +5,9 @@
 #include <boost/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <vector>
 
 using namespace loadpath;
 using namespace loadpath::test;
@@ -17,10 +19,28 @@ json::value json_of(const std::string& text) { return json::parse(io::json_of(to
 
 const std::string plain = axle + "T = \"2700 N*m\"\ntau_adm = \"30 MPa\"\n";
 
+/// The list of numbers that is opened at `from`, null as NaN; each the nearest double, which not every parser finds.
+std::vector<double> numbers_in(const std::string& text, std::size_t from) {
+  std::vector<double> numbers;
+  for (; text[from] != ']'; from = text.find_first_of(",]", from)) {
+    const char* const first = text.data() + text.find_first_not_of("[, ", from);
+    numbers.push_back(NAN);
+    from =
+        static_cast<std::size_t>(std::from_chars(first, text.data() + text.size(), numbers.back()).ptr - text.data());
+  }
+  return numbers;
+}
+
+bool same(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
 /// The same bar where the driven link can turn.
-const std::string turning = replaced(bar_that_cannot_turn(36),
-                                     "\"0 mm\", \"-100 mm\"] }\n[bar.links.b]\npoints = { B = [\"0 mm\", \"-100 mm\"]",
-                                     "\"0 mm\", \"-20 mm\"] }\n[bar.links.b]\npoints = { B = [\"0 mm\", \"-20 mm\"]");
+std::string turning() {
+  const std::string long_end = R"("0 mm", "-100 mm"])", short_end = R"("0 mm", "-20 mm"])";
+  return replaced(replaced(bar_that_cannot_turn(36), long_end, short_end), long_end, short_end);
+}
 
 /// Whether a null has its reason beside it, everywhere in a value.
 bool nulls_have_reasons(const json::value& v) {
@@ -116,22 +136,18 @@ TEST_SUITE("json") {
 
   TEST_CASE("series read back to the bit") {
     const auto project = told(bar_that_cannot_turn(90)).project;
-    const json::value v = json::parse(io::json_of(project, ""));
+    const std::string text = io::json_of(project, "");
     for (const auto& e : project.steps[0]->account().results) {
-      CAPTURE(e.path);
-      const auto& result = v.at("steps").at(0).at("results").at(e.path);
       if (!e.value.is_series()) continue;
-      const auto& values = result.at("values").as_array();
-      REQUIRE(values.size() == e.value.si.size());
-      for (std::size_t k = 0; k < values.size(); ++k) {
-        CHECK(values[k].is_null() == std::isnan(e.value.si[k]));
-        if (!values[k].is_null()) CHECK(values[k].to_number<double>() == e.value.si[k]);
-      }
+      CAPTURE(e.path);
+      const std::size_t entry = text.find("\"" + e.path + "\": {");
+      REQUIRE(entry != std::string::npos);
+      CHECK(same(numbers_in(text, text.find("\"values\": [", entry) + 11), e.value.si));
     }
   }
 
   TEST_CASE("of series that are not chosen the extremes stay, single values stay as they are") {
-    const auto project = solved(turning);
+    const auto project = solved(turning());
     const json::value all = json::parse(io::json_of(project, ""));
     const json::value some = json::parse(io::json_of(project, "", project::SeriesChoice({"*.M"})));
     const auto &results = some.at("steps").at(0).at("results"), &before = all.at("steps").at(0).at("results");

@@ -67,7 +67,7 @@ TEST_SUITE("series choice") {
     CHECK(said(press, "drive.m") == "there is no series 'drive.m'; did you mean 'drive.M'?");
     CHECK(said(press, "pres.drive.M") == "there is no series 'pres.drive.M'; did you mean 'press.drive.M'?");
     CHECK(said(press, "link.*.N") == "there is no series 'link.*.N'; did you mean 'links.*.N'?");
-    CHECK(said(press, "points.*.vx") == "there is no series 'points.*.vx'; did you mean 'points.*.v_x'?");
+    CHECK(said(press, "joints.*.FF") == "there is no series 'joints.*.FF'; did you mean 'joints.*.F'?");
     CHECK(said(press, "") == "there is no series ''; there is: drive.*, joints.*, links.*, points.*, frame.*");
     CHECK(said(press, "zzzzzzzzz") ==
           "there is no series 'zzzzzzzzz'; there is: drive.*, joints.*, links.*, points.*, frame.*");

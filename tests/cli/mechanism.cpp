@@ -77,11 +77,11 @@ TEST_SUITE("cli mechanism") {
 
   TEST_CASE("series are chosen by name for CSV and JSON") {
     const Desk desk;
-    CHECK(mechanism(desk, {"--csv", "a.csv", "--series", "drive.M,links.*.N", "--series", "press.points.A.?"}).code ==
+    CHECK(mechanism(desk, {"--csv", "a.csv", "--series", "drive.M,links.*.N", "--series", "press.points.A.v_?"}).code ==
           0);
-    CHECK(
-        desk.get("a.csv").starts_with("crank angle [deg],drive.M [N*m],points.A.x [mm],points.A.y [mm],links.crank.N "
-                                      "[N],links.rod.N [N]\n0,"));
+    CHECK(desk.get("a.csv").starts_with(
+        "crank angle [deg],drive.M [N*m],points.A.v_x [m/s],points.A.v_y [m/s],links.crank.N "
+        "[N],links.rod.N [N]\n0,"));
     const std::string all = mechanism(desk, {"--json"}).out, some = mechanism(desk, {"--json", "--series=drive.M"}).out;
     CHECK(contains(some,
                    "\"drive.M\": {\n          \"unit\": \"N*m\",\n          \"axis\": \"press: crank angle\",\n"
@@ -89,7 +89,7 @@ TEST_SUITE("cli mechanism") {
     CHECK(contains(some,
                    "\"drive.P\": {\n          \"unit\": \"W\",\n          \"axis\": \"press: crank angle\",\n"
                    "          \"min\": "));
-    CHECK(3 * some.size() < 2 * all.size());
+    CHECK(some.size() < all.size());
   }
 
   TEST_CASE("a choice of series that are not there, or for nothing, is refused, and nothing is written") {

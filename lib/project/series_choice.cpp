@@ -49,8 +49,7 @@ std::string likened(std::string_view name, std::string_view pattern) {
   if (own.size() != wanted.size()) return {};
   std::string like;
   for (std::size_t k = 0; k < own.size(); ++k) {
-    const bool open = wanted[k].find_first_of(wild) != std::string_view::npos;
-    like.append(k == 0 ? "" : ".").append(open ? wanted[k] : own[k]);
+    like.append(k == 0 ? "" : ".").append(fits(own[k], wanted[k]) ? wanted[k] : own[k]);
   }
   return like;
 }

@@ -7,8 +7,6 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr std::string_view wild = "*?";
-
 /// Where it fails it goes on from the last *, which then stands for one character more.
 bool fits(std::string_view text, std::string_view pattern) {
   std::size_t t = 0, p = 0, star = std::string_view::npos, taken = 0;
@@ -76,11 +74,9 @@ FieldFault fault_of(const Project& project, const std::string& pattern) {
     const std::size_t dot = e.path.find('.');
     add_once(dot == std::string::npos ? e.path : e.path.substr(0, dot) + ".*", heads);
   });
-  std::erase_if(near, [&](const std::string& name) {  // what it fits in kind only: links.*.Q for links.*.Q
-    return name == pattern;
-  });
   if (is_value)
-    return {pattern, say("'{1}' is one value, not a series", pattern), say("single values are always told")};
+    return {pattern, say("'{1}' is one value, not a series", pattern),
+            say("leave it out: JSON tells every single value")};
   const Message none = heads.empty() ? say("every result is one value") : there_is(heads);
   return {pattern, say("there is no series '{1}'", pattern), did_you_mean(pattern, near, none)};
 }

@@ -67,6 +67,7 @@ TEST_SUITE("series choice") {
     CHECK(said(press, "drive.m") == "there is no series 'drive.m'; did you mean 'drive.M'?");
     CHECK(said(press, "pres.drive.M") == "there is no series 'pres.drive.M'; did you mean 'press.drive.M'?");
     CHECK(said(press, "link.*.N") == "there is no series 'link.*.N'; did you mean 'links.*.N'?");
+    CHECK(said(press, "links.rot*.N") == "there is no series 'links.rot*.N'; did you mean 'links.rod.N'?");
     CHECK(said(press, "joints.*.FF") == "there is no series 'joints.*.FF'; did you mean 'joints.*.F'?");
     CHECK(said(press, "") == "there is no series ''; there is: drive.*, joints.*, links.*, points.*, frame.*");
     CHECK(said(press, "zzzzzzzzz") ==
@@ -75,9 +76,9 @@ TEST_SUITE("series choice") {
 
   TEST_CASE("a single value is no series, and where there are none that is said") {
     CHECK(said(press, "joints.guide.stroke") ==
-          "'joints.guide.stroke' is one value, not a series; single values are always told");
+          "'joints.guide.stroke' is one value, not a series; leave it out: JSON tells every single value");
     const std::string shaft = axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\n";
-    CHECK(said(shaft, "*") == "'*' is one value, not a series; single values are always told");
+    CHECK(said(shaft, "*") == "'*' is one value, not a series; leave it out: JSON tells every single value");
     CHECK(said(shaft, "drive.M") == "there is no series 'drive.M'; every result is one value");
   }
 }

@@ -35,6 +35,13 @@ void add_output(CLI::App& app, OutputOptions& output) {
   app.add_flag("--json", output.json, "print the results as one JSON object");
   app.add_option("--csv", output.csv, "write the series: each step's into a folder, or the one's into FILE.csv")
       ->type_name("PATH");
+  app.add_option("--series", output.series,
+                 "the series that CSV and JSON hold, by name: drive.M,links.*.N; * is any characters")
+      ->type_name("NAMES")
+      ->delimiter(',')
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
   app.add_flag("--quiet", output.quiet, "print errors only");
 }
 

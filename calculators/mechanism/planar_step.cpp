@@ -10,22 +10,18 @@
 #include "calculators/mechanism/planar_influence.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
 #include "calculators/mechanism/planar_masses.hpp"
-#include "calculators/mechanism/planar_missing.hpp"
-#include "calculators/mechanism/planar_names.hpp"
 #include "calculators/mechanism/planar_profiles.hpp"
 #include "calculators/mechanism/planar_redundancy.hpp"
 #include "calculators/mechanism/planar_report.hpp"
-#include "calculators/mechanism/planar_rounding.hpp"
 #include "calculators/mechanism/planar_sources.hpp"
+#include "calculators/mechanism/planar_values.hpp"
 #include "calculators/mechanism/templates/planar_template.hpp"
 #include "lib/calculator.hpp"
 #include "lib/mechanism/structure.hpp"
 #include "lib/record_of.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
 
 namespace loadpath {
 
@@ -244,7 +240,7 @@ bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue
   return findings.empty();
 }
 
-void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) {
+void PlanarStep::solve(const project::Known& known, project::Extent extent, std::vector<Issue>& issues) {
   const std::size_t before = issues.size();
   for (const project::Operand& operand : input().reading.operands) {
     if (const auto value = evaluate_operand(operand, name(), known, issues)) operand.leaf.set(value->si[0]);
@@ -268,20 +264,33 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
   const Kinematics kinematics = kinematics_of(model, cycle, axis_.get(), !has_law(data()));
   const Errors errors = errors_of(data(), model, cycle);
   const Balanced balanced = balance_of(data(), model, cycle);
-  fill_values(model, {cycle, kinematics, errors, balanced});
+  const Solved solved{cycle, kinematics, errors, balanced};
+  // What was released of the given model is read from what was solved.
+  fill_results(data(), outputs_, mechanism_outputs(data(), model), solved, axis_.get(), account);
   for (auto& v : changes_of_assembly(name(), model, cycle, kinematics, axis_.get()))
     account.verdicts.push_back(std::move(v));
   fill_inputs();
-  account.sources = sources_used(data(), structure_);
-  account.blocks = result_tables(account, model, structure_, cycle, axis_.get());
-  for (auto& b : motion_tables(account, model, cycle, kinematics, axis_.get())) account.blocks.push_back(std::move(b));
+  own_account().sources = sources_used(data(), structure_);
+  if (extent == project::Extent::all) illustrate(given, model, solved);
+}
+
+void PlanarStep::illustrate(const mechanism::Model& given, const mechanism::Model& model, const Solved& solved) {
+  project::Account& account = own_account();
+  const Cycle& cycle = solved.cycle;
+  const Axis* const axis = axis_.get();
+  account.input_blocks = model_tables(data());
+  if (input().from != nullptr)
+    account.input_blocks.insert(account.input_blocks.begin(),
+                                template_table(*input().from, input().reading.parameters));
+  account.blocks = result_tables(account, model, structure_, cycle, axis);
+  for (auto& b : motion_tables(account, model, cycle, solved.kinematics, axis)) account.blocks.push_back(std::move(b));
   const bool statics = data().analysis == PlanarMechanism::Analysis::statics;
   for (auto& b : influence_tables(model, cycle, governing_position(cycle, account), statics))
     account.blocks.emplace_back(std::move(b));
-  for (auto& b : error_tables(data(), errors, axis_.get())) account.blocks.emplace_back(std::move(b));
-  for (auto& b : balance_tables(data(), balanced)) account.blocks.emplace_back(std::move(b));
-  for (auto& note : missing_hodographs(data(), cycle, axis_.get())) account.blocks.emplace_back(std::move(note));
-  account.figures = mechanism_figures(data(), given, cycle, account, axis_.get());
+  for (auto& b : error_tables(data(), solved.errors, axis)) account.blocks.emplace_back(std::move(b));
+  for (auto& b : balance_tables(data(), solved.balanced)) account.blocks.emplace_back(std::move(b));
+  for (auto& note : missing_hodographs(data(), cycle, axis)) account.blocks.emplace_back(std::move(note));
+  account.figures = mechanism_figures(data(), given, cycle, account, axis);
 }
 
 /// Where the value of an input comes from: typed, from the template (what that has `laid`), a default.
@@ -300,45 +309,10 @@ void PlanarStep::fill_inputs() {
     return origin_of(input().from == nullptr ? nullptr : &laid, path, leaf);
   };
   account.inputs = project::input_entries(input().reading.record, origin);
-  account.input_blocks = model_tables(data());
   if (input().from == nullptr) return;
   const Record& parameters = input().reading.parameters;
   auto entries = project::input_entries(parameters, origin);
   std::move(entries.begin(), entries.end(), std::inserter(account.inputs, account.inputs.begin()));
-  account.input_blocks.insert(account.input_blocks.begin(), template_table(*input().from, parameters));
-}
-
-/// One value, or one for every position; none where the mechanism does not close.
-static MechanismOutput::Values values_of(const MechanismOutput& output, const Solved& solved,
-                                         const project::Account& account) {
-  if (output.read_results) return output.read_results(account);
-  if (output.read_cycle) return output.read_cycle(solved);
-  const Cycle& cycle = solved.cycle;
-  std::vector<double> values;
-  for (std::size_t k = 0; k < cycle.positions.size(); ++k)
-    values.push_back(cycle.closed[k] ? output.read(cycle.positions[k]) : std::numeric_limits<double>::quiet_NaN());
-  return values;
-}
-
-/// `model`: what was solved; what was released of the given one is read from that.
-void PlanarStep::fill_values(const mechanism::Model& model, const Solved& solved) {
-  const auto outputs = mechanism_outputs(data(), model);
-  project::Account& account = own_account();
-  account.results.clear();
-  for (const bool of_others : {false, true}) {
-    for (const MechanismOutput& output : outputs_) {
-      if (of_others != static_cast<bool>(output.read_results)) continue;
-      const auto found =
-          std::find_if(outputs.begin(), outputs.end(), [&](const auto& o) { return o.path == output.path; });
-      auto values = values_of(found == outputs.end() ? output : *found, solved, account);
-      explain_missing(data(), solved.cycle, values);
-      auto& [si, missing] = values;
-      Value value{{output.dimension, output.is_single ? nullptr : axis_.get()}, std::move(si)};
-      account.results.push_back(
-          {output.path, output.doc, output.unit, Role::result, std::move(value), {}, "", false, std::move(missing)});
-    }
-    clear_rounding(account.results);
-  }
 }
 
 template <>

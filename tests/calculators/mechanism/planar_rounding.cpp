@@ -33,8 +33,10 @@ TEST_SUITE("mechanism rounding") {
     results[1].path = "crank_angle";
     for (project::Entry& e : results) e.value = {{deg.dimension(), nullptr}, {-pi, pi, -3.0, -pi + 1e-16}};
     clear_rounding(results);
-    CHECK(results[0].value.si == std::vector<double>{pi, pi, -3.0, pi});
-    CHECK(results[1].value.si[0] == -pi);
+    const std::vector<double>& phi = results[0].value.si;
+    for (const std::size_t k : {0U, 1U, 3U}) CHECK(std::abs(phi[k] - pi) <= results[0].value.rounding);
+    CHECK(phi[2] == -3.0);
+    CHECK(results[1].value.si[0] < 0.0);
   }
 
   TEST_CASE("the symbol of the axis is that of what is counted: time t, stroke s, crank angle phi") {

@@ -4,7 +4,6 @@
 // so that other languages can be added without touching the places that speak.
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -28,9 +27,9 @@ struct Message {
 /// A name or a number; or a message that is a part of another.
 class Argument {
  public:
-  template <class Part>
-  requires std::constructible_from<std::string, Part>
-  explicit Argument(Part&& part) : part_(std::string(std::forward<Part>(part))) {}
+  explicit Argument(std::string part) : part_(std::move(part)) {}
+  explicit Argument(std::string_view part) : part_(std::string(part)) {}
+  explicit Argument(const char* part) : part_(std::string(part)) {}
   explicit Argument(Message part) : part_(std::move(part)) {}
 
   [[nodiscard]] std::string text() const;

@@ -46,7 +46,7 @@ TEST_SUITE("column buckling faults") {
         "calculator = \"column.buckling\"\nl = \"900 mm\"\nends = \"pinned_pinned\"\nR_e = \"235 MPa\"\nd = \"40 "
         "mm\"\nmethod = \"johnson\"\n",
         "give the modulus E, or a material");
-    says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nP = \"-1 kN\"\n", "P = -1 kN: must be at least 0 kN");
+    says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nP = \"-1 kN\"\n", "P = -1 kN: must be >= 0 kN");
   }
 
   TEST_CASE("supports stand between the ends, in order") {

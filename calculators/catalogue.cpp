@@ -9,6 +9,8 @@ static constexpr std::array all{
     &erased<struct PlanarMechanism>,
     &erased<struct Torsion>,
     &erased<struct Overhung>,
+    &erased<struct Buckling>,
+    &erased<struct EffectiveLength>,
 };
 
 Catalogue catalogue() {

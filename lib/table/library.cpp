@@ -62,6 +62,26 @@ auto look_for(std::string_view word, Find find) {
   return find(built_in());
 }
 
+/// The tables in use that are wanted; of the built-in files only those that have `text` are read.
+template <class Wanted>
+std::vector<const Table*> tables_where(const std::string& text, Wanted wanted) {
+  std::vector<const Table*> found;
+  const auto collect = [&](const Library& library) {
+    for (const Table& table : library.tables) {
+      if (wanted(table)) found.push_back(&table);
+    }
+  };
+  if (replacement()) {
+    collect(*replacement());
+    return found;
+  }
+  const auto files = embedded::tables();
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (files[i].text.find(text) != std::string_view::npos) collect(built_in_file(i));
+  }
+  return found;
+}
+
 void audit_row(const Table& table, const Row& row, const std::vector<Value>& values, double size_max,
                std::vector<Recalled>& found) {
   for (const Value& value : values) {
@@ -115,22 +135,15 @@ Outcome<const Series*> find_series(std::string_view name) {
 }
 
 std::vector<const Table*> tables_of(std::string_view group) {
-  std::vector<const Table*> found;
-  const auto collect = [&](const Library& library) {
-    for (const Table& table : library.tables) {
-      if (table.group == group) found.push_back(&table);
-    }
+  return tables_where("group = \"" + std::string(group) + "\"",
+                      [&](const Table& table) { return table.group == group; });
+}
+
+std::vector<const Table*> tables_in(std::string_view name) {
+  const auto named = [&](const Table& table) {
+    return table.name == name || std::string_view(table.name).substr(0, table.name.find('/')) == name;
   };
-  if (replacement()) {
-    collect(*replacement());
-    return found;
-  }
-  const std::string head = "group = \"" + std::string(group) + "\"";
-  const auto files = embedded::tables();
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    if (files[i].text.find(head) != std::string_view::npos) collect(built_in_file(i));
-  }
-  return found;
+  return tables_where("table = \"" + std::string(name), named);
 }
 
 std::string citation(std::string_view key) {

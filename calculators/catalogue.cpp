@@ -5,13 +5,25 @@
 namespace loadpath {
 
 // One line per calculator; the only list of them. Explicit, because a linker drops objects that nothing refers to.
+// clang-format off
 static constexpr std::array all{
     &erased<struct PlanarMechanism>,
     &erased<struct Torsion>,
     &erased<struct Overhung>,
+    &erased<struct SolidCircle>,
+    &erased<struct RingSection>,
+    &erased<struct RectangleSection>,
+    &erased<struct ISection>,
+    &erased<struct ChannelSection>,
+    &erased<struct AngleSection>,
+    &erased<struct TeeSection>,
+    &erased<struct HollowSection>,
+    &erased<struct PolygonSection>,
+    &erased<struct BuiltUpSection>,
     &erased<struct Buckling>,
     &erased<struct EffectiveLength>,
 };
+// clang-format on
 
 Catalogue catalogue() {
   static const auto calculators = [] {

@@ -61,6 +61,8 @@ int verify(const VerifyOptions& options);
 struct TablesOptions {
   std::string table;
   std::string key;
+  std::string where;  // "I_min >= 300 cm^4 and h <= 200 mm"
+  std::string sort;   // "m", "-m"
   bool audit = false;
 };
 int tables(const TablesOptions& options);

@@ -80,6 +80,12 @@ void setup_tables(CLI::App& app, TablesOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("tables", "materials, preferred sizes and their sources");
   sub->add_option("table", options.table, "table, for example materials");
   sub->add_option("key", options.key, "row, for example C45E");
+  sub->add_option("--where", options.where,
+                  "rows that hold this, as in \"I_min >= 300 cm^4 and h <= 200 mm\"; a value that depends on the size "
+                  "counts at the smallest")
+      ->type_name("CONDITION");
+  sub->add_option("--sort", options.sort, "column to sort by, as in mass or h; with - before it from the largest")
+      ->type_name("COLUMN");
   sub->add_flag("--audit", options.audit, "every value whose source was not seen");
   sub->callback([&] { action = [&] { return tables(options); }; });
 }

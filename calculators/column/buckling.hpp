@@ -193,8 +193,8 @@ n_st = 3
           .factor(),
       Field{&Input::Omega_c, "Omega_c", ratio, "safety factor of AISC 360, E1"}.at_least(1).usually(1.5, 2).factor(),
       Choice{&Input::material_class, "material_class", "class of material, for the custom of n_st"}.may_be_missing(),
-      Field{&Input::lambda_max, "lambda_max", ratio, "largest slenderness that is allowed"}.positive().usually(100,
-                                                                                                               250)};
+      Field{&Input::lambda_max, "lambda_max", ratio, "largest slenderness that is allowed"}.positive().usually(50,
+                                                                                                               400)};
 
   struct Axis {
     Name name;

@@ -10,8 +10,8 @@ namespace {
 
 template <class Visit>
 void each_material(Visit visit) {
-  for (const Table& table : built_in().tables) {
-    for (const Row& row : table.rows) visit(Entry{&table, &row});
+  for (const Table* table : tables_of("material")) {
+    for (const Row& row : table->rows) visit(Entry{table, &row});
   }
 }
 

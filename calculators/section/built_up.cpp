@@ -48,6 +48,8 @@ BuiltUpSection::Placed place(const Part& part, const section::Properties& own, T
   return {part.name, A, y_S, z_S, I_y, I_z, I_yz};
 }
 
+constexpr section::Place sketch_origin{from_si<Length>(0.0), from_si<Length>(0.0)};
+
 section::Moments about_sketch(const BuiltUpSection::Placed& p) {
   return {p.A,
           p.A * p.z_S,
@@ -112,8 +114,7 @@ BuiltUpSection::Result BuiltUpSection::evaluate(const Input& in, Tracer& trace) 
     if (full) add_extremes(extremes, part, shaped.extremes);
     r.parts.push_back(placed);
   }
-  section::tell(sum, trace);
-  static_cast<section::Properties&>(r) = section::centroidal(sum, trace);
+  static_cast<section::Properties&>(r) = section::centroidal(sum, sketch_origin, trace);
   section::complete(r, extremes, trace);
   if (!is_set(I_t)) return r;
   r.I_t = I_t;

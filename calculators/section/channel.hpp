@@ -16,7 +16,7 @@ struct ChannelSection {
   static constexpr auto scope =
       "Area, centroid, second moments, moduli and torsion constant of a channel with parallel flanges to the "
       "right. Origin of the sketch: the middle of the back of the web. Torsion: the sum of b t^3/3 over the "
-      "straight parts, without fillets; rolled channels have up to 15 % more. A limit keeps the walls thin. "
+      "straight parts, without fillets; rolled channels have up to 17 % more. A limit keeps the walls thin. "
       "Warping torsion, the shear centre and tapered flanges are not covered.";
   static constexpr auto source = "[Garrison], [Oasys]";
   static constexpr auto example = R"([project]

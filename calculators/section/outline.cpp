@@ -139,7 +139,9 @@ std::vector<draw::Figure> figures(const Sketch& sketch, const Properties& proper
     add_axis(scheme, centroid, properties.alpha + 0.5 * pi, "I_min");
   }
   scheme.points.push_back({"S", centroid});
-  return {{"section", "Section with its centroid S and its axes", scheme}};
+  const char* caption = sketch.holes.empty() ? "Section with its centroid S and its axes"
+                                             : "Section with its centroid S and its axes; what is cut out is darker";
+  return {{"section", caption, scheme}};
 }
 
 }  // namespace loadpath::section

@@ -143,11 +143,11 @@ FieldFault PolygonSection::hole_outside(const Input& in) {
 
 template <class Tracer>
 PolygonSection::Result PolygonSection::evaluate(const Input& in, Tracer& trace) {
+  const section::Place origin{in.points[0].y, in.points[0].z};
   section::Moments sum;
-  section::add(sum, section::polygon_moments(in.points), 1.0);
-  for (const Hole& hole : in.holes) section::add(sum, section::polygon_moments(hole.points), -1.0);
-  section::tell(sum, trace);
-  Result r = section::centroidal(sum, trace);
+  section::add(sum, section::polygon_moments(in.points, origin), 1.0);
+  for (const Hole& hole : in.holes) section::add(sum, section::polygon_moments(hole.points, origin), -1.0);
+  Result r = section::centroidal(sum, origin, trace);
   section::Extremes extremes;
   for (const Corner& c : in.points) extremes.push_back({c.y, c.z});
   section::complete(r, extremes, trace);

@@ -43,11 +43,10 @@ void CalculatorStep::find_searches(std::vector<Issue>& issues) {
       searches_.push_back({field.key, {&field, data}, field.searched_in, input().place});
     }
   }
-  const auto stocks = stock_names();
   for (const Search& search : searches_) {
-    if (std::find(stocks.begin(), stocks.end(), search.stock) != stocks.end()) continue;
+    if (!stock_values(search.stock).empty()) continue;
     issues.push_back({search.place, name() + "." + search.path, say("there is no stock '{1}'", search.stock),
-                      did_you_mean(search.stock, stocks), Severity::error});
+                      did_you_mean(search.stock, stock_names()), Severity::error});
   }
   if (searches_.size() > 1 && !input().reading.searches.empty()) {
     issues.push_back({searches_[1].place, name() + "." + searches_[1].path,

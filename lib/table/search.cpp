@@ -142,6 +142,7 @@ std::vector<Entry> search(const std::vector<const Table*>& tables, const Conditi
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Entry> entries;
+  entries.reserve(found.size());
   for (const auto& [rank, entry] : found) entries.push_back(entry);
   return entries;
 }

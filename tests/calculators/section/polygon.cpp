@@ -88,7 +88,7 @@ TEST_SUITE("section polygon") {
     CHECK(fault(polygon({{0, 0}, {10, 10}, {10, 0}, {0, 10}})).message.text() ==
           "sides 1 and 3 of 'points' touch or cross");
     CHECK(fault(polygon({{0, 0}, {10, 0}, {10, 0}, {0, 10}})).message.text() ==
-          "sides 2 and 3 of 'points' touch or cross");
+          "sides 1 and 2 of 'points' touch or cross");
     CHECK(fault(polygon({{0, 0}, {10, 0}, {20, 0}})).message.text() == "sides 2 and 3 of 'points' touch or cross");
     const std::initializer_list<Point> square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
     CHECK(fault(polygon(square, {{{8, 8}, {12, 8}, {12, 12}}})).path == "holes[1]");

@@ -9,6 +9,12 @@ static constexpr std::array all{
     &erased<struct PlanarMechanism>,
     &erased<struct Torsion>,
     &erased<struct Overhung>,
+    &erased<struct VesselCylinder>,
+    &erased<struct VesselSphere>,
+    &erased<struct VesselCone>,
+    &erased<struct VesselTorus>,
+    &erased<struct VesselEllipsoid>,
+    &erased<struct VesselShell>,
 };
 
 Catalogue catalogue() {

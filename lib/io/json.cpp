@@ -42,7 +42,8 @@ std::string unit_of(const Dimension& dimension) {
 /// A value and what goes with it; a value that does not exist has its reason.
 json::object valued(double si, json::object object, const Message& missing = {}) {
   object["value"] = number(si);
-  if (!std::isfinite(si)) object["reason"] = missing.empty() ? "not available" : missing.text();
+  if (std::isinf(si)) object["reason"] = "infinite";
+  if (std::isnan(si)) object["reason"] = missing.empty() ? "not available" : missing.text();
   return object;
 }
 

@@ -15,6 +15,7 @@ static constexpr std::array all{
     &erased<struct VesselTorus>,
     &erased<struct VesselEllipsoid>,
     &erased<struct VesselShell>,
+    &erased<struct FatigueCycle>,
 };
 
 Catalogue catalogue() {

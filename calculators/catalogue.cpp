@@ -5,12 +5,22 @@
 namespace loadpath {
 
 // One line per calculator; the only list of them. Explicit, because a linker drops objects that nothing refers to.
+// clang-format off
 static constexpr std::array all{
-    &erased<struct PlanarMechanism>, &erased<struct Torsion>,          &erased<struct Overhung>,
-    &erased<struct VesselCylinder>,  &erased<struct VesselSphere>,     &erased<struct VesselCone>,
-    &erased<struct VesselTorus>,     &erased<struct VesselEllipsoid>,  &erased<struct VesselShell>,
-    &erased<struct FatigueCycle>,    &erased<struct FatigueEndurance>, &erased<struct FatigueWohler>,
+    &erased<struct PlanarMechanism>,
+    &erased<struct Torsion>,
+    &erased<struct Overhung>,
+    &erased<struct VesselCylinder>,
+    &erased<struct VesselSphere>,
+    &erased<struct VesselCone>,
+    &erased<struct VesselTorus>,
+    &erased<struct VesselEllipsoid>,
+    &erased<struct VesselShell>,
+    &erased<struct FatigueCycle>,
+    &erased<struct FatigueEndurance>,
+    &erased<struct FatigueWohler>,
 };
+// clang-format on
 
 Catalogue catalogue() {
   static const auto calculators = [] {

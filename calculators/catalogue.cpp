@@ -22,6 +22,15 @@ static constexpr std::array all{
     &erased<struct BuiltUpSection>,
     &erased<struct Buckling>,
     &erased<struct EffectiveLength>,
+    &erased<struct VesselCylinder>,
+    &erased<struct VesselSphere>,
+    &erased<struct VesselCone>,
+    &erased<struct VesselTorus>,
+    &erased<struct VesselEllipsoid>,
+    &erased<struct VesselShell>,
+    &erased<struct FatigueCycle>,
+    &erased<struct FatigueEndurance>,
+    &erased<struct FatigueWohler>,
 };
 // clang-format on
 

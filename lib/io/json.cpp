@@ -37,7 +37,8 @@ std::string unit_of(const Dimension& dimension) {
 /// A value, with its reason where it does not exist.
 void write_value(double si, const Message& missing, JsonWriter& out) {
   out.member("value", si);
-  if (!std::isfinite(si)) out.member("reason", missing.empty() ? "not available" : missing.text());
+  if (std::isinf(si)) out.member("reason", "infinite");
+  if (std::isnan(si)) out.member("reason", missing.empty() ? "not available" : missing.text());
 }
 
 /// The values, or the extremes of what is not chosen.

@@ -140,13 +140,11 @@ void setup_calculator(CLI::App& element, const Calculator& calculator, Calculate
         ->expected(1)
         ->allow_extra_args(false);
   };
-  bool material = false;
-  for (const FieldInfo& f : calculator.input->fields) {
-    add(f.key, f.doc, type_word(f));
-    material = material || std::string_view(f.provider.table) == "material";
-  }
+  for (const FieldInfo& f : calculator.input->fields) add(f.key, f.doc, type_word(f));
   add_templates(calculator, add);
-  if (material) add("material", "row of the materials table that fills what is missing", "NAME");
+  for (const std::string& group : table_groups(calculator)) {
+    add(group, "row of the " + group + " tables that fills what is missing", "NAME");
+  }
   add("title", "title of the report", "TEXT");
   sub->add_option(
          "--file", options.file,

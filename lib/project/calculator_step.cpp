@@ -77,6 +77,7 @@ bool CalculatorStep::is_open(const std::string& field) const {
 void CalculatorStep::check_rules_of_literals(std::vector<Issue>& issues) {
   const Calculator& calculator = *input().calculator;
   for (std::size_t i = 0; i < calculator.rules.size(); ++i) {
+    if (calculator.rules[i].only_warns) continue;  // said once, when it is solved
     const auto fields = split(calculator.rules[i].fields);
     if (std::any_of(fields.begin(), fields.end(), [&](const std::string& f) { return is_open(f); })) continue;
     const Record& record = input().reading.record;
@@ -110,7 +111,9 @@ Issue CalculatorStep::broken_rule(std::size_t rule, const Record& record) const 
   for (const std::string& field : split(calculator.rules[rule].fields)) {
     if (fault.path.empty() && input().reading.typed.count(field) != 0) fault.path = field;
   }
-  return issue_at(input(), fault.path, std::move(fault.message), std::move(fault.hint));
+  Issue issue = issue_at(input(), fault.path, std::move(fault.message), std::move(fault.hint));
+  if (calculator.rules[rule].only_warns) issue.severity = Severity::warning;
+  return issue;
 }
 
 Outcome<Signature> CalculatorStep::signature(const std::string& path) const {

@@ -5,11 +5,14 @@
 namespace loadpath {
 
 // One line per calculator; the only list of them. Explicit, because a linker drops objects that nothing refers to.
+// clang-format off
 static constexpr std::array all{
     &erased<struct PlanarMechanism>,
     &erased<struct Torsion>,
     &erased<struct Overhung>,
+    &erased<struct GearPair>,
 };
+// clang-format on
 
 Catalogue catalogue() {
   static const auto calculators = [] {

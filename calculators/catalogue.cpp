@@ -11,6 +11,7 @@ static constexpr std::array all{
     &erased<struct Torsion>,
     &erased<struct Overhung>,
     &erased<struct GearPair>,
+    &erased<struct Planetary>,
 };
 // clang-format on
 

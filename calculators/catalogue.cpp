@@ -12,6 +12,7 @@ static constexpr std::array all{
     &erased<struct Overhung>,
     &erased<struct GearPair>,
     &erased<struct Planetary>,
+    &erased<struct RollerChain>,
 };
 // clang-format on
 

@@ -13,6 +13,7 @@ static constexpr std::array all{
     &erased<struct GearPair>,
     &erased<struct Planetary>,
     &erased<struct RollerChain>,
+    &erased<struct DriveTrain>,
 };
 // clang-format on
 

@@ -31,6 +31,10 @@ static constexpr std::array all{
     &erased<struct FatigueCycle>,
     &erased<struct FatigueEndurance>,
     &erased<struct FatigueWohler>,
+    &erased<struct GearPair>,
+    &erased<struct Planetary>,
+    &erased<struct RollerChain>,
+    &erased<struct DriveTrain>,
 };
 // clang-format on
 

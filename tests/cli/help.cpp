@@ -47,7 +47,7 @@ TEST_SUITE("cli help") {
           "loadpath: there is no command 'runn'\n  = help: did you mean 'run'?\n");
     CHECK(loadpath_with({"teapot"}).error ==
           "loadpath: there is no command 'teapot'\n  = help: there is: run, list, describe, convert, verify, tables, "
-          "schema, mechanism, shaft\n");
+          "schema, mechanism, shaft, vessel, fatigue\n");
     CHECK(loadpath_with({"teapot"}).code == 2);
   }
 

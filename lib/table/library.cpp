@@ -45,15 +45,19 @@ std::optional<Library>& replacement() {
   return library;
 }
 
+const Library& built_in_file(std::size_t i) {
+  static std::vector<OneFile> read(embedded::tables().size());
+  return read[i].read(embedded::tables()[i]);
+}
+
 /// What is found in the tables in use; of the built-in ones the files that have the word are read first.
 template <class Find>
 auto look_for(std::string_view word, Find find) {
   if (replacement()) return find(*replacement());
   const auto files = embedded::tables();
-  static std::vector<OneFile> read(files.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (files[i].text.find(word) == std::string_view::npos) continue;
-    if (auto found = find(read[i].read(files[i]))) return found;
+    if (auto found = find(built_in_file(i))) return found;
   }
   return find(built_in());
 }
@@ -108,6 +112,25 @@ Outcome<Entry> find_row(std::string_view group, std::string_view name) {
 
 Outcome<const Series*> find_series(std::string_view name) {
   return look_for(name, [&](const Library& library) { return find_series(library, name); });
+}
+
+std::vector<const Table*> tables_of(std::string_view group) {
+  std::vector<const Table*> found;
+  const auto collect = [&](const Library& library) {
+    for (const Table& table : library.tables) {
+      if (table.group == group) found.push_back(&table);
+    }
+  };
+  if (replacement()) {
+    collect(*replacement());
+    return found;
+  }
+  const std::string head = "group = \"" + std::string(group) + "\"";
+  const auto files = embedded::tables();
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (files[i].text.find(head) != std::string_view::npos) collect(built_in_file(i));
+  }
+  return found;
 }
 
 std::string citation(std::string_view key) {

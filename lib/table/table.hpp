@@ -95,6 +95,9 @@ Outcome<Entry> find_row(const Library& library, std::string_view group, std::str
 /// In the tables in use; reads of the built-in ones only what it needs. So do the others without a library.
 Outcome<Entry> find_row(std::string_view group, std::string_view name);
 
+/// The tables of a group that are in use, in order; reads of the built-in ones only these.
+std::vector<const Table*> tables_of(std::string_view group);
+
 struct Property {
   double si = 0.0;
   std::string unit;

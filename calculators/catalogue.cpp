@@ -9,6 +9,7 @@ static constexpr std::array all{
     &erased<struct PlanarMechanism>,
     &erased<struct Torsion>,
     &erased<struct Overhung>,
+    &erased<struct FlatBelt>,
 };
 
 Catalogue catalogue() {

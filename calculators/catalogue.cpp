@@ -10,6 +10,8 @@ static constexpr std::array all{
     &erased<struct Torsion>,
     &erased<struct Overhung>,
     &erased<struct FlatBelt>,
+    &erased<struct VBelt>,
+    &erased<struct VBeltSizing>,
 };
 
 Catalogue catalogue() {

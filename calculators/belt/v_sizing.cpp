@@ -158,6 +158,7 @@ Name name_of(belt::SectionWord word) { return choices_of(belt::SectionWord{})[st
 /// What a drive does better than the first, all the same.
 Merit merit_of(const Candidate& c, const Candidate& first, const Input& in) {
   const double n = in_si(in.n_2_set), a = in_si(in.a_set);
+  if (c.V < 0.99 * first.V) return Merit::pulleys;
   if (c.R_new < 0.99 * first.R_new) return Merit::shaft_load;
   if (c.B < 0.99 * first.B) return Merit::width;
   if (share_off(in_si(c.n_2), n) < share_off(in_si(first.n_2), n) - 1e-9) return Merit::speed;

@@ -31,7 +31,7 @@ a_set = "600 mm"
 )";
 
   enum class Rank { pulleys, shaft_load, width };
-  enum class Merit { none, best, shaft_load, width, speed, centre };
+  enum class Merit { none, best, pulleys, shaft_load, width, speed, centre };
 
   struct Input {
     VBelt::Basis basis = VBelt::Basis::unstated;
@@ -191,6 +191,7 @@ constexpr auto choices_of(VBeltSizing::Merit) {
   using Merit = VBeltSizing::Merit;
   return std::array{ChoiceName<Merit>{Merit::none, "none", "nothing: worse or equal in all"},
                     ChoiceName<Merit>{Merit::best, "best", "it is the first"},
+                    ChoiceName<Merit>{Merit::pulleys, "pulleys", "smaller pulleys"},
                     ChoiceName<Merit>{Merit::shaft_load, "shaft_load", "smaller shaft load"},
                     ChoiceName<Merit>{Merit::width, "width", "narrower pulleys"},
                     ChoiceName<Merit>{Merit::speed, "speed", "nearer to the speed"},

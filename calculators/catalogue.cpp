@@ -35,6 +35,9 @@ static constexpr std::array all{
     &erased<struct Planetary>,
     &erased<struct RollerChain>,
     &erased<struct DriveTrain>,
+    &erased<struct FlatBelt>,
+    &erased<struct VBelt>,
+    &erased<struct VBeltSizing>,
 };
 // clang-format on
 

@@ -83,9 +83,9 @@ bool before(const Candidate& a, const Candidate& b, Rank rank) {
 void rank_in(VBeltSizing::Candidates& list, const Candidate& c, Rank rank) {
   const auto at =
       std::find_if(list.begin(), list.end(), [&](const Candidate& other) { return before(c, other, rank); });
-  if (at == list.end() && list.size() == list.capacity()) return;
+  if (at == list.end() && list.size() == VBeltSizing::Candidates::capacity()) return;
   const auto index = at - list.begin();
-  if (list.size() == list.capacity()) list.pop_back();
+  if (list.size() == VBeltSizing::Candidates::capacity()) list.pop_back();
   list.insert(list.begin() + index, c);
 }
 

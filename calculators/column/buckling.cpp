@@ -293,7 +293,7 @@ Result Buckling::evaluate(const Input& in, Tracer& trace) {
   take_section(in, r, trace);
   const Material material = column::material_of(in);
   for (const AxisName axis : {AxisName::y, AxisName::z}) {
-    [[maybe_unused]] const auto scope = trace.scope("axes", r.axes.size());
+    [[maybe_unused]] const auto here = trace.scope("axes", r.axes.size());
     slenderness(in, axis, r, trace);
     take_curves(in, material, axis, r.axes.back(), trace);
   }

@@ -245,7 +245,7 @@ DriveTrain::Result DriveTrain::evaluate(const Input& in, Tracer& trace) {
   Result r;
   first_shaft(in, r, trace);
   for (std::size_t k = 0; k < in.stages.size(); ++k) {
-    [[maybe_unused]] const auto scope = trace.scope("stages", k);
+    [[maybe_unused]] const auto here = trace.scope("stages", k);
     StageResult stage;
     Shaft after;
     rate(in.stages[k], stage, trace);

@@ -131,7 +131,7 @@ FatigueCycle::Result FatigueCycle::evaluate(const Input& in, Tracer& trace) {
     r.u_y = u_y;
   }
   for (std::size_t i = 0; i < in.others.size(); ++i) {
-    [[maybe_unused]] const auto scope = trace.scope("others", i);
+    [[maybe_unused]] const auto here = trace.scope("others", i);
     Compared other;
     static_cast<fatigue::Cycle&>(other) = fatigue::cycle_of(in.others[i], trace);
     other.similar = are_similar(r, other) ? Similar::yes : Similar::no;

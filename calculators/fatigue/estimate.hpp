@@ -91,8 +91,8 @@ void estimate(const FatigueEndurance::Input& in, FatigueEndurance::Result& r, Tr
   trace.value("R_cap", R_cap, "tensile strength that the rule counts");
   STEP(sigma_low, f_low * R_cap, "lower end of the rule's band");
   STEP(sigma_high, f_high * R_cap, "upper end of the rule's band");
-  STEP(sigma_m1, sigma_low, "the lower end, on the safe side");
-  r.sigma_low = sigma_low, r.sigma_high = sigma_high, r.sigma_m1 = sigma_m1;
+  r.sigma_low = sigma_low, r.sigma_high = sigma_high;
+  r.sigma_m1 = NAMED_STEP("sigma_m1", sigma_low, "the lower end, on the safe side");
 }
 
 }  // namespace loadpath::fatigue

@@ -9,6 +9,10 @@ static constexpr std::array all{
     &erased<struct PlanarMechanism>,
     &erased<struct Torsion>,
     &erased<struct Overhung>,
+    &erased<struct PointMotion>,
+    &erased<struct Rotation>,
+    &erased<struct PlaneMotion>,
+    &erased<struct CompoundMotion>,
 };
 
 Catalogue catalogue() {

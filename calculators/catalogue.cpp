@@ -13,6 +13,9 @@ static constexpr std::array all{
     &erased<struct Rotation>,
     &erased<struct PlaneMotion>,
     &erased<struct CompoundMotion>,
+    &erased<struct ForceOfMotion>,
+    &erased<struct Throw>,
+    &erased<struct Impulse>,
 };
 
 Catalogue catalogue() {

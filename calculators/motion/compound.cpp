@@ -42,7 +42,8 @@ void add_accelerations(const Input& in, Result& r, Tracer& trace) {
   const auto epsilon = in.epsilon;
   const auto phi = in.phi;
   STEP(a_exi, a_Ax * cos(phi) + a_Ay * sin(phi) - epsilon * eta - omega * omega * xi, "of a point of the frame, [B28]");
-  STEP(a_eeta, a_Ay * cos(phi) - a_Ax * sin(phi) + epsilon * xi - omega * omega * eta, "of a point of the frame, [B28]");
+  STEP(a_eeta, a_Ay * cos(phi) - a_Ax * sin(phi) + epsilon * xi - omega * omega * eta,
+       "of a point of the frame, [B28]");
   STEP(a_e, sqrt(a_exi * a_exi + a_eeta * a_eeta), "magnitude");
   STEP(a_r, sqrt(a_xi * a_xi + a_eta * a_eta + a_zeta * a_zeta), "magnitude");
   STEP(a_cxi, -2.0 * omega * v_eta, "Coriolis: twice omega times the relative velocity, turned on by 90 deg, [B31]");
@@ -90,7 +91,8 @@ std::vector<draw::Figure> CompoundMotion::figures(const Input& in, const Result&
     return draw::Point{a * c - b * s, a * s + b * c};
   };
   const motion::Vectors velocities{
-      "Velocities", "m/s",
+      "Velocities",
+      "m/s",
       {{"v_e", turned(r.v_exi, r.v_eeta)}, {"v_r", turned(in.v_xi, in.v_eta)}, {"v", turned(r.v_axi, r.v_aeta)}}};
   const motion::Vectors accelerations{"Accelerations",
                                       "m/s^2",

@@ -1,5 +1,6 @@
 #include "calculators/motion/plane.hpp"
 
+#include "calculators/motion/laws.hpp"
 #include "calculators/motion/path_figures.hpp"
 #include "lib/calculator_of.hpp"
 #include "lib/quantity/format.hpp"
@@ -32,9 +33,7 @@ bool rests_in_B(const Input& in) { return is_set(in.v_B) && in_si(in.v_B) == 0.0
 bool uses_B(const Input& in) { return !is_set(in.omega); }
 
 double projection_of_A(const Input& in) { return in_si(in.v_A) * cosine_to_AB(in, in.alpha_A); }
-double projection_of_B(const Input& in) {
-  return rests_in_B(in) ? 0.0 : in_si(in.v_B) * cosine_to_AB(in, in.alpha_B);
-}
+double projection_of_B(const Input& in) { return rests_in_B(in) ? 0.0 : in_si(in.v_B) * cosine_to_AB(in, in.alpha_B); }
 
 PlaneMotion::Case case_of(const Input& in) {
   using C = PlaneMotion::Case;
@@ -44,33 +43,41 @@ PlaneMotion::Case case_of(const Input& in) {
   return std::abs(sin(in.alpha_A - in.alpha_B)) <= square_to_AB ? C::inclined : C::meeting;
 }
 
+/// From A to B: its length and its direction from x.
+struct Span {
+  Length AB;
+  double beta;
+};
+
 template <class Tracer>
-void take_velocity_of_B(const Input& in, Result& r, Tracer& trace) {
+Span span_of(const Input& in, Tracer& trace) {
+  const Length dx = in.B.x - in.A.x, dy = in.B.y - in.A.y;
+  const double beta = std::atan2(in_si(dy), in_si(dx));
+  const Length AB = sqrt(dx * dx + dy * dy);
+  trace.value("AB", AB, "distance of A and B");
+  trace.value("beta", beta, "direction from A to B, from x");
+  return {AB, beta};
+}
+
+template <class Tracer>
+void take_velocity_of_B(const Input& in, const Span& span, Result& r, Tracer& trace) {
+  const auto& [AB, beta] = span;
   const auto v_A = in.v_A;
   const auto alpha_A = in.alpha_A, alpha_B = is_set(in.alpha_B) ? in.alpha_B : 0.0;
-  const auto x_A = in.A.x, y_A = in.A.y, x_B = in.B.x, y_B = in.B.y;
-  trace.value("x_A", x_A, "place of A");
-  trace.value("y_A", y_A, "place of A");
-  trace.value("x_B", x_B, "place of B");
-  trace.value("y_B", y_B, "place of B");
-  STEP(AB, sqrt((x_B - x_A) * (x_B - x_A) + (y_B - y_A) * (y_B - y_A)), "distance of A and B");
   r.v_B = in.v_B;
+  if (!is_set(in.alpha_B)) trace.value("alpha_B", alpha_B, "any direction: B rests");
   if (!is_set(in.v_B)) {
-    STEP(v_p, v_A * ((x_B - x_A) * cos(alpha_A) + (y_B - y_A) * sin(alpha_A)) / AB,
-         "projection of the velocity of A on AB");
-    STEP(v_B, v_p * AB / ((x_B - x_A) * cos(alpha_B) + (y_B - y_A) * sin(alpha_B)),
-         "the projection of the velocity of B is the same, [B29]");
-    r.v_B = v_B;
+    STEP(v_B, v_A * cos(alpha_A - beta) / cos(alpha_B - beta), "projections on AB are equal, [B29]");
+    r.v_B = motion::without_rounding(in_si(v_B), in_si(v_A)) * m_per_s;
   }
-  trace.value("alpha_B", alpha_B, "direction of the velocity of B");
   const auto v_B = r.v_B;
   if (case_of(in) == PlaneMotion::Case::inclined) {
     r.omega = 0.0 * rad_per_s;
     trace.value("omega", r.omega, "parallel velocities oblique to AB: translation, [B29]");
     return;
   }
-  STEP(v_nA, v_A * ((x_B - x_A) * sin(alpha_A) - (y_B - y_A) * cos(alpha_A)) / AB, "part of v_A across AB");
-  STEP(v_nB, v_B * ((x_B - x_A) * sin(alpha_B) - (y_B - y_A) * cos(alpha_B)) / AB, "part of v_B across AB");
+  STEP(v_nA, v_A * sin(alpha_A - beta), "part of v_A across AB");
+  STEP(v_nB, v_B * sin(alpha_B - beta), "part of v_B across AB");
   STEP(omega, (v_nB - v_nA) / AB, "B turns about A, [B29]");
   r.omega = omega;
 }
@@ -85,36 +92,38 @@ PlaneMotion::Kind kind_of(const Input& in, const Result& r) {
 }
 
 template <class Tracer>
+void tell_A(const Input& in, Tracer& trace) {
+  trace.value("x_A", in.A.x, "place of A");
+  trace.value("y_A", in.A.y, "place of A");
+}
+
+template <class Tracer>
 void find_pole(const Input& in, Result& r, Tracer& trace) {
   const auto v_A = in.v_A;
-  const auto alpha_A = in.alpha_A;
   const auto x_A = in.A.x, y_A = in.A.y;
   const auto omega = r.omega;
-  trace.value("x_A", x_A, "place of A");
-  trace.value("y_A", y_A, "place of A");
-  STEP(x_P, x_A - v_A * sin(alpha_A) / omega, "on the perpendicular to the velocity of A, [B29]");
-  STEP(y_P, y_A + v_A * cos(alpha_A) / omega, "on the perpendicular to the velocity of A, [B29]");
+  const Speed v_Ax = motion::without_rounding(in_si(v_A) * cos(in.alpha_A), in_si(v_A)) * m_per_s;
+  const Speed v_Ay = motion::without_rounding(in_si(v_A) * sin(in.alpha_A), in_si(v_A)) * m_per_s;
+  tell_A(in, trace);
+  trace.value("v_Ax", v_Ax, "v_A along x");
+  trace.value("v_Ay", v_Ay, "v_A along y");
+  STEP(x_P, x_A - v_Ay / omega, "on the perpendicular to the velocity of A, [B29]");
+  STEP(y_P, y_A + v_Ax / omega, "on the perpendicular to the velocity of A, [B29]");
   STEP(PA, abs(v_A / omega), "omega = v_A/PA, [B29]");
   r.x_P = x_P, r.y_P = y_P, r.PA = PA;
 }
 
 /// The angular acceleration from the straight guide of B.
 template <class Tracer>
-void take_guide_of_B(const Input& in, Result& r, Tracer& trace) {
+void take_guide_of_B(const Input& in, const Span& span, Result& r, Tracer& trace) {
+  const auto& [AB, beta] = span;
   const auto a_A = in.a_A;
   const auto alpha_aA = in.alpha_aA, alpha_aB = in.alpha_aB;
   const auto omega = r.omega;
-  const Length dx = in.B.x - in.A.x, dy = in.B.y - in.A.y;
-  trace.value("dx", dx, "from A to B along x");
-  trace.value("dy", dy, "from A to B along y");
-  STEP(a_B,
-       (a_A * (dx * cos(alpha_aA) + dy * sin(alpha_aA)) - omega * omega * (dx * dx + dy * dy)) /
-           (dx * cos(alpha_aB) + dy * sin(alpha_aB)),
-       "projections of the accelerations on AB: that of B is smaller by omega^2 AB");
-  STEP(epsilon,
-       (dx * (a_B * sin(alpha_aB) - a_A * sin(alpha_aA)) - dy * (a_B * cos(alpha_aB) - a_A * cos(alpha_aA))) /
-           (dx * dx + dy * dy),
-       "parts of the accelerations across AB");
+  STEP(a_B, (a_A * cos(alpha_aA - beta) - omega * omega * AB) / cos(alpha_aB - beta),
+       "projections on AB: that of a_B is smaller by the normal acceleration of B about A");
+  STEP(epsilon, (a_B * sin(alpha_aB - beta) - a_A * sin(alpha_aA - beta)) / AB,
+       "parts across AB: tangential acceleration of B about A");
   r.a_B = a_B, r.epsilon = epsilon;
 }
 
@@ -127,8 +136,7 @@ void find_pole_of_accelerations(const Input& in, Result& r, Tracer& trace) {
   const auto alpha_aA = in.alpha_aA;
   STEP(D, pow<4>(omega) + epsilon * epsilon, "square of the acceleration per distance");
   if (in_si(D) == 0.0) return;
-  trace.value("x_A", x_A, "place of A");
-  trace.value("y_A", y_A, "place of A");
+  if (r.kind != PlaneMotion::Kind::rotation) tell_A(in, trace);
   STEP(x_Q, x_A + a_A * (omega * omega * cos(alpha_aA) - epsilon * sin(alpha_aA)) / D,
        "the point without acceleration");
   STEP(y_Q, y_A + a_A * (omega * omega * sin(alpha_aA) + epsilon * cos(alpha_aA)) / D,
@@ -139,14 +147,18 @@ void find_pole_of_accelerations(const Input& in, Result& r, Tracer& trace) {
 PlaneMotion::PointState state_at(const Input& in, const Result& r, const Name& name, Length x, Length y) {
   PlaneMotion::PointState s;
   s.name = name, s.x = x, s.y = y;
-  const Length dx = x - in.A.x, dy = y - in.A.y;
-  s.v_x = in.v_A * cos(in.alpha_A) - r.omega * dy;
-  s.v_y = in.v_A * sin(in.alpha_A) + r.omega * dx;
+  const double dx = in_si(x - in.A.x), dy = in_si(y - in.A.y), reach = std::hypot(dx, dy);
+  const double v_A = in_si(in.v_A), omega = in_si(r.omega);
+  const double v_scale = std::abs(v_A) + std::abs(omega) * reach;
+  s.v_x = motion::without_rounding(v_A * cos(in.alpha_A) - omega * dy, v_scale) * m_per_s;
+  s.v_y = motion::without_rounding(v_A * sin(in.alpha_A) + omega * dx, v_scale) * m_per_s;
   s.v = sqrt(s.v_x * s.v_x + s.v_y * s.v_y);
   if (in_si(s.v) > 0.0) s.gamma = std::atan2(in_si(s.v_y), in_si(s.v_x));
   if (!is_set(in.a_A)) return s;
-  s.a_x = in.a_A * cos(in.alpha_aA) - r.epsilon * dy - r.omega * r.omega * dx;
-  s.a_y = in.a_A * sin(in.alpha_aA) + r.epsilon * dx - r.omega * r.omega * dy;
+  const double a_A = in_si(in.a_A), epsilon = in_si(r.epsilon), square = omega * omega;
+  const double a_scale = std::abs(a_A) + (std::abs(epsilon) + square) * reach;
+  s.a_x = motion::without_rounding(a_A * cos(in.alpha_aA) - epsilon * dy - square * dx, a_scale) * m_per_s2;
+  s.a_y = motion::without_rounding(a_A * sin(in.alpha_aA) + epsilon * dx - square * dy, a_scale) * m_per_s2;
   s.a = sqrt(s.a_x * s.a_x + s.a_y * s.a_y);
   return s;
 }
@@ -181,14 +193,16 @@ bool PlaneMotion::guide_is_oblique(const Input& in) {
 template <class Tracer>
 PlaneMotion::Result PlaneMotion::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  r.found_by = case_of(in);
+  r.found = case_of(in);
   r.omega = in.omega;
-  if (uses_B(in)) take_velocity_of_B(in, r, trace);
+  const Span span = has_B(in) ? span_of(in, trace) : Span{};
+  if (has_B(in)) r.AB = span.AB, r.beta = span.beta;
+  if (uses_B(in)) take_velocity_of_B(in, span, r, trace);
   r.kind = kind_of(in, r);
   if (r.kind != Kind::rotation) r.omega = 0.0 * rad_per_s;
   if (r.kind == Kind::rotation) find_pole(in, r, trace);
   r.epsilon = in.epsilon;
-  if (is_set(in.alpha_aB)) take_guide_of_B(in, r, trace);
+  if (is_set(in.alpha_aB)) take_guide_of_B(in, span, r, trace);
   if (is_set(in.a_A)) find_pole_of_accelerations(in, r, trace);
   r.states.push_back(state_at(in, r, "A", in.A.x, in.A.y));
   if (has_B(in)) r.states.push_back(state_at(in, r, "B", in.B.x, in.B.y));

@@ -21,7 +21,8 @@ struct PlaneMotion {
   static constexpr auto id = "motion.plane";
   static constexpr auto title = "Plane motion of a body";
   static constexpr auto scope =
-      "Angular speed and pole of velocities of a body in plane motion, from its angular speed or from the velocities of "
+      "Angular speed and pole of velocities of a body in plane motion, from its angular speed or from the velocities "
+      "of "
       "two of its points; velocities of further points, and accelerations where that of A is given. One instant.";
   static constexpr auto source = "[B29], [B28]";
   static constexpr auto example = R"toml([project]
@@ -74,16 +75,18 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
       Field{&Input::alpha_A, "alpha_A", deg, "direction of the velocity of A, from x"},
       Field{&Input::omega, "omega", rad_per_s, "angular speed, counter-clockwise positive; else B tells"}
           .may_be_missing(),
-      Field{&Input::v_B, "v_B", m_per_s, "velocity of B along alpha_B, signed; needed where both velocities are "
-                                         "perpendicular to AB"}
+      Field{&Input::v_B, "v_B", m_per_s,
+            "velocity of B along alpha_B, signed; needed where both velocities are "
+            "perpendicular to AB"}
           .may_be_missing(),
       Field{&Input::alpha_B, "alpha_B", deg, "direction of the velocity of B, from x"}.may_be_missing(),
       Field{&Input::a_A, "a_A", m_per_s2, "acceleration of A along alpha_aA, signed"}.may_be_missing(),
       Field{&Input::alpha_aA, "alpha_aA", deg, "direction of the acceleration of A, from x"},
       Field{&Input::epsilon, "epsilon", rad_per_s2, "angular acceleration, counter-clockwise positive"}
           .may_be_missing(),
-      Field{&Input::alpha_aB, "alpha_aB", deg, "direction of the acceleration of B (a straight guide), in place of "
-                                               "epsilon"}
+      Field{&Input::alpha_aB, "alpha_aB", deg,
+            "direction of the acceleration of B (a straight guide), in place of "
+            "epsilon"}
           .may_be_missing(),
       ListField{&Input::points, "points", "further points of the body"}.may_be_missing()};
 
@@ -107,8 +110,10 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
   };
 
   struct Result {
-    Case found_by = Case::given;
+    Case found = Case::given;
     Kind kind = Kind::rotation;
+    Length AB = unset<Length>;
+    double beta = unset<double>;
     Speed v_B = unset<Speed>;
     AngularSpeed omega = unset<AngularSpeed>;
     Length x_P = unset<Length>, y_P = unset<Length>, PA = unset<Length>;
@@ -118,8 +123,10 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
     List<PointState, most_points + 2> states;
   };
   static constexpr std::tuple results{
-      Choice{&Result::found_by, "found_by", "what the angular speed follows from"}.as(Role::result),
+      Choice{&Result::found, "found", "what the angular speed follows from"}.as(Role::result),
       Choice{&Result::kind, "kind", "what the body does at this instant"}.as(Role::result),
+      Field{&Result::AB, "AB", m, "distance of A and B"}.as(Role::result),
+      Field{&Result::beta, "beta", deg, "direction from A to B, from x"}.as(Role::result),
       Field{&Result::v_B, "v_B", m_per_s, "velocity of B along alpha_B, signed"}.as(Role::result),
       Field{&Result::omega, "omega", rad_per_s, "angular speed, counter-clockwise positive"}.as(Role::result),
       Field{&Result::x_P, "x_P", m, "pole of velocities, x; none in a translation"}.as(Role::result),
@@ -169,10 +176,11 @@ extern template PlaneMotion::Result PlaneMotion::evaluate(const Input&, Trace&);
 
 constexpr auto choices_of(PlaneMotion::Case) {
   using C = PlaneMotion::Case;
-  return std::array{ChoiceName<C>{C::given, "given", "the angular speed is given"},
-                    ChoiceName<C>{C::meeting, "meeting", "the perpendiculars to the velocities meet in the pole"},
-                    ChoiceName<C>{C::tips, "tips", "both velocities are perpendicular to AB: the line through their tips"},
-                    ChoiceName<C>{C::inclined, "inclined", "parallel velocities, oblique to AB: a translation"}};
+  return std::array{
+      ChoiceName<C>{C::given, "given", "the angular speed is given"},
+      ChoiceName<C>{C::meeting, "meeting", "the perpendiculars to the velocities meet in the pole"},
+      ChoiceName<C>{C::tips, "tips", "both velocities are perpendicular to AB: the line through their tips"},
+      ChoiceName<C>{C::inclined, "inclined", "parallel velocities, oblique to AB: a translation"}};
 }
 constexpr auto choices_of(PlaneMotion::Kind) {
   using K = PlaneMotion::Kind;

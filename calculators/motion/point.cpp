@@ -18,9 +18,7 @@ constexpr double rounding = 1e-12;  // a part of the acceleration below this sha
 
 PointPath path_of(const PointMotion::Input& in) { return {in.x, in.y, in.z}; }
 
-Length radius_of(const PointState& s) {
-  return s.a_n > rounding * s.acceleration ? 1.0 / s.kappa * m : unset<Length>;
-}
+Length radius_of(const PointState& s) { return s.a_n > rounding * s.acceleration ? 1.0 / s.kappa * m : unset<Length>; }
 
 PointMotion::State state_at(const PointPath& path, double t) {
   const PointState s = path.at(t);
@@ -109,8 +107,7 @@ void take_range(const PointMotion::Input& in, const PointPath& path, PointMotion
   const auto t_1 = in.t_1, t_2 = in.t_2;
   const PointState first = path.at(from), last = path.at(to);
   const Length L = path.length(from, to) * m;
-  const Length Delta_r =
-      std::hypot(last.r[0] - first.r[0], last.r[1] - first.r[1], last.r[2] - first.r[2]) * m;
+  const Length Delta_r = std::hypot(last.r[0] - first.r[0], last.r[1] - first.r[1], last.r[2] - first.r[2]) * m;
   trace.value("L", L, "integral of the speed over the range");
   trace.value("Delta_r", Delta_r, "distance of the places at t_2 and t_1");
   STEP(v_m, Delta_r / (t_2 - t_1), "mean velocity, [B26]");

@@ -132,7 +132,8 @@ t_2 = "2 s"
       Rule<Input>{&laws_read, "x, y, z", "x, y and z must be lengths as formulas of t", &law_fault},
       Rule<Input>{[](const Input& in) { return is_set(in.t_1) == is_set(in.t_2); }, "t_1, t_2",
                   "a range needs both of its ends: give t_1 and t_2, or neither"},
-      Rule<Input>{[](const Input& in) { return !(in.t_1 >= in.t_2); }, "t_2, t_1", "the range must end after its start"},
+      Rule<Input>{[](const Input& in) { return !(in.t_1 >= in.t_2); }, "t_2, t_1",
+                  "the range must end after its start"},
       Rule<Input>{&laws_are_smooth, "x, y, z, t, t_1, t_2, times", "the laws must have values at these times", &gap}};
 
   template <class Tracer>

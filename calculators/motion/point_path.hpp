@@ -11,8 +11,8 @@ namespace loadpath::motion {
 /// Place, velocity and acceleration, with the parts along the path.
 struct PointState {
   std::array<double, 3> r{}, v{}, a{};
-  double speed = 0.0;         // m/s; zero where it is nothing but rounding
-  double acceleration = 0.0;  // m/s^2
+  double speed = 0.0;                          // m/s; zero where it is nothing but rounding
+  double acceleration = 0.0;                   // m/s^2
   double a_tau = 0.0, a_n = 0.0, kappa = 0.0;  // NaN where the point rests: there is no tangent
 };
 

@@ -94,7 +94,8 @@ t_2 = "2 s"
       Rule<Input>{&law_reads, "phi", "phi must be an angle as a formula of t", &law_fault},
       Rule<Input>{[](const Input& in) { return is_set(in.t_1) == is_set(in.t_2); }, "t_1, t_2",
                   "a range needs both of its ends: give t_1 and t_2, or neither"},
-      Rule<Input>{[](const Input& in) { return !(in.t_1 >= in.t_2); }, "t_2, t_1", "the range must end after its start"},
+      Rule<Input>{[](const Input& in) { return !(in.t_1 >= in.t_2); }, "t_2, t_1",
+                  "the range must end after its start"},
       Rule<Input>{&law_is_smooth, "phi, t, t_1, t_2", "the law must have a value at these times", &gap}};
 
   template <class Tracer>

@@ -14,7 +14,9 @@ using std::cos;
 using std::sin;
 
 /// How high the landing is, over how high the body gets, both above the throw.
-double reached_height(const Throw::Input& in, const Throw::Result& r) { return in_si(in.h) < 0.0 ? -in.h / r.H : 0.0; }
+double reached_height(const Throw::Input& in, const Throw::Result& r) {
+  return in_si(in.h) < 0.0 ? -in_si(in.h) / in_si(r.H) : 0.0;
+}
 
 template <class Tracer>
 void land(const Throw::Input& in, Throw::Result& r, Tracer& trace) {

@@ -16,6 +16,13 @@ static constexpr std::array all{
     &erased<struct ForceOfMotion>,
     &erased<struct Throw>,
     &erased<struct Impulse>,
+    &erased<struct SystemMomentum>,
+    &erased<struct MassCentre>,
+    &erased<struct AngularMomentumChange>,
+    &erased<struct WorkAndEnergy>,
+    &erased<struct Lift>,
+    &erased<struct Flywheel>,
+    &erased<struct RunUp>,
 };
 
 Catalogue catalogue() {

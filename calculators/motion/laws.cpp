@@ -16,31 +16,35 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Outcome<Law> parsed(const Formula& formula, const Dimension& dimension) {
-  return Law::parse(formula.view(), {"t", sec.dimension()}, dimension);
+  return Law::parse(formula.view(), time_variable(), dimension);
 }
 
 /// A formula and what it was read as.
 struct Kept {
   Formula formula;
-  Dimension dimension;
+  Dimension dimension, variable;
   bool is_law = false;
   Law law;
 };
 
 }  // namespace
 
-const Law* law_of(const Formula& formula, const Dimension& dimension) {
+Law::Variable time_variable() { return {"t", sec.dimension()}; }
+
+const Law* law_of(const Formula& formula, const Dimension& dimension, const Law::Variable& variable) {
   thread_local std::array<Kept, 16> kept;
   thread_local std::size_t next = 0;
   if (formula.empty()) return nullptr;
   for (const Kept& k : kept) {
-    if (k.formula == formula && k.dimension == dimension) return k.is_law ? &k.law : nullptr;
+    if (k.formula == formula && k.dimension == dimension && k.variable == variable.dimension)
+      return k.is_law ? &k.law : nullptr;
   }
   Kept& slot = kept[next];
   next = (next + 1) % kept.size();
-  auto law = parsed(formula, dimension);
+  auto law = Law::parse(formula.view(), variable, dimension);
   slot.formula = formula;
   slot.dimension = dimension;
+  slot.variable = variable.dimension;
   slot.is_law = static_cast<bool>(law);
   if (slot.is_law) slot.law = std::move(*law);
   return slot.is_law ? &slot.law : nullptr;

@@ -10,9 +10,12 @@
 
 namespace loadpath::motion {
 
+/// t, in seconds.
+Law::Variable time_variable();
+
 /// The law that a formula is, or null where it is none. Formulas that were read lately are kept, so that a sweep reads
 /// each of them once; the pointer is good until fifteen other formulas have been asked for.
-const Law* law_of(const Formula& formula, const Dimension& dimension);
+const Law* law_of(const Formula& formula, const Dimension& dimension, const Law::Variable& variable = time_variable());
 
 /// A formula of an input with the key that it was given under.
 struct Written {

@@ -27,9 +27,9 @@ void count_turns(const Rotation::Input& in, Rotation::Result& r, Tracer& trace) 
   trace.value("phi_1", phi_1, "law of rotation at t_1");
   trace.value("phi_2", phi_2, "law of rotation at t_2");
   STEP(Delta_phi, phi_2 - phi_1, "angle turned");
-  STEP(N, Delta_phi / (2.0 * pi), "a turn is 2 pi");
+  STEP(turns, Delta_phi / (2.0 * pi), "a turn is 2 pi");
   STEP(omega_m, Delta_phi / (t_2 - t_1), "mean angular speed, [B28]");
-  r.Delta_phi = Delta_phi, r.N = N, r.omega_m = omega_m;
+  r.Delta_phi = Delta_phi, r.turns = turns, r.omega_m = omega_m;
 }
 
 template <class Tracer>

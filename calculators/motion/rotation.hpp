@@ -56,7 +56,7 @@ t_2 = "2 s"
     AngularSpeed omega = unset<AngularSpeed>, n = unset<AngularSpeed>;
     AngularAcceleration epsilon = unset<AngularAcceleration>;
     Change change = Change::at_rest;
-    double Delta_phi = unset<double>, N = unset<double>;
+    double Delta_phi = unset<double>, turns = unset<double>;
     AngularSpeed omega_m = unset<AngularSpeed>;
     Speed v = unset<Speed>;
     Acceleration a_tau = unset<Acceleration>, a_n = unset<Acceleration>, a = unset<Acceleration>;
@@ -72,7 +72,7 @@ t_2 = "2 s"
       Field{&Result::epsilon, "epsilon", rad_per_s2, "angular acceleration, signed"}.as(Role::result),
       Choice{&Result::change, "change", "whether the body gets faster"}.as(Role::result),
       Field{&Result::Delta_phi, "Delta_phi", deg, "angle turned from t_1 to t_2, signed"}.as(Role::result),
-      Field{&Result::N, "N", ratio, "turns from t_1 to t_2, signed"}.as(Role::result),
+      Field{&Result::turns, "turns", ratio, "turns from t_1 to t_2, signed"}.as(Role::result),
       Field{&Result::omega_m, "omega_m", rad_per_s, "mean angular speed from t_1 to t_2"}.as(Role::result),
       Field{&Result::v, "v", m_per_s, "speed of the point"}.as(Role::result),
       Field{&Result::a_tau, "a_tau", m_per_s2, "tangential acceleration, positive counter-clockwise"}.as(Role::result),

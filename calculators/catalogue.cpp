@@ -5,10 +5,36 @@
 namespace loadpath {
 
 // One line per calculator; the only list of them. Explicit, because a linker drops objects that nothing refers to.
+// clang-format off
 static constexpr std::array all{
     &erased<struct PlanarMechanism>,
     &erased<struct Torsion>,
     &erased<struct Overhung>,
+    &erased<struct SolidCircle>,
+    &erased<struct RingSection>,
+    &erased<struct RectangleSection>,
+    &erased<struct ISection>,
+    &erased<struct ChannelSection>,
+    &erased<struct AngleSection>,
+    &erased<struct TeeSection>,
+    &erased<struct HollowSection>,
+    &erased<struct PolygonSection>,
+    &erased<struct BuiltUpSection>,
+    &erased<struct Buckling>,
+    &erased<struct EffectiveLength>,
+    &erased<struct VesselCylinder>,
+    &erased<struct VesselSphere>,
+    &erased<struct VesselCone>,
+    &erased<struct VesselTorus>,
+    &erased<struct VesselEllipsoid>,
+    &erased<struct VesselShell>,
+    &erased<struct FatigueCycle>,
+    &erased<struct FatigueEndurance>,
+    &erased<struct FatigueWohler>,
+    &erased<struct GearPair>,
+    &erased<struct Planetary>,
+    &erased<struct RollerChain>,
+    &erased<struct DriveTrain>,
     &erased<struct PointMotion>,
     &erased<struct Rotation>,
     &erased<struct PlaneMotion>,
@@ -24,6 +50,7 @@ static constexpr std::array all{
     &erased<struct Flywheel>,
     &erased<struct RunUp>,
 };
+// clang-format on
 
 Catalogue catalogue() {
   static const auto calculators = [] {

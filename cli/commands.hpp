@@ -16,9 +16,10 @@ enum Exit : int { passed = 0, not_passed = 1, wrong_input = 2, fault = 3, interr
 struct OutputOptions {
   std::vector<std::string> reports;  // .html, .md, .pdf
   bool json = false;
-  std::string csv;  // folder, or a .csv file for the one step that has series
-  std::string svg;  // folder for every figure, or an .svg file for the first drawing of a mechanism
-  std::string dxf;  // file for that drawing, or folder for those of several mechanisms
+  std::string csv;                  // folder, or a .csv file for the one step that has series
+  std::string svg;                  // folder for every figure, or an .svg file for the first drawing of a mechanism
+  std::string dxf;                  // file for that drawing, or folder for those of several mechanisms
+  std::vector<std::string> series;  // patterns of those that JSON and CSV hold; none: all
   bool quiet = false;
 };
 
@@ -60,6 +61,8 @@ int verify(const VerifyOptions& options);
 struct TablesOptions {
   std::string table;
   std::string key;
+  std::string where;  // "I_min >= 300 cm^4 and h <= 200 mm"
+  std::string sort;   // "m", "-m"
   bool audit = false;
 };
 int tables(const TablesOptions& options);

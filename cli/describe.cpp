@@ -148,6 +148,8 @@ int describe(const DescribeOptions& options) {
   if (c == nullptr) return describe_template(options.id) ? passed : refuse(options.id);
   std::cout << c->id << ": " << c->title << "\n\n" << c->scope << "\n\n";
   for (const std::string& key : keys_in(c->source)) std::cout << "[" << key << "] " << table::citation(key) << "\n";
+  for (const std::string& key : c->used_sources)
+    std::cout << "[" << key << "] where it is used: " << table::citation(key) << "\n";
   std::cout << "\n";
   show_type("Inputs", *c->input);
   if (!c->templates.empty()) show_templates(*c);

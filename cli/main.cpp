@@ -35,6 +35,13 @@ void add_output(CLI::App& app, OutputOptions& output) {
   app.add_flag("--json", output.json, "print the results as one JSON object");
   app.add_option("--csv", output.csv, "write the series: each step's into a folder, or the one's into FILE.csv")
       ->type_name("PATH");
+  app.add_option("--series", output.series,
+                 "the series that CSV and JSON hold, by name: drive.M,links.*.N; * is any characters")
+      ->type_name("NAMES")
+      ->delimiter(',')
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
   app.add_flag("--quiet", output.quiet, "print errors only");
 }
 
@@ -73,6 +80,12 @@ void setup_tables(CLI::App& app, TablesOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("tables", "materials, preferred sizes and their sources");
   sub->add_option("table", options.table, "table, for example materials");
   sub->add_option("key", options.key, "row, for example C45E");
+  sub->add_option("--where", options.where,
+                  "rows that hold this, as in \"I_min >= 300 cm^4 and h <= 200 mm\"; a value that depends on the size "
+                  "counts at the smallest")
+      ->type_name("CONDITION");
+  sub->add_option("--sort", options.sort, "column to sort by, as in mass or h; with - before it from the largest")
+      ->type_name("COLUMN");
   sub->add_flag("--audit", options.audit, "every value whose source was not seen");
   sub->callback([&] { action = [&] { return tables(options); }; });
 }
@@ -140,13 +153,11 @@ void setup_calculator(CLI::App& element, const Calculator& calculator, Calculate
         ->expected(1)
         ->allow_extra_args(false);
   };
-  bool material = false;
-  for (const FieldInfo& f : calculator.input->fields) {
-    add(f.key, f.doc, type_word(f));
-    material = material || std::string_view(f.provider.table) == "material";
-  }
+  for (const FieldInfo& f : calculator.input->fields) add(f.key, f.doc, type_word(f));
   add_templates(calculator, add);
-  if (material) add("material", "row of the materials table that fills what is missing", "NAME");
+  for (const std::string& group : table_groups(calculator)) {
+    add(group, "row of the " + group + " tables that fills what is missing", "NAME");
+  }
   add("title", "title of the report", "TEXT");
   sub->add_option(
          "--file", options.file,

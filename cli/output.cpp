@@ -34,8 +34,9 @@ std::vector<File> report_files(const report::Document& document, const std::stri
 }
 
 /// FILE.csv for the one step that has series, or a file for each in a folder. False where one file cannot hold them.
-bool add_series(const project::Project& project, const std::string& path, std::vector<File>& files) {
-  auto tables = io::csv_of(project);
+bool add_series(const project::Project& project, const OutputOptions& options, std::vector<File>& files) {
+  const std::string& path = options.csv;
+  auto tables = io::csv_of(project, project::SeriesChoice(options.series));
   if (tables.empty()) std::cerr << "no series, so nothing to write as CSV\n";
   const bool one_file = ending(path) == ".csv";
   if (one_file && tables.size() > 1) {
@@ -109,6 +110,11 @@ bool write_file(const File& file) {
 }  // namespace
 
 bool can_write(const OutputOptions& options) {
+  if (!options.series.empty() && options.csv.empty() && !options.json) {
+    std::cerr << "loadpath: '--series' says which series --csv and --json hold, and neither is given\n  = help: add "
+                 "--csv PATH or --json\n";
+    return false;
+  }
   for (const std::string& path : options.reports) {
     const std::string kind = ending(path);
     if (kind != ".html" && kind != ".md" && kind != ".pdf") {
@@ -133,7 +139,8 @@ bool can_write(const OutputOptions& options) {
 bool write(const project::Project& project, const OutputOptions& options) {
   std::vector<File> files;
   std::vector<std::string> prints;
-  const report::Document document = report::build(project, program());
+  report::Document document;
+  if (!options.reports.empty()) document = report::build(project, program());
   for (const std::string& path : options.reports) {
     if (ending(path) == ".pdf") {
       prints.push_back(path);
@@ -141,7 +148,7 @@ bool write(const project::Project& project, const OutputOptions& options) {
       for (File& file : report_files(document, path)) files.push_back(std::move(file));
     }
   }
-  if (!options.csv.empty() && !add_series(project, options.csv, files)) return false;
+  if (!options.csv.empty() && !add_series(project, options, files)) return false;
   if (!add_drawings(project, options, files)) return false;
   if (!std::all_of(files.begin(), files.end(), write_file)) return false;
   for (const std::string& path : prints) {

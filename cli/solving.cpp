@@ -15,6 +15,19 @@ void tell(const std::vector<Issue>& issues, const std::vector<SourceText>& sourc
   if (!output.quiet || has_errors(issues)) show_issues(issues, sources);
 }
 
+/// What is only looked at is made where somebody looks.
+project::Extent extent_of(const OutputOptions& output, bool in_full) {
+  const bool shown = in_full && !output.json && !output.quiet;
+  const bool drawn = !output.reports.empty() || !output.svg.empty() || !output.dxf.empty();
+  return shown || drawn ? project::Extent::all : project::Extent::values;
+}
+
+/// Patterns that choose nothing; which series there are is known when the project is solved.
+void check_series(const project::Project& project, const OutputOptions& output, std::vector<Issue>& issues) {
+  for (const FieldFault& fault : project::SeriesChoice(output.series).check(project))
+    issues.push_back({{"--series", 0, 0, 1}, "", fault.message, fault.hint, Severity::error});
+}
+
 }  // namespace
 
 int exit_for(const std::vector<report::Verdict>& verdicts) {
@@ -25,12 +38,13 @@ int solve_and_show(const ReadProject& read, const std::vector<SourceText>& sourc
                    bool in_full) {
   std::vector<Issue> issues;
   project::Project project = read(issues);
-  if (!has_errors(issues)) project::solve(project, issues);
+  if (!has_errors(issues)) project::solve(project, issues, extent_of(output, in_full));
+  if (!has_errors(issues)) check_series(project, output, issues);
   tell(issues, sources, output);
   if (has_errors(issues)) return wrong_input;
   if (!write(project, output)) return wrong_input;
   if (output.json) {
-    std::cout << io::json_of(project, program());
+    std::cout << io::json_of(project, program(), project::SeriesChoice(output.series));
   } else if (!output.quiet) {
     show_project(project, in_full);
   }

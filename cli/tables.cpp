@@ -1,6 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "lib/quantity/format.hpp"
+#include "lib/table/search.hpp"
 #include "lib/table/table.hpp"
 
 #include <algorithm>
@@ -111,10 +112,78 @@ int show_row(const Library& library, const std::string& group, const std::string
   return passed;
 }
 
+using Tables = std::vector<const Table*>;
+
+/// The columns that were asked for, then those that come first in the tables, as many as a line holds.
+std::vector<const table::Column*> columns_to_show(const Tables& chosen, const table::Condition& condition,
+                                                  const table::Order& order) {
+  constexpr std::size_t most = 10;
+  std::vector<const table::Column*> shown;
+  const auto add = [&](const std::string& key) {
+    const auto known = [&](const table::Column* column) { return column->key == key; };
+    if (shown.size() == most || std::any_of(shown.begin(), shown.end(), known)) return;
+    for (const Table* t : chosen) {
+      if (const auto* column = t->column(key)) return shown.push_back(column);
+    }
+  };
+  if (!order.key.empty()) add(order.key);
+  for (const auto& comparison : condition) add(comparison.key);
+  for (const Table* t : chosen) {
+    for (const auto& column : t->columns) add(column.key);
+  }
+  return shown;
+}
+
+int show_found(const Tables& chosen, const std::vector<table::Entry>& found,
+               const std::vector<const table::Column*>& shown) {
+  std::size_t all = 0;
+  for (const Table* t : chosen) all += t->rows.size();
+  Rows rows{{"name"}};
+  for (const auto* column : shown)
+    rows[0].push_back(column->key + (column->unit == "-" ? "" : " [" + pretty_unit(column->unit) + "]"));
+  for (const table::Entry& entry : found) {
+    std::vector<std::string> cells{entry.row->name};
+    for (const auto* column : shown) {
+      const double si = table::searched_value(*entry.row, column->key);
+      cells.push_back(std::isnan(si) ? "" : format_number(in_unit(si, column->unit), 5));
+    }
+    rows.push_back(std::move(cells));
+  }
+  std::cout << columns(rows) << found.size() << " of " << all << " rows\n";
+  return passed;
+}
+
+int wrong_word(const char* option, const std::string& text, const Fault& fault) {
+  const Place place{option, 1, static_cast<int>(fault.at) + 1, static_cast<int>(fault.length)};
+  show_issues({{place, "", fault.message, fault.hint, Severity::error}}, {{option, text}});
+  return wrong_input;
+}
+
+int show_search(const Tables& chosen, const TablesOptions& options) {
+  table::Condition condition;
+  if (!options.where.empty()) {
+    auto read = table::read_condition(options.where, chosen);
+    if (!read) return wrong_word("--where", options.where, read.fault());
+    condition = std::move(*read);
+  }
+  const auto order = table::read_order(options.sort, chosen);
+  if (!order) return wrong_word("--sort", options.sort, order.fault());
+  return show_found(chosen, table::search(chosen, condition, *order), columns_to_show(chosen, condition, *order));
+}
+
 }  // namespace
 
 /// Tables are named whole ("materials/steel_aisi"), by their folder ("materials"), or a series by its own name ("R40").
 int tables(const TablesOptions& options) {
+  const bool searches = !options.where.empty() || !options.sort.empty();
+  if (searches && options.table.empty()) {
+    std::cerr
+        << "loadpath: --where and --sort search a table\n  = help: name it: loadpath tables sections --where ...\n";
+    return wrong_input;
+  }
+  if (searches) {
+    if (const Tables chosen = table::tables_in(options.table); !chosen.empty()) return show_search(chosen, options);
+  }
   const Library& library = table::active();
   if (options.audit) return show_audit(library);
   if (options.table.empty()) return show_index(library);

@@ -30,7 +30,7 @@ std::string in_colour(const std::string& text, const char* code) {
 }
 
 std::string not_available(const project::Entry& e) {
-  return e.missing.empty() ? format_quantity(NAN, e.unit) : say("not available: {1}", e.missing.text()).text();
+  return e.missing.empty() ? format_quantity(NAN, e.unit) : say("not available: {1}", e.missing).text();
 }
 
 std::string shown(const project::Entry& e) {

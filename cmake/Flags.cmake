@@ -13,7 +13,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-  target_compile_options(loadpath_flags INTERFACE -Wno-sign-conversion)  # as g++ reads -Wconversion
+  target_compile_options(loadpath_flags INTERFACE -Wno-sign-conversion  # as g++ reads -Wconversion
+                                                  -Wreserved-identifier -Wreserved-macro-identifier)
 endif()
 
 if(LOADPATH_SANITIZE)

@@ -15,4 +15,14 @@ const Template* find_template(const Calculator& calculator, std::string_view id)
   return found == all.end() ? nullptr : *found;
 }
 
+std::vector<std::string> table_groups(const Calculator& calculator) {
+  std::vector<std::string> groups;
+  for (const FieldInfo& field : calculator.input->fields) {
+    if (field.provider.kind != Provider::Kind::table) continue;
+    if (std::find(groups.begin(), groups.end(), field.provider.table) != groups.end()) continue;
+    groups.emplace_back(field.provider.table);
+  }
+  return groups;
+}
+
 }  // namespace loadpath

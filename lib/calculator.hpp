@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +25,7 @@ std::unique_ptr<Step> make_calculator_step(StepInput&& input);
 struct RuleInfo {
   const char* fields;
   const char* text;
+  bool only_warns = false;
 };
 
 /// A result that depends on the model: "drive.M", or "joints.NAME.F" with a name of the input in its place.
@@ -57,11 +59,12 @@ struct ResultColumn {
 };
 
 struct Calculator {
-  const char* id = "";       // "shaft.torsion"
-  const char* title = "";    // "Torsion of a shaft"
-  const char* scope = "";    // what it decides, what it assumes, what it does not cover
-  const char* source = "";   // keys of tables/sources.toml: "[B19]"
-  const char* example = "";  // a project file that runs
+  const char* id = "";                    // "shaft.torsion"
+  const char* title = "";                 // "Torsion of a shaft"
+  const char* scope = "";                 // what it decides, what it assumes, what it does not cover
+  const char* source = "";                // keys of tables/sources.toml: "[B19]"
+  const char* example = "";               // a project file that runs
+  std::vector<std::string> used_sources;  // keys that a step cites only where it uses them (project::Account::sources)
   const RecordType* input = nullptr;
   const RecordType* result = nullptr;
   std::vector<ResultPattern> patterns;  // in place of `result`, where names in the input make the paths
@@ -93,6 +96,8 @@ template <class C>
 const Calculator& erased();
 
 const Calculator* find_calculator(Catalogue catalogue, std::string_view id);
+/// The groups of tables that its inputs can be taken from, each once, in the order of the fields: "material".
+std::vector<std::string> table_groups(const Calculator& calculator);
 const Template* find_template(const Calculator& calculator, std::string_view id);
 
 }  // namespace loadpath

@@ -30,7 +30,8 @@ namespace detail {
 template <class C>
 inline constexpr auto rule_infos = [] {
   std::array<RuleInfo, C::rules.size()> infos{};
-  for (std::size_t i = 0; i < infos.size(); ++i) infos[i] = {C::rules[i].fields, C::rules[i].text};
+  for (std::size_t i = 0; i < infos.size(); ++i)
+    infos[i] = {C::rules[i].fields, C::rules[i].text, C::rules[i].only_warns};
   return infos;
 }();
 

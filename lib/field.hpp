@@ -41,6 +41,7 @@ struct Provider {
   const char* column = "";  // table: "R_e"; companion: the input whose source brings the value along ("T")
   const char* size = "";    // table: the result or input that the value depends on ("d")
   const char* unless = "";  // table: the value is not needed where this input is given
+  bool may_lack = false;    // table: rows without the column leave the input as it is
 };
 
 /// The words of a choice. Specialise `choices_of` for the enum class.
@@ -50,6 +51,20 @@ struct ChoiceName {
   const char* key;
   const char* doc;
 };
+
+/// What the words of a choice say of this value.
+template <class Enum>
+constexpr ChoiceName<Enum> choice_of(Enum value) {
+  for (const auto& choice : choices_of(value)) {
+    if (choice.value == value) return choice;
+  }
+  return {value, "", ""};
+}
+/// The word of a project for it.
+template <class Enum>
+constexpr const char* word_of(Enum value) {
+  return choice_of(value).key;
+}
 
 namespace detail {
 
@@ -87,7 +102,8 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
   Range bounds;     // outside: refused (input), not covered (limit)
   Range plausible;  // outside: a warning
   Provider provider;
-  const char* asked_by = "";     // check or limit: exists only where this input is given
+  const char* asked_by = "";     // check or limit: exists only where one of these inputs is given ("N, P")
+  bool where_set = false;        // check or limit: exists only where the calculator gives it a value
   const char* searched_in = "";  // input: where missing, the smallest value of this stock that passes every check
   bool kept = false;             // input: where missing in a search, the result of the same key of the sizing run
   bool is_factor = false;        // input: raises a load or lowers a strength; the report lists where each is applied
@@ -109,11 +125,17 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
   /// From the row of a table that the step names (`material = "C45E"`), at the size given by another field.
   [[nodiscard]] constexpr Field from(const char* table, const char* column, const char* size = "",
                                      const char* unless = "") const {
-    return provided({Provider::Kind::table, table, column, size, unless});
+    return provided({Provider::Kind::table, table, column, size, unless, false});
+  }
+  /// From a row that may lack the column at every size: the input then stays as if no row were named.
+  [[nodiscard]] constexpr Field where_it_has() const {
+    Field f = *this;
+    f.provider.may_lack = true;
+    return f;
   }
   /// What comes along with the source of another input: with a driving moment the force on its joint.
   [[nodiscard]] constexpr Field coming_with(const char* input) const {
-    return provided({Provider::Kind::companion, "", input, "", ""});
+    return provided({Provider::Kind::companion, "", input, "", "", false});
   }
   [[nodiscard]] constexpr Field check(const char* input = "") const {
     Field f = this->as(Role::check);
@@ -123,6 +145,12 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
   [[nodiscard]] constexpr Field limit(double low, double high, const char* input = "") const {
     Field f = within(low, high).as(Role::limit);
     f.asked_by = input;
+    return f;
+  }
+  /// A check or limit that concerns some inputs only: the calculator leaves it unset for the others.
+  [[nodiscard]] constexpr Field where_it_applies() const {
+    Field f = *this;
+    f.where_set = true;
     return f;
   }
   [[nodiscard]] constexpr Field searched(const char* stock) const {
@@ -216,15 +244,16 @@ struct ListField : detail::Described<ListField<Owner, Element, N>> {
   }
 };
 
-/// A rule between fields: alternatives, order, sums. `fields` names them, separated by ", ". `particulars`, where there
-/// are any, says of an input that breaks the rule what the text leaves open: which element, how much, what to do. An
-/// empty path or message there stands for the rule's own.
+/// A rule between fields: alternatives, order, sums, and customs, whose breach only warns. `fields` names them,
+/// separated by ", ". `particulars`, where there are any, says of an input that breaks the rule what the text leaves
+/// open: which element, how much, what to do. An empty path or message there stands for the rule's own.
 template <class Input>
 struct Rule {
   bool (*holds)(const Input&);
   const char* fields;
   const char* text;
   FieldFault (*particulars)(const Input&) = nullptr;
+  bool only_warns = false;
 };
 
 }  // namespace loadpath

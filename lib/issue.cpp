@@ -121,13 +121,18 @@ std::size_t distance(std::u32string_view a, std::u32string_view b) {
 
 }  // namespace
 
+std::string Argument::text() const {
+  const auto* const message = std::get_if<Message>(&part_);
+  return message == nullptr ? std::get<std::string>(part_) : message->text();
+}
+
 std::string Message::text() const {
   std::string out;
   for (std::size_t i = 0; i < id.size(); ++i) {
     const bool argument = id[i] == '{' && i + 2 < id.size() && id[i + 2] == '}' && id[i + 1] >= '1' && id[i + 1] <= '9';
     const auto index = argument ? static_cast<std::size_t>(id[i + 1] - '1') : args.size();
     if (index < args.size()) {
-      out += args[index];
+      out += args[index].text();
       i += 2;
     } else {
       out += id[i];

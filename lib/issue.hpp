@@ -9,22 +9,39 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace loadpath {
 
+class Argument;
+
 struct Message {
-  std::string_view id;            // a string literal
-  std::vector<std::string> args;  // {1} is args[0]
+  std::string_view id;         // a string literal
+  std::vector<Argument> args;  // {1} is args[0]
 
   [[nodiscard]] bool empty() const { return id.empty(); }
   [[nodiscard]] std::string text() const;
 };
 
+/// A name or a number; or a message that is a part of another.
+class Argument {
+ public:
+  explicit Argument(std::string part) : part_(std::move(part)) {}
+  explicit Argument(std::string_view part) : part_(std::string(part)) {}
+  explicit Argument(const char* part) : part_(std::string(part)) {}
+  explicit Argument(Message part) : part_(std::move(part)) {}
+
+  [[nodiscard]] std::string text() const;
+
+ private:
+  std::variant<std::string, Message> part_;
+};
+
 /// A message from its id and arguments: say("unknown unit '{1}'", unit).
 template <class... Args>
 Message say(std::string_view id, Args&&... args) {
-  return {id, {std::string(std::forward<Args>(args))...}};
+  return {id, {Argument(std::forward<Args>(args))...}};
 }
 
 /// A range of characters in a file, both counted from 1 in code points; line 0: the file as a whole.

@@ -41,6 +41,7 @@ struct FieldInfo {
   Range plausible;  // SI
   Provider provider;
   const char* asked_by = "";
+  bool where_set = false;
   const char* searched_in = "";
   bool kept = false;
   bool is_factor = false;

@@ -147,6 +147,10 @@ template <class Quantity>
 [[nodiscard]] bool is_set(const Quantity& q) {
   return !std::isnan(in_si(q));
 }
+template <class Quantity>
+[[nodiscard]] double si_or_zero(const Quantity& q) {
+  return is_set(q) ? in_si(q) : 0.0;
+}
 
 /// A unit that a field is read and shown in. It fits one type of quantity; its dimension also knows the angle.
 template <class Quantity>
@@ -173,6 +177,7 @@ inline constexpr Unit<MassArm> kg_mm{"kg*mm", from_si<MassArm>(1e-3)};
 inline constexpr Unit<MassMoment> kg_m2{"kg*m^2", from_si<MassMoment>(1.0)};
 inline constexpr Unit<Time> sec{"s", from_si<Time>(1.0)};
 inline constexpr Unit<Force> N{"N", from_si<Force>(1.0)};
+inline constexpr Unit<Force> kN{"kN", from_si<Force>(1e3)};
 inline constexpr Unit<Moment> N_m{"N*m", from_si<Moment>(1.0), 0, Kind::moment};
 inline constexpr Unit<Stress> MPa{"MPa", from_si<Stress>(1e6)};
 inline constexpr Unit<Stress> GPa{"GPa", from_si<Stress>(1e9)};

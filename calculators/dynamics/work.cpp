@@ -28,7 +28,7 @@ void take_spring(const Input& in, Result& r, Tracer& trace) {
 /// Works against the motion and energies that carry it: the body gets to the end where these suffice.
 double reach(const Result& r) {
   double against = 0.0, with = in_si(r.E_1);
-  for (const Moment work : {r.A_G, r.A_T, r.A_F, r.A_c}) {
+  for (const Moment& work : {r.A_G, r.A_T, r.A_F, r.A_c}) {
     against -= std::min(0.0, in_si(work));
     with += std::max(0.0, in_si(work));
   }

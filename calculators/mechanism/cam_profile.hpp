@@ -8,8 +8,17 @@
 namespace loadpath {
 
 struct CamProfile {
-  enum class Shape { sliding, swinging, flat, circle, points };
-  enum class Law { dwell, harmonic, cycloidal, polynomial_345, polynomial_4567, constant_velocity };
+  enum class Shape { sliding, swinging, flat, swinging_flat, circle, points };
+  enum class Law {
+    dwell,
+    harmonic,
+    cycloidal,
+    polynomial_345,
+    polynomial_4567,
+    modified_sine,
+    modified_trapezoid,
+    constant_velocity
+  };
   enum class Sense { counter_clockwise, clockwise };
   enum class Hand { left, right };
   struct Segment {
@@ -21,7 +30,7 @@ struct CamProfile {
         Choice{&Segment::law, "law", "law of motion over the segment"}.may_be_missing(),
         Field{&Segment::angle, "angle", deg, "angle of the cam that it takes"}.within(0, 360),
         Field{&Segment::lift, "lift", mm, "rise of the follower over it; a fall is negative"}.may_be_missing(),
-        Field{&Segment::swing, "swing", deg, "swinging: the same of the arm, away from the cam"}
+        Field{&Segment::swing, "swing", deg, "swinging, swinging_flat: the same of the arm or face, away from the cam"}
             .within(-180, 180)
             .may_be_missing()};
   };
@@ -51,14 +60,16 @@ struct CamProfile {
             "sliding, swinging: radius of the roller that it is made for; 0: an edge"}
           .at_least(0),
       Field{&CamProfile::offset, "offset", mm,
-            "sliding: of the guide from the cam's axis, to the left as the follower rises"},
-      Field{&CamProfile::pivot, "pivot", mm, "swinging: distance of the arm's pivot from the cam's axis"}
+            "sliding: of the guide from the cam's axis, to the left as the follower rises; swinging_flat: of the face "
+            "from its pivot, towards the cam"},
+      Field{&CamProfile::pivot, "pivot", mm, "swinging, swinging_flat: distance of the pivot from the cam's axis"}
           .positive()
           .may_be_missing(),
       Field{&CamProfile::arm, "arm", mm, "swinging: length of the arm, from its pivot to the roller"}
           .positive()
           .may_be_missing(),
-      Choice{&CamProfile::side, "side", "swinging: where the roller is, as seen from the cam's axis to the pivot"}
+      Choice{&CamProfile::side, "side",
+             "swinging, swinging_flat: where roller or face is, as seen from the cam's axis to the pivot"}
           .may_be_missing(),
       Choice{&CamProfile::sense, "sense", "by lift: how the cam turns as the segments follow each other"}
           .may_be_missing(),
@@ -73,9 +84,14 @@ struct CamProfile {
           .may_be_missing()};
 };
 
+/// Whether it is told by the swing of its follower, not by a lift along a guide.
+constexpr bool is_by_swing(CamProfile::Shape shape) {
+  using enum CamProfile::Shape;
+  return shape == swinging || shape == swinging_flat;
+}
 constexpr bool is_by_lift(CamProfile::Shape shape) {
   using enum CamProfile::Shape;
-  return shape == sliding || shape == swinging || shape == flat;
+  return shape == sliding || shape == flat || is_by_swing(shape);
 }
 
 constexpr auto choices_of(CamProfile::Shape) {
@@ -84,6 +100,7 @@ constexpr auto choices_of(CamProfile::Shape) {
       ChoiceName<T>{T::sliding, "sliding", "by the lift of a follower with a roller or an edge on a straight guide"},
       ChoiceName<T>{T::swinging, "swinging", "by the swing of an arm with a roller or an edge"},
       ChoiceName<T>{T::flat, "flat", "by the lift of a flat face on a straight guide square to it"},
+      ChoiceName<T>{T::swinging_flat, "swinging_flat", "by the swing of a flat face about a pivot"},
       ChoiceName<T>{T::circle, "circle", "a circle, as of an eccentric"},
       ChoiceName<T>{T::points, "points", "smooth through points, with a continuous curvature"}};
 }
@@ -95,6 +112,8 @@ constexpr auto choices_of(CamProfile::Law) {
       ChoiceName<T>{T::cycloidal, "cycloidal", "sine of the acceleration; no jump beside a dwell"},
       ChoiceName<T>{T::polynomial_345, "3-4-5", "polynomial, no acceleration at the ends"},
       ChoiceName<T>{T::polynomial_4567, "4-5-6-7", "polynomial, neither acceleration nor jerk at the ends"},
+      ChoiceName<T>{T::modified_sine, "modified_sine", "sines of the acceleration, low peaks of velocity and torque"},
+      ChoiceName<T>{T::modified_trapezoid, "modified_trapezoid", "the least peak of acceleration of these laws"},
       ChoiceName<T>{T::constant_velocity, "constant_velocity", "refused: its acceleration at the ends is infinite"}};
 }
 constexpr auto choices_of(CamProfile::Sense) {

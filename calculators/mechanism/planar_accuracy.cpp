@@ -23,8 +23,6 @@ using Planar = PlanarMechanism;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-std::string text(const Name& name) { return std::string(name.view()); }
-
 bool is_force(Watched of) { return of == Watched::drive || of == Watched::force; }
 
 /// Whether the position has numbers at all; that some corner does not close is told beside them.
@@ -192,11 +190,11 @@ Table parts_table(const Planar::Input& in, const Errors& errors, const Axis* axi
 Errors errors_of(const Planar::Input& in, const mechanism::Model& model, const Cycle& cycle) {
   Errors errors;
   if (in.accuracy.empty()) return errors;
-  for (const planar::Tolerance& t : in.tolerances) errors.names.push_back(text(t.name));
+  for (const planar::Tolerance& t : in.tolerances) errors.names.push_back(say("{1}", t.name.view()));
   const auto tolerances = tolerances_of(in, model);
   const auto clearances = clearances_of(in);
   for (const mechanism::Clearance& c : clearances)
-    errors.names.push_back(say("play in {1}", model.joints[c.joint].name).text());
+    errors.names.push_back(say("play in {1}", model.joints[c.joint].name));
   mechanism::ToleranceAnalysis analysis(model);
   const bool statics = in.analysis == Planar::Analysis::statics;
   for (const planar::Accuracy& wanted : in.accuracy) {
@@ -235,14 +233,13 @@ std::vector<Table> tolerance_tables(const Planar::Input& in) {
   Table table{say("Tolerances and play"),
               {say("name"), say("what"), say("of"), say("half width, ±"), say("standard deviations")},
               {}};
-  constexpr auto kinds = choices_of(planar::Toleranced{});
   for (const planar::Tolerance& t : in.tolerances) {
-    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.value == t.of; });
     std::string of = text(!t.link.empty() ? t.link : !t.joint.empty() ? t.joint : t.spring);
     if (!t.point.empty()) of += ": " + text(t.point);
     if (!t.to.empty()) of += " – " + text(t.to);
     const HalfWidth half = half_width(t);
-    table.rows.push_back({text(t.name), say(kind->doc), of, Quantity{half.si, half.unit}, Quantity{t.sigmas, "-"}});
+    table.rows.push_back(
+        {text(t.name), say(choice_of(t.of).doc), of, Quantity{half.si, half.unit}, Quantity{t.sigmas, "-"}});
   }
   for (const Planar::Joint& j : in.joints) {
     if (in_si(j.clearance) == 0.0) continue;

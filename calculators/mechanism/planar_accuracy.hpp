@@ -17,7 +17,7 @@ namespace loadpath {
 struct Errors {
   std::vector<std::vector<mechanism::OutputError>> at;  // of each output, at every position; `shares` in the order of
                                                         // `names`
-  std::vector<std::string> names;                       // of the tolerances, then of the pins with play
+  std::vector<Message> names;                           // of the tolerances, then of the pins with play
 };
 
 /// Tolerances and outputs that do not say what they are of, or of what is not there. Needs no values.

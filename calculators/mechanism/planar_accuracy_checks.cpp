@@ -19,18 +19,6 @@ using planar::Watched;
 using Planar = PlanarMechanism;
 using Type = Planar::Type;
 
-template <class Enum>
-std::string key_of(Enum value) {
-  for (const auto& choice : choices_of(value)) {
-    if (choice.value == value) return choice.key;
-  }
-  return "";
-}
-
-const Planar::Joint& joint_of(const Planar::Input& in, const Name& name) {
-  return *std::find_if(in.joints.begin(), in.joints.end(), [&](const auto& j) { return j.name == name; });
-}
-
 bool is_driven(const Planar::Input& in, const Name& joint) {
   return (!in.crank.joint.empty() && joint == in.crank.joint) ||
          std::any_of(in.cylinders.begin(), in.cylinders.end(), [&](const auto& c) { return c.joint == joint; });
@@ -70,11 +58,11 @@ class ToleranceCheck {
   bool check_name(const Field& field) {
     const bool given = !field.name->empty();
     if (given && !field.belongs) {
-      faults_.add(path_ + "." + field.key, say("a tolerance of {1} has no '{2}'", key_of(t_.of), field.key),
+      faults_.add(path_ + "." + field.key, say("a tolerance of {1} has no '{2}'", word_of(t_.of), field.key),
                   say("leave it out"));
     }
     if (!given && field.belongs) {
-      faults_.add(path_, say("the tolerance '{1}' of {2} needs '{3}'", t_.name.view(), key_of(t_.of), field.key),
+      faults_.add(path_, say("the tolerance '{1}' of {2} needs '{3}'", t_.name.view(), word_of(t_.of), field.key),
                   say("add {1} = \"...\"", field.key));
     }
     return given == field.belongs;
@@ -97,7 +85,7 @@ class ToleranceCheck {
       if (width.belongs)
         ++count;
       else
-        faults_.add(path_ + "." + width.key, say("'{1}' is no half width of {2}", width.key, key_of(t_.of)),
+        faults_.add(path_ + "." + width.key, say("'{1}' is no half width of {2}", width.key, word_of(t_.of)),
                     say("write {1}", hint()));
     }
     if (count == 1) return;
@@ -130,7 +118,7 @@ class ToleranceCheck {
     const std::string path = path_ + ".joint";
     if (t_.of == Toleranced::drive) return require_driven(t_.joint, path, faults_);
     if (!faults_.require_joint(t_.joint, path)) return;
-    const Planar::Joint& joint = joint_of(faults_.input(), t_.joint);
+    const Planar::Joint& joint = *find_named(faults_.input().joints, t_.joint);
     const bool two = is_set(joint.radii.first), one = is_set(joint.radius) || two;
     const bool line = joint.type == Type::prismatic || joint.type == Type::slot || joint.type == Type::rack ||
                       joint.type == Type::rolling_on_line;
@@ -139,7 +127,8 @@ class ToleranceCheck {
                       : t_.of == Toleranced::direction     ? line
                                                            : joint.mu > 0.0;
     if (fits) return;
-    faults_.add(path, say("the joint '{1}' of type {2} has no {3}", t_.joint.view(), key_of(joint.type), key_of(t_.of)),
+    faults_.add(path,
+                say("the joint '{1}' of type {2} has no {3}", t_.joint.view(), word_of(joint.type), word_of(t_.of)),
                 say("name another joint"));
   }
 
@@ -162,7 +151,7 @@ std::optional<double> value_of(const Planar::Input& in, const planar::Tolerance&
     }
     case Toleranced::radius:
     case Toleranced::radius_second: {
-      const Planar::Joint& joint = joint_of(in, t.joint);
+      const Planar::Joint& joint = *find_named(in.joints, t.joint);
       const Length radius = !is_set(joint.radii.first)   ? joint.radius
                             : t.of == Toleranced::radius ? joint.radii.first
                                                          : joint.radii.second;
@@ -183,7 +172,7 @@ std::optional<double> value_of(const Planar::Input& in, const planar::Tolerance&
 
 void need(const planar::Accuracy& wanted, const char* field, NameFaults& faults) {
   faults.add(path_of("accuracy", wanted.name),
-             say("the output '{1}' of kind {2} needs '{3}'", wanted.name.view(), key_of(wanted.of), field),
+             say("the output '{1}' of kind {2} needs '{3}'", wanted.name.view(), word_of(wanted.of), field),
              say("add {1} = \"...\"", field));
 }
 
@@ -227,7 +216,7 @@ bool has_idle_field(const planar::Accuracy& wanted, const std::string& path, boo
   for (const Field& field : fields) {
     if (field.name.empty() || field.belongs) continue;
     idle = true;
-    faults.add(path + "." + field.key, say("an output of kind {1} has no '{2}'", key_of(wanted.of), field.key),
+    faults.add(path + "." + field.key, say("an output of kind {1} has no '{2}'", word_of(wanted.of), field.key),
                say("leave it out"));
   }
   return idle;
@@ -278,7 +267,7 @@ std::vector<FieldFault> check_half_widths(const Planar::Input& in) {
     faults.push_back(
         {path_of("tolerances", t.name, is_set(t.t_mass) ? "t_mass" : "t"),
          say("the tolerance '{1}', {2}, is not smaller than the {3} that it is of, {4}", t.name.view(),
-             format_quantity(half.si, half.unit), key_of(t.of), format_quantity(std::abs(*own), half.unit)),
+             format_quantity(half.si, half.unit), word_of(t.of), format_quantity(std::abs(*own), half.unit)),
          say("the half width must be smaller; check its unit")});
   }
   return faults;

@@ -63,26 +63,25 @@ void for_each_interval(const Cycle& cycle, const Axis& axis, See see) {
 std::string place(double at, const Axis& axis) { return format_quantity(at, axis.unit, 4); }
 
 /// Where dyads go through their change points: the sine of the closing angle through zero.
-void add_dyads(const mechanism::Model& model, const Cycle& cycle, const Axis& axis, std::vector<std::string>& found) {
+void add_dyads(const mechanism::Model& model, const Cycle& cycle, const Axis& axis, std::vector<Message>& found) {
   for (const mechanism::DyadClosing& dyad : dyad_closings(model, plan_of(model))) {
     const auto sine = [&](std::size_t k) { return closing_angle(model, dyad, cycle.positions[k].pose).sine; };
     for_each_interval(cycle, axis, [&](std::size_t k, std::size_t next, double way) {
       const double before = sine(k), after = sine(next);
       if (before * after >= 0.0) return;
       const double at = axis.at[k] + way * before / (before - after);
-      found.push_back(say("{1} at {2}", model.joints[dyad.joint].name, place(at, axis)).text());
+      found.push_back(say("{1} at {2}", model.joints[dyad.joint].name, place(at, axis)));
     });
   }
 }
 
 void add_iterated(const mechanism::Model& model, const Cycle& cycle, const Kinematics& kinematics, const Axis& axis,
-                  std::vector<std::string>& found) {
+                  std::vector<Message>& found) {
   for (const Kinematics::Iterated& group : kinematics.iterated) {
     for_each_interval(cycle, axis, [&](std::size_t k, std::size_t next, double way) {
       if (group.signs[k] * group.signs[next] >= 0.0) return;
       found.push_back(say("{1} between {2} and {3}", model.links[group.link].name, place(axis.at[k], axis),
-                          place(axis.at[k] + way, axis))
-                          .text());
+                          place(axis.at[k] + way, axis)));
     });
   }
 }
@@ -115,12 +114,12 @@ std::vector<FieldFault> choose_assembly(const PlanarMechanism::Input& in, const 
 std::vector<report::Verdict> changes_of_assembly(const std::string& step, const mechanism::Model& model,
                                                  const Cycle& cycle, const Kinematics& kinematics, const Axis* axis) {
   if (axis == nullptr || !cycle.unique.empty()) return {};
-  std::vector<std::string> found;
+  std::vector<Message> found;
   add_dyads(model, cycle, *axis, found);
   add_iterated(model, cycle, kinematics, *axis, found);
   if (found.empty()) return {};
-  std::string places;
-  for (const std::string& place : found) places += (places.empty() ? "" : ", ") + place;
+  Message places = found.front();
+  for (std::size_t n = 1; n < found.size(); ++n) places = say("{1}, {2}", places, found[n]);
   report::Verdict v;
   v.step = step;
   v.symbol = "assembly";

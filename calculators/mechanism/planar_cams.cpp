@@ -81,8 +81,11 @@ std::vector<report::Verdict> profile_verdicts(const std::string& step, const mec
     report::Verdict& bulge = verdicts.back();
     bulge.note = say("at a cam angle of {1}", angle_text(joint, bends.bulge_at));
     if (bulge.state == report::State::fail) {
-      bulge.note = say("undercut at a cam angle of {1}: make the base circle larger, or the roller smaller",
-                       angle_text(joint, bends.bulge_at));
+      const std::string angle = angle_text(joint, bends.bulge_at);
+      bulge.note =
+          joint.contact == CamContact::flat
+              ? say("undercut at a cam angle of {1}: make the base circle larger, or the segment longer", angle)
+              : say("undercut at a cam angle of {1}: make the base circle larger, or the roller smaller", angle);
     }
     if (!std::isfinite(bends.hollow) || joint.contact == CamContact::flat || joint.radius_i == 0.0) continue;
     const bool fits = bends.hollow > joint.radius_i;

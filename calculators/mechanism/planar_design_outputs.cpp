@@ -40,10 +40,12 @@ mechanism::Member member_of(const Planar::Input& in, const mechanism::Model& mod
   return member;
 }
 
+using mechanism::MemberLoads;
+
 struct Bar {
   std::string name;
   std::shared_ptr<const mechanism::Model> model;
-  std::shared_ptr<mechanism::MemberLoads> loads;
+  std::shared_ptr<MemberLoads> loads;
   std::size_t index = 0;
   bool statics = false;
 
@@ -56,7 +58,7 @@ struct Bar {
     }
     return true;
   }
-  [[nodiscard]] mechanism::MemberLoads::Peaks peaks(const Position& p) const {
+  [[nodiscard]] MemberLoads::Peaks now(const Position& p) const {
     if (!knows_reactions(p)) return {{0.0, none, none, none}, {0.0, none, none, none}, {0.0, none, none, none}};
     loads->take(p, statics);
     return loads->peaks();
@@ -66,13 +68,13 @@ struct Bar {
 constexpr std::array bar_rows{
     row<Bar>(
         "links.NAME.N", "axial force of the largest magnitude over the link's length, tension positive", N,
-        [](const Bar& b, const Position& p) { return b.peaks(p).N.N; }, nullptr, "links with two joints or more"),
+        [](const Bar&, const MemberLoads::Peaks& most) { return most.N.N; }, nullptr, "links with two joints or more"),
     row<Bar>(
         "links.NAME.V", "shear force of the largest magnitude over its length", N,
-        [](const Bar& b, const Position& p) { return b.peaks(p).V.V; }, nullptr, "links with two joints or more"),
+        [](const Bar&, const MemberLoads::Peaks& most) { return most.V.V; }, nullptr, "links with two joints or more"),
     row<Bar>(
         "links.NAME.M_b", "bending moment of the largest magnitude over its length", N_m,
-        [](const Bar& b, const Position& p) { return b.peaks(p).M.M; }, nullptr, "links with two joints or more")};
+        [](const Bar&, const MemberLoads::Peaks& most) { return most.M.M; }, nullptr, "links with two joints or more")};
 
 // ---- guides
 
@@ -86,7 +88,7 @@ struct Guide {
     double N = 0.0;  // to the left of the guide's direction
     double M = 0.0;  // at the first link's point, of the pressing alone
   };
-  [[nodiscard]] Pressure pressure(const Position& p) const {
+  [[nodiscard]] Pressure now(const Position& p) const {
     const mechanism::Reaction& r = p.reactions[index];
     const Vec along = mechanism::turn(mechanism::placed_at(p, joint.j).phi + joint.direction)({1.0, 0.0});
     const double pressing = dot(r.force, normal(along)), rubbing = dot(r.force, along);
@@ -103,27 +105,20 @@ struct Guide {
 constexpr std::array guide_rows{
     row<Guide>(
         "joints.NAME.N", "force of the first link across the guide, to its left", N,
-        [](const Guide& g, const Position& p) { return g.pressure(p).N; }, nullptr, "prismatic joints"),
+        [](const Guide&, const Guide::Pressure& at) { return at.N; }, nullptr, "prismatic joints"),
     row<Guide>(
         "joints.NAME.h", "where that force lies: distance from the first link's point, along the guide", mm,
-        [](const Guide& g, const Position& p) {
-          const auto [pressing, M] = g.pressure(p);
-          return M == 0.0 ? 0.0 : pressing == 0.0 ? none : M / pressing;
-        },
+        [](const Guide&, const Guide::Pressure& at) { return at.M == 0.0   ? 0.0
+                                                             : at.N == 0.0 ? none
+                                                                           : at.M / at.N; },
         nullptr, "prismatic joints"),
     row<Guide>(
         "joints.NAME.N_front", "force on the front edge of the block, N/2 + M/l", N,
-        [](const Guide& g, const Position& p) {
-          const auto [pressing, M] = g.pressure(p);
-          return 0.5 * pressing + M / g.joint.guide_length;
-        },
+        [](const Guide& g, const Guide::Pressure& at) { return 0.5 * at.N + at.M / g.joint.guide_length; },
         &Guide::has_length, "with a guide_length"),
     row<Guide>(
         "joints.NAME.N_back", "force on its back edge, N/2 - M/l", N,
-        [](const Guide& g, const Position& p) {
-          const auto [pressing, M] = g.pressure(p);
-          return 0.5 * pressing - M / g.joint.guide_length;
-        },
+        [](const Guide& g, const Guide::Pressure& at) { return 0.5 * at.N - at.M / g.joint.guide_length; },
         &Guide::has_length, "with a guide_length")};
 
 // ---- springs
@@ -179,21 +174,30 @@ struct Machine {
     return !m.statics &&
            std::any_of(m.model->links.begin(), m.model->links.end(), [](const auto& link) { return link.mass > 0.0; });
   }
-  [[nodiscard]] mechanism::Shaking shaking(const Position& p) const { return mechanism::shaking(*model, p, {}); }
-  [[nodiscard]] mechanism::Reduced reduced(const Position& p) const {
-    return reduction->find(p).value_or(mechanism::Reduced{none, none, none, none});
+
+  struct Now {
+    const Position* at = nullptr;
+    mechanism::Reduced reduced;  // of a machine that has a crank
+    mechanism::Shaking shaking;  // of one that shakes
+  };
+  [[nodiscard]] Now now(const Position& p) const {
+    Now all{&p, {}, {}};
+    if (cranked) all.reduced = reduction->find(p).value_or(mechanism::Reduced{none, none, none, none});
+    if (shakes(*this)) all.shaking = mechanism::shaking(*model, p, {});
+    return all;
   }
 };
 
-double loss(const Machine& m, const Position& p) {
+double loss(const Machine& m, const Machine::Now& now) {
   double sum = 0.0;
   for (std::size_t k = 0; k < m.model->joints.size(); ++k) {
-    if (rubs(m.model->joints[k])) sum += loss_of(*m.model, k, p);
+    if (rubs(m.model->joints[k])) sum += loss_of(*m.model, k, *now.at);
   }
   return sum;
 }
 
-double use(const Machine& m, const Position& p) {
+double use(const Machine& m, const Machine::Now& now) {
+  const Position& p = *now.at;
   double sum = 0.0;
   for (const std::size_t n : m.useful) {
     const mechanism::Load& load = m.model->loads[n];
@@ -208,23 +212,28 @@ double use(const Machine& m, const Position& p) {
 constexpr std::array machine_rows{
     row<Machine>(
         "drive.J_red", "moment of inertia of all links, reduced to the crank", kg_m2,
-        [](const Machine& m, const Position& p) { return m.reduced(p).inertia; }, &Machine::has_crank, "with a crank"),
+        [](const Machine&, const Machine::Now& now) { return now.reduced.inertia; }, &Machine::has_crank,
+        "with a crank"),
     row<Machine>(
         "drive.M_red", "moment of loads, weights and springs, reduced to the crank", N_m,
-        [](const Machine& m, const Position& p) { return m.reduced(p).moment; }, &Machine::has_crank, "with a crank"),
+        [](const Machine&, const Machine::Now& now) { return now.reduced.moment; }, &Machine::has_crank,
+        "with a crank"),
     row<Machine>(
         "frame.F", "shaking force on the frame, the magnitude of -sum m a", N,
-        [](const Machine& m, const Position& p) { return mechanism::length(m.shaking(p).force); }, &Machine::shakes,
+        [](const Machine&, const Machine::Now& now) { return mechanism::length(now.shaking.force); }, &Machine::shakes,
         "links with mass"),
     row<Machine>(
-        "frame.x", "shaking force along x", N, [](const Machine& m, const Position& p) { return m.shaking(p).force.x; },
-        &Machine::shakes, "links with mass"),
+        "frame.x", "shaking force along x", N,
+        [](const Machine&, const Machine::Now& now) { return now.shaking.force.x; }, &Machine::shakes,
+        "links with mass"),
     row<Machine>(
-        "frame.y", "shaking force along y", N, [](const Machine& m, const Position& p) { return m.shaking(p).force.y; },
-        &Machine::shakes, "links with mass"),
+        "frame.y", "shaking force along y", N,
+        [](const Machine&, const Machine::Now& now) { return now.shaking.force.y; }, &Machine::shakes,
+        "links with mass"),
     row<Machine>(
         "frame.M", "shaking moment on the frame about the global origin", N_m,
-        [](const Machine& m, const Position& p) { return m.shaking(p).moment; }, &Machine::shakes, "links with mass"),
+        [](const Machine&, const Machine::Now& now) { return now.shaking.moment; }, &Machine::shakes,
+        "links with mass"),
     row<Machine>("drive.P_loss", "power that friction takes in all joints", W, &loss, &Machine::has_friction,
                  "with friction"),
     row<Machine>("drive.P_useful", "power against the useful loads", W, &use, &Machine::has_use, "with useful loads")};
@@ -247,14 +256,7 @@ static void add_guide(const Guide& guide, std::vector<MechanismOutput>& out) {
   add_outputs(guide, guide_rows, out);
   const std::string path = planar::named("joints.NAME.h", guide.name);
   const auto h = std::find_if(out.begin(), out.end(), [&](const MechanismOutput& o) { return o.path == path; });
-  h->read_cycle = [read = h->read](const Solved& solved) {
-    std::vector<double> values;
-    for (std::size_t k = 0; k < solved.cycle.positions.size(); ++k)
-      values.push_back(solved.cycle.closed[k] ? read(solved.cycle.positions[k]) : none);
-    const bool open = std::any_of(values.begin(), values.end(), [](double x) { return std::isnan(x); });
-    return MechanismOutput::Values(
-        std::move(values), open ? say("where there is none, the guide carries a couple alone, or nothing") : Message{});
-  };
+  h->missing = say("where there is none, the guide carries a couple alone, or nothing");
 }
 
 void add_design_outputs(const Planar::Input& in, const mechanism::Model& model, std::vector<MechanismOutput>& out) {
@@ -263,7 +265,7 @@ void add_design_outputs(const Planar::Input& in, const mechanism::Model& model, 
   for (std::size_t k = 0; k < model.links.size(); ++k) {
     const mechanism::Member member = member_of(in, *kept, k);
     if (member.length() == 0.0) continue;
-    const auto loads = std::make_shared<mechanism::MemberLoads>(*kept, member);
+    const auto loads = std::make_shared<MemberLoads>(*kept, member);
     add_outputs(Bar{model.links[k].name, kept, loads, k, statics}, bar_rows, out);
   }
   for (std::size_t k = 0; k < model.joints.size(); ++k) {

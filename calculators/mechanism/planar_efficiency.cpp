@@ -100,7 +100,7 @@ std::optional<report::Table> efficiency_table(const project::Account& account, c
     const Efficiency found = efficiency_of(means);
     const bool back = !std::isnan(found.back);
     const Cell value = back                        ? Cell(Quantity{found.back, "-", 4})
-                       : std::isnan(found.forward) ? Cell(say("not available: {1}", found.why_not_forward.text()))
+                       : std::isnan(found.forward) ? Cell(say("not available: {1}", found.why_not_forward))
                                                    : Cell(Quantity{found.forward, "-", 4});
     table.rows.push_back(
         {back ? say("efficiency of the reversed flow, from the loads to the drive") : say("efficiency"), value});

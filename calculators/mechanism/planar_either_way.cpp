@@ -132,10 +132,8 @@ class EitherWay {
 }  // namespace
 
 bool has_dry_friction(const mechanism::Model& model) {
-  return std::any_of(model.joints.begin(), model.joints.end(), [](const mechanism::Joint& joint) {
-    const mechanism::Friction& f = joint.friction;
-    return f.coefficient > 0.0 || f.rolling_arm > 0.0 || f.loss > 0.0 || f.loss_back > 0.0;
-  });
+  return std::any_of(model.joints.begin(), model.joints.end(),
+                     [](const mechanism::Joint& joint) { return joint.friction.dry(); });
 }
 
 std::vector<FieldFault> check_rest(const PlanarMechanism::Input& in, const mechanism::Model& model) {

@@ -50,7 +50,9 @@ draw::Figure reactions_figure(const mechanism::Model& model, const project::Acco
     if (const auto* e = find_entry(account, "joints." + j.name + ".F"))
       plot.curves.push_back(curve_of("R_" + j.name, e->value));
   }
-  return {"reactions", "Forces in the joints over the cycle", std::move(plot)};
+  return {"reactions",
+          axis.cyclic() ? "Forces in the joints over the cycle" : "Forces in the joints over the positions",
+          std::move(plot)};
 }
 
 /// The positions that the user has asked for by their angles, where they are few enough for a page.

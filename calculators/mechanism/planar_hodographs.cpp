@@ -43,9 +43,7 @@ Loaded loaded(const Cycle& cycle, std::size_t joint) {
 std::vector<Loaded> chosen(const Planar::Input& in, const mechanism::Model& model, const Cycle& cycle) {
   std::vector<Loaded> all;
   for (const planar::Hodograph& h : in.hodographs) {
-    const auto found =
-        std::find_if(in.joints.begin(), in.joints.end(), [&](const auto& j) { return j.name == h.joint; });
-    all.push_back(loaded(cycle, static_cast<std::size_t>(found - in.joints.begin())));
+    all.push_back(loaded(cycle, index_of(in.joints, h.joint)));
   }
   if (all.empty()) {
     for (std::size_t k = 0; k < model.joints.size(); ++k) {
@@ -89,8 +87,10 @@ class Hodograph {
     }
     plans.panels.push_back(panel(say("{1}: {2} on {3}, in fixed axes", joint_.name, first, second), mechanism::ground));
     return {"hodograph-" + joint_.name,
-            "The end of a joint's force over the cycle, seen from either part and in fixed axes; the arrow is its "
-            "largest",
+            axis_.cyclic() ? "The end of a joint's force over the cycle, seen from either part and in fixed axes; the "
+                             "arrow is its largest"
+                           : "The end of a joint's force over the positions, seen from either part and in fixed axes; "
+                             "the arrow is its largest",
             std::move(plans)};
   }
 
@@ -144,6 +144,21 @@ void check_hodographs(NameFaults& faults) {
                                    [&](const auto& other) { return other.joint == wanted[n].joint; });
     if (again) faults.add(path, say("the joint '{1}' is named twice", wanted[n].joint.view()), say("leave one out"));
   }
+}
+
+std::vector<report::Paragraph> missing_hodographs(const Planar::Input& in, const Cycle& cycle, const Axis* axis) {
+  std::vector<report::Paragraph> notes;
+  const auto add = [&](Message text) { notes.push_back({std::move(text), report::Paragraph::Tone::note}); };
+  if (axis == nullptr && !in.hodographs.empty()) add(say("No hodographs: they need more than one position."));
+  if (axis == nullptr) return notes;
+  for (const planar::Hodograph& wanted : in.hodographs) {
+    const std::size_t joint = index_of(in.joints, wanted.joint);
+    if (loaded(cycle, joint).most > 0.0) continue;
+    const bool unique = cycle.unique.empty() || cycle.unique[joint].force;
+    add(unique ? say("No hodograph of '{1}': it has no force at any position.", wanted.joint.view())
+               : say("No hodograph of '{1}': its force is not unique.", wanted.joint.view()));
+  }
+  return notes;
 }
 
 std::vector<draw::Figure> hodograph_figures(const Planar::Input& in, const mechanism::Model& model, const Cycle& cycle,

@@ -4,6 +4,7 @@
 #include "calculators/mechanism/planar_cycle.hpp"
 #include "calculators/mechanism/planar_names.hpp"
 #include "lib/draw/figure.hpp"
+#include "lib/report/document.hpp"
 
 #include <vector>
 
@@ -12,9 +13,13 @@ namespace loadpath {
 /// Joints that do not exist or are named twice. Needs no values.
 void check_hodographs(NameFaults& faults);
 
-/// Of the joints that the project names, else of the three pins with the largest forces. A joint without a force has
-/// none.
+/// Of the joints that the project names, else of the three pins with the largest forces. A joint without a force, or
+/// whose force is not unique, has none.
 std::vector<draw::Figure> hodograph_figures(const PlanarMechanism::Input& in, const mechanism::Model& model,
                                             const Cycle& cycle, const Axis& axis);
+
+/// What is to be said of those that the project names and that have none; `axis` is null where there is one position.
+std::vector<report::Paragraph> missing_hodographs(const PlanarMechanism::Input& in, const Cycle& cycle,
+                                                  const Axis* axis);
 
 }  // namespace loadpath

@@ -4,6 +4,7 @@
 #include "lib/mechanism/sensitivity.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace loadpath {
@@ -12,6 +13,7 @@ namespace {
 
 using mechanism::Cause;
 using mechanism::Parameter;
+using Of = mechanism::Parameter::Dimension;
 using mechanism::Position;
 using report::Cell;
 using report::Quantity;
@@ -94,87 +96,84 @@ void add_causes(const mechanism::Model& model, const Position& at, bool statics,
   tables.push_back(std::move(table));
 }
 
+/// What a parameter is measured in, with the step for which a change is shown: 0.1 mm, 0.1 degrees, or a hundredth.
+enum class Measure { length, angle, part };
+
+/// {1} is what the parameter belongs to, {2} the link that a joint's point or wheel is on.
+struct Wording {
+  Parameter::Dimension dimension;
+  const char* id;
+  Measure measure;
+};
+
+constexpr std::array wordings{Wording{Of::point_i_x, "{1} on {2}, x", Measure::length},
+                              Wording{Of::point_i_y, "{1} on {2}, y", Measure::length},
+                              Wording{Of::point_j_x, "{1} on {2}, x", Measure::length},
+                              Wording{Of::point_j_y, "{1} on {2}, y", Measure::length},
+                              Wording{Of::direction, "direction of {1}", Measure::angle},
+                              Wording{Of::angle, "angle held by {1}", Measure::angle},
+                              Wording{Of::radius_i, "radius of {1} on {2}", Measure::length},
+                              Wording{Of::radius_j, "radius of {1} on {2}", Measure::length},
+                              Wording{Of::pressure_angle, "pressure angle of {1}", Measure::angle},
+                              Wording{Of::pin_radius, "pin radius of {1}", Measure::length},
+                              Wording{Of::friction_coefficient, "friction of {1}", Measure::part},
+                              Wording{Of::mass, "mass of {1}", Measure::part},
+                              Wording{Of::inertia, "moment of inertia of {1}", Measure::part},
+                              Wording{Of::centre_x, "mass centre of {1}, x", Measure::length},
+                              Wording{Of::centre_y, "mass centre of {1}, y", Measure::length},
+                              Wording{Of::offset, "place of the drive {1}", Measure::angle},
+                              Wording{Of::spring_i_x, "an end of spring {1}", Measure::length},
+                              Wording{Of::spring_i_y, "an end of spring {1}", Measure::length},
+                              Wording{Of::spring_j_x, "an end of spring {1}", Measure::length},
+                              Wording{Of::spring_j_y, "an end of spring {1}", Measure::length},
+                              Wording{Of::rate, "rate of {1}", Measure::part},
+                              Wording{Of::free, "free length of {1}", Measure::part},
+                              Wording{Of::damping, "damping of {1}", Measure::part},
+                              Wording{Of::load_x, "force of load {1}", Measure::part},
+                              Wording{Of::load_y, "force of load {1}", Measure::part},
+                              Wording{Of::load_moment, "couple of load {1}", Measure::part},
+                              Wording{Of::load_at_x, "place of load {1}, x", Measure::length},
+                              Wording{Of::load_at_y, "place of load {1}, y", Measure::length}};
+
+/// That of the kind at hand, where kinds differ.
+Wording wording_of(const Parameter& p, const mechanism::Model& model) {
+  if (p.dimension == Of::offset && model.drivers[p.index].kind == mechanism::Driver::Kind::linear)
+    return {p.dimension, "place of the drive {1}", Measure::length};
+  if (p.dimension == Of::free && model.springs[p.index].kind == mechanism::Spring::Kind::turning)
+    return {p.dimension, "free angle of {1}", Measure::angle};
+  return *std::find_if(wordings.begin(), wordings.end(), [&](const Wording& w) { return w.dimension == p.dimension; });
+}
+
 std::string link_name(const mechanism::Model& model, int link) {
   return link == mechanism::ground ? "ground" : model.links[static_cast<std::size_t>(link)].name;
 }
 
-/// A parameter in words, and the step for which a change is shown: 0.1 mm, 0.1 degrees, or a hundredth of it.
+Message name_of(const Parameter& p, const char* id, const mechanism::Model& model) {
+  using enum Parameter::Dimension;
+  if (p.dimension <= friction_coefficient) {
+    const mechanism::Joint& joint = model.joints[p.index];
+    const bool second = p.dimension == point_j_x || p.dimension == point_j_y || p.dimension == radius_j;
+    return say(id, joint.name, link_name(model, second ? joint.j : joint.i));
+  }
+  if (p.dimension <= centre_y) return say(id, model.links[p.index].name);
+  if (p.dimension == offset) return say(id, model.drivers[p.index].name);
+  if (p.dimension <= damping) return say(id, model.springs[p.index].name);
+  return say(id, load_name(model, p.index));
+}
+
+/// A parameter in words, and the step for which a change is shown.
 struct Described {
   Message name;
   double step;
   Cell shown;
 };
 
-Described length_of(Message name) { return {std::move(name), 1e-4, Quantity{1e-4, "mm"}}; }
-Described angle_of(Message name) { return {std::move(name), 0.1 * pi / 180.0, Quantity{0.1 * pi / 180.0, "deg"}}; }
-Described part_of(Message name, double value) { return {std::move(name), 0.01 * value, say("1 %")}; }
-
 Described describe(const Parameter& p, mechanism::Model& model) {
-  using enum Parameter::Dimension;
-  const double value = mechanism::number(model, p);
-  const auto joint = [&]() -> const mechanism::Joint& { return model.joints[p.index]; };
-  const auto link = [&] { return model.links[p.index].name; };
-  const auto spring = [&] { return model.springs[p.index].name; };
-  const auto load = [&] { return load_name(model, p.index); };
-  switch (p.dimension) {
-    case point_i_x:
-      return length_of(say("{1} on {2}, x", joint().name, link_name(model, joint().i)));
-    case point_i_y:
-      return length_of(say("{1} on {2}, y", joint().name, link_name(model, joint().i)));
-    case point_j_x:
-      return length_of(say("{1} on {2}, x", joint().name, link_name(model, joint().j)));
-    case point_j_y:
-      return length_of(say("{1} on {2}, y", joint().name, link_name(model, joint().j)));
-    case direction:
-      return angle_of(say("direction of {1}", joint().name));
-    case angle:
-      return angle_of(say("angle held by {1}", joint().name));
-    case radius_i:
-    case radius_j:
-      return length_of(
-          say("radius of {1} on {2}", joint().name, link_name(model, p.dimension == radius_i ? joint().i : joint().j)));
-    case pressure_angle:
-      return angle_of(say("pressure angle of {1}", joint().name));
-    case pin_radius:
-      return length_of(say("pin radius of {1}", joint().name));
-    case friction_coefficient:
-      return part_of(say("friction of {1}", joint().name), value);
-    case mass:
-      return part_of(say("mass of {1}", link()), value);
-    case inertia:
-      return part_of(say("moment of inertia of {1}", link()), value);
-    case centre_x:
-      return length_of(say("mass centre of {1}, x", link()));
-    case centre_y:
-      return length_of(say("mass centre of {1}, y", link()));
-    case offset:
-      return model.drivers[p.index].kind == mechanism::Driver::Kind::linear
-                 ? length_of(say("place of the drive {1}", model.drivers[p.index].name))
-                 : angle_of(say("place of the drive {1}", model.drivers[p.index].name));
-    case spring_i_x:
-    case spring_i_y:
-    case spring_j_x:
-    case spring_j_y:
-      return length_of(say("an end of spring {1}", spring()));
-    case rate:
-      return part_of(say("rate of {1}", spring()), value);
-    case free:
-      return model.springs[p.index].kind == mechanism::Spring::Kind::turning
-                 ? angle_of(say("free angle of {1}", spring()))
-                 : part_of(say("free length of {1}", spring()), value);
-    case damping:
-      return part_of(say("damping of {1}", spring()), value);
-    case load_x:
-    case load_y:
-      return part_of(say("force of load {1}", load()), value);
-    case load_moment:
-      return part_of(say("couple of load {1}", load()), value);
-    case load_at_x:
-      return length_of(say("place of load {1}, x", load()));
-    case load_at_y:
-      return length_of(say("place of load {1}, y", load()));
-  }
-  return part_of(say("mass of {1}", link()), value);
+  const auto [dimension, id, measure] = wording_of(p, model);
+  Message name = name_of(p, id, model);
+  if (measure == Measure::part) return {std::move(name), 0.01 * mechanism::number(model, p), say("1 %")};
+  const double step = measure == Measure::length ? 0.1e-3 : 0.1 * pi / 180.0;
+  return {std::move(name), step, Quantity{step, measure == Measure::length ? "mm" : "deg"}};
 }
 
 struct Change {

@@ -1,12 +1,15 @@
 #include "calculators/mechanism/planar_joints.hpp"
 
+#include "calculators/mechanism/planar_names.hpp"
 #include "calculators/mechanism/planar_profiles.hpp"
+#include "lib/mechanism/frames.hpp"
 #include "lib/mechanism/pair.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 namespace loadpath {
 
@@ -100,13 +103,6 @@ bool takes(const Special& special, Type type) {
   return std::find(special.types.begin(), special.types.end(), type) != special.types.end();
 }
 
-const char* key_of(Type type) {
-  for (const auto& choice : choices_of(type)) {
-    if (choice.value == type) return choice.key;
-  }
-  return "";
-}
-
 class FieldCheck {
  public:
   explicit FieldCheck(const Planar::Joint& joint) : joint_(joint) {}
@@ -126,20 +122,18 @@ class FieldCheck {
   }
 
  private:
-  [[nodiscard]] std::string path(const char* field) const {
-    return "joints." + std::string(joint_.name.view()) + (*field == 0 ? "" : "." + std::string(field));
-  }
+  [[nodiscard]] std::string path(std::string_view field = {}) const { return path_of("joints", joint_.name, field); }
 
   void refuse(const Special& special) {
     faults_.push_back({path(special.key),
                        say("'{1}' belongs to {2}, and '{3}' is of type {4}", special.key, special.of,
-                           joint_.name.view(), key_of(joint_.type)),
+                           joint_.name.view(), word_of(joint_.type)),
                        say("leave it out, or change the type")});
   }
 
   void need(const char* field, const char* example) {
-    faults_.push_back({path(""),
-                       say("joint '{1}' of type {2} needs '{3}'", joint_.name.view(), key_of(joint_.type), field),
+    faults_.push_back({path(),
+                       say("joint '{1}' of type {2} needs '{3}'", joint_.name.view(), word_of(joint_.type), field),
                        say("add {1}", example)});
   }
 
@@ -196,18 +190,6 @@ JointKind kind_of(Type type) {
 }
 
 bool has_line_and_wheel(JointKind kind) { return kind == JointKind::rack || kind == JointKind::rolling_on_line; }
-
-template <class Quantity>
-double si_or_zero(const Quantity& q) {
-  return is_set(q) ? in_si(q) : 0.0;
-}
-
-/// Of a link as placed.
-mechanism::Placed placed(const mechanism::Model& model, int link) {
-  if (link == mechanism::ground) return {};
-  const mechanism::Pose& pose = model.links[static_cast<std::size_t>(link)].pose;
-  return {mechanism::turn(pose.phi), {pose.x, pose.y}, pose.phi};
-}
 
 }  // namespace
 
@@ -283,7 +265,7 @@ std::vector<report::Table> detail_tables(const Planar::Input& in) {
 
 void take_from_assembly(mechanism::Model& model) {
   for (mechanism::Joint& joint : model.joints) {
-    const mechanism::Placed i = placed(model, joint.i), j = placed(model, joint.j);
+    const mechanism::Placed i = placed_in(model, joint.i), j = placed_in(model, joint.j);
     if (!std::isfinite(joint.angle)) joint.angle = i.phi - j.phi;
     if (joint.kind == JointKind::cam && joint.contact == mechanism::CamContact::flat) {
       const Vec face = i.turned(mechanism::turn(joint.angle)({1.0, 0.0}));

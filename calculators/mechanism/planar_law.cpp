@@ -1,5 +1,6 @@
 #include "calculators/mechanism/planar_law.hpp"
 
+#include "calculators/mechanism/planar_names.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ const char* unit_of(const Cylinder&) { return "mm"; }
 Dimension dimension_of(const Crank&) { return deg.dimension(); }
 Dimension dimension_of(const Cylinder&) { return mm.dimension(); }
 std::string path_of(const Crank&) { return "crank"; }
-std::string path_of(const Cylinder& cylinder) { return "cylinders." + std::string(cylinder.name.view()); }
+std::string path_of(const Cylinder& cylinder) { return path_of("cylinders", cylinder.name); }
 double place_of(const Crank::Moment& moment) { return moment.angle; }
 double place_of(const Cylinder::Moment& moment) { return in_si(moment.place); }
 

@@ -1,5 +1,7 @@
 #include "calculators/mechanism/planar_loads.hpp"
 
+#include "calculators/mechanism/planar_names.hpp"
+
 #include <cmath>
 
 namespace loadpath {
@@ -12,8 +14,6 @@ using report::Cell;
 using report::Quantity;
 using report::Table;
 
-std::string text(const Name& name) { return std::string(name.view()); }
-
 bool turns(const Planar::Spring& spring) {
   return in_si(spring.k_turn) != 0.0 || in_si(spring.c_turn) != 0.0 || is_set(spring.free_angle);
 }
@@ -25,13 +25,11 @@ bool pulls(const Planar::Spring& spring) {
 /// One of them alone: the other is zero.
 bool is_cartesian(const Planar::Load& load) { return is_set(load.F_x) || is_set(load.F_y); }
 
-double si_or_zero(const Force& force) { return is_set(force) ? in_si(force) : 0.0; }
-
-std::string path_of(const Planar::Load& load, std::size_t k) {
-  return "loads" + (load.name.empty() ? "[" + std::to_string(k + 1) + "]" : "." + text(load.name)) + ".over";
-}
-
 }  // namespace
+
+std::string path_of(const Planar::Load& load, std::size_t index) {
+  return load.name.empty() ? "loads[" + std::to_string(index + 1) + "]" : path_of("loads", load.name);
+}
 
 mechanism::Load load_of(const Planar::Input& in, const Planar::Load& l) {
   mechanism::Load load;
@@ -71,7 +69,7 @@ mechanism::Spring spring_of(const Planar::Input& in, const Planar::Spring& given
 }
 
 std::vector<FieldFault> check_fields(const Planar::Spring& spring) {
-  const std::string path = "springs." + text(spring.name);
+  const std::string path = path_of("springs", spring.name);
   if (turns(spring) && pulls(spring)) {
     return {{path, say("'{1}' has fields of a spring that pulls and of one that turns", spring.name.view()),
              say("either k, free and c, or k_turn, free_angle and c_turn")}};
@@ -99,17 +97,17 @@ std::vector<FieldFault> check_shares(const Planar::Input& in) {
     const auto& over = in.loads[k].over;
     if (over.empty()) continue;
     if (in.crank.joint.empty())
-      faults.push_back({path_of(in.loads[k], k), say("'over' goes by the crank angle, and there is no crank"),
+      faults.push_back({path_of(in.loads[k], k) + ".over", say("'over' goes by the crank angle, and there is no crank"),
                         say("leave it out, or drive by a crank")});
     for (std::size_t n = 1; n < over.size(); ++n) {
       if (over[n].angle > over[n - 1].angle) continue;
       faults.push_back(
-          {path_of(in.loads[k], k), say("the crank angles of 'over' must rise from each to the next"), {}});
+          {path_of(in.loads[k], k) + ".over", say("the crank angles of 'over' must rise from each to the next"), {}});
       break;
     }
     if (over[over.size() - 1].angle - over[0].angle > 2.0 * pi * in.crank.turns * (1.0 + 1e-12))
       faults.push_back(
-          {path_of(in.loads[k], k), say("the crank angles of 'over' reach round more than one cycle"), {}});
+          {path_of(in.loads[k], k) + ".over", say("the crank angles of 'over' reach round more than one cycle"), {}});
   }
   return faults;
 }

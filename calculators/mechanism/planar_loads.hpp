@@ -5,6 +5,8 @@
 #include "calculators/mechanism/planar_model.hpp"
 #include "lib/report/document.hpp"
 
+#include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,6 +14,9 @@ namespace loadpath {
 
 mechanism::Load load_of(const PlanarMechanism::Input& in, const PlanarMechanism::Load& load);
 mechanism::Spring spring_of(const PlanarMechanism::Input& in, const PlanarMechanism::Spring& spring);
+
+/// The path of a load: "loads.cut", or by its place in the list, "loads[2]".
+std::string path_of(const PlanarMechanism::Load& load, std::size_t index);
 
 /// The points of a spring's ends: as written; the second as the first where missing.
 std::pair<Name, Name> end_of(const PlanarMechanism::Spring& spring);

@@ -15,11 +15,7 @@ using Masses = Planar::Masses;
 using mechanism::PointMass;
 using mechanism::Vec;
 
-const Planar::Point* point_of(const Planar::Link& link, const Name& name) {
-  const auto found =
-      std::find_if(link.points.begin(), link.points.end(), [&](const auto& p) { return p.name == name; });
-  return found == link.points.end() ? nullptr : &*found;
-}
+const Planar::Point* point_of(const Planar::Link& link, const Name& name) { return find_named(link.points, name); }
 
 /// With its own moment of inertia.
 mechanism::Link own_of(const Planar::Link& l) {
@@ -40,8 +36,6 @@ std::vector<PointMass> masses_of(const Planar::Link& l, const mechanism::Link& l
   const auto masses = mechanism::dynamically_equivalent(link, a, b);
   return masses ? std::vector(masses->begin(), masses->end()) : std::vector<PointMass>{};
 }
-
-std::string text(const Name& name) { return std::string(name.view()); }
 
 }  // namespace
 

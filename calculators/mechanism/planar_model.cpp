@@ -107,15 +107,13 @@ class NameCheck : private NameFaults {
     require_turning(in_.crank.joint);
     for (const auto& c : in_.cylinders) require_joint(c.joint, path_of("cylinders", c.name, "joint"));
     if (in_.crank.joint.empty() || in_.crank.to.empty() || !none()) return;
-    const auto joint =
-        std::find_if(in_.joints.begin(), in_.joints.end(), [&](const auto& j) { return j.name == in_.crank.joint; });
+    const Planar::Joint* const joint = find_named(in_.joints, in_.crank.joint);
     const bool first_fixed = joint->links.first.view() == "ground";
     require_point(link_index(in_, first_fixed ? joint->links.second : joint->links.first), in_.crank.to, "crank.to");
   }
 
   void check_load(const Planar::Load& load, std::size_t i) {
-    const std::string path =
-        "loads" + (load.name.empty() ? "[" + std::to_string(i + 1) + "]" : "." + std::string(load.name.view()));
+    const std::string path = path_of(load, i);
     const bool known = require_link(load.link, path + ".link");
     const bool polar = is_set(load.F) && is_set(load.direction), cartesian = is_set(load.F_x) || is_set(load.F_y);
     const bool any_polar = is_set(load.F) || is_set(load.direction);
@@ -245,14 +243,9 @@ void place_links(const Planar::Input& in, mechanism::Model& model) {
   }
 }
 
-int joint_index(const Planar::Input& in, const Name& name) {
-  const auto found = std::find_if(in.joints.begin(), in.joints.end(), [&](const auto& j) { return j.name == name; });
-  return static_cast<int>(found - in.joints.begin());
-}
-
 /// The crank turns against the fixed link where it has one, else the first link of the joint against the second.
 mechanism::Driver crank_driver(const Planar::Input& in, const mechanism::Model& model) {
-  const mechanism::Joint& joint = model.joints[static_cast<std::size_t>(joint_index(in, in.crank.joint))];
+  const mechanism::Joint& joint = model.joints[index_of(in.joints, in.crank.joint)];
   mechanism::Driver driver;
   driver.name = "crank";
   const bool first_fixed = joint.i == mechanism::ground;
@@ -269,7 +262,7 @@ mechanism::Driver cylinder_driver(const Planar::Input& in, const Planar::Cylinde
   mechanism::Driver driver;
   driver.name = c.name.view();
   driver.kind = mechanism::Driver::Kind::linear;
-  driver.joint = joint_index(in, c.joint);
+  driver.joint = static_cast<int>(index_of(in.joints, c.joint));
   const mechanism::Joint& joint = model.joints[static_cast<std::size_t>(driver.joint)];
   driver.i = joint.i;
   driver.j = joint.j;
@@ -330,18 +323,12 @@ std::pair<Name, Name> point_names(const Planar::Joint& joint) {
 }
 
 int link_index(const Planar::Input& in, const Name& name) {
-  for (std::size_t i = 0; i < in.links.size(); ++i) {
-    if (in.links[i].name == name) return static_cast<int>(i);
-  }
-  return mechanism::ground;
+  return find_named(in.links, name) == nullptr ? mechanism::ground : static_cast<int>(index_of(in.links, name));
 }
 
 const Planar::Point* find_point(const Planar::Input& in, int link, const Name& name) {
-  const auto find = [&](const auto& points) -> const Planar::Point* {
-    const auto found = std::find_if(points.begin(), points.end(), [&](const auto& p) { return p.name == name; });
-    return found == points.end() ? nullptr : &*found;
-  };
-  return link == mechanism::ground ? find(in.ground) : find(in.links[static_cast<std::size_t>(link)].points);
+  return link == mechanism::ground ? find_named(in.ground, name)
+                                   : find_named(in.links[static_cast<std::size_t>(link)].points, name);
 }
 
 Vec vector_of(const Planar::Point& p) {

@@ -6,19 +6,9 @@
 
 namespace loadpath {
 
-namespace {
-
-using Planar = PlanarMechanism;
-
-template <class Items>
-bool has(const Items& items, const Name& name) {
-  return std::any_of(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
-}
-
-}  // namespace
-
-std::string path_of(const char* list, const Name& name, const char* field) {
-  return std::string(list) + "." + std::string(name.view()) + (*field == '\0' ? "" : "." + std::string(field));
+std::string path_of(const char* list, std::string_view name, std::string_view field) {
+  const std::string path = list + ("." + std::string(name));
+  return field.empty() ? path : path + "." + std::string(field);
 }
 
 bool NameFaults::require(bool found, const Name& name, const std::string& path, std::string_view kind,
@@ -34,15 +24,15 @@ bool NameFaults::require(bool found, const Name& name, const std::string& path, 
 bool NameFaults::require_link(const Name& name, const std::string& path) {
   auto names = names_in(in_.links);
   names.emplace_back("ground");
-  return require(name.view() == "ground" || has(in_.links, name), name, path, "link", names);
+  return require(name.view() == "ground" || find_named(in_.links, name) != nullptr, name, path, "link", names);
 }
 
 bool NameFaults::require_joint(const Name& name, const std::string& path) {
-  return require(has(in_.joints, name), name, path, "joint", names_in(in_.joints));
+  return require(find_named(in_.joints, name) != nullptr, name, path, "joint", names_in(in_.joints));
 }
 
 bool NameFaults::require_spring(const Name& name, const std::string& path) {
-  return require(has(in_.springs, name), name, path, "spring", names_in(in_.springs));
+  return require(find_named(in_.springs, name) != nullptr, name, path, "spring", names_in(in_.springs));
 }
 
 bool NameFaults::require_point(int link, const Name& name, const std::string& path) {

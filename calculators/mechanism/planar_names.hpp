@@ -4,7 +4,10 @@
 #include "calculators/mechanism/planar.hpp"
 #include "lib/issue.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace loadpath {
@@ -37,6 +40,20 @@ class NameFaults {
   std::vector<FieldFault> faults_;
 };
 
+inline std::string text(const Name& name) { return std::string(name.view()); }
+
+/// The element of a list that has this name; nullptr where there is none.
+template <class Items>
+auto find_named(const Items& items, const Name& name) -> decltype(&*items.begin()) {
+  const auto found = std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
+  return found == items.end() ? nullptr : &*found;
+}
+/// The place in its list of one that is there.
+template <class Items>
+std::size_t index_of(const Items& items, const Name& name) {
+  return static_cast<std::size_t>(find_named(items, name) - &*items.begin());
+}
+
 /// The names of the elements of a list.
 template <class Items>
 std::vector<std::string> names_in(const Items& items) {
@@ -46,6 +63,9 @@ std::vector<std::string> names_in(const Items& items) {
 }
 
 /// The path of a named element of a list, or of a field of it: "links.rod.S".
-std::string path_of(const char* list, const Name& name, const char* field = "");
+std::string path_of(const char* list, std::string_view name, std::string_view field = {});
+inline std::string path_of(const char* list, const Name& name, std::string_view field = {}) {
+  return path_of(list, name.view(), field);
+}
 
 }  // namespace loadpath

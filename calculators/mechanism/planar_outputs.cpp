@@ -80,26 +80,28 @@ constexpr std::array link_rows{row<Link>("links.NAME.phi", "angle of the link's 
                                row<Link>("links.NAME.epsilon", "angular acceleration", rad_per_s2,
                                          [](const Link& l, const Position& p) { return p.acceleration[l.index].phi; })};
 
-PointMotion motion(const TracedPoint& point, const Position& p) { return motion_of(p, point.link, point.at); }
+struct Point {
+  std::string name;
+  TracedPoint traced;
+
+  [[nodiscard]] PointMotion now(const Position& p) const { return motion_of(p, traced.link, traced.at); }
+};
 
 constexpr std::array point_rows{
-    row<TracedPoint>("points.NAME.x", "place along x", mm,
-                     [](const TracedPoint& t, const Position& p) { return motion(t, p).place.x; }),
-    row<TracedPoint>("points.NAME.y", "place along y", mm,
-                     [](const TracedPoint& t, const Position& p) { return motion(t, p).place.y; }),
-    row<TracedPoint>("points.NAME.v", "speed", m_per_s,
-                     [](const TracedPoint& t, const Position& p) { return mechanism::length(motion(t, p).velocity); }),
-    row<TracedPoint>("points.NAME.v_x", "velocity along x", m_per_s,
-                     [](const TracedPoint& t, const Position& p) { return motion(t, p).velocity.x; }),
-    row<TracedPoint>("points.NAME.v_y", "velocity along y", m_per_s,
-                     [](const TracedPoint& t, const Position& p) { return motion(t, p).velocity.y; }),
-    row<TracedPoint>(
-        "points.NAME.a", "magnitude of the acceleration", m_per_s2,
-        [](const TracedPoint& t, const Position& p) { return mechanism::length(motion(t, p).acceleration); }),
-    row<TracedPoint>("points.NAME.a_x", "acceleration along x", m_per_s2,
-                     [](const TracedPoint& t, const Position& p) { return motion(t, p).acceleration.x; }),
-    row<TracedPoint>("points.NAME.a_y", "acceleration along y", m_per_s2,
-                     [](const TracedPoint& t, const Position& p) { return motion(t, p).acceleration.y; })};
+    row<Point>("points.NAME.x", "place along x", mm, [](const Point&, const PointMotion& m) { return m.place.x; }),
+    row<Point>("points.NAME.y", "place along y", mm, [](const Point&, const PointMotion& m) { return m.place.y; }),
+    row<Point>("points.NAME.v", "speed", m_per_s,
+               [](const Point&, const PointMotion& m) { return mechanism::length(m.velocity); }),
+    row<Point>("points.NAME.v_x", "velocity along x", m_per_s,
+               [](const Point&, const PointMotion& m) { return m.velocity.x; }),
+    row<Point>("points.NAME.v_y", "velocity along y", m_per_s,
+               [](const Point&, const PointMotion& m) { return m.velocity.y; }),
+    row<Point>("points.NAME.a", "magnitude of the acceleration", m_per_s2,
+               [](const Point&, const PointMotion& m) { return mechanism::length(m.acceleration); }),
+    row<Point>("points.NAME.a_x", "acceleration along x", m_per_s2,
+               [](const Point&, const PointMotion& m) { return m.acceleration.x; }),
+    row<Point>("points.NAME.a_y", "acceleration along y", m_per_s2,
+               [](const Point&, const PointMotion& m) { return m.acceleration.y; })};
 
 }  // namespace
 
@@ -114,7 +116,7 @@ std::vector<MechanismOutput> mechanism_outputs(const PlanarMechanism::Input& in,
   for (std::size_t j = 0; j < model.joints.size(); ++j)
     add_outputs(Joint{model.joints[j].name, j, model.joints[j].kind}, joint_rows, out);
   for (std::size_t k = 0; k < model.links.size(); ++k) add_outputs(Link{model.links[k].name, k}, link_rows, out);
-  for (const TracedPoint& point : traced_points(in)) add_outputs(point, point_rows, out);
+  for (const TracedPoint& point : traced_points(in)) add_outputs(Point{point.name, point}, point_rows, out);
   add_design_outputs(in, model, out);
   add_kinematic_outputs(in, model, out);
   add_rest_outputs(model, out);

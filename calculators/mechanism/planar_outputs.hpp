@@ -6,9 +6,13 @@
 #include "lib/issue.hpp"
 #include "lib/quantity/dimension.hpp"
 
+#include <cstddef>
 #include <functional>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,6 +34,25 @@ struct Solved {
   const Balanced& balanced;
 };
 
+/// How results are read off a position: those of one thing together, so that what they share is found once.
+struct Reading {
+  struct Together {
+    std::size_t count = 0;
+    std::function<void(const mechanism::Position&, std::span<double> values)> read;
+  };
+  std::shared_ptr<const Together> together;
+  std::size_t place = 0;  // of this result among them
+
+  Reading() = default;
+  Reading(std::shared_ptr<const Together> all, std::size_t own) : together(std::move(all)), place(own) {}
+  /// Of a single result: a function of the position.
+  template <class Read>
+  requires std::is_invocable_r_v<double, Read, const mechanism::Position&> Reading(
+      Read read)  // NOLINT(google-explicit-constructor)
+      : together(std::make_shared<const Together>(
+            Together{1, [read](const mechanism::Position& p, std::span<double> values) { values[0] = read(p); }})) {}
+};
+
 struct MechanismOutput {
   struct Values {
     std::vector<double> si;  // one for every position, or one
@@ -41,12 +64,13 @@ struct MechanismOutput {
   std::string doc;
   std::string unit;
   Dimension dimension;
-  std::function<double(const mechanism::Position&)> read;
+  Reading read;
   /// In place of `read`, of all that is solved.
   std::function<Values(const Solved&)> read_cycle = {};
   bool is_single = false;
   /// In place of `read`, of the results before it.
   std::function<Values(const project::Account&)> read_results = {};
+  Message missing = {};  // of `read`: why it may have no value though the mechanism has forces
 };
 
 /// Whether a result is the effort of a drive itself, "drive.M" or "cylinders.NAME.F".

@@ -1,10 +1,12 @@
 // What can be wrong with the profile of a cam: fields, values, and what touches it.
+#include "calculators/mechanism/planar_names.hpp"
 #include "calculators/mechanism/planar_profiles.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 namespace loadpath {
 
@@ -19,32 +21,32 @@ constexpr double whole_turn = 2.0 * pi;
 struct Special {
   const char* key;
   bool (*given)(const CamProfile&);
-  std::array<Shape, 3> shapes;  // padded with the first
+  std::array<Shape, 4> shapes;  // padded with the first
 };
 
-const std::array specials{
-    Special{"base", [](const auto& p) { return is_set(p.base); }, {Shape::sliding, Shape::swinging, Shape::flat}},
-    Special{"roller",
-            [](const auto& p) { return in_si(p.roller) != 0.0; },
-            {Shape::sliding, Shape::swinging, Shape::sliding}},
-    Special{"offset",
-            [](const auto& p) { return in_si(p.offset) != 0.0; },
-            {Shape::sliding, Shape::sliding, Shape::sliding}},
-    Special{
-        "pivot", [](const auto& p) { return is_set(p.pivot); }, {Shape::swinging, Shape::swinging, Shape::swinging}},
-    Special{"arm", [](const auto& p) { return is_set(p.arm); }, {Shape::swinging, Shape::swinging, Shape::swinging}},
-    Special{
-        "segments", [](const auto& p) { return !p.segments.empty(); }, {Shape::sliding, Shape::swinging, Shape::flat}},
-    Special{"r", [](const auto& p) { return is_set(p.r); }, {Shape::circle, Shape::circle, Shape::circle}},
-    Special{"centre", [](const auto& p) { return is_set(p.centre.x); }, {Shape::circle, Shape::circle, Shape::circle}},
-    Special{"points", [](const auto& p) { return !p.points.empty(); }, {Shape::points, Shape::points, Shape::points}}};
+constexpr std::array by_lift{Shape::sliding, Shape::swinging, Shape::flat, Shape::swinging_flat};
+constexpr std::array by_roller{Shape::sliding, Shape::swinging, Shape::sliding, Shape::sliding};
+constexpr std::array by_offset{Shape::sliding, Shape::swinging_flat, Shape::sliding, Shape::sliding};
+constexpr std::array by_pivot{Shape::swinging, Shape::swinging_flat, Shape::swinging, Shape::swinging};
+constexpr std::array<Shape, 4> only(Shape shape) { return {shape, shape, shape, shape}; }
 
-std::string path_of(const CamProfile& profile, const std::string& field = "") {
-  return "profiles." + std::string(profile.name.view()) + (field.empty() ? "" : "." + field);
+const std::array specials{Special{"base", [](const auto& p) { return is_set(p.base); }, by_lift},
+                          Special{"roller", [](const auto& p) { return in_si(p.roller) != 0.0; }, by_roller},
+                          Special{"offset", [](const auto& p) { return in_si(p.offset) != 0.0; }, by_offset},
+                          Special{"pivot", [](const auto& p) { return is_set(p.pivot); }, by_pivot},
+                          Special{"arm", [](const auto& p) { return is_set(p.arm); }, only(Shape::swinging)},
+                          Special{"segments", [](const auto& p) { return !p.segments.empty(); }, by_lift},
+                          Special{"r", [](const auto& p) { return is_set(p.r); }, only(Shape::circle)},
+                          Special{"centre", [](const auto& p) { return is_set(p.centre.x); }, only(Shape::circle)},
+                          Special{"points", [](const auto& p) { return !p.points.empty(); }, only(Shape::points)}};
+
+std::string path_of(const CamProfile& profile, std::string_view field = {}) {
+  return path_of("profiles", profile.name, field);
 }
 
-std::string segment_path(const CamProfile& profile, std::size_t k, const char* field = "") {
-  return path_of(profile, "segments[" + std::to_string(k + 1) + "]" + (*field == 0 ? "" : "." + std::string(field)));
+std::string segment_path(const CamProfile& profile, std::size_t k, std::string_view field = {}) {
+  const std::string segment = path_of(profile, "segments[" + std::to_string(k + 1) + "]");
+  return field.empty() ? segment : segment + "." + std::string(field);
 }
 
 class FieldCheck {
@@ -59,10 +61,8 @@ class FieldCheck {
       need("segments", !profile_.segments.empty(),
            "segments = [{ law = \"cycloidal\", angle = \"180 deg\", lift = \"10 mm\" }, ...]");
     }
-    if (profile_.shape == Shape::swinging) {
-      need("pivot", is_set(profile_.pivot), "pivot = \"80 mm\"");
-      need("arm", is_set(profile_.arm), "arm = \"70 mm\"");
-    }
+    if (is_by_swing(profile_.shape)) need("pivot", is_set(profile_.pivot), "pivot = \"80 mm\"");
+    if (profile_.shape == Shape::swinging) need("arm", is_set(profile_.arm), "arm = \"70 mm\"");
     if (profile_.shape == Shape::points) {
       need("four points or more", profile_.points.size() >= 4, "points = [[\"30 mm\", \"0 mm\"], ...]");
     }
@@ -88,12 +88,12 @@ class FieldCheck {
   }
 
   void check(std::size_t k, const CamProfile::Segment& segment) {
-    const bool swings = profile_.shape == Shape::swinging, lift = is_set(segment.lift), swing = is_set(segment.swing);
+    const bool swings = is_by_swing(profile_.shape), lift = is_set(segment.lift), swing = is_set(segment.swing);
     const char* const own = swings ? "swing" : "lift";
     if (segment.law == CamProfile::Law::constant_velocity) {
       faults_.push_back({segment_path(profile_, k, "law"),
                          say("at the ends of a segment with constant velocity the acceleration is infinite"),
-                         say("take cycloidal, 3-4-5 or 4-5-6-7")});
+                         say("take cycloidal, 3-4-5, 4-5-6-7, modified_sine or modified_trapezoid")});
     } else if (swings ? lift : swing) {
       faults_.push_back({segment_path(profile_, k, swings ? "lift" : "swing"),
                          say("a profile of the shape {1} is told by '{2}'", word_of(profile_.shape), own), Message{}});
@@ -117,6 +117,7 @@ class ValueCheck {
     if (is_by_lift(profile_.shape)) check_segments();
     if (profile_.shape == Shape::sliding) check_sliding();
     if (profile_.shape == Shape::swinging) check_swinging();
+    if (profile_.shape == Shape::swinging_flat && faults_.empty()) check_face();
     if (profile_.shape == Shape::points) check_points();
     return std::move(faults_);
   }
@@ -139,7 +140,7 @@ class ValueCheck {
       least = std::min(least, rise);
       size = std::max(size, std::abs(rise_of(profile_, segment)));
     }
-    const char* const unit = profile_.shape == Shape::swinging ? "deg" : "mm";
+    const char* const unit = is_by_swing(profile_.shape) ? "deg" : "mm";
     if (std::abs(angle - whole_turn) > 1e-9) {
       add("segments",
           say("the segments take {1} of the cam, and must take a whole turn", format_quantity(angle, "deg", 6)),
@@ -176,14 +177,55 @@ class ValueCheck {
           say("change pivot, arm or base"));
     }
     const mechanism::SwingingFollower without_lift{mechanism::Lift({}), {}, reach, d, l, 1.0};
-    double angle = without_lift.base_angle();
+    const double angle = without_lift.base_angle() + largest_swing();
+    if (angle < pi) return;
+    add("segments",
+        say("the arm swings past the line from the cam's axis through its pivot: to {1} from the way back",
+            format_quantity(angle, "deg", 5)),
+        say("make the swing smaller, or the arm longer"));
+  }
+
+  [[nodiscard]] double largest_swing() const {
+    double swing = 0.0, largest = 0.0;
     for (const CamProfile::Segment& segment : profile_.segments) {
-      angle += rise_of(profile_, segment);
-      if (angle < pi) continue;
+      swing += rise_of(profile_, segment);
+      largest = std::max(largest, swing);
+    }
+    return largest;
+  }
+
+  void check_face() {
+    const double d = in_si(profile_.pivot), passing = in_si(profile_.base) + in_si(profile_.offset);
+    if (!(std::abs(passing) < d)) {
+      return add("pivot",
+                 say("the pivot is {1} from the cam's axis, and a face that touches the base circle passes that axis "
+                     "at {2} more than it passes the pivot",
+                     format_quantity(d, "mm", 5), format_quantity(std::abs(passing), "mm", 5)),
+                 say("move the pivot out, or change base or offset"));
+    }
+    const double angle = std::asin(passing / d) + largest_swing();
+    if (!(angle < 0.5 * pi)) {
       return add("segments",
-                 say("the arm swings past the line from the cam's axis through its pivot: to {1} from the way back",
+                 say("the face swings to {1} from the line between its pivot and the cam's axis, and touches the cam "
+                     "up to 90 deg",
                      format_quantity(angle, "deg", 5)),
-                 say("make the swing smaller, or the arm longer"));
+                 say("make the swing smaller, or move the pivot out"));
+    }
+    check_turning();
+  }
+
+  /// The contact runs off along the face where that swings as fast as the cam turns.
+  void check_turning() {
+    constexpr int samples = 3600;
+    const auto profile = profile_of(profile_);
+    for (int k = 0; k < samples; ++k) {
+      const double parameter = whole_turn * k / samples;
+      if (profile->at(parameter).turning > 0.0) continue;
+      return add("segments",
+                 say("at a cam angle of {1} the face swings as fast as the cam turns, or faster, and no profile "
+                     "touches it",
+                     format_quantity(cam_angle(*profile, parameter), "deg", 4)),
+                 say("make the swing smaller, or its segment longer"));
     }
   }
 
@@ -220,9 +262,8 @@ void check_hollows(const Planar::Input& in, std::vector<FieldFault>& faults) {
                   "not reach into it",
                   joint.profile.view(), angle, format_quantity(bends.hollow, "mm", 4),
                   format_quantity(roller_radius(in, joint), "mm", 4));
-    faults.push_back(
-        {"joints." + std::string(joint.name.view()) + (flat || !is_set(joint.radius) ? ".profile" : ".radius"), message,
-         say("take a smaller roller, or make the base circle larger")});
+    faults.push_back({path_of("joints", joint.name, flat || !is_set(joint.radius) ? "profile" : "radius"), message,
+                      say("take a smaller roller, or make the base circle larger")});
   }
 }
 

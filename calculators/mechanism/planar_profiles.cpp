@@ -1,5 +1,6 @@
 #include "calculators/mechanism/planar_profiles.hpp"
 
+#include "calculators/mechanism/planar_names.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -25,6 +26,10 @@ mechanism::LiftLaw law_of(CamProfile::Law law) {
       return mechanism::LiftLaw::polynomial_345;
     case CamProfile::Law::polynomial_4567:
       return mechanism::LiftLaw::polynomial_4567;
+    case CamProfile::Law::modified_sine:
+      return mechanism::LiftLaw::modified_sine;
+    case CamProfile::Law::modified_trapezoid:
+      return mechanism::LiftLaw::modified_trapezoid;
     case CamProfile::Law::dwell:
     case CamProfile::Law::constant_velocity:
       break;
@@ -40,6 +45,8 @@ mechanism::Lift lift_of(const CamProfile& profile) {
   return mechanism::Lift(segments);
 }
 
+bool has_roller(Shape shape) { return shape == Shape::sliding || shape == Shape::swinging; }
+
 /// Round counter-clockwise.
 std::vector<Vec> points_of(const CamProfile& profile) {
   std::vector<Vec> points;
@@ -54,14 +61,16 @@ mechanism::Profile::Curve curve_of(const CamProfile& p) {
   const auto sense =
       p.sense == CamProfile::Sense::clockwise ? mechanism::CamSense::clockwise : mechanism::CamSense::counter_clockwise;
   const double base = in_si(p.base), reach = base + in_si(p.roller);
+  const double side = p.side == CamProfile::Hand::left ? 1.0 : -1.0;
   switch (p.shape) {
     case Shape::sliding:
       return mechanism::SlidingFollower{lift_of(p), sense, reach, in_si(p.offset)};
     case Shape::swinging:
-      return mechanism::SwingingFollower{lift_of(p),     sense,        reach,
-                                         in_si(p.pivot), in_si(p.arm), p.side == CamProfile::Hand::left ? 1.0 : -1.0};
+      return mechanism::SwingingFollower{lift_of(p), sense, reach, in_si(p.pivot), in_si(p.arm), side};
     case Shape::flat:
       return mechanism::FlatFollower{lift_of(p), sense, base};
+    case Shape::swinging_flat:
+      return mechanism::SwingingFace{lift_of(p), sense, base, in_si(p.pivot), in_si(p.offset), side};
     case Shape::points:
       return mechanism::SplineCurve(points_of(p));
     case Shape::circle:
@@ -75,7 +84,7 @@ report::Table segment_table(const CamProfile& profile) {
   report::Table table{say("Profile {1}: segments of the lift", profile.name.view()),
                       {say("from"), say("to"), say("law"), say("rise"), say("remark")},
                       {}};
-  const char* const unit = profile.shape == Shape::swinging ? "deg" : "mm";
+  const char* const unit = is_by_swing(profile.shape) ? "deg" : "mm";
   const std::vector<double> jumps = lift_of(profile).jumps();
   double from = 0.0;
   for (const CamProfile::Segment& s : profile.segments) {
@@ -91,22 +100,16 @@ report::Table segment_table(const CamProfile& profile) {
 
 }  // namespace
 
-const CamProfile* find_profile(const Planar::Input& in, const Name& name) {
-  const auto found =
-      std::find_if(in.profiles.begin(), in.profiles.end(), [&](const CamProfile& p) { return p.name == name; });
-  return found == in.profiles.end() ? nullptr : &*found;
-}
+const CamProfile* find_profile(const Planar::Input& in, const Name& name) { return find_named(in.profiles, name); }
 
 bool is_cam(Planar::Type type) { return type == Planar::Type::cam || type == Planar::Type::cam_flat; }
 
 double rise_of(const CamProfile& profile, const CamProfile::Segment& segment) {
-  if (profile.shape == Shape::swinging) return is_set(segment.swing) ? segment.swing : 0.0;
-  return is_set(segment.lift) ? in_si(segment.lift) : 0.0;
+  return is_by_swing(profile.shape) ? si_or_zero(segment.swing) : si_or_zero(segment.lift);
 }
 
 std::shared_ptr<const mechanism::Profile> profile_of(const CamProfile& profile) {
-  const double inset =
-      profile.shape == Shape::sliding || profile.shape == Shape::swinging ? in_si(profile.roller) : 0.0;
+  const double inset = has_roller(profile.shape) ? in_si(profile.roller) : 0.0;
   return std::make_shared<const mechanism::Profile>(curve_of(profile), inset);
 }
 
@@ -118,20 +121,16 @@ double roller_radius(const Planar::Input& in, const Planar::Joint& joint) {
 }
 
 double cam_angle(const mechanism::Profile& profile, double parameter) {
-  const auto by_lift = [&](mechanism::CamSense sense) {
-    return sense == mechanism::CamSense::clockwise ? parameter : -parameter;
-  };
-  double angle = 0.0;
-  if (const auto* sliding = std::get_if<mechanism::SlidingFollower>(&profile.curve())) {
-    angle = by_lift(sliding->sense);
-  } else if (const auto* swinging = std::get_if<mechanism::SwingingFollower>(&profile.curve())) {
-    angle = by_lift(swinging->sense);
-  } else if (const auto* flat = std::get_if<mechanism::FlatFollower>(&profile.curve())) {
-    angle = by_lift(flat->sense);
-  } else {
-    const Vec flank = profile.flank(parameter);
-    angle = std::atan2(flank.y, flank.x);
-  }
+  const double angle = std::visit(
+      [&](const auto& curve) {
+        if constexpr (requires { curve.sense; }) {
+          return curve.sense == mechanism::CamSense::clockwise ? parameter : -parameter;
+        } else {
+          const Vec flank = profile.flank(parameter);
+          return std::atan2(flank.y, flank.x);
+        }
+      },
+      profile.curve());
   return angle - whole_turn * std::floor(angle / whole_turn);
 }
 
@@ -150,11 +149,10 @@ std::vector<report::Table> profile_tables(const Planar::Input& in) {
   for (const CamProfile& p : in.profiles) {
     const bool lift = is_by_lift(p.shape);
     table.rows.push_back(
-        {std::string(p.name.view()), say(word_of(p.shape)), length(p.base, lift),
-         length(p.roller, lift && p.shape != Shape::flat), length(p.offset, p.shape == Shape::sliding),
-         length(p.pivot, p.shape == Shape::swinging), length(p.arm, p.shape == Shape::swinging),
-         length(p.r, p.shape == Shape::circle),
-         lift ? Cell(say(choices_of(p.sense)[static_cast<std::size_t>(p.sense)].doc)) : Cell(std::string("–"))});
+        {std::string(p.name.view()), say(word_of(p.shape)), length(p.base, lift), length(p.roller, has_roller(p.shape)),
+         length(p.offset, p.shape == Shape::sliding || p.shape == Shape::swinging_flat),
+         length(p.pivot, is_by_swing(p.shape)), length(p.arm, p.shape == Shape::swinging),
+         length(p.r, p.shape == Shape::circle), lift ? Cell(say(choice_of(p.sense).doc)) : Cell(std::string("–"))});
   }
   tables.push_back(std::move(table));
   for (const CamProfile& p : in.profiles) {

@@ -14,12 +14,6 @@ namespace loadpath {
 /// The profile that a joint names; nullptr where there is none of that name.
 const CamProfile* find_profile(const PlanarMechanism::Input& in, const Name& name);
 
-/// The word of a project for a choice of a profile.
-template <class Enum>
-const char* word_of(Enum choice) {
-  return choices_of(choice)[static_cast<std::size_t>(choice)].key;
-}
-
 /// Of a segment, m or rad.
 double rise_of(const CamProfile& profile, const CamProfile::Segment& segment);
 

@@ -1,6 +1,7 @@
 // What a report says about the proof of a planar mechanism: closing, equilibrium, power, and the reactions and drives
 // found again by other methods.
 #include "calculators/mechanism/planar_cams.hpp"
+#include "calculators/mechanism/planar_either_way.hpp"
 #include "calculators/mechanism/planar_missing.hpp"
 #include "calculators/mechanism/planar_model.hpp"
 #include "calculators/mechanism/planar_profiles.hpp"
@@ -54,7 +55,7 @@ Message why_open(const Planar::Input& in, const Cycle& cycle) {
     return say("the belt '{1}' keeps its length, and its centres would have to move apart or together",
                std::string(in.joints[static_cast<std::size_t>(cycle.gap.joint)].name.view()));
   }
-  return say("joint '{1}' stays {2} apart",
+  return say("the parts of joint '{1}' come no closer than {2}",
              std::string(in.joints[static_cast<std::size_t>(cycle.gap.joint)].name.view()),
              format_quantity(cycle.gap.size, "mm", 4));
 }
@@ -92,12 +93,12 @@ report::Verdict closing(const std::string& step, const Planar::Input& in, const 
   }
   v.note = why_open(in, cycle);
   if (axis == nullptr) return v;
-  v.note = say("{1}: {2}", range_of(cycle.closed, false, *axis), v.note.text());
+  v.note = say("{1}: {2}", range_of(cycle.closed, false, *axis), v.note);
   if (is_whole_turn(in) && cycle.first_failure == mechanism::Status::does_not_close) {
     v.note =
         say("{1}; the crank does not turn round: change the lengths, or give it angles where the mechanism closes, "
             "crank = { at = [...] }",
-            v.note.text());
+            v.note);
   }
   return v;
 }
@@ -111,7 +112,9 @@ report::Verdict no_return(const std::string& step, const Planar::Input& in) {
   v.bound = say("after {1} turns", std::to_string(in.crank.turns));
   v.value = say("elsewhere");
   v.state = report::State::fail;
-  v.note = say("give the turns of the crank that make a cycle: crank = { turns = ... }");
+  v.note =
+      say("give the turns of the crank that make a cycle, crank = { turns = ... }; where these are too many, "
+          "give crank angles in place of a cycle, crank = { at = [...] }, and there are no means");
   return v;
 }
 
@@ -207,13 +210,10 @@ std::vector<report::Verdict> contacts(const std::string& step, const Planar::Inp
 }
 
 /// Said only of a mechanism with friction.
-void add_jamming(const std::string& step, const Planar::Input& in, const Cycle& cycle, const Axis* axis,
-                 std::vector<report::Verdict>& verdicts) {
+void add_jamming(const std::string& step, const Planar::Input& in, const mechanism::Model& model, const Cycle& cycle,
+                 const Axis* axis, std::vector<report::Verdict>& verdicts) {
   const auto jams = static_cast<std::size_t>(std::count(cycle.jams.begin(), cycle.jams.end(), true));
-  const bool rubs = std::any_of(in.joints.begin(), in.joints.end(), [](const auto& j) {
-    return j.mu != 0.0 || in_si(j.rolling_arm) != 0.0 || j.efficiency != 1.0 || is_set(j.efficiency_back);
-  });
-  if (!rubs && jams == 0) return;
+  if (!has_dry_friction(model) && jams == 0) return;
   report::Verdict v;
   v.step = step;
   v.symbol = "moves";
@@ -364,8 +364,8 @@ std::vector<report::Verdict> methods(const std::string& step, const Planar::Inpu
 
 }  // namespace
 
-std::vector<report::Verdict> proof(const std::string& step, const Planar::Input& in, const Cycle& cycle,
-                                   const Axis* axis) {
+std::vector<report::Verdict> proof(const std::string& step, const Planar::Input& in, const mechanism::Model& model,
+                                   const Cycle& cycle, const Axis* axis) {
   Leftovers left;
   for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
     if (cycle.has_forces(k)) left.add(cycle.positions[k], cycle.proofs[k].residuals, !in.crank.joint.empty());
@@ -373,12 +373,11 @@ std::vector<report::Verdict> proof(const std::string& step, const Planar::Input&
   const double none = std::numeric_limits<double>::quiet_NaN();
   const auto part = [&](double residual, double scale) { return left.any ? part_of(residual, scale) : none; };
   std::vector<report::Verdict> verdicts{closing(step, in, cycle, axis)};
-  add_jamming(step, in, cycle, axis, verdicts);
+  add_jamming(step, in, model, cycle, axis, verdicts);
   if (auto directed = direction_of_springs(step, in, cycle, axis)) verdicts.push_back(std::move(*directed));
   if (!cycle.returns) verdicts.push_back(no_return(step, in));
   for (const Cycle::Winding& winding : cycle.windings) verdicts.push_back(wound_up(step, in, winding));
   if (std::any_of(in.joints.begin(), in.joints.end(), [](const auto& j) { return only_pushes(j) || is_cam(j.type); })) {
-    const mechanism::Model model = model_of(in);
     for (report::Verdict& v : contacts(step, in, model, cycle, axis)) verdicts.push_back(std::move(v));
     for (report::Verdict& v : profile_verdicts(step, model)) verdicts.push_back(std::move(v));
   }

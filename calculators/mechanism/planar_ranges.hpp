@@ -41,14 +41,13 @@ inline std::vector<Run> runs_of(const std::vector<bool>& positions, bool so, boo
 inline std::string place_of(std::size_t k, const Axis& axis) { return format_quantity(axis.at[k], axis.unit, 5); }
 
 /// "between 30 deg and 60 deg", the longest run where more than one is, with their number.
-inline std::string range_of(const std::vector<bool>& positions, bool so, const Axis& axis) {
+inline Message range_of(const std::vector<bool>& positions, bool so, const Axis& axis) {
   const auto runs = runs_of(positions, so, axis.cyclic());
   const auto longest =
       std::max_element(runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.count < b.count; });
   const std::string first = place_of(longest->first, axis), last = place_of(longest->last, axis);
   const Message run = longest->count == 1 ? say("at {1}", first) : say("between {1} and {2}", first, last);
-  return runs.size() == 1 ? run.text()
-                          : say("{1}, the longest of {2} ranges", run.text(), std::to_string(runs.size())).text();
+  return runs.size() == 1 ? run : say("{1}, the longest of {2} ranges", run, std::to_string(runs.size()));
 }
 
 }  // namespace loadpath::planar

@@ -18,8 +18,7 @@ std::vector<report::Verdict> redundancies(const std::string& step, const mechani
     v.bound = say("no joint holds too much");
     v.value = say("shared by {1} joints", std::to_string(joints.size()));
     v.state = report::State::not_covered;
-    v.note =
-        say("{1}: what they share depends on play and elasticity", mechanism::too_many(model, joints, freedoms).text());
+    v.note = say("{1}: what they share depends on play and elasticity", mechanism::too_many(model, joints, freedoms));
     verdicts.push_back(std::move(v));
   }
   return verdicts;

@@ -8,6 +8,7 @@
 #include "calculators/mechanism/planar_loads.hpp"
 #include "calculators/mechanism/planar_masses.hpp"
 #include "calculators/mechanism/planar_model.hpp"
+#include "calculators/mechanism/planar_names.hpp"
 #include "calculators/mechanism/planar_profiles.hpp"
 #include "calculators/mechanism/planar_redundancy.hpp"
 #include "calculators/mechanism/planar_rest.hpp"
@@ -28,8 +29,6 @@ using Planar = PlanarMechanism;
 using report::Cell;
 using report::Quantity;
 using report::Table;
-
-std::string text(const Name& name) { return std::string(name.view()); }
 
 std::string names_of_points(const Planar::Link& link) {
   std::string all;
@@ -65,13 +64,11 @@ Table joint_table(const Planar::Input& in) {
       say("Joints"),
       {say("joint"), say("kind"), say("first link"), say("point"), say("second link"), say("point"), say("direction")},
       {}};
-  constexpr auto types = choices_of(Planar::Type{});
   for (const auto& j : in.joints) {
-    const auto type = std::find_if(types.begin(), types.end(), [&](const auto& t) { return t.value == j.type; });
     const auto [first, second] = point_names(j);
     const Cell direction =
         j.type == Planar::Type::revolute ? Cell(std::string("–")) : Cell(Quantity{j.direction, "deg"});
-    table.rows.push_back({text(j.name), say(type->key), text(j.links.first), text(first), text(j.links.second),
+    table.rows.push_back({text(j.name), say(word_of(j.type)), text(j.links.first), text(first), text(j.links.second),
                           text(second), direction});
   }
   return table;
@@ -84,13 +81,11 @@ void add_sense(Message what, Planar::Impending impending, Table& table) {
 
 /// "from the x axis to point A of crank": between what the crank angle is measured.
 Message crank_angle_of(const Planar::Input& in) {
-  const auto joint =
-      std::find_if(in.joints.begin(), in.joints.end(), [&](const auto& j) { return j.name == in.crank.joint; });
+  const Planar::Joint* const joint = find_named(in.joints, in.crank.joint);
   const bool first_fixed = joint->links.first.view() == "ground";
   const Name &link = first_fixed ? joint->links.second : joint->links.first,
              &base = first_fixed ? joint->links.first : joint->links.second;
-  const std::string from =
-      base.view() == "ground" ? say("from the x axis").text() : say("from {1}'s own x axis", text(base)).text();
+  const Message from = base.view() == "ground" ? say("from the x axis") : say("from {1}'s own x axis", text(base));
   return in.crank.to.empty() ? say("{1} to {2}'s own x axis", from, text(link))
                              : say("{1} to point {2} of {3}", from, text(in.crank.to), text(link));
 }
@@ -160,13 +155,14 @@ double mean_of(const Value& series) {
 /// A value of a result, or why it is missing.
 Cell value_cell(const project::Entry& e, double si) {
   const bool told = std::isnan(si) && !e.missing.empty();
-  return told ? Cell(say("not available: {1}", e.missing.text())) : Cell(Quantity{si, e.unit});
+  return told ? Cell(say("not available: {1}", e.missing)) : Cell(Quantity{si, e.unit});
 }
 
 /// What is not unique is told in a table of its own.
 Table extremes_table(const project::Account& account, const Cycle& cycle, const Axis& axis) {
-  Table table{
-      say("Extremes over the cycle"), {say("quantity"), say("largest"), say("at"), say("smallest"), say("at")}, {}};
+  Table table{axis.cyclic() ? say("Extremes over the cycle") : say("Extremes over the positions"),
+              {say("quantity"), say("largest"), say("at"), say("smallest"), say("at")},
+              {}};
   if (axis.cyclic()) table.head.insert(table.head.end(), {say("mean"), say("rms")});
   for (const project::Entry& e : account.results) {
     if (!is_design_load(e.path) || !e.value.is_series() || is_constant(e.value)) continue;
@@ -182,8 +178,10 @@ Table extremes_table(const project::Account& account, const Cycle& cycle, const 
 }
 
 /// What has no extremes.
-std::optional<Table> constant_table(const project::Account& account) {
-  Table table{say("Constant over the cycle"), {say("quantity"), say("value"), say("meaning")}, {}};
+std::optional<Table> constant_table(const project::Account& account, const Axis& axis) {
+  Table table{axis.cyclic() ? say("Constant over the cycle") : say("Constant over the positions"),
+              {say("quantity"), say("value"), say("meaning")},
+              {}};
   for (const project::Entry& e : account.results) {
     if (!is_design_load(e.path) || !e.value.is_series() || !is_constant(e.value)) continue;
     table.rows.push_back({e.path, Quantity{e.value.si.front(), e.unit}, say("{1}", e.doc)});
@@ -222,7 +220,7 @@ Message kind_of(const mechanism::Group& group) {
   const auto k = static_cast<std::size_t>(group.contour_class);
   const std::string number = k < roman.size() ? roman[k] : std::to_string(k);
   const Message group_class = say("class {1}, order {2}", number, std::to_string(group.order));
-  return group.kind.empty() ? group_class : say("{1}, {2}", group_class.text(), group.kind);
+  return group.kind.empty() ? group_class : say("{1}, {2}", group_class, group.kind);
 }
 
 Table structure_table(const mechanism::Model& model, bool released) {
@@ -258,10 +256,10 @@ Table determinacy_table(const mechanism::Model& model, const mechanism::Structur
   }
   if (cycle.worst_condition == 0.0) return table;
   const Message largest = say("largest condition number of constraints and drives, 1-norm");
-  table.rows.push_back(
-      {axis == nullptr ? largest
-                       : say("{1}, at {2}", largest.text(), format_quantity(axis->at[cycle.worst_at], axis->unit, 5)),
-       Quantity{cycle.worst_condition, "-", 2}});
+  table.rows.push_back({axis == nullptr
+                            ? largest
+                            : say("{1}, at {2}", largest, format_quantity(axis->at[cycle.worst_at], axis->unit, 5)),
+                        Quantity{cycle.worst_condition, "-", 2}});
   return table;
 }
 
@@ -282,7 +280,7 @@ std::vector<report::Block> result_tables(const project::Account& account, const 
                                          const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis) {
   std::vector<report::Block> blocks{axis == nullptr ? position_table(account) : extremes_table(account, cycle, *axis)};
   if (axis != nullptr) {
-    if (auto constant = constant_table(account)) blocks.emplace_back(std::move(*constant));
+    if (auto constant = constant_table(account, *axis)) blocks.emplace_back(std::move(*constant));
   }
   if (auto efficiency = efficiency_table(account, axis)) blocks.emplace_back(std::move(*efficiency));
   if (auto standing = standing_table(model, cycle, axis)) blocks.emplace_back(std::move(*standing));

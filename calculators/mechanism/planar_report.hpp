@@ -18,8 +18,8 @@ std::vector<report::Block> result_tables(const project::Account& account, const 
                                          const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis);
 /// Whether it closes everywhere; the equilibrium of every link and the power balance; the forces found again by other
 /// methods, and the positions that are not trustworthy.
-std::vector<report::Verdict> proof(const std::string& step, const PlanarMechanism::Input& in, const Cycle& cycle,
-                                   const Axis* axis);
+std::vector<report::Verdict> proof(const std::string& step, const PlanarMechanism::Input& in,
+                                   const mechanism::Model& model, const Cycle& cycle, const Axis* axis);
 /// The mechanism at the first position, at each of up to 12 given angles, and where the drive is largest; drive and
 /// reactions over the cycle.
 std::vector<draw::Figure> mechanism_figures(const PlanarMechanism::Input& in, const mechanism::Model& model,

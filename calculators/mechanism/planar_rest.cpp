@@ -120,13 +120,13 @@ Message ranges(const std::vector<bool>& positions, const Axis& axis) {
   const auto runs = planar::runs_of(positions, true, axis.cyclic());
   if (runs.empty()) return say("nowhere");
   if (runs.front().count == positions.size()) return say("at every position");
-  std::string text;
+  Message all;
   for (std::size_t n = 0; n < std::min(runs.size(), most); ++n) {
     const std::string first = place_of(runs[n].first, axis), last = place_of(runs[n].last, axis);
-    text += n == 0 ? "" : ", ";
-    text += (runs[n].count == 1 ? say("at {1}", first) : say("from {1} to {2}", first, last)).text();
+    const Message run = runs[n].count == 1 ? say("at {1}", first) : say("from {1} to {2}", first, last);
+    all = n == 0 ? run : say("{1}, {2}", all, run);
   }
-  return runs.size() > most ? say("{1}, and {2} more", text, std::to_string(runs.size() - most)) : say("{1}", text);
+  return runs.size() > most ? say("{1}, and {2} more", all, std::to_string(runs.size() - most)) : all;
 }
 
 /// Coefficients of friction that are all the same can be named.
@@ -185,8 +185,8 @@ class StandingTable {
     if (!at) return;
     const Quantity value{cycle_.standing[*at].*effort, unit_};
     if (axis_ == nullptr) return add(std::move(what), value);
-    const Message extreme = largest ? say("{1}: largest, at {2}", what.text(), place_of(*at, *axis_))
-                                    : say("{1}: smallest, at {2}", what.text(), place_of(*at, *axis_));
+    const Message extreme = largest ? say("{1}: largest, at {2}", what, place_of(*at, *axis_))
+                                    : say("{1}: smallest, at {2}", what, place_of(*at, *axis_));
     add(extreme, value);
   }
 
@@ -200,7 +200,7 @@ class StandingTable {
   void add_threshold(const Message& what, const std::optional<Cycle::Threshold>& threshold) {
     if (!threshold) return;
     const auto& [share, at] = *threshold;
-    add(axis_ == nullptr ? what : say("{1}; at {2}", what.text(), place_of(at, *axis_)), Quantity{share, "-", 4});
+    add(axis_ == nullptr ? what : say("{1}; at {2}", what, place_of(at, *axis_)), Quantity{share, "-", 4});
     if (const auto mu = common_coefficient(model_))
       add(say("coefficient of friction then"), Quantity{share * *mu, "-", 4});
   }
@@ -271,7 +271,7 @@ std::optional<Table> dead_point_table(const mechanism::Model& model, const Cycle
     }
   }
   if (resting > most_positions)
-    table.caption = say("{1}: the first {2} of {3} positions", table.caption.text(), std::to_string(most_positions),
+    table.caption = say("{1}: the first {2} of {3} positions", table.caption, std::to_string(most_positions),
                         std::to_string(resting));
   if (table.rows.empty()) return {};
   return table;

@@ -1,5 +1,6 @@
 #include "calculators/mechanism/planar_rounding.hpp"
 
+#include "lib/quantity/decimal.hpp"
 #include "lib/units.hpp"
 
 #include <algorithm>
@@ -69,7 +70,12 @@ void clear_rounding(std::vector<project::Entry>& results) {
                                     [&](const Scale& s) { return s.dimension == e.value.signature.dimension; });
     if (scale == scales.end()) continue;
     e.value.rounding = rounding * scale->largest;
-    for (double& x : e.value.si) x = std::abs(x) <= e.value.rounding ? 0.0 : x;
+    const bool direction = e.path.starts_with("links.") && e.path.ends_with(".phi");
+    const Decimals decimals = Decimals::within(e.value.rounding);
+    for (double& x : e.value.si) {
+      if (direction && std::abs(x + pi) <= e.value.rounding) x = pi;
+      x = std::abs(x) <= e.value.rounding ? 0.0 : decimals.nearest(x);
+    }
   }
 }
 

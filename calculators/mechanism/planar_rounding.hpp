@@ -18,9 +18,9 @@ Rounding rounding_at(const mechanism::Position& p);
 /// The direction of a vector in (-pi, pi]: along the x axis, whichever way, to rounding just 0 or pi.
 double direction_of(mechanism::Vec v);
 
-/// Gives every result the size of its rounding, and makes zeros of what is no larger. A sum is as exact as its largest
-/// term: a force is one of forces, a moment of moments and of forces at the mechanism's arms, a power of forces at its
-/// speeds.
+/// Gives every result the size of its rounding, makes zeros of what is no larger, and leaves no digits that are. A sum
+/// is as exact as its largest term: a force is one of forces, a moment of moments and of forces at the mechanism's
+/// arms, a power of forces at its speeds.
 void clear_rounding(std::vector<project::Entry>& results);
 
 }  // namespace loadpath

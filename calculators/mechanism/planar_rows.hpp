@@ -4,25 +4,45 @@
 #include "calculators/mechanism/planar_outputs.hpp"
 #include "lib/units.hpp"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
+#include <memory>
+#include <span>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace loadpath::planar {
 
-/// A path with NAME for the thing's own, and how the value is read off a position.
+/// What the rows of a thing are read off at a position: what its `now` makes of it, where it has one, once for all of
+/// them; else the position itself.
+template <class Thing>
+decltype(auto) now_of(const Thing& thing, const mechanism::Position& p) {
+  if constexpr (requires { thing.now(p); }) {
+    return thing.now(p);
+  } else {
+    return (p);
+  }
+}
+template <class Thing>
+using Now =
+    std::remove_cvref_t<decltype(now_of(std::declval<const Thing&>(), std::declval<const mechanism::Position&>()))>;
+
+/// A path with NAME for the thing's own, and how the value is read off.
 template <class Thing>
 struct Row {
   ResultPattern pattern;
   Dimension dimension;
-  double (*read)(const Thing&, const mechanism::Position&);
+  double (*read)(const Thing&, const Now<Thing>&);
   bool (*has)(const Thing&) = nullptr;  // null: every thing of the kind
 };
 
 /// `where`: which things have it, in words.
 template <class Thing, class Quantity>
 constexpr Row<Thing> row(const char* path, const char* doc, const Unit<Quantity>& unit,
-                         double (*read)(const Thing&, const mechanism::Position&), bool (*has)(const Thing&) = nullptr,
+                         double (*read)(const Thing&, const Now<Thing>&), bool (*has)(const Thing&) = nullptr,
                          const char* where = "") {
   return {{path, unit.symbol, doc, where}, unit.dimension(), read, has};
 }
@@ -35,13 +55,21 @@ inline std::string named(std::string path, const std::string& name) {
 /// `thing` has a member `name`; the readers keep a copy of it.
 template <class Thing, std::size_t Count>
 void add_outputs(const Thing& thing, const std::array<Row<Thing>, Count>& rows, std::vector<MechanismOutput>& out) {
-  for (const Row<Thing>& r : rows) {
-    if (r.has != nullptr && !r.has(thing)) continue;
-    out.push_back({.path = named(r.pattern.path, thing.name),
-                   .doc = r.pattern.doc,
-                   .unit = r.pattern.unit,
-                   .dimension = r.dimension,
-                   .read = [thing, read = r.read](const mechanism::Position& p) { return read(thing, p); }});
+  std::vector<Row<Thing>> own;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
+               [&](const Row<Thing>& r) { return r.has == nullptr || r.has(thing); });
+  const auto read = [thing, own](const mechanism::Position& p, std::span<double> values) {
+    const auto& now = now_of(thing, p);
+    for (std::size_t n = 0; n < own.size(); ++n) values[n] = own[n].read(thing, now);
+  };
+  const auto together = std::make_shared<const Reading::Together>(Reading::Together{own.size(), read});
+  for (std::size_t n = 0; n < own.size(); ++n) {
+    const auto& [pattern, dimension, reads, has] = own[n];
+    out.push_back({.path = named(pattern.path, thing.name),
+                   .doc = pattern.doc,
+                   .unit = pattern.unit,
+                   .dimension = dimension,
+                   .read = {together, n}});
   }
 }
 

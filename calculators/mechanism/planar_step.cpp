@@ -6,23 +6,22 @@
 #include "calculators/mechanism/planar_design_outputs.hpp"
 #include "calculators/mechanism/planar_either_way.hpp"
 #include "calculators/mechanism/planar_expansion.hpp"
+#include "calculators/mechanism/planar_hodographs.hpp"
 #include "calculators/mechanism/planar_influence.hpp"
 #include "calculators/mechanism/planar_loads.hpp"
 #include "calculators/mechanism/planar_masses.hpp"
-#include "calculators/mechanism/planar_missing.hpp"
 #include "calculators/mechanism/planar_profiles.hpp"
 #include "calculators/mechanism/planar_redundancy.hpp"
 #include "calculators/mechanism/planar_report.hpp"
-#include "calculators/mechanism/planar_rounding.hpp"
+#include "calculators/mechanism/planar_sources.hpp"
+#include "calculators/mechanism/planar_values.hpp"
 #include "calculators/mechanism/templates/planar_template.hpp"
 #include "lib/calculator.hpp"
 #include "lib/mechanism/structure.hpp"
 #include "lib/record_of.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
 
 namespace loadpath {
 
@@ -92,12 +91,11 @@ void PlanarStep::add_idle_fields(std::vector<Issue>& issues) const {
 void PlanarStep::add_idle_motions(std::vector<Issue>& issues) const {
   for (const auto& cylinder : data().cylinders) {
     if (cylinder.law.empty() && cylinder.place_of_t.empty()) continue;
-    const std::string path = "cylinders." + std::string(cylinder.name.view()) + ".";
-    const std::string law = path + (cylinder.law.empty() ? "place_of_t" : "law");
+    const std::string law = path_of("cylinders", cylinder.name, cylinder.law.empty() ? "place_of_t" : "law");
     for (const char* const field : {"speed", "acceleration", "from", "to"}) {
-      if (input().reading.typed.count(path + field) == 0) continue;
-      issues.push_back(issue_at(input(), path + field,
-                                say("'{1}' and '{2}' both say how the cylinder moves", path + field, law),
+      const std::string path = path_of("cylinders", cylinder.name, field);
+      if (input().reading.typed.count(path) == 0) continue;
+      issues.push_back(issue_at(input(), path, say("'{1}' and '{2}' both say how the cylinder moves", path, law),
                                 say("leave out one of the two")));
     }
   }
@@ -120,7 +118,7 @@ void PlanarStep::add_idle_senses(std::vector<Issue>& issues) const {
                               say("leave out one of the two")));
   };
   check(data().crank, "crank");
-  for (const auto& cylinder : data().cylinders) check(cylinder, "cylinders." + std::string(cylinder.name.view()));
+  for (const auto& cylinder : data().cylinders) check(cylinder, path_of("cylinders", cylinder.name));
 }
 
 /// A stroke needs both ends and a number of positions.
@@ -135,7 +133,7 @@ void PlanarStep::add_idle_strokes(std::vector<Issue>& issues) const {
   }
   for (const auto& cylinder : data().cylinders) {
     if (several || !is_set(cylinder.to)) continue;
-    issues.push_back(issue_at(input(), "cylinders." + std::string(cylinder.name.view()) + ".to",
+    issues.push_back(issue_at(input(), path_of("cylinders", cylinder.name, "to"),
                               say("'to' is the end of a stroke, and only one position is solved"),
                               say("add the number of positions, positions = 72, or leave out 'to'")));
   }
@@ -182,17 +180,17 @@ static std::string path_of(const mechanism::Finding& finding, const mechanism::M
     case About::model:
       return "";
     case About::link:
-      return "links." + model.links[finding.index].name;
+      return path_of("links", model.links[finding.index].name);
     case About::joint:
-      return "joints." + model.joints[finding.index].name;
+      return path_of("joints", model.joints[finding.index].name);
     case About::driver:
       return model.drivers[finding.index].kind == mechanism::Driver::Kind::rotary
                  ? "crank"
-                 : "cylinders." + model.drivers[finding.index].name;
+                 : path_of("cylinders", model.drivers[finding.index].name);
     case About::load:
       return "loads";
     case About::spring:
-      return "springs." + model.springs[finding.index].name;
+      return path_of("springs", model.springs[finding.index].name);
   }
   return "";
 }
@@ -242,7 +240,7 @@ bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue
   return findings.empty();
 }
 
-void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) {
+void PlanarStep::solve(const project::Known& known, project::Extent extent, std::vector<Issue>& issues) {
   const std::size_t before = issues.size();
   for (const project::Operand& operand : input().reading.operands) {
     if (const auto value = evaluate_operand(operand, name(), known, issues)) operand.leaf.set(value->si[0]);
@@ -256,7 +254,7 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
   Cycle cycle = solve_cycle(data(), model, redundant, axis_.get());
   outputs_ = mechanism_outputs(data(), model);
   project::Account& account = own_account();
-  account.verdicts = proof(name(), data(), cycle, axis_.get());
+  account.verdicts = proof(name(), data(), model, cycle, axis_.get());
   const mechanism::Model given = model;
   if (redundant) {
     for (auto& v : redundancies(name(), model, structure_)) account.verdicts.push_back(std::move(v));
@@ -266,18 +264,33 @@ void PlanarStep::solve(const project::Known& known, std::vector<Issue>& issues) 
   const Kinematics kinematics = kinematics_of(model, cycle, axis_.get(), !has_law(data()));
   const Errors errors = errors_of(data(), model, cycle);
   const Balanced balanced = balance_of(data(), model, cycle);
-  fill_values(model, {cycle, kinematics, errors, balanced});
+  const Solved solved{cycle, kinematics, errors, balanced};
+  // What was released of the given model is read from what was solved.
+  fill_results(data(), outputs_, mechanism_outputs(data(), model), solved, axis_.get(), account);
   for (auto& v : changes_of_assembly(name(), model, cycle, kinematics, axis_.get()))
     account.verdicts.push_back(std::move(v));
   fill_inputs();
-  account.blocks = result_tables(account, model, structure_, cycle, axis_.get());
-  for (auto& b : motion_tables(account, model, cycle, kinematics, axis_.get())) account.blocks.push_back(std::move(b));
+  own_account().sources = sources_used(data(), structure_);
+  if (extent == project::Extent::all) illustrate(given, model, solved);
+}
+
+void PlanarStep::illustrate(const mechanism::Model& given, const mechanism::Model& model, const Solved& solved) {
+  project::Account& account = own_account();
+  const Cycle& cycle = solved.cycle;
+  const Axis* const axis = axis_.get();
+  account.input_blocks = model_tables(data());
+  if (input().from != nullptr)
+    account.input_blocks.insert(account.input_blocks.begin(),
+                                template_table(*input().from, input().reading.parameters));
+  account.blocks = result_tables(account, model, structure_, cycle, axis);
+  for (auto& b : motion_tables(account, model, cycle, solved.kinematics, axis)) account.blocks.push_back(std::move(b));
   const bool statics = data().analysis == PlanarMechanism::Analysis::statics;
   for (auto& b : influence_tables(model, cycle, governing_position(cycle, account), statics))
     account.blocks.emplace_back(std::move(b));
-  for (auto& b : error_tables(data(), errors, axis_.get())) account.blocks.emplace_back(std::move(b));
-  for (auto& b : balance_tables(data(), balanced)) account.blocks.emplace_back(std::move(b));
-  account.figures = mechanism_figures(data(), given, cycle, account, axis_.get());
+  for (auto& b : error_tables(data(), solved.errors, axis)) account.blocks.emplace_back(std::move(b));
+  for (auto& b : balance_tables(data(), solved.balanced)) account.blocks.emplace_back(std::move(b));
+  for (auto& note : missing_hodographs(data(), cycle, axis)) account.blocks.emplace_back(std::move(note));
+  account.figures = mechanism_figures(data(), given, cycle, account, axis);
 }
 
 /// Where the value of an input comes from: typed, from the template (what that has `laid`), a default.
@@ -296,45 +309,10 @@ void PlanarStep::fill_inputs() {
     return origin_of(input().from == nullptr ? nullptr : &laid, path, leaf);
   };
   account.inputs = project::input_entries(input().reading.record, origin);
-  account.input_blocks = model_tables(data());
   if (input().from == nullptr) return;
   const Record& parameters = input().reading.parameters;
   auto entries = project::input_entries(parameters, origin);
   std::move(entries.begin(), entries.end(), std::inserter(account.inputs, account.inputs.begin()));
-  account.input_blocks.insert(account.input_blocks.begin(), template_table(*input().from, parameters));
-}
-
-/// One value, or one for every position; none where the mechanism does not close.
-static MechanismOutput::Values values_of(const MechanismOutput& output, const Solved& solved,
-                                         const project::Account& account) {
-  if (output.read_results) return output.read_results(account);
-  if (output.read_cycle) return output.read_cycle(solved);
-  const Cycle& cycle = solved.cycle;
-  std::vector<double> values;
-  for (std::size_t k = 0; k < cycle.positions.size(); ++k)
-    values.push_back(cycle.closed[k] ? output.read(cycle.positions[k]) : std::numeric_limits<double>::quiet_NaN());
-  return values;
-}
-
-/// `model`: what was solved; what was released of the given one is read from that.
-void PlanarStep::fill_values(const mechanism::Model& model, const Solved& solved) {
-  const auto outputs = mechanism_outputs(data(), model);
-  project::Account& account = own_account();
-  account.results.clear();
-  for (const bool of_others : {false, true}) {
-    for (const MechanismOutput& output : outputs_) {
-      if (of_others != static_cast<bool>(output.read_results)) continue;
-      const auto found =
-          std::find_if(outputs.begin(), outputs.end(), [&](const auto& o) { return o.path == output.path; });
-      auto values = values_of(found == outputs.end() ? output : *found, solved, account);
-      explain_missing(data(), solved.cycle, values);
-      auto& [si, missing] = values;
-      Value value{{output.dimension, output.is_single ? nullptr : axis_.get()}, std::move(si)};
-      account.results.push_back(
-          {output.path, output.doc, output.unit, Role::result, std::move(value), {}, "", false, std::move(missing)});
-    }
-    clear_rounding(account.results);
-  }
 }
 
 template <>
@@ -345,6 +323,7 @@ const Calculator& erased<PlanarMechanism>() {
     c.title = PlanarMechanism::title;
     c.scope = PlanarMechanism::scope;
     c.source = PlanarMechanism::source;
+    c.used_sources = occasional_sources();
     c.example = PlanarMechanism::example;
     c.input = &record_type<PlanarMechanism::Input, PlanarMechanism::inputs>();
     c.patterns = mechanism_result_patterns();

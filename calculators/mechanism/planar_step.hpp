@@ -21,7 +21,7 @@ class PlanarStep : public project::Step {
   [[nodiscard]] Outcome<Signature> signature(const std::string& path) const override;
   /// With the moment or power of a drive comes the force of its joint.
   [[nodiscard]] std::vector<std::string> companions_of(const std::string& path) const override;
-  void solve(const project::Known& known, std::vector<Issue>& issues) override;
+  void solve(const project::Known& known, project::Extent extent, std::vector<Issue>& issues) override;
 
  private:
   [[nodiscard]] PlanarMechanism::Input& data() {
@@ -41,7 +41,8 @@ class PlanarStep : public project::Step {
   bool expand_template(std::vector<Issue>& issues);
   [[nodiscard]] project::Origin origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const;
   void fill_inputs();
-  void fill_values(const mechanism::Model& model, const Solved& solved);
+  /// Tables and figures. `given`: before what holds too much was released.
+  void illustrate(const mechanism::Model& given, const mechanism::Model& model, const Solved& solved);
 
   std::vector<MechanismOutput> outputs_;
   mechanism::Structure structure_;

@@ -2,6 +2,7 @@
 
 #include "calculators/mechanism/planar_loads.hpp"
 #include "calculators/mechanism/planar_model.hpp"
+#include "calculators/mechanism/planar_names.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +18,6 @@ using planar::Toleranced;
 using Planar = PlanarMechanism;
 using Dimension = Parameter::Dimension;
 using Term = mechanism::Tolerance::Term;
-
-template <class Items>
-std::size_t index_of(const Items& items, const Name& name) {
-  const auto found = std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
-  return static_cast<std::size_t>(found - items.begin());
-}
 
 /// Moves a named point of a link along `by`: every number of the model that is its place.
 class PointMove {

@@ -29,6 +29,7 @@ constexpr std::array units = {
     row("kg", kg),
     row("kg_m2", kg_m2),
     row("N", N),
+    row("kN", kN),
     row("N_m", N_m),
     row("MPa", MPa),
     row("GPa", GPa),

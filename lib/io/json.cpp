@@ -1,158 +1,199 @@
 #include "lib/io/json.hpp"
 
-#include "lib/io/json_text.hpp"
+#include "lib/io/json_writer.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/unit.hpp"
 #include "lib/report/build.hpp"
 
-#include <boost/json.hpp>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace loadpath::io {
 
 namespace {
 
-namespace json = boost::json;
 using project::Entry;
+using project::SeriesChoice;
 
 constexpr int schema_version = 1;
 
 /// A state by its word in English, whatever the language of the report.
 std::string word_of(report::State state) { return std::string(report::word(state).id); }
 
-json::value number(double x) { return std::isfinite(x) ? json::value(x) : json::value(nullptr); }
-
-json::array numbers(const std::vector<double>& list) {
-  json::array array;
-  array.reserve(list.size());
-  for (const double x : list) array.push_back(number(x));
-  return array;
-}
-
 /// The SI unit by its name where it has one: Pa, not kg/(m*s^2).
 std::string unit_of(const Dimension& dimension) {
-  for (const char* unit : {"N", "Pa", "N*m", "W", "N/m"}) {
-    if (const auto parsed = parse_unit(unit); parsed && parsed->dimension == dimension) return unit;
-  }
-  return si_unit(dimension);
+  constexpr std::array words{"N", "Pa", "N*m", "W", "N/m"};
+  static const auto units = [&] {
+    std::array<Dimension, words.size()> dimensions;
+    std::transform(words.begin(), words.end(), dimensions.begin(),
+                   [](auto word) { return parse_unit(word)->dimension; });
+    return dimensions;
+  }();
+  const auto found = std::find(units.begin(), units.end(), dimension);
+  return found == units.end() ? si_unit(dimension) : words[static_cast<std::size_t>(found - units.begin())];
 }
 
-/// A value and what goes with it; a value that does not exist has its reason.
-json::object valued(double si, json::object object, const Message& missing = {}) {
-  object["value"] = number(si);
-  if (!std::isfinite(si)) object["reason"] = missing.empty() ? "not available" : missing.text();
-  return object;
+/// A value, with its reason where it does not exist.
+void write_value(double si, const Message& missing, JsonWriter& out) {
+  out.member("value", si);
+  if (std::isinf(si)) out.member("reason", "infinite");
+  if (std::isnan(si)) out.member("reason", missing.empty() ? "not available" : missing.text());
 }
 
-json::value entry(const Entry& e) {
-  json::object object;
-  if (!e.word.empty()) {
-    object["value"] = e.word;
-  } else if (e.value.is_series()) {
-    json::array values = numbers(e.value.si);
-    const bool complete = std::all_of(e.value.si.begin(), e.value.si.end(), [](double x) { return std::isfinite(x); });
-    object = {{"unit", unit_of(e.value.signature.dimension)},
-              {"axis", e.value.signature.axis->name()},
-              {"values", std::move(values)}};
-    if (!complete) object["reason"] = e.missing.empty() ? "not available where null" : e.missing.text();
+/// The values, or the extremes of what is not chosen.
+void write_series(const Entry& e, bool chosen, JsonWriter& out) {
+  const auto& si = e.value.si;
+  out.member("axis", e.value.signature.axis->name());
+  if (chosen) {
+    out.key("values").write(si, e.value.rounding);
   } else {
-    object =
-        valued(e.value.si.empty() ? NAN : e.value.si[0], {{"unit", unit_of(e.value.signature.dimension)}}, e.missing);
+    const bool constant = is_constant(e.value);
+    out.member("min", constant ? si.front() : minimum(e.value).value);
+    out.member("max", constant ? si.front() : maximum(e.value).value);
   }
-  object["meaning"] = e.doc;
-  if (!e.origin.text.empty()) object["from"] = e.origin.text.text();
-  if (e.origin.recalled) object["recalled"] = true;
-  return object;
+  const bool complete = std::all_of(si.begin(), si.end(), [](double x) { return std::isfinite(x); });
+  if (!complete) out.member("reason", e.missing.empty() ? "not available where null" : e.missing.text());
 }
 
-json::object entries(const std::vector<Entry>& list) {
-  json::object object;
-  for (const Entry& e : list) object[e.path] = entry(e);
-  return object;
+void write_entry(const Entry& e, bool chosen, JsonWriter& out) {
+  out.key(e.path).open_object();
+  if (!e.word.empty()) {
+    out.member("value", e.word);
+  } else {
+    out.member("unit", unit_of(e.value.signature.dimension));
+    if (e.value.is_series())
+      write_series(e, chosen, out);
+    else
+      write_value(e.value.si.empty() ? NAN : e.value.si[0], e.missing, out);
+  }
+  out.member("meaning", e.doc);
+  if (!e.origin.text.empty()) out.member("from", e.origin.text.text());
+  if (e.origin.recalled) out.member("recalled", true);
+  out.close_object();
 }
 
-json::array verdicts(const std::vector<report::Verdict>& list) {
-  json::array array;
+void write_verdicts(const std::vector<report::Verdict>& list, JsonWriter& out) {
+  out.key("checks").open_array();
   for (const report::Verdict& v : list) {
-    json::object object{{"step", v.step}, {"name", v.symbol}, {"meaning", v.meaning.text()}};
     const auto* value = std::get_if<report::Quantity>(&v.value);
-    object["value"] = value == nullptr ? json::value(nullptr) : number(value->si);
-    object["limit"] = v.bound.text();
-    object["verdict"] = word_of(v.state);
-    const bool known = !object["value"].is_null();
-    if (!v.note.empty() || !known) object["reason"] = v.note.empty() ? word_of(v.state) : v.note.text();
-    array.push_back(std::move(object));
+    const double si = value == nullptr ? NAN : value->si;
+    out.open_object();
+    out.member("step", v.step);
+    out.member("name", v.symbol);
+    out.member("meaning", v.meaning.text());
+    out.member("value", si);
+    out.member("limit", v.bound.text());
+    out.member("verdict", word_of(v.state));
+    if (!v.note.empty() || !std::isfinite(si)) out.member("reason", v.note.empty() ? word_of(v.state) : v.note.text());
+    out.close_object();
   }
-  return array;
+  out.close_array();
 }
 
-json::array derivation(const std::vector<project::Derived>& lines) {
-  json::array array;
+void write_derivation(const std::vector<project::Derived>& lines, JsonWriter& out) {
+  out.key("derivation").open_array();
   for (const auto& [scope, step] : lines) {
-    json::object given;
-    for (const auto& g : step.given) given[g.name] = valued(g.si, {{"shown_in", g.unit}});
-    array.push_back(valued(step.value.si, {{"scope", scope},
-                                           {"symbol", step.symbol},
-                                           {"formula", step.formula},
-                                           {"given", std::move(given)},
-                                           {"shown_in", step.value.unit},
-                                           {"why", step.why.text()}}));
+    out.open_object();
+    out.member("scope", scope);
+    out.member("symbol", step.symbol);
+    out.member("formula", step.formula);
+    out.key("given").open_object();
+    for (const auto& g : step.given) {
+      out.key(g.name).open_object();
+      out.member("shown_in", g.unit);
+      write_value(g.si, {}, out);
+      out.close_object();
+    }
+    out.close_object();
+    out.member("shown_in", step.value.unit);
+    out.member("why", step.why.text());
+    write_value(step.value.si, {}, out);
+    out.close_object();
   }
-  return array;
+  out.close_array();
 }
 
-/// The axes that the series of a step are given at, by name.
-json::object axes(const project::Account& account) {
-  json::object object;
+/// The axes that the series of a step are given at, each once.
+std::vector<const Axis*> axes_of(const project::Account& account) {
+  std::vector<const Axis*> axes;
   for (const Entry& e : account.results) {
     const Axis* axis = e.value.signature.axis;
-    if (axis == nullptr || object.contains(axis->name())) continue;
-    object[axis->name()] = json::object{{"shown_in", axis->unit}, {"period", axis->period}, {"at", numbers(axis->at)}};
+    if (axis != nullptr && std::find(axes.begin(), axes.end(), axis) == axes.end()) axes.push_back(axis);
   }
-  return object;
+  return axes;
 }
 
-json::object step_object(const project::Step& step) {
+void write_axes(const std::vector<const Axis*>& axes, JsonWriter& out) {
+  out.key("axes").open_object();
+  for (const Axis* axis : axes) {
+    out.key(axis->name()).open_object();
+    out.member("shown_in", axis->unit);
+    out.member("period", axis->period);
+    out.key("at").write(axis->at);
+    out.close_object();
+  }
+  out.close_object();
+}
+
+void write_step(const project::Step& step, const SeriesChoice& choice, JsonWriter& out) {
   const project::Account& account = step.account();
-  json::object object{
-      {"name", step.name()}, {"calculator", step.input().calculator->id}, {"title", step.input().title}};
-  object["inputs"] = entries(account.inputs);
-  if (json::object found = axes(account); !found.empty()) object["axes"] = std::move(found);
-  object["results"] = entries(account.results);
-  object["checks"] = verdicts(account.verdicts);
-  if (!account.governing.empty()) object["derivation_for"] = account.governing.text();
-  if (!account.derivation.empty()) object["derivation"] = derivation(account.derivation);
-  return object;
+  out.open_object();
+  out.member("name", step.name());
+  out.member("calculator", step.input().calculator->id);
+  out.member("title", step.input().title);
+  out.key("inputs").open_object();
+  for (const Entry& e : account.inputs) write_entry(e, true, out);
+  out.close_object();
+  if (const auto axes = axes_of(account); !axes.empty()) write_axes(axes, out);
+  out.key("results").open_object();
+  for (const Entry& e : account.results) write_entry(e, choice.holds(step.name(), e.path), out);
+  out.close_object();
+  write_verdicts(account.verdicts, out);
+  if (!account.governing.empty()) out.member("derivation_for", account.governing.text());
+  if (!account.derivation.empty()) write_derivation(account.derivation, out);
+  out.close_object();
 }
 
 }  // namespace
 
-std::string json_of(const project::Project& project, std::string_view program) {
-  json::object meta{{"file", project.file}, {"title", project.title}};
-  for (const auto& [key, value] : project.meta) meta[key] = value;
-  json::array steps;
-  for (const auto& step : project.steps) steps.push_back(step_object(*step));
-  return text_of(json::object{{"schema", schema_version},
-                              {"program", program},
-                              {"project", std::move(meta)},
-                              {"verdict", word_of(report::worst(project::verdicts(project)))},
-                              {"steps", std::move(steps)}});
+std::string json_of(const project::Project& project, std::string_view program, const SeriesChoice& choice) {
+  JsonWriter out;
+  out.open_object();
+  out.member("schema", schema_version);
+  out.member("program", program);
+  out.key("project").open_object();
+  out.member("file", project.file);
+  out.member("title", project.title);
+  for (const auto& [key, value] : project.meta) out.member(key, value);
+  out.close_object();
+  out.member("verdict", word_of(report::worst(project::verdicts(project))));
+  out.key("steps").open_array();
+  for (const auto& step : project.steps) write_step(*step, choice, out);
+  out.close_array();
+  out.close_object();
+  return out.take();
 }
 
 std::string json_of(const std::vector<Issue>& issues) {
-  json::array array;
+  JsonWriter out;
+  out.open_object();
+  out.member("schema", schema_version);
+  out.key("issues").open_array();
   for (const Issue& i : issues) {
-    array.push_back(json::object{{"file", i.place.file},
-                                 {"line", i.place.line},
-                                 {"column", i.place.column},
-                                 {"key", i.key},
-                                 {"severity", i.severity == Severity::error ? "error" : "warning"},
-                                 {"message", i.message.text()},
-                                 {"help", i.hint.text()}});
+    out.open_object();
+    out.member("file", i.place.file);
+    out.member("line", i.place.line);
+    out.member("column", i.place.column);
+    out.member("key", i.key);
+    out.member("severity", i.severity == Severity::error ? "error" : "warning");
+    out.member("message", i.message.text());
+    out.member("help", i.hint.text());
+    out.close_object();
   }
-  return text_of(json::object{{"schema", schema_version}, {"issues", std::move(array)}});
+  out.close_array();
+  out.close_object();
+  return out.take();
 }
 
 }  // namespace loadpath::io

@@ -2,13 +2,15 @@
 // none.
 #pragma once
 
-#include "lib/project/project.hpp"
+#include "lib/project/series_choice.hpp"
 
 #include <string>
 
 namespace loadpath::io {
 
-std::string json_of(const project::Project& project, std::string_view program);
+/// Of a series that is not chosen its extremes stand in place of its values.
+std::string json_of(const project::Project& project, std::string_view program,
+                    const project::SeriesChoice& choice = {});
 
 /// The schema of a project file (JSON Schema, draft 2020-12), for editors.
 std::string project_schema(Catalogue catalogue);

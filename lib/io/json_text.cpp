@@ -1,62 +1,51 @@
 #include "lib/io/json_text.hpp"
 
-#include "lib/quantity/format.hpp"
+#include "lib/io/json_writer.hpp"
 
 #include <boost/json.hpp>
+
+#include <algorithm>
 
 namespace loadpath::io {
 
 namespace {
 
-bool is_flat(const boost::json::array& array) {
-  for (const auto& item : array) {
-    if (item.is_structured()) return false;
-  }
-  return true;
+using Items = JsonWriter::Items;
+
+void write(const boost::json::value& value, JsonWriter& out);
+
+void write(const boost::json::array& array, JsonWriter& out) {
+  const bool lines = std::any_of(array.begin(), array.end(), [](const auto& item) { return item.is_structured(); });
+  out.open_array(lines ? Items::in_lines : Items::side_by_side);
+  for (const auto& item : array) write(item, out);
+  out.close_array();
 }
 
-void write(const boost::json::value& value, const std::string& indent, std::string& out);
-
-void write(const boost::json::array& array, const std::string& indent, std::string& out) {
-  const bool flat = is_flat(array);
-  const std::string inner = indent + "  ";
-  out += '[';
-  for (std::size_t i = 0; i < array.size(); ++i) {
-    out += i == 0 ? "" : flat ? ", " : ",";
-    if (!flat) out += "\n" + inner;
-    write(array[i], inner, out);
-  }
-  out += flat || array.empty() ? "]" : "\n" + indent + "]";
-}
-
-void write(const boost::json::object& object, const std::string& indent, std::string& out) {
-  const std::string inner = indent + "  ";
-  out += '{';
-  bool first = true;
+void write(const boost::json::object& object, JsonWriter& out) {
+  out.open_object();
   for (const auto& [key, item] : object) {
-    out += (first ? "\n" : ",\n") + inner + boost::json::serialize(boost::json::string(key)) + ": ";
-    write(item, inner, out);
-    first = false;
+    out.key(key);
+    write(item, out);
   }
-  out += object.empty() ? "}" : "\n" + indent + "}";
+  out.close_object();
 }
 
-void write(const boost::json::value& value, const std::string& indent, std::string& out) {
-  if (const auto* object = value.if_object()) return write(*object, indent, out);
-  if (const auto* array = value.if_array()) return write(*array, indent, out);
-  if (const auto* number = value.if_double()) {
-    append_exact(*number, out);
-  } else {
-    out += boost::json::serialize(value);
-  }
+void write(const boost::json::value& value, JsonWriter& out) {
+  if (const auto* object = value.if_object()) return write(*object, out);
+  if (const auto* array = value.if_array()) return write(*array, out);
+  if (const auto* text = value.if_string()) return out.write(std::string_view(*text));
+  if (const auto* number = value.if_double()) return out.write(*number);
+  if (value.is_number()) return out.write(value.to_number<std::int64_t>());
+  if (const auto* is = value.if_bool()) return out.write(*is);
+  out.write_null();
 }
 
 }  // namespace
 
 std::string text_of(const boost::json::value& value) {
-  std::string out;
-  write(value, "", out);
-  return out + "\n";
+  JsonWriter out;
+  write(value, out);
+  return out.take();
 }
 
 }  // namespace loadpath::io

@@ -119,6 +119,7 @@ json::object step_schema(const Calculator& calculator) {
   json::object& properties = step["properties"].as_object();
   properties["calculator"] = json::object{{"const", calculator.id}, {"description", calculator.scope}};
   for (const char* key : {"title", "note", "material"}) properties[key] = json::object{{"type", "string"}};
+  for (const std::string& group : table_groups(calculator)) properties[group] = json::object{{"type", "string"}};
   properties["display"] = json::object{{"type", "object"}, {"additionalProperties", json::object{{"type", "string"}}}};
   step["required"] = json::array{"calculator"};
   if (!calculator.templates.empty()) add_templates(calculator, step);

@@ -97,6 +97,40 @@ void induce_loss(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scala
   amount[i_drives ? 0 : 1] = lost * (i_drives ? through.arm_j : through.arm_i) / apart;
 }
 
+/// What presses teeth apart, or the other span of a belt pulls.
+template <class Scalar>
+Scalar steady_amount(const BasicJoint<Scalar>& joint, BasicVec<Scalar> along, BasicVec<Scalar> force) {
+  if (joint.kind == JointKind::gear) return tan(joint.pressure_angle) * abs(dot(force, normal(along)));
+  if (joint.kind == JointKind::rack) return tan(joint.pressure_angle) * abs(dot(force, along));
+  // The equation's span of a belt cannot push: then the other one pulls.
+  return joint.tension + std::max<Scalar>(0.0, -dot(force, along));
+}
+
+/// Along the slide, and the couple of its two edges.
+template <class Scalar>
+void induce_in_slide(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& source,
+                     const BasicReaction<Scalar>& by, double share, std::span<std::type_identity_t<Scalar>> amount) {
+  const Scalar mu = share * joint.friction.coefficient;
+  const double sliding = sign(source.tendency.sliding);
+  const Scalar pressing = dot(by.force, normal(source.place.along));
+  const Scalar tilting = joint.guide_length > 0.0 ? 2.0 * by.couple / joint.guide_length : Scalar(0.0);
+  const Scalar edges = std::max<Scalar>(abs(pressing), abs(tilting));  // |R/2 + R h/l| + |R/2 - R h/l|
+  amount[0] = -sliding * mu * edges - share * joint.friction.viscous * source.sliding;
+  amount[1] = -sliding * mu * 0.5 * joint.guide_width * pressing;
+}
+
+/// Where the pin touches it may slide, roll or both.
+template <class Scalar>
+void induce_in_slot(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& source,
+                    const BasicReaction<Scalar>& by, double share, std::span<std::type_identity_t<Scalar>> amount) {
+  const Scalar pressing = dot(by.force, normal(source.place.along));
+  const Scalar arm = sign(pressing) * joint.friction.pin_radius;
+  const double sense = sign(source.tendency.sliding + value_of(arm) * source.tendency.turning);
+  amount[0] = -sense * share * joint.friction.coefficient * abs(pressing) -
+              share * joint.friction.viscous * (source.sliding + arm * source.turning);
+  amount[1] = arm * amount[0];
+}
+
 /// The motion of a joint, or its rate, from that of points and angles of links.
 template <class PointRate, class TurnRate>
 JointMotion measured(const Joint& joint, const InducedSource& source, PointRate of_point, TurnRate of_angle) {
@@ -117,8 +151,7 @@ JointMotion measured(const Joint& joint, const InducedSource& source, PointRate 
 JointMotion velocity_of(const Joint& joint, const InducedSource& source, const Position& at) {
   const auto rates = [&](int link) { return link == ground ? Pose{} : at.tendency[static_cast<std::size_t>(link)]; };
   const auto of_point = [&](int link, Vec point) {
-    const Pose rate = rates(link);
-    return Vec{rate.x, rate.y} + rate.phi * normal(point - placed_at(at, link).origin);
+    return point_velocity(rates(link), point - placed_at(at, link).origin);
   };
   return measured(joint, source, of_point, [&](int link) { return rates(link).phi; });
 }
@@ -161,22 +194,13 @@ std::size_t modes_of(const Joint& joint) {
 template <class Scalar>
 void set_up(const BasicJoint<Scalar>& joint, std::span<const BasicPose<std::type_identity_t<Scalar>>> poses,
             std::span<const BasicPose<std::type_identity_t<Scalar>>> velocities, BasicInducedSource<Scalar>& source) {
-  const auto placed = [&](int link) {
-    if (link == ground) return BasicPlaced<Scalar>{};
-    const BasicPose<Scalar>& pose = poses[static_cast<std::size_t>(link)];
-    return BasicPlaced<Scalar>{turn(pose.phi), {pose.x, pose.y}, pose.phi};
-  };
-  const auto speed = [&](int link) {
-    return link == ground ? BasicPose<Scalar>{} : velocities[static_cast<std::size_t>(link)];
-  };
-  const BasicPlaced<Scalar> i = placed(joint.i), j = placed(joint.j);
-  const BasicPose<Scalar> speed_i = speed(joint.i), speed_j = speed(joint.j);
+  const BasicPlaced<Scalar> i = placed_by<Scalar>(poses, joint.i), j = placed_by<Scalar>(poses, joint.j);
+  const BasicSpeeds<Scalar> speed_i = speeds_by<Scalar>(velocities, joint.i),
+                            speed_j = speeds_by<Scalar>(velocities, joint.j);
   place(source.shape, i, j, source.place);
-  source.turning = speed_i.phi - speed_j.phi;
+  source.turning = speed_i.omega - speed_j.omega;
   const BasicVec<Scalar> pin = source.place.at;
-  const BasicVec<Scalar> apart = BasicVec<Scalar>{speed_i.x, speed_i.y} + speed_i.phi * normal(pin - i.origin) -
-                                 BasicVec<Scalar>{speed_j.x, speed_j.y} - speed_j.phi * normal(pin - j.origin);
-  source.sliding = dot(source.place.along, apart);
+  source.sliding = dot(source.place.along, velocity_at(pin, i, speed_i) - velocity_at(pin, j, speed_j));
 }
 
 JointMotion tendency_of(const Joint& joint, const InducedSource& source, const Position& at, Resting resting,
@@ -267,48 +291,33 @@ template <class Scalar>
 void induce(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& source, const BasicReaction<Scalar>& by,
             double share, std::span<std::type_identity_t<Scalar>> amount) {
   const BasicFriction<Scalar>& friction = joint.friction;
-  const Scalar mu = share * friction.coefficient;
-  const BasicVec<Scalar> along = source.place.along;
+  const Scalar mu = share * friction.coefficient, viscous = share * friction.viscous;
   const double sliding = sign(source.tendency.sliding), turning = sign(source.tendency.turning);
-  if (passes_power(joint.kind) && loses(joint))
-    induce_loss(joint, source, by, share, amount.subspan(has_steady_mode(joint) ? 1 : 0).template first<2>());
   switch (joint.kind) {
     case JointKind::gear:
-      if (has_steady_mode(joint)) amount[0] = tan(joint.pressure_angle) * abs(dot(by.force, normal(along)));
-      break;
     case JointKind::rack:
-      if (has_steady_mode(joint)) amount[0] = tan(joint.pressure_angle) * abs(dot(by.force, along));
+    case JointKind::belt: {
+      const std::size_t steady = has_steady_mode(joint) ? 1 : 0;
+      if (steady == 1) amount[0] = steady_amount(joint, source.place.along, by.force);
+      if (loses(joint)) induce_loss(joint, source, by, share, amount.subspan(steady).template first<2>());
       break;
-    case JointKind::belt:  // the equation's span cannot push: then the other one pulls
-      amount[0] = joint.tension + std::max<Scalar>(0.0, -dot(by.force, along));
-      break;
+    }
     case JointKind::revolute:
-      amount[0] = -turning * mu * friction.pin_radius * length(by.force) - share * friction.viscous * source.turning;
+      amount[0] = -turning * mu * friction.pin_radius * length(by.force) - viscous * source.turning;
       break;
-    case JointKind::prismatic: {
-      const Scalar pressing = dot(by.force, normal(along));
-      const Scalar tilting = joint.guide_length > 0.0 ? 2.0 * by.couple / joint.guide_length : Scalar(0.0);
-      const Scalar edges = std::max<Scalar>(abs(pressing), abs(tilting));  // |R/2 + R h/l| + |R/2 - R h/l|
-      amount[0] = -sliding * mu * edges - share * friction.viscous * source.sliding;
-      amount[1] = -sliding * mu * 0.5 * joint.guide_width * pressing;
+    case JointKind::prismatic:
+      induce_in_slide(joint, source, by, share, amount);
       break;
-    }
-    case JointKind::slot: {  // where the pin touches it may slide, roll or both
-      const Scalar pressing = dot(by.force, normal(along));
-      const Scalar arm = sign(pressing) * friction.pin_radius;
-      const double sense = sign(source.tendency.sliding + value_of(arm) * source.tendency.turning);
-      amount[0] = -sense * mu * abs(pressing) - share * friction.viscous * (source.sliding + arm * source.turning);
-      amount[1] = arm * amount[0];
+    case JointKind::slot:
+      induce_in_slot(joint, source, by, share, amount);
       break;
-    }
     case JointKind::cam:
-      amount[0] =
-          -sliding * mu * abs(dot(by.force, source.place.rows[0].e)) - share * friction.viscous * source.sliding;
+      amount[0] = -sliding * mu * abs(dot(by.force, source.place.rows[0].e)) - viscous * source.sliding;
       break;
     case JointKind::rolling:
     case JointKind::rolling_on_line:
       amount[0] = -turning * share * friction.rolling_arm * abs(dot(by.force, source.place.rows[1].e)) -
-                  share * friction.viscous * source.turning;
+                  viscous * source.turning;
       break;
     case JointKind::rigid:
     case JointKind::none:

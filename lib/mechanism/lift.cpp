@@ -14,6 +14,44 @@ using std::numbers::pi;
 
 constexpr double whole_turn = 2.0 * pi;
 
+/// The first half of the law, x up to 1/2.
+template <class Scalar>
+BasicLift<Scalar> modified_sine(Scalar x) {
+  constexpr double part = 1.0 / (4.0 + pi);
+  if (value_of(x) < 0.125) {
+    const Scalar wave = 4.0 * pi * x;
+    return {part * (pi * x - 0.25 * sin(wave)), part * pi * (1.0 - cos(wave)), part * 4.0 * pi * pi * sin(wave)};
+  }
+  const Scalar wave = (4.0 * pi * x + pi) / 3.0;
+  return {part * (2.0 + pi * x - 2.25 * sin(wave)), part * pi * (1.0 - 3.0 * cos(wave)),
+          part * 4.0 * pi * pi * sin(wave)};
+}
+
+template <class Scalar>
+BasicLift<Scalar> modified_trapezoid(Scalar x) {
+  constexpr double part = 1.0 / (2.0 + pi);
+  if (value_of(x) < 0.125) {
+    const Scalar wave = 4.0 * pi * x;
+    return {part * (2.0 * x - sin(wave) / whole_turn), part * 2.0 * (1.0 - cos(wave)), part * 8.0 * pi * sin(wave)};
+  }
+  if (value_of(x) < 0.375) {
+    const Scalar past = x - 0.125;
+    return {part * (4.0 * pi * past * past + 2.0 * x - 1.0 / whole_turn), part * (8.0 * pi * past + 2.0),
+            Scalar(part * 8.0 * pi)};
+  }
+  const Scalar wave = 4.0 * pi * (x - 0.375);
+  return {part * (2.0 * (pi + 1.0) * x - 0.5 * pi - cos(wave) / whole_turn), part * 2.0 * (pi + 1.0 + sin(wave)),
+          part * 8.0 * pi * cos(wave)};
+}
+
+/// A law whose second half is its first run backwards.
+template <class Scalar, class Half>
+BasicLift<Scalar> there_and_back(Scalar x, Half half) {
+  if (value_of(x) <= 0.5) return half(x);
+  const BasicLift<Scalar> back = half(Scalar(1.0 - x));
+  return {1.0 - back.s, back.first, -back.second};
+}
+
 /// A law over its own segment: a rise of 1 while x goes from 0 to 1.
 template <class Scalar>
 BasicLift<Scalar> unit_rise(LiftLaw law, Scalar x) {
@@ -31,6 +69,10 @@ BasicLift<Scalar> unit_rise(LiftLaw law, Scalar x) {
       return {x * x * x * x * (35.0 + x * (-84.0 + x * (70.0 - 20.0 * x))),
               140.0 * x * x * x * (1.0 + x * (-3.0 + x * (3.0 - x))),
               420.0 * x * x * (1.0 + x * (-4.0 + x * (5.0 - 2.0 * x)))};
+    case LiftLaw::modified_sine:
+      return there_and_back(x, modified_sine<Scalar>);
+    case LiftLaw::modified_trapezoid:
+      return there_and_back(x, modified_trapezoid<Scalar>);
   }
   return {};
 }

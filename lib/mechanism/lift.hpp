@@ -1,7 +1,9 @@
 // The lift of a cam's follower over a turn of the cam: segments of rise, dwell and fall, each by a law of motion.
 //
-// The laws, for a part x of the segment's angle: harmonic (1 - cos pi x)/2, cycloidal x - sin(2 pi x)/(2 pi), and the
-// polynomials that rest at both ends with (3-4-5) the acceleration zero there and (4-5-6-7) the jerk too.
+// The laws, for a part x of the segment's angle: harmonic (1 - cos pi x)/2, cycloidal x - sin(2 pi x)/(2 pi), the
+// polynomials that rest at both ends with (3-4-5) the acceleration zero there and (4-5-6-7) the jerk too, and two by
+// the pieces of their acceleration: modified sine, a quarter wave over 1/8, half a wave over 3/4, a quarter over 1/8;
+// modified trapezoid, a quarter wave up over 1/8, constant over 1/4, half a wave down over 1/4, and the same back.
 #pragma once
 
 #include <span>
@@ -9,7 +11,7 @@
 
 namespace loadpath::mechanism {
 
-enum class LiftLaw { dwell, harmonic, cycloidal, polynomial_345, polynomial_4567 };
+enum class LiftLaw { dwell, harmonic, cycloidal, polynomial_345, polynomial_4567, modified_sine, modified_trapezoid };
 
 struct LiftSegment {
   LiftLaw law = LiftLaw::dwell;

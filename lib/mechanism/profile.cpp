@@ -64,6 +64,20 @@ BasicCurvePoint<Scalar> point_of(const FlatFollower& f, Scalar parameter) {
   return {height * out + s.first * tangent, tangent, height + s.second, 1.0};
 }
 
+/// By the distance of the face from the axis, as it depends on the direction of its normal, and its derivatives.
+template <class Scalar>
+BasicCurvePoint<Scalar> point_of(const SwingingFace& f, Scalar parameter) {
+  const BasicLift<Scalar> s = lift_at(f.lift, f.sense, parameter);
+  const Scalar angle = f.base_angle() + s.s, turning = 1.0 - f.side * s.first;
+  const Scalar height = f.pivot * sin(angle) - f.offset;
+  const Scalar first = f.pivot * cos(angle) * s.first;
+  const Scalar second = f.pivot * (cos(angle) * s.second - sin(angle) * s.first * s.first);
+  const Scalar pace = turning * height + (second * turning + first * f.side * s.second) / (turning * turning);
+  const BasicVec<Scalar> out = turn(parameter)(BasicVec<Scalar>{sin(angle), f.side * cos(angle)}),
+                         tangent = normal(out);
+  return {height * out + (first / turning) * tangent, tangent, pace, turning};
+}
+
 template <class Scalar>
 BasicCurvePoint<Scalar> point_of(const Circle& circle, Scalar parameter) {
   const BasicVec<Scalar> out = turn(parameter)(BasicVec<Scalar>{1.0, 0.0});
@@ -136,6 +150,8 @@ double find(double start, Step step, Measure measure) {
 double SwingingFollower::base_angle() const {
   return std::acos((pivot * pivot + arm * arm - distance * distance) / (2.0 * pivot * arm));
 }
+
+double SwingingFace::base_angle() const { return std::asin((base + offset) / pivot); }
 
 SplineCurve::SplineCurve(std::span<const Vec> points) : SplineCurve(points, chord_parameters(points)) {}
 SplineCurve::SplineCurve(std::span<const Vec> points, std::span<const double> parameters)

@@ -57,6 +57,19 @@ struct FlatFollower {
   double base = 0.0;  // m, radius of the base circle
 };
 
+/// The flank that carries a flat face which swings about a pivot, that at the cam's angle 0 lies on the x axis; `side`
+/// as of an arm: where the face runs from the pivot. Its normal must turn on as the cam does: CurvePoint::turning > 0.
+struct SwingingFace {
+  Lift lift;  // rad, away from the cam
+  CamSense sense = CamSense::counter_clockwise;
+  double base = 0.0;    // m, radius of the base circle
+  double pivot = 0.0;   // m, from the axis
+  double offset = 0.0;  // m, of the face from its pivot, towards the cam
+  double side = 1.0;
+  /// Of the face against the line to the axis, without lift, rad.
+  [[nodiscard]] double base_angle() const;
+};
+
 struct Circle {
   Vec centre;           // m
   double radius = 0.0;  // m
@@ -76,7 +89,7 @@ class SplineCurve {
 
 class Profile {
  public:
-  using Curve = std::variant<SlidingFollower, SwingingFollower, FlatFollower, Circle, SplineCurve>;
+  using Curve = std::variant<SlidingFollower, SwingingFollower, FlatFollower, SwingingFace, Circle, SplineCurve>;
   explicit Profile(Curve curve, double inset = 0.0) : curve_(std::move(curve)), inset_(inset) {}
 
   /// Of the profile inside of the curve, m.

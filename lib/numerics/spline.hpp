@@ -30,7 +30,9 @@ class RestToRestSpline {
 
 /// Polynomials of the fifth degree that rise where the points rise, fall where they fall and rest where they turn or
 /// dwell: never beyond the points. The second derivative is zero at each of them, the slope between points that rise or
-/// fall the harmonic mean of those on its sides; with at most twice the smaller of these the curve is monotone.
+/// fall the harmonic mean of those on its sides, and so at most twice either of them. That keeps the curve monotone:
+/// its slope is linear in the slopes at both ends of a part, and for 0 and 2 of the part's own in any combination it is
+/// 30 u^2 (1 - u)^2, 2 - 30 u^2 (1 - u)^2 >= 1/8, or of no negative coefficient in Bernstein's form.
 class MonotoneSpline {
  public:
   /// Two points or more, x strictly ascending.

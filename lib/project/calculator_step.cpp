@@ -43,11 +43,10 @@ void CalculatorStep::find_searches(std::vector<Issue>& issues) {
       searches_.push_back({field.key, {&field, data}, field.searched_in, input().place});
     }
   }
-  const auto stocks = stock_names();
   for (const Search& search : searches_) {
-    if (std::find(stocks.begin(), stocks.end(), search.stock) != stocks.end()) continue;
+    if (!stock_values(search.stock).empty()) continue;
     issues.push_back({search.place, name() + "." + search.path, say("there is no stock '{1}'", search.stock),
-                      did_you_mean(search.stock, stocks), Severity::error});
+                      did_you_mean(search.stock, stock_names()), Severity::error});
   }
   if (searches_.size() > 1 && !input().reading.searches.empty()) {
     issues.push_back({searches_[1].place, name() + "." + searches_[1].path,
@@ -77,6 +76,7 @@ bool CalculatorStep::is_open(const std::string& field) const {
 void CalculatorStep::check_rules_of_literals(std::vector<Issue>& issues) {
   const Calculator& calculator = *input().calculator;
   for (std::size_t i = 0; i < calculator.rules.size(); ++i) {
+    if (calculator.rules[i].only_warns) continue;  // said once, when it is solved
     const auto fields = split(calculator.rules[i].fields);
     if (std::any_of(fields.begin(), fields.end(), [&](const std::string& f) { return is_open(f); })) continue;
     const Record& record = input().reading.record;
@@ -110,7 +110,9 @@ Issue CalculatorStep::broken_rule(std::size_t rule, const Record& record) const 
   for (const std::string& field : split(calculator.rules[rule].fields)) {
     if (fault.path.empty() && input().reading.typed.count(field) != 0) fault.path = field;
   }
-  return issue_at(input(), fault.path, std::move(fault.message), std::move(fault.hint));
+  Issue issue = issue_at(input(), fault.path, std::move(fault.message), std::move(fault.hint));
+  if (calculator.rules[rule].only_warns) issue.severity = Severity::warning;
+  return issue;
 }
 
 Outcome<Signature> CalculatorStep::signature(const std::string& path) const {
@@ -158,13 +160,13 @@ std::vector<std::string> CalculatorStep::companions_of(const std::string&) const
   return all;
 }
 
-void CalculatorStep::solve(const Known& known, std::vector<Issue>& issues) {
+void CalculatorStep::solve(const Known& known, Extent extent, std::vector<Issue>& issues) {
   Run run(*this, known);
   if (!run.evaluate_operands(issues)) return;
   if (!run.check_rules(issues)) return;
   run.search();
   run.evaluate();
-  run.fill(own_account());
+  run.fill(extent, own_account());
 }
 
 std::unique_ptr<Step> make_calculator_step(StepInput&& input) {

@@ -117,14 +117,14 @@ Project read_project(const io::Tree& tree, const std::string& file, Catalogue ca
   return project;
 }
 
-void solve(Project& project, std::vector<Issue>& issues) {
+void solve(Project& project, std::vector<Issue>& issues, Extent extent) {
   static const Value none{{}, {std::numeric_limits<double>::quiet_NaN()}};
   const Known known = [&](const std::string& path) -> const Value& {
     const Value* value = project.value(path);
     return value == nullptr ? none : *value;
   };
   for (const std::size_t i : project.order) {
-    project.steps[i]->solve(known, issues);
+    project.steps[i]->solve(known, extent, issues);
     if (has_errors(issues)) return;
   }
 }

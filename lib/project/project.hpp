@@ -47,7 +47,7 @@ Project read_project(std::string_view text, const std::string& file, Catalogue c
 Project read_project(const io::Tree& tree, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues);
 
 /// Solves the steps in order; stops at the first step with an issue.
-void solve(Project& project, std::vector<Issue>& issues);
+void solve(Project& project, std::vector<Issue>& issues, Extent extent = Extent::all);
 
 /// All verdicts, and the worst of them.
 std::vector<report::Verdict> verdicts(const Project& project);

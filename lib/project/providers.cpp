@@ -17,6 +17,8 @@ std::optional<Provided> from_table(const StepInput& input, const FieldInfo& fiel
   if (named == input.rows.end() || input.reading.typed.count(field.provider.unless) != 0) return std::nullopt;
   const std::string& row = named->second.text;
   const auto entry = table::find_row(field.provider.table, row);
+  if (entry && field.provider.may_lack && table::covered_size(*entry, field.provider.column) == 0.0)
+    return std::nullopt;
   if (entry) return Provided{field.key, {&field, data}, row, {}};
   const Place place = place_in(named->second.place, row, entry.fault().at, row.size());
   const bool said = std::any_of(issues.begin(), issues.end(), [&](const Issue& i) {

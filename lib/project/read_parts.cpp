@@ -17,7 +17,7 @@ constexpr std::array reserved{"shaft", "fatigue",  "vessel",  "column",     "sec
                               "list",  "describe", "sweep",   "verify",     "tables",   "convert",   "schema",
                               "init",  "watch",    "why",     "completion", "man",      "project",   "expect"};
 constexpr std::array heading_keys{"title", "number", "revision", "author", "checker", "date", "note"};
-const std::vector<std::string> step_keys{"calculator", "template", "title", "note", "material", "display"};
+const std::vector<std::string> step_keys{"calculator", "template", "title", "note", "display"};
 
 void add(std::vector<Issue>& issues, const Place& place, const std::string& key, Message message, Message hint = {}) {
   issues.push_back({place, key, std::move(message), std::move(hint), Severity::error});
@@ -68,18 +68,28 @@ bool read_template(const Tree& table, StepInput& input, std::vector<Issue>& issu
   return false;
 }
 
-/// Rows that a step names for the tables its providers read: material = "C45E".
+/// Rows that a step names for the tables its providers read: material = "C45E". A material is known to every step.
 void read_rows(const Tree& table, StepInput& input, std::vector<Issue>& issues) {
-  const auto* material = table.find("material");
-  if (material == nullptr) return;
-  const auto& fields = input.calculator->input->fields;
-  if (std::none_of(fields.begin(), fields.end(),
-                   [](const FieldInfo& f) { return std::string_view(f.provider.table) == "material"; })) {
-    add(issues, material->place, input.name + ".material",
-        say("'{1}' takes nothing from a material", input.calculator->id));
-    return;
+  const auto groups = table_groups(*input.calculator);
+  for (const std::string& group : groups) {
+    if (const auto* row = table.find(group)) {
+      input.rows[group] = {text_of(*row, input.name + "." + group, issues), row->value.place};
+    }
   }
-  input.rows["material"] = {text_of(*material, input.name + ".material", issues), material->value.place};
+  const auto* material = table.find("material");
+  if (material == nullptr || input.rows.count("material") != 0) return;
+  add(issues, material->place, input.name + ".material",
+      say("'{1}' takes nothing from a material", input.calculator->id));
+}
+
+/// The keys of a step that are no fields of its calculator.
+std::vector<std::string> keys_beside_fields(const Calculator& calculator) {
+  std::vector<std::string> keys = step_keys;
+  keys.emplace_back("material");
+  for (const std::string& group : table_groups(calculator)) {
+    if (group != "material") keys.push_back(group);
+  }
+  return keys;
 }
 
 void read_display(const Tree& table, StepInput& input, std::vector<Issue>& issues) {
@@ -273,7 +283,8 @@ std::unique_ptr<Step> read_step(const Tree::Entry& entry, Catalogue catalogue, s
   if (const auto* note = entry.value.find("note")) input.note = text_of(*note, entry.key + ".note", issues);
   read_rows(entry.value, input, issues);
   read_display(entry.value, input, issues);
-  input.reading = read_record(entry.value, *input.calculator->input, input.from, entry.key + ".", step_keys, issues);
+  input.reading = read_record(entry.value, *input.calculator->input, input.from, entry.key + ".",
+                              keys_beside_fields(*input.calculator), issues);
   return input.calculator->make_step(std::move(input));
 }
 

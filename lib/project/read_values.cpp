@@ -79,8 +79,23 @@ static bool is_bare_expression(const std::string& text) {
   return parsed && !parsed->references().empty();
 }
 
+/// A plain number without any bound may be infinite: the ratio of a stress cycle that ends in zero.
+static std::optional<double> infinite(const std::string& text, const FieldInfo& field) {
+  const Range free;
+  const bool unbounded = field.dimension.is_number() && field.bounds.low == free.low &&
+                         field.bounds.high == free.high && field.plausible.low == free.low &&
+                         field.plausible.high == free.high;
+  if (!unbounded) return std::nullopt;
+  if (text == "inf" || text == "+inf") return free.high;
+  return text == "-inf" ? std::optional(free.low) : std::nullopt;
+}
+
 void Reader::read_literal(const std::string& text, const Tree& tree, const FieldInfo& field, void* owner,
                           const std::string& path) {
+  if (const auto number = infinite(text, field)) {
+    reading_.typed[path].text = text;
+    return field.set(owner, *number);
+  }
   const auto literal = parse_literal(text, Expected{field.dimension, field.kind, field.unit});
   if (!literal && is_bare_expression(text)) {
     return say_at(place_in(tree.place, text, 0, text.size()), path, say("'{1}' is an expression without its '='", text),
@@ -90,7 +105,7 @@ void Reader::read_literal(const std::string& text, const Tree& tree, const Field
   const double si = literal->si;
   if (!field.bounds.holds(si)) {
     return say_at(tree.place, path,
-                  say("{1} = {2}: {3}", path, format_quantity(si, field.unit), bounds_message(field).text()));
+                  say("{1} = {2}: {3}", path, format_quantity(si, field.unit), bounds_message(field)));
   }
   if (!field.plausible.holds(si)) {
     say_at(tree.place, path,
@@ -111,7 +126,7 @@ void Reader::read_count(const Tree& tree, const FieldInfo& field, void* owner, c
         say("a whole number is expected, not {1}", number ? format_number(n) : std::string(io::word_for(tree.type))));
   }
   if (!field.bounds.holds(n)) {
-    return say_at(tree.place, path, say("{1} = {2}: {3}", path, format_number(n), bounds_message(field).text()));
+    return say_at(tree.place, path, say("{1} = {2}: {3}", path, format_number(n), bounds_message(field)));
   }
   reading_.typed[path].text = format_number(n);
   field.set(owner, n);

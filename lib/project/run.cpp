@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace loadpath::project {
 
@@ -90,12 +91,14 @@ bool Run::set_position(std::size_t i) {
 
 bool Run::check_rules(std::vector<Issue>& issues) {
   provide(nan);
+  std::set<std::size_t> warned;  // a warning is said once, not at every position
   for (std::size_t i = 0; i < positions(); ++i) {
     if (!set_position(i)) continue;
     for (std::size_t rule = 0; rule < calculator_.rules.size(); ++rule) {
       if (calculator_.holds(rule, record_.data.get())) continue;
+      if (calculator_.rules[rule].only_warns && !warned.insert(rule).second) continue;
       issues.push_back(step_.broken_rule(rule, record_));
-      return false;
+      if (!calculator_.rules[rule].only_warns) return false;
     }
   }
   return true;
@@ -154,15 +157,23 @@ double Run::largest_result(const FieldInfo& field) {
 }
 
 bool Run::is_asked(const FieldInfo& check) const {
-  if (*check.asked_by == '\0') return true;
-  const Leaf asking = map_leaf(check.asked_by);
-  return asking && !std::isnan(asking.get());
+  std::string_view inputs = check.asked_by;
+  if (inputs.empty()) return true;
+  while (!inputs.empty()) {
+    const std::size_t comma = std::min(inputs.find(", "), inputs.size());
+    const Leaf asking = map_leaf(std::string(inputs.substr(0, comma)));
+    if (asking && !std::isnan(asking.get())) return true;
+    inputs.remove_prefix(std::min(comma + 2, inputs.size()));
+  }
+  return false;
 }
 
 bool Run::passes() {
   if (!settle_sizes()) return false;
   return std::all_of(calculator_.result->fields.begin(), calculator_.result->fields.end(), [&](const FieldInfo& f) {
-    return f.role != Role::check || !is_asked(f) || largest_result(f) <= 1.0;
+    if (f.role != Role::check || !is_asked(f)) return true;
+    const double largest = largest_result(f);
+    return largest <= 1.0 || (f.where_set && std::isnan(largest));
   });
 }
 

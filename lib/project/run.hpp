@@ -19,7 +19,7 @@ class Run {
   void search();
   /// All results at all positions.
   void evaluate();
-  void fill(Account& account) const;
+  void fill(Extent extent, Account& account) const;
 
  private:
   /// A leaf that is set anew at every position.
@@ -57,8 +57,10 @@ class Run {
   void trace_governing();
   [[nodiscard]] std::size_t governing_position() const;
   void fill_inputs(Account& account) const;
+  [[nodiscard]] bool applies(const Column& column) const;
   void fill_results(Account& account) const;
   void fill_verdicts(Account& account) const;
+  void excuse_uncovered(Account& account) const;
   [[nodiscard]] Message missing_input() const;
   [[nodiscard]] report::Verdict check_verdict(const Column& column) const;
   [[nodiscard]] report::Verdict limit_verdict(const Column& column) const;

@@ -40,7 +40,7 @@ Origin Run::origin_of(const std::string& path, const Leaf& leaf) const {
   return plain_origin(step_.input().reading, path, leaf);
 }
 
-void Run::fill(Account& account) const {
+void Run::fill(Extent extent, Account& account) const {
   fill_inputs(account);
   fill_results(account);
   fill_verdicts(account);
@@ -49,7 +49,7 @@ void Run::fill(Account& account) const {
     account.governing = say("at {1} ({2}), where the governing check is largest",
                             format_quantity(axis_->at[governing_], axis_->unit, 5), axis_->name());
   }
-  if (traced_ && calculator_.figures != nullptr)
+  if (extent == Extent::all && traced_ && calculator_.figures != nullptr)
     account.figures = calculator_.figures(record_.data.get(), result_.data.get());
 }
 
@@ -63,9 +63,16 @@ void Run::fill_inputs(Account& account) const {
   }
 }
 
+/// Whether a result is asked for, and is not one that the calculator has left unset.
+bool Run::applies(const Column& column) const {
+  if (!is_asked(*column.field)) return false;
+  return !column.field->where_set ||
+         std::any_of(column.si.begin(), column.si.end(), [](double x) { return !std::isnan(x); });
+}
+
 void Run::fill_results(Account& account) const {
   for (const Column& column : columns_) {
-    if (*column.field->asked_by != '\0' && !is_asked(*column.field)) continue;
+    if (!applies(column)) continue;
     const auto display = step_.input().display.find(column.path);
     const std::string unit = display == step_.input().display.end() ? column.field->unit : display->second;
     Entry entry{column.path, column.field->doc, unit, column.field->role, value_of(column), {}, ""};
@@ -78,7 +85,7 @@ void Run::fill_results(Account& account) const {
 Message Run::missing_input() const {
   for (const Input& input : inputs_) {
     if (std::any_of(input.value.si.begin(), input.value.si.end(), [](double x) { return std::isnan(x); })) {
-      return say("'{1}' is not available: {2}", input.path, input.origin.text.text());
+      return say("'{1}' is not available: {2}", input.path, input.origin.text);
     }
   }
   return {};
@@ -122,12 +129,22 @@ report::Verdict Run::limit_verdict(const Column& column) const {
   return v;
 }
 
+/// Where a limit is not kept, a check without a value is no gap in the input: the formula does not reach so far.
+void Run::excuse_uncovered(Account& account) const {
+  const auto& all = account.verdicts;
+  if (std::none_of(all.begin(), all.end(), [](const auto& v) { return v.state == report::State::not_covered; })) return;
+  for (report::Verdict& v : account.verdicts) {
+    if (v.state == report::State::not_available && v.note.empty()) v.state = report::State::not_covered;
+  }
+}
+
 void Run::fill_verdicts(Account& account) const {
   for (const Column& column : columns_) {
-    if (!is_asked(*column.field)) continue;
+    if (!applies(column)) continue;
     if (column.field->role == Role::check) account.verdicts.push_back(check_verdict(column));
     if (column.field->role == Role::limit) account.verdicts.push_back(limit_verdict(column));
   }
+  excuse_uncovered(account);
   if (!columns_.empty()) return;
   for (const FieldInfo& field : calculator_.result->fields) {  // nothing could be computed: say so check by check
     if (field.role != Role::check || !is_asked(field)) continue;

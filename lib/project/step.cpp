@@ -95,12 +95,11 @@ std::optional<Value> evaluate_operand(const Operand& operand, const std::string&
   const auto refused = std::find_if(value.si.begin(), value.si.end(),
                                     [&](double x) { return !std::isnan(x) && !field.bounds.holds(x); });
   if (refused == value.si.end()) return value;
-  issues.push_back(
-      {place_in(operand.place, operand.text, 0, operand.text.size()),
-       step + "." + operand.path,
-       say("{1} = {2}: {3}", operand.path, format_quantity(*refused, field.unit), bounds_message(field).text()),
-       {},
-       Severity::error});
+  issues.push_back({place_in(operand.place, operand.text, 0, operand.text.size()),
+                    step + "." + operand.path,
+                    say("{1} = {2}: {3}", operand.path, format_quantity(*refused, field.unit), bounds_message(field)),
+                    {},
+                    Severity::error});
   return std::nullopt;
 }
 

@@ -48,10 +48,14 @@ struct Account {
   std::vector<report::Verdict> verdicts;
   Message governing;  // which position the derivation is for; empty where there is one value
   std::vector<Derived> derivation;
-  std::vector<report::Block> input_blocks;  // where the step shows its inputs itself, in place of the list of all
-  std::vector<report::Block> blocks;        // what only this kind of step has: tables, notes
-  std::vector<draw::Figure> figures;
+  std::vector<report::Block> input_blocks;  // where the step shows its inputs itself, not in a list; of Extent::all
+  std::vector<report::Block> blocks;        // what only this kind of step has: tables, notes; of Extent::all
+  std::vector<draw::Figure> figures;        // of Extent::all
+  std::vector<std::string> sources;  // keys of tables/sources.toml, beside those that the calculator always cites
 };
+
+/// How much of its account a step fills: what is only looked at, tables and figures, is costly and not always wanted.
+enum class Extent { values, all };
 
 /// What is common to every step of a file.
 struct StepInput {
@@ -94,7 +98,7 @@ class Step {
   /// Full paths of what else loads the part that takes the value at `path`.
   [[nodiscard]] virtual std::vector<std::string> companions_of(const std::string& path) const;
   /// Fills the account. A computed value that its field refuses becomes an issue at its expression.
-  virtual void solve(const Known& known, std::vector<Issue>& issues) = 0;
+  virtual void solve(const Known& known, Extent extent, std::vector<Issue>& issues) = 0;
   /// The value at a path, after `solve`; nothing where there is none (an element that the list does not have).
   [[nodiscard]] virtual const Value* value(const std::string& path) const;
 

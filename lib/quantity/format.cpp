@@ -43,7 +43,8 @@ std::string with_point(std::string digits, std::size_t whole) {
 }  // namespace
 
 std::string format_number(double value, int digits) {
-  if (!std::isfinite(value)) return std::string(not_available);
+  if (std::isinf(value)) return "infinite";
+  if (std::isnan(value)) return std::string(not_available);
   if (value == 0.0) return "0";
   const std::string sign = value < 0.0 ? "-" : "";
   const auto [written, ten] = significant(std::fabs(value), digits);

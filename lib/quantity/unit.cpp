@@ -1,6 +1,7 @@
 #include "lib/quantity/unit.hpp"
 
 #include "lib/quantity/cursor.hpp"
+#include "lib/quantity/decimal.hpp"
 #include "lib/quantity/unit_hint.hpp"
 
 #include <array>
@@ -20,16 +21,6 @@ constexpr std::array<std::string_view, 8> not_letters = {"·", "⋅", "∙", "×
 constexpr int largest_power = 12, largest_ten = 300;
 constexpr int largest_exponent = 30 * Dimension::one;
 
-/// x * 10^ten; up to 10^22 a power of ten is exact and the result is rounded once.
-double scaled(double x, int ten) {
-  constexpr std::array<double, 23> powers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                             1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-  for (; ten > 22; ten -= 22) x *= powers[22];
-  for (; ten < -22; ten += 22) x /= powers[22];
-  const double power = powers[static_cast<std::size_t>(std::abs(ten))];
-  return ten < 0 ? x / power : x * power;
-}
-
 struct Power {
   int top = 1;
   int bottom = 1;
@@ -41,7 +32,8 @@ bool raise(ParsedUnit& unit, const Power& power) {
   for (const int e : unit.dimension.twelfths)
     if (e * power.top % power.bottom != 0 || std::abs(e * power.top / power.bottom) > largest_exponent) return false;
   unit.dimension = unit.dimension.power(power.top, power.bottom);
-  if (unit.ten * power.top % power.bottom != 0) unit.factor = scaled(unit.factor, std::exchange(unit.ten, 0));
+  if (unit.ten * power.top % power.bottom != 0)
+    unit.factor = times_power_of_ten(unit.factor, std::exchange(unit.ten, 0));
   unit.ten = unit.ten * power.top / power.bottom;
   if (unit.factor != 1.0) unit.factor = std::pow(unit.factor, static_cast<double>(power.top) / power.bottom);
   return std::abs(unit.ten) <= largest_ten && std::isnormal(unit.factor);
@@ -251,8 +243,8 @@ class Reader {
 
 }  // namespace
 
-double ParsedUnit::to_si(double value) const { return scaled(value * factor, ten) + offset; }
-double ParsedUnit::from_si(double si) const { return scaled((si - offset) / factor, -ten); }
+double ParsedUnit::to_si(double value) const { return times_power_of_ten(value * factor, ten) + offset; }
+double ParsedUnit::from_si(double si) const { return times_power_of_ten((si - offset) / factor, -ten); }
 
 Outcome<ParsedUnit> read_unit(std::string_view text, std::size_t at) { return Reader(text, at).read(); }
 

@@ -23,7 +23,7 @@ Cell cell_of(const Entry& entry) {
   if (!entry.word.empty()) return entry.word;
   if (!entry.value.is_series()) {
     const double si = entry.value.si.empty() ? NAN : entry.value.si[0];
-    if (std::isnan(si) && !entry.missing.empty()) return say("not available: {1}", entry.missing.text());
+    if (std::isnan(si) && !entry.missing.empty()) return say("not available: {1}", entry.missing);
     return Quantity{si, entry.unit};
   }
   if (is_constant(entry.value)) return Quantity{entry.value.si.front(), entry.unit};
@@ -134,7 +134,7 @@ void add_step(const Step& step, std::vector<Block>& blocks) {
   append(blocks, account.input_blocks);
   if (!account.derivation.empty()) {
     blocks.emplace_back(Heading{3, "Calculation", step.name() + "-calculation"});
-    if (!account.governing.empty()) blocks.emplace_back(Paragraph{say("Worked out {1}.", account.governing.text())});
+    if (!account.governing.empty()) blocks.emplace_back(Paragraph{say("Worked out {1}.", account.governing)});
     append(blocks, derivation_blocks(account.derivation));
   }
   blocks.emplace_back(Heading{3, "Results", step.name() + "-results"});
@@ -164,6 +164,7 @@ void add_sources(const Project& project, std::vector<Block>& blocks) {
   std::set<std::string> keys;
   for (const auto& step : project.steps) {
     keys.merge(keys_in(step->input().calculator->source));
+    keys.insert(step->account().sources.begin(), step->account().sources.end());
     for (const auto& line : step->account().derivation) keys.merge(keys_in(line.step.why.text()));
     for (const Entry& e : step->account().inputs) keys.insert(e.origin.sources.begin(), e.origin.sources.end());
   }

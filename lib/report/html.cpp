@@ -16,7 +16,7 @@ std::string numbered(std::string_view kind, int number, const Message& caption) 
 
 std::string head_cell(const Message& head, bool number) {
   return std::string("<th scope=\"col\"") + (number ? " class=\"number\">" : ">") +
-         (is_symbol(head) ? page::symbol(head.args[0]) : escaped(head.text())) + "</th>";
+         (is_symbol(head) ? page::symbol(head.args[0].text()) : escaped(head.text())) + "</th>";
 }
 
 /// Writes block after block; numbers run through the page.

@@ -93,7 +93,7 @@ class Writer {
     if (!table.caption.empty()) out_.text += caption("Table", numbering_.table(), table.caption) + "\n\n";
     Grid grid{{}, {}, numeric_columns(table)};
     for (const Message& head : table.head) {
-      grid.head.push_back(is_symbol(head) ? symbol(head.args[0]) : text(head.text()));
+      grid.head.push_back(is_symbol(head) ? symbol(head.args[0].text()) : text(head.text()));
     }
     for (const auto& row : table.rows) {
       grid.rows.emplace_back();

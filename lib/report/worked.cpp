@@ -49,8 +49,9 @@ NamedSymbol named_symbol(std::string_view path) {
 }
 
 bool is_symbol(const Message& head) {
-  if (head.id != "{1}" || head.args.empty() || !is_name(head.args[0])) return false;
-  const std::string& name = head.args[0];
+  if (head.id != "{1}" || head.args.empty()) return false;
+  const std::string name = head.args[0].text();
+  if (!is_name(name)) return false;
   return name.size() == 1 || name.find('_') != std::string::npos || formula::symbol_plain(name) != name;
 }
 

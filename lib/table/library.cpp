@@ -45,17 +45,41 @@ std::optional<Library>& replacement() {
   return library;
 }
 
+const Library& built_in_file(std::size_t i) {
+  static std::vector<OneFile> read(embedded::tables().size());
+  return read[i].read(embedded::tables()[i]);
+}
+
 /// What is found in the tables in use; of the built-in ones the files that have the word are read first.
 template <class Find>
 auto look_for(std::string_view word, Find find) {
   if (replacement()) return find(*replacement());
   const auto files = embedded::tables();
-  static std::vector<OneFile> read(files.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (files[i].text.find(word) == std::string_view::npos) continue;
-    if (auto found = find(read[i].read(files[i]))) return found;
+    if (auto found = find(built_in_file(i))) return found;
   }
   return find(built_in());
+}
+
+/// The tables in use that are wanted; of the built-in files only those that have `text` are read.
+template <class Wanted>
+std::vector<const Table*> tables_where(const std::string& text, Wanted wanted) {
+  std::vector<const Table*> found;
+  const auto collect = [&](const Library& library) {
+    for (const Table& table : library.tables) {
+      if (wanted(table)) found.push_back(&table);
+    }
+  };
+  if (replacement()) {
+    collect(*replacement());
+    return found;
+  }
+  const auto files = embedded::tables();
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (files[i].text.find(text) != std::string_view::npos) collect(built_in_file(i));
+  }
+  return found;
 }
 
 void audit_row(const Table& table, const Row& row, const std::vector<Value>& values, double size_max,
@@ -108,6 +132,18 @@ Outcome<Entry> find_row(std::string_view group, std::string_view name) {
 
 Outcome<const Series*> find_series(std::string_view name) {
   return look_for(name, [&](const Library& library) { return find_series(library, name); });
+}
+
+std::vector<const Table*> tables_of(std::string_view group) {
+  return tables_where("group = \"" + std::string(group) + "\"",
+                      [&](const Table& table) { return table.group == group; });
+}
+
+std::vector<const Table*> tables_in(std::string_view name) {
+  const auto named = [&](const Table& table) {
+    return table.name == name || std::string_view(table.name).substr(0, table.name.find('/')) == name;
+  };
+  return tables_where("table = \"" + std::string(name), named);
 }
 
 std::string citation(std::string_view key) {

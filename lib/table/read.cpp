@@ -16,14 +16,27 @@ void replace_or_add(std::vector<Named>& all, Named one) {
   }
 }
 
+/// What a key means is the same in all tables of a group.
+const Column* column_of_group(const Library& library, const Table& table, std::string_view key) {
+  if (const Column* own = table.column(key)) return own;
+  for (const Table& other : library.tables) {
+    if (other.group != table.group) continue;
+    if (const Column* column = other.column(key)) return column;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 void Reader::read(std::string_view text, const std::string& file) {
   const Tree tree = io::read_toml(text, file, issues_);
-  check_keys(tree, {"table", "group", "title", "units", "unit", "defaults", "row", "series", "sources", "methods"}, "");
+  check_keys(tree,
+             {"table", "group", "title", "units", "unit", "defaults", "row", "columns", "rows", "series", "sources",
+              "methods"},
+             "");
   if (const auto* sources = tree.find("sources")) read_citations(sources->value, false);
   if (const auto* methods = tree.find("methods")) read_citations(methods->value, true);
-  if (tree.find("row") != nullptr) read_rows(tree);
+  if (tree.find("row") != nullptr || tree.find("rows") != nullptr) read_rows(tree);
   if (tree.find("series") != nullptr) read_series_list(tree);
 }
 
@@ -48,12 +61,41 @@ void Reader::read_rows(const Tree& file) {
   const Frame frame = read_frame(file, table);
   add_columns(table, frame.units);
   std::set<std::string> seen;
-  for (const Tree& tree : file.find("row")->value.items) {
+  for (const Tree& tree : row_trees(file)) {
     Row row;
     if (!read_row(tree, frame, row)) continue;
     if (!seen.insert(row.name).second) complain(tree.place, row.name, say("there are two rows '{1}'", row.name));
     replace_or_add(table.rows, std::move(row));
   }
+}
+
+/// The rows of a file, those that are written as lines first.
+std::vector<Reader::Tree> Reader::row_trees(const Tree& file) {
+  std::vector<Tree> trees;
+  if (const auto* rows = file.find("rows")) {
+    const auto* head = file.find("columns");
+    if (head == nullptr) complain(rows->place, "rows", say("'{1}' is missing", "columns"));
+    const Texts columns = head != nullptr ? texts(head->value, "columns") : Texts{};
+    for (const Tree& line : rows->value.items) trees.push_back(row_of_line(line, columns));
+  }
+  if (const auto* row = file.find("row")) trees.insert(trees.end(), row->value.items.begin(), row->value.items.end());
+  return trees;
+}
+
+Reader::Tree Reader::row_of_line(const Tree& line, const Texts& columns) {
+  Tree row;
+  row.place = line.place;
+  if (line.type != Tree::Type::array || line.items.size() != columns.size()) {
+    complain(line.place, "rows",
+             say("a line of 'rows' is an array of {1} values, as 'columns' says", std::to_string(columns.size())));
+    return row;
+  }
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const Tree& value = line.items[i];
+    const bool open = value.type == Tree::Type::text && value.text.empty();
+    if (!open) row.entries.push_back({columns[i], value.place, value});
+  }
+  return row;
 }
 
 void Reader::read_series_list(const Tree& file) {
@@ -83,7 +125,7 @@ std::vector<Reader::ReadColumn> Reader::read_units(const Tree& file, const Table
       read.unit = unit ? *unit : ParsedUnit{};
       read.column.dimension = read.unit.dimension;
     }
-    const Column* known = key == table.size.key ? &table.size : table.column(key);
+    const Column* known = key == table.size.key ? &table.size : column_of_group(library_, table, key);
     if (known != nullptr && !(known->dimension == read.column.dimension)) {
       complain(value.place, key,
                say("{1} of '{2}' is a {3}, not a {4}", key, table.name, name_of(known->dimension),

@@ -4,8 +4,8 @@
 // its rows share, and each `[[row]]`: name, aliases, standard, kind, note, its values, and `by_size` for those that
 // hold up to a `size_max`. `sources` are those of all values of a row or a step, `cite.KEY` those of the values it
 // lists, and `recalled` (a list, or true) marks the values that no source was seen for. A file of sizes has
-// `[[series]]` instead;
-// `[sources]` are the citations.
+// `[[series]]` instead; `[sources]` are the citations. Rows that all give the same keys may be written as lines:
+// `columns` are the keys, and each of `rows` is an array of their values, "" where there is none.
 #pragma once
 
 #include "lib/io/tree.hpp"
@@ -58,6 +58,8 @@ class Reader {
   void read_rows(const Tree& file);
   void read_series_list(const Tree& file);
 
+  std::vector<Tree> row_trees(const Tree& file);
+  Tree row_of_line(const Tree& line, const Texts& columns);
   Table& table_of(const Tree& file);
   std::vector<ReadColumn> read_units(const Tree& file, const Table& table);
   Frame read_frame(const Tree& file, const Table& table);

@@ -95,6 +95,11 @@ Outcome<Entry> find_row(const Library& library, std::string_view group, std::str
 /// In the tables in use; reads of the built-in ones only what it needs. So do the others without a library.
 Outcome<Entry> find_row(std::string_view group, std::string_view name);
 
+/// The tables of a group that are in use, in order; reads of the built-in ones only these.
+std::vector<const Table*> tables_of(std::string_view group);
+/// Likewise the table of a name ("sections/ipe"), or all of a folder ("sections").
+std::vector<const Table*> tables_in(std::string_view name);
+
 struct Property {
   double si = 0.0;
   std::string unit;

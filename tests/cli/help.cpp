@@ -45,9 +45,10 @@ TEST_SUITE("cli help") {
   TEST_CASE("an unknown command is told with the nearest one, or with all") {
     CHECK(loadpath_with({"runn", "a.toml"}).error ==
           "loadpath: there is no command 'runn'\n  = help: did you mean 'run'?\n");
-    CHECK(loadpath_with({"teapot"}).error ==
-          "loadpath: there is no command 'teapot'\n  = help: there is: run, list, describe, convert, verify, tables, "
-          "schema, mechanism, shaft\n");
+    CHECK(loadpath_with({"teapot"})
+              .error.starts_with("loadpath: there is no command 'teapot'\n  = help: there is: run, list, describe, "
+                                 "convert, verify, tables, "
+                                 "schema, mechanism, shaft"));
     CHECK(loadpath_with({"teapot"}).code == 2);
   }
 

@@ -75,6 +75,39 @@ TEST_SUITE("cli mechanism") {
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 3);
   }
 
+  TEST_CASE("series are chosen by name for CSV and JSON") {
+    const Desk desk;
+    CHECK(mechanism(desk, {"--csv", "a.csv", "--series", "drive.M,links.*.N", "--series", "press.points.A.v_?"}).code ==
+          0);
+    CHECK(desk.get("a.csv").starts_with(
+        "crank angle [deg],drive.M [N*m],points.A.v_x [m/s],points.A.v_y [m/s],links.crank.N "
+        "[N],links.rod.N [N]\n0,"));
+    const std::string all = mechanism(desk, {"--json"}).out, some = mechanism(desk, {"--json", "--series=drive.M"}).out;
+    CHECK(contains(some,
+                   "\"drive.M\": {\n          \"unit\": \"N*m\",\n          \"axis\": \"press: crank angle\",\n"
+                   "          \"values\": ["));
+    CHECK(contains(some,
+                   "\"drive.P\": {\n          \"unit\": \"W\",\n          \"axis\": \"press: crank angle\",\n"
+                   "          \"min\": "));
+    CHECK(some.size() < all.size());
+  }
+
+  TEST_CASE("a choice of series that are not there, or for nothing, is refused, and nothing is written") {
+    const Desk desk;
+    const Ran wrong = mechanism(desk, {"--csv", "a.csv", "--series", "drive.M,link.*.N"});
+    CHECK(wrong.code == 2);
+    CHECK(wrong.error == "--series: error: there is no series 'link.*.N'\n  = help: did you mean 'links.*.N'?\n");
+    CHECK(wrong.out.empty());
+    CHECK(desk.files().empty());
+    CHECK(contains(mechanism(desk, {"--json", "--series", "x"}).out, "\"message\": \"there is no series 'x'\""));
+    const Ran idle = mechanism(desk, {"--series", "drive.M"});
+    CHECK(idle.code == 2);
+    CHECK(idle.error ==
+          "loadpath: '--series' says which series --csv and --json hold, and neither is given\n  = help: add --csv "
+          "PATH or "
+          "--json\n");
+  }
+
   TEST_CASE("one file is not enough for the drawings of two mechanisms") {
     std::string two = project.substr(0, project.find("[broken]"));
     const std::string step = two.substr(two.find("[press]"));

@@ -35,4 +35,22 @@ TEST_SUITE("cli tables") {
     CHECK(row.code == 2);
     CHECK(row.error == "loadpath: there is no material 'C54E' in the tables\n  = help: did you mean 'C45E'?\n");
   }
+
+  TEST_CASE("sections are searched by conditions and sorted") {
+    const Ran o = loadpath_with({"tables", "sections/ipe", "--where", "I_min >= 300 cm^4", "--sort", "mass"});
+    CHECK(o.code == 0);
+    CHECK(contains(o.out, "name     m [kg/m]  I_min [cm⁴]"));
+    CHECK(contains(o.out, "IPE 270"));
+    CHECK_FALSE(contains(o.out, "IPE 240"));
+    CHECK(contains(o.out, "9 of 18 rows"));
+  }
+
+  TEST_CASE("a condition that cannot be read points at its word") {
+    const Ran o = loadpath_with({"tables", "sections", "--where", "h > 100 mm and I_mni > 3 cm^4"});
+    CHECK(o.code == 2);
+    CHECK(contains(o.error, "--where:1:16: error: there is no column 'I_mni' in these tables"));
+    CHECK(contains(o.error, "did you mean 'I_min'?"));
+    CHECK(loadpath_with({"tables", "sections", "--sort", "mas"}).code == 2);
+    CHECK(loadpath_with({"tables", "--where", "h > 1 mm"}).code == 2);
+  }
 }

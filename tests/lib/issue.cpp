@@ -27,6 +27,12 @@ TEST_SUITE("issue") {
     CHECK(say("{1}", "{2}").text() == "{2}");
   }
 
+  TEST_CASE("a message may be an argument of another") {
+    const Message place = say("at {1}", "30 deg");
+    CHECK(say("{1}, the longest of {2} ranges", place, "3").text() == "at 30 deg, the longest of 3 ranges");
+    CHECK(say("{1}: {2}", say("{1}; {2}", place, "x"), place).text() == "at 30 deg; x: at 30 deg");
+  }
+
   TEST_CASE("an issue shows the line, the place and the remedy") {
     Issue unknown = issue("shaft.toml", 3, 14, 3);
     unknown.message = say("unknown unit '{1}'", "mpa");

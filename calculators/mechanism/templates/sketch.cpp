@@ -1,5 +1,6 @@
 #include "calculators/mechanism/templates/sketch.hpp"
 
+#include "calculators/mechanism/planar_names.hpp"
 #include "calculators/mechanism/planar_profiles.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -34,7 +35,7 @@ void put_zeros(PlanarMechanism::Input& in) {
   for (auto& joint : in.joints) joint.direction = 0.0;
   for (auto& profile : in.profiles) {
     profile.base = 0.0 * m.one;
-    if (profile.shape == CamProfile::Shape::swinging) profile.pivot = profile.arm = 0.0 * m.one;
+    if (is_by_swing(profile.shape)) profile.pivot = profile.arm = 0.0 * m.one;
     if (profile.segments.empty()) profile.segments.push_back({.angle = 0.0});
   }
 }
@@ -162,7 +163,7 @@ void Sketch::cam(const char* name, std::pair<const char*, const char*> links,
   if (faults.empty()) faults = check_values(profile);
   if (faults.empty()) return;
   fault_ = std::move(faults.front());
-  const std::string own = "profiles." + std::string(profile.name.view());
+  const std::string own = path_of("profiles", profile.name);
   fault_->path.erase(0, std::min(fault_->path.size(), own.size() + 1));
 }
 

@@ -2,8 +2,9 @@
 
 #include "lib/mechanism/induced.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 
 namespace loadpath::mechanism {
@@ -29,13 +30,14 @@ Reaction beside(const Pair& pair, const Reaction& reaction, double length) {
 
 Instant::Instant(const Model& model)
     : model_(&model),
+      has_wheels_(std::ranges::any_of(model.joints, [](const Joint& joint) { return joint.radius_i != 0.0; })),
       length_(characteristic_length(model)),
       constraints_(in_unit_of_length(model, length_)),
       q_(3 * (model.links.size() + 1)),  // the ground's stay zero
       no_targets_(model.drivers.size()),
       beside_(model.joints.size()),
-      jacobian_(constraints_.rows() * constraints_.columns()),
-      motions_(jacobian_.size()) {
+      inverse_(constraints_.rows()),
+      motions_(constraints_.rows() * constraints_.columns()) {
   active_.reserve(2 * model.links.size() + model.loads.size() + 2 * model.springs.size() + 2 * model.joints.size());
 }
 
@@ -59,6 +61,7 @@ void Instant::take_forces(const Position& at, bool statics) {
 
 void Instant::place() {
   constraints_.place(q_, no_targets_);
+  if (!has_wheels_) return;
   constraints_.count_turns();
   constraints_.place(q_, no_targets_);
 }
@@ -81,19 +84,18 @@ void Instant::add_induced(int link, std::size_t joint, const Reaction& acting, d
   active_.push_back({ActiveForce::Kind::induced, joint, k, arm, sense * acting.force, sense * acting.couple});
 }
 
+// Column after column, so that the largest sums of columns, the 1-norms, are those of what the inverse takes for rows.
 void Instant::find_motions() {
-  const auto size = static_cast<Eigen::Index>(constraints_.rows());
-  Eigen::Map<Eigen::MatrixXd> jacobian(jacobian_.data(), size, size);
-  Eigen::Map<Eigen::MatrixXd> motions(motions_.data(), size, size);
-  jacobian.setZero();
+  const std::size_t size = constraints_.rows();
+  std::ranges::fill(motions_, 0.0);
   const auto pattern = constraints_.pattern();
   for (std::size_t n = 0; n < pattern.size(); ++n) {
-    jacobian(pattern[n].row, pattern[n].column) = constraints_.jacobian()[n];
+    const auto row = static_cast<std::size_t>(pattern[n].row), column = static_cast<std::size_t>(pattern[n].column);
+    motions_[column * size + row] = constraints_.jacobian()[n];
   }
-  motions = jacobian.partialPivLu().inverse();
-  condition_ = size == 0 ? 1.0
-                         : jacobian.cwiseAbs().colwise().sum().maxCoeff() *
-                               motions.cwiseAbs().colwise().sum().maxCoeff<Eigen::PropagateNaN>();
+  const double norm = largest_row_sum(motions_, size);
+  inverse_.invert(motions_);
+  condition_ = size == 0 ? 1.0 : norm * largest_row_sum(motions_, size);
 }
 
 double Instant::effort_arm(std::size_t driver) const {

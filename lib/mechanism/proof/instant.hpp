@@ -5,6 +5,7 @@
 
 #include "lib/mechanism/kinematics.hpp"
 #include "lib/mechanism/proof/active_forces.hpp"
+#include "lib/numerics/dense_inverse.hpp"
 
 #include <cstddef>
 #include <span>
@@ -16,8 +17,7 @@ class Instant {
  public:
   /// The model is referred to: its loads may change between positions.
   explicit Instant(const Model& model);
-  /// Goes to this position, which is referred to. `statics`: without inertia. Takes no memory but the scratch of an
-  /// inverse.
+  /// Goes to this position, which is referred to. `statics`: without inertia. Takes no memory.
   void take(const Position& at, bool statics);
   /// The same without virtual velocities and the condition number.
   void take_forces(const Position& at, bool statics);
@@ -69,13 +69,15 @@ class Instant {
   const Model* model_;
   const Position* at_ = nullptr;
   bool statics_ = false;
+  bool has_wheels_;
   double length_;
   Constraints constraints_;
   std::vector<double> q_, no_targets_;
   std::vector<ActiveForce> active_;
   std::size_t external_ = 0;
   std::vector<Reaction> beside_;
-  std::vector<double> jacobian_, motions_;  // dense; motions: a column of the inverse after the other
+  DenseInverse inverse_;
+  std::vector<double> motions_;  // a column of the inverse of the dense Jacobian after the other
   double condition_ = 0.0;
 };
 

@@ -56,6 +56,40 @@ k = "8 N/mm"
 free = "75 mm"
 )";
 
+/// A flat face that swings about P: pivot 80 mm from the axis, on the left.
+const std::string rocker = R"([rocker]
+calculator = "mechanism.planar"
+crank = { joint = "O", speed = "300 rpm", positions = 360 }
+[rocker.ground]
+O = ["0 mm", "0 mm"]
+P = ["80 mm", "0 mm"]
+[rocker.links.cam]
+points = { O = ["0 mm", "0 mm"] }
+angle = "0 deg"
+[rocker.links.arm]
+points = { P = ["0 mm", "0 mm"], E = ["90 mm", "0 mm"] }
+angle = "158 deg"
+[rocker.profiles.lobe]
+shape = "swinging_flat"
+base = "30 mm"
+pivot = "80 mm"
+segments = [
+  { law = "3-4-5", angle = "100 deg", swing = "15 deg" },
+  { angle = "20 deg" },
+  { law = "3-4-5", angle = "140 deg", swing = "-15 deg" },
+  { angle = "100 deg" },
+]
+[rocker.joints]
+O = { type = "revolute", links = ["ground", "cam"] }
+P = { type = "revolute", links = ["ground", "arm"] }
+contact = { type = "cam_flat", links = ["arm", "cam"], points = ["P", "O"], profile = "lobe" }
+[[rocker.loads]]
+link = "arm"
+at = "E"
+F_x = "0 N"
+F_y = "-200 N"
+)";
+
 std::string changed(const std::string& part, const std::string& other) { return replaced(valve, part, other); }
 
 /// A rise so steep that the profile is hollow at its foot.
@@ -145,6 +179,54 @@ TEST_SUITE("mechanism cams") {
     CHECK(said("base = \"30 mm\"\n", "") == "valve.profiles.lobe: profile 'lobe' of the shape sliding needs base");
     CHECK(said("base = \"30 mm\"", "arm = \"60 mm\"\nbase = \"30 mm\"") ==
           "valve.profiles.lobe.arm: a profile of the shape sliding takes no 'arm'");
+  }
+
+  // base angle asin(30 mm / 80 mm) = 22.0243 deg; 3-4-5: half the swing at half the angle.
+  TEST_CASE("a rocker with a flat face swings by the law of its profile") {
+    const auto project = solved(rocker);
+    CHECK(report::worst(project.steps[0]->account().verdicts) == report::State::pass);
+    // The bends of the envelope, by differences of neighbouring faces: least at 163.5 deg.
+    CHECK(std::get<report::Quantity>(verdict_of(project, "profile_contact").value).si ==
+          doctest::Approx(0.02107).epsilon(5e-4));
+    const auto& phi = entry_of(project, "links.arm.phi").value;
+    const double base = pi - std::asin(30.0 / 80.0);
+    CHECK(phi.si[0] == doctest::Approx(base).epsilon(1e-12));
+    CHECK(phi.si[50] == doctest::Approx(base - 7.5 * degree).epsilon(1e-12));
+    CHECK(phi.si[110] == doctest::Approx(base - 15.0 * degree).epsilon(1e-12));
+    CHECK(project.steps[0]->account().sources == std::vector<std::string>{"Trajectories"});
+    for (const char* law : {"modified_sine", "modified_trapezoid"}) {
+      const auto other =
+          solved(replaced(rocker, "\"3-4-5\", angle = \"100", "\"" + std::string(law) + "\", angle = \"100"));
+      CHECK(entry_of(other, "links.arm.phi").value.si[50] == doctest::Approx(base - 7.5 * degree).epsilon(1e-12));
+      CHECK(other.steps[0]->account().sources.size() == 2);
+    }
+  }
+
+  TEST_CASE("a swinging face: undercut, and what its profile cannot be") {
+    CHECK(state_of(solved(replaced(rocker, "base = \"30 mm\"", "base = \"5 mm\"")), "profile_contact") ==
+          report::State::fail);
+    const auto said_of = [](const std::string& text) {
+      const auto issues = told(text).issues;
+      REQUIRE(issues.size() == 1);
+      return issues[0].key + ": " + issues[0].message.text();
+    };
+    CHECK(said_of(replaced(rocker, "pivot = \"80 mm\"", "pivot = \"25 mm\"")) ==
+          "rocker.profiles.lobe.pivot: the pivot is 25 mm from the cam's axis, and a face that touches the base circle "
+          "passes that axis at 30 mm more than it passes the pivot");
+    CHECK(said_of(replaced(rocker, "pivot = \"80 mm\"\n", "")) ==
+          "rocker.profiles.lobe: profile 'lobe' of the shape swinging_flat needs pivot");
+    CHECK(said_of(replaced(rocker, "pivot = \"80 mm\"", "pivot = \"80 mm\"\narm = \"70 mm\"")) ==
+          "rocker.profiles.lobe.arm: a profile of the shape swinging_flat takes no 'arm'");
+    const std::string wide = replaced(replaced(rocker, "\"15 deg\"", "\"70 deg\""), "\"-15 deg\"", "\"-70 deg\"");
+    CHECK(said_of(wide) ==
+          "rocker.profiles.lobe.segments: the face swings to 92.024 deg from the line between its pivot and the cam's "
+          "axis, and touches the cam up to 90 deg");
+    const std::string fast = replaced(replaced(rocker, "\"15 deg\"", "\"40 deg\""),
+                                      "\"140 deg\", swing = \"-15 deg\" },\n  { angle = \"100 deg\"",
+                                      "\"60 deg\", swing = \"-40 deg\" },\n  { angle = \"180 deg\"");
+    CHECK(said_of(fast).starts_with("rocker.profiles.lobe.segments: at a cam angle of "));
+    CHECK(
+        said_of(fast).ends_with("deg the face swings as fast as the cam turns, or faster, and no profile touches it"));
   }
 
   TEST_CASE("of a template's cam it is said under the parameter") {

@@ -131,6 +131,8 @@ joints.mesh = { type = "gear", links = ["ground", "wheel"], points = ["O", "A"],
     const auto bar = solved(bar_that_cannot_turn(36));
     const std::string note = verdict_of(bar, "closes").note.text();
     INFO(note);
+    CHECK(note.find("the parts of joint '") != std::string::npos);
+    CHECK(note.find("' come no closer than ") != std::string::npos);
     CHECK(
         note.ends_with("; the crank does not turn round: change the lengths, or give it angles where the mechanism "
                        "closes, crank = { at = [...] }"));

@@ -41,6 +41,15 @@ const draw::Figure* figure_of(const project::Project& project, const std::string
   return nullptr;
 }
 
+/// Whether its report has this note.
+bool says(const project::Project& project, const std::string& note) {
+  const auto& blocks = project.steps[0]->account().blocks;
+  return std::any_of(blocks.begin(), blocks.end(), [&](const report::Block& block) {
+    const auto* paragraph = std::get_if<report::Paragraph>(&block);
+    return paragraph != nullptr && paragraph->text.text() == note;
+  });
+}
+
 /// What is said of a text with one error.
 void check_said(const std::string& text, const std::string& message) {
   const auto issues = told(text).issues;
@@ -256,6 +265,36 @@ loads = [{ link = "large", M = "-20 N*m" }]
     CHECK(figure_of(named, "hodograph-A") == nullptr);
     check_said(press("", "", load) + "hodographs = [\"gide\"]\n", "there is no joint 'gide'");
     check_said(press("", "", load) + "hodographs = [\"A\", \"A\"]\n", "the joint 'A' is named twice");
+  }
+
+  TEST_CASE("a hodograph that is asked for and cannot be drawn is told") {
+    const std::string note = "No hodograph of 'A': it has no force at any position.";
+    CHECK(says(solved(press("", "") + "hodographs = [\"A\"]\n"), note));
+    CHECK_FALSE(says(solved(press("", "")), note));
+    const std::string load = "loads = [{ link = \"slider\", at = \"B\", F_x = \"-1 kN\", F_y = \"0 N\" }]\n";
+    CHECK_FALSE(says(solved(press("", "", load) + "hodographs = [\"A\"]\n"), note));
+    const std::string still = replaced(press("", "", load), "positions = 36", "at = [\"30 deg\"]");
+    CHECK(says(solved(still + "hodographs = [\"A\"]\n"), "No hodographs: they need more than one position."));
+  }
+
+  TEST_CASE("what is not a cycle is not called one") {
+    const std::string load = "loads = [{ link = \"slider\", at = \"B\", F_x = \"-1 kN\", F_y = \"0 N\" }]\n";
+    const auto turned = solved(press("", "", load));
+    CHECK(table_of(turned, "Extremes over the cycle") != nullptr);
+    const auto given =
+        solved(replaced(press("", "", load), "positions = 36", "at = [\"30 deg\", \"40 deg\", \"60 deg\"]"));
+    CHECK(table_of(given, "Extremes over the cycle") == nullptr);
+    CHECK(table_of(given, "Extremes over the positions") != nullptr);
+    CHECK(figure_of(given, "reactions")->caption == "Forces in the joints over the positions");
+  }
+
+  TEST_CASE("a report cites what it uses") {
+    const auto cited = [](const project::Project& project) { return project.steps[0]->account().sources; };
+    CHECK(cited(solved(press("", ""))).empty());
+    const std::string tolerance =
+        "tolerances.r = { link = \"crank\", point = \"O\", to = \"A\", t = \"0.1 mm\" }\n"
+        "accuracy.end = { of = \"x\", point = \"B\" }\n";
+    CHECK(cited(solved(press("", "") + tolerance)) == std::vector<std::string>{"NIST", "Torkia"});
   }
 
   TEST_CASE("springs, dampers and welds are drawn as such") {

@@ -2,6 +2,7 @@
 #include "calculators/mechanism/planar_loads.hpp"
 
 #include "lib/project/project.hpp"
+#include "tests/lib/project/accounts.hpp"
 #include "tests/lib/project/texts.hpp"
 
 using namespace loadpath;
@@ -61,6 +62,18 @@ std::string message_of(const std::string& part, const std::string& other) {
 }  // namespace
 
 TEST_SUITE("mechanism faults") {
+  TEST_CASE("a train that is not back after its turns has no cycle; with crank angles none is asked for") {
+    const auto once = solved(press);
+    CHECK(verdict_of(once, "returns").state == report::State::fail);
+    CHECK(
+        verdict_of(once, "returns").note.text() ==
+        "give the turns of the crank that make a cycle, crank = { turns = ... }; where these are too many, give crank "
+        "angles in place of a cycle, crank = { at = [...] }, and there are no means");
+    CHECK(find_verdict(solved(replaced(press, "positions = 72", "positions = 72, turns = 5")), "returns") == nullptr);
+    const auto given = solved(replaced(press, "positions = 72", "at = [\"10 deg\", \"20 deg\", \"40 deg\"]"));
+    CHECK(find_verdict(given, "returns") == nullptr);
+  }
+
   TEST_CASE("the geared press is sound") { CHECK(issues_of(press).empty()); }
 
   TEST_CASE("fields that a joint's type does not take, or needs") {

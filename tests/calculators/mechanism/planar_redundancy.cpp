@@ -59,6 +59,17 @@ TEST_SUITE("mechanism held too much in a project") {
     CHECK_FALSE(std::isnan(value(project, "bar.links.b.omega")));
   }
 
+  TEST_CASE("a hodograph of a force that is not unique is not drawn, and that is told; the report cites why") {
+    const auto project = solved(replaced(parallel, "positions = 12 }\n", "positions = 12 }\nhodographs = [\"F\"]\n"));
+    const auto& account = project.steps[0]->account();
+    const auto told = std::find_if(account.blocks.begin(), account.blocks.end(), [](const report::Block& block) {
+      const auto* paragraph = std::get_if<report::Paragraph>(&block);
+      return paragraph != nullptr && paragraph->text.text() == "No hodograph of 'F': its force is not unique.";
+    });
+    CHECK(told != account.blocks.end());
+    CHECK(account.sources == std::vector<std::string>{"Wojtyra"});
+  }
+
   TEST_CASE("the report says which joints share what") {
     const auto project = solved(parallel);
     const report::Verdict& said = verdict_of(project, "determinate");

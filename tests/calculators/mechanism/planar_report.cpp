@@ -41,7 +41,7 @@ PlanarMechanism::Input driven() {
 }
 
 report::State state_of(const char* symbol, const Cycle& cycle) {
-  for (const report::Verdict& v : proof("press", driven(), cycle, nullptr)) {
+  for (const report::Verdict& v : proof("press", driven(), {}, cycle, nullptr)) {
     if (v.symbol == symbol) return v.state;
   }
   FAIL("no such proof");
@@ -59,7 +59,7 @@ Cycle proven() {
 
 report::Verdict verdict_of(const std::string& symbol, const Cycle& cycle) {
   const Axis axis = crank_angles();
-  for (const report::Verdict& v : proof("press", driven(), cycle, &axis)) {
+  for (const report::Verdict& v : proof("press", driven(), {}, cycle, &axis)) {
     if (v.symbol == symbol) return v;
   }
   FAIL("no such proof");
@@ -86,7 +86,7 @@ TEST_SUITE("mechanism report") {
     PlanarMechanism::Input pushed;
     pushed.cylinders.resize(1);
     off.position.effort = {1e9};
-    for (const report::Verdict& v : proof("press", pushed, cycle_of(off, off), nullptr)) {
+    for (const report::Verdict& v : proof("press", pushed, {}, cycle_of(off, off), nullptr)) {
       if (std::string(v.symbol) == "force_balance") CHECK(v.state == report::State::pass);
       if (std::string(v.symbol) == "moment_balance") CHECK(v.state == report::State::not_available);
     }
@@ -144,7 +144,7 @@ TEST_SUITE("mechanism report") {
   }
 
   TEST_CASE("a frame has no drive to be found again") {
-    for (const report::Verdict& v : proof("frame", {}, proven(), nullptr)) {
+    for (const report::Verdict& v : proof("frame", {}, {}, proven(), nullptr)) {
       CHECK(std::string(v.symbol) != "virtual_power");
       CHECK(std::string(v.symbol) != "zhukovsky_lever");
     }

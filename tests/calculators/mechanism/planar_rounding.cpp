@@ -27,6 +27,18 @@ TEST_SUITE("mechanism rounding") {
     CHECK(direction_of({-1.0, -1.0}) == std::atan2(-1.0, -1.0));
   }
 
+  TEST_CASE("the angle of a link at half a turn is positive, whatever the sign of its rounding") {
+    std::vector<project::Entry> results(2);
+    results[0].path = "links.rod.phi";
+    results[1].path = "crank_angle";
+    for (project::Entry& e : results) e.value = {{deg.dimension(), nullptr}, {-pi, pi, -3.0, -pi + 1e-16}};
+    clear_rounding(results);
+    const std::vector<double>& phi = results[0].value.si;
+    for (const std::size_t k : {0U, 1U, 3U}) CHECK(std::abs(phi[k] - pi) <= results[0].value.rounding);
+    CHECK(phi[2] == -3.0);
+    CHECK(results[1].value.si[0] < 0.0);
+  }
+
   TEST_CASE("the symbol of the axis is that of what is counted: time t, stroke s, crank angle phi") {
     const auto symbol = [](const char* quantity) {
       Axis axis;

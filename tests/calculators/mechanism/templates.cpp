@@ -43,7 +43,7 @@ std::string link_text(const Planar::Link& l) {
 
 template <class Enum>
 std::string key_of(Enum value) {
-  return "\"" + std::string(choices_of(value)[static_cast<std::size_t>(value)].key) + "\"";
+  return "\"" + std::string(word_of(value)) + "\"";
 }
 
 std::string profile_text(const CamProfile& p) {

@@ -11,6 +11,14 @@ namespace {
 
 const std::string bar = bar_that_cannot_turn(12);
 
+/// At quarters of a turn of a crank of 5 mm, every place is a round number.
+const std::string circle = R"([press]
+calculator = "mechanism.planar"
+template = "scotch_yoke"
+r = "5 mm"
+crank = { speed = "60 rpm", at = ["0 deg", "90 deg", "180 deg", "270 deg"] }
+)";
+
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t from = 0; from < text.size();) {
@@ -40,6 +48,24 @@ TEST_SUITE("csv") {
     CHECK(lines[1].starts_with("0,"));
     CHECK(lines[2].starts_with("30,"));
     for (const std::string& line : lines) CHECK(commas(line) == commas(lines[0]));
+  }
+
+  TEST_CASE("the chosen series only, and no file where none is chosen") {
+    const auto lines = lines_of(io::csv_of(told(bar).project, project::SeriesChoice({"joints.?.F"})).at(0).second);
+    CHECK(lines[0] == "crank angle [deg],joints.A.F [N],joints.B.F [N],joints.C.F [N],joints.D.F [N]");
+    CHECK(lines.size() == 13);
+    CHECK(io::csv_of(told(bar).project, project::SeriesChoice({"other.*"})).empty());
+  }
+
+  TEST_CASE("cells hold no noise: what differs from a round number by rounding is that number") {
+    const auto project = solved(circle);
+    for (const std::string& line : lines_of(io::csv_of(project).at(0).second)) {
+      CAPTURE(line);
+      CHECK(line.find("99999999") == std::string::npos);
+      CHECK(line.find("00000000") == std::string::npos);
+    }
+    const std::string crank = io::csv_of(project, project::SeriesChoice({"points.A.x", "points.A.y"})).at(0).second;
+    CHECK(crank == "crank angle [deg],points.A.x [mm],points.A.y [mm]\n0,5,0\n90,0,5\n180,-5,0\n270,0,-5\n");
   }
 
   TEST_CASE("what is not available is an empty cell, never nan") {

@@ -5,6 +5,9 @@
 #include <boost/json.hpp>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <vector>
 
 using namespace loadpath;
 using namespace loadpath::test;
@@ -15,6 +18,29 @@ namespace {
 json::value json_of(const std::string& text) { return json::parse(io::json_of(told(text).project, "loadpath test")); }
 
 const std::string plain = axle + "T = \"2700 N*m\"\ntau_adm = \"30 MPa\"\n";
+
+/// The list of numbers that is opened at `from`, null as NaN; each the nearest double, which not every parser finds.
+std::vector<double> numbers_in(const std::string& text, std::size_t from) {
+  std::vector<double> numbers;
+  for (; text[from] != ']'; from = text.find_first_of(",]", from)) {
+    const char* const first = text.data() + text.find_first_not_of("[, ", from);
+    numbers.push_back(NAN);
+    from =
+        static_cast<std::size_t>(std::from_chars(first, text.data() + text.size(), numbers.back()).ptr - text.data());
+  }
+  return numbers;
+}
+
+bool same(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
+/// The same bar where the driven link can turn.
+std::string turning() {
+  const std::string long_end = R"("0 mm", "-100 mm"])", short_end = R"("0 mm", "-20 mm"])";
+  return replaced(replaced(bar_that_cannot_turn(36), long_end, short_end), long_end, short_end);
+}
 
 /// Whether a null has its reason beside it, everywhere in a value.
 bool nulls_have_reasons(const json::value& v) {
@@ -106,6 +132,39 @@ TEST_SUITE("json") {
       CHECK_NOTHROW(v = json_of(axle + lines));
       CHECK(nulls_have_reasons(v));
     }
+  }
+
+  TEST_CASE("series read back to the bit") {
+    const auto project = told(bar_that_cannot_turn(90)).project;
+    const std::string text = io::json_of(project, "");
+    for (const auto& e : project.steps[0]->account().results) {
+      if (!e.value.is_series()) continue;
+      CAPTURE(e.path);
+      const std::size_t entry = text.find("\"" + e.path + "\": {");
+      REQUIRE(entry != std::string::npos);
+      CHECK(same(numbers_in(text, text.find("\"values\": [", entry) + 11), e.value.si));
+    }
+  }
+
+  TEST_CASE("of series that are not chosen the extremes stay, single values stay as they are") {
+    const auto project = solved(turning());
+    const json::value all = json::parse(io::json_of(project, ""));
+    const json::value some = json::parse(io::json_of(project, "", project::SeriesChoice({"*.M"})));
+    const auto &results = some.at("steps").at(0).at("results"), &before = all.at("steps").at(0).at("results");
+    CHECK(results.at("drive.M") == before.at("drive.M"));
+    CHECK(results.at("links.c.swing") == before.at("links.c.swing"));
+    CHECK(some.at("steps").at(0).at("axes") == all.at("steps").at(0).at("axes"));
+    const auto& force = results.at("joints.A.F").as_object();
+    CHECK_FALSE(force.contains("values"));
+    CHECK(force.at("unit") == "N");
+    const Value& series = *project.value("bar.joints.A.F");
+    CHECK(force.at("min").to_number<double>() == minimum(series).value);
+    CHECK(force.at("max").to_number<double>() == maximum(series).value);
+    CHECK(results.at("links.a.omega").at("min") == results.at("links.a.omega").at("max"));
+    const json::value open =
+        json::parse(io::json_of(told(bar_that_cannot_turn(12)).project, "", project::SeriesChoice({"joints.*"})));
+    CHECK(open.at("steps").at(0).at("results").at("drive.M").at("max").is_null());
+    CHECK(nulls_have_reasons(open));
   }
 
   TEST_CASE("issues are an object too") {

@@ -73,6 +73,29 @@ inline Model cam_with_arm() {
   return model;
 }
 
+/// An arm whose frame's x axis runs along a flat face, but for the offset of that; `cam_angle` as stated.
+inline int add_face(Model& model, const SwingingFace& face, int cam, double cam_angle, double length) {
+  const double angle = face.sense == CamSense::clockwise ? -cam_angle : cam_angle;
+  const double swing = face.base_angle() + face.lift.at(angle).s;
+  const Pose pose{face.pivot, 0.0, std::numbers::pi - face.side * swing};
+  const int arm = add_bar(model, "arm", pose, length, 0.3);
+  pin(model, "A", arm, {}, ground, {face.pivot, 0.0});
+  touch(model, arm, {0.0, face.side * face.offset}, cam, Profile(face), CamContact::flat, 0.0, 0.0).angle =
+      face.side > 0.0 ? std::numbers::pi : 0.0;  // with the cam to its right
+  return arm;
+}
+
+/// A flat face that swings about a pivot 70 mm to the right of the cam's axis, 4 mm before it.
+inline Model cam_with_swinging_face() {
+  Model model;
+  const int cam = add_cam(model, 0.5);
+  const SwingingFace face{
+      rise_dwell_fall(LiftLaw::modified_sine, 0.3), CamSense::counter_clockwise, 0.03, 0.07, 0.004, 1.0};
+  const int arm = add_face(model, face, cam, 0.5, 0.06);
+  load(model, "press", arm, {0.05, 0.0}, {-20.0, -300.0}, 2.0);
+  return model;
+}
+
 /// A flat face square to its guide.
 inline Model cam_with_flat_face(LiftLaw law = LiftLaw::polynomial_4567) {
   Model model;
@@ -131,6 +154,7 @@ inline std::vector<CamCase> cam_cases() {
           {"roller, the cam turns clockwise", cam_with_roller(LiftLaw::polynomial_4567, 0.004, CamSense::clockwise)},
           {"arm", cam_with_arm()},
           {"flat face", cam_with_flat_face()},
+          {"swinging face", cam_with_swinging_face()},
           {"flat arm on an oval", oval_with_flat_arm()},
           {"edge on a moving link", cam_on_a_moving_link()}};
 }

@@ -61,6 +61,18 @@ Expected cycloidal(double h, double beta, double phi) {
           2.0 * pi * h / (beta * beta) * std::sin(x)};
 }
 
+double modified_sine_pieces(double x) {
+  if (x < 0.125) return std::sin(0.5 * pi * x / 0.125);
+  if (x < 0.875) return std::cos(pi * (x - 0.125) / 0.75);
+  return -std::cos(0.5 * pi * (x - 0.875) / 0.125);
+}
+
+double modified_trapezoid_pieces(double x) {
+  if (x > 0.5) return -modified_trapezoid_pieces(1.0 - x);
+  if (x < 0.125) return std::sin(0.5 * pi * x / 0.125);
+  return x < 0.375 ? 1.0 : std::cos(pi * (x - 0.375) / 0.25);
+}
+
 }  // namespace
 
 TEST_SUITE("mechanism") {
@@ -141,7 +153,8 @@ TEST_SUITE("mechanism") {
   TEST_CASE("laws of lift rise by one from rest to rest, and their derivatives are those of the rise") {
     constexpr double h = 1e-4;
     using enum LiftLaw;
-    for (const LiftLaw law : {harmonic, cycloidal, polynomial_345, polynomial_4567}) {
+    for (const LiftLaw law :
+         {harmonic, cycloidal, polynomial_345, polynomial_4567, modified_sine, modified_trapezoid}) {
       CAPTURE(static_cast<int>(law));
       const Lift lift = rise_dwell_fall(law, 1.0);
       CHECK(lift.at(120.0 * degree).s == doctest::Approx(1.0).epsilon(1e-14));
@@ -157,7 +170,50 @@ TEST_SUITE("mechanism") {
       }
     }
     CHECK(rise_dwell_fall(harmonic, 0.01).jumps().size() == 4);
-    CHECK(rise_dwell_fall(cycloidal, 0.01).jumps().empty());
+    for (const LiftLaw law : {cycloidal, polynomial_345, polynomial_4567, modified_sine, modified_trapezoid})
+      CHECK(rise_dwell_fall(law, 0.01).jumps().empty());
+  }
+
+  // Peaks as MechDesigner's reference of motion laws and Rothbart's handbook have them, in h/T and h/T^2.
+  TEST_CASE("modified sine and modified trapezoid are their pieces of acceleration, integrated twice") {
+    struct Case {
+      LiftLaw law;
+      double (*pieces)(double x);  // up to a factor
+      double velocity, acceleration;
+    };
+    for (const Case& c : {Case{LiftLaw::modified_sine, modified_sine_pieces, 1.7596, 5.5280},
+                          Case{LiftLaw::modified_trapezoid, modified_trapezoid_pieces, 2.0, 4.8881}}) {
+      CAPTURE(static_cast<int>(c.law));
+      const Lift lift(std::vector<LiftSegment>{{c.law, 1.0, 1.0}, {LiftLaw::dwell, 2.0 * pi - 1.0, 0.0}});
+      constexpr int parts = 40000;
+      const double step = 1.0 / parts;
+      double whole = 0.0, speed = 0.0;
+      for (int k = 0; k < parts; ++k) {
+        whole += step * (speed + 0.5 * step * c.pieces((k + 0.5) * step));
+        speed += step * c.pieces((k + 0.5) * step);
+      }
+      CHECK(std::abs(speed) <= 1e-12);
+      double s = 0.0, v = 0.0, fastest = 0.0, steepest = 0.0;
+      for (int k = 0; k < parts; ++k) {
+        const double x = k * step, a = c.pieces(x + 0.5 * step) / whole;
+        if (k % 37 == 0) {
+          CAPTURE(x);
+          CHECK(std::abs(lift.at(x).s - s) <= 1e-8);
+          CHECK(std::abs(lift.at(x).first - v) <= 1e-7);
+          CHECK(std::abs(lift.at(x).second - c.pieces(x) / whole) <= 1e-7);
+        }
+        fastest = std::max(fastest, lift.at(x).first);
+        steepest = std::max(steepest, std::abs(lift.at(x).second));
+        s += step * (v + 0.5 * step * a);
+        v += step * a;
+      }
+      CHECK(std::abs(fastest - c.velocity) <= 5e-5);
+      CHECK(std::abs(steepest - c.acceleration) <= 5e-5);
+      for (const double x : {0.125, 0.375, 0.5, 0.625, 0.875}) {
+        CHECK(std::abs(lift.at(x + 1e-12).second - lift.at(x - 1e-12).second) <= 1e-9);
+        CHECK(std::abs(lift.at(x + 1e-12).s - lift.at(x - 1e-12).s) <= 1e-11);
+      }
+    }
   }
 
   TEST_CASE("the tightest bends of a profile") {
@@ -281,6 +337,77 @@ TEST_SUITE("mechanism") {
         check_trustworthy(prover.prove({&drive, 1}, false, a));
       }
     }
+  }
+
+  TEST_CASE("random cams under a swinging face: it swings by the law, and every proof holds") {
+    std::mt19937 random(11);
+    const auto between = [&](double low, double high) {
+      return low + (high - low) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+    };
+    for (int n = 0; n < 48; ++n) {
+      CAPTURE(n);
+      const SwingingFace face{rise_dwell_fall(static_cast<LiftLaw>(1 + n % 6), between(0.05, 0.3)),
+                              n % 3 == 0 ? CamSense::clockwise : CamSense::counter_clockwise,
+                              between(0.015, 0.03),
+                              between(0.06, 0.1),
+                              between(-0.01, 0.015),
+                              n % 2 == 0 ? 1.0 : -1.0};
+      Model model;
+      const int cam = add_cam(model, between(-3.0, 3.0));
+      const double start = model.links[0].pose.phi;
+      const int arm = add_face(model, face, cam, start, 0.08);
+      load(model, "press", arm, {0.07, 0.0}, {between(-50.0, 50.0), between(-300.0, 300.0)}, between(-2.0, 2.0));
+      Running groups(model);
+      WholeSystem whole(model);
+      REQUIRE(whole.assemble() == Status::closed);
+      Prover prover(model);
+      for (int k = 0; k < 12; ++k) {
+        const Drive drive{start + 0.55 * k, 20.0, 50.0};
+        const Position a = groups(drive.coordinate), b = solved(whole, model, drive.coordinate);
+        CHECK(std::abs(a.pose[1].phi - b.pose[1].phi) <= 1e-11);
+        CHECK(std::abs(a.effort[0] - b.effort[0]) <= 1e-9 * (1.0 + std::abs(b.effort[0])));
+        const double sense = face.sense == CamSense::clockwise ? -1.0 : 1.0;
+        const auto law = face.lift.at(sense * drive.coordinate);
+        const double swing = face.base_angle() + law.s, rate = sense * law.first;
+        CHECK(std::abs(a.pose[1].phi - (pi - face.side * swing)) <= 1e-11);
+        CHECK(std::abs(a.velocity[1].phi + face.side * rate * 20.0) <= 1e-10);
+        CHECK(std::abs(a.acceleration[1].phi + face.side * (law.second * 400.0 + rate * 50.0)) <= 1e-8);
+        // By the instant centre of cam and face, which is on the line of the axes: pivot cos / (1 + rate of the face).
+        const Vec along = turn(a.pose[1].phi)({1.0, 0.0});
+        CHECK(dot(a.reactions[2].at - Vec{face.pivot, 0.0}, along) ==
+              doctest::Approx(face.pivot * std::cos(swing) / (1.0 + face.side * rate)).epsilon(1e-9));
+        check_trustworthy(prover.prove({&drive, 1}, false, a));
+      }
+    }
+  }
+
+  TEST_CASE("the flank under a swinging face: its tangent and bend, far pivots, undercut") {
+    const SwingingFace face{
+        rise_dwell_fall(LiftLaw::polynomial_4567, 0.25), CamSense::clockwise, 0.03, 0.08, 0.006, -1.0};
+    const Profile profile(face);
+    constexpr double h = 1e-5;
+    for (double u = 0.05; u < 6.2; u += 0.31) {
+      CAPTURE(u);
+      const CurvePoint on = profile.at(u), before = profile.at(u - h), after = profile.at(u + h);
+      CHECK(length((1.0 / (2.0 * h)) * (after.at - before.at) - on.pace * on.tangent) <= 1e-8);
+      CHECK(std::abs(cross(before.tangent, after.tangent) / (2.0 * h) - on.turning) <= 1e-7);
+      CHECK(dot(on.at, outward(on.tangent)) > 0.0);
+    }
+    // About a pivot that is far away a face swings as if it slid; it is square to its guide where it is level then.
+    const double far = 1e5, rise = 0.008;
+    const Profile swung(SwingingFace{rise_dwell_fall(LiftLaw::cycloidal, rise / far), {}, 0.03, far, -0.03, 1.0});
+    const Profile slid(FlatFollower{rise_dwell_fall(LiftLaw::cycloidal, rise), {}, 0.03});
+    for (double u = 0.05; u < 6.2; u += 0.31) {
+      const CurvePoint a = swung.at(u), b = slid.at(u);
+      CHECK(length(a.at - turn(quarter_turn)(b.at)) <= 1e-6);
+      CHECK(std::abs(a.pace / a.turning - b.pace / b.turning) <= 1e-6);
+    }
+    const auto bulge = [](double base) {
+      return bends_of(Profile(SwingingFace{rise_dwell_fall(LiftLaw::cycloidal, 0.3), {}, base, 0.08, 0.0, 1.0})).bulge;
+    };
+    CHECK(bulge(0.05) > 0.0);
+    CHECK(bulge(0.01) < 0.0);
+    CHECK(std::isinf(bends_of(profile).hollow));
   }
 
   TEST_CASE("a follower sets out from its dwell, and comes to it, as anywhere else") {

@@ -39,17 +39,6 @@ Model drawer(double height, double coefficient) {
   return model;
 }
 
-Model rubbing_slider_crank(double coefficient) {
-  Model model = slider_crank();
-  for (Joint& joint : model.joints) {
-    joint.friction.coefficient = coefficient;
-    joint.friction.pin_radius = 0.01;
-    joint.guide_length = 0.08;
-    joint.guide_width = 0.05;
-  }
-  return model;
-}
-
 Model rubbing_lever(double coefficient) {
   Model model = slotted_lever();
   for (Joint& joint : model.joints) {

@@ -26,17 +26,6 @@ Model inclined(double alpha, double mu) {
   return model;
 }
 
-Model rubbing_slider_crank(double mu) {
-  Model model = slider_crank();
-  for (Joint& joint : model.joints) {
-    joint.friction.coefficient = mu;
-    joint.friction.pin_radius = 0.01;
-    joint.guide_length = 0.08;
-    joint.guide_width = 0.05;
-  }
-  return model;
-}
-
 template <class System = GroupSystem>
 Position solved(const Model& model, Drive drive, bool statics = false) {
   System system(model);

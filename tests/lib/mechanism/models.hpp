@@ -63,6 +63,18 @@ inline Model slider_crank() {
   return model;
 }
 
+/// With friction in every joint.
+inline Model rubbing_slider_crank(double coefficient) {
+  Model model = slider_crank();
+  for (Joint& joint : model.joints) {
+    joint.friction.coefficient = coefficient;
+    joint.friction.pin_radius = 0.01;
+    joint.guide_length = 0.08;
+    joint.guide_width = 0.05;
+  }
+  return model;
+}
+
 /// Crank 0.1, coupler 0.35, rocker 0.3, ground 0.4 m.
 inline Model four_bar_without_load() {
   Model model;

@@ -10,7 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -114,6 +117,66 @@ void check_all(std::size_t stride) {
   }
 }
 
+using Loads = std::vector<Load>;
+
+/// On every link a force at a point of it, and a couple.
+Loads random_loads(const Model& model, std::mt19937& random) {
+  const auto up_to = [&](double size) {
+    return size * (2.0 * static_cast<double>(random()) / static_cast<double>(std::mt19937::max()) - 1.0);
+  };
+  Loads loads;
+  for (std::size_t k = 0; k < model.links.size(); ++k) {
+    loads.push_back({"load", static_cast<int>(k), {up_to(0.1), up_to(0.1)}, {up_to(500.0), up_to(500.0)}});
+    loads.back().moment = up_to(40.0);
+  }
+  return loads;
+}
+
+Loads mixed(const Loads& a, double of_a, const Loads& b, double of_b) {
+  Loads all;
+  const auto add = [&](const Loads& loads, double part) {
+    for (Load load : loads) {
+      load.force = part * load.force;
+      load.moment *= part;
+      all.push_back(load);
+    }
+  };
+  add(a, of_a);
+  add(b, of_b);
+  return all;
+}
+
+/// The reactions, as force and couple about the origin, then the effort.
+template <class System>
+std::vector<double> forces_under(Model model, Loads loads, const Drive& drive, bool statics) {
+  model.loads = std::move(loads);
+  System system(model);
+  REQUIRE(system.assemble() == Status::closed);
+  Position at = blank_position(model);
+  REQUIRE(system.solve({&drive, 1}, at, statics) == Status::closed);
+  std::vector<double> forces;
+  for (const Reaction& r : at.reactions)
+    forces.insert(forces.end(), {r.force.x, r.force.y, r.couple + cross(r.at, r.force)});
+  forces.push_back(at.effort[0]);
+  return forces;
+}
+
+double largest(const std::vector<double>& forces) {
+  double most = 0.0;
+  for (const double f : forces) most = std::max(most, std::abs(f));
+  return most;
+}
+
+/// `neither` is in both of the parts.
+void check_sum(const std::vector<double>& both, const std::vector<double>& first, const std::vector<double>& second,
+               const std::vector<double>& neither) {
+  const double size = std::max(largest(first), largest(second));
+  double worst = 0.0;
+  for (std::size_t k = 0; k < both.size(); ++k)
+    worst = std::max(worst, std::abs(both[k] - (first[k] + second[k] - neither[k])));
+  CHECK(worst <= 1e-10 * size);
+}
+
 }  // namespace
 
 TEST_SUITE("mechanism") {
@@ -125,6 +188,33 @@ TEST_SUITE("mechanism") {
   TEST_CASE_TEMPLATE("random mechanisms keep their assembly over moves of any length", System, WholeSystem,
                      GroupSystem) {
     check_all<System>(7);
+  }
+
+  // Without friction, belts or cams that let go the forces are linear in the loads.
+  TEST_CASE_TEMPLATE("superposition: random mechanisms answer to loads together as to each of them", System,
+                     WholeSystem, GroupSystem) {
+    std::mt19937 random(3);
+    for (const auto& path : files()) {
+      CAPTURE(path.filename().string());
+      const auto file = read(path);
+      Model model = model_of(file.at("model")).model;
+      model.loads.clear();
+      model.springs.clear();
+      const auto& answers = file.at("answers").as_array();
+      const Drive drive = drive_at(file.at("model").at("drivers").at(0), number(answers[answers.size() / 3], "t"));
+      const Loads a = random_loads(model, random), b = random_loads(model, random);
+      const auto forces = [&](double of_a, double of_b, bool statics) {
+        return forces_under<System>(model, mixed(a, of_a, b, of_b), drive, statics);
+      };
+      const auto neither = forces(0.0, 0.0, false);
+      check_sum(forces(1.0, 1.0, false), forces(1.0, 0.0, false), forces(0.0, 1.0, false), neither);
+      check_sum(forces(-2.5, 0.5, false), forces(-2.5, 0.0, false), forces(0.0, 0.5, false), neither);
+      model.gravity = {};
+      const auto none = forces(0.0, 0.0, true), once = forces(1.0, 0.0, true);
+      CHECK(largest(none) == 0.0);
+      check_sum(forces(2.0, 0.0, true), once, once, none);
+      check_sum(none, once, forces(-1.0, 0.0, true), none);
+    }
   }
 
   TEST_CASE("random mechanisms give no findings") {

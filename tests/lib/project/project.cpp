@@ -2,6 +2,9 @@
 
 #include "tests/lib/project/texts.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 using namespace loadpath;
 using namespace loadpath::test;
 
@@ -103,5 +106,29 @@ a.toml:5:27: error: 'axle' has no result 'd_mn'
   |                           ^^^^
   = help: did you mean 'd_min'?
 )");
+  }
+
+  TEST_CASE("values without what is only looked at are the same values") {
+    const std::string text =
+        bar_that_cannot_turn(36) + "[axle]\ncalculator = \"shaft.torsion\"\nT = \"9 N*m\"\n" + "tau_adm = \"30 MPa\"\n";
+    const auto all = told(text).project;
+    std::vector<Issue> issues;
+    auto values = project::read_project(text, "a.toml", catalogue(), issues);
+    project::solve(values, issues, project::Extent::values);
+    CHECK(issues.empty());
+    for (std::size_t n = 0; n < all.steps.size(); ++n) {
+      const auto &account = values.steps[n]->account(), &full = all.steps[n]->account();
+      CHECK_FALSE((full.figures.empty() && full.blocks.empty() && n == 0));
+      CHECK(account.figures.empty());
+      CHECK(account.blocks.empty());
+      CHECK(account.input_blocks.empty());
+      CHECK(account.verdicts.size() == full.verdicts.size());
+      REQUIRE(account.results.size() == full.results.size());
+      for (std::size_t k = 0; k < account.results.size(); ++k) {
+        const auto &a = account.results[k].value.si, &b = full.results[k].value.si;
+        CHECK(std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                         [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); }));
+      }
+    }
   }
 }

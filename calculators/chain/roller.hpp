@@ -1,0 +1,226 @@
+// A drive with a roller chain: geometry, chain pull, pressure in the joints, safety against breaking, load of the
+// shafts.
+//
+// Decides the even number of links and the centre distance that belongs to it, exactly both ways for a chain that lies
+// on circles of z p/(2 pi); speeds, polygon effect, pull with centrifugal force and sag, and what the chain may bear.
+// Wear and fatigue of plates and rollers decide about a chain, not its breaking load: that safety is no design
+// criterion alone. The rated power of the chain maker goes in as P_R, on the basis of ISO 10823 (19 teeth, 15 000 h,
+// 120 links). K_A acts once: on the pull that the power brings. Not covered: idlers, more than two sprockets, vertical
+// drives' sag.
+#pragma once
+
+#include "lib/draw/figure.hpp"
+#include "lib/drive_units.hpp"
+#include "lib/field.hpp"
+#include "lib/issue.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath {
+
+struct RollerChain {
+  static constexpr auto id = "chain.roller";
+  static constexpr auto title = "Roller chain drive";
+  static constexpr auto scope =
+      "Links and centre distance of a drive with two sprockets, speed limits by lubrication, polygon effect, chain "
+      "pull, "
+      "pressure in the joints, static safety against breaking, load of the shafts. Life is not covered.";
+  static constexpr auto source = "[B40], [ISO10823]";
+  static constexpr auto example = R"([project]
+title = "Chain from a gear motor to a conveyor"
+
+[conveyor]
+calculator = "chain.roller"
+chain = "16B"
+edition = "maker"
+z_1 = 21
+z_2 = 57
+n_1 = "96 rpm"
+P = "3 kW"
+K_A = 1.3
+a = "1000 mm"
+p_adm = "35 MPa"
+S_min = 7.6
+)";
+
+  enum class Edition { maker, iso606_1994 };
+  enum class Lubrication { grease, bath };
+
+  struct Input {
+    Length p = unset<Length>, p_t = unset<Length>;
+    Area A = unset<Area>;
+    Edition edition = Edition::maker;
+    Force F_uM = unset<Force>, F_u94 = unset<Force>;
+    LineDensity q = unset<LineDensity>;
+    int strands = 1;
+    int z_1 = 0, z_2 = 0;
+    Length a = unset<Length>;
+    int X = 0;
+    AngularSpeed n_1 = unset<AngularSpeed>;
+    Power P = unset<Power>;
+    Moment T_1 = unset<Moment>;
+    double K_A = 1.0;
+    double K_f = 6.0;
+    Lubrication lubrication = Lubrication::grease;
+    Stress p_adm = unset<Stress>;
+    double S_min = unset<double>;
+    Power P_R = unset<Power>;
+  };
+  static bool sprockets_apart(const Input& in);
+  static FieldFault sprockets_touch(const Input& in);
+  static bool links_reach(const Input& in);
+  static FieldFault too_few_links(const Input& in);
+  static constexpr std::tuple inputs{
+      Field{&Input::p, "p", mm, "pitch of the chain"}.positive().usually(4, 120).from("chain", "p"),
+      Field{&Input::p_t, "p_t", mm, "distance of two strands"}.positive().from("chain", "p_t"),
+      Field{&Input::A, "A", mm2, "bearing area of a joint: pin diameter times width of the inner link, one strand"}
+          .positive()
+          .usually(5, 5000)
+          .from("chain", "A"),
+      Choice{&Input::edition, "edition", "list that the breaking load is taken from"}.may_be_missing(),
+      Field{&Input::F_uM, "F_uM", kN, "breaking load of one strand, of a maker"}
+          .positive()
+          .usually(1, 1500)
+          .from("chain", "F_uM")
+          .where_it_has(),
+      Field{&Input::F_u94, "F_u94", kN, "breaking load of one strand, ISO 606 of 1994"}
+          .positive()
+          .usually(1, 1500)
+          .from("chain", "F_u94"),
+      Field{&Input::q, "q", kg_per_m, "mass per length of one strand"}
+          .positive()
+          .usually(0.05, 100)
+          .from("chain", "q")
+          .where_it_has(),
+      Count{&Input::strands, "strands", 1, 6, "strands side by side"}.may_be_missing(),
+      Count{&Input::z_1, "z_1", 7, 150, "teeth of the driving sprocket"},
+      Count{&Input::z_2, "z_2", 7, 150, "teeth of the driven sprocket"},
+      Field{&Input::a, "a", mm, "centre distance that is wanted; the links make it exact"}.positive().may_be_missing(),
+      Count{&Input::X, "X", 0, 2000, "links, in place of a; 0: the even number nearest to a"}.may_be_missing(),
+      Field{&Input::n_1, "n_1", rpm, "speed of the driving sprocket"}.positive().may_be_missing(),
+      Field{&Input::P, "P", kW, "nominal power, with n_1"}.at_least(0).may_be_missing(),
+      Field{&Input::T_1, "T_1", N_m, "nominal torque of the driving sprocket, in place of P"}
+          .at_least(0)
+          .may_be_missing(),
+      Field{&Input::K_A, "K_A", ratio, "service factor: shocks of motor and machine, once"}
+          .positive()
+          .usually(1, 2)
+          .factor(),
+      Field{&Input::K_f, "K_f", ratio, "sag: 6 for a level drive, 3 at 40 deg, 1 upright"}.within(0, 10),
+      Choice{&Input::lubrication, "lubrication", "how the chain is lubricated"}.may_be_missing(),
+      Field{&Input::p_adm, "p_adm", MPa, "allowable pressure in the joint"}.positive().usually(5, 60).may_be_missing(),
+      Field{&Input::S_min, "S_min", ratio, "least safety against breaking"}.at_least(1).usually(5, 20).may_be_missing(),
+      Field{&Input::P_R, "P_R", kW, "rated power of the chain with 19 teeth at n_1, all strands"}
+          .positive()
+          .may_be_missing()};
+
+  struct Result {
+    double i = unset<double>;
+    AngularSpeed n_2 = unset<AngularSpeed>;
+    Length d_1 = unset<Length>, d_2 = unset<Length>;
+    double X_0 = unset<double>, X = unset<double>;
+    Length a = unset<Length>, L = unset<Length>;
+    double alpha_1 = unset<double>, alpha_2 = unset<double>;
+    double a_p = unset<double>, z_min = unset<double>;
+    double odd = unset<double>;
+    Speed v = unset<Speed>;
+    double v_share = unset<double>;
+    double delta_1 = unset<double>, delta_2 = unset<double>;
+    Moment T_1 = unset<Moment>, T_2 = unset<Moment>;
+    Force F_t = unset<Force>, F_c = unset<Force>, F_f = unset<Force>, F = unset<Force>, F_W = unset<Force>;
+    Stress p_r = unset<Stress>;
+    Force F_u = unset<Force>;
+    double S_stat = unset<double>, S_dyn = unset<double>;
+    double f_2 = unset<double>;
+    Power P_c = unset<Power>;
+    double u_p = unset<double>, u_S = unset<double>, u_P = unset<double>;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::i, "i", ratio, "ratio n_1/n_2: the text allows 7, at most 10"}.limit(0.1, 10),
+      Field{&Result::n_2, "n_2", rpm, "mean speed of the driven sprocket"}.as(Role::result),
+      Field{&Result::d_1, "d_1", mm, "pitch circle of the driving sprocket"}.as(Role::result),
+      Field{&Result::d_2, "d_2", mm, "pitch circle of the driven sprocket"}.as(Role::result),
+      Field{&Result::z_min, "z_min", ratio, "teeth of the smaller sprocket; below 17 the chain runs rough"}.as(
+          Role::result),
+      Field{&Result::X_0, "X_0", ratio, "links for the wanted centre distance"}.as(Role::result),
+      Field{&Result::X, "X", ratio, "links of the chain"}.as(Role::result),
+      Field{&Result::odd, "odd", ratio, "odd number of links: needs a cranked link, which is weaker; 0 is even"}.as(
+          Role::result),
+      Field{&Result::a, "a", mm, "centre distance of the taut chain"}.as(Role::result),
+      Field{&Result::a_p, "a_p", ratio, "centre distance in pitches; 30 to 50 is usual"}.as(Role::result),
+      Field{&Result::L, "L", mm, "length of the chain"}.as(Role::result),
+      Field{&Result::alpha_1, "alpha_1", deg, "wrap of the driving sprocket, at least 120 deg"}.limit(120, 360),
+      Field{&Result::alpha_2, "alpha_2", deg, "wrap of the driven sprocket, at least 120 deg"}.limit(120, 360),
+      Field{&Result::v, "v", m_per_s, "mean speed of the chain"}.as(Role::result),
+      Field{&Result::v_share, "v_share", ratio, "speed over the highest for this lubrication"}.limit(0, 1, "n_1"),
+      Field{&Result::delta_1, "delta_1", ratio, "polygon effect: drop of the chain speed below its largest"}.as(
+          Role::result),
+      Field{&Result::delta_2, "delta_2", ratio, "the same at the driven sprocket"}.as(Role::result),
+      Field{&Result::T_1, "T_1", N_m, "torque of the driving sprocket, nominal"}.as(Role::result),
+      Field{&Result::T_2, "T_2", N_m, "torque of the driven sprocket, nominal, without losses"}.as(Role::result),
+      Field{&Result::F_t, "F_t", N, "pull of the chain, nominal"}.as(Role::result),
+      Field{&Result::F_c, "F_c", N, "centrifugal force"}.as(Role::result),
+      Field{&Result::F_f, "F_f", N, "pull by sag"}.as(Role::result),
+      Field{&Result::F, "F", N, "largest pull: with the service factor, centrifugal force and sag"}.as(Role::result),
+      Field{&Result::F_W, "F_W", N, "force on each shaft, along the line of centres"}.as(Role::result),
+      Field{&Result::p_r, "p_r", MPa, "pressure in the joints"}.as(Role::result),
+      Field{&Result::F_u, "F_u", kN, "breaking load of all strands"}.as(Role::result),
+      Field{&Result::S_stat, "S_stat", ratio, "static safety against breaking: without the service factor"}.as(
+          Role::result),
+      Field{&Result::S_dyn, "S_dyn", ratio, "dynamic safety against breaking: with the service factor"}.as(
+          Role::result),
+      Field{&Result::f_2, "f_2", ratio, "tooth factor"}.as(Role::result),
+      Field{&Result::P_c, "P_c", kW, "power to compare with a rating for 19 teeth"}.as(Role::result),
+      Field{&Result::u_p, "u_p", ratio, "joints: pressure over the allowable one"}.check("p_adm"),
+      Field{&Result::u_S, "u_S", ratio, "breaking: least safety over the dynamic one; no design criterion alone"}.check(
+          "S_min"),
+      Field{&Result::u_P, "u_P", ratio, "rating: corrected power over the rated one"}.check("P_R")};
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return is_set(in.p); }, "p", "give the pitch p, or a chain: chain = \"16B\""},
+      Rule<Input>{[](const Input& in) { return is_set(in.a) != (in.X > 0); }, "a, X",
+                  "give either the centre distance a or the links X"},
+      Rule<Input>{&sprockets_apart, "a, p, z_1, z_2", "the sprockets touch at this centre distance", &sprockets_touch},
+      Rule<Input>{&links_reach, "X, z_1, z_2", "the chain is too short to go around the sprockets", &too_few_links},
+      Rule<Input>{[](const Input& in) { return !(is_set(in.P) && is_set(in.T_1)); }, "P, T_1",
+                  "give the load as P or as T_1, never both"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.P) || is_set(in.n_1); }, "P, n_1",
+                  "a power needs the speed n_1"},
+      Rule<Input>{
+          [](const Input& in) { return !is_set(in.p_adm) || (is_set(in.A) && (is_set(in.P) || is_set(in.T_1))); },
+          "p_adm, A, P, T_1", "the pressure needs the bearing area A (or a chain) and a load"},
+      Rule<Input>{[](const Input& in) {
+                    const Force F_u = in.edition == Edition::maker ? in.F_uM : in.F_u94;
+                    return !is_set(in.S_min) || (is_set(F_u) && (is_set(in.P) || is_set(in.T_1)));
+                  },
+                  "S_min, edition, F_uM, F_u94, P, T_1",
+                  "the safety needs the breaking load of the edition (or a chain that has it) and a load"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.P_R) || is_set(in.P); }, "P_R, P",
+                  "the rating is compared with the power P"},
+      Rule<Input>{[](const Input& in) { return in.X % 2 == 0; }, "X",
+                  "an odd number of links needs a cranked link, which is weaker", nullptr, true},
+      Rule<Input>{[](const Input& in) { return in.z_1 >= 17 && in.z_2 >= 17; }, "z_1, z_2",
+                  "with fewer than 17 teeth the chain runs rough and wears soon", nullptr, true}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template RollerChain::Result RollerChain::evaluate(const Input&, NoTrace&);
+extern template RollerChain::Result RollerChain::evaluate(const Input&, Trace&);
+
+constexpr auto choices_of(RollerChain::Edition) {
+  using Edition = RollerChain::Edition;
+  return std::array{ChoiceName<Edition>{Edition::maker, "maker", "a maker's current list (Donghua 2020)"},
+                    ChoiceName<Edition>{Edition::iso606_1994, "iso606_1994", "ISO 606:1994"}};
+}
+constexpr auto choices_of(RollerChain::Lubrication) {
+  using Lubrication = RollerChain::Lubrication;
+  return std::array{ChoiceName<Lubrication>{Lubrication::grease, "grease", "by hand or drops: up to 6 m/s"},
+                    ChoiceName<Lubrication>{Lubrication::bath, "bath", "in an oil bath: up to 12 m/s"}};
+}
+
+}  // namespace loadpath

@@ -1,0 +1,87 @@
+// The chart of critical stresses over the slenderness with the bar's own point, and its buckled shapes.
+#include "calculators/column/buckling_parts.hpp"
+
+#include <algorithm>
+
+namespace loadpath {
+
+namespace {
+
+using column::Material;
+using column::Method;
+
+/// The curve of a method through the data of the governing axis.
+Stress stress_at(double lambda, const Material& material, const Buckling::Axis& axis, Method method) {
+  NoTrace trace;
+  switch (method) {
+    case Method::euler:
+      return column::euler_stress(lambda, material, trace);
+    case Method::tetmajer:
+      return column::tetmajer_stress(lambda, material, trace);
+    case Method::johnson:
+      return column::johnson_stress(lambda, material, trace);
+    case Method::rankine:
+      return column::rankine_stress(lambda, material, trace);
+    case Method::secant:
+      return column::secant_stress(lambda, axis.eta, material.E, material.R_e);
+    case Method::ec3:
+      return column::ec3_reduction(lambda, axis.alpha, material, trace) * material.R_e;
+    case Method::aisc:
+      return column::aisc_stress(lambda, material, trace);
+  }
+  return unset<Stress>;
+}
+
+Method method_named(std::string_view name) {
+  for (const auto& word : choices_of(Method{})) {
+    if (name == word.key) return word.value;
+  }
+  return Method::euler;
+}
+
+draw::Plot chart(const Buckling::Input& in, const Buckling::Result& r) {
+  const Material material = column::material_of(in);
+  const Buckling::Axis& axis = r.axes[r.axis == column::AxisName::y ? 0 : 1];
+  const double end = std::max({200.0, 1.2 * r.lambda, 1.2 * material.lambda_1});
+  draw::Plot plot;
+  plot.x = {"lambda", "slenderness", "-"};
+  plot.y = {"sigma_cr", "critical stress", "MPa"};
+  for (const auto& by : r.methods) {
+    draw::Curve curve{std::string(by.name.view()), {}, {}, false};
+    constexpr int points = 160;
+    for (int i = 1; i <= points; ++i) {
+      const double lambda = end * i / points;
+      curve.x.push_back(lambda);
+      curve.y.push_back(in_si(stress_at(lambda, material, axis, method_named(by.name.view()))));
+    }
+    plot.curves.push_back(std::move(curve));
+  }
+  if (is_set(r.sigma_cr)) plot.marks.push_back({r.lambda, in_si(r.sigma_cr), "critical"});
+  if (is_set(r.F)) plot.marks.push_back({r.lambda, in_si(r.F / r.A), "loaded"});
+  if (is_set(in.R_e)) plot.bounds.push_back({in_si(in.R_e), "R_e"});
+  return plot;
+}
+
+void add_shape(const Buckling::Input& in, column::AxisName axis, draw::Plot& plot) {
+  const bool about_y = axis == column::AxisName::y;
+  if (is_set(about_y ? in.beta_y : in.beta_z)) return;  // the factor alone does not say how the ends are held
+  const column::Bar bar = column::bar_of(in, axis);
+  column::Shape shape = column::buckled_shape(bar, column::buckling_parameter(bar));
+  for (double& x : shape.x) x *= in_si(in.l);
+  plot.curves.push_back({about_y ? "about y" : "about z", std::move(shape.x), std::move(shape.w), false});
+}
+
+}  // namespace
+
+std::vector<draw::Figure> Buckling::figures(const Input& in, const Result& r) {
+  std::vector<draw::Figure> figures{
+      {"critical-stress", "Critical stress over slenderness, without safety", chart(in, r)}};
+  draw::Plot shapes;
+  shapes.x = {"x", "place along the bar", "mm"};
+  shapes.y = {"w", "deflection over its largest", "-"};
+  for (const auto axis : {column::AxisName::y, column::AxisName::z}) add_shape(in, axis, shapes);
+  if (!shapes.curves.empty()) figures.push_back({"buckled-shape", "The buckled bar", std::move(shapes)});
+  return figures;
+}
+
+}  // namespace loadpath

@@ -1,0 +1,122 @@
+// The words that a column's inputs choose from.
+#pragma once
+
+#include "lib/field.hpp"
+
+#include <array>
+
+namespace loadpath::column {
+
+/// How the two ends are held. The first of the pair is the start; "guided" cannot turn but moves across.
+enum class Ends { unsaid, pinned_pinned, fixed_free, fixed_pinned, fixed_fixed, fixed_guided, pinned_guided };
+
+constexpr auto choices_of(Ends) {
+  using E = Ends;
+  return std::array{ChoiceName<E>{E::unsaid, "unsaid", "not said"},
+                    ChoiceName<E>{E::pinned_pinned, "pinned_pinned", "hinged at both ends"},
+                    ChoiceName<E>{E::fixed_free, "fixed_free", "built in at the start, free at the end"},
+                    ChoiceName<E>{E::fixed_pinned, "fixed_pinned", "built in at the start, hinged at the end"},
+                    ChoiceName<E>{E::fixed_fixed, "fixed_fixed", "built in at both ends"},
+                    ChoiceName<E>{E::fixed_guided, "fixed_guided", "sway: built in, the other end only moves across"},
+                    ChoiceName<E>{E::pinned_guided, "pinned_guided", "sway: hinged, the other end only moves across"}};
+}
+
+/// Where the effective length factors of these cases come from.
+enum class Basis { exact, text, recommended };
+
+constexpr auto choices_of(Basis) {
+  using B = Basis;
+  return std::array{
+      ChoiceName<B>{B::exact, "exact", "roots of the characteristic equation: 1, 2, 0.69916, 0.5, 1, 2"},
+      ChoiceName<B>{B::text, "text", "[B25]: 1, 2, 0.7, 0.5; sway as exact"},
+      ChoiceName<B>{B::recommended, "recommended", "for real ends, [AISC360]: 1, 2.1, 0.80, 0.65, 1.2, 2"}};
+}
+
+enum class Method { euler, tetmajer, johnson, rankine, secant, ec3, aisc };
+
+constexpr auto choices_of(Method) {
+  using M = Method;
+  return std::array{ChoiceName<M>{M::euler, "euler", "Euler, elastic, above the limit slenderness"},
+                    ChoiceName<M>{M::tetmajer, "tetmajer", "Tetmajer-Yasinsky: least of yield, Tetmajer and Euler"},
+                    ChoiceName<M>{M::johnson, "johnson", "Johnson's parabola, Euler above it"},
+                    ChoiceName<M>{M::rankine, "rankine", "Rankine-Gordon"},
+                    ChoiceName<M>{M::secant, "secant", "secant formula, with an eccentricity"},
+                    ChoiceName<M>{M::ec3, "ec3", "EN 1993-1-1:2005, 6.3.1, flexural buckling"},
+                    ChoiceName<M>{M::aisc, "aisc", "AISC 360, E3, allowable strength"}};
+}
+
+/// What the buckling curve of EN 1993-1-1 and the limits of local buckling follow from.
+enum class Profile { unsaid, rolled_I, welded_I, hot_hollow, cold_hollow, welded_box, channel, tee, angle, solid };
+
+constexpr auto choices_of(Profile) {
+  using K = Profile;
+  return std::array{ChoiceName<K>{K::unsaid, "unsaid", "not said"},
+                    ChoiceName<K>{K::rolled_I, "rolled_I", "rolled I or H section"},
+                    ChoiceName<K>{K::welded_I, "welded_I", "welded I or H section"},
+                    ChoiceName<K>{K::hot_hollow, "hot_hollow", "hollow section, hot finished"},
+                    ChoiceName<K>{K::cold_hollow, "cold_hollow", "hollow section, cold formed"},
+                    ChoiceName<K>{K::welded_box, "welded_box", "welded box section"},
+                    ChoiceName<K>{K::channel, "channel", "channel"},
+                    ChoiceName<K>{K::tee, "tee", "T section"},
+                    ChoiceName<K>{K::angle, "angle", "angle"},
+                    ChoiceName<K>{K::solid, "solid", "solid section"}};
+}
+
+/// Buckling curves of EN 1993-1-1, table 6.1.
+enum class Curve { by_kind, a0, a, b, c, d };
+
+constexpr auto choices_of(Curve) {
+  using C = Curve;
+  return std::array{ChoiceName<C>{C::by_kind, "by_kind", "follows from the kind of section, table 6.2"},
+                    ChoiceName<C>{C::a0, "a0", "alpha = 0.13"},
+                    ChoiceName<C>{C::a, "a", "alpha = 0.21"},
+                    ChoiceName<C>{C::b, "b", "alpha = 0.34"},
+                    ChoiceName<C>{C::c, "c", "alpha = 0.49"},
+                    ChoiceName<C>{C::d, "d", "alpha = 0.76"}};
+}
+
+enum class Grade { to_S420, S460 };
+
+constexpr auto choices_of(Grade) {
+  using G = Grade;
+  return std::array{ChoiceName<G>{G::to_S420, "to_S420", "S235 to S420"}, ChoiceName<G>{G::S460, "S460", "S460"}};
+}
+
+/// Where Tetmajer's line ends and Euler's hyperbola begins.
+enum class Transition { computed, published };
+
+constexpr auto choices_of(Transition) {
+  using T = Transition;
+  return std::array{ChoiceName<T>{T::computed, "computed", "where the two meet"},
+                    ChoiceName<T>{T::published, "published", "at lambda_1 of the set, as textbooks do"}};
+}
+
+/// What the custom for the safety factor is known for; the codes of steel hold where it is steel or not said.
+enum class Class { unsaid, steel, cast_iron, wood, other };
+
+constexpr auto choices_of(Class) {
+  using C = Class;
+  return std::array{ChoiceName<C>{C::unsaid, "unsaid", "not said"},
+                    ChoiceName<C>{C::steel, "steel", "steel: n_st 1.8 to 3"},
+                    ChoiceName<C>{C::cast_iron, "cast_iron", "cast iron: n_st 5 to 5.5"},
+                    ChoiceName<C>{C::wood, "wood", "wood: n_st 2.8 to 3.2"},
+                    ChoiceName<C>{C::other, "other", "another material, for which the steel codes do not hold"}};
+}
+
+enum class AxisName { y, z };
+
+constexpr auto choices_of(AxisName) {
+  return std::array{ChoiceName<AxisName>{AxisName::y, "y", "bends about y"},
+                    ChoiceName<AxisName>{AxisName::z, "z", "bends about z"}};
+}
+
+enum class Loading { none, compression, tension };
+
+constexpr auto choices_of(Loading) {
+  using L = Loading;
+  return std::array{ChoiceName<L>{L::none, "none", "no load given: the allowable loads alone"},
+                    ChoiceName<L>{L::compression, "compression", "compressed"},
+                    ChoiceName<L>{L::tension, "tension", "no compression: a bar in tension does not buckle"}};
+}
+
+}  // namespace loadpath::column

@@ -1,0 +1,123 @@
+#include "calculators/column/effective_length.hpp"
+
+#include "lib/calculator_of.hpp"
+
+#include <algorithm>
+
+namespace loadpath {
+
+namespace {
+
+using column::held;
+using Input = EffectiveLength::Input;
+using Result = EffectiveLength::Result;
+using End = EffectiveLength::End;
+
+/// The springs of elastic ends over those of the bar.
+template <class Tracer>
+void compare_springs(const Input& in, Result& r, Tracer& trace) {
+  const auto E = in.E;
+  const auto I = in.I;
+  const auto l = in.l;
+  const auto c_1 = in.c_1, c_2 = in.c_2;
+  const auto k_1 = in.k_1, k_2 = in.k_2;
+  if (is_set(c_1)) r.kappa_1 = NAMED_STEP("kappa_1", c_1 * l / (E * I), "first end against turning");
+  if (is_set(k_1)) r.mu_1 = NAMED_STEP("mu_1", k_1 * pow<3>(l) / (E * I), "first end across the bar");
+  if (is_set(c_2)) r.kappa_2 = NAMED_STEP("kappa_2", c_2 * l / (E * I), "second end against turning");
+  if (is_set(k_2)) r.mu_2 = NAMED_STEP("mu_2", k_2 * pow<3>(l) / (E * I), "second end across the bar");
+}
+
+/// The beams of a joint turn it like a spring: bent in one sense when the frame is braced, in two when it sways.
+template <class Tracer>
+void take_joints(const Input& in, Result& r, Tracer& trace) {
+  const auto G_1 = in.G_1, G_2 = in.G_2;
+  const bool sways = in.frame == EffectiveLength::Frame::sway;
+  const double beams = sways ? 6.0 : 2.0;
+  trace.value("beams", beams,
+              sways ? "6 E I/L of beams bent to an S, [AISC-alignment]"
+                    : "2 E I/L of beams bent to one side, [AISC-alignment]");
+  if (G_1 > 0.0) r.kappa_1 = NAMED_STEP("kappa_1", beams / G_1, "first joint against turning");
+  if (G_2 > 0.0) r.kappa_2 = NAMED_STEP("kappa_2", beams / G_2, "second joint against turning");
+}
+
+column::End rigid(End end) {
+  return {end == End::free || end == End::guided ? 0.0 : held, end == End::fixed || end == End::guided ? held : 0.0};
+}
+
+/// An elastic end: what is missing is no spring against turning, and held across the bar.
+column::End end_of(End end, double mu, double kappa) {
+  if (end != End::elastic) return rigid(end);
+  return {is_set(mu) ? mu : held, is_set(kappa) ? kappa : 0.0};
+}
+
+column::Bar bar_of(const Input& in, const Result& r) {
+  column::Bar bar{end_of(in.end_1, r.mu_1, r.kappa_1), end_of(in.end_2, r.mu_2, r.kappa_2), {}};
+  if (is_set(in.G_1)) {
+    const bool sways = in.frame == EffectiveLength::Frame::sway;
+    const auto turning = [](double kappa) { return is_set(kappa) ? kappa : held; };  // G = 0 is built in
+    bar.start = {held, turning(r.kappa_1)};
+    bar.end = {sways ? 0.0 : held, turning(r.kappa_2)};
+  }
+  for (const auto& support : in.supports) bar.supports.push_back(support.x / in.l);
+  return bar;
+}
+
+}  // namespace
+
+bool EffectiveLength::ends_or_frame(const Input& in) {
+  const bool first = in.end_1 != End::unsaid, second = in.end_2 != End::unsaid;
+  const bool frame_1 = is_set(in.G_1), frame_2 = is_set(in.G_2);
+  return first == second && frame_1 == frame_2 && first != frame_1;
+}
+
+bool EffectiveLength::springs_fit_ends(const Input& in) {
+  const auto fits = [](End end, Moment c, Stiffness k) { return (end == End::elastic) == (is_set(c) || is_set(k)); };
+  return fits(in.end_1, in.c_1, in.k_1) && fits(in.end_2, in.c_2, in.k_2);
+}
+
+bool EffectiveLength::supports_inside(const Input& in) {
+  Length before = 0.0 * mm;
+  return std::all_of(in.supports.begin(), in.supports.end(), [&](const Support& support) {
+    const bool inside = support.x > before && support.x < in.l;
+    before = support.x;
+    return inside;
+  });
+}
+
+template <class Tracer>
+Result EffectiveLength::evaluate(const Input& in, Tracer& trace) {
+  const auto E = in.E;
+  const auto I = in.I;
+  const auto l = in.l;
+  Result r;
+  if (is_set(in.G_1)) take_joints(in, r, trace);
+  compare_springs(in, r, trace);
+  const double u = r.u = column::buckling_parameter(bar_of(in, r));
+  trace.value("u", u, "smallest root of the characteristic equation, by the exact stiffness, [Wittrick]");
+  if (!is_set(u)) return r;
+  STEP(beta, pi / u, "the hinged bar that buckles at the same force, [B25]");
+  STEP(s, beta * l, "effective length, [B25]");
+  r.beta = beta, r.s = s;
+  if (!is_set(E) || !is_set(I)) return r;
+  STEP(N_cr, pow<2>(pi) * E * I / pow<2>(s), "critical force of the elastic bar, [B25]");
+  r.N_cr = N_cr;
+  return r;
+}
+
+template Result EffectiveLength::evaluate(const Input&, NoTrace&);
+template Result EffectiveLength::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> EffectiveLength::figures(const Input& in, const Result& r) {
+  if (!is_set(r.u)) return {};
+  column::Shape shape = column::buckled_shape(bar_of(in, r), r.u);
+  for (double& x : shape.x) x *= in_si(in.l);
+  draw::Plot plot;
+  plot.x = {"x", "place along the bar", "mm"};
+  plot.y = {"w", "deflection over its largest", "-"};
+  plot.curves.push_back({"w", std::move(shape.x), std::move(shape.w), false});
+  return {{"buckled-shape", "The buckled bar", std::move(plot)}};
+}
+
+template const Calculator& erased<EffectiveLength>();
+
+}  // namespace loadpath

@@ -1,0 +1,153 @@
+// The effective length of a column whose ends are held by springs, with rigid supports between them.
+//
+// Decides beta = s/l from the smallest root of the characteristic equation of the uniform bar: ends that are hinged,
+// built in, guided, free or elastic (against turning, across the bar, or both), or the stiffness ratios G of the joints
+// of a frame, braced or free to sway. Elastic, central load, all columns of a frame buckle together (the assumption of
+// the alignment charts).
+// Not covered: bars of changing section or force, supports that give way between the ends.
+#pragma once
+
+#include "calculators/column/stability.hpp"
+#include "lib/draw/figure.hpp"
+#include "lib/field.hpp"
+#include "lib/issue.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath {
+
+struct EffectiveLength {
+  static constexpr auto id = "column.effective_length";
+  static constexpr auto title = "Effective length of a column";
+  static constexpr auto scope =
+      "Effective length factor of a uniform bar from the stiffness of its ends and the supports between them, as the "
+      "smallest root of its characteristic equation; braced and sway frames by the stiffness ratios of their joints. "
+      "Bars of changing section or force are not covered.";
+  static constexpr auto source = "[B25], [Wittrick], [AISC-alignment]";
+  static constexpr auto example = R"([project]
+title = "Rod in a flexible bracket"
+
+[rod]
+calculator = "column.effective_length"
+l = "1.2 m"
+E = "210 GPa"
+I = "83300 mm^4"
+end_1 = "elastic"
+c_1 = "40 kN*m/rad"
+end_2 = "pinned"
+)";
+
+  enum class End { unsaid, pinned, fixed, guided, free, elastic };
+  enum class Frame { braced, sway };
+
+  struct Support {
+    Length x = unset<Length>;
+    static constexpr std::tuple fields{Field{&Support::x, "x", mm, "place from the first end"}.positive()};
+  };
+
+  struct Input {
+    Length l = unset<Length>;
+    Stress E = unset<Stress>;
+    SecondMoment I = unset<SecondMoment>;
+    End end_1 = End::unsaid, end_2 = End::unsaid;
+    Moment c_1 = unset<Moment>, c_2 = unset<Moment>;
+    Stiffness k_1 = unset<Stiffness>, k_2 = unset<Stiffness>;
+    double G_1 = unset<double>, G_2 = unset<double>;
+    Frame frame = Frame::braced;
+    List<Support, column::most_supports> supports;
+  };
+  static constexpr std::tuple inputs{
+      Field{&Input::l, "l", mm, "length between the ends"}.positive().usually(10, 1e5),
+      Field{&Input::E, "E", GPa, "modulus of elasticity, with springs"}.positive().usually(1, 500).from("material",
+                                                                                                        "E"),
+      Field{&Input::I, "I", mm4, "second moment of area for this bending, with springs"}.positive().may_be_missing(),
+      Choice{&Input::end_1, "end_1", "how the first end is held"}.may_be_missing(),
+      Choice{&Input::end_2, "end_2", "how the second end is held"}.may_be_missing(),
+      Field{&Input::c_1, "c_1", N_m_per_rad, "stiffness of the first end against turning; 0 where missing"}
+          .at_least(0)
+          .may_be_missing(),
+      Field{&Input::c_2, "c_2", N_m_per_rad, "stiffness of the second end against turning; 0 where missing"}
+          .at_least(0)
+          .may_be_missing(),
+      Field{&Input::k_1, "k_1", N_per_mm, "stiffness of the first end across the bar; held where missing"}
+          .at_least(0)
+          .may_be_missing(),
+      Field{&Input::k_2, "k_2", N_per_mm, "stiffness of the second end across the bar; held where missing"}
+          .at_least(0)
+          .may_be_missing(),
+      Field{&Input::G_1, "G_1", ratio, "first joint of a frame: sum of E I/L of its columns over that of its beams"}
+          .at_least(0)
+          .may_be_missing(),
+      Field{&Input::G_2, "G_2", ratio, "second joint of a frame, likewise; a hinge is infinite, taken as 10"}
+          .at_least(0)
+          .may_be_missing(),
+      Choice{&Input::frame, "frame", "whether the frame of the joints is held against sway"}.may_be_missing(),
+      ListField{&Input::supports, "supports", "rigid supports between the ends"}.as_arrays().may_be_missing()};
+
+  struct Result {
+    double kappa_1 = unset<double>, kappa_2 = unset<double>, mu_1 = unset<double>, mu_2 = unset<double>;
+    double u = unset<double>, beta = unset<double>;
+    Length s = unset<Length>;
+    Force N_cr = unset<Force>;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::kappa_1, "kappa_1", ratio, "spring against turning over E I/l, first end"}
+          .as(Role::result)
+          .where_it_applies(),
+      Field{&Result::kappa_2, "kappa_2", ratio, "spring against turning over E I/l, second end"}
+          .as(Role::result)
+          .where_it_applies(),
+      Field{&Result::mu_1, "mu_1", ratio, "spring across the bar over E I/l^3, first end"}
+          .as(Role::result)
+          .where_it_applies(),
+      Field{&Result::mu_2, "mu_2", ratio, "spring across the bar over E I/l^3, second end"}
+          .as(Role::result)
+          .where_it_applies(),
+      Field{&Result::u, "u", ratio, "l sqrt(N_cr/(E I)); none where the bar moves without a load"}.limit(1e-3, 1e3),
+      Field{&Result::beta, "beta", ratio, "effective length factor"}.as(Role::result),
+      Field{&Result::s, "s", mm, "effective length"}.as(Role::result),
+      Field{&Result::N_cr, "N_cr", kN, "critical force of the elastic bar"}.as(Role::result).where_it_applies()};
+
+  static bool ends_or_frame(const Input& in);
+  static bool springs_fit_ends(const Input& in);
+  static bool supports_inside(const Input& in);
+
+  static constexpr std::array rules{
+      Rule<Input>{&ends_or_frame, "end_1, end_2, G_1, G_2",
+                  "say how both ends are held, end_1 and end_2, or give G_1 and G_2 of a frame, never both"},
+      Rule<Input>{[](const Input& in) { return in.frame == Frame::braced || is_set(in.G_1); }, "frame, G_1, G_2",
+                  "a frame that sways goes with G_1 and G_2"},
+      Rule<Input>{&springs_fit_ends, "end_1, end_2, c_1, c_2, k_1, k_2",
+                  "springs c and k go with an end that is elastic, and such an end has one at least"},
+      Rule<Input>{[](const Input& in) {
+                    const bool elastic = in.end_1 == End::elastic || in.end_2 == End::elastic;
+                    return !elastic || (is_set(in.E) && is_set(in.I));
+                  },
+                  "end_1, end_2, E, I", "springs are compared with the bar: give E (or a material) and I"},
+      Rule<Input>{&supports_inside, "supports, l", "supports stand between the ends, in order along the bar"}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template EffectiveLength::Result EffectiveLength::evaluate(const Input&, NoTrace&);
+extern template EffectiveLength::Result EffectiveLength::evaluate(const Input&, Trace&);
+
+constexpr auto choices_of(EffectiveLength::End) {
+  using E = EffectiveLength::End;
+  return std::array{
+      ChoiceName<E>{E::unsaid, "unsaid", "not said"}, ChoiceName<E>{E::pinned, "pinned", "hinged"},
+      ChoiceName<E>{E::fixed, "fixed", "built in"},   ChoiceName<E>{E::guided, "guided", "moves across, does not turn"},
+      ChoiceName<E>{E::free, "free", "free"},         ChoiceName<E>{E::elastic, "elastic", "held by springs"}};
+}
+
+constexpr auto choices_of(EffectiveLength::Frame) {
+  using F = EffectiveLength::Frame;
+  return std::array{ChoiceName<F>{F::braced, "braced", "held against sway"},
+                    ChoiceName<F>{F::sway, "sway", "free to sway"}};
+}
+
+}  // namespace loadpath

@@ -1,0 +1,152 @@
+#include "calculators/fatigue/cycle.hpp"
+
+#include "lib/calculator_of.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath {
+
+namespace {
+
+using fatigue::Given;
+using Input = FatigueCycle::Input;
+using Result = FatigueCycle::Result;
+
+/// "others[2].", "others.test." or nothing for the first cycle.
+std::string place_of(const Input& in, std::size_t i) {
+  if (i == 0) return "";
+  const Name& name = in.others[i - 1].name;
+  return name.empty() ? "others[" + std::to_string(i) + "]." : "others." + std::string(name.view()) + ".";
+}
+
+/// The first cycle that breaks a condition: 0 is that of the step, then the others; past the last where none does.
+template <class Breaks>
+std::size_t first_that(const Input& in, const Breaks& breaks) {
+  if (breaks(static_cast<const Given&>(in))) return 0;
+  std::size_t i = 0;
+  while (i < in.others.size() && !breaks(static_cast<const Given&>(in.others[i]))) ++i;
+  return i + 1;
+}
+
+std::size_t miscounted(const Input& in) {
+  return first_that(in, [](const Given& g) { return fatigue::count(g) != 2; });
+}
+
+std::size_t objected(const Input& in) {
+  return first_that(in, [](const Given& g) { return *fatigue::objection(g).reason != '\0'; });
+}
+
+const Given& given(const Input& in, std::size_t i) { return i == 0 ? static_cast<const Given&>(in) : in.others[i - 1]; }
+
+/// A field of the cycle that was typed, for the message to stand at.
+std::string typed(const Given& g) {
+  if (is_set(g.r)) return "r";
+  if (is_set(g.sigma_min)) return "sigma_min";
+  return is_set(g.sigma_max) ? "sigma_max" : is_set(g.sigma_a) ? "sigma_a" : "sigma_m";
+}
+
+/// Proportional extremes, with one sense: r_1 = r_2 without a division.
+bool are_similar(const fatigue::Cycle& a, const fatigue::Cycle& b) {
+  const double a1 = in_si(a.sigma_max), a2 = in_si(a.sigma_min), b1 = in_si(b.sigma_max), b2 = in_si(b.sigma_min);
+  const double size = std::hypot(a1, a2) * std::hypot(b1, b2);
+  return std::abs(a1 * b2 - a2 * b1) <= fatigue::same * size && a1 * b1 + a2 * b2 > 0.0;
+}
+
+std::string greek(const Input& in) { return in.stress == FatigueCycle::Stresses::shear ? "tau" : "sigma"; }
+
+/// Two periods of a sine: what happens between the extremes does not matter.
+draw::Figure over_time(const Input& in, const Result& r) {
+  const std::string s = greek(in);
+  draw::Plot plot;
+  plot.x = {"t/T", "time over period", "-"};
+  plot.y = {s, "stress", "MPa"};
+  draw::Curve wave{s, {}, {}};
+  for (int i = 0; i <= 96; ++i) {
+    const double t = i / 48.0;
+    wave.x.push_back(t);
+    wave.y.push_back(in_si(r.sigma_m) + in_si(r.sigma_a) * std::sin(2.0 * pi * t));
+  }
+  plot.curves.push_back(std::move(wave));
+  plot.bounds.push_back({in_si(r.sigma_max), s + "_max"});
+  plot.bounds.push_back({in_si(r.sigma_min), s + "_min"});
+  plot.bounds.push_back({in_si(r.sigma_m), s + "_m"});
+  return {"cycle", "The cycle over time", std::move(plot)};
+}
+
+/// The cycle in the plane of amplitude over mean stress, where similar cycles lie on a ray.
+draw::Figure in_the_plane(const Input& in, const Result& r) {
+  const std::string s = greek(in);
+  draw::Plot plot;
+  plot.x = {s + "_m", "mean stress", "MPa"};
+  plot.y = {s + "_a", "amplitude", "MPa"};
+  double longest = 1.0;
+  plot.marks.push_back({in_si(r.sigma_m), in_si(r.sigma_a), "cycle"});
+  for (std::size_t i = 0; i < r.others.size(); ++i) {
+    const auto& o = r.others[i];
+    const Name& name = in.others[i].name;
+    plot.marks.push_back(
+        {in_si(o.sigma_m), in_si(o.sigma_a), name.empty() ? std::to_string(i + 1) : std::string(name.view())});
+    if (o.similar == FatigueCycle::Similar::yes) {
+      const double own = std::hypot(in_si(r.sigma_m), in_si(r.sigma_a));
+      longest = std::max(longest, std::hypot(in_si(o.sigma_m), in_si(o.sigma_a)) / own);
+    }
+  }
+  const double reach = 1.2 * longest;
+  plot.curves.push_back({"similar cycles", {0.0, reach * in_si(r.sigma_m)}, {0.0, reach * in_si(r.sigma_a)}});
+  return {"amplitude-mean", "Amplitude and mean stress; similar cycles lie on a ray", std::move(plot)};
+}
+
+}  // namespace
+
+bool FatigueCycle::two_given(const Input& in) { return miscounted(in) > in.others.size(); }
+
+FieldFault FatigueCycle::wrong_count(const Input& in) {
+  const std::size_t i = miscounted(in);
+  const int n = fatigue::count(given(in, i));
+  return {n == 0 ? "" : place_of(in, i) + typed(given(in, i)),
+          say("a cycle needs exactly two of sigma_max, sigma_min, sigma_m, sigma_a and r; given here: {1}",
+              std::to_string(n)),
+          n < 2 ? say("give one more that says how large the cycle is or where it lies") : say("leave the rest out")};
+}
+
+bool FatigueCycle::sound(const Input& in) { return objected(in) > in.others.size(); }
+
+FieldFault FatigueCycle::unsound(const Input& in) {
+  const std::size_t i = objected(in);
+  const fatigue::Objection o = fatigue::objection(given(in, i));
+  return {place_of(in, i) + typed(given(in, i)), say(o.reason), *o.remedy == '\0' ? Message{} : say(o.remedy)};
+}
+
+template <class Tracer>
+FatigueCycle::Result FatigueCycle::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  static_cast<fatigue::Cycle&>(r) = fatigue::cycle_of(in, trace);
+  const auto R_e = in.R_e;
+  if (is_set(R_e)) {
+    const auto sigma_max = r.sigma_max, sigma_min = r.sigma_min;
+    const double k = in.stress == Stresses::shear ? std::sqrt(3.0) : 1.0;
+    trace.value("k", k, in.stress == Stresses::shear ? "shear by the distortion energy hypothesis, [Mises]" : "normal");
+    STEP(u_y, k * max(abs(sigma_max), abs(sigma_min)) / R_e, "no yielding at the first load");
+    r.u_y = u_y;
+  }
+  for (std::size_t i = 0; i < in.others.size(); ++i) {
+    [[maybe_unused]] const auto scope = trace.scope("others", i);
+    Compared other;
+    static_cast<fatigue::Cycle&>(other) = fatigue::cycle_of(in.others[i], trace);
+    other.similar = are_similar(r, other) ? Similar::yes : Similar::no;
+    r.others.push_back(other);
+  }
+  return r;
+}
+
+template FatigueCycle::Result FatigueCycle::evaluate(const Input&, NoTrace&);
+template FatigueCycle::Result FatigueCycle::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> FatigueCycle::figures(const Input& in, const Result& r) {
+  return {over_time(in, r), in_the_plane(in, r)};
+}
+
+template const Calculator& erased<FatigueCycle>();
+
+}  // namespace loadpath

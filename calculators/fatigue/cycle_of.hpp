@@ -1,0 +1,184 @@
+// The characteristics of a stress cycle from any two of them, and why some pairs do not make one: [B20].
+#pragma once
+
+#include "lib/field.hpp"
+#include "lib/issue.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace loadpath::fatigue {
+
+/// Two of these are given. The ratio r = sigma_min/sigma_max may be infinite; both infinities are one point.
+struct Given {
+  Stress sigma_max = unset<Stress>, sigma_min = unset<Stress>, sigma_m = unset<Stress>, sigma_a = unset<Stress>;
+  double r = unset<double>;
+};
+
+enum class Kind { symmetric, above, below, constant, alternating, tensile, compressive };
+
+template <class Owner>
+constexpr auto given_fields() {
+  return std::tuple{
+      Field<Owner, Stress>{&Owner::sigma_max, "sigma_max", MPa, "largest stress of the cycle, signed"}.may_be_missing(),
+      Field<Owner, Stress>{&Owner::sigma_min, "sigma_min", MPa, "least stress of the cycle, signed"}.may_be_missing(),
+      Field<Owner, Stress>{&Owner::sigma_m, "sigma_m", MPa, "mean stress, signed"}.may_be_missing(),
+      Field<Owner, Stress>{&Owner::sigma_a, "sigma_a", MPa, "amplitude"}.at_least(0).may_be_missing(),
+      Field<Owner, double>{&Owner::r, "r", ratio, "ratio sigma_min/sigma_max; may be inf"}.may_be_missing()};
+}
+
+/// A cycle as it was found; r is infinite where sigma_max is zero.
+struct Cycle {
+  Stress sigma_max = unset<Stress>, sigma_min = unset<Stress>, sigma_m = unset<Stress>, sigma_a = unset<Stress>;
+  double r = unset<double>;
+  Kind kind = Kind::constant;
+};
+
+template <class Owner>
+constexpr auto cycle_fields() {
+  return std::tuple{
+      Field<Owner, Stress>{&Owner::sigma_max, "sigma_max", MPa, "largest stress of the cycle, signed"}.as(Role::result),
+      Field<Owner, Stress>{&Owner::sigma_min, "sigma_min", MPa, "least stress of the cycle, signed"}.as(Role::result),
+      Field<Owner, Stress>{&Owner::sigma_m, "sigma_m", MPa, "mean stress, signed"}.as(Role::result),
+      Field<Owner, Stress>{&Owner::sigma_a, "sigma_a", MPa, "amplitude"}.as(Role::result),
+      Field<Owner, double>{&Owner::r, "r", ratio, "ratio sigma_min/sigma_max; infinite where sigma_max is zero"}.as(
+          Role::result),
+      Choice<Owner, Kind>{&Owner::kind, "kind", "kind of cycle"}.as(Role::result)};
+}
+
+/// Why two characteristics do not make a cycle, and what would; empty where they do.
+struct Objection {
+  const char* reason = "";
+  const char* remedy = "";
+};
+int count(const Given& g);
+Objection objection(const Given& g);
+
+/// Rounding of sums must not decide what kind a cycle is.
+inline constexpr double same = 1e-9;
+
+inline Kind kind_of(Stress sigma_max, Stress sigma_min) {
+  const double high = in_si(sigma_max), low = in_si(sigma_min), size = std::max(std::abs(high), std::abs(low));
+  if (high - low <= same * size) return Kind::constant;
+  if (std::abs(high + low) <= same * size) return Kind::symmetric;
+  if (std::abs(low) <= same * size) return Kind::above;
+  if (std::abs(high) <= same * size) return Kind::below;
+  return low > 0.0 ? Kind::tensile : high < 0.0 ? Kind::compressive : Kind::alternating;
+}
+
+struct Extremes {
+  Stress sigma_max, sigma_min;
+};
+
+/// From two stresses.
+template <class Tracer>
+Extremes from_stresses(const Given& g, Tracer& trace) {
+  const auto given_max = is_set(g.sigma_max), given_min = is_set(g.sigma_min), given_m = is_set(g.sigma_m);
+  if (given_max && given_min) {
+    trace.value("sigma_max", g.sigma_max, "as given");
+    trace.value("sigma_min", g.sigma_min, "as given");
+    return {g.sigma_max, g.sigma_min};
+  }
+  const auto sigma_m = g.sigma_m, sigma_a = g.sigma_a;
+  if (given_max) {
+    const Stress sigma_max = g.sigma_max;
+    trace.value("sigma_max", sigma_max, "as given");
+    if (given_m) {
+      STEP(sigma_min, 2.0 * sigma_m - sigma_max, "the mean lies half-way, [B20]");
+      return {sigma_max, sigma_min};
+    }
+    STEP(sigma_min, sigma_max - 2.0 * sigma_a, "two amplitudes lower, [B20]");
+    return {sigma_max, sigma_min};
+  }
+  if (given_min) {
+    const Stress sigma_min = g.sigma_min;
+    trace.value("sigma_min", sigma_min, "as given");
+    if (given_m) {
+      STEP(sigma_max, 2.0 * sigma_m - sigma_min, "the mean lies half-way, [B20]");
+      return {sigma_max, sigma_min};
+    }
+    STEP(sigma_max, sigma_min + 2.0 * sigma_a, "two amplitudes higher, [B20]");
+    return {sigma_max, sigma_min};
+  }
+  STEP(sigma_max, sigma_m + sigma_a, "[B20]");
+  STEP(sigma_min, sigma_m - sigma_a, "[B20]");
+  return {sigma_max, sigma_min};
+}
+
+/// From one stress where r is infinite: sigma_max is zero.
+template <class Tracer>
+Extremes from_infinite_ratio(const Given& g, Tracer& trace) {
+  const auto sigma_m = g.sigma_m, sigma_a = g.sigma_a;
+  const Stress sigma_max = 0.0 * MPa;
+  trace.value("sigma_max", sigma_max, "zero, for r is infinite, [B20]");
+  if (is_set(g.sigma_min)) {
+    trace.value("sigma_min", g.sigma_min, "as given");
+    return {sigma_max, g.sigma_min};
+  }
+  if (is_set(sigma_m)) {
+    STEP(sigma_min, 2.0 * sigma_m, "the mean lies half-way, [B20]");
+    return {sigma_max, sigma_min};
+  }
+  STEP(sigma_min, -2.0 * sigma_a, "two amplitudes below zero, [B20]");
+  return {sigma_max, sigma_min};
+}
+
+/// From one stress and the ratio.
+template <class Tracer>
+Extremes from_ratio(const Given& g, Tracer& trace) {
+  const auto r = g.r;
+  const auto sigma_m = g.sigma_m, sigma_a = g.sigma_a;
+  if (std::isinf(r)) return from_infinite_ratio(g, trace);
+  if (is_set(g.sigma_min)) {
+    const Stress sigma_min = g.sigma_min;
+    trace.value("sigma_min", sigma_min, "as given");
+    STEP(sigma_max, sigma_min / r, "by the ratio, [B20]");
+    return {sigma_max, sigma_min};
+  }
+  if (is_set(g.sigma_max)) {
+    const Stress sigma_max = g.sigma_max;
+    trace.value("sigma_max", sigma_max, "as given");
+    STEP(sigma_min, r * sigma_max, "by the ratio, [B20]");
+    return {sigma_max, sigma_min};
+  }
+  if (is_set(sigma_m)) {
+    STEP(sigma_max, 2.0 * sigma_m / (1.0 + r), "mean and ratio, [B20]");
+    STEP(sigma_min, r * sigma_max, "by the ratio, [B20]");
+    return {sigma_max, sigma_min};
+  }
+  STEP(sigma_max, 2.0 * sigma_a / (1.0 - r), "amplitude and ratio, [B20]");
+  STEP(sigma_min, r * sigma_max, "by the ratio, [B20]");
+  return {sigma_max, sigma_min};
+}
+
+template <class Tracer>
+Cycle cycle_of(const Given& g, Tracer& trace) {
+  const auto [high, low] = is_set(g.r) ? from_ratio(g, trace) : from_stresses(g, trace);
+  const Stress sigma_max = high, sigma_min = low;
+  STEP(sigma_m, (sigma_max + sigma_min) / 2.0, "mean stress, [B20]");
+  STEP(sigma_a, (sigma_max - sigma_min) / 2.0, "amplitude, [B20]");
+  const Kind kind = kind_of(sigma_max, sigma_min);
+  Cycle c{sigma_max, sigma_min, sigma_m, sigma_a, std::numeric_limits<double>::infinity(), kind};
+  if (kind == Kind::below) {
+    trace.value("r", c.r, "infinite: sigma_max is zero, [B20]");
+    return c;
+  }
+  STEP(r, sigma_min / sigma_max, "ratio of the cycle, [B20]");
+  c.r = r;
+  return c;
+}
+
+constexpr auto choices_of(Kind) {
+  return std::array{ChoiceName<Kind>{Kind::symmetric, "symmetric", "r = -1: as far below zero as above"},
+                    ChoiceName<Kind>{Kind::above, "pulsating-above", "r = 0: between zero and tension"},
+                    ChoiceName<Kind>{Kind::below, "pulsating-below", "r infinite: between zero and compression"},
+                    ChoiceName<Kind>{Kind::constant, "static", "r = 1: constant stress"},
+                    ChoiceName<Kind>{Kind::alternating, "asymmetric-alternating", "r < 0: through zero, not symmetric"},
+                    ChoiceName<Kind>{Kind::tensile, "asymmetric-above", "0 < r < 1: always above zero"},
+                    ChoiceName<Kind>{Kind::compressive, "asymmetric-below", "r > 1: always below zero"}};
+}
+
+}  // namespace loadpath::fatigue

@@ -1,0 +1,211 @@
+#include "calculators/fatigue/endurance.hpp"
+
+#include "calculators/fatigue/estimate.hpp"
+#include "lib/calculator_of.hpp"
+
+#include <cmath>
+
+namespace loadpath {
+
+namespace {
+
+using Input = FatigueEndurance::Input;
+using Result = FatigueEndurance::Result;
+using Loading = FatigueEndurance::Loading;
+using School = FatigueEndurance::School;
+using Finish = FatigueEndurance::Finish;
+
+constexpr Stress kpsi = 6.894757 * MPa;  // 1000 lbf/in^2
+
+/// Range of an estimate as 0..1.
+double within(double x, double low, double high) { return (x - low) / (high - low); }
+
+/// Neuber's constant in the units of its source: Shigley fits it over kpsi, in root inches.
+template <class Tracer>
+Length neuber_length(const Input& in, Result& r, Tracer& trace) {
+  const bool torsion = in.loading == Loading::torsion;
+  const double S_k = in.R_m / kpsi;
+  trace.value("S_k", S_k, "R_m in kpsi, in which the fit is published");
+  r.x_n = within(in.R_m / MPa, 340.0, torsion ? 1500.0 : 1700.0);
+  trace.value("x_n", r.x_n, "of steels from 340 to 1700 MPa, in torsion to 1500 MPa, [Shigley6]");
+  if (torsion) {
+    STEP(w_a, 0.190 - 2.51e-3 * S_k + 1.35e-5 * pow<2>(S_k) - 2.67e-8 * pow<3>(S_k),
+         "root of Neuber's constant in root inches, torsion, [Shigley6] (6-35b)");
+    STEP(a_N, pow<2>(w_a) * 25.4 * mm, "Neuber's constant");
+    return a_N;
+  }
+  STEP(w_a, 0.246 - 3.08e-3 * S_k + 1.51e-5 * pow<2>(S_k) - 2.67e-8 * pow<3>(S_k),
+       "root of Neuber's constant in root inches, bending and tension, [Shigley6] (6-35a)");
+  STEP(a_N, pow<2>(w_a) * 25.4 * mm, "Neuber's constant");
+  return a_N;
+}
+
+template <class Tracer>
+void notch(const Input& in, Result& r, Tracer& trace) {
+  const auto K_t = in.K_t;
+  const auto r_n = in.r_n;
+  if (is_set(in.K_f)) {
+    r.K_f = in.K_f;
+    trace.value("K_f", r.K_f, "as given");
+    return;
+  }
+  double sensitivity = is_set(in.q) ? in.q : 1.0;
+  if (is_set(r_n)) {
+    const Length a_N = neuber_length(in, r, trace);
+    STEP(q, 1.0 / (1.0 + sqrt(a_N / r_n)), "notch sensitivity, Neuber, [Shigley6] (6-34)");
+    sensitivity = q;
+  } else {
+    trace.value("q", sensitivity, is_set(in.q) ? "as given" : "of no account: there is no notch");
+  }
+  const double q = sensitivity;
+  STEP(K_f, 1.0 + q * (K_t - 1.0), "what the notch takes in fatigue, [Shigley6] (6-32)");
+  r.K_f = K_f;
+}
+
+/// Size and roughness as DIN 743 has them; Serensen's tables are theirs, term for term.
+template <class Tracer>
+void size_and_surface(const Input& in, Result& r, Tracer& trace) {
+  const auto d = in.d, R_z = in.R_z;
+  const auto R_m = in.R_m;
+  r.epsilon = is_set(in.epsilon) ? in.epsilon : 1.0;
+  if (is_set(d) && in.loading == Loading::tension) r.x_d = 0.0;
+  if (is_set(d) && in.loading != Loading::tension) {
+    const double x_d = d > 150.0 * mm ? 1.0 : std::log(d / (7.5 * mm)) / std::log(20.0);
+    trace.value("x_d", x_d, "d from 7.5 to 150 mm on a logarithmic scale; it stays at 1 beyond, [DIN743]");
+    r.x_d = x_d;
+    STEP(epsilon, 1.0 - 0.2 * x_d, "size in bending and torsion, [DIN743]");
+    r.epsilon = epsilon;
+  } else {
+    trace.value("epsilon", r.epsilon, is_set(in.epsilon) ? "as given" : "no size effect: tension, or no d given");
+  }
+  r.beta_F = is_set(in.beta_F) ? in.beta_F : 1.0;
+  if (!is_set(R_z)) {
+    trace.value("beta_F", r.beta_F, is_set(in.beta_F) ? "as given" : "polished: no R_z given");
+    return;
+  }
+  const double lg_R = std::log10(std::max(R_z / fatigue::um, 1.0)), lg_S = std::log10(R_m / (20.0 * MPa));
+  trace.value("lg_R", lg_R, "lg of R_z in micrometres, 0 below 1");
+  trace.value("lg_S", lg_S, "lg of R_m/20 MPa");
+  STEP(K_F, 1.0 - 0.22 * lg_R * (lg_S - 1.0), "roughness, [DIN743], [GOST25504]");
+  if (in.loading == Loading::torsion) {
+    STEP(beta_F, 0.575 * K_F + 0.425, "roughness in torsion, [DIN743]");
+    r.beta_F = beta_F;
+  } else {
+    STEP(beta_F, K_F, "tension and bending");
+    r.beta_F = beta_F;
+  }
+}
+
+template <class Tracer>
+void serensen(const Input& in, Result& r, Tracer& trace) {
+  size_and_surface(in, r, trace);
+  const auto K_f = r.K_f, epsilon = r.epsilon, beta_F = r.beta_F;
+  const auto beta_V = in.beta_V;
+  const auto sigma_m1 = r.sigma_m1;
+  STEP(K_D, (K_f / epsilon + 1.0 / beta_F - 1.0) / beta_V, "shape, size and surface together, [GOST25504]");
+  STEP(sigma_D, sigma_m1 / K_D, "fatigue limit of the part");
+  r.K_D = K_D, r.sigma_D = sigma_D;
+}
+
+struct MarinSurface {
+  double a, b;  // a in MPa
+};
+
+/// Table 6-2 of [Shigley6].
+MarinSurface surface(Finish finish) {
+  switch (finish) {
+    case Finish::ground:
+      return {1.58, -0.085};
+    case Finish::machined:
+      return {4.51, -0.265};
+    case Finish::hot_rolled:
+      return {57.7, -0.718};
+    case Finish::forged:
+      return {272.0, -0.995};
+  }
+  return {unset<double>, unset<double>};
+}
+
+template <class Tracer>
+double marin_size(const Input& in, Result& r, Tracer& trace) {
+  using std::pow;
+  const auto d = in.d;
+  if (!is_set(d) || in.loading == Loading::tension) {
+    if (is_set(d)) r.x_d = 0.0;
+    return NAMED_STEP("k_b", 1.0, "no size effect: tension, or no d given, [Shigley6]");
+  }
+  r.x_d = std::log(d / (2.79 * mm)) / std::log(254.0 / 2.79);
+  trace.value("x_d", r.x_d, "d from 2.79 to 254 mm on a logarithmic scale, [Shigley6]");
+  if (d > 51.0 * mm) return NAMED_STEP("k_b", 1.51 * pow(d / mm, -0.157), "51 to 254 mm, [Shigley6] (6-20)");
+  return NAMED_STEP("k_b", 1.24 * pow(d / mm, -0.107), "2.79 to 51 mm, [Shigley6] (6-20)");
+}
+
+template <class Tracer>
+void marin(const Input& in, Result& r, Tracer& trace) {
+  using std::pow;
+  const auto R_m = in.R_m;
+  const auto [a, b] = surface(in.finish);
+  trace.value("a", a, "of the finish, [Shigley6] table 6-2");
+  trace.value("b", b, "of the finish, [Shigley6] table 6-2");
+  STEP(k_s, a * pow(R_m / MPa, b), "surface, [Shigley6] (6-19)");
+  STEP(k_a, min(k_s, 1.0), "no surface is better than polished");
+  const double k_b = marin_size(in, r, trace);
+  const auto K_f = r.K_f;
+  const auto sigma_m1 = r.sigma_m1;
+  STEP(K_D, K_f / (k_a * k_b), "shape, size and surface together");
+  STEP(sigma_D, sigma_m1 / K_D, "fatigue limit of the part, the notch counted once");
+  r.k_a = k_a, r.k_b = k_b, r.K_D = K_D, r.sigma_D = sigma_D;
+}
+
+}  // namespace
+
+bool FatigueEndurance::rule_fits(const Input& in) { return is_set(in.sigma_W) || fatigue::covers(in); }
+
+FieldFault FatigueEndurance::misfit(const Input& in) {
+  switch (in.rule) {
+    case RuleOf::textbook:
+      return {
+          "rule",
+          say("the textbook gives fatigue limits in bending alone, of carbon steel, cast iron and non-ferrous metals"),
+          say("take rule = \"din743\" for steels, \"fkm\" for tension and torsion, or give sigma_W")};
+    case RuleOf::din743:
+      return {"rule", say("DIN 743 is for steels"), say("take rule = \"fkm\", or give sigma_W")};
+    case RuleOf::fkm:
+      return {"rule",
+              say("FKM gives the limits in tension and torsion; in bending it counts the stress gradient, and "
+                  "this group may not be in it"),
+              say("take loading = \"tension\", which is on the safe side of bending, or give sigma_W")};
+    case RuleOf::shigley:
+      return {"rule", say("this rule is for steels"), say("take rule = \"fkm\", or give sigma_W")};
+  }
+  return {};
+}
+
+template <class Tracer>
+FatigueEndurance::Result FatigueEndurance::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  if (is_set(in.sigma_W)) {
+    r.sigma_m1 = in.sigma_W;
+    trace.value("sigma_m1", r.sigma_m1, "as measured");
+  } else {
+    fatigue::estimate(in, r, trace);
+  }
+  r.N_0 = in.group >= Group::wrought_aluminium ? 1e8 : 1e7;
+  trace.value("N_0", r.N_0,
+              in.group >= Group::wrought_aluminium ? "non-ferrous: no asymptote, the limit is conventional, [B20]"
+                                                   : "the curve runs level from about here, [B20]");
+  notch(in, r, trace);
+  if (in.school == School::serensen) {
+    serensen(in, r, trace);
+  } else {
+    marin(in, r, trace);
+  }
+  return r;
+}
+
+template FatigueEndurance::Result FatigueEndurance::evaluate(const Input&, NoTrace&);
+template FatigueEndurance::Result FatigueEndurance::evaluate(const Input&, Trace&);
+
+template const Calculator& erased<FatigueEndurance>();
+
+}  // namespace loadpath

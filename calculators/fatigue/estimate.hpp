@@ -1,0 +1,98 @@
+// Fatigue limits of smooth specimens from the tensile strength, by published rules, each with what it covers.
+#pragma once
+
+#include "calculators/fatigue/endurance.hpp"
+
+namespace loadpath::fatigue {
+
+/// What a rule makes of the tensile strength: a band of factors, or one factor twice.
+struct Factors {
+  double low = unset<double>, high = unset<double>;
+  const char* why = "";
+};
+
+inline bool is_steel(FatigueEndurance::Group group) { return group <= FatigueEndurance::Group::cast_steel; }
+
+/// The bands of [B20], for bending.
+inline Factors textbook(const FatigueEndurance::Input& in) {
+  using G = FatigueEndurance::Group;
+  if (in.loading != FatigueEndurance::Loading::bending) return {};
+  if (in.group == G::carbon_steel) return {0.40, 0.45, "carbon steel, 0.40 to 0.45 of R_m, [B20]"};
+  const bool iron = in.group == G::grey_iron || in.group == G::ductile_iron || in.group == G::malleable_iron;
+  if (iron) return {0.40, 0.40, "cast iron, 0.40 of R_m, [B20]"};
+  if (in.group >= G::wrought_aluminium) return {0.24, 0.50, "non-ferrous metals, 0.24 to 0.50 of R_m, [B20]"};
+  return {};
+}
+
+inline Factors din743(const FatigueEndurance::Input& in) {
+  using L = FatigueEndurance::Loading;
+  if (!is_steel(in.group) || in.group == FatigueEndurance::Group::cast_steel) return {};
+  if (in.loading == L::bending) return {0.5, 0.5, "bending, half of R_m, [DIN743]"};
+  if (in.loading == L::tension) return {0.4, 0.4, "tension and compression, 0.4 of R_m, [DIN743]"};
+  return {0.3, 0.3, "torsion, 0.3 of R_m, [DIN743]"};
+}
+
+/// Tension; torsion is a part of it.
+inline Factors fkm(const FatigueEndurance::Input& in) {
+  using G = FatigueEndurance::Group;
+  struct Row {
+    G group;
+    double sigma, tau;
+  };
+  static constexpr Row rows[] = {{G::carbon_steel, 0.45, 0.577},         {G::alloy_steel, 0.45, 0.577},
+                                 {G::case_hardening_steel, 0.40, 0.577}, {G::stainless_steel, 0.40, 0.577},
+                                 {G::cast_steel, 0.34, 0.577},           {G::grey_iron, 0.34, 1.0},
+                                 {G::ductile_iron, 0.34, 0.65},          {G::malleable_iron, 0.30, 0.75},
+                                 {G::wrought_aluminium, 0.30, 0.577},    {G::cast_aluminium, 0.30, 0.75}};
+  if (in.loading == FatigueEndurance::Loading::bending) return {};
+  const bool torsion = in.loading == FatigueEndurance::Loading::torsion;
+  for (const Row& row : rows) {
+    const double factor = row.sigma * (torsion ? row.tau : 1.0);
+    if (row.group == in.group) return {factor, factor, torsion ? "f_W,sigma f_W,tau, [FKM]" : "f_W,sigma, [FKM]"};
+  }
+  return {};
+}
+
+/// With the load factor of tension and torsion.
+inline Factors shigley(const FatigueEndurance::Input& in) {
+  using L = FatigueEndurance::Loading;
+  if (!is_steel(in.group)) return {};
+  if (in.loading == L::bending) return {0.5, 0.5, "rotating bending, [Shigley6] (6-8)"};
+  if (in.loading == L::tension) return {0.425, 0.425, "half, times 0.85 for tension, [Shigley6] (6-8), (6-26)"};
+  return {0.295, 0.295, "half, times 0.59 for torsion, [Shigley6] (6-8), (6-26)"};
+}
+
+inline Factors factors(const FatigueEndurance::Input& in) {
+  using R = FatigueEndurance::RuleOf;
+  switch (in.rule) {
+    case R::textbook:
+      return textbook(in);
+    case R::din743:
+      return din743(in);
+    case R::fkm:
+      return fkm(in);
+    case R::shigley:
+      return shigley(in);
+  }
+  return {};
+}
+
+inline bool covers(const FatigueEndurance::Input& in) { return is_set(factors(in).low); }
+
+template <class Tracer>
+void estimate(const FatigueEndurance::Input& in, FatigueEndurance::Result& r, Tracer& trace) {
+  const Factors f = factors(in);
+  const double f_low = f.low, f_high = f.high;
+  const Stress R_m = in.R_m;
+  // Shigley: steels stronger than 1400 MPa gain nothing; the others set no such bound.
+  const Stress R_cap = in.rule == FatigueEndurance::RuleOf::shigley ? min(R_m, 1400.0 * MPa) : R_m;
+  trace.value("f_low", f_low, f.why);
+  trace.value("f_high", f_high, f.why);
+  trace.value("R_cap", R_cap, "tensile strength that the rule counts");
+  STEP(sigma_low, f_low * R_cap, "lower end of the rule's band");
+  STEP(sigma_high, f_high * R_cap, "upper end of the rule's band");
+  STEP(sigma_m1, sigma_low, "the lower end, on the safe side");
+  r.sigma_low = sigma_low, r.sigma_high = sigma_high, r.sigma_m1 = sigma_m1;
+}
+
+}  // namespace loadpath::fatigue

@@ -1,0 +1,209 @@
+#include "calculators/fatigue/wohler.hpp"
+
+#include "lib/calculator_of.hpp"
+#include "lib/numerics/quantile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath {
+
+namespace {
+
+using Input = FatigueWohler::Input;
+using Result = FatigueWohler::Result;
+using End = FatigueWohler::End;
+
+double lg_stress(Stress S) { return std::log10(S / MPa); }
+
+/// The highest level with a run-out; zero where every specimen failed.
+Stress highest_runout(const Input& in) {
+  Stress highest = 0.0 * MPa;
+  for (const auto& t : in.tests) highest = t.end == End::runout ? max(highest, t.S) : highest;
+  return highest;
+}
+
+/// What the regression needs of the failures above the run-outs.
+struct Sums {
+  int n = 0;
+  double X = 0.0, Y = 0.0;              // means of lg S and lg N
+  double xx = 0.0, xy = 0.0, yy = 0.0;  // sums of products about the means
+  double X_low = 1e300, X_high = -1e300, Y_high = -1e300;
+};
+
+template <class Visit>
+void for_finite(const Input& in, const Visit& visit) {
+  const Stress above = highest_runout(in);
+  for (const auto& t : in.tests) {
+    if (t.end == End::failure && t.S > above) visit(lg_stress(t.S), std::log10(t.N));
+  }
+}
+
+Sums sums_of(const Input& in) {
+  Sums s;
+  for_finite(in, [&](double X, double Y) {
+    ++s.n, s.X += X, s.Y += Y;
+    s.X_low = std::min(s.X_low, X), s.X_high = std::max(s.X_high, X), s.Y_high = std::max(s.Y_high, Y);
+  });
+  s.X /= s.n, s.Y /= s.n;
+  for_finite(in, [&](double X, double Y) {
+    s.xx += (X - s.X) * (X - s.X), s.xy += (X - s.X) * (Y - s.Y), s.yy += (Y - s.Y) * (Y - s.Y);
+  });
+  return s;
+}
+
+/// Sum of squares about the line, one by one: the difference of large sums would lose a small scatter.
+double squares_about(const Input& in, double A, double B) {
+  double sum = 0.0;
+  for_finite(in, [&](double X, double Y) { sum += (Y - A - B * X) * (Y - A - B * X); });
+  return sum;
+}
+
+template <class Tracer>
+void fit(const Input& in, const Sums& sums, Result& r, Tracer& trace) {
+  const double n = sums.n, X_m = sums.X, Y_m = sums.Y, Q_xx = sums.xx, Q_xy = sums.xy;
+  trace.value("n", n, "failures above the highest run-out, X = lg(S/MPa), Y = lg N");
+  trace.value("X_m", X_m, "mean of X");
+  trace.value("Y_m", Y_m, "mean of Y");
+  trace.value("Q_xx", Q_xx, "sum of (X - X_m)^2");
+  trace.value("Q_xy", Q_xy, "sum of (X - X_m)(Y - Y_m)");
+  STEP(B, Q_xy / Q_xx, "least squares, life as the dependent variable, [E739]");
+  STEP(A, Y_m - B * X_m, "the line goes through the means, [E739]");
+  STEP(k, -B, "N S^k is constant along the line");
+  const double Q = squares_about(in, A, B);
+  trace.value("Q", Q, "sum of (Y - A - B X)^2");
+  STEP(s, sqrt(Q / (n - 2.0)), "two of the n points are spent on the line, [E739]");
+  const double t_C = numerics::student_quantile(0.5 * (1.0 + in.C), sums.n - 2);
+  trace.value("t_C", t_C, "Student's t of n - 2 degrees of freedom for the confidence C");
+  STEP(b_C, t_C * s / sqrt(Q_xx), "half the confidence interval of the slope, [E739]");
+  STEP(B_low, B - b_C, "lower end");
+  STEP(B_high, B + b_C, "upper end");
+  r.n = n, r.A = A, r.B = B, r.k = k, r.s = s, r.B_low = B_low, r.B_high = B_high;
+}
+
+template <class Tracer>
+void scatter(const Input& in, Result& r, Tracer& trace) {
+  using std::pow;
+  const auto A = r.A, k = r.k, s = r.s;
+  const auto P_s = in.P_s;
+  const double z_90 = numerics::normal_quantile(0.9), z_P = numerics::normal_quantile(P_s);
+  trace.value("z_90", z_90, "standard normal deviate of 90 %");
+  STEP(T_N, pow(10.0, 2.0 * z_90 * s), "lives at 10 % and 90 % survival, log-normal, [ISO12107]");
+  STEP(T_S, pow(T_N, 1.0 / k), "the same along the stress");
+  trace.value("z_P", z_P, "standard normal deviate of P_s");
+  STEP(A_P, A - z_P * s, "line of survival P_s, parallel to that of 50 %");
+  STEP(P_f, 1.0 - P_s, "no percentile below the fifth, [E739]");
+  r.T_N = T_N, r.T_S = T_S, r.A_P = A_P, r.P_f = P_f;
+}
+
+/// The lowest stress of a failure, wherever it lies.
+Stress lowest_failure(const Input& in) {
+  Stress lowest = from_si<Stress>(std::numeric_limits<double>::infinity());
+  for (const auto& t : in.tests) lowest = t.end == End::failure ? min(lowest, t.S) : lowest;
+  return lowest;
+}
+
+template <class Tracer>
+void knee(const Input& in, Result& r, Tracer& trace) {
+  using std::pow;
+  const Stress S_r = highest_runout(in), S_f = lowest_failure(in);
+  const auto A = r.A, B = r.B;
+  if (is_set(in.S_D)) {
+    r.S_D = in.S_D;
+    trace.value("S_D", r.S_D, "as given");
+  } else if (S_r > 0.0 * MPa) {
+    trace.value("S_r", S_r, "highest stress with a run-out");
+    trace.value("S_f", S_f, "lowest stress with a failure");
+    STEP(S_D, (S_r + S_f) / 2.0, "half-way: a first estimate of the asymptote of [B20], no staircase statistics");
+    r.S_D = S_D;
+  } else {
+    return;
+  }
+  const Stress S_D = r.S_D;
+  STEP(N_D, pow(10.0, A + B * log(S_D / MPa) / log(10.0)), "the line at the fatigue limit");
+  r.N_D = N_D;
+}
+
+template <class Tracer>
+void life(const Input& in, const Sums& sums, Result& r, Tracer& trace) {
+  using std::pow;
+  const auto A = r.A, B = r.B, A_P = r.A_P;
+  const auto S = in.S;
+  const double X_low = sums.X_low, X_high = sums.X_high;
+  if (is_set(S)) {
+    STEP(X_S, log(S / MPa) / log(10.0), "lg of the stress");
+    trace.value("X_low", X_low, "least X of the regression");
+    trace.value("X_high", X_high, "largest X of the regression");
+    STEP(x_S, (X_S - X_low) / (X_high - X_low), "the line holds between the tested stresses, [E739]");
+    r.x_S = x_S;
+    if (!is_set(r.S_D) || S > r.S_D) {
+      STEP(N_50, pow(10.0, A + B * X_S), "life of one in two");
+      STEP(N_P, pow(10.0, A_P + B * X_S), "life that the share P_s survives");
+      r.N_50 = N_50, r.N_P = N_P;
+    }
+  }
+  const auto N_0 = in.N_0;
+  if (!is_set(N_0)) return;
+  const double Y_high = sums.Y_high;
+  STEP(S_0, pow(10.0, (log(N_0) / log(10.0) - A) / B) * MPa, "conventional fatigue limit, [B20]: the line at N_0");
+  trace.value("Y_high", Y_high, "largest lg N of the regression");
+  STEP(x_N, N_0 / pow(10.0, Y_high), "lives beyond those tested are not on the line, [E739]");
+  r.S_0 = S_0, r.x_N = x_N;
+}
+
+draw::Curve line(const std::string& label, double A, double B, double X_from, double X_to) {
+  return {label, {A + B * X_from, A + B * X_to}, {X_from, X_to}};
+}
+
+/// Points of one kind; each stands alone.
+draw::Curve dots(const Input& in, End end, const std::string& label) {
+  draw::Curve points{label, {}, {}};
+  for (const auto& t : in.tests) {
+    if (t.end != end) continue;
+    points.x.insert(points.x.end(), {std::log10(t.N), unset<double>});
+    points.y.insert(points.y.end(), {lg_stress(t.S), unset<double>});
+  }
+  return points;
+}
+
+}  // namespace
+
+bool FatigueWohler::enough(const Input& in) { return sums_of(in).n >= 3; }
+
+bool FatigueWohler::spread(const Input& in) {
+  const Sums s = sums_of(in);
+  return s.n < 3 || (s.X_high - s.X_low > 1e-9 && s.xy < 0.0);
+}
+
+template <class Tracer>
+FatigueWohler::Result FatigueWohler::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  const Sums sums = sums_of(in);
+  fit(in, sums, r, trace);
+  scatter(in, r, trace);
+  knee(in, r, trace);
+  life(in, sums, r, trace);
+  return r;
+}
+
+template FatigueWohler::Result FatigueWohler::evaluate(const Input&, NoTrace&);
+template FatigueWohler::Result FatigueWohler::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> FatigueWohler::figures(const Input& in, const Result& r) {
+  const Sums sums = sums_of(in);
+  draw::Plot plot;
+  plot.x = {"lg N", "cycles", "-"};
+  plot.y = {"lg S", "stress in MPa", "-"};
+  const double X_low = is_set(r.S_D) && r.S_D > 0.0 * MPa ? std::min(lg_stress(r.S_D), sums.X_low) : sums.X_low;
+  plot.curves.push_back(line("50 %", r.A, r.B, sums.X_high, X_low));
+  plot.curves.push_back(line("P_s", r.A_P, r.B, sums.X_high, X_low));
+  plot.curves.push_back(line("1 - P_s", 2.0 * r.A - r.A_P, r.B, sums.X_high, X_low));
+  plot.curves.push_back(dots(in, End::failure, "failures"));
+  if (highest_runout(in) > 0.0 * MPa) plot.curves.push_back(dots(in, End::runout, "run-outs"));
+  if (is_set(r.S_D)) plot.bounds.push_back({lg_stress(r.S_D), "lg S_D"});
+  return {{"wohler", "Test points, lines of survival and fatigue limit", std::move(plot)}};
+}
+
+template const Calculator& erased<FatigueWohler>();
+
+}  // namespace loadpath

@@ -1,0 +1,205 @@
+// Geometry, forces and first strength of a pair of cylindrical gears: two wheels, wheel and ring, wheel and rack.
+//
+// Decides the centre distance or the profile shift, all diameters, contact ratios, tooth thickness and base-tangent
+// length, the tooth forces in space, and Lewis' bending stress; undercut, pointed tips, interference and lost contact
+// are limits. ISO 21771 with all tooth counts positive: g = 1 for a wheel, -1 for a ring. A positive profile shift
+// thickens the tooth, that of a ring too (KHK counts the shift of a ring the other way).
+// Axes of the forces: x from axis 1 to the pitch point, z along the axes towards the viewer, y to make a right hand.
+// Lewis: static, load at the tip of one tooth, no stress concentration unless K_f is given: a first estimate that
+// under-reports the fatigue stress at the fillet by 50 to 100 %. Not covered: pitting, the rating of ISO 6336, teeth of
+// rings and racks in bending, trimming when a wheel is put into a ring sideways, the fillet that a shaper leaves.
+#pragma once
+
+#include "calculators/gear/pair_choices.hpp"
+#include "calculators/gear/pair_result.hpp"
+#include "lib/draw/figure.hpp"
+#include "lib/issue.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath {
+
+struct GearPair {
+  static constexpr auto id = "gear.pair";
+  static constexpr auto title = "Pair of cylindrical gears";
+  static constexpr auto scope =
+      "Spur and helical gears with profile shift, external, internal or with a rack: centre distance, diameters, "
+      "contact "
+      "ratios, tooth thickness and base-tangent length, tooth forces with their directions, bending by Lewis as a "
+      "static first estimate. Pitting and the rating of ISO 6336 are not covered.";
+  static constexpr auto source = "[ISO21771], [Lewis]";
+  static constexpr auto example = R"([project]
+title = "First stage of a reducer"
+
+[stage]
+calculator = "gear.pair"
+z_1 = 20
+z_2 = 57
+m_n = "2.5 mm"
+beta = "12 deg"
+hand = "right"
+a_w = "100 mm"
+x_1 = 0.3
+b = "28 mm"
+T_1 = "60 N*m"
+n_1 = "1450 rpm"
+K_A = 1.25
+cutting = "hobbed"
+sigma_adm_1 = "220 MPa"
+sigma_adm_2 = "200 MPa"
+)";
+
+  using Mesh = gear::Mesh;
+  using Hand = gear::Hand;
+  using Turns = gear::Turns;
+  using Shortening = gear::Shortening;
+  using Cutting = gear::Cutting;
+  using Idler = gear::Idler;
+  using Result = gear::PairResult;
+
+  struct Input {
+    Mesh mesh = Mesh::external;
+    int z_1 = 0, z_2 = 0;
+    Length m_n = unset<Length>;
+    double alpha_n = 20.0 * deg.one, beta = 0.0;
+    Hand hand = Hand::right;
+    double x_1 = 0.0, x_2 = unset<double>;
+    Length a_w = unset<Length>;
+    double h_aP = 1.0, h_fP = 1.25, rho_fP = 0.38;
+    Shortening shortening = Shortening::clearance;
+    Length A_s1 = 0.0 * mm, A_s2 = 0.0 * mm;
+    int k_W1 = 0, k_W2 = 0;
+    Length b = unset<Length>;
+    double psi_m = unset<double>;
+    Moment T_1 = unset<Moment>;
+    Power P = unset<Power>;
+    AngularSpeed n_1 = unset<AngularSpeed>;
+    Turns turns = Turns::ccw;
+    double K_A = 1.0, K_f = 1.0;
+    Cutting cutting = Cutting::none;
+    Idler idler = Idler::none;
+    double Y_1 = unset<double>, Y_2 = unset<double>;
+    Stress sigma_adm_1 = unset<Stress>, sigma_adm_2 = unset<Stress>;
+  };
+  static FieldFault bases_apart(const Input& in);
+  static FieldFault no_working_angle(const Input& in);
+  static bool bases_meet(const Input& in);
+  static bool working_angle_exists(const Input& in);
+  static constexpr std::tuple inputs{
+      Choice{&Input::mesh, "mesh", "what gear 1 meshes with"}.may_be_missing(),
+      Count{&Input::z_1, "z_1", 5, 2000, "teeth of gear 1, the wheel or pinion"},
+      Count{&Input::z_2, "z_2", 5, 2000, "teeth of gear 2; none for a rack"}.may_be_missing(),
+      Field{&Input::m_n, "m_n", mm, "normal module"}.positive().usually(0.2, 50).searched("module").may_be_missing(),
+      Field{&Input::alpha_n, "alpha_n", deg, "normal pressure angle"}.within(10, 35).usually(14.5, 25),
+      Field{&Input::beta, "beta", deg, "helix angle at the reference cylinder"}.within(0, 45).usually(0, 35),
+      Choice{&Input::hand, "hand", "hand of the helix of gear 1"}.may_be_missing(),
+      Field{&Input::x_1, "x_1", ratio, "profile shift of gear 1 in normal modules"}.within(-3, 3).usually(-0.8, 1.2),
+      Field{&Input::x_2, "x_2", ratio,
+            "profile shift of gear 2, positive thickens its tooth; missing: from a_w, without it zero"}
+          .within(-3, 3)
+          .usually(-0.8, 1.2)
+          .may_be_missing(),
+      Field{&Input::a_w, "a_w", mm, "working centre distance; of a rack, from the axis to its reference line"}
+          .positive()
+          .may_be_missing(),
+      Field{&Input::h_aP, "h_aP", ratio, "addendum of the basic rack in modules"}.within(0.3, 2).usually(0.8, 1.2),
+      Field{&Input::h_fP, "h_fP", ratio, "dedendum of the basic rack in modules"}.within(0.4, 2.5).usually(1, 1.4),
+      Field{&Input::rho_fP, "rho_fP", ratio, "root radius of the basic rack in modules"}.within(0, 0.6),
+      Choice{&Input::shortening, "shortening", "tips of a pair with profile shift"}.may_be_missing(),
+      Field{&Input::A_s1, "A_s1", mm, "allowance of the tooth thickness of gear 1, thinner is negative"}.within(-5, 0),
+      Field{&Input::A_s2, "A_s2", mm, "allowance of the tooth thickness of gear 2, thinner is negative"}.within(-5, 0),
+      Count{&Input::k_W1, "k_W1", 0, 2000, "teeth spanned on gear 1; 0: chosen"}.may_be_missing(),
+      Count{&Input::k_W2, "k_W2", 0, 2000, "teeth spanned on gear 2; 0: chosen"}.may_be_missing(),
+      Field{&Input::b, "b", mm, "common face width"}.positive().may_be_missing(),
+      Field{&Input::psi_m, "psi_m", ratio, "face width in normal modules, in place of b"}
+          .positive()
+          .usually(5, 30)
+          .may_be_missing(),
+      Field{&Input::T_1, "T_1", N_m,
+            "torque on shaft 1, nominal; positive where gear 1 drives, negative where it is driven"}
+          .may_be_missing(),
+      Field{&Input::P, "P", kW, "nominal power that gear 1 takes in, in place of T_1, with n_1"}.may_be_missing(),
+      Field{&Input::n_1, "n_1", rpm, "speed of gear 1"}.positive().may_be_missing(),
+      Choice{&Input::turns, "turns", "sense of rotation of gear 1, seen against the z axis"}.may_be_missing(),
+      Field{&Input::K_A, "K_A", ratio, "application factor: what the nominal load does not contain, once"}
+          .positive()
+          .usually(1, 2.5)
+          .factor(),
+      Field{&Input::K_f, "K_f", ratio, "stress concentration at the fillet; 1: Lewis' static stress"}
+          .at_least(1)
+          .usually(1, 2.5)
+          .factor(),
+      Choice{&Input::cutting, "cutting", "how the teeth are made, for the velocity factor"}.may_be_missing(),
+      Choice{&Input::idler, "idler", "gear whose teeth bend both ways in a turn"}.may_be_missing(),
+      Field{&Input::Y_1, "Y_1", ratio, "Lewis' factor of gear 1; missing: from the form of its tooth"}
+          .positive()
+          .usually(0.15, 0.8)
+          .may_be_missing(),
+      Field{&Input::Y_2, "Y_2", ratio, "Lewis' factor of gear 2; missing: from the form of its tooth"}
+          .positive()
+          .usually(0.15, 0.8)
+          .may_be_missing(),
+      Field{&Input::sigma_adm_1, "sigma_adm_1", MPa,
+            "allowable bending stress of gear 1, pulsating, its safety included"}
+          .positive()
+          .usually(10, 1000)
+          .may_be_missing(),
+      Field{&Input::sigma_adm_2, "sigma_adm_2", MPa,
+            "allowable bending stress of gear 2, pulsating, its safety included"}
+          .positive()
+          .usually(10, 1000)
+          .may_be_missing()};
+  static constexpr auto results = gear::pair_results;
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return (in.mesh == Mesh::rack) == (in.z_2 == 0); }, "mesh, z_2",
+                  "two wheels, or wheel and ring, need z_2; a rack has no number of teeth"},
+      Rule<Input>{[](const Input& in) { return in.mesh != Mesh::internal || in.z_2 > in.z_1; }, "mesh, z_1, z_2",
+                  "a ring has more teeth than the wheel inside it"},
+      Rule<Input>{[](const Input& in) {
+                    return in.mesh != Mesh::rack || !(is_set(in.x_2) || is_set(in.sigma_adm_2) || is_set(in.Y_2) ||
+                                                      in.A_s2 < 0.0 * mm || in.k_W2 != 0);
+                  },
+                  "mesh, x_2, A_s2, k_W2, Y_2, sigma_adm_2",
+                  "of a rack only the place a_w of its reference line is given: leave out what belongs to a wheel 2"},
+      Rule<Input>{
+          [](const Input& in) {
+            return in.mesh != Mesh::internal || !(is_set(in.sigma_adm_2) || is_set(in.Y_2) || in.k_W2 != 0);
+          },
+          "mesh, k_W2, Y_2, sigma_adm_2",
+          "Lewis' formula and the base-tangent length do not cover the teeth of a ring: leave out k_W2, Y_2 and "
+          "sigma_adm_2"},
+      Rule<Input>{&bases_meet, "a_w, z_1, z_2, m_n, alpha_n, beta",
+                  "the base circles of the wheels do not let them mesh at this centre distance", &bases_apart},
+      Rule<Input>{&working_angle_exists, "x_1, x_2, z_1, z_2",
+                  "with these profile shifts there is no working pressure angle", &no_working_angle},
+      Rule<Input>{[](const Input& in) { return !(is_set(in.b) && is_set(in.psi_m)); }, "b, psi_m",
+                  "give the face width as b or as psi_m, never both"},
+      Rule<Input>{[](const Input& in) { return !(is_set(in.T_1) && is_set(in.P)); }, "T_1, P",
+                  "give the load as T_1 or as P, never both"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.P) || is_set(in.n_1); }, "P, n_1",
+                  "a power needs the speed n_1"},
+      Rule<Input>{[](const Input& in) {
+                    const bool load = is_set(in.T_1) || is_set(in.P), width = is_set(in.b) || is_set(in.psi_m);
+                    return !(is_set(in.sigma_adm_1) || is_set(in.sigma_adm_2)) || (load && width);
+                  },
+                  "sigma_adm_1, sigma_adm_2, T_1, P, b, psi_m",
+                  "an allowable stress needs a load (T_1, or P with n_1) and a face width (b or psi_m)"},
+      Rule<Input>{[](const Input& in) { return in.cutting == Cutting::none || is_set(in.n_1); }, "cutting, n_1",
+                  "the velocity factor needs the speed n_1"},
+      Rule<Input>{[](const Input& in) { return in.rho_fP <= in.h_fP; }, "rho_fP, h_fP",
+                  "the root radius does not fit into the dedendum"},
+      Rule<Input>{[](const Input& in) { return in.k_W1 < in.z_1 && (in.k_W2 == 0 || in.k_W2 < in.z_2); },
+                  "k_W1, k_W2, z_1, z_2", "fewer teeth are spanned than the wheel has"}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template GearPair::Result GearPair::evaluate(const Input&, NoTrace&);
+extern template GearPair::Result GearPair::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath

@@ -1,0 +1,152 @@
+// Speeds, torques, tooth forces and Lewis' bending stress of a pair of gears.
+#include "calculators/gear/pair_parts.hpp"
+#include "calculators/gear/tooth_form.hpp"
+
+namespace loadpath::gear {
+
+namespace {
+
+template <class Tracer>
+Moment torque(const GearPair::Input& in, Tracer& trace) {
+  const auto T_given = in.T_1;
+  const auto P = in.P;
+  const auto n_1 = in.n_1;
+  if (!is_set(P)) return T_given;
+  STEP(T_1, P / n_1, "torque from the power, nominal");
+  return T_1;
+}
+
+template <class Tracer>
+void speeds(const GearPair::Input& in, PairResult& r, Tracer& trace) {
+  const auto n_1 = in.n_1;
+  const auto d_w1 = r.d_w1;
+  const double z_1 = in.z_1, z_2 = in.z_2;
+  STEP(v, n_1 * d_w1 / 2.0, "pitch line velocity");
+  r.v = v;
+  if (in.mesh == Mesh::rack) return;
+  const double g = sign_of(in.mesh);
+  trace.value("g", g, "1 with a wheel, -1 with a ring");
+  STEP(n_2, -g * n_1 * z_1 / z_2, "wheels turn against each other, wheel and ring alike");
+  r.n_2 = n_2;
+}
+
+/// [Vortarus], with the hand of the helix and the sense of rotation; the working circle gives what the bearings feel.
+template <class Tracer>
+void forces(const GearPair::Input& in, Moment T_1, PairResult& r, Tracer& trace) {
+  const auto d_1 = r.d_1, d_w1 = r.d_w1;
+  const double beta = in.beta, alpha_t = r.alpha_t, alpha_wt = r.alpha_wt;
+  const double w = in.turns == Turns::ccw ? 1.0 : -1.0, h = in.hand == Hand::right ? 1.0 : -1.0;
+  trace.value("w", w, "1 where gear 1 turns counter-clockwise, -1 clockwise");
+  trace.value("h", h, "1 for a right-hand helix of gear 1, -1 for a left-hand one");
+  STEP(F_t, 2.0 * abs(T_1) / d_1, "at the reference circle");
+  STEP(F_tw, 2.0 * abs(T_1) / d_w1, "at the working circle");
+  STEP(F_rw, F_tw * tan(alpha_wt), "radial, at the working circle, [Vortarus]");
+  STEP(F_a, F_t * tan(beta), "axial, [Vortarus]");
+  STEP(F_bn, F_tw / cos(alpha_wt) * sqrt(1.0 + pow<2>(tan(beta) * cos(alpha_t))), "along the normal of the tooth");
+  STEP(F_x1, -F_rw, "a tooth is pushed towards its own wheel, away from its mate");
+  STEP(F_y1, -w * 2.0 * T_1 / d_w1, "against the rotation where gear 1 drives");
+  STEP(F_z1, -h * F_y1 * d_w1 / d_1 * tan(beta), "along the axis: the force is normal to the helix");
+  r.F_t = F_t, r.F_tw = F_tw, r.F_rw = F_rw, r.F_a = F_a, r.F_bn = F_bn;
+  r.F_x1 = F_x1, r.F_y1 = F_y1, r.F_z1 = F_z1;
+  r.F_x2 = -F_x1, r.F_y2 = -F_y1, r.F_z2 = -F_z1;
+  if (in.mesh == Mesh::rack) return;
+  const double u = r.u;
+  STEP(T_2, abs(T_1) * u, "without losses");
+  r.T_2 = T_2;
+}
+
+/// [Shigley14] (14-4a) to (14-6b); the speeds up to which they are used are recalled.
+template <class Tracer>
+void velocity_factor(const GearPair::Input& in, PairResult& r, Tracer& trace) {
+  const auto v = r.v;
+  r.K_v = 1.0, r.v_share = 0.0;
+  if (in.cutting == Cutting::none) return trace.value("K_v", r.K_v, "load at rest");
+  if (in.cutting == Cutting::cast) {
+    r.K_v = NAMED_STEP("K_v", (3.05 + v / m_per_s) / 3.05, "cast teeth, Barth, [Shigley14]");
+    r.v_share = NAMED_STEP("v_share", v / (10.0 * m_per_s), "used up to 10 m/s");
+  } else if (in.cutting == Cutting::milled) {
+    r.K_v = NAMED_STEP("K_v", (6.1 + v / m_per_s) / 6.1, "cut teeth, Barth, [Shigley14]");
+    r.v_share = NAMED_STEP("v_share", v / (20.0 * m_per_s), "used up to 20 m/s");
+  } else if (in.cutting == Cutting::hobbed) {
+    r.K_v = NAMED_STEP("K_v", (3.56 + sqrt(v / m_per_s)) / 3.56, "hobbed or shaped teeth, [Shigley14]");
+    r.v_share = NAMED_STEP("v_share", v / (25.0 * m_per_s), "used up to 25 m/s");
+  } else {
+    r.K_v = NAMED_STEP("K_v", sqrt((5.56 + sqrt(v / m_per_s)) / 5.56), "shaved or ground teeth, [Shigley14]");
+    r.v_share = NAMED_STEP("v_share", v / (50.0 * m_per_s), "used up to 50 m/s");
+  }
+}
+
+/// Lewis' factor of a wheel, from the spur gear with the same normal section.
+double form_factor(const GearPair::Input& in, double z, double x, double k) {
+  const double z_n = z / std::pow(std::cos(in.beta), 3);
+  const Rack rack{in.alpha_n, in.h_fP, in.rho_fP};
+  return lewis_factor(rack, z_n, x, 0.5 * z_n + in.h_aP + x - k);
+}
+
+constexpr const char* from_form =
+    "least s^2/(6 h m_n) of the tooth with the load at its tip, z/cos^3(beta) teeth, [Lewis]";
+
+/// A tooth that Lewis' formula is applied to, and the symbols that its results are told under.
+struct Tooth {
+  double z, x, Y_given;
+  Stress sigma_adm;
+  bool both_ways;
+  const char *Y, *sigma, *u;
+};
+struct Bending {
+  double Y;
+  Stress sigma;
+  double u = unset<double>;
+};
+
+template <class Tracer>
+Bending bend(const GearPair::Input& in, const PairResult& r, const Tooth& tooth, Tracer& trace) {
+  const auto m_n = in.m_n, b = r.b;
+  const auto F_t = r.F_t;
+  const auto sigma_adm = tooth.sigma_adm;
+  const double K_A = in.K_A, K_f = in.K_f, K_v = r.K_v;
+  const double Y = is_set(tooth.Y_given) ? tooth.Y_given : form_factor(in, tooth.z, tooth.x, r.k);
+  trace.value("Y", Y, is_set(tooth.Y_given) ? "Lewis' factor as given" : from_form);
+  trace.value(tooth.Y, Y, "of this gear");
+  const Stress sigma_F = NAMED_STEP(tooth.sigma, K_A * K_v * K_f * F_t / (b * m_n * Y), "bending, [Lewis]");
+  Bending bent{Y, sigma_F};
+  if (!is_set(sigma_adm)) return bent;
+  const double Y_A = tooth.both_ways ? 0.7 : 1.0;
+  trace.value("sigma_F", sigma_F, "this stress");
+  trace.value("sigma_adm", sigma_adm, "allowable for teeth that bend one way");
+  trace.value("Y_A", Y_A,
+              tooth.both_ways ? "teeth that bend both ways bear 0.7 of it, recalled from ISO 6336-5"
+                              : "the teeth bend one way");
+  bent.u = NAMED_STEP(tooth.u, sigma_F / (Y_A * sigma_adm), "bending by Lewis");
+  return bent;
+}
+
+template <class Tracer>
+void bend_all(const GearPair::Input& in, PairResult& r, Tracer& trace) {
+  const Tooth first{static_cast<double>(in.z_1), in.x_1, in.Y_1,     in.sigma_adm_1,
+                    in.idler == Idler::gear_1,   "Y_1",  "sigma_F1", "u_F1"};
+  const Bending one = bend(in, r, first, trace);
+  r.Y_1 = one.Y, r.sigma_F1 = one.sigma, r.u_F1 = one.u;
+  if (in.mesh != Mesh::external) return;
+  const Tooth second{static_cast<double>(in.z_2), r.x_2, in.Y_2,     in.sigma_adm_2,
+                     in.idler == Idler::gear_2,   "Y_2", "sigma_F2", "u_F2"};
+  const Bending two = bend(in, r, second, trace);
+  r.Y_2 = two.Y, r.sigma_F2 = two.sigma, r.u_F2 = two.u;
+}
+
+}  // namespace
+
+template <class Tracer>
+void load_teeth(const GearPair::Input& in, PairResult& r, Tracer& trace) {
+  if (is_set(in.n_1)) speeds(in, r, trace);
+  const Moment T_1 = torque(in, trace);
+  if (is_set(T_1)) forces(in, T_1, r, trace);
+  velocity_factor(in, r, trace);
+  if (!is_set(T_1) || !is_set(r.b)) return;
+  bend_all(in, r, trace);
+}
+
+template void load_teeth(const GearPair::Input&, PairResult&, NoTrace&);
+template void load_teeth(const GearPair::Input&, PairResult&, Trace&);
+
+}  // namespace loadpath::gear

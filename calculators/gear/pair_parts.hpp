@@ -1,0 +1,36 @@
+// The parts of the calculation of a pair of gears, in their order; each fills its fields of the result.
+#pragma once
+
+#include "calculators/gear/pair.hpp"
+
+namespace loadpath::gear {
+
+/// 1 for a wheel with outer teeth, -1 for a ring: the sign that ISO 21771 gives to its number of teeth.
+inline double sign_of(Mesh mesh) { return mesh == Mesh::internal ? -1.0 : 1.0; }
+
+/// Reference circles, centre distance or profile shift, diameters and clearances.
+template <class Tracer>
+void lay_out(const GearPair::Input& in, PairResult& r, Tracer& trace);
+
+/// Path of contact and contact ratios; undercut and interference.
+template <class Tracer>
+void bring_to_mesh(const GearPair::Input& in, PairResult& r, Tracer& trace);
+
+/// Thickness at the reference circle and at the tip, backlash, base-tangent length.
+template <class Tracer>
+void measure_teeth(const GearPair::Input& in, PairResult& r, Tracer& trace);
+
+/// Speeds, torques, forces, bending by Lewis; only what the load that is given allows.
+template <class Tracer>
+void load_teeth(const GearPair::Input& in, PairResult& r, Tracer& trace);
+
+extern template void lay_out(const GearPair::Input&, PairResult&, NoTrace&);
+extern template void lay_out(const GearPair::Input&, PairResult&, Trace&);
+extern template void bring_to_mesh(const GearPair::Input&, PairResult&, NoTrace&);
+extern template void bring_to_mesh(const GearPair::Input&, PairResult&, Trace&);
+extern template void measure_teeth(const GearPair::Input&, PairResult&, NoTrace&);
+extern template void measure_teeth(const GearPair::Input&, PairResult&, Trace&);
+extern template void load_teeth(const GearPair::Input&, PairResult&, NoTrace&);
+extern template void load_teeth(const GearPair::Input&, PairResult&, Trace&);
+
+}  // namespace loadpath::gear

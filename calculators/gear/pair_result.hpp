@@ -1,0 +1,116 @@
+// What is found of a pair of gears.
+#pragma once
+
+#include "lib/drive_units.hpp"
+#include "lib/field.hpp"
+
+#include <tuple>
+
+namespace loadpath::gear {
+
+struct PairResult {
+  double u = unset<double>;
+  double alpha_t = unset<double>, alpha_wt = unset<double>;
+  Length m_t = unset<Length>, a = unset<Length>, a_w = unset<Length>;
+  double x_0 = unset<double>, x_2 = unset<double>, k = unset<double>;
+  Length d_1 = unset<Length>, d_2 = unset<Length>, d_b1 = unset<Length>, d_b2 = unset<Length>;
+  Length d_w1 = unset<Length>, d_w2 = unset<Length>;
+  Length d_a1 = unset<Length>, d_a2 = unset<Length>, d_f1 = unset<Length>, d_f2 = unset<Length>;
+  Length c_1 = unset<Length>, c_2 = unset<Length>;
+  Length p_et = unset<Length>, g_f = unset<Length>, g_a = unset<Length>, g_alpha = unset<Length>;
+  double eps_alpha = unset<double>, eps_beta = unset<double>, eps_gamma = unset<double>;
+  double x_min1 = unset<double>, x_min2 = unset<double>, x_free = unset<double>;
+  Length s_n1 = unset<Length>, s_n2 = unset<Length>, s_an1 = unset<Length>, s_an2 = unset<Length>;
+  double s_a = unset<double>, f_int = unset<double>;
+  Length j_bn = unset<Length>;
+  double k_W1 = unset<double>, k_W2 = unset<double>;
+  Length W_1 = unset<Length>, W_2 = unset<Length>;
+  Length b = unset<Length>;
+  AngularSpeed n_2 = unset<AngularSpeed>;
+  Speed v = unset<Speed>;
+  Moment T_2 = unset<Moment>;
+  Force F_t = unset<Force>, F_tw = unset<Force>, F_rw = unset<Force>, F_a = unset<Force>, F_bn = unset<Force>;
+  Force F_x1 = unset<Force>, F_y1 = unset<Force>, F_z1 = unset<Force>;
+  Force F_x2 = unset<Force>, F_y2 = unset<Force>, F_z2 = unset<Force>;
+  double K_v = unset<double>, v_share = unset<double>;
+  double Y_1 = unset<double>, Y_2 = unset<double>;
+  Stress sigma_F1 = unset<Stress>, sigma_F2 = unset<Stress>;
+  double u_F1 = unset<double>, u_F2 = unset<double>;
+};
+
+inline constexpr std::tuple pair_results{
+    Field{&PairResult::u, "u", ratio, "gear ratio z_2/z_1"}.as(Role::result),
+    Field{&PairResult::alpha_t, "alpha_t", deg, "transverse pressure angle"}.as(Role::result),
+    Field{&PairResult::m_t, "m_t", mm, "transverse module"}.as(Role::result),
+    Field{&PairResult::a, "a", mm, "reference centre distance"}.as(Role::result),
+    Field{&PairResult::a_w, "a_w", mm, "working centre distance"}.as(Role::result),
+    Field{&PairResult::alpha_wt, "alpha_wt", deg, "working pressure angle, transverse"}.as(Role::result),
+    Field{&PairResult::x_0, "x_0", ratio, "sum of the profile shifts that meshes without backlash"}.as(Role::result),
+    Field{&PairResult::x_2, "x_2", ratio, "profile shift of gear 2"}.as(Role::result),
+    Field{&PairResult::d_1, "d_1", mm, "reference diameter of gear 1"}.as(Role::result),
+    Field{&PairResult::d_2, "d_2", mm, "reference diameter of gear 2"}.as(Role::result),
+    Field{&PairResult::d_b1, "d_b1", mm, "base diameter of gear 1"}.as(Role::result),
+    Field{&PairResult::d_b2, "d_b2", mm, "base diameter of gear 2"}.as(Role::result),
+    Field{&PairResult::d_w1, "d_w1", mm, "working pitch diameter of gear 1"}.as(Role::result),
+    Field{&PairResult::d_w2, "d_w2", mm, "working pitch diameter of gear 2"}.as(Role::result),
+    Field{&PairResult::k, "k", ratio, "tip shortening in normal modules"}.as(Role::result),
+    Field{&PairResult::d_a1, "d_a1", mm, "tip diameter of gear 1"}.as(Role::result),
+    Field{&PairResult::d_a2, "d_a2", mm, "tip diameter of gear 2; of a ring the inner one"}.as(Role::result),
+    Field{&PairResult::d_f1, "d_f1", mm, "root diameter of gear 1"}.as(Role::result),
+    Field{&PairResult::d_f2, "d_f2", mm, "root diameter of gear 2; of a ring the outer one"}.as(Role::result),
+    Field{&PairResult::c_1, "c_1", mm, "clearance of the tip of gear 1"}.as(Role::result),
+    Field{&PairResult::c_2, "c_2", mm, "clearance of the tip of gear 2"}.as(Role::result),
+    Field{&PairResult::p_et, "p_et", mm, "transverse base pitch"}.as(Role::result),
+    Field{&PairResult::g_f, "g_f", mm, "path of contact from the tip of gear 2 to the pitch point"}.as(Role::result),
+    Field{&PairResult::g_a, "g_a", mm, "path of contact from the pitch point to the tip of gear 1"}.as(Role::result),
+    Field{&PairResult::g_alpha, "g_alpha", mm, "path of contact"}.as(Role::result),
+    Field{&PairResult::eps_alpha, "eps_alpha", ratio, "transverse contact ratio"}.as(Role::result),
+    Field{&PairResult::eps_beta, "eps_beta", ratio, "overlap ratio"}.as(Role::result),
+    Field{&PairResult::eps_gamma, "eps_gamma", ratio, "contact: total contact ratio, at least 1"}.limit(1, 100),
+    Field{&PairResult::x_min1, "x_min1", ratio, "profile shift below which gear 1 is undercut"}.as(Role::result),
+    Field{&PairResult::x_min2, "x_min2", ratio, "profile shift below which gear 2 is undercut"}.as(Role::result),
+    Field{&PairResult::x_free, "x_free", ratio, "undercut: least profile shift above its beginning; -0.02 is harmless"}
+        .limit(-0.02, 100),
+    Field{&PairResult::s_n1, "s_n1", mm, "normal tooth thickness of gear 1 at the reference circle"}.as(Role::result),
+    Field{&PairResult::s_n2, "s_n2", mm, "normal tooth thickness of gear 2 at the reference circle"}.as(Role::result),
+    Field{&PairResult::s_an1, "s_an1", mm, "normal tip thickness of gear 1"}.as(Role::result),
+    Field{&PairResult::s_an2, "s_an2", mm, "normal tip thickness of gear 2"}.as(Role::result),
+    Field{&PairResult::s_a, "s_a", ratio, "pointed tip: least tip thickness in modules; 0.2, hardened 0.4"}.limit(0.2,
+                                                                                                                  100),
+    Field{&PairResult::f_int, "f_int", ratio,
+          "interference: least free length between tips and fillets, or tips of wheel and ring, in modules"}
+        .limit(-0.01, 1e4),
+    Field{&PairResult::j_bn, "j_bn", mm, "backlash along the normal; below zero the teeth jam"}.limit(-1e-6, 1e3),
+    Field{&PairResult::k_W1, "k_W1", ratio, "teeth of gear 1 spanned by W_1"}.as(Role::result),
+    Field{&PairResult::W_1, "W_1", mm, "base-tangent length of gear 1"}.as(Role::result),
+    Field{&PairResult::k_W2, "k_W2", ratio, "teeth of gear 2 spanned by W_2"}.as(Role::result),
+    Field{&PairResult::W_2, "W_2", mm, "base-tangent length of gear 2"}.as(Role::result),
+    Field{&PairResult::b, "b", mm, "common face width"}.as(Role::result),
+    Field{&PairResult::n_2, "n_2", rpm, "speed of gear 2, negative where it turns against gear 1"}.as(Role::result),
+    Field{&PairResult::v, "v", m_per_s, "pitch line velocity; of a rack its speed"}.as(Role::result),
+    Field{&PairResult::T_2, "T_2", N_m, "torque of gear 2 on its shaft, without losses"}.as(Role::result),
+    Field{&PairResult::F_t, "F_t", N, "tangential force at the reference circle, nominal, for strength"}.as(
+        Role::result),
+    Field{&PairResult::F_tw, "F_tw", N, "tangential force at the working circle, for the bearings"}.as(Role::result),
+    Field{&PairResult::F_rw, "F_rw", N, "radial force at the working circle"}.as(Role::result),
+    Field{&PairResult::F_a, "F_a", N, "axial force"}.as(Role::result),
+    Field{&PairResult::F_bn, "F_bn", N, "force along the normal of the tooth"}.as(Role::result),
+    Field{&PairResult::F_x1, "F_x1", N, "force on gear 1 along x, from axis 1 to the pitch point"}.as(Role::result),
+    Field{&PairResult::F_y1, "F_y1", N, "force on gear 1 along y"}.as(Role::result),
+    Field{&PairResult::F_z1, "F_z1", N, "force on gear 1 along z, its axis"}.as(Role::result),
+    Field{&PairResult::F_x2, "F_x2", N, "force on gear 2 along x"}.as(Role::result),
+    Field{&PairResult::F_y2, "F_y2", N, "force on gear 2 along y"}.as(Role::result),
+    Field{&PairResult::F_z2, "F_z2", N, "force on gear 2 along z"}.as(Role::result),
+    Field{&PairResult::K_v, "K_v", ratio, "velocity factor, raises the load"}.as(Role::result),
+    Field{&PairResult::v_share, "v_share", ratio, "velocity factor: speed over the highest that it is used for"}.limit(
+        0, 1, "n_1"),
+    Field{&PairResult::Y_1, "Y_1", ratio, "Lewis' factor of gear 1, load at the tip"}.as(Role::result),
+    Field{&PairResult::Y_2, "Y_2", ratio, "Lewis' factor of gear 2, load at the tip"}.as(Role::result),
+    Field{&PairResult::sigma_F1, "sigma_F1", MPa, "bending stress of gear 1 by Lewis"}.as(Role::result),
+    Field{&PairResult::sigma_F2, "sigma_F2", MPa, "bending stress of gear 2 by Lewis"}.as(Role::result),
+    Field{&PairResult::u_F1, "u_F1", ratio, "bending of gear 1 by Lewis: stress over the allowable one"}.check(
+        "sigma_adm_1"),
+    Field{&PairResult::u_F2, "u_F2", ratio, "bending of gear 2 by Lewis: stress over the allowable one"}.check(
+        "sigma_adm_2")};
+
+}  // namespace loadpath::gear

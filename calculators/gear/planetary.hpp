@@ -1,0 +1,171 @@
+// A simple planetary gear set: sun, planets on a carrier, ring.
+//
+// Decides the speeds of all members by Willis, their torques with losses by the direction of the rolling power, the
+// powers and the efficiency; whether the planets can be put in evenly, fit beside each other, and lie on one circle.
+// Signs: speeds and torques are positive in one sense of rotation; a torque is what acts on the member from outside,
+// so power enters where T n > 0. Losses: eta_0 of the set with the carrier at rest, from sun to ring or back alike;
+// bearings, seals and churning are not covered. Conditions that profile shift or uneven spacing can mend are told, not
+// refused; planets that touch each other fail.
+#pragma once
+
+#include "lib/drive_units.hpp"
+#include "lib/field.hpp"
+#include "lib/issue.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+
+namespace loadpath {
+
+struct Planetary {
+  static constexpr auto id = "gear.planetary";
+  static constexpr auto title = "Planetary gear set";
+  static constexpr auto scope =
+      "Speeds, torques, powers and efficiency of sun, carrier and ring by Willis, with any member held or none; "
+      "conditions of assembly. Tooth losses only; strength is not covered.";
+  static constexpr auto source = "[Willis], [Mueller]";
+  static constexpr auto example = R"([project]
+title = "Planetary stage of a winch"
+
+[winch]
+calculator = "gear.planetary"
+z_s = 24
+z_p = 30
+z_r = 84
+N_p = 3
+fixed = "ring"
+n_s = "1450 rpm"
+T_s = "50 N*m"
+eta_0 = 0.97
+)";
+
+  enum class Member { ring, carrier, sun, none };
+  enum class Spacing { even, uneven };
+  enum class Coaxial { exact, by_shift };
+
+  struct Input {
+    int z_s = 0, z_p = 0, z_r = 0;
+    int N_p = 3;
+    Member fixed = Member::ring;
+    AngularSpeed n_s = unset<AngularSpeed>, n_c = unset<AngularSpeed>, n_r = unset<AngularSpeed>;
+    Moment T_s = unset<Moment>, T_c = unset<Moment>, T_r = unset<Moment>;
+    double eta_0 = unset<double>;
+    double h_aP = 1.0, x_p = 0.0;
+    Length m_n = unset<Length>;
+    double beta = 0.0;
+    double K_gamma = 1.0;
+  };
+  static bool speeds_determined(const Input& in);
+  static FieldFault wrong_speeds(const Input& in);
+  static constexpr std::tuple inputs{
+      Count{&Input::z_s, "z_s", 5, 1000, "teeth of the sun"},
+      Count{&Input::z_p, "z_p", 5, 1000, "teeth of a planet"},
+      Count{&Input::z_r, "z_r", 10, 3000, "teeth of the ring"},
+      Count{&Input::N_p, "N_p", 1, 20, "planets"}.may_be_missing(),
+      Choice{&Input::fixed, "fixed", "member that is held"}.may_be_missing(),
+      Field{&Input::n_s, "n_s", rpm, "speed of the sun, signed"}.may_be_missing(),
+      Field{&Input::n_c, "n_c", rpm, "speed of the carrier, signed"}.may_be_missing(),
+      Field{&Input::n_r, "n_r", rpm, "speed of the ring, signed"}.may_be_missing(),
+      Field{&Input::T_s, "T_s", N_m, "torque on the sun from outside, signed"}.may_be_missing(),
+      Field{&Input::T_c, "T_c", N_m, "torque on the carrier from outside, signed"}.may_be_missing(),
+      Field{&Input::T_r, "T_r", N_m, "torque on the ring from outside, signed"}.may_be_missing(),
+      Field{&Input::eta_0, "eta_0", ratio, "efficiency of the set with the carrier at rest; missing: no losses"}
+          .within(0.5, 1)
+          .usually(0.94, 0.99)
+          .may_be_missing(),
+      Field{&Input::h_aP, "h_aP", ratio, "addendum of the planet in modules, for the room between planets"}.within(0.3,
+                                                                                                                   2),
+      Field{&Input::x_p, "x_p", ratio, "profile shift of the planet, for the room between planets"}.within(-3, 3),
+      Field{&Input::m_n, "m_n", mm, "normal module, for the tooth force"}.positive().usually(0.2, 50).may_be_missing(),
+      Field{&Input::beta, "beta", deg, "helix angle, for the tooth force"}.within(0, 45),
+      Field{&Input::K_gamma, "K_gamma", ratio, "share of the planet that carries most, over the mean share"}
+          .at_least(1)
+          .usually(1, 1.6)
+          .factor()};
+
+  struct Result {
+    double i_0 = unset<double>, i = unset<double>;
+    AngularSpeed n_s = unset<AngularSpeed>, n_c = unset<AngularSpeed>, n_r = unset<AngularSpeed>;
+    AngularSpeed n_p = unset<AngularSpeed>, n_pc = unset<AngularSpeed>;
+    Moment T_s = unset<Moment>, T_c = unset<Moment>, T_r = unset<Moment>;
+    Power P_s = unset<Power>, P_c = unset<Power>, P_r = unset<Power>, P_w = unset<Power>;
+    Power P_in = unset<Power>, P_loss = unset<Power>;
+    double eta = unset<double>;
+    Force F_t = unset<Force>;
+    double q = unset<double>;
+    Spacing spacing = Spacing::even;
+    double phi_2 = unset<double>;
+    Coaxial coaxial = Coaxial::exact;
+    double z_gap = unset<double>;
+    double u_N = unset<double>;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::i_0, "i_0", ratio, "basic ratio, sun over ring with the carrier at rest"}.as(Role::result),
+      Field{&Result::n_s, "n_s", rpm, "speed of the sun"}.as(Role::result),
+      Field{&Result::n_c, "n_c", rpm, "speed of the carrier"}.as(Role::result),
+      Field{&Result::n_r, "n_r", rpm, "speed of the ring"}.as(Role::result),
+      Field{&Result::n_p, "n_p", rpm, "speed of a planet"}.as(Role::result),
+      Field{&Result::n_pc, "n_pc", rpm, "speed of a planet on its pin, against the carrier"}.as(Role::result),
+      Field{&Result::i, "i", ratio,
+            "ratio with one member held: sun over carrier, sun over ring, or ring over carrier with the sun held"}
+          .as(Role::result),
+      Field{&Result::T_s, "T_s", N_m, "torque on the sun from outside"}.as(Role::result),
+      Field{&Result::T_c, "T_c", N_m, "torque on the carrier from outside"}.as(Role::result),
+      Field{&Result::T_r, "T_r", N_m, "torque on the ring from outside"}.as(Role::result),
+      Field{&Result::P_s, "P_s", kW, "power into the sun, negative out of it"}.as(Role::result),
+      Field{&Result::P_c, "P_c", kW, "power into the carrier, negative out of it"}.as(Role::result),
+      Field{&Result::P_r, "P_r", kW, "power into the ring, negative out of it"}.as(Role::result),
+      Field{&Result::P_w, "P_w", kW, "rolling power, positive from sun to ring; it causes the losses"}.as(Role::result),
+      Field{&Result::P_in, "P_in", kW, "power that enters"}.as(Role::result),
+      Field{&Result::P_loss, "P_loss", kW, "power that is lost"}.as(Role::result),
+      Field{&Result::eta, "eta", ratio, "efficiency"}.as(Role::result),
+      Field{&Result::F_t, "F_t", N, "tangential force on a tooth of the sun, of the planet that carries most"}.as(
+          Role::result),
+      Field{&Result::q, "q", ratio, "(z_s + z_r)/N_p; whole for even spacing"}.as(Role::result),
+      Choice{&Result::spacing, "spacing", "how the planets can be put in"}.as(Role::result),
+      Field{&Result::phi_2, "phi_2", deg, "place of the second planet nearest to even spacing"}.as(Role::result),
+      Choice{&Result::coaxial, "coaxial", "how sun, planet and ring come to one axis"}.as(Role::result),
+      Field{&Result::z_gap, "z_gap", ratio, "coaxial: z_r - z_s - 2 z_p, which profile shift can still mend"}.limit(-4,
+                                                                                                                    4),
+      Field{&Result::u_N, "u_N", ratio, "room between planets: tip circle over the distance of their axes"}.check()};
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return in.z_r > in.z_p && in.z_r > in.z_s; }, "z_r, z_s, z_p",
+                  "the ring has more teeth than sun and planet"},
+      Rule<Input>{&speeds_determined, "fixed, n_s, n_c, n_r",
+                  "with a member held one speed of the others is given; with none held, two", &wrong_speeds},
+      Rule<Input>{[](const Input& in) { return is_set(in.T_s) + is_set(in.T_c) + is_set(in.T_r) <= 1; },
+                  "T_s, T_c, T_r", "one torque sets the others: give one of T_s, T_c, T_r"},
+      Rule<Input>{[](const Input& in) { return (in.z_s + in.z_r) % in.N_p == 0; }, "z_s, z_r, N_p",
+                  "(z_s + z_r)/N_p is not whole: the planets can be put in, but not spaced evenly", nullptr, true},
+      Rule<Input>{[](const Input& in) { return in.z_r == in.z_s + 2 * in.z_p; }, "z_r, z_s, z_p",
+                  "z_r is not z_s + 2 z_p: only profile shift brings sun, planets and ring to one axis", nullptr,
+                  true}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+extern template Planetary::Result Planetary::evaluate(const Input&, NoTrace&);
+extern template Planetary::Result Planetary::evaluate(const Input&, Trace&);
+
+constexpr auto choices_of(Planetary::Member) {
+  using Member = Planetary::Member;
+  return std::array{ChoiceName<Member>{Member::ring, "ring", "the ring"},
+                    ChoiceName<Member>{Member::carrier, "carrier", "the carrier"},
+                    ChoiceName<Member>{Member::sun, "sun", "the sun"},
+                    ChoiceName<Member>{Member::none, "none", "none: a differential"}};
+}
+constexpr auto choices_of(Planetary::Spacing) {
+  using Spacing = Planetary::Spacing;
+  return std::array{ChoiceName<Spacing>{Spacing::even, "even", "evenly"},
+                    ChoiceName<Spacing>{Spacing::uneven, "uneven", "not evenly: (z_s + z_r)/N_p is not whole"}};
+}
+constexpr auto choices_of(Planetary::Coaxial) {
+  using Coaxial = Planetary::Coaxial;
+  return std::array{
+      ChoiceName<Coaxial>{Coaxial::exact, "exact", "without profile shift: z_r = z_s + 2 z_p"},
+      ChoiceName<Coaxial>{Coaxial::by_shift, "by_shift", "only by profile shift: z_r differs from z_s + 2 z_p"}};
+}
+
+}  // namespace loadpath

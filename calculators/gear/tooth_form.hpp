@@ -1,0 +1,34 @@
+// The form of a tooth with outer teeth as a rack with rounded corners generates it: flank, fillet, weakest section.
+//
+// Lengths in modules. Coordinates of the gear: y runs from the axis through the middle of a tooth, x across it.
+#pragma once
+
+namespace loadpath::gear {
+
+/// The generating rack in one plane: its dedendum becomes the root of the tooth.
+struct Rack {
+  double alpha = 0.0;  // pressure angle, rad
+  double h_f = 0.0;    // dedendum
+  double rho = 0.0;    // radius of its rounded corner
+};
+
+struct FormPoint {
+  double x = 0.0;  // half the thickness of the tooth
+  double y = 0.0;  // from the axis
+};
+
+/// The point of the fillet whose contact normal leans by `lean` rad from the middle of the space: 0 at the root,
+/// pi/2 - alpha at the flank.
+[[nodiscard]] FormPoint fillet_point(const Rack& rack, double z, double x, double lean);
+
+/// Half the angle of the tooth, rad, at the radius r >= the base radius.
+[[nodiscard]] double half_angle(double alpha, double z, double x, double r);
+
+/// The radius that the straight flank of the rack reaches down to: where the fillet begins.
+[[nodiscard]] double form_radius(const Rack& rack, double z, double x);
+
+/// Lewis' factor Y of a tooth with the tip radius r_a under its tip: the least s^2/(6 h) over the fillet, which is the
+/// section that the inscribed parabola of equal strength touches.
+[[nodiscard]] double lewis_factor(const Rack& rack, double z, double x, double r_a);
+
+}  // namespace loadpath::gear

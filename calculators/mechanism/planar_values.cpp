@@ -1,0 +1,89 @@
+#include "calculators/mechanism/planar_values.hpp"
+
+#include "calculators/mechanism/planar_cycle.hpp"
+#include "calculators/mechanism/planar_missing.hpp"
+#include "calculators/mechanism/planar_rounding.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace loadpath {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// What is read off the positions of a cycle, thing by thing: results of one thing follow one another.
+class Columns {
+ public:
+  explicit Columns(const Cycle& cycle) : cycle_(cycle) {}
+
+  /// One value for every position; none where the mechanism does not close. Each is taken once.
+  std::vector<double> take(const Reading& reading) {
+    if (of_ != reading.together.get()) read(*reading.together);
+    return std::move(columns_[reading.place]);
+  }
+
+ private:
+  void read(const Reading::Together& together) {
+    const std::size_t positions = cycle_.positions.size();
+    of_ = &together;
+    columns_.assign(together.count, std::vector<double>(positions, none));
+    values_.resize(together.count);
+    for (std::size_t k = 0; k < positions; ++k) {
+      if (!cycle_.closed[k]) continue;
+      together.read(cycle_.positions[k], values_);
+      for (std::size_t n = 0; n < together.count; ++n) columns_[n][k] = values_[n];
+    }
+  }
+
+  const Cycle& cycle_;
+  const Reading::Together* of_ = nullptr;
+  std::vector<std::vector<double>> columns_;
+  std::vector<double> values_;  // of all at one position
+};
+
+MechanismOutput::Values values_of(const MechanismOutput& output, const Solved& solved, const project::Account& account,
+                                  Columns& columns) {
+  if (output.read_results) return output.read_results(account);
+  if (output.read_cycle) return output.read_cycle(solved);
+  MechanismOutput::Values values = columns.take(output.read);
+  const bool open = std::any_of(values.si.begin(), values.si.end(), [](double x) { return std::isnan(x); });
+  if (open) values.missing = output.missing;
+  return values;
+}
+
+/// The output of the same path; where it was not solved, this one.
+const MechanismOutput& same_of(const std::vector<MechanismOutput>& outputs, const MechanismOutput& output) {
+  const auto same = std::find_if(outputs.begin(), outputs.end(), [&](const auto& o) { return o.path == output.path; });
+  return same == outputs.end() ? output : *same;
+}
+
+}  // namespace
+
+void fill_results(const PlanarMechanism::Input& in, const std::vector<MechanismOutput>& told,
+                  const std::vector<MechanismOutput>& read, const Solved& solved, const Axis* axis,
+                  project::Account& account) {
+  Columns columns(solved.cycle);
+  account.results.clear();
+  account.results.reserve(told.size());
+  const auto add = [&](const MechanismOutput& output) {
+    auto values = values_of(same_of(read, output), solved, account, columns);
+    explain_missing(in, solved.cycle, values);
+    auto& [si, missing] = values;
+    Value value{{output.dimension, output.is_single ? nullptr : axis}, std::move(si)};
+    account.results.push_back(
+        {output.path, output.doc, output.unit, Role::result, std::move(value), {}, "", false, std::move(missing)});
+  };
+  for (const MechanismOutput& output : told) {
+    if (!output.read_results) add(output);
+  }
+  clear_rounding(account.results);
+  for (const MechanismOutput& output : told) {  // ratios of what is there now
+    if (output.read_results) add(output);
+  }
+}
+
+}  // namespace loadpath

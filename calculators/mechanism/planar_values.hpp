@@ -1,0 +1,18 @@
+// The results of a solved mechanism, as values of its account.
+#pragma once
+
+#include "calculators/mechanism/planar_outputs.hpp"
+#include "lib/project/step.hpp"
+
+#include <vector>
+
+namespace loadpath {
+
+/// The results of an account, in the order of `told`, cleared of what rounding leaves. `read`: outputs of what was
+/// solved, which tell what they can of those; where joints held too much it is less than was given. `axis` is null
+/// where there is one position.
+void fill_results(const PlanarMechanism::Input& in, const std::vector<MechanismOutput>& told,
+                  const std::vector<MechanismOutput>& read, const Solved& solved, const Axis* axis,
+                  project::Account& account);
+
+}  // namespace loadpath

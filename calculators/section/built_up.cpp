@@ -1,0 +1,141 @@
+#include "calculators/section/built_up.hpp"
+
+#include "calculators/section/part.hpp"
+#include "calculators/section/polygon_moments.hpp"
+#include "lib/calculator_of.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace loadpath {
+
+namespace {
+
+using Part = BuiltUpSection::Part;
+using section::Shaped;
+
+std::string path_of(std::size_t i) { return "parts[" + std::to_string(i + 1) + "]"; }
+
+double sign_of(const Part& part) { return part.as == BuiltUpSection::As::hole ? -1.0 : 1.0; }
+
+section::Place placed(const Part& part, Length y, Length z) {
+  const double c = std::cos(part.angle), s = std::sin(part.angle);
+  return {part.y + c * y - s * z, part.z + s * y + c * z};
+}
+
+/// The part turned and put to its place.
+template <class Tracer>
+BuiltUpSection::Placed place(const Part& part, const section::Properties& own, Tracer& trace) {
+  const auto I_y0 = own.I_y, I_z0 = own.I_z, I_yz0 = own.I_yz;
+  const double angle = part.angle, sign = sign_of(part);
+  trace.value("A_0", own.A, "area of the part");
+  trace.value("I_y0", I_y0, "of the part about its own axes, before it is turned");
+  trace.value("I_z0", I_z0, "of the part about its own axes, before it is turned");
+  trace.value("I_yz0", I_yz0, "of the part about its own axes, before it is turned");
+  trace.value("angle", angle, "turned counter-clockwise");
+  trace.value("sign", sign, "1 of material, -1 of a hole");
+  const auto A_0 = own.A;
+  STEP(A, sign * A_0, "counts negative where it is cut out");
+  const auto [y_S, z_S] = placed(part, own.y_S, own.z_S);
+  trace.value("y_S", y_S, "centroid of the part at its place");
+  trace.value("z_S", z_S, "centroid of the part at its place");
+  STEP(I_y, sign * (I_y0 * pow<2>(cos(angle)) + I_z0 * pow<2>(sin(angle)) + I_yz0 * sin(2.0 * angle)),
+       "turned about its centroid, [ME102]");
+  STEP(I_z, sign * (I_y0 * pow<2>(sin(angle)) + I_z0 * pow<2>(cos(angle)) - I_yz0 * sin(2.0 * angle)),
+       "turned about its centroid, [ME102]");
+  STEP(I_yz, sign * (I_yz0 * cos(2.0 * angle) + (I_z0 - I_y0) / 2.0 * sin(2.0 * angle)),
+       "turned about its centroid, [ME102]");
+  return {part.name, A, y_S, z_S, I_y, I_z, I_yz};
+}
+
+constexpr section::Place sketch_origin{from_si<Length>(0.0), from_si<Length>(0.0)};
+
+section::Moments about_sketch(const BuiltUpSection::Placed& p) {
+  return {p.A,
+          p.A * p.z_S,
+          p.A * p.y_S,
+          p.I_y + p.A * p.z_S * p.z_S,
+          p.I_z + p.A * p.y_S * p.y_S,
+          p.I_yz + p.A * p.y_S * p.z_S};
+}
+
+section::Outline outline_at(const Part& part, const section::Outline& outline) {
+  section::Outline turned;
+  for (const section::Place& p : outline) turned.push_back(placed(part, p.y, p.z));
+  return turned;
+}
+
+void add_extremes(section::Extremes& all, const Part& part, const section::Extremes& own) {
+  for (const section::Extreme& e : own) {
+    const auto [y, z] = placed(part, e.y, e.z);
+    all.push_back({y, z, e.radius});
+  }
+}
+
+}  // namespace
+
+bool BuiltUpSection::parts_are_whole(const Input& in) {
+  for (const Part& part : in.parts) {
+    if (section::fault_of(part)) return false;
+  }
+  return true;
+}
+
+FieldFault BuiltUpSection::incomplete(const Input& in) {
+  for (std::size_t i = 0; i < in.parts.size(); ++i) {
+    if (auto fault = section::fault_of(in.parts[i])) {
+      fault->path = path_of(i) + (fault->path.empty() ? "" : "." + fault->path);
+      return *fault;
+    }
+  }
+  return {};
+}
+
+bool BuiltUpSection::is_full(const Input& in) {
+  if (!parts_are_whole(in)) return true;  // another rule says it
+  Area sum = from_si<Area>(0.0);
+  for (const Part& part : in.parts) sum += sign_of(part) * section::shaped(part).own.A;
+  return sum > from_si<Area>(0.0);
+}
+
+template <class Tracer>
+BuiltUpSection::Result BuiltUpSection::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  section::Moments sum;
+  section::Extremes extremes;
+  SecondMoment I_t = from_si<SecondMoment>(0.0);
+  for (const Part& part : in.parts) {
+    [[maybe_unused]] const auto in_part = trace.scope("parts", r.parts.size());
+    const Shaped shaped = section::shaped(part);
+    const Placed placed = place(part, shaped.own, trace);
+    section::add(sum, about_sketch(placed), 1.0);
+    const bool full = part.as == As::full;
+    I_t += full ? shaped.own.I_t : unset<SecondMoment>;
+    if (full) add_extremes(extremes, part, shaped.extremes);
+    r.parts.push_back(placed);
+  }
+  static_cast<section::Properties&>(r) = section::centroidal(sum, sketch_origin, trace);
+  section::complete(r, extremes, trace);
+  if (!is_set(I_t)) return r;
+  r.I_t = I_t;
+  trace.value("I_t", I_t, "sum of the parts' own: a lower bound");
+  return r;
+}
+
+std::vector<draw::Figure> BuiltUpSection::figures(const Input& in, const Result& r) {
+  section::Sketch sketch;
+  for (const Part& part : in.parts) {
+    const Shaped shaped = section::shaped(part);
+    const bool full = part.as == As::full;
+    (full ? sketch.material : sketch.holes).push_back(outline_at(part, shaped.outline));
+    if (!shaped.hole.empty()) sketch.holes.push_back(outline_at(part, shaped.hole));
+  }
+  return section::figures(sketch, r);
+}
+
+template BuiltUpSection::Result BuiltUpSection::evaluate(const Input&, NoTrace&);
+template BuiltUpSection::Result BuiltUpSection::evaluate(const Input&, Trace&);
+
+template const Calculator& erased<BuiltUpSection>();
+
+}  // namespace loadpath

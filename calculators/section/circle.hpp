@@ -1,0 +1,45 @@
+// A solid circle. Exact.
+#pragma once
+
+#include "calculators/section/properties.hpp"
+#include "lib/draw/figure.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath {
+
+struct SolidCircle {
+  static constexpr auto id = "section.circle";
+  static constexpr auto title = "Section: circle";
+  static constexpr auto scope =
+      "Area, second moments, moduli and torsion constant of a solid circle. Origin of the sketch: its centre.";
+  static constexpr auto source = "[B19]";
+  static constexpr auto example = R"([project]
+title = "Solid round bar"
+
+[bar]
+calculator = "section.circle"
+d = "40 mm"
+)";
+
+  struct Input {
+    Length d = unset<Length>;
+  };
+  static constexpr std::tuple inputs{Field{&Input::d, "d", mm, "diameter"}.positive().usually(0.1, 1e4)};
+
+  using Result = section::Properties;
+  static constexpr auto results = section::results_of_properties;
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return is_set(in.d); }, "d", "give the diameter"}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template SolidCircle::Result SolidCircle::evaluate(const Input&, NoTrace&);
+extern template SolidCircle::Result SolidCircle::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath

@@ -1,0 +1,187 @@
+#include "calculators/section/part.hpp"
+
+#include "calculators/section/angle.hpp"
+#include "calculators/section/channel.hpp"
+#include "calculators/section/circle.hpp"
+#include "calculators/section/hollow.hpp"
+#include "calculators/section/i_section.hpp"
+#include "calculators/section/profile.hpp"
+#include "calculators/section/rectangle.hpp"
+#include "calculators/section/ring.hpp"
+#include "calculators/section/tee.hpp"
+
+#include <string>
+
+namespace loadpath::section {
+
+namespace {
+
+using Part = BuiltUpSection::Part;
+using Shape = BuiltUpSection::Shape;
+
+/// A length that a shape needs, and its key.
+struct Needed {
+  const char* key;
+  Length value;
+};
+
+std::optional<FieldFault> first_missing(std::initializer_list<Needed> needed, const char* shape) {
+  for (const Needed& n : needed) {
+    if (!is_set(n.value)) return FieldFault{n.key, say("'{1}' is missing: the shape '{2}' needs it", n.key, shape), {}};
+  }
+  return std::nullopt;
+}
+
+std::optional<FieldFault> missing_in(const Part& p) {
+  switch (p.shape) {
+    case Shape::table:
+      return std::nullopt;
+    case Shape::circle:
+      return first_missing({{"d", p.d}}, "circle");
+    case Shape::ring:
+      return first_missing({{"d", p.d}, {"d_i", p.d_i}}, "ring");
+    case Shape::rectangle:
+      return first_missing({{"b", p.b}, {"h", p.h}}, "rectangle");
+    case Shape::I:
+      return first_missing({{"h", p.h}, {"b", p.b}, {"t_w", p.t_w}, {"t_f", p.t_f}}, "I");
+    case Shape::channel:
+      return first_missing({{"h", p.h}, {"b", p.b}, {"t_w", p.t_w}, {"t_f", p.t_f}}, "channel");
+    case Shape::angle:
+      return first_missing({{"h", p.h}, {"b", p.b}, {"t", p.t}}, "angle");
+    case Shape::T:
+      return first_missing({{"h", p.h}, {"b", p.b}, {"t_w", p.t_w}, {"t_f", p.t_f}}, "T");
+    case Shape::hollow:
+      return first_missing({{"h", p.h}, {"b", p.b}, {"t", p.t}}, "hollow");
+  }
+  return std::nullopt;
+}
+
+template <class C>
+std::optional<FieldFault> broken_rule(const typename C::Input& in) {
+  for (const auto& rule : C::rules) {
+    if (!rule.holds(in)) return FieldFault{{}, say(rule.text), {}};
+  }
+  return std::nullopt;
+}
+
+template <class C>
+Properties evaluated(const typename C::Input& in) {
+  NoTrace trace;
+  return C::evaluate(in, trace);
+}
+
+/// Calls `use` with the input of the calculator of a shape and its class.
+template <class Use>
+auto with_input(const Part& p, Use use) {
+  switch (p.shape) {
+    case Shape::circle:
+      return use(SolidCircle{}, SolidCircle::Input{p.d});
+    case Shape::ring:
+      return use(RingSection{}, RingSection::Input{p.d, p.d_i});
+    case Shape::I:
+      return use(ISection{}, ISection::Input{p.h, p.b, p.t_w, p.t_f, p.r});
+    case Shape::channel:
+      return use(ChannelSection{}, ChannelSection::Input{p.h, p.b, p.t_w, p.t_f, p.r});
+    case Shape::angle:
+      return use(AngleSection{}, AngleSection::Input{p.h, p.b, p.t, p.r, p.r_2});
+    case Shape::T:
+      return use(TeeSection{}, TeeSection::Input{p.h, p.b, p.t_w, p.t_f, p.r});
+    case Shape::hollow:
+      return use(HollowSection{}, HollowSection::Input{p.h, p.b, p.t, p.r, p.r_2});
+    case Shape::table:
+    case Shape::rectangle:
+      break;
+  }
+  return use(RectangleSection{}, RectangleSection::Input{p.b, p.h});
+}
+
+/// Contours for drawing, and the corners that can be extreme fibres.
+void let_contours(Shaped& s, const Part& p) {
+  switch (p.shape) {
+    case Shape::circle:
+      s.outline = circle(p.d), s.extremes = disc(p.d);
+      return;
+    case Shape::ring:
+      s.outline = circle(p.d), s.extremes = disc(p.d), s.hole = circle(p.d_i);
+      return;
+    case Shape::I:
+      s.outline = i_outline(p.h, p.b, p.t_w, p.t_f, p.r), s.extremes = box(p.b, p.h);
+      return;
+    case Shape::channel:
+      s.outline = channel_outline(p.h, p.b, p.t_w, p.t_f, p.r);
+      s.extremes = corners_of(channel_outline(p.h, p.b, p.t_w, p.t_f));
+      return;
+    case Shape::angle:
+      s.outline = angle_outline(p.h, p.b, p.t, p.r, p.r_2);
+      s.extremes = corners_of(angle_outline(p.h, p.b, p.t));
+      return;
+    case Shape::T:
+      s.outline = tee_outline(p.h, p.b, p.t_w, p.t_f, p.r);
+      s.extremes = corners_of(tee_outline(p.h, p.b, p.t_w, p.t_f));
+      return;
+    case Shape::hollow:
+      s.outline = rectangle(p.b, p.h, p.r), s.extremes = rounded_box(p.b, p.h, p.r);
+      s.hole = rectangle(p.b - 2.0 * p.t, p.h - 2.0 * p.t, p.r_2);
+      return;
+    case Shape::table:
+    case Shape::rectangle:
+      s.outline = rectangle(p.b, p.h), s.extremes = box(p.b, p.h);
+  }
+}
+
+Length or_none(Length length) { return is_set(length) ? length : from_si<Length>(0.0); }
+
+/// The shape that a row of a table stands for: contours from its sizes, the values are the table's.
+Part shape_of(const table::Typed<Profile>& row) {
+  Part p;
+  p.h = row.h, p.b = row.b, p.t_w = row.t_w, p.t_f = row.t_f, p.t = row.t_w, p.d = row.h;
+  p.r = or_none(row.r), p.r_2 = or_none(row.r_2);
+  const std::string_view kind = row.kind();
+  p.shape = kind == "channel" ? Shape::channel
+            : kind == "angle" ? Shape::angle
+            : kind == "I"     ? Shape::I
+                              : Shape::hollow;
+  if (kind == "round hollow") p.shape = Shape::ring, p.d_i = row.h - 2.0 * row.t_w;
+  if (kind == "rectangular hollow") p.r = 1.5 * row.t_w, p.r_2 = row.t_w;
+  return p;
+}
+
+Shaped of_table(const table::Typed<Profile>& row) {
+  const Part part = shape_of(row);
+  Shaped s;
+  let_contours(s, part);
+  s.own.A = row.A, s.own.I_y = row.I_y, s.own.I_z = row.I_z, s.own.I_t = row.I_t;
+  const bool angle = part.shape == Shape::angle;
+  s.own.I_yz = is_set(row.I_yz) ? row.I_yz : from_si<SecondMoment>(0.0);
+  s.own.y_S = or_none(row.e_z);
+  s.own.z_S = angle ? or_none(row.e_z) : from_si<Length>(0.0);
+  return s;
+}
+
+}  // namespace
+
+std::optional<FieldFault> fault_of(const Part& part) {
+  if (part.shape == Shape::table) {
+    if (part.section.empty())
+      return FieldFault{"shape", say("give its 'shape', or name a 'section' of the tables"), {}};
+    if (find_profile(part.section.view()) != nullptr) return std::nullopt;
+    const auto row = table::find_row(Profile::group, part.section.view());  // says what is near
+    return FieldFault{"section", row.fault().message, row.fault().hint};
+  }
+  if (!part.section.empty()) return FieldFault{"section", say("a part has a 'shape' or a 'section', never both"), {}};
+  if (auto missing = missing_in(part)) return missing;
+  return with_input(part, [](auto calculator, const auto& in) { return broken_rule<decltype(calculator)>(in); });
+}
+
+Shaped shaped(const Part& part) {
+  if (part.shape == Shape::table) {
+    const auto* row = find_profile(part.section.view());
+    return row != nullptr ? of_table(*row) : Shaped{};
+  }
+  Shaped s;
+  s.own = with_input(part, [](auto calculator, const auto& in) { return evaluated<decltype(calculator)>(in); });
+  let_contours(s, part);
+  return s;
+}
+
+}  // namespace loadpath::section

@@ -1,0 +1,24 @@
+// A part of a built-up section before it is put to its place: what its own calculator or its row of a table says of it.
+#pragma once
+
+#include "calculators/section/built_up.hpp"
+
+#include <optional>
+
+namespace loadpath::section {
+
+/// In the axes of its own sketch.
+struct Shaped {
+  Properties own;
+  Extremes extremes;
+  Outline outline;
+  Outline hole;  // empty where it has none
+};
+
+/// What is wrong with a part; nothing where it is whole.
+std::optional<FieldFault> fault_of(const BuiltUpSection::Part& part);
+
+/// Of a part that is whole.
+Shaped shaped(const BuiltUpSection::Part& part);
+
+}  // namespace loadpath::section

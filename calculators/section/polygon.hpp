@@ -1,0 +1,71 @@
+// A section bounded by straight lines, with holes: by Green's theorem, exact.
+//
+// Not covered: torsion (the torsion constant of an arbitrary contour), warping, the shear centre. Curves are followed
+// by points: a circle of n points lacks (2 pi / n)^2 / 6 of its area.
+#pragma once
+
+#include "calculators/section/outline.hpp"
+#include "lib/issue.hpp"
+
+#include <array>
+
+namespace loadpath {
+
+struct PolygonSection {
+  static constexpr auto id = "section.polygon";
+  static constexpr auto title = "Section: polygon with holes";
+  static constexpr auto scope =
+      "Area, centroid, second moments, principal axes and moduli of a section that is given by the corners of its "
+      "contour and of its holes, in order around each; at most 64 corners, 8 holes of at most 32. Origin of the "
+      "sketch: as the corners are given. The moduli about y and z alone hold where these are principal axes. The "
+      "torsion constant of an arbitrary contour is not covered.";
+  static constexpr auto source = "[Garrison], [ME102]";
+  static constexpr auto example = R"([project]
+title = "Frame with a window"
+
+[frame]
+calculator = "section.polygon"
+points = [["0 mm", "0 mm"], ["80 mm", "0 mm"], ["80 mm", "20 mm"], ["20 mm", "60 mm"], ["0 mm", "60 mm"]]
+holes = [{ points = [["10 mm", "10 mm"], ["40 mm", "10 mm"], ["10 mm", "40 mm"]] }]
+)";
+
+  struct Corner {
+    Length y = unset<Length>, z = unset<Length>;
+    static constexpr std::tuple fields{Field{&Corner::y, "y", mm, "to the right"}.within(-1e6, 1e6),
+                                       Field{&Corner::z, "z", mm, "upwards"}.within(-1e6, 1e6)};
+  };
+  struct Hole {
+    List<Corner, 32> points;
+    static constexpr std::tuple fields{
+        ListField{&Hole::points, "points", "corners of the hole, in order around it"}.as_arrays()};
+  };
+  struct Input {
+    List<Corner, 64> points;
+    List<Hole, 8> holes;
+  };
+  static bool has_corners(const Input& in);
+  static bool is_simple(const Input& in);
+  static FieldFault crossing(const Input& in);
+  static bool holes_are_inside(const Input& in);
+  static FieldFault hole_outside(const Input& in);
+  static constexpr std::tuple inputs{
+      ListField{&Input::points, "points", "corners of the contour, in order around it"}.as_arrays(),
+      ListField{&Input::holes, "holes", "what is cut out"}.may_be_missing()};
+
+  using Result = section::Properties;
+  static constexpr auto results = section::results_of_properties;
+  static constexpr std::array rules{
+      Rule<Input>{&has_corners, "points, holes", "a contour and each hole have three corners or more"},
+      Rule<Input>{&is_simple, "points, holes", "no side may touch or cross another one of its contour", &crossing},
+      Rule<Input>{&holes_are_inside, "holes, points", "every hole must lie inside the contour and clear of other holes",
+                  &hole_outside}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template PolygonSection::Result PolygonSection::evaluate(const Input&, NoTrace&);
+extern template PolygonSection::Result PolygonSection::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath

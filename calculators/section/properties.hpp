@@ -1,0 +1,153 @@
+// What every section has: area, centroid, second moments, radii of gyration, moduli and principal axes.
+//
+// Axes as in EN 1993: y to the right, z upwards, in the plane of the section. I_y is about the axis y through the
+// centroid, I_yz the integral of y z; a part of the section on the upper right and one on the lower left make it
+// positive. The principal axis u has the largest second moment; alpha turns y to u, counter-clockwise.
+#pragma once
+
+#include "lib/field.hpp"
+#include "lib/trace.hpp"
+
+#include <cmath>
+
+namespace loadpath::section {
+
+struct Properties {
+  Area A = unset<Area>;
+  Length y_S = unset<Length>, z_S = unset<Length>;
+  SecondMoment I_y = unset<SecondMoment>, I_z = unset<SecondMoment>, I_yz = unset<SecondMoment>;
+  Length i_y = unset<Length>, i_z = unset<Length>;
+  SectionModulus W_y_top = unset<SectionModulus>, W_y_bottom = unset<SectionModulus>;
+  SectionModulus W_z_left = unset<SectionModulus>, W_z_right = unset<SectionModulus>;
+  double alpha = unset<double>;
+  SecondMoment I_max = unset<SecondMoment>, I_min = unset<SecondMoment>;
+  Length i_min = unset<Length>;
+  SectionModulus W_max = unset<SectionModulus>, W_min = unset<SectionModulus>;
+  SecondMoment I_t = unset<SecondMoment>;
+  SectionModulus W_t = unset<SectionModulus>;
+};
+
+/// Of a section whose centroid is the origin of the sketch and whose axes are principal.
+inline Properties centred() {
+  Properties p;
+  p.y_S = p.z_S = from_si<Length>(0.0);
+  p.I_yz = from_si<SecondMoment>(0.0);
+  return p;
+}
+
+namespace detail {
+
+template <class Result, class Quantity>
+constexpr auto property(Quantity Properties::*at, const char* key, Unit<Quantity> unit, const char* doc) {
+  Quantity Result::*const own = at;
+  return Field{own, key, unit, doc}.as(Role::result);
+}
+
+}  // namespace detail
+
+/// The fields of Properties in a result that is Properties or derives from it.
+template <class Result>
+constexpr auto property_fields() {
+  using P = Properties;
+  constexpr auto field = [](auto... arguments) { return detail::property<Result>(arguments...); };
+  return std::tuple{
+      field(&P::A, "A", mm2, "area"),
+      field(&P::y_S, "y_S", mm, "centroid, from the origin of the sketch to the right"),
+      field(&P::z_S, "z_S", mm, "centroid, from the origin of the sketch upwards"),
+      field(&P::I_y, "I_y", mm4, "second moment of area about the axis y through the centroid"),
+      field(&P::I_z, "I_z", mm4, "second moment of area about the axis z through the centroid"),
+      field(&P::I_yz, "I_yz", mm4, "product of area about these axes, the integral of y z"),
+      field(&P::i_y, "i_y", mm, "radius of gyration about y"),
+      field(&P::i_z, "i_z", mm, "radius of gyration about z"),
+      field(&P::W_y_top, "W_y_top", mm3, "elastic section modulus I_y over the distance of the uppermost fibre"),
+      field(&P::W_y_bottom, "W_y_bottom", mm3, "elastic section modulus I_y over the distance of the lowest fibre"),
+      field(&P::W_z_left, "W_z_left", mm3, "elastic section modulus I_z over the distance of the leftmost fibre"),
+      field(&P::W_z_right, "W_z_right", mm3, "elastic section modulus I_z over the distance of the rightmost fibre"),
+      field(&P::alpha, "alpha", deg, "angle from y to the principal axis of the largest second moment"),
+      field(&P::I_max, "I_max", mm4, "largest second moment of area: about that principal axis"),
+      field(&P::I_min, "I_min", mm4, "least second moment of area: about the other principal axis"),
+      field(&P::i_min, "i_min", mm, "least radius of gyration"),
+      field(&P::W_max, "W_max", mm3, "elastic section modulus about the principal axis of I_max, least of both sides"),
+      field(&P::W_min, "W_min", mm3, "elastic section modulus about the principal axis of I_min, least of both sides"),
+      field(&P::I_t, "I_t", mm4, "torsion constant of Saint-Venant"),
+      field(&P::W_t, "W_t", mm3, "section modulus in torsion: torque over the largest shear stress")};
+}
+
+inline constexpr auto results_of_properties = property_fields<Properties>();
+
+/// A corner of the contour, or the centre of a round part of it: what the distances of extreme fibres follow from.
+struct Extreme {
+  Length y = unset<Length>, z = unset<Length>;
+  Length radius = from_si<Length>(0.0);
+};
+using Extremes = List<Extreme, 160>;
+
+/// How far the contour reaches from a point in a direction.
+inline Length reach(const Extremes& extremes, Length y, Length z, double towards_y, double towards_z) {
+  Length most = from_si<Length>(-std::numeric_limits<double>::infinity());
+  for (const Extreme& e : extremes) most = max(most, (e.y - y) * towards_y + (e.z - z) * towards_z + e.radius);
+  return most;
+}
+
+inline Length reach_both_ways(const Extremes& extremes, Length y, Length z, double towards_y, double towards_z) {
+  return max(reach(extremes, y, z, towards_y, towards_z), reach(extremes, y, z, -towards_y, -towards_z));
+}
+
+/// A product of area that is nothing but rounding counts as zero: y and z are principal axes then.
+inline SecondMoment without_rounding(SecondMoment I_yz, SecondMoment I_y, SecondMoment I_z) {
+  return abs(I_yz) <= 1e-11 * (I_y + I_z) ? from_si<SecondMoment>(0.0) : I_yz;
+}
+
+/// Principal second moments and their axis.
+template <class Tracer>
+void turn_to_principal_axes(Properties& r, Tracer& trace) {
+  const auto I_y = r.I_y, I_z = r.I_z, I_yz = r.I_yz;
+  if (I_yz == from_si<SecondMoment>(0.0)) {
+    STEP(I_max, max(I_y, I_z), "y and z are principal axes: the product of area is zero");
+    STEP(I_min, min(I_y, I_z), "the other one");
+    r.I_max = I_max, r.I_min = I_min;
+    r.alpha = I_y >= I_z ? 0.0 : 0.5 * pi;
+    trace.value("alpha", r.alpha, "I_max is about y where I_y is the larger, else about z");
+    return;
+  }
+  STEP(I_R, sqrt(pow<2>((I_y - I_z) / 2.0) + I_yz * I_yz), "radius of Mohr's circle");
+  STEP(I_max, (I_y + I_z) / 2.0 + I_R, "largest, by Mohr's circle");
+  STEP(I_min, (I_y + I_z) / 2.0 - I_R, "least, by Mohr's circle");
+  STEP(alpha, atan(static_cast<double>(-2.0 * I_yz / (I_y - I_z + 2.0 * I_R))), "half the angle on Mohr's circle");
+  r.I_max = I_max, r.I_min = I_min, r.alpha = alpha;
+}
+
+/// What follows from A, the centroid, I_y, I_z, I_yz and the contour.
+template <class Tracer>
+void complete(Properties& r, const Extremes& extremes, Tracer& trace) {
+  const auto A = r.A;
+  const auto I_y = r.I_y, I_z = r.I_z;
+  STEP(i_y, sqrt(I_y / A), "radius of gyration");
+  STEP(i_z, sqrt(I_z / A), "radius of gyration");
+  r.i_y = i_y, r.i_z = i_z;
+  const Length e_top = reach(extremes, r.y_S, r.z_S, 0.0, 1.0), e_bottom = reach(extremes, r.y_S, r.z_S, 0.0, -1.0);
+  const Length e_left = reach(extremes, r.y_S, r.z_S, -1.0, 0.0), e_right = reach(extremes, r.y_S, r.z_S, 1.0, 0.0);
+  trace.value("e_top", e_top, "from the centroid to the uppermost fibre");
+  STEP(W_y_top, I_y / e_top, "bending about y, upper side");
+  trace.value("e_bottom", e_bottom, "from the centroid to the lowest fibre");
+  STEP(W_y_bottom, I_y / e_bottom, "bending about y, lower side");
+  trace.value("e_left", e_left, "from the centroid to the leftmost fibre");
+  STEP(W_z_left, I_z / e_left, "bending about z, left side");
+  trace.value("e_right", e_right, "from the centroid to the rightmost fibre");
+  STEP(W_z_right, I_z / e_right, "bending about z, right side");
+  r.W_y_top = W_y_top, r.W_y_bottom = W_y_bottom, r.W_z_left = W_z_left, r.W_z_right = W_z_right;
+  turn_to_principal_axes(r, trace);
+  const auto I_max = r.I_max, I_min = r.I_min;
+  STEP(i_min, sqrt(I_min / A), "least radius of gyration");
+  r.i_min = i_min;
+  const double c = std::cos(r.alpha), s = std::sin(r.alpha);
+  const Length e_max = reach_both_ways(extremes, r.y_S, r.z_S, -s, c);
+  const Length e_min = reach_both_ways(extremes, r.y_S, r.z_S, c, s);
+  trace.value("e_max", e_max, "farthest fibre from the principal axis of I_max");
+  STEP(W_max, I_max / e_max, "bending about the principal axis of I_max");
+  trace.value("e_min", e_min, "farthest fibre from the principal axis of I_min");
+  STEP(W_min, I_min / e_min, "bending about the principal axis of I_min");
+  r.W_max = W_max, r.W_min = W_min;
+}
+
+}  // namespace loadpath::section

@@ -1,0 +1,37 @@
+#include "calculators/section/rectangle.hpp"
+
+#include "calculators/section/outline.hpp"
+#include "calculators/section/torsion.hpp"
+#include "lib/calculator_of.hpp"
+
+namespace loadpath {
+
+template <class Tracer>
+RectangleSection::Result RectangleSection::evaluate(const Input& in, Tracer& trace) {
+  const auto& [b, h] = in;
+  Result r = section::centred();
+  STEP(A, b * h, "area of a rectangle");
+  STEP(I_y, b * pow<3>(h) / 12.0, "second moment of a rectangle about its middle line, [Garrison]");
+  STEP(I_z, h * pow<3>(b) / 12.0, "second moment of a rectangle about its middle line, [Garrison]");
+  STEP(a_t, max(b, h), "longer side");
+  STEP(b_t, min(b, h), "shorter side");
+  const auto [k_1, k_2] = section::rectangle_factors(a_t / b_t);
+  trace.value("k_1", k_1, "series of Saint-Venant for these sides: 0.1406 of a square, 1/3 of a strip, [Oasys]");
+  STEP(I_t, k_1 * a_t * pow<3>(b_t), "torsion of a rectangle");
+  trace.value("k_2", k_2, "series of Saint-Venant: the largest shear is in the middle of the longer side");
+  STEP(W_t, k_2 * a_t * b_t * b_t, "torsion of a rectangle");
+  r.A = A, r.I_y = I_y, r.I_z = I_z, r.I_t = I_t, r.W_t = W_t;
+  section::complete(r, section::box(b, h), trace);
+  return r;
+}
+
+std::vector<draw::Figure> RectangleSection::figures(const Input& in, const Result& r) {
+  return section::figures({{section::rectangle(in.b, in.h)}, {}}, r);
+}
+
+template RectangleSection::Result RectangleSection::evaluate(const Input&, NoTrace&);
+template RectangleSection::Result RectangleSection::evaluate(const Input&, Trace&);
+
+template const Calculator& erased<RectangleSection>();
+
+}  // namespace loadpath

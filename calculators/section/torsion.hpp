@@ -1,0 +1,44 @@
+// Torsion constants of sections that are no circles: what several sections and their tests share.
+#pragma once
+
+#include "lib/trace.hpp"
+
+#include <cmath>
+
+namespace loadpath::section {
+
+/// The factors of a rectangle of sides a >= b: I_t = k_1 a b^3, W_t = k_2 a b^2. Saint-Venant's series, exact to the
+/// last digits: the part of it that falls off slowly is summed in closed form.
+struct RectangleFactors {
+  double k_1, k_2;
+};
+
+inline RectangleFactors rectangle_factors(double a_over_b) {
+  constexpr double odd_fifth_powers = 1.0045237627951385;  // 1 + 1/3^5 + 1/5^5 + ...
+  const double pi2 = pi * pi;
+  double tanhs = odd_fifth_powers, sechs = 0.0;
+  for (int n = 1; n < 16; n += 2) {
+    const double x = 0.5 * n * pi * a_over_b, n2 = static_cast<double>(n) * n, e = std::exp(-2.0 * x);
+    tanhs -= 2.0 * e / (1.0 + e) / (n2 * n2 * n);
+    sechs += 2.0 * std::exp(-x) / (1.0 + e) / n2;
+  }
+  const double k_1 = (1.0 - 192.0 / (pi2 * pi2 * pi * a_over_b) * tanhs) / 3.0;
+  return {k_1, k_1 / (1.0 - 8.0 / pi2 * sechs)};
+}
+
+/// How thick walls may be for the formulas of thin ones: over the shortest straight part of an open section, and over
+/// the shorter middle line of a closed one (the thickest of EN 10210-2).
+inline constexpr double thickest_open_wall = 0.25, thickest_closed_wall = 0.25;
+
+/// Proportions of rolled I sections, web and fillet over flange thickness: IPE, HEA, HEB and HEM have 0.51 to 0.74 and
+/// 0.54 to 1.93, and the torsion constant agrees with their tables within 4.3 %; without fillets it runs on smoothly.
+struct RangesOfI {
+  double least_web, most_web, most_fillet;
+
+  [[nodiscard]] constexpr bool hold(double web, double fillet) const {
+    return least_web <= web && web <= most_web && fillet <= most_fillet;
+  }
+};
+inline constexpr RangesOfI ranges_of_I{0.4, 1.0, 2.0};
+
+}  // namespace loadpath::section

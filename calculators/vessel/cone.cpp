@@ -1,0 +1,95 @@
+#include "calculators/vessel/cone.hpp"
+
+#include "calculators/vessel/liquid.hpp"
+#include "calculators/vessel/picture.hpp"
+#include "lib/calculator_of.hpp"
+
+namespace loadpath {
+
+namespace {
+
+using vessel::Place;
+using Input = VesselCone::Input;
+
+class Cone {
+ public:
+  Cone(const Input& in, Length R_m) : in_(in), R_m_(R_m), wet_(vessel::has_liquid(in)) {}
+
+  /// Gas loads the large end most. With a liquid the governing place lies below its surface, or at the large end.
+  [[nodiscard]] std::size_t places() const { return wet_ ? 128 : 1; }
+  [[nodiscard]] double place(std::size_t i) const { return wet_ ? (static_cast<double>(i) + 1.0) / 128.0 : 1.0; }
+  [[nodiscard]] Length sharpest() const { return R_m_ / std::cos(in_.alpha); }
+
+  /// t from the point, 0, to the large end, 1.
+  template <class Tracer>
+  Place at(double t, Tracer& trace) const {
+    using std::cos;
+    const auto alpha = in_.alpha;
+    Place place;
+    const Length r = t * R_m_;
+    place.r = r, place.z = r / std::tan(alpha);
+    trace.value("r", r, "mean radius at the governing place");
+    place.rho_o = NAMED_STEP("rho_o", r / cos(alpha), "normal to the wall, up to the axis");
+    place.kappa_M = 0.0 / r;
+    trace.value("kappa_M", place.kappa_M, "the meridian is straight");
+    place.q_M = NAMED_STEP("q_M", r / (2.0 * cos(alpha)), "pressure on the section over the upright part of the pull");
+    if (wet_) {
+      place.p_l = vessel::head(in_, place.z, trace);
+      hang(place, trace);
+    } else {
+      trace.value("p_l", place.p_l, "no liquid");
+      trace.value("n_M", place.n_M, "no liquid");
+    }
+    return place;
+  }
+
+ private:
+  /// The liquid that hangs below the place: all that stands on the section, and the point below it.
+  template <class Tracer>
+  void hang(Place& place, Tracer& trace) const {
+    using std::cos, std::tan;
+    const auto alpha = in_.alpha;
+    const auto rho = in_.rho;
+    const auto h_l = in_.h_l;
+    const Acceleration g_n = vessel::gravity;
+    const Length r = place.r;
+    STEP(r_l, min(r, h_l * tan(alpha)), "radius up to which the liquid loads the wall below the place");
+    place.n_M = NAMED_STEP("n_M", rho * g_n * pow<2>(r_l) * (h_l / 2.0 - r_l / (3.0 * tan(alpha))) / (r * cos(alpha)),
+                           "weight of the liquid below and above the section, [ExpertsMind-cone]");
+  }
+
+  const Input& in_;
+  Length R_m_;
+  bool wet_;
+};
+
+template <class Tracer>
+Length mean_radius(const Input& in, Length e, Tracer& trace) {
+  using std::cos;
+  const auto R = in.R;
+  const auto alpha = in.alpha;
+  STEP(R_m, R + e * cos(alpha), "middle of the carrying wall at the large end");
+  return R_m;
+}
+
+}  // namespace
+
+template <class Tracer>
+VesselCone::Result VesselCone::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  const auto make = [&](Length delta_c) { return Cone(in, in.R + vessel::offset(in, delta_c) * std::cos(in.alpha)); };
+  const auto told = [&](Length e, auto& tracer) { r.R_m = mean_radius(in, e, tracer); };
+  r.r = vessel::assess(in, r, in.R, make, told, trace) * r.R_m;
+  return r;
+}
+
+template VesselCone::Result VesselCone::evaluate(const Input&, NoTrace&);
+template VesselCone::Result VesselCone::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> VesselCone::figures(const Input& in, const Result& r) {
+  return vessel::pictures(vessel::samples(Cone(in, r.R_m), in, r), r);
+}
+
+template const Calculator& erased<VesselCone>();
+
+}  // namespace loadpath

@@ -1,0 +1,76 @@
+// A thin-walled cone under internal pressure of gas, or hanging point down with a liquid in it.
+//
+// Decides the least thickness, the equivalent stress at the governing place and the allowable gas pressure. Membrane
+// stresses of [B24] (9) with the balance of the tip beyond a section, held at the large end. Tension is positive. Radii
+// lie in the plane of the section; the middle of the wall lies on the same normal.
+// Not covered: bending at the junction with a cylinder, knuckles, weight of the wall, external pressure, fatigue.
+#pragma once
+
+#include "calculators/vessel/assess.hpp"
+#include "lib/draw/figure.hpp"
+
+#include <vector>
+
+namespace loadpath {
+
+struct VesselCone {
+  static constexpr auto id = "vessel.cone";
+  static constexpr auto title = "Thin-walled conical vessel";
+  static constexpr auto scope =
+      "Wall of a cone under internal pressure of gas, or hanging point down with a liquid. Membrane stresses, static. "
+      "Bending at the junction with a cylinder, knuckles, weight of the wall, external pressure and fatigue are not "
+      "covered.";
+  static constexpr auto source = "[B24], [ExpertsMind-cone], [Mises]";
+  static constexpr auto example = R"([project]
+title = "Hopper bottom"
+
+[hopper]
+calculator = "vessel.cone"
+p = "0.1 MPa"
+R = "1.2 m"
+alpha = "30 deg"
+rho = "1000 kg/m^3"
+h_l = "2 m"
+sigma_adm = "120 MPa"
+)";
+
+  struct Input : vessel::WallInput, vessel::Liquid {
+    Length R = unset<Length>;
+    double alpha = unset<double>;
+  };
+  static constexpr std::tuple inputs = std::tuple_cat(
+      std::tuple{
+          Field<Input, Length>{&Input::R, "R", mm, "radius of the large end, to the surface that `measured` says"}
+              .positive()
+              .usually(5, 50000),
+          Field<Input, double>{&Input::alpha, "alpha", deg, "half the angle of the point"}.within(1, 80).usually(5,
+                                                                                                                 60)},
+      vessel::wall_inputs<Input>(), vessel::liquid_inputs<Input>("height of the liquid's surface above the point"));
+
+  struct Result : vessel::WallResult {
+    Length R_m = unset<Length>, r = unset<Length>;
+  };
+  static constexpr std::tuple results = std::tuple_cat(
+      vessel::wall_results<Result>(),
+      std::tuple{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall at the large end"}.as(Role::result),
+                 Field{&Result::r, "r", mm, "mean radius at the governing place"}.as(Role::result)});
+
+  static constexpr std::array rules = vessel::join<Input>(
+      vessel::wall_rules<Input>(), vessel::liquid_rules<Input>(),
+      std::array{Rule<Input>{[](const Input& in) { return !is_set(in.h_l) || in.h_l <= in.R / std::tan(in.alpha); },
+                             "h_l, R, alpha", "the liquid stands above the large end of the cone"},
+                 Rule<Input>{[](const Input& in) {
+                               return !is_set(in.delta) || in.measured == vessel::Measured::inner ||
+                                      in.R > (in.measured == vessel::Measured::outer ? 1.0 : 0.5) * in.delta;
+                             },
+                             "R, delta", "the wall is thicker than the radius leaves room for"}});
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template VesselCone::Result VesselCone::evaluate(const Input&, NoTrace&);
+extern template VesselCone::Result VesselCone::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath

@@ -1,0 +1,151 @@
+#include "calculators/vessel/cylinder.hpp"
+
+#include "calculators/vessel/liquid.hpp"
+#include "calculators/vessel/picture.hpp"
+#include "lib/calculator_of.hpp"
+
+namespace loadpath {
+
+namespace {
+
+using vessel::Place;
+using Input = VesselCylinder::Input;
+using Ends = VesselCylinder::Ends;
+
+/// Of the liquid on the lowest place.
+Stress bottom_pressure(const Input& in) {
+  return vessel::has_liquid(in) ? Stress(in.rho * vessel::gravity * in.h_l) : 0.0 * MPa;
+}
+
+class Cylinder {
+ public:
+  Cylinder(const Input& in, Length R_m, Length delta_c, Length a_r)
+      : in_(in), R_m_(R_m), delta_c_(delta_c), a_r_(a_r) {}
+  [[nodiscard]] std::size_t places() const { return 1; }
+  [[nodiscard]] double place(std::size_t) const { return 0.0; }  // the bottom, where the liquid presses most
+  [[nodiscard]] Length sharpest() const { return R_m_; }
+
+  template <class Tracer>
+  Place at(double t, Tracer& trace) const {
+    Place place;
+    const Length R_m = R_m_;
+    place.r = R_m, place.z = t * height();
+    place.kappa_M = 0.0 / R_m;
+    if (vessel::has_liquid(in_)) {
+      place.p_l = vessel::head(in_, place.z, trace);
+    } else {
+      trace.value("p_l", place.p_l, "no liquid");
+    }
+    STEP(rho_o, R_m, "hoop: the radius of the cylinder");
+    trace.value("kappa_M", place.kappa_M, "the meridian is straight");
+    place.rho_o = rho_o;
+    pull(place, trace);
+    if (in_.ends == Ends::ringed) share(place, trace);
+    return place;
+  }
+
+ private:
+  [[nodiscard]] Length height() const { return vessel::has_liquid(in_) ? in_.h_l : 2.0 * R_m_; }
+
+  template <class Tracer>
+  void pull(Place& place, Tracer& trace) const {
+    const bool closed = in_.ends != Ends::open;
+    const Length R_m = R_m_;
+    const Stress p_0 = bottom_pressure(in_);
+    if (closed) {
+      place.q_M = NAMED_STEP("q_M", R_m / 2.0, "pull of the ends over the circumference, [B24] (11)");
+    } else {
+      place.q_M = 0.0 * R_m;
+      trace.value("q_M", place.q_M, "no ends, no pull, [B24] (10)");
+    }
+    if (closed && in_.support == VesselCylinder::Support::top) {
+      trace.value("p_0", p_0, "pressure of the liquid on the bottom, which the wall holds");
+      place.n_M = NAMED_STEP("n_M", p_0 * R_m / 2.0, "weight of the liquid over the circumference");
+    } else {
+      trace.value("n_M", place.n_M, "of the liquid: none");
+    }
+  }
+
+  template <class Tracer>
+  void share(Place& place, Tracer& trace) const {
+    const Length delta_c = delta_c_, a_r = a_r_;
+    STEP(w_o, delta_c / (delta_c + a_r),
+         "rings and wall stretch alike, so they share the hoop force by their sections");
+    place.w_o = w_o;
+  }
+
+  const Input& in_;
+  Length R_m_, delta_c_, a_r_;
+};
+
+/// The rings that are there, or those that could take the hoop force alone, as the textbook assumes.
+template <class Tracer>
+Length rings(const Input& in, Stress sigma_all, Tracer& trace) {
+  const auto A_r = in.A_r;
+  const auto l_r = in.l_r;
+  if (in.ends != Ends::ringed) return 0.0 * mm;
+  if (is_set(A_r)) {
+    STEP(a_r, A_r / l_r, "section of the rings per length");
+    return a_r;
+  }
+  const auto p = in.p;
+  const auto R = in.R;
+  const Stress p_0 = bottom_pressure(in);
+  trace.value("p_0", p_0, "pressure of the liquid at the lowest place");
+  STEP(a_r, (p + p_0) * R / sigma_all, "rings that could take the whole hoop force, as [B24] assumes");
+  return a_r;
+}
+
+/// The thicknesses of the book: each stress by itself.
+template <class Tracer>
+void by_the_book(const Input& in, VesselCylinder::Result& r, Tracer& trace) {
+  const auto z_l = in.z_l, z_c = in.z_c;
+  const auto p_i = r.p_i, sigma_all = r.sigma_all, sigma_M = r.sigma_M;
+  const auto R_m = r.R_m, delta_c = r.delta_c;
+  STEP(delta_o, p_i * R_m / (z_l * sigma_all), "hoop stress alone, [B24] (10)");
+  STEP(delta_M, sigma_M * delta_c / (z_c * sigma_all), "meridional stress alone, [B24] (11)");
+  r.delta_o = delta_o, r.delta_M = delta_M;
+}
+
+template <class Tracer>
+void check_rings(const Input& in, VesselCylinder::Result& r, Tracer& trace) {
+  const auto l_r = in.l_r;
+  const auto R_m = r.R_m, delta_c = r.delta_c;
+  if (!is_set(l_r)) return;
+  STEP(w_r, l_r / (1.56 * sqrt(R_m * delta_c)), "a ring helps over 0.78 sqrt(R delta) on either side, [Timoshenko]");
+  r.w_r = w_r;
+}
+
+}  // namespace
+
+template <class Tracer>
+VesselCylinder::Result VesselCylinder::evaluate(const Input& in, Tracer& trace) {
+  NoTrace off;
+  Result r;
+  const Stress sigma_all = vessel::allowable(in, off);
+  const Length a_r = rings(in, sigma_all, off);
+  const auto mean = [&](Length delta_c) { return in.R + vessel::offset(in, delta_c); };
+  const auto make = [&](Length delta_c) { return Cylinder(in, mean(delta_c), delta_c, a_r); };
+  const auto told = [&](Length e, auto& tracer) {
+    r.R_m = vessel::mean_radius(in.R, e, tracer);
+    if (in.ends == Ends::ringed) r.a_r = rings(in, sigma_all, tracer);
+  };
+  vessel::assess(in, r, in.R, make, told, trace);
+  by_the_book(in, r, trace);
+  check_rings(in, r, trace);
+  if (in.ends != Ends::ringed)
+    vessel::compare(vessel::ThickCylinder{in.ends == Ends::closed}, in, r, r.R_m, mean, trace);
+  return r;
+}
+
+template VesselCylinder::Result VesselCylinder::evaluate(const Input&, NoTrace&);
+template VesselCylinder::Result VesselCylinder::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> VesselCylinder::figures(const Input& in, const Result& r) {
+  const Length a_r = is_set(r.a_r) ? r.a_r : 0.0 * mm;
+  return vessel::pictures(vessel::samples(Cylinder(in, r.R_m, r.delta_c, a_r), in, r), r);
+}
+
+template const Calculator& erased<VesselCylinder>();
+
+}  // namespace loadpath

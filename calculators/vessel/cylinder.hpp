@@ -1,0 +1,110 @@
+// A thin-walled cylinder under internal pressure of gas and liquid, without ends, with ends, or strengthened by rings.
+//
+// Decides the least thickness, the equivalent stress at the lowest place and the allowable gas pressure, with Lamé's
+// thick-walled answer beside. Membrane stresses of [B24]; the axis is vertical where a liquid stands in it. Tension is
+// positive. Not covered: weight of the wall, nozzles, junctions with the ends, external pressure, temperature, fatigue.
+#pragma once
+
+#include "calculators/vessel/lame.hpp"
+#include "lib/draw/figure.hpp"
+
+#include <vector>
+
+namespace loadpath {
+
+struct VesselCylinder {
+  static constexpr auto id = "vessel.cylinder";
+  static constexpr auto title = "Thin-walled cylindrical vessel";
+  static constexpr auto scope =
+      "Wall of a cylinder under internal pressure of gas and liquid: open pipe, closed vessel, vessel with rings. "
+      "Membrane stresses, static. Nozzles, junctions with the ends, weight of the wall, external pressure and fatigue "
+      "are not covered.";
+  static constexpr auto source = "[B24], [Lame], [Mises]";
+  static constexpr auto example = R"([project]
+title = "Air receiver"
+
+[receiver]
+calculator = "vessel.cylinder"
+p = "1.6 MPa"
+R = "600 mm"
+measured = "inner"
+c = "1 mm"
+z_l = 0.85
+sigma_adm = "140 MPa"
+)";
+
+  enum class Ends { closed, open, ringed };
+  enum class Support { bottom, top };
+
+  struct Input : vessel::WallInput, vessel::Liquid {
+    Length R = unset<Length>;
+    Ends ends = Ends::closed;
+    Support support = Support::bottom;
+    Area A_r = unset<Area>;
+    Length l_r = unset<Length>;
+  };
+  static constexpr std::tuple inputs = std::tuple_cat(
+      std::tuple{
+          Field<Input, Length>{&Input::R, "R", mm, "radius of the cylinder, to the surface that `measured` says"}
+              .positive()
+              .usually(5, 50000),
+          Choice<Input, Ends>{&Input::ends, "ends", "what takes the pressure at the ends and across"}.may_be_missing()},
+      vessel::wall_inputs<Input>(),
+      vessel::liquid_inputs<Input>("height of the liquid's surface above the lowest place of the wall"),
+      std::tuple{
+          Choice<Input, Support>{&Input::support, "support", "where a cylinder with liquid is held"}.may_be_missing(),
+          Field<Input, Area>{&Input::A_r, "A_r", mm2, "area of the section of one ring"}.positive().may_be_missing(),
+          Field<Input, Length>{&Input::l_r, "l_r", mm, "distance of the rings"}.positive().may_be_missing()});
+
+  struct Result : vessel::WallResult, vessel::LameResult {
+    Length R_m = unset<Length>, delta_o = unset<Length>, delta_M = unset<Length>, a_r = unset<Length>;
+    double w_r = unset<double>;
+  };
+  static constexpr std::tuple results = std::tuple_cat(
+      vessel::wall_results<Result>(),
+      std::tuple{
+          Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall"}.as(Role::result),
+          Field{&Result::delta_o, "delta_o", mm, "carrying thickness by the hoop stress alone, pR/sigma"}.as(
+              Role::result),
+          Field{&Result::delta_M, "delta_M", mm, "carrying thickness by the meridional stress alone, pR/2sigma"}.as(
+              Role::result),
+          Field{&Result::a_r, "a_r", mm, "section of the rings per length of the vessel"}.as(Role::result)},
+      vessel::lame_results<Result>(),
+      std::tuple{
+          Field{&Result::w_r, "w_r", ratio, "rings: distance over the length of wall that works with them"}.limit(
+              0, 1, "l_r")});
+
+  static constexpr std::array rules = vessel::join<Input>(
+      vessel::wall_rules<Input>(), vessel::liquid_rules<Input>(),
+      std::array{Rule<Input>{[](const Input& in) { return is_set(in.A_r) == is_set(in.l_r); }, "A_r, l_r",
+                             "rings need both the area A_r of their section and their distance l_r"},
+                 Rule<Input>{[](const Input& in) { return in.ends == Ends::ringed || !is_set(in.A_r); },
+                             "A_r, l_r, ends", "rings go with ends = \"ringed\""},
+                 Rule<Input>{[](const Input& in) {
+                               return !is_set(in.delta) || in.measured == vessel::Measured::inner ||
+                                      in.R > (in.measured == vessel::Measured::outer ? 1.0 : 0.5) * in.delta;
+                             },
+                             "R, delta", "the wall is thicker than the radius leaves room for"}});
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template VesselCylinder::Result VesselCylinder::evaluate(const Input&, NoTrace&);
+extern template VesselCylinder::Result VesselCylinder::evaluate(const Input&, Trace&);
+
+constexpr auto choices_of(VesselCylinder::Ends) {
+  using Ends = VesselCylinder::Ends;
+  return std::array{ChoiceName<Ends>{Ends::closed, "closed", "ends that the wall holds together"},
+                    ChoiceName<Ends>{Ends::open, "open", "a pipe: no pull along the axis"},
+                    ChoiceName<Ends>{Ends::ringed, "ringed", "closed, with rings that take part of the hoop force"}};
+}
+
+constexpr auto choices_of(VesselCylinder::Support) {
+  using Support = VesselCylinder::Support;
+  return std::array{ChoiceName<Support>{Support::bottom, "bottom", "stands: the ground bears the liquid"},
+                    ChoiceName<Support>{Support::top, "top", "hangs: the wall bears the liquid"}};
+}
+
+}  // namespace loadpath

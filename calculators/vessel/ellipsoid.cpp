@@ -1,0 +1,90 @@
+#include "calculators/vessel/ellipsoid.hpp"
+
+#include "calculators/vessel/picture.hpp"
+#include "lib/calculator_of.hpp"
+
+namespace loadpath {
+
+namespace {
+
+using vessel::Place;
+using Input = VesselEllipsoid::Input;
+
+class Ellipsoid {
+ public:
+  Ellipsoid(Length a_m, Length b_m) : a_m_(a_m), b_m_(b_m) {}
+  [[nodiscard]] std::size_t places() const { return 33; }
+  [[nodiscard]] double place(std::size_t i) const { return static_cast<double>(i) / 32.0; }
+  [[nodiscard]] Length sharpest() const { return min(a_m_ * a_m_ / b_m_, b_m_ * b_m_ / a_m_); }
+
+  /// t of the quarter ellipse, from the pole, 0, to the equator, 1.
+  template <class Tracer>
+  Place at(double t, Tracer& trace) const {
+    const Length a_m = a_m_, b_m = b_m_;
+    const bool equator = t == 1.0;  // exactly: the cosine of pi/2 is not quite zero
+    Place place;
+    place.r = equator ? a_m : a_m * std::sin(0.5 * pi * t);
+    place.z = equator ? 0.0 * b_m : b_m * std::cos(0.5 * pi * t);
+    const Length r = place.r, z = place.z;
+    trace.value("r", r, "distance of the governing place from the axis");
+    trace.value("z", z, "height above the equator");
+    STEP(w, sqrt(pow<2>(a_m * z / b_m) + pow<2>(b_m * r / a_m)), "how fast the ellipse runs there");
+    place.rho_o = NAMED_STEP("rho_o", a_m / b_m * w, "normal to the wall, up to the axis");
+    place.kappa_M = NAMED_STEP("kappa_M", a_m * b_m / pow<3>(w), "curvature of the ellipse");
+    place.q_M = NAMED_STEP("q_M", a_m / b_m * w / 2.0, "pressure on the cap over the upright part of the pull");
+    trace.value("p_l", place.p_l, "no liquid");
+    trace.value("n_M", place.n_M, "no liquid");
+    return place;
+  }
+
+ private:
+  Length a_m_, b_m_;
+};
+
+template <class Tracer>
+void mean_axes(const Input& in, VesselEllipsoid::Result& r, Length e, Tracer& trace) {
+  const auto a = in.a, b = in.b;
+  STEP(a_m, a + e, "middle of the carrying wall, across");
+  STEP(b_m, b + e, "middle of the carrying wall, along");
+  r.a_m = a_m, r.b_m = b_m;
+}
+
+/// The stresses of pole and equator in their known form, and the bound of the hoop compression of flat heads.
+template <class Tracer>
+void ends(const Input& in, VesselEllipsoid::Result& r, Tracer& trace) {
+  const auto p = in.p;
+  const auto a_m = r.a_m, b_m = r.b_m, delta_c = r.delta_c;
+  STEP(sigma_pole, p * pow<2>(a_m) / (2.0 * b_m * delta_c), "pole, [Timoshenko]");
+  STEP(sigma_eq, p * a_m / delta_c * (1.0 - pow<2>(a_m / b_m) / 2.0), "hoop stress of the equator, [Timoshenko]");
+  STEP(w_b, sigma_eq < 0.0 * sigma_eq ? static_cast<double>(0.002 * pow<2>(a_m) / (b_m * delta_c)) : 0.0,
+       "knuckles in compression thinner than 0.002 of the crown radius may buckle, [UG-32]");
+  r.sigma_pole = sigma_pole, r.sigma_eq = sigma_eq, r.w_b = w_b;
+}
+
+}  // namespace
+
+template <class Tracer>
+VesselEllipsoid::Result VesselEllipsoid::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  const auto make = [&](Length delta_c) {
+    const Length e = vessel::offset(in, delta_c);
+    return Ellipsoid(in.a + e, in.b + e);
+  };
+  const auto told = [&](Length e, auto& tracer) { mean_axes(in, r, e, tracer); };
+  const double t = vessel::assess(in, r, in.a, make, told, trace);
+  NoTrace off;
+  r.r = Ellipsoid(r.a_m, r.b_m).at(t, off).r;
+  ends(in, r, trace);
+  return r;
+}
+
+template VesselEllipsoid::Result VesselEllipsoid::evaluate(const Input&, NoTrace&);
+template VesselEllipsoid::Result VesselEllipsoid::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> VesselEllipsoid::figures(const Input& in, const Result& r) {
+  return vessel::pictures(vessel::samples(Ellipsoid(r.a_m, r.b_m), in, r), r);
+}
+
+template const Calculator& erased<VesselEllipsoid>();
+
+}  // namespace loadpath

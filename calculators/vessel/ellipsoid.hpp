@@ -1,0 +1,80 @@
+// A thin-walled ellipsoid of revolution, or a half-ellipsoidal head, under internal gas pressure.
+//
+// Decides the least thickness, the equivalent stress at the governing place and the allowable pressure. Membrane
+// stresses of [B24] (9). Tension is positive; the hoop stress of a flat head is a compression at the equator. Not
+// covered: the junction with a cylinder, buckling of the knuckle beyond the limit shown, liquid, external pressure.
+#pragma once
+
+#include "calculators/vessel/assess.hpp"
+#include "lib/draw/figure.hpp"
+
+#include <vector>
+
+namespace loadpath {
+
+struct VesselEllipsoid {
+  static constexpr auto id = "vessel.ellipsoid";
+  static constexpr auto title = "Thin-walled ellipsoidal vessel or head";
+  static constexpr auto scope =
+      "Wall of an ellipsoid of revolution or a half-ellipsoidal head under internal gas pressure. Membrane stresses, "
+      "static. Bending at the junction with a cylinder, nozzles, external pressure and fatigue are not covered.";
+  static constexpr auto source = "[B24], [Timoshenko], [Mises]";
+  static constexpr auto example = R"([project]
+title = "Two to one head"
+
+[head]
+calculator = "vessel.ellipsoid"
+p = "0.6 MPa"
+a = "600 mm"
+b = "300 mm"
+measured = "inner"
+sigma_adm = "140 MPa"
+)";
+
+  struct Input : vessel::WallInput {
+    Length a = unset<Length>, b = unset<Length>;
+  };
+  static constexpr std::tuple inputs = std::tuple_cat(
+      std::tuple{Field<Input, Length>{&Input::a, "a", mm, "semi-axis across: radius of the equator"}.positive().usually(
+                     5, 50000),
+                 Field<Input, Length>{&Input::b, "b", mm, "semi-axis along the axis of revolution: height of a head"}
+                     .positive()
+                     .usually(5, 50000)},
+      vessel::wall_inputs<Input>());
+
+  struct Result : vessel::WallResult {
+    Length a_m = unset<Length>, b_m = unset<Length>, r = unset<Length>;
+    Stress sigma_pole = unset<Stress>, sigma_eq = unset<Stress>;
+    double w_b = unset<double>;
+  };
+  static constexpr std::tuple results = std::tuple_cat(
+      vessel::wall_results<Result>(),
+      std::tuple{
+          Field{&Result::a_m, "a_m", mm, "semi-axis across, middle of the carrying wall"}.as(Role::result),
+          Field{&Result::b_m, "b_m", mm, "semi-axis along, middle of the carrying wall"}.as(Role::result),
+          Field{&Result::r, "r", mm, "distance of the governing place from the axis"}.as(Role::result),
+          Field{&Result::sigma_pole, "sigma_pole", MPa, "stress at the pole, alike in all directions"}.as(Role::result),
+          Field{&Result::sigma_eq, "sigma_eq", MPa, "hoop stress at the equator; negative is compression"}.as(
+              Role::result),
+          Field{&Result::w_b, "w_b", ratio, "buckling of the knuckle: 0.002 of the crown radius over the thickness"}
+              .limit(0, 1)});
+
+  static constexpr std::array rules = vessel::join<Input>(
+      vessel::wall_rules<Input>(), vessel::gas_rules<Input>(),
+      std::array{Rule<Input>{[](const Input& in) { return in.a <= 5.0 * in.b && in.b <= 5.0 * in.a; }, "a, b",
+                             "so flat or so slender an ellipsoid is no membrane: a/b must lie between 1/5 and 5"},
+                 Rule<Input>{[](const Input& in) {
+                               return !is_set(in.delta) || in.measured == vessel::Measured::inner ||
+                                      min(in.a, in.b) > (in.measured == vessel::Measured::outer ? 1.0 : 0.5) * in.delta;
+                             },
+                             "a, b, delta", "the wall is thicker than the semi-axes leave room for"}});
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template VesselEllipsoid::Result VesselEllipsoid::evaluate(const Input&, NoTrace&);
+extern template VesselEllipsoid::Result VesselEllipsoid::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath

@@ -1,0 +1,95 @@
+// The thick-walled answer beside the membrane one: Lamé's stresses at the inner surface of cylinders and spheres. It is
+// always printed, so that nothing jumps where the thin wall ends.
+#pragma once
+
+#include "calculators/vessel/assess.hpp"
+
+namespace loadpath::vessel {
+
+struct LameResult {
+  Stress sigma_L = unset<Stress>;
+  double e_L = unset<double>;
+  Length delta_L = unset<Length>;
+  double u_L = unset<double>;
+};
+
+template <class Result>
+constexpr auto lame_results() {
+  return std::tuple{
+      Field<Result, Stress>{&Result::sigma_L, "sigma_L", MPa, "thick wall: equivalent stress by Lamé, inside"}.as(
+          Role::result),
+      Field<Result, double>{&Result::e_L, "e_L", ratio, "error of the thin-wall equivalent stress against Lamé"}.as(
+          Role::result),
+      Field<Result, Length>{&Result::delta_L, "delta_L", mm, "thick wall: least thickness to order by Lamé"}.as(
+          Role::result),
+      Field<Result, double>{&Result::u_L, "u_L", ratio, "thick wall: equivalent stress over the allowable one"}.as(
+          Role::result)};
+}
+
+/// Hoop and meridional stress at the inner surface.
+struct Principal {
+  Stress o, M;
+};
+
+/// A cylinder, with or without the pull of its ends.
+struct ThickCylinder {
+  bool closed;
+
+  template <class Tracer>
+  Principal operator()(Stress p_i, Length R_i, Length R_a, Tracer& trace) const {
+    STEP(sigma_t, p_i * (pow<2>(R_a) + pow<2>(R_i)) / (pow<2>(R_a) - pow<2>(R_i)), "hoop stress inside, [Lame]");
+    if (!closed) {
+      const Stress none = 0.0 * MPa;
+      trace.value("sigma_z", none, "no ends, no pull");
+      return {sigma_t, none};
+    }
+    STEP(sigma_z, p_i * pow<2>(R_i) / (pow<2>(R_a) - pow<2>(R_i)), "pull of the ends over the ring, [Lame]");
+    return {sigma_t, sigma_z};
+  }
+};
+
+struct ThickSphere {
+  template <class Tracer>
+  Principal operator()(Stress p_i, Length R_i, Length R_a, Tracer& trace) const {
+    STEP(sigma_t, p_i * (pow<3>(R_a) + 2.0 * pow<3>(R_i)) / (2.0 * (pow<3>(R_a) - pow<3>(R_i))),
+         "stress inside, alike in all directions of the wall, [Lame]");
+    STEP(sigma_z, sigma_t, "along the meridian too");
+    return {sigma_t, sigma_z};
+  }
+};
+
+template <class Thick, class Tracer>
+Stress thick_stress(const Thick& thick, Stress p_i, Length R_m, Length delta_c, const Strength& strength,
+                    Tracer& trace) {
+  const auto z_l = strength.z_l, z_c = strength.z_c;
+  STEP(R_i, R_m - 0.5 * delta_c, "inside of the carrying wall");
+  STEP(R_a, R_m + 0.5 * delta_c, "outside of the carrying wall");
+  const auto [sigma_t, sigma_z] = thick(p_i, R_i, R_a, trace);
+  STEP(s_o, sigma_t / z_l, "hoop stress as longitudinal seams feel it");
+  STEP(s_M, sigma_z / z_c, "meridional stress as circumferential seams feel it");
+  return equivalent(s_o, s_M, p_i, strength.hypothesis, trace);
+}
+
+/// Checks and sizes the wall by Lamé; `mean(delta_c)` is the middle radius of a wall of this thickness.
+template <class Thick, class Result, class Mean, class Tracer>
+void compare(const Thick& thick, const WallInput& in, Result& r, Length R_m, const Mean& mean, Tracer& trace) {
+  const Strength strength = strength_of(in, r.sigma_all);
+  const auto p_i = r.p_i, sigma_all = r.sigma_all, sigma_v = r.sigma_v;
+  const Stress sigma_L = thick_stress(thick, p_i, R_m, r.delta_c, strength, trace);
+  trace.value("sigma_L", sigma_L, "the thick wall");
+  trace.value("sigma_v", sigma_v, "the thin wall");
+  STEP(e_L, sigma_v / sigma_L - 1.0, "what the thin-wall formula misses");
+  STEP(u_L, sigma_L / sigma_all, "the same strength condition with the stress of the thick wall");
+  r.sigma_L = sigma_L, r.e_L = e_L, r.u_L = u_L;
+  NoTrace off;
+  const auto u = [&](Length delta_c) {
+    const Length middle = mean(delta_c);
+    if (!(middle > 0.5 * delta_c)) return 0.0;
+    return double(thick_stress(thick, p_i, middle, delta_c, strength, off) / sigma_all);
+  };
+  const Length least = least_thickness(u, R_m);
+  const bool solid = !(mean(least) > 0.5 * least);  // the wall would fill the vessel
+  r.delta_L = ordered("delta_L", solid ? unset<Length> : least, in, trace);
+}
+
+}  // namespace loadpath::vessel

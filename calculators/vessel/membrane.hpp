@@ -1,0 +1,180 @@
+// Membrane stresses of shells of revolution by eq. 9 of [B24], and what follows from them at the most loaded place: the
+// equivalent stress, the least thickness, the allowable pressure.
+//
+// A shape is a class with
+//   std::size_t places() const;                           how many places may govern
+//   double place(std::size_t i) const;                    the i-th, as a parameter 0..1 along the meridian
+//   template <class Tracer> Place at(double t, Tracer&);  the shell there
+//   Length sharpest() const;                              its smallest radius of curvature
+#pragma once
+
+#include "calculators/vessel/wall.hpp"
+
+namespace loadpath::vessel {
+
+using Curvature = Twist;    // 1/length
+using Tension = Stiffness;  // force per length of a section
+
+/// The shell at a place: p q_M + n_M is the meridional force per length that balances what lies beyond the place.
+struct Place {
+  Length rho_o = unset<Length>;                 // radius of curvature across the meridian
+  Curvature kappa_M = from_si<Curvature>(0.0);  // curvature of the meridian, 0 where it is straight
+  Length q_M = unset<Length>;                   // of the gas
+  Tension n_M = from_si<Tension>(0.0);          // of the liquid
+  Stress p_l = from_si<Stress>(0.0);            // pressure of the liquid
+  Length r = unset<Length>, z = unset<Length>;  // where it is: from the axis, along it
+  double w_o = 1.0;                             // part of the hoop force that the wall carries beside rings
+};
+
+struct Strength {
+  Stress sigma_all;
+  double z_l, z_c;
+  Hypothesis hypothesis;
+};
+
+struct Stresses {
+  Stress p_i, o, M, v;
+};
+
+template <class Tracer>
+Stress allowable(const WallInput& in, Tracer& trace) {
+  const auto sigma_adm = in.sigma_adm, R_e = in.R_e;
+  const auto S = in.S;
+  if (is_set(sigma_adm)) {
+    STEP(sigma_all, sigma_adm, "as given");
+    return sigma_all;
+  }
+  STEP(sigma_all, R_e / S, "yield strength over the safety factor");
+  return sigma_all;
+}
+
+/// Of the principal stresses s_o, s_M in the wall and -p_i at its inner surface.
+template <class Tracer>
+Stress equivalent(Stress s_o, Stress s_M, Stress p_i, Hypothesis hypothesis, Tracer& trace) {
+  if (hypothesis == Hypothesis::membrane) {
+    STEP(sigma_v, max(abs(s_o), abs(s_M)), "the larger membrane stress, [B24]");
+    return sigma_v;
+  }
+  if (hypothesis == Hypothesis::mises) {
+    STEP(sigma_v, sqrt(0.5 * (pow<2>(s_o - s_M) + pow<2>(s_M + p_i) + pow<2>(s_o + p_i))),
+         "with the radial stress -p_i at the inner surface, [Mises]");
+    return sigma_v;
+  }
+  STEP(sigma_v, max(max(s_o, s_M), -p_i) - min(min(s_o, s_M), -p_i),
+       "Tresca, with the radial stress -p_i at the inner surface");
+  return sigma_v;
+}
+
+template <class Tracer>
+Stress hoop(const Place& place, Stress p_i, Stress sigma_M, Length delta_c, Tracer& trace) {
+  const auto rho_o = place.rho_o;
+  const auto kappa_M = place.kappa_M;
+  const auto w_o = place.w_o;
+  if (w_o < 1.0) {
+    STEP(sigma_o, w_o * rho_o * p_i / delta_c, "[B24] (9), (10) with rings: the wall carries its part");
+    return sigma_o;
+  }
+  STEP(sigma_o, rho_o * (p_i / delta_c - sigma_M * kappa_M), "balance across the wall, [B24] (9)");
+  return sigma_o;
+}
+
+template <class Tracer>
+Stresses stresses(const Place& place, Stress p, Length delta_c, const Strength& strength, Tracer& trace) {
+  const auto q_M = place.q_M;
+  const auto n_M = place.n_M;
+  const auto p_l = place.p_l;
+  const auto z_l = strength.z_l, z_c = strength.z_c;
+  STEP(p_i, p + p_l, "gas and liquid");
+  STEP(sigma_M, (p * q_M + n_M) / delta_c, "balance along the axis of what lies beyond the place, [B24] (11)");
+  const Stress sigma_o = hoop(place, p_i, sigma_M, delta_c, trace);
+  STEP(s_o, sigma_o / z_l, "hoop stress as longitudinal seams feel it");
+  STEP(s_M, sigma_M / z_c, "meridional stress as circumferential seams feel it");
+  return {p_i, sigma_o, sigma_M, equivalent(s_o, s_M, p_i, strength.hypothesis, trace)};
+}
+
+struct Worst {
+  double u = -1.0;
+  double t = 0.0;
+};
+
+/// The place of the largest equivalent stress.
+template <class Shape>
+Worst worst(const Shape& shape, Stress p, Length delta_c, const Strength& strength) {
+  NoTrace off;
+  Worst found;
+  for (std::size_t i = 0; i < shape.places(); ++i) {
+    const double t = shape.place(i);
+    const double u = stresses(shape.at(t, off), p, delta_c, strength, off).v / strength.sigma_all;
+    if (!(u <= found.u)) found = {u, t};
+  }
+  return found;
+}
+
+/// The zero of a falling function between low and high, to rounding: regula falsi by the Illinois rule, which meets the
+/// straight pieces that utilisations have here in one step.
+template <class Function>
+double falling_root(const Function& f, double low, double high) {
+  double f_low = f(low), f_high = f(high);
+  for (int i = 0; i < 100 && f_high != 0.0; ++i) {
+    const double x = high - f_high * (high - low) / (f_high - f_low);
+    const double f_x = f(x);
+    const bool same_side = (f_x > 0.0) == (f_high > 0.0);
+    if (same_side) {
+      f_low *= 0.5;
+    } else {
+      low = high, f_low = f_high;
+    }
+    const bool settled = std::abs(x - high) <= 4e-16 * std::abs(x);
+    high = x, f_high = f_x;
+    if (settled) break;
+  }
+  return high;
+}
+
+/// The least carrying thickness at which a wall of this utilisation is just strong enough; unset where none is.
+/// `u` falls with the thickness like 1/x, so x (u - 1) is nearly straight. `scale` is a length of the vessel.
+template <class Utilisation>
+Length least_thickness(const Utilisation& u, Length scale) {
+  const double radius = in_si(scale);
+  const auto f = [&](double x) { return x * (u(from_si<Length>(x)) - 1.0); };
+  double high = 1e-3 * radius;
+  while (f(high) > 0.0 && high < 16.0 * radius) high *= 2.0;
+  if (!(f(high) <= 0.0)) return unset<Length>;
+  double low = 0.5 * high;
+  while (f(low) <= 0.0 && low > 1e-9 * radius) low *= 0.5;
+  return from_si<Length>(f(low) <= 0.0 ? 0.0 : falling_root(f, low, high));
+}
+
+/// The gas pressure that the wall just carries; zero where the liquid alone is too much.
+template <class Shape>
+Stress allowable_pressure(const Shape& shape, Length delta_c, const Strength& strength) {
+  const auto f = [&](double p) { return 1.0 - worst(shape, from_si<Stress>(p), delta_c, strength).u; };
+  if (!(f(0.0) > 0.0)) return from_si<Stress>(0.0);
+  double high = 1e-3 * in_si(strength.sigma_all);
+  while (f(high) > 0.0 && high < 1e3 * in_si(strength.sigma_all)) high *= 2.0;
+  return from_si<Stress>(falling_root(f, 0.0, high));
+}
+
+/// How far the middle of the carrying wall lies outside of the surface that the given radii belong to.
+template <class Tracer>
+Length offset(const WallInput& in, Length delta, Length delta_c, Tracer& trace) {
+  const auto c = in.c;
+  if (in.measured == Measured::inner) {
+    STEP(e, c + 0.5 * delta_c, "middle of the carrying wall, from the inside of the new one");
+    return e;
+  }
+  if (in.measured == Measured::outer) {
+    STEP(e, c + 0.5 * delta_c - delta, "middle of the carrying wall, from the outside of the new one");
+    return e;
+  }
+  STEP(e, c + 0.5 * delta_c - 0.5 * delta, "middle of the carrying wall, from that of the new one");
+  return e;
+}
+
+/// The same for a wall of this carrying thickness.
+inline Length offset(const WallInput& in, Length delta_c) {
+  NoTrace off;
+  return offset(in, (delta_c + in.c + in.c_t) / (1.0 - in.f_t), delta_c, off);
+}
+
+}  // namespace loadpath::vessel

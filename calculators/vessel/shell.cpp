@@ -1,0 +1,152 @@
+#include "calculators/vessel/shell.hpp"
+
+#include "calculators/vessel/picture.hpp"
+#include "lib/calculator_of.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath {
+
+namespace {
+
+using vessel::Meridian;
+using vessel::MeridianPoint;
+using vessel::Place;
+using Input = VesselShell::Input;
+
+Meridian meridian_of(const Input& in, Length delta_c) {
+  Meridian points;
+  for (const auto& p : in.points) {
+    MeridianPoint at;
+    at.r = in_si(p.r), at.z = in_si(p.z);
+    points.push_back(at);
+  }
+  const bool wet = vessel::has_liquid(in);
+  return vessel::meridian(points, in_si(vessel::offset(in, delta_c)), {in.start == VesselShell::Start::closed},
+                          wet ? in_si(in.rho) * in_si(vessel::gravity) : 0.0, wet ? in_si(in.h_l) : 0.0);
+}
+
+class Shell {
+ public:
+  Shell(const Input& in, Length delta_c) : in_(in), points_(meridian_of(in, delta_c)) {}
+  [[nodiscard]] std::size_t places() const { return points_.size(); }
+  [[nodiscard]] double place(std::size_t i) const { return static_cast<double>(i); }
+  [[nodiscard]] const Meridian& points() const { return points_; }
+
+  [[nodiscard]] Length sharpest() const {
+    double least = in_si(rho_of(points_.front()));
+    for (const MeridianPoint& p : points_) {
+      least = std::min(least, std::abs(in_si(rho_of(p))));
+      if (p.kappa != 0.0) least = std::min(least, 1.0 / std::abs(p.kappa));
+    }
+    return from_si<Length>(least);
+  }
+
+  /// The point of number t.
+  template <class Tracer>
+  Place at(double t, Tracer& trace) const {
+    const MeridianPoint& point = points_[static_cast<std::size_t>(t)];
+    Place place;
+    const bool pole = point.r == 0.0;
+    const Length r = from_si<Length>(point.r), z = from_si<Length>(point.z);
+    const auto kappa_M = from_si<vessel::Curvature>(point.kappa);
+    place.r = r, place.z = z, place.kappa_M = kappa_M;
+    if (vessel::has_liquid(in_)) {
+      place.p_l = vessel::head(in_, z, trace);
+    } else {
+      trace.value("p_l", place.p_l, "no liquid");
+    }
+    trace.value("r", r, "distance of the governing place from the axis");
+    trace.value("kappa_M", kappa_M, "curvature of the circle through the point and its neighbours");
+    place.rho_o = rho_of(point);
+    if (pole) {
+      place.q_M = place.rho_o / 2.0;
+      place.n_M = place.p_l * place.rho_o / 2.0;
+    } else {
+      place.q_M = from_si<Length>(point.gas / (point.r * point.sine));
+      place.n_M = from_si<vessel::Tension>(point.liquid / (point.r * point.sine));
+    }
+    trace.value("rho_o", place.rho_o, "normal to the meridian, up to the axis");
+    trace.value("q_M", place.q_M, "area before the place over the upright part of its circumference");
+    trace.value("n_M", place.n_M, "of the liquid, pressing on what lies before the place");
+    return place;
+  }
+
+  /// The flattest place off the axis.
+  [[nodiscard]] double least_sine() const {
+    double least = 1.0;
+    for (const MeridianPoint& p : points_) {
+      if (p.r > 0.0) least = std::min(least, std::abs(p.sine));
+    }
+    return least;
+  }
+
+ private:
+  /// At a pole both radii are one.
+  static Length rho_of(const MeridianPoint& p) { return from_si<Length>(p.r == 0.0 ? 1.0 / p.kappa : p.r / p.sine); }
+
+  const Input& in_;
+  Meridian points_;
+};
+
+void tabulate(const Shell& shell, const Input& in, VesselShell::Result& r) {
+  NoTrace off;
+  for (std::size_t i = 0; i < shell.places(); ++i) {
+    const Place place = shell.at(shell.place(i), off);
+    const auto s = vessel::stresses(place, in.p, r.delta_c, vessel::strength_of(in, r.sigma_all), off);
+    const double kappa = in_si(place.kappa_M) * in_si(place.rho_o);
+    const bool straight = std::abs(kappa) < 1e-9;
+    r.along.push_back({place.r, place.z, place.rho_o, straight ? unset<Length> : place.rho_o / kappa, s.o, s.M, s.v});
+  }
+}
+
+}  // namespace
+
+bool VesselShell::long_enough(const Input& in) { return in.points.size() >= 3; }
+
+bool VesselShell::apart(const Input& in) {
+  for (std::size_t i = 1; i < in.points.size(); ++i) {
+    if (in.points[i].r == in.points[i - 1].r && in.points[i].z == in.points[i - 1].z) return false;
+  }
+  return true;
+}
+
+bool VesselShell::held_off_axis(const Input& in) {
+  if (in.points.size() < 3) return true;  // another rule says so
+  return in.points.back().z != in.points.front().z &&
+         std::all_of(in.points.begin() + 1, in.points.end(), [](const Point& p) { return p.r > 0.0 * mm; });
+}
+
+template <class Tracer>
+VesselShell::Result VesselShell::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  Length widest = 0.0 * mm;
+  for (const auto& p : in.points) widest = max(widest, p.r);
+  const auto make = [&](Length delta_c) { return Shell(in, delta_c); };
+  const auto told = [](Length, auto&) {};
+  const double t = vessel::assess(in, r, widest, make, told, trace);
+  const Shell shell = make(r.delta_c);
+  const MeridianPoint& governing = shell.points()[static_cast<std::size_t>(t)];
+  r.r = from_si<Length>(governing.r), r.z = from_si<Length>(governing.z);
+  double turn = 0.0;
+  for (const MeridianPoint& p : shell.points()) turn = std::max(turn, p.turn);
+  r.psi_max = turn, r.s_min = shell.least_sine();
+  trace.value("psi_max", r.psi_max, "sharpest turn of the meridian");
+  trace.value("s_min", r.s_min, "flattest place off the axis");
+  tabulate(shell, in, r);
+  return r;
+}
+
+template VesselShell::Result VesselShell::evaluate(const Input&, NoTrace&);
+template VesselShell::Result VesselShell::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> VesselShell::figures(const Input&, const Result& r) {
+  std::vector<vessel::Sample> along;
+  for (const Along& a : r.along) along.push_back({in_si(a.r), in_si(a.z), in_si(a.sigma_o), in_si(a.sigma_M)});
+  return vessel::pictures(along, r);
+}
+
+template const Calculator& erased<VesselShell>();
+
+}  // namespace loadpath

@@ -1,0 +1,116 @@
+// A thin shell of revolution whose meridian is given by points, under internal pressure of gas and liquid.
+//
+// Decides stresses along the meridian, the least thickness, the governing place and the allowable gas pressure: [B24]
+// (9) with radii of curvature from circles through three neighbouring points, and the balance of what lies before each
+// point. The points run from the free end of the shell to where it is held. Tension is positive.
+// Not covered: edges of the meridian (a limit), jumps of curvature, weight of the wall, external pressure, fatigue.
+#pragma once
+
+#include "calculators/vessel/assess.hpp"
+#include "calculators/vessel/meridian.hpp"
+#include "lib/draw/figure.hpp"
+
+#include <vector>
+
+namespace loadpath {
+
+struct VesselShell {
+  static constexpr auto id = "vessel.shell";
+  static constexpr auto title = "Thin shell of revolution with any meridian";
+  static constexpr auto scope =
+      "Membrane stresses of a shell of revolution whose meridian is given by points, under internal pressure of gas "
+      "and "
+      "liquid; least thickness. Edges of the meridian, weight of the wall, external pressure and fatigue are not "
+      "covered.";
+  static constexpr auto source = "[B24], [Mises]";
+  static constexpr auto example = R"([project]
+title = "Bottom of a kettle"
+
+[kettle]
+calculator = "vessel.shell"
+p = "0.6 MPa"
+points = [
+  ["0 mm", "0 mm"], ["130.53 mm", "8.56 mm"], ["258.82 mm", "34.07 mm"], ["382.68 mm", "76.12 mm"],
+  ["500 mm", "133.97 mm"], ["608.76 mm", "206.65 mm"], ["707.11 mm", "292.89 mm"],
+]
+sigma_adm = "120 MPa"
+)";
+
+  enum class Start { closed, open };
+
+  struct Point {
+    Length r = unset<Length>, z = unset<Length>;
+    static constexpr std::tuple fields{Field{&Point::r, "r", mm, "distance from the axis"}.at_least(0),
+                                       Field{&Point::z, "z", mm, "height, upward"}};
+  };
+
+  struct Input : vessel::WallInput, vessel::Liquid {
+    Start start = Start::closed;
+    List<Point, vessel::most_points> points;
+  };
+  static bool long_enough(const Input& in);
+  static bool apart(const Input& in);
+  static bool held_off_axis(const Input& in);
+  static constexpr std::tuple inputs = std::tuple_cat(
+      std::tuple{ListField<Input, Point, vessel::most_points>{
+                     &Input::points, "points", "meridian, from the free end of the shell to where it is held"}
+                     .as_arrays(),
+                 Choice<Input, Start>{&Input::start, "start", "what ends the shell at a first point off the axis"}
+                     .may_be_missing()},
+      vessel::wall_inputs<Input>(), vessel::liquid_inputs<Input>("height z of the liquid's surface"));
+
+  struct Along {
+    Length r = unset<Length>, z = unset<Length>, rho_o = unset<Length>, rho_M = unset<Length>;
+    Stress sigma_o = unset<Stress>, sigma_M = unset<Stress>, sigma_v = unset<Stress>;
+    static constexpr std::tuple fields{
+        Field{&Along::r, "r", mm, "distance from the axis, middle of the carrying wall"}.as(Role::result),
+        Field{&Along::z, "z", mm, "height"}.as(Role::result),
+        Field{&Along::rho_o, "rho_o", mm, "radius of curvature across the meridian"}.as(Role::result),
+        Field{&Along::rho_M, "rho_M", mm, "radius of curvature of the meridian; none where it is straight"}.as(
+            Role::result),
+        Field{&Along::sigma_o, "sigma_o", MPa, "hoop stress"}.as(Role::result),
+        Field{&Along::sigma_M, "sigma_M", MPa, "meridional stress"}.as(Role::result),
+        Field{&Along::sigma_v, "sigma_v", MPa, "equivalent stress, seams included"}.as(Role::result)};
+  };
+
+  struct Result : vessel::WallResult {
+    Length r = unset<Length>, z = unset<Length>;
+    double psi_max = unset<double>, s_min = unset<double>;
+    List<Along, vessel::most_points> along;
+  };
+  static constexpr std::tuple results = std::tuple_cat(
+      vessel::wall_results<Result>(),
+      std::tuple{
+          Field{&Result::r, "r", mm, "governing place: distance from the axis"}.as(Role::result),
+          Field{&Result::z, "z", mm, "governing place: height"}.as(Role::result),
+          Field{&Result::psi_max, "psi_max", deg, "edges: largest turn of the meridian from one chord to the next"}
+              .limit(0, 15 * (1 + 1e-9)),
+          Field{&Result::s_min, "s_min", ratio,
+                "off the axis: least sine of the slope; a flat crown there is no membrane"}
+              .limit(0.02, 1.0 + 1e-9),
+          ListField<Result, Along, vessel::most_points>{&Result::along, "along", "stresses along the meridian"}.as(
+              Role::result)});
+
+  static constexpr std::array rules = vessel::join<Input>(
+      vessel::wall_rules<Input>(), vessel::liquid_rules<Input>(),
+      std::array{Rule<Input>{&long_enough, "points", "a meridian needs at least three points"},
+                 Rule<Input>{&apart, "points", "two neighbouring points of the meridian are one and the same"},
+                 Rule<Input>{&held_off_axis, "points",
+                             "only the first point may lie on the axis, and the last must lie higher or lower than it: "
+                             "split a shell that is closed at both ends where it is held"}});
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template VesselShell::Result VesselShell::evaluate(const Input&, NoTrace&);
+extern template VesselShell::Result VesselShell::evaluate(const Input&, Trace&);
+
+constexpr auto choices_of(VesselShell::Start) {
+  using Start = VesselShell::Start;
+  return std::array{ChoiceName<Start>{Start::closed, "closed", "a lid that the shell holds"},
+                    ChoiceName<Start>{Start::open, "open", "nothing: no pull along the meridian there"}};
+}
+
+}  // namespace loadpath

@@ -1,0 +1,100 @@
+#include "calculators/vessel/sphere.hpp"
+
+#include "calculators/vessel/liquid.hpp"
+#include "calculators/vessel/picture.hpp"
+#include "lib/calculator_of.hpp"
+
+namespace loadpath {
+
+namespace {
+
+using vessel::Place;
+using vessel::Tension;
+using Input = VesselSphere::Input;
+
+class Sphere {
+ public:
+  Sphere(const Input& in, Length R_m) : in_(in), R_m_(R_m), wet_(vessel::has_liquid(in)) {}
+
+  /// Gas presses alike everywhere. With a liquid: 64 places, and the ring from below and from above.
+  [[nodiscard]] std::size_t places() const { return wet_ ? 66 : 1; }
+  [[nodiscard]] double place(std::size_t i) const {
+    if (!wet_) return 0.5;
+    const double ring = in_.phi_s / pi;
+    if (i >= 64) return i == 64 ? ring * (1.0 + 1e-12) : ring * (1.0 - 1e-12);
+    return (static_cast<double>(i) + 1.0) / 64.0;
+  }
+  [[nodiscard]] Length sharpest() const { return R_m_; }
+
+  /// t from the top, 0, to the bottom, 1.
+  template <class Tracer>
+  Place at(double t, Tracer& trace) const {
+    Place place;
+    const Length R_m = R_m_;
+    const double phi = t * pi;
+    place.r = R_m * std::sin(phi), place.z = R_m * (1.0 + std::cos(phi));
+    place.rho_o = NAMED_STEP("rho_o", R_m, "the sphere is curved alike in all directions, [B24]");
+    place.kappa_M = NAMED_STEP("kappa_M", 1.0 / R_m, "along the meridian too");
+    place.q_M = NAMED_STEP("q_M", R_m / 2.0, "pressure on the cap over its circumference, [B24]");
+    if (wet_) {
+      trace.value("phi", phi, "of the governing place, from the top");
+      place.p_l = vessel::head(in_, place.z, trace);
+      place.n_M = phi > in_.phi_s ? below(phi) : above(phi);
+    } else {
+      trace.value("p_l", place.p_l, "no liquid");
+    }
+    trace.value("n_M", place.n_M,
+                wet_ ? "liquid on the cap beyond the section, by integration, [Timoshenko]" : "no liquid");
+    return place;
+  }
+
+ private:
+  /// What the liquid presses on the lower cap, over its circumference; written so that the pole is no exception.
+  [[nodiscard]] Tension below(double phi) const {
+    const Length h = in_.h_l, R = R_m_;
+    const double surface = in_si((R - h) / R);  // cosine of the liquid's edge, from the bottom
+    const double c = -std::cos(phi), c_wet = std::max(c, surface);
+    const Tension wet =
+        in_.rho * vessel::gravity * R * ((h - R) / 2.0 + R * (1.0 + c_wet + c_wet * c_wet) / (3.0 * (1.0 + c_wet)));
+    return c >= surface ? wet : wet * ((1.0 - c_wet * c_wet) / (1.0 - c * c));
+  }
+
+  /// The same for the upper cap, which the liquid lifts.
+  [[nodiscard]] Tension above(double phi) const {
+    const Length h = in_.h_l, R = R_m_;
+    const double c = std::cos(phi), edge = in_si((h - R) / R);
+    if (c >= edge || c >= 1.0) return from_si<Tension>(0.0);
+    const double s2 = 1.0 - c * c, s2_edge = 1.0 - edge * edge;
+    const Length lifted = (h - R) * (s2 - s2_edge) / 2.0 - R * (edge * edge * edge - c * c * c) / 3.0;
+    return in_.rho * vessel::gravity * R * lifted / s2;
+  }
+
+  const Input& in_;
+  Length R_m_;
+  bool wet_;
+};
+
+}  // namespace
+
+template <class Tracer>
+VesselSphere::Result VesselSphere::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  const auto mean = [&](Length delta_c) { return in.R + vessel::offset(in, delta_c); };
+  const auto make = [&](Length delta_c) { return Sphere(in, mean(delta_c)); };
+  const auto told = [&](Length e, auto& tracer) { r.R_m = vessel::mean_radius(in.R, e, tracer); };
+  const double t = vessel::assess(in, r, in.R, make, told, trace);
+  r.phi = vessel::has_liquid(in) ? t * pi : unset<double>;
+  vessel::compare(vessel::ThickSphere{}, in, r, r.R_m, mean, trace);
+  return r;
+}
+
+template VesselSphere::Result VesselSphere::evaluate(const Input&, NoTrace&);
+template VesselSphere::Result VesselSphere::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> VesselSphere::figures(const Input& in, const Result& r) {
+  return vessel::pictures(vessel::samples(Sphere(in, r.R_m), in, r), r);
+}
+
+template const Calculator& erased<VesselSphere>();
+
+}  // namespace loadpath

@@ -1,0 +1,79 @@
+// A thin-walled sphere under internal pressure of gas and liquid, on a ring.
+//
+// Decides the least thickness, the equivalent stress at the governing place and the allowable gas pressure, with
+// Lamé's thick-walled answer beside. Membrane stresses of [B24]; the liquid by the balance of the cap beyond a section:
+// below the ring the lower one, above it the upper one. Tension is positive.
+// Not covered: bending beside the ring and at nozzles, weight of the wall, external pressure, fatigue.
+#pragma once
+
+#include "calculators/vessel/lame.hpp"
+#include "lib/draw/figure.hpp"
+
+#include <vector>
+
+namespace loadpath {
+
+struct VesselSphere {
+  static constexpr auto id = "vessel.sphere";
+  static constexpr auto title = "Thin-walled spherical vessel";
+  static constexpr auto scope =
+      "Wall of a sphere under internal pressure of gas and of a liquid that a ring holds. Membrane stresses, static. "
+      "Bending beside the ring, nozzles, weight of the wall, external pressure and fatigue are not covered.";
+  static constexpr auto source = "[B24], [Timoshenko], [Lame], [Mises]";
+  static constexpr auto example = R"([project]
+title = "Gas holder"
+
+[holder]
+calculator = "vessel.sphere"
+p = "0.8 MPa"
+R = "5 m"
+measured = "inner"
+c = "1 mm"
+z_l = 0.85
+z_c = 0.85
+sigma_adm = "160 MPa"
+)";
+
+  struct Input : vessel::WallInput, vessel::Liquid {
+    Length R = unset<Length>;
+    double phi_s = pi / 2;
+  };
+  static constexpr std::tuple inputs = std::tuple_cat(
+      std::tuple{Field<Input, Length>{&Input::R, "R", mm, "radius of the sphere, to the surface that `measured` says"}
+                     .positive()
+                     .usually(5, 50000)},
+      vessel::wall_inputs<Input>(),
+      vessel::liquid_inputs<Input>("height of the liquid's surface above the lowest place of the wall"),
+      std::tuple{Field<Input, double>{&Input::phi_s, "phi_s", deg, "ring that holds a sphere with liquid: from the top"}
+                     .within(20, 160)
+                     .may_be_missing()});
+
+  struct Result : vessel::WallResult, vessel::LameResult {
+    Length R_m = unset<Length>;
+    double phi = unset<double>;
+  };
+  static constexpr std::tuple results =
+      std::tuple_cat(vessel::wall_results<Result>(),
+                     std::tuple{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall"}.as(Role::result),
+                                Field{&Result::phi, "phi", deg, "governing place, from the top"}.as(Role::result)},
+                     vessel::lame_results<Result>());
+
+  static constexpr std::array rules = vessel::join<Input>(
+      vessel::wall_rules<Input>(), vessel::liquid_rules<Input>(),
+      std::array{Rule<Input>{[](const Input& in) { return !is_set(in.h_l) || in.h_l <= 2.0 * in.R; }, "h_l, R",
+                             "the liquid stands above the top of the sphere: give the pressure there as p"},
+                 Rule<Input>{[](const Input& in) {
+                               return !is_set(in.delta) || in.measured == vessel::Measured::inner ||
+                                      in.R > (in.measured == vessel::Measured::outer ? 1.0 : 0.5) * in.delta;
+                             },
+                             "R, delta", "the wall is thicker than the radius leaves room for"}});
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template VesselSphere::Result VesselSphere::evaluate(const Input&, NoTrace&);
+extern template VesselSphere::Result VesselSphere::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath

@@ -1,0 +1,69 @@
+#include "calculators/vessel/torus.hpp"
+
+#include "calculators/vessel/picture.hpp"
+#include "lib/calculator_of.hpp"
+
+namespace loadpath {
+
+namespace {
+
+using vessel::Place;
+using Input = VesselTorus::Input;
+
+class Torus {
+ public:
+  Torus(Length R_0, Length r_m) : R_0_(R_0), r_m_(r_m) {}
+  [[nodiscard]] std::size_t places() const { return 1; }
+  [[nodiscard]] double place(std::size_t) const { return 0.0; }  // the inside of the ring
+  [[nodiscard]] Length sharpest() const { return r_m_; }
+
+  /// t around the tube from the inside of the ring, 0, over the crown, 1/4, the outside and the bottom.
+  template <class Tracer>
+  Place at(double t, Tracer& trace) const {
+    const Length R_0 = R_0_, r_m = r_m_;
+    const double s_phi = -std::cos(2.0 * pi * t);  // sine of the angle between the normal and the axis
+    Place place;
+    place.r = R_0 + r_m * s_phi, place.z = r_m * std::sin(2.0 * pi * t);
+    trace.value("s_phi", s_phi, "-1 at the inside of the ring, where the tube is pulled most");
+    STEP(r_p, R_0 + r_m * s_phi, "distance of the place from the axis");
+    place.rho_o = NAMED_STEP("rho_o", r_p / s_phi, "normal to the wall, up to the axis; negative where it is a saddle");
+    place.kappa_M = NAMED_STEP("kappa_M", 1.0 / r_m, "around the tube");
+    place.q_M = NAMED_STEP("q_M", r_m * (2.0 * R_0 + r_m * s_phi) / (2.0 * r_p),
+                           "balance of the part between crown and place, [Timoshenko]");
+    trace.value("p_l", place.p_l, "no liquid");
+    trace.value("n_M", place.n_M, "no liquid");
+    return place;
+  }
+
+ private:
+  Length R_0_, r_m_;
+};
+
+template <class Tracer>
+Length mean_radius(Length r_t, Length e, Tracer& trace) {
+  trace.value("r_t", r_t, "radius of the tube as given");
+  STEP(r_m, r_t + e, "middle of the carrying wall");
+  return r_m;
+}
+
+}  // namespace
+
+template <class Tracer>
+VesselTorus::Result VesselTorus::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  const auto make = [&](Length delta_c) { return Torus(in.R_0, in.r + vessel::offset(in, delta_c)); };
+  const auto told = [&](Length e, auto& tracer) { r.r_m = mean_radius(in.r, e, tracer); };
+  vessel::assess(in, r, in.r, make, told, trace);
+  return r;
+}
+
+template VesselTorus::Result VesselTorus::evaluate(const Input&, NoTrace&);
+template VesselTorus::Result VesselTorus::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> VesselTorus::figures(const Input& in, const Result& r) {
+  return vessel::pictures(vessel::samples(Torus(in.R_0, r.r_m), in, r), r);
+}
+
+template const Calculator& erased<VesselTorus>();
+
+}  // namespace loadpath

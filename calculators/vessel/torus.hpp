@@ -1,0 +1,74 @@
+// A thin-walled torus, or a pipe bend, under internal gas pressure.
+//
+// Decides the least thickness, the equivalent stress and the allowable pressure. The hoop stress of the ring is
+// pr/2delta everywhere; the stress around the tube is largest at the inside of the ring, which governs. Membrane
+// stresses of [B24] (9) with the balance of a part that is cut off at the crown. Tension is positive. Not covered:
+// ovality of a bend, bending at the crown, liquid, weight of the wall, external pressure, fatigue.
+#pragma once
+
+#include "calculators/vessel/assess.hpp"
+#include "lib/draw/figure.hpp"
+
+#include <vector>
+
+namespace loadpath {
+
+struct VesselTorus {
+  static constexpr auto id = "vessel.torus";
+  static constexpr auto title = "Thin-walled torus";
+  static constexpr auto scope =
+      "Wall of a ring-shaped vessel of circular section under internal gas pressure; also a smooth pipe bend. Membrane "
+      "stresses, static. Ovality, bending at the crown, external pressure and fatigue are not covered.";
+  static constexpr auto source = "[B24], [Timoshenko], [Mises]";
+  static constexpr auto example = R"([project]
+title = "Ring main"
+
+[ring]
+calculator = "vessel.torus"
+p = "2.5 MPa"
+R_0 = "1 m"
+r = "200 mm"
+sigma_adm = "140 MPa"
+)";
+
+  struct Input : vessel::WallInput {
+    Length R_0 = unset<Length>, r = unset<Length>;
+  };
+  static constexpr std::tuple inputs = std::tuple_cat(
+      std::tuple{
+          Field<Input, Length>{&Input::R_0, "R_0", mm, "radius of the ring: from its axis to the middle of the tube"}
+              .positive()
+              .usually(10, 50000),
+          Field<Input, Length>{&Input::r, "r", mm, "radius of the tube, to the surface that `measured` says"}
+              .positive()
+              .usually(5, 10000)},
+      vessel::wall_inputs<Input>());
+
+  struct Result : vessel::WallResult {
+    Length r_m = unset<Length>;
+  };
+  static constexpr std::tuple results =
+      std::tuple_cat(vessel::wall_results<Result>(),
+                     std::tuple{Field{&Result::r_m, "r_m", mm, "mean radius of the tube"}.as(Role::result)});
+
+  static constexpr std::array rules = vessel::join<Input>(
+      vessel::wall_rules<Input>(), vessel::gas_rules<Input>(),
+      std::array{Rule<Input>{[](const Input& in) { return in.R_0 > 1.02 * in.r; }, "R_0, r",
+                             "the tube meets itself in the middle of the ring: R_0 must be larger than r"},
+                 Rule<Input>{[](const Input& in) {
+                               return !is_set(in.delta) || in.measured == vessel::Measured::inner ||
+                                      in.r > (in.measured == vessel::Measured::outer ? 1.0 : 0.5) * in.delta;
+                             },
+                             "r, delta", "the wall is thicker than the radius leaves room for"},
+                 Rule<Input>{[](const Input& in) { return !is_set(in.delta) || in.R_0 > in.r + in.delta; },
+                             "R_0, r, delta", "the wall leaves no hole in the ring: R_0 must be larger"}});
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template VesselTorus::Result VesselTorus::evaluate(const Input&, NoTrace&);
+extern template VesselTorus::Result VesselTorus::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath

@@ -1,0 +1,169 @@
+// What all vessels share: pressure, wall, seams and strength as inputs, stresses and thicknesses as results, and the
+// rules between them. The Inputs and Results of the shapes derive from these; every field is declared here once.
+#pragma once
+
+#include "lib/field.hpp"
+#include "lib/issue.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+#include <tuple>
+
+namespace loadpath::vessel {
+
+using Density = decltype(Mass() / SectionModulus());
+inline constexpr Unit<Density> kg_per_m3{"kg/m^3", from_si<Density>(1.0)};
+
+enum class Measured { mean, inner, outer };
+enum class Hypothesis { tresca, mises, membrane };
+
+struct WallInput {
+  Stress p = unset<Stress>;
+  Length delta = unset<Length>;
+  Length c = from_si<Length>(0.0), c_t = from_si<Length>(0.0);
+  double f_t = 0.0, z_l = 1.0, z_c = 1.0;
+  Stress sigma_adm = unset<Stress>, R_e = unset<Stress>;
+  double S = unset<double>;
+  Measured measured = Measured::mean;
+  Hypothesis hypothesis = Hypothesis::tresca;
+};
+
+/// A liquid beside the gas: its surface lies h_l above the lowest point of the shell.
+struct Liquid {
+  Density rho = unset<Density>;
+  Length h_l = unset<Length>;
+};
+
+struct WallResult {
+  Stress sigma_all = unset<Stress>;
+  Length delta_min = unset<Length>, delta = unset<Length>, delta_c = unset<Length>;
+  Stress p_i = unset<Stress>, sigma_o = unset<Stress>, sigma_M = unset<Stress>, sigma_v = unset<Stress>;
+  Stress p_max = unset<Stress>;
+  double t_R = unset<double>, u_v = unset<double>;
+};
+
+template <class Input>
+constexpr auto wall_inputs() {
+  return std::tuple{
+      Field<Input, Stress>{&Input::p, "p", MPa, "internal gauge pressure of the gas"}.at_least(0).usually(0, 100),
+      Field<Input, Length>{&Input::delta, "delta", mm, "wall thickness as ordered"}
+          .positive()
+          .usually(0.5, 400)
+          .searched("plate")
+          .may_be_missing(),
+      Field<Input, Length>{&Input::c, "c", mm, "corrosion allowance on the inside, once"}.at_least(0).usually(0, 10),
+      Field<Input, Length>{&Input::c_t, "c_t", mm, "mill under-tolerance of the plate"}.at_least(0).usually(0, 3),
+      Field<Input, double>{&Input::f_t, "f_t", ratio, "mill under-tolerance as a part of delta: of pipes 0.125"}
+          .at_least(0)
+          .below(0.5),
+      Field<Input, double>{&Input::z_l, "z_l", ratio, "efficiency of longitudinal seams, which carry hoop stress"}
+          .within(0.3, 1)
+          .factor(),
+      Field<Input, double>{&Input::z_c, "z_c", ratio,
+                           "efficiency of circumferential seams, which carry meridional stress"}
+          .within(0.3, 1)
+          .factor(),
+      Field<Input, Stress>{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress, without a further safety factor"}
+          .positive()
+          .usually(10, 1000)
+          .may_be_missing(),
+      Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength, with S in place of sigma_adm"}
+          .positive()
+          .usually(50, 2500)
+          .from("material", "R_e", "delta", "sigma_adm"),
+      Field<Input, double>{&Input::S, "S", ratio, "safety factor against yielding, with R_e"}
+          .at_least(1)
+          .usually(1, 6)
+          .may_be_missing()
+          .factor(),
+      Choice<Input, Measured>{&Input::measured, "measured", "surface of the wall that the given radii belong to"}
+          .may_be_missing(),
+      Choice<Input, Hypothesis>{&Input::hypothesis, "hypothesis", "strength hypothesis of the equivalent stress"}
+          .may_be_missing()};
+}
+
+template <class Input>
+constexpr auto liquid_inputs(const char* level) {
+  return std::tuple{Field<Input, Density>{&Input::rho, "rho", kg_per_m3, "density of the liquid, with h_l"}
+                        .positive()
+                        .usually(300, 14000)
+                        .may_be_missing(),
+                    Field<Input, Length>{&Input::h_l, "h_l", mm, level}.at_least(0).may_be_missing()};
+}
+
+template <class Result>
+constexpr auto wall_results() {
+  return std::tuple{
+      Field<Result, Stress>{&Result::sigma_all, "sigma_all", MPa, "allowable stress"}.as(Role::result),
+      Field<Result, Length>{&Result::delta_min, "delta_min", mm, "least thickness to order, with its allowances"}.as(
+          Role::result),
+      Field<Result, Length>{&Result::delta, "delta", mm, "wall thickness as ordered"}.as(Role::result),
+      Field<Result, Length>{&Result::delta_c, "delta_c", mm, "thickness that carries: corroded and thinned"}.as(
+          Role::result),
+      Field<Result, Stress>{&Result::p_i, "p_i", MPa, "pressure at the governing place"}.as(Role::result),
+      Field<Result, Stress>{&Result::sigma_o, "sigma_o", MPa, "hoop stress at the governing place"}.as(Role::result),
+      Field<Result, Stress>{&Result::sigma_M, "sigma_M", MPa, "meridional stress at the governing place"}.as(
+          Role::result),
+      Field<Result, Stress>{&Result::sigma_v, "sigma_v", MPa,
+                            "equivalent stress at the governing place, seams included"}
+          .as(Role::result),
+      Field<Result, Stress>{&Result::p_max, "p_max", MPa, "allowable gas pressure at that thickness"}.as(Role::result),
+      Field<Result, double>{&Result::t_R, "t_R", ratio, "thin wall: thickness over the mean radius of curvature"}.limit(
+          0, 0.05 * (1 + 1e-12)),
+      Field<Result, double>{&Result::u_v, "u_v", ratio, "strength: equivalent stress over the allowable one"}.check()};
+}
+
+template <class Input>
+constexpr auto wall_rules() {
+  return std::array{
+      Rule<Input>{[](const Input& in) { return is_set(in.sigma_adm) || (is_set(in.R_e) && is_set(in.S)); },
+                  "sigma_adm, R_e, S", "give sigma_adm, or S with the yield strength R_e (or a material)"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.sigma_adm) || !(is_set(in.S) || is_set(in.R_e)); },
+                  "sigma_adm, R_e, S", "sigma_adm already holds the safety: give sigma_adm, or R_e with S, never both"},
+      Rule<Input>{[](const Input& in) { return in.c_t == 0.0 * mm || in.f_t == 0.0; }, "c_t, f_t",
+                  "give the under-tolerance as c_t or as f_t, never both"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.delta) || in.delta * (1.0 - in.f_t) > in.c + in.c_t; },
+                  "delta, c, c_t, f_t", "the allowances leave nothing of the wall: it must be thicker than they are"}};
+}
+
+template <class Input>
+constexpr auto liquid_rules() {
+  return std::array{Rule<Input>{[](const Input& in) { return is_set(in.rho) == is_set(in.h_l); }, "rho, h_l",
+                                "a liquid needs both its density rho and the height h_l of its surface"},
+                    Rule<Input>{[](const Input& in) { return in.p > 0.0 * MPa || is_set(in.rho); }, "p, rho, h_l",
+                                "nothing loads the wall: give a pressure p, or a liquid by rho and h_l"}};
+}
+
+template <class Input>
+constexpr auto gas_rules() {
+  return std::array{Rule<Input>{[](const Input& in) { return in.p > 0.0 * MPa; }, "p",
+                                "nothing loads the wall: the pressure must be greater than zero"}};
+}
+
+/// Lists of rules in one.
+template <class Input, std::size_t... N>
+constexpr auto join(const std::array<Rule<Input>, N>&... parts) {
+  return std::apply([](const auto&... rule) { return std::array{rule...}; }, std::tuple_cat(parts...));
+}
+
+template <class Input>
+bool has_liquid(const Input& in) {
+  if constexpr (requires { in.rho; }) return is_set(in.rho);
+  return false;
+}
+
+constexpr auto choices_of(Measured) {
+  return std::array{ChoiceName<Measured>{Measured::mean, "mean", "middle of the wall as ordered"},
+                    ChoiceName<Measured>{Measured::inner, "inner", "inside of the wall, before it corrodes"},
+                    ChoiceName<Measured>{Measured::outer, "outer", "outside of the wall"}};
+}
+
+constexpr auto choices_of(Hypothesis) {
+  return std::array{
+      ChoiceName<Hypothesis>{Hypothesis::tresca, "tresca", "Tresca, with the radial stress -p at the inside"},
+      ChoiceName<Hypothesis>{Hypothesis::mises, "mises", "von Mises, with the radial stress -p at the inside"},
+      ChoiceName<Hypothesis>{Hypothesis::membrane, "membrane",
+                             "the larger membrane stress alone, as the textbook has it"}};
+}
+
+}  // namespace loadpath::vessel

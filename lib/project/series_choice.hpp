@@ -1,0 +1,29 @@
+// Which series of a solved project are written: names as the user typed them, in which * stands for any characters and
+// ? for one.
+#pragma once
+
+#include "lib/project/project.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loadpath::project {
+
+class SeriesChoice {
+ public:
+  /// Every series.
+  SeriesChoice() = default;
+  /// "drive.M", "links.*.N"; with the step's name in front, "lever.links.*.N", those of that step. None: every series.
+  explicit SeriesChoice(std::vector<std::string> patterns) : patterns_(std::move(patterns)) {}
+
+  /// Whether the series of this path in this step is one of them.
+  [[nodiscard]] bool holds(std::string_view step, std::string_view path) const;
+  /// The patterns that choose no series of a solved project, with what they may have meant.
+  [[nodiscard]] std::vector<FieldFault> check(const Project& project) const;
+
+ private:
+  std::vector<std::string> patterns_;
+};
+
+}  // namespace loadpath::project

@@ -1,0 +1,127 @@
+// Every wrong input of column.buckling and what is said of it, as a project reads it.
+#include "tests/calculators/column/models.hpp"
+
+#include <doctest/doctest.h>
+
+namespace {
+
+using namespace loadpath;
+using namespace loadpath::tests;
+
+const std::string rod =
+    "calculator = \"column.buckling\"\nl = \"900 mm\"\nends = \"pinned_pinned\"\nE = \"210 GPa\"\nR_e = \"235 MPa\"\n";
+
+bool says(const std::string& lines, std::string_view words) {
+  const std::string said = complaints(lines);
+  INFO(said);
+  const bool found = said.find(words) != std::string::npos;
+  CHECK(found);
+  return found;
+}
+
+}  // namespace
+
+TEST_SUITE("column buckling faults") {
+  TEST_CASE("what is right says nothing") {
+    CHECK(complaints(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nn_st = 2\nP = \"10 kN\"\n").empty());
+  }
+
+  TEST_CASE("force, section and ends are given once and whole") {
+    says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nP = \"1 kN\"\nN = \"-1 kN\"\n",
+         "give the force as N, positive in tension, or as P, positive in compression, never both");
+    says(rod + "method = \"johnson\"\n", "the section is not given");
+    says(rod + "method = \"johnson\"\nA = \"10 cm^2\"\n", "with the area A both axes need I or i");
+    says(rod + "method = \"johnson\"\nI_y = \"10 cm^4\"\n", "I or i is given, but not the area A");
+    says(rod + "method = \"johnson\"\nd = \"40 mm\"\nb = \"20 mm\"\n", "the bar is one of them");
+    says(rod + "method = \"johnson\"\nd = \"40 mm\"\nd_bore = \"40 mm\"\n", "a bore goes with d, and is smaller");
+    says(rod + "method = \"johnson\"\nA = \"10 cm^2\"\nI_y = \"100 cm^4\"\ni_y = \"20 mm\"\ni_z = \"20 mm\"\n",
+         "I and i of an axis do not fit");
+    says(
+        "calculator = \"column.buckling\"\nl = \"900 mm\"\nE = \"210 GPa\"\nR_e = \"235 MPa\"\nd = \"40 mm\"\n"
+        "method = \"johnson\"\n",
+        "say how the ends are held");
+    says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nends_y = \"fixed_free\"\nbeta_y = 2\n",
+         "give the ends of an axis or its factor beta, never both");
+    says(
+        "calculator = \"column.buckling\"\nl = \"900 mm\"\nends = \"pinned_pinned\"\nR_e = \"235 MPa\"\nd = \"40 "
+        "mm\"\nmethod = \"johnson\"\n",
+        "give the modulus E, or a material");
+    says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nP = \"-1 kN\"\n", "P = -1 kN: must be >= 0 kN");
+  }
+
+  TEST_CASE("supports stand between the ends, in order") {
+    says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nsupports_z = [[\"900 mm\"]]\n",
+         "bar.supports_z[1].x: supports stand between the ends of the bar, 0 and 900 mm, in order");
+    says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nsupports_y = [[\"500 mm\"], [\"400 mm\"]]\n",
+         "bar.supports_y[2].x");
+    says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nbeta_z = 1\nsupports_z = [[\"400 mm\"]]\n",
+         "supports are computed from the ends exactly");
+  }
+
+  TEST_CASE("a method says what it lacks") {
+    says(rod + "d = \"40 mm\"\nmethod = \"euler\"\n", "the method 'euler' needs the limit of Euler's formula");
+    says(rod + "d = \"40 mm\"\nmethod = \"tetmajer\"\n",
+         "the method 'tetmajer' needs the constants of Tetmajer-Yasinsky");
+    says(rod + "d = \"40 mm\"\nmethod = \"secant\"\n", "the method 'secant' needs the eccentricity e_y or e_z");
+    says(rod + "d = \"40 mm\"\nmethod = \"ec3\"\n", "the method 'ec3' needs the buckling curves");
+    says(rod + "d = \"40 mm\"\nmethod = \"ec3\"\nkind = \"solid\"\nP = \"1 kN\"\n", "the partial factor gamma_M1");
+    says(rod + "d = \"40 mm\"\nmethod = \"ec3\"\nkind = \"solid\"\nP = \"1 kN\"\ngamma_M1 = 1\n", "needs gamma_F");
+    says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nP = \"1 kN\"\n", "needs the safety against buckling n_st");
+  }
+
+  TEST_CASE("an eccentricity has one axis and a fibre") {
+    const std::string rolled = rod + "A = \"10 cm^2\"\ni_y = \"30 mm\"\ni_z = \"30 mm\"\nmethod = \"secant\"\n";
+    says(rolled + "e_y = \"5 mm\"\n", "an eccentricity needs the distance of the extreme fibre");
+    says(rolled + "e_y = \"5 mm\"\ne_z = \"5 mm\"\nc_y = \"50 mm\"\nc_z = \"50 mm\"\n",
+         "the secant formula takes an eccentricity about one axis");
+  }
+
+  TEST_CASE("customs are warned of, and the bar is computed all the same") {
+    const std::string made = rod + "d = \"40 mm\"\nmethod = \"tetmajer\"\nP = \"1 kN\"\n";
+    CHECK(complaints(made + "tetmajer = \"St37\"\nn_st = 2\nmaterial_class = \"steel\"\n").empty());
+    says(made + "tetmajer = \"St37\"\nn_st = 1.6\nmaterial_class = \"steel\"\n",
+         "n_st = 1.6 is unusual for this class of material");
+    says(made + "tetmajer = \"St50\"\nn_st = 2\n",
+         "at its published limit 89 the set is 6.9 % above Euler's hyperbola");
+    says(made + "tetmajer = \"grey_iron\"\nn_st = 5\n",
+         "the set of Tetmajer-Yasinsky was given with E = 100 GPa, not 210 GPa");
+    std::vector<Issue> issues;
+    const project::Project p =
+        solved("[bar]\n" + made + "tetmajer = \"St37\"\nn_st = 1.6\nmaterial_class = \"steel\"\n", issues);
+    REQUIRE(issues.size() == 1);
+    CHECK(issues[0].severity == Severity::warning);
+    CHECK(p.value("bar.u") != nullptr);
+  }
+
+  TEST_CASE("a set that does not exist is told with the nearest") {
+    says(rod + "d = \"40 mm\"\nmethod = \"tetmajer\"\ntetmajer = \"St38\"\n",
+         "there is no tetmajer 'St38' in the tables");
+  }
+
+  TEST_CASE("Euler below its limit is not covered, and no number is given") {
+    std::vector<Issue> issues;
+    const project::Project p =
+        solved("[bar]\n" + rod + "d = \"60 mm\"\nmethod = \"euler\"\nsigma_P = \"190 MPa\"\nn_st = 2\nP = \"10 kN\"\n",
+               issues);
+    REQUIRE(issues.empty());
+    CHECK(report::worst(project::verdicts(p)) == report::State::not_covered);
+    CHECK(std::isnan(p.value("bar.P_all")->si[0]));
+  }
+
+  TEST_CASE("grey iron has no yield strength: the material gives E, the set the stress from lambda_0 on") {
+    std::vector<Issue> issues;
+    const project::Project p = solved(
+        "[bar]\ncalculator = \"column.buckling\"\nl = \"900 mm\"\nends = \"pinned_pinned\"\nmaterial = \"GJL-200\"\n"
+        "tetmajer = \"grey_iron\"\nd = \"60 mm\"\nmethod = \"tetmajer\"\nn_st = 5\nP = \"10 kN\"\n",
+        issues);
+    REQUIRE(issues.empty());
+    CHECK(rel(p.value("bar.sigma_cr")->si[0], (776.0 - 12.0 * 60.0 + 0.053 * 3600.0) * 1e6) < 1e-9);
+  }
+
+  TEST_CASE("a link of a mechanism is a column: its force over the turn, tension positive") {
+    const std::string link = "[bar]\n" + rod + "d = \"40 mm\"\nmethod = \"johnson\"\nn_st = 2\n";
+    std::vector<Issue> issues;
+    CHECK(solved(link + "N = \"5 kN\"\n", issues).value("bar.u")->si[0] == 0.0);
+    CHECK(issues.empty());
+  }
+}

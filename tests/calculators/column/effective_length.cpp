@@ -1,0 +1,146 @@
+#include "calculators/column/effective_length.hpp"
+
+#include "calculators/column/effective_length_factor.hpp"
+#include "tests/calculators/column/models.hpp"
+
+#include <doctest/doctest.h>
+
+#include <numbers>
+
+namespace {
+
+using namespace loadpath;
+using namespace loadpath::tests;
+using column::Bar;
+using column::held;
+
+double beta(const Bar& bar) { return std::numbers::pi / column::buckling_parameter(bar); }
+
+EffectiveLength::Result solve(const EffectiveLength::Input& in) {
+  NoTrace trace;
+  return EffectiveLength::evaluate(in, trace);
+}
+
+EffectiveLength::Input frame(double G_1, double G_2, EffectiveLength::Frame kind) {
+  EffectiveLength::Input in;
+  in.l = 4.0 * m;
+  in.G_1 = G_1, in.G_2 = G_2;
+  in.frame = kind;
+  return in;
+}
+
+}  // namespace
+
+TEST_SUITE("column effective length") {
+  TEST_CASE("the cases of the ends: 1, 2, 0.69916, 0.5, and 1, 2 with sway") {
+    using column::Ends;
+    for (const Ends ends : {Ends::pinned_pinned, Ends::fixed_free, Ends::fixed_pinned, Ends::fixed_fixed,
+                            Ends::fixed_guided, Ends::pinned_guided}) {
+      CHECK(rel(beta(column::bar_of(ends)), column::length_factor(ends, column::Basis::exact)) < 1e-12);
+    }
+    CHECK(rel(column::length_factor(Ends::fixed_pinned, column::Basis::exact), 0.6991556596) < 1e-9);
+  }
+
+  TEST_CASE("supports and springs, against finite elements") {
+    struct Row {
+      Bar bar;
+      double beta;
+    };
+    for (const Row& row :
+         {Row{{{held, 0}, {held, 0}, {0.3}}, 0.557498}, Row{{{held, held}, {held, held}, {0.5}}, 0.349578},
+          Row{{{held, held}, {held, 0}, {1 / 3., 2 / 3.}}, 0.312976}, Row{{{held, held}, {0, 0}, {0.5}}, 1.255050},
+          Row{{{held, held}, {0, 0}, {0.7}}, 0.974723}, Row{{{held, 4}, {held, 0}, {}}, 0.820503},
+          Row{{{held, 4}, {held, 9}, {}}, 0.642462}, Row{{{held, 3}, {5, 2}, {}}, 1.091782},
+          Row{{{held, 2.5}, {held, held}, {0.2, 0.6}}, 0.304708}}) {
+      CHECK(std::abs(beta(row.bar) - row.beta) < 1e-6);
+    }
+  }
+
+  TEST_CASE("equal spans between hinges: the effective length is the span") {
+    CHECK(rel(beta({{held, 0}, {held, 0}, {0.25, 0.5, 0.75}}), 0.25) < 1e-12);
+  }
+
+  TEST_CASE("a cantilever with a spring across its end: tan u = u - u^3/mu") {
+    for (const double mu : {0.5, 3.0, 10.0, 30.0, 1e3}) {
+      const double u = column::buckling_parameter({{held, held}, {mu, 0}, {}});
+      CHECK(std::abs(std::sin(u) - (u - u * u * u / mu) * std::cos(u)) < 1e-11 * u * u * u / mu + 1e-12);
+    }
+  }
+
+  TEST_CASE("stiffer springs never lengthen the bar, and end in the rigid cases") {
+    double before = 1e9;
+    for (double kappa = 1e-3; kappa < 1e9; kappa *= 3.0) {
+      const double now = beta({{held, kappa}, {0, 0}, {}});
+      CHECK(now <= before);
+      before = now;
+    }
+    CHECK(rel(before, 2.0) < 1e-8);
+    CHECK(rel(beta({{held, 1e-9}, {held, 1e-9}, {}}), 1.0) < 1e-9);
+    CHECK(rel(beta({{held, 1e10}, {held, 1e10}, {}}), 0.5) < 1e-9);
+  }
+
+  TEST_CASE("joints of frames, against the equations of the alignment charts") {
+    struct Row {
+      double G_1, G_2, braced, sway;
+    };
+    using Frame = EffectiveLength::Frame;
+    for (const Row& row : {Row{1, 1, 0.7742650686, 1.3172751026}, Row{0.5, 2, 0.7646542639, 1.3667664809},
+                           Row{1, 10, 0.8599218095, 1.9029690405}, Row{3, 0.2, 0.7245352909, 1.4099549066}}) {
+      CHECK(rel(solve(frame(row.G_1, row.G_2, Frame::braced)).beta, row.braced) < 1e-9);
+      CHECK(rel(solve(frame(row.G_1, row.G_2, Frame::sway)).beta, row.sway) < 1e-9);
+    }
+    CHECK(rel(solve(frame(0, 0, Frame::braced)).beta, 0.5) < 1e-12);
+    CHECK(rel(solve(frame(0, 0, Frame::sway)).beta, 1.0) < 1e-12);
+  }
+
+  TEST_CASE("a bar that moves without a load has no effective length") {
+    EffectiveLength::Input in;
+    in.l = 1.0 * m;
+    in.end_1 = EffectiveLength::End::pinned;
+    in.end_2 = EffectiveLength::End::free;
+    CHECK(std::isnan(solve(in).beta));
+    CHECK(complaints("calculator = \"column.effective_length\"\nl = \"1 m\"\nend_1 = \"pinned\"\nend_2 = \"free\"\n")
+              .empty());
+  }
+
+  TEST_CASE("springs are compared with the bar") {
+    EffectiveLength::Input in;
+    in.l = 2.0 * m;
+    in.E = 200.0 * GPa;
+    in.I = from_si<SecondMoment>(5e-8);
+    in.end_1 = in.end_2 = EffectiveLength::End::elastic;
+    in.c_1 = 20.0 * N_m_per_rad.one * 1e3;
+    in.c_2 = 45.0 * N_m_per_rad.one * 1e3;
+    const EffectiveLength::Result r = solve(in);
+    CHECK(rel(r.kappa_1, 4.0) < 1e-12);
+    CHECK(std::abs(r.beta - 0.642462) < 1e-6);
+    CHECK(rel(in_si(r.N_cr), pi * pi * 200e9 * 5e-8 / std::pow(r.beta * 2.0, 2)) < 1e-12);
+  }
+
+  TEST_CASE("the buckled shape keeps its supports and is 1 at most") {
+    const Bar bar{{held, held}, {held, 0}, {0.25, 0.5}};
+    const column::Shape shape = column::buckled_shape(bar, column::buckling_parameter(bar));
+    double most = 0.0;
+    for (std::size_t i = 0; i < shape.x.size(); ++i) {
+      if (shape.x[i] == 0.0 || shape.x[i] == 0.25 || shape.x[i] == 0.5 || shape.x[i] == 1.0)
+        CHECK(std::abs(shape.w[i]) < 1e-6);
+      most = std::max(most, std::abs(shape.w[i]));
+    }
+    CHECK(most == 1.0);
+  }
+
+  TEST_CASE("wrong ends, springs and supports are told") {
+    const std::string bar = "calculator = \"column.effective_length\"\nl = \"1 m\"\n";
+    const auto says = [&](const std::string& lines, std::string_view words) {
+      return complaints(bar + lines).find(words) != std::string::npos;
+    };
+    CHECK(says("end_1 = \"pinned\"\n", "say how both ends are held"));
+    CHECK(says("G_1 = 1\n", "say how both ends are held"));
+    CHECK(
+        says("end_1 = \"pinned\"\nend_2 = \"pinned\"\nframe = \"sway\"\n", "a frame that sways goes with G_1 and G_2"));
+    CHECK(says("end_1 = \"pinned\"\nend_2 = \"elastic\"\nE = \"210 GPa\"\nI = \"1 cm^4\"\n",
+               "springs c and k go with an end"));
+    CHECK(says("end_1 = \"pinned\"\nend_2 = \"elastic\"\nc_2 = \"1 kN*m/rad\"\n", "springs are compared with the bar"));
+    CHECK(says("end_1 = \"pinned\"\nend_2 = \"pinned\"\nsupports = [[\"2 m\"]]\n", "supports stand between the ends"));
+  }
+}

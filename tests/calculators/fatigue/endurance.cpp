@@ -1,0 +1,182 @@
+#include "calculators/fatigue/endurance.hpp"
+
+#include "calculators/catalogue.hpp"
+#include "lib/project/project.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace loadpath;
+using E = FatigueEndurance;
+
+double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+
+E::Result limit(const E::Input& in) {
+  NoTrace trace;
+  return E::evaluate(in, trace);
+}
+
+/// The shaft of examples 6-4 and 6-6 of [Shigley6].
+E::Input shoulder() {
+  E::Input in;
+  in.R_m = 690.0 * MPa;
+  in.rule = E::RuleOf::shigley;
+  in.school = E::School::marin;
+  in.d = 32.0 * mm;
+  in.K_t = 1.65;
+  in.r_n = 3.0 * mm;
+  return in;
+}
+
+bool says(const std::string& step, const std::string& words) {
+  std::vector<Issue> issues;
+  project::read_project("[c]\ncalculator = \"fatigue.endurance\"\n" + step, "case.toml", catalogue(), issues);
+  std::string all;
+  for (const Issue& i : issues) all += i.message.text() + "; " + i.hint.text() + "\n";
+  return all.find(words) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_SUITE("fatigue.endurance") {
+  TEST_CASE("estimates of the rules for one steel") {
+    struct Row {
+      E::RuleOf rule;
+      E::Loading loading;
+      double MPa_of_600;
+    };
+    for (const Row row :
+         {Row{E::RuleOf::textbook, E::Loading::bending, 240}, Row{E::RuleOf::din743, E::Loading::bending, 300},
+          Row{E::RuleOf::din743, E::Loading::tension, 240}, Row{E::RuleOf::din743, E::Loading::torsion, 180},
+          Row{E::RuleOf::fkm, E::Loading::tension, 270}, Row{E::RuleOf::fkm, E::Loading::torsion, 155.79},
+          Row{E::RuleOf::shigley, E::Loading::bending, 300}, Row{E::RuleOf::shigley, E::Loading::tension, 255},
+          Row{E::RuleOf::shigley, E::Loading::torsion, 177}}) {
+      E::Input in;
+      in.R_m = 600.0 * MPa;
+      in.rule = row.rule, in.loading = row.loading;
+      CHECK(rel(in_si(limit(in).sigma_m1), row.MPa_of_600 * 1e6) < 1e-12);
+    }
+  }
+
+  TEST_CASE("half of R_m grows to 700 MPa and no further") {
+    E::Input in = shoulder();
+    in.R_m = 1400.0 * MPa;
+    CHECK(rel(in_si(limit(in).sigma_m1), 700e6) < 1e-12);
+    in.R_m = 1600.0 * MPa;
+    CHECK(rel(in_si(limit(in).sigma_m1), 700e6) < 1e-12);
+  }
+
+  TEST_CASE("the textbook's bands, and the conventional limit of non-ferrous metals at 1e8 cycles") {
+    E::Input in;
+    in.R_m = 400.0 * MPa;
+    CHECK(rel(in_si(limit(in).sigma_high), 180e6) < 1e-12);
+    in.group = E::Group::wrought_aluminium;
+    CHECK(rel(in_si(limit(in).sigma_low), 96e6) < 1e-12);
+    CHECK(rel(in_si(limit(in).sigma_high), 200e6) < 1e-12);
+    CHECK(limit(in).N_0 == 1e8);
+    in.group = E::Group::grey_iron;
+    CHECK(rel(in_si(limit(in).sigma_m1), 160e6) < 1e-12);
+    CHECK(limit(in).N_0 == 1e7);
+  }
+
+  TEST_CASE("Marin's factors and Neuber's notch of the shoulder: 0.9065, 0.8558, 1.55") {
+    const auto r = limit(shoulder());
+    CHECK(std::abs(r.k_a - 0.906473) < 5e-6);
+    CHECK(std::abs(r.k_b - 0.855797) < 5e-6);
+    CHECK(std::abs(r.K_f - 1.55) < 5e-3);
+    CHECK(rel(in_si(r.sigma_D), 345e6 * r.k_a * r.k_b / r.K_f) < 1e-12);
+  }
+
+  TEST_CASE("a smooth polished specimen keeps its limit in Serensen's school") {
+    E::Input in;
+    in.R_m = 600.0 * MPa;
+    CHECK(limit(in).K_D == 1.0);
+    in.d = 7.5 * mm;
+    CHECK(limit(in).K_D == 1.0);
+  }
+
+  TEST_CASE("size and roughness of DIN 743 in K_D") {
+    E::Input in;
+    in.R_m = 800.0 * MPa;
+    in.rule = E::RuleOf::din743;
+    in.d = 40.0 * mm;
+    in.R_z = 10.0 * fatigue::um;
+    const double epsilon = 1 - 0.2 * std::log10(40 / 7.5) / std::log10(20.0);
+    const double K_F = 1 - 0.22 * 1.0 * (std::log10(40.0) - 1);
+    CHECK(rel(limit(in).K_D, 1 / epsilon + 1 / K_F - 1) < 1e-12);
+    in.loading = E::Loading::torsion;
+    CHECK(rel(limit(in).beta_F, 0.575 * K_F + 0.425) < 1e-12);
+    in.loading = E::Loading::tension;
+    CHECK(limit(in).epsilon == 1.0);
+    in.d = 200.0 * mm, in.loading = E::Loading::bending;
+    CHECK(rel(limit(in).epsilon, 0.8) < 1e-12);
+  }
+
+  TEST_CASE("larger, rougher, sharper parts are weaker, hardened ones stronger") {
+    E::Input in;
+    in.R_m = 700.0 * MPa;
+    in.rule = E::RuleOf::din743;
+    in.d = 30.0 * mm, in.R_z = 4.0 * fatigue::um, in.K_t = 1.8, in.r_n = 2.0 * mm;
+    const auto base = limit(in);
+    const auto weaker = [&](auto change) {
+      E::Input other = in;
+      change(other);
+      return limit(other).sigma_D < base.sigma_D;
+    };
+    CHECK(weaker([](E::Input& o) { o.d = 60.0 * mm; }));
+    CHECK(weaker([](E::Input& o) { o.R_z = 25.0 * fatigue::um; }));
+    CHECK(weaker([](E::Input& o) { o.K_t = 2.2; }));
+    CHECK(weaker([](E::Input& o) { o.r_n = 4.0 * mm; }));  // more of the same K_t is felt
+    CHECK_FALSE(weaker([](E::Input& o) { o.beta_V = 1.3; }));
+  }
+
+  TEST_CASE("the notch is counted once: K_f in place of K_t and q changes nothing") {
+    E::Input in = shoulder();
+    const auto by_radius = limit(in);
+    in.r_n = unset<Length>, in.K_t = 1.0;
+    in.K_f = by_radius.K_f;
+    CHECK(rel(in_si(limit(in).sigma_D), in_si(by_radius.sigma_D)) < 1e-12);
+  }
+
+  TEST_CASE("limits on both sides: sizes and strengths of the fits") {
+    E::Input in = shoulder();
+    in.d = 254.0 * mm;
+    CHECK(limit(in).x_d <= 1 + 1e-9);
+    in.d = 255.0 * mm;
+    CHECK(limit(in).x_d > 1 + 1e-9);
+    in.d = 2.7 * mm;
+    CHECK(limit(in).x_d < 0);
+    in = shoulder();
+    in.R_m = 341.0 * MPa;
+    CHECK(limit(in).x_n > 0);
+    in.R_m = 339.0 * MPa;
+    CHECK(limit(in).x_n < 0);
+    in.R_m = 1501.0 * MPa;
+    CHECK(limit(in).x_n < 1);
+    in.loading = E::Loading::torsion;
+    CHECK(limit(in).x_n > 1);
+    in.school = E::School::serensen;
+    in.d = 7.4 * mm;
+    CHECK(limit(in).x_d < 0);
+  }
+
+  TEST_CASE("what a user gets wrong is said") {
+    const std::string steel = "R_m = \"600 MPa\"\ngroup = \"carbon-steel\"\n";
+    CHECK(says("group = \"carbon-steel\"\nloading = \"bending\"\n", "give the tensile strength"));
+    CHECK(says(steel + "loading = \"torsion\"\n", "in bending alone"));
+    CHECK(says("R_m = \"300 MPa\"\ngroup = \"grey-iron\"\nloading = \"bending\"\nrule = \"din743\"\n", "for steels"));
+    CHECK(says(steel + "loading = \"bending\"\nrule = \"fkm\"\n", "tension and torsion"));
+    CHECK(says(steel + "loading = \"bending\"\nK_t = 2\n", "needs its sensitivity"));
+    CHECK(says(steel + "loading = \"bending\"\nK_t = 2\nq = 0.8\nr_n = \"2 mm\"\n", "never both"));
+    CHECK(says(steel + "loading = \"bending\"\nK_f = 2\nq = 0.8\n", "never both"));
+    CHECK(says(steel + "loading = \"bending\"\nepsilon = 0.8\nd = \"40 mm\"\n", "never both"));
+    CHECK(says(steel + "loading = \"bending\"\nbeta_F = 0.8\nR_z = \"4 um\"\n", "never both"));
+    CHECK(says(steel + "loading = \"bending\"\nschool = \"marin\"\nR_z = \"4 um\"\n", "belong to Serensen"));
+    CHECK(says(steel + "loading = \"bending\"\nK_t = 0.8\nq = 1\n", "must be"));
+    CHECK(says("sigma_W = \"200 MPa\"\ngroup = \"carbon-steel\"\nloading = \"bending\"\nR_z = \"4 um\"\n",
+               "depends on the tensile strength"));
+  }
+}

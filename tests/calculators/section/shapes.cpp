@@ -1,0 +1,170 @@
+#include "calculators/section/angle.hpp"
+#include "calculators/section/channel.hpp"
+#include "calculators/section/circle.hpp"
+#include "calculators/section/hollow.hpp"
+#include "calculators/section/i_section.hpp"
+#include "calculators/section/polygon_moments.hpp"
+#include "calculators/section/rectangle.hpp"
+#include "calculators/section/ring.hpp"
+#include "calculators/section/tee.hpp"
+#include "calculators/section/torsion.hpp"
+#include "tests/calculators/section/sections.hpp"
+
+using namespace loadpath;
+using namespace loadpath::section;
+
+namespace {
+
+Properties of_outline(const Outline& outline) {
+  NoTrace trace;
+  return centroidal(polygon_moments(outline, outline[0]), outline[0], trace);
+}
+
+/// A closed form against the integral over the same contour.
+void check_same(const Properties& p, const Properties& q, double within) {
+  const double size = std::sqrt(in_si(q.A));
+  CHECK(rel(p.A, q.A) < within);
+  CHECK(std::abs(in_si(p.y_S - q.y_S)) < within * size);
+  CHECK(std::abs(in_si(p.z_S - q.z_S)) < within * size);
+  CHECK(rel(p.I_y, q.I_y) < within);
+  CHECK(rel(p.I_z, q.I_z) < within);
+  CHECK(std::abs(in_si(p.I_yz - q.I_yz)) < within * in_si(q.I_y + q.I_z));
+}
+
+const Length none = 0.0 * mm;
+
+}  // namespace
+
+TEST_SUITE("section") {
+  TEST_CASE("closed forms with sharp corners are the integrals over their contours") {
+    const Length h = 100.0 * mm, b = 60.0 * mm, t_w = 7.0 * mm, t_f = 9.0 * mm;
+    check_same(solve<ISection>({h, b, t_w, t_f}), of_outline(i_outline(h, b, t_w, t_f, none)), 1e-12);
+    check_same(solve<ChannelSection>({h, b, t_w, t_f}), of_outline(channel_outline(h, b, t_w, t_f)), 1e-12);
+    check_same(solve<AngleSection>({h, b, t_f}), of_outline(angle_outline(h, b, t_f)), 1e-12);
+    check_same(solve<TeeSection>({h, b, t_w, t_f}), of_outline(tee_outline(h, b, t_w, t_f)), 1e-12);
+    check_same(solve<RectangleSection>({b, h}), of_outline(rectangle(b, h)), 1e-12);
+  }
+
+  TEST_CASE("closed forms with fillets are the integrals over contours that follow the arcs") {
+    const Length h = 100.0 * mm, b = 60.0 * mm, t_w = 7.0 * mm, t_f = 9.0 * mm, r = 8.0 * mm;
+    check_same(solve<ISection>({h, b, t_w, t_f, r}), of_outline(i_outline(h, b, t_w, t_f, r)), 4e-3);
+    check_same(solve<ChannelSection>({h, b, t_w, t_f, r}), of_outline(channel_outline(h, b, t_w, t_f, r)), 4e-3);
+    check_same(solve<AngleSection>({h, b, t_f, r, 4.0 * mm}), of_outline(angle_outline(h, b, t_f, r, 4.0 * mm)), 4e-3);
+    check_same(solve<TeeSection>({h, b, t_w, t_f, r}), of_outline(tee_outline(h, b, t_w, t_f, r)), 4e-3);
+    check_same(solve<SolidCircle>({h}), of_outline(circle(h)), 4e-3);
+  }
+
+  TEST_CASE("the factors of a rectangle in torsion: table of Oasys GSA, and the limit of a strip") {
+    struct Line {
+      double a_over_b, k_1;
+    };
+    for (const Line l : {Line{1.0, 0.141},
+                         {1.1, 0.154},
+                         {1.2, 0.166},
+                         {1.3, 0.175},
+                         {1.4, 0.186},
+                         {1.5, 0.196},
+                         {1.8, 0.216},
+                         {2.0, 0.229},
+                         {2.5, 0.249},
+                         {3.0, 0.263},
+                         {4.0, 0.281},
+                         {5.0, 0.291},
+                         {7.5, 0.305},
+                         {10.0, 0.312}}) {
+      CAPTURE(l.a_over_b);
+      CHECK(std::abs(rectangle_factors(l.a_over_b).k_1 - l.k_1) < 2.5e-3);
+    }
+    CHECK(std::abs(rectangle_factors(1.0).k_2 - 0.2082) < 0.5e-4);
+    CHECK(std::abs(rectangle_factors(1.5).k_2 - 0.2310) < 0.5e-4);
+    CHECK(std::abs(rectangle_factors(2.0).k_2 - 0.2459) < 0.5e-4);
+    CHECK(rectangle_factors(1e6).k_1 == doctest::Approx(1.0 / 3.0).epsilon(1e-6));
+    CHECK(rectangle_factors(1e6).k_2 == doctest::Approx(1.0 / 3.0).epsilon(1e-6));
+  }
+
+  TEST_CASE("a cold formed tube 50 x 30 x 3 after the tables of EN 10219 of another publisher") {
+    const auto p = solve<HollowSection>({50.0 * mm, 30.0 * mm, 3.0 * mm, 6.0 * mm, 3.0 * mm});
+    CHECK(std::abs(in_si(p.A) * 1e4 - 4.21) < 0.005);
+    CHECK(std::abs(in_si(p.I_y) * 1e8 - 12.83) < 0.005);
+    CHECK(std::abs(in_si(p.W_y_top) * 1e6 - 5.13) < 0.005);
+    CHECK(std::abs(in_si(p.i_y) * 1e2 - 1.75) < 0.005);
+    CHECK(std::abs(in_si(p.I_z) * 1e8 - 5.70) < 0.005);
+    CHECK(std::abs(in_si(p.W_z_left) * 1e6 - 3.80) < 0.005);
+    CHECK(std::abs(in_si(p.i_z) * 1e2 - 1.16) < 0.005);
+    CHECK(std::abs(in_si(p.I_t) * 1e8 - 13.53) < 0.02);
+    CHECK(std::abs(in_si(p.W_t) * 1e6 - 6.49) < 0.01);
+  }
+
+  TEST_CASE("the centroid of a T of 20 x 4 and 16 x 4 lies 6.444 mm below its upper face") {
+    const auto p = solve<TeeSection>({20.0 * mm, 20.0 * mm, 4.0 * mm, 4.0 * mm});
+    CHECK(in_si(p.A) == doctest::Approx(144e-6).epsilon(1e-12));
+    CHECK(std::abs(in_si(p.z_S) + 6.444e-3) < 0.5e-6);
+  }
+
+  TEST_CASE("twice as large: areas four times, moduli eight times, second moments sixteen times") {
+    const auto p = solve<AngleSection>({80.0 * mm, 50.0 * mm, 6.0 * mm, 7.0 * mm, 3.5 * mm});
+    const auto q = solve<AngleSection>({160.0 * mm, 100.0 * mm, 12.0 * mm, 14.0 * mm, 7.0 * mm});
+    CHECK(rel(q.A, 4.0 * p.A) < 1e-12);
+    CHECK(rel(q.W_min, 8.0 * p.W_min) < 1e-12);
+    CHECK(rel(q.I_yz, 16.0 * p.I_yz) < 1e-12);
+    CHECK(rel(q.I_t, 16.0 * p.I_t) < 1e-12);
+    CHECK(q.alpha == doctest::Approx(p.alpha).epsilon(1e-12));
+  }
+
+  TEST_CASE("principal second moments keep sum and determinant, and bracket those about y and z") {
+    for (const double b : {20.0, 50.0, 80.0, 79.9999, 140.0}) {
+      CAPTURE(b);
+      const auto p = solve<AngleSection>({80.0 * mm, b * mm, 6.0 * mm, 7.0 * mm, 3.0 * mm});
+      CHECK(rel(p.I_max + p.I_min, p.I_y + p.I_z) < 1e-12);
+      CHECK(rel(p.I_max * p.I_min, p.I_y * p.I_z - p.I_yz * p.I_yz) < 1e-11);
+      CHECK(p.I_min <= min(p.I_y, p.I_z));
+      CHECK(p.I_max >= max(p.I_y, p.I_z));
+      const double c = std::cos(p.alpha), s = std::sin(p.alpha);
+      const auto about_u = c * c * p.I_y + s * s * p.I_z - 2.0 * s * c * p.I_yz;
+      CHECK(rel(about_u, p.I_max) < 1e-12);
+    }
+  }
+
+  TEST_CASE("a ring without a bore is a circle, and a thin one has I_t = 2 pi R^3 t") {
+    const auto full = solve<SolidCircle>({40.0 * mm});
+    RingSection::Input in{40.0 * mm, 0.0 * mm};
+    CHECK(rel(solve<RingSection>(in).I_t, full.I_t) < 1e-15);
+    RingSection::Input thin{1000.0 * mm};
+    thin.t = 1.0 * mm;
+    CHECK(rel(in_si(solve<RingSection>(thin).I_t), 2.0 * pi * std::pow(0.4995, 3) * 1e-3) < 1e-5);
+    CHECK(in_si(full.I_t) == doctest::Approx(2.0 * in_si(full.I_y)).epsilon(1e-15));
+  }
+
+  TEST_CASE("torsion is given inside its limits only") {
+    const auto thick = solve<AngleSection>({50.0 * mm, 50.0 * mm, 11.0 * mm});
+    CHECK(thick.w > thickest_open_wall);
+    CHECK_FALSE(is_set(thick.I_t));
+    CHECK(is_set(thick.I_min));
+    CHECK(is_set(solve<AngleSection>({50.0 * mm, 50.0 * mm, 9.0 * mm}).I_t));
+    CHECK_FALSE(is_set(solve<ISection>({200.0 * mm, 100.0 * mm, 3.0 * mm, 10.0 * mm}).I_t));
+    CHECK(is_set(solve<ISection>({200.0 * mm, 100.0 * mm, 4.1 * mm, 10.0 * mm}).I_t));
+    CHECK_FALSE(is_set(solve<ISection>({200.0 * mm, 100.0 * mm, 6.0 * mm, 10.0 * mm, 21.0 * mm}).I_t));
+    CHECK(is_set(solve<HollowSection>({60.0 * mm, 60.0 * mm, 9.0 * mm}).I_t));
+    CHECK_FALSE(is_set(solve<HollowSection>({60.0 * mm, 60.0 * mm, 13.0 * mm}).I_t));
+  }
+
+  TEST_CASE("sizes that do not fit are refused") {
+    RingSection::Input ring{40.0 * mm, 10.0 * mm};
+    ring.t = 3.0 * mm;
+    CHECK(broken<RingSection>(ring) == "give d_i or t, one of them");
+    CHECK(broken<RingSection>({40.0 * mm, 40.0 * mm}) == "the bore must be smaller than the ring");
+    CHECK(broken<ISection>({100.0 * mm, 60.0 * mm, 7.0 * mm, 50.1 * mm}) ==
+          "flanges and fillets need more depth than h");
+    CHECK(broken<ISection>({100.0 * mm, 60.0 * mm, 61.0 * mm, 9.0 * mm}) == "web and fillets need more width than b");
+    CHECK(broken<ChannelSection>({100.0 * mm, 10.0 * mm, 7.0 * mm, 9.0 * mm, 8.0 * mm}) ==
+          "web and fillet need more width than b");
+    CHECK(broken<AngleSection>({50.0 * mm, 20.0 * mm, 21.0 * mm}) == "thickness and radii need longer legs");
+    CHECK(broken<AngleSection>({50.0 * mm, 50.0 * mm, 5.0 * mm, 5.0 * mm, 6.0 * mm}) ==
+          "the toes are rounded by at most t");
+    CHECK(broken<TeeSection>({9.0 * mm, 50.0 * mm, 5.0 * mm, 9.0 * mm}) == "flange and fillet need more depth than h");
+    CHECK(broken<HollowSection>({50.0 * mm, 30.0 * mm, 15.0 * mm}) == "the walls leave nothing hollow");
+    CHECK(broken<HollowSection>({50.0 * mm, 30.0 * mm, 2.0 * mm, 12.0 * mm}) ==
+          "with this outer radius the corner has no wall left");
+    CHECK(broken<RectangleSection>({1e-3 * mm, 100.0 * mm}) == "one side is at most 10000 times the other");
+  }
+}

@@ -1,0 +1,196 @@
+#include "calculators/vessel/cylinder.hpp"
+
+#include "tests/calculators/vessel/vessel_tests.hpp"
+
+#include <doctest/doctest.h>
+
+namespace {
+
+using namespace loadpath;
+using namespace loadpath::tests;
+using vessel::Hypothesis;
+using vessel::Measured;
+using Ends = VesselCylinder::Ends;
+
+/// The vessel of [B24].
+VesselCylinder::Input vessel_24() {
+  VesselCylinder::Input in;
+  in.p = 1.6 * MPa;
+  in.R = 600.0 * mm;
+  in.delta = 8.0 * mm;
+  in.sigma_adm = 140.0 * MPa;
+  return in;
+}
+
+VesselCylinder::Result cylinder(const VesselCylinder::Input& in) { return solve<VesselCylinder>(in); }
+
+}  // namespace
+
+TEST_SUITE("vessel.cylinder") {
+  TEST_CASE("the vessel of the textbook: 120 and 60 MPa; 6.857 mm, and half of it with rings") {
+    VesselCylinder::Input in = vessel_24();
+    CHECK(rel(in_si(cylinder(in).sigma_o), 120e6) < 1e-12);
+    CHECK(rel(in_si(cylinder(in).sigma_M), 60e6) < 1e-12);
+    in.hypothesis = Hypothesis::membrane;
+    CHECK(rel(in_si(cylinder(in).delta_min), 1.6 * 0.6 / 140) < 1e-12);
+    in.ends = Ends::ringed;
+    CHECK(rel(in_si(cylinder(in).delta_min), 0.8 * 0.6 / 140) < 1e-12);
+    in.ends = Ends::open;
+    CHECK(in_si(cylinder(in).sigma_M) == 0.0);
+  }
+
+  TEST_CASE("Tresca counts the radial stress: hoop stress and pressure together") {
+    VesselCylinder::Input in = vessel_24();
+    CHECK(rel(in_si(cylinder(in).sigma_v), 121.6e6) < 1e-12);
+    CHECK(rel(in_si(cylinder(in).delta_min), 1.6 * 0.6 / (140 - 1.6)) < 1e-12);
+    in.hypothesis = Hypothesis::mises;
+    const double o = 120, M = 60, r = -1.6;
+    CHECK(rel(in_si(cylinder(in).sigma_v),
+              1e6 * std::sqrt(((o - M) * (o - M) + (M - r) * (M - r) + (o - r) * (o - r)) / 2)) < 1e-12);
+  }
+
+  TEST_CASE("the error against Lamé on the mean radius is -0.06 % at 1/20 and -0.2 % at 1/10 of the inner radius") {
+    for (const auto& [ratio_i, percent] : {std::pair{0.05, -0.057}, std::pair{0.1, -0.207}, std::pair{0.2, -0.694}}) {
+      VesselCylinder::Input in = vessel_24();
+      in.measured = Measured::inner;
+      in.delta = ratio_i * in.R;
+      CHECK(std::abs(100 * cylinder(in).e_L - percent) < 0.0006);
+    }
+  }
+
+  TEST_CASE("the thin and the thick answer lie close on both sides of 1/20, and the limit changes there alone") {
+    for (const double share : {1.0 / 25, 0.0499, 0.0501, 1.0 / 15}) {
+      VesselCylinder::Input in = vessel_24();
+      in.delta = share * in.R;
+      const auto r = cylinder(in);
+      CHECK(rel(r.t_R, share) < 1e-12);
+      CHECK(std::abs(r.e_L) < 0.0015);
+      CHECK(rel(r.u_L, r.u_v) < 0.0015);
+      CHECK(rel(in_si(r.delta_L), in_si(r.delta_min)) < 0.001);
+    }
+    const std::string step =
+        "calculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"100 mm\"\nsigma_adm = \"140 MPa\"\n";
+    for (const auto& [delta, covered] : {std::pair{"5 mm", true}, std::pair{"5.01 mm", false}}) {
+      std::vector<Issue> issues;
+      project::Project p =
+          project::read_project("[v]\n" + step + "delta = \"" + delta + "\"\n", "case.toml", catalogue(), issues);
+      project::solve(p, issues);
+      CHECK((report::worst(project::verdicts(p)) == report::State::pass) == covered);
+    }
+  }
+
+  TEST_CASE("at the least thickness the wall is just strong enough, whatever radius is meant and allowed for") {
+    for (const Measured measured : {Measured::mean, Measured::inner, Measured::outer}) {
+      for (const Hypothesis h : {Hypothesis::tresca, Hypothesis::mises, Hypothesis::membrane}) {
+        VesselCylinder::Input in = vessel_24();
+        in.measured = measured, in.hypothesis = h;
+        in.c = 1.5 * mm, in.f_t = 0.125, in.z_l = 0.85;
+        in.delta = cylinder(in).delta_min;
+        const auto r = cylinder(in);
+        CHECK(rel(r.u_v, 1.0) < 1e-12);
+        CHECK(rel(in_si(r.p_max), in_si(in.p)) < 1e-12);
+      }
+    }
+  }
+
+  TEST_CASE("the three radii of one wall give one answer") {
+    VesselCylinder::Input in = vessel_24();
+    in.c = 1.0 * mm;
+    in.measured = Measured::inner, in.R = 600.0 * mm;
+    const auto inner = cylinder(in);
+    in.measured = Measured::mean, in.R = 604.0 * mm;
+    CHECK(rel(cylinder(in).u_v, inner.u_v) < 1e-12);
+    in.measured = Measured::outer, in.R = 608.0 * mm;
+    CHECK(rel(cylinder(in).u_v, inner.u_v) < 1e-12);
+    CHECK(rel(in_si(inner.R_m), 0.6045) < 1e-12);
+  }
+
+  TEST_CASE("each seam weakens its own stress, once") {
+    VesselCylinder::Input in = vessel_24();
+    in.hypothesis = Hypothesis::membrane;
+    const auto plain = cylinder(in);
+    in.z_l = 0.8;
+    CHECK(rel(cylinder(in).u_v, plain.u_v / 0.8) < 1e-12);
+    in.z_l = 1.0, in.z_c = 0.8;
+    CHECK(rel(cylinder(in).u_v, plain.u_v) < 1e-12);
+    in.z_c = 0.4;
+    CHECK(rel(cylinder(in).u_v, in_si(plain.sigma_M) / 0.4 / 140e6) < 1e-12);
+  }
+
+  TEST_CASE("the corrosion allowance is added once") {
+    VesselCylinder::Input in = vessel_24();
+    const double without = in_si(cylinder(in).delta_min);
+    in.c = 2.0 * mm;
+    CHECK(std::abs(in_si(cylinder(in).delta_min) - without - 0.002) < 2e-5);  // the radius grows by half of it
+  }
+
+  TEST_CASE("stresses grow with pressure and radius and fall with thickness; scale does not matter") {
+    const auto base = cylinder(vessel_24());
+    VesselCylinder::Input in = vessel_24();
+    in.p = 2.0 * in.p;
+    CHECK(rel(in_si(cylinder(in).sigma_v), 2 * in_si(base.sigma_v)) < 1e-12);
+    in = vessel_24();
+    in.R = 3.0 * in.R, in.delta = 3.0 * in.delta;
+    CHECK(rel(cylinder(in).u_v, base.u_v) < 1e-12);
+    in.delta = 2.0 * in.delta;
+    CHECK(cylinder(in).u_v < base.u_v);
+  }
+
+  TEST_CASE("a liquid presses the lowest place, and pulls along the wall only where it hangs") {
+    VesselCylinder::Input in = vessel_24();
+    in.p = 0.0 * MPa;
+    in.rho = 1000.0 * vessel::kg_per_m3, in.h_l = 10000.0 * mm;
+    const double head = 1000 * 9.80665 * 10;
+    CHECK(rel(in_si(cylinder(in).sigma_o), head * 0.6 / 0.008) < 1e-12);
+    CHECK(in_si(cylinder(in).sigma_M) == 0.0);
+    in.support = VesselCylinder::Support::top;
+    CHECK(rel(in_si(cylinder(in).sigma_M), head * 0.6 / 0.016) < 1e-12);
+  }
+
+  TEST_CASE("rings share the hoop force, and reach only so far") {
+    VesselCylinder::Input in = vessel_24();
+    in.ends = Ends::ringed;
+    in.A_r = 800.0 * mm2, in.l_r = 100.0 * mm;
+    const auto r = cylinder(in);
+    CHECK(rel(in_si(r.sigma_o), 60e6) < 1e-12);  // as much ring as wall
+    CHECK(rel(r.w_r, 0.1 / (1.56 * std::sqrt(0.6 * 0.008))) < 1e-12);
+    CHECK(r.w_r < 1.0);
+    in.l_r = 120.0 * mm;
+    CHECK(cylinder(in).w_r > 1.0);
+  }
+
+  TEST_CASE("where no wall is thick enough there is no thickness") {
+    VesselCylinder::Input in = vessel_24();
+    in.p = 150.0 * MPa;
+    CHECK_FALSE(is_set(cylinder(in).delta_min));
+    CHECK_FALSE(is_set(cylinder(in).delta_L));
+  }
+
+  TEST_CASE("the smallest plate of the stock is taken, and the strength of its thickness") {
+    const std::string step = "calculator = \"vessel.cylinder\"\np = \"1.6 MPa\"\nR = \"600 mm\"\n";
+    std::vector<Issue> issues;
+    project::Project p = project::read_project("[v]\n" + step + "sigma_adm = \"140 MPa\"\nc = \"1 mm\"\n", "case.toml",
+                                               catalogue(), issues);
+    project::solve(p, issues);
+    REQUIRE(issues.empty());
+    CHECK(rel(p.value("v.delta")->si[0], 0.008) < 1e-12);
+    p = project::read_project("[v]\n" + step + "material = \"S235\"\nS = 1.5\n", "case.toml", catalogue(), issues);
+    project::solve(p, issues);
+    REQUIRE(issues.empty());
+    CHECK(rel(p.value("v.sigma_all")->si[0], 235e6 / 1.5) < 1e-12);
+  }
+
+  TEST_CASE("what a user gets wrong is said") {
+    const std::string step = "calculator = \"vessel.cylinder\"\nR = \"600 mm\"\nsigma_adm = \"140 MPa\"\n";
+    CHECK(says(step + "p = \"0 MPa\"\n", "nothing loads the wall"));
+    CHECK(says(step + "p = \"-1 MPa\"\n", "must be"));
+    CHECK(says(step + "p = \"1 MPa\"\nrho = \"1000 kg/m^3\"\n", "needs both its density"));
+    CHECK(says(step + "p = \"1 MPa\"\nS = 1.5\n", "never both"));
+    CHECK(says(step + "p = \"1 MPa\"\nc_t = \"0.3 mm\"\nf_t = 0.1\n", "never both"));
+    CHECK(says(step + "p = \"1 MPa\"\ndelta = \"2 mm\"\nc = \"2 mm\"\n", "leave nothing of the wall"));
+    CHECK(says(step + "p = \"1 MPa\"\nmeasured = \"outer\"\ndelta = \"600 mm\"\n", "thicker than the radius"));
+    CHECK(says(step + "p = \"1 MPa\"\nA_r = \"100 mm^2\"\nl_r = \"300 mm\"\n", "rings go with"));
+    CHECK(says(step + "p = \"1 MPa\"\nends = \"ringed\"\nl_r = \"300 mm\"\n", "rings need both"));
+    CHECK(says("calculator = \"vessel.cylinder\"\nR = \"600 mm\"\np = \"1 MPa\"\n", "give sigma_adm"));
+  }
+}

@@ -1,0 +1,114 @@
+#include "calculators/vessel/shell.hpp"
+
+#include "tests/calculators/vessel/vessel_tests.hpp"
+
+#include <doctest/doctest.h>
+
+#include <functional>
+
+namespace {
+
+using namespace loadpath;
+using namespace loadpath::tests;
+
+/// A meridian r(t), z(t), t from 0 to 1, in metres.
+VesselShell::Input along(int n, const std::function<VesselShell::Point(double)>& point) {
+  VesselShell::Input in;
+  in.p = 1.0 * MPa;
+  in.delta = 10.0 * mm;
+  in.sigma_adm = 200.0 * MPa;
+  for (int i = 0; i < n; ++i) in.points.push_back(point(static_cast<double>(i) / (n - 1)));
+  return in;
+}
+
+VesselShell::Input bowl(int n, double sign) {
+  return along(n, [&](double t) {
+    const double psi = t * pi / 2;
+    return VesselShell::Point{std::sin(psi) * m, sign * (1 - std::cos(psi)) * m};
+  });
+}
+
+VesselShell::Result shell(const VesselShell::Input& in) { return solve<VesselShell>(in); }
+
+}  // namespace
+
+TEST_SUITE("vessel.shell") {
+  TEST_CASE("points on a circle give the sphere exactly, bottom up and top down") {
+    for (const double sign : {1.0, -1.0}) {
+      for (const auto& a : shell(bowl(9, sign)).along) {
+        CHECK(rel(in_si(a.rho_o), 1.0) < 1e-9);
+        CHECK(rel(in_si(a.rho_M), 1.0) < 1e-9);
+        CHECK(rel(in_si(a.sigma_o), 50e6) < 1e-9);
+        CHECK(rel(in_si(a.sigma_M), 50e6) < 1e-9);
+      }
+    }
+  }
+
+  TEST_CASE("points on a line give the cone and the cylinder exactly, closed and open") {
+    const auto cylinder = along(5, [](double t) { return VesselShell::Point{1.0 * m, t * m}; });
+    for (const auto& a : shell(cylinder).along) {
+      CHECK(rel(in_si(a.sigma_o), 100e6) < 1e-12);
+      CHECK(rel(in_si(a.sigma_M), 50e6) < 1e-12);
+      CHECK_FALSE(is_set(a.rho_M));
+    }
+    auto open = cylinder;
+    open.start = VesselShell::Start::open;
+    for (const auto& a : shell(open).along) CHECK(in_si(a.sigma_M) == 0.0);
+    const auto cone = along(5, [](double t) { return VesselShell::Point{(0.2 + 0.8 * t) * m, (1 + 0.8 * t) * m}; });
+    CHECK(rel(in_si(shell(cone).along.back().sigma_o), 1e6 / (0.01 * std::sqrt(0.5))) < 1e-12);
+  }
+
+  TEST_CASE("points on an ellipse come close to it, the closer the more they are") {
+    double last = 1.0;
+    for (const int n : {16, 32, 64}) {
+      const auto in = along(n, [](double t) {
+        return VesselShell::Point{std::sin(t * pi / 2) * m, -0.7 * std::cos(t * pi / 2) * m};
+      });
+      const double equator = in_si(shell(in).along[static_cast<std::size_t>(n) - 2].sigma_o);
+      const double phi = (n - 2.0) / (n - 1.0) * pi / 2, w = std::hypot(std::cos(phi), 0.7 * std::sin(phi));
+      const double rho_o = w / 0.7, rho_M = w * w * w / 0.7;
+      const double error = rel(equator, 1e8 * rho_o * (1 - rho_o / (2 * rho_M)));
+      CHECK(error < 0.5 * last);
+      last = error;
+    }
+    CHECK(last < 0.02);
+  }
+
+  TEST_CASE("a hanging cone of points bears its liquid as the cone does") {
+    auto in = along(41, [](double t) { return VesselShell::Point{t * m, t * m}; });
+    in.points[0].r = 1e-6 * m;
+    in.p = 0.0 * MPa;
+    in.rho = 1000.0 * vessel::kg_per_m3, in.h_l = 1.0 * m;
+    const double unit = 1000 * 9.80665 / (0.01 * std::sqrt(0.5));
+    for (const auto& a : shell(in).along) {
+      const double y = in_si(a.z);
+      if (y < 0.01) continue;
+      CHECK(std::abs(in_si(a.sigma_o) - unit * (1 - y) * y) < 1e-5 * unit);
+      CHECK(std::abs(in_si(a.sigma_M) - unit / 2 * (1 - 2 * y / 3) * y) < 1e-5 * unit);
+    }
+  }
+
+  TEST_CASE("an edge of the meridian is not covered, on both sides of 15 degrees between chords") {
+    for (const auto& [n, covered] : {std::pair{8, true}, std::pair{6, false}}) {
+      const auto r = shell(bowl(n, 1.0));
+      CHECK(rel(r.psi_max, pi / 2 / (n - 1)) < 1e-9);
+      CHECK((r.psi_max < 15 * pi / 180) == covered);
+    }
+  }
+
+  TEST_CASE("the radius that is meant moves the wall along its normal") {
+    auto in = bowl(13, 1.0);
+    in.measured = vessel::Measured::inner;
+    CHECK(rel(in_si(shell(in).along[4].rho_o), 1.005) < 1e-6);
+    in = bowl(13, -1.0);
+    in.measured = vessel::Measured::outer;
+    CHECK(rel(in_si(shell(in).along[4].rho_o), 0.995) < 1e-6);
+  }
+
+  TEST_CASE("what a user gets wrong is said") {
+    const std::string step = "calculator = \"vessel.shell\"\nsigma_adm = \"140 MPa\"\np = \"1 MPa\"\npoints = ";
+    CHECK(says(step + "[[\"0 mm\", \"0 mm\"], [\"1 mm\", \"1 mm\"]]\n", "at least three points"));
+    CHECK(says(step + "[[\"0 mm\", \"0 mm\"], [\"1 mm\", \"1 mm\"], [\"1 mm\", \"1 mm\"]]\n", "one and the same"));
+    CHECK(says(step + "[[\"0 mm\", \"0 mm\"], [\"1 mm\", \"1 mm\"], [\"0 mm\", \"2 mm\"]]\n", "split a shell"));
+  }
+}

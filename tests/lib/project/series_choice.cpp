@@ -1,0 +1,84 @@
+#include "lib/project/series_choice.hpp"
+
+#include "tests/lib/project/texts.hpp"
+
+using namespace loadpath;
+using namespace loadpath::test;
+using project::SeriesChoice;
+
+namespace {
+
+const std::string press = R"([press]
+calculator = "mechanism.planar"
+template = "slider_crank"
+r = "50 mm"
+l = "200 mm"
+crank = { speed = "60 rpm", positions = 12 }
+links.slider.mass = "2 kg"
+)";
+
+/// What is said of a pattern that chooses nothing; empty where it chooses.
+std::string said(const std::string& text, const std::string& pattern) {
+  const auto faults = SeriesChoice({pattern}).check(told(text).project);
+  return faults.empty() ? "" : faults[0].message.text() + "; " + faults[0].hint.text();
+}
+
+bool holds(const std::string& pattern, const std::string& path) { return SeriesChoice({pattern}).holds("press", path); }
+
+}  // namespace
+
+TEST_SUITE("series choice") {
+  TEST_CASE("no pattern chooses every series") { CHECK(SeriesChoice().holds("press", "drive.M")); }
+
+  TEST_CASE("a name chooses itself, with its step in front or without") {
+    CHECK(holds("drive.M", "drive.M"));
+    CHECK(holds("press.drive.M", "drive.M"));
+    CHECK_FALSE(holds("drive.M", "drive.M_red"));
+    CHECK_FALSE(holds("lever.drive.M", "drive.M"));
+    CHECK_FALSE(holds("M", "drive.M"));
+    CHECK_FALSE(holds("", "drive.M"));
+  }
+
+  TEST_CASE("* stands for any characters, none and points among them, ? for one") {
+    CHECK(holds("*", "drive.M"));
+    CHECK(holds("links.*.N", "links.rod.N"));
+    CHECK(holds("links.*", "links.rod.N"));
+    CHECK(holds("*.N", "links.rod.N"));
+    CHECK(holds("press.*", "links.rod.N"));
+    CHECK(holds("drive.M*", "drive.M"));
+    CHECK(holds("points.?.v_*", "points.A.v_x"));
+    CHECK(holds("*a*a*", "banana"));
+    CHECK_FALSE(holds("*.N", "links.rod.N_front"));
+    CHECK_FALSE(holds("points.?.v_x", "points.AB.v_x"));
+    CHECK_FALSE(holds("drive.M?", "drive.M"));
+    CHECK_FALSE(holds("*a*b*a", "banana"));
+  }
+
+  TEST_CASE("several patterns choose what one of them fits") {
+    const SeriesChoice choice({"drive.M", "links.*.N"});
+    CHECK(choice.holds("press", "links.rod.N"));
+    CHECK(choice.holds("press", "drive.M"));
+    CHECK_FALSE(choice.holds("press", "drive.P"));
+  }
+
+  TEST_CASE("a pattern that fits no series is told with the nearest") {
+    CHECK(said(press, "drive.M").empty());
+    CHECK(said(press, "press.*.N").empty());
+    CHECK(said(press, "drive.m") == "there is no series 'drive.m'; did you mean 'drive.M'?");
+    CHECK(said(press, "pres.drive.M") == "there is no series 'pres.drive.M'; did you mean 'press.drive.M'?");
+    CHECK(said(press, "link.*.N") == "there is no series 'link.*.N'; did you mean 'links.*.N'?");
+    CHECK(said(press, "links.rot*.N") == "there is no series 'links.rot*.N'; did you mean 'links.rod.N'?");
+    CHECK(said(press, "joints.*.FF") == "there is no series 'joints.*.FF'; did you mean 'joints.*.F'?");
+    CHECK(said(press, "") == "there is no series ''; there is: drive.*, joints.*, links.*, points.*, frame.*");
+    CHECK(said(press, "zzzzzzzzz") ==
+          "there is no series 'zzzzzzzzz'; there is: drive.*, joints.*, links.*, points.*, frame.*");
+  }
+
+  TEST_CASE("a single value is no series, and where there are none that is said") {
+    CHECK(said(press, "joints.guide.stroke") ==
+          "'joints.guide.stroke' is one value, not a series; leave it out: JSON tells every single value");
+    const std::string shaft = axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\n";
+    CHECK(said(shaft, "*") == "'*' is one value, not a series; leave it out: JSON tells every single value");
+    CHECK(said(shaft, "drive.M") == "there is no series 'drive.M'; every result is one value");
+  }
+}

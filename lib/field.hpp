@@ -103,6 +103,7 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
   Range plausible;  // outside: a warning
   Provider provider;
   const char* asked_by = "";     // check or limit: exists only where one of these inputs is given ("N, P")
+  bool infinite = false;         // input: a plain number that may be typed as inf
   bool where_set = false;        // check or limit: exists only where the calculator gives it a value
   const char* searched_in = "";  // input: where missing, the smallest value of this stock that passes every check
   bool kept = false;             // input: where missing in a search, the result of the same key of the sizing run
@@ -145,6 +146,12 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
   [[nodiscard]] constexpr Field limit(double low, double high, const char* input = "") const {
     Field f = within(low, high).as(Role::limit);
     f.asked_by = input;
+    return f;
+  }
+  /// A plain number whose infinity means something: the ratio of a stress cycle that ends in zero.
+  [[nodiscard]] constexpr Field may_be_infinite() const {
+    Field f = *this;
+    f.infinite = true;
     return f;
   }
   /// A check or limit that concerns some inputs only: the calculator leaves it unset for the others.

@@ -41,6 +41,7 @@ struct FieldInfo {
   Range plausible;  // SI
   Provider provider;
   const char* asked_by = "";
+  bool infinite = false;
   bool where_set = false;
   const char* searched_in = "";
   bool kept = false;

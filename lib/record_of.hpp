@@ -45,6 +45,7 @@ FieldInfo info_of(const Field<Owner, Quantity>& f) {
   info.plausible = f.plausible.times(info.factor);
   info.provider = f.provider;
   info.asked_by = f.asked_by;
+  info.infinite = f.infinite;
   info.where_set = f.where_set;
   info.searched_in = f.searched_in;
   info.kept = f.kept;

@@ -10,7 +10,7 @@ namespace loadpath {
 namespace {
 
 using Stage = DriveTrain::Stage;
-using Kind = DriveTrain::Kind;
+using StageKind = DriveTrain::StageKind;
 using Member = DriveTrain::Member;
 
 bool has_teeth(const Stage& s) { return s.z_1 > 0 && s.z_2 > 0; }
@@ -18,18 +18,18 @@ bool has_diameters(const Stage& s) { return is_set(s.d_1) && is_set(s.d_2); }
 bool has_planets(const Stage& s) { return s.z_s > 0 && s.z_r > 0; }
 
 bool is_known(const Stage& s) {
-  return s.kind == Kind::planetary ? has_planets(s) : is_set(s.i) || has_teeth(s) || has_diameters(s);
+  return s.kind == StageKind::planetary ? has_planets(s) : is_set(s.i) || has_teeth(s) || has_diameters(s);
 }
 
 /// The ratio is said in no more than one way; what belongs to another kind of stage is not there.
 bool is_single(const Stage& s) {
   const bool planets = s.z_s > 0 || s.z_r > 0, teeth = s.z_1 > 0 || s.z_2 > 0, sizes = is_set(s.d_1) || is_set(s.d_2);
-  if (s.kind == Kind::planetary) return !teeth && !sizes && !is_set(s.i);
+  if (s.kind == StageKind::planetary) return !teeth && !sizes && !is_set(s.i);
   return !planets && static_cast<int>(is_set(s.i)) + teeth + (sizes && !has_teeth(s)) <= 1;
 }
 
 bool slip_fits(const Stage& s) {
-  return s.slip == 0.0 || (s.kind == Kind::belt && !(s.eta > (1.0 - s.slip) * (1.0 + 1e-12)));
+  return s.slip == 0.0 || (s.kind == StageKind::belt && !(s.eta > (1.0 - s.slip) * (1.0 + 1e-12)));
 }
 
 std::string path_of(const DriveTrain::Input& in, const Stage* s) {
@@ -73,27 +73,27 @@ struct Usual {
 };
 
 /// The ranges are a warning, no limit: [B40] gives that of chains, [Efficiencies] the others.
-Usual usual_of(Kind kind) {
+Usual usual_of(StageKind kind) {
   switch (kind) {
-    case Kind::gear:
-    case Kind::internal:
+    case StageKind::gear:
+    case StageKind::internal:
       return {0.94, 0.99};
-    case Kind::belt:
+    case StageKind::belt:
       return {0.94, 0.985};
-    case Kind::chain:
+    case StageKind::chain:
       return {0.94, 0.98};
-    case Kind::worm:
+    case StageKind::worm:
       return {0.5, 0.9};
-    case Kind::planetary:
+    case StageKind::planetary:
       return {0.94, 0.99};
-    case Kind::other:
+    case StageKind::other:
       break;
   }
   return {unset<double>, unset<double>};
 }
 
 double turn_of(const Stage& s) {
-  if (s.sense == DriveTrain::Sense::usual) return s.kind == Kind::gear ? -1.0 : 1.0;
+  if (s.sense == DriveTrain::Sense::usual) return s.kind == StageKind::gear ? -1.0 : 1.0;
   return s.sense == DriveTrain::Sense::same ? 1.0 : -1.0;
 }
 
@@ -122,7 +122,7 @@ template <class Tracer>
 void rate(const Stage& s, DriveTrain::StageResult& r, Tracer& trace) {
   const Usual usual = usual_of(s.kind);
   r.eta_low = usual.low, r.eta_high = usual.high;
-  if (s.kind == Kind::planetary) {
+  if (s.kind == StageKind::planetary) {
     const Set set = planetary_set(s);
     const double turn = s.sense == DriveTrain::Sense::opposite ? -1.0 : 1.0;
     r.i = turn * set.i, r.eta = set.eta;
@@ -135,9 +135,9 @@ void rate(const Stage& s, DriveTrain::StageResult& r, Tracer& trace) {
                 is_set(s.eta) ? "as given, the slip of a belt included" : "no losses but the slip of a belt");
   }
   if (!is_set(usual.low) || !is_set(s.eta)) return;
-  r.range = s.eta < usual.low    ? DriveTrain::Range::below
-            : s.eta > usual.high ? DriveTrain::Range::above
-                                 : DriveTrain::Range::usual;
+  r.range = s.eta < usual.low    ? DriveTrain::EtaRange::below
+            : s.eta > usual.high ? DriveTrain::EtaRange::above
+                                 : DriveTrain::EtaRange::usual;
 }
 
 /// Reference diameters of the wheels of a stage, as far as they are known.
@@ -148,9 +148,9 @@ struct Diameters {
 Diameters diameters_of(const Stage& s) {
   if (is_set(s.d_1)) return {s.d_1, s.d_2};
   if (!has_teeth(s)) return {};
-  const bool gears = s.kind == Kind::gear || s.kind == Kind::internal;
-  const Length tooth = gears ? s.m_n / std::cos(s.beta) : s.kind == Kind::chain ? s.p / pi : unset<Length>;
-  return {tooth * s.z_1, tooth * s.z_2};
+  const bool gears = s.kind == StageKind::gear || s.kind == StageKind::internal;
+  const Length tooth = gears ? s.m_n / std::cos(s.beta) : s.kind == StageKind::chain ? s.p / pi : unset<Length>;
+  return {tooth * static_cast<double>(s.z_1), tooth * static_cast<double>(s.z_2)};
 }
 
 /// Speed, torque and power behind a stage.
@@ -228,13 +228,14 @@ FieldFault DriveTrain::wrong_slip(const Input& in) {
 }
 
 bool DriveTrain::members_differ(const Input& in) {
-  return std::all_of(in.stages.begin(), in.stages.end(),
-                     [](const Stage& s) { return s.kind != Kind::planetary || (s.in != s.out && s.z_r > s.z_s + 1); });
+  return std::all_of(in.stages.begin(), in.stages.end(), [](const Stage& s) {
+    return s.kind != StageKind::planetary || (s.in != s.out && s.z_r > s.z_s + 1);
+  });
 }
 
 FieldFault DriveTrain::same_member(const Input& in) {
   return fault_of(
-      in, [](const Stage& s) { return s.kind != Kind::planetary || (s.in != s.out && s.z_r > s.z_s + 1); },
+      in, [](const Stage& s) { return s.kind != StageKind::planetary || (s.in != s.out && s.z_r > s.z_s + 1); },
       say("power cannot enter and leave by one member, and the ring has more teeth than the sun"),
       say("choose in and out among sun, carrier, ring; z_r is larger than z_s"));
 }

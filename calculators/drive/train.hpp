@@ -40,17 +40,17 @@ stages = [
 ]
 )";
 
-  enum class Kind { gear, internal, belt, chain, worm, planetary, other };
+  enum class StageKind { gear, internal, belt, chain, worm, planetary, other };
   enum class Member { sun, carrier, ring };
   enum class Sense { usual, same, opposite };
-  enum class Range { usual, below, above, none };
+  enum class EtaRange { usual, below, above, none };
   enum class Works { reducer, multiplier, neither };
 
   static constexpr std::size_t most_stages = 12;
 
   struct Stage {
     Name name;
-    Kind kind = Kind::gear;
+    StageKind kind = StageKind::gear;
     double i = unset<double>;
     int z_1 = 0, z_2 = 0;
     Length d_1 = unset<Length>, d_2 = unset<Length>;
@@ -111,7 +111,7 @@ stages = [
 
   struct StageResult {
     double i = unset<double>, eta = unset<double>, eta_low = unset<double>, eta_high = unset<double>;
-    Range range = Range::none;
+    EtaRange range = EtaRange::none;
     Moment T_h = unset<Moment>;
     Power P_loss = unset<Power>;
     static constexpr std::tuple fields{
@@ -176,15 +176,15 @@ stages = [
 extern template DriveTrain::Result DriveTrain::evaluate(const Input&, NoTrace&);
 extern template DriveTrain::Result DriveTrain::evaluate(const Input&, Trace&);
 
-constexpr auto choices_of(DriveTrain::Kind) {
-  using Kind = DriveTrain::Kind;
-  return std::array{ChoiceName<Kind>{Kind::gear, "gear", "wheels with outer teeth"},
-                    ChoiceName<Kind>{Kind::internal, "internal", "a wheel in a ring"},
-                    ChoiceName<Kind>{Kind::belt, "belt", "belt"},
-                    ChoiceName<Kind>{Kind::chain, "chain", "chain"},
-                    ChoiceName<Kind>{Kind::worm, "worm", "worm and wheel"},
-                    ChoiceName<Kind>{Kind::planetary, "planetary", "planetary set with one member held"},
-                    ChoiceName<Kind>{Kind::other, "other", "anything with a ratio"}};
+constexpr auto choices_of(DriveTrain::StageKind) {
+  return std::array{ChoiceName<DriveTrain::StageKind>{DriveTrain::StageKind::gear, "gear", "wheels with outer teeth"},
+                    ChoiceName<DriveTrain::StageKind>{DriveTrain::StageKind::internal, "internal", "a wheel in a ring"},
+                    ChoiceName<DriveTrain::StageKind>{DriveTrain::StageKind::belt, "belt", "belt"},
+                    ChoiceName<DriveTrain::StageKind>{DriveTrain::StageKind::chain, "chain", "chain"},
+                    ChoiceName<DriveTrain::StageKind>{DriveTrain::StageKind::worm, "worm", "worm and wheel"},
+                    ChoiceName<DriveTrain::StageKind>{DriveTrain::StageKind::planetary, "planetary",
+                                                      "planetary set with one member held"},
+                    ChoiceName<DriveTrain::StageKind>{DriveTrain::StageKind::other, "other", "anything with a ratio"}};
 }
 constexpr auto choices_of(DriveTrain::Member) {
   using Member = DriveTrain::Member;
@@ -198,12 +198,11 @@ constexpr auto choices_of(DriveTrain::Sense) {
                     ChoiceName<Sense>{Sense::same, "same", "the same, as with an idler"},
                     ChoiceName<Sense>{Sense::opposite, "opposite", "the opposite, as with a crossed belt"}};
 }
-constexpr auto choices_of(DriveTrain::Range) {
-  using Range = DriveTrain::Range;
-  return std::array{ChoiceName<Range>{Range::usual, "usual", "within what is usual"},
-                    ChoiceName<Range>{Range::below, "below", "lower than usual"},
-                    ChoiceName<Range>{Range::above, "above", "higher than usual"},
-                    ChoiceName<Range>{Range::none, "none", "no usual range is known"}};
+constexpr auto choices_of(DriveTrain::EtaRange) {
+  return std::array{ChoiceName<DriveTrain::EtaRange>{DriveTrain::EtaRange::usual, "usual", "within what is usual"},
+                    ChoiceName<DriveTrain::EtaRange>{DriveTrain::EtaRange::below, "below", "lower than usual"},
+                    ChoiceName<DriveTrain::EtaRange>{DriveTrain::EtaRange::above, "above", "higher than usual"},
+                    ChoiceName<DriveTrain::EtaRange>{DriveTrain::EtaRange::none, "none", "no usual range is known"}};
 }
 constexpr auto choices_of(DriveTrain::Works) {
   using Works = DriveTrain::Works;

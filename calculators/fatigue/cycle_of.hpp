@@ -27,7 +27,9 @@ constexpr auto given_fields() {
       Field<Owner, Stress>{&Owner::sigma_min, "sigma_min", MPa, "least stress of the cycle, signed"}.may_be_missing(),
       Field<Owner, Stress>{&Owner::sigma_m, "sigma_m", MPa, "mean stress, signed"}.may_be_missing(),
       Field<Owner, Stress>{&Owner::sigma_a, "sigma_a", MPa, "amplitude"}.at_least(0).may_be_missing(),
-      Field<Owner, double>{&Owner::r, "r", ratio, "ratio sigma_min/sigma_max; may be inf"}.may_be_missing()};
+      Field<Owner, double>{&Owner::r, "r", ratio, "ratio sigma_min/sigma_max; may be inf"}
+          .may_be_infinite()
+          .may_be_missing()};
 }
 
 /// A cycle as it was found; r is infinite where sigma_max is zero.

@@ -26,6 +26,7 @@ Length tip_thickness(const GearPair::Input& in, const PairResult& r, const Wheel
   const auto d = w.d, d_a = w.d_a, d_b = w.d_b;
   trace.value("d", d, "reference circle of the wheel");
   trace.value("d_a", d_a, "its tip circle");
+  trace.value("d_b", d_b, "its base circle");
   trace.value("s_n", s_n, "its thickness");
   trace.value("g", g, "-1 for a ring");
   STEP(alpha_a, acos(d_b / d_a), "pressure angle at the tip");

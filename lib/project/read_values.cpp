@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace loadpath::project {
 
@@ -79,20 +80,16 @@ static bool is_bare_expression(const std::string& text) {
   return parsed && !parsed->references().empty();
 }
 
-/// A plain number without any bound may be infinite: the ratio of a stress cycle that ends in zero.
-static std::optional<double> infinite(const std::string& text, const FieldInfo& field) {
-  const Range free;
-  const bool unbounded = field.dimension.is_number() && field.bounds.low == free.low &&
-                         field.bounds.high == free.high && field.plausible.low == free.low &&
-                         field.plausible.high == free.high;
-  if (!unbounded) return std::nullopt;
-  if (text == "inf" || text == "+inf") return free.high;
-  return text == "-inf" ? std::optional(free.low) : std::nullopt;
+static std::optional<double> infinity_of(const std::string& text, const FieldInfo& field) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!field.infinite) return std::nullopt;
+  if (text == "inf" || text == "+inf") return infinity;
+  return text == "-inf" ? std::optional(-infinity) : std::nullopt;
 }
 
 void Reader::read_literal(const std::string& text, const Tree& tree, const FieldInfo& field, void* owner,
                           const std::string& path) {
-  if (const auto number = infinite(text, field)) {
+  if (const auto number = infinity_of(text, field)) {
     reading_.typed[path].text = text;
     return field.set(owner, *number);
   }

@@ -3,6 +3,7 @@
 #include "calculators/catalogue.hpp"
 #include "calculators/chain/links.hpp"
 #include "lib/project/project.hpp"
+#include "tests/lib/project/texts.hpp"
 
 #include <doctest/doctest.h>
 
@@ -30,9 +31,8 @@ RollerChain::Input conveyor() {
 }
 
 bool says(const std::string& lines, const std::string& part) {
-  std::vector<Issue> issues;
-  project::read_project("[g]\ncalculator = \"chain.roller\"\nz_1 = 21\nz_2 = 57\n" + lines, "g.toml", catalogue(),
-                        issues);
+  const std::vector<Issue> issues =
+      loadpath::test::told("[g]\ncalculator = \"chain.roller\"\nz_1 = 21\nz_2 = 57\n" + lines).issues;
   std::string all;
   for (const Issue& i : issues) all += i.key + ": " + i.message.text() + " | " + i.hint.text() + "\n";
   CAPTURE(all);

@@ -11,7 +11,7 @@
 namespace {
 
 using namespace loadpath;
-using Kind = DriveTrain::Kind;
+using StageKind = DriveTrain::StageKind;
 
 DriveTrain::Result solve(const DriveTrain::Input& in) {
   NoTrace trace;
@@ -20,7 +20,7 @@ DriveTrain::Result solve(const DriveTrain::Input& in) {
 
 double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
 
-DriveTrain::Stage stage(Kind kind, double i, double eta) {
+DriveTrain::Stage stage(StageKind kind, double i, double eta) {
   DriveTrain::Stage s;
   s.kind = kind, s.i = i, s.eta = eta;
   return s;
@@ -49,7 +49,7 @@ bool says(const std::string& stages, const std::string& part) {
 
 TEST_SUITE("drive train") {
   TEST_CASE("ratios and efficiencies multiply: the worked case of [B40]") {
-    const auto r = solve(train({stage(Kind::chain, 2.5, 0.96), stage(Kind::other, 4.0, 0.97)}));
+    const auto r = solve(train({stage(StageKind::chain, 2.5, 0.96), stage(StageKind::other, 4.0, 0.97)}));
     CHECK(rel(r.i, 10.0) < 1e-15);
     CHECK(rel(r.eta, 0.9312) < 1e-14);
     CHECK(rel(in_si(r.T_out), 279.36) < 1e-14);
@@ -73,7 +73,7 @@ TEST_SUITE("drive train") {
 
   TEST_CASE("slip lowers the speed behind a belt, not the torque") {
     DriveTrain::Stage s;
-    s.kind = Kind::belt, s.d_1 = 125.0 * mm, s.d_2 = 315.0 * mm, s.slip = 0.015;
+    s.kind = StageKind::belt, s.d_1 = 125.0 * mm, s.d_2 = 315.0 * mm, s.slip = 0.015;
     const auto r = solve(train({s}));
     CHECK(rel(r.stages[0].i, 2.558375635) < 1e-9);
     CHECK(rel(r.n_out / rpm, 1000.0 / 2.558375635) < 1e-9);
@@ -84,8 +84,8 @@ TEST_SUITE("drive train") {
   }
 
   TEST_CASE("power is kept without losses, and the losses of the stages are those of the train") {
-    const auto r =
-        solve(train({stage(Kind::gear, 3, 0.97), stage(Kind::worm, 20, 0.7), stage(Kind::chain, 0.5, 0.95)}));
+    const auto r = solve(
+        train({stage(StageKind::gear, 3, 0.97), stage(StageKind::worm, 20, 0.7), stage(StageKind::chain, 0.5, 0.95)}));
     CHECK(rel(in_si(r.P_out), 30.0 * 1000.0 * pi / 30.0 * r.eta) < 1e-12);
     Power sum = from_si<Power>(0.0);
     for (const auto& s : r.stages) sum += s.P_loss;
@@ -94,7 +94,7 @@ TEST_SUITE("drive train") {
 
   TEST_CASE("a planetary stage by Willis: ring held, sun to carrier, and the other way a multiplier") {
     DriveTrain::Stage s;
-    s.kind = Kind::planetary, s.z_s = 24, s.z_r = 84, s.eta = 0.97;
+    s.kind = StageKind::planetary, s.z_s = 24, s.z_r = 84, s.eta = 0.97;
     const auto r = solve(train({s}));
     CHECK(rel(r.i, 4.5) < 1e-14);
     CHECK(rel(r.eta, (1.0 + 3.5 * 0.97) / 4.5) < 1e-13);
@@ -105,14 +105,15 @@ TEST_SUITE("drive train") {
   }
 
   TEST_CASE("an efficiency beyond what is usual is told, not refused") {
-    const auto r = solve(train({stage(Kind::chain, 2, 0.96), stage(Kind::chain, 2, 0.9), stage(Kind::worm, 2, 0.97)}));
-    CHECK(r.stages[0].range == DriveTrain::Range::usual);
-    CHECK(r.stages[1].range == DriveTrain::Range::below);
-    CHECK(r.stages[2].range == DriveTrain::Range::above);
+    const auto r = solve(
+        train({stage(StageKind::chain, 2, 0.96), stage(StageKind::chain, 2, 0.9), stage(StageKind::worm, 2, 0.97)}));
+    CHECK(r.stages[0].range == DriveTrain::EtaRange::usual);
+    CHECK(r.stages[1].range == DriveTrain::EtaRange::below);
+    CHECK(r.stages[2].range == DriveTrain::EtaRange::above);
   }
 
   TEST_CASE("what a user can get wrong is told") {
-    says("", "give at least one stage");
+    says("", "'stages' is empty");
     says("{ kind = \"gear\", z_1 = 20 }", "the ratio of this stage is not given");
     says("{ kind = \"gear\", i = 2, z_1 = 20, z_2 = 40 }", "given more than once");
     says("{ kind = \"gear\", z_s = 20, z_r = 40, i = 3 }", "given more than once");

@@ -107,7 +107,7 @@ TEST_SUITE("gear pair") {
     GearPair::Input rack = pair_of(20, 0, 3);
     rack.mesh = GearPair::Mesh::rack;
     rack.x_1 = 0.2;
-    GearPair::Input large = pair_of(20, 2000, 3);
+    GearPair::Input large = pair_of(20, 4000, 3);
     large.x_1 = 0.2;
     CHECK(rel(solve(large).eps_alpha, solve(rack).eps_alpha) < 2e-3);
     CHECK(rel(solve(rack).a_w / mm, 30.6) < 1e-12);
@@ -149,9 +149,11 @@ TEST_SUITE("gear pair") {
   TEST_CASE("a ring with few teeth more than its wheel collides with it away from the line of action") {
     GearPair::Input in = pair_of(60, 66, 2);
     in.mesh = GearPair::Mesh::internal;
-    CHECK(solve(in).f_int < -0.01);
+    CHECK(solve(in).f_int < -0.3);
+    // There the tips pass each other; what is left is the tip of the ring in the fillet of the wheel: by hand
+    // (sqrt(98^2 - 93.969^2) - 40 sin 20 deg - 60 sin 20 deg + 2/sin 20 deg)/2.
     in.z_2 = 100;
-    CHECK(solve(in).f_int > -0.01);
+    CHECK(std::abs(solve(in).f_int + 0.2689) < 1e-4);
   }
 
   TEST_CASE("backlash: closer wheels jam, further ones and thinner teeth play") {

@@ -2,6 +2,7 @@
 
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"
+#include "tests/lib/project/texts.hpp"
 
 #include <doctest/doctest.h>
 
@@ -31,9 +32,8 @@ Planetary::Input winch() {
 }
 
 bool says(const std::string& lines, const std::string& part) {
-  std::vector<Issue> issues;
-  project::read_project("[g]\ncalculator = \"gear.planetary\"\nz_s = 24\nz_p = 30\nz_r = 84\n" + lines, "g.toml",
-                        catalogue(), issues);
+  const std::vector<Issue> issues =
+      loadpath::test::told("[g]\ncalculator = \"gear.planetary\"\nz_s = 24\nz_p = 30\nz_r = 84\n" + lines).issues;
   std::string all;
   for (const Issue& i : issues) all += i.key + ": " + i.message.text() + " | " + i.hint.text() + "\n";
   CAPTURE(all);

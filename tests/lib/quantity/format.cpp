@@ -51,7 +51,7 @@ TEST_SUITE("quantity") {
                         {0.00123456, 3, "0.00123"},
                         {123456.5, 17, "123456.5"},
                         {not_a_number, 6, "not available"},
-                        {std::numeric_limits<double>::infinity(), 6, "not available"}};
+                        {std::numeric_limits<double>::infinity(), 6, "infinite"}};
     for (const Row& row : rows) CHECK(format_number(row.value, row.digits) == row.text);
   }
 

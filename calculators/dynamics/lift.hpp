@@ -27,10 +27,10 @@ title = "Three bodies and a thread"
 [lift]
 calculator = "dynamics.lift"
 s = "1.2 m"
-weights = [{ name = "body 1", m = "8 kg" }, { name = "pulley 2", m = "5 kg" }]
+weights = [{ name = "body_1", m = "8 kg" }, { name = "pulley_2", m = "5 kg" }]
 wheels = [
-  { name = "pulley 2", J = "0.025 kg*m^2", r = "100 mm", M_f = "0.6 N*m" },
-  { name = "drum 3", J = "0.0675 kg*m^2", r = "150 mm", i = 2, M_f = "0.9 N*m" },
+  { name = "pulley_2", J = "0.025 kg*m^2", r = "100 mm", M_f = "0.6 N*m" },
+  { name = "drum_3", J = "0.0675 kg*m^2", r = "150 mm", i = 2, M_f = "0.9 N*m" },
 ]
 )toml";
 

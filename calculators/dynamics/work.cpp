@@ -1,5 +1,6 @@
 #include "calculators/dynamics/work.hpp"
 
+#include "calculators/motion/laws.hpp"
 #include "lib/calculator_of.hpp"
 
 // The mass m hides the unit of its name where the formulas are.
@@ -58,7 +59,9 @@ template <class Tracer>
 WorkAndEnergy::Result WorkAndEnergy::evaluate(const Input& in, Tracer& trace) {
   const auto& [m, s, alpha, mu, F, v_1, c, z_1, z_2, g] = in;
   Result r;
-  STEP(R, m * g * cos(alpha), "part of the weight across the path");
+  const double c_alpha = motion::without_rounding(cos(alpha), 1.0);
+  trace.value("c_alpha", c_alpha, "cosine of the slope, nothing on a vertical path");
+  STEP(R, m * g * c_alpha, "part of the weight across the path");
   STEP(T, mu * R, "friction, [B34]");
   STEP(A_G, -m * g * s * sin(alpha), "work of the weight, [B34] (5)");
   STEP(A_T, -T * s, "friction is against the motion, [B34]");

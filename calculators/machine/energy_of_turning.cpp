@@ -45,6 +45,8 @@ TurningEnergy turning_energy(std::span<const Sample> samples, double period) {
     E += work_of(a, b);
     if (i + 1 < samples.size()) take(energy, E, b.phi);
   }
+  constexpr double even = 1e-12;  // of the largest moment over the period: below, the moment is constant
+  if (energy.high - energy.low <= even * energy.peak * period) energy.low = energy.high = 0.0;
   return energy;
 }
 

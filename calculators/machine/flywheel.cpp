@@ -164,7 +164,8 @@ std::vector<draw::Figure> Flywheel::figures(const Input& in, const Result& r) {
     M.x.push_back(samples[i].phi);
     E.x.push_back(samples[i].phi);
     M.y.push_back(samples[i].M);
-    E.y.push_back(machine::energy_at({samples.data(), samples.size()}, in_si(r.M_m), i));
+    const double work = machine::energy_at({samples.data(), samples.size()}, in_si(r.M_m), i);
+    E.y.push_back(motion::without_rounding(work, in_si(r.Delta_E)));
   }
   moment.curves.push_back(std::move(M));
   moment.bounds.push_back({in_si(r.M_m), "mean"});

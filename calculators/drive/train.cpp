@@ -171,7 +171,7 @@ void drive(const DriveTrain::Shaft& before, DriveTrain::StageResult& stage, Driv
   if (is_set(after.n)) {
     const auto n = after.n;
     STEP(P, T * n, "power behind the stage");
-    STEP(P_loss, T_before * n_before - P, "power that is lost");
+    STEP(P_loss, T_before * n_before * (1.0 - eta), "power that is lost");
     after.P = P, stage.P_loss = P_loss;
   }
 }
@@ -200,7 +200,7 @@ void whole(const DriveTrain::Input& in, DriveTrain::Result& r, Tracer& trace) {
                          : DriveTrain::Works::neither;
   const DriveTrain::Shaft& last = r.shafts.back();
   r.n_out = last.n, r.T_out = last.T, r.P_out = last.P;
-  if (is_set(in.n_1) && is_set(r.T_1)) r.P_loss = r.T_1 * in.n_1 - last.P;
+  if (is_set(in.n_1) && is_set(r.T_1)) r.P_loss = r.T_1 * in.n_1 * (1.0 - r.eta);
 }
 
 }  // namespace

@@ -1,0 +1,195 @@
+// A flat belt drive, open or crossed: course, tensions by friction, width of the belt, shaft load.
+//
+// Decides the width by the allowable stress of the belt and the initial tension by Euler's condition at the smaller
+// wrap, with the part of the tension that turns the belt around (centrifugal) kept out of the friction.
+// Tensions: S_1 tight, S_2 slack; the mean of the two stays that of standstill on fixed centres, while a tensioner that
+// pulls with a constant force lets it rise by the centrifugal part.
+// Not covered: tensioning rollers on the belt, crowning, fatigue life of the belt, shafts that are not parallel.
+#pragma once
+
+#include "calculators/belt/geometry.hpp"
+#include "calculators/belt/units.hpp"
+#include "lib/draw/figure.hpp"
+#include "lib/field.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath {
+
+struct FlatBelt {
+  static constexpr auto id = "belt.flat";
+  static constexpr auto title = "Flat belt drive";
+  static constexpr auto scope =
+      "Length or centre distance, wraps, speeds with slip, tensions by Euler's condition with the centrifugal part, "
+      "width of the belt, initial tension and shaft load of a flat belt, open or crossed. Speeds of 5 to 30 m/s, of "
+      "synthetic belts to 100 m/s. The life of the belt and tensioning rollers are not covered.";
+  static constexpr auto source = "[B40], [Shigley-17]";
+  static constexpr auto example = R"([project]
+title = "Fan drive with a flat belt"
+
+[fan_belt]
+calculator = "belt.flat"
+P = "15 kW"
+K_A = 1.2
+n_1 = "1450 rpm"
+d_1 = "200 mm"
+d_2 = "500 mm"
+a = "1200 mm"
+mu = 0.4
+kind = "synthetic"
+delta = "2.5 mm"
+rho = "1100 kg/m^3"
+sigma_adm = "6 MPa"
+)";
+
+  using Arrangement = belt::Arrangement;
+  enum class Kind { conventional, synthetic };
+  enum class Tensioning { fixed, constant_force };
+
+  struct Input {
+    Power P = unset<Power>;
+    Moment T_1 = unset<Moment>;
+    double K_A = 1.0;
+    AngularSpeed n_1 = unset<AngularSpeed>;
+    Length d_1 = unset<Length>, d_2 = unset<Length>, a = unset<Length>, L = unset<Length>;
+    Arrangement arrangement = Arrangement::open;
+    double epsilon = 0.01;
+    double mu = unset<double>;
+    Kind kind = Kind::conventional;
+    Length delta = unset<Length>, b = unset<Length>;
+    belt::Density rho = unset<belt::Density>;
+    Stress sigma_adm = unset<Stress>, E_b = unset<Stress>;
+    Force S_0 = unset<Force>;
+    Tensioning tensioning = Tensioning::fixed;
+  };
+  static constexpr std::tuple inputs{
+      Field{&Input::P, "P", belt::kW, "power at the driving pulley, the mean over the cycle"}
+          .positive()
+          .usually(0.01, 3000)
+          .may_be_missing(),
+      Field{&Input::T_1, "T_1", N_m, "torque at the driving pulley, in place of P"}.positive().may_be_missing(),
+      Field{&Input::K_A, "K_A", ratio, "service factor: what the power does not contain, once"}
+          .positive()
+          .usually(1, 3)
+          .factor(),
+      Field{&Input::n_1, "n_1", belt::rpm, "speed of the driving pulley"}.positive().usually(10, 2e4),
+      Field{&Input::d_1, "d_1", mm, "diameter of the driving pulley"}.positive().usually(10, 5000),
+      Field{&Input::d_2, "d_2", mm, "diameter of the driven pulley"}.positive().usually(10, 5000),
+      Field{&Input::a, "a", mm, "centre distance"}.positive().usually(10, 5e4).may_be_missing(),
+      Field{&Input::L, "L", mm, "length of the belt, in place of a"}.positive().usually(50, 1e5).may_be_missing(),
+      Choice{&Input::arrangement, "arrangement", "course of the belt"}.may_be_missing(),
+      Field{&Input::epsilon, "epsilon", ratio, "slip"}.at_least(0).below(1).usually(0, 0.05),
+      Field{&Input::mu, "mu", ratio, "coefficient of friction of the belt on the pulleys"}.positive().usually(0.1, 1),
+      Choice{&Input::kind, "kind", "of the belt: decides the largest speed"}.may_be_missing(),
+      Field{&Input::delta, "delta", mm, "thickness of the belt"}.positive().usually(0.3, 20),
+      Field{&Input::b, "b", mm, "width of the belt"}.positive().usually(5, 2000).searched("R20").may_be_missing(),
+      Field{&Input::rho, "rho", belt::kg_per_m3, "density of the belt"}.positive().usually(500, 2500),
+      Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress of the belt, without a further safety factor"}
+          .positive()
+          .usually(0.5, 100),
+      Field{&Input::E_b, "E_b", MPa, "bending modulus of the belt; given: bending around the smaller pulley counts"}
+          .positive()
+          .usually(5, 5000)
+          .may_be_missing(),
+      Field{&Input::S_0, "S_0", N, "initial tension of a span at standstill; the least one where missing"}
+          .positive()
+          .may_be_missing(),
+      Choice{&Input::tensioning, "tensioning", "what keeps the tension"}.may_be_missing()};
+
+  struct Result {
+    double i = unset<double>;
+    AngularSpeed n_2 = unset<AngularSpeed>;
+    Speed v = unset<Speed>;
+    Length a = unset<Length>, L = unset<Length>, l_s = unset<Length>;
+    double gamma = unset<double>, alpha_1 = unset<double>, alpha_2 = unset<double>;
+    Force F_t = unset<Force>;
+    double m_e = unset<double>;
+    Stress sigma_b = unset<Stress>, sigma_c = unset<Stress>, sigma_N = unset<Stress>;
+    Speed v_opt = unset<Speed>;
+    Length b_min = unset<Length>, b = unset<Length>;
+    Force F_c = unset<Force>, S_0_min = unset<Force>, S_0 = unset<Force>, S_1 = unset<Force>, S_2 = unset<Force>;
+    double mu_req = unset<double>;
+    Stress sigma_max = unset<Stress>;
+    Force R_0 = unset<Force>, R_x = unset<Force>, R_y = unset<Force>, R = unset<Force>;
+    double theta_R = unset<double>;
+    AngularSpeed f_B = unset<AngularSpeed>;
+    double u_S = unset<double>, u_sigma = unset<double>, x_v = unset<double>;
+    Speed v_range = unset<Speed>;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::i, "i", ratio, "transmission ratio n_1/n_2 with slip"}.as(Role::result),
+      Field{&Result::n_2, "n_2", belt::rpm, "speed of the driven pulley"}.as(Role::result),
+      Field{&Result::v, "v", m_per_s, "speed of the belt"}.as(Role::result),
+      Field{&Result::a, "a", mm, "centre distance"}.as(Role::result),
+      Field{&Result::L, "L", mm, "length of the belt, at the middle of its thickness"}.as(Role::result),
+      Field{&Result::l_s, "l_s", mm, "span between the points of contact"}.as(Role::result),
+      Field{&Result::gamma, "gamma", deg, "inclination of the spans to the line of centres"}.as(Role::result),
+      Field{&Result::alpha_1, "alpha_1", deg, "wrap of the driving pulley"}.as(Role::result),
+      Field{&Result::alpha_2, "alpha_2", deg, "wrap of the driven pulley"}.as(Role::result),
+      Field{&Result::F_t, "F_t", N, "force that the belt carries over, with K_A"}.as(Role::result),
+      Field{&Result::m_e, "m_e", ratio, "largest ratio of the tensions that press the pulleys"}.as(Role::result),
+      Field{&Result::sigma_b, "sigma_b", MPa, "bending stress around the smaller pulley"}.as(Role::result),
+      Field{&Result::sigma_c, "sigma_c", MPa, "centrifugal stress"}.as(Role::result),
+      Field{&Result::v_opt, "v_opt", m_per_s, "speed at which the belt would carry the largest power"}.as(Role::result),
+      Field{&Result::b_min, "b_min", mm, "least width: stress and friction both at their limit"}.as(Role::result),
+      Field{&Result::b, "b", mm, "width of the belt"}.as(Role::result),
+      Field{&Result::F_c, "F_c", N, "centrifugal part of the tension"}.as(Role::result),
+      Field{&Result::S_0_min, "S_0_min", N, "least initial tension of a span at standstill"}.as(Role::result),
+      Field{&Result::S_0, "S_0", N, "initial tension of a span at standstill"}.as(Role::result),
+      Field{&Result::S_1, "S_1", N, "tension of the tight span"}.as(Role::result),
+      Field{&Result::S_2, "S_2", N, "tension of the slack span"}.as(Role::result),
+      Field{&Result::mu_req, "mu_req", ratio, "coefficient of friction that is used"}.as(Role::result),
+      Field{&Result::sigma_max, "sigma_max", MPa, "largest stress: tight span at the smaller pulley"}.as(Role::result),
+      Field{&Result::R_0, "R_0", N, "shaft load at standstill, along the line of centres"}.as(Role::result),
+      Field{&Result::R_x, "R_x", N, "shaft load in running, toward the other pulley"}.as(Role::result),
+      Field{&Result::R_y, "R_y", N, "shaft load in running, to the side of the tight span"}.as(Role::result),
+      Field{&Result::R, "R", N, "shaft load in running"}.as(Role::result),
+      Field{&Result::theta_R, "theta_R", deg, "its direction against the line of centres"}.as(Role::result),
+      Field{&Result::f_B, "f_B", belt::Hz, "bendings of the belt per second"}.as(Role::result),
+      Field{&Result::u_S, "u_S", ratio, "friction: least initial tension over the initial tension"}.check(),
+      Field{&Result::u_sigma, "u_sigma", ratio, "strength: largest stress over the allowable one"}.check(),
+      Field{&Result::sigma_N, "sigma_N", MPa, "stress left for pulling, without bending and centrifugal stress"}.limit(
+          0, 1e6),
+      Field{&Result::v_range, "v_range", m_per_s, "speed, against the range of flat belts"}.limit(5, 100),
+      Field{&Result::x_v, "x_v", ratio, "speed over the largest one of its kind: 30 m/s, synthetic 100 m/s"}.limit(0,
+                                                                                                                   1)};
+
+  static bool clear_of_each_other(const Input& in);
+  static FieldFault touching(const Input& in);
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return is_set(in.P) != is_set(in.T_1); }, "P, T_1", "give either P or T_1"},
+      Rule<Input>{[](const Input& in) { return is_set(in.a) != is_set(in.L); }, "a, L",
+                  "give either the centre distance a or the length of the belt L"},
+      Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must stand clear of each other", &touching},
+      Rule<Input>{[](const Input& in) { return in.delta < 0.5 * min(in.d_1, in.d_2); }, "delta, d_1, d_2",
+                  "the belt must be thinner than half of the smaller pulley"}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template FlatBelt::Result FlatBelt::evaluate(const Input&, NoTrace&);
+extern template FlatBelt::Result FlatBelt::evaluate(const Input&, Trace&);
+
+namespace belt {
+constexpr auto choices_of(Arrangement) {
+  return std::array{ChoiceName<Arrangement>{Arrangement::open, "open", "both shafts turn alike"},
+                    ChoiceName<Arrangement>{Arrangement::crossed, "crossed", "the shafts turn against each other"}};
+}
+}  // namespace belt
+constexpr auto choices_of(FlatBelt::Kind) {
+  return std::array{
+      ChoiceName<FlatBelt::Kind>{FlatBelt::Kind::conventional, "conventional", "leather, rubber: to 30 m/s"},
+      ChoiceName<FlatBelt::Kind>{FlatBelt::Kind::synthetic, "synthetic", "synthetic: to 100 m/s"}};
+}
+constexpr auto choices_of(FlatBelt::Tensioning) {
+  return std::array{
+      ChoiceName<FlatBelt::Tensioning>{FlatBelt::Tensioning::fixed, "fixed", "centres that are fixed when running"},
+      ChoiceName<FlatBelt::Tensioning>{FlatBelt::Tensioning::constant_force, "constant_force",
+                                       "a weight or spring that pulls the pulleys apart with the same force always"}};
+}
+
+}  // namespace loadpath

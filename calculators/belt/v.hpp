@@ -1,0 +1,225 @@
+// A V-belt drive of two pulleys on one stated basis: course, rated power, number of belts, tension and how to measure
+// it, shaft loads, pulleys, room for adjustment.
+//
+// Decides how many belts of a section carry the power (or whether the given number does), by the rated power of one
+// belt with the wrap, length and count factors of the same basis; the initial tension by the rule of that basis; and
+// whether the grooves hold it by Euler's condition with the wedge factor of each pulley's own groove. Not covered:
+// crossed belts, more than two pulleys, classes 0 to II, joined belts, raw-edge belts.
+#pragma once
+
+#include "calculators/belt/geometry.hpp"
+#include "calculators/belt/v_data.hpp"
+#include "lib/draw/figure.hpp"
+#include "lib/field.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath {
+
+struct VBelt {
+  static constexpr auto id = "belt.v";
+  static constexpr auto title = "V-belt drive";
+  static constexpr auto scope =
+      "Number of belts, course, initial tension with its measurement, shaft loads and pulleys of an open V-belt drive "
+      "with two pulleys, on one basis: ISO 5292 (GOST 1284.3, classes III and IV) or Optibelt. Within the diameters, "
+      "speeds and lengths that the basis rates. A life is given only where the basis states one.";
+  static constexpr auto source = "[B40], [GOST1284.3], [Optibelt-V]";
+  static constexpr auto example = R"([project]
+title = "Compressor with wedge belts"
+
+[compressor]
+calculator = "belt.v"
+basis = "optibelt"
+section = "SPB"
+P = "30 kW"
+duty = "medium"
+motor = "normal"
+h_day = "16 h"
+n_1 = "1460 rpm"
+d_1 = "200 mm"
+d_2 = "400 mm"
+L = "2650 mm"
+)";
+
+  using Basis = belt::Basis;
+  enum class BeltClass { unstated, classes_0_II, III, IV };
+  enum class Duty { unstated, light, medium, heavy, very_heavy };
+  enum class Motor { unstated, normal, high };
+  enum class Tensioning { fixed, constant_force };
+  enum class End { low, high };
+
+  struct Input {
+    Basis basis = Basis::unstated;
+    Name section;
+    BeltClass belt_class = BeltClass::unstated;
+    Power P = unset<Power>;
+    double K_A = unset<double>, K_A_1 = unset<double>;
+    Duty duty = Duty::unstated;
+    Motor motor = Motor::unstated;
+    Time h_day = unset<Time>;
+    AngularSpeed n_1 = unset<AngularSpeed>;
+    double epsilon = 0.01;
+    Length d_1 = unset<Length>, d_2 = unset<Length>, a = unset<Length>, L = unset<Length>;
+    int z = 0;
+    End C_K_end = End::low;
+    Tensioning tensioning = Tensioning::fixed;
+    double mu = unset<double>;
+    Speed v_rim_adm = from_si<Speed>(35.0);
+  };
+  static constexpr std::tuple inputs{
+      Choice{&Input::basis, "basis", "system of ratings and factors; must be stated"},
+      NameField{&Input::section, "section", "section of the belt: A, SPB"},
+      Choice{&Input::belt_class, "belt_class", "class of the belt; goes with the basis iso"}.may_be_missing(),
+      Field{&Input::P, "P", belt::kW, "power, the mean over the cycle"}.positive().usually(0.05, 3000),
+      Field{&Input::K_A, "K_A", ratio, "service factor of the basis (C_P, c_2): what the power does not contain, once"}
+          .positive()
+          .usually(1, 2)
+          .may_be_missing()
+          .factor(),
+      Field{&Input::K_A_1, "K_A_1", ratio, "service factor for one shift, for the initial tension on the basis iso"}
+          .positive()
+          .usually(1, 2)
+          .may_be_missing(),
+      Choice{&Input::duty, "duty", "kind of load"}.may_be_missing(),
+      Choice{&Input::motor, "motor", "torque of the motor"}.may_be_missing(),
+      Field{&Input::h_day, "h_day", belt::hour, "use per day"}.positive().within(0.01, 24).may_be_missing(),
+      Field{&Input::n_1, "n_1", belt::rpm, "speed of the driving pulley"}.positive().usually(20, 9000),
+      Field{&Input::epsilon, "epsilon", ratio, "slip"}.at_least(0).below(1).usually(0, 0.03),
+      Field{&Input::d_1, "d_1", mm, "datum diameter of the driving pulley"}.positive().usually(20, 3000),
+      Field{&Input::d_2, "d_2", mm, "datum diameter of the driven pulley"}.positive().usually(20, 3000),
+      Field{&Input::a, "a", mm, "centre distance"}.positive().usually(20, 2e4).may_be_missing(),
+      Field{&Input::L, "L", mm, "datum length of the belt, in place of a"}
+          .positive()
+          .usually(200, 2e4)
+          .may_be_missing(),
+      Count{&Input::z, "z", 0, 100, "number of belts; 0: as many as the power asks for"}.may_be_missing(),
+      Choice{&Input::C_K_end, "C_K_end", "end of the range of the count factor, basis iso"}.may_be_missing(),
+      Choice{&Input::tensioning, "tensioning", "what keeps the tension"}.may_be_missing(),
+      Field{&Input::mu, "mu", ratio, "coefficient of friction, for the grip of the grooves"}
+          .positive()
+          .usually(0.1, 0.6)
+          .may_be_missing(),
+      Field{&Input::v_rim_adm, "v_rim_adm", m_per_s, "largest speed of the rim; cast iron 35 m/s"}.positive().usually(
+          10, 100)};
+
+  struct Result {
+    double i = unset<double>;
+    AngularSpeed n_2 = unset<AngularSpeed>, n_k = unset<AngularSpeed>;
+    Speed v = unset<Speed>;
+    Length a = unset<Length>, L = unset<Length>, l_s = unset<Length>;
+    double gamma = unset<double>, alpha_1 = unset<double>, alpha_2 = unset<double>, alpha = unset<double>;
+    double K_A = unset<double>;
+    Power P_B = unset<Power>, P_0 = unset<Power>, dP = unset<Power>, P_N = unset<Power>, P_all = unset<Power>;
+    double c_alpha = unset<double>, c_L = unset<double>, C_K = unset<double>, z_0 = unset<double>;
+    int z = 0;
+    Force F_c = unset<Force>, F_0 = unset<Force>, F_0_new = unset<Force>;
+    Force S_1 = unset<Force>, S_2 = unset<Force>;
+    Length y = unset<Length>;
+    Force Q = unset<Force>, Q_new = unset<Force>;
+    AngularSpeed f_s = unset<AngularSpeed>, f_s_new = unset<AngularSpeed>;
+    Force R_0 = unset<Force>, R_new = unset<Force>, R_x = unset<Force>, R_y = unset<Force>, R = unset<Force>;
+    double theta_R = unset<double>;
+    Length B = unset<Length>, d_a1 = unset<Length>, d_a2 = unset<Length>;
+    double phi_1 = unset<double>, phi_2 = unset<double>;
+    Speed v_rim = unset<Speed>;
+    Length Delta_1 = unset<Length>, Delta_2 = unset<Length>;
+    AngularSpeed f_B = unset<AngularSpeed>;
+    Time L_h = unset<Time>;
+    double u_P = unset<double>, u_grip = unset<double>, u_rim = unset<double>, u_B = unset<double>;
+    double x_d = unset<double>, x_n = unset<double>, x_L = unset<double>, x_alpha = unset<double>;
+    double x_v = unset<double>;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::i, "i", ratio, "transmission ratio n_1/n_2 with slip"}.as(Role::result),
+      Field{&Result::n_2, "n_2", belt::rpm, "speed of the driven pulley"}.as(Role::result),
+      Field{&Result::n_k, "n_k", belt::rpm, "speed of the smaller pulley, without slip"}.as(Role::result),
+      Field{&Result::v, "v", m_per_s, "speed of the belt"}.as(Role::result),
+      Field{&Result::a, "a", mm, "centre distance; usual are 0.7 to 2 times the sum of the diameters"}.as(Role::result),
+      Field{&Result::L, "L", mm, "datum length of the belt"}.as(Role::result),
+      Field{&Result::l_s, "l_s", mm, "span between the points of contact"}.as(Role::result),
+      Field{&Result::gamma, "gamma", deg, "inclination of the spans to the line of centres"}.as(Role::result),
+      Field{&Result::alpha_1, "alpha_1", deg, "wrap of the driving pulley"}.as(Role::result),
+      Field{&Result::alpha_2, "alpha_2", deg, "wrap of the driven pulley"}.as(Role::result),
+      Field{&Result::alpha, "alpha", deg, "wrap of the smaller pulley"}.as(Role::result),
+      Field{&Result::K_A, "K_A", ratio, "service factor"}.as(Role::result),
+      Field{&Result::P_B, "P_B", belt::kW, "design power"}.as(Role::result),
+      Field{&Result::P_0, "P_0", belt::kW, "rated power of one belt, equal pulleys"}.as(Role::result),
+      Field{&Result::dP, "dP", belt::kW, "increment by the ratio"}.as(Role::result),
+      Field{&Result::c_alpha, "c_alpha", ratio, "wrap factor (C_alpha, c_1)"}.as(Role::result),
+      Field{&Result::c_L, "c_L", ratio, "length factor (C_L, c_3)"}.as(Role::result),
+      Field{&Result::z_0, "z_0", ratio, "number of belts before the count factor"}.as(Role::result),
+      Count{&Result::z, "z", 0, 100, "number of belts"}.as(Role::result),
+      Field{&Result::C_K, "C_K", ratio, "count factor"}.as(Role::result),
+      Field{&Result::P_all, "P_all", belt::kW, "power that the belts can carry"}.as(Role::result),
+      Field{&Result::F_c, "F_c", N, "centrifugal part of the tension of one belt"}.as(Role::result),
+      Field{&Result::F_0, "F_0", N, "initial tension of a span of one belt, run in"}.as(Role::result),
+      Field{&Result::F_0_new, "F_0_new", N, "initial tension of a new belt"}.as(Role::result),
+      Field{&Result::S_1, "S_1", N, "tension of the tight span of one belt"}.as(Role::result),
+      Field{&Result::S_2, "S_2", N, "tension of the slack span of one belt"}.as(Role::result),
+      Field{&Result::y, "y", mm, "deflection of a span that the test force is for"}.as(Role::result),
+      Field{&Result::Q, "Q", N, "test force in the middle of a span, run in"}.as(Role::result),
+      Field{&Result::Q_new, "Q_new", N, "test force, new belt"}.as(Role::result),
+      Field{&Result::f_s, "f_s", belt::Hz, "frequency of the plucked span, run in"}.as(Role::result),
+      Field{&Result::f_s_new, "f_s_new", belt::Hz, "frequency of the plucked span, new belt"}.as(Role::result),
+      Field{&Result::R_0, "R_0", N, "shaft load at standstill, along the line of centres"}.as(Role::result),
+      Field{&Result::R_new, "R_new", N, "shaft load at standstill, new belts"}.as(Role::result),
+      Field{&Result::R_x, "R_x", N, "shaft load in running, toward the other pulley"}.as(Role::result),
+      Field{&Result::R_y, "R_y", N, "shaft load in running, to the side of the tight span"}.as(Role::result),
+      Field{&Result::R, "R", N, "shaft load in running"}.as(Role::result),
+      Field{&Result::theta_R, "theta_R", deg, "its direction against the line of centres"}.as(Role::result),
+      Field{&Result::B, "B", mm, "width of the pulleys"}.as(Role::result),
+      Field{&Result::d_a1, "d_a1", mm, "outer diameter of the driving pulley"}.as(Role::result),
+      Field{&Result::d_a2, "d_a2", mm, "outer diameter of the driven pulley"}.as(Role::result),
+      Field{&Result::phi_1, "phi_1", deg, "groove angle of the driving pulley"}.as(Role::result),
+      Field{&Result::phi_2, "phi_2", deg, "groove angle of the driven pulley"}.as(Role::result),
+      Field{&Result::v_rim, "v_rim", m_per_s, "larger speed of the two rims"}.as(Role::result),
+      Field{&Result::Delta_1, "Delta_1", mm, "least increase of the centre distance, for tensioning"}.as(Role::result),
+      Field{&Result::Delta_2, "Delta_2", mm, "least decrease of the centre distance, for fitting"}.as(Role::result),
+      Field{&Result::f_B, "f_B", belt::Hz, "bendings of the belt per second"}.as(Role::result),
+      Field{&Result::L_h, "L_h", belt::hour, "mean life that the basis states"}.as(Role::result),
+      Field{&Result::u_P, "u_P", ratio, "power: design power over what the belts can carry"}.check(),
+      Field{&Result::u_grip, "u_grip", ratio, "grip: tension that friction in the grooves needs over what there is"}
+          .check("mu"),
+      Field{&Result::u_rim, "u_rim", ratio, "rim: larger speed of the rims over the allowable one"}.check(),
+      Field{&Result::u_B, "u_B", ratio, "bending frequency over the largest one"}.check(),
+      Field{&Result::P_N, "P_N", belt::kW, "rated power of one belt; there must be some"}.limit(1e-3, 1e4),
+      Field{&Result::x_d, "x_d", ratio, "smaller pulley, from the smallest (0) to the largest (1) rated one"}.limit(0,
+                                                                                                                    1),
+      Field{&Result::x_n, "x_n", ratio, "its speed, from the lowest (0) to the highest (1) rated one"}.limit(0, 1),
+      Field{&Result::x_L, "x_L", ratio, "length, from the shortest (0) to the longest (1) listed belt"}.limit(0, 1),
+      Field{&Result::x_alpha, "x_alpha", ratio, "wrap of the smaller pulley over the least one"}.limit(1, 10),
+      Field{&Result::x_v, "x_v", ratio, "speed over the largest one of the section"}.limit(0, 1)};
+
+  static bool section_is_known(const Input& in);
+  static FieldFault unknown_section(const Input& in);
+  static bool class_fits(const Input& in);
+  static FieldFault wrong_class(const Input& in);
+  static bool service_is_given(const Input& in);
+  static bool clear_of_each_other(const Input& in);
+  static FieldFault touching(const Input& in);
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return in.basis != Basis::unstated; }, "basis",
+                  "state the basis, iso or optibelt: ratings and factors of one do not go with the other"},
+      Rule<Input>{&section_is_known, "section, basis", "the basis does not rate this section", &unknown_section},
+      Rule<Input>{&class_fits, "belt_class, basis", "the class of the belt goes with the basis iso", &wrong_class},
+      Rule<Input>{&service_is_given, "K_A, duty, motor, h_day",
+                  "give K_A; on the basis optibelt duty, motor and h_day may stand in its place, never both"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.K_A_1) || in.basis == Basis::iso; }, "K_A_1, basis",
+                  "K_A_1 belongs to the basis iso; the tension of the basis optibelt takes the one K_A"},
+      Rule<Input>{[](const Input& in) { return in.C_K_end == End::low || in.basis == Basis::iso; }, "C_K_end, basis",
+                  "the count factor belongs to the basis iso; the basis optibelt has none"},
+      Rule<Input>{[](const Input& in) { return is_set(in.a) != is_set(in.L); }, "a, L",
+                  "give either the centre distance a or the length of the belt L"},
+      Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must stand clear of each other", &touching}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template VBelt::Result VBelt::evaluate(const Input&, NoTrace&);
+extern template VBelt::Result VBelt::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath

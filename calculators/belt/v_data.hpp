@@ -1,0 +1,129 @@
+// V-belts as the tables have them: what each basis rates, and what belongs to its rating alone.
+//
+// A basis is a system of ratings with the factors that were made for it. Nothing of one basis is ever used with
+// another: a wrap factor of one with the rating of another overstates a drive by up to 15 %.
+#pragma once
+
+#include "calculators/belt/units.hpp"
+#include "lib/field.hpp"
+#include "lib/table/rows.hpp"
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loadpath::belt {
+
+enum class Basis { unstated, iso, optibelt };
+
+/// A section as a result tells it.
+enum class SectionWord { none, Z, A, B, C, D, E, SPZ, SPA, SPB, SPC };
+
+/// A section on a basis: constants of its rated power, its mass, its groove, its limits. Meaning:
+/// tables/belt/v_iso.toml.
+struct VBeltRow {
+  static constexpr auto group = "v_belt";
+  double C_1 = unset<double>, C_2 = unset<double>, C_3 = unset<double>, C_4 = unset<double>;
+  double a_1 = 0.0, b_1 = 0.0, a_2 = 0.0, b_2 = 0.0, a_3 = 0.0, b_3 = 0.0, a_4 = 0.0, b_4 = 0.0;
+  Length d_low = unset<Length>, d_high = unset<Length>, d_least = unset<Length>;
+  AngularSpeed n_low = unset<AngularSpeed>, n_high = unset<AngularSpeed>;
+  MassPerLength m = unset<MassPerLength>;
+  Length w_d = unset<Length>, h_a = unset<Length>, e = unset<Length>, f = unset<Length>, d_phi = unset<Length>;
+  double phi_1 = unset<double>, phi_2 = unset<double>;
+  Speed v_max = unset<Speed>;
+  AngularSpeed f_B_max = unset<AngularSpeed>;
+  Force C_0 = from_si<Force>(0.0);
+  Time L_h = unset<Time>;
+
+  static constexpr std::tuple fields{
+      Field{&VBeltRow::C_1, "C_1", ratio, "constant of the rated power"},
+      Field{&VBeltRow::C_2, "C_2", ratio, "constant of the rated power"},
+      Field{&VBeltRow::C_3, "C_3", ratio, "constant of the rated power"},
+      Field{&VBeltRow::C_4, "C_4", ratio, "constant of the rated power"},
+      Field{&VBeltRow::a_1, "a_1", ratio, "increment by the ratio"},
+      Field{&VBeltRow::b_1, "b_1", ratio, "increment by the ratio"},
+      Field{&VBeltRow::a_2, "a_2", ratio, "increment by the ratio"},
+      Field{&VBeltRow::b_2, "b_2", ratio, "increment by the ratio"},
+      Field{&VBeltRow::a_3, "a_3", ratio, "increment by the ratio"},
+      Field{&VBeltRow::b_3, "b_3", ratio, "increment by the ratio"},
+      Field{&VBeltRow::a_4, "a_4", ratio, "increment by the ratio"},
+      Field{&VBeltRow::b_4, "b_4", ratio, "increment by the ratio"},
+      Field{&VBeltRow::d_low, "d_low", mm, "smallest rated diameter"},
+      Field{&VBeltRow::d_high, "d_high", mm, "largest rated diameter"},
+      Field{&VBeltRow::d_least, "d_least", mm, "smallest recommended diameter"},
+      Field{&VBeltRow::n_low, "n_low", rpm, "lowest rated speed"},
+      Field{&VBeltRow::n_high, "n_high", rpm, "highest rated speed"},
+      Field{&VBeltRow::m, "m", kg_per_m, "mass per length of one belt"},
+      Field{&VBeltRow::w_d, "w_d", mm, "datum width"},
+      Field{&VBeltRow::h_a, "h_a", mm, "height of the groove above the datum diameter"},
+      Field{&VBeltRow::e, "e", mm, "pitch of the grooves"},
+      Field{&VBeltRow::f, "f", mm, "from the last groove to the edge"},
+      Field{&VBeltRow::d_phi, "d_phi", mm, "largest diameter with the groove angle phi_1"},
+      Field{&VBeltRow::phi_1, "phi_1", deg, "groove angle of small pulleys"},
+      Field{&VBeltRow::phi_2, "phi_2", deg, "groove angle of large pulleys"},
+      Field{&VBeltRow::v_max, "v_max", m_per_s, "largest speed"},
+      Field{&VBeltRow::f_B_max, "f_B_max", Hz, "largest bending frequency"},
+      Field{&VBeltRow::C_0, "C_0", N, "stiffness of the belt against the test force"},
+      Field{&VBeltRow::L_h, "L_h", hour, "life that the rating holds for"}};
+};
+
+struct VLengthRow {
+  static constexpr auto group = "v_belt_length";
+  Length L = unset<Length>;
+  double c_L = unset<double>;
+  static constexpr std::tuple fields{Field{&VLengthRow::L, "L", mm, "datum length"},
+                                     Field{&VLengthRow::c_L, "c_L", ratio, "length factor"}};
+};
+
+/// A row of v_belt with the lengths that are made, ascending.
+struct VSection {
+  Basis basis = Basis::unstated;
+  Name name;
+  VBeltRow row;
+  std::vector<VLengthRow> lengths;
+};
+
+std::span<const VSection> v_sections();
+/// Nothing where the basis has no such section.
+const VSection* find_v_section(Basis basis, const Name& name);
+/// The word for the name of a section.
+SectionWord word_of(const Name& name);
+/// "Z, A, B"
+std::string names_of_v_sections(Basis basis);
+
+/// The length factor: of the table, linear between its lengths; NaN outside of them.
+double v_length_factor(const VSection& section, Length L);
+/// The wrap factor of the Optibelt basis, linear between the rows of its table; NaN outside.
+double optibelt_wrap_factor(double alpha);
+double least_optibelt_wrap();
+
+/// The share that each of z belts carries, ISO basis: the low or the high end of its range.
+double v_count_factor(double z, bool high_end);
+
+/// The service factor of the Optibelt basis, by the name of a row ("light, normal torque") and the hours of a day.
+double optibelt_service_factor(std::string_view row, double hours);
+
+constexpr auto choices_of(Basis) {
+  return std::array{ChoiceName<Basis>{Basis::unstated, "unstated", "not stated"},
+                    ChoiceName<Basis>{Basis::iso, "iso", "ISO 5292 and GOST 1284.3-96: classical sections"},
+                    ChoiceName<Basis>{Basis::optibelt, "optibelt", "Optibelt: wrapped wedge and classical sections"}};
+}
+
+constexpr auto choices_of(SectionWord) {
+  using Word = SectionWord;
+  return std::array{ChoiceName<Word>{Word::none, "none", "no section, or one that the tables were given"},
+                    ChoiceName<Word>{Word::Z, "Z", "classical section, 10 mm wide"},
+                    ChoiceName<Word>{Word::A, "A", "classical section, 13 mm wide"},
+                    ChoiceName<Word>{Word::B, "B", "classical section, 17 mm wide"},
+                    ChoiceName<Word>{Word::C, "C", "classical section, 22 mm wide"},
+                    ChoiceName<Word>{Word::D, "D", "classical section, 32 mm wide"},
+                    ChoiceName<Word>{Word::E, "E", "classical section, 40 mm wide"},
+                    ChoiceName<Word>{Word::SPZ, "SPZ", "wedge section, 9.7 mm wide"},
+                    ChoiceName<Word>{Word::SPA, "SPA", "wedge section, 12.7 mm wide"},
+                    ChoiceName<Word>{Word::SPB, "SPB", "wedge section, 16.3 mm wide"},
+                    ChoiceName<Word>{Word::SPC, "SPC", "wedge section, 22 mm wide"}};
+}
+
+}  // namespace loadpath::belt

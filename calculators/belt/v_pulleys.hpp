@@ -1,0 +1,114 @@
+// The pulleys of a V-belt drive, room for its adjustment, its life, and the limits of its basis.
+#pragma once
+
+#include "calculators/belt/v.hpp"
+
+namespace loadpath::belt {
+
+/// 0 at the lower end of a range, 1 at the upper one. `zero` is a value that rounding put beside an end.
+template <class Quantity>
+double place_in(Quantity value, Quantity low, Quantity high) {
+  const double x = (in_si(value) - in_si(low)) / (in_si(high) - in_si(low));
+  if (std::abs(x) < 1e-9) return 0.0;
+  return std::abs(x - 1.0) < 1e-9 ? 1.0 : x;
+}
+
+/// The validity of the rating.
+template <class Tracer>
+void limit_rating(const VSection& section, Length d_k, AngularSpeed n_k, VBelt::Result& r, Tracer& trace) {
+  const VBeltRow& row = section.row;
+  const double alpha_least = section.basis == Basis::iso ? pi / 2.0 : least_optibelt_wrap();
+  const auto v = r.v, v_max = row.v_max;
+  const auto alpha = r.alpha;
+  r.x_d = place_in(d_k, row.d_low, row.d_high);
+  r.x_n = place_in(n_k, row.n_low, row.n_high);
+  if (!section.lengths.empty()) r.x_L = place_in(r.L, section.lengths.front().L, section.lengths.back().L);
+  trace.value("x_d", r.x_d, "place of the smaller pulley in the range that is rated");
+  trace.value("x_n", r.x_n, "place of its speed in the range that is rated");
+  trace.value("x_L", r.x_L, "place of the length in the list");
+  trace.value(
+      "alpha_least", alpha_least,
+      section.basis == Basis::iso ? "least wrap, [GOST1284.3] 3.3.5" : "least wrap of the table, [Optibelt-V] 16");
+  STEP(x_alpha, alpha / alpha_least, "smaller wrap over the least one");
+  trace.value("v_max", v_max, "largest speed of the section");
+  STEP(x_v, v / v_max, "speed over the largest one");
+  r.x_alpha = x_alpha, r.x_v = x_v;
+}
+
+/// The factor of the mean life for the kind of load, [GOST1284.2] annex 3.
+inline double life_factor(VBelt::Duty duty) {
+  switch (duty) {
+    case VBelt::Duty::light:
+      return 2.5;
+    case VBelt::Duty::medium:
+      return 1.0;
+    case VBelt::Duty::heavy:
+      return 0.5;
+    case VBelt::Duty::very_heavy:
+      return 0.25;
+    default:
+      return unset<double>;
+  }
+}
+
+/// Only what the basis states.
+template <class Tracer>
+void live(const VSection& section, const VBelt::Input& in, VBelt::Result& r, Tracer& trace) {
+  if (section.basis == Basis::optibelt) {
+    r.L_h = section.row.L_h;
+    trace.value("L_h", r.L_h, "life that the ratings hold for, [Optibelt-V]");
+    return;
+  }
+  if (in.duty == VBelt::Duty::unstated) return;
+  const Time L_medium = (in.belt_class == VBelt::BeltClass::IV ? 3700.0 : 2700.0) * hour;
+  trace.value("L_medium", L_medium, "mean life under a medium load, [GOST1284.2] annex 3");
+  trace.value("K_1", life_factor(in.duty), "for the kind of load, [GOST1284.2] annex 3");
+  const double K_1 = life_factor(in.duty);
+  STEP(L_h, K_1 * L_medium, "mean life, temperate climate");
+  r.L_h = L_h;
+}
+
+template <class Tracer>
+void turn_rims(const VBelt::Input& in, VBelt::Result& r, Tracer& trace) {
+  const auto n_1 = in.n_1, n_2 = r.n_2;
+  const auto d_a1 = r.d_a1, d_a2 = r.d_a2;
+  const auto v_rim_adm = in.v_rim_adm;
+  STEP(v_rim, max(n_1 * d_a1, n_2 * d_a2) / 2.0, "larger speed of the two rims");
+  STEP(u_rim, v_rim / v_rim_adm, "rim condition");
+  r.v_rim = v_rim, r.u_rim = u_rim;
+}
+
+/// Sizes of the pulleys, as far as they do not depend on the number of belts, and the room for adjustment.
+template <class Tracer>
+void build_pulleys(const VSection& section, const VBelt::Input& in, VBelt::Result& r, Tracer& trace) {
+  const VBeltRow& row = section.row;
+  const auto d_1 = in.d_1, d_2 = in.d_2, h_a = row.h_a, w_d = row.w_d, L = r.L;
+  const auto v = r.v;
+  const auto f_B_max = row.f_B_max;
+  r.phi_1 = d_1 <= row.d_phi ? row.phi_1 : row.phi_2;
+  r.phi_2 = d_2 <= row.d_phi ? row.phi_1 : row.phi_2;
+  trace.value("phi_1", r.phi_1, "groove angle of the driving pulley, [GOST1284.2] annex 5");
+  trace.value("phi_2", r.phi_2, "groove angle of the driven pulley, [GOST1284.2] annex 5");
+  trace.value("h_a", h_a, "groove above the datum diameter");
+  STEP(d_a1, d_1 + 2.0 * h_a, "driving pulley, outside");
+  STEP(d_a2, d_2 + 2.0 * h_a, "driven pulley, outside");
+  r.d_a1 = d_a1, r.d_a2 = d_a2;
+  turn_rims(in, r, trace);
+  trace.value("w_d", w_d, "datum width of the groove");
+  STEP(Delta_1, 0.020 * L, "room for tensioning, [GOST1284.3] (11)");
+  STEP(Delta_2, 0.009 * L + 2.0 * w_d, "room for fitting, [GOST1284.3] (12)");
+  STEP(f_B, 2.0 * v / L, "two pulleys bend the belt in each round");
+  trace.value("f_B_max", f_B_max, "largest bending frequency of the section");
+  STEP(u_B, f_B / f_B_max, "bending frequency condition");
+  r.Delta_1 = Delta_1, r.Delta_2 = Delta_2, r.f_B = f_B, r.u_B = u_B;
+  live(section, in, r, trace);
+  if (r.z == 0) return;
+  const auto e = row.e, f = row.f;
+  const double z = r.z;
+  trace.value("e", e, "pitch of the grooves");
+  trace.value("f", f, "from the last groove to the edge");
+  STEP(B, (z - 1.0) * e + 2.0 * f, "width of the pulleys");
+  r.B = B;
+}
+
+}  // namespace loadpath::belt

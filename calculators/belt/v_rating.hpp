@@ -1,0 +1,108 @@
+// What one V-belt carries on its basis, and how many are needed.
+#pragma once
+
+#include "calculators/belt/v.hpp"
+
+#include <cmath>
+
+namespace loadpath::belt {
+
+/// The increments of a row at the four ratios that the basis lists, kW per 1000/min.
+struct Increments {
+  double k_1, k_2, k_3, k_4;
+};
+
+template <class Tracer>
+Increments increments(const VBeltRow& row, double x_d, Tracer& trace) {
+  const auto a_1 = row.a_1, b_1 = row.b_1, a_2 = row.a_2, b_2 = row.b_2;
+  const auto a_3 = row.a_3, b_3 = row.b_3, a_4 = row.a_4, b_4 = row.b_4;
+  const double lg = std::log(x_d) / std::log(10.0);
+  trace.value("lg_d", lg, "decimal logarithm of the diameter in mm");
+  return {a_1 + b_1 * lg, a_2 + b_2 * lg, a_3 + b_3 * lg, a_4 + b_4 * lg};
+}
+
+/// ISO 5292 as in [GOST1284.3] 3.5.2: linear between the ratios 1, 1.05, 1.20, 1.50 and 3.00.
+inline double iso_increment(const Increments& k, double i_g) {
+  if (i_g <= 1.05) return k.k_1 * (i_g - 1.0) / 0.05;
+  if (i_g <= 1.2) return k.k_1 + (k.k_2 - k.k_1) * (i_g - 1.05) / 0.15;
+  if (i_g <= 1.5) return k.k_2 + (k.k_3 - k.k_2) * (i_g - 1.2) / 0.3;
+  return i_g < 3.0 ? k.k_3 + (k.k_4 - k.k_3) * (i_g - 1.5) / 1.5 : k.k_4;
+}
+
+/// [Optibelt-V]: steps at the ratios 1.01, 1.06, 1.27 and above 1.57.
+inline double optibelt_increment(const Increments& k, double i_g) {
+  if (i_g > 1.57) return k.k_4;
+  if (i_g >= 1.27) return k.k_3;
+  if (i_g >= 1.06) return k.k_2;
+  return i_g >= 1.01 ? k.k_1 : 0.0;
+}
+
+/// Rated power of one belt on the smaller pulley d_k at its speed n_k, with the increment for the ratio i_g >= 1.
+template <class Tracer>
+void rate(const VSection& section, Length d_k, AngularSpeed n_k, double i_g, VBelt::Result& r, Tracer& trace) {
+  const bool iso = section.basis == Basis::iso;
+  const auto C_1 = section.row.C_1, C_2 = section.row.C_2, C_3 = section.row.C_3, C_4 = section.row.C_4;
+  const char* const fitted = iso ? "fitted to [GOST1284.3] 12 to 17" : "fitted to the power tables of [Optibelt-V]";
+  trace.value("C_1", C_1, fitted);
+  trace.value("C_2", C_2, fitted);
+  trace.value("C_3", C_3, fitted);
+  trace.value("C_4", C_4, fitted);
+  STEP(x_d_k, d_k / mm, "smaller pulley in mm");
+  const double r_n = n_k / rpm / 1000.0;
+  trace.value("r_n", r_n, "its speed in 1000/min");
+  STEP(P_0,
+       1000.0 * W * r_n * x_d_k * (C_1 - C_2 / x_d_k - C_3 * pow<2>(r_n * x_d_k) - C_4 * log(r_n * x_d_k) / log(10.0)),
+       "rated power, closed form of the tables of the basis");
+  const Increments k = increments(section.row, x_d_k, trace);
+  const double k_i = iso ? iso_increment(k, i_g) : optibelt_increment(k, i_g);
+  trace.value("k_i", k_i,
+              iso ? "increment for the ratio, linear between 1, 1.05, 1.20, 1.50, 3.00, [GOST1284.3] 3.5.2"
+                  : "increment for the ratio, in steps, [Optibelt-V]");
+  STEP(dP, 1000.0 * W * k_i * r_n, "less bending around the larger pulley");
+  STEP(P_N, P_0 + dP, "rated power of one belt");
+  r.P_0 = P_0, r.dP = dP, r.P_N = P_N;
+}
+
+/// The wrap factor of the basis at the smaller wrap.
+template <class Tracer>
+double wrap_factor(Basis basis, double alpha, Tracer& trace) {
+  if (basis == Basis::iso) {
+    STEP(c_alpha, 1.25 * (1.0 - exp(-alpha / pi * log(5.0))), "wrap factor: closed form of [GOST1284.3] 18");
+    return c_alpha;
+  }
+  const double c_alpha = optibelt_wrap_factor(alpha);
+  trace.value("c_alpha", c_alpha, "wrap factor, linear in [Optibelt-V] 16");
+  return c_alpha;
+}
+
+/// The least number of belts whose shares carry z_0 belts' rating; 0 where no number up to 100 does.
+inline int belts_needed(Basis basis, double z_0, bool high_end) {
+  for (int z = 1; z <= 100; ++z) {
+    const double share = basis == Basis::iso ? v_count_factor(z, high_end) : 1.0;
+    if (z * share >= z_0 * (1.0 - 1e-9)) return z;
+  }
+  return 0;
+}
+
+template <class Tracer>
+void count(const VBelt::Input& in, VBelt::Result& r, Tracer& trace) {
+  const auto P_B = r.P_B, P_N = r.P_N;
+  const auto c_alpha = r.c_alpha, c_L = r.c_L;
+  if (!(P_N > from_si<Power>(0.0)) || !is_set(c_alpha) || !is_set(c_L)) return;
+  STEP(z_0, P_B / (P_N * c_alpha * c_L), "number of belts before the count factor");
+  r.z_0 = z_0;
+  const bool iso = in.basis == Basis::iso, high_end = in.C_K_end == VBelt::End::high;
+  r.z = in.z > 0 ? in.z : belts_needed(in.basis, z_0, high_end);
+  if (r.z == 0) return;
+  const double z = r.z;
+  trace.value("z", z, in.z > 0 ? "as given" : "the least number that carries the power");
+  r.C_K = iso ? v_count_factor(z, high_end) : 1.0;
+  const auto C_K = r.C_K;
+  trace.value("C_K", C_K,
+              iso ? "belts share unevenly, [GOST1284.3] 20" : "the basis has no count factor, [Optibelt-V]");
+  STEP(P_all, z * C_K * P_N * c_alpha * c_L, "power that the belts can carry");
+  STEP(u_P, P_B / P_all, "power condition");
+  r.P_all = P_all, r.u_P = u_P;
+}
+
+}  // namespace loadpath::belt

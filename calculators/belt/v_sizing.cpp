@@ -1,0 +1,231 @@
+#include "calculators/belt/v_sizing.hpp"
+
+#include "calculators/belt/figures.hpp"
+#include "calculators/belt/v_choices.hpp"
+#include "lib/calculator_of.hpp"
+#include "lib/table/table.hpp"
+
+#include <algorithm>
+
+namespace loadpath {
+
+namespace {
+
+using Input = VBeltSizing::Input;
+using Result = VBeltSizing::Result;
+using Candidate = VBeltSizing::Candidate;
+using Rank = VBeltSizing::Rank;
+using Merit = VBeltSizing::Merit;
+
+/// The input of belt.v that a drive of the list stands for; diameters, length and section are still open.
+VBelt::Input drive_of(const Input& in) {
+  VBelt::Input drive;
+  drive.basis = in.basis, drive.section = in.section, drive.belt_class = in.belt_class;
+  drive.P = in.P, drive.K_A = in.K_A, drive.duty = in.duty, drive.motor = in.motor, drive.h_day = in.h_day;
+  drive.n_1 = in.n_1, drive.epsilon = in.epsilon, drive.mu = in.mu, drive.v_rim_adm = in.v_rim_adm;
+  return drive;
+}
+
+/// For the rules of belt.v about what is not of the drive's geometry.
+VBelt::Input without_geometry(const Input& in) {
+  VBelt::Input drive = drive_of(in);
+  const auto sections = belt::v_sections();
+  const auto any = std::find_if(sections.begin(), sections.end(), [&](const auto& s) { return s.basis == in.basis; });
+  if (in.section.empty() && any != sections.end()) drive.section = any->name;
+  return drive;
+}
+
+std::vector<Length> read_pulleys(belt::Basis basis) {
+  std::vector<Length> pulleys;
+  if (const auto series = table::find_series(basis == belt::Basis::iso ? "v_pulleys_gost" : "v_pulleys")) {
+    for (const double d : table::members_in_si(**series)) pulleys.push_back(from_si<Length>(d));
+  }
+  return pulleys;
+}
+
+/// The pulleys that are made, ascending.
+std::span<const Length> pulleys_of(belt::Basis basis) {
+  static const auto iso = read_pulleys(belt::Basis::iso), optibelt = read_pulleys(belt::Basis::optibelt);
+  return basis == belt::Basis::iso ? iso : optibelt;
+}
+
+/// Whether one field of a result of belt.v lets the drive pass.
+template <class F>
+bool passes(const F& field, const VBelt::Result& r, bool grip_asked) {
+  if constexpr (requires { field.asked_by; }) {
+    const bool asked = field.asked_by[0] == '\0' || grip_asked;
+    const double value = in_si(r.*field.at) / in_si(field.unit.one);
+    if (field.role == Role::check) return !asked || value <= 1.0;
+    if (field.role == Role::limit) return field.bounds.holds(value);
+  }
+  return true;
+}
+
+bool passes(const VBelt::Result& r, bool grip_asked) {
+  return std::apply([&](const auto&... field) { return (passes(field, r, grip_asked) && ...); }, VBelt::results);
+}
+
+double share_off(double value, double wanted) { return std::abs(value / wanted - 1.0); }
+
+double measure_of(const Candidate& c, Rank rank) {
+  if (rank == Rank::shaft_load) return in_si(c.R_new);
+  return rank == Rank::width ? in_si(c.B) : in_si(c.V);
+}
+
+/// The better drive by the rank; of equals the smaller pulleys, then the smaller shaft load.
+bool before(const Candidate& a, const Candidate& b, Rank rank) {
+  const double x = measure_of(a, rank), y = measure_of(b, rank);
+  if (x != y) return x < y;
+  return a.V != b.V ? a.V < b.V : a.R_new < b.R_new;
+}
+
+/// Puts a drive in its place; the list keeps the best.
+void rank_in(VBeltSizing::Candidates& list, const Candidate& c, Rank rank) {
+  const auto at =
+      std::find_if(list.begin(), list.end(), [&](const Candidate& other) { return before(c, other, rank); });
+  if (at == list.end() && list.size() == list.capacity()) return;
+  const auto index = at - list.begin();
+  if (list.size() == list.capacity()) list.pop_back();
+  list.insert(list.begin() + index, c);
+}
+
+Candidate candidate_of(const VBelt::Input& drive, const VBelt::Result& r) {
+  Candidate c;
+  c.section = belt::word_of(drive.section), c.d_1 = drive.d_1, c.d_2 = drive.d_2, c.L = r.L, c.z = r.z, c.a = r.a,
+  c.n_2 = r.n_2;
+  c.B = r.B, c.R_new = r.R_new, c.u_P = r.u_P;
+  c.V = pi / 4.0 * r.B * (r.d_a1 * r.d_a1 + r.d_a2 * r.d_a2);
+  return c;
+}
+
+/// The belt of the section that brings the centre distance nearest to the wanted one; NaN where none is near enough.
+Length nearest_belt(const belt::VSection& section, const Input& in, const VBelt::Input& drive) {
+  Length best = unset<Length>;
+  double least = in.tol_a;
+  const Length clear = (drive.d_1 + drive.d_2) / 2.0;
+  for (const auto& length : section.lengths) {
+    if (length.L < 2.0 * (1.0 - in.tol_a) * in.a_set) continue;  // a belt is longer than both spans
+    const Length a = belt::centre_of_length({drive.d_1, drive.d_2, unset<Length>, length.L});
+    if (is_set(a) && a > (1.0 + in.tol_a) * in.a_set) break;
+    const double off = share_off(in_si(a), in_si(in.a_set));
+    if (a > clear && off <= least) best = length.L, least = off;
+  }
+  return best;
+}
+
+void try_pair(const belt::VSection& section, const Input& in, VBelt::Input& drive, Result& r) {
+  drive.L = nearest_belt(section, in, drive);
+  if (!is_set(drive.L)) return;
+  r.tried += 1.0;
+  NoTrace quiet;
+  const VBelt::Result found = VBelt::evaluate(drive, quiet);
+  if (found.z == 0 || found.z > in.z_max) {
+    r.too_weak += 1.0;
+  } else if (!passes(found, is_set(in.mu))) {
+    r.outside += 1.0;
+  } else {
+    r.drives += 1.0;
+    rank_in(r.candidates, candidate_of(drive, found), in.rank);
+  }
+}
+
+bool fits_room(const Input& in, const VBelt::Input& drive) {
+  return !(drive.d_1 < in.d_1_min) && !(max(drive.d_1, drive.d_2) > in.d_max);
+}
+
+/// Every pair of pulleys of a section that meets the speed.
+void try_section(const belt::VSection& section, const Input& in, Result& r) {
+  VBelt::Input drive = drive_of(in);
+  drive.section = section.name;
+  const double i_w = in_si(in.n_1 / in.n_2_set) * (1.0 - in.epsilon);  // d_2 over d_1
+  const auto pulleys = pulleys_of(in.basis);
+  for (const Length& small : pulleys) {
+    if (small < section.row.d_least || small > section.row.d_high) continue;
+    const Length wanted = small * max(i_w, 1.0 / i_w);
+    for (const Length& large : pulleys) {
+      const bool reduces = i_w >= 1.0;
+      drive.d_1 = reduces ? small : large, drive.d_2 = reduces ? large : small;
+      const double i = in_si(drive.d_2 / drive.d_1) / (1.0 - in.epsilon);
+      if (large < small || large > 2.0 * wanted) continue;
+      if (share_off(in_si(in.n_1) / i, in_si(in.n_2_set)) > in.tol_n || !fits_room(in, drive)) continue;
+      try_pair(section, in, drive, r);
+    }
+  }
+}
+
+Name name_of(belt::SectionWord word) { return choices_of(belt::SectionWord{})[static_cast<std::size_t>(word)].key; }
+
+/// What a drive does better than the first, all the same.
+Merit merit_of(const Candidate& c, const Candidate& first, const Input& in) {
+  const double n = in_si(in.n_2_set), a = in_si(in.a_set);
+  if (c.V < 0.99 * first.V) return Merit::pulleys;
+  if (c.R_new < 0.99 * first.R_new) return Merit::shaft_load;
+  if (c.B < 0.99 * first.B) return Merit::width;
+  if (share_off(in_si(c.n_2), n) < share_off(in_si(first.n_2), n) - 1e-9) return Merit::speed;
+  return share_off(in_si(c.a), a) < share_off(in_si(first.a), a) - 1e-9 ? Merit::centre : Merit::none;
+}
+
+/// Says of each drive why it is not the first.
+void compare(const Input& in, Result& r) {
+  const Candidate first = r.candidates.front();
+  for (Candidate& c : r.candidates) {
+    c.excess = measure_of(c, in.rank) / measure_of(first, in.rank) - 1.0;
+    c.merit = merit_of(c, first, in);
+  }
+  r.candidates.front().merit = Merit::best;
+}
+
+/// The first of the list, whole.
+template <class Tracer>
+void check_first(const Input& in, Result& r, Tracer& trace) {
+  const Candidate& first = r.candidates.front();
+  VBelt::Input drive = drive_of(in);
+  drive.section = name_of(first.section), drive.d_1 = first.d_1, drive.d_2 = first.d_2, drive.L = first.L;
+  r.section = first.section, r.d_1 = first.d_1, r.d_2 = first.d_2, r.L = first.L, r.z = first.z;
+  trace.value("d_1", r.d_1, "of the first drive of the list");
+  trace.value("d_2", r.d_2, "of the first drive of the list");
+  trace.value("L", r.L, "of the first drive of the list");
+  const VBelt::Result found = VBelt::evaluate(drive, trace);
+  r.a = found.a, r.n_2 = found.n_2, r.n_k = found.n_k, r.L_h = found.L_h, r.F_0 = found.F_0, r.R_0 = found.R_0,
+  r.R_new = found.R_new, r.R = found.R;
+  r.B = found.B, r.u_P = found.u_P, r.u_grip = found.u_grip, r.u_rim = found.u_rim, r.u_B = found.u_B;
+  const auto n_2 = r.n_2, n_2_set = in.n_2_set;
+  const auto a = r.a, a_set = in.a_set;
+  STEP(dev_n, static_cast<double>(n_2 / n_2_set) - 1.0, "speed against the wanted one");
+  STEP(dev_a, static_cast<double>(a / a_set) - 1.0, "centre distance against the wanted one");
+  r.dev_n = dev_n, r.dev_a = dev_a;
+}
+
+}  // namespace
+
+bool VBeltSizing::section_is_known(const Input& in) { return VBelt::section_is_known(without_geometry(in)); }
+bool VBeltSizing::class_fits(const Input& in) { return VBelt::class_fits(without_geometry(in)); }
+bool VBeltSizing::service_is_given(const Input& in) { return VBelt::service_is_given(without_geometry(in)); }
+FieldFault VBeltSizing::unknown_section(const Input& in) { return VBelt::unknown_section(without_geometry(in)); }
+FieldFault VBeltSizing::wrong_class(const Input& in) { return VBelt::wrong_class(without_geometry(in)); }
+
+template <class Tracer>
+VBeltSizing::Result VBeltSizing::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  for (const belt::VSection& section : belt::v_sections()) {
+    if (section.basis == in.basis && (in.section.empty() || in.section == section.name)) try_section(section, in, r);
+  }
+  trace.value("tried", r.tried, "pairs of standard pulleys that meet the speed, with the nearest standard belt");
+  trace.value("drives", r.drives, "of them pass every check and limit of belt.v");
+  if (r.candidates.empty()) return r;
+  compare(in, r);
+  check_first(in, r, trace);
+  return r;
+}
+
+template VBeltSizing::Result VBeltSizing::evaluate(const Input&, NoTrace&);
+template VBeltSizing::Result VBeltSizing::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> VBeltSizing::figures(const Input&, const Result& r) {
+  if (r.candidates.empty()) return {};
+  return {belt::drive_figure(r.d_1, r.d_2, r.a, belt::Arrangement::open)};
+}
+
+template const Calculator& erased<VBeltSizing>();
+
+}  // namespace loadpath

@@ -1,0 +1,201 @@
+// V-belt drives that can be bought: from power, speeds and a rough centre distance to sections, pulleys, belts and
+// their number, ranked, with the winner checked by belt.v itself.
+//
+// Every section of the basis, every pair of standard pulleys that meets the speed, and the standard belt nearest to the
+// centre distance are tried; what fails a check or a limit of belt.v is left out and counted.
+// Not covered: price and stock of a dealer; what belt.v does not cover.
+#pragma once
+
+#include "calculators/belt/v.hpp"
+
+namespace loadpath {
+
+struct VBeltSizing {
+  static constexpr auto id = "belt.v_sizing";
+  static constexpr auto title = "V-belt drives that can be bought";
+  static constexpr auto scope =
+      "Ranked list of V-belt drives out of standard sections, pulleys and lengths for a power, two speeds and a rough "
+      "centre distance, on one basis; the best one with its whole calculation. Covers what belt.v covers.";
+  static constexpr auto source = VBelt::source;
+  static constexpr auto example = R"([project]
+title = "Fan drive"
+
+[fan]
+calculator = "belt.v_sizing"
+basis = "optibelt"
+P = "11 kW"
+K_A = 1.2
+n_1 = "1460 rpm"
+n_2_set = "730 rpm"
+a_set = "600 mm"
+)";
+
+  enum class Rank { pulleys, shaft_load, width };
+  enum class Merit { none, best, pulleys, shaft_load, width, speed, centre };
+
+  struct Input {
+    VBelt::Basis basis = VBelt::Basis::unstated;
+    Name section;
+    VBelt::BeltClass belt_class = VBelt::BeltClass::unstated;
+    Power P = unset<Power>;
+    double K_A = unset<double>;
+    VBelt::Duty duty = VBelt::Duty::unstated;
+    VBelt::Motor motor = VBelt::Motor::unstated;
+    Time h_day = unset<Time>;
+    AngularSpeed n_1 = unset<AngularSpeed>, n_2_set = unset<AngularSpeed>;
+    double tol_n = 0.03;
+    Length a_set = unset<Length>;
+    double tol_a = 0.15;
+    double epsilon = 0.01;
+    Length d_1_min = unset<Length>, d_max = unset<Length>;
+    int z_max = 8;
+    double mu = unset<double>;
+    Speed v_rim_adm = from_si<Speed>(35.0);
+    Rank rank = Rank::pulleys;
+  };
+  static constexpr std::tuple inputs{
+      Choice{&Input::basis, "basis", "system of ratings and factors; must be stated"},
+      NameField{&Input::section, "section", "only this section"}.may_be_missing(),
+      Choice{&Input::belt_class, "belt_class", "class of the belt; goes with the basis iso"}.may_be_missing(),
+      Field{&Input::P, "P", belt::kW, "power, the mean over the cycle"}.positive().usually(0.05, 3000),
+      Field{&Input::K_A, "K_A", ratio, "service factor of the basis (C_P, c_2): what the power does not contain, once"}
+          .positive()
+          .usually(1, 2)
+          .may_be_missing()
+          .factor(),
+      Choice{&Input::duty, "duty", "kind of load"}.may_be_missing(),
+      Choice{&Input::motor, "motor", "torque of the motor"}.may_be_missing(),
+      Field{&Input::h_day, "h_day", belt::hour, "use per day"}.positive().within(0.01, 24).may_be_missing(),
+      Field{&Input::n_1, "n_1", belt::rpm, "speed of the driving pulley"}.positive().usually(20, 9000),
+      Field{&Input::n_2_set, "n_2_set", belt::rpm, "speed that the driven pulley shall have"}.positive().usually(20,
+                                                                                                                 9000),
+      Field{&Input::tol_n, "tol_n", ratio, "how far it may be off, as a share"}.positive().below(0.5).usually(0.005,
+                                                                                                              0.1),
+      Field{&Input::a_set, "a_set", mm, "centre distance that there shall be"}.positive().usually(50, 2e4),
+      Field{&Input::tol_a, "tol_a", ratio, "how far it may be off, as a share"}.positive().below(0.9).usually(0.01,
+                                                                                                              0.5),
+      Field{&Input::epsilon, "epsilon", ratio, "slip"}.at_least(0).below(1).usually(0, 0.03),
+      Field{&Input::d_1_min, "d_1_min", mm, "smallest driving pulley, as the motor asks for"}
+          .positive()
+          .may_be_missing(),
+      Field{&Input::d_max, "d_max", mm, "largest pulley that there is room for"}.positive().may_be_missing(),
+      Count{&Input::z_max, "z_max", 1, 100, "most belts"}.may_be_missing(),
+      Field{&Input::mu, "mu", ratio, "coefficient of friction, for the grip of the grooves"}
+          .positive()
+          .usually(0.1, 0.6)
+          .may_be_missing(),
+      Field{&Input::v_rim_adm, "v_rim_adm", m_per_s, "largest speed of the rim; cast iron 35 m/s"}.positive().usually(
+          10, 100),
+      Choice{&Input::rank, "rank", "what the list is ranked by"}.may_be_missing()};
+
+  struct Candidate {
+    belt::SectionWord section = belt::SectionWord::none;
+    Length d_1 = unset<Length>, d_2 = unset<Length>, L = unset<Length>;
+    int z = 0;
+    Length a = unset<Length>;
+    AngularSpeed n_2 = unset<AngularSpeed>;
+    Length B = unset<Length>;
+    SectionModulus V = unset<SectionModulus>;
+    Force R_new = unset<Force>;
+    double u_P = unset<double>, excess = unset<double>;
+    Merit merit = Merit::none;
+    static constexpr std::tuple fields{
+        Choice{&Candidate::section, "section", "section of the belts"}.as(Role::result),
+        Field{&Candidate::d_1, "d_1", mm, "driving pulley"}.as(Role::result),
+        Field{&Candidate::d_2, "d_2", mm, "driven pulley"}.as(Role::result),
+        Field{&Candidate::L, "L", mm, "length of the belts"}.as(Role::result),
+        Count{&Candidate::z, "z", 0, 100, "number of belts"}.as(Role::result),
+        Field{&Candidate::a, "a", mm, "centre distance"}.as(Role::result),
+        Field{&Candidate::n_2, "n_2", belt::rpm, "speed of the driven pulley"}.as(Role::result),
+        Field{&Candidate::B, "B", mm, "width of the pulleys"}.as(Role::result),
+        Field{&Candidate::V, "V", belt::dm3, "volume of the two pulleys as full discs"}.as(Role::result),
+        Field{&Candidate::R_new, "R_new", N, "shaft load at standstill, new belts"}.as(Role::result),
+        Field{&Candidate::u_P, "u_P", ratio, "utilisation of the belts"}.as(Role::result),
+        Field{&Candidate::excess, "excess", ratio, "how much more than the first it takes of what is ranked by"}.as(
+            Role::result),
+        Choice{&Candidate::merit, "merit", "what it does better than the first all the same"}.as(Role::result)};
+  };
+  using Candidates = List<Candidate, 20>;
+
+  struct Result {
+    double drives = 0.0, tried = 0.0, too_weak = 0.0, outside = 0.0;
+    belt::SectionWord section = belt::SectionWord::none;
+    Length d_1 = unset<Length>, d_2 = unset<Length>, L = unset<Length>, a = unset<Length>;
+    int z = 0;
+    AngularSpeed n_2 = unset<AngularSpeed>, n_k = unset<AngularSpeed>;
+    Time L_h = unset<Time>;
+    double dev_n = unset<double>, dev_a = unset<double>;
+    Force F_0 = unset<Force>, R_0 = unset<Force>, R_new = unset<Force>, R = unset<Force>;
+    Length B = unset<Length>;
+    double u_P = unset<double>, u_grip = unset<double>, u_rim = unset<double>, u_B = unset<double>;
+    Candidates candidates;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::tried, "tried", ratio, "drives that meet speed and centre distance"}.as(Role::result),
+      Field{&Result::too_weak, "too_weak", ratio, "of them, those that need too many belts"}.as(Role::result),
+      Field{&Result::outside, "outside", ratio, "of them, those that fail another check or limit"}.as(Role::result),
+      Choice{&Result::section, "section", "section of the belts"}.as(Role::result),
+      Field{&Result::d_1, "d_1", mm, "datum diameter of the driving pulley"}.as(Role::result),
+      Field{&Result::d_2, "d_2", mm, "datum diameter of the driven pulley"}.as(Role::result),
+      Field{&Result::L, "L", mm, "datum length of the belts"}.as(Role::result),
+      Count{&Result::z, "z", 0, 100, "number of belts"}.as(Role::result),
+      Field{&Result::a, "a", mm, "centre distance"}.as(Role::result),
+      Field{&Result::n_2, "n_2", belt::rpm, "speed of the driven pulley"}.as(Role::result),
+      Field{&Result::dev_n, "dev_n", ratio, "its deviation, as a share"}.as(Role::result),
+      Field{&Result::dev_a, "dev_a", ratio, "deviation of the centre distance, as a share"}.as(Role::result),
+      Field{&Result::n_k, "n_k", belt::rpm, "speed of the smaller pulley, without slip"}.as(Role::result),
+      Field{&Result::L_h, "L_h", belt::hour, "mean life that the basis states"}.as(Role::result),
+      Field{&Result::F_0, "F_0", N, "initial tension of a span of one belt, run in"}.as(Role::result),
+      Field{&Result::R_0, "R_0", N, "shaft load at standstill"}.as(Role::result),
+      Field{&Result::R_new, "R_new", N, "shaft load at standstill, new belts"}.as(Role::result),
+      Field{&Result::R, "R", N, "shaft load in running"}.as(Role::result),
+      Field{&Result::B, "B", mm, "width of the pulleys"}.as(Role::result),
+      Field{&Result::u_P, "u_P", ratio, "power: design power over what the belts can carry"}.check(),
+      Field{&Result::u_grip, "u_grip", ratio, "grip: tension that friction in the grooves needs over what there is"}
+          .check("mu"),
+      Field{&Result::u_rim, "u_rim", ratio, "rim: larger speed of the rims over the allowable one"}.check(),
+      Field{&Result::u_B, "u_B", ratio, "bending frequency over the largest one"}.check(),
+      Field{&Result::drives, "drives", ratio, "drives that can be bought and pass every check"}.limit(1, 1e6),
+      ListField{&Result::candidates, "candidates", "the drives, best first"}.as(Role::result)};
+
+  static bool section_is_known(const Input& in);
+  static bool class_fits(const Input& in);
+  static bool service_is_given(const Input& in);
+  static FieldFault unknown_section(const Input& in);
+  static FieldFault wrong_class(const Input& in);
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return in.basis != VBelt::Basis::unstated; }, "basis",
+                  "state the basis, iso or optibelt: ratings and factors of one do not go with the other"},
+      Rule<Input>{&section_is_known, "section, basis", "the basis does not rate this section", &unknown_section},
+      Rule<Input>{&class_fits, "belt_class, basis", "the class of the belt goes with the basis iso", &wrong_class},
+      Rule<Input>{&service_is_given, "K_A, duty, motor, h_day",
+                  "give K_A; on the basis optibelt duty, motor and h_day may stand in its place, never both"},
+      Rule<Input>{[](const Input& in) { return !(is_set(in.d_1_min) && is_set(in.d_max)) || in.d_1_min <= in.d_max; },
+                  "d_1_min, d_max", "the smallest driving pulley must not be larger than the largest pulley"}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template VBeltSizing::Result VBeltSizing::evaluate(const Input&, NoTrace&);
+extern template VBeltSizing::Result VBeltSizing::evaluate(const Input&, Trace&);
+
+constexpr auto choices_of(VBeltSizing::Rank) {
+  using Rank = VBeltSizing::Rank;
+  return std::array{ChoiceName<Rank>{Rank::pulleys, "pulleys", "small pulleys: the volume of the two as full discs"},
+                    ChoiceName<Rank>{Rank::shaft_load, "shaft_load", "small shaft load at standstill, new belts"},
+                    ChoiceName<Rank>{Rank::width, "width", "narrow pulleys"}};
+}
+constexpr auto choices_of(VBeltSizing::Merit) {
+  using Merit = VBeltSizing::Merit;
+  return std::array{ChoiceName<Merit>{Merit::none, "none", "nothing: worse or equal in all"},
+                    ChoiceName<Merit>{Merit::best, "best", "it is the first"},
+                    ChoiceName<Merit>{Merit::pulleys, "pulleys", "smaller pulleys"},
+                    ChoiceName<Merit>{Merit::shaft_load, "shaft_load", "smaller shaft load"},
+                    ChoiceName<Merit>{Merit::width, "width", "narrower pulleys"},
+                    ChoiceName<Merit>{Merit::speed, "speed", "nearer to the speed"},
+                    ChoiceName<Merit>{Merit::centre, "centre", "nearer to the centre distance"}};
+}
+
+}  // namespace loadpath

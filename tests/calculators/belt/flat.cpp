@@ -1,0 +1,186 @@
+#include "calculators/belt/flat.hpp"
+
+#include "tests/calculators/belt/steps.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace loadpath;
+using test::BeltStep;
+using test::with;
+
+double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+
+FlatBelt::Input fan() {
+  FlatBelt::Input in;
+  in.P = 15e3 * W;
+  in.n_1 = 1450.0 * belt::rpm;
+  in.d_1 = 200.0 * mm, in.d_2 = 500.0 * mm, in.a = 1200.0 * mm;
+  in.mu = 0.4;
+  in.delta = 2.5 * mm;
+  in.rho = 1100.0 * belt::kg_per_m3;
+  in.sigma_adm = 6.0 * MPa;
+  return in;
+}
+
+FlatBelt::Result solve(const FlatBelt::Input& in) {
+  NoTrace trace;
+  return FlatBelt::evaluate(in, trace);
+}
+
+const std::string text = R"(calculator = "belt.flat"
+P = "15 kW"
+n_1 = "1450 rpm"
+d_1 = "200 mm"
+d_2 = "500 mm"
+a = "1200 mm"
+mu = 0.4
+delta = "2.5 mm"
+b = "160 mm"
+rho = "1100 kg/m^3"
+sigma_adm = "6 MPa"
+)";
+
+}  // namespace
+
+TEST_SUITE("belt flat") {
+  TEST_CASE("at the least width with the least tension stress and friction are both at their limit") {
+    for (const auto arrangement : {belt::Arrangement::open, belt::Arrangement::crossed}) {
+      FlatBelt::Input in = fan();
+      in.arrangement = arrangement;
+      const auto r = solve(in);
+      CHECK(rel(r.u_sigma, 1.0) < 1e-12);
+      CHECK(rel(r.u_S, 1.0) < 1e-12);
+      CHECK(rel(r.mu_req, in.mu) < 1e-12);
+    }
+  }
+
+  TEST_CASE("tight and slack differ by the force carried over, and their sum is that of standstill on fixed centres") {
+    FlatBelt::Input in = fan();
+    in.b = 160.0 * mm;
+    in.S_0 = 900.0 * N;
+    const auto r = solve(in);
+    CHECK(rel(in_si(r.S_1 - r.S_2), in_si(r.F_t)) < 1e-12);
+    CHECK(rel(in_si(r.S_1 + r.S_2), 1800.0) < 1e-12);
+    in.tensioning = FlatBelt::Tensioning::constant_force;
+    const auto pulled = solve(in);
+    CHECK(rel(in_si(pulled.S_1 + pulled.S_2), 1800.0 + 2 * in_si(pulled.F_c)) < 1e-12);
+    CHECK(pulled.S_0_min < r.S_0_min);
+  }
+
+  TEST_CASE("the service factor acts once: forces and width rise by it") {
+    const auto one = solve(fan());
+    FlatBelt::Input in = fan();
+    in.K_A = 1.4;
+    const auto r = solve(in);
+    CHECK(rel(in_si(r.F_t / one.F_t), 1.4) < 1e-12);
+    CHECK(rel(in_si(r.b_min / one.b_min), 1.4) < 1e-12);
+    CHECK(rel(in_si(r.R / one.R), 1.4) < 1e-12);
+  }
+
+  TEST_CASE("power and torque are two words for one load") {
+    FlatBelt::Input in = fan();
+    in.P = unset<Power>;
+    in.T_1 = 15e3 / (1450 * pi / 30) * N_m;
+    CHECK(rel(in_si(solve(in).F_t), in_si(solve(fan()).F_t)) < 1e-12);
+  }
+
+  TEST_CASE("slip slows the driven pulley and leaves the tensions alone") {
+    FlatBelt::Input in = fan();
+    in.epsilon = 0.02;
+    const auto r = solve(in), straight = solve(fan());
+    CHECK(rel(in_si(r.n_2), 1450 * pi / 30 * 200 / 500 * 0.98) < 1e-12);
+    CHECK(in_si(r.S_1) == in_si(straight.S_1));
+  }
+
+  TEST_CASE("more friction, more wrap or less speed never ask for more width") {
+    double last = 1e9;
+    for (const double mu : {0.1, 0.2, 0.4, 0.8}) {
+      FlatBelt::Input in = fan();
+      in.mu = mu;
+      const double b = in_si(solve(in).b_min);
+      CHECK(b < last);
+      last = b;
+    }
+    FlatBelt::Input crossed = fan();
+    crossed.arrangement = belt::Arrangement::crossed;
+    CHECK(solve(crossed).b_min < solve(fan()).b_min);
+  }
+
+  TEST_CASE("the power that a width carries is largest at v_opt") {
+    const auto at = [](double v) {
+      FlatBelt::Input in = fan();
+      in.n_1 = 2.0 * v * m_per_s / in.d_1;
+      return in_si(in.P / solve(in).b_min);
+    };
+    const double v = in_si(solve(fan()).v_opt);
+    CHECK(at(v) > at(0.98 * v));
+    CHECK(at(v) > at(1.02 * v));
+  }
+
+  TEST_CASE("the shaft load on equal pulleys is the sum of what presses them, along the line of centres") {
+    FlatBelt::Input in = fan();
+    in.d_2 = in.d_1;
+    const auto r = solve(in);
+    CHECK(rel(in_si(r.R), in_si(r.S_1 + r.S_2 - 2.0 * r.F_c)) < 1e-12);
+    CHECK(in_si(r.R_y) == 0.0);
+  }
+
+  TEST_CASE("the shaft load leans to the tight span of the smaller driving pulley, and away from it when crossed") {
+    CHECK(solve(fan()).R_y > 0.0 * N);
+    FlatBelt::Input in = fan();
+    in.arrangement = belt::Arrangement::crossed;
+    CHECK(solve(in).R_y < 0.0 * N);
+  }
+
+  TEST_CASE("with torques about the driving pulley the tensions do the work: (S_1 - S_2) v is the design power") {
+    FlatBelt::Input in = fan();
+    in.K_A = 1.3;
+    const auto r = solve(in);
+    CHECK(rel(in_si((r.S_1 - r.S_2) * r.v), 1.3 * 15e3) < 1e-12);
+  }
+
+  TEST_CASE("speeds outside of the range of its kind are not covered, on both sides") {
+    CHECK(BeltStep(text).worst() == report::State::pass);
+    CHECK(BeltStep(with(text, "n_1", "\"2900 rpm\"")).worst() == report::State::not_covered);
+    CHECK(BeltStep(with(with(text, "n_1", "\"2900 rpm\""), "kind", "\"synthetic\"")).value("x_v") < 1.0);
+    CHECK(BeltStep(with(text, "n_1", "\"470 rpm\"")).value("v_range") < 5.0);
+    CHECK(BeltStep(with(text, "n_1", "\"470 rpm\"")).worst() != report::State::pass);
+  }
+
+  TEST_CASE("where bending and centrifugal stress leave nothing there is no width, and that is said") {
+    const BeltStep fast(with(with(text, "b", ""), "sigma_adm", "\"0.2 MPa\""));
+    CHECK(fast.worst() != report::State::pass);
+    CHECK(std::isnan(fast.value("b_min")));
+    CHECK(fast.value("sigma_N") < 0.0);
+  }
+
+  TEST_CASE("an initial tension that the friction does not hold fails") {
+    CHECK(BeltStep(with(text, "S_0", "\"300 N\"")).worst() == report::State::fail);
+    CHECK(BeltStep(with(text, "S_0", "\"1200 N\"")).worst() == report::State::pass);
+  }
+
+  TEST_CASE("what can be got wrong is told") {
+    CHECK(BeltStep(with(text, "a", "")).says("give either the centre distance a or the length of the belt L"));
+    CHECK(BeltStep(with(text, "L", "\"3500 mm\"")).says("give either the centre distance a or the length"));
+    CHECK(BeltStep(with(text, "a", "\"300 mm\"")).says("the pulleys would touch: their centres are 300 mm apart"));
+    CHECK(BeltStep(with(text, "a", "\"300 mm\"")).says("350 mm"));
+    CHECK(BeltStep(with(with(text, "a", ""), "L", "\"1500 mm\"")).says("a belt of 1500 mm is too short"));
+    CHECK(BeltStep(with(text, "T_1", "\"10 N*m\"")).says("give either P or T_1"));
+    CHECK(BeltStep(with(text, "P", "")).says("give either P or T_1"));
+    CHECK(BeltStep(with(text, "delta", "\"150 mm\"")).says("thinner than half of the smaller pulley"));
+    CHECK(!BeltStep(with(text, "mu", "0")).issues.empty());
+    CHECK(!BeltStep(with(text, "epsilon", "1")).issues.empty());
+    CHECK(!BeltStep(with(text, "arrangement", "\"twisted\"")).issues.empty());
+  }
+
+  TEST_CASE("the same drive in inches and horsepower") {
+    const std::string inches =
+        with(with(with(text, "d_1", "\"7.874015748031496 in\""), "P", "\"20.11533134341972 hp\""), "rho",
+             "\"0.03973984206 lb/in^3\"");
+    CHECK(rel(BeltStep(inches).value("S_1"), BeltStep(text).value("S_1")) < 1e-6);
+  }
+}

@@ -1,0 +1,131 @@
+#include "calculators/belt/v_sizing.hpp"
+
+#include "tests/calculators/belt/steps.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace loadpath;
+using test::BeltStep;
+using test::with;
+
+VBeltSizing::Input fan() {
+  VBeltSizing::Input in;
+  in.basis = belt::Basis::optibelt;
+  in.P = 11e3 * W;
+  in.K_A = 1.2;
+  in.n_1 = 1460.0 * belt::rpm, in.n_2_set = 730.0 * belt::rpm;
+  in.a_set = 600.0 * mm;
+  return in;
+}
+
+VBeltSizing::Result solve(const VBeltSizing::Input& in) {
+  NoTrace trace;
+  return VBeltSizing::evaluate(in, trace);
+}
+
+const std::string text = R"(calculator = "belt.v_sizing"
+basis = "iso"
+belt_class = "IV"
+P = "7.5 kW"
+K_A = 1.2
+n_1 = "1440 rpm"
+n_2_set = "720 rpm"
+a_set = "600 mm"
+)";
+
+}  // namespace
+
+TEST_SUITE("belt v sizing") {
+  TEST_CASE("every drive of the list keeps to what was asked for") {
+    const auto in = fan();
+    const auto r = solve(in);
+    REQUIRE(r.candidates.size() > 3);
+    for (const auto& c : r.candidates) {
+      CHECK(std::abs(in_si(c.n_2 / in.n_2_set) - 1.0) <= in.tol_n);
+      CHECK(std::abs(in_si(c.a / in.a_set) - 1.0) <= in.tol_a);
+      CHECK(c.u_P <= 1.0);
+      CHECK(c.z <= in.z_max);
+      CHECK(c.z >= 1);
+    }
+    CHECK(r.tried == r.drives + r.too_weak + r.outside);
+  }
+
+  TEST_CASE("the list is ranked, and says how much worse each is and what it does better") {
+    for (const auto rank : {VBeltSizing::Rank::pulleys, VBeltSizing::Rank::shaft_load, VBeltSizing::Rank::width}) {
+      auto in = fan();
+      in.rank = rank;
+      const auto r = solve(in);
+      REQUIRE(!r.candidates.empty());
+      CHECK(r.candidates[0].merit == VBeltSizing::Merit::best);
+      CHECK(r.candidates[0].excess == 0.0);
+      for (std::size_t i = 1; i < r.candidates.size(); ++i) {
+        CHECK(r.candidates[i].excess >= r.candidates[i - 1].excess);
+        CHECK(r.candidates[i].merit != VBeltSizing::Merit::best);
+      }
+    }
+  }
+
+  TEST_CASE("the first is what belt.v says of it") {
+    const auto in = fan();
+    const auto r = solve(in);
+    VBelt::Input drive;
+    drive.basis = in.basis, drive.section = choices_of(r.section)[static_cast<std::size_t>(r.section)].key,
+    drive.P = in.P, drive.K_A = in.K_A, drive.n_1 = in.n_1;
+    drive.d_1 = r.d_1, drive.d_2 = r.d_2, drive.L = r.L;
+    NoTrace trace;
+    const auto whole = VBelt::evaluate(drive, trace);
+    CHECK(whole.z == r.z);
+    CHECK(in_si(whole.R_new) == in_si(r.R_new));
+    CHECK(whole.u_P == r.u_P);
+    CHECK(whole.u_P <= 1.0);
+    CHECK(in_si(r.candidates[0].R_new) == in_si(r.R_new));
+  }
+
+  TEST_CASE("a narrower question never finds more") {
+    const double all = solve(fan()).drives;
+    auto in = fan();
+    in.section = "SPA";
+    CHECK(solve(in).drives < all);
+    in = fan();
+    in.tol_n = 0.01;
+    CHECK(solve(in).drives <= all);
+    in = fan();
+    in.d_1_min = 180.0 * mm;
+    for (const auto& c : solve(in).candidates) CHECK(c.d_1 >= 180.0 * mm);
+    in = fan();
+    in.d_max = 300.0 * mm;
+    for (const auto& c : solve(in).candidates) CHECK(max(c.d_1, c.d_2) <= 300.0 * mm);
+  }
+
+  TEST_CASE("a drive that speeds up is found as well") {
+    auto in = fan();
+    in.n_1 = 730.0 * belt::rpm, in.n_2_set = 1460.0 * belt::rpm;
+    const auto r = solve(in);
+    REQUIRE(!r.candidates.empty());
+    CHECK(r.d_1 > r.d_2);
+  }
+
+  TEST_CASE("where nothing can be bought that is said, and nothing is computed") {
+    const BeltStep none(with(text, "P", "\"2000 kW\""));
+    CHECK(none.worst() != report::State::pass);
+    CHECK(none.value("drives") == 0.0);
+    CHECK(none.value("too_weak") > 0.0);
+    const BeltStep far(with(text, "a_set", "\"15 m\""));
+    CHECK(far.value("tried") == 0.0);
+  }
+
+  TEST_CASE("the rules of belt.v hold here too") {
+    CHECK(BeltStep(text).worst() == report::State::pass);
+    CHECK(BeltStep(with(text, "basis", "")).says("state the basis"));
+    CHECK(BeltStep(with(text, "section", "\"XYZ\"")).says("does not rate a section 'XYZ'"));
+    CHECK(BeltStep(with(text, "belt_class", "")).says("give belt_class"));
+    CHECK(BeltStep(with(text, "K_A", "")).says("give K_A"));
+    CHECK(BeltStep(with(with(text, "d_1_min", "\"300 mm\""), "d_max", "\"200 mm\"")).says("must not be larger"));
+    CHECK(!BeltStep(with(text, "tol_n", "0.6")).issues.empty());
+    CHECK(!BeltStep(with(text, "z_max", "0")).issues.empty());
+  }
+}

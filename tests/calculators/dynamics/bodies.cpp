@@ -46,8 +46,7 @@ TEST_SUITE("dynamics mass centre") {
                               "bodies = [{ m = \"1e6 kg\" }, { m = \"1 kg\", s = \"1 m\" }]\n")("Delta_x")) < 1.1e-6);
   }
   TEST_CASE("a carrier that moves along itself is refused") {
-    const Refused rows[] = {{"bodies = [{ m = \"1 kg\", s = \"1 m\" }]\n", "carrier"},
-                            {"bodies = []\n", "is empty"}};
+    const Refused rows[] = {{"bodies = [{ m = \"1 kg\", s = \"1 m\" }]\n", "carrier"}, {"bodies = []\n", "is empty"}};
     check_refusals("dynamics.mass_centre", rows);
   }
 }

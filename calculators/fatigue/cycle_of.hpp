@@ -46,8 +46,9 @@ constexpr auto cycle_fields() {
       Field<Owner, Stress>{&Owner::sigma_min, "sigma_min", MPa, "least stress of the cycle, signed"}.as(Role::result),
       Field<Owner, Stress>{&Owner::sigma_m, "sigma_m", MPa, "mean stress, signed"}.as(Role::result),
       Field<Owner, Stress>{&Owner::sigma_a, "sigma_a", MPa, "amplitude"}.as(Role::result),
-      Field<Owner, double>{&Owner::r, "r", ratio, "ratio sigma_min/sigma_max; infinite where sigma_max is zero"}.as(
-          Role::result),
+      Field<Owner, double>{&Owner::r, "r", ratio, "ratio sigma_min/sigma_max; infinite where sigma_max is zero"}
+          .may_be_infinite()
+          .as(Role::result),
       Choice<Owner, Kind>{&Owner::kind, "kind", "kind of cycle"}.as(Role::result)};
 }
 

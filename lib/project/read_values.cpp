@@ -87,6 +87,12 @@ static std::optional<double> infinity_of(const std::string& text, const FieldInf
   return text == "-inf" ? std::optional(-infinity) : std::nullopt;
 }
 
+/// Whether a size, in SI, is beyond all machines, so that its powers could leave the range of numbers.
+static bool is_out_of_proportion(double si) {
+  constexpr double largest = 1e30;
+  return std::abs(si) > largest || (si != 0.0 && std::abs(si) < 1.0 / largest);
+}
+
 void Reader::read_literal(const std::string& text, const Tree& tree, const FieldInfo& field, void* owner,
                           const std::string& path) {
   if (const auto number = infinity_of(text, field)) {
@@ -103,6 +109,10 @@ void Reader::read_literal(const std::string& text, const Tree& tree, const Field
   if (!field.bounds.holds(si)) {
     return say_at(tree.place, path,
                   say("{1} = {2}: {3}", path, format_quantity(si, field.unit), bounds_message(field)));
+  }
+  if (is_out_of_proportion(si)) {
+    return say_at(tree.place, path, say("{1} = {2} is out of all proportion", path, format_quantity(si, field.unit)),
+                  say("check the unit and the power of ten: no machine has that"));
   }
   if (!field.plausible.holds(si)) {
     say_at(tree.place, path,

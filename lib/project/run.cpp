@@ -229,7 +229,9 @@ void Run::evaluate() {
     }
     std::size_t column = 0;
     walk(calculator_.result->fields, result_.data.get(), [&](const FieldInfo& field, const void* owner) {
-      if (field.get != nullptr) columns_[order_[column++]].si[i] = field.get(owner);
+      if (field.get == nullptr) return;
+      const double si = field.get(owner);  // what has left the range of numbers is not available
+      columns_[order_[column++]].si[i] = std::isinf(si) && !field.infinite ? nan : si;
     });
   }
   trace_governing();

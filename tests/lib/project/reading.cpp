@@ -90,6 +90,13 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
 )");
   }
 
+  TEST_CASE("sizes whose powers would leave the range of numbers are refused") {
+    for (const char* size : {"1e40 MPa", "1e-45 MPa"}) {
+      CHECK(first_error(axle + "T = \"9 N*m\"\ntau_adm = \"" + size + "\"\n") ==
+            "tau_adm = " + std::string(size) + " is out of all proportion");
+    }
+  }
+
   TEST_CASE("an unusual value is a warning, and the step is solved all the same") {
     const std::string text = axle + "T = \"9 N*m\"\ntau_adm = \"30 kPa\"\n";
     CHECK(issues_of(text) == R"(a.toml:4:12: warning: tau_adm = 0.03 MPa is unusual: 1 MPa to 1000 MPa is expected

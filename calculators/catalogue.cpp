@@ -38,6 +38,20 @@ static constexpr std::array all{
     &erased<struct FlatBelt>,
     &erased<struct VBelt>,
     &erased<struct VBeltSizing>,
+    &erased<struct PointMotion>,
+    &erased<struct Rotation>,
+    &erased<struct PlaneMotion>,
+    &erased<struct CompoundMotion>,
+    &erased<struct ForceOfMotion>,
+    &erased<struct Throw>,
+    &erased<struct Impulse>,
+    &erased<struct SystemMomentum>,
+    &erased<struct MassCentre>,
+    &erased<struct AngularMomentumChange>,
+    &erased<struct WorkAndEnergy>,
+    &erased<struct Lift>,
+    &erased<struct Flywheel>,
+    &erased<struct RunUp>,
 };
 // clang-format on
 

@@ -1,0 +1,123 @@
+// Angular momentum about a fixed axis: parts that change their inertia, are coupled, driven or braked.
+//
+// Theorem of the angular momentum over a time: K_2 = K_1 + M t. Parts without an angular speed after turn together;
+// where all are given, the time follows from the moment. Sign: counter-clockwise. Source: [B33], [B36].
+// Only external moments are in M: an inertia force is none, and forces through the axis or along it have no moment.
+#pragma once
+
+#include "calculators/motion/units.hpp"
+#include "lib/field.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+
+namespace loadpath {
+
+struct AngularMomentumChange {
+  static constexpr auto id = "dynamics.angular_momentum";
+  static constexpr auto title = "Angular momentum about an axis";
+  static constexpr auto scope =
+      "Angular speed after parts on one axis change their inertia, are coupled, driven or braked by a constant moment, "
+      "or the time that this takes; energy that comes from inside or is lost.";
+  static constexpr auto source = "[B33], [B36]";
+  static constexpr auto example = R"toml([project]
+title = "A ball on a thread"
+
+[ball]
+calculator = "dynamics.angular_momentum"
+parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 = "120 rpm" }]
+)toml";
+
+  struct Part {
+    Name name;
+    MassMoment J_1 = unset<MassMoment>, J_2 = unset<MassMoment>;
+    Mass mass = unset<Mass>;
+    Length R_1 = unset<Length>, R_2 = unset<Length>;
+    AngularSpeed omega_1 = 0.0 * rad_per_s, omega_2 = unset<AngularSpeed>;
+    static constexpr std::tuple fields{
+        NameField{&Part::name, "name", "name of the part"}.may_be_missing(),
+        Field{&Part::J_1, "J_1", kg_m2, "moment of inertia before"}.positive().may_be_missing(),
+        Field{&Part::J_2, "J_2", kg_m2, "moment of inertia after; as before where missing"}.positive().may_be_missing(),
+        Field{&Part::mass, "m", kg, "mass of a part that is small beside its radius, in place of J_1"}
+            .positive()
+            .may_be_missing(),
+        Field{&Part::R_1, "R_1", mm, "its distance from the axis before"}.positive().may_be_missing(),
+        Field{&Part::R_2, "R_2", mm, "its distance from the axis after; as before where missing"}
+            .positive()
+            .may_be_missing(),
+        Field{&Part::omega_1, "omega_1", rad_per_s, "angular speed before, signed"},
+        Field{&Part::omega_2, "omega_2", rad_per_s, "angular speed after; where missing it is to be found"}
+            .may_be_missing()};
+  };
+  static constexpr std::size_t most_parts = 16;
+
+  struct Input {
+    List<Part, most_parts> parts;
+    Moment M = 0.0 * N_m;
+    Time t = unset<Time>;
+  };
+  static constexpr std::tuple inputs{
+      ListField{&Input::parts, "parts", "parts on the axis; those without omega_2 turn together afterwards"},
+      Field{&Input::M, "M", N_m,
+            "constant external moment about the axis, signed: negative brakes what turns forwards"},
+      Field{&Input::t, "t", sec, "time that the moment acts; found where every omega_2 is given"}
+          .at_least(0)
+          .may_be_missing()};
+
+  struct After {
+    Name name;
+    MassMoment J_1 = unset<MassMoment>, J_2 = unset<MassMoment>;
+    AngularSpeed omega_2 = unset<AngularSpeed>, n_2 = unset<AngularSpeed>;
+    static constexpr std::tuple fields{
+        NameField{&After::name, "name", "name of the part"}.as(Role::result),
+        Field{&After::J_1, "J_1", kg_m2, "moment of inertia before"}.as(Role::result),
+        Field{&After::J_2, "J_2", kg_m2, "moment of inertia after"}.as(Role::result),
+        Field{&After::omega_2, "omega_2", rad_per_s, "angular speed after"}.as(Role::result),
+        Field{&After::n_2, "n_2", rpm, "angular speed after, in turns per minute"}.as(Role::result)};
+  };
+
+  struct Result {
+    AngularMomentum K_1 = unset<AngularMomentum>, K_2 = unset<AngularMomentum>, K_k = unset<AngularMomentum>;
+    MassMoment J_k = unset<MassMoment>;
+    AngularSpeed omega_2 = unset<AngularSpeed>, n_2 = unset<AngularSpeed>;
+    Time t_M = unset<Time>;
+    Moment E_1 = unset<Moment>, E_2 = unset<Moment>, Delta_E = unset<Moment>;
+    List<After, most_parts> after;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::K_1, "K_1", kg_m2_per_s, "angular momentum before"}.as(Role::result),
+      Field{&Result::K_2, "K_2", kg_m2_per_s, "angular momentum after"}.as(Role::result),
+      Field{&Result::K_k, "K_k", kg_m2_per_s, "angular momentum after of the parts whose speed is given"}.as(
+          Role::result),
+      Field{&Result::J_k, "J_k", kg_m2, "moment of inertia after of the parts whose speed is to be found"}.as(
+          Role::result),
+      Field{&Result::omega_2, "omega_2", rad_per_s, "angular speed after of the parts that turn together"}.as(
+          Role::result),
+      Field{&Result::n_2, "n_2", rpm, "the same in turns per minute"}.as(Role::result),
+      Field{&Result::t_M, "t_M", sec, "time that the moment acts"}.as(Role::result),
+      Field{&Result::E_1, "E_1", J, "kinetic energy before"}.as(Role::result),
+      Field{&Result::E_2, "E_2", J, "kinetic energy after"}.as(Role::result),
+      Field{&Result::Delta_E, "Delta_E", J, "change of the kinetic energy"}.as(Role::result),
+      ListField{&Result::after, "after", "the parts afterwards"}.as(Role::result)};
+
+  static bool has_unknown(const Input& in);
+  static bool inertias_given(const Input& in);
+  static bool time_is_ahead(const Input& in);
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return !in.parts.empty(); }, "parts", "give at least one part"},
+      Rule<Input>{&inertias_given, "parts", "a part has J_1 (and J_2), or m with R_1 (and R_2): give one of the two"},
+      Rule<Input>{[](const Input& in) { return !has_unknown(in) || is_set(in.t) || in_si(in.M) == 0.0; }, "M, t, parts",
+                  "a moment acts for a time: give t, or every omega_2, from which t follows"},
+      Rule<Input>{[](const Input& in) { return has_unknown(in) || !is_set(in.t); }, "t, parts",
+                  "where every omega_2 is given the time follows from the moment: leave out t, or one omega_2"},
+      Rule<Input>{&time_is_ahead, "M, parts",
+                  "this moment does not bring the parts from omega_1 to omega_2: change its sign or give one"}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+extern template AngularMomentumChange::Result AngularMomentumChange::evaluate(const Input&, NoTrace&);
+extern template AngularMomentumChange::Result AngularMomentumChange::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath

@@ -1,0 +1,121 @@
+#include "calculators/dynamics/force.hpp"
+
+#include "calculators/motion/path_figures.hpp"
+#include "calculators/motion/point_path.hpp"
+#include "lib/calculator_of.hpp"
+
+#include <cmath>
+
+// The mass m hides the unit of its name where the formulas are.
+#pragma GCC diagnostic ignored "-Wshadow"
+
+namespace loadpath {
+
+namespace {
+
+using motion::PointPath;
+using motion::PointState;
+
+constexpr int samples = 257;
+
+PointPath path_of(const ForceOfMotion::Input& in) { return {in.x, in.y, in.z}; }
+
+/// The missing force at a state, N.
+double missing_at(const ForceOfMotion::Input& in, const PointState& s) {
+  const double mass = in_si(in.mass);
+  return std::hypot(mass * s.a[0] - in_si(in.F_x), mass * s.a[1] - in_si(in.F_y), mass * s.a[2] - in_si(in.F_z));
+}
+
+double time_at(const ForceOfMotion::Input& in, int i) {
+  return in_si(in.t_1 + (in.t_2 - in.t_1) * (static_cast<double>(i) / (samples - 1)));
+}
+
+void find_largest(const ForceOfMotion::Input& in, ForceOfMotion::Result& r) {
+  const PointPath path = path_of(in);
+  double most = -1.0;
+  for (int i = 0; i < samples; ++i) {
+    const double t = time_at(in, i), R = missing_at(in, path.at(t));
+    if (!(R > most * (1.0 + 1e-12))) continue;  // of equal ones the first
+    most = R;
+    r.R_max = R * N;
+    r.t_max = t * sec;
+  }
+}
+
+template <class Tracer>
+void take_resultant(const ForceOfMotion::Input& in, ForceOfMotion::Result& r, Tracer& trace) {
+  const auto m = in.mass;
+  const auto a_x = r.a_x, a_y = r.a_y, a_z = r.a_z;
+  STEP(P_x, m * a_x, "fundamental law, [B32]");
+  STEP(P_y, m * a_y, "fundamental law, [B32]");
+  STEP(P_z, m * a_z, "fundamental law, [B32]");
+  STEP(P, sqrt(P_x * P_x + P_y * P_y + P_z * P_z), "magnitude");
+  r.P_x = P_x, r.P_y = P_y, r.P_z = P_z, r.P = P;
+  r.Phi_x = -P_x, r.Phi_y = -P_y, r.Phi_z = -P_z;
+}
+
+template <class Tracer>
+void take_missing(const ForceOfMotion::Input& in, ForceOfMotion::Result& r, Tracer& trace) {
+  const auto F_x = in.F_x, F_y = in.F_y, F_z = in.F_z;
+  const auto P_x = r.P_x, P_y = r.P_y, P_z = r.P_z;
+  STEP(R_x, P_x - F_x, "what the known forces do not bring");
+  STEP(R_y, P_y - F_y, "what the known forces do not bring");
+  STEP(R_z, P_z - F_z, "what the known forces do not bring");
+  STEP(R, sqrt(R_x * R_x + R_y * R_y + R_z * R_z), "magnitude");
+  r.R_x = R_x, r.R_y = R_y, r.R_z = R_z, r.R = R;
+}
+
+}  // namespace
+
+bool ForceOfMotion::laws_read(const Input& in) { return path_of(in).reads(); }
+FieldFault ForceOfMotion::law_fault(const Input& in) { return path_of(in).reading_fault(); }
+bool ForceOfMotion::laws_are_smooth(const Input& in) { return gap(in).message.empty(); }
+
+FieldFault ForceOfMotion::gap(const Input& in) {
+  FieldFault fault = path_of(in).gap_fault(in_si(in.t), in_si(in.t));
+  if (fault.message.empty() && is_set(in.t_1) && is_set(in.t_2))
+    fault = path_of(in).gap_fault(in_si(in.t_1), in_si(in.t_2));
+  return fault;
+}
+
+template <class Tracer>
+ForceOfMotion::Result ForceOfMotion::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  const PointState now = path_of(in).at(in_si(in.t));
+  r.a_x = now.a[0] * m_per_s2, r.a_y = now.a[1] * m_per_s2, r.a_z = now.a[2] * m_per_s2;
+  constexpr const char* second = "second derivative of the law of motion, [B32]";
+  trace.value("a_x", r.a_x, second);
+  trace.value("a_y", r.a_y, second);
+  trace.value("a_z", r.a_z, second);
+  take_resultant(in, r, trace);
+  take_missing(in, r, trace);
+  r.P_tau = in.mass * (now.a_tau * m_per_s2), r.P_n = in.mass * (now.a_n * m_per_s2);
+  r.N_R = (in_si(r.R_x) * now.v[0] + in_si(r.R_y) * now.v[1] + in_si(r.R_z) * now.v[2]) * W;
+  if (is_set(in.t_1)) find_largest(in, r);
+  return r;
+}
+
+template ForceOfMotion::Result ForceOfMotion::evaluate(const Input&, NoTrace&);
+template ForceOfMotion::Result ForceOfMotion::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> ForceOfMotion::figures(const Input& in, const Result& r) {
+  if (!is_set(in.t_1)) return {};
+  const PointPath path = path_of(in);
+  std::vector<draw::Figure> all{motion::path_figure(path, in_si(in.t), in_si(in.t_1), in_si(in.t_2))};
+  draw::Plot plot;
+  plot.x = {"t", "time", "s"};
+  plot.y = {"R", "missing force", "N"};
+  draw::Curve curve{"R", {}, {}};
+  for (int i = 0; i < samples; ++i) {
+    curve.x.push_back(time_at(in, i));
+    curve.y.push_back(missing_at(in, path.at(curve.x.back())));
+  }
+  plot.curves.push_back(std::move(curve));
+  plot.marks.push_back({in_si(r.t_max), in_si(r.R_max), "largest"});
+  all.push_back({"force", "Missing force over time", std::move(plot)});
+  return all;
+}
+
+template const Calculator& erased<ForceOfMotion>();
+
+}  // namespace loadpath

@@ -1,0 +1,110 @@
+// The force that a known motion of a point asks for: the first problem of dynamics.
+//
+// Resultant, inertia force of d'Alembert, and what is left for the unknown force when known ones (weight, a load) are
+// given. Sign: along the axes. Source: [B32]. Not covered: laws with kinks or jumps (they ask for impacts).
+#pragma once
+
+#include "calculators/motion/units.hpp"
+#include "lib/draw/figure.hpp"
+#include "lib/field.hpp"
+#include "lib/issue.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath {
+
+struct ForceOfMotion {
+  static constexpr auto id = "dynamics.force";
+  static constexpr auto title = "Force that a motion asks for";
+  static constexpr auto scope =
+      "Resultant force on a mass that moves by the law x(t), y(t), z(t), its parts along the path, the inertia force, "
+      "and the force that is missing beside known ones. Laws must be smooth.";
+  static constexpr auto source = "[B32]";
+  static constexpr auto example = R"toml([project]
+title = "A point on an ellipse"
+
+[point]
+calculator = "dynamics.force"
+m = "2 kg"
+x = "3 m*sin(pi*t/(1 s))"
+y = "5 m*cos(pi*t/(1 s))"
+t = "0.25 s"
+t_1 = "0 s"
+t_2 = "2 s"
+)toml";
+
+  struct Input {
+    Mass mass = unset<Mass>;
+    Formula x, y, z;
+    Time t = unset<Time>;
+    Force F_x = 0.0 * N, F_y = 0.0 * N, F_z = 0.0 * N;
+    Time t_1 = unset<Time>, t_2 = unset<Time>;
+  };
+  static constexpr std::tuple inputs{
+      Field{&Input::mass, "m", kg, "mass"}.positive().usually(1e-6, 1e6),
+      FormulaField{&Input::x, "x", "coordinate as a formula of the time t: \"3 m*sin(pi*t/(1 s))\""},
+      FormulaField{&Input::y, "y", "coordinate as a formula of the time t; stays 0 where missing"}.may_be_missing(),
+      FormulaField{&Input::z, "z", "coordinate as a formula of the time t; stays 0 where missing"}.may_be_missing(),
+      Field{&Input::t, "t", sec, "time that the force is worked out for"},
+      Field{&Input::F_x, "F_x", N, "known forces along x: weight, loads"},
+      Field{&Input::F_y, "F_y", N, "known forces along y"},
+      Field{&Input::F_z, "F_z", N, "known forces along z"},
+      Field{&Input::t_1, "t_1", sec, "start of the range that the largest force is for, with t_2"}.may_be_missing(),
+      Field{&Input::t_2, "t_2", sec, "end of the range, after t_1"}.may_be_missing()};
+
+  struct Result {
+    Acceleration a_x = unset<Acceleration>, a_y = unset<Acceleration>, a_z = unset<Acceleration>;
+    Force P_x = unset<Force>, P_y = unset<Force>, P_z = unset<Force>, P = unset<Force>;
+    Force P_tau = unset<Force>, P_n = unset<Force>;
+    Force Phi_x = unset<Force>, Phi_y = unset<Force>, Phi_z = unset<Force>;
+    Force R_x = unset<Force>, R_y = unset<Force>, R_z = unset<Force>, R = unset<Force>;
+    Power N_R = unset<Power>;
+    Force R_max = unset<Force>;
+    Time t_max = unset<Time>;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::a_x, "a_x", m_per_s2, "acceleration along x"}.as(Role::result),
+      Field{&Result::a_y, "a_y", m_per_s2, "acceleration along y"}.as(Role::result),
+      Field{&Result::a_z, "a_z", m_per_s2, "acceleration along z"}.as(Role::result),
+      Field{&Result::P_x, "P_x", N, "resultant of all forces along x"}.as(Role::result),
+      Field{&Result::P_y, "P_y", N, "resultant of all forces along y"}.as(Role::result),
+      Field{&Result::P_z, "P_z", N, "resultant of all forces along z"}.as(Role::result),
+      Field{&Result::P, "P", N, "resultant of all forces"}.as(Role::result),
+      Field{&Result::P_tau, "P_tau", N, "part of the resultant along the path, positive forwards"}.as(Role::result),
+      Field{&Result::P_n, "P_n", N, "part of the resultant towards the centre of curvature"}.as(Role::result),
+      Field{&Result::Phi_x, "Phi_x", N, "inertia force along x"}.as(Role::result),
+      Field{&Result::Phi_y, "Phi_y", N, "inertia force along y"}.as(Role::result),
+      Field{&Result::Phi_z, "Phi_z", N, "inertia force along z"}.as(Role::result),
+      Field{&Result::R_x, "R_x", N, "force that is missing along x: the resultant less the known forces"}.as(
+          Role::result),
+      Field{&Result::R_y, "R_y", N, "force that is missing along y"}.as(Role::result),
+      Field{&Result::R_z, "R_z", N, "force that is missing along z"}.as(Role::result),
+      Field{&Result::R, "R", N, "force that is missing: drive, guide, thread"}.as(Role::result),
+      Field{&Result::N_R, "N_R", W, "power of the missing force"}.as(Role::result),
+      Field{&Result::R_max, "R_max", N, "largest missing force from t_1 to t_2, at 257 times"}.as(Role::result),
+      Field{&Result::t_max, "t_max", sec, "time of the largest missing force, the first where there are several"}.as(
+          Role::result)};
+
+  static bool laws_read(const Input& in);
+  static FieldFault law_fault(const Input& in);
+  static bool laws_are_smooth(const Input& in);
+  static FieldFault gap(const Input& in);
+  static constexpr std::array rules{
+      Rule<Input>{&laws_read, "x, y, z", "x, y and z must be lengths as formulas of t", &law_fault},
+      Rule<Input>{[](const Input& in) { return is_set(in.t_1) == is_set(in.t_2); }, "t_1, t_2",
+                  "a range needs both of its ends: give t_1 and t_2, or neither"},
+      Rule<Input>{[](const Input& in) { return !(in.t_1 >= in.t_2); }, "t_2, t_1",
+                  "the range must end after its start"},
+      Rule<Input>{&laws_are_smooth, "x, y, z, t, t_1, t_2", "the laws must have values at these times", &gap}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template ForceOfMotion::Result ForceOfMotion::evaluate(const Input&, NoTrace&);
+extern template ForceOfMotion::Result ForceOfMotion::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath

@@ -1,0 +1,97 @@
+#include "calculators/dynamics/impulse.hpp"
+
+#include "calculators/motion/laws.hpp"
+#include "lib/calculator_of.hpp"
+
+// The mass m hides the unit of its name where the formulas are.
+#pragma GCC diagnostic ignored "-Wshadow"
+
+namespace loadpath {
+
+namespace {
+
+using motion::Written;
+
+std::array<Written, 2> laws_of(const Impulse::Input& in) {
+  return {{{"F_x", &in.F_x, N.dimension()}, {"F_y", &in.F_y, N.dimension()}}};
+}
+
+Momentum impulse_of(const Written& law, const Impulse::Input& in) {
+  const auto value = [](const void* of, double t) { return motion::at(*static_cast<const Written*>(of), t).value; };
+  return motion::integral(value, &law, in_si(in.t_1), in_si(in.t_2)) * N_s;
+}
+
+template <class Tracer>
+void take_mean(const Impulse::Input& in, Impulse::Result& r, Tracer& trace) {
+  const auto t_1 = in.t_1, t_2 = in.t_2;
+  const auto I_x = r.I_x, I_y = r.I_y;
+  STEP(I, sqrt(I_x * I_x + I_y * I_y), "magnitude");
+  STEP(F_mx, I_x / (t_2 - t_1), "the constant force of the same impulse");
+  STEP(F_my, I_y / (t_2 - t_1), "the constant force of the same impulse");
+  STEP(F_m, I / (t_2 - t_1), "the constant force of the same impulse");
+  r.I = I, r.F_mx = F_mx, r.F_my = F_my, r.F_m = F_m;
+}
+
+}  // namespace
+
+bool Impulse::laws_read(const Input& in) { return motion::reads(laws_of(in)[0]) && motion::reads(laws_of(in)[1]); }
+
+FieldFault Impulse::law_fault(const Input& in) {
+  FieldFault fault = motion::reading_fault(laws_of(in)[0]);
+  return fault.message.empty() ? motion::reading_fault(laws_of(in)[1]) : fault;
+}
+
+bool Impulse::laws_are_smooth(const Input& in) { return gap(in).message.empty(); }
+
+FieldFault Impulse::gap(const Input& in) {
+  FieldFault fault = motion::gap_fault(laws_of(in)[0], in_si(in.t_1), in_si(in.t_2));
+  return fault.message.empty() ? motion::gap_fault(laws_of(in)[1], in_si(in.t_1), in_si(in.t_2)) : fault;
+}
+
+template <class Tracer>
+Impulse::Result Impulse::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  const auto m = in.mass;
+  const auto v_1x = in.v_1x, v_1y = in.v_1y;
+  const Momentum I_x = impulse_of(laws_of(in)[0], in), I_y = impulse_of(laws_of(in)[1], in);
+  r.I_x = I_x, r.I_y = I_y;
+  trace.value("I_x", I_x, "integral of the force over the time, [B33]");
+  trace.value("I_y", I_y, "integral of the force over the time, [B33]");
+  take_mean(in, r, trace);
+  STEP(q_1x, m * v_1x, "momentum before, [B33]");
+  STEP(q_1y, m * v_1y, "momentum before, [B33]");
+  STEP(q_2x, q_1x + I_x, "theorem of momentum, [B33]");
+  STEP(q_2y, q_1y + I_y, "theorem of momentum, [B33]");
+  STEP(v_2x, q_2x / m, "momentum after, [B33]");
+  STEP(v_2y, q_2y / m, "momentum after, [B33]");
+  STEP(v_2, sqrt(v_2x * v_2x + v_2y * v_2y), "magnitude");
+  STEP(A, 0.5 * m * (v_2 * v_2 - v_1x * v_1x - v_1y * v_1y), "change of the kinetic energy, [B34] (11)");
+  r.q_1x = q_1x, r.q_1y = q_1y, r.q_2x = q_2x, r.q_2y = q_2y;
+  r.v_2x = v_2x, r.v_2y = v_2y, r.v_2 = v_2, r.A = A;
+  return r;
+}
+
+template Impulse::Result Impulse::evaluate(const Input&, NoTrace&);
+template Impulse::Result Impulse::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> Impulse::figures(const Input& in, const Result& r) {
+  draw::Plot plot;
+  plot.x = {"t", "time", "s"};
+  plot.y = {"F", "force", "N"};
+  constexpr int points = 181;
+  for (const Written& law : laws_of(in)) {
+    if (law.formula->empty()) continue;
+    draw::Curve curve{law.key, {}, {}, in.F_y.empty()};
+    for (int i = 0; i < points; ++i) {
+      curve.x.push_back(in_si(in.t_1 + (in.t_2 - in.t_1) * (static_cast<double>(i) / (points - 1))));
+      curve.y.push_back(motion::at(law, curve.x.back()).value);
+    }
+    plot.curves.push_back(std::move(curve));
+  }
+  if (in.F_y.empty()) plot.bounds.push_back({in_si(r.F_mx), "mean"});
+  return {{"force", "Force over time; its area is the impulse", std::move(plot)}};
+}
+
+template const Calculator& erased<Impulse>();
+
+}  // namespace loadpath

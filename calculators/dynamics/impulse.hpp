@@ -1,0 +1,92 @@
+// Impulse of a force that changes with time, and the change of velocity that it brings to a mass.
+//
+// The force is a law of the time along each axis; known or constant forces are laws too. Sign: along the axes.
+// Source: [B33], theorem of momentum of a point.
+#pragma once
+
+#include "calculators/motion/units.hpp"
+#include "lib/draw/figure.hpp"
+#include "lib/field.hpp"
+#include "lib/issue.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath {
+
+struct Impulse {
+  static constexpr auto id = "dynamics.impulse";
+  static constexpr auto title = "Impulse of a force";
+  static constexpr auto scope =
+      "Impulse of a force F(t), mean force, and the velocity of a mass after it, by the theorem of momentum. The force "
+      "is a smooth law of time over the range.";
+  static constexpr auto source = "[B33]";
+  static constexpr auto example = R"toml([project]
+title = "A blow"
+
+[hammer]
+calculator = "dynamics.impulse"
+m = "3 kg"
+F_x = "500 N*sin(pi*t/(20 ms))"
+t_2 = "20 ms"
+v_1x = "-1 m/s"
+)toml";
+
+  struct Input {
+    Mass mass = unset<Mass>;
+    Formula F_x, F_y;
+    Time t_1 = 0.0 * sec, t_2 = unset<Time>;
+    Speed v_1x = 0.0 * m_per_s, v_1y = 0.0 * m_per_s;
+  };
+  static constexpr std::tuple inputs{
+      Field{&Input::mass, "m", kg, "mass"}.positive().usually(1e-6, 1e6),
+      FormulaField{&Input::F_x, "F_x", "force along x as a formula of the time t: \"500 N*sin(pi*t/(20 ms))\""},
+      FormulaField{&Input::F_y, "F_y", "force along y as a formula of the time t; none where missing"}.may_be_missing(),
+      Field{&Input::t_1, "t_1", sec, "time at which the force starts"},
+      Field{&Input::t_2, "t_2", sec, "time at which it ends, after t_1"},
+      Field{&Input::v_1x, "v_1x", m_per_s, "velocity along x before"},
+      Field{&Input::v_1y, "v_1y", m_per_s, "velocity along y before"}};
+
+  struct Result {
+    Momentum I_x = unset<Momentum>, I_y = unset<Momentum>, I = unset<Momentum>;
+    Force F_mx = unset<Force>, F_my = unset<Force>, F_m = unset<Force>;
+    Momentum q_1x = unset<Momentum>, q_1y = unset<Momentum>, q_2x = unset<Momentum>, q_2y = unset<Momentum>;
+    Speed v_2x = unset<Speed>, v_2y = unset<Speed>, v_2 = unset<Speed>;
+    Moment A = unset<Moment>;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::I_x, "I_x", N_s, "impulse along x"}.as(Role::result),
+      Field{&Result::I_y, "I_y", N_s, "impulse along y"}.as(Role::result),
+      Field{&Result::I, "I", N_s, "impulse"}.as(Role::result),
+      Field{&Result::F_mx, "F_mx", N, "mean force along x"}.as(Role::result),
+      Field{&Result::F_my, "F_my", N, "mean force along y"}.as(Role::result),
+      Field{&Result::F_m, "F_m", N, "mean force"}.as(Role::result),
+      Field{&Result::q_1x, "q_1x", kg_m_per_s, "momentum along x before"}.as(Role::result),
+      Field{&Result::q_1y, "q_1y", kg_m_per_s, "momentum along y before"}.as(Role::result),
+      Field{&Result::q_2x, "q_2x", kg_m_per_s, "momentum along x after"}.as(Role::result),
+      Field{&Result::q_2y, "q_2y", kg_m_per_s, "momentum along y after"}.as(Role::result),
+      Field{&Result::v_2x, "v_2x", m_per_s, "velocity along x after"}.as(Role::result),
+      Field{&Result::v_2y, "v_2y", m_per_s, "velocity along y after"}.as(Role::result),
+      Field{&Result::v_2, "v_2", m_per_s, "speed after"}.as(Role::result),
+      Field{&Result::A, "A", J, "work of the force: the change of the kinetic energy"}.as(Role::result)};
+
+  static bool laws_read(const Input& in);
+  static FieldFault law_fault(const Input& in);
+  static bool laws_are_smooth(const Input& in);
+  static FieldFault gap(const Input& in);
+  static constexpr std::array rules{
+      Rule<Input>{&laws_read, "F_x, F_y", "F_x and F_y must be forces as formulas of t", &law_fault},
+      Rule<Input>{[](const Input& in) { return !(in.t_1 >= in.t_2); }, "t_2, t_1",
+                  "the force must end after its start"},
+      Rule<Input>{&laws_are_smooth, "F_x, F_y, t_1, t_2", "the laws must have values at these times", &gap}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template Impulse::Result Impulse::evaluate(const Input&, NoTrace&);
+extern template Impulse::Result Impulse::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath

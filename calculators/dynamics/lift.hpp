@@ -1,0 +1,155 @@
+// A lift of weights, drums and pulleys on threads that do not stretch: its motion by the theorem of kinetic energy.
+//
+// Every part moves i times as far (at the radius r of a wheel) as the path s, the coordinate of the lift. A pulley
+// whose axis moves is a weight and a wheel. Friction in the bearings and on tracks is against the motion; a lift that
+// its weights cannot move stands. Sign: i is positive where a weight goes down for growing s, and a wheel turns
+// forwards. Source: [B37]. Not covered: slip, slack and weight of the threads.
+#pragma once
+
+#include "calculators/motion/units.hpp"
+#include "lib/field.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+
+namespace loadpath {
+
+struct Lift {
+  static constexpr auto id = "dynamics.lift";
+  static constexpr auto title = "Lift of weights, drums and pulleys";
+  static constexpr auto scope =
+      "Acceleration, speed and time over a path of a system of one freedom: weights on threads and tracks, drums and "
+      "pulleys with bearing friction and driving moments; whether it starts, which way, and whether it gets there.";
+  static constexpr auto source = "[B37]";
+  static constexpr auto example = R"toml([project]
+title = "Three bodies and a thread"
+
+[lift]
+calculator = "dynamics.lift"
+s = "1.2 m"
+weights = [{ name = "body_1", m = "8 kg" }, { name = "pulley_2", m = "5 kg" }]
+wheels = [
+  { name = "pulley_2", J = "0.025 kg*m^2", r = "100 mm", M_f = "0.6 N*m" },
+  { name = "drum_3", J = "0.0675 kg*m^2", r = "150 mm", i = 2, M_f = "0.9 N*m" },
+]
+)toml";
+
+  enum class Moves { forwards, backwards, stands };
+
+  struct Weight {
+    Name name;
+    Mass mass = unset<Mass>;
+    double i = 1.0, alpha = pi / 2.0, mu = 0.0;
+    static constexpr std::tuple fields{
+        NameField{&Weight::name, "name", "name of the body"}.may_be_missing(),
+        Field{&Weight::mass, "m", kg, "mass"}.positive().usually(1e-6, 1e7),
+        Field{&Weight::i, "i", ratio, "its path over the path s, positive downwards"},
+        Field{&Weight::alpha, "alpha", deg, "slope of its track: 90 deg hangs, 0 deg level"}.within(0, 90),
+        Field{&Weight::mu, "mu", ratio, "coefficient of friction on its track"}.at_least(0).usually(0, 1)};
+  };
+  struct Wheel {
+    Name name;
+    MassMoment J = unset<MassMoment>;
+    Length r = unset<Length>;
+    double i = 1.0;
+    Moment M_f = 0.0 * N_m, M_d = 0.0 * N_m;
+    static constexpr std::tuple fields{
+        NameField{&Wheel::name, "name", "name of the wheel"}.may_be_missing(),
+        Field{&Wheel::J, "J", kg_m2, "moment of inertia about its axis"}.at_least(0),
+        Field{&Wheel::r, "r", mm, "radius that the thread runs at"}.positive().usually(1, 1e5),
+        Field{&Wheel::i, "i", ratio, "path of the thread on it, against its axis, over the path s"},
+        Field{&Wheel::M_f, "M_f", N_m, "moment of the bearing friction"}.at_least(0),
+        Field{&Wheel::M_d, "M_d", N_m, "driving moment, positive forwards; negative brakes"}};
+  };
+  static constexpr std::size_t most_parts = 16;
+
+  struct Input {
+    Length s = unset<Length>;
+    Speed v_0 = 0.0 * m_per_s;
+    List<Weight, most_parts> weights;
+    List<Wheel, most_parts> wheels;
+    Acceleration g = usual_gravity;
+  };
+  static constexpr std::tuple inputs{
+      Field{&Input::s, "s", m, "path that the motion is followed over"}.positive().usually(1e-3, 1e4),
+      Field{&Input::v_0, "v_0", m_per_s, "speed of the coordinate at the start"}.at_least(0),
+      ListField{&Input::weights, "weights", "bodies that go up and down, or along tracks"}.may_be_missing(),
+      ListField{&Input::wheels, "wheels", "drums and pulleys"}.may_be_missing(),
+      Field{&Input::g, "g", m_per_s2, "weight per mass"}.positive().usually(9.78, 9.84)};
+
+  struct WeightState {
+    Name name;
+    Speed v = unset<Speed>;
+    Moment E = unset<Moment>;
+    Force T = unset<Force>;
+    static constexpr std::tuple fields{
+        NameField{&WeightState::name, "name", "name of the body"}.as(Role::result),
+        Field{&WeightState::v, "v", m_per_s, "speed at the end, positive downwards"}.as(Role::result),
+        Field{&WeightState::E, "E", J, "kinetic energy at the end"}.as(Role::result),
+        Field{&WeightState::T, "T", N, "force of the threads on it, upwards"}.as(Role::result)};
+  };
+  struct WheelState {
+    Name name;
+    AngularSpeed omega = unset<AngularSpeed>, n = unset<AngularSpeed>;
+    Moment E = unset<Moment>;
+    Power P = unset<Power>;
+    static constexpr std::tuple fields{
+        NameField{&WheelState::name, "name", "name of the wheel"}.as(Role::result),
+        Field{&WheelState::omega, "omega", rad_per_s, "angular speed at the end"}.as(Role::result),
+        Field{&WheelState::n, "n", rpm, "the same in turns per minute"}.as(Role::result),
+        Field{&WheelState::E, "E", J, "kinetic energy at the end"}.as(Role::result),
+        Field{&WheelState::P, "P", W, "power of the driving moment at the end"}.as(Role::result)};
+  };
+
+  struct Result {
+    Mass m_red = unset<Mass>;
+    Force F_G = unset<Force>, F_d = unset<Force>, F_f = unset<Force>, F = unset<Force>;
+    Moves moves = Moves::forwards;
+    Acceleration a = unset<Acceleration>;
+    Speed v = unset<Speed>;
+    Time t = unset<Time>;
+    Moment A = unset<Moment>;
+    Length s_stop = unset<Length>;
+    double u_s = unset<double>;
+    List<WeightState, most_parts> weight_states;
+    List<WheelState, most_parts> wheel_states;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::m_red, "m_red", kg, "mass reduced to the path s"}.as(Role::result),
+      Field{&Result::F_G, "F_G", N, "weights reduced to the path s"}.as(Role::result),
+      Field{&Result::F_d, "F_d", N, "driving moments reduced to the path s"}.as(Role::result),
+      Field{&Result::F_f, "F_f", N, "friction reduced to the path s"}.as(Role::result),
+      Field{&Result::F, "F", N, "force that accelerates, friction taken off"}.as(Role::result),
+      Choice{&Result::moves, "moves", "which way the lift moves"}.as(Role::result),
+      Field{&Result::a, "a", m_per_s2, "acceleration of the coordinate"}.as(Role::result),
+      Field{&Result::v, "v", m_per_s, "speed of the coordinate at the end, negative backwards"}.as(Role::result),
+      Field{&Result::t, "t", sec, "time for the path"}.as(Role::result),
+      Field{&Result::A, "A", J, "work of all forces over the path"}.as(Role::result),
+      Field{&Result::s_stop, "s_stop", m, "path to a standstill, where the forces brake"}.as(Role::result),
+      Field{&Result::u_s, "u_s", ratio, "reach: the path over the one to a standstill"}.check(),
+      ListField{&Result::weight_states, "weight_states", "the weights at the end of the path"}.as(Role::result),
+      ListField{&Result::wheel_states, "wheel_states", "the wheels at the end of the path"}.as(Role::result)};
+
+  static Mass reduced_mass(const Input& in);
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return !(in.weights.empty() && in.wheels.empty()); }, "weights, wheels",
+                  "give weights or wheels: there is nothing that moves"},
+      Rule<Input>{
+          [](const Input& in) { return in_si(reduced_mass(in)) > 0.0 || (in.weights.empty() && in.wheels.empty()); },
+          "weights, wheels", "something that has mass must move with the path s: no part does"}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+extern template Lift::Result Lift::evaluate(const Input&, NoTrace&);
+extern template Lift::Result Lift::evaluate(const Input&, Trace&);
+
+constexpr auto choices_of(Lift::Moves) {
+  using M = Lift::Moves;
+  return std::array{ChoiceName<M>{M::forwards, "forwards", "along s"},
+                    ChoiceName<M>{M::backwards, "backwards", "against s: the weights pull the other way"},
+                    ChoiceName<M>{M::stands, "stands", "friction holds it at rest"}};
+}
+
+}  // namespace loadpath

@@ -1,0 +1,86 @@
+// Centre of mass of a system, and how far a carrier moves when bodies move on it: a man in a boat, a trolley on a
+// crane.
+//
+// Without an external force along the line the centre of mass stays where it is. The first body is the carrier; the
+// others move by s along it. Sign: along x. Source: [B35], theorem of the motion of the centre of mass.
+#pragma once
+
+#include "calculators/motion/units.hpp"
+#include "lib/field.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+
+namespace loadpath {
+
+struct MassCentre {
+  static constexpr auto id = "dynamics.mass_centre";
+  static constexpr auto title = "Centre of mass of a system";
+  static constexpr auto scope =
+      "Centre of mass of bodies, and the displacement of a carrier that is free to move along x when bodies move on "
+      "it, starting from rest. Resistance along x is not covered.";
+  static constexpr auto source = "[B35]";
+  static constexpr auto example = R"toml([project]
+title = "A man in a boat"
+
+[boat]
+calculator = "dynamics.mass_centre"
+bodies = [
+  { name = "boat", m = "100 kg" },
+  { name = "man", m = "70 kg", s = "2 m" },
+]
+)toml";
+
+  struct Body {
+    Name name;
+    Mass mass = unset<Mass>;
+    Length x = 0.0 * m, y = 0.0 * m, s = 0.0 * m;
+    static constexpr std::tuple fields{
+        NameField{&Body::name, "name", "name of the body"}.may_be_missing(),
+        Field{&Body::mass, "m", kg, "mass"}.positive().usually(1e-6, 1e7),
+        Field{&Body::x, "x", loadpath::m, "place of its centre of mass before, x"},
+        Field{&Body::y, "y", loadpath::m, "place of its centre of mass, y"},
+        Field{&Body::s, "s", loadpath::m, "path along the carrier, signed along x; none of the carrier"}};
+  };
+  static constexpr std::size_t most_bodies = 16;
+
+  struct Input {
+    List<Body, most_bodies> bodies;
+  };
+  static constexpr std::tuple inputs{
+      ListField{&Input::bodies, "bodies", "the bodies, first the carrier that the others move on"}};
+
+  struct After {
+    Name name;
+    Length Delta_x = unset<Length>, x_2 = unset<Length>;
+    static constexpr std::tuple fields{
+        NameField{&After::name, "name", "name of the body"}.as(Role::result),
+        Field{&After::Delta_x, "Delta_x", loadpath::m, "displacement of the body"}.as(Role::result),
+        Field{&After::x_2, "x_2", loadpath::m, "place after, x"}.as(Role::result)};
+  };
+
+  struct Result {
+    Mass M = unset<Mass>;
+    Length x_C = unset<Length>, y_C = unset<Length>, Delta_x = unset<Length>;
+    List<After, most_bodies> after;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::M, "M", kg, "mass of the system"}.as(Role::result),
+      Field{&Result::x_C, "x_C", loadpath::m, "centre of mass, x: before and after"}.as(Role::result),
+      Field{&Result::y_C, "y_C", loadpath::m, "centre of mass, y"}.as(Role::result),
+      Field{&Result::Delta_x, "Delta_x", loadpath::m, "displacement of the carrier along x"}.as(Role::result),
+      ListField{&Result::after, "after", "the bodies after they have moved"}.as(Role::result)};
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return !in.bodies.empty(); }, "bodies", "give at least one body"},
+      Rule<Input>{[](const Input& in) { return in.bodies.empty() || in_si(in.bodies.front().s) == 0.0; }, "bodies",
+                  "the first body is the carrier: it has no path s along itself"}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+extern template MassCentre::Result MassCentre::evaluate(const Input&, NoTrace&);
+extern template MassCentre::Result MassCentre::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath

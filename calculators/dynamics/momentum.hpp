@@ -1,0 +1,108 @@
+// Momentum of bodies along one line, before and after they act on each other: recoil, separation, coupling, impact.
+//
+// The bodies whose velocity after is not given move on together; with the coefficient of restitution e two bodies
+// part again. All velocities are absolute, signed along the line. Source: [B35]. Not covered: oblique impact.
+#pragma once
+
+#include "calculators/motion/units.hpp"
+#include "lib/field.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+
+namespace loadpath {
+
+struct SystemMomentum {
+  static constexpr auto id = "dynamics.momentum";
+  static constexpr auto title = "Momentum of a system of bodies";
+  static constexpr auto scope =
+      "Velocity that follows from the momentum of bodies on one line: recoil, separation, coupling, and the straight "
+      "impact of two bodies with a coefficient of restitution; energy that is lost or comes from inside.";
+  static constexpr auto source = "[B35]";
+  static constexpr auto example = R"toml([project]
+title = "A cart and a ball"
+
+[cart]
+calculator = "dynamics.momentum"
+bodies = [
+  { name = "cart", m = "5 kg", v_1 = "4 m/s" },
+  { name = "ball", m = "1 kg", v_1 = "4 m/s", v_2 = "30 m/s" },
+]
+)toml";
+
+  struct Body {
+    Name name;
+    Mass mass = unset<Mass>;
+    Speed v_1 = 0.0 * m_per_s, v_2 = unset<Speed>;
+    static constexpr std::tuple fields{
+        NameField{&Body::name, "name", "name of the body"}.may_be_missing(),
+        Field{&Body::mass, "m", kg, "mass"}.positive().usually(1e-6, 1e7),
+        Field{&Body::v_1, "v_1", m_per_s, "velocity before"},
+        Field{&Body::v_2, "v_2", m_per_s, "velocity after; where missing it is to be found"}.may_be_missing()};
+  };
+  static constexpr std::size_t most_bodies = 16;
+
+  struct Input {
+    List<Body, most_bodies> bodies;
+    Momentum S = 0.0 * N_s;
+    double e = unset<double>;
+  };
+  static constexpr std::tuple inputs{
+      ListField{&Input::bodies, "bodies", "the bodies of the system; those without v_2 move on together"},
+      Field{&Input::S, "S", N_s, "impulse of the external forces along the line (braking, ground)"},
+      Field{&Input::e, "e", ratio, "coefficient of restitution of the impact of two bodies: 0 plastic, 1 elastic"}
+          .within(0, 1)
+          .may_be_missing()};
+
+  struct After {
+    Name name;
+    Speed v_2 = unset<Speed>;
+    Momentum I = unset<Momentum>;
+    static constexpr std::tuple fields{NameField{&After::name, "name", "name of the body"}.as(Role::result),
+                                       Field{&After::v_2, "v_2", m_per_s, "velocity after"}.as(Role::result),
+                                       Field{&After::I, "I", N_s, "impulse on the body"}.as(Role::result)};
+  };
+
+  struct Result {
+    Momentum Q_1 = unset<Momentum>, Q_2 = unset<Momentum>;
+    Mass M = unset<Mass>, m_k = unset<Mass>;
+    Momentum q_k = unset<Momentum>;
+    Speed V_1 = unset<Speed>, V_k = unset<Speed>;
+    Moment E_1 = unset<Moment>, E_2 = unset<Moment>, Delta_E = unset<Moment>;
+    List<After, most_bodies> after;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::M, "M", kg, "mass of the system"}.as(Role::result),
+      Field{&Result::Q_1, "Q_1", kg_m_per_s, "momentum before"}.as(Role::result),
+      Field{&Result::Q_2, "Q_2", kg_m_per_s, "momentum after"}.as(Role::result),
+      Field{&Result::V_1, "V_1", m_per_s, "velocity of the centre of mass before"}.as(Role::result),
+      Field{&Result::q_k, "q_k", kg_m_per_s, "momentum after of the bodies whose velocity is given"}.as(Role::result),
+      Field{&Result::m_k, "m_k", kg, "mass of the bodies whose velocity is to be found"}.as(Role::result),
+      Field{&Result::V_k, "V_k", m_per_s,
+            "velocity after of the bodies that move on together; of their centre of mass "
+            "in an impact"}
+          .as(Role::result),
+      Field{&Result::E_1, "E_1", J, "kinetic energy before"}.as(Role::result),
+      Field{&Result::E_2, "E_2", J, "kinetic energy after"}.as(Role::result),
+      Field{&Result::Delta_E, "Delta_E", J,
+            "change of the kinetic energy: positive from inside (a spring), negative "
+            "lost"}
+          .as(Role::result),
+      ListField{&Result::after, "after", "the bodies after"}.as(Role::result)};
+
+  static bool some_are_open(const Input& in);
+  static bool impact_is_of_two(const Input& in);
+  static bool bodies_meet(const Input& in);
+  static constexpr std::array rules{
+      Rule<Input>{&some_are_open, "bodies", "leave out v_2 of the body that is to be found: all are given"},
+      Rule<Input>{&impact_is_of_two, "e, bodies", "e is of the impact of two bodies, whose v_2 are both to be found"},
+      Rule<Input>{&bodies_meet, "e, bodies", "two bodies of the same velocity do not meet: there is no impact"}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+extern template SystemMomentum::Result SystemMomentum::evaluate(const Input&, NoTrace&);
+extern template SystemMomentum::Result SystemMomentum::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath

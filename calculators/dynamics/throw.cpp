@@ -1,0 +1,105 @@
+#include "calculators/dynamics/throw.hpp"
+
+#include "calculators/motion/laws.hpp"
+#include "lib/calculator_of.hpp"
+
+#include <cmath>
+
+namespace loadpath {
+
+namespace {
+
+using std::atan;
+using std::cos;
+using std::sin;
+
+/// How high the landing is, over how high the body gets, both above the throw.
+double reached_height(const Throw::Input& in, const Throw::Result& r) {
+  return in_si(in.h) < 0.0 ? -in_si(in.h) / in_si(r.H) : 0.0;
+}
+
+template <class Tracer>
+void land(const Throw::Input& in, Throw::Result& r, Tracer& trace) {
+  const auto h = in.h;
+  const auto g = in.g;
+  const auto V_x = r.V_x, V_z = r.V_z;
+  STEP(t_L, (V_z + sqrt(V_z * V_z + 2.0 * g * h)) / g, "later time at which z = -h, from the law of motion [B32]");
+  STEP(L, V_x * t_L, "law of motion along x, [B32]");
+  STEP(V_L, sqrt(V_x * V_x + V_z * V_z + 2.0 * g * h), "the speed does not depend on the angle, [B34]");
+  r.t_L = t_L, r.L = L, r.V_L = V_L;
+  r.theta_L = std::atan2(std::sqrt(std::max(0.0, in_si(V_z * V_z + 2.0 * g * h))), in_si(V_x));
+}
+
+/// The greatest range: where speed of throw and of landing are perpendicular.
+template <class Tracer>
+void find_best(const Throw::Input& in, Throw::Result& r, Tracer& trace) {
+  const auto V_0 = in.V_0;
+  const auto h = in.h;
+  const auto g = in.g;
+  r.theta_H = pi / 2.0;
+  if (!(in_si(V_0 * V_0 + 2.0 * g * h) > 0.0)) return;
+  STEP(V_E, sqrt(V_0 * V_0 + 2.0 * g * h), "speed at the height of the landing, [B34]");
+  STEP(theta_R, atan(static_cast<double>(V_0 / V_E)),
+       "greatest range: directions of throw and landing are perpendicular");
+  STEP(L_max, V_0 * V_E / g, "range at that angle");
+  r.theta_R = theta_R, r.L_max = L_max;
+}
+
+/// Both angles that reach the distance: the flight passes (L_req, -h).
+template <class Tracer>
+void aim(const Throw::Input& in, Throw::Result& r, Tracer& trace) {
+  const auto V_0 = in.V_0;
+  const auto h = in.h, L_req = in.L_req;
+  const auto g = in.g;
+  const auto L_max = r.L_max;
+  if (!is_set(L_max)) return;  // no throw with this speed gets as high as the landing
+  STEP(u_L, static_cast<double>(L_req / L_max), "distance over the greatest range");
+  r.u_L = u_L;
+  STEP(k, static_cast<double>(V_0 * V_0 / (g * L_req)), "twice the height of a vertical throw over the distance");
+  STEP(D, k * k - 1.0 + 2.0 * k * static_cast<double>(h / L_req), "discriminant of tan(theta) from the law of motion");
+  if (!(D >= 0.0)) return;
+  STEP(theta_flat, atan(k - sqrt(D)), "law of motion through the aim, [B32]");
+  STEP(theta_steep, atan(k + sqrt(D)), "law of motion through the aim, [B32]");
+  r.theta_flat = theta_flat, r.theta_steep = theta_steep;
+}
+
+}  // namespace
+
+template <class Tracer>
+Throw::Result Throw::evaluate(const Input& in, Tracer& trace) {
+  const auto& [V_0, theta, h, L_req, g] = in;
+  Result r;
+  r.V_x = motion::without_rounding(in_si(V_0) * cos(theta), in_si(V_0)) * m_per_s;
+  trace.value("V_x", r.V_x, "part of the speed along x, constant, [B32]");
+  STEP(V_z, V_0 * sin(theta), "part of the speed along z at the throw, [B32]");
+  r.V_z = V_z;
+  STEP(t_H, max(V_z, 0.0 * m_per_s) / g, "the vertical speed is zero, [B32]");
+  STEP(H, 0.5 * g * t_H * t_H, "highest point, [B32]");
+  r.t_H = t_H, r.H = H;
+  r.u_h = reached_height(in, r);
+  if (r.u_h <= 1.0) land(in, r, trace);
+  find_best(in, r, trace);
+  if (is_set(L_req)) aim(in, r, trace);
+  return r;
+}
+
+template Throw::Result Throw::evaluate(const Input&, NoTrace&);
+template Throw::Result Throw::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> Throw::figures(const Input& in, const Result& r) {
+  if (!is_set(r.t_L)) return {};
+  draw::Scheme scheme;
+  draw::Scheme::Path way{"", {}};
+  const auto at = [&](double t) { return draw::Point{in_si(r.V_x) * t, in_si(r.V_z) * t - 0.5 * in_si(in.g) * t * t}; };
+  constexpr int points = 91;
+  for (int i = 0; i < points; ++i) way.points.push_back(at(in_si(r.t_L) * i / (points - 1)));
+  scheme.paths.push_back(std::move(way));
+  scheme.points.push_back({"throw", at(0.0)});
+  if (in_si(r.t_H) > 0.0) scheme.points.push_back({"H", at(in_si(r.t_H))});
+  scheme.points.push_back({"landing", at(in_si(r.t_L))});
+  return {{"flight", "Path of the flight", std::move(scheme)}};
+}
+
+template const Calculator& erased<Throw>();
+
+}  // namespace loadpath

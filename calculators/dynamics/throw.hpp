@@ -1,0 +1,91 @@
+// A body thrown at an angle: flight without resistance of the air, to the height that it lands at.
+//
+// Sign: heights upwards, h is that of the throw above the landing. Source: [B32]. The angle of greatest range is 45 deg
+// where the body lands at the height of the throw, flatter where it lands lower; that of greatest height is 90 deg.
+#pragma once
+
+#include "calculators/motion/units.hpp"
+#include "lib/draw/figure.hpp"
+#include "lib/field.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath {
+
+struct Throw {
+  static constexpr auto id = "dynamics.throw";
+  static constexpr auto title = "Throw at an angle";
+  static constexpr auto scope =
+      "Height, range, times and speeds of a body that is thrown at an angle and lands higher, level or lower; angles "
+      "that reach a given distance. The resistance of the air is not covered.";
+  static constexpr auto source = "[B32]";
+  static constexpr auto example = R"toml([project]
+title = "A throw"
+
+[ball]
+calculator = "dynamics.throw"
+V_0 = "20 m/s"
+theta = "30 deg"
+)toml";
+
+  struct Input {
+    Speed V_0 = unset<Speed>;
+    double theta = unset<double>;
+    Length h = 0.0 * m;
+    Length L_req = unset<Length>;
+    Acceleration g = usual_gravity;
+  };
+  static constexpr std::tuple inputs{
+      Field{&Input::V_0, "V_0", m_per_s, "speed of the throw"}.positive().usually(0.01, 1000),
+      Field{&Input::theta, "theta", deg, "angle of the throw above the horizontal"}.within(-90, 90),
+      Field{&Input::h, "h", m, "height of the throw above the landing, negative where it lands higher"},
+      Field{&Input::L_req, "L_req", m, "distance that is to be reached: which angles do"}.positive().may_be_missing(),
+      Field{&Input::g, "g", m_per_s2, "weight per mass"}.positive().usually(9.78, 9.84)};
+
+  struct Result {
+    Speed V_x = unset<Speed>, V_z = unset<Speed>;
+    Time t_H = unset<Time>;
+    Length H = unset<Length>;
+    Time t_L = unset<Time>;
+    Length L = unset<Length>;
+    Speed V_L = unset<Speed>;
+    double theta_L = unset<double>;
+    double theta_H = unset<double>, theta_R = unset<double>;
+    Length L_max = unset<Length>;
+    double theta_flat = unset<double>, theta_steep = unset<double>;
+    double u_h = unset<double>, u_L = unset<double>;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::V_x, "V_x", m_per_s, "horizontal speed, all the time"}.as(Role::result),
+      Field{&Result::V_z, "V_z", m_per_s, "vertical speed of the throw"}.as(Role::result),
+      Field{&Result::t_H, "t_H", sec, "time to the highest point; 0 where it is thrown level or downwards"}.as(
+          Role::result),
+      Field{&Result::H, "H", m, "height of the highest point above the throw"}.as(Role::result),
+      Field{&Result::t_L, "t_L", sec, "time to the landing"}.as(Role::result),
+      Field{&Result::L, "L", m, "horizontal distance to the landing"}.as(Role::result),
+      Field{&Result::V_L, "V_L", m_per_s, "speed at the landing"}.as(Role::result),
+      Field{&Result::theta_L, "theta_L", deg, "angle of the landing below the horizontal"}.as(Role::result),
+      Field{&Result::theta_H, "theta_H", deg, "angle of greatest height"}.as(Role::result),
+      Field{&Result::theta_R, "theta_R", deg, "angle of greatest range"}.as(Role::result),
+      Field{&Result::L_max, "L_max", m, "greatest range, at theta_R"}.as(Role::result),
+      Field{&Result::theta_flat, "theta_flat", deg, "flatter of the angles that reach L_req"}.as(Role::result),
+      Field{&Result::theta_steep, "theta_steep", deg, "steeper of the angles that reach L_req"}.as(Role::result),
+      Field{&Result::u_h, "u_h", ratio, "landing: its height over that of the highest point, above the throw"}.check(),
+      Field{&Result::u_L, "u_L", ratio, "reach: the distance that is to be reached over the greatest range"}.check(
+          "L_req")};
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return !(in_si(in.h) < 0.0 && in.theta <= 0.0); }, "theta, h",
+                  "a body that is thrown level or downwards does not land higher: raise theta, or give h >= 0"}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template Throw::Result Throw::evaluate(const Input&, NoTrace&);
+extern template Throw::Result Throw::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath

@@ -1,0 +1,190 @@
+#include "calculators/machine/flywheel.hpp"
+
+#include "calculators/machine/flywheel_step.hpp"
+#include "calculators/motion/laws.hpp"
+#include "lib/calculator_of.hpp"
+
+#include <cmath>
+
+namespace loadpath {
+
+namespace {
+
+using Input = Flywheel::Input;
+using Result = Flywheel::Result;
+using Samples = Flywheel::Samples;
+
+const Law* law_of(const Input& in) { return motion::law_of(in.M_of_phi, N_m.dimension(), {"phi", deg.dimension()}); }
+
+/// The moment over one period, however it is given.
+Samples samples_of(const Input& in) {
+  if (!in.series.empty()) return in.series;
+  Samples samples;
+  for (const auto& point : in.points) samples.push_back({point.phi, in_si(point.M)});
+  const Law* const law = law_of(in);
+  for (std::size_t i = 0; law != nullptr && i < Flywheel::most_samples; ++i) {
+    const double phi = in.period * static_cast<double>(i) / Flywheel::most_samples;
+    samples.push_back({phi, law->at(phi).value});
+  }
+  return samples;
+}
+
+template <class Tracer>
+void take_energy(const Input& in, Result& r, Tracer& trace) {
+  const Samples samples = samples_of(in);
+  const auto energy = machine::turning_energy({samples.data(), samples.size()}, in.period);
+  const auto period = in.period;
+  const Moment A = energy.work * J;
+  const Moment E_low = energy.low * J, E_high = energy.high * J;
+  trace.value("A", A, "integral of the moment over the period");
+  STEP(M_m, A / period, "mean moment: what the motor, or the load, has all the time [Khurmi-16]");
+  trace.value("E_low", E_low, "least integral of M - M_m from the start");
+  trace.value("E_high", E_high, "largest integral of M - M_m from the start");
+  STEP(Delta_E, E_high - E_low, "largest fluctuation of energy, [Khurmi-16]");
+  r.A = A, r.M_m = M_m, r.M_peak = energy.peak * N_m;
+  r.E_low = E_low, r.E_high = E_high, r.Delta_E = Delta_E;
+  const bool drives = in.role == Flywheel::Source::drive;
+  r.phi_fast = drives ? energy.high_phi : energy.low_phi;
+  r.phi_slow = drives ? energy.low_phi : energy.high_phi;
+  const double out = drives ? energy.work : -energy.work;
+  r.work = out > 0.0 ? Flywheel::Work::delivered : out < 0.0 ? Flywheel::Work::absorbed : Flywheel::Work::none;
+}
+
+/// What delta asks for, and what the given wheel makes of it.
+template <class Tracer>
+void take_inertia(const Input& in, Result& r, Tracer& trace) {
+  const auto omega = in.omega;
+  const auto delta = in.delta;
+  const auto given = in.inertia, J_0 = in.J_0;
+  const auto Delta_E = r.Delta_E;
+  STEP(J_F, Delta_E / (delta * omega * omega), "the moment holds the links' inertia already, [Khurmi-16]");
+  STEP(J_add, max(J_F - J_0, 0.0 * kg_m2), "less what turns at a constant ratio");
+  r.J_F = J_F, r.J_add = J_add;
+  const MassMoment J_is = is_set(given) ? given + J_0 : max(J_F, J_0);
+  trace.value("J_is", J_is, is_set(given) ? "given flywheel with J_0" : "flywheel of that inertia with J_0");
+  if (!(in_si(J_is) > 0.0)) return;
+  STEP(delta_is, static_cast<double>(Delta_E / (J_is * omega * omega)), "unevenness, [Khurmi-16]");
+  STEP(n_max, omega * (1.0 + 0.5 * delta_is), "mean speed half way between the largest and the least");
+  STEP(n_min, omega * (1.0 - 0.5 * delta_is), "mean speed half way between the largest and the least");
+  r.delta_is = delta_is, r.n_max = n_max, r.n_min = n_min;
+  if (!is_set(given)) return;
+  STEP(u_delta, delta_is / delta, "unevenness over the allowed one");
+  r.u_delta = u_delta;
+}
+
+template <class Tracer>
+void take_power(const Input& in, Result& r, Tracer& trace) {
+  if (r.work == Flywheel::Work::none) return;
+  const auto omega = in.omega;
+  const auto eta = in.eta;
+  const auto M_m = r.M_m;
+  const auto P_n = in.P_n;
+  STEP(P_m, abs(M_m) * omega, "mean power");
+  r.P_m = P_m;
+  if (r.work == Flywheel::Work::absorbed) {
+    STEP(P, P_m / eta, "losses on the way from the motor");
+    r.P = P;
+  } else {
+    STEP(P, P_m * eta, "losses on the way to what is driven");
+    r.P = P;
+  }
+  const auto P = r.P;
+  if (!is_set(P_n)) return;
+  STEP(u_P, static_cast<double>(P / P_n), "mean power over the rated power");
+  r.u_P = u_P;
+}
+
+template <class Tracer>
+void take_rim(const Input& in, Result& r, Tracer& trace) {
+  if (!is_set(in.D)) return;
+  const auto D = in.D;
+  const auto omega = in.omega;
+  const auto v_adm = in.v_adm;
+  const MassMoment J_R = is_set(in.inertia) ? in.inertia : r.J_add;
+  trace.value("J_R", J_R, "inertia of the flywheel");
+  STEP(m_rim, 4.0 * J_R / (D * D), "all of the mass at the mean diameter of the rim");
+  STEP(v_rim, 0.5 * omega * D, "speed of the rim");
+  r.m_rim = m_rim, r.v_rim = v_rim;
+  if (!is_set(v_adm)) return;
+  STEP(u_v, static_cast<double>(v_rim / v_adm), "speed of the rim over the allowable one");
+  r.u_v = u_v;
+}
+
+}  // namespace
+
+bool Flywheel::has_one_moment(const Input& in) {
+  return (is_set(in.M) ? 1 : 0) + (in.M_of_phi.empty() ? 0 : 1) + (in.points.empty() ? 0 : 1) == 1;
+}
+
+bool Flywheel::law_reads(const Input& in) { return law_fault(in).message.empty(); }
+
+FieldFault Flywheel::law_fault(const Input& in) {
+  if (in.M_of_phi.empty()) return {};
+  const auto law = Law::parse(in.M_of_phi.view(), {"phi", deg.dimension()}, N_m.dimension());
+  if (!law) return {"M_of_phi", law.fault().message, law.fault().hint};
+  for (std::size_t i = 0; i < most_samples; ++i) {
+    if (std::isfinite(law->at(in.period * static_cast<double>(i) / most_samples).value)) continue;
+    return {"M_of_phi", say("the moment has no value somewhere in the period"),
+            say("it divides by zero there, or takes a root or an arc of what has none")};
+  }
+  return {};
+}
+
+bool Flywheel::points_rise(const Input& in) {
+  if (in.points.empty()) return true;
+  for (std::size_t i = 1; i < in.points.size(); ++i) {
+    if (in.points[i].phi < in.points[i - 1].phi) return false;
+  }
+  const double length = in.points.back().phi - in.points.front().phi;
+  return in.points.size() >= 2 && length > 0.0 && length <= in.period * (1.0 + 1e-12);
+}
+
+template <class Tracer>
+Flywheel::Result Flywheel::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  if (is_set(in.M) && in.series.empty()) return r;  // one value of a moment is no cycle: the step says so
+  take_energy(in, r, trace);
+  if (is_set(in.delta)) take_inertia(in, r, trace);
+  take_power(in, r, trace);
+  take_rim(in, r, trace);
+  return r;
+}
+
+template Flywheel::Result Flywheel::evaluate(const Input&, NoTrace&);
+template Flywheel::Result Flywheel::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> Flywheel::figures(const Input& in, const Result& r) {
+  const Samples samples = samples_of(in);
+  draw::Plot moment, energy;
+  moment.x = energy.x = {"phi", "angle", "deg"};
+  moment.y = {"M", "moment", "N*m"};
+  energy.y = {"E", "work of the moment beyond its mean", "J"};
+  draw::Curve M{"M", {}, {}}, E{"E", {}, {}, true};
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    M.x.push_back(samples[i].phi);
+    E.x.push_back(samples[i].phi);
+    M.y.push_back(samples[i].M);
+    const double work = machine::energy_at({samples.data(), samples.size()}, in_si(r.M_m), i);
+    E.y.push_back(motion::without_rounding(work, in_si(r.Delta_E)));
+  }
+  moment.curves.push_back(std::move(M));
+  moment.bounds.push_back({in_si(r.M_m), "mean"});
+  energy.curves.push_back(std::move(E));
+  const bool drives = in.role == Source::drive;
+  energy.marks.push_back({drives ? r.phi_fast : r.phi_slow, in_si(r.E_high), drives ? "fastest" : "slowest"});
+  energy.marks.push_back({drives ? r.phi_slow : r.phi_fast, in_si(r.E_low), drives ? "slowest" : "fastest"});
+  return {{"moment", "Moment over the period and its mean", std::move(moment)},
+          {"energy", "Energy that the flywheel takes up and gives back", std::move(energy)}};
+}
+
+template <>
+const Calculator& erased<Flywheel>() {
+  static const Calculator calculator = [] {
+    Calculator c = calculator_of<Flywheel>();
+    c.make_step = &make_flywheel_step;
+    return c;
+  }();
+  return calculator;
+}
+
+}  // namespace loadpath

@@ -1,0 +1,166 @@
+// The flywheel that keeps a machine even: its moment of inertia for a given unevenness, from the moment over a cycle.
+//
+// The moment is that of the drive at constant speed, a series of a mechanism's cycle ("=press.drive.M"), a formula or
+// points; it holds the inertia of the moving links already, so that no reduced inertia is taken off again (R17). What
+// turns with the shaft at a constant ratio (rotor, pulley) is J_0. The unevenness is (omega_max - omega_min)/omega.
+// Not covered: the fall of the motor's moment with the speed, and the change of the links' inertia forces by it.
+#pragma once
+
+#include "calculators/machine/energy_of_turning.hpp"
+#include "calculators/motion/units.hpp"
+#include "lib/draw/figure.hpp"
+#include "lib/field.hpp"
+#include "lib/issue.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath {
+
+struct Flywheel {
+  static constexpr auto id = "machine.flywheel";
+  static constexpr auto title = "Flywheel and motor power";
+  static constexpr auto scope =
+      "Moment of inertia of a flywheel for a given unevenness from the driving moment over a cycle, the unevenness of "
+      "a "
+      "given flywheel, the speeds that it swings between, and the mean power of the motor. Periodic motion.";
+  static constexpr auto source = "[Khurmi-16], [B36]";
+  static constexpr auto example = R"toml([project]
+title = "Flywheel of an engine"
+
+[flywheel]
+calculator = "machine.flywheel"
+M_of_phi = "20 kN*m + 9.5 kN*m*sin(2*phi) - 5.7 kN*m*cos(2*phi)"
+role = "drive"
+omega = "180 rpm"
+delta = 0.01
+)toml";
+
+  enum class Source { load, drive };
+  enum class Work { absorbed, delivered, none };
+
+  struct Point {
+    double phi = unset<double>;
+    Moment M = unset<Moment>;
+    static constexpr std::tuple fields{Field{&Point::phi, "phi", deg, "angle, not falling from one to the next"},
+                                       Field{&Point::M, "M", N_m, "moment; straight to the next point"}};
+  };
+  static constexpr std::size_t most_points = 72;
+  static constexpr std::size_t most_samples = 1440;
+  using Samples = List<machine::Sample, most_samples>;
+
+  struct Input {
+    Moment M = unset<Moment>;
+    Formula M_of_phi;
+    List<Point, most_points> points;
+    double period = 2.0 * pi;
+    Source role = Source::load;
+    AngularSpeed omega = unset<AngularSpeed>;
+    double delta = unset<double>;
+    MassMoment inertia = unset<MassMoment>, J_0 = 0.0 * kg_m2;
+    double eta = 1.0;
+    Power P_n = unset<Power>;
+    Length D = unset<Length>;
+    Speed v_adm = unset<Speed>;
+    Samples series;  // of M, filled by the step; no field of its own
+  };
+  static constexpr std::tuple inputs{
+      Field{&Input::M, "M", N_m, "moment over a cycle, a series: \"=press.drive.M\""}.may_be_missing(),
+      FormulaField{&Input::M_of_phi, "M_of_phi", "moment as a formula of the angle phi, in place of the series"}
+          .may_be_missing(),
+      ListField{&Input::points, "points", "moment by points over one period, in place of the series"}
+          .as_arrays()
+          .may_be_missing(),
+      Field{&Input::period, "period", deg, "period of the formula or the points; 720 deg of a four-stroke engine"}
+          .positive()
+          .usually(10, 7200),
+      Choice{&Input::role, "role", "whose moment it is"}.may_be_missing(),
+      Field{&Input::omega, "omega", rad_per_s, "mean angular speed"}.positive().usually(0.1, 1e4),
+      Field{&Input::delta, "delta", ratio, "unevenness that is allowed, (omega_max - omega_min)/omega"}
+          .positive()
+          .usually(1e-4, 0.3)
+          .may_be_missing(),
+      Field{&Input::inertia, "J", kg_m2, "moment of inertia of a given flywheel"}.positive().may_be_missing(),
+      Field{&Input::J_0, "J_0", kg_m2, "inertia that turns with the shaft at a constant ratio, reduced to it"}.at_least(
+          0),
+      Field{&Input::eta, "eta", ratio, "efficiency between the motor and the shaft"}.within(0.01, 1),
+      Field{&Input::P_n, "P_n", W, "rated power of the motor"}.positive().may_be_missing(),
+      Field{&Input::D, "D", mm, "mean diameter of the rim, for its mass"}.positive().may_be_missing(),
+      Field{&Input::v_adm, "v_adm", m_per_s, "allowable speed of the rim"}.positive().may_be_missing()};
+
+  struct Result {
+    Moment M_m = unset<Moment>, M_peak = unset<Moment>, A = unset<Moment>;
+    Work work = Work::none;
+    Moment E_low = unset<Moment>, E_high = unset<Moment>, Delta_E = unset<Moment>;
+    double phi_fast = unset<double>, phi_slow = unset<double>;
+    MassMoment J_F = unset<MassMoment>, J_add = unset<MassMoment>;
+    double delta_is = unset<double>;
+    AngularSpeed n_max = unset<AngularSpeed>, n_min = unset<AngularSpeed>;
+    Power P_m = unset<Power>, P = unset<Power>;
+    Mass m_rim = unset<Mass>;
+    Speed v_rim = unset<Speed>;
+    double u_delta = unset<double>, u_P = unset<double>, u_v = unset<double>;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::M_m, "M_m", N_m, "mean moment over the angle"}.as(Role::result),
+      Field{&Result::M_peak, "M_peak", N_m, "largest magnitude of the moment"}.as(Role::result),
+      Field{&Result::A, "A", J, "work over the period"}.as(Role::result),
+      Choice{&Result::work, "work", "whether the machine does work over the period"}.as(Role::result),
+      Field{&Result::E_low, "E_low", J, "least work of the moment beyond its mean, from the start"}.as(Role::result),
+      Field{&Result::E_high, "E_high", J, "largest work of the moment beyond its mean"}.as(Role::result),
+      Field{&Result::Delta_E, "Delta_E", J, "energy that the flywheel takes up and gives back"}.as(Role::result),
+      Field{&Result::phi_fast, "phi_fast", deg, "angle of the largest speed"}.as(Role::result),
+      Field{&Result::phi_slow, "phi_slow", deg, "angle of the least speed"}.as(Role::result),
+      Field{&Result::J_F, "J_F", kg_m2, "moment of inertia that delta asks for, on this shaft"}.as(Role::result),
+      Field{&Result::J_add, "J_add", kg_m2, "of the flywheel itself, beside J_0; none is needed where J_0 suffices"}.as(
+          Role::result),
+      Field{&Result::delta_is, "delta_is", ratio, "unevenness with the given flywheel, or with J_F"}.as(Role::result),
+      Field{&Result::n_max, "n_max", rpm, "largest speed"}.as(Role::result),
+      Field{&Result::n_min, "n_min", rpm, "least speed"}.as(Role::result),
+      Field{&Result::P_m, "P_m", W, "mean power at the shaft; none where the machine does no work"}.as(Role::result),
+      Field{&Result::P, "P", W, "mean power of the motor, or of what is driven"}.as(Role::result),
+      Field{&Result::m_rim, "m_rim", kg, "mass of a rim of that inertia"}.as(Role::result),
+      Field{&Result::v_rim, "v_rim", m_per_s, "speed of the rim"}.as(Role::result),
+      Field{&Result::u_delta, "u_delta", ratio, "unevenness with the given flywheel over the allowed one"}.check("J"),
+      Field{&Result::u_P, "u_P", ratio, "mean power over the rated power of the motor"}.check("P_n"),
+      Field{&Result::u_v, "u_v", ratio, "speed of the rim over the allowable one"}.check("v_adm")};
+
+  static bool has_one_moment(const Input& in);
+  static bool law_reads(const Input& in);
+  static FieldFault law_fault(const Input& in);
+  static bool points_rise(const Input& in);
+  static constexpr std::array rules{
+      Rule<Input>{&has_one_moment, "M, M_of_phi, points",
+                  "give the moment once: as a series M, as M_of_phi, or as points"},
+      Rule<Input>{&law_reads, "M_of_phi, period", "M_of_phi must be a moment as a formula of phi", &law_fault},
+      Rule<Input>{&points_rise, "points, period",
+                  "points need two or more angles, none below the one before, and all within one period"},
+      Rule<Input>{[](const Input& in) { return is_set(in.delta) || is_set(in.inertia); }, "delta, J",
+                  "give the unevenness delta that is allowed, or the inertia J of the flywheel, or both"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.inertia) || is_set(in.delta); }, "J, delta",
+                  "a given flywheel is judged by the unevenness delta that is allowed: give it too"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.v_adm) || is_set(in.D); }, "v_adm, D",
+                  "the speed of the rim needs its diameter D"}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template Flywheel::Result Flywheel::evaluate(const Input&, NoTrace&);
+extern template Flywheel::Result Flywheel::evaluate(const Input&, Trace&);
+
+constexpr auto choices_of(Flywheel::Source) {
+  using S = Flywheel::Source;
+  return std::array{ChoiceName<S>{S::load, "load", "what the machine asks its motor for; the motor's own is constant"},
+                    ChoiceName<S>{S::drive, "drive", "what an engine brings; its load is constant"}};
+}
+constexpr auto choices_of(Flywheel::Work) {
+  using Word = Flywheel::Work;
+  return std::array{ChoiceName<Word>{Word::absorbed, "absorbed", "the shaft has to be driven"},
+                    ChoiceName<Word>{Word::delivered, "delivered", "the shaft drives"},
+                    ChoiceName<Word>{Word::none, "none", "no work over the period: there is no mean power"}};
+}
+
+}  // namespace loadpath

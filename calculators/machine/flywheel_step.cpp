@@ -1,0 +1,84 @@
+#include "calculators/machine/flywheel_step.hpp"
+
+#include "calculators/machine/flywheel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath {
+
+namespace {
+
+Flywheel::Input& data_of(project::StepInput& input) {
+  return *static_cast<Flywheel::Input*>(input.reading.record.data.get());
+}
+
+}  // namespace
+
+void FlywheelStep::take_series(const project::Declared& declared, std::vector<Issue>& issues) {
+  project::Reading& reading = own().reading;
+  const Message hint = say("give a series of a cycle (M = \"=press.drive.M\"), M_of_phi, or points");
+  const auto found = std::find_if(reading.operands.begin(), reading.operands.end(),
+                                  [](const project::Operand& operand) { return operand.path == "M"; });
+  if (found == reading.operands.end()) {
+    if (is_set(data_of(own()).M))
+      issues.push_back(project::issue_at(input(), "M", say("one value is no moment over a cycle"), hint));
+    return;
+  }
+  project::Reading alone;
+  alone.operands.push_back(std::move(*found));
+  reading.operands.erase(found);
+  const std::size_t before = issues.size();
+  const Axis* const axis = project::check_operands(alone, name(), true, declared, issues);
+  if (axis == nullptr && issues.size() == before)
+    issues.push_back(project::issue_at(input(), "M", say("this is one value, and no moment over a cycle"), hint));
+  moment_ = std::move(alone.operands.front());
+  data_of(own()).M = 0.0 * N_m;  // given, for the rules; its values come when the project is solved
+}
+
+void FlywheelStep::prepare(const project::Declared& declared, const project::Companions& companions,
+                           std::vector<Issue>& issues) {
+  take_series(declared, issues);
+  CalculatorStep::prepare(declared, companions, issues);
+}
+
+bool FlywheelStep::fill(const Value& series, std::vector<Issue>& issues) {
+  const auto refuse = [&](Message message, Message hint = {}) {
+    issues.push_back(project::issue_at(input(), "M", std::move(message), std::move(hint)));
+    return false;
+  };
+  if (!series.is_series() || !series.signature.axis->cyclic())
+    return refuse(say("the moment is not over a closed cycle"), say("let the crank make whole turns"));
+  const Axis& axis = *series.signature.axis;
+  if (series.si.size() > Flywheel::most_samples)
+    return refuse(say("the cycle has {1} positions, and at most {2} are taken", std::to_string(series.si.size()),
+                      std::to_string(Flywheel::most_samples)));
+  if (std::any_of(series.si.begin(), series.si.end(), [](double M) { return std::isnan(M); }))
+    return refuse(say("the moment is not known at every position of the cycle"));
+  Flywheel::Input& in = data_of(own());
+  in.period = std::abs(axis.period);
+  in.series.clear();
+  for (std::size_t i = 0; i < series.si.size(); ++i) in.series.push_back({axis.at[i], series.si[i]});
+  if (axis.period < 0.0) {  // a crank that turns backwards: the angle is counted the way it turns
+    for (machine::Sample& sample : in.series) sample.phi = -sample.phi, sample.M = -sample.M;
+  }
+  return true;
+}
+
+void FlywheelStep::solve(const project::Known& known, project::Extent extent, std::vector<Issue>& issues) {
+  if (!moment_) return CalculatorStep::solve(known, extent, issues);
+  const auto series = project::evaluate_operand(*moment_, name(), known, issues);
+  if (!series || !fill(*series, issues)) return;
+  CalculatorStep::solve(known, extent, issues);
+  for (project::Entry& entry : own_account().inputs) {
+    if (entry.path != "M") continue;
+    entry.value = *series;
+    entry.origin = {say("= {1}", moment_->text), {}, false};
+  }
+}
+
+std::unique_ptr<project::Step> make_flywheel_step(project::StepInput&& input) {
+  return std::make_unique<FlywheelStep>(std::move(input));
+}
+
+}  // namespace loadpath

@@ -1,0 +1,30 @@
+// The step of a flywheel: it takes the moment as a whole series, where other calculators run once a position.
+#pragma once
+
+#include "lib/project/calculator_step.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace loadpath {
+
+class FlywheelStep : public project::CalculatorStep {
+ public:
+  explicit FlywheelStep(project::StepInput&& input) : CalculatorStep(std::move(input)) {}
+
+  void prepare(const project::Declared& declared, const project::Companions& companions,
+               std::vector<Issue>& issues) override;
+  void solve(const project::Known& known, project::Extent extent, std::vector<Issue>& issues) override;
+
+ private:
+  /// Takes the moment's expression away from the inputs that are lifted, and checks that it is a series.
+  void take_series(const project::Declared& declared, std::vector<Issue>& issues);
+  /// Puts the series into the input; false and an issue where it is no cycle, or not known everywhere.
+  bool fill(const Value& series, std::vector<Issue>& issues);
+
+  std::optional<project::Operand> moment_;
+};
+
+std::unique_ptr<project::Step> make_flywheel_step(project::StepInput&& input);
+
+}  // namespace loadpath

@@ -1,0 +1,192 @@
+#include "calculators/machine/run_up.hpp"
+
+#include "calculators/machine/moment_line.hpp"
+#include "lib/calculator_of.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath {
+
+namespace {
+
+using Input = RunUp::Input;
+using Result = RunUp::Result;
+using MomentLine = List<machine::LinePoint, RunUp::most_points>;
+using Speeds = List<double, 2 * RunUp::most_points + 2>;
+
+MomentLine line_of(const RunUp::Points& points) {
+  MomentLine line;
+  for (const auto& point : points) line.push_back({in_si(point.n), in_si(point.M)});
+  return line;
+}
+
+/// Motor less load at a speed.
+struct Balance {
+  MomentLine motor, load;
+  explicit Balance(const Input& in) : motor(line_of(in.motor)), load(line_of(in.load)) {}
+  [[nodiscard]] double motor_at(double omega) const { return machine::moment_at({motor.data(), motor.size()}, omega); }
+  [[nodiscard]] double load_at(double omega) const { return machine::moment_at({load.data(), load.size()}, omega); }
+  [[nodiscard]] double at(double omega) const { return motor_at(omega) - load_at(omega); }
+};
+
+/// From n_1 to n_2, with the speeds between at which a line bends.
+Speeds speeds_of(const Input& in, const Balance& balance) {
+  const double from = in_si(in.n_1), to = in_si(in.n_2), low = std::min(from, to), high = std::max(from, to);
+  Speeds speeds{from, to};
+  for (const MomentLine* const line : {&balance.motor, &balance.load}) {
+    for (const machine::LinePoint& point : *line) {
+      if (low < point.omega && point.omega < high) speeds.push_back(point.omega);
+    }
+  }
+  if (from < to) {
+    std::sort(speeds.begin(), speeds.end());
+  } else {
+    std::sort(speeds.begin(), speeds.end(), [](double a, double b) { return a > b; });
+  }
+  return speeds;
+}
+
+/// What stands against the run over what is for it, at one speed: motor and load each on the side of their sign.
+double resistance(const Balance& balance, double omega, double sense) {
+  const double motor = sense * balance.motor_at(omega), load = -sense * balance.load_at(omega);
+  const double with = std::max(motor, 0.0) + std::max(load, 0.0);
+  const double against = std::max(-motor, 0.0) + std::max(-load, 0.0);
+  return with > 0.0 ? against / with : unset<double>;
+}
+
+/// The work that the load takes over a stretch, by the middles of many small ones.
+double load_work(const Balance& balance, double inertia, double from, double to) {
+  constexpr int steps = 64;
+  double work = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const double a = from + (to - from) * i / steps, b = from + (to - from) * (i + 1) / steps;
+    const auto part = machine::run(inertia, a, balance.at(a), b, balance.at(b));
+    work += balance.load_at(0.5 * (a + b)) * part.angle;
+  }
+  return work;
+}
+
+/// Time, angle and works of the whole run; nothing where it does not get to its end.
+void follow(const Input& in, const Balance& balance, const Speeds& speeds, Result& r) {
+  const double inertia = in_si(r.J_red), sense = in.n_2 > in.n_1 ? 1.0 : -1.0;
+  r.u_M = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double omega : speeds) {
+    least = std::min(least, sense * balance.at(omega));
+    const double u = resistance(balance, omega, sense);
+    if (!(u <= r.u_M)) r.u_M = u;  // what is not available stays so
+    if (std::isnan(u)) break;
+  }
+  r.M_least = least * N_m;
+  if (!(least > 0.0)) return;
+  machine::Stretch whole;
+  double taken = 0.0;
+  for (std::size_t i = 0; i + 1 < speeds.size(); ++i) {
+    const double a = speeds[i], b = speeds[i + 1];
+    if (a == b) continue;
+    const auto part = machine::run(inertia, a, balance.at(a), b, balance.at(b));
+    whole.time += part.time;
+    whole.angle += part.angle;
+    taken += load_work(balance, inertia, a, b);
+  }
+  r.t = whole.time * sec;
+  r.turns = whole.angle / (2.0 * pi);
+  r.A_L = taken * J;
+}
+
+template <class Tracer>
+void take_energies(const Input& in, Result& r, Tracer& trace) {
+  const auto J_red = r.J_red;
+  const auto n_1 = in.n_1, n_2 = in.n_2;
+  const auto A_L = r.A_L;
+  trace.value("t", r.t, "sum over the stretches of J_red times the integral of d omega/M, [B36]");
+  trace.value("turns", r.turns, "sum over the stretches of the angle, a turn is 2 pi");
+  trace.value("A_L", A_L, "integral of the load's moment over the angle");
+  STEP(Delta_E, 0.5 * J_red * (n_2 * n_2 - n_1 * n_1), "kinetic energy, [B37]");
+  STEP(A_M, Delta_E + A_L, "theorem of kinetic energy, [B37]");
+  r.Delta_E = Delta_E, r.A_M = A_M;
+  if (!is_set(in.t_adm)) return;
+  const auto t = r.t, t_adm = in.t_adm;
+  STEP(u_t, static_cast<double>(t / t_adm), "time over the allowed one");
+  r.u_t = u_t;
+}
+
+bool rises(const RunUp::Points& points) {
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (!(points[i].n > points[i - 1].n)) return false;
+  }
+  return true;
+}
+
+bool reaches(const Input& in, const RunUp::Points& points) {
+  if (points.size() < 2) return true;
+  constexpr double rounding = 1e-9;
+  const double low = in_si(min(in.n_1, in.n_2)), high = in_si(max(in.n_1, in.n_2));
+  return in_si(points.front().n) <= low + rounding * high && in_si(points.back().n) >= high * (1.0 - rounding);
+}
+
+}  // namespace
+
+double RunUp::reduced_inertia(const Input& in) {
+  double sum = 0.0;
+  for (const Part& part : in.parts) sum += in_si(part.inertia) * part.u * part.u;
+  return sum;
+}
+
+bool RunUp::lines_rise(const Input& in) { return rises(in.motor) && rises(in.load); }
+bool RunUp::lines_reach(const Input& in) { return reaches(in, in.motor) && reaches(in, in.load); }
+
+FieldFault RunUp::short_line(const Input& in) {
+  const bool is_motor = !reaches(in, in.motor);
+  const Points& line = is_motor ? in.motor : in.load;
+  return {is_motor ? "motor" : "load",
+          say("the line goes from {1} to {2}, and the run from {3} to {4}",
+              format_quantity(in_si(line.front().n), "rpm", 4), format_quantity(in_si(line.back().n), "rpm", 4),
+              format_quantity(in_si(in.n_1), "rpm", 4), format_quantity(in_si(in.n_2), "rpm", 4)),
+          say("add points; a single point is a constant moment")};
+}
+
+template <class Tracer>
+RunUp::Result RunUp::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  const Balance balance(in);
+  r.J_red = reduced_inertia(in) * kg_m2;
+  r.M_start = balance.at(in_si(in.n_1)) * N_m;
+  r.M_end = balance.at(in_si(in.n_2)) * N_m;
+  const auto J_red = r.J_red;
+  const auto M_start = r.M_start;
+  trace.value("J_red", J_red, "sum of J u^2: the same kinetic energy, [B37]");
+  trace.value("M_start", M_start, "motor less load at n_1");
+  trace.value("M_end", r.M_end, "motor less load at n_2");
+  STEP(epsilon_1, M_start / J_red, "J epsilon = M, [B36]");
+  r.epsilon_1 = epsilon_1;
+  follow(in, balance, speeds_of(in, balance), r);
+  trace.value("M_least", r.M_least, "least over the speeds at which a line bends");
+  if (is_set(r.t)) take_energies(in, r, trace);
+  return r;
+}
+
+template RunUp::Result RunUp::evaluate(const Input&, NoTrace&);
+template RunUp::Result RunUp::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> RunUp::figures(const Input& in, const Result&) {
+  const Balance balance(in);
+  draw::Plot plot;
+  plot.x = {"n", "speed", "rpm"};
+  plot.y = {"M", "moment at the motor's shaft", "N*m"};
+  draw::Curve motor{"motor", {}, {}}, load{"load", {}, {}};
+  for (const double omega : speeds_of(in, balance)) {
+    motor.x.push_back(omega);
+    motor.y.push_back(balance.motor_at(omega));
+    load.x.push_back(omega);
+    load.y.push_back(balance.load_at(omega));
+  }
+  plot.curves = {std::move(motor), std::move(load)};
+  return {{"moment-lines", "Moment lines of motor and load", std::move(plot)}};
+}
+
+template const Calculator& erased<RunUp>();
+
+}  // namespace loadpath

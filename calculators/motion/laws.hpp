@@ -1,0 +1,50 @@
+// Laws of motion as formulas of the time t: coordinates of a point, angles, forces.
+#pragma once
+
+#include "lib/issue.hpp"
+#include "lib/list.hpp"
+#include "lib/numerics/jet.hpp"
+#include "lib/quantity/law.hpp"
+
+#include <array>
+
+namespace loadpath::motion {
+
+/// t, in seconds.
+Law::Variable time_variable();
+
+/// The law that a formula is, or null where it is none. Formulas that were read lately are kept, so that a sweep reads
+/// each of them once; the pointer is good until fifteen other formulas have been asked for.
+const Law* law_of(const Formula& formula, const Dimension& dimension, const Law::Variable& variable = time_variable());
+
+/// A formula of an input with the key that it was given under.
+struct Written {
+  const char* key;
+  const Formula* formula;
+  Dimension dimension;
+};
+
+/// Whether a formula is a law; an empty one, which stands for zero, is.
+bool reads(const Written& written);
+/// What is wrong with it, at its key; empty where nothing is.
+FieldFault reading_fault(const Written& written);
+
+/// Value and derivatives at a time, SI: zero of an empty formula, NaN of one that is no law.
+Jet at(const Written& written, double t);
+
+/// The value, or zero where it is nothing but rounding beside `scale`.
+double without_rounding(double value, double scale);
+
+/// Whether value and both derivatives are there.
+bool is_finite(const Jet& jet);
+
+/// The first of `count` times from t_1 to t_2, their ends included, at which the law has no value or derivatives; NaN
+/// where it has all. Also NaN where the formula is no law, which another rule says.
+double first_gap(const Written& written, double t_1, double t_2, int count = 257);
+/// A message for it.
+FieldFault gap_fault(const Written& written, double t_1, double t_2);
+
+/// The integral of a function of time, adaptive to a relative error of about 1e-10.
+double integral(double (*function)(const void* data, double t), const void* data, double t_1, double t_2);
+
+}  // namespace loadpath::motion

@@ -1,0 +1,28 @@
+// The path of a point and its velocity and acceleration, drawn.
+#pragma once
+
+#include "calculators/motion/point_path.hpp"
+#include "lib/draw/figure.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace loadpath::motion {
+
+/// Vectors out of a pole, to one scale: velocities or accelerations of one time, in the plane xy.
+struct Vectors {
+  std::string title;
+  std::string unit;
+  std::vector<std::pair<std::string, draw::Point>> of;
+};
+
+/// The path in the plane xy from t_1 to t_2 with the point at the time t.
+draw::Figure path_figure(const PointPath& path, double t, double t_1, double t_2);
+/// Speed, and the parts of the acceleration, over the range.
+draw::Figure speed_figure(const PointPath& path, double t, double t_1, double t_2);
+draw::Figure acceleration_figure(const PointPath& path, double t, double t_1, double t_2);
+/// The plans of velocities and accelerations beside each other.
+draw::Figure plan_figure(const std::vector<Vectors>& panels);
+
+}  // namespace loadpath::motion

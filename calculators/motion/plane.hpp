@@ -1,0 +1,192 @@
+// Plane motion of a body at one instant: angular speed, pole of velocities, velocities and accelerations of its points.
+//
+// The angular speed is given, or follows from the velocities of two points A and B: by the theorem of projections where
+// the perpendiculars to them meet, by the tips of the velocities where both are perpendicular to AB. Equal velocities
+// are a translation, without a pole; equal magnitudes alone are not (opposite velocities turn about the middle of AB).
+// Sign: angles counter-clockwise from x. Source: [B29].
+#pragma once
+
+#include "calculators/motion/units.hpp"
+#include "lib/draw/figure.hpp"
+#include "lib/field.hpp"
+#include "lib/issue.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath {
+
+struct PlaneMotion {
+  static constexpr auto id = "motion.plane";
+  static constexpr auto title = "Plane motion of a body";
+  static constexpr auto scope =
+      "Angular speed and pole of velocities of a body in plane motion, from its angular speed or from the velocities "
+      "of "
+      "two of its points; velocities of further points, and accelerations where that of A is given. One instant.";
+  static constexpr auto source = "[B29], [B28]";
+  static constexpr auto example = R"toml([project]
+title = "A rod that slides down a wall"
+
+[rod]
+calculator = "motion.plane"
+A = ["0 m", "4 m"]
+B = ["3 m", "0 m"]
+v_A = "0.6 m/s"
+alpha_A = "-90 deg"
+alpha_B = "0 deg"
+points = [{ name = "C", x = "1.5 m", y = "2 m" }]
+)toml";
+
+  enum class Case { given, meeting, tips, inclined };
+  enum class Kind { rotation, translation, rest };
+
+  struct Place {
+    Length x = unset<Length>, y = unset<Length>;
+    static constexpr std::tuple fields{Field{&Place::x, "x", m, "coordinate x"}.may_be_missing(),
+                                       Field{&Place::y, "y", m, "coordinate y"}.may_be_missing()};
+  };
+  struct Point {
+    Name name;
+    Length x = unset<Length>, y = unset<Length>;
+    static constexpr std::tuple fields{NameField{&Point::name, "name", "name of the point"}.may_be_missing(),
+                                       Field{&Point::x, "x", m, "coordinate x"},
+                                       Field{&Point::y, "y", m, "coordinate y"}};
+  };
+  static constexpr std::size_t most_points = 16;
+
+  struct Input {
+    Place A, B;
+    Speed v_A = unset<Speed>;
+    double alpha_A = 0.0;
+    AngularSpeed omega = unset<AngularSpeed>;
+    Speed v_B = unset<Speed>;
+    double alpha_B = unset<double>;
+    Acceleration a_A = unset<Acceleration>;
+    double alpha_aA = 0.0;
+    AngularAcceleration epsilon = unset<AngularAcceleration>;
+    double alpha_aB = unset<double>;
+    List<Point, most_points> points;
+  };
+  static constexpr std::tuple inputs{
+      Group{&Input::A, "A", "place of A: [x, y]"}.as_array(),
+      Group{&Input::B, "B", "place of B: [x, y]"}.as_array().may_be_missing(),
+      Field{&Input::v_A, "v_A", m_per_s, "velocity of A along alpha_A, signed"},
+      Field{&Input::alpha_A, "alpha_A", deg, "direction of the velocity of A, from x"},
+      Field{&Input::omega, "omega", rad_per_s, "angular speed, counter-clockwise positive; else B tells"}
+          .may_be_missing(),
+      Field{&Input::v_B, "v_B", m_per_s,
+            "velocity of B along alpha_B, signed; needed where both velocities are "
+            "perpendicular to AB"}
+          .may_be_missing(),
+      Field{&Input::alpha_B, "alpha_B", deg, "direction of the velocity of B, from x"}.may_be_missing(),
+      Field{&Input::a_A, "a_A", m_per_s2, "acceleration of A along alpha_aA, signed"}.may_be_missing(),
+      Field{&Input::alpha_aA, "alpha_aA", deg, "direction of the acceleration of A, from x"},
+      Field{&Input::epsilon, "epsilon", rad_per_s2, "angular acceleration, counter-clockwise positive"}
+          .may_be_missing(),
+      Field{&Input::alpha_aB, "alpha_aB", deg,
+            "direction of the acceleration of B (a straight guide), in place of "
+            "epsilon"}
+          .may_be_missing(),
+      ListField{&Input::points, "points", "further points of the body"}.may_be_missing()};
+
+  struct PointState {
+    Name name;
+    Length x = unset<Length>, y = unset<Length>;
+    Speed v_x = unset<Speed>, v_y = unset<Speed>, v = unset<Speed>;
+    double gamma = unset<double>;
+    Acceleration a_x = unset<Acceleration>, a_y = unset<Acceleration>, a = unset<Acceleration>;
+    static constexpr std::tuple fields{
+        NameField{&PointState::name, "name", "name of the point"}.as(Role::result),
+        Field{&PointState::x, "x", m, "coordinate x"}.as(Role::result),
+        Field{&PointState::y, "y", m, "coordinate y"}.as(Role::result),
+        Field{&PointState::v_x, "v_x", m_per_s, "velocity along x"}.as(Role::result),
+        Field{&PointState::v_y, "v_y", m_per_s, "velocity along y"}.as(Role::result),
+        Field{&PointState::v, "v", m_per_s, "speed"}.as(Role::result),
+        Field{&PointState::gamma, "gamma", deg, "direction of the velocity, from x"}.as(Role::result),
+        Field{&PointState::a_x, "a_x", m_per_s2, "acceleration along x"}.as(Role::result),
+        Field{&PointState::a_y, "a_y", m_per_s2, "acceleration along y"}.as(Role::result),
+        Field{&PointState::a, "a", m_per_s2, "acceleration"}.as(Role::result)};
+  };
+
+  struct Result {
+    Case found = Case::given;
+    Kind kind = Kind::rotation;
+    Length AB = unset<Length>;
+    double beta = unset<double>;
+    Speed v_B = unset<Speed>;
+    AngularSpeed omega = unset<AngularSpeed>;
+    Length x_P = unset<Length>, y_P = unset<Length>, PA = unset<Length>;
+    AngularAcceleration epsilon = unset<AngularAcceleration>;
+    Acceleration a_B = unset<Acceleration>;
+    Length x_Q = unset<Length>, y_Q = unset<Length>;
+    List<PointState, most_points + 2> states;
+  };
+  static constexpr std::tuple results{
+      Choice{&Result::found, "found", "what the angular speed follows from"}.as(Role::result),
+      Choice{&Result::kind, "kind", "what the body does at this instant"}.as(Role::result),
+      Field{&Result::AB, "AB", m, "distance of A and B"}.as(Role::result),
+      Field{&Result::beta, "beta", deg, "direction from A to B, from x"}.as(Role::result),
+      Field{&Result::v_B, "v_B", m_per_s, "velocity of B along alpha_B, signed"}.as(Role::result),
+      Field{&Result::omega, "omega", rad_per_s, "angular speed, counter-clockwise positive"}.as(Role::result),
+      Field{&Result::x_P, "x_P", m, "pole of velocities, x; none in a translation"}.as(Role::result),
+      Field{&Result::y_P, "y_P", m, "pole of velocities, y; none in a translation"}.as(Role::result),
+      Field{&Result::PA, "PA", m, "distance of A from the pole of velocities"}.as(Role::result),
+      Field{&Result::epsilon, "epsilon", rad_per_s2, "angular acceleration, counter-clockwise positive"}.as(
+          Role::result),
+      Field{&Result::a_B, "a_B", m_per_s2, "acceleration of B along alpha_aB, signed"}.as(Role::result),
+      Field{&Result::x_Q, "x_Q", m, "pole of accelerations, x"}.as(Role::result),
+      Field{&Result::y_Q, "y_Q", m, "pole of accelerations, y"}.as(Role::result),
+      ListField{&Result::states, "states", "A, B and the further points"}.as(Role::result)};
+
+  static bool has_B(const Input& in) { return is_set(in.B.x) && is_set(in.B.y); }
+  static bool is_B_apart(const Input& in);
+  static bool has_one_way(const Input& in);
+  static bool has_speed_of_B(const Input& in);
+  static bool projections_agree(const Input& in);
+  static FieldFault projections(const Input& in);
+  static bool guide_is_oblique(const Input& in);
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return is_set(in.A.x) && is_set(in.A.y); }, "A", "give A = [x, y]"},
+      Rule<Input>{[](const Input& in) { return is_set(in.B.x) == is_set(in.B.y); }, "B", "give B = [x, y]"},
+      Rule<Input>{&has_one_way, "omega, B, v_B, alpha_B",
+                  "the angular speed is omega, or comes from B with alpha_B (or v_B = \"0 m/s\"): give one of the two"},
+      Rule<Input>{&is_B_apart, "A, B", "A and B must be two places"},
+      Rule<Input>{&has_speed_of_B, "v_B, alpha_B, A, B",
+                  "where the velocity of B is perpendicular to AB its magnitude does not follow from that of A: give "
+                  "v_B"},
+      Rule<Input>{&projections_agree, "v_B, v_A, alpha_A, alpha_B, A, B",
+                  "the projections of the velocities of A and B on AB must be equal: AB is rigid", &projections},
+      Rule<Input>{[](const Input& in) { return !(is_set(in.epsilon) && is_set(in.alpha_aB)); }, "epsilon, alpha_aB",
+                  "the angular acceleration is epsilon, or follows from alpha_aB: give one of the two"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.a_A) || is_set(in.epsilon) || is_set(in.alpha_aB); },
+                  "a_A, epsilon, alpha_aB", "accelerations need epsilon, or alpha_aB, beside a_A"},
+      Rule<Input>{[](const Input& in) { return is_set(in.a_A) || !(is_set(in.epsilon) || is_set(in.alpha_aB)); },
+                  "a_A, epsilon, alpha_aB", "accelerations need that of A: give a_A (\"0 m/s^2\" where it has none)"},
+      Rule<Input>{&guide_is_oblique, "alpha_aB, A, B",
+                  "alpha_aB needs B, and must not be perpendicular to AB: epsilon would not follow; give epsilon"}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template PlaneMotion::Result PlaneMotion::evaluate(const Input&, NoTrace&);
+extern template PlaneMotion::Result PlaneMotion::evaluate(const Input&, Trace&);
+
+constexpr auto choices_of(PlaneMotion::Case) {
+  using C = PlaneMotion::Case;
+  return std::array{
+      ChoiceName<C>{C::given, "given", "the angular speed is given"},
+      ChoiceName<C>{C::meeting, "meeting", "the perpendiculars to the velocities meet in the pole"},
+      ChoiceName<C>{C::tips, "tips", "both velocities are perpendicular to AB: the line through their tips"},
+      ChoiceName<C>{C::inclined, "inclined", "parallel velocities, oblique to AB: a translation"}};
+}
+constexpr auto choices_of(PlaneMotion::Kind) {
+  using K = PlaneMotion::Kind;
+  return std::array{ChoiceName<K>{K::rotation, "rotation", "turns about the pole of velocities"},
+                    ChoiceName<K>{K::translation, "translation", "all points have one velocity; no pole"},
+                    ChoiceName<K>{K::rest, "rest", "no point moves"}};
+}
+
+}  // namespace loadpath

@@ -1,0 +1,197 @@
+#include "calculators/motion/point.hpp"
+
+#include "calculators/motion/path_figures.hpp"
+#include "calculators/motion/point_path.hpp"
+#include "lib/calculator_of.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath {
+
+namespace {
+
+using motion::PointPath;
+using motion::PointState;
+
+constexpr double rounding = 1e-12;  // a part of the acceleration below this share of it is none
+
+PointPath path_of(const PointMotion::Input& in) { return {in.x, in.y, in.z}; }
+
+Length radius_of(const PointState& s) { return s.a_n > rounding * s.acceleration ? 1.0 / s.kappa * m : unset<Length>; }
+
+PointMotion::State state_at(const PointPath& path, double t) {
+  const PointState s = path.at(t);
+  PointMotion::State state;
+  state.t = t * sec;
+  state.x = s.r[0] * m, state.y = s.r[1] * m, state.z = s.r[2] * m;
+  state.v = s.speed * m_per_s;
+  state.a = s.acceleration * m_per_s2, state.a_tau = s.a_tau * m_per_s2, state.a_n = s.a_n * m_per_s2;
+  state.rho = radius_of(s);
+  return state;
+}
+
+/// Place, velocity and acceleration from the laws; a plane motion is not told of z.
+template <class Tracer>
+void take_state(const PointState& s, bool plane, PointMotion::Result& r, Tracer& trace) {
+  r.x_M = s.r[0] * m, r.y_M = s.r[1] * m, r.z_M = s.r[2] * m;
+  r.v_x = s.v[0] * m_per_s, r.v_y = s.v[1] * m_per_s, r.v_z = s.v[2] * m_per_s;
+  r.a_x = s.a[0] * m_per_s2, r.a_y = s.a[1] * m_per_s2, r.a_z = s.a[2] * m_per_s2;
+  constexpr const char* law = "law of motion at the time t";
+  constexpr const char* first = "first derivative of the law of motion, [B26]";
+  constexpr const char* second = "second derivative of the law of motion, [B32]";
+  trace.value("x_M", r.x_M, law);
+  trace.value("y_M", r.y_M, law);
+  if (!plane) trace.value("z_M", r.z_M, law);
+  trace.value("v_x", r.v_x, first);
+  trace.value("v_y", r.v_y, first);
+  if (!plane) trace.value("v_z", r.v_z, first);
+  trace.value("a_x", r.a_x, second);
+  trace.value("a_y", r.a_y, second);
+  if (!plane) trace.value("a_z", r.a_z, second);
+}
+
+/// Magnitudes, and the parts of the acceleration, of a motion in the plane xy.
+template <class Tracer>
+void split_in_plane(bool rests, PointMotion::Result& r, Tracer& trace) {
+  const auto v_x = r.v_x, v_y = r.v_y;
+  const auto a_x = r.a_x, a_y = r.a_y;
+  STEP(v, sqrt(v_x * v_x + v_y * v_y), "magnitude of the velocity, [B26]");
+  STEP(a, sqrt(a_x * a_x + a_y * a_y), "magnitude of the acceleration");
+  r.v = v, r.a = a;
+  if (rests) return;
+  STEP(a_tau, (v_x * a_x + v_y * a_y) / v, "projection of the acceleration on the tangent, dv/dt");
+  STEP(a_n, abs(v_x * a_y - v_y * a_x) / v, "part of the acceleration across the tangent");
+  r.a_tau = a_tau, r.a_n = a_n;
+}
+
+/// The same of a motion in space.
+template <class Tracer>
+void split_in_space(bool rests, PointMotion::Result& r, Tracer& trace) {
+  const auto v_x = r.v_x, v_y = r.v_y, v_z = r.v_z;
+  const auto a_x = r.a_x, a_y = r.a_y, a_z = r.a_z;
+  STEP(v, sqrt(v_x * v_x + v_y * v_y + v_z * v_z), "magnitude of the velocity, [B26]");
+  STEP(a, sqrt(a_x * a_x + a_y * a_y + a_z * a_z), "magnitude of the acceleration");
+  r.v = v, r.a = a;
+  if (rests) return;
+  STEP(a_tau, (v_x * a_x + v_y * a_y + v_z * a_z) / v, "projection of the acceleration on the tangent, dv/dt");
+  STEP(c_x, v_y * a_z - v_z * a_y, "vector product of velocity and acceleration");
+  STEP(c_y, v_z * a_x - v_x * a_z, "vector product of velocity and acceleration");
+  STEP(c_z, v_x * a_y - v_y * a_x, "vector product of velocity and acceleration");
+  STEP(a_n, sqrt(c_x * c_x + c_y * c_y + c_z * c_z) / v, "part of the acceleration across the tangent");
+  r.a_tau = a_tau, r.a_n = a_n;
+}
+
+/// Curvature and direction, where there is a tangent.
+template <class Tracer>
+void bend(PointMotion::Result& r, Tracer& trace) {
+  const auto v = r.v;
+  const auto a_n = r.a_n;
+  if (in_si(abs(r.v_x)) + in_si(abs(r.v_y)) > 0.0) r.gamma = std::atan2(in_si(r.v_y), in_si(r.v_x));
+  STEP(kappa, a_n / (v * v), "from a_n = v^2/rho, [B28]");
+  r.kappa = kappa;
+  if (!(in_si(a_n) > rounding * in_si(r.a))) return;
+  STEP(rho, v * v / a_n, "a_n = v^2/rho, [B28]");
+  r.rho = rho;
+}
+
+PointMotion::Change change_of(bool rests, Acceleration a_tau, Acceleration a) {
+  if (rests) return PointMotion::Change::at_rest;
+  if (abs(a_tau) <= rounding * a) return PointMotion::Change::steady;
+  return in_si(a_tau) > 0.0 ? PointMotion::Change::faster : PointMotion::Change::slower;
+}
+
+template <class Tracer>
+void take_range(const PointMotion::Input& in, const PointPath& path, PointMotion::Result& r, Tracer& trace) {
+  const double from = in_si(in.t_1), to = in_si(in.t_2);
+  const auto t_1 = in.t_1, t_2 = in.t_2;
+  const PointState first = path.at(from), last = path.at(to);
+  const Length L = path.length(from, to) * m;
+  const Length Delta_r = std::hypot(last.r[0] - first.r[0], last.r[1] - first.r[1], last.r[2] - first.r[2]) * m;
+  trace.value("L", L, "integral of the speed over the range");
+  trace.value("Delta_r", Delta_r, "distance of the places at t_2 and t_1");
+  STEP(v_m, Delta_r / (t_2 - t_1), "mean velocity, [B26]");
+  STEP(v_L, L / (t_2 - t_1), "mean speed along the path");
+  constexpr int samples = 257;
+  double fastest = 0.0, largest = 0.0;
+  for (int i = 0; i < samples; ++i) {
+    const PointState s = path.at(from + (to - from) * i / (samples - 1));
+    fastest = std::max(fastest, s.speed);
+    largest = std::max(largest, s.acceleration);
+  }
+  r.L = L, r.Delta_r = Delta_r, r.v_m = v_m, r.v_L = v_L;
+  r.v_max = fastest * m_per_s, r.a_max = largest * m_per_s2;
+}
+
+void fill_states(const PointMotion::Input& in, const PointPath& path, PointMotion::Result& r) {
+  for (const auto& instant : in.times) r.states.push_back(state_at(path, in_si(instant.t)));
+  if (!in.times.empty() || !is_set(in.t_1)) return;
+  for (int i = 0; i < in.rows; ++i)
+    r.states.push_back(state_at(path, in_si(in.t_1 + (in.t_2 - in.t_1) * (static_cast<double>(i) / (in.rows - 1)))));
+}
+
+}  // namespace
+
+bool PointMotion::laws_read(const Input& in) { return path_of(in).reads(); }
+FieldFault PointMotion::law_fault(const Input& in) { return path_of(in).reading_fault(); }
+
+bool PointMotion::laws_are_smooth(const Input& in) { return gap(in).message.empty(); }
+
+FieldFault PointMotion::gap(const Input& in) {
+  const PointPath path = path_of(in);
+  FieldFault fault = path.gap_fault(in_si(in.t), in_si(in.t));
+  for (const Instant& instant : in.times) {
+    if (fault.message.empty()) fault = path.gap_fault(in_si(instant.t), in_si(instant.t));
+  }
+  if (fault.message.empty() && is_set(in.t_1) && is_set(in.t_2)) fault = path.gap_fault(in_si(in.t_1), in_si(in.t_2));
+  return fault;
+}
+
+template <class Tracer>
+PointMotion::Result PointMotion::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  const PointPath path = path_of(in);
+  const PointState now = path.at(in_si(in.t));
+  const bool rests = now.speed == 0.0;
+  const bool plane = in.z.empty();
+  take_state(now, plane, r, trace);
+  if (plane) {
+    split_in_plane(rests, r, trace);
+  } else {
+    split_in_space(rests, r, trace);
+  }
+  if (!rests) bend(r, trace);
+  r.change = change_of(rests, r.a_tau, r.a);
+  if (is_set(in.t_1)) take_range(in, path, r, trace);
+  fill_states(in, path, r);
+  return r;
+}
+
+template PointMotion::Result PointMotion::evaluate(const Input&, NoTrace&);
+template PointMotion::Result PointMotion::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> PointMotion::figures(const Input& in, const Result& r) {
+  const PointPath path = path_of(in);
+  std::vector<draw::Figure> all;
+  const double t = in_si(in.t);
+  if (is_set(in.t_1)) {
+    all.push_back(motion::path_figure(path, t, in_si(in.t_1), in_si(in.t_2)));
+    all.push_back(motion::speed_figure(path, t, in_si(in.t_1), in_si(in.t_2)));
+    all.push_back(motion::acceleration_figure(path, t, in_si(in.t_1), in_si(in.t_2)));
+  }
+  const draw::Point v{in_si(r.v_x), in_si(r.v_y)}, a{in_si(r.a_x), in_si(r.a_y)};
+  std::vector<std::pair<std::string, draw::Point>> parts{{"a", a}};
+  if (is_set(r.a_tau) && is_set(r.v) && in.z.empty()) {
+    const double along = in_si(r.a_tau) / in_si(r.v);
+    const draw::Point tangential{along * v.x, along * v.y};
+    parts.push_back({"a_tau", tangential});
+    parts.push_back({"a_n", {a.x - tangential.x, a.y - tangential.y}});
+  }
+  auto plan = motion::plan_figure({{"Velocity", "m/s", {{"v", v}}}, {"Acceleration", "m/s^2", parts}});
+  if (!std::get<draw::Plans>(plan.content).panels.empty()) all.push_back(std::move(plan));
+  return all;
+}
+
+template const Calculator& erased<PointMotion>();
+
+}  // namespace loadpath

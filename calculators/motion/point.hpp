@@ -1,0 +1,155 @@
+// Motion of a point whose coordinates are laws of time: path, velocity, acceleration and its parts along the path.
+//
+// Decides nothing: it gives the state at one time with its derivation, a table of states at given times or evenly over
+// a range, and over the range the way, the displacement and the extremes of speed. Derivatives are exact.
+// Sign: a_tau is positive where the speed grows; a_n and kappa are magnitudes. Source: [B26], [B28].
+// Not covered: laws with kinks or jumps; where the point rests there is no tangent, hence no a_tau, a_n and rho.
+#pragma once
+
+#include "calculators/motion/units.hpp"
+#include "lib/draw/figure.hpp"
+#include "lib/field.hpp"
+#include "lib/issue.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath {
+
+struct PointMotion {
+  static constexpr auto id = "motion.point";
+  static constexpr auto title = "Motion of a point";
+  static constexpr auto scope =
+      "Path, velocity and acceleration of a point from its law of motion x(t), y(t), z(t), with the parts along the "
+      "tangent and the normal, the radius of curvature and the way over a range of time. Laws must be smooth.";
+  static constexpr auto source = "[B26], [B28]";
+  static constexpr auto example = R"toml([project]
+title = "A point on an ellipse"
+
+[point]
+calculator = "motion.point"
+x = "3 m*sin(pi*t/(1 s))"
+y = "5 m*cos(pi*t/(1 s))"
+t = "0.25 s"
+t_1 = "0 s"
+t_2 = "2 s"
+)toml";
+
+  enum class Change { at_rest, steady, faster, slower };
+
+  struct Instant {
+    Time t = unset<Time>;
+    static constexpr std::tuple fields{Field{&Instant::t, "t", sec, "a time"}};
+  };
+  static constexpr std::size_t most_states = 61;
+
+  struct Input {
+    Formula x, y, z;
+    Time t = unset<Time>;
+    Time t_1 = unset<Time>, t_2 = unset<Time>;
+    int rows = 13;
+    List<Instant, most_states> times;
+  };
+  static constexpr std::tuple inputs{
+      FormulaField{&Input::x, "x", "coordinate as a formula of the time t: \"3 m*sin(pi*t/(1 s))\""},
+      FormulaField{&Input::y, "y", "coordinate as a formula of the time t; stays 0 where missing"}.may_be_missing(),
+      FormulaField{&Input::z, "z", "coordinate as a formula of the time t; stays 0 where missing"}.may_be_missing(),
+      Field{&Input::t, "t", sec, "time that the state is worked out for"},
+      Field{&Input::t_1, "t_1", sec, "start of the range that path and way are for, with t_2"}.may_be_missing(),
+      Field{&Input::t_2, "t_2", sec, "end of the range, after t_1"}.may_be_missing(),
+      Count{&Input::rows, "rows", 2, static_cast<int>(most_states), "states of the range in the table, ends included"}
+          .may_be_missing(),
+      ListField{&Input::times, "times", "times of the states in the table, in place of rows"}
+          .as_arrays()
+          .may_be_missing()};
+
+  struct State {
+    Time t = unset<Time>;
+    Length x = unset<Length>, y = unset<Length>, z = unset<Length>;
+    Speed v = unset<Speed>;
+    Acceleration a_tau = unset<Acceleration>, a_n = unset<Acceleration>, a = unset<Acceleration>;
+    Length rho = unset<Length>;
+    static constexpr std::tuple fields{
+        Field{&State::t, "t", sec, "time"}.as(Role::result),
+        Field{&State::x, "x", m, "coordinate x"}.as(Role::result),
+        Field{&State::y, "y", m, "coordinate y"}.as(Role::result),
+        Field{&State::z, "z", m, "coordinate z"}.as(Role::result),
+        Field{&State::v, "v", m_per_s, "speed"}.as(Role::result),
+        Field{&State::a_tau, "a_tau", m_per_s2, "tangential acceleration"}.as(Role::result),
+        Field{&State::a_n, "a_n", m_per_s2, "normal acceleration"}.as(Role::result),
+        Field{&State::a, "a", m_per_s2, "acceleration"}.as(Role::result),
+        Field{&State::rho, "rho", m, "radius of curvature"}.as(Role::result)};
+  };
+
+  struct Result {
+    Length x_M = unset<Length>, y_M = unset<Length>, z_M = unset<Length>;
+    Speed v_x = unset<Speed>, v_y = unset<Speed>, v_z = unset<Speed>, v = unset<Speed>;
+    Acceleration a_x = unset<Acceleration>, a_y = unset<Acceleration>, a_z = unset<Acceleration>;
+    Acceleration a = unset<Acceleration>, a_tau = unset<Acceleration>, a_n = unset<Acceleration>;
+    Twist kappa = unset<Twist>;
+    Length rho = unset<Length>;
+    double gamma = unset<double>;
+    Change change = Change::at_rest;
+    Length L = unset<Length>, Delta_r = unset<Length>;
+    Speed v_m = unset<Speed>, v_L = unset<Speed>, v_max = unset<Speed>;
+    Acceleration a_max = unset<Acceleration>;
+    List<State, most_states> states;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::x_M, "x_M", m, "coordinate x at the time t"}.as(Role::result),
+      Field{&Result::y_M, "y_M", m, "coordinate y at the time t"}.as(Role::result),
+      Field{&Result::z_M, "z_M", m, "coordinate z at the time t"}.as(Role::result),
+      Field{&Result::v_x, "v_x", m_per_s, "velocity along x"}.as(Role::result),
+      Field{&Result::v_y, "v_y", m_per_s, "velocity along y"}.as(Role::result),
+      Field{&Result::v_z, "v_z", m_per_s, "velocity along z"}.as(Role::result),
+      Field{&Result::v, "v", m_per_s, "speed"}.as(Role::result),
+      Field{&Result::a_x, "a_x", m_per_s2, "acceleration along x"}.as(Role::result),
+      Field{&Result::a_y, "a_y", m_per_s2, "acceleration along y"}.as(Role::result),
+      Field{&Result::a_z, "a_z", m_per_s2, "acceleration along z"}.as(Role::result),
+      Field{&Result::a, "a", m_per_s2, "acceleration"}.as(Role::result),
+      Field{&Result::a_tau, "a_tau", m_per_s2, "tangential acceleration, positive where the speed grows"}.as(
+          Role::result),
+      Field{&Result::a_n, "a_n", m_per_s2, "normal acceleration, towards the centre of curvature"}.as(Role::result),
+      Field{&Result::kappa, "kappa", per_m, "curvature of the path"}.as(Role::result),
+      Field{&Result::rho, "rho", m, "radius of curvature; none where the path is straight"}.as(Role::result),
+      Field{&Result::gamma, "gamma", deg, "direction of the velocity in the plane xy, from x"}.as(Role::result),
+      Choice{&Result::change, "change", "whether the point gets faster"}.as(Role::result),
+      Field{&Result::L, "L", m, "way along the path from t_1 to t_2"}.as(Role::result),
+      Field{&Result::Delta_r, "Delta_r", m, "displacement from t_1 to t_2, end from start"}.as(Role::result),
+      Field{&Result::v_m, "v_m", m_per_s, "mean velocity from t_1 to t_2, the displacement over the time"}.as(
+          Role::result),
+      Field{&Result::v_L, "v_L", m_per_s, "mean speed from t_1 to t_2, the way over the time"}.as(Role::result),
+      Field{&Result::v_max, "v_max", m_per_s, "largest speed from t_1 to t_2, at 257 times"}.as(Role::result),
+      Field{&Result::a_max, "a_max", m_per_s2, "largest acceleration from t_1 to t_2, at 257 times"}.as(Role::result),
+      ListField{&Result::states, "states", "states at the given times, or evenly over the range"}.as(Role::result)};
+
+  static bool laws_read(const Input& in);
+  static FieldFault law_fault(const Input& in);
+  static bool laws_are_smooth(const Input& in);
+  static FieldFault gap(const Input& in);
+  static constexpr std::array rules{
+      Rule<Input>{&laws_read, "x, y, z", "x, y and z must be lengths as formulas of t", &law_fault},
+      Rule<Input>{[](const Input& in) { return is_set(in.t_1) == is_set(in.t_2); }, "t_1, t_2",
+                  "a range needs both of its ends: give t_1 and t_2, or neither"},
+      Rule<Input>{[](const Input& in) { return !(in.t_1 >= in.t_2); }, "t_2, t_1",
+                  "the range must end after its start"},
+      Rule<Input>{&laws_are_smooth, "x, y, z, t, t_1, t_2, times", "the laws must have values at these times", &gap}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template PointMotion::Result PointMotion::evaluate(const Input&, NoTrace&);
+extern template PointMotion::Result PointMotion::evaluate(const Input&, Trace&);
+
+constexpr auto choices_of(PointMotion::Change) {
+  using C = PointMotion::Change;
+  return std::array{ChoiceName<C>{C::at_rest, "at_rest", "the point rests at this time"},
+                    ChoiceName<C>{C::steady, "steady", "the speed does not change at this time"},
+                    ChoiceName<C>{C::faster, "faster", "the speed grows"},
+                    ChoiceName<C>{C::slower, "slower", "the speed falls"}};
+}
+
+}  // namespace loadpath

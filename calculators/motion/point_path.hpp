@@ -1,0 +1,39 @@
+// The motion of a point by laws of its coordinates: states at times, and what holds over a range of time. SI numbers.
+#pragma once
+
+#include "calculators/motion/laws.hpp"
+#include "lib/units.hpp"
+
+#include <array>
+
+namespace loadpath::motion {
+
+/// Place, velocity and acceleration, with the parts along the path.
+struct PointState {
+  std::array<double, 3> r{}, v{}, a{};
+  double speed = 0.0;                          // m/s; zero where it is nothing but rounding
+  double acceleration = 0.0;                   // m/s^2
+  double a_tau = 0.0, a_n = 0.0, kappa = 0.0;  // NaN where the point rests: there is no tangent
+};
+
+/// What an input says of the motion of a point; an empty formula is a coordinate that stays zero.
+struct PointPath {
+  Written x, y, z;
+
+  PointPath(const Formula& x_of_t, const Formula& y_of_t, const Formula& z_of_t)
+      : x{"x", &x_of_t, m.dimension()}, y{"y", &y_of_t, m.dimension()}, z{"z", &z_of_t, m.dimension()} {}
+
+  [[nodiscard]] std::array<Written, 3> all() const { return {x, y, z}; }
+  [[nodiscard]] bool reads() const { return motion::reads(x) && motion::reads(y) && motion::reads(z); }
+  /// The first fault of a formula.
+  [[nodiscard]] FieldFault reading_fault() const;
+  /// Whether every law has its value and derivatives from t_1 to t_2; true where one does not read.
+  [[nodiscard]] bool is_smooth(double t_1, double t_2) const;
+  [[nodiscard]] FieldFault gap_fault(double t_1, double t_2) const;
+
+  [[nodiscard]] PointState at(double t) const;
+  /// The length of the way from t_1 to t_2, both ways of a return counted, m.
+  [[nodiscard]] double length(double t_1, double t_2) const;
+};
+
+}  // namespace loadpath::motion

@@ -1,0 +1,112 @@
+#include "calculators/motion/rotation.hpp"
+
+#include "calculators/motion/laws.hpp"
+#include "calculators/motion/path_figures.hpp"
+#include "lib/calculator_of.hpp"
+
+#include <cmath>
+
+namespace loadpath {
+
+namespace {
+
+motion::Written law_of(const Rotation::Input& in) { return {"phi", &in.phi, deg.dimension()}; }
+
+/// Counter-clockwise and getting faster are two things: the signs of omega and epsilon tell.
+Rotation::Change change_of(double omega, double epsilon, double t) {
+  constexpr double rounding = 1e-12;
+  if (std::abs(omega) <= rounding * std::abs(epsilon * t)) return Rotation::Change::at_rest;
+  if (std::abs(epsilon * t) <= rounding * std::abs(omega)) return Rotation::Change::steady;
+  return omega * epsilon > 0.0 ? Rotation::Change::faster : Rotation::Change::slower;
+}
+
+template <class Tracer>
+void count_turns(const Rotation::Input& in, Rotation::Result& r, Tracer& trace) {
+  const auto t_1 = in.t_1, t_2 = in.t_2;
+  const double phi_1 = motion::at(law_of(in), in_si(t_1)).value, phi_2 = motion::at(law_of(in), in_si(t_2)).value;
+  trace.value("phi_1", phi_1, "law of rotation at t_1");
+  trace.value("phi_2", phi_2, "law of rotation at t_2");
+  STEP(Delta_phi, phi_2 - phi_1, "angle turned");
+  STEP(turns, Delta_phi / (2.0 * pi), "a turn is 2 pi");
+  STEP(omega_m, Delta_phi / (t_2 - t_1), "mean angular speed, [B28]");
+  r.Delta_phi = Delta_phi, r.turns = turns, r.omega_m = omega_m;
+}
+
+template <class Tracer>
+void move_point(const Rotation::Input& in, Rotation::Result& r, Tracer& trace) {
+  const auto R = in.R;
+  const auto omega = r.omega;
+  const auto epsilon = r.epsilon;
+  STEP(v, R * abs(omega), "speed of a point on a circle, [B28]");
+  STEP(a_tau, R * epsilon, "tangential acceleration, [B28]");
+  STEP(a_n, R * omega * omega, "normal acceleration, [B28]");
+  STEP(a, sqrt(a_tau * a_tau + a_n * a_n), "acceleration, [B28]");
+  r.v = v, r.a_tau = a_tau, r.a_n = a_n, r.a = a;
+  if (in_si(a) > 0.0) r.mu = std::atan2(std::abs(in_si(a_tau)), in_si(a_n));
+  const double direction = in.phi_M + r.phi_t;
+  const double c = motion::without_rounding(std::cos(direction), 1.0);
+  const double s = motion::without_rounding(std::sin(direction), 1.0);
+  r.x_M = R * c, r.y_M = R * s;
+  r.v_x = -R * omega * s, r.v_y = R * omega * c;
+  r.a_x = -a_tau * s - a_n * c, r.a_y = a_tau * c - a_n * s;
+}
+
+}  // namespace
+
+bool Rotation::law_reads(const Input& in) { return motion::reads(law_of(in)); }
+FieldFault Rotation::law_fault(const Input& in) { return motion::reading_fault(law_of(in)); }
+bool Rotation::law_is_smooth(const Input& in) { return gap(in).message.empty(); }
+
+FieldFault Rotation::gap(const Input& in) {
+  FieldFault fault = motion::gap_fault(law_of(in), in_si(in.t), in_si(in.t));
+  if (fault.message.empty() && is_set(in.t_1) && is_set(in.t_2))
+    fault = motion::gap_fault(law_of(in), in_si(in.t_1), in_si(in.t_2));
+  return fault;
+}
+
+template <class Tracer>
+Rotation::Result Rotation::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  const Jet now = motion::at(law_of(in), in_si(in.t));
+  r.phi_t = now.value;
+  r.n = r.omega = now.first * rad_per_s;
+  r.epsilon = now.second * rad_per_s2;
+  trace.value("phi_t", r.phi_t, "law of rotation at the time t");
+  trace.value("omega", r.omega, "first derivative of the law, [B28]");
+  trace.value("n", r.n, "the same in turns per minute");
+  trace.value("epsilon", r.epsilon, "second derivative of the law, [B28]");
+  r.change = change_of(now.first, now.second, in_si(in.t));
+  if (is_set(in.t_1)) count_turns(in, r, trace);
+  if (is_set(in.R)) move_point(in, r, trace);
+  return r;
+}
+
+template Rotation::Result Rotation::evaluate(const Input&, NoTrace&);
+template Rotation::Result Rotation::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> Rotation::figures(const Input& in, const Result& r) {
+  std::vector<draw::Figure> all;
+  if (is_set(in.t_1)) {
+    draw::Plot plot;
+    plot.x = {"t", "time", "s"};
+    plot.y = {"omega", "angular speed", "rad/s"};
+    draw::Curve curve{"omega", {}, {}};
+    constexpr int points = 181;
+    for (int i = 0; i < points; ++i) {
+      curve.x.push_back(in_si(in.t_1 + (in.t_2 - in.t_1) * (static_cast<double>(i) / (points - 1))));
+      curve.y.push_back(motion::at(law_of(in), curve.x.back()).first);
+    }
+    plot.curves.push_back(std::move(curve));
+    if (in.t_1 <= in.t && in.t <= in.t_2) plot.marks.push_back({in_si(in.t), in_si(r.omega), "at t"});
+    all.push_back({"angular-speed", "Angular speed over time", std::move(plot)});
+  }
+  if (!is_set(in.R)) return all;
+  auto plan = motion::plan_figure({{"Velocity of the point", "m/s", {{"v", {in_si(r.v_x), in_si(r.v_y)}}}},
+                                   {"Acceleration of the point", "m/s^2", {{"a", {in_si(r.a_x), in_si(r.a_y)}}}}});
+  if (!std::get<draw::Plans>(plan.content).panels.empty()) all.push_back(std::move(plan));
+  return all;
+}
+
+template const Calculator& erased<Rotation>();
+
+}  // namespace loadpath

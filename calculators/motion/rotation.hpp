@@ -1,0 +1,117 @@
+// Rotation of a body about a fixed axis by a law phi(t): speed, acceleration, and a point of the body.
+//
+// Sign: counter-clockwise positive, as phi. The acceleration of the point is given by its parts along the circle and to
+// the axis. Source: [B28]. Not covered: laws with kinks or jumps.
+#pragma once
+
+#include "calculators/motion/units.hpp"
+#include "lib/draw/figure.hpp"
+#include "lib/field.hpp"
+#include "lib/issue.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath {
+
+struct Rotation {
+  static constexpr auto id = "motion.rotation";
+  static constexpr auto title = "Rotation of a body about a fixed axis";
+  static constexpr auto scope =
+      "Angular speed and acceleration from the law of rotation phi(t); speed and acceleration of a point of the body; "
+      "turns over a range of time. Laws must be smooth.";
+  static constexpr auto source = "[B28]";
+  static constexpr auto example = R"toml([project]
+title = "A shaft that runs up"
+
+[shaft_end]
+calculator = "motion.rotation"
+phi = "90 deg*(t/(1 s))^2"
+t = "2 s"
+R = "150 mm"
+t_1 = "0 s"
+t_2 = "2 s"
+)toml";
+
+  enum class Change { at_rest, steady, faster, slower };
+
+  struct Input {
+    Formula phi;
+    Time t = unset<Time>;
+    Length R = unset<Length>;
+    double phi_M = 0.0;
+    Time t_1 = unset<Time>, t_2 = unset<Time>;
+  };
+  static constexpr std::tuple inputs{
+      FormulaField{&Input::phi, "phi", "angle as a formula of the time t: \"90 deg*(t/(1 s))^2\""},
+      Field{&Input::t, "t", sec, "time that the state is worked out for"},
+      Field{&Input::R, "R", mm, "distance of the point from the axis"}.at_least(0).usually(0.1, 1e5).may_be_missing(),
+      Field{&Input::phi_M, "phi_M", deg, "direction from the axis to the point at phi = 0, from x"},
+      Field{&Input::t_1, "t_1", sec, "start of the range that turns are counted in, with t_2"}.may_be_missing(),
+      Field{&Input::t_2, "t_2", sec, "end of the range, after t_1"}.may_be_missing()};
+
+  struct Result {
+    double phi_t = unset<double>;
+    AngularSpeed omega = unset<AngularSpeed>, n = unset<AngularSpeed>;
+    AngularAcceleration epsilon = unset<AngularAcceleration>;
+    Change change = Change::at_rest;
+    double Delta_phi = unset<double>, turns = unset<double>;
+    AngularSpeed omega_m = unset<AngularSpeed>;
+    Speed v = unset<Speed>;
+    Acceleration a_tau = unset<Acceleration>, a_n = unset<Acceleration>, a = unset<Acceleration>;
+    double mu = unset<double>;
+    Length x_M = unset<Length>, y_M = unset<Length>;
+    Speed v_x = unset<Speed>, v_y = unset<Speed>;
+    Acceleration a_x = unset<Acceleration>, a_y = unset<Acceleration>;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::phi_t, "phi_t", deg, "angle at the time t"}.as(Role::result),
+      Field{&Result::omega, "omega", rad_per_s, "angular speed, signed"}.as(Role::result),
+      Field{&Result::n, "n", rpm, "angular speed in turns per minute, signed"}.as(Role::result),
+      Field{&Result::epsilon, "epsilon", rad_per_s2, "angular acceleration, signed"}.as(Role::result),
+      Choice{&Result::change, "change", "whether the body gets faster"}.as(Role::result),
+      Field{&Result::Delta_phi, "Delta_phi", deg, "angle turned from t_1 to t_2, signed"}.as(Role::result),
+      Field{&Result::turns, "turns", ratio, "turns from t_1 to t_2, signed"}.as(Role::result),
+      Field{&Result::omega_m, "omega_m", rad_per_s, "mean angular speed from t_1 to t_2"}.as(Role::result),
+      Field{&Result::v, "v", m_per_s, "speed of the point"}.as(Role::result),
+      Field{&Result::a_tau, "a_tau", m_per_s2, "tangential acceleration, positive counter-clockwise"}.as(Role::result),
+      Field{&Result::a_n, "a_n", m_per_s2, "normal acceleration, towards the axis"}.as(Role::result),
+      Field{&Result::a, "a", m_per_s2, "acceleration of the point"}.as(Role::result),
+      Field{&Result::mu, "mu", deg, "angle of the acceleration against the direction to the axis"}.as(Role::result),
+      Field{&Result::x_M, "x_M", mm, "coordinate x of the point, from the axis"}.as(Role::result),
+      Field{&Result::y_M, "y_M", mm, "coordinate y of the point, from the axis"}.as(Role::result),
+      Field{&Result::v_x, "v_x", m_per_s, "velocity of the point along x"}.as(Role::result),
+      Field{&Result::v_y, "v_y", m_per_s, "velocity of the point along y"}.as(Role::result),
+      Field{&Result::a_x, "a_x", m_per_s2, "acceleration of the point along x"}.as(Role::result),
+      Field{&Result::a_y, "a_y", m_per_s2, "acceleration of the point along y"}.as(Role::result)};
+
+  static bool law_reads(const Input& in);
+  static FieldFault law_fault(const Input& in);
+  static bool law_is_smooth(const Input& in);
+  static FieldFault gap(const Input& in);
+  static constexpr std::array rules{
+      Rule<Input>{&law_reads, "phi", "phi must be an angle as a formula of t", &law_fault},
+      Rule<Input>{[](const Input& in) { return is_set(in.t_1) == is_set(in.t_2); }, "t_1, t_2",
+                  "a range needs both of its ends: give t_1 and t_2, or neither"},
+      Rule<Input>{[](const Input& in) { return !(in.t_1 >= in.t_2); }, "t_2, t_1",
+                  "the range must end after its start"},
+      Rule<Input>{&law_is_smooth, "phi, t, t_1, t_2", "the law must have a value at these times", &gap}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template Rotation::Result Rotation::evaluate(const Input&, NoTrace&);
+extern template Rotation::Result Rotation::evaluate(const Input&, Trace&);
+
+constexpr auto choices_of(Rotation::Change) {
+  using C = Rotation::Change;
+  return std::array{ChoiceName<C>{C::at_rest, "at_rest", "the body stands at this time"},
+                    ChoiceName<C>{C::steady, "steady", "the angular speed does not change at this time"},
+                    ChoiceName<C>{C::faster, "faster", "the body gets faster"},
+                    ChoiceName<C>{C::slower, "slower", "the body gets slower"}};
+}
+
+}  // namespace loadpath

@@ -1,0 +1,102 @@
+// Force of a motion, throw and impulse.
+#include "tests/calculators/motion/solved.hpp"
+
+using namespace loadpath::test;
+
+TEST_SUITE("dynamics force") {
+  TEST_CASE("on the ellipse the force points to the middle: P = -m pi^2 r") {
+    for (const std::string t : {"0 s", "0.1 s", "0.6 s", "1.3 s"}) {
+      const SolvedStep s("dynamics.force",
+                         "m = \"2 kg\"\nx = \"3 m*sin(pi*t/(1 s))\"\ny = \"5 m*cos(pi*t/(1 s))\"\nt = \"" + t + "\"\n");
+      const double time = std::stod(t), k = -2.0 * 9.869604401089358;
+      CHECK(std::abs(s("P_x") - k * 3.0 * std::sin(3.141592653589793 * time)) < 1e-9);
+      CHECK(std::abs(s("P_y") - k * 5.0 * std::cos(3.141592653589793 * time)) < 1e-9);
+      CHECK(s("Phi_x") == -s("P_x"));
+    }
+  }
+
+  TEST_CASE("what stands or moves evenly asks for the opposite of the known forces") {
+    const SolvedStep s("dynamics.force", "m = \"7 kg\"\nx = \"3 m/s*t\"\nt = \"1 s\"\nF_z = \"-68.67 N\"\n");
+    CHECK(s("P") == 0.0);
+    CHECK(near(s("R"), 68.67));
+  }
+
+  TEST_CASE("a mass without a size, or a law that is none, is refused") {
+    const Refused rows[] = {{"m = \"0 kg\"\nx = \"1 m\"\nt = \"0 s\"\n", "must be"},
+                            {"m = \"1 kg\"\nx = \"1 kg\"\nt = \"0 s\"\n", "length"},
+                            {"m = \"1 kg\"\nx = \"1 m\"\nt = \"0 s\"\nt_1 = \"0 s\"\n", "both of its ends"}};
+    check_refusals("dynamics.force", rows);
+  }
+}
+
+TEST_SUITE("dynamics throw") {
+  TEST_CASE("energy is kept over the flight") {
+    for (const double h : {-3.0, 0.0, 25.0}) {
+      const SolvedStep s("dynamics.throw",
+                         "V_0 = \"15 m/s\"\ntheta = \"60 deg\"\nh = \"" + std::to_string(h) + " m\"\n");
+      CHECK(near(s("V_L") * s("V_L"), 225.0 + 2.0 * 9.81 * h, 1e-12));
+    }
+  }
+
+  TEST_CASE("no angle reaches farther than the angle of greatest range") {
+    const std::string throw_from = "V_0 = \"15 m/s\"\nh = \"10 m\"\ntheta = ";
+    const double most = SolvedStep("dynamics.throw", throw_from + "\"40 deg\"\n")("L_max");
+    for (int theta = -80; theta <= 85; theta += 5) {
+      CHECK(SolvedStep("dynamics.throw", throw_from + "\"" + std::to_string(theta) + " deg\"\n")("L") <=
+            most * 1.0000001);
+    }
+  }
+
+  TEST_CASE("the angles that are given for a distance reach it") {
+    const SolvedStep aim("dynamics.throw", "V_0 = \"20 m/s\"\ntheta = \"45 deg\"\nh = \"2 m\"\nL_req = \"30 m\"\n");
+    for (const std::string of : {"theta_flat", "theta_steep"}) {
+      const SolvedStep s("dynamics.throw",
+                         "V_0 = \"20 m/s\"\nh = \"2 m\"\ntheta = \"" + std::to_string(aim(of)) + " rad\"\n");
+      CHECK(near(s("L"), 30.0, 1e-5));
+    }
+  }
+
+  TEST_CASE("out of reach is a check that fails, on both sides of its border") {
+    CHECK(SolvedStep("dynamics.throw", "V_0 = \"20 m/s\"\ntheta = \"45 deg\"\nL_req = \"40 m\"\n").worst() ==
+          loadpath::report::State::pass);
+    CHECK(SolvedStep("dynamics.throw", "V_0 = \"20 m/s\"\ntheta = \"45 deg\"\nL_req = \"41 m\"\n").worst() ==
+          loadpath::report::State::fail);
+    CHECK(SolvedStep("dynamics.throw", "V_0 = \"20 m/s\"\ntheta = \"45 deg\"\nh = \"-10 m\"\n").worst() ==
+          loadpath::report::State::pass);
+    CHECK(SolvedStep("dynamics.throw", "V_0 = \"20 m/s\"\ntheta = \"45 deg\"\nh = \"-11 m\"\n").worst() ==
+          loadpath::report::State::fail);
+  }
+
+  TEST_CASE("what cannot be thrown is refused") {
+    const Refused rows[] = {{"V_0 = \"0 m/s\"\ntheta = \"45 deg\"\n", "must be"},
+                            {"V_0 = \"9 m/s\"\ntheta = \"91 deg\"\n", "must be"},
+                            {"V_0 = \"9 m/s\"\ntheta = \"45\"\n", "unit"},
+                            {"V_0 = \"9 m/s\"\ntheta = \"-5 deg\"\nh = \"-1 m\"\n", "does not land higher"}};
+    check_refusals("dynamics.throw", rows);
+  }
+}
+
+TEST_SUITE("dynamics impulse") {
+  TEST_CASE("a force that is twice as long brings twice the impulse") {
+    const SolvedStep a("dynamics.impulse", "m = \"2 kg\"\nF_x = \"30 N\"\nt_2 = \"1 s\"\n");
+    const SolvedStep b("dynamics.impulse", "m = \"2 kg\"\nF_x = \"30 N\"\nt_2 = \"2 s\"\n");
+    CHECK(near(a("I"), 30.0));
+    CHECK(near(b("I"), 60.0));
+    CHECK(near(b("F_m"), a("F_m")));
+  }
+
+  TEST_CASE("the work is the change of the kinetic energy") {
+    const SolvedStep s(
+        "dynamics.impulse",
+        "m = \"2 kg\"\nF_x = \"30 N\"\nF_y = \"-10 N\"\nt_2 = \"1 s\"\nv_1x = \"1 m/s\"\nv_1y = \"2 m/s\"\n");
+    // constant force: the way is the mean velocity times the time
+    CHECK(near(s("A"), 30.0 * (1.0 + s("v_2x")) / 2.0 - 10.0 * (2.0 + s("v_2y")) / 2.0));
+  }
+
+  TEST_CASE("what is no force over a time is refused") {
+    const Refused rows[] = {{"m = \"2 kg\"\nF_x = \"30 kg\"\nt_2 = \"1 s\"\n", "force"},
+                            {"m = \"2 kg\"\nF_x = \"30 N\"\nt_1 = \"1 s\"\nt_2 = \"1 s\"\n", "end after its start"},
+                            {"m = \"2 kg\"\nF_x = \"30 N/(t/(1 s))\"\nt_2 = \"1 s\"\n", "no value"}};
+    check_refusals("dynamics.impulse", rows);
+  }
+}

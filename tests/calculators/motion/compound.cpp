@@ -1,0 +1,52 @@
+#include "tests/calculators/motion/solved.hpp"
+
+using namespace loadpath::test;
+
+namespace {
+
+SolvedStep point(const std::string& lines) { return {"motion.compound", lines}; }
+
+}  // namespace
+
+TEST_SUITE("motion compound") {
+  TEST_CASE("without a rotation there is no Coriolis acceleration") {
+    const auto p = point("xi = \"1 m\"\nv_xi = \"2 m/s\"\na_xi = \"3 m/s^2\"\nomega = \"0 rad/s\"\nv_Ax = \"4 m/s\"\n");
+    CHECK(p("a_c") == 0.0);
+    CHECK(near(p("v"), 6.0));
+    CHECK(near(p("a"), 3.0));
+    CHECK(p.word("sense") == "none");
+  }
+
+  TEST_CASE("what moves along the axis of rotation brings no Coriolis acceleration") {
+    CHECK(point("xi = \"1 m\"\nv_zeta = \"2 m/s\"\nomega = \"5 rad/s\"\n")("a_c") == 0.0);
+  }
+
+  TEST_CASE("on a circle the Coriolis acceleration is along the normal one with the rotation, against it otherwise") {
+    const auto with = point("xi = \"1 m\"\nv_eta = \"2 m/s\"\na_xi = \"-4 m/s^2\"\nomega = \"5 rad/s\"\n");
+    const auto against = point("xi = \"1 m\"\nv_eta = \"-2 m/s\"\na_xi = \"-4 m/s^2\"\nomega = \"5 rad/s\"\n");
+    CHECK(with.word("sense") == "along");
+    CHECK(against.word("sense") == "against");
+    // absolute motion on the same circle with v = omega r +- v_r: its normal acceleration is v^2/r
+    CHECK(near(with("a"), 49.0));
+    CHECK(near(against("a"), 9.0));
+  }
+
+  TEST_CASE("turning the frame turns the vectors and keeps their sizes") {
+    const std::string motion =
+        "xi = \"0.2 m\"\neta = \"0.1 m\"\nv_xi = \"2 m/s\"\nv_eta = \"-1 m/s\"\n"
+        "a_xi = \"3 m/s^2\"\nomega = \"3 rad/s\"\nepsilon = \"2 rad/s^2\"\nphi = ";
+    const auto a = point(motion + "\"0 deg\"\n"), b = point(motion + "\"90 deg\"\n");
+    CHECK(near(a("a"), b("a")));
+    CHECK(near(b("a_y"), a("a_x")));
+    CHECK(near(b("a_x"), -a("a_y")));
+  }
+
+  TEST_CASE("derivatives of the absolute path agree: an independent way by laws of time") {
+    // xi = 0.1 m + 2 m/s t on a rod that turns by 3 rad/s: x = xi cos(3 t), y = xi sin(3 t), at t = 0.2 s
+    const SolvedStep law("motion.point",
+                         "x = \"(0.1 m + 2 m/s*t)*cos(3*t/(1 s))\"\n"
+                         "y = \"(0.1 m + 2 m/s*t)*sin(3*t/(1 s))\"\nt = \"0.2 s\"\n");
+    const auto p = point("xi = \"0.5 m\"\nv_xi = \"2 m/s\"\nomega = \"3 rad/s\"\nphi = \"0.6 rad\"\n");
+    for (const std::string of : {"v_x", "v_y", "a_x", "a_y"}) CHECK(near(p(of), law(of), 1e-12));
+  }
+}

@@ -1,0 +1,51 @@
+#include "tests/calculators/motion/solved.hpp"
+
+using namespace loadpath::test;
+
+namespace {
+
+SolvedStep rotor(const std::string& lines) { return {"motion.rotation", lines}; }
+
+}  // namespace
+
+TEST_SUITE("motion rotation") {
+  TEST_CASE("a steady rotation has a normal acceleration only") {
+    const auto r = rotor("phi = \"4 rad*t/(1 s)\"\nt = \"3 s\"\nR = \"250 mm\"\n");
+    CHECK(near(r("omega"), 4.0));
+    CHECK(r.word("change") == "steady");
+    CHECK(r("a_tau") == 0.0);
+    CHECK(near(r("a_n"), 4.0));
+    CHECK(r("mu") == 0.0);
+  }
+
+  TEST_CASE("a body that turns backwards and is slowed down has the signs of that") {
+    const auto r = rotor("phi = \"-10 rad*t/(1 s) + 1 rad*t^2/(1 s^2)\"\nt = \"2 s\"\nR = \"1 m\"\n");
+    CHECK(near(r("omega"), -6.0));
+    CHECK(near(r("epsilon"), 2.0));
+    CHECK(r.word("change") == "slower");
+    CHECK(near(r("a"), std::sqrt(4.0 + 1296.0)));
+  }
+
+  TEST_CASE("turns are the angle over 2 pi, and the mean speed the angle over the time") {
+    const auto r = rotor("phi = \"90 deg*(t/(1 s))^2\"\nt = \"0 s\"\nt_1 = \"0 s\"\nt_2 = \"4 s\"\n");
+    CHECK(near(r("turns"), 4.0));
+    CHECK(near(r("omega_m"), 2.0 * 3.14159265358979));
+    CHECK(r.word("change") == "at_rest");
+  }
+
+  TEST_CASE("speed and acceleration of a point grow with its radius") {
+    const std::string law = "phi = \"1 rad*(t/(1 s))^3\"\nt = \"1 s\"\nR = ";
+    const auto a = rotor(law + "\"100 mm\"\n"), b = rotor(law + "\"300 mm\"\n");
+    CHECK(near(b("v"), 3.0 * a("v")));
+    CHECK(near(b("a"), 3.0 * a("a")));
+    CHECK(near(b("mu"), a("mu")));
+  }
+
+  TEST_CASE("what cannot be a rotation is refused with its reason") {
+    const Refused rows[] = {{"phi = \"3 m\"\nt = \"0 s\"\n", "expected"},
+                            {"phi = \"1 rad*sqrt(t/(1 s))\"\nt = \"-1 s\"\n", "no value, speed or acceleration"},
+                            {"phi = \"1 rad\"\nt = \"0 s\"\nt_2 = \"1 s\"\n", "both of its ends"},
+                            {"phi = \"1 rad\"\nt = \"0 s\"\nR = \"-1 mm\"\n", "must be"}};
+    check_refusals("motion.rotation", rows);
+  }
+}

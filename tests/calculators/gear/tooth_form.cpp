@@ -4,8 +4,8 @@
 
 #include <doctest/doctest.h>
 
-#include <initializer_list>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 namespace {

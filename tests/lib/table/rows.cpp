@@ -8,7 +8,7 @@ using namespace loadpath::table;
 namespace {
 
 struct Bar {
-  static constexpr auto group = "bar";
+  [[maybe_unused]] static constexpr auto group = "bar";
   Length d = unset<Length>;
   Area A = unset<Area>;
   double price = unset<double>;

@@ -9,8 +9,6 @@ namespace loadpath {
 
 namespace {
 
-using gear::Mesh;
-
 /// Sum of the base radii of two wheels, difference of ring and wheel.
 Length base_distance(const GearPair::Input& in) {
   const double alpha_t = std::atan(std::tan(in.alpha_n) / std::cos(in.beta));

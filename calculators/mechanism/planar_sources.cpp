@@ -56,6 +56,7 @@ constexpr std::array cited{
 
 std::vector<std::string> occasional_sources() {
   std::vector<std::string> keys;
+  keys.reserve(cited.size());
   for (const Cited& source : cited) keys.emplace_back(source.key);
   return keys;
 }

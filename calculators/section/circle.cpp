@@ -11,10 +11,10 @@ SolidCircle::Result SolidCircle::evaluate(const Input& in, Tracer& trace) {
   Result r = section::centred();
   STEP(A, pi / 4.0 * d * d, "area of a circle");
   STEP(I_y, pi / 64.0 * pow<4>(d), "half the polar second moment, [B19]");
-  STEP(I_z, I_y, "every diameter is alike");
+  r.I_z = NAMED_STEP("I_z", I_y, "every diameter is alike");
   STEP(I_t, pi / 32.0 * pow<4>(d), "polar second moment, exact for circles, [B19]");
   STEP(W_t, 2.0 * I_t / d, "shear is largest at the surface, [B19]");
-  r.A = A, r.I_y = I_y, r.I_z = I_z, r.I_t = I_t, r.W_t = W_t;
+  r.A = A, r.I_y = I_y, r.I_t = I_t, r.W_t = W_t;
   section::complete(r, section::disc(d), trace);
   return r;
 }

@@ -65,7 +65,7 @@ sigma_adm = "6 MPa"
     Tensioning tensioning = Tensioning::fixed;
   };
   static constexpr std::tuple inputs{
-      Field{&Input::P, "P", belt::kW, "power at the driving pulley, the mean over the cycle"}
+      Field{&Input::P, "P", kW, "power at the driving pulley, the mean over the cycle"}
           .positive()
           .usually(0.01, 3000)
           .may_be_missing(),
@@ -74,7 +74,7 @@ sigma_adm = "6 MPa"
           .positive()
           .usually(1, 3)
           .factor(),
-      Field{&Input::n_1, "n_1", belt::rpm, "speed of the driving pulley"}.positive().usually(10, 2e4),
+      Field{&Input::n_1, "n_1", rpm, "speed of the driving pulley"}.positive().usually(10, 2e4),
       Field{&Input::d_1, "d_1", mm, "diameter of the driving pulley"}.positive().usually(10, 5000),
       Field{&Input::d_2, "d_2", mm, "diameter of the driven pulley"}.positive().usually(10, 5000),
       Field{&Input::a, "a", mm, "centre distance"}.positive().usually(10, 5e4).may_be_missing(),
@@ -120,7 +120,7 @@ sigma_adm = "6 MPa"
   };
   static constexpr std::tuple results{
       Field{&Result::i, "i", ratio, "transmission ratio n_1/n_2 with slip"}.as(Role::result),
-      Field{&Result::n_2, "n_2", belt::rpm, "speed of the driven pulley"}.as(Role::result),
+      Field{&Result::n_2, "n_2", rpm, "speed of the driven pulley"}.as(Role::result),
       Field{&Result::v, "v", m_per_s, "speed of the belt"}.as(Role::result),
       Field{&Result::a, "a", mm, "centre distance"}.as(Role::result),
       Field{&Result::L, "L", mm, "length of the belt, at the middle of its thickness"}.as(Role::result),

@@ -29,7 +29,7 @@ struct VBeltRow {
   double a_1 = 0.0, b_1 = 0.0, a_2 = 0.0, b_2 = 0.0, a_3 = 0.0, b_3 = 0.0, a_4 = 0.0, b_4 = 0.0;
   Length d_low = unset<Length>, d_high = unset<Length>, d_least = unset<Length>;
   AngularSpeed n_low = unset<AngularSpeed>, n_high = unset<AngularSpeed>;
-  MassPerLength m = unset<MassPerLength>;
+  LineDensity m = unset<LineDensity>;
   Length w_d = unset<Length>, h_a = unset<Length>, e = unset<Length>, f = unset<Length>, d_phi = unset<Length>;
   double phi_1 = unset<double>, phi_2 = unset<double>;
   Speed v_max = unset<Speed>;

@@ -1,14 +1,13 @@
 // Units of motion and dynamics that no other calculator shows.
 #pragma once
 
-#include "lib/units.hpp"
+#include "lib/drive_units.hpp"
 
 namespace loadpath {
 
 using Momentum = decltype(Mass() * Speed());
 using AngularMomentum = decltype(MassMoment() * AngularSpeed());
 
-inline constexpr Unit<AngularSpeed> rpm{"rpm", from_si<AngularSpeed>(2.0 * pi / 60.0), 1};
 inline constexpr Unit<Twist> per_m{"1/m", from_si<Twist>(1.0)};
 inline constexpr Unit<Moment> J{"J", from_si<Moment>(1.0), 0, Kind::energy};
 inline constexpr Unit<Momentum> kg_m_per_s{"kg*m/s", from_si<Momentum>(1.0)};

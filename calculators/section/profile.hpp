@@ -1,6 +1,7 @@
 // A row of the section tables. What a family does not have (r of W, e_z of I) is unset.
 #pragma once
 
+#include "lib/drive_units.hpp"
 #include "lib/field.hpp"
 #include "lib/table/rows.hpp"
 
@@ -8,15 +9,12 @@
 
 namespace loadpath::section {
 
-using MassPerLength = decltype(Mass() / Length());
-inline constexpr Unit<MassPerLength> kg_per_m{"kg/m", from_si<MassPerLength>(1.0)};
-
 struct Profile {
   static constexpr auto group = "section";
 
   Length h = unset<Length>, b = unset<Length>, t_w = unset<Length>, t_f = unset<Length>;
   Length r = unset<Length>, r_2 = unset<Length>, e_z = unset<Length>;
-  MassPerLength m = unset<MassPerLength>;
+  LineDensity m = unset<LineDensity>;
   Area A = unset<Area>;
   SecondMoment I_y = unset<SecondMoment>, I_z = unset<SecondMoment>, I_yz = unset<SecondMoment>;
   SecondMoment I_min = unset<SecondMoment>, I_t = unset<SecondMoment>;

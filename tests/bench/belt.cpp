@@ -14,7 +14,7 @@ VBeltSizing::Input wide_question(belt::Basis basis) {
   if (basis == belt::Basis::iso) in.belt_class = VBelt::BeltClass::IV;
   in.P = 30e3 * W;
   in.K_A = 1.2;
-  in.n_1 = 1000.0 * belt::rpm, in.n_2_set = 500.0 * belt::rpm;
+  in.n_1 = 1000.0 * rpm, in.n_2_set = 500.0 * rpm;
   in.tol_n = 0.1;
   in.a_set = 1.5 * m, in.tol_a = 0.5;
   in.z_max = 20;
@@ -39,7 +39,7 @@ void one_drive(benchmark::State& state) {
   in.section = "SPB";
   in.P = 30e3 * W;
   in.K_A = 1.2;
-  in.n_1 = 1460.0 * belt::rpm;
+  in.n_1 = 1460.0 * rpm;
   in.d_1 = 200.0 * mm, in.d_2 = 400.0 * mm, in.L = 2650.0 * mm;
   NoTrace trace;
   for ([[maybe_unused]] auto _ : state) {

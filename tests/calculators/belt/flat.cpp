@@ -17,7 +17,7 @@ double rel(double value, double expected) { return std::abs(value - expected) / 
 FlatBelt::Input fan() {
   FlatBelt::Input in;
   in.P = 15e3 * W;
-  in.n_1 = 1450.0 * belt::rpm;
+  in.n_1 = 1450.0 * rpm;
   in.d_1 = 200.0 * mm, in.d_2 = 500.0 * mm, in.a = 1200.0 * mm;
   in.mu = 0.4;
   in.delta = 2.5 * mm;

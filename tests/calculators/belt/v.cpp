@@ -20,7 +20,7 @@ VBelt::Input wedge() {
   in.section = "SPB";
   in.P = 30e3 * W;
   in.K_A = 1.2;
-  in.n_1 = 1460.0 * belt::rpm;
+  in.n_1 = 1460.0 * rpm;
   in.d_1 = 200.0 * mm, in.d_2 = 400.0 * mm, in.L = 2650.0 * mm;
   return in;
 }
@@ -32,7 +32,7 @@ VBelt::Input classical() {
   in.belt_class = VBelt::BeltClass::IV;
   in.P = 7.5e3 * W;
   in.K_A = 1.2;
-  in.n_1 = 1440.0 * belt::rpm;
+  in.n_1 = 1440.0 * rpm;
   in.d_1 = 140.0 * mm, in.d_2 = 280.0 * mm, in.L = 1800.0 * mm;
   return in;
 }
@@ -46,7 +46,7 @@ VBelt::Result solve(const VBelt::Input& in) {
 VBelt::Result rated(belt::Basis basis, const char* section, double d, double n, double ratio = 1.0) {
   VBelt::Input in = basis == belt::Basis::iso ? classical() : wedge();
   in.section = section;
-  in.n_1 = n * belt::rpm;
+  in.n_1 = n * rpm;
   in.d_1 = d * mm, in.d_2 = ratio * d * mm;
   in.L = unset<Length>, in.a = 2.0 * (in.d_1 + in.d_2);
   return solve(in);
@@ -251,7 +251,7 @@ TEST_SUITE("belt v") {
   TEST_CASE("a drive that speeds up is rated by its smaller, driven pulley") {
     VBelt::Input in = classical();
     std::swap(in.d_1, in.d_2);
-    in.n_1 = 720.0 * belt::rpm;
+    in.n_1 = 720.0 * rpm;
     const auto up = solve(in), down = solve(classical());
     CHECK(rel(in_si(up.P_N), in_si(down.P_N)) < 1e-12);
     CHECK(up.n_2 > in.n_1);

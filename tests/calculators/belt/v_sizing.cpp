@@ -17,7 +17,7 @@ VBeltSizing::Input fan() {
   in.basis = belt::Basis::optibelt;
   in.P = 11e3 * W;
   in.K_A = 1.2;
-  in.n_1 = 1460.0 * belt::rpm, in.n_2_set = 730.0 * belt::rpm;
+  in.n_1 = 1460.0 * rpm, in.n_2_set = 730.0 * rpm;
   in.a_set = 600.0 * mm;
   return in;
 }
@@ -103,7 +103,7 @@ TEST_SUITE("belt v sizing") {
 
   TEST_CASE("a drive that speeds up is found as well") {
     auto in = fan();
-    in.n_1 = 730.0 * belt::rpm, in.n_2_set = 1460.0 * belt::rpm;
+    in.n_1 = 730.0 * rpm, in.n_2_set = 1460.0 * rpm;
     const auto r = solve(in);
     REQUIRE(!r.candidates.empty());
     CHECK(r.d_1 > r.d_2);

@@ -48,14 +48,8 @@ r_2 = "6 mm"
           .at_least(0)
           .may_be_missing()};
 
-  struct Result : section::Properties {
-    double w = unset<double>;
-  };
-  static constexpr auto results =
-      std::tuple_cat(section::property_fields<Result>(),
-                     std::tuple{Field{&Result::w, "w", ratio,
-                                      "thickest wall over the shortest part, for the torsion of thin open walls"}
-                                    .limit(0, section::thickest_open_wall)});
+  using Result = section::OpenWalls;
+  static constexpr auto results = section::results_of_open_walls;
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return in.t + in.r + in.r_2 <= min(in.h, in.b); }, "t, r, r_2, h, b",

@@ -45,14 +45,8 @@ r = "12 mm"
       Field{&Input::t_f, "t_f", mm, "thickness of the flange"}.positive(),
       Field{&Input::r, "r", mm, "radius of the fillets; none where missing"}.at_least(0).may_be_missing()};
 
-  struct Result : section::Properties {
-    double w = unset<double>;
-  };
-  static constexpr auto results =
-      std::tuple_cat(section::property_fields<Result>(),
-                     std::tuple{Field{&Result::w, "w", ratio,
-                                      "thickest wall over the shortest part, for the torsion of thin open walls"}
-                                    .limit(0, section::thickest_open_wall)});
+  using Result = section::OpenWalls;
+  static constexpr auto results = section::results_of_open_walls;
 
   static constexpr std::array rules{Rule<Input>{[](const Input& in) { return in.t_f + in.r < in.h; }, "t_f, r, h",
                                                 "flange and fillet need more depth than h"},

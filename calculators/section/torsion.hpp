@@ -1,7 +1,7 @@
 // Torsion constants of sections that are no circles: what several sections and their tests share.
 #pragma once
 
-#include "lib/trace.hpp"
+#include "calculators/section/properties.hpp"
 
 #include <cmath>
 
@@ -29,6 +29,16 @@ inline RectangleFactors rectangle_factors(double a_over_b) {
 /// How thick walls may be for the formulas of thin ones: over the shortest straight part of an open section, and over
 /// the shorter middle line of a closed one (the thickest of EN 10210-2).
 inline constexpr double thickest_open_wall = 0.25, thickest_closed_wall = 0.25;
+
+/// The properties of a section whose torsion constant holds for thin open walls only.
+struct OpenWalls : Properties {
+  double w = unset<double>;
+};
+inline constexpr auto results_of_open_walls =
+    std::tuple_cat(property_fields<OpenWalls>(),
+                   std::tuple{Field{&OpenWalls::w, "w", ratio,
+                                    "thickest wall over the shortest part, for the torsion of thin open walls"}
+                                  .limit(0, thickest_open_wall)});
 
 /// Proportions of rolled I sections, web and fillet over flange thickness: IPE, HEA, HEB and HEM have 0.51 to 0.74 and
 /// 0.54 to 1.93, and the torsion constant agrees with their tables within 4.3 %; without fillets it runs on smoothly.

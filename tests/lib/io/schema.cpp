@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 using namespace loadpath;
@@ -28,7 +29,7 @@ std::string_view type_of(const Tree& tree) {
     case Tree::Type::text:
       return "string";
     case Tree::Type::number:
-      return tree.number == static_cast<double>(static_cast<long long>(tree.number)) ? "integer" : "number";
+      return std::isfinite(tree.number) && tree.number == std::trunc(tree.number) ? "integer" : "number";
     case Tree::Type::boolean:
       return "boolean";
   }

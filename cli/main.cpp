@@ -4,8 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <csignal>
-#include <deque>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -142,12 +142,9 @@ void add_templates(const Calculator& calculator, const AddFlag& add) {
 }
 
 /// Flags of one calculator: the top-level fields of its input, and the rows that its providers look up.
-void setup_calculator(CLI::App& element, const Calculator& calculator, CalculateOptions& options, Action& action) {
-  const std::string_view id = calculator.id;
-  CLI::App* sub = element.add_subcommand(std::string(id.substr(id.find('.') + 1)), calculator.title);
-  options.calculator = &calculator;
+void add_flags(CLI::App& app, const Calculator& calculator, CalculateOptions& options) {
   const auto add = [&](const std::string& key, const std::string& doc, const std::string& type) {
-    sub->add_option_function<std::string>(
+    app.add_option_function<std::string>(
            "--" + key, [&options, key](const std::string& text) { options.values.emplace_back(key, text); }, doc)
         ->type_name(type)
         ->expected(1)
@@ -159,36 +156,52 @@ void setup_calculator(CLI::App& element, const Calculator& calculator, Calculate
     add(group, "row of the " + group + " tables that fills what is missing", "NAME");
   }
   add("title", "title of the report", "TEXT");
-  sub->add_option(
-         "--file", options.file,
-         "project file: its steps of this calculator, and what they refer to; other flags replace their fields")
+  app.add_option("--file", options.file,
+                 "project file: its steps of this calculator, and what they refer to; other flags replace their fields")
       ->type_name("FILE");
-  add_output(*sub, options.output);
-  if (calculator.element() == "mechanism") add_drawing(*sub, options);
-  sub->footer("`loadpath describe " + std::string(id) +
-              "` tells more, with an example. A quantity is written with its unit: \"30 MPa\".");
-  sub->callback([&] { action = [&] { return calculate(options); }; });
+  add_output(app, options.output);
+  if (calculator.element() == "mechanism") add_drawing(app, options);
 }
 
-void setup_calculators(CLI::App& app, std::deque<CalculateOptions>& options, Action& action) {
-  std::map<std::string, CLI::App*> elements;
-  for (const Calculator* calculator : catalogue()) {
-    const std::string element(calculator->element());
-    CLI::App*& parent = elements[element];
-    if (parent == nullptr) {
-      parent = app.add_subcommand(element, "calculators: ");
-      parent->require_subcommand(0, 1);
-      parent->footer("`loadpath describe " + element +
-                     ".NAME` tells the fields, sources and limits of one, with an example.");
-    } else {
-      parent->description(parent->get_description() + ", ");
-    }
-    const std::string_view id = calculator->id;
-    parent->description(parent->get_description() + std::string(id.substr(id.find('.') + 1)));
-    setup_calculator(*parent, *calculator, options.emplace_back(), action);
+std::string name_in_element(const Calculator& calculator) {
+  const std::string_view id = calculator.id;
+  return std::string(id.substr(id.find('.') + 1));
+}
+
+void setup_calculator(CLI::App& element, const Calculator& calculator, CalculateOptions& options, Action& action) {
+  CLI::App* sub = element.add_subcommand(name_in_element(calculator), calculator.title);
+  sub->allow_extras(false);  // an element's are told by us, a calculator's by CLI11
+  sub->footer("`loadpath describe " + std::string(calculator.id) +
+              "` tells more, with an example. A quantity is written with its unit: \"30 MPa\".");
+  sub->preparse_callback([sub, &calculator, &options](std::size_t) { add_flags(*sub, calculator, options); });
+  sub->callback([&] {
+    options.calculator = &calculator;
+    action = [&] { return calculate(options); };
+  });
+}
+
+/// Every element of the catalogue. Its calculators and their flags are set up once it is named: those of all would take
+/// longer than what most commands do.
+void setup_elements(CLI::App& app, CalculateOptions& options, Action& action) {
+  std::vector<std::vector<const Calculator*>> elements;  // in the order of the catalogue
+  for (const Calculator* c : catalogue()) {
+    const auto own = std::find_if(elements.begin(), elements.end(),
+                                  [&](const auto& element) { return element[0]->element() == c->element(); });
+    own == elements.end() ? elements.push_back({c}) : own->push_back(c);
   }
-  for (const auto& [element, parent] : elements)
-    parent->allow_extras();  // not before: its calculators would inherit it
+  for (const auto& calculators : elements) {
+    const std::string element(calculators[0]->element());
+    std::string names;
+    for (const Calculator* c : calculators) names += (names.empty() ? "" : ", ") + name_in_element(*c);
+    CLI::App* parent = app.add_subcommand(element, "calculators: " + names);
+    parent->require_subcommand(0, 1);
+    parent->allow_extras();
+    parent->footer("`loadpath describe " + element +
+                   ".NAME` tells the fields, sources and limits of one, with an example.");
+    parent->preparse_callback([parent, list = calculators, &options, &action](std::size_t) {
+      for (const Calculator* c : list) setup_calculator(*parent, *c, options, action);
+    });
+  }
 }
 
 int refuse(const std::string& what, const std::string& help) {
@@ -271,7 +284,7 @@ int dispatch(int argc, char** argv) {
   ConvertOptions convert_options;
   VerifyOptions verify_options;
   TablesOptions tables_options;
-  std::deque<CalculateOptions> calculate_options;
+  CalculateOptions calculate_options;
   setup_run(app, run_options, action);
   app.add_subcommand("list", "all calculators")->callback([&] { action = list; });
   setup_describe(app, describe_options, action);
@@ -279,7 +292,7 @@ int dispatch(int argc, char** argv) {
   setup_verify(app, verify_options, action);
   setup_tables(app, tables_options, action);
   app.add_subcommand("schema", "JSON Schema of a project file, for editors")->callback([&] { action = schema; });
-  setup_calculators(app, calculate_options, action);
+  setup_elements(app, calculate_options, action);
   app.footer(footer);  // both only here: commands inherit what is set before they are made
   app.allow_extras();
   try {

@@ -15,11 +15,12 @@ void tell(const std::vector<Issue>& issues, const std::vector<SourceText>& sourc
   if (!output.quiet || has_errors(issues)) show_issues(issues, sources);
 }
 
-/// What is only looked at is made where somebody looks.
-project::Extent extent_of(const OutputOptions& output, bool in_full) {
-  const bool shown = in_full && !output.json && !output.quiet;
+/// What is only looked at is made where somebody looks: the terminal shows the extremes of every series.
+project::Wanted wanted_by(const OutputOptions& output, bool in_full) {
+  const bool shown = !output.json && !output.quiet;
   const bool drawn = !output.reports.empty() || !output.svg.empty() || !output.dxf.empty();
-  return shown || drawn ? project::Extent::all : project::Extent::values;
+  return {.pictures = drawn || (shown && in_full),
+          .series = project::SeriesChoice(shown ? std::vector<std::string>{} : output.series)};
 }
 
 /// Patterns that choose nothing; which series there are is known when the project is solved.
@@ -38,7 +39,7 @@ int solve_and_show(const ReadProject& read, const std::vector<SourceText>& sourc
                    bool in_full) {
   std::vector<Issue> issues;
   project::Project project = read(issues);
-  if (!has_errors(issues)) project::solve(project, issues, extent_of(output, in_full));
+  if (!has_errors(issues)) project::solve(project, issues, wanted_by(output, in_full));
   if (!has_errors(issues)) check_series(project, output, issues);
   tell(issues, sources, output);
   if (has_errors(issues)) return wrong_input;

@@ -65,11 +65,11 @@ bool FlywheelStep::fill(const Value& series, std::vector<Issue>& issues) {
   return true;
 }
 
-void FlywheelStep::solve(const project::Known& known, project::Extent extent, std::vector<Issue>& issues) {
-  if (!moment_) return CalculatorStep::solve(known, extent, issues);
+void FlywheelStep::solve(const project::Known& known, const project::Wanted& wanted, std::vector<Issue>& issues) {
+  if (!moment_) return CalculatorStep::solve(known, wanted, issues);
   const auto series = project::evaluate_operand(*moment_, name(), known, issues);
   if (!series || !fill(*series, issues)) return;
-  CalculatorStep::solve(known, extent, issues);
+  CalculatorStep::solve(known, wanted, issues);
   for (project::Entry& entry : own_account().inputs) {
     if (entry.path != "M") continue;
     entry.value = *series;

@@ -14,7 +14,7 @@ class FlywheelStep : public project::CalculatorStep {
 
   void prepare(const project::Declared& declared, const project::Companions& companions,
                std::vector<Issue>& issues) override;
-  void solve(const project::Known& known, project::Extent extent, std::vector<Issue>& issues) override;
+  void solve(const project::Known& known, const project::Wanted& wanted, std::vector<Issue>& issues) override;
 
  private:
   /// Takes the moment's expression away from the inputs that are lifted, and checks that it is a series.

@@ -72,6 +72,8 @@ Efficiency efficiency_of(const Means& means) {
   return efficiency(means.of("drive.P"), means.of("drive.P_useful"));
 }
 
+std::vector<std::string> results_read() { return {"drive.P", "drive.P_useful"}; }
+
 constexpr ResultPattern forward_pattern{"drive.efficiency", "-", "useful work over the work of the drive, over a turn",
                                         "with a crank, and friction or useful loads"};
 constexpr ResultPattern back_pattern{"drive.efficiency_back", "-",
@@ -120,7 +122,7 @@ void add_efficiency_outputs(const PlanarMechanism::Input& in, const mechanism::M
       const Efficiency found = efficiency_of(Means(account));
       return MechanismOutput::Values({found.*value}, found.*reason);
     };
-    out.push_back({pattern.path, pattern.doc, pattern.unit, ratio.dimension(), {}, {}, true, read});
+    out.push_back({pattern.path, pattern.doc, pattern.unit, ratio.dimension(), {}, {}, true, read, results_read()});
   };
   add(forward_pattern, &Efficiency::forward, &Efficiency::why_not_forward);
   add(back_pattern, &Efficiency::back, &Efficiency::why_not_back);

@@ -173,7 +173,11 @@ Kinematics kinematics_of(const mechanism::Model& model, const Cycle& cycle, cons
   for (const std::size_t g : iterated)
     kinematics.iterated.push_back({first_link(functions.plan(), functions.plan().groups[g]), {}});
   for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
-    kinematics.known.push_back(cycle.closed[k] && functions.derive(kinematics.derivatives[k]));
+    const mechanism::Drive& drive = cycle.drives[k][0];
+    const bool uniform = drive.speed != 0.0 && drive.acceleration == 0.0 && iterated.empty();
+    Position& derivative = kinematics.derivatives[k];
+    if (uniform && cycle.closed[k]) divide_by_speed(derivative, drive.speed);
+    kinematics.known.push_back(cycle.closed[k] && (uniform || functions.derive(derivative)));
     for (std::size_t n = 0; n < iterated.size(); ++n)
       kinematics.iterated[n].signs.push_back(kinematics.known[k] ? functions.sign(iterated[n]) : 0.0);
   }

@@ -70,7 +70,8 @@ struct MechanismOutput {
   bool is_single = false;
   /// In place of `read`, of the results before it.
   std::function<Values(const project::Account&)> read_results = {};
-  Message missing = {};  // of `read`: why it may have no value though the mechanism has forces
+  std::vector<std::string> results_read = {};  // their paths
+  Message missing = {};                        // of `read`: why it may have no value though the mechanism has forces
 };
 
 /// Whether a result is the effort of a drive itself, "drive.M" or "cylinders.NAME.F".

@@ -1,5 +1,6 @@
 #include "calculators/mechanism/planar_rounding.hpp"
 
+#include "lib/mechanism/kinematics.hpp"
 #include "lib/quantity/decimal.hpp"
 #include "lib/units.hpp"
 
@@ -12,36 +13,67 @@ namespace {
 
 constexpr double rounding = 1e-13;  // of the largest term: some hundred times the spacing of doubles
 
-/// The largest magnitude of a dimension among the results.
-double largest_of(const Dimension& dimension, const std::vector<project::Entry>& results) {
-  double most = 0.0;
-  for (const project::Entry& e : results) {
-    if (e.value.signature.dimension != dimension) continue;
-    for (const double x : e.value.si) most = std::abs(x) > most ? std::abs(x) : most;
-  }
-  return most;
-}
-
 struct Scale {
   Dimension dimension;
   double largest = 0.0;
 };
 
-std::vector<Scale> scales_of(const std::vector<project::Entry>& results) {
-  const auto of = [&](const Dimension& dimension) { return largest_of(dimension, results); };
-  const double length = of(mm.dimension()), force = of(N.dimension());
-  const double speed = of(m_per_s.dimension()), turning = of(rad_per_s.dimension());
-  const double moment = std::max(of(N_m.dimension()), force * length);
+/// The largest magnitudes over the positions of a cycle; what is not known there counts for nothing.
+struct Largest {
+  double length = 0.0, speed = 0.0, acceleration = 0.0;  // of links' origins
+  double turning = 0.0, angular_acceleration = 0.0;      // of links
+  double force = 0.0, couple = 0.0;                      // of joints, drives and loads
+  static void see(double magnitude, double& most) { most = magnitude > most ? magnitude : most; }
+  static double length_of(const mechanism::Pose& pose) { return mechanism::length(mechanism::Vec{pose.x, pose.y}); }
+
+  void see(const mechanism::Position& p, const std::vector<mechanism::Driver>& drivers) {
+    for (std::size_t k = 0; k < p.pose.size(); ++k) {
+      see(length_of(p.pose[k]), length);
+      see(length_of(p.velocity[k]), speed);
+      see(length_of(p.acceleration[k]), acceleration);
+      see(std::abs(p.velocity[k].phi), turning);
+      see(std::abs(p.acceleration[k].phi), angular_acceleration);
+    }
+    for (const mechanism::Reaction& r : p.reactions) see_force(r.force, r.couple);
+    for (const mechanism::LoadNow& load : p.loads) see_force(load.force, load.moment);
+    for (std::size_t d = 0; d < drivers.size(); ++d) {
+      const bool turns = drivers[d].kind == mechanism::Driver::Kind::rotary;
+      see(std::abs(p.effort[d]), turns ? couple : force);
+    }
+  }
+
+ private:
+  void see_force(mechanism::Vec acting, double turning_moment) {
+    see(mechanism::length(acting), force);
+    see(std::abs(turning_moment), couple);
+  }
+};
+
+/// Of all links, with their masses at this distance.
+double inertia_within(const mechanism::Model& model, double distance) {
+  double sum = 0.0;
+  for (const mechanism::Link& link : model.links) sum += link.mass * distance * distance + link.inertia;
+  return sum;
+}
+
+std::vector<Scale> scales_of(const mechanism::Model& model, const Cycle& cycle) {
+  Largest of;
+  for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
+    if (cycle.closed[k]) of.see(cycle.positions[k], model.drivers);
+  }
+  const double reach = mechanism::characteristic_length(model), length = of.length + reach;
+  const double speed = of.speed + of.turning * reach, turned = of.turning * of.turning + of.angular_acceleration;
+  const double moment = std::max(of.couple, of.force * length);
   return {{mm.dimension(), length},
           {deg.dimension(), 1.0},
-          {m_per_s.dimension(), std::max(speed, turning * length)},
-          {rad_per_s.dimension(), turning},
-          {m_per_s2.dimension(), std::max(of(m_per_s2.dimension()), turning * turning * length)},
-          {rad_per_s2.dimension(), std::max(of(rad_per_s2.dimension()), turning * turning)},
-          {N.dimension(), force},
+          {m_per_s.dimension(), speed},
+          {rad_per_s.dimension(), of.turning},
+          {m_per_s2.dimension(), of.acceleration + turned * reach},
+          {rad_per_s2.dimension(), turned},
+          {N.dimension(), std::max(of.force, of.couple / length)},
           {N_m.dimension(), moment},
-          {kg_m2.dimension(), of(kg_m2.dimension())},
-          {W.dimension(), std::max({of(W.dimension()), force * speed, moment * turning})}};
+          {kg_m2.dimension(), inertia_within(model, length)},
+          {W.dimension(), std::max(of.force * speed, moment * of.turning)}};
 }
 
 }  // namespace
@@ -63,8 +95,8 @@ double direction_of(mechanism::Vec v) {
   return std::atan2(v.y, v.x);
 }
 
-void clear_rounding(std::vector<project::Entry>& results) {
-  const std::vector<Scale> scales = scales_of(results);
+void clear_rounding(const mechanism::Model& model, const Cycle& cycle, std::vector<project::Entry>& results) {
+  const std::vector<Scale> scales = scales_of(model, cycle);
   for (project::Entry& e : results) {
     const auto scale = std::find_if(scales.begin(), scales.end(),
                                     [&](const Scale& s) { return s.dimension == e.value.signature.dimension; });

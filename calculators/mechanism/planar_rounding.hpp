@@ -1,6 +1,8 @@
 // What rounding leaves in the results of a mechanism: told from values by the size of what they are computed from.
 #pragma once
 
+#include "calculators/mechanism/planar_cycle.hpp"
+#include "lib/mechanism/model.hpp"
 #include "lib/mechanism/position.hpp"
 #include "lib/project/step.hpp"
 
@@ -20,7 +22,8 @@ double direction_of(mechanism::Vec v);
 
 /// Gives every result the size of its rounding, makes zeros of what is no larger, and leaves no digits that are. A sum
 /// is as exact as its largest term: a force is one of forces, a moment of moments and of forces at the mechanism's
-/// arms, a power of forces at its speeds.
-void clear_rounding(std::vector<project::Entry>& results);
+/// arms, a power of forces at its speeds. What these are is told by the cycle, not by the results that happen to be
+/// wanted.
+void clear_rounding(const mechanism::Model& model, const Cycle& cycle, std::vector<project::Entry>& results);
 
 }  // namespace loadpath

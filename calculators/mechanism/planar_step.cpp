@@ -240,7 +240,7 @@ bool PlanarStep::diagnose_model(const mechanism::Model& model, std::vector<Issue
   return findings.empty();
 }
 
-void PlanarStep::solve(const project::Known& known, project::Extent extent, std::vector<Issue>& issues) {
+void PlanarStep::solve(const project::Known& known, const project::Wanted& wanted, std::vector<Issue>& issues) {
   const std::size_t before = issues.size();
   for (const project::Operand& operand : input().reading.operands) {
     if (const auto value = evaluate_operand(operand, name(), known, issues)) operand.leaf.set(value->si[0]);
@@ -266,12 +266,13 @@ void PlanarStep::solve(const project::Known& known, project::Extent extent, std:
   const Balanced balanced = balance_of(data(), model, cycle);
   const Solved solved{cycle, kinematics, errors, balanced};
   // What was released of the given model is read from what was solved.
-  fill_results(data(), outputs_, mechanism_outputs(data(), model), solved, axis_.get(), account);
+  const auto wants = [&](const std::string& path) { return wanted.holds(name(), path); };
+  fill_results(data(), given, outputs_, mechanism_outputs(data(), model), solved, axis_.get(), wants, account);
   for (auto& v : changes_of_assembly(name(), model, cycle, kinematics, axis_.get()))
     account.verdicts.push_back(std::move(v));
   fill_inputs();
   own_account().sources = sources_used(data(), structure_);
-  if (extent == project::Extent::all) illustrate(given, model, solved);
+  if (wanted.pictures) illustrate(given, model, solved);
 }
 
 void PlanarStep::illustrate(const mechanism::Model& given, const mechanism::Model& model, const Solved& solved) {

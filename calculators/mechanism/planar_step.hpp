@@ -21,7 +21,7 @@ class PlanarStep : public project::Step {
   [[nodiscard]] Outcome<Signature> signature(const std::string& path) const override;
   /// With the moment or power of a drive comes the force of its joint.
   [[nodiscard]] std::vector<std::string> companions_of(const std::string& path) const override;
-  void solve(const project::Known& known, project::Extent extent, std::vector<Issue>& issues) override;
+  void solve(const project::Known& known, const project::Wanted& wanted, std::vector<Issue>& issues) override;
 
  private:
   [[nodiscard]] PlanarMechanism::Input& data() {

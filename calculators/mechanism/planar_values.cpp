@@ -55,6 +55,13 @@ MechanismOutput::Values values_of(const MechanismOutput& output, const Solved& s
   return values;
 }
 
+/// Whether an output is made from the results of this path.
+bool is_read_by_others(const std::string& path, const std::vector<MechanismOutput>& outputs) {
+  return std::any_of(outputs.begin(), outputs.end(), [&](const MechanismOutput& o) {
+    return std::find(o.results_read.begin(), o.results_read.end(), path) != o.results_read.end();
+  });
+}
+
 /// The output of the same path; where it was not solved, this one.
 const MechanismOutput& same_of(const std::vector<MechanismOutput>& outputs, const MechanismOutput& output) {
   const auto same = std::find_if(outputs.begin(), outputs.end(), [&](const auto& o) { return o.path == output.path; });
@@ -63,15 +70,21 @@ const MechanismOutput& same_of(const std::vector<MechanismOutput>& outputs, cons
 
 }  // namespace
 
-void fill_results(const PlanarMechanism::Input& in, const std::vector<MechanismOutput>& told,
-                  const std::vector<MechanismOutput>& read, const Solved& solved, const Axis* axis,
-                  project::Account& account) {
+void fill_results(const PlanarMechanism::Input& in, const mechanism::Model& model,
+                  const std::vector<MechanismOutput>& told, const std::vector<MechanismOutput>& read,
+                  const Solved& solved, const Axis* axis, const Wants& wants, project::Account& account) {
   Columns columns(solved.cycle);
+  const auto needed = [&](const MechanismOutput& output) {
+    return axis == nullptr || output.is_single || wants(output.path) || is_read_by_others(output.path, told);
+  };
   account.results.clear();
   account.results.reserve(told.size());
   const auto add = [&](const MechanismOutput& output) {
-    auto values = values_of(same_of(read, output), solved, account, columns);
-    explain_missing(in, solved.cycle, values);
+    MechanismOutput::Values values({});
+    if (needed(output)) {
+      values = values_of(same_of(read, output), solved, account, columns);
+      explain_missing(in, solved.cycle, values);
+    }
     auto& [si, missing] = values;
     Value value{{output.dimension, output.is_single ? nullptr : axis}, std::move(si)};
     account.results.push_back(
@@ -80,7 +93,7 @@ void fill_results(const PlanarMechanism::Input& in, const std::vector<MechanismO
   for (const MechanismOutput& output : told) {
     if (!output.read_results) add(output);
   }
-  clear_rounding(account.results);
+  clear_rounding(model, solved.cycle, account.results);
   for (const MechanismOutput& output : told) {  // ratios of what is there now
     if (output.read_results) add(output);
   }

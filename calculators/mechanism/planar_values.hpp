@@ -4,15 +4,20 @@
 #include "calculators/mechanism/planar_outputs.hpp"
 #include "lib/project/step.hpp"
 
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace loadpath {
 
-/// The results of an account, in the order of `told`, cleared of what rounding leaves. `read`: outputs of what was
-/// solved, which tell what they can of those; where joints held too much it is less than was given. `axis` is null
-/// where there is one position.
-void fill_results(const PlanarMechanism::Input& in, const std::vector<MechanismOutput>& told,
-                  const std::vector<MechanismOutput>& read, const Solved& solved, const Axis* axis,
-                  project::Account& account);
+/// Whether the series of a path is wanted.
+using Wants = std::function<bool(const std::string& path)>;
+
+/// The results of an account, in the order of `told`, cleared of what rounding leaves; series that are not wanted have
+/// no values. `read`: outputs of what was solved, which tell what they can of those; where joints held too much it is
+/// less than was given. `axis` is null where there is one position.
+void fill_results(const PlanarMechanism::Input& in, const mechanism::Model& model,
+                  const std::vector<MechanismOutput>& told, const std::vector<MechanismOutput>& read,
+                  const Solved& solved, const Axis* axis, const Wants& wants, project::Account& account);
 
 }  // namespace loadpath

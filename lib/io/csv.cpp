@@ -1,5 +1,6 @@
 #include "lib/io/csv.hpp"
 
+#include "lib/project/project.hpp"
 #include "lib/quantity/decimal.hpp"
 #include "lib/quantity/format.hpp"
 

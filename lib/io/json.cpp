@@ -1,6 +1,7 @@
 #include "lib/io/json.hpp"
 
 #include "lib/io/json_writer.hpp"
+#include "lib/project/project.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/unit.hpp"
 #include "lib/report/build.hpp"
@@ -41,29 +42,22 @@ void write_value(double si, const Message& missing, JsonWriter& out) {
   if (std::isnan(si)) out.member("reason", missing.empty() ? "not available" : missing.text());
 }
 
-/// The values, or the extremes of what is not chosen.
-void write_series(const Entry& e, bool chosen, JsonWriter& out) {
+void write_series(const Entry& e, JsonWriter& out) {
   const auto& si = e.value.si;
   out.member("axis", e.value.signature.axis->name());
-  if (chosen) {
-    out.key("values").write(si, e.value.rounding);
-  } else {
-    const bool constant = is_constant(e.value);
-    out.member("min", constant ? si.front() : minimum(e.value).value);
-    out.member("max", constant ? si.front() : maximum(e.value).value);
-  }
+  out.key("values").write(si, e.value.rounding);
   const bool complete = std::all_of(si.begin(), si.end(), [](double x) { return std::isfinite(x); });
   if (!complete) out.member("reason", e.missing.empty() ? "not available where null" : e.missing.text());
 }
 
-void write_entry(const Entry& e, bool chosen, JsonWriter& out) {
+void write_entry(const Entry& e, JsonWriter& out) {
   out.key(e.path).open_object();
   if (!e.word.empty()) {
     out.member("value", e.word);
   } else {
     out.member("unit", unit_of(e.value.signature.dimension));
     if (e.value.is_series())
-      write_series(e, chosen, out);
+      write_series(e, out);
     else
       write_value(e.value.si.empty() ? NAN : e.value.si[0], e.missing, out);
   }
@@ -143,11 +137,13 @@ void write_step(const project::Step& step, const SeriesChoice& choice, JsonWrite
   out.member("calculator", step.input().calculator->id);
   out.member("title", step.input().title);
   out.key("inputs").open_object();
-  for (const Entry& e : account.inputs) write_entry(e, true, out);
+  for (const Entry& e : account.inputs) write_entry(e, out);
   out.close_object();
   if (const auto axes = axes_of(account); !axes.empty()) write_axes(axes, out);
   out.key("results").open_object();
-  for (const Entry& e : account.results) write_entry(e, choice.holds(step.name(), e.path), out);
+  for (const Entry& e : account.results) {
+    if (!e.value.is_series() || choice.holds(step.name(), e.path)) write_entry(e, out);
+  }
   out.close_object();
   write_verdicts(account.verdicts, out);
   if (!account.governing.empty()) out.member("derivation_for", account.governing.text());

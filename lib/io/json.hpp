@@ -2,13 +2,14 @@
 // none.
 #pragma once
 
+#include "lib/calculator.hpp"
 #include "lib/project/series_choice.hpp"
 
 #include <string>
 
 namespace loadpath::io {
 
-/// Of a series that is not chosen its extremes stand in place of its values.
+/// Series that are not chosen are left out.
 std::string json_of(const project::Project& project, std::string_view program,
                     const project::SeriesChoice& choice = {});
 

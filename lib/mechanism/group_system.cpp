@@ -30,7 +30,7 @@ struct GroupSystem::Work {
   Status go_to(std::span<const Drive> goal);
   bool go_by_groups(std::span<const Drive> goal);
   double find_way(std::span<const Drive> goal);
-  void adopt();
+  Status adopt();
   void hold(std::span<const Drive> goal);
   void find_tendency(std::span<const Drive> goal, Position& out);
   void store(Position& out) const;
@@ -62,9 +62,14 @@ Status GroupSystem::assemble() {
   if (const Status status = w.whole.assemble(); status != Status::closed) return status;
   for (std::size_t k = 0; k < w.drives.size(); ++k) w.drives[k].coordinate = w.whole.coordinate(k);
   w.whole.store_poses(w.held);
-  w.positions.adopt(w.held);
-  w.closed = w.positions.factor();
-  return w.closed ? Status::closed : Status::singular;
+  return w.adopt();
+}
+
+Status GroupSystem::hold(std::span<const Pose> poses, std::span<const Drive> drives) {
+  Work& w = *work_;
+  std::ranges::copy(poses, w.held.begin());
+  std::ranges::copy(drives, w.drives.begin());
+  return w.adopt();
 }
 
 double GroupSystem::coordinate(std::size_t driver) const { return work_->drives[driver].coordinate; }
@@ -79,6 +84,13 @@ Status GroupSystem::solve(std::span<const Drive> drives, Position& out, bool sta
   w.store(out);
   if (rubs && moves(drives)) std::ranges::copy(out.velocity, out.tendency.begin());
   return w.find_forces(statics, out) ? Status::closed : Status::jams;
+}
+
+/// The position that is held, for the groups.
+Status GroupSystem::Work::adopt() {
+  positions.adopt(held);
+  closed = positions.factor();
+  return closed ? Status::closed : Status::singular;
 }
 
 Status GroupSystem::Work::go_to(std::span<const Drive> goal) {
@@ -100,8 +112,7 @@ Status GroupSystem::Work::go_to(std::span<const Drive> goal) {
       return status;
     }
   }
-  positions.adopt(held);
-  closed = positions.factor();  // back where it was
+  adopt();  // back where it was
   return status == Status::closed ? Status::singular : status;
 }
 

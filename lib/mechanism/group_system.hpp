@@ -25,6 +25,8 @@ class GroupSystem {
 
   /// Closes the mechanism near the stated poses, at the drivers' coordinates that those poses have.
   Status assemble();
+  /// Takes over a position that is closed at these coordinates of the drivers.
+  Status hold(std::span<const Pose> poses, std::span<const Drive> drives);
   /// The drivers' coordinates of the position held now.
   [[nodiscard]] double coordinate(std::size_t driver) const;
   /// Moves from the position held now to these coordinates without leaving the assembly, then fills `out` (made by

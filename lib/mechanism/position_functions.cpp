@@ -26,6 +26,14 @@ bool PositionFunctions::derive(Position& at, std::size_t driver) {
   return true;
 }
 
+void divide_by_speed(Position& at, double speed) {
+  const auto divide = [](std::vector<Pose>& poses, double by) {
+    for (Pose& p : poses) p = {p.x / by, p.y / by, p.phi / by};
+  };
+  divide(at.velocity, speed);
+  divide(at.acceleration, speed * speed);
+}
+
 double drive_coordinate(const Model& model, std::size_t driver, const Position& at) {
   const Driver& d = model.drivers[driver];
   if (d.kind == Driver::Kind::linear) {

@@ -37,6 +37,10 @@ class PositionFunctions {
   std::vector<Drive> drives_;
 };
 
+/// The same of the only drive of a solved position, from its velocities and accelerations: the drive turns at a speed
+/// that does not change.
+void divide_by_speed(Position& at, double speed);
+
 /// The coordinate of a drive at these poses, rad or m.
 double drive_coordinate(const Model& model, std::size_t driver, const Position& at);
 

@@ -28,10 +28,12 @@ Motion motion_of(const Model& model, const Stroke& stroke, const Position& at) {
 /// The mechanism near one of the positions, to be moved by its drive.
 class Neighbourhood {
  public:
-  Neighbourhood(Model model, const Position& from)
-      : model_(placed(std::move(model), from)), system_(model_), at_(blank_position(model_)) {
-    closed_ = system_.assemble() == Status::closed;
-    start_ = closed_ ? system_.coordinate(0) : 0.0;
+  explicit Neighbourhood(const Model& model) : model_(model), system_(model_), at_(blank_position(model_)) {}
+
+  void go_to(const Position& from) {
+    start_ = drive_coordinate(model_, 0, from);
+    const Drive drive{start_, 1.0, 0.0};
+    closed_ = system_.hold(from.pose, {&drive, 1}) == Status::closed;
   }
 
   /// This far from where it started.
@@ -44,12 +46,7 @@ class Neighbourhood {
   }
 
  private:
-  static Model placed(Model model, const Position& from) {
-    for (std::size_t k = 0; k < model.links.size(); ++k) model.links[k].pose = from.pose[k];
-    return model;
-  }
-
-  Model model_;
+  const Model& model_;
   GroupSystem system_;
   Position at_;
   bool closed_ = false;
@@ -58,7 +55,7 @@ class Neighbourhood {
 
 class Finder {
  public:
-  Finder(const Model& model, const Course& course) : model_(model), course_(course) {}
+  Finder(const Model& model, const Course& course) : model_(model), course_(course), near_(model) {}
 
   /// Nothing where it does not move.
   std::optional<Stroke> find(Stroke::Of of, std::size_t index, double unit) {
@@ -105,13 +102,13 @@ class Finder {
     constexpr int most_steps = 60;
     const Reversal here{course_.at[k], motions_[k].coordinate};
     if (first(k) == 0.0) return here;
-    Neighbourhood near(model_, course_.derivatives[k]);
-    const auto end = near.motion(stroke, way);
+    near_.go_to(course_.derivatives[k]);
+    const auto end = near_.motion(stroke, way);
     if (!end) return {};
     double low = 0.0, high = way, at_low = first(k), at_high = end->first;
     for (int n = 0; n < most_steps; ++n) {
       const double middle = (low * at_high - high * at_low) / (at_high - at_low);
-      const auto motion = near.motion(stroke, middle);
+      const auto motion = near_.motion(stroke, middle);
       if (!motion) return {};
       if (std::abs(motion->first) <= 1e-3 * least_ || std::abs(high - low) <= 1e-13 * std::abs(way)) {
         return Reversal{course_.at[k] + middle, motion->coordinate};
@@ -125,15 +122,15 @@ class Finder {
   }
 
   /// From the last position on to where the first one comes again.
-  void complete_turn(const Stroke& stroke, std::vector<double>& places) const {
+  void complete_turn(const Stroke& stroke, std::vector<double>& places) {
     const std::size_t last = course_.at.size() - 1;
     if (!course_.known[last] || !course_.known[0]) return;
-    Neighbourhood near(model_, course_.derivatives[last]);
-    if (const auto end = near.motion(stroke, course_.at[0] + course_.period - course_.at[last]))
+    near_.go_to(course_.derivatives[last]);
+    if (const auto end = near_.motion(stroke, course_.at[0] + course_.period - course_.at[last]))
       places.push_back(end->coordinate);
   }
 
-  void measure(Stroke& stroke) const {
+  void measure(Stroke& stroke) {
     std::vector<double> places;
     for (const Reversal& r : stroke.reversals) places.push_back(r.coordinate);
     for (std::size_t k = 0; k < course_.at.size(); ++k) {
@@ -150,6 +147,7 @@ class Finder {
 
   const Model& model_;
   const Course& course_;
+  Neighbourhood near_;
   std::vector<Motion> motions_;
   double least_ = 0.0;
 };

@@ -44,8 +44,11 @@ constexpr BasicVec<Scalar> normal(BasicVec<Scalar> a) {
 }
 template <class Scalar>
 Scalar length(BasicVec<Scalar> a) {
-  using std::hypot;
-  return hypot(a.x, a.y);
+  if constexpr (std::is_same_v<Scalar, double>) {
+    return std::sqrt(a.x * a.x + a.y * a.y);  // sizes stay far from where squares leave the range of numbers
+  } else {
+    return hypot(a.x, a.y);
+  }
 }
 
 /// A rotation, by the cosine and sine of its angle.

@@ -160,13 +160,13 @@ std::vector<std::string> CalculatorStep::companions_of(const std::string&) const
   return all;
 }
 
-void CalculatorStep::solve(const Known& known, Extent extent, std::vector<Issue>& issues) {
+void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) {
   Run run(*this, known);
   if (!run.evaluate_operands(issues)) return;
   if (!run.check_rules(issues)) return;
   run.search();
   run.evaluate();
-  run.fill(extent, own_account());
+  run.fill(wanted.pictures, own_account());
 }
 
 std::unique_ptr<Step> make_calculator_step(StepInput&& input) {

@@ -15,7 +15,7 @@ class CalculatorStep : public Step {
   [[nodiscard]] Outcome<Signature> signature(const std::string& path) const override;
   /// What comes along with this step's own inputs goes on to who uses its results.
   [[nodiscard]] std::vector<std::string> companions_of(const std::string& path) const override;
-  void solve(const Known& known, Extent extent, std::vector<Issue>& issues) override;
+  void solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) override;
 
   [[nodiscard]] const Axis* axis() const { return axis_; }
   [[nodiscard]] const std::vector<Provided>& provided() const { return provided_; }

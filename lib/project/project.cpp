@@ -40,6 +40,25 @@ std::vector<std::string> companions_of(const Project& project, const std::string
   return step == nullptr ? std::vector<std::string>{} : step->companions_of(rest);
 }
 
+std::vector<std::string> references_of(const Project& project) {
+  std::vector<std::string> references;
+  for (const auto& step : project.steps) {
+    for (const Operand& operand : step->input().reading.operands) {
+      for (const auto& reference : operand.expression.references()) references.push_back(reference.path);
+    }
+  }
+  return references;
+}
+
+/// What the steps refer to, and what loads a part beside it.
+std::set<std::string> taken_series(const Project& project) {
+  std::set<std::string> taken(project.references.begin(), project.references.end());
+  for (const std::string& path : project.references) {
+    for (std::string& companion : companions_of(project, path)) taken.insert(std::move(companion));
+  }
+  return taken;
+}
+
 void check_expectations(const Project& project, std::vector<Issue>& issues) {
   for (const Expectation& e : project.expectations) {
     const auto signature = e.value.check([&](const std::string& path) { return signature_of(project, path); });
@@ -110,6 +129,7 @@ Project read_project(const io::Tree& tree, const std::string& file, Catalogue ca
                       Severity::error});
   }
   project.order = order_of_evaluation(project, issues);
+  project.references = references_of(project);
   const Declared declared = [&](const std::string& path) { return signature_of(project, path); };
   const Companions companions = [&](const std::string& path) { return companions_of(project, path); };
   for (const std::size_t i : project.order) project.steps[i]->prepare(declared, companions, issues);
@@ -117,14 +137,15 @@ Project read_project(const io::Tree& tree, const std::string& file, Catalogue ca
   return project;
 }
 
-void solve(Project& project, std::vector<Issue>& issues, Extent extent) {
+void solve(Project& project, std::vector<Issue>& issues, Wanted wanted) {
   static const Value none{{}, {std::numeric_limits<double>::quiet_NaN()}};
   const Known known = [&](const std::string& path) -> const Value& {
     const Value* value = project.value(path);
     return value == nullptr ? none : *value;
   };
+  wanted.taken = taken_series(project);
   for (const std::size_t i : project.order) {
-    project.steps[i]->solve(known, extent, issues);
+    project.steps[i]->solve(known, wanted, issues);
     if (has_errors(issues)) return;
   }
 }

@@ -33,6 +33,7 @@ struct Project {
   std::vector<std::pair<std::string, std::string>> meta;  // number, revision, author, checker, date, note: as typed
   std::vector<std::unique_ptr<Step>> steps;               // in the order of the file
   std::vector<std::size_t> order;                         // of evaluation
+  std::vector<std::string> references;                    // of the steps to one another: full paths
   std::vector<Expectation> expectations;
 
   [[nodiscard]] const Step* find(std::string_view name) const;
@@ -47,7 +48,7 @@ Project read_project(std::string_view text, const std::string& file, Catalogue c
 Project read_project(const io::Tree& tree, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues);
 
 /// Solves the steps in order; stops at the first step with an issue.
-void solve(Project& project, std::vector<Issue>& issues, Extent extent = Extent::all);
+void solve(Project& project, std::vector<Issue>& issues, Wanted wanted = {});
 
 /// All verdicts, and the worst of them.
 std::vector<report::Verdict> verdicts(const Project& project);

@@ -19,7 +19,7 @@ class Run {
   void search();
   /// All results at all positions.
   void evaluate();
-  void fill(Extent extent, Account& account) const;
+  void fill(bool pictures, Account& account) const;
 
  private:
   /// A leaf that is set anew at every position.

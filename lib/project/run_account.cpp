@@ -40,7 +40,7 @@ Origin Run::origin_of(const std::string& path, const Leaf& leaf) const {
   return plain_origin(step_.input().reading, path, leaf);
 }
 
-void Run::fill(Extent extent, Account& account) const {
+void Run::fill(bool pictures, Account& account) const {
   fill_inputs(account);
   fill_results(account);
   fill_verdicts(account);
@@ -49,7 +49,7 @@ void Run::fill(Extent extent, Account& account) const {
     account.governing = say("at {1} ({2}), where the governing check is largest",
                             format_quantity(axis_->at[governing_], axis_->unit, 5), axis_->name());
   }
-  if (extent == Extent::all && traced_ && calculator_.figures != nullptr)
+  if (pictures && traced_ && calculator_.figures != nullptr)
     account.figures = calculator_.figures(record_.data.get(), result_.data.get());
 }
 

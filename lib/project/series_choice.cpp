@@ -1,5 +1,7 @@
 #include "lib/project/series_choice.hpp"
 
+#include "lib/project/project.hpp"
+
 #include <algorithm>
 #include <functional>
 

@@ -2,13 +2,15 @@
 // ? for one.
 #pragma once
 
-#include "lib/project/project.hpp"
+#include "lib/issue.hpp"
 
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace loadpath::project {
+
+struct Project;
 
 class SeriesChoice {
  public:

@@ -4,9 +4,11 @@
 
 #include "lib/calculator.hpp"
 #include "lib/project/reading.hpp"
+#include "lib/project/series_choice.hpp"
 #include "lib/report/document.hpp"
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -48,14 +50,24 @@ struct Account {
   std::vector<report::Verdict> verdicts;
   Message governing;  // which position the derivation is for; empty where there is one value
   std::vector<Derived> derivation;
-  std::vector<report::Block> input_blocks;  // where the step shows its inputs itself, not in a list; of Extent::all
-  std::vector<report::Block> blocks;        // what only this kind of step has: tables, notes; of Extent::all
-  std::vector<draw::Figure> figures;        // of Extent::all
-  std::vector<std::string> sources;  // keys of tables/sources.toml, beside those that the calculator always cites
+  std::vector<report::Block>
+      input_blocks;  // where the step shows its inputs itself, not in a list; where pictures are wanted
+  std::vector<report::Block> blocks;  // what only this kind of step has: tables, notes; where pictures are wanted
+  std::vector<draw::Figure> figures;  // where pictures are wanted
+  std::vector<std::string> sources;   // keys of tables/sources.toml, beside those that the calculator always cites
 };
 
-/// How much of its account a step fills: what is only looked at, tables and figures, is costly and not always wanted.
-enum class Extent { values, all };
+/// What is wanted of the accounts; what nobody looks at is costly, and is not made.
+struct Wanted {
+  bool pictures = true;              // tables and figures
+  SeriesChoice series = {};          // of those that could be written
+  std::set<std::string> taken = {};  // those that other steps refer to, "lever.drive.M": solve() fills it
+
+  /// Whether the series of this path in this step is needed for any of it; pictures show every one.
+  [[nodiscard]] bool holds(const std::string& step, const std::string& path) const {
+    return pictures || series.holds(step, path) || taken.count(step + "." + path) != 0;
+  }
+};
 
 /// What is common to every step of a file.
 struct StepInput {
@@ -97,8 +109,9 @@ class Step {
   [[nodiscard]] virtual Outcome<Signature> signature(const std::string& path) const = 0;
   /// Full paths of what else loads the part that takes the value at `path`.
   [[nodiscard]] virtual std::vector<std::string> companions_of(const std::string& path) const;
-  /// Fills the account. A computed value that its field refuses becomes an issue at its expression.
-  virtual void solve(const Known& known, Extent extent, std::vector<Issue>& issues) = 0;
+  /// Fills the account; series that are not wanted may have no values. A computed value that its field refuses becomes
+  /// an issue at its expression.
+  virtual void solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) = 0;
   /// The value at a path, after `solve`; nothing where there is none (an element that the list does not have).
   [[nodiscard]] virtual const Value* value(const std::string& path) const;
 

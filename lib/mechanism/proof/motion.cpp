@@ -2,18 +2,17 @@
 
 #include "lib/numerics/magnitude.hpp"
 
-#include <vector>
+#include <algorithm>
 
 namespace loadpath::mechanism {
 namespace {
 
-/// With three zeros for the ground.
-std::vector<double> in_units(std::span<const Pose> poses, double length) {
-  std::vector<double> flat;
-  flat.reserve(3 * poses.size() + 3);
-  for (const Pose& p : poses) flat.insert(flat.end(), {p.x / length, p.y / length, p.phi});
-  flat.resize(flat.size() + 3);
-  return flat;
+void flatten(std::span<const Pose> poses, double length, std::span<double> flat) {
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    flat[3 * k] = poses[k].x / length;
+    flat[3 * k + 1] = poses[k].y / length;
+    flat[3 * k + 2] = poses[k].phi;
+  }
 }
 
 double largest(std::span<const double> values) {
@@ -22,8 +21,8 @@ double largest(std::span<const double> values) {
   return most;
 }
 
-/// J x - right, over the largest value of both and `scale`.
-double error(const Constraints& constraints, std::span<const double> x, std::vector<double> right, double scale) {
+/// J x - right, which stands in its place, over the largest value of both and `scale`.
+double error(const Constraints& constraints, std::span<const double> x, std::span<double> right, double scale) {
   scale = larger_magnitude(larger_magnitude(scale, largest(x)), largest(right));
   const auto pattern = constraints.pattern();
   for (std::size_t n = 0; n < pattern.size(); ++n) {
@@ -35,24 +34,31 @@ double error(const Constraints& constraints, std::span<const double> x, std::vec
 
 }  // namespace
 
-double motion_residual(const Instant& instant, std::span<const Drive> drives) {
+MotionProof::MotionProof(const Instant& instant)
+    : velocity_(instant.constraints().columns() + 3),
+      acceleration_(instant.constraints().columns() + 3),
+      rate_(instant.constraints().rows()),
+      rate_change_(instant.constraints().rows()) {}
+
+double MotionProof::residual(const Instant& instant, std::span<const Drive> drives) {
   const Constraints& constraints = instant.constraints();
   const std::size_t first = constraints.first_driver_row();
-  const auto velocity = in_units(instant.at().velocity, instant.length());
-  const auto acceleration = in_units(instant.at().acceleration, instant.length());
-  std::vector<double> rate(constraints.rows()), rate_change(constraints.rows());
-  constraints.centripetal(velocity, rate_change);
+  flatten(instant.at().velocity, instant.length(), velocity_);
+  flatten(instant.at().acceleration, instant.length(), acceleration_);
+  std::ranges::fill(rate_, 0.0);
+  std::ranges::fill(rate_change_, 0.0);
+  constraints.centripetal(velocity_, rate_change_);
   double most = largest(constraints.residual().first(first));
   for (std::size_t k = 0; k < drives.size(); ++k) {
     const double unit = instant.virtual_rate(k);
     most = larger_magnitude(most, constraints.coordinate(k) - drives[k].coordinate / unit);
-    rate[first + k] = drives[k].speed / unit;
-    rate_change[first + k] += drives[k].acceleration / unit;
+    rate_[first + k] = drives[k].speed / unit;
+    rate_change_[first + k] += drives[k].acceleration / unit;
   }
   // Where centripetal accelerations cancel, they are still what rounding is a part of.
-  const double centripetal = largest(velocity) * largest(velocity);
-  most = larger_magnitude(most, error(constraints, velocity, rate, 0.0));
-  return larger_magnitude(most, error(constraints, acceleration, rate_change, centripetal));
+  const double centripetal = largest(velocity_) * largest(velocity_);
+  most = larger_magnitude(most, error(constraints, velocity_, rate_, 0.0));
+  return larger_magnitude(most, error(constraints, acceleration_, rate_change_, centripetal));
 }
 
 }  // namespace loadpath::mechanism

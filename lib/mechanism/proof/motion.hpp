@@ -5,11 +5,21 @@
 #include "lib/mechanism/proof/instant.hpp"
 
 #include <span>
+#include <vector>
 
 namespace loadpath::mechanism {
 
-/// The largest gap of a joint or miss of a drive, in units of the mechanism's length or rad; or the largest error of
-/// a constraint's velocity or acceleration over the largest of the links, centripetal accelerations among them.
-double motion_residual(const Instant& instant, std::span<const Drive> drives);
+class MotionProof {
+ public:
+  explicit MotionProof(const Instant& instant);
+  /// The largest gap of a joint or miss of a drive, in units of the mechanism's length or rad; or the largest error of
+  /// a constraint's velocity or acceleration over the largest of the links, centripetal accelerations among them. Takes
+  /// no memory.
+  double residual(const Instant& instant, std::span<const Drive> drives);
+
+ private:
+  // Of the links, with three zeros for the ground, and of the constraints.
+  std::vector<double> velocity_, acceleration_, rate_, rate_change_;
+};
 
 }  // namespace loadpath::mechanism

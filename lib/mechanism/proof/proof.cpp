@@ -20,13 +20,13 @@ bool Proof::trustworthy() const {
 }
 
 Prover::Prover(const Model& model)
-    : instant_(model), equations_(instant_), chain_(instant_), forces_(blank_forces(model)) {}
+    : instant_(model), motion_(instant_), equations_(instant_), chain_(instant_), forces_(blank_forces(model)) {}
 
 Proof Prover::prove(std::span<const Drive> drives, bool statics, const Position& at) {
   instant_.take(at, statics);
   Proof proof;
   proof.residuals = residuals(instant_.model(), drives, instant_.external(), at);
-  proof.motion = motion_residual(instant_, drives);
+  proof.motion = motion_.residual(instant_, drives);
   proof.unbalanced = largest_residual(proof.residuals);
   proof.largest_force = largest_force(at);
   proof.condition = instant_.condition();

@@ -49,6 +49,7 @@ class Prover {
   [[nodiscard]] double largest_residual(const Residuals& residuals) const;
 
   Instant instant_;
+  MotionProof motion_;
   AllEquations equations_;
   ReleasedConstraints released_;
   OpenedChain chain_;

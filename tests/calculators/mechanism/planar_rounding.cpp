@@ -9,11 +9,29 @@
 
 using namespace loadpath;
 
+namespace {
+
+/// A link that rests, and one position of it.
+struct Resting {
+  mechanism::Model model;
+  Cycle cycle;
+
+  Resting() : model() {
+    model.links.emplace_back();
+    model.links[0].inertia = 0.033;
+    cycle.positions = {mechanism::blank_position(model)};
+    cycle.closed = {true};
+  }
+};
+
+}  // namespace
+
 TEST_SUITE("mechanism rounding") {
-  TEST_CASE("what is far below the largest value of its dimension is a zero, of a moment of inertia too") {
+  TEST_CASE("what is far below what the links have is a zero, of a moment of inertia too") {
+    const Resting resting;
     std::vector<project::Entry> results(1);
     results[0].value = {{kg_m2.dimension(), nullptr}, {7.4e-69, 0.033, 1e-9}};
-    clear_rounding(results);
+    clear_rounding(resting.model, resting.cycle, results);
     CHECK(results[0].value.si == std::vector<double>{0.0, 0.033, 1e-9});
     CHECK(results[0].value.rounding > 0.0);
   }
@@ -32,7 +50,8 @@ TEST_SUITE("mechanism rounding") {
     results[0].path = "links.rod.phi";
     results[1].path = "crank_angle";
     for (project::Entry& e : results) e.value = {{deg.dimension(), nullptr}, {-pi, pi, -3.0, -pi + 1e-16}};
-    clear_rounding(results);
+    const Resting resting;
+    clear_rounding(resting.model, resting.cycle, results);
     const std::vector<double>& phi = results[0].value.si;
     for (const std::size_t k : {0U, 1U, 3U}) CHECK(std::abs(phi[k] - pi) <= results[0].value.rounding);
     CHECK(phi[2] == -3.0);

@@ -146,7 +146,7 @@ TEST_SUITE("json") {
     }
   }
 
-  TEST_CASE("of series that are not chosen the extremes stay, single values stay as they are") {
+  TEST_CASE("series that are not chosen are left out, single values stay as they are") {
     const auto project = solved(turning());
     const json::value all = json::parse(io::json_of(project, ""));
     const json::value some = json::parse(io::json_of(project, "", project::SeriesChoice({"*.M"})));
@@ -154,17 +154,8 @@ TEST_SUITE("json") {
     CHECK(results.at("drive.M") == before.at("drive.M"));
     CHECK(results.at("links.c.swing") == before.at("links.c.swing"));
     CHECK(some.at("steps").at(0).at("axes") == all.at("steps").at(0).at("axes"));
-    const auto& force = results.at("joints.A.F").as_object();
-    CHECK_FALSE(force.contains("values"));
-    CHECK(force.at("unit") == "N");
-    const Value& series = *project.value("bar.joints.A.F");
-    CHECK(force.at("min").to_number<double>() == minimum(series).value);
-    CHECK(force.at("max").to_number<double>() == maximum(series).value);
-    CHECK(results.at("links.a.omega").at("min") == results.at("links.a.omega").at("max"));
-    const json::value open =
-        json::parse(io::json_of(told(bar_that_cannot_turn(12)).project, "", project::SeriesChoice({"joints.*"})));
-    CHECK(open.at("steps").at(0).at("results").at("drive.M").at("max").is_null());
-    CHECK(nulls_have_reasons(open));
+    CHECK_FALSE(results.as_object().contains("joints.A.F"));
+    CHECK_FALSE(results.as_object().contains("links.a.omega"));
   }
 
   TEST_CASE("issues are an object too") {

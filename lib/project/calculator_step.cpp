@@ -164,7 +164,7 @@ void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector
   Run run(*this, known);
   if (!run.evaluate_operands(issues)) return;
   if (!run.check_rules(issues)) return;
-  run.search();
+  if (!run.search(issues)) return;
   run.evaluate();
   run.fill(wanted.pictures, own_account());
 }

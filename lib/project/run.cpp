@@ -190,14 +190,38 @@ void Run::keep_sizing_results(const std::string& searched) {
   }
 }
 
-void Run::search() {
-  if (step_.searches().empty()) return;
+bool Run::is_any_asked() const {
+  const auto& fields = calculator_.result->fields;
+  return std::any_of(fields.begin(), fields.end(),
+                     [&](const FieldInfo& f) { return f.role == Role::check && is_asked(f); });
+}
+
+/// A search without a check; its hint names what asks for one.
+Issue Run::aimless(const Search& wanted) const {
+  std::vector<std::string> asking;
+  for (const FieldInfo& f : calculator_.result->fields) {
+    if (f.role != Role::check || *f.asked_by == '\0') continue;
+    if (std::find(asking.begin(), asking.end(), f.asked_by) == asking.end()) asking.emplace_back(f.asked_by);
+  }
+  std::string names;
+  for (const std::string& inputs : asking) names += ", " + inputs;
+  return issue_at(
+      step_.input(), wanted.path, say("nothing tells how large '{1}' must be: no check is asked for", wanted.path),
+      say("give {1} itself, or what a check needs: {2}", wanted.path, names.empty() ? "" : names.substr(2)));
+}
+
+bool Run::search(std::vector<Issue>& issues) {
+  if (step_.searches().empty()) return true;
   const Search& wanted = step_.searches().front();
   const Leaf leaf = map_leaf(wanted.path);
   settle_sizes();
   const FieldInfo* result = find_field(calculator_.result->fields, wanted.path);
   const double least = result == nullptr ? nan : largest_result(*result);
-  if (result != nullptr && std::isnan(least)) return;  // not even a least size: the checks say why
+  if (result != nullptr && std::isnan(least)) return true;  // not even a least size: the checks say why
+  if (result == nullptr && !is_any_asked()) {
+    issues.push_back(aimless(wanted));
+    return false;
+  }
   keep_sizing_results(wanted.path);
   const std::vector<double> stock = stock_values(wanted.stock);
   auto candidate =
@@ -212,6 +236,7 @@ void Run::search() {
   if (!missing_.empty()) found = say("first of {1} for which a value is missing", wanted.stock);
   if (candidate == stock.end()) found = say("largest of {1}; none passes", wanted.stock);
   origins_[wanted.path] = stock_origin(wanted.stock, std::move(found));
+  return true;
 }
 
 void Run::evaluate() {

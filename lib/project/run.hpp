@@ -15,8 +15,9 @@ class Run {
   bool evaluate_operands(std::vector<Issue>& issues);
   /// The rules between inputs, at every position.
   bool check_rules(std::vector<Issue>& issues);
-  /// Sets the leaf that is searched for to the smallest value of its stock that passes every check at every position.
-  void search();
+  /// Sets the leaf that is searched for to the smallest value of its stock that passes every check at every position. An
+  /// issue where no check is asked for, so that any value would pass.
+  bool search(std::vector<Issue>& issues);
   /// All results at all positions.
   void evaluate();
   void fill(bool pictures, Account& account) const;
@@ -50,6 +51,8 @@ class Run {
   /// The largest value of a result over the positions, refined between them; NaN where one is not available.
   double largest_result(const FieldInfo& field);
   [[nodiscard]] bool is_asked(const FieldInfo& check) const;
+  [[nodiscard]] bool is_any_asked() const;
+  [[nodiscard]] Issue aimless(const Search& wanted) const;
   bool passes();
   void keep_sizing_results(const std::string& searched);
   [[nodiscard]] Leaf map_leaf(const std::string& path) const { return find_leaf(record_, path); }

@@ -60,4 +60,14 @@ TEST_SUITE("project search") {
     CHECK(issues_of(sized("l = { stock = \"R20\" }\n")) ==
           "a.toml:5:7: " + rule + "5 | l = { stock = \"R20\" }\n  |       ^^^^^\n  = help: give a value\n");
   }
+
+  TEST_CASE("where no check is asked for, any size would pass: none is taken") {
+    const std::string pair = "[pair]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 40\n";
+    CHECK(issues_of(pair) == R"(a.toml:1:2: error: nothing tells how large 'm_n' must be: no check is asked for
+1 | [pair]
+  |  ^^^^
+  = help: give m_n itself, or what a check needs: sigma_adm_1, sigma_adm_2
+)");
+    CHECK(told(pair + "m_n = \"2 mm\"\n").issues.empty());
+  }
 }

@@ -38,6 +38,7 @@ static constexpr std::array all{
     &erased<struct FlatBelt>,
     &erased<struct VBelt>,
     &erased<struct VBeltSizing>,
+    &erased<struct BeltCourse>,
     &erased<struct PointMotion>,
     &erased<struct Rotation>,
     &erased<struct PlaneMotion>,

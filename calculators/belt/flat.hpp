@@ -4,7 +4,7 @@
 // wrap, with the part of the tension that turns the belt around (centrifugal) kept out of the friction.
 // Tensions: S_1 tight, S_2 slack; the mean of the two stays that of standstill on fixed centres, while a tensioner that
 // pulls with a constant force lets it rise by the centrifugal part.
-// Not covered: tensioning rollers on the belt, crowning, fatigue life of the belt, shafts that are not parallel.
+// Not covered: rollers on the belt (belt.course), crowning, fatigue life of the belt, shafts that are not parallel.
 #pragma once
 
 #include "calculators/belt/geometry.hpp"
@@ -24,7 +24,7 @@ struct FlatBelt {
   static constexpr auto scope =
       "Length or centre distance, wraps, speeds with slip, tensions by Euler's condition with the centrifugal part, "
       "width of the belt, initial tension and shaft load of a flat belt, open or crossed. Speeds of 5 to 30 m/s, of "
-      "synthetic belts to 100 m/s. The life of the belt and tensioning rollers are not covered.";
+      "synthetic belts to 100 m/s. Rollers on the belt: belt.course. The life of the belt is not covered.";
   static constexpr auto source = "[B40], [Shigley-17]";
   static constexpr auto example = R"([project]
 title = "Fan drive with a flat belt"

@@ -1,0 +1,180 @@
+// The course of one belt around any number of pulleys: driven ones, guide and tensioning rollers, inside or outside.
+//
+// Decides wraps, spans and the exact length of the belt, or how far a tensioner has to move for a belt that can be
+// bought; with powers the tension of every span from the slack one behind the driving pulley on, the friction that each
+// pulley needs, and the load of every shaft as a vector. The belt runs through the pulleys in the order of the list,
+// and the first one drives. Lengths are those of the line that the diameters are given for. Not covered: crossed belts
+// (belt.flat), shafts that are not parallel, losses, slip between the pulleys.
+#pragma once
+
+#include "calculators/belt/loop.hpp"
+#include "calculators/belt/units.hpp"
+#include "lib/draw/figure.hpp"
+#include "lib/field.hpp"
+#include "lib/issue.hpp"
+#include "lib/trace.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath {
+
+struct BeltCourse {
+  static constexpr auto id = "belt.course";
+  static constexpr auto title = "Belt around any pulleys";
+  static constexpr auto scope =
+      "Wraps, spans and exact length of a belt around any number of pulleys and rollers, inside and outside of it, or "
+      "the "
+      "place of a tensioner for a given length; tensions of all spans, friction and shaft loads where the powers are "
+      "known. Crossed belts, losses and slip are not covered.";
+  static constexpr auto source = "[B40], [Shigley-17]";
+  static constexpr auto example = R"([project]
+title = "Fan and pump on one belt, with a tensioner"
+
+[common_belt]
+calculator = "belt.course"
+n_1 = "1450 rpm"
+mu = 0.5
+q = "0.3 kg/m"
+L = "2360 mm"
+turns = "cw"
+pulleys = [
+  { name = "motor", x = "0 mm", y = "0 mm", d = "160 mm" },
+  { name = "roller", x = "60 mm", y = "280 mm", d = "80 mm", side = "outside", along = "-30 deg" },
+  { name = "pump", x = "300 mm", y = "480 mm", d = "200 mm", P = "3 kW" },
+  { name = "fan", x = "600 mm", y = "100 mm", d = "250 mm", P = "4 kW" },
+]
+)";
+
+  enum class Side { inside, outside };
+  enum class Turns { ccw, cw };
+
+  struct Pulley {
+    Name name;
+    Length x = unset<Length>, y = unset<Length>, d = unset<Length>;
+    Side side = Side::inside;
+    Power P = unset<Power>;
+    double along = unset<double>;
+    static constexpr std::tuple fields{
+        NameField{&Pulley::name, "name", "name of the pulley"}.may_be_missing(),
+        Field{&Pulley::x, "x", mm, "place of its axis"},
+        Field{&Pulley::y, "y", mm, "place of its axis"},
+        Field{&Pulley::d, "d", mm, "diameter at the middle of the belt, or at its datum line"}.positive().usually(10,
+                                                                                                                  3000),
+        Choice{&Pulley::side, "side", "which side of the loop it is on"}.may_be_missing(),
+        Field{&Pulley::P, "P", kW, "power that it takes out of the belt; negative where it drives too"}
+            .may_be_missing(),
+        Field{&Pulley::along, "along", deg, "direction in which this pulley moves until the belt has the length L"}
+            .may_be_missing()};
+  };
+
+  struct Input {
+    List<Pulley, belt::most_pulleys> pulleys;
+    Turns turns = Turns::ccw;
+    Length L = unset<Length>;
+    AngularSpeed n_1 = unset<AngularSpeed>;
+    double mu = unset<double>;
+    LineDensity q = 0.0 * kg_per_m;
+    Force S_0 = unset<Force>;
+  };
+  static constexpr std::tuple inputs{
+      ListField{&Input::pulleys, "pulleys", "pulleys in the order in which the belt runs; the first one drives"},
+      Choice{&Input::turns, "turns", "sense of rotation of the first pulley"}.may_be_missing(),
+      Field{&Input::L, "L", mm, "length of the belt, where one pulley moves"}.positive().may_be_missing(),
+      Field{&Input::n_1, "n_1", rpm, "speed of the first pulley"}.positive().may_be_missing(),
+      Field{&Input::mu, "mu", ratio,
+            "coefficient of friction; of a V-belt mu / sin(phi/2), phi the angle of the groove"}
+          .positive()
+          .usually(0.1, 2)
+          .may_be_missing(),
+      Field{&Input::q, "q", kg_per_m, "mass of the belt per length"}.at_least(0).usually(0, 20),
+      Field{&Input::S_0, "S_0", N, "tension of the slack span, behind the first pulley; the least one where missing"}
+          .positive()
+          .may_be_missing()};
+
+  struct PulleyResult {
+    Name name;
+    Length x = unset<Length>, y = unset<Length>;
+    double alpha = unset<double>;
+    Length l_s = unset<Length>;
+    AngularSpeed n = unset<AngularSpeed>;
+    Moment T = unset<Moment>;
+    Force S = unset<Force>, R_x = unset<Force>, R_y = unset<Force>, R = unset<Force>;
+    double mu_req = unset<double>;
+    static constexpr std::tuple fields{
+        NameField{&PulleyResult::name, "name", "pulley"}.as(Role::result),
+        Field{&PulleyResult::x, "x", mm, "place of its axis"}.as(Role::result),
+        Field{&PulleyResult::y, "y", mm, "place of its axis"}.as(Role::result),
+        Field{&PulleyResult::alpha, "alpha", deg, "wrap"}.as(Role::result),
+        Field{&PulleyResult::l_s, "l_s", mm, "span behind it, between the points of contact"}.as(Role::result),
+        Field{&PulleyResult::n, "n", rpm, "speed, counter-clockwise positive"}.as(Role::result),
+        Field{&PulleyResult::T, "T", N_m, "torque of the belt on it, counter-clockwise positive"}.as(Role::result),
+        Field{&PulleyResult::S, "S", N, "tension of the span behind it"}.as(Role::result),
+        Field{&PulleyResult::R_x, "R_x", N, "load of its shaft, along x"}.as(Role::result),
+        Field{&PulleyResult::R_y, "R_y", N, "load of its shaft, along y"}.as(Role::result),
+        Field{&PulleyResult::R, "R", N, "load of its shaft"}.as(Role::result),
+        Field{&PulleyResult::mu_req, "mu_req", ratio, "coefficient of friction that is used"}.as(Role::result)};
+  };
+  struct Result {
+    Length L = unset<Length>, s = unset<Length>;
+    Speed v = unset<Speed>;
+    AngularSpeed f_B = unset<AngularSpeed>;
+    Power P_1 = unset<Power>;
+    Force F_c = unset<Force>, S_0_min = unset<Force>, S_0 = unset<Force>, S_max = unset<Force>, N_min = unset<Force>;
+    double u_S = unset<double>;
+    List<PulleyResult, belt::most_pulleys> pulleys;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::L, "L", mm, "length of the belt"}.as(Role::result),
+      Field{&Result::s, "s", mm, "way of the pulley that moves, positive in its direction"}.as(Role::result),
+      Field{&Result::v, "v", m_per_s, "speed of the belt"}.as(Role::result),
+      Field{&Result::f_B, "f_B", belt::Hz, "bendings of the belt per second"}.as(Role::result),
+      Field{&Result::P_1, "P_1", kW, "power of the driving pulley"}.as(Role::result),
+      Field{&Result::F_c, "F_c", N, "centrifugal part of the tension"}.as(Role::result),
+      Field{&Result::S_0_min, "S_0_min", N, "least tension of the slack span"}.as(Role::result),
+      Field{&Result::S_0, "S_0", N, "tension of the slack span"}.as(Role::result),
+      Field{&Result::S_max, "S_max", N, "largest tension"}.as(Role::result),
+      ListField{&Result::pulleys, "pulleys", "pulleys, in the order in which the belt runs"}.as(Role::result),
+      Field{&Result::u_S, "u_S", ratio, "friction: least tension of the slack span over its tension"}
+          .check("mu")
+          .where_it_applies(),
+      Field{&Result::N_min, "N_min", N, "least tension that presses a pulley, without the centrifugal part"}
+          .limit(1e-9, 1e9, "S_0, mu")
+          .where_it_applies()};
+
+  static bool tensioner_fits(const Input& in);
+  static FieldFault wrong_tensioner(const Input& in);
+  static bool powers_fit(const Input& in);
+  static bool closes(const Input& in);
+  static FieldFault flaw_of(const Input& in);
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return in.pulleys.size() > 1; }, "pulleys", "a belt needs two pulleys or more"},
+      Rule<Input>{[](const Input& in) { return in.pulleys.empty() || in.pulleys[0].side == Side::inside; }, "pulleys",
+                  "the first pulley, which drives, is inside of the belt"},
+      Rule<Input>{&tensioner_fits, "L, pulleys", "a length L needs one pulley that moves, and that one a length L",
+                  &wrong_tensioner},
+      Rule<Input>{&powers_fit, "pulleys, n_1",
+                  "powers need the speed n_1; the first pulley gives what the others take"},
+      Rule<Input>{&closes, "pulleys", "the belt does not run through these pulleys", &flaw_of}};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template BeltCourse::Result BeltCourse::evaluate(const Input&, NoTrace&);
+extern template BeltCourse::Result BeltCourse::evaluate(const Input&, Trace&);
+
+constexpr auto choices_of(BeltCourse::Side) {
+  using Side = BeltCourse::Side;
+  return std::array{
+      ChoiceName<Side>{Side::inside, "inside", "inside of the belt"},
+      ChoiceName<Side>{Side::outside, "outside", "outside: the belt's back runs on it, and it turns back"}};
+}
+constexpr auto choices_of(BeltCourse::Turns) {
+  using Turns = BeltCourse::Turns;
+  return std::array{ChoiceName<Turns>{Turns::ccw, "ccw", "counter-clockwise"},
+                    ChoiceName<Turns>{Turns::cw, "cw", "clockwise"}};
+}
+
+}  // namespace loadpath

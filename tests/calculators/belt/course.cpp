@@ -1,0 +1,182 @@
+#include "calculators/belt/course.hpp"
+
+#include "calculators/belt/geometry.hpp"
+#include "tests/calculators/belt/steps.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace {
+
+using namespace loadpath;
+using test::BeltStep;
+using test::with;
+using Pulley = BeltCourse::Pulley;
+using Side = BeltCourse::Side;
+
+Pulley pulley(double x, double y, double d, Side side = Side::inside, Power P = unset<Power>) {
+  Pulley p;
+  p.x = x * mm, p.y = y * mm, p.d = d * mm;
+  p.side = side, p.P = P;
+  return p;
+}
+
+BeltCourse::Input around(std::initializer_list<Pulley> pulleys, BeltCourse::Turns turns = BeltCourse::Turns::ccw) {
+  BeltCourse::Input in;
+  for (const Pulley& p : pulleys) in.pulleys.push_back(p);
+  in.turns = turns;
+  return in;
+}
+
+/// The motor, a roller on the slack span, a pump and a fan.
+BeltCourse::Input machine() {
+  auto in =
+      around({pulley(0.0, 0.0, 160.0), pulley(148.0, 229.0, 80.0, Side::outside),
+              pulley(300.0, 480.0, 200.0, Side::inside, 3.0 * kW), pulley(600.0, 100.0, 250.0, Side::inside, 4.0 * kW)},
+             BeltCourse::Turns::cw);
+  in.n_1 = 1450.0 * rpm, in.mu = 0.5, in.q = 0.3 * kg_per_m;
+  return in;
+}
+
+BeltCourse::Result solve(const BeltCourse::Input& in) {
+  NoTrace trace;
+  return BeltCourse::evaluate(in, trace);
+}
+
+double in_mm(Length l) { return in_si(l) * 1e3; }
+
+const std::string text = R"(calculator = "belt.course"
+n_1 = "1450 rpm"
+mu = 0.5
+L = "2360 mm"
+turns = "cw"
+pulleys = [{ name = "motor", x = "0 mm", y = "0 mm", d = "160 mm" }, { name = "roller", x = "60 mm", y = "280 mm", d = "80 mm", side = "outside", along = "-30 deg" }, { name = "pump", x = "300 mm", y = "480 mm", d = "200 mm", P = "3 kW" }, { name = "fan", x = "600 mm", y = "100 mm", d = "250 mm", P = "4 kW" }]
+)";
+
+}  // namespace
+
+TEST_SUITE("belt course") {
+  TEST_CASE("around equal pulleys it is as long as the polygon of their centres and one circle") {
+    const auto r = solve(around({pulley(0, 0, 100), pulley(600, 0, 100), pulley(600, 450, 100)}));
+    CHECK(in_mm(r.L) == doctest::Approx(600.0 + 450.0 + 750.0 + 100.0 * pi).epsilon(1e-14));
+    CHECK(r.pulleys[0].alpha == doctest::Approx(pi - std::atan2(450.0, 600.0)).epsilon(1e-14));
+    CHECK(r.pulleys[1].alpha == doctest::Approx(pi / 2.0).epsilon(1e-14));
+    CHECK(in_mm(r.pulleys[2].l_s) == doctest::Approx(750.0).epsilon(1e-14));
+  }
+
+  TEST_CASE("around two pulleys it is the open drive") {
+    for (const double d : {80.0, 200.0, 560.0}) {
+      const auto r = solve(around({pulley(0, 0, 200), pulley(700, 300, d)}));
+      NoTrace trace;
+      const auto open =
+          belt::lay({200.0 * mm, d * mm, std::hypot(700.0, 300.0) * mm, unset<Length>, belt::Arrangement::open}, trace);
+      CHECK(in_mm(r.L) == doctest::Approx(in_mm(open.L)).epsilon(1e-13));
+      CHECK(r.pulleys[0].alpha == doctest::Approx(open.alpha_1).epsilon(1e-13));
+      CHECK(r.pulleys[1].alpha == doctest::Approx(open.alpha_2).epsilon(1e-13));
+    }
+  }
+
+  // Contact angles acos((r_1 -+ r_2) / d) of every pair, computed apart.
+  TEST_CASE("with a roller outside: spans, wraps and length of an independent computation") {
+    const auto r = solve(machine());
+    CHECK(in_mm(r.L) == doctest::Approx(2359.841948512847).epsilon(1e-12));
+    const double spans[] = {244.83668025849394, 257.8856335665095, 483.50284383858593, 606.6094295343587};
+    const double wraps[] = {154.20436015277076, 56.282953923658525, 136.04826126877822, 126.03033250210947};
+    for (std::size_t k = 0; k < 4; ++k) {
+      CHECK(in_mm(r.pulleys[k].l_s) == doctest::Approx(spans[k]).epsilon(1e-12));
+      CHECK(r.pulleys[k].alpha * 180.0 / pi == doctest::Approx(wraps[k]).epsilon(1e-12));
+    }
+  }
+
+  TEST_CASE("the loads of all shafts are in balance, forces, moments and powers") {
+    const auto in = machine();
+    const auto r = solve(in);
+    double x = 0.0, y = 0.0, M = 0.0, P = 0.0;
+    for (const auto& p : r.pulleys) {
+      x += in_si(p.R_x), y += in_si(p.R_y);
+      M += in_si(p.x * p.R_y - p.y * p.R_x + p.T);
+      P += in_si(p.T * p.n);
+    }
+    const double size = in_si(r.S_max);
+    CHECK(std::abs(x) < 1e-12 * size);
+    CHECK(std::abs(y) < 1e-12 * size);
+    CHECK(std::abs(M) < 1e-12 * size);
+    CHECK(std::abs(P) < 1e-12 * in_si(r.P_1));
+    CHECK(in_si(r.P_1) == doctest::Approx(7000.0));
+    CHECK(in_si(r.pulleys[1].T) == doctest::Approx(0.0));
+  }
+
+  TEST_CASE("with the least tension one pulley uses all of its friction, the others less") {
+    const auto r = solve(machine());
+    double most = 0.0;
+    for (const auto& p : r.pulleys) most = std::max(most, p.mu_req);
+    CHECK(most == doctest::Approx(0.5).epsilon(1e-12));
+    CHECK(r.u_S == doctest::Approx(1.0));
+    auto tighter = machine();
+    tighter.S_0 = 2.0 * r.S_0_min;
+    CHECK(solve(tighter).u_S == doctest::Approx(0.5));
+    tighter.mu = 0.8;
+    CHECK(solve(tighter).u_S < 0.5);
+  }
+
+  TEST_CASE("a mirror and the other sense of rotation change no length, and scale does it in proportion") {
+    auto in = machine();
+    const auto before = solve(in);
+    for (Pulley& p : in.pulleys) p.x = -p.x;
+    in.turns = BeltCourse::Turns::ccw;
+    CHECK(in_mm(solve(in).L) == doctest::Approx(in_mm(before.L)).epsilon(1e-14));
+    for (Pulley& p : in.pulleys) p.x = 3.0 * p.x, p.y = 3.0 * p.y, p.d = 3.0 * p.d;
+    CHECK(in_mm(solve(in).L) == doctest::Approx(3.0 * in_mm(before.L)).epsilon(1e-14));
+  }
+
+  TEST_CASE("a roller moves until the belt has its length") {
+    auto in = machine();
+    in.pulleys[1].along = -0.5;
+    for (const double L : {2330.0, 2400.0, 2500.0}) {
+      in.L = L * mm;
+      CHECK(in_mm(solve(in).L) == doctest::Approx(L).epsilon(1e-12));
+    }
+    in.L = unset<Length>;
+    in.pulleys[1].along = unset<double>;
+    const Length here = solve(in).L;
+    in.pulleys[1].along = 1.0, in.L = here;
+    CHECK(std::abs(in_mm(solve(in).s)) < 1e-6);
+  }
+
+  TEST_CASE("what the belt cannot do is told with the pulleys at fault") {
+    const auto says = [](const std::string& pulleys, const std::string& what) {
+      const BeltStep step("calculator = \"belt.course\"\npulleys = [" + pulleys + "]\n");
+      INFO(pulleys);
+      CHECK(step.says(what));
+    };
+    const std::string a = "{ name = \"a\", x = \"0 mm\", y = \"0 mm\", d = \"100 mm\" }",
+                      b = ", { name = \"b\", x = \"500 mm\", y = \"0 mm\", d = \"100 mm\" }",
+                      c = ", { name = \"c\", x = \"500 mm\", y = \"400 mm\", d = \"100 mm\" }",
+                      d = ", { name = \"d\", x = \"0 mm\", y = \"400 mm\", d = \"100 mm\" }";
+    says(a, "a belt needs two pulleys or more");
+    says(a + ", { name = \"b\", x = \"90 mm\", y = \"0 mm\", d = \"100 mm\" }", "'pulleys.a' and 'pulleys.b' touch");
+    says(a + ", { name = \"t\", x = \"250 mm\", y = \"-200 mm\", d = \"60 mm\", side = \"outside\" }" + b,
+         "the belt does not reach 'pulleys.t'");
+    says(a + ", { name = \"t\", x = \"250 mm\", y = \"200 mm\", d = \"60 mm\" }" + b + c,
+         "the belt does not reach 'pulleys.t'");
+    says(a + c + b + d, "the belt would cross itself");
+    says(a + ", { name = \"b\", x = \"500 mm\", y = \"0 mm\", d = \"100 mm\", P = \"1 kW\" }",
+         "powers need the speed n_1");
+    says(a + b + ", { x = \"250 mm\", y = \"300 mm\", d = \"60 mm\", along = \"90 deg\" }",
+         "this pulley moves, and the length of the belt is not given");
+    says("{ x = \"0 mm\", y = \"0 mm\", d = \"100 mm\", side = \"outside\" }" + b,
+         "the first pulley, which drives, is inside");
+    CHECK(BeltStep(with(text, "L", "\"2200 mm\"")).says("it gives belts from 2295.4"));
+    CHECK(BeltStep(text).issues.empty());
+  }
+
+  TEST_CASE("without mu the tension is as given; too little of it is not covered") {
+    const std::string loose = with(with(text, "mu", ""), "S_0", "\"600 N\"");
+    CHECK(BeltStep(loose).worst() == report::State::pass);
+    CHECK(BeltStep(with(text, "S_0", "\"100 N\"")).worst() == report::State::fail);
+    CHECK(BeltStep(with(with(loose, "q", "\"5 kg/m\""), "S_0", "\"600 N\"")).worst() != report::State::pass);
+  }
+}

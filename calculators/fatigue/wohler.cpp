@@ -151,8 +151,11 @@ void life(const Input& in, const Sums& sums, Result& r, Tracer& trace) {
   r.S_0 = S_0, r.x_N = x_N;
 }
 
+/// Straight where both scales are logarithmic.
 draw::Curve line(const std::string& label, double A, double B, double X_from, double X_to) {
-  return {label, {A + B * X_from, A + B * X_to}, {X_from, X_to}};
+  const auto N = [&](double X) { return std::pow(10.0, A + B * X); };
+  const auto S = [](double X) { return in_si(std::pow(10.0, X) * MPa); };
+  return {label, {N(X_from), N(X_to)}, {S(X_from), S(X_to)}};
 }
 
 /// Points of one kind; each stands alone.
@@ -160,8 +163,8 @@ draw::Curve dots(const Input& in, End end, const std::string& label) {
   draw::Curve points{label, {}, {}};
   for (const auto& t : in.tests) {
     if (t.end != end) continue;
-    points.x.insert(points.x.end(), {std::log10(t.N), unset<double>});
-    points.y.insert(points.y.end(), {lg_stress(t.S), unset<double>});
+    points.x.insert(points.x.end(), {t.N, unset<double>});
+    points.y.insert(points.y.end(), {in_si(t.S), unset<double>});
   }
   return points;
 }
@@ -192,15 +195,15 @@ template FatigueWohler::Result FatigueWohler::evaluate(const Input&, Trace&);
 std::vector<draw::Figure> FatigueWohler::figures(const Input& in, const Result& r) {
   const Sums sums = sums_of(in);
   draw::Plot plot;
-  plot.x = {"lg N", "cycles", "-"};
-  plot.y = {"lg S", "stress in MPa", "-"};
+  plot.x = {"N", "cycles", "-", true};
+  plot.y = {"S", "stress", "MPa", true};
   const double X_low = is_set(r.S_D) && r.S_D > 0.0 * MPa ? std::min(lg_stress(r.S_D), sums.X_low) : sums.X_low;
   plot.curves.push_back(line("50 %", r.A, r.B, sums.X_high, X_low));
   plot.curves.push_back(line("P_s", r.A_P, r.B, sums.X_high, X_low));
   plot.curves.push_back(line("1 - P_s", 2.0 * r.A - r.A_P, r.B, sums.X_high, X_low));
   plot.curves.push_back(dots(in, End::failure, "failures"));
   if (highest_runout(in) > 0.0 * MPa) plot.curves.push_back(dots(in, End::runout, "run-outs"));
-  if (is_set(r.S_D)) plot.bounds.push_back({lg_stress(r.S_D), "lg S_D"});
+  if (is_set(r.S_D)) plot.bounds.push_back({in_si(r.S_D), "S_D"});
   return {{"wohler", "Test points, lines of survival and fatigue limit", std::move(plot)}};
 }
 

@@ -11,14 +11,14 @@ namespace {
 
 constexpr int display_digits = 4;
 
+}  // namespace
+
 std::string superscript(int number) {
   constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string text = number < 0 ? "⁻" : "";
   for (const char c : std::to_string(std::abs(number))) text += digits[c - '0'];
   return text;
 }
-
-}  // namespace
 
 Display::Display(const Scale& scale) : scale_(scale), degrees_(scale.unit == "deg") {
   if (scale.unit.empty() || scale.unit == "-" || scale.unit == "1") return;

@@ -18,6 +18,7 @@ struct Scale {
   std::string symbol;
   std::string meaning;
   std::string unit;
+  bool logarithmic = false;  // values that are not positive are not drawn
 };
 
 struct Curve {

@@ -15,6 +15,9 @@ Range with_zero(Range range, bool filled) {
   return range;
 }
 
+/// Of a logarithmic scale; where nothing has a place on it, one decade.
+Range positive(const Extent& seen) { return seen.empty() ? Range{1.0, 10.0} : seen.range(); }
+
 Text fitting_title(const Display& display, int power) {
   const Text text = typeset(display.title(power));
   return width(text, text_size) < view_width - 8.0 ? text : typeset(display.title(power, false));
@@ -31,7 +34,7 @@ PlotFrame::PlotFrame(const Plot& plot) : x_(plot.x), y_(plot.y) {
   bool filled = false;
   const auto see = [&](double x_si, double y_si) {
     const Point p{x_.value(x_si), y_.value(y_si)};
-    if (drawable(p)) x_seen.see(p.x), y_seen.see(p.y);
+    if (x_.has_place(p.x) && y_.has_place(p.y)) x_seen.see(p.x), y_seen.see(p.y);
   };
   for (const Curve& curve : plot.curves) {
     filled = filled || curve.filled;
@@ -39,10 +42,13 @@ PlotFrame::PlotFrame(const Plot& plot) : x_(plot.x), y_(plot.y) {
   }
   for (const Mark& mark : plot.marks) see(mark.x, mark.y);
   empty_ = x_seen.empty();
-  for (const Bound& bound : plot.bounds) y_seen.see(y_.value(bound.y));
-
-  up_ = axis(with_zero(y_seen.range(), filled), 6, steps_of(y_), Ends::ticks);
-  across_ = axis(x_seen.range(), 8, steps_of(x_), Ends::data);
+  for (const Bound& bound : plot.bounds) {
+    if (y_.has_place(y_.value(bound.y))) y_seen.see(y_.value(bound.y));
+  }
+  up_ = y_.logarithmic() ? logarithmic_axis(positive(y_seen), Ends::ticks)
+                         : axis(with_zero(y_seen.range(), filled), 6, steps_of(y_), Ends::ticks);
+  across_ = x_.logarithmic() ? logarithmic_axis(positive(x_seen), Ends::data)
+                             : axis(x_seen.range(), 8, steps_of(x_), Ends::data);
   double widest = 0.0;
   for (const double tick : up_.ticks) widest = std::max(widest, width(typeset(up_.text(tick)), text_size));
   area_ = {widest + 10.0, plot_top, plot_right, plot_top + plot_depth};
@@ -54,12 +60,12 @@ Point PlotFrame::at(double x, double y) const {
 
 std::optional<Point> PlotFrame::place(double x, double y) const {
   const Point p{x_.value(x), y_.value(y)};
-  return drawable(p) ? std::optional(at(p.x, p.y)) : std::nullopt;
+  return x_.has_place(p.x) && y_.has_place(p.y) ? std::optional(at(p.x, p.y)) : std::nullopt;
 }
 
 std::optional<Point> PlotFrame::left_end(double y) const {
   const double value = y_.value(y);
-  return drawable(value) ? std::optional(at(across_.range.low, value)) : std::nullopt;
+  return y_.has_place(value) ? std::optional(at(across_.range.low, value)) : std::nullopt;
 }
 
 double PlotFrame::zero_line() const { return at(0.0, std::clamp(0.0, up_.range.low, up_.range.high)).y; }

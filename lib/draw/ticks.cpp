@@ -1,5 +1,6 @@
 #include "lib/draw/ticks.hpp"
 
+#include "lib/draw/display.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -43,9 +44,37 @@ int written_power(const Range& range) {
   return 3 * static_cast<int>(std::floor((magnitude(size)) / 3.0));
 }
 
+/// Numbers that are short without a power of ten.
+bool is_written_out(const Range& range) { return range.low >= 1e-3 && range.high < 1e5; }
+
+std::string power_text(int exponent) { return "10" + superscript(exponent); }
+
+/// What ticks stand at within a decade: the fewer decades, the more.
+std::vector<double> parts_of_decade(const Range& data) {
+  const double decades = std::log10(data.high / data.low);
+  if (!is_written_out(data) || decades > 4.0) return {1.0};
+  if (decades > 1.5) return {1.0, 2.0, 5.0};
+  return {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0};
+}
+
+std::vector<double> logarithmic_ticks(const Range& data) {
+  std::vector<double> ticks;
+  const std::vector<double> parts = parts_of_decade(data);
+  for (int power = magnitude(data.low) - 1; power <= magnitude(data.high) + 1; ++power) {
+    for (const double part : parts) ticks.push_back(part * power_of_ten(power));
+  }
+  return ticks;
+}
+
 }  // namespace
 
+double Axis::fraction(double value) const {
+  if (logarithmic) return std::log(value / range.low) / std::log(range.high / range.low);
+  return (value - range.low) / (range.high - range.low);
+}
+
 std::string Axis::text(double tick) const {
+  if (logarithmic) return is_written_out(range) ? format_number(tick, 3) : power_text(magnitude(tick));
   const double size = std::max(std::fabs(range.low), std::fabs(range.high));
   const int digits = std::clamp(magnitude(size) - magnitude(step) + 3, 3, 15);
   return format_number(power == 0 ? tick : tick / power_of_ten(power), digits);
@@ -57,6 +86,23 @@ double round_below(double value) {
     if (k * unit <= value * (1.0 + 1e-9)) return k * unit;
   }
   return unit;
+}
+
+Axis logarithmic_axis(Range data, Ends ends) {
+  constexpr double slack = 1e-9;
+  if (!(data.high > data.low * 1.2)) data = {data.low / 1.5, data.high * 1.5};
+  const std::vector<double> ticks = logarithmic_ticks(data);
+  Axis result;
+  result.logarithmic = true;
+  result.range = data;
+  if (ends == Ends::ticks) {
+    result.range.low = *std::prev(std::upper_bound(ticks.begin(), ticks.end(), data.low * (1.0 + slack)));
+    result.range.high = *std::lower_bound(ticks.begin(), ticks.end(), data.high * (1.0 - slack));
+  }
+  for (const double t : ticks) {
+    if (t >= result.range.low * (1.0 - slack) && t <= result.range.high * (1.0 + slack)) result.ticks.push_back(t);
+  }
+  return result;
 }
 
 Axis axis(Range data, int most, Steps steps, Ends ends) {

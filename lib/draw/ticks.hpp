@@ -16,9 +16,10 @@ struct Axis {
   Range range;                // display units
   std::vector<double> ticks;  // inside the range
   double step = 1.0;
-  int power = 0;  // ticks are written in units of 10^power
+  int power = 0;             // ticks are written in units of 10^power
+  bool logarithmic = false;  // then without that unit
 
-  [[nodiscard]] double fraction(double value) const { return (value - range.low) / (range.high - range.low); }
+  [[nodiscard]] double fraction(double value) const;
   [[nodiscard]] std::string text(double tick) const;
 };
 
@@ -28,6 +29,9 @@ enum class Ends { data, ticks };  // the range ends where the data end (or at a 
 
 /// At most about `most` ticks. A range without extent is opened around its value and zero.
 Axis axis(Range data, int most, Steps steps, Ends ends);
+
+/// Of positive values, with ticks at powers of ten, and between them where these are few.
+Axis logarithmic_axis(Range data, Ends ends);
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `value`.
 double round_below(double value);

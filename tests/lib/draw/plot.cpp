@@ -117,6 +117,17 @@ TEST_SUITE("draw") {
     CHECK(count(drawn(plot), "<circle class=\"f0\"") == 1);
   }
 
+  TEST_CASE("on a logarithmic scale what is not positive has no place") {
+    Plot plot;
+    plot.x = {"N", "cycles", "-", true};
+    plot.y = {"S", "stress", "MPa", true};
+    plot.curves.push_back({"", {0.0, 1e4, 1e6}, {1e8, -1e8, 1e8}});
+    const std::string drawn = svg({"a", "", plot});
+    CHECK(drawn.find("nan") == std::string::npos);
+    CHECK(drawn.find("inf") == std::string::npos);
+    CHECK(drawn.find("<circle") != std::string::npos);
+  }
+
   TEST_CASE("a plot without any value says so") {
     Plot plot = torque_plot();
     for (double& y : plot.curves[0].y) y = std::numeric_limits<double>::quiet_NaN();

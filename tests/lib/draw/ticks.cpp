@@ -79,6 +79,27 @@ TEST_SUITE("draw") {
     }
   }
 
+  TEST_CASE("a logarithmic axis has ticks at powers of ten, and between them where these are few") {
+    const Axis cycles = logarithmic_axis({3e4, 4e7}, Ends::data);
+    CHECK(cycles.ticks == std::vector<double>{1e5, 1e6, 1e7});
+    CHECK(cycles.text(1e6) == "10⁶");
+    CHECK(cycles.fraction(std::sqrt(3e4 * 4e7)) == doctest::Approx(0.5));
+    const Axis stress = logarithmic_axis({210.0, 480.0}, Ends::ticks);
+    CHECK(stress.range.low == 200.0);
+    CHECK(stress.range.high == 500.0);
+    CHECK(stress.ticks == std::vector<double>{200.0, 300.0, 400.0, 500.0});
+    CHECK(stress.text(300.0) == "300");
+    for (const double low : {1e-12, 3.0, 1e20}) {
+      for (const double ratio : {1.0, 1.01, 1.3, 7.0, 1e3, 1e12}) {
+        for (const Ends ends : {Ends::data, Ends::ticks}) {
+          const Axis a = logarithmic_axis({low, low * ratio}, ends);
+          CHECK(a.fraction(low) >= -1e-9);
+          CHECK(a.fraction(low * ratio) <= 1.0 + 1e-9);
+        }
+      }
+    }
+  }
+
   TEST_CASE("a scale bar stands for a round number that fits") {
     CHECK(round_below(80.0) == doctest::Approx(50.0));
     CHECK(round_below(0.02) == doctest::Approx(0.02));

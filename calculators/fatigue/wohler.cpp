@@ -14,7 +14,8 @@ using Input = FatigueWohler::Input;
 using Result = FatigueWohler::Result;
 using End = FatigueWohler::End;
 
-double lg_stress(Stress S) { return std::log10(S / MPa); }
+/// As the steps say it: at a tested stress both are the same to the bit.
+double lg_stress(Stress S) { return std::log(S / MPa) / std::log(10.0); }
 
 /// The highest level with a run-out; zero where every specimen failed.
 Stress highest_runout(const Input& in) {
@@ -193,7 +194,7 @@ std::vector<draw::Figure> FatigueWohler::figures(const Input& in, const Result& 
   const Sums sums = sums_of(in);
   draw::Plot plot;
   plot.x = {"lg N", "cycles", "-"};
-  plot.y = {"lg S", "stress in MPa", "-"};
+  plot.y = {"lg(S/MPa)", "stress", "-"};
   const double X_low = is_set(r.S_D) && r.S_D > 0.0 * MPa ? std::min(lg_stress(r.S_D), sums.X_low) : sums.X_low;
   plot.curves.push_back(line("50 %", r.A, r.B, sums.X_high, X_low));
   plot.curves.push_back(line("P_s", r.A_P, r.B, sums.X_high, X_low));

@@ -14,7 +14,8 @@ using Input = FatigueWohler::Input;
 using Result = FatigueWohler::Result;
 using End = FatigueWohler::End;
 
-double lg_stress(Stress S) { return std::log10(S / MPa); }
+/// As the steps say it: at a tested stress both are the same to the bit.
+double lg_stress(Stress S) { return std::log(S / MPa) / std::log(10.0); }
 
 /// The highest level with a run-out; zero where every specimen failed.
 Stress highest_runout(const Input& in) {

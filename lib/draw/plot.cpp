@@ -3,11 +3,20 @@
 #include "lib/draw/plot_curve.hpp"
 #include "lib/issue.hpp"
 
+#include <algorithm>
+
 namespace loadpath::draw {
 namespace {
 
 std::string curve_style(std::size_t i) { return "curve c" + std::to_string(i % 3) + " d" + std::to_string(i % 4); }
 std::string fill_style(std::size_t i) { return "f" + std::to_string(i % 3); }
+
+constexpr double dot_radius = 2.5;
+/// Whether nothing of a curve hangs together: points of a test.
+bool is_dots(const DrawnCurve& curve) {
+  return !curve.pieces.empty() &&
+         std::all_of(curve.pieces.begin(), curve.pieces.end(), [](const auto& piece) { return piece.size() == 1; });
+}
 
 class PlotPicture {
  public:
@@ -40,7 +49,7 @@ PlotPicture::PlotPicture(const Plot& plot)
 }
 
 void PlotPicture::draw_piece(std::size_t i, const std::vector<Point>& piece) {
-  if (piece.size() == 1) return svg_.circle(fill_style(i), piece.front(), 2.5);
+  if (piece.size() == 1) return svg_.circle(fill_style(i), piece.front(), dot_radius);
   std::vector<Point> outline = piece;
   if (plot_.curves[i].filled) {
     outline.insert(outline.begin(), {piece.front().x, frame_.zero_line()});
@@ -150,7 +159,11 @@ void PlotPicture::draw_legend() {
     const Text text = typeset(plot_.curves[i].label);
     const double wide = sample + gap + width(text, text_size) + spacing;
     if (x > left && x + wide > view_width) x = left, y += row;
-    svg_.line(curve_style(i), {x, y - 4.5}, {x + sample, y - 4.5});
+    if (is_dots(curves_[i])) {
+      svg_.circle(fill_style(i), {x + 0.5 * sample, y - 4.5}, dot_radius);
+    } else {
+      svg_.line(curve_style(i), {x, y - 4.5}, {x + sample, y - 4.5});
+    }
     svg_.text(fill_style(i), {x + sample + gap, y}, text);
     x += wide;
   }

@@ -3,6 +3,7 @@
 
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"
+#include "tests/calculators/step_text.hpp"
 
 #include <string>
 #include <vector>
@@ -26,13 +27,5 @@ struct BeltStep {
   }
   [[nodiscard]] report::State worst() const { return report::worst(project::verdicts(project)); }
 };
-
-/// The text with another value of one key, or without it where the value is empty.
-inline std::string with(std::string text, const std::string& key, const std::string& value) {
-  const std::size_t at = text.find("\n" + key + " = ");
-  const std::string line = value.empty() ? "" : "\n" + key + " = " + value;
-  if (at == std::string::npos) return text + (value.empty() ? "" : key + " = " + value + "\n");
-  return text.replace(at, text.find('\n', at + 1) - at, line);
-}
 
 }  // namespace loadpath::test

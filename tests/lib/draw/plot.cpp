@@ -86,6 +86,16 @@ TEST_SUITE("draw") {
     CHECK(overlap(text) == "");
   }
 
+  TEST_CASE("points that stand alone are named below the plot by a dot") {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    Plot plot = torque_plot();
+    plot.curves = {{"tests", {1.0, 1.5, 2.0}, {5.0, none, 6.0}}, {"mean", {1.0, 2.0}, {5.0, 6.0}}};
+    const std::string text = drawn(plot);
+    CHECK(says(text, "tests"));
+    CHECK(count(text, "<circle class=\"f0\"") == 3);
+    CHECK(curves_in(text) == 2);
+  }
+
   TEST_CASE("the value stands in each segment of a diagram along a shaft") {
     const std::string text = drawn(torque_plot());
     for (const char* value : {"900", "-2700", "-1200"}) CHECK_MESSAGE(says(text, value), value);

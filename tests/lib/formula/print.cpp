@@ -65,7 +65,7 @@ TEST_SUITE("formula") {
                                            {"d / mm", "d / mm"},
                                            {"10.0 * N_m", "10 · N·m"},
                                            {"M / N_m", "M / (N·m)"},
-                                           {"210.0e9 * eps_0", "210 · 10⁹ · eps_0"},
+                                           {"210.0e9 * eps_0", "210 · 10⁹ · ε_0"},
                                            {".50 + 100.0", "0.5 + 100"}}) {
       CAPTURE(row.cpp);
       CHECK(plainly(row.cpp) == row.print);

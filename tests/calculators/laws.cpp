@@ -1,0 +1,264 @@
+// How results follow their inputs: what doubles, what grows with a power, what stays, and what only rises or falls.
+#include "tests/calculators/step_text.hpp"
+
+#include <cmath>
+#include <optional>
+#include <set>
+#include <span>
+
+namespace {
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+/// `result` is multiplied by `factor` where the example goes from the first lines to the second.
+struct Law {
+  const char* calculator;
+  const char* from;
+  const char* to;
+  const char* result;
+  double factor;
+};
+
+const Law sections[] = {
+    {"section.circle", R"(d = "40 mm")", R"(d = "80 mm")", "I_t", 16},
+    {"section.circle", R"(d = "40 mm")", R"(d = "80 mm")", "W_max", 8},
+    {"section.ring", "", "d = \"120 mm\"\nt = \"10 mm\"", "I_y", 16},
+    {"section.ring", "", "d = \"120 mm\"\nt = \"10 mm\"", "W_t", 8},
+    {"section.rectangle", "", "b = \"40 mm\"\nh = \"120 mm\"", "I_t", 16},
+    {"section.rectangle", "", R"(h = "120 mm")", "I_y", 8},
+    {"section.I", "", "h = \"400 mm\"\nb = \"400 mm\"\nt_w = \"18 mm\"\nt_f = \"30 mm\"\nr = \"36 mm\"", "I_t", 16},
+    {"section.channel", "", "h = \"400 mm\"\nb = \"160 mm\"\nt_w = \"12 mm\"\nt_f = \"22 mm\"\nr = \"26 mm\"", "I_z",
+     16},
+    {"section.angle", "", "h = \"200 mm\"\nb = \"200 mm\"\nt = \"20 mm\"\nr = \"24 mm\"\nr_2 = \"12 mm\"", "I_min", 16},
+    {"section.T", "", "h = \"200 mm\"\nb = \"200 mm\"\nt_w = \"11.2 mm\"\nt_f = \"17 mm\"\nr = \"24 mm\"", "z_S", 2},
+    {"section.hollow", "", "h = \"200 mm\"\nb = \"200 mm\"\nt = \"10 mm\"\nr_o = \"15 mm\"\nr_i = \"10 mm\"", "I_t",
+     16},
+    {"section.polygon", "holes = \npoints = [[\"0 mm\", \"0 mm\"], [\"60 mm\", \"0 mm\"], [\"0 mm\", \"90 mm\"]]",
+     "holes = \npoints = [[\"0 mm\", \"0 mm\"], [\"120 mm\", \"0 mm\"], [\"0 mm\", \"180 mm\"]]", "I_yz", 16},
+    {"section.built_up", R"(parts = [{ shape = "rectangle", b = "20 mm", h = "60 mm", z = "15 mm" }])",
+     R"(parts = [{ shape = "rectangle", b = "40 mm", h = "120 mm", z = "30 mm" }])", "I_max", 16},
+};
+
+const Law bars[] = {
+    {"shaft.torsion", R"(d = "70 mm")", R"(d = "140 mm")", "u_tau", 1.0 / 8},
+    {"shaft.torsion", R"(d = "70 mm")", R"(d = "140 mm")", "u_theta", 1.0 / 16},
+    {"shaft.overhung", R"(d = "40 mm")", "d = \"40 mm\"\nF = \"7308 N\"\nT = \"156.6 N*m\"", "u_v", 2},
+    {"shaft.overhung", R"(d = "40 mm")", "d = \"40 mm\"\nF = \"7308 N\"\nT = \"156.6 N*m\"", "u_Q", 2},
+    {"column.buckling", "", R"(l = "1800 mm")", "N_cr", 1.0 / 4},
+    {"column.buckling", "", R"(d = "90 mm")", "N_cr", 16},
+    {"column.effective_length", "", "l = \"2.4 m\"\nc_1 = \"20 kN*m/rad\"", "beta", 1},
+};
+
+const char* const half_stresses =
+    "S = \"175 MPa\"\ntests = [[\"210 MPa\", 38000], [\"210 MPa\", 52000], [\"190 MPa\", 91000], [\"190 MPa\", "
+    "127000], "
+    "[\"170 MPa\", 262000], [\"170 MPa\", 365000], [\"155 MPa\", 720000], [\"155 MPa\", 980000], "
+    "[\"145 MPa\", 10000000, \"runout\"], [\"140 MPa\", 10000000, \"runout\"]]";
+
+const Law fatigue[] = {
+    {"fatigue.cycle", "", "sigma_max = \"240 MPa\"\nsigma_min = \"-80 MPa\"", "sigma_a", 2},
+    {"fatigue.cycle", "", "sigma_max = \"240 MPa\"\nsigma_min = \"-80 MPa\"", "r", 1},
+    {"fatigue.endurance", R"(sigma_W = "200 MPa")", R"(sigma_W = "400 MPa")", "sigma_D", 2},
+    {"fatigue.wohler", "", half_stresses, "S_D", 0.5},
+    {"fatigue.wohler", "", half_stresses, "k", 1},
+    {"fatigue.wohler", "", half_stresses, "N_P", 1},
+};
+
+const char* const thick = R"(delta = "10 mm")";
+
+const Law vessels[] = {
+    {"vessel.cylinder", thick, "delta = \"10 mm\"\np = \"3.2 MPa\"", "sigma_o", 2},
+    {"vessel.cylinder", "delta = \"10 mm\"\nc = \"0 mm\"", "delta = \"20 mm\"\nc = \"0 mm\"\nR = \"1200 mm\"", "u_v",
+     1},
+    {"vessel.sphere", "delta = \"30 mm\"", "delta = \"30 mm\"\np = \"1.6 MPa\"", "sigma_M", 2},
+    {"vessel.sphere", "delta = \"30 mm\"\nc = \"0 mm\"", "delta = \"60 mm\"\nc = \"0 mm\"\nR = \"10 m\"", "p_max", 1},
+    {"vessel.cone", "delta = \"10 mm\"\nrho = \nh_l = ", "delta = \"10 mm\"\nrho = \nh_l = \np = \"0.2 MPa\"",
+     "sigma_o", 2},
+    {"vessel.cone", "delta = \"10 mm\"\nrho = \nh_l = ", "delta = \"20 mm\"\nrho = \nh_l = \nR = \"2.4 m\"", "u_v", 1},
+    {"vessel.torus", thick, "delta = \"10 mm\"\np = \"5 MPa\"", "sigma_M", 2},
+    {"vessel.torus", thick, "delta = \"20 mm\"\nR_0 = \"2 m\"\nr = \"400 mm\"", "u_v", 1},
+    {"vessel.ellipsoid", thick, "delta = \"10 mm\"\np = \"1.2 MPa\"", "sigma_v", 2},
+    {"vessel.ellipsoid", thick, "delta = \"20 mm\"\na = \"1200 mm\"\nb = \"600 mm\"", "u_v", 1},
+    {"vessel.shell", thick, "delta = \"10 mm\"\np = \"1.2 MPa\"", "sigma_v", 2},
+};
+
+const Law drives[] = {
+    {"gear.pair", "", "m_n = \"5 mm\"\na_w = \"200 mm\"\nb = \"56 mm\"\nT_1 = \"480 N*m\"", "F_t", 4},
+    {"gear.pair", "", "m_n = \"5 mm\"\na_w = \"200 mm\"\nb = \"56 mm\"\nT_1 = \"480 N*m\"", "eps_gamma", 1},
+    {"gear.pair", "cutting = ", "cutting = \nm_n = \"5 mm\"\na_w = \"200 mm\"\nb = \"56 mm\"\nT_1 = \"480 N*m\"",
+     "u_F1", 1},
+    {"gear.planetary", "", R"(T_s = "100 N*m")", "T_c", 2},
+    {"gear.planetary", "", R"(n_s = "2900 rpm")", "n_p", 2},
+    {"chain.roller", "", R"(P = "6 kW")", "F_t", 2},
+    {"chain.roller", "", R"(n_1 = "192 rpm")", "F_c", 4},
+    {"drive.train", "", R"(P = "11 kW")", "T_out", 2},
+    {"drive.train", "", R"(n_1 = "2900 rpm")", "T_out", 0.5},
+    {"belt.flat", R"(b = "100 mm")", "b = \"100 mm\"\nd_1 = \"400 mm\"\nd_2 = \"1000 mm\"\na = \"2400 mm\"", "L", 2},
+    {"belt.flat", R"(b = "100 mm")", "b = \"100 mm\"\nn_1 = \"2900 rpm\"", "F_c", 4},
+    {"belt.v", "z = 4", "z = 4\nP = \"60 kW\"", "u_P", 2},
+    {"belt.v", "L = \na = \"800 mm\"", "L = \nd_1 = \"400 mm\"\nd_2 = \"800 mm\"\na = \"1600 mm\"", "L", 2},
+    {"belt.v_sizing", "", "P = \"22 kW\"\nK_A = 0.6", "u_P", 1},
+};
+
+const Law motion[] = {
+    {"motion.point", "", "x = \"6 m*sin(pi*t/(1 s))\"\ny = \"10 m*cos(pi*t/(1 s))\"", "a", 2},
+    {"motion.point", "", "x = \"6 m*sin(pi*t/(1 s))\"\ny = \"10 m*cos(pi*t/(1 s))\"", "kappa", 0.5},
+    {"motion.rotation", "", R"(phi = "180 deg*(t/(1 s))^2")", "a_n", 4},
+    {"motion.plane", "", R"(v_A = "1.2 m/s")", "omega", 2},
+    {"motion.plane", "", R"(v_A = "1.2 m/s")", "PA", 1},
+    {"motion.compound", "", "v_xi = \"4 m/s\"\na_xi = \"12 m/s^2\"\nomega = \"6 rad/s\"\nepsilon = \"8 rad/s^2\"", "a",
+     4},
+    {"dynamics.force", "", R"(m = "4 kg")", "P", 2},
+    {"dynamics.throw", "", R"(V_0 = "40 m/s")", "L", 4},
+    {"dynamics.throw", "", R"(V_0 = "40 m/s")", "t_L", 2},
+    {"dynamics.impulse", "v_1x = \"0 m/s\"", "m = \"6 kg\"\nv_1x = \"0 m/s\"", "v_2x", 0.5},
+    {"dynamics.mass_centre", "", R"(bodies = [{ m = "200 kg" }, { m = "140 kg", s = "2 m" }])", "Delta_x", 1},
+    {"dynamics.mass_centre", "", R"(bodies = [{ m = "100 kg" }, { m = "70 kg", s = "6 m" }])", "Delta_x", 3},
+    {"dynamics.momentum", "",
+     R"(bodies = [{ m = "5 kg", v_1 = "8 m/s" }, { m = "1 kg", v_1 = "8 m/s", v_2 = "60 m/s" }])", "Delta_E", 4},
+    {"dynamics.angular_momentum", "",
+     R"(parts = [{ m = "0.2 kg", R_1 = "400 mm", R_2 = "100 mm", omega_1 = "120 rpm" }])", "omega_2", 4},
+    {"dynamics.work", "", R"(m = "5 kg")", "v_2", 1},
+    {"dynamics.work", "", R"(s = "8 m")", "v_2", 2},
+    {"dynamics.lift", "", R"(s = "4.8 m")", "v", 2},
+    {"machine.flywheel", "", "M_of_phi = \"40 kN*m + 19 kN*m*sin(2*phi) - 11.4 kN*m*cos(2*phi)\"", "J_F", 2},
+    {"machine.flywheel", "", R"(omega = "360 rpm")", "J_F", 0.25},
+    {"machine.run_up", "", R"(parts = [{ J = "0.1 kg*m^2" }, { J = "7.2 kg*m^2", u = 0.5 }])", "t", 2},
+    {"machine.run_up", "load = ",
+     "load = \nmotor = [[\"0 rpm\", \"90 N*m\"], [\"1000 rpm\", \"120 N*m\"], [\"1400 rpm\", \"80 N*m\"]]", "t", 0.5},
+};
+
+const std::span<const Law> laws[] = {sections, bars, fatigue, vessels, drives, motion};
+
+/// What `result` does over the values of a key, one after the other.
+enum class Sense { rises, falls };
+using enum Sense;
+struct Trend {
+  const char* calculator;
+  const char* result;
+  Sense sense;
+  const char* key;
+  std::vector<const char*> values;
+  const char* lines = "";
+};
+
+const Trend trends[] = {
+    {"section.ring", "I_t", rises, "t", {R"("2 mm")", R"("5 mm")", R"("10 mm")", R"("20 mm")", R"("29 mm")"}},
+    {"section.built_up",
+     "i_min",
+     rises,
+     "parts",
+     {R"([{ section = "UPN 200", y = "10 mm" }, { section = "UPN 200", y = "-10 mm", angle = "180 deg" }])",
+      R"([{ section = "UPN 200", y = "30 mm" }, { section = "UPN 200", y = "-30 mm", angle = "180 deg" }])",
+      R"([{ section = "UPN 200", y = "50 mm" }, { section = "UPN 200", y = "-50 mm", angle = "180 deg" }])"}},
+    {"shaft.torsion",
+     "tau_max",
+     rises,
+     "d_bore",
+     {R"("0 mm")", R"("20 mm")", R"("40 mm")", R"("60 mm")"},
+     R"(d = "70 mm")"},
+    {"column.buckling", "sigma_cr", falls, "l", {R"("500 mm")", R"("700 mm")", R"("900 mm")", R"("1200 mm")"}},
+    {"column.effective_length",
+     "beta",
+     falls,
+     "c_1",
+     {R"("0 N*m/rad")", R"("10 kN*m/rad")", R"("40 kN*m/rad")", R"("10 MN*m/rad")"}},
+    {"vessel.cone",
+     "sigma_o",
+     rises,
+     "alpha",
+     {R"("10 deg")", R"("30 deg")", R"("45 deg")", R"("60 deg")"},
+     "delta = \"8 mm\"\nrho = \nh_l = "},
+    {"vessel.torus",
+     "sigma_M",
+     falls,
+     "R_0",
+     {R"("0.4 m")", R"("0.6 m")", R"("1 m")", R"("10 m")"},
+     R"(delta = "8 mm")"},
+    {"vessel.ellipsoid",
+     "u_v",
+     falls,
+     "b",
+     {R"("200 mm")", R"("300 mm")", R"("400 mm")", R"("600 mm")"},
+     R"(delta = "8 mm")"},
+    {"vessel.sphere", "delta_min", falls, "z_l", {"0.7", "0.8", "0.9", "1"}, "delta = \"30 mm\"\nz_c = 1"},
+    {"vessel.shell", "p_max", rises, "delta", {R"("4 mm")", R"("6 mm")", R"("8 mm")", R"("10 mm")"}},
+    {"fatigue.endurance", "sigma_D", falls, "K_t", {"1", "1.2", "1.65", "2.5"}},
+    {"fatigue.endurance", "sigma_D", falls, "R_z", {R"("1.6 um")", R"("6.3 um")", R"("25 um")", R"("100 um")"}},
+    {"fatigue.endurance", "sigma_D", falls, "d", {R"("10 mm")", R"("30 mm")", R"("60 mm")", R"("140 mm")"}},
+    {"fatigue.wohler", "N_P", falls, "P_s", {"0.5", "0.7", "0.9", "0.95"}},
+    {"fatigue.wohler", "N_50", falls, "S", {R"("310 MPa")", R"("340 MPa")", R"("380 MPa")", R"("420 MPa")"}},
+    {"gear.pair", "eps_gamma", rises, "beta", {R"("0 deg")", R"("8 deg")", R"("16 deg")"}, "a_w = \nx_1 = 0"},
+    {"gear.pair", "x_free", rises, "z_1", {"10", "14", "17", "30"}, "a_w = \nx_1 = 0"},
+    {"gear.planetary", "eta", rises, "eta_0", {"0.9", "0.95", "0.99", "1"}},
+    {"chain.roller", "delta_1", falls, "z_1", {"11", "17", "21", "25"}},
+    {"chain.roller", "p_r", rises, "K_A", {"1", "1.3", "1.7"}},
+    {"belt.flat", "S_0_min", falls, "mu", {"0.2", "0.3", "0.4", "0.5"}, R"(b = "100 mm")"},
+    {"belt.flat", "alpha_1", rises, "a", {R"("500 mm")", R"("1000 mm")", R"("2000 mm")"}, R"(b = "100 mm")"},
+    {"belt.v", "u_P", falls, "z", {"2", "3", "4", "6"}},
+    {"belt.v", "c_L", rises, "L", {R"("2000 mm")", R"("2650 mm")", R"("4000 mm")", R"("8000 mm")"}},
+    {"belt.v_sizing", "drives", falls, "P", {R"("5 kW")", R"("11 kW")", R"("50 kW")", R"("100 kW")"}},
+    {"drive.train",
+     "n_out",
+     rises,
+     "n_1",
+     {R"("700 rpm")", R"("1450 rpm")", R"("2900 rpm")"},
+     "stages = [{ kind = \"gear\", z_1 = 20, z_2 = 60 }, { kind = \"gear\", z_1 = 20, z_2 = 60 }]"},
+    {"dynamics.throw", "L", rises, "theta", {R"("10 deg")", R"("25 deg")", R"("40 deg")", R"("45 deg")"}},
+    {"dynamics.throw", "L", falls, "theta", {R"("45 deg")", R"("55 deg")", R"("70 deg")", R"("85 deg")"}},
+    {"dynamics.work", "v_2", falls, "mu", {"0", "0.1", "0.3", "0.5"}},
+    {"machine.flywheel", "J_F", falls, "delta", {"0.005", "0.01", "0.02", "0.05"}},
+    {"machine.run_up",
+     "t",
+     rises,
+     "load",
+     {R"([["0 rpm", "0 N*m"], ["1400 rpm", "0 N*m"]])", R"([["0 rpm", "5 N*m"], ["1400 rpm", "20 N*m"]])",
+      R"([["0 rpm", "5 N*m"], ["1400 rpm", "39 N*m"]])"}},
+};
+
+std::string joined(const char* lines, const std::string& last) {
+  return *lines == '\0' ? last : std::string(lines) + "\n" + last;
+}
+
+}  // namespace
+
+TEST_SUITE("laws of the calculators") {
+  TEST_CASE("results scale as they must") {
+    for (const auto& group : laws) {
+      for (const Law& law : group) {
+        const std::string what = std::string(law.calculator) + "." + law.result + " with " + law.to;
+        INFO(what);
+        const double from = ExampleStep(law.calculator, law.from)(law.result);
+        const double to = ExampleStep(law.calculator, law.to)(law.result);
+        CHECK(std::abs(from) > 0.0);
+        CHECK(std::abs(to - law.factor * from) <= 1e-9 * std::abs(to));
+      }
+    }
+  }
+
+  TEST_CASE("results rise and fall as they must") {
+    for (const Trend& trend : trends) {
+      std::optional<double> last;
+      for (const char* value : trend.values) {
+        const std::string what =
+            std::string(trend.calculator) + "." + trend.result + " with " + trend.key + " = " + value;
+        INFO(what);
+        const double now =
+            ExampleStep(trend.calculator, joined(trend.lines, std::string(trend.key) + " = " + value))(trend.result);
+        if (last) CHECK((trend.sense == rises ? now > *last : now < *last));
+        last = now;
+      }
+    }
+  }
+
+  TEST_CASE("every plain calculator has a law") {
+    std::set<std::string_view> tried;
+    for (const auto& group : laws) {
+      for (const Law& law : group) tried.insert(law.calculator);
+    }
+    for (const Calculator* c : catalogue()) {
+      if (c->evaluate != nullptr) CHECK_MESSAGE(tried.count(c->id) == 1, c->id);
+    }
+  }
+}

@@ -1,0 +1,198 @@
+// Both sides of every validity limit and of every check: a value next to the bound that passes, and one that does not.
+#include "tests/calculators/step_text.hpp"
+
+#include <set>
+#include <span>
+
+namespace {
+
+using namespace loadpath;
+using namespace loadpath::test;
+using report::State;
+
+constexpr State over = State::fail, outside = State::not_covered;
+
+struct Side {
+  const char* calculator;
+  const char* field;
+  State state;        // beyond the bound
+  const char* key;    // what is changed
+  const char* keeps;  // its value on the side that passes
+  const char* leaves;
+  const char* lines = "";  // changes of the calculator's example before
+};
+
+const Side vessels[] = {
+    {"vessel.cylinder", "t_R", outside, "delta", R"("30 mm")", R"("30.1 mm")", "measured = \"mean\"\nc = \"0 mm\""},
+    {"vessel.cylinder", "u_v", over, "sigma_adm", R"("165 MPa")", R"("164 MPa")", R"(delta = "8 mm")"},
+    {"vessel.cylinder", "w_r", outside, "l_r", R"("127 mm")", R"("128 mm")",
+     "ends = \"ringed\"\nA_r = \"600 mm^2\"\ndelta = \"12 mm\""},
+    {"vessel.sphere", "t_R", outside, "delta", R"("250 mm")", R"("251 mm")", "measured = \"mean\"\nc = \"0 mm\""},
+    {"vessel.sphere", "u_v", over, "sigma_adm", R"("125 MPa")", R"("124 MPa")", R"(delta = "20 mm")"},
+    {"vessel.cone", "t_R", outside, "delta", R"("69.2 mm")", R"("69.3 mm")"},
+    {"vessel.cone", "u_v", over, "sigma_adm", R"("18 MPa")", R"("17 MPa")", R"(delta = "8 mm")"},
+    {"vessel.torus", "t_R", outside, "delta", R"("10 mm")", R"("10.1 mm")"},
+    {"vessel.torus", "u_v", over, "sigma_adm", R"("73 MPa")", R"("72 MPa")", R"(delta = "8 mm")"},
+    {"vessel.ellipsoid", "t_R", outside, "delta", R"("7.5 mm")", R"("7.6 mm")", R"(measured = "mean")"},
+    {"vessel.ellipsoid", "u_v", over, "sigma_adm", R"("67 MPa")", R"("66 MPa")", R"(delta = "8 mm")"},
+    {"vessel.ellipsoid", "w_b", outside, "delta", R"("2.4 mm")", R"("2.39 mm")", R"(measured = "mean")"},
+    {"vessel.shell", "t_R", outside, "delta", R"("49.9 mm")", R"("50 mm")"},
+    {"vessel.shell", "u_v", over, "sigma_adm", R"("39 MPa")", R"("38 MPa")", R"(delta = "8 mm")"},
+    {"vessel.shell", "psi_max", outside, "points",  // turned by 14.9 and by 15.1 degrees
+     R"([["0.5 m", "0 m"], ["0.5 m", "1 m"], ["0.75713 m", "1.96638 m"]])",
+     R"([["0.5 m", "0 m"], ["0.5 m", "1 m"], ["0.76050 m", "1.96547 m"]])"},
+    {"vessel.shell", "s_min", outside, "points",  // a cone that rises by 2.1 % and by 1.9 %
+     R"([["0.1 m", "0 m"], ["0.6 m", "0.0105 m"], ["1.1 m", "0.0210 m"]])",
+     R"([["0.1 m", "0 m"], ["0.6 m", "0.0095 m"], ["1.1 m", "0.0190 m"]])"},
+};
+
+const Side sections[] = {
+    {"section.I", "w_t", outside, "t_w", R"("15 mm")", R"("16 mm")"},
+    {"section.I", "w_r", outside, "r", R"("30 mm")", R"("30.1 mm")"},
+    {"section.channel", "w", outside, "t_f", R"("20 mm")", R"("20.1 mm")"},
+    {"section.angle", "w", outside, "t", R"("20 mm")", R"("20.1 mm")"},
+    {"section.T", "w", outside, "t_f", R"("25 mm")", R"("25.1 mm")"},
+    {"section.hollow", "w", outside, "t", R"("20 mm")", R"("20.1 mm")"},
+};
+
+const Side bars[] = {
+    {"shaft.torsion", "u_tau", over, "tau_adm", R"("40.1 MPa")", R"("40 MPa")", R"(d = "70 mm")"},
+    {"shaft.torsion", "u_theta", over, "theta_adm", R"("0.0144 rad/m")", R"("0.0143 rad/m")", R"(d = "70 mm")"},
+    {"shaft.torsion", "F_bend", outside, "F", R"("0 N")", R"("1 N")", R"(d = "70 mm")"},
+    {"shaft.overhung", "u_v", over, "sigma_adm", R"("44 MPa")", R"("43 MPa")", R"(d = "40 mm")"},
+    {"shaft.overhung", "u_Q", over, "sigma_adm", R"("159 MPa")", R"("158 MPa")", R"(d = "20 mm")"},
+    {"shaft.overhung", "u_tau", over, "tau_adm", R"("8.8 MPa")", R"("8.7 MPa")", R"(d = "40 mm")"},
+    {"column.buckling", "u", over, "P", R"("42 kN")", R"("43 kN")"},
+    {"column.buckling", "r_lambda", outside, "lambda_max", "160", "159"},
+    {"column.buckling", "r_1", outside, "l", R"("493 mm")", R"("492 mm")"},
+    {"column.buckling", "r_0", outside, "l", R"("338 mm")", R"("337 mm")",
+     "R_e = \nsigma_P = \nmethod = \"tetmajer\"\na_T = \"310 MPa\"\nb_T = \"1.14 MPa\"\nlambda_0 = 60"},
+    {"column.buckling", "r_class", outside, "R_e", R"("338 MPa")", R"("339 MPa")",
+     "d = \nsigma_P = \nsection = \"IPE 300\"\nkind = \"rolled_I\"\nmethod = \"ec3\"\ngamma_M1 = 1\ngamma_F = 1"},
+    {"column.effective_length", "u", State::not_available, "c_1", R"("0.1 N*m/rad")", R"("0.001 N*m/rad")",
+     R"(k_1 = "0 N/mm")"},
+};
+
+const Side fatigue[] = {
+    {"fatigue.cycle", "u_y", over, "R_e", R"("120 MPa")", R"("119 MPa")"},
+    {"fatigue.endurance", "x_d", outside, "d", R"("8 mm")", R"("7 mm")"},
+    {"fatigue.endurance", "x_d", outside, "d", R"("2.8 mm")", R"("2.7 mm")",
+     "school = \"marin\"\nR_z = \nfinish = \"ground\""},
+    {"fatigue.endurance", "x_d", outside, "d", R"("254 mm")", R"("255 mm")",
+     "school = \"marin\"\nR_z = \nfinish = \"ground\""},
+    {"fatigue.endurance", "x_n", outside, "R_m", R"("341 MPa")", R"("339 MPa")"},
+    {"fatigue.endurance", "x_n", outside, "R_m", R"("1699 MPa")", R"("1701 MPa")"},
+    {"fatigue.wohler", "x_S", outside, "S", R"("310 MPa")", R"("309 MPa")"},
+    {"fatigue.wohler", "x_S", outside, "S", R"("420 MPa")", R"("421 MPa")"},
+    {"fatigue.wohler", "x_N", outside, "N_0", "980000", "981000"},
+    {"fatigue.wohler", "P_f", outside, "P_s", "0.95", "0.951"},
+};
+
+const char* const spur = "beta = \"0 deg\"\na_w = \nx_1 = 0";
+
+const Side gears[] = {
+    {"gear.pair", "eps_gamma", outside, "h_aP", "0.6", "0.55", spur},
+    {"gear.pair", "x_free", outside, "x_1", "-0.18", "-0.19", spur},
+    {"gear.pair", "s_a", outside, "x_1", "1.18", "1.2", spur},
+    {"gear.pair", "f_int", outside, "z_1", "16", "15", spur},
+    {"gear.pair", "j_bn", outside, "a_w", R"("96.25 mm")", R"("96.24 mm")", "beta = \"0 deg\"\nx_1 = 0\nx_2 = 0"},
+    {"gear.pair", "v_share", outside, "n_1", R"("9190 rpm")", R"("9200 rpm")"},
+    {"gear.pair", "u_F1", over, "sigma_adm_1", R"("171 MPa")", R"("170 MPa")"},
+    {"gear.pair", "u_F2", over, "sigma_adm_2", R"("144 MPa")", R"("143 MPa")"},
+    {"gear.planetary", "z_gap", outside, "z_p", "28", "27"},
+    {"gear.planetary", "z_gap", outside, "z_p", "32", "33"},
+    {"gear.planetary", "u_N", over, "N_p", "3", "4", "z_s = 12\nz_p = 60\nz_r = 132"},
+};
+
+const Side pulleys[] = {
+    {"chain.roller", "i", outside, "z_2", "100", "101", "z_1 = 10"},
+    {"chain.roller", "alpha_1", outside, "a", R"("700 mm")", R"("500 mm")", "z_1 = 17\nz_2 = 100"},
+    {"chain.roller", "alpha_2", outside, "a", R"("700 mm")", R"("500 mm")", "z_1 = 100\nz_2 = 17"},
+    {"chain.roller", "v_share", outside, "n_1", R"("670 rpm")", R"("680 rpm")"},
+    {"chain.roller", "u_p", over, "p_adm", R"("22 MPa")", R"("21 MPa")"},
+    {"chain.roller", "u_S", over, "S_min", "12.6", "12.7"},
+    {"chain.roller", "u_P", over, "P_R", R"("3.51 kW")", R"("3.5 kW")"},
+    {"belt.flat", "u_S", over, "S_0", R"("1201 N")", R"("1200 N")", R"(b = "100 mm")"},
+    {"belt.flat", "u_sigma", over, "sigma_adm", R"("7.2 MPa")", R"("7.1 MPa")", R"(b = "100 mm")"},
+    {"belt.flat", "sigma_N", outside, "n_1", R"("7000 rpm")", R"("7100 rpm")", R"(b = "100 mm")"},
+    {"belt.flat", "v_range", outside, "n_1", R"("478 rpm")", R"("477 rpm")", R"(b = "300 mm")"},
+    {"belt.flat", "v_range", outside, "n_1", R"("9549 rpm")", R"("9550 rpm")", R"(b = "300 mm")"},
+    {"belt.flat", "x_v", outside, "n_1", R"("2864 rpm")", R"("2865 rpm")", "kind = \"conventional\"\nb = \"100 mm\""},
+};
+
+const char* const large = "d_1 = \"140 mm\"\nd_2 = \"4000 mm\"";
+
+const Side v_belts[] = {
+    {"belt.v", "u_P", over, "z", "3", "2"},
+    {"belt.v", "u_grip", over, "mu", "0.44", "0.43", "z = 9"},
+    {"belt.v", "u_rim", over, "v_rim_adm", R"("15.9 m/s")", R"("15.8 m/s")"},
+    {"belt.v", "u_B", over, "n_1", R"("8500 rpm")", R"("8550 rpm")",
+     "d_1 = \"140 mm\"\nd_2 = \"140 mm\"\nL = \"1250 mm\""},
+    {"belt.v", "P_N", outside, "n_1", R"("5000 rpm")", R"("5500 rpm")", R"(d_1 = "250 mm")"},
+    {"belt.v", "x_d", outside, "d_1", R"("140 mm")", R"("139 mm")"},
+    {"belt.v", "x_d", outside, "d_1", R"("400 mm")", R"("401 mm")", "L = \"4000 mm\"\nd_2 = \"800 mm\""},
+    {"belt.v", "x_n", outside, "n_1", R"("100 rpm")", R"("99 rpm")"},
+    {"belt.v", "x_n", outside, "n_1", R"("5500 rpm")", R"("5510 rpm")"},
+    {"belt.v", "x_L", outside, "L", R"("1250 mm")", R"("1249 mm")", "d_1 = \"140 mm\"\nd_2 = \"140 mm\""},
+    {"belt.v", "x_L", outside, "L", R"("10000 mm")", R"("10001 mm")"},
+    {"belt.v", "x_alpha", outside, "L", R"("13200 mm")", R"("13000 mm")", large},
+    {"belt.v", "x_v", outside, "n_1", R"("4010 rpm")", R"("4020 rpm")"},
+    // The sizing lists only drives that pass every check: beyond a bound there is none, and nothing to check.
+    {"belt.v_sizing", "u_P", outside, "P", R"("200 kW")", R"("300 kW")"},
+    {"belt.v_sizing", "u_grip", outside, "mu", "0.5", "0.3"},
+    {"belt.v_sizing", "u_rim", outside, "v_rim_adm", R"("10 m/s")", R"("3 m/s")"},
+    {"belt.v_sizing", "u_B", outside, "a_set", R"("600 mm")", R"("60 mm")"},
+    {"belt.v_sizing", "drives", outside, "P", R"("200 kW")", R"("300 kW")"},
+};
+
+const Side motion[] = {
+    {"dynamics.throw", "u_h", over, "h", R"("-5 m")", R"("-5.1 m")"},
+    {"dynamics.throw", "u_L", over, "L_req", R"("40.7 m")", R"("40.8 m")"},
+    {"dynamics.lift", "u_s", over, "s", R"("1.04 m")", R"("1.05 m")",
+     "v_0 = \"3 m/s\"\nweights = [{ m = \"8 kg\", i = -1 }]"},
+    {"dynamics.work", "u_s", over, "mu", "0.577", "0.578"},
+    {"machine.flywheel", "u_delta", over, "delta", "0.0039", "0.0038", R"(J = "8000 kg*m^2")"},
+    {"machine.flywheel", "u_P", over, "P_n", R"("377 kW")", R"("376 kW")"},
+    {"machine.flywheel", "u_v", over, "v_adm", R"("18.9 m/s")", R"("18.8 m/s")", R"(D = "2 m")"},
+    {"machine.run_up", "u_M", over, "load", R"([["0 rpm", "2 N*m"], ["1400 rpm", "40 N*m"]])",
+     R"([["0 rpm", "2 N*m"], ["1400 rpm", "40.1 N*m"]])"},
+    {"machine.run_up", "u_t", over, "t_adm", R"("3.71 s")", R"("3.7 s")"},
+};
+
+const std::span<const Side> groups[] = {vessels, sections, bars, fatigue, gears, pulleys, v_belts, motion};
+
+void check(const Side& row) {
+  const std::string what = std::string(row.calculator) + "." + row.field + " by " + row.key;
+  INFO(what);
+  const auto at = [&](const char* value) {
+    const std::string lines = *row.lines == '\0' ? "" : std::string(row.lines) + "\n";
+    return ExampleStep(row.calculator, lines + row.key + " = " + value).verdict(row.field);
+  };
+  CHECK(report::slug(at(row.keeps)) == report::slug(State::pass));
+  CHECK(report::slug(at(row.leaves)) == report::slug(row.state));
+}
+
+}  // namespace
+
+TEST_SUITE("limits") {
+  TEST_CASE("both sides of every limit and check") {
+    for (const auto& group : groups) {
+      for (const Side& row : group) check(row);
+    }
+  }
+
+  TEST_CASE("no limit and no check of a plain calculator is left out") {
+    std::set<std::string> tried;
+    for (const auto& group : groups) {
+      for (const Side& row : group) tried.insert(std::string(row.calculator) + "." + row.field);
+    }
+    for (const Calculator* c : catalogue()) {
+      if (c->evaluate == nullptr) continue;
+      for (const FieldInfo& f : c->result->fields) {
+        if (f.role != Role::limit && f.role != Role::check) continue;
+        const std::string name = std::string(c->id) + "." + f.key;
+        CHECK_MESSAGE(tried.count(name) == 1, name);
+      }
+    }
+  }
+}

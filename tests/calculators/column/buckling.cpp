@@ -97,8 +97,8 @@ TEST_SUITE("column buckling") {
   TEST_CASE("a set that lies below Euler everywhere is refused") {
     Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.E = 2100.0 * GPa;
-    CHECK(!Buckling::set_meets_euler(in));
-    CHECK(Buckling::set_meets_euler(bar_of_steel(Ends::pinned_pinned)));
+    CHECK(!column::set_meets_euler(in));
+    CHECK(column::set_meets_euler(bar_of_steel(Ends::pinned_pinned)));
   }
 
   TEST_CASE("the published transition keeps its gap, and the gap is told") {
@@ -177,7 +177,7 @@ TEST_SUITE("column buckling") {
     for (const double e : {1e-6, 1.0, 5.0, 20.0}) {
       in.e_y = e * mm;
       const Buckling::Result r = solve(in);
-      const Buckling::Axis& y = r.axes[0];
+      const column::AxisResult& y = r.axes[0];
       const double sigma = in_si(y.sigma_s);
       const double fibre = sigma * (1 + y.eta / std::cos(0.5 * y.lambda * std::sqrt(sigma / 210e9)));
       CHECK(rel(fibre, 235e6) < 1e-9);

@@ -176,9 +176,8 @@ FieldFault LightestColumn::none_carries(const Input& in) {
   const Failure failure = failure_of(r);
   if (failure == Failure::load) {
     return {"",
-            say("no section of {1} carries {2}: {3}, the strongest, carries {4}, {5} % less", names,
-                format_quantity(in_si(r.F), kN.symbol), r.section.view(), format_quantity(in_si(r.P_all), kN.symbol, 4),
-                format_number(100.0 * (1.0 - 1.0 / r.u), 3)),
+            say("no section of {1} carries {2}; the strongest is {3}", names, format_quantity(in_si(r.F), kN.symbol),
+                r.section.view()),
             say("name heavier families, or hold the bar better")};
   }
   return {"",
@@ -201,6 +200,11 @@ Result LightestColumn::evaluate(const Input& in, Tracer& trace) {
   const auto l = in.l;
   STEP(mass, q * l, "mass of the bar");
   r.mass = mass;
+  if (r.u > 1.0) {
+    const auto F = r.F, P_all = r.P_all;
+    STEP(lack, 1.0 - P_all / F, "part of the force that even the strongest does not carry");
+    r.lack = lack;
+  }
   return r;
 }
 

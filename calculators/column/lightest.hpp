@@ -26,7 +26,7 @@ struct LightestColumn {
   static constexpr auto example = R"([project]
 title = "Column of a platform"
 
-[column]
+[post]
 calculator = "column.lightest"
 families = ["HEA", "HEB"]
 P = "900 kN"
@@ -90,7 +90,7 @@ gamma_F = 1
     Name section;
     LineDensity q = unset<LineDensity>;
     Mass mass = unset<Mass>;
-    double sections = 0.0, carrying = 0.0;
+    double sections = 0.0, carrying = 0.0, lack = unset<double>;
     Candidates candidates, lighter;
   };
   static constexpr auto results = std::tuple_cat(
@@ -103,6 +103,8 @@ gamma_F = 1
               Role::result)},
       column::member_results<Result>(),
       std::tuple{
+          Field{&Result::lack, "lack", ratio, "part of the force that even the strongest does not carry"}.as(
+              Role::result),
           Field{&Result::carrying, "carrying", ratio, "sections that carry the bar"}.limit(1, 1e6),
           ListField{&Result::candidates, "candidates", "sections that carry the bar, lightest first"}.as(Role::result),
           ListField{&Result::lighter, "lighter", "the next lighter ones and why they fail, heaviest first"}.as(

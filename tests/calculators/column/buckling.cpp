@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 namespace {
 
 using namespace loadpath;
@@ -242,5 +244,38 @@ TEST_SUITE("column buckling") {
     in.I_y = in.I_z = from_si<SecondMoment>(177e-8);
     in.I_min = from_si<SecondMoment>(73e-8);
     CHECK(rel(in_si(solve(in).axes[1].i), std::sqrt(73e-8 / 1.92e-3)) < 1e-12);
+  }
+
+  TEST_CASE("the kind of section, and with it the buckling curve, follows from the row of its table unless typed") {
+    struct Row {
+      const char *lines, *kind;
+      double alpha_y, alpha_z;
+    };
+    for (const Row& row :
+         {Row{"section = \"IPE 200\"", "rolled_I", 0.21, 0.34}, Row{"section = \"HEB 200\"", "rolled_I", 0.34, 0.49},
+          Row{"section = \"W8X31\"", "rolled_I", 0.34, 0.49}, Row{"section = \"UPN 200\"", "channel", 0.49, 0.49},
+          Row{"section = \"L 50x50x5\"", "angle", 0.34, 0.34},
+          Row{"section = \"RHS 60x40x3\"", "hot_hollow", 0.21, 0.21},
+          Row{"section = \"RHS 60x40x3\"\nkind = \"cold_hollow\"", "cold_hollow", 0.49, 0.49},
+          Row{"section = \"CHS 60.3x3\"", "unsaid", NAN, NAN}}) {
+      CAPTURE(row.lines);
+      std::vector<Issue> issues;
+      const auto project = solved(
+          "[bar]\ncalculator = \"column.buckling\"\nl = \"2 m\"\nends = \"pinned_pinned\"\nE = \"210 GPa\"\n"
+          "R_e = \"235 MPa\"\nmethod = \"johnson\"\n" +
+              std::string(row.lines) + "\n",
+          issues);
+      CHECK(issues.empty());
+      const auto& inputs = project.find("bar")->account().inputs;
+      const auto kind = std::find_if(inputs.begin(), inputs.end(), [](const auto& e) { return e.path == "kind"; });
+      REQUIRE(kind != inputs.end());
+      CHECK(kind->word == row.kind);
+      if (std::isnan(row.alpha_y)) {
+        CHECK(std::isnan(project.value("bar.axes.y.alpha")->si[0]));
+      } else {
+        CHECK(project.value("bar.axes.y.alpha")->si[0] == row.alpha_y);
+        CHECK(project.value("bar.axes.z.alpha")->si[0] == row.alpha_z);
+      }
+    }
   }
 }

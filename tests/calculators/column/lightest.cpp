@@ -110,7 +110,7 @@ TEST_SUITE("column lightest") {
 
   TEST_CASE("the list holds what carries the bar, the lightest first") {
     const auto r = solve(column_of({"HEA", "HEB"}, 900.0 * kN, 4.5 * m));
-    REQUIRE(r.candidates.size() == LightestColumn::Candidates::static_capacity);
+    REQUIRE(r.candidates.size() == LightestColumn::Candidates::capacity());
     CHECK(r.candidates[0].name == r.section);
     CHECK(r.candidates[0].excess == 0.0);
     for (std::size_t i = 0; i < r.candidates.size(); ++i) {
@@ -170,8 +170,9 @@ TEST_SUITE("column lightest") {
     const auto r = solve(in);
     CHECK(r.u == 0.0);
     CHECK(r.lambda <= 200.0);
-    REQUIRE(!r.lighter.empty());
-    CHECK(r.lighter[0].failure == Failure::slenderness);
+    for (const auto& c : r.lighter) CHECK(c.failure != Failure::load);
+    CHECK(std::any_of(r.lighter.begin(), r.lighter.end(),
+                      [](const auto& c) { return c.failure == Failure::slenderness; }));
   }
 
   TEST_CASE("of round tubes the table does not say hot or cold: they have a curve where the kind is given") {
@@ -202,18 +203,20 @@ TEST_SUITE("column lightest") {
     CHECK(complaints("families = [\"HEA\"]\n" + text).empty());
     std::string lines = heavy;
     lines.replace(lines.find("900 kN"), 6, "9 MN");
-    says(lines, "no section of IPE carries 9000 kN: IPE 600, the strongest, carries");
+    says(lines, "no section of IPE carries 9000 kN; the strongest is IPE 600");
     const auto r = solve(column_of({"IPE"}, 9000.0 * kN, 4.5 * m));
     CHECK(r.carrying == 0.0);
     CHECK(r.candidates.empty());
     CHECK(r.section.view() == "IPE 600");
     CHECK(r.u > 1.0);
+    CHECK(rel(r.lack, 1.0 - 1.0 / r.u) < 1e-12);
     says("families = [\"CHS\"]\n" + text, "no section of CHS carries the bar");
     says("families = [\"IPE\"]\nh_max = \"50 mm\"\n" + text, "there is room for no section of IPE");
   }
 
   TEST_CASE("what is wrong is told at its place") {
-    says("families = [\"IPE\", \"IPX\"]\n" + text, "families[2].family: there is no family 'IPX' in the section tables");
+    says("families = [\"IPE\", \"IPX\"]\n" + text,
+         "families[2].family: there is no family 'IPX' in the section tables");
     says(text, "'families' is missing");
     std::string unloaded = "families = [\"IPE\"]\n" + text;
     unloaded.erase(unloaded.find("P = "), 13);

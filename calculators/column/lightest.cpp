@@ -126,6 +126,7 @@ const LightestColumn::Family* stranger(const Input& in) {
 }
 
 draw::Plot forces_over_mass(const Input& in, const Result& r) {
+  constexpr double reach = 2.5;  // masses of the section found
   NoTrace quiet;
   const Input member = with_factors(in, r);
   draw::Plot plot;
@@ -136,6 +137,7 @@ draw::Plot forces_over_mass(const Input& in, const Result& r) {
     curve.label = f.family.view();
     for (const TableSection& section : column::sections_by_mass()) {
       if (column::family_of(section.name()) != f.family.view() || !belongs(section, in)) continue;
+      if (section.m > reach * r.q) break;
       curve.x.push_back(in_si(section.m));
       curve.y.push_back(in_si(Buckling::evaluate(bar_of(member, section), quiet).P_all));
     }

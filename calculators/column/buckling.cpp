@@ -93,7 +93,8 @@ void slenderness(const Input& in, AxisName axis, Result& r, Tracer& trace) {
   const auto E = in.E;
   const auto l = in.l;
   const auto A = r.A;
-  Axis a{axis == AxisName::y ? "y" : "z"};
+  static constexpr Name y{"y"}, z{"z"};  // a name that is made here and copied at once would cost as much as the rest
+  Axis a{axis == AxisName::y ? y : z};
   const Length i = a.i = radius_of_gyration(in, A, axis, trace);
   const double beta = a.beta = factor_of_length(in, axis, trace);
   STEP(s, beta * l, "effective length, [B25]");

@@ -5,7 +5,7 @@
 #include "calculators/column/member_result.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 namespace loadpath::column {
 
@@ -75,13 +75,20 @@ double safety(const Member& in, Method method, Tracer& trace) {
   return n;
 }
 
+inline constexpr auto method_names = [] {
+  constexpr auto words = choices_of(Method{});
+  std::array<Name, words.size()> names{};
+  for (std::size_t i = 0; i < words.size(); ++i) names[i] = words[i].key;
+  return names;
+}();
+
 /// One line of the methods side by side, and the results where it is the one that decides.
 template <class Tracer>
 void add_method(const Member& in, const Material& material, Method method, MemberResult& r, Tracer& trace) {
   [[maybe_unused]] const auto scope = trace.scope("methods", r.methods.size());
   const auto A = r.A;
   const auto F = r.F;
-  MethodResult by{word_of(method)};
+  MethodResult by{method_names[static_cast<std::size_t>(method)]};
   const Stress sigma_cr = by.sigma_cr = critical_stress(in, material, r, method, trace);
   const double n = by.n = safety(in, method, trace);
   if (is_set(sigma_cr)) {
@@ -102,7 +109,9 @@ inline double spread_of(const MemberResult& r) {
   double least = unset<double>, most = least;
   for (const auto& by : r.methods) {
     const double sigma = in_si(by.sigma_cr);
-    least = std::fmin(least, sigma), most = std::fmax(most, sigma);  // these pass over what is not available
+    if (!is_set(sigma)) continue;
+    if (!(sigma >= least)) least = sigma;
+    if (!(sigma <= most)) most = sigma;
   }
   return most / least - 1.0;
 }

@@ -36,7 +36,7 @@ void train(benchmark::State& state) {
 void plates(benchmark::State& state) {
   BuiltUpSection::Input in;
   for (int k = 0; k < 8; ++k) {
-    BuiltUpSection::Placed plate;
+    BuiltUpSection::Part plate;
     plate.shape = BuiltUpSection::Shape::rectangle;
     plate.b = 100.0 * mm, plate.h = 10.0 * mm;
     plate.z = 20.0 * k * mm;

@@ -88,10 +88,15 @@ void compare(benchmark::State& state, Swept swept, ByHand by_hand) {
   state.counters["ratio"] = general / floor;
 }
 
-/// Columns of results agree to rounding.
-inline bool agree(const std::vector<double>& a, const std::vector<double>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](double x, double y) { return x > 0.0 && std::abs(x - y) <= 1e-14 * y; });
-}
+/// Columns of results agree to a part of their value.
+struct Agree {
+  double within;
+  bool operator()(const std::vector<double>& a, const std::vector<double>& b) const {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [&](double x, double y) { return x > 0.0 && std::abs(x - y) <= within * y; });
+  }
+};
+/// To rounding.
+inline constexpr Agree agree{1e-14};
 
 }  // namespace loadpath::bench

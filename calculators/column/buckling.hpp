@@ -1,12 +1,12 @@
 // A compressed bar against buckling, by every method that its inputs allow, side by side.
 //
 // Decides the critical stress and the allowable load about both axes, by Euler, Tetmajer-Yasinsky, Johnson, Rankine,
-// the secant formula, EN 1993-1-1 6.3.1 and AISC 360 E3; one of them is chosen for the check. Critical stresses hold no
-// safety; each allowable load holds the safety of its own method. Uniform straight bar, central load (but for the
-// secant formula), flexural buckling about the principal axes y and z.
-// Sign: N is positive in tension, as mechanisms give it; P is positive in compression. Both may be series.
-// Not covered: torsional and flexural-torsional buckling (open sections of one symmetry or none), sections of class 4,
-// built-up and tapered bars, transverse loads, biaxial eccentricity.
+// the secant formula, EN 1993-1-1 6.3.1, AISC 360 E3 and SP 16.13330; one of them is chosen for the check. Critical
+// stresses hold no safety; each allowable load holds the safety of its own method. Uniform straight bar, central load
+// (but for the secant formula), flexural buckling about the principal axes y and z. Sign: N is positive in tension, as
+// mechanisms give it; P is positive in compression. Both may be series. Not covered: torsional and flexural-torsional
+// buckling (open sections of one symmetry or none), sections of class 4, built-up and tapered bars, transverse loads,
+// biaxial eccentricity.
 #pragma once
 
 #include "calculators/column/member_result.hpp"
@@ -26,9 +26,9 @@ struct Buckling {
   static constexpr auto scope =
       "Slenderness of a uniform bar about both axes, its critical stress by Euler, Tetmajer-Yasinsky, Johnson, "
       "Rankine, the "
-      "secant formula, EN 1993-1-1 and AISC 360 side by side, the allowable load of each with its own safety. "
+      "secant formula, EN 1993-1-1, AISC 360 and SP 16 side by side, the allowable load of each with its own safety. "
       "Flexural buckling; torsional buckling, thin-walled sections of class 4 and transverse loads are not covered.";
-  static constexpr auto source = "[B25], [Johnson], [Rankine], [Gere], [EN1993-1-1-buckling], [AISC360]";
+  static constexpr auto source = "[B25], [Johnson], [Rankine], [Gere], [EN1993-1-1-buckling], [AISC360], [SP16]";
   static constexpr auto example = R"([project]
 title = "Piston rod"
 

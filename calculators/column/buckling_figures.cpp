@@ -28,6 +28,8 @@ Stress stress_at(double lambda, const Material& material, const column::AxisResu
       return column::ec3_reduction(lambda, axis.alpha, material, trace) * material.R_e;
     case Method::aisc:
       return column::aisc_stress(lambda, material, trace);
+    case Method::sp16:
+      return column::sp16_stress(lambda, material, trace);
   }
   return unset<Stress>;
 }

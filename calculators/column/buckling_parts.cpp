@@ -2,6 +2,32 @@
 
 namespace loadpath::column {
 
+Material material_of(const Buckling::Input& in) {
+  Material material = material_of(static_cast<const Member&>(in));
+  material.sp16 = sp16_type(in.kind);
+  return material;
+}
+
+Sp16Type sp16_type(Profile kind) {
+  switch (kind) {
+    case Profile::hot_hollow:
+    case Profile::cold_hollow:
+    case Profile::welded_box:
+      return {0.03, 0.06, 0.6};
+    case Profile::rolled_I:
+    case Profile::welded_I:
+      return {0.04, 0.09, 0.6};
+    case Profile::channel:
+    case Profile::tee:
+    case Profile::angle:
+      return {0.04, 0.14, 0.4};
+    case Profile::solid:
+    case Profile::unsaid:
+      return {};
+  }
+  return {};
+}
+
 Plates plates_of(const Buckling::Input& in) { return {in.kind, in.grade, in.h, in.b, in.t_f, in.t_w, in.r, in.d}; }
 
 Curve curve_of(const Buckling::Input& in, AxisName axis) {

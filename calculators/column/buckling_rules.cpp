@@ -18,7 +18,9 @@ bool fits(const Input& in, SecondMoment I, Length i) {
   return std::abs(in_si(in.A) * in_si(i) * in_si(i) / in_si(I) - 1.0) < 0.02;
 }
 
+/// Whether the section has a buckling curve of the code that decides.
 bool has_curves(const Input& in) {
+  if (in.method == column::Method::sp16) return is_set(column::sp16_type(in.kind).alpha);
   const auto has = [&](AxisName axis) { return column::curve_of(in, axis) != column::Curve::by_kind; };
   return has(AxisName::y) && has(AxisName::z);
 }

@@ -100,6 +100,10 @@ Message lack(const Member& in, bool curves) {
     case Method::aisc:
       if (!yields) return say("the yield strength R_e, or a material");
       break;
+    case Method::sp16:
+      if (!yields) return say("the yield strength R_e, or a material");
+      if (!curves) return say("the kind of section: hollow or box, I, channel, tee or angle");
+      break;
   }
   const bool by_code = in.method == Method::ec3 || in.method == Method::aisc;
   if (!by_code && is_loaded(in) && !is_set(in.n_st)) return say("the safety against buckling n_st");

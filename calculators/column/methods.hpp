@@ -27,6 +27,8 @@ inline bool has_method(const Member& in, const Material& material, const MemberR
       return is_set(r.axes[0].chi) && is_set(r.axes[1].chi);
     case Method::aisc:
       return yields && is_steel(in);
+    case Method::sp16:
+      return yields && is_steel(in) && is_set(material.sp16.alpha);
   }
   return false;
 }
@@ -58,6 +60,8 @@ Stress critical_stress(const Member& in, const Material& material, const MemberR
     }
     case Method::aisc:
       return aisc_stress(lambda, material, trace);
+    case Method::sp16:
+      return sp16_stress(lambda, material, trace);
   }
   return unset<Stress>;
 }

@@ -278,4 +278,31 @@ TEST_SUITE("column buckling") {
       }
     }
   }
+
+  TEST_CASE("SP 16: phi is the smaller root of its quadratic, falls from 1, and ends with its table") {
+    struct Row {
+      column::Profile kind;
+      double lambda_r, phi;
+    };
+    using column::Profile;
+    for (const Row& row : {Row{Profile::hot_hollow, 1.0, 0.967809}, Row{Profile::rolled_I, 1.0, 0.947589},
+                           Row{Profile::angle, 1.0, 0.900865}, Row{Profile::rolled_I, 3.0, 0.642786},
+                           Row{Profile::hot_hollow, 6.0, 7.6 / 36.0}, Row{Profile::rolled_I, 0.6, 1.0},
+                           Row{Profile::channel, 0.4, 1.0}}) {
+      CAPTURE(row.lambda_r);
+      Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+      in.kind = row.kind;
+      const double lambda = row.lambda_r * std::sqrt(210e3 / 235.0) * (1.0 - 1e-15);
+      CHECK(std::abs(stress(in, lambda, "sp16") / 235.0 - row.phi) < 1e-6);
+    }
+    Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    in.kind = column::Profile::channel;
+    double before = 235.0 * (1 + 1e-12);
+    for (double lambda = 1.0; lambda < 400.0; lambda += 1.0) {
+      const double now = stress(in, lambda, "sp16");
+      CHECK(now <= before);
+      before = now;
+    }
+    CHECK(std::isnan(stress(in, 14.01 * std::sqrt(210e3 / 235.0), "sp16")));
+  }
 }

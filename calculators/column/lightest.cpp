@@ -65,23 +65,25 @@ Candidate candidate_of(const TableSection& section, const column::MemberResult& 
 struct Search {
   const TableSection* best = nullptr;  // the first that carries the bar, else the one that lacks least
   double least = INFINITY;
+  Length thickest = 0.0 * mm;  // of those up to the best one: heavier demands never lead to a thinner one
 };
 
 void take(const TableSection& section, const column::MemberResult& found, Search& search, Result& r) {
   const Candidate c = candidate_of(section, found);
+  if (r.carrying == 0.0 && section.t_f > search.thickest) search.thickest = section.t_f;
   if (c.failure == Failure::none) {
     if (r.carrying == 0.0) search.best = &section;
     r.carrying += 1.0;
-    if (r.candidates.size() < r.candidates.capacity()) r.candidates.push_back(c);
+    if (r.candidates.size() < LightestColumn::Candidates::capacity()) r.candidates.push_back(c);
     return;
   }
   if (r.carrying > 0.0) return;
   if (search.best == nullptr || c.demand < search.least) search.best = &section, search.least = c.demand;
-  if (r.lighter.size() == r.lighter.capacity()) r.lighter.pop_back();
+  if (r.lighter.size() == LightestColumn::Candidates::capacity()) r.lighter.pop_back();
   r.lighter.insert(r.lighter.begin(), c);
 }
 
-const TableSection* search_for(const Input& in, Result& r) {
+Search search_for(const Input& in, Result& r) {
   NoTrace quiet;
   Search search;
   Input member = in;
@@ -95,7 +97,7 @@ const TableSection* search_for(const Input& in, Result& r) {
   for (auto* list : {&r.candidates, &r.lighter}) {
     for (Candidate& c : *list) c.excess = c.q / search.best->m - 1.0;
   }
-  return search.best;
+  return search;
 }
 
 /// The values of the row that the calculation goes on with.
@@ -191,13 +193,14 @@ FieldFault LightestColumn::none_carries(const Input& in) {
 template <class Tracer>
 Result LightestColumn::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  const TableSection* const best = search_for(in, r);
+  const auto [best, least, thickest] = search_for(in, r);
   trace.value("sections", r.sections, "sections of these families that there is room for");
   trace.value("carrying", r.carrying, "of them carry the bar");
   if (best == nullptr) return r;
   show(*best, trace);
   static_cast<column::MemberResult&>(r) = Buckling::evaluate(bar_of(in, *best), trace);
   r.section = best->name();
+  r.t = thickest;
   const auto q = r.q = best->m;
   const auto l = in.l;
   STEP(mass, q * l, "mass of the bar");

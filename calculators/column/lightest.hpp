@@ -2,7 +2,8 @@
 //
 // Every row of the section tables of these families is judged as column.buckling judges it, by the method that is
 // chosen; those that pass are ranked by their mass, those that are lighter say why they fail, and the best one is
-// worked out whole. The strength of the material is that at the thickness of the section found, for all rows.
+// worked out whole. The strength of a material falls with the thickness: all are judged with that of the thickest one
+// up to the section found, which is on the safe side for the others.
 // Not covered: what column.buckling does not cover, and so torsional buckling, which can decide for channels and
 // angles.
 #pragma once
@@ -20,8 +21,8 @@ struct LightestColumn {
   static constexpr auto scope =
       "Ranked list of the sections of one family or several that carry a compressed bar, the lightest first, with the "
       "reason why lighter ones fail; the best one with its whole calculation by column.buckling, and what that does "
-      "not cover: torsional buckling of channels and angles, sections of class 4. All are judged with the strength at "
-      "the thickness of the section found.";
+      "not cover: torsional buckling of channels and angles, sections of class 4. A strength of a material is that of "
+      "the thickest of all sections up to the one found.";
   static constexpr auto source = Buckling::source;
   static constexpr auto example = R"([project]
 title = "Column of a platform"

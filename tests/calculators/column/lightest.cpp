@@ -214,6 +214,29 @@ TEST_SUITE("column lightest") {
     says("families = [\"IPE\"]\nh_max = \"50 mm\"\n" + text, "there is room for no section of IPE");
   }
 
+  TEST_CASE(
+      "the strength of a material is that of the thickest section up to the one found, which then passes by itself") {
+    for (const char* P : {"900 kN", "3.2 MN", "4 MN", "6 MN"}) {
+      CAPTURE(P);
+      std::string lines = "families = [\"HEA\", \"HEB\", \"RHS\"]\n" + text;
+      lines.replace(lines.find("900 kN"), 6, P);
+      std::vector<Issue> issues;
+      const auto project = solved("[bar]\n" + lines, issues);
+      REQUIRE(issues.empty());
+      const auto& results = project.find("bar")->account().results;
+      const auto name = std::find_if(results.begin(), results.end(), [](const auto& e) { return e.path == "section"; });
+      REQUIRE(name != results.end());
+      const std::string alone = "[bar]\ncalculator = \"column.buckling\"\nsection = \"" + name->word + "\"\n" +
+                                lines.substr(lines.find("P = "));
+      const auto checked = solved(alone, issues);
+      REQUIRE(issues.empty());
+      CHECK(project.value("bar.t")->si[0] >= checked.value("bar.t")->si[0]);
+      CHECK(project.value("bar.R_e")->si[0] <= checked.value("bar.R_e")->si[0]);
+      CHECK(checked.value("bar.u")->si[0] <= project.value("bar.u")->si[0] * (1.0 + 1e-12));
+      CHECK(project.value("bar.u")->si[0] <= 1.0);
+    }
+  }
+
   TEST_CASE("what is wrong is told at its place") {
     says("families = [\"IPE\", \"IPX\"]\n" + text,
          "families[2].family: there is no family 'IPX' in the section tables");

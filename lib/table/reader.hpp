@@ -50,6 +50,12 @@ class Reader {
     Credit credit;  // of values that a row gives itself: the default sources, not what the default values cite
   };
 
+  /// Of rows that are written as lines.
+  struct LineColumn {
+    std::string key;
+    const ReadColumn* unit;  // null: not a column of values
+  };
+
   struct Cited {
     std::string key;
     Place place;
@@ -64,8 +70,9 @@ class Reader {
   /// Rows of lines, read without a tree; false where the tree is needed: to tell what is wrong, or for what only it
   /// has.
   static bool rows_of_lines(const Lines& lines, const Texts& columns, const Frame& frame, std::vector<Row>& rows);
-  static bool row_of_cells(const std::vector<Cell>& cells, const Texts& columns, const Frame& frame, Row& row);
-  static bool add_cell(const Cell& cell, const std::string& key, const Frame& frame, Row& row);
+  static bool row_of_cells(const std::vector<Cell>& cells, const std::vector<LineColumn>& columns, const Frame& frame,
+                           Row& row);
+  static bool add_cell(const Cell& cell, const LineColumn& column, const Frame& frame, Row& row);
   static void let_defaults(const Frame& frame, Row& row);
   std::vector<Tree> row_trees(const Tree& file);
   Tree row_of_line(const Tree& line, const Texts& columns);

@@ -41,15 +41,17 @@ Input with_factors(Input in, const column::MemberResult& r) {
 
 double known(double x) { return std::isnan(x) ? 0.0 : x; }
 
+bool out_of_range(const column::MemberResult& r) { return r.r_1 > 1.0 || r.r_0 > 1.0; }
+
 /// The largest check or limit of column.buckling, each the more the worse and kept up to 1.
 double demand_of(const column::MemberResult& r) {
-  const double u = std::isnan(r.u) ? INFINITY : r.u;  // the method has no answer
+  const double u = std::isnan(r.u) && !out_of_range(r) ? INFINITY : known(r.u);  // infinite: it has no buckling curve
   return std::max({u, known(r.r_lambda), known(r.r_1), known(r.r_0), known(r.r_class)});
 }
 
 Failure failure_of(const column::MemberResult& r) {
   if (r.u > 1.0) return Failure::load;
-  if (r.r_1 > 1.0 || r.r_0 > 1.0) return Failure::range;
+  if (out_of_range(r)) return Failure::range;
   if (r.r_lambda > 1.0) return Failure::slenderness;
   if (r.r_class > 1.0) return Failure::thin;
   return std::isnan(r.u) ? Failure::open : Failure::none;
@@ -149,6 +151,13 @@ draw::Plot forces_over_mass(const Input& in, const Result& r) {
   return plot;
 }
 
+Message remedy_of(Failure failure) {
+  if (failure == Failure::open) return say("give the kind of these sections: kind = \"hot_hollow\"");
+  if (failure == Failure::range)
+    return say("take a method that holds for stocky bars too: tetmajer, johnson, ec3, aisc");
+  return {};
+}
+
 Result quick(const Input& in) {
   NoTrace quiet;
   return LightestColumn::evaluate(in, quiet);
@@ -187,7 +196,7 @@ FieldFault LightestColumn::none_carries(const Input& in) {
   return {"",
           say("no section of {1} carries the bar: {2} comes nearest, and there {3}", names, r.section.view(),
               choice_of(failure).doc),
-          failure == Failure::open ? say("give the kind of these sections: kind = \"hot_hollow\"") : Message{}};
+          remedy_of(failure)};
 }
 
 template <class Tracer>

@@ -142,8 +142,8 @@ constexpr auto choices_of(LightestColumn::Failure) {
   using Failure = LightestColumn::Failure;
   return std::array{ChoiceName<Failure>{Failure::none, "none", "it carries the bar"},
                     ChoiceName<Failure>{Failure::load, "load", "the force is above the allowable one"},
-                    ChoiceName<Failure>{Failure::slenderness, "slenderness", "more slender than is allowed"},
-                    ChoiceName<Failure>{Failure::range, "range", "outside of the range of the method"},
+                    ChoiceName<Failure>{Failure::slenderness, "slenderness", "it is more slender than is allowed"},
+                    ChoiceName<Failure>{Failure::range, "range", "it is outside of the range of the method"},
                     ChoiceName<Failure>{Failure::thin, "thin", "a wall buckles locally"},
                     ChoiceName<Failure>{Failure::open, "open", "its buckling curve is open: give the kind"}};
 }

@@ -237,6 +237,18 @@ TEST_SUITE("column lightest") {
     }
   }
 
+  TEST_CASE("Euler's formula ends where sections are stocky: that is said, not that they are too weak") {
+    auto in = column_of({"HEA"}, 300.0 * kN, 3.0 * m);
+    in.method = Method::euler, in.R_e = unset<Stress>;
+    in.sigma_P = 200.0 * MPa, in.n_st = 3.0;
+    const auto r = solve(in);
+    CHECK(r.carrying == 0.0);
+    CHECK(r.r_1 > 1.0);
+    CHECK(LightestColumn::none_carries(in).message.text() ==
+          "no section of HEA carries the bar: " + std::string(r.section.view()) +
+              " comes nearest, and there it is outside of the range of the method");
+  }
+
   TEST_CASE("what is wrong is told at its place") {
     says("families = [\"IPE\", \"IPX\"]\n" + text,
          "families[2].family: there is no family 'IPX' in the section tables");

@@ -116,9 +116,11 @@ struct Known {
 };
 
 /// The zero of a falling function between low and high, to rounding: regula falsi by the Illinois rule, which meets the
-/// straight pieces that utilisations have here in one step.
+/// straight pieces that utilisations have here in one step. It ends too where only the rounding of the function is
+/// left: close to the zero, and steps that no longer shrink.
 template <class Function>
 double falling_root(const Function& f, Known low, Known high) {
+  double last = std::abs(high.x - low.x);
   for (int i = 0; i < 100 && high.f != 0.0; ++i) {
     const double x = high.x - high.f * (high.x - low.x) / (high.f - low.f);
     const Known next{x, f(x)};
@@ -128,7 +130,9 @@ double falling_root(const Function& f, Known low, Known high) {
     } else {
       low = high;
     }
-    const bool settled = std::abs(x - high.x) <= 4e-16 * std::abs(x);
+    const double step = std::abs(x - high.x), size = std::abs(x);
+    const bool settled = step <= 4e-16 * size || (step <= 1e-13 * size && step >= 0.25 * last);
+    last = step;
     high = next;
     if (settled) break;
   }

@@ -8,24 +8,25 @@ Material material_of(const Buckling::Input& in) {
   return material;
 }
 
-Sp16Type sp16_type(Profile kind) {
+const Sp16Type& sp16_type(Profile kind) {
+  static constexpr Sp16Type a{0.03, 0.06, 0.6}, b{0.04, 0.09, 0.6}, c{0.04, 0.14, 0.4}, none{};
   switch (kind) {
     case Profile::hot_hollow:
     case Profile::cold_hollow:
     case Profile::welded_box:
-      return {0.03, 0.06, 0.6};
+      return a;
     case Profile::rolled_I:
     case Profile::welded_I:
-      return {0.04, 0.09, 0.6};
+      return b;
     case Profile::channel:
     case Profile::tee:
     case Profile::angle:
-      return {0.04, 0.14, 0.4};
+      return c;
     case Profile::solid:
     case Profile::unsaid:
-      return {};
+      return none;
   }
-  return {};
+  return none;
 }
 
 Plates plates_of(const Buckling::Input& in) { return {in.kind, in.grade, in.h, in.b, in.t_f, in.t_w, in.r, in.d}; }

@@ -10,7 +10,7 @@ namespace loadpath::column {
 /// With what its section adds.
 Material material_of(const Buckling::Input& in);
 /// The type of section of SP 16.13330; unset for a kind that is none of them.
-Sp16Type sp16_type(Profile kind);
+const Sp16Type& sp16_type(Profile kind);
 Plates plates_of(const Buckling::Input& in);
 /// About an axis: as given, else by the kind of section.
 Curve curve_of(const Buckling::Input& in, AxisName axis);

@@ -21,6 +21,7 @@ static constexpr std::array all{
     &erased<struct PolygonSection>,
     &erased<struct BuiltUpSection>,
     &erased<struct Buckling>,
+    &erased<struct LightestColumn>,
     &erased<struct EffectiveLength>,
     &erased<struct VesselCylinder>,
     &erased<struct VesselSphere>,

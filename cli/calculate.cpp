@@ -12,9 +12,17 @@ namespace {
 
 using io::Tree;
 
+/// Whether an element of a list may be written as its only value, and the list of one element as that: `--families
+/// IPE`.
+bool takes_text(const FieldInfo* field);
+bool holds_single_texts(const FieldInfo& list) {
+  return list.type == FieldInfo::Type::list && list.positional && list.fields.size() == 1 &&
+         takes_text(&list.fields[0]);
+}
+
 bool takes_text(const FieldInfo* field) {
   return field == nullptr || field->type == FieldInfo::Type::quantity || field->type == FieldInfo::Type::choice ||
-         field->type == FieldInfo::Type::name || field->type == FieldInfo::Type::formula;
+         field->type == FieldInfo::Type::name || field->type == FieldInfo::Type::formula || holds_single_texts(*field);
 }
 
 /// Back to the places of the flag's own text, which stood behind `length` characters of a line.

@@ -141,13 +141,14 @@ int show_found(const Tables& chosen, const std::vector<table::Entry>& found,
   Rows rows{{"name"}};
   for (const auto* column : shown)
     rows[0].push_back(column->key + (column->unit == "-" ? "" : " [" + pretty_unit(column->unit) + "]"));
-  for (const table::Entry& entry : found) {
-    std::vector<std::string> cells{entry.row->name};
-    for (const auto* column : shown) {
-      const double si = table::searched_value(*entry.row, column->key);
-      cells.push_back(std::isnan(si) ? "" : format_number(in_unit(si, column->unit), 5));
-    }
-    rows.push_back(std::move(cells));
+  for (const table::Entry& entry : found) rows.push_back({entry.row->name});
+  for (const auto* column : shown) {
+    std::vector<double> values;
+    values.reserve(found.size());
+    for (const table::Entry& entry : found) values.push_back(table::searched_value(*entry.row, column->key));
+    values = in_unit(std::move(values), column->unit);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      rows[i + 1].push_back(std::isnan(values[i]) ? "" : format_number(values[i], 5));
   }
   std::cout << columns(rows) << found.size() << " of " << all << " rows\n";
   return passed;

@@ -90,6 +90,18 @@ void show_table(const report::Table& table) {
   std::cout << columns(rows);
 }
 
+/// Lists that no line of the calculation works out: what a search has found, and what it has left.
+void show_lists(const project::Step& step) {
+  const auto& account = step.account();
+  if (!account.blocks.empty()) return;
+  for (const report::Table& table : report::list_tables(account.results)) {
+    const std::string list = table.caption.text();
+    const bool worked_out = std::any_of(account.derivation.begin(), account.derivation.end(),
+                                        [&](const auto& line) { return line.scope.starts_with(list); });
+    if (!worked_out) show_table(table);
+  }
+}
+
 /// What only this kind of step has to say: of a mechanism its extremes and its structure.
 void show_tables(const project::Step& step) {
   for (const report::Block& block : step.account().blocks) {
@@ -184,6 +196,7 @@ void show_project(const project::Project& project, bool in_full) {
       show_tables(*step);
     else
       show_results(*step);
+    show_lists(*step);
     std::cout << "\n";
   }
   const auto verdicts = project::verdicts(project);

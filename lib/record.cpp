@@ -21,11 +21,13 @@ void* take_element(const FieldInfo& list, void* owner, std::string_view& path) {
     return number >= 1 && number <= list.size(owner) ? list.element(owner, number - 1) : nullptr;
   }
   if (!path.starts_with('.')) return nullptr;
-  const std::size_t dot = path.find('.', 1);
-  const std::string_view wanted = path.substr(1, dot == std::string_view::npos ? dot : dot - 1);
-  path.remove_prefix(dot == std::string_view::npos ? path.size() : dot);
+  const std::string_view rest = path.substr(1);
   for (std::size_t i = 0; i < list.size(owner); ++i) {
-    if (name_of_element(list, list.element(owner, i)) == wanted) return list.element(owner, i);
+    const std::string_view name = name_of_element(list, list.element(owner, i));
+    // A name may have dots of its own: "RHS 60x40x3.2".
+    if (name.empty() || !rest.starts_with(name) || (rest.size() > name.size() && rest[name.size()] != '.')) continue;
+    path.remove_prefix(1 + name.size());
+    return list.element(owner, i);
   }
   return nullptr;
 }

@@ -2,6 +2,7 @@
 
 #include "calculators/column/buckling_parts.hpp"
 #include "calculators/column/effective_length_factor.hpp"
+#include "calculators/column/methods.hpp"
 #include "lib/calculator_of.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 using column::AxisName;
 using column::Material;
 using column::Method;
-using Axis = Buckling::Axis;
+using Axis = column::AxisResult;
 using Input = Buckling::Input;
 using Result = Buckling::Result;
 
@@ -92,7 +93,8 @@ void slenderness(const Input& in, AxisName axis, Result& r, Tracer& trace) {
   const auto E = in.E;
   const auto l = in.l;
   const auto A = r.A;
-  Axis a{axis == AxisName::y ? "y" : "z"};
+  static constexpr Name y{"y"}, z{"z"};  // a name that is made here and copied at once would cost as much as the rest
+  Axis a{axis == AxisName::y ? y : z};
   const Length i = a.i = radius_of_gyration(in, A, axis, trace);
   const double beta = a.beta = factor_of_length(in, axis, trace);
   STEP(s, beta * l, "effective length, [B25]");
@@ -170,105 +172,10 @@ void take_curves(const Input& in, const Material& material, AxisName axis, Axis&
   static_cast<void>(sigma_max);
 }
 
-bool has_method(const Input& in, const Material& material, const Result& r, Method method) {
-  const bool yields = is_set(in.R_e);
-  switch (method) {
-    case Method::euler:
-      return is_set(material.lambda_1);
-    case Method::tetmajer:
-      return is_set(in.a_T);
-    case Method::johnson:
-      return yields;
-    case Method::rankine:
-      return yields || is_set(in.sigma_c);
-    case Method::secant:
-      return is_set(r.axes[0].sigma_s);
-    case Method::ec3:
-      return is_set(r.axes[0].chi) && is_set(r.axes[1].chi);
-    case Method::aisc:
-      return yields && column::is_steel(in);
-  }
-  return false;
-}
-
-template <class Tracer>
-Stress critical_stress(const Input& in, const Material& material, const Result& r, Method method, Tracer& trace) {
-  const auto lambda = r.lambda;
-  switch (method) {
-    case Method::euler:
-      return column::euler_stress(lambda, material, trace);
-    case Method::tetmajer:
-      return column::tetmajer_stress(lambda, material, trace);
-    case Method::johnson:
-      return column::johnson_stress(lambda, material, trace);
-    case Method::rankine:
-      return column::rankine_stress(lambda, material, trace);
-    case Method::secant: {
-      const Stress sigma_cr = min(r.axes[0].sigma_s, r.axes[1].sigma_s);
-      trace.value("sigma_cr", sigma_cr, "the lower of both axes");
-      return sigma_cr;
-    }
-    case Method::ec3: {
-      const auto R_e = in.R_e;
-      const double chi = std::min(r.axes[0].chi, r.axes[1].chi);
-      trace.value("chi", chi, "the lower of both axes");
-      STEP(sigma_cr, chi * R_e, "EN 1993-1-1 (6.47) without its partial factor, [EN1993-1-1-buckling]");
-      return sigma_cr;
-    }
-    case Method::aisc:
-      return column::aisc_stress(lambda, material, trace);
-  }
-  return unset<Stress>;
-}
-
-template <class Tracer>
-double safety(const Input& in, Method method, Tracer& trace) {
-  if (method == Method::ec3) {
-    const auto gamma_M1 = in.gamma_M1, gamma_F = in.gamma_F;
-    if (!is_set(gamma_M1) || !is_set(gamma_F)) return unset<double>;
-    STEP(n, gamma_M1 * gamma_F, "partial factors on the resistance and on the load");
-    return n;
-  }
-  const double n = method == Method::aisc ? in.Omega_c : in.n_st;
-  if (is_set(n)) trace.value("n", n, method == Method::aisc ? "AISC 360, E1, [AISC360]" : "safety against buckling");
-  return n;
-}
-
-template <class Tracer>
-void add_method(const Input& in, const Material& material, Method method, Result& r, Tracer& trace) {
-  [[maybe_unused]] const auto scope = trace.scope("methods", r.methods.size());
-  const auto A = r.A;
-  const auto F = r.F;
-  Buckling::ByMethod by{choices_of(method)[static_cast<std::size_t>(method)].key};
-  const Stress sigma_cr = by.sigma_cr = critical_stress(in, material, r, method, trace);
-  const double n = by.n = safety(in, method, trace);
-  if (is_set(sigma_cr)) {
-    STEP(P_cr, sigma_cr * A, "critical force");
-    by.P_cr = P_cr;
-    if (is_set(n)) {
-      STEP(P_all, P_cr / n, "allowable force");
-      by.P_all = P_all;
-      if (is_set(F)) by.u = NAMED_STEP("u", F / P_all, "force over the allowable one");
-    }
-  }
-  r.methods.push_back(by);
-  if (method == in.method) r.sigma_cr = by.sigma_cr, r.P_all = by.P_all, r.u = by.u;
-}
-
-/// How far the methods that hold here lie apart.
-double spread_of(const Result& r) {
-  double least = unset<double>, most = least;
-  for (const auto& by : r.methods) {
-    const double sigma = in_si(by.sigma_cr);
-    least = std::fmin(least, sigma), most = std::fmax(most, sigma);  // these pass over what is not available
-  }
-  return most / least - 1.0;
-}
-
 template <class Tracer>
 void conclude(const Input& in, Result& r, Tracer& trace) {
   const auto lambda = r.lambda, lambda_max = in.lambda_max;
-  r.spread = spread_of(r);
+  r.spread = column::spread_of(r);
   trace.value("spread", r.spread, "largest critical stress over the least, less 1");
   STEP(r_lambda, lambda / lambda_max, "slenderness over the largest that is allowed");
   r.r_lambda = r_lambda;
@@ -307,7 +214,7 @@ Result Buckling::evaluate(const Input& in, Tracer& trace) {
   r.sigma_E = sigma_E, r.N_cr = N_cr;
   take_limits(in, material, r, trace);
   for (const auto& name : choices_of(Method{})) {
-    if (has_method(in, material, r, name.value)) add_method(in, material, name.value, r, trace);
+    if (column::has_method(in, material, r, name.value)) column::add_method(in, material, name.value, r, trace);
   }
   conclude(in, r, trace);
   return r;

@@ -11,7 +11,7 @@ using column::Material;
 using column::Method;
 
 /// The curve of a method through the data of the governing axis.
-Stress stress_at(double lambda, const Material& material, const Buckling::Axis& axis, Method method) {
+Stress stress_at(double lambda, const Material& material, const column::AxisResult& axis, Method method) {
   NoTrace trace;
   switch (method) {
     case Method::euler:
@@ -28,6 +28,8 @@ Stress stress_at(double lambda, const Material& material, const Buckling::Axis& 
       return column::ec3_reduction(lambda, axis.alpha, material, trace) * material.R_e;
     case Method::aisc:
       return column::aisc_stress(lambda, material, trace);
+    case Method::sp16:
+      return column::sp16_stress(lambda, material, trace);
   }
   return unset<Stress>;
 }
@@ -41,7 +43,7 @@ Method method_named(std::string_view name) {
 
 draw::Plot chart(const Buckling::Input& in, const Buckling::Result& r) {
   const Material material = column::material_of(in);
-  const Buckling::Axis& axis = r.axes[r.axis == column::AxisName::y ? 0 : 1];
+  const column::AxisResult& axis = r.axes[r.axis == column::AxisName::y ? 0 : 1];
   const double end = std::max({200.0, 1.2 * r.lambda, 1.2 * material.lambda_1});
   draw::Plot plot;
   plot.x = {"lambda", "slenderness", "-"};

@@ -1,20 +1,32 @@
 #include "calculators/column/buckling_parts.hpp"
 
-#include "calculators/column/effective_length_factor.hpp"
-
 namespace loadpath::column {
 
 Material material_of(const Buckling::Input& in) {
-  Material material;
-  material.E = in.E, material.R_e = in.R_e;
-  material.a_T = in.a_T, material.b_T = in.b_T;
-  if (is_set(in.c_T)) material.c_T = in.c_T;
-  if (is_set(in.lambda_0)) material.lambda_0 = in.lambda_0;
-  material.sigma_c = in.sigma_c, material.a_R = in.a_R;
-  if (is_set(in.a_T) && is_set(in.b_T) && is_set(in.E))
-    material.lambda_T = in.transition == Transition::published ? in.lambda_1 : tetmajer_transition(material);
-  material.lambda_1 = is_set(in.sigma_P) ? pi * std::sqrt(in_si(in.E) / in_si(in.sigma_P)) : material.lambda_T;
+  Material material = material_of(static_cast<const Member&>(in));
+  material.sp16 = sp16_type(in.kind);
   return material;
+}
+
+const Sp16Type& sp16_type(Profile kind) {
+  static constexpr Sp16Type a{0.03, 0.06, 0.6}, b{0.04, 0.09, 0.6}, c{0.04, 0.14, 0.4}, none{};
+  switch (kind) {
+    case Profile::hot_hollow:
+    case Profile::cold_hollow:
+    case Profile::welded_box:
+      return a;
+    case Profile::rolled_I:
+    case Profile::welded_I:
+      return b;
+    case Profile::channel:
+    case Profile::tee:
+    case Profile::angle:
+      return c;
+    case Profile::solid:
+    case Profile::unsaid:
+      return none;
+  }
+  return none;
 }
 
 Plates plates_of(const Buckling::Input& in) { return {in.kind, in.grade, in.h, in.b, in.t_f, in.t_w, in.r, in.d}; }
@@ -22,25 +34,6 @@ Plates plates_of(const Buckling::Input& in) { return {in.kind, in.grade, in.h, i
 Curve curve_of(const Buckling::Input& in, AxisName axis) {
   const Curve given = axis == AxisName::y ? in.curve_y : in.curve_z;
   return given != Curve::by_kind ? given : buckling_curve(plates_of(in), axis);
-}
-
-Ends ends_of(const Buckling::Input& in, AxisName axis) {
-  const Ends own = axis == AxisName::y ? in.ends_y : in.ends_z;
-  return own != Ends::unsaid ? own : in.ends;
-}
-
-const Buckling::Supports& supports_of(const Buckling::Input& in, AxisName axis) {
-  return axis == AxisName::y ? in.supports_y : in.supports_z;
-}
-
-Bar bar_of(const Buckling::Input& in, AxisName axis) {
-  Bar bar = bar_of(ends_of(in, axis));
-  for (const auto& support : supports_of(in, axis)) bar.supports.push_back(support.x / in.l);
-  return bar;
-}
-
-bool is_steel(const Buckling::Input& in) {
-  return in.material_class == Class::unsaid || in.material_class == Class::steel;
 }
 
 }  // namespace loadpath::column

@@ -2,21 +2,17 @@
 #pragma once
 
 #include "calculators/column/buckling.hpp"
-#include "calculators/column/curves.hpp"
 #include "calculators/column/eurocode.hpp"
+#include "calculators/column/member_parts.hpp"
 
 namespace loadpath::column {
 
-/// The curves' constants as the input gives them; lambda_T by the transition that it chooses.
+/// With what its section adds.
 Material material_of(const Buckling::Input& in);
+/// The type of section of SP 16.13330; unset for a kind that is none of them.
+const Sp16Type& sp16_type(Profile kind);
 Plates plates_of(const Buckling::Input& in);
 /// About an axis: as given, else by the kind of section.
 Curve curve_of(const Buckling::Input& in, AxisName axis);
-Ends ends_of(const Buckling::Input& in, AxisName axis);
-const Buckling::Supports& supports_of(const Buckling::Input& in, AxisName axis);
-/// The bar between its ends with the supports that hinder bending about the axis.
-Bar bar_of(const Buckling::Input& in, AxisName axis);
-/// Whether the codes for steel structures hold for the material.
-bool is_steel(const Buckling::Input& in);
 
 }  // namespace loadpath::column

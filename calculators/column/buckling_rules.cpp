@@ -1,6 +1,6 @@
-// The rules of column.buckling and what they say of an input that breaks them.
+// The rules of column.buckling about the section, and what they say of an input that breaks them.
 #include "calculators/column/buckling_parts.hpp"
-#include "lib/quantity/format.hpp"
+#include "calculators/column/member_rules.hpp"
 
 #include <cmath>
 
@@ -9,7 +9,6 @@ namespace loadpath {
 namespace {
 
 using column::AxisName;
-using column::Method;
 using Input = Buckling::Input;
 
 bool axis_given(SecondMoment I, Length i) { return is_set(I) || is_set(i); }
@@ -19,85 +18,11 @@ bool fits(const Input& in, SecondMoment I, Length i) {
   return std::abs(in_si(in.A) * in_si(i) * in_si(i) / in_si(I) - 1.0) < 0.02;
 }
 
-/// The first support that is out of order, and in which list; -1 where all stand well.
-struct Astray {
-  const char* list = "";
-  int place = -1;
-};
-
-Astray astray(const Input& in) {
-  for (const AxisName axis : {AxisName::y, AxisName::z}) {
-    Length before = 0.0 * mm;
-    int place = 0;
-    for (const auto& support : column::supports_of(in, axis)) {
-      if (!(support.x > before && support.x < in.l)) return {axis == AxisName::y ? "supports_y" : "supports_z", place};
-      before = support.x;
-      ++place;
-    }
-  }
-  return {};
-}
-
-/// Tetmajer's stress over Euler's at the published limit, less 1.
-double gap_at_limit(const Input& in) {
-  const double c = is_set(in.c_T) ? in_si(in.c_T) : 0.0;
-  const double x = in.lambda_1, tetmajer = in_si(in.a_T) + x * (-in_si(in.b_T) + x * c);
-  return tetmajer * x * x / (pi * pi * in_si(in.E)) - 1.0;
-}
-
-struct Custom {
-  double least, most;
-};
-
-Custom custom_of(column::Class material) {
-  using column::Class;
-  if (material == Class::steel) return {1.8, 3.0};
-  if (material == Class::cast_iron) return {5.0, 5.5};
-  if (material == Class::wood) return {2.8, 3.2};
-  return {0.0, INFINITY};
-}
-
-bool is_loaded(const Input& in) { return is_set(in.N) || is_set(in.P); }
-
-/// What the deciding method lacks; empty where it has all.
-Message lack(const Input& in) {
-  const bool yields = is_set(in.R_e);
-  const auto has_curve = [&](AxisName axis) { return column::curve_of(in, axis) != column::Curve::by_kind; };
-  switch (in.method) {
-    case Method::euler:
-      if (!is_set(in.sigma_P) && !is_set(in.a_T))
-        return say("the limit of Euler's formula: the proportional limit sigma_P, or a set of tetmajer");
-      break;
-    case Method::tetmajer:
-      if (!is_set(in.a_T)) return say("the constants of Tetmajer-Yasinsky: a set of tetmajer, or a_T and b_T");
-      break;
-    case Method::johnson:
-      if (!yields) return say("the yield strength R_e, or a material");
-      break;
-    case Method::rankine:
-      if (!yields && !is_set(in.sigma_c)) return say("the crushing stress sigma_c, or the yield strength R_e");
-      break;
-    case Method::secant:
-      if (!yields) return say("the yield strength R_e, or a material");
-      if (!is_set(in.e_y) && !is_set(in.e_z)) return say("the eccentricity e_y or e_z");
-      break;
-    case Method::ec3:
-      if (!yields) return say("the yield strength R_e, or a material");
-      if (!has_curve(AxisName::y) || !has_curve(AxisName::z))
-        return say(
-            "the buckling curves: the kind of section (a rolled or welded I with t_f, h and b), or curve_y, curve_z");
-      if (is_loaded(in) && !is_set(in.gamma_M1))
-        return say("the partial factor gamma_M1 (1 or as the national annex says)");
-      if (is_loaded(in) && !is_set(in.gamma_F))
-        return say("gamma_F, from the force to the design load: 1 where it is one");
-      break;
-    case Method::aisc:
-      if (!yields) return say("the yield strength R_e, or a material");
-      break;
-  }
-  const bool by_code = in.method == Method::ec3 || in.method == Method::aisc;
-  if (!by_code && is_loaded(in) && !is_set(in.n_st)) return say("the safety against buckling n_st");
-  return {};
+/// Whether the section has a buckling curve of the code that decides.
+bool has_curves(const Input& in) {
+  if (in.method == column::Method::sp16) return is_set(column::sp16_type(in.kind).alpha);
+  const auto has = [&](AxisName axis) { return column::curve_of(in, axis) != column::Curve::by_kind; };
+  return has(AxisName::y) && has(AxisName::z);
 }
 
 }  // namespace
@@ -125,75 +50,15 @@ FieldFault Buckling::section_missing(const Input& in) {
 
 bool Buckling::radii_fit(const Input& in) { return fits(in, in.I_y, in.i_y) && fits(in, in.I_z, in.i_z); }
 
-bool Buckling::supports_inside(const Input& in) { return astray(in).place < 0; }
+bool Buckling::needs_of_method(const Input& in) { return column::lack(in, has_curves(in)).empty(); }
 
-FieldFault Buckling::support_outside(const Input& in) {
-  const Astray at = astray(in);
-  const std::string path = std::string(at.list) + "[" + std::to_string(at.place + 1) + "].x";
-  return {
-      path,
-      say("supports stand between the ends of the bar, 0 and {1}, in order", format_quantity(in_si(in.l), mm.symbol)),
-      say("the ends are no supports of this list; sort the others by x")};
-}
-
-bool Buckling::supports_need_ends(const Input& in) {
-  if (in.supports_y.empty() && in.supports_z.empty()) return true;
-  return in.beta_basis == column::Basis::exact && !(is_set(in.beta_y) && !in.supports_y.empty()) &&
-         !(is_set(in.beta_z) && !in.supports_z.empty());
-}
-
-bool Buckling::needs_of_method(const Input& in) { return lack(in).empty(); }
-
-FieldFault Buckling::missing_for_method(const Input& in) {
-  const auto name = choices_of(in.method)[static_cast<std::size_t>(in.method)].key;
-  return {"method", say("the method '{1}' needs {2}", name, lack(in).text()), {}};
-}
+FieldFault Buckling::missing_for_method(const Input& in) { return column::missing_for_method(in, has_curves(in)); }
 
 bool Buckling::extreme_fibre_known(const Input& in) {
   const auto known = [&](Length e, Length c, Length side) {
     return !(e > 0.0 * mm) || is_set(c) || is_set(side) || is_set(in.d);
   };
   return known(in.e_y, in.c_y, in.h) && known(in.e_z, in.c_z, in.b);
-}
-
-bool Buckling::set_meets_euler(const Input& in) {
-  if (!is_set(in.a_T) || !is_set(in.b_T) || !is_set(in.E)) return true;
-  return is_set(column::material_of(in).lambda_T);
-}
-
-bool Buckling::set_near_euler(const Input& in) {
-  if (!is_set(in.a_T) || !is_set(in.b_T) || !is_set(in.E) || !is_set(in.lambda_1)) return true;
-  return std::abs(gap_at_limit(in)) <= 0.03;
-}
-
-FieldFault Buckling::gap_of_set(const Input& in) {
-  const double gap = 100.0 * gap_at_limit(in);
-  return {"",
-          say("at its published limit {1} the set is {2} % {3} Euler's hyperbola", format_number(in.lambda_1, 4),
-              format_number(std::abs(gap), 2), gap > 0.0 ? "above" : "below"),
-          say("transition = \"computed\" goes over where the two meet; textbooks go over at the limit")};
-}
-
-bool Buckling::set_fits_modulus(const Input& in) {
-  return !is_set(in.E_T) || !is_set(in.E) || std::abs(in.E / in.E_T - 1.0) <= 0.05;
-}
-
-FieldFault Buckling::modulus_of_set(const Input& in) {
-  return {"",
-          say("the set of Tetmajer-Yasinsky was given with E = {1}, not {2}",
-              format_quantity(in_si(in.E_T), GPa.symbol), format_quantity(in_si(in.E), GPa.symbol)),
-          say("take the set of this material")};
-}
-
-bool Buckling::usual_safety(const Input& in) {
-  const Custom custom = custom_of(in.material_class);
-  return !is_set(in.n_st) || (in.n_st >= custom.least && in.n_st <= custom.most);
-}
-
-FieldFault Buckling::unusual_safety(const Input& in) {
-  const Custom custom = custom_of(in.material_class);
-  return {"n_st", say("n_st = {1} is unusual for this class of material", format_number(in.n_st)),
-          say("{1} to {2} is the custom", format_number(custom.least), format_number(custom.most))};
 }
 
 }  // namespace loadpath

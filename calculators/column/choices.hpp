@@ -32,7 +32,7 @@ constexpr auto choices_of(Basis) {
       ChoiceName<B>{B::recommended, "recommended", "for real ends, [AISC360]: 1, 2.1, 0.80, 0.65, 1.2, 2"}};
 }
 
-enum class Method { euler, tetmajer, johnson, rankine, secant, ec3, aisc };
+enum class Method { euler, tetmajer, johnson, rankine, secant, ec3, aisc, sp16 };
 
 constexpr auto choices_of(Method) {
   using M = Method;
@@ -42,7 +42,8 @@ constexpr auto choices_of(Method) {
                     ChoiceName<M>{M::rankine, "rankine", "Rankine-Gordon"},
                     ChoiceName<M>{M::secant, "secant", "secant formula, with an eccentricity"},
                     ChoiceName<M>{M::ec3, "ec3", "EN 1993-1-1:2005, 6.3.1, flexural buckling"},
-                    ChoiceName<M>{M::aisc, "aisc", "AISC 360, E3, allowable strength"}};
+                    ChoiceName<M>{M::aisc, "aisc", "AISC 360, E3, allowable strength"},
+                    ChoiceName<M>{M::sp16, "sp16", "SP 16.13330, 7.1.3, its coefficients recalled"}};
 }
 
 /// What the buckling curve of EN 1993-1-1 and the limits of local buckling follow from.

@@ -137,12 +137,12 @@ Part shape_of(const table::Typed<Profile>& row) {
   p.h = row.h, p.b = row.b, p.t_w = row.t_w, p.t_f = row.t_f, p.t = row.t_w, p.d = row.h;
   p.r = or_none(row.r), p.r_2 = or_none(row.r_2);
   const std::string_view kind = row.kind();
-  p.shape = kind == "channel" ? Shape::channel
-            : kind == "angle" ? Shape::angle
-            : kind == "I"     ? Shape::I
-                              : Shape::hollow;
+  p.shape = kind == "channel"    ? Shape::channel
+            : kind == "angle"    ? Shape::angle
+            : kind == "rolled_I" ? Shape::I
+                                 : Shape::hollow;
   if (kind == "round hollow") p.shape = Shape::ring, p.d_i = row.h - 2.0 * row.t_w;
-  if (kind == "rectangular hollow") p.r = 1.5 * row.t_w, p.r_2 = row.t_w;
+  if (kind == "hot_hollow") p.r = 1.5 * row.t_w, p.r_2 = row.t_w;
   return p;
 }
 

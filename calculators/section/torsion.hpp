@@ -16,11 +16,13 @@ struct RectangleFactors {
 inline RectangleFactors rectangle_factors(double a_over_b) {
   constexpr double odd_fifth_powers = 1.0045237627951385;  // 1 + 1/3^5 + 1/5^5 + ...
   const double pi2 = pi * pi;
-  double tanhs = odd_fifth_powers, sechs = 0.0;
-  for (int n = 1; n < 16; n += 2) {
-    const double x = 0.5 * n * pi * a_over_b, n2 = static_cast<double>(n) * n, e = std::exp(-2.0 * x);
+  constexpr double negligible = 1e-18;
+  const double first = std::exp(-0.5 * pi * a_over_b), square = first * first;
+  double tanhs = odd_fifth_powers, sechs = 0.0, power = first;  // exp(-n pi a/(2 b))
+  for (int n = 1; n < 16 && power > negligible; n += 2, power *= square) {
+    const double n2 = static_cast<double>(n) * n, e = power * power;
     tanhs -= 2.0 * e / (1.0 + e) / (n2 * n2 * n);
-    sechs += 2.0 * std::exp(-x) / (1.0 + e) / n2;
+    sechs += 2.0 * power / (1.0 + e) / n2;
   }
   const double k_1 = (1.0 - 192.0 / (pi2 * pi2 * pi * a_over_b) * tanhs) / 3.0;
   return {k_1, k_1 / (1.0 - 8.0 / pi2 * sechs)};

@@ -55,7 +55,7 @@ sigma_adm = "120 MPa"
       std::tuple{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall at the large end"}.as(Role::result),
                  Field{&Result::r, "r", mm, "mean radius at the governing place"}.as(Role::result)});
 
-  static constexpr std::array rules = vessel::join<Input>(
+  static constexpr std::array rules = join<Input>(
       vessel::wall_rules<Input>(), vessel::liquid_rules<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return !is_set(in.h_l) || in.h_l <= in.R / std::tan(in.alpha); },
                              "h_l, R, alpha", "the liquid stands above the large end of the cone"},

@@ -74,7 +74,7 @@ sigma_adm = "140 MPa"
           Field{&Result::w_r, "w_r", ratio, "rings: distance over the length of wall that works with them"}.limit(
               0, 1, "l_r")});
 
-  static constexpr std::array rules = vessel::join<Input>(
+  static constexpr std::array rules = join<Input>(
       vessel::wall_rules<Input>(), vessel::liquid_rules<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return is_set(in.A_r) == is_set(in.l_r); }, "A_r, l_r",
                              "rings need both the area A_r of their section and their distance l_r"},

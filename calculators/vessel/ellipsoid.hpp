@@ -59,7 +59,7 @@ sigma_adm = "140 MPa"
           Field{&Result::w_b, "w_b", ratio, "buckling of the knuckle: 0.002 of the crown radius over the thickness"}
               .limit(0, 1)});
 
-  static constexpr std::array rules = vessel::join<Input>(
+  static constexpr std::array rules = join<Input>(
       vessel::wall_rules<Input>(), vessel::gas_rules<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return in.a <= 5.0 * in.b && in.b <= 5.0 * in.a; }, "a, b",
                              "so flat or so slender an ellipsoid is no membrane: a/b must lie between 1/5 and 5"},

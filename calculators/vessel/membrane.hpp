@@ -110,49 +110,78 @@ Worst worst(const Shape& shape, Stress p, Length delta_c, const Strength& streng
   return found;
 }
 
+/// A place and what a function is there.
+struct Known {
+  double x, f;
+};
+
 /// The zero of a falling function between low and high, to rounding: regula falsi by the Illinois rule, which meets the
-/// straight pieces that utilisations have here in one step.
+/// straight pieces that utilisations have here in one step. It ends too where only the rounding of the function is
+/// left: close to the zero, and steps that no longer shrink.
 template <class Function>
-double falling_root(const Function& f, double low, double high) {
-  double f_low = f(low), f_high = f(high);
-  for (int i = 0; i < 100 && f_high != 0.0; ++i) {
-    const double x = high - f_high * (high - low) / (f_high - f_low);
-    const double f_x = f(x);
-    const bool same_side = (f_x > 0.0) == (f_high > 0.0);
+double falling_root(const Function& f, Known low, Known high) {
+  double last = std::abs(high.x - low.x);
+  for (int i = 0; i < 100 && high.f != 0.0; ++i) {
+    const double x = high.x - high.f * (high.x - low.x) / (high.f - low.f);
+    const Known next{x, f(x)};
+    const bool same_side = (next.f > 0.0) == (high.f > 0.0);
     if (same_side) {
-      f_low *= 0.5;
+      low.f *= 0.5;
     } else {
-      low = high, f_low = f_high;
+      low = high;
     }
-    const bool settled = std::abs(x - high) <= 4e-16 * std::abs(x);
-    high = x, f_high = f_x;
+    const double step = std::abs(x - high.x), size = std::abs(x);
+    const bool settled = step <= 4e-16 * size || (step <= 1e-13 * size && step >= 0.25 * last);
+    last = step;
+    high = next;
     if (settled) break;
   }
-  return high;
+  return high.x;
+}
+
+/// The zero of a falling function above `low`, where it is positive, and a first guess; NaN where there is none up to
+/// `most`.
+template <class Function>
+double falling_root_above(const Function& f, Known low, double guess, double most) {
+  Known high{std::min(guess, most), 0.0};
+  high.f = f(high.x);
+  while (high.f > 0.0 && high.x < most) {
+    low = high;
+    high.x *= 2.0, high.f = f(high.x);
+  }
+  return high.f <= 0.0 ? falling_root(f, low, high) : unset<double>;
 }
 
 /// The least carrying thickness at which a wall of this utilisation is just strong enough; unset where none is.
 /// `u` falls with the thickness like 1/x, so x (u - 1) is nearly straight. `scale` is a length of the vessel.
 template <class Utilisation>
 Length least_thickness(const Utilisation& u, Length scale) {
-  const double radius = in_si(scale);
+  constexpr double just_above = 1.01;
+  const double radius = in_si(scale), thin = 1e-3 * radius;
   const auto f = [&](double x) { return x * (u(from_si<Length>(x)) - 1.0); };
-  double high = 1e-3 * radius;
-  while (f(high) > 0.0 && high < 16.0 * radius) high *= 2.0;
-  if (!(f(high) <= 0.0)) return unset<Length>;
-  double low = 0.5 * high;
-  while (f(low) <= 0.0 && low > 1e-9 * radius) low *= 0.5;
-  return from_si<Length>(f(low) <= 0.0 ? 0.0 : falling_root(f, low, high));
+  Known high{thin, f(thin)};
+  if (!(high.f <= 0.0)) {
+    return from_si<Length>(falling_root_above(f, high, just_above * (thin + high.f), 16.0 * radius));
+  }
+  Known low = high;
+  while (low.f <= 0.0 && low.x > 1e-9 * radius) {
+    high = low;
+    low.x *= 0.5, low.f = f(low.x);
+  }
+  return from_si<Length>(low.f <= 0.0 ? 0.0 : falling_root(f, low, high));
 }
 
 /// The gas pressure that the wall just carries; zero where the liquid alone is too much.
 template <class Shape>
 Stress allowable_pressure(const Shape& shape, Length delta_c, const Strength& strength) {
+  constexpr double just_above = 1.0001;  // utilisations are straight but for a change of the governing place
+  const double sigma = in_si(strength.sigma_all), low = 1e-3 * sigma;
   const auto f = [&](double p) { return 1.0 - worst(shape, from_si<Stress>(p), delta_c, strength).u; };
-  if (!(f(0.0) > 0.0)) return from_si<Stress>(0.0);
-  double high = 1e-3 * in_si(strength.sigma_all);
-  while (f(high) > 0.0 && high < 1e3 * in_si(strength.sigma_all)) high *= 2.0;
-  return from_si<Stress>(falling_root(f, 0.0, high));
+  const Known none{0.0, f(0.0)}, some{low, f(low)};
+  if (!(none.f > 0.0)) return from_si<Stress>(0.0);
+  if (some.f <= 0.0) return from_si<Stress>(falling_root(f, none, some));
+  const double straight = none.f > some.f ? just_above * low * none.f / (none.f - some.f) : 2.0 * low;
+  return from_si<Stress>(falling_root_above(f, some, straight, 1e3 * sigma));
 }
 
 /// How far the middle of the carrying wall lies outside of the surface that the given radii belong to.

@@ -91,7 +91,7 @@ sigma_adm = "120 MPa"
           ListField<Result, Along, vessel::most_points>{&Result::along, "along", "stresses along the meridian"}.as(
               Role::result)});
 
-  static constexpr std::array rules = vessel::join<Input>(
+  static constexpr std::array rules = join<Input>(
       vessel::wall_rules<Input>(), vessel::liquid_rules<Input>(),
       std::array{Rule<Input>{&long_enough, "points", "a meridian needs at least three points"},
                  Rule<Input>{&apart, "points", "two neighbouring points of the meridian are one and the same"},

@@ -58,7 +58,7 @@ sigma_adm = "160 MPa"
                                 Field{&Result::phi, "phi", deg, "governing place, from the top"}.as(Role::result)},
                      vessel::lame_results<Result>());
 
-  static constexpr std::array rules = vessel::join<Input>(
+  static constexpr std::array rules = join<Input>(
       vessel::wall_rules<Input>(), vessel::liquid_rules<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return !is_set(in.h_l) || in.h_l <= 2.0 * in.R; }, "h_l, R",
                              "the liquid stands above the top of the sphere: give the pressure there as p"},

@@ -51,7 +51,7 @@ sigma_adm = "140 MPa"
       std::tuple_cat(vessel::wall_results<Result>(),
                      std::tuple{Field{&Result::r_m, "r_m", mm, "mean radius of the tube"}.as(Role::result)});
 
-  static constexpr std::array rules = vessel::join<Input>(
+  static constexpr std::array rules = join<Input>(
       vessel::wall_rules<Input>(), vessel::gas_rules<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return in.R_0 > 1.02 * in.r; }, "R_0, r",
                              "the tube meets itself in the middle of the ring: R_0 must be larger than r"},

@@ -4,6 +4,7 @@
 
 #include "lib/field.hpp"
 #include "lib/issue.hpp"
+#include "lib/rules.hpp"
 #include "lib/trace.hpp"
 
 #include <array>
@@ -138,12 +139,6 @@ template <class Input>
 constexpr auto gas_rules() {
   return std::array{Rule<Input>{[](const Input& in) { return in.p > 0.0 * MPa; }, "p",
                                 "nothing loads the wall: the pressure must be greater than zero"}};
-}
-
-/// Lists of rules in one.
-template <class Input, std::size_t... N>
-constexpr auto join(const std::array<Rule<Input>, N>&... parts) {
-  return std::apply([](const auto&... rule) { return std::array{rule...}; }, std::tuple_cat(parts...));
 }
 
 template <class Input>

@@ -1,7 +1,7 @@
 #include "lib/project/providers.hpp"
 
 #include "lib/quantity/format.hpp"
-#include "lib/table/table.hpp"
+#include "lib/table/rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,12 @@ namespace loadpath::project {
 
 namespace {
 
+/// Whether the row leaves the input as it is.
+bool lacks(const table::Entry& entry, const FieldInfo& field) {
+  if (field.type == FieldInfo::Type::choice) return !table::kind_of(*entry.row, field);
+  return field.provider.may_lack && table::covered_size(entry, field.provider.column) == 0.0;
+}
+
 /// The row that the step names for this input; nothing where it names none, or where the row does not exist.
 std::optional<Provided> from_table(const StepInput& input, const FieldInfo& field, void* data,
                                    std::vector<Issue>& issues) {
@@ -17,8 +23,7 @@ std::optional<Provided> from_table(const StepInput& input, const FieldInfo& fiel
   if (named == input.rows.end() || input.reading.typed.count(field.provider.unless) != 0) return std::nullopt;
   const std::string& row = named->second.text;
   const auto entry = table::find_row(field.provider.table, row);
-  if (entry && field.provider.may_lack && table::covered_size(*entry, field.provider.column) == 0.0)
-    return std::nullopt;
+  if (entry && lacks(*entry, field)) return std::nullopt;
   if (entry) return Provided{field.key, {&field, data}, row, {}};
   const Place place = place_in(named->second.place, row, entry.fault().at, row.size());
   const bool said = std::any_of(issues.begin(), issues.end(), [&](const Issue& i) {
@@ -49,7 +54,7 @@ std::vector<Provided> find_provided(const StepInput& input, const Companions& co
   std::vector<Provided> found;
   void* data = input.reading.record.data.get();
   for (const FieldInfo& field : input.calculator->input->fields) {
-    if (field.type != FieldInfo::Type::quantity || input.reading.typed.count(field.key) != 0) continue;
+    if (input.reading.typed.count(field.key) != 0) continue;
     std::optional<Provided> provided;
     if (field.provider.kind == Provider::Kind::table) provided = from_table(input, field, data, issues);
     if (field.provider.kind == Provider::Kind::companion) provided = from_companion(input, field, data, companions);
@@ -63,6 +68,7 @@ Lookup look_up(const Provided& provided, double size) {
   const double at = *field.provider.size == '\0' ? table::no_size : std::isnan(size) ? 0.0 : size;
   const auto entry = table::find_row(field.provider.table, provided.row);
   if (!entry) return {std::nan(""), {}, false, entry.fault().message};
+  if (const auto word = table::kind_of(*entry->row, field)) return {*word, {}, false, {}};
   const auto property = table::property(*entry, field.provider.column, at);
   if (!property) return {std::nan(""), {}, false, property.fault().message};
   return {property->si, property->sources, property->recalled, {}};

@@ -71,6 +71,11 @@ bool Run::applies(const Column& column) const {
 }
 
 void Run::fill_results(Account& account) const {
+  for (const FieldInfo& field : calculator_.result->fields) {  // what the calculation names: the section that it found
+    if (!traced_ || field.type != FieldInfo::Type::name || field.text(result_.data.get()).empty()) continue;
+    account.results.push_back(
+        {field.key, field.doc, "-", field.role, {}, {}, std::string(field.text(result_.data.get()))});
+  }
   for (const Column& column : columns_) {
     if (!applies(column)) continue;
     const auto display = step_.input().display.find(column.path);

@@ -72,38 +72,6 @@ std::set<std::string> available_fields(const std::vector<Entry>& entries) {
   return fields;
 }
 
-/// The elements of lists, a table for each list.
-std::vector<Table> list_tables(const std::vector<Entry>& entries) {
-  std::vector<Table> tables;
-  const auto available = available_fields(entries);
-  std::vector<std::string> columns;
-  std::string list, element;
-  for (const Entry& e : entries) {
-    const auto path = element_path(e.path);
-    if (!path || available.count(path->list + "." + path->field) == 0) continue;
-    if (path->list != list) {
-      tables.push_back({say("{1}", path->list), {say("no.")}, {}});
-      columns.clear();
-    }
-    Table& table = tables.back();
-    if (path->list != list || path->element != element) table.rows.push_back({path->element});
-    auto column = std::find(columns.begin(), columns.end(), path->field);
-    if (column == columns.end()) {
-      table.head.push_back(say("{1}", path->field));
-      column = columns.insert(columns.end(), path->field);
-    }
-    auto& row = table.rows.back();
-    row.resize(std::max(row.size(), static_cast<std::size_t>(column - columns.begin()) + 1), std::string());
-    row.push_back(cell_of(e));
-    list = path->list;
-    element = path->element;
-  }
-  for (Table& table : tables) {
-    for (auto& row : table.rows) row.resize(table.head.size(), std::string());
-  }
-  return tables;
-}
-
 Table input_table(const Account& account) {
   Table table{say("Given"), {say("symbol"), say("meaning"), say("value"), say("from")}, {}};
   for (const Entry& e : account.inputs) {
@@ -196,6 +164,37 @@ std::set<std::string> keys_in(std::string_view text) {
     if (close != std::string_view::npos) keys.emplace(text.substr(open + 1, close - open - 1));
   }
   return keys;
+}
+
+std::vector<Table> list_tables(const std::vector<Entry>& entries) {
+  std::vector<Table> tables;
+  const auto available = available_fields(entries);
+  std::vector<std::string> columns;
+  std::string list, element;
+  for (const Entry& e : entries) {
+    const auto path = element_path(e.path);
+    if (!path || available.count(path->list + "." + path->field) == 0) continue;
+    if (path->list != list) {
+      tables.push_back({say("{1}", path->list), {say("no.")}, {}});
+      columns.clear();
+    }
+    Table& table = tables.back();
+    if (path->list != list || path->element != element) table.rows.push_back({path->element});
+    auto column = std::find(columns.begin(), columns.end(), path->field);
+    if (column == columns.end()) {
+      table.head.push_back(say("{1}", path->field));
+      column = columns.insert(columns.end(), path->field);
+    }
+    auto& row = table.rows.back();
+    row.resize(std::max(row.size(), static_cast<std::size_t>(column - columns.begin()) + 1), std::string());
+    row.push_back(cell_of(e));
+    list = path->list;
+    element = path->element;
+  }
+  for (Table& table : tables) {
+    for (auto& row : table.rows) row.resize(table.head.size(), std::string());
+  }
+  return tables;
 }
 
 Document build(const Project& project, std::string_view program) {

@@ -29,15 +29,27 @@ const Column* column_of_group(const Library& library, const Table& table, std::s
 }  // namespace
 
 void Reader::read(std::string_view text, const std::string& file) {
-  const Tree tree = io::read_toml(text, file, issues_);
+  const std::size_t issues = issues_.size(), cited = cited_.size();
+  if (const auto lines = cut_lines(text)) {
+    const bool whole = read_tree(io::read_toml(lines->rest, file, issues_), &*lines);
+    if (whole && issues_.size() == issues) return;
+    issues_.erase(issues_.begin() + static_cast<std::ptrdiff_t>(issues), issues_.end());
+    cited_.erase(cited_.begin() + static_cast<std::ptrdiff_t>(cited), cited_.end());
+  }
+  read_tree(io::read_toml(text, file, issues_), nullptr);
+}
+
+bool Reader::read_tree(const Tree& tree, const Lines* lines) {
   check_keys(tree,
              {"table", "group", "title", "units", "unit", "defaults", "row", "columns", "rows", "series", "sources",
               "methods"},
              "");
   if (const auto* sources = tree.find("sources")) read_citations(sources->value, false);
   if (const auto* methods = tree.find("methods")) read_citations(methods->value, true);
-  if (tree.find("row") != nullptr || tree.find("rows") != nullptr) read_rows(tree);
+  const bool has_rows = lines != nullptr || tree.find("row") != nullptr || tree.find("rows") != nullptr;
+  if (has_rows && !read_rows(tree, lines)) return false;
   if (tree.find("series") != nullptr) read_series_list(tree);
+  return true;
 }
 
 void Reader::read_citations(const Tree& table, bool of_method) {
@@ -56,17 +68,26 @@ Table& Reader::table_of(const Tree& file) {
   return found != library_.tables.end() ? *found : library_.tables.emplace_back(std::move(head));
 }
 
-void Reader::read_rows(const Tree& file) {
+bool Reader::read_rows(const Tree& file, const Lines* lines) {
   Table& table = table_of(file);
   const Frame frame = read_frame(file, table);
   add_columns(table, frame.units);
   std::set<std::string> seen;
+  const auto add = [&](Row&& row, const Place& place) {
+    if (!seen.insert(row.name).second) complain(place, row.name, say("there are two rows '{1}'", row.name));
+    replace_or_add(table.rows, std::move(row));
+  };
+  if (lines != nullptr) {
+    const auto* head = file.find("columns");
+    std::vector<Row> rows;
+    if (head == nullptr || !rows_of_lines(*lines, texts(head->value, "columns"), frame, rows)) return false;
+    for (Row& row : rows) add(std::move(row), head->place);
+  }
   for (const Tree& tree : row_trees(file)) {
     Row row;
-    if (!read_row(tree, frame, row)) continue;
-    if (!seen.insert(row.name).second) complain(tree.place, row.name, say("there are two rows '{1}'", row.name));
-    replace_or_add(table.rows, std::move(row));
+    if (read_row(tree, frame, row)) add(std::move(row), tree.place);
   }
+  return true;
 }
 
 /// The rows of a file, those that are written as lines first.

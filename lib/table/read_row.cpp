@@ -23,12 +23,16 @@ bool Reader::read_row(const Tree& tree, const Frame& frame, Row& row) {
   row.note = text_of(tree, "note", row.name);
   if (const auto* aliases = tree.find("aliases")) row.aliases = texts(aliases->value, row.name + ".aliases");
   read_values(tree, frame, row);
+  let_defaults(frame, row);
+  return issues_.size() == before;
+}
+
+void Reader::let_defaults(const Frame& frame, Row& row) {
   if (row.standard.empty()) row.standard = frame.defaults.standard;
   if (row.kind.empty()) row.kind = frame.defaults.kind;
   for (const Value& value : frame.defaults.values) {
     if (!has(row.values, value.key)) row.values.push_back(value);
   }
-  return issues_.size() == before;
 }
 
 void Reader::read_values(const Tree& tree, const Frame& frame, Row& row) {

@@ -10,6 +10,7 @@
 
 #include "lib/io/tree.hpp"
 #include "lib/quantity/unit.hpp"
+#include "lib/table/lines.hpp"
 #include "lib/table/table.hpp"
 
 #include <set>
@@ -49,15 +50,30 @@ class Reader {
     Credit credit;  // of values that a row gives itself: the default sources, not what the default values cite
   };
 
+  /// Of rows that are written as lines.
+  struct LineColumn {
+    std::string key;
+    const ReadColumn* unit;  // null: not a column of values
+  };
+
   struct Cited {
     std::string key;
     Place place;
   };
 
+  /// False where there are lines and one of them is of another form.
+  bool read_tree(const Tree& tree, const Lines* lines);
   void read_citations(const Tree& table, bool of_method);
-  void read_rows(const Tree& file);
+  bool read_rows(const Tree& file, const Lines* lines);
   void read_series_list(const Tree& file);
 
+  /// Rows of lines, read without a tree; false where the tree is needed: to tell what is wrong, or for what only it
+  /// has.
+  static bool rows_of_lines(const Lines& lines, const Texts& columns, const Frame& frame, std::vector<Row>& rows);
+  static bool row_of_cells(const std::vector<Cell>& cells, const std::vector<LineColumn>& columns, const Frame& frame,
+                           Row& row);
+  static bool add_cell(const Cell& cell, const LineColumn& column, const Frame& frame, Row& row);
+  static void let_defaults(const Frame& frame, Row& row);
   std::vector<Tree> row_trees(const Tree& file);
   Tree row_of_line(const Tree& line, const Texts& columns);
   Table& table_of(const Tree& file);

@@ -19,6 +19,14 @@ std::vector<Entry> entries_of(const std::vector<const Table*>& tables) {
   return entries;
 }
 
+std::optional<double> kind_of(const Row& row, const FieldInfo& choice) {
+  if (choice.type != FieldInfo::Type::choice || choice.provider.kind != Provider::Kind::table) return std::nullopt;
+  const auto word = std::find_if(choice.choices.begin(), choice.choices.end(),
+                                 [&](const ChoiceInfo& c) { return c.key == row.kind; });
+  if (word == choice.choices.end()) return std::nullopt;
+  return static_cast<double>(word - choice.choices.begin());
+}
+
 void fill(std::span<const FieldInfo> fields, const Entry& entry, void* values) {
   for (const Value& value : entry.row->values) {
     const FieldInfo* field = find_field(fields, value.key);
@@ -27,6 +35,9 @@ void fill(std::span<const FieldInfo> fields, const Entry& entry, void* values) {
       throw std::logic_error("column " + value.key + " of table " + entry.table->name + " is of another dimension");
     }
     field->set(values, value.si);
+  }
+  for (const FieldInfo& field : fields) {
+    if (const auto word = kind_of(*entry.row, field)) field.set(values, *word);
   }
 }
 

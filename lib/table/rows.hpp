@@ -14,6 +14,7 @@
 #include "lib/record_of.hpp"
 #include "lib/table/table.hpp"
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +31,10 @@ struct Typed : Values {
 
 /// All rows of tables of one group, in their order; of rows of one name the last table's, as in `find_row`.
 std::vector<Entry> entries_of(const std::vector<const Table*>& tables);
+
+/// Which of its words, from 0, the row answers a choice with (lib/row_kind.hpp); nothing where its kind is none of
+/// them.
+std::optional<double> kind_of(const Row& row, const FieldInfo& choice);
 
 /// Sets those fields of an aggregate that the row has a value for. A column of another dimension than its field is a
 /// fault of the program: std::logic_error.

@@ -31,6 +31,37 @@ inline std::size_t offset_of(const Record& record, const std::string& path) {
                                   static_cast<const char*>(record.data.get()));
 }
 
+/// A calculator's sweep over columns of its input, with a column for each result.
+class Sweep {
+ public:
+  struct Varied {
+    std::string path;
+    const std::vector<double>& column;
+  };
+  Sweep(const Calculator& calculator, Record input, const std::vector<Varied>& varied,
+        const std::vector<std::string>& results, std::vector<std::vector<double>>& columns)
+      : calculator_(calculator), input_(std::move(input)) {
+    for (const auto& [path, column] : varied) in_.push_back({offset_of(input_, path), column.data()});
+    const Record result(*calculator.result);
+    columns.assign(results.size(), std::vector<double>(points));
+    for (std::size_t k = 0; k < results.size(); ++k) out_.push_back({offset_of(result, results[k]), columns[k].data()});
+  }
+  void operator()() const { calculator_.sweep(input_.data.get(), in_, out_, points); }
+
+ private:
+  const Calculator& calculator_;
+  Record input_;
+  std::vector<InputColumn> in_;
+  std::vector<ResultColumn> out_;
+};
+
+template <class C>
+Record record_of(const typename C::Input& input) {
+  Record record(*erased<C>().input);
+  *static_cast<typename C::Input*>(record.data.get()) = input;
+  return record;
+}
+
 template <class Run>
 double ns_per_point(Run& run) {
   using clock = std::chrono::steady_clock;
@@ -57,10 +88,15 @@ void compare(benchmark::State& state, Swept swept, ByHand by_hand) {
   state.counters["ratio"] = general / floor;
 }
 
-/// Columns of results agree to rounding.
-inline bool agree(const std::vector<double>& a, const std::vector<double>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](double x, double y) { return x > 0.0 && std::abs(x - y) <= 1e-14 * y; });
-}
+/// Columns of results agree to a part of their value.
+struct Agree {
+  double within;
+  bool operator()(const std::vector<double>& a, const std::vector<double>& b) const {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [&](double x, double y) { return x > 0.0 && std::abs(x - y) <= within * y; });
+  }
+};
+/// To rounding.
+inline constexpr Agree agree{1e-14};
 
 }  // namespace loadpath::bench

@@ -24,26 +24,12 @@ struct Columns {
       : first(std::move(varied)), tau_adm(std::move(allowed)), results(count, std::vector<double>(points)) {}
 };
 
-/// Runs the sweep of a calculator over two columns of the input.
-class Sweep {
- public:
-  Sweep(const Calculator& calculator, Record input, const std::string& first, const std::vector<std::string>& results,
-        Columns& columns)
-      : calculator_(calculator), input_(std::move(input)) {
-    const Record result(*calculator.result);
-    in_ = {{offset_of(input_, first), columns.first.data()}, {offset_of(input_, "tau_adm"), columns.tau_adm.data()}};
-    for (std::size_t k = 0; k < results.size(); ++k) {
-      out_.push_back({offset_of(result, results[k]), columns.results[k].data()});
-    }
-  }
-  void operator()() const { calculator_.sweep(input_.data.get(), in_, out_, points); }
-
- private:
-  const Calculator& calculator_;
-  Record input_;
-  std::vector<InputColumn> in_;
-  std::vector<ResultColumn> out_;
-};
+/// The sweep of a calculator over the two columns.
+Sweep sweep_of(const Calculator& calculator, Record input, const std::string& first,
+               const std::vector<std::string>& results, Columns& columns) {
+  return {
+      calculator, std::move(input), {{first, columns.first}, {"tau_adm", columns.tau_adm}}, results, columns.results};
+}
 
 template <class Swept, class ByHand>
 void race(benchmark::State& state, const Swept& sweep, const ByHand& by_hand, const Columns& general,
@@ -52,13 +38,6 @@ void race(benchmark::State& state, const Swept& sweep, const ByHand& by_hand, co
   if (!std::equal(general.results.begin(), general.results.end(), plain.results.begin(), agree)) {
     state.SkipWithError("they disagree");
   }
-}
-
-template <class C>
-Record record_of(const typename C::Input& input) {
-  Record record(*erased<C>().input);
-  *static_cast<typename C::Input*>(record.data.get()) = input;
-  return record;
 }
 
 Torsion::Input plain_shaft() {
@@ -72,7 +51,7 @@ void short_form(benchmark::State& state) {
   const std::vector<std::string> results{"d_strength", "d_stiffness", "d_min", "D_star",
                                          "tau_max",    "theta_max",   "u_tau", "u_theta"};
   Columns general(spread(50.0, 500.0, 1), spread(20e6, 60e6, 2), results.size()), plain = general;
-  const Sweep sweep(erased<Torsion>(), record_of<Torsion>(plain_shaft()), "T", results, general);
+  const Sweep sweep = sweep_of(erased<Torsion>(), record_of<Torsion>(plain_shaft()), "T", results, general);
   const auto by_hand = [&] {
     for (std::size_t i = 0; i < points; ++i) {
       const double M = std::abs(plain.first[i]), tau_adm = plain.tau_adm[i];
@@ -147,7 +126,7 @@ void line_shaft_by_hand(Columns& columns) {
 
 void three_segments(benchmark::State& state) {
   Columns general(spread(1.0, 2.0, 3), spread(20e6, 60e6, 4), 2), plain = general;
-  const Sweep sweep(erased<Torsion>(), record_of<Torsion>(line_shaft()), "K_A", {"d_min", "u_tau"}, general);
+  const Sweep sweep = sweep_of(erased<Torsion>(), record_of<Torsion>(line_shaft()), "K_A", {"d_min", "u_tau"}, general);
   race(
       state, sweep, [&] { line_shaft_by_hand(plain); }, general, plain);
 }
@@ -157,7 +136,7 @@ void overhung(benchmark::State& state) {
   Columns general(spread(500.0, 5000.0, 5), spread(20e6, 60e6, 6), 2), plain = general;
   Overhung::Input in;
   in.a = a * m, in.T = T * N_m, in.sigma_adm = from_si<Stress>(sigma_adm);
-  const Sweep sweep(erased<Overhung>(), record_of<Overhung>(in), "F", {"d_min", "u_v"}, general);
+  const Sweep sweep = sweep_of(erased<Overhung>(), record_of<Overhung>(in), "F", {"d_min", "u_v"}, general);
   const auto by_hand = [&] {
     for (std::size_t i = 0; i < points; ++i) {
       const double M = std::abs(plain.first[i]) * a;

@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 namespace {
 
 using namespace loadpath;
@@ -97,8 +99,8 @@ TEST_SUITE("column buckling") {
   TEST_CASE("a set that lies below Euler everywhere is refused") {
     Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.E = 2100.0 * GPa;
-    CHECK(!Buckling::set_meets_euler(in));
-    CHECK(Buckling::set_meets_euler(bar_of_steel(Ends::pinned_pinned)));
+    CHECK(!column::set_meets_euler(in));
+    CHECK(column::set_meets_euler(bar_of_steel(Ends::pinned_pinned)));
   }
 
   TEST_CASE("the published transition keeps its gap, and the gap is told") {
@@ -177,7 +179,7 @@ TEST_SUITE("column buckling") {
     for (const double e : {1e-6, 1.0, 5.0, 20.0}) {
       in.e_y = e * mm;
       const Buckling::Result r = solve(in);
-      const Buckling::Axis& y = r.axes[0];
+      const column::AxisResult& y = r.axes[0];
       const double sigma = in_si(y.sigma_s);
       const double fibre = sigma * (1 + y.eta / std::cos(0.5 * y.lambda * std::sqrt(sigma / 210e9)));
       CHECK(rel(fibre, 235e6) < 1e-9);
@@ -242,5 +244,65 @@ TEST_SUITE("column buckling") {
     in.I_y = in.I_z = from_si<SecondMoment>(177e-8);
     in.I_min = from_si<SecondMoment>(73e-8);
     CHECK(rel(in_si(solve(in).axes[1].i), std::sqrt(73e-8 / 1.92e-3)) < 1e-12);
+  }
+
+  TEST_CASE("the kind of section, and with it the buckling curve, follows from the row of its table unless typed") {
+    struct Row {
+      const char *lines, *kind;
+      double alpha_y, alpha_z;
+    };
+    for (const Row& row :
+         {Row{"section = \"IPE 200\"", "rolled_I", 0.21, 0.34}, Row{"section = \"HEB 200\"", "rolled_I", 0.34, 0.49},
+          Row{"section = \"W8X31\"", "rolled_I", 0.34, 0.49}, Row{"section = \"UPN 200\"", "channel", 0.49, 0.49},
+          Row{"section = \"L 50x50x5\"", "angle", 0.34, 0.34},
+          Row{"section = \"RHS 60x40x3\"", "hot_hollow", 0.21, 0.21},
+          Row{"section = \"RHS 60x40x3\"\nkind = \"cold_hollow\"", "cold_hollow", 0.49, 0.49},
+          Row{"section = \"CHS 60.3x3\"", "unsaid", NAN, NAN}}) {
+      CAPTURE(row.lines);
+      std::vector<Issue> issues;
+      const auto project = solved(
+          "[bar]\ncalculator = \"column.buckling\"\nl = \"2 m\"\nends = \"pinned_pinned\"\nE = \"210 GPa\"\n"
+          "R_e = \"235 MPa\"\nmethod = \"johnson\"\n" +
+              std::string(row.lines) + "\n",
+          issues);
+      CHECK(issues.empty());
+      const auto& inputs = project.find("bar")->account().inputs;
+      const auto kind = std::find_if(inputs.begin(), inputs.end(), [](const auto& e) { return e.path == "kind"; });
+      REQUIRE(kind != inputs.end());
+      CHECK(kind->word == row.kind);
+      if (std::isnan(row.alpha_y)) {
+        CHECK(std::isnan(project.value("bar.axes.y.alpha")->si[0]));
+      } else {
+        CHECK(project.value("bar.axes.y.alpha")->si[0] == row.alpha_y);
+        CHECK(project.value("bar.axes.z.alpha")->si[0] == row.alpha_z);
+      }
+    }
+  }
+
+  TEST_CASE("SP 16: phi is the smaller root of its quadratic, falls from 1, and ends with its table") {
+    struct Row {
+      column::Profile kind;
+      double lambda_r, phi;
+    };
+    using column::Profile;
+    for (const Row& row : {Row{Profile::hot_hollow, 1.0, 0.967809}, Row{Profile::rolled_I, 1.0, 0.947589},
+                           Row{Profile::angle, 1.0, 0.900865}, Row{Profile::rolled_I, 3.0, 0.642786},
+                           Row{Profile::hot_hollow, 6.0, 7.6 / 36.0}, Row{Profile::rolled_I, 0.6, 1.0},
+                           Row{Profile::channel, 0.4, 1.0}}) {
+      CAPTURE(row.lambda_r);
+      Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+      in.kind = row.kind;
+      const double lambda = row.lambda_r * std::sqrt(210e3 / 235.0) * (1.0 - 1e-15);
+      CHECK(std::abs(stress(in, lambda, "sp16") / 235.0 - row.phi) < 1e-6);
+    }
+    Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    in.kind = column::Profile::channel;
+    double before = 235.0 * (1 + 1e-12);
+    for (double lambda = 1.0; lambda < 400.0; lambda += 1.0) {
+      const double now = stress(in, lambda, "sp16");
+      CHECK(now <= before);
+      before = now;
+    }
+    CHECK(std::isnan(stress(in, 14.01 * std::sqrt(210e3 / 235.0), "sp16")));
   }
 }

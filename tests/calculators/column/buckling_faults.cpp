@@ -49,6 +49,11 @@ TEST_SUITE("column buckling faults") {
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nP = \"-1 kN\"\n", "P = -1 kN: must be >= 0 kN");
   }
 
+  TEST_CASE("SP 16 needs the kind of section") {
+    says(rod + "d = \"40 mm\"\nmethod = \"sp16\"\nn_st = 2\nP = \"10 kN\"\n",
+         "the method 'sp16' needs the kind of section");
+  }
+
   TEST_CASE("supports stand between the ends, in order") {
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nsupports_z = [[\"900 mm\"]]\n",
          "bar.supports_z[1].x: supports stand between the ends of the bar, 0 and 900 mm, in order");

@@ -36,8 +36,8 @@ inline Buckling::Result solve(const Buckling::Input& in) {
   return Buckling::evaluate(in, trace);
 }
 
-inline const Buckling::ByMethod& by(const Buckling::Result& r, std::string_view name) {
-  static const Buckling::ByMethod none;
+inline const column::MethodResult& by(const Buckling::Result& r, std::string_view name) {
+  static const column::MethodResult none;
   for (const auto& method : r.methods) {
     if (method.name.view() == name) return method;
   }

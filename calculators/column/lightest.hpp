@@ -1,0 +1,151 @@
+// The lightest section of a family, or of several, that carries a compressed bar.
+//
+// Every row of the section tables of these families is judged as column.buckling judges it, by the method that is
+// chosen; those that pass are ranked by their mass, those that are lighter say why they fail, and the best one is
+// worked out whole. The strength of a material falls with the thickness: all are judged with that of the thickest one
+// up to the section found, which is on the safe side for the others.
+// Not covered: what column.buckling does not cover, and so torsional buckling, which can decide for channels and
+// angles.
+#pragma once
+
+#include "calculators/column/buckling.hpp"
+#include "lib/drive_units.hpp"
+
+#include <vector>
+
+namespace loadpath {
+
+struct LightestColumn {
+  static constexpr auto id = "column.lightest";
+  static constexpr auto title = "Lightest section of a compressed bar";
+  static constexpr auto scope =
+      "Ranked list of the sections of one family or several that carry a compressed bar, the lightest first, with the "
+      "reason why lighter ones fail; the best one with its whole calculation by column.buckling, and what that does "
+      "not cover: torsional buckling of channels and angles, sections of class 4. A strength of a material is that of "
+      "the thickest of all sections up to the one found.";
+  static constexpr auto source = Buckling::source;
+  static constexpr auto example = R"([project]
+title = "Column of a platform"
+
+[post]
+calculator = "column.lightest"
+families = ["HEA", "HEB"]
+P = "900 kN"
+l = "4.5 m"
+ends = "pinned_pinned"
+material = "S235"
+method = "ec3"
+gamma_M1 = 1
+gamma_F = 1
+)";
+
+  /// Why a section does not carry the bar.
+  enum class Failure { none, load, slenderness, range, thin, open };
+
+  struct Family {
+    Name family;
+    static constexpr std::tuple fields{
+        NameField{&Family::family, "family", "letters that its sections' names begin with: IPE, HEA, RHS"}};
+  };
+  using Families = List<Family, 12>;
+
+  struct Input : column::Member {
+    Families families;
+    column::Profile kind = column::Profile::unsaid;
+    Length h_max = unset<Length>, b_max = unset<Length>;
+  };
+  static constexpr auto inputs = std::tuple_cat(
+      std::tuple{ListField{&Input::families, "families", "families of the section tables to choose from"}.as_arrays()},
+      column::held_inputs<Input>(),
+      std::tuple{Choice{&Input::kind, "kind", "kind of the sections whose table leaves it open: of round tubes"}
+                     .may_be_missing(),
+                 Field{&Input::h_max, "h_max", mm, "largest height that there is room for"}.positive().may_be_missing(),
+                 Field{&Input::b_max, "b_max", mm, "largest width that there is room for"}.positive().may_be_missing()},
+      column::material_inputs<Input>(), column::method_inputs<Input>());
+
+  struct Candidate {
+    Name name;
+    LineDensity q = unset<LineDensity>;
+    column::AxisName axis = column::AxisName::y;
+    double lambda = unset<double>;
+    Stress sigma_cr = unset<Stress>;
+    Force P_all = unset<Force>;
+    double u = unset<double>, demand = unset<double>, excess = unset<double>;
+    Failure failure = Failure::none;
+    static constexpr std::tuple fields{
+        NameField{&Candidate::name, "name", "section"}.as(Role::result),
+        Field{&Candidate::q, "q", kg_per_m, "mass per length"}.as(Role::result),
+        Choice{&Candidate::axis, "axis", "axis of the largest slenderness"}.as(Role::result),
+        Field{&Candidate::lambda, "lambda", ratio, "largest slenderness"}.as(Role::result),
+        Field{&Candidate::sigma_cr, "sigma_cr", MPa, "critical stress, without safety"}.as(Role::result),
+        Field{&Candidate::P_all, "P_all", kN, "allowable force"}.as(Role::result),
+        Field{&Candidate::u, "u", ratio, "force over the allowable one"}.as(Role::result),
+        Field{&Candidate::demand, "demand", ratio, "the largest of its checks and limits: it carries the bar up to 1"}
+            .as(Role::result),
+        Field{&Candidate::excess, "excess", ratio, "mass over that of the section found, less 1"}.as(Role::result),
+        Choice{&Candidate::failure, "failure", "why it does not carry the bar"}.as(Role::result)};
+  };
+  using Candidates = List<Candidate, 12>;
+
+  struct Result : column::MemberResult {
+    Name section;
+    LineDensity q = unset<LineDensity>;
+    Mass mass = unset<Mass>;
+    double sections = 0.0, carrying = 0.0, lack = unset<double>;
+    Candidates candidates, lighter;
+  };
+  static constexpr auto results = std::tuple_cat(
+      std::tuple{
+          NameField{&Result::section, "section", "lightest section; the strongest where none carries the bar"}.as(
+              Role::result),
+          Field{&Result::q, "q", kg_per_m, "its mass per length"}.as(Role::result),
+          Field{&Result::mass, "mass", kg, "mass of the bar"}.as(Role::result),
+          Field{&Result::sections, "sections", ratio, "sections of these families that there is room for"}.as(
+              Role::result)},
+      column::member_results<Result>(),
+      std::tuple{
+          Field{&Result::lack, "lack", ratio, "part of the force that even the strongest does not carry"}.as(
+              Role::result),
+          Field{&Result::carrying, "carrying", ratio, "sections that carry the bar"}.limit(1, 1e6),
+          ListField{&Result::candidates, "candidates", "sections that carry the bar, lightest first"}.as(Role::result),
+          ListField{&Result::lighter, "lighter", "the next lighter ones and why they fail, heaviest first"}.as(
+              Role::result)});
+
+  static bool families_known(const Input& in);
+  static FieldFault unknown_family(const Input& in);
+  static bool needs_of_method(const Input& in);
+  static FieldFault missing_for_method(const Input& in);
+  static bool one_carries(const Input& in);
+  static FieldFault none_carries(const Input& in);
+
+  static constexpr auto rules = join<Input>(
+      std::array{
+          Rule<Input>{&families_known, "families", "there is no such family in the section tables", &unknown_family},
+          Rule<Input>{[](const Input& in) { return is_set(in.N) || is_set(in.P); }, "N, P",
+                      "give the force that the bar shall carry: N, positive in tension, or P"}},
+      column::held_rules<Input>(),
+      std::array{Rule<Input>{&needs_of_method, "method, R_e, sigma_P, a_T, sigma_c, e_y, e_z, n_st, gamma_M1, gamma_F",
+                             "something is missing that the method needs", &missing_for_method}},
+      column::method_rules<Input>(),
+      std::array{Rule<Input>{&one_carries, "families, N, P", "no section of these families carries the bar",
+                             &none_carries, true}});
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template LightestColumn::Result LightestColumn::evaluate(const Input&, NoTrace&);
+extern template LightestColumn::Result LightestColumn::evaluate(const Input&, Trace&);
+
+constexpr auto choices_of(LightestColumn::Failure) {
+  using Failure = LightestColumn::Failure;
+  return std::array{ChoiceName<Failure>{Failure::none, "none", "it carries the bar"},
+                    ChoiceName<Failure>{Failure::load, "load", "the force is above the allowable one"},
+                    ChoiceName<Failure>{Failure::slenderness, "slenderness", "it is more slender than is allowed"},
+                    ChoiceName<Failure>{Failure::range, "range", "it is outside of the range of the method"},
+                    ChoiceName<Failure>{Failure::thin, "thin", "a wall buckles locally"},
+                    ChoiceName<Failure>{Failure::open, "open", "its buckling curve is open: give the kind"}};
+}
+
+}  // namespace loadpath

@@ -1,0 +1,52 @@
+// Calculators with lists: at least 10 million elements a second, without an allocation (tests/contract.cpp).
+#include "calculators/drive/train.hpp"
+#include "calculators/section/built_up.hpp"
+
+#include <benchmark/benchmark.h>
+
+namespace {
+
+using namespace loadpath;
+
+template <class C>
+void elements(benchmark::State& state, const typename C::Input& in, std::size_t count) {
+  NoTrace trace;
+  for ([[maybe_unused]] auto _ : state) {
+    const auto r = C::evaluate(in, trace);
+    benchmark::DoNotOptimize(&r);
+    benchmark::ClobberMemory();
+  }
+  state.counters["elements"] =
+      benchmark::Counter(static_cast<double>(count), benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void train(benchmark::State& state) {
+  DriveTrain::Input in;
+  in.P = 5.5e3 * W, in.n_1 = from_si<AngularSpeed>(150.0);
+  for (int k = 0; k < 4; ++k) {
+    DriveTrain::Stage stage;
+    stage.z_1 = 20, stage.z_2 = 57, stage.m_n = 2.0 * mm, stage.eta = 0.97;
+    in.stages.push_back(stage);
+    stage.kind = DriveTrain::StageKind::belt, stage.z_1 = stage.z_2 = 0, stage.i = 2.5;
+    in.stages.push_back(stage);
+  }
+  elements<DriveTrain>(state, in, in.stages.size());
+}
+
+void plates(benchmark::State& state) {
+  BuiltUpSection::Input in;
+  for (int k = 0; k < 8; ++k) {
+    BuiltUpSection::Part plate;
+    plate.shape = BuiltUpSection::Shape::rectangle;
+    plate.b = 100.0 * mm, plate.h = 10.0 * mm;
+    plate.z = 20.0 * k * mm;
+    in.parts.push_back(plate);
+  }
+  elements<BuiltUpSection>(state, in, in.parts.size());
+}
+
+}  // namespace
+
+BENCHMARK(train);
+BENCHMARK(plates);
+BENCHMARK_MAIN();

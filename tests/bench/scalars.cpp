@@ -1,0 +1,151 @@
+// Sweeps of scalar calculators beside plain loops over doubles, written by hand for the one case: at most twice as
+// slow.
+#include "calculators/belt/flat.hpp"
+#include "calculators/column/buckling.hpp"
+#include "calculators/fatigue/cycle.hpp"
+#include "calculators/vessel/cylinder.hpp"
+#include "tests/bench/sweep.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+using namespace loadpath;
+using namespace loadpath::bench;
+using std::numbers::pi;
+using Columns = std::vector<std::vector<double>>;
+
+template <class ByHand>
+void race(benchmark::State& state, const Sweep& sweep, const ByHand& by_hand, const Columns& general,
+          const Columns& plain, Agree agreement = agree) {
+  compare(state, sweep, by_hand);
+  if (!std::equal(general.begin(), general.end(), plain.begin(), agreement)) state.SkipWithError("they disagree");
+}
+
+/// Euler's formula for a rectangular bar with different ends about its axes.
+void buckling_by_euler(benchmark::State& state) {
+  constexpr double E = 210e9, sigma_P = 200e6, b = 0.04, h = 0.06, beta_y = 2.0, beta_z = 1.0, n_st = 3.0;
+  const auto P = spread(1e3, 1e5, 1), l = spread(1.5, 3.0, 2);
+  Buckling::Input in;
+  in.b = b * m, in.h = h * m, in.E = from_si<Stress>(E), in.sigma_P = from_si<Stress>(sigma_P);
+  in.beta_y = beta_y, in.beta_z = beta_z, in.n_st = n_st;
+  in.method = column::Method::euler;
+  Columns general;
+  const Sweep sweep(erased<Buckling>(), record_of<Buckling>(in), {{"P", P}, {"l", l}},
+                    {"lambda", "N_cr", "sigma_cr", "P_all", "u", "r_lambda", "r_1"}, general);
+  Columns plain(general.size(), std::vector<double>(points)), axes(6, std::vector<double>(points));
+  const auto by_hand = [&] {
+    const double i_y = h / std::sqrt(12.0), i_z = b / std::sqrt(12.0), A = b * h;
+    const double lambda_1 = pi * std::sqrt(E / sigma_P);
+    for (std::size_t i = 0; i < points; ++i) {
+      const double s_y = beta_y * l[i], s_z = beta_z * l[i], lambda_y = s_y / i_y, lambda_z = s_z / i_z;
+      const double lambda = std::max(lambda_y, lambda_z);
+      axes[0][i] = s_y, axes[1][i] = lambda_y, axes[2][i] = pi * pi * E * A / (lambda_y * lambda_y);
+      axes[3][i] = s_z, axes[4][i] = lambda_z, axes[5][i] = pi * pi * E * A / (lambda_z * lambda_z);
+      const double sigma_E = pi * pi * E / (lambda * lambda);
+      const double P_all = sigma_E * A / n_st;
+      plain[0][i] = lambda, plain[1][i] = sigma_E * A, plain[2][i] = lambda >= lambda_1 ? sigma_E : NAN;
+      plain[3][i] = P_all, plain[4][i] = P[i] / P_all, plain[5][i] = lambda / 200.0, plain[6][i] = lambda_1 / lambda;
+    }
+    benchmark::DoNotOptimize(axes.data());
+  };
+  race(state, sweep, by_hand, general, plain);
+}
+
+void stress_cycle(benchmark::State& state) {
+  constexpr double R_e = 355e6;
+  const auto high = spread(100e6, 300e6, 3), low = spread(10e6, 90e6, 4);
+  FatigueCycle::Input in;
+  in.R_e = from_si<Stress>(R_e);
+  Columns general;
+  const Sweep sweep(erased<FatigueCycle>(), record_of<FatigueCycle>(in), {{"sigma_max", high}, {"sigma_min", low}},
+                    {"sigma_m", "sigma_a", "r", "u_y"}, general);
+  Columns plain(general.size(), std::vector<double>(points));
+  std::vector<int> kinds(points);
+  const auto by_hand = [&] {
+    for (std::size_t i = 0; i < points; ++i) {
+      const double size = std::max(std::abs(high[i]), std::abs(low[i])), same = 1e-9 * size;
+      plain[0][i] = (high[i] + low[i]) / 2.0, plain[1][i] = (high[i] - low[i]) / 2.0, plain[2][i] = low[i] / high[i];
+      plain[3][i] = size / R_e;
+      kinds[i] = high[i] - low[i] <= same             ? 0
+                 : std::abs(high[i] + low[i]) <= same ? 1
+                 : std::abs(low[i]) <= same           ? 2
+                 : std::abs(high[i]) <= same          ? 3
+                 : low[i] > 0.0                       ? 4
+                 : high[i] < 0.0                      ? 5
+                                                      : 6;
+    }
+    benchmark::DoNotOptimize(kinds.data());
+  };
+  race(state, sweep, by_hand, general, plain);
+}
+
+/// A closed cylinder of a given wall by Tresca. By hand its least thickness and its largest pressure have closed forms,
+/// by Lamé too; the calculator finds them as zeros, for any shell: far slower than twice the loop.
+void closed_cylinder(benchmark::State& state) {
+  constexpr double delta = 0.012, sigma_adm = 140e6;
+  const auto p = spread(0.5e6, 2e6, 5), R = spread(0.5, 1.0, 6);
+  VesselCylinder::Input in;
+  in.delta = delta * m, in.sigma_adm = from_si<Stress>(sigma_adm);
+  Columns general;
+  const Sweep sweep(erased<VesselCylinder>(), record_of<VesselCylinder>(in), {{"p", p}, {"R", R}},
+                    {"sigma_o", "sigma_v", "t_R", "delta_min", "p_max", "u_v", "sigma_L", "delta_L"}, general);
+  Columns plain(general.size(), std::vector<double>(points));
+  const auto by_hand = [&] {
+    for (std::size_t i = 0; i < points; ++i) {
+      const double sigma_o = p[i] * R[i] / delta, R_i = R[i] - delta / 2.0, R_a = R[i] + delta / 2.0;
+      plain[0][i] = sigma_o, plain[1][i] = sigma_o + p[i], plain[2][i] = delta / R[i];
+      plain[3][i] = p[i] * R[i] / (sigma_adm - p[i]), plain[4][i] = sigma_adm / (R[i] / delta + 1.0);
+      plain[5][i] = plain[1][i] / sigma_adm;
+      const double square = R_a * R_a - R_i * R_i;
+      plain[6][i] = p[i] * (R_a * R_a + R_i * R_i) / square + p[i];
+      const double q = p[i] / sigma_adm;
+      plain[7][i] = 2.0 * R[i] * q / (1.0 - q + std::sqrt(1.0 - 2.0 * q));
+    }
+  };
+  race(state, sweep, by_hand, general, plain, Agree{1e-12});
+}
+
+/// An open flat belt of given width on fixed centres, with the least initial tension.
+void flat_belt(benchmark::State& state) {
+  constexpr double d_1 = 0.2, d_2 = 0.5, K_A = 1.2, mu = 0.4, delta = 2.5e-3, b = 0.125, rho = 1100.0;
+  constexpr double sigma_adm = 6e6, epsilon = 0.01, n_1 = 1450.0 * pi / 30.0;
+  const auto P = spread(5e3, 15e3, 7), a = spread(0.9, 1.6, 8);
+  FlatBelt::Input in;
+  in.K_A = K_A, in.mu = mu, in.epsilon = epsilon;
+  in.n_1 = from_si<AngularSpeed>(n_1), in.d_1 = d_1 * m, in.d_2 = d_2 * m;
+  in.delta = delta * m, in.b = b * m, in.rho = from_si<belt::Density>(rho);
+  in.sigma_adm = from_si<Stress>(sigma_adm);
+  Columns general;
+  const Sweep sweep(erased<FlatBelt>(), record_of<FlatBelt>(in), {{"P", P}, {"a", a}},
+                    {"i", "L", "alpha_1", "b_min", "S_0_min", "S_1", "S_2", "mu_req", "sigma_max", "R_0", "R", "f_B"},
+                    general);
+  Columns plain(general.size(), std::vector<double>(points));
+  const auto by_hand = [&] {
+    for (std::size_t i = 0; i < points; ++i) {
+      const double v = n_1 * d_1 / 2.0, gamma = std::asin((d_2 - d_1) / (2.0 * a[i]));
+      const double alpha_1 = pi - 2.0 * gamma, alpha_2 = pi + 2.0 * gamma, alpha = std::min(alpha_1, alpha_2);
+      const double L = 2.0 * a[i] * std::cos(gamma) + (d_1 * alpha_1 + d_2 * alpha_2) / 2.0;
+      const double F_t = K_A * P[i] / v, m_e = std::exp(mu * alpha);
+      const double sigma_N = sigma_adm - rho * v * v, F_c = rho * b * delta * v * v;
+      const double S_0 = F_t / 2.0 * (m_e + 1.0) / (m_e - 1.0) + F_c;
+      const double S_1 = S_0 + F_t / 2.0, S_2 = S_1 - F_t;
+      const double x = (S_1 - F_c + S_2 - F_c) * std::cos(gamma), y = F_t * std::sin(gamma);
+      plain[0][i] = d_2 / d_1 / (1.0 - epsilon), plain[1][i] = L, plain[2][i] = alpha_1;
+      plain[3][i] = F_t / (delta * sigma_N * (1.0 - 1.0 / m_e)), plain[4][i] = S_0, plain[5][i] = S_1;
+      plain[6][i] = S_2, plain[7][i] = std::log((S_1 - F_c) / (S_2 - F_c)) / alpha;
+      plain[8][i] = S_1 / (b * delta), plain[9][i] = 2.0 * S_0 * std::cos(gamma), plain[10][i] = std::hypot(x, y);
+      plain[11][i] = 2.0 * v / L;
+    }
+  };
+  race(state, sweep, by_hand, general, plain);
+}
+
+}  // namespace
+
+BENCHMARK(buckling_by_euler);
+BENCHMARK(stress_cycle);
+BENCHMARK(closed_cylinder);
+BENCHMARK(flat_belt);
+BENCHMARK_MAIN();

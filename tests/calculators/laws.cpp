@@ -47,6 +47,8 @@ const Law bars[] = {
     {"shaft.overhung", R"(d = "40 mm")", "d = \"40 mm\"\nF = \"7308 N\"\nT = \"156.6 N*m\"", "u_Q", 2},
     {"column.buckling", "", R"(l = "1800 mm")", "N_cr", 1.0 / 4},
     {"column.buckling", "", R"(d = "90 mm")", "N_cr", 16},
+    {"column.lightest", "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"",
+     "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"\nl = \"2.25 m\"", "N_cr", 4},
     {"column.effective_length", "", "l = \"2.4 m\"\nc_1 = \"20 kN*m/rad\"", "beta", 1},
 };
 
@@ -94,6 +96,7 @@ const Law drives[] = {
     {"chain.roller", "", R"(n_1 = "192 rpm")", "F_c", 4},
     {"drive.train", "", R"(P = "11 kW")", "T_out", 2},
     {"drive.train", "", R"(n_1 = "2900 rpm")", "T_out", 0.5},
+    {"belt.course", "", R"(n_1 = "2900 rpm")", "F_c", 4},
     {"belt.flat", R"(b = "100 mm")", "b = \"100 mm\"\nd_1 = \"400 mm\"\nd_2 = \"1000 mm\"\na = \"2400 mm\"", "L", 2},
     {"belt.flat", R"(b = "100 mm")", "b = \"100 mm\"\nn_1 = \"2900 rpm\"", "F_c", 4},
     {"belt.v", "z = 4", "z = 4\nP = \"60 kW\"", "u_P", 2},
@@ -194,6 +197,7 @@ const Trend trends[] = {
     {"gear.planetary", "eta", rises, "eta_0", {"0.9", "0.95", "0.99", "1"}},
     {"chain.roller", "delta_1", falls, "z_1", {"11", "17", "21", "25"}},
     {"chain.roller", "p_r", rises, "K_A", {"1", "1.3", "1.7"}},
+    {"belt.course", "S_0_min", falls, "mu", {"0.2", "0.4", "0.8"}},
     {"belt.flat", "S_0_min", falls, "mu", {"0.2", "0.3", "0.4", "0.5"}, R"(b = "100 mm")"},
     {"belt.flat", "alpha_1", rises, "a", {R"("500 mm")", R"("1000 mm")", R"("2000 mm")"}, R"(b = "100 mm")"},
     {"belt.v", "u_P", falls, "z", {"2", "3", "4", "6"}},

@@ -48,7 +48,8 @@ const Case bars[] = {
     {"shaft.overhung", "a = \"0 mm\"\nd = \"40 mm\"", "sigma_b", 0.0},
     {"column.buckling", R"(ends = "pinned_pinned")", "N_cr",
      pi* pi * 210e9 * (pi / 64 * 0.045 * 0.045 * 0.045 * 0.045) / (0.9 * 0.9)},
-    {"column.effective_length", R"(c_1 = "0 N*m/rad")", "beta", 1.0},  // a pin
+    {"column.lightest", "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"", "q", 16.7},  // the only one
+    {"column.effective_length", R"(c_1 = "0 N*m/rad")", "beta", 1.0},                          // a pin
     {"column.effective_length", R"(c_1 = "1e9 kN*m/rad")", "beta",
      0.699155659780},  // built in: pi over the root of tan x = x
 };
@@ -78,6 +79,7 @@ const Case drives[] = {
     {"chain.roller", "z_1 = 19\nz_2 = 19\na = \"1270 mm\"", "X_0", 2.0 * 1270 / 25.4 + 19},
     {"chain.roller", "z_1 = 19\nz_2 = 19", "alpha_1", pi},
     {"drive.train", R"(stages = [{ kind = "gear", z_1 = 20, z_2 = 20, eta = 1 }])", "P_loss", 0.0},
+    {"belt.course", R"(n_1 = "12.5 rad/s")", "v", 1.0},  // of a radius of 80 mm
     {"belt.flat", "b = \"100 mm\"\nd_1 = \"300 mm\"\nd_2 = \"300 mm\"", "L", 2.4 + 0.3 * pi},
     {"belt.flat", "b = \"100 mm\"\nd_1 = \"300 mm\"\nd_2 = \"300 mm\"\narrangement = \"crossed\"", "gamma",
      0.2526802551420786},  // arcsin 0.25

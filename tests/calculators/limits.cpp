@@ -55,6 +55,8 @@ const Side sections[] = {
     {"section.hollow", "w", outside, "t", R"("20 mm")", R"("20.1 mm")"},
 };
 
+const char* const lone_section = "families = [\"HEA\"]\nh_max = \"100 mm\"";
+
 const Side bars[] = {
     {"shaft.torsion", "u_tau", over, "tau_adm", R"("40.1 MPa")", R"("40 MPa")", R"(d = "70 mm")"},
     {"shaft.torsion", "u_theta", over, "theta_adm", R"("0.0144 rad/m")", R"("0.0143 rad/m")", R"(d = "70 mm")"},
@@ -69,6 +71,19 @@ const Side bars[] = {
      "R_e = \nsigma_P = \nmethod = \"tetmajer\"\na_T = \"310 MPa\"\nb_T = \"1.14 MPa\"\nlambda_0 = 60"},
     {"column.buckling", "r_class", outside, "R_e", R"("338 MPa")", R"("339 MPa")",
      "d = \nsigma_P = \nsection = \"IPE 300\"\nkind = \"rolled_I\"\nmethod = \"ec3\"\ngamma_M1 = 1\ngamma_F = 1"},
+    {"column.lightest", "u", over, "P", R"("106 kN")", R"("107 kN")", lone_section},
+    {"column.lightest", "carrying", outside, "P", R"("106 kN")", R"("107 kN")", lone_section},
+    {"column.lightest", "r_lambda", outside, "l", R"("5.01 m")", R"("5.02 m")",
+     "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\""},
+    {"column.lightest", "r_1", outside, "l", R"("2.56 m")", R"("2.55 m")",
+     "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"\nmethod = \"euler\"\nsigma_P = \"200 MPa\"\nn_st = 2\n"
+     "gamma_M1 = \ngamma_F = "},
+    {"column.lightest", "r_0", outside, "l", R"("1.51 m")", R"("1.5 m")",
+     "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"\nmethod = \"tetmajer\"\na_T = \"310 MPa\"\nb_T = \"1.14 "
+     "MPa\"\n"
+     "lambda_0 = 60\nE = \"210 GPa\"\nmaterial = \nn_st = 2\ngamma_M1 = \ngamma_F = "},
+    {"column.lightest", "r_class", outside, "R_e", R"("2339 MPa")", R"("2340 MPa")",
+     "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"\nE = \"210 GPa\"\nmaterial = "},
     {"column.effective_length", "u", State::not_available, "c_1", R"("0.1 N*m/rad")", R"("0.001 N*m/rad")",
      R"(k_1 = "0 N/mm")"},
 };
@@ -112,6 +127,8 @@ const Side pulleys[] = {
     {"chain.roller", "u_p", over, "p_adm", R"("22 MPa")", R"("21 MPa")"},
     {"chain.roller", "u_S", over, "S_min", "12.6", "12.7"},
     {"chain.roller", "u_P", over, "P_R", R"("3.51 kW")", R"("3.5 kW")"},
+    {"belt.course", "u_S", over, "S_0", R"("248 N")", R"("247 N")"},
+    {"belt.course", "N_min", outside, "S_0", R"("45 N")", R"("44 N")", "mu = "},
     {"belt.flat", "u_S", over, "S_0", R"("1201 N")", R"("1200 N")", R"(b = "100 mm")"},
     {"belt.flat", "u_sigma", over, "sigma_adm", R"("7.2 MPa")", R"("7.1 MPa")", R"(b = "100 mm")"},
     {"belt.flat", "sigma_N", outside, "n_1", R"("7000 rpm")", R"("7100 rpm")", R"(b = "100 mm")"},

@@ -1,6 +1,7 @@
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
+#include "lib/choice_words.hpp"
 #include "lib/project/reading.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/build.hpp"
@@ -24,7 +25,7 @@ std::string bounds_of(const FieldInfo& field) {
 
 std::string words_of(const FieldInfo& field) {
   std::string all;
-  for (const ChoiceInfo& c : field.choices) all += (all.empty() ? "" : " | ") + std::string(c.key);
+  for (const std::string& word : words_to_type(field)) all += (all.empty() ? "" : " | ") + word;
   return all;
 }
 
@@ -32,7 +33,10 @@ std::string default_of(const FieldInfo& field, void* owner) {
   if (*field.searched_in != '\0') return std::string("searched in ") + field.searched_in;
   if (field.provider.kind == Provider::Kind::table) return std::string("from ") + field.provider.table;
   if (field.provider.kind == Provider::Kind::companion) return std::string("comes with ") + field.provider.column;
-  if (field.type == Type::choice) return field.choices[static_cast<std::size_t>(field.get(owner))].key;
+  if (field.type == Type::choice) {
+    const std::string word = field.choices[static_cast<std::size_t>(field.get(owner))].key;
+    return word.empty() ? "optional" : word;
+  }
   const bool number = field.type == Type::quantity || field.type == Type::count;
   if (number && !std::isnan(field.get(owner)))
     return "default " + format_quantity(field.get(owner), field.type == Type::count ? "-" : field.unit);

@@ -139,9 +139,9 @@ extern template EffectiveLength::Result EffectiveLength::evaluate(const Input&, 
 constexpr auto choices_of(EffectiveLength::End) {
   using E = EffectiveLength::End;
   return std::array{
-      ChoiceName<E>{E::unsaid, "unsaid", "not said"}, ChoiceName<E>{E::pinned, "pinned", "hinged"},
-      ChoiceName<E>{E::fixed, "fixed", "built in"},   ChoiceName<E>{E::guided, "guided", "moves across, does not turn"},
-      ChoiceName<E>{E::free, "free", "free"},         ChoiceName<E>{E::elastic, "elastic", "held by springs"}};
+      ChoiceName<E>{E::unsaid, "", "not said"},     ChoiceName<E>{E::pinned, "pinned", "hinged"},
+      ChoiceName<E>{E::fixed, "fixed", "built in"}, ChoiceName<E>{E::guided, "guided", "moves across, does not turn"},
+      ChoiceName<E>{E::free, "free", "free"},       ChoiceName<E>{E::elastic, "elastic", "held by springs"}};
 }
 
 constexpr auto choices_of(EffectiveLength::Frame) {

@@ -53,6 +53,7 @@ struct ThickSphere {
   Principal operator()(Stress p_i, Length R_i, Length R_a, Tracer& trace) const {
     STEP(sigma_t, p_i * (pow<3>(R_a) + 2.0 * pow<3>(R_i)) / (2.0 * (pow<3>(R_a) - pow<3>(R_i))),
          "stress inside, alike in all directions of the wall, [Lame]");
+    trace.step("sigma_z", "sigma_t", "along the meridian too", sigma_t);
     return {sigma_t, sigma_t};
   }
 };

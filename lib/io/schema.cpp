@@ -1,3 +1,4 @@
+#include "lib/choice_words.hpp"
 #include "lib/io/json.hpp"
 #include "lib/io/json_text.hpp"
 
@@ -32,7 +33,7 @@ json::object quantity(const FieldInfo& field) {
 
 json::object choice(const FieldInfo& field) {
   json::array words;
-  for (const ChoiceInfo& c : field.choices) words.emplace_back(c.key);
+  for (std::string& word : words_to_type(field)) words.emplace_back(std::move(word));
   return {{"enum", std::move(words)}};
 }
 

@@ -1,3 +1,4 @@
+#include "lib/choice_words.hpp"
 #include "lib/project/reader.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"
@@ -140,15 +141,15 @@ void Reader::read_count(const Tree& tree, const FieldInfo& field, void* owner, c
 }
 
 void Reader::read_choice(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
-  std::vector<std::string> words;
-  for (const ChoiceInfo& c : field.choices) words.emplace_back(c.key);
-  const auto found = std::find(words.begin(), words.end(), tree.text);
-  if (tree.type != Tree::Type::text || found == words.end()) {
+  const std::vector<std::string> words = words_to_type(field);
+  if (tree.type != Tree::Type::text || std::find(words.begin(), words.end(), tree.text) == words.end()) {
     const std::string written =
         tree.type == Tree::Type::text ? "'" + tree.text + "'" : std::string(io::word_for(tree.type));
     return say_at(tree.place, path, say("{1} is none of the words for '{2}'", written, path), one_of(tree.text, words));
   }
-  field.set(owner, static_cast<double>(found - words.begin()));
+  const auto found =
+      std::find_if(field.choices.begin(), field.choices.end(), [&](const ChoiceInfo& c) { return tree.text == c.key; });
+  field.set(owner, static_cast<double>(found - field.choices.begin()));
 }
 
 void Reader::read_name(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {

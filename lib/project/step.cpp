@@ -114,7 +114,7 @@ std::vector<Entry> input_entries(const Record& record,
     if (field.type == FieldInfo::Type::choice) entry.word = field.choices[static_cast<std::size_t>(leaf.get())].key;
     entry.is_factor = field.is_factor;
     if (field.get != nullptr) entry.value.si = {leaf.get()};
-    const bool unnamed = is_text && entry.word.empty();
+    const bool unnamed = (is_text || field.type == FieldInfo::Type::choice) && entry.word.empty();
     const bool open = field.type == FieldInfo::Type::quantity && entry.origin.text.empty();
     if (!unnamed && !open) entries.push_back(std::move(entry));
   });

@@ -257,7 +257,7 @@ TEST_SUITE("column buckling") {
           Row{"section = \"L 50x50x5\"", "angle", 0.34, 0.34},
           Row{"section = \"RHS 60x40x3\"", "hot_hollow", 0.21, 0.21},
           Row{"section = \"RHS 60x40x3\"\nkind = \"cold_hollow\"", "cold_hollow", 0.49, 0.49},
-          Row{"section = \"CHS 60.3x3\"", "unsaid", NAN, NAN}}) {
+          Row{"section = \"CHS 60.3x3\"", "", NAN, NAN}}) {
       CAPTURE(row.lines);
       std::vector<Issue> issues;
       const auto project = solved(
@@ -268,8 +268,7 @@ TEST_SUITE("column buckling") {
       CHECK(issues.empty());
       const auto& inputs = project.find("bar")->account().inputs;
       const auto kind = std::find_if(inputs.begin(), inputs.end(), [](const auto& e) { return e.path == "kind"; });
-      REQUIRE(kind != inputs.end());
-      CHECK(kind->word == row.kind);
+      CHECK((kind == inputs.end() ? "" : kind->word) == row.kind);  // what is not said is not shown
       if (std::isnan(row.alpha_y)) {
         CHECK(std::isnan(project.value("bar.axes.y.alpha")->si[0]));
       } else {

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <string_view>
 
@@ -28,60 +28,98 @@ double whole(double value, int power) {
   return static_cast<double>(static_cast<std::int64_t>(multiple + std::copysign(0.5, multiple)));
 }
 
-/// Digits as they are written, with room for a sign and zeros in front, and for a point and zeros behind.
+constexpr std::array<char, 200> pairs = [] {
+  std::array<char, 200> digits{};
+  for (std::size_t n = 0; n < 100; ++n) {
+    digits[2 * n] = static_cast<char>('0' + n / 10);
+    digits[2 * n + 1] = static_cast<char>('0' + n % 10);
+  }
+  return digits;
+}();
+
+/// Digits that are written from the last to the first.
 class Digits {
  public:
-  explicit Digits(std::uint64_t number) : end_(std::to_chars(first_, text_.data() + text_.size(), number).ptr) {}
-
-  /// Times 10^power: with a point, or with an exponent where that would take too many zeros.
-  void place(int power) {
-    const auto before = static_cast<int>(end_ - first_) + power;  // digits before the point
-    if (before < -3 || before > 15) {
-      raise(before - 1);
-    } else if (before <= 0) {
-      first_ -= 2 - before;
-      std::fill_n(first_, 2 - before, '0');
-      first_[1] = '.';
-    } else if (power < 0) {
-      put_point(before);
-    } else {
-      end_ = std::fill_n(end_, power, '0');
-    }
+  /// The last `count` digits of a number, with zeros in front where it has fewer; what is left of it.
+  std::uint64_t put(std::uint64_t number, int count) {
+    for (; count > 1; count -= 2, number /= 100) put_pair(number % 100);
+    if (count == 0) return number;
+    *--first_ = static_cast<char>('0' + number % 10);
+    return number / 10;
   }
-  void put_sign() { *--first_ = '-'; }
+  void put(std::uint64_t number) {
+    for (; number >= 100; number /= 100) put_pair(number % 100);
+    if (number >= 10) return put_pair(number);
+    *--first_ = static_cast<char>('0' + number);
+  }
+  void put(char sign) { *--first_ = sign; }
+  /// Zeros behind a point say nothing, nor does the point without them.
+  void cut_zeros() {
+    while (end_[-1] == '0') --end_;
+    if (end_[-1] == '.') --end_;
+  }
   [[nodiscard]] std::string_view text() const { return {first_, static_cast<std::size_t>(end_ - first_)}; }
 
  private:
-  void put_point(int before) {
-    std::copy_backward(first_ + before, end_, end_ + 1);
-    first_[before] = '.';
-    ++end_;
-  }
-  void raise(int exponent) {
-    if (end_ - first_ > 1) put_point(1);
-    *end_++ = 'e';
-    *end_++ = exponent < 0 ? '-' : '+';
-    if (std::abs(exponent) < 10) *end_++ = '0';
-    end_ = std::to_chars(end_, text_.data() + text_.size(), std::abs(exponent)).ptr;
+  void put_pair(std::uint64_t number) {
+    first_ -= 2;
+    std::memcpy(first_, pairs.data() + 2 * number, 2);
   }
 
-  std::array<char, 48> text_{};
-  char* first_ = text_.data() + 8;
-  char* end_;
+  std::array<char, 48> text_;  // filled from its end
+  char* first_ = text_.data() + text_.size();
+  char* end_ = first_;
 };
 
-/// `number`, whole and below `most`, times 10^power.
-void append_multiple(double number, int power, std::string& text) {
-  auto left = static_cast<std::uint64_t>(std::abs(number));
-  if (left == 0) {
-    text += '0';
-    return;
-  }
-  for (; left % 10 == 0; left /= 10) ++power;
-  Digits digits(left);
-  digits.place(power);
-  if (number < 0.0) digits.put_sign();
+/// With a point in front of the last digits, which leave zeros out.
+void append_with_point(std::uint64_t number, int behind, bool negative, std::string& text) {
+  Digits digits;
+  const std::uint64_t whole_part = digits.put(number, behind);
+  digits.put('.');
+  digits.put(whole_part);
+  if (negative) digits.put('-');
+  digits.cut_zeros();
   text += digits.text();
+}
+
+void append_whole(std::uint64_t number, int zeros, bool negative, std::string& text) {
+  Digits digits;
+  digits.put(0, zeros);
+  digits.put(number);
+  if (negative) digits.put('-');
+  text += digits.text();
+}
+
+/// "1.25e-07", as the standard library writes it: where a point would take too many zeros.
+void append_with_exponent(std::uint64_t number, int power, bool negative, std::string& text) {
+  for (; number % 10 == 0; number /= 10) ++power;
+  Digits digits;
+  int behind = 0;
+  for (std::uint64_t left = number; left >= 10; left /= 10) ++behind;
+  const int exponent = power + behind;
+  digits.put(static_cast<std::uint64_t>(std::abs(exponent)), std::abs(exponent) < 100 ? 2 : 3);
+  digits.put(exponent < 0 ? '-' : '+');
+  digits.put('e');
+  const std::uint64_t first = digits.put(number, behind);
+  if (behind > 0) digits.put('.');
+  digits.put(first);
+  if (negative) digits.put('-');
+  text += digits.text();
+}
+
+/// `number`, whole and below `most`, times 10^power. With an exponent from 10^15 on, and below 10^-4.
+void append_multiple(double number, int power, std::string& text) {
+  const auto size = static_cast<std::uint64_t>(std::abs(number));
+  const double value = std::abs(number) * 1e4;
+  if (size == 0) {
+    text += '0';
+  } else if (power < 0 && power >= -18 && value >= powers[static_cast<std::size_t>(-power)]) {
+    append_with_point(size, -power, number < 0.0, text);
+  } else if (power >= 0 && power <= 15 && std::abs(number) < powers[static_cast<std::size_t>(15 - power)]) {
+    append_whole(size, power, number < 0.0, text);
+  } else {
+    append_with_exponent(size, power, number < 0.0, text);
+  }
 }
 
 /// A power of ten that is beyond all doubles stands for those beyond it, and for that of zero.

@@ -131,4 +131,26 @@ a.toml:5:27: error: 'axle' has no result 'd_mn'
       }
     }
   }
+
+  TEST_CASE("series that are not wanted have no values, and what other steps take of them is the same") {
+    const std::string text =
+        replaced(bar_that_cannot_turn(36), "positions = 36", "positions = 36, at = [\"30 deg\", \"60 deg\"]");
+    const std::string two =
+        replaced(text, "positions = 36, ", "") +
+        "[axle]\ncalculator = \"shaft.overhung\"\nF = \"=bar.joints.D.F\"\nT = \"=peak(bar.drive.M)\"\n"
+        "a = \"50 mm\"\nsigma_adm = \"60 MPa\"\n";
+    const auto all = solved(two);
+    std::vector<Issue> issues;
+    auto some = project::read_project(two, "a.toml", catalogue(), issues);
+    project::solve(some, issues, {.pictures = false, .series = project::SeriesChoice({"links.b.N"})});
+    CHECK(issues.empty());
+    const auto values = [](const project::Project& project, const std::string& path) {
+      const Value* value = project.value(path);
+      INFO(path);
+      REQUIRE(value != nullptr);
+      return value->si;
+    };
+    CHECK(some.value("bar.links.b.phi") == nullptr);
+    for (const char* path : {"bar.links.b.N", "axle.d_min", "axle.u_v"}) CHECK(values(some, path) == values(all, path));
+  }
 }

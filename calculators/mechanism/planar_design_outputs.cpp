@@ -16,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 
 namespace loadpath {
 
@@ -180,11 +181,15 @@ struct Machine {
     mechanism::Reduced reduced;  // of a machine that has a crank
     mechanism::Shaking shaking;  // of one that shakes
   };
-  [[nodiscard]] Now now(const Position& p) const {
-    Now all{&p, {}, {}};
-    if (cranked) all.reduced = reduction->find(p).value_or(mechanism::Reduced{none, none, none, none});
-    if (shakes(*this)) all.shaking = mechanism::shaking(*model, p, {});
+  [[nodiscard]] Now now(const Reached& reached) const {
+    Now all{&reached.at, {}, {}};
+    if (cranked) all.reduced = reduced(reached).value_or(mechanism::Reduced{none, none, none, none});
+    if (shakes(*this)) all.shaking = mechanism::shaking(*model, reached.at, {});
     return all;
+  }
+  [[nodiscard]] std::optional<mechanism::Reduced> reduced(const Reached& reached) const {
+    return reached.derivative == nullptr ? reduction->find(reached.at)
+                                         : reduction->find(reached.at, *reached.derivative);
   }
 };
 

@@ -15,59 +15,74 @@ namespace loadpath {
 namespace {
 
 using planar::named;
+using planar::row;
 
 using mechanism::Position;
+using mechanism::RelativeMotion;
 using mechanism::Stroke;
+using mechanism::Vec;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-struct Guided {
-  const char* path;
-  const char* doc;
-  const char* unit;
-  Dimension dimension;
-  double (*read)(const mechanism::RelativeMotion&);
+/// A slot or a slide.
+struct Guide {
+  std::string name;
+  mechanism::Joint joint;
+  [[nodiscard]] RelativeMotion now(const Position& p) const { return relative_motion(joint, p); }
 };
 
-const std::array<Guided, 4>& guided_rows() {
-  using mechanism::RelativeMotion;
-  static const std::array<Guided, 4> rows{
-      {{"joints.NAME.s", "place of the pin along the guide, from the second link's point", "mm", mm.dimension(),
-        [](const RelativeMotion& m) { return m.s; }},
-       {"joints.NAME.v_r", "relative velocity, along the guide", "m/s", m_per_s.dimension(),
-        [](const RelativeMotion& m) { return m.s_dot; }},
-       {"joints.NAME.a_r", "relative acceleration, along the guide", "m/s^2", m_per_s2.dimension(),
-        [](const RelativeMotion& m) { return m.s_ddot; }},
-       {"joints.NAME.a_C", "Coriolis acceleration, across the guide, positive to its left", "m/s^2",
-        m_per_s2.dimension(),
-        [](const RelativeMotion& m) { return mechanism::dot(m.a_C, mechanism::normal(m.along)); }}}};
-  return rows;
-}
+constexpr std::array guide_rows{
+    row<Guide>(
+        "joints.NAME.s", "place of the pin along the guide, from the second link's point", mm,
+        [](const Guide&, const RelativeMotion& m) { return m.s; }, nullptr, "slots and slides"),
+    row<Guide>(
+        "joints.NAME.v_r", "relative velocity, along the guide", m_per_s,
+        [](const Guide&, const RelativeMotion& m) { return m.s_dot; }, nullptr, "slots and slides"),
+    row<Guide>(
+        "joints.NAME.a_r", "relative acceleration, along the guide", m_per_s2,
+        [](const Guide&, const RelativeMotion& m) { return m.s_ddot; }, nullptr, "slots and slides"),
+    row<Guide>(
+        "joints.NAME.a_C", "Coriolis acceleration, across the guide, positive to its left", m_per_s2,
+        [](const Guide&, const RelativeMotion& m) { return mechanism::dot(m.a_C, mechanism::normal(m.along)); },
+        nullptr, "slots and slides")};
 
-struct Derivative {
-  const char* path;
-  const char* doc;
-  const char* unit;
-  Dimension dimension;
-  double (*of_link)(const Position&, std::size_t link);
-  double (*of_point)(const Position&, const TracedPoint&);
+/// A link's turning with the crank.
+struct TurnedLink {
+  std::string name;
+  std::size_t index;
+  [[nodiscard]] const Position* now(const Reached& reached) const { return reached.derivative; }
 };
 
-double derivative_x(const Position& p, const TracedPoint& t) { return motion_of(p, t.link, t.at).velocity.x; }
-double derivative_y(const Position& p, const TracedPoint& t) { return motion_of(p, t.link, t.at).velocity.y; }
+constexpr std::array turned_link_rows{
+    row<TurnedLink>(
+        "links.NAME.dphi", "first derivative of the angle with respect to the crank angle: omega over the crank's",
+        ratio,
+        [](const TurnedLink& l, const Position* const& d) { return d == nullptr ? none : d->velocity[l.index].phi; },
+        nullptr, "with a crank as the only drive"),
+    row<TurnedLink>(
+        "links.NAME.d2phi", "second derivative of the angle with respect to the crank angle", ratio,
+        [](const TurnedLink& l, const Position* const& d) {
+          return d == nullptr ? none : d->acceleration[l.index].phi;
+        },
+        nullptr, "with a crank as the only drive")};
 
-const std::array<Derivative, 4>& derivative_rows() {
-  static const std::array<Derivative, 4> rows{
-      {{"links.NAME.dphi", "first derivative of the angle with respect to the crank angle: omega over the crank's", "-",
-        ratio.dimension(), [](const Position& p, std::size_t k) { return p.velocity[k].phi; }, nullptr},
-       {"links.NAME.d2phi", "second derivative of the angle with respect to the crank angle", "-", ratio.dimension(),
-        [](const Position& p, std::size_t k) { return p.acceleration[k].phi; }, nullptr},
-       {"points.NAME.dx", "first derivative of x with respect to the crank angle, per rad", "mm", mm.dimension(),
-        nullptr, derivative_x},
-       {"points.NAME.dy", "first derivative of y with respect to the crank angle, per rad", "mm", mm.dimension(),
-        nullptr, derivative_y}}};
-  return rows;
-}
+/// A point's motion with the crank.
+struct CarriedPoint {
+  std::string name;
+  TracedPoint traced;
+  [[nodiscard]] Vec now(const Reached& reached) const {
+    if (reached.derivative == nullptr) return {none, none};
+    return motion_of(*reached.derivative, traced.link, traced.at).velocity;
+  }
+};
+
+constexpr std::array carried_point_rows{
+    row<CarriedPoint>(
+        "points.NAME.dx", "first derivative of x with respect to the crank angle, per rad", mm,
+        [](const CarriedPoint&, const Vec& d) { return d.x; }, nullptr, "with a crank as the only drive"),
+    row<CarriedPoint>(
+        "points.NAME.dy", "first derivative of y with respect to the crank angle, per rad", mm,
+        [](const CarriedPoint&, const Vec& d) { return d.y; }, nullptr, "with a crank as the only drive")};
 
 constexpr ResultPattern gamma_pattern{"joints.NAME.gamma", "deg", "transmission angle, 90 deg is best",
                                       "the inner joint of a dyad with two assemblies"};
@@ -75,18 +90,6 @@ constexpr ResultPattern swing_pattern{"links.NAME.swing", "deg", "angle between 
                                       "with one drive, over a cycle"};
 constexpr ResultPattern stroke_pattern{"joints.NAME.stroke", "mm", "way between the extreme places of the cycle",
                                        "slots and slides with one drive, over a cycle"};
-
-void add_guided(const mechanism::Joint& joint, std::vector<MechanismOutput>& out) {
-  for (const Guided& row : guided_rows()) {
-    out.push_back({named(row.path, joint.name),
-                   row.doc,
-                   row.unit,
-                   row.dimension,
-                   [joint, read = row.read](const Position& p) { return read(relative_motion(joint, p)); },
-                   {},
-                   false});
-  }
-}
 
 void add_transmission(const mechanism::Model& model, std::vector<MechanismOutput>& out) {
   mechanism::Model joints;  // the readers need no more of it
@@ -102,31 +105,6 @@ void add_transmission(const mechanism::Model& model, std::vector<MechanismOutput
                    read,
                    {},
                    false});
-  }
-}
-
-template <class Read>
-void add_derivative(const Derivative& row, const std::string& name, Read read, std::vector<MechanismOutput>& out) {
-  const auto over_cycle = [read](const Solved& solved) {
-    const Kinematics& kinematics = solved.kinematics;
-    std::vector<double> values;
-    for (std::size_t k = 0; k < kinematics.known.size(); ++k)
-      values.push_back(kinematics.known[k] ? read(kinematics.derivatives[k]) : none);
-    return values;
-  };
-  out.push_back({named(row.path, name), row.doc, row.unit, row.dimension, {}, over_cycle, false});
-}
-
-void add_derivatives(const PlanarMechanism::Input& in, const mechanism::Model& model,
-                     std::vector<MechanismOutput>& out) {
-  for (const Derivative& row : derivative_rows()) {
-    for (std::size_t k = 0; k < model.links.size() && row.of_link != nullptr; ++k)
-      add_derivative(
-          row, model.links[k].name, [k, read = row.of_link](const Position& p) { return read(p, k); }, out);
-    if (row.of_point == nullptr) continue;
-    for (const TracedPoint& point : traced_points(in))
-      add_derivative(
-          row, point.name, [point, read = row.of_point](const Position& p) { return read(p, point); }, out);
   }
 }
 
@@ -189,20 +167,25 @@ Kinematics kinematics_of(const mechanism::Model& model, const Cycle& cycle, cons
 void add_kinematic_outputs(const PlanarMechanism::Input& in, const mechanism::Model& model,
                            std::vector<MechanismOutput>& out) {
   for (const mechanism::Joint& joint : model.joints) {
-    if (is_guided(joint)) add_guided(joint, out);
+    if (is_guided(joint)) planar::add_outputs(Guide{joint.name, joint}, guide_rows, out);
   }
   add_transmission(model, out);
   if (model.drivers.size() != 1) return;
-  if (model.drivers[0].kind == mechanism::Driver::Kind::rotary) add_derivatives(in, model, out);
+  if (model.drivers[0].kind == mechanism::Driver::Kind::rotary) {
+    for (std::size_t k = 0; k < model.links.size(); ++k)
+      planar::add_outputs(TurnedLink{model.links[k].name, k}, turned_link_rows, out);
+    for (const TracedPoint& point : traced_points(in))
+      planar::add_outputs(CarriedPoint{point.name, point}, carried_point_rows, out);
+  }
   if (!axis_name(in).empty() && !has_law(in)) add_ranges(model, out);
 }
 
 std::vector<ResultPattern> kinematic_result_patterns() {
   std::vector<ResultPattern> patterns;
-  for (const Guided& row : guided_rows()) patterns.push_back({row.path, row.unit, row.doc, "slots and slides"});
+  planar::list_patterns(guide_rows, patterns);
   patterns.push_back(gamma_pattern);
-  for (const Derivative& row : derivative_rows())
-    patterns.push_back({row.path, row.unit, row.doc, "with a crank as the only drive"});
+  planar::list_patterns(turned_link_rows, patterns);
+  planar::list_patterns(carried_point_rows, patterns);
   patterns.push_back(swing_pattern);
   patterns.push_back(stroke_pattern);
   return patterns;

@@ -21,6 +21,11 @@ struct Kinematics {
   };
   std::vector<Iterated> iterated;
   std::vector<mechanism::Stroke> strokes;  // over the cycle
+
+  /// At a position; null where it is not known.
+  [[nodiscard]] const mechanism::Position* derivative(std::size_t k) const {
+    return k < known.size() && known[k] ? &derivatives[k] : nullptr;
+  }
 };
 
 /// `axis` is null where there is one position. `goes_by_drive`: it is the coordinate of the drive, not time; without it

@@ -34,11 +34,17 @@ struct Solved {
   const Balanced& balanced;
 };
 
+/// A position, and what mechanism::PositionFunctions derives there: null where that is not known.
+struct Reached {
+  const mechanism::Position& at;
+  const mechanism::Position* derivative;
+};
+
 /// How results are read off a position: those of one thing together, so that what they share is found once.
 struct Reading {
   struct Together {
     std::size_t count = 0;
-    std::function<void(const mechanism::Position&, std::span<double> values)> read;
+    std::function<void(const Reached&, std::span<double> values)> read;
   };
   std::shared_ptr<const Together> together;
   std::size_t place = 0;  // of this result among them
@@ -50,7 +56,7 @@ struct Reading {
   requires std::is_invocable_r_v<double, Read, const mechanism::Position&> Reading(
       Read read)  // NOLINT(google-explicit-constructor)
       : together(std::make_shared<const Together>(
-            Together{1, [read](const mechanism::Position& p, std::span<double> values) { values[0] = read(p); }})) {}
+            Together{1, [read](const Reached& reached, std::span<double> values) { values[0] = read(reached.at); }})) {}
 };
 
 struct MechanismOutput {

@@ -19,16 +19,17 @@ namespace loadpath::planar {
 /// What the rows of a thing are read off at a position: what its `now` makes of it, where it has one, once for all of
 /// them; else the position itself.
 template <class Thing>
-decltype(auto) now_of(const Thing& thing, const mechanism::Position& p) {
-  if constexpr (requires { thing.now(p); }) {
-    return thing.now(p);
+decltype(auto) now_of(const Thing& thing, const Reached& reached) {
+  if constexpr (requires { thing.now(reached); }) {
+    return thing.now(reached);
+  } else if constexpr (requires { thing.now(reached.at); }) {
+    return thing.now(reached.at);
   } else {
-    return (p);
+    return (reached.at);
   }
 }
 template <class Thing>
-using Now =
-    std::remove_cvref_t<decltype(now_of(std::declval<const Thing&>(), std::declval<const mechanism::Position&>()))>;
+using Now = std::remove_cvref_t<decltype(now_of(std::declval<const Thing&>(), std::declval<const Reached&>()))>;
 
 /// A path with NAME for the thing's own, and how the value is read off.
 template <class Thing>
@@ -58,8 +59,8 @@ void add_outputs(const Thing& thing, const std::array<Row<Thing>, Count>& rows, 
   std::vector<Row<Thing>> own;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
                [&](const Row<Thing>& r) { return r.has == nullptr || r.has(thing); });
-  const auto read = [thing, own](const mechanism::Position& p, std::span<double> values) {
-    const auto& now = now_of(thing, p);
+  const auto read = [thing, own](const Reached& reached, std::span<double> values) {
+    const auto& now = now_of(thing, reached);
     for (std::size_t n = 0; n < own.size(); ++n) values[n] = own[n].read(thing, now);
   };
   const auto together = std::make_shared<const Reading::Together>(Reading::Together{own.size(), read});

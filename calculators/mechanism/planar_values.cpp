@@ -1,6 +1,7 @@
 #include "calculators/mechanism/planar_values.hpp"
 
 #include "calculators/mechanism/planar_cycle.hpp"
+#include "calculators/mechanism/planar_kinematics.hpp"
 #include "calculators/mechanism/planar_missing.hpp"
 #include "calculators/mechanism/planar_rounding.hpp"
 
@@ -18,7 +19,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// What is read off the positions of a cycle, thing by thing: results of one thing follow one another.
 class Columns {
  public:
-  explicit Columns(const Cycle& cycle) : cycle_(cycle) {}
+  explicit Columns(const Solved& solved) : cycle_(solved.cycle), kinematics_(solved.kinematics) {}
 
   /// One value for every position; none where the mechanism does not close. Each is taken once.
   std::vector<double> take(const Reading& reading) {
@@ -34,12 +35,13 @@ class Columns {
     values_.resize(together.count);
     for (std::size_t k = 0; k < positions; ++k) {
       if (!cycle_.closed[k]) continue;
-      together.read(cycle_.positions[k], values_);
+      together.read({cycle_.positions[k], kinematics_.derivative(k)}, values_);
       for (std::size_t n = 0; n < together.count; ++n) columns_[n][k] = values_[n];
     }
   }
 
   const Cycle& cycle_;
+  const Kinematics& kinematics_;
   const Reading::Together* of_ = nullptr;
   std::vector<std::vector<double>> columns_;
   std::vector<double> values_;  // of all at one position
@@ -73,7 +75,7 @@ const MechanismOutput& same_of(const std::vector<MechanismOutput>& outputs, cons
 void fill_results(const PlanarMechanism::Input& in, const mechanism::Model& model,
                   const std::vector<MechanismOutput>& told, const std::vector<MechanismOutput>& read,
                   const Solved& solved, const Axis* axis, const Wants& wants, project::Account& account) {
-  Columns columns(solved.cycle);
+  Columns columns(solved);
   const auto needed = [&](const MechanismOutput& output) {
     return axis == nullptr || output.is_single || wants(output.path) || is_read_by_others(output.path, told);
   };

@@ -23,24 +23,28 @@ std::optional<Vec> line_through_centre(const Link& link, Vec a, Vec b) {
 
 }  // namespace
 
-Reduction::Reduction(const Model& model) : instant_(model), functions_(model), unit_(blank_position(model)) {}
+Reduction::Reduction(const Model& model) : instant_(model), functions_(model), derivative_(blank_position(model)) {}
 
 std::optional<Reduced> Reduction::find(const Position& at, std::size_t driver) {
-  unit_ = at;
-  if (!functions_.derive(unit_, driver)) return std::nullopt;
+  derivative_ = at;
+  if (!functions_.derive(derivative_, driver)) return std::nullopt;
+  return find(at, derivative_);
+}
+
+Reduced Reduction::find(const Position& at, const Position& derivative) {
   instant_.take_forces(at, true);
   Reduced reduced;
   for (std::size_t k = 0; k < at.pose.size(); ++k) {
     const Link& link = instant_.model().links[k];
     const Vec arm = turn(at.pose[k].phi)(link.centre);
-    const Pose &v = unit_.velocity[k], &a = unit_.acceleration[k];
+    const Pose &v = derivative.velocity[k], &a = derivative.acceleration[k];
     const Vec speed = point_velocity(v, arm);
     reduced.inertia += link.mass * dot(speed, speed) + link.inertia * v.phi * v.phi;
     reduced.derivative +=
         2.0 * (link.mass * dot(speed, point_acceleration(a, v.phi, arm)) + link.inertia * v.phi * a.phi);
   }
-  for (const ActiveForce& force : instant_.external()) reduced.moment += power(force, unit_.velocity[force.link]);
-  for (const ActiveForce& force : instant_.induced()) reduced.induced += power(force, unit_.velocity[force.link]);
+  for (const ActiveForce& force : instant_.external()) reduced.moment += power(force, derivative.velocity[force.link]);
+  for (const ActiveForce& force : instant_.induced()) reduced.induced += power(force, derivative.velocity[force.link]);
   return reduced;
 }
 

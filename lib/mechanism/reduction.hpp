@@ -34,11 +34,13 @@ class Reduction {
   /// At a position, of which poses count, and for what is induced the reactions. Nothing where the drive cannot move
   /// the mechanism, at a dead point. Takes no memory.
   [[nodiscard]] std::optional<Reduced> find(const Position& at, std::size_t driver = 0);
+  /// The same where it is known how the drive moves the mechanism, as PositionFunctions derives it.
+  [[nodiscard]] Reduced find(const Position& at, const Position& derivative);
 
  private:
   Instant instant_;
   PositionFunctions functions_;
-  Position unit_;  // as the drive moves it at a speed of 1 rad/s or 1 m/s, kept
+  Position derivative_;  // kept
 };
 
 struct PointMass {

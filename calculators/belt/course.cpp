@@ -1,6 +1,7 @@
 #include "calculators/belt/course.hpp"
 
 #include "lib/calculator_of.hpp"
+#include "lib/project/calculator_step.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -262,6 +263,14 @@ std::vector<draw::Figure> BeltCourse::figures(const Input& in, const Result& r) 
   return {{"course", "The belt to scale, with the loads of the shafts", std::move(drive)}};
 }
 
-template const Calculator& erased<BeltCourse>();
+template <>
+const Calculator& erased<BeltCourse>() {
+  static const Calculator calculator = [] {
+    Calculator c = calculator_of<BeltCourse>();
+    c.make_step = &project::make_single_step;
+    return c;
+  }();
+  return calculator;
+}
 
 }  // namespace loadpath

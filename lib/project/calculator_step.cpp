@@ -28,7 +28,7 @@ std::string head(std::string_view path) { return std::string(path.substr(0, path
 }  // namespace
 
 void CalculatorStep::prepare(const Declared& declared, const Companions& companions, std::vector<Issue>& issues) {
-  axis_ = check_operands(input().reading, name(), true, declared, issues);
+  axis_ = check_operands(input().reading, name(), takes_series(), declared, issues);
   provided_ = find_provided(input(), companions, issues);
   find_searches(issues);
   check_rules_of_literals(issues);
@@ -168,6 +168,20 @@ void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector
   run.evaluate();
   run.fill(wanted.pictures, own_account());
 }
+
+namespace {
+
+class SingleStep : public CalculatorStep {
+ public:
+  using CalculatorStep::CalculatorStep;
+
+ protected:
+  [[nodiscard]] bool takes_series() const override { return false; }
+};
+
+}  // namespace
+
+std::unique_ptr<Step> make_single_step(StepInput&& input) { return std::make_unique<SingleStep>(std::move(input)); }
 
 std::unique_ptr<Step> make_calculator_step(StepInput&& input) {
   return std::make_unique<CalculatorStep>(std::move(input));

@@ -24,6 +24,10 @@ class CalculatorStep : public Step {
   /// typed.
   [[nodiscard]] Issue broken_rule(std::size_t rule, const Record& record) const;
 
+ protected:
+  /// Whether an input may be a series.
+  [[nodiscard]] virtual bool takes_series() const { return true; }
+
  private:
   [[nodiscard]] const Provided* lacking_row(std::size_t rule, const Record& record) const;
   void find_searches(std::vector<Issue>& issues);
@@ -36,5 +40,9 @@ class CalculatorStep : public Step {
   std::vector<Provided> provided_;
   std::vector<Search> searches_;
 };
+
+/// Of a calculator that decides on one thing for all its loads, a belt and its tension, a section: at every position of
+/// a cycle it would find another. It takes no series.
+std::unique_ptr<Step> make_single_step(StepInput&& input);
 
 }  // namespace loadpath::project

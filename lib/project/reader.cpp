@@ -101,6 +101,7 @@ static bool is_missing(const FieldInfo& field, void* owner) {
     case Type::list:
       return field.size(owner) == 0;
     case Type::count:
+      return !field.bounds.holds(field.get(owner));
     case Type::choice:
     case Type::group:
       return false;

@@ -106,14 +106,17 @@ bool Run::check_rules(std::vector<Issue>& issues) {
 
 bool Run::provide(double size) {
   missing_ = {};
+  lacks_needed_ = false;
   for (const Provided& provided : step_.provided()) {
     if (provided.row.empty()) continue;
     const Lookup found = look_up(provided, size);
     map_leaf(provided.path).set(found.si);
     origins_[provided.path] = {say("{1}", provided.row), found.sources, found.recalled};
-    if (std::isnan(found.si)) missing_ = found.reason;
+    if (!std::isnan(found.si)) continue;
+    missing_ = found.reason;
+    lacks_needed_ = lacks_needed_ || !provided.leaf.field->optional;
   }
-  return missing_.empty();
+  return !lacks_needed_;
 }
 
 const char* Run::size_field() const {
@@ -156,92 +159,9 @@ double Run::largest_result(const FieldInfo& field) {
   return axis_ == nullptr ? column.si[0] : maximum(column).value;
 }
 
-bool Run::is_asked(const FieldInfo& check) const {
-  std::string_view inputs = check.asked_by;
-  if (inputs.empty()) return true;
-  while (!inputs.empty()) {
-    const std::size_t comma = std::min(inputs.find(", "), inputs.size());
-    const Leaf asking = map_leaf(std::string(inputs.substr(0, comma)));
-    if (asking && !std::isnan(asking.get())) return true;
-    inputs.remove_prefix(std::min(comma + 2, inputs.size()));
-  }
-  return false;
-}
-
-bool Run::passes() {
-  if (!settle_sizes()) return false;
-  return std::all_of(calculator_.result->fields.begin(), calculator_.result->fields.end(), [&](const FieldInfo& f) {
-    if (f.role != Role::check || !is_asked(f)) return true;
-    const double largest = largest_result(f);
-    return largest <= 1.0 || (f.where_set && std::isnan(largest));
-  });
-}
-
-/// What the sizing run has found for inputs that were left open and stay as they are when the size is rounded up.
-void Run::keep_sizing_results(const std::string& searched) {
-  for (const FieldInfo& field : calculator_.input->fields) {
-    const Leaf leaf = map_leaf(field.key);
-    const FieldInfo* result = find_field(calculator_.result->fields, field.key);
-    if (!field.kept || result == nullptr || !std::isnan(leaf.get())) continue;
-    const double si = largest_result(*result);
-    if (std::isnan(si) || si == 0.0) continue;
-    leaf.set(si);
-    origins_[field.key] = {say("of the least {1}, kept when it is rounded up", searched), {}, false};
-  }
-}
-
-bool Run::is_any_asked() const {
-  const auto& fields = calculator_.result->fields;
-  return std::any_of(fields.begin(), fields.end(),
-                     [&](const FieldInfo& f) { return f.role == Role::check && is_asked(f); });
-}
-
-/// A search without a check; its hint names what asks for one.
-Issue Run::aimless(const Search& wanted) const {
-  std::vector<std::string> asking;
-  for (const FieldInfo& f : calculator_.result->fields) {
-    if (f.role != Role::check || *f.asked_by == '\0') continue;
-    if (std::find(asking.begin(), asking.end(), f.asked_by) == asking.end()) asking.emplace_back(f.asked_by);
-  }
-  std::string names;
-  for (const std::string& inputs : asking) names += ", " + inputs;
-  return issue_at(
-      step_.input(), wanted.path, say("nothing tells how large '{1}' must be: no check is asked for", wanted.path),
-      say("give {1} itself, or what a check needs: {2}", wanted.path, names.empty() ? "" : names.substr(2)));
-}
-
-bool Run::search(std::vector<Issue>& issues) {
-  if (step_.searches().empty()) return true;
-  const Search& wanted = step_.searches().front();
-  const Leaf leaf = map_leaf(wanted.path);
-  settle_sizes();
-  const FieldInfo* result = find_field(calculator_.result->fields, wanted.path);
-  const double least = result == nullptr ? nan : largest_result(*result);
-  if (result != nullptr && std::isnan(least)) return true;  // not even a least size: the checks say why
-  if (result == nullptr && !is_any_asked()) {
-    issues.push_back(aimless(wanted));
-    return false;
-  }
-  keep_sizing_results(wanted.path);
-  const std::vector<double> stock = stock_values(wanted.stock);
-  auto candidate =
-      std::isnan(least) ? stock.begin() : std::lower_bound(stock.begin(), stock.end(), least * (1.0 - 1e-12));
-  for (; candidate != stock.end(); ++candidate) {
-    if (!wanted.leaf.field->bounds.holds(*candidate)) continue;
-    leaf.set(*candidate);
-    if (passes() || !missing_.empty()) break;
-  }
-  if (candidate == stock.end() && !stock.empty()) leaf.set(stock.back());
-  Message found = say("smallest of {1} that passes every check", wanted.stock);
-  if (!missing_.empty()) found = say("first of {1} for which a value is missing", wanted.stock);
-  if (candidate == stock.end()) found = say("largest of {1}; none passes", wanted.stock);
-  origins_[wanted.path] = stock_origin(wanted.stock, std::move(found));
-  return true;
-}
-
 void Run::evaluate() {
   settle_sizes();
-  if (!missing_.empty()) return;
+  if (lacks_needed_) return;
   columns_.clear();
   std::vector<std::size_t> shape;  // of the result that the columns stand for
   for (std::size_t i = 0; i < positions(); ++i) {

@@ -15,8 +15,8 @@ class Run {
   bool evaluate_operands(std::vector<Issue>& issues);
   /// The rules between inputs, at every position.
   bool check_rules(std::vector<Issue>& issues);
-  /// Sets the leaf that is searched for to the smallest value of its stock that passes every check at every position. An
-  /// issue where no check is asked for, so that any value would pass.
+  /// Sets the leaf that is searched for to the smallest value of its stock that passes every check at every position.
+  /// An issue where no check is asked for, so that any value would pass.
   bool search(std::vector<Issue>& issues);
   /// All results at all positions.
   void evaluate();
@@ -51,9 +51,13 @@ class Run {
   /// The largest value of a result over the positions, refined between them; NaN where one is not available.
   double largest_result(const FieldInfo& field);
   [[nodiscard]] bool is_asked(const FieldInfo& check) const;
+  [[nodiscard]] bool names_row_for(const std::string& input) const;
   [[nodiscard]] bool is_any_asked() const;
   [[nodiscard]] Issue aimless(const Search& wanted) const;
   bool passes();
+  bool is_covered();
+  std::vector<double>::const_iterator first_that_passes(const std::vector<double>& values, double least,
+                                                        const Leaf& leaf, bool covered);
   void keep_sizing_results(const std::string& searched);
   [[nodiscard]] Leaf map_leaf(const std::string& path) const { return find_leaf(record_, path); }
 
@@ -79,6 +83,7 @@ class Run {
   std::vector<Input> inputs_;
   std::map<std::string, Origin> origins_;  // of provided, kept and searched leaves
   Message missing_;                        // why a table's value is not available
+  bool lacks_needed_ = false;              // such a value, and the calculator needs it
   std::vector<Column> columns_;
   std::vector<std::size_t> order_;  // of columns, for a walk over the result
   Trace trace_;

@@ -104,11 +104,14 @@ report::Verdict Run::check_verdict(const Column& column) const {
   v.meaning = say(column.field->doc);
   v.bound = say("passes at 1 or less");
   v.value = report::Quantity{largest.value, "-", 4};
-  v.state = std::isnan(largest.value)         ? report::State::not_available
+  const bool beyond_table = std::isnan(largest.value) && !missing_.empty();
+  v.state = beyond_table                      ? report::State::not_covered
+            : std::isnan(largest.value)       ? report::State::not_available
+            : largest.value < -rounding       ? report::State::not_covered  // no utilisation is negative
             : largest.value <= 1.0 + rounding ? report::State::pass
                                               : report::State::fail;
   if (std::isnan(largest.value))
-    v.note = missing_input();
+    v.note = missing_.empty() ? missing_input() : missing_;
   else
     v.utilisation = largest.value;
   if (axis_ != nullptr && v.utilisation) v.note = at_place(largest, *axis_);

@@ -3,17 +3,36 @@
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace loadpath::project {
 
 std::vector<std::string> Step::companions_of(const std::string&) const { return {}; }
 
+namespace {
+
+/// "pulleys[3].R": element 3 of a list whose elements have names, "pulleys.pump.R"; nothing where it is no such path.
+const Entry* numbered_entry(const std::vector<Entry>& entries, std::string_view path) {
+  const std::size_t open = path.find('['), close = path.find("].", open);
+  if (close == std::string_view::npos) return nullptr;
+  std::size_t left = 0;
+  std::from_chars(path.data() + open + 1, path.data() + close, left);
+  const std::string list = std::string(path.substr(0, open)) + ".";
+  const std::string_view field = path.substr(close + 1);
+  for (const Entry& e : entries) {
+    if (e.path.starts_with(list) && e.path.ends_with(field) && left-- == 1) return &e;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
 const Value* Step::value(const std::string& path) const {
   for (const auto* entries : {&account_.results, &account_.inputs}) {
-    for (const Entry& e : *entries) {
-      if (e.path == path && !e.value.si.empty()) return &e.value;
-    }
+    const auto same = std::find_if(entries->begin(), entries->end(), [&](const Entry& e) { return e.path == path; });
+    const Entry* found = same == entries->end() ? numbered_entry(*entries, path) : &*same;
+    if (found != nullptr && !found->value.si.empty()) return &found->value;
   }
   return nullptr;
 }

@@ -186,8 +186,9 @@ std::vector<Table> list_tables(const std::vector<Entry>& entries) {
       column = columns.insert(columns.end(), path->field);
     }
     auto& row = table.rows.back();
-    row.resize(std::max(row.size(), static_cast<std::size_t>(column - columns.begin()) + 1), std::string());
-    row.push_back(cell_of(e));
+    const auto place = static_cast<std::size_t>(column - columns.begin()) + 1;
+    row.resize(std::max(row.size(), place + 1), std::string());
+    row[place] = cell_of(e);
     list = path->list;
     element = path->element;
   }

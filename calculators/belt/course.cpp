@@ -14,6 +14,9 @@ namespace {
 using belt::Circle;
 using belt::Flaw;
 using belt::Loop;
+using std::cos;
+using std::log;
+using std::sin;
 using Input = BeltCourse::Input;
 using Result = BeltCourse::Result;
 using Pulley = BeltCourse::Pulley;
@@ -73,8 +76,8 @@ Force least_pressing(const Input& in, const Loop& loop, const List<Force, belt::
   const std::size_t count = in.pulleys.size();
   for (std::size_t k = 0; k < count; ++k) {
     const Force before = k == 0 ? taken.back() : taken[k - 1], behind = taken[k];
-    const double m = std::exp(in.mu * loop.wraps[k]);
-    least = max(least, (max(before, behind) - m * min(before, behind)) / (m - 1.0));
+    const double part = std::exp(-in.mu * loop.wraps[k]);
+    least = max(least, (part * max(before, behind) - min(before, behind)) / (1.0 - part));
   }
   return least;
 }
@@ -112,14 +115,22 @@ void turn(const Input& in, Result& r, Tracer& trace) {
 }
 
 /// Load of a shaft from the spans before and behind, without the centrifugal part, which does not press.
-void press(const Loop& loop, std::size_t k, Force N_before, Force N_behind, BeltCourse::PulleyResult& p) {
+template <class Tracer>
+void press(const Loop& loop, std::size_t k, Force N_before, Force N_behind, BeltCourse::PulleyResult& p,
+           Tracer& trace) {
   const std::size_t before = (k + loop.count - 1) % loop.count;
-  const double to = loop.spans[before].direction, from = loop.spans[k].direction;
-  p.R_x = N_behind * std::cos(from) - N_before * std::cos(to);
-  p.R_y = N_behind * std::sin(from) - N_before * std::sin(to);
-  p.R = sqrt(p.R_x * p.R_x + p.R_y * p.R_y);
-  const double share = N_behind / N_before;
-  if (share > 0.0) p.mu_req = std::abs(std::log(share)) / loop.wraps[k];
+  const double psi_in = loop.spans[before].direction, psi_out = loop.spans[k].direction, alpha = p.alpha;
+  trace.value("N_before", N_before, "what presses the pulley from the span before it, S - F_c");
+  trace.value("N_behind", N_behind, "and from the span behind it");
+  trace.value("psi_in", psi_in, "direction in which the belt comes, rad");
+  trace.value("psi_out", psi_out, "direction in which it leaves, rad");
+  STEP(R_x, N_behind * cos(psi_out) - N_before * cos(psi_in), "both spans pull the shaft, along x");
+  STEP(R_y, N_behind * sin(psi_out) - N_before * sin(psi_in), "along y");
+  STEP(R, sqrt(R_x * R_x + R_y * R_y), "load of the shaft");
+  p.R_x = R_x, p.R_y = R_y, p.R = R;
+  if (!(N_before > 0.0 * N && N_behind > 0.0 * N)) return;
+  STEP(mu_req, abs(log(static_cast<double>(N_behind / N_before))) / alpha, "friction that is used, [Shigley-17]");
+  p.mu_req = mu_req;
 }
 
 template <class Tracer>
@@ -151,12 +162,32 @@ void tighten(const Input& in, const Loop& loop, Result& r, Tracer& trace) {
     const auto F_k = taken[k];
     trace.value("F_k", F_k, "taken up to this pulley");
     STEP(S, S_0 + F_k, "tension behind it");
-    r.pulleys[k].S = S;
-    r.pulleys[k].T = sense_of(in, in.pulleys[k]) * (S - before) * in.pulleys[k].d / 2.0;
-    press(loop, k, before - F_c, S - F_c, r.pulleys[k]);
+    const auto S_before = before;
+    const auto d = in.pulleys[k].d;
+    const double turn = sense_of(in, in.pulleys[k]);
+    trace.value("S_before", S_before, "tension before it");
+    trace.value("d", d, "diameter");
+    trace.value("turn", turn, "+1 where it turns counter-clockwise");
+    STEP(T, turn * (S - S_before) * d / 2.0, "torque of the belt on it");
+    r.pulleys[k].S = S, r.pulleys[k].T = T;
+    press(loop, k, before - F_c, S - F_c, r.pulleys[k], trace);
     r.S_max = max(r.S_max, S), r.N_min = min(r.N_min, S - F_c);
   }
-  if (is_set(S_0_min)) r.u_S = NAMED_STEP("u_S", S_0_min / S_0, "friction condition");
+  if (!is_set(S_0_min)) return;
+  r.u_S = 1.0;  // the least tension, be there any
+  if (is_set(in.S_0)) r.u_S = NAMED_STEP("u_S", S_0_min / S_0, "friction condition");
+}
+
+FieldFault length_fault(const Input& in, const Circles& circles) {
+  const belt::Shift shift = shift_of(in, circles);
+  const std::string name = path_of(in, moving_one(in));
+  if (shift.longest == 0.0)
+    return {name, say("wherever '{1}' is along its direction, the belt does not run through these pulleys", name),
+            say("list the pulleys in the order in which the belt runs, and say which are outside of it")};
+  return {"L",
+          say("no place of '{1}' along its direction gives a belt of {2}", name, format_quantity(in_si(in.L), "mm")),
+          say("it gives belts from {1} to {2}", format_quantity(shift.shortest, "mm", 6),
+              format_quantity(shift.longest, "mm", 6))};
 }
 
 }  // namespace
@@ -179,9 +210,24 @@ FieldFault BeltCourse::wrong_tensioner(const Input& in) {
           say("leave out along of all but one")};
 }
 
-bool BeltCourse::powers_fit(const Input& in) {
-  const bool first = !in.pulleys.empty() && is_set(in.pulleys[0].P);
-  return !first && (is_set(in.n_1) || !(has_powers(in) || is_set(in.S_0)));
+bool BeltCourse::powers_fit(const Input& in) { return wrong_power(in).message.empty(); }
+
+FieldFault BeltCourse::wrong_power(const Input& in) {
+  if (in.pulleys.empty()) return {};
+  if (is_set(in.pulleys[0].P))
+    return {path_of(in, 0) + ".P", say("the first pulley drives, and gives what the others take"),
+            say("leave out its power")};
+  if (!has_powers(in) && !is_set(in.S_0)) return {};
+  if (!is_set(in.n_1))
+    return {"n_1", say("powers and tensions need the speed n_1"), say("give n_1, as in \"1450 rpm\"")};
+  if (!is_set(in.mu) && !is_set(in.S_0))
+    return {"mu", say("the tensions need the friction mu, or the tension S_0 of the slack span"), {}};
+  Power sum = 0.0 * W;
+  for (const Pulley& p : in.pulleys) sum += is_set(p.P) ? p.P : 0.0 * W;
+  if (sum < 0.0 * W)
+    return {"pulleys", say("the pulleys give more power than they take: the first one would be driven"),
+            say("put the pulley that drives first")};
+  return {};
 }
 
 bool BeltCourse::closes(const Input& in) {
@@ -190,22 +236,13 @@ bool BeltCourse::closes(const Input& in) {
   return is_set(in.L) ? shift_of(in, circles).way.has_value() : belt::lay_loop(circles, turn_of(in)).flaw == Flaw::none;
 }
 
-static FieldFault length_fault(const Input& in, const Circles& circles) {
-  const belt::Shift shift = shift_of(in, circles);
-  const std::string name = path_of(in, moving_one(in));
-  if (shift.longest == 0.0)
-    return {name, say("wherever '{1}' is along its direction, the belt does not run through these pulleys", name),
-            say("list the pulleys in the order in which the belt runs, and say which are outside of it")};
-  return {"L",
-          say("no place of '{1}' along its direction gives a belt of {2}", name, format_quantity(in_si(in.L), "mm")),
-          say("it gives belts from {1} to {2}", format_quantity(shift.shortest, "mm", 6),
-              format_quantity(shift.longest, "mm", 6))};
-}
-
 FieldFault BeltCourse::flaw_of(const Input& in) {
   const Circles circles = circles_of(in);
   if (is_set(in.L)) return length_fault(in, circles);
   const Loop loop = belt::lay_loop(circles, turn_of(in));
+  if (belt::lay_loop(circles, -turn_of(in)).flaw == Flaw::none)
+    return {"turns", say("the pulleys are listed against the way the belt runs"),
+            say("turn the first one the other way: turns = \"{1}\"", in.turns == Turns::ccw ? "cw" : "ccw")};
   const std::string at = path_of(in, loop.at), other = path_of(in, loop.other);
   switch (loop.flaw) {
     case Flaw::touching:

@@ -84,7 +84,7 @@ pulleys = [
       Field{&Input::n_1, "n_1", rpm, "speed of the first pulley"}.positive().may_be_missing(),
       Field{&Input::mu, "mu", ratio,
             "coefficient of friction; of a V-belt mu / sin(phi/2), phi the angle of the groove"}
-          .positive()
+          .within(0.01, 10)
           .usually(0.1, 2)
           .may_be_missing(),
       Field{&Input::q, "q", kg_per_m, "mass of the belt per length"}.at_least(0).usually(0, 20),
@@ -145,6 +145,7 @@ pulleys = [
   static bool tensioner_fits(const Input& in);
   static FieldFault wrong_tensioner(const Input& in);
   static bool powers_fit(const Input& in);
+  static FieldFault wrong_power(const Input& in);
   static bool closes(const Input& in);
   static FieldFault flaw_of(const Input& in);
   static constexpr std::array rules{
@@ -153,8 +154,8 @@ pulleys = [
                   "the first pulley, which drives, is inside of the belt"},
       Rule<Input>{&tensioner_fits, "L, pulleys", "a length L needs one pulley that moves, and that one a length L",
                   &wrong_tensioner},
-      Rule<Input>{&powers_fit, "pulleys, n_1",
-                  "powers need the speed n_1; the first pulley gives what the others take"},
+      Rule<Input>{&powers_fit, "pulleys, n_1, mu, S_0",
+                  "powers need a speed and mu or S_0, and the first pulley drives", &wrong_power},
       Rule<Input>{&closes, "pulleys", "the belt does not run through these pulleys", &flaw_of}};
 
   template <class Tracer>

@@ -116,7 +116,9 @@ class Laying {
     for (std::size_t s = 0; s < count(); ++s) {
       for (std::size_t k = 0; k < count(); ++k) {
         if (k == s || k == next(s)) continue;
-        if (distance_to(loop_.spans[s], circles_[k].at) < circles_[k].radius) has_flaw(Flaw::through, s, k);
+        if (!(distance_to(loop_.spans[s], circles_[k].at) < circles_[k].radius)) continue;
+        has_flaw(Flaw::through, s, k);
+        return;
       }
     }
   }
@@ -124,7 +126,9 @@ class Laying {
   void find_crossings() {
     for (std::size_t a = 0; a < count(); ++a) {
       for (std::size_t b = a + 1; b < count(); ++b) {
-        if (intersect(loop_.spans[a], loop_.spans[b])) has_flaw(Flaw::crossing, a, b);
+        if (!intersect(loop_.spans[a], loop_.spans[b])) continue;
+        has_flaw(Flaw::crossing, a, b);
+        return;
       }
     }
   }
@@ -165,43 +169,91 @@ class Moved {
   Point start_, step_;
 };
 
+/// A way, and the length of the belt there.
+struct Sample {
+  double way = 0.0, length = 0.0;
+};
+
 /// Between two ways, of which one gives a longer and one a shorter belt.
-double bisect(Moved& loop, double length, double low, double high) {
-  const bool rises = *loop.length(high) > *loop.length(low);
+double bisect(Moved& loop, double length, Sample low, Sample high) {
+  const bool rises = high.length > low.length;
   for (int n = 0; n < 200; ++n) {
-    const double middle = 0.5 * (low + high);
+    const double middle = 0.5 * (low.way + high.way);
     const auto found = loop.length(middle);
-    if (middle == low || middle == high || !found) break;
-    ((*found < length) == rises ? low : high) = middle;
+    if (middle == low.way || middle == high.way || !found) break;
+    ((*found < length) == rises ? low : high) = {middle, *found};
   }
-  return 0.5 * (low + high);
+  return 0.5 * (low.way + high.way);
 }
+
+/// The last way without a flaw between one without and one with it.
+Sample border(Moved& loop, Sample clean, double flawed) {
+  for (int n = 0; n < 60; ++n) {
+    const double middle = 0.5 * (clean.way + flawed);
+    const auto found = loop.length(middle);
+    if (middle == clean.way || middle == flawed) break;
+    if (found) {
+      clean = {middle, *found};
+    } else {
+      flawed = middle;
+    }
+  }
+  return clean;
+}
+
+/// One direction of a pulley's way, step by step, until the belt has the length or runs into a pulley.
+class Walk {
+ public:
+  Walk(Moved& loop, double length, double step) : loop_(&loop), length_(length), step_(step) {}
+
+  /// The way, where the belt has its length within the next step.
+  std::optional<double> go_on(Shift& seen) {
+    if (blocked_) return {};
+    const double way = steps_++ * step_;
+    const auto found = loop_->length(way);
+    std::optional<double> there;
+    if (found) {
+      if (!before_ && steps_ > 1) see(border(*loop_, {way, *found}, way - step_), seen);
+      there = see({way, *found}, seen);
+    } else if (before_) {
+      there = see(border(*loop_, *before_, way), seen);
+      blocked_ = true;
+    }
+    return there;
+  }
+
+ private:
+  std::optional<double> see(Sample next, Shift& seen) {
+    seen.shortest = seen.longest == 0.0 ? next.length : std::min(seen.shortest, next.length);
+    seen.longest = std::max(seen.longest, next.length);
+    std::optional<double> there;
+    if (before_ && (next.length - length_) * (before_->length - length_) <= 0.0)
+      there = bisect(*loop_, length_, *before_, next);
+    before_ = next;
+    return there;
+  }
+
+  Moved* loop_;
+  double length_, step_;
+  int steps_ = 0;
+  std::optional<Sample> before_;
+  bool blocked_ = false;  // by a pulley, behind which there may be places again, but no way to them
+};
 
 }  // namespace
 
 Loop lay_loop(std::span<const Circle> circles, double turn) { return Laying(circles, turn).lay(); }
 
 Shift shift_for(double length, std::span<const Circle> circles, double turn, std::size_t moving, double direction) {
-  constexpr int steps = 2000;
+  constexpr int steps = 1000;
   Moved loop(circles, turn, moving, direction);
   const double step = std::max(2.0 * loop.farthest(), length) / steps;
+  std::array<Walk, 2> walks{Walk(loop, length, step), Walk(loop, length, -step)};
   Shift shift;
-  std::array<std::optional<double>, 2> before;  // length one step nearer, forth and back
-  const auto see = [&](double found) {
-    const bool first = shift.longest == 0.0;
-    shift.shortest = first ? found : std::min(shift.shortest, found);
-    shift.longest = std::max(shift.longest, found);
-  };
-  for (int n = 0; n <= steps; ++n) {
-    for (const std::size_t back : {std::size_t{0}, std::size_t{1}}) {
-      const double side = back == 0 ? 1.0 : -1.0, way = side * n * step;
-      const auto found = loop.length(way);
-      if (found) see(*found);
-      if (found && before[back] && (*found - length) * (*before[back] - length) <= 0.0) {
-        shift.way = bisect(loop, length, way - side * step, way);
-        return shift;
-      }
-      before[back] = found;
+  for (int n = 0; n <= steps && !shift.way; ++n) {
+    for (Walk& walk : walks) {
+      shift.way = walk.go_on(shift);
+      if (shift.way) break;
     }
   }
   return shift;

@@ -2,6 +2,7 @@
 
 #include "calculators/belt/geometry.hpp"
 #include "tests/calculators/belt/steps.hpp"
+#include "tests/lib/project/texts.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,6 +14,8 @@ namespace {
 
 using namespace loadpath;
 using test::BeltStep;
+using test::first_error;
+using test::replaced;
 using test::with;
 using Pulley = BeltCourse::Pulley;
 using Side = BeltCourse::Side;
@@ -146,6 +149,16 @@ TEST_SUITE("belt course") {
     CHECK(std::abs(in_mm(solve(in).s)) < 1e-6);
   }
 
+  TEST_CASE("a pulley moves no farther than to the next one, and just to it where the belt asks for that") {
+    auto in = around({pulley(0.0, 0.0, 100.0), pulley(0.0, 500.0, 100.0)});
+    in.pulleys[1].along = pi / 2.0;
+    in.L = (2.0 * 100.12 + 100.0 * pi) * mm;  // the pulleys all but touch
+    CHECK(in_mm(solve(in).s) == doctest::Approx(-399.88).epsilon(1e-9));
+    in.L = 510.0 * mm;  // shorter than that: no place behind the other pulley is taken
+    CHECK_FALSE(BeltCourse::closes(in));
+    CHECK(BeltCourse::flaw_of(in).hint.text().find("from 514.159 mm") != std::string::npos);
+  }
+
   TEST_CASE("what the belt cannot do is told with the pulleys at fault") {
     const auto says = [](const std::string& pulleys, const std::string& what) {
       const BeltStep step("calculator = \"belt.course\"\npulleys = [" + pulleys + "]\n");
@@ -164,13 +177,27 @@ TEST_SUITE("belt course") {
          "the belt does not reach 'pulleys.t'");
     says(a + c + b + d, "the belt would cross itself");
     says(a + ", { name = \"b\", x = \"500 mm\", y = \"0 mm\", d = \"100 mm\", P = \"1 kW\" }",
-         "powers need the speed n_1");
+         "powers and tensions need the speed n_1");
     says(a + b + ", { x = \"250 mm\", y = \"300 mm\", d = \"60 mm\", along = \"90 deg\" }",
          "this pulley moves, and the length of the belt is not given");
     says("{ x = \"0 mm\", y = \"0 mm\", d = \"100 mm\", side = \"outside\" }" + b,
          "the first pulley, which drives, is inside");
     CHECK(BeltStep(with(text, "L", "\"2200 mm\"")).says("it gives belts from 2295.4"));
     CHECK(BeltStep(text).issues.empty());
+    const BeltStep backwards("calculator = \"belt.course\"\nturns = \"cw\"\npulleys = [" + a + b + c + "]\n");
+    CHECK(backwards.says("turn the first one the other way: turns = \"ccw\""));
+    CHECK(BeltStep(with(text, "mu", "")).says("the tensions need the friction mu, or the tension S_0"));
+    CHECK(BeltStep(replaced(text, "P = \"4 kW\"", "P = \"-4 kW\"")).says("give more power than they take"));
+    CHECK(BeltStep(replaced(text, "d = \"160 mm\"", "d = \"160 mm\", P = \"1 kW\"")).says("the first pulley drives"));
+  }
+
+  TEST_CASE("one belt has one tension: a power over the turn is refused") {
+    const std::string press =
+        "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"40 mm\"\nl = \"150 mm\"\n"
+        "crank = { speed = \"60 rpm\", positions = 12 }\nlinks.slider.mass = \"5 kg\"\n";
+    const std::string belt = replaced(text, "P = \"4 kW\"", "P = \"=press.drive.P\"");
+    CHECK(first_error(press + "[drive_belt]\n" + belt).find("takes one value, and this is a series") !=
+          std::string::npos);
   }
 
   TEST_CASE("without mu the tension is as given; too little of it is not covered") {

@@ -153,4 +153,18 @@ a.toml:5:27: error: 'axle' has no result 'd_mn'
     CHECK(some.value("bar.links.b.phi") == nullptr);
     for (const char* path : {"bar.links.b.N", "axle.d_min", "axle.u_v"}) CHECK(values(some, path) == values(all, path));
   }
+
+  TEST_CASE("an element is known by its number where it has a name too") {
+    const auto project = solved(
+        "[course]\ncalculator = \"belt.course\"\npulleys = [{ name = \"a\", x = \"0 mm\", y = \"0 mm\", d = \"100 mm\" "
+        "}, "
+        "{ name = \"b\", x = \"500 mm\", y = \"0 mm\", d = \"200 mm\" }]\n");
+    CHECK(project.value("course.pulleys[2].alpha") == project.value("course.pulleys.b.alpha"));
+    CHECK(project.value("course.pulleys[3].alpha") == nullptr);
+  }
+
+  TEST_CASE("a number of teeth that is not given is missing") {
+    CHECK(first_error("[chain_1]\ncalculator = \"chain.roller\"\nchain = \"16B\"\nz_1 = 21\na = \"1 m\"\n") ==
+          "'z_2' is missing: teeth of the driven sprocket");
+  }
 }

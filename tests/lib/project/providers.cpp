@@ -82,4 +82,15 @@ TEST_SUITE("project providers") {
   | ^^^^^^^^
 )");
   }
+
+  TEST_CASE("a value that the row does not have at this size leaves the rest of the step as it is") {
+    const auto project = solved(
+        "[cycle]\ncalculator = \"fatigue.cycle\"\nsigma_max = \"180 MPa\"\nsigma_min = \"-60 MPa\"\n"
+        "material = \"S235JR\"\n");
+    CHECK(value(project, "cycle.sigma_m") == doctest::Approx(60e6));
+    const auto verdicts = project::verdicts(project);
+    REQUIRE(verdicts.size() == 1);
+    CHECK(verdicts[0].state == report::State::not_covered);
+    CHECK(verdicts[0].note.text().find("depends on the size") != std::string::npos);
+  }
 }

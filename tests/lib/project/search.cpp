@@ -70,4 +70,12 @@ TEST_SUITE("project search") {
 )");
     CHECK(told(pair + "m_n = \"2 mm\"\n").issues.empty());
   }
+
+  TEST_CASE("what passes beyond its formulas is not taken: the next size that they cover is") {
+    const auto project = solved(
+        "[pair]\ncalculator = \"gear.pair\"\nz_1 = 21\nz_2 = 60\na_w = \"122 mm\"\nT_1 = \"49.4 N*m\"\nb = \"40 mm\"\n"
+        "sigma_adm_1 = \"180 MPa\"\nsigma_adm_2 = \"160 MPa\"\n");
+    CHECK(value(project, "pair.m_n") == doctest::Approx(0.003));
+    CHECK(report::worst(project::verdicts(project)) == report::State::pass);
+  }
 }

@@ -172,19 +172,29 @@ int show_search(const Tables& chosen, const TablesOptions& options) {
   return show_found(chosen, table::search(chosen, condition, *order), columns_to_show(chosen, condition, *order));
 }
 
+int refuse_search(const std::string& what, const std::string& help) {
+  std::cerr << "loadpath: " << what << "\n  = help: " << help << "\n";
+  return wrong_input;
+}
+
+int search_tables(const TablesOptions& options) {
+  if (options.table.empty())
+    return refuse_search("--where and --sort search a table", "name it: loadpath tables sections --where ...");
+  const Tables chosen = table::tables_in(options.table);
+  if (chosen.empty())
+    return refuse_search("--where and --sort search tables, and '" + options.table + "' is none",
+                         "`loadpath tables` shows all");
+  if (options.key.empty()) return show_search(chosen, options);
+  const bool part = !table::tables_in(options.table + "/" + options.key).empty();
+  return refuse_search("a search is over all rows, and '" + options.key + "' would be one of them",
+                       part ? "search the part: loadpath tables " + options.table + "/" + options.key : "leave it out");
+}
+
 }  // namespace
 
 /// Tables are named whole ("materials/steel_aisi"), by their folder ("materials"), or a series by its own name ("R40").
 int tables(const TablesOptions& options) {
-  const bool searches = !options.where.empty() || !options.sort.empty();
-  if (searches && options.table.empty()) {
-    std::cerr
-        << "loadpath: --where and --sort search a table\n  = help: name it: loadpath tables sections --where ...\n";
-    return wrong_input;
-  }
-  if (searches) {
-    if (const Tables chosen = table::tables_in(options.table); !chosen.empty()) return show_search(chosen, options);
-  }
+  if (!options.where.empty() || !options.sort.empty()) return search_tables(options);
   const Library& library = table::active();
   if (options.audit) return show_audit(library);
   if (options.table.empty()) return show_index(library);

@@ -53,4 +53,12 @@ TEST_SUITE("cli tables") {
     CHECK(loadpath_with({"tables", "sections", "--sort", "mas"}).code == 2);
     CHECK(loadpath_with({"tables", "--where", "h > 1 mm"}).code == 2);
   }
+
+  TEST_CASE("a search of one row, or of what is no table, is refused") {
+    CHECK(loadpath_with({"tables", "sections", "hea", "--sort", "mass"}).error ==
+          "loadpath: a search is over all rows, and 'hea' would be one of them\n"
+          "  = help: search the part: loadpath tables sections/hea\n");
+    CHECK(loadpath_with({"tables", "sections", "HEB 200", "--where", "h > 300 mm"}).code == 2);
+    CHECK(contains(loadpath_with({"tables", "module", "--where", "m > 2 mm"}).error, "and 'module' is none"));
+  }
 }

@@ -127,8 +127,8 @@ void show_derivation(const project::Step& step) {
   const bool several = std::any_of(lines.begin(), lines.end(), [](const auto& d) { return d.scope.ends_with("[2]"); });
   std::vector<std::vector<std::string>> rows;
   rows.reserve(lines.size());
-  for (const auto& [scope, line] : lines) {
-    rows.push_back({"  " + (several && !scope.empty() ? scope + " " : "") + formula::symbol_plain(line.symbol) +
+  for (const auto& [scope, line, element] : lines) {
+    rows.push_back({"  " + (several && !scope.empty() ? element + " " : "") + formula::symbol_plain(line.symbol) +
                         (line.formula.empty() ? "" : " = " + plain_formula(line)),
                     "= " + format_quantity(line.value.si, line.value.unit), line.why.text()});
   }

@@ -87,7 +87,7 @@ void write_verdicts(const std::vector<report::Verdict>& list, JsonWriter& out) {
 
 void write_derivation(const std::vector<project::Derived>& lines, JsonWriter& out) {
   out.key("derivation").open_array();
-  for (const auto& [scope, step] : lines) {
+  for (const auto& [scope, step, element] : lines) {
     out.open_object();
     out.member("scope", scope);
     out.member("symbol", step.symbol);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace loadpath::project {
 
@@ -24,6 +25,19 @@ std::string unit_of(const Line& line, const Record& input, const Record& result)
     }
   }
   return readable_unit(line.si, line.dimension);
+}
+
+/// "methods[3]" as "methods.johnson", where the element has a name.
+std::string named_element(const std::string& scope, const Record& input, const Record& result) {
+  const std::size_t open = scope.find('['), close = scope.find(']');
+  if (open == std::string::npos || scope.find('.') < open) return scope;
+  const auto number = static_cast<std::size_t>(std::atoi(scope.c_str() + open + 1));
+  for (const Record* record : {&result, &input}) {
+    const FieldInfo* list = find_field(record->type->fields, scope.substr(0, open));
+    if (list == nullptr || list->type != FieldInfo::Type::list || number > list->size(record->data.get())) continue;
+    return scope.substr(0, open) + element_path(*list, record->data.get(), number - 1) + scope.substr(close + 1);
+  }
+  return scope;
 }
 
 void collect_names(const formula::Node& node, std::vector<std::string>& names) {
@@ -83,7 +97,8 @@ std::vector<Derived> derive(const Trace& trace, const Record& input, const Recor
   Names names(input, result);
   std::vector<Derived> derived;
   for (const Line& line : trace.lines()) {
-    derived.push_back({line.scope, step_of(line, names, unit_of(line, input, result))});
+    derived.push_back(
+        {line.scope, step_of(line, names, unit_of(line, input, result)), named_element(line.scope, input, result)});
     names.add(line);
   }
   return derived;

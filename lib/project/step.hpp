@@ -41,6 +41,7 @@ bool is_open(const Entry& entry);
 struct Derived {
   std::string scope;
   report::Step step;
+  std::string element = {};  // the scope by the element's name, where it has one: "methods.johnson"
 };
 
 /// What a solved step has to say. Reports, JSON, the terminal and `verify` are written from it.

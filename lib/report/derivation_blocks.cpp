@@ -34,13 +34,18 @@ Derivation worked(const Lines& lines) {
   return derivation;
 }
 
+/// Of an element within its list: its name, or its number in brackets.
+std::string name_of(const Derived& line) {
+  const std::string list = list_of(line.scope);
+  return line.element.substr(list.size() + (line.element[list.size()] == '.' ? 1 : 0));
+}
+
 Table values_of(const std::vector<Lines>& elements) {
   Table table;
   table.head.push_back(say("{1}", list_of(elements[0][0]->scope)));
   for (const Derived* line : elements[0]) table.head.push_back(say("{1}", line->step.symbol));
   for (const Lines& lines : elements) {
-    const std::string& scope = lines[0]->scope;
-    std::vector<Cell> row{scope.substr(scope.find('['))};
+    std::vector<Cell> row{name_of(*lines[0])};
     for (const Derived* line : lines) row.emplace_back(line->step.value);
     table.rows.push_back(std::move(row));
   }
@@ -52,7 +57,7 @@ void add_list(const std::vector<Lines>& elements, std::vector<Block>& blocks) {
       std::all_of(elements.begin(), elements.end(), [&](const Lines& l) { return same_formulas(l, elements[0]); });
   if (!alike || elements.size() == 1) {
     for (const Lines& lines : elements) {
-      if (elements.size() > 1) blocks.emplace_back(Paragraph{say("For {1}:", lines[0]->scope)});
+      if (elements.size() > 1) blocks.emplace_back(Paragraph{say("For {1}:", lines[0]->element)});
       blocks.emplace_back(worked(lines));
     }
     return;
@@ -60,7 +65,7 @@ void add_list(const std::vector<Lines>& elements, std::vector<Block>& blocks) {
   const auto largest = std::max_element(elements.begin(), elements.end(), [](const Lines& a, const Lines& b) {
     return std::abs(a.back()->step.value.si) < std::abs(b.back()->step.value.si);
   });
-  blocks.emplace_back(Paragraph{say("Worked out for {1}; all of them follow in the table.", (*largest)[0]->scope)});
+  blocks.emplace_back(Paragraph{say("Worked out for {1}; all of them follow in the table.", (*largest)[0]->element)});
   blocks.emplace_back(worked(*largest));
   blocks.emplace_back(values_of(elements));
 }

@@ -49,6 +49,24 @@ void take_section(const Input& in, Result& r, Tracer& trace) {
   r.A = A, r.t = is_set(in.d_bore) ? 0.5 * (d - d_bore) : d;
 }
 
+/// What holds a bar in tension: its plain stress alone.
+template <class Tracer>
+void take_tension(const Input& in, Result& r, Tracer& trace) {
+  const auto N = in.N;
+  const auto A = r.A;
+  const auto R_e = in.R_e;
+  r.x_t = 0.0;
+  if (!(N > 0.0 * kN)) return;
+  if (!is_set(R_e)) {
+    r.x_t = unset<double>;
+    trace.value("x_t", r.x_t, "the yield strength is not known");
+    return;
+  }
+  STEP(sigma_t, N / A, "plain stress of the bar in tension");
+  STEP(x_t, sigma_t / R_e, "over the yield strength");
+  r.x_t = x_t;
+}
+
 template <class Tracer>
 Length radius_of_gyration(const Input& in, Area A, AxisName axis, Tracer& trace) {
   const auto I_y = in.I_y, I_z = in.I_z, I_min = in.I_min;
@@ -158,8 +176,7 @@ void take_curves(const Input& in, const Material& material, AxisName axis, Axis&
   const auto i = a.i;
   const Length given = about_y ? in.e_y : in.e_z;
   const auto e = is_set(given) ? given : 0.0 * mm;
-  const Length depth = about_y ? (is_set(in.c_y) ? in.c_y : 0.5 * (is_set(in.d) ? in.d : in.h))
-                               : (is_set(in.c_z) ? in.c_z : 0.5 * (is_set(in.d) ? in.d : in.b));
+  const Length depth = column::extreme_fibre(in, axis);
   const auto c = is_set(depth) ? depth : 0.0 * mm;
   trace.value("e", e, "eccentricity in the plane of bending");
   trace.value("c", c, "extreme fibre from the axis");
@@ -198,6 +215,7 @@ Result Buckling::evaluate(const Input& in, Tracer& trace) {
   Result r;
   take_load(in, r, trace);
   take_section(in, r, trace);
+  take_tension(in, r, trace);
   const Material material = column::material_of(in);
   for (const AxisName axis : {AxisName::y, AxisName::z}) {
     [[maybe_unused]] const auto here = trace.scope("axes", r.axes.size());

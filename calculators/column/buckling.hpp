@@ -4,7 +4,8 @@
 // the secant formula, EN 1993-1-1 6.3.1, AISC 360 E3 and SP 16.13330; one of them is chosen for the check. Critical
 // stresses hold no safety; each allowable load holds the safety of its own method. Uniform straight bar, central load
 // (but for the secant formula), flexural buckling about the principal axes y and z. Sign: N is positive in tension, as
-// mechanisms give it; P is positive in compression. Both may be series. Not covered: torsional and flexural-torsional
+// mechanisms give it; P is positive in compression. Both may be series. In tension the plain stress N/A is held
+// against the yield strength. Not covered: the net section of a bar in tension, torsional and flexural-torsional
 // buckling (open sections of one symmetry or none), sections of class 4, built-up and tapered bars, transverse loads,
 // biaxial eccentricity.
 #pragma once
@@ -27,7 +28,8 @@ struct Buckling {
       "Slenderness of a uniform bar about both axes, its critical stress by Euler, Tetmajer-Yasinsky, Johnson, "
       "Rankine, the "
       "secant formula, EN 1993-1-1, AISC 360 and SP 16 side by side, the allowable load of each with its own safety. "
-      "Flexural buckling; torsional buckling, thin-walled sections of class 4 and transverse loads are not covered.";
+      "Flexural buckling; a bar in tension is judged by its plain stress N/A alone, without holes; torsional buckling, "
+      "thin-walled sections of class 4 and transverse loads are not covered.";
   static constexpr auto source = "[B25], [Johnson], [Rankine], [Gere], [EN1993-1-1-buckling], [AISC360], [SP16]";
   static constexpr auto example = R"([project]
 title = "Piston rod"
@@ -71,9 +73,9 @@ n_st = 3
                       "I and i of an axis do not fit: I is A i^2; give one of them"},
           Rule<Input>{[](const Input& in) { return !is_set(in.d_bore) || (is_set(in.d) && in.d_bore < in.d); },
                       "d_bore, d", "a bore goes with d, and is smaller"},
-          Rule<Input>{&extreme_fibre_known, "e_y, e_z, c_y, c_z, h, b, d",
+          Rule<Input>{&extreme_fibre_known, "e_y, e_z, c_y, c_z, h, b, d, kind",
                       "an eccentricity needs the distance of the extreme fibre: c_y (or h) with e_y, c_z (or b) with "
-                      "e_z"},
+                      "e_z; of a channel about z, a tee about y and an angle c itself, as it is not half the side"},
           Rule<Input>{&needs_of_method,
                       "method, R_e, sigma_P, a_T, sigma_c, e_y, e_z, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, "
                       "h, b, t_f",

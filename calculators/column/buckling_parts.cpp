@@ -29,7 +29,24 @@ const Sp16Type& sp16_type(Profile kind) {
   return none;
 }
 
-Plates plates_of(const Buckling::Input& in) { return {in.kind, in.grade, in.h, in.b, in.t_f, in.t_w, in.r, in.d}; }
+Plates plates_of(const Buckling::Input& in) {
+  const Length wall = is_set(in.t_w) ? in.t_w : 0.5 * (in.d - in.d_bore);
+  return {in.kind, in.grade, in.h, in.b, in.t_f, wall, in.r, in.d};
+}
+
+Length extreme_fibre(const Buckling::Input& in, AxisName axis) {
+  const bool about_y = axis == AxisName::y;
+  const Length given = about_y ? in.c_y : in.c_z;
+  if (is_set(given)) return given;
+  const bool lopsided = in.kind == Profile::angle || in.kind == (about_y ? Profile::tee : Profile::channel);
+  if (lopsided) return unset<Length>;
+  return 0.5 * (is_set(in.d) ? in.d : about_y ? in.h : in.b);
+}
+
+bool fibre_known(const Buckling::Input& in) {
+  const auto known = [&](Length e, AxisName axis) { return !(e > 0.0 * mm) || is_set(extreme_fibre(in, axis)); };
+  return known(in.e_y, AxisName::y) && known(in.e_z, AxisName::z);
+}
 
 Curve curve_of(const Buckling::Input& in, AxisName axis) {
   const Curve given = axis == AxisName::y ? in.curve_y : in.curve_z;

@@ -54,11 +54,6 @@ bool Buckling::needs_of_method(const Input& in) { return column::lack(in, has_cu
 
 FieldFault Buckling::missing_for_method(const Input& in) { return column::missing_for_method(in, has_curves(in)); }
 
-bool Buckling::extreme_fibre_known(const Input& in) {
-  const auto known = [&](Length e, Length c, Length side) {
-    return !(e > 0.0 * mm) || is_set(c) || is_set(side) || is_set(in.d);
-  };
-  return known(in.e_y, in.c_y, in.h) && known(in.e_z, in.c_z, in.b);
-}
+bool Buckling::extreme_fibre_known(const Input& in) { return column::fibre_known(in); }
 
 }  // namespace loadpath

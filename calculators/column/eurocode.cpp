@@ -101,6 +101,7 @@ double class_ratio(const Plates& s, Stress R_e) {
   const Length r = is_set(s.r) ? s.r : 0.0 * mm;
   const Length web = is_set(s.t_w) ? s.t_w : s.t_f;
   const double outstand = 14.0 * epsilon, internal = 42.0 * epsilon;
+  const double tube = s.d / web / (90.0 * epsilon * epsilon);  // hot finished or cold formed alike
   switch (s.kind) {
     case Profile::rolled_I:
     case Profile::welded_I:
@@ -112,14 +113,14 @@ double class_ratio(const Plates& s, Stress R_e) {
     case Profile::hot_hollow:
     case Profile::cold_hollow:
     case Profile::welded_box:
-      if (is_set(s.d)) return s.d / web / (90.0 * epsilon * epsilon);
+      if (is_set(s.d)) return tube;
       return (max(s.h, s.b) - 3.0 * web) / web / internal;
     case Profile::angle:
       return std::max(max(s.h, s.b) / web / (15.0 * epsilon), (s.h + s.b) / (2.0 * web) / (11.5 * epsilon));
     case Profile::solid:
       return 0.0;
     case Profile::unsaid:
-      return unset<double>;
+      return tube;
   }
   return unset<double>;
 }

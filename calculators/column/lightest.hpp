@@ -21,8 +21,10 @@ struct LightestColumn {
   static constexpr auto scope =
       "Ranked list of the sections of one family or several that carry a compressed bar, the lightest first, with the "
       "reason why lighter ones fail; the best one with its whole calculation by column.buckling, and what that does "
-      "not cover: torsional buckling of channels and angles, sections of class 4. A strength of a material is that of "
-      "the thickest of all sections up to the one found.";
+      "not cover: torsional buckling of channels and angles, sections of class 4, holes of a bar in tension. A "
+      "strength "
+      "of a material is that of the thickest of all sections up to the one found: a lighter, thinner section that the "
+      "list says is too weak can carry the bar with the strength of its own thickness; column.buckling tells.";
   static constexpr auto source = Buckling::source;
   static constexpr auto example = R"([project]
 title = "Column of a platform"
@@ -40,7 +42,7 @@ gamma_F = 1
 )";
 
   /// Why a section does not carry the bar.
-  enum class Failure { none, load, slenderness, range, thin, open };
+  enum class Failure { none, load, tension, range, open, beyond, slenderness, thin };
 
   struct Family {
     Name family;
@@ -80,7 +82,8 @@ gamma_F = 1
         Field{&Candidate::sigma_cr, "sigma_cr", MPa, "critical stress, without safety"}.as(Role::result),
         Field{&Candidate::P_all, "P_all", kN, "allowable force"}.as(Role::result),
         Field{&Candidate::u, "u", ratio, "force over the allowable one"}.as(Role::result),
-        Field{&Candidate::demand, "demand", ratio, "the largest of its checks and limits: it carries the bar up to 1"}
+        Field{&Candidate::demand, "demand", ratio,
+              "the largest of its checks and limits that are known: it carries the bar up to 1"}
             .as(Role::result),
         Field{&Candidate::excess, "excess", ratio, "mass over that of the section found, less 1"}.as(Role::result),
         Choice{&Candidate::failure, "failure", "why it does not carry the bar"}.as(Role::result)};
@@ -113,6 +116,15 @@ gamma_F = 1
 
   static bool families_known(const Input& in);
   static FieldFault unknown_family(const Input& in);
+  static bool families_once(const Input& in);
+  static FieldFault family_twice(const Input& in);
+  static bool room_for_one(const Input& in);
+  static FieldFault no_room(const Input& in);
+  static bool kind_fits(const Input& in);
+  static FieldFault kind_of_tubes(const Input& in);
+  static bool fibres_known(const Input& in);
+  static FieldFault no_fibre(const Input& in);
+  static bool strength_in_tension(const Input& in);
   static bool needs_of_method(const Input& in);
   static FieldFault missing_for_method(const Input& in);
   static bool one_carries(const Input& in);
@@ -121,6 +133,14 @@ gamma_F = 1
   static constexpr auto rules = join<Input>(
       std::array{
           Rule<Input>{&families_known, "families", "there is no such family in the section tables", &unknown_family},
+          Rule<Input>{&families_once, "families", "a family is named twice", &family_twice},
+          Rule<Input>{&room_for_one, "h_max, b_max, families", "there is room for no section of these families",
+                      &no_room},
+          Rule<Input>{&kind_fits, "kind, families", "round tubes are hot_hollow or cold_hollow", &kind_of_tubes},
+          Rule<Input>{&fibres_known, "e_y, e_z, families", "the extreme fibre of these sections is not known",
+                      &no_fibre},
+          Rule<Input>{&strength_in_tension, "N, R_e",
+                      "a bar in tension is judged by its yield strength: give R_e, or a material"},
           Rule<Input>{[](const Input& in) { return is_set(in.N) || is_set(in.P); }, "N, P",
                       "give the force that the bar shall carry: N, positive in tension, or P"}},
       column::held_rules<Input>(),
@@ -140,12 +160,15 @@ extern template LightestColumn::Result LightestColumn::evaluate(const Input&, Tr
 
 constexpr auto choices_of(LightestColumn::Failure) {
   using Failure = LightestColumn::Failure;
-  return std::array{ChoiceName<Failure>{Failure::none, "none", "it carries the bar"},
-                    ChoiceName<Failure>{Failure::load, "load", "the force is above the allowable one"},
-                    ChoiceName<Failure>{Failure::slenderness, "slenderness", "it is more slender than is allowed"},
-                    ChoiceName<Failure>{Failure::range, "range", "it is outside of the range of the method"},
-                    ChoiceName<Failure>{Failure::thin, "thin", "a wall buckles locally"},
-                    ChoiceName<Failure>{Failure::open, "open", "its buckling curve is open: give the kind"}};
+  return std::array{
+      ChoiceName<Failure>{Failure::none, "none", "it carries the bar"},
+      ChoiceName<Failure>{Failure::load, "load", "the force is above the allowable one"},
+      ChoiceName<Failure>{Failure::tension, "tension", "it yields in tension"},
+      ChoiceName<Failure>{Failure::range, "range", "it is outside of the range of the method"},
+      ChoiceName<Failure>{Failure::open, "open", "its buckling curve is open: give the kind"},
+      ChoiceName<Failure>{Failure::beyond, "beyond", "it is more slender than the table of the code goes"},
+      ChoiceName<Failure>{Failure::slenderness, "slenderness", "it is more slender than is allowed"},
+      ChoiceName<Failure>{Failure::thin, "thin", "a wall buckles locally"}};
 }
 
 }  // namespace loadpath

@@ -71,9 +71,9 @@ constexpr auto held_inputs() {
           .may_be_missing()};
 }
 
-/// What the bar is made of, its eccentricities with it.
+/// What every method takes of the material.
 template <class Input>
-constexpr auto material_inputs() {
+constexpr auto strength_inputs() {
   return std::tuple{
       Field<Input, Stress>{&Input::E, "E", GPa, "modulus of elasticity"}.positive().usually(1, 500).from("material",
                                                                                                          "E"),
@@ -85,7 +85,13 @@ constexpr auto material_inputs() {
       Field<Input, Stress>{&Input::sigma_P, "sigma_P", MPa, "proportional limit, below which Euler's formula holds"}
           .positive()
           .usually(5, 2000)
-          .may_be_missing(),
+          .may_be_missing()};
+}
+
+/// The set of Tetmajer-Yasinsky.
+template <class Input>
+constexpr auto tetmajer_inputs() {
+  return std::tuple{
       Field<Input, Stress>{&Input::a_T, "a_T", MPa, "constant of Tetmajer-Yasinsky, a_T - b_T lambda + c_T lambda^2"}
           .positive()
           .from("tetmajer", "a_T"),
@@ -104,7 +110,13 @@ constexpr auto material_inputs() {
           .from("tetmajer", "lambda_1"),
       Choice<Input, Transition>{&Input::transition, "transition",
                                 "where Euler's hyperbola takes over from Tetmajer's formula"}
-          .may_be_missing(),
+          .may_be_missing()};
+}
+
+/// Rankine's constants and the eccentricities of the secant formula.
+template <class Input>
+constexpr auto rankine_and_secant_inputs() {
+  return std::tuple{
       Field<Input, Stress>{&Input::sigma_c, "sigma_c", MPa,
                            "crushing stress of Rankine's formula; the yield strength where missing"}
           .positive()
@@ -119,6 +131,12 @@ constexpr auto material_inputs() {
       Field<Input, Length>{&Input::e_z, "e_z", mm, "eccentricity that bends the bar about z"}
           .at_least(0)
           .may_be_missing()};
+}
+
+/// What the bar is made of, its eccentricities with it.
+template <class Input>
+constexpr auto material_inputs() {
+  return std::tuple_cat(strength_inputs<Input>(), tetmajer_inputs<Input>(), rankine_and_secant_inputs<Input>());
 }
 
 /// How it is judged.

@@ -64,13 +64,15 @@ struct MemberResult {
   Stress sigma_cr = unset<Stress>;
   Force P_all = unset<Force>;
   double spread = unset<double>;
-  double u = unset<double>;
+  double u = unset<double>, x_t = unset<double>;
   double r_lambda = unset<double>, r_1 = unset<double>, r_0 = unset<double>, r_class = unset<double>;
   List<AxisResult, 2> axes;
   List<MethodResult, most_methods> methods;
 };
+
+/// The load, the section and how slender the bar is.
 template <class Result>
-constexpr auto member_results() {
+constexpr auto slenderness_results() {
   return std::tuple{
       Choice<Result, Loading>{&Result::loading, "loading", "what the force does to the bar"}.as(Role::result),
       Field<Result, Force>{&Result::F, "F", kN, "compressive force"}.as(Role::result),
@@ -81,7 +83,13 @@ constexpr auto member_results() {
       Choice<Result, AxisName>{&Result::axis, "axis", "axis of the largest slenderness"}.as(Role::result),
       Field<Result, double>{&Result::lambda, "lambda", ratio, "largest slenderness"}.as(Role::result),
       Field<Result, Force>{&Result::N_cr, "N_cr", kN, "least critical force of the elastic bar, however short it is"}
-          .as(Role::result),
+          .as(Role::result)};
+}
+
+/// Where the formulas end, and what the method that decides allows.
+template <class Result>
+constexpr auto stress_results() {
+  return std::tuple{
       Field<Result, Stress>{&Result::sigma_E, "sigma_E", MPa, "stress at that force, however short the bar is"}.as(
           Role::result),
       Field<Result, double>{&Result::lambda_T, "lambda_T", ratio, "slenderness at which Tetmajer's formula ends"}.as(
@@ -95,8 +103,15 @@ constexpr auto member_results() {
       Field<Result, Force>{&Result::P_all, "P_all", kN, "allowable force of the method that decides"}.as(Role::result),
       Field<Result, double>{&Result::spread, "spread", ratio,
                             "largest critical stress of the methods over the least, less 1"}
-          .as(Role::result),
+          .as(Role::result)};
+}
+
+template <class Result>
+constexpr auto member_checks() {
+  return std::tuple{
       Field<Result, double>{&Result::u, "u", ratio, "buckling: force over the allowable one"}.check("N, P"),
+      Field<Result, double>{&Result::x_t, "x_t", ratio, "tension: stress N/A over the yield strength; 0 in compression"}
+          .limit(0, 1, "N"),
       Field<Result, double>{&Result::r_lambda, "r_lambda", ratio, "slenderness over the largest that is allowed"}.limit(
           0, 1),
       Field<Result, double>{&Result::r_1, "r_1", ratio, "Euler: limit slenderness over the slenderness"}
@@ -109,10 +124,17 @@ constexpr auto member_results() {
       Field<Result, double>{&Result::r_class, "r_class", ratio,
                             "local buckling: thinness of the parts over the limit of class 3"}
           .limit(0, 1)
-          .where_it_applies(),
-      ListField<Result, AxisResult, 2>{&Result::axes, "axes", "bending about y and about z"}.as(Role::result),
-      ListField<Result, MethodResult, most_methods>{&Result::methods, "methods", "the methods side by side"}.as(
-          Role::result)};
+          .where_it_applies()};
+}
+
+template <class Result>
+constexpr auto member_results() {
+  return std::tuple_cat(
+      slenderness_results<Result>(), stress_results<Result>(), member_checks<Result>(),
+      std::tuple{
+          ListField<Result, AxisResult, 2>{&Result::axes, "axes", "bending about y and about z"}.as(Role::result),
+          ListField<Result, MethodResult, most_methods>{&Result::methods, "methods", "the methods side by side"}.as(
+              Role::result)});
 }
 
 }  // namespace loadpath::column

@@ -48,6 +48,40 @@ Custom custom_of(Class material) {
 
 bool is_loaded(const Member& in) { return is_set(in.N) || is_set(in.P); }
 
+/// What is missing for the critical stress.
+Message lack_of_stress(const Member& in, bool curves) {
+  const Method by = in.method;
+  const bool yields = is_set(in.R_e);
+  if (by == Method::euler) {
+    if (is_set(in.sigma_P) || is_set(in.a_T)) return {};
+    return say("the limit of Euler's formula: the proportional limit sigma_P, or a set of tetmajer");
+  }
+  if (by == Method::tetmajer) {
+    if (is_set(in.a_T)) return {};
+    return say("the constants of Tetmajer-Yasinsky: a set of tetmajer, or a_T and b_T");
+  }
+  if (by == Method::rankine) {
+    if (yields || is_set(in.sigma_c)) return {};
+    return say("the crushing stress sigma_c, or the yield strength R_e");
+  }
+  if (!yields) return say("the yield strength R_e, or a material");
+  if (by == Method::secant && !is_set(in.e_y) && !is_set(in.e_z)) return say("the eccentricity e_y or e_z");
+  if (by == Method::ec3 && !curves)
+    return say(
+        "the buckling curves: the kind of section (a rolled or welded I with t_f, h and b), or curve_y, curve_z");
+  if (by == Method::sp16 && !curves) return say("the kind of section: hollow or box, I, channel, tee or angle");
+  return {};
+}
+
+/// What is missing for the allowable force; AISC has its safety by itself.
+Message lack_of_safety(const Member& in) {
+  if (!is_loaded(in) || in.method == Method::aisc) return {};
+  if (in.method != Method::ec3) return is_set(in.n_st) ? Message{} : say("the safety against buckling n_st");
+  if (!is_set(in.gamma_M1)) return say("the partial factor gamma_M1 (1 or as the national annex says)");
+  if (!is_set(in.gamma_F)) return say("gamma_F, from the force to the design load: 1 where it is one");
+  return {};
+}
+
 }  // namespace
 
 bool supports_inside(const Member& in) { return astray(in).place < 0; }
@@ -68,50 +102,30 @@ bool supports_need_ends(const Member& in) {
 }
 
 Message lack(const Member& in, bool curves) {
-  const bool yields = is_set(in.R_e);
-  switch (in.method) {
-    case Method::euler:
-      if (!is_set(in.sigma_P) && !is_set(in.a_T))
-        return say("the limit of Euler's formula: the proportional limit sigma_P, or a set of tetmajer");
-      break;
-    case Method::tetmajer:
-      if (!is_set(in.a_T)) return say("the constants of Tetmajer-Yasinsky: a set of tetmajer, or a_T and b_T");
-      break;
-    case Method::johnson:
-      if (!yields) return say("the yield strength R_e, or a material");
-      break;
-    case Method::rankine:
-      if (!yields && !is_set(in.sigma_c)) return say("the crushing stress sigma_c, or the yield strength R_e");
-      break;
-    case Method::secant:
-      if (!yields) return say("the yield strength R_e, or a material");
-      if (!is_set(in.e_y) && !is_set(in.e_z)) return say("the eccentricity e_y or e_z");
-      break;
-    case Method::ec3:
-      if (!yields) return say("the yield strength R_e, or a material");
-      if (!curves)
-        return say(
-            "the buckling curves: the kind of section (a rolled or welded I with t_f, h and b), or curve_y, curve_z");
-      if (is_loaded(in) && !is_set(in.gamma_M1))
-        return say("the partial factor gamma_M1 (1 or as the national annex says)");
-      if (is_loaded(in) && !is_set(in.gamma_F))
-        return say("gamma_F, from the force to the design load: 1 where it is one");
-      break;
-    case Method::aisc:
-      if (!yields) return say("the yield strength R_e, or a material");
-      break;
-    case Method::sp16:
-      if (!yields) return say("the yield strength R_e, or a material");
-      if (!curves) return say("the kind of section: hollow or box, I, channel, tee or angle");
-      break;
-  }
-  const bool by_code = in.method == Method::ec3 || in.method == Method::aisc;
-  if (!by_code && is_loaded(in) && !is_set(in.n_st)) return say("the safety against buckling n_st");
-  return {};
+  const Message of_stress = lack_of_stress(in, curves);
+  return of_stress.empty() ? lack_of_safety(in) : of_stress;
 }
 
 FieldFault missing_for_method(const Member& in, bool curves) {
-  return {"method", say("the method '{1}' needs {2}", word_of(in.method), lack(in, curves).text()), {}};
+  const bool no_set = in.method == Method::tetmajer && !is_set(in.a_T);
+  return {"method", say("the method '{1}' needs {2}", word_of(in.method), lack(in, curves).text()),
+          no_set
+              ? say("it is the method where none is named; the sets are listed by 'loadpath tables columns/tetmajer'. "
+                    "Other methods need less: euler the limit sigma_P; johnson, rankine, aisc the yield strength "
+                    "R_e; ec3, sp16 the kind of section too")
+              : Message{}};
+}
+
+bool method_suits_class(const Member& in) {
+  const bool of_steel = in.method == Method::ec3 || in.method == Method::aisc || in.method == Method::sp16;
+  return !of_steel || is_steel(in);
+}
+
+FieldFault method_of_steel(const Member& in) {
+  return {"method",
+          say("the method '{1}' is for steel, not for material_class = \"{2}\"", word_of(in.method),
+              word_of(in.material_class)),
+          say("take euler, tetmajer, johnson or rankine with the constants of the material")};
 }
 
 bool set_meets_euler(const Member& in) {

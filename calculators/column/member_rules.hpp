@@ -18,6 +18,9 @@ bool set_fits_modulus(const Member& in);
 FieldFault modulus_of_set(const Member& in);
 bool usual_safety(const Member& in);
 FieldFault unusual_safety(const Member& in);
+/// EN 1993-1-1, AISC 360 and SP 16 hold for steel alone.
+bool method_suits_class(const Member& in);
+FieldFault method_of_steel(const Member& in);
 
 /// What the deciding method lacks; empty where it has all. `curves`: whether the buckling curves are known.
 Message lack(const Member& in, bool curves);
@@ -59,6 +62,8 @@ constexpr auto held_rules() {
 template <class Input>
 constexpr auto method_rules() {
   return std::array{
+      Rule<Input>{&of<Input, &method_suits_class>, "method, material_class", "the method is for steel alone",
+                  &of<Input, &method_of_steel>},
       Rule<Input>{[](const Input& in) { return is_set(in.a_T) == is_set(in.b_T); }, "a_T, b_T",
                   "a_T and b_T belong together"},
       Rule<Input>{[](const Input& in) { return in.transition == Transition::computed || is_set(in.lambda_1); },

@@ -78,10 +78,11 @@ template <class Input>
 constexpr auto derived_section_inputs() {
   return std::tuple{
       Field<Input, Length>{&Input::c_y, "c_y", mm,
-                           "distance of the extreme fibre from y; half the height where missing"}
+                           "distance of the extreme fibre from y; where missing half the height of a symmetric section"}
           .positive()
           .may_be_missing(),
-      Field<Input, Length>{&Input::c_z, "c_z", mm, "distance of the extreme fibre from z; half the width where missing"}
+      Field<Input, Length>{&Input::c_z, "c_z", mm,
+                           "distance of the extreme fibre from z; where missing half the width of a symmetric section"}
           .positive()
           .may_be_missing(),
       Choice<Input, Curve>{&Input::curve_y, "curve_y", "buckling curve of EN 1993-1-1 about y"}.may_be_missing(),

@@ -173,6 +173,29 @@ TEST_SUITE("column buckling") {
     CHECK(solve(in).r_class > 1.0);
   }
 
+  TEST_CASE("a round tube of no said kind is judged by its diameter over its wall") {
+    Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    in.b = in.h = unset<Length>;
+    in.d = 200.0 * mm, in.d_bore = 196.0 * mm;
+    CHECK(rel(solve(in).r_class, 200.0 / 2.0 / 90.0) < 1e-12);
+    in.d_bore = unset<Length>;
+    CHECK(std::isnan(solve(in).r_class));
+  }
+
+  TEST_CASE("the extreme fibre is half the side only where the section is symmetric") {
+    const std::string bar =
+        "calculator = \"column.buckling\"\nl = \"2 m\"\nends = \"pinned_pinned\"\nE = \"210 GPa\"\n"
+        "R_e = \"235 MPa\"\nmethod = \"secant\"\nsection = ";
+    CHECK(complaints(bar + "\"IPE 200\"\ne_z = \"5 mm\"\n").empty());
+    CHECK(complaints(bar + "\"UPN 200\"\ne_y = \"5 mm\"\n").empty());
+    CHECK(complaints(bar + "\"UPN 200\"\ne_z = \"5 mm\"\nc_z = \"54.9 mm\"\n").empty());
+    for (const char* lines : {"\"UPN 200\"\ne_z = \"5 mm\"\n", "\"L 50x50x5\"\ne_y = \"5 mm\"\n",
+                              "\"IPE 200\"\nkind = \"tee\"\ne_y = \"5 mm\"\n"}) {
+      CAPTURE(lines);
+      CHECK(complaints(bar + lines).find("needs the distance of the extreme fibre") != std::string::npos);
+    }
+  }
+
   TEST_CASE("the secant load makes the extreme fibre yield, and falls with the eccentricity") {
     Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     double before = 1e9;
@@ -212,6 +235,18 @@ TEST_SUITE("column buckling") {
     in.N = 20.0 * kN;
     CHECK(solve(in).loading == column::Loading::tension);
     CHECK(solve(in).u == 0.0);
+  }
+
+  TEST_CASE("in tension the plain stress is held against the yield strength") {
+    Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    in.N = 564.0 * kN;  // 40 mm by 60 mm times 235 MPa
+    CHECK(rel(solve(in).x_t, 1.0) < 1e-12);
+    in.N = -564.0 * kN;
+    CHECK(solve(in).x_t == 0.0);
+    in.R_e = unset<Stress>;
+    CHECK(solve(in).x_t == 0.0);
+    in.N = 1.0 * kN;
+    CHECK(std::isnan(solve(in).x_t));
   }
 
   TEST_CASE("twice the length of the whole bar: the same slenderness and stress at four times the load") {

@@ -74,6 +74,23 @@ TEST_SUITE("column buckling faults") {
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nP = \"1 kN\"\n", "needs the safety against buckling n_st");
   }
 
+  TEST_CASE("where no method is named, it is told which one that is, where its sets are and what needs less") {
+    Buckling::Input in = bar_of_steel(column::Ends::pinned_pinned);
+    in.a_T = in.b_T = unset<Stress>;
+    const std::string hint = Buckling::missing_for_method(in).hint.text();
+    for (const char* words : {"where none is named", "loadpath tables columns/tetmajer", "sigma_P", "johnson", "ec3"})
+      CHECK_MESSAGE(hint.find(words) != std::string::npos, words);
+    in.method = column::Method::secant;
+    CHECK(Buckling::missing_for_method(in).hint.empty());
+  }
+
+  TEST_CASE("a code of steel judges nothing else") {
+    const std::string iron = rod + "d = \"40 mm\"\nkind = \"solid\"\nmaterial_class = \"cast_iron\"\n";
+    says(iron + "method = \"aisc\"\n", "the method 'aisc' is for steel, not for material_class = \"cast_iron\"");
+    says(iron + "method = \"ec3\"\n", "the method 'ec3' is for steel");
+    CHECK(complaints(iron + "method = \"johnson\"\n").empty());
+  }
+
   TEST_CASE("an eccentricity has one axis and a fibre") {
     const std::string rolled = rod + "A = \"10 cm^2\"\ni_y = \"30 mm\"\ni_z = \"30 mm\"\nmethod = \"secant\"\n";
     says(rolled + "e_y = \"5 mm\"\n", "an eccentricity needs the distance of the extreme fibre");

@@ -175,11 +175,31 @@ TEST_SUITE("column lightest") {
                       [](const auto& c) { return c.failure == Failure::slenderness; }));
   }
 
+  TEST_CASE("a bar that is pulled hard needs the area") {
+    auto in = column_of({"HEB"}, 0.0 * kN, 3.0 * m);
+    in.P = unset<Force>, in.N = 6000.0 * kN;
+    const auto r = solve(in);
+    CHECK(r.section.view() == "HEB 600");  // 270.0 cm^2; 6 MN/235 MPa are 255.3 cm^2
+    CHECK(rel(r.x_t, 6e6 / 270.0e-4 / 235e6) < 1e-3);
+    REQUIRE(!r.lighter.empty());
+    CHECK(r.lighter[0].name.view() == "HEB 550");
+    for (const auto& c : r.lighter) {
+      CHECK(c.failure == Failure::tension);
+      CHECK(c.demand > 1.0);
+    }
+    CHECK(LightestColumn::strength_in_tension(in));
+    in.R_e = unset<Stress>;
+    CHECK(!LightestColumn::strength_in_tension(in));
+  }
+
   TEST_CASE("of round tubes the table does not say hot or cold: they have a curve where the kind is given") {
     auto in = column_of({"CHS"}, 300.0 * kN, 4.0 * m);
     const auto open = solve(in);
     CHECK(open.carrying == 0.0);
-    CHECK(open.lighter[0].failure == Failure::open);
+    for (const auto& c : open.lighter) {
+      CHECK(c.failure == Failure::open);
+      CHECK(std::isfinite(c.demand));
+    }
     in.kind = column::Profile::hot_hollow;
     const auto hot = solve(in);
     in.kind = column::Profile::cold_hollow;
@@ -188,6 +208,22 @@ TEST_SUITE("column lightest") {
     CHECK(hot.q < cold.q);
     in.families.push_back({"IPE"});
     CHECK(solve(in).q == cold.q);  // the kind of rows that have one stays theirs
+  }
+
+  TEST_CASE("sections without a curve come behind those that are judged") {
+    const auto r = solve(column_of({"CHS", "IPE"}, 9000.0 * kN, 4.5 * m));
+    CHECK(r.section.view() == "IPE 600");
+  }
+
+  TEST_CASE("beyond the table of SP 16 it is not the kind that is asked for") {
+    auto in = column_of({"HEA"}, 1.0 * kN, 60.0 * m);
+    in.method = Method::sp16, in.n_st = 2.0;
+    const auto r = solve(in);
+    CHECK(r.carrying == 0.0);
+    for (const auto& c : r.lighter) CHECK(c.failure == Failure::beyond);
+    const FieldFault fault = LightestColumn::none_carries(in);
+    CHECK(fault.message.text().find("more slender than the table of the code goes") != std::string::npos);
+    CHECK(fault.hint.text().find("kind") == std::string::npos);
   }
 
   TEST_CASE("a tube is thin by its diameter over its wall: 90 eps^2") {
@@ -211,7 +247,10 @@ TEST_SUITE("column lightest") {
     CHECK(r.u > 1.0);
     CHECK(rel(r.lack, 1.0 - 1.0 / r.u) < 1e-12);
     says("families = [\"CHS\"]\n" + text, "no section of CHS carries the bar");
-    says("families = [\"IPE\"]\nh_max = \"50 mm\"\n" + text, "there is room for no section of IPE");
+    says("families = [\"IPE\"]\nh_max = \"50 mm\"\n" + text,
+         "there is room for no section of IPE within h_max = 50 mm");
+    says("families = [\"IPE\"]\nh_max = \"50 mm\"\nb_max = \"20 mm\"\n" + text,
+         "there is room for no section of IPE within h_max = 50 mm, b_max = 20 mm");
   }
 
   TEST_CASE(
@@ -253,6 +292,18 @@ TEST_SUITE("column lightest") {
     says("families = [\"IPE\", \"IPX\"]\n" + text,
          "families[2].family: there is no family 'IPX' in the section tables");
     says(text, "'families' is missing");
+    says("families = [\"IPE\", \"HEA\", \"IPE\"]\n" + text, "families[3].family: the family 'IPE' is named twice");
+    says("families = [\"CHS\"]\nkind = \"rolled_I\"\n" + text,
+         "kind: round tubes are hot_hollow or cold_hollow, not rolled_I");
+    CHECK(complaints("families = [\"HEA\"]\nkind = \"rolled_I\"\n" + text).empty());
+    says("families = [\"HEA\", \"UPN\"]\ne_z = \"5 mm\"\n" + text, "the extreme fibre of UPN 80 is not half its side");
+    CHECK(complaints("families = [\"HEA\"]\ne_z = \"5 mm\"\n" + text).empty());
+    says("families = [\"HEA\"]\nmaterial_class = \"wood\"\n" + text, "the method 'ec3' is for steel");
+    std::string pulled = "families = [\"HEA\"]\nE = \"210 GPa\"\nsigma_P = \"200 MPa\"\nn_st = 2\n" + text;
+    pulled.replace(pulled.find("P = \"900"), 1, "N");
+    pulled.replace(pulled.find("material = \"S235\"\n"), 18, "");
+    pulled.replace(pulled.find("ec3"), 3, "euler");
+    says(pulled, "a bar in tension is judged by its yield strength");
     std::string unloaded = "families = [\"IPE\"]\n" + text;
     unloaded.erase(unloaded.find("P = "), 13);
     says(unloaded, "give the force that the bar shall carry");

@@ -1,0 +1,64 @@
+#include "calculators/column/lightest_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace loadpath::column {
+
+namespace {
+
+using Failure = LightestColumn::Failure;
+
+/// A check or a limit of column.buckling, kept up to 1, and what a section that is above it fails by.
+struct Bound {
+  double MemberResult::*value;
+  Failure failure;
+};
+
+/// In the order in which the reason is told.
+constexpr std::array bounds{Bound{&MemberResult::u, Failure::load},
+                            Bound{&MemberResult::x_t, Failure::tension},
+                            Bound{&MemberResult::r_1, Failure::range},
+                            Bound{&MemberResult::r_0, Failure::range},
+                            Bound{&MemberResult::r_lambda, Failure::slenderness},
+                            Bound{&MemberResult::r_class, Failure::thin}};
+
+/// Why the method gives no force: it ends before this bar, or was not tried for want of a buckling curve.
+Failure reason_without_force(const MemberResult& r, Method method) {
+  if (r.r_1 > 1.0 || r.r_0 > 1.0) return Failure::range;
+  const bool tried = std::any_of(r.methods.begin(), r.methods.end(),
+                                 [&](const MethodResult& by) { return by.name.view() == word_of(method); });
+  return tried ? Failure::beyond : Failure::open;
+}
+
+}  // namespace
+
+bool belongs(const TableSection& section, const LightestColumn::Input& in) {
+  const std::string_view own = family_of(section.name());
+  const bool wanted = std::any_of(in.families.begin(), in.families.end(),
+                                  [&](const LightestColumn::Family& f) { return f.family.view() == own; });
+  return wanted && !(section.h > in.h_max) && !(section.b > in.b_max);
+}
+
+Buckling::Input bar_of(const LightestColumn::Input& in, const TableSection& section) {
+  Buckling::Input bar{in, section};
+  if (bar.kind == Profile::unsaid) bar.kind = in.kind;
+  return bar;
+}
+
+double demand_of(const MemberResult& r) {
+  double demand = 0.0;
+  for (const Bound& bound : bounds) {
+    if (r.*bound.value > demand) demand = r.*bound.value;
+  }
+  return demand;
+}
+
+LightestColumn::Failure failure_of(const MemberResult& r, Method method) {
+  if (std::isnan(r.u)) return reason_without_force(r, method);
+  const auto above = std::find_if(bounds.begin(), bounds.end(), [&](const Bound& b) { return r.*b.value > 1.0; });
+  return above == bounds.end() ? Failure::none : above->failure;
+}
+
+}  // namespace loadpath::column

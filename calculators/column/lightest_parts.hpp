@@ -1,0 +1,21 @@
+// What the sources of column.lightest share.
+#pragma once
+
+#include "calculators/column/families.hpp"
+#include "calculators/column/lightest.hpp"
+
+namespace loadpath::column {
+
+/// Whether the section is of one of the families, and there is room for it.
+bool belongs(const TableSection& section, const LightestColumn::Input& in);
+
+/// The input of column.buckling that the section stands for.
+Buckling::Input bar_of(const LightestColumn::Input& in, const TableSection& section);
+
+/// The largest check or limit of column.buckling of those that are known; each is kept up to 1.
+double demand_of(const MemberResult& r);
+
+/// The first reason why it does not carry the bar.
+LightestColumn::Failure failure_of(const MemberResult& r, Method method);
+
+}  // namespace loadpath::column

@@ -125,6 +125,7 @@ const Side pulleys[] = {
     {"chain.roller", "alpha_2", outside, "a", R"("700 mm")", R"("500 mm")", "z_1 = 100\nz_2 = 17"},
     {"chain.roller", "v_share", outside, "n_1", R"("670 rpm")", R"("680 rpm")"},
     {"chain.roller", "u_p", over, "p_adm", R"("22 MPa")", R"("21 MPa")"},
+    {"chain.roller", "u_F", over, "P", R"("39.2 kW")", R"("39.3 kW")"},
     {"chain.roller", "u_S", over, "S_min", "12.6", "12.7"},
     {"chain.roller", "u_P", over, "P_R", R"("3.51 kW")", R"("3.5 kW")"},
     {"belt.course", "u_S", over, "S_0", R"("248 N")", R"("247 N")"},

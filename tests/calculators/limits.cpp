@@ -168,6 +168,7 @@ const Side motion[] = {
     {"dynamics.throw", "u_L", over, "L_req", R"("40.7 m")", R"("40.8 m")"},
     {"dynamics.lift", "u_s", over, "s", R"("1.04 m")", R"("1.05 m")",
      "v_0 = \"3 m/s\"\nweights = [{ m = \"8 kg\", i = -1 }]"},
+    {"dynamics.lift", "u_s", State::not_available, "weights", R"([{ m = "8 kg" }])", R"([{ m = "8 kg", i = -1 }])"},
     {"dynamics.work", "u_s", over, "mu", "0.577", "0.578"},
     {"machine.flywheel", "u_delta", over, "delta", "0.0039", "0.0038", R"(J = "8000 kg*m^2")"},
     {"machine.flywheel", "u_P", over, "P_n", R"("377 kW")", R"("376 kW")"},

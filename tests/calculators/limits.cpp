@@ -99,6 +99,8 @@ const Side fatigue[] = {
     {"fatigue.endurance", "x_n", outside, "R_m", R"("1699 MPa")", R"("1701 MPa")"},
     {"fatigue.wohler", "x_S", outside, "S", R"("310 MPa")", R"("309 MPa")"},
     {"fatigue.wohler", "x_S", outside, "S", R"("420 MPa")", R"("421 MPa")"},
+    {"fatigue.wohler", "x_S", outside, "S", R"("0.535 GPa")", R"("0.5351 GPa")",
+     R"(tests = [["535 MPa", 38000], ["480 MPa", 91000], ["420 MPa", 262000]])"},
     {"fatigue.wohler", "x_N", outside, "N_0", "980000", "981000"},
     {"fatigue.wohler", "P_f", outside, "P_s", "0.95", "0.951"},
 };

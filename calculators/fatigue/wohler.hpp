@@ -102,7 +102,7 @@ S = "350 MPa"
       Field{&Result::S_0, "S_0", MPa, "conventional fatigue limit: strength at N_0 cycles, 50 % survival"}.as(
           Role::result),
       Field{&Result::x_S, "x_S", ratio, "S within the tested stresses: 0 the lowest, 1 the highest of the regression"}
-          .limit(-1e-9, 1 + 1e-9, "S"),  // a tested stress in another unit is rounded otherwise
+          .limit(0, 1 + 1e-9, "S"),
       Field{&Result::x_N, "x_N", ratio, "N_0 over the longest life in the regression: no extrapolation"}.limit(
           0, 1 + 1e-9, "N_0"),
       Field{&Result::P_f, "P_f", ratio, "failure probability of the design line: below 5 % a few tests say nothing"}

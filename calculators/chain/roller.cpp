@@ -124,7 +124,8 @@ void breaking(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(F_1) || !is_set(F)) return;
   trace.value("F_1", F_1, maker ? "one strand, of the maker's list" : "one strand, ISO 606:1994");
   STEP(F_u, strands * F_1, "breaking load of all strands");
-  r.F_u = F_u;
+  STEP(u_F, F / F_u, "the largest pull may not break the chain, whatever safety is asked for");
+  r.F_u = F_u, r.u_F = u_F;
   if (!(F > 0.0 * N)) return;
   STEP(S_stat, F_u / (F_t + F_c + F_f), "no design criterion alone: wear and fatigue decide");
   STEP(S_dyn, F_u / F, "with the service factor");

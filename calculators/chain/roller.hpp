@@ -132,7 +132,7 @@ S_min = 7.6
     Force F_t = unset<Force>, F_c = unset<Force>, F_f = unset<Force>, F = unset<Force>, F_W = unset<Force>;
     Stress p_r = unset<Stress>;
     Force F_u = unset<Force>;
-    double S_stat = unset<double>, S_dyn = unset<double>;
+    double S_stat = unset<double>, S_dyn = unset<double>, u_F = unset<double>;
     double f_2 = unset<double>;
     Power P_c = unset<Power>;
     double u_p = unset<double>, u_S = unset<double>, u_P = unset<double>;
@@ -174,6 +174,8 @@ S_min = 7.6
       Field{&Result::f_2, "f_2", ratio, "tooth factor"}.as(Role::result),
       Field{&Result::P_c, "P_c", kW, "power to compare with a rating for 19 teeth"}.as(Role::result),
       Field{&Result::u_p, "u_p", ratio, "joints: pressure over the allowable one"}.check("p_adm"),
+      Field{&Result::u_F, "u_F", ratio, "breaking: largest pull over the breaking load (of a chain, or F_uM, F_u94)"}
+          .check("P, T_1"),
       Field{&Result::u_S, "u_S", ratio, "breaking: least safety over the dynamic one; no design criterion alone"}.check(
           "S_min"),
       Field{&Result::u_P, "u_P", ratio, "rating: corrected power over the rated one"}.check("P_R")};

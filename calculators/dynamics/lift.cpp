@@ -68,7 +68,7 @@ void run(const Input& in, Result& r, Tracer& trace) {
   const auto v_0 = in.v_0;
   const auto a = r.a;
   const auto F = r.F;
-  r.u_s = 0.0;
+  if (r.moves == Moves::forwards) r.u_s = 0.0;  // backwards it never gets to s
   if (r.moves == Moves::forwards && in_si(a) < 0.0) {
     STEP(s_stop, v_0 * v_0 / (-2.0 * a), "all of the kinetic energy is used up");
     STEP(u_s, static_cast<double>(s / s_stop), "path over the one to a standstill");
@@ -119,7 +119,6 @@ Lift::Result Lift::evaluate(const Input& in, Tracer& trace) {
     run(in, r, trace);
   } else {
     r.v = 0.0 * m_per_s;
-    r.u_s = unset<double>;  // it gets nowhere
   }
   take_parts(in, r);
   return r;

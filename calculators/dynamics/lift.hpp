@@ -126,7 +126,9 @@ wheels = [
       Field{&Result::t, "t", sec, "time for the path"}.as(Role::result),
       Field{&Result::A, "A", J, "work of all forces over the path"}.as(Role::result),
       Field{&Result::s_stop, "s_stop", m, "path to a standstill, where the forces brake"}.as(Role::result),
-      Field{&Result::u_s, "u_s", ratio, "reach: the path over the one to a standstill"}.check(),
+      Field{&Result::u_s, "u_s", ratio,
+            "reach: the path over the one to a standstill; none where it never moves along s"}
+          .check(),
       ListField{&Result::weight_states, "weight_states", "the weights at the end of the path"}.as(Role::result),
       ListField{&Result::wheel_states, "wheel_states", "the wheels at the end of the path"}.as(Role::result)};
 

@@ -14,7 +14,7 @@ using Input = FatigueWohler::Input;
 using Result = FatigueWohler::Result;
 using End = FatigueWohler::End;
 
-/// As the steps say it: at a tested stress both are the same to the bit.
+/// As the steps say it: at a tested stress both are the same, but for the rounding of its unit.
 double lg_stress(Stress S) { return std::log(S / MPa) / std::log(10.0); }
 
 /// The highest level with a run-out; zero where every specimen failed.
@@ -136,10 +136,10 @@ void life(const Input& in, const Sums& sums, Result& r, Tracer& trace) {
     trace.value("X_low", X_low, "least X of the regression");
     trace.value("X_high", X_high, "largest X of the regression");
     STEP(x_S, (X_S - X_low) / (X_high - X_low), "the line holds between the tested stresses, [E739]");
-    r.x_S = x_S;
+    r.x_S = std::abs(x_S) < 1e-9 ? 0.0 : x_S;  // a tested stress in another unit is rounded otherwise
     if (!is_set(r.S_D) || S > r.S_D) {
       STEP(N_50, pow(10.0, A + B * X_S), "life of one in two");
-      STEP(N_P, pow(10.0, A_P + B * X_S), "life that the share P_s survives");
+      STEP(N_P, pow(10.0, A_P + B * X_S), "life that the share P_s survives, with 50 % confidence");
       r.N_50 = N_50, r.N_P = N_P;
     }
   }

@@ -3,7 +3,8 @@
 // Decides the line lg N = A + B lg S by least squares with the life as the dependent variable, over the failures above
 // the highest level that has a run-out; the standard deviation of lg N; the slope with its confidence interval; the
 // fatigue limit as asymptote, or the conventional strength at N_0 cycles. S is the stress that was set, amplitude or
-// largest, and the answers are of the same. Survival lines describe the scatter of the population, without confidence.
+// largest, and the answers are of the same. Survival lines lie z s off the mean line: they describe the scatter of
+// the population with a confidence of 50 %, without the tolerance factor of a small sample.
 // Not covered: run-outs in the regression (maximum likelihood), staircase statistics, lack of fit, lives not tested.
 #pragma once
 
@@ -62,7 +63,8 @@ S = "350 MPa"
   static bool spread(const Input& in);
   static constexpr std::tuple inputs{
       ListField{&Input::tests, "tests", "test points: stress, cycles, \"failure\" or \"runout\""}.as_arrays(),
-      Field{&Input::P_s, "P_s", ratio, "probability of survival of the line for design"}.within(0.01, 0.999),
+      Field{&Input::P_s, "P_s", ratio, "probability of survival of the line for design, with 50 % confidence"}.within(
+          0.01, 0.999),
       Field{&Input::C, "C", ratio, "confidence of the interval of the slope"}.within(0.5, 0.999),
       Field{&Input::S, "S", MPa, "stress at which the life is asked for"}.positive().may_be_missing(),
       Field{&Input::S_D, "S_D", MPa, "fatigue limit, where it is known from other tests"}.positive().may_be_missing(),
@@ -95,11 +97,12 @@ S = "350 MPa"
       Field{&Result::N_D, "N_D", ratio, "cycles of the knee, where the line meets the fatigue limit"}.as(Role::result),
       Field{&Result::N_50, "N_50", ratio, "life at S, 50 % survival; none at and below the fatigue limit"}.as(
           Role::result),
-      Field{&Result::N_P, "N_P", ratio, "life at S, survival P_s"}.as(Role::result),
+      Field{&Result::N_P, "N_P", ratio, "life at S, survival P_s with 50 % confidence: z s, no tolerance factor"}.as(
+          Role::result),
       Field{&Result::S_0, "S_0", MPa, "conventional fatigue limit: strength at N_0 cycles, 50 % survival"}.as(
           Role::result),
       Field{&Result::x_S, "x_S", ratio, "S within the tested stresses: 0 the lowest, 1 the highest of the regression"}
-          .limit(0, 1, "S"),
+          .limit(0, 1 + 1e-9, "S"),
       Field{&Result::x_N, "x_N", ratio, "N_0 over the longest life in the regression: no extrapolation"}.limit(
           0, 1 + 1e-9, "N_0"),
       Field{&Result::P_f, "P_f", ratio, "failure probability of the design line: below 5 % a few tests say nothing"}

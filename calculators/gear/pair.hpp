@@ -86,6 +86,7 @@ sigma_adm_2 = "200 MPa"
   static FieldFault bases_apart(const Input& in);
   static FieldFault no_working_angle(const Input& in);
   static bool bases_meet(const Input& in);
+  static bool asks_strength(const Input& in) { return is_set(in.sigma_adm_1) || is_set(in.sigma_adm_2); }
   static bool working_angle_exists(const Input& in);
   static constexpr std::tuple inputs{
       Choice{&Input::mesh, "mesh", "what gear 1 meshes with"}.may_be_missing(),
@@ -95,10 +96,12 @@ sigma_adm_2 = "200 MPa"
       Field{&Input::alpha_n, "alpha_n", deg, "normal pressure angle"}.within(10, 35).usually(14.5, 25),
       Field{&Input::beta, "beta", deg, "helix angle at the reference cylinder"}.within(0, 45).usually(0, 35),
       Choice{&Input::hand, "hand", "hand of the helix of gear 1"}.may_be_missing(),
-      Field{&Input::x_1, "x_1", ratio, "profile shift of gear 1 in normal modules"}.within(-3, 3).usually(-0.8, 1.2),
+      Field{&Input::x_1, "x_1", ratio, "profile shift of gear 1 in normal modules"}
+          .within(-gear::most_shift, gear::most_shift)
+          .usually(-0.8, 1.2),
       Field{&Input::x_2, "x_2", ratio,
             "profile shift of gear 2, positive thickens its tooth; missing: from a_w, without it zero"}
-          .within(-3, 3)
+          .within(-gear::most_shift, gear::most_shift)
           .usually(-0.8, 1.2)
           .may_be_missing(),
       Field{&Input::a_w, "a_w", mm, "working centre distance; of a rack, from the axis to its reference line"}
@@ -183,12 +186,16 @@ sigma_adm_2 = "200 MPa"
                   "a power needs the speed n_1"},
       Rule<Input>{[](const Input& in) {
                     const bool load = is_set(in.T_1) || is_set(in.P), width = is_set(in.b) || is_set(in.psi_m);
-                    return !(is_set(in.sigma_adm_1) || is_set(in.sigma_adm_2)) || (load && width);
+                    return !asks_strength(in) || (load && width);
                   },
                   "sigma_adm_1, sigma_adm_2, T_1, P, b, psi_m",
                   "an allowable stress needs a load (T_1, or P with n_1) and a face width (b or psi_m)"},
       Rule<Input>{[](const Input& in) { return in.cutting == Cutting::none || is_set(in.n_1); }, "cutting, n_1",
                   "the velocity factor needs the speed n_1"},
+      Rule<Input>{[](const Input& in) { return in.cutting != Cutting::none || !is_set(in.n_1) || !asks_strength(in); },
+                  "cutting, n_1",
+                  "the gears run, but how their teeth are cut is not said: no velocity factor is counted", nullptr,
+                  true},
       Rule<Input>{[](const Input& in) { return in.rho_fP <= in.h_fP; }, "rho_fP, h_fP",
                   "the root radius does not fit into the dedendum"},
       Rule<Input>{[](const Input& in) { return in.k_W1 < in.z_1 && (in.k_W2 == 0 || in.k_W2 < in.z_2); },

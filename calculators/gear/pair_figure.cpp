@@ -64,7 +64,7 @@ draw::Scheme drawn(const GearPair::Input& in, const GearPair::Result& r) {
 }  // namespace
 
 std::vector<draw::Figure> GearPair::figures(const Input& in, const Result& r) {
-  if (!is_set(r.a_w) || !is_set(r.eps_alpha)) return {};
+  if (!is_set(r.eps_alpha) || !gear::has_teeth(in, r)) return {};
   return {{"pair", "The pair in the transverse plane, its working circles and the path of contact", drawn(in, r)}};
 }
 

@@ -59,8 +59,12 @@ void forces(const GearPair::Input& in, Moment T_1, PairResult& r, Tracer& trace)
 template <class Tracer>
 void velocity_factor(const GearPair::Input& in, PairResult& r, Tracer& trace) {
   const auto v = r.v;
-  r.K_v = 1.0, r.v_share = 0.0;
-  if (in.cutting == Cutting::none) return trace.value("K_v", r.K_v, "load at rest");
+  if (in.cutting == Cutting::none) {
+    const bool runs = is_set(in.n_1);
+    r.K_v = 1.0;
+    if (!(runs && GearPair::asks_strength(in))) r.v_share = 0.0;  // else nobody knows how fast such teeth may run
+    return trace.value("K_v", r.K_v, runs ? "not counted: how the teeth are cut is not given" : "load at rest");
+  }
   if (in.cutting == Cutting::cast) {
     r.K_v = NAMED_STEP("K_v", (3.05 + v / m_per_s) / 3.05, "cast teeth, Barth, [Shigley14]");
     r.v_share = NAMED_STEP("v_share", v / (10.0 * m_per_s), "used up to 10 m/s");
@@ -142,7 +146,7 @@ void load_teeth(const GearPair::Input& in, PairResult& r, Tracer& trace) {
   const Moment T_1 = torque(in, trace);
   if (is_set(T_1)) forces(in, T_1, r, trace);
   velocity_factor(in, r, trace);
-  if (!is_set(T_1) || !is_set(r.b)) return;
+  if (!is_set(T_1) || !is_set(r.b) || !has_teeth(in, r)) return;
   bend_all(in, r, trace);
 }
 

@@ -6,11 +6,23 @@ namespace loadpath::gear {
 namespace {
 
 template <class Tracer>
+double tips_over_bases(const GearPair::Input& in, const PairResult& r, Tracer& trace) {
+  const auto d_a1 = r.d_a1, d_a2 = r.d_a2, d_b1 = r.d_b1, d_b2 = r.d_b2;
+  if (in.mesh == Mesh::rack) {
+    STEP(q_a, d_a1 / d_b1, "the flank begins at the base circle");
+    return q_a;
+  }
+  STEP(q_a, min(d_a1 / d_b1, d_a2 / d_b2), "flanks begin at the base circle");
+  return q_a;
+}
+
+template <class Tracer>
 void path_of_contact(const GearPair::Input& in, PairResult& r, Tracer& trace) {
   const auto m_n = in.m_n;
   const auto m_t = r.m_t, d_1 = r.d_1, a_w = r.a_w, d_a1 = r.d_a1, d_b1 = r.d_b1, d_w1 = r.d_w1;
   const double alpha_t = r.alpha_t, alpha_wt = r.alpha_wt, h_aP = in.h_aP;
   STEP(p_et, pi * m_t * cos(alpha_t), "transverse base pitch");
+  r.q_a = tips_over_bases(in, r, trace);
   STEP(rho_a1, sqrt(d_a1 * d_a1 - d_b1 * d_b1) / 2.0, "radius of the flank at the tip of gear 1");
   STEP(g_a, rho_a1 - d_w1 / 2.0 * sin(alpha_wt), "recess, to the tip of gear 1");
   if (in.mesh == Mesh::rack) {

@@ -3,10 +3,17 @@
 
 #include "calculators/gear/pair.hpp"
 
+#include <cmath>
+
 namespace loadpath::gear {
 
 /// 1 for a wheel with outer teeth, -1 for a ring: the sign that ISO 21771 gives to its number of teeth.
 inline double sign_of(Mesh mesh) { return mesh == Mesh::internal ? -1.0 : 1.0; }
+
+/// Whether the profile shifts leave teeth that have a form; limits tell where they do not.
+inline bool has_teeth(const GearPair::Input& in, const PairResult& r) {
+  return r.q_a >= 1.0 && (in.mesh == Mesh::rack || std::abs(r.x_2) <= most_shift) && r.s_a > 0.0;
+}
 
 /// Reference circles, centre distance or profile shift, diameters and clearances.
 template <class Tracer>

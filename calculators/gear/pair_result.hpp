@@ -8,6 +8,8 @@
 
 namespace loadpath::gear {
 
+inline constexpr double most_shift = 3.0;  // of a wheel, in normal modules
+
 struct PairResult {
   double u = unset<double>;
   double alpha_t = unset<double>, alpha_wt = unset<double>;
@@ -21,7 +23,7 @@ struct PairResult {
   double eps_alpha = unset<double>, eps_beta = unset<double>, eps_gamma = unset<double>;
   double x_min1 = unset<double>, x_min2 = unset<double>, x_free = unset<double>;
   Length s_n1 = unset<Length>, s_n2 = unset<Length>, s_an1 = unset<Length>, s_an2 = unset<Length>;
-  double s_a = unset<double>, f_int = unset<double>;
+  double q_a = unset<double>, s_a = unset<double>, f_int = unset<double>;
   Length j_bn = unset<Length>;
   double k_W1 = unset<double>, k_W2 = unset<double>;
   Length W_1 = unset<Length>, W_2 = unset<Length>;
@@ -46,7 +48,9 @@ inline constexpr std::tuple pair_results{
     Field{&PairResult::a_w, "a_w", mm, "working centre distance"}.as(Role::result),
     Field{&PairResult::alpha_wt, "alpha_wt", deg, "working pressure angle, transverse"}.as(Role::result),
     Field{&PairResult::x_0, "x_0", ratio, "sum of the profile shifts that meshes without backlash"}.as(Role::result),
-    Field{&PairResult::x_2, "x_2", ratio, "profile shift of gear 2"}.as(Role::result),
+    Field{&PairResult::x_2, "x_2", ratio, "profile shift of gear 2, given or from a_w"}
+        .limit(-most_shift, most_shift)
+        .where_it_applies(),
     Field{&PairResult::d_1, "d_1", mm, "reference diameter of gear 1"}.as(Role::result),
     Field{&PairResult::d_2, "d_2", mm, "reference diameter of gear 2"}.as(Role::result),
     Field{&PairResult::d_b1, "d_b1", mm, "base diameter of gear 1"}.as(Role::result),
@@ -75,6 +79,9 @@ inline constexpr std::tuple pair_results{
     Field{&PairResult::s_n2, "s_n2", mm, "normal tooth thickness of gear 2 at the reference circle"}.as(Role::result),
     Field{&PairResult::s_an1, "s_an1", mm, "normal tip thickness of gear 1"}.as(Role::result),
     Field{&PairResult::s_an2, "s_an2", mm, "normal tip thickness of gear 2"}.as(Role::result),
+    Field{&PairResult::q_a, "q_a", ratio,
+          "flanks: least tip circle over base circle; inside of it there is no involute"}
+        .limit(1, 1e4),
     Field{&PairResult::s_a, "s_a", ratio, "pointed tip: least tip thickness in modules; 0.2, hardened 0.4"}.limit(0.2,
                                                                                                                   100),
     Field{&PairResult::f_int, "f_int", ratio,
@@ -101,9 +108,10 @@ inline constexpr std::tuple pair_results{
     Field{&PairResult::F_x2, "F_x2", N, "force on gear 2 along x"}.as(Role::result),
     Field{&PairResult::F_y2, "F_y2", N, "force on gear 2 along y"}.as(Role::result),
     Field{&PairResult::F_z2, "F_z2", N, "force on gear 2 along z"}.as(Role::result),
-    Field{&PairResult::K_v, "K_v", ratio, "velocity factor, raises the load"}.as(Role::result),
-    Field{&PairResult::v_share, "v_share", ratio, "velocity factor: speed over the highest that it is used for"}.limit(
-        0, 1, "n_1"),
+    Field{&PairResult::K_v, "K_v", ratio, "velocity factor, raises the load; 1 without cutting"}.as(Role::result),
+    Field{&PairResult::v_share, "v_share", ratio,
+          "velocity factor: speed over the highest that it is used for; a strength needs cutting"}
+        .limit(0, 1, "n_1"),
     Field{&PairResult::Y_1, "Y_1", ratio, "Lewis' factor of gear 1, load at the tip"}.as(Role::result),
     Field{&PairResult::Y_2, "Y_2", ratio, "Lewis' factor of gear 2, load at the tip"}.as(Role::result),
     Field{&PairResult::sigma_F1, "sigma_F1", MPa, "bending stress of gear 1 by Lewis"}.as(Role::result),

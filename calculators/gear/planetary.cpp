@@ -106,19 +106,25 @@ void tooth_force(const Planetary::Input& in, Planetary::Result& r, Tracer& trace
   r.F_t = F_t;
 }
 
+Planetary::Coaxial coaxial_by(double z_gap) {
+  if (z_gap == 0.0) return Planetary::Coaxial::exact;
+  return std::abs(z_gap) <= Planetary::most_shifted ? Planetary::Coaxial::by_shift : Planetary::Coaxial::none;
+}
+
 /// Evenly spaced planets need a whole number of tooth steps of sun and ring together between them.
 template <class Tracer>
 void assembly(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
-  const double z_s = in.z_s, z_p = in.z_p, z_r = in.z_r, N_p = in.N_p, h_aP = in.h_aP, x_p = in.x_p;
+  const double z_s = in.z_s, z_p = in.z_p, z_r = r.z_r, N_p = in.N_p, h_aP = in.h_aP, x_p = in.x_p;
   STEP(q, (z_s + z_r) / N_p, "steps of assembly between two planets; whole for even spacing, [Assembly]");
   r.q = q;
-  r.spacing = (in.z_s + in.z_r) % in.N_p == 0 ? Planetary::Spacing::even : Planetary::Spacing::uneven;
+  r.spacing =
+      (in.z_s + Planetary::ring_teeth(in)) % in.N_p == 0 ? Planetary::Spacing::even : Planetary::Spacing::uneven;
   const double steps = std::round(q);
   trace.value("steps", steps, "the nearest whole number of steps");
   STEP(phi_2, 2.0 * pi * steps / (z_s + z_r), "where the second planet can be put in");
   STEP(z_gap, z_r - z_s - 2.0 * z_p, "zero where sun, planet and ring come to one axis by their teeth, [Assembly]");
   r.phi_2 = phi_2, r.z_gap = z_gap;
-  r.coaxial = z_gap == 0.0 ? Planetary::Coaxial::exact : Planetary::Coaxial::by_shift;
+  r.coaxial = coaxial_by(z_gap);
   if (in.N_p == 1) {
     r.u_N = 0.0;
     return trace.value("u_N", r.u_N, "a single planet has no neighbour");
@@ -159,7 +165,8 @@ FieldFault Planetary::wrong_speeds(const Input& in) {
 template <class Tracer>
 Planetary::Result Planetary::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  const double z_s = in.z_s, z_r = in.z_r;
+  const double z_s = in.z_s, z_r = r.z_r = ring_teeth(in);
+  trace.value("z_r", z_r, in.z_r > 0 ? "as given" : "z_s + 2 z_p: sun, planets and ring come to one axis");
   STEP(i_0, -z_r / z_s, "sun and ring turn against each other with the carrier at rest, [Willis]");
   r.i_0 = i_0;
   all_speeds(in, r, trace);

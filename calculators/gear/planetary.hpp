@@ -14,6 +14,7 @@
 #include "lib/trace.hpp"
 
 #include <array>
+#include <cstdlib>
 
 namespace loadpath {
 
@@ -41,7 +42,8 @@ eta_0 = 0.97
 
   enum class Member { ring, carrier, sun, none };
   enum class Spacing { even, uneven };
-  enum class Coaxial { exact, by_shift };
+  enum class Coaxial { exact, by_shift, none };
+  static constexpr double most_shifted = 4.0;  // teeth that profile shift can still mend
 
   struct Input {
     int z_s = 0, z_p = 0, z_r = 0;
@@ -55,12 +57,14 @@ eta_0 = 0.97
     double beta = 0.0;
     double K_gamma = 1.0;
   };
+  /// As given, or what brings sun, planets and ring to one axis.
+  static int ring_teeth(const Input& in) { return in.z_r > 0 ? in.z_r : in.z_s + 2 * in.z_p; }
   static bool speeds_determined(const Input& in);
   static FieldFault wrong_speeds(const Input& in);
   static constexpr std::tuple inputs{
       Count{&Input::z_s, "z_s", 5, 1000, "teeth of the sun"},
       Count{&Input::z_p, "z_p", 5, 1000, "teeth of a planet"},
-      Count{&Input::z_r, "z_r", 10, 3000, "teeth of the ring"},
+      Count{&Input::z_r, "z_r", 10, 3000, "teeth of the ring; missing: z_s + 2 z_p"}.may_be_missing(),
       Count{&Input::N_p, "N_p", 1, 20, "planets"}.may_be_missing(),
       Choice{&Input::fixed, "fixed", "member that is held"}.may_be_missing(),
       Field{&Input::n_s, "n_s", rpm, "speed of the sun, signed"}.may_be_missing(),
@@ -84,6 +88,7 @@ eta_0 = 0.97
           .factor()};
 
   struct Result {
+    double z_r = unset<double>;
     double i_0 = unset<double>, i = unset<double>;
     AngularSpeed n_s = unset<AngularSpeed>, n_c = unset<AngularSpeed>, n_r = unset<AngularSpeed>;
     AngularSpeed n_p = unset<AngularSpeed>, n_pc = unset<AngularSpeed>;
@@ -100,6 +105,7 @@ eta_0 = 0.97
     double u_N = unset<double>;
   };
   static constexpr std::tuple results{
+      Field{&Result::z_r, "z_r", ratio, "teeth of the ring"}.as(Role::result),
       Field{&Result::i_0, "i_0", ratio, "basic ratio, sun over ring with the carrier at rest"}.as(Role::result),
       Field{&Result::n_s, "n_s", rpm, "speed of the sun"}.as(Role::result),
       Field{&Result::n_c, "n_c", rpm, "speed of the carrier"}.as(Role::result),
@@ -125,20 +131,24 @@ eta_0 = 0.97
       Choice{&Result::spacing, "spacing", "how the planets can be put in"}.as(Role::result),
       Field{&Result::phi_2, "phi_2", deg, "place of the second planet nearest to even spacing"}.as(Role::result),
       Choice{&Result::coaxial, "coaxial", "how sun, planet and ring come to one axis"}.as(Role::result),
-      Field{&Result::z_gap, "z_gap", ratio, "coaxial: z_r - z_s - 2 z_p, which profile shift can still mend"}.limit(-4,
-                                                                                                                    4),
+      Field{&Result::z_gap, "z_gap", ratio, "coaxial: z_r - z_s - 2 z_p, which profile shift can still mend"}.limit(
+          -most_shifted, most_shifted),
       Field{&Result::u_N, "u_N", ratio, "room between planets: tip circle over the distance of their axes"}.check()};
 
   static constexpr std::array rules{
-      Rule<Input>{[](const Input& in) { return in.z_r > in.z_p && in.z_r > in.z_s; }, "z_r, z_s, z_p",
+      Rule<Input>{[](const Input& in) { return ring_teeth(in) > in.z_p && ring_teeth(in) > in.z_s; }, "z_r, z_s, z_p",
                   "the ring has more teeth than sun and planet"},
       Rule<Input>{&speeds_determined, "fixed, n_s, n_c, n_r",
                   "with a member held one speed of the others is given; with none held, two", &wrong_speeds},
       Rule<Input>{[](const Input& in) { return is_set(in.T_s) + is_set(in.T_c) + is_set(in.T_r) <= 1; },
                   "T_s, T_c, T_r", "one torque sets the others: give one of T_s, T_c, T_r"},
-      Rule<Input>{[](const Input& in) { return (in.z_s + in.z_r) % in.N_p == 0; }, "z_s, z_r, N_p",
+      Rule<Input>{[](const Input& in) { return (in.z_s + ring_teeth(in)) % in.N_p == 0; }, "z_s, z_r, N_p",
                   "(z_s + z_r)/N_p is not whole: the planets can be put in, but not spaced evenly", nullptr, true},
-      Rule<Input>{[](const Input& in) { return in.z_r == in.z_s + 2 * in.z_p; }, "z_r, z_s, z_p",
+      Rule<Input>{[](const Input& in) {
+                    const int gap = ring_teeth(in) - in.z_s - 2 * in.z_p;
+                    return gap == 0 || std::abs(gap) > most_shifted;  // a limit tells of more
+                  },
+                  "z_r, z_s, z_p",
                   "z_r is not z_s + 2 z_p: only profile shift brings sun, planets and ring to one axis", nullptr,
                   true}};
 
@@ -165,7 +175,8 @@ constexpr auto choices_of(Planetary::Coaxial) {
   using Coaxial = Planetary::Coaxial;
   return std::array{
       ChoiceName<Coaxial>{Coaxial::exact, "exact", "without profile shift: z_r = z_s + 2 z_p"},
-      ChoiceName<Coaxial>{Coaxial::by_shift, "by_shift", "only by profile shift: z_r differs from z_s + 2 z_p"}};
+      ChoiceName<Coaxial>{Coaxial::by_shift, "by_shift", "only by profile shift: z_r differs from z_s + 2 z_p"},
+      ChoiceName<Coaxial>{Coaxial::none, "none", "not at all: z_r is too far from z_s + 2 z_p for profile shift"}};
 }
 
 }  // namespace loadpath

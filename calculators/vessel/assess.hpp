@@ -34,6 +34,15 @@ Length mean_radius(Length R, Length e, Tracer& trace) {
   return R_m;
 }
 
+/// The bound of the hoop compression of heads whose crown has this radius.
+template <class Tracer>
+double knuckle_slenderness(Length rho_c, Length delta_c, Tracer& trace) {
+  trace.value("rho_c", rho_c, "radius of the crown");
+  STEP(w_b, static_cast<double>(0.002 * rho_c / delta_c),
+       "knuckles in compression thinner than 0.002 of the crown radius may buckle, [UG-32]");
+  return w_b;
+}
+
 /// Sizes and checks the shape that `make(delta_c)` gives for a carrying thickness. `told(e, trace)`
 /// writes its radii down, which lie e outside of those given. Returns the governing place.
 template <class Input, class Result, class Make, class Told, class Tracer>

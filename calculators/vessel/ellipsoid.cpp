@@ -56,9 +56,8 @@ void ends(const Input& in, VesselEllipsoid::Result& r, Tracer& trace) {
   const auto a_m = r.a_m, b_m = r.b_m, delta_c = r.delta_c;
   STEP(sigma_pole, p * pow<2>(a_m) / (2.0 * b_m * delta_c), "pole, [Timoshenko]");
   STEP(sigma_eq, p * a_m / delta_c * (1.0 - pow<2>(a_m / b_m) / 2.0), "hoop stress of the equator, [Timoshenko]");
-  STEP(w_b, sigma_eq < 0.0 * sigma_eq ? static_cast<double>(0.002 * pow<2>(a_m) / (b_m * delta_c)) : 0.0,
-       "knuckles in compression thinner than 0.002 of the crown radius may buckle, [UG-32]");
-  r.sigma_pole = sigma_pole, r.sigma_eq = sigma_eq, r.w_b = w_b;
+  r.w_b = sigma_eq < 0.0 * MPa ? vessel::knuckle_slenderness(a_m * a_m / b_m, delta_c, trace) : 0.0;
+  r.sigma_pole = sigma_pole, r.sigma_eq = sigma_eq;
 }
 
 }  // namespace

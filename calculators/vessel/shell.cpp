@@ -82,6 +82,19 @@ class Shell {
     return least;
   }
 
+  /// The largest change of the curvature between neighbours, over that across the meridian.
+  [[nodiscard]] double largest_jump() const {
+    double largest = 0.0;
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+      for (const MeridianPoint& p : {points_[i - 1], points_[i]}) {
+        if (p.r > 0.0 && p.sine == 0.0) continue;  // flat: another limit says so
+        const double jump = std::abs((points_[i].kappa - points_[i - 1].kappa) * in_si(rho_of(p)));
+        largest = std::max(largest, jump);
+      }
+    }
+    return largest;
+  }
+
  private:
   /// At a pole both radii are one.
   static Length rho_of(const MeridianPoint& p) { return from_si<Length>(p.r == 0.0 ? 1.0 / p.kappa : p.r / p.sine); }
@@ -99,6 +112,18 @@ void tabulate(const Shell& shell, const Input& in, VesselShell::Result& r) {
     const bool straight = std::abs(kappa) < 1e-9;
     r.along.push_back({place.r, place.z, place.rho_o, straight ? unset<Length> : place.rho_o / kappa, s.o, s.M, s.v});
   }
+}
+
+/// Where a hoop stress is a compression, the flattest place counts as the crown.
+template <class Tracer>
+void knuckle(VesselShell::Result& r, Tracer& trace) {
+  Length flattest = 0.0 * mm;
+  bool compressed = false;
+  for (const auto& a : r.along) {
+    if (std::isfinite(in_si(a.rho_o))) flattest = max(flattest, abs(a.rho_o));
+    compressed = compressed || a.sigma_o < -1e-9 * r.sigma_all;
+  }
+  r.w_b = compressed ? vessel::knuckle_slenderness(flattest, r.delta_c, trace) : 0.0;
 }
 
 }  // namespace
@@ -134,7 +159,10 @@ VesselShell::Result VesselShell::evaluate(const Input& in, Tracer& trace) {
   r.psi_max = turn, r.s_min = shell.least_sine();
   trace.value("psi_max", r.psi_max, "sharpest turn of the meridian");
   trace.value("s_min", r.s_min, "flattest place off the axis");
+  r.w_kappa = shell.largest_jump();
+  trace.value("w_kappa", r.w_kappa, "largest change of kappa_M from one point to the next, times rho_o");
   tabulate(shell, in, r);
+  knuckle(r, trace);
   return r;
 }
 

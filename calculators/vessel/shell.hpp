@@ -3,7 +3,10 @@
 // Decides stresses along the meridian, the least thickness, the governing place and the allowable gas pressure: [B24]
 // (9) with radii of curvature from circles through three neighbouring points, and the balance of what lies before each
 // point. The points run from the free end of the shell to where it is held. Tension is positive.
-// Not covered: edges of the meridian (a limit), jumps of curvature, weight of the wall, external pressure, fatigue.
+// Not covered: edges of the meridian and jumps of its curvature (limits), weight of the wall, external pressure,
+// fatigue. Where the curvature changes, points tell the hoop stress to some 5 % while it changes by less than 0.2/rho_o
+// from one to the next; a real jump, as from the crown to the knuckle of a torispherical head, they would smooth away.
+// Give finer points, or take the parts as vessel.sphere and vessel.torus.
 #pragma once
 
 #include "calculators/vessel/assess.hpp"
@@ -20,8 +23,8 @@ struct VesselShell {
   static constexpr auto scope =
       "Membrane stresses of a shell of revolution whose meridian is given by points, under internal pressure of gas "
       "and "
-      "liquid; least thickness. Edges of the meridian, weight of the wall, external pressure and fatigue are not "
-      "covered.";
+      "liquid; least thickness. Edges of the meridian, jumps of its curvature (a knuckle beside a crown: see "
+      "vessel.sphere and vessel.torus), weight of the wall, external pressure and fatigue are not covered.";
   static constexpr auto source = "[B24], [Mises]";
   static constexpr auto example = R"([project]
 title = "Bottom of a kettle"
@@ -75,7 +78,7 @@ sigma_adm = "120 MPa"
 
   struct Result : vessel::WallResult {
     Length r = unset<Length>, z = unset<Length>;
-    double psi_max = unset<double>, s_min = unset<double>;
+    double psi_max = unset<double>, s_min = unset<double>, w_kappa = unset<double>, w_b = unset<double>;
     List<Along, vessel::most_points> along;
   };
   static constexpr std::tuple results = std::tuple_cat(
@@ -88,6 +91,12 @@ sigma_adm = "120 MPa"
           Field{&Result::s_min, "s_min", ratio,
                 "off the axis: least sine of the slope; a flat crown there is no membrane"}
               .limit(0.02, 1.0 + 1e-9),
+          Field{&Result::w_kappa, "w_kappa", ratio,
+                "jumps: largest change of the meridian's curvature from point to point, times rho_o; finer points, or "
+                "vessel.sphere and vessel.torus for the parts of a head"}
+              .limit(0, 0.2),
+          Field{&Result::w_b, "w_b", ratio, "buckling of a knuckle: 0.002 of the crown radius over the thickness"}
+              .limit(0, 1),
           ListField<Result, Along, vessel::most_points>{&Result::along, "along", "stresses along the meridian"}.as(
               Role::result)});
 

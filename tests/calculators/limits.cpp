@@ -44,6 +44,11 @@ const Side vessels[] = {
     {"vessel.shell", "s_min", outside, "points",  // a cone that rises by 2.1 % and by 1.9 %
      R"([["0.1 m", "0 m"], ["0.6 m", "0.0105 m"], ["1.1 m", "0.0210 m"]])",
      R"([["0.1 m", "0 m"], ["0.6 m", "0.0095 m"], ["1.1 m", "0.0190 m"]])"},
+    {"vessel.shell", "w_kappa", outside, "points",  // a barrel beside a cylinder: radii of 2.6 m and of 2.4 m
+     R"([["1.000000 m", "0.000000 m"], ["1.000000 m", "0.100000 m"], ["1.000000 m", "0.200000 m"], ["0.998077 m", "0.299975 m"], ["0.992311 m", "0.399803 m"], ["0.982712 m", "0.499335 m"]])",
+     R"([["1.000000 m", "0.000000 m"], ["1.000000 m", "0.100000 m"], ["1.000000 m", "0.200000 m"], ["0.997917 m", "0.299971 m"], ["0.991671 m", "0.399769 m"], ["0.981274 m", "0.499219 m"]])"},
+    {"vessel.shell", "w_b", outside, "delta", R"("2.1 mm")", R"("1.9 mm")",  // crown of 1 m, knuckle of 0.1 m
+     R"(points = [["0.000000 m", "0.000000 m"], ["0.114884 m", "0.006621 m"], ["0.228247 m", "0.026397 m"], ["0.338588 m", "0.059065 m"], ["0.444444 m", "0.104194 m"], ["0.460167 m", "0.113900 m"], ["0.473836 m", "0.126334 m"], ["0.484984 m", "0.141070 m"], ["0.493230 m", "0.157605 m"], ["0.498293 m", "0.175376 m"], ["0.500000 m", "0.193774 m"]])"},
 };
 
 const Side sections[] = {
@@ -102,6 +107,8 @@ const Side fatigue[] = {
     {"fatigue.endurance", "x_n", outside, "R_m", R"("1699 MPa")", R"("1701 MPa")"},
     {"fatigue.wohler", "x_S", outside, "S", R"("310 MPa")", R"("309 MPa")"},
     {"fatigue.wohler", "x_S", outside, "S", R"("420 MPa")", R"("421 MPa")"},
+    {"fatigue.wohler", "x_S", outside, "S", R"("0.535 GPa")", R"("0.5351 GPa")",
+     R"(tests = [["535 MPa", 38000], ["480 MPa", 91000], ["420 MPa", 262000]])"},
     {"fatigue.wohler", "x_N", outside, "N_0", "980000", "981000"},
     {"fatigue.wohler", "P_f", outside, "P_s", "0.95", "0.951"},
 };
@@ -115,6 +122,10 @@ const Side gears[] = {
     {"gear.pair", "f_int", outside, "z_1", "16", "15", spur},
     {"gear.pair", "j_bn", outside, "a_w", R"("96.25 mm")", R"("96.24 mm")", "beta = \"0 deg\"\nx_1 = 0\nx_2 = 0"},
     {"gear.pair", "v_share", outside, "n_1", R"("9190 rpm")", R"("9200 rpm")"},
+    {"gear.pair", "v_share", State::not_available, "cutting", R"("hobbed")", R"("none")"},
+    {"gear.pair", "x_2", outside, "a_w", R"("102.48 mm")", R"("102.49 mm")", "beta = \"0 deg\"\nx_1 = 0"},
+    {"gear.pair", "x_2", outside, "a_w", R"("96.1 mm")", R"("95.9 mm")", "beta = \"0 deg\"\nx_1 = 2.9"},
+    {"gear.pair", "q_a", outside, "x_1", "-1.6", "-1.61", "beta = \"0 deg\"\na_w = \nshortening = \"none\"\nx_2 = 1.6"},
     {"gear.pair", "u_F1", over, "sigma_adm_1", R"("171 MPa")", R"("170 MPa")"},
     {"gear.pair", "u_F2", over, "sigma_adm_2", R"("144 MPa")", R"("143 MPa")"},
     {"gear.planetary", "z_gap", outside, "z_p", "28", "27"},
@@ -128,6 +139,7 @@ const Side pulleys[] = {
     {"chain.roller", "alpha_2", outside, "a", R"("700 mm")", R"("500 mm")", "z_1 = 100\nz_2 = 17"},
     {"chain.roller", "v_share", outside, "n_1", R"("670 rpm")", R"("680 rpm")"},
     {"chain.roller", "u_p", over, "p_adm", R"("22 MPa")", R"("21 MPa")"},
+    {"chain.roller", "u_F", over, "P", R"("39.2 kW")", R"("39.3 kW")"},
     {"chain.roller", "u_S", over, "S_min", "12.6", "12.7"},
     {"chain.roller", "u_P", over, "P_R", R"("3.51 kW")", R"("3.5 kW")"},
     {"belt.course", "u_S", over, "S_0", R"("248 N")", R"("247 N")"},
@@ -170,6 +182,7 @@ const Side motion[] = {
     {"dynamics.throw", "u_L", over, "L_req", R"("40.7 m")", R"("40.8 m")"},
     {"dynamics.lift", "u_s", over, "s", R"("1.04 m")", R"("1.05 m")",
      "v_0 = \"3 m/s\"\nweights = [{ m = \"8 kg\", i = -1 }]"},
+    {"dynamics.lift", "u_s", State::not_available, "weights", R"([{ m = "8 kg" }])", R"([{ m = "8 kg", i = -1 }])"},
     {"dynamics.work", "u_s", over, "mu", "0.577", "0.578"},
     {"machine.flywheel", "u_delta", over, "delta", "0.0039", "0.0038", R"(J = "8000 kg*m^2")"},
     {"machine.flywheel", "u_P", over, "P_n", R"("377 kW")", R"("376 kW")"},

@@ -57,6 +57,30 @@ bool says(const std::string& lines, const std::string& part) {
 }  // namespace
 
 TEST_SUITE("gear pair") {
+  TEST_CASE("teeth that no profile shift makes have no bending stress and no picture") {
+    GearPair::Input in = helical();
+    in.m_n = 1.0 * mm;
+    const auto far = solve(in);
+    CHECK(far.x_2 > 100.0);
+    CHECK_FALSE(is_set(far.sigma_F1));
+    CHECK_FALSE(is_set(far.sigma_F2));
+    CHECK(GearPair::figures(in, far).empty());
+    in = pair_of(5, 2000, 1.0);
+    in.x_1 = in.x_2 = 3.0, in.b = 10.0 * mm, in.T_1 = 1.0 * N_m;
+    in.a_w = 0.945 * 1002.5 * mm;  // so close that the tips are shortened to nothing
+    const auto none = solve(in);
+    CHECK(none.q_a < 0.0);
+    CHECK_FALSE(is_set(none.sigma_F1));
+  }
+
+  TEST_CASE("a strength of running gears without a cutting: no velocity factor, which is said") {
+    const std::string runs =
+        "z_1 = 20\nz_2 = 57\nm_n = \"2.5 mm\"\nb = \"28 mm\"\nT_1 = \"60 N*m\"\nsigma_adm_1 = \"200 MPa\"\n"
+        "n_1 = \"1450 rpm\"\n";
+    CHECK(says(runs, "how their teeth are cut is not said"));
+    CHECK(issues_of(runs + "cutting = \"hobbed\"\n").empty());
+  }
+
   TEST_CASE("an independent computation by bisection and by intersecting the line of action agrees to ten digits") {
     const auto r = solve(helical());
     CHECK(rel(r.alpha_wt / deg.one, 22.746235473563463) < 1e-10);

@@ -123,6 +123,18 @@ TEST_SUITE("gear planetary") {
     CHECK(solve(in).spacing == Planetary::Spacing::even);
   }
 
+  TEST_CASE("a ring of 50 about 24 and 30 comes to no axis; without its teeth it is the one that does") {
+    Planetary::Input in = winch();
+    in.z_r = 50;
+    CHECK(solve(in).z_gap == -34.0);
+    CHECK(solve(in).coaxial == Planetary::Coaxial::none);
+    in.z_r = 0;
+    CHECK(solve(in).z_r == 84.0);
+    CHECK(solve(in).i_0 == -3.5);
+    CHECK(solve(in).coaxial == Planetary::Coaxial::exact);
+    CHECK(solve(in).q == 36.0);
+  }
+
   TEST_CASE("planets touch when there are too many") {
     Planetary::Input in = winch();
     in.N_p = 4;

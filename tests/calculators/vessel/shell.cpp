@@ -74,6 +74,31 @@ TEST_SUITE("vessel.shell") {
     CHECK(last < 0.02);
   }
 
+  TEST_CASE(
+      "a curvature that changes from point to point: none on an arc, ever less on an ellipse, a jump at a knuckle") {
+    CHECK(shell(bowl(9, 1.0)).w_kappa < 1e-6);
+    double last = 10.0;
+    for (const int n : {16, 32, 64}) {
+      const auto in = along(n, [](double t) {  // two to one, spaced by its slope
+        const double e = std::atan2(2 * std::sin(t * pi / 2), std::cos(t * pi / 2));
+        return VesselShell::Point{std::sin(e) * m, -0.5 * std::cos(e) * m};
+      });
+      const auto r = shell(in);
+      CHECK(r.w_kappa < 0.6 * last);
+      if (r.w_kappa < 0.2) CHECK(rel(in_si(r.along.back().sigma_o), -1e8) < 0.05);  // p a (1 - 2)/delta
+      last = r.w_kappa;
+    }
+    CHECK(last < 0.2);
+    const auto head = along(21, [](double t) {  // crown 1 m, knuckle 0.1 m, 1 m across
+      const double begin = std::asin(0.4 / 0.9), psi = t < 0.5 ? 2 * t * begin : begin + (2 * t - 1) * (pi / 2 - begin);
+      if (t <= 0.5) return VesselShell::Point{std::sin(psi) * m, -std::cos(psi) * m};
+      return VesselShell::Point{(0.4 + 0.1 * std::sin(psi)) * m, -(0.9 * std::cos(begin) + 0.1 * std::cos(psi)) * m};
+    });
+    CHECK(shell(head).w_kappa > 4.0);  // about half of R/r - 1 = 9
+    CHECK(rel(shell(head).w_b, 0.002 * 1.0 / 0.01) < 0.01);
+    CHECK(shell(bowl(9, 1.0)).w_b == 0.0);
+  }
+
   TEST_CASE("a hanging cone of points bears its liquid as the cone does") {
     auto in = along(41, [](double t) { return VesselShell::Point{t * m, t * m}; });
     in.points[0].r = 1e-6 * m;

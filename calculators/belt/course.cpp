@@ -141,7 +141,7 @@ void tighten(const Input& in, const Loop& loop, Result& r, Tracer& trace) {
   const auto taken = taken_forces(in, v);
   STEP(F_c, q * v * v, "turns the belt around, and does not press the pulleys");
   r.F_c = F_c;
-  const auto F_t = taken.back();
+  const auto& F_t = taken.back();
   trace.value("F_t", F_t, "force of the driving pulley: what the others take, P / v");
   STEP(P_1, F_t * v, "power of the driving pulley");
   r.P_1 = P_1;
@@ -159,7 +159,7 @@ void tighten(const Input& in, const Loop& loop, Result& r, Tracer& trace) {
   for (std::size_t k = 0; k < r.pulleys.size(); ++k) {
     [[maybe_unused]] const auto here = trace.scope("pulleys", k);
     const Force before = k == 0 ? S_0 + taken.back() : r.pulleys[k - 1].S;
-    const auto F_k = taken[k];
+    const auto& F_k = taken[k];
     trace.value("F_k", F_k, "taken up to this pulley");
     STEP(S, S_0 + F_k, "tension behind it");
     const auto S_before = before;

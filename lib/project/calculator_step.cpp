@@ -55,7 +55,6 @@ void CalculatorStep::find_searches(std::vector<Issue>& issues) {
   }
 }
 
-/// Whether a table is to fill the input, be there such a row or not.
 bool CalculatorStep::names_row_for(const std::string& field) const {
   const FieldInfo* info = find_field(input().calculator->input->fields, field);
   const auto& typed = input().reading.typed;

@@ -23,6 +23,8 @@ class CalculatorStep : public Step {
   /// The issue that an input makes by breaking a rule: where the rule says, else at the first of its fields that was
   /// typed.
   [[nodiscard]] Issue broken_rule(std::size_t rule, const Record& record) const;
+  /// Whether a table is to fill the input, be there such a row or not.
+  [[nodiscard]] bool names_row_for(const std::string& field) const;
 
  protected:
   /// Whether an input may be a series.
@@ -33,7 +35,6 @@ class CalculatorStep : public Step {
   void find_searches(std::vector<Issue>& issues);
   void check_rules_of_literals(std::vector<Issue>& issues);
   [[nodiscard]] bool is_open(const std::string& field) const;
-  [[nodiscard]] bool names_row_for(const std::string& field) const;
   [[nodiscard]] Fault unknown_path(const std::string& path) const;
 
   const Axis* axis_ = nullptr;  // of the series among the inputs; null: one position

@@ -23,6 +23,9 @@ class Run {
   void fill(bool pictures, Account& account) const;
 
  private:
+  /// Of a utilisation: a size that is just the least one passes, and what is just zero may have a sign.
+  static constexpr double rounding = 1e-9;
+
   /// A leaf that is set anew at every position.
   struct Input {
     std::string path;
@@ -51,7 +54,6 @@ class Run {
   /// The largest value of a result over the positions, refined between them; NaN where one is not available.
   double largest_result(const FieldInfo& field);
   [[nodiscard]] bool is_asked(const FieldInfo& check) const;
-  [[nodiscard]] bool names_row_for(const std::string& input) const;
   [[nodiscard]] bool is_any_asked() const;
   [[nodiscard]] Issue aimless(const Search& wanted) const;
   bool passes();

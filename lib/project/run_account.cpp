@@ -10,8 +10,6 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // a size that is just the least one passes
-
 /// "at 202.7 deg of lever: crank angle"
 Message at_place(const Extreme& extreme, const Axis& axis) {
   return say("at {1} ({2})", format_quantity(extreme.at, axis.unit, 5), axis.name());

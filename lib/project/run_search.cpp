@@ -13,7 +13,8 @@ bool Run::is_asked(const FieldInfo& check) const {
     const std::size_t comma = std::min(inputs.find(", "), inputs.size());
     const std::string input(inputs.substr(0, comma));
     const Leaf asking = map_leaf(input);
-    if (asking && (!std::isnan(asking.get()) || names_row_for(input))) return true;
+    const bool lacks = asking && step_.names_row_for(input) && !asking.field->provider.may_lack;
+    if (asking && (!std::isnan(asking.get()) || lacks)) return true;
     inputs.remove_prefix(std::min(comma + 2, inputs.size()));
   }
   return false;
@@ -24,7 +25,7 @@ bool Run::passes() {
   return std::all_of(calculator_.result->fields.begin(), calculator_.result->fields.end(), [&](const FieldInfo& f) {
     if (f.role != Role::check || !is_asked(f)) return true;
     const double largest = largest_result(f);
-    return largest <= 1.0 || (f.where_set && std::isnan(largest));
+    return (largest >= -rounding && largest <= 1.0) || (f.where_set && std::isnan(largest));
   });
 }
 
@@ -67,14 +68,6 @@ void Run::keep_sizing_results(const std::string& searched) {
     leaf.set(si);
     origins_[field.key] = {say("of the least {1}, kept when it is rounded up", searched), {}, false};
   }
-}
-
-/// Whether a row is to fill the input, even where it has no value for it.
-bool Run::names_row_for(const std::string& input) const {
-  const auto& provided = step_.provided();
-  return std::any_of(provided.begin(), provided.end(), [&](const Provided& p) {
-    return p.path == input && !p.row.empty() && !p.leaf.field->provider.may_lack;
-  });
 }
 
 bool Run::is_any_asked() const {

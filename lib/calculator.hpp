@@ -20,6 +20,9 @@ class Step;
 struct StepInput;
 /// The step of an ordinary calculator.
 std::unique_ptr<Step> make_calculator_step(StepInput&& input);
+/// The same without series: `static constexpr bool takes_series = false` in a calculator that decides on one thing for
+/// all its loads, a belt and its tension, a section. At every position of a cycle it would find another.
+std::unique_ptr<Step> make_single_step(StepInput&& input);
 }  // namespace project
 
 struct RuleInfo {

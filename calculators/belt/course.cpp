@@ -1,7 +1,6 @@
 #include "calculators/belt/course.hpp"
 
 #include "lib/calculator_of.hpp"
-#include "lib/project/calculator_step.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -300,14 +299,6 @@ std::vector<draw::Figure> BeltCourse::figures(const Input& in, const Result& r) 
   return {{"course", "The belt to scale, with the loads of the shafts", std::move(drive)}};
 }
 
-template <>
-const Calculator& erased<BeltCourse>() {
-  static const Calculator calculator = [] {
-    Calculator c = calculator_of<BeltCourse>();
-    c.make_step = &project::make_single_step;
-    return c;
-  }();
-  return calculator;
-}
+template const Calculator& erased<BeltCourse>();
 
 }  // namespace loadpath

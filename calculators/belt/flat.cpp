@@ -3,7 +3,6 @@
 #include "calculators/belt/figures.hpp"
 #include "calculators/belt/shaft_load.hpp"
 #include "lib/calculator_of.hpp"
-#include "lib/project/calculator_step.hpp"
 
 namespace loadpath {
 
@@ -158,14 +157,6 @@ std::vector<draw::Figure> FlatBelt::figures(const Input& in, const Result& r) {
   return {belt::drive_figure(in.d_1, in.d_2, r.a, in.arrangement)};
 }
 
-template <>
-const Calculator& erased<FlatBelt>() {
-  static const Calculator calculator = [] {
-    Calculator c = calculator_of<FlatBelt>();
-    c.make_step = &project::make_single_step;
-    return c;
-  }();
-  return calculator;
-}
+template const Calculator& erased<FlatBelt>();
 
 }  // namespace loadpath

@@ -26,6 +26,7 @@ struct FlatBelt {
       "width of the belt, initial tension and shaft load of a flat belt, open or crossed. Speeds of 5 to 30 m/s, of "
       "synthetic belts to 100 m/s. Rollers on the belt: belt.course. The life of the belt is not covered.";
   static constexpr auto source = "[B40], [Shigley-17]";
+  static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
 title = "Fan drive with a flat belt"
 

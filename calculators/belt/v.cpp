@@ -7,7 +7,6 @@
 #include "calculators/belt/v_rating.hpp"
 #include "calculators/belt/v_tension.hpp"
 #include "lib/calculator_of.hpp"
-#include "lib/project/calculator_step.hpp"
 
 namespace loadpath {
 
@@ -140,14 +139,6 @@ std::vector<draw::Figure> VBelt::figures(const Input& in, const Result& r) {
   return {belt::drive_figure(in.d_1, in.d_2, r.a, belt::Arrangement::open)};
 }
 
-template <>
-const Calculator& erased<VBelt>() {
-  static const Calculator calculator = [] {
-    Calculator c = calculator_of<VBelt>();
-    c.make_step = &project::make_single_step;
-    return c;
-  }();
-  return calculator;
-}
+template const Calculator& erased<VBelt>();
 
 }  // namespace loadpath

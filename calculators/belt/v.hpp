@@ -26,6 +26,7 @@ struct VBelt {
       "with two pulleys, on one basis: ISO 5292 (GOST 1284.3, classes III and IV) or Optibelt. Within the diameters, "
       "speeds and lengths that the basis rates. A life is given only where the basis states one.";
   static constexpr auto source = "[B40], [GOST1284.3], [Optibelt-V]";
+  static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
 title = "Compressor with wedge belts"
 

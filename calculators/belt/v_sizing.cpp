@@ -3,7 +3,6 @@
 #include "calculators/belt/figures.hpp"
 #include "calculators/belt/v_choices.hpp"
 #include "lib/calculator_of.hpp"
-#include "lib/project/calculator_step.hpp"
 #include "lib/table/table.hpp"
 
 #include <algorithm>
@@ -227,14 +226,6 @@ std::vector<draw::Figure> VBeltSizing::figures(const Input&, const Result& r) {
   return {belt::drive_figure(r.d_1, r.d_2, r.a, belt::Arrangement::open)};
 }
 
-template <>
-const Calculator& erased<VBeltSizing>() {
-  static const Calculator calculator = [] {
-    Calculator c = calculator_of<VBeltSizing>();
-    c.make_step = &project::make_single_step;
-    return c;
-  }();
-  return calculator;
-}
+template const Calculator& erased<VBeltSizing>();
 
 }  // namespace loadpath

@@ -17,6 +17,7 @@ struct VBeltSizing {
       "Ranked list of V-belt drives out of standard sections, pulleys and lengths for a power, two speeds and a rough "
       "centre distance, on one basis; the best one with its whole calculation. Covers what belt.v covers.";
   static constexpr auto source = VBelt::source;
+  static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
 title = "Fan drive"
 

@@ -2,7 +2,6 @@
 
 #include "calculators/column/lightest_parts.hpp"
 #include "lib/calculator_of.hpp"
-#include "lib/project/calculator_step.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -151,14 +150,6 @@ std::vector<draw::Figure> LightestColumn::figures(const Input& in, const Result&
   return figures;
 }
 
-template <>
-const Calculator& erased<LightestColumn>() {
-  static const Calculator calculator = [] {
-    Calculator c = calculator_of<LightestColumn>();
-    c.make_step = &project::make_single_step;
-    return c;
-  }();
-  return calculator;
-}
+template const Calculator& erased<LightestColumn>();
 
 }  // namespace loadpath

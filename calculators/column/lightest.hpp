@@ -26,6 +26,7 @@ struct LightestColumn {
       "of a material is that of the thickest of all sections up to the one found: a lighter, thinner section that the "
       "list says is too weak can carry the bar with the strength of its own thickness; column.buckling tells.";
   static constexpr auto source = Buckling::source;
+  static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
 title = "Column of a platform"
 

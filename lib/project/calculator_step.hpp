@@ -42,8 +42,4 @@ class CalculatorStep : public Step {
   std::vector<Search> searches_;
 };
 
-/// Of a calculator that decides on one thing for all its loads, a belt and its tension, a section: at every position of
-/// a cycle it would find another. It takes no series.
-std::unique_ptr<Step> make_single_step(StepInput&& input);
-
 }  // namespace loadpath::project

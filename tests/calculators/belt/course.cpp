@@ -14,7 +14,6 @@ namespace {
 
 using namespace loadpath;
 using test::BeltStep;
-using test::first_error;
 using test::replaced;
 using test::with;
 using Pulley = BeltCourse::Pulley;
@@ -189,15 +188,6 @@ TEST_SUITE("belt course") {
     CHECK(BeltStep(with(text, "mu", "")).says("the tensions need the friction mu, or the tension S_0"));
     CHECK(BeltStep(replaced(text, "P = \"4 kW\"", "P = \"-4 kW\"")).says("give more power than they take"));
     CHECK(BeltStep(replaced(text, "d = \"160 mm\"", "d = \"160 mm\", P = \"1 kW\"")).says("the first pulley drives"));
-  }
-
-  TEST_CASE("one belt has one tension: a power over the turn is refused") {
-    const std::string press =
-        "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"40 mm\"\nl = \"150 mm\"\n"
-        "crank = { speed = \"60 rpm\", positions = 12 }\nlinks.slider.mass = \"5 kg\"\n";
-    const std::string belt = replaced(text, "P = \"4 kW\"", "P = \"=press.drive.P\"");
-    CHECK(first_error(press + "[drive_belt]\n" + belt).find("takes one value, and this is a series") !=
-          std::string::npos);
   }
 
   TEST_CASE("without mu the tension is as given; too little of it is not covered") {

@@ -1,4 +1,5 @@
 #include "lib/project/step.hpp"
+#include "tests/calculators/step_text.hpp"
 #include "tests/lib/project/texts.hpp"
 
 #include <algorithm>
@@ -179,5 +180,25 @@ TEST_SUITE("project steps") {
     const report::Verdict& bending = verdict(project, "axle", "F_bend");
     CHECK(bending.state == report::State::not_covered);
     CHECK(std::get<report::Quantity>(bending.value).si == doctest::Approx(100.0));
+  }
+
+  TEST_CASE("what is one thing for all loads takes no series of them") {
+    const std::string press =
+        "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"40 mm\"\nl = \"150 mm\"\n"
+        "crank = { speed = \"60 rpm\", positions = 12 }\nlinks.slider.mass = \"5 kg\"\n";
+    const struct {
+      const char *id, *key, *load;
+    } rows[] = {{"belt.flat", "P", "drive.P"},
+                {"belt.v", "P", "drive.P"},
+                {"belt.v_sizing", "P", "drive.P"},
+                {"belt.course", "S_0", "links.rod.N"},
+                {"column.lightest", "P", "links.rod.N"}};
+    for (const auto& [id, key, load] : rows) {
+      CAPTURE(id);
+      const Calculator* const calculator = find_calculator(catalogue(), id);
+      REQUIRE(calculator != nullptr);
+      CHECK(first_error(with(calculator->example, key, std::string("\"=press.") + load + "\"") + press) ==
+            std::string("'") + key + "' takes one value, and this is a series over press: crank angle");
+    }
   }
 }

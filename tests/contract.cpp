@@ -222,7 +222,7 @@ TEST_SUITE("contract") {
           CHECK(std::abs(value - line.si) <= 1e-12 * std::abs(line.si));
         }
         for (const std::string& key : report::keys_in(line.why)) CHECK_MESSAGE(!table::citation(key).empty(), key);
-        names.add(line);
+        names.add(line, names.unit_of(line));
       }
     }
   }

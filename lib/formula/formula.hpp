@@ -32,6 +32,10 @@ using Known = std::function<std::optional<double>(std::string_view name)>;
 /// `known`.
 double value(const Node& tree, const Known& known);
 
+/// Whether the value is an angle for sure: an inverse function, or an angle that is `known`, beside numbers and pi
+/// only.
+bool is_angle(const Node& tree, const std::function<bool(std::string_view name)>& known);
+
 /// How a symbol's value is written when it is substituted: number and printed unit ("2700", "N·m"); nothing: keep the
 /// name.
 struct Written {

@@ -15,18 +15,6 @@ std::string joined(const std::string& scope, std::string_view name) {
   return scope.empty() ? std::string(name) : scope + "." + std::string(name);
 }
 
-/// The unit that the field of a line's symbol is shown in, or a readable one.
-std::string unit_of(const Line& line, const Record& input, const Record& result) {
-  for (const Record* record : {&result, &input}) {
-    const Leaf leaf = find_leaf(*record, joined(line.scope, line.symbol));
-    if (leaf && leaf.field->type == FieldInfo::Type::quantity &&
-        leaf.field->dimension.without_angle() == line.dimension) {
-      return leaf.field->unit;
-    }
-  }
-  return readable_unit(line.si, line.dimension);
-}
-
 /// "methods[3]" as "methods.johnson", where the element has a name.
 std::string named_element(const std::string& scope, const Record& input, const Record& result) {
   const std::size_t open = scope.find('['), close = scope.find(']');
@@ -89,17 +77,38 @@ std::optional<Names::Known> Names::find(const std::string& scope, std::string_vi
   }
 }
 
-void Names::add(const Line& line) {
-  lines_[joined(line.scope, line.symbol)] = {line.si, unit_of(line, input_, result_)};
+std::string Names::unit_of(const Line& line) const {
+  for (const Record* record : {&result_, &input_}) {
+    const Leaf leaf = find_leaf(*record, joined(line.scope, line.symbol));
+    if (leaf && leaf.field->type == FieldInfo::Type::quantity &&
+        leaf.field->dimension.without_angle() == line.dimension) {
+      return leaf.field->unit;
+    }
+  }
+  return readable_unit(line.si, is_angle(line) ? Dimension::of(0, 0, 0, 0, 1) : line.dimension);
+}
+
+/// In C++ an angle is a plain number; its formula tells it from one.
+bool Names::is_angle(const Line& line) const {
+  if (line.dimension != Dimension{}) return false;
+  const auto tree = formula::parse(line.formula);
+  return tree && formula::is_angle(*tree, [&](std::string_view name) {
+           const auto known = find(line.scope, name);
+           return known && known->unit == "deg";
+         });
+}
+
+void Names::add(const Line& line, const std::string& unit) {
+  lines_[joined(line.scope, line.symbol)] = {line.si, unit};
 }
 
 std::vector<Derived> derive(const Trace& trace, const Record& input, const Record& result) {
   Names names(input, result);
   std::vector<Derived> derived;
   for (const Line& line : trace.lines()) {
-    derived.push_back(
-        {line.scope, step_of(line, names, unit_of(line, input, result)), named_element(line.scope, input, result)});
-    names.add(line);
+    const std::string unit = names.unit_of(line);
+    derived.push_back({line.scope, step_of(line, names, unit), named_element(line.scope, input, result)});
+    names.add(line, unit);
   }
   return derived;
 }

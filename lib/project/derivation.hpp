@@ -18,9 +18,12 @@ class Names {
     std::string unit;
   };
   [[nodiscard]] std::optional<Known> find(const std::string& scope, std::string_view name) const;
-  void add(const Line& line);
+  /// The unit that the field of a line's symbol is shown in, or a readable one.
+  [[nodiscard]] std::string unit_of(const Line& line) const;
+  void add(const Line& line, const std::string& unit);
 
  private:
+  [[nodiscard]] bool is_angle(const Line& line) const;
   [[nodiscard]] std::optional<Known> find_here(const std::string& scope, std::string_view name) const;
 
   const Record& input_;

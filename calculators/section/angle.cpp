@@ -22,7 +22,7 @@ void twist(const AngleSection::Input& in, AngleSection::Result& result, Tracer& 
 }  // namespace
 
 template <class Tracer>
-AngleSection::Result AngleSection::evaluate(const Input& in, Tracer& trace) {
+AngleSection::Result AngleSection::own(const Input& in, Tracer& trace) {
   const auto& [h, b, t, r, r_2] = in;
   Result result;
   const auto [A_r, e_r, I_r, I_rp] = section::corner(r, trace);
@@ -52,16 +52,19 @@ AngleSection::Result AngleSection::evaluate(const Input& in, Tracer& trace) {
        "about the corner, brought to the centroid by Steiner, [Garrison]");
   result.A = A, result.y_S = y_S, result.z_S = z_S, result.I_y = I_y, result.I_z = I_z, result.I_yz = I_yz;
   twist(in, result, trace);
-  section::complete(result, section::corners_of(section::angle_outline(h, b, t)), trace);
   return result;
+}
+
+section::Extremes AngleSection::extremes(const Input& in) {
+  return section::corners_of(section::angle_outline(in.h, in.b, in.t));
 }
 
 std::vector<draw::Figure> AngleSection::figures(const Input& in, const Result& r) {
   return section::figures({{section::angle_outline(in.h, in.b, in.t, in.r, in.r_2)}, {}}, r);
 }
 
-template AngleSection::Result AngleSection::evaluate(const Input&, NoTrace&);
-template AngleSection::Result AngleSection::evaluate(const Input&, Trace&);
+template AngleSection::Result AngleSection::own(const Input&, NoTrace&);
+template AngleSection::Result AngleSection::own(const Input&, Trace&);
 
 template const Calculator& erased<AngleSection>();
 

@@ -56,12 +56,18 @@ r_2 = "6 mm"
                   "thickness and radii need longer legs"},
       Rule<Input>{[](const Input& in) { return in.r_2 <= in.t; }, "r_2, t", "the toes are rounded by at most t"}};
 
+  /// Without what follows from the contour.
   template <class Tracer>
-  static Result evaluate(const Input& in, Tracer& trace);
+  static Result own(const Input& in, Tracer& trace);
+  static section::Extremes extremes(const Input& in);
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace) {
+    return section::completed(own(in, trace), extremes(in), trace);
+  }
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template AngleSection::Result AngleSection::evaluate(const Input&, NoTrace&);
-extern template AngleSection::Result AngleSection::evaluate(const Input&, Trace&);
+extern template AngleSection::Result AngleSection::own(const Input&, NoTrace&);
+extern template AngleSection::Result AngleSection::own(const Input&, Trace&);
 
 }  // namespace loadpath

@@ -18,14 +18,22 @@ std::string path_of(std::size_t i) { return "parts[" + std::to_string(i + 1) + "
 
 double sign_of(const Part& part) { return part.as == BuiltUpSection::As::hole ? -1.0 : 1.0; }
 
-section::Place placed(const Part& part, Length y, Length z) {
-  const double c = std::cos(part.angle), s = std::sin(part.angle);
-  return {part.y + c * y - s * z, part.z + s * y + c * z};
-}
+/// Takes a point of a part's own sketch to its place.
+class Turned {
+ public:
+  explicit Turned(const Part& part) : y_(part.y), z_(part.z), c_(std::cos(part.angle)), s_(std::sin(part.angle)) {}
+  [[nodiscard]] section::Place operator()(Length y, Length z) const {
+    return {y_ + c_ * y - s_ * z, z_ + s_ * y + c_ * z};
+  }
+
+ private:
+  Length y_, z_;
+  double c_, s_;
+};
 
 /// The part turned and put to its place.
 template <class Tracer>
-BuiltUpSection::Placed place(const Part& part, const section::Properties& own, Tracer& trace) {
+BuiltUpSection::Placed place(const Part& part, const Turned& placed, const section::Properties& own, Tracer& trace) {
   const auto I_y0 = own.I_y, I_z0 = own.I_z, I_yz0 = own.I_yz;
   const double angle = part.angle, sign = sign_of(part);
   trace.value("A_0", own.A, "area of the part");
@@ -36,15 +44,14 @@ BuiltUpSection::Placed place(const Part& part, const section::Properties& own, T
   trace.value("sign", sign, "1 of material, -1 of a hole");
   const auto A_0 = own.A;
   STEP(A, sign * A_0, "counts negative where it is cut out");
-  const auto [y_S, z_S] = placed(part, own.y_S, own.z_S);
+  const auto [y_S, z_S] = placed(own.y_S, own.z_S);
   trace.value("y_S", y_S, "centroid of the part at its place");
   trace.value("z_S", z_S, "centroid of the part at its place");
-  STEP(I_y, sign * (I_y0 * pow<2>(cos(angle)) + I_z0 * pow<2>(sin(angle)) + I_yz0 * sin(2.0 * angle)),
-       "turned about its centroid, [ME102]");
-  STEP(I_z, sign * (I_y0 * pow<2>(sin(angle)) + I_z0 * pow<2>(cos(angle)) - I_yz0 * sin(2.0 * angle)),
-       "turned about its centroid, [ME102]");
-  STEP(I_yz, sign * (I_yz0 * cos(2.0 * angle) + (I_z0 - I_y0) / 2.0 * sin(2.0 * angle)),
-       "turned about its centroid, [ME102]");
+  STEP(c, cos(angle), "of the turn");
+  STEP(s, sin(angle), "of the turn");
+  STEP(I_y, sign * (I_y0 * c * c + I_z0 * s * s + 2.0 * I_yz0 * s * c), "turned about its centroid, [ME102]");
+  STEP(I_z, sign * (I_y0 * s * s + I_z0 * c * c - 2.0 * I_yz0 * s * c), "turned about its centroid, [ME102]");
+  STEP(I_yz, sign * (I_yz0 * (c * c - s * s) + (I_z0 - I_y0) * s * c), "turned about its centroid, [ME102]");
   return {part.name, A, y_S, z_S, I_y, I_z, I_yz};
 }
 
@@ -59,15 +66,15 @@ section::Moments about_sketch(const BuiltUpSection::Placed& p) {
           p.I_yz + p.A * p.y_S * p.z_S};
 }
 
-section::Outline outline_at(const Part& part, const section::Outline& outline) {
+section::Outline outline_at(const Turned& placed, const section::Outline& outline) {
   section::Outline turned;
-  for (const section::Place& p : outline) turned.push_back(placed(part, p.y, p.z));
+  for (const section::Place& p : outline) turned.push_back(placed(p.y, p.z));
   return turned;
 }
 
-void add_extremes(section::Extremes& all, const Part& part, const section::Extremes& own) {
+void add_extremes(section::Extremes& all, const Turned& placed, const section::Extremes& own) {
   for (const section::Extreme& e : own) {
-    const auto [y, z] = placed(part, e.y, e.z);
+    const auto [y, z] = placed(e.y, e.z);
     all.push_back({y, z, e.radius});
   }
 }
@@ -107,11 +114,12 @@ BuiltUpSection::Result BuiltUpSection::evaluate(const Input& in, Tracer& trace) 
   for (const Part& part : in.parts) {
     [[maybe_unused]] const auto in_part = trace.scope("parts", r.parts.size());
     const Shaped shaped = section::shaped(part);
-    const Placed placed = place(part, shaped.own, trace);
+    const Turned turned(part);
+    const Placed placed = place(part, turned, shaped.own, trace);
     section::add(sum, about_sketch(placed), 1.0);
     const bool full = part.as == As::full;
     I_t += full ? shaped.own.I_t : unset<SecondMoment>;
-    if (full) add_extremes(extremes, part, shaped.extremes);
+    if (full) add_extremes(extremes, turned, shaped.extremes);
     r.parts.push_back(placed);
   }
   static_cast<section::Properties&>(r) = section::centroidal(sum, sketch_origin, trace);
@@ -125,10 +133,10 @@ BuiltUpSection::Result BuiltUpSection::evaluate(const Input& in, Tracer& trace) 
 std::vector<draw::Figure> BuiltUpSection::figures(const Input& in, const Result& r) {
   section::Sketch sketch;
   for (const Part& part : in.parts) {
-    const Shaped shaped = section::shaped(part);
-    const bool full = part.as == As::full;
-    (full ? sketch.material : sketch.holes).push_back(outline_at(part, shaped.outline));
-    if (!shaped.hole.empty()) sketch.holes.push_back(outline_at(part, shaped.hole));
+    const auto [outline, hole] = section::contours(part);
+    const Turned turned(part);
+    (part.as == As::full ? sketch.material : sketch.holes).push_back(outline_at(turned, outline));
+    if (!hole.empty()) sketch.holes.push_back(outline_at(turned, hole));
   }
   return section::figures(sketch, r);
 }

@@ -22,7 +22,7 @@ void twist(const ChannelSection::Input& in, ChannelSection::Result& result, Trac
 }  // namespace
 
 template <class Tracer>
-ChannelSection::Result ChannelSection::evaluate(const Input& in, Tracer& trace) {
+ChannelSection::Result ChannelSection::own(const Input& in, Tracer& trace) {
   const auto& [h, b, t_w, t_f, r] = in;
   Result result{section::centred()};
   const auto [A_r, e_r, I_r, I_rp] = section::corner(r, trace);
@@ -38,16 +38,19 @@ ChannelSection::Result ChannelSection::evaluate(const Input& in, Tracer& trace) 
        "about the back of the web, brought to the centroid by Steiner, [Garrison]");
   result.A = A, result.y_S = y_S, result.I_y = I_y, result.I_z = I_z;
   twist(in, result, trace);
-  section::complete(result, section::corners_of(section::channel_outline(h, b, t_w, t_f)), trace);
   return result;
+}
+
+section::Extremes ChannelSection::extremes(const Input& in) {
+  return section::corners_of(section::channel_outline(in.h, in.b, in.t_w, in.t_f));
 }
 
 std::vector<draw::Figure> ChannelSection::figures(const Input& in, const Result& r) {
   return section::figures({{section::channel_outline(in.h, in.b, in.t_w, in.t_f, in.r)}, {}}, r);
 }
 
-template ChannelSection::Result ChannelSection::evaluate(const Input&, NoTrace&);
-template ChannelSection::Result ChannelSection::evaluate(const Input&, Trace&);
+template ChannelSection::Result ChannelSection::own(const Input&, NoTrace&);
+template ChannelSection::Result ChannelSection::own(const Input&, Trace&);
 
 template const Calculator& erased<ChannelSection>();
 

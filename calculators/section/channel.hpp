@@ -53,12 +53,18 @@ r = "13 mm"
                                     Rule<Input>{[](const Input& in) { return in.t_w + in.r <= in.b; }, "t_w, r, b",
                                                 "web and fillet need more width than b"}};
 
+  /// Without what follows from the contour.
   template <class Tracer>
-  static Result evaluate(const Input& in, Tracer& trace);
+  static Result own(const Input& in, Tracer& trace);
+  static section::Extremes extremes(const Input& in);
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace) {
+    return section::completed(own(in, trace), extremes(in), trace);
+  }
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template ChannelSection::Result ChannelSection::evaluate(const Input&, NoTrace&);
-extern template ChannelSection::Result ChannelSection::evaluate(const Input&, Trace&);
+extern template ChannelSection::Result ChannelSection::own(const Input&, NoTrace&);
+extern template ChannelSection::Result ChannelSection::own(const Input&, Trace&);
 
 }  // namespace loadpath

@@ -6,7 +6,7 @@
 namespace loadpath {
 
 template <class Tracer>
-SolidCircle::Result SolidCircle::evaluate(const Input& in, Tracer& trace) {
+SolidCircle::Result SolidCircle::own(const Input& in, Tracer& trace) {
   const auto& [d] = in;
   Result r = section::centred();
   STEP(A, pi / 4.0 * d * d, "area of a circle");
@@ -15,16 +15,17 @@ SolidCircle::Result SolidCircle::evaluate(const Input& in, Tracer& trace) {
   STEP(I_t, pi / 32.0 * pow<4>(d), "polar second moment, exact for circles, [B19]");
   STEP(W_t, 2.0 * I_t / d, "shear is largest at the surface, [B19]");
   r.A = A, r.I_y = I_y, r.I_t = I_t, r.W_t = W_t;
-  section::complete(r, section::disc(d), trace);
   return r;
 }
+
+section::Extremes SolidCircle::extremes(const Input& in) { return section::disc(in.d); }
 
 std::vector<draw::Figure> SolidCircle::figures(const Input& in, const Result& r) {
   return section::figures({{section::circle(in.d)}, {}}, r);
 }
 
-template SolidCircle::Result SolidCircle::evaluate(const Input&, NoTrace&);
-template SolidCircle::Result SolidCircle::evaluate(const Input&, Trace&);
+template SolidCircle::Result SolidCircle::own(const Input&, NoTrace&);
+template SolidCircle::Result SolidCircle::own(const Input&, Trace&);
 
 template const Calculator& erased<SolidCircle>();
 

@@ -34,12 +34,18 @@ d = "40 mm"
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return is_set(in.d); }, "d", "give the diameter"}};
 
+  /// Without what follows from the contour.
   template <class Tracer>
-  static Result evaluate(const Input& in, Tracer& trace);
+  static Result own(const Input& in, Tracer& trace);
+  static section::Extremes extremes(const Input& in);
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace) {
+    return section::completed(own(in, trace), extremes(in), trace);
+  }
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template SolidCircle::Result SolidCircle::evaluate(const Input&, NoTrace&);
-extern template SolidCircle::Result SolidCircle::evaluate(const Input&, Trace&);
+extern template SolidCircle::Result SolidCircle::own(const Input&, NoTrace&);
+extern template SolidCircle::Result SolidCircle::own(const Input&, Trace&);
 
 }  // namespace loadpath

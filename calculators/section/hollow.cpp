@@ -27,7 +27,7 @@ void twist(const HollowSection::Input& in, HollowSection::Result& result, Tracer
 }  // namespace
 
 template <class Tracer>
-HollowSection::Result HollowSection::evaluate(const Input& in, Tracer& trace) {
+HollowSection::Result HollowSection::own(const Input& in, Tracer& trace) {
   const auto& [h, b, t, r_o, r_i] = in;
   Result result{section::centred()};
   NoTrace quiet;
@@ -51,17 +51,18 @@ HollowSection::Result HollowSection::evaluate(const Input& in, Tracer& trace) {
        "outer less inner rectangle, the corners by Steiner, [EN10210-2]");
   result.A = A, result.I_y = I_y, result.I_z = I_z;
   twist(in, result, trace);
-  section::complete(result, section::rounded_box(b, h, r_o), trace);
   return result;
 }
+
+section::Extremes HollowSection::extremes(const Input& in) { return section::rounded_box(in.b, in.h, in.r_o); }
 
 std::vector<draw::Figure> HollowSection::figures(const Input& in, const Result& r) {
   const Length b_i = in.b - 2.0 * in.t, h_i = in.h - 2.0 * in.t;
   return section::figures({{section::rectangle(in.b, in.h, in.r_o)}, {section::rectangle(b_i, h_i, in.r_i)}}, r);
 }
 
-template HollowSection::Result HollowSection::evaluate(const Input&, NoTrace&);
-template HollowSection::Result HollowSection::evaluate(const Input&, Trace&);
+template HollowSection::Result HollowSection::own(const Input&, NoTrace&);
+template HollowSection::Result HollowSection::own(const Input&, Trace&);
 
 template const Calculator& erased<HollowSection>();
 

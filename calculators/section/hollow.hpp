@@ -65,12 +65,18 @@ r_i = "5 mm"
       Rule<Input>{[](const Input& in) { return in.r_o <= in.r_i + 3.4 * in.t; }, "r_o, r_i, t",
                   "with this outer radius the corner has no wall left"}};
 
+  /// Without what follows from the contour.
   template <class Tracer>
-  static Result evaluate(const Input& in, Tracer& trace);
+  static Result own(const Input& in, Tracer& trace);
+  static section::Extremes extremes(const Input& in);
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace) {
+    return section::completed(own(in, trace), extremes(in), trace);
+  }
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template HollowSection::Result HollowSection::evaluate(const Input&, NoTrace&);
-extern template HollowSection::Result HollowSection::evaluate(const Input&, Trace&);
+extern template HollowSection::Result HollowSection::own(const Input&, NoTrace&);
+extern template HollowSection::Result HollowSection::own(const Input&, Trace&);
 
 }  // namespace loadpath

@@ -30,7 +30,7 @@ void twist(const ISection::Input& in, ISection::Result& result, Tracer& trace) {
 }  // namespace
 
 template <class Tracer>
-ISection::Result ISection::evaluate(const Input& in, Tracer& trace) {
+ISection::Result ISection::own(const Input& in, Tracer& trace) {
   const auto& [h, b, t_w, t_f, r] = in;
   Result result{section::centred()};
   const auto [A_r, e_r, I_r, I_rp] = section::corner(r, trace);
@@ -43,16 +43,17 @@ ISection::Result ISection::evaluate(const Input& in, Tracer& trace) {
        "flanges, web, and the fillets by Steiner, [Garrison]");
   result.A = A, result.I_y = I_y, result.I_z = I_z;
   twist(in, result, trace);
-  section::complete(result, section::box(b, h), trace);
   return result;
 }
+
+section::Extremes ISection::extremes(const Input& in) { return section::box(in.b, in.h); }
 
 std::vector<draw::Figure> ISection::figures(const Input& in, const Result& r) {
   return section::figures({{section::i_outline(in.h, in.b, in.t_w, in.t_f, in.r)}, {}}, r);
 }
 
-template ISection::Result ISection::evaluate(const Input&, NoTrace&);
-template ISection::Result ISection::evaluate(const Input&, Trace&);
+template ISection::Result ISection::own(const Input&, NoTrace&);
+template ISection::Result ISection::own(const Input&, Trace&);
 
 template const Calculator& erased<ISection>();
 

@@ -64,12 +64,6 @@ std::optional<FieldFault> broken_rule(const typename C::Input& in) {
   return std::nullopt;
 }
 
-template <class C>
-Properties evaluated(const typename C::Input& in) {
-  NoTrace trace;
-  return C::evaluate(in, trace);
-}
-
 /// Calls `use` with the input of the calculator of a shape and its class.
 template <class Use>
 auto with_input(const Part& p, Use use) {
@@ -95,43 +89,32 @@ auto with_input(const Part& p, Use use) {
   return use(RectangleSection{}, RectangleSection::Input{p.b, p.h});
 }
 
-/// Contours for drawing, and the corners that can be extreme fibres.
-void let_contours(Shaped& s, const Part& p) {
+Contours contours_of(const Part& p) {
   switch (p.shape) {
     case Shape::circle:
-      s.outline = circle(p.d), s.extremes = disc(p.d);
-      return;
+      return {circle(p.d), {}};
     case Shape::ring:
-      s.outline = circle(p.d), s.extremes = disc(p.d), s.hole = circle(p.d_i);
-      return;
+      return {circle(p.d), circle(p.d_i)};
     case Shape::I:
-      s.outline = i_outline(p.h, p.b, p.t_w, p.t_f, p.r), s.extremes = box(p.b, p.h);
-      return;
+      return {i_outline(p.h, p.b, p.t_w, p.t_f, p.r), {}};
     case Shape::channel:
-      s.outline = channel_outline(p.h, p.b, p.t_w, p.t_f, p.r);
-      s.extremes = corners_of(channel_outline(p.h, p.b, p.t_w, p.t_f));
-      return;
+      return {channel_outline(p.h, p.b, p.t_w, p.t_f, p.r), {}};
     case Shape::angle:
-      s.outline = angle_outline(p.h, p.b, p.t, p.r, p.r_2);
-      s.extremes = corners_of(angle_outline(p.h, p.b, p.t));
-      return;
+      return {angle_outline(p.h, p.b, p.t, p.r, p.r_2), {}};
     case Shape::T:
-      s.outline = tee_outline(p.h, p.b, p.t_w, p.t_f, p.r);
-      s.extremes = corners_of(tee_outline(p.h, p.b, p.t_w, p.t_f));
-      return;
+      return {tee_outline(p.h, p.b, p.t_w, p.t_f, p.r), {}};
     case Shape::hollow:
-      s.outline = rectangle(p.b, p.h, p.r), s.extremes = rounded_box(p.b, p.h, p.r);
-      s.hole = rectangle(p.b - 2.0 * p.t, p.h - 2.0 * p.t, p.r_2);
-      return;
+      return {rectangle(p.b, p.h, p.r), rectangle(p.b - 2.0 * p.t, p.h - 2.0 * p.t, p.r_2)};
     case Shape::table:
     case Shape::rectangle:
-      s.outline = rectangle(p.b, p.h), s.extremes = box(p.b, p.h);
+      break;
   }
+  return {rectangle(p.b, p.h), {}};
 }
 
 Length or_none(Length length) { return is_set(length) ? length : from_si<Length>(0.0); }
 
-/// The shape that a row of a table stands for: contours from its sizes, the values are the table's.
+/// The shape that a row of a table stands for: contours follow from its sizes, the values are the table's.
 Part shape_of(const table::Typed<Profile>& row) {
   Part p;
   p.h = row.h, p.b = row.b, p.t_w = row.t_w, p.t_f = row.t_f, p.t = row.t_w, p.d = row.h;
@@ -149,7 +132,7 @@ Part shape_of(const table::Typed<Profile>& row) {
 Shaped of_table(const table::Typed<Profile>& row) {
   const Part part = shape_of(row);
   Shaped s;
-  let_contours(s, part);
+  s.extremes = with_input(part, [](auto calculator, const auto& in) { return decltype(calculator)::extremes(in); });
   s.own.A = row.A, s.own.I_y = row.I_y, s.own.I_z = row.I_z, s.own.I_t = row.I_t;
   const bool angle = part.shape == Shape::angle;
   s.own.I_yz = is_set(row.I_yz) ? row.I_yz : from_si<SecondMoment>(0.0);
@@ -178,10 +161,16 @@ Shaped shaped(const Part& part) {
     const auto* row = find_profile(part.section.view());
     return row != nullptr ? of_table(*row) : Shaped{};
   }
-  Shaped s;
-  s.own = with_input(part, [](auto calculator, const auto& in) { return evaluated<decltype(calculator)>(in); });
-  let_contours(s, part);
-  return s;
+  return with_input(part, [](auto calculator, const auto& in) {
+    NoTrace off;
+    return Shaped{decltype(calculator)::own(in, off), decltype(calculator)::extremes(in)};
+  });
+}
+
+Contours contours(const Part& part) {
+  if (part.shape != Shape::table) return contours_of(part);
+  const auto* row = find_profile(part.section.view());
+  return row != nullptr ? contours_of(shape_of(*row)) : Contours{};
 }
 
 }  // namespace loadpath::section

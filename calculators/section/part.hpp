@@ -11,6 +11,10 @@ namespace loadpath::section {
 struct Shaped {
   Properties own;
   Extremes extremes;
+};
+
+/// For drawing, in the same axes.
+struct Contours {
   Outline outline;
   Outline hole;  // empty where it has none
 };
@@ -20,5 +24,6 @@ std::optional<FieldFault> fault_of(const BuiltUpSection::Part& part);
 
 /// Of a part that is whole.
 Shaped shaped(const BuiltUpSection::Part& part);
+Contours contours(const BuiltUpSection::Part& part);
 
 }  // namespace loadpath::section

@@ -82,15 +82,24 @@ struct Extreme {
 };
 using Extremes = List<Extreme, 160>;
 
-/// How far the contour reaches from a point in a direction.
-inline Length reach(const Extremes& extremes, Length y, Length z, double towards_y, double towards_z) {
-  Length most = from_si<Length>(-std::numeric_limits<double>::infinity());
-  for (const Extreme& e : extremes) most = max(most, (e.y - y) * towards_y + (e.z - z) * towards_z + e.radius);
-  return most;
-}
+/// How far the contour reaches from a point: along a direction, against it, and to both sides.
+struct Reach {
+  Length ahead, behind, left, right;
 
-inline Length reach_both_ways(const Extremes& extremes, Length y, Length z, double towards_y, double towards_z) {
-  return max(reach(extremes, y, z, towards_y, towards_z), reach(extremes, y, z, -towards_y, -towards_z));
+  /// Along the direction that was to the left.
+  [[nodiscard]] Reach turned_left() const { return {left, right, behind, ahead}; }
+};
+
+inline Reach reach(const Extremes& extremes, Length y, Length z, double towards_y, double towards_z) {
+  const Length none = from_si<Length>(-std::numeric_limits<double>::infinity());
+  Reach r{none, none, none, none};
+  for (const Extreme& e : extremes) {
+    const Length along = (e.y - y) * towards_y + (e.z - z) * towards_z;
+    const Length across = (e.z - z) * towards_y - (e.y - y) * towards_z;
+    r.ahead = max(r.ahead, e.radius + along), r.behind = max(r.behind, e.radius - along);
+    r.left = max(r.left, e.radius + across), r.right = max(r.right, e.radius - across);
+  }
+  return r;
 }
 
 /// A product of area that is nothing but rounding counts as zero: y and z are principal axes then.
@@ -125,8 +134,8 @@ void complete(Properties& r, const Extremes& extremes, Tracer& trace) {
   STEP(i_y, sqrt(I_y / A), "radius of gyration");
   STEP(i_z, sqrt(I_z / A), "radius of gyration");
   r.i_y = i_y, r.i_z = i_z;
-  const Length e_top = reach(extremes, r.y_S, r.z_S, 0.0, 1.0), e_bottom = reach(extremes, r.y_S, r.z_S, 0.0, -1.0);
-  const Length e_left = reach(extremes, r.y_S, r.z_S, -1.0, 0.0), e_right = reach(extremes, r.y_S, r.z_S, 1.0, 0.0);
+  const Reach along_y = reach(extremes, r.y_S, r.z_S, 1.0, 0.0);
+  const auto [e_right, e_left, e_top, e_bottom] = along_y;
   trace.value("e_top", e_top, "from the centroid to the uppermost fibre");
   STEP(W_y_top, I_y / e_top, "bending about y, upper side");
   trace.value("e_bottom", e_bottom, "from the centroid to the lowest fibre");
@@ -140,14 +149,22 @@ void complete(Properties& r, const Extremes& extremes, Tracer& trace) {
   const auto I_max = r.I_max, I_min = r.I_min;
   STEP(i_min, sqrt(I_min / A), "least radius of gyration");
   r.i_min = i_min;
-  const double c = std::cos(r.alpha), s = std::sin(r.alpha);
-  const Length e_max = reach_both_ways(extremes, r.y_S, r.z_S, -s, c);
-  const Length e_min = reach_both_ways(extremes, r.y_S, r.z_S, c, s);
+  const Reach from_axis = r.alpha == 0.0 ? along_y
+                          : r.I_yz == from_si<SecondMoment>(0.0)
+                              ? along_y.turned_left()
+                              : reach(extremes, r.y_S, r.z_S, std::cos(r.alpha), std::sin(r.alpha));
+  const Length e_max = max(from_axis.left, from_axis.right), e_min = max(from_axis.ahead, from_axis.behind);
   trace.value("e_max", e_max, "farthest fibre from the principal axis of I_max");
   STEP(W_max, I_max / e_max, "bending about the principal axis of I_max");
   trace.value("e_min", e_min, "farthest fibre from the principal axis of I_min");
   STEP(W_min, I_min / e_min, "bending about the principal axis of I_min");
   r.W_max = W_max, r.W_min = W_min;
+}
+
+template <class Result, class Tracer>
+Result completed(Result r, const Extremes& extremes, Tracer& trace) {
+  complete(r, extremes, trace);
+  return r;
 }
 
 }  // namespace loadpath::section

@@ -7,7 +7,7 @@
 namespace loadpath {
 
 template <class Tracer>
-RectangleSection::Result RectangleSection::evaluate(const Input& in, Tracer& trace) {
+RectangleSection::Result RectangleSection::own(const Input& in, Tracer& trace) {
   const auto& [b, h] = in;
   Result r = section::centred();
   STEP(A, b * h, "area of a rectangle");
@@ -21,16 +21,17 @@ RectangleSection::Result RectangleSection::evaluate(const Input& in, Tracer& tra
   trace.value("k_2", k_2, "series of Saint-Venant: the largest shear is in the middle of the longer side");
   STEP(W_t, k_2 * a_t * b_t * b_t, "torsion of a rectangle");
   r.A = A, r.I_y = I_y, r.I_z = I_z, r.I_t = I_t, r.W_t = W_t;
-  section::complete(r, section::box(b, h), trace);
   return r;
 }
+
+section::Extremes RectangleSection::extremes(const Input& in) { return section::box(in.b, in.h); }
 
 std::vector<draw::Figure> RectangleSection::figures(const Input& in, const Result& r) {
   return section::figures({{section::rectangle(in.b, in.h)}, {}}, r);
 }
 
-template RectangleSection::Result RectangleSection::evaluate(const Input&, NoTrace&);
-template RectangleSection::Result RectangleSection::evaluate(const Input&, Trace&);
+template RectangleSection::Result RectangleSection::own(const Input&, NoTrace&);
+template RectangleSection::Result RectangleSection::own(const Input&, Trace&);
 
 template const Calculator& erased<RectangleSection>();
 

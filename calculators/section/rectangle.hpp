@@ -39,12 +39,18 @@ h = "60 mm"
       Rule<Input>{[](const Input& in) { return max(in.b, in.h) <= 1e4 * min(in.b, in.h); }, "b, h",
                   "one side is at most 10000 times the other"}};
 
+  /// Without what follows from the contour.
   template <class Tracer>
-  static Result evaluate(const Input& in, Tracer& trace);
+  static Result own(const Input& in, Tracer& trace);
+  static section::Extremes extremes(const Input& in);
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace) {
+    return section::completed(own(in, trace), extremes(in), trace);
+  }
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template RectangleSection::Result RectangleSection::evaluate(const Input&, NoTrace&);
-extern template RectangleSection::Result RectangleSection::evaluate(const Input&, Trace&);
+extern template RectangleSection::Result RectangleSection::own(const Input&, NoTrace&);
+extern template RectangleSection::Result RectangleSection::own(const Input&, Trace&);
 
 }  // namespace loadpath

@@ -6,7 +6,7 @@
 namespace loadpath {
 
 template <class Tracer>
-RingSection::Result RingSection::evaluate(const Input& in, Tracer& trace) {
+RingSection::Result RingSection::own(const Input& in, Tracer& trace) {
   const auto d = in.d, t = in.t;
   Result r = section::centred();
   const Length d_i = is_set(t) ? NAMED_STEP("d_i", d - 2.0 * t, "bore that the wall leaves") : in.d_i;
@@ -16,17 +16,18 @@ RingSection::Result RingSection::evaluate(const Input& in, Tracer& trace) {
   STEP(I_t, pi / 32.0 * (pow<4>(d) - pow<4>(d_i)), "polar second moment, exact for rings, [B19]");
   STEP(W_t, 2.0 * I_t / d, "shear is largest at the surface, [B19]");
   r.A = A, r.I_y = I_y, r.I_t = I_t, r.W_t = W_t;
-  section::complete(r, section::disc(d), trace);
   return r;
 }
+
+section::Extremes RingSection::extremes(const Input& in) { return section::disc(in.d); }
 
 std::vector<draw::Figure> RingSection::figures(const Input& in, const Result& r) {
   const Length d_i = is_set(in.t) ? in.d - 2.0 * in.t : in.d_i;
   return section::figures({{section::circle(in.d)}, {section::circle(d_i)}}, r);
 }
 
-template RingSection::Result RingSection::evaluate(const Input&, NoTrace&);
-template RingSection::Result RingSection::evaluate(const Input&, Trace&);
+template RingSection::Result RingSection::own(const Input&, NoTrace&);
+template RingSection::Result RingSection::own(const Input&, Trace&);
 
 template const Calculator& erased<RingSection>();
 

@@ -44,12 +44,18 @@ t = "5 mm"
                                     Rule<Input>{[](const Input& in) { return !is_set(in.t) || 2.0 * in.t <= in.d; },
                                                 "t, d", "the wall is at most half the diameter"}};
 
+  /// Without what follows from the contour.
   template <class Tracer>
-  static Result evaluate(const Input& in, Tracer& trace);
+  static Result own(const Input& in, Tracer& trace);
+  static section::Extremes extremes(const Input& in);
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace) {
+    return section::completed(own(in, trace), extremes(in), trace);
+  }
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template RingSection::Result RingSection::evaluate(const Input&, NoTrace&);
-extern template RingSection::Result RingSection::evaluate(const Input&, Trace&);
+extern template RingSection::Result RingSection::own(const Input&, NoTrace&);
+extern template RingSection::Result RingSection::own(const Input&, Trace&);
 
 }  // namespace loadpath

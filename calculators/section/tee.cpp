@@ -22,7 +22,7 @@ void twist(const TeeSection::Input& in, TeeSection::Result& result, Tracer& trac
 }  // namespace
 
 template <class Tracer>
-TeeSection::Result TeeSection::evaluate(const Input& in, Tracer& trace) {
+TeeSection::Result TeeSection::own(const Input& in, Tracer& trace) {
   const auto& [h, b, t_w, t_f, r] = in;
   Result result{section::centred()};
   const auto [A_r, e_r, I_r, I_rp] = section::corner(r, trace);
@@ -37,16 +37,19 @@ TeeSection::Result TeeSection::evaluate(const Input& in, Tracer& trace) {
        "flange, web, and the fillets by Steiner, [Garrison]");
   result.A = A, result.z_S = z_S, result.I_y = I_y, result.I_z = I_z;
   twist(in, result, trace);
-  section::complete(result, section::corners_of(section::tee_outline(h, b, t_w, t_f)), trace);
   return result;
+}
+
+section::Extremes TeeSection::extremes(const Input& in) {
+  return section::corners_of(section::tee_outline(in.h, in.b, in.t_w, in.t_f));
 }
 
 std::vector<draw::Figure> TeeSection::figures(const Input& in, const Result& r) {
   return section::figures({{section::tee_outline(in.h, in.b, in.t_w, in.t_f, in.r)}, {}}, r);
 }
 
-template TeeSection::Result TeeSection::evaluate(const Input&, NoTrace&);
-template TeeSection::Result TeeSection::evaluate(const Input&, Trace&);
+template TeeSection::Result TeeSection::own(const Input&, NoTrace&);
+template TeeSection::Result TeeSection::own(const Input&, Trace&);
 
 template const Calculator& erased<TeeSection>();
 

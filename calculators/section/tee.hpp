@@ -53,12 +53,18 @@ r = "12 mm"
                                     Rule<Input>{[](const Input& in) { return in.t_w + 2.0 * in.r <= in.b; },
                                                 "t_w, r, b", "web and fillets need more width than b"}};
 
+  /// Without what follows from the contour.
   template <class Tracer>
-  static Result evaluate(const Input& in, Tracer& trace);
+  static Result own(const Input& in, Tracer& trace);
+  static section::Extremes extremes(const Input& in);
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace) {
+    return section::completed(own(in, trace), extremes(in), trace);
+  }
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template TeeSection::Result TeeSection::evaluate(const Input&, NoTrace&);
-extern template TeeSection::Result TeeSection::evaluate(const Input&, Trace&);
+extern template TeeSection::Result TeeSection::own(const Input&, NoTrace&);
+extern template TeeSection::Result TeeSection::own(const Input&, Trace&);
 
 }  // namespace loadpath

@@ -4,6 +4,7 @@
 // given. Sign: along the axes. Source: [B32]. Not covered: laws with kinks or jumps (they ask for impacts).
 #pragma once
 
+#include "calculators/motion/range.hpp"
 #include "calculators/motion/units.hpp"
 #include "lib/draw/figure.hpp"
 #include "lib/field.hpp"
@@ -91,13 +92,11 @@ t_2 = "2 s"
   static FieldFault law_fault(const Input& in);
   static bool laws_are_smooth(const Input& in);
   static FieldFault gap(const Input& in);
-  static constexpr std::array rules{
-      Rule<Input>{&laws_read, "x, y, z", "x, y and z must be lengths as formulas of t", &law_fault},
-      Rule<Input>{[](const Input& in) { return is_set(in.t_1) == is_set(in.t_2); }, "t_1, t_2",
-                  "a range needs both of its ends: give t_1 and t_2, or neither"},
-      Rule<Input>{[](const Input& in) { return !(in.t_1 >= in.t_2); }, "t_2, t_1",
-                  "the range must end after its start"},
-      Rule<Input>{&laws_are_smooth, "x, y, z, t, t_1, t_2", "the laws must have values at these times", &gap}};
+  static constexpr std::array rules = join<Input>(
+      std::array{Rule<Input>{&laws_read, "x, y, z", "x, y and z must be lengths as formulas of t", &law_fault}},
+      motion::range_rules<Input>(),
+      std::array{
+          Rule<Input>{&laws_are_smooth, "x, y, z, t, t_1, t_2", "the laws must have values at these times", &gap}});
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

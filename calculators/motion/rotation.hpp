@@ -4,6 +4,7 @@
 // the axis. Source: [B28]. Not covered: laws with kinks or jumps.
 #pragma once
 
+#include "calculators/motion/range.hpp"
 #include "calculators/motion/units.hpp"
 #include "lib/draw/figure.hpp"
 #include "lib/field.hpp"
@@ -90,13 +91,10 @@ t_2 = "2 s"
   static FieldFault law_fault(const Input& in);
   static bool law_is_smooth(const Input& in);
   static FieldFault gap(const Input& in);
-  static constexpr std::array rules{
-      Rule<Input>{&law_reads, "phi", "phi must be an angle as a formula of t", &law_fault},
-      Rule<Input>{[](const Input& in) { return is_set(in.t_1) == is_set(in.t_2); }, "t_1, t_2",
-                  "a range needs both of its ends: give t_1 and t_2, or neither"},
-      Rule<Input>{[](const Input& in) { return !(in.t_1 >= in.t_2); }, "t_2, t_1",
-                  "the range must end after its start"},
-      Rule<Input>{&law_is_smooth, "phi, t, t_1, t_2", "the law must have a value at these times", &gap}};
+  static constexpr std::array rules = join<Input>(
+      std::array{Rule<Input>{&law_reads, "phi", "phi must be an angle as a formula of t", &law_fault}},
+      motion::range_rules<Input>(),
+      std::array{Rule<Input>{&law_is_smooth, "phi, t, t_1, t_2", "the law must have a value at these times", &gap}});
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -2,7 +2,7 @@
 // governing place, allowable pressure.
 #pragma once
 
-#include "calculators/vessel/membrane.hpp"
+#include "calculators/vessel/capacity.hpp"
 
 namespace loadpath::vessel {
 
@@ -50,10 +50,8 @@ double assess(const Input& in, Result& r, Length scale, const Make& make, const 
   const auto p = in.p;
   const Stress sigma_all = allowable(in, trace);
   const Strength strength = strength_of(in, sigma_all);
-  const Length least =
-      least_thickness([&](Length delta_c) { return worst(make(delta_c), p, delta_c, strength).u; }, scale);
   r.sigma_all = sigma_all;
-  r.delta_min = ordered("delta_min", least, in, trace);
+  r.delta_min = ordered("delta_min", least_thickness(make, p, scale, strength), in, trace);
   r.delta = is_set(in.delta) ? in.delta : r.delta_min;
   if (!is_set(in.delta)) trace.value("delta", r.delta, "the least one");
   r.delta_c = carrying(in, r.delta, trace);
@@ -64,11 +62,11 @@ double assess(const Input& in, Result& r, Length scale, const Make& make, const 
   trace.value("rho_min", rho_min, "smallest radius of curvature of the shell");
   STEP(t_R, delta_c / rho_min, "thin walls are below 1/20, [B24]");
   r.t_R = t_R;
-  const double t = worst(shape, p, r.delta_c, strength).t;
+  const double t = governing_place(shape, p, r.delta_c, strength);
   const Place place = shape.at(t, trace);
-  const Stresses s = stresses(place, p, r.delta_c, strength, trace);
-  r.p_i = s.p_i, r.sigma_o = s.o, r.sigma_M = s.M, r.sigma_v = s.v;
-  const Stress sigma_v = s.v;
+  const Membrane m = membrane(place, p, r.delta_c, strength, trace);
+  const Stress sigma_v = equivalent(m, strength.hypothesis, trace);
+  r.p_i = m.p_i, r.sigma_o = m.o, r.sigma_M = m.M, r.sigma_v = sigma_v;
   STEP(u_v, sigma_v / sigma_all, "strength condition, [B24]");
   r.u_v = u_v;
   r.p_max = allowable_pressure(shape, r.delta_c, strength);

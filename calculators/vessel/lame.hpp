@@ -33,6 +33,7 @@ struct Principal {
 
 /// A cylinder, with or without the pull of its ends.
 struct ThickCylinder {
+  static constexpr int power = 2;  // its stresses grow linearly with 1/(1 - (R_i/R_a)^power)
   bool closed;
 
   template <class Tracer>
@@ -49,6 +50,8 @@ struct ThickCylinder {
 };
 
 struct ThickSphere {
+  static constexpr int power = 3;
+
   template <class Tracer>
   Principal operator()(Stress p_i, Length R_i, Length R_a, Tracer& trace) const {
     STEP(sigma_t, p_i * (pow<3>(R_a) + 2.0 * pow<3>(R_i)) / (2.0 * (pow<3>(R_a) - pow<3>(R_i))),
@@ -59,15 +62,37 @@ struct ThickSphere {
 };
 
 template <class Thick, class Tracer>
-Stress thick_stress(const Thick& thick, Stress p_i, Length R_m, Length delta_c, const Strength& strength,
-                    Tracer& trace) {
+Membrane thick_stresses(const Thick& thick, Stress p_i, Length R_i, Length R_a, const Strength& strength,
+                        Tracer& trace) {
   const auto z_l = strength.z_l, z_c = strength.z_c;
-  STEP(R_i, R_m - 0.5 * delta_c, "inside of the carrying wall");
-  STEP(R_a, R_m + 0.5 * delta_c, "outside of the carrying wall");
   const auto [sigma_t, sigma_z] = thick(p_i, R_i, R_a, trace);
   STEP(s_o, sigma_t / z_l, "hoop stress as longitudinal seams feel it");
   STEP(s_M, sigma_z / z_c, "meridional stress as circumferential seams feel it");
-  return equivalent(s_o, s_M, p_i, strength.hypothesis, trace);
+  return {p_i, sigma_t, sigma_z, s_o, s_M};
+}
+
+/// Wall over mean radius of the vessel that is just strong enough; unset where even a solid one is not.
+template <class Thick>
+double least_thickness_ratio(const Thick& thick, Stress p_i, const Strength& strength) {
+  NoTrace off;
+  const Length unit = 1.0 * m;
+  const double x_half = 1.0 / (std::pow(2.0, Thick::power) - 1.0);  // x = 1/((R_a/R_i)^power - 1)
+  const Membrane solid = thick_stresses(thick, p_i, 0.0 * unit, unit, strength, off);
+  const Membrane half = thick_stresses(thick, p_i, 0.5 * unit, unit, strength, off);
+  const double x = largest_load(
+      {growing(solid.s_o, half.s_o, x_half), growing(solid.s_M, half.s_M, x_half), {in_si(-p_i), 0.0}}, strength);
+  if (!(x > 0.0)) return unset<double>;
+  const double wall = -std::expm1(-std::log1p(1.0 / x) / Thick::power);  // 1 - R_i/R_a
+  return 2.0 * wall / (2.0 - wall);
+}
+
+/// The thickness with that ratio, where the mean radius `mean(delta_c)` is a straight line; unset where there is none.
+template <class Mean>
+Length thickness_of_ratio(double ratio, const Mean& mean) {
+  const Length bore = mean(0.0 * m);
+  const double slope = (mean(bore) - bore) / bore;
+  const Length delta_c = ratio * bore / (1.0 - ratio * slope);
+  return delta_c >= 0.0 * m ? delta_c : unset<Length>;
 }
 
 /// Checks and sizes the wall by Lamé; `mean(delta_c)` is the middle radius of a wall of this thickness.
@@ -75,21 +100,17 @@ template <class Thick, class Result, class Mean, class Tracer>
 void compare(const Thick& thick, const WallInput& in, Result& r, Length R_m, const Mean& mean, Tracer& trace) {
   const Strength strength = strength_of(in, r.sigma_all);
   const auto p_i = r.p_i, sigma_all = r.sigma_all, sigma_v = r.sigma_v;
-  const Stress sigma_L = thick_stress(thick, p_i, R_m, r.delta_c, strength, trace);
+  const auto delta_c = r.delta_c;
+  STEP(R_i, R_m - 0.5 * delta_c, "inside of the carrying wall");
+  STEP(R_a, R_m + 0.5 * delta_c, "outside of the carrying wall");
+  const Stress sigma_L = equivalent(thick_stresses(thick, p_i, R_i, R_a, strength, trace), strength.hypothesis, trace);
   trace.value("sigma_L", sigma_L, "the thick wall");
   trace.value("sigma_v", sigma_v, "the thin wall");
   STEP(e_L, sigma_v / sigma_L - 1.0, "what the thin-wall formula misses");
   STEP(u_L, sigma_L / sigma_all, "the same strength condition with the stress of the thick wall");
   r.sigma_L = sigma_L, r.e_L = e_L, r.u_L = u_L;
-  NoTrace off;
-  const auto u = [&](Length delta_c) {
-    const Length middle = mean(delta_c);
-    if (!(middle > 0.5 * delta_c)) return 0.0;
-    return double(thick_stress(thick, p_i, middle, delta_c, strength, off) / sigma_all);
-  };
-  const Length least = least_thickness(u, R_m);
-  const bool solid = !(mean(least) > 0.5 * least);  // the wall would fill the vessel
-  r.delta_L = ordered("delta_L", solid ? unset<Length> : least, in, trace);
+  const Length least = thickness_of_ratio(least_thickness_ratio(thick, p_i, strength), mean);
+  r.delta_L = ordered("delta_L", least, in, trace);
 }
 
 }  // namespace loadpath::vessel

@@ -32,8 +32,9 @@ struct Strength {
   Hypothesis hypothesis;
 };
 
-struct Stresses {
-  Stress p_i, o, M, v;
+/// In the wall: the pressure on it, hoop and meridional stress, and both as the seams feel them.
+struct Membrane {
+  Stress p_i, o, M, s_o, s_M;
 };
 
 template <class Tracer>
@@ -79,7 +80,7 @@ Stress hoop(const Place& place, Stress p_i, Stress sigma_M, Length delta_c, Trac
 }
 
 template <class Tracer>
-Stresses stresses(const Place& place, Stress p, Length delta_c, const Strength& strength, Tracer& trace) {
+Membrane membrane(const Place& place, Stress p, Length delta_c, const Strength& strength, Tracer& trace) {
   const auto q_M = place.q_M;
   const auto n_M = place.n_M;
   const auto p_l = place.p_l;
@@ -89,99 +90,27 @@ Stresses stresses(const Place& place, Stress p, Length delta_c, const Strength& 
   const Stress sigma_o = hoop(place, p_i, sigma_M, delta_c, trace);
   STEP(s_o, sigma_o / z_l, "hoop stress as longitudinal seams feel it");
   STEP(s_M, sigma_M / z_c, "meridional stress as circumferential seams feel it");
-  return {p_i, sigma_o, sigma_M, equivalent(s_o, s_M, p_i, strength.hypothesis, trace)};
+  return {p_i, sigma_o, sigma_M, s_o, s_M};
 }
 
-struct Worst {
-  double u = -1.0;
-  double t = 0.0;
-};
+template <class Tracer>
+Stress equivalent(const Membrane& m, Hypothesis hypothesis, Tracer& trace) {
+  return equivalent(m.s_o, m.s_M, m.p_i, hypothesis, trace);
+}
 
 /// The place of the largest equivalent stress.
 template <class Shape>
-Worst worst(const Shape& shape, Stress p, Length delta_c, const Strength& strength) {
+double governing_place(const Shape& shape, Stress p, Length delta_c, const Strength& strength) {
+  if (shape.places() == 1) return shape.place(0);
   NoTrace off;
-  Worst found;
+  double t_most = 0.0, most = -1.0;
   for (std::size_t i = 0; i < shape.places(); ++i) {
     const double t = shape.place(i);
-    const double u = stresses(shape.at(t, off), p, delta_c, strength, off).v / strength.sigma_all;
-    if (!(u <= found.u)) found = {u, t};
+    const Membrane m = membrane(shape.at(t, off), p, delta_c, strength, off);
+    const double u = equivalent(m, strength.hypothesis, off) / strength.sigma_all;
+    if (!(u <= most)) most = u, t_most = t;
   }
-  return found;
-}
-
-/// A place and what a function is there.
-struct Known {
-  double x, f;
-};
-
-/// The zero of a falling function between low and high, to rounding: regula falsi by the Illinois rule, which meets the
-/// straight pieces that utilisations have here in one step. It ends too where only the rounding of the function is
-/// left: close to the zero, and steps that no longer shrink.
-template <class Function>
-double falling_root(const Function& f, Known low, Known high) {
-  double last = std::abs(high.x - low.x);
-  for (int i = 0; i < 100 && high.f != 0.0; ++i) {
-    const double x = high.x - high.f * (high.x - low.x) / (high.f - low.f);
-    const Known next{x, f(x)};
-    const bool same_side = (next.f > 0.0) == (high.f > 0.0);
-    if (same_side) {
-      low.f *= 0.5;
-    } else {
-      low = high;
-    }
-    const double step = std::abs(x - high.x), size = std::abs(x);
-    const bool settled = step <= 4e-16 * size || (step <= 1e-13 * size && step >= 0.25 * last);
-    last = step;
-    high = next;
-    if (settled) break;
-  }
-  return high.x;
-}
-
-/// The zero of a falling function above `low`, where it is positive, and a first guess; NaN where there is none up to
-/// `most`.
-template <class Function>
-double falling_root_above(const Function& f, Known low, double guess, double most) {
-  Known high{std::min(guess, most), 0.0};
-  high.f = f(high.x);
-  while (high.f > 0.0 && high.x < most) {
-    low = high;
-    high.x *= 2.0, high.f = f(high.x);
-  }
-  return high.f <= 0.0 ? falling_root(f, low, high) : unset<double>;
-}
-
-/// The least carrying thickness at which a wall of this utilisation is just strong enough; unset where none is.
-/// `u` falls with the thickness like 1/x, so x (u - 1) is nearly straight. `scale` is a length of the vessel.
-template <class Utilisation>
-Length least_thickness(const Utilisation& u, Length scale) {
-  constexpr double just_above = 1.01;
-  const double radius = in_si(scale), thin = 1e-3 * radius;
-  const auto f = [&](double x) { return x * (u(from_si<Length>(x)) - 1.0); };
-  Known high{thin, f(thin)};
-  if (!(high.f <= 0.0)) {
-    return from_si<Length>(falling_root_above(f, high, just_above * (thin + high.f), 16.0 * radius));
-  }
-  Known low = high;
-  while (low.f <= 0.0 && low.x > 1e-9 * radius) {
-    high = low;
-    low.x *= 0.5, low.f = f(low.x);
-  }
-  return from_si<Length>(low.f <= 0.0 ? 0.0 : falling_root(f, low, high));
-}
-
-/// The gas pressure that the wall just carries; zero where the liquid alone is too much.
-template <class Shape>
-Stress allowable_pressure(const Shape& shape, Length delta_c, const Strength& strength) {
-  constexpr double just_above = 1.0001;  // utilisations are straight but for a change of the governing place
-  const double sigma = in_si(strength.sigma_all), low = 1e-3 * sigma;
-  const auto f = [&](double p) { return 1.0 - worst(shape, from_si<Stress>(p), delta_c, strength).u; };
-  const Known none{0.0, f(0.0)}, some{low, f(low)};
-  if (!(none.f > 0.0)) return from_si<Stress>(0.0);
-  if (some.f <= 0.0) return from_si<Stress>(falling_root(f, none, some));
-  const double straight = none.f > some.f ? just_above * low * none.f / (none.f - some.f) : 2.0 * low;
-  return from_si<Stress>(falling_root_above(f, some, straight, 1e3 * sigma));
+  return t_most;
 }
 
 /// How far the middle of the carrying wall lies outside of the surface that the given radii belong to.

@@ -21,7 +21,7 @@ std::vector<Sample> samples(const Shape& shape, const WallInput& in, const WallR
   std::vector<Sample> all;
   for (int i = 0; i < count; ++i) {
     const Place place = shape.at((i + 0.5) / count, off);
-    const Stresses s = stresses(place, in.p, r.delta_c, strength_of(in, r.sigma_all), off);
+    const Membrane s = membrane(place, in.p, r.delta_c, strength_of(in, r.sigma_all), off);
     all.push_back({in_si(place.r), in_si(place.z), in_si(s.o), in_si(s.M)});
   }
   return all;

@@ -107,10 +107,12 @@ void tabulate(const Shell& shell, const Input& in, VesselShell::Result& r) {
   NoTrace off;
   for (std::size_t i = 0; i < shell.places(); ++i) {
     const Place place = shell.at(shell.place(i), off);
-    const auto s = vessel::stresses(place, in.p, r.delta_c, vessel::strength_of(in, r.sigma_all), off);
+    const auto s = vessel::membrane(place, in.p, r.delta_c, vessel::strength_of(in, r.sigma_all), off);
+    const Stress sigma_v = vessel::equivalent(s, in.hypothesis, off);
     const double kappa = in_si(place.kappa_M) * in_si(place.rho_o);
     const bool straight = std::abs(kappa) < 1e-9;
-    r.along.push_back({place.r, place.z, place.rho_o, straight ? unset<Length> : place.rho_o / kappa, s.o, s.M, s.v});
+    r.along.push_back(
+        {place.r, place.z, place.rho_o, straight ? unset<Length> : place.rho_o / kappa, s.o, s.M, sigma_v});
   }
 }
 

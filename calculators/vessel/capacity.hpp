@@ -1,0 +1,102 @@
+// What a wall just carries: the strength condition, solved for the pressure, the thickness or the ratio of the radii.
+//
+// Its stresses grow linearly with the pressure of the gas, with the reciprocal of the thickness where the radii stay as
+// they are, and in thick walls with a function of the radii. So the condition has a closed form: straight lines for
+// Tresca and the membrane stresses, a parabola for von Mises.
+#pragma once
+
+#include "calculators/vessel/membrane.hpp"
+#include "lib/numerics/fixed_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace loadpath::vessel {
+
+/// A stress that grows linearly with a load x >= 0, in SI: at + by x.
+struct Growing {
+  double at = 0.0, by = 0.0;
+
+  friend constexpr Growing operator-(Growing a, Growing b) { return {a.at - b.at, a.by - b.by}; }
+};
+
+/// Hoop and meridional stress as the seams feel them, and the radial one at the inner surface.
+struct GrowingStresses {
+  Growing o, M, r;
+};
+
+/// The load at which one of these reaches sigma; 0 where one does without it, infinite where none ever does.
+inline double load_at(std::initializer_list<Growing> stresses, double sigma) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [at, by] : stresses) {
+    if (!(std::abs(at) < sigma)) return 0.0;
+    if (by != 0.0) least = std::min(least, (sigma - std::copysign(1.0, by) * at) / std::abs(by));
+  }
+  return least;
+}
+
+/// The same for the root of half the sum of their squares.
+inline double load_at_mises(std::initializer_list<Growing> differences, double sigma) {
+  double a = 0.0, b = 0.0, c = -2.0 * sigma * sigma;  // a x^2 + 2 b x + c = 0
+  for (const auto& [at, by] : differences) a += by * by, b += at * by, c += at * at;
+  if (!(c < 0.0)) return 0.0;
+  const double root = std::sqrt(b * b - a * c);
+  return b > 0.0 ? -c / (b + root) : a > 0.0 ? (root - b) / a : std::numeric_limits<double>::infinity();
+}
+
+/// The load at which stresses are just strong enough: 0 where they are too large without it.
+inline double largest_load(const GrowingStresses& s, const Strength& strength) {
+  const double sigma = in_si(strength.sigma_all);
+  if (strength.hypothesis == Hypothesis::membrane) return load_at({s.o, s.M}, sigma);
+  if (strength.hypothesis == Hypothesis::mises) return load_at_mises({s.o - s.M, s.o - s.r, s.M - s.r}, sigma);
+  return load_at({s.o - s.M, s.o - s.r, s.M - s.r}, sigma);
+}
+
+/// From the stresses without load and at a load.
+inline Growing growing(Stress without, Stress with, double load) {
+  return {in_si(without), in_si(with - without) / load};
+}
+
+/// The gas pressure that a wall just carries; zero where the liquid alone is too much.
+template <class Shape>
+Stress allowable_pressure(const Shape& shape, Length delta_c, const Strength& strength) {
+  NoTrace off;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < shape.places(); ++i) {
+    const Place place = shape.at(shape.place(i), off);
+    const Membrane none = membrane(place, 0.0 * MPa, delta_c, strength, off);
+    const Membrane some = membrane(place, strength.sigma_all, delta_c, strength, off);
+    const GrowingStresses s{growing(none.s_o, some.s_o, 1.0), growing(none.s_M, some.s_M, 1.0),
+                            growing(-none.p_i, -some.p_i, 1.0)};
+    least = std::min(least, largest_load(s, strength));
+  }
+  return least * strength.sigma_all;
+}
+
+/// The thickness that the places of a shape need if its radii stay as they are; infinite where none is enough.
+/// `unit` is any length.
+template <class Shape>
+Length needed_thickness(const Shape& shape, Stress p, Length unit, const Strength& strength) {
+  NoTrace off;
+  Length most = 0.0 * mm;
+  for (std::size_t i = 0; i < shape.places(); ++i) {
+    const Membrane m = membrane(shape.at(shape.place(i), off), p, unit, strength, off);
+    const GrowingStresses s{{0.0, in_si(m.s_o)}, {0.0, in_si(m.s_M)}, {in_si(-m.p_i), 0.0}};
+    most = max(most, unit / largest_load(s, strength));
+  }
+  return most;
+}
+
+/// The least carrying thickness of the shape that `make(delta_c)` gives; unset where none is. `scale` is a length of
+/// the vessel.
+template <class Make>
+Length least_thickness(const Make& make, Stress p, Length scale, const Strength& strength) {
+  constexpr double thickest = 16.0;
+  const auto needed = [&](double delta_c) {
+    return in_si(needed_thickness(make(from_si<Length>(delta_c)), p, scale, strength));
+  };
+  return from_si<Length>(fixed_point(needed, thickest * in_si(scale)));
+}
+
+}  // namespace loadpath::vessel

@@ -1,0 +1,61 @@
+// Fixed points of functions of one variable.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace loadpath {
+
+namespace detail {
+
+/// A place and what a function is there.
+struct Known {
+  double x, f;
+};
+
+/// The zero of a falling function between low and high, to rounding: regula falsi by the Illinois rule.
+template <class Function>
+Known falling_root(const Function& f, Known low, Known high) {
+  double last = std::abs(high.x - low.x);
+  for (int i = 0; i < 100 && high.f != 0.0; ++i) {
+    const double x = high.x - high.f * (high.x - low.x) / (high.f - low.f);
+    const Known next = f(x);
+    const bool same_side = (next.f > 0.0) == (high.f > 0.0);
+    if (same_side) {
+      low.f *= 0.5;
+    } else {
+      low = high;
+    }
+    const double step = std::abs(x - high.x), size = std::abs(x);
+    const bool settled = step <= 4e-16 * size || (step <= 1e-13 * size && step >= 0.25 * last);
+    last = step;
+    high = next;
+    if (settled) break;
+  }
+  return high;
+}
+
+}  // namespace detail
+
+/// The x in [0, most] with g(x) = x, to rounding, of a g that is not negative, nearly straight and grows slower than x;
+/// NaN where there is none. A constant takes two calls, a straight line three.
+template <class Function>
+double fixed_point(const Function& g, double most) {
+  using detail::Known;
+  const auto excess = [&](double x) { return Known{x, g(x) - x}; };
+  const auto settled = [](const Known& known) { return std::abs(known.f) <= 4e-16 * known.x; };
+  const Known none = excess(0.0);
+  if (!(none.f <= most)) return std::numeric_limits<double>::quiet_NaN();
+  Known low = none, high = excess(none.f);
+  if (settled(high)) return high.x;
+  const double straight = high.f < none.f ? none.f * high.x / (none.f - high.f) : most;
+  high = excess(std::fmin(straight, most));
+  while (!settled(high) && high.f > 0.0 && high.x < most) {
+    low = high;
+    high = excess(std::fmin(2.0 * high.x, most));
+  }
+  if (settled(high)) return high.x;
+  return high.f <= 0.0 ? detail::falling_root(excess, low, high).x : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace loadpath

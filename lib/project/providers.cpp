@@ -65,7 +65,7 @@ std::vector<Provided> find_provided(const StepInput& input, const Companions& co
 
 Lookup look_up(const Provided& provided, double size) {
   const FieldInfo& field = *provided.leaf.field;
-  const double at = *field.provider.size == '\0' ? table::no_size : std::isnan(size) ? 0.0 : size;
+  const double at = *field.provider.size == '\0' ? table::no_size : size;
   const auto entry = table::find_row(field.provider.table, provided.row);
   if (!entry) return {std::nan(""), {}, false, entry.fault().message};
   if (const auto word = table::kind_of(*entry->row, field)) return {*word, {}, false, {}};

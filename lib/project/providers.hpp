@@ -24,7 +24,7 @@ struct Lookup {
 /// The inputs of a step that its providers fill. Rows that do not exist, or lack the column, become issues.
 std::vector<Provided> find_provided(const StepInput& input, const Companions& companions, std::vector<Issue>& issues);
 
-/// The value of a table's row, at a size where it depends on one (NaN: the smallest size).
+/// The value of a table's row, at a size where it depends on one; none where that is not known (NaN).
 Lookup look_up(const Provided& provided, double size);
 
 /// The values of a stock in SI, ascending: "R20", "R40", "shaft"...; empty where the stock is unknown.

@@ -90,7 +90,7 @@ bool Run::set_position(std::size_t i) {
 }
 
 bool Run::check_rules(std::vector<Issue>& issues) {
-  provide(nan);
+  provide(first_size());
   std::set<std::size_t> warned;  // a warning is said once, not at every position
   for (std::size_t i = 0; i < positions(); ++i) {
     if (!set_position(i)) continue;
@@ -128,14 +128,25 @@ const char* Run::size_field() const {
 
 double Run::size_now() {
   if (const FieldInfo* result = find_field(calculator_.result->fields, size_field())) return largest_result(*result);
+  for (const Input& input : inputs_) {
+    if (input.path == size_field()) return input.value.is_series() ? maximum(input.value).value : input.value.si[0];
+  }
   const Leaf given = map_leaf(size_field());
   return given ? given.get() : nan;
+}
+
+/// A size that follows from the values, or is searched for, starts at nothing.
+double Run::first_size() {
+  if (size_field() == nullptr) return nan;
+  const bool found = find_field(calculator_.result->fields, size_field()) != nullptr ||
+                     (!step_.searches().empty() && step_.searches().front().path == size_field());
+  return found ? 0.0 : size_now();
 }
 
 /// A strength falls with the size that it is asked for, so the size only grows from one round to the next.
 bool Run::settle_sizes() {
   if (size_field() == nullptr) return provide(nan);
-  double size = nan;
+  double size = first_size();
   for (int round = 0; round < 20; ++round) {
     if (!provide(size)) return false;
     const double next = size_now();

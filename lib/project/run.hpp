@@ -50,7 +50,9 @@ class Run {
   /// Values from tables at the size that follows from them.
   bool settle_sizes();
   [[nodiscard]] const char* size_field() const;
+  /// NaN where nothing gives it.
   [[nodiscard]] double size_now();
+  [[nodiscard]] double first_size();
   /// The largest value of a result over the positions, refined between them; NaN where one is not available.
   double largest_result(const FieldInfo& field);
   [[nodiscard]] bool is_asked(const FieldInfo& check) const;

@@ -79,7 +79,10 @@ sigma_adm = "6 MPa"
       Field{&Input::d_1, "d_1", mm, "diameter of the driving pulley"}.positive().usually(10, 5000),
       Field{&Input::d_2, "d_2", mm, "diameter of the driven pulley"}.positive().usually(10, 5000),
       Field{&Input::a, "a", mm, "centre distance"}.positive().usually(10, 5e4).may_be_missing(),
-      Field{&Input::L, "L", mm, "length of the belt, in place of a"}.positive().usually(50, 1e5).may_be_missing(),
+      Field{&Input::L, "L", mm, "length of the belt along its inner side, in place of a"}
+          .positive()
+          .usually(50, 1e5)
+          .may_be_missing(),
       Choice{&Input::arrangement, "arrangement", "course of the belt"}.may_be_missing(),
       Field{&Input::epsilon, "epsilon", ratio, "slip"}.at_least(0).below(1).usually(0, 0.05),
       Field{&Input::mu, "mu", ratio, "coefficient of friction of the belt on the pulleys"}.positive().usually(0.1, 1),
@@ -124,7 +127,8 @@ sigma_adm = "6 MPa"
       Field{&Result::n_2, "n_2", rpm, "speed of the driven pulley"}.as(Role::result),
       Field{&Result::v, "v", m_per_s, "speed of the belt"}.as(Role::result),
       Field{&Result::a, "a", mm, "centre distance"}.as(Role::result),
-      Field{&Result::L, "L", mm, "length of the belt, at the middle of its thickness"}.as(Role::result),
+      Field{&Result::L, "L", mm, "length of the belt along its inner side, on the faces of the pulleys"}.as(
+          Role::result),
       Field{&Result::l_s, "l_s", mm, "span between the points of contact"}.as(Role::result),
       Field{&Result::gamma, "gamma", deg, "inclination of the spans to the line of centres"}.as(Role::result),
       Field{&Result::alpha_1, "alpha_1", deg, "wrap of the driving pulley"}.as(Role::result),

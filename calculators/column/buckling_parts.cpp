@@ -9,7 +9,7 @@ Material material_of(const Buckling::Input& in) {
 }
 
 const Sp16Type& sp16_type(Profile kind) {
-  static constexpr Sp16Type a{0.03, 0.06, 0.6}, b{0.04, 0.09, 0.6}, c{0.04, 0.14, 0.4}, none{};
+  static constexpr Sp16Type a{0.03, 0.06}, b{0.04, 0.09}, c{0.04, 0.14}, none{};
   switch (kind) {
     case Profile::hot_hollow:
     case Profile::cold_hollow:

@@ -13,7 +13,6 @@ namespace loadpath::column {
 /// A type of section of SP 16.13330, table 7.
 struct Sp16Type {
   double alpha = unset<double>, beta = unset<double>;
-  double least = unset<double>;  // up to this relative slenderness the section is not reduced
 };
 
 /// What the curves of one bar and material need; unset is what is not known.
@@ -116,19 +115,19 @@ Stress aisc_stress(double lambda, const Material& material, Tracer& trace) {
 template <class Tracer>
 Stress sp16_stress(double lambda, const Material& material, Tracer& trace) {
   const auto &E = material.E, &R_e = material.R_e;
-  const auto alpha_s = material.sp16.alpha, beta_s = material.sp16.beta, least = material.sp16.least;
+  const auto alpha_s = material.sp16.alpha, beta_s = material.sp16.beta;
   constexpr double end_of_table = 14.0;
   STEP(lambda_r, static_cast<double>(lambda * sqrt(R_e / E)), "relative slenderness, [SP16]");
   if (!(lambda_r <= end_of_table)) {
     trace.value("sigma_cr", unset<Stress>, "beyond the table of the code, which ends at 14, [SP16]");
     return unset<Stress>;
   }
-  trace.value("least", least, "up to this relative slenderness there is no reduction, recalled, [SP16]");
-  trace.value("alpha_s", alpha_s, "of the type of section, table 7, recalled, [SP16]");
-  trace.value("beta_s", beta_s, "of the type of section, table 7, recalled, [SP16]");
+  trace.value("alpha_s", alpha_s, "of the type of section, which is recalled, table 7, [SP16]");
+  trace.value("beta_s", beta_s, "of the type of section, which is recalled, table 7, [SP16]");
   STEP(delta_s, 9.87 * (1.0 - alpha_s + beta_s * lambda_r) + pow<2>(lambda_r), "(9), [SP16]");
-  STEP(phi_s, 0.5 * (delta_s - sqrt(pow<2>(delta_s) - 39.48 * pow<2>(lambda_r))) / pow<2>(lambda_r), "(8), [SP16]");
-  STEP(phi, lambda_r <= least ? 1.0 : min(phi_s, min(1.0, 7.6 / pow<2>(lambda_r))), "within its bounds, 7.1.3, [SP16]");
+  STEP(phi_s, 19.74 / (delta_s + sqrt(pow<2>(delta_s) - 39.48 * pow<2>(lambda_r))),
+       "(8), its root without a difference of near numbers, [SP16]");
+  STEP(phi, min(phi_s, min(1.0, 7.6 / pow<2>(lambda_r))), "within its bounds, 7.1.3, [SP16]");
   STEP(sigma_cr, phi * R_e, "(7) without its factors, [SP16]");
   return sigma_cr;
 }

@@ -122,7 +122,7 @@ Length offset(const WallInput& in, Length delta, Length delta_c, Tracer& trace) 
     return e;
   }
   if (in.measured == Measured::outer) {
-    STEP(e, c + 0.5 * delta_c - delta, "middle of the carrying wall, from the outside of the new one");
+    STEP(e, -0.5 * delta_c, "middle of the carrying wall, from the outside, which mill and corrosion leave");
     return e;
   }
   STEP(e, c + 0.5 * delta_c - 0.5 * delta, "middle of the carrying wall, from that of the new one");

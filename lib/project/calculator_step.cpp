@@ -1,6 +1,7 @@
 #include "lib/project/calculator_step.hpp"
 
 #include "lib/project/run.hpp"
+#include "lib/table/rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -93,18 +94,31 @@ const Provided* CalculatorStep::lacking_row(std::size_t rule, const Record& reco
   return nullptr;
 }
 
+/// A row that has no value for an input, or none for the size of the part.
+Issue CalculatorStep::lacking_value(const Provided& provided, const Record& record) const {
+  const FieldInfo& field = *provided.leaf.field;
+  const Provider& from = field.provider;
+  const std::string instead = *from.unless == '\0' ? field.key : from.unless;
+  const auto issue = [&](Message message, Message hint) {
+    return Issue{place_in(input().rows.at(from.table).place, provided.row, 0, provided.row.size()),
+                 name() + "." + from.table, std::move(message), std::move(hint), Severity::error};
+  };
+  const auto entry = table::find_row(from.table, provided.row);
+  if (entry && table::covered_size(*entry, from.column) > 0.0) {
+    const Leaf size = find_leaf(record, from.size);
+    Lookup found = look_up(provided, size ? size.get() : table::no_size);
+    if (size && std::isnan(size.get()))
+      return issue(std::move(found.reason), say("give {1}, or {2}", from.size, instead));
+    return issue(std::move(found.reason), say("name another, or give {1}", instead));
+  }
+  return issue(say("the {1} '{2}' has no {3} {4}", from.table, provided.row, noun_of(field.doc), field.key),
+               *from.unless == '\0' ? say("name another, or give {1}", field.key)
+                                    : say("name another, or give {1} in its place", from.unless));
+}
+
 Issue CalculatorStep::broken_rule(std::size_t rule, const Record& record) const {
   const Calculator& calculator = *input().calculator;
-  if (const Provided* provided = lacking_row(rule, record)) {
-    const FieldInfo& field = *provided->leaf.field;
-    const Provider& from = field.provider;
-    return {place_in(input().rows.at(from.table).place, provided->row, 0, provided->row.size()),
-            name() + "." + from.table,
-            say("the {1} '{2}' has no {3} {4}", from.table, provided->row, noun_of(field.doc), field.key),
-            *from.unless == '\0' ? say("name another, or give {1}", field.key)
-                                 : say("name another, or give {1} in its place", from.unless),
-            Severity::error};
-  }
+  if (const Provided* provided = lacking_row(rule, record)) return lacking_value(*provided, record);
   FieldFault fault = calculator.fault_of(rule, record.data.get());
   for (const std::string& field : split(calculator.rules[rule].fields)) {
     if (fault.path.empty() && input().reading.typed.count(field) != 0) fault.path = field;
@@ -123,7 +137,8 @@ Outcome<Signature> CalculatorStep::signature(const std::string& path) const {
       const FieldInfo* field = find_field(fields, std::string_view(rest).substr(0, end));
       if (field == nullptr) break;
       rest = end == std::string::npos ? "" : rest.substr(end);
-      if (field->type == FieldInfo::Type::quantity && rest.empty()) return Signature{field->dimension, axis_};
+      const bool has_value = field->type == FieldInfo::Type::quantity || field->type == FieldInfo::Type::count;
+      if (has_value && rest.empty()) return Signature{field->dimension, axis_};
       if (field->is_leaf()) break;
       if (field->type == FieldInfo::Type::list) {  // an element by number or name; which there are is known later
         const bool numbered = rest.starts_with('[');

@@ -32,6 +32,7 @@ class CalculatorStep : public Step {
 
  private:
   [[nodiscard]] const Provided* lacking_row(std::size_t rule, const Record& record) const;
+  [[nodiscard]] Issue lacking_value(const Provided& provided, const Record& record) const;
   void find_searches(std::vector<Issue>& issues);
   void check_rules_of_literals(std::vector<Issue>& issues);
   [[nodiscard]] bool is_open(const std::string& field) const;

@@ -131,7 +131,8 @@ void Reader::read_count(const Tree& tree, const FieldInfo& field, void* owner, c
     const bool number = tree.type == Tree::Type::number;
     return say_at(
         tree.place, path,
-        say("a whole number is expected, not {1}", number ? format_number(n) : std::string(io::word_for(tree.type))));
+        say("a whole number is expected, not {1}", number ? format_number(n) : std::string(io::word_for(tree.type))),
+        tree.text.starts_with('=') ? say("a count takes no expression") : Message{});
   }
   if (!field.bounds.holds(n)) {
     return say_at(tree.place, path, say("{1} = {2}: {3}", path, format_number(n), bounds_message(field)));

@@ -105,6 +105,17 @@ TEST_SUITE("vessel.cylinder") {
     CHECK(rel(in_si(inner.R_m), 0.6045) < 1e-12);
   }
 
+  TEST_CASE("what mill and corrosion take leaves the outside where it was") {
+    VesselCylinder::Input in = vessel_24();
+    in.measured = Measured::outer, in.c = 1.6 * mm, in.f_t = 0.125, in.delta = 12.0 * mm;
+    const auto r = cylinder(in);
+    CHECK(rel(in_si(r.delta_c), 8.9e-3) < 1e-12);
+    CHECK(rel(in_si(r.R_m + 0.5 * r.delta_c), in_si(in.R)) < 1e-12);
+    in.measured = Measured::inner;
+    const auto inner = cylinder(in);
+    CHECK(rel(in_si(inner.R_m - 0.5 * inner.delta_c), in_si(in.R) + 1.6e-3) < 1e-12);
+  }
+
   TEST_CASE("each seam weakens its own stress, once") {
     VesselCylinder::Input in = vessel_24();
     in.hypothesis = Hypothesis::membrane;

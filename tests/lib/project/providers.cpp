@@ -93,4 +93,28 @@ TEST_SUITE("project providers") {
     CHECK(verdicts[0].state == report::State::not_covered);
     CHECK(verdicts[0].note.text().find("depends on the size") != std::string::npos);
   }
+
+  TEST_CASE("a strength by size needs the size, and ends with it") {
+    const std::string part =
+        "[part]\ncalculator = \"fatigue.endurance\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\n"
+        "loading = \"bending\"\nrule = \"din743\"\n";
+    CHECK(issues_of(part) == R"(a.toml:3:13: error: R_m of 'C45E' depends on the size, which is not given
+3 | material = "C45E"
+  |             ^^^^
+  = help: give d, or R_m
+)");
+    CHECK(issues_of(part + "d = \"300 mm\"\n").find("R_m of 'C45E' is given up to 100 mm, not for 300 mm") !=
+          std::string::npos);
+    CHECK(value(solved(part + "d = \"32 mm\"\n"), "part.R_m") == doctest::Approx(650e6));
+  }
+
+  TEST_CASE("a whole number is a result like any other") {
+    const auto project = solved(
+        "[fan]\ncalculator = \"belt.v_sizing\"\nbasis = \"optibelt\"\nP = \"11 kW\"\nK_A = 1.2\n"
+        "n_1 = \"1460 rpm\"\nn_2_set = \"730 rpm\"\na_set = \"600 mm\"\n"
+        "[belts]\ncalculator = \"drive.train\"\nP = \"1 kW\"\nn_1 = \"100 rpm\"\n"
+        "stages = [{ kind = \"belt\", i = \"=fan.z\" }]\n");
+    CHECK(value(project, "fan.candidates[1].z") == value(project, "fan.z"));
+    CHECK(value(project, "belts.i") == doctest::Approx(value(project, "fan.z")));
+  }
 }

@@ -1,4 +1,5 @@
 // Calculators with lists: at least 10 million elements a second, without an allocation (tests/contract.cpp).
+#include "calculators/column/buckling.hpp"
 #include "calculators/drive/train.hpp"
 #include "calculators/section/built_up.hpp"
 
@@ -45,8 +46,21 @@ void plates(benchmark::State& state) {
   elements<BuiltUpSection>(state, in, in.parts.size());
 }
 
+/// A bar about both axes, by every method that its data allow.
+void bar(benchmark::State& state) {
+  Buckling::Input in;
+  in.b = 40.0 * mm, in.h = 60.0 * mm, in.l = 1.8 * m, in.P = 10.0 * kN;
+  in.beta_y = 2.0, in.beta_z = 1.0, in.n_st = 3.0;
+  in.E = 210.0 * GPa, in.sigma_P = 200.0 * MPa, in.R_e = 235.0 * MPa;
+  in.method = column::Method::euler;
+  NoTrace off;
+  const auto r = Buckling::evaluate(in, off);
+  elements<Buckling>(state, in, r.axes.size() + r.methods.size());
+}
+
 }  // namespace
 
+BENCHMARK(bar);
 BENCHMARK(train);
 BENCHMARK(plates);
 BENCHMARK_MAIN();

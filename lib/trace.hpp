@@ -31,6 +31,7 @@ struct NoTrace {
   }
   template <class... Arguments>
   void value(const Arguments&...) {}
+  void angle(const char*, double, const char*) {}
   template <class... Arguments>
   [[nodiscard]] Scope scope(const Arguments&...) {
     return {};
@@ -78,6 +79,10 @@ class Trace {
   template <class Quantity>
   void value(const char* symbol, const Quantity& q, const char* why) {
     step(symbol, "", why, q);
+  }
+  /// The same of an angle, which in C++ is a plain number of radians.
+  void angle(const char* symbol, double radians, const char* why) {
+    lines_.push_back({scope_, symbol, "", why, radians, Dimension::of(0, 0, 0, 0, 1)});
   }
   /// Lines until the end of the scope belong to element i of a list of the result.
   Scope scope(const char* list, std::size_t i) { return {*this, list, i}; }

@@ -90,7 +90,7 @@ void lay(const Input& in, const Circles& circles, const Loop& loop, Result& r, T
     p.name = in.pulleys[k].name;
     p.x = circles[k].at.x * m, p.y = circles[k].at.y * m;
     p.alpha = loop.wraps[k], p.l_s = loop.spans[k].length * m;
-    trace.value("alpha", p.alpha, "wrap between the tangents of both spans");
+    trace.angle("alpha", p.alpha, "wrap between the tangents of both spans");
     trace.value("l_s", p.l_s, "common tangent with the next pulley");
     r.pulleys.push_back(p);
   }

@@ -18,7 +18,7 @@ struct ShaftLoad {
 template <class Tracer>
 ShaftLoad shaft_load(Force N_1, Force N_2, double slope, Tracer& trace) {
   ShaftLoad load;
-  trace.value("psi", slope, "inclination of the tight span, positive where it leaves the line of centres");
+  trace.angle("psi", slope, "inclination of the tight span, positive where it leaves the line of centres");
   const double psi = slope;
   STEP(R_x, (N_1 + N_2) * cos(psi), "shaft load in running along the line of centres");
   STEP(R_y, (N_1 - N_2) * sin(psi), "across it, positive to the side of the tight span");

@@ -87,8 +87,8 @@ void build_pulleys(const VSection& section, const VBelt::Input& in, VBelt::Resul
   const auto f_B_max = row.f_B_max;
   r.phi_1 = d_1 <= row.d_phi ? row.phi_1 : row.phi_2;
   r.phi_2 = d_2 <= row.d_phi ? row.phi_1 : row.phi_2;
-  trace.value("phi_1", r.phi_1, "groove angle of the driving pulley, [GOST1284.2] annex 5");
-  trace.value("phi_2", r.phi_2, "groove angle of the driven pulley, [GOST1284.2] annex 5");
+  trace.angle("phi_1", r.phi_1, "groove angle of the driving pulley, [GOST1284.2] annex 5");
+  trace.angle("phi_2", r.phi_2, "groove angle of the driven pulley, [GOST1284.2] annex 5");
   trace.value("h_a", h_a, "groove above the datum diameter");
   STEP(d_a1, d_1 + 2.0 * h_a, "driving pulley, outside");
   STEP(d_a2, d_2 + 2.0 * h_a, "driven pulley, outside");

@@ -50,7 +50,7 @@ void distance_from_shift(const GearPair::Input& in, double g, PairResult& r, Tra
   STEP(inv_wt, inv_t + 2.0 * x_0 * tan(alpha_n) / (g * (z_2 + g * z_1)),
        "involute function of the working pressure angle, no backlash, [ISO21771]");
   const double alpha_wt = angle_of_involute(inv_wt);
-  trace.value("alpha_wt", alpha_wt, "the angle with this involute function");
+  trace.angle("alpha_wt", alpha_wt, "the angle with this involute function");
   STEP(a_w, a * cos(alpha_t) / cos(alpha_wt), "working centre distance, [ISO21771]");
   r.a_w = a_w, r.alpha_wt = alpha_wt, r.x_0 = x_0;
 }

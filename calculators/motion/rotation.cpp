@@ -24,8 +24,8 @@ template <class Tracer>
 void count_turns(const Rotation::Input& in, Rotation::Result& r, Tracer& trace) {
   const auto t_1 = in.t_1, t_2 = in.t_2;
   const double phi_1 = motion::at(law_of(in), in_si(t_1)).value, phi_2 = motion::at(law_of(in), in_si(t_2)).value;
-  trace.value("phi_1", phi_1, "law of rotation at t_1");
-  trace.value("phi_2", phi_2, "law of rotation at t_2");
+  trace.angle("phi_1", phi_1, "law of rotation at t_1");
+  trace.angle("phi_2", phi_2, "law of rotation at t_2");
   STEP(Delta_phi, phi_2 - phi_1, "angle turned");
   STEP(turns, Delta_phi / (2.0 * pi), "a turn is 2 pi");
   STEP(omega_m, Delta_phi / (t_2 - t_1), "mean angular speed, [B28]");

@@ -40,7 +40,7 @@ BuiltUpSection::Placed place(const Part& part, const Turned& placed, const secti
   trace.value("I_y0", I_y0, "of the part about its own axes, before it is turned");
   trace.value("I_z0", I_z0, "of the part about its own axes, before it is turned");
   trace.value("I_yz0", I_yz0, "of the part about its own axes, before it is turned");
-  trace.value("angle", angle, "turned counter-clockwise");
+  trace.angle("angle", angle, "turned counter-clockwise");
   trace.value("sign", sign, "1 of material, -1 of a hole");
   const auto A_0 = own.A;
   STEP(A, sign * A_0, "counts negative where it is cut out");

@@ -116,7 +116,7 @@ void turn_to_principal_axes(Properties& r, Tracer& trace) {
     STEP(I_min, min(I_y, I_z), "the other one");
     r.I_max = I_max, r.I_min = I_min;
     r.alpha = I_y >= I_z ? 0.0 : 0.5 * pi;
-    trace.value("alpha", r.alpha, "I_max is about y where I_y is the larger, else about z");
+    trace.angle("alpha", r.alpha, "I_max is about y where I_y is the larger, else about z");
     return;
   }
   STEP(I_R, sqrt(pow<2>((I_y - I_z) / 2.0) + I_yz * I_yz), "radius of Mohr's circle");

@@ -236,7 +236,7 @@ void judge(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
     STEP(u_theta, theta_max / theta_adm, "stiffness condition, [B19] (8)");
     r.u_theta = u_theta;
   }
-  if (is_set(r.phi)) trace.value("phi", r.phi, "sum over the stretches, with sign");
+  if (is_set(r.phi)) trace.angle("phi", r.phi, "sum over the stretches, with sign");
   r.F_bend = abs(in.F);
 }
 

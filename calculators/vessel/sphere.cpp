@@ -37,7 +37,7 @@ class Sphere {
     place.kappa_M = NAMED_STEP("kappa_M", 1.0 / R_m, "along the meridian too");
     place.q_M = NAMED_STEP("q_M", R_m / 2.0, "pressure on the cap over its circumference, [B24]");
     if (wet_) {
-      trace.value("phi", phi, "of the governing place, from the top");
+      trace.angle("phi", phi, "of the governing place, from the top");
       place.p_l = vessel::head(in_, place.z, trace);
       place.n_M = phi > in_.phi_s ? below(phi) : above(phi);
     } else {

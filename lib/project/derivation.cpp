@@ -81,7 +81,7 @@ std::string Names::unit_of(const Line& line) const {
   for (const Record* record : {&result_, &input_}) {
     const Leaf leaf = find_leaf(*record, joined(line.scope, line.symbol));
     if (leaf && leaf.field->type == FieldInfo::Type::quantity &&
-        leaf.field->dimension.without_angle() == line.dimension) {
+        leaf.field->dimension.without_angle() == line.dimension.without_angle()) {
       return leaf.field->unit;
     }
   }
@@ -90,7 +90,7 @@ std::string Names::unit_of(const Line& line) const {
 
 /// In C++ an angle is a plain number; its formula tells it from one.
 bool Names::is_angle(const Line& line) const {
-  if (line.dimension != Dimension{}) return false;
+  if (!line.dimension.is_number()) return false;
   const auto tree = formula::parse(line.formula);
   return tree && formula::is_angle(*tree, [&](std::string_view name) {
            const auto known = find(line.scope, name);

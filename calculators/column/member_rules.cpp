@@ -150,6 +150,11 @@ bool set_fits_modulus(const Member& in) {
   return !is_set(in.E_T) || !is_set(in.E) || std::abs(in.E / in.E_T - 1.0) <= 0.05;
 }
 
+bool set_is_of_material(const Member& in) {
+  constexpr double most = 1.3;  // grey irons and woods differ that much among themselves
+  return !is_set(in.E_T) || !is_set(in.E) || (in.E <= most * in.E_T && in.E_T <= most * in.E);
+}
+
 FieldFault modulus_of_set(const Member& in) {
   return {"",
           say("the set of Tetmajer-Yasinsky was given with E = {1}, not {2}",

@@ -15,6 +15,7 @@ bool set_meets_euler(const Member& in);
 bool set_near_euler(const Member& in);
 FieldFault gap_of_set(const Member& in);
 bool set_fits_modulus(const Member& in);
+bool set_is_of_material(const Member& in);
 FieldFault modulus_of_set(const Member& in);
 bool usual_safety(const Member& in);
 FieldFault unusual_safety(const Member& in);
@@ -76,6 +77,8 @@ constexpr auto method_rules() {
                   "with this modulus the set of Tetmajer-Yasinsky never meets Euler's hyperbola"},
       Rule<Input>{&of<Input, &set_near_euler>, "a_T, b_T, c_T, E, lambda_1", "the set misses Euler at its lambda_1",
                   &of<Input, &gap_of_set>, true},
+      Rule<Input>{&of<Input, &set_is_of_material>, "E_T, E", "this set is of another material",
+                  &of<Input, &modulus_of_set>},
       Rule<Input>{&of<Input, &set_fits_modulus>, "E_T, E", "the set was given with another modulus",
                   &of<Input, &modulus_of_set>, true},
       Rule<Input>{&of<Input, &usual_safety>, "n_st, material_class", "the safety factor is unusual",

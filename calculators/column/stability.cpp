@@ -123,6 +123,13 @@ int criticals_below(const Bar& bar, double u) {
   return count + stiffness.factor();
 }
 
+/// Whether no motion of the rigid bar is free.
+bool is_held(const Bar& bar) {
+  const auto across = [](const End& end) { return end.across > 0.0 ? 1U : 0U; };
+  const std::size_t places = across(bar.start) + across(bar.end) + bar.supports.size();
+  return places > 1 || (places == 1 && (bar.start.turning > 0.0 || bar.end.turning > 0.0));
+}
+
 constexpr double least_parameter = 1e-3;  // below: an effective length of more than 3000 l is a mechanism
 
 constexpr std::size_t parts = 48;  // of a bar in one span; at least 6 in each
@@ -143,6 +150,7 @@ std::vector<double> stations(const Bar& bar) {
 }  // namespace
 
 double buckling_parameter(const Bar& bar) {
+  if (!is_held(bar)) return std::numeric_limits<double>::quiet_NaN();
   double low = 1.0, high = 1.0;
   while (criticals_below(bar, high) == 0) high *= 2.0;
   while (low > least_parameter && criticals_below(bar, low) > 0) low *= 0.5;

@@ -104,6 +104,12 @@ Stress lowest_failure(const Input& in) {
   return lowest;
 }
 
+double longest(const Input& in) {
+  double most = 0.0;
+  for (const auto& t : in.tests) most = std::max(most, t.N);
+  return most;
+}
+
 template <class Tracer>
 void knee(const Input& in, Result& r, Tracer& trace) {
   using std::pow;
@@ -122,7 +128,10 @@ void knee(const Input& in, Result& r, Tracer& trace) {
   }
   const Stress S_D = r.S_D;
   STEP(N_D, pow(10.0, A + B * log(S_D / MPa) / log(10.0)), "the line at the fatigue limit");
-  r.N_D = N_D;
+  const double N_max = longest(in);
+  trace.value("N_max", N_max, "longest test");
+  STEP(x_D, N_D / N_max, "the line is not followed beyond the tests, [E739]");
+  r.N_D = N_D, r.x_D = x_D;
 }
 
 template <class Tracer>
@@ -131,10 +140,10 @@ void life(const Input& in, const Sums& sums, Result& r, Tracer& trace) {
   const auto A = r.A, B = r.B, A_P = r.A_P;
   const auto S = in.S;
   const double X_low = sums.X_low, X_high = sums.X_high;
+  trace.value("X_low", X_low, "least X of the regression");
+  trace.value("X_high", X_high, "largest X of the regression");
   if (is_set(S)) {
     STEP(X_S, log(S / MPa) / log(10.0), "lg of the stress");
-    trace.value("X_low", X_low, "least X of the regression");
-    trace.value("X_high", X_high, "largest X of the regression");
     STEP(x_S, (X_S - X_low) / (X_high - X_low), "the line holds between the tested stresses, [E739]");
     r.x_S = std::abs(x_S) < 1e-9 ? 0.0 : x_S;  // a tested stress in another unit is rounded otherwise
     if (!is_set(r.S_D) || S > r.S_D) {
@@ -149,7 +158,9 @@ void life(const Input& in, const Sums& sums, Result& r, Tracer& trace) {
   STEP(S_0, pow(10.0, (log(N_0) / log(10.0) - A) / B) * MPa, "conventional fatigue limit, [B20]: the line at N_0");
   trace.value("Y_high", Y_high, "largest lg N of the regression");
   STEP(x_N, N_0 / pow(10.0, Y_high), "lives beyond those tested are not on the line, [E739]");
-  r.S_0 = S_0, r.x_N = x_N;
+  STEP(S_most, pow(10.0, X_high) * MPa, "largest stress of the regression");
+  STEP(x_0, S_0 / S_most, "stresses beyond those tested are not on the line, [E739]");
+  r.S_0 = S_0, r.x_N = x_N, r.x_0 = x_0;
 }
 
 /// Straight where both scales are logarithmic.
@@ -177,6 +188,11 @@ bool FatigueWohler::enough(const Input& in) { return sums_of(in).n >= 3; }
 bool FatigueWohler::spread(const Input& in) {
   const Sums s = sums_of(in);
   return s.n < 3 || (s.X_high - s.X_low > 1e-9 && s.xy < 0.0);
+}
+
+bool FatigueWohler::limit_is_below(const Input& in) {
+  const Sums s = sums_of(in);
+  return !is_set(in.S_D) || s.n < 3 || lg_stress(in.S_D) <= s.X_low + 1e-12;
 }
 
 template <class Tracer>

@@ -61,6 +61,7 @@ S = "350 MPa"
   };
   static bool enough(const Input& in);
   static bool spread(const Input& in);
+  static bool limit_is_below(const Input& in);
   static constexpr std::tuple inputs{
       ListField{&Input::tests, "tests", "test points: stress, cycles, \"failure\" or \"runout\""}.as_arrays(),
       Field{&Input::P_s, "P_s", ratio, "probability of survival of the line for design, with 50 % confidence"}.within(
@@ -78,7 +79,7 @@ S = "350 MPa"
     Stress S_D = unset<Stress>;
     double N_D = unset<double>, N_50 = unset<double>, N_P = unset<double>;
     Stress S_0 = unset<Stress>;
-    double x_S = unset<double>, x_N = unset<double>, P_f = unset<double>;
+    double x_S = unset<double>, x_N = unset<double>, x_0 = unset<double>, x_D = unset<double>, P_f = unset<double>;
   };
   static constexpr std::tuple results{
       Field{&Result::n, "n", ratio, "failures in the regression"}.as(Role::result),
@@ -105,6 +106,10 @@ S = "350 MPa"
           .limit(0, 1 + 1e-9, "S"),
       Field{&Result::x_N, "x_N", ratio, "N_0 over the longest life in the regression: no extrapolation"}.limit(
           0, 1 + 1e-9, "N_0"),
+      Field{&Result::x_0, "x_0", ratio, "S_0 over the largest stress in the regression: no extrapolation"}.limit(
+          0, 1 + 1e-9, "N_0"),
+      Field{&Result::x_D, "x_D", ratio, "cycles of the knee over the longest test: no extrapolation"}.limit(0, 1 + 1e-9,
+                                                                                                            "S_D"),
       Field{&Result::P_f, "P_f", ratio, "failure probability of the design line: below 5 % a few tests say nothing"}
           .limit(0.05 - 1e-12, 1)};
 
@@ -113,7 +118,9 @@ S = "350 MPa"
                   "a line with its scatter needs at least three failures above the highest stress that has a run-out"},
       Rule<Input>{
           &spread, "tests",
-          "those failures lie at one stress: a line needs two levels at least, and lives that fall with stress"}};
+          "those failures lie at one stress: a line needs two levels at least, and lives that fall with stress"},
+      Rule<Input>{&limit_is_below, "S_D",
+                  "bars have failed below this fatigue limit: it is at most the lowest stress of the line"}};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

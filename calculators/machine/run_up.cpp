@@ -80,7 +80,10 @@ void follow(const Input& in, const Balance& balance, const Speeds& speeds, Resul
     if (std::isnan(u)) break;
   }
   r.M_least = least * N_m;
-  if (!(least > 0.0)) return;
+  if (!(least > 0.0)) {
+    if (r.u_M <= 1.0) r.u_M = unset<double>;  // just balanced: it stands there, or never gets there
+    return;
+  }
   machine::Stretch whole;
   double taken = 0.0;
   for (std::size_t i = 0; i + 1 < speeds.size(); ++i) {

@@ -100,9 +100,9 @@ FieldFault BuiltUpSection::incomplete(const Input& in) {
 
 bool BuiltUpSection::is_full(const Input& in) {
   if (!parts_are_whole(in)) return true;  // another rule says it
-  Area sum = from_si<Area>(0.0);
-  for (const Part& part : in.parts) sum += sign_of(part) * section::shaped(part).own.A;
-  return sum > from_si<Area>(0.0);
+  NoTrace off;
+  const Result r = evaluate(in, off);
+  return r.A > from_si<Area>(0.0) && r.I_min > from_si<SecondMoment>(0.0);
 }
 
 template <class Tracer>

@@ -214,7 +214,7 @@ theta_adm = "0.004 rad/m"
       Rule<Input>{&torques_close, "torques, fixed", "the torques must sum to zero, or one end must be fixed",
                   &open_sum},
       Rule<Input>{&torques_on_shaft, "torques, segments, l", "every torque must lie on the shaft", &torque_off_shaft},
-      Rule<Input>{&bores_fit, "segments",
+      Rule<Input>{&bores_fit, "segments, d",
                   "the bore of a segment must be smaller than its diameter; give it as chi or as "
                   "d_bore, never both"}};
 

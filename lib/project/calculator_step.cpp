@@ -84,6 +84,11 @@ void CalculatorStep::check_rules_of_literals(std::vector<Issue>& issues) {
   }
 }
 
+bool CalculatorStep::is_about(std::size_t rule, const std::string& path) const {
+  const auto fields = split(input().calculator->rules[rule].fields);
+  return std::find(fields.begin(), fields.end(), head(path)) != fields.end();
+}
+
 /// The input of a rule that a row was to fill, and the row has no such value; null where there is none.
 const Provided* CalculatorStep::lacking_row(std::size_t rule, const Record& record) const {
   const auto fields = split(input().calculator->rules[rule].fields);

@@ -25,6 +25,8 @@ class CalculatorStep : public Step {
   [[nodiscard]] Issue broken_rule(std::size_t rule, const Record& record) const;
   /// Whether a table is to fill the input, be there such a row or not.
   [[nodiscard]] bool names_row_for(const std::string& field) const;
+  /// Whether a rule of the calculator concerns an input, or the list that it is in.
+  [[nodiscard]] bool is_about(std::size_t rule, const std::string& path) const;
 
  protected:
   /// Whether an input may be a series.

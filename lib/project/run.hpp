@@ -58,6 +58,7 @@ class Run {
   [[nodiscard]] bool is_asked(const FieldInfo& check) const;
   [[nodiscard]] bool is_any_asked() const;
   [[nodiscard]] Issue aimless(const Search& wanted) const;
+  std::size_t first_broken_rule();
   bool passes();
   bool is_covered();
   std::vector<double>::const_iterator first_that_passes(const std::vector<double>& values, double least,

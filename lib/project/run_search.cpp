@@ -1,4 +1,5 @@
 #include "lib/project/run.hpp"
+#include "lib/quantity/format.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +21,22 @@ bool Run::is_asked(const FieldInfo& check) const {
   return false;
 }
 
+/// The first rule about the input that is searched for that is broken at a position; none: past the last.
+std::size_t Run::first_broken_rule() {
+  const std::size_t count = calculator_.rules.size();
+  const std::string& searched = step_.searches().front().path;
+  for (std::size_t i = 0; i < positions(); ++i) {
+    if (!set_position(i)) continue;
+    for (std::size_t rule = 0; rule < count; ++rule) {
+      if (calculator_.rules[rule].only_warns || !step_.is_about(rule, searched)) continue;
+      if (!calculator_.holds(rule, record_.data.get())) return rule;
+    }
+  }
+  return count;
+}
+
 bool Run::passes() {
-  if (!settle_sizes()) return false;
+  if (!settle_sizes() || first_broken_rule() < calculator_.rules.size()) return false;
   return std::all_of(calculator_.result->fields.begin(), calculator_.result->fields.end(), [&](const FieldInfo& f) {
     if (f.role != Role::check || !is_asked(f)) return true;
     const double largest = largest_result(f);
@@ -106,7 +121,17 @@ bool Run::search(std::vector<Issue>& issues) {
   const std::vector<double> stock = stock_values(wanted.stock);
   auto candidate = first_that_passes(stock, least, leaf, true);
   if (candidate == stock.end()) candidate = first_that_passes(stock, least, leaf, false);
-  if (candidate == stock.end() && !stock.empty()) leaf.set(stock.back());
+  if (candidate == stock.end() && !stock.empty()) {
+    leaf.set(stock.back());
+    const std::size_t broken = first_broken_rule();
+    if (broken < calculator_.rules.size()) {
+      Issue issue = step_.broken_rule(broken, record_);
+      issue.hint = say("{1} = {2}, the largest of {3}, was tried last", wanted.path,
+                       format_quantity(stock.back(), leaf.field->unit), wanted.stock);
+      issues.push_back(std::move(issue));
+      return false;
+    }
+  }
   Message found = say("smallest of {1} that passes every check", wanted.stock);
   if (lacks_needed_) found = say("first of {1} for which a value is missing", wanted.stock);
   if (candidate == stock.end()) found = say("largest of {1}; none passes", wanted.stock);

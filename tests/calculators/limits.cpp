@@ -110,6 +110,8 @@ const Side fatigue[] = {
     {"fatigue.wohler", "x_S", outside, "S", R"("0.535 GPa")", R"("0.5351 GPa")",
      R"(tests = [["535 MPa", 38000], ["480 MPa", 91000], ["420 MPa", 262000]])"},
     {"fatigue.wohler", "x_N", outside, "N_0", "980000", "981000"},
+    {"fatigue.wohler", "x_0", outside, "N_0", "42600", "42500"},
+    {"fatigue.wohler", "x_D", outside, "S_D", R"("239 MPa")", R"("238 MPa")"},
     {"fatigue.wohler", "P_f", outside, "P_s", "0.95", "0.951"},
 };
 
@@ -187,7 +189,7 @@ const Side motion[] = {
     {"machine.flywheel", "u_delta", over, "delta", "0.0039", "0.0038", R"(J = "8000 kg*m^2")"},
     {"machine.flywheel", "u_P", over, "P_n", R"("377 kW")", R"("376 kW")"},
     {"machine.flywheel", "u_v", over, "v_adm", R"("18.9 m/s")", R"("18.8 m/s")", R"(D = "2 m")"},
-    {"machine.run_up", "u_M", over, "load", R"([["0 rpm", "2 N*m"], ["1400 rpm", "40 N*m"]])",
+    {"machine.run_up", "u_M", over, "load", R"([["0 rpm", "2 N*m"], ["1400 rpm", "39.9 N*m"]])",
      R"([["0 rpm", "2 N*m"], ["1400 rpm", "40.1 N*m"]])"},
     {"machine.run_up", "u_t", over, "t_adm", R"("3.71 s")", R"("3.7 s")"},
 };

@@ -99,6 +99,12 @@ TEST_SUITE("column effective length") {
     in.end_1 = EffectiveLength::End::pinned;
     in.end_2 = EffectiveLength::End::free;
     CHECK(std::isnan(solve(in).beta));
+    using End = EffectiveLength::End;
+    for (const auto& [first, second] : {std::pair{End::guided, End::guided}, std::pair{End::free, End::guided},
+                                        std::pair{End::guided, End::free}, std::pair{End::free, End::free}}) {
+      in.end_1 = first, in.end_2 = second;
+      CHECK(std::isnan(solve(in).beta));
+    }
     CHECK(complaints("calculator = \"column.effective_length\"\nl = \"1 m\"\nend_1 = \"pinned\"\nend_2 = \"free\"\n")
               .empty());
   }

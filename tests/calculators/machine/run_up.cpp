@@ -49,6 +49,7 @@ TEST_SUITE("machine run up") {
     CHECK(near(carried("u_M"), 0.99));
     CHECK(stuck.worst() == State::fail);
     CHECK(std::isnan(stuck("t")));
+    CHECK(run(motor + "\"10 N*m\"]]\n").worst() == State::not_available);  // it nears the speed for ever
   }
 
   TEST_CASE("a load helps to brake, and the heat of the brake is what it does not take") {

@@ -128,6 +128,9 @@ TEST_SUITE("section built up") {
     CHECK(fault(of({wall})).message.text() == "the walls leave nothing hollow");
     Part hole = plate(2, 2, 0, 0);
     hole.as = BuiltUpSection::As::hole;
-    CHECK(fault(of({plate(1, 1, 0, 0), hole})).message.text() == "more is cut out than there is");
+    CHECK(fault(of({plate(1, 1, 0, 0), hole})).message.text() == "more is cut out than there is, or beside it");
+    Part slit = plate(1, 900, 0, 0);
+    slit.as = BuiltUpSection::As::hole;
+    CHECK(fault(of({plate(100, 10, 0, 0), slit})).message.text() == "more is cut out than there is, or beside it");
   }
 }

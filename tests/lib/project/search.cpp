@@ -45,6 +45,18 @@ TEST_SUITE("project search") {
     CHECK(report::worst(project::verdicts(project)) == report::State::fail);
   }
 
+  TEST_CASE("no size of the stock keeps the rules: nothing is taken") {
+    CHECK(issues_of(sized("d_bore = \"260 mm\"\nd = { stock = \"bright\" }\n")) ==
+          R"(a.toml:5:11: error: the bore must be smaller than the shaft
+5 | d_bore = "260 mm"
+  |           ^^^^^^
+  = help: d = 200 mm, the largest of bright, was tried last
+)");
+    CHECK(first_error(axle + "T = \"100 N*m\"\ntau_adm = \"30 MPa\"\nd = { stock = \"bright\" }\n"
+                             "segments = [{ l = \"1 m\", d_bore = \"260 mm\" }, { l = \"1 m\" }]\n")
+              .starts_with("the bore of a segment must be smaller"));
+  }
+
   TEST_CASE("an unknown stock is told with the nearest one") {
     CHECK(issues_of(sized("d = { stock = \"R41\" }\n")) == R"(a.toml:5:16: error: there is no stock 'R41'
 5 | d = { stock = "R41" }

@@ -242,8 +242,15 @@ template <class Owner, class Element, std::size_t N>
 struct ListField : detail::Described<ListField<Owner, Element, N>> {
   List<Element, N> Owner::*at;
   bool positional = false;
+  Provider provider;
   constexpr ListField(List<Element, N> Owner::*member, const char* k, const char* d)
       : detail::Described<ListField<Owner, Element, N>>{k, d}, at{member} {}
+  /// The values of a row that the step names at all its sizes, for elements of a size and a value.
+  [[nodiscard]] constexpr ListField from_sizes(const char* table, const char* column, const char* unless) const {
+    ListField l = this->may_be_missing();
+    l.provider = {Provider::Kind::table, table, column, "", unless, true};
+    return l;
+  }
   [[nodiscard]] constexpr ListField as_arrays() const {
     ListField l = *this;
     l.positional = true;

@@ -125,6 +125,7 @@ template <const auto& fields, std::size_t I, class Owner, class Element, std::si
 FieldInfo info_of(const ListField<Owner, Element, N>& f) {
   FieldInfo info = described(f, FieldInfo::Type::list);
   info.positional = f.positional;
+  info.provider = f.provider;
   info.fields = infos_of<Element::fields>();
   info.capacity = N;
   info.size = [](const void* o) { return (static_cast<const Owner*>(o)->*member_at<fields, I>).size(); };

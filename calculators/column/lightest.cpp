@@ -44,13 +44,11 @@ bool nearer(const Candidate& a, const Candidate& b) {
 struct Search {
   const TableSection* best = nullptr;  // the first that carries the bar, else the one that lacks least
   Candidate nearest;
-  Length thickest = 0.0 * mm;  // of those up to the best one: heavier demands never lead to a thinner one
 };
 
 void take(const TableSection& section, const column::MemberResult& found, column::Method method, Search& search,
           Result& r) {
   const Candidate c = candidate_of(section, found, method);
-  if (r.carrying == 0.0 && section.t_f > search.thickest) search.thickest = section.t_f;
   if (c.failure == Failure::none) {
     if (r.carrying == 0.0) search.best = &section;
     r.carrying += 1.0;
@@ -117,14 +115,13 @@ draw::Plot forces_over_mass(const Input& in, const Result& r) {
 template <class Tracer>
 Result LightestColumn::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  const auto [best, nearest, thickest] = search_for(in, r);
+  const TableSection* const best = search_for(in, r).best;
   trace.value("sections", r.sections, "sections of these families that there is room for");
   trace.value("carrying", r.carrying, "of them carry the bar");
   if (best == nullptr) return r;
   show(*best, trace);
   static_cast<column::MemberResult&>(r) = Buckling::evaluate(bar_of(in, *best), trace);
   r.section = best->name();
-  r.t = thickest;
   const auto q = r.q = best->m;
   const auto l = in.l;
   STEP(mass, q * l, "mass of the bar");

@@ -21,10 +21,8 @@ struct LightestColumn {
   static constexpr auto scope =
       "Ranked list of the sections of one family or several that carry a compressed bar, the lightest first, with the "
       "reason why lighter ones fail; the best one with its whole calculation by column.buckling, and what that does "
-      "not cover: torsional buckling of channels and angles, sections of class 4, holes of a bar in tension. A "
-      "strength "
-      "of a material is that of the thickest of all sections up to the one found: a lighter, thinner section that the "
-      "list says is too weak can carry the bar with the strength of its own thickness; column.buckling tells.";
+      "not cover: torsional buckling of channels and angles, sections of class 4, holes of a bar in tension. With a "
+      "material each section has the yield strength of its own thickness.";
   static constexpr auto source = Buckling::source;
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
@@ -52,8 +50,17 @@ gamma_F = 1
   };
   using Families = List<Family, 12>;
 
+  struct Strength {
+    Length t_max = unset<Length>;
+    Stress R_e = unset<Stress>;
+    static constexpr std::tuple fields{Field{&Strength::t_max, "t_max", mm, "up to this thickness"}.positive(),
+                                       Field{&Strength::R_e, "R_e", MPa, "yield strength"}.positive()};
+  };
+  using Strengths = List<Strength, 12>;
+
   struct Input : column::Member {
     Families families;
+    Strengths strengths;
     column::Profile kind = column::Profile::unsaid;
     Length h_max = unset<Length>, b_max = unset<Length>;
   };
@@ -64,7 +71,11 @@ gamma_F = 1
                      .may_be_missing(),
                  Field{&Input::h_max, "h_max", mm, "largest height that there is room for"}.positive().may_be_missing(),
                  Field{&Input::b_max, "b_max", mm, "largest width that there is room for"}.positive().may_be_missing()},
-      column::material_inputs<Input>(), column::method_inputs<Input>());
+      column::material_inputs<Input>(),
+      std::tuple{ListField{&Input::strengths, "strengths", "yield strengths by thickness, in place of R_e alone"}
+                     .as_arrays()
+                     .from_sizes("material", "R_e", "R_e")},
+      column::method_inputs<Input>());
 
   struct Candidate {
     Name name;

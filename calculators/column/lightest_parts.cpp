@@ -41,8 +41,16 @@ bool belongs(const TableSection& section, const LightestColumn::Input& in) {
   return wanted && !(section.h > in.h_max) && !(section.b > in.b_max);
 }
 
+Stress strength_of(const LightestColumn::Input& in, Length t) {
+  if (in.strengths.empty()) return in.R_e;
+  const auto found = std::find_if(in.strengths.begin(), in.strengths.end(),
+                                  [&](const LightestColumn::Strength& s) { return t <= s.t_max; });
+  return found == in.strengths.end() ? unset<Stress> : found->R_e;
+}
+
 Buckling::Input bar_of(const LightestColumn::Input& in, const TableSection& section) {
   Buckling::Input bar{in, section};
+  bar.R_e = strength_of(in, section.t_f);
   if (bar.kind == Profile::unsaid) bar.kind = in.kind;
   return bar;
 }

@@ -9,6 +9,9 @@ namespace loadpath::column {
 /// Whether the section is of one of the families, and there is room for it.
 bool belongs(const TableSection& section, const LightestColumn::Input& in);
 
+/// The yield strength at a thickness; unset beyond the last one.
+Stress strength_of(const LightestColumn::Input& in, Length t);
+
 /// The input of column.buckling that the section stands for.
 Buckling::Input bar_of(const LightestColumn::Input& in, const TableSection& section);
 

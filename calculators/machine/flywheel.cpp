@@ -3,6 +3,7 @@
 #include "calculators/machine/flywheel_step.hpp"
 #include "calculators/motion/laws.hpp"
 #include "lib/calculator_of.hpp"
+#include "lib/quantity/format.hpp"
 
 #include <cmath>
 
@@ -122,12 +123,19 @@ FieldFault Flywheel::law_fault(const Input& in) {
   if (in.M_of_phi.empty()) return {};
   const auto law = Law::parse(in.M_of_phi.view(), {"phi", deg.dimension()}, N_m.dimension());
   if (!law) return {"M_of_phi", law.fault().message, law.fault().hint};
-  for (std::size_t i = 0; i < most_samples; ++i) {
-    if (std::isfinite(law->at(in.period * static_cast<double>(i) / most_samples).value)) continue;
-    return {"M_of_phi", say("the moment has no value somewhere in the period"),
-            say("it divides by zero there, or takes a root or an arc of what has none")};
+  const auto moment = [&](double phi) {  // whose slope may be infinite, as at the end of a root
+    const Jet jet = law->at(phi);
+    return std::isfinite(jet.first) && std::isfinite(jet.second) ? jet : Jet{jet.value, 0.0, 0.0};
+  };
+  const motion::Gap gap = motion::first_gap(moment, 0.0, in.period, static_cast<int>(most_samples) + 1);
+  if (!gap) return {};
+  const std::string place = format_quantity(gap.from, deg.symbol, 4);
+  if (gap.from < gap.to) {
+    return {"M_of_phi", say("near phi = {1} the moment leaps, or turns too fast to be followed", place),
+            say("it has a pole there, or too many waves in the period; give a leap by points")};
   }
-  return {};
+  return {"M_of_phi", say("the moment has no value at phi = {1}", place),
+          say("it divides by zero there, or takes a root or an arc of what has none")};
 }
 
 bool Flywheel::points_rise(const Input& in) {

@@ -73,22 +73,58 @@ double without_rounding(double value, double scale) {
 }
 
 bool is_finite(const Jet& jet) {
-  return std::isfinite(jet.value) && std::isfinite(jet.first) && std::isfinite(jet.second);
+  constexpr double largest = 1e30;  // beyond all machines, and products of such numbers leave the range of numbers
+  return std::abs(jet.value) <= largest && std::abs(jet.first) <= largest && std::abs(jet.second) <= largest;
 }
 
-double first_gap(const Written& written, double t_1, double t_2, int count) {
-  if (!reads(written)) return nan;
+namespace {
+
+/// Whether a function goes against its slopes at two places: between them it leaps or turns unseen.
+bool goes_against(double value_1, double slope_1, double value_2, double slope_2, double step) {
+  constexpr double rounding = 1e-9, nothing = 1e-6;
+  const double least = step * std::min(std::abs(slope_1), std::abs(slope_2));
+  const double rise = std::copysign(1.0, slope_1) * (value_2 - value_1);
+  return slope_1 * slope_2 > 0.0 && rise <= nothing * least &&
+         least - rise > rounding * std::max(std::abs(value_1), std::abs(value_2));
+}
+
+/// Whether a law has a pole between two places, or turns there and back; not whether it has a kink.
+bool leaps(const Jet& a, const Jet& b, double step) {
+  if (goes_against(a.value, a.first, b.value, b.first, step)) return true;
+  const double turn = step * std::max(std::abs(a.second), std::abs(b.second));
+  return std::abs(b.first - a.first) <= turn && goes_against(a.first, a.second, b.first, b.second, step);
+}
+
+}  // namespace
+
+Gap first_gap(const std::function<Jet(double)>& law, double t_1, double t_2, int count) {
+  Jet before;
+  double last = t_1;
   for (int i = 0; i < count; ++i) {
     const double t = i + 1 == count ? t_2 : t_1 + (t_2 - t_1) * i / (count - 1);
-    if (!is_finite(at(written, t))) return t;
+    const Jet here = law(t);
+    if (!is_finite(here)) return {t, t};
+    if (i > 0 && leaps(before, here, t - last)) return {last, t};
+    before = here, last = t;
   }
-  return nan;
+  return {};
+}
+
+Gap first_gap(const Written& written, double t_1, double t_2) {
+  return reads(written) ? first_gap([&](double t) { return at(written, t); }, t_1, t_2) : Gap{};
 }
 
 FieldFault gap_fault(const Written& written, double t_1, double t_2) {
-  const double t = first_gap(written, t_1, t_2);
-  if (std::isnan(t)) return {};
-  return {written.key, say("the law has no value, speed or acceleration at t = {1}", format_quantity(t, "s", 4)),
+  const Gap gap = first_gap(written, t_1, t_2);
+  const auto time = [](double t) { return format_quantity(t, "s", 4); };
+  if (!gap) return {};
+  if (gap.from < gap.to) {
+    return {
+        written.key,
+        say("between t = {1} and {2} the law leaps, or turns too fast to be followed", time(gap.from), time(gap.to)),
+        say("it has a pole there, or the range is too long for its waves: give a shorter one")};
+  }
+  return {written.key, say("the law has no value, speed or acceleration at t = {1}", time(gap.from)),
           say("it divides by zero there, or takes a root or an arc of what has none")};
 }
 

@@ -7,6 +7,9 @@
 #include "lib/quantity/law.hpp"
 
 #include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
 
 namespace loadpath::motion {
 
@@ -35,12 +38,19 @@ Jet at(const Written& written, double t);
 /// The value, or zero where it is nothing but rounding beside `scale`.
 double without_rounding(double value, double scale);
 
-/// Whether value and both derivatives are there.
+/// Whether value and both derivatives are there, and of sizes that machines have.
 bool is_finite(const Jet& jet);
 
-/// The first of `count` times from t_1 to t_2, their ends included, at which the law has no value or derivatives; NaN
-/// where it has all. Also NaN where the formula is no law, which another rule says.
-double first_gap(const Written& written, double t_1, double t_2, int count = 257);
+/// Where a law has no value or derivatives, or leaps between two places that follow each other; none where it has all.
+struct Gap {
+  double from = std::numeric_limits<double>::quiet_NaN(), to = from;
+
+  explicit operator bool() const { return !std::isnan(from); }
+};
+/// The first of `count` places from t_1 to t_2, their ends included, or between two of them.
+Gap first_gap(const std::function<Jet(double)>& law, double t_1, double t_2, int count = 257);
+/// None too where the formula is no law, which another rule says.
+Gap first_gap(const Written& written, double t_1, double t_2);
 /// A message for it.
 FieldFault gap_fault(const Written& written, double t_1, double t_2);
 

@@ -36,7 +36,7 @@ FieldFault PointPath::reading_fault() const {
 
 bool PointPath::is_smooth(double t_1, double t_2) const {
   for (const Written& law : all()) {
-    if (!std::isnan(first_gap(law, t_1, t_2))) return false;
+    if (first_gap(law, t_1, t_2)) return false;
   }
   return true;
 }

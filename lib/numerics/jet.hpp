@@ -41,6 +41,15 @@ inline Jet cbrt(const Jet& a) {
   const double root = std::cbrt(a.value), square = root * root;
   return Jet::chain(root, 1.0 / (3.0 * square), -2.0 / (9.0 * square * square * root), a);
 }
+inline Jet exp(const Jet& a) {
+  const double value = std::exp(a.value);
+  return Jet::chain(value, value, value, a);
+}
+/// To the base e.
+inline Jet log(const Jet& a) {
+  const double inverse = 1.0 / a.value;
+  return Jet::chain(std::log(a.value), inverse, -inverse * inverse, a);
+}
 inline Jet sin(const Jet& a) {
   const double sine = std::sin(a.value);
   return Jet::chain(sine, std::cos(a.value), -sine, a);

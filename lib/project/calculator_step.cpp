@@ -31,6 +31,7 @@ std::string head(std::string_view path) { return std::string(path.substr(0, path
 void CalculatorStep::prepare(const Declared& declared, const Companions& companions, std::vector<Issue>& issues) {
   axis_ = check_operands(input().reading, name(), takes_series(), declared, issues);
   provided_ = find_provided(input(), companions, issues);
+  origins_ = fill_lists(input());
   find_searches(issues);
   check_rules_of_literals(issues);
 }

@@ -20,6 +20,8 @@ class CalculatorStep : public Step {
   [[nodiscard]] const Axis* axis() const { return axis_; }
   [[nodiscard]] const std::vector<Provided>& provided() const { return provided_; }
   [[nodiscard]] const std::vector<Search>& searches() const { return searches_; }
+  /// Where the elements of lists come from that a row has filled, by leaf.
+  [[nodiscard]] const std::map<std::string, Origin>& origins() const { return origins_; }
   /// The issue that an input makes by breaking a rule: where the rule says, else at the first of its fields that was
   /// typed.
   [[nodiscard]] Issue broken_rule(std::size_t rule, const Record& record) const;
@@ -43,6 +45,7 @@ class CalculatorStep : public Step {
   const Axis* axis_ = nullptr;  // of the series among the inputs; null: one position
   std::vector<Provided> provided_;
   std::vector<Search> searches_;
+  std::map<std::string, Origin> origins_;
 };
 
 }  // namespace loadpath::project

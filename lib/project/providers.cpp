@@ -56,11 +56,35 @@ std::vector<Provided> find_provided(const StepInput& input, const Companions& co
   for (const FieldInfo& field : input.calculator->input->fields) {
     if (input.reading.typed.count(field.key) != 0) continue;
     std::optional<Provided> provided;
-    if (field.provider.kind == Provider::Kind::table) provided = from_table(input, field, data, issues);
+    if (field.provider.kind == Provider::Kind::table && field.is_leaf())
+      provided = from_table(input, field, data, issues);
     if (field.provider.kind == Provider::Kind::companion) provided = from_companion(input, field, data, companions);
     if (provided) found.push_back(std::move(*provided));
   }
   return found;
+}
+
+std::map<std::string, Origin> fill_lists(const StepInput& input) {
+  std::map<std::string, Origin> origins;
+  void* const data = input.reading.record.data.get();
+  for (const FieldInfo& field : input.calculator->input->fields) {
+    const Provider& from = field.provider;
+    const auto named = input.rows.find(from.table);
+    const auto& typed = input.reading.typed;
+    if (field.is_leaf() || named == input.rows.end() || typed.count(field.key) + typed.count(from.unless) != 0)
+      continue;
+    const auto entry = table::find_row(from.table, named->second.text);
+    if (!entry) continue;  // another input has said so
+    for (const auto& [size, value] : table::values_by_size(*entry, from.column)) {
+      if (field.size(data) == field.capacity) break;
+      const std::string path = std::string(field.key) + "[" + std::to_string(field.size(data) + 1) + "].";
+      void* const element = field.push(data);
+      field.fields[0].set(element, size), field.fields[1].set(element, value.si);
+      const Origin origin{say("{1}", named->second.text), value.sources, value.recalled};
+      origins[path + field.fields[0].key] = origins[path + field.fields[1].key] = origin;
+    }
+  }
+  return origins;
 }
 
 Lookup look_up(const Provided& provided, double size) {

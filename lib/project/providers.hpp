@@ -24,6 +24,9 @@ struct Lookup {
 /// The inputs of a step that its providers fill. Rows that do not exist, or lack the column, become issues.
 std::vector<Provided> find_provided(const StepInput& input, const Companions& companions, std::vector<Issue>& issues);
 
+/// Fills the lists that take a row's values at all its sizes, and says by leaf where these come from.
+std::map<std::string, Origin> fill_lists(const StepInput& input);
+
 /// The value of a table's row, at a size where it depends on one; none where that is not known (NaN).
 Lookup look_up(const Provided& provided, double size);
 

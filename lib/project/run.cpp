@@ -46,7 +46,8 @@ Run::Run(const CalculatorStep& step, const Known& known)
       known_(known),
       axis_(step.axis()),
       record_(step.input().reading.record.clone()),
-      result_(*calculator_.result) {}
+      result_(*calculator_.result),
+      origins_(step.origins()) {}
 
 bool Run::evaluate_operands(std::vector<Issue>& issues) {
   const std::size_t before = issues.size();

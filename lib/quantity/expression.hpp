@@ -6,7 +6,8 @@
 //           `2 N*m*lever.drive.phi`, `40 mm*cos(20 deg)`, `2 m*pi`); `1/min` and `W/(m*K)` are units
 //   name    always with a dot: lever.drive.M, shaft.segments[2].tau, shaft.segments.journal.tau
 //   const   pi, g (9.80665 m/s^2; inside the unit of a number g is the gram: `5 g`, `2 kN/g`, but `80 kg * (g)`)
-//   calls   peak min max mean rms amplitude range at(series, place) abs sqrt cbrt sin cos tan asin acos atan atan2
+//   calls   peak min max mean rms amplitude range at(series, place) abs sqrt cbrt exp ln sin cos tan asin acos
+//           atan atan2
 //           max(a, b) and min(a, b) are element-wise, max(series) and min(series) reduce; at takes a place in the axis'
 //           unit
 #pragma once

@@ -143,6 +143,8 @@ class Check {
         return root(node, first);
       case Rule::trigonometric:
         return ratio(node, first, "'{1}' needs an angle or a number, not {2}", {});
+      case Rule::number:
+        return ratio(node, first, "'{1}' needs a number, not {2}", {});
       case Rule::inverse:
         return ratio(node, first, "'{1}' needs a number, not {2}", Dimension::of(0, 0, 0, 0, 1));
       case Rule::ratio: {

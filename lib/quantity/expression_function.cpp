@@ -46,6 +46,10 @@ constexpr Function functions[] = {
     map(
         "cbrt", "cbrt(x)", Rule::root, [](double x) { return std::cbrt(x); }, cbrt, 3),
     map(
+        "exp", "exp(x)", Rule::number, [](double x) { return std::exp(x); }, exp),
+    map(
+        "ln", "ln(x)", Rule::number, [](double x) { return std::log(x); }, log),
+    map(
         "sin", "sin(angle)", Rule::trigonometric, [](double x) { return std::sin(x); }, sin),
     map(
         "cos", "cos(angle)", Rule::trigonometric, [](double x) { return std::cos(x); }, cos),

@@ -19,6 +19,7 @@ enum class Rule {
   same,             // any quantity to one of its dimension
   root,             // the dimension is divided by `degree`
   trigonometric,    // an angle or a number to a number
+  number,           // a number to a number
   inverse,          // a number to an angle
   ratio             // two like quantities to an angle
 };

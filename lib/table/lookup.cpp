@@ -94,6 +94,18 @@ Outcome<Property> property(const Entry& entry, std::string_view key, double size
   return Property{value->si, column->unit, value->sources, value->sources.empty()};
 }
 
+std::vector<SizedProperty> values_by_size(const Entry& entry, std::string_view key) {
+  std::vector<SizedProperty> all;
+  const Column* column = entry.table->column(key);
+  if (column == nullptr || value_of(entry.row->values, key) != nullptr) return all;
+  for (const Step& step : entry.row->by_size) {
+    const Value* value = value_of(step.values, key);
+    if (value != nullptr)
+      all.push_back({step.size_max, {value->si, column->unit, value->sources, value->sources.empty()}});
+  }
+  return all;
+}
+
 double covered_size(const Entry& entry, std::string_view key) {
   if (value_of(entry.row->values, key) != nullptr) return std::numeric_limits<double>::infinity();
   double covered = 0.0;

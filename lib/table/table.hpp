@@ -112,6 +112,14 @@ inline constexpr double no_size = std::numeric_limits<double>::quiet_NaN();
 /// A property at a size (SI). A size beyond the last one of the row has none: its strength is not covered.
 Outcome<Property> property(const Entry& entry, std::string_view key, double size = no_size);
 
+/// A property at all sizes that the row tells apart, each up to and including its own, ascending; none where it holds
+/// at any.
+struct SizedProperty {
+  double size_max = 0.0;
+  Property value;
+};
+std::vector<SizedProperty> values_by_size(const Entry& entry, std::string_view key);
+
 /// The largest size that a property is given for: infinite where it holds at any, zero where the row has no such value.
 double covered_size(const Entry& entry, std::string_view key);
 

@@ -29,6 +29,9 @@ TEST_SUITE("quantity") {
         {"sqrt(16 mm^2)", 0.004},
         {"cbrt(-27)", -3.0},
         {"abs(-3 N)", 3.0},
+        {"exp(-1)", 1.0 / std::numbers::e},
+        {"exp(0.3*(180 deg))", 2.5663323952081495},  // 0.3 pi as an exponent of Euler and Eytelwein
+        {"ln(10)", std::numbers::ln10},
         {"sin(30 deg)", 0.5},
         {"cos(60 deg)", 0.5},
         {"tan(45 deg)", 1.0},

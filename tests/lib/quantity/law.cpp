@@ -54,6 +54,8 @@ TEST_SUITE("law") {
     check("1 mm*sqrt(t/(1 s))", length, t, {1e-3 * std::sqrt(t), 0.5e-3 / std::sqrt(t), -0.25e-3 / (t * std::sqrt(t))});
     check("1 mm*cbrt(t/(1 s))", length, t,
           {1e-3 * std::cbrt(t), 1e-3 / 3.0 * std::pow(t, -2.0 / 3.0), -2e-3 / 9.0 * std::pow(t, -5.0 / 3.0)});
+    check("1 mm*exp(-t/(2 s))", length, t, {1e-3 * std::exp(-0.2), -0.5e-3 * std::exp(-0.2), 0.25e-3 * std::exp(-0.2)});
+    check("1 mm*ln(1 + t/(1 s))", length, t, {1e-3 * std::log(1.4), 1e-3 / 1.4, -1e-3 / 1.96});
     check("asin(t/(1 s))", angle, t, {std::asin(t), 1.0 / std::sqrt(1.0 - t * t), t / std::pow(1.0 - t * t, 1.5)});
     check("acos(t/(1 s))", angle, t, {std::acos(t), -1.0 / std::sqrt(1.0 - t * t), -t / std::pow(1.0 - t * t, 1.5)});
     check("atan(t/(1 s))", angle, t, {std::atan(t), 1.0 / (1.0 + t * t), -2.0 * t / std::pow(1.0 + t * t, 2)});

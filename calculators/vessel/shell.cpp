@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace loadpath {
 
@@ -73,11 +74,12 @@ class Shell {
     return place;
   }
 
-  /// The flattest place off the axis.
-  [[nodiscard]] double least_sine() const {
-    double least = 1.0;
+  /// The widest radius over the largest of curvature across the meridian: of a flat place 0.
+  [[nodiscard]] double least_slope() const {
+    double widest = 0.0, least = std::numeric_limits<double>::infinity();
+    for (const MeridianPoint& p : points_) widest = std::max(widest, p.r);
     for (const MeridianPoint& p : points_) {
-      if (p.r > 0.0) least = std::min(least, std::abs(p.sine));
+      if (p.r > 0.0) least = std::min(least, widest * std::abs(p.sine) / p.r);
     }
     return least;
   }
@@ -158,9 +160,9 @@ VesselShell::Result VesselShell::evaluate(const Input& in, Tracer& trace) {
   r.r = from_si<Length>(governing.r), r.z = from_si<Length>(governing.z);
   double turn = 0.0;
   for (const MeridianPoint& p : shell.points()) turn = std::max(turn, p.turn);
-  r.psi_max = turn, r.s_min = shell.least_sine();
+  r.psi_max = turn, r.s_min = shell.least_slope();
   trace.value("psi_max", r.psi_max, "sharpest turn of the meridian");
-  trace.value("s_min", r.s_min, "flattest place off the axis");
+  trace.value("s_min", r.s_min, "the widest radius over rho_o, where the shell is flattest");
   r.w_kappa = shell.largest_jump();
   trace.value("w_kappa", r.w_kappa, "largest change of kappa_M from one point to the next, times rho_o");
   tabulate(shell, in, r);

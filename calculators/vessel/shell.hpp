@@ -89,7 +89,7 @@ sigma_adm = "120 MPa"
           Field{&Result::psi_max, "psi_max", deg, "edges: largest turn of the meridian from one chord to the next"}
               .limit(0, 15 * (1 + 1e-9)),
           Field{&Result::s_min, "s_min", ratio,
-                "off the axis: least sine of the slope; a flat crown there is no membrane"}
+                "flatness: widest radius over the largest radius of curvature rho_o; a flat place is no membrane"}
               .limit(0.02, 1.0 + 1e-9),
           Field{&Result::w_kappa, "w_kappa", ratio,
                 "jumps: largest change of the meridian's curvature from point to point, times rho_o; finer points, or "

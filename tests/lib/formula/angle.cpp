@@ -28,11 +28,11 @@ TEST_SUITE("formula") {
                         {"2.0 * pi", false},
                         {"max(gamma, mu)", false},
                         {"k > 1.0 ? gamma : mu", false}};
-    for (const auto& [text, angle] : rows) {
-      CAPTURE(text);
-      const auto tree = parse(text);
+    for (const Row& row : rows) {
+      CAPTURE(row.formula);
+      const auto tree = parse(row.formula);
       REQUIRE(tree);
-      CHECK(is_angle(*tree, [](std::string_view name) { return name == "gamma" || name == "alpha"; }) == angle);
+      CHECK(is_angle(*tree, [](std::string_view name) { return name == "gamma" || name == "alpha"; }) == row.angle);
     }
   }
 }

@@ -186,19 +186,17 @@ TEST_SUITE("project steps") {
     const std::string press =
         "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"40 mm\"\nl = \"150 mm\"\n"
         "crank = { speed = \"60 rpm\", positions = 12 }\nlinks.slider.mass = \"5 kg\"\n";
-    const struct {
+    struct Row {
       const char *id, *key, *load;
-    } rows[] = {{"belt.flat", "P", "drive.P"},
-                {"belt.v", "P", "drive.P"},
-                {"belt.v_sizing", "P", "drive.P"},
-                {"belt.course", "S_0", "links.rod.N"},
-                {"column.lightest", "P", "links.rod.N"}};
-    for (const auto& [id, key, load] : rows) {
-      CAPTURE(id);
-      const Calculator* const calculator = find_calculator(catalogue(), id);
+    };
+    for (const Row& row :
+         {Row{"belt.flat", "P", "drive.P"}, Row{"belt.v", "P", "drive.P"}, Row{"belt.v_sizing", "P", "drive.P"},
+          Row{"belt.course", "S_0", "links.rod.N"}, Row{"column.lightest", "P", "links.rod.N"}}) {
+      CAPTURE(row.id);
+      const Calculator* const calculator = find_calculator(catalogue(), row.id);
       REQUIRE(calculator != nullptr);
-      CHECK(first_error(with(calculator->example, key, std::string("\"=press.") + load + "\"") + press) ==
-            std::string("'") + key + "' takes one value, and this is a series over press: crank angle");
+      CHECK(first_error(with(calculator->example, row.key, std::string("\"=press.") + row.load + "\"") + press) ==
+            std::string("'") + row.key + "' takes one value, and this is a series over press: crank angle");
     }
   }
 }

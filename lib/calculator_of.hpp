@@ -90,7 +90,9 @@ Calculator calculator_of() {
     detail::sweep_loop<C>(*static_cast<Input*>(in), columns, out, count);
   };
   c.make_step = &project::make_calculator_step;
-  if constexpr (requires { C::takes_series; }) c.make_step = &project::make_single_step;
+  if constexpr (requires { C::takes_series; }) {
+    if (!C::takes_series) c.make_step = &project::make_single_step;
+  }
   return c;
 }
 

@@ -6,6 +6,9 @@
 #include "lib/table/table.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <compare>
+#include <limits>
 
 namespace loadpath {
 
@@ -49,21 +52,40 @@ std::span<const Length> pulleys_of(belt::Basis basis) {
   return basis == belt::Basis::iso ? iso : optibelt;
 }
 
-/// Whether one field of a result of belt.v lets the drive pass.
+/// How far a drive is from passing: the limits of belt.v that it leaves, and its largest check.
+struct Lack {
+  int limits = 0;
+  double check = 0.0;
+
+  [[nodiscard]] bool none() const { return limits == 0 && check <= 1.0; }
+  auto operator<=>(const Lack&) const = default;
+};
+
+/// What one field of a result of belt.v adds to it; a check that is not available counts as a limit.
 template <class F>
-bool passes(const F& field, const VBelt::Result& r, bool grip_asked) {
+void take(const F& field, const VBelt::Result& r, bool grip_asked, Lack& lack) {
   if constexpr (requires { field.asked_by; }) {
-    const bool asked = field.asked_by[0] == '\0' || grip_asked;
     const double value = in_si(r.*field.at) / in_si(field.unit.one);
-    if (field.role == Role::check) return !asked || value <= 1.0;
-    if (field.role == Role::limit) return field.bounds.holds(value);
+    const bool asked = field.asked_by[0] == '\0' || grip_asked;
+    if (field.role == Role::check && asked) {
+      lack.check = std::max(lack.check, value);
+      if (std::isnan(value)) ++lack.limits;
+    }
+    if (field.role == Role::limit && !field.bounds.holds(value)) ++lack.limits;
   }
-  return true;
 }
 
-bool passes(const VBelt::Result& r, bool grip_asked) {
-  return std::apply([&](const auto&... field) { return (passes(field, r, grip_asked) && ...); }, VBelt::results);
+Lack lack_of(const VBelt::Result& r, bool grip_asked) {
+  Lack lack;
+  std::apply([&](const auto&... field) { (take(field, r, grip_asked, lack), ...); }, VBelt::results);
+  return lack;
 }
+
+/// The drive that lacks least, where none passes.
+struct Nearest {
+  VBelt::Input drive;
+  Lack lack{std::numeric_limits<int>::max(), 0.0};
+};
 
 double share_off(double value, double wanted) { return std::abs(value / wanted - 1.0); }
 
@@ -113,20 +135,22 @@ Length nearest_belt(const belt::VSection& section, const Input& in, const VBelt:
   return best;
 }
 
-void try_pair(const belt::VSection& section, const Input& in, VBelt::Input& drive, Result& r) {
+void try_pair(const belt::VSection& section, const Input& in, VBelt::Input& drive, Result& r, Nearest& nearest) {
   drive.L = nearest_belt(section, in, drive);
   if (!is_set(drive.L)) return;
   r.tried += 1.0;
   NoTrace quiet;
   const VBelt::Result found = VBelt::evaluate(drive, quiet);
-  if (found.z == 0 || found.z > in.z_max) {
-    r.too_weak += 1.0;
-  } else if (!passes(found, is_set(in.mu))) {
-    r.outside += 1.0;
-  } else {
+  const bool too_weak = found.z == 0 || found.z > in.z_max;
+  Lack lack = lack_of(found, is_set(in.mu));
+  if (!too_weak && lack.none()) {
     r.drives += 1.0;
     rank_in(r.candidates, candidate_of(drive, found), in.rank);
+    return;
   }
+  (too_weak ? r.too_weak : r.outside) += 1.0;
+  if (too_weak) ++lack.limits;
+  if (lack < nearest.lack) nearest = {drive, lack};
 }
 
 bool fits_room(const Input& in, const VBelt::Input& drive) {
@@ -134,7 +158,7 @@ bool fits_room(const Input& in, const VBelt::Input& drive) {
 }
 
 /// Every pair of pulleys of a section that meets the speed.
-void try_section(const belt::VSection& section, const Input& in, Result& r) {
+void try_section(const belt::VSection& section, const Input& in, Result& r, Nearest& nearest) {
   VBelt::Input drive = drive_of(in);
   drive.section = section.name;
   const double i_w = in_si(in.n_1 / in.n_2_set) * (1.0 - in.epsilon);  // d_2 over d_1
@@ -148,7 +172,7 @@ void try_section(const belt::VSection& section, const Input& in, Result& r) {
       const double i = in_si(drive.d_2 / drive.d_1) / (1.0 - in.epsilon);
       if (large < small || large > 2.0 * wanted) continue;
       if (share_off(in_si(in.n_1) / i, in_si(in.n_2_set)) > in.tol_n || !fits_room(in, drive)) continue;
-      try_pair(section, in, drive, r);
+      try_pair(section, in, drive, r, nearest);
     }
   }
 }
@@ -175,20 +199,29 @@ void compare(const Input& in, Result& r) {
   r.candidates.front().merit = Merit::best;
 }
 
-/// The first of the list, whole.
-template <class Tracer>
-void check_first(const Input& in, Result& r, Tracer& trace) {
-  const Candidate& first = r.candidates.front();
+/// The belt.v input of a drive of the list.
+VBelt::Input drive_of(const Input& in, const Candidate& c) {
   VBelt::Input drive = drive_of(in);
-  drive.section = name_of(first.section), drive.d_1 = first.d_1, drive.d_2 = first.d_2, drive.L = first.L;
-  r.section = first.section, r.d_1 = first.d_1, r.d_2 = first.d_2, r.L = first.L, r.z = first.z;
-  trace.value("d_1", r.d_1, "of the first drive of the list");
-  trace.value("d_2", r.d_2, "of the first drive of the list");
-  trace.value("L", r.L, "of the first drive of the list");
+  drive.section = name_of(c.section), drive.d_1 = c.d_1, drive.d_2 = c.d_2, drive.L = c.L;
+  return drive;
+}
+
+/// One drive whole: the first of the list, or the one that comes nearest.
+template <class Tracer>
+void check(const Input& in, const VBelt::Input& drive, const char* which, Result& r, Tracer& trace) {
+  r.d_1 = drive.d_1, r.d_2 = drive.d_2, r.L = drive.L;
+  trace.value("d_1", r.d_1, which);
+  trace.value("d_2", r.d_2, which);
+  trace.value("L", r.L, which);
   const VBelt::Result found = VBelt::evaluate(drive, trace);
+  r.section = belt::word_of(drive.section), r.z = found.z;
   r.a = found.a, r.n_2 = found.n_2, r.n_k = found.n_k, r.L_h = found.L_h, r.F_0 = found.F_0, r.R_0 = found.R_0,
   r.R_new = found.R_new, r.R = found.R;
   r.B = found.B, r.u_P = found.u_P, r.u_grip = found.u_grip, r.u_rim = found.u_rim, r.u_B = found.u_B;
+  if (found.z > in.z_max) {
+    r.z = in.z_max, r.u_P = found.u_P * found.z / in.z_max;
+    trace.value("u_P", r.u_P, "as many belts as are allowed");
+  }
   const auto n_2 = r.n_2, n_2_set = in.n_2_set;
   const auto a = r.a, a_set = in.a_set;
   STEP(dev_n, static_cast<double>(n_2 / n_2_set) - 1.0, "speed against the wanted one");
@@ -207,14 +240,19 @@ FieldFault VBeltSizing::wrong_class(const Input& in) { return VBelt::wrong_class
 template <class Tracer>
 VBeltSizing::Result VBeltSizing::evaluate(const Input& in, Tracer& trace) {
   Result r;
+  Nearest nearest;
   for (const belt::VSection& section : belt::v_sections()) {
-    if (section.basis == in.basis && (in.section.empty() || in.section == section.name)) try_section(section, in, r);
+    if (section.basis == in.basis && (in.section.empty() || in.section == section.name))
+      try_section(section, in, r, nearest);
   }
   trace.value("tried", r.tried, "pairs of standard pulleys that meet the speed, with the nearest standard belt");
   trace.value("drives", r.drives, "of them pass every check and limit of belt.v");
-  if (r.candidates.empty()) return r;
-  compare(in, r);
-  check_first(in, r, trace);
+  if (!r.candidates.empty()) {
+    compare(in, r);
+    check(in, drive_of(in, r.candidates.front()), "of the first drive of the list", r, trace);
+  } else if (r.tried > 0.0) {
+    check(in, nearest.drive, "of the drive that comes nearest: none passes", r, trace);
+  }
   return r;
 }
 
@@ -222,7 +260,7 @@ template VBeltSizing::Result VBeltSizing::evaluate(const Input&, NoTrace&);
 template VBeltSizing::Result VBeltSizing::evaluate(const Input&, Trace&);
 
 std::vector<draw::Figure> VBeltSizing::figures(const Input&, const Result& r) {
-  if (r.candidates.empty()) return {};
+  if (!is_set(r.d_1)) return {};
   return {belt::drive_figure(r.d_1, r.d_2, r.a, belt::Arrangement::open)};
 }
 

@@ -15,7 +15,8 @@ struct VBeltSizing {
   static constexpr auto title = "V-belt drives that can be bought";
   static constexpr auto scope =
       "Ranked list of V-belt drives out of standard sections, pulleys and lengths for a power, two speeds and a rough "
-      "centre distance, on one basis; the best one with its whole calculation. Covers what belt.v covers.";
+      "centre distance, on one basis; the best one with its whole calculation, or the one that comes nearest where "
+      "none passes. Covers what belt.v covers.";
   static constexpr auto source = VBelt::source;
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]

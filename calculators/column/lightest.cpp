@@ -26,16 +26,17 @@ Input with_factors(Input in, const column::MemberResult& r) {
   return in;
 }
 
-Candidate candidate_of(const TableSection& section, const column::MemberResult& r, column::Method method) {
+Candidate candidate_of(const TableSection& section, const Buckling::Input& bar, const column::MemberResult& r) {
   Candidate c{section.name(), section.m, r.axis, r.lambda, r.sigma_cr, r.P_all, r.u};
-  c.demand = column::demand_of(r), c.failure = column::failure_of(r, method);
+  c.demand = column::demand_of(r), c.failure = column::failure_of(bar, r);
   return c;
 }
 
 /// Whether a section lacks less: those that the method judges come before the others.
 bool nearer(const Candidate& a, const Candidate& b) {
   const auto rank = [](const Candidate& c) {
-    return std::pair(c.failure == Failure::open || c.failure == Failure::beyond, c.demand);
+    const bool unjudged = c.failure == Failure::open || c.failure == Failure::beyond || c.failure == Failure::strength;
+    return std::pair(unjudged, c.demand);
   };
   return rank(a) < rank(b);
 }
@@ -46,9 +47,7 @@ struct Search {
   Candidate nearest;
 };
 
-void take(const TableSection& section, const column::MemberResult& found, column::Method method, Search& search,
-          Result& r) {
-  const Candidate c = candidate_of(section, found, method);
+void take(const TableSection& section, const Candidate& c, Search& search, Result& r) {
   if (c.failure == Failure::none) {
     if (r.carrying == 0.0) search.best = &section;
     r.carrying += 1.0;
@@ -67,10 +66,11 @@ Search search_for(const Input& in, Result& r) {
   Input member = in;
   for (const TableSection& section : column::sections_by_mass()) {
     if (!belongs(section, in)) continue;
-    const column::MemberResult found = Buckling::evaluate(bar_of(member, section), quiet);
+    const Buckling::Input bar = bar_of(member, section);
+    const column::MemberResult found = Buckling::evaluate(bar, quiet);
     if (r.sections == 0.0) member = with_factors(in, found);
     r.sections += 1.0;
-    take(section, found, in.method, search, r);
+    take(section, candidate_of(section, bar, found), search, r);
   }
   for (auto* list : {&r.candidates, &r.lighter}) {
     for (Candidate& c : *list) c.excess = c.q / search.best->m - 1.0;
@@ -80,12 +80,13 @@ Search search_for(const Input& in, Result& r) {
 
 /// The values of the row that the calculation goes on with.
 template <class Tracer>
-void show(const TableSection& section, Tracer& trace) {
+void show(const Input& in, const TableSection& section, Tracer& trace) {
   trace.value("q", section.m, "of the section found");
   trace.value("A", section.A, "of the section found");
   trace.value("I_y", section.I_y, "of the section found");
   trace.value("I_z", section.I_z, "of the section found");
   if (section.I_min < section.I_z) trace.value("I_min", section.I_min, "of the section found");
+  if (!in.strengths.empty()) trace.value("R_e", column::strength_of(in, section.t_f), "at its thickness");
 }
 
 draw::Plot forces_over_mass(const Input& in, const Result& r) {
@@ -119,7 +120,7 @@ Result LightestColumn::evaluate(const Input& in, Tracer& trace) {
   trace.value("sections", r.sections, "sections of these families that there is room for");
   trace.value("carrying", r.carrying, "of them carry the bar");
   if (best == nullptr) return r;
-  show(*best, trace);
+  show(in, *best, trace);
   static_cast<column::MemberResult&>(r) = Buckling::evaluate(bar_of(in, *best), trace);
   r.section = best->name();
   const auto q = r.q = best->m;

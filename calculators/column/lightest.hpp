@@ -22,7 +22,8 @@ struct LightestColumn {
       "Ranked list of the sections of one family or several that carry a compressed bar, the lightest first, with the "
       "reason why lighter ones fail; the best one with its whole calculation by column.buckling, and what that does "
       "not cover: torsional buckling of channels and angles, sections of class 4, holes of a bar in tension. With a "
-      "material each section has the yield strength of its own thickness.";
+      "material each section has the yield strength of its own thickness; those thicker than it is given for are not "
+      "judged.";
   static constexpr auto source = Buckling::source;
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
@@ -41,7 +42,7 @@ gamma_F = 1
 )";
 
   /// Why a section does not carry the bar.
-  enum class Failure { none, load, tension, range, open, beyond, slenderness, thin };
+  enum class Failure { none, load, tension, range, open, strength, beyond, slenderness, thin };
 
   struct Family {
     Name family;
@@ -110,16 +111,16 @@ gamma_F = 1
     Candidates candidates, lighter;
   };
   static constexpr auto results = std::tuple_cat(
-      std::tuple{
-          NameField{&Result::section, "section", "lightest section; the strongest where none carries the bar"}.as(
-              Role::result),
-          Field{&Result::q, "q", kg_per_m, "its mass per length"}.as(Role::result),
-          Field{&Result::mass, "mass", kg, "mass of the bar"}.as(Role::result),
-          Field{&Result::sections, "sections", ratio, "sections of these families that there is room for"}.as(
-              Role::result)},
+      std::tuple{NameField{&Result::section, "section",
+                           "lightest section; the strongest of those judged where none carries the bar"}
+                     .as(Role::result),
+                 Field{&Result::q, "q", kg_per_m, "its mass per length"}.as(Role::result),
+                 Field{&Result::mass, "mass", kg, "mass of the bar"}.as(Role::result),
+                 Field{&Result::sections, "sections", ratio, "sections of these families that there is room for"}.as(
+                     Role::result)},
       column::member_results<Result>(),
       std::tuple{
-          Field{&Result::lack, "lack", ratio, "part of the force that even the strongest does not carry"}.as(
+          Field{&Result::lack, "lack", ratio, "part of the force that even the strongest judged does not carry"}.as(
               Role::result),
           Field{&Result::carrying, "carrying", ratio, "sections that carry the bar"}.limit(1, 1e6),
           ListField{&Result::candidates, "candidates", "sections that carry the bar, lightest first"}.as(Role::result),
@@ -136,6 +137,8 @@ gamma_F = 1
   static FieldFault kind_of_tubes(const Input& in);
   static bool fibres_known(const Input& in);
   static FieldFault no_fibre(const Input& in);
+  static bool strengths_rise(const Input& in);
+  static bool one_strength(const Input& in);
   static bool strength_in_tension(const Input& in);
   static bool needs_of_method(const Input& in);
   static FieldFault missing_for_method(const Input& in);
@@ -151,6 +154,8 @@ gamma_F = 1
           Rule<Input>{&kind_fits, "kind, families", "round tubes are hot_hollow or cold_hollow", &kind_of_tubes},
           Rule<Input>{&fibres_known, "e_y, e_z, families", "the extreme fibre of these sections is not known",
                       &no_fibre},
+          Rule<Input>{&strengths_rise, "strengths", "the thicknesses of the strengths must rise"},
+          Rule<Input>{&one_strength, "strengths, R_e", "give R_e, or strengths by thickness, never both"},
           Rule<Input>{&strength_in_tension, "N, R_e",
                       "a bar in tension is judged by its yield strength: give R_e, or a material"},
           Rule<Input>{[](const Input& in) { return is_set(in.N) || is_set(in.P); }, "N, P",
@@ -178,6 +183,7 @@ constexpr auto choices_of(LightestColumn::Failure) {
       ChoiceName<Failure>{Failure::tension, "tension", "it yields in tension"},
       ChoiceName<Failure>{Failure::range, "range", "it is outside of the range of the method"},
       ChoiceName<Failure>{Failure::open, "open", "its buckling curve is open: give the kind"},
+      ChoiceName<Failure>{Failure::strength, "strength", "no strength is given for its thickness"},
       ChoiceName<Failure>{Failure::beyond, "beyond", "it is more slender than the table of the code goes"},
       ChoiceName<Failure>{Failure::slenderness, "slenderness", "it is more slender than is allowed"},
       ChoiceName<Failure>{Failure::thin, "thin", "a wall buckles locally"}};

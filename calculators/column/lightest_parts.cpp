@@ -24,12 +24,13 @@ constexpr std::array bounds{Bound{&MemberResult::u, Failure::load},
                             Bound{&MemberResult::r_lambda, Failure::slenderness},
                             Bound{&MemberResult::r_class, Failure::thin}};
 
-/// Why the method gives no force: it ends before this bar, or was not tried for want of a buckling curve.
-Failure reason_without_force(const MemberResult& r, Method method) {
+/// Why the method gives no force: it ends before this bar, or was not tried for want of a strength or of a buckling
+/// curve.
+Failure reason_without_force(const Buckling::Input& bar, const MemberResult& r) {
   if (r.r_1 > 1.0 || r.r_0 > 1.0) return Failure::range;
   const bool tried = std::any_of(r.methods.begin(), r.methods.end(),
-                                 [&](const MethodResult& by) { return by.name.view() == word_of(method); });
-  return tried ? Failure::beyond : Failure::open;
+                                 [&](const MethodResult& by) { return by.name.view() == word_of(bar.method); });
+  return tried ? Failure::beyond : is_set(bar.R_e) ? Failure::open : Failure::strength;
 }
 
 }  // namespace
@@ -63,8 +64,8 @@ double demand_of(const MemberResult& r) {
   return demand;
 }
 
-LightestColumn::Failure failure_of(const MemberResult& r, Method method) {
-  if (std::isnan(r.u)) return reason_without_force(r, method);
+LightestColumn::Failure failure_of(const Buckling::Input& bar, const MemberResult& r) {
+  if (std::isnan(r.u)) return reason_without_force(bar, r);
   const auto above = std::find_if(bounds.begin(), bounds.end(), [&](const Bound& b) { return r.*b.value > 1.0; });
   return above == bounds.end() ? Failure::none : above->failure;
 }

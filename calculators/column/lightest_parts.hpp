@@ -19,6 +19,6 @@ Buckling::Input bar_of(const LightestColumn::Input& in, const TableSection& sect
 double demand_of(const MemberResult& r);
 
 /// The first reason why it does not carry the bar.
-LightestColumn::Failure failure_of(const MemberResult& r, Method method);
+LightestColumn::Failure failure_of(const Buckling::Input& bar, const MemberResult& r);
 
 }  // namespace loadpath::column

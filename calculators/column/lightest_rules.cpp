@@ -67,10 +67,17 @@ const TableSection* fibreless(const Input& in) {
 Message remedy_of(Failure failure) {
   if (failure == Failure::open)
     return say("give the kind of these sections: kind = \"hot_hollow\" or kind = \"cold_hollow\"");
+  if (failure == Failure::strength)
+    return say("name a material that is given for thicker sections, or families with thinner walls");
   if (failure == Failure::beyond) return say("name families of larger sections, or hold the bar better");
   if (failure == Failure::range)
     return say("take a method that holds for stocky bars too: tetmajer, johnson, ec3, aisc");
   return {};
+}
+
+Input with_a_strength(Input in) {
+  if (!is_set(in.R_e) && !in.strengths.empty()) in.R_e = in.strengths.front().R_e;
+  return in;
 }
 
 Result quick(const Input& in) {
@@ -132,22 +139,42 @@ FieldFault LightestColumn::no_fibre(const Input& in) {
       say("leave out e_y, e_z and take another method, or give column.buckling the section with c_y or c_z")};
 }
 
-bool LightestColumn::strength_in_tension(const Input& in) { return !(in.N > 0.0 * kN) || is_set(in.R_e); }
+bool LightestColumn::strengths_rise(const Input& in) {
+  return std::is_sorted(in.strengths.begin(), in.strengths.end(),
+                        [](const Strength& a, const Strength& b) { return a.t_max < b.t_max; });
+}
 
-/// Which sections have a buckling curve is told of each.
-bool LightestColumn::needs_of_method(const Input& in) { return column::lack(in, true).empty(); }
-FieldFault LightestColumn::missing_for_method(const Input& in) { return column::missing_for_method(in, true); }
+/// A material fills both: R_e then is one of them.
+bool LightestColumn::one_strength(const Input& in) {
+  return in.strengths.empty() || !is_set(in.R_e) ||
+         std::any_of(in.strengths.begin(), in.strengths.end(), [&](const Strength& s) { return s.R_e == in.R_e; });
+}
+
+bool LightestColumn::strength_in_tension(const Input& in) {
+  return !(in.N > 0.0 * kN) || is_set(in.R_e) || !in.strengths.empty();
+}
+
+/// Which sections have a buckling curve, and a strength, is told of each.
+bool LightestColumn::needs_of_method(const Input& in) { return column::lack(with_a_strength(in), true).empty(); }
+FieldFault LightestColumn::missing_for_method(const Input& in) {
+  return column::missing_for_method(with_a_strength(in), true);
+}
 
 bool LightestColumn::one_carries(const Input& in) { return quick(in).carrying > 0.0; }
 
 FieldFault LightestColumn::none_carries(const Input& in) {
   const Result r = quick(in);
   const std::string names = names_of(in.families);
-  const Failure failure = column::failure_of(r, in.method);
+  const auto& all = column::sections_by_mass();
+  const auto best = std::find_if(all.begin(), all.end(), [&](const TableSection& s) { return r.section == s.name(); });
+  const Failure failure = column::failure_of(column::bar_of(in, *best), r);
+  const bool all_judged = in.strengths.empty() ||
+                          !any_row(in, [&](const TableSection& s) { return !is_set(column::strength_of(in, s.t_f)); });
   if (failure == Failure::load) {
     return {"",
-            say("no section of {1} carries {2}; the strongest is {3}", names, format_quantity(in_si(r.F), kN.symbol),
-                r.section.view()),
+            say(all_judged ? "no section of {1} carries {2}; the strongest is {3}"
+                           : "no section of {1} whose strength is given carries {2}; the strongest of these is {3}",
+                names, format_quantity(in_si(r.F), kN.symbol), r.section.view()),
             say("name heavier families, or hold the bar better")};
   }
   return {"",

@@ -108,8 +108,9 @@ S = "350 MPa"
           0, 1 + 1e-9, "N_0"),
       Field{&Result::x_0, "x_0", ratio, "S_0 over the largest stress in the regression: no extrapolation"}.limit(
           0, 1 + 1e-9, "N_0"),
-      Field{&Result::x_D, "x_D", ratio, "cycles of the knee over the longest test: no extrapolation"}.limit(0, 1 + 1e-9,
-                                                                                                            "S_D"),
+      Field{&Result::x_D, "x_D", ratio, "cycles of the knee over the longest test: no extrapolation"}
+          .limit(0, 1 + 1e-9)
+          .where_it_applies(),
       Field{&Result::P_f, "P_f", ratio, "failure probability of the design line: below 5 % a few tests say nothing"}
           .limit(0.05 - 1e-12, 1)};
 

@@ -127,7 +127,8 @@ FieldFault Flywheel::law_fault(const Input& in) {
     const Jet jet = law->at(phi);
     return std::isfinite(jet.first) && std::isfinite(jet.second) ? jet : Jet{jet.value, 0.0, 0.0};
   };
-  const motion::Gap gap = motion::first_gap(moment, 0.0, in.period, static_cast<int>(most_samples) + 1);
+  const double end = in.period * (1.0 - 1e-12);  // the period's end is its start
+  const motion::Gap gap = motion::first_gap(moment, 0.0, end, static_cast<int>(most_samples) + 1);
   if (!gap) return {};
   const std::string place = format_quantity(gap.from, deg.symbol, 4);
   if (gap.from < gap.to) {

@@ -102,7 +102,8 @@ parts = [
                      std::tuple{ListField{&Result::parts, "parts", "the parts at their places"}.as(Role::result)});
   static constexpr std::array rules{
       Rule<Input>{&parts_are_whole, "parts", "a part lacks what its shape needs", &incomplete},
-      Rule<Input>{&is_full, "parts", "more is cut out than there is, or beside it"}};
+      Rule<Input>{&is_full, "parts",
+                  "the holes leave no section: more is cut out than there is, or beside the material"}};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -70,7 +70,7 @@ double assess(const Input& in, Result& r, Length scale, const Make& make, const 
   STEP(u_v, sigma_v / sigma_all, "strength condition, [B24]");
   r.u_v = u_v;
   r.p_max = allowable_pressure(shape, r.delta_c, strength);
-  trace.value("p_max", r.p_max, "the pressure at which the governing place is just strong enough");
+  trace.value("p_max", r.p_max, "the pressure at which the first place is just strong enough");
   return t;
 }
 

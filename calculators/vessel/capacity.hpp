@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <initializer_list>
 #include <limits>
 
 namespace loadpath::vessel {
@@ -30,7 +32,7 @@ struct GrowingStresses {
 inline double load_at(std::initializer_list<Growing> stresses, double sigma) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [at, by] : stresses) {
-    if (!(std::abs(at) < sigma)) return 0.0;
+    if (!(std::abs(at) < sigma) || !std::isfinite(by)) return 0.0;
     if (by != 0.0) least = std::min(least, (sigma - std::copysign(1.0, by) * at) / std::abs(by));
   }
   return least;
@@ -38,9 +40,9 @@ inline double load_at(std::initializer_list<Growing> stresses, double sigma) {
 
 /// The same for the root of half the sum of their squares.
 inline double load_at_mises(std::initializer_list<Growing> differences, double sigma) {
-  double a = 0.0, b = 0.0, c = -2.0 * sigma * sigma;  // a x^2 + 2 b x + c = 0
+  double a = 0.0, b = 0.0, c = -2.0 * sigma * sigma;  // coefficients of a quadratic, the middle one halved
   for (const auto& [at, by] : differences) a += by * by, b += at * by, c += at * at;
-  if (!(c < 0.0)) return 0.0;
+  if (!(c < 0.0) || !std::isfinite(a)) return 0.0;
   const double root = std::sqrt(b * b - a * c);
   return b > 0.0 ? -c / (b + root) : a > 0.0 ? (root - b) / a : std::numeric_limits<double>::infinity();
 }
@@ -92,9 +94,9 @@ Length needed_thickness(const Shape& shape, Stress p, Length unit, const Strengt
 /// the vessel.
 template <class Make>
 Length least_thickness(const Make& make, Stress p, Length scale, const Strength& strength) {
-  constexpr double thickest = 16.0;
+  constexpr double thickest = 16.0, thinnest = 1e-9;  // beside rings a wall of no thickness would need none
   const auto needed = [&](double delta_c) {
-    return in_si(needed_thickness(make(from_si<Length>(delta_c)), p, scale, strength));
+    return in_si(needed_thickness(make(max(from_si<Length>(delta_c), thinnest * scale)), p, scale, strength));
   };
   return from_si<Length>(fixed_point(needed, thickest * in_si(scale)));
 }

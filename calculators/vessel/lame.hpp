@@ -33,7 +33,7 @@ struct Principal {
 
 /// A cylinder, with or without the pull of its ends.
 struct ThickCylinder {
-  static constexpr int power = 2;  // its stresses grow linearly with 1/(1 - (R_i/R_a)^power)
+  static constexpr int power = 2;  // of the radii in the function that its stresses grow linearly with
   bool closed;
 
   template <class Tracer>
@@ -71,27 +71,28 @@ Membrane thick_stresses(const Thick& thick, Stress p_i, Length R_i, Length R_a, 
   return {p_i, sigma_t, sigma_z, s_o, s_M};
 }
 
-/// Wall over mean radius of the vessel that is just strong enough; unset where even a solid one is not.
+/// Wall over mean radius of the vessel that is just strong enough; unset where even a solid one is not. The load is the
+/// reciprocal of the powers' ratio, outer over inner radius, less 1: zero of a solid wall, the larger the thinner.
 template <class Thick>
 double least_thickness_ratio(const Thick& thick, Stress p_i, const Strength& strength) {
   NoTrace off;
   const Length unit = 1.0 * m;
-  const double x_half = 1.0 / (std::pow(2.0, Thick::power) - 1.0);  // x = 1/((R_a/R_i)^power - 1)
+  const double x_half = 1.0 / (std::pow(2.0, Thick::power) - 1.0);
   const Membrane solid = thick_stresses(thick, p_i, 0.0 * unit, unit, strength, off);
   const Membrane half = thick_stresses(thick, p_i, 0.5 * unit, unit, strength, off);
   const double x = largest_load(
       {growing(solid.s_o, half.s_o, x_half), growing(solid.s_M, half.s_M, x_half), {in_si(-p_i), 0.0}}, strength);
   if (!(x > 0.0)) return unset<double>;
-  const double wall = -std::expm1(-std::log1p(1.0 / x) / Thick::power);  // 1 - R_i/R_a
+  const double wall = -std::expm1(-std::log1p(1.0 / x) / Thick::power);  // over the outer radius
   return 2.0 * wall / (2.0 - wall);
 }
 
 /// The thickness with that ratio, where the mean radius `mean(delta_c)` is a straight line; unset where there is none.
 template <class Mean>
 Length thickness_of_ratio(double ratio, const Mean& mean) {
-  const Length bore = mean(0.0 * m);
-  const double slope = (mean(bore) - bore) / bore;
-  const Length delta_c = ratio * bore / (1.0 - ratio * slope);
+  const Length thin = mean(0.0 * m);
+  const double slope = (mean(thin) - thin) / thin;
+  const Length delta_c = ratio * thin / (1.0 - ratio * slope);
   return delta_c >= 0.0 * m ? delta_c : unset<Length>;
 }
 
@@ -101,6 +102,7 @@ void compare(const Thick& thick, const WallInput& in, Result& r, Length R_m, con
   const Strength strength = strength_of(in, r.sigma_all);
   const auto p_i = r.p_i, sigma_all = r.sigma_all, sigma_v = r.sigma_v;
   const auto delta_c = r.delta_c;
+  if (!(R_m > 0.5 * delta_c)) return;  // a wall that would fill the vessel
   STEP(R_i, R_m - 0.5 * delta_c, "inside of the carrying wall");
   STEP(R_a, R_m + 0.5 * delta_c, "outside of the carrying wall");
   const Stress sigma_L = equivalent(thick_stresses(thick, p_i, R_i, R_a, strength, trace), strength.hypothesis, trace);

@@ -1,5 +1,4 @@
-// Membrane stresses of shells of revolution by eq. 9 of [B24], and what follows from them at the most loaded place: the
-// equivalent stress, the least thickness, the allowable pressure.
+// Membrane stresses of shells of revolution by eq. 9 of [B24], their equivalent stress, and the most loaded place.
 //
 // A shape is a class with
 //   std::size_t places() const;                           how many places may govern

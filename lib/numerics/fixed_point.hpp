@@ -13,9 +13,10 @@ struct Known {
   double x, f;
 };
 
-/// The zero of a falling function between low and high, to rounding: regula falsi by the Illinois rule.
+/// The zero of a function between low and high, where its signs differ, to rounding: regula falsi by the Illinois rule.
+/// NaN where it does not settle.
 template <class Function>
-Known falling_root(const Function& f, Known low, Known high) {
+Known sign_change(const Function& f, Known low, Known high) {
   double last = std::abs(high.x - low.x);
   for (int i = 0; i < 100 && high.f != 0.0; ++i) {
     const double x = high.x - high.f * (high.x - low.x) / (high.f - low.f);
@@ -30,15 +31,15 @@ Known falling_root(const Function& f, Known low, Known high) {
     const bool settled = step <= 4e-16 * size || (step <= 1e-13 * size && step >= 0.25 * last);
     last = step;
     high = next;
-    if (settled) break;
+    if (settled) return high;
   }
-  return high;
+  return high.f == 0.0 ? high : Known{std::numeric_limits<double>::quiet_NaN(), high.f};
 }
 
 }  // namespace detail
 
-/// The x in [0, most] with g(x) = x, to rounding, of a g that is not negative, nearly straight and grows slower than x;
-/// NaN where there is none. A constant takes two calls, a straight line three.
+/// The x in [0, most] with g(x) = x, to rounding, of a g >= 0 that is above x up to there and below it beyond; 0 where
+/// g(0) is 0, NaN where there is none. A constant takes two calls, a straight line three.
 template <class Function>
 double fixed_point(const Function& g, double most) {
   using detail::Known;
@@ -55,7 +56,7 @@ double fixed_point(const Function& g, double most) {
     high = excess(std::fmin(2.0 * high.x, most));
   }
   if (settled(high)) return high.x;
-  return high.f <= 0.0 ? detail::falling_root(excess, low, high).x : std::numeric_limits<double>::quiet_NaN();
+  return high.f <= 0.0 ? detail::sign_change(excess, low, high).x : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace loadpath

@@ -63,6 +63,7 @@ class Run {
   bool is_covered();
   std::vector<double>::const_iterator first_that_passes(const std::vector<double>& values, double least,
                                                         const Leaf& leaf, bool covered);
+  bool take_largest(const std::vector<double>& values, const Leaf& leaf);
   void keep_sizing_results(const std::string& searched);
   [[nodiscard]] Leaf map_leaf(const std::string& path) const { return find_leaf(record_, path); }
 

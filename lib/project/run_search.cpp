@@ -105,6 +105,17 @@ Issue Run::aimless(const Search& wanted) const {
       say("give {1} itself, or what a check needs: {2}", wanted.path, names.empty() ? "" : names.substr(2)));
 }
 
+/// Sets the largest of the values with which every rule about it holds; false where none is, with the last one set.
+bool Run::take_largest(const std::vector<double>& values, const Leaf& leaf) {
+  const auto holds = [&](double value) {
+    leaf.set(value);
+    return first_broken_rule() == calculator_.rules.size();
+  };
+  if (std::any_of(values.rbegin(), values.rend(), holds)) return true;
+  leaf.set(values.back());
+  return false;
+}
+
 bool Run::search(std::vector<Issue>& issues) {
   if (step_.searches().empty()) return true;
   const Search& wanted = step_.searches().front();
@@ -121,16 +132,12 @@ bool Run::search(std::vector<Issue>& issues) {
   const std::vector<double> stock = stock_values(wanted.stock);
   auto candidate = first_that_passes(stock, least, leaf, true);
   if (candidate == stock.end()) candidate = first_that_passes(stock, least, leaf, false);
-  if (candidate == stock.end() && !stock.empty()) {
-    leaf.set(stock.back());
-    const std::size_t broken = first_broken_rule();
-    if (broken < calculator_.rules.size()) {
-      Issue issue = step_.broken_rule(broken, record_);
-      issue.hint = say("{1} = {2}, the largest of {3}, was tried last", wanted.path,
-                       format_quantity(stock.back(), leaf.field->unit), wanted.stock);
-      issues.push_back(std::move(issue));
-      return false;
-    }
+  if (candidate == stock.end() && !stock.empty() && !take_largest(stock, leaf)) {
+    Issue issue = step_.broken_rule(first_broken_rule(), record_);
+    issue.hint = say("{1} = {2}, the largest of {3}, was tried last", wanted.path,
+                     format_quantity(stock.back(), leaf.field->unit), wanted.stock);
+    issues.push_back(std::move(issue));
+    return false;
   }
   Message found = say("smallest of {1} that passes every check", wanted.stock);
   if (lacks_needed_) found = say("first of {1} for which a value is missing", wanted.stock);

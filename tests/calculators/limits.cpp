@@ -172,9 +172,9 @@ const Side v_belts[] = {
     {"belt.v", "x_alpha", outside, "L", R"("13200 mm")", R"("13000 mm")", large},
     {"belt.v", "x_v", outside, "n_1", R"("4010 rpm")", R"("4020 rpm")"},
     // The sizing lists only drives that pass every check: beyond a bound there is none, and nothing to check.
-    {"belt.v_sizing", "u_P", outside, "P", R"("200 kW")", R"("300 kW")"},
-    {"belt.v_sizing", "u_grip", outside, "mu", "0.5", "0.3"},
-    {"belt.v_sizing", "u_rim", outside, "v_rim_adm", R"("10 m/s")", R"("3 m/s")"},
+    {"belt.v_sizing", "u_P", over, "z_max", "8", "4", R"(P = "200 kW")"},
+    {"belt.v_sizing", "u_grip", over, "mu", "0.5", "0.3"},
+    {"belt.v_sizing", "u_rim", over, "v_rim_adm", R"("10 m/s")", R"("3 m/s")"},
     {"belt.v_sizing", "u_B", outside, "a_set", R"("600 mm")", R"("60 mm")"},
     {"belt.v_sizing", "drives", outside, "P", R"("200 kW")", R"("300 kW")"},
 };

@@ -109,11 +109,20 @@ TEST_SUITE("belt v sizing") {
     CHECK(r.d_1 > r.d_2);
   }
 
-  TEST_CASE("where nothing can be bought that is said, and nothing is computed") {
+  TEST_CASE("where nothing can be bought that is said, with the drive that comes nearest and its checks") {
     const BeltStep none(with(text, "P", "\"2000 kW\""));
     CHECK(none.worst() != report::State::pass);
     CHECK(none.value("drives") == 0.0);
     CHECK(none.value("too_weak") > 0.0);
+    const BeltStep weak(with(with(text, "P", "\"60 kW\""), "z_max", "2"));
+    CHECK(weak.value("drives") == 0.0);
+    CHECK(weak.value("z") == 2.0);
+    CHECK(weak.value("u_P") > 1.0);
+    const BeltStep slips(with(text, "mu", "0.05"));
+    CHECK(slips.value("drives") == 0.0);
+    CHECK(slips.value("outside") == slips.value("tried") - slips.value("too_weak"));
+    CHECK(slips.value("u_grip") > 1.0);
+    CHECK(slips.value("u_P") <= 1.0);
     const BeltStep far(with(text, "a_set", "\"15 m\""));
     CHECK(far.value("tried") == 0.0);
   }

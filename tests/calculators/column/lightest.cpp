@@ -285,6 +285,22 @@ TEST_SUITE("column lightest") {
     }
   }
 
+  TEST_CASE("strengths by thickness: typed in place of R_e, rising, and no section beyond them is judged") {
+    const std::string bar = replaced(text, "material = \"S235\"\n", "E = \"210 GPa\"\n") + "families = [\"HEM\"]\n";
+    const std::string thin = "strengths = [[\"16 mm\", \"235 MPa\"], [\"40 mm\", \"225 MPa\"]]\n";
+    CHECK(complaints(bar + thin).empty());
+    says(bar + thin + "R_e = \"355 MPa\"\n", "give R_e, or strengths by thickness, never both");
+    says(bar + "strengths = [[\"40 mm\", \"225 MPa\"], [\"16 mm\", \"235 MPa\"]]\n", "must rise");
+    says(bar + "strengths = [[\"10 mm\", \"235 MPa\"]]\n", "no strength is given for its thickness");
+    says(replaced(bar + "strengths = [[\"20 mm\", \"235 MPa\"]]\n", "900 kN", "5 MN"),
+         "no section of HEM whose strength is given carries 5000 kN");
+    std::vector<Issue> issues;
+    const auto typed = solved("[bar]\n" + bar + thin, issues),
+               named = solved("[bar]\n" + text + "families = [\"HEM\"]\n", issues);
+    REQUIRE(issues.empty());
+    CHECK(typed.value("bar.u")->si[0] == doctest::Approx(named.value("bar.u")->si[0]));
+  }
+
   TEST_CASE("Euler's formula ends where sections are stocky: that is said, not that they are too weak") {
     auto in = column_of({"HEA"}, 300.0 * kN, 3.0 * m);
     in.method = Method::euler, in.R_e = unset<Stress>;

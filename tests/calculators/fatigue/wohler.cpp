@@ -3,6 +3,7 @@
 #include "calculators/catalogue.hpp"
 #include "lib/numerics/quantile.hpp"
 #include "lib/project/project.hpp"
+#include "tests/calculators/step_text.hpp"
 
 #include <doctest/doctest.h>
 
@@ -112,6 +113,13 @@ TEST_SUITE("fatigue.wohler") {
     CHECK(fitted(in).P_f >= 0.05 - 1e-12);
     in.P_s = 0.96;
     CHECK(fitted(in).P_f < 0.05 - 1e-12);
+  }
+
+  TEST_CASE("a knee beyond the longest test is not covered, wherever its fatigue limit comes from") {
+    const std::string few = "tests = [[\"400 MPa\", 1e5], [\"395 MPa\", 2e5], [\"380 MPa\", 1.5e5], [\"100 MPa\", ";
+    CHECK(test::ExampleStep("fatigue.wohler", few + "1e6, \"runout\"]]\nS = \n").verdict("x_D") ==
+          report::State::not_covered);
+    CHECK(test::ExampleStep("fatigue.wohler", few + "1e7, \"runout\"]]\nS = \n").verdict("x_D") == report::State::pass);
   }
 
   TEST_CASE("stresses in another measure leave the slope and the scatter") {

@@ -128,9 +128,11 @@ TEST_SUITE("section built up") {
     CHECK(fault(of({wall})).message.text() == "the walls leave nothing hollow");
     Part hole = plate(2, 2, 0, 0);
     hole.as = BuiltUpSection::As::hole;
-    CHECK(fault(of({plate(1, 1, 0, 0), hole})).message.text() == "more is cut out than there is, or beside it");
+    CHECK(fault(of({plate(1, 1, 0, 0), hole})).message.text() ==
+          "the holes leave no section: more is cut out than there is, or beside the material");
     Part slit = plate(1, 900, 0, 0);
     slit.as = BuiltUpSection::As::hole;
-    CHECK(fault(of({plate(100, 10, 0, 0), slit})).message.text() == "more is cut out than there is, or beside it");
+    CHECK(fault(of({plate(100, 10, 0, 0), slit})).message.text() ==
+          "the holes leave no section: more is cut out than there is, or beside the material");
   }
 }

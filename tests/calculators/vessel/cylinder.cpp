@@ -116,6 +116,18 @@ TEST_SUITE("vessel.cylinder") {
     CHECK(rel(in_si(inner.R_m - 0.5 * inner.delta_c), in_si(in.R) + 1.6e-3) < 1e-12);
   }
 
+  TEST_CASE("rings and liquid alone ask for a wall too") {
+    VesselCylinder::Input in;
+    in.ends = VesselCylinder::Ends::ringed;
+    in.p = 0.0 * MPa, in.rho = from_si<vessel::Density>(1000.0), in.h_l = 10.0 * m, in.R = 5.0 * m;
+    in.A_r = from_si<Area>(1e-3), in.l_r = 1.0 * m, in.sigma_adm = 100.0 * MPa;
+    // p R/(delta + a_r) + p = sigma: delta = p R/(sigma - p) - a_r, with p = 1000 9.80665 10 Pa and a_r = 1 mm
+    const double p = 98066.5, delta = p * 5.0 / (100e6 - p) - 1e-3;
+    CHECK(rel(in_si(cylinder(in).delta_min), delta) < 1e-9);
+    in.delta = from_si<Length>(delta);
+    CHECK(rel(cylinder(in).u_v, 1.0) < 1e-9);
+  }
+
   TEST_CASE("each seam weakens its own stress, once") {
     VesselCylinder::Input in = vessel_24();
     in.hypothesis = Hypothesis::membrane;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <limits>
 
 namespace loadpath {
@@ -58,7 +57,9 @@ struct Lack {
   double check = 0.0;
 
   [[nodiscard]] bool none() const { return limits == 0 && check <= 1.0; }
-  auto operator<=>(const Lack&) const = default;
+  [[nodiscard]] bool less_than(const Lack& other) const {
+    return limits != other.limits ? limits < other.limits : check < other.check;
+  }
 };
 
 /// What one field of a result of belt.v adds to it; a check that is not available counts as a limit.
@@ -150,7 +151,7 @@ void try_pair(const belt::VSection& section, const Input& in, VBelt::Input& driv
   }
   (too_weak ? r.too_weak : r.outside) += 1.0;
   if (too_weak) ++lack.limits;
-  if (lack < nearest.lack) nearest = {drive, lack};
+  if (lack.less_than(nearest.lack)) nearest = {drive, lack};
 }
 
 bool fits_room(const Input& in, const VBelt::Input& drive) {

@@ -1,10 +1,12 @@
 #pragma once
 
-#include "lib/calculator.hpp"
+#include "lib/project/catalogue.hpp"
 
 namespace loadpath {
 
-/// Every calculator of the program, in the order in which `list` shows them.
-Catalogue catalogue();
+/// Every calculator of the program with the step that runs it, in the order in which `list` shows them.
+project::Catalogue catalogue();
+/// The same calculators alone.
+Calculators calculators();
 
 }  // namespace loadpath

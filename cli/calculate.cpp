@@ -1,7 +1,7 @@
 #include "cli/output.hpp"
 #include "cli/solving.hpp"
-#include "lib/io/tree.hpp"
-#include "lib/project/part.hpp"
+#include "lib/project/selection.hpp"
+#include "lib/toml/tree.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -10,7 +10,7 @@ namespace loadpath::cli {
 
 namespace {
 
-using io::Tree;
+using toml::Tree;
 
 /// Whether an element of a list may be written as its only value, and the list of one element as that: `--families
 /// IPE`.
@@ -51,7 +51,7 @@ Tree value_of(const std::string& key, const std::string& text, const FieldInfo* 
   const std::string prefix = "value = ";
   const auto length = static_cast<int>(prefix.size());
   const std::size_t before = issues.size();
-  Tree tree = io::read_toml(prefix + text, flag, issues);
+  Tree tree = toml::read_toml(prefix + text, flag, issues);
   for (std::size_t i = before; i < issues.size(); ++i) move_back(issues[i].place, length);
   if (tree.entries.empty()) return value;
   move_back(tree, length);
@@ -128,9 +128,9 @@ Tree tree_of_flags(const CalculateOptions& options, std::vector<Issue>& issues) 
   return tree;
 }
 
-Tree tree_of_file(const CalculateOptions& options, const SourceText& source, std::vector<Issue>& issues) {
+Tree tree_of_file(const CalculateOptions& options, const terminal::SourceText& source, std::vector<Issue>& issues) {
   const std::string id = options.calculator->id;
-  Tree part = project::part_for(io::read_toml(source.text, source.file, issues), id);
+  Tree part = project::part_for(toml::read_toml(source.text, source.file, issues), id);
   if (part.entries.empty() && !has_errors(issues)) {
     issues.push_back({{source.file, 0, 0, 1}, "", say("the project has no step of '{1}'", id), {}, Severity::error});
   }
@@ -144,11 +144,11 @@ Tree tree_of_file(const CalculateOptions& options, const SourceText& source, std
 
 int calculate(const CalculateOptions& options) {
   if (!can_write(options.output)) return wrong_input;
-  std::vector<SourceText> sources;
+  std::vector<terminal::SourceText> sources;
   for (const auto& [key, text] : options.values) sources.push_back({"--" + key, text});
   sources.push_back({"--at", options.at});
-  SourceText file{options.file == "-" ? "standard input" : options.file, ""};
-  if (!options.file.empty() && !io::read_file(options.file, file.text)) {
+  terminal::SourceText file{options.file == "-" ? "standard input" : options.file, ""};
+  if (!options.file.empty() && !toml::read_file(options.file, file.text)) {
     std::cerr << "loadpath: cannot read '" << options.file << "'\n";
     return wrong_input;
   }

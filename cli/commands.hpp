@@ -1,7 +1,7 @@
 // The commands of the program, one source each: plain options in, an exit code out.
 #pragma once
 
-#include "lib/calculator.hpp"
+#include "lib/calculator/calculator.hpp"
 
 #include <string>
 #include <utility>

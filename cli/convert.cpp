@@ -1,9 +1,9 @@
 #include "cli/commands.hpp"
-#include "cli/terminal.hpp"
-#include "lib/project/reading.hpp"
-#include "lib/quantity/expression.hpp"
+#include "lib/project/read/reading.hpp"
+#include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"
+#include "lib/report/terminal/terminal.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -14,7 +14,7 @@ namespace {
 
 int refuse(const std::string& text, std::size_t skipped, const char* what, const Fault& fault) {
   const Place place = project::place_in({what, 1, 1, 1}, text, fault.at + skipped, fault.length);
-  show_issues({{place, "", fault.message, fault.hint, Severity::error}}, {{what, text}});
+  terminal::show_issues({{place, "", fault.message, fault.hint, Severity::error}}, {{what, text}});
   return wrong_input;
 }
 

@@ -1,10 +1,10 @@
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
-#include "cli/terminal.hpp"
-#include "lib/choice_words.hpp"
-#include "lib/project/reading.hpp"
+#include "lib/calculator/choice_words.hpp"
+#include "lib/project/read/reading.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/build.hpp"
+#include "lib/report/terminal/terminal.hpp"
 #include "lib/table/table.hpp"
 
 #include <cmath>
@@ -69,7 +69,7 @@ void show_type(const char* title, const RecordType& type) {
   Record blank(type);
   Rows rows;
   add_fields(type.fields, blank.data.get(), "", rows);
-  std::cout << title << "\n" << columns(rows) << "\n";
+  std::cout << title << "\n" << terminal::columns(rows) << "\n";
 }
 
 /// Results whose paths come from the names in a project file.
@@ -79,7 +79,7 @@ void show_patterns(std::span<const ResultPattern> patterns) {
     const std::string where = *p.where == '\0' ? "" : std::string(" (") + p.where + ")";
     rows.push_back({std::string("  ") + p.path, p.unit, p.doc + where});
   }
-  std::cout << "Results, NAME as in the project file\n" << columns(rows) << "\n";
+  std::cout << "Results, NAME as in the project file\n" << terminal::columns(rows) << "\n";
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -108,7 +108,7 @@ void show_template(const Calculator& calculator, const Template& t) {
   t.lay_out(laid.data.get());
   Rows rows;
   add_names(laid.type->fields, laid.data.get(), "", rows);
-  std::cout << "Makes\n" << columns(rows) << "\nExample, a project file that runs:\n\n" << t.example;
+  std::cout << "Makes\n" << terminal::columns(rows) << "\nExample, a project file that runs:\n\n" << t.example;
 }
 
 void show_templates(const Calculator& calculator) {
@@ -119,12 +119,12 @@ void show_templates(const Calculator& calculator) {
     rows.push_back({std::string("  ") + t->id, t->title, joined(keys)});
   }
   std::cout << "Templates, template = \"NAME\" with its parameters in place of what it makes\n"
-            << columns(rows) << "  `loadpath describe " << calculator.id << ".NAME` tells more\n\n";
+            << terminal::columns(rows) << "  `loadpath describe " << calculator.id << ".NAME` tells more\n\n";
 }
 
 /// "mechanism.planar.slider_crank": shows the template; false where there is none of that name.
 bool describe_template(const std::string& id) {
-  for (const Calculator* c : catalogue()) {
+  for (const Calculator* c : calculators()) {
     const std::string prefix = std::string(c->id) + ".";
     const Template* t = id.starts_with(prefix) ? find_template(*c, id.substr(prefix.size())) : nullptr;
     if (t == nullptr) continue;
@@ -136,7 +136,7 @@ bool describe_template(const std::string& id) {
 
 int refuse(const std::string& id) {
   std::vector<std::string> ids;
-  for (const Calculator* known : catalogue()) {
+  for (const Calculator* known : calculators()) {
     ids.emplace_back(known->id);
     for (const Template* t : known->templates) ids.push_back(std::string(known->id) + "." + t->id);
   }
@@ -148,7 +148,7 @@ int refuse(const std::string& id) {
 }  // namespace
 
 int describe(const DescribeOptions& options) {
-  const Calculator* c = find_calculator(catalogue(), options.id);
+  const Calculator* c = find_calculator(calculators(), options.id);
   if (c == nullptr) return describe_template(options.id) ? passed : refuse(options.id);
   std::cout << c->id << ": " << c->title << "\n\n" << c->scope << "\n\n";
   for (const std::string& key : keys_in(c->source)) std::cout << "[" << key << "] " << table::citation(key) << "\n";

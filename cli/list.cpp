@@ -1,6 +1,6 @@
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
-#include "cli/terminal.hpp"
+#include "lib/report/terminal/terminal.hpp"
 
 #include <iostream>
 
@@ -8,8 +8,8 @@ namespace loadpath::cli {
 
 int list() {
   std::vector<std::vector<std::string>> rows;
-  for (const Calculator* c : catalogue()) rows.push_back({c->id, c->title});
-  std::cout << columns(rows)
+  for (const Calculator* c : calculators()) rows.push_back({c->id, c->title});
+  std::cout << terminal::columns(rows)
             << "\n`loadpath describe ID` tells the fields, sources and limits of one, with an example that runs.\n";
   return passed;
 }

@@ -1,6 +1,6 @@
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
-#include "lib/issue.hpp"
+#include "lib/text/issue.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -184,7 +184,7 @@ void setup_calculator(CLI::App& element, const Calculator& calculator, Calculate
 /// longer than what most commands do.
 void setup_elements(CLI::App& app, CalculateOptions& options, Action& action) {
   std::vector<std::vector<const Calculator*>> elements;  // in the order of the catalogue
-  for (const Calculator* c : catalogue()) {
+  for (const Calculator* c : calculators()) {
     const auto own = std::find_if(elements.begin(), elements.end(),
                                   [&](const auto& element) { return element[0]->element() == c->element(); });
     own == elements.end() ? elements.push_back({c}) : own->push_back(c);

@@ -1,9 +1,9 @@
 #include "cli/output.hpp"
 
 #include "cli/browser.hpp"
-#include "lib/io/csv.hpp"
-#include "lib/io/dxf.hpp"
-#include "lib/io/json.hpp"
+#include "lib/draw/dxf.hpp"
+#include "lib/export/csv.hpp"
+#include "lib/export/json.hpp"
 #include "lib/report/build.hpp"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ std::vector<File> report_files(const report::Document& document, const std::stri
 /// FILE.csv for the one step that has series, or a file for each in a folder. False where one file cannot hold them.
 bool add_series(const project::Project& project, const OutputOptions& options, std::vector<File>& files) {
   const std::string& path = options.csv;
-  auto tables = io::csv_of(project, project::SeriesChoice(options.series));
+  auto tables = exports::csv_of(project, project::SeriesChoice(options.series));
   if (tables.empty()) std::cerr << "no series, so nothing to write as CSV\n";
   const bool one_file = ending(path) == ".csv";
   if (one_file && tables.size() > 1) {
@@ -85,7 +85,7 @@ bool add_drawings(const project::Project& project, const OutputOptions& options,
     return false;
   for (const auto& [step, figure] : drawings) {
     const fs::path dxf = drawings.size() == 1 ? fs::path(options.dxf) : fs::path(options.dxf) / (step + ".dxf");
-    if (!options.dxf.empty()) files.push_back({dxf, io::dxf_of(std::get<draw::Scheme>(figure->content))});
+    if (!options.dxf.empty()) files.push_back({dxf, draw::dxf_of(std::get<draw::Scheme>(figure->content))});
     if (ending(options.svg) == ".svg") files.push_back({options.svg, draw::svg(*figure)});
   }
   if (drawings.empty() || options.svg.empty() || ending(options.svg) == ".svg") return true;

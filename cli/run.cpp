@@ -1,7 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "cli/solving.hpp"
-#include "lib/io/tree.hpp"
+#include "lib/toml/tree.hpp"
 
 #include <iostream>
 
@@ -10,7 +10,7 @@ namespace loadpath::cli {
 int run(const RunOptions& options) {
   if (!can_write(options.output)) return wrong_input;
   std::string text;
-  if (!io::read_file(options.file, text)) {
+  if (!toml::read_file(options.file, text)) {
     std::cerr << "loadpath: cannot read '" << options.file << "'\n";
     return wrong_input;
   }

@@ -1,13 +1,13 @@
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
-#include "lib/io/json.hpp"
+#include "lib/export/json.hpp"
 
 #include <iostream>
 
 namespace loadpath::cli {
 
 int schema() {
-  std::cout << io::project_schema(catalogue());
+  std::cout << exports::project_schema(calculators());
   return passed;
 }
 

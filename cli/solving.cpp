@@ -1,7 +1,7 @@
 #include "cli/solving.hpp"
 
 #include "cli/output.hpp"
-#include "lib/io/json.hpp"
+#include "lib/export/json.hpp"
 
 #include <iostream>
 
@@ -10,9 +10,10 @@ namespace loadpath::cli {
 namespace {
 
 /// Issues where they belong: as JSON on standard output for a program that asked for it, else on standard error.
-void tell(const std::vector<Issue>& issues, const std::vector<SourceText>& sources, const OutputOptions& output) {
-  if (output.json && has_errors(issues)) std::cout << io::json_of(issues);
-  if (!output.quiet || has_errors(issues)) show_issues(issues, sources);
+void tell(const std::vector<Issue>& issues, const std::vector<terminal::SourceText>& sources,
+          const OutputOptions& output) {
+  if (output.json && has_errors(issues)) std::cout << exports::json_of(issues);
+  if (!output.quiet || has_errors(issues)) terminal::show_issues(issues, sources);
 }
 
 /// What is only looked at is made where somebody looks: the terminal shows the extremes of every series.
@@ -31,12 +32,12 @@ void check_series(const project::Project& project, const OutputOptions& output, 
 
 }  // namespace
 
-int exit_for(const std::vector<report::Verdict>& verdicts) {
-  return report::worst(verdicts) == report::State::pass ? passed : not_passed;
+int exit_for(const std::vector<account::Verdict>& verdicts) {
+  return account::worst(verdicts) == account::State::pass ? passed : not_passed;
 }
 
-int solve_and_show(const ReadProject& read, const std::vector<SourceText>& sources, const OutputOptions& output,
-                   bool in_full) {
+int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceText>& sources,
+                   const OutputOptions& output, bool in_full) {
   std::vector<Issue> issues;
   project::Project project = read(issues);
   if (!has_errors(issues)) project::solve(project, issues, wanted_by(output, in_full));
@@ -45,9 +46,9 @@ int solve_and_show(const ReadProject& read, const std::vector<SourceText>& sourc
   if (has_errors(issues)) return wrong_input;
   if (!write(project, output)) return wrong_input;
   if (output.json) {
-    std::cout << io::json_of(project, program(), project::SeriesChoice(output.series));
+    std::cout << exports::json_of(project, program(), project::SeriesChoice(output.series));
   } else if (!output.quiet) {
-    show_project(project, in_full);
+    terminal::show_project(project, in_full);
   }
   return exit_for(project::verdicts(project));
 }

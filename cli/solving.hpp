@@ -3,7 +3,7 @@
 
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
-#include "cli/terminal.hpp"
+#include "lib/report/terminal/terminal.hpp"
 
 #include <functional>
 
@@ -12,10 +12,10 @@ namespace loadpath::cli {
 using ReadProject = std::function<project::Project(std::vector<Issue>& issues)>;
 
 /// `in_full`: the terminal shows the formulas too, and of a mechanism its tables.
-int solve_and_show(const ReadProject& read, const std::vector<SourceText>& sources, const OutputOptions& output,
-                   bool in_full);
+int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceText>& sources,
+                   const OutputOptions& output, bool in_full);
 
 /// The exit code that verdicts amount to.
-int exit_for(const std::vector<report::Verdict>& verdicts);
+int exit_for(const std::vector<account::Verdict>& verdicts);
 
 }  // namespace loadpath::cli

@@ -1,6 +1,6 @@
 #include "cli/commands.hpp"
-#include "cli/terminal.hpp"
 #include "lib/quantity/format.hpp"
+#include "lib/report/terminal/terminal.hpp"
 #include "lib/table/search.hpp"
 #include "lib/table/table.hpp"
 
@@ -28,7 +28,7 @@ int show_index(const Library& library) {
   for (const Table& t : library.tables) rows.push_back({t.name, std::to_string(t.rows.size()) + " rows", t.title});
   for (const table::Series& s : library.series)
     rows.push_back({s.table + " " + s.name, std::to_string(s.members.size()) + " sizes", s.title});
-  std::cout << columns(rows);
+  std::cout << terminal::columns(rows);
   return passed;
 }
 
@@ -60,7 +60,7 @@ void show_table(const Table& t, const Row* only) {
   for (const Row& row : t.rows) {
     if (only == nullptr || only == &row) add_row(t, row, rows);
   }
-  std::cout << t.title << " (" << t.name << ")\n" << columns(rows) << "* recalled: its source was not seen\n";
+  std::cout << t.title << " (" << t.name << ")\n" << terminal::columns(rows) << "* recalled: its source was not seen\n";
 }
 
 void show_details(const Row& row) {
@@ -96,7 +96,7 @@ int show_audit(const Library& library) {
     rows.push_back({r.table, r.row, r.key, format_quantity(r.si, r.unit),
                     std::isinf(r.size_max) ? "" : format_quantity(r.size_max, "mm")});
   }
-  std::cout << columns(rows) << rows.size() - 1 << " values without a seen source\n";
+  std::cout << terminal::columns(rows) << rows.size() - 1 << " values without a seen source\n";
   return passed;
 }
 
@@ -150,13 +150,13 @@ int show_found(const Tables& chosen, const std::vector<table::Entry>& found,
     for (std::size_t i = 0; i < values.size(); ++i)
       rows[i + 1].push_back(std::isnan(values[i]) ? "" : format_number(values[i], 5));
   }
-  std::cout << columns(rows) << found.size() << " of " << all << " rows\n";
+  std::cout << terminal::columns(rows) << found.size() << " of " << all << " rows\n";
   return passed;
 }
 
 int wrong_word(const char* option, const std::string& text, const Fault& fault) {
   const Place place{option, 1, static_cast<int>(fault.at) + 1, static_cast<int>(fault.length)};
-  show_issues({{place, "", fault.message, fault.hint, Severity::error}}, {{option, text}});
+  terminal::show_issues({{place, "", fault.message, fault.hint, Severity::error}}, {{option, text}});
   return wrong_input;
 }
 

@@ -2,10 +2,10 @@
 
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
-#include "cli/terminal.hpp"
-#include "lib/embedded.hpp"
-#include "lib/io/tree.hpp"
 #include "lib/quantity/format.hpp"
+#include "lib/report/terminal/terminal.hpp"
+#include "lib/text/embedded.hpp"
+#include "lib/toml/tree.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -33,7 +33,7 @@ bool verify_one(const std::string& file, std::string_view text, bool asked_for, 
   project::Project project = project::read_project(text, file, catalogue(), issues);
   if (!has_errors(issues)) project::solve(project, issues, {.pictures = false});
   if (has_errors(issues)) {
-    show_issues(issues, {{file, std::string(text)}});
+    terminal::show_issues(issues, {{file, std::string(text)}});
     return false;
   }
   if (project.expectations.empty()) {
@@ -49,7 +49,7 @@ bool verify_one(const std::string& file, std::string_view text, bool asked_for, 
     rows.push_back({c.holds ? "  ok" : "  MISS", e.text, e.is_text, format_quantity(c.ours, e.unit, digits),
                     deviation_of(c), e.source + (e.note.empty() ? "" : "; " + e.note)});
   }
-  std::cout << columns(rows) << "\n";
+  std::cout << terminal::columns(rows) << "\n";
   return true;
 }
 
@@ -64,7 +64,7 @@ int verify(const VerifyOptions& options) {
   }
   for (const std::string& path : options.files) {
     std::string text;
-    if (!io::read_file(path, text)) {
+    if (!toml::read_file(path, text)) {
       std::cerr << "loadpath: cannot read '" << path << "'\n";
       return wrong_input;
     }

@@ -1,5 +1,5 @@
 # loadpath_embed(target symbol BASE dir FILES...): builds the files into the target as
-# `loadpath::embedded::symbol()`, see lib/embedded.hpp.
+# `loadpath::embedded::symbol()`, see lib/text/embedded.hpp.
 function(loadpath_embed target symbol)
   cmake_parse_arguments(EMBED "" "BASE" "FILES" ${ARGN})
   set(output ${CMAKE_CURRENT_BINARY_DIR}/embedded_${symbol}.cpp)

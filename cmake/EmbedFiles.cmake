@@ -13,7 +13,7 @@ foreach(file IN LISTS FILES)
   string(APPEND rows "    {\"${name}\", {reinterpret_cast<const char*>(file_${index}), ${size}}},\n")
   math(EXPR index "${index} + 1")
 endforeach()
-file(WRITE ${OUTPUT} "#include \"lib/embedded.hpp\"
+file(WRITE ${OUTPUT} "#include \"lib/text/embedded.hpp\"
 namespace {
 ${arrays}}
 std::span<const loadpath::embedded::File> loadpath::embedded::${SYMBOL}() {

@@ -2,13 +2,13 @@
 // must, a sweep equals single points, and the text of every STEP says what the code computes.
 #include "calculators/catalogue.hpp"
 #include "lib/formula/formula.hpp"
-#include "lib/io/tree.hpp"
-#include "lib/project/derivation.hpp"
 #include "lib/project/project.hpp"
+#include "lib/project/run/derivation.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"
 #include "lib/report/build.hpp"
 #include "lib/table/table.hpp"
+#include "lib/toml/tree.hpp"
 #include "tests/allocations.hpp"
 
 #include <doctest/doctest.h>
@@ -39,7 +39,7 @@ Solved solved_example(const Calculator& c) {
   REQUIRE(issues.empty());
   Solved s{p.steps[0]->input().reading.record.clone(), Record(*c.result), {}};
   project::solve(p, issues);
-  for (const project::Entry& e : p.steps[0]->account().inputs) {  // what rows of tables filled
+  for (const account::Entry& e : p.steps[0]->account().inputs) {  // what rows of tables filled
     const Leaf leaf = find_leaf(s.input, e.path);
     if (leaf && leaf.field->get != nullptr && std::isnan(leaf.get()) && e.value.si.size() == 1) leaf.set(e.value.si[0]);
   }
@@ -49,7 +49,7 @@ Solved solved_example(const Calculator& c) {
 
 std::vector<const Calculator*> plain_calculators() {
   std::vector<const Calculator*> plain;
-  for (const Calculator* c : catalogue()) {
+  for (const Calculator* c : calculators()) {
     if (c->evaluate != nullptr) plain.push_back(c);
   }
   return plain;
@@ -102,7 +102,7 @@ std::size_t offset_of(const Record& record, const Leaf& leaf) {
 
 TEST_SUITE("contract") {
   TEST_CASE("every field has a key of its own, a meaning, a unit that fits its dimension, and sound bounds") {
-    for (const Calculator* c : catalogue()) {
+    for (const Calculator* c : calculators()) {
       check_fields(c->input->fields, c->id);
       if (c->result != nullptr) check_fields(c->result->fields, c->id);
     }
@@ -110,7 +110,7 @@ TEST_SUITE("contract") {
 
   TEST_CASE("ids are an element and a case, and their sources are in the bibliography") {
     std::set<std::string> ids;
-    for (const Calculator* c : catalogue()) {
+    for (const Calculator* c : calculators()) {
       INFO(std::string(c->id));
       CHECK(ids.insert(c->id).second);
       CHECK(std::string(c->id).find('.') != std::string::npos);
@@ -126,7 +126,7 @@ TEST_SUITE("contract") {
   }
 
   TEST_CASE("the example of a calculator runs and passes") {
-    for (const Calculator* c : catalogue()) {
+    for (const Calculator* c : calculators()) {
       INFO(std::string(c->id));
       std::vector<Issue> issues;
       project::Project p = example_of(*c, issues);
@@ -134,7 +134,7 @@ TEST_SUITE("contract") {
       CHECK_MESSAGE(issues.empty(), (issues.empty() ? "" : issues[0].message.text()));
       REQUIRE(p.steps.size() == 1);
       CHECK(p.steps[0]->input().calculator == c);
-      CHECK(report::worst(project::verdicts(p)) == report::State::pass);
+      CHECK(account::worst(project::verdicts(p)) == account::State::pass);
     }
   }
 
@@ -155,7 +155,7 @@ TEST_SUITE("contract") {
   }
 
   TEST_CASE("a quantity of another dimension, or without a unit, is refused at its place") {
-    for (const Calculator* c : catalogue()) {
+    for (const Calculator* c : calculators()) {
       for (const FieldInfo& f : c->input->fields) {
         if (f.type != Type::quantity) continue;
         INFO(std::string(c->id));
@@ -167,7 +167,7 @@ TEST_SUITE("contract") {
   }
 
   TEST_CASE("a value outside of its bounds is refused with the bound, the value and the unit") {
-    for (const Calculator* c : catalogue()) {
+    for (const Calculator* c : calculators()) {
       for (const FieldInfo& f : c->input->fields) {
         if (f.type != Type::quantity || std::isinf(f.bounds.low)) continue;
         INFO(std::string(c->id));
@@ -181,7 +181,7 @@ TEST_SUITE("contract") {
   }
 
   TEST_CASE("an unknown field is refused with the nearest one") {
-    for (const Calculator* c : catalogue()) {
+    for (const Calculator* c : calculators()) {
       const std::string key = c->input->fields[0].key;
       const std::string typo = key + key;
       bool found = false;

@@ -1,9 +1,9 @@
 // Reports of the examples, compared as text. A change of them is a decision: write the new text over the old with
 //   loadpath run examples/NAME/project.toml --report tests/golden/NAME.md
 #include "calculators/catalogue.hpp"
-#include "lib/io/tree.hpp"
 #include "lib/project/project.hpp"
 #include "lib/report/build.hpp"
+#include "lib/toml/tree.hpp"
 
 #include <doctest/doctest.h>
 
@@ -15,7 +15,7 @@ using namespace loadpath;
 
 std::string text_of(const std::string& path) {
   std::string text;
-  REQUIRE(io::read_file(std::string(LOADPATH_ROOT) + "/" + path, text));
+  REQUIRE(toml::read_file(std::string(LOADPATH_ROOT) + "/" + path, text));
   return text;
 }
 

@@ -1,6 +1,6 @@
 // What README.md says that can be typed works as it says.
-#include "lib/io/tree.hpp"
-#include "lib/project/read_parts.hpp"
+#include "lib/project/parts.hpp"
+#include "lib/toml/tree.hpp"
 #include "tests/cli/process.hpp"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ std::vector<Command> commands_of(const std::string& text) {
 TEST_SUITE("readme") {
   TEST_CASE("every command line exits with the code that it is said to") {
     std::string text;
-    REQUIRE(io::read_file(LOADPATH_ROOT "/README.md", text));
+    REQUIRE(toml::read_file(LOADPATH_ROOT "/README.md", text));
     const auto commands = commands_of(text);
     CHECK(commands.size() > 5);
     const Desk desk;
@@ -55,14 +55,14 @@ TEST_SUITE("readme") {
     std::string words;
     for (const char* word : project::reserved_names()) words += (words.empty() ? "" : " ") + std::string(word);
     std::string text;
-    REQUIRE(io::read_file(LOADPATH_ROOT "/README.md", text));
+    REQUIRE(toml::read_file(LOADPATH_ROOT "/README.md", text));
     std::replace(text.begin(), text.end(), '\n', ' ');
     CHECK(text.find("cannot name one: `" + words + "`.") != std::string::npos);
   }
 
   TEST_CASE("every command of the help stands in a line that can be typed") {
     std::string text;
-    REQUIRE(io::read_file(LOADPATH_ROOT "/README.md", text));
+    REQUIRE(toml::read_file(LOADPATH_ROOT "/README.md", text));
     std::istringstream help(loadpath_with({"--help"}).out);
     std::string line;
     while (std::getline(help, line) && line != "Subcommands:") continue;

@@ -1,6 +1,6 @@
 #include "calculators/belt/course.hpp"
 
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>

@@ -8,11 +8,11 @@
 #pragma once
 
 #include "calculators/belt/loop.hpp"
-#include "calculators/belt/units.hpp"
-#include "lib/draw/figure.hpp"
-#include "lib/field.hpp"
-#include "lib/issue.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
+#include "lib/quantity/drive_units.hpp"
+#include "lib/text/issue.hpp"
 
 #include <array>
 #include <vector>
@@ -129,7 +129,7 @@ pulleys = [
       Field{&Result::L, "L", mm, "length of the belt"}.as(Role::result),
       Field{&Result::s, "s", mm, "way of the pulley that moves, positive in its direction"}.as(Role::result),
       Field{&Result::v, "v", m_per_s, "speed of the belt"}.as(Role::result),
-      Field{&Result::f_B, "f_B", belt::Hz, "bendings of the belt per second"}.as(Role::result),
+      Field{&Result::f_B, "f_B", Hz, "bendings of the belt per second"}.as(Role::result),
       Field{&Result::P_1, "P_1", kW, "power of the driving pulley"}.as(Role::result),
       Field{&Result::F_c, "F_c", N, "centrifugal part of the tension"}.as(Role::result),
       Field{&Result::S_0_min, "S_0_min", N, "least tension of the slack span"}.as(Role::result),

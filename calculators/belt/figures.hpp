@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/belt/geometry.hpp"
-#include "lib/draw/figure.hpp"
+#include "lib/figure/figure.hpp"
 
 namespace loadpath::belt {
 

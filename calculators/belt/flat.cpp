@@ -2,7 +2,7 @@
 
 #include "calculators/belt/figures.hpp"
 #include "calculators/belt/shaft_load.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath {
 

@@ -8,10 +8,10 @@
 #pragma once
 
 #include "calculators/belt/geometry.hpp"
-#include "calculators/belt/units.hpp"
-#include "lib/draw/figure.hpp"
-#include "lib/field.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
+#include "lib/quantity/drive_units.hpp"
 
 #include <array>
 #include <vector>
@@ -60,7 +60,7 @@ sigma_adm = "6 MPa"
     double mu = unset<double>;
     Kind kind = Kind::conventional;
     Length delta = unset<Length>, b = unset<Length>;
-    belt::Density rho = unset<belt::Density>;
+    Density rho = unset<Density>;
     Stress sigma_adm = unset<Stress>, E_b = unset<Stress>;
     Force S_0 = unset<Force>;
     Tensioning tensioning = Tensioning::fixed;
@@ -89,7 +89,7 @@ sigma_adm = "6 MPa"
       Choice{&Input::kind, "kind", "of the belt: decides the largest speed"}.may_be_missing(),
       Field{&Input::delta, "delta", mm, "thickness of the belt"}.positive().usually(0.3, 20),
       Field{&Input::b, "b", mm, "width of the belt"}.positive().usually(5, 2000).searched("R20").may_be_missing(),
-      Field{&Input::rho, "rho", belt::kg_per_m3, "density of the belt"}.positive().usually(500, 2500),
+      Field{&Input::rho, "rho", kg_per_m3, "density of the belt"}.positive().usually(500, 2500),
       Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress of the belt, without a further safety factor"}
           .positive()
           .usually(0.5, 100),
@@ -152,7 +152,7 @@ sigma_adm = "6 MPa"
       Field{&Result::R_y, "R_y", N, "shaft load in running, to the side of the tight span"}.as(Role::result),
       Field{&Result::R, "R", N, "shaft load in running"}.as(Role::result),
       Field{&Result::theta_R, "theta_R", deg, "its direction against the line of centres"}.as(Role::result),
-      Field{&Result::f_B, "f_B", belt::Hz, "bendings of the belt per second"}.as(Role::result),
+      Field{&Result::f_B, "f_B", Hz, "bendings of the belt per second"}.as(Role::result),
       Field{&Result::u_S, "u_S", ratio, "friction: least initial tension over the initial tension"}.check(),
       Field{&Result::u_sigma, "u_sigma", ratio, "strength: largest stress over the allowable one"}.check(),
       Field{&Result::sigma_N, "sigma_N", MPa, "stress left for pulling, without bending and centrifugal stress"}.limit(

@@ -5,9 +5,9 @@
 // belt.
 #pragma once
 
-#include "lib/issue.hpp"
-#include "lib/trace.hpp"
-#include "lib/units.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/quantity/units.hpp"
+#include "lib/text/issue.hpp"
 
 namespace loadpath::belt {
 

@@ -1,6 +1,6 @@
 #include "calculators/belt/loop.hpp"
 
-#include "lib/units.hpp"
+#include "lib/quantity/units.hpp"
 
 #include <algorithm>
 #include <cmath>

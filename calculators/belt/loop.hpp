@@ -5,7 +5,7 @@
 // d sin(theta - psi) = r_2 - r_1, for the centres' distance d and direction theta; r counts negative on its right.
 #pragma once
 
-#include "lib/draw/figure.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <array>
 #include <cstddef>

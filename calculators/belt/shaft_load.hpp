@@ -1,8 +1,8 @@
 // What a belt does to its shafts: the pull of the two spans on the driving pulley. The driven pulley has the opposite.
 #pragma once
 
-#include "lib/trace.hpp"
-#include "lib/units.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/quantity/units.hpp"
 
 namespace loadpath::belt {
 

@@ -6,7 +6,7 @@
 #include "calculators/belt/v_pulleys.hpp"
 #include "calculators/belt/v_rating.hpp"
 #include "calculators/belt/v_tension.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath {
 

@@ -9,9 +9,9 @@
 
 #include "calculators/belt/geometry.hpp"
 #include "calculators/belt/v_data.hpp"
-#include "lib/draw/figure.hpp"
-#include "lib/field.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <array>
 #include <vector>
@@ -85,7 +85,7 @@ L = "2650 mm"
           .may_be_missing(),
       Choice{&Input::duty, "duty", "kind of load"}.may_be_missing(),
       Choice{&Input::motor, "motor", "torque of the motor"}.may_be_missing(),
-      Field{&Input::h_day, "h_day", belt::hour, "use per day"}.positive().within(0.01, 24).may_be_missing(),
+      Field{&Input::h_day, "h_day", hour, "use per day"}.positive().within(0.01, 24).may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of the driving pulley"}.positive().usually(20, 9000),
       Field{&Input::epsilon, "epsilon", ratio, "slip"}.at_least(0).below(1).usually(0, 0.03),
       Field{&Input::d_1, "d_1", mm, "datum diameter of the driving pulley"}.positive().usually(20, 3000),
@@ -162,8 +162,8 @@ L = "2650 mm"
       Field{&Result::y, "y", mm, "deflection of a span that the test force is for"}.as(Role::result),
       Field{&Result::Q, "Q", N, "test force in the middle of a span, run in"}.as(Role::result),
       Field{&Result::Q_new, "Q_new", N, "test force, new belt"}.as(Role::result),
-      Field{&Result::f_s, "f_s", belt::Hz, "frequency of the plucked span, run in"}.as(Role::result),
-      Field{&Result::f_s_new, "f_s_new", belt::Hz, "frequency of the plucked span, new belt"}.as(Role::result),
+      Field{&Result::f_s, "f_s", Hz, "frequency of the plucked span, run in"}.as(Role::result),
+      Field{&Result::f_s_new, "f_s_new", Hz, "frequency of the plucked span, new belt"}.as(Role::result),
       Field{&Result::R_0, "R_0", N, "shaft load at standstill, along the line of centres"}.as(Role::result),
       Field{&Result::R_new, "R_new", N, "shaft load at standstill, new belts"}.as(Role::result),
       Field{&Result::R_x, "R_x", N, "shaft load in running, toward the other pulley"}.as(Role::result),
@@ -178,8 +178,8 @@ L = "2650 mm"
       Field{&Result::v_rim, "v_rim", m_per_s, "larger speed of the two rims"}.as(Role::result),
       Field{&Result::Delta_1, "Delta_1", mm, "least increase of the centre distance, for tensioning"}.as(Role::result),
       Field{&Result::Delta_2, "Delta_2", mm, "least decrease of the centre distance, for fitting"}.as(Role::result),
-      Field{&Result::f_B, "f_B", belt::Hz, "bendings of the belt per second"}.as(Role::result),
-      Field{&Result::L_h, "L_h", belt::hour, "mean life that the basis states"}.as(Role::result),
+      Field{&Result::f_B, "f_B", Hz, "bendings of the belt per second"}.as(Role::result),
+      Field{&Result::L_h, "L_h", hour, "mean life that the basis states"}.as(Role::result),
       Field{&Result::u_P, "u_P", ratio, "power: design power over what the belts can carry"}.check(),
       Field{&Result::u_grip, "u_grip", ratio, "grip: tension that friction in the grooves needs over what there is"}
           .check("mu"),

@@ -4,8 +4,8 @@
 // another: a wrap factor of one with the rating of another overstates a drive by up to 15 %.
 #pragma once
 
-#include "calculators/belt/units.hpp"
-#include "lib/field.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/quantity/drive_units.hpp"
 #include "lib/table/rows.hpp"
 
 #include <array>

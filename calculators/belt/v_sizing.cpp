@@ -2,7 +2,7 @@
 
 #include "calculators/belt/figures.hpp"
 #include "calculators/belt/v_choices.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 #include "lib/table/table.hpp"
 
 #include <algorithm>

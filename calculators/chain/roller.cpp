@@ -1,7 +1,7 @@
 #include "calculators/chain/roller.hpp"
 
 #include "calculators/chain/links.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 #include "lib/quantity/format.hpp"
 
 namespace loadpath {

@@ -9,11 +9,11 @@
 // drives' sag.
 #pragma once
 
-#include "lib/draw/figure.hpp"
-#include "lib/drive_units.hpp"
-#include "lib/field.hpp"
-#include "lib/issue.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
+#include "lib/quantity/drive_units.hpp"
+#include "lib/text/issue.hpp"
 
 #include <array>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "calculators/column/buckling_parts.hpp"
 #include "calculators/column/effective_length_factor.hpp"
 #include "calculators/column/methods.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
 

@@ -13,9 +13,9 @@
 #include "calculators/column/member_result.hpp"
 #include "calculators/column/member_rules.hpp"
 #include "calculators/column/section.hpp"
-#include "lib/draw/figure.hpp"
-#include "lib/rules.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/rules.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // The words that a column's inputs choose from.
 #pragma once
 
-#include "lib/field.hpp"
+#include "lib/calculator/field.hpp"
 
 #include <array>
 

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "calculators/column/choices.hpp"
-#include "lib/trace.hpp"
-#include "lib/units.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/quantity/units.hpp"
 
 namespace loadpath::column {
 

@@ -1,6 +1,6 @@
 #include "calculators/column/effective_length.hpp"
 
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
 

@@ -8,10 +8,10 @@
 #pragma once
 
 #include "calculators/column/stability.hpp"
-#include "lib/draw/figure.hpp"
-#include "lib/field.hpp"
-#include "lib/issue.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
+#include "lib/text/issue.hpp"
 
 #include <array>
 #include <vector>

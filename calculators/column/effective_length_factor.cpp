@@ -1,6 +1,6 @@
 #include "calculators/column/effective_length_factor.hpp"
 
-#include "lib/units.hpp"
+#include "lib/quantity/units.hpp"
 
 namespace loadpath::column {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/column/choices.hpp"
-#include "lib/units.hpp"
+#include "lib/quantity/units.hpp"
 
 namespace loadpath::column {
 

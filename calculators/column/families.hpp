@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/column/section.hpp"
-#include "lib/drive_units.hpp"
+#include "lib/quantity/drive_units.hpp"
 #include "lib/table/rows.hpp"
 
 #include <string>

@@ -1,7 +1,7 @@
 #include "calculators/column/lightest.hpp"
 
 #include "calculators/column/lightest_parts.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
 #include <utility>

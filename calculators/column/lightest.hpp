@@ -9,7 +9,7 @@
 #pragma once
 
 #include "calculators/column/buckling.hpp"
-#include "lib/drive_units.hpp"
+#include "lib/quantity/drive_units.hpp"
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 
 #include "calculators/column/choices.hpp"
 #include "calculators/column/stability.hpp"
-#include "lib/field.hpp"
+#include "lib/calculator/field.hpp"
 
 #include <tuple>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "calculators/column/choices.hpp"
-#include "lib/field.hpp"
+#include "lib/calculator/field.hpp"
 
 #include <tuple>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/column/member.hpp"
-#include "lib/issue.hpp"
+#include "lib/text/issue.hpp"
 
 #include <array>
 

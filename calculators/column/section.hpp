@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/column/choices.hpp"
-#include "lib/row_kind.hpp"
+#include "lib/calculator/row_kind.hpp"
 
 #include <tuple>
 

@@ -5,7 +5,7 @@
 // deflections, a force that keeps its direction, no deflection of the supports between the ends.
 #pragma once
 
-#include "lib/list.hpp"
+#include "lib/calculator/list.hpp"
 
 #include <limits>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "calculators/drive/train.hpp"
 
 #include "calculators/gear/planetary.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
 

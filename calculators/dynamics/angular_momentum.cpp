@@ -1,6 +1,6 @@
 #include "calculators/dynamics/angular_momentum.hpp"
 
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
 

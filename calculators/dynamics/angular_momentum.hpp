@@ -5,9 +5,9 @@
 // Only external moments are in M: an inertia force is none, and forces through the axis or along it have no moment.
 #pragma once
 
-#include "calculators/motion/units.hpp"
-#include "lib/field.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/quantity/motion_units.hpp"
 
 #include <array>
 

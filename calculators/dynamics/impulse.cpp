@@ -1,7 +1,7 @@
 #include "calculators/dynamics/impulse.hpp"
 
 #include "calculators/motion/laws.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 // The mass m hides the unit of its name where the formulas are.
 #pragma GCC diagnostic ignored "-Wshadow"

@@ -4,11 +4,11 @@
 // Source: [B33], theorem of momentum of a point.
 #pragma once
 
-#include "calculators/motion/units.hpp"
-#include "lib/draw/figure.hpp"
-#include "lib/field.hpp"
-#include "lib/issue.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
+#include "lib/quantity/motion_units.hpp"
+#include "lib/text/issue.hpp"
 
 #include <array>
 #include <vector>

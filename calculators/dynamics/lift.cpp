@@ -1,7 +1,7 @@
 #include "calculators/dynamics/lift.hpp"
 
 #include "calculators/motion/laws.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
 #include <cmath>

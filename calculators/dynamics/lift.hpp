@@ -6,9 +6,9 @@
 // forwards. Source: [B37]. Not covered: slip, slack and weight of the threads.
 #pragma once
 
-#include "calculators/motion/units.hpp"
-#include "lib/field.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/quantity/motion_units.hpp"
 
 #include <array>
 

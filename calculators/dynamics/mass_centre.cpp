@@ -1,6 +1,6 @@
 #include "calculators/dynamics/mass_centre.hpp"
 
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath {
 

@@ -5,9 +5,9 @@
 // others move by s along it. Sign: along x. Source: [B35], theorem of the motion of the centre of mass.
 #pragma once
 
-#include "calculators/motion/units.hpp"
-#include "lib/field.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/quantity/motion_units.hpp"
 
 #include <array>
 

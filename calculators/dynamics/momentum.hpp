@@ -4,9 +4,9 @@
 // part again. All velocities are absolute, signed along the line. Source: [B35]. Not covered: oblique impact.
 #pragma once
 
-#include "calculators/motion/units.hpp"
-#include "lib/field.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/quantity/motion_units.hpp"
 
 #include <array>
 

@@ -4,10 +4,10 @@
 // where the body lands at the height of the throw, flatter where it lands lower; that of greatest height is 90 deg.
 #pragma once
 
-#include "calculators/motion/units.hpp"
-#include "lib/draw/figure.hpp"
-#include "lib/field.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
+#include "lib/quantity/motion_units.hpp"
 
 #include <array>
 #include <vector>

@@ -6,9 +6,9 @@
 // The work of the spring is -c (z_2^2 - z_1^2)/2; -c (z_2 - z_1)^2/2 holds from the unloaded spring only.
 #pragma once
 
-#include "calculators/motion/units.hpp"
-#include "lib/field.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/quantity/motion_units.hpp"
 
 #include <array>
 

@@ -1,6 +1,6 @@
 #include "calculators/fatigue/cycle.hpp"
 
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
 #include <cmath>

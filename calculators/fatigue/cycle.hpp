@@ -7,7 +7,7 @@
 #pragma once
 
 #include "calculators/fatigue/cycle_of.hpp"
-#include "lib/draw/figure.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <vector>
 

@@ -1,9 +1,9 @@
 // The characteristics of a stress cycle from any two of them, and why some pairs do not make one: [B20].
 #pragma once
 
-#include "lib/field.hpp"
-#include "lib/issue.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/text/issue.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "calculators/fatigue/endurance.hpp"
 
 #include "calculators/fatigue/estimate.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 #include <cmath>
 

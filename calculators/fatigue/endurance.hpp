@@ -7,10 +7,10 @@
 // Not covered: mean stress, life, histories, safety, temperature, corrosion, press fits.
 #pragma once
 
-#include "lib/draw/figure.hpp"
-#include "lib/field.hpp"
-#include "lib/issue.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
+#include "lib/text/issue.hpp"
 
 #include <array>
 #include <tuple>

@@ -1,6 +1,6 @@
 #include "calculators/fatigue/wohler.hpp"
 
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 #include "lib/numerics/quantile.hpp"
 
 #include <algorithm>

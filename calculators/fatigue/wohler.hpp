@@ -8,9 +8,9 @@
 // Not covered: run-outs in the regression (maximum likelihood), staircase statistics, lack of fit, lives not tested.
 #pragma once
 
-#include "lib/draw/figure.hpp"
-#include "lib/field.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <array>
 #include <tuple>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/gear/tooth_form.hpp"
-#include "lib/draw/figure.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 
 #include "calculators/gear/involute.hpp"
 #include "calculators/gear/pair_parts.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 #include "lib/quantity/format.hpp"
 
 namespace loadpath {

@@ -12,9 +12,9 @@
 
 #include "calculators/gear/pair_choices.hpp"
 #include "calculators/gear/pair_result.hpp"
-#include "lib/draw/figure.hpp"
-#include "lib/issue.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
+#include "lib/text/issue.hpp"
 
 #include <array>
 #include <vector>

@@ -1,7 +1,7 @@
 // What a pair of gears lets the user choose.
 #pragma once
 
-#include "lib/field.hpp"
+#include "lib/calculator/field.hpp"
 
 #include <array>
 

@@ -1,8 +1,8 @@
 // What is found of a pair of gears.
 #pragma once
 
-#include "lib/drive_units.hpp"
-#include "lib/field.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/quantity/drive_units.hpp"
 
 #include <tuple>
 

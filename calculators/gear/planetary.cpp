@@ -1,6 +1,6 @@
 #include "calculators/gear/planetary.hpp"
 
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath {
 

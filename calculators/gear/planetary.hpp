@@ -8,10 +8,10 @@
 // refused; planets that touch each other fail.
 #pragma once
 
-#include "lib/drive_units.hpp"
-#include "lib/field.hpp"
-#include "lib/issue.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/quantity/drive_units.hpp"
+#include "lib/text/issue.hpp"
 
 #include <array>
 #include <cstdlib>

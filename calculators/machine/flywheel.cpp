@@ -2,7 +2,7 @@
 
 #include "calculators/machine/flywheel_step.hpp"
 #include "calculators/motion/laws.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <cmath>
@@ -186,14 +186,6 @@ std::vector<draw::Figure> Flywheel::figures(const Input& in, const Result& r) {
           {"energy", "Energy that the flywheel takes up and gives back", std::move(energy)}};
 }
 
-template <>
-const Calculator& erased<Flywheel>() {
-  static const Calculator calculator = [] {
-    Calculator c = calculator_of<Flywheel>();
-    c.make_step = &make_flywheel_step;
-    return c;
-  }();
-  return calculator;
-}
+template const Calculator& erased<Flywheel>();
 
 }  // namespace loadpath

@@ -70,7 +70,7 @@ void FlywheelStep::solve(const project::Known& known, const project::Wanted& wan
   const auto series = project::evaluate_operand(*moment_, name(), known, issues);
   if (!series || !fill(*series, issues)) return;
   CalculatorStep::solve(known, wanted, issues);
-  for (project::Entry& entry : own_account().inputs) {
+  for (account::Entry& entry : own_account().inputs) {
     if (entry.path != "M") continue;
     entry.value = *series;
     entry.origin = {say("= {1}", moment_->text), {}, false};

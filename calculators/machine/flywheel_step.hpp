@@ -1,7 +1,7 @@
 // The step of a flywheel: it takes the moment as a whole series, where other calculators run once a position.
 #pragma once
 
-#include "lib/project/calculator_step.hpp"
+#include "lib/project/run/calculator_step.hpp"
 
 #include <memory>
 #include <optional>

@@ -1,7 +1,7 @@
 #include "calculators/machine/run_up.hpp"
 
 #include "calculators/machine/moment_line.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>

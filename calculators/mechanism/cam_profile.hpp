@@ -1,7 +1,7 @@
 // The profile of a cam as a user writes it: by the lift that it gives its follower, or by its shape.
 #pragma once
 
-#include "lib/field.hpp"
+#include "lib/calculator/field.hpp"
 
 #include <array>
 

@@ -11,7 +11,7 @@
 #include "calculators/mechanism/planar_drives.hpp"
 #include "calculators/mechanism/planar_loading.hpp"
 #include "calculators/mechanism/planar_parts.hpp"
-#include "lib/field.hpp"
+#include "lib/calculator/field.hpp"
 
 #include <array>
 

@@ -13,12 +13,12 @@ namespace loadpath {
 
 namespace {
 
+using account::Cell;
+using account::Quantity;
+using account::Table;
 using mechanism::OutputError;
 using mechanism::Status;
 using planar::Watched;
-using report::Cell;
-using report::Quantity;
-using report::Table;
 using Planar = PlanarMechanism;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();

@@ -1,12 +1,12 @@
 // Errors of outputs by tolerances of dimensions and masses and by the play of pins, over the cycle
-// (lib/mechanism/tolerance.hpp).
+// (lib/mechanism/accuracy/tolerance.hpp).
 #pragma once
 
 #include "calculators/mechanism/planar_cycle.hpp"
 #include "calculators/mechanism/planar_names.hpp"
 #include "calculators/mechanism/planar_outputs.hpp"
-#include "lib/mechanism/tolerance.hpp"
-#include "lib/report/document.hpp"
+#include "lib/account/block.hpp"
+#include "lib/mechanism/accuracy/tolerance.hpp"
 
 #include <string>
 #include <vector>
@@ -33,8 +33,8 @@ void add_error_outputs(const PlanarMechanism::Input& in, std::vector<MechanismOu
 void list_error_patterns(std::vector<ResultPattern>& patterns);
 
 /// What has which tolerance; nothing where nothing has.
-std::vector<report::Table> tolerance_tables(const PlanarMechanism::Input& in);
+std::vector<account::Table> tolerance_tables(const PlanarMechanism::Input& in);
 /// The largest errors, where they are and what contributes to them.
-std::vector<report::Table> error_tables(const PlanarMechanism::Input& in, const Errors& errors, const Axis* axis);
+std::vector<account::Table> error_tables(const PlanarMechanism::Input& in, const Errors& errors, const Axis* axis);
 
 }  // namespace loadpath

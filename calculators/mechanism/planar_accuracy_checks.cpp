@@ -2,7 +2,7 @@
 #include "calculators/mechanism/planar_accuracy.hpp"
 #include "calculators/mechanism/planar_model.hpp"
 #include "calculators/mechanism/planar_tolerances.hpp"
-#include "lib/mechanism/vec.hpp"
+#include "lib/mechanism/model/vec.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>

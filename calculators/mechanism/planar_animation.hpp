@@ -13,7 +13,7 @@ struct AnimationSubject {
   const Cycle& cycle;
   const Extents& extents;
   const std::vector<TracedPoint>& points;
-  const project::Account& account;
+  const account::Account& account;
   const Axis& axis;
   std::size_t governing = 0;  // a position with forces: the one that is printed
   bool statics = false;

@@ -1,7 +1,7 @@
 #include "calculators/mechanism/planar_assemblies.hpp"
 
-#include "lib/mechanism/assemblies.hpp"
-#include "lib/mechanism/closing.hpp"
+#include "lib/mechanism/groups/assemblies.hpp"
+#include "lib/mechanism/groups/closing.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -111,8 +111,8 @@ std::vector<FieldFault> choose_assembly(const PlanarMechanism::Input& in, const 
   return {};
 }
 
-std::vector<report::Verdict> changes_of_assembly(const std::string& step, const mechanism::Model& model,
-                                                 const Cycle& cycle, const Kinematics& kinematics, const Axis* axis) {
+std::vector<account::Verdict> changes_of_assembly(const std::string& step, const mechanism::Model& model,
+                                                  const Cycle& cycle, const Kinematics& kinematics, const Axis* axis) {
   if (axis == nullptr || !cycle.unique.empty()) return {};
   std::vector<Message> found;
   add_dyads(model, cycle, *axis, found);
@@ -120,13 +120,13 @@ std::vector<report::Verdict> changes_of_assembly(const std::string& step, const 
   if (found.empty()) return {};
   Message places = found.front();
   for (std::size_t n = 1; n < found.size(); ++n) places = say("{1}, {2}", places, found[n]);
-  report::Verdict v;
+  account::Verdict v;
   v.step = step;
   v.symbol = "assembly";
   v.meaning = say("every group keeps its assembly");
   v.bound = say("no change point");
   v.value = say("passed {1} times", std::to_string(found.size()));
-  v.state = report::State::not_covered;
+  v.state = account::State::not_covered;
   v.note = say("the drive alone does not tell which way the mechanism goes on: {1}", places);
   return {v};
 }

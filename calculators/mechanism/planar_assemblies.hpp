@@ -4,9 +4,9 @@
 
 #include "calculators/mechanism/planar_cycle.hpp"
 #include "calculators/mechanism/planar_kinematics.hpp"
-#include "lib/issue.hpp"
-#include "lib/mechanism/structure.hpp"
+#include "lib/mechanism/structure/structure.hpp"
 #include "lib/project/step.hpp"
+#include "lib/text/issue.hpp"
 
 #include <string>
 #include <vector>
@@ -21,11 +21,11 @@ std::vector<FieldFault> choose_assembly(const PlanarMechanism::Input& in, const 
 
 /// Said only where a group passes to another of its assemblies, and no joint that holds too much keeps it from that: at
 /// the change point the drive alone does not tell which way the mechanism goes on.
-std::vector<report::Verdict> changes_of_assembly(const std::string& step, const mechanism::Model& model,
-                                                 const Cycle& cycle, const Kinematics& kinematics, const Axis* axis);
+std::vector<account::Verdict> changes_of_assembly(const std::string& step, const mechanism::Model& model,
+                                                  const Cycle& cycle, const Kinematics& kinematics, const Axis* axis);
 
 /// Assemblies at the first position, transmission angles, strokes, instantaneous centres at the first position.
-std::vector<report::Block> motion_tables(const project::Account& account, const mechanism::Model& model,
-                                         const Cycle& cycle, const Kinematics& kinematics, const Axis* axis);
+std::vector<account::Block> motion_tables(const account::Account& account, const mechanism::Model& model,
+                                          const Cycle& cycle, const Kinematics& kinematics, const Axis* axis);
 
 }  // namespace loadpath

@@ -1,11 +1,11 @@
-// Counterweights that a project asks for, and what they leave of the shaking force (lib/mechanism/shaking.hpp).
+// Counterweights that a project asks for, and what they leave of the shaking force (lib/mechanism/studies/shaking.hpp).
 #pragma once
 
 #include "calculators/mechanism/planar_cycle.hpp"
 #include "calculators/mechanism/planar_names.hpp"
 #include "calculators/mechanism/planar_outputs.hpp"
-#include "lib/mechanism/shaking.hpp"
-#include "lib/report/document.hpp"
+#include "lib/account/block.hpp"
+#include "lib/mechanism/studies/shaking.hpp"
 
 #include <optional>
 #include <vector>
@@ -28,6 +28,6 @@ Balanced balance_of(const PlanarMechanism::Input& in, const mechanism::Model& mo
 void add_balance_outputs(const PlanarMechanism::Input& in, std::vector<MechanismOutput>& out);
 void list_balance_patterns(std::vector<ResultPattern>& patterns);
 
-std::vector<report::Table> balance_tables(const PlanarMechanism::Input& in, const Balanced& balanced);
+std::vector<account::Table> balance_tables(const PlanarMechanism::Input& in, const Balanced& balanced);
 
 }  // namespace loadpath

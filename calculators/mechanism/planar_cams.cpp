@@ -2,7 +2,7 @@
 
 #include "calculators/mechanism/planar_profiles.hpp"
 #include "calculators/mechanism/planar_rows.hpp"
-#include "lib/mechanism/cam_state.hpp"
+#include "lib/mechanism/studies/cam_state.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <array>
@@ -42,15 +42,15 @@ constexpr std::array cam_rows{
         "joints.NAME.v_s", "speed of sliding of the follower on the cam, counter-clockwise round it positive", m_per_s,
         [](const Cam& c, const Position& p) { return c.at(p).sliding; }, &Cam::slides, "edges and flat faces on cams")};
 
-report::Verdict verdict(const std::string& step, const std::string& symbol, Message meaning, double radius,
-                        Message bound, bool holds) {
-  report::Verdict v;
+account::Verdict verdict(const std::string& step, const std::string& symbol, Message meaning, double radius,
+                         Message bound, bool holds) {
+  account::Verdict v;
   v.step = step;
   v.symbol = symbol;
   v.meaning = std::move(meaning);
   v.bound = std::move(bound);
-  v.value = report::Quantity{radius, "mm"};
-  v.state = holds ? report::State::pass : report::State::fail;
+  v.value = account::Quantity{radius, "mm"};
+  v.state = holds ? account::State::pass : account::State::fail;
   return v;
 }
 
@@ -69,8 +69,8 @@ void add_cam_outputs(const mechanism::Model& model, std::vector<MechanismOutput>
 
 void list_cam_patterns(std::vector<ResultPattern>& patterns) { planar::list_patterns(cam_rows, patterns); }
 
-std::vector<report::Verdict> profile_verdicts(const std::string& step, const mechanism::Model& model) {
-  std::vector<report::Verdict> verdicts;
+std::vector<account::Verdict> profile_verdicts(const std::string& step, const mechanism::Model& model) {
+  std::vector<account::Verdict> verdicts;
   for (const Joint& joint : model.joints) {
     if (joint.kind != JointKind::cam) continue;
     const mechanism::Bends bends = mechanism::bends_of(*joint.profile);
@@ -78,9 +78,9 @@ std::vector<report::Verdict> profile_verdicts(const std::string& step, const mec
         step, "profile_" + joint.name,
         say("least radius of curvature of the profile where it bulges, joint '{1}': it is not undercut", joint.name),
         bends.bulge, say("more than 0"), bends.bulge > 0.0));
-    report::Verdict& bulge = verdicts.back();
+    account::Verdict& bulge = verdicts.back();
     bulge.note = say("at a cam angle of {1}", angle_text(joint, bends.bulge_at));
-    if (bulge.state == report::State::fail) {
+    if (bulge.state == account::State::fail) {
       const std::string angle = angle_text(joint, bends.bulge_at);
       bulge.note =
           joint.contact == CamContact::flat

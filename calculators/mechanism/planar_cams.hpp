@@ -3,7 +3,7 @@
 
 #include "calculators/mechanism/planar.hpp"
 #include "calculators/mechanism/planar_outputs.hpp"
-#include "lib/report/document.hpp"
+#include "lib/account/block.hpp"
 
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ void add_cam_outputs(const mechanism::Model& model, std::vector<MechanismOutput>
 void list_cam_patterns(std::vector<ResultPattern>& patterns);
 
 /// That the profile can be made, and the roller reaches all of it.
-std::vector<report::Verdict> profile_verdicts(const std::string& step, const mechanism::Model& model);
+std::vector<account::Verdict> profile_verdicts(const std::string& step, const mechanism::Model& model);
 
 /// The joints whose roller turns freely: no force depends on that freedom, and mobility does not count it.
 std::vector<std::string> passive_freedoms(const mechanism::Model& model);

@@ -3,7 +3,7 @@
 #include "calculators/mechanism/planar_either_way.hpp"
 #include "calculators/mechanism/planar_law.hpp"
 #include "calculators/mechanism/planar_schedule.hpp"
-#include "lib/mechanism/spring.hpp"
+#include "lib/mechanism/model/spring.hpp"
 
 #include <algorithm>
 #include <cmath>

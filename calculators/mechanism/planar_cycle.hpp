@@ -5,11 +5,11 @@
 #include "calculators/mechanism/planar.hpp"
 #include "calculators/mechanism/planar_law.hpp"
 #include "calculators/mechanism/planar_schedule.hpp"
-#include "lib/issue.hpp"
+#include "lib/mechanism/groups/released_system.hpp"
 #include "lib/mechanism/proof/proof.hpp"
-#include "lib/mechanism/release.hpp"
-#include "lib/mechanism/released_system.hpp"
+#include "lib/mechanism/structure/release.hpp"
 #include "lib/quantity/series.hpp"
+#include "lib/text/issue.hpp"
 
 #include <limits>
 #include <optional>

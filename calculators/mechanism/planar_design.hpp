@@ -1,7 +1,7 @@
 // What a project asks of a mechanism beside its motion and forces: errors by tolerances, counterweights, hodographs.
 #pragma once
 
-#include "lib/field.hpp"
+#include "lib/calculator/field.hpp"
 
 #include <array>
 

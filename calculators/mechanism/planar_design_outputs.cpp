@@ -5,11 +5,11 @@
 #include "calculators/mechanism/planar_rounding.hpp"
 #include "calculators/mechanism/planar_rows.hpp"
 #include "calculators/mechanism/planar_wheel_outputs.hpp"
-#include "lib/mechanism/frames.hpp"
-#include "lib/mechanism/member.hpp"
-#include "lib/mechanism/reduction.hpp"
-#include "lib/mechanism/shaking.hpp"
-#include "lib/mechanism/spring.hpp"
+#include "lib/mechanism/model/frames.hpp"
+#include "lib/mechanism/model/spring.hpp"
+#include "lib/mechanism/studies/member.hpp"
+#include "lib/mechanism/studies/reduction.hpp"
+#include "lib/mechanism/studies/shaking.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>

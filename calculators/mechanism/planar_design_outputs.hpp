@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/mechanism/planar_outputs.hpp"
-#include "lib/issue.hpp"
+#include "lib/text/issue.hpp"
 
 #include <vector>
 

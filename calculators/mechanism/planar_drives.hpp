@@ -1,7 +1,7 @@
 // The drives of a planar mechanism: a crank and cylinders, at a speed or by a law of motion.
 #pragma once
 
-#include "lib/field.hpp"
+#include "lib/calculator/field.hpp"
 
 #include <array>
 

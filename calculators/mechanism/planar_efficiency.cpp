@@ -1,6 +1,6 @@
 #include "calculators/mechanism/planar_efficiency.hpp"
 
-#include "lib/units.hpp"
+#include "lib/quantity/units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,32 +12,32 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-using report::Cell;
-using report::Quantity;
+using account::Cell;
+using account::Quantity;
 
 /// Means over the turn, W.
 class Means {
  public:
-  explicit Means(const project::Account& account) : account_(account) {}
+  explicit Means(const account::Account& account) : account_(account) {}
 
-  [[nodiscard]] const project::Account& account() const { return account_; }
+  [[nodiscard]] const account::Account& account() const { return account_; }
 
-  [[nodiscard]] const project::Entry* find(const std::string& path) const {
-    for (const project::Entry& e : account_.results) {
+  [[nodiscard]] const account::Entry* find(const std::string& path) const {
+    for (const account::Entry& e : account_.results) {
       if (e.path == path) return &e;
     }
     return nullptr;
   }
   /// What is small against the largest value is what rounding has left of a zero.
   [[nodiscard]] double of(const std::string& path) const {
-    const project::Entry* entry = find(path);
+    const account::Entry* entry = find(path);
     if (entry == nullptr) return 0.0;
     const double average = mean(entry->value);
     return std::abs(average) < 1e-9 * std::abs(largest(entry->value).value) ? 0.0 : average;
   }
 
  private:
-  const project::Account& account_;
+  const account::Account& account_;
 };
 
 Cell share(double part, double whole) { return Quantity{part / whole, "-", 4}; }
@@ -62,10 +62,10 @@ Efficiency efficiency(double drive, double useful) {
 }
 
 Efficiency efficiency_of(const Means& means) {
-  const project::Entry* drive = means.find("drive.P");
+  const account::Entry* drive = means.find("drive.P");
   if (drive == nullptr || !drive->value.is_series() || !drive->value.signature.axis->cyclic())
     return undefined(say("the positions are no whole turn of the crank"));
-  for (const project::Entry& e : means.account().results) {
+  for (const account::Entry& e : means.account().results) {
     if (e.path.starts_with("cylinders.")) return undefined(say("several drives share the work"));
   }
   if (means.find("drive.P_useful") == nullptr) return undefined(say("no load is marked useful"));
@@ -82,15 +82,15 @@ constexpr ResultPattern back_pattern{"drive.efficiency_back", "-",
 
 }  // namespace
 
-std::optional<report::Table> efficiency_table(const project::Account& account, const Axis* axis) {
+std::optional<account::Table> efficiency_table(const account::Account& account, const Axis* axis) {
   const Means means(account);
   const bool friction = means.find("drive.P_loss") != nullptr, use = means.find("drive.P_useful") != nullptr;
   if (axis == nullptr || !axis->cyclic() || (!friction && !use) || means.find("drive.P") == nullptr) return {};
-  report::Table table{say("Power over the turn"), {say("quantity"), say("mean")}, {}};
+  account::Table table{say("Power over the turn"), {say("quantity"), say("mean")}, {}};
   const double drive = means.of("drive.P"), lost = means.of("drive.P_loss"), useful = means.of("drive.P_useful");
   table.rows.push_back({say("power of the drive"), Quantity{drive, "W"}});
   if (friction) {
-    for (const project::Entry& e : account.results) {
+    for (const account::Entry& e : account.results) {
       if (e.path.starts_with("joints.") && e.path.ends_with(".P_loss"))
         table.rows.push_back({say("{1}", e.path), Quantity{means.of(e.path), "W"}});
     }
@@ -118,7 +118,7 @@ void add_efficiency_outputs(const PlanarMechanism::Input& in, const mechanism::M
                                [](const auto& load) { return load.useful == PlanarMechanism::Useful::yes; });
   if (in.crank.joint.empty() || (!friction && !use)) return;
   const auto add = [&](const ResultPattern& pattern, double Efficiency::*value, Message Efficiency::*reason) {
-    const auto read = [value, reason](const project::Account& account) {
+    const auto read = [value, reason](const account::Account& account) {
       const Efficiency found = efficiency_of(Means(account));
       return MechanismOutput::Values({found.*value}, found.*reason);
     };

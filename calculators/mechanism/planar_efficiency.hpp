@@ -9,7 +9,7 @@
 namespace loadpath {
 
 /// Nothing for a mechanism without friction and useful loads, or without a whole turn: no mean says anything then.
-std::optional<report::Table> efficiency_table(const project::Account& account, const Axis* axis);
+std::optional<account::Table> efficiency_table(const account::Account& account, const Axis* axis);
 
 /// drive.efficiency, and drive.efficiency_back of a machine that is driven by its load: of a mechanism with a crank and
 /// friction or useful loads. Where it is not defined there is a reason.

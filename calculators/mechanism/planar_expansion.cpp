@@ -2,7 +2,7 @@
 
 #include "calculators/mechanism/planar_cycle.hpp"
 #include "calculators/mechanism/templates/planar_template.hpp"
-#include "lib/record_of.hpp"
+#include "lib/calculator/record_of.hpp"
 
 #include <algorithm>
 #include <array>
@@ -100,16 +100,16 @@ std::vector<FieldFault> expand(const Template& from, const Reading& reading, Pla
   return faults;
 }
 
-report::Table template_table(const Template& from, const Record& parameters) {
-  report::Table table{
+account::Table template_table(const Template& from, const Record& parameters) {
+  account::Table table{
       say("Template {1}: {2}", from.id, from.title), {say("parameter"), say("meaning"), say("value")}, {}};
   for_each_leaf(parameters, [&](const std::string& path, const Leaf& leaf) {
     const FieldInfo& field = *leaf.field;
     const bool choice = field.type == FieldInfo::Type::choice;
     if (!choice && !std::isfinite(leaf.get())) return;  // left out
-    report::Cell value = report::Quantity{leaf.get(), field.unit};
+    account::Cell value = account::Quantity{leaf.get(), field.unit};
     if (choice) value = say(field.choices[static_cast<std::size_t>(leaf.get())].key);
-    table.rows.push_back({report::Symbol{path}, say(field.doc), std::move(value)});
+    table.rows.push_back({account::Symbol{path}, say(field.doc), std::move(value)});
   });
   return table;
 }

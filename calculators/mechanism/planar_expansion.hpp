@@ -2,9 +2,9 @@
 #pragma once
 
 #include "calculators/mechanism/planar.hpp"
-#include "lib/calculator.hpp"
-#include "lib/project/reading.hpp"
-#include "lib/report/document.hpp"
+#include "lib/account/block.hpp"
+#include "lib/calculator/calculator.hpp"
+#include "lib/project/read/reading.hpp"
 
 #include <string>
 #include <vector>
@@ -24,6 +24,6 @@ std::vector<FieldFault> check_overrides(const Template& from, const project::Rea
 std::vector<FieldFault> expand(const Template& from, const project::Reading& reading, PlanarMechanism::Input& in);
 
 /// The template and its parameters as a table of the report.
-report::Table template_table(const Template& from, const Record& parameters);
+account::Table template_table(const Template& from, const Record& parameters);
 
 }  // namespace loadpath

@@ -12,7 +12,7 @@ namespace loadpath {
 
 namespace {
 
-const project::Entry* find_entry(const project::Account& account, const std::string& path) {
+const account::Entry* find_entry(const account::Account& account, const std::string& path) {
   const auto found =
       std::find_if(account.results.begin(), account.results.end(), [&](const auto& e) { return e.path == path; });
   return found == account.results.end() ? nullptr : &*found;
@@ -31,7 +31,7 @@ draw::Curve curve_of(const std::string& label, const Value& value) {
 
 draw::Scale scale_of(const Axis& axis) { return {axis_symbol(axis), axis.quantity, axis.unit}; }
 
-draw::Figure drive_figure(const project::Entry& entry, const Axis& axis) {
+draw::Figure drive_figure(const account::Entry& entry, const Axis& axis) {
   const bool rotary = entry.path == "drive.M";
   draw::Plot plot{scale_of(axis), {rotary ? "M" : "F", entry.doc, entry.unit}, {}, {}, {}};
   plot.curves.push_back(curve_of(rotary ? "M" : "F", entry.value));
@@ -43,7 +43,7 @@ draw::Figure drive_figure(const project::Entry& entry, const Axis& axis) {
   return {rotary ? "drive" : "drive-" + entry.path, rotary ? moment : force, std::move(plot)};
 }
 
-draw::Figure reactions_figure(const mechanism::Model& model, const project::Account& account, const Axis& axis) {
+draw::Figure reactions_figure(const mechanism::Model& model, const account::Account& account, const Axis& axis) {
   draw::Plot plot{scale_of(axis), {"R", "force of the joints", "N"}, {}, {}, {}};
   for (const auto& j : model.joints) {
     if (plot.curves.size() == 6) break;  // more cannot be told apart
@@ -61,7 +61,7 @@ bool draws_each(const PlanarMechanism::Input& in) { return in.crank.at.size() > 
 }  // namespace
 
 std::vector<draw::Figure> mechanism_figures(const PlanarMechanism::Input& in, const mechanism::Model& model,
-                                            const Cycle& cycle, const project::Account& account, const Axis* axis) {
+                                            const Cycle& cycle, const account::Account& account, const Axis* axis) {
   std::vector<draw::Figure> figures;
   const auto first = std::find(cycle.closed.begin(), cycle.closed.end(), true);
   if (first == cycle.closed.end()) return figures;

@@ -44,15 +44,15 @@ std::string changes_of_flank(const Value& series, const Axis& axis) {
 
 }  // namespace
 
-std::optional<report::Table> flank_table(const project::Account& account, const mechanism::Model& model,
-                                         const Axis* axis) {
+std::optional<account::Table> flank_table(const account::Account& account, const mechanism::Model& model,
+                                          const Axis* axis) {
   if (axis == nullptr) return {};
-  report::Table table{say("Loaded flanks of teeth"), {say("joint"), say("the flank changes at")}, {}};
+  account::Table table{say("Loaded flanks of teeth"), {say("joint"), say("the flank changes at")}, {}};
   for (const mechanism::Joint& joint : model.joints) {
-    for (const project::Entry& e : account.results) {
+    for (const account::Entry& e : account.results) {
       if (e.path != "joints." + joint.name + ".F_t") continue;
       const std::string places = changes_of_flank(e.value, *axis);
-      table.rows.push_back({joint.name, places.empty() ? report::Cell(say("nowhere")) : report::Cell(places)});
+      table.rows.push_back({joint.name, places.empty() ? account::Cell(say("nowhere")) : account::Cell(places)});
     }
   }
   if (table.rows.empty()) return {};

@@ -1,8 +1,8 @@
 #include "calculators/mechanism/planar_forces.hpp"
 
 #include "calculators/mechanism/planar_outputs.hpp"
-#include "lib/draw/typeset.hpp"
-#include "lib/mechanism/spring.hpp"
+#include "lib/draw/canvas/typeset.hpp"
+#include "lib/mechanism/model/spring.hpp"
 
 namespace loadpath {
 

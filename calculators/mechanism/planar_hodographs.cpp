@@ -1,6 +1,6 @@
 #include "calculators/mechanism/planar_hodographs.hpp"
 
-#include "lib/mechanism/frames.hpp"
+#include "lib/mechanism/model/frames.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -146,9 +146,9 @@ void check_hodographs(NameFaults& faults) {
   }
 }
 
-std::vector<report::Paragraph> missing_hodographs(const Planar::Input& in, const Cycle& cycle, const Axis* axis) {
-  std::vector<report::Paragraph> notes;
-  const auto add = [&](Message text) { notes.push_back({std::move(text), report::Paragraph::Tone::note}); };
+std::vector<account::Paragraph> missing_hodographs(const Planar::Input& in, const Cycle& cycle, const Axis* axis) {
+  std::vector<account::Paragraph> notes;
+  const auto add = [&](Message text) { notes.push_back({std::move(text), account::Paragraph::Tone::note}); };
   if (axis == nullptr && !in.hodographs.empty()) add(say("No hodographs: they need more than one position."));
   if (axis == nullptr) return notes;
   for (const planar::Hodograph& wanted : in.hodographs) {

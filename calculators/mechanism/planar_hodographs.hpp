@@ -3,8 +3,8 @@
 
 #include "calculators/mechanism/planar_cycle.hpp"
 #include "calculators/mechanism/planar_names.hpp"
-#include "lib/draw/figure.hpp"
-#include "lib/report/document.hpp"
+#include "lib/account/block.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <vector>
 
@@ -19,7 +19,7 @@ std::vector<draw::Figure> hodograph_figures(const PlanarMechanism::Input& in, co
                                             const Cycle& cycle, const Axis& axis);
 
 /// What is to be said of those that the project names and that have none; `axis` is null where there is one position.
-std::vector<report::Paragraph> missing_hodographs(const PlanarMechanism::Input& in, const Cycle& cycle,
-                                                  const Axis* axis);
+std::vector<account::Paragraph> missing_hodographs(const PlanarMechanism::Input& in, const Cycle& cycle,
+                                                   const Axis* axis);
 
 }  // namespace loadpath

@@ -1,7 +1,7 @@
 #include "calculators/mechanism/planar_influence.hpp"
 
-#include "lib/mechanism/causes.hpp"
-#include "lib/mechanism/sensitivity.hpp"
+#include "lib/mechanism/accuracy/sensitivity.hpp"
+#include "lib/mechanism/studies/causes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,10 +14,10 @@ namespace {
 using mechanism::Cause;
 using mechanism::Parameter;
 using Of = mechanism::Parameter::Dimension;
+using account::Cell;
+using account::Quantity;
+using account::Table;
 using mechanism::Position;
-using report::Cell;
-using report::Quantity;
-using report::Table;
 
 constexpr std::size_t most_columns = 7;
 constexpr std::size_t most_parameters = 12;

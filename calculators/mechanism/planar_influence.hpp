@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/mechanism/planar_cycle.hpp"
-#include "lib/report/document.hpp"
+#include "lib/account/block.hpp"
 
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace loadpath {
 
 /// Every reaction and effort split by cause, and the change of the drive by the dimensions and masses that change it
 /// most. None where the position has no forces.
-std::vector<report::Table> influence_tables(const mechanism::Model& model, const Cycle& cycle, std::size_t governing,
-                                            bool statics);
+std::vector<account::Table> influence_tables(const mechanism::Model& model, const Cycle& cycle, std::size_t governing,
+                                             bool statics);
 
 }  // namespace loadpath

@@ -2,8 +2,8 @@
 
 #include "calculators/mechanism/planar_names.hpp"
 #include "calculators/mechanism/planar_profiles.hpp"
-#include "lib/mechanism/frames.hpp"
-#include "lib/mechanism/pair.hpp"
+#include "lib/mechanism/model/frames.hpp"
+#include "lib/mechanism/model/pair.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -222,20 +222,20 @@ mechanism::Joint joint_values(const Planar::Joint& j) {
   return joint;
 }
 
-std::vector<report::Table> detail_tables(const Planar::Input& in) {
-  using report::Cell;
-  using report::Quantity;
+std::vector<account::Table> detail_tables(const Planar::Input& in) {
+  using account::Cell;
+  using account::Quantity;
   const auto millimetres = [](const Length& length) {
     return is_set(length) && in_si(length) != 0.0 ? Cell(Quantity{in_si(length), "mm"}) : Cell(std::string("–"));
   };
-  report::Table rolling{say("Wheels"),
-                        {say("joint"), say("radius, first link"), say("second link"), say("pressure angle"),
-                         say("slack"), say("efficiency"), say("backward")},
-                        {}};
-  report::Table friction{say("Friction and guides"),
-                         {say("joint"), say("coefficient"), say("radius of the pin"), say("length of the guide"),
-                          say("its width"), say("rolling arm"), say("viscous")},
+  account::Table rolling{say("Wheels"),
+                         {say("joint"), say("radius, first link"), say("second link"), say("pressure angle"),
+                          say("slack"), say("efficiency"), say("backward")},
                          {}};
+  account::Table friction{say("Friction and guides"),
+                          {say("joint"), say("coefficient"), say("radius of the pin"), say("length of the guide"),
+                           say("its width"), say("rolling arm"), say("viscous")},
+                          {}};
   for (const Planar::Joint& j : in.joints) {
     const std::string name(j.name.view());
     const bool teeth = j.type == Type::gear || j.type == Type::ring_gear || j.type == Type::rack;
@@ -257,7 +257,7 @@ std::vector<report::Table> detail_tables(const Planar::Input& in) {
                              : turning ? Cell(Quantity{in_si(j.c_turn), "N*m*s/rad"})
                                        : Cell(std::string("–"))});
   }
-  std::vector<report::Table> tables;
+  std::vector<account::Table> tables;
   if (!rolling.rows.empty()) tables.push_back(std::move(rolling));
   if (!friction.rows.empty()) tables.push_back(std::move(friction));
   return tables;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "calculators/mechanism/planar.hpp"
-#include "lib/issue.hpp"
-#include "lib/mechanism/model.hpp"
-#include "lib/report/document.hpp"
+#include "lib/account/block.hpp"
+#include "lib/mechanism/model/model.hpp"
+#include "lib/text/issue.hpp"
 
 #include <vector>
 
@@ -17,7 +17,7 @@ std::vector<FieldFault> check_fields(const PlanarMechanism::Joint& joint);
 mechanism::Joint joint_values(const PlanarMechanism::Joint& joint);
 
 /// The radii of wheels, and what resists in joints; only where there are such.
-std::vector<report::Table> detail_tables(const PlanarMechanism::Input& in);
+std::vector<account::Table> detail_tables(const PlanarMechanism::Input& in);
 
 /// What is taken from the assembly, once all links are placed: angles that are not given, the side of wheels on lines
 /// and of flat faces on cams, the phases of wheels.

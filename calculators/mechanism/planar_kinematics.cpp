@@ -1,10 +1,10 @@
 #include "calculators/mechanism/planar_kinematics.hpp"
 
 #include "calculators/mechanism/planar_rows.hpp"
-#include "lib/mechanism/closing.hpp"
-#include "lib/mechanism/point_motion.hpp"
-#include "lib/mechanism/position_functions.hpp"
-#include "lib/mechanism/relative_motion.hpp"
+#include "lib/mechanism/groups/closing.hpp"
+#include "lib/mechanism/model/point_motion.hpp"
+#include "lib/mechanism/studies/position_functions.hpp"
+#include "lib/mechanism/studies/relative_motion.hpp"
 
 #include <algorithm>
 #include <array>

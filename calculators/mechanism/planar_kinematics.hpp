@@ -4,7 +4,7 @@
 
 #include "calculators/mechanism/planar_cycle.hpp"
 #include "calculators/mechanism/planar_outputs.hpp"
-#include "lib/mechanism/strokes.hpp"
+#include "lib/mechanism/studies/strokes.hpp"
 
 #include <vector>
 

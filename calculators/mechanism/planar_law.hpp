@@ -2,10 +2,10 @@
 #pragma once
 
 #include "calculators/mechanism/planar.hpp"
-#include "lib/issue.hpp"
-#include "lib/mechanism/position.hpp"
+#include "lib/mechanism/model/position.hpp"
 #include "lib/numerics/spline.hpp"
-#include "lib/quantity/law.hpp"
+#include "lib/quantity/expression/law.hpp"
+#include "lib/text/issue.hpp"
 
 #include <variant>
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/mechanism/planar_parts.hpp"
-#include "lib/field.hpp"
+#include "lib/calculator/field.hpp"
 
 #include <array>
 

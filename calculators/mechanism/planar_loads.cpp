@@ -9,10 +9,10 @@ namespace loadpath {
 namespace {
 
 using Planar = PlanarMechanism;
+using account::Cell;
+using account::Quantity;
+using account::Table;
 using mechanism::Vec;
-using report::Cell;
-using report::Quantity;
-using report::Table;
 
 bool turns(const Planar::Spring& spring) {
   return in_si(spring.k_turn) != 0.0 || in_si(spring.c_turn) != 0.0 || is_set(spring.free_angle);

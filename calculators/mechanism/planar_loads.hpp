@@ -3,7 +3,7 @@
 #pragma once
 
 #include "calculators/mechanism/planar_model.hpp"
-#include "lib/report/document.hpp"
+#include "lib/account/block.hpp"
 
 #include <cstddef>
 #include <string>
@@ -30,7 +30,7 @@ std::vector<FieldFault> check_shares(const PlanarMechanism::Input& in);
 /// vary.
 double share_at(const PlanarMechanism::Load& load, double crank_angle, double period);
 
-report::Table load_table(const PlanarMechanism::Input& in);
-report::Table spring_table(const PlanarMechanism::Input& in);
+account::Table load_table(const PlanarMechanism::Input& in);
+account::Table spring_table(const PlanarMechanism::Input& in);
 
 }  // namespace loadpath

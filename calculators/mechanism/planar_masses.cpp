@@ -1,7 +1,7 @@
 #include "calculators/mechanism/planar_masses.hpp"
 
 #include "calculators/mechanism/planar_model.hpp"
-#include "lib/mechanism/reduction.hpp"
+#include "lib/mechanism/studies/reduction.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -87,13 +87,13 @@ double reduced_inertia(const Planar::Link& l, const mechanism::Link& own) {
   return masses.empty() ? own.inertia : own.inertia - mechanism::missing_inertia(own, masses);
 }
 
-std::optional<report::Table> reduction_table(const Planar::Input& in) {
-  using report::Cell;
-  using report::Quantity;
-  report::Table table{say("Masses reduced to points"),
-                      {say("link"), say("replacement"), say("mass in the first point"), say("in the second"),
-                       say("in S"), say("own moment of inertia"), say("of the points")},
-                      {}};
+std::optional<account::Table> reduction_table(const Planar::Input& in) {
+  using account::Cell;
+  using account::Quantity;
+  account::Table table{say("Masses reduced to points"),
+                       {say("link"), say("replacement"), say("mass in the first point"), say("in the second"),
+                        say("in S"), say("own moment of inertia"), say("of the points")},
+                       {}};
   for (const Planar::Link& l : in.links) {
     if (l.masses == Masses::as_given) continue;
     const mechanism::Link link = own_of(l);

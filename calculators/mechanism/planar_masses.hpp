@@ -1,10 +1,10 @@
-// Masses of links reduced to points, where a project asks for it (lib/mechanism/reduction.hpp).
+// Masses of links reduced to points, where a project asks for it (lib/mechanism/studies/reduction.hpp).
 #pragma once
 
 #include "calculators/mechanism/planar.hpp"
 #include "calculators/mechanism/planar_names.hpp"
-#include "lib/mechanism/model.hpp"
-#include "lib/report/document.hpp"
+#include "lib/account/block.hpp"
+#include "lib/mechanism/model/model.hpp"
 
 #include <optional>
 #include <vector>
@@ -20,6 +20,6 @@ std::vector<FieldFault> check_reductions(const PlanarMechanism::Input& in);
 double reduced_inertia(const PlanarMechanism::Link& link, const mechanism::Link& own);
 
 /// The point masses of all links that are reduced; nothing where none is.
-std::optional<report::Table> reduction_table(const PlanarMechanism::Input& in);
+std::optional<account::Table> reduction_table(const PlanarMechanism::Input& in);
 
 }  // namespace loadpath

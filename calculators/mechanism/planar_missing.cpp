@@ -2,7 +2,7 @@
 
 #include "calculators/mechanism/planar_model.hpp"
 #include "calculators/mechanism/planar_ranges.hpp"
-#include "lib/mechanism/spring.hpp"
+#include "lib/mechanism/model/spring.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,19 +49,19 @@ bool misses_where_solved(const Cycle& cycle, const std::vector<double>& values) 
 
 }  // namespace
 
-std::optional<report::Verdict> direction_of_springs(const std::string& step, const PlanarMechanism::Input& in,
-                                                    const Cycle& cycle, const Axis* axis) {
+std::optional<account::Verdict> direction_of_springs(const std::string& step, const PlanarMechanism::Input& in,
+                                                     const Cycle& cycle, const Axis* axis) {
   const auto without = static_cast<std::size_t>(std::count(cycle.undirected.begin(), cycle.undirected.end(), true));
   if (without == 0) return std::nullopt;
   const std::string spring = spring_without_direction(in, cycle);
-  report::Verdict v;
+  account::Verdict v;
   v.step = step;
   v.symbol = "directed_" + spring;
   v.meaning = say("the ends of spring '{1}' are apart: its force has a direction", spring);
   v.bound = say("every position");
   v.value =
       say("{1} of {2}", std::to_string(cycle.undirected.size() - without), std::to_string(cycle.undirected.size()));
-  v.state = report::State::fail;
+  v.state = account::State::fail;
   if (axis != nullptr) v.note = say("they coincide {1}", planar::range_of(cycle.undirected, true, *axis));
   return v;
 }

@@ -4,7 +4,7 @@
 
 #include "calculators/mechanism/planar_cycle.hpp"
 #include "calculators/mechanism/planar_outputs.hpp"
-#include "lib/report/document.hpp"
+#include "lib/account/block.hpp"
 
 #include <optional>
 #include <string>
@@ -12,8 +12,8 @@
 namespace loadpath {
 
 /// None where every spring has a direction to act in. `axis` is null where there is one position.
-std::optional<report::Verdict> direction_of_springs(const std::string& step, const PlanarMechanism::Input& in,
-                                                    const Cycle& cycle, const Axis* axis);
+std::optional<account::Verdict> direction_of_springs(const std::string& step, const PlanarMechanism::Input& in,
+                                                     const Cycle& cycle, const Axis* axis);
 
 /// Gives values that are missing only where the mechanism does not close, jams or has no forces that reason, and what
 /// joints that hold too much leave open its own.

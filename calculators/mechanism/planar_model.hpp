@@ -2,8 +2,8 @@
 #pragma once
 
 #include "calculators/mechanism/planar.hpp"
-#include "lib/issue.hpp"
-#include "lib/mechanism/whole_system.hpp"
+#include "lib/mechanism/whole/system.hpp"
+#include "lib/text/issue.hpp"
 
 #include <string>
 #include <vector>

@@ -1,10 +1,10 @@
 // What a report says about the motion of a planar mechanism.
 #include "calculators/mechanism/planar_assemblies.hpp"
 #include "calculators/mechanism/planar_rounding.hpp"
-#include "lib/mechanism/assemblies.hpp"
-#include "lib/mechanism/closing.hpp"
-#include "lib/mechanism/instant_centres.hpp"
-#include "lib/mechanism/kinematics.hpp"
+#include "lib/mechanism/equations/kinematics.hpp"
+#include "lib/mechanism/groups/assemblies.hpp"
+#include "lib/mechanism/groups/closing.hpp"
+#include "lib/mechanism/studies/instant_centres.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -14,12 +14,12 @@ namespace loadpath {
 
 namespace {
 
+using account::Cell;
+using account::Quantity;
+using account::Table;
 using mechanism::InstantCentre;
 using mechanism::Reversal;
 using mechanism::Stroke;
-using report::Cell;
-using report::Quantity;
-using report::Table;
 
 // multibodysystemsdynamics.pages.dev, glossary: 40 degrees in general machinery, 30 where loads are light.
 constexpr double least_gamma = 40.0 * pi / 180.0, least_gamma_light = 30.0 * pi / 180.0;
@@ -30,7 +30,7 @@ mechanism::Model at_position(mechanism::Model model, const mechanism::Position& 
   return model;
 }
 
-void add_assemblies(const mechanism::Model& model, std::vector<report::Block>& blocks) {
+void add_assemblies(const mechanism::Model& model, std::vector<account::Block>& blocks) {
   const auto found = mechanism::assemblies(model);
   if (found.list.size() < 2) return;
   Table table{found.complete ? say("Assemblies at the first position")
@@ -59,8 +59,8 @@ Cell remark(double gamma) {
 }
 
 /// Over the positions, refined between them.
-Extreme smallest(const project::Account& account, const std::string& path) {
-  for (const project::Entry& e : account.results) {
+Extreme smallest(const account::Account& account, const std::string& path) {
+  for (const account::Entry& e : account.results) {
     if (e.path == path) return minimum(e.value);
   }
   return {};
@@ -80,10 +80,10 @@ void add_teeth(const mechanism::Model& model, const Axis* axis, Table& table) {
 }
 
 /// The largest pressure angle of a cam leaves the smallest of transmission.
-void add_cams(const mechanism::Model& model, const project::Account& account, const Axis* axis, Table& table) {
+void add_cams(const mechanism::Model& model, const account::Account& account, const Axis* axis, Table& table) {
   for (const mechanism::Joint& joint : model.joints) {
     if (joint.kind != mechanism::JointKind::cam) continue;
-    for (const project::Entry& e : account.results) {
+    for (const account::Entry& e : account.results) {
       if (e.path != "joints." + joint.name + ".alpha") continue;
       const Extreme most = maximum(e.value);
       std::vector<Cell> row{joint.name, say("cam, pressure angle {1}", format_quantity(most.value, "deg", 4)),
@@ -95,8 +95,8 @@ void add_cams(const mechanism::Model& model, const project::Account& account, co
   }
 }
 
-void add_transmission(const mechanism::Model& model, const project::Account& account, const Axis* axis,
-                      std::vector<report::Block>& blocks) {
+void add_transmission(const mechanism::Model& model, const account::Account& account, const Axis* axis,
+                      std::vector<account::Block>& blocks) {
   Table table{say("Transmission angles"), {say("joint"), say("side"), say("smallest"), say("at"), say("remark")}, {}};
   if (axis == nullptr) table.head.erase(table.head.begin() + 3);
   for (const mechanism::DyadClosing& dyad : dyad_closings(model, plan_of(model))) {
@@ -116,7 +116,7 @@ void add_transmission(const mechanism::Model& model, const project::Account& acc
 double settled(double x, double least) { return std::abs(x) <= least ? 0.0 : x; }
 
 void add_strokes(const mechanism::Model& model, const Kinematics& kinematics, const Axis* axis,
-                 std::vector<report::Block>& blocks) {
+                 std::vector<account::Block>& blocks) {
   Table table{say("Strokes; at its extremes a part cannot drive the mechanism"),
               {say("part"), say("extreme"), say("at"), say("extreme"), say("at"), say("stroke"), say("time ratio")},
               {}};
@@ -152,7 +152,7 @@ std::vector<Cell> cells_of(const InstantCentre& centre, double size) {
 
 /// Of every two links where they are few, else against the ground.
 void add_centres(const mechanism::Model& model, const mechanism::Position& derivatives,
-                 std::vector<report::Block>& blocks) {
+                 std::vector<account::Block>& blocks) {
   constexpr std::size_t few_links = 3;
   Table table{
       say("Instantaneous centres at the first position"), {say("link"), say("against"), say("x"), say("y")}, {}};
@@ -171,9 +171,9 @@ void add_centres(const mechanism::Model& model, const mechanism::Position& deriv
 
 }  // namespace
 
-std::vector<report::Block> motion_tables(const project::Account& account, const mechanism::Model& model,
-                                         const Cycle& cycle, const Kinematics& kinematics, const Axis* axis) {
-  std::vector<report::Block> blocks;
+std::vector<account::Block> motion_tables(const account::Account& account, const mechanism::Model& model,
+                                          const Cycle& cycle, const Kinematics& kinematics, const Axis* axis) {
+  std::vector<account::Block> blocks;
   const auto closed = std::find(cycle.closed.begin(), cycle.closed.end(), true);
   if (closed == cycle.closed.end()) return blocks;
   const auto first = static_cast<std::size_t>(closed - cycle.closed.begin());

@@ -7,7 +7,7 @@
 #include "calculators/mechanism/planar_kinematics.hpp"
 #include "calculators/mechanism/planar_rest.hpp"
 #include "calculators/mechanism/planar_rows.hpp"
-#include "lib/mechanism/vec.hpp"
+#include "lib/mechanism/model/vec.hpp"
 
 #include <array>
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "calculators/mechanism/planar_model.hpp"
-#include "lib/calculator.hpp"
-#include "lib/issue.hpp"
+#include "lib/calculator/calculator.hpp"
 #include "lib/quantity/dimension.hpp"
+#include "lib/text/issue.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -18,7 +18,7 @@
 
 namespace loadpath {
 
-namespace project {
+namespace account {
 struct Account;
 }
 struct Cycle;
@@ -75,7 +75,7 @@ struct MechanismOutput {
   std::function<Values(const Solved&)> read_cycle = {};
   bool is_single = false;
   /// In place of `read`, of the results before it.
-  std::function<Values(const project::Account&)> read_results = {};
+  std::function<Values(const account::Account&)> read_results = {};
   std::vector<std::string> results_read = {};  // their paths
   Message missing = {};                        // of `read`: why it may have no value though the mechanism has forces
 };

@@ -1,7 +1,7 @@
 // The links of a planar mechanism with their points and masses, and the joints between them, as a user writes them.
 #pragma once
 
-#include "lib/field.hpp"
+#include "lib/calculator/field.hpp"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 #include "calculators/mechanism/planar_plans.hpp"
 
 #include "calculators/mechanism/planar_outputs.hpp"
-#include "lib/draw/typeset.hpp"
+#include "lib/draw/canvas/typeset.hpp"
 
 #include <algorithm>
 #include <cmath>

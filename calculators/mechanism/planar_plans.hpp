@@ -4,7 +4,7 @@
 #include "calculators/mechanism/planar_cycle.hpp"
 #include "calculators/mechanism/planar_forces.hpp"
 #include "calculators/mechanism/planar_model.hpp"
-#include "lib/draw/figure.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <vector>
 

@@ -80,19 +80,20 @@ mechanism::Profile::Curve curve_of(const CamProfile& p) {
   return mechanism::Circle{centred ? Vec{} : Vec{in_si(p.centre.x), in_si(p.centre.y)}, in_si(p.r)};
 }
 
-report::Table segment_table(const CamProfile& profile) {
-  report::Table table{say("Profile {1}: segments of the lift", profile.name.view()),
-                      {say("from"), say("to"), say("law"), say("rise"), say("remark")},
-                      {}};
+account::Table segment_table(const CamProfile& profile) {
+  account::Table table{say("Profile {1}: segments of the lift", profile.name.view()),
+                       {say("from"), say("to"), say("law"), say("rise"), say("remark")},
+                       {}};
   const char* const unit = is_by_swing(profile.shape) ? "deg" : "mm";
   const std::vector<double> jumps = lift_of(profile).jumps();
   double from = 0.0;
   for (const CamProfile::Segment& s : profile.segments) {
     const bool jumps_here =
         std::any_of(jumps.begin(), jumps.end(), [&](double at) { return std::abs(at - from) < 1e-9; });
-    table.rows.push_back({report::Quantity{from, "deg"}, report::Quantity{from + s.angle, "deg"}, say(word_of(s.law)),
-                          report::Quantity{rise_of(profile, s), unit},
-                          jumps_here ? say("the acceleration jumps where it begins") : report::Cell(std::string("–"))});
+    table.rows.push_back(
+        {account::Quantity{from, "deg"}, account::Quantity{from + s.angle, "deg"}, say(word_of(s.law)),
+         account::Quantity{rise_of(profile, s), unit},
+         jumps_here ? say("the acceleration jumps where it begins") : account::Cell(std::string("–"))});
     from += s.angle;
   }
   return table;
@@ -134,18 +135,18 @@ double cam_angle(const mechanism::Profile& profile, double parameter) {
   return angle - whole_turn * std::floor(angle / whole_turn);
 }
 
-std::vector<report::Table> profile_tables(const Planar::Input& in) {
-  using report::Cell;
-  using report::Quantity;
-  std::vector<report::Table> tables;
+std::vector<account::Table> profile_tables(const Planar::Input& in) {
+  using account::Cell;
+  using account::Quantity;
+  std::vector<account::Table> tables;
   if (in.profiles.empty()) return tables;
   const auto length = [](const Length& l, bool has) {
     return has && is_set(l) ? Cell(Quantity{in_si(l), "mm"}) : Cell(std::string("–"));
   };
-  report::Table table{say("Profiles of cams"),
-                      {say("profile"), say("shape"), say("base circle"), say("roller"), say("offset"), say("pivot"),
-                       say("arm"), say("radius of the circle"), say("the cam turns")},
-                      {}};
+  account::Table table{say("Profiles of cams"),
+                       {say("profile"), say("shape"), say("base circle"), say("roller"), say("offset"), say("pivot"),
+                        say("arm"), say("radius of the circle"), say("the cam turns")},
+                       {}};
   for (const CamProfile& p : in.profiles) {
     const bool lift = is_by_lift(p.shape);
     table.rows.push_back(

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "calculators/mechanism/planar.hpp"
-#include "lib/issue.hpp"
-#include "lib/mechanism/model.hpp"
-#include "lib/report/document.hpp"
+#include "lib/account/block.hpp"
+#include "lib/mechanism/model/model.hpp"
+#include "lib/text/issue.hpp"
 
 #include <memory>
 #include <vector>
@@ -36,6 +36,6 @@ double roller_radius(const PlanarMechanism::Input& in, const PlanarMechanism::Jo
 double cam_angle(const mechanism::Profile& profile, double parameter);
 
 /// Dimensions and segments of the profiles.
-std::vector<report::Table> profile_tables(const PlanarMechanism::Input& in);
+std::vector<account::Table> profile_tables(const PlanarMechanism::Input& in);
 
 }  // namespace loadpath

@@ -8,9 +8,9 @@
 #include "calculators/mechanism/planar_ranges.hpp"
 #include "calculators/mechanism/planar_report.hpp"
 #include "calculators/mechanism/planar_rounding.hpp"
-#include "lib/mechanism/cam_state.hpp"
-#include "lib/mechanism/frames.hpp"
-#include "lib/mechanism/vec.hpp"
+#include "lib/mechanism/model/frames.hpp"
+#include "lib/mechanism/model/vec.hpp"
+#include "lib/mechanism/studies/cam_state.hpp"
 #include "lib/numerics/magnitude.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -25,13 +25,13 @@ namespace loadpath {
 namespace {
 
 using Planar = PlanarMechanism;
-using report::Quantity;
+using account::Quantity;
 
 // What is left of nothing is noise: its size says no more than that.
 constexpr double rounding = 1e-12;
 
-report::Verdict limit(const std::string& step, const char* symbol, Message meaning, double value, double bound) {
-  report::Verdict v;
+account::Verdict limit(const std::string& step, const char* symbol, Message meaning, double value, double bound) {
+  account::Verdict v;
   v.step = step;
   v.symbol = symbol;
   v.meaning = std::move(meaning);
@@ -41,9 +41,9 @@ report::Verdict limit(const std::string& step, const char* symbol, Message meani
   } else {
     v.value = Quantity{value, "-", 2};
   }
-  v.state = std::isnan(value) ? report::State::not_available
-            : value <= bound  ? report::State::pass
-                              : report::State::fail;
+  v.state = std::isnan(value) ? account::State::not_available
+            : value <= bound  ? account::State::pass
+                              : account::State::fail;
   return v;
 }
 
@@ -77,16 +77,16 @@ Message change_points(const Cycle& cycle, const Axis& axis) {
       places, format_quantity(axis.at[0] + half, axis.unit, 5));
 }
 
-report::Verdict closing(const std::string& step, const Planar::Input& in, const Cycle& cycle, const Axis* axis) {
-  report::Verdict v;
+account::Verdict closing(const std::string& step, const Planar::Input& in, const Cycle& cycle, const Axis* axis) {
+  account::Verdict v;
   v.step = step;
   v.symbol = "closes";
   v.meaning = say("the mechanism closes at every position");
   v.bound = say("every position");
   const auto closed = static_cast<std::size_t>(std::count(cycle.closed.begin(), cycle.closed.end(), true));
   v.value = say("{1} of {2}", std::to_string(closed), std::to_string(cycle.closed.size()));
-  v.state = closed == cycle.closed.size() ? report::State::pass : report::State::fail;
-  if (v.state == report::State::pass) return v;
+  v.state = closed == cycle.closed.size() ? account::State::pass : account::State::fail;
+  if (v.state == account::State::pass) return v;
   if (axis != nullptr && cycle.closes_but_at_change_points()) {
     v.note = change_points(cycle, *axis);
     return v;
@@ -104,14 +104,14 @@ report::Verdict closing(const std::string& step, const Planar::Input& in, const 
 }
 
 /// Means over the turn are those of a cycle only if the mechanism is back then where it began.
-report::Verdict no_return(const std::string& step, const Planar::Input& in) {
-  report::Verdict v;
+account::Verdict no_return(const std::string& step, const Planar::Input& in) {
+  account::Verdict v;
   v.step = step;
   v.symbol = "returns";
   v.meaning = say("after the cycle the mechanism is where it began");
   v.bound = say("after {1} turns", std::to_string(in.crank.turns));
   v.value = say("elsewhere");
-  v.state = report::State::fail;
+  v.state = account::State::fail;
   v.note =
       say("give the turns of the crank that make a cycle, crank = { turns = ... }; where these are too many, "
           "give crank angles in place of a cycle, crank = { at = [...] }, and there are no means");
@@ -146,15 +146,15 @@ std::vector<bool> held_one_way(const Cycle& cycle) {
 }
 
 /// A turning spring whose angle does not come back is wound up further with every cycle.
-report::Verdict wound_up(const std::string& step, const Planar::Input& in, const Cycle::Winding& winding) {
+account::Verdict wound_up(const std::string& step, const Planar::Input& in, const Cycle::Winding& winding) {
   const std::string name(in.springs[winding.spring].name.view());
-  report::Verdict v;
+  account::Verdict v;
   v.step = step;
   v.symbol = "returns_" + name;
   v.meaning = say("after the cycle the spring '{1}' is as it was", name);
   v.bound = say("the same angle");
   v.value = Quantity{winding.by, "deg", 4};
-  v.state = report::State::fail;
+  v.state = account::State::fail;
   v.note = say("it is wound up further with every cycle; these results are of the first");
   return v;
 }
@@ -178,9 +178,9 @@ double pressing(const mechanism::Model& model, const mechanism::Position& at, st
   return side * mechanism::dot(at.reactions[k].force, place.rows[1].e);
 }
 
-std::vector<report::Verdict> contacts(const std::string& step, const Planar::Input& in, const mechanism::Model& model,
-                                      const Cycle& cycle, const Axis* axis) {
-  std::vector<report::Verdict> verdicts;
+std::vector<account::Verdict> contacts(const std::string& step, const Planar::Input& in, const mechanism::Model& model,
+                                       const Cycle& cycle, const Axis* axis) {
+  std::vector<account::Verdict> verdicts;
   for (std::size_t n = 0; n < model.joints.size(); ++n) {
     const mechanism::Joint& joint = model.joints[n];
     if (!only_pushes(in.joints[n])) continue;
@@ -189,7 +189,7 @@ std::vector<report::Verdict> contacts(const std::string& step, const Planar::Inp
     for (std::size_t k = 0; k < lost.size(); ++k)
       lost[k] = cycle.has_forces(k) && pressing(model, cycle.positions[k], n) < -rounding_at(cycle.positions[k]).force;
     const auto count = static_cast<std::size_t>(std::count(lost.begin(), lost.end(), true));
-    report::Verdict v;
+    account::Verdict v;
     v.step = step;
     v.symbol = "contact_" + joint.name;
     v.meaning = cam ? say("the follower of joint '{1}' stays on its cam", joint.name)
@@ -197,12 +197,12 @@ std::vector<report::Verdict> contacts(const std::string& step, const Planar::Inp
     v.bound = say("every position");
     if (!cycle.unique.empty() && !cycle.unique[n].force) {
       v.value = say("not unique");
-      v.state = report::State::not_covered;
+      v.state = account::State::not_covered;
       verdicts.push_back(std::move(v));
       continue;
     }
     v.value = say("{1} of {2}", std::to_string(lost.size() - count), std::to_string(lost.size()));
-    v.state = count == 0 ? report::State::pass : report::State::fail;
+    v.state = count == 0 ? account::State::pass : account::State::fail;
     if (count > 0 && axis != nullptr) v.note = say("lifts off {1}", range_of(lost, true, *axis));
     verdicts.push_back(std::move(v));
   }
@@ -211,21 +211,21 @@ std::vector<report::Verdict> contacts(const std::string& step, const Planar::Inp
 
 /// Said only of a mechanism with friction.
 void add_jamming(const std::string& step, const Planar::Input& in, const mechanism::Model& model, const Cycle& cycle,
-                 const Axis* axis, std::vector<report::Verdict>& verdicts) {
+                 const Axis* axis, std::vector<account::Verdict>& verdicts) {
   const auto jams = static_cast<std::size_t>(std::count(cycle.jams.begin(), cycle.jams.end(), true));
   if (!has_dry_friction(model) && jams == 0) return;
-  report::Verdict v;
+  account::Verdict v;
   v.step = step;
   v.symbol = "moves";
   v.meaning = say("friction does not jam the mechanism");
   v.bound = say("every position");
   v.value = say("{1} of {2}", std::to_string(cycle.jams.size() - jams), std::to_string(cycle.jams.size()));
-  v.state = jams == 0 ? report::State::pass : report::State::fail;
+  v.state = jams == 0 ? account::State::pass : account::State::fail;
   if (jams > 0 && axis != nullptr) v.note = say("jams {1}", range_of(cycle.jams, true, *axis));
   if (is_at_rest(in)) {
     const std::vector<bool> held = held_one_way(cycle);
     const bool none = std::find(held.begin(), held.end(), true) == held.end();
-    v.state = report::State::not_covered;
+    v.state = account::State::not_covered;
     const bool one_drive = !cycle.standing.empty();
     v.note =
         none ? say("at rest friction acts either way: the results are without it, and the effort lies between "
@@ -313,17 +313,17 @@ std::optional<std::size_t> worst_position(const Cycle& cycle, Measure measure) {
 
 /// The largest of a measure over the positions, and where, when that is too large.
 template <class Measure>
-report::Verdict at_worst(const std::string& step, const char* symbol, Message meaning, const Cycle& cycle,
-                         const Axis* axis, Measure measure) {
+account::Verdict at_worst(const std::string& step, const char* symbol, Message meaning, const Cycle& cycle,
+                          const Axis* axis, Measure measure) {
   const auto worst = worst_position(cycle, measure);
   const double off = worst ? measure(cycle.proofs[*worst]) : std::numeric_limits<double>::quiet_NaN();
-  report::Verdict v = limit(step, symbol, std::move(meaning), off, mechanism::Proof::tolerance);
-  if (worst && v.state != report::State::pass && axis != nullptr) v.note = say("at {1}", place_of(*worst, *axis));
+  account::Verdict v = limit(step, symbol, std::move(meaning), off, mechanism::Proof::tolerance);
+  if (worst && v.state != account::State::pass && axis != nullptr) v.note = say("at {1}", place_of(*worst, *axis));
   return v;
 }
 
 /// Says how many positions the proofs hold at, and where they do not first and last.
-report::Verdict trust(const std::string& step, const Cycle& cycle, const Axis* axis) {
+account::Verdict trust(const std::string& step, const Cycle& cycle, const Axis* axis) {
   std::vector<std::size_t> doubtful;
   std::size_t closed = 0;
   for (std::size_t k = 0; k < cycle.proofs.size(); ++k) {
@@ -331,13 +331,15 @@ report::Verdict trust(const std::string& step, const Cycle& cycle, const Axis* a
     ++closed;
     if (!cycle.proofs[k].trustworthy()) doubtful.push_back(k);
   }
-  report::Verdict v;
+  account::Verdict v;
   v.step = step;
   v.symbol = "trustworthy";
   v.meaning = say("motion and forces are proved: differences over the largest force times the condition number");
   v.bound = say("every position");
   v.value = say("{1} of {2}", std::to_string(closed - doubtful.size()), std::to_string(closed));
-  v.state = closed == 0 ? report::State::not_available : doubtful.empty() ? report::State::pass : report::State::fail;
+  v.state = closed == 0        ? account::State::not_available
+            : doubtful.empty() ? account::State::pass
+                               : account::State::fail;
   if (doubtful.empty() || axis == nullptr) return v;
   const std::string first = place_of(doubtful.front(), *axis), last = place_of(doubtful.back(), *axis);
   v.note = doubtful.size() == 1 ? say("not trustworthy at {1}", first)
@@ -346,10 +348,10 @@ report::Verdict trust(const std::string& step, const Cycle& cycle, const Axis* a
   return v;
 }
 
-std::vector<report::Verdict> methods(const std::string& step, const Planar::Input& in, const Cycle& cycle,
-                                     const Axis* axis) {
+std::vector<account::Verdict> methods(const std::string& step, const Planar::Input& in, const Cycle& cycle,
+                                      const Axis* axis) {
   const bool driven = !in.crank.joint.empty() || !in.cylinders.empty();
-  std::vector<report::Verdict> verdicts;
+  std::vector<account::Verdict> verdicts;
   verdicts.push_back(at_worst(
       step, "motion", say("joints closed, velocities and accelerations as joints and drives allow: largest error"),
       cycle, axis, [](const mechanism::Proof& p) { return p.motion; }));
@@ -364,22 +366,22 @@ std::vector<report::Verdict> methods(const std::string& step, const Planar::Inpu
 
 }  // namespace
 
-std::vector<report::Verdict> proof(const std::string& step, const Planar::Input& in, const mechanism::Model& model,
-                                   const Cycle& cycle, const Axis* axis) {
+std::vector<account::Verdict> proof(const std::string& step, const Planar::Input& in, const mechanism::Model& model,
+                                    const Cycle& cycle, const Axis* axis) {
   Leftovers left;
   for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
     if (cycle.has_forces(k)) left.add(cycle.positions[k], cycle.proofs[k].residuals, !in.crank.joint.empty());
   }
   const double none = std::numeric_limits<double>::quiet_NaN();
   const auto part = [&](double residual, double scale) { return left.any ? part_of(residual, scale) : none; };
-  std::vector<report::Verdict> verdicts{closing(step, in, cycle, axis)};
+  std::vector<account::Verdict> verdicts{closing(step, in, cycle, axis)};
   add_jamming(step, in, model, cycle, axis, verdicts);
   if (auto directed = direction_of_springs(step, in, cycle, axis)) verdicts.push_back(std::move(*directed));
   if (!cycle.returns) verdicts.push_back(no_return(step, in));
   for (const Cycle::Winding& winding : cycle.windings) verdicts.push_back(wound_up(step, in, winding));
   if (std::any_of(in.joints.begin(), in.joints.end(), [](const auto& j) { return only_pushes(j) || is_cam(j.type); })) {
-    for (report::Verdict& v : contacts(step, in, model, cycle, axis)) verdicts.push_back(std::move(v));
-    for (report::Verdict& v : profile_verdicts(step, model)) verdicts.push_back(std::move(v));
+    for (account::Verdict& v : contacts(step, in, model, cycle, axis)) verdicts.push_back(std::move(v));
+    for (account::Verdict& v : profile_verdicts(step, model)) verdicts.push_back(std::move(v));
   }
   verdicts.push_back(limit(step, "force_balance",
                            say("equilibrium of every link: unbalanced force over the largest reaction"),
@@ -391,7 +393,7 @@ std::vector<report::Verdict> proof(const std::string& step, const Planar::Input&
                              say("power of drive, loads and weights against the change of kinetic energy"),
                              part(left.power, left.largest_power), 1e-9));
   }
-  for (report::Verdict& v : methods(step, in, cycle, axis)) verdicts.push_back(std::move(v));
+  for (account::Verdict& v : methods(step, in, cycle, axis)) verdicts.push_back(std::move(v));
   return verdicts;
 }
 

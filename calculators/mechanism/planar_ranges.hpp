@@ -1,9 +1,9 @@
 // Runs of neighbouring positions of a cycle, and how they are told.
 #pragma once
 
-#include "lib/issue.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/series.hpp"
+#include "lib/text/issue.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,37 +1,38 @@
 #include "calculators/mechanism/planar_redundancy.hpp"
 
-#include "lib/mechanism/release.hpp"
+#include "lib/mechanism/structure/release.hpp"
 
 #include <algorithm>
 #include <limits>
 
 namespace loadpath {
 
-std::vector<report::Verdict> redundancies(const std::string& step, const mechanism::Model& model,
-                                          const mechanism::Structure& structure) {
-  std::vector<report::Verdict> verdicts;
+std::vector<account::Verdict> redundancies(const std::string& step, const mechanism::Model& model,
+                                           const mechanism::Structure& structure) {
+  std::vector<account::Verdict> verdicts;
   for (const auto& [joints, freedoms] : mechanism::shared_freedoms(structure)) {
-    report::Verdict v;
+    account::Verdict v;
     v.step = step;
     v.symbol = "determinate";
     v.meaning = say("equilibrium of rigid links alone decides every reaction");
     v.bound = say("no joint holds too much");
     v.value = say("shared by {1} joints", std::to_string(joints.size()));
-    v.state = report::State::not_covered;
+    v.state = account::State::not_covered;
     v.note = say("{1}: what they share depends on play and elasticity", mechanism::too_many(model, joints, freedoms));
     verdicts.push_back(std::move(v));
   }
   return verdicts;
 }
 
-report::Table uniqueness_table(const mechanism::Model& model, const Cycle& cycle) {
-  report::Table table{say("Reactions that equilibrium alone decides"), {say("joint"), say("force"), say("couple")}, {}};
+account::Table uniqueness_table(const mechanism::Model& model, const Cycle& cycle) {
+  account::Table table{
+      say("Reactions that equilibrium alone decides"), {say("joint"), say("force"), say("couple")}, {}};
   const auto word = [](bool unique) { return unique ? say("unique") : say("not unique"); };
   for (std::size_t k = 0; k < model.joints.size(); ++k) {
     const mechanism::JointKind kind = model.joints[k].kind;
     const bool turns = kind != mechanism::JointKind::prismatic && kind != mechanism::JointKind::rigid;
     table.rows.push_back({model.joints[k].name, word(cycle.unique[k].force),
-                          turns ? report::Cell(std::string("–")) : report::Cell(word(cycle.unique[k].couple))});
+                          turns ? account::Cell(std::string("–")) : account::Cell(word(cycle.unique[k].couple))});
   }
   return table;
 }

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "calculators/mechanism/planar_cycle.hpp"
-#include "lib/mechanism/structure.hpp"
-#include "lib/report/document.hpp"
+#include "lib/account/block.hpp"
+#include "lib/mechanism/structure/structure.hpp"
 
 #include <string>
 #include <vector>
@@ -12,10 +12,10 @@
 namespace loadpath {
 
 /// A line for each set of joints that hold a freedom too many. `cycle.unique` is not empty.
-std::vector<report::Verdict> redundancies(const std::string& step, const mechanism::Model& model,
-                                          const mechanism::Structure& structure);
+std::vector<account::Verdict> redundancies(const std::string& step, const mechanism::Model& model,
+                                           const mechanism::Structure& structure);
 /// For each joint whether its force and its couple are unique.
-report::Table uniqueness_table(const mechanism::Model& model, const Cycle& cycle);
+account::Table uniqueness_table(const mechanism::Model& model, const Cycle& cycle);
 /// Puts no number in the place of each reaction that is not unique.
 void hide_what_is_not_unique(Cycle& cycle);
 /// A mechanism that moves alike without holding too much, for what is computed from solved positions.

@@ -12,8 +12,8 @@
 #include "calculators/mechanism/planar_profiles.hpp"
 #include "calculators/mechanism/planar_redundancy.hpp"
 #include "calculators/mechanism/planar_rest.hpp"
-#include "lib/mechanism/assur.hpp"
-#include "lib/mechanism/vec.hpp"
+#include "lib/mechanism/model/vec.hpp"
+#include "lib/mechanism/structure/assur.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -26,9 +26,9 @@ namespace loadpath {
 namespace {
 
 using Planar = PlanarMechanism;
-using report::Cell;
-using report::Quantity;
-using report::Table;
+using account::Cell;
+using account::Quantity;
+using account::Table;
 
 std::string names_of_points(const Planar::Link& link) {
   std::string all;
@@ -153,18 +153,18 @@ double mean_of(const Value& series) {
 }
 
 /// A value of a result, or why it is missing.
-Cell value_cell(const project::Entry& e, double si) {
+Cell value_cell(const account::Entry& e, double si) {
   const bool told = std::isnan(si) && !e.missing.empty();
   return told ? Cell(say("not available: {1}", e.missing)) : Cell(Quantity{si, e.unit});
 }
 
 /// What is not unique is told in a table of its own.
-Table extremes_table(const project::Account& account, const Cycle& cycle, const Axis& axis) {
+Table extremes_table(const account::Account& account, const Cycle& cycle, const Axis& axis) {
   Table table{axis.cyclic() ? say("Extremes over the cycle") : say("Extremes over the positions"),
               {say("quantity"), say("largest"), say("at"), say("smallest"), say("at")},
               {}};
   if (axis.cyclic()) table.head.insert(table.head.end(), {say("mean"), say("rms")});
-  for (const project::Entry& e : account.results) {
+  for (const account::Entry& e : account.results) {
     if (!is_design_load(e.path) || !e.value.is_series() || is_constant(e.value)) continue;
     if (!cycle.unique.empty() && is_open(e)) continue;
     const Extreme high = maximum(e.value), low = minimum(e.value);
@@ -178,11 +178,11 @@ Table extremes_table(const project::Account& account, const Cycle& cycle, const 
 }
 
 /// What has no extremes.
-std::optional<Table> constant_table(const project::Account& account, const Axis& axis) {
+std::optional<Table> constant_table(const account::Account& account, const Axis& axis) {
   Table table{axis.cyclic() ? say("Constant over the cycle") : say("Constant over the positions"),
               {say("quantity"), say("value"), say("meaning")},
               {}};
-  for (const project::Entry& e : account.results) {
+  for (const account::Entry& e : account.results) {
     if (!is_design_load(e.path) || !e.value.is_series() || !is_constant(e.value)) continue;
     table.rows.push_back({e.path, Quantity{e.value.si.front(), e.unit}, say("{1}", e.doc)});
   }
@@ -190,9 +190,9 @@ std::optional<Table> constant_table(const project::Account& account, const Axis&
   return table;
 }
 
-Table position_table(const project::Account& account) {
+Table position_table(const account::Account& account) {
   Table table{say("Drive and reactions"), {say("quantity"), say("value"), say("meaning")}, {}};
-  for (const project::Entry& e : account.results) {
+  for (const account::Entry& e : account.results) {
     if (!is_design_load(e.path) && !(e.path.starts_with("joints.") && e.value.signature.dimension == N.dimension()))
       continue;
     table.rows.push_back({e.path, value_cell(e, e.value.si[0]), say("{1}", e.doc)});
@@ -265,20 +265,20 @@ Table determinacy_table(const mechanism::Model& model, const mechanism::Structur
 
 }  // namespace
 
-std::vector<report::Block> model_tables(const Planar::Input& in) {
-  std::vector<report::Block> blocks{drive_table(in), link_table(in), point_table(in), joint_table(in)};
+std::vector<account::Block> model_tables(const Planar::Input& in) {
+  std::vector<account::Block> blocks{drive_table(in), link_table(in), point_table(in), joint_table(in)};
   if (auto reductions = reduction_table(in)) blocks.emplace_back(std::move(*reductions));
-  for (report::Table& table : detail_tables(in)) blocks.emplace_back(std::move(table));
-  for (report::Table& table : profile_tables(in)) blocks.emplace_back(std::move(table));
+  for (account::Table& table : detail_tables(in)) blocks.emplace_back(std::move(table));
+  for (account::Table& table : profile_tables(in)) blocks.emplace_back(std::move(table));
   if (!in.loads.empty()) blocks.emplace_back(load_table(in));
   if (!in.springs.empty()) blocks.emplace_back(spring_table(in));
-  for (report::Table& table : tolerance_tables(in)) blocks.emplace_back(std::move(table));
+  for (account::Table& table : tolerance_tables(in)) blocks.emplace_back(std::move(table));
   return blocks;
 }
 
-std::vector<report::Block> result_tables(const project::Account& account, const mechanism::Model& model,
-                                         const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis) {
-  std::vector<report::Block> blocks{axis == nullptr ? position_table(account) : extremes_table(account, cycle, *axis)};
+std::vector<account::Block> result_tables(const account::Account& account, const mechanism::Model& model,
+                                          const mechanism::Structure& structure, const Cycle& cycle, const Axis* axis) {
+  std::vector<account::Block> blocks{axis == nullptr ? position_table(account) : extremes_table(account, cycle, *axis)};
   if (axis != nullptr) {
     if (auto constant = constant_table(account, *axis)) blocks.emplace_back(std::move(*constant));
   }
@@ -292,7 +292,7 @@ std::vector<report::Block> result_tables(const project::Account& account, const 
   return blocks;
 }
 
-std::size_t governing_position(const Cycle& cycle, const project::Account& account) {
+std::size_t governing_position(const Cycle& cycle, const account::Account& account) {
   for (const auto& e : account.results) {
     if (!is_drive_effort(e.path)) continue;
     const Extreme peak = largest(e.value);

@@ -3,7 +3,7 @@
 #include "calculators/mechanism/planar_either_way.hpp"
 #include "calculators/mechanism/planar_ranges.hpp"
 #include "calculators/mechanism/planar_rows.hpp"
-#include "lib/mechanism/vec.hpp"
+#include "lib/mechanism/model/vec.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,11 +15,11 @@ namespace loadpath {
 
 namespace {
 
+using account::Cell;
+using account::Quantity;
+using account::Table;
 using mechanism::Position;
 using planar::named;
-using report::Cell;
-using report::Quantity;
-using report::Table;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 

@@ -4,7 +4,7 @@
 
 #include "calculators/mechanism/planar_cycle.hpp"
 #include "calculators/mechanism/planar_outputs.hpp"
-#include "lib/report/document.hpp"
+#include "lib/account/block.hpp"
 
 #include <optional>
 
@@ -15,8 +15,8 @@ void add_rest_outputs(const mechanism::Model& model, std::vector<MechanismOutput
 void list_rest_patterns(std::vector<ResultPattern>& patterns);
 
 /// What starts the mechanism and where it stands without its drive; nothing without friction or with several drives.
-std::optional<report::Table> standing_table(const mechanism::Model& model, const Cycle& cycle, const Axis* axis);
+std::optional<account::Table> standing_table(const mechanism::Model& model, const Cycle& cycle, const Axis* axis);
 /// The positions where joints rest while others move, with the forces that their friction may make.
-std::optional<report::Table> dead_point_table(const mechanism::Model& model, const Cycle& cycle, const Axis* axis);
+std::optional<account::Table> dead_point_table(const mechanism::Model& model, const Cycle& cycle, const Axis* axis);
 
 }  // namespace loadpath

@@ -1,8 +1,8 @@
 #include "calculators/mechanism/planar_rounding.hpp"
 
-#include "lib/mechanism/kinematics.hpp"
+#include "lib/mechanism/equations/kinematics.hpp"
 #include "lib/quantity/decimal.hpp"
-#include "lib/units.hpp"
+#include "lib/quantity/units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -95,9 +95,9 @@ double direction_of(mechanism::Vec v) {
   return std::atan2(v.y, v.x);
 }
 
-void clear_rounding(const mechanism::Model& model, const Cycle& cycle, std::vector<project::Entry>& results) {
+void clear_rounding(const mechanism::Model& model, const Cycle& cycle, std::vector<account::Entry>& results) {
   const std::vector<Scale> scales = scales_of(model, cycle);
-  for (project::Entry& e : results) {
+  for (account::Entry& e : results) {
     const auto scale = std::find_if(scales.begin(), scales.end(),
                                     [&](const Scale& s) { return s.dimension == e.value.signature.dimension; });
     if (scale == scales.end()) continue;

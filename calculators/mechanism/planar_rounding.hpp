@@ -2,8 +2,8 @@
 #pragma once
 
 #include "calculators/mechanism/planar_cycle.hpp"
-#include "lib/mechanism/model.hpp"
-#include "lib/mechanism/position.hpp"
+#include "lib/mechanism/model/model.hpp"
+#include "lib/mechanism/model/position.hpp"
 #include "lib/project/step.hpp"
 
 #include <vector>
@@ -24,6 +24,6 @@ double direction_of(mechanism::Vec v);
 /// is as exact as its largest term: a force is one of forces, a moment of moments and of forces at the mechanism's
 /// arms, a power of forces at its speeds. What these are is told by the cycle, not by the results that happen to be
 /// wanted.
-void clear_rounding(const mechanism::Model& model, const Cycle& cycle, std::vector<project::Entry>& results);
+void clear_rounding(const mechanism::Model& model, const Cycle& cycle, std::vector<account::Entry>& results);
 
 }  // namespace loadpath

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/mechanism/planar_outputs.hpp"
-#include "lib/units.hpp"
+#include "lib/quantity/units.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/mechanism/planar.hpp"
-#include "lib/mechanism/released_system.hpp"
+#include "lib/mechanism/groups/released_system.hpp"
 
 #include <vector>
 

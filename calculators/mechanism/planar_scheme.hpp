@@ -3,7 +3,7 @@
 
 #include "calculators/mechanism/planar_cycle.hpp"
 #include "calculators/mechanism/planar_model.hpp"
-#include "lib/draw/figure.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/mechanism/planar.hpp"
-#include "lib/mechanism/structure.hpp"
+#include "lib/mechanism/structure/structure.hpp"
 
 #include <string>
 #include <vector>

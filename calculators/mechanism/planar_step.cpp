@@ -16,9 +16,9 @@
 #include "calculators/mechanism/planar_sources.hpp"
 #include "calculators/mechanism/planar_values.hpp"
 #include "calculators/mechanism/templates/planar_template.hpp"
-#include "lib/calculator.hpp"
-#include "lib/mechanism/structure.hpp"
-#include "lib/record_of.hpp"
+#include "lib/calculator/calculator.hpp"
+#include "lib/calculator/record_of.hpp"
+#include "lib/mechanism/structure/structure.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -253,7 +253,7 @@ void PlanarStep::solve(const project::Known& known, const project::Wanted& wante
   const bool redundant = !structure_.redundant.empty();
   Cycle cycle = solve_cycle(data(), model, redundant, axis_.get());
   outputs_ = mechanism_outputs(data(), model);
-  project::Account& account = own_account();
+  account::Account& account = own_account();
   account.verdicts = proof(name(), data(), model, cycle, axis_.get());
   const mechanism::Model given = model;
   if (redundant) {
@@ -276,7 +276,7 @@ void PlanarStep::solve(const project::Known& known, const project::Wanted& wante
 }
 
 void PlanarStep::illustrate(const mechanism::Model& given, const mechanism::Model& model, const Solved& solved) {
-  project::Account& account = own_account();
+  account::Account& account = own_account();
   const Cycle& cycle = solved.cycle;
   const Axis* const axis = axis_.get();
   account.input_blocks = model_tables(data());
@@ -295,7 +295,7 @@ void PlanarStep::illustrate(const mechanism::Model& given, const mechanism::Mode
 }
 
 /// Where the value of an input comes from: typed, from the template (what that has `laid`), a default.
-project::Origin PlanarStep::origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const {
+account::Origin PlanarStep::origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const {
   if (laid != nullptr && input().reading.typed.count(path) == 0) {
     if (is_given_in(*laid, path)) return {say("template {1}", input().from->id), {}, false};
     if (path.ends_with(".J") && leaf.get() > 0.0) return {say("slender bar"), {}, false};
@@ -304,7 +304,7 @@ project::Origin PlanarStep::origin_of(const Record* laid, const std::string& pat
 }
 
 void PlanarStep::fill_inputs() {
-  project::Account& account = own_account();
+  account::Account& account = own_account();
   const Record laid = input().from == nullptr ? Record() : laid_out(*input().from);
   const auto origin = [&](const std::string& path, const Leaf& leaf) {
     return origin_of(input().from == nullptr ? nullptr : &laid, path, leaf);
@@ -314,6 +314,10 @@ void PlanarStep::fill_inputs() {
   const Record& parameters = input().reading.parameters;
   auto entries = project::input_entries(parameters, origin);
   std::move(entries.begin(), entries.end(), std::inserter(account.inputs, account.inputs.begin()));
+}
+
+std::unique_ptr<project::Step> make_planar_step(project::StepInput&& input) {
+  return std::make_unique<PlanarStep>(std::move(input));
 }
 
 template <>
@@ -329,9 +333,6 @@ const Calculator& erased<PlanarMechanism>() {
     c.input = &record_type<PlanarMechanism::Input, PlanarMechanism::inputs>();
     c.patterns = mechanism_result_patterns();
     c.templates = templates::all();
-    c.make_step = [](project::StepInput&& input) -> std::unique_ptr<project::Step> {
-      return std::make_unique<PlanarStep>(std::move(input));
-    };
     return c;
   }();
   return calculator;

@@ -4,7 +4,7 @@
 #include "calculators/mechanism/planar_cycle.hpp"
 #include "calculators/mechanism/planar_kinematics.hpp"
 #include "calculators/mechanism/planar_outputs.hpp"
-#include "lib/mechanism/structure.hpp"
+#include "lib/mechanism/structure/structure.hpp"
 #include "lib/project/step.hpp"
 
 #include <memory>
@@ -39,7 +39,7 @@ class PlanarStep : public project::Step {
   void add_faults(const std::vector<FieldFault>& faults, std::vector<Issue>& issues) const;
   /// Puts the template's values, if there is one, into the input; false where they do not fit together.
   bool expand_template(std::vector<Issue>& issues);
-  [[nodiscard]] project::Origin origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const;
+  [[nodiscard]] account::Origin origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const;
   void fill_inputs();
   /// Tables and figures. `given`: before what holds too much was released.
   void illustrate(const mechanism::Model& given, const mechanism::Model& model, const Solved& solved);
@@ -48,5 +48,7 @@ class PlanarStep : public project::Step {
   mechanism::Structure structure_;
   std::unique_ptr<Axis> axis_;  // null: one position
 };
+
+std::unique_ptr<project::Step> make_planar_step(project::StepInput&& input);
 
 }  // namespace loadpath

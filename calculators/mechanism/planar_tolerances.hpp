@@ -1,8 +1,8 @@
-// Tolerances, play and outputs of a project in the terms of lib/mechanism/tolerance.hpp.
+// Tolerances, play and outputs of a project in the terms of lib/mechanism/accuracy/tolerance.hpp.
 #pragma once
 
 #include "calculators/mechanism/planar.hpp"
-#include "lib/mechanism/tolerance.hpp"
+#include "lib/mechanism/accuracy/tolerance.hpp"
 
 #include <string>
 #include <vector>

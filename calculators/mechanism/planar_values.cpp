@@ -47,7 +47,7 @@ class Columns {
   std::vector<double> values_;  // of all at one position
 };
 
-MechanismOutput::Values values_of(const MechanismOutput& output, const Solved& solved, const project::Account& account,
+MechanismOutput::Values values_of(const MechanismOutput& output, const Solved& solved, const account::Account& account,
                                   Columns& columns) {
   if (output.read_results) return output.read_results(account);
   if (output.read_cycle) return output.read_cycle(solved);
@@ -74,7 +74,7 @@ const MechanismOutput& same_of(const std::vector<MechanismOutput>& outputs, cons
 
 void fill_results(const PlanarMechanism::Input& in, const mechanism::Model& model,
                   const std::vector<MechanismOutput>& told, const std::vector<MechanismOutput>& read,
-                  const Solved& solved, const Axis* axis, const Wants& wants, project::Account& account) {
+                  const Solved& solved, const Axis* axis, const Wants& wants, account::Account& account) {
   Columns columns(solved);
   const auto needed = [&](const MechanismOutput& output) {
     return axis == nullptr || output.is_single || wants(output.path) || is_read_by_others(output.path, told);

@@ -18,6 +18,6 @@ using Wants = std::function<bool(const std::string& path)>;
 /// less than was given. `axis` is null where there is one position.
 void fill_results(const PlanarMechanism::Input& in, const mechanism::Model& model,
                   const std::vector<MechanismOutput>& told, const std::vector<MechanismOutput>& read,
-                  const Solved& solved, const Axis* axis, const Wants& wants, project::Account& account);
+                  const Solved& solved, const Axis* axis, const Wants& wants, account::Account& account);
 
 }  // namespace loadpath

@@ -1,7 +1,7 @@
 #include "calculators/mechanism/planar_wheel_outputs.hpp"
 
 #include "calculators/mechanism/planar_rows.hpp"
-#include "lib/mechanism/frames.hpp"
+#include "lib/mechanism/model/frames.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "calculators/motion/compound.hpp"
 
 #include "calculators/motion/path_figures.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 #include <cmath>
 

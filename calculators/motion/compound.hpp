@@ -5,10 +5,10 @@
 // A point that runs on a circle against the rotation has a Coriolis acceleration against the normal transport one.
 #pragma once
 
-#include "calculators/motion/units.hpp"
-#include "lib/draw/figure.hpp"
-#include "lib/field.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
+#include "lib/quantity/motion_units.hpp"
 
 #include <array>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "calculators/motion/laws.hpp"
 
 #include "lib/quantity/format.hpp"
-#include "lib/units.hpp"
+#include "lib/quantity/units.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 

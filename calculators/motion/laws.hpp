@@ -1,10 +1,10 @@
 // Laws of motion as formulas of the time t: coordinates of a point, angles, forces.
 #pragma once
 
-#include "lib/issue.hpp"
-#include "lib/list.hpp"
+#include "lib/calculator/list.hpp"
 #include "lib/numerics/jet.hpp"
-#include "lib/quantity/law.hpp"
+#include "lib/quantity/expression/law.hpp"
+#include "lib/text/issue.hpp"
 
 #include <array>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/motion/point_path.hpp"
-#include "lib/draw/figure.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <string>
 #include <utility>

@@ -2,7 +2,7 @@
 
 #include "calculators/motion/path_figures.hpp"
 #include "calculators/motion/point_path.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
 #include <cmath>

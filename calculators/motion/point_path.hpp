@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/motion/laws.hpp"
-#include "lib/units.hpp"
+#include "lib/quantity/units.hpp"
 
 #include <array>
 

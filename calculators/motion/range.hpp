@@ -1,8 +1,8 @@
 // A range of times t_1 to t_2 that may be left out: the rules that it keeps.
 #pragma once
 
-#include "lib/issue.hpp"
-#include "lib/rules.hpp"
+#include "lib/calculator/rules.hpp"
+#include "lib/text/issue.hpp"
 
 #include <array>
 

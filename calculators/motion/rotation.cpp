@@ -2,7 +2,7 @@
 
 #include "calculators/motion/laws.hpp"
 #include "calculators/motion/path_figures.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 #include <cmath>
 

@@ -5,11 +5,11 @@
 #pragma once
 
 #include "calculators/motion/range.hpp"
-#include "calculators/motion/units.hpp"
-#include "lib/draw/figure.hpp"
-#include "lib/field.hpp"
-#include "lib/issue.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
+#include "lib/quantity/motion_units.hpp"
+#include "lib/text/issue.hpp"
 
 #include <array>
 #include <vector>

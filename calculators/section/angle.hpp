@@ -3,7 +3,7 @@
 
 #include "calculators/section/properties.hpp"
 #include "calculators/section/torsion.hpp"
-#include "lib/draw/figure.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <array>
 #include <vector>

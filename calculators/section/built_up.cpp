@@ -2,7 +2,7 @@
 
 #include "calculators/section/part.hpp"
 #include "calculators/section/polygon_moments.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 #include <cmath>
 #include <string>

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "calculators/section/outline.hpp"
-#include "lib/issue.hpp"
+#include "lib/text/issue.hpp"
 
 #include <array>
 

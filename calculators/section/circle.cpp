@@ -1,7 +1,7 @@
 #include "calculators/section/circle.hpp"
 
 #include "calculators/section/outline.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath {
 

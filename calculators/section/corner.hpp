@@ -2,7 +2,7 @@
 // what a rounded edge lacks. Exact.
 #pragma once
 
-#include "lib/trace.hpp"
+#include "lib/calculator/trace.hpp"
 
 namespace loadpath::section {
 

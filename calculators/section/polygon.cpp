@@ -1,7 +1,7 @@
 #include "calculators/section/polygon.hpp"
 
 #include "calculators/section/polygon_moments.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,8 +1,8 @@
 // A row of the section tables. What a family does not have (r of W, e_z of I) is unset.
 #pragma once
 
-#include "lib/drive_units.hpp"
-#include "lib/field.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/quantity/drive_units.hpp"
 #include "lib/table/rows.hpp"
 
 #include <string_view>

@@ -5,8 +5,8 @@
 // positive. The principal axis u has the largest second moment; alpha turns y to u, counter-clockwise.
 #pragma once
 
-#include "lib/field.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 
 #include "calculators/section/outline.hpp"
 #include "calculators/section/torsion.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath {
 

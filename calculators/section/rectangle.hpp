@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/section/properties.hpp"
-#include "lib/draw/figure.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <array>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "calculators/section/corner.hpp"
 #include "calculators/section/outline.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath {
 

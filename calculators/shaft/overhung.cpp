@@ -1,7 +1,7 @@
 #include "calculators/shaft/overhung.hpp"
 
 #include "calculators/shaft/round_sizing.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath {
 

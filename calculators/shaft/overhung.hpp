@@ -6,9 +6,9 @@
 // Not covered: fatigue of the rotating shaft, notches and keyways, deflection, the bearing side of the shaft.
 #pragma once
 
-#include "lib/draw/figure.hpp"
-#include "lib/field.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <array>
 

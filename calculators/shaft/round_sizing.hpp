@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/shaft/section.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/trace.hpp"
 
 namespace loadpath::shaft {
 

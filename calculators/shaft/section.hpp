@@ -1,7 +1,7 @@
 // The round section of a shaft, solid or bored: what torsion and bending share.
 #pragma once
 
-#include "lib/units.hpp"
+#include "lib/quantity/units.hpp"
 
 namespace loadpath::shaft {
 

@@ -1,8 +1,8 @@
 // Torques along a shaft and the internal moment between them.
 #pragma once
 
-#include "lib/list.hpp"
-#include "lib/units.hpp"
+#include "lib/calculator/list.hpp"
+#include "lib/quantity/units.hpp"
 
 #include <cstddef>
 

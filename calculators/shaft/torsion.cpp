@@ -1,7 +1,7 @@
 #include "calculators/shaft/torsion.hpp"
 
 #include "calculators/shaft/round_sizing.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>

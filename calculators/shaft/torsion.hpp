@@ -7,10 +7,10 @@
 #pragma once
 
 #include "calculators/shaft/torque_diagram.hpp"
-#include "lib/draw/figure.hpp"
-#include "lib/field.hpp"
-#include "lib/issue.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
+#include "lib/text/issue.hpp"
 
 #include <array>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "calculators/vessel/liquid.hpp"
 #include "calculators/vessel/picture.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath {
 

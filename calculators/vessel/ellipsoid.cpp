@@ -1,7 +1,7 @@
 #include "calculators/vessel/ellipsoid.hpp"
 
 #include "calculators/vessel/picture.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath {
 

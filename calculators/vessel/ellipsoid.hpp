@@ -6,7 +6,7 @@
 #pragma once
 
 #include "calculators/vessel/assess.hpp"
-#include "lib/draw/figure.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <vector>
 

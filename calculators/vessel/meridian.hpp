@@ -3,7 +3,7 @@
 #pragma once
 
 #include "calculators/vessel/liquid.hpp"
-#include "lib/list.hpp"
+#include "lib/calculator/list.hpp"
 
 namespace loadpath::vessel {
 

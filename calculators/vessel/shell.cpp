@@ -1,7 +1,7 @@
 #include "calculators/vessel/shell.hpp"
 
 #include "calculators/vessel/picture.hpp"
-#include "lib/calculator_of.hpp"
+#include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
 #include <cmath>

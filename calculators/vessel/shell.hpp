@@ -11,7 +11,7 @@
 
 #include "calculators/vessel/assess.hpp"
 #include "calculators/vessel/meridian.hpp"
-#include "lib/draw/figure.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <vector>
 

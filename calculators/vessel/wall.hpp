@@ -2,10 +2,10 @@
 // rules between them. The Inputs and Results of the shapes derive from these; every field is declared here once.
 #pragma once
 
-#include "lib/field.hpp"
-#include "lib/issue.hpp"
-#include "lib/rules.hpp"
-#include "lib/trace.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/rules.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/text/issue.hpp"
 
 #include <array>
 #include <tuple>

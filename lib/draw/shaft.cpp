@@ -1,7 +1,7 @@
-#include "lib/draw/picture.hpp"
-#include "lib/draw/scheme_parts.hpp"
-#include "lib/issue.hpp"
+#include "lib/draw/canvas/picture.hpp"
+#include "lib/draw/scheme/parts.hpp"
 #include "lib/quantity/format.hpp"
+#include "lib/text/issue.hpp"
 
 namespace loadpath::draw {
 namespace {

@@ -1,6 +1,6 @@
-#include "lib/draw/figure.hpp"
-#include "lib/draw/picture.hpp"
-#include "lib/issue.hpp"
+#include "lib/draw/canvas/picture.hpp"
+#include "lib/figure/figure.hpp"
+#include "lib/text/issue.hpp"
 
 namespace loadpath::draw {
 

@@ -1,5 +1,5 @@
 #include "lib/formula/print.hpp"
-#include "lib/utf8.hpp"
+#include "lib/text/utf8.hpp"
 
 #include <algorithm>
 

@@ -28,8 +28,8 @@ std::optional<Node> parse(std::string_view cpp);
 /// The SI value of a symbol or unit name; nothing where it is unknown.
 using Known = std::function<std::optional<double>(std::string_view name)>;
 
-/// The value of the tree over SI values; NaN where a name is unknown. `pi` and the units of lib/units.hpp need no
-/// `known`.
+/// The value of the tree over SI values; NaN where a name is unknown. `pi` and the units of lib/quantity/units.hpp need
+/// no `known`.
 double value(const Node& tree, const Known& known);
 
 /// Whether the value is an angle for sure: an inverse function, or an angle that is `known`, beside numbers and pi

@@ -1,5 +1,5 @@
 #include "lib/formula/print.hpp"
-#include "lib/markup.hpp"
+#include "lib/text/markup.hpp"
 
 #include <algorithm>
 

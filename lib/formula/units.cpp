@@ -1,4 +1,4 @@
-#include "lib/units.hpp"
+#include "lib/quantity/units.hpp"
 
 #include "lib/formula/names.hpp"
 

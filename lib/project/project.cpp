@@ -1,7 +1,7 @@
 #include "lib/project/project.hpp"
 
 #include "lib/project/order.hpp"
-#include "lib/project/read_parts.hpp"
+#include "lib/project/parts.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -95,12 +95,12 @@ const Value* Project::value(const std::string& path) const {
 }
 
 Project read_project(std::string_view text, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues) {
-  const io::Tree tree = io::read_toml(text, file, issues);
+  const toml::Tree tree = toml::read_toml(text, file, issues);
   if (has_errors(issues)) return {};
   return read_project(tree, file, catalogue, issues);
 }
 
-Project read_project(const io::Tree& tree, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues) {
+Project read_project(const toml::Tree& tree, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues) {
   Project project;
   project.file = file;
   if (tree.entries.size() > most_tables) {
@@ -112,7 +112,7 @@ Project read_project(const io::Tree& tree, const std::string& file, Catalogue ca
                       Severity::error});
     return project;
   }
-  for (const io::Tree::Entry& entry : tree.entries) {
+  for (const toml::Tree::Entry& entry : tree.entries) {
     if (entry.key == "project") {
       read_heading(entry, project, issues);
     } else if (entry.key == "expect") {
@@ -150,8 +150,8 @@ void solve(Project& project, std::vector<Issue>& issues, Wanted wanted) {
   }
 }
 
-std::vector<report::Verdict> verdicts(const Project& project) {
-  std::vector<report::Verdict> all;
+std::vector<account::Verdict> verdicts(const Project& project) {
+  std::vector<account::Verdict> all;
   for (const auto& step : project.steps) {
     all.insert(all.end(), step->account().verdicts.begin(), step->account().verdicts.end());
   }

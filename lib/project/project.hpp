@@ -1,7 +1,7 @@
 // A project file: its steps, the order in which they follow from one another, and what is expected of them.
 #pragma once
 
-#include "lib/project/step.hpp"
+#include "lib/project/catalogue.hpp"
 #include "lib/quantity/literal.hpp"
 
 #include <memory>
@@ -45,12 +45,12 @@ struct Project {
 /// project must not be solved.
 Project read_project(std::string_view text, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues);
 /// The same from a tree that is not a file's: the words of the shell.
-Project read_project(const io::Tree& tree, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues);
+Project read_project(const toml::Tree& tree, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues);
 
 /// Solves the steps in order; stops at the first step with an issue.
 void solve(Project& project, std::vector<Issue>& issues, Wanted wanted = {});
 
 /// All verdicts, and the worst of them.
-std::vector<report::Verdict> verdicts(const Project& project);
+std::vector<account::Verdict> verdicts(const Project& project);
 
 }  // namespace loadpath::project

@@ -2,7 +2,7 @@
 // ? for one.
 #pragma once
 
-#include "lib/issue.hpp"
+#include "lib/text/issue.hpp"
 
 #include <string>
 #include <string_view>

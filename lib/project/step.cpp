@@ -49,11 +49,6 @@ Issue issue_at(const StepInput& input, const std::string& path, Message message,
           Severity::error};
 }
 
-bool is_open(const Entry& entry) {
-  const auto& si = entry.value.si;
-  return entry.word.empty() && !si.empty() && std::all_of(si.begin(), si.end(), [](double x) { return std::isnan(x); });
-}
-
 namespace {
 
 /// The axis of one operand after its dimension has been compared with that of its field.

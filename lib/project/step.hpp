@@ -2,10 +2,10 @@
 // others may refer to; when the project is solved it turns values into an account of what it found.
 #pragma once
 
-#include "lib/calculator.hpp"
-#include "lib/project/reading.hpp"
+#include "lib/account/account.hpp"
+#include "lib/calculator/calculator.hpp"
+#include "lib/project/read/reading.hpp"
 #include "lib/project/series_choice.hpp"
-#include "lib/report/document.hpp"
 
 #include <memory>
 #include <set>
@@ -14,49 +14,9 @@
 
 namespace loadpath::project {
 
-/// Where a value comes from, for the report: typed, an expression, a row of a table, a default.
-struct Origin {
-  Message text;
-  std::vector<std::string> sources;  // keys of tables/sources.toml
-  bool recalled = false;             // the row's source was not seen: flagged in the report
-};
-
-/// A named quantity of a step.
-struct Entry {
-  std::string path;  // within the step: "segments[2].tau"
-  std::string doc;   // a message id
-  std::string unit;  // display unit
-  Role role = Role::result;
-  Value value;
-  Origin origin;           // inputs only
-  std::string word;        // a choice or a name instead of a number
-  bool is_factor = false;  // inputs only: see Field::factor
-  Message missing = {};    // why there is no value, or none at some positions; empty: "not available"
-};
-
-/// Whether nothing is known of it, at no position.
-bool is_open(const Entry& entry);
-
-/// A line of the calculation; the scope names the element of a list that it belongs to ("segments[2]").
-struct Derived {
-  std::string scope;
-  report::Step step;
-  std::string element = {};  // the scope by the element's name, where it has one: "methods.johnson"
-};
-
-/// What a solved step has to say. Reports, JSON, the terminal and `verify` are written from it.
-struct Account {
-  std::vector<Entry> inputs;
-  std::vector<Entry> results;
-  std::vector<report::Verdict> verdicts;
-  Message governing;  // which position the derivation is for; empty where there is one value
-  std::vector<Derived> derivation;
-  std::vector<report::Block>
-      input_blocks;  // where the step shows its inputs itself, not in a list; where pictures are wanted
-  std::vector<report::Block> blocks;  // what only this kind of step has: tables, notes; where pictures are wanted
-  std::vector<draw::Figure> figures;  // where pictures are wanted
-  std::vector<std::string> sources;   // keys of tables/sources.toml, beside those that the calculator always cites
-};
+using account::Account;
+using account::Entry;
+using account::Origin;
 
 /// What is wanted of the accounts; what nobody looks at is costly, and is not made.
 struct Wanted {

@@ -1,7 +1,7 @@
 // A place in a text that is being read, and the few steps that numbers and units share.
 #pragma once
 
-#include "lib/utf8.hpp"
+#include "lib/text/utf8.hpp"
 
 #include <array>
 #include <cstddef>

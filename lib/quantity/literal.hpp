@@ -1,8 +1,8 @@
 // Reads a quantity as people write it: "30 MPa", "2,5 kN·m", "120 об/мин". It may refuse; it never guesses.
 #pragma once
 
-#include "lib/issue.hpp"
 #include "lib/quantity/dimension.hpp"
+#include "lib/text/issue.hpp"
 
 #include <string>
 #include <string_view>

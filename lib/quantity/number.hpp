@@ -1,7 +1,7 @@
 // The number of a quantity: 30, -5, 1e6, 2·10^6, 1 200, 2,5, 1-1/2. What can be read in two ways is refused.
 #pragma once
 
-#include "lib/issue.hpp"
+#include "lib/text/issue.hpp"
 
 #include <cstddef>
 #include <string_view>

@@ -1,9 +1,9 @@
 // The unit of a quantity, as a product of units of the table: N·m, mm², kg·m/s², W/(m*K), об/мин.
 #pragma once
 
-#include "lib/issue.hpp"
 #include "lib/quantity/dimension.hpp"
 #include "lib/quantity/unit_table.hpp"
+#include "lib/text/issue.hpp"
 
 #include <cstddef>
 #include <string_view>

@@ -1,7 +1,7 @@
 // The remedies for a unit that cannot be read.
 #pragma once
 
-#include "lib/issue.hpp"
+#include "lib/text/issue.hpp"
 
 #include <string>
 #include <string_view>

@@ -11,8 +11,8 @@ namespace loadpath::report {
 
 namespace {
 
-using project::Account;
-using project::Entry;
+using account::Account;
+using account::Entry;
 using project::Project;
 using project::Step;
 
@@ -32,7 +32,7 @@ Cell cell_of(const Entry& entry) {
 }
 
 /// Where a value comes from, with the keys of its sources; a recalled value says so.
-Cell origin_cell(const project::Origin& origin) {
+Cell origin_cell(const account::Origin& origin) {
   std::string text = origin.text.text();
   for (const std::string& key : origin.sources) text += " [" + key + "]";
   if (origin.recalled) return say("{1}; recalled, its source was not seen", text);

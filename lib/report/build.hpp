@@ -13,11 +13,11 @@ namespace loadpath::report {
 Document build(const project::Project& project, std::string_view program);
 
 /// The elements of lists, a table for each list, under its key.
-std::vector<Table> list_tables(const std::vector<project::Entry>& entries);
+std::vector<Table> list_tables(const std::vector<account::Entry>& entries);
 
 /// The lines of a calculation as blocks: where the elements of a list go through the same formulas, one of them is
 /// worked out and the others follow in a table.
-std::vector<Block> derivation_blocks(const std::vector<project::Derived>& lines);
+std::vector<Block> derivation_blocks(const std::vector<account::Derived>& lines);
 
 /// The keys of sources that a text names in brackets: "[B19] (4)" -> "B19".
 std::set<std::string> keys_in(std::string_view text);

@@ -7,12 +7,6 @@
 
 namespace loadpath::report {
 
-State worst(const std::vector<Verdict>& verdicts) {
-  State state = State::pass;
-  for (const Verdict& row : verdicts) state = std::max(state, row.state);
-  return state;
-}
-
 Message tally(const Verdicts& verdicts) {
   const auto& rows = verdicts.rows;
   const State state = worst(rows);

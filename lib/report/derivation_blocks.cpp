@@ -7,7 +7,7 @@ namespace loadpath::report {
 
 namespace {
 
-using project::Derived;
+using account::Derived;
 using Lines = std::vector<const Derived*>;
 
 std::string list_of(const std::string& scope) { return scope.substr(0, scope.find('[')); }

@@ -1,81 +1,29 @@
 // A report as data: what is said, in which order. Writers (html.cpp, markdown.cpp) decide how it looks.
 #pragma once
 
-#include "lib/draw/figure.hpp"
-#include "lib/issue.hpp"
-#include "lib/report/state.hpp"
+#include "lib/account/block.hpp"
+#include "lib/text/issue.hpp"
 
-#include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
+#include <utility>
 #include <vector>
 
 namespace loadpath::report {
 
-/// A value in a unit; NaN is printed as "not available".
-struct Quantity {
-  double si = 0.0;
-  std::string unit;  // "N*m"
-  int digits = 5;
-};
-/// A symbol of a formula: "tau_adm".
-struct Symbol {
-  std::string name;
-};
-/// Text of the user or of a message: escaped by the writer.
-using Cell = std::variant<std::string, Message, Quantity, Symbol, State>;
-
-struct Heading {
-  int level = 2;  // 2: a step; 3: a part of it
-  std::string text;
-  std::string anchor;  // "crankshaft"
-};
-struct Paragraph {
-  Message text;
-  enum class Tone { plain, note, warning } tone = Tone::plain;
-};
-struct Table {
-  Message caption;            // may be empty
-  std::vector<Message> head;  // may be empty
-  std::vector<std::vector<Cell>> rows;
-};
-
-/// One formula with its numbers: symbol = formula = substituted = value, and why.
-struct Step {
-  std::string symbol;
-  std::string formula;  // STEP's text; empty: a value that is taken from elsewhere
-  struct Given {
-    std::string name;
-    double si = 0.0;
-    std::string unit;
-  };
-  std::vector<Given> given;  // every name of the formula that is a quantity
-  Quantity value;
-  Message why;
-};
-/// Formulas in order. Steps of list elements with equal formulas are folded by the builder into one Step and a Table.
-struct Derivation {
-  std::vector<Step> steps;
-};
-/// A check or a limit and how it came out; the writer draws a bar for a utilisation.
-struct Verdict {
-  std::string step;    // "crankshaft"
-  std::string symbol;  // "u_tau"
-  Message meaning;
-  std::optional<double> utilisation;  // none for a limit
-  Cell value;                         // what is compared
-  Message bound;                      // "passes at 1 or less", "0 to 0.9"
-  State state = State::not_available;
-  Message note;  // where it governs, why it is not covered; may be empty
-};
-struct Verdicts {
-  std::vector<Verdict> rows;
-};
-/// The state of all of them: the worst.
-State worst(const std::vector<Verdict>& verdicts);
-
-using Block = std::variant<Heading, Paragraph, Table, Derivation, Verdicts, draw::Figure>;
+// A document is made of what the steps have to say.
+using account::Block;
+using account::Cell;
+using account::Derivation;
+using account::Heading;
+using account::Paragraph;
+using account::Quantity;
+using account::State;
+using account::Step;
+using account::Symbol;
+using account::Table;
+using account::Verdict;
+using account::Verdicts;
 
 struct Document {
   std::string title;

@@ -1,6 +1,6 @@
-#include "lib/embedded.hpp"
 #include "lib/quantity/unit.hpp"
 #include "lib/table/reader.hpp"
+#include "lib/text/embedded.hpp"
 
 #include <mutex>
 #include <optional>

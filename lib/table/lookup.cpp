@@ -1,6 +1,6 @@
 #include "lib/quantity/format.hpp"
 #include "lib/table/table.hpp"
-#include "lib/utf8.hpp"
+#include "lib/text/utf8.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -31,12 +31,12 @@ const Column* column_of_group(const Library& library, const Table& table, std::s
 void Reader::read(std::string_view text, const std::string& file) {
   const std::size_t issues = issues_.size(), cited = cited_.size();
   if (const auto lines = cut_lines(text)) {
-    const bool whole = read_tree(io::read_toml(lines->rest, file, issues_), &*lines);
+    const bool whole = read_tree(toml::read_toml(lines->rest, file, issues_), &*lines);
     if (whole && issues_.size() == issues) return;
     issues_.erase(issues_.begin() + static_cast<std::ptrdiff_t>(issues), issues_.end());
     cited_.erase(cited_.begin() + static_cast<std::ptrdiff_t>(cited), cited_.end());
   }
-  read_tree(io::read_toml(text, file, issues_), nullptr);
+  read_tree(toml::read_toml(text, file, issues_), nullptr);
 }
 
 bool Reader::read_tree(const Tree& tree, const Lines* lines) {

@@ -8,10 +8,10 @@
 // `columns` are the keys, and each of `rows` is an array of their values, "" where there is none.
 #pragma once
 
-#include "lib/io/tree.hpp"
 #include "lib/quantity/unit.hpp"
 #include "lib/table/lines.hpp"
 #include "lib/table/table.hpp"
+#include "lib/toml/tree.hpp"
 
 #include <set>
 
@@ -27,7 +27,7 @@ class Reader {
   void check_citations();
 
  private:
-  using Tree = io::Tree;
+  using Tree = toml::Tree;
   using Texts = std::vector<std::string>;
 
   struct ReadColumn {

@@ -11,7 +11,7 @@
 // The key of a field is that of the column. What a row does not give, or gives by size, stays as the aggregate has it.
 #pragma once
 
-#include "lib/record_of.hpp"
+#include "lib/calculator/record_of.hpp"
 #include "lib/table/table.hpp"
 
 #include <optional>
@@ -32,8 +32,8 @@ struct Typed : Values {
 /// All rows of tables of one group, in their order; of rows of one name the last table's, as in `find_row`.
 std::vector<Entry> entries_of(const std::vector<const Table*>& tables);
 
-/// Which of its words, from 0, the row answers a choice with (lib/row_kind.hpp); nothing where its kind is none of
-/// them.
+/// Which of its words, from 0, the row answers a choice with (lib/calculator/row_kind.hpp); nothing where its kind is
+/// none of them.
 std::optional<double> kind_of(const Row& row, const FieldInfo& choice);
 
 /// Sets those fields of an aggregate that the row has a value for. A column of another dimension than its field is a

@@ -3,8 +3,8 @@
 // A value names its sources, or it is recalled: known from a standard or a handbook, but not yet seen in a source.
 #pragma once
 
-#include "lib/issue.hpp"
 #include "lib/quantity/dimension.hpp"
+#include "lib/text/issue.hpp"
 
 #include <limits>
 #include <map>

@@ -17,7 +17,7 @@ Record example_of(const Calculator& c) {
   project::Project p = project::read_project(c.example, "example.toml", catalogue(), issues);
   project::solve(p, issues);
   Record input = p.steps[0]->input().reading.record.clone();
-  for (const project::Entry& e : p.steps[0]->account().inputs) {
+  for (const account::Entry& e : p.steps[0]->account().inputs) {
     const Leaf leaf = find_leaf(input, e.path);
     if (leaf && leaf.field->get != nullptr && std::isnan(leaf.get()) && e.value.si.size() == 1) leaf.set(e.value.si[0]);
   }
@@ -37,7 +37,7 @@ void point(benchmark::State& state, const Calculator* c) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (const Calculator* c : catalogue()) {
+  for (const Calculator* c : calculators()) {
     if (c->sweep != nullptr) benchmark::RegisterBenchmark(c->id, point, c);
   }
   benchmark::Initialize(&argc, argv);

@@ -2,7 +2,7 @@
 // Positions, velocities, accelerations, all joint forces and the driving moment at constant crank speed.
 #pragma once
 
-#include "lib/mechanism/vec.hpp"
+#include "lib/mechanism/model/vec.hpp"
 
 #include <cmath>
 

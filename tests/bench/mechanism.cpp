@@ -1,9 +1,9 @@
 // A cycle of 720 positions through the general solvers, by groups and by the whole system at once, beside closed forms
 // written for the one linkage. Per position: coordinates, velocities, accelerations, all reactions, driving moment.
-#include "lib/mechanism/causes.hpp"
-#include "lib/mechanism/group_system.hpp"
-#include "lib/mechanism/sensitivity.hpp"
-#include "lib/mechanism/whole_system.hpp"
+#include "lib/mechanism/accuracy/sensitivity.hpp"
+#include "lib/mechanism/groups/system.hpp"
+#include "lib/mechanism/studies/causes.hpp"
+#include "lib/mechanism/whole/system.hpp"
 #include "tests/bench/hand_written_linkages.hpp"
 #include "tests/lib/mechanism/models.hpp"
 

@@ -85,7 +85,7 @@ void flat_belt(benchmark::State& state) {
   FlatBelt::Input in;
   in.K_A = K_A, in.mu = mu, in.epsilon = epsilon;
   in.n_1 = from_si<AngularSpeed>(n_1), in.d_1 = d_1 * m, in.d_2 = d_2 * m;
-  in.delta = delta * m, in.b = b * m, in.rho = from_si<belt::Density>(rho);
+  in.delta = delta * m, in.b = b * m, in.rho = from_si<Density>(rho);
   in.sigma_adm = from_si<Stress>(sigma_adm);
   Columns general;
   const Sweep sweep(erased<FlatBelt>(), record_of<FlatBelt>(in), {{"P", P}, {"a", a}},

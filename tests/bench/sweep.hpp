@@ -1,7 +1,7 @@
 // What the benchmarks of sweeps share: columns in SI, a calculator's sweep over them, and the time of its fastest run.
 #pragma once
 
-#include "lib/calculator.hpp"
+#include "lib/calculator/calculator.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -261,7 +261,7 @@ TEST_SUITE("laws of the calculators") {
     for (const auto& group : laws) {
       for (const Law& law : group) tried.insert(law.calculator);
     }
-    for (const Calculator* c : catalogue()) {
+    for (const Calculator* c : calculators()) {
       if (c->evaluate != nullptr) CHECK_MESSAGE(tried.count(c->id) == 1, c->id);
     }
   }

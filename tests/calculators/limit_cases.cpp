@@ -129,7 +129,7 @@ TEST_SUITE("limit cases") {
     for (const auto& group : groups) {
       for (const Case& row : group) tried.insert(row.calculator);
     }
-    for (const Calculator* c : catalogue()) {
+    for (const Calculator* c : calculators()) {
       if (c->evaluate != nullptr) CHECK_MESSAGE(tried.count(c->id) == 1, c->id);
     }
   }

@@ -8,7 +8,7 @@ namespace {
 
 using namespace loadpath;
 using namespace loadpath::test;
-using report::State;
+using account::State;
 
 constexpr State over = State::fail, outside = State::not_covered;
 
@@ -203,8 +203,8 @@ void check(const Side& row) {
     const std::string lines = *row.lines == '\0' ? "" : std::string(row.lines) + "\n";
     return ExampleStep(row.calculator, lines + row.key + " = " + value).verdict(row.field);
   };
-  CHECK(report::slug(at(row.keeps)) == report::slug(State::pass));
-  CHECK(report::slug(at(row.leaves)) == report::slug(row.state));
+  CHECK(account::slug(at(row.keeps)) == account::slug(State::pass));
+  CHECK(account::slug(at(row.leaves)) == account::slug(row.state));
 }
 
 }  // namespace
@@ -221,7 +221,7 @@ TEST_SUITE("limits") {
     for (const auto& group : groups) {
       for (const Side& row : group) tried.insert(std::string(row.calculator) + "." + row.field);
     }
-    for (const Calculator* c : catalogue()) {
+    for (const Calculator* c : calculators()) {
       if (c->evaluate == nullptr) continue;
       for (const FieldInfo& f : c->result->fields) {
         if (f.role != Role::limit && f.role != Role::check) continue;

@@ -57,21 +57,21 @@ class ExampleStep {
     REQUIRE_MESSAGE(value != nullptr, path);
     return value->si[0];
   }
-  [[nodiscard]] report::State verdict(std::string_view symbol) const {
+  [[nodiscard]] account::State verdict(std::string_view symbol) const {
     REQUIRE_MESSAGE(fault_.empty(), fault_);
-    for (const report::Verdict& verdict : project::verdicts(project_)) {
+    for (const account::Verdict& verdict : project::verdicts(project_)) {
       if (verdict.symbol == symbol) return verdict.state;
     }
-    return report::State::not_available;
+    return account::State::not_available;
   }
 
  private:
   static const Calculator& find(std::string_view id) {
-    for (const Calculator* c : catalogue()) {
+    for (const Calculator* c : calculators()) {
       if (c->id == id) return *c;
     }
     REQUIRE_MESSAGE(false, id);
-    return *catalogue()[0];
+    return *calculators()[0];
   }
 
   std::vector<Issue> issues_;

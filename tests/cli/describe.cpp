@@ -13,7 +13,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 TEST_SUITE("cli describe") {
   TEST_CASE("every calculator is listed and described with all its fields") {
     const std::string list = loadpath_with({"list"}).out;
-    for (const Calculator* calculator : catalogue()) {
+    for (const Calculator* calculator : calculators()) {
       CAPTURE(calculator->id);
       CHECK(contains(list, calculator->id));
       const Ran o = loadpath_with({"describe", calculator->id});
@@ -39,7 +39,7 @@ TEST_SUITE("cli describe") {
   }
 
   TEST_CASE("the example that is shown runs") {
-    for (const Calculator* calculator : catalogue()) {
+    for (const Calculator* calculator : calculators()) {
       const std::string shown = loadpath_with({"describe", calculator->id}).out;
       const std::string head = "Example, a project file that runs:\n\n";
       const Ran o = Desk().run({"run", "-"}, shown.substr(shown.find(head) + head.size()));

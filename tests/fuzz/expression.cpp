@@ -1,5 +1,5 @@
 // Any text is parsed, checked and evaluated without a crash; faults lie in the text; no value is infinite.
-#include "lib/quantity/expression.hpp"
+#include "lib/quantity/expression/expression.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -3,8 +3,8 @@
 #include "lib/project/project.hpp"
 
 #include "calculators/catalogue.hpp"
-#include "lib/io/csv.hpp"
-#include "lib/io/json.hpp"
+#include "lib/export/csv.hpp"
+#include "lib/export/json.hpp"
 #include "lib/report/build.hpp"
 
 #include <cstdint>
@@ -27,8 +27,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!has_errors(issues)) project::solve(project, issues);
   render(issues, [&](const std::string&) { return text; });
   if (has_errors(issues)) return 0;
-  if (io::json_of(project, "fuzz").find(": nan") != std::string::npos) std::abort();
-  io::csv_of(project);
+  if (exports::json_of(project, "fuzz").find(": nan") != std::string::npos) std::abort();
+  exports::csv_of(project);
   const report::Document document = report::build(project, "fuzz");
   if (report::html(document).empty() || report::markdown(document, "a").text.empty()) std::abort();
   return 0;

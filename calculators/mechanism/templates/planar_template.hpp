@@ -16,7 +16,7 @@
 #pragma once
 
 #include "calculators/mechanism/templates/sketch.hpp"
-#include "lib/calculator.hpp"
+#include "lib/calculator/calculator.hpp"
 
 #include <optional>
 #include <span>

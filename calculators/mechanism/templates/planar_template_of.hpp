@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/mechanism/templates/planar_template.hpp"
-#include "lib/record_of.hpp"
+#include "lib/calculator/record_of.hpp"
 
 namespace loadpath::templates {
 

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "calculators/mechanism/planar.hpp"
-#include "lib/issue.hpp"
-#include "lib/mechanism/vec.hpp"
+#include "lib/mechanism/model/vec.hpp"
+#include "lib/text/issue.hpp"
 
 #include <optional>
 #include <utility>

@@ -1,7 +1,7 @@
 #include "lib/mechanism/proof/active_forces.hpp"
 
-#include "lib/mechanism/point_motion.hpp"
-#include "lib/mechanism/spring.hpp"
+#include "lib/mechanism/model/point_motion.hpp"
+#include "lib/mechanism/model/spring.hpp"
 
 namespace loadpath::mechanism {
 namespace {

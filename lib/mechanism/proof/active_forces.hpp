@@ -2,8 +2,8 @@
 // with them.
 #pragma once
 
-#include "lib/mechanism/model.hpp"
-#include "lib/mechanism/position.hpp"
+#include "lib/mechanism/model/model.hpp"
+#include "lib/mechanism/model/position.hpp"
 
 #include <cstddef>
 #include <vector>

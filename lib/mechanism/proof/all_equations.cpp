@@ -1,6 +1,6 @@
 #include "lib/mechanism/proof/all_equations.hpp"
 
-#include "lib/mechanism/kinetostatics.hpp"
+#include "lib/mechanism/equations/kinetostatics.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 #include "lib/mechanism/proof/balance.hpp"
 
-#include "lib/mechanism/induced.hpp"
-#include "lib/mechanism/point_motion.hpp"
+#include "lib/mechanism/forces/induced.hpp"
+#include "lib/mechanism/model/point_motion.hpp"
 #include "lib/numerics/magnitude.hpp"
 
 namespace loadpath::mechanism {

@@ -2,8 +2,8 @@
 // acts is added together again, from the model and a position alone.
 #pragma once
 
-#include "lib/mechanism/model.hpp"
-#include "lib/mechanism/position.hpp"
+#include "lib/mechanism/model/model.hpp"
+#include "lib/mechanism/model/position.hpp"
 #include "lib/mechanism/proof/active_forces.hpp"
 
 #include <span>

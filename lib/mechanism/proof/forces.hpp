@@ -1,8 +1,8 @@
 // The forces in a mechanism at one position, as one method finds them, and how far two methods are apart.
 #pragma once
 
-#include "lib/mechanism/model.hpp"
-#include "lib/mechanism/position.hpp"
+#include "lib/mechanism/model/model.hpp"
+#include "lib/mechanism/model/position.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "lib/mechanism/proof/instant.hpp"
 
-#include "lib/mechanism/induced.hpp"
+#include "lib/mechanism/forces/induced.hpp"
 
 #include <Eigen/Core>
 

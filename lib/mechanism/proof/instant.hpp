@@ -3,7 +3,7 @@
 // what a reaction brings with it that its constraints cannot supply: friction, what presses teeth apart, slack sides.
 #pragma once
 
-#include "lib/mechanism/kinematics.hpp"
+#include "lib/mechanism/equations/kinematics.hpp"
 #include "lib/mechanism/proof/active_forces.hpp"
 #include "lib/numerics/dense_inverse.hpp"
 

@@ -1,6 +1,6 @@
 #include "lib/mechanism/proof/virtual_work.hpp"
 
-#include "lib/mechanism/kinetostatics.hpp"
+#include "lib/mechanism/equations/kinetostatics.hpp"
 
 namespace loadpath::mechanism {
 

@@ -1,6 +1,6 @@
 #include "lib/mechanism/proof/zhukovsky.hpp"
 
-#include "lib/mechanism/point_motion.hpp"
+#include "lib/mechanism/model/point_motion.hpp"
 
 namespace loadpath::mechanism {
 namespace {

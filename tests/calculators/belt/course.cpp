@@ -192,8 +192,8 @@ TEST_SUITE("belt course") {
 
   TEST_CASE("without mu the tension is as given; too little of it is not covered") {
     const std::string loose = with(with(text, "mu", ""), "S_0", "\"600 N\"");
-    CHECK(BeltStep(loose).worst() == report::State::pass);
-    CHECK(BeltStep(with(text, "S_0", "\"100 N\"")).worst() == report::State::fail);
-    CHECK(BeltStep(with(with(loose, "q", "\"5 kg/m\""), "S_0", "\"600 N\"")).worst() != report::State::pass);
+    CHECK(BeltStep(loose).worst() == account::State::pass);
+    CHECK(BeltStep(with(text, "S_0", "\"100 N\"")).worst() == account::State::fail);
+    CHECK(BeltStep(with(with(loose, "q", "\"5 kg/m\""), "S_0", "\"600 N\"")).worst() != account::State::pass);
   }
 }

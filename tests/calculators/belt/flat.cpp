@@ -21,7 +21,7 @@ FlatBelt::Input fan() {
   in.d_1 = 200.0 * mm, in.d_2 = 500.0 * mm, in.a = 1200.0 * mm;
   in.mu = 0.4;
   in.delta = 2.5 * mm;
-  in.rho = 1100.0 * belt::kg_per_m3;
+  in.rho = 1100.0 * kg_per_m3;
   in.sigma_adm = 6.0 * MPa;
   return in;
 }
@@ -144,23 +144,23 @@ TEST_SUITE("belt flat") {
   }
 
   TEST_CASE("speeds outside of the range of its kind are not covered, on both sides") {
-    CHECK(BeltStep(text).worst() == report::State::pass);
-    CHECK(BeltStep(with(text, "n_1", "\"2900 rpm\"")).worst() == report::State::not_covered);
+    CHECK(BeltStep(text).worst() == account::State::pass);
+    CHECK(BeltStep(with(text, "n_1", "\"2900 rpm\"")).worst() == account::State::not_covered);
     CHECK(BeltStep(with(with(text, "n_1", "\"2900 rpm\""), "kind", "\"synthetic\"")).value("x_v") < 1.0);
     CHECK(BeltStep(with(text, "n_1", "\"470 rpm\"")).value("v_range") < 5.0);
-    CHECK(BeltStep(with(text, "n_1", "\"470 rpm\"")).worst() != report::State::pass);
+    CHECK(BeltStep(with(text, "n_1", "\"470 rpm\"")).worst() != account::State::pass);
   }
 
   TEST_CASE("where bending and centrifugal stress leave nothing there is no width, and that is said") {
     const BeltStep fast(with(with(text, "b", ""), "sigma_adm", "\"0.2 MPa\""));
-    CHECK(fast.worst() != report::State::pass);
+    CHECK(fast.worst() != account::State::pass);
     CHECK(std::isnan(fast.value("b_min")));
     CHECK(fast.value("sigma_N") < 0.0);
   }
 
   TEST_CASE("an initial tension that the friction does not hold fails") {
-    CHECK(BeltStep(with(text, "S_0", "\"300 N\"")).worst() == report::State::fail);
-    CHECK(BeltStep(with(text, "S_0", "\"1200 N\"")).worst() == report::State::pass);
+    CHECK(BeltStep(with(text, "S_0", "\"300 N\"")).worst() == account::State::fail);
+    CHECK(BeltStep(with(text, "S_0", "\"1200 N\"")).worst() == account::State::pass);
   }
 
   TEST_CASE("what can be got wrong is told") {

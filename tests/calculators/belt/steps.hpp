@@ -25,7 +25,7 @@ struct BeltStep {
     }
     return false;
   }
-  [[nodiscard]] report::State worst() const { return report::worst(project::verdicts(project)); }
+  [[nodiscard]] account::State worst() const { return account::worst(project::verdicts(project)); }
 };
 
 }  // namespace loadpath::test

@@ -267,15 +267,15 @@ TEST_SUITE("belt v") {
   }
 
   TEST_CASE("outside of what the basis rates nothing is covered, on both sides") {
-    CHECK(BeltStep(text).worst() == report::State::pass);
-    CHECK(BeltStep(maker).worst() == report::State::pass);
+    CHECK(BeltStep(text).worst() == account::State::pass);
+    CHECK(BeltStep(maker).worst() == account::State::pass);
     for (const char* d : {"\"124 mm\"", "\"281 mm\""}) {
       CAPTURE(d);
-      CHECK(BeltStep(with(with(text, "d_1", d), "d_2", "\"300 mm\"")).worst() == report::State::not_covered);
+      CHECK(BeltStep(with(with(text, "d_1", d), "d_2", "\"300 mm\"")).worst() == account::State::not_covered);
     }
     CHECK(BeltStep(with(text, "d_1", "\"125 mm\"")).value("x_d") == 0.0);
     CHECK(BeltStep(with(text, "n_1", "\"190 rpm\"")).value("x_n") < 0.0);
-    CHECK(BeltStep(with(text, "L", "\"6400 mm\"")).worst() != report::State::pass);
+    CHECK(BeltStep(with(text, "L", "\"6400 mm\"")).worst() != account::State::pass);
     CHECK(std::isnan(BeltStep(with(text, "L", "\"6400 mm\"")).value("c_L")));
     CHECK(BeltStep(with(text, "n_1", "\"4400 rpm\"")).value("x_v") > 1.0);
     CHECK(BeltStep(with(with(text, "L", ""), "a", "\"215 mm\"")).value("x_alpha") > 1.0);
@@ -311,8 +311,8 @@ TEST_SUITE("belt v") {
 
   TEST_CASE("a drive that cannot carry the power says so") {
     const BeltStep weak(with(text, "z", "1"));
-    CHECK(weak.worst() == report::State::fail);
+    CHECK(weak.worst() == account::State::fail);
     CHECK(weak.value("u_P") > 1.0);
-    CHECK(BeltStep(with(text, "P", "\"3000 kW\"")).worst() != report::State::pass);
+    CHECK(BeltStep(with(text, "P", "\"3000 kW\"")).worst() != account::State::pass);
   }
 }

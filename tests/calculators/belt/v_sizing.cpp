@@ -111,7 +111,7 @@ TEST_SUITE("belt v sizing") {
 
   TEST_CASE("where nothing can be bought that is said, with the drive that comes nearest and its checks") {
     const BeltStep none(with(text, "P", "\"2000 kW\""));
-    CHECK(none.worst() != report::State::pass);
+    CHECK(none.worst() != account::State::pass);
     CHECK(none.value("drives") == 0.0);
     CHECK(none.value("too_weak") > 0.0);
     const BeltStep weak(with(with(text, "P", "\"60 kW\""), "z_max", "2"));
@@ -128,7 +128,7 @@ TEST_SUITE("belt v sizing") {
   }
 
   TEST_CASE("the rules of belt.v hold here too") {
-    CHECK(BeltStep(text).worst() == report::State::pass);
+    CHECK(BeltStep(text).worst() == account::State::pass);
     CHECK(BeltStep(with(text, "basis", "")).says("state the basis"));
     CHECK(BeltStep(with(text, "section", "\"XYZ\"")).says("does not rate a section 'XYZ'"));
     CHECK(BeltStep(with(text, "belt_class", "")).says("give belt_class"));

@@ -137,7 +137,7 @@ TEST_SUITE("column buckling faults") {
         solved("[bar]\n" + rod + "d = \"60 mm\"\nmethod = \"euler\"\nsigma_P = \"190 MPa\"\nn_st = 2\nP = \"10 kN\"\n",
                issues);
     REQUIRE(issues.empty());
-    CHECK(report::worst(project::verdicts(p)) == report::State::not_covered);
+    CHECK(account::worst(project::verdicts(p)) == account::State::not_covered);
     CHECK(std::isnan(p.value("bar.P_all")->si[0]));
   }
 

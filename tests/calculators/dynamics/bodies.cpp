@@ -2,7 +2,7 @@
 #include "tests/calculators/motion/solved.hpp"
 
 using namespace loadpath::test;
-using loadpath::report::State;
+using loadpath::account::State;
 
 TEST_SUITE("dynamics momentum") {
   TEST_CASE("an elastic impact keeps the energy, a plastic one the common velocity") {

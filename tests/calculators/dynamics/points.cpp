@@ -58,13 +58,13 @@ TEST_SUITE("dynamics throw") {
 
   TEST_CASE("out of reach is a check that fails, on both sides of its border") {
     CHECK(SolvedStep("dynamics.throw", "V_0 = \"20 m/s\"\ntheta = \"45 deg\"\nL_req = \"40 m\"\n").worst() ==
-          loadpath::report::State::pass);
+          loadpath::account::State::pass);
     CHECK(SolvedStep("dynamics.throw", "V_0 = \"20 m/s\"\ntheta = \"45 deg\"\nL_req = \"41 m\"\n").worst() ==
-          loadpath::report::State::fail);
+          loadpath::account::State::fail);
     CHECK(SolvedStep("dynamics.throw", "V_0 = \"20 m/s\"\ntheta = \"45 deg\"\nh = \"-10 m\"\n").worst() ==
-          loadpath::report::State::pass);
+          loadpath::account::State::pass);
     CHECK(SolvedStep("dynamics.throw", "V_0 = \"20 m/s\"\ntheta = \"45 deg\"\nh = \"-11 m\"\n").worst() ==
-          loadpath::report::State::fail);
+          loadpath::account::State::fail);
   }
 
   TEST_CASE("what cannot be thrown is refused") {

@@ -118,8 +118,9 @@ TEST_SUITE("fatigue.wohler") {
   TEST_CASE("a knee beyond the longest test is not covered, wherever its fatigue limit comes from") {
     const std::string few = "tests = [[\"400 MPa\", 1e5], [\"395 MPa\", 2e5], [\"380 MPa\", 1.5e5], [\"100 MPa\", ";
     CHECK(test::ExampleStep("fatigue.wohler", few + "1e6, \"runout\"]]\nS = \n").verdict("x_D") ==
-          report::State::not_covered);
-    CHECK(test::ExampleStep("fatigue.wohler", few + "1e7, \"runout\"]]\nS = \n").verdict("x_D") == report::State::pass);
+          account::State::not_covered);
+    CHECK(test::ExampleStep("fatigue.wohler", few + "1e7, \"runout\"]]\nS = \n").verdict("x_D") ==
+          account::State::pass);
   }
 
   TEST_CASE("stresses in another measure leave the slope and the scatter") {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 using namespace loadpath::test;
-using loadpath::report::State;
+using loadpath::account::State;
 
 namespace {
 

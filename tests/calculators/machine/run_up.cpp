@@ -1,7 +1,7 @@
 #include "tests/calculators/motion/solved.hpp"
 
 using namespace loadpath::test;
-using loadpath::report::State;
+using loadpath::account::State;
 
 namespace {
 

@@ -126,9 +126,9 @@ TEST_SUITE("mechanism accuracy") {
 
   TEST_CASE("the report names the dimension that contributes most") {
     const auto project = solved(press + crank_and_rod + of_piston);
-    const report::Table* found = nullptr;
-    for (const report::Block& block : project.steps[0]->account().blocks) {
-      const auto* table = std::get_if<report::Table>(&block);
+    const account::Table* found = nullptr;
+    for (const account::Block& block : project.steps[0]->account().blocks) {
+      const auto* table = std::get_if<account::Table>(&block);
       if (table != nullptr && table->caption.text() == "Errors by tolerances and play") found = table;
     }
     REQUIRE(found != nullptr);

@@ -1,7 +1,7 @@
 // Cams in a project: what they come to, what is said where the follower lifts off or a profile cannot be made, and what
 // is wrong with a profile.
-#include "lib/draw/figure.hpp"
-#include "lib/io/dxf.hpp"
+#include "lib/draw/dxf.hpp"
+#include "lib/figure/figure.hpp"
 #include "lib/quantity/series.hpp"
 #include "tests/lib/project/accounts.hpp"
 #include "tests/lib/project/texts.hpp"
@@ -104,7 +104,7 @@ std::string said(const std::string& part, const std::string& other) {
   return issues[0].key + ": " + issues[0].message.text();
 }
 
-report::State state_of(const project::Project& project, const std::string& symbol) {
+account::State state_of(const project::Project& project, const std::string& symbol) {
   const auto* verdict = find_verdict(project, symbol);
   REQUIRE(verdict != nullptr);
   return verdict->state;
@@ -118,7 +118,7 @@ TEST_SUITE("mechanism cams") {
   TEST_CASE("a valve: lift, pressure angle and contact force by hand") {
     const auto project = solved(valve);
     const auto& step = *project.steps[0];
-    CHECK(report::worst(step.account().verdicts) == report::State::pass);
+    CHECK(account::worst(step.account().verdicts) == account::State::pass);
     CHECK(maximum(*step.value("points.B.y")).value == doctest::Approx(0.052).epsilon(1e-12));
     // tan alpha = s' / (s + 40 mm), largest at 42.610 deg of the rise.
     const Extreme alpha = maximum(*step.value("joints.contact.alpha"));
@@ -131,9 +131,9 @@ TEST_SUITE("mechanism cams") {
 
   // 894.58 rpm from m s'' omega^2 = spring and weight, over both segments.
   TEST_CASE("above a speed the follower lifts off, but not out of a groove") {
-    CHECK(state_of(solved(changed("300 rpm", "890 rpm")), "contact_contact") == report::State::pass);
+    CHECK(state_of(solved(changed("300 rpm", "890 rpm")), "contact_contact") == account::State::pass);
     const auto fast = solved(changed("300 rpm", "900 rpm"));
-    CHECK(state_of(fast, "contact_contact") == report::State::fail);
+    CHECK(state_of(fast, "contact_contact") == account::State::fail);
     CHECK(find_verdict(fast, "contact_contact")->note.text().starts_with("lifts off between "));
     const std::string groove = changed("profile = \"lobe\"", "holding = \"groove\", profile = \"lobe\"");
     CHECK(find_verdict(solved(replaced(groove, "300 rpm", "900 rpm")), "contact_contact") == nullptr);
@@ -142,10 +142,10 @@ TEST_SUITE("mechanism cams") {
   TEST_CASE("an undercut profile and a roller that does not reach into a hollow fail, with the cam angle") {
     const auto undercut =
         solved(changed("base = \"30 mm\"\nroller = \"10 mm\"", "base = \"4 mm\"\nroller = \"28 mm\""));
-    CHECK(state_of(undercut, "profile_contact") == report::State::fail);
+    CHECK(state_of(undercut, "profile_contact") == account::State::fail);
     CHECK(find_verdict(undercut, "profile_contact")->note.text().starts_with("undercut at a cam angle of 6"));
     const auto hollow = solved(hollow_valve());
-    CHECK(state_of(hollow, "hollow_contact") == report::State::pass);
+    CHECK(state_of(hollow, "hollow_contact") == account::State::pass);
     const auto issues = told(replaced(hollow_valve(), "profile = ", "radius = \"150 mm\", profile = ")).issues;
     REQUIRE(issues.size() == 1);
     CHECK(issues[0].key == "valve.joints.contact.radius");
@@ -184,9 +184,9 @@ TEST_SUITE("mechanism cams") {
   // base angle asin(30 mm / 80 mm) = 22.0243 deg; 3-4-5: half the swing at half the angle.
   TEST_CASE("a rocker with a flat face swings by the law of its profile") {
     const auto project = solved(rocker);
-    CHECK(report::worst(project.steps[0]->account().verdicts) == report::State::pass);
+    CHECK(account::worst(project.steps[0]->account().verdicts) == account::State::pass);
     // The bends of the envelope, by differences of neighbouring faces: least at 163.5 deg.
-    CHECK(std::get<report::Quantity>(verdict_of(project, "profile_contact").value).si ==
+    CHECK(std::get<account::Quantity>(verdict_of(project, "profile_contact").value).si ==
           doctest::Approx(0.02107).epsilon(5e-4));
     const auto& phi = entry_of(project, "links.arm.phi").value;
     const double base = pi - std::asin(30.0 / 80.0);
@@ -204,7 +204,7 @@ TEST_SUITE("mechanism cams") {
 
   TEST_CASE("a swinging face: undercut, and what its profile cannot be") {
     CHECK(state_of(solved(replaced(rocker, "base = \"30 mm\"", "base = \"5 mm\"")), "profile_contact") ==
-          report::State::fail);
+          account::State::fail);
     const auto said_of = [](const std::string& text) {
       const auto issues = told(text).issues;
       REQUIRE(issues.size() == 1);
@@ -247,9 +247,9 @@ TEST_SUITE("mechanism cams") {
   TEST_CASE("a drawing for other programs has the profile on a layer of its own") {
     draw::Scheme scheme;
     scheme.bodies.push_back({"cam", {{0.0, 0.0}, {0.04, 0.0}}});
-    CHECK(io::dxf_of(scheme).find("cams") == std::string::npos);
+    CHECK(draw::dxf_of(scheme).find("cams") == std::string::npos);
     scheme.outlines.push_back({{0.0, 0.0}, {{0.03, 0.0}, {0.0, 0.03}, {-0.03, 0.0}}});
-    const std::string dxf = io::dxf_of(scheme);
+    const std::string dxf = draw::dxf_of(scheme);
     std::size_t lines = 0;
     for (std::size_t at = dxf.find("LINE\n8\ncams\n"); at != std::string::npos;
          at = dxf.find("LINE\n8\ncams\n", at + 1))

@@ -49,8 +49,8 @@ cylinders.push = { joint = "guide", speed = "1 m/s", from = "-50 mm", to = "50 m
 
 /// What the table of the drive says of the crank angle.
 std::string crank_angle_of(const project::Project& project) {
-  for (const report::Block& block : project.steps[0]->account().input_blocks) {
-    const auto* table = std::get_if<report::Table>(&block);
+  for (const account::Block& block : project.steps[0]->account().input_blocks) {
+    const auto* table = std::get_if<account::Table>(&block);
     if (table == nullptr || table->caption.text() != "Drive") continue;
     for (const auto& row : table->rows) {
       if (std::get<Message>(row[0]).text() == "crank angle") return std::get<Message>(row[1]).text();
@@ -109,13 +109,13 @@ joints.mesh = { type = "gear", links = ["ground", "wheel"], points = ["O", "A"],
             "the ends of spring 'back' coincide at some positions, and its force has no direction there");
       CHECK(std::isnan(entry_of(project, "springs.back.F").value.si[5]));
       CHECK(entry_of(project, "joints.guide.s").value.si[5] == doctest::Approx(0.0));
-      const report::Verdict& directed = verdict_of(project, "directed_back");
-      CHECK(directed.state == report::State::fail);
+      const account::Verdict& directed = verdict_of(project, "directed_back");
+      CHECK(directed.state == account::State::fail);
       CHECK(directed.note.text() == "they coincide at 0 mm");
       const auto& verdicts = project.steps[0]->account().verdicts;
       const auto moves =
           std::find_if(verdicts.begin(), verdicts.end(), [](const auto& v) { return v.symbol == "moves"; });
-      CHECK((moves == verdicts.end() || moves->state == report::State::pass));
+      CHECK((moves == verdicts.end() || moves->state == account::State::pass));
     }
   }
 

@@ -1,5 +1,5 @@
 // Counterweights, masses in points, efficiency, belts and hodographs as a project gives them.
-#include "lib/draw/figure.hpp"
+#include "lib/figure/figure.hpp"
 #include "lib/quantity/series.hpp"
 #include "tests/lib/project/accounts.hpp"
 #include "tests/lib/project/texts.hpp"
@@ -44,8 +44,8 @@ const draw::Figure* figure_of(const project::Project& project, const std::string
 /// Whether its report has this note.
 bool says(const project::Project& project, const std::string& note) {
   const auto& blocks = project.steps[0]->account().blocks;
-  return std::any_of(blocks.begin(), blocks.end(), [&](const report::Block& block) {
-    const auto* paragraph = std::get_if<report::Paragraph>(&block);
+  return std::any_of(blocks.begin(), blocks.end(), [&](const account::Block& block) {
+    const auto* paragraph = std::get_if<account::Paragraph>(&block);
     return paragraph != nullptr && paragraph->text.text() == note;
   });
 }

@@ -292,7 +292,7 @@ free_angle = "0 deg"
     const auto found =
         std::find_if(verdicts.begin(), verdicts.end(), [](const auto& v) { return v.symbol == "returns_coil"; });
     REQUIRE(found != verdicts.end());
-    CHECK(found->state == report::State::fail);
-    CHECK(std::get<report::Quantity>(found->value).si == doctest::Approx(2.0 * pi));
+    CHECK(found->state == account::State::fail);
+    CHECK(std::get<account::Quantity>(found->value).si == doctest::Approx(2.0 * pi));
   }
 }

@@ -64,7 +64,7 @@ std::string message_of(const std::string& part, const std::string& other) {
 TEST_SUITE("mechanism faults") {
   TEST_CASE("a train that is not back after its turns has no cycle; with crank angles none is asked for") {
     const auto once = solved(press);
-    CHECK(verdict_of(once, "returns").state == report::State::fail);
+    CHECK(verdict_of(once, "returns").state == account::State::fail);
     CHECK(
         verdict_of(once, "returns").note.text() ==
         "give the turns of the crank that make a cycle, crank = { turns = ... }; where these are too many, give crank "

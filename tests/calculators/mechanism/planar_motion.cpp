@@ -32,7 +32,7 @@ const Value& value_of(const project::Project& project, const std::string& path) 
   return *value;
 }
 
-double number_of(const report::Cell& cell) { return std::get<report::Quantity>(cell).si; }
+double number_of(const account::Cell& cell) { return std::get<account::Quantity>(cell).si; }
 
 }  // namespace
 
@@ -43,11 +43,11 @@ TEST_SUITE("mechanism motion") {
       const auto project = solved(replaced(piston, "positions = 72", crank));
       int numbers = 0;
       for (const char* title : {"Strokes", "Instantaneous centres"}) {
-        const report::Table* table = table_of(project, title);
+        const account::Table* table = table_of(project, title);
         REQUIRE(table != nullptr);
         for (const auto& row : table->rows) {
-          for (const report::Cell& cell : row) {
-            const auto* q = std::get_if<report::Quantity>(&cell);
+          for (const account::Cell& cell : row) {
+            const auto* q = std::get_if<account::Quantity>(&cell);
             if (q == nullptr) continue;
             CHECK((q->si == 0.0 || std::abs(q->si) > 1e-9));
             ++numbers;
@@ -60,7 +60,7 @@ TEST_SUITE("mechanism motion") {
 
   TEST_CASE("an assembly is chosen by the side of a dyad, and the report lists them all") {
     const auto stated = solved(rocker), other = solved(rocker + "sides = [\"B_right\"]\n");
-    const report::Table* table = table_of(stated, "Assemblies at the first position");
+    const account::Table* table = table_of(stated, "Assemblies at the first position");
     REQUIRE(table != nullptr);
     REQUIRE(table->rows.size() == 2);
     CHECK(text_of(table->rows[0][0]) == "B_left");
@@ -97,11 +97,11 @@ joints.C = { type = "revolute", links = ["ground", "rocker"] }
     const auto found =
         std::find_if(verdicts.begin(), verdicts.end(), [](const auto& v) { return v.symbol == "assembly"; });
     REQUIRE(found != verdicts.end());
-    CHECK(found->state == report::State::not_covered);
+    CHECK(found->state == account::State::not_covered);
     CHECK(text_of(found->value) == "passed 2 times");
     CHECK(found->note.text() ==
           "the drive alone does not tell which way the mechanism goes on: B at 180 deg, B at 360 deg");
-    const report::Table* table = table_of(flat, "Mobility and conditioning");
+    const account::Table* table = table_of(flat, "Mobility and conditioning");
     REQUIRE(table != nullptr);
     CHECK(text_of(table->rows[2][0]) == "positions that were followed in small steps; first at 171 deg");
     const auto plain = solved(rocker);
@@ -114,7 +114,7 @@ joints.C = { type = "revolute", links = ["ground", "rocker"] }
     const auto project = solved(rocker);
     const double gamma = std::acos((0.35 * 0.35 + 0.3 * 0.3 - 0.3 * 0.3) / (2.0 * 0.35 * 0.3));
     CHECK(minimum(value_of(project, "joints.B.gamma")).value == doctest::Approx(gamma));
-    const report::Table* table = table_of(project, "Transmission angles");
+    const account::Table* table = table_of(project, "Transmission angles");
     REQUIRE(table != nullptr);
     REQUIRE(table->rows.size() == 1);
     CHECK(text_of(table->rows[0][0]) == "B");
@@ -142,7 +142,7 @@ joints.O = { type = "revolute", links = ["ground", "pinion"] }
 joints.C = { type = "revolute", links = ["ground", "wheel"] }
 joints.mesh = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"], radii = ["20 mm", "40 mm"] }
 )");
-    const report::Table* table = table_of(gears, "Transmission angles");
+    const account::Table* table = table_of(gears, "Transmission angles");
     REQUIRE(table != nullptr);
     CHECK(text_of(table->rows[0][1]) == "teeth, pressure angle 20 deg");
     CHECK(number_of(table->rows[0][2]) == doctest::Approx(70.0 * pi / 180.0));
@@ -160,7 +160,7 @@ joints.mesh = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"],
     CHECK_FALSE(value_of(four_bar, "links.rocker.swing").is_series());
     const double half = std::asin(1.0 / 3.0);
     const auto slotted = solved(lever);
-    const report::Table* table = table_of(slotted, "Strokes");
+    const account::Table* table = table_of(slotted, "Strokes");
     REQUIRE(table != nullptr);
     CHECK(text_of(table->rows[0][0]) == "lever");
     CHECK(number_of(table->rows[0][1]) == doctest::Approx(-half));
@@ -202,7 +202,7 @@ joints.mesh = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"],
 
   TEST_CASE("instantaneous centres at the first position, of a piston at infinity") {
     const auto project = solved(replaced(piston, "speed = \"60 rpm\"", "speed = \"60 rpm\", start = \"30 deg\""));
-    const report::Table* table = table_of(project, "Instantaneous centres");
+    const account::Table* table = table_of(project, "Instantaneous centres");
     REQUIRE(table != nullptr);
     CHECK(table->rows.size() == 6);
     const auto& last = table->rows.back();
@@ -249,6 +249,6 @@ A2 = { links = ["c2", "bar"] }
           "a change point at 180 deg, 360 deg: the drive does not hold it there; choose places beside it, crank = { "
           "start = \"92.5 deg\" }");
     const auto beside = solved(replaced(parallel, "90 deg\" }\ngravity", "92.5 deg\" }\ngravity"));
-    CHECK(beside.steps[0]->account().verdicts[0].state == report::State::pass);
+    CHECK(beside.steps[0]->account().verdicts[0].state == account::State::pass);
   }
 }

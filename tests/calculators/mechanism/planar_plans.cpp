@@ -2,7 +2,7 @@
 
 #include "calculators/mechanism/planar_animation.hpp"
 #include "calculators/mechanism/planar_outputs.hpp"
-#include "lib/draw/typeset.hpp"
+#include "lib/draw/canvas/typeset.hpp"
 #include "tests/lib/mechanism/models.hpp"
 
 #include <doctest/doctest.h>

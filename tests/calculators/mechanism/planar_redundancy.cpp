@@ -62,8 +62,8 @@ TEST_SUITE("mechanism held too much in a project") {
   TEST_CASE("a hodograph of a force that is not unique is not drawn, and that is told; the report cites why") {
     const auto project = solved(replaced(parallel, "positions = 12 }\n", "positions = 12 }\nhodographs = [\"F\"]\n"));
     const auto& account = project.steps[0]->account();
-    const auto told = std::find_if(account.blocks.begin(), account.blocks.end(), [](const report::Block& block) {
-      const auto* paragraph = std::get_if<report::Paragraph>(&block);
+    const auto told = std::find_if(account.blocks.begin(), account.blocks.end(), [](const account::Block& block) {
+      const auto* paragraph = std::get_if<account::Paragraph>(&block);
       return paragraph != nullptr && paragraph->text.text() == "No hodograph of 'F': its force is not unique.";
     });
     CHECK(told != account.blocks.end());
@@ -72,14 +72,14 @@ TEST_SUITE("mechanism held too much in a project") {
 
   TEST_CASE("the report says which joints share what") {
     const auto project = solved(parallel);
-    const report::Verdict& said = verdict_of(project, "determinate");
-    CHECK(said.state == report::State::not_covered);
+    const account::Verdict& said = verdict_of(project, "determinate");
+    CHECK(said.state == account::State::not_covered);
     CHECK(said.note.text() ==
           "the joints 'A', 'B', 'C', 'D', 'E', 'F' together hold one freedom too many: what they share depends on play "
           "and elasticity");
-    for (const report::Verdict& v : project.steps[0]->account().verdicts) {
+    for (const account::Verdict& v : project.steps[0]->account().verdicts) {
       CAPTURE(v.symbol);
-      CHECK((v.state == report::State::pass || v.symbol == "determinate"));
+      CHECK((v.state == account::State::pass || v.symbol == "determinate"));
     }
   }
 

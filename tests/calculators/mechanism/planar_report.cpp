@@ -40,12 +40,12 @@ PlanarMechanism::Input driven() {
   return in;
 }
 
-report::State state_of(const char* symbol, const Cycle& cycle) {
-  for (const report::Verdict& v : proof("press", driven(), {}, cycle, nullptr)) {
+account::State state_of(const char* symbol, const Cycle& cycle) {
+  for (const account::Verdict& v : proof("press", driven(), {}, cycle, nullptr)) {
     if (v.symbol == symbol) return v.state;
   }
   FAIL("no such proof");
-  return report::State::fail;
+  return account::State::fail;
 }
 
 Axis crank_angles() { return {"press", "crank angle", "deg", {0.0, pi / 2.0}, {}, 2.0 * pi}; }
@@ -57,9 +57,9 @@ Cycle proven() {
   return cycle;
 }
 
-report::Verdict verdict_of(const std::string& symbol, const Cycle& cycle) {
+account::Verdict verdict_of(const std::string& symbol, const Cycle& cycle) {
   const Axis axis = crank_angles();
-  for (const report::Verdict& v : proof("press", driven(), {}, cycle, &axis)) {
+  for (const account::Verdict& v : proof("press", driven(), {}, cycle, &axis)) {
     if (v.symbol == symbol) return v;
   }
   FAIL("no such proof");
@@ -74,8 +74,8 @@ TEST_SUITE("mechanism report") {
     off.residuals.force = off.residuals.moment = off.residuals.power = -1e-3;
     for (const char* symbol : {"force_balance", "moment_balance", "power_balance"}) {
       CAPTURE(symbol);
-      CHECK(state_of(symbol, cycle_of(balanced(), balanced())) == report::State::pass);
-      CHECK(state_of(symbol, cycle_of(balanced(), off)) == report::State::fail);
+      CHECK(state_of(symbol, cycle_of(balanced(), balanced())) == account::State::pass);
+      CHECK(state_of(symbol, cycle_of(balanced(), off)) == account::State::fail);
     }
   }
 
@@ -86,9 +86,9 @@ TEST_SUITE("mechanism report") {
     PlanarMechanism::Input pushed;
     pushed.cylinders.resize(1);
     off.position.effort = {1e9};
-    for (const report::Verdict& v : proof("press", pushed, {}, cycle_of(off, off), nullptr)) {
-      if (std::string(v.symbol) == "force_balance") CHECK(v.state == report::State::pass);
-      if (std::string(v.symbol) == "moment_balance") CHECK(v.state == report::State::not_available);
+    for (const account::Verdict& v : proof("press", pushed, {}, cycle_of(off, off), nullptr)) {
+      if (std::string(v.symbol) == "force_balance") CHECK(v.state == account::State::pass);
+      if (std::string(v.symbol) == "moment_balance") CHECK(v.state == account::State::not_available);
     }
   }
 
@@ -100,8 +100,8 @@ TEST_SUITE("mechanism report") {
       for (const char* symbol : {"force_balance", "moment_balance", "power_balance"}) {
         CAPTURE(symbol);
         for (const Solved& s : {residual, scale}) {
-          CHECK(state_of(symbol, cycle_of(s, balanced())) == report::State::not_available);
-          CHECK(state_of(symbol, cycle_of(balanced(), s)) == report::State::not_available);
+          CHECK(state_of(symbol, cycle_of(s, balanced())) == account::State::not_available);
+          CHECK(state_of(symbol, cycle_of(balanced(), s)) == account::State::not_available);
         }
       }
     }
@@ -119,32 +119,32 @@ TEST_SUITE("mechanism report") {
     for (const auto& m : methods) {
       CAPTURE(m.symbol);
       Cycle cycle = proven();
-      CHECK(verdict_of(m.symbol, cycle).state == report::State::pass);
+      CHECK(verdict_of(m.symbol, cycle).state == account::State::pass);
       cycle.proofs[1].disagreement[m.method] = 2e-8;
-      CHECK(verdict_of(m.symbol, cycle).state == report::State::fail);
+      CHECK(verdict_of(m.symbol, cycle).state == account::State::fail);
       CHECK(verdict_of(m.symbol, cycle).note.text() == "at 90 deg");
       cycle.proofs[1].condition = 3.0;
-      CHECK(verdict_of(m.symbol, cycle).state == report::State::pass);
+      CHECK(verdict_of(m.symbol, cycle).state == account::State::pass);
       cycle.proofs[0].disagreement[m.method] = std::numeric_limits<double>::quiet_NaN();
-      CHECK(verdict_of(m.symbol, cycle).state == report::State::not_available);
+      CHECK(verdict_of(m.symbol, cycle).state == account::State::not_available);
     }
   }
 
   TEST_CASE("positions that are not trustworthy are told with their crank angles") {
     Cycle cycle = proven();
-    CHECK(verdict_of("trustworthy", cycle).state == report::State::pass);
+    CHECK(verdict_of("trustworthy", cycle).state == account::State::pass);
     cycle.proofs[1].motion = 1e-9;
-    CHECK(verdict_of("trustworthy", cycle).state == report::State::fail);
+    CHECK(verdict_of("trustworthy", cycle).state == account::State::fail);
     CHECK(verdict_of("trustworthy", cycle).note.text() == "not trustworthy at 90 deg");
     cycle.proofs[0].unbalanced = 1.0;
     CHECK(verdict_of("trustworthy", cycle).note.text() ==
           "not trustworthy at 2 positions, first at 0 deg, last at 90 deg");
     cycle.closed = {false, false};
-    CHECK(verdict_of("trustworthy", cycle).state == report::State::not_available);
+    CHECK(verdict_of("trustworthy", cycle).state == account::State::not_available);
   }
 
   TEST_CASE("a frame has no drive to be found again") {
-    for (const report::Verdict& v : proof("frame", {}, {}, proven(), nullptr)) {
+    for (const account::Verdict& v : proof("frame", {}, {}, proven(), nullptr)) {
       CHECK(std::string(v.symbol) != "virtual_power");
       CHECK(std::string(v.symbol) != "zhukovsky_lever");
     }

@@ -43,7 +43,7 @@ joints.mesh = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"],
 loads = [{ link = "wheel", M = "10 N*m", useful = "yes", over = [["0 deg", 1], ["90 deg", 1], ["180 deg", -1], ["270 deg", -1]] }]
 )";
 
-const report::Cell* cell_of(const report::Table& table, const std::string& start) {
+const account::Cell* cell_of(const account::Table& table, const std::string& start) {
   for (const auto& row : table.rows) {
     if (text_of(row[0]).starts_with(start)) return &row[1];
   }
@@ -75,8 +75,8 @@ TEST_SUITE("mechanism rest") {
     CHECK(value(jam, "a.cylinders.drive.F_backward") == doctest::Approx(100.0 / (1.0 + 500.0 / 400.0)));
     CHECK(std::isnan(value(jam, "a.cylinders.drive.F_forward")));
     CHECK(text_of(*cell_of(*table_of(jam, "At rest"), "no effort starts it forward")) == "yes");
-    const report::Verdict& moves = verdict_of(jam, "moves");
-    CHECK(moves.state == report::State::not_covered);
+    const account::Verdict& moves = verdict_of(jam, "moves");
+    CHECK(moves.state == account::State::not_covered);
     CHECK(moves.note.text() ==
           "at rest friction acts either way, and no effort of the drive starts it forward; state 'impending'");
   }
@@ -92,14 +92,14 @@ TEST_SUITE("mechanism rest") {
       CHECK(value(project, "a.cylinders.push.F_min") == doctest::Approx(down));
       CHECK(value(project, "a.cylinders.push.F_max") == doctest::Approx(up));
       CHECK(value(project, "a.joints.G.F_max") == doctest::Approx(1000.0 * std::cos(a) * std::hypot(1.0, 0.3)));
-      const report::Table* table = table_of(project, "At rest");
+      const account::Table* table = table_of(project, "At rest");
       REQUIRE(table != nullptr);
       CHECK(text_of(*cell_of(*table, "stands without its drive")) == (down <= 0.0 ? "yes" : "no"));
-      const report::Cell* mu = cell_of(*table, "coefficient of friction then");
+      const account::Cell* mu = cell_of(*table, "coefficient of friction then");
       REQUIRE((mu != nullptr) == (down <= 0.0));
-      if (mu != nullptr) CHECK(std::get<report::Quantity>(*mu).si == doctest::Approx(std::tan(a)).epsilon(1e-7));
-      const report::Verdict& moves = verdict_of(project, "moves");
-      CHECK(moves.state == report::State::not_covered);
+      if (mu != nullptr) CHECK(std::get<account::Quantity>(*mu).si == doctest::Approx(std::tan(a)).epsilon(1e-7));
+      const account::Verdict& moves = verdict_of(project, "moves");
+      CHECK(moves.state == account::State::not_covered);
       CHECK(moves.note.text().starts_with("at rest friction acts either way"));
     }
   }
@@ -138,7 +138,7 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "-500 N" }]
         CHECK(least.si[k] == most.si[k]);
       }
     }
-    const report::Table* table = table_of(project, "Where joints rest");
+    const account::Table* table = table_of(project, "Where joints rest");
     REQUIRE(table != nullptr);
     CHECK(text_of(table->rows[0][0]) == "0 deg");
   }
@@ -155,7 +155,7 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "-500 N" }]
       const double sent = std::max(drive.si[k], -useful.si[k]), got = std::max(-drive.si[k], useful.si[k]);
       CHECK(got == doctest::Approx(0.9 * sent));
     }
-    const report::Table* table = table_of(project, "Loaded flanks");
+    const account::Table* table = table_of(project, "Loaded flanks");
     REQUIRE(table != nullptr);
     CHECK(text_of(table->rows[0][1]) == "135 deg, 315 deg");
   }
@@ -167,17 +167,17 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "-500 N" }]
     const auto worm = solved(lift);
     CHECK(text_of(*cell_of(*table_of(worm, "At rest"), "stands without its drive")) == "at every position");
     // It stands everywhere as soon as 1 - efficiency_back, here 1.5, is 1: two thirds of its friction.
-    const report::Cell* share = cell_of(*table_of(worm, "At rest"), "the same for every position");
+    const account::Cell* share = cell_of(*table_of(worm, "At rest"), "the same for every position");
     REQUIRE(share != nullptr);
-    CHECK(std::get<report::Quantity>(*share).si == doctest::Approx(2.0 / 3.0).epsilon(1e-6));
+    CHECK(std::get<account::Quantity>(*share).si == doctest::Approx(2.0 / 3.0).epsilon(1e-6));
     const auto back = solved(
         replaced(replaced(lift, "efficiency = 0.4, efficiency_back = -0.5", "efficiency = 0.8"), "10 N*m", "-10 N*m"));
-    const report::Table* power = table_of(back, "Power over the turn");
+    const account::Table* power = table_of(back, "Power over the turn");
     REQUIRE(power != nullptr);
-    const report::Cell* eta = cell_of(*power, "efficiency of the reversed flow");
+    const account::Cell* eta = cell_of(*power, "efficiency of the reversed flow");
     if (value(back, "a.drive.M") < 0.0) {
       REQUIRE(eta != nullptr);
-      CHECK(std::get<report::Quantity>(*eta).si == doctest::Approx(0.8));
+      CHECK(std::get<account::Quantity>(*eta).si == doctest::Approx(0.8));
     } else {
       CHECK(eta == nullptr);
     }

@@ -1,7 +1,7 @@
 #include "calculators/mechanism/planar_rounding.hpp"
 
 #include "calculators/mechanism/planar_cycle.hpp"
-#include "lib/units.hpp"
+#include "lib/quantity/units.hpp"
 
 #include <doctest/doctest.h>
 
@@ -29,7 +29,7 @@ struct Resting {
 TEST_SUITE("mechanism rounding") {
   TEST_CASE("what is far below what the links have is a zero, of a moment of inertia too") {
     const Resting resting;
-    std::vector<project::Entry> results(1);
+    std::vector<account::Entry> results(1);
     results[0].value = {{kg_m2.dimension(), nullptr}, {7.4e-69, 0.033, 1e-9}};
     clear_rounding(resting.model, resting.cycle, results);
     CHECK(results[0].value.si == std::vector<double>{0.0, 0.033, 1e-9});
@@ -46,10 +46,10 @@ TEST_SUITE("mechanism rounding") {
   }
 
   TEST_CASE("the angle of a link at half a turn is positive, whatever the sign of its rounding") {
-    std::vector<project::Entry> results(2);
+    std::vector<account::Entry> results(2);
     results[0].path = "links.rod.phi";
     results[1].path = "crank_angle";
-    for (project::Entry& e : results) e.value = {{deg.dimension(), nullptr}, {-pi, pi, -3.0, -pi + 1e-16}};
+    for (account::Entry& e : results) e.value = {{deg.dimension(), nullptr}, {-pi, pi, -3.0, -pi + 1e-16}};
     const Resting resting;
     clear_rounding(resting.model, resting.cycle, results);
     const std::vector<double>& phi = results[0].value.si;

@@ -14,7 +14,7 @@ using Planar = PlanarMechanism;
 
 namespace {
 
-const Calculator& planar_mechanism() { return *find_calculator(catalogue(), "mechanism.planar"); }
+const Calculator& planar_mechanism() { return *find_calculator(calculators(), "mechanism.planar"); }
 
 const Planar::Input& input_of(const project::Project& project) {
   return *static_cast<const Planar::Input*>(project.steps[0]->input().reading.record.data.get());
@@ -170,7 +170,7 @@ TEST_SUITE("mechanism templates") {
       CAPTURE(t->id);
       const auto project = solved(t->example);
       CHECK(project.steps[0]->input().from == t);
-      CHECK(report::worst(project::verdicts(project)) == report::State::pass);
+      CHECK(account::worst(project::verdicts(project)) == account::State::pass);
     }
   }
 
@@ -283,7 +283,7 @@ joints.V = { type = "revolute", links = ["pump", "plunger"] }
 joints.bore = { type = "prismatic", links = ["plunger", "ground"], points = ["V", "H"] }
 )");
     CHECK(value(p, "a.points.V.x") == doctest::Approx(-0.11).epsilon(1e-12));
-    CHECK(report::worst(project::verdicts(p)) == report::State::pass);
+    CHECK(account::worst(project::verdicts(p)) == account::State::pass);
   }
 
   TEST_CASE("friction in a template's joints is the user's") {

@@ -29,7 +29,7 @@ class SolvedStep {
   }
   /// The word of a choice.
   [[nodiscard]] std::string word(const std::string& path) const {
-    for (const project::Entry& entry : project_.steps[0]->account().results) {
+    for (const account::Entry& entry : project_.steps[0]->account().results) {
       if (entry.path == path) return entry.word;
     }
     return {};
@@ -41,7 +41,7 @@ class SolvedStep {
     }
     return "";
   }
-  [[nodiscard]] report::State worst() const { return report::worst(project::verdicts(project_)); }
+  [[nodiscard]] account::State worst() const { return account::worst(project::verdicts(project_)); }
 
  private:
   std::vector<Issue> issues_;

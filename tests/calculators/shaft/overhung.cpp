@@ -2,8 +2,8 @@
 
 #include "calculators/catalogue.hpp"
 #include "calculators/shaft/torsion.hpp"
-#include "lib/io/tree.hpp"
 #include "lib/project/project.hpp"
+#include "lib/toml/tree.hpp"
 
 #include <doctest/doctest.h>
 
@@ -37,7 +37,7 @@ project::Project solved(const std::string& text, std::vector<Issue>& issues) {
 
 std::string slotted_lever() {
   std::string text;
-  REQUIRE(io::read_file(std::string(LOADPATH_ROOT) + "/examples/slotted-lever/project.toml", text));
+  REQUIRE(toml::read_file(std::string(LOADPATH_ROOT) + "/examples/slotted-lever/project.toml", text));
   return text;
 }
 
@@ -108,7 +108,7 @@ TEST_SUITE("shaft") {
     const project::Project p = solved(slotted_lever(), issues);
     bool said = false;
     for (const auto& v : project::verdicts(p)) {
-      said = said || (v.step == "crankshaft" && v.symbol == "F_bend" && v.state == report::State::not_covered);
+      said = said || (v.step == "crankshaft" && v.symbol == "F_bend" && v.state == account::State::not_covered);
     }
     CHECK(said);
   }
@@ -126,7 +126,7 @@ TEST_SUITE("shaft") {
                  issues);
       REQUIRE(issues.empty());
       if (std::isnan(row.R_e)) {
-        CHECK(report::worst(project::verdicts(p)) == report::State::not_covered);
+        CHECK(account::worst(project::verdicts(p)) == account::State::not_covered);
       } else {
         CHECK(rel(p.value("part.tau_all")->si[0] * std::sqrt(3.0) * 2, row.R_e * 1e6) < 1e-12);
       }

@@ -1,6 +1,6 @@
 #include "calculators/shaft/torsion.hpp"
 
-#include "lib/units.hpp"
+#include "lib/quantity/units.hpp"
 
 #include <doctest/doctest.h>
 

@@ -75,7 +75,7 @@ TEST_SUITE("vessel.cylinder") {
       project::Project p =
           project::read_project("[v]\n" + step + "delta = \"" + delta + "\"\n", "case.toml", catalogue(), issues);
       project::solve(p, issues);
-      CHECK((report::worst(project::verdicts(p)) == report::State::pass) == covered);
+      CHECK((account::worst(project::verdicts(p)) == account::State::pass) == covered);
     }
   }
 

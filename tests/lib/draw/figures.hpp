@@ -1,7 +1,7 @@
 // Figures as calculators make them, for the tests of what is drawn.
 #pragma once
 
-#include "lib/draw/figure.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,7 @@
 // Reads back what the figures' tests ask of an SVG text.
 #pragma once
 
-#include "lib/draw/view.hpp"
+#include "lib/draw/canvas/view.hpp"
 
 #include <cctype>
 #include <charconv>

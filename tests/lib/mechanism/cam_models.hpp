@@ -1,7 +1,7 @@
 // Mechanisms with cams that several tests use.
 #pragma once
 
-#include "lib/mechanism/pair.hpp"
+#include "lib/mechanism/model/pair.hpp"
 #include "tests/lib/mechanism/models.hpp"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // Cams: against the mechanisms that an eccentric is equivalent to, against the laws of lift, and what only pushes.
 // What must hold for every kind of joint is tested in pairs.cpp and sensitivity.cpp.
-#include "lib/mechanism/cam_state.hpp"
-#include "lib/mechanism/group_system.hpp"
-#include "lib/mechanism/structure.hpp"
+#include "lib/mechanism/groups/system.hpp"
+#include "lib/mechanism/structure/structure.hpp"
+#include "lib/mechanism/studies/cam_state.hpp"
 #include "tests/lib/mechanism/cam_models.hpp"
 #include "tests/lib/mechanism/proof/methods.hpp"
 

@@ -1,5 +1,5 @@
 // Friction in joints: textbook cases by hand, and what must hold for every mechanism with friction.
-#include "lib/mechanism/group_system.hpp"
+#include "lib/mechanism/groups/system.hpp"
 #include "tests/lib/mechanism/models.hpp"
 #include "tests/lib/mechanism/proof/methods.hpp"
 

@@ -1,5 +1,5 @@
 // Friction where its sense is not that of a motion: impending motion, self-locking, joints that rest at dead points.
-#include "lib/mechanism/group_system.hpp"
+#include "lib/mechanism/groups/system.hpp"
 #include "tests/lib/mechanism/models.hpp"
 #include "tests/lib/mechanism/proof/methods.hpp"
 

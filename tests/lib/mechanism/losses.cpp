@@ -1,6 +1,6 @@
 // Efficiency of teeth and belts: what a designer reckons with M_out = eta i M_in, and what a planetary gear makes of
 // it.
-#include "lib/mechanism/group_system.hpp"
+#include "lib/mechanism/groups/system.hpp"
 #include "tests/lib/mechanism/proof/methods.hpp"
 #include "tests/lib/mechanism/wheel_models.hpp"
 

@@ -1,8 +1,8 @@
 // Rigid joints, gears, racks, belts and rolling wheels: both solvers, against closed forms and against what must hold
 // for every mechanism.
-#include "lib/mechanism/group_system.hpp"
-#include "lib/mechanism/pair.hpp"
-#include "lib/mechanism/structure.hpp"
+#include "lib/mechanism/groups/system.hpp"
+#include "lib/mechanism/model/pair.hpp"
+#include "lib/mechanism/structure/structure.hpp"
 #include "tests/lib/mechanism/models.hpp"
 #include "tests/lib/mechanism/proof/methods.hpp"
 #include "tests/lib/mechanism/wheel_models.hpp"

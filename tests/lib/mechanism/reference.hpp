@@ -1,8 +1,8 @@
 // Reads the random mechanisms and the answers of an independent solver in tests/mechanism/data.
 #pragma once
 
-#include "lib/mechanism/model.hpp"
-#include "lib/mechanism/position.hpp"
+#include "lib/mechanism/model/model.hpp"
+#include "lib/mechanism/model/position.hpp"
 
 #include <boost/json.hpp>
 

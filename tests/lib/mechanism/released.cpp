@@ -1,8 +1,8 @@
 // Mechanisms whose joints hold more than is needed: what is unique is found, what is not is named.
+#include "lib/mechanism/groups/released_system.hpp"
 #include "lib/mechanism/proof/proof.hpp"
-#include "lib/mechanism/release.hpp"
-#include "lib/mechanism/released_system.hpp"
-#include "lib/mechanism/structure.hpp"
+#include "lib/mechanism/structure/release.hpp"
+#include "lib/mechanism/structure/structure.hpp"
 #include "tests/lib/mechanism/models.hpp"
 
 #include <doctest/doctest.h>

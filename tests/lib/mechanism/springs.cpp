@@ -1,6 +1,6 @@
 // Springs and dampers: by hand, and what must hold for every mechanism.
-#include "lib/mechanism/group_system.hpp"
-#include "lib/mechanism/spring.hpp"
+#include "lib/mechanism/groups/system.hpp"
+#include "lib/mechanism/model/spring.hpp"
 #include "tests/lib/mechanism/models.hpp"
 
 #include <doctest/doctest.h>

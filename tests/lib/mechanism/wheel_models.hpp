@@ -1,7 +1,7 @@
 // Mechanisms with cams, gears, racks, belts, rolling wheels and rigid joints that several tests use.
 #pragma once
 
-#include "lib/mechanism/pair.hpp"
+#include "lib/mechanism/model/pair.hpp"
 #include "tests/lib/mechanism/cam_models.hpp"
 
 #include <cmath>

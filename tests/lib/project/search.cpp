@@ -1,4 +1,4 @@
-#include "lib/project/providers.hpp"
+#include "lib/project/run/providers.hpp"
 #include "tests/lib/project/texts.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ TEST_SUITE("project search") {
     const double d = value(project, "axle.d"), least = value(project, "axle.d_min");
     const auto stock = project::stock_values("R20");
     CHECK(d == *std::lower_bound(stock.begin(), stock.end(), least));
-    CHECK(report::worst(project::verdicts(project)) == report::State::pass);
+    CHECK(account::worst(project::verdicts(project)) == account::State::pass);
   }
 
   TEST_CASE("a size that is missing is searched for in the field's own stock, as '?' is") {
@@ -28,7 +28,7 @@ TEST_SUITE("project search") {
 
   TEST_CASE("the account says that a size was found, and in which stock") {
     const auto project = solved(sized("d = { stock = \"R20\" }\n"));
-    for (const project::Entry& e : project.find("axle")->account().inputs) {
+    for (const account::Entry& e : project.find("axle")->account().inputs) {
       if (e.path == "d") CHECK(e.origin.text.text() == "smallest of R20 that passes every check");
     }
   }
@@ -42,7 +42,7 @@ TEST_SUITE("project search") {
   TEST_CASE("no size of the stock passes: the largest is checked and fails") {
     const auto project = solved(axle + "T = \"1e9 N*m\"\ntau_adm = \"30 MPa\"\nd = { stock = \"shaft\" }\n");
     CHECK(value(project, "axle.d") == project::stock_values("shaft").back());
-    CHECK(report::worst(project::verdicts(project)) == report::State::fail);
+    CHECK(account::worst(project::verdicts(project)) == account::State::fail);
   }
 
   TEST_CASE("no size of the stock keeps the rules: nothing is taken") {
@@ -88,6 +88,6 @@ TEST_SUITE("project search") {
         "[pair]\ncalculator = \"gear.pair\"\nz_1 = 21\nz_2 = 60\na_w = \"122 mm\"\nT_1 = \"49.4 N*m\"\nb = \"40 mm\"\n"
         "sigma_adm_1 = \"180 MPa\"\nsigma_adm_2 = \"160 MPa\"\n");
     CHECK(value(project, "pair.m_n") == doctest::Approx(0.003));
-    CHECK(report::worst(project::verdicts(project)) == report::State::pass);
+    CHECK(account::worst(project::verdicts(project)) == account::State::pass);
   }
 }

@@ -35,7 +35,7 @@ std::string other_bar() {
   return text;
 }
 
-const report::Verdict& verdict(const project::Project& project, const std::string& step, const std::string& symbol) {
+const account::Verdict& verdict(const project::Project& project, const std::string& step, const std::string& symbol) {
   const auto& all = project.find(step)->account().verdicts;
   const auto found = std::find_if(all.begin(), all.end(), [&](const auto& v) { return v.symbol == symbol; });
   REQUIRE(found != all.end());
@@ -156,20 +156,20 @@ TEST_SUITE("project steps") {
 
   TEST_CASE("what divides by zero is not available, with the input that it comes from") {
     const auto project = told(axle + "T = \"=9 N*m / (0 mm / (1 mm))\"\ntau_adm = \"30 MPa\"\n").project;
-    const report::Verdict& v = verdict(project, "axle", "u_tau");
-    CHECK(v.state == report::State::not_available);
+    const account::Verdict& v = verdict(project, "axle", "u_tau");
+    CHECK(v.state == account::State::not_available);
     CHECK(v.note.text() == "'T' is not available: = 9 N*m / (0 mm / (1 mm))");
-    CHECK(report::worst(project::verdicts(project)) == report::State::not_available);
+    CHECK(account::worst(project::verdicts(project)) == account::State::not_available);
   }
 
   TEST_CASE("numbers beyond all measure come to a verdict, never to a pass") {
     const auto project = told(axle + "T = \"=1e300 N*m\"\nK_A = \"=1e300\"\ntau_adm = \"30 MPa\"\n").project;
-    CHECK(verdict(project, "axle", "u_tau").state != report::State::pass);
+    CHECK(verdict(project, "axle", "u_tau").state != account::State::pass);
   }
 
   TEST_CASE("inputs say where they come from, elements with names too") {
     const auto project = solved(bar);
-    for (const project::Entry& e : project.find("bar")->account().inputs) {
+    for (const account::Entry& e : project.find("bar")->account().inputs) {
       if (e.path == "loads.weight.F_y") CHECK(e.origin.text.text() == "given");
       if (e.path == "gravity") CHECK(e.origin.text.text() == "default");
     }
@@ -177,9 +177,9 @@ TEST_SUITE("project steps") {
 
   TEST_CASE("with the moment of a drive comes the force of its joint") {
     const auto project = told(bar + axle + "T = \"=peak(bar.drive.M)\"\ntau_adm = \"30 MPa\"\n").project;
-    const report::Verdict& bending = verdict(project, "axle", "F_bend");
-    CHECK(bending.state == report::State::not_covered);
-    CHECK(std::get<report::Quantity>(bending.value).si == doctest::Approx(100.0));
+    const account::Verdict& bending = verdict(project, "axle", "F_bend");
+    CHECK(bending.state == account::State::not_covered);
+    CHECK(std::get<account::Quantity>(bending.value).si == doctest::Approx(100.0));
   }
 
   TEST_CASE("what is one thing for all loads takes no series of them") {
@@ -193,7 +193,7 @@ TEST_SUITE("project steps") {
          {Row{"belt.flat", "P", "drive.P"}, Row{"belt.v", "P", "drive.P"}, Row{"belt.v_sizing", "P", "drive.P"},
           Row{"belt.course", "S_0", "links.rod.N"}, Row{"column.lightest", "P", "links.rod.N"}}) {
       CAPTURE(row.id);
-      const Calculator* const calculator = find_calculator(catalogue(), row.id);
+      const Calculator* const calculator = find_calculator(calculators(), row.id);
       REQUIRE(calculator != nullptr);
       CHECK(first_error(with(calculator->example, row.key, std::string("\"=press.") + row.load + "\"") + press) ==
             std::string("'") + row.key + "' takes one value, and this is a series over press: crank angle");

@@ -1,7 +1,7 @@
 #include "lib/table/lines.hpp"
 
-#include "lib/embedded.hpp"
 #include "lib/table/table.hpp"
+#include "lib/text/embedded.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,0 +1,56 @@
+// What a solved step has to say. Reports, JSON, the terminal and `verify` are written from it.
+#pragma once
+
+#include "lib/account/block.hpp"
+#include "lib/account/verdict.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/quantity/series.hpp"
+
+#include <string>
+#include <vector>
+
+namespace loadpath::account {
+
+/// Where a value comes from, for the report: typed, an expression, a row of a table, a default.
+struct Origin {
+  Message text;
+  std::vector<std::string> sources;  // keys of tables/sources.toml
+  bool recalled = false;             // the row's source was not seen: flagged in the report
+};
+
+/// A named quantity of a step.
+struct Entry {
+  std::string path;  // within the step: "segments[2].tau"
+  std::string doc;   // a message id
+  std::string unit;  // display unit
+  Role role = Role::result;
+  Value value;
+  Origin origin;           // inputs only
+  std::string word;        // a choice or a name instead of a number
+  bool is_factor = false;  // inputs only: see Field::factor
+  Message missing = {};    // why there is no value, or none at some positions; empty: "not available"
+};
+
+/// Whether nothing is known of it, at no position.
+bool is_open(const Entry& entry);
+
+/// A line of the calculation; the scope names the element of a list that it belongs to ("segments[2]").
+struct Derived {
+  std::string scope;
+  Step step;
+  std::string element = {};  // the scope by the element's name, where it has one: "methods.johnson"
+};
+
+struct Account {
+  std::vector<Entry> inputs;
+  std::vector<Entry> results;
+  std::vector<Verdict> verdicts;
+  Message governing;  // which position the derivation is for; empty where there is one value
+  std::vector<Derived> derivation;
+  std::vector<Block> input_blocks;  // where the step shows its inputs itself, not in a list; where pictures are wanted
+  std::vector<Block> blocks;        // what only this kind of step has: tables, notes; where pictures are wanted
+  std::vector<draw::Figure> figures;  // where pictures are wanted
+  std::vector<std::string> sources;   // keys of tables/sources.toml, beside those that the calculator always cites
+};
+
+}  // namespace loadpath::account

@@ -1,0 +1,25 @@
+// What stands in one place of a table or beside a verdict.
+#pragma once
+
+#include "lib/account/state.hpp"
+#include "lib/text/issue.hpp"
+
+#include <string>
+#include <variant>
+
+namespace loadpath::account {
+
+/// A value in a unit; NaN is printed as "not available".
+struct Quantity {
+  double si = 0.0;
+  std::string unit;  // "N*m"
+  int digits = 5;
+};
+/// A symbol of a formula: "tau_adm".
+struct Symbol {
+  std::string name;
+};
+/// Text of the user or of a message: escaped by the writer.
+using Cell = std::variant<std::string, Message, Quantity, Symbol, State>;
+
+}  // namespace loadpath::account

@@ -1,0 +1,96 @@
+// A calculator without its C++ types: what the program's commands, readers, searches, sweeps and reports know of it.
+#pragma once
+
+#include "lib/calculator/record.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
+#include "lib/text/issue.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loadpath {
+
+struct RuleInfo {
+  const char* fields;
+  const char* text;
+  bool only_warns = false;
+};
+
+/// A result that depends on the model: "drive.M", or "joints.NAME.F" with a name of the input in its place.
+struct ResultPattern {
+  const char* path;
+  const char* unit;
+  const char* doc;
+  const char* where;  // when it exists; empty: always
+};
+
+/// An input that is known in shape: a few parameters of its own in place of many elements. In a project file the key
+/// `template` names it, and its parameters stand beside the calculator's own fields.
+struct Template {
+  const char* id = "";       // "slider_crank"
+  const char* title = "";    // "Slider-crank, central or offset"
+  const char* doc = "";      // what is joined to what, and where the origin is
+  const char* example = "";  // a project file that runs
+  const RecordType* parameters = nullptr;
+  /// Puts every element that the template makes into a blank input: names, no values.
+  void (*lay_out)(void* input) = nullptr;
+};
+
+/// A column of a sweep: where a leaf of the input (or result) lies inside its record, and its values.
+struct InputColumn {
+  std::size_t offset;  // bytes from the start of the aggregate
+  const double* si;
+};
+struct ResultColumn {
+  std::size_t offset;
+  double* si;
+};
+
+struct Calculator {
+  const char* id = "";                    // "shaft.torsion"
+  const char* title = "";                 // "Torsion of a shaft"
+  const char* scope = "";                 // what it decides, what it assumes, what it does not cover
+  const char* source = "";                // keys of tables/sources.toml: "[B19]"
+  const char* example = "";               // a project file that runs
+  std::vector<std::string> used_sources;  // keys that a step cites only where it uses them (account::Account::sources)
+  const RecordType* input = nullptr;
+  const RecordType* result = nullptr;
+  std::vector<ResultPattern> patterns;  // in place of `result`, where names in the input make the paths
+  std::span<const Template* const> templates;
+  std::span<const RuleInfo> rules;
+  bool (*holds)(std::size_t rule, const void* input) = nullptr;
+  /// What is wrong with an input that breaks the rule: the rule's particulars, else its text.
+  FieldFault (*fault_of)(std::size_t rule, const void* input) = nullptr;
+  void (*evaluate)(const void* input, void* result) = nullptr;
+  void (*explain)(const void* input, void* result, Trace& trace) = nullptr;
+  std::vector<draw::Figure> (*figures)(const void* input, const void* result) = nullptr;
+  /// `count` evaluations; `input` is the base record and holds the last point afterwards. Allocates nothing.
+  void (*sweep)(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out,
+                std::size_t count) = nullptr;
+  /// Whether an input may be a series: not where it decides on one thing for all its loads, a belt and its tension, a
+  /// section. At every position of a cycle it would find another.
+  bool takes_series = true;
+
+  [[nodiscard]] std::string_view element() const {
+    const std::string_view all = id;
+    return all.substr(0, all.find('.'));
+  }
+};
+
+using Calculators = std::span<const Calculator* const>;
+
+/// The erased form of a calculator class: defined by lib/calculator/calculator_of.hpp, instantiated in the calculator's
+/// source.
+template <class C>
+const Calculator& erased();
+
+const Calculator* find_calculator(Calculators calculators, std::string_view id);
+/// The groups of tables that its inputs can be taken from, each once, in the order of the fields: "material".
+std::vector<std::string> table_groups(const Calculator& calculator);
+const Template* find_template(const Calculator& calculator, std::string_view id);
+
+}  // namespace loadpath

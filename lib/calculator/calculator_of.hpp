@@ -1,0 +1,103 @@
+// Makes the erased Calculator of a calculator class. Included by the source of each calculator.
+//
+//   struct SolidShaft {
+//     static constexpr auto id = "...", title = "...", scope = "...", source = "...", example = "...";
+//     struct Input { ... };  struct Result { ... };
+//     static constexpr std::tuple inputs{Field{...}...}, results{Field{...}...};
+//     static constexpr std::array rules{Rule<Input>{...}...};
+//     template <class Tracer> static Result evaluate(const Input&, Tracer&);   // defined in the source
+//     static constexpr bool takes_series = false;              // where it decides on one thing for all its loads
+//     static std::vector<draw::Figure> figures(const Input&, const Result&);
+//   };
+#pragma once
+
+#include "lib/calculator/calculator.hpp"
+#include "lib/calculator/record_of.hpp"
+
+#include <cstring>
+
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) && \
+    !defined(__SANITIZE_ADDRESS__)
+/// The loop of a sweep: inlined whole, and compiled for wide registers too; the machine chooses when it starts.
+#define LOADPATH_SWEEP __attribute__((flatten, target_clones("default", "arch=x86-64-v3")))
+#else
+#define LOADPATH_SWEEP
+#endif
+
+namespace loadpath {
+
+namespace detail {
+
+template <class C>
+inline constexpr auto rule_infos = [] {
+  std::array<RuleInfo, C::rules.size()> infos{};
+  for (std::size_t i = 0; i < infos.size(); ++i)
+    infos[i] = {C::rules[i].fields, C::rules[i].text, C::rules[i].only_warns};
+  return infos;
+}();
+
+template <class Input>
+FieldFault fault_of(const Rule<Input>& rule, const Input& in) {
+  FieldFault fault = rule.particulars == nullptr ? FieldFault{} : rule.particulars(in);
+  if (fault.message.empty()) fault.message = say(rule.text);
+  return fault;
+}
+
+template <class C>
+LOADPATH_SWEEP void sweep_loop(typename C::Input& input, std::span<const InputColumn> in,
+                               std::span<const ResultColumn> out, std::size_t count) {
+  NoTrace trace;
+  char* const base = reinterpret_cast<char*>(&input);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const InputColumn& column : in) std::memcpy(base + column.offset, column.si + i, sizeof(double));
+    const typename C::Result result = C::evaluate(input, trace);
+    const char* const values = reinterpret_cast<const char*>(&result);
+    for (const ResultColumn& column : out) std::memcpy(column.si + i, values + column.offset, sizeof(double));
+  }
+}
+
+}  // namespace detail
+
+template <class C>
+Calculator calculator_of() {
+  using Input = typename C::Input;
+  using Result = typename C::Result;
+  Calculator c;
+  c.id = C::id;
+  c.title = C::title;
+  c.scope = C::scope;
+  c.source = C::source;
+  c.example = C::example;
+  c.input = &record_type<Input, C::inputs>();
+  c.result = &record_type<Result, C::results>();
+  c.rules = detail::rule_infos<C>;
+  c.holds = [](std::size_t rule, const void* in) { return C::rules[rule].holds(*static_cast<const Input*>(in)); };
+  c.fault_of = [](std::size_t rule, const void* in) {
+    return detail::fault_of(C::rules[rule], *static_cast<const Input*>(in));
+  };
+  c.evaluate = [](const void* in, void* out) {
+    NoTrace trace;
+    *static_cast<Result*>(out) = C::evaluate(*static_cast<const Input*>(in), trace);
+  };
+  c.explain = [](const void* in, void* out, Trace& trace) {
+    *static_cast<Result*>(out) = C::evaluate(*static_cast<const Input*>(in), trace);
+  };
+  if constexpr (requires(const Input& in, const Result& out) { C::figures(in, out); }) {
+    c.figures = [](const void* in, const void* out) {
+      return C::figures(*static_cast<const Input*>(in), *static_cast<const Result*>(out));
+    };
+  }
+  c.sweep = [](void* in, std::span<const InputColumn> columns, std::span<const ResultColumn> out, std::size_t count) {
+    detail::sweep_loop<C>(*static_cast<Input*>(in), columns, out, count);
+  };
+  if constexpr (requires { C::takes_series; }) c.takes_series = C::takes_series;
+  return c;
+}
+
+template <class C>
+const Calculator& erased() {
+  static const Calculator calculator = calculator_of<C>();
+  return calculator;
+}
+
+}  // namespace loadpath

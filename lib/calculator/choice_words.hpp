@@ -1,0 +1,19 @@
+// The words of a choice as a user meets them. An empty one stands for what is not said: it is not shown, nor typed.
+#pragma once
+
+#include "lib/calculator/record.hpp"
+
+#include <string>
+#include <vector>
+
+namespace loadpath {
+
+inline std::vector<std::string> words_to_type(const FieldInfo& choice) {
+  std::vector<std::string> words;
+  for (const ChoiceInfo& c : choice.choices) {
+    if (*c.key != '\0') words.emplace_back(c.key);
+  }
+  return words;
+}
+
+}  // namespace loadpath

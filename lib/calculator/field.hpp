@@ -1,0 +1,273 @@
+// The one list of fields that a calculator declares. What each member of its Input and Result means, its unit, its
+// bounds and its part (input, result, check, limit) is said here once; readers, reports and tests follow from it.
+//
+// All numbers given to a Field (bounds, plausible range) are in the field's own unit.
+#pragma once
+
+#include "lib/calculator/list.hpp"
+#include "lib/quantity/units.hpp"
+
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace loadpath {
+
+struct FieldFault;
+
+/// A check is a utilisation, demand over capacity, passing at <= 1. A limit is a validity range: outside its bounds the
+/// verdict is "not covered".
+enum class Role { input, result, check, limit };
+
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_open = false;
+  bool high_open = false;
+
+  [[nodiscard]] constexpr bool holds(double x) const {
+    return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high);
+  }
+  [[nodiscard]] constexpr Range times(double factor) const {
+    return {low * factor, high * factor, low_open, high_open};
+  }
+};
+
+/// Where the value of an input can come from when the user does not type it.
+struct Provider {
+  enum class Kind { none, table, companion };
+  Kind kind = Kind::none;
+  const char* table = "";   // table: "material", also the key of the step that names the row
+  const char* column = "";  // table: "R_e"; companion: the input whose source brings the value along ("T")
+  const char* size = "";    // table: the result or input that the value depends on ("d")
+  const char* unless = "";  // table: the value is not needed where this input is given
+  bool may_lack = false;    // table: rows without the column leave the input as it is
+};
+
+/// The words of a choice. Specialise `choices_of` for the enum class.
+template <class Enum>
+struct ChoiceName {
+  Enum value;
+  const char* key;
+  const char* doc;
+};
+
+/// What the words of a choice say of this value.
+template <class Enum>
+constexpr ChoiceName<Enum> choice_of(Enum value) {
+  for (const auto& choice : choices_of(value)) {
+    if (choice.value == value) return choice;
+  }
+  return {value, "", ""};
+}
+/// The word of a project for it.
+template <class Enum>
+constexpr const char* word_of(Enum value) {
+  return choice_of(value).key;
+}
+
+namespace detail {
+
+/// What fields of all types share, each a link of the chain that declares it.
+template <class Self>
+struct Described {
+  const char* key = "";
+  const char* doc = "";
+  Role role = Role::input;
+  bool optional = false;  // an input that may be missing (a rule or a default says what then)
+
+  [[nodiscard]] constexpr Self as(Role r) const {
+    Self s = self();
+    s.role = r;
+    return s;
+  }
+  [[nodiscard]] constexpr Self may_be_missing() const {
+    Self s = self();
+    s.optional = true;
+    return s;
+  }
+
+ private:
+  [[nodiscard]] constexpr const Self& self() const { return static_cast<const Self&>(*this); }
+};
+
+}  // namespace detail
+
+/// A quantity or number of an Input or Result.
+template <class Owner, class Quantity>
+struct Field : detail::Described<Field<Owner, Quantity>> {
+  using Base = detail::Described<Field<Owner, Quantity>>;
+  Quantity Owner::*at;
+  Unit<Quantity> unit;
+  Range bounds;     // outside: refused (input), not covered (limit)
+  Range plausible;  // outside: a warning
+  Provider provider;
+  const char* asked_by = "";     // check or limit: exists only where one of these inputs is given ("N, P")
+  bool infinite = false;         // input: a plain number that may be typed as inf
+  bool where_set = false;        // check or limit: exists only where the calculator gives it a value
+  const char* searched_in = "";  // input: where missing, the smallest value of this stock that passes every check
+  bool kept = false;             // input: where missing in a search, the result of the same key of the sizing run
+  bool is_factor = false;        // input: raises a load or lowers a strength; the report lists where each is applied
+
+  constexpr Field(Quantity Owner::*member, const char* k, Unit<Quantity> u, const char* d)
+      : Base{k, d}, at{member}, unit{u} {}
+
+  [[nodiscard]] constexpr Field within(double low, double high) const { return bounded({low, high, false, false}); }
+  [[nodiscard]] constexpr Field positive() const { return bounded({0.0, bounds.high, true, bounds.high_open}); }
+  [[nodiscard]] constexpr Field at_least(double low) const {
+    return bounded({low, bounds.high, false, bounds.high_open});
+  }
+  [[nodiscard]] constexpr Field below(double high) const { return bounded({bounds.low, high, bounds.low_open, true}); }
+  [[nodiscard]] constexpr Field usually(double low, double high) const {
+    Field f = *this;
+    f.plausible = {low, high, false, false};
+    return f;
+  }
+  /// From the row of a table that the step names (`material = "C45E"`), at the size given by another field.
+  [[nodiscard]] constexpr Field from(const char* table, const char* column, const char* size = "",
+                                     const char* unless = "") const {
+    return provided({Provider::Kind::table, table, column, size, unless, false});
+  }
+  /// From a row that may lack the column at every size: the input then stays as if no row were named.
+  [[nodiscard]] constexpr Field where_it_has() const {
+    Field f = *this;
+    f.provider.may_lack = true;
+    return f;
+  }
+  /// What comes along with the source of another input: with a driving moment the force on its joint.
+  [[nodiscard]] constexpr Field coming_with(const char* input) const {
+    return provided({Provider::Kind::companion, "", input, "", "", false});
+  }
+  [[nodiscard]] constexpr Field check(const char* input = "") const {
+    Field f = this->as(Role::check);
+    f.asked_by = input;
+    return f;
+  }
+  [[nodiscard]] constexpr Field limit(double low, double high, const char* input = "") const {
+    Field f = within(low, high).as(Role::limit);
+    f.asked_by = input;
+    return f;
+  }
+  /// A plain number whose infinity means something: the ratio of a stress cycle that ends in zero.
+  [[nodiscard]] constexpr Field may_be_infinite() const {
+    Field f = *this;
+    f.infinite = true;
+    return f;
+  }
+  /// A check or limit that concerns some inputs only: the calculator leaves it unset for the others.
+  [[nodiscard]] constexpr Field where_it_applies() const {
+    Field f = *this;
+    f.where_set = true;
+    return f;
+  }
+  [[nodiscard]] constexpr Field searched(const char* stock) const {
+    Field f = *this;
+    f.searched_in = stock;
+    return f;
+  }
+  [[nodiscard]] constexpr Field kept_in_search() const {
+    Field f = *this;
+    f.kept = true;
+    return f;
+  }
+  [[nodiscard]] constexpr Field factor() const {
+    Field f = *this;
+    f.is_factor = true;
+    return f;
+  }
+
+ private:
+  [[nodiscard]] constexpr Field bounded(Range r) const {
+    Field f = *this;
+    f.bounds = r;
+    return f;
+  }
+  [[nodiscard]] constexpr Field provided(Provider p) const {
+    Field f = this->may_be_missing();
+    f.provider = p;
+    return f;
+  }
+};
+
+/// A whole number.
+template <class Owner>
+struct Count : detail::Described<Count<Owner>> {
+  int Owner::*at;
+  int low;
+  int high;
+  constexpr Count(int Owner::*member, const char* k, int least, int most, const char* d)
+      : detail::Described<Count<Owner>>{k, d}, at{member}, low{least}, high{most} {}
+};
+
+/// A name: of an element, or of something that another part of the input declares.
+template <class Owner>
+struct NameField : detail::Described<NameField<Owner>> {
+  Name Owner::*at;
+  constexpr NameField(Name Owner::*member, const char* k, const char* d)
+      : detail::Described<NameField<Owner>>{k, d}, at{member} {}
+};
+
+/// A quantity as a formula of one variable (lib/quantity/expression/law.hpp); the calculator reads it.
+template <class Owner>
+struct FormulaField : detail::Described<FormulaField<Owner>> {
+  Formula Owner::*at;
+  constexpr FormulaField(Formula Owner::*member, const char* k, const char* d)
+      : detail::Described<FormulaField<Owner>>{k, d}, at{member} {}
+};
+
+/// One of a few words; `choices_of(Enum{})` is found beside the enum class and gives an array of ChoiceName.
+template <class Owner, class Enum>
+struct Choice : detail::Described<Choice<Owner, Enum>> {
+  Enum Owner::*at;
+  constexpr Choice(Enum Owner::*member, const char* k, const char* d)
+      : detail::Described<Choice<Owner, Enum>>{k, d}, at{member} {}
+};
+
+/// A nested aggregate with fields of its own. Positional: may also be written as an array of its first fields.
+template <class Owner, class Part>
+struct Group : detail::Described<Group<Owner, Part>> {
+  Part Owner::*at;
+  bool positional = false;
+  constexpr Group(Part Owner::*member, const char* k, const char* d)
+      : detail::Described<Group<Owner, Part>>{k, d}, at{member} {}
+  [[nodiscard]] constexpr Group as_array() const {
+    Group g = *this;
+    g.positional = true;
+    return g;
+  }
+};
+
+/// A list of aggregates with fields of their own. An element may carry a NameField "name".
+template <class Owner, class Element, std::size_t N>
+struct ListField : detail::Described<ListField<Owner, Element, N>> {
+  List<Element, N> Owner::*at;
+  bool positional = false;
+  Provider provider;
+  constexpr ListField(List<Element, N> Owner::*member, const char* k, const char* d)
+      : detail::Described<ListField<Owner, Element, N>>{k, d}, at{member} {}
+  /// The values of a row that the step names at all its sizes, for elements of a size and a value.
+  [[nodiscard]] constexpr ListField from_sizes(const char* table, const char* column, const char* unless) const {
+    ListField l = this->may_be_missing();
+    l.provider = {Provider::Kind::table, table, column, "", unless, true};
+    return l;
+  }
+  [[nodiscard]] constexpr ListField as_arrays() const {
+    ListField l = *this;
+    l.positional = true;
+    return l;
+  }
+};
+
+/// A rule between fields: alternatives, order, sums, and customs, whose breach only warns. `fields` names them,
+/// separated by ", ". `particulars`, where there are any, says of an input that breaks the rule what the text leaves
+/// open: which element, how much, what to do. An empty path or message there stands for the rule's own.
+template <class Input>
+struct Rule {
+  bool (*holds)(const Input&);
+  const char* fields;
+  const char* text;
+  FieldFault (*particulars)(const Input&) = nullptr;
+  bool only_warns = false;
+};
+
+}  // namespace loadpath

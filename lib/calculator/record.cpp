@@ -1,0 +1,81 @@
+#include "lib/calculator/record.hpp"
+
+#include <charconv>
+
+namespace loadpath {
+
+namespace {
+
+std::string_view name_of_element(const FieldInfo& list, void* element) {
+  const FieldInfo* name = find_field(list.fields, "name");
+  return name != nullptr && name->type == FieldInfo::Type::name ? name->text(element) : std::string_view{};
+}
+
+/// The element that "[2]" or ".journal" at the start of `path` names; the rest of the path is left behind.
+void* take_element(const FieldInfo& list, void* owner, std::string_view& path) {
+  if (path.starts_with('[')) {
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(path.data() + 1, path.data() + path.size(), number);
+    if (error != std::errc{} || end == path.data() + path.size() || *end != ']') return nullptr;
+    path.remove_prefix(static_cast<std::size_t>(end - path.data()) + 1);
+    return number >= 1 && number <= list.size(owner) ? list.element(owner, number - 1) : nullptr;
+  }
+  if (!path.starts_with('.')) return nullptr;
+  const std::string_view rest = path.substr(1);
+  void* found = nullptr;
+  std::size_t longest = 0;  // a name may have dots of its own: "RHS 60x40x3" and "RHS 60x40x3.2"
+  for (std::size_t i = 0; i < list.size(owner); ++i) {
+    const std::string_view name = name_of_element(list, list.element(owner, i));
+    if (name.size() <= longest || !rest.starts_with(name)) continue;
+    if (rest.size() > name.size() && rest[name.size()] != '.') continue;
+    found = list.element(owner, i);
+    longest = name.size();
+  }
+  if (found != nullptr) path.remove_prefix(1 + longest);
+  return found;
+}
+
+}  // namespace
+
+const FieldInfo* find_field(std::span<const FieldInfo> fields, std::string_view key) {
+  for (const FieldInfo& field : fields) {
+    if (field.key == key) return &field;
+  }
+  return nullptr;
+}
+
+Leaf find_leaf(std::span<const FieldInfo> fields, void* data, std::string_view path) {
+  const std::size_t end = path.find_first_of(".[");
+  const FieldInfo* field = find_field(fields, path.substr(0, end));
+  if (field == nullptr) return {};
+  path.remove_prefix(end == std::string_view::npos ? path.size() : end);
+  if (field->is_leaf()) return path.empty() ? Leaf{field, data} : Leaf{};
+  void* inner = field->type == FieldInfo::Type::list ? take_element(*field, data, path) : field->element(data, 0);
+  if (inner == nullptr || !path.starts_with('.')) return {};
+  return find_leaf(field->fields, inner, path.substr(1));
+}
+
+std::string element_path(const FieldInfo& list, void* owner, std::size_t i) {
+  const std::string_view name = name_of_element(list, list.element(owner, i));
+  return name.empty() ? "[" + std::to_string(i + 1) + "]" : "." + std::string(name);
+}
+
+void for_each_leaf(std::span<const FieldInfo> fields, void* data, const VisitLeaf& visit) {
+  for (const FieldInfo& field : fields) {
+    if (field.is_leaf()) {
+      visit(field.key, {&field, data});
+      continue;
+    }
+    const bool list = field.type == FieldInfo::Type::list;
+    const std::size_t count = list ? field.size(data) : 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      std::string prefix = field.key;
+      if (list) prefix += element_path(field, data, i);
+      prefix += '.';
+      for_each_leaf(field.fields, field.element(data, i),
+                    [&](const std::string& path, const Leaf& leaf) { visit(prefix + path, leaf); });
+    }
+  }
+}
+
+}  // namespace loadpath

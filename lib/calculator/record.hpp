@@ -1,0 +1,115 @@
+// Fields without their C++ types: what every reader, writer, search and test walks over. Made from the lists of
+// fields by lib/calculator/record_of.hpp, once per calculator; everything that uses it is ordinary code.
+#pragma once
+
+#include "lib/calculator/field.hpp"
+#include "lib/quantity/dimension.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loadpath {
+
+struct ChoiceInfo {
+  const char* key;
+  const char* doc;
+};
+
+/// One field. Which of the accessors are set depends on the type; `owner` points to the aggregate that holds it.
+struct FieldInfo {
+  enum class Type { quantity, count, choice, name, formula, group, list };
+
+  Type type = Type::quantity;
+  const char* key = "";
+  const char* doc = "";
+  Role role = Role::input;
+  bool optional = false;
+  bool positional = false;  // group, list of groups: may be written as an array
+
+  // quantity
+  const char* unit = "-";
+  double factor = 1.0;  // SI value of one unit
+  Dimension dimension;
+  Kind kind = Kind::plain;
+  Range bounds;     // SI; count: its range
+  Range plausible;  // SI
+  Provider provider;
+  const char* asked_by = "";
+  bool infinite = false;
+  bool where_set = false;
+  const char* searched_in = "";
+  bool kept = false;
+  bool is_factor = false;
+
+  std::span<const ChoiceInfo> choices;  // choice
+  std::span<const FieldInfo> fields;    // group, list
+  std::size_t capacity = 0;             // list: elements; name, formula: bytes
+
+  double* (*address)(void* owner) = nullptr;              // quantity
+  double (*get)(const void* owner) = nullptr;             // quantity, count, choice (its index)
+  void (*set)(void* owner, double si) = nullptr;          // quantity, count, choice
+  std::string_view (*text)(const void* owner) = nullptr;  // name, formula
+  void (*set_text)(void* owner, std::string_view text) = nullptr;
+  std::size_t (*size)(const void* owner) = nullptr;        // list; a group has size 1
+  void* (*element)(void* owner, std::size_t i) = nullptr;  // list, group
+  void* (*push)(void* owner) = nullptr;                    // list: adds a blank element
+
+  [[nodiscard]] bool is_leaf() const { return type != Type::group && type != Type::list; }
+  [[nodiscard]] bool has_fields() const { return !is_leaf(); }
+};
+
+/// An aggregate type without its name.
+struct RecordType {
+  std::span<const FieldInfo> fields;
+  std::shared_ptr<void> (*make)() = nullptr;
+  void (*copy)(const void* from, void* to) = nullptr;
+};
+
+/// An aggregate and its fields.
+struct Record {
+  const RecordType* type = nullptr;
+  std::shared_ptr<void> data;
+
+  Record() = default;
+  explicit Record(const RecordType& t) : type(&t), data(t.make()) {}
+  [[nodiscard]] Record clone() const {
+    Record r(*type);
+    type->copy(data.get(), r.data.get());
+    return r;
+  }
+};
+
+/// A leaf of a record: the field and the aggregate that holds it.
+struct Leaf {
+  const FieldInfo* field = nullptr;
+  void* owner = nullptr;
+  explicit operator bool() const { return field != nullptr; }
+  [[nodiscard]] double get() const { return field->get(owner); }
+  void set(double si) const { field->set(owner, si); }
+};
+
+const FieldInfo* find_field(std::span<const FieldInfo> fields, std::string_view key);
+
+/// The leaf at a path: "d", "segments[2].tau" (from 1) or "segments.journal.tau" (by the element's name).
+Leaf find_leaf(std::span<const FieldInfo> fields, void* data, std::string_view path);
+inline Leaf find_leaf(const Record& record, std::string_view path) {
+  return find_leaf(record.type->fields, record.data.get(), path);
+}
+
+/// Every leaf with its path, in order.
+using VisitLeaf = std::function<void(const std::string& path, const Leaf& leaf)>;
+void for_each_leaf(std::span<const FieldInfo> fields, void* data, const VisitLeaf& visit);
+inline void for_each_leaf(const Record& record, const VisitLeaf& visit) {
+  for_each_leaf(record.type->fields, record.data.get(), visit);
+}
+
+/// The name of element i of a list, or its number from 1 in brackets: ".journal" or "[2]".
+std::string element_path(const FieldInfo& list, void* owner, std::size_t i);
+
+}  // namespace loadpath

@@ -1,0 +1,163 @@
+// Makes the erased fields (lib/calculator/record.hpp) from a calculator's constexpr list. Included by the source of a
+// calculator.
+#pragma once
+
+#include "lib/calculator/record.hpp"
+
+namespace loadpath {
+
+namespace detail {
+
+template <class Enum>
+constexpr auto choice_infos() {
+  constexpr auto names = choices_of(Enum{});
+  std::array<ChoiceInfo, names.size()> infos{};
+  for (std::size_t i = 0; i < names.size(); ++i) infos[i] = {names[i].key, names[i].doc};
+  return infos;
+}
+template <class Enum>
+inline constexpr auto choice_table = choice_infos<Enum>();
+
+template <class Self>
+FieldInfo described(const detail::Described<Self>& field, FieldInfo::Type type) {
+  FieldInfo info;
+  info.type = type;
+  info.key = field.key;
+  info.doc = field.doc;
+  info.role = field.role;
+  info.optional = field.optional;
+  return info;
+}
+
+template <const auto& fields, std::size_t I>
+inline constexpr auto member_at = std::get<I>(fields).at;
+
+template <const auto& fields>
+std::span<const FieldInfo> infos_of();
+
+template <const auto& fields, std::size_t I, class Owner, class Quantity>
+FieldInfo info_of(const Field<Owner, Quantity>& f) {
+  FieldInfo info = described(f, FieldInfo::Type::quantity);
+  info.unit = f.unit.symbol;
+  info.factor = in_si(f.unit.one);
+  info.dimension = f.unit.dimension();
+  info.kind = f.unit.kind;
+  info.bounds = f.bounds.times(info.factor);
+  info.plausible = f.plausible.times(info.factor);
+  info.provider = f.provider;
+  info.asked_by = f.asked_by;
+  info.infinite = f.infinite;
+  info.where_set = f.where_set;
+  info.searched_in = f.searched_in;
+  info.kept = f.kept;
+  info.is_factor = f.is_factor;
+  info.get = [](const void* o) { return in_si(static_cast<const Owner*>(o)->*member_at<fields, I>); };
+  info.set = [](void* o, double v) { static_cast<Owner*>(o)->*member_at<fields, I> = from_si<Quantity>(v); };
+  info.address = [](void* o) {
+    auto& member = static_cast<Owner*>(o)->*member_at<fields, I>;
+    if constexpr (std::is_same_v<Quantity, double>) {
+      return &member;
+    } else {
+      return const_cast<double*>(&member.value());  // a quantity is one double, and the record is not const
+    }
+  };
+  return info;
+}
+
+template <const auto& fields, std::size_t I, class Owner>
+FieldInfo info_of(const Count<Owner>& f) {
+  FieldInfo info = described(f, FieldInfo::Type::count);
+  info.bounds = {static_cast<double>(f.low), static_cast<double>(f.high), false, false};
+  info.get = [](const void* o) { return static_cast<double>(static_cast<const Owner*>(o)->*member_at<fields, I>); };
+  info.set = [](void* o, double v) { static_cast<Owner*>(o)->*member_at<fields, I> = static_cast<int>(v); };
+  return info;
+}
+
+template <const auto& fields, std::size_t I, class Owner, std::size_t capacity>
+void let_text(ShortText<capacity> Owner::*, FieldInfo& info) {
+  info.capacity = capacity;
+  info.text = [](const void* o) { return (static_cast<const Owner*>(o)->*member_at<fields, I>).view(); };
+  info.set_text = [](void* o, std::string_view t) { static_cast<Owner*>(o)->*member_at<fields, I> = t; };
+}
+
+template <const auto& fields, std::size_t I, class Owner>
+FieldInfo info_of(const NameField<Owner>& f) {
+  FieldInfo info = described(f, FieldInfo::Type::name);
+  let_text<fields, I>(f.at, info);
+  return info;
+}
+
+template <const auto& fields, std::size_t I, class Owner>
+FieldInfo info_of(const FormulaField<Owner>& f) {
+  FieldInfo info = described(f, FieldInfo::Type::formula);
+  let_text<fields, I>(f.at, info);
+  return info;
+}
+
+template <const auto& fields, std::size_t I, class Owner, class Enum>
+FieldInfo info_of(const Choice<Owner, Enum>& f) {
+  FieldInfo info = described(f, FieldInfo::Type::choice);
+  info.choices = choice_table<Enum>;
+  info.get = [](const void* o) {
+    const Enum value = static_cast<const Owner*>(o)->*member_at<fields, I>;
+    constexpr auto names = choices_of(Enum{});
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (names[i].value == value) return static_cast<double>(i);
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+  };
+  info.set = [](void* o, double index) {
+    static_cast<Owner*>(o)->*member_at<fields, I> = choices_of(Enum{})[static_cast<std::size_t>(index)].value;
+  };
+  return info;
+}
+
+template <const auto& fields, std::size_t I, class Owner, class Part>
+FieldInfo info_of(const Group<Owner, Part>& f) {
+  FieldInfo info = described(f, FieldInfo::Type::group);
+  info.positional = f.positional;
+  info.fields = infos_of<Part::fields>();
+  info.size = [](const void*) { return std::size_t{1}; };
+  info.element = [](void* o, std::size_t) -> void* { return &(static_cast<Owner*>(o)->*member_at<fields, I>); };
+  return info;
+}
+
+template <const auto& fields, std::size_t I, class Owner, class Element, std::size_t N>
+FieldInfo info_of(const ListField<Owner, Element, N>& f) {
+  FieldInfo info = described(f, FieldInfo::Type::list);
+  info.positional = f.positional;
+  info.provider = f.provider;
+  info.fields = infos_of<Element::fields>();
+  info.capacity = N;
+  info.size = [](const void* o) { return (static_cast<const Owner*>(o)->*member_at<fields, I>).size(); };
+  info.element = [](void* o, std::size_t i) -> void* { return &(static_cast<Owner*>(o)->*member_at<fields, I>)[i]; };
+  info.push = [](void* o) -> void* {
+    auto& list = static_cast<Owner*>(o)->*member_at<fields, I>;
+    list.push_back(Element{});
+    return &list.back();
+  };
+  return info;
+}
+
+template <const auto& fields>
+std::span<const FieldInfo> infos_of() {
+  constexpr std::size_t count = std::tuple_size_v<std::remove_cvref_t<decltype(fields)>>;
+  static const auto infos = []<std::size_t... I>(std::index_sequence<I...>) {
+    return std::array<FieldInfo, count>{info_of<fields, I>(std::get<I>(fields))...};
+  }
+  (std::make_index_sequence<count>{});
+  return infos;
+}
+
+}  // namespace detail
+
+/// The erased type of an aggregate whose fields are declared in `fields`.
+template <class Aggregate, const auto& fields>
+const RecordType& record_type() {
+  static const RecordType type{
+      detail::infos_of<fields>(), [] { return std::shared_ptr<void>(std::make_shared<Aggregate>()); },
+      [](const void* from, void* to) { *static_cast<Aggregate*>(to) = *static_cast<const Aggregate*>(from); }};
+  return type;
+}
+
+}  // namespace loadpath

@@ -1,0 +1,97 @@
+// A formula is written once: STEP computes it and hands its text to the tracer. With NoTrace every step vanishes; with
+// Trace the report prints the same line symbolically, with numbers, with its value and its reason.
+#pragma once
+
+#include "lib/quantity/units.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace loadpath {
+
+/// Declares `symbol` as the value of `formula` and tells the tracer. The text of `formula` must be in the language of
+/// lib/formula; `why` is a clause of a standard, a book with its equation, or the physical reason.
+#define STEP(symbol, formula, why) \
+  const auto symbol = (formula);   \
+  trace.step(#symbol, #formula, why, symbol)
+
+/// The value of `formula`, told to the tracer under a symbol that only the caller of a shared formula knows.
+#define NAMED_STEP(symbol, formula, why) trace.named(symbol, #formula, why, (formula))
+
+/// For sweeps and searches.
+struct NoTrace {
+  struct Scope {};
+  static constexpr bool traces = false;
+  template <class... Arguments>
+  void step(const Arguments&...) {}
+  template <class Quantity>
+  [[nodiscard]] Quantity named(const char*, const char*, const char*, const Quantity& q) {
+    return q;
+  }
+  template <class... Arguments>
+  void value(const Arguments&...) {}
+  void angle(const char*, double, const char*) {}
+  template <class... Arguments>
+  [[nodiscard]] Scope scope(const Arguments&...) {
+    return {};
+  }
+};
+
+/// One line of a calculation.
+struct Line {
+  std::string scope;  // "segments[2]"; empty at the top
+  const char* symbol = "";
+  const char* formula = "";  // empty: found by a helper (a sum, a root), not by a formula
+  const char* why = "";
+  double si = 0.0;
+  Dimension dimension;
+};
+
+class Trace {
+ public:
+  static constexpr bool traces = true;
+
+  class [[nodiscard]] Scope {
+   public:
+    Scope(Trace& trace, const char* list, std::size_t i) : trace_(trace), outer_(trace.scope_) {
+      trace.scope_ += (outer_.empty() ? "" : ".") + std::string(list) + "[" + std::to_string(i + 1) + "]";
+    }
+    ~Scope() { trace_.scope_ = outer_; }
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+   private:
+    Trace& trace_;
+    std::string outer_;
+  };
+
+  template <class Quantity>
+  void step(const char* symbol, const char* formula, const char* why, const Quantity& q) {
+    lines_.push_back({scope_, symbol, formula, why, in_si(q), dimension_of<Quantity>});
+  }
+  template <class Quantity>
+  [[nodiscard]] Quantity named(const char* symbol, const char* formula, const char* why, const Quantity& q) {
+    step(symbol, formula, why, q);
+    return q;
+  }
+  /// A value that a helper has found and that later steps use.
+  template <class Quantity>
+  void value(const char* symbol, const Quantity& q, const char* why) {
+    step(symbol, "", why, q);
+  }
+  /// The same of an angle, which in C++ is a plain number of radians.
+  void angle(const char* symbol, double radians, const char* why) {
+    lines_.push_back({scope_, symbol, "", why, radians, Dimension::of(0, 0, 0, 0, 1)});
+  }
+  /// Lines until the end of the scope belong to element i of a list of the result.
+  Scope scope(const char* list, std::size_t i) { return {*this, list, i}; }
+
+  [[nodiscard]] const std::vector<Line>& lines() const { return lines_; }
+
+ private:
+  std::string scope_;
+  std::vector<Line> lines_;
+};
+
+}  // namespace loadpath

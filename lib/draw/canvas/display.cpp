@@ -1,0 +1,47 @@
+#include "lib/draw/canvas/display.hpp"
+
+#include "lib/draw/canvas/typeset.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/text/issue.hpp"
+
+#include <cmath>
+
+namespace loadpath::draw {
+namespace {
+
+constexpr int display_digits = 4;
+
+}  // namespace
+
+std::string superscript(int number) {
+  constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = number < 0 ? "⁻" : "";
+  for (const char c : std::to_string(std::abs(number))) text += digits[c - '0'];
+  return text;
+}
+
+Display::Display(const Scale& scale) : scale_(scale), degrees_(scale.unit == "deg") {
+  if (scale.unit.empty() || scale.unit == "-" || scale.unit == "1") return;
+  printed_ = pretty_unit(scale.unit);
+  offset_ = in_unit(0.0, scale.unit);
+  slope_ = in_unit(1.0, scale.unit) - offset_;
+}
+
+std::string Display::number(double si) const { return format_number(value(si), display_digits); }
+
+std::string Display::quantity(double si) const {
+  if (printed_ == "°" || printed_ == "%") return number(si) + printed_;
+  return printed_.empty() ? number(si) : number(si) + " " + printed_;
+}
+
+std::string Display::title(int power, bool with_meaning) const {
+  std::string name = scale_.symbol.empty() ? "" : symbol(scale_.symbol);
+  if (with_meaning && !scale_.meaning.empty()) {
+    name = say(scale_.meaning).text() + (name.empty() ? "" : " " + name);
+  }
+  std::string unit = printed_;
+  if (power != 0) unit = "10" + superscript(power) + (unit.empty() ? "" : " " + unit);
+  return unit.empty() ? name : say("{1} in {2}", name, unit).text();
+}
+
+}  // namespace loadpath::draw

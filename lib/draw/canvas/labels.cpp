@@ -1,0 +1,103 @@
+#include "lib/draw/canvas/labels.hpp"
+
+#include <numbers>
+
+namespace loadpath::draw {
+namespace {
+
+constexpr double hit = 1e3, outside = 1e4, crowded = 3.0, close_by = 4.0;
+
+/// Clips the segment to the box (Liang and Barsky) and tells whether something is left.
+bool enters(const Box& box, Point from, Point to) {
+  const Point d = to - from;
+  double enter = 0.0, leave = 1.0;
+  const auto clip = [&](double slope, double room) {
+    if (slope == 0.0) return room >= 0.0;
+    const double t = room / slope;
+    (slope < 0.0 ? enter : leave) = slope < 0.0 ? std::max(enter, t) : std::min(leave, t);
+    return enter <= leave;
+  };
+  return clip(-d.x, from.x - box.left) && clip(d.x, box.right - from.x) && clip(-d.y, from.y - box.top) &&
+         clip(d.y, box.bottom - from.y);
+}
+
+Box spaced(const Box& label) { return {label.left - 6.0, label.top, label.right + 6.0, label.bottom}; }
+
+/// The box that just clears `gap` from `foot` when it is pushed along `direction`.
+Box pushed(Point foot, Point direction, double gap, double width, double height) {
+  const double reach = gap + 0.5 * (std::fabs(direction.x) * width + std::fabs(direction.y) * height);
+  return Box::around(foot + reach * direction, width, height);
+}
+
+}  // namespace
+
+bool Labels::Line::crosses(const Box& box) const {
+  const Box wide = box.grown(half_width);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (enters(wide, points[i - 1], points[i])) return true;
+  }
+  return false;
+}
+
+double Labels::hits(const Box& box) const {
+  double sum = area_.contains(box) ? 0.0 : outside;
+  for (const Box& other : boxes_) sum += box.meets(other) ? 2.0 * hit : 0.0;
+  for (const Line& line : lines_) {
+    if (line.crosses(box.grown(close_by))) sum += line.weight * (line.crosses(box) ? hit : crowded);
+  }
+  return sum;
+}
+
+Box Labels::place(const std::vector<Candidate>& candidates) {
+  Box best;
+  double least = 1e300;
+  for (const Candidate& c : candidates) {
+    if (c.cost >= least) continue;
+    if (const double sum = c.cost + hits(c.box); sum < least) least = sum, best = c.box;
+  }
+  boxes_.push_back(spaced(best));
+  return best;
+}
+
+std::optional<Box> Labels::place_free(const std::vector<Candidate>& candidates) {
+  const Box best = place(candidates);
+  boxes_.pop_back();
+  if (candidates.empty() || hits(best) >= hit) return std::nullopt;
+  boxes_.push_back(spaced(best));
+  return best;
+}
+
+std::vector<Candidate> around(Point point, double gap, double width, double height) {
+  constexpr int directions = 16;
+  std::vector<Candidate> candidates;
+  for (const double far : {0.0, 6.0, 14.0, 24.0, 36.0}) {
+    for (int i = 0; i < directions; ++i) {
+      const double turn = 2.0 * std::numbers::pi * i / directions;
+      const Point direction{std::cos(turn), -std::sin(turn)};
+      const double away = std::fabs(std::remainder(turn - 0.25 * std::numbers::pi, 2.0 * std::numbers::pi));
+      candidates.push_back({pushed(point, direction, gap + far, width, height), away + far});
+    }
+  }
+  return candidates;
+}
+
+std::array<Box, 2> both_sides(Point foot, Point direction, double gap, double width, double height) {
+  const Point normal = across(direction);
+  return {pushed(foot, normal, gap, width, height), pushed(foot, -1.0 * normal, gap, width, height)};
+}
+
+std::vector<Candidate> beside(Point from, Point to, double gap, double width, double height) {
+  std::vector<Candidate> candidates;
+  for (const double far : {0.0, 14.0, 28.0}) {  // one and two lines off: where links lie on one another
+    for (const double t : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8}) {
+      const Point foot = from + t * (to - from);
+      for (const Box& box : both_sides(foot, unit(to - from), gap + far, width, height)) {
+        const double below = box.centre().y > foot.y ? 1.0 : 0.0;
+        candidates.push_back({box, below + far + 10.0 * std::fabs(t - 0.5)});
+      }
+    }
+  }
+  return candidates;
+}
+
+}  // namespace loadpath::draw

@@ -1,0 +1,84 @@
+#include "lib/draw/canvas/thin.hpp"
+
+#include <numbers>
+
+namespace loadpath::draw {
+namespace {
+
+/// The directions from a point in which all later points are met within the tolerance.
+class Cone {
+ public:
+  Cone(Point apex, double tolerance) : apex_(apex), tolerance_(tolerance) {}
+
+  bool admits(Point p) const {
+    const double distance = length(p - apex_);
+    if (distance < reach_ - tolerance_) return false;
+    if (!open_ || distance <= tolerance_) return true;
+    const double turn = turn_to(p);
+    return turn >= low_ && turn <= high_;
+  }
+  void narrow(Point p) {
+    const double distance = length(p - apex_);
+    reach_ = std::max(reach_, distance);
+    if (distance <= tolerance_) return;
+    if (!open_) base_ = p - apex_, open_ = true;
+    const double turn = turn_to(p), half = std::asin(tolerance_ / distance);
+    low_ = std::max(low_, turn - half), high_ = std::min(high_, turn + half);
+  }
+
+ private:
+  double turn_to(Point p) const { return std::atan2(cross(base_, p - apex_), dot(base_, p - apex_)); }
+
+  Point apex_, base_;
+  double tolerance_, reach_ = 0.0, low_ = -std::numbers::pi, high_ = std::numbers::pi;
+  bool open_ = false;
+};
+
+std::vector<Point> without_straight_parts(const std::vector<Point>& points, double tolerance) {
+  std::vector<Point> kept{points.front()};
+  Cone cone(points.front(), tolerance);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (!cone.admits(points[i])) {
+      kept.push_back(points[i - 1]);
+      cone = Cone(points[i - 1], tolerance);
+    }
+    cone.narrow(points[i]);
+  }
+  kept.push_back(points.back());
+  return kept;
+}
+
+/// First, lowest, highest and last of the points from `begin` to `end`, in their order.
+void append_extremes(std::vector<Point>& kept, const std::vector<Point>& points, std::size_t begin, std::size_t end) {
+  std::size_t low = begin, high = begin;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (points[i].y < points[low].y) low = i;
+    if (points[i].y > points[high].y) high = i;
+  }
+  std::size_t order[] = {begin, std::min(low, high), std::max(low, high), end - 1};
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (k == 0 || order[k] != order[k - 1]) kept.push_back(points[order[k]]);
+  }
+}
+
+std::vector<Point> extremes_of_columns(const std::vector<Point>& points, double width) {
+  std::vector<Point> kept;
+  for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
+    const double column = std::floor(points[begin].x / width);
+    while (end < points.size() && std::floor(points[end].x / width) == column) ++end;
+    append_extremes(kept, points, begin, end);
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::vector<Point> thin(const std::vector<Point>& points, double tolerance) {
+  constexpr std::size_t many = 800;
+  if (points.size() < 3) return points;
+  std::vector<Point> kept = without_straight_parts(points, tolerance);
+  for (double width = 2.0; kept.size() > many; width *= 2.0) kept = extremes_of_columns(kept, width);
+  return kept;
+}
+
+}  // namespace loadpath::draw

@@ -1,0 +1,90 @@
+#include "lib/draw/motion/motion.hpp"
+
+#include "lib/draw/motion/data.hpp"
+#include "lib/draw/scheme/picture.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/text/issue.hpp"
+
+namespace loadpath::draw {
+namespace {
+
+constexpr double plan_width = 260.0, plan_height = 240.0, plan_room = 32.0, plan_bar = 28.0;
+
+Plan plan_at(const Motion& motion, const Motion::LinkPlan& of, std::size_t frame) {
+  Plan plan{"", "N", {}};
+  Point end;
+  for (const auto& side : of.sides) {
+    const Point next = end + side.sense * motion.forces[side.force].values[frame];
+    plan.vectors.push_back({end, next, side.label, side.tone});
+    end = next;
+  }
+  return plan;
+}
+
+Box extent(const Motion& motion, const Motion::LinkPlan& of, std::size_t frame) {
+  Box box;
+  Point end;
+  for (const auto& side : of.sides) {
+    end = end + side.sense * motion.forces[side.force].values[frame];
+    box.include({end.x, end.y, end.x, end.y});
+  }
+  return box;
+}
+
+/// One scale for all frames; at each the polygon stands in the middle.
+PlanFit plan_fit(const Motion& motion, const Motion::LinkPlan& plan) {
+  double width = 1e-300, height = 1e-300;
+  for (std::size_t k = 0; k < motion.axis.si.size(); ++k) {
+    const Box box = extent(motion, plan, k);
+    width = std::max(width, box.width()), height = std::max(height, box.height());
+  }
+  PlanFit fit;
+  fit.scale = std::min((plan_width - 2.0 * plan_room) / width, (plan_height - 2.0 * plan_room) / height);
+  const Point centre = extent(motion, plan, motion.shown).centre();
+  fit.origin = Point{0.5 * plan_width, 0.5 * plan_height} - fit.scale * Point{centre.x, -centre.y};
+  fit.area = {0.0, 0.0, plan_width, plan_height + plan_bar};
+  return fit;
+}
+
+std::string plan_picture(const Motion& motion, const std::vector<PlanFit>& fits) {
+  SvgWriter svg;
+  std::string words;
+  for (std::size_t k = 0; k < fits.size(); ++k) {
+    const Plan plan = plan_at(motion, motion.plans[k], motion.shown);
+    const bool shown = k == motion.shown_plan;
+    svg.begin_group({{"data-plan", std::to_string(k)}, {"visibility", shown ? "visible" : "hidden"}});
+    draw_plan(svg, plan, fits[k], Findable::yes);
+    draw_plan_scales(svg, plan, fits[k]);
+    svg.end_group();
+    if (shown) words = description(plan);
+  }
+  const std::string title = say("Force plan of the link {1}", plain(motion.plans[motion.shown_plan].link)).text();
+  return svg.document(plan_height + plan_bar, title, words, plan_width);
+}
+
+}  // namespace
+
+std::string number_text(const Motion::Number& number, std::size_t frame) {
+  const double si = number.si[frame];
+  return std::isfinite(si) ? format_number(in_unit(si, number.unit), 5) : "–";
+}
+
+std::string printed(std::string number) {
+  if (number.starts_with('-')) number.replace(0, 1, "−");
+  return number;
+}
+
+MotionPictures motion_pictures(const Figure& figure) {
+  const auto& motion = std::get<Motion>(figure.content);
+  const Fit placed = fit(motion);
+  const Picture drawn = SchemePicture(motion.still, placed, &motion).drawn();
+  std::vector<PlanFit> fits;
+  for (const auto& plan : motion.plans) fits.push_back(plan_fit(motion, plan));
+  MotionPictures out;
+  out.scheme = drawn.svg.document(drawn.height, say(figure.caption).text(), drawn.description);
+  if (!fits.empty()) out.plan = plan_picture(motion, fits);
+  out.data = motion_data(motion, placed, fits);
+  return out;
+}
+
+}  // namespace loadpath::draw

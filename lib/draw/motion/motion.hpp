@@ -1,0 +1,25 @@
+// A mechanism that moves, as a page shows it: two pictures of the printed position whose parts are marked, and the
+// numbers that a script needs to bring them to any other frame.
+#pragma once
+
+#include "lib/figure/figure.hpp"
+
+#include <string>
+
+namespace loadpath::draw {
+
+struct MotionPictures {
+  std::string scheme;  // <svg>: groups with data-carried, data-force, data-name, data-couple
+  std::string plan;    // <svg>: a group with data-plan for every link; empty where there is no plan
+  std::string data;    // JSON, of numbers alone: no word of a user can stand in it
+};
+
+/// `figure` holds a Motion.
+MotionPictures motion_pictures(const Figure& figure);
+
+/// What a number of the motion says at a frame, in its unit: "-1234.5"; a dash where there is none.
+std::string number_text(const Motion::Number& number, std::size_t frame);
+/// The same as it is printed, with a minus sign.
+std::string printed(std::string number);
+
+}  // namespace loadpath::draw

@@ -1,0 +1,34 @@
+// One plan drawn into a part of the page.
+#pragma once
+
+#include "lib/draw/canvas/labels.hpp"
+#include "lib/draw/canvas/svg_writer.hpp"
+
+#include <string>
+
+namespace loadpath::draw {
+
+/// Where a plan lies and to what scales.
+struct PlanFit {
+  double scale = 1.0;   // view units per unit of the vectors
+  double newton = 0.0;  // view units per newton of the forces at points
+  Point origin;         // of the pole
+  Box area;             // title, plan and scale bars
+
+  [[nodiscard]] Point at(Point p) const { return {origin.x + scale * p.x, origin.y - scale * p.y}; }
+};
+
+/// The largest plan in a panel at `corner`, with room for its names.
+PlanFit fit(const Plan& plan, Point corner, double width, double most_height);
+
+/// What a vector and its name are: the parts of a picture that a script finds again.
+enum class Findable { no, yes };
+
+void draw_plan(SvgWriter& svg, const Plan& plan, const PlanFit& fit, Findable findable = Findable::no);
+/// The bars at the foot of the panel.
+void draw_plan_scales(SvgWriter& svg, const Plan& plan, const PlanFit& fit);
+
+/// For screen readers.
+std::string description(const Plan& plan);
+
+}  // namespace loadpath::draw

@@ -1,0 +1,53 @@
+// The frame of a plot: ranges, axes, and where a value stands on the page.
+#pragma once
+
+#include "lib/draw/canvas/display.hpp"
+#include "lib/draw/canvas/svg_writer.hpp"
+#include "lib/draw/canvas/ticks.hpp"
+
+#include <optional>
+
+namespace loadpath::draw {
+
+/// The smallest range that holds all values that were seen.
+class Extent {
+ public:
+  void see(double value);
+  [[nodiscard]] bool empty() const { return range_.low > range_.high; }
+  [[nodiscard]] Range range() const { return empty() ? Range{0.0, 1.0} : range_; }
+
+ private:
+  Range range_{1e300, -1e300};
+};
+
+class PlotFrame {
+ public:
+  explicit PlotFrame(const Plot& plot);
+
+  /// The place of SI values; nothing where one is not available.
+  [[nodiscard]] std::optional<Point> place(double x, double y) const;
+  /// The place of a value on the left side; nothing where it is not available.
+  [[nodiscard]] std::optional<Point> left_end(double y) const;
+  /// The height of zero, or of the end of the range that is nearest to it.
+  [[nodiscard]] double zero_line() const;
+  [[nodiscard]] const Box& area() const { return area_; }
+  [[nodiscard]] double height() const { return area_.bottom + 44.0; }
+  [[nodiscard]] bool empty() const { return empty_; }
+  [[nodiscard]] const Display& x() const { return x_; }
+  [[nodiscard]] const Display& y() const { return y_; }
+
+  void draw(SvgWriter& svg) const;
+
+ private:
+  [[nodiscard]] Point at(double x, double y) const;
+  void draw_grid(SvgWriter& svg) const;
+  void draw_ticks(SvgWriter& svg) const;
+  void draw_titles(SvgWriter& svg) const;
+
+  Display x_, y_;
+  Axis across_, up_;  // display units
+  Box area_;
+  bool empty_ = false;
+};
+
+}  // namespace loadpath::draw

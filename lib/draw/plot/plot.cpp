@@ -1,0 +1,214 @@
+#include "lib/draw/canvas/labels.hpp"
+#include "lib/draw/canvas/picture.hpp"
+#include "lib/draw/plot/curve.hpp"
+#include "lib/text/issue.hpp"
+
+#include <algorithm>
+
+namespace loadpath::draw {
+namespace {
+
+std::string curve_style(std::size_t i) { return "curve c" + std::to_string(i % 3) + " d" + std::to_string(i % 4); }
+std::string fill_style(std::size_t i) { return "f" + std::to_string(i % 3); }
+
+constexpr double dot_radius = 2.5;
+/// Whether nothing of a curve hangs together: points of a test.
+bool is_dots(const DrawnCurve& curve) {
+  return !curve.pieces.empty() &&
+         std::all_of(curve.pieces.begin(), curve.pieces.end(), [](const auto& piece) { return piece.size() == 1; });
+}
+
+class PlotPicture {
+ public:
+  explicit PlotPicture(const Plot& plot);
+  Picture drawn();
+
+ private:
+  void draw_piece(std::size_t i, const std::vector<Point>& piece);
+  void draw_bounds();
+  void draw_marks();
+  void label_bound(const Bound& bound);
+  void label_mark(const Mark& mark);
+  void label_level(const Level& level);
+  void label_curves();
+  [[nodiscard]] std::vector<Candidate> beside_curve(const DrawnCurve& drawn, double width) const;
+  void draw_legend();
+  [[nodiscard]] std::string description() const;
+
+  const Plot& plot_;
+  PlotFrame frame_;
+  std::vector<DrawnCurve> curves_;
+  Labels labels_;
+  SvgWriter svg_;
+  double height_;
+};
+
+PlotPicture::PlotPicture(const Plot& plot)
+    : plot_(plot), frame_(plot), labels_(frame_.area().grown(1.0)), height_(frame_.height()) {
+  for (const Curve& curve : plot.curves) curves_.push_back(drawn_curve(curve, frame_));
+}
+
+void PlotPicture::draw_piece(std::size_t i, const std::vector<Point>& piece) {
+  if (piece.size() == 1) return svg_.circle(fill_style(i), piece.front(), dot_radius);
+  std::vector<Point> outline = piece;
+  if (plot_.curves[i].filled) {
+    outline.insert(outline.begin(), {piece.front().x, frame_.zero_line()});
+    outline.push_back({piece.back().x, frame_.zero_line()});
+    svg_.polygon("area " + fill_style(i), outline);
+  }
+  svg_.polyline(curve_style(i), outline);
+  labels_.keep_off(outline, 1.5);
+}
+
+void PlotPicture::draw_bounds() {
+  for (const Bound& bound : plot_.bounds) {
+    const auto from = frame_.left_end(bound.y);
+    if (!from) continue;
+    const Point to{frame_.area().right, from->y};
+    svg_.line("bound", *from, to);
+    labels_.keep_off({*from, to});
+  }
+}
+
+void PlotPicture::label_bound(const Bound& bound) {
+  const auto end = frame_.left_end(bound.y);
+  if (!end) return;
+  const Text text = typeset(symbol(bound.label) + " " + frame_.y().quantity(bound.y));
+  const double wide = width(text, text_size), room = frame_.area().width() - wide - 8.0;
+  std::vector<Candidate> places;
+  for (int eighth = 0; eighth <= 8; ++eighth) {
+    const double share = 0.125 * eighth;
+    const double x = frame_.area().right - 4.0 - 0.5 * wide - share * room;
+    places.push_back({Box::around({x, end->y - 10.0}, wide, 14.0), share});
+    places.push_back({Box::around({x, end->y + 10.0}, wide, 14.0), share + 0.1});
+  }
+  svg_.centred_text("halo", labels_.place(places), text);
+}
+
+void PlotPicture::draw_marks() {
+  for (const Mark& mark : plot_.marks) {
+    const auto dot = frame_.place(mark.x, mark.y);
+    if (!dot) continue;
+    svg_.circle("solid", *dot, 3.2);
+    labels_.keep_off(Box::around(*dot, 9.0, 9.0));
+  }
+}
+
+void PlotPicture::label_mark(const Mark& mark) {
+  const auto dot = frame_.place(mark.x, mark.y);
+  if (!dot) return;
+  const std::string value = symbol(mark.label) + " " + frame_.y().quantity(mark.y);
+  const Text text = typeset(say("{1} at {2}", value, frame_.x().quantity(mark.x)).text());
+  svg_.centred_text("halo", labels_.place(around(*dot, 7.0, width(text, text_size))), text);
+}
+
+/// The value in the middle of its stretch: in the area, or beyond it where the area is too low.
+void PlotPicture::label_level(const Level& level) {
+  constexpr double least = 2.0, beyond = 11.0;
+  if (level.to.x - level.from.x < least) return;
+  const Text text = typeset(frame_.y().number(level.si));
+  const double middle = 0.5 * (level.from.x + level.to.x), zero = frame_.zero_line();
+  const double outward = level.from.y < zero ? -1.0 : 1.0;
+  std::vector<Candidate> places;
+  for (const double y : {0.5 * (zero + level.from.y), level.from.y + outward * beyond, zero - outward * beyond}) {
+    places.push_back(
+        {Box::around({middle, y}, width(text, text_size), line_height), static_cast<double>(places.size())});
+  }
+  svg_.centred_text("halo", labels_.place(places), text);
+}
+
+/// Places on both sides all along the curve; level stretches on the right first.
+std::vector<Candidate> PlotPicture::beside_curve(const DrawnCurve& drawn, double width) const {
+  constexpr double spacing = 12.0, low = 13.0;
+  std::vector<Candidate> places;
+  const auto add = [&](Point foot, Point direction) {
+    const double bias = 6.0 * std::fabs(direction.y) + 4.0 * (frame_.area().right - foot.x) / frame_.area().width();
+    for (const double gap : {3.0, 8.0}) {
+      for (const Box& box : both_sides(foot, direction, gap, width, low)) places.push_back({box, gap + bias});
+    }
+  };
+  for (const auto& piece : drawn.pieces) {
+    for (std::size_t i = 1; i < piece.size(); ++i) {
+      const Point step = piece[i] - piece[i - 1];
+      const int parts = 1 + static_cast<int>(length(step) / spacing);
+      for (int k = 0; k < parts; ++k) add(piece[i - 1] + ((k + 0.5) / parts) * step, unit(step));
+    }
+  }
+  return places;
+}
+
+void PlotPicture::label_curves() {
+  std::vector<std::pair<Box, std::size_t>> found;
+  for (std::size_t i = 0; i < curves_.size(); ++i) {
+    const std::string& label = plot_.curves[i].label;
+    const bool said_by_axis = curves_.size() == 1 && label == plot_.y.symbol;
+    if (label.empty() || curves_[i].pieces.empty() || said_by_axis) continue;
+    const auto box = labels_.place_free(beside_curve(curves_[i], width(typeset(label), text_size)));
+    if (!box) return draw_legend();
+    found.emplace_back(*box, i);
+  }
+  for (const auto& [box, i] : found) {
+    svg_.centred_text("halo " + fill_style(i), box, typeset(plot_.curves[i].label));
+  }
+}
+
+void PlotPicture::draw_legend() {
+  constexpr double sample = 34.0, left = 8.0, gap = 8.0, spacing = 18.0, row = 20.0;
+  double x = left, y = height_ + gap;
+  for (std::size_t i = 0; i < curves_.size(); ++i) {
+    const Text text = typeset(plot_.curves[i].label);
+    const double wide = sample + gap + width(text, text_size) + spacing;
+    if (x > left && x + wide > view_width) x = left, y += row;
+    if (is_dots(curves_[i])) {
+      svg_.circle(fill_style(i), {x + 0.5 * sample, y - 4.5}, dot_radius);
+    } else {
+      svg_.line(curve_style(i), {x, y - 4.5}, {x + sample, y - 4.5});
+    }
+    svg_.text(fill_style(i), {x + sample + gap, y}, text);
+    x += wide;
+  }
+  height_ = y + 10.0;
+}
+
+std::string PlotPicture::description() const {
+  const Display &x = frame_.x(), &y = frame_.y();
+  std::string text = say("{1} over {2}", plain(y.title(0)), plain(x.title(0))).text();
+  for (const Curve& curve : plot_.curves) {
+    Extent seen;
+    for (const double v : curve.y) seen.see(v);
+    if (seen.empty()) continue;
+    const std::string name = plain(curve.label.empty() ? plot_.y.symbol : curve.label);
+    text += "; " + say("{1}: {2} to {3}", name, y.quantity(seen.range().low), y.quantity(seen.range().high)).text();
+  }
+  for (const Mark& mark : plot_.marks) {
+    if (!frame_.place(mark.x, mark.y)) continue;
+    text += "; " + say("{1}: {2} at {3}", plain(mark.label), y.quantity(mark.y), x.quantity(mark.x)).text();
+  }
+  for (const Bound& bound : plot_.bounds) {
+    if (frame_.left_end(bound.y)) text += "; " + say("{1}: {2}", plain(bound.label), y.quantity(bound.y)).text();
+  }
+  return text;
+}
+
+Picture PlotPicture::drawn() {
+  frame_.draw(svg_);
+  for (std::size_t i = 0; i < curves_.size(); ++i) {
+    for (const auto& piece : curves_[i].pieces) draw_piece(i, piece);
+  }
+  draw_bounds();
+  draw_marks();
+  for (const Mark& mark : plot_.marks) label_mark(mark);
+  for (const Bound& bound : plot_.bounds) label_bound(bound);
+  for (const DrawnCurve& curve : curves_) {
+    for (const Level& level : curve.levels) label_level(level);
+  }
+  label_curves();
+  if (frame_.empty()) svg_.centred_text("quiet", frame_.area(), typeset(say("not available").text()));
+  return {svg_, height_, description()};
+}
+
+}  // namespace
+
+Picture picture(const Plot& plot) { return PlotPicture(plot).drawn(); }
+
+}  // namespace loadpath::draw

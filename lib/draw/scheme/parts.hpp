@@ -1,0 +1,44 @@
+// The signs of a mechanism scheme, in view units: supports, blocks, hatched lines, arrows.
+#pragma once
+
+#include "lib/draw/canvas/svg_writer.hpp"
+
+namespace loadpath::draw {
+
+inline constexpr double pin_radius = 4.6;
+inline constexpr double block_length = 26.0, block_width = 14.0;
+inline constexpr double couple_radius = 19.0;
+inline constexpr double coil_radius = 13.0;
+
+/// A closed polygon close to the circle.
+std::vector<Point> ring(Point centre, double radius);
+
+std::vector<Point> convex_hull(std::vector<Point> points);
+
+/// A rectangle of the slider's size, its length along `direction`.
+std::vector<Point> block(Point centre, Point direction);
+
+/// Short strokes on the right of the way from `from` to `to`: the side of the ground.
+void hatch(SvgWriter& svg, Point from, Point to);
+
+/// A triangle with its tip in the pin, on hatched ground that lies in `direction`.
+void support(SvgWriter& svg, Point pin, Point direction);
+
+/// A triangle filled between two directions from a corner: links that are one piece.
+void weld(SvgWriter& svg, Point corner, Point along, Point other);
+/// A link that is built into hatched ground; `direction` from the ground into the link.
+void clamp(SvgWriter& svg, Point end, Point direction);
+
+/// A spring, a damper, or one beside the other, from point to point.
+void spring(SvgWriter& svg, Point from, Point to, bool pulls, bool damps);
+/// A spring, or damper, that turns about a point.
+void coil(SvgWriter& svg, Point at, bool pulls);
+
+/// A filled head with its tip at `tip`.
+void arrow_head(SvgWriter& svg, std::string_view fill, Point tip, Point direction, double size);
+/// `colour`: the number of the accent.
+void arrow(SvgWriter& svg, int colour, Point from, Point to);
+/// Three quarters of a turn around the point, open towards `opening`, counter-clockwise on the page when positive.
+void couple(SvgWriter& svg, Point at, Point opening, bool positive);
+
+}  // namespace loadpath::draw

@@ -1,0 +1,87 @@
+// A mechanism drawn in one position: what lib/draw/scheme*.cpp share.
+#pragma once
+
+#include "lib/draw/canvas/labels.hpp"
+#include "lib/draw/canvas/picture.hpp"
+#include "lib/draw/canvas/svg_writer.hpp"
+#include "lib/draw/scheme/fit.hpp"
+
+namespace loadpath::draw {
+
+class SchemePicture {
+ public:
+  /// `motion`: null, or what moves the scheme; its parts then stand in groups that say by what they are carried.
+  SchemePicture(Scheme scheme, const Fit& fit, const Motion* motion = nullptr)
+      : scheme_(std::move(scheme)),
+        fit_(fit),
+        motion_(motion),
+        labels_({2.0, 2.0, view_width - 2.0, fit_.height - 30.0}) {}
+  Picture drawn();
+
+ private:
+  void draw_guides();
+  void draw_paths();
+  void draw_bodies();
+  void draw_supports();
+  void draw_block(const Scheme::Joint& joint);
+  void draw_pins();
+  void draw_forces();
+  void draw_couples();
+  void draw_belts();
+  void draw_racks();
+  void draw_outlines();
+  void draw_wheels();
+  void draw_wheel(const Scheme::Wheel& wheel);
+  void draw_springs();
+  void draw_weld(const Scheme::Joint& joint);
+  void label_points();
+  void label_forces();
+  void label_moments();
+  void label_bodies();
+  void label_springs();
+  void draw_scales();
+
+  [[nodiscard]] Point at(Point p) const { return fit_.at(p); }
+  [[nodiscard]] std::vector<Point> outline(const Scheme::Body& body) const;
+  [[nodiscard]] Point couple_opening(Point p) const;
+  [[nodiscard]] std::vector<Point> directions_at(const Scheme::Joint& joint) const;
+  [[nodiscard]] Point support_direction(const Scheme::Joint& joint) const;
+  [[nodiscard]] bool lies_on(Point p, const Scheme::Guide& guide) const;
+  [[nodiscard]] bool carries_block(const Scheme::Guide& guide) const;
+  void label(std::string_view style, const std::vector<Candidate>& places, const Text& text) {
+    svg_.centred_text(style, labels_.place(places), text);
+  }
+  double draw_scale(double x, double view_per_si, std::string (*written)(double));
+  [[nodiscard]] std::string description() const;
+
+  using Carriers = std::vector<Motion::Carried> Motion::*;
+  [[nodiscard]] Motion::Carried carrier(Carriers of, std::size_t index) const {
+    return motion_ == nullptr ? Motion::Carried{} : (motion_->*of)[index];
+  }
+  /// A part that links carry: it goes with its anchor and turns about it.
+  template <class Draw>
+  void carried(Motion::Carried by, Point anchor, const Draw& draw) {
+    const bool moves = motion_ != nullptr && (by.place >= 0 || by.turn >= 0);
+    if (moves) svg_.begin_group({{"data-carried", text_of(by, at(anchor))}});
+    draw();
+    if (moves) svg_.end_group();
+  }
+  template <class Draw>
+  void force_group(const char* kind, std::size_t index, const Draw& draw) {
+    if (motion_ == nullptr) return draw();
+    const Motion::Carried by = motion_->forces[index].carried;
+    svg_.begin_group({{kind, std::to_string(index)}, {"data-at", text_of(by, at(scheme_.arrows[index].at))}});
+    draw();
+    svg_.end_group();
+  }
+  static std::string text_of(Motion::Carried by, Point anchor);
+  static std::string text_of(Motion::Between by, Point from, Point to);
+
+  Scheme scheme_;
+  Fit fit_;
+  const Motion* motion_;
+  Labels labels_;
+  SvgWriter svg_;
+};
+
+}  // namespace loadpath::draw

@@ -1,0 +1,195 @@
+#include "lib/export/json.hpp"
+
+#include "lib/export/json_writer.hpp"
+#include "lib/project/project.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/quantity/unit.hpp"
+#include "lib/report/build.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace loadpath::exports {
+
+namespace {
+
+using account::Entry;
+using project::SeriesChoice;
+
+constexpr int schema_version = 1;
+
+/// A state by its word in English, whatever the language of the report.
+std::string word_of(account::State state) { return std::string(account::word(state).id); }
+
+/// The SI unit by its name where it has one: Pa, not kg/(m*s^2).
+std::string unit_of(const Dimension& dimension) {
+  constexpr std::array words{"N", "Pa", "N*m", "W", "N/m"};
+  static const auto units = [&] {
+    std::array<Dimension, words.size()> dimensions;
+    std::transform(words.begin(), words.end(), dimensions.begin(),
+                   [](auto word) { return parse_unit(word)->dimension; });
+    return dimensions;
+  }();
+  const auto found = std::find(units.begin(), units.end(), dimension);
+  return found == units.end() ? si_unit(dimension) : words[static_cast<std::size_t>(found - units.begin())];
+}
+
+/// A value, with its reason where it does not exist.
+void write_value(double si, const Message& missing, JsonWriter& out) {
+  out.member("value", si);
+  if (std::isinf(si)) out.member("reason", "infinite");
+  if (std::isnan(si)) out.member("reason", missing.empty() ? "not available" : missing.text());
+}
+
+void write_series(const Entry& e, JsonWriter& out) {
+  const auto& si = e.value.si;
+  out.member("axis", e.value.signature.axis->name());
+  out.key("values").write(si, e.value.rounding);
+  const bool complete = std::all_of(si.begin(), si.end(), [](double x) { return std::isfinite(x); });
+  if (!complete) out.member("reason", e.missing.empty() ? "not available where null" : e.missing.text());
+}
+
+void write_entry(const Entry& e, JsonWriter& out) {
+  out.key(e.path).open_object();
+  if (!e.word.empty()) {
+    out.member("value", e.word);
+  } else {
+    out.member("unit", unit_of(e.value.signature.dimension));
+    if (e.value.is_series())
+      write_series(e, out);
+    else
+      write_value(e.value.si.empty() ? NAN : e.value.si[0], e.missing, out);
+  }
+  out.member("meaning", e.doc);
+  if (!e.origin.text.empty()) out.member("from", e.origin.text.text());
+  if (e.origin.recalled) out.member("recalled", true);
+  out.close_object();
+}
+
+void write_verdicts(const std::vector<account::Verdict>& list, JsonWriter& out) {
+  out.key("checks").open_array();
+  for (const account::Verdict& v : list) {
+    const auto* value = std::get_if<account::Quantity>(&v.value);
+    const double si = value == nullptr ? NAN : value->si;
+    out.open_object();
+    out.member("step", v.step);
+    out.member("name", v.symbol);
+    out.member("meaning", v.meaning.text());
+    out.member("value", si);
+    out.member("limit", v.bound.text());
+    out.member("verdict", word_of(v.state));
+    if (!v.note.empty() || !std::isfinite(si)) out.member("reason", v.note.empty() ? word_of(v.state) : v.note.text());
+    out.close_object();
+  }
+  out.close_array();
+}
+
+void write_derivation(const std::vector<account::Derived>& lines, JsonWriter& out) {
+  out.key("derivation").open_array();
+  for (const auto& [scope, step, element] : lines) {
+    out.open_object();
+    out.member("scope", scope);
+    out.member("symbol", step.symbol);
+    out.member("formula", step.formula);
+    out.key("given").open_object();
+    for (const auto& g : step.given) {
+      out.key(g.name).open_object();
+      out.member("shown_in", g.unit);
+      write_value(g.si, {}, out);
+      out.close_object();
+    }
+    out.close_object();
+    out.member("shown_in", step.value.unit);
+    out.member("why", step.why.text());
+    write_value(step.value.si, {}, out);
+    out.close_object();
+  }
+  out.close_array();
+}
+
+/// The axes that the series of a step are given at, each once.
+std::vector<const Axis*> axes_of(const account::Account& account) {
+  std::vector<const Axis*> axes;
+  for (const Entry& e : account.results) {
+    const Axis* axis = e.value.signature.axis;
+    if (axis != nullptr && std::find(axes.begin(), axes.end(), axis) == axes.end()) axes.push_back(axis);
+  }
+  return axes;
+}
+
+void write_axes(const std::vector<const Axis*>& axes, JsonWriter& out) {
+  out.key("axes").open_object();
+  for (const Axis* axis : axes) {
+    out.key(axis->name()).open_object();
+    out.member("shown_in", axis->unit);
+    out.member("period", axis->period);
+    out.key("at").write(axis->at);
+    out.close_object();
+  }
+  out.close_object();
+}
+
+void write_step(const project::Step& step, const SeriesChoice& choice, JsonWriter& out) {
+  const account::Account& account = step.account();
+  out.open_object();
+  out.member("name", step.name());
+  out.member("calculator", step.input().calculator->id);
+  out.member("title", step.input().title);
+  out.key("inputs").open_object();
+  for (const Entry& e : account.inputs) write_entry(e, out);
+  out.close_object();
+  if (const auto axes = axes_of(account); !axes.empty()) write_axes(axes, out);
+  out.key("results").open_object();
+  for (const Entry& e : account.results) {
+    if (!e.value.is_series() || choice.holds(step.name(), e.path)) write_entry(e, out);
+  }
+  out.close_object();
+  write_verdicts(account.verdicts, out);
+  if (!account.governing.empty()) out.member("derivation_for", account.governing.text());
+  if (!account.derivation.empty()) write_derivation(account.derivation, out);
+  out.close_object();
+}
+
+}  // namespace
+
+std::string json_of(const project::Project& project, std::string_view program, const SeriesChoice& choice) {
+  JsonWriter out;
+  out.open_object();
+  out.member("schema", schema_version);
+  out.member("program", program);
+  out.key("project").open_object();
+  out.member("file", project.file);
+  out.member("title", project.title);
+  for (const auto& [key, value] : project.meta) out.member(key, value);
+  out.close_object();
+  out.member("verdict", word_of(account::worst(project::verdicts(project))));
+  out.key("steps").open_array();
+  for (const auto& step : project.steps) write_step(*step, choice, out);
+  out.close_array();
+  out.close_object();
+  return out.take();
+}
+
+std::string json_of(const std::vector<Issue>& issues) {
+  JsonWriter out;
+  out.open_object();
+  out.member("schema", schema_version);
+  out.key("issues").open_array();
+  for (const Issue& i : issues) {
+    out.open_object();
+    out.member("file", i.place.file);
+    out.member("line", i.place.line);
+    out.member("column", i.place.column);
+    out.member("key", i.key);
+    out.member("severity", i.severity == Severity::error ? "error" : "warning");
+    out.member("message", i.message.text());
+    out.member("help", i.hint.text());
+    out.close_object();
+  }
+  out.close_array();
+  out.close_object();
+  return out.take();
+}
+
+}  // namespace loadpath::exports

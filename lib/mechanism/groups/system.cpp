@@ -1,0 +1,190 @@
+#include "lib/mechanism/groups/system.hpp"
+
+#include "lib/mechanism/equations/kinematics.hpp"
+#include "lib/mechanism/groups/motion.hpp"
+#include "lib/mechanism/groups/plan.hpp"
+#include "lib/mechanism/groups/positions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace loadpath::mechanism {
+
+struct GroupSystem::Work {
+  explicit Work(const Model& given)
+      : model(given),
+        length(characteristic_length(given)),
+        plan(plan_of(given)),
+        positions(plan, length),
+        motion(model, plan, positions),
+        induced(model),
+        whole(given),
+        held(given.links.size()),
+        reached(given.links.size()),
+        drives(given.drivers.size()),
+        way(given.drivers.size()) {
+    iterates = std::ranges::any_of(plan.groups, [](const auto& g) { return g.closing == Closing::by_newton; });
+  }
+
+  Status go_to(std::span<const Drive> goal);
+  bool go_by_groups(std::span<const Drive> goal);
+  double find_way(std::span<const Drive> goal);
+  Status adopt();
+  void hold(std::span<const Drive> goal);
+  void find_tendency(std::span<const Drive> goal, Position& out);
+  void store(Position& out) const;
+  bool find_forces(bool statics, Position& out);
+
+  Model model;
+  double length;
+  Plan plan;
+  GroupPositions positions;
+  GroupMotion motion;
+  InducedForces induced;
+  WholeSystem whole;
+  std::vector<Pose> held, reached;
+  std::vector<Drive> drives;  // of the position held
+  std::vector<Drive> way;     // to the goal, as if it took the time 1
+  bool iterates = false;      // some group is closed by iteration
+  bool closed = false;
+  bool in_steps = false;
+  FrictionTaken friction;
+};
+
+GroupSystem::GroupSystem(const Model& model) : work_(std::make_unique<Work>(model)) {}
+GroupSystem::~GroupSystem() = default;
+GroupSystem::GroupSystem(GroupSystem&&) noexcept = default;
+
+Status GroupSystem::assemble() {
+  Work& w = *work_;
+  w.closed = false;
+  if (const Status status = w.whole.assemble(); status != Status::closed) return status;
+  for (std::size_t k = 0; k < w.drives.size(); ++k) w.drives[k].coordinate = w.whole.coordinate(k);
+  w.whole.store_poses(w.held);
+  return w.adopt();
+}
+
+Status GroupSystem::hold(std::span<const Pose> poses, std::span<const Drive> drives) {
+  Work& w = *work_;
+  std::ranges::copy(poses, w.held.begin());
+  std::ranges::copy(drives, w.drives.begin());
+  return w.adopt();
+}
+
+double GroupSystem::coordinate(std::size_t driver) const { return work_->drives[driver].coordinate; }
+
+Status GroupSystem::solve(std::span<const Drive> drives, Position& out, bool statics) {
+  Work& w = *work_;
+  if (const Status status = w.go_to(drives); status != Status::closed) return status;
+  const bool rubs = !w.induced.none();
+  if (rubs && !moves(drives)) w.find_tendency(drives, out);
+  w.motion.find_velocities(drives);
+  w.motion.find_accelerations(drives);
+  w.store(out);
+  if (rubs && moves(drives)) std::ranges::copy(out.velocity, out.tendency.begin());
+  return w.find_forces(statics, out) ? Status::closed : Status::jams;
+}
+
+/// The position that is held, for the groups.
+Status GroupSystem::Work::adopt() {
+  positions.adopt(held);
+  closed = positions.factor();
+  return closed ? Status::closed : Status::singular;
+}
+
+Status GroupSystem::Work::go_to(std::span<const Drive> goal) {
+  if (!closed) return Status::does_not_close;
+  in_steps = !go_by_groups(goal);
+  if (!in_steps) {
+    hold(goal);
+    return Status::closed;
+  }
+  // `held` is where the groups were.
+  whole.hold(held, drives);
+  const Status status = whole.move(goal);
+  if (status == Status::closed) {
+    whole.store_poses(reached);
+    positions.adopt(reached);
+    if (positions.factor()) {
+      std::ranges::copy(goal, drives.begin());
+      std::ranges::copy(reached, held.begin());
+      return status;
+    }
+  }
+  adopt();  // back where it was
+  return status == Status::closed ? Status::singular : status;
+}
+
+bool GroupSystem::Work::go_by_groups(std::span<const Drive> goal) {
+  const double change = find_way(goal);
+  if (!(change < 1.0)) return false;
+  if (iterates) {
+    motion.find_velocities(way);
+    motion.find_accelerations(way);
+  }
+  return positions.move(goal, change, motion.rates()) && positions.factor();
+}
+
+/// The largest change of a drive, in rad or parts of the mechanism's size.
+double GroupSystem::Work::find_way(std::span<const Drive> goal) {
+  double most = 0.0;
+  for (std::size_t k = 0; k < goal.size(); ++k) {
+    way[k].speed = goal[k].coordinate - drives[k].coordinate;
+    const bool linear = model.drivers[k].kind == Driver::Kind::linear;
+    const double share = std::abs(way[k].speed) / (linear ? length : 1.0);
+    if (!(share <= most)) most = share;  // what is no number stays so
+  }
+  return most;
+}
+
+void GroupSystem::Work::hold(std::span<const Drive> goal) {
+  std::ranges::copy(goal, drives.begin());
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    const Placed& link = positions.link(k);
+    held[k] = {link.origin.x, link.origin.y, link.phi};
+  }
+}
+
+void GroupSystem::Work::find_tendency(std::span<const Drive> goal, Position& out) {
+  for (std::size_t k = 0; k < goal.size(); ++k) way[k].speed = goal[k].impending;
+  motion.find_velocities(way);
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    const Moving& m = motion.link(k);
+    out.tendency[k] = {m.velocity.x, m.velocity.y, m.omega};
+  }
+}
+
+void GroupSystem::Work::store(Position& out) const {
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    const Moving& m = motion.link(k);
+    out.pose[k] = held[k];
+    out.velocity[k] = {m.velocity.x, m.velocity.y, m.omega};
+    out.acceleration[k] = {m.acceleration.x, m.acceleration.y, m.epsilon};
+  }
+  for (std::size_t n = 0; n < out.loads.size(); ++n) out.loads[n] = {model.loads[n].force, model.loads[n].moment};
+}
+
+bool GroupSystem::Work::find_forces(bool statics, Position& out) {
+  if (!induced.none()) {
+    return induced.solve(
+        out, [&](const Induced& modes) { motion.find_forces(statics, modes, out); }, friction);
+  }
+  motion.find_forces(statics, {}, out);
+  return true;
+}
+
+bool GroupSystem::followed_in_steps() const { return work_->in_steps; }
+
+bool GroupSystem::some_joint_rests() const { return work_->induced.some_rest(); }
+
+void GroupSystem::take_friction(FrictionTaken taken) { work_->friction = taken; }
+
+void GroupSystem::set_load(std::size_t load, Vec force, double moment) {
+  work_->model.loads[load].force = force;
+  work_->model.loads[load].moment = moment;
+}
+
+WholeSystem::Gap GroupSystem::gap() const { return work_->whole.gap(); }
+
+}  // namespace loadpath::mechanism

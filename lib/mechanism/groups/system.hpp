@@ -1,0 +1,51 @@
+// Positions, velocities, accelerations, reactions and driving efforts of a planar mechanism, group by group: forward
+// through the initial links and Assur groups in their order of attachment, back for the forces. The cost is linear in
+// the number of groups. What the groups cannot follow by themselves, a change point or a long move, is followed by the
+// equations of the whole system (whole_system.hpp), which also tell why a position is not reached.
+//
+// The model has passed `diagnose`. All memory is taken in the constructor: `assemble` and `solve` allocate nothing.
+#pragma once
+
+#include "lib/mechanism/forces/induced_source.hpp"
+#include "lib/mechanism/model/model.hpp"
+#include "lib/mechanism/model/position.hpp"
+#include "lib/mechanism/whole/system.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+namespace loadpath::mechanism {
+
+class GroupSystem {
+ public:
+  explicit GroupSystem(const Model& model);
+  ~GroupSystem();
+  GroupSystem(GroupSystem&&) noexcept;
+
+  /// Closes the mechanism near the stated poses, at the drivers' coordinates that those poses have.
+  Status assemble();
+  /// Takes over a position that is closed at these coordinates of the drivers.
+  Status hold(std::span<const Pose> poses, std::span<const Drive> drives);
+  /// The drivers' coordinates of the position held now.
+  [[nodiscard]] double coordinate(std::size_t driver) const;
+  /// Moves from the position held now to these coordinates without leaving the assembly, then fills `out` (made by
+  /// `blank_position`). `statics`: no inertia. When it fails, `out` and the position held stay as they were.
+  Status solve(std::span<const Drive> drives, Position& out, bool statics = false);
+  /// Whether the last `solve` had to follow the mechanism in small steps: near a change point, or over a long way.
+  [[nodiscard]] bool followed_in_steps() const;
+  /// Of joints that rest while others move, and how much of all dry friction and losses; from the next `solve` on.
+  void take_friction(FrictionTaken taken);
+  /// Whether at the last `solve` a joint with friction did not move, nor was about to.
+  [[nodiscard]] bool some_joint_rests() const;
+  /// For loads that vary over the cycle: the force (in the axes the load has) and the moment from the next `solve` on.
+  void set_load(std::size_t load, Vec force, double moment);
+  /// After a failure, as WholeSystem::gap.
+  [[nodiscard]] WholeSystem::Gap gap() const;
+
+ private:
+  struct Work;
+  std::unique_ptr<Work> work_;
+};
+
+}  // namespace loadpath::mechanism

@@ -1,0 +1,20 @@
+// A cam and its follower as a pair (pair.hpp): where they touch, and what the follower's acceleration owes to the shape
+// of the profile.
+#pragma once
+
+#include "lib/mechanism/model/pair.hpp"
+
+namespace loadpath::mechanism {
+
+/// Of a cam, with seat and pin in place: the contact next to the one before, its row, where its force acts.
+template <class Scalar>
+void place_cam(const BasicPairShape<Scalar>& shape, const BasicPlaced<Scalar>& i, const BasicPlaced<Scalar>& j,
+               BasicPairPlace<Scalar>& at);
+
+/// As held_acceleration, along the normal of the contact.
+template <class Scalar>
+Scalar acceleration_on_cam(const BasicPairShape<Scalar>& shape, const BasicPairPlace<Scalar>& at,
+                           const BasicPlaced<Scalar>& i, const BasicPlaced<Scalar>& j,
+                           const BasicSpeeds<Scalar>& speed_i, const BasicSpeeds<Scalar>& speed_j);
+
+}  // namespace loadpath::mechanism

@@ -1,0 +1,49 @@
+// Who causes the force: every reaction and effort at a position, split exactly into the shares of all weights, of the
+// inertia of each link, of each load and spring, and of what each joint's reaction induces (friction, pressure of
+// teeth, slack sides). The equations of equilibrium are linear in what acts, so the shares sum up to the whole.
+#pragma once
+
+#include "lib/mechanism/model/model.hpp"
+#include "lib/mechanism/model/position.hpp"
+#include "lib/mechanism/proof/forces.hpp"
+#include "lib/mechanism/proof/instant.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace loadpath::mechanism {
+
+struct Cause {
+  enum class Kind { weights, inertia, load, spring, induced };
+  Kind kind = Kind::weights;
+  std::size_t index = 0;  // of the link, of the load, of the spring, or of the joint that induces it
+};
+
+class CauseSplit {
+ public:
+  /// The model is referred to: its loads may change between positions.
+  explicit CauseSplit(const Model& model);
+
+  /// All that the model can have: weights first, then links, loads, springs and joints in their order.
+  [[nodiscard]] std::span<const Cause> causes() const { return causes_; }
+  /// Splits a solved position. False where the position is singular to rounding. Takes no memory but the
+  /// scratch of an inverse.
+  [[nodiscard]] bool find(const Position& at, bool statics = false);
+  /// The reactions, at the position's pins, and the efforts of one cause alone. What is induced is taken at its amount
+  /// there, and counts with the joint that induces it.
+  [[nodiscard]] const Forces& share(std::size_t cause) const { return shares_[cause]; }
+
+ private:
+  [[nodiscard]] std::size_t cause_of(const ActiveForce& force) const;
+  void find_share(std::size_t cause);
+
+  Instant instant_;
+  std::vector<Cause> causes_;
+  std::size_t first_load_ = 0, first_spring_ = 0;
+  std::vector<std::size_t> induced_;  // by joint, among the causes
+  std::vector<Forces> shares_;
+  std::vector<double> multipliers_;
+};
+
+}  // namespace loadpath::mechanism

@@ -1,0 +1,293 @@
+#include "lib/project/parts.hpp"
+
+#include "lib/quantity/number.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace loadpath::project {
+
+namespace {
+
+using toml::Tree;
+
+constexpr std::array reserved{"shaft", "fatigue",  "vessel",  "column",     "section",  "gear",      "belt",
+                              "chain", "drive",    "machine", "motion",     "dynamics", "mechanism", "run",
+                              "list",  "describe", "sweep",   "verify",     "tables",   "convert",   "schema",
+                              "init",  "watch",    "why",     "completion", "man",      "project",   "expect"};
+constexpr std::array heading_keys{"title", "number", "revision", "author", "checker", "date", "note"};
+const std::vector<std::string> step_keys{"calculator", "template", "title", "note", "display"};
+
+void add(std::vector<Issue>& issues, const Place& place, const std::string& key, Message message, Message hint = {}) {
+  issues.push_back({place, key, std::move(message), std::move(hint), Severity::error});
+}
+
+/// The text of an entry, or an issue and an empty text.
+std::string text_of(const Tree::Entry& entry, const std::string& key, std::vector<Issue>& issues) {
+  if (entry.value.type == Tree::Type::text) return entry.value.text;
+  add(issues, entry.value.place, key, say("'{1}' takes a text, not {2}", key, toml::word_for(entry.value.type)));
+  return {};
+}
+
+const CatalogueEntry* entry_of_step(const Tree::Entry& entry, Catalogue catalogue, std::vector<Issue>& issues) {
+  const auto* id = entry.value.find("calculator");
+  if (id == nullptr) {
+    add(issues, entry.place, entry.key, say("the step '{1}' has no calculator", entry.key),
+        say("write calculator = \"shaft.torsion\"; `loadpath list` shows all"));
+    return nullptr;
+  }
+  const std::string text = text_of(*id, entry.key + ".calculator", issues);
+  const CatalogueEntry* found = find_entry(catalogue, text);
+  if (found == nullptr && !text.empty()) {
+    std::vector<std::string> ids;
+    for (const CatalogueEntry& known : catalogue) ids.emplace_back(known.calculator->id);
+    add(issues, id->value.place, entry.key + ".calculator", say("there is no calculator '{1}'", text),
+        did_you_mean(text, ids, say("`loadpath list` shows all")));
+  }
+  return found;
+}
+
+/// The template that a step names, if any; false where there is no such.
+bool read_template(const Tree& table, StepInput& input, std::vector<Issue>& issues) {
+  const auto* named = table.find("template");
+  if (named == nullptr) return true;
+  const std::string key = input.name + ".template";
+  if (input.calculator->templates.empty()) {
+    add(issues, named->place, key, say("'{1}' has no templates", input.calculator->id));
+    return false;
+  }
+  const std::size_t before = issues.size();
+  const std::string id = text_of(*named, key, issues);
+  input.from = find_template(*input.calculator, id);
+  if (input.from != nullptr || issues.size() != before) return input.from != nullptr;
+  std::vector<std::string> ids;
+  for (const Template* t : input.calculator->templates) ids.emplace_back(t->id);
+  add(issues, place_in(named->value.place, id, 0, id.size()), key, say("there is no template '{1}'", id),
+      did_you_mean(id, ids, there_is(ids)));
+  return false;
+}
+
+/// Rows that a step names for the tables its providers read: material = "C45E". A material is known to every step.
+void read_rows(const Tree& table, StepInput& input, std::vector<Issue>& issues) {
+  const auto groups = table_groups(*input.calculator);
+  for (const std::string& group : groups) {
+    if (const auto* row = table.find(group)) {
+      input.rows[group] = {text_of(*row, input.name + "." + group, issues), row->value.place};
+    }
+  }
+  const auto* material = table.find("material");
+  if (material == nullptr || input.rows.count("material") != 0) return;
+  add(issues, material->place, input.name + ".material",
+      say("'{1}' takes nothing from a material", input.calculator->id));
+}
+
+/// The keys of a step that are no fields of its calculator.
+std::vector<std::string> keys_beside_fields(const Calculator& calculator) {
+  std::vector<std::string> keys = step_keys;
+  keys.emplace_back("material");
+  for (const std::string& group : table_groups(calculator)) {
+    if (group != "material") keys.push_back(group);
+  }
+  return keys;
+}
+
+void read_display(const Tree& table, StepInput& input, std::vector<Issue>& issues) {
+  const auto* display = table.find("display");
+  if (display == nullptr) return;
+  if (display->value.type != Tree::Type::table) {
+    return add(issues, display->value.place, input.name + ".display",
+               say("'{1}' is a table of units, not {2}", "display", toml::word_for(display->value.type)),
+               say("name the results: display = { d = \"in\" }"));
+  }
+  if (input.calculator->result == nullptr) {
+    return add(issues, display->place, input.name + ".display",
+               say("'{1}' shows its results in readable units of its own", input.calculator->id),
+               say("leave out 'display'; the JSON output is in SI units"));
+  }
+  for (const Tree::Entry& entry : display->value.entries) {
+    const std::string key = input.name + ".display." + entry.key;
+    const std::size_t before = issues.size();
+    const std::string unit = text_of(entry, key, issues);
+    if (issues.size() != before) continue;
+    const auto fields = input.calculator->result->fields;
+    const FieldInfo* field = find_field(fields, entry.key);
+    if (field == nullptr || field->type != FieldInfo::Type::quantity) {
+      std::vector<std::string> results;
+      for (const FieldInfo& f : fields) results.emplace_back(f.key);
+      add(issues, entry.place, key, say("'{1}' has no result '{2}'", input.name, entry.key),
+          did_you_mean(entry.key, results, there_is(results)));
+      continue;
+    }
+    const auto parsed = parse_unit(unit);
+    if (!parsed) {
+      add(issues, place_in(entry.value.place, unit, parsed.fault().at, parsed.fault().length), key,
+          parsed.fault().message, parsed.fault().hint);
+    } else if (parsed->dimension != field->dimension) {
+      add(issues, entry.value.place, key,
+          say("'{1}' is shown in a unit like {2}, not in {3}", entry.key, field->unit, unit));
+    } else {
+      input.display[entry.key] = unit;
+    }
+  }
+}
+
+bool name_is_free(const Tree::Entry& entry, std::vector<Issue>& issues) {
+  if (!is_name(entry.key)) {
+    add(issues, entry.place, entry.key, say("'{1}' is no name for a step", entry.key),
+        say("a name has Latin letters, digits and '_', and does not start with a digit"));
+  } else if (is_reserved(entry.key)) {
+    add(issues, entry.place, entry.key, say("'{1}' is a word of the program and cannot name a step", entry.key),
+        say("call it '{1}_1' or by its part of the machine", entry.key));
+  } else if (entry.value.type != Tree::Type::table) {
+    add(issues, entry.place, entry.key, say("'{1}' stands outside of a step", entry.key),
+        say("a project file consists of tables: [crankshaft]"));
+  } else {
+    return true;
+  }
+  return false;
+}
+
+/// within = "0.5 %", a part of the value, or "0.1 mm", a quantity like it.
+void read_within(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
+  const Message remedy = e.unit.empty() || e.unit == "-"
+                             ? say("write a part of the value, \"0.5 %\"")
+                             : say("write a part of the value, \"0.5 %\", or a quantity like it, \"0.1 {1}\"", e.unit);
+  if (tree.type != Tree::Type::text) {
+    return add(issues, tree.place, "expect.within", say("within is a text with a unit"), remedy);
+  }
+  auto literal = parse_literal(tree.text);
+  if (literal && literal->dimension == Dimension::of(0, 0, 0, 1))  // 0.1 K, never a point on the scale
+    literal = parse_literal(tree.text, Expected{literal->dimension, Kind::difference, "K"});
+  if (!literal) {
+    const Fault& fault = literal.fault();
+    return add(issues, place_in(tree.place, tree.text, fault.at, fault.length), "expect.within", fault.message,
+               fault.hint.empty() ? remedy : fault.hint);
+  }
+  const Place place = place_in(tree.place, tree.text, 0, tree.text.size());
+  if (!(literal->si > 0.0)) return add(issues, place, "expect.within", say("within must be > 0"), remedy);
+  if (tree.text.find('%') != std::string::npos) {
+    e.within = literal->si;
+  } else if (literal->dimension.is_number()) {
+    add(issues, place, "expect.within", say("'{1}' may be a part of the value or a difference from it", tree.text),
+        remedy);
+  } else if (literal->dimension == e.is.dimension) {
+    e.within_si = literal->si;
+  } else if (!e.unit.empty()) {  // else `is` has been told already
+    add(issues, place, "expect.within",
+        say("'{1}' ({2}) is no tolerance of '{3}' ({4})", tree.text, name_of(literal->dimension), e.is_text,
+            name_of(e.is.dimension)),
+        remedy);
+  }
+}
+
+/// digits = 3, or within = "0.5 %" or "0.1 mm".
+void read_tolerance(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
+  if (const auto* digits = tree.find("digits")) {
+    const double n = digits->value.number;
+    if (digits->value.type != Tree::Type::number || n < 1 || n > 15 || n != std::floor(n)) {
+      add(issues, digits->value.place, "expect.digits", say("digits is a whole number from 1 to 15"));
+    }
+    e.digits = static_cast<int>(n);
+  }
+  if (const auto* within = tree.find("within")) read_within(within->value, e, issues);
+  if ((tree.find("digits") == nullptr) == (tree.find("within") == nullptr)) {
+    add(issues, tree.place, "expect", say("an expectation has either digits or within"));
+  }
+}
+
+std::optional<Expectation> read_expectation(const Tree& tree, std::vector<Issue>& issues) {
+  const std::size_t before = issues.size();
+  Expectation e;
+  for (const Tree::Entry& entry : tree.entries) {
+    static const std::vector<std::string> keys{"value", "is", "digits", "within", "source", "note"};
+    if (std::find(keys.begin(), keys.end(), entry.key) == keys.end()) {
+      add(issues, entry.place, "expect", say("'{1}' is no field here", entry.key), did_you_mean(entry.key, keys));
+    }
+  }
+  for (const auto& [key, target] :
+       {std::pair{"value", &e.text}, {"is", &e.is_text}, {"source", &e.source}, {"note", &e.note}}) {
+    if (const auto* entry = tree.find(key)) *target = text_of(*entry, std::string("expect.") + key, issues);
+  }
+  if (e.text.empty() || e.is_text.empty() || e.source.empty()) {
+    add(issues, tree.place, "expect", say("an expectation needs value, is and source"));
+    return std::nullopt;
+  }
+  e.place = tree.find("value")->value.place;
+  if (e.text.starts_with('=')) {
+    e.text.erase(0, 1);
+    ++e.place.column;
+  }
+  auto parsed = Expression::parse(e.text);
+  if (!parsed) {
+    add(issues, place_in(e.place, e.text, parsed.fault().at, parsed.fault().length), "expect.value",
+        parsed.fault().message, parsed.fault().hint);
+  } else {
+    e.value = std::move(*parsed);
+  }
+  const auto is = parse_literal(e.is_text);
+  if (!is) {
+    add(issues, place_in(tree.find("is")->value.place, e.is_text, is.fault().at, is.fault().length), "expect.is",
+        is.fault().message, is.fault().hint);
+  } else {
+    e.is = *is;
+    const auto number = read_number(e.is_text, 0);
+    e.number = number->value;
+    e.unit = e.is_text.substr(std::min(e.is_text.find_first_not_of(' ', number->end), e.is_text.size()));
+    if (e.unit.empty()) e.unit = "-";
+  }
+  read_tolerance(tree, e, issues);
+  return issues.size() == before ? std::optional(std::move(e)) : std::nullopt;
+}
+
+}  // namespace
+
+std::span<const char* const> reserved_names() { return reserved; }
+
+bool is_reserved(std::string_view name) { return std::find(reserved.begin(), reserved.end(), name) != reserved.end(); }
+
+void read_heading(const Tree::Entry& entry, Project& project, std::vector<Issue>& issues) {
+  if (entry.value.type != Tree::Type::table) {
+    return add(issues, entry.place, "project",
+               say("'{1}' is a table of fields, not {2}", "project", toml::word_for(entry.value.type)));
+  }
+  for (const Tree::Entry& e : entry.value.entries) {
+    if (std::find(heading_keys.begin(), heading_keys.end(), e.key) == heading_keys.end()) {
+      add(issues, e.place, "project." + e.key, say("'{1}' is no field here", e.key),
+          did_you_mean(e.key, std::vector<std::string>(heading_keys.begin(), heading_keys.end())));
+      continue;
+    }
+    const std::string text = text_of(e, "project." + e.key, issues);
+    if (e.key == "title")
+      project.title = text;
+    else
+      project.meta.emplace_back(e.key, text);
+  }
+}
+
+void read_expectations(const Tree& tree, Project& project, std::vector<Issue>& issues) {
+  if (tree.type != Tree::Type::array) return add(issues, tree.place, "expect", say("write expectations as [[expect]]"));
+  for (const Tree& item : tree.items) {
+    if (auto expectation = read_expectation(item, issues)) project.expectations.push_back(std::move(*expectation));
+  }
+}
+
+std::unique_ptr<Step> read_step(const Tree::Entry& entry, Catalogue catalogue, std::vector<Issue>& issues) {
+  if (!name_is_free(entry, issues)) return nullptr;
+  StepInput input;
+  input.name = entry.key;
+  input.place = entry.place;
+  const CatalogueEntry* const known = entry_of_step(entry, catalogue, issues);
+  if (known == nullptr) return nullptr;
+  input.calculator = known->calculator;
+  if (!read_template(entry.value, input, issues)) return nullptr;
+  if (const auto* title = entry.value.find("title")) input.title = text_of(*title, entry.key + ".title", issues);
+  if (const auto* note = entry.value.find("note")) input.note = text_of(*note, entry.key + ".note", issues);
+  read_rows(entry.value, input, issues);
+  read_display(entry.value, input, issues);
+  input.reading = read_record(entry.value, *input.calculator->input, input.from, entry.key + ".",
+                              keys_beside_fields(*input.calculator), issues);
+  return known->make_step(std::move(input));
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,20 @@
+// The parts of a project file: its heading, its steps, what it expects.
+#pragma once
+
+#include "lib/project/project.hpp"
+
+#include <memory>
+#include <span>
+
+namespace loadpath::project {
+
+void read_heading(const toml::Tree::Entry& entry, Project& project, std::vector<Issue>& issues);
+void read_expectations(const toml::Tree& tree, Project& project, std::vector<Issue>& issues);
+/// The step of a table, not yet prepared; nothing where name or calculator are wrong.
+std::unique_ptr<Step> read_step(const toml::Tree::Entry& entry, Catalogue catalogue, std::vector<Issue>& issues);
+
+/// Words that no step can be called: commands, elements, `project`, `expect`.
+std::span<const char* const> reserved_names();
+bool is_reserved(std::string_view name);
+
+}  // namespace loadpath::project

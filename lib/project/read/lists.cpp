@@ -1,0 +1,95 @@
+#include "lib/project/read/reader.hpp"
+
+#include <algorithm>
+
+namespace loadpath::project {
+
+using Type = FieldInfo::Type;
+
+void Reader::read_list(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  const bool named = tree.type == Tree::Type::table && find_field(field.fields, "name") != nullptr &&
+                     find_field(field.fields, "name")->type == Type::name;
+  if (tree.type == Tree::Type::array && tree.items.empty()) {
+    return say_at(tree.place, path, say("'{1}' is empty", path),
+                  field.optional ? say("give what it lists, or leave it out") : say("give what it lists"));
+  }
+  const Target target{field, owner, field.size(owner)};
+  std::size_t count = target.given + (tree.type == Tree::Type::array ? tree.items.size() : 1);
+  if (named) {
+    const auto is_new = [&](const Tree::Entry& entry) { return target.find_given(entry.key) == nullptr; };
+    count = target.given + static_cast<std::size_t>(std::count_if(tree.entries.begin(), tree.entries.end(), is_new));
+  }
+  if (count > field.capacity) {
+    return say_at(
+        tree.place, path,
+        say("at most {1} {2}; here are {3}", std::to_string(field.capacity), field.key, std::to_string(count)));
+  }
+  if (named) {
+    for (const Tree::Entry& entry : tree.entries) read_element(entry.value, target, path, &entry);
+  } else if (tree.type == Tree::Type::array) {
+    for (const Tree& item : tree.items) read_element(item, target, path, nullptr);
+  } else {
+    read_element(tree, target, path, nullptr);
+  }
+  check_names(field, owner, path, tree.place);
+}
+
+std::vector<std::string> Reader::Target::given_names() const {
+  std::vector<std::string> names;
+  const FieldInfo* name = find_field(list.fields, "name");
+  for (std::size_t i = 0; name != nullptr && i < given; ++i) names.emplace_back(name->text(list.element(owner, i)));
+  return names;
+}
+
+void* Reader::Target::find_given(const std::string& name) const {
+  const auto names = given_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? nullptr : list.element(owner, static_cast<std::size_t>(found - names.begin()));
+}
+
+void Reader::read_element(const Tree& tree, const Target& target, const std::string& path, const Tree::Entry* named) {
+  const auto& [list, owner, given] = target;
+  const auto* own_name = find_field(list.fields, "name") == nullptr ? nullptr : tree.find("name");
+  const std::string written = named != nullptr ? named->key : own_name != nullptr ? own_name->value.text : "";
+  void* const known = target.find_given(written);
+  void* const element = known != nullptr ? known : list.push(owner);
+  std::string inner = path + "[" + std::to_string(list.size(owner)) + "]";
+  if (is_name(written) || named != nullptr) inner = path + "." + written;
+  if (named != nullptr) {
+    if (const auto* again = tree.find("name")) {
+      say_at(again->place, inner, say("the name already stands before the table: '{1}'", named->key),
+             say("leave out 'name'"));
+    }
+    Tree name;
+    name.type = Tree::Type::text;
+    name.text = named->key;
+    name.place = named->place;
+    reading_.typed[inner + ".name"] = {name.text, name.place};
+    read_name(name, *find_field(list.fields, "name"), element, inner);
+  }
+  if (known != nullptr && reading_.typed.count(inner) != 0)
+    say_at(tree.place, path, say("the name '{1}' stands twice in '{2}'", written, path));
+  reading_.typed[inner] = {tree.text, tree.place};
+  const std::size_t before = issues_.size();
+  read_aggregate(tree, list, element, inner);
+  for (std::size_t i = before; i < issues_.size() && known == nullptr; ++i) {  // it lacks what one of the given has
+    if (issues_[i].hint.empty()) issues_[i].hint = did_you_mean(written, target.given_names(), {}, path + ".");
+  }
+}
+
+void Reader::check_names(const FieldInfo& list, void* owner, const std::string& path, const Place& place) {
+  const FieldInfo* name = find_field(list.fields, "name");
+  if (name == nullptr || name->type != Type::name) return;
+  std::vector<std::string_view> seen;
+  for (std::size_t i = 0; i < list.size(owner); ++i) {
+    const std::string_view n = name->text(list.element(owner, i));
+    if (!n.empty() && std::find(seen.begin(), seen.end(), n) != seen.end()) {
+      const auto typed = reading_.typed.find(path + "." + std::string(n) + ".name");
+      say_at(typed == reading_.typed.end() ? place : typed->second.place, path,
+             say("the name '{1}' stands twice in '{2}'", n, path));
+    }
+    seen.push_back(n);
+  }
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,126 @@
+#include "lib/project/read/reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::project {
+
+using Type = FieldInfo::Type;
+
+std::string joined(const std::string& path, std::string_view key) {
+  return path.empty() ? std::string(key) : path + "." + std::string(key);
+}
+
+std::vector<std::string> keys_of(const std::vector<Part>& parts) {
+  std::vector<std::string> keys;
+  for (const Part& part : parts) {
+    for (const FieldInfo& field : part.fields) keys.emplace_back(field.key);
+  }
+  return keys;
+}
+
+Message one_of(const std::string& word, const std::vector<std::string>& candidates) {
+  return did_you_mean(word, candidates, there_is(candidates));
+}
+
+void Reader::read_fields(const Tree& table, const std::vector<Part>& parts, const std::string& path,
+                         const std::vector<std::string>& reserved) {
+  for (const Tree::Entry& entry : table.entries) {
+    if (std::find(reserved.begin(), reserved.end(), entry.key) != reserved.end()) continue;
+    const std::string inner = joined(path, entry.key);
+    const auto part = std::find_if(parts.begin(), parts.end(),
+                                   [&](const Part& p) { return find_field(p.fields, entry.key) != nullptr; });
+    if (part == parts.end()) {
+      say_at(entry.place, inner, say("'{1}' is no field here", entry.key), one_of(entry.key, keys_of(parts)));
+      if (path.empty()) reading_.faulty.insert(nearest(entry.key, keys_of(parts)));
+      continue;
+    }
+    reading_.typed[inner] = {entry.value.text, entry.value.place};
+    read_value(entry.value, *find_field(part->fields, entry.key), part->owner, inner);
+  }
+  for (const Part& part : parts) require(part.fields, part.owner, path, table.place);
+}
+
+void Reader::read_value(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  switch (field.type) {
+    case Type::quantity:
+      return read_quantity(tree, field, owner, path);
+    case Type::count:
+      return read_count(tree, field, owner, path);
+    case Type::choice:
+      return read_choice(tree, field, owner, path);
+    case Type::name:
+      return read_name(tree, field, owner, path);
+    case Type::formula:
+      return read_formula(tree, field, owner, path);
+    case Type::group:
+      return read_aggregate(tree, field, field.element(owner, 0), path);
+    case Type::list:
+      return read_list(tree, field, owner, path);
+  }
+}
+
+void Reader::read_aggregate(const Tree& tree, const FieldInfo& field, void* inner, const std::string& path) {
+  if (tree.type == Tree::Type::table) return read_fields(tree, {{field.fields, inner}}, path, {});
+  if (!field.positional) {
+    return say_at(tree.place, path, say("'{1}' is a table of fields, not {2}", path, toml::word_for(tree.type)),
+                  there_is(keys_of({{field.fields, inner}})));
+  }
+  read_array(tree, field, inner, path);
+}
+
+/// The first fields in order, the name left out: ["40 mm", "0 mm"], or one value for the first.
+void Reader::read_array(const Tree& tree, const FieldInfo& field, void* inner, const std::string& path) {
+  std::vector<const FieldInfo*> leaves;
+  for (const FieldInfo& f : field.fields) {
+    const bool own_name = field.type == Type::list && std::string_view(f.key) == "name";
+    if (f.is_leaf() && !own_name) leaves.push_back(&f);
+  }
+  const bool array = tree.type == Tree::Type::array;
+  const std::size_t count = array ? tree.items.size() : 1;
+  if (count > leaves.size()) {
+    return say_at(tree.place, path,
+                  say("at most {1} values here; there are {2}", std::to_string(leaves.size()), std::to_string(count)));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const Tree& item = array ? tree.items[i] : tree;
+    const std::string leaf = joined(path, leaves[i]->key);
+    reading_.typed[leaf] = {item.text, item.place};
+    read_value(item, *leaves[i], inner, leaf);
+  }
+  require(field.fields, inner, path, tree.place);
+}
+
+static bool is_missing(const FieldInfo& field, void* owner) {
+  switch (field.type) {
+    case Type::quantity:
+      return std::isnan(field.get(owner));
+    case Type::name:
+    case Type::formula:
+      return field.text(owner).empty();
+    case Type::list:
+      return field.size(owner) == 0;
+    case Type::count:
+      return !field.bounds.holds(field.get(owner));
+    case Type::choice:
+    case Type::group:
+      return false;
+  }
+  return false;
+}
+
+void Reader::require(std::span<const FieldInfo> fields, void* owner, const std::string& path, const Place& place) {
+  for (const FieldInfo& field : fields) {
+    const std::string inner = joined(path, field.key);
+    if (field.optional || reading_.typed.count(inner) != 0) continue;
+    if (field.type == Type::group) {
+      require(field.fields, field.element(owner, 0), inner, place);
+    } else if (is_missing(field, owner)) {
+      const bool in_unit = field.type == Type::quantity && std::string_view(field.unit) != "-";
+      say_at(place, inner, say("'{1}' is missing: {2}", inner, field.doc),
+             in_unit ? say("write {1} = \"... {2}\"", field.key, field.unit) : Message{});
+    }
+  }
+}
+
+}  // namespace loadpath::project

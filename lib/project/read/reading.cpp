@@ -1,0 +1,58 @@
+#include "lib/project/read/reading.hpp"
+
+#include "lib/project/read/reader.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::project {
+
+using Type = FieldInfo::Type;
+
+static std::size_t code_points(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+Reading read_record(const toml::Tree& table, const RecordType& type, const Template* from, const std::string& prefix,
+                    const std::vector<std::string>& reserved, std::vector<Issue>& issues) {
+  Reading reading;
+  reading.record = Record(type);
+  reading.place = table.place;
+  std::vector<Part> parts{{type.fields, reading.record.data.get()}};
+  if (from != nullptr) {
+    from->lay_out(reading.record.data.get());
+    reading.parameters = Record(*from->parameters);
+    parts.insert(parts.begin(), {from->parameters->fields, reading.parameters.data.get()});
+  }
+  Reader(reading, issues, prefix).read_fields(table, parts, "", reserved);
+  return reading;
+}
+
+Message bounds_message(const FieldInfo& field) {
+  const Range& b = field.bounds;
+  const std::string unit = field.type == Type::quantity ? field.unit : "-";
+  const std::string low = (b.low_open ? "> " : ">= ") + format_quantity(b.low, unit);
+  const std::string high = (b.high_open ? "< " : "<= ") + format_quantity(b.high, unit);
+  if (std::isinf(b.high)) return say("must be {1}", low);
+  if (std::isinf(b.low)) return say("must be {1}", high);
+  return say("must be {1} and {2}", low, high);
+}
+
+bool is_name(std::string_view text) {
+  const auto letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; };
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  return !text.empty() && letter(text[0]) &&
+         std::all_of(text.begin(), text.end(), [&](char c) { return letter(c) || digit(c); });
+}
+
+Place place_in(const Place& start, std::string_view text, std::size_t at, std::size_t length) {
+  Place place = start;
+  at = std::min(at, text.size());
+  place.column += static_cast<int>(code_points(text.substr(0, at)));
+  place.length = static_cast<int>(std::max<std::size_t>(1, code_points(text.substr(at, length))));
+  return place;
+}
+
+}  // namespace loadpath::project

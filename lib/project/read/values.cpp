@@ -1,0 +1,179 @@
+#include "lib/calculator/choice_words.hpp"
+#include "lib/project/read/reader.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/quantity/literal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace loadpath::project {
+
+using Type = FieldInfo::Type;
+
+void Reader::read_quantity(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  switch (tree.type) {
+    case Tree::Type::text:
+      return read_text_quantity(tree, field, owner, path);
+    case Tree::Type::number:
+      return read_literal(format_exact(tree.number), tree, field, owner, path);
+    case Tree::Type::table:
+      return read_special(tree, field, owner, path);
+    case Tree::Type::array:
+      return say_at(tree.place, path, say("a list of values makes this a range, and `run` takes one value"),
+                    say("use `loadpath sweep` for ranges"));
+    case Tree::Type::boolean:
+      return say_at(tree.place, path, say("a quantity is expected, not {1}", tree.text),
+                    say("write a text with a unit, \"30 {1}\"", field.unit));
+  }
+}
+
+void Reader::read_text_quantity(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  if (tree.text == "?") {
+    if (*field.searched_in == '\0') {
+      return say_at(tree.place, path, say("'{1}' cannot be searched for", path), say("give a value"));
+    }
+    reading_.searches.push_back({path, {&field, owner}, field.searched_in, tree.place});
+    return;
+  }
+  if (!tree.text.starts_with('=')) return read_literal(tree.text, tree, field, owner, path);
+  Place start = tree.place;
+  ++start.column;
+  std::string text = tree.text.substr(1);
+  auto parsed = Expression::parse(text);
+  if (!parsed) return fault_at(start, text, path, parsed.fault());
+  reading_.operands.push_back({path, {&field, owner}, std::move(*parsed), std::move(text), start});
+}
+
+/// { stock = "R40" }, { mean = ..., sd = ... }, { value = ..., tolerance = ... }; a range is for sweeps.
+void Reader::read_special(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  if (const auto* stock = tree.find("stock")) {
+    if (*field.searched_in == '\0')
+      return say_at(stock->place, path, say("'{1}' cannot be searched for", path), say("give a value"));
+    reading_.searches.push_back({path, {&field, owner}, stock->value.text, stock->value.place});
+    return;
+  }
+  if (tree.find("from") != nullptr) {
+    return say_at(tree.place, path, say("this is a range, and `run` takes one value"),
+                  say("use `loadpath sweep` for ranges"));
+  }
+  if (tree.find("mean") != nullptr || tree.find("value") != nullptr) return read_spread(tree, field, owner, path);
+  say_at(tree.place, path, say("a quantity is expected, not {1}", toml::word_for(tree.type)),
+         say("write a text with a unit, \"30 {1}\"", field.unit));
+}
+
+void Reader::read_spread(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  static const std::vector<std::string> keys{"mean", "sd", "value", "tolerance"};
+  for (const Tree::Entry& entry : tree.entries) {
+    if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
+    say_at(entry.place, path, say("'{1}' is no field here", entry.key), one_of(entry.key, keys));
+  }
+  const auto* middle = tree.find("mean") != nullptr ? tree.find("mean") : tree.find("value");
+  read_quantity(middle->value, field, owner, path);
+  reading_.typed[path].mean_of_uncertain = true;
+  say_at(tree.place, path, say("'{1}' is uncertain; computed at its middle value", path), {}, Severity::warning);
+}
+
+/// Whether a text that is no quantity refers to other steps, as expressions do.
+static bool is_bare_expression(const std::string& text) {
+  if (parse_unit(text)) return false;  // a number was forgotten
+  const auto parsed = Expression::parse(text);
+  return parsed && !parsed->references().empty();
+}
+
+static std::optional<double> infinity_of(const std::string& text, const FieldInfo& field) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!field.infinite) return std::nullopt;
+  if (text == "inf" || text == "+inf") return infinity;
+  return text == "-inf" ? std::optional(-infinity) : std::nullopt;
+}
+
+/// Whether a size, in SI, is beyond all machines, so that its powers could leave the range of numbers.
+static bool is_out_of_proportion(double si) {
+  constexpr double largest = 1e30;
+  return std::abs(si) > largest || (si != 0.0 && std::abs(si) < 1.0 / largest);
+}
+
+void Reader::read_literal(const std::string& text, const Tree& tree, const FieldInfo& field, void* owner,
+                          const std::string& path) {
+  if (const auto number = infinity_of(text, field)) {
+    reading_.typed[path].text = text;
+    return field.set(owner, *number);
+  }
+  const auto literal = parse_literal(text, Expected{field.dimension, field.kind, field.unit});
+  if (!literal && is_bare_expression(text)) {
+    return say_at(place_in(tree.place, text, 0, text.size()), path, say("'{1}' is an expression without its '='", text),
+                  say("an expression starts with '=': write \"={1}\"", text));
+  }
+  if (!literal) return fault_at(tree.place, text, path, literal.fault());
+  const double si = literal->si;
+  if (!field.bounds.holds(si)) {
+    return say_at(tree.place, path,
+                  say("{1} = {2}: {3}", path, format_quantity(si, field.unit), bounds_message(field)));
+  }
+  if (is_out_of_proportion(si)) {
+    return say_at(tree.place, path, say("{1} = {2} is out of all proportion", path, format_quantity(si, field.unit)),
+                  say("check the unit and the power of ten: no machine has that"));
+  }
+  if (!field.plausible.holds(si)) {
+    say_at(tree.place, path,
+           say("{1} = {2} is unusual: {3} to {4} is expected", path, format_quantity(si, field.unit),
+               format_quantity(field.plausible.low, field.unit), format_quantity(field.plausible.high, field.unit)),
+           say("check the unit"), Severity::warning);
+  }
+  reading_.typed[path].text = text;
+  field.set(owner, si);
+}
+
+void Reader::read_count(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  const double n = tree.number;
+  if (tree.type != Tree::Type::number || n != std::floor(n)) {
+    const bool number = tree.type == Tree::Type::number;
+    return say_at(
+        tree.place, path,
+        say("a whole number is expected, not {1}", number ? format_number(n) : std::string(toml::word_for(tree.type))),
+        tree.text.starts_with('=') ? say("a count takes no expression") : Message{});
+  }
+  if (!field.bounds.holds(n)) {
+    return say_at(tree.place, path, say("{1} = {2}: {3}", path, format_number(n), bounds_message(field)));
+  }
+  reading_.typed[path].text = format_number(n);
+  field.set(owner, n);
+}
+
+void Reader::read_choice(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  const std::vector<std::string> words = words_to_type(field);
+  if (tree.type != Tree::Type::text || std::find(words.begin(), words.end(), tree.text) == words.end()) {
+    const std::string written =
+        tree.type == Tree::Type::text ? "'" + tree.text + "'" : std::string(toml::word_for(tree.type));
+    return say_at(tree.place, path, say("{1} is none of the words for '{2}'", written, path), one_of(tree.text, words));
+  }
+  const auto found =
+      std::find_if(field.choices.begin(), field.choices.end(), [&](const ChoiceInfo& c) { return tree.text == c.key; });
+  field.set(owner, static_cast<double>(found - field.choices.begin()));
+}
+
+void Reader::read_name(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  if (tree.type != Tree::Type::text)
+    return say_at(tree.place, path, say("a name is expected, not {1}", toml::word_for(tree.type)));
+  if (!is_name(tree.text)) {
+    return say_at(tree.place, path, say("'{1}' is no name", tree.text),
+                  say("a name has Latin letters, digits and '_', and does not start with a digit"));
+  }
+  if (tree.text.size() > Name::capacity)
+    return say_at(tree.place, path, say("the name '{1}' is longer than 31 letters", tree.text));
+  field.set_text(owner, tree.text);
+}
+
+void Reader::read_formula(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  if (tree.type != Tree::Type::text)
+    return say_at(tree.place, path, say("a formula is expected, not {1}", toml::word_for(tree.type)),
+                  say("write it as a text: \"20 mm*sin(t/(1 s))\""));
+  if (tree.text.size() > field.capacity) {
+    return say_at(tree.place, path, say("the formula is longer than {1} letters", std::to_string(field.capacity)),
+                  say("shorten it"));
+  }
+  field.set_text(owner, tree.text);
+}
+
+}  // namespace loadpath::project

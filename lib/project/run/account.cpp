@@ -1,0 +1,170 @@
+// What a run has found, as an account.
+#include "lib/project/run/derivation.hpp"
+#include "lib/project/run/run.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::project {
+
+namespace {
+
+/// "at 202.7 deg of lever: crank angle"
+Message at_place(const Extreme& extreme, const Axis& axis) {
+  return say("at {1} ({2})", format_quantity(extreme.at, axis.unit, 5), axis.name());
+}
+
+/// The choices that occur, in their order: "strength", or over a series "strength, stiffness".
+std::string words_of(const FieldInfo& field, const std::vector<double>& si) {
+  std::string words;
+  for (std::size_t k = 0; k < field.choices.size(); ++k) {
+    if (std::find(si.begin(), si.end(), static_cast<double>(k)) == si.end()) continue;
+    words += (words.empty() ? "" : ", ") + std::string(field.choices[k].key);
+  }
+  return words;
+}
+
+}  // namespace
+
+Value Run::value_of(const Column& column) const { return {{column.field->dimension, axis_}, column.si}; }
+
+Origin Run::origin_of(const std::string& path, const Leaf& leaf) const {
+  const auto known = origins_.find(path);
+  if (known != origins_.end()) return known->second;
+  for (const Input& input : inputs_) {
+    if (input.path == path) return input.origin;
+  }
+  return plain_origin(step_.input().reading, path, leaf);
+}
+
+void Run::fill(bool pictures, Account& account) const {
+  fill_inputs(account);
+  fill_results(account);
+  fill_verdicts(account);
+  if (traced_) account.derivation = derive(trace_, record_, result_);
+  if (axis_ != nullptr && traced_) {
+    account.governing = say("at {1} ({2}), where the governing check is largest",
+                            format_quantity(axis_->at[governing_], axis_->unit, 5), axis_->name());
+  }
+  if (pictures && traced_ && calculator_.figures != nullptr)
+    account.figures = calculator_.figures(record_.data.get(), result_.data.get());
+}
+
+void Run::fill_inputs(Account& account) const {
+  account.inputs =
+      input_entries(record_, [&](const std::string& path, const Leaf& leaf) { return origin_of(path, leaf); });
+  for (Entry& entry : account.inputs) {
+    for (const Input& input : inputs_) {
+      if (input.path == entry.path) entry.value = input.value;
+    }
+  }
+}
+
+/// Whether a result is asked for, and is not one that the calculator has left unset.
+bool Run::applies(const Column& column) const {
+  if (!is_asked(*column.field)) return false;
+  return !column.field->where_set ||
+         std::any_of(column.si.begin(), column.si.end(), [](double x) { return !std::isnan(x); });
+}
+
+void Run::fill_results(Account& account) const {
+  for (const FieldInfo& field : calculator_.result->fields) {  // what the calculation names: the section that it found
+    if (!traced_ || field.type != FieldInfo::Type::name || field.text(result_.data.get()).empty()) continue;
+    account.results.push_back(
+        {field.key, field.doc, "-", field.role, {}, {}, std::string(field.text(result_.data.get()))});
+  }
+  for (const Column& column : columns_) {
+    if (!applies(column)) continue;
+    const auto display = step_.input().display.find(column.path);
+    const std::string unit = display == step_.input().display.end() ? column.field->unit : display->second;
+    Entry entry{column.path, column.field->doc, unit, column.field->role, value_of(column), {}, ""};
+    if (column.field->type == FieldInfo::Type::choice) entry.word = words_of(*column.field, column.si);
+    account.results.push_back(std::move(entry));
+  }
+}
+
+/// Which of the inputs has no value somewhere; empty where all have.
+Message Run::missing_input() const {
+  for (const Input& input : inputs_) {
+    if (std::any_of(input.value.si.begin(), input.value.si.end(), [](double x) { return std::isnan(x); })) {
+      return say("'{1}' is not available: {2}", input.path, input.origin.text);
+    }
+  }
+  return {};
+}
+
+account::Verdict Run::check_verdict(const Column& column) const {
+  const Extreme largest = axis_ == nullptr ? Extreme{column.si[0], 0.0, 0} : maximum(value_of(column));
+  account::Verdict v;
+  v.step = step_.name();
+  v.symbol = column.path;
+  v.meaning = say(column.field->doc);
+  v.bound = say("passes at 1 or less");
+  v.value = account::Quantity{largest.value, "-", 4};
+  const bool beyond_table = std::isnan(largest.value) && !missing_.empty();
+  v.state = beyond_table                      ? account::State::not_covered
+            : std::isnan(largest.value)       ? account::State::not_available
+            : largest.value < -rounding       ? account::State::not_covered  // no utilisation is negative
+            : largest.value <= 1.0 + rounding ? account::State::pass
+                                              : account::State::fail;
+  if (std::isnan(largest.value))
+    v.note = missing_.empty() ? missing_input() : missing_;
+  else
+    v.utilisation = largest.value;
+  if (axis_ != nullptr && v.utilisation) v.note = at_place(largest, *axis_);
+  return v;
+}
+
+account::Verdict Run::limit_verdict(const Column& column) const {
+  const Range& bounds = column.field->bounds;
+  const auto outside = [&](double x) { return std::isnan(x) || !bounds.holds(x); };
+  const auto distance = [&](double x) { return std::isnan(x) ? INFINITY : std::max(bounds.low - x, x - bounds.high); };
+  const auto worst = std::max_element(column.si.begin(), column.si.end(),
+                                      [&](double a, double b) { return distance(a) < distance(b); });
+  account::Verdict v;
+  v.step = step_.name();
+  v.symbol = column.path;
+  v.meaning = say(column.field->doc);
+  v.bound = say("covered from {1} to {2}", format_quantity(bounds.low, column.field->unit),
+                format_quantity(bounds.high, column.field->unit));
+  v.value = account::Quantity{*worst, column.field->unit, 4};
+  v.state = std::isnan(*worst) ? account::State::not_available
+            : outside(*worst)  ? account::State::not_covered
+                               : account::State::pass;
+  return v;
+}
+
+/// Where a limit is not kept, a check without a value is no gap in the input: the formula does not reach so far.
+void Run::excuse_uncovered(Account& account) const {
+  const auto& all = account.verdicts;
+  if (std::none_of(all.begin(), all.end(), [](const auto& v) { return v.state == account::State::not_covered; }))
+    return;
+  for (account::Verdict& v : account.verdicts) {
+    if (v.state == account::State::not_available && v.note.empty()) v.state = account::State::not_covered;
+  }
+}
+
+void Run::fill_verdicts(Account& account) const {
+  for (const Column& column : columns_) {
+    if (!applies(column)) continue;
+    if (column.field->role == Role::check) account.verdicts.push_back(check_verdict(column));
+    if (column.field->role == Role::limit) account.verdicts.push_back(limit_verdict(column));
+  }
+  excuse_uncovered(account);
+  if (!columns_.empty()) return;
+  for (const FieldInfo& field : calculator_.result->fields) {  // nothing could be computed: say so check by check
+    if (field.role != Role::check || !is_asked(field)) continue;
+    account::Verdict v;
+    v.step = step_.name();
+    v.symbol = field.key;
+    v.meaning = say(field.doc);
+    v.bound = say("passes at 1 or less");
+    v.value = missing_.empty() ? account::State::not_available : account::State::not_covered;
+    v.state = missing_.empty() ? account::State::not_available : account::State::not_covered;
+    v.note = missing_.empty() ? missing_input() : missing_;
+    account.verdicts.push_back(std::move(v));
+  }
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,50 @@
+// The step that runs a calculator: expressions into inputs, values from tables, a search for sizes, the calculation at
+// every position of a cycle where an input is a series (lib/project/run/run.hpp).
+#pragma once
+
+#include "lib/project/run/providers.hpp"
+#include "lib/project/step.hpp"
+
+namespace loadpath::project {
+
+class CalculatorStep : public Step {
+ public:
+  using Step::Step;
+
+  void prepare(const Declared& declared, const Companions& companions, std::vector<Issue>& issues) override;
+  [[nodiscard]] Outcome<Signature> signature(const std::string& path) const override;
+  /// What comes along with this step's own inputs goes on to who uses its results.
+  [[nodiscard]] std::vector<std::string> companions_of(const std::string& path) const override;
+  void solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) override;
+
+  [[nodiscard]] const Axis* axis() const { return axis_; }
+  [[nodiscard]] const std::vector<Provided>& provided() const { return provided_; }
+  [[nodiscard]] const std::vector<Search>& searches() const { return searches_; }
+  /// Where the elements of lists come from that a row has filled, by leaf.
+  [[nodiscard]] const std::map<std::string, Origin>& origins() const { return origins_; }
+  /// The issue that an input makes by breaking a rule: where the rule says, else at the first of its fields that was
+  /// typed.
+  [[nodiscard]] Issue broken_rule(std::size_t rule, const Record& record) const;
+  /// Whether a table is to fill the input, be there such a row or not.
+  [[nodiscard]] bool names_row_for(const std::string& field) const;
+  /// Whether a rule of the calculator concerns an input, or the list that it is in.
+  [[nodiscard]] bool is_about(std::size_t rule, const std::string& path) const;
+
+ private:
+  [[nodiscard]] const Provided* lacking_row(std::size_t rule, const Record& record) const;
+  [[nodiscard]] Issue lacking_value(const Provided& provided, const Record& record) const;
+  void find_searches(std::vector<Issue>& issues);
+  void check_rules_of_literals(std::vector<Issue>& issues);
+  [[nodiscard]] bool is_open(const std::string& field) const;
+  [[nodiscard]] Fault unknown_path(const std::string& path) const;
+
+  const Axis* axis_ = nullptr;  // of the series among the inputs; null: one position
+  std::vector<Provided> provided_;
+  std::vector<Search> searches_;
+  std::map<std::string, Origin> origins_;
+};
+
+/// The step of an ordinary calculator.
+std::unique_ptr<Step> make_calculator_step(StepInput&& input);
+
+}  // namespace loadpath::project

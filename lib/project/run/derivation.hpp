@@ -1,0 +1,34 @@
+// From the lines of a trace to the lines of a report: every name of a formula with its value and unit.
+#pragma once
+
+#include "lib/project/step.hpp"
+
+namespace loadpath::project {
+
+/// `input` and `result` are the records of the traced evaluation.
+std::vector<account::Derived> derive(const Trace& trace, const Record& input, const Record& result);
+
+/// The value that a name has in a scope after the lines before `line`: earlier lines of the scope, the element of the
+/// result that the scope names, outer scopes, the inputs. Nothing where it is unknown.
+class Names {
+ public:
+  Names(const Record& input, const Record& result) : input_(input), result_(result) {}
+  struct Known {
+    double si = 0.0;
+    std::string unit;
+  };
+  [[nodiscard]] std::optional<Known> find(const std::string& scope, std::string_view name) const;
+  /// The unit that the field of a line's symbol is shown in, or a readable one.
+  [[nodiscard]] std::string unit_of(const Line& line) const;
+  void add(const Line& line, const std::string& unit);
+
+ private:
+  [[nodiscard]] bool is_angle(const Line& line) const;
+  [[nodiscard]] std::optional<Known> find_here(const std::string& scope, std::string_view name) const;
+
+  const Record& input_;
+  const Record& result_;
+  std::map<std::string, Known> lines_;  // by scope and symbol
+};
+
+}  // namespace loadpath::project

@@ -1,0 +1,26 @@
+// Quantities and units of drives, beside those of lib/quantity/units.hpp, which almost everything is built on.
+#pragma once
+
+#include "lib/quantity/units.hpp"
+
+namespace loadpath {
+
+using LineDensity = decltype(Mass() / Length());  // of a chain, a belt
+using Density = decltype(Mass() / SectionModulus());
+
+inline constexpr Unit<AngularSpeed> rpm{"rpm", from_si<AngularSpeed>(pi / 30.0), 1};
+inline constexpr Unit<Power> kW{"kW", from_si<Power>(1e3)};
+inline constexpr Unit<LineDensity> kg_per_m{"kg/m", from_si<LineDensity>(1.0)};
+inline constexpr Unit<AngularSpeed> Hz{"Hz", from_si<AngularSpeed>(1.0)};
+inline constexpr Unit<Time> hour{"h", from_si<Time>(3600.0)};
+inline constexpr Unit<SectionModulus> dm3{"dm^3", from_si<SectionModulus>(1e-3)};
+inline constexpr Unit<Density> kg_per_m3{"kg/m^3", from_si<Density>(1.0)};
+
+using std::pow;  // of numbers, beside pow<n> of quantities
+
+// An angle is a double in rad: of the ratio of two quantities too.
+using Ratio = decltype(Length() / Length());
+[[nodiscard]] inline double asin(const Ratio& x) { return std::asin(in_si(x)); }
+[[nodiscard]] inline double acos(const Ratio& x) { return std::acos(in_si(x)); }
+
+}  // namespace loadpath

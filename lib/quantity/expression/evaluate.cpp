@@ -1,0 +1,95 @@
+#include "lib/quantity/expression/tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace loadpath::expression {
+namespace {
+
+constexpr double not_available = std::numeric_limits<double>::quiet_NaN();
+
+using Join = double (*)(double, double);
+
+/// A square is the product that it is in a formula; std::pow may differ in the last digit.
+double raised(double base, double exponent) { return exponent == 2.0 ? base * base : std::pow(base, exponent); }
+
+double finite(double x) { return std::isfinite(x) ? x : not_available; }
+
+Value single(double x) { return {{}, {finite(x)}}; }
+
+/// A step that failed may leave a series short: what it does not give is not available.
+Value loaded(const Value& given) {
+  Value value = given;
+  const Axis* axis = given.signature.axis;
+  value.si.resize(axis == nullptr ? 1 : axis->at.size(), not_available);
+  std::transform(value.si.begin(), value.si.end(), value.si.begin(), finite);
+  return value;
+}
+
+template <class Map>
+Value mapped(Value value, Map map) {
+  for (double& x : value.si) x = finite(map(x));
+  return value;
+}
+
+Value joined(Value a, Value b, Join join) {
+  if (!a.is_series()) return mapped(std::move(b), [x = a.si[0], join](double y) { return join(x, y); });
+  for (std::size_t i = 0; i < a.si.size(); ++i) a.si[i] = finite(join(a.si[i], b.si[b.is_series() ? i : 0]));
+  return a;
+}
+
+Join join_of(Operation operation) {
+  switch (operation) {
+    case Operation::add:
+      return [](double a, double b) { return a + b; };
+    case Operation::subtract:
+      return [](double a, double b) { return a - b; };
+    case Operation::multiply:
+      return [](double a, double b) { return a * b; };
+    case Operation::divide:
+      return [](double a, double b) { return a / b; };
+    default:
+      return raised;
+  }
+}
+
+Value called(const Node& node, const Expression::Known& known) {
+  const Function& f = *node.function;
+  Value value = numbers(node.kids.front(), known);
+  if (f.map != nullptr) return mapped(std::move(value), f.map);
+  if (f.rule == Rule::place) return single(value_at(value, constant(node.kids[1])));
+  if (node.kids.size() == 1) return single(f.reduce(value));
+  for (std::size_t i = 1; i < node.kids.size(); ++i) {
+    value = joined(std::move(value), numbers(node.kids[i], known), f.join);
+  }
+  return value;
+}
+
+}  // namespace
+
+Value numbers(const Node& node, const Expression::Known& known) {
+  switch (node.operation) {
+    case Operation::literal:
+      return single(node.si);
+    case Operation::reference:
+      return loaded(known(node.path));
+    case Operation::negate:
+      return mapped(numbers(node.kids[0], known), [](double x) { return -x; });
+    case Operation::call:
+      return called(node, known);
+    default:
+      return joined(numbers(node.kids[0], known), numbers(node.kids[1], known), join_of(node.operation));
+  }
+}
+
+bool is_constant(const Node& node) {
+  return node.operation != Operation::reference && std::all_of(node.kids.begin(), node.kids.end(), is_constant);
+}
+
+double constant(const Node& node) {
+  static const Value none{{}, {not_available}};
+  return numbers(node, [](const std::string&) -> const Value& { return none; }).si.front();
+}
+
+}  // namespace loadpath::expression

@@ -1,0 +1,62 @@
+// The expression language of project files: "=1.4 * peak(lever.drive.M) / (30 MPa)", dimensions checked when read.
+//
+//   sum     + - * / ^ and parentheses, unary minus; ^ binds tightest and its exponent is a constant number
+//   number  decimal point only (a comma separates arguments), directly followed by a unit: 30 MPa, 2 N*m, 60 deg
+//           (a unit's own * / ^ bind only inside the unit text, which ends before a reference, a call, a number and pi:
+//           `2 N*m*lever.drive.phi`, `40 mm*cos(20 deg)`, `2 m*pi`); `1/min` and `W/(m*K)` are units
+//   name    always with a dot: lever.drive.M, shaft.segments[2].tau, shaft.segments.journal.tau
+//   const   pi, g (9.80665 m/s^2; inside the unit of a number g is the gram: `5 g`, `2 kN/g`, but `80 kg * (g)`)
+//   calls   peak min max mean rms amplitude range at(series, place) abs sqrt cbrt exp ln sin cos tan asin acos
+//           atan atan2
+//           max(a, b) and min(a, b) are element-wise, max(series) and min(series) reduce; at takes a place in the axis'
+//           unit
+#pragma once
+
+#include "lib/quantity/series.hpp"
+#include "lib/text/issue.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loadpath {
+
+namespace expression {
+struct Tree;
+}
+
+class Expression {
+ public:
+  /// A reference as written and where it stands in the text (bytes).
+  struct Reference {
+    std::string path;
+    std::size_t at = 0;
+  };
+  /// What a path is, when the file is read; a Fault (its `at` is ignored) where it is nothing.
+  using Declared = std::function<Outcome<Signature>(const std::string& path)>;
+  /// The value of a path, when the project is solved; the paths are those that passed `check`.
+  using Known = std::function<const Value&(const std::string& path)>;
+
+  Expression();
+  ~Expression();
+  Expression(Expression&&) noexcept;
+  Expression& operator=(Expression&&) noexcept;
+
+  /// Parses `text` (without the leading '=').
+  static Outcome<Expression> parse(std::string_view text);
+
+  [[nodiscard]] const std::vector<Reference>& references() const;
+  /// Dimension and axis of the result, or the first fault: unknown names, unlike dimensions or axes, °C, wrong
+  /// arguments.
+  [[nodiscard]] Outcome<Signature> check(const Declared& declared) const;
+  /// The value. A result that is not finite is NaN (never an infinity).
+  [[nodiscard]] Value evaluate(const Known& known) const;
+
+ private:
+  std::unique_ptr<const expression::Tree> tree_;
+  std::vector<Reference> references_;
+};
+
+}  // namespace loadpath

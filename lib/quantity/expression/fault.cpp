@@ -1,0 +1,96 @@
+#include "lib/quantity/expression/parser.hpp"
+#include "lib/quantity/expression/scan.hpp"
+#include "lib/quantity/literal.hpp"
+
+#include <algorithm>
+
+namespace loadpath::expression {
+namespace {
+
+bool is_unit(std::string_view text) { return static_cast<bool>(parse_unit(text)); }
+
+}  // namespace
+
+void Parser::fail(std::size_t at, std::size_t length, Message message, Message hint) {
+  if (!fault_) fault_ = Fault{at, std::max<std::size_t>(length, 1), std::move(message), std::move(hint)};
+  next_ = text_.size();
+}
+
+void Parser::fail_unit(Fault fault) {
+  if (fault.hint.empty()) fault.hint = say("a unit is written as in 30 N/mm^2; to raise the quantity write (3 mm)^2");
+  fail(fault.at, fault.length, std::move(fault.message), std::move(fault.hint));
+}
+
+void Parser::fail_missing_value() {
+  const auto hint = say("write a number, a reference such as lever.drive.M, or a function");
+  if (next_ >= text_.size()) return fail(end_, 1, say("a value is missing at the end"), hint);
+  const auto word = word_end(text_, next_);
+  const auto end = word != next_ ? word : character_end(text_, next_);
+  fail(next_, end - next_, say("a value is missing before '{1}'", slice(next_, end)), hint);
+}
+
+void Parser::fail_unknown_function(const std::string& name) {
+  const auto names = function_names();
+  std::string all;
+  for (const auto& known : names) all += (all.empty() ? "" : ", ") + known;
+  fail(next_, name.size(), say("unknown function '{1}'", name),
+       did_you_mean(name, names, say("the functions are {1}", all)));
+}
+
+void Parser::fail_bare_name(std::size_t end) {
+  const auto word = slice(next_, end);
+  const auto constant = word.size() > 1 ? nearest(word, {"pi"}) : std::string{};
+  Message hint = variable_.empty() ? say("write step.path, as in lever.drive.M")
+                                   : say("the variable is {1}; all else is numbers with units", std::string(variable_));
+  if (find_function(word) != nullptr) {
+    hint = say("write {1}", find_function(word)->form);
+  } else if (!constant.empty()) {
+    hint = say("did you mean '{1}'?", constant);
+  } else if (is_unit(word) && variable_.empty()) {
+    hint = say("write step.path, as in lever.drive.M; a unit needs a number: 1 {1}", word);
+  }
+  fail(next_, end - next_, say("'{1}' alone is no reference", word), std::move(hint));
+}
+
+void Parser::fail_unexpected() {
+  const auto word = word_end(text_, next_);
+  const auto end = character_end(text_, next_);
+  if (word != next_) return fail_unexpected_word(word);
+  if (sees('(') || sees('.') || digits_end(text_, next_) != next_) return fail_missing_operator(end);
+  if (sees(',')) return fail_comma();
+  const auto hint = sees(')')   ? say("no '(' is open")
+                    : sees('[') ? say("an index is a whole number in a reference, as in shaft.segments[2].tau")
+                                : say("the operators are + - * / ^");
+  fail(next_, end - next_, say("unexpected '{1}'", slice(next_, end)), hint);
+}
+
+void Parser::fail_comma() {
+  const auto whole = text_.substr(0, next_).find_last_not_of("0123456789") + 1;
+  const auto decimals = digits_end(text_, next_ + 1);
+  if (whole == next_ || decimals == next_ + 1) {
+    return fail(next_, 1, say("unexpected ','"), say("a comma separates the arguments of a function, as in max(a, b)"));
+  }
+  fail(whole, decimals - whole, say("a comma separates arguments; decimals are written with a point"),
+       say("write {1}.{2}", slice(whole, next_), slice(next_ + 1, decimals)));
+}
+
+void Parser::fail_unexpected_word(std::size_t end) {
+  const auto run = unit_end(text_, next_, variable_);
+  const auto path = path_end(text_, next_);
+  if (run != next_ && is_unit(text_.substr(next_, run - next_))) {
+    const auto unit = slice(next_, run);
+    return fail(next_, run - next_, say("the unit '{1}' must follow a number directly", unit),
+                say("write * 1 {1}, as in (a + b) * 1 {1}", unit));
+  }
+  if (path != next_ && is_unit(text_.substr(next_, path - next_))) {
+    return fail(next_, path - next_, say("a dot joins no units here: '{1}' is a reference", slice(next_, path)),
+                say("join units by *, as in 2 N*m"));
+  }
+  fail_missing_operator(std::max(path, end));
+}
+
+void Parser::fail_missing_operator(std::size_t end) {
+  fail(next_, end - next_, say("an operator is missing before '{1}'", slice(next_, end)), say("write * between them"));
+}
+
+}  // namespace loadpath::expression

@@ -1,0 +1,78 @@
+// The parsed expression, shared by its parser, its check and its evaluation.
+#pragma once
+
+#include "lib/numerics/jet.hpp"
+#include "lib/quantity/expression/expression.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loadpath::expression {
+
+/// What a function asks of its arguments and gives back.
+enum class Rule {
+  reduction,        // a series to one value of its dimension
+  cycle_reduction,  // the same, of a cycle only
+  place,            // a series and a place of its axis
+  selection,        // like quantities to one of them; a single series is reduced
+  same,             // any quantity to one of its dimension
+  root,             // the dimension is divided by `degree`
+  trigonometric,    // an angle or a number to a number
+  number,           // a number to a number
+  inverse,          // a number to an angle
+  ratio             // two like quantities to an angle
+};
+
+struct Function {
+  std::string_view name;
+  std::string_view form;  // as it is written, for hints
+  Rule rule;
+  std::size_t least, most;  // arguments
+  double (*reduce)(const Value&) = nullptr;
+  double (*map)(double) = nullptr;
+  double (*join)(double, double) = nullptr;
+  int degree = 1;
+  Jet (*jet)(const Jet&) = nullptr;  // of a smooth function of one argument; null where it has kinks
+  Jet (*jet_of_two)(const Jet&, const Jet&) = nullptr;
+};
+
+/// Null where no function has the name.
+const Function* find_function(std::string_view name);
+std::vector<std::string> function_names();
+
+enum class Operation { literal, reference, negate, add, subtract, multiply, divide, power, call };
+
+struct Node {
+  Operation operation = Operation::literal;
+  std::size_t at = 0, length = 0;      // bytes of the text
+  double si = 0.0;                     // of a literal
+  Dimension dimension;                 // of a literal
+  std::string path;                    // of a reference
+  const Function* function = nullptr;  // of a call
+  std::vector<Node> kids;
+};
+
+struct Tree {
+  std::string text;
+  Node root;
+  [[nodiscard]] std::string written(const Node& node) const { return text.substr(node.at, node.length); }
+};
+
+struct Parsed {
+  Tree tree;
+  std::vector<Expression::Reference> references;
+};
+/// `variable`: a bare name that is a reference and no unit; empty: there is none.
+Outcome<Parsed> parse(std::string_view text, std::string_view variable = {});
+
+Outcome<Signature> check(const Tree& tree, const Expression::Declared& declared);
+
+/// The numbers and the axis of a tree that passed its check; the dimension is left to the check.
+Value numbers(const Node& node, const Expression::Known& known);
+
+/// The value of a tree without references.
+double constant(const Node& node);
+bool is_constant(const Node& node);
+
+}  // namespace loadpath::expression

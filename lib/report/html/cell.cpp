@@ -1,0 +1,58 @@
+#include "lib/formula/formula.hpp"
+#include "lib/report/conclusion.hpp"
+#include "lib/report/html/html.hpp"
+#include "lib/report/worked.hpp"
+#include "lib/text/markup.hpp"
+
+namespace loadpath::report::page {
+namespace {
+
+struct CellText {
+  std::string operator()(const std::string& text) const { return escaped(text); }
+  std::string operator()(const Message& message) const { return escaped(message.text()); }
+  std::string operator()(const Quantity& q) const {
+    return "<span class=\"quantity\">" + escaped(formula::quantity_plain(written(q))) + "</span>";
+  }
+  std::string operator()(const Symbol& s) const { return symbol(s.name); }
+  std::string operator()(State s) const { return state(s); }
+};
+
+}  // namespace
+
+std::string math(std::string_view fragment) { return "<math>" + std::string(fragment) + "</math>"; }
+
+std::string symbol(std::string_view path) {
+  const NamedSymbol named = named_symbol(path);
+  const std::string where = named.where.empty() ? "" : "<span class=\"where\">" + escaped(named.where) + "</span> ";
+  return where + math(formula::symbol_mathml(named.symbol));
+}
+
+std::string cell(const Cell& cell) { return std::visit(CellText{}, cell); }
+
+std::string_view shapes() {
+  return R"(<svg class="shapes" width="0" height="0" aria-hidden="true"><defs>
+<symbol id="shape-pass" viewBox="0 0 16 16"><circle cx="8" cy="8" r="7.5" class="body"/><path d="M4.3 8.3l2.6 2.7 4.8-5.6" class="mark"/></symbol>
+<symbol id="shape-fail" viewBox="0 0 16 16"><path d="M5 .8h6L15.2 5v6L11 15.2H5L.8 11V5z" class="body"/><path d="M5.2 5.2l5.6 5.6m0-5.6l-5.6 5.6" class="mark"/></symbol>
+<symbol id="shape-not-covered" viewBox="0 0 16 16"><path d="M8 .7L15.3 8 8 15.3.7 8z" class="body"/><path d="M8 4.3v4.6m0 1.7v1.2" class="mark"/></symbol>
+<symbol id="shape-not-available" viewBox="0 0 16 16"><circle cx="8" cy="8" r="6.8" class="ring"/><path d="M4.8 8h6.4" class="dash"/></symbol>
+</defs></svg>
+)";
+}
+
+std::string state(State state) {
+  const std::string name = slug(state);
+  return "<span class=\"state " + name + "\"><svg class=\"shape\" aria-hidden=\"true\"><use href=\"#shape-" + name +
+         "\"/></svg>" + escaped(word(state).text()) + "</span>";
+}
+
+std::string conclusion(const Verdicts& verdicts) {
+  if (verdicts.rows.empty()) return {};
+  std::string out =
+      "<p class=\"conclusion\">" + state(worst(verdicts.rows)) + "<span>" + escaped(tally(verdicts).text());
+  if (const Verdict* row = most_utilised(verdicts)) {
+    out += " " + escaped(utilisation(*row).text()) + " " + escaped(row->step) + " " + symbol(row->symbol) + ".";
+  }
+  return out + "</span></p>\n";
+}
+
+}  // namespace loadpath::report::page

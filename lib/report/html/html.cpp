@@ -1,0 +1,133 @@
+#include "lib/report/html/html.hpp"
+
+#include "lib/report/conclusion.hpp"
+#include "lib/report/worked.hpp"
+#include "lib/text/embedded.hpp"
+#include "lib/text/markup.hpp"
+
+namespace loadpath::report {
+namespace {
+
+constexpr std::size_t headings_for_contents = 4;
+
+std::string numbered(std::string_view kind, int number, const Message& caption) {
+  const std::string label = say("{1} {2}", kind, std::to_string(number)).text();
+  return "<b>" + escaped(label) + ".</b> " + escaped(caption.text());
+}
+
+std::string head_cell(const Message& head, bool number) {
+  return std::string("<th scope=\"col\"") + (number ? " class=\"number\">" : ">") +
+         (is_symbol(head) ? page::symbol(head.args[0].text()) : escaped(head.text())) + "</th>";
+}
+
+/// Writes block after block; numbers run through the page.
+class Writer {
+ public:
+  explicit Writer(const Document& document) {
+    for (const Block& block : document.blocks) {
+      if (const auto* heading = std::get_if<Heading>(&block)) anchors_.insert(heading->anchor);
+    }
+  }
+
+  std::string front(const Document& document) {
+    std::string out = "<header>\n<h1>" + escaped(document.title) + "</h1>\n<dl class=\"meta\">\n";
+    for (const auto& [name, text] : document.meta) {
+      out += "<div><dt>" + escaped(name.text()) + "</dt><dd>" + escaped(text) + "</dd></div>\n";
+    }
+    return out + "</dl>\n</header>\n" + page::conclusion(document.summary) +
+           page::verdicts(document.summary, anchors_) + contents(document);
+  }
+
+  std::string operator()(const Heading& heading) {
+    const std::string tag = heading.level <= 2 ? "h2" : "h3";
+    const std::string anchor = heading.anchor.empty() ? "" : " id=\"" + escaped(heading.anchor) + "\"";
+    return "<" + tag + anchor + "><span class=\"no\">" + numbering_.heading(heading.level) + "</span> " +
+           escaped(heading.text) + "</" + tag + ">\n";
+  }
+  std::string operator()(const Paragraph& paragraph) {
+    const std::string text = escaped(paragraph.text.text());
+    switch (paragraph.tone) {
+      case Paragraph::Tone::plain:
+        return "<p>" + text + "</p>\n";
+      case Paragraph::Tone::note:
+        return "<p class=\"note\">" + text + "</p>\n";
+      case Paragraph::Tone::warning:
+        return "<p class=\"warning\"><b>" + escaped(say("Warning:").text()) + "</b> " + text + "</p>\n";
+    }
+    return {};
+  }
+  std::string operator()(const Table& table) {
+    std::string out = "<div class=\"table\">";
+    if (!table.caption.empty()) {
+      out += "<p class=\"caption\">" + numbered("Table", numbering_.table(), table.caption) + "</p>";
+    }
+    constexpr std::size_t many_columns = 7;  // set closer, so that they fit the page
+    out += table.head.size() < many_columns ? "<div class=\"scroll\"><table>\n"
+                                            : "<div class=\"scroll\"><table class=\"dense\">\n";
+    const std::vector<bool> numeric = numeric_columns(table);
+    if (!table.head.empty()) out += "<thead><tr>" + head(table, numeric) + "</tr></thead>\n";
+    out += "<tbody>\n";
+    for (const auto& row : table.rows) out += "<tr>" + cells(row, numeric) + "</tr>\n";
+    return out + "</tbody></table></div></div>\n";
+  }
+  std::string operator()(const Derivation& derivation) { return page::derivation(derivation); }
+  std::string operator()(const Verdicts& verdicts) { return page::verdicts(verdicts, {}); }
+  std::string operator()(const draw::Figure& figure) {
+    const bool moves = std::holds_alternative<draw::Motion>(figure.content);
+    has_motion_ = has_motion_ || moves;
+    return (moves ? "<figure class=\"moving\">" + page::motion(figure) : "<figure>" + draw::svg(figure)) +
+           "<figcaption>" + numbered("Figure", numbering_.figure(), say(figure.caption)) + "</figcaption></figure>\n";
+  }
+  /// The pictures stand in the page as they are printed. To show another frame the script moves every part from there.
+  [[nodiscard]] std::string script() const {
+    return has_motion_ ? "<script>\n" + std::string(embedded::asset("motion.js")) + "</script>\n" : "";
+  }
+
+ private:
+  static std::string head(const Table& table, const std::vector<bool>& numeric) {
+    std::string out;
+    for (std::size_t i = 0; i < table.head.size(); ++i) out += head_cell(table.head[i], numeric[i]);
+    return out;
+  }
+  static std::string cells(const std::vector<Cell>& row, const std::vector<bool>& numeric) {
+    std::string out;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      out += (numeric[i] ? "<td class=\"number\">" : "<td>") + page::cell(row[i]) + "</td>";
+    }
+    return out;
+  }
+  static std::string contents(const Document& document) {
+    Numbering numbering;
+    std::string out = "<nav aria-label=\"" + escaped(say("Contents").text()) + "\"><ol>\n";
+    std::size_t count = 0;
+    for (const Block& block : document.blocks) {
+      const auto* heading = std::get_if<Heading>(&block);
+      if (heading == nullptr || heading->level > 2) continue;
+      ++count;
+      out += "<li><span class=\"no\">" + numbering.heading(2) + "</span> <a href=\"#" + escaped(heading->anchor) +
+             "\">" + escaped(heading->text) + "</a></li>\n";
+    }
+    return count < headings_for_contents ? std::string() : out + "</ol></nav>\n";
+  }
+
+  std::set<std::string> anchors_;
+  Numbering numbering_;
+  bool has_motion_ = false;
+};
+
+}  // namespace
+
+std::string html(const Document& document) {
+  const std::string footer = document.meta.empty() ? "" : document.meta.back().second;
+  Writer writer(document);
+  std::string out =
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
+      escaped(document.title) + "</title>\n<style>\n" + page::style(document.title, footer) +
+      "</style>\n</head>\n<body>\n" + std::string(page::shapes()) + "<main>\n" + writer.front(document);
+  for (const Block& block : document.blocks) out += std::visit([&](const auto& b) { return writer(b); }, block);
+  return out + "</main>\n" + writer.script() + "</body>\n</html>\n";
+}
+
+}  // namespace loadpath::report

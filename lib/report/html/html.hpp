@@ -1,0 +1,33 @@
+// The parts of the HTML writer.
+#pragma once
+
+#include "lib/report/document.hpp"
+
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace loadpath::report::page {
+
+/// One inline formula from MathML fragments.
+std::string math(std::string_view fragment);
+
+std::string symbol(std::string_view path);
+std::string cell(const Cell& cell);
+
+/// The shapes that verdicts refer to; once in a page.
+std::string_view shapes();
+std::string state(State state);
+
+std::string derivation(const Derivation& derivation);
+/// Links a row to the heading of its step where the page has one.
+std::string verdicts(const Verdicts& verdicts, const std::set<std::string>& anchors);
+std::string conclusion(const Verdicts& verdicts);
+
+/// A figure that holds a Motion; without scripts it is a picture.
+std::string motion(const draw::Figure& figure);
+
+/// The style sheet with the math font in it; `header` and `footer` stand on every printed page.
+std::string style(std::string_view header, std::string_view footer);
+
+}  // namespace loadpath::report::page

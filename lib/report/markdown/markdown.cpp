@@ -1,0 +1,138 @@
+#include "lib/formula/formula.hpp"
+#include "lib/report/conclusion.hpp"
+#include "lib/report/markdown/text.hpp"
+#include "lib/report/worked.hpp"
+
+#include <algorithm>
+
+namespace loadpath::report {
+namespace {
+
+using md::Grid;
+using md::inline_math;
+using md::text;
+
+std::string symbol(std::string_view path) {
+  const NamedSymbol named = named_symbol(path);
+  return (named.where.empty() ? "" : text(named.where) + " ") + inline_math(formula::symbol_tex(named.symbol));
+}
+
+std::string state(State s) {
+  const std::string name = text(word(s).text());
+  return mark(s) + (s == State::fail ? " **" + name + "**" : " " + name);
+}
+
+struct CellText {
+  std::string operator()(const std::string& words) const { return text(words); }
+  std::string operator()(const Message& message) const { return text(message.text()); }
+  std::string operator()(const Quantity& q) const { return text(formula::quantity_plain(written(q))); }
+  std::string operator()(const Symbol& s) const { return symbol(s.name); }
+  std::string operator()(State s) const { return state(s); }
+};
+std::string cell(const Cell& cell) { return std::visit(CellText{}, cell); }
+
+std::string verdicts(const Verdicts& verdicts) {
+  if (verdicts.rows.empty()) return {};
+  Grid grid{{text(say("check").text()), text(say("value").text()), text(say("condition").text()),
+             text(say("verdict").text())},
+            {},
+            {false, true, false, false}};
+  for (const Verdict& row : verdicts.rows) {
+    std::string subject = text(row.step) + (row.step.empty() ? "" : " ") + symbol(row.symbol);
+    for (const Message& more : {row.meaning, row.note}) {
+      if (!more.empty()) subject += "; " + text(more.text());
+    }
+    const bool repeats = std::holds_alternative<State>(row.value);
+    grid.rows.push_back({subject, repeats ? "–" : cell(row.value), text(row.bound.text()), state(row.state)});
+  }
+  return md::table(grid);
+}
+
+std::string conclusion(const Verdicts& all) {
+  if (all.rows.empty()) return {};
+  std::string out = state(worst(all.rows)) + ": " + text(tally(all).text());
+  if (const Verdict* row = most_utilised(all)) {
+    out += " " + text(utilisation(*row).text()) + " " + text(row->step) + " " + symbol(row->symbol) + ".";
+  }
+  return out + "\n\n";
+}
+
+/// The formula on one line; its numbers, where they say more, on the next.
+std::string equation(const Step& step) {
+  const std::string left = formula::symbol_tex(named_symbol(step.symbol).symbol);
+  const std::string value = formula::quantity_tex(written(step.value));
+  const Worked w = worked(step);
+  if (!w.tree) return left + " = " + value;
+  const std::string symbolic = formula::tex(*w.tree, {}, w.known);
+  const std::string numeric = formula::tex(*w.tree, w.substituted, w.known);
+  if (symbolic == value) return left + " = " + value;
+  if (numeric == symbolic || numeric == value) return left + " = " + symbolic + " = " + value;
+  return "\\begin{aligned}\n" + left + " &= " + symbolic + " \\cr\n&= " + numeric + " = " + value + "\n\\end{aligned}";
+}
+
+std::string step_text(const Step& step) {
+  std::string out = step.why.empty() ? "" : text(step.why.text()) + ":\n\n";
+  if (!step.formula.empty() && !formula::parse(step.formula)) out += md::code(step.formula) + "\n\n";
+  return out + "$$\n" + equation(step) + "\n$$\n\n";
+}
+
+/// Writes block after block; figures are collected on the way.
+class Writer {
+ public:
+  Writer(std::string_view stem, Markdown& out) : stem_(stem), out_(out) {}
+
+  void operator()(const Heading& heading) {
+    out_.text += (heading.level <= 2 ? "## " : "### ") + numbering_.heading(heading.level) + " " + text(heading.text);
+    out_.text += "\n\n";
+  }
+  void operator()(const Paragraph& paragraph) {
+    const bool warns = paragraph.tone == Paragraph::Tone::warning;
+    out_.text += (warns ? "> **" + text(say("Warning:").text()) + "** " : "") + text(paragraph.text.text()) + "\n\n";
+  }
+  void operator()(const Table& table) {
+    if (!table.caption.empty()) out_.text += caption("Table", numbering_.table(), table.caption) + "\n\n";
+    Grid grid{{}, {}, numeric_columns(table)};
+    for (const Message& head : table.head) {
+      grid.head.push_back(is_symbol(head) ? symbol(head.args[0].text()) : text(head.text()));
+    }
+    for (const auto& row : table.rows) {
+      grid.rows.emplace_back();
+      for (const Cell& c : row) grid.rows.back().push_back(cell(c));
+    }
+    out_.text += md::table(grid);
+  }
+  void operator()(const Derivation& derivation) {
+    for (const Step& step : derivation.steps) out_.text += step_text(step);
+  }
+  void operator()(const Verdicts& rows) { out_.text += verdicts(rows); }
+  void operator()(const draw::Figure& figure) {
+    const int number = numbering_.figure();
+    const std::string words = caption("Figure", number, say(figure.caption));
+    std::string name = stem_ + "-" + std::to_string(number) + "-" + figure.id + ".svg";
+    out_.text += "![" + text(say(figure.caption).text()) + "](" + md::address(name) + ")\n\n" + words + "\n\n";
+    out_.figures.emplace_back(std::move(name), draw::svg(figure));
+  }
+
+ private:
+  static std::string caption(std::string_view kind, int number, const Message& words) {
+    return "**" + text(say("{1} {2}", kind, std::to_string(number)).text()) + ".** " + text(words.text());
+  }
+
+  std::string stem_;
+  Markdown& out_;
+  Numbering numbering_;
+};
+
+}  // namespace
+
+Markdown markdown(const Document& document, std::string_view stem) {
+  Markdown out;
+  out.text = "# " + text(document.title) + "\n\n";
+  for (const auto& [name, value] : document.meta) out.text += "- " + text(name.text()) + ": " + text(value) + "\n";
+  out.text += (document.meta.empty() ? "" : "\n") + conclusion(document.summary) + verdicts(document.summary);
+  Writer writer(stem, out);
+  for (const Block& block : document.blocks) std::visit(writer, block);
+  return out;
+}
+
+}  // namespace loadpath::report

@@ -1,0 +1,208 @@
+#include "lib/report/terminal/terminal.hpp"
+
+#include "lib/formula/formula.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/report/build.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <unistd.h>
+
+namespace loadpath::terminal {
+
+namespace {
+
+std::size_t width_of(const std::string& text) {  // code points; an escape sequence has none
+  std::size_t width = 0;
+  bool escape = false;
+  for (const char c : text) {
+    if (c == '\033') escape = true;
+    if (!escape && (static_cast<unsigned char>(c) & 0xC0U) != 0x80U) ++width;
+    if (escape && c == 'm') escape = false;
+  }
+  return width;
+}
+
+std::string in_colour(const std::string& text, const char* code) {
+  return colours(Stream::out) ? "\033[" + std::string(code) + "m" + text + "\033[0m" : text;
+}
+
+std::string not_available(const account::Entry& e) {
+  return e.missing.empty() ? format_quantity(NAN, e.unit) : say("not available: {1}", e.missing).text();
+}
+
+std::string shown(const account::Entry& e) {
+  if (!e.word.empty()) return e.word;
+  if (!e.value.is_series()) {
+    const double si = e.value.si.empty() ? NAN : e.value.si[0];
+    return std::isnan(si) ? not_available(e) : format_quantity(si, e.unit);
+  }
+  if (is_constant(e.value)) return say("{1}, constant", format_quantity(e.value.si.front(), e.unit)).text();
+  const Extreme low = minimum(e.value), high = maximum(e.value);
+  if (std::isnan(low.value)) return not_available(e);
+  const Axis& axis = *e.value.signature.axis;
+  return format_quantity(low.value, e.unit) + " (at " + format_quantity(low.at, axis.unit, 5) + ") to " +
+         format_quantity(high.value, e.unit) + " (at " + format_quantity(high.at, axis.unit, 5) + ")";
+}
+
+/// Results worth a line on the terminal: no elements of lists, no points, nothing that was not asked for.
+bool is_brief(const account::Entry& e) {
+  const bool joint_force = e.path.starts_with("joints.") && !e.path.ends_with(".x") && !e.path.ends_with(".y");
+  const bool asked = e.path.starts_with("accuracy.") || e.path.starts_with("counterweights.");
+  const bool element = e.path.find_first_of("[.") != std::string::npos && !e.path.starts_with("drive.") &&
+                       !e.path.starts_with("cylinders.") && !asked;
+  const bool internal =
+      e.path.starts_with("springs.") ||
+      (e.path.starts_with("links.") && (e.path.ends_with(".N") || e.path.ends_with(".V") || e.path.ends_with(".M_b")));
+  return e.role == Role::result && (!account::is_open(e) || !e.missing.empty()) &&
+         (!element || joint_force || internal);
+}
+
+void show_results(const project::Step& step) {
+  std::vector<std::vector<std::string>> rows;
+  for (const account::Entry& e : step.account().results) {
+    if (is_brief(e)) rows.push_back({"  " + e.path, shown(e), e.doc});
+  }
+  std::cout << columns(rows);
+}
+
+std::string text_of(const account::Cell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* message = std::get_if<Message>(&cell)) return message->text();
+  if (const auto* quantity = std::get_if<account::Quantity>(&cell))
+    return format_quantity(quantity->si, quantity->unit, quantity->digits);
+  if (const auto* symbol = std::get_if<account::Symbol>(&cell)) return symbol->name;
+  return state_word(std::get<account::State>(cell));
+}
+
+void show_table(const account::Table& table) {
+  std::cout << "  " << table.caption.text() << "\n";
+  std::vector<std::vector<std::string>> rows;
+  if (!table.head.empty()) rows.emplace_back();
+  for (const Message& word : table.head) rows.back().push_back(word.text());
+  for (const auto& row : table.rows) {
+    rows.emplace_back();
+    for (const account::Cell& cell : row) rows.back().push_back(text_of(cell));
+  }
+  for (auto& row : rows) row.front().insert(0, "    ");
+  std::cout << columns(rows);
+}
+
+/// Lists that no line of the calculation works out: what a search has found, and what it has left.
+void show_lists(const project::Step& step) {
+  const auto& account = step.account();
+  if (!account.blocks.empty()) return;
+  for (const account::Table& table : report::list_tables(account.results)) {
+    const std::string list = table.caption.text();
+    const bool worked_out = std::any_of(account.derivation.begin(), account.derivation.end(),
+                                        [&](const auto& line) { return line.scope.starts_with(list); });
+    if (!worked_out) show_table(table);
+  }
+}
+
+/// What only this kind of step has to say: of a mechanism its extremes and its structure.
+void show_tables(const project::Step& step) {
+  for (const account::Block& block : step.account().blocks) {
+    if (const auto* table = std::get_if<account::Table>(&block)) show_table(*table);
+  }
+}
+
+/// The formula of a line with the branch that ran; as it was written where it is not in the language.
+std::string plain_formula(const account::Step& line) {
+  const auto tree = formula::parse(line.formula);
+  if (!tree) return line.formula;
+  const formula::Known known = [&](std::string_view name) -> std::optional<double> {
+    const auto given =
+        std::find_if(line.given.begin(), line.given.end(), [&](const auto& g) { return g.name == name; });
+    return given == line.given.end() ? std::nullopt : std::optional(given->si);
+  };
+  return formula::plain(*tree, {}, known);
+}
+
+void show_derivation(const project::Step& step) {
+  const auto& lines = step.account().derivation;
+  if (!step.account().governing.empty()) std::cout << "  worked out " << step.account().governing.text() << ":\n";
+  const bool several = std::any_of(lines.begin(), lines.end(), [](const auto& d) { return d.scope.ends_with("[2]"); });
+  std::vector<std::vector<std::string>> rows;
+  rows.reserve(lines.size());
+  for (const auto& [scope, line, element] : lines) {
+    rows.push_back({"  " + (several && !scope.empty() ? element + " " : "") + formula::symbol_plain(line.symbol) +
+                        (line.formula.empty() ? "" : " = " + plain_formula(line)),
+                    "= " + format_quantity(line.value.si, line.value.unit), line.why.text()});
+  }
+  std::cout << columns(rows);
+}
+
+void show_verdicts(const std::vector<account::Verdict>& verdicts) {
+  std::vector<std::vector<std::string>> rows;
+  for (const account::Verdict& v : verdicts) {
+    const auto* number = std::get_if<account::Quantity>(&v.value);
+    const auto* words = std::get_if<Message>(&v.value);
+    const std::string value = number != nullptr  ? format_quantity(number->si, number->unit, 4)
+                              : words != nullptr ? words->text()
+                                                 : "";
+    rows.push_back({"  " + state_word(v.state), v.step + "." + v.symbol, value,
+                    v.meaning.text() + (v.note.empty() ? "" : "; " + v.note.text())});
+  }
+  std::cout << columns(rows);
+}
+
+}  // namespace
+
+bool colours(Stream stream) {
+  static const bool wanted = std::getenv("NO_COLOR") == nullptr;
+  return wanted && isatty(stream == Stream::out ? STDOUT_FILENO : STDERR_FILENO) != 0;
+}
+
+void show_issues(const std::vector<Issue>& issues, const std::vector<SourceText>& sources) {
+  std::cerr << render(issues, [&](const std::string& file) {
+    const auto found =
+        std::find_if(sources.begin(), sources.end(), [&](const SourceText& s) { return s.file == file; });
+    return found == sources.end() ? std::string() : found->text;
+  });
+}
+
+std::string columns(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    if (widths.size() < row.size()) widths.resize(row.size(), 0);
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      text += row[i];
+      if (i + 1 < row.size()) text += std::string(widths[i] - width_of(row[i]) + 2, ' ');
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string state_word(account::State state) {
+  if (state == account::State::fail) return in_colour("FAIL", "31;1");
+  return in_colour(account::word(state).text(), state == account::State::pass ? "32" : "33");
+}
+
+void show_project(const project::Project& project, bool in_full) {
+  if (!project.title.empty()) std::cout << project.title << "\n\n";
+  for (const auto& step : project.steps) {
+    std::cout << step->name() << ": " << step->input().calculator->title << " (" << step->input().calculator->id
+              << ")\n";
+    if (in_full) show_derivation(*step);
+    if (in_full && !step->account().blocks.empty())
+      show_tables(*step);
+    else
+      show_results(*step);
+    show_lists(*step);
+    std::cout << "\n";
+  }
+  const auto verdicts = project::verdicts(project);
+  if (verdicts.empty()) return;
+  show_verdicts(verdicts);
+  std::cout << "\n" << account::overall(account::worst(verdicts)).text() << "\n";
+}
+
+}  // namespace loadpath::terminal

@@ -1,0 +1,21 @@
+// Files that are built into the program, so that it runs from anywhere.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace loadpath::embedded {
+
+struct File {
+  std::string_view name;  // relative to its folder: "materials/steel.toml"
+  std::string_view text;
+};
+
+std::span<const File> tables();     // tables/
+std::span<const File> assets();     // lib/report/assets/
+std::span<const File> reference();  // reference/ and examples/: the verification manual
+
+/// The text of a file of assets(), which is there.
+std::string_view asset(std::string_view name);
+
+}  // namespace loadpath::embedded

@@ -1,0 +1,18 @@
+// What is refused before a text reaches the TOML parser: Debian's toml++ 3.3 is undefined on bad UTF-8, on control
+// characters, and on a line-ending backslash that is followed by a letter outside ASCII.
+#pragma once
+
+#include "lib/text/issue.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace loadpath::toml {
+
+inline constexpr std::size_t largest_file = std::size_t{4} << 20U;
+
+/// The first thing that cannot be passed on, with its place.
+std::optional<Issue> refuse_text(std::string_view text, const std::string& file);
+
+}  // namespace loadpath::toml

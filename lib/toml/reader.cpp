@@ -1,0 +1,194 @@
+#include "lib/text/utf8.hpp"
+#include "lib/toml/gate.hpp"
+#include "lib/toml/tree.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <optional>
+
+namespace loadpath::toml {
+
+namespace {
+
+Place place_of(const ::toml::source_region& source, const std::string& file) {
+  const int length =
+      source.end.line == source.begin.line ? static_cast<int>(source.end.column - source.begin.column) : 1;
+  return {file, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column), std::max(1, length)};
+}
+
+Tree convert(const ::toml::node& node, const std::string& file);
+
+Tree convert_table(const ::toml::table& table, const std::string& file) {
+  Tree tree;
+  for (const auto& [key, value] : table) {
+    tree.entries.push_back({std::string(key.str()), place_of(key.source(), file), convert(value, file)});
+  }
+  std::stable_sort(tree.entries.begin(), tree.entries.end(), [](const Tree::Entry& a, const Tree::Entry& b) {
+    return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
+  });
+  return tree;
+}
+
+Tree convert_array(const ::toml::array& array, const std::string& file) {
+  Tree tree;
+  tree.type = Tree::Type::array;
+  for (const ::toml::node& item : array) tree.items.push_back(convert(item, file));
+  return tree;
+}
+
+Tree convert_value(const ::toml::node& node) {
+  Tree tree;
+  if (const auto* text = node.as_string()) {
+    tree.type = Tree::Type::text;
+    tree.text = text->get();
+  } else if (const auto* flag = node.as_boolean()) {
+    tree.type = Tree::Type::boolean;
+    tree.text = flag->get() ? "true" : "false";
+  } else if (const std::optional<double> number = node.value<double>()) {
+    tree.type = Tree::Type::number;
+    tree.number = *number;
+  } else {  // a date or a time: no field takes one
+    tree.type = Tree::Type::boolean;
+    tree.text = "a date";
+  }
+  return tree;
+}
+
+Tree convert(const ::toml::node& node, const std::string& file) {
+  Tree tree;
+  if (const auto* table = node.as_table()) {
+    tree = convert_table(*table, file);
+  } else if (const auto* array = node.as_array()) {
+    tree = convert_array(*array, file);
+  } else {
+    tree = convert_value(node);
+  }
+  tree.place = place_of(node.source(), file);
+  if (tree.type == Tree::Type::text) {  // the caret points inside the quotes
+    ++tree.place.column;
+    tree.place.length = std::max(1, tree.place.length - 2);
+  }
+  return tree;
+}
+
+/// `T = 900 N*m` without quotes is the commonest slip, and the parser's own words do not help there.
+Message hint_for(std::string_view line) {
+  const auto is_foreign = [](std::string_view text) {
+    return std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+  };
+  const std::size_t equals = line.find('=');
+  if (line.starts_with('[') && is_foreign(line.substr(0, line.find(']'))))
+    return say("a name has Latin letters, digits and '_'");
+  if (equals == std::string_view::npos) return {};
+  std::string_view value = line.substr(equals + 1);
+  value.remove_prefix(std::min(value.find_first_not_of(" \t"), value.size()));
+  value = value.substr(0, value.find('#'));
+  while (!value.empty() && (value.back() == ' ' || value.back() == '\r' || value.back() == '\t'))
+    value.remove_suffix(1);
+  const bool bare = !value.empty() && value.find_first_of("\"'{[") == std::string_view::npos &&
+                    (std::isdigit(static_cast<unsigned char>(value[0])) != 0 || value[0] == '-' || value[0] == '+');
+  if (bare) return say("write a quantity in quotes: \"{1}\"", value);
+  const std::string_view key = line.substr(0, equals);
+  return is_foreign(key) && key.find('"') == std::string_view::npos
+             ? say("write a key with other than Latin letters in quotes")
+             : Message{};
+}
+
+/// The quote of a text that is still open where the line ends; nothing where none is, or the text may have several
+/// lines.
+std::optional<char> open_quote(std::string_view line) {
+  if (line.find("\"\"\"") != std::string_view::npos || line.find("'''") != std::string_view::npos) return {};
+  std::optional<char> open;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (open == '"' && line[i] == '\\') {
+      ++i;
+    } else if (open) {
+      if (line[i] == *open) open.reset();
+    } else if (line[i] == '#') {
+      break;
+    } else if (line[i] == '"' || line[i] == '\'') {
+      open = line[i];
+    }
+  }
+  return open;
+}
+
+/// "Error while parsing key-value pair: expected ..." without what the place shows already.
+std::string_view what_of(std::string_view description) {
+  const std::size_t colon = description.find(": ");
+  return description.starts_with("Error while parsing") && colon != std::string_view::npos
+             ? description.substr(colon + 2)
+             : description;
+}
+
+std::string_view line_of(std::string_view text, int line) {
+  for (int i = 1; i < line; ++i) text.remove_prefix(std::min(text.find('\n') + 1, text.size()));
+  text = text.substr(0, text.find('\n'));
+  if (text.ends_with('\r')) text.remove_suffix(1);
+  return text;
+}
+
+}  // namespace
+
+Tree read_toml(std::string_view text, const std::string& file, std::vector<Issue>& issues) {
+  if (const auto refused = refuse_text(text, file)) {
+    issues.push_back(*refused);
+    return {};
+  }
+  try {
+    Tree tree = convert_table(::toml::parse(text, file), file);
+    tree.place = {file, 1, 1, 1};
+    return tree;
+  } catch (const ::toml::parse_error& error) {
+    const Place place = place_of(error.source(), file);
+    const std::string_view line = line_of(text, place.line);
+    const auto open = open_quote(line);
+    if (open && static_cast<std::size_t>(place.column) > code_points(line).size()) {
+      issues.push_back({place, "", say("the text is not closed"), say("add {1} where it ends", std::string(1, *open)),
+                        Severity::error});
+      return {};
+    }
+    issues.push_back(
+        {place, "", say("not valid TOML: {1}", what_of(error.description())), hint_for(line), Severity::error});
+    return {};
+  }
+}
+
+std::string_view word_for(Tree::Type type) {
+  switch (type) {
+    case Tree::Type::table:
+      return "a table";
+    case Tree::Type::array:
+      return "an array";
+    case Tree::Type::text:
+      return "a text";
+    case Tree::Type::number:
+      return "a number";
+    case Tree::Type::boolean:
+      return "true, false or a date";
+  }
+  return "";
+}
+
+const Tree::Entry* Tree::find(std::string_view key) const {
+  const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == key; });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+bool read_file(const std::string& path, std::string& text) {
+  if (path == "-") {
+    text.assign(std::istreambuf_iterator<char>(std::cin), {});
+    return true;
+  }
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(path)) return false;
+  text.assign(std::istreambuf_iterator<char>(stream), {});
+  return !stream.bad();
+}
+
+}  // namespace loadpath::toml

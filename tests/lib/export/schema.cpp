@@ -1,0 +1,185 @@
+#include "calculators/catalogue.hpp"
+#include "lib/export/json.hpp"
+#include "lib/toml/tree.hpp"
+
+#include <boost/json.hpp>
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+using namespace loadpath;
+using toml::Tree;
+namespace json = boost::json;
+
+namespace {
+
+const json::value& schema() {
+  static const json::value value = json::parse(exports::project_schema(calculators()));
+  return value;
+}
+
+std::string_view type_of(const Tree& tree) {
+  switch (tree.type) {
+    case Tree::Type::table:
+      return "object";
+    case Tree::Type::array:
+      return "array";
+    case Tree::Type::text:
+      return "string";
+    case Tree::Type::number:
+      return std::isfinite(tree.number) && tree.number == std::trunc(tree.number) ? "integer" : "number";
+    case Tree::Type::boolean:
+      return "boolean";
+  }
+  return "";
+}
+
+bool is_word(const json::value& value, std::string_view word) { return value.is_string() && value.as_string() == word; }
+
+bool is_type(const json::value& wanted, const Tree& tree) {
+  if (const auto* words = wanted.if_array()) {
+    return std::any_of(words->begin(), words->end(), [&](const json::value& word) { return is_type(word, tree); });
+  }
+  const std::string_view type = type_of(tree);
+  return is_word(wanted, type) || (is_word(wanted, "number") && type == "integer");
+}
+
+bool accepts(const json::value& value, const Tree& tree);
+
+bool accepts_entries(const json::object& rule, const Tree& tree) {
+  if (const auto* required = rule.if_contains("required")) {
+    for (const auto& key : required->as_array()) {
+      if (tree.find(key.as_string()) == nullptr) return false;
+    }
+  }
+  if (const auto* names = rule.if_contains("propertyNames")) {
+    const auto& known = names->at("enum").as_array();
+    for (const Tree::Entry& entry : tree.entries) {
+      if (std::none_of(known.begin(), known.end(), [&](const json::value& w) { return is_word(w, entry.key); }))
+        return false;
+    }
+  }
+  const auto* properties = rule.if_contains("properties");
+  const auto* others = rule.if_contains("additionalProperties");
+  return std::all_of(tree.entries.begin(), tree.entries.end(), [&](const Tree::Entry& entry) {
+    const auto* known = properties == nullptr ? nullptr : properties->as_object().if_contains(entry.key);
+    if (known != nullptr) return accepts(*known, entry.value);
+    return others == nullptr || accepts(*others, entry.value);
+  });
+}
+
+/// The part of JSON Schema that the program writes.
+bool accepts(const json::value& value, const Tree& tree) {
+  if (value.is_bool()) return value.as_bool();
+  const json::object& rule = value.as_object();
+  if (const auto* type = rule.if_contains("type"); type != nullptr && !is_type(*type, tree)) return false;
+  if (const auto* word = rule.if_contains("const"); word != nullptr && !is_word(*word, tree.text)) return false;
+  if (const auto* words = rule.if_contains("enum")) {
+    const auto& all = words->as_array();
+    if (std::none_of(all.begin(), all.end(), [&](const json::value& w) { return is_word(w, tree.text); })) return false;
+  }
+  if (const auto* forms = rule.if_contains("anyOf")) {
+    const auto& all = forms->as_array();
+    if (std::none_of(all.begin(), all.end(), [&](const json::value& form) { return accepts(form, tree); }))
+      return false;
+  }
+  if (const auto* forms = rule.if_contains("oneOf")) {
+    const auto& all = forms->as_array();
+    if (std::count_if(all.begin(), all.end(), [&](const json::value& form) { return accepts(form, tree); }) != 1)
+      return false;
+  }
+  if (const auto* conditions = rule.if_contains("allOf")) {
+    const auto& all = conditions->as_array();
+    if (!std::all_of(all.begin(), all.end(), [&](const json::value& c) { return accepts(c, tree); })) return false;
+  }
+  if (const auto* wrong = rule.if_contains("not"); wrong != nullptr && accepts(*wrong, tree)) return false;
+  if (const auto* condition = rule.if_contains("if");
+      condition != nullptr && accepts(*condition, tree) && !accepts(rule.at("then"), tree))
+    return false;
+  if (const auto* items = rule.if_contains("items"); items != nullptr && tree.type == Tree::Type::array) {
+    if (!std::all_of(tree.items.begin(), tree.items.end(), [&](const Tree& item) { return accepts(*items, item); }))
+      return false;
+  }
+  if (const auto* most = rule.if_contains("maxItems");
+      most != nullptr && tree.items.size() > most->to_number<std::size_t>())
+    return false;
+  return tree.type != Tree::Type::table || accepts_entries(rule, tree);
+}
+
+Tree tree_of(const std::string& text) {
+  std::vector<Issue> issues;
+  Tree tree = toml::read_toml(text, "a.toml", issues);
+  REQUIRE(issues.empty());
+  return tree;
+}
+
+}  // namespace
+
+TEST_SUITE("schema") {
+  TEST_CASE("it is a JSON Schema") {
+    CHECK(schema().at("$schema") == "https://json-schema.org/draft/2020-12/schema");
+    CHECK(schema().at("type") == "object");
+    CHECK(schema().at("properties").as_object().contains("project"));
+  }
+
+  TEST_CASE("it has a step for each calculator, with its fields") {
+    const auto& kinds = schema().at("additionalProperties").at("oneOf").as_array();
+    REQUIRE(kinds.size() == calculators().size());
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      const auto& properties = kinds[i].at("properties").as_object();
+      CHECK(properties.at("calculator").at("const") == calculators()[i]->id);
+      for (const FieldInfo& field : calculators()[i]->input->fields) {
+        CAPTURE(field.key);
+        CHECK(properties.contains(field.key));
+        CHECK_FALSE(properties.at(field.key).at("description").as_string().empty());
+      }
+    }
+  }
+
+  TEST_CASE("it accepts every project of the repository") {
+    for (const char* folder : {"examples", "reference"}) {
+      for (const auto& file :
+           std::filesystem::recursive_directory_iterator(std::filesystem::path(LOADPATH_ROOT) / folder)) {
+        if (file.path().extension() != ".toml") continue;
+        CAPTURE(file.path().string());
+        std::string text;
+        REQUIRE(toml::read_file(file.path().string(), text));
+        CHECK(accepts(schema(), tree_of(text)));
+      }
+    }
+  }
+
+  TEST_CASE("it accepts the example of each calculator") {
+    for (const Calculator* calculator : calculators()) {
+      CAPTURE(calculator->id);
+      CHECK(accepts(schema(), tree_of(calculator->example)));
+    }
+  }
+
+  TEST_CASE("it knows the templates: their words, and the parameters of each") {
+    const std::string start = "[press]\ncalculator = \"mechanism.planar\"\n";
+    for (const Calculator* calculator : calculators()) {
+      for (const Template* t : calculator->templates) {
+        CAPTURE(t->id);
+        CHECK(accepts(schema(), tree_of(t->example)));
+      }
+    }
+    CHECK_FALSE(accepts(schema(), tree_of(start + "template = \"slidercrank\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(start + "template = \"slider_crank\"\nx_C = \"3 mm\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(start + "template = \"slider_crank\"\nr = 3\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(start + "r = \"3 mm\"\n")));
+  }
+
+  TEST_CASE("it refuses what the program refuses") {
+    const std::string start = "[axle]\ncalculator = \"shaft.torsion\"\n";
+    CHECK(accepts(schema(), tree_of(start + "T = \"9 N*m\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(start + "T = 9\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(start + "tau_amd = \"9 MPa\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(start + "fixed = \"lft\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of("[axle]\ncalculator = \"shaft.torsoin\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of("[axle]\nT = \"9 N*m\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of("[project]\ntitel = \"x\"\n")));
+  }
+}

@@ -1,0 +1,120 @@
+#include "lib/toml/gate.hpp"
+#include "lib/toml/tree.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace loadpath;
+using toml::Tree;
+
+namespace {
+
+std::string issues_of(const std::string& text) {
+  std::vector<Issue> issues;
+  toml::read_toml(text, "a.toml", issues);
+  return render(issues, [&](const std::string&) { return text; });
+}
+
+Tree tree_of(const std::string& text) {
+  std::vector<Issue> issues;
+  Tree tree = toml::read_toml(text, "a.toml", issues);
+  INFO(issues_of(text));
+  REQUIRE(issues.empty());
+  return tree;
+}
+
+}  // namespace
+
+TEST_SUITE("toml") {
+  TEST_CASE("tables and keys keep the order of the file") {
+    const Tree tree = tree_of("[z]\nb = 1\na = 2\n[a]\n");
+    REQUIRE(tree.entries.size() == 2);
+    CHECK(tree.entries[0].key == "z");
+    CHECK(tree.entries[0].value.entries[0].key == "b");
+    CHECK(tree.entries[1].key == "a");
+  }
+
+  TEST_CASE("every kind of value keeps its place; a text's is inside the quotes") {
+    const Tree tree = tree_of("t = \"я\"\nn = -1.5\nb = true\na = [1,  2]\nd = 2026-01-02\n");
+    const auto at = [&](const char* key) { return tree.find(key)->value; };
+    CHECK(at("t").type == Tree::Type::text);
+    CHECK(at("t").place.column == 6);
+    CHECK(at("n").number == -1.5);
+    CHECK(at("b").text == "true");
+    CHECK(at("a").items[1].place.column == 10);
+    CHECK(at("d").text == "a date");
+  }
+
+  TEST_CASE("a quantity without quotes is told how to write it") {
+    CHECK(issues_of("[axle]\nT = 900 N*m  # at the gear\n") ==
+          R"(a.toml:2:9: error: not valid TOML: expected a comment or whitespace, saw 'N'
+2 | T = 900 N*m  # at the gear
+  |         ^
+  = help: write a quantity in quotes: "900 N*m"
+)");
+  }
+
+  TEST_CASE("a text that is not closed is told where it would be") {
+    CHECK(issues_of("[m]\nmass = \"3 kg\nangle = \"0 deg\"\n") == R"(a.toml:2:13: error: the text is not closed
+2 | mass = "3 kg
+  |             ^
+  = help: add " where it ends
+)");
+    CHECK(issues_of("a = { b = 'x }") == R"(a.toml:1:15: error: the text is not closed
+1 | a = { b = 'x }
+  |               ^
+  = help: add ' where it ends
+)");
+    CHECK(issues_of("a = \"x\r\nb = 1\r\n").starts_with("a.toml:1:7: error: the text is not closed\n"));
+    CHECK(issues_of("a = \"x\\\"\n").starts_with("a.toml:1:9: error: the text is not closed\n"));
+    CHECK(issues_of("a = \"it's\" x # \"\n").starts_with("a.toml:1:12: error: not valid TOML: "));
+  }
+
+  TEST_CASE("a Cyrillic key without quotes is told to take them") {
+    CHECK(
+        issues_of("момент = \"3 N*m\"\n").ends_with("  = help: write a key with other than Latin letters in quotes\n"));
+    CHECK(issues_of("[вал]\n").ends_with("  = help: a name has Latin letters, digits and '_'\n"));
+  }
+
+  TEST_CASE("a key that stands twice is refused") {
+    CHECK(issues_of("d = 1\nd = 2\n").starts_with("a.toml:2:5: error: not valid TOML: cannot redefine existing"));
+  }
+
+  TEST_CASE("a long line is cut around the caret, and depth has a limit") {
+    const std::string said = issues_of("a = " + std::string(5000, '[') + "\n");
+    CHECK(said.starts_with("a.toml:1:"));
+    CHECK(said.size() < 500);
+  }
+
+  TEST_CASE("bytes that are not UTF-8 are told with their place") {
+    CHECK(issues_of("a = \"я\"\nb = \"\xff\"\n").starts_with("a.toml:2:6: error: this byte is not UTF-8\n"));
+    for (const char* bytes : {"\x80", "\xc0\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe2\x82"}) {
+      CHECK(issues_of("b = \"" + std::string(bytes) + "\"").starts_with("a.toml:1:6: error: this byte is not UTF-8\n"));
+    }
+  }
+
+  TEST_CASE("control characters are told with their code") {
+    CHECK(issues_of("a = \"x\x07y\"\n") ==
+          "a.toml:1:7: error: the control character U+0007\n1 | a = \"x\xEF\xBF\xBDy\"\n  |       ^\n  = help: remove "
+          "it\n");
+    CHECK(issues_of("[a\x1b]\n").starts_with("a.toml:1:3: error: the control character U+001B\n"));
+    CHECK(issues_of("a = 1 # \x7f\n").starts_with("a.toml:1:9: error: the control character U+007F\n"));
+    CHECK(
+        issues_of(std::string("a = 1\0b = 2\n", 12)).starts_with("a.toml:1:6: error: the control character U+0000\n"));
+    CHECK(issues_of("a = 1\t# tab\r\nb = 2\r\n").empty());
+  }
+
+  TEST_CASE("a line-ending backslash before a letter outside ASCII is refused") {
+    CHECK(issues_of("note = \"\"\"one \\\n  два\"\"\"\n") ==
+          R"(a.toml:1:15: error: a backslash at the end of a line before a letter outside ASCII
+1 | note = """one \
+  |               ^
+  = help: write the text in one line
+)");
+    CHECK(tree_of("note = \"\"\"one \\\n  two\"\"\"\n").find("note")->value.text == "one two");
+    CHECK(tree_of("note = \"\"\"one \\\\\nдва\"\"\"\n").find("note")->value.text == "one \\\nдва");
+  }
+
+  TEST_CASE("a file has a largest size") {
+    CHECK(issues_of(std::string(toml::largest_file + 1, '#')) == "a.toml: error: the file is larger than 4 MiB\n");
+  }
+}

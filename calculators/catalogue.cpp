@@ -8,6 +8,27 @@
 
 namespace loadpath {
 
+// clang-format off
+namespace shaft { struct Torsion; struct Overhung; }
+namespace section {
+  struct Circle; struct Ring; struct Rectangle; struct I; struct Channel; struct Angle; struct Tee; struct Hollow;
+  struct Polygon; struct BuiltUp;
+}
+namespace column { struct Buckling; struct Lightest; struct EffectiveLength; }
+namespace vessel { struct Cylinder; struct Sphere; struct Cone; struct Torus; struct Ellipsoid; struct Shell; }
+namespace fatigue { struct Cycle; struct Endurance; struct Wohler; }
+namespace gear { struct Pair; struct Planetary; }
+namespace chain { struct Roller; }
+namespace drive { struct Train; }
+namespace belt { struct Flat; struct V; struct VSizing; struct Course; }
+namespace motion { struct Point; struct Rotation; struct Plane; struct Compound; }
+namespace dynamics {
+  struct ForceOfMotion; struct Throw; struct Impulse; struct SystemMomentum; struct MassCentre;
+  struct AngularMomentumChange; struct WorkAndEnergy; struct Lift;
+}
+namespace machine { struct Flywheel; struct RunUp; }
+// clang-format on
+
 namespace {
 
 struct Row {
@@ -17,56 +38,56 @@ struct Row {
 
 }  // namespace
 
-// One line per calculator; the only list of them. Explicit, because a linker drops objects that nothing refers to.
+// One row per calculator, and its name above. Explicit, because a linker drops objects that nothing refers to.
 // clang-format off
 static constexpr std::array all{
     Row{&erased<struct PlanarMechanism>, &make_planar_step},
-    Row{&erased<struct Torsion>},
-    Row{&erased<struct Overhung>},
-    Row{&erased<struct SolidCircle>},
-    Row{&erased<struct RingSection>},
-    Row{&erased<struct RectangleSection>},
-    Row{&erased<struct ISection>},
-    Row{&erased<struct ChannelSection>},
-    Row{&erased<struct AngleSection>},
-    Row{&erased<struct TeeSection>},
-    Row{&erased<struct HollowSection>},
-    Row{&erased<struct PolygonSection>},
-    Row{&erased<struct BuiltUpSection>},
-    Row{&erased<struct Buckling>},
-    Row{&erased<struct LightestColumn>},
-    Row{&erased<struct EffectiveLength>},
-    Row{&erased<struct VesselCylinder>},
-    Row{&erased<struct VesselSphere>},
-    Row{&erased<struct VesselCone>},
-    Row{&erased<struct VesselTorus>},
-    Row{&erased<struct VesselEllipsoid>},
-    Row{&erased<struct VesselShell>},
-    Row{&erased<struct FatigueCycle>},
-    Row{&erased<struct FatigueEndurance>},
-    Row{&erased<struct FatigueWohler>},
-    Row{&erased<struct GearPair>},
-    Row{&erased<struct Planetary>},
-    Row{&erased<struct RollerChain>},
-    Row{&erased<struct DriveTrain>},
-    Row{&erased<struct FlatBelt>},
-    Row{&erased<struct VBelt>},
-    Row{&erased<struct VBeltSizing>},
-    Row{&erased<struct BeltCourse>},
-    Row{&erased<struct PointMotion>},
-    Row{&erased<struct Rotation>},
-    Row{&erased<struct PlaneMotion>},
-    Row{&erased<struct CompoundMotion>},
-    Row{&erased<struct ForceOfMotion>},
-    Row{&erased<struct Throw>},
-    Row{&erased<struct Impulse>},
-    Row{&erased<struct SystemMomentum>},
-    Row{&erased<struct MassCentre>},
-    Row{&erased<struct AngularMomentumChange>},
-    Row{&erased<struct WorkAndEnergy>},
-    Row{&erased<struct Lift>},
-    Row{&erased<struct Flywheel>, &make_flywheel_step},
-    Row{&erased<struct RunUp>},
+    Row{&erased<shaft::Torsion>},
+    Row{&erased<shaft::Overhung>},
+    Row{&erased<section::Circle>},
+    Row{&erased<section::Ring>},
+    Row{&erased<section::Rectangle>},
+    Row{&erased<section::I>},
+    Row{&erased<section::Channel>},
+    Row{&erased<section::Angle>},
+    Row{&erased<section::Tee>},
+    Row{&erased<section::Hollow>},
+    Row{&erased<section::Polygon>},
+    Row{&erased<section::BuiltUp>},
+    Row{&erased<column::Buckling>},
+    Row{&erased<column::Lightest>},
+    Row{&erased<column::EffectiveLength>},
+    Row{&erased<vessel::Cylinder>},
+    Row{&erased<vessel::Sphere>},
+    Row{&erased<vessel::Cone>},
+    Row{&erased<vessel::Torus>},
+    Row{&erased<vessel::Ellipsoid>},
+    Row{&erased<vessel::Shell>},
+    Row{&erased<fatigue::Cycle>},
+    Row{&erased<fatigue::Endurance>},
+    Row{&erased<fatigue::Wohler>},
+    Row{&erased<gear::Pair>},
+    Row{&erased<gear::Planetary>},
+    Row{&erased<chain::Roller>},
+    Row{&erased<drive::Train>},
+    Row{&erased<belt::Flat>},
+    Row{&erased<belt::V>},
+    Row{&erased<belt::VSizing>},
+    Row{&erased<belt::Course>},
+    Row{&erased<motion::Point>},
+    Row{&erased<motion::Rotation>},
+    Row{&erased<motion::Plane>},
+    Row{&erased<motion::Compound>},
+    Row{&erased<dynamics::ForceOfMotion>},
+    Row{&erased<dynamics::Throw>},
+    Row{&erased<dynamics::Impulse>},
+    Row{&erased<dynamics::SystemMomentum>},
+    Row{&erased<dynamics::MassCentre>},
+    Row{&erased<dynamics::AngularMomentumChange>},
+    Row{&erased<dynamics::WorkAndEnergy>},
+    Row{&erased<dynamics::Lift>},
+    Row{&erased<machine::Flywheel>, &machine::make_flywheel_step},
+    Row{&erased<machine::RunUp>},
 };
 // clang-format on
 

@@ -6,32 +6,29 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loadpath {
+namespace loadpath::belt {
 
 namespace {
 
-using belt::Circle;
-using belt::Flaw;
-using belt::Loop;
 using std::cos;
 using std::log;
 using std::sin;
-using Input = BeltCourse::Input;
-using Result = BeltCourse::Result;
-using Pulley = BeltCourse::Pulley;
+using Input = Course::Input;
+using Result = Course::Result;
+using Pulley = Course::Pulley;
 
-double turn_of(const Input& in) { return in.turns == BeltCourse::Turns::ccw ? 1.0 : -1.0; }
+double turn_of(const Input& in) { return in.turns == Course::Turns::ccw ? 1.0 : -1.0; }
 /// +1 where the pulley turns counter-clockwise.
 double sense_of(const Input& in, const Pulley& p) {
-  return p.side == BeltCourse::Side::inside ? turn_of(in) : -turn_of(in);
+  return p.side == Course::Side::inside ? turn_of(in) : -turn_of(in);
 }
 
-using Circles = List<Circle, belt::most_pulleys>;
+using Circles = List<Circle, most_pulleys>;
 
 Circles circles_of(const Input& in) {
   Circles circles;
   for (const Pulley& p : in.pulleys)
-    circles.push_back({{in_si(p.x), in_si(p.y)}, in_si(p.d) / 2.0, p.side == BeltCourse::Side::outside});
+    circles.push_back({{in_si(p.x), in_si(p.y)}, in_si(p.d) / 2.0, p.side == Course::Side::outside});
   return circles;
 }
 
@@ -41,9 +38,9 @@ std::size_t moving_one(const Input& in) {
   return static_cast<std::size_t>(std::find_if(in.pulleys.begin(), in.pulleys.end(), moves) - in.pulleys.begin());
 }
 
-belt::Shift shift_of(const Input& in, const Circles& circles) {
+Shift shift_of(const Input& in, const Circles& circles) {
   const std::size_t moving = moving_one(in);
-  return belt::shift_for(in_si(in.L), circles, turn_of(in), moving, in.pulleys[moving].along);
+  return shift_for(in_si(in.L), circles, turn_of(in), moving, in.pulleys[moving].along);
 }
 
 void move(Circle& circle, double way, double direction) {
@@ -61,8 +58,8 @@ bool has_powers(const Input& in) {
 }
 
 /// What all pulleys but the first take out of the belt up to one of them, N; from nothing behind the first.
-List<Force, belt::most_pulleys> taken_forces(const Input& in, Speed v) {
-  List<Force, belt::most_pulleys> taken{0.0 * N};
+List<Force, most_pulleys> taken_forces(const Input& in, Speed v) {
+  List<Force, most_pulleys> taken{0.0 * N};
   for (std::size_t k = 1; k < in.pulleys.size(); ++k)
     taken.push_back(taken.back() + (is_set(in.pulleys[k].P) ? in.pulleys[k].P / v : 0.0 * N));
   return taken;
@@ -70,7 +67,7 @@ List<Force, belt::most_pulleys> taken_forces(const Input& in, Speed v) {
 
 /// The least tension that presses the pulleys behind the first one, with which no pulley slips: at each of them the
 /// larger tension is at most e^(mu alpha) times the smaller.
-Force least_pressing(const Input& in, const Loop& loop, const List<Force, belt::most_pulleys>& taken) {
+Force least_pressing(const Input& in, const Loop& loop, const List<Force, most_pulleys>& taken) {
   Force least = 0.0 * N;
   const std::size_t count = in.pulleys.size();
   for (std::size_t k = 0; k < count; ++k) {
@@ -86,7 +83,7 @@ template <class Tracer>
 void lay(const Input& in, const Circles& circles, const Loop& loop, Result& r, Tracer& trace) {
   for (std::size_t k = 0; k < in.pulleys.size(); ++k) {
     [[maybe_unused]] const auto here = trace.scope("pulleys", k);
-    BeltCourse::PulleyResult p;
+    Course::PulleyResult p;
     p.name = in.pulleys[k].name;
     p.x = circles[k].at.x * m, p.y = circles[k].at.y * m;
     p.alpha = loop.wraps[k], p.l_s = loop.spans[k].length * m;
@@ -115,8 +112,7 @@ void turn(const Input& in, Result& r, Tracer& trace) {
 
 /// Load of a shaft from the spans before and behind, without the centrifugal part, which does not press.
 template <class Tracer>
-void press(const Loop& loop, std::size_t k, Force N_before, Force N_behind, BeltCourse::PulleyResult& p,
-           Tracer& trace) {
+void press(const Loop& loop, std::size_t k, Force N_before, Force N_behind, Course::PulleyResult& p, Tracer& trace) {
   const std::size_t before = (k + loop.count - 1) % loop.count;
   const double psi_in = loop.spans[before].direction, psi_out = loop.spans[k].direction, alpha = p.alpha;
   trace.value("N_before", N_before, "what presses the pulley from the span before it, S - F_c");
@@ -178,7 +174,7 @@ void tighten(const Input& in, const Loop& loop, Result& r, Tracer& trace) {
 }
 
 FieldFault length_fault(const Input& in, const Circles& circles) {
-  const belt::Shift shift = shift_of(in, circles);
+  const Shift shift = shift_of(in, circles);
   const std::string name = path_of(in, moving_one(in));
   if (shift.longest == 0.0)
     return {name, say("wherever '{1}' is along its direction, the belt does not run through these pulleys", name),
@@ -191,13 +187,13 @@ FieldFault length_fault(const Input& in, const Circles& circles) {
 
 }  // namespace
 
-bool BeltCourse::tensioner_fits(const Input& in) {
+bool Course::tensioner_fits(const Input& in) {
   const auto moving =
       std::count_if(in.pulleys.begin(), in.pulleys.end(), [](const Pulley& p) { return is_set(p.along); });
   return moving == (is_set(in.L) ? 1 : 0);
 }
 
-FieldFault BeltCourse::wrong_tensioner(const Input& in) {
+FieldFault Course::wrong_tensioner(const Input& in) {
   const std::size_t moving = moving_one(in);
   if (!is_set(in.L))
     return {path_of(in, moving) + ".along", say("this pulley moves, and the length of the belt is not given"),
@@ -209,9 +205,9 @@ FieldFault BeltCourse::wrong_tensioner(const Input& in) {
           say("leave out along of all but one")};
 }
 
-bool BeltCourse::powers_fit(const Input& in) { return wrong_power(in).message.empty(); }
+bool Course::powers_fit(const Input& in) { return wrong_power(in).message.empty(); }
 
-FieldFault BeltCourse::wrong_power(const Input& in) {
+FieldFault Course::wrong_power(const Input& in) {
   if (in.pulleys.empty()) return {};
   if (is_set(in.pulleys[0].P))
     return {path_of(in, 0) + ".P", say("the first pulley drives, and gives what the others take"),
@@ -229,17 +225,17 @@ FieldFault BeltCourse::wrong_power(const Input& in) {
   return {};
 }
 
-bool BeltCourse::closes(const Input& in) {
+bool Course::closes(const Input& in) {
   if (in.pulleys.size() < 2 || !tensioner_fits(in)) return true;  // other rules speak of these
   const Circles circles = circles_of(in);
-  return is_set(in.L) ? shift_of(in, circles).way.has_value() : belt::lay_loop(circles, turn_of(in)).flaw == Flaw::none;
+  return is_set(in.L) ? shift_of(in, circles).way.has_value() : lay_loop(circles, turn_of(in)).flaw == Flaw::none;
 }
 
-FieldFault BeltCourse::flaw_of(const Input& in) {
+FieldFault Course::flaw_of(const Input& in) {
   const Circles circles = circles_of(in);
   if (is_set(in.L)) return length_fault(in, circles);
-  const Loop loop = belt::lay_loop(circles, turn_of(in));
-  if (belt::lay_loop(circles, -turn_of(in)).flaw == Flaw::none)
+  const Loop loop = lay_loop(circles, turn_of(in));
+  if (lay_loop(circles, -turn_of(in)).flaw == Flaw::none)
     return {"turns", say("the pulleys are listed against the way the belt runs"),
             say("turn the first one the other way: turns = \"{1}\"", in.turns == Turns::ccw ? "cw" : "ccw")};
   const std::string at = path_of(in, loop.at), other = path_of(in, loop.other);
@@ -259,7 +255,7 @@ FieldFault BeltCourse::flaw_of(const Input& in) {
 }
 
 template <class Tracer>
-BeltCourse::Result BeltCourse::evaluate(const Input& in, Tracer& trace) {
+Course::Result Course::evaluate(const Input& in, Tracer& trace) {
   Result r;
   Circles circles = circles_of(in);
   if (is_set(in.L)) {
@@ -269,7 +265,7 @@ BeltCourse::Result BeltCourse::evaluate(const Input& in, Tracer& trace) {
     r.s = way * m;
     trace.value("s", r.s, "shortest way of the pulley that moves to a belt of the length L, by bisection");
   }
-  const Loop loop = belt::lay_loop(circles, turn_of(in));
+  const Loop loop = lay_loop(circles, turn_of(in));
   if (loop.flaw != Flaw::none) return r;
   lay(in, circles, loop, r, trace);
   turn(in, r, trace);
@@ -277,10 +273,10 @@ BeltCourse::Result BeltCourse::evaluate(const Input& in, Tracer& trace) {
   return r;
 }
 
-template BeltCourse::Result BeltCourse::evaluate(const Input&, NoTrace&);
-template BeltCourse::Result BeltCourse::evaluate(const Input&, Trace&);
+template Course::Result Course::evaluate(const Input&, NoTrace&);
+template Course::Result Course::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> BeltCourse::figures(const Input& in, const Result& r) {
+std::vector<draw::Figure> Course::figures(const Input& in, const Result& r) {
   Circles circles = circles_of(in);
   draw::Scheme drive;
   for (std::size_t k = 0; k < r.pulleys.size(); ++k) {
@@ -294,11 +290,11 @@ std::vector<draw::Figure> BeltCourse::figures(const Input& in, const Result& r) 
     if (!is_set(r.pulleys[k].R)) continue;
     drive.arrows.push_back({circles[k].at, {in_si(r.pulleys[k].R_x), in_si(r.pulleys[k].R_y)}, "R"});
   }
-  const Loop loop = belt::lay_loop(circles, turn_of(in));
-  drive.outlines.push_back({circles[0].at, belt::belt_line(circles, turn_of(in), loop)});
+  const Loop loop = lay_loop(circles, turn_of(in));
+  drive.outlines.push_back({circles[0].at, belt_line(circles, turn_of(in), loop)});
   return {{"course", "The belt to scale, with the loads of the shafts", std::move(drive)}};
 }
 
-template const Calculator& erased<BeltCourse>();
+}  // namespace loadpath::belt
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::belt::Course>();

@@ -17,9 +17,9 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::belt {
 
-struct BeltCourse {
+struct Course {
   static constexpr auto id = "belt.course";
   static constexpr auto title = "Belt around any pulleys";
   static constexpr auto scope =
@@ -70,7 +70,7 @@ pulleys = [
   };
 
   struct Input {
-    List<Pulley, belt::most_pulleys> pulleys;
+    List<Pulley, most_pulleys> pulleys;
     Turns turns = Turns::ccw;
     Length L = unset<Length>;
     AngularSpeed n_1 = unset<AngularSpeed>;
@@ -123,7 +123,7 @@ pulleys = [
     Power P_1 = unset<Power>;
     Force F_c = unset<Force>, S_0_min = unset<Force>, S_0 = unset<Force>, S_max = unset<Force>, N_min = unset<Force>;
     double u_S = unset<double>;
-    List<PulleyResult, belt::most_pulleys> pulleys;
+    List<PulleyResult, most_pulleys> pulleys;
   };
   static constexpr std::tuple results{
       Field{&Result::L, "L", mm, "length of the belt"}.as(Role::result),
@@ -164,19 +164,19 @@ pulleys = [
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template BeltCourse::Result BeltCourse::evaluate(const Input&, NoTrace&);
-extern template BeltCourse::Result BeltCourse::evaluate(const Input&, Trace&);
+extern template Course::Result Course::evaluate(const Input&, NoTrace&);
+extern template Course::Result Course::evaluate(const Input&, Trace&);
 
-constexpr auto choices_of(BeltCourse::Side) {
-  using Side = BeltCourse::Side;
+constexpr auto choices_of(Course::Side) {
+  using Side = Course::Side;
   return std::array{
       ChoiceName<Side>{Side::inside, "inside", "inside of the belt"},
       ChoiceName<Side>{Side::outside, "outside", "outside: the belt's back runs on it, and it turns back"}};
 }
-constexpr auto choices_of(BeltCourse::Turns) {
-  using Turns = BeltCourse::Turns;
+constexpr auto choices_of(Course::Turns) {
+  using Turns = Course::Turns;
   return std::array{ChoiceName<Turns>{Turns::ccw, "ccw", "counter-clockwise"},
                     ChoiceName<Turns>{Turns::cw, "cw", "clockwise"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::belt

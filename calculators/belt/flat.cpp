@@ -4,14 +4,14 @@
 #include "calculators/belt/shaft_load.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
-namespace loadpath {
+namespace loadpath::belt {
 
 namespace {
 
-belt::Pulleys pulleys_of(const FlatBelt::Input& in) { return {in.d_1, in.d_2, in.a, in.L, in.arrangement}; }
+Pulleys pulleys_of(const Flat::Input& in) { return {in.d_1, in.d_2, in.a, in.L, in.arrangement}; }
 
 template <class Tracer>
-void move(const FlatBelt::Input& in, FlatBelt::Result& r, Tracer& trace) {
+void move(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   const auto n_1 = in.n_1;
   const auto d_1 = in.d_1, d_2 = in.d_2;
   const auto epsilon = in.epsilon;
@@ -22,7 +22,7 @@ void move(const FlatBelt::Input& in, FlatBelt::Result& r, Tracer& trace) {
 }
 
 template <class Tracer>
-void pull(const FlatBelt::Input& in, FlatBelt::Result& r, Tracer& trace) {
+void pull(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   const auto K_A = in.K_A, mu = in.mu;
   const auto v = r.v;
   const auto alpha_1 = r.alpha_1, alpha_2 = r.alpha_2;
@@ -42,7 +42,7 @@ void pull(const FlatBelt::Input& in, FlatBelt::Result& r, Tracer& trace) {
 
 /// The stress that is left for pulling, and the least width.
 template <class Tracer>
-void size(const FlatBelt::Input& in, FlatBelt::Result& r, Tracer& trace) {
+void size(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   const auto d_1 = in.d_1, d_2 = in.d_2, delta = in.delta;
   const auto sigma_adm = in.sigma_adm;
   const auto rho = in.rho;
@@ -69,7 +69,7 @@ void size(const FlatBelt::Input& in, FlatBelt::Result& r, Tracer& trace) {
 
 /// The tensions: as they result from the initial tension, or with the least one.
 template <class Tracer>
-void tighten(const FlatBelt::Input& in, FlatBelt::Result& r, Tracer& trace) {
+void tighten(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   const auto b = r.b, delta = in.delta;
   const auto rho = in.rho;
   const auto v = r.v;
@@ -77,7 +77,7 @@ void tighten(const FlatBelt::Input& in, FlatBelt::Result& r, Tracer& trace) {
   const auto m_e = r.m_e, alpha_1 = r.alpha_1, alpha_2 = r.alpha_2;
   STEP(F_c, rho * b * delta * v * v, "turns the belt around, and does not press the pulleys");
   STEP(N_min, F_t / 2.0 * (m_e + 1.0) / (m_e - 1.0), "least mean of the tensions that press, [Shigley-17]");
-  const bool fixed = in.tensioning == FlatBelt::Tensioning::fixed;
+  const bool fixed = in.tensioning == Flat::Tensioning::fixed;
   const Force lost = fixed ? F_c : 0.0 * F_c;
   trace.value("F_lost", lost,
               fixed ? "on fixed centres the centrifugal part relieves the pulleys" : "the tensioner makes up for it");
@@ -99,7 +99,7 @@ void tighten(const FlatBelt::Input& in, FlatBelt::Result& r, Tracer& trace) {
 }
 
 template <class Tracer>
-void judge(const FlatBelt::Input& in, FlatBelt::Result& r, Tracer& trace) {
+void judge(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   const auto b = r.b, delta = in.delta, L = r.L;
   const auto sigma_b = r.sigma_b, sigma_adm = in.sigma_adm;
   const auto S_0 = r.S_0, S_1 = r.S_1, S_2 = r.S_2, F_c = r.F_c;
@@ -111,16 +111,16 @@ void judge(const FlatBelt::Input& in, FlatBelt::Result& r, Tracer& trace) {
   r.sigma_max = sigma_max, r.u_sigma = u_sigma, r.R_0 = R_0;
   STEP(N_1, S_1 - F_c, "tight span: what presses the pulley");
   STEP(N_2, S_2 - F_c, "slack span: what presses the pulley");
-  const auto load = belt::shaft_load(N_1, N_2, in.arrangement == belt::Arrangement::crossed ? -gamma : gamma, trace);
+  const auto load = shaft_load(N_1, N_2, in.arrangement == Arrangement::crossed ? -gamma : gamma, trace);
   r.R_x = load.R_x, r.R_y = load.R_y, r.R = load.R, r.theta_R = load.theta_R;
   STEP(f_B, 2.0 * v / L, "two pulleys bend the belt in each round");
   r.f_B = f_B;
 }
 
 template <class Tracer>
-void limit_speed(const FlatBelt::Input& in, FlatBelt::Result& r, Tracer& trace) {
+void limit_speed(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   const auto v = r.v;
-  const bool synthetic = in.kind == FlatBelt::Kind::synthetic;
+  const bool synthetic = in.kind == Flat::Kind::synthetic;
   const Speed v_max = (synthetic ? 100.0 : 30.0) * m_per_s;
   trace.value("v_max", v_max, synthetic ? "largest speed of a synthetic belt, [B40]" : "largest speed, [B40]");
   STEP(x_v, v / v_max, "speed over the largest one");
@@ -129,16 +129,16 @@ void limit_speed(const FlatBelt::Input& in, FlatBelt::Result& r, Tracer& trace) 
 
 }  // namespace
 
-bool FlatBelt::clear_of_each_other(const Input& in) {
-  return is_set(in.a) == is_set(in.L) || belt::stand_clear(pulleys_of(in));  // the other rule speaks of a and L
+bool Flat::clear_of_each_other(const Input& in) {
+  return is_set(in.a) == is_set(in.L) || stand_clear(pulleys_of(in));  // the other rule speaks of a and L
 }
-FieldFault FlatBelt::touching(const Input& in) { return belt::overlap(pulleys_of(in)); }
+FieldFault Flat::touching(const Input& in) { return overlap(pulleys_of(in)); }
 
 template <class Tracer>
-FlatBelt::Result FlatBelt::evaluate(const Input& in, Tracer& trace) {
+Flat::Result Flat::evaluate(const Input& in, Tracer& trace) {
   Result r;
   move(in, r, trace);
-  const auto course = belt::lay(pulleys_of(in), trace);
+  const auto course = lay(pulleys_of(in), trace);
   r.a = course.a, r.L = course.L, r.l_s = course.l_s;
   r.gamma = course.gamma, r.alpha_1 = course.alpha_1, r.alpha_2 = course.alpha_2;
   limit_speed(in, r, trace);
@@ -150,13 +150,13 @@ FlatBelt::Result FlatBelt::evaluate(const Input& in, Tracer& trace) {
   return r;
 }
 
-template FlatBelt::Result FlatBelt::evaluate(const Input&, NoTrace&);
-template FlatBelt::Result FlatBelt::evaluate(const Input&, Trace&);
+template Flat::Result Flat::evaluate(const Input&, NoTrace&);
+template Flat::Result Flat::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> FlatBelt::figures(const Input& in, const Result& r) {
-  return {belt::drive_figure(in.d_1, in.d_2, r.a, in.arrangement)};
+std::vector<draw::Figure> Flat::figures(const Input& in, const Result& r) {
+  return {drive_figure(in.d_1, in.d_2, r.a, in.arrangement)};
 }
 
-template const Calculator& erased<FlatBelt>();
+}  // namespace loadpath::belt
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::belt::Flat>();

@@ -16,9 +16,9 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::belt {
 
-struct FlatBelt {
+struct Flat {
   static constexpr auto id = "belt.flat";
   static constexpr auto title = "Flat belt drive";
   static constexpr auto scope =
@@ -45,7 +45,6 @@ rho = "1100 kg/m^3"
 sigma_adm = "6 MPa"
 )";
 
-  using Arrangement = belt::Arrangement;
   enum class Kind { conventional, synthetic };
   enum class Tensioning { fixed, constant_force };
 
@@ -176,25 +175,22 @@ sigma_adm = "6 MPa"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template FlatBelt::Result FlatBelt::evaluate(const Input&, NoTrace&);
-extern template FlatBelt::Result FlatBelt::evaluate(const Input&, Trace&);
+extern template Flat::Result Flat::evaluate(const Input&, NoTrace&);
+extern template Flat::Result Flat::evaluate(const Input&, Trace&);
 
-namespace belt {
 constexpr auto choices_of(Arrangement) {
   return std::array{ChoiceName<Arrangement>{Arrangement::open, "open", "both shafts turn alike"},
                     ChoiceName<Arrangement>{Arrangement::crossed, "crossed", "the shafts turn against each other"}};
-}
 }  // namespace belt
-constexpr auto choices_of(FlatBelt::Kind) {
-  return std::array{
-      ChoiceName<FlatBelt::Kind>{FlatBelt::Kind::conventional, "conventional", "leather, rubber: to 30 m/s"},
-      ChoiceName<FlatBelt::Kind>{FlatBelt::Kind::synthetic, "synthetic", "synthetic: to 100 m/s"}};
+constexpr auto choices_of(Flat::Kind) {
+  return std::array{ChoiceName<Flat::Kind>{Flat::Kind::conventional, "conventional", "leather, rubber: to 30 m/s"},
+                    ChoiceName<Flat::Kind>{Flat::Kind::synthetic, "synthetic", "synthetic: to 100 m/s"}};
 }
-constexpr auto choices_of(FlatBelt::Tensioning) {
+constexpr auto choices_of(Flat::Tensioning) {
   return std::array{
-      ChoiceName<FlatBelt::Tensioning>{FlatBelt::Tensioning::fixed, "fixed", "centres that are fixed when running"},
-      ChoiceName<FlatBelt::Tensioning>{FlatBelt::Tensioning::constant_force, "constant_force",
-                                       "a weight or spring that pulls the pulleys apart with the same force always"}};
+      ChoiceName<Flat::Tensioning>{Flat::Tensioning::fixed, "fixed", "centres that are fixed when running"},
+      ChoiceName<Flat::Tensioning>{Flat::Tensioning::constant_force, "constant_force",
+                                   "a weight or spring that pulls the pulleys apart with the same force always"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::belt

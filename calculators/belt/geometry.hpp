@@ -21,7 +21,7 @@ struct Pulleys {
   Arrangement arrangement = Arrangement::open;
 };
 
-struct Course {
+struct DriveCourse {
   Length a = unset<Length>, L = unset<Length>, l_s = unset<Length>;
   double gamma = unset<double>;  // of the spans to the line of centres; open: positive where pulley 2 is the larger
   double alpha_1 = unset<double>, alpha_2 = unset<double>;
@@ -38,11 +38,11 @@ FieldFault overlap(const Pulleys& pulleys);
 
 /// Angles, spans, and what is missing of a and L.
 template <class Tracer>
-Course lay(const Pulleys& pulleys, Tracer& trace) {
+DriveCourse lay(const Pulleys& pulleys, Tracer& trace) {
   const auto d_1 = pulleys.d_1, d_2 = pulleys.d_2;
   const Length a = is_set(pulleys.a) ? pulleys.a : centre_of_length(pulleys);
   if (!is_set(pulleys.a)) trace.value("a", a, "centre distance at which the exact length of the belt is L, by Newton");
-  Course c;
+  DriveCourse c;
   c.a = a, c.L = pulleys.L;
   if (pulleys.arrangement == Arrangement::crossed) {
     STEP(gamma, asin(static_cast<double>((d_1 + d_2) / (2.0 * a))),

@@ -8,24 +8,24 @@
 #include "calculators/belt/v_tension.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
-namespace loadpath {
+namespace loadpath::belt {
 
 namespace {
 
-belt::Pulleys pulleys_of(const VBelt::Input& in) { return {in.d_1, in.d_2, in.a, in.L, belt::Arrangement::open}; }
+Pulleys pulleys_of(const V::Input& in) { return {in.d_1, in.d_2, in.a, in.L, Arrangement::open}; }
 
-bool duty_is_whole(const VBelt::Input& in) {
-  return in.duty != VBelt::Duty::unstated && in.motor != VBelt::Motor::unstated && is_set(in.h_day);
+bool duty_is_whole(const V::Input& in) {
+  return in.duty != V::Duty::unstated && in.motor != V::Motor::unstated && is_set(in.h_day);
 }
 
-std::string_view service_row(VBelt::Duty duty, VBelt::Motor motor) {
-  const bool high = motor == VBelt::Motor::high;
+std::string_view service_row(V::Duty duty, V::Motor motor) {
+  const bool high = motor == V::Motor::high;
   switch (duty) {
-    case VBelt::Duty::light:
+    case V::Duty::light:
       return high ? "light, high torque" : "light, normal torque";
-    case VBelt::Duty::medium:
+    case V::Duty::medium:
       return high ? "medium, high torque" : "medium, normal torque";
-    case VBelt::Duty::heavy:
+    case V::Duty::heavy:
       return high ? "heavy, high torque" : "heavy, normal torque";
     default:
       return high ? "very heavy, high torque" : "very heavy, normal torque";
@@ -33,7 +33,7 @@ std::string_view service_row(VBelt::Duty duty, VBelt::Motor motor) {
 }
 
 template <class Tracer>
-void move(const VBelt::Input& in, VBelt::Result& r, Tracer& trace) {
+void move(const V::Input& in, V::Result& r, Tracer& trace) {
   const auto n_1 = in.n_1;
   const auto d_1 = in.d_1, d_2 = in.d_2;
   const auto epsilon = in.epsilon;
@@ -41,7 +41,7 @@ void move(const VBelt::Input& in, VBelt::Result& r, Tracer& trace) {
   STEP(n_2, n_1 / i, "speed of the driven pulley");
   STEP(v, n_1 * d_1 / 2.0, "speed of the belt");
   r.i = i, r.n_2 = n_2, r.v = v;
-  const auto course = belt::lay(pulleys_of(in), trace);
+  const auto course = lay(pulleys_of(in), trace);
   r.a = course.a, r.L = course.L, r.l_s = course.l_s;
   r.gamma = course.gamma, r.alpha_1 = course.alpha_1, r.alpha_2 = course.alpha_2;
   const auto alpha_1 = r.alpha_1, alpha_2 = r.alpha_2;
@@ -50,10 +50,9 @@ void move(const VBelt::Input& in, VBelt::Result& r, Tracer& trace) {
 }
 
 template <class Tracer>
-void serve(const VBelt::Input& in, VBelt::Result& r, Tracer& trace) {
+void serve(const V::Input& in, V::Result& r, Tracer& trace) {
   const auto P = in.P;
-  r.K_A =
-      is_set(in.K_A) ? in.K_A : belt::optibelt_service_factor(service_row(in.duty, in.motor), in_si(in.h_day) / 3600.0);
+  r.K_A = is_set(in.K_A) ? in.K_A : optibelt_service_factor(service_row(in.duty, in.motor), in_si(in.h_day) / 3600.0);
   const auto K_A = r.K_A;
   trace.value("K_A", K_A, is_set(in.K_A) ? "as given" : "c_2 by load, motor and use, [Optibelt-V] 17");
   STEP(P_B, K_A * P, "design power");
@@ -61,40 +60,39 @@ void serve(const VBelt::Input& in, VBelt::Result& r, Tracer& trace) {
 }
 
 template <class Tracer>
-void carry(const belt::VSection& section, const VBelt::Input& in, VBelt::Result& r, Tracer& trace) {
+void carry(const VSection& section, const V::Input& in, V::Result& r, Tracer& trace) {
   const auto d_1 = in.d_1, d_2 = in.d_2;
   const auto n_1 = in.n_1;
   STEP(d_k, min(d_1, d_2), "the smaller pulley");
   STEP(i_g, max(d_1, d_2) / d_k, "ratio of the diameters, at least 1");
   STEP(n_k, n_1 * d_1 / d_k, "speed of the smaller pulley, without slip");
   r.n_k = n_k;
-  belt::rate(section, d_k, n_k, i_g, r, trace);
-  r.c_alpha = belt::wrap_factor(in.basis, r.alpha, trace);
-  r.c_L = belt::v_length_factor(section, r.L);
-  trace.value(
-      "c_L", r.c_L,
-      in.basis == belt::Basis::iso ? "length factor, [GOST1284.3] 19" : "length factor c_3, [Optibelt-V] 18, 20");
-  belt::count(in, r, trace);
-  belt::limit_rating(section, d_k, n_k, r, trace);
+  rate(section, d_k, n_k, i_g, r, trace);
+  r.c_alpha = wrap_factor(in.basis, r.alpha, trace);
+  r.c_L = v_length_factor(section, r.L);
+  trace.value("c_L", r.c_L,
+              in.basis == Basis::iso ? "length factor, [GOST1284.3] 19" : "length factor c_3, [Optibelt-V] 18, 20");
+  count(in, r, trace);
+  limit_rating(section, d_k, n_k, r, trace);
 }
 
 }  // namespace
 
-bool VBelt::section_is_known(const Input& in) {
-  return in.basis == Basis::unstated || belt::find_v_section(in.basis, in.section) != nullptr;
+bool V::section_is_known(const Input& in) {
+  return in.basis == Basis::unstated || find_v_section(in.basis, in.section) != nullptr;
 }
-FieldFault VBelt::unknown_section(const Input& in) {
+FieldFault V::unknown_section(const Input& in) {
   const char* const basis = in.basis == Basis::iso ? "iso" : "optibelt";
   return {"section", say("the basis {1} does not rate a section '{2}'", basis, in.section.view()),
-          say("there is: {1}", belt::names_of_v_sections(in.basis))};
+          say("there is: {1}", names_of_v_sections(in.basis))};
 }
 
-bool VBelt::class_fits(const Input& in) {
+bool V::class_fits(const Input& in) {
   const bool rated = in.belt_class == BeltClass::III || in.belt_class == BeltClass::IV;
   if (in.basis == Basis::iso) return rated;
   return in.basis == Basis::unstated || in.belt_class == BeltClass::unstated;
 }
-FieldFault VBelt::wrong_class(const Input& in) {
+FieldFault V::wrong_class(const Input& in) {
   if (in.basis == Basis::optibelt) {
     return {"belt_class", say("the class of the belt goes with the basis iso"), say("leave it out")};
   }
@@ -105,40 +103,40 @@ FieldFault VBelt::wrong_class(const Input& in) {
   return {"belt_class", say("the basis iso rates belts by class"), say("give belt_class = \"III\" or \"IV\"")};
 }
 
-bool VBelt::service_is_given(const Input& in) {
+bool V::service_is_given(const Input& in) {
   const bool by_duty = in.basis == Basis::optibelt && duty_is_whole(in);
   const bool asked = in.motor != Motor::unstated || is_set(in.h_day);
   return in.basis == Basis::unstated || (is_set(in.K_A) ? !asked : by_duty);
 }
 
-bool VBelt::clear_of_each_other(const Input& in) {
-  return is_set(in.a) == is_set(in.L) || belt::stand_clear(pulleys_of(in));  // the other rule speaks of a and L
+bool V::clear_of_each_other(const Input& in) {
+  return is_set(in.a) == is_set(in.L) || stand_clear(pulleys_of(in));  // the other rule speaks of a and L
 }
-FieldFault VBelt::touching(const Input& in) { return belt::overlap(pulleys_of(in)); }
+FieldFault V::touching(const Input& in) { return overlap(pulleys_of(in)); }
 
 template <class Tracer>
-VBelt::Result VBelt::evaluate(const Input& in, Tracer& trace) {
+V::Result V::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  const belt::VSection* const section = belt::find_v_section(in.basis, in.section);
+  const VSection* const section = find_v_section(in.basis, in.section);
   if (section == nullptr) return r;
   move(in, r, trace);
   serve(in, r, trace);
   carry(*section, in, r, trace);
-  belt::build_pulleys(*section, in, r, trace);
+  build_pulleys(*section, in, r, trace);
   if (r.z == 0) return r;
-  belt::tension(*section, in, r, trace);
-  belt::measure(*section, r, trace);
-  belt::load_shafts(r, trace);
+  tension(*section, in, r, trace);
+  measure(*section, r, trace);
+  load_shafts(r, trace);
   return r;
 }
 
-template VBelt::Result VBelt::evaluate(const Input&, NoTrace&);
-template VBelt::Result VBelt::evaluate(const Input&, Trace&);
+template V::Result V::evaluate(const Input&, NoTrace&);
+template V::Result V::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> VBelt::figures(const Input& in, const Result& r) {
-  return {belt::drive_figure(in.d_1, in.d_2, r.a, belt::Arrangement::open)};
+std::vector<draw::Figure> V::figures(const Input& in, const Result& r) {
+  return {drive_figure(in.d_1, in.d_2, r.a, Arrangement::open)};
 }
 
-template const Calculator& erased<VBelt>();
+}  // namespace loadpath::belt
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::belt::V>();

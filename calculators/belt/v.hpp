@@ -16,9 +16,9 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::belt {
 
-struct VBelt {
+struct V {
   static constexpr auto id = "belt.v";
   static constexpr auto title = "V-belt drive";
   static constexpr auto scope =
@@ -44,7 +44,6 @@ d_2 = "400 mm"
 L = "2650 mm"
 )";
 
-  using Basis = belt::Basis;
   enum class BeltClass { unstated, classes_0_II, III, IV };
   enum class Duty { unstated, light, medium, heavy, very_heavy };
   enum class Motor { unstated, normal, high };
@@ -220,7 +219,7 @@ L = "2650 mm"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template VBelt::Result VBelt::evaluate(const Input&, NoTrace&);
-extern template VBelt::Result VBelt::evaluate(const Input&, Trace&);
+extern template V::Result V::evaluate(const Input&, NoTrace&);
+extern template V::Result V::evaluate(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::belt

@@ -34,7 +34,7 @@ constexpr std::string_view prefix_of(Basis basis) { return basis == Basis::iso ?
 
 std::vector<VSection> read_sections() {
   std::vector<VSection> sections;
-  for (const auto& row : table::rows_of<VBeltRow>()) {
+  for (const auto& row : table::rows_of<VRow>()) {
     const Basis basis = row.name().starts_with(prefix_of(Basis::iso)) ? Basis::iso : Basis::optibelt;
     VSection section{basis, Name(row.kind()), row, {}};
     for (const auto& length : table::rows_of<VLengthRow>()) {

@@ -23,7 +23,7 @@ enum class SectionWord { none, Z, A, B, C, D, E, SPZ, SPA, SPB, SPC };
 
 /// A section on a basis: constants of its rated power, its mass, its groove, its limits. Meaning:
 /// tables/belt/v_iso.toml.
-struct VBeltRow {
+struct VRow {
   static constexpr auto group = "v_belt";
   double C_1 = unset<double>, C_2 = unset<double>, C_3 = unset<double>, C_4 = unset<double>;
   double a_1 = 0.0, b_1 = 0.0, a_2 = 0.0, b_2 = 0.0, a_3 = 0.0, b_3 = 0.0, a_4 = 0.0, b_4 = 0.0;
@@ -37,36 +37,35 @@ struct VBeltRow {
   Force C_0 = from_si<Force>(0.0);
   Time L_h = unset<Time>;
 
-  static constexpr std::tuple fields{
-      Field{&VBeltRow::C_1, "C_1", ratio, "constant of the rated power"},
-      Field{&VBeltRow::C_2, "C_2", ratio, "constant of the rated power"},
-      Field{&VBeltRow::C_3, "C_3", ratio, "constant of the rated power"},
-      Field{&VBeltRow::C_4, "C_4", ratio, "constant of the rated power"},
-      Field{&VBeltRow::a_1, "a_1", ratio, "increment by the ratio"},
-      Field{&VBeltRow::b_1, "b_1", ratio, "increment by the ratio"},
-      Field{&VBeltRow::a_2, "a_2", ratio, "increment by the ratio"},
-      Field{&VBeltRow::b_2, "b_2", ratio, "increment by the ratio"},
-      Field{&VBeltRow::a_3, "a_3", ratio, "increment by the ratio"},
-      Field{&VBeltRow::b_3, "b_3", ratio, "increment by the ratio"},
-      Field{&VBeltRow::a_4, "a_4", ratio, "increment by the ratio"},
-      Field{&VBeltRow::b_4, "b_4", ratio, "increment by the ratio"},
-      Field{&VBeltRow::d_low, "d_low", mm, "smallest rated diameter"},
-      Field{&VBeltRow::d_high, "d_high", mm, "largest rated diameter"},
-      Field{&VBeltRow::d_least, "d_least", mm, "smallest recommended diameter"},
-      Field{&VBeltRow::n_low, "n_low", rpm, "lowest rated speed"},
-      Field{&VBeltRow::n_high, "n_high", rpm, "highest rated speed"},
-      Field{&VBeltRow::m, "m", kg_per_m, "mass per length of one belt"},
-      Field{&VBeltRow::w_d, "w_d", mm, "datum width"},
-      Field{&VBeltRow::h_a, "h_a", mm, "height of the groove above the datum diameter"},
-      Field{&VBeltRow::e, "e", mm, "pitch of the grooves"},
-      Field{&VBeltRow::f, "f", mm, "from the last groove to the edge"},
-      Field{&VBeltRow::d_phi, "d_phi", mm, "largest diameter with the groove angle phi_1"},
-      Field{&VBeltRow::phi_1, "phi_1", deg, "groove angle of small pulleys"},
-      Field{&VBeltRow::phi_2, "phi_2", deg, "groove angle of large pulleys"},
-      Field{&VBeltRow::v_max, "v_max", m_per_s, "largest speed"},
-      Field{&VBeltRow::f_B_max, "f_B_max", Hz, "largest bending frequency"},
-      Field{&VBeltRow::C_0, "C_0", N, "stiffness of the belt against the test force"},
-      Field{&VBeltRow::L_h, "L_h", hour, "life that the rating holds for"}};
+  static constexpr std::tuple fields{Field{&VRow::C_1, "C_1", ratio, "constant of the rated power"},
+                                     Field{&VRow::C_2, "C_2", ratio, "constant of the rated power"},
+                                     Field{&VRow::C_3, "C_3", ratio, "constant of the rated power"},
+                                     Field{&VRow::C_4, "C_4", ratio, "constant of the rated power"},
+                                     Field{&VRow::a_1, "a_1", ratio, "increment by the ratio"},
+                                     Field{&VRow::b_1, "b_1", ratio, "increment by the ratio"},
+                                     Field{&VRow::a_2, "a_2", ratio, "increment by the ratio"},
+                                     Field{&VRow::b_2, "b_2", ratio, "increment by the ratio"},
+                                     Field{&VRow::a_3, "a_3", ratio, "increment by the ratio"},
+                                     Field{&VRow::b_3, "b_3", ratio, "increment by the ratio"},
+                                     Field{&VRow::a_4, "a_4", ratio, "increment by the ratio"},
+                                     Field{&VRow::b_4, "b_4", ratio, "increment by the ratio"},
+                                     Field{&VRow::d_low, "d_low", mm, "smallest rated diameter"},
+                                     Field{&VRow::d_high, "d_high", mm, "largest rated diameter"},
+                                     Field{&VRow::d_least, "d_least", mm, "smallest recommended diameter"},
+                                     Field{&VRow::n_low, "n_low", rpm, "lowest rated speed"},
+                                     Field{&VRow::n_high, "n_high", rpm, "highest rated speed"},
+                                     Field{&VRow::m, "m", kg_per_m, "mass per length of one belt"},
+                                     Field{&VRow::w_d, "w_d", mm, "datum width"},
+                                     Field{&VRow::h_a, "h_a", mm, "height of the groove above the datum diameter"},
+                                     Field{&VRow::e, "e", mm, "pitch of the grooves"},
+                                     Field{&VRow::f, "f", mm, "from the last groove to the edge"},
+                                     Field{&VRow::d_phi, "d_phi", mm, "largest diameter with the groove angle phi_1"},
+                                     Field{&VRow::phi_1, "phi_1", deg, "groove angle of small pulleys"},
+                                     Field{&VRow::phi_2, "phi_2", deg, "groove angle of large pulleys"},
+                                     Field{&VRow::v_max, "v_max", m_per_s, "largest speed"},
+                                     Field{&VRow::f_B_max, "f_B_max", Hz, "largest bending frequency"},
+                                     Field{&VRow::C_0, "C_0", N, "stiffness of the belt against the test force"},
+                                     Field{&VRow::L_h, "L_h", hour, "life that the rating holds for"}};
 };
 
 struct VLengthRow {
@@ -81,7 +80,7 @@ struct VLengthRow {
 struct VSection {
   Basis basis = Basis::unstated;
   Name name;
-  VBeltRow row;
+  VRow row;
   std::vector<VLengthRow> lengths;
 };
 

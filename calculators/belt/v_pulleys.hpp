@@ -15,8 +15,8 @@ double place_in(Quantity value, Quantity low, Quantity high) {
 
 /// The validity of the rating.
 template <class Tracer>
-void limit_rating(const VSection& section, Length d_k, AngularSpeed n_k, VBelt::Result& r, Tracer& trace) {
-  const VBeltRow& row = section.row;
+void limit_rating(const VSection& section, Length d_k, AngularSpeed n_k, V::Result& r, Tracer& trace) {
+  const VRow& row = section.row;
   const double alpha_least = section.basis == Basis::iso ? pi / 2.0 : least_optibelt_wrap();
   const auto v = r.v, v_max = row.v_max;
   const auto alpha = r.alpha;
@@ -36,15 +36,15 @@ void limit_rating(const VSection& section, Length d_k, AngularSpeed n_k, VBelt::
 }
 
 /// The factor of the mean life for the kind of load, [GOST1284.2] annex 3.
-inline double life_factor(VBelt::Duty duty) {
+inline double life_factor(V::Duty duty) {
   switch (duty) {
-    case VBelt::Duty::light:
+    case V::Duty::light:
       return 2.5;
-    case VBelt::Duty::medium:
+    case V::Duty::medium:
       return 1.0;
-    case VBelt::Duty::heavy:
+    case V::Duty::heavy:
       return 0.5;
-    case VBelt::Duty::very_heavy:
+    case V::Duty::very_heavy:
       return 0.25;
     default:
       return unset<double>;
@@ -53,14 +53,14 @@ inline double life_factor(VBelt::Duty duty) {
 
 /// Only what the basis states.
 template <class Tracer>
-void live(const VSection& section, const VBelt::Input& in, VBelt::Result& r, Tracer& trace) {
+void live(const VSection& section, const V::Input& in, V::Result& r, Tracer& trace) {
   if (section.basis == Basis::optibelt) {
     r.L_h = section.row.L_h;
     trace.value("L_h", r.L_h, "life that the ratings hold for, [Optibelt-V]");
     return;
   }
-  if (in.duty == VBelt::Duty::unstated) return;
-  const Time L_medium = (in.belt_class == VBelt::BeltClass::IV ? 3700.0 : 2700.0) * hour;
+  if (in.duty == V::Duty::unstated) return;
+  const Time L_medium = (in.belt_class == V::BeltClass::IV ? 3700.0 : 2700.0) * hour;
   trace.value("L_medium", L_medium, "mean life under a medium load, [GOST1284.2] annex 3");
   trace.value("K_1", life_factor(in.duty), "for the kind of load, [GOST1284.2] annex 3");
   const double K_1 = life_factor(in.duty);
@@ -69,7 +69,7 @@ void live(const VSection& section, const VBelt::Input& in, VBelt::Result& r, Tra
 }
 
 template <class Tracer>
-void turn_rims(const VBelt::Input& in, VBelt::Result& r, Tracer& trace) {
+void turn_rims(const V::Input& in, V::Result& r, Tracer& trace) {
   const auto n_1 = in.n_1, n_2 = r.n_2;
   const auto d_a1 = r.d_a1, d_a2 = r.d_a2;
   const auto v_rim_adm = in.v_rim_adm;
@@ -80,8 +80,8 @@ void turn_rims(const VBelt::Input& in, VBelt::Result& r, Tracer& trace) {
 
 /// Sizes of the pulleys, as far as they do not depend on the number of belts, and the room for adjustment.
 template <class Tracer>
-void build_pulleys(const VSection& section, const VBelt::Input& in, VBelt::Result& r, Tracer& trace) {
-  const VBeltRow& row = section.row;
+void build_pulleys(const VSection& section, const V::Input& in, V::Result& r, Tracer& trace) {
+  const VRow& row = section.row;
   const auto d_1 = in.d_1, d_2 = in.d_2, h_a = row.h_a, w_d = row.w_d, L = r.L;
   const auto v = r.v;
   const auto f_B_max = row.f_B_max;

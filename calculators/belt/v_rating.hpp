@@ -13,7 +13,7 @@ struct Increments {
 };
 
 template <class Tracer>
-Increments increments(const VBeltRow& row, double x_d, Tracer& trace) {
+Increments increments(const VRow& row, double x_d, Tracer& trace) {
   const auto a_1 = row.a_1, b_1 = row.b_1, a_2 = row.a_2, b_2 = row.b_2;
   const auto a_3 = row.a_3, b_3 = row.b_3, a_4 = row.a_4, b_4 = row.b_4;
   const double lg = std::log(x_d) / std::log(10.0);
@@ -39,7 +39,7 @@ inline double optibelt_increment(const Increments& k, double i_g) {
 
 /// Rated power of one belt on the smaller pulley d_k at its speed n_k, with the increment for the ratio i_g >= 1.
 template <class Tracer>
-void rate(const VSection& section, Length d_k, AngularSpeed n_k, double i_g, VBelt::Result& r, Tracer& trace) {
+void rate(const VSection& section, Length d_k, AngularSpeed n_k, double i_g, V::Result& r, Tracer& trace) {
   const bool iso = section.basis == Basis::iso;
   const auto C_1 = section.row.C_1, C_2 = section.row.C_2, C_3 = section.row.C_3, C_4 = section.row.C_4;
   const char* const fitted = iso ? "fitted to [GOST1284.3] 12 to 17" : "fitted to the power tables of [Optibelt-V]";
@@ -85,13 +85,13 @@ inline int belts_needed(Basis basis, double z_0, bool high_end) {
 }
 
 template <class Tracer>
-void count(const VBelt::Input& in, VBelt::Result& r, Tracer& trace) {
+void count(const V::Input& in, V::Result& r, Tracer& trace) {
   const auto P_B = r.P_B, P_N = r.P_N;
   const auto c_alpha = r.c_alpha, c_L = r.c_L;
   if (!(P_N > from_si<Power>(0.0)) || !is_set(c_alpha) || !is_set(c_L)) return;
   STEP(z_0, P_B / (P_N * c_alpha * c_L), "number of belts before the count factor");
   r.z_0 = z_0;
-  const bool iso = in.basis == Basis::iso, high_end = in.C_K_end == VBelt::End::high;
+  const bool iso = in.basis == Basis::iso, high_end = in.C_K_end == V::End::high;
   r.z = in.z > 0 ? in.z : belts_needed(in.basis, z_0, high_end);
   if (r.z == 0) return;
   const double z = r.z;

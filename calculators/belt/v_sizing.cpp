@@ -9,19 +9,19 @@
 #include <cmath>
 #include <limits>
 
-namespace loadpath {
+namespace loadpath::belt {
 
 namespace {
 
-using Input = VBeltSizing::Input;
-using Result = VBeltSizing::Result;
-using Candidate = VBeltSizing::Candidate;
-using Rank = VBeltSizing::Rank;
-using Merit = VBeltSizing::Merit;
+using Input = VSizing::Input;
+using Result = VSizing::Result;
+using Candidate = VSizing::Candidate;
+using Rank = VSizing::Rank;
+using Merit = VSizing::Merit;
 
 /// The input of belt.v that a drive of the list stands for; diameters, length and section are still open.
-VBelt::Input drive_of(const Input& in) {
-  VBelt::Input drive;
+V::Input drive_of(const Input& in) {
+  V::Input drive;
   drive.basis = in.basis, drive.section = in.section, drive.belt_class = in.belt_class;
   drive.P = in.P, drive.K_A = in.K_A, drive.duty = in.duty, drive.motor = in.motor, drive.h_day = in.h_day;
   drive.n_1 = in.n_1, drive.epsilon = in.epsilon, drive.mu = in.mu, drive.v_rim_adm = in.v_rim_adm;
@@ -29,26 +29,26 @@ VBelt::Input drive_of(const Input& in) {
 }
 
 /// For the rules of belt.v about what is not of the drive's geometry.
-VBelt::Input without_geometry(const Input& in) {
-  VBelt::Input drive = drive_of(in);
-  const auto sections = belt::v_sections();
+V::Input without_geometry(const Input& in) {
+  V::Input drive = drive_of(in);
+  const auto sections = v_sections();
   const auto any = std::find_if(sections.begin(), sections.end(), [&](const auto& s) { return s.basis == in.basis; });
   if (in.section.empty() && any != sections.end()) drive.section = any->name;
   return drive;
 }
 
-std::vector<Length> read_pulleys(belt::Basis basis) {
+std::vector<Length> read_pulleys(Basis basis) {
   std::vector<Length> pulleys;
-  if (const auto series = table::find_series(basis == belt::Basis::iso ? "v_pulleys_gost" : "v_pulleys")) {
+  if (const auto series = table::find_series(basis == Basis::iso ? "v_pulleys_gost" : "v_pulleys")) {
     for (const double d : table::members_in_si(**series)) pulleys.push_back(from_si<Length>(d));
   }
   return pulleys;
 }
 
 /// The pulleys that are made, ascending.
-std::span<const Length> pulleys_of(belt::Basis basis) {
-  static const auto iso = read_pulleys(belt::Basis::iso), optibelt = read_pulleys(belt::Basis::optibelt);
-  return basis == belt::Basis::iso ? iso : optibelt;
+std::span<const Length> pulleys_of(Basis basis) {
+  static const auto iso = read_pulleys(Basis::iso), optibelt = read_pulleys(Basis::optibelt);
+  return basis == Basis::iso ? iso : optibelt;
 }
 
 /// How far a drive is from passing: the limits of belt.v that it leaves, and its largest check.
@@ -64,7 +64,7 @@ struct Lack {
 
 /// What one field of a result of belt.v adds to it; a check that is not available counts as a limit.
 template <class F>
-void take(const F& field, const VBelt::Result& r, bool grip_asked, Lack& lack) {
+void take(const F& field, const V::Result& r, bool grip_asked, Lack& lack) {
   if constexpr (requires { field.asked_by; }) {
     const double value = in_si(r.*field.at) / in_si(field.unit.one);
     const bool asked = field.asked_by[0] == '\0' || grip_asked;
@@ -76,15 +76,15 @@ void take(const F& field, const VBelt::Result& r, bool grip_asked, Lack& lack) {
   }
 }
 
-Lack lack_of(const VBelt::Result& r, bool grip_asked) {
+Lack lack_of(const V::Result& r, bool grip_asked) {
   Lack lack;
-  std::apply([&](const auto&... field) { (take(field, r, grip_asked, lack), ...); }, VBelt::results);
+  std::apply([&](const auto&... field) { (take(field, r, grip_asked, lack), ...); }, V::results);
   return lack;
 }
 
 /// The drive that lacks least, where none passes.
 struct Nearest {
-  VBelt::Input drive;
+  V::Input drive;
   Lack lack{std::numeric_limits<int>::max(), 0.0};
 };
 
@@ -103,18 +103,18 @@ bool before(const Candidate& a, const Candidate& b, Rank rank) {
 }
 
 /// Puts a drive in its place; the list keeps the best.
-void rank_in(VBeltSizing::Candidates& list, const Candidate& c, Rank rank) {
+void rank_in(VSizing::Candidates& list, const Candidate& c, Rank rank) {
   const auto at =
       std::find_if(list.begin(), list.end(), [&](const Candidate& other) { return before(c, other, rank); });
-  if (at == list.end() && list.size() == VBeltSizing::Candidates::capacity()) return;
+  if (at == list.end() && list.size() == VSizing::Candidates::capacity()) return;
   const auto index = at - list.begin();
-  if (list.size() == VBeltSizing::Candidates::capacity()) list.pop_back();
+  if (list.size() == VSizing::Candidates::capacity()) list.pop_back();
   list.insert(list.begin() + index, c);
 }
 
-Candidate candidate_of(const VBelt::Input& drive, const VBelt::Result& r) {
+Candidate candidate_of(const V::Input& drive, const V::Result& r) {
   Candidate c;
-  c.section = belt::word_of(drive.section), c.d_1 = drive.d_1, c.d_2 = drive.d_2, c.L = r.L, c.z = r.z, c.a = r.a,
+  c.section = word_of(drive.section), c.d_1 = drive.d_1, c.d_2 = drive.d_2, c.L = r.L, c.z = r.z, c.a = r.a,
   c.n_2 = r.n_2;
   c.B = r.B, c.R_new = r.R_new, c.u_P = r.u_P;
   c.V = pi / 4.0 * r.B * (r.d_a1 * r.d_a1 + r.d_a2 * r.d_a2);
@@ -122,13 +122,13 @@ Candidate candidate_of(const VBelt::Input& drive, const VBelt::Result& r) {
 }
 
 /// The belt of the section that brings the centre distance nearest to the wanted one; NaN where none is near enough.
-Length nearest_belt(const belt::VSection& section, const Input& in, const VBelt::Input& drive) {
+Length nearest_belt(const VSection& section, const Input& in, const V::Input& drive) {
   Length best = unset<Length>;
   double least = in.tol_a;
   const Length clear = (drive.d_1 + drive.d_2) / 2.0;
   for (const auto& length : section.lengths) {
     if (length.L < 2.0 * (1.0 - in.tol_a) * in.a_set) continue;  // a belt is longer than both spans
-    const Length a = belt::centre_of_length({drive.d_1, drive.d_2, unset<Length>, length.L});
+    const Length a = centre_of_length({drive.d_1, drive.d_2, unset<Length>, length.L});
     if (is_set(a) && a > (1.0 + in.tol_a) * in.a_set) break;
     const double off = share_off(in_si(a), in_si(in.a_set));
     if (a > clear && off <= least) best = length.L, least = off;
@@ -136,12 +136,12 @@ Length nearest_belt(const belt::VSection& section, const Input& in, const VBelt:
   return best;
 }
 
-void try_pair(const belt::VSection& section, const Input& in, VBelt::Input& drive, Result& r, Nearest& nearest) {
+void try_pair(const VSection& section, const Input& in, V::Input& drive, Result& r, Nearest& nearest) {
   drive.L = nearest_belt(section, in, drive);
   if (!is_set(drive.L)) return;
   r.tried += 1.0;
   NoTrace quiet;
-  const VBelt::Result found = VBelt::evaluate(drive, quiet);
+  const V::Result found = V::evaluate(drive, quiet);
   const bool too_weak = found.z == 0 || found.z > in.z_max;
   Lack lack = lack_of(found, is_set(in.mu));
   if (!too_weak && lack.none()) {
@@ -154,13 +154,13 @@ void try_pair(const belt::VSection& section, const Input& in, VBelt::Input& driv
   if (lack.less_than(nearest.lack)) nearest = {drive, lack};
 }
 
-bool fits_room(const Input& in, const VBelt::Input& drive) {
+bool fits_room(const Input& in, const V::Input& drive) {
   return !(drive.d_1 < in.d_1_min) && !(max(drive.d_1, drive.d_2) > in.d_max);
 }
 
 /// Every pair of pulleys of a section that meets the speed.
-void try_section(const belt::VSection& section, const Input& in, Result& r, Nearest& nearest) {
-  VBelt::Input drive = drive_of(in);
+void try_section(const VSection& section, const Input& in, Result& r, Nearest& nearest) {
+  V::Input drive = drive_of(in);
   drive.section = section.name;
   const double i_w = in_si(in.n_1 / in.n_2_set) * (1.0 - in.epsilon);  // d_2 over d_1
   const auto pulleys = pulleys_of(in.basis);
@@ -178,7 +178,7 @@ void try_section(const belt::VSection& section, const Input& in, Result& r, Near
   }
 }
 
-Name name_of(belt::SectionWord word) { return choices_of(belt::SectionWord{})[static_cast<std::size_t>(word)].key; }
+Name name_of(SectionWord word) { return choices_of(SectionWord{})[static_cast<std::size_t>(word)].key; }
 
 /// What a drive does better than the first, all the same.
 Merit merit_of(const Candidate& c, const Candidate& first, const Input& in) {
@@ -201,21 +201,21 @@ void compare(const Input& in, Result& r) {
 }
 
 /// The belt.v input of a drive of the list.
-VBelt::Input drive_of(const Input& in, const Candidate& c) {
-  VBelt::Input drive = drive_of(in);
+V::Input drive_of(const Input& in, const Candidate& c) {
+  V::Input drive = drive_of(in);
   drive.section = name_of(c.section), drive.d_1 = c.d_1, drive.d_2 = c.d_2, drive.L = c.L;
   return drive;
 }
 
 /// One drive whole: the first of the list, or the one that comes nearest.
 template <class Tracer>
-void check(const Input& in, const VBelt::Input& drive, const char* which, Result& r, Tracer& trace) {
+void check(const Input& in, const V::Input& drive, const char* which, Result& r, Tracer& trace) {
   r.d_1 = drive.d_1, r.d_2 = drive.d_2, r.L = drive.L;
   trace.value("d_1", r.d_1, which);
   trace.value("d_2", r.d_2, which);
   trace.value("L", r.L, which);
-  const VBelt::Result found = VBelt::evaluate(drive, trace);
-  r.section = belt::word_of(drive.section), r.z = found.z;
+  const V::Result found = V::evaluate(drive, trace);
+  r.section = word_of(drive.section), r.z = found.z;
   r.a = found.a, r.n_2 = found.n_2, r.n_k = found.n_k, r.L_h = found.L_h, r.F_0 = found.F_0, r.R_0 = found.R_0,
   r.R_new = found.R_new, r.R = found.R;
   r.B = found.B, r.u_P = found.u_P, r.u_grip = found.u_grip, r.u_rim = found.u_rim, r.u_B = found.u_B;
@@ -232,17 +232,17 @@ void check(const Input& in, const VBelt::Input& drive, const char* which, Result
 
 }  // namespace
 
-bool VBeltSizing::section_is_known(const Input& in) { return VBelt::section_is_known(without_geometry(in)); }
-bool VBeltSizing::class_fits(const Input& in) { return VBelt::class_fits(without_geometry(in)); }
-bool VBeltSizing::service_is_given(const Input& in) { return VBelt::service_is_given(without_geometry(in)); }
-FieldFault VBeltSizing::unknown_section(const Input& in) { return VBelt::unknown_section(without_geometry(in)); }
-FieldFault VBeltSizing::wrong_class(const Input& in) { return VBelt::wrong_class(without_geometry(in)); }
+bool VSizing::section_is_known(const Input& in) { return V::section_is_known(without_geometry(in)); }
+bool VSizing::class_fits(const Input& in) { return V::class_fits(without_geometry(in)); }
+bool VSizing::service_is_given(const Input& in) { return V::service_is_given(without_geometry(in)); }
+FieldFault VSizing::unknown_section(const Input& in) { return V::unknown_section(without_geometry(in)); }
+FieldFault VSizing::wrong_class(const Input& in) { return V::wrong_class(without_geometry(in)); }
 
 template <class Tracer>
-VBeltSizing::Result VBeltSizing::evaluate(const Input& in, Tracer& trace) {
+VSizing::Result VSizing::evaluate(const Input& in, Tracer& trace) {
   Result r;
   Nearest nearest;
-  for (const belt::VSection& section : belt::v_sections()) {
+  for (const VSection& section : v_sections()) {
     if (section.basis == in.basis && (in.section.empty() || in.section == section.name))
       try_section(section, in, r, nearest);
   }
@@ -257,14 +257,14 @@ VBeltSizing::Result VBeltSizing::evaluate(const Input& in, Tracer& trace) {
   return r;
 }
 
-template VBeltSizing::Result VBeltSizing::evaluate(const Input&, NoTrace&);
-template VBeltSizing::Result VBeltSizing::evaluate(const Input&, Trace&);
+template VSizing::Result VSizing::evaluate(const Input&, NoTrace&);
+template VSizing::Result VSizing::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> VBeltSizing::figures(const Input&, const Result& r) {
+std::vector<draw::Figure> VSizing::figures(const Input&, const Result& r) {
   if (!is_set(r.d_1)) return {};
-  return {belt::drive_figure(r.d_1, r.d_2, r.a, belt::Arrangement::open)};
+  return {drive_figure(r.d_1, r.d_2, r.a, Arrangement::open)};
 }
 
-template const Calculator& erased<VBeltSizing>();
+}  // namespace loadpath::belt
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::belt::VSizing>();

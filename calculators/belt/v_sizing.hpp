@@ -8,16 +8,16 @@
 
 #include "calculators/belt/v.hpp"
 
-namespace loadpath {
+namespace loadpath::belt {
 
-struct VBeltSizing {
+struct VSizing {
   static constexpr auto id = "belt.v_sizing";
   static constexpr auto title = "V-belt drives that can be bought";
   static constexpr auto scope =
       "Ranked list of V-belt drives out of standard sections, pulleys and lengths for a power, two speeds and a rough "
       "centre distance, on one basis; the best one with its whole calculation, or the one that comes nearest where "
       "none passes. Covers what belt.v covers.";
-  static constexpr auto source = VBelt::source;
+  static constexpr auto source = V::source;
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
 title = "Fan drive"
@@ -36,13 +36,13 @@ a_set = "600 mm"
   enum class Merit { none, best, pulleys, shaft_load, width, speed, centre };
 
   struct Input {
-    VBelt::Basis basis = VBelt::Basis::unstated;
+    Basis basis = Basis::unstated;
     Name section;
-    VBelt::BeltClass belt_class = VBelt::BeltClass::unstated;
+    V::BeltClass belt_class = V::BeltClass::unstated;
     Power P = unset<Power>;
     double K_A = unset<double>;
-    VBelt::Duty duty = VBelt::Duty::unstated;
-    VBelt::Motor motor = VBelt::Motor::unstated;
+    V::Duty duty = V::Duty::unstated;
+    V::Motor motor = V::Motor::unstated;
     Time h_day = unset<Time>;
     AngularSpeed n_1 = unset<AngularSpeed>, n_2_set = unset<AngularSpeed>;
     double tol_n = 0.03;
@@ -90,7 +90,7 @@ a_set = "600 mm"
       Choice{&Input::rank, "rank", "what the list is ranked by"}.may_be_missing()};
 
   struct Candidate {
-    belt::SectionWord section = belt::SectionWord::none;
+    SectionWord section = SectionWord::none;
     Length d_1 = unset<Length>, d_2 = unset<Length>, L = unset<Length>;
     int z = 0;
     Length a = unset<Length>;
@@ -120,7 +120,7 @@ a_set = "600 mm"
 
   struct Result {
     double drives = 0.0, tried = 0.0, too_weak = 0.0, outside = 0.0;
-    belt::SectionWord section = belt::SectionWord::none;
+    SectionWord section = SectionWord::none;
     Length d_1 = unset<Length>, d_2 = unset<Length>, L = unset<Length>, a = unset<Length>;
     int z = 0;
     AngularSpeed n_2 = unset<AngularSpeed>, n_k = unset<AngularSpeed>;
@@ -165,7 +165,7 @@ a_set = "600 mm"
   static FieldFault unknown_section(const Input& in);
   static FieldFault wrong_class(const Input& in);
   static constexpr std::array rules{
-      Rule<Input>{[](const Input& in) { return in.basis != VBelt::Basis::unstated; }, "basis",
+      Rule<Input>{[](const Input& in) { return in.basis != Basis::unstated; }, "basis",
                   "state the basis, iso or optibelt: ratings and factors of one do not go with the other"},
       Rule<Input>{&section_is_known, "section, basis", "the basis does not rate this section", &unknown_section},
       Rule<Input>{&class_fits, "belt_class, basis", "the class of the belt goes with the basis iso", &wrong_class},
@@ -179,17 +179,17 @@ a_set = "600 mm"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template VBeltSizing::Result VBeltSizing::evaluate(const Input&, NoTrace&);
-extern template VBeltSizing::Result VBeltSizing::evaluate(const Input&, Trace&);
+extern template VSizing::Result VSizing::evaluate(const Input&, NoTrace&);
+extern template VSizing::Result VSizing::evaluate(const Input&, Trace&);
 
-constexpr auto choices_of(VBeltSizing::Rank) {
-  using Rank = VBeltSizing::Rank;
+constexpr auto choices_of(VSizing::Rank) {
+  using Rank = VSizing::Rank;
   return std::array{ChoiceName<Rank>{Rank::pulleys, "pulleys", "small pulleys: the volume of the two as full discs"},
                     ChoiceName<Rank>{Rank::shaft_load, "shaft_load", "small shaft load at standstill, new belts"},
                     ChoiceName<Rank>{Rank::width, "width", "narrow pulleys"}};
 }
-constexpr auto choices_of(VBeltSizing::Merit) {
-  using Merit = VBeltSizing::Merit;
+constexpr auto choices_of(VSizing::Merit) {
+  using Merit = VSizing::Merit;
   return std::array{ChoiceName<Merit>{Merit::none, "none", "nothing: worse or equal in all"},
                     ChoiceName<Merit>{Merit::best, "best", "it is the first"},
                     ChoiceName<Merit>{Merit::pulleys, "pulleys", "smaller pulleys"},
@@ -199,4 +199,4 @@ constexpr auto choices_of(VBeltSizing::Merit) {
                     ChoiceName<Merit>{Merit::centre, "centre", "nearer to the centre distance"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::belt

@@ -12,7 +12,7 @@ struct Press {
 };
 
 template <class Tracer>
-Press press(const VBelt::Input& in, const VBelt::Result& r, Tracer& trace) {
+Press press(const V::Input& in, const V::Result& r, Tracer& trace) {
   const auto P = in.P, P_B = r.P_B;
   const auto v = r.v;
   const auto c_alpha = r.c_alpha;
@@ -32,7 +32,7 @@ Press press(const VBelt::Input& in, const VBelt::Result& r, Tracer& trace) {
 
 /// Whether friction in the grooves of each pulley, at its own groove angle, holds the force.
 template <class Tracer>
-void grip(const VBelt::Input& in, const Press& pressed, VBelt::Result& r, Tracer& trace) {
+void grip(const V::Input& in, const Press& pressed, V::Result& r, Tracer& trace) {
   if (!is_set(in.mu)) return;
   const auto mu = in.mu, phi_1 = r.phi_1, phi_2 = r.phi_2, alpha_1 = r.alpha_1, alpha_2 = r.alpha_2;
   const auto& [F_t, N_0] = pressed;
@@ -45,7 +45,7 @@ void grip(const VBelt::Input& in, const Press& pressed, VBelt::Result& r, Tracer
 }
 
 template <class Tracer>
-void tension(const VSection& section, const VBelt::Input& in, VBelt::Result& r, Tracer& trace) {
+void tension(const VSection& section, const V::Input& in, V::Result& r, Tracer& trace) {
   const auto m = section.row.m;
   const auto v = r.v;
   trace.value("m", m, "mass per length of one belt");
@@ -53,7 +53,7 @@ void tension(const VSection& section, const VBelt::Input& in, VBelt::Result& r, 
   const Press pressed = press(in, r, trace);
   const auto& [F_t, N_0] = pressed;
   grip(in, pressed, r, trace);
-  const bool fixed = in.tensioning == VBelt::Tensioning::fixed;
+  const bool fixed = in.tensioning == V::Tensioning::fixed;
   const Force F_lost = fixed ? F_c : 0.0 * F_c;
   trace.value("F_lost", F_lost,
               fixed ? "on fixed centres the centrifugal part relieves the grooves" : "the tensioner makes up for it");
@@ -66,7 +66,7 @@ void tension(const VSection& section, const VBelt::Input& in, VBelt::Result& r, 
 
 /// Deflection under a test force, and frequency of the plucked span.
 template <class Tracer>
-void measure(const VSection& section, VBelt::Result& r, Tracer& trace) {
+void measure(const VSection& section, V::Result& r, Tracer& trace) {
   const auto a = r.a, l_s = r.l_s;
   const auto F_0 = r.F_0, F_0_new = r.F_0_new;
   const auto m = section.row.m;
@@ -89,7 +89,7 @@ void measure(const VSection& section, VBelt::Result& r, Tracer& trace) {
 }
 
 template <class Tracer>
-void load_shafts(VBelt::Result& r, Tracer& trace) {
+void load_shafts(V::Result& r, Tracer& trace) {
   const auto F_0 = r.F_0, F_0_new = r.F_0_new, F_c = r.F_c, S_1 = r.S_1, S_2 = r.S_2;
   const auto gamma = r.gamma;
   const double z = r.z;

@@ -4,12 +4,12 @@
 #include "lib/calculator/calculator_of.hpp"
 #include "lib/quantity/format.hpp"
 
-namespace loadpath {
+namespace loadpath::chain {
 
 namespace {
 
-using Input = RollerChain::Input;
-using Result = RollerChain::Result;
+using Input = Roller::Input;
+using Result = Roller::Result;
 
 /// The closest that the sprockets may stand: their tips touch, about 0.6 p above the half pitch circles.
 Length closest(const Input& in) {
@@ -26,14 +26,14 @@ void links(const Input& in, Result& r, Tracer& trace) {
   const double z_1 = in.z_1, z_2 = in.z_2;
   const auto a_wanted = in.a;
   if (is_set(a_wanted)) {
-    r.X_0 = chain::links_at(a_wanted / p, z_1, z_2);
+    r.X_0 = links_at(a_wanted / p, z_1, z_2);
     trace.value("X_0", r.X_0, "links at the wanted centre distance, exact for circles of z pitches, [ISO10823]");
   }
   r.X = in.X > 0 ? in.X : even(r.X_0);
   const double X = r.X;
   trace.value("X", X, in.X > 0 ? "as given" : "the nearest even number");
   STEP(L, X * p, "length of the chain");
-  const double a_p = chain::pitches_of(X, z_1, z_2);
+  const double a_p = pitches_of(X, z_1, z_2);
   trace.value("a_p", a_p, "centre distance in pitches that belongs to the links, exact, [ISO10823]");
   STEP(a, a_p * p, "taut; 0.2 to 0.4 % less gives the slack strand its sag");
   r.L = L, r.a_p = a_p, r.a = a, r.odd = std::fmod(X, 2.0);
@@ -63,7 +63,7 @@ void speeds(const Input& in, Result& r, Tracer& trace) {
   STEP(n_2, n_1 / i, "mean speed");
   STEP(v, z_1 * p * n_1 / (2.0 * pi), "mean speed of the chain");
   r.n_2 = n_2, r.v = v;
-  if (in.lubrication == RollerChain::Lubrication::grease) {
+  if (in.lubrication == Roller::Lubrication::grease) {
     r.v_share = NAMED_STEP("v_share", v / (6.0 * m_per_s), "up to 6 m/s, [B40]");
   } else {
     r.v_share = NAMED_STEP("v_share", v / (12.0 * m_per_s), "up to 12 m/s in an oil bath, [B40]");
@@ -117,7 +117,7 @@ void joints(const Input& in, Result& r, Tracer& trace) {
 
 template <class Tracer>
 void breaking(const Input& in, Result& r, Tracer& trace) {
-  const bool maker = in.edition == RollerChain::Edition::maker;
+  const bool maker = in.edition == Roller::Edition::maker;
   const Force F_1 = maker ? in.F_uM : in.F_u94;
   const double strands = in.strands, S_min = in.S_min;
   const auto F_t = r.F_t, F_c = r.F_c, F_f = r.F_f, F = r.F;
@@ -151,25 +151,25 @@ void rating(const Input& in, Result& r, Tracer& trace) {
 
 }  // namespace
 
-bool RollerChain::sprockets_apart(const Input& in) { return !is_set(in.a) || !is_set(in.p) || in.a > closest(in); }
+bool Roller::sprockets_apart(const Input& in) { return !is_set(in.a) || !is_set(in.p) || in.a > closest(in); }
 
-FieldFault RollerChain::sprockets_touch(const Input& in) {
+FieldFault Roller::sprockets_touch(const Input& in) {
   return {"a", say("at {1} the sprockets touch each other", format_quantity(in_si(in.a), mm.symbol)),
           say("give more than {1}; 30 to 50 pitches are usual", format_quantity(in_si(closest(in)), mm.symbol))};
 }
 
-bool RollerChain::links_reach(const Input& in) {
-  return in.X == 0 || !is_set(in.p) || chain::pitches_of(in.X, in.z_1, in.z_2) * in.p > closest(in);
+bool Roller::links_reach(const Input& in) {
+  return in.X == 0 || !is_set(in.p) || pitches_of(in.X, in.z_1, in.z_2) * in.p > closest(in);
 }
 
-FieldFault RollerChain::too_few_links(const Input& in) {
-  const double least = std::ceil(chain::links_at(closest(in) / in.p, in.z_1, in.z_2));
+FieldFault Roller::too_few_links(const Input& in) {
+  const double least = std::ceil(links_at(closest(in) / in.p, in.z_1, in.z_2));
   return {"X", say("{1} links do not reach around the sprockets", std::to_string(in.X)),
           say("give more than {1}", std::to_string(static_cast<int>(least)))};
 }
 
 template <class Tracer>
-RollerChain::Result RollerChain::evaluate(const Input& in, Tracer& trace) {
+Roller::Result Roller::evaluate(const Input& in, Tracer& trace) {
   Result r;
   links(in, r, trace);
   sprockets(in, r, trace);
@@ -183,10 +183,10 @@ RollerChain::Result RollerChain::evaluate(const Input& in, Tracer& trace) {
   return r;
 }
 
-template RollerChain::Result RollerChain::evaluate(const Input&, NoTrace&);
-template RollerChain::Result RollerChain::evaluate(const Input&, Trace&);
+template Roller::Result Roller::evaluate(const Input&, NoTrace&);
+template Roller::Result Roller::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> RollerChain::figures(const Input&, const Result& r) {
+std::vector<draw::Figure> Roller::figures(const Input&, const Result& r) {
   if (!is_set(r.a)) return {};
   draw::Scheme s;
   const double a = in_si(r.a), r_1 = in_si(r.d_1) / 2.0, r_2 = in_si(r.d_2) / 2.0;
@@ -199,6 +199,6 @@ std::vector<draw::Figure> RollerChain::figures(const Input&, const Result& r) {
   return {{"chain", "The pitch circles, the chain and what it pulls on the shafts", std::move(s)}};
 }
 
-template const Calculator& erased<RollerChain>();
+}  // namespace loadpath::chain
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::chain::Roller>();

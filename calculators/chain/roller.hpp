@@ -18,9 +18,9 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::chain {
 
-struct RollerChain {
+struct Roller {
   static constexpr auto id = "chain.roller";
   static constexpr auto title = "Roller chain drive";
   static constexpr auto scope =
@@ -211,18 +211,18 @@ S_min = 7.6
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template RollerChain::Result RollerChain::evaluate(const Input&, NoTrace&);
-extern template RollerChain::Result RollerChain::evaluate(const Input&, Trace&);
+extern template Roller::Result Roller::evaluate(const Input&, NoTrace&);
+extern template Roller::Result Roller::evaluate(const Input&, Trace&);
 
-constexpr auto choices_of(RollerChain::Edition) {
-  using Edition = RollerChain::Edition;
+constexpr auto choices_of(Roller::Edition) {
+  using Edition = Roller::Edition;
   return std::array{ChoiceName<Edition>{Edition::maker, "maker", "a maker's current list (Donghua 2020)"},
                     ChoiceName<Edition>{Edition::iso606_1994, "iso606_1994", "ISO 606:1994"}};
 }
-constexpr auto choices_of(RollerChain::Lubrication) {
-  using Lubrication = RollerChain::Lubrication;
+constexpr auto choices_of(Roller::Lubrication) {
+  using Lubrication = Roller::Lubrication;
   return std::array{ChoiceName<Lubrication>{Lubrication::grease, "grease", "by hand or drops: up to 6 m/s"},
                     ChoiceName<Lubrication>{Lubrication::bath, "bath", "in an oil bath: up to 12 m/s"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::chain

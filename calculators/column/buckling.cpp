@@ -7,14 +7,11 @@
 
 #include <algorithm>
 
-namespace loadpath {
+namespace loadpath::column {
 
 namespace {
 
-using column::AxisName;
-using column::Material;
-using column::Method;
-using Axis = column::AxisResult;
+using Axis = AxisResult;
 using Input = Buckling::Input;
 using Result = Buckling::Result;
 
@@ -23,10 +20,10 @@ void take_load(const Input& in, Result& r, Tracer& trace) {
   const auto P = in.P, N = in.N;
   if (is_set(P)) {
     STEP(F, P, "the compressive force as given");
-    r.F = F, r.loading = column::Loading::compression;
+    r.F = F, r.loading = Loading::compression;
   } else if (is_set(N)) {
     STEP(F, N < 0.0 * kN ? -N : 0.0 * kN, "the compression in the bar; tension does not buckle it");
-    r.F = F, r.loading = N < 0.0 * kN.one ? column::Loading::compression : column::Loading::tension;
+    r.F = F, r.loading = N < 0.0 * kN.one ? Loading::compression : Loading::tension;
   }
 }
 
@@ -94,13 +91,13 @@ double factor_of_length(const Input& in, AxisName axis, Tracer& trace) {
     trace.value("beta", given, "as given");
     return given;
   }
-  const column::Ends ends = column::ends_of(in, axis);
-  if (column::supports_of(in, axis).empty()) {
-    const double beta = column::length_factor(ends, in.beta_basis);
-    trace.value("beta", beta, column::length_factor_reason(in.beta_basis));
+  const Ends ends = ends_of(in, axis);
+  if (supports_of(in, axis).empty()) {
+    const double beta = length_factor(ends, in.beta_basis);
+    trace.value("beta", beta, length_factor_reason(in.beta_basis));
     return beta;
   }
-  const double u = column::buckling_parameter(column::bar_of(in, axis));
+  const double u = buckling_parameter(bar_of(in, axis));
   trace.value("u", u, "l sqrt(N_cr/(E I)) of the bar with its supports, by its exact stiffness, [Wittrick]");
   STEP(beta, pi / u, "the hinged bar that buckles at the same force");
   return beta;
@@ -131,8 +128,8 @@ void take_limits(const Input& in, const Material& material, Result& r, Tracer& t
   if (is_set(a_T)) {
     if (!is_set(in.c_T)) trace.value("c_T", c_T, "a line");
     trace.value("lambda_T", lambda_T,
-                in.transition == column::Transition::published ? "as published with the set"
-                                                               : "where Tetmajer's formula meets Euler's");
+                in.transition == Transition::published ? "as published with the set"
+                                                       : "where Tetmajer's formula meets Euler's");
     if (is_set(lambda_1)) {
       STEP(gap, (a_T - b_T * lambda_1 + c_T * pow<2>(lambda_1)) / (pow<2>(pi) * E / pow<2>(lambda_1)) - 1.0,
            "how far the set misses Euler at its own limit");
@@ -163,11 +160,11 @@ template <class Tracer>
 void take_curves(const Input& in, const Material& material, AxisName axis, Axis& a, Tracer& trace) {
   if (!is_set(in.R_e)) return;
   const double lambda = a.lambda;
-  const column::Curve curve = column::curve_of(in, axis);
-  if (column::is_steel(in) && curve != column::Curve::by_kind) {
-    a.alpha = column::imperfection(curve);
-    trace.value("alpha", a.alpha, column::imperfection_reason(curve));
-    a.chi = column::ec3_reduction(lambda, a.alpha, material, trace);
+  const Curve curve = curve_of(in, axis);
+  if (is_steel(in) && curve != Curve::by_kind) {
+    a.alpha = imperfection(curve);
+    trace.value("alpha", a.alpha, imperfection_reason(curve));
+    a.chi = ec3_reduction(lambda, a.alpha, material, trace);
     a.lambda_bar = lambda / (pi * std::sqrt(in.E / in.R_e));
   }
   if (!is_set(in.e_y) && !is_set(in.e_z)) return;
@@ -176,13 +173,13 @@ void take_curves(const Input& in, const Material& material, AxisName axis, Axis&
   const auto i = a.i;
   const Length given = about_y ? in.e_y : in.e_z;
   const auto e = is_set(given) ? given : 0.0 * mm;
-  const Length depth = column::extreme_fibre(in, axis);
+  const Length depth = extreme_fibre(in, axis);
   const auto c = is_set(depth) ? depth : 0.0 * mm;
   trace.value("e", e, "eccentricity in the plane of bending");
   trace.value("c", c, "extreme fibre from the axis");
   STEP(eta, e * c / pow<2>(i), "eccentricity ratio, [Gere]");
   a.eta = eta;
-  const auto sigma_s = a.sigma_s = column::secant_stress(lambda, eta, E, in.R_e);
+  const auto sigma_s = a.sigma_s = secant_stress(lambda, eta, E, in.R_e);
   trace.value("sigma_s", sigma_s, "found so that the extreme fibre yields, or the bar buckles by Euler without e");
   STEP(sigma_max, sigma_s * (1.0 + eta / cos(0.5 * lambda * sqrt(sigma_s / E))),
        "extreme fibre, secant formula, [Gere]");
@@ -192,11 +189,11 @@ void take_curves(const Input& in, const Material& material, AxisName axis, Axis&
 template <class Tracer>
 void conclude(const Input& in, Result& r, Tracer& trace) {
   const auto lambda = r.lambda, lambda_max = in.lambda_max;
-  r.spread = column::spread_of(r);
+  r.spread = spread_of(r);
   trace.value("spread", r.spread, "largest critical stress over the least, less 1");
   STEP(r_lambda, lambda / lambda_max, "slenderness over the largest that is allowed");
   r.r_lambda = r_lambda;
-  r.r_class = is_set(in.R_e) ? column::class_ratio(column::plates_of(in), in.R_e) : unset<double>;
+  r.r_class = is_set(in.R_e) ? class_ratio(plates_of(in), in.R_e) : unset<double>;
   if (is_set(r.r_class))
     trace.value("r_class", r.r_class, "EN 1993-1-1, table 5.2, with eps = sqrt(235 MPa/R_e), [EN1993-1-1-buckling]");
   if (!is_set(r.sigma_cr)) return;
@@ -216,7 +213,7 @@ Result Buckling::evaluate(const Input& in, Tracer& trace) {
   take_load(in, r, trace);
   take_section(in, r, trace);
   take_tension(in, r, trace);
-  const Material material = column::material_of(in);
+  const Material material = material_of(in);
   for (const AxisName axis : {AxisName::y, AxisName::z}) {
     [[maybe_unused]] const auto here = trace.scope("axes", r.axes.size());
     slenderness(in, axis, r, trace);
@@ -232,7 +229,7 @@ Result Buckling::evaluate(const Input& in, Tracer& trace) {
   r.sigma_E = sigma_E, r.N_cr = N_cr;
   take_limits(in, material, r, trace);
   for (const auto& name : choices_of(Method{})) {
-    if (column::has_method(in, material, r, name.value)) column::add_method(in, material, name.value, r, trace);
+    if (has_method(in, material, r, name.value)) add_method(in, material, name.value, r, trace);
   }
   conclude(in, r, trace);
   return r;
@@ -241,6 +238,6 @@ Result Buckling::evaluate(const Input& in, Tracer& trace) {
 template Result Buckling::evaluate(const Input&, NoTrace&);
 template Result Buckling::evaluate(const Input&, Trace&);
 
-template const Calculator& erased<Buckling>();
+}  // namespace loadpath::column
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::column::Buckling>();

@@ -19,7 +19,7 @@
 
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::column {
 
 struct Buckling {
   static constexpr auto id = "column.buckling";
@@ -47,16 +47,12 @@ method = "euler"
 n_st = 3
 )";
 
-  using Ends = column::Ends;
-  using Method = column::Method;
+  struct Input : Member, Section {};
+  static constexpr auto inputs = std::tuple_cat(held_inputs<Input>(), section_inputs<Input>(), material_inputs<Input>(),
+                                                derived_section_inputs<Input>(), method_inputs<Input>());
 
-  struct Input : column::Member, column::Section {};
-  static constexpr auto inputs =
-      std::tuple_cat(column::held_inputs<Input>(), column::section_inputs<Input>(), column::material_inputs<Input>(),
-                     column::derived_section_inputs<Input>(), column::method_inputs<Input>());
-
-  using Result = column::MemberResult;
-  static constexpr auto results = column::member_results<Result>();
+  using Result = MemberResult;
+  static constexpr auto results = member_results<Result>();
 
   static bool section_given(const Input& in);
   static bool radii_fit(const Input& in);
@@ -66,7 +62,7 @@ n_st = 3
   static FieldFault missing_for_method(const Input& in);
 
   static constexpr auto rules = join<Input>(
-      column::held_rules<Input>(),
+      held_rules<Input>(),
       std::array{
           Rule<Input>{&section_given, "A, I_y, i_y, I_z, i_z, d, d_bore, h, b", "give the section", &section_missing},
           Rule<Input>{&radii_fit, "A, I_y, I_z, i_y, i_z",
@@ -80,7 +76,7 @@ n_st = 3
                       "method, R_e, sigma_P, a_T, sigma_c, e_y, e_z, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, "
                       "h, b, t_f",
                       "something is missing that the method needs", &missing_for_method}},
-      column::method_rules<Input>());
+      method_rules<Input>());
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
@@ -90,4 +86,4 @@ n_st = 3
 extern template Buckling::Result Buckling::evaluate(const Buckling::Input&, NoTrace&);
 extern template Buckling::Result Buckling::evaluate(const Buckling::Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::column

@@ -3,33 +3,30 @@
 
 #include <algorithm>
 
-namespace loadpath {
+namespace loadpath::column {
 
 namespace {
 
-using column::Material;
-using column::Method;
-
 /// The curve of a method through the data of the governing axis.
-Stress stress_at(double lambda, const Material& material, const column::AxisResult& axis, Method method) {
+Stress stress_at(double lambda, const Material& material, const AxisResult& axis, Method method) {
   NoTrace trace;
   switch (method) {
     case Method::euler:
-      return column::euler_stress(lambda, material, trace);
+      return euler_stress(lambda, material, trace);
     case Method::tetmajer:
-      return column::tetmajer_stress(lambda, material, trace);
+      return tetmajer_stress(lambda, material, trace);
     case Method::johnson:
-      return column::johnson_stress(lambda, material, trace);
+      return johnson_stress(lambda, material, trace);
     case Method::rankine:
-      return column::rankine_stress(lambda, material, trace);
+      return rankine_stress(lambda, material, trace);
     case Method::secant:
-      return column::secant_stress(lambda, axis.eta, material.E, material.R_e);
+      return secant_stress(lambda, axis.eta, material.E, material.R_e);
     case Method::ec3:
-      return column::ec3_reduction(lambda, axis.alpha, material, trace) * material.R_e;
+      return ec3_reduction(lambda, axis.alpha, material, trace) * material.R_e;
     case Method::aisc:
-      return column::aisc_stress(lambda, material, trace);
+      return aisc_stress(lambda, material, trace);
     case Method::sp16:
-      return column::sp16_stress(lambda, material, trace);
+      return sp16_stress(lambda, material, trace);
   }
   return unset<Stress>;
 }
@@ -42,8 +39,8 @@ Method method_named(std::string_view name) {
 }
 
 draw::Plot chart(const Buckling::Input& in, const Buckling::Result& r) {
-  const Material material = column::material_of(in);
-  const column::AxisResult& axis = r.axes[r.axis == column::AxisName::y ? 0 : 1];
+  const Material material = material_of(in);
+  const AxisResult& axis = r.axes[r.axis == AxisName::y ? 0 : 1];
   const double end = std::max({200.0, 1.2 * r.lambda, 1.2 * material.lambda_1});
   draw::Plot plot;
   plot.x = {"lambda", "slenderness", "-"};
@@ -64,11 +61,11 @@ draw::Plot chart(const Buckling::Input& in, const Buckling::Result& r) {
   return plot;
 }
 
-void add_shape(const Buckling::Input& in, column::AxisName axis, draw::Plot& plot) {
-  const bool about_y = axis == column::AxisName::y;
+void add_shape(const Buckling::Input& in, AxisName axis, draw::Plot& plot) {
+  const bool about_y = axis == AxisName::y;
   if (is_set(about_y ? in.beta_y : in.beta_z)) return;  // the factor alone does not say how the ends are held
-  const column::Bar bar = column::bar_of(in, axis);
-  column::Shape shape = column::buckled_shape(bar, column::buckling_parameter(bar));
+  const Bar bar = bar_of(in, axis);
+  Shape shape = buckled_shape(bar, buckling_parameter(bar));
   for (double& x : shape.x) x *= in_si(in.l);
   plot.curves.push_back({about_y ? "about y" : "about z", std::move(shape.x), std::move(shape.w), false});
 }
@@ -81,9 +78,9 @@ std::vector<draw::Figure> Buckling::figures(const Input& in, const Result& r) {
   draw::Plot shapes;
   shapes.x = {"x", "place along the bar", "mm"};
   shapes.y = {"w", "deflection over its largest", "-"};
-  for (const auto axis : {column::AxisName::y, column::AxisName::z}) add_shape(in, axis, shapes);
+  for (const auto axis : {AxisName::y, AxisName::z}) add_shape(in, axis, shapes);
   if (!shapes.curves.empty()) figures.push_back({"buckled-shape", "The buckled bar", std::move(shapes)});
   return figures;
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::column

@@ -4,11 +4,10 @@
 
 #include <cmath>
 
-namespace loadpath {
+namespace loadpath::column {
 
 namespace {
 
-using column::AxisName;
 using Input = Buckling::Input;
 
 bool axis_given(SecondMoment I, Length i) { return is_set(I) || is_set(i); }
@@ -20,8 +19,8 @@ bool fits(const Input& in, SecondMoment I, Length i) {
 
 /// Whether the section has a buckling curve of the code that decides.
 bool has_curves(const Input& in) {
-  if (in.method == column::Method::sp16) return is_set(column::sp16_type(in.kind).alpha);
-  const auto has = [&](AxisName axis) { return column::curve_of(in, axis) != column::Curve::by_kind; };
+  if (in.method == Method::sp16) return is_set(sp16_type(in.kind).alpha);
+  const auto has = [&](AxisName axis) { return curve_of(in, axis) != Curve::by_kind; };
   return has(AxisName::y) && has(AxisName::z);
 }
 
@@ -50,10 +49,10 @@ FieldFault Buckling::section_missing(const Input& in) {
 
 bool Buckling::radii_fit(const Input& in) { return fits(in, in.I_y, in.i_y) && fits(in, in.I_z, in.i_z); }
 
-bool Buckling::needs_of_method(const Input& in) { return column::lack(in, has_curves(in)).empty(); }
+bool Buckling::needs_of_method(const Input& in) { return lack(in, has_curves(in)).empty(); }
 
 FieldFault Buckling::missing_for_method(const Input& in) { return column::missing_for_method(in, has_curves(in)); }
 
-bool Buckling::extreme_fibre_known(const Input& in) { return column::fibre_known(in); }
+bool Buckling::extreme_fibre_known(const Input& in) { return fibre_known(in); }
 
-}  // namespace loadpath
+}  // namespace loadpath::column

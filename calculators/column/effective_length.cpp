@@ -4,11 +4,10 @@
 
 #include <algorithm>
 
-namespace loadpath {
+namespace loadpath::column {
 
 namespace {
 
-using column::held;
 using Input = EffectiveLength::Input;
 using Result = EffectiveLength::Result;
 using End = EffectiveLength::End;
@@ -50,8 +49,8 @@ column::End end_of(End end, double mu, double kappa) {
   return {is_set(mu) ? mu : held, is_set(kappa) ? kappa : 0.0};
 }
 
-column::Bar bar_of(const Input& in, const Result& r) {
-  column::Bar bar{end_of(in.end_1, r.mu_1, r.kappa_1), end_of(in.end_2, r.mu_2, r.kappa_2), {}};
+Bar bar_of(const Input& in, const Result& r) {
+  Bar bar{end_of(in.end_1, r.mu_1, r.kappa_1), end_of(in.end_2, r.mu_2, r.kappa_2), {}};
   if (is_set(in.G_1)) {
     const bool sways = in.frame == EffectiveLength::Frame::sway;
     const auto turning = [](double kappa) { return is_set(kappa) ? kappa : held; };  // G = 0 is built in
@@ -92,7 +91,7 @@ Result EffectiveLength::evaluate(const Input& in, Tracer& trace) {
   Result r;
   if (is_set(in.G_1)) take_joints(in, r, trace);
   compare_springs(in, r, trace);
-  const double u = r.u = column::buckling_parameter(bar_of(in, r));
+  const double u = r.u = buckling_parameter(bar_of(in, r));
   trace.value("u", u, "smallest root of the characteristic equation, by the exact stiffness, [Wittrick]");
   if (!is_set(u)) return r;
   STEP(beta, pi / u, "the hinged bar that buckles at the same force, [B25]");
@@ -109,7 +108,7 @@ template Result EffectiveLength::evaluate(const Input&, Trace&);
 
 std::vector<draw::Figure> EffectiveLength::figures(const Input& in, const Result& r) {
   if (!is_set(r.u)) return {};
-  column::Shape shape = column::buckled_shape(bar_of(in, r), r.u);
+  Shape shape = buckled_shape(bar_of(in, r), r.u);
   for (double& x : shape.x) x *= in_si(in.l);
   draw::Plot plot;
   plot.x = {"x", "place along the bar", "mm"};
@@ -118,6 +117,6 @@ std::vector<draw::Figure> EffectiveLength::figures(const Input& in, const Result
   return {{"buckled-shape", "The buckled bar", std::move(plot)}};
 }
 
-template const Calculator& erased<EffectiveLength>();
+}  // namespace loadpath::column
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::column::EffectiveLength>();

@@ -16,7 +16,7 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::column {
 
 struct EffectiveLength {
   static constexpr auto id = "column.effective_length";
@@ -56,7 +56,7 @@ end_2 = "pinned"
     Stiffness k_1 = unset<Stiffness>, k_2 = unset<Stiffness>;
     double G_1 = unset<double>, G_2 = unset<double>;
     Frame frame = Frame::braced;
-    List<Support, column::most_supports> supports;
+    List<Support, most_supports> supports;
   };
   static constexpr std::tuple inputs{
       Field{&Input::l, "l", mm, "length between the ends"}.positive().usually(10, 1e5),
@@ -150,4 +150,4 @@ constexpr auto choices_of(EffectiveLength::Frame) {
                     ChoiceName<F>{F::sway, "sway", "free to sway"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::column

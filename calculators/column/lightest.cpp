@@ -6,29 +6,26 @@
 #include <algorithm>
 #include <utility>
 
-namespace loadpath {
+namespace loadpath::column {
 
 namespace {
 
-using column::bar_of;
-using column::belongs;
-using column::TableSection;
-using Candidate = LightestColumn::Candidate;
-using Failure = LightestColumn::Failure;
-using Input = LightestColumn::Input;
-using Result = LightestColumn::Result;
+using Candidate = Lightest::Candidate;
+using Failure = Lightest::Failure;
+using Input = Lightest::Input;
+using Result = Lightest::Result;
 
 /// The effective lengths are the same for every section: the bar with its factors in place of ends and supports.
-Input with_factors(Input in, const column::MemberResult& r) {
-  in.ends_y = in.ends_z = column::Ends::unsaid;
+Input with_factors(Input in, const MemberResult& r) {
+  in.ends_y = in.ends_z = Ends::unsaid;
   in.supports_y.clear(), in.supports_z.clear();
   in.beta_y = r.axes[0].beta, in.beta_z = r.axes[1].beta;
   return in;
 }
 
-Candidate candidate_of(const TableSection& section, const Buckling::Input& bar, const column::MemberResult& r) {
+Candidate candidate_of(const TableSection& section, const Buckling::Input& bar, const MemberResult& r) {
   Candidate c{section.name(), section.m, r.axis, r.lambda, r.sigma_cr, r.P_all, r.u};
-  c.demand = column::demand_of(r), c.failure = column::failure_of(bar, r);
+  c.demand = demand_of(r), c.failure = failure_of(bar, r);
   return c;
 }
 
@@ -51,12 +48,12 @@ void take(const TableSection& section, const Candidate& c, Search& search, Resul
   if (c.failure == Failure::none) {
     if (r.carrying == 0.0) search.best = &section;
     r.carrying += 1.0;
-    if (r.candidates.size() < LightestColumn::Candidates::capacity()) r.candidates.push_back(c);
+    if (r.candidates.size() < Lightest::Candidates::capacity()) r.candidates.push_back(c);
     return;
   }
   if (r.carrying > 0.0) return;
   if (search.best == nullptr || nearer(c, search.nearest)) search.best = &section, search.nearest = c;
-  if (r.lighter.size() == LightestColumn::Candidates::capacity()) r.lighter.pop_back();
+  if (r.lighter.size() == Lightest::Candidates::capacity()) r.lighter.pop_back();
   r.lighter.insert(r.lighter.begin(), c);
 }
 
@@ -64,10 +61,10 @@ Search search_for(const Input& in, Result& r) {
   NoTrace quiet;
   Search search;
   Input member = in;
-  for (const TableSection& section : column::sections_by_mass()) {
+  for (const TableSection& section : sections_by_mass()) {
     if (!belongs(section, in)) continue;
     const Buckling::Input bar = bar_of(member, section);
-    const column::MemberResult found = Buckling::evaluate(bar, quiet);
+    const MemberResult found = Buckling::evaluate(bar, quiet);
     if (r.sections == 0.0) member = with_factors(in, found);
     r.sections += 1.0;
     take(section, candidate_of(section, bar, found), search, r);
@@ -86,7 +83,7 @@ void show(const Input& in, const TableSection& section, Tracer& trace) {
   trace.value("I_y", section.I_y, "of the section found");
   trace.value("I_z", section.I_z, "of the section found");
   if (section.I_min < section.I_z) trace.value("I_min", section.I_min, "of the section found");
-  if (!in.strengths.empty()) trace.value("R_e", column::strength_of(in, section.t_f), "at its thickness");
+  if (!in.strengths.empty()) trace.value("R_e", strength_of(in, section.t_f), "at its thickness");
 }
 
 draw::Plot forces_over_mass(const Input& in, const Result& r) {
@@ -99,8 +96,8 @@ draw::Plot forces_over_mass(const Input& in, const Result& r) {
   for (const auto& f : in.families) {
     draw::Curve& curve = plot.curves.emplace_back();
     curve.label = f.family.view();
-    for (const TableSection& section : column::sections_by_mass()) {
-      if (column::family_of(section.name()) != f.family.view() || !belongs(section, in)) continue;
+    for (const TableSection& section : sections_by_mass()) {
+      if (family_of(section.name()) != f.family.view() || !belongs(section, in)) continue;
       if (section.m > reach * r.q) break;
       curve.x.push_back(in_si(section.m));
       curve.y.push_back(in_si(Buckling::evaluate(bar_of(member, section), quiet).P_all));
@@ -114,14 +111,14 @@ draw::Plot forces_over_mass(const Input& in, const Result& r) {
 }  // namespace
 
 template <class Tracer>
-Result LightestColumn::evaluate(const Input& in, Tracer& trace) {
+Result Lightest::evaluate(const Input& in, Tracer& trace) {
   Result r;
   const TableSection* const best = search_for(in, r).best;
   trace.value("sections", r.sections, "sections of these families that there is room for");
   trace.value("carrying", r.carrying, "of them carry the bar");
   if (best == nullptr) return r;
   show(in, *best, trace);
-  static_cast<column::MemberResult&>(r) = Buckling::evaluate(bar_of(in, *best), trace);
+  static_cast<MemberResult&>(r) = Buckling::evaluate(bar_of(in, *best), trace);
   r.section = best->name();
   const auto q = r.q = best->m;
   const auto l = in.l;
@@ -135,11 +132,11 @@ Result LightestColumn::evaluate(const Input& in, Tracer& trace) {
   return r;
 }
 
-template Result LightestColumn::evaluate(const Input&, NoTrace&);
-template Result LightestColumn::evaluate(const Input&, Trace&);
+template Result Lightest::evaluate(const Input&, NoTrace&);
+template Result Lightest::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> LightestColumn::figures(const Input& in, const Result& r) {
-  const auto& all = column::sections_by_mass();
+std::vector<draw::Figure> Lightest::figures(const Input& in, const Result& r) {
+  const auto& all = sections_by_mass();
   const auto best = std::find_if(all.begin(), all.end(), [&](const TableSection& s) { return r.section == s.name(); });
   if (best == all.end()) return {};
   std::vector<draw::Figure> figures{
@@ -148,6 +145,6 @@ std::vector<draw::Figure> LightestColumn::figures(const Input& in, const Result&
   return figures;
 }
 
-template const Calculator& erased<LightestColumn>();
+}  // namespace loadpath::column
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::column::Lightest>();

@@ -13,9 +13,9 @@
 
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::column {
 
-struct LightestColumn {
+struct Lightest {
   static constexpr auto id = "column.lightest";
   static constexpr auto title = "Lightest section of a compressed bar";
   static constexpr auto scope =
@@ -59,29 +59,29 @@ gamma_F = 1
   };
   using Strengths = List<Strength, 12>;
 
-  struct Input : column::Member {
+  struct Input : Member {
     Families families;
     Strengths strengths;
-    column::Profile kind = column::Profile::unsaid;
+    Profile kind = Profile::unsaid;
     Length h_max = unset<Length>, b_max = unset<Length>;
   };
   static constexpr auto inputs = std::tuple_cat(
       std::tuple{ListField{&Input::families, "families", "families of the section tables to choose from"}.as_arrays()},
-      column::held_inputs<Input>(),
+      held_inputs<Input>(),
       std::tuple{Choice{&Input::kind, "kind", "kind of the sections whose table leaves it open: of round tubes"}
                      .may_be_missing(),
                  Field{&Input::h_max, "h_max", mm, "largest height that there is room for"}.positive().may_be_missing(),
                  Field{&Input::b_max, "b_max", mm, "largest width that there is room for"}.positive().may_be_missing()},
-      column::material_inputs<Input>(),
+      material_inputs<Input>(),
       std::tuple{ListField{&Input::strengths, "strengths", "yield strengths by thickness, in place of R_e alone"}
                      .as_arrays()
                      .from_sizes("material", "R_e", "R_e")},
-      column::method_inputs<Input>());
+      method_inputs<Input>());
 
   struct Candidate {
     Name name;
     LineDensity q = unset<LineDensity>;
-    column::AxisName axis = column::AxisName::y;
+    AxisName axis = AxisName::y;
     double lambda = unset<double>;
     Stress sigma_cr = unset<Stress>;
     Force P_all = unset<Force>;
@@ -103,7 +103,7 @@ gamma_F = 1
   };
   using Candidates = List<Candidate, 12>;
 
-  struct Result : column::MemberResult {
+  struct Result : MemberResult {
     Name section;
     LineDensity q = unset<LineDensity>;
     Mass mass = unset<Mass>;
@@ -118,7 +118,7 @@ gamma_F = 1
                  Field{&Result::mass, "mass", kg, "mass of the bar"}.as(Role::result),
                  Field{&Result::sections, "sections", ratio, "sections of these families that there is room for"}.as(
                      Role::result)},
-      column::member_results<Result>(),
+      member_results<Result>(),
       std::tuple{
           Field{&Result::lack, "lack", ratio, "part of the force that even the strongest judged does not carry"}.as(
               Role::result),
@@ -160,10 +160,10 @@ gamma_F = 1
                       "a bar in tension is judged by its yield strength: give R_e, or a material"},
           Rule<Input>{[](const Input& in) { return is_set(in.N) || is_set(in.P); }, "N, P",
                       "give the force that the bar shall carry: N, positive in tension, or P"}},
-      column::held_rules<Input>(),
+      held_rules<Input>(),
       std::array{Rule<Input>{&needs_of_method, "method, R_e, sigma_P, a_T, sigma_c, e_y, e_z, n_st, gamma_M1, gamma_F",
                              "something is missing that the method needs", &missing_for_method}},
-      column::method_rules<Input>(),
+      method_rules<Input>(),
       std::array{Rule<Input>{&one_carries, "families, N, P", "no section of these families carries the bar",
                              &none_carries, true}});
 
@@ -172,11 +172,11 @@ gamma_F = 1
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template LightestColumn::Result LightestColumn::evaluate(const Input&, NoTrace&);
-extern template LightestColumn::Result LightestColumn::evaluate(const Input&, Trace&);
+extern template Lightest::Result Lightest::evaluate(const Input&, NoTrace&);
+extern template Lightest::Result Lightest::evaluate(const Input&, Trace&);
 
-constexpr auto choices_of(LightestColumn::Failure) {
-  using Failure = LightestColumn::Failure;
+constexpr auto choices_of(Lightest::Failure) {
+  using Failure = Lightest::Failure;
   return std::array{
       ChoiceName<Failure>{Failure::none, "none", "it carries the bar"},
       ChoiceName<Failure>{Failure::load, "load", "the force is above the allowable one"},
@@ -189,4 +189,4 @@ constexpr auto choices_of(LightestColumn::Failure) {
       ChoiceName<Failure>{Failure::thin, "thin", "a wall buckles locally"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::column

@@ -8,7 +8,7 @@ namespace loadpath::column {
 
 namespace {
 
-using Failure = LightestColumn::Failure;
+using Failure = Lightest::Failure;
 
 /// A check or a limit of column.buckling, kept up to 1, and what a section that is above it fails by.
 struct Bound {
@@ -35,21 +35,21 @@ Failure reason_without_force(const Buckling::Input& bar, const MemberResult& r) 
 
 }  // namespace
 
-bool belongs(const TableSection& section, const LightestColumn::Input& in) {
+bool belongs(const TableSection& section, const Lightest::Input& in) {
   const std::string_view own = family_of(section.name());
   const bool wanted = std::any_of(in.families.begin(), in.families.end(),
-                                  [&](const LightestColumn::Family& f) { return f.family.view() == own; });
+                                  [&](const Lightest::Family& f) { return f.family.view() == own; });
   return wanted && !(section.h > in.h_max) && !(section.b > in.b_max);
 }
 
-Stress strength_of(const LightestColumn::Input& in, Length t) {
+Stress strength_of(const Lightest::Input& in, Length t) {
   if (in.strengths.empty()) return in.R_e;
-  const auto found = std::find_if(in.strengths.begin(), in.strengths.end(),
-                                  [&](const LightestColumn::Strength& s) { return t <= s.t_max; });
+  const auto found =
+      std::find_if(in.strengths.begin(), in.strengths.end(), [&](const Lightest::Strength& s) { return t <= s.t_max; });
   return found == in.strengths.end() ? unset<Stress> : found->R_e;
 }
 
-Buckling::Input bar_of(const LightestColumn::Input& in, const TableSection& section) {
+Buckling::Input bar_of(const Lightest::Input& in, const TableSection& section) {
   Buckling::Input bar{in, section};
   bar.R_e = strength_of(in, section.t_f);
   if (bar.kind == Profile::unsaid) bar.kind = in.kind;
@@ -64,7 +64,7 @@ double demand_of(const MemberResult& r) {
   return demand;
 }
 
-LightestColumn::Failure failure_of(const Buckling::Input& bar, const MemberResult& r) {
+Lightest::Failure failure_of(const Buckling::Input& bar, const MemberResult& r) {
   if (std::isnan(r.u)) return reason_without_force(bar, r);
   const auto above = std::find_if(bounds.begin(), bounds.end(), [&](const Bound& b) { return r.*b.value > 1.0; });
   return above == bounds.end() ? Failure::none : above->failure;

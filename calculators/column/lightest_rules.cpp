@@ -5,28 +5,26 @@
 
 #include <algorithm>
 
-namespace loadpath {
+namespace loadpath::column {
 
 namespace {
 
-using column::belongs;
-using column::TableSection;
-using Failure = LightestColumn::Failure;
-using Input = LightestColumn::Input;
-using Result = LightestColumn::Result;
+using Failure = Lightest::Failure;
+using Input = Lightest::Input;
+using Result = Lightest::Result;
 
-std::string names_of(const LightestColumn::Families& families) {
+std::string names_of(const Lightest::Families& families) {
   std::string names;
   for (const auto& f : families) names += (names.empty() ? "" : ", ") + std::string(f.family.view());
   return names;
 }
 
 /// The first family that the tables do not have; null where all are known.
-const LightestColumn::Family* stranger(const Input& in) {
-  const auto unknown = [](const LightestColumn::Family& f) {
-    const auto& all = column::sections_by_mass();
+const Lightest::Family* stranger(const Input& in) {
+  const auto unknown = [](const Lightest::Family& f) {
+    const auto& all = sections_by_mass();
     return std::none_of(all.begin(), all.end(),
-                        [&](const TableSection& s) { return column::family_of(s.name()) == f.family.view(); });
+                        [&](const TableSection& s) { return family_of(s.name()) == f.family.view(); });
   };
   const auto found = std::find_if(in.families.begin(), in.families.end(), unknown);
   return found == in.families.end() ? nullptr : &*found;
@@ -35,7 +33,7 @@ const LightestColumn::Family* stranger(const Input& in) {
 /// The first family that stands in the list before; the end where each is named once.
 auto repeated(const Input& in) {
   const auto& all = in.families;
-  return std::find_if(all.begin(), all.end(), [&](const LightestColumn::Family& f) {
+  return std::find_if(all.begin(), all.end(), [&](const Lightest::Family& f) {
     const auto first =
         std::find_if(all.begin(), all.end(), [&](const auto& other) { return other.family == f.family; });
     return &*first != &f;
@@ -45,22 +43,21 @@ auto repeated(const Input& in) {
 /// Whether one of the sections to choose from is such a row.
 template <class Test>
 bool any_row(const Input& in, Test test) {
-  const auto& all = column::sections_by_mass();
+  const auto& all = sections_by_mass();
   return std::any_of(all.begin(), all.end(), [&](const TableSection& s) { return belongs(s, in) && test(s); });
 }
 
 bool is_open_tube(const TableSection& section) {
-  const column::Section& s = section;
-  return is_set(s.d) && s.kind == column::Profile::unsaid;
+  const Section& s = section;
+  return is_set(s.d) && s.kind == Profile::unsaid;
 }
 
 /// The first section whose extreme fibre the eccentricity needs and the table does not tell; null where there is none.
 const TableSection* fibreless(const Input& in) {
   if (!(in.e_y > 0.0 * mm) && !(in.e_z > 0.0 * mm)) return nullptr;
-  const auto& all = column::sections_by_mass();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const TableSection& s) {
-    return belongs(s, in) && !column::fibre_known(column::bar_of(in, s));
-  });
+  const auto& all = sections_by_mass();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const TableSection& s) { return belongs(s, in) && !fibre_known(bar_of(in, s)); });
   return found == all.end() ? nullptr : &*found;
 }
 
@@ -82,35 +79,35 @@ Input with_a_strength(Input in) {
 
 Result quick(const Input& in) {
   NoTrace quiet;
-  return LightestColumn::evaluate(in, quiet);
+  return Lightest::evaluate(in, quiet);
 }
 
 }  // namespace
 
-bool LightestColumn::families_known(const Input& in) { return stranger(in) == nullptr; }
+bool Lightest::families_known(const Input& in) { return stranger(in) == nullptr; }
 
-FieldFault LightestColumn::unknown_family(const Input& in) {
+FieldFault Lightest::unknown_family(const Input& in) {
   const Family* const unknown = stranger(in);
-  const auto known = column::families();
+  const auto known = families();
   return {"families[" + std::to_string(unknown - &in.families[0] + 1) + "].family",
           say("there is no family '{1}' in the section tables", unknown->family.view()),
           did_you_mean(unknown->family.view(), known, there_is(known))};
 }
 
-bool LightestColumn::families_once(const Input& in) { return repeated(in) == in.families.end(); }
+bool Lightest::families_once(const Input& in) { return repeated(in) == in.families.end(); }
 
-FieldFault LightestColumn::family_twice(const Input& in) {
+FieldFault Lightest::family_twice(const Input& in) {
   const auto again = repeated(in);
   return {"families[" + std::to_string(again - in.families.begin() + 1) + "].family",
           say("the family '{1}' is named twice", again->family.view()), say("leave it out here")};
 }
 
-bool LightestColumn::room_for_one(const Input& in) {
+bool Lightest::room_for_one(const Input& in) {
   const bool free = !is_set(in.h_max) && !is_set(in.b_max);
   return free || !families_known(in) || any_row(in, [](const TableSection&) { return true; });
 }
 
-FieldFault LightestColumn::no_room(const Input& in) {
+FieldFault Lightest::no_room(const Input& in) {
   std::string limits;
   if (is_set(in.h_max)) limits = "h_max = " + format_quantity(in_si(in.h_max), mm.symbol);
   if (is_set(in.b_max))
@@ -120,18 +117,18 @@ FieldFault LightestColumn::no_room(const Input& in) {
           say("give more by h_max, b_max, or leave them out")};
 }
 
-bool LightestColumn::kind_fits(const Input& in) {
-  const bool hollow = in.kind == column::Profile::hot_hollow || in.kind == column::Profile::cold_hollow;
-  return hollow || in.kind == column::Profile::unsaid || !any_row(in, &is_open_tube);
+bool Lightest::kind_fits(const Input& in) {
+  const bool hollow = in.kind == Profile::hot_hollow || in.kind == Profile::cold_hollow;
+  return hollow || in.kind == Profile::unsaid || !any_row(in, &is_open_tube);
 }
 
-FieldFault LightestColumn::kind_of_tubes(const Input& in) {
+FieldFault Lightest::kind_of_tubes(const Input& in) {
   return {"kind", say("round tubes are hot_hollow or cold_hollow, not {1}", word_of(in.kind)), {}};
 }
 
-bool LightestColumn::fibres_known(const Input& in) { return fibreless(in) == nullptr; }
+bool Lightest::fibres_known(const Input& in) { return fibreless(in) == nullptr; }
 
-FieldFault LightestColumn::no_fibre(const Input& in) {
+FieldFault Lightest::no_fibre(const Input& in) {
   return {
       in.e_y > 0.0 * mm ? "e_y" : "e_z",
       say("the extreme fibre of {1} is not half its side, so the secant formula is not worked out for these sections",
@@ -139,37 +136,37 @@ FieldFault LightestColumn::no_fibre(const Input& in) {
       say("leave out e_y, e_z and take another method, or give column.buckling the section with c_y or c_z")};
 }
 
-bool LightestColumn::strengths_rise(const Input& in) {
+bool Lightest::strengths_rise(const Input& in) {
   return std::is_sorted(in.strengths.begin(), in.strengths.end(),
                         [](const Strength& a, const Strength& b) { return a.t_max < b.t_max; });
 }
 
 /// A material fills both: R_e then is one of them.
-bool LightestColumn::one_strength(const Input& in) {
+bool Lightest::one_strength(const Input& in) {
   return in.strengths.empty() || !is_set(in.R_e) ||
          std::any_of(in.strengths.begin(), in.strengths.end(), [&](const Strength& s) { return s.R_e == in.R_e; });
 }
 
-bool LightestColumn::strength_in_tension(const Input& in) {
+bool Lightest::strength_in_tension(const Input& in) {
   return !(in.N > 0.0 * kN) || is_set(in.R_e) || !in.strengths.empty();
 }
 
 /// Which sections have a buckling curve, and a strength, is told of each.
-bool LightestColumn::needs_of_method(const Input& in) { return column::lack(with_a_strength(in), true).empty(); }
-FieldFault LightestColumn::missing_for_method(const Input& in) {
+bool Lightest::needs_of_method(const Input& in) { return lack(with_a_strength(in), true).empty(); }
+FieldFault Lightest::missing_for_method(const Input& in) {
   return column::missing_for_method(with_a_strength(in), true);
 }
 
-bool LightestColumn::one_carries(const Input& in) { return quick(in).carrying > 0.0; }
+bool Lightest::one_carries(const Input& in) { return quick(in).carrying > 0.0; }
 
-FieldFault LightestColumn::none_carries(const Input& in) {
+FieldFault Lightest::none_carries(const Input& in) {
   const Result r = quick(in);
   const std::string names = names_of(in.families);
-  const auto& all = column::sections_by_mass();
+  const auto& all = sections_by_mass();
   const auto best = std::find_if(all.begin(), all.end(), [&](const TableSection& s) { return r.section == s.name(); });
-  const Failure failure = column::failure_of(column::bar_of(in, *best), r);
-  const bool all_judged = in.strengths.empty() ||
-                          !any_row(in, [&](const TableSection& s) { return !is_set(column::strength_of(in, s.t_f)); });
+  const Failure failure = failure_of(bar_of(in, *best), r);
+  const bool all_judged =
+      in.strengths.empty() || !any_row(in, [&](const TableSection& s) { return !is_set(strength_of(in, s.t_f)); });
   if (failure == Failure::load) {
     return {"",
             say(all_judged ? "no section of {1} carries {2}; the strongest is {3}"
@@ -183,4 +180,4 @@ FieldFault LightestColumn::none_carries(const Input& in) {
           remedy_of(failure)};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::column

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 
-namespace loadpath {
+namespace loadpath::drive {
 
 namespace {
 
-using Stage = DriveTrain::Stage;
-using StageKind = DriveTrain::StageKind;
-using Member = DriveTrain::Member;
+using Stage = Train::Stage;
+using StageKind = Train::StageKind;
+using Member = Train::Member;
 
 bool has_teeth(const Stage& s) { return s.z_1 > 0 && s.z_2 > 0; }
 bool has_diameters(const Stage& s) { return is_set(s.d_1) && is_set(s.d_2); }
@@ -32,13 +32,13 @@ bool slip_fits(const Stage& s) {
   return s.slip == 0.0 || (s.kind == StageKind::belt && !(s.eta > (1.0 - s.slip) * (1.0 + 1e-12)));
 }
 
-std::string path_of(const DriveTrain::Input& in, const Stage* s) {
+std::string path_of(const Train::Input& in, const Stage* s) {
   return s->name.empty() ? "stages[" + std::to_string(s - in.stages.data() + 1) + "]"
                          : "stages." + std::string(s->name.view());
 }
 
 template <class Holds>
-FieldFault fault_of(const DriveTrain::Input& in, Holds holds, Message message, Message hint) {
+FieldFault fault_of(const Train::Input& in, Holds holds, Message message, Message hint) {
   const auto found = std::find_if_not(in.stages.begin(), in.stages.end(), holds);
   if (found == in.stages.end()) return {};
   return {path_of(in, &*found), std::move(message), std::move(hint)};
@@ -50,20 +50,20 @@ struct Set {
 };
 
 Set planetary_set(const Stage& s) {
-  Planetary::Input set;
+  gear::Planetary::Input set;
   set.z_s = s.z_s, set.z_r = s.z_r, set.z_p = std::max(1, (s.z_r - s.z_s) / 2), set.N_p = 1;
   set.eta_0 = s.eta;
   const auto held = [&](Member member) { return s.in != member && s.out != member; };
-  set.fixed = held(Member::sun)       ? Planetary::Member::sun
-              : held(Member::carrier) ? Planetary::Member::carrier
-                                      : Planetary::Member::ring;
+  set.fixed = held(Member::sun)       ? gear::Planetary::Member::sun
+              : held(Member::carrier) ? gear::Planetary::Member::carrier
+                                      : gear::Planetary::Member::ring;
   const AngularSpeed one = from_si<AngularSpeed>(1.0);
   const Moment unit = from_si<Moment>(1.0);
   if (s.in == Member::sun) set.n_s = one, set.T_s = unit;
   if (s.in == Member::carrier) set.n_c = one, set.T_c = unit;
   if (s.in == Member::ring) set.n_r = one, set.T_r = unit;
   NoTrace trace;
-  const auto r = Planetary::evaluate(set, trace);
+  const auto r = gear::Planetary::evaluate(set, trace);
   const AngularSpeed out = s.out == Member::sun ? r.n_s : s.out == Member::carrier ? r.n_c : r.n_r;
   return {one / out, r.eta};
 }
@@ -93,8 +93,8 @@ Usual usual_of(StageKind kind) {
 }
 
 double turn_of(const Stage& s) {
-  if (s.sense == DriveTrain::Sense::usual) return s.kind == StageKind::gear ? -1.0 : 1.0;
-  return s.sense == DriveTrain::Sense::same ? 1.0 : -1.0;
+  if (s.sense == Train::Sense::usual) return s.kind == StageKind::gear ? -1.0 : 1.0;
+  return s.sense == Train::Sense::same ? 1.0 : -1.0;
 }
 
 template <class Tracer>
@@ -119,12 +119,12 @@ double ratio_of(const Stage& s, Tracer& trace) {
 }
 
 template <class Tracer>
-void rate(const Stage& s, DriveTrain::StageResult& r, Tracer& trace) {
+void rate(const Stage& s, Train::StageResult& r, Tracer& trace) {
   const Usual usual = usual_of(s.kind);
   r.eta_low = usual.low, r.eta_high = usual.high;
   if (s.kind == StageKind::planetary) {
     const Set set = planetary_set(s);
-    const double turn = s.sense == DriveTrain::Sense::opposite ? -1.0 : 1.0;
+    const double turn = s.sense == Train::Sense::opposite ? -1.0 : 1.0;
     r.i = turn * set.i, r.eta = set.eta;
     trace.value("i", r.i, "by Willis, the third member held, [Willis]");
     trace.value("eta", r.eta, "by the rolling power, [Mueller]");
@@ -135,9 +135,9 @@ void rate(const Stage& s, DriveTrain::StageResult& r, Tracer& trace) {
                 is_set(s.eta) ? "as given, the slip of a belt included" : "no losses but the slip of a belt");
   }
   if (!is_set(usual.low) || !is_set(s.eta)) return;
-  r.range = s.eta < usual.low    ? DriveTrain::EtaRange::below
-            : s.eta > usual.high ? DriveTrain::EtaRange::above
-                                 : DriveTrain::EtaRange::usual;
+  r.range = s.eta < usual.low    ? Train::EtaRange::below
+            : s.eta > usual.high ? Train::EtaRange::above
+                                 : Train::EtaRange::usual;
 }
 
 /// Reference diameters of the wheels of a stage, as far as they are known.
@@ -155,7 +155,7 @@ Diameters diameters_of(const Stage& s) {
 
 /// Speed, torque and power behind a stage.
 template <class Tracer>
-void drive(const DriveTrain::Shaft& before, DriveTrain::StageResult& stage, DriveTrain::Shaft& after, Tracer& trace) {
+void drive(const Train::Shaft& before, Train::StageResult& stage, Train::Shaft& after, Tracer& trace) {
   const double i = stage.i, eta = stage.eta;
   const auto n_before = before.n;
   const auto T_before = before.T;
@@ -177,63 +177,61 @@ void drive(const DriveTrain::Shaft& before, DriveTrain::StageResult& stage, Driv
 }
 
 template <class Tracer>
-void first_shaft(const DriveTrain::Input& in, DriveTrain::Result& r, Tracer& trace) {
+void first_shaft(const Train::Input& in, Train::Result& r, Tracer& trace) {
   const auto P = in.P;
   const auto n_1 = in.n_1;
   r.T_1 = in.T_1;
   if (is_set(P)) r.T_1 = NAMED_STEP("T_1", P / n_1, "torque that enters");
-  DriveTrain::Shaft shaft;
+  Train::Shaft shaft;
   shaft.n = n_1, shaft.T = r.T_1;
   if (is_set(n_1) && is_set(r.T_1)) shaft.P = r.T_1 * n_1;
   r.shafts.push_back(shaft);
 }
 
 template <class Tracer>
-void whole(const DriveTrain::Input& in, DriveTrain::Result& r, Tracer& trace) {
+void whole(const Train::Input& in, Train::Result& r, Tracer& trace) {
   r.i = r.eta = 1.0;
   for (const auto& s : r.stages) r.i *= s.i, r.eta *= s.eta;
   const double size = std::abs(r.i);
   trace.value("i", r.i, "product of the ratios of the stages, [B40]");
   trace.value("eta", r.eta, "product of the efficiencies of the stages, [B40]");
-  r.works = size > 1.0   ? DriveTrain::Works::reducer
-            : size < 1.0 ? DriveTrain::Works::multiplier
-                         : DriveTrain::Works::neither;
-  const DriveTrain::Shaft& last = r.shafts.back();
+  r.works = size > 1.0 ? Train::Works::reducer : size < 1.0 ? Train::Works::multiplier : Train::Works::neither;
+  const Train::Shaft& last = r.shafts.back();
   r.n_out = last.n, r.T_out = last.T, r.P_out = last.P;
   if (is_set(in.n_1) && is_set(r.T_1)) r.P_loss = r.T_1 * in.n_1 * (1.0 - r.eta);
 }
 
 }  // namespace
 
-bool DriveTrain::ratios_known(const Input& in) { return std::all_of(in.stages.begin(), in.stages.end(), is_known); }
+bool Train::ratios_known(const Input& in) { return std::all_of(in.stages.begin(), in.stages.end(), is_known); }
 
-FieldFault DriveTrain::open_ratio(const Input& in) {
+FieldFault Train::open_ratio(const Input& in) {
   return fault_of(in, is_known, say("the ratio of this stage is not given"),
                   say("give i; or z_1 and z_2; or d_1 and d_2; of a planetary set z_s and z_r"));
 }
 
-bool DriveTrain::ratios_single(const Input& in) { return std::all_of(in.stages.begin(), in.stages.end(), is_single); }
+bool Train::ratios_single(const Input& in) { return std::all_of(in.stages.begin(), in.stages.end(), is_single); }
 
-FieldFault DriveTrain::double_ratio(const Input& in) {
+FieldFault Train::double_ratio(const Input& in) {
   return fault_of(in, is_single,
                   say("the ratio of this stage is given more than once, or by what its kind does not have"),
                   say("give i, or teeth, or diameters; z_s and z_r belong to kind = \"planetary\" alone"));
 }
 
-bool DriveTrain::slips_fit(const Input& in) { return std::all_of(in.stages.begin(), in.stages.end(), slip_fits); }
+bool Train::slips_fit(const Input& in) { return std::all_of(in.stages.begin(), in.stages.end(), slip_fits); }
 
-FieldFault DriveTrain::wrong_slip(const Input& in) {
+FieldFault Train::wrong_slip(const Input& in) {
   return fault_of(in, slip_fits, say("slip belongs to a belt, and its efficiency contains it: eta is at most 1 - slip"),
                   say("leave out eta, or lower it; leave out the slip of anything but a belt"));
 }
 
-bool DriveTrain::members_differ(const Input& in) {
+bool Train::members_differ(const Input& in) {
   return std::all_of(in.stages.begin(), in.stages.end(), [](const Stage& s) {
     return s.kind != StageKind::planetary || (s.in != s.out && s.z_r > s.z_s + 1);
   });
 }
 
-FieldFault DriveTrain::same_member(const Input& in) {
+FieldFault Train::same_member(const Input& in) {
   return fault_of(
       in, [](const Stage& s) { return s.kind != StageKind::planetary || (s.in != s.out && s.z_r > s.z_s + 1); },
       say("power cannot enter and leave by one member, and the ring has more teeth than the sun"),
@@ -241,7 +239,7 @@ FieldFault DriveTrain::same_member(const Input& in) {
 }
 
 template <class Tracer>
-DriveTrain::Result DriveTrain::evaluate(const Input& in, Tracer& trace) {
+Train::Result Train::evaluate(const Input& in, Tracer& trace) {
   Result r;
   first_shaft(in, r, trace);
   for (std::size_t k = 0; k < in.stages.size(); ++k) {
@@ -260,10 +258,10 @@ DriveTrain::Result DriveTrain::evaluate(const Input& in, Tracer& trace) {
   return r;
 }
 
-template DriveTrain::Result DriveTrain::evaluate(const Input&, NoTrace&);
-template DriveTrain::Result DriveTrain::evaluate(const Input&, Trace&);
+template Train::Result Train::evaluate(const Input&, NoTrace&);
+template Train::Result Train::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> DriveTrain::figures(const Input&, const Result& r) {
+std::vector<draw::Figure> Train::figures(const Input&, const Result& r) {
   if (!is_set(r.shafts.front().T)) return {};
   draw::Plot plot;
   plot.x = {"k", "shaft, the first to the last", "-"};
@@ -278,6 +276,6 @@ std::vector<draw::Figure> DriveTrain::figures(const Input&, const Result& r) {
   return {{"torques", "Torque of every shaft", std::move(plot)}};
 }
 
-template const Calculator& erased<DriveTrain>();
+}  // namespace loadpath::drive
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::drive::Train>();

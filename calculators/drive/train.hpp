@@ -17,9 +17,9 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::drive {
 
-struct DriveTrain {
+struct Train {
   static constexpr auto id = "drive.train";
   static constexpr auto title = "Train of drives";
   static constexpr auto scope =
@@ -173,42 +173,42 @@ stages = [
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template DriveTrain::Result DriveTrain::evaluate(const Input&, NoTrace&);
-extern template DriveTrain::Result DriveTrain::evaluate(const Input&, Trace&);
+extern template Train::Result Train::evaluate(const Input&, NoTrace&);
+extern template Train::Result Train::evaluate(const Input&, Trace&);
 
-constexpr auto choices_of(DriveTrain::StageKind) {
-  return std::array{ChoiceName<DriveTrain::StageKind>{DriveTrain::StageKind::gear, "gear", "wheels with outer teeth"},
-                    ChoiceName<DriveTrain::StageKind>{DriveTrain::StageKind::internal, "internal", "a wheel in a ring"},
-                    ChoiceName<DriveTrain::StageKind>{DriveTrain::StageKind::belt, "belt", "belt"},
-                    ChoiceName<DriveTrain::StageKind>{DriveTrain::StageKind::chain, "chain", "chain"},
-                    ChoiceName<DriveTrain::StageKind>{DriveTrain::StageKind::worm, "worm", "worm and wheel"},
-                    ChoiceName<DriveTrain::StageKind>{DriveTrain::StageKind::planetary, "planetary",
-                                                      "planetary set with one member held"},
-                    ChoiceName<DriveTrain::StageKind>{DriveTrain::StageKind::other, "other", "anything with a ratio"}};
+constexpr auto choices_of(Train::StageKind) {
+  return std::array{
+      ChoiceName<Train::StageKind>{Train::StageKind::gear, "gear", "wheels with outer teeth"},
+      ChoiceName<Train::StageKind>{Train::StageKind::internal, "internal", "a wheel in a ring"},
+      ChoiceName<Train::StageKind>{Train::StageKind::belt, "belt", "belt"},
+      ChoiceName<Train::StageKind>{Train::StageKind::chain, "chain", "chain"},
+      ChoiceName<Train::StageKind>{Train::StageKind::worm, "worm", "worm and wheel"},
+      ChoiceName<Train::StageKind>{Train::StageKind::planetary, "planetary", "planetary set with one member held"},
+      ChoiceName<Train::StageKind>{Train::StageKind::other, "other", "anything with a ratio"}};
 }
-constexpr auto choices_of(DriveTrain::Member) {
-  using Member = DriveTrain::Member;
+constexpr auto choices_of(Train::Member) {
+  using Member = Train::Member;
   return std::array{ChoiceName<Member>{Member::sun, "sun", "the sun"},
                     ChoiceName<Member>{Member::carrier, "carrier", "the carrier"},
                     ChoiceName<Member>{Member::ring, "ring", "the ring"}};
 }
-constexpr auto choices_of(DriveTrain::Sense) {
-  using Sense = DriveTrain::Sense;
+constexpr auto choices_of(Train::Sense) {
+  using Sense = Train::Sense;
   return std::array{ChoiceName<Sense>{Sense::usual, "usual", "as the kind of drive has it"},
                     ChoiceName<Sense>{Sense::same, "same", "the same, as with an idler"},
                     ChoiceName<Sense>{Sense::opposite, "opposite", "the opposite, as with a crossed belt"}};
 }
-constexpr auto choices_of(DriveTrain::EtaRange) {
-  return std::array{ChoiceName<DriveTrain::EtaRange>{DriveTrain::EtaRange::usual, "usual", "within what is usual"},
-                    ChoiceName<DriveTrain::EtaRange>{DriveTrain::EtaRange::below, "below", "lower than usual"},
-                    ChoiceName<DriveTrain::EtaRange>{DriveTrain::EtaRange::above, "above", "higher than usual"},
-                    ChoiceName<DriveTrain::EtaRange>{DriveTrain::EtaRange::none, "none", "no usual range is known"}};
+constexpr auto choices_of(Train::EtaRange) {
+  return std::array{ChoiceName<Train::EtaRange>{Train::EtaRange::usual, "usual", "within what is usual"},
+                    ChoiceName<Train::EtaRange>{Train::EtaRange::below, "below", "lower than usual"},
+                    ChoiceName<Train::EtaRange>{Train::EtaRange::above, "above", "higher than usual"},
+                    ChoiceName<Train::EtaRange>{Train::EtaRange::none, "none", "no usual range is known"}};
 }
-constexpr auto choices_of(DriveTrain::Works) {
-  using Works = DriveTrain::Works;
+constexpr auto choices_of(Train::Works) {
+  using Works = Train::Works;
   return std::array{ChoiceName<Works>{Works::reducer, "reducer", "a reducer: the last shaft is slower"},
                     ChoiceName<Works>{Works::multiplier, "multiplier", "a multiplier: the last shaft is faster"},
                     ChoiceName<Works>{Works::neither, "neither", "neither: both shafts are equally fast"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::drive

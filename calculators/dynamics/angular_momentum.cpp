@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace loadpath {
+namespace loadpath::dynamics {
 
 namespace {
 
@@ -121,6 +121,6 @@ AngularMomentumChange::Result AngularMomentumChange::evaluate(const Input& in, T
 template AngularMomentumChange::Result AngularMomentumChange::evaluate(const Input&, NoTrace&);
 template AngularMomentumChange::Result AngularMomentumChange::evaluate(const Input&, Trace&);
 
-template const Calculator& erased<AngularMomentumChange>();
+}  // namespace loadpath::dynamics
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::dynamics::AngularMomentumChange>();

@@ -11,7 +11,7 @@
 
 #include <array>
 
-namespace loadpath {
+namespace loadpath::dynamics {
 
 struct AngularMomentumChange {
   static constexpr auto id = "dynamics.angular_momentum";
@@ -120,4 +120,4 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
 extern template AngularMomentumChange::Result AngularMomentumChange::evaluate(const Input&, NoTrace&);
 extern template AngularMomentumChange::Result AngularMomentumChange::evaluate(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::dynamics

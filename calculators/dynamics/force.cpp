@@ -9,7 +9,7 @@
 // The mass m hides the unit of its name where the formulas are.
 #pragma GCC diagnostic ignored "-Wshadow"
 
-namespace loadpath {
+namespace loadpath::dynamics {
 
 namespace {
 
@@ -116,6 +116,6 @@ std::vector<draw::Figure> ForceOfMotion::figures(const Input& in, const Result& 
   return all;
 }
 
-template const Calculator& erased<ForceOfMotion>();
+}  // namespace loadpath::dynamics
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::dynamics::ForceOfMotion>();

@@ -14,7 +14,7 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::dynamics {
 
 struct ForceOfMotion {
   static constexpr auto id = "dynamics.force";
@@ -106,4 +106,4 @@ t_2 = "2 s"
 extern template ForceOfMotion::Result ForceOfMotion::evaluate(const Input&, NoTrace&);
 extern template ForceOfMotion::Result ForceOfMotion::evaluate(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::dynamics

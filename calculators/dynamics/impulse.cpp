@@ -6,7 +6,7 @@
 // The mass m hides the unit of its name where the formulas are.
 #pragma GCC diagnostic ignored "-Wshadow"
 
-namespace loadpath {
+namespace loadpath::dynamics {
 
 namespace {
 
@@ -92,6 +92,6 @@ std::vector<draw::Figure> Impulse::figures(const Input& in, const Result& r) {
   return {{"force", "Force over time; its area is the impulse", std::move(plot)}};
 }
 
-template const Calculator& erased<Impulse>();
+}  // namespace loadpath::dynamics
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::dynamics::Impulse>();

@@ -13,7 +13,7 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::dynamics {
 
 struct Impulse {
   static constexpr auto id = "dynamics.impulse";
@@ -89,4 +89,4 @@ v_1x = "-1 m/s"
 extern template Impulse::Result Impulse::evaluate(const Input&, NoTrace&);
 extern template Impulse::Result Impulse::evaluate(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::dynamics

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loadpath {
+namespace loadpath::dynamics {
 
 namespace {
 
@@ -127,6 +127,6 @@ Lift::Result Lift::evaluate(const Input& in, Tracer& trace) {
 template Lift::Result Lift::evaluate(const Input&, NoTrace&);
 template Lift::Result Lift::evaluate(const Input&, Trace&);
 
-template const Calculator& erased<Lift>();
+}  // namespace loadpath::dynamics
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::dynamics::Lift>();

@@ -12,7 +12,7 @@
 
 #include <array>
 
-namespace loadpath {
+namespace loadpath::dynamics {
 
 struct Lift {
   static constexpr auto id = "dynamics.lift";
@@ -154,4 +154,4 @@ constexpr auto choices_of(Lift::Moves) {
                     ChoiceName<M>{M::stands, "stands", "friction holds it at rest"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::dynamics

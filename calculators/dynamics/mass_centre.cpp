@@ -2,7 +2,7 @@
 
 #include "lib/calculator/calculator_of.hpp"
 
-namespace loadpath {
+namespace loadpath::dynamics {
 
 template <class Tracer>
 MassCentre::Result MassCentre::evaluate(const Input& in, Tracer& trace) {
@@ -30,6 +30,6 @@ MassCentre::Result MassCentre::evaluate(const Input& in, Tracer& trace) {
 template MassCentre::Result MassCentre::evaluate(const Input&, NoTrace&);
 template MassCentre::Result MassCentre::evaluate(const Input&, Trace&);
 
-template const Calculator& erased<MassCentre>();
+}  // namespace loadpath::dynamics
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::dynamics::MassCentre>();

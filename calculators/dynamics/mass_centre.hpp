@@ -11,7 +11,7 @@
 
 #include <array>
 
-namespace loadpath {
+namespace loadpath::dynamics {
 
 struct MassCentre {
   static constexpr auto id = "dynamics.mass_centre";
@@ -83,4 +83,4 @@ bodies = [
 extern template MassCentre::Result MassCentre::evaluate(const Input&, NoTrace&);
 extern template MassCentre::Result MassCentre::evaluate(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::dynamics

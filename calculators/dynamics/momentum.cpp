@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace loadpath {
+namespace loadpath::dynamics {
 
 namespace {
 
@@ -98,6 +98,6 @@ SystemMomentum::Result SystemMomentum::evaluate(const Input& in, Tracer& trace) 
 template SystemMomentum::Result SystemMomentum::evaluate(const Input&, NoTrace&);
 template SystemMomentum::Result SystemMomentum::evaluate(const Input&, Trace&);
 
-template const Calculator& erased<SystemMomentum>();
+}  // namespace loadpath::dynamics
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::dynamics::SystemMomentum>();

@@ -10,7 +10,7 @@
 
 #include <array>
 
-namespace loadpath {
+namespace loadpath::dynamics {
 
 struct SystemMomentum {
   static constexpr auto id = "dynamics.momentum";
@@ -105,4 +105,4 @@ bodies = [
 extern template SystemMomentum::Result SystemMomentum::evaluate(const Input&, NoTrace&);
 extern template SystemMomentum::Result SystemMomentum::evaluate(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::dynamics

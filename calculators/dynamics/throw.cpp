@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace loadpath {
+namespace loadpath::dynamics {
 
 namespace {
 
@@ -100,6 +100,6 @@ std::vector<draw::Figure> Throw::figures(const Input& in, const Result& r) {
   return {{"flight", "Path of the flight", std::move(scheme)}};
 }
 
-template const Calculator& erased<Throw>();
+}  // namespace loadpath::dynamics
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::dynamics::Throw>();

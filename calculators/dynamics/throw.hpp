@@ -12,7 +12,7 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::dynamics {
 
 struct Throw {
   static constexpr auto id = "dynamics.throw";
@@ -88,4 +88,4 @@ theta = "30 deg"
 extern template Throw::Result Throw::evaluate(const Input&, NoTrace&);
 extern template Throw::Result Throw::evaluate(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::dynamics

@@ -6,7 +6,7 @@
 // The mass m hides the unit of its name where the formulas are.
 #pragma GCC diagnostic ignored "-Wshadow"
 
-namespace loadpath {
+namespace loadpath::dynamics {
 
 namespace {
 
@@ -87,6 +87,6 @@ WorkAndEnergy::Result WorkAndEnergy::evaluate(const Input& in, Tracer& trace) {
 template WorkAndEnergy::Result WorkAndEnergy::evaluate(const Input&, NoTrace&);
 template WorkAndEnergy::Result WorkAndEnergy::evaluate(const Input&, Trace&);
 
-template const Calculator& erased<WorkAndEnergy>();
+}  // namespace loadpath::dynamics
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::dynamics::WorkAndEnergy>();

@@ -12,7 +12,7 @@
 
 #include <array>
 
-namespace loadpath {
+namespace loadpath::dynamics {
 
 struct WorkAndEnergy {
   static constexpr auto id = "dynamics.work";
@@ -97,4 +97,4 @@ mu = 0.1
 extern template WorkAndEnergy::Result WorkAndEnergy::evaluate(const Input&, NoTrace&);
 extern template WorkAndEnergy::Result WorkAndEnergy::evaluate(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::dynamics

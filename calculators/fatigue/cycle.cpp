@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loadpath {
+namespace loadpath::fatigue {
 
 namespace {
 
-using fatigue::Given;
-using Input = FatigueCycle::Input;
-using Result = FatigueCycle::Result;
+using Input = Cycle::Input;
+using Result = Cycle::Result;
 
 /// "others[2].", "others.test." or nothing for the first cycle.
 std::string place_of(const Input& in, std::size_t i) {
@@ -30,11 +29,11 @@ std::size_t first_that(const Input& in, const Breaks& breaks) {
 }
 
 std::size_t miscounted(const Input& in) {
-  return first_that(in, [](const Given& g) { return fatigue::count(g) != 2; });
+  return first_that(in, [](const Given& g) { return count(g) != 2; });
 }
 
 std::size_t objected(const Input& in) {
-  return first_that(in, [](const Given& g) { return *fatigue::objection(g).reason != '\0'; });
+  return first_that(in, [](const Given& g) { return *objection(g).reason != '\0'; });
 }
 
 const Given& given(const Input& in, std::size_t i) { return i == 0 ? static_cast<const Given&>(in) : in.others[i - 1]; }
@@ -47,13 +46,13 @@ std::string typed(const Given& g) {
 }
 
 /// Proportional extremes, with one sense: r_1 = r_2 without a division.
-bool are_similar(const fatigue::Cycle& a, const fatigue::Cycle& b) {
+bool are_similar(const Characteristics& a, const Characteristics& b) {
   const double a1 = in_si(a.sigma_max), a2 = in_si(a.sigma_min), b1 = in_si(b.sigma_max), b2 = in_si(b.sigma_min);
   const double size = std::hypot(a1, a2) * std::hypot(b1, b2);
-  return std::abs(a1 * b2 - a2 * b1) <= fatigue::same * size && a1 * b1 + a2 * b2 > 0.0;
+  return std::abs(a1 * b2 - a2 * b1) <= same * size && a1 * b1 + a2 * b2 > 0.0;
 }
 
-std::string greek(const Input& in) { return in.stress == FatigueCycle::Stresses::shear ? "tau" : "sigma"; }
+std::string greek(const Input& in) { return in.stress == Cycle::Stresses::shear ? "tau" : "sigma"; }
 
 /// Two periods of a sine: what happens between the extremes does not matter.
 draw::Figure over_time(const Input& in, const Result& r) {
@@ -87,7 +86,7 @@ draw::Figure in_the_plane(const Input& in, const Result& r) {
     const Name& name = in.others[i].name;
     plot.marks.push_back(
         {in_si(o.sigma_m), in_si(o.sigma_a), name.empty() ? std::to_string(i + 1) : std::string(name.view())});
-    if (o.similar == FatigueCycle::Similar::yes) {
+    if (o.similar == Cycle::Similar::yes) {
       const double own = std::hypot(in_si(r.sigma_m), in_si(r.sigma_a));
       longest = std::max(longest, std::hypot(in_si(o.sigma_m), in_si(o.sigma_a)) / own);
     }
@@ -99,29 +98,29 @@ draw::Figure in_the_plane(const Input& in, const Result& r) {
 
 }  // namespace
 
-bool FatigueCycle::two_given(const Input& in) { return miscounted(in) > in.others.size(); }
+bool Cycle::two_given(const Input& in) { return miscounted(in) > in.others.size(); }
 
-FieldFault FatigueCycle::wrong_count(const Input& in) {
+FieldFault Cycle::wrong_count(const Input& in) {
   const std::size_t i = miscounted(in);
-  const int n = fatigue::count(given(in, i));
+  const int n = count(given(in, i));
   return {n == 0 ? "" : place_of(in, i) + typed(given(in, i)),
           say("a cycle needs exactly two of sigma_max, sigma_min, sigma_m, sigma_a and r; given here: {1}",
               std::to_string(n)),
           n < 2 ? say("give one more that says how large the cycle is or where it lies") : say("leave the rest out")};
 }
 
-bool FatigueCycle::sound(const Input& in) { return objected(in) > in.others.size(); }
+bool Cycle::sound(const Input& in) { return objected(in) > in.others.size(); }
 
-FieldFault FatigueCycle::unsound(const Input& in) {
+FieldFault Cycle::unsound(const Input& in) {
   const std::size_t i = objected(in);
-  const fatigue::Objection o = fatigue::objection(given(in, i));
+  const Objection o = objection(given(in, i));
   return {place_of(in, i) + typed(given(in, i)), say(o.reason), *o.remedy == '\0' ? Message{} : say(o.remedy)};
 }
 
 template <class Tracer>
-FatigueCycle::Result FatigueCycle::evaluate(const Input& in, Tracer& trace) {
+Cycle::Result Cycle::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  static_cast<fatigue::Cycle&>(r) = fatigue::cycle_of(in, trace);
+  static_cast<Characteristics&>(r) = cycle_of(in, trace);
   const auto R_e = in.R_e;
   if (is_set(R_e)) {
     const auto sigma_max = r.sigma_max, sigma_min = r.sigma_min;
@@ -133,20 +132,20 @@ FatigueCycle::Result FatigueCycle::evaluate(const Input& in, Tracer& trace) {
   for (std::size_t i = 0; i < in.others.size(); ++i) {
     [[maybe_unused]] const auto here = trace.scope("others", i);
     Compared other;
-    static_cast<fatigue::Cycle&>(other) = fatigue::cycle_of(in.others[i], trace);
+    static_cast<Characteristics&>(other) = cycle_of(in.others[i], trace);
     other.similar = are_similar(r, other) ? Similar::yes : Similar::no;
     r.others.push_back(other);
   }
   return r;
 }
 
-template FatigueCycle::Result FatigueCycle::evaluate(const Input&, NoTrace&);
-template FatigueCycle::Result FatigueCycle::evaluate(const Input&, Trace&);
+template Cycle::Result Cycle::evaluate(const Input&, NoTrace&);
+template Cycle::Result Cycle::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> FatigueCycle::figures(const Input& in, const Result& r) {
+std::vector<draw::Figure> Cycle::figures(const Input& in, const Result& r) {
   return {over_time(in, r), in_the_plane(in, r)};
 }
 
-template const Calculator& erased<FatigueCycle>();
+}  // namespace loadpath::fatigue
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::fatigue::Cycle>();

@@ -11,9 +11,9 @@
 
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::fatigue {
 
-struct FatigueCycle {
+struct Cycle {
   static constexpr auto id = "fatigue.cycle";
   static constexpr auto title = "Stress cycle";
   static constexpr auto scope =
@@ -33,15 +33,15 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
   enum class Stresses { normal, shear };
   enum class Similar { yes, no };
 
-  struct Other : fatigue::Given {
+  struct Other : Given {
     Name name;
     static constexpr std::tuple fields =
         std::tuple_cat(std::tuple{NameField<Other>{&Other::name, "name", "name of the cycle"}.may_be_missing()},
-                       fatigue::given_fields<Other>());
+                       given_fields<Other>());
   };
   static constexpr std::size_t most_others = 16;
 
-  struct Input : fatigue::Given {
+  struct Input : Given {
     Stresses stress = Stresses::normal;
     Stress R_e = unset<Stress>;
     List<Other, most_others> others;
@@ -51,7 +51,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
   static FieldFault wrong_count(const Input& in);
   static FieldFault unsound(const Input& in);
   static constexpr std::tuple inputs = std::tuple_cat(
-      fatigue::given_fields<Input>(),
+      given_fields<Input>(),
       std::tuple{Choice<Input, Stresses>{&Input::stress, "stress", "what varies"}.may_be_missing(),
                  Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength, to check the largest stress"}
                      .positive()
@@ -60,20 +60,20 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
                  ListField<Input, Other, most_others>{&Input::others, "others", "cycles that are compared with it"}
                      .may_be_missing()});
 
-  struct Compared : fatigue::Cycle {
+  struct Compared : Characteristics {
     Similar similar = Similar::no;
     static constexpr std::tuple fields = std::tuple_cat(
-        fatigue::cycle_fields<Compared>(),
+        cycle_fields<Compared>(),
         std::tuple{Choice<Compared, Similar>{&Compared::similar, "similar", "of one ratio with the first cycle"}.as(
             Role::result)});
   };
 
-  struct Result : fatigue::Cycle {
+  struct Result : Characteristics {
     double u_y = unset<double>;
     List<Compared, most_others> others;
   };
   static constexpr std::tuple results = std::tuple_cat(
-      fatigue::cycle_fields<Result>(),
+      cycle_fields<Result>(),
       std::tuple{
           Field<Result, double>{&Result::u_y, "u_y", ratio, "yielding: largest stress over the yield strength"}.check(
               "R_e"),
@@ -89,19 +89,19 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template FatigueCycle::Result FatigueCycle::evaluate(const Input&, NoTrace&);
-extern template FatigueCycle::Result FatigueCycle::evaluate(const Input&, Trace&);
+extern template Cycle::Result Cycle::evaluate(const Input&, NoTrace&);
+extern template Cycle::Result Cycle::evaluate(const Input&, Trace&);
 
-constexpr auto choices_of(FatigueCycle::Stresses) {
-  using Stresses = FatigueCycle::Stresses;
+constexpr auto choices_of(Cycle::Stresses) {
+  using Stresses = Cycle::Stresses;
   return std::array{ChoiceName<Stresses>{Stresses::normal, "normal", "normal stresses, sigma"},
                     ChoiceName<Stresses>{Stresses::shear, "shear", "shear stresses: read tau for sigma"}};
 }
 
-constexpr auto choices_of(FatigueCycle::Similar) {
-  using Similar = FatigueCycle::Similar;
+constexpr auto choices_of(Cycle::Similar) {
+  using Similar = Cycle::Similar;
   return std::array{ChoiceName<Similar>{Similar::yes, "yes", "the ratios are equal"},
                     ChoiceName<Similar>{Similar::no, "no", "the ratios differ"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::fatigue

@@ -33,7 +33,7 @@ constexpr auto given_fields() {
 }
 
 /// A cycle as it was found; r is infinite where sigma_max is zero.
-struct Cycle {
+struct Characteristics {
   Stress sigma_max = unset<Stress>, sigma_min = unset<Stress>, sigma_m = unset<Stress>, sigma_a = unset<Stress>;
   double r = unset<double>;
   Kind kind = Kind::constant;
@@ -158,13 +158,13 @@ Extremes from_ratio(const Given& g, Tracer& trace) {
 }
 
 template <class Tracer>
-Cycle cycle_of(const Given& g, Tracer& trace) {
+Characteristics cycle_of(const Given& g, Tracer& trace) {
   const auto [high, low] = is_set(g.r) ? from_ratio(g, trace) : from_stresses(g, trace);
   const Stress sigma_max = high, sigma_min = low;
   STEP(sigma_m, (sigma_max + sigma_min) / 2.0, "mean stress, [B20]");
   STEP(sigma_a, (sigma_max - sigma_min) / 2.0, "amplitude, [B20]");
   const Kind kind = kind_of(sigma_max, sigma_min);
-  Cycle c{sigma_max, sigma_min, sigma_m, sigma_a, std::numeric_limits<double>::infinity(), kind};
+  Characteristics c{sigma_max, sigma_min, sigma_m, sigma_a, std::numeric_limits<double>::infinity(), kind};
   if (kind == Kind::below) {
     trace.value("r", c.r, "infinite: sigma_max is zero, [B20]");
     return c;

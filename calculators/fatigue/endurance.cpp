@@ -5,15 +5,15 @@
 
 #include <cmath>
 
-namespace loadpath {
+namespace loadpath::fatigue {
 
 namespace {
 
-using Input = FatigueEndurance::Input;
-using Result = FatigueEndurance::Result;
-using Loading = FatigueEndurance::Loading;
-using School = FatigueEndurance::School;
-using Finish = FatigueEndurance::Finish;
+using Input = Endurance::Input;
+using Result = Endurance::Result;
+using Loading = Endurance::Loading;
+using School = Endurance::School;
+using Finish = Endurance::Finish;
 
 constexpr Stress kpsi = 6.894757 * MPa;  // 1000 lbf/in^2
 
@@ -83,7 +83,7 @@ void size_and_surface(const Input& in, Result& r, Tracer& trace) {
     trace.value("beta_F", r.beta_F, is_set(in.beta_F) ? "as given" : "polished: no R_z given");
     return;
   }
-  const double lg_R = std::log10(std::max(R_z / fatigue::um, 1.0)), lg_S = std::log10(R_m / (20.0 * MPa));
+  const double lg_R = std::log10(std::max(R_z / um, 1.0)), lg_S = std::log10(R_m / (20.0 * MPa));
   trace.value("lg_R", lg_R, "lg of R_z in micrometres, 0 below 1");
   trace.value("lg_S", lg_S, "lg of R_m/20 MPa");
   STEP(K_F, 1.0 - 0.22 * lg_R * (lg_S - 1.0), "roughness, [DIN743], [GOST25504]");
@@ -159,9 +159,9 @@ void marin(const Input& in, Result& r, Tracer& trace) {
 
 }  // namespace
 
-bool FatigueEndurance::rule_fits(const Input& in) { return is_set(in.sigma_W) || fatigue::covers(in); }
+bool Endurance::rule_fits(const Input& in) { return is_set(in.sigma_W) || covers(in); }
 
-FieldFault FatigueEndurance::misfit(const Input& in) {
+FieldFault Endurance::misfit(const Input& in) {
   switch (in.rule) {
     case RuleOf::textbook:
       return {
@@ -182,13 +182,13 @@ FieldFault FatigueEndurance::misfit(const Input& in) {
 }
 
 template <class Tracer>
-FatigueEndurance::Result FatigueEndurance::evaluate(const Input& in, Tracer& trace) {
+Endurance::Result Endurance::evaluate(const Input& in, Tracer& trace) {
   Result r;
   if (is_set(in.sigma_W)) {
     r.sigma_m1 = in.sigma_W;
     trace.value("sigma_m1", r.sigma_m1, "as measured");
   } else {
-    fatigue::estimate(in, r, trace);
+    estimate(in, r, trace);
   }
   r.N_0 = in.group >= Group::wrought_aluminium ? 1e8 : 1e7;
   trace.value("N_0", r.N_0,
@@ -203,9 +203,9 @@ FatigueEndurance::Result FatigueEndurance::evaluate(const Input& in, Tracer& tra
   return r;
 }
 
-template FatigueEndurance::Result FatigueEndurance::evaluate(const Input&, NoTrace&);
-template FatigueEndurance::Result FatigueEndurance::evaluate(const Input&, Trace&);
+template Endurance::Result Endurance::evaluate(const Input&, NoTrace&);
+template Endurance::Result Endurance::evaluate(const Input&, Trace&);
 
-template const Calculator& erased<FatigueEndurance>();
+}  // namespace loadpath::fatigue
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::fatigue::Endurance>();

@@ -15,13 +15,11 @@
 #include <array>
 #include <tuple>
 
-namespace loadpath {
+namespace loadpath::fatigue {
 
-namespace fatigue {
 inline constexpr Unit<Length> um{"um", from_si<Length>(1e-6)};
-}
 
-struct FatigueEndurance {
+struct Endurance {
   static constexpr auto id = "fatigue.endurance";
   static constexpr auto title = "Fatigue limit of a material and of a part";
   static constexpr auto scope =
@@ -99,7 +97,7 @@ R_z = "6.3 um"
           .usually(0.1, 100)
           .may_be_missing(),
       Field{&Input::K_f, "K_f", ratio, "fatigue notch factor, in place of K_t"}.within(1, 10).may_be_missing(),
-      Field{&Input::R_z, "R_z", fatigue::um, "roughness, for the surface of Serensen's school"}
+      Field{&Input::R_z, "R_z", um, "roughness, for the surface of Serensen's school"}
           .positive()
           .usually(0.1, 400)
           .may_be_missing(),
@@ -167,11 +165,11 @@ R_z = "6.3 um"
   static Result evaluate(const Input& in, Tracer& trace);
 };
 
-extern template FatigueEndurance::Result FatigueEndurance::evaluate(const Input&, NoTrace&);
-extern template FatigueEndurance::Result FatigueEndurance::evaluate(const Input&, Trace&);
+extern template Endurance::Result Endurance::evaluate(const Input&, NoTrace&);
+extern template Endurance::Result Endurance::evaluate(const Input&, Trace&);
 
-constexpr auto choices_of(FatigueEndurance::Group) {
-  using G = FatigueEndurance::Group;
+constexpr auto choices_of(Endurance::Group) {
+  using G = Endurance::Group;
   return std::array{ChoiceName<G>{G::carbon_steel, "carbon-steel", "carbon and structural steel"},
                     ChoiceName<G>{G::alloy_steel, "alloy-steel", "low alloy steel, also quenched and tempered"},
                     ChoiceName<G>{G::case_hardening_steel, "case-hardening-steel", "steel for case hardening, core"},
@@ -185,33 +183,33 @@ constexpr auto choices_of(FatigueEndurance::Group) {
                     ChoiceName<G>{G::other_non_ferrous, "non-ferrous", "other non-ferrous metals"}};
 }
 
-constexpr auto choices_of(FatigueEndurance::RuleOf) {
-  using R = FatigueEndurance::RuleOf;
+constexpr auto choices_of(Endurance::RuleOf) {
+  using R = Endurance::RuleOf;
   return std::array{ChoiceName<R>{R::textbook, "textbook", "band of the textbook in bending, its lower end"},
                     ChoiceName<R>{R::din743, "din743", "DIN 743-3: 0.5, 0.4, 0.3 of R_m; steels"},
                     ChoiceName<R>{R::fkm, "fkm", "FKM 2012 by group; tension and torsion"},
                     ChoiceName<R>{R::shigley, "shigley", "half of R_m, 700 MPa at most, with load factor; steels"}};
 }
 
-constexpr auto choices_of(FatigueEndurance::Loading) {
-  using L = FatigueEndurance::Loading;
+constexpr auto choices_of(Endurance::Loading) {
+  using L = Endurance::Loading;
   return std::array{ChoiceName<L>{L::bending, "bending", "bending, rotating"},
                     ChoiceName<L>{L::tension, "tension", "tension and compression"},
                     ChoiceName<L>{L::torsion, "torsion", "torsion; all stresses are shear stresses"}};
 }
 
-constexpr auto choices_of(FatigueEndurance::School) {
-  using S = FatigueEndurance::School;
+constexpr auto choices_of(Endurance::School) {
+  using S = Endurance::School;
   return std::array{
       ChoiceName<S>{S::serensen, "serensen", "K_D of Serensen and GOST 25.504, size and roughness of DIN 743"},
       ChoiceName<S>{S::marin, "marin", "Marin's factors after Shigley, 9th edition"}};
 }
 
-constexpr auto choices_of(FatigueEndurance::Finish) {
-  using F = FatigueEndurance::Finish;
+constexpr auto choices_of(Endurance::Finish) {
+  using F = Endurance::Finish;
   return std::array{
       ChoiceName<F>{F::ground, "ground", "ground"}, ChoiceName<F>{F::machined, "machined", "machined or cold drawn"},
       ChoiceName<F>{F::hot_rolled, "hot-rolled", "hot rolled"}, ChoiceName<F>{F::forged, "forged", "as forged"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::fatigue

@@ -11,12 +11,12 @@ struct Factors {
   const char* why = "";
 };
 
-inline bool is_steel(FatigueEndurance::Group group) { return group <= FatigueEndurance::Group::cast_steel; }
+inline bool is_steel(Endurance::Group group) { return group <= Endurance::Group::cast_steel; }
 
 /// The bands of [B20], for bending.
-inline Factors textbook(const FatigueEndurance::Input& in) {
-  using G = FatigueEndurance::Group;
-  if (in.loading != FatigueEndurance::Loading::bending) return {};
+inline Factors textbook(const Endurance::Input& in) {
+  using G = Endurance::Group;
+  if (in.loading != Endurance::Loading::bending) return {};
   if (in.group == G::carbon_steel) return {0.40, 0.45, "carbon steel, 0.40 to 0.45 of R_m, [B20]"};
   const bool iron = in.group == G::grey_iron || in.group == G::ductile_iron || in.group == G::malleable_iron;
   if (iron) return {0.40, 0.40, "cast iron, 0.40 of R_m, [B20]"};
@@ -24,17 +24,17 @@ inline Factors textbook(const FatigueEndurance::Input& in) {
   return {};
 }
 
-inline Factors din743(const FatigueEndurance::Input& in) {
-  using L = FatigueEndurance::Loading;
-  if (!is_steel(in.group) || in.group == FatigueEndurance::Group::cast_steel) return {};
+inline Factors din743(const Endurance::Input& in) {
+  using L = Endurance::Loading;
+  if (!is_steel(in.group) || in.group == Endurance::Group::cast_steel) return {};
   if (in.loading == L::bending) return {0.5, 0.5, "bending, half of R_m, [DIN743]"};
   if (in.loading == L::tension) return {0.4, 0.4, "tension and compression, 0.4 of R_m, [DIN743]"};
   return {0.3, 0.3, "torsion, 0.3 of R_m, [DIN743]"};
 }
 
 /// Tension; torsion is a part of it.
-inline Factors fkm(const FatigueEndurance::Input& in) {
-  using G = FatigueEndurance::Group;
+inline Factors fkm(const Endurance::Input& in) {
+  using G = Endurance::Group;
   struct Row {
     G group;
     double sigma, tau;
@@ -44,8 +44,8 @@ inline Factors fkm(const FatigueEndurance::Input& in) {
                                  {G::cast_steel, 0.34, 0.577},           {G::grey_iron, 0.34, 1.0},
                                  {G::ductile_iron, 0.34, 0.65},          {G::malleable_iron, 0.30, 0.75},
                                  {G::wrought_aluminium, 0.30, 0.577},    {G::cast_aluminium, 0.30, 0.75}};
-  if (in.loading == FatigueEndurance::Loading::bending) return {};
-  const bool torsion = in.loading == FatigueEndurance::Loading::torsion;
+  if (in.loading == Endurance::Loading::bending) return {};
+  const bool torsion = in.loading == Endurance::Loading::torsion;
   for (const Row& row : rows) {
     const double factor = row.sigma * (torsion ? row.tau : 1.0);
     if (row.group == in.group) return {factor, factor, torsion ? "f_W,sigma f_W,tau, [FKM]" : "f_W,sigma, [FKM]"};
@@ -54,16 +54,16 @@ inline Factors fkm(const FatigueEndurance::Input& in) {
 }
 
 /// With the load factor of tension and torsion.
-inline Factors shigley(const FatigueEndurance::Input& in) {
-  using L = FatigueEndurance::Loading;
+inline Factors shigley(const Endurance::Input& in) {
+  using L = Endurance::Loading;
   if (!is_steel(in.group)) return {};
   if (in.loading == L::bending) return {0.5, 0.5, "rotating bending, [Shigley6] (6-8)"};
   if (in.loading == L::tension) return {0.425, 0.425, "half, times 0.85 for tension, [Shigley6] (6-8), (6-26)"};
   return {0.295, 0.295, "half, times 0.59 for torsion, [Shigley6] (6-8), (6-26)"};
 }
 
-inline Factors factors(const FatigueEndurance::Input& in) {
-  using R = FatigueEndurance::RuleOf;
+inline Factors factors(const Endurance::Input& in) {
+  using R = Endurance::RuleOf;
   switch (in.rule) {
     case R::textbook:
       return textbook(in);
@@ -77,15 +77,15 @@ inline Factors factors(const FatigueEndurance::Input& in) {
   return {};
 }
 
-inline bool covers(const FatigueEndurance::Input& in) { return is_set(factors(in).low); }
+inline bool covers(const Endurance::Input& in) { return is_set(factors(in).low); }
 
 template <class Tracer>
-void estimate(const FatigueEndurance::Input& in, FatigueEndurance::Result& r, Tracer& trace) {
+void estimate(const Endurance::Input& in, Endurance::Result& r, Tracer& trace) {
   const Factors f = factors(in);
   const double f_low = f.low, f_high = f.high;
   const Stress R_m = in.R_m;
   // Shigley: steels stronger than 1400 MPa gain nothing; the others set no such bound.
-  const Stress R_cap = in.rule == FatigueEndurance::RuleOf::shigley ? min(R_m, 1400.0 * MPa) : R_m;
+  const Stress R_cap = in.rule == Endurance::RuleOf::shigley ? min(R_m, 1400.0 * MPa) : R_m;
   trace.value("f_low", f_low, f.why);
   trace.value("f_high", f_high, f.why);
   trace.value("R_cap", R_cap, "tensile strength that the rule counts");

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loadpath {
+namespace loadpath::fatigue {
 
 namespace {
 
-using Input = FatigueWohler::Input;
-using Result = FatigueWohler::Result;
-using End = FatigueWohler::End;
+using Input = Wohler::Input;
+using Result = Wohler::Result;
+using End = Wohler::End;
 
 /// As the steps say it: at a tested stress both are the same, but for the rounding of its unit.
 double lg_stress(Stress S) { return std::log(S / MPa) / std::log(10.0); }
@@ -183,20 +183,20 @@ draw::Curve dots(const Input& in, End end, const std::string& label) {
 
 }  // namespace
 
-bool FatigueWohler::enough(const Input& in) { return sums_of(in).n >= 3; }
+bool Wohler::enough(const Input& in) { return sums_of(in).n >= 3; }
 
-bool FatigueWohler::spread(const Input& in) {
+bool Wohler::spread(const Input& in) {
   const Sums s = sums_of(in);
   return s.n < 3 || (s.X_high - s.X_low > 1e-9 && s.xy < 0.0);
 }
 
-bool FatigueWohler::limit_is_below(const Input& in) {
+bool Wohler::limit_is_below(const Input& in) {
   const Sums s = sums_of(in);
   return !is_set(in.S_D) || s.n < 3 || lg_stress(in.S_D) <= s.X_low + 1e-12;
 }
 
 template <class Tracer>
-FatigueWohler::Result FatigueWohler::evaluate(const Input& in, Tracer& trace) {
+Wohler::Result Wohler::evaluate(const Input& in, Tracer& trace) {
   Result r;
   const Sums sums = sums_of(in);
   fit(in, sums, r, trace);
@@ -206,10 +206,10 @@ FatigueWohler::Result FatigueWohler::evaluate(const Input& in, Tracer& trace) {
   return r;
 }
 
-template FatigueWohler::Result FatigueWohler::evaluate(const Input&, NoTrace&);
-template FatigueWohler::Result FatigueWohler::evaluate(const Input&, Trace&);
+template Wohler::Result Wohler::evaluate(const Input&, NoTrace&);
+template Wohler::Result Wohler::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> FatigueWohler::figures(const Input& in, const Result& r) {
+std::vector<draw::Figure> Wohler::figures(const Input& in, const Result& r) {
   const Sums sums = sums_of(in);
   draw::Plot plot;
   plot.x = {"N", "cycles", "-", true};
@@ -224,6 +224,6 @@ std::vector<draw::Figure> FatigueWohler::figures(const Input& in, const Result& 
   return {{"wohler", "Test points, lines of survival and fatigue limit", std::move(plot)}};
 }
 
-template const Calculator& erased<FatigueWohler>();
+}  // namespace loadpath::fatigue
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::fatigue::Wohler>();

@@ -16,9 +16,9 @@
 #include <tuple>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::fatigue {
 
-struct FatigueWohler {
+struct Wohler {
   static constexpr auto id = "fatigue.wohler";
   static constexpr auto title = "Wöhler curve from test points";
   static constexpr auto scope =
@@ -128,13 +128,13 @@ S = "350 MPa"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template FatigueWohler::Result FatigueWohler::evaluate(const Input&, NoTrace&);
-extern template FatigueWohler::Result FatigueWohler::evaluate(const Input&, Trace&);
+extern template Wohler::Result Wohler::evaluate(const Input&, NoTrace&);
+extern template Wohler::Result Wohler::evaluate(const Input&, Trace&);
 
-constexpr auto choices_of(FatigueWohler::End) {
-  using End = FatigueWohler::End;
+constexpr auto choices_of(Wohler::End) {
+  using End = Wohler::End;
   return std::array{ChoiceName<End>{End::failure, "failure", "the specimen failed"},
                     ChoiceName<End>{End::runout, "runout", "it did not fail: a run-out"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::fatigue

@@ -5,41 +5,41 @@
 #include "lib/calculator/calculator_of.hpp"
 #include "lib/quantity/format.hpp"
 
-namespace loadpath {
+namespace loadpath::gear {
 
 namespace {
 
 /// Sum of the base radii of two wheels, difference of ring and wheel.
-Length base_distance(const GearPair::Input& in) {
+Length base_distance(const Pair::Input& in) {
   const double alpha_t = std::atan(std::tan(in.alpha_n) / std::cos(in.beta));
-  return in.m_n * (in.z_2 + gear::sign_of(in.mesh) * in.z_1) / 2.0 * std::cos(alpha_t) / std::cos(in.beta);
+  return in.m_n * (in.z_2 + sign_of(in.mesh) * in.z_1) / 2.0 * std::cos(alpha_t) / std::cos(in.beta);
 }
 
 /// Involute function of the working pressure angle that the profile shifts ask for.
-double working_involute(const GearPair::Input& in) {
-  const double g = gear::sign_of(in.mesh), x_2 = is_set(in.x_2) ? in.x_2 : 0.0;
+double working_involute(const Pair::Input& in) {
+  const double g = sign_of(in.mesh), x_2 = is_set(in.x_2) ? in.x_2 : 0.0;
   const double alpha_t = std::atan(std::tan(in.alpha_n) / std::cos(in.beta));
-  return gear::involute(alpha_t) + 2.0 * (in.x_1 + x_2) * std::tan(in.alpha_n) * g / (in.z_2 + g * in.z_1);
+  return involute(alpha_t) + 2.0 * (in.x_1 + x_2) * std::tan(in.alpha_n) * g / (in.z_2 + g * in.z_1);
 }
 
 }  // namespace
 
-bool GearPair::bases_meet(const Input& in) {
+bool Pair::bases_meet(const Input& in) {
   return in.mesh == Mesh::rack || !is_set(in.a_w) || !is_set(in.m_n) || in.z_2 == 0 || base_distance(in) < in.a_w;
 }
 
-FieldFault GearPair::bases_apart(const Input& in) {
+FieldFault Pair::bases_apart(const Input& in) {
   return {"a_w",
           say("at {1} the line of action does not touch both base circles", format_quantity(in_si(in.a_w), mm.symbol)),
           say("give more than {1}, or another module or number of teeth",
               format_quantity(in_si(base_distance(in)), mm.symbol))};
 }
 
-bool GearPair::working_angle_exists(const Input& in) {
+bool Pair::working_angle_exists(const Input& in) {
   return in.mesh == Mesh::rack || is_set(in.a_w) || in.z_2 == 0 || working_involute(in) > 0.0;
 }
 
-FieldFault GearPair::no_working_angle(const Input& in) {
+FieldFault Pair::no_working_angle(const Input& in) {
   return {in.mesh == Mesh::internal ? "x_1" : "x_2",
           say("with these profile shifts the wheels would mesh closer than their base circles allow"),
           in.mesh == Mesh::internal
@@ -48,18 +48,18 @@ FieldFault GearPair::no_working_angle(const Input& in) {
 }
 
 template <class Tracer>
-GearPair::Result GearPair::evaluate(const Input& in, Tracer& trace) {
+Pair::Result Pair::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  gear::lay_out(in, r, trace);
-  gear::bring_to_mesh(in, r, trace);
-  gear::measure_teeth(in, r, trace);
-  gear::load_teeth(in, r, trace);
+  lay_out(in, r, trace);
+  bring_to_mesh(in, r, trace);
+  measure_teeth(in, r, trace);
+  load_teeth(in, r, trace);
   return r;
 }
 
-template GearPair::Result GearPair::evaluate(const Input&, NoTrace&);
-template GearPair::Result GearPair::evaluate(const Input&, Trace&);
+template Pair::Result Pair::evaluate(const Input&, NoTrace&);
+template Pair::Result Pair::evaluate(const Input&, Trace&);
 
-template const Calculator& erased<GearPair>();
+}  // namespace loadpath::gear
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::gear::Pair>();

@@ -19,9 +19,9 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::gear {
 
-struct GearPair {
+struct Pair {
   static constexpr auto id = "gear.pair";
   static constexpr auto title = "Pair of cylindrical gears";
   static constexpr auto scope =
@@ -51,13 +51,7 @@ sigma_adm_1 = "220 MPa"
 sigma_adm_2 = "200 MPa"
 )";
 
-  using Mesh = gear::Mesh;
-  using Hand = gear::Hand;
-  using Turns = gear::Turns;
-  using Shortening = gear::Shortening;
-  using Cutting = gear::Cutting;
-  using Idler = gear::Idler;
-  using Result = gear::PairResult;
+  using Result = PairResult;
 
   struct Input {
     Mesh mesh = Mesh::external;
@@ -97,11 +91,11 @@ sigma_adm_2 = "200 MPa"
       Field{&Input::beta, "beta", deg, "helix angle at the reference cylinder"}.within(0, 45).usually(0, 35),
       Choice{&Input::hand, "hand", "hand of the helix of gear 1"}.may_be_missing(),
       Field{&Input::x_1, "x_1", ratio, "profile shift of gear 1 in normal modules"}
-          .within(-gear::most_shift, gear::most_shift)
+          .within(-most_shift, most_shift)
           .usually(-0.8, 1.2),
       Field{&Input::x_2, "x_2", ratio,
             "profile shift of gear 2, positive thickens its tooth; missing: from a_w, without it zero"}
-          .within(-gear::most_shift, gear::most_shift)
+          .within(-most_shift, most_shift)
           .usually(-0.8, 1.2)
           .may_be_missing(),
       Field{&Input::a_w, "a_w", mm, "working centre distance; of a rack, from the axis to its reference line"}
@@ -154,7 +148,7 @@ sigma_adm_2 = "200 MPa"
           .positive()
           .usually(10, 1000)
           .may_be_missing()};
-  static constexpr auto results = gear::pair_results;
+  static constexpr auto results = pair_results;
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return (in.mesh == Mesh::rack) == (in.z_2 == 0); }, "mesh, z_2",
@@ -206,7 +200,7 @@ sigma_adm_2 = "200 MPa"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template GearPair::Result GearPair::evaluate(const Input&, NoTrace&);
-extern template GearPair::Result GearPair::evaluate(const Input&, Trace&);
+extern template Pair::Result Pair::evaluate(const Input&, NoTrace&);
+extern template Pair::Result Pair::evaluate(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::gear

@@ -2,54 +2,53 @@
 #include "calculators/gear/outline.hpp"
 #include "calculators/gear/pair_parts.hpp"
 
-namespace loadpath {
+namespace loadpath::gear {
 
 namespace {
 
 using draw::Point;
-using gear::Mesh;
 
 /// The generating rack in the transverse plane: heights stay, its module is longer.
-gear::Rack transverse(const GearPair::Input& in, const GearPair::Result& r) {
+Rack transverse(const Pair::Input& in, const Pair::Result& r) {
   const double share = std::cos(in.beta);
   return {r.alpha_t, in.h_fP * share, in.rho_fP * share};
 }
 
-gear::Body first_body(const GearPair::Input& in, const GearPair::Result& r) {
+Body first_body(const Pair::Input& in, const Pair::Result& r) {
   return {transverse(in, r),   in_si(r.m_t),        in.z_1, in.x_1 * std::cos(in.beta),
           in_si(r.d_a1) / 2.0, in_si(r.d_f1) / 2.0, {},     0.0};
 }
 
-gear::Body second_body(const GearPair::Input& in, const GearPair::Result& r) {
+Body second_body(const Pair::Input& in, const Pair::Result& r) {
   const double distance = in_si(r.a_w);
-  gear::Body b{transverse(in, r),   in_si(r.m_t),        in.z_2, r.x_2 * std::cos(in.beta),
-               in_si(r.d_a2) / 2.0, in_si(r.d_f2) / 2.0, {},     0.0};
+  Body b{transverse(in, r),   in_si(r.m_t),        in.z_2, r.x_2 * std::cos(in.beta),
+         in_si(r.d_a2) / 2.0, in_si(r.d_f2) / 2.0, {},     0.0};
   b.at = {in.mesh == Mesh::internal ? -distance : distance, 0.0};
   b.turn = in.mesh == Mesh::internal ? 0.0 : pi - pi / in.z_2;  // a space faces the tooth of gear 1
   return b;
 }
 
 /// From where contact begins to where it ends; gear 1 drives counter-clockwise or its mirror image.
-draw::Scheme::Guide line_of_action(const GearPair::Input& in, const GearPair::Result& r) {
-  const double pitch = in_si(r.d_w1) / 2.0, side = in.turns == gear::Turns::ccw ? 1.0 : -1.0;
+draw::Scheme::Guide line_of_action(const Pair::Input& in, const Pair::Result& r) {
+  const double pitch = in_si(r.d_w1) / 2.0, side = in.turns == Turns::ccw ? 1.0 : -1.0;
   const Point along{std::sin(r.alpha_wt), side * std::cos(r.alpha_wt)};
   const double from = -in_si(r.g_f), to = in_si(r.g_a);
   return {{pitch - from * along.x, from * along.y}, {pitch - to * along.x, to * along.y}};
 }
 
-draw::Scheme drawn(const GearPair::Input& in, const GearPair::Result& r) {
+draw::Scheme drawn(const Pair::Input& in, const Pair::Result& r) {
   draw::Scheme s;
   const double pitch = in_si(r.d_w1) / 2.0;
-  const gear::Body one = first_body(in, r);
-  s.outlines.push_back({one.at, gear::wheel_outline(one)});
+  const Body one = first_body(in, r);
+  s.outlines.push_back({one.at, wheel_outline(one)});
   s.wheels.push_back({{}, pitch, 0.0, true});
   s.joints.push_back({"O1", {}, draw::Scheme::Pin::revolute, true});
   if (in.mesh == Mesh::rack) {
     const Point line{in_si(r.a_w), 0.0};
-    s.outlines.push_back({line, gear::rack_outline(one.rack, one.m_t, in.h_aP * std::cos(in.beta), 7, line)});
+    s.outlines.push_back({line, rack_outline(one.rack, one.m_t, in.h_aP * std::cos(in.beta), 7, line)});
   } else {
-    const gear::Body two = second_body(in, r);
-    s.outlines.push_back({two.at, in.mesh == Mesh::internal ? gear::ring_outline(two) : gear::wheel_outline(two)});
+    const Body two = second_body(in, r);
+    s.outlines.push_back({two.at, in.mesh == Mesh::internal ? ring_outline(two) : wheel_outline(two)});
     s.wheels.push_back({two.at, in_si(r.d_w2) / 2.0, 0.0, true});
     s.joints.push_back({"O2", two.at, draw::Scheme::Pin::revolute, true});
   }
@@ -63,9 +62,9 @@ draw::Scheme drawn(const GearPair::Input& in, const GearPair::Result& r) {
 
 }  // namespace
 
-std::vector<draw::Figure> GearPair::figures(const Input& in, const Result& r) {
-  if (!is_set(r.eps_alpha) || !gear::has_teeth(in, r)) return {};
+std::vector<draw::Figure> Pair::figures(const Input& in, const Result& r) {
+  if (!is_set(r.eps_alpha) || !has_teeth(in, r)) return {};
   return {{"pair", "The pair in the transverse plane, its working circles and the path of contact", drawn(in, r)}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::gear

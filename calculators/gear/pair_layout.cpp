@@ -7,7 +7,7 @@ namespace loadpath::gear {
 namespace {
 
 template <class Tracer>
-void reference_circles(const GearPair::Input& in, PairResult& r, Tracer& trace) {
+void reference_circles(const Pair::Input& in, PairResult& r, Tracer& trace) {
   const auto m_n = in.m_n;
   const double alpha_n = in.alpha_n, beta = in.beta, z_1 = in.z_1, z_2 = in.z_2;
   STEP(alpha_t, atan(tan(alpha_n) / cos(beta)), "transverse pressure angle, [ISO21771]");
@@ -24,7 +24,7 @@ void reference_circles(const GearPair::Input& in, PairResult& r, Tracer& trace) 
 
 /// The profile shift follows from the centre distance.
 template <class Tracer>
-void shift_from_distance(const GearPair::Input& in, double g, PairResult& r, Tracer& trace) {
+void shift_from_distance(const Pair::Input& in, double g, PairResult& r, Tracer& trace) {
   const auto a = r.a, a_w = in.a_w;
   const double alpha_n = in.alpha_n, alpha_t = r.alpha_t, z_1 = in.z_1, z_2 = in.z_2, x_1 = in.x_1;
   STEP(inv_t, tan(alpha_t) - alpha_t, "involute function of the pressure angle");
@@ -40,7 +40,7 @@ void shift_from_distance(const GearPair::Input& in, double g, PairResult& r, Tra
 
 /// The centre distance follows from the profile shifts.
 template <class Tracer>
-void distance_from_shift(const GearPair::Input& in, double g, PairResult& r, Tracer& trace) {
+void distance_from_shift(const Pair::Input& in, double g, PairResult& r, Tracer& trace) {
   const auto a = r.a;
   const double alpha_n = in.alpha_n, alpha_t = r.alpha_t, z_1 = in.z_1, z_2 = in.z_2, x_1 = in.x_1;
   const double x_2 = r.x_2 = is_set(in.x_2) ? in.x_2 : 0.0;
@@ -56,7 +56,7 @@ void distance_from_shift(const GearPair::Input& in, double g, PairResult& r, Tra
 }
 
 template <class Tracer>
-void diameters(const GearPair::Input& in, double g, PairResult& r, Tracer& trace) {
+void diameters(const Pair::Input& in, double g, PairResult& r, Tracer& trace) {
   const auto m_n = in.m_n;
   const auto a = r.a, a_w = r.a_w, d_1 = r.d_1, d_2 = r.d_2;
   const double z_1 = in.z_1, z_2 = in.z_2, x_1 = in.x_1, x_2 = r.x_2, h_aP = in.h_aP, h_fP = in.h_fP;
@@ -81,7 +81,7 @@ void diameters(const GearPair::Input& in, double g, PairResult& r, Tracer& trace
 
 /// Against a rack the pitch circle is the reference circle wherever the rack stands.
 template <class Tracer>
-void lay_out_rack(const GearPair::Input& in, PairResult& r, Tracer& trace) {
+void lay_out_rack(const Pair::Input& in, PairResult& r, Tracer& trace) {
   const auto m_n = in.m_n;
   const auto d_1 = r.d_1;
   const double alpha_t = r.alpha_t, x_1 = in.x_1, h_aP = in.h_aP, h_fP = in.h_fP;
@@ -107,7 +107,7 @@ void lay_out_rack(const GearPair::Input& in, PairResult& r, Tracer& trace) {
 }  // namespace
 
 template <class Tracer>
-void lay_out(const GearPair::Input& in, PairResult& r, Tracer& trace) {
+void lay_out(const Pair::Input& in, PairResult& r, Tracer& trace) {
   reference_circles(in, r, trace);
   if (in.mesh == Mesh::rack) return lay_out_rack(in, r, trace);
   const double g = sign_of(in.mesh), z_1 = in.z_1, z_2 = in.z_2;
@@ -123,7 +123,7 @@ void lay_out(const GearPair::Input& in, PairResult& r, Tracer& trace) {
   diameters(in, g, r, trace);
 }
 
-template void lay_out(const GearPair::Input&, PairResult&, NoTrace&);
-template void lay_out(const GearPair::Input&, PairResult&, Trace&);
+template void lay_out(const Pair::Input&, PairResult&, NoTrace&);
+template void lay_out(const Pair::Input&, PairResult&, Trace&);
 
 }  // namespace loadpath::gear

@@ -7,7 +7,7 @@ namespace loadpath::gear {
 namespace {
 
 template <class Tracer>
-Moment torque(const GearPair::Input& in, Tracer& trace) {
+Moment torque(const Pair::Input& in, Tracer& trace) {
   const auto T_given = in.T_1;
   const auto P = in.P;
   const auto n_1 = in.n_1;
@@ -17,7 +17,7 @@ Moment torque(const GearPair::Input& in, Tracer& trace) {
 }
 
 template <class Tracer>
-void speeds(const GearPair::Input& in, PairResult& r, Tracer& trace) {
+void speeds(const Pair::Input& in, PairResult& r, Tracer& trace) {
   const auto n_1 = in.n_1;
   const auto d_w1 = r.d_w1;
   const double z_1 = in.z_1, z_2 = in.z_2;
@@ -32,7 +32,7 @@ void speeds(const GearPair::Input& in, PairResult& r, Tracer& trace) {
 
 /// [Vortarus], with the hand of the helix and the sense of rotation; the working circle gives what the bearings feel.
 template <class Tracer>
-void forces(const GearPair::Input& in, Moment T_1, PairResult& r, Tracer& trace) {
+void forces(const Pair::Input& in, Moment T_1, PairResult& r, Tracer& trace) {
   const auto d_1 = r.d_1, d_w1 = r.d_w1;
   const double beta = in.beta, alpha_t = r.alpha_t, alpha_wt = r.alpha_wt;
   const double w = in.turns == Turns::ccw ? 1.0 : -1.0, h = in.hand == Hand::right ? 1.0 : -1.0;
@@ -57,12 +57,12 @@ void forces(const GearPair::Input& in, Moment T_1, PairResult& r, Tracer& trace)
 
 /// [Shigley14] (14-4a) to (14-6b); the speeds up to which they are used are recalled.
 template <class Tracer>
-void velocity_factor(const GearPair::Input& in, PairResult& r, Tracer& trace) {
+void velocity_factor(const Pair::Input& in, PairResult& r, Tracer& trace) {
   const auto v = r.v;
   if (in.cutting == Cutting::none) {
     const bool runs = is_set(in.n_1);
     r.K_v = 1.0;
-    if (!(runs && GearPair::asks_strength(in))) r.v_share = 0.0;  // else nobody knows how fast such teeth may run
+    if (!(runs && Pair::asks_strength(in))) r.v_share = 0.0;  // else nobody knows how fast such teeth may run
     return trace.value("K_v", r.K_v, runs ? "not counted: how the teeth are cut is not given" : "load at rest");
   }
   if (in.cutting == Cutting::cast) {
@@ -81,7 +81,7 @@ void velocity_factor(const GearPair::Input& in, PairResult& r, Tracer& trace) {
 }
 
 /// Lewis' factor of a wheel, from the spur gear with the same normal section.
-double form_factor(const GearPair::Input& in, double z, double x, double k) {
+double form_factor(const Pair::Input& in, double z, double x, double k) {
   const double z_n = z / std::pow(std::cos(in.beta), 3);
   const Rack rack{in.alpha_n, in.h_fP, in.rho_fP};
   return lewis_factor(rack, z_n, x, 0.5 * z_n + in.h_aP + x - k);
@@ -104,7 +104,7 @@ struct Bending {
 };
 
 template <class Tracer>
-Bending bend(const GearPair::Input& in, const PairResult& r, const Tooth& tooth, Tracer& trace) {
+Bending bend(const Pair::Input& in, const PairResult& r, const Tooth& tooth, Tracer& trace) {
   const auto m_n = in.m_n, b = r.b;
   const auto F_t = r.F_t;
   const auto sigma_adm = tooth.sigma_adm;
@@ -126,7 +126,7 @@ Bending bend(const GearPair::Input& in, const PairResult& r, const Tooth& tooth,
 }
 
 template <class Tracer>
-void bend_all(const GearPair::Input& in, PairResult& r, Tracer& trace) {
+void bend_all(const Pair::Input& in, PairResult& r, Tracer& trace) {
   const Tooth first{static_cast<double>(in.z_1), in.x_1, in.Y_1,     in.sigma_adm_1,
                     in.idler == Idler::gear_1,   "Y_1",  "sigma_F1", "u_F1"};
   const Bending one = bend(in, r, first, trace);
@@ -141,7 +141,7 @@ void bend_all(const GearPair::Input& in, PairResult& r, Tracer& trace) {
 }  // namespace
 
 template <class Tracer>
-void load_teeth(const GearPair::Input& in, PairResult& r, Tracer& trace) {
+void load_teeth(const Pair::Input& in, PairResult& r, Tracer& trace) {
   if (is_set(in.n_1)) speeds(in, r, trace);
   const Moment T_1 = torque(in, trace);
   if (is_set(T_1)) forces(in, T_1, r, trace);
@@ -150,7 +150,7 @@ void load_teeth(const GearPair::Input& in, PairResult& r, Tracer& trace) {
   bend_all(in, r, trace);
 }
 
-template void load_teeth(const GearPair::Input&, PairResult&, NoTrace&);
-template void load_teeth(const GearPair::Input&, PairResult&, Trace&);
+template void load_teeth(const Pair::Input&, PairResult&, NoTrace&);
+template void load_teeth(const Pair::Input&, PairResult&, Trace&);
 
 }  // namespace loadpath::gear

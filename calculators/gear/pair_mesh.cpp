@@ -6,7 +6,7 @@ namespace loadpath::gear {
 namespace {
 
 template <class Tracer>
-double tips_over_bases(const GearPair::Input& in, const PairResult& r, Tracer& trace) {
+double tips_over_bases(const Pair::Input& in, const PairResult& r, Tracer& trace) {
   const auto d_a1 = r.d_a1, d_a2 = r.d_a2, d_b1 = r.d_b1, d_b2 = r.d_b2;
   if (in.mesh == Mesh::rack) {
     STEP(q_a, d_a1 / d_b1, "the flank begins at the base circle");
@@ -17,7 +17,7 @@ double tips_over_bases(const GearPair::Input& in, const PairResult& r, Tracer& t
 }
 
 template <class Tracer>
-void path_of_contact(const GearPair::Input& in, PairResult& r, Tracer& trace) {
+void path_of_contact(const Pair::Input& in, PairResult& r, Tracer& trace) {
   const auto m_n = in.m_n;
   const auto m_t = r.m_t, d_1 = r.d_1, a_w = r.a_w, d_a1 = r.d_a1, d_b1 = r.d_b1, d_w1 = r.d_w1;
   const double alpha_t = r.alpha_t, alpha_wt = r.alpha_wt, h_aP = in.h_aP;
@@ -42,7 +42,7 @@ void path_of_contact(const GearPair::Input& in, PairResult& r, Tracer& trace) {
 }
 
 template <class Tracer>
-void overlap(const GearPair::Input& in, PairResult& r, Tracer& trace) {
+void overlap(const Pair::Input& in, PairResult& r, Tracer& trace) {
   const auto m_n = in.m_n;
   const double beta = in.beta, psi_m = in.psi_m, eps_alpha = r.eps_alpha;
   r.b = in.b;
@@ -64,7 +64,7 @@ void overlap(const GearPair::Input& in, PairResult& r, Tracer& trace) {
 }
 
 template <class Tracer>
-void undercut(const GearPair::Input& in, double h_Ff, PairResult& r, Tracer& trace) {
+void undercut(const Pair::Input& in, double h_Ff, PairResult& r, Tracer& trace) {
   const double alpha_t = r.alpha_t, beta = in.beta, z_1 = in.z_1, z_2 = in.z_2, x_1 = in.x_1, x_2 = r.x_2;
   STEP(x_min1, h_Ff - z_1 * pow<2>(sin(alpha_t)) / (2.0 * cos(beta)), "the straight flank ends at the base circle");
   r.x_min1 = x_min1;
@@ -80,7 +80,7 @@ void undercut(const GearPair::Input& in, double h_Ff, PairResult& r, Tracer& tra
 
 /// How far the tips of wheel and ring pass each other where their circles cross, away from the line of action.
 template <class Tracer>
-double tips_apart(const GearPair::Input& in, const PairResult& r, Tracer& trace) {
+double tips_apart(const Pair::Input& in, const PairResult& r, Tracer& trace) {
   const auto m_n = in.m_n;
   const auto a_w = r.a_w, d_a1 = r.d_a1, d_a2 = r.d_a2, d_b1 = r.d_b1, d_b2 = r.d_b2;
   const double z_1 = in.z_1, z_2 = in.z_2, alpha_wt = r.alpha_wt;
@@ -100,7 +100,7 @@ double tips_apart(const GearPair::Input& in, const PairResult& r, Tracer& trace)
 }
 
 template <class Tracer>
-void interference(const GearPair::Input& in, double h_Ff, PairResult& r, Tracer& trace) {
+void interference(const Pair::Input& in, double h_Ff, PairResult& r, Tracer& trace) {
   const auto m_n = in.m_n;
   const auto d_1 = r.d_1, d_w1 = r.d_w1, g_f = r.g_f;
   const double alpha_t = r.alpha_t, alpha_wt = r.alpha_wt, x_1 = in.x_1, x_2 = r.x_2;
@@ -125,7 +125,7 @@ void interference(const GearPair::Input& in, double h_Ff, PairResult& r, Tracer&
 }  // namespace
 
 template <class Tracer>
-void bring_to_mesh(const GearPair::Input& in, PairResult& r, Tracer& trace) {
+void bring_to_mesh(const Pair::Input& in, PairResult& r, Tracer& trace) {
   const double h_fP = in.h_fP, rho_fP = in.rho_fP, alpha_n = in.alpha_n;
   path_of_contact(in, r, trace);
   overlap(in, r, trace);
@@ -134,7 +134,7 @@ void bring_to_mesh(const GearPair::Input& in, PairResult& r, Tracer& trace) {
   interference(in, h_Ff, r, trace);
 }
 
-template void bring_to_mesh(const GearPair::Input&, PairResult&, NoTrace&);
-template void bring_to_mesh(const GearPair::Input&, PairResult&, Trace&);
+template void bring_to_mesh(const Pair::Input&, PairResult&, NoTrace&);
+template void bring_to_mesh(const Pair::Input&, PairResult&, Trace&);
 
 }  // namespace loadpath::gear

@@ -11,33 +11,33 @@ namespace loadpath::gear {
 inline double sign_of(Mesh mesh) { return mesh == Mesh::internal ? -1.0 : 1.0; }
 
 /// Whether the profile shifts leave teeth that have a form; limits tell where they do not.
-inline bool has_teeth(const GearPair::Input& in, const PairResult& r) {
+inline bool has_teeth(const Pair::Input& in, const PairResult& r) {
   return r.q_a >= 1.0 && (in.mesh == Mesh::rack || std::abs(r.x_2) <= most_shift) && r.s_a > 0.0;
 }
 
 /// Reference circles, centre distance or profile shift, diameters and clearances.
 template <class Tracer>
-void lay_out(const GearPair::Input& in, PairResult& r, Tracer& trace);
+void lay_out(const Pair::Input& in, PairResult& r, Tracer& trace);
 
 /// Path of contact and contact ratios; undercut and interference.
 template <class Tracer>
-void bring_to_mesh(const GearPair::Input& in, PairResult& r, Tracer& trace);
+void bring_to_mesh(const Pair::Input& in, PairResult& r, Tracer& trace);
 
 /// Thickness at the reference circle and at the tip, backlash, base-tangent length.
 template <class Tracer>
-void measure_teeth(const GearPair::Input& in, PairResult& r, Tracer& trace);
+void measure_teeth(const Pair::Input& in, PairResult& r, Tracer& trace);
 
 /// Speeds, torques, forces, bending by Lewis; only what the load that is given allows.
 template <class Tracer>
-void load_teeth(const GearPair::Input& in, PairResult& r, Tracer& trace);
+void load_teeth(const Pair::Input& in, PairResult& r, Tracer& trace);
 
-extern template void lay_out(const GearPair::Input&, PairResult&, NoTrace&);
-extern template void lay_out(const GearPair::Input&, PairResult&, Trace&);
-extern template void bring_to_mesh(const GearPair::Input&, PairResult&, NoTrace&);
-extern template void bring_to_mesh(const GearPair::Input&, PairResult&, Trace&);
-extern template void measure_teeth(const GearPair::Input&, PairResult&, NoTrace&);
-extern template void measure_teeth(const GearPair::Input&, PairResult&, Trace&);
-extern template void load_teeth(const GearPair::Input&, PairResult&, NoTrace&);
-extern template void load_teeth(const GearPair::Input&, PairResult&, Trace&);
+extern template void lay_out(const Pair::Input&, PairResult&, NoTrace&);
+extern template void lay_out(const Pair::Input&, PairResult&, Trace&);
+extern template void bring_to_mesh(const Pair::Input&, PairResult&, NoTrace&);
+extern template void bring_to_mesh(const Pair::Input&, PairResult&, Trace&);
+extern template void measure_teeth(const Pair::Input&, PairResult&, NoTrace&);
+extern template void measure_teeth(const Pair::Input&, PairResult&, Trace&);
+extern template void load_teeth(const Pair::Input&, PairResult&, NoTrace&);
+extern template void load_teeth(const Pair::Input&, PairResult&, Trace&);
 
 }  // namespace loadpath::gear

@@ -20,7 +20,7 @@ struct Wheel {
 };
 
 template <class Tracer>
-Length tip_thickness(const GearPair::Input& in, const PairResult& r, const Wheel& w, Length s_n, const Symbols& name,
+Length tip_thickness(const Pair::Input& in, const PairResult& r, const Wheel& w, Length s_n, const Symbols& name,
                      Tracer& trace) {
   const double beta = in.beta, alpha_t = r.alpha_t, g = w.g;
   const auto d = w.d, d_a = w.d_a, d_b = w.d_b;
@@ -37,7 +37,7 @@ Length tip_thickness(const GearPair::Input& in, const PairResult& r, const Wheel
 
 /// Over as many teeth as touch near the circle d + 2 x m_n.
 template <class Tracer>
-double spanned_teeth(const GearPair::Input& in, const PairResult& r, const Wheel& w, Tracer&) {
+double spanned_teeth(const Pair::Input& in, const PairResult& r, const Wheel& w, Tracer&) {
   if (w.spanned > 0) return w.spanned;
   const double tan_b = std::tan(in.beta) * std::cos(r.alpha_t);  // of the helix at the base cylinder
   const double ratio_v = w.d_b / (w.d + 2.0 * w.x * in.m_n);
@@ -48,7 +48,7 @@ double spanned_teeth(const GearPair::Input& in, const PairResult& r, const Wheel
 }
 
 template <class Tracer>
-Length base_tangent(const GearPair::Input& in, const PairResult& r, const Wheel& w, double k_W, const Symbols& name,
+Length base_tangent(const Pair::Input& in, const PairResult& r, const Wheel& w, double k_W, const Symbols& name,
                     Tracer& trace) {
   const auto m_n = in.m_n;
   const auto A_s = w.A_s;
@@ -67,7 +67,7 @@ Length base_tangent(const GearPair::Input& in, const PairResult& r, const Wheel&
 }  // namespace
 
 template <class Tracer>
-void measure_teeth(const GearPair::Input& in, PairResult& r, Tracer& trace) {
+void measure_teeth(const Pair::Input& in, PairResult& r, Tracer& trace) {
   const auto m_n = in.m_n, A_s1 = in.A_s1, A_s2 = in.A_s2;
   const double alpha_n = in.alpha_n, x_1 = in.x_1, x_2 = r.x_2, x_0 = r.x_0, h_aP = in.h_aP;
   const bool both_shifts_given = is_set(in.a_w) && (is_set(in.x_2) || in.mesh == Mesh::rack);
@@ -104,7 +104,7 @@ void measure_teeth(const GearPair::Input& in, PairResult& r, Tracer& trace) {
   r.j_bn = j_bn;
 }
 
-template void measure_teeth(const GearPair::Input&, PairResult&, NoTrace&);
-template void measure_teeth(const GearPair::Input&, PairResult&, Trace&);
+template void measure_teeth(const Pair::Input&, PairResult&, NoTrace&);
+template void measure_teeth(const Pair::Input&, PairResult&, Trace&);
 
 }  // namespace loadpath::gear

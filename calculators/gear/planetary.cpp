@@ -2,7 +2,7 @@
 
 #include "lib/calculator/calculator_of.hpp"
 
-namespace loadpath {
+namespace loadpath::gear {
 
 namespace {
 
@@ -184,6 +184,6 @@ Planetary::Result Planetary::evaluate(const Input& in, Tracer& trace) {
 template Planetary::Result Planetary::evaluate(const Input&, NoTrace&);
 template Planetary::Result Planetary::evaluate(const Input&, Trace&);
 
-template const Calculator& erased<Planetary>();
+}  // namespace loadpath::gear
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::gear::Planetary>();

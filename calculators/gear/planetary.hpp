@@ -16,7 +16,7 @@
 #include <array>
 #include <cstdlib>
 
-namespace loadpath {
+namespace loadpath::gear {
 
 struct Planetary {
   static constexpr auto id = "gear.planetary";
@@ -179,4 +179,4 @@ constexpr auto choices_of(Planetary::Coaxial) {
       ChoiceName<Coaxial>{Coaxial::none, "none", "not at all: z_r is too far from z_s + 2 z_p for profile shift"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::gear

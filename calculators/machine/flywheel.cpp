@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace loadpath {
+namespace loadpath::machine {
 
 namespace {
 
@@ -33,7 +33,7 @@ Samples samples_of(const Input& in) {
 template <class Tracer>
 void take_energy(const Input& in, Result& r, Tracer& trace) {
   const Samples samples = samples_of(in);
-  const auto energy = machine::turning_energy({samples.data(), samples.size()}, in.period);
+  const auto energy = turning_energy({samples.data(), samples.size()}, in.period);
   const auto period = in.period;
   const Moment A = energy.work * J;
   const Moment E_low = energy.low * J, E_high = energy.high * J;
@@ -173,7 +173,7 @@ std::vector<draw::Figure> Flywheel::figures(const Input& in, const Result& r) {
     M.x.push_back(samples[i].phi);
     E.x.push_back(samples[i].phi);
     M.y.push_back(samples[i].M);
-    const double work = machine::energy_at({samples.data(), samples.size()}, in_si(r.M_m), i);
+    const double work = energy_at({samples.data(), samples.size()}, in_si(r.M_m), i);
     E.y.push_back(motion::without_rounding(work, in_si(r.Delta_E)));
   }
   moment.curves.push_back(std::move(M));
@@ -186,6 +186,6 @@ std::vector<draw::Figure> Flywheel::figures(const Input& in, const Result& r) {
           {"energy", "Energy that the flywheel takes up and gives back", std::move(energy)}};
 }
 
-template const Calculator& erased<Flywheel>();
+}  // namespace loadpath::machine
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::machine::Flywheel>();

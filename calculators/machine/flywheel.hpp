@@ -16,7 +16,7 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::machine {
 
 struct Flywheel {
   static constexpr auto id = "machine.flywheel";
@@ -48,7 +48,7 @@ delta = 0.01
   };
   static constexpr std::size_t most_points = 72;
   static constexpr std::size_t most_samples = 1440;
-  using Samples = List<machine::Sample, most_samples>;
+  using Samples = List<Sample, most_samples>;
 
   struct Input {
     Moment M = unset<Moment>;
@@ -163,4 +163,4 @@ constexpr auto choices_of(Flywheel::Work) {
                     ChoiceName<Word>{Word::none, "none", "no work over the period: there is no mean power"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::machine

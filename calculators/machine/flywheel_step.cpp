@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loadpath {
+namespace loadpath::machine {
 
 namespace {
 
@@ -60,7 +60,7 @@ bool FlywheelStep::fill(const Value& series, std::vector<Issue>& issues) {
   in.series.clear();
   for (std::size_t i = 0; i < series.si.size(); ++i) in.series.push_back({axis.at[i], series.si[i]});
   if (axis.period < 0.0) {  // a crank that turns backwards: the angle is counted the way it turns
-    for (machine::Sample& sample : in.series) sample.phi = -sample.phi, sample.M = -sample.M;
+    for (Sample& sample : in.series) sample.phi = -sample.phi, sample.M = -sample.M;
   }
   return true;
 }
@@ -81,4 +81,4 @@ std::unique_ptr<project::Step> make_flywheel_step(project::StepInput&& input) {
   return std::make_unique<FlywheelStep>(std::move(input));
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::machine

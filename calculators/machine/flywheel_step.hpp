@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-namespace loadpath {
+namespace loadpath::machine {
 
 class FlywheelStep : public project::CalculatorStep {
  public:
@@ -27,4 +27,4 @@ class FlywheelStep : public project::CalculatorStep {
 
 std::unique_ptr<project::Step> make_flywheel_step(project::StepInput&& input);
 
-}  // namespace loadpath
+}  // namespace loadpath::machine

@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loadpath {
+namespace loadpath::machine {
 
 namespace {
 
 using Input = RunUp::Input;
 using Result = RunUp::Result;
-using MomentLine = List<machine::LinePoint, RunUp::most_points>;
+using MomentLine = List<LinePoint, RunUp::most_points>;
 using Speeds = List<double, 2 * RunUp::most_points + 2>;
 
 MomentLine line_of(const RunUp::Points& points) {
@@ -26,8 +26,8 @@ MomentLine line_of(const RunUp::Points& points) {
 struct Balance {
   MomentLine motor, load;
   explicit Balance(const Input& in) : motor(line_of(in.motor)), load(line_of(in.load)) {}
-  [[nodiscard]] double motor_at(double omega) const { return machine::moment_at({motor.data(), motor.size()}, omega); }
-  [[nodiscard]] double load_at(double omega) const { return machine::moment_at({load.data(), load.size()}, omega); }
+  [[nodiscard]] double motor_at(double omega) const { return moment_at({motor.data(), motor.size()}, omega); }
+  [[nodiscard]] double load_at(double omega) const { return moment_at({load.data(), load.size()}, omega); }
   [[nodiscard]] double at(double omega) const { return motor_at(omega) - load_at(omega); }
 };
 
@@ -36,7 +36,7 @@ Speeds speeds_of(const Input& in, const Balance& balance) {
   const double from = in_si(in.n_1), to = in_si(in.n_2), low = std::min(from, to), high = std::max(from, to);
   Speeds speeds{from, to};
   for (const MomentLine* const line : {&balance.motor, &balance.load}) {
-    for (const machine::LinePoint& point : *line) {
+    for (const LinePoint& point : *line) {
       if (low < point.omega && point.omega < high) speeds.push_back(point.omega);
     }
   }
@@ -62,7 +62,7 @@ double load_work(const Balance& balance, double inertia, double from, double to)
   double work = 0.0;
   for (int i = 0; i < steps; ++i) {
     const double a = from + (to - from) * i / steps, b = from + (to - from) * (i + 1) / steps;
-    const auto part = machine::run(inertia, a, balance.at(a), b, balance.at(b));
+    const auto part = run(inertia, a, balance.at(a), b, balance.at(b));
     work += balance.load_at(0.5 * (a + b)) * part.angle;
   }
   return work;
@@ -84,12 +84,12 @@ void follow(const Input& in, const Balance& balance, const Speeds& speeds, Resul
     if (r.u_M <= 1.0) r.u_M = unset<double>;  // just balanced: it stands there, or never gets there
     return;
   }
-  machine::Stretch whole;
+  Stretch whole;
   double taken = 0.0;
   for (std::size_t i = 0; i + 1 < speeds.size(); ++i) {
     const double a = speeds[i], b = speeds[i + 1];
     if (a == b) continue;
-    const auto part = machine::run(inertia, a, balance.at(a), b, balance.at(b));
+    const auto part = run(inertia, a, balance.at(a), b, balance.at(b));
     whole.time += part.time;
     whole.angle += part.angle;
     taken += load_work(balance, inertia, a, b);
@@ -190,6 +190,6 @@ std::vector<draw::Figure> RunUp::figures(const Input& in, const Result&) {
   return {{"moment-lines", "Moment lines of motor and load", std::move(plot)}};
 }
 
-template const Calculator& erased<RunUp>();
+}  // namespace loadpath::machine
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::machine::RunUp>();

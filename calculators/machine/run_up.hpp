@@ -16,7 +16,7 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::machine {
 
 struct RunUp {
   static constexpr auto id = "machine.run_up";
@@ -117,4 +117,4 @@ n_2 = "1400 rpm"
 extern template RunUp::Result RunUp::evaluate(const Input&, NoTrace&);
 extern template RunUp::Result RunUp::evaluate(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::machine

@@ -5,14 +5,14 @@
 
 #include <cmath>
 
-namespace loadpath {
+namespace loadpath::motion {
 
 namespace {
 
 using std::cos;
 using std::sin;
-using Input = CompoundMotion::Input;
-using Result = CompoundMotion::Result;
+using Input = Compound::Input;
+using Result = Compound::Result;
 
 template <class Tracer>
 void add_velocities(const Input& in, Result& r, Tracer& trace) {
@@ -59,8 +59,8 @@ void add_accelerations(const Input& in, Result& r, Tracer& trace) {
 }
 
 /// Where the Coriolis acceleration points, beside the normal transport acceleration -omega^2 (xi, eta).
-CompoundMotion::Sense sense_of(const Input& in, const Result& r) {
-  using S = CompoundMotion::Sense;
+Compound::Sense sense_of(const Input& in, const Result& r) {
+  using S = Compound::Sense;
   constexpr double rounding = 1e-9;
   const double normal_xi = -in_si(in.xi), normal_eta = -in_si(in.eta);
   const double product = std::hypot(normal_xi, normal_eta) * in_si(r.a_c);
@@ -74,7 +74,7 @@ CompoundMotion::Sense sense_of(const Input& in, const Result& r) {
 }  // namespace
 
 template <class Tracer>
-CompoundMotion::Result CompoundMotion::evaluate(const Input& in, Tracer& trace) {
+Compound::Result Compound::evaluate(const Input& in, Tracer& trace) {
   Result r;
   add_velocities(in, r, trace);
   add_accelerations(in, r, trace);
@@ -82,29 +82,29 @@ CompoundMotion::Result CompoundMotion::evaluate(const Input& in, Tracer& trace) 
   return r;
 }
 
-template CompoundMotion::Result CompoundMotion::evaluate(const Input&, NoTrace&);
-template CompoundMotion::Result CompoundMotion::evaluate(const Input&, Trace&);
+template Compound::Result Compound::evaluate(const Input&, NoTrace&);
+template Compound::Result Compound::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> CompoundMotion::figures(const Input& in, const Result& r) {
+std::vector<draw::Figure> Compound::figures(const Input& in, const Result& r) {
   const auto turned = [&in](auto along, auto across) {
     const double a = in_si(along), b = in_si(across), c = cos(in.phi), s = sin(in.phi);
     return draw::Point{a * c - b * s, a * s + b * c};
   };
-  const motion::Vectors velocities{
+  const Vectors velocities{
       "Velocities",
       "m/s",
       {{"v_e", turned(r.v_exi, r.v_eeta)}, {"v_r", turned(in.v_xi, in.v_eta)}, {"v", turned(r.v_axi, r.v_aeta)}}};
-  const motion::Vectors accelerations{"Accelerations",
-                                      "m/s^2",
-                                      {{"a_e", turned(r.a_exi, r.a_eeta)},
-                                       {"a_r", turned(in.a_xi, in.a_eta)},
-                                       {"a_c", turned(r.a_cxi, r.a_ceta)},
-                                       {"a", turned(r.a_axi, r.a_aeta)}}};
-  auto plan = motion::plan_figure({velocities, accelerations});
+  const Vectors accelerations{"Accelerations",
+                              "m/s^2",
+                              {{"a_e", turned(r.a_exi, r.a_eeta)},
+                               {"a_r", turned(in.a_xi, in.a_eta)},
+                               {"a_c", turned(r.a_cxi, r.a_ceta)},
+                               {"a", turned(r.a_axi, r.a_aeta)}}};
+  auto plan = plan_figure({velocities, accelerations});
   if (std::get<draw::Plans>(plan.content).panels.empty()) return {};
   return {std::move(plan)};
 }
 
-template const Calculator& erased<CompoundMotion>();
+}  // namespace loadpath::motion
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::motion::Compound>();

@@ -13,9 +13,9 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::motion {
 
-struct CompoundMotion {
+struct Compound {
   static constexpr auto id = "motion.compound";
   static constexpr auto title = "Compound motion of a point";
   static constexpr auto scope =
@@ -109,11 +109,11 @@ phi = "60 deg"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template CompoundMotion::Result CompoundMotion::evaluate(const Input&, NoTrace&);
-extern template CompoundMotion::Result CompoundMotion::evaluate(const Input&, Trace&);
+extern template Compound::Result Compound::evaluate(const Input&, NoTrace&);
+extern template Compound::Result Compound::evaluate(const Input&, Trace&);
 
-constexpr auto choices_of(CompoundMotion::Sense) {
-  using S = CompoundMotion::Sense;
+constexpr auto choices_of(Compound::Sense) {
+  using S = Compound::Sense;
   return std::array{ChoiceName<S>{S::none, "none", "one of the two is zero"},
                     ChoiceName<S>{S::along, "along", "towards the axis as well"},
                     ChoiceName<S>{S::against, "against", "on the same line, away from the axis"},
@@ -121,4 +121,4 @@ constexpr auto choices_of(CompoundMotion::Sense) {
                     ChoiceName<S>{S::oblique, "oblique", "at an angle to it"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::motion

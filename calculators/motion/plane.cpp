@@ -7,14 +7,14 @@
 
 #include <cmath>
 
-namespace loadpath {
+namespace loadpath::motion {
 
 namespace {
 
 using std::cos;
 using std::sin;
-using Input = PlaneMotion::Input;
-using Result = PlaneMotion::Result;
+using Input = Plane::Input;
+using Result = Plane::Result;
 
 constexpr double square_to_AB = 1e-9;  // cosine below which a direction counts as perpendicular to AB
 constexpr double rounding = 1e-12;
@@ -35,8 +35,8 @@ bool uses_B(const Input& in) { return !is_set(in.omega); }
 double projection_of_A(const Input& in) { return in_si(in.v_A) * cosine_to_AB(in, in.alpha_A); }
 double projection_of_B(const Input& in) { return rests_in_B(in) ? 0.0 : in_si(in.v_B) * cosine_to_AB(in, in.alpha_B); }
 
-PlaneMotion::Case case_of(const Input& in) {
-  using C = PlaneMotion::Case;
+Plane::Case case_of(const Input& in) {
+  using C = Plane::Case;
   if (!uses_B(in)) return C::given;
   if (rests_in_B(in)) return C::meeting;
   if (is_across_AB(in, in.alpha_B)) return C::tips;
@@ -68,10 +68,10 @@ void take_velocity_of_B(const Input& in, const Span& span, Result& r, Tracer& tr
   if (!is_set(in.alpha_B)) trace.value("alpha_B", alpha_B, "any direction: B rests");
   if (!is_set(in.v_B)) {
     STEP(v_B, v_A * cos(alpha_A - beta) / cos(alpha_B - beta), "projections on AB are equal, [B29]");
-    r.v_B = motion::without_rounding(in_si(v_B), in_si(v_A)) * m_per_s;
+    r.v_B = without_rounding(in_si(v_B), in_si(v_A)) * m_per_s;
   }
   const auto v_B = r.v_B;
-  if (case_of(in) == PlaneMotion::Case::inclined) {
+  if (case_of(in) == Plane::Case::inclined) {
     r.omega = 0.0 * rad_per_s;
     trace.value("omega", r.omega, "parallel velocities oblique to AB: translation, [B29]");
     return;
@@ -83,12 +83,12 @@ void take_velocity_of_B(const Input& in, const Span& span, Result& r, Tracer& tr
 }
 
 /// Whether a speed at the distance that matters is nothing beside the velocities.
-PlaneMotion::Kind kind_of(const Input& in, const Result& r) {
+Plane::Kind kind_of(const Input& in, const Result& r) {
   const double fastest = std::max(std::abs(in_si(in.v_A)), is_set(r.v_B) ? std::abs(in_si(r.v_B)) : 0.0);
   const double turning = std::abs(in_si(r.omega)) * (uses_B(in) ? distance(in) : 1.0);
-  if (fastest == 0.0 && turning == 0.0) return PlaneMotion::Kind::rest;
+  if (fastest == 0.0 && turning == 0.0) return Plane::Kind::rest;
   const double negligible = uses_B(in) ? rounding * fastest : 0.0;
-  return turning <= negligible ? PlaneMotion::Kind::translation : PlaneMotion::Kind::rotation;
+  return turning <= negligible ? Plane::Kind::translation : Plane::Kind::rotation;
 }
 
 template <class Tracer>
@@ -102,8 +102,8 @@ void find_pole(const Input& in, Result& r, Tracer& trace) {
   const auto v_A = in.v_A;
   const auto x_A = in.A.x, y_A = in.A.y;
   const auto omega = r.omega;
-  const Speed v_Ax = motion::without_rounding(in_si(v_A) * cos(in.alpha_A), in_si(v_A)) * m_per_s;
-  const Speed v_Ay = motion::without_rounding(in_si(v_A) * sin(in.alpha_A), in_si(v_A)) * m_per_s;
+  const Speed v_Ax = without_rounding(in_si(v_A) * cos(in.alpha_A), in_si(v_A)) * m_per_s;
+  const Speed v_Ay = without_rounding(in_si(v_A) * sin(in.alpha_A), in_si(v_A)) * m_per_s;
   tell_A(in, trace);
   trace.value("v_Ax", v_Ax, "v_A along x");
   trace.value("v_Ay", v_Ay, "v_A along y");
@@ -136,7 +136,7 @@ void find_pole_of_accelerations(const Input& in, Result& r, Tracer& trace) {
   const auto alpha_aA = in.alpha_aA;
   STEP(D, pow<4>(omega) + epsilon * epsilon, "square of the acceleration per distance");
   if (in_si(D) == 0.0) return;
-  if (r.kind != PlaneMotion::Kind::rotation) tell_A(in, trace);
+  if (r.kind != Plane::Kind::rotation) tell_A(in, trace);
   STEP(x_Q, x_A + a_A * (omega * omega * cos(alpha_aA) - epsilon * sin(alpha_aA)) / D,
        "the point without acceleration");
   STEP(y_Q, y_A + a_A * (omega * omega * sin(alpha_aA) + epsilon * cos(alpha_aA)) / D,
@@ -144,54 +144,54 @@ void find_pole_of_accelerations(const Input& in, Result& r, Tracer& trace) {
   r.x_Q = x_Q, r.y_Q = y_Q;
 }
 
-PlaneMotion::PointState state_at(const Input& in, const Result& r, const Name& name, Length x, Length y) {
-  PlaneMotion::PointState s;
+Plane::PointState state_at(const Input& in, const Result& r, const Name& name, Length x, Length y) {
+  Plane::PointState s;
   s.name = name, s.x = x, s.y = y;
   const double dx = in_si(x - in.A.x), dy = in_si(y - in.A.y), reach = std::hypot(dx, dy);
   const double v_A = in_si(in.v_A), omega = in_si(r.omega);
   const double v_scale = std::abs(v_A) + std::abs(omega) * reach;
-  s.v_x = motion::without_rounding(v_A * cos(in.alpha_A) - omega * dy, v_scale) * m_per_s;
-  s.v_y = motion::without_rounding(v_A * sin(in.alpha_A) + omega * dx, v_scale) * m_per_s;
+  s.v_x = without_rounding(v_A * cos(in.alpha_A) - omega * dy, v_scale) * m_per_s;
+  s.v_y = without_rounding(v_A * sin(in.alpha_A) + omega * dx, v_scale) * m_per_s;
   s.v = sqrt(s.v_x * s.v_x + s.v_y * s.v_y);
   if (in_si(s.v) > 0.0) s.gamma = std::atan2(in_si(s.v_y), in_si(s.v_x));
   if (!is_set(in.a_A)) return s;
   const double a_A = in_si(in.a_A), epsilon = in_si(r.epsilon), square = omega * omega;
   const double a_scale = std::abs(a_A) + (std::abs(epsilon) + square) * reach;
-  s.a_x = motion::without_rounding(a_A * cos(in.alpha_aA) - epsilon * dy - square * dx, a_scale) * m_per_s2;
-  s.a_y = motion::without_rounding(a_A * sin(in.alpha_aA) + epsilon * dx - square * dy, a_scale) * m_per_s2;
+  s.a_x = without_rounding(a_A * cos(in.alpha_aA) - epsilon * dy - square * dx, a_scale) * m_per_s2;
+  s.a_y = without_rounding(a_A * sin(in.alpha_aA) + epsilon * dx - square * dy, a_scale) * m_per_s2;
   s.a = sqrt(s.a_x * s.a_x + s.a_y * s.a_y);
   return s;
 }
 
 }  // namespace
 
-bool PlaneMotion::has_one_way(const Input& in) {
+bool Plane::has_one_way(const Input& in) {
   const bool tells = has_B(in) && (is_set(in.alpha_B) || rests_in_B(in));
   const bool starts = is_set(in.v_B) || is_set(in.alpha_B);
   return is_set(in.omega) ? !starts : tells;
 }
-bool PlaneMotion::is_B_apart(const Input& in) { return !has_B(in) || distance(in) > 0.0; }
-bool PlaneMotion::has_speed_of_B(const Input& in) {
+bool Plane::is_B_apart(const Input& in) { return !has_B(in) || distance(in) > 0.0; }
+bool Plane::has_speed_of_B(const Input& in) {
   if (!uses_B(in) || !has_one_way(in) || !is_B_apart(in) || is_set(in.v_B)) return true;
   return !is_across_AB(in, in.alpha_B);
 }
-bool PlaneMotion::projections_agree(const Input& in) {
+bool Plane::projections_agree(const Input& in) {
   if (!uses_B(in) || !has_one_way(in) || !is_B_apart(in) || !is_set(in.v_B)) return true;
   const double larger = std::max(std::abs(in_si(in.v_A)), std::abs(in_si(in.v_B)));
   return std::abs(projection_of_A(in) - projection_of_B(in)) <= rigid * larger;
 }
-FieldFault PlaneMotion::projections(const Input& in) {
+FieldFault Plane::projections(const Input& in) {
   return {"",
           say("the velocity of A has {1} along AB and that of B {2}: AB would change its length",
               format_quantity(projection_of_A(in), "m/s", 4), format_quantity(projection_of_B(in), "m/s", 4)),
           say("leave out v_B: it follows from the velocity of A")};
 }
-bool PlaneMotion::guide_is_oblique(const Input& in) {
+bool Plane::guide_is_oblique(const Input& in) {
   return !is_set(in.alpha_aB) || (has_B(in) && is_B_apart(in) && !is_across_AB(in, in.alpha_aB));
 }
 
 template <class Tracer>
-PlaneMotion::Result PlaneMotion::evaluate(const Input& in, Tracer& trace) {
+Plane::Result Plane::evaluate(const Input& in, Tracer& trace) {
   Result r;
   r.found = case_of(in);
   r.omega = in.omega;
@@ -210,13 +210,13 @@ PlaneMotion::Result PlaneMotion::evaluate(const Input& in, Tracer& trace) {
   return r;
 }
 
-template PlaneMotion::Result PlaneMotion::evaluate(const Input&, NoTrace&);
-template PlaneMotion::Result PlaneMotion::evaluate(const Input&, Trace&);
+template Plane::Result Plane::evaluate(const Input&, NoTrace&);
+template Plane::Result Plane::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> PlaneMotion::figures(const Input&, const Result& r) {
+std::vector<draw::Figure> Plane::figures(const Input&, const Result& r) {
   draw::Scheme scheme;
   draw::Scheme::Body body{"", {}};
-  motion::Vectors velocities{"Velocities", "m/s", {}}, accelerations{"Accelerations", "m/s^2", {}};
+  Vectors velocities{"Velocities", "m/s", {}}, accelerations{"Accelerations", "m/s^2", {}};
   for (const PointState& s : r.states) {
     const std::string name(s.name.view());
     body.points.push_back({in_si(s.x), in_si(s.y)});
@@ -227,11 +227,11 @@ std::vector<draw::Figure> PlaneMotion::figures(const Input&, const Result& r) {
   scheme.bodies.push_back(std::move(body));
   if (is_set(r.x_P)) scheme.points.push_back({"P", {in_si(r.x_P), in_si(r.y_P)}});
   std::vector<draw::Figure> all{{"body", "The body with the pole P of its velocities", std::move(scheme)}};
-  auto plan = motion::plan_figure({velocities, accelerations});
+  auto plan = plan_figure({velocities, accelerations});
   if (!std::get<draw::Plans>(plan.content).panels.empty()) all.push_back(std::move(plan));
   return all;
 }
 
-template const Calculator& erased<PlaneMotion>();
+}  // namespace loadpath::motion
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::motion::Plane>();

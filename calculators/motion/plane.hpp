@@ -15,9 +15,9 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::motion {
 
-struct PlaneMotion {
+struct Plane {
   static constexpr auto id = "motion.plane";
   static constexpr auto title = "Plane motion of a body";
   static constexpr auto scope =
@@ -171,22 +171,22 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template PlaneMotion::Result PlaneMotion::evaluate(const Input&, NoTrace&);
-extern template PlaneMotion::Result PlaneMotion::evaluate(const Input&, Trace&);
+extern template Plane::Result Plane::evaluate(const Input&, NoTrace&);
+extern template Plane::Result Plane::evaluate(const Input&, Trace&);
 
-constexpr auto choices_of(PlaneMotion::Case) {
-  using C = PlaneMotion::Case;
+constexpr auto choices_of(Plane::Case) {
+  using C = Plane::Case;
   return std::array{
       ChoiceName<C>{C::given, "given", "the angular speed is given"},
       ChoiceName<C>{C::meeting, "meeting", "the perpendiculars to the velocities meet in the pole"},
       ChoiceName<C>{C::tips, "tips", "both velocities are perpendicular to AB: the line through their tips"},
       ChoiceName<C>{C::inclined, "inclined", "parallel velocities, oblique to AB: a translation"}};
 }
-constexpr auto choices_of(PlaneMotion::Kind) {
-  using K = PlaneMotion::Kind;
+constexpr auto choices_of(Plane::Kind) {
+  using K = Plane::Kind;
   return std::array{ChoiceName<K>{K::rotation, "rotation", "turns about the pole of velocities"},
                     ChoiceName<K>{K::translation, "translation", "all points have one velocity; no pole"},
                     ChoiceName<K>{K::rest, "rest", "no point moves"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::motion

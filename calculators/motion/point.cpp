@@ -7,22 +7,19 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loadpath {
+namespace loadpath::motion {
 
 namespace {
 
-using motion::PointPath;
-using motion::PointState;
-
 constexpr double rounding = 1e-12;  // a part of the acceleration below this share of it is none
 
-PointPath path_of(const PointMotion::Input& in) { return {in.x, in.y, in.z}; }
+PointPath path_of(const Point::Input& in) { return {in.x, in.y, in.z}; }
 
 Length radius_of(const PointState& s) { return s.a_n > rounding * s.acceleration ? 1.0 / s.kappa * m : unset<Length>; }
 
-PointMotion::State state_at(const PointPath& path, double t) {
+Point::State state_at(const PointPath& path, double t) {
   const PointState s = path.at(t);
-  PointMotion::State state;
+  Point::State state;
   state.t = t * sec;
   state.x = s.r[0] * m, state.y = s.r[1] * m, state.z = s.r[2] * m;
   state.v = s.speed * m_per_s;
@@ -33,7 +30,7 @@ PointMotion::State state_at(const PointPath& path, double t) {
 
 /// Place, velocity and acceleration from the laws; a plane motion is not told of z.
 template <class Tracer>
-void take_state(const PointState& s, bool plane, PointMotion::Result& r, Tracer& trace) {
+void take_state(const PointState& s, bool plane, Point::Result& r, Tracer& trace) {
   r.x_M = s.r[0] * m, r.y_M = s.r[1] * m, r.z_M = s.r[2] * m;
   r.v_x = s.v[0] * m_per_s, r.v_y = s.v[1] * m_per_s, r.v_z = s.v[2] * m_per_s;
   r.a_x = s.a[0] * m_per_s2, r.a_y = s.a[1] * m_per_s2, r.a_z = s.a[2] * m_per_s2;
@@ -53,7 +50,7 @@ void take_state(const PointState& s, bool plane, PointMotion::Result& r, Tracer&
 
 /// Magnitudes, and the parts of the acceleration, of a motion in the plane xy.
 template <class Tracer>
-void split_in_plane(bool rests, PointMotion::Result& r, Tracer& trace) {
+void split_in_plane(bool rests, Point::Result& r, Tracer& trace) {
   const auto v_x = r.v_x, v_y = r.v_y;
   const auto a_x = r.a_x, a_y = r.a_y;
   STEP(v, sqrt(v_x * v_x + v_y * v_y), "magnitude of the velocity, [B26]");
@@ -67,7 +64,7 @@ void split_in_plane(bool rests, PointMotion::Result& r, Tracer& trace) {
 
 /// The same of a motion in space.
 template <class Tracer>
-void split_in_space(bool rests, PointMotion::Result& r, Tracer& trace) {
+void split_in_space(bool rests, Point::Result& r, Tracer& trace) {
   const auto v_x = r.v_x, v_y = r.v_y, v_z = r.v_z;
   const auto a_x = r.a_x, a_y = r.a_y, a_z = r.a_z;
   STEP(v, sqrt(v_x * v_x + v_y * v_y + v_z * v_z), "magnitude of the velocity, [B26]");
@@ -84,7 +81,7 @@ void split_in_space(bool rests, PointMotion::Result& r, Tracer& trace) {
 
 /// Curvature and direction, where there is a tangent.
 template <class Tracer>
-void bend(PointMotion::Result& r, Tracer& trace) {
+void bend(Point::Result& r, Tracer& trace) {
   const auto v = r.v;
   const auto a_n = r.a_n;
   if (in_si(abs(r.v_x)) + in_si(abs(r.v_y)) > 0.0) r.gamma = std::atan2(in_si(r.v_y), in_si(r.v_x));
@@ -95,14 +92,14 @@ void bend(PointMotion::Result& r, Tracer& trace) {
   r.rho = rho;
 }
 
-PointMotion::Change change_of(bool rests, Acceleration a_tau, Acceleration a) {
-  if (rests) return PointMotion::Change::at_rest;
-  if (abs(a_tau) <= rounding * a) return PointMotion::Change::steady;
-  return in_si(a_tau) > 0.0 ? PointMotion::Change::faster : PointMotion::Change::slower;
+Point::Change change_of(bool rests, Acceleration a_tau, Acceleration a) {
+  if (rests) return Point::Change::at_rest;
+  if (abs(a_tau) <= rounding * a) return Point::Change::steady;
+  return in_si(a_tau) > 0.0 ? Point::Change::faster : Point::Change::slower;
 }
 
 template <class Tracer>
-void take_range(const PointMotion::Input& in, const PointPath& path, PointMotion::Result& r, Tracer& trace) {
+void take_range(const Point::Input& in, const PointPath& path, Point::Result& r, Tracer& trace) {
   const double from = in_si(in.t_1), to = in_si(in.t_2);
   const auto t_1 = in.t_1, t_2 = in.t_2;
   const PointState first = path.at(from), last = path.at(to);
@@ -123,7 +120,7 @@ void take_range(const PointMotion::Input& in, const PointPath& path, PointMotion
   r.v_max = fastest * m_per_s, r.a_max = largest * m_per_s2;
 }
 
-void fill_states(const PointMotion::Input& in, const PointPath& path, PointMotion::Result& r) {
+void fill_states(const Point::Input& in, const PointPath& path, Point::Result& r) {
   for (const auto& instant : in.times) r.states.push_back(state_at(path, in_si(instant.t)));
   if (!in.times.empty() || !is_set(in.t_1)) return;
   for (int i = 0; i < in.rows; ++i)
@@ -132,12 +129,12 @@ void fill_states(const PointMotion::Input& in, const PointPath& path, PointMotio
 
 }  // namespace
 
-bool PointMotion::laws_read(const Input& in) { return path_of(in).reads(); }
-FieldFault PointMotion::law_fault(const Input& in) { return path_of(in).reading_fault(); }
+bool Point::laws_read(const Input& in) { return path_of(in).reads(); }
+FieldFault Point::law_fault(const Input& in) { return path_of(in).reading_fault(); }
 
-bool PointMotion::laws_are_smooth(const Input& in) { return gap(in).message.empty(); }
+bool Point::laws_are_smooth(const Input& in) { return gap(in).message.empty(); }
 
-FieldFault PointMotion::gap(const Input& in) {
+FieldFault Point::gap(const Input& in) {
   const PointPath path = path_of(in);
   FieldFault fault = path.gap_fault(in_si(in.t), in_si(in.t));
   for (const Instant& instant : in.times) {
@@ -148,7 +145,7 @@ FieldFault PointMotion::gap(const Input& in) {
 }
 
 template <class Tracer>
-PointMotion::Result PointMotion::evaluate(const Input& in, Tracer& trace) {
+Point::Result Point::evaluate(const Input& in, Tracer& trace) {
   Result r;
   const PointPath path = path_of(in);
   const PointState now = path.at(in_si(in.t));
@@ -167,17 +164,17 @@ PointMotion::Result PointMotion::evaluate(const Input& in, Tracer& trace) {
   return r;
 }
 
-template PointMotion::Result PointMotion::evaluate(const Input&, NoTrace&);
-template PointMotion::Result PointMotion::evaluate(const Input&, Trace&);
+template Point::Result Point::evaluate(const Input&, NoTrace&);
+template Point::Result Point::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> PointMotion::figures(const Input& in, const Result& r) {
+std::vector<draw::Figure> Point::figures(const Input& in, const Result& r) {
   const PointPath path = path_of(in);
   std::vector<draw::Figure> all;
   const double t = in_si(in.t);
   if (is_set(in.t_1)) {
-    all.push_back(motion::path_figure(path, t, in_si(in.t_1), in_si(in.t_2)));
-    all.push_back(motion::speed_figure(path, t, in_si(in.t_1), in_si(in.t_2)));
-    all.push_back(motion::acceleration_figure(path, t, in_si(in.t_1), in_si(in.t_2)));
+    all.push_back(path_figure(path, t, in_si(in.t_1), in_si(in.t_2)));
+    all.push_back(speed_figure(path, t, in_si(in.t_1), in_si(in.t_2)));
+    all.push_back(acceleration_figure(path, t, in_si(in.t_1), in_si(in.t_2)));
   }
   const draw::Point v{in_si(r.v_x), in_si(r.v_y)}, a{in_si(r.a_x), in_si(r.a_y)};
   std::vector<std::pair<std::string, draw::Point>> parts{{"a", a}};
@@ -187,11 +184,11 @@ std::vector<draw::Figure> PointMotion::figures(const Input& in, const Result& r)
     parts.push_back({"a_tau", tangential});
     parts.push_back({"a_n", {a.x - tangential.x, a.y - tangential.y}});
   }
-  auto plan = motion::plan_figure({{"Velocity", "m/s", {{"v", v}}}, {"Acceleration", "m/s^2", parts}});
+  auto plan = plan_figure({{"Velocity", "m/s", {{"v", v}}}, {"Acceleration", "m/s^2", parts}});
   if (!std::get<draw::Plans>(plan.content).panels.empty()) all.push_back(std::move(plan));
   return all;
 }
 
-template const Calculator& erased<PointMotion>();
+}  // namespace loadpath::motion
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::motion::Point>();

@@ -16,9 +16,9 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::motion {
 
-struct PointMotion {
+struct Point {
   static constexpr auto id = "motion.point";
   static constexpr auto title = "Motion of a point";
   static constexpr auto scope =
@@ -131,7 +131,7 @@ t_2 = "2 s"
   static FieldFault gap(const Input& in);
   static constexpr std::array rules = join<Input>(
       std::array{Rule<Input>{&laws_read, "x, y, z", "x, y and z must be lengths as formulas of t", &law_fault}},
-      motion::range_rules<Input>(),
+      range_rules<Input>(),
       std::array{Rule<Input>{&laws_are_smooth, "x, y, z, t, t_1, t_2, times",
                              "the laws must have values at these times", &gap}});
 
@@ -140,15 +140,15 @@ t_2 = "2 s"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template PointMotion::Result PointMotion::evaluate(const Input&, NoTrace&);
-extern template PointMotion::Result PointMotion::evaluate(const Input&, Trace&);
+extern template Point::Result Point::evaluate(const Input&, NoTrace&);
+extern template Point::Result Point::evaluate(const Input&, Trace&);
 
-constexpr auto choices_of(PointMotion::Change) {
-  using C = PointMotion::Change;
+constexpr auto choices_of(Point::Change) {
+  using C = Point::Change;
   return std::array{ChoiceName<C>{C::at_rest, "at_rest", "the point rests at this time"},
                     ChoiceName<C>{C::steady, "steady", "the speed does not change at this time"},
                     ChoiceName<C>{C::faster, "faster", "the speed grows"},
                     ChoiceName<C>{C::slower, "slower", "the speed falls"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::motion

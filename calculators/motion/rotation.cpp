@@ -6,11 +6,11 @@
 
 #include <cmath>
 
-namespace loadpath {
+namespace loadpath::motion {
 
 namespace {
 
-motion::Written law_of(const Rotation::Input& in) { return {"phi", &in.phi, deg.dimension()}; }
+Written law_of(const Rotation::Input& in) { return {"phi", &in.phi, deg.dimension()}; }
 
 /// Counter-clockwise and getting faster are two things: the signs of omega and epsilon tell.
 Rotation::Change change_of(double omega, double epsilon, double t) {
@@ -44,8 +44,8 @@ void move_point(const Rotation::Input& in, Rotation::Result& r, Tracer& trace) {
   r.v = v, r.a_tau = a_tau, r.a_n = a_n, r.a = a;
   if (in_si(a) > 0.0) r.mu = std::atan2(std::abs(in_si(a_tau)), in_si(a_n));
   const double direction = in.phi_M + r.phi_t;
-  const double c = motion::without_rounding(std::cos(direction), 1.0);
-  const double s = motion::without_rounding(std::sin(direction), 1.0);
+  const double c = without_rounding(std::cos(direction), 1.0);
+  const double s = without_rounding(std::sin(direction), 1.0);
   r.x_M = R * c, r.y_M = R * s;
   r.v_x = -R * omega * s, r.v_y = R * omega * c;
   r.a_x = -a_tau * s - a_n * c, r.a_y = a_tau * c - a_n * s;
@@ -101,12 +101,12 @@ std::vector<draw::Figure> Rotation::figures(const Input& in, const Result& r) {
     all.push_back({"angular-speed", "Angular speed over time", std::move(plot)});
   }
   if (!is_set(in.R)) return all;
-  auto plan = motion::plan_figure({{"Velocity of the point", "m/s", {{"v", {in_si(r.v_x), in_si(r.v_y)}}}},
-                                   {"Acceleration of the point", "m/s^2", {{"a", {in_si(r.a_x), in_si(r.a_y)}}}}});
+  auto plan = plan_figure({{"Velocity of the point", "m/s", {{"v", {in_si(r.v_x), in_si(r.v_y)}}}},
+                           {"Acceleration of the point", "m/s^2", {{"a", {in_si(r.a_x), in_si(r.a_y)}}}}});
   if (!std::get<draw::Plans>(plan.content).panels.empty()) all.push_back(std::move(plan));
   return all;
 }
 
-template const Calculator& erased<Rotation>();
+}  // namespace loadpath::motion
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::motion::Rotation>();

@@ -14,7 +14,7 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::motion {
 
 struct Rotation {
   static constexpr auto id = "motion.rotation";
@@ -93,7 +93,7 @@ t_2 = "2 s"
   static FieldFault gap(const Input& in);
   static constexpr std::array rules = join<Input>(
       std::array{Rule<Input>{&law_reads, "phi", "phi must be an angle as a formula of t", &law_fault}},
-      motion::range_rules<Input>(),
+      range_rules<Input>(),
       std::array{Rule<Input>{&law_is_smooth, "phi, t, t_1, t_2", "the law must have a value at these times", &gap}});
 
   template <class Tracer>
@@ -112,4 +112,4 @@ constexpr auto choices_of(Rotation::Change) {
                     ChoiceName<C>{C::slower, "slower", "the body gets slower"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::motion

@@ -4,16 +4,16 @@
 #include "calculators/section/outline.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
-namespace loadpath {
+namespace loadpath::section {
 
 namespace {
 
 template <class Tracer>
-void twist(const AngleSection::Input& in, AngleSection::Result& result, Tracer& trace) {
+void twist(const Angle::Input& in, Angle::Result& result, Tracer& trace) {
   const auto& [h, b, t, r, r_2] = in;
   STEP(w, t / (min(h, b) - t), "thickness over length of the shorter leg");
   result.w = w;
-  if (!(w <= section::thickest_open_wall)) return;
+  if (!(w <= thickest_open_wall)) return;
   STEP(I_t, (h + b - t) * pow<3>(t) / 3.0, "thin open walls, [Oasys]");
   STEP(W_t, I_t / t, "shear in the thin walls");
   result.I_t = I_t, result.W_t = W_t;
@@ -22,12 +22,12 @@ void twist(const AngleSection::Input& in, AngleSection::Result& result, Tracer& 
 }  // namespace
 
 template <class Tracer>
-AngleSection::Result AngleSection::own(const Input& in, Tracer& trace) {
+Angle::Result Angle::own(const Input& in, Tracer& trace) {
   const auto& [h, b, t, r, r_2] = in;
   Result result;
-  const auto [A_r, e_r, I_r, I_rp] = section::corner(r, trace);
+  const auto [A_r, e_r, I_r, I_rp] = corner(r, trace);
   NoTrace quiet;
-  const auto [A_2, e_2, I_2, I_2p] = section::corner(r_2, quiet);
+  const auto [A_2, e_2, I_2, I_2p] = corner(r_2, quiet);
   trace.value("I_rp", I_rp, "product of area of the root fillet about its own axes");
   trace.value("A_2", A_2, "area that a rounded toe lacks, by the formulas of the fillet");
   trace.value("e_2", e_2, "its centroid from the faces of the leg");
@@ -55,17 +55,15 @@ AngleSection::Result AngleSection::own(const Input& in, Tracer& trace) {
   return result;
 }
 
-section::Extremes AngleSection::extremes(const Input& in) {
-  return section::corners_of(section::angle_outline(in.h, in.b, in.t));
+Extremes Angle::extremes(const Input& in) { return corners_of(angle_outline(in.h, in.b, in.t)); }
+
+std::vector<draw::Figure> Angle::figures(const Input& in, const Result& r) {
+  return section::figures({{angle_outline(in.h, in.b, in.t, in.r, in.r_2)}, {}}, r);
 }
 
-std::vector<draw::Figure> AngleSection::figures(const Input& in, const Result& r) {
-  return section::figures({{section::angle_outline(in.h, in.b, in.t, in.r, in.r_2)}, {}}, r);
-}
+template Angle::Result Angle::own(const Input&, NoTrace&);
+template Angle::Result Angle::own(const Input&, Trace&);
 
-template AngleSection::Result AngleSection::own(const Input&, NoTrace&);
-template AngleSection::Result AngleSection::own(const Input&, Trace&);
+}  // namespace loadpath::section
 
-template const Calculator& erased<AngleSection>();
-
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::section::Angle>();

@@ -8,9 +8,9 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::section {
 
-struct AngleSection {
+struct Angle {
   static constexpr auto id = "section.angle";
   static constexpr auto title = "Section: angle";
   static constexpr auto scope =
@@ -48,8 +48,8 @@ r_2 = "6 mm"
           .at_least(0)
           .may_be_missing()};
 
-  using Result = section::OpenWalls;
-  static constexpr auto results = section::results_of_open_walls;
+  using Result = OpenWalls;
+  static constexpr auto results = results_of_open_walls;
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return in.t + in.r + in.r_2 <= min(in.h, in.b); }, "t, r, r_2, h, b",
@@ -59,15 +59,15 @@ r_2 = "6 mm"
   /// Without what follows from the contour.
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);
-  static section::Extremes extremes(const Input& in);
+  static Extremes extremes(const Input& in);
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace) {
-    return section::completed(own(in, trace), extremes(in), trace);
+    return completed(own(in, trace), extremes(in), trace);
   }
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template AngleSection::Result AngleSection::own(const Input&, NoTrace&);
-extern template AngleSection::Result AngleSection::own(const Input&, Trace&);
+extern template Angle::Result Angle::own(const Input&, NoTrace&);
+extern template Angle::Result Angle::own(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::section

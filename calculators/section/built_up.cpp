@@ -7,24 +7,21 @@
 #include <cmath>
 #include <string>
 
-namespace loadpath {
+namespace loadpath::section {
 
 namespace {
 
-using Part = BuiltUpSection::Part;
-using section::Shaped;
+using Part = BuiltUp::Part;
 
 std::string path_of(std::size_t i) { return "parts[" + std::to_string(i + 1) + "]"; }
 
-double sign_of(const Part& part) { return part.as == BuiltUpSection::As::hole ? -1.0 : 1.0; }
+double sign_of(const Part& part) { return part.as == BuiltUp::As::hole ? -1.0 : 1.0; }
 
 /// Takes a point of a part's own sketch to its place.
 class Turned {
  public:
   explicit Turned(const Part& part) : y_(part.y), z_(part.z), c_(std::cos(part.angle)), s_(std::sin(part.angle)) {}
-  [[nodiscard]] section::Place operator()(Length y, Length z) const {
-    return {y_ + c_ * y - s_ * z, z_ + s_ * y + c_ * z};
-  }
+  [[nodiscard]] Place operator()(Length y, Length z) const { return {y_ + c_ * y - s_ * z, z_ + s_ * y + c_ * z}; }
 
  private:
   Length y_, z_;
@@ -33,7 +30,7 @@ class Turned {
 
 /// The part turned and put to its place.
 template <class Tracer>
-BuiltUpSection::Placed place(const Part& part, const Turned& placed, const section::Properties& own, Tracer& trace) {
+BuiltUp::Placed place(const Part& part, const Turned& placed, const Properties& own, Tracer& trace) {
   const auto I_y0 = own.I_y, I_z0 = own.I_z, I_yz0 = own.I_yz;
   const double angle = part.angle, sign = sign_of(part);
   trace.value("A_0", own.A, "area of the part");
@@ -55,9 +52,9 @@ BuiltUpSection::Placed place(const Part& part, const Turned& placed, const secti
   return {part.name, A, y_S, z_S, I_y, I_z, I_yz};
 }
 
-constexpr section::Place sketch_origin{from_si<Length>(0.0), from_si<Length>(0.0)};
+constexpr Place sketch_origin{from_si<Length>(0.0), from_si<Length>(0.0)};
 
-section::Moments about_sketch(const BuiltUpSection::Placed& p) {
+Moments about_sketch(const BuiltUp::Placed& p) {
   return {p.A,
           p.A * p.z_S,
           p.A * p.y_S,
@@ -66,14 +63,14 @@ section::Moments about_sketch(const BuiltUpSection::Placed& p) {
           p.I_yz + p.A * p.y_S * p.z_S};
 }
 
-section::Outline outline_at(const Turned& placed, const section::Outline& outline) {
-  section::Outline turned;
-  for (const section::Place& p : outline) turned.push_back(placed(p.y, p.z));
+Outline outline_at(const Turned& placed, const Outline& outline) {
+  Outline turned;
+  for (const Place& p : outline) turned.push_back(placed(p.y, p.z));
   return turned;
 }
 
-void add_extremes(section::Extremes& all, const Turned& placed, const section::Extremes& own) {
-  for (const section::Extreme& e : own) {
+void add_extremes(Extremes& all, const Turned& placed, const Extremes& own) {
+  for (const Extreme& e : own) {
     const auto [y, z] = placed(e.y, e.z);
     all.push_back({y, z, e.radius});
   }
@@ -81,16 +78,16 @@ void add_extremes(section::Extremes& all, const Turned& placed, const section::E
 
 }  // namespace
 
-bool BuiltUpSection::parts_are_whole(const Input& in) {
+bool BuiltUp::parts_are_whole(const Input& in) {
   for (const Part& part : in.parts) {
-    if (section::fault_of(part)) return false;
+    if (fault_of(part)) return false;
   }
   return true;
 }
 
-FieldFault BuiltUpSection::incomplete(const Input& in) {
+FieldFault BuiltUp::incomplete(const Input& in) {
   for (std::size_t i = 0; i < in.parts.size(); ++i) {
-    if (auto fault = section::fault_of(in.parts[i])) {
+    if (auto fault = fault_of(in.parts[i])) {
       fault->path = path_of(i) + (fault->path.empty() ? "" : "." + fault->path);
       return *fault;
     }
@@ -98,7 +95,7 @@ FieldFault BuiltUpSection::incomplete(const Input& in) {
   return {};
 }
 
-bool BuiltUpSection::is_full(const Input& in) {
+bool BuiltUp::is_full(const Input& in) {
   if (!parts_are_whole(in)) return true;  // another rule says it
   NoTrace off;
   const Result r = evaluate(in, off);
@@ -106,34 +103,34 @@ bool BuiltUpSection::is_full(const Input& in) {
 }
 
 template <class Tracer>
-BuiltUpSection::Result BuiltUpSection::evaluate(const Input& in, Tracer& trace) {
+BuiltUp::Result BuiltUp::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  section::Moments sum;
-  section::Extremes extremes;
+  Moments sum;
+  Extremes extremes;
   SecondMoment I_t = from_si<SecondMoment>(0.0);
   for (const Part& part : in.parts) {
     [[maybe_unused]] const auto in_part = trace.scope("parts", r.parts.size());
     const Shaped shaped = section::shaped(part);
     const Turned turned(part);
     const Placed placed = place(part, turned, shaped.own, trace);
-    section::add(sum, about_sketch(placed), 1.0);
+    add(sum, about_sketch(placed), 1.0);
     const bool full = part.as == As::full;
     I_t += full ? shaped.own.I_t : unset<SecondMoment>;
     if (full) add_extremes(extremes, turned, shaped.extremes);
     r.parts.push_back(placed);
   }
-  static_cast<section::Properties&>(r) = section::centroidal(sum, sketch_origin, trace);
-  section::complete(r, extremes, trace);
+  static_cast<Properties&>(r) = centroidal(sum, sketch_origin, trace);
+  complete(r, extremes, trace);
   if (!is_set(I_t)) return r;
   r.I_t = I_t;
   trace.value("I_t", I_t, "sum of the parts' own: a lower bound");
   return r;
 }
 
-std::vector<draw::Figure> BuiltUpSection::figures(const Input& in, const Result& r) {
-  section::Sketch sketch;
+std::vector<draw::Figure> BuiltUp::figures(const Input& in, const Result& r) {
+  Sketch sketch;
   for (const Part& part : in.parts) {
-    const auto [outline, hole] = section::contours(part);
+    const auto [outline, hole] = contours(part);
     const Turned turned(part);
     (part.as == As::full ? sketch.material : sketch.holes).push_back(outline_at(turned, outline));
     if (!hole.empty()) sketch.holes.push_back(outline_at(turned, hole));
@@ -141,9 +138,9 @@ std::vector<draw::Figure> BuiltUpSection::figures(const Input& in, const Result&
   return section::figures(sketch, r);
 }
 
-template BuiltUpSection::Result BuiltUpSection::evaluate(const Input&, NoTrace&);
-template BuiltUpSection::Result BuiltUpSection::evaluate(const Input&, Trace&);
+template BuiltUp::Result BuiltUp::evaluate(const Input&, NoTrace&);
+template BuiltUp::Result BuiltUp::evaluate(const Input&, Trace&);
 
-template const Calculator& erased<BuiltUpSection>();
+}  // namespace loadpath::section
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::section::BuiltUp>();

@@ -10,9 +10,9 @@
 
 #include <array>
 
-namespace loadpath {
+namespace loadpath::section {
 
-struct BuiltUpSection {
+struct BuiltUp {
   static constexpr auto id = "section.built_up";
   static constexpr auto title = "Section: built up from parts";
   static constexpr auto scope =
@@ -94,11 +94,11 @@ parts = [
         Field{&Placed::I_z, "I_z", mm4, "second moment about its own centroid"}.as(Role::result),
         Field{&Placed::I_yz, "I_yz", mm4, "product of area about its own centroid"}.as(Role::result)};
   };
-  struct Result : section::Properties {
+  struct Result : Properties {
     List<Placed, 20> parts;
   };
   static constexpr auto results =
-      std::tuple_cat(section::property_fields<Result>(),
+      std::tuple_cat(property_fields<Result>(),
                      std::tuple{ListField{&Result::parts, "parts", "the parts at their places"}.as(Role::result)});
   static constexpr std::array rules{
       Rule<Input>{&parts_are_whole, "parts", "a part lacks what its shape needs", &incomplete},
@@ -110,11 +110,11 @@ parts = [
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template BuiltUpSection::Result BuiltUpSection::evaluate(const Input&, NoTrace&);
-extern template BuiltUpSection::Result BuiltUpSection::evaluate(const Input&, Trace&);
+extern template BuiltUp::Result BuiltUp::evaluate(const Input&, NoTrace&);
+extern template BuiltUp::Result BuiltUp::evaluate(const Input&, Trace&);
 
-constexpr auto choices_of(BuiltUpSection::Shape) {
-  using Shape = BuiltUpSection::Shape;
+constexpr auto choices_of(BuiltUp::Shape) {
+  using Shape = BuiltUp::Shape;
   return std::array{ChoiceName<Shape>{Shape::table, "table", "a row of the section tables: `section` names it"},
                     ChoiceName<Shape>{Shape::circle, "circle", "d"},
                     ChoiceName<Shape>{Shape::ring, "ring", "d, d_i"},
@@ -126,9 +126,9 @@ constexpr auto choices_of(BuiltUpSection::Shape) {
                     ChoiceName<Shape>{Shape::hollow, "hollow", "h, b, t, r, r_2"}};
 }
 
-constexpr auto choices_of(BuiltUpSection::As) {
-  using As = BuiltUpSection::As;
+constexpr auto choices_of(BuiltUp::As) {
+  using As = BuiltUp::As;
   return std::array{ChoiceName<As>{As::full, "full", "material"}, ChoiceName<As>{As::hole, "hole", "cut out"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::section

@@ -4,16 +4,16 @@
 #include "calculators/section/outline.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
-namespace loadpath {
+namespace loadpath::section {
 
 namespace {
 
 template <class Tracer>
-void twist(const ChannelSection::Input& in, ChannelSection::Result& result, Tracer& trace) {
+void twist(const Channel::Input& in, Channel::Result& result, Tracer& trace) {
   const auto& [h, b, t_w, t_f, r] = in;
   STEP(w, max(t_w / (h - 2.0 * t_f), t_f / b), "thickness over length of the stubbier wall");
   result.w = w;
-  if (!(w <= section::thickest_open_wall)) return;
+  if (!(w <= thickest_open_wall)) return;
   STEP(I_t, (2.0 * b * pow<3>(t_f) + (h - 2.0 * t_f) * pow<3>(t_w)) / 3.0, "thin open walls, [Oasys]");
   STEP(W_t, I_t / max(t_w, t_f), "shear in the thickest wall");
   result.I_t = I_t, result.W_t = W_t;
@@ -22,10 +22,10 @@ void twist(const ChannelSection::Input& in, ChannelSection::Result& result, Trac
 }  // namespace
 
 template <class Tracer>
-ChannelSection::Result ChannelSection::own(const Input& in, Tracer& trace) {
+Channel::Result Channel::own(const Input& in, Tracer& trace) {
   const auto& [h, b, t_w, t_f, r] = in;
-  Result result{section::centred()};
-  const auto [A_r, e_r, I_r, I_rp] = section::corner(r, trace);
+  Result result{centred()};
+  const auto [A_r, e_r, I_r, I_rp] = corner(r, trace);
   STEP(A, 2.0 * b * t_f + (h - 2.0 * t_f) * t_w + 2.0 * A_r, "flanges, web and two fillets");
   STEP(y_S, (b * b * t_f + (h - 2.0 * t_f) * t_w * t_w / 2.0 + 2.0 * A_r * (t_w + e_r)) / A,
        "first moment about the back of the web over the area");
@@ -41,17 +41,15 @@ ChannelSection::Result ChannelSection::own(const Input& in, Tracer& trace) {
   return result;
 }
 
-section::Extremes ChannelSection::extremes(const Input& in) {
-  return section::corners_of(section::channel_outline(in.h, in.b, in.t_w, in.t_f));
+Extremes Channel::extremes(const Input& in) { return corners_of(channel_outline(in.h, in.b, in.t_w, in.t_f)); }
+
+std::vector<draw::Figure> Channel::figures(const Input& in, const Result& r) {
+  return section::figures({{channel_outline(in.h, in.b, in.t_w, in.t_f, in.r)}, {}}, r);
 }
 
-std::vector<draw::Figure> ChannelSection::figures(const Input& in, const Result& r) {
-  return section::figures({{section::channel_outline(in.h, in.b, in.t_w, in.t_f, in.r)}, {}}, r);
-}
+template Channel::Result Channel::own(const Input&, NoTrace&);
+template Channel::Result Channel::own(const Input&, Trace&);
 
-template ChannelSection::Result ChannelSection::own(const Input&, NoTrace&);
-template ChannelSection::Result ChannelSection::own(const Input&, Trace&);
+}  // namespace loadpath::section
 
-template const Calculator& erased<ChannelSection>();
-
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::section::Channel>();

@@ -8,9 +8,9 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::section {
 
-struct ChannelSection {
+struct Channel {
   static constexpr auto id = "section.channel";
   static constexpr auto title = "Section: channel";
   static constexpr auto scope =
@@ -45,8 +45,8 @@ r = "13 mm"
       Field{&Input::t_f, "t_f", mm, "thickness of a flange"}.positive(),
       Field{&Input::r, "r", mm, "radius of the fillets; none where missing"}.at_least(0).may_be_missing()};
 
-  using Result = section::OpenWalls;
-  static constexpr auto results = section::results_of_open_walls;
+  using Result = OpenWalls;
+  static constexpr auto results = results_of_open_walls;
 
   static constexpr std::array rules{Rule<Input>{[](const Input& in) { return 2.0 * (in.t_f + in.r) <= in.h; },
                                                 "t_f, r, h", "flanges and fillets need more depth than h"},
@@ -56,15 +56,15 @@ r = "13 mm"
   /// Without what follows from the contour.
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);
-  static section::Extremes extremes(const Input& in);
+  static Extremes extremes(const Input& in);
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace) {
-    return section::completed(own(in, trace), extremes(in), trace);
+    return completed(own(in, trace), extremes(in), trace);
   }
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template ChannelSection::Result ChannelSection::own(const Input&, NoTrace&);
-extern template ChannelSection::Result ChannelSection::own(const Input&, Trace&);
+extern template Channel::Result Channel::own(const Input&, NoTrace&);
+extern template Channel::Result Channel::own(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::section

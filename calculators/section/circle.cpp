@@ -3,12 +3,12 @@
 #include "calculators/section/outline.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
-namespace loadpath {
+namespace loadpath::section {
 
 template <class Tracer>
-SolidCircle::Result SolidCircle::own(const Input& in, Tracer& trace) {
+Circle::Result Circle::own(const Input& in, Tracer& trace) {
   const auto& [d] = in;
-  Result r = section::centred();
+  Result r = centred();
   STEP(A, pi / 4.0 * d * d, "area of a circle");
   STEP(I_y, pi / 64.0 * pow<4>(d), "half the polar second moment, [B19]");
   r.I_z = NAMED_STEP("I_z", I_y, "every diameter is alike");
@@ -18,15 +18,15 @@ SolidCircle::Result SolidCircle::own(const Input& in, Tracer& trace) {
   return r;
 }
 
-section::Extremes SolidCircle::extremes(const Input& in) { return section::disc(in.d); }
+Extremes Circle::extremes(const Input& in) { return disc(in.d); }
 
-std::vector<draw::Figure> SolidCircle::figures(const Input& in, const Result& r) {
-  return section::figures({{section::circle(in.d)}, {}}, r);
+std::vector<draw::Figure> Circle::figures(const Input& in, const Result& r) {
+  return section::figures({{circle(in.d)}, {}}, r);
 }
 
-template SolidCircle::Result SolidCircle::own(const Input&, NoTrace&);
-template SolidCircle::Result SolidCircle::own(const Input&, Trace&);
+template Circle::Result Circle::own(const Input&, NoTrace&);
+template Circle::Result Circle::own(const Input&, Trace&);
 
-template const Calculator& erased<SolidCircle>();
+}  // namespace loadpath::section
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::section::Circle>();

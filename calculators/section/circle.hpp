@@ -7,9 +7,9 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::section {
 
-struct SolidCircle {
+struct Circle {
   static constexpr auto id = "section.circle";
   static constexpr auto title = "Section: circle";
   static constexpr auto scope =
@@ -28,8 +28,8 @@ d = "40 mm"
   };
   static constexpr std::tuple inputs{Field{&Input::d, "d", mm, "diameter"}.positive().usually(0.1, 1e4)};
 
-  using Result = section::Properties;
-  static constexpr auto results = section::results_of_properties;
+  using Result = Properties;
+  static constexpr auto results = results_of_properties;
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return is_set(in.d); }, "d", "give the diameter"}};
@@ -37,15 +37,15 @@ d = "40 mm"
   /// Without what follows from the contour.
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);
-  static section::Extremes extremes(const Input& in);
+  static Extremes extremes(const Input& in);
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace) {
-    return section::completed(own(in, trace), extremes(in), trace);
+    return completed(own(in, trace), extremes(in), trace);
   }
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template SolidCircle::Result SolidCircle::own(const Input&, NoTrace&);
-extern template SolidCircle::Result SolidCircle::own(const Input&, Trace&);
+extern template Circle::Result Circle::own(const Input&, NoTrace&);
+extern template Circle::Result Circle::own(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::section

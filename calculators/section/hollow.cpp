@@ -4,17 +4,17 @@
 #include "calculators/section/outline.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
-namespace loadpath {
+namespace loadpath::section {
 
 namespace {
 
 /// Torsion of a closed thin wall with its corners.
 template <class Tracer>
-void twist(const HollowSection::Input& in, HollowSection::Result& result, Tracer& trace) {
+void twist(const Hollow::Input& in, Hollow::Result& result, Tracer& trace) {
   const auto& [h, b, t, r_o, r_i] = in;
   STEP(w, t / (min(h, b) - t), "thickness over the shorter middle line");
   result.w = w;
-  if (!(w <= section::thickest_closed_wall)) return;
+  if (!(w <= thickest_closed_wall)) return;
   STEP(R_c, (r_o + r_i) / 2.0, "radius of the middle line in a corner, [EN10210-2]");
   STEP(h_m, 2.0 * (b - t + h - t) - 2.0 * R_c * (4.0 - pi), "length of the middle line, [EN10210-2]");
   STEP(A_h, (b - t) * (h - t) - R_c * R_c * (4.0 - pi), "area that the middle line encloses, [EN10210-2]");
@@ -27,12 +27,12 @@ void twist(const HollowSection::Input& in, HollowSection::Result& result, Tracer
 }  // namespace
 
 template <class Tracer>
-HollowSection::Result HollowSection::own(const Input& in, Tracer& trace) {
+Hollow::Result Hollow::own(const Input& in, Tracer& trace) {
   const auto& [h, b, t, r_o, r_i] = in;
-  Result result{section::centred()};
+  Result result{centred()};
   NoTrace quiet;
-  const auto [A_o, e_o, I_o, I_op] = section::corner(r_o, quiet);
-  const auto [A_i, e_i, I_i, I_ip] = section::corner(r_i, quiet);
+  const auto [A_o, e_o, I_o, I_op] = corner(r_o, quiet);
+  const auto [A_i, e_i, I_i, I_ip] = corner(r_i, quiet);
   trace.value("A_o", A_o, "area that a rounded outer corner lacks: (1 - pi/4) r_o^2");
   trace.value("e_o", e_o, "from the faces to its centroid: 0.2234 r_o");
   trace.value("I_o", I_o, "its second moment: 0.007545 r_o^4");
@@ -54,16 +54,16 @@ HollowSection::Result HollowSection::own(const Input& in, Tracer& trace) {
   return result;
 }
 
-section::Extremes HollowSection::extremes(const Input& in) { return section::rounded_box(in.b, in.h, in.r_o); }
+Extremes Hollow::extremes(const Input& in) { return rounded_box(in.b, in.h, in.r_o); }
 
-std::vector<draw::Figure> HollowSection::figures(const Input& in, const Result& r) {
+std::vector<draw::Figure> Hollow::figures(const Input& in, const Result& r) {
   const Length b_i = in.b - 2.0 * in.t, h_i = in.h - 2.0 * in.t;
-  return section::figures({{section::rectangle(in.b, in.h, in.r_o)}, {section::rectangle(b_i, h_i, in.r_i)}}, r);
+  return section::figures({{rectangle(in.b, in.h, in.r_o)}, {rectangle(b_i, h_i, in.r_i)}}, r);
 }
 
-template HollowSection::Result HollowSection::own(const Input&, NoTrace&);
-template HollowSection::Result HollowSection::own(const Input&, Trace&);
+template Hollow::Result Hollow::own(const Input&, NoTrace&);
+template Hollow::Result Hollow::own(const Input&, Trace&);
 
-template const Calculator& erased<HollowSection>();
+}  // namespace loadpath::section
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::section::Hollow>();

@@ -8,9 +8,9 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::section {
 
-struct HollowSection {
+struct Hollow {
   static constexpr auto id = "section.hollow";
   static constexpr auto title = "Section: hollow rectangle";
   static constexpr auto scope =
@@ -46,14 +46,14 @@ r_i = "5 mm"
       Field{&Input::r_o, "r_o", mm, "outer radius of the corners; sharp where missing"}.at_least(0).may_be_missing(),
       Field{&Input::r_i, "r_i", mm, "inner radius of the corners; sharp where missing"}.at_least(0).may_be_missing()};
 
-  struct Result : section::Properties {
+  struct Result : Properties {
     double w = unset<double>;
   };
   static constexpr auto results =
-      std::tuple_cat(section::property_fields<Result>(),
+      std::tuple_cat(property_fields<Result>(),
                      std::tuple{Field{&Result::w, "w", ratio,
                                       "wall over the shorter middle line, for the torsion of thin closed walls"}
-                                    .limit(0, section::thickest_closed_wall)});
+                                    .limit(0, thickest_closed_wall)});
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return 2.0 * in.t < min(in.h, in.b); }, "t, h, b",
@@ -68,15 +68,15 @@ r_i = "5 mm"
   /// Without what follows from the contour.
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);
-  static section::Extremes extremes(const Input& in);
+  static Extremes extremes(const Input& in);
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace) {
-    return section::completed(own(in, trace), extremes(in), trace);
+    return completed(own(in, trace), extremes(in), trace);
   }
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template HollowSection::Result HollowSection::own(const Input&, NoTrace&);
-extern template HollowSection::Result HollowSection::own(const Input&, Trace&);
+extern template Hollow::Result Hollow::own(const Input&, NoTrace&);
+extern template Hollow::Result Hollow::own(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::section

@@ -4,18 +4,18 @@
 #include "calculators/section/outline.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
-namespace loadpath {
+namespace loadpath::section {
 
 namespace {
 
 /// Torsion of three plates with what their T-junctions add and the ends of the flanges lack.
 template <class Tracer>
-void twist(const ISection::Input& in, ISection::Result& result, Tracer& trace) {
+void twist(const I::Input& in, I::Result& result, Tracer& trace) {
   const auto& [h, b, t_w, t_f, r] = in;
   STEP(w_t, t_w / t_f, "range of the rolled sections that the torsion constant was checked with");
   STEP(w_r, r / t_f, "range of the rolled sections that the torsion constant was checked with");
   result.w_t = w_t, result.w_r = w_r;
-  if (!section::ranges_of_I.hold(w_t, w_r)) return;
+  if (!ranges_of_I.hold(w_t, w_r)) return;
   STEP(alpha_1, -0.042 + 0.2204 * w_t + 0.1355 * w_r - 0.0865 * w_r * w_t - 0.0725 * w_t * w_t,
        "T-junction of web and flange, [SCI-P385]");
   STEP(D_1, (pow<2>(t_f + r) + (r + t_w / 4.0) * t_w) / (2.0 * r + t_f), "circle in the junction, [SCI-P385]");
@@ -30,10 +30,10 @@ void twist(const ISection::Input& in, ISection::Result& result, Tracer& trace) {
 }  // namespace
 
 template <class Tracer>
-ISection::Result ISection::own(const Input& in, Tracer& trace) {
+I::Result I::own(const Input& in, Tracer& trace) {
   const auto& [h, b, t_w, t_f, r] = in;
-  Result result{section::centred()};
-  const auto [A_r, e_r, I_r, I_rp] = section::corner(r, trace);
+  Result result{centred()};
+  const auto [A_r, e_r, I_r, I_rp] = corner(r, trace);
   STEP(A, 2.0 * b * t_f + (h - 2.0 * t_f) * t_w + 4.0 * A_r, "flanges, web and four fillets");
   STEP(I_y,
        (b * pow<3>(h) - (b - t_w) * pow<3>(h - 2.0 * t_f)) / 12.0 + 4.0 * (I_r + A_r * pow<2>(h / 2.0 - t_f - e_r)),
@@ -46,15 +46,15 @@ ISection::Result ISection::own(const Input& in, Tracer& trace) {
   return result;
 }
 
-section::Extremes ISection::extremes(const Input& in) { return section::box(in.b, in.h); }
+Extremes I::extremes(const Input& in) { return box(in.b, in.h); }
 
-std::vector<draw::Figure> ISection::figures(const Input& in, const Result& r) {
-  return section::figures({{section::i_outline(in.h, in.b, in.t_w, in.t_f, in.r)}, {}}, r);
+std::vector<draw::Figure> I::figures(const Input& in, const Result& r) {
+  return section::figures({{i_outline(in.h, in.b, in.t_w, in.t_f, in.r)}, {}}, r);
 }
 
-template ISection::Result ISection::own(const Input&, NoTrace&);
-template ISection::Result ISection::own(const Input&, Trace&);
+template I::Result I::own(const Input&, NoTrace&);
+template I::Result I::own(const Input&, Trace&);
 
-template const Calculator& erased<ISection>();
+}  // namespace loadpath::section
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::section::I>();

@@ -8,9 +8,9 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::section {
 
-struct ISection {
+struct I {
   static constexpr auto id = "section.I";
   static constexpr auto title = "Section: I of two equal flanges";
   static constexpr auto scope =
@@ -45,15 +45,15 @@ r = "18 mm"
       Field{&Input::t_f, "t_f", mm, "thickness of a flange"}.positive(),
       Field{&Input::r, "r", mm, "radius of the fillets; none where missing"}.at_least(0).may_be_missing()};
 
-  struct Result : section::Properties {
+  struct Result : Properties {
     double w_t = unset<double>, w_r = unset<double>;
   };
   static constexpr auto results = std::tuple_cat(
-      section::property_fields<Result>(),
+      property_fields<Result>(),
       std::tuple{Field{&Result::w_t, "w_t", ratio, "web over flange thickness, for the torsion constant"}.limit(
-                     section::ranges_of_I.least_web, section::ranges_of_I.most_web),
+                     ranges_of_I.least_web, ranges_of_I.most_web),
                  Field{&Result::w_r, "w_r", ratio, "fillet over flange thickness, for the torsion constant"}.limit(
-                     0, section::ranges_of_I.most_fillet)});
+                     0, ranges_of_I.most_fillet)});
 
   static constexpr std::array rules{Rule<Input>{[](const Input& in) { return 2.0 * (in.t_f + in.r) <= in.h; },
                                                 "t_f, r, h", "flanges and fillets need more depth than h"},
@@ -63,15 +63,15 @@ r = "18 mm"
   /// Without what follows from the contour.
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);
-  static section::Extremes extremes(const Input& in);
+  static Extremes extremes(const Input& in);
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace) {
-    return section::completed(own(in, trace), extremes(in), trace);
+    return completed(own(in, trace), extremes(in), trace);
   }
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template ISection::Result ISection::own(const Input&, NoTrace&);
-extern template ISection::Result ISection::own(const Input&, Trace&);
+extern template I::Result I::own(const Input&, NoTrace&);
+extern template I::Result I::own(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::section

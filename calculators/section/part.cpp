@@ -16,8 +16,8 @@ namespace loadpath::section {
 
 namespace {
 
-using Part = BuiltUpSection::Part;
-using Shape = BuiltUpSection::Shape;
+using Part = BuiltUp::Part;
+using Shape = BuiltUp::Shape;
 
 /// A length that a shape needs, and its key.
 struct Needed {
@@ -69,24 +69,24 @@ template <class Use>
 auto with_input(const Part& p, Use use) {
   switch (p.shape) {
     case Shape::circle:
-      return use(SolidCircle{}, SolidCircle::Input{p.d});
+      return use(Circle{}, Circle::Input{p.d});
     case Shape::ring:
-      return use(RingSection{}, RingSection::Input{p.d, p.d_i});
+      return use(Ring{}, Ring::Input{p.d, p.d_i});
     case Shape::I:
-      return use(ISection{}, ISection::Input{p.h, p.b, p.t_w, p.t_f, p.r});
+      return use(I{}, I::Input{p.h, p.b, p.t_w, p.t_f, p.r});
     case Shape::channel:
-      return use(ChannelSection{}, ChannelSection::Input{p.h, p.b, p.t_w, p.t_f, p.r});
+      return use(Channel{}, Channel::Input{p.h, p.b, p.t_w, p.t_f, p.r});
     case Shape::angle:
-      return use(AngleSection{}, AngleSection::Input{p.h, p.b, p.t, p.r, p.r_2});
+      return use(Angle{}, Angle::Input{p.h, p.b, p.t, p.r, p.r_2});
     case Shape::T:
-      return use(TeeSection{}, TeeSection::Input{p.h, p.b, p.t_w, p.t_f, p.r});
+      return use(Tee{}, Tee::Input{p.h, p.b, p.t_w, p.t_f, p.r});
     case Shape::hollow:
-      return use(HollowSection{}, HollowSection::Input{p.h, p.b, p.t, p.r, p.r_2});
+      return use(Hollow{}, Hollow::Input{p.h, p.b, p.t, p.r, p.r_2});
     case Shape::table:
     case Shape::rectangle:
       break;
   }
-  return use(RectangleSection{}, RectangleSection::Input{p.b, p.h});
+  return use(Rectangle{}, Rectangle::Input{p.b, p.h});
 }
 
 Contours contours_of(const Part& p) {

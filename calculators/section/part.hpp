@@ -20,10 +20,10 @@ struct Contours {
 };
 
 /// What is wrong with a part; nothing where it is whole.
-std::optional<FieldFault> fault_of(const BuiltUpSection::Part& part);
+std::optional<FieldFault> fault_of(const BuiltUp::Part& part);
 
 /// Of a part that is whole.
-Shaped shaped(const BuiltUpSection::Part& part);
-Contours contours(const BuiltUpSection::Part& part);
+Shaped shaped(const BuiltUp::Part& part);
+Contours contours(const BuiltUp::Part& part);
 
 }  // namespace loadpath::section

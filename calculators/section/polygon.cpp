@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <string>
 
-namespace loadpath {
+namespace loadpath::section {
 
 namespace {
 
-using Corner = PolygonSection::Corner;
-using Input = PolygonSection::Input;
+using Corner = Polygon::Corner;
+using Input = Polygon::Input;
 
 /// Twice the area of the triangle, positive where c lies on the left of the way from a to b.
 double side_of(const Corner& a, const Corner& b, const Corner& c) {
@@ -99,26 +99,26 @@ FieldFault fault_of_sides(const std::string& path, const Sides& sides) {
           say("side 1 goes from corner 1 to corner 2; give the corners in order around the contour")};
 }
 
-section::Outline outline_of(std::span<const Corner> corners) {
-  section::Outline outline;
+Outline outline_of(std::span<const Corner> corners) {
+  Outline outline;
   for (const Corner& c : corners) outline.push_back({c.y, c.z});
   return outline;
 }
 
 }  // namespace
 
-bool PolygonSection::has_corners(const Input& in) {
+bool Polygon::has_corners(const Input& in) {
   return in.points.size() >= 3 &&
          std::all_of(in.holes.begin(), in.holes.end(), [](const Hole& hole) { return hole.points.size() >= 3; });
 }
 
-bool PolygonSection::is_simple(const Input& in) {
+bool Polygon::is_simple(const Input& in) {
   if (!has_corners(in)) return true;  // another rule says it
   return !crossing_of(in.points).found && std::none_of(in.holes.begin(), in.holes.end(),
                                                        [](const Hole& hole) { return crossing_of(hole.points).found; });
 }
 
-FieldFault PolygonSection::crossing(const Input& in) {
+FieldFault Polygon::crossing(const Input& in) {
   if (const Sides sides = crossing_of(in.points); sides.found) return fault_of_sides("points", sides);
   for (std::size_t i = 0; i < in.holes.size(); ++i) {
     if (const Sides sides = crossing_of(in.holes[i].points); sides.found) return fault_of_sides(path_of_hole(i), sides);
@@ -126,7 +126,7 @@ FieldFault PolygonSection::crossing(const Input& in) {
   return {};
 }
 
-bool PolygonSection::holes_are_inside(const Input& in) {
+bool Polygon::holes_are_inside(const Input& in) {
   if (!has_corners(in)) return true;
   for (std::size_t i = 0; i < in.holes.size(); ++i) {
     if (!is_clear(in, i)) return false;
@@ -134,7 +134,7 @@ bool PolygonSection::holes_are_inside(const Input& in) {
   return true;
 }
 
-FieldFault PolygonSection::hole_outside(const Input& in) {
+FieldFault Polygon::hole_outside(const Input& in) {
   for (std::size_t i = 0; i < in.holes.size(); ++i) {
     if (!is_clear(in, i)) return {path_of_hole(i), {}, say("a hole at the edge is part of the contour")};
   }
@@ -142,27 +142,27 @@ FieldFault PolygonSection::hole_outside(const Input& in) {
 }
 
 template <class Tracer>
-PolygonSection::Result PolygonSection::evaluate(const Input& in, Tracer& trace) {
-  const section::Place origin{in.points[0].y, in.points[0].z};
-  section::Moments sum;
-  section::add(sum, section::polygon_moments(in.points, origin), 1.0);
-  for (const Hole& hole : in.holes) section::add(sum, section::polygon_moments(hole.points, origin), -1.0);
-  Result r = section::centroidal(sum, origin, trace);
-  section::Extremes extremes;
+Polygon::Result Polygon::evaluate(const Input& in, Tracer& trace) {
+  const Place origin{in.points[0].y, in.points[0].z};
+  Moments sum;
+  add(sum, polygon_moments(in.points, origin), 1.0);
+  for (const Hole& hole : in.holes) add(sum, polygon_moments(hole.points, origin), -1.0);
+  Result r = centroidal(sum, origin, trace);
+  Extremes extremes;
   for (const Corner& c : in.points) extremes.push_back({c.y, c.z});
-  section::complete(r, extremes, trace);
+  complete(r, extremes, trace);
   return r;
 }
 
-std::vector<draw::Figure> PolygonSection::figures(const Input& in, const Result& r) {
-  section::Sketch sketch{{outline_of({in.points.data(), in.points.size()})}, {}};
+std::vector<draw::Figure> Polygon::figures(const Input& in, const Result& r) {
+  Sketch sketch{{outline_of({in.points.data(), in.points.size()})}, {}};
   for (const Hole& hole : in.holes) sketch.holes.push_back(outline_of({hole.points.data(), hole.points.size()}));
   return section::figures(sketch, r);
 }
 
-template PolygonSection::Result PolygonSection::evaluate(const Input&, NoTrace&);
-template PolygonSection::Result PolygonSection::evaluate(const Input&, Trace&);
+template Polygon::Result Polygon::evaluate(const Input&, NoTrace&);
+template Polygon::Result Polygon::evaluate(const Input&, Trace&);
 
-template const Calculator& erased<PolygonSection>();
+}  // namespace loadpath::section
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::section::Polygon>();

@@ -9,9 +9,9 @@
 
 #include <array>
 
-namespace loadpath {
+namespace loadpath::section {
 
-struct PolygonSection {
+struct Polygon {
   static constexpr auto id = "section.polygon";
   static constexpr auto title = "Section: polygon with holes";
   static constexpr auto scope =
@@ -52,8 +52,8 @@ holes = [{ points = [["10 mm", "10 mm"], ["40 mm", "10 mm"], ["10 mm", "40 mm"]]
       ListField{&Input::points, "points", "corners of the contour, in order around it"}.as_arrays(),
       ListField{&Input::holes, "holes", "what is cut out"}.may_be_missing()};
 
-  using Result = section::Properties;
-  static constexpr auto results = section::results_of_properties;
+  using Result = Properties;
+  static constexpr auto results = results_of_properties;
   static constexpr std::array rules{
       Rule<Input>{&has_corners, "points, holes", "a contour and each hole have three corners or more"},
       Rule<Input>{&is_simple, "points, holes", "no side may touch or cross another one of its contour", &crossing},
@@ -65,7 +65,7 @@ holes = [{ points = [["10 mm", "10 mm"], ["40 mm", "10 mm"], ["10 mm", "40 mm"]]
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template PolygonSection::Result PolygonSection::evaluate(const Input&, NoTrace&);
-extern template PolygonSection::Result PolygonSection::evaluate(const Input&, Trace&);
+extern template Polygon::Result Polygon::evaluate(const Input&, NoTrace&);
+extern template Polygon::Result Polygon::evaluate(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::section

@@ -4,18 +4,18 @@
 #include "calculators/section/torsion.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
-namespace loadpath {
+namespace loadpath::section {
 
 template <class Tracer>
-RectangleSection::Result RectangleSection::own(const Input& in, Tracer& trace) {
+Rectangle::Result Rectangle::own(const Input& in, Tracer& trace) {
   const auto& [b, h] = in;
-  Result r = section::centred();
+  Result r = centred();
   STEP(A, b * h, "area of a rectangle");
   STEP(I_y, b * pow<3>(h) / 12.0, "second moment of a rectangle about its middle line, [Garrison]");
   STEP(I_z, h * pow<3>(b) / 12.0, "second moment of a rectangle about its middle line, [Garrison]");
   STEP(a_t, max(b, h), "longer side");
   STEP(b_t, min(b, h), "shorter side");
-  const auto [k_1, k_2] = section::rectangle_factors(a_t / b_t);
+  const auto [k_1, k_2] = rectangle_factors(a_t / b_t);
   trace.value("k_1", k_1, "series of Saint-Venant for these sides: 0.1406 of a square, 1/3 of a strip, [Oasys]");
   STEP(I_t, k_1 * a_t * pow<3>(b_t), "torsion of a rectangle");
   trace.value("k_2", k_2, "series of Saint-Venant: the largest shear is in the middle of the longer side");
@@ -24,15 +24,15 @@ RectangleSection::Result RectangleSection::own(const Input& in, Tracer& trace) {
   return r;
 }
 
-section::Extremes RectangleSection::extremes(const Input& in) { return section::box(in.b, in.h); }
+Extremes Rectangle::extremes(const Input& in) { return box(in.b, in.h); }
 
-std::vector<draw::Figure> RectangleSection::figures(const Input& in, const Result& r) {
-  return section::figures({{section::rectangle(in.b, in.h)}, {}}, r);
+std::vector<draw::Figure> Rectangle::figures(const Input& in, const Result& r) {
+  return section::figures({{rectangle(in.b, in.h)}, {}}, r);
 }
 
-template RectangleSection::Result RectangleSection::own(const Input&, NoTrace&);
-template RectangleSection::Result RectangleSection::own(const Input&, Trace&);
+template Rectangle::Result Rectangle::own(const Input&, NoTrace&);
+template Rectangle::Result Rectangle::own(const Input&, Trace&);
 
-template const Calculator& erased<RectangleSection>();
+}  // namespace loadpath::section
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::section::Rectangle>();

@@ -7,9 +7,9 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::section {
 
-struct RectangleSection {
+struct Rectangle {
   static constexpr auto id = "section.rectangle";
   static constexpr auto title = "Section: rectangle";
   static constexpr auto scope =
@@ -32,8 +32,8 @@ h = "60 mm"
   static constexpr std::tuple inputs{Field{&Input::b, "b", mm, "width, along y"}.positive().usually(0.1, 1e4),
                                      Field{&Input::h, "h", mm, "height, along z"}.positive().usually(0.1, 1e4)};
 
-  using Result = section::Properties;
-  static constexpr auto results = section::results_of_properties;
+  using Result = Properties;
+  static constexpr auto results = results_of_properties;
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return max(in.b, in.h) <= 1e4 * min(in.b, in.h); }, "b, h",
@@ -42,15 +42,15 @@ h = "60 mm"
   /// Without what follows from the contour.
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);
-  static section::Extremes extremes(const Input& in);
+  static Extremes extremes(const Input& in);
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace) {
-    return section::completed(own(in, trace), extremes(in), trace);
+    return completed(own(in, trace), extremes(in), trace);
   }
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template RectangleSection::Result RectangleSection::own(const Input&, NoTrace&);
-extern template RectangleSection::Result RectangleSection::own(const Input&, Trace&);
+extern template Rectangle::Result Rectangle::own(const Input&, NoTrace&);
+extern template Rectangle::Result Rectangle::own(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::section

@@ -3,12 +3,12 @@
 #include "calculators/section/outline.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
-namespace loadpath {
+namespace loadpath::section {
 
 template <class Tracer>
-RingSection::Result RingSection::own(const Input& in, Tracer& trace) {
+Ring::Result Ring::own(const Input& in, Tracer& trace) {
   const auto d = in.d, t = in.t;
-  Result r = section::centred();
+  Result r = centred();
   const Length d_i = is_set(t) ? NAMED_STEP("d_i", d - 2.0 * t, "bore that the wall leaves") : in.d_i;
   STEP(A, pi / 4.0 * (d * d - d_i * d_i), "area of a ring");
   STEP(I_y, pi / 64.0 * (pow<4>(d) - pow<4>(d_i)), "half the polar second moment, [B19]");
@@ -19,16 +19,16 @@ RingSection::Result RingSection::own(const Input& in, Tracer& trace) {
   return r;
 }
 
-section::Extremes RingSection::extremes(const Input& in) { return section::disc(in.d); }
+Extremes Ring::extremes(const Input& in) { return disc(in.d); }
 
-std::vector<draw::Figure> RingSection::figures(const Input& in, const Result& r) {
+std::vector<draw::Figure> Ring::figures(const Input& in, const Result& r) {
   const Length d_i = is_set(in.t) ? in.d - 2.0 * in.t : in.d_i;
-  return section::figures({{section::circle(in.d)}, {section::circle(d_i)}}, r);
+  return section::figures({{circle(in.d)}, {circle(d_i)}}, r);
 }
 
-template RingSection::Result RingSection::own(const Input&, NoTrace&);
-template RingSection::Result RingSection::own(const Input&, Trace&);
+template Ring::Result Ring::own(const Input&, NoTrace&);
+template Ring::Result Ring::own(const Input&, Trace&);
 
-template const Calculator& erased<RingSection>();
+}  // namespace loadpath::section
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::section::Ring>();

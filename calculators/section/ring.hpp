@@ -7,9 +7,9 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::section {
 
-struct RingSection {
+struct Ring {
   static constexpr auto id = "section.ring";
   static constexpr auto title = "Section: ring";
   static constexpr auto scope =
@@ -34,8 +34,8 @@ t = "5 mm"
                                      Field{&Input::d_i, "d_i", mm, "inner diameter"}.at_least(0).may_be_missing(),
                                      Field{&Input::t, "t", mm, "wall, in place of d_i"}.positive().may_be_missing()};
 
-  using Result = section::Properties;
-  static constexpr auto results = section::results_of_properties;
+  using Result = Properties;
+  static constexpr auto results = results_of_properties;
 
   static constexpr std::array rules{Rule<Input>{[](const Input& in) { return is_set(in.d_i) != is_set(in.t); },
                                                 "d_i, t", "give d_i or t, one of them"},
@@ -47,15 +47,15 @@ t = "5 mm"
   /// Without what follows from the contour.
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);
-  static section::Extremes extremes(const Input& in);
+  static Extremes extremes(const Input& in);
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace) {
-    return section::completed(own(in, trace), extremes(in), trace);
+    return completed(own(in, trace), extremes(in), trace);
   }
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template RingSection::Result RingSection::own(const Input&, NoTrace&);
-extern template RingSection::Result RingSection::own(const Input&, Trace&);
+extern template Ring::Result Ring::own(const Input&, NoTrace&);
+extern template Ring::Result Ring::own(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::section

@@ -4,16 +4,16 @@
 #include "calculators/section/outline.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
-namespace loadpath {
+namespace loadpath::section {
 
 namespace {
 
 template <class Tracer>
-void twist(const TeeSection::Input& in, TeeSection::Result& result, Tracer& trace) {
+void twist(const Tee::Input& in, Tee::Result& result, Tracer& trace) {
   const auto& [h, b, t_w, t_f, r] = in;
   STEP(w, max(t_w / (h - t_f), t_f / b), "thickness over length of the stubbier wall");
   result.w = w;
-  if (!(w <= section::thickest_open_wall)) return;
+  if (!(w <= thickest_open_wall)) return;
   STEP(I_t, (b * pow<3>(t_f) + (h - t_f) * pow<3>(t_w)) / 3.0, "thin open walls, [Oasys]");
   STEP(W_t, I_t / max(t_w, t_f), "shear in the thickest wall");
   result.I_t = I_t, result.W_t = W_t;
@@ -22,10 +22,10 @@ void twist(const TeeSection::Input& in, TeeSection::Result& result, Tracer& trac
 }  // namespace
 
 template <class Tracer>
-TeeSection::Result TeeSection::own(const Input& in, Tracer& trace) {
+Tee::Result Tee::own(const Input& in, Tracer& trace) {
   const auto& [h, b, t_w, t_f, r] = in;
-  Result result{section::centred()};
-  const auto [A_r, e_r, I_r, I_rp] = section::corner(r, trace);
+  Result result{centred()};
+  const auto [A_r, e_r, I_r, I_rp] = corner(r, trace);
   STEP(A, b * t_f + (h - t_f) * t_w + 2.0 * A_r, "flange, web and two fillets");
   STEP(z_S, -(b * t_f * t_f + (h * h - t_f * t_f) * t_w + 4.0 * A_r * (t_f + e_r)) / (2.0 * A),
        "first moment about the upper face over the area, downwards negative");
@@ -40,17 +40,15 @@ TeeSection::Result TeeSection::own(const Input& in, Tracer& trace) {
   return result;
 }
 
-section::Extremes TeeSection::extremes(const Input& in) {
-  return section::corners_of(section::tee_outline(in.h, in.b, in.t_w, in.t_f));
+Extremes Tee::extremes(const Input& in) { return corners_of(tee_outline(in.h, in.b, in.t_w, in.t_f)); }
+
+std::vector<draw::Figure> Tee::figures(const Input& in, const Result& r) {
+  return section::figures({{tee_outline(in.h, in.b, in.t_w, in.t_f, in.r)}, {}}, r);
 }
 
-std::vector<draw::Figure> TeeSection::figures(const Input& in, const Result& r) {
-  return section::figures({{section::tee_outline(in.h, in.b, in.t_w, in.t_f, in.r)}, {}}, r);
-}
+template Tee::Result Tee::own(const Input&, NoTrace&);
+template Tee::Result Tee::own(const Input&, Trace&);
 
-template TeeSection::Result TeeSection::own(const Input&, NoTrace&);
-template TeeSection::Result TeeSection::own(const Input&, Trace&);
+}  // namespace loadpath::section
 
-template const Calculator& erased<TeeSection>();
-
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::section::Tee>();

@@ -8,9 +8,9 @@
 #include <array>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::section {
 
-struct TeeSection {
+struct Tee {
   static constexpr auto id = "section.T";
   static constexpr auto title = "Section: T";
   static constexpr auto scope =
@@ -45,8 +45,8 @@ r = "12 mm"
       Field{&Input::t_f, "t_f", mm, "thickness of the flange"}.positive(),
       Field{&Input::r, "r", mm, "radius of the fillets; none where missing"}.at_least(0).may_be_missing()};
 
-  using Result = section::OpenWalls;
-  static constexpr auto results = section::results_of_open_walls;
+  using Result = OpenWalls;
+  static constexpr auto results = results_of_open_walls;
 
   static constexpr std::array rules{Rule<Input>{[](const Input& in) { return in.t_f + in.r < in.h; }, "t_f, r, h",
                                                 "flange and fillet need more depth than h"},
@@ -56,15 +56,15 @@ r = "12 mm"
   /// Without what follows from the contour.
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);
-  static section::Extremes extremes(const Input& in);
+  static Extremes extremes(const Input& in);
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace) {
-    return section::completed(own(in, trace), extremes(in), trace);
+    return completed(own(in, trace), extremes(in), trace);
   }
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template TeeSection::Result TeeSection::own(const Input&, NoTrace&);
-extern template TeeSection::Result TeeSection::own(const Input&, Trace&);
+extern template Tee::Result Tee::own(const Input&, NoTrace&);
+extern template Tee::Result Tee::own(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::section

@@ -3,19 +3,19 @@
 #include "calculators/shaft/round_sizing.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
-namespace loadpath {
+namespace loadpath::shaft {
 
 namespace {
 
-constexpr shaft::SizingReasons by_equivalent{"bending with torsion, a solid circle", "bending with torsion, a ring",
-                                             "bending with torsion: the diameter that has W_t with the given bore"};
-constexpr shaft::SizingReasons by_torsion{"torsion, [B19] (4)", "torsion of a ring, [B19] (5)",
-                                          "torsion: the diameter that has W_t with the given bore, [B19] (3)"};
+constexpr SizingReasons by_equivalent{"bending with torsion, a solid circle", "bending with torsion, a ring",
+                                      "bending with torsion: the diameter that has W_t with the given bore"};
+constexpr SizingReasons by_torsion{"torsion, [B19] (4)", "torsion of a ring, [B19] (5)",
+                                   "torsion: the diameter that has W_t with the given bore, [B19] (3)"};
 
 template <class Tracer>
-Length size_by_torsion(Moment M_t, Stress tau_adm, const shaft::Bore& bore, Tracer& trace) {
+Length size_by_torsion(Moment M_t, Stress tau_adm, const Bore& bore, Tracer& trace) {
   STEP(W_t, M_t / tau_adm, "section modulus that torsion alone asks for, [B19] (3)");
-  return shaft::size_for_modulus("d_t", W_t, bore, by_torsion, trace);
+  return size_for_modulus("d_t", W_t, bore, by_torsion, trace);
 }
 
 /// Stresses and utilisations at the diameter.
@@ -62,16 +62,16 @@ Overhung::Result Overhung::evaluate(const Input& in, Tracer& trace) {
               hypothesis == Hypothesis::mises ? "weight of torsion by von Mises" : "weight of torsion by Tresca");
   STEP(M_v, sqrt(M_b * M_b + c * M_t * M_t), "equivalent moment");
   r.M_b = M_b, r.M_t = M_t, r.M_v = M_v;
-  const shaft::Bore bore_for_sizing{chi, bore};
+  const Bore bore_for_sizing{chi, bore};
   STEP(W_t, 2.0 * M_v / sigma_adm, "modulus asked for by W = M_v/sigma_adm; in torsion it is twice W");
-  r.d_min = r.d_v = shaft::size_for_modulus("d_v", W_t, bore_for_sizing, by_equivalent, trace);
+  r.d_min = r.d_v = size_for_modulus("d_v", W_t, bore_for_sizing, by_equivalent, trace);
   if (is_set(tau_adm)) {
     const Length d_v = r.d_v, d_t = r.d_t = size_by_torsion(M_t, tau_adm, bore_for_sizing, trace);
     STEP(d_min, max(d_v, d_t), "the larger governs");
     r.d_min = d_min;
   }
   r.d = is_set(d_given) ? d_given : r.d_min;
-  r.d_bore = shaft::bore_of(bore, chi, r.d);
+  r.d_bore = bore_of(bore, chi, r.d);
   check(in, r, trace);
   return r;
 }
@@ -79,6 +79,6 @@ Overhung::Result Overhung::evaluate(const Input& in, Tracer& trace) {
 template Overhung::Result Overhung::evaluate(const Input&, NoTrace&);
 template Overhung::Result Overhung::evaluate(const Input&, Trace&);
 
-template const Calculator& erased<Overhung>();
+}  // namespace loadpath::shaft
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::shaft::Overhung>();

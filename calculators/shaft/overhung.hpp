@@ -12,7 +12,7 @@
 
 #include <array>
 
-namespace loadpath {
+namespace loadpath::shaft {
 
 struct Overhung {
   static constexpr auto id = "shaft.overhung";
@@ -118,4 +118,4 @@ constexpr auto choices_of(Overhung::Hypothesis) {
       ChoiceName<Overhung::Hypothesis>{Overhung::Hypothesis::tresca, "tresca", "Tresca, largest shear stress"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::shaft

@@ -6,13 +6,9 @@
 
 #include <algorithm>
 
-namespace loadpath {
+namespace loadpath::shaft {
 
 namespace {
-
-using shaft::Cylinder;
-using shaft::Cylinders;
-using shaft::Torques;
 
 Length total_length(const Torsion::Input& in) {
   Length sum = 0.0 * m.one;
@@ -56,8 +52,8 @@ Torques torques_of(const Torsion::Input& in) {
 }
 
 /// The short form: one torque goes through the whole shaft.
-shaft::Stretches stretches_of_short_form(const Torsion::Input& in) {
-  shaft::Stretches parts;
+Stretches stretches_of_short_form(const Torsion::Input& in) {
+  Stretches parts;
   Length x = 0.0 * m.one;
   if (in.segments.empty()) parts.push_back({x, in.T, {in.l, in.d, in.chi, in.d_bore}});
   for (const auto& s : in.segments) {
@@ -74,14 +70,14 @@ struct Allowed {
   Twist theta_adm;
 };
 
-constexpr shaft::SizingReasons by_strength{"strength, [B19] (4)", "strength of a ring, [B19] (5)",
-                                           "strength: the diameter that has W_t with the given bore, [B19] (3)"};
+constexpr SizingReasons by_strength{"strength, [B19] (4)", "strength of a ring, [B19] (5)",
+                                    "strength: the diameter that has W_t with the given bore, [B19] (3)"};
 
 /// The least diameter by strength.
 template <class Tracer>
 Length size_by_strength(Moment M_t, const Cylinder& c, Stress tau_all, Tracer& trace) {
   STEP(W_t, M_t / tau_all, "section modulus in torsion that strength asks for, [B19] (3)");
-  return shaft::size_for_modulus("d_strength", W_t, {c.chi, c.d_bore}, by_strength, trace);
+  return size_for_modulus("d_strength", W_t, {c.chi, c.d_bore}, by_strength, trace);
 }
 
 /// The same by stiffness.
@@ -148,7 +144,7 @@ void raise(Quantity& largest, Quantity value) {
 
 /// Moments and least diameters, stretch by stretch; the largest are those of the shaft.
 template <class Tracer>
-void size_stretches(const Torsion::Input& in, const shaft::Stretches& parts, Torsion::Result& r, Tracer& trace) {
+void size_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::Result& r, Tracer& trace) {
   const double K_A = in.K_A;
   const Allowed allowed{r.tau_all, in.G, in.theta_adm};
   Moment M_max = 0.0 * N_m.one;
@@ -195,7 +191,7 @@ void choose_least(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
 
 /// Stresses and twist at the diameters as given, else at the common one; a ratio gives the bore unless it is kept.
 template <class Tracer>
-void load_stretches(const Torsion::Input& in, const shaft::Stretches& parts, Torsion::Result& r, Tracer& trace) {
+void load_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::Result& r, Tracer& trace) {
   Length x = 0.0 * m.one, d_max = x;
   Stress tau_max = from_si<Stress>(0.0);
   Twist theta_max = from_si<Twist>(0.0);
@@ -206,7 +202,7 @@ void load_stretches(const Torsion::Input& in, const shaft::Stretches& parts, Tor
     const Cylinder& c = parts[i].cylinder;
     Torsion::Stretch& s = r.segments[i];
     s.d = is_set(c.d) ? c.d : r.d;
-    s.d_bore = shaft::bore_of(c.d_bore, c.chi, s.d);
+    s.d_bore = bore_of(c.d_bore, c.chi, s.d);
     load(s, in.G, in.K_A, trace);
     raise(d_max, s.d);
     raise(tau_max, s.tau);
@@ -217,7 +213,7 @@ void load_stretches(const Torsion::Input& in, const shaft::Stretches& parts, Tor
     most = max(most, twist);
     if (is_set(x)) r.sections.push_back({x, twist});
   }
-  r.d_max = d_max, r.d_bore = shaft::bore_of(in.d_bore, in.chi, r.d), r.tau_max = tau_max, r.theta_max = theta_max;
+  r.d_max = d_max, r.d_bore = bore_of(in.d_bore, in.chi, r.d), r.tau_max = tau_max, r.theta_max = theta_max;
   r.phi = twist;
   r.phi_max = is_set(twist) ? most - least : unset<double>;
 }
@@ -298,8 +294,8 @@ template <class Tracer>
 Torsion::Result Torsion::evaluate(const Input& in, Tracer& trace) {
   Result r;
   r.tau_all = allowable(in, trace);
-  const shaft::Stretches parts =
-      in.torques.empty() ? stretches_of_short_form(in) : shaft::stretches(torques_of(in), cylinders_of(in));
+  const Stretches parts =
+      in.torques.empty() ? stretches_of_short_form(in) : stretches(torques_of(in), cylinders_of(in));
   size_stretches(in, parts, r, trace);
   choose_least(in, r, trace);
   load_stretches(in, parts, r, trace);
@@ -329,6 +325,6 @@ std::vector<draw::Figure> Torsion::figures(const Input&, const Result& r) {
           {"torque-diagram", "Torque diagram", std::move(diagram)}};
 }
 
-template const Calculator& erased<Torsion>();
+}  // namespace loadpath::shaft
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::shaft::Torsion>();

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::shaft {
 
 struct Torsion {
   static constexpr auto id = "shaft.torsion";
@@ -83,8 +83,8 @@ theta_adm = "0.004 rad/m"
     Twist theta_adm = unset<Twist>;
     Force F = unset<Force>;
     Fixed fixed = Fixed::none;
-    List<Torque, shaft::most_torques> torques;
-    List<Segment, shaft::most_cylinders> segments;
+    List<Torque, most_torques> torques;
+    List<Segment, most_cylinders> segments;
   };
   static bool torques_close(const Input& in);
   static bool torques_on_shaft(const Input& in);
@@ -165,8 +165,8 @@ theta_adm = "0.004 rad/m"
     double phi = unset<double>, phi_max = unset<double>;
     double u_tau = unset<double>, u_theta = unset<double>;
     Force F_bend = unset<Force>;
-    List<Stretch, shaft::most_stretches> segments;
-    List<Section, shaft::most_stretches + 1> sections;
+    List<Stretch, most_stretches> segments;
+    List<Section, most_stretches + 1> sections;
   };
   static constexpr std::tuple results{
       Field{&Result::tau_all, "tau_all", MPa, "allowable shear stress"}.as(Role::result),
@@ -237,4 +237,4 @@ constexpr auto choices_of(Torsion::Governs) {
                     ChoiceName<Torsion::Governs>{Torsion::Governs::stiffness, "stiffness", "the allowable twist"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::shaft

@@ -4,16 +4,15 @@
 #include "calculators/vessel/picture.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
-namespace loadpath {
+namespace loadpath::vessel {
 
 namespace {
 
-using vessel::Place;
-using Input = VesselCone::Input;
+using Input = Cone::Input;
 
-class Cone {
+class ConeShape {
  public:
-  Cone(const Input& in, Length R_m) : in_(in), R_m_(R_m), wet_(vessel::has_liquid(in)) {}
+  ConeShape(const Input& in, Length R_m) : in_(in), R_m_(R_m), wet_(has_liquid(in)) {}
 
   /// Gas loads the large end most. With a liquid the governing place lies below its surface, or at the large end.
   [[nodiscard]] std::size_t places() const { return wet_ ? 128 : 1; }
@@ -34,7 +33,7 @@ class Cone {
     trace.value("kappa_M", place.kappa_M, "the meridian is straight");
     place.q_M = NAMED_STEP("q_M", r / (2.0 * cos(alpha)), "pressure on the section over the upright part of the pull");
     if (wet_) {
-      place.p_l = vessel::head(in_, place.z, trace);
+      place.p_l = head(in_, place.z, trace);
       hang(place, trace);
     } else {
       trace.value("p_l", place.p_l, "no liquid");
@@ -51,7 +50,7 @@ class Cone {
     const auto alpha = in_.alpha;
     const auto rho = in_.rho;
     const auto h_l = in_.h_l;
-    const Acceleration g_n = vessel::gravity;
+    const Acceleration g_n = gravity;
     const Length r = place.r;
     STEP(r_l, min(r, h_l * tan(alpha)), "radius up to which the liquid loads the wall below the place");
     place.n_M = NAMED_STEP("n_M", rho * g_n * pow<2>(r_l) * (h_l / 2.0 - r_l / (3.0 * tan(alpha))) / (r * cos(alpha)),
@@ -75,21 +74,21 @@ Length mean_radius(const Input& in, Length e, Tracer& trace) {
 }  // namespace
 
 template <class Tracer>
-VesselCone::Result VesselCone::evaluate(const Input& in, Tracer& trace) {
+Cone::Result Cone::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  const auto make = [&](Length delta_c) { return Cone(in, in.R + vessel::offset(in, delta_c) * std::cos(in.alpha)); };
+  const auto make = [&](Length delta_c) { return ConeShape(in, in.R + offset(in, delta_c) * std::cos(in.alpha)); };
   const auto told = [&](Length e, auto& tracer) { r.R_m = mean_radius(in, e, tracer); };
-  r.r = vessel::assess(in, r, in.R, make, told, trace) * r.R_m;
+  r.r = assess(in, r, in.R, make, told, trace) * r.R_m;
   return r;
 }
 
-template VesselCone::Result VesselCone::evaluate(const Input&, NoTrace&);
-template VesselCone::Result VesselCone::evaluate(const Input&, Trace&);
+template Cone::Result Cone::evaluate(const Input&, NoTrace&);
+template Cone::Result Cone::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> VesselCone::figures(const Input& in, const Result& r) {
-  return vessel::pictures(vessel::samples(Cone(in, r.R_m), in, r), r);
+std::vector<draw::Figure> Cone::figures(const Input& in, const Result& r) {
+  return pictures(samples(ConeShape(in, r.R_m), in, r), r);
 }
 
-template const Calculator& erased<VesselCone>();
+}  // namespace loadpath::vessel
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::vessel::Cone>();

@@ -11,9 +11,9 @@
 
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::vessel {
 
-struct VesselCone {
+struct Cone {
   static constexpr auto id = "vessel.cone";
   static constexpr auto title = "Thin-walled conical vessel";
   static constexpr auto scope =
@@ -34,7 +34,7 @@ h_l = "2 m"
 sigma_adm = "120 MPa"
 )";
 
-  struct Input : vessel::WallInput, vessel::Liquid {
+  struct Input : WallInput, Liquid {
     Length R = unset<Length>;
     double alpha = unset<double>;
   };
@@ -45,23 +45,23 @@ sigma_adm = "120 MPa"
               .usually(5, 50000),
           Field<Input, double>{&Input::alpha, "alpha", deg, "half the angle of the point"}.within(1, 80).usually(5,
                                                                                                                  60)},
-      vessel::wall_inputs<Input>(), vessel::liquid_inputs<Input>("height of the liquid's surface above the point"));
+      wall_inputs<Input>(), liquid_inputs<Input>("height of the liquid's surface above the point"));
 
-  struct Result : vessel::WallResult {
+  struct Result : WallResult {
     Length R_m = unset<Length>, r = unset<Length>;
   };
   static constexpr std::tuple results = std::tuple_cat(
-      vessel::wall_results<Result>(),
+      wall_results<Result>(),
       std::tuple{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall at the large end"}.as(Role::result),
                  Field{&Result::r, "r", mm, "mean radius at the governing place"}.as(Role::result)});
 
   static constexpr std::array rules = join<Input>(
-      vessel::wall_rules<Input>(), vessel::liquid_rules<Input>(),
+      wall_rules<Input>(), liquid_rules<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return !is_set(in.h_l) || in.h_l <= in.R / std::tan(in.alpha); },
                              "h_l, R, alpha", "the liquid stands above the large end of the cone"},
                  Rule<Input>{[](const Input& in) {
-                               return !is_set(in.delta) || in.measured == vessel::Measured::inner ||
-                                      in.R > (in.measured == vessel::Measured::outer ? 1.0 : 0.5) * in.delta;
+                               return !is_set(in.delta) || in.measured == Measured::inner ||
+                                      in.R > (in.measured == Measured::outer ? 1.0 : 0.5) * in.delta;
                              },
                              "R, delta", "the wall is thicker than the radius leaves room for"}});
 
@@ -70,7 +70,7 @@ sigma_adm = "120 MPa"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template VesselCone::Result VesselCone::evaluate(const Input&, NoTrace&);
-extern template VesselCone::Result VesselCone::evaluate(const Input&, Trace&);
+extern template Cone::Result Cone::evaluate(const Input&, NoTrace&);
+extern template Cone::Result Cone::evaluate(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::vessel

@@ -4,22 +4,19 @@
 #include "calculators/vessel/picture.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
-namespace loadpath {
+namespace loadpath::vessel {
 
 namespace {
 
-using vessel::Place;
-using Input = VesselCylinder::Input;
-using Ends = VesselCylinder::Ends;
+using Input = Cylinder::Input;
+using Ends = Cylinder::Ends;
 
 /// Of the liquid on the lowest place.
-Stress bottom_pressure(const Input& in) {
-  return vessel::has_liquid(in) ? Stress(in.rho * vessel::gravity * in.h_l) : 0.0 * MPa;
-}
+Stress bottom_pressure(const Input& in) { return has_liquid(in) ? Stress(in.rho * gravity * in.h_l) : 0.0 * MPa; }
 
-class Cylinder {
+class CylinderShape {
  public:
-  Cylinder(const Input& in, Length R_m, Length delta_c, Length a_r)
+  CylinderShape(const Input& in, Length R_m, Length delta_c, Length a_r)
       : in_(in), R_m_(R_m), delta_c_(delta_c), a_r_(a_r) {}
   [[nodiscard]] std::size_t places() const { return 1; }
   [[nodiscard]] double place(std::size_t) const { return 0.0; }  // the bottom, where the liquid presses most
@@ -31,8 +28,8 @@ class Cylinder {
     const Length R_m = R_m_;
     place.r = R_m, place.z = t * height();
     place.kappa_M = 0.0 / R_m;
-    if (vessel::has_liquid(in_)) {
-      place.p_l = vessel::head(in_, place.z, trace);
+    if (has_liquid(in_)) {
+      place.p_l = head(in_, place.z, trace);
     } else {
       trace.value("p_l", place.p_l, "no liquid");
     }
@@ -45,7 +42,7 @@ class Cylinder {
   }
 
  private:
-  [[nodiscard]] Length height() const { return vessel::has_liquid(in_) ? in_.h_l : 2.0 * R_m_; }
+  [[nodiscard]] Length height() const { return has_liquid(in_) ? in_.h_l : 2.0 * R_m_; }
 
   template <class Tracer>
   void pull(Place& place, Tracer& trace) const {
@@ -58,7 +55,7 @@ class Cylinder {
       place.q_M = 0.0 * R_m;
       trace.value("q_M", place.q_M, "no ends, no pull, [B24] (10)");
     }
-    if (closed && in_.support == VesselCylinder::Support::top) {
+    if (closed && in_.support == Cylinder::Support::top) {
       trace.value("p_0", p_0, "pressure of the liquid on the bottom, which the wall holds");
       place.n_M = NAMED_STEP("n_M", p_0 * R_m / 2.0, "weight of the liquid over the circumference");
     } else {
@@ -98,7 +95,7 @@ Length rings(const Input& in, Stress sigma_all, Tracer& trace) {
 
 /// The thicknesses of the book: each stress by itself.
 template <class Tracer>
-void by_the_book(const Input& in, VesselCylinder::Result& r, Tracer& trace) {
+void by_the_book(const Input& in, Cylinder::Result& r, Tracer& trace) {
   const auto z_l = in.z_l, z_c = in.z_c;
   const auto p_i = r.p_i, sigma_all = r.sigma_all, sigma_M = r.sigma_M;
   const auto R_m = r.R_m, delta_c = r.delta_c;
@@ -108,7 +105,7 @@ void by_the_book(const Input& in, VesselCylinder::Result& r, Tracer& trace) {
 }
 
 template <class Tracer>
-void check_rings(const Input& in, VesselCylinder::Result& r, Tracer& trace) {
+void check_rings(const Input& in, Cylinder::Result& r, Tracer& trace) {
   const auto l_r = in.l_r;
   const auto R_m = r.R_m, delta_c = r.delta_c;
   if (!is_set(l_r)) return;
@@ -119,33 +116,32 @@ void check_rings(const Input& in, VesselCylinder::Result& r, Tracer& trace) {
 }  // namespace
 
 template <class Tracer>
-VesselCylinder::Result VesselCylinder::evaluate(const Input& in, Tracer& trace) {
+Cylinder::Result Cylinder::evaluate(const Input& in, Tracer& trace) {
   NoTrace off;
   Result r;
-  const Stress sigma_all = vessel::allowable(in, off);
+  const Stress sigma_all = allowable(in, off);
   const Length a_r = rings(in, sigma_all, off);
-  const auto mean = [&](Length delta_c) { return in.R + vessel::offset(in, delta_c); };
-  const auto make = [&](Length delta_c) { return Cylinder(in, mean(delta_c), delta_c, a_r); };
+  const auto mean = [&](Length delta_c) { return in.R + offset(in, delta_c); };
+  const auto make = [&](Length delta_c) { return CylinderShape(in, mean(delta_c), delta_c, a_r); };
   const auto told = [&](Length e, auto& tracer) {
-    r.R_m = vessel::mean_radius(in.R, e, tracer);
+    r.R_m = mean_radius(in.R, e, tracer);
     if (in.ends == Ends::ringed) r.a_r = rings(in, sigma_all, tracer);
   };
-  vessel::assess(in, r, in.R, make, told, trace);
+  assess(in, r, in.R, make, told, trace);
   by_the_book(in, r, trace);
   check_rings(in, r, trace);
-  if (in.ends != Ends::ringed)
-    vessel::compare(vessel::ThickCylinder{in.ends == Ends::closed}, in, r, r.R_m, mean, trace);
+  if (in.ends != Ends::ringed) compare(ThickCylinder{in.ends == Ends::closed}, in, r, r.R_m, mean, trace);
   return r;
 }
 
-template VesselCylinder::Result VesselCylinder::evaluate(const Input&, NoTrace&);
-template VesselCylinder::Result VesselCylinder::evaluate(const Input&, Trace&);
+template Cylinder::Result Cylinder::evaluate(const Input&, NoTrace&);
+template Cylinder::Result Cylinder::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> VesselCylinder::figures(const Input& in, const Result& r) {
+std::vector<draw::Figure> Cylinder::figures(const Input& in, const Result& r) {
   const Length a_r = is_set(r.a_r) ? r.a_r : 0.0 * mm;
-  return vessel::pictures(vessel::samples(Cylinder(in, r.R_m, r.delta_c, a_r), in, r), r);
+  return pictures(samples(CylinderShape(in, r.R_m, r.delta_c, a_r), in, r), r);
 }
 
-template const Calculator& erased<VesselCylinder>();
+}  // namespace loadpath::vessel
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::vessel::Cylinder>();

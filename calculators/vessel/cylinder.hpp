@@ -10,9 +10,9 @@
 
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::vessel {
 
-struct VesselCylinder {
+struct Cylinder {
   static constexpr auto id = "vessel.cylinder";
   static constexpr auto title = "Thin-walled cylindrical vessel";
   static constexpr auto scope =
@@ -36,7 +36,7 @@ sigma_adm = "140 MPa"
   enum class Ends { closed, open, ringed };
   enum class Support { bottom, top };
 
-  struct Input : vessel::WallInput, vessel::Liquid {
+  struct Input : WallInput, Liquid {
     Length R = unset<Length>;
     Ends ends = Ends::closed;
     Support support = Support::bottom;
@@ -49,19 +49,18 @@ sigma_adm = "140 MPa"
               .positive()
               .usually(5, 50000),
           Choice<Input, Ends>{&Input::ends, "ends", "what takes the pressure at the ends and across"}.may_be_missing()},
-      vessel::wall_inputs<Input>(),
-      vessel::liquid_inputs<Input>("height of the liquid's surface above the lowest place of the wall"),
+      wall_inputs<Input>(), liquid_inputs<Input>("height of the liquid's surface above the lowest place of the wall"),
       std::tuple{
           Choice<Input, Support>{&Input::support, "support", "where a cylinder with liquid is held"}.may_be_missing(),
           Field<Input, Area>{&Input::A_r, "A_r", mm2, "area of the section of one ring"}.positive().may_be_missing(),
           Field<Input, Length>{&Input::l_r, "l_r", mm, "distance of the rings"}.positive().may_be_missing()});
 
-  struct Result : vessel::WallResult, vessel::LameResult {
+  struct Result : WallResult, LameResult {
     Length R_m = unset<Length>, delta_o = unset<Length>, delta_M = unset<Length>, a_r = unset<Length>;
     double w_r = unset<double>;
   };
   static constexpr std::tuple results = std::tuple_cat(
-      vessel::wall_results<Result>(),
+      wall_results<Result>(),
       std::tuple{
           Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall"}.as(Role::result),
           Field{&Result::delta_o, "delta_o", mm, "carrying thickness by the hoop stress alone, pR/sigma"}.as(
@@ -69,42 +68,42 @@ sigma_adm = "140 MPa"
           Field{&Result::delta_M, "delta_M", mm, "carrying thickness by the meridional stress alone, pR/2sigma"}.as(
               Role::result),
           Field{&Result::a_r, "a_r", mm, "section of the rings per length of the vessel"}.as(Role::result)},
-      vessel::lame_results<Result>(),
+      lame_results<Result>(),
       std::tuple{
           Field{&Result::w_r, "w_r", ratio, "rings: distance over the length of wall that works with them"}.limit(
               0, 1, "l_r")});
 
-  static constexpr std::array rules = join<Input>(
-      vessel::wall_rules<Input>(), vessel::liquid_rules<Input>(),
-      std::array{Rule<Input>{[](const Input& in) { return is_set(in.A_r) == is_set(in.l_r); }, "A_r, l_r",
-                             "rings need both the area A_r of their section and their distance l_r"},
-                 Rule<Input>{[](const Input& in) { return in.ends == Ends::ringed || !is_set(in.A_r); },
-                             "A_r, l_r, ends", "rings go with ends = \"ringed\""},
-                 Rule<Input>{[](const Input& in) {
-                               return !is_set(in.delta) || in.measured == vessel::Measured::inner ||
-                                      in.R > (in.measured == vessel::Measured::outer ? 1.0 : 0.5) * in.delta;
-                             },
-                             "R, delta", "the wall is thicker than the radius leaves room for"}});
+  static constexpr std::array rules =
+      join<Input>(wall_rules<Input>(), liquid_rules<Input>(),
+                  std::array{Rule<Input>{[](const Input& in) { return is_set(in.A_r) == is_set(in.l_r); }, "A_r, l_r",
+                                         "rings need both the area A_r of their section and their distance l_r"},
+                             Rule<Input>{[](const Input& in) { return in.ends == Ends::ringed || !is_set(in.A_r); },
+                                         "A_r, l_r, ends", "rings go with ends = \"ringed\""},
+                             Rule<Input>{[](const Input& in) {
+                                           return !is_set(in.delta) || in.measured == Measured::inner ||
+                                                  in.R > (in.measured == Measured::outer ? 1.0 : 0.5) * in.delta;
+                                         },
+                                         "R, delta", "the wall is thicker than the radius leaves room for"}});
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template VesselCylinder::Result VesselCylinder::evaluate(const Input&, NoTrace&);
-extern template VesselCylinder::Result VesselCylinder::evaluate(const Input&, Trace&);
+extern template Cylinder::Result Cylinder::evaluate(const Input&, NoTrace&);
+extern template Cylinder::Result Cylinder::evaluate(const Input&, Trace&);
 
-constexpr auto choices_of(VesselCylinder::Ends) {
-  using Ends = VesselCylinder::Ends;
+constexpr auto choices_of(Cylinder::Ends) {
+  using Ends = Cylinder::Ends;
   return std::array{ChoiceName<Ends>{Ends::closed, "closed", "ends that the wall holds together"},
                     ChoiceName<Ends>{Ends::open, "open", "a pipe: no pull along the axis"},
                     ChoiceName<Ends>{Ends::ringed, "ringed", "closed, with rings that take part of the hoop force"}};
 }
 
-constexpr auto choices_of(VesselCylinder::Support) {
-  using Support = VesselCylinder::Support;
+constexpr auto choices_of(Cylinder::Support) {
+  using Support = Cylinder::Support;
   return std::array{ChoiceName<Support>{Support::bottom, "bottom", "stands: the ground bears the liquid"},
                     ChoiceName<Support>{Support::top, "top", "hangs: the wall bears the liquid"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::vessel

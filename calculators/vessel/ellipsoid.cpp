@@ -3,16 +3,15 @@
 #include "calculators/vessel/picture.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
-namespace loadpath {
+namespace loadpath::vessel {
 
 namespace {
 
-using vessel::Place;
-using Input = VesselEllipsoid::Input;
+using Input = Ellipsoid::Input;
 
-class Ellipsoid {
+class EllipsoidShape {
  public:
-  Ellipsoid(Length a_m, Length b_m) : a_m_(a_m), b_m_(b_m) {}
+  EllipsoidShape(Length a_m, Length b_m) : a_m_(a_m), b_m_(b_m) {}
   [[nodiscard]] std::size_t places() const { return 33; }
   [[nodiscard]] double place(std::size_t i) const { return static_cast<double>(i) / 32.0; }
   [[nodiscard]] Length sharpest() const { return min(a_m_ * a_m_ / b_m_, b_m_ * b_m_ / a_m_); }
@@ -42,7 +41,7 @@ class Ellipsoid {
 };
 
 template <class Tracer>
-void mean_axes(const Input& in, VesselEllipsoid::Result& r, Length e, Tracer& trace) {
+void mean_axes(const Input& in, Ellipsoid::Result& r, Length e, Tracer& trace) {
   const auto a = in.a, b = in.b;
   STEP(a_m, a + e, "middle of the carrying wall, across");
   STEP(b_m, b + e, "middle of the carrying wall, along");
@@ -51,39 +50,39 @@ void mean_axes(const Input& in, VesselEllipsoid::Result& r, Length e, Tracer& tr
 
 /// The stresses of pole and equator in their known form, and the bound of the hoop compression of flat heads.
 template <class Tracer>
-void ends(const Input& in, VesselEllipsoid::Result& r, Tracer& trace) {
+void ends(const Input& in, Ellipsoid::Result& r, Tracer& trace) {
   const auto p = in.p;
   const auto a_m = r.a_m, b_m = r.b_m, delta_c = r.delta_c;
   STEP(sigma_pole, p * pow<2>(a_m) / (2.0 * b_m * delta_c), "pole, [Timoshenko]");
   STEP(sigma_eq, p * a_m / delta_c * (1.0 - pow<2>(a_m / b_m) / 2.0), "hoop stress of the equator, [Timoshenko]");
-  r.w_b = sigma_eq < 0.0 * MPa ? vessel::knuckle_slenderness(a_m * a_m / b_m, delta_c, trace) : 0.0;
+  r.w_b = sigma_eq < 0.0 * MPa ? knuckle_slenderness(a_m * a_m / b_m, delta_c, trace) : 0.0;
   r.sigma_pole = sigma_pole, r.sigma_eq = sigma_eq;
 }
 
 }  // namespace
 
 template <class Tracer>
-VesselEllipsoid::Result VesselEllipsoid::evaluate(const Input& in, Tracer& trace) {
+Ellipsoid::Result Ellipsoid::evaluate(const Input& in, Tracer& trace) {
   Result r;
   const auto make = [&](Length delta_c) {
-    const Length e = vessel::offset(in, delta_c);
-    return Ellipsoid(in.a + e, in.b + e);
+    const Length e = offset(in, delta_c);
+    return EllipsoidShape(in.a + e, in.b + e);
   };
   const auto told = [&](Length e, auto& tracer) { mean_axes(in, r, e, tracer); };
-  const double t = vessel::assess(in, r, in.a, make, told, trace);
+  const double t = assess(in, r, in.a, make, told, trace);
   NoTrace off;
-  r.r = Ellipsoid(r.a_m, r.b_m).at(t, off).r;
+  r.r = EllipsoidShape(r.a_m, r.b_m).at(t, off).r;
   ends(in, r, trace);
   return r;
 }
 
-template VesselEllipsoid::Result VesselEllipsoid::evaluate(const Input&, NoTrace&);
-template VesselEllipsoid::Result VesselEllipsoid::evaluate(const Input&, Trace&);
+template Ellipsoid::Result Ellipsoid::evaluate(const Input&, NoTrace&);
+template Ellipsoid::Result Ellipsoid::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> VesselEllipsoid::figures(const Input& in, const Result& r) {
-  return vessel::pictures(vessel::samples(Ellipsoid(r.a_m, r.b_m), in, r), r);
+std::vector<draw::Figure> Ellipsoid::figures(const Input& in, const Result& r) {
+  return pictures(samples(EllipsoidShape(r.a_m, r.b_m), in, r), r);
 }
 
-template const Calculator& erased<VesselEllipsoid>();
+}  // namespace loadpath::vessel
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::vessel::Ellipsoid>();

@@ -10,9 +10,9 @@
 
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::vessel {
 
-struct VesselEllipsoid {
+struct Ellipsoid {
   static constexpr auto id = "vessel.ellipsoid";
   static constexpr auto title = "Thin-walled ellipsoidal vessel or head";
   static constexpr auto scope =
@@ -31,7 +31,7 @@ measured = "inner"
 sigma_adm = "140 MPa"
 )";
 
-  struct Input : vessel::WallInput {
+  struct Input : WallInput {
     Length a = unset<Length>, b = unset<Length>;
   };
   static constexpr std::tuple inputs = std::tuple_cat(
@@ -40,15 +40,15 @@ sigma_adm = "140 MPa"
                  Field<Input, Length>{&Input::b, "b", mm, "semi-axis along the axis of revolution: height of a head"}
                      .positive()
                      .usually(5, 50000)},
-      vessel::wall_inputs<Input>());
+      wall_inputs<Input>());
 
-  struct Result : vessel::WallResult {
+  struct Result : WallResult {
     Length a_m = unset<Length>, b_m = unset<Length>, r = unset<Length>;
     Stress sigma_pole = unset<Stress>, sigma_eq = unset<Stress>;
     double w_b = unset<double>;
   };
   static constexpr std::tuple results = std::tuple_cat(
-      vessel::wall_results<Result>(),
+      wall_results<Result>(),
       std::tuple{
           Field{&Result::a_m, "a_m", mm, "semi-axis across, middle of the carrying wall"}.as(Role::result),
           Field{&Result::b_m, "b_m", mm, "semi-axis along, middle of the carrying wall"}.as(Role::result),
@@ -60,12 +60,12 @@ sigma_adm = "140 MPa"
               .limit(0, 1)});
 
   static constexpr std::array rules = join<Input>(
-      vessel::wall_rules<Input>(), vessel::gas_rules<Input>(),
+      wall_rules<Input>(), gas_rules<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return in.a <= 5.0 * in.b && in.b <= 5.0 * in.a; }, "a, b",
                              "so flat or so slender an ellipsoid is no membrane: a/b must lie between 1/5 and 5"},
                  Rule<Input>{[](const Input& in) {
-                               return !is_set(in.delta) || in.measured == vessel::Measured::inner ||
-                                      min(in.a, in.b) > (in.measured == vessel::Measured::outer ? 1.0 : 0.5) * in.delta;
+                               return !is_set(in.delta) || in.measured == Measured::inner ||
+                                      min(in.a, in.b) > (in.measured == Measured::outer ? 1.0 : 0.5) * in.delta;
                              },
                              "a, b, delta", "the wall is thicker than the semi-axes leave room for"}});
 
@@ -74,7 +74,7 @@ sigma_adm = "140 MPa"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template VesselEllipsoid::Result VesselEllipsoid::evaluate(const Input&, NoTrace&);
-extern template VesselEllipsoid::Result VesselEllipsoid::evaluate(const Input&, Trace&);
+extern template Ellipsoid::Result Ellipsoid::evaluate(const Input&, NoTrace&);
+extern template Ellipsoid::Result Ellipsoid::evaluate(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::vessel

@@ -7,14 +7,11 @@
 #include <cmath>
 #include <limits>
 
-namespace loadpath {
+namespace loadpath::vessel {
 
 namespace {
 
-using vessel::Meridian;
-using vessel::MeridianPoint;
-using vessel::Place;
-using Input = VesselShell::Input;
+using Input = Shell::Input;
 
 Meridian meridian_of(const Input& in, Length delta_c) {
   Meridian points;
@@ -23,14 +20,14 @@ Meridian meridian_of(const Input& in, Length delta_c) {
     at.r = in_si(p.r), at.z = in_si(p.z);
     points.push_back(at);
   }
-  const bool wet = vessel::has_liquid(in);
-  return vessel::meridian(points, in_si(vessel::offset(in, delta_c)), {in.start == VesselShell::Start::closed},
-                          wet ? in_si(in.rho) * in_si(vessel::gravity) : 0.0, wet ? in_si(in.h_l) : 0.0);
+  const bool wet = has_liquid(in);
+  return meridian(points, in_si(offset(in, delta_c)), {in.start == Shell::Start::closed},
+                  wet ? in_si(in.rho) * in_si(gravity) : 0.0, wet ? in_si(in.h_l) : 0.0);
 }
 
-class Shell {
+class ShellShape {
  public:
-  Shell(const Input& in, Length delta_c) : in_(in), points_(meridian_of(in, delta_c)) {}
+  ShellShape(const Input& in, Length delta_c) : in_(in), points_(meridian_of(in, delta_c)) {}
   [[nodiscard]] std::size_t places() const { return points_.size(); }
   [[nodiscard]] double place(std::size_t i) const { return static_cast<double>(i); }
   [[nodiscard]] const Meridian& points() const { return points_; }
@@ -51,10 +48,10 @@ class Shell {
     Place place;
     const bool pole = point.r == 0.0;
     const Length r = from_si<Length>(point.r), z = from_si<Length>(point.z);
-    const auto kappa_M = from_si<vessel::Curvature>(point.kappa);
+    const auto kappa_M = from_si<Curvature>(point.kappa);
     place.r = r, place.z = z, place.kappa_M = kappa_M;
-    if (vessel::has_liquid(in_)) {
-      place.p_l = vessel::head(in_, z, trace);
+    if (has_liquid(in_)) {
+      place.p_l = head(in_, z, trace);
     } else {
       trace.value("p_l", place.p_l, "no liquid");
     }
@@ -66,7 +63,7 @@ class Shell {
       place.n_M = place.p_l * place.rho_o / 2.0;
     } else {
       place.q_M = from_si<Length>(point.gas / (point.r * point.sine));
-      place.n_M = from_si<vessel::Tension>(point.liquid / (point.r * point.sine));
+      place.n_M = from_si<Tension>(point.liquid / (point.r * point.sine));
     }
     trace.value("rho_o", place.rho_o, "normal to the meridian, up to the axis");
     trace.value("q_M", place.q_M, "area before the place over the upright part of its circumference");
@@ -105,12 +102,12 @@ class Shell {
   Meridian points_;
 };
 
-void tabulate(const Shell& shell, const Input& in, VesselShell::Result& r) {
+void tabulate(const ShellShape& shell, const Input& in, Shell::Result& r) {
   NoTrace off;
   for (std::size_t i = 0; i < shell.places(); ++i) {
     const Place place = shell.at(shell.place(i), off);
-    const auto s = vessel::membrane(place, in.p, r.delta_c, vessel::strength_of(in, r.sigma_all), off);
-    const Stress sigma_v = vessel::equivalent(s, in.hypothesis, off);
+    const auto s = membrane(place, in.p, r.delta_c, strength_of(in, r.sigma_all), off);
+    const Stress sigma_v = equivalent(s, in.hypothesis, off);
     const double kappa = in_si(place.kappa_M) * in_si(place.rho_o);
     const bool straight = std::abs(kappa) < 1e-9;
     r.along.push_back(
@@ -120,42 +117,42 @@ void tabulate(const Shell& shell, const Input& in, VesselShell::Result& r) {
 
 /// Where a hoop stress is a compression, the flattest place counts as the crown.
 template <class Tracer>
-void knuckle(VesselShell::Result& r, Tracer& trace) {
+void knuckle(Shell::Result& r, Tracer& trace) {
   Length flattest = 0.0 * mm;
   bool compressed = false;
   for (const auto& a : r.along) {
     if (std::isfinite(in_si(a.rho_o))) flattest = max(flattest, abs(a.rho_o));
     compressed = compressed || a.sigma_o < -1e-9 * r.sigma_all;
   }
-  r.w_b = compressed ? vessel::knuckle_slenderness(flattest, r.delta_c, trace) : 0.0;
+  r.w_b = compressed ? knuckle_slenderness(flattest, r.delta_c, trace) : 0.0;
 }
 
 }  // namespace
 
-bool VesselShell::long_enough(const Input& in) { return in.points.size() >= 3; }
+bool Shell::long_enough(const Input& in) { return in.points.size() >= 3; }
 
-bool VesselShell::apart(const Input& in) {
+bool Shell::apart(const Input& in) {
   for (std::size_t i = 1; i < in.points.size(); ++i) {
     if (in.points[i].r == in.points[i - 1].r && in.points[i].z == in.points[i - 1].z) return false;
   }
   return true;
 }
 
-bool VesselShell::held_off_axis(const Input& in) {
+bool Shell::held_off_axis(const Input& in) {
   if (in.points.size() < 3) return true;  // another rule says so
   return in.points.back().z != in.points.front().z &&
          std::all_of(in.points.begin() + 1, in.points.end(), [](const Point& p) { return p.r > 0.0 * mm; });
 }
 
 template <class Tracer>
-VesselShell::Result VesselShell::evaluate(const Input& in, Tracer& trace) {
+Shell::Result Shell::evaluate(const Input& in, Tracer& trace) {
   Result r;
   Length widest = 0.0 * mm;
   for (const auto& p : in.points) widest = max(widest, p.r);
-  const auto make = [&](Length delta_c) { return Shell(in, delta_c); };
+  const auto make = [&](Length delta_c) { return ShellShape(in, delta_c); };
   const auto told = [](Length, auto&) {};
-  const double t = vessel::assess(in, r, widest, make, told, trace);
-  const Shell shell = make(r.delta_c);
+  const double t = assess(in, r, widest, make, told, trace);
+  const ShellShape shell = make(r.delta_c);
   const MeridianPoint& governing = shell.points()[static_cast<std::size_t>(t)];
   r.r = from_si<Length>(governing.r), r.z = from_si<Length>(governing.z);
   double turn = 0.0;
@@ -170,15 +167,15 @@ VesselShell::Result VesselShell::evaluate(const Input& in, Tracer& trace) {
   return r;
 }
 
-template VesselShell::Result VesselShell::evaluate(const Input&, NoTrace&);
-template VesselShell::Result VesselShell::evaluate(const Input&, Trace&);
+template Shell::Result Shell::evaluate(const Input&, NoTrace&);
+template Shell::Result Shell::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> VesselShell::figures(const Input&, const Result& r) {
-  std::vector<vessel::Sample> along;
+std::vector<draw::Figure> Shell::figures(const Input&, const Result& r) {
+  std::vector<Sample> along;
   for (const Along& a : r.along) along.push_back({in_si(a.r), in_si(a.z), in_si(a.sigma_o), in_si(a.sigma_M)});
-  return vessel::pictures(along, r);
+  return pictures(along, r);
 }
 
-template const Calculator& erased<VesselShell>();
+}  // namespace loadpath::vessel
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::vessel::Shell>();

@@ -15,9 +15,9 @@
 
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::vessel {
 
-struct VesselShell {
+struct Shell {
   static constexpr auto id = "vessel.shell";
   static constexpr auto title = "Thin shell of revolution with any meridian";
   static constexpr auto scope =
@@ -47,20 +47,20 @@ sigma_adm = "120 MPa"
                                        Field{&Point::z, "z", mm, "height, upward"}};
   };
 
-  struct Input : vessel::WallInput, vessel::Liquid {
+  struct Input : WallInput, Liquid {
     Start start = Start::closed;
-    List<Point, vessel::most_points> points;
+    List<Point, most_points> points;
   };
   static bool long_enough(const Input& in);
   static bool apart(const Input& in);
   static bool held_off_axis(const Input& in);
   static constexpr std::tuple inputs = std::tuple_cat(
-      std::tuple{ListField<Input, Point, vessel::most_points>{
-                     &Input::points, "points", "meridian, from the free end of the shell to where it is held"}
+      std::tuple{ListField<Input, Point, most_points>{&Input::points, "points",
+                                                      "meridian, from the free end of the shell to where it is held"}
                      .as_arrays(),
                  Choice<Input, Start>{&Input::start, "start", "what ends the shell at a first point off the axis"}
                      .may_be_missing()},
-      vessel::wall_inputs<Input>(), vessel::liquid_inputs<Input>("height z of the liquid's surface"));
+      wall_inputs<Input>(), liquid_inputs<Input>("height z of the liquid's surface"));
 
   struct Along {
     Length r = unset<Length>, z = unset<Length>, rho_o = unset<Length>, rho_M = unset<Length>;
@@ -76,13 +76,13 @@ sigma_adm = "120 MPa"
         Field{&Along::sigma_v, "sigma_v", MPa, "equivalent stress, seams included"}.as(Role::result)};
   };
 
-  struct Result : vessel::WallResult {
+  struct Result : WallResult {
     Length r = unset<Length>, z = unset<Length>;
     double psi_max = unset<double>, s_min = unset<double>, w_kappa = unset<double>, w_b = unset<double>;
-    List<Along, vessel::most_points> along;
+    List<Along, most_points> along;
   };
   static constexpr std::tuple results = std::tuple_cat(
-      vessel::wall_results<Result>(),
+      wall_results<Result>(),
       std::tuple{
           Field{&Result::r, "r", mm, "governing place: distance from the axis"}.as(Role::result),
           Field{&Result::z, "z", mm, "governing place: height"}.as(Role::result),
@@ -97,11 +97,11 @@ sigma_adm = "120 MPa"
               .limit(0, 0.2),
           Field{&Result::w_b, "w_b", ratio, "buckling of a knuckle: 0.002 of the crown radius over the thickness"}
               .limit(0, 1),
-          ListField<Result, Along, vessel::most_points>{&Result::along, "along", "stresses along the meridian"}.as(
+          ListField<Result, Along, most_points>{&Result::along, "along", "stresses along the meridian"}.as(
               Role::result)});
 
   static constexpr std::array rules = join<Input>(
-      vessel::wall_rules<Input>(), vessel::liquid_rules<Input>(),
+      wall_rules<Input>(), liquid_rules<Input>(),
       std::array{Rule<Input>{&long_enough, "points", "a meridian needs at least three points"},
                  Rule<Input>{&apart, "points", "two neighbouring points of the meridian are one and the same"},
                  Rule<Input>{&held_off_axis, "points",
@@ -113,13 +113,13 @@ sigma_adm = "120 MPa"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template VesselShell::Result VesselShell::evaluate(const Input&, NoTrace&);
-extern template VesselShell::Result VesselShell::evaluate(const Input&, Trace&);
+extern template Shell::Result Shell::evaluate(const Input&, NoTrace&);
+extern template Shell::Result Shell::evaluate(const Input&, Trace&);
 
-constexpr auto choices_of(VesselShell::Start) {
-  using Start = VesselShell::Start;
+constexpr auto choices_of(Shell::Start) {
+  using Start = Shell::Start;
   return std::array{ChoiceName<Start>{Start::closed, "closed", "a lid that the shell holds"},
                     ChoiceName<Start>{Start::open, "open", "nothing: no pull along the meridian there"}};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::vessel

@@ -4,17 +4,15 @@
 #include "calculators/vessel/picture.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
-namespace loadpath {
+namespace loadpath::vessel {
 
 namespace {
 
-using vessel::Place;
-using vessel::Tension;
-using Input = VesselSphere::Input;
+using Input = Sphere::Input;
 
-class Sphere {
+class SphereShape {
  public:
-  Sphere(const Input& in, Length R_m) : in_(in), R_m_(R_m), wet_(vessel::has_liquid(in)) {}
+  SphereShape(const Input& in, Length R_m) : in_(in), R_m_(R_m), wet_(has_liquid(in)) {}
 
   /// Gas presses alike everywhere. With a liquid: 64 places, and the ring from below and from above.
   [[nodiscard]] std::size_t places() const { return wet_ ? 66 : 1; }
@@ -38,7 +36,7 @@ class Sphere {
     place.q_M = NAMED_STEP("q_M", R_m / 2.0, "pressure on the cap over its circumference, [B24]");
     if (wet_) {
       trace.angle("phi", phi, "of the governing place, from the top");
-      place.p_l = vessel::head(in_, place.z, trace);
+      place.p_l = head(in_, place.z, trace);
       place.n_M = phi > in_.phi_s ? below(phi) : above(phi);
     } else {
       trace.value("p_l", place.p_l, "no liquid");
@@ -55,7 +53,7 @@ class Sphere {
     const double surface = in_si((R - h) / R);  // cosine of the liquid's edge, from the bottom
     const double c = -std::cos(phi), c_wet = std::max(c, surface);
     const Tension wet =
-        in_.rho * vessel::gravity * R * ((h - R) / 2.0 + R * (1.0 + c_wet + c_wet * c_wet) / (3.0 * (1.0 + c_wet)));
+        in_.rho * gravity * R * ((h - R) / 2.0 + R * (1.0 + c_wet + c_wet * c_wet) / (3.0 * (1.0 + c_wet)));
     return c >= surface ? wet : wet * ((1.0 - c_wet * c_wet) / (1.0 - c * c));
   }
 
@@ -66,7 +64,7 @@ class Sphere {
     if (c >= edge || c >= 1.0) return from_si<Tension>(0.0);
     const double s2 = 1.0 - c * c, s2_edge = 1.0 - edge * edge;
     const Length lifted = (h - R) * (s2 - s2_edge) / 2.0 - R * (edge * edge * edge - c * c * c) / 3.0;
-    return in_.rho * vessel::gravity * R * lifted / s2;
+    return in_.rho * gravity * R * lifted / s2;
   }
 
   const Input& in_;
@@ -77,24 +75,24 @@ class Sphere {
 }  // namespace
 
 template <class Tracer>
-VesselSphere::Result VesselSphere::evaluate(const Input& in, Tracer& trace) {
+Sphere::Result Sphere::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  const auto mean = [&](Length delta_c) { return in.R + vessel::offset(in, delta_c); };
-  const auto make = [&](Length delta_c) { return Sphere(in, mean(delta_c)); };
-  const auto told = [&](Length e, auto& tracer) { r.R_m = vessel::mean_radius(in.R, e, tracer); };
-  const double t = vessel::assess(in, r, in.R, make, told, trace);
-  r.phi = vessel::has_liquid(in) ? t * pi : unset<double>;
-  vessel::compare(vessel::ThickSphere{}, in, r, r.R_m, mean, trace);
+  const auto mean = [&](Length delta_c) { return in.R + offset(in, delta_c); };
+  const auto make = [&](Length delta_c) { return SphereShape(in, mean(delta_c)); };
+  const auto told = [&](Length e, auto& tracer) { r.R_m = mean_radius(in.R, e, tracer); };
+  const double t = assess(in, r, in.R, make, told, trace);
+  r.phi = has_liquid(in) ? t * pi : unset<double>;
+  compare(ThickSphere{}, in, r, r.R_m, mean, trace);
   return r;
 }
 
-template VesselSphere::Result VesselSphere::evaluate(const Input&, NoTrace&);
-template VesselSphere::Result VesselSphere::evaluate(const Input&, Trace&);
+template Sphere::Result Sphere::evaluate(const Input&, NoTrace&);
+template Sphere::Result Sphere::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> VesselSphere::figures(const Input& in, const Result& r) {
-  return vessel::pictures(vessel::samples(Sphere(in, r.R_m), in, r), r);
+std::vector<draw::Figure> Sphere::figures(const Input& in, const Result& r) {
+  return pictures(samples(SphereShape(in, r.R_m), in, r), r);
 }
 
-template const Calculator& erased<VesselSphere>();
+}  // namespace loadpath::vessel
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::vessel::Sphere>();

@@ -11,9 +11,9 @@
 
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::vessel {
 
-struct VesselSphere {
+struct Sphere {
   static constexpr auto id = "vessel.sphere";
   static constexpr auto title = "Thin-walled spherical vessel";
   static constexpr auto scope =
@@ -34,7 +34,7 @@ z_c = 0.85
 sigma_adm = "160 MPa"
 )";
 
-  struct Input : vessel::WallInput, vessel::Liquid {
+  struct Input : WallInput, Liquid {
     Length R = unset<Length>;
     double phi_s = pi / 2;
   };
@@ -42,29 +42,28 @@ sigma_adm = "160 MPa"
       std::tuple{Field<Input, Length>{&Input::R, "R", mm, "radius of the sphere, to the surface that `measured` says"}
                      .positive()
                      .usually(5, 50000)},
-      vessel::wall_inputs<Input>(),
-      vessel::liquid_inputs<Input>("height of the liquid's surface above the lowest place of the wall"),
+      wall_inputs<Input>(), liquid_inputs<Input>("height of the liquid's surface above the lowest place of the wall"),
       std::tuple{Field<Input, double>{&Input::phi_s, "phi_s", deg, "ring that holds a sphere with liquid: from the top"}
                      .within(20, 160)
                      .may_be_missing()});
 
-  struct Result : vessel::WallResult, vessel::LameResult {
+  struct Result : WallResult, LameResult {
     Length R_m = unset<Length>;
     double phi = unset<double>;
   };
   static constexpr std::tuple results =
-      std::tuple_cat(vessel::wall_results<Result>(),
+      std::tuple_cat(wall_results<Result>(),
                      std::tuple{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall"}.as(Role::result),
                                 Field{&Result::phi, "phi", deg, "governing place, from the top"}.as(Role::result)},
-                     vessel::lame_results<Result>());
+                     lame_results<Result>());
 
   static constexpr std::array rules = join<Input>(
-      vessel::wall_rules<Input>(), vessel::liquid_rules<Input>(),
+      wall_rules<Input>(), liquid_rules<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return !is_set(in.h_l) || in.h_l <= 2.0 * in.R; }, "h_l, R",
                              "the liquid stands above the top of the sphere: give the pressure there as p"},
                  Rule<Input>{[](const Input& in) {
-                               return !is_set(in.delta) || in.measured == vessel::Measured::inner ||
-                                      in.R > (in.measured == vessel::Measured::outer ? 1.0 : 0.5) * in.delta;
+                               return !is_set(in.delta) || in.measured == Measured::inner ||
+                                      in.R > (in.measured == Measured::outer ? 1.0 : 0.5) * in.delta;
                              },
                              "R, delta", "the wall is thicker than the radius leaves room for"}});
 
@@ -73,7 +72,7 @@ sigma_adm = "160 MPa"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template VesselSphere::Result VesselSphere::evaluate(const Input&, NoTrace&);
-extern template VesselSphere::Result VesselSphere::evaluate(const Input&, Trace&);
+extern template Sphere::Result Sphere::evaluate(const Input&, NoTrace&);
+extern template Sphere::Result Sphere::evaluate(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::vessel

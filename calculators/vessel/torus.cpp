@@ -3,16 +3,15 @@
 #include "calculators/vessel/picture.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
-namespace loadpath {
+namespace loadpath::vessel {
 
 namespace {
 
-using vessel::Place;
-using Input = VesselTorus::Input;
+using Input = Torus::Input;
 
-class Torus {
+class TorusShape {
  public:
-  Torus(Length R_0, Length r_m) : R_0_(R_0), r_m_(r_m) {}
+  TorusShape(Length R_0, Length r_m) : R_0_(R_0), r_m_(r_m) {}
   [[nodiscard]] std::size_t places() const { return 1; }
   [[nodiscard]] double place(std::size_t) const { return 0.0; }  // the inside of the ring
   [[nodiscard]] Length sharpest() const { return r_m_; }
@@ -40,7 +39,7 @@ class Torus {
 };
 
 template <class Tracer>
-Length mean_radius(Length r_t, Length e, Tracer& trace) {
+Length tube_radius(Length r_t, Length e, Tracer& trace) {
   trace.value("r_t", r_t, "radius of the tube as given");
   STEP(r_m, r_t + e, "middle of the carrying wall");
   return r_m;
@@ -49,21 +48,21 @@ Length mean_radius(Length r_t, Length e, Tracer& trace) {
 }  // namespace
 
 template <class Tracer>
-VesselTorus::Result VesselTorus::evaluate(const Input& in, Tracer& trace) {
+Torus::Result Torus::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  const auto make = [&](Length delta_c) { return Torus(in.R_0, in.r + vessel::offset(in, delta_c)); };
-  const auto told = [&](Length e, auto& tracer) { r.r_m = mean_radius(in.r, e, tracer); };
-  vessel::assess(in, r, in.r, make, told, trace);
+  const auto make = [&](Length delta_c) { return TorusShape(in.R_0, in.r + offset(in, delta_c)); };
+  const auto told = [&](Length e, auto& tracer) { r.r_m = tube_radius(in.r, e, tracer); };
+  assess(in, r, in.r, make, told, trace);
   return r;
 }
 
-template VesselTorus::Result VesselTorus::evaluate(const Input&, NoTrace&);
-template VesselTorus::Result VesselTorus::evaluate(const Input&, Trace&);
+template Torus::Result Torus::evaluate(const Input&, NoTrace&);
+template Torus::Result Torus::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> VesselTorus::figures(const Input& in, const Result& r) {
-  return vessel::pictures(vessel::samples(Torus(in.R_0, r.r_m), in, r), r);
+std::vector<draw::Figure> Torus::figures(const Input& in, const Result& r) {
+  return pictures(samples(TorusShape(in.R_0, r.r_m), in, r), r);
 }
 
-template const Calculator& erased<VesselTorus>();
+}  // namespace loadpath::vessel
 
-}  // namespace loadpath
+template const loadpath::Calculator& loadpath::erased<loadpath::vessel::Torus>();

@@ -11,9 +11,9 @@
 
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::vessel {
 
-struct VesselTorus {
+struct Torus {
   static constexpr auto id = "vessel.torus";
   static constexpr auto title = "Thin-walled torus";
   static constexpr auto scope =
@@ -31,7 +31,7 @@ r = "200 mm"
 sigma_adm = "140 MPa"
 )";
 
-  struct Input : vessel::WallInput {
+  struct Input : WallInput {
     Length R_0 = unset<Length>, r = unset<Length>;
   };
   static constexpr std::tuple inputs = std::tuple_cat(
@@ -42,33 +42,32 @@ sigma_adm = "140 MPa"
           Field<Input, Length>{&Input::r, "r", mm, "radius of the tube, to the surface that `measured` says"}
               .positive()
               .usually(5, 10000)},
-      vessel::wall_inputs<Input>());
+      wall_inputs<Input>());
 
-  struct Result : vessel::WallResult {
+  struct Result : WallResult {
     Length r_m = unset<Length>;
   };
-  static constexpr std::tuple results =
-      std::tuple_cat(vessel::wall_results<Result>(),
-                     std::tuple{Field{&Result::r_m, "r_m", mm, "mean radius of the tube"}.as(Role::result)});
+  static constexpr std::tuple results = std::tuple_cat(
+      wall_results<Result>(), std::tuple{Field{&Result::r_m, "r_m", mm, "mean radius of the tube"}.as(Role::result)});
 
-  static constexpr std::array rules = join<Input>(
-      vessel::wall_rules<Input>(), vessel::gas_rules<Input>(),
-      std::array{Rule<Input>{[](const Input& in) { return in.R_0 > 1.02 * in.r; }, "R_0, r",
-                             "the tube meets itself in the middle of the ring: R_0 must be larger than r"},
-                 Rule<Input>{[](const Input& in) {
-                               return !is_set(in.delta) || in.measured == vessel::Measured::inner ||
-                                      in.r > (in.measured == vessel::Measured::outer ? 1.0 : 0.5) * in.delta;
-                             },
-                             "r, delta", "the wall is thicker than the radius leaves room for"},
-                 Rule<Input>{[](const Input& in) { return !is_set(in.delta) || in.R_0 > in.r + in.delta; },
-                             "R_0, r, delta", "the wall leaves no hole in the ring: R_0 must be larger"}});
+  static constexpr std::array rules =
+      join<Input>(wall_rules<Input>(), gas_rules<Input>(),
+                  std::array{Rule<Input>{[](const Input& in) { return in.R_0 > 1.02 * in.r; }, "R_0, r",
+                                         "the tube meets itself in the middle of the ring: R_0 must be larger than r"},
+                             Rule<Input>{[](const Input& in) {
+                                           return !is_set(in.delta) || in.measured == Measured::inner ||
+                                                  in.r > (in.measured == Measured::outer ? 1.0 : 0.5) * in.delta;
+                                         },
+                                         "r, delta", "the wall is thicker than the radius leaves room for"},
+                             Rule<Input>{[](const Input& in) { return !is_set(in.delta) || in.R_0 > in.r + in.delta; },
+                                         "R_0, r, delta", "the wall leaves no hole in the ring: R_0 must be larger"}});
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template VesselTorus::Result VesselTorus::evaluate(const Input&, NoTrace&);
-extern template VesselTorus::Result VesselTorus::evaluate(const Input&, Trace&);
+extern template Torus::Result Torus::evaluate(const Input&, NoTrace&);
+extern template Torus::Result Torus::evaluate(const Input&, Trace&);
 
-}  // namespace loadpath
+}  // namespace loadpath::vessel

@@ -8,10 +8,10 @@ namespace {
 
 using namespace loadpath;
 
-VBeltSizing::Input wide_question(belt::Basis basis) {
-  VBeltSizing::Input in;
+belt::VSizing::Input wide_question(belt::Basis basis) {
+  belt::VSizing::Input in;
   in.basis = basis;
-  if (basis == belt::Basis::iso) in.belt_class = VBelt::BeltClass::IV;
+  if (basis == belt::Basis::iso) in.belt_class = belt::V::BeltClass::IV;
   in.P = 30e3 * W;
   in.K_A = 1.2;
   in.n_1 = 1000.0 * rpm, in.n_2_set = 500.0 * rpm;
@@ -26,7 +26,7 @@ void sizing(benchmark::State& state, belt::Basis basis) {
   NoTrace trace;
   double tried = 0.0;
   for ([[maybe_unused]] auto _ : state) {
-    const auto r = VBeltSizing::evaluate(in, trace);
+    const auto r = belt::VSizing::evaluate(in, trace);
     tried = r.tried;
     benchmark::DoNotOptimize(r.candidates.data());
   }
@@ -34,7 +34,7 @@ void sizing(benchmark::State& state, belt::Basis basis) {
 }
 
 void one_drive(benchmark::State& state) {
-  VBelt::Input in;
+  belt::V::Input in;
   in.basis = belt::Basis::optibelt;
   in.section = "SPB";
   in.P = 30e3 * W;
@@ -43,7 +43,7 @@ void one_drive(benchmark::State& state) {
   in.d_1 = 200.0 * mm, in.d_2 = 400.0 * mm, in.L = 2650.0 * mm;
   NoTrace trace;
   for ([[maybe_unused]] auto _ : state) {
-    const auto r = VBelt::evaluate(in, trace);
+    const auto r = belt::V::evaluate(in, trace);
     benchmark::DoNotOptimize(r.u_P);
   }
 }

@@ -22,40 +22,40 @@ void elements(benchmark::State& state, const typename C::Input& in, std::size_t 
 }
 
 void train(benchmark::State& state) {
-  DriveTrain::Input in;
+  drive::Train::Input in;
   in.P = 5.5e3 * W, in.n_1 = from_si<AngularSpeed>(150.0);
   for (int k = 0; k < 4; ++k) {
-    DriveTrain::Stage stage;
+    drive::Train::Stage stage;
     stage.z_1 = 20, stage.z_2 = 57, stage.m_n = 2.0 * mm, stage.eta = 0.97;
     in.stages.push_back(stage);
-    stage.kind = DriveTrain::StageKind::belt, stage.z_1 = stage.z_2 = 0, stage.i = 2.5;
+    stage.kind = drive::Train::StageKind::belt, stage.z_1 = stage.z_2 = 0, stage.i = 2.5;
     in.stages.push_back(stage);
   }
-  elements<DriveTrain>(state, in, in.stages.size());
+  elements<drive::Train>(state, in, in.stages.size());
 }
 
 void plates(benchmark::State& state) {
-  BuiltUpSection::Input in;
+  section::BuiltUp::Input in;
   for (int k = 0; k < 8; ++k) {
-    BuiltUpSection::Part plate;
-    plate.shape = BuiltUpSection::Shape::rectangle;
+    section::BuiltUp::Part plate;
+    plate.shape = section::BuiltUp::Shape::rectangle;
     plate.b = 100.0 * mm, plate.h = 10.0 * mm;
     plate.z = 20.0 * k * mm;
     in.parts.push_back(plate);
   }
-  elements<BuiltUpSection>(state, in, in.parts.size());
+  elements<section::BuiltUp>(state, in, in.parts.size());
 }
 
 /// A bar about both axes, by every method that its data allow.
 void bar(benchmark::State& state) {
-  Buckling::Input in;
+  column::Buckling::Input in;
   in.b = 40.0 * mm, in.h = 60.0 * mm, in.l = 1.8 * m, in.P = 10.0 * kN;
   in.beta_y = 2.0, in.beta_z = 1.0, in.n_st = 3.0;
   in.E = 210.0 * GPa, in.sigma_P = 200.0 * MPa, in.R_e = 235.0 * MPa;
   in.method = column::Method::euler;
   NoTrace off;
-  const auto r = Buckling::evaluate(in, off);
-  elements<Buckling>(state, in, r.axes.size() + r.methods.size());
+  const auto r = column::Buckling::evaluate(in, off);
+  elements<column::Buckling>(state, in, r.axes.size() + r.methods.size());
 }
 
 }  // namespace

@@ -25,10 +25,10 @@ void race(benchmark::State& state, const Sweep& sweep, const ByHand& by_hand, co
 void stress_cycle(benchmark::State& state) {
   constexpr double R_e = 355e6;
   const auto high = spread(100e6, 300e6, 3), low = spread(10e6, 90e6, 4);
-  FatigueCycle::Input in;
+  fatigue::Cycle::Input in;
   in.R_e = from_si<Stress>(R_e);
   Columns general;
-  const Sweep sweep(erased<FatigueCycle>(), record_of<FatigueCycle>(in), {{"sigma_max", high}, {"sigma_min", low}},
+  const Sweep sweep(erased<fatigue::Cycle>(), record_of<fatigue::Cycle>(in), {{"sigma_max", high}, {"sigma_min", low}},
                     {"sigma_m", "sigma_a", "r", "u_y"}, general);
   Columns plain(general.size(), std::vector<double>(points));
   std::vector<int> kinds(points);
@@ -56,10 +56,10 @@ void stress_cycle(benchmark::State& state) {
 void closed_cylinder(benchmark::State& state) {
   constexpr double delta = 0.012, sigma_adm = 140e6;
   const auto p = spread(0.5e6, 2e6, 5), R = spread(0.5, 1.0, 6);
-  VesselCylinder::Input in;
+  vessel::Cylinder::Input in;
   in.delta = delta * m, in.sigma_adm = from_si<Stress>(sigma_adm);
   Columns general;
-  const Sweep sweep(erased<VesselCylinder>(), record_of<VesselCylinder>(in), {{"p", p}, {"R", R}},
+  const Sweep sweep(erased<vessel::Cylinder>(), record_of<vessel::Cylinder>(in), {{"p", p}, {"R", R}},
                     {"sigma_o", "sigma_v", "t_R", "delta_min", "p_max", "u_v", "sigma_L", "delta_L"}, general);
   Columns plain(general.size(), std::vector<double>(points));
   const auto by_hand = [&] {
@@ -82,13 +82,13 @@ void flat_belt(benchmark::State& state) {
   constexpr double d_1 = 0.2, d_2 = 0.5, K_A = 1.2, mu = 0.4, delta = 2.5e-3, b = 0.125, rho = 1100.0;
   constexpr double sigma_adm = 6e6, epsilon = 0.01, n_1 = 1450.0 * pi / 30.0;
   const auto P = spread(5e3, 15e3, 7), a = spread(0.9, 1.6, 8);
-  FlatBelt::Input in;
+  belt::Flat::Input in;
   in.K_A = K_A, in.mu = mu, in.epsilon = epsilon;
   in.n_1 = from_si<AngularSpeed>(n_1), in.d_1 = d_1 * m, in.d_2 = d_2 * m;
   in.delta = delta * m, in.b = b * m, in.rho = from_si<Density>(rho);
   in.sigma_adm = from_si<Stress>(sigma_adm);
   Columns general;
-  const Sweep sweep(erased<FlatBelt>(), record_of<FlatBelt>(in), {{"P", P}, {"a", a}},
+  const Sweep sweep(erased<belt::Flat>(), record_of<belt::Flat>(in), {{"P", P}, {"a", a}},
                     {"i", "L", "alpha_1", "b_min", "S_0_min", "S_1", "S_2", "mu_req", "sigma_max", "R_0", "R", "f_B",
                      "l_s", "v_opt", "theta_R"},
                     general);

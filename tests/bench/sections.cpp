@@ -20,8 +20,8 @@ void where_and_sort(benchmark::State& state) {
   state.counters["found"] = static_cast<double>(found);
 }
 
-LightestColumn::Input column_of(std::initializer_list<const char*> families) {
-  LightestColumn::Input in;
+column::Lightest::Input column_of(std::initializer_list<const char*> families) {
+  column::Lightest::Input in;
   for (const char* family : families) in.families.push_back({family});
   in.P = 900.0 * kN, in.l = 4.5 * m, in.ends = column::Ends::pinned_pinned;
   in.E = 210.0 * GPa, in.R_e = 235.0 * MPa;
@@ -34,7 +34,7 @@ void lightest(benchmark::State& state, std::initializer_list<const char*> famili
   NoTrace trace;
   double tried = 0.0;
   for ([[maybe_unused]] auto _ : state) {
-    const auto r = LightestColumn::evaluate(in, trace);
+    const auto r = column::Lightest::evaluate(in, trace);
     tried = r.sections;
     benchmark::DoNotOptimize(r.u);
   }

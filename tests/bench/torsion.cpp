@@ -40,8 +40,8 @@ void race(benchmark::State& state, const Swept& sweep, const ByHand& by_hand, co
   }
 }
 
-Torsion::Input plain_shaft() {
-  Torsion::Input in;
+shaft::Torsion::Input plain_shaft() {
+  shaft::Torsion::Input in;
   in.G = from_si<Stress>(G);
   in.theta_adm = from_si<Twist>(theta_adm);
   return in;
@@ -51,7 +51,8 @@ void short_form(benchmark::State& state) {
   const std::vector<std::string> results{"d_strength", "d_stiffness", "d_min", "D_star",
                                          "tau_max",    "theta_max",   "u_tau", "u_theta"};
   Columns general(spread(50.0, 500.0, 1), spread(20e6, 60e6, 2), results.size()), plain = general;
-  const Sweep sweep = sweep_of(erased<Torsion>(), record_of<Torsion>(plain_shaft()), "T", results, general);
+  const Sweep sweep =
+      sweep_of(erased<shaft::Torsion>(), record_of<shaft::Torsion>(plain_shaft()), "T", results, general);
   const auto by_hand = [&] {
     for (std::size_t i = 0; i < points; ++i) {
       const double M = std::abs(plain.first[i]), tau_adm = plain.tau_adm[i];
@@ -80,8 +81,8 @@ struct Torque {
 constexpr std::array<Part, 3> parts{{{0.30, Bore::none, 0.0}, {0.50, Bore::ratio, 0.5}, {0.20, Bore::size, 0.02}}};
 constexpr std::array<Torque, 4> torques{{{0.0, 900.0}, {0.3, -3600.0}, {0.8, 1500.0}, {1.0, 1200.0}}};
 
-Torsion::Input line_shaft() {
-  Torsion::Input in = plain_shaft();
+shaft::Torsion::Input line_shaft() {
+  shaft::Torsion::Input in = plain_shaft();
   for (const Torque& t : torques) in.torques.push_back({{}, t.x * m, t.T * N_m});
   for (const Part& p : parts) {
     in.segments.push_back({{}, p.l * m, 120.0 * mm});
@@ -126,7 +127,8 @@ void line_shaft_by_hand(Columns& columns) {
 
 void three_segments(benchmark::State& state) {
   Columns general(spread(1.0, 2.0, 3), spread(20e6, 60e6, 4), 2), plain = general;
-  const Sweep sweep = sweep_of(erased<Torsion>(), record_of<Torsion>(line_shaft()), "K_A", {"d_min", "u_tau"}, general);
+  const Sweep sweep =
+      sweep_of(erased<shaft::Torsion>(), record_of<shaft::Torsion>(line_shaft()), "K_A", {"d_min", "u_tau"}, general);
   race(
       state, sweep, [&] { line_shaft_by_hand(plain); }, general, plain);
 }
@@ -134,9 +136,10 @@ void three_segments(benchmark::State& state) {
 void overhung(benchmark::State& state) {
   constexpr double a = 0.05, T = 78.3, sigma_adm = 60e6;
   Columns general(spread(500.0, 5000.0, 5), spread(20e6, 60e6, 6), 2), plain = general;
-  Overhung::Input in;
+  shaft::Overhung::Input in;
   in.a = a * m, in.T = T * N_m, in.sigma_adm = from_si<Stress>(sigma_adm);
-  const Sweep sweep = sweep_of(erased<Overhung>(), record_of<Overhung>(in), "F", {"d_min", "u_v"}, general);
+  const Sweep sweep =
+      sweep_of(erased<shaft::Overhung>(), record_of<shaft::Overhung>(in), "F", {"d_min", "u_v"}, general);
   const auto by_hand = [&] {
     for (std::size_t i = 0; i < points; ++i) {
       const double M = std::abs(plain.first[i]) * a;

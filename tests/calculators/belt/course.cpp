@@ -16,8 +16,8 @@ using namespace loadpath;
 using test::BeltStep;
 using test::replaced;
 using test::with;
-using Pulley = BeltCourse::Pulley;
-using Side = BeltCourse::Side;
+using Pulley = belt::Course::Pulley;
+using Side = belt::Course::Side;
 
 Pulley pulley(double x, double y, double d, Side side = Side::inside, Power P = unset<Power>) {
   Pulley p;
@@ -26,26 +26,27 @@ Pulley pulley(double x, double y, double d, Side side = Side::inside, Power P = 
   return p;
 }
 
-BeltCourse::Input around(std::initializer_list<Pulley> pulleys, BeltCourse::Turns turns = BeltCourse::Turns::ccw) {
-  BeltCourse::Input in;
+belt::Course::Input around(std::initializer_list<Pulley> pulleys,
+                           belt::Course::Turns turns = belt::Course::Turns::ccw) {
+  belt::Course::Input in;
   for (const Pulley& p : pulleys) in.pulleys.push_back(p);
   in.turns = turns;
   return in;
 }
 
 /// The motor, a roller on the slack span, a pump and a fan.
-BeltCourse::Input machine() {
+belt::Course::Input machine() {
   auto in =
       around({pulley(0.0, 0.0, 160.0), pulley(148.0, 229.0, 80.0, Side::outside),
               pulley(300.0, 480.0, 200.0, Side::inside, 3.0 * kW), pulley(600.0, 100.0, 250.0, Side::inside, 4.0 * kW)},
-             BeltCourse::Turns::cw);
+             belt::Course::Turns::cw);
   in.n_1 = 1450.0 * rpm, in.mu = 0.5, in.q = 0.3 * kg_per_m;
   return in;
 }
 
-BeltCourse::Result solve(const BeltCourse::Input& in) {
+belt::Course::Result solve(const belt::Course::Input& in) {
   NoTrace trace;
-  return BeltCourse::evaluate(in, trace);
+  return belt::Course::evaluate(in, trace);
 }
 
 double in_mm(Length l) { return in_si(l) * 1e3; }
@@ -128,7 +129,7 @@ TEST_SUITE("belt course") {
     auto in = machine();
     const auto before = solve(in);
     for (Pulley& p : in.pulleys) p.x = -p.x;
-    in.turns = BeltCourse::Turns::ccw;
+    in.turns = belt::Course::Turns::ccw;
     CHECK(in_mm(solve(in).L) == doctest::Approx(in_mm(before.L)).epsilon(1e-14));
     for (Pulley& p : in.pulleys) p.x = 3.0 * p.x, p.y = 3.0 * p.y, p.d = 3.0 * p.d;
     CHECK(in_mm(solve(in).L) == doctest::Approx(3.0 * in_mm(before.L)).epsilon(1e-14));
@@ -154,8 +155,8 @@ TEST_SUITE("belt course") {
     in.L = (2.0 * 100.12 + 100.0 * pi) * mm;  // the pulleys all but touch
     CHECK(in_mm(solve(in).s) == doctest::Approx(-399.88).epsilon(1e-9));
     in.L = 510.0 * mm;  // shorter than that: no place behind the other pulley is taken
-    CHECK_FALSE(BeltCourse::closes(in));
-    CHECK(BeltCourse::flaw_of(in).hint.text().find("from 514.159 mm") != std::string::npos);
+    CHECK_FALSE(belt::Course::closes(in));
+    CHECK(belt::Course::flaw_of(in).hint.text().find("from 514.159 mm") != std::string::npos);
   }
 
   TEST_CASE("what the belt cannot do is told with the pulleys at fault") {

@@ -14,8 +14,8 @@ using test::with;
 
 double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
 
-FlatBelt::Input fan() {
-  FlatBelt::Input in;
+belt::Flat::Input fan() {
+  belt::Flat::Input in;
   in.P = 15e3 * W;
   in.n_1 = 1450.0 * rpm;
   in.d_1 = 200.0 * mm, in.d_2 = 500.0 * mm, in.a = 1200.0 * mm;
@@ -26,9 +26,9 @@ FlatBelt::Input fan() {
   return in;
 }
 
-FlatBelt::Result solve(const FlatBelt::Input& in) {
+belt::Flat::Result solve(const belt::Flat::Input& in) {
   NoTrace trace;
-  return FlatBelt::evaluate(in, trace);
+  return belt::Flat::evaluate(in, trace);
 }
 
 const std::string text = R"(calculator = "belt.flat"
@@ -49,7 +49,7 @@ sigma_adm = "6 MPa"
 TEST_SUITE("belt flat") {
   TEST_CASE("at the least width with the least tension stress and friction are both at their limit") {
     for (const auto arrangement : {belt::Arrangement::open, belt::Arrangement::crossed}) {
-      FlatBelt::Input in = fan();
+      belt::Flat::Input in = fan();
       in.arrangement = arrangement;
       const auto r = solve(in);
       CHECK(rel(r.u_sigma, 1.0) < 1e-12);
@@ -59,13 +59,13 @@ TEST_SUITE("belt flat") {
   }
 
   TEST_CASE("tight and slack differ by the force carried over, and their sum is that of standstill on fixed centres") {
-    FlatBelt::Input in = fan();
+    belt::Flat::Input in = fan();
     in.b = 160.0 * mm;
     in.S_0 = 900.0 * N;
     const auto r = solve(in);
     CHECK(rel(in_si(r.S_1 - r.S_2), in_si(r.F_t)) < 1e-12);
     CHECK(rel(in_si(r.S_1 + r.S_2), 1800.0) < 1e-12);
-    in.tensioning = FlatBelt::Tensioning::constant_force;
+    in.tensioning = belt::Flat::Tensioning::constant_force;
     const auto pulled = solve(in);
     CHECK(rel(in_si(pulled.S_1 + pulled.S_2), 1800.0 + 2 * in_si(pulled.F_c)) < 1e-12);
     CHECK(pulled.S_0_min < r.S_0_min);
@@ -73,7 +73,7 @@ TEST_SUITE("belt flat") {
 
   TEST_CASE("the service factor acts once: forces and width rise by it") {
     const auto one = solve(fan());
-    FlatBelt::Input in = fan();
+    belt::Flat::Input in = fan();
     in.K_A = 1.4;
     const auto r = solve(in);
     CHECK(rel(in_si(r.F_t / one.F_t), 1.4) < 1e-12);
@@ -82,14 +82,14 @@ TEST_SUITE("belt flat") {
   }
 
   TEST_CASE("power and torque are two words for one load") {
-    FlatBelt::Input in = fan();
+    belt::Flat::Input in = fan();
     in.P = unset<Power>;
     in.T_1 = 15e3 / (1450 * pi / 30) * N_m;
     CHECK(rel(in_si(solve(in).F_t), in_si(solve(fan()).F_t)) < 1e-12);
   }
 
   TEST_CASE("slip slows the driven pulley and leaves the tensions alone") {
-    FlatBelt::Input in = fan();
+    belt::Flat::Input in = fan();
     in.epsilon = 0.02;
     const auto r = solve(in), straight = solve(fan());
     CHECK(rel(in_si(r.n_2), 1450 * pi / 30 * 200 / 500 * 0.98) < 1e-12);
@@ -99,20 +99,20 @@ TEST_SUITE("belt flat") {
   TEST_CASE("more friction, more wrap or less speed never ask for more width") {
     double last = 1e9;
     for (const double mu : {0.1, 0.2, 0.4, 0.8}) {
-      FlatBelt::Input in = fan();
+      belt::Flat::Input in = fan();
       in.mu = mu;
       const double b = in_si(solve(in).b_min);
       CHECK(b < last);
       last = b;
     }
-    FlatBelt::Input crossed = fan();
+    belt::Flat::Input crossed = fan();
     crossed.arrangement = belt::Arrangement::crossed;
     CHECK(solve(crossed).b_min < solve(fan()).b_min);
   }
 
   TEST_CASE("the power that a width carries is largest at v_opt") {
     const auto at = [](double v) {
-      FlatBelt::Input in = fan();
+      belt::Flat::Input in = fan();
       in.n_1 = 2.0 * v * m_per_s / in.d_1;
       return in_si(in.P / solve(in).b_min);
     };
@@ -122,7 +122,7 @@ TEST_SUITE("belt flat") {
   }
 
   TEST_CASE("the shaft load on equal pulleys is the sum of what presses them, along the line of centres") {
-    FlatBelt::Input in = fan();
+    belt::Flat::Input in = fan();
     in.d_2 = in.d_1;
     const auto r = solve(in);
     CHECK(rel(in_si(r.R), in_si(r.S_1 + r.S_2 - 2.0 * r.F_c)) < 1e-12);
@@ -131,13 +131,13 @@ TEST_SUITE("belt flat") {
 
   TEST_CASE("the shaft load leans to the tight span of the smaller driving pulley, and away from it when crossed") {
     CHECK(solve(fan()).R_y > 0.0 * N);
-    FlatBelt::Input in = fan();
+    belt::Flat::Input in = fan();
     in.arrangement = belt::Arrangement::crossed;
     CHECK(solve(in).R_y < 0.0 * N);
   }
 
   TEST_CASE("with torques about the driving pulley the tensions do the work: (S_1 - S_2) v is the design power") {
-    FlatBelt::Input in = fan();
+    belt::Flat::Input in = fan();
     in.K_A = 1.3;
     const auto r = solve(in);
     CHECK(rel(in_si((r.S_1 - r.S_2) * r.v), 1.3 * 15e3) < 1e-12);

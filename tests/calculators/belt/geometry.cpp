@@ -10,7 +10,7 @@ using namespace loadpath;
 using belt::Arrangement;
 using belt::Pulleys;
 
-belt::Course course(double d_1, double d_2, double a, Arrangement arrangement = Arrangement::open) {
+belt::DriveCourse course(double d_1, double d_2, double a, Arrangement arrangement = Arrangement::open) {
   NoTrace trace;
   return belt::lay(Pulleys{d_1 * mm, d_2 * mm, a * mm, unset<Length>, arrangement}, trace);
 }

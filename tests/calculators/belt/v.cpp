@@ -14,8 +14,8 @@ using test::with;
 
 double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
 
-VBelt::Input wedge() {
-  VBelt::Input in;
+belt::V::Input wedge() {
+  belt::V::Input in;
   in.basis = belt::Basis::optibelt;
   in.section = "SPB";
   in.P = 30e3 * W;
@@ -25,11 +25,11 @@ VBelt::Input wedge() {
   return in;
 }
 
-VBelt::Input classical() {
-  VBelt::Input in;
+belt::V::Input classical() {
+  belt::V::Input in;
   in.basis = belt::Basis::iso;
   in.section = "B";
-  in.belt_class = VBelt::BeltClass::IV;
+  in.belt_class = belt::V::BeltClass::IV;
   in.P = 7.5e3 * W;
   in.K_A = 1.2;
   in.n_1 = 1440.0 * rpm;
@@ -37,14 +37,14 @@ VBelt::Input classical() {
   return in;
 }
 
-VBelt::Result solve(const VBelt::Input& in) {
+belt::V::Result solve(const belt::V::Input& in) {
   NoTrace trace;
-  return VBelt::evaluate(in, trace);
+  return belt::V::evaluate(in, trace);
 }
 
 /// One belt on two equal pulleys, or with a ratio, far enough apart.
-VBelt::Result rated(belt::Basis basis, const char* section, double d, double n, double ratio = 1.0) {
-  VBelt::Input in = basis == belt::Basis::iso ? classical() : wedge();
+belt::V::Result rated(belt::Basis basis, const char* section, double d, double n, double ratio = 1.0) {
+  belt::V::Input in = basis == belt::Basis::iso ? classical() : wedge();
   in.section = section;
   in.n_1 = n * rpm;
   in.d_1 = d * mm, in.d_2 = ratio * d * mm;
@@ -170,7 +170,7 @@ TEST_SUITE("belt v") {
                                                {110, 0.78},
                                                {100, 0.74},
                                                {90, 0.69}}) {
-      VBelt::Input in = classical();
+      belt::V::Input in = classical();
       in.L = unset<Length>;
       in.a = 0.5 * (in.d_2 - in.d_1) / std::sin(0.5 * (pi - deg_of_wrap * pi / 180)) + 1e-12 * mm;
       CHECK(std::abs(solve(in).c_alpha - printed) < 0.0051);
@@ -178,7 +178,7 @@ TEST_SUITE("belt v") {
   }
 
   TEST_CASE("the service factor acts once on the power and once on the tension") {
-    VBelt::Input in = classical();
+    belt::V::Input in = classical();
     in.z = 5;
     const auto one = solve(in);
     in.K_A = 1.2 * 1.25;
@@ -191,8 +191,8 @@ TEST_SUITE("belt v") {
   }
 
   TEST_CASE("the number of belts is the least that passes") {
-    for (const VBelt::Input& drive : {wedge(), classical()}) {
-      VBelt::Input in = drive;
+    for (const belt::V::Input& drive : {wedge(), classical()}) {
+      belt::V::Input in = drive;
       const int z = solve(in).z;
       CHECK(solve(in).u_P <= 1.0);
       in.z = z - 1;
@@ -202,9 +202,9 @@ TEST_SUITE("belt v") {
 
   TEST_CASE("the count factor belongs to one basis alone, and its high end never asks for more belts") {
     CHECK(solve(wedge()).C_K == 1.0);
-    VBelt::Input in = classical();
+    belt::V::Input in = classical();
     CHECK(solve(in).C_K == 0.77);
-    in.C_K_end = VBelt::End::high;
+    in.C_K_end = belt::V::End::high;
     CHECK(solve(in).z <= solve(classical()).z);
   }
 
@@ -217,7 +217,7 @@ TEST_SUITE("belt v") {
   }
 
   TEST_CASE("grip follows Euler's condition with the groove of the actual pulley") {
-    VBelt::Input in = classical();
+    belt::V::Input in = classical();
     in.d_1 = in.d_2 = 180.0 * mm;  // groove of 34 degrees
     in.mu = 0.3;
     const auto small = solve(in);
@@ -231,9 +231,9 @@ TEST_SUITE("belt v") {
   }
 
   TEST_CASE("a tensioner with a constant force needs no centrifugal part at standstill, and the span turns alike") {
-    VBelt::Input in = wedge();
+    belt::V::Input in = wedge();
     const auto fixed = solve(in);
-    in.tensioning = VBelt::Tensioning::constant_force;
+    in.tensioning = belt::V::Tensioning::constant_force;
     const auto pulled = solve(in);
     CHECK(rel(in_si(fixed.F_0 - pulled.F_0), in_si(fixed.F_c)) < 1e-12);
     CHECK(in_si(pulled.S_1) == in_si(fixed.S_1));
@@ -249,7 +249,7 @@ TEST_SUITE("belt v") {
   }
 
   TEST_CASE("a drive that speeds up is rated by its smaller, driven pulley") {
-    VBelt::Input in = classical();
+    belt::V::Input in = classical();
     std::swap(in.d_1, in.d_2);
     in.n_1 = 720.0 * rpm;
     const auto up = solve(in), down = solve(classical());
@@ -259,7 +259,7 @@ TEST_SUITE("belt v") {
 
   TEST_CASE("one belt more carries less than its full share") {
     for (int z = 2; z < 9; ++z) {
-      VBelt::Input in = classical();
+      belt::V::Input in = classical();
       in.z = z;
       const auto r = solve(in);
       CHECK(r.P_all < static_cast<double>(z) * r.P_N * r.c_alpha * r.c_L);

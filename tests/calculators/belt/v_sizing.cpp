@@ -12,8 +12,8 @@ using namespace loadpath;
 using test::BeltStep;
 using test::with;
 
-VBeltSizing::Input fan() {
-  VBeltSizing::Input in;
+belt::VSizing::Input fan() {
+  belt::VSizing::Input in;
   in.basis = belt::Basis::optibelt;
   in.P = 11e3 * W;
   in.K_A = 1.2;
@@ -22,9 +22,9 @@ VBeltSizing::Input fan() {
   return in;
 }
 
-VBeltSizing::Result solve(const VBeltSizing::Input& in) {
+belt::VSizing::Result solve(const belt::VSizing::Input& in) {
   NoTrace trace;
-  return VBeltSizing::evaluate(in, trace);
+  return belt::VSizing::evaluate(in, trace);
 }
 
 const std::string text = R"(calculator = "belt.v_sizing"
@@ -55,16 +55,17 @@ TEST_SUITE("belt v sizing") {
   }
 
   TEST_CASE("the list is ranked, and says how much worse each is and what it does better") {
-    for (const auto rank : {VBeltSizing::Rank::pulleys, VBeltSizing::Rank::shaft_load, VBeltSizing::Rank::width}) {
+    for (const auto rank :
+         {belt::VSizing::Rank::pulleys, belt::VSizing::Rank::shaft_load, belt::VSizing::Rank::width}) {
       auto in = fan();
       in.rank = rank;
       const auto r = solve(in);
       REQUIRE(!r.candidates.empty());
-      CHECK(r.candidates[0].merit == VBeltSizing::Merit::best);
+      CHECK(r.candidates[0].merit == belt::VSizing::Merit::best);
       CHECK(r.candidates[0].excess == 0.0);
       for (std::size_t i = 1; i < r.candidates.size(); ++i) {
         CHECK(r.candidates[i].excess >= r.candidates[i - 1].excess);
-        CHECK(r.candidates[i].merit != VBeltSizing::Merit::best);
+        CHECK(r.candidates[i].merit != belt::VSizing::Merit::best);
       }
     }
   }
@@ -72,12 +73,12 @@ TEST_SUITE("belt v sizing") {
   TEST_CASE("the first is what belt.v says of it") {
     const auto in = fan();
     const auto r = solve(in);
-    VBelt::Input drive;
+    belt::V::Input drive;
     drive.basis = in.basis, drive.section = choices_of(r.section)[static_cast<std::size_t>(r.section)].key,
     drive.P = in.P, drive.K_A = in.K_A, drive.n_1 = in.n_1;
     drive.d_1 = r.d_1, drive.d_2 = r.d_2, drive.L = r.L;
     NoTrace trace;
-    const auto whole = VBelt::evaluate(drive, trace);
+    const auto whole = belt::V::evaluate(drive, trace);
     CHECK(whole.z == r.z);
     CHECK(in_si(whole.R_new) == in_si(r.R_new));
     CHECK(whole.u_P == r.u_P);

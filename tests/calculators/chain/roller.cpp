@@ -14,15 +14,15 @@ namespace {
 
 using namespace loadpath;
 
-RollerChain::Result solve(const RollerChain::Input& in) {
+chain::Roller::Result solve(const chain::Roller::Input& in) {
   NoTrace trace;
-  return RollerChain::evaluate(in, trace);
+  return chain::Roller::evaluate(in, trace);
 }
 
 double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
 
-RollerChain::Input conveyor() {
-  RollerChain::Input in;
+chain::Roller::Input conveyor() {
+  chain::Roller::Input in;
   in.p = 25.4 * mm, in.A = 211.0 * mm2, in.q = 2.71 * kg_per_m, in.F_uM = 60.0 * kN, in.F_u94 = 42.3 * kN;
   in.z_1 = 21, in.z_2 = 57;
   in.a = 1000.0 * mm;
@@ -73,7 +73,7 @@ TEST_SUITE("roller chain") {
     CHECK(std::fmod(r.X, 2.0) == 0.0);
     CHECK(std::abs(r.X - r.X_0) <= 1.0);
     CHECK(rel(chain::links_at(r.a / (25.4 * mm), 21, 57), r.X) < 1e-12);
-    RollerChain::Input in = conveyor();
+    chain::Roller::Input in = conveyor();
     in.a = unset<Length>, in.X = 119;
     CHECK(solve(in).odd == 1.0);
   }
@@ -81,7 +81,7 @@ TEST_SUITE("roller chain") {
   TEST_CASE("power, pull and speed agree; the service factor acts once and not on the sag") {
     const auto one = solve(conveyor());
     CHECK(rel(in_si(one.F_t) * in_si(one.v), 3000) < 1e-12);
-    RollerChain::Input in = conveyor();
+    chain::Roller::Input in = conveyor();
     in.K_A = 1.5;
     const auto shock = solve(in);
     CHECK(shock.F_t == one.F_t);
@@ -93,22 +93,22 @@ TEST_SUITE("roller chain") {
   }
 
   TEST_CASE("two editions of ISO 606 differ by 42 % for 16B, and the field says which is meant") {
-    RollerChain::Input in = conveyor();
+    chain::Roller::Input in = conveyor();
     const auto maker = solve(in);
-    in.edition = RollerChain::Edition::iso606_1994;
+    in.edition = chain::Roller::Edition::iso606_1994;
     CHECK(rel(maker.S_dyn / solve(in).S_dyn, 60.0 / 42.3) < 1e-14);
   }
 
   TEST_CASE("speed limits of the text by lubrication: 6 m/s, with an oil bath 12 m/s") {
-    RollerChain::Input in = conveyor();
+    chain::Roller::Input in = conveyor();
     in.n_1 = 6.0 / (21 * 0.0254) * 60.0 * rpm;
     CHECK(rel(solve(in).v_share, 1.0) < 1e-12);
-    in.lubrication = RollerChain::Lubrication::bath;
+    in.lubrication = chain::Roller::Lubrication::bath;
     CHECK(rel(solve(in).v_share, 0.5) < 1e-12);
   }
 
   TEST_CASE("twice the strands bear twice the load at half the pressure") {
-    RollerChain::Input in = conveyor();
+    chain::Roller::Input in = conveyor();
     const auto one = solve(in);
     in.strands = 2;
     CHECK(rel(one.p_r / solve(in).p_r, 2) < 1e-14);

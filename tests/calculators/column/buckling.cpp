@@ -16,7 +16,7 @@ using column::Ends;
 using column::Method;
 
 /// The critical stress in MPa of a bar of slenderness lambda about both axes.
-double stress(Buckling::Input in, double lambda, std::string_view method) {
+double stress(column::Buckling::Input in, double lambda, std::string_view method) {
   in.beta_y = in.beta_z = 1.0;
   in.ends = Ends::unsaid;
   in.b = in.h = unset<Length>;
@@ -39,7 +39,7 @@ TEST_SUITE("column buckling") {
                            Row{Ends::pinned_pinned, column::Basis::exact, 204702.9061, 155.8845727},
                            Row{Ends::fixed_pinned, column::Basis::text, 417761.0329, 109.1192009},
                            Row{Ends::fixed_fixed, column::Basis::exact, 818811.6244, 77.94228634}}) {
-      Buckling::Input in = bar_of_steel(row.ends);
+      column::Buckling::Input in = bar_of_steel(row.ends);
       in.beta_basis = row.basis;
       CHECK(rel(in_si(solve(in).N_cr), row.N_cr) < 1e-9);
       CHECK(rel(solve(in).lambda, row.lambda) < 1e-9);
@@ -47,9 +47,9 @@ TEST_SUITE("column buckling") {
   }
 
   TEST_CASE("Euler is no answer where the bar would yield: 221 MPa by Tetmajer, not 341") {
-    Buckling::Input in = bar_of_steel(Ends::fixed_fixed);
+    column::Buckling::Input in = bar_of_steel(Ends::fixed_fixed);
     in.method = Method::euler;
-    const Buckling::Result r = solve(in);
+    const column::Buckling::Result r = solve(in);
     CHECK(std::isnan(in_si(r.sigma_cr)));
     CHECK(std::isnan(in_si(r.P_all)));
     CHECK(r.r_1 > 1.0);
@@ -58,7 +58,7 @@ TEST_SUITE("column buckling") {
   }
 
   TEST_CASE("from stocky to slender no method rises, jumps or passes the yield strength") {
-    Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.curve_y = in.curve_z = column::Curve::b;
     in.e_y = 0.1 * mm;
     in.c_y = 20.0 * mm;
@@ -97,14 +97,14 @@ TEST_SUITE("column buckling") {
   }
 
   TEST_CASE("a set that lies below Euler everywhere is refused") {
-    Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.E = 2100.0 * GPa;
     CHECK(!column::set_meets_euler(in));
     CHECK(column::set_meets_euler(bar_of_steel(Ends::pinned_pinned)));
   }
 
   TEST_CASE("the published transition keeps its gap, and the gap is told") {
-    Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.transition = column::Transition::published;
     CHECK(rel(stress(in, 105.0, "tetmajer"), 310.0 - 1.14 * 105.0) < 1e-12);
     CHECK(rel(stress(in, 105.1, "tetmajer"), pi * pi * 210e3 / (105.1 * 105.1)) < 1e-12);
@@ -112,14 +112,14 @@ TEST_SUITE("column buckling") {
   }
 
   TEST_CASE("Johnson's parabola touches Euler's hyperbola at half the yield strength") {
-    const Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    const column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     const double transition = std::sqrt(2 * pi * pi * 210e3 / 235.0);
     CHECK(rel(stress(in, transition * (1 - 1e-9), "johnson"), 117.5) < 1e-8);
     CHECK(rel(stress(in, transition * (1 + 1e-9), "johnson"), 117.5) < 1e-8);
   }
 
   TEST_CASE("Rankine with the theoretical constant is Euler for slender bars") {
-    const Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    const column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     CHECK(rel(stress(in, 1e4, "rankine"), pi * pi * 210e3 / 1e8) < 1e-3);
   }
 
@@ -131,7 +131,7 @@ TEST_SUITE("column buckling") {
     using column::Curve;
     for (const Row& row : {Row{Curve::b, 0.6816, 0.7939988057}, Row{Curve::c, 1.203, 0.4323404463},
                            Row{Curve::a, 0.5, 0.9242726423}, Row{Curve::d, 2.0, 0.1766325808}}) {
-      Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+      column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
       in.curve_y = in.curve_z = row.curve;
       const double lambda = row.lambda_bar * pi * std::sqrt(210e3 / 235.0);
       CHECK(rel(stress(in, lambda, "ec3") / 235.0, row.chi) < 1e-9);
@@ -149,20 +149,20 @@ TEST_SUITE("column buckling") {
          {Row{200, 100, 8.5, Grade::to_S420, 0.21, 0.34}, Row{200, 100, 8.5, Grade::S460, 0.13, 0.13},
           Row{600, 300, 41, Grade::to_S420, 0.34, 0.49}, Row{200, 200, 15, Grade::to_S420, 0.34, 0.49},
           Row{200, 200, 15, Grade::S460, 0.21, 0.21}, Row{400, 400, 101, Grade::to_S420, 0.76, 0.76}}) {
-      Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+      column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
       in.A = from_si<Area>(1e-2);
       in.i_y = in.i_z = 50.0 * mm;
       in.h = row.h * mm, in.b = row.b * mm, in.t_f = row.t_f * mm;
       in.kind = column::Profile::rolled_I;
       in.grade = row.grade;
-      const Buckling::Result r = solve(in);
+      const column::Buckling::Result r = solve(in);
       CHECK(r.axes[0].alpha == row.alpha_y);
       CHECK(r.axes[1].alpha == row.alpha_z);
     }
   }
 
   TEST_CASE("a thin flange is local buckling, which is not covered") {
-    Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.A = from_si<Area>(1e-2);
     in.i_y = in.i_z = 50.0 * mm;
     in.h = 200.0 * mm, in.b = 200.0 * mm, in.t_w = 8.0 * mm;
@@ -174,7 +174,7 @@ TEST_SUITE("column buckling") {
   }
 
   TEST_CASE("a round tube of no said kind is judged by its diameter over its wall") {
-    Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.b = in.h = unset<Length>;
     in.d = 200.0 * mm, in.d_bore = 196.0 * mm;
     CHECK(rel(solve(in).r_class, 200.0 / 2.0 / 90.0) < 1e-12);
@@ -197,11 +197,11 @@ TEST_SUITE("column buckling") {
   }
 
   TEST_CASE("the secant load makes the extreme fibre yield, and falls with the eccentricity") {
-    Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     double before = 1e9;
     for (const double e : {1e-6, 1.0, 5.0, 20.0}) {
       in.e_y = e * mm;
-      const Buckling::Result r = solve(in);
+      const column::Buckling::Result r = solve(in);
       const column::AxisResult& y = r.axes[0];
       const double sigma = in_si(y.sigma_s);
       const double fibre = sigma * (1 + y.eta / std::cos(0.5 * y.lambda * std::sqrt(sigma / 210e9)));
@@ -212,14 +212,14 @@ TEST_SUITE("column buckling") {
   }
 
   TEST_CASE("utilisation is load over allowable load: twice the load is twice of it, by every method") {
-    Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.curve_y = in.curve_z = column::Curve::c;
     in.gamma_M1 = 1.1, in.gamma_F = 1.35;
     in.e_y = 2.0 * mm;
     in.P = 20.0 * kN;
-    const Buckling::Result once = solve(in);
+    const column::Buckling::Result once = solve(in);
     in.P = 40.0 * kN;
-    const Buckling::Result twice = solve(in);
+    const column::Buckling::Result twice = solve(in);
     REQUIRE(once.methods.size() == 7);
     for (std::size_t i = 0; i < 7; ++i) CHECK(rel(twice.methods[i].u, 2 * once.methods[i].u) < 1e-12);
     CHECK(rel(by(once, "ec3").u, 20e3 * 1.35 * 1.1 / in_si(by(once, "ec3").P_cr)) < 1e-12);
@@ -228,7 +228,7 @@ TEST_SUITE("column buckling") {
   }
 
   TEST_CASE("N is positive in tension: a bar that is pulled does not buckle") {
-    Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.N = -20.0 * kN;
     CHECK(solve(in).loading == column::Loading::compression);
     CHECK(rel(in_si(solve(in).F), 20e3) < 1e-15);
@@ -238,7 +238,7 @@ TEST_SUITE("column buckling") {
   }
 
   TEST_CASE("in tension the plain stress is held against the yield strength") {
-    Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.N = 564.0 * kN;  // 40 mm by 60 mm times 235 MPa
     CHECK(rel(solve(in).x_t, 1.0) < 1e-12);
     in.N = -564.0 * kN;
@@ -250,15 +250,15 @@ TEST_SUITE("column buckling") {
   }
 
   TEST_CASE("twice the length of the whole bar: the same slenderness and stress at four times the load") {
-    Buckling::Input in = bar_of_steel(Ends::fixed_pinned);
-    Buckling::Input twice = in;
+    column::Buckling::Input in = bar_of_steel(Ends::fixed_pinned);
+    column::Buckling::Input twice = in;
     twice.l *= 2.0, twice.b *= 2.0, twice.h *= 2.0;
     CHECK(rel(solve(twice).lambda, solve(in).lambda) < 1e-12);
     CHECK(rel(in_si(solve(twice).N_cr), 4 * in_si(solve(in).N_cr)) < 1e-12);
   }
 
   TEST_CASE("each axis has its own ends, and the larger slenderness governs") {
-    Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     CHECK(solve(in).axis == column::AxisName::z);
     in.ends_z = Ends::fixed_fixed;
     CHECK(solve(in).axis == column::AxisName::y);
@@ -266,14 +266,14 @@ TEST_SUITE("column buckling") {
   }
 
   TEST_CASE("a support in the middle halves the effective length about its axis") {
-    Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.supports_z.push_back({0.9 * m});
     CHECK(rel(solve(in).axes[1].beta, 0.5) < 1e-12);
     CHECK(rel(solve(in).axes[0].beta, 1.0) < 1e-12);
   }
 
   TEST_CASE("of an angle the weak principal axis counts") {
-    Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.b = in.h = unset<Length>;
     in.A = from_si<Area>(1.92e-3);
     in.I_y = in.I_z = from_si<SecondMoment>(177e-8);
@@ -324,12 +324,12 @@ TEST_SUITE("column buckling") {
                            Row{Profile::hot_hollow, 6.0, 7.6 / 36.0}, Row{Profile::rolled_I, 0.6, 0.985686},
                            Row{Profile::hot_hollow, 0.4, 1.0}, Row{Profile::channel, 0.01, 1.0}}) {
       CAPTURE(row.lambda_r);
-      Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+      column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
       in.kind = row.kind;
       const double lambda = row.lambda_r * std::sqrt(210e3 / 235.0) * (1.0 - 1e-15);
       CHECK(std::abs(stress(in, lambda, "sp16") / 235.0 - row.phi) < 1e-6);
     }
-    Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
+    column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
     in.kind = column::Profile::channel;
     double before = 235.0 * (1 + 1e-12);
     for (double lambda = 1.0; lambda < 400.0; lambda += 1.0) {

@@ -75,13 +75,13 @@ TEST_SUITE("column buckling faults") {
   }
 
   TEST_CASE("where no method is named, it is told which one that is, where its sets are and what needs less") {
-    Buckling::Input in = bar_of_steel(column::Ends::pinned_pinned);
+    column::Buckling::Input in = bar_of_steel(column::Ends::pinned_pinned);
     in.a_T = in.b_T = unset<Stress>;
-    const std::string hint = Buckling::missing_for_method(in).hint.text();
+    const std::string hint = column::Buckling::missing_for_method(in).hint.text();
     for (const char* words : {"where none is named", "loadpath tables columns/tetmajer", "sigma_P", "johnson", "ec3"})
       CHECK_MESSAGE(hint.find(words) != std::string::npos, words);
     in.method = column::Method::secant;
-    CHECK(Buckling::missing_for_method(in).hint.empty());
+    CHECK(column::Buckling::missing_for_method(in).hint.empty());
   }
 
   TEST_CASE("a code of steel judges nothing else") {

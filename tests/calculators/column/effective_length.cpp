@@ -16,13 +16,13 @@ using column::held;
 
 double beta(const Bar& bar) { return std::numbers::pi / column::buckling_parameter(bar); }
 
-EffectiveLength::Result solve(const EffectiveLength::Input& in) {
+column::EffectiveLength::Result solve(const column::EffectiveLength::Input& in) {
   NoTrace trace;
-  return EffectiveLength::evaluate(in, trace);
+  return column::EffectiveLength::evaluate(in, trace);
 }
 
-EffectiveLength::Input frame(double G_1, double G_2, EffectiveLength::Frame kind) {
-  EffectiveLength::Input in;
+column::EffectiveLength::Input frame(double G_1, double G_2, column::EffectiveLength::Frame kind) {
+  column::EffectiveLength::Input in;
   in.l = 4.0 * m;
   in.G_1 = G_1, in.G_2 = G_2;
   in.frame = kind;
@@ -83,7 +83,7 @@ TEST_SUITE("column effective length") {
     struct Row {
       double G_1, G_2, braced, sway;
     };
-    using Frame = EffectiveLength::Frame;
+    using Frame = column::EffectiveLength::Frame;
     for (const Row& row : {Row{1, 1, 0.7742650686, 1.3172751026}, Row{0.5, 2, 0.7646542639, 1.3667664809},
                            Row{1, 10, 0.8599218095, 1.9029690405}, Row{3, 0.2, 0.7245352909, 1.4099549066}}) {
       CHECK(rel(solve(frame(row.G_1, row.G_2, Frame::braced)).beta, row.braced) < 1e-9);
@@ -94,12 +94,12 @@ TEST_SUITE("column effective length") {
   }
 
   TEST_CASE("a bar that moves without a load has no effective length") {
-    EffectiveLength::Input in;
+    column::EffectiveLength::Input in;
     in.l = 1.0 * m;
-    in.end_1 = EffectiveLength::End::pinned;
-    in.end_2 = EffectiveLength::End::free;
+    in.end_1 = column::EffectiveLength::End::pinned;
+    in.end_2 = column::EffectiveLength::End::free;
     CHECK(std::isnan(solve(in).beta));
-    using End = EffectiveLength::End;
+    using End = column::EffectiveLength::End;
     for (const auto& [first, second] : {std::pair{End::guided, End::guided}, std::pair{End::free, End::guided},
                                         std::pair{End::guided, End::free}, std::pair{End::free, End::free}}) {
       in.end_1 = first, in.end_2 = second;
@@ -110,14 +110,14 @@ TEST_SUITE("column effective length") {
   }
 
   TEST_CASE("springs are compared with the bar") {
-    EffectiveLength::Input in;
+    column::EffectiveLength::Input in;
     in.l = 2.0 * m;
     in.E = 200.0 * GPa;
     in.I = from_si<SecondMoment>(5e-8);
-    in.end_1 = in.end_2 = EffectiveLength::End::elastic;
+    in.end_1 = in.end_2 = column::EffectiveLength::End::elastic;
     in.c_1 = 20.0 * N_m_per_rad.one * 1e3;
     in.c_2 = 45.0 * N_m_per_rad.one * 1e3;
-    const EffectiveLength::Result r = solve(in);
+    const column::EffectiveLength::Result r = solve(in);
     CHECK(rel(r.kappa_1, 4.0) < 1e-12);
     CHECK(std::abs(r.beta - 0.642462) < 1e-6);
     CHECK(rel(in_si(r.N_cr), pi * pi * 200e9 * 5e-8 / std::pow(r.beta * 2.0, 2)) < 1e-12);

@@ -15,11 +15,11 @@ using namespace loadpath::tests;
 using column::Ends;
 using column::Method;
 using loadpath::test::replaced;
-using Failure = LightestColumn::Failure;
+using Failure = column::Lightest::Failure;
 
 /// A hinged column of S235 by EN 1993-1-1, without partial factors.
-LightestColumn::Input column_of(std::initializer_list<const char*> families, Force P, Length l) {
-  LightestColumn::Input in;
+column::Lightest::Input column_of(std::initializer_list<const char*> families, Force P, Length l) {
+  column::Lightest::Input in;
   for (const char* family : families) in.families.push_back({family});
   in.P = P, in.l = l;
   in.ends = Ends::pinned_pinned;
@@ -29,9 +29,9 @@ LightestColumn::Input column_of(std::initializer_list<const char*> families, For
   return in;
 }
 
-LightestColumn::Result solve(const LightestColumn::Input& in) {
+column::Lightest::Result solve(const column::Lightest::Input& in) {
   NoTrace trace;
-  return LightestColumn::evaluate(in, trace);
+  return column::Lightest::evaluate(in, trace);
 }
 
 const column::TableSection& section_of(std::string_view name) {
@@ -42,7 +42,7 @@ const column::TableSection& section_of(std::string_view name) {
 }
 
 /// What column.buckling says of a section.
-column::MemberResult judged(const LightestColumn::Input& in, std::string_view section) {
+column::MemberResult judged(const column::Lightest::Input& in, std::string_view section) {
   return tests::solve({in, section_of(section)});
 }
 
@@ -112,7 +112,7 @@ TEST_SUITE("column lightest") {
 
   TEST_CASE("the list holds what carries the bar, the lightest first") {
     const auto r = solve(column_of({"HEA", "HEB"}, 900.0 * kN, 4.5 * m));
-    REQUIRE(r.candidates.size() == LightestColumn::Candidates::capacity());
+    REQUIRE(r.candidates.size() == column::Lightest::Candidates::capacity());
     CHECK(r.candidates[0].name == r.section);
     CHECK(r.candidates[0].excess == 0.0);
     for (std::size_t i = 0; i < r.candidates.size(); ++i) {
@@ -189,9 +189,9 @@ TEST_SUITE("column lightest") {
       CHECK(c.failure == Failure::tension);
       CHECK(c.demand > 1.0);
     }
-    CHECK(LightestColumn::strength_in_tension(in));
+    CHECK(column::Lightest::strength_in_tension(in));
     in.R_e = unset<Stress>;
-    CHECK(!LightestColumn::strength_in_tension(in));
+    CHECK(!column::Lightest::strength_in_tension(in));
   }
 
   TEST_CASE("of round tubes the table does not say hot or cold: they have a curve where the kind is given") {
@@ -223,7 +223,7 @@ TEST_SUITE("column lightest") {
     const auto r = solve(in);
     CHECK(r.carrying == 0.0);
     for (const auto& c : r.lighter) CHECK(c.failure == Failure::beyond);
-    const FieldFault fault = LightestColumn::none_carries(in);
+    const FieldFault fault = column::Lightest::none_carries(in);
     CHECK(fault.message.text().find("more slender than the table of the code goes") != std::string::npos);
     CHECK(fault.hint.text().find("kind") == std::string::npos);
   }
@@ -231,7 +231,7 @@ TEST_SUITE("column lightest") {
   TEST_CASE("a tube is thin by its diameter over its wall: 90 eps^2") {
     auto in = column_of({"CHS"}, 300.0 * kN, 4.0 * m);
     in.kind = column::Profile::hot_hollow;
-    Buckling::Input bar{in, section_of("CHS 76.1x2.5")};
+    column::Buckling::Input bar{in, section_of("CHS 76.1x2.5")};
     bar.kind = column::Profile::hot_hollow;
     CHECK(rel(tests::solve(bar).r_class, 76.1 / 2.5 / 90.0) < 1e-12);
   }
@@ -308,7 +308,7 @@ TEST_SUITE("column lightest") {
     const auto r = solve(in);
     CHECK(r.carrying == 0.0);
     CHECK(r.r_1 > 1.0);
-    CHECK(LightestColumn::none_carries(in).message.text() ==
+    CHECK(column::Lightest::none_carries(in).message.text() ==
           "no section of HEA carries the bar: " + std::string(r.section.view()) +
               " comes nearest, and there it is outside of the range of the method");
   }

@@ -14,8 +14,8 @@ namespace loadpath::tests {
 inline double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
 
 /// The bar of [B25]: 40 mm by 60 mm, 1.8 m, of St37.
-inline Buckling::Input bar_of_steel(column::Ends ends) {
-  Buckling::Input in;
+inline column::Buckling::Input bar_of_steel(column::Ends ends) {
+  column::Buckling::Input in;
   in.l = 1.8 * m;
   in.b = 40.0 * mm;
   in.h = 60.0 * mm;
@@ -31,12 +31,12 @@ inline Buckling::Input bar_of_steel(column::Ends ends) {
   return in;
 }
 
-inline Buckling::Result solve(const Buckling::Input& in) {
+inline column::Buckling::Result solve(const column::Buckling::Input& in) {
   NoTrace trace;
-  return Buckling::evaluate(in, trace);
+  return column::Buckling::evaluate(in, trace);
 }
 
-inline const column::MethodResult& by(const Buckling::Result& r, std::string_view name) {
+inline const column::MethodResult& by(const column::Buckling::Result& r, std::string_view name) {
   static const column::MethodResult none;
   for (const auto& method : r.methods) {
     if (method.name.view() == name) return method;

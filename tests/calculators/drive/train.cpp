@@ -11,23 +11,23 @@
 namespace {
 
 using namespace loadpath;
-using StageKind = DriveTrain::StageKind;
+using StageKind = drive::Train::StageKind;
 
-DriveTrain::Result solve(const DriveTrain::Input& in) {
+drive::Train::Result solve(const drive::Train::Input& in) {
   NoTrace trace;
-  return DriveTrain::evaluate(in, trace);
+  return drive::Train::evaluate(in, trace);
 }
 
 double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
 
-DriveTrain::Stage stage(StageKind kind, double i, double eta) {
-  DriveTrain::Stage s;
+drive::Train::Stage stage(StageKind kind, double i, double eta) {
+  drive::Train::Stage s;
   s.kind = kind, s.i = i, s.eta = eta;
   return s;
 }
 
-DriveTrain::Input train(std::initializer_list<DriveTrain::Stage> stages) {
-  DriveTrain::Input in;
+drive::Train::Input train(std::initializer_list<drive::Train::Stage> stages) {
+  drive::Train::Input in;
   in.T_1 = 30.0 * N_m, in.n_1 = 1000.0 * rpm;
   for (const auto& s : stages) in.stages.push_back(s);
   return in;
@@ -53,14 +53,14 @@ TEST_SUITE("drive train") {
     CHECK(rel(r.i, 10.0) < 1e-15);
     CHECK(rel(r.eta, 0.9312) < 1e-14);
     CHECK(rel(in_si(r.T_out), 279.36) < 1e-14);
-    CHECK(r.works == DriveTrain::Works::reducer);
+    CHECK(r.works == drive::Train::Works::reducer);
   }
 
   TEST_CASE(
       "two stages of 3:1 turn 1750 rpm and 10 N m into 194 rpm and 90 N m, in the same sense (rulesofthumb.info)") {
-    DriveTrain::Input in = train({});
+    drive::Train::Input in = train({});
     in.T_1 = 10.0 * N_m, in.n_1 = 1750.0 * rpm;
-    DriveTrain::Stage s;
+    drive::Train::Stage s;
     s.z_1 = 20, s.z_2 = 60;
     in.stages.push_back(s);
     s.z_1 = 15, s.z_2 = 45;
@@ -72,7 +72,7 @@ TEST_SUITE("drive train") {
   }
 
   TEST_CASE("slip lowers the speed behind a belt, not the torque") {
-    DriveTrain::Stage s;
+    drive::Train::Stage s;
     s.kind = StageKind::belt, s.d_1 = 125.0 * mm, s.d_2 = 315.0 * mm, s.slip = 0.015;
     const auto r = solve(train({s}));
     CHECK(rel(r.stages[0].i, 2.558375635) < 1e-9);
@@ -93,23 +93,23 @@ TEST_SUITE("drive train") {
   }
 
   TEST_CASE("a planetary stage by Willis: ring held, sun to carrier, and the other way a multiplier") {
-    DriveTrain::Stage s;
+    drive::Train::Stage s;
     s.kind = StageKind::planetary, s.z_s = 24, s.z_r = 84, s.eta = 0.97;
     const auto r = solve(train({s}));
     CHECK(rel(r.i, 4.5) < 1e-14);
     CHECK(rel(r.eta, (1.0 + 3.5 * 0.97) / 4.5) < 1e-13);
-    s.in = DriveTrain::Member::carrier, s.out = DriveTrain::Member::sun;
-    CHECK(solve(train({s})).works == DriveTrain::Works::multiplier);
-    s.in = DriveTrain::Member::sun, s.out = DriveTrain::Member::ring;
+    s.in = drive::Train::Member::carrier, s.out = drive::Train::Member::sun;
+    CHECK(solve(train({s})).works == drive::Train::Works::multiplier);
+    s.in = drive::Train::Member::sun, s.out = drive::Train::Member::ring;
     CHECK(rel(solve(train({s})).i, -3.5) < 1e-14);
   }
 
   TEST_CASE("an efficiency beyond what is usual is told, not refused") {
     const auto r = solve(
         train({stage(StageKind::chain, 2, 0.96), stage(StageKind::chain, 2, 0.9), stage(StageKind::worm, 2, 0.97)}));
-    CHECK(r.stages[0].range == DriveTrain::EtaRange::usual);
-    CHECK(r.stages[1].range == DriveTrain::EtaRange::below);
-    CHECK(r.stages[2].range == DriveTrain::EtaRange::above);
+    CHECK(r.stages[0].range == drive::Train::EtaRange::usual);
+    CHECK(r.stages[1].range == drive::Train::EtaRange::below);
+    CHECK(r.stages[2].range == drive::Train::EtaRange::above);
   }
 
   TEST_CASE("what a user can get wrong is told") {

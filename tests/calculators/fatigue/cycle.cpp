@@ -14,9 +14,9 @@ using namespace loadpath;
 using fatigue::Kind;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-FatigueCycle::Result cycle(const FatigueCycle::Input& in) {
+fatigue::Cycle::Result cycle(const fatigue::Cycle::Input& in) {
   NoTrace trace;
-  return FatigueCycle::evaluate(in, trace);
+  return fatigue::Cycle::evaluate(in, trace);
 }
 
 /// One of the five characteristics by its place in the list, MPa.
@@ -29,7 +29,7 @@ void set(fatigue::Given& g, int which, double value) {
   }
 }
 
-double get(const fatigue::Cycle& c, int which) {
+double get(const fatigue::Characteristics& c, int which) {
   const double values[] = {c.sigma_max / MPa, c.sigma_min / MPa, c.sigma_m / MPa, c.sigma_a / MPa, c.r};
   return values[which];
 }
@@ -66,12 +66,12 @@ TEST_SUITE("fatigue.cycle") {
     for (const Known& k : known) {
       for (int a = 0; a < 5; ++a) {
         for (int b = a + 1; b < 5; ++b) {
-          FatigueCycle::Input in;
+          fatigue::Cycle::Input in;
           set(in, a, k.values[a]), set(in, b, k.values[b]);
           CAPTURE(k.values[4]);
           CAPTURE(a);
           CAPTURE(b);
-          if (!FatigueCycle::sound(in)) {
+          if (!fatigue::Cycle::sound(in)) {
             ++refused;
             CHECK(b == 4);  // only a ratio can leave the size open
             continue;
@@ -93,9 +93,9 @@ TEST_SUITE("fatigue.cycle") {
 
   TEST_CASE("both infinite ratios are one point") {
     for (const double r : {infinity, -infinity}) {
-      FatigueCycle::Input in;
+      fatigue::Cycle::Input in;
       in.r = r, in.sigma_a = 50.0 * MPa;
-      REQUIRE(FatigueCycle::sound(in));
+      REQUIRE(fatigue::Cycle::sound(in));
       CHECK(in_si(cycle(in).sigma_min) == -100e6);
       CHECK(cycle(in).r == infinity);
     }
@@ -143,24 +143,24 @@ TEST_SUITE("fatigue.cycle") {
   }
 
   TEST_CASE("cycles of one ratio are similar, at any size; opposite ones are not") {
-    FatigueCycle::Input in;
+    fatigue::Cycle::Input in;
     in.sigma_max = 120.0 * MPa, in.sigma_min = -40.0 * MPa;
     for (const double factor : {0.1, 1.0, 2.5, -1.0}) {
-      FatigueCycle::Other other;
+      fatigue::Cycle::Other other;
       const double a = 120.0 * factor, b = -40.0 * factor;
       other.sigma_max = std::max(a, b) * MPa, other.sigma_min = std::min(a, b) * MPa;
       in.others.push_back(other);
     }
     const auto r = cycle(in);
-    for (std::size_t i = 0; i < 3; ++i) CHECK(r.others[i].similar == FatigueCycle::Similar::yes);
-    CHECK(r.others[3].similar == FatigueCycle::Similar::no);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(r.others[i].similar == fatigue::Cycle::Similar::yes);
+    CHECK(r.others[3].similar == fatigue::Cycle::Similar::no);
   }
 
   TEST_CASE("the largest stress is checked against yielding, shear by von Mises") {
-    FatigueCycle::Input in;
+    fatigue::Cycle::Input in;
     in.sigma_max = 60.0 * MPa, in.sigma_min = -180.0 * MPa, in.R_e = 360.0 * MPa;
     CHECK(std::abs(cycle(in).u_y - 0.5) < 1e-12);
-    in.stress = FatigueCycle::Stresses::shear;
+    in.stress = fatigue::Cycle::Stresses::shear;
     CHECK(std::abs(cycle(in).u_y - 0.5 * std::sqrt(3.0)) < 1e-12);
   }
 }

@@ -12,21 +12,21 @@ namespace {
 
 using namespace loadpath;
 
-GearPair::Result solve(const GearPair::Input& in) {
+gear::Pair::Result solve(const gear::Pair::Input& in) {
   NoTrace trace;
-  return GearPair::evaluate(in, trace);
+  return gear::Pair::evaluate(in, trace);
 }
 
 double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
 
-GearPair::Input pair_of(int z_1, int z_2, double m_n_mm) {
-  GearPair::Input in;
+gear::Pair::Input pair_of(int z_1, int z_2, double m_n_mm) {
+  gear::Pair::Input in;
   in.z_1 = z_1, in.z_2 = z_2, in.m_n = m_n_mm * mm;
   return in;
 }
 
-GearPair::Input helical() {
-  GearPair::Input in = pair_of(20, 57, 2.5);
+gear::Pair::Input helical() {
+  gear::Pair::Input in = pair_of(20, 57, 2.5);
   in.beta = 12.0 * deg.one;
   in.x_1 = 0.3;
   in.a_w = 100.0 * mm;
@@ -58,13 +58,13 @@ bool says(const std::string& lines, const std::string& part) {
 
 TEST_SUITE("gear pair") {
   TEST_CASE("teeth that no profile shift makes have no bending stress and no picture") {
-    GearPair::Input in = helical();
+    gear::Pair::Input in = helical();
     in.m_n = 1.0 * mm;
     const auto far = solve(in);
     CHECK(far.x_2 > 100.0);
     CHECK_FALSE(is_set(far.sigma_F1));
     CHECK_FALSE(is_set(far.sigma_F2));
-    CHECK(GearPair::figures(in, far).empty());
+    CHECK(gear::Pair::figures(in, far).empty());
     in = pair_of(5, 2000, 1.0);
     in.x_1 = in.x_2 = 3.0, in.b = 10.0 * mm, in.T_1 = 1.0 * N_m;
     in.a_w = 0.945 * 1002.5 * mm;  // so close that the tips are shortened to nothing
@@ -92,10 +92,10 @@ TEST_SUITE("gear pair") {
   }
 
   TEST_CASE("a ring of 24 teeth around a wheel of 16 with the shift of [KHK-internal]") {
-    GearPair::Input in = pair_of(16, 24, 3);
-    in.mesh = GearPair::Mesh::internal;
+    gear::Pair::Input in = pair_of(16, 24, 3);
+    in.mesh = gear::Mesh::internal;
     in.x_2 = -0.516;
-    in.shortening = GearPair::Shortening::none;
+    in.shortening = gear::Shortening::none;
     const auto r = solve(in);
     CHECK(rel(r.a_w / mm, 13.19995222789809) < 1e-10);
     CHECK(rel(r.alpha_wt / deg.one, 31.32091716585931) < 1e-10);
@@ -105,7 +105,7 @@ TEST_SUITE("gear pair") {
   }
 
   TEST_CASE("profile shifts give the distance, and the distance the shifts") {
-    GearPair::Input in = pair_of(17, 43, 4);
+    gear::Pair::Input in = pair_of(17, 43, 4);
     in.beta = 15.0 * deg.one;
     in.x_1 = 0.4, in.x_2 = 0.1;
     const auto forth = solve(in);
@@ -128,10 +128,10 @@ TEST_SUITE("gear pair") {
   }
 
   TEST_CASE("a wheel against a rack is the limit of a mate with ever more teeth") {
-    GearPair::Input rack = pair_of(20, 0, 3);
-    rack.mesh = GearPair::Mesh::rack;
+    gear::Pair::Input rack = pair_of(20, 0, 3);
+    rack.mesh = gear::Mesh::rack;
     rack.x_1 = 0.2;
-    GearPair::Input large = pair_of(20, 4000, 3);
+    gear::Pair::Input large = pair_of(20, 4000, 3);
     large.x_1 = 0.2;
     CHECK(rel(solve(large).eps_alpha, solve(rack).eps_alpha) < 2e-3);
     CHECK(rel(solve(rack).a_w / mm, 30.6) < 1e-12);
@@ -139,7 +139,7 @@ TEST_SUITE("gear pair") {
 
   TEST_CASE(
       "base-tangent lengths: 15.321 mm over 3 teeth of m 2, z 20 (machinecalcs.com); a tooth more adds a base pitch") {
-    GearPair::Input in = pair_of(20, 40, 2);
+    gear::Pair::Input in = pair_of(20, 40, 2);
     in.k_W1 = 3;
     const auto r = solve(in);
     CHECK(std::abs(r.W_1 / mm - 15.321) < 5e-4);
@@ -150,7 +150,7 @@ TEST_SUITE("gear pair") {
   }
 
   TEST_CASE("tooth thickness 17.8918 mm for m 10, z 12, x 0.3 ([SDP-SI] table 10-1)") {
-    GearPair::Input in = pair_of(12, 40, 10);
+    gear::Pair::Input in = pair_of(12, 40, 10);
     in.x_1 = 0.3;
     CHECK(std::abs(solve(in).s_n1 / mm - 17.8918) < 5e-5);
   }
@@ -163,7 +163,7 @@ TEST_SUITE("gear pair") {
   }
 
   TEST_CASE("much shift makes the tip pointed") {
-    GearPair::Input in = pair_of(10, 60, 2);
+    gear::Pair::Input in = pair_of(10, 60, 2);
     in.x_1 = 0.5;
     CHECK(solve(in).s_a > 0.2);
     in.x_1 = 1.1;
@@ -171,8 +171,8 @@ TEST_SUITE("gear pair") {
   }
 
   TEST_CASE("a ring with few teeth more than its wheel collides with it away from the line of action") {
-    GearPair::Input in = pair_of(60, 66, 2);
-    in.mesh = GearPair::Mesh::internal;
+    gear::Pair::Input in = pair_of(60, 66, 2);
+    in.mesh = gear::Mesh::internal;
     CHECK(solve(in).f_int < -0.3);
     // There the tips pass each other; what is left is the tip of the ring in the fillet of the wheel: by hand
     // (sqrt(98^2 - 93.969^2) - 40 sin 20 deg - 60 sin 20 deg + 2/sin 20 deg)/2.
@@ -181,7 +181,7 @@ TEST_SUITE("gear pair") {
   }
 
   TEST_CASE("backlash: closer wheels jam, further ones and thinner teeth play") {
-    GearPair::Input in = pair_of(20, 40, 3);
+    gear::Pair::Input in = pair_of(20, 40, 3);
     in.x_2 = 0.0;
     in.a_w = 90.0 * mm;
     CHECK(std::abs(in_si(solve(in).j_bn)) < 1e-15);
@@ -190,13 +190,13 @@ TEST_SUITE("gear pair") {
     in.a_w = 90.1 * mm;
     const auto r = solve(in);
     CHECK(rel(r.j_bn / mm, 2 * 0.1 * std::sin(r.alpha_wt)) < 0.02);
-    GearPair::Input thin = pair_of(20, 40, 3);
+    gear::Pair::Input thin = pair_of(20, 40, 3);
     thin.A_s1 = -0.06 * mm, thin.A_s2 = -0.04 * mm;
     CHECK(rel(solve(thin).j_bn / mm, 0.1 * std::cos(pi / 9)) < 1e-12);
   }
 
   TEST_CASE("the tooth forces: equilibrium, and directions that follow torque, rotation and hand") {
-    GearPair::Input in = helical();
+    gear::Pair::Input in = helical();
     const auto r = solve(in);
     CHECK(rel(in_si(r.F_y1) * in_si(r.d_w1) / 2.0, -60.0) < 1e-12);
     CHECK(r.F_x1 < 0.0 * N);
@@ -204,36 +204,36 @@ TEST_SUITE("gear pair") {
     CHECK(in_si(r.F_x1 + r.F_x2) == 0.0);
     const double normal = std::hypot(std::hypot(in_si(r.F_x1), in_si(r.F_y1)), in_si(r.F_z1));
     CHECK(rel(normal, in_si(r.F_bn)) < 1e-12);
-    in.hand = GearPair::Hand::left;
+    in.hand = gear::Hand::left;
     CHECK(solve(in).F_z1 == -r.F_z1);
-    in.hand = GearPair::Hand::right, in.turns = GearPair::Turns::cw;
+    in.hand = gear::Hand::right, in.turns = gear::Turns::cw;
     CHECK(solve(in).F_y1 == -r.F_y1);
     CHECK(solve(in).F_z1 == -r.F_z1);
-    in.turns = GearPair::Turns::ccw, in.T_1 = -60.0 * N_m;  // gear 1 is driven
+    in.turns = gear::Turns::ccw, in.T_1 = -60.0 * N_m;  // gear 1 is driven
     CHECK(solve(in).F_y1 == -r.F_y1);
     CHECK(solve(in).F_x1 == r.F_x1);
   }
 
   TEST_CASE("each factor of the bending stress acts once") {
-    GearPair::Input in = helical();
+    gear::Pair::Input in = helical();
     const auto one = solve(in);
     in.K_A = 2.0;
     CHECK(rel(solve(in).sigma_F1 / one.sigma_F1, 2) < 1e-15);
     CHECK(solve(in).F_t == one.F_t);
     in.K_A = 1.0, in.K_f = 1.6;
     CHECK(rel(solve(in).sigma_F2 / one.sigma_F2, 1.6) < 1e-15);
-    in.K_f = 1.0, in.cutting = GearPair::Cutting::milled, in.n_1 = 1450.0 * rpm;
+    in.K_f = 1.0, in.cutting = gear::Cutting::milled, in.n_1 = 1450.0 * rpm;
     const auto fast = solve(in);
     CHECK(rel(fast.sigma_F1 / one.sigma_F1, 1.0 + fast.v / m_per_s / 6.1) < 1e-14);
   }
 
   TEST_CASE("a power is a torque at a speed, and an idler's teeth bear 0.7") {
-    GearPair::Input in = helical();
+    gear::Pair::Input in = helical();
     in.sigma_adm_1 = 150.0 * MPa;
     const auto torque = solve(in);
     in.T_1 = unset<Moment>, in.n_1 = 1000.0 * rpm, in.P = 60.0 * N_m.one * in.n_1;
     CHECK(rel(solve(in).sigma_F1 / torque.sigma_F1, 1) < 1e-14);
-    in.idler = GearPair::Idler::gear_1;
+    in.idler = gear::Idler::gear_1;
     CHECK(rel(solve(in).u_F1, torque.u_F1 / 0.7) < 1e-14);
   }
 

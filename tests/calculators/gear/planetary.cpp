@@ -12,18 +12,18 @@
 namespace {
 
 using namespace loadpath;
-using Member = Planetary::Member;
+using Member = gear::Planetary::Member;
 
-Planetary::Result solve(const Planetary::Input& in) {
+gear::Planetary::Result solve(const gear::Planetary::Input& in) {
   NoTrace trace;
-  return Planetary::evaluate(in, trace);
+  return gear::Planetary::evaluate(in, trace);
 }
 
 double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
 
 /// Sun 24, planets 30, ring 84: i_0 = -3.5.
-Planetary::Input winch() {
-  Planetary::Input in;
+gear::Planetary::Input winch() {
+  gear::Planetary::Input in;
   in.z_s = 24, in.z_p = 30, in.z_r = 84;
   in.n_s = 1450.0 * rpm;
   in.T_s = 50.0 * N_m;
@@ -46,7 +46,7 @@ bool says(const std::string& lines, const std::string& part) {
 
 TEST_SUITE("gear planetary") {
   TEST_CASE("the three ways to hold a member have the ratios of superglobalcalculator.com") {
-    Planetary::Input in = winch();
+    gear::Planetary::Input in = winch();
     CHECK(rel(solve(in).i, 1.0 + 84.0 / 24.0) < 1e-15);
     CHECK(rel(solve(in).n_c / rpm, 1450.0 / 4.5) < 1e-14);
     in.fixed = Member::carrier;
@@ -57,7 +57,7 @@ TEST_SUITE("gear planetary") {
   }
 
   TEST_CASE("speeds by rolling, not by the formula: the pitch points of a planet move with sun and ring") {
-    Planetary::Input in = winch();
+    gear::Planetary::Input in = winch();
     in.fixed = Member::none;
     in.n_s = 700.0 * rpm, in.n_r = -130.0 * rpm;
     const auto r = solve(in);
@@ -69,7 +69,7 @@ TEST_SUITE("gear planetary") {
 
   TEST_CASE(
       "efficiency with the ring held is (1 - i_0 eta_0)/(1 - i_0) forwards and (1 - i_0/eta_0)^-1 (1 - i_0) back") {
-    Planetary::Input in = winch();
+    gear::Planetary::Input in = winch();
     CHECK(rel(solve(in).eta, (1.0 + 3.5 * 0.97) / 4.5) < 1e-14);
     in.T_s = -50.0 * N_m;  // the carrier drives
     CHECK(rel(solve(in).eta, 4.5 / (1.0 + 3.5 / 0.97)) < 1e-14);
@@ -82,7 +82,7 @@ TEST_SUITE("gear planetary") {
   TEST_CASE("torques are in equilibrium, lost power is positive, and only eta_0 = 1 loses nothing") {
     for (const double n_r : {-900.0, -50.0, 0.0, 100.0, 1450.0, 4000.0}) {
       for (const double T : {-30.0, 30.0}) {
-        Planetary::Input in = winch();
+        gear::Planetary::Input in = winch();
         in.fixed = Member::none, in.n_r = n_r * rpm, in.T_s = T * N_m;
         const auto r = solve(in);
         CAPTURE(n_r);
@@ -96,7 +96,7 @@ TEST_SUITE("gear planetary") {
 
   TEST_CASE("one torque gives the others, whichever is given") {
     const auto by_sun = solve(winch());
-    Planetary::Input in = winch();
+    gear::Planetary::Input in = winch();
     in.T_s = unset<Moment>, in.T_c = by_sun.T_c;
     CHECK(rel(in_si(solve(in).T_s), 50.0) < 1e-13);
     in.T_c = unset<Moment>, in.T_r = by_sun.T_r;
@@ -104,7 +104,7 @@ TEST_SUITE("gear planetary") {
   }
 
   TEST_CASE("a set that turns as a block loses nothing") {
-    Planetary::Input in = winch();
+    gear::Planetary::Input in = winch();
     in.fixed = Member::none, in.n_r = in.n_s;
     const auto r = solve(in);
     CHECK(rel(r.n_c / rpm, 1450) < 1e-12);
@@ -112,31 +112,31 @@ TEST_SUITE("gear planetary") {
   }
 
   TEST_CASE("assembly: 24/30/84 takes three planets evenly, not five; 21/43/108 comes to one axis by shift only") {
-    Planetary::Input in = winch();
-    CHECK(solve(in).spacing == Planetary::Spacing::even);
-    CHECK(solve(in).coaxial == Planetary::Coaxial::exact);
+    gear::Planetary::Input in = winch();
+    CHECK(solve(in).spacing == gear::Planetary::Spacing::even);
+    CHECK(solve(in).coaxial == gear::Planetary::Coaxial::exact);
     in.N_p = 5;
-    CHECK(solve(in).spacing == Planetary::Spacing::uneven);
+    CHECK(solve(in).spacing == gear::Planetary::Spacing::uneven);
     in.z_s = 21, in.z_p = 43, in.z_r = 108, in.N_p = 3;
-    CHECK(solve(in).coaxial == Planetary::Coaxial::by_shift);
+    CHECK(solve(in).coaxial == gear::Planetary::Coaxial::by_shift);
     CHECK(solve(in).z_gap == 1.0);
-    CHECK(solve(in).spacing == Planetary::Spacing::even);
+    CHECK(solve(in).spacing == gear::Planetary::Spacing::even);
   }
 
   TEST_CASE("a ring of 50 about 24 and 30 comes to no axis; without its teeth it is the one that does") {
-    Planetary::Input in = winch();
+    gear::Planetary::Input in = winch();
     in.z_r = 50;
     CHECK(solve(in).z_gap == -34.0);
-    CHECK(solve(in).coaxial == Planetary::Coaxial::none);
+    CHECK(solve(in).coaxial == gear::Planetary::Coaxial::none);
     in.z_r = 0;
     CHECK(solve(in).z_r == 84.0);
     CHECK(solve(in).i_0 == -3.5);
-    CHECK(solve(in).coaxial == Planetary::Coaxial::exact);
+    CHECK(solve(in).coaxial == gear::Planetary::Coaxial::exact);
     CHECK(solve(in).q == 36.0);
   }
 
   TEST_CASE("planets touch when there are too many") {
-    Planetary::Input in = winch();
+    gear::Planetary::Input in = winch();
     in.N_p = 4;
     CHECK(rel(solve(in).u_N, 32.0 / (54.0 * std::sin(pi / 4.0))) < 1e-14);
     CHECK(solve(in).u_N < 1.0);

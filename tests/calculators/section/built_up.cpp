@@ -12,8 +12,8 @@ using namespace loadpath::section;
 
 namespace {
 
-using Part = BuiltUpSection::Part;
-using Shape = BuiltUpSection::Shape;
+using Part = section::BuiltUp::Part;
+using Shape = section::BuiltUp::Shape;
 
 Part plate(double b, double h, double y, double z, double angle = 0.0) {
   Part p;
@@ -29,14 +29,14 @@ Part rolled(const char* section, double y, double z, double angle = 0.0) {
   return p;
 }
 
-BuiltUpSection::Input of(std::initializer_list<Part> parts) {
-  BuiltUpSection::Input in;
+section::BuiltUp::Input of(std::initializer_list<Part> parts) {
+  section::BuiltUp::Input in;
   for (const Part& p : parts) in.parts.push_back(p);
   return in;
 }
 
-FieldFault fault(const BuiltUpSection::Input& in) {
-  for (const auto& rule : BuiltUpSection::rules) {
+FieldFault fault(const section::BuiltUp::Input& in) {
+  for (const auto& rule : section::BuiltUp::rules) {
     if (rule.holds(in)) continue;
     return rule.particulars == nullptr ? FieldFault{"parts", say(rule.text), {}} : rule.particulars(in);
   }
@@ -47,7 +47,7 @@ FieldFault fault(const BuiltUpSection::Input& in) {
 
 TEST_SUITE("section built up") {
   TEST_CASE("a girder of three plates: 1.98e-4 m^4 after Calculeaf") {
-    const auto p = solve<BuiltUpSection>(of({plate(180, 16, 0, 8), plate(12, 300, 0, 166), plate(200, 20, 0, 326)}));
+    const auto p = solve<section::BuiltUp>(of({plate(180, 16, 0, 8), plate(12, 300, 0, 166), plate(200, 20, 0, 326)}));
     CHECK(std::abs(in_si(p.z_S) - 7.23 * 0.0254) < 0.005 * 0.0254);
     CHECK(std::abs(in_si(p.I_y) - 1.98e-4) < 0.005e-4);
   }
@@ -56,12 +56,12 @@ TEST_SUITE("section built up") {
     // Ix = 68.96, Iy = 132.48, Ixy = -21.6 turned by 30 deg; a part turned by -30 deg has the same about fixed axes
     const double x = 68.96, y = 132.48, xy = -21.6, turn = pi / 6.0;
     const double expected = 0.5 * (x + y) + 0.5 * (x - y) * std::cos(2.0 * turn) - xy * std::sin(2.0 * turn);
-    AngleSection::Input in{80.0 * mm, 60.0 * mm, 8.0 * mm};
-    const auto own = solve<AngleSection>(in);
+    section::Angle::Input in{80.0 * mm, 60.0 * mm, 8.0 * mm};
+    const auto own = solve<section::Angle>(in);
     Part part;
     part.shape = Shape::angle;
     part.h = in.h, part.b = in.b, part.t = in.t, part.angle = -turn;
-    const auto turned = solve<BuiltUpSection>(of({part}));
+    const auto turned = solve<section::BuiltUp>(of({part}));
     const double c = std::cos(2.0 * turn), s = std::sin(2.0 * turn);
     const auto by_circle = 0.5 * (own.I_y + own.I_z) + 0.5 * c * (own.I_y - own.I_z) - s * own.I_yz;
     CHECK(rel(turned.I_y, by_circle) < 1e-12);
@@ -69,29 +69,29 @@ TEST_SUITE("section built up") {
   }
 
   TEST_CASE("an I of three plates, a box of four, a T of two are the shapes themselves") {
-    const auto box = solve<BuiltUpSection>(
+    const auto box = solve<section::BuiltUp>(
         of({plate(60, 5, 0, 47.5), plate(60, 5, 0, -47.5), plate(5, 90, 27.5, 0), plate(5, 90, -27.5, 0)}));
-    const auto hollow = solve<HollowSection>({100.0 * mm, 60.0 * mm, 5.0 * mm});
+    const auto hollow = solve<section::Hollow>({100.0 * mm, 60.0 * mm, 5.0 * mm});
     CHECK(rel(box.I_y, hollow.I_y) < 1e-12);
     CHECK(rel(box.I_z, hollow.I_z) < 1e-12);
     CHECK(rel(box.W_y_top, hollow.W_y_top) < 1e-12);
     CHECK(box.I_t < hollow.I_t);  // the closed cell is not seen
-    const auto tee = solve<BuiltUpSection>(of({plate(60, 8, 0, -4), plate(6, 72, 0, -44)}));
-    CHECK(rel(tee.I_y, solve<TeeSection>({80.0 * mm, 60.0 * mm, 6.0 * mm, 8.0 * mm}).I_y) < 1e-12);
+    const auto tee = solve<section::BuiltUp>(of({plate(60, 8, 0, -4), plate(6, 72, 0, -44)}));
+    CHECK(rel(tee.I_y, solve<section::Tee>({80.0 * mm, 60.0 * mm, 6.0 * mm, 8.0 * mm}).I_y) < 1e-12);
   }
 
   TEST_CASE("a rectangle with a hole is a hollow rectangle") {
     Part hole = plate(50, 90, 0, 0);
-    hole.as = BuiltUpSection::As::hole;
-    const auto p = solve<BuiltUpSection>(of({plate(60, 100, 0, 0), hole}));
-    CHECK(rel(p.I_z, solve<HollowSection>({100.0 * mm, 60.0 * mm, 5.0 * mm}).I_z) < 1e-12);
+    hole.as = section::BuiltUp::As::hole;
+    const auto p = solve<section::BuiltUp>(of({plate(60, 100, 0, 0), hole}));
+    CHECK(rel(p.I_z, solve<section::Hollow>({100.0 * mm, 60.0 * mm, 5.0 * mm}).I_z) < 1e-12);
     CHECK_FALSE(is_set(p.I_t));
   }
 
   TEST_CASE("two channels back to back: twice I_y, and I_z by Steiner with the distance of the centroid") {
     const auto* upn = find_profile("UPN 200");
     REQUIRE(upn != nullptr);
-    const auto p = solve<BuiltUpSection>(of({rolled("UPN 200", 5, 0), rolled("upn200", -5, 0, pi)}));
+    const auto p = solve<section::BuiltUp>(of({rolled("UPN 200", 5, 0), rolled("upn200", -5, 0, pi)}));
     CHECK(rel(p.I_y, 2.0 * upn->I_y) < 1e-12);
     const Length e = upn->e_z + 5.0 * mm;
     CHECK(rel(p.I_z, 2.0 * (upn->I_z + upn->A * e * e)) < 1e-12);
@@ -103,9 +103,9 @@ TEST_SUITE("section built up") {
 
   TEST_CASE(
       "the whole turned with its parts keeps its principal values; twice turned by a right angle swaps I_y, I_z") {
-    const auto p = solve<BuiltUpSection>(of({rolled("L 100x100x10", 0, 0), plate(20, 100, 40, 30)}));
+    const auto p = solve<section::BuiltUp>(of({rolled("L 100x100x10", 0, 0), plate(20, 100, 40, 30)}));
     const double turn = 0.5 * pi;
-    const auto q = solve<BuiltUpSection>(of({rolled("L 100x100x10", 0, 0, turn), plate(20, 100, -30, 40, turn)}));
+    const auto q = solve<section::BuiltUp>(of({rolled("L 100x100x10", 0, 0, turn), plate(20, 100, -30, 40, turn)}));
     CHECK(rel(p.I_max, q.I_max) < 1e-12);
     CHECK(rel(p.I_y, q.I_z) < 1e-12);
     CHECK(rel(p.I_yz, -1.0 * q.I_yz) < 1e-12);
@@ -127,11 +127,11 @@ TEST_SUITE("section built up") {
     wall.h = wall.b = 20.0 * mm, wall.t = 10.0 * mm;
     CHECK(fault(of({wall})).message.text() == "the walls leave nothing hollow");
     Part hole = plate(2, 2, 0, 0);
-    hole.as = BuiltUpSection::As::hole;
+    hole.as = section::BuiltUp::As::hole;
     CHECK(fault(of({plate(1, 1, 0, 0), hole})).message.text() ==
           "the holes leave no section: more is cut out than there is, or beside the material");
     Part slit = plate(1, 900, 0, 0);
-    slit.as = BuiltUpSection::As::hole;
+    slit.as = section::BuiltUp::As::hole;
     CHECK(fault(of({plate(100, 10, 0, 0), slit})).message.text() ==
           "the holes leave no section: more is cut out than there is, or beside the material");
   }

@@ -10,7 +10,7 @@ using namespace loadpath::section;
 
 namespace {
 
-using Input = PolygonSection::Input;
+using Input = section::Polygon::Input;
 using Point = std::pair<double, double>;  // mm
 
 template <class Corners>
@@ -29,7 +29,7 @@ Input polygon(std::initializer_list<Point> points, std::initializer_list<std::in
 }
 
 FieldFault fault(const Input& in) {
-  for (const auto& rule : PolygonSection::rules) {
+  for (const auto& rule : section::Polygon::rules) {
     if (!rule.holds(in)) return rule.particulars == nullptr ? FieldFault{{}, say(rule.text), {}} : rule.particulars(in);
   }
   return {};
@@ -39,7 +39,7 @@ FieldFault fault(const Input& in) {
 
 TEST_SUITE("section polygon") {
   TEST_CASE("a triangle of base b and height h: I = b h^3 / 36, product b^2 h^2 / 72") {
-    const auto p = solve<PolygonSection>(polygon({{0, 0}, {60, 0}, {0, 90}}));
+    const auto p = solve<section::Polygon>(polygon({{0, 0}, {60, 0}, {0, 90}}));
     CHECK(in_si(p.I_y) == doctest::Approx(60.0 * 90 * 90 * 90 / 36 * 1e-12).epsilon(1e-12));
     CHECK(in_si(p.I_z) == doctest::Approx(90.0 * 60 * 60 * 60 / 36 * 1e-12).epsilon(1e-12));
     CHECK(in_si(p.I_yz) == doctest::Approx(-60.0 * 60 * 90 * 90 / 72 * 1e-12).epsilon(1e-12));
@@ -48,8 +48,8 @@ TEST_SUITE("section polygon") {
   }
 
   TEST_CASE("the sense in which the corners go round, and the first corner, do not matter") {
-    const auto p = solve<PolygonSection>(polygon({{0, 0}, {80, 0}, {80, 20}, {20, 60}, {0, 60}}));
-    const auto q = solve<PolygonSection>(polygon({{20, 60}, {80, 20}, {80, 0}, {0, 0}, {0, 60}}));
+    const auto p = solve<section::Polygon>(polygon({{0, 0}, {80, 0}, {80, 20}, {20, 60}, {0, 60}}));
+    const auto q = solve<section::Polygon>(polygon({{20, 60}, {80, 20}, {80, 0}, {0, 0}, {0, 60}}));
     CHECK(rel(p.I_min, q.I_min) < 1e-12);
     CHECK(p.alpha == doctest::Approx(q.alpha).epsilon(1e-12));
   }
@@ -61,8 +61,8 @@ TEST_SUITE("section polygon") {
       in.points.push_back({(500 + y * std::cos(turn) - z * std::sin(turn)) * mm,
                            (-300 + y * std::sin(turn) + z * std::cos(turn)) * mm});
     }
-    const auto p = solve<PolygonSection>(in);
-    const auto q = solve<RectangleSection>({20.0 * mm, 60.0 * mm});
+    const auto p = solve<section::Polygon>(in);
+    const auto q = solve<section::Rectangle>({20.0 * mm, 60.0 * mm});
     CHECK(rel(p.I_max, q.I_max) < 1e-9);
     CHECK(rel(p.I_min, q.I_min) < 1e-9);
     CHECK(rel(p.W_max, q.W_max) < 1e-9);
@@ -71,13 +71,13 @@ TEST_SUITE("section polygon") {
   }
 
   TEST_CASE("a square has no product of area wherever it stands, and any axis is principal") {
-    const auto p = solve<PolygonSection>(polygon({{1000, 1000}, {1050, 1000}, {1050, 1050}, {1000, 1050}}));
+    const auto p = solve<section::Polygon>(polygon({{1000, 1000}, {1050, 1000}, {1050, 1050}, {1000, 1050}}));
     CHECK(in_si(p.I_yz) == 0.0);
     CHECK(rel(p.I_min, p.I_max) < 1e-9);
   }
 
   TEST_CASE("a hole takes away what it would be by itself") {
-    const auto p = solve<PolygonSection>(
+    const auto p = solve<section::Polygon>(
         polygon({{0, 0}, {60, 0}, {60, 100}, {0, 100}}, {{{10, 10}, {50, 10}, {50, 90}, {10, 90}}}));
     CHECK(in_si(p.A) == doctest::Approx((60.0 * 100 - 40 * 80) * 1e-6).epsilon(1e-12));
     CHECK(in_si(p.I_y) == doctest::Approx((60e6 - 40.0 * 512e3) / 12 * 1e-12).epsilon(1e-12));
@@ -100,6 +100,6 @@ TEST_SUITE("section polygon") {
   TEST_CASE("a corner in line with its neighbours changes nothing and is no fault") {
     const Input in = polygon({{0, 0}, {5, 0}, {10, 0}, {10, 10}, {0, 10}});
     CHECK(fault(in).message.empty());
-    CHECK(in_si(solve<PolygonSection>(in).A) == doctest::Approx(100e-6).epsilon(1e-12));
+    CHECK(in_si(solve<section::Polygon>(in).A) == doctest::Approx(100e-6).epsilon(1e-12));
   }
 }

@@ -38,20 +38,21 @@ const Length none = 0.0 * mm;
 TEST_SUITE("section") {
   TEST_CASE("closed forms with sharp corners are the integrals over their contours") {
     const Length h = 100.0 * mm, b = 60.0 * mm, t_w = 7.0 * mm, t_f = 9.0 * mm;
-    check_same(solve<ISection>({h, b, t_w, t_f}), of_outline(i_outline(h, b, t_w, t_f, none)), 1e-12);
-    check_same(solve<ChannelSection>({h, b, t_w, t_f}), of_outline(channel_outline(h, b, t_w, t_f)), 1e-12);
-    check_same(solve<AngleSection>({h, b, t_f}), of_outline(angle_outline(h, b, t_f)), 1e-12);
-    check_same(solve<TeeSection>({h, b, t_w, t_f}), of_outline(tee_outline(h, b, t_w, t_f)), 1e-12);
-    check_same(solve<RectangleSection>({b, h}), of_outline(rectangle(b, h)), 1e-12);
+    check_same(solve<section::I>({h, b, t_w, t_f}), of_outline(i_outline(h, b, t_w, t_f, none)), 1e-12);
+    check_same(solve<section::Channel>({h, b, t_w, t_f}), of_outline(channel_outline(h, b, t_w, t_f)), 1e-12);
+    check_same(solve<section::Angle>({h, b, t_f}), of_outline(angle_outline(h, b, t_f)), 1e-12);
+    check_same(solve<section::Tee>({h, b, t_w, t_f}), of_outline(tee_outline(h, b, t_w, t_f)), 1e-12);
+    check_same(solve<section::Rectangle>({b, h}), of_outline(rectangle(b, h)), 1e-12);
   }
 
   TEST_CASE("closed forms with fillets are the integrals over contours that follow the arcs") {
     const Length h = 100.0 * mm, b = 60.0 * mm, t_w = 7.0 * mm, t_f = 9.0 * mm, r = 8.0 * mm;
-    check_same(solve<ISection>({h, b, t_w, t_f, r}), of_outline(i_outline(h, b, t_w, t_f, r)), 4e-3);
-    check_same(solve<ChannelSection>({h, b, t_w, t_f, r}), of_outline(channel_outline(h, b, t_w, t_f, r)), 4e-3);
-    check_same(solve<AngleSection>({h, b, t_f, r, 4.0 * mm}), of_outline(angle_outline(h, b, t_f, r, 4.0 * mm)), 4e-3);
-    check_same(solve<TeeSection>({h, b, t_w, t_f, r}), of_outline(tee_outline(h, b, t_w, t_f, r)), 4e-3);
-    check_same(solve<SolidCircle>({h}), of_outline(circle(h)), 4e-3);
+    check_same(solve<section::I>({h, b, t_w, t_f, r}), of_outline(i_outline(h, b, t_w, t_f, r)), 4e-3);
+    check_same(solve<section::Channel>({h, b, t_w, t_f, r}), of_outline(channel_outline(h, b, t_w, t_f, r)), 4e-3);
+    check_same(solve<section::Angle>({h, b, t_f, r, 4.0 * mm}), of_outline(angle_outline(h, b, t_f, r, 4.0 * mm)),
+               4e-3);
+    check_same(solve<section::Tee>({h, b, t_w, t_f, r}), of_outline(tee_outline(h, b, t_w, t_f, r)), 4e-3);
+    check_same(solve<section::Circle>({h}), of_outline(circle(h)), 4e-3);
   }
 
   TEST_CASE("the factors of a rectangle in torsion: table of Oasys GSA, and the limit of a strip") {
@@ -83,7 +84,7 @@ TEST_SUITE("section") {
   }
 
   TEST_CASE("a cold formed tube 50 x 30 x 3 after the tables of EN 10219 of another publisher") {
-    const auto p = solve<HollowSection>({50.0 * mm, 30.0 * mm, 3.0 * mm, 6.0 * mm, 3.0 * mm});
+    const auto p = solve<section::Hollow>({50.0 * mm, 30.0 * mm, 3.0 * mm, 6.0 * mm, 3.0 * mm});
     CHECK(std::abs(in_si(p.A) * 1e4 - 4.21) < 0.005);
     CHECK(std::abs(in_si(p.I_y) * 1e8 - 12.83) < 0.005);
     CHECK(std::abs(in_si(p.W_y_top) * 1e6 - 5.13) < 0.005);
@@ -96,14 +97,14 @@ TEST_SUITE("section") {
   }
 
   TEST_CASE("the centroid of a T of 20 x 4 and 16 x 4 lies 6.444 mm below its upper face") {
-    const auto p = solve<TeeSection>({20.0 * mm, 20.0 * mm, 4.0 * mm, 4.0 * mm});
+    const auto p = solve<section::Tee>({20.0 * mm, 20.0 * mm, 4.0 * mm, 4.0 * mm});
     CHECK(in_si(p.A) == doctest::Approx(144e-6).epsilon(1e-12));
     CHECK(std::abs(in_si(p.z_S) + 6.444e-3) < 0.5e-6);
   }
 
   TEST_CASE("twice as large: areas four times, moduli eight times, second moments sixteen times") {
-    const auto p = solve<AngleSection>({80.0 * mm, 50.0 * mm, 6.0 * mm, 7.0 * mm, 3.5 * mm});
-    const auto q = solve<AngleSection>({160.0 * mm, 100.0 * mm, 12.0 * mm, 14.0 * mm, 7.0 * mm});
+    const auto p = solve<section::Angle>({80.0 * mm, 50.0 * mm, 6.0 * mm, 7.0 * mm, 3.5 * mm});
+    const auto q = solve<section::Angle>({160.0 * mm, 100.0 * mm, 12.0 * mm, 14.0 * mm, 7.0 * mm});
     CHECK(rel(q.A, 4.0 * p.A) < 1e-12);
     CHECK(rel(q.W_min, 8.0 * p.W_min) < 1e-12);
     CHECK(rel(q.I_yz, 16.0 * p.I_yz) < 1e-12);
@@ -114,7 +115,7 @@ TEST_SUITE("section") {
   TEST_CASE("principal second moments keep sum and determinant, and bracket those about y and z") {
     for (const double b : {20.0, 50.0, 80.0, 79.9999, 140.0}) {
       CAPTURE(b);
-      const auto p = solve<AngleSection>({80.0 * mm, b * mm, 6.0 * mm, 7.0 * mm, 3.0 * mm});
+      const auto p = solve<section::Angle>({80.0 * mm, b * mm, 6.0 * mm, 7.0 * mm, 3.0 * mm});
       CHECK(rel(p.I_max + p.I_min, p.I_y + p.I_z) < 1e-12);
       CHECK(rel(p.I_max * p.I_min, p.I_y * p.I_z - p.I_yz * p.I_yz) < 1e-11);
       CHECK(p.I_min <= min(p.I_y, p.I_z));
@@ -126,45 +127,46 @@ TEST_SUITE("section") {
   }
 
   TEST_CASE("a ring without a bore is a circle, and a thin one has I_t = 2 pi R^3 t") {
-    const auto full = solve<SolidCircle>({40.0 * mm});
-    RingSection::Input in{40.0 * mm, 0.0 * mm};
-    CHECK(rel(solve<RingSection>(in).I_t, full.I_t) < 1e-15);
-    RingSection::Input thin{1000.0 * mm};
+    const auto full = solve<section::Circle>({40.0 * mm});
+    section::Ring::Input in{40.0 * mm, 0.0 * mm};
+    CHECK(rel(solve<section::Ring>(in).I_t, full.I_t) < 1e-15);
+    section::Ring::Input thin{1000.0 * mm};
     thin.t = 1.0 * mm;
-    CHECK(rel(in_si(solve<RingSection>(thin).I_t), 2.0 * pi * std::pow(0.4995, 3) * 1e-3) < 1e-5);
+    CHECK(rel(in_si(solve<section::Ring>(thin).I_t), 2.0 * pi * std::pow(0.4995, 3) * 1e-3) < 1e-5);
     CHECK(in_si(full.I_t) == doctest::Approx(2.0 * in_si(full.I_y)).epsilon(1e-15));
   }
 
   TEST_CASE("torsion is given inside its limits only") {
-    const auto thick = solve<AngleSection>({50.0 * mm, 50.0 * mm, 11.0 * mm});
+    const auto thick = solve<section::Angle>({50.0 * mm, 50.0 * mm, 11.0 * mm});
     CHECK(thick.w > thickest_open_wall);
     CHECK_FALSE(is_set(thick.I_t));
     CHECK(is_set(thick.I_min));
-    CHECK(is_set(solve<AngleSection>({50.0 * mm, 50.0 * mm, 9.0 * mm}).I_t));
-    CHECK_FALSE(is_set(solve<ISection>({200.0 * mm, 100.0 * mm, 3.0 * mm, 10.0 * mm}).I_t));
-    CHECK(is_set(solve<ISection>({200.0 * mm, 100.0 * mm, 4.1 * mm, 10.0 * mm}).I_t));
-    CHECK_FALSE(is_set(solve<ISection>({200.0 * mm, 100.0 * mm, 6.0 * mm, 10.0 * mm, 21.0 * mm}).I_t));
-    CHECK(is_set(solve<HollowSection>({60.0 * mm, 60.0 * mm, 9.0 * mm}).I_t));
-    CHECK_FALSE(is_set(solve<HollowSection>({60.0 * mm, 60.0 * mm, 13.0 * mm}).I_t));
+    CHECK(is_set(solve<section::Angle>({50.0 * mm, 50.0 * mm, 9.0 * mm}).I_t));
+    CHECK_FALSE(is_set(solve<section::I>({200.0 * mm, 100.0 * mm, 3.0 * mm, 10.0 * mm}).I_t));
+    CHECK(is_set(solve<section::I>({200.0 * mm, 100.0 * mm, 4.1 * mm, 10.0 * mm}).I_t));
+    CHECK_FALSE(is_set(solve<section::I>({200.0 * mm, 100.0 * mm, 6.0 * mm, 10.0 * mm, 21.0 * mm}).I_t));
+    CHECK(is_set(solve<section::Hollow>({60.0 * mm, 60.0 * mm, 9.0 * mm}).I_t));
+    CHECK_FALSE(is_set(solve<section::Hollow>({60.0 * mm, 60.0 * mm, 13.0 * mm}).I_t));
   }
 
   TEST_CASE("sizes that do not fit are refused") {
-    RingSection::Input ring{40.0 * mm, 10.0 * mm};
+    section::Ring::Input ring{40.0 * mm, 10.0 * mm};
     ring.t = 3.0 * mm;
-    CHECK(broken<RingSection>(ring) == "give d_i or t, one of them");
-    CHECK(broken<RingSection>({40.0 * mm, 40.0 * mm}) == "the bore must be smaller than the ring");
-    CHECK(broken<ISection>({100.0 * mm, 60.0 * mm, 7.0 * mm, 50.1 * mm}) ==
+    CHECK(broken<section::Ring>(ring) == "give d_i or t, one of them");
+    CHECK(broken<section::Ring>({40.0 * mm, 40.0 * mm}) == "the bore must be smaller than the ring");
+    CHECK(broken<section::I>({100.0 * mm, 60.0 * mm, 7.0 * mm, 50.1 * mm}) ==
           "flanges and fillets need more depth than h");
-    CHECK(broken<ISection>({100.0 * mm, 60.0 * mm, 61.0 * mm, 9.0 * mm}) == "web and fillets need more width than b");
-    CHECK(broken<ChannelSection>({100.0 * mm, 10.0 * mm, 7.0 * mm, 9.0 * mm, 8.0 * mm}) ==
+    CHECK(broken<section::I>({100.0 * mm, 60.0 * mm, 61.0 * mm, 9.0 * mm}) == "web and fillets need more width than b");
+    CHECK(broken<section::Channel>({100.0 * mm, 10.0 * mm, 7.0 * mm, 9.0 * mm, 8.0 * mm}) ==
           "web and fillet need more width than b");
-    CHECK(broken<AngleSection>({50.0 * mm, 20.0 * mm, 21.0 * mm}) == "thickness and radii need longer legs");
-    CHECK(broken<AngleSection>({50.0 * mm, 50.0 * mm, 5.0 * mm, 5.0 * mm, 6.0 * mm}) ==
+    CHECK(broken<section::Angle>({50.0 * mm, 20.0 * mm, 21.0 * mm}) == "thickness and radii need longer legs");
+    CHECK(broken<section::Angle>({50.0 * mm, 50.0 * mm, 5.0 * mm, 5.0 * mm, 6.0 * mm}) ==
           "the toes are rounded by at most t");
-    CHECK(broken<TeeSection>({9.0 * mm, 50.0 * mm, 5.0 * mm, 9.0 * mm}) == "flange and fillet need more depth than h");
-    CHECK(broken<HollowSection>({50.0 * mm, 30.0 * mm, 15.0 * mm}) == "the walls leave nothing hollow");
-    CHECK(broken<HollowSection>({50.0 * mm, 30.0 * mm, 2.0 * mm, 12.0 * mm}) ==
+    CHECK(broken<section::Tee>({9.0 * mm, 50.0 * mm, 5.0 * mm, 9.0 * mm}) ==
+          "flange and fillet need more depth than h");
+    CHECK(broken<section::Hollow>({50.0 * mm, 30.0 * mm, 15.0 * mm}) == "the walls leave nothing hollow");
+    CHECK(broken<section::Hollow>({50.0 * mm, 30.0 * mm, 2.0 * mm, 12.0 * mm}) ==
           "with this outer radius the corner has no wall left");
-    CHECK(broken<RectangleSection>({1e-3 * mm, 100.0 * mm}) == "one side is at most 10000 times the other");
+    CHECK(broken<section::Rectangle>({1e-3 * mm, 100.0 * mm}) == "one side is at most 10000 times the other");
   }
 }

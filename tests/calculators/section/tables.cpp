@@ -67,9 +67,9 @@ TEST_SUITE("section tables") {
     std::size_t count = 0;
     for (const char* table : {"sections/ipe", "sections/hea", "sections/heb", "sections/hem"}) {
       count += for_family(table, [](const Row& row) {
-        const ISection::Input in{row.h, row.b, row.t_w, row.t_f, row.r};
-        REQUIRE(broken<ISection>(in).empty());
-        check_against(row, solve<ISection>(in), {0.0005, 0.004, 0.045});
+        const section::I::Input in{row.h, row.b, row.t_w, row.t_f, row.r};
+        REQUIRE(broken<section::I>(in).empty());
+        check_against(row, solve<section::I>(in), {0.0005, 0.004, 0.045});
       });
     }
     CHECK(count == 90);
@@ -77,7 +77,7 @@ TEST_SUITE("section tables") {
 
   TEST_CASE("W sections are what their sizes make them, but for the fillets, which the table does not give") {
     const std::size_t count = for_family("sections/w", [](const Row& row) {
-      const auto p = solve<ISection>({row.h, row.b, row.t_w, row.t_f});
+      const auto p = solve<section::I>({row.h, row.b, row.t_w, row.t_f});
       CHECK(in_si(p.A) / in_si(row.A) < 1.03);
       CHECK(in_si(p.A) / in_si(row.A) > 0.93);
       CHECK(rel(row.I_y, p.I_y) < 0.07);
@@ -93,7 +93,7 @@ TEST_SUITE("section tables") {
 
   TEST_CASE("UPE are what their sizes make them, with the distance of their centroid") {
     const std::size_t count = for_family("sections/upe", [](const Row& row) {
-      const auto p = solve<ChannelSection>({row.h, row.b, row.t_w, row.t_f, row.r});
+      const auto p = solve<section::Channel>({row.h, row.b, row.t_w, row.t_f, row.r});
       check_against(row, p, {0.004, 0.005, 0.17});
       CHECK(rel(row.e_z, p.y_S) < 0.003);
       CHECK(p.I_t < row.I_t);
@@ -121,9 +121,9 @@ TEST_SUITE("section tables") {
 
   TEST_CASE("equal angles are what their sizes make them, with the least second moment about a principal axis") {
     const std::size_t count = for_family("sections/l_equal", [](const Row& row) {
-      const AngleSection::Input in{row.h, row.b, row.t_w, row.r, row.r_2};
-      REQUIRE(broken<AngleSection>(in).empty());
-      const auto p = solve<AngleSection>(in);
+      const section::Angle::Input in{row.h, row.b, row.t_w, row.r, row.r_2};
+      REQUIRE(broken<section::Angle>(in).empty());
+      const auto p = solve<section::Angle>(in);
       check_against(row, p, {0.007, 0.015, 1.0});
       CHECK(rel(row.e_z, p.z_S) < 0.007);
       CHECK(rel(row.I_yz, p.I_yz) < 0.023);
@@ -135,9 +135,9 @@ TEST_SUITE("section tables") {
 
   TEST_CASE("round tubes are rings") {
     const std::size_t count = for_family("sections/chs", [](const Row& row) {
-      RingSection::Input in{row.h};
+      section::Ring::Input in{row.h};
       in.t = row.t_w;
-      const auto p = solve<RingSection>(in);
+      const auto p = solve<section::Ring>(in);
       check_against(row, p, {0.003, 0.003, 0.003});
       CHECK(rel(row.W_t, p.W_t) < 0.001);
     });
@@ -149,9 +149,9 @@ TEST_SUITE("section tables") {
     for (const char* table : {"sections/rhs", "sections/shs"}) {
       count += for_family(table, [](const Row& row) {
         const Length t = row.t_w;
-        const HollowSection::Input in{row.h, row.b, t, 1.5 * t, t};
-        REQUIRE(broken<HollowSection>(in).empty());
-        const auto p = solve<HollowSection>(in);
+        const section::Hollow::Input in{row.h, row.b, t, 1.5 * t, t};
+        REQUIRE(broken<section::Hollow>(in).empty());
+        const auto p = solve<section::Hollow>(in);
         check_against(row, p, {0.005, 0.007, 0.006});
         CHECK(rel(row.W_t, p.W_t) < 0.006);
       });

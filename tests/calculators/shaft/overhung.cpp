@@ -15,8 +15,8 @@ using namespace loadpath;
 
 double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
 
-Overhung::Input crank() {
-  Overhung::Input in;
+shaft::Overhung::Input crank() {
+  shaft::Overhung::Input in;
   in.F = 3000.0 * N;
   in.a = 50.0 * mm;
   in.T = 80.0 * N_m;
@@ -24,9 +24,9 @@ Overhung::Input crank() {
   return in;
 }
 
-Overhung::Result solve(const Overhung::Input& in) {
+shaft::Overhung::Result solve(const shaft::Overhung::Input& in) {
   NoTrace trace;
-  return Overhung::evaluate(in, trace);
+  return shaft::Overhung::evaluate(in, trace);
 }
 
 project::Project solved(const std::string& text, std::vector<Issue>& issues) {
@@ -45,28 +45,28 @@ std::string slotted_lever() {
 
 TEST_SUITE("shaft") {
   TEST_CASE("without an overhang only torsion is left, and Tresca asks what torsion with half the stress asks") {
-    Overhung::Input in = crank();
+    shaft::Overhung::Input in = crank();
     in.a = 0.0 * mm;
-    in.hypothesis = Overhung::Hypothesis::tresca;
-    Torsion::Input alone;
+    in.hypothesis = shaft::Overhung::Hypothesis::tresca;
+    shaft::Torsion::Input alone;
     alone.T = in.T;
     alone.tau_adm = 0.5 * in.sigma_adm;
     NoTrace trace;
-    CHECK(rel(in_si(solve(in).d_v), in_si(Torsion::evaluate(alone, trace).d_strength)) < 1e-12);
+    CHECK(rel(in_si(solve(in).d_v), in_si(shaft::Torsion::evaluate(alone, trace).d_strength)) < 1e-12);
   }
 
   TEST_CASE("without a torque only bending is left: d^3 = 32 F a / (pi sigma)") {
-    Overhung::Input in = crank();
+    shaft::Overhung::Input in = crank();
     in.T = 0.0 * N_m;
     CHECK(rel(in_si(solve(in).d_v), std::cbrt(32 * 3000 * 0.05 / (pi * 60e6))) < 1e-12);
   }
 
   TEST_CASE("von Mises never asks for more than Tresca") {
     for (const double T : {1.0, 50.0, 150.0, 1000.0}) {
-      Overhung::Input mises = crank();
+      shaft::Overhung::Input mises = crank();
       mises.T = T * N_m;
-      Overhung::Input tresca = mises;
-      tresca.hypothesis = Overhung::Hypothesis::tresca;
+      shaft::Overhung::Input tresca = mises;
+      tresca.hypothesis = shaft::Overhung::Hypothesis::tresca;
       CHECK(solve(mises).d_v <= solve(tresca).d_v);
       CHECK(solve(mises).sigma_M <= solve(mises).sigma_T);
     }
@@ -74,21 +74,21 @@ TEST_SUITE("shaft") {
 
   TEST_CASE("at the least diameter the equivalent stress is the allowable one") {
     for (const double chi : {0.0, 0.4, 0.8}) {
-      Overhung::Input in = crank();
+      shaft::Overhung::Input in = crank();
       in.chi = chi;
       CHECK(rel(solve(in).u_v, 1.0) < 1e-12);
     }
   }
 
   TEST_CASE("signs of force and torque do not matter") {
-    Overhung::Input in = crank();
+    shaft::Overhung::Input in = crank();
     in.F = -in.F;
     in.T = -in.T;
     CHECK(in_si(solve(in).d_v) == in_si(solve(crank()).d_v));
   }
 
   TEST_CASE("the shear at the neutral axis of a solid circle is four thirds of the mean shear") {
-    Overhung::Input in = crank();
+    shaft::Overhung::Input in = crank();
     in.T = 0.0 * N_m;
     in.d = 40.0 * mm;
     CHECK(rel(in_si(solve(in).tau_Q), 4.0 / 3.0 * 3000 / (pi / 4 * 0.04 * 0.04)) < 1e-12);

@@ -12,21 +12,21 @@ using namespace loadpath;
 
 double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
 
-Torsion::Result solve(const Torsion::Input& in) {
+shaft::Torsion::Result solve(const shaft::Torsion::Input& in) {
   NoTrace trace;
-  return Torsion::evaluate(in, trace);
+  return shaft::Torsion::evaluate(in, trace);
 }
 
-Torsion::Input shaft_under(double T, double tau_MPa) {
-  Torsion::Input in;
+shaft::Torsion::Input shaft_under(double T, double tau_MPa) {
+  shaft::Torsion::Input in;
   in.T = T * N_m;
   in.tau_adm = tau_MPa * MPa;
   return in;
 }
 
 /// [B19], worked example: four torques, G = 80 GPa, tau 30 MPa, 0.004 rad/m.
-Torsion::Input line_shaft() {
-  Torsion::Input in;
+shaft::Torsion::Input line_shaft() {
+  shaft::Torsion::Input in;
   in.G = 80.0 * GPa;
   in.tau_adm = 30.0 * MPa;
   in.theta_adm = from_si<Twist>(0.004);
@@ -53,7 +53,7 @@ TEST_SUITE("shaft") {
     };
     for (const Row& row : rows) {
       CAPTURE(row.source);
-      Torsion::Input in = shaft_under(row.T, row.tau);
+      shaft::Torsion::Input in = shaft_under(row.T, row.tau);
       in.chi = row.chi;
       const double unit = std::pow(10.0, std::floor(std::log10(row.d_mm)) + 1 - row.digits);
       CHECK(std::abs(solve(in).d_strength / mm - row.d_mm) <= 0.5 * unit);
@@ -61,7 +61,7 @@ TEST_SUITE("shaft") {
   }
 
   TEST_CASE("the line shaft of the textbook: moments, diameters and twist") {
-    Torsion::Input in = line_shaft();
+    shaft::Torsion::Input in = line_shaft();
     in.d = 100.0 * mm;
     const auto r = solve(in);
     REQUIRE(r.segments.size() == 3);
@@ -76,7 +76,7 @@ TEST_SUITE("shaft") {
 
   TEST_CASE(
       "12 kN m that twist 6 m of steel by 3 deg ask for 113.98 mm and bring 41.27 MPa ([MATHalino] problem 305)") {
-    Torsion::Input in = shaft_under(12000, 60);
+    shaft::Torsion::Input in = shaft_under(12000, 60);
     in.G = 83.0 * GPa;
     in.theta_adm = 3.0 * deg.one / (6.0 * m);
     in.d = 113.98 * mm;
@@ -86,7 +86,7 @@ TEST_SUITE("shaft") {
   }
 
   TEST_CASE("a ring of bore ratio 0.8 keeps 0.5904 of the modulus") {
-    Torsion::Input solid = shaft_under(1000, 40), ring = solid;
+    shaft::Torsion::Input solid = shaft_under(1000, 40), ring = solid;
     ring.chi = 0.8;
     const double ratio_of_cubes = std::pow(solve(solid).d_strength / solve(ring).d_strength, 3);
     CHECK(rel(ratio_of_cubes, 0.5904) < 1e-12);
@@ -95,17 +95,17 @@ TEST_SUITE("shaft") {
   TEST_CASE("a bore as a size gives the same shaft as the ratio that it makes") {
     for (const double chi : {0.05, 0.3, 0.6, 0.9, 0.98}) {
       CAPTURE(chi);
-      Torsion::Input by_ratio = line_shaft();
+      shaft::Torsion::Input by_ratio = line_shaft();
       by_ratio.chi = chi;
       const auto ring = solve(by_ratio);
-      Torsion::Input by_size = line_shaft();
+      shaft::Torsion::Input by_size = line_shaft();
       by_size.d_bore = chi * ring.d_strength;
       CHECK(rel(in_si(solve(by_size).segments[1].d_strength), in_si(ring.d_strength)) < 1e-12);
     }
   }
 
   TEST_CASE("a shaft twice as thick carries eight times the moment and is sixteen times as stiff") {
-    Torsion::Input thin = line_shaft(), thick = line_shaft();
+    shaft::Torsion::Input thin = line_shaft(), thick = line_shaft();
     thin.d = 50.0 * mm;
     thick.d = 100.0 * mm;
     CHECK(rel(solve(thin).tau_max / solve(thick).tau_max, 8) < 1e-12);
@@ -113,7 +113,7 @@ TEST_SUITE("shaft") {
   }
 
   TEST_CASE("the order of the torques does not matter, and torques at one place act together") {
-    Torsion::Input in = line_shaft(), mixed = line_shaft();
+    shaft::Torsion::Input in = line_shaft(), mixed = line_shaft();
     std::swap(mixed.torques[0], mixed.torques[3]);
     std::swap(mixed.torques[1], mixed.torques[2]);
     mixed.torques[0].T = 700.0 * N_m;
@@ -124,7 +124,7 @@ TEST_SUITE("shaft") {
   }
 
   TEST_CASE("twists add where torques add") {
-    Torsion::Input a = line_shaft(), b = line_shaft(), sum = line_shaft();
+    shaft::Torsion::Input a = line_shaft(), b = line_shaft(), sum = line_shaft();
     for (std::size_t i = 0; i < 4; ++i) {
       b.torques[i].T = (i == 1 ? 500.0 : i == 3 ? -500.0 : 0.0) * N_m;
       sum.torques[i].T = a.torques[i].T + b.torques[i].T;
@@ -134,16 +134,16 @@ TEST_SUITE("shaft") {
   }
 
   TEST_CASE("a fixed end carries what the torques leave over") {
-    Torsion::Input fixed = line_shaft(), free = line_shaft();
+    shaft::Torsion::Input fixed = line_shaft(), free = line_shaft();
     fixed.torques.erase(fixed.torques.begin());
-    fixed.fixed = Torsion::Fixed::left;
+    fixed.fixed = shaft::Torsion::Fixed::left;
     fixed.d = free.d = 80.0 * mm;
     CHECK(rel(solve(fixed).phi, solve(free).phi) < 1e-12);
     CHECK(rel(solve(fixed).segments[0].M / N_m, 900) < 1e-12);
   }
 
   TEST_CASE("the twist between two sections is reported even where the ends turn less") {
-    Torsion::Input in;
+    shaft::Torsion::Input in;
     in.G = 80.0 * GPa;
     in.tau_adm = 30.0 * MPa;
     in.d = 60.0 * mm;
@@ -155,11 +155,11 @@ TEST_SUITE("shaft") {
   }
 
   TEST_CASE("a stepped shaft is judged where it is thin") {
-    Torsion::Input in;
+    shaft::Torsion::Input in;
     in.tau_adm = 40.0 * MPa;
     for (const auto& [x, T] : {std::pair{0.0, 800.0}, {0.9, -800.0}}) in.torques.push_back({Name(), x * m, T * N_m});
     for (const double d : {60.0, 40.0, 55.0}) {
-      Torsion::Segment s;
+      shaft::Torsion::Segment s;
       s.l = 300.0 * mm;
       s.d = d * mm;
       in.segments.push_back(s);
@@ -170,7 +170,7 @@ TEST_SUITE("shaft") {
   }
 
   TEST_CASE("each factor acts once: twice the service factor is twice the stress and the utilisation") {
-    Torsion::Input one = line_shaft(), two = line_shaft();
+    shaft::Torsion::Input one = line_shaft(), two = line_shaft();
     two.K_A = 2.0;
     one.d = two.d = 100.0 * mm;
     CHECK(rel(solve(two).u_tau, 2 * solve(one).u_tau) < 1e-15);
@@ -185,7 +185,7 @@ TEST_SUITE("shaft") {
   }
 
   TEST_CASE("the allowable stress from the yield strength is R_e over root three times S") {
-    Torsion::Input in;
+    shaft::Torsion::Input in;
     in.T = 100.0 * N_m;
     in.R_e = 430.0 * MPa;
     in.S = 2.0;
@@ -193,7 +193,7 @@ TEST_SUITE("shaft") {
   }
 
   TEST_CASE("a transverse force is carried into the limit that does not cover it") {
-    Torsion::Input in = shaft_under(100, 30);
+    shaft::Torsion::Input in = shaft_under(100, 30);
     in.F = -3654.0 * N;
     CHECK(solve(in).F_bend / N == 3654.0);
     in.F = unset<Force>;

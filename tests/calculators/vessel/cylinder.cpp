@@ -10,11 +10,11 @@ using namespace loadpath;
 using namespace loadpath::tests;
 using vessel::Hypothesis;
 using vessel::Measured;
-using Ends = VesselCylinder::Ends;
+using Ends = vessel::Cylinder::Ends;
 
 /// The vessel of [B24].
-VesselCylinder::Input vessel_24() {
-  VesselCylinder::Input in;
+vessel::Cylinder::Input vessel_24() {
+  vessel::Cylinder::Input in;
   in.p = 1.6 * MPa;
   in.R = 600.0 * mm;
   in.delta = 8.0 * mm;
@@ -22,13 +22,13 @@ VesselCylinder::Input vessel_24() {
   return in;
 }
 
-VesselCylinder::Result cylinder(const VesselCylinder::Input& in) { return solve<VesselCylinder>(in); }
+vessel::Cylinder::Result cylinder(const vessel::Cylinder::Input& in) { return solve<vessel::Cylinder>(in); }
 
 }  // namespace
 
 TEST_SUITE("vessel.cylinder") {
   TEST_CASE("the vessel of the textbook: 120 and 60 MPa; 6.857 mm, and half of it with rings") {
-    VesselCylinder::Input in = vessel_24();
+    vessel::Cylinder::Input in = vessel_24();
     CHECK(rel(in_si(cylinder(in).sigma_o), 120e6) < 1e-12);
     CHECK(rel(in_si(cylinder(in).sigma_M), 60e6) < 1e-12);
     in.hypothesis = Hypothesis::membrane;
@@ -40,7 +40,7 @@ TEST_SUITE("vessel.cylinder") {
   }
 
   TEST_CASE("Tresca counts the radial stress: hoop stress and pressure together") {
-    VesselCylinder::Input in = vessel_24();
+    vessel::Cylinder::Input in = vessel_24();
     CHECK(rel(in_si(cylinder(in).sigma_v), 121.6e6) < 1e-12);
     CHECK(rel(in_si(cylinder(in).delta_min), 1.6 * 0.6 / (140 - 1.6)) < 1e-12);
     in.hypothesis = Hypothesis::mises;
@@ -51,7 +51,7 @@ TEST_SUITE("vessel.cylinder") {
 
   TEST_CASE("the error against Lamé on the mean radius is -0.06 % at 1/20 and -0.2 % at 1/10 of the inner radius") {
     for (const auto& [ratio_i, percent] : {std::pair{0.05, -0.057}, std::pair{0.1, -0.207}, std::pair{0.2, -0.694}}) {
-      VesselCylinder::Input in = vessel_24();
+      vessel::Cylinder::Input in = vessel_24();
       in.measured = Measured::inner;
       in.delta = ratio_i * in.R;
       CHECK(std::abs(100 * cylinder(in).e_L - percent) < 0.0006);
@@ -60,7 +60,7 @@ TEST_SUITE("vessel.cylinder") {
 
   TEST_CASE("the thin and the thick answer lie close on both sides of 1/20, and the limit changes there alone") {
     for (const double share : {1.0 / 25, 0.0499, 0.0501, 1.0 / 15}) {
-      VesselCylinder::Input in = vessel_24();
+      vessel::Cylinder::Input in = vessel_24();
       in.delta = share * in.R;
       const auto r = cylinder(in);
       CHECK(rel(r.t_R, share) < 1e-12);
@@ -82,7 +82,7 @@ TEST_SUITE("vessel.cylinder") {
   TEST_CASE("at the least thickness the wall is just strong enough, whatever radius is meant and allowed for") {
     for (const Measured measured : {Measured::mean, Measured::inner, Measured::outer}) {
       for (const Hypothesis h : {Hypothesis::tresca, Hypothesis::mises, Hypothesis::membrane}) {
-        VesselCylinder::Input in = vessel_24();
+        vessel::Cylinder::Input in = vessel_24();
         in.measured = measured, in.hypothesis = h;
         in.c = 1.5 * mm, in.f_t = 0.125, in.z_l = 0.85;
         in.delta = cylinder(in).delta_min;
@@ -94,7 +94,7 @@ TEST_SUITE("vessel.cylinder") {
   }
 
   TEST_CASE("the three radii of one wall give one answer") {
-    VesselCylinder::Input in = vessel_24();
+    vessel::Cylinder::Input in = vessel_24();
     in.c = 1.0 * mm;
     in.measured = Measured::inner, in.R = 600.0 * mm;
     const auto inner = cylinder(in);
@@ -106,7 +106,7 @@ TEST_SUITE("vessel.cylinder") {
   }
 
   TEST_CASE("what mill and corrosion take leaves the outside where it was") {
-    VesselCylinder::Input in = vessel_24();
+    vessel::Cylinder::Input in = vessel_24();
     in.measured = Measured::outer, in.c = 1.6 * mm, in.f_t = 0.125, in.delta = 12.0 * mm;
     const auto r = cylinder(in);
     CHECK(rel(in_si(r.delta_c), 8.9e-3) < 1e-12);
@@ -117,8 +117,8 @@ TEST_SUITE("vessel.cylinder") {
   }
 
   TEST_CASE("rings and liquid alone ask for a wall too") {
-    VesselCylinder::Input in;
-    in.ends = VesselCylinder::Ends::ringed;
+    vessel::Cylinder::Input in;
+    in.ends = vessel::Cylinder::Ends::ringed;
     in.p = 0.0 * MPa, in.rho = from_si<vessel::Density>(1000.0), in.h_l = 10.0 * m, in.R = 5.0 * m;
     in.A_r = from_si<Area>(1e-3), in.l_r = 1.0 * m, in.sigma_adm = 100.0 * MPa;
     // p R/(delta + a_r) + p = sigma: delta = p R/(sigma - p) - a_r, with p = 1000 9.80665 10 Pa and a_r = 1 mm
@@ -129,7 +129,7 @@ TEST_SUITE("vessel.cylinder") {
   }
 
   TEST_CASE("each seam weakens its own stress, once") {
-    VesselCylinder::Input in = vessel_24();
+    vessel::Cylinder::Input in = vessel_24();
     in.hypothesis = Hypothesis::membrane;
     const auto plain = cylinder(in);
     in.z_l = 0.8;
@@ -141,7 +141,7 @@ TEST_SUITE("vessel.cylinder") {
   }
 
   TEST_CASE("the corrosion allowance is added once") {
-    VesselCylinder::Input in = vessel_24();
+    vessel::Cylinder::Input in = vessel_24();
     const double without = in_si(cylinder(in).delta_min);
     in.c = 2.0 * mm;
     CHECK(std::abs(in_si(cylinder(in).delta_min) - without - 0.002) < 2e-5);  // the radius grows by half of it
@@ -149,7 +149,7 @@ TEST_SUITE("vessel.cylinder") {
 
   TEST_CASE("stresses grow with pressure and radius and fall with thickness; scale does not matter") {
     const auto base = cylinder(vessel_24());
-    VesselCylinder::Input in = vessel_24();
+    vessel::Cylinder::Input in = vessel_24();
     in.p = 2.0 * in.p;
     CHECK(rel(in_si(cylinder(in).sigma_v), 2 * in_si(base.sigma_v)) < 1e-12);
     in = vessel_24();
@@ -160,18 +160,18 @@ TEST_SUITE("vessel.cylinder") {
   }
 
   TEST_CASE("a liquid presses the lowest place, and pulls along the wall only where it hangs") {
-    VesselCylinder::Input in = vessel_24();
+    vessel::Cylinder::Input in = vessel_24();
     in.p = 0.0 * MPa;
     in.rho = 1000.0 * vessel::kg_per_m3, in.h_l = 10000.0 * mm;
     const double head = 1000 * 9.80665 * 10;
     CHECK(rel(in_si(cylinder(in).sigma_o), head * 0.6 / 0.008) < 1e-12);
     CHECK(in_si(cylinder(in).sigma_M) == 0.0);
-    in.support = VesselCylinder::Support::top;
+    in.support = vessel::Cylinder::Support::top;
     CHECK(rel(in_si(cylinder(in).sigma_M), head * 0.6 / 0.016) < 1e-12);
   }
 
   TEST_CASE("rings share the hoop force, and reach only so far") {
-    VesselCylinder::Input in = vessel_24();
+    vessel::Cylinder::Input in = vessel_24();
     in.ends = Ends::ringed;
     in.A_r = 800.0 * mm2, in.l_r = 100.0 * mm;
     const auto r = cylinder(in);
@@ -183,7 +183,7 @@ TEST_SUITE("vessel.cylinder") {
   }
 
   TEST_CASE("where no wall is thick enough there is no thickness") {
-    VesselCylinder::Input in = vessel_24();
+    vessel::Cylinder::Input in = vessel_24();
     in.p = 150.0 * MPa;
     CHECK_FALSE(is_set(cylinder(in).delta_min));
     CHECK_FALSE(is_set(cylinder(in).delta_L));

@@ -12,8 +12,8 @@ using namespace loadpath;
 using namespace loadpath::tests;
 
 /// A meridian r(t), z(t), t from 0 to 1, in metres.
-VesselShell::Input along(int n, const std::function<VesselShell::Point(double)>& point) {
-  VesselShell::Input in;
+vessel::Shell::Input along(int n, const std::function<vessel::Shell::Point(double)>& point) {
+  vessel::Shell::Input in;
   in.p = 1.0 * MPa;
   in.delta = 10.0 * mm;
   in.sigma_adm = 200.0 * MPa;
@@ -21,14 +21,14 @@ VesselShell::Input along(int n, const std::function<VesselShell::Point(double)>&
   return in;
 }
 
-VesselShell::Input bowl(int n, double sign) {
+vessel::Shell::Input bowl(int n, double sign) {
   return along(n, [&](double t) {
     const double psi = t * pi / 2;
-    return VesselShell::Point{std::sin(psi) * m, sign * (1 - std::cos(psi)) * m};
+    return vessel::Shell::Point{std::sin(psi) * m, sign * (1 - std::cos(psi)) * m};
   });
 }
 
-VesselShell::Result shell(const VesselShell::Input& in) { return solve<VesselShell>(in); }
+vessel::Shell::Result shell(const vessel::Shell::Input& in) { return solve<vessel::Shell>(in); }
 
 }  // namespace
 
@@ -45,16 +45,16 @@ TEST_SUITE("vessel.shell") {
   }
 
   TEST_CASE("points on a line give the cone and the cylinder exactly, closed and open") {
-    const auto cylinder = along(5, [](double t) { return VesselShell::Point{1.0 * m, t * m}; });
+    const auto cylinder = along(5, [](double t) { return vessel::Shell::Point{1.0 * m, t * m}; });
     for (const auto& a : shell(cylinder).along) {
       CHECK(rel(in_si(a.sigma_o), 100e6) < 1e-12);
       CHECK(rel(in_si(a.sigma_M), 50e6) < 1e-12);
       CHECK_FALSE(is_set(a.rho_M));
     }
     auto open = cylinder;
-    open.start = VesselShell::Start::open;
+    open.start = vessel::Shell::Start::open;
     for (const auto& a : shell(open).along) CHECK(in_si(a.sigma_M) == 0.0);
-    const auto cone = along(5, [](double t) { return VesselShell::Point{(0.2 + 0.8 * t) * m, (1 + 0.8 * t) * m}; });
+    const auto cone = along(5, [](double t) { return vessel::Shell::Point{(0.2 + 0.8 * t) * m, (1 + 0.8 * t) * m}; });
     CHECK(rel(in_si(shell(cone).along.back().sigma_o), 1e6 / (0.01 * std::sqrt(0.5))) < 1e-12);
   }
 
@@ -62,7 +62,7 @@ TEST_SUITE("vessel.shell") {
     double last = 1.0;
     for (const int n : {16, 32, 64}) {
       const auto in = along(n, [](double t) {
-        return VesselShell::Point{std::sin(t * pi / 2) * m, -0.7 * std::cos(t * pi / 2) * m};
+        return vessel::Shell::Point{std::sin(t * pi / 2) * m, -0.7 * std::cos(t * pi / 2) * m};
       });
       const double equator = in_si(shell(in).along[static_cast<std::size_t>(n) - 2].sigma_o);
       const double phi = (n - 2.0) / (n - 1.0) * pi / 2, w = std::hypot(std::cos(phi), 0.7 * std::sin(phi));
@@ -81,7 +81,7 @@ TEST_SUITE("vessel.shell") {
     for (const int n : {16, 32, 64}) {
       const auto in = along(n, [](double t) {  // two to one, spaced by its slope
         const double e = std::atan2(2 * std::sin(t * pi / 2), std::cos(t * pi / 2));
-        return VesselShell::Point{std::sin(e) * m, -0.5 * std::cos(e) * m};
+        return vessel::Shell::Point{std::sin(e) * m, -0.5 * std::cos(e) * m};
       });
       const auto r = shell(in);
       CHECK(r.w_kappa < 0.6 * last);
@@ -91,8 +91,8 @@ TEST_SUITE("vessel.shell") {
     CHECK(last < 0.2);
     const auto head = along(21, [](double t) {  // crown 1 m, knuckle 0.1 m, 1 m across
       const double begin = std::asin(0.4 / 0.9), psi = t < 0.5 ? 2 * t * begin : begin + (2 * t - 1) * (pi / 2 - begin);
-      if (t <= 0.5) return VesselShell::Point{std::sin(psi) * m, -std::cos(psi) * m};
-      return VesselShell::Point{(0.4 + 0.1 * std::sin(psi)) * m, -(0.9 * std::cos(begin) + 0.1 * std::cos(psi)) * m};
+      if (t <= 0.5) return vessel::Shell::Point{std::sin(psi) * m, -std::cos(psi) * m};
+      return vessel::Shell::Point{(0.4 + 0.1 * std::sin(psi)) * m, -(0.9 * std::cos(begin) + 0.1 * std::cos(psi)) * m};
     });
     CHECK(shell(head).w_kappa > 4.0);  // about half of R/r - 1 = 9
     CHECK(rel(shell(head).w_b, 0.002 * 1.0 / 0.01) < 0.01);
@@ -100,7 +100,7 @@ TEST_SUITE("vessel.shell") {
   }
 
   TEST_CASE("a hanging cone of points bears its liquid as the cone does") {
-    auto in = along(41, [](double t) { return VesselShell::Point{t * m, t * m}; });
+    auto in = along(41, [](double t) { return vessel::Shell::Point{t * m, t * m}; });
     in.points[0].r = 1e-6 * m;
     in.p = 0.0 * MPa;
     in.rho = 1000.0 * vessel::kg_per_m3, in.h_l = 1.0 * m;

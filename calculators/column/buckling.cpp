@@ -1,8 +1,8 @@
 #include "calculators/column/buckling.hpp"
 
 #include "calculators/column/buckling_parts.hpp"
-#include "calculators/column/effective_length_factor.hpp"
-#include "calculators/column/methods.hpp"
+#include "calculators/column/member/length_factor.hpp"
+#include "calculators/column/member/methods.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>

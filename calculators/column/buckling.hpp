@@ -10,9 +10,9 @@
 // biaxial eccentricity.
 #pragma once
 
-#include "calculators/column/member_result.hpp"
-#include "calculators/column/member_rules.hpp"
-#include "calculators/column/section.hpp"
+#include "calculators/column/member/result.hpp"
+#include "calculators/column/member/rules.hpp"
+#include "calculators/column/member/section.hpp"
 #include "lib/calculator/rules.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"

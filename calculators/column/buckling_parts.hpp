@@ -2,8 +2,8 @@
 #pragma once
 
 #include "calculators/column/buckling.hpp"
-#include "calculators/column/eurocode.hpp"
-#include "calculators/column/member_parts.hpp"
+#include "calculators/column/codes/eurocode.hpp"
+#include "calculators/column/member/parts.hpp"
 
 namespace loadpath::column {
 

@@ -1,6 +1,6 @@
 // The rules of column.buckling about the section, and what they say of an input that breaks them.
 #include "calculators/column/buckling_parts.hpp"
-#include "calculators/column/member_rules.hpp"
+#include "calculators/column/member/rules.hpp"
 
 #include <cmath>
 

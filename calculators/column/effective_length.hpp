@@ -7,7 +7,7 @@
 // Not covered: bars of changing section or force, supports that give way between the ends.
 #pragma once
 
-#include "calculators/column/stability.hpp"
+#include "calculators/column/member/stability.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"

@@ -5,7 +5,7 @@
 // twice). Not covered: torsion of closed cells that parts form, warping, the shear centre.
 #pragma once
 
-#include "calculators/section/outline.hpp"
+#include "calculators/section/properties/outline.hpp"
 #include "lib/text/issue.hpp"
 
 #include <array>

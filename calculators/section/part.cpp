@@ -1,14 +1,14 @@
 #include "calculators/section/part.hpp"
 
-#include "calculators/section/angle.hpp"
-#include "calculators/section/channel.hpp"
-#include "calculators/section/circle.hpp"
-#include "calculators/section/hollow.hpp"
-#include "calculators/section/i_section.hpp"
 #include "calculators/section/profile.hpp"
-#include "calculators/section/rectangle.hpp"
-#include "calculators/section/ring.hpp"
-#include "calculators/section/tee.hpp"
+#include "calculators/section/shapes/angle.hpp"
+#include "calculators/section/shapes/channel.hpp"
+#include "calculators/section/shapes/circle.hpp"
+#include "calculators/section/shapes/hollow.hpp"
+#include "calculators/section/shapes/i.hpp"
+#include "calculators/section/shapes/rectangle.hpp"
+#include "calculators/section/shapes/ring.hpp"
+#include "calculators/section/shapes/tee.hpp"
 
 #include <string>
 

@@ -4,7 +4,7 @@
 // by points: a circle of n points lacks (2 pi / n)^2 / 6 of its area.
 #pragma once
 
-#include "calculators/section/outline.hpp"
+#include "calculators/section/properties/outline.hpp"
 #include "lib/text/issue.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
 // Area and its moments of a polygon, by Green's theorem: exact.
 #pragma once
 
-#include "calculators/section/outline.hpp"
+#include "calculators/section/properties/outline.hpp"
 
 #include <cstddef>
 

@@ -1,6 +1,6 @@
 #include "calculators/column/buckling.hpp"
 
-#include "calculators/column/curves.hpp"
+#include "calculators/column/codes/curves.hpp"
 #include "lib/table/table.hpp"
 #include "tests/calculators/column/models.hpp"
 

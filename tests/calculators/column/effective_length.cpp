@@ -1,6 +1,6 @@
 #include "calculators/column/effective_length.hpp"
 
-#include "calculators/column/effective_length_factor.hpp"
+#include "calculators/column/member/length_factor.hpp"
 #include "tests/calculators/column/models.hpp"
 
 #include <doctest/doctest.h>

@@ -1,10 +1,10 @@
 #include "calculators/section/built_up.hpp"
 
-#include "calculators/section/angle.hpp"
-#include "calculators/section/hollow.hpp"
 #include "calculators/section/profile.hpp"
-#include "calculators/section/rectangle.hpp"
-#include "calculators/section/tee.hpp"
+#include "calculators/section/shapes/angle.hpp"
+#include "calculators/section/shapes/hollow.hpp"
+#include "calculators/section/shapes/rectangle.hpp"
+#include "calculators/section/shapes/tee.hpp"
 #include "tests/calculators/section/sections.hpp"
 
 using namespace loadpath;

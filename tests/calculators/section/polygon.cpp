@@ -1,6 +1,6 @@
 #include "calculators/section/polygon.hpp"
 
-#include "calculators/section/rectangle.hpp"
+#include "calculators/section/shapes/rectangle.hpp"
 #include "tests/calculators/section/sections.hpp"
 
 #include <initializer_list>

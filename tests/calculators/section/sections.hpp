@@ -1,7 +1,7 @@
 // What the tests of sections share.
 #pragma once
 
-#include "calculators/section/properties.hpp"
+#include "calculators/section/properties/properties.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,11 +1,11 @@
 // Every row of the section tables against the calculators, which know nothing of the tables: each checks the other.
-#include "calculators/section/angle.hpp"
-#include "calculators/section/channel.hpp"
-#include "calculators/section/hollow.hpp"
-#include "calculators/section/i_section.hpp"
 #include "calculators/section/polygon_moments.hpp"
 #include "calculators/section/profile.hpp"
-#include "calculators/section/ring.hpp"
+#include "calculators/section/shapes/angle.hpp"
+#include "calculators/section/shapes/channel.hpp"
+#include "calculators/section/shapes/hollow.hpp"
+#include "calculators/section/shapes/i.hpp"
+#include "calculators/section/shapes/ring.hpp"
 #include "tests/calculators/section/sections.hpp"
 
 using namespace loadpath;

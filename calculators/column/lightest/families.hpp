@@ -1,0 +1,31 @@
+// Rows of the section tables by family, as the sections of compressed bars.
+#pragma once
+
+#include "calculators/column/member/section.hpp"
+#include "lib/quantity/drive_units.hpp"
+#include "lib/table/rows.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loadpath::column {
+
+struct SectionRow : Section {
+  static constexpr auto group = "section";
+  LineDensity m = unset<LineDensity>;
+  static constexpr auto fields = std::tuple_cat(
+      section_inputs<SectionRow>(), std::tuple{Field{&SectionRow::m, "m", kg_per_m, "mass per length"}.positive()});
+};
+using TableSection = table::Typed<SectionRow>;
+
+/// The rows of all section tables that have a mass, lightest first. Allocates nothing once the tables are read.
+const std::vector<TableSection>& sections_by_mass();
+
+/// What the name of a row begins with: "IPE" of "IPE 200", "W" of "W4X13".
+std::string_view family_of(std::string_view name);
+
+/// The families of the tables, each once.
+std::vector<std::string> families();
+
+}  // namespace loadpath::column

@@ -1,0 +1,73 @@
+#include "calculators/column/lightest/parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace loadpath::column {
+
+namespace {
+
+using Failure = Lightest::Failure;
+
+/// A check or a limit of column.buckling, kept up to 1, and what a section that is above it fails by.
+struct Bound {
+  double MemberResult::*value;
+  Failure failure;
+};
+
+/// In the order in which the reason is told.
+constexpr std::array bounds{Bound{&MemberResult::u, Failure::load},
+                            Bound{&MemberResult::x_t, Failure::tension},
+                            Bound{&MemberResult::r_1, Failure::range},
+                            Bound{&MemberResult::r_0, Failure::range},
+                            Bound{&MemberResult::r_lambda, Failure::slenderness},
+                            Bound{&MemberResult::r_class, Failure::thin}};
+
+/// Why the method gives no force: it ends before this bar, or was not tried for want of a strength or of a buckling
+/// curve.
+Failure reason_without_force(const Buckling::Input& bar, const MemberResult& r) {
+  if (r.r_1 > 1.0 || r.r_0 > 1.0) return Failure::range;
+  const bool tried = std::any_of(r.methods.begin(), r.methods.end(),
+                                 [&](const MethodResult& by) { return by.name.view() == word_of(bar.method); });
+  return tried ? Failure::beyond : is_set(bar.R_e) ? Failure::open : Failure::strength;
+}
+
+}  // namespace
+
+bool belongs(const TableSection& section, const Lightest::Input& in) {
+  const std::string_view own = family_of(section.name());
+  const bool wanted = std::any_of(in.families.begin(), in.families.end(),
+                                  [&](const Lightest::Family& f) { return f.family.view() == own; });
+  return wanted && !(section.h > in.h_max) && !(section.b > in.b_max);
+}
+
+Stress strength_of(const Lightest::Input& in, Length t) {
+  if (in.strengths.empty()) return in.R_e;
+  const auto found =
+      std::find_if(in.strengths.begin(), in.strengths.end(), [&](const Lightest::Strength& s) { return t <= s.t_max; });
+  return found == in.strengths.end() ? unset<Stress> : found->R_e;
+}
+
+Buckling::Input bar_of(const Lightest::Input& in, const TableSection& section) {
+  Buckling::Input bar{in, section};
+  bar.R_e = strength_of(in, section.t_f);
+  if (bar.kind == Profile::unsaid) bar.kind = in.kind;
+  return bar;
+}
+
+double demand_of(const MemberResult& r) {
+  double demand = 0.0;
+  for (const Bound& bound : bounds) {
+    if (r.*bound.value > demand) demand = r.*bound.value;
+  }
+  return demand;
+}
+
+Lightest::Failure failure_of(const Buckling::Input& bar, const MemberResult& r) {
+  if (std::isnan(r.u)) return reason_without_force(bar, r);
+  const auto above = std::find_if(bounds.begin(), bounds.end(), [&](const Bound& b) { return r.*b.value > 1.0; });
+  return above == bounds.end() ? Failure::none : above->failure;
+}
+
+}  // namespace loadpath::column

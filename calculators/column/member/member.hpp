@@ -1,0 +1,176 @@
+// A compressed bar but for its section: load, length and ends, material, and the method that judges it. What
+// column.buckling and column.lightest ask alike; their Inputs derive from it, and every field is declared here once.
+#pragma once
+
+#include "calculators/column/codes/choices.hpp"
+#include "calculators/column/member/stability.hpp"
+#include "lib/calculator/field.hpp"
+
+#include <tuple>
+
+namespace loadpath::column {
+
+struct Member {
+  struct Support {
+    Length x = unset<Length>;
+    static constexpr std::tuple fields{Field{&Support::x, "x", mm, "place from the start of the bar"}.positive()};
+  };
+  using Supports = List<Support, most_supports>;
+
+  Force N = unset<Force>, P = unset<Force>;
+  Length l = unset<Length>;
+  Ends ends = Ends::unsaid, ends_y = Ends::unsaid, ends_z = Ends::unsaid;
+  Basis beta_basis = Basis::exact;
+  double beta_y = unset<double>, beta_z = unset<double>;
+  Supports supports_y, supports_z;
+  Stress E = unset<Stress>, R_e = unset<Stress>, sigma_P = unset<Stress>;
+  Stress a_T = unset<Stress>, b_T = unset<Stress>, c_T = unset<Stress>, E_T = unset<Stress>;
+  double lambda_0 = unset<double>, lambda_1 = unset<double>;
+  Transition transition = Transition::computed;
+  Stress sigma_c = unset<Stress>;
+  double a_R = unset<double>;
+  Length e_y = unset<Length>, e_z = unset<Length>;
+  Grade grade = Grade::to_S420;
+  Method method = Method::tetmajer;
+  double n_st = unset<double>, gamma_M1 = unset<double>, gamma_F = unset<double>, Omega_c = 1.67;
+  Class material_class = Class::unsaid;
+  double lambda_max = 200.0;
+};
+
+/// The load, and how the bar is held.
+template <class Input>
+constexpr auto held_inputs() {
+  return std::tuple{
+      Field<Input, Force>{&Input::N, "N", kN, "normal force, positive in tension"}.may_be_missing(),
+      Field<Input, Force>{&Input::P, "P", kN, "compressive force, in place of N"}.at_least(0).may_be_missing(),
+      Field<Input, Length>{&Input::l, "l", mm, "length between the ends"}.positive().usually(10, 1e5),
+      Choice<Input, Ends>{&Input::ends, "ends", "how the ends are held, about both axes"}.may_be_missing(),
+      Choice<Input, Ends>{&Input::ends_y, "ends_y",
+                          "how the ends are held where the bar bends about y, in place of ends"}
+          .may_be_missing(),
+      Choice<Input, Ends>{&Input::ends_z, "ends_z",
+                          "how the ends are held where the bar bends about z, in place of ends"}
+          .may_be_missing(),
+      Choice<Input, Basis>{&Input::beta_basis, "beta_basis", "where the effective length factors of the ends come from"}
+          .may_be_missing(),
+      Field<Input, double>{&Input::beta_y, "beta_y", ratio, "effective length factor about y, in place of the ends"}
+          .positive()
+          .usually(0.3, 5)
+          .may_be_missing(),
+      Field<Input, double>{&Input::beta_z, "beta_z", ratio, "effective length factor about z, in place of the ends"}
+          .positive()
+          .usually(0.3, 5)
+          .may_be_missing(),
+      ListField<Input, Member::Support, most_supports>{&Input::supports_y, "supports_y",
+                                                       "rigid supports between the ends that hinder bending about y"}
+          .as_arrays()
+          .may_be_missing(),
+      ListField<Input, Member::Support, most_supports>{&Input::supports_z, "supports_z",
+                                                       "rigid supports between the ends that hinder bending about z"}
+          .as_arrays()
+          .may_be_missing()};
+}
+
+/// What every method takes of the material.
+template <class Input>
+constexpr auto strength_inputs() {
+  return std::tuple{
+      Field<Input, Stress>{&Input::E, "E", GPa, "modulus of elasticity"}.positive().usually(1, 500).from("material",
+                                                                                                         "E"),
+      Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength"}
+          .positive()
+          .usually(10, 2500)
+          .from("material", "R_e", "t")
+          .where_it_has(),
+      Field<Input, Stress>{&Input::sigma_P, "sigma_P", MPa, "proportional limit, below which Euler's formula holds"}
+          .positive()
+          .usually(5, 2000)
+          .may_be_missing()};
+}
+
+/// The set of Tetmajer-Yasinsky.
+template <class Input>
+constexpr auto tetmajer_inputs() {
+  return std::tuple{
+      Field<Input, Stress>{&Input::a_T, "a_T", MPa, "constant of Tetmajer-Yasinsky, a_T - b_T lambda + c_T lambda^2"}
+          .positive()
+          .from("tetmajer", "a_T"),
+      Field<Input, Stress>{&Input::b_T, "b_T", MPa, "constant of Tetmajer-Yasinsky"}.positive().from("tetmajer", "b_T"),
+      Field<Input, Stress>{&Input::c_T, "c_T", MPa, "constant of Tetmajer-Yasinsky, 0 for a line"}.at_least(0).from(
+          "tetmajer", "c_T"),
+      Field<Input, Stress>{&Input::E_T, "E_T", GPa, "modulus that the set of Tetmajer-Yasinsky was given with"}
+          .positive()
+          .from("tetmajer", "E_T"),
+      Field<Input, double>{&Input::lambda_0, "lambda_0", ratio,
+                           "slenderness from which the set of Tetmajer-Yasinsky holds"}
+          .at_least(0)
+          .from("tetmajer", "lambda_0"),
+      Field<Input, double>{&Input::lambda_1, "lambda_1", ratio, "limit slenderness that was published with the set"}
+          .positive()
+          .from("tetmajer", "lambda_1"),
+      Choice<Input, Transition>{&Input::transition, "transition",
+                                "where Euler's hyperbola takes over from Tetmajer's formula"}
+          .may_be_missing()};
+}
+
+/// Rankine's constants and the eccentricities of the secant formula.
+template <class Input>
+constexpr auto rankine_and_secant_inputs() {
+  return std::tuple{
+      Field<Input, Stress>{&Input::sigma_c, "sigma_c", MPa,
+                           "crushing stress of Rankine's formula; the yield strength where missing"}
+          .positive()
+          .may_be_missing(),
+      Field<Input, double>{&Input::a_R, "a_R", ratio, "constant of Rankine's formula; sigma_c/(pi^2 E) where missing"}
+          .positive()
+          .usually(1e-5, 1e-2)
+          .may_be_missing(),
+      Field<Input, Length>{&Input::e_y, "e_y", mm, "eccentricity that bends the bar about y"}
+          .at_least(0)
+          .may_be_missing(),
+      Field<Input, Length>{&Input::e_z, "e_z", mm, "eccentricity that bends the bar about z"}
+          .at_least(0)
+          .may_be_missing()};
+}
+
+/// What the bar is made of, its eccentricities with it.
+template <class Input>
+constexpr auto material_inputs() {
+  return std::tuple_cat(strength_inputs<Input>(), tetmajer_inputs<Input>(), rankine_and_secant_inputs<Input>());
+}
+
+/// How it is judged.
+template <class Input>
+constexpr auto method_inputs() {
+  return std::tuple{
+      Choice<Input, Grade>{&Input::grade, "grade", "steel grade, for the buckling curve"}.may_be_missing(),
+      Choice<Input, Method>{&Input::method, "method", "method that the check goes by"}.may_be_missing(),
+      Field<Input, double>{&Input::n_st, "n_st", ratio,
+                           "safety against buckling of euler, tetmajer, johnson, rankine and secant"}
+          .at_least(1)
+          .usually(1.5, 10)
+          .may_be_missing()
+          .factor(),
+      Field<Input, double>{&Input::gamma_M1, "gamma_M1", ratio, "partial factor of EN 1993-1-1 and its national annex"}
+          .at_least(1)
+          .usually(1, 1.2)
+          .may_be_missing()
+          .factor(),
+      Field<Input, double>{&Input::gamma_F, "gamma_F", ratio,
+                           "from the force to the design load of ec3; 1 where it is one already"}
+          .at_least(1)
+          .usually(1, 1.6)
+          .may_be_missing()
+          .factor(),
+      Field<Input, double>{&Input::Omega_c, "Omega_c", ratio, "safety factor of AISC 360, E1"}
+          .at_least(1)
+          .usually(1.5, 2)
+          .factor(),
+      Choice<Input, Class>{&Input::material_class, "material_class", "class of material, for the custom of n_st"}
+          .may_be_missing(),
+      Field<Input, double>{&Input::lambda_max, "lambda_max", ratio, "largest slenderness that is allowed"}
+          .positive()
+          .usually(50, 400)};
+}
+
+}  // namespace loadpath::column

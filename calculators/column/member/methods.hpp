@@ -1,0 +1,123 @@
+// The methods side by side: critical stress, safety, allowable force and utilisation of each.
+#pragma once
+
+#include "calculators/column/member/parts.hpp"
+#include "calculators/column/member/result.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace loadpath::column {
+
+/// Whether the input says enough for the method.
+inline bool has_method(const Member& in, const Material& material, const MemberResult& r, Method method) {
+  const bool yields = is_set(in.R_e);
+  switch (method) {
+    case Method::euler:
+      return is_set(material.lambda_1);
+    case Method::tetmajer:
+      return is_set(in.a_T);
+    case Method::johnson:
+      return yields;
+    case Method::rankine:
+      return yields || is_set(in.sigma_c);
+    case Method::secant:
+      return is_set(r.axes[0].sigma_s);
+    case Method::ec3:
+      return is_set(r.axes[0].chi) && is_set(r.axes[1].chi);
+    case Method::aisc:
+      return yields && is_steel(in);
+    case Method::sp16:
+      return yields && is_steel(in) && is_set(material.sp16.alpha);
+  }
+  return false;
+}
+
+template <class Tracer>
+Stress critical_stress(const Member& in, const Material& material, const MemberResult& r, Method method,
+                       Tracer& trace) {
+  const auto lambda = r.lambda;
+  switch (method) {
+    case Method::euler:
+      return euler_stress(lambda, material, trace);
+    case Method::tetmajer:
+      return tetmajer_stress(lambda, material, trace);
+    case Method::johnson:
+      return johnson_stress(lambda, material, trace);
+    case Method::rankine:
+      return rankine_stress(lambda, material, trace);
+    case Method::secant: {
+      const Stress sigma_cr = min(r.axes[0].sigma_s, r.axes[1].sigma_s);
+      trace.value("sigma_cr", sigma_cr, "the lower of both axes");
+      return sigma_cr;
+    }
+    case Method::ec3: {
+      const auto R_e = in.R_e;
+      const double chi = std::min(r.axes[0].chi, r.axes[1].chi);
+      trace.value("chi", chi, "the lower of both axes");
+      STEP(sigma_cr, chi * R_e, "EN 1993-1-1 (6.47) without its partial factor, [EN1993-1-1-buckling]");
+      return sigma_cr;
+    }
+    case Method::aisc:
+      return aisc_stress(lambda, material, trace);
+    case Method::sp16:
+      return sp16_stress(lambda, material, trace);
+  }
+  return unset<Stress>;
+}
+
+template <class Tracer>
+double safety(const Member& in, Method method, Tracer& trace) {
+  if (method == Method::ec3) {
+    const auto gamma_M1 = in.gamma_M1, gamma_F = in.gamma_F;
+    if (!is_set(gamma_M1) || !is_set(gamma_F)) return unset<double>;
+    STEP(n, gamma_M1 * gamma_F, "partial factors on the resistance and on the load");
+    return n;
+  }
+  const double n = method == Method::aisc ? in.Omega_c : in.n_st;
+  if (is_set(n)) trace.value("n", n, method == Method::aisc ? "AISC 360, E1, [AISC360]" : "safety against buckling");
+  return n;
+}
+
+inline constexpr auto method_names = [] {
+  constexpr auto words = choices_of(Method{});
+  std::array<Name, words.size()> names{};
+  for (std::size_t i = 0; i < words.size(); ++i) names[i] = words[i].key;
+  return names;
+}();
+
+/// One line of the methods side by side, and the results where it is the one that decides.
+template <class Tracer>
+void add_method(const Member& in, const Material& material, Method method, MemberResult& r, Tracer& trace) {
+  [[maybe_unused]] const auto scope = trace.scope("methods", r.methods.size());
+  const auto A = r.A;
+  const auto F = r.F;
+  MethodResult by{method_names[static_cast<std::size_t>(method)]};
+  const Stress sigma_cr = by.sigma_cr = critical_stress(in, material, r, method, trace);
+  const double n = by.n = safety(in, method, trace);
+  if (is_set(sigma_cr)) {
+    STEP(P_cr, sigma_cr * A, "critical force");
+    by.P_cr = P_cr;
+    if (is_set(n)) {
+      STEP(P_all, P_cr / n, "allowable force");
+      by.P_all = P_all;
+      if (is_set(F)) by.u = NAMED_STEP("u", F / P_all, "force over the allowable one");
+    }
+  }
+  r.methods.push_back(by);
+  if (method == in.method) r.sigma_cr = by.sigma_cr, r.P_all = by.P_all, r.u = by.u;
+}
+
+/// How far the methods that hold here lie apart.
+inline double spread_of(const MemberResult& r) {
+  double least = unset<double>, most = least;
+  for (const auto& by : r.methods) {
+    const double sigma = in_si(by.sigma_cr);
+    if (!is_set(sigma)) continue;
+    if (!(sigma >= least)) least = sigma;
+    if (!(sigma <= most)) most = sigma;
+  }
+  return most / least - 1.0;
+}
+
+}  // namespace loadpath::column

@@ -1,0 +1,140 @@
+// What column.buckling and column.lightest find of a compressed bar, each declared here once; their Results derive from
+// it.
+#pragma once
+
+#include "calculators/column/codes/choices.hpp"
+#include "lib/calculator/field.hpp"
+
+#include <tuple>
+
+namespace loadpath::column {
+
+inline constexpr std::size_t most_methods = choices_of(Method{}).size();
+
+struct AxisResult {
+  Name name;
+  Length i = unset<Length>;
+  double beta = unset<double>;
+  Length s = unset<Length>;
+  double lambda = unset<double>;
+  Force N_cr = unset<Force>;
+  double alpha = unset<double>, lambda_bar = unset<double>, chi = unset<double>;
+  double eta = unset<double>;
+  Stress sigma_s = unset<Stress>;
+  static constexpr std::tuple fields{
+      NameField{&AxisResult::name, "name", "axis that the bar bends about"}.as(Role::result),
+      Field{&AxisResult::i, "i", mm, "radius of gyration"}.as(Role::result),
+      Field{&AxisResult::beta, "beta", ratio, "effective length factor"}.as(Role::result),
+      Field{&AxisResult::s, "s", mm, "effective length"}.as(Role::result),
+      Field{&AxisResult::lambda, "lambda", ratio, "slenderness"}.as(Role::result),
+      Field{&AxisResult::N_cr, "N_cr", kN, "critical force of the elastic bar"}.as(Role::result),
+      Field{&AxisResult::alpha, "alpha", ratio, "imperfection factor of EN 1993-1-1"}.as(Role::result),
+      Field{&AxisResult::lambda_bar, "lambda_bar", ratio, "slenderness of EN 1993-1-1"}.as(Role::result),
+      Field{&AxisResult::chi, "chi", ratio, "reduction factor of EN 1993-1-1"}.as(Role::result),
+      Field{&AxisResult::eta, "eta", ratio, "eccentricity ratio e c/i^2"}.as(Role::result),
+      Field{&AxisResult::sigma_s, "sigma_s", MPa, "mean stress at which the extreme fibre yields"}.as(Role::result)};
+};
+
+struct MethodResult {
+  Name name;
+  Stress sigma_cr = unset<Stress>;
+  Force P_cr = unset<Force>;
+  double n = unset<double>;
+  Force P_all = unset<Force>;
+  double u = unset<double>;
+  static constexpr std::tuple fields{
+      NameField{&MethodResult::name, "name", "method"}.as(Role::result),
+      Field{&MethodResult::sigma_cr, "sigma_cr", MPa, "critical stress, without safety"}.as(Role::result),
+      Field{&MethodResult::P_cr, "P_cr", kN, "critical force, without safety"}.as(Role::result),
+      Field{&MethodResult::n, "n", ratio, "safety of the method"}.as(Role::result),
+      Field{&MethodResult::P_all, "P_all", kN, "allowable force"}.as(Role::result),
+      Field{&MethodResult::u, "u", ratio, "force over the allowable one"}.as(Role::result)};
+};
+
+struct MemberResult {
+  Loading loading = Loading::none;
+  Force F = unset<Force>;
+  Area A = unset<Area>;
+  Length t = unset<Length>;
+  AxisName axis = AxisName::y;
+  double lambda = unset<double>;
+  Force N_cr = unset<Force>;
+  Stress sigma_E = unset<Stress>;
+  double lambda_T = unset<double>, gap = unset<double>, lambda_lim = unset<double>;
+  Stress sigma_cr = unset<Stress>;
+  Force P_all = unset<Force>;
+  double spread = unset<double>;
+  double u = unset<double>, x_t = unset<double>;
+  double r_lambda = unset<double>, r_1 = unset<double>, r_0 = unset<double>, r_class = unset<double>;
+  List<AxisResult, 2> axes;
+  List<MethodResult, most_methods> methods;
+};
+
+/// The load, the section and how slender the bar is.
+template <class Result>
+constexpr auto slenderness_results() {
+  return std::tuple{
+      Choice<Result, Loading>{&Result::loading, "loading", "what the force does to the bar"}.as(Role::result),
+      Field<Result, Force>{&Result::F, "F", kN, "compressive force"}.as(Role::result),
+      Field<Result, Area>{&Result::A, "A", mm2, "area"}.as(Role::result),
+      Field<Result, Length>{&Result::t, "t", mm,
+                            "thickness that the strength depends on; the least of the table where unknown"}
+          .as(Role::result),
+      Choice<Result, AxisName>{&Result::axis, "axis", "axis of the largest slenderness"}.as(Role::result),
+      Field<Result, double>{&Result::lambda, "lambda", ratio, "largest slenderness"}.as(Role::result),
+      Field<Result, Force>{&Result::N_cr, "N_cr", kN, "least critical force of the elastic bar, however short it is"}
+          .as(Role::result)};
+}
+
+/// Where the formulas end, and what the method that decides allows.
+template <class Result>
+constexpr auto stress_results() {
+  return std::tuple{
+      Field<Result, Stress>{&Result::sigma_E, "sigma_E", MPa, "stress at that force, however short the bar is"}.as(
+          Role::result),
+      Field<Result, double>{&Result::lambda_T, "lambda_T", ratio, "slenderness at which Tetmajer's formula ends"}.as(
+          Role::result),
+      Field<Result, double>{&Result::gap, "gap", ratio, "at the published lambda_1, Tetmajer over Euler less 1"}.as(
+          Role::result),
+      Field<Result, double>{&Result::lambda_lim, "lambda_lim", ratio, "limit slenderness of Euler's formula"}.as(
+          Role::result),
+      Field<Result, Stress>{&Result::sigma_cr, "sigma_cr", MPa, "critical stress of the method that decides"}.as(
+          Role::result),
+      Field<Result, Force>{&Result::P_all, "P_all", kN, "allowable force of the method that decides"}.as(Role::result),
+      Field<Result, double>{&Result::spread, "spread", ratio,
+                            "largest critical stress of the methods over the least, less 1"}
+          .as(Role::result)};
+}
+
+template <class Result>
+constexpr auto member_checks() {
+  return std::tuple{
+      Field<Result, double>{&Result::u, "u", ratio, "buckling: force over the allowable one"}.check("N, P"),
+      Field<Result, double>{&Result::x_t, "x_t", ratio, "tension: stress N/A over the yield strength; 0 in compression"}
+          .limit(0, 1, "N"),
+      Field<Result, double>{&Result::r_lambda, "r_lambda", ratio, "slenderness over the largest that is allowed"}.limit(
+          0, 1),
+      Field<Result, double>{&Result::r_1, "r_1", ratio, "Euler: limit slenderness over the slenderness"}
+          .limit(0, 1)
+          .where_it_applies(),
+      Field<Result, double>{&Result::r_0, "r_0", ratio,
+                            "Tetmajer without a yield strength: lambda_0 over the slenderness"}
+          .limit(0, 1)
+          .where_it_applies(),
+      Field<Result, double>{&Result::r_class, "r_class", ratio,
+                            "local buckling: thinness of the parts over the limit of class 3"}
+          .limit(0, 1)
+          .where_it_applies()};
+}
+
+template <class Result>
+constexpr auto member_results() {
+  return std::tuple_cat(
+      slenderness_results<Result>(), stress_results<Result>(), member_checks<Result>(),
+      std::tuple{
+          ListField<Result, AxisResult, 2>{&Result::axes, "axes", "bending about y and about z"}.as(Role::result),
+          ListField<Result, MethodResult, most_methods>{&Result::methods, "methods", "the methods side by side"}.as(
+              Role::result)});
+}
+
+}  // namespace loadpath::column

@@ -1,0 +1,176 @@
+#include "calculators/column/member/rules.hpp"
+
+#include "calculators/column/member/parts.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <cmath>
+
+namespace loadpath::column {
+
+namespace {
+
+/// The first support that is out of order, and in which list; -1 where all stand well.
+struct Astray {
+  const char* list = "";
+  int place = -1;
+};
+
+Astray astray(const Member& in) {
+  for (const AxisName axis : {AxisName::y, AxisName::z}) {
+    Length before = 0.0 * mm;
+    int place = 0;
+    for (const auto& support : supports_of(in, axis)) {
+      if (!(support.x > before && support.x < in.l)) return {axis == AxisName::y ? "supports_y" : "supports_z", place};
+      before = support.x;
+      ++place;
+    }
+  }
+  return {};
+}
+
+/// Tetmajer's stress over Euler's at the published limit, less 1.
+double gap_at_limit(const Member& in) {
+  const double c = is_set(in.c_T) ? in_si(in.c_T) : 0.0;
+  const double x = in.lambda_1, tetmajer = in_si(in.a_T) + x * (-in_si(in.b_T) + x * c);
+  return tetmajer * x * x / (pi * pi * in_si(in.E)) - 1.0;
+}
+
+struct Custom {
+  double least, most;
+};
+
+Custom custom_of(Class material) {
+  if (material == Class::steel) return {1.8, 3.0};
+  if (material == Class::cast_iron) return {5.0, 5.5};
+  if (material == Class::wood) return {2.8, 3.2};
+  return {0.0, INFINITY};
+}
+
+bool is_loaded(const Member& in) { return is_set(in.N) || is_set(in.P); }
+
+/// What is missing for the critical stress.
+Message lack_of_stress(const Member& in, bool curves) {
+  const Method by = in.method;
+  const bool yields = is_set(in.R_e);
+  if (by == Method::euler) {
+    if (is_set(in.sigma_P) || is_set(in.a_T)) return {};
+    return say("the limit of Euler's formula: the proportional limit sigma_P, or a set of tetmajer");
+  }
+  if (by == Method::tetmajer) {
+    if (is_set(in.a_T)) return {};
+    return say("the constants of Tetmajer-Yasinsky: a set of tetmajer, or a_T and b_T");
+  }
+  if (by == Method::rankine) {
+    if (yields || is_set(in.sigma_c)) return {};
+    return say("the crushing stress sigma_c, or the yield strength R_e");
+  }
+  if (!yields) return say("the yield strength R_e, or a material");
+  if (by == Method::secant && !is_set(in.e_y) && !is_set(in.e_z)) return say("the eccentricity e_y or e_z");
+  if (by == Method::ec3 && !curves)
+    return say(
+        "the buckling curves: the kind of section (a rolled or welded I with t_f, h and b), or curve_y, curve_z");
+  if (by == Method::sp16 && !curves) return say("the kind of section: hollow or box, I, channel, tee or angle");
+  return {};
+}
+
+/// What is missing for the allowable force; AISC has its safety by itself.
+Message lack_of_safety(const Member& in) {
+  if (!is_loaded(in) || in.method == Method::aisc) return {};
+  if (in.method != Method::ec3) return is_set(in.n_st) ? Message{} : say("the safety against buckling n_st");
+  if (!is_set(in.gamma_M1)) return say("the partial factor gamma_M1 (1 or as the national annex says)");
+  if (!is_set(in.gamma_F)) return say("gamma_F, from the force to the design load: 1 where it is one");
+  return {};
+}
+
+}  // namespace
+
+bool supports_inside(const Member& in) { return astray(in).place < 0; }
+
+FieldFault support_outside(const Member& in) {
+  const Astray at = astray(in);
+  const std::string path = std::string(at.list) + "[" + std::to_string(at.place + 1) + "].x";
+  return {
+      path,
+      say("supports stand between the ends of the bar, 0 and {1}, in order", format_quantity(in_si(in.l), mm.symbol)),
+      say("the ends are no supports of this list; sort the others by x")};
+}
+
+bool supports_need_ends(const Member& in) {
+  if (in.supports_y.empty() && in.supports_z.empty()) return true;
+  return in.beta_basis == Basis::exact && !(is_set(in.beta_y) && !in.supports_y.empty()) &&
+         !(is_set(in.beta_z) && !in.supports_z.empty());
+}
+
+Message lack(const Member& in, bool curves) {
+  const Message of_stress = lack_of_stress(in, curves);
+  return of_stress.empty() ? lack_of_safety(in) : of_stress;
+}
+
+FieldFault missing_for_method(const Member& in, bool curves) {
+  const bool no_set = in.method == Method::tetmajer && !is_set(in.a_T);
+  return {"method", say("the method '{1}' needs {2}", word_of(in.method), lack(in, curves).text()),
+          no_set
+              ? say("it is the method where none is named; the sets are listed by 'loadpath tables columns/tetmajer'. "
+                    "Other methods need less: euler the limit sigma_P; johnson, rankine, aisc the yield strength "
+                    "R_e; ec3, sp16 the kind of section too")
+              : Message{}};
+}
+
+bool method_suits_class(const Member& in) {
+  const bool of_steel = in.method == Method::ec3 || in.method == Method::aisc || in.method == Method::sp16;
+  return !of_steel || is_steel(in);
+}
+
+FieldFault method_of_steel(const Member& in) {
+  return {"method",
+          say("the method '{1}' is for steel, not for material_class = \"{2}\"", word_of(in.method),
+              word_of(in.material_class)),
+          say("take euler, tetmajer, johnson or rankine with the constants of the material")};
+}
+
+bool set_meets_euler(const Member& in) {
+  if (!is_set(in.a_T) || !is_set(in.b_T) || !is_set(in.E)) return true;
+  return is_set(material_of(in).lambda_T);
+}
+
+bool set_near_euler(const Member& in) {
+  if (!is_set(in.a_T) || !is_set(in.b_T) || !is_set(in.E) || !is_set(in.lambda_1)) return true;
+  return std::abs(gap_at_limit(in)) <= 0.03;
+}
+
+FieldFault gap_of_set(const Member& in) {
+  const double gap = 100.0 * gap_at_limit(in);
+  return {"",
+          say("at its published limit {1} the set is {2} % {3} Euler's hyperbola", format_number(in.lambda_1, 4),
+              format_number(std::abs(gap), 2), gap > 0.0 ? "above" : "below"),
+          say("transition = \"computed\" goes over where the two meet; textbooks go over at the limit")};
+}
+
+bool set_fits_modulus(const Member& in) {
+  return !is_set(in.E_T) || !is_set(in.E) || std::abs(in.E / in.E_T - 1.0) <= 0.05;
+}
+
+bool set_is_of_material(const Member& in) {
+  constexpr double most = 1.3;  // grey irons and woods differ that much among themselves
+  return !is_set(in.E_T) || !is_set(in.E) || (in.E <= most * in.E_T && in.E_T <= most * in.E);
+}
+
+FieldFault modulus_of_set(const Member& in) {
+  return {"",
+          say("the set of Tetmajer-Yasinsky was given with E = {1}, not {2}",
+              format_quantity(in_si(in.E_T), GPa.symbol), format_quantity(in_si(in.E), GPa.symbol)),
+          say("take the set of this material")};
+}
+
+bool usual_safety(const Member& in) {
+  const Custom custom = custom_of(in.material_class);
+  return !is_set(in.n_st) || (in.n_st >= custom.least && in.n_st <= custom.most);
+}
+
+FieldFault unusual_safety(const Member& in) {
+  const Custom custom = custom_of(in.material_class);
+  return {"n_st", say("n_st = {1} is unusual for this class of material", format_number(in.n_st)),
+          say("{1} to {2} is the custom", format_number(custom.least), format_number(custom.most))};
+}
+
+}  // namespace loadpath::column

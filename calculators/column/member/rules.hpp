@@ -1,0 +1,88 @@
+// The rules of a compressed bar but for its section, and what they say of an input that breaks them.
+#pragma once
+
+#include "calculators/column/member/member.hpp"
+#include "lib/text/issue.hpp"
+
+#include <array>
+
+namespace loadpath::column {
+
+bool supports_inside(const Member& in);
+FieldFault support_outside(const Member& in);
+bool supports_need_ends(const Member& in);
+bool set_meets_euler(const Member& in);
+bool set_near_euler(const Member& in);
+FieldFault gap_of_set(const Member& in);
+bool set_fits_modulus(const Member& in);
+bool set_is_of_material(const Member& in);
+FieldFault modulus_of_set(const Member& in);
+bool usual_safety(const Member& in);
+FieldFault unusual_safety(const Member& in);
+/// EN 1993-1-1, AISC 360 and SP 16 hold for steel alone.
+bool method_suits_class(const Member& in);
+FieldFault method_of_steel(const Member& in);
+
+/// What the deciding method lacks; empty where it has all. `curves`: whether the buckling curves are known.
+Message lack(const Member& in, bool curves);
+FieldFault missing_for_method(const Member& in, bool curves);
+
+/// A function of the bar as one of an input that derives from it.
+template <class Input, auto of_member>
+auto of(const Input& in) {
+  return of_member(in);
+}
+
+/// Load, length and ends.
+template <class Input>
+constexpr auto held_rules() {
+  return std::array{
+      Rule<Input>{[](const Input& in) { return !(is_set(in.N) && is_set(in.P)); }, "N, P",
+                  "give the force as N, positive in tension, or as P, positive in compression, never both"},
+      Rule<Input>{[](const Input& in) { return is_set(in.E); }, "E", "give the modulus E, or a material"},
+      Rule<Input>{[](const Input& in) {
+                    const bool y = is_set(in.beta_y) || in.ends_y != Ends::unsaid || in.ends != Ends::unsaid;
+                    const bool z = is_set(in.beta_z) || in.ends_z != Ends::unsaid || in.ends != Ends::unsaid;
+                    return y && z;
+                  },
+                  "ends, ends_y, ends_z, beta_y, beta_z",
+                  "say how the ends are held: ends, or ends_y and ends_z, or the factors beta_y and beta_z"},
+      Rule<Input>{[](const Input& in) {
+                    return !(is_set(in.beta_y) && in.ends_y != Ends::unsaid) &&
+                           !(is_set(in.beta_z) && in.ends_z != Ends::unsaid);
+                  },
+                  "ends_y, ends_z, beta_y, beta_z", "give the ends of an axis or its factor beta, never both"},
+      Rule<Input>{&of<Input, &supports_inside>, "supports_y, supports_z, l",
+                  "supports stand between the ends, in order along the bar", &of<Input, &support_outside>},
+      Rule<Input>{
+          &of<Input, &supports_need_ends>, "supports_y, supports_z, beta_y, beta_z, beta_basis",
+          "supports are computed from the ends exactly: leave out beta of that axis, and beta_basis = \"exact\""}};
+}
+
+/// Material and method, but for what the method needs (`lack`).
+template <class Input>
+constexpr auto method_rules() {
+  return std::array{
+      Rule<Input>{&of<Input, &method_suits_class>, "method, material_class", "the method is for steel alone",
+                  &of<Input, &method_of_steel>},
+      Rule<Input>{[](const Input& in) { return is_set(in.a_T) == is_set(in.b_T); }, "a_T, b_T",
+                  "a_T and b_T belong together"},
+      Rule<Input>{[](const Input& in) { return in.transition == Transition::computed || is_set(in.lambda_1); },
+                  "transition, lambda_1", "the published transition is the lambda_1 of the set: give it"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.sigma_P) || !is_set(in.R_e) || in.sigma_P <= in.R_e; },
+                  "sigma_P, R_e", "the proportional limit is not above the yield strength"},
+      Rule<Input>{[](const Input& in) { return !(in.e_y > 0.0 * mm && in.e_z > 0.0 * mm); }, "e_y, e_z",
+                  "the secant formula takes an eccentricity about one axis"},
+      Rule<Input>{&of<Input, &set_meets_euler>, "a_T, b_T, c_T, E, transition",
+                  "with this modulus the set of Tetmajer-Yasinsky never meets Euler's hyperbola"},
+      Rule<Input>{&of<Input, &set_near_euler>, "a_T, b_T, c_T, E, lambda_1", "the set misses Euler at its lambda_1",
+                  &of<Input, &gap_of_set>, true},
+      Rule<Input>{&of<Input, &set_is_of_material>, "E_T, E", "this set is of another material",
+                  &of<Input, &modulus_of_set>},
+      Rule<Input>{&of<Input, &set_fits_modulus>, "E_T, E", "the set was given with another modulus",
+                  &of<Input, &modulus_of_set>, true},
+      Rule<Input>{&of<Input, &usual_safety>, "n_st, material_class", "the safety factor is unusual",
+                  &of<Input, &unusual_safety>, true}};
+}
+
+}  // namespace loadpath::column

@@ -1,0 +1,92 @@
+// The section of a compressed bar: typed, or a row of the section tables. Its fields are declared here once.
+#pragma once
+
+#include "calculators/column/codes/choices.hpp"
+#include "lib/calculator/row_kind.hpp"
+
+#include <tuple>
+
+namespace loadpath::column {
+
+struct Section {
+  Length d = unset<Length>, d_bore = unset<Length>, h = unset<Length>, b = unset<Length>;
+  Area A = unset<Area>;
+  SecondMoment I_y = unset<SecondMoment>, I_z = unset<SecondMoment>, I_min = unset<SecondMoment>;
+  Length i_y = unset<Length>, i_z = unset<Length>;
+  Profile kind = Profile::unsaid;
+  Length t_f = unset<Length>, t_w = unset<Length>, r = unset<Length>;
+  Length c_y = unset<Length>, c_z = unset<Length>;
+  Curve curve_y = Curve::by_kind, curve_z = Curve::by_kind;
+};
+
+template <class Input>
+constexpr auto section_inputs() {
+  return std::tuple{
+      Field<Input, Length>{&Input::d, "d", mm, "diameter of a round bar or tube"}
+          .positive()
+          .usually(1, 2000)
+          .from("section", "d")
+          .where_it_has(),
+      Field<Input, Length>{&Input::d_bore, "d_bore", mm, "bore of a round bar"}.at_least(0).may_be_missing(),
+      Field<Input, Length>{&Input::h, "h", mm, "height of the section, along z"}
+          .positive()
+          .usually(1, 5000)
+          .from("section", "h")
+          .where_it_has(),
+      Field<Input, Length>{&Input::b, "b", mm, "width of the section, along y"}
+          .positive()
+          .usually(1, 5000)
+          .from("section", "b")
+          .where_it_has(),
+      Field<Input, Area>{&Input::A, "A", mm2, "area; without it a round bar d or a rectangle b h is meant"}
+          .positive()
+          .from("section", "A"),
+      Field<Input, SecondMoment>{&Input::I_y, "I_y", mm4, "second moment of area about y"}
+          .positive()
+          .from("section", "I_y")
+          .where_it_has(),
+      Field<Input, SecondMoment>{&Input::I_z, "I_z", mm4, "second moment of area about z"}
+          .positive()
+          .from("section", "I_z")
+          .where_it_has(),
+      Field<Input, SecondMoment>{&Input::I_min, "I_min", mm4,
+                                 "least second moment of a section whose principal axes are not y, z: an angle"}
+          .positive()
+          .from("section", "I_min")
+          .where_it_has(),
+      Field<Input, Length>{&Input::i_y, "i_y", mm, "radius of gyration about y, in place of I_y"}
+          .positive()
+          .may_be_missing(),
+      Field<Input, Length>{&Input::i_z, "i_z", mm, "radius of gyration about z, in place of I_z"}
+          .positive()
+          .may_be_missing(),
+      RowKind<Input, Profile>{&Input::kind, "kind", "kind of section, for the curves of EN 1993-1-1 and local buckling",
+                              "section"},
+      Field<Input, Length>{&Input::t_f, "t_f", mm, "thickness of the flange"}
+          .positive()
+          .from("section", "t_f")
+          .where_it_has(),
+      Field<Input, Length>{&Input::t_w, "t_w", mm, "thickness of the web or wall"}
+          .positive()
+          .from("section", "t_w")
+          .where_it_has(),
+      Field<Input, Length>{&Input::r, "r", mm, "root radius"}.at_least(0).from("section", "r").where_it_has()};
+}
+
+/// What follows from the section where it is not said.
+template <class Input>
+constexpr auto derived_section_inputs() {
+  return std::tuple{
+      Field<Input, Length>{&Input::c_y, "c_y", mm,
+                           "distance of the extreme fibre from y; where missing half the height of a symmetric section"}
+          .positive()
+          .may_be_missing(),
+      Field<Input, Length>{&Input::c_z, "c_z", mm,
+                           "distance of the extreme fibre from z; where missing half the width of a symmetric section"}
+          .positive()
+          .may_be_missing(),
+      Choice<Input, Curve>{&Input::curve_y, "curve_y", "buckling curve of EN 1993-1-1 about y"}.may_be_missing(),
+      Choice<Input, Curve>{&Input::curve_z, "curve_z", "buckling curve of EN 1993-1-1 about z"}.may_be_missing()};
+}
+
+}  // namespace loadpath::column

@@ -1,0 +1,69 @@
+#include "calculators/section/shapes/angle.hpp"
+
+#include "calculators/section/properties/outline.hpp"
+#include "calculators/section/shapes/corner.hpp"
+#include "lib/calculator/calculator_of.hpp"
+
+namespace loadpath::section {
+
+namespace {
+
+template <class Tracer>
+void twist(const Angle::Input& in, Angle::Result& result, Tracer& trace) {
+  const auto& [h, b, t, r, r_2] = in;
+  STEP(w, t / (min(h, b) - t), "thickness over length of the shorter leg");
+  result.w = w;
+  if (!(w <= thickest_open_wall)) return;
+  STEP(I_t, (h + b - t) * pow<3>(t) / 3.0, "thin open walls, [Oasys]");
+  STEP(W_t, I_t / t, "shear in the thin walls");
+  result.I_t = I_t, result.W_t = W_t;
+}
+
+}  // namespace
+
+template <class Tracer>
+Angle::Result Angle::own(const Input& in, Tracer& trace) {
+  const auto& [h, b, t, r, r_2] = in;
+  Result result;
+  const auto [A_r, e_r, I_r, I_rp] = corner(r, trace);
+  NoTrace quiet;
+  const auto [A_2, e_2, I_2, I_2p] = corner(r_2, quiet);
+  trace.value("I_rp", I_rp, "product of area of the root fillet about its own axes");
+  trace.value("A_2", A_2, "area that a rounded toe lacks, by the formulas of the fillet");
+  trace.value("e_2", e_2, "its centroid from the faces of the leg");
+  trace.value("I_2", I_2, "its second moment");
+  trace.value("I_2p", I_2p, "its product of area");
+  STEP(A, t * (h + b - t) + A_r - 2.0 * A_2, "two legs, the root fillet, less the toes");
+  STEP(y_S, (h * t * t + (b * b - t * t) * t + 2.0 * A_r * (t + e_r) - 2.0 * A_2 * (t - e_2 + b - e_2)) / (2.0 * A),
+       "first moment about the back of the upright leg over the area");
+  STEP(z_S, (b * t * t + (h * h - t * t) * t + 2.0 * A_r * (t + e_r) - 2.0 * A_2 * (t - e_2 + h - e_2)) / (2.0 * A),
+       "first moment about the back of the other leg over the area");
+  STEP(I_y,
+       (t * pow<3>(h) + (b - t) * pow<3>(t)) / 3.0 + I_r + A_r * pow<2>(t + e_r) - 2.0 * I_2 -
+           A_2 * (pow<2>(t - e_2) + pow<2>(h - e_2)) - A * z_S * z_S,
+       "about the back of the leg, brought to the centroid by Steiner, [Garrison]");
+  STEP(I_z,
+       (t * pow<3>(b) + (h - t) * pow<3>(t)) / 3.0 + I_r + A_r * pow<2>(t + e_r) - 2.0 * I_2 -
+           A_2 * (pow<2>(t - e_2) + pow<2>(b - e_2)) - A * y_S * y_S,
+       "about the back of the leg, brought to the centroid by Steiner, [Garrison]");
+  STEP(I_yz,
+       t * t * (h * h + b * b - t * t) / 4.0 + I_rp + A_r * pow<2>(t + e_r) - 2.0 * I_2p -
+           A_2 * (t - e_2) * (h - e_2 + b - e_2) - A * y_S * z_S,
+       "about the corner, brought to the centroid by Steiner, [Garrison]");
+  result.A = A, result.y_S = y_S, result.z_S = z_S, result.I_y = I_y, result.I_z = I_z, result.I_yz = I_yz;
+  twist(in, result, trace);
+  return result;
+}
+
+Extremes Angle::extremes(const Input& in) { return corners_of(angle_outline(in.h, in.b, in.t)); }
+
+std::vector<draw::Figure> Angle::figures(const Input& in, const Result& r) {
+  return section::figures({{angle_outline(in.h, in.b, in.t, in.r, in.r_2)}, {}}, r);
+}
+
+template Angle::Result Angle::own(const Input&, NoTrace&);
+template Angle::Result Angle::own(const Input&, Trace&);
+
+}  // namespace loadpath::section
+
+template const loadpath::Calculator& loadpath::erased<loadpath::section::Angle>();

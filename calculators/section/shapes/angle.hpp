@@ -1,0 +1,73 @@
+// An angle, equal or unequal, with root fillet and rounded toes. Exact; torsion of thin open walls.
+#pragma once
+
+#include "calculators/section/properties/properties.hpp"
+#include "calculators/section/shapes/torsion.hpp"
+#include "lib/figure/figure.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath::section {
+
+struct Angle {
+  static constexpr auto id = "section.angle";
+  static constexpr auto title = "Section: angle";
+  static constexpr auto scope =
+      "Area, centroid, second moments, principal axes, moduli and torsion constant of an angle: leg h upwards, "
+      "leg b to the right. Origin of the sketch: the outer corner. Torsion: the sum of b t^3/3 over both legs, "
+      "without the fillet. A limit keeps the legs thin. Warping torsion and the shear centre are not covered. "
+      "The moduli about y and z are those of tables; an angle that is free to bend does so about its principal "
+      "axes.";
+  static constexpr auto source = "[Garrison], [Oasys]";
+  static constexpr auto example = R"([project]
+title = "L 100x100x10 from its dimensions"
+
+[angle]
+calculator = "section.angle"
+h = "100 mm"
+b = "100 mm"
+t = "10 mm"
+r = "12 mm"
+r_2 = "6 mm"
+)";
+
+  struct Input {
+    Length h = unset<Length>;
+    Length b = unset<Length>;
+    Length t = unset<Length>;
+    Length r = from_si<Length>(0.0);
+    Length r_2 = from_si<Length>(0.0);
+  };
+  static constexpr std::tuple inputs{
+      Field{&Input::h, "h", mm, "height of the upright leg"}.positive().usually(0.1, 1e4),
+      Field{&Input::b, "b", mm, "width of the other leg"}.positive().usually(0.1, 1e4),
+      Field{&Input::t, "t", mm, "thickness of both legs"}.positive(),
+      Field{&Input::r, "r", mm, "radius of the root fillet; none where missing"}.at_least(0).may_be_missing(),
+      Field{&Input::r_2, "r_2", mm, "radius of the inner edges of the toes; sharp where missing"}
+          .at_least(0)
+          .may_be_missing()};
+
+  using Result = OpenWalls;
+  static constexpr auto results = results_of_open_walls;
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return in.t + in.r + in.r_2 <= min(in.h, in.b); }, "t, r, r_2, h, b",
+                  "thickness and radii need longer legs"},
+      Rule<Input>{[](const Input& in) { return in.r_2 <= in.t; }, "r_2, t", "the toes are rounded by at most t"}};
+
+  /// Without what follows from the contour.
+  template <class Tracer>
+  static Result own(const Input& in, Tracer& trace);
+  static Extremes extremes(const Input& in);
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace) {
+    return completed(own(in, trace), extremes(in), trace);
+  }
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template Angle::Result Angle::own(const Input&, NoTrace&);
+extern template Angle::Result Angle::own(const Input&, Trace&);
+
+}  // namespace loadpath::section

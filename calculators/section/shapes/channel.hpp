@@ -1,0 +1,70 @@
+// A channel with parallel flanges and fillets. Exact; torsion of thin open walls.
+#pragma once
+
+#include "calculators/section/properties/properties.hpp"
+#include "calculators/section/shapes/torsion.hpp"
+#include "lib/figure/figure.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath::section {
+
+struct Channel {
+  static constexpr auto id = "section.channel";
+  static constexpr auto title = "Section: channel";
+  static constexpr auto scope =
+      "Area, centroid, second moments, moduli and torsion constant of a channel with parallel flanges to the "
+      "right. Origin of the sketch: the middle of the back of the web. Torsion: the sum of b t^3/3 over the "
+      "straight parts, without fillets; rolled channels have up to 17 % more. A limit keeps the walls thin. "
+      "Warping torsion, the shear centre and tapered flanges are not covered.";
+  static constexpr auto source = "[Garrison], [Oasys]";
+  static constexpr auto example = R"([project]
+title = "UPE 200 from its dimensions"
+
+[channel]
+calculator = "section.channel"
+h = "200 mm"
+b = "80 mm"
+t_w = "6 mm"
+t_f = "11 mm"
+r = "13 mm"
+)";
+
+  struct Input {
+    Length h = unset<Length>;
+    Length b = unset<Length>;
+    Length t_w = unset<Length>;
+    Length t_f = unset<Length>;
+    Length r = from_si<Length>(0.0);
+  };
+  static constexpr std::tuple inputs{
+      Field{&Input::h, "h", mm, "depth over both flanges"}.positive().usually(0.1, 1e4),
+      Field{&Input::b, "b", mm, "width of the flanges, with the web"}.positive().usually(0.1, 1e4),
+      Field{&Input::t_w, "t_w", mm, "thickness of the web"}.positive(),
+      Field{&Input::t_f, "t_f", mm, "thickness of a flange"}.positive(),
+      Field{&Input::r, "r", mm, "radius of the fillets; none where missing"}.at_least(0).may_be_missing()};
+
+  using Result = OpenWalls;
+  static constexpr auto results = results_of_open_walls;
+
+  static constexpr std::array rules{Rule<Input>{[](const Input& in) { return 2.0 * (in.t_f + in.r) <= in.h; },
+                                                "t_f, r, h", "flanges and fillets need more depth than h"},
+                                    Rule<Input>{[](const Input& in) { return in.t_w + in.r <= in.b; }, "t_w, r, b",
+                                                "web and fillet need more width than b"}};
+
+  /// Without what follows from the contour.
+  template <class Tracer>
+  static Result own(const Input& in, Tracer& trace);
+  static Extremes extremes(const Input& in);
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace) {
+    return completed(own(in, trace), extremes(in), trace);
+  }
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template Channel::Result Channel::own(const Input&, NoTrace&);
+extern template Channel::Result Channel::own(const Input&, Trace&);
+
+}  // namespace loadpath::section

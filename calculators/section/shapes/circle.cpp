@@ -1,0 +1,32 @@
+#include "calculators/section/shapes/circle.hpp"
+
+#include "calculators/section/properties/outline.hpp"
+#include "lib/calculator/calculator_of.hpp"
+
+namespace loadpath::section {
+
+template <class Tracer>
+Circle::Result Circle::own(const Input& in, Tracer& trace) {
+  const auto& [d] = in;
+  Result r = centred();
+  STEP(A, pi / 4.0 * d * d, "area of a circle");
+  STEP(I_y, pi / 64.0 * pow<4>(d), "half the polar second moment, [B19]");
+  r.I_z = NAMED_STEP("I_z", I_y, "every diameter is alike");
+  STEP(I_t, pi / 32.0 * pow<4>(d), "polar second moment, exact for circles, [B19]");
+  STEP(W_t, 2.0 * I_t / d, "shear is largest at the surface, [B19]");
+  r.A = A, r.I_y = I_y, r.I_t = I_t, r.W_t = W_t;
+  return r;
+}
+
+Extremes Circle::extremes(const Input& in) { return disc(in.d); }
+
+std::vector<draw::Figure> Circle::figures(const Input& in, const Result& r) {
+  return section::figures({{circle(in.d)}, {}}, r);
+}
+
+template Circle::Result Circle::own(const Input&, NoTrace&);
+template Circle::Result Circle::own(const Input&, Trace&);
+
+}  // namespace loadpath::section
+
+template const loadpath::Calculator& loadpath::erased<loadpath::section::Circle>();

@@ -1,0 +1,51 @@
+// A solid circle. Exact.
+#pragma once
+
+#include "calculators/section/properties/properties.hpp"
+#include "lib/figure/figure.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath::section {
+
+struct Circle {
+  static constexpr auto id = "section.circle";
+  static constexpr auto title = "Section: circle";
+  static constexpr auto scope =
+      "Area, second moments, moduli and torsion constant of a solid circle. Origin of the sketch: its centre.";
+  static constexpr auto source = "[B19]";
+  static constexpr auto example = R"([project]
+title = "Solid round bar"
+
+[bar]
+calculator = "section.circle"
+d = "40 mm"
+)";
+
+  struct Input {
+    Length d = unset<Length>;
+  };
+  static constexpr std::tuple inputs{Field{&Input::d, "d", mm, "diameter"}.positive().usually(0.1, 1e4)};
+
+  using Result = Properties;
+  static constexpr auto results = results_of_properties;
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return is_set(in.d); }, "d", "give the diameter"}};
+
+  /// Without what follows from the contour.
+  template <class Tracer>
+  static Result own(const Input& in, Tracer& trace);
+  static Extremes extremes(const Input& in);
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace) {
+    return completed(own(in, trace), extremes(in), trace);
+  }
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template Circle::Result Circle::own(const Input&, NoTrace&);
+extern template Circle::Result Circle::own(const Input&, Trace&);
+
+}  // namespace loadpath::section

@@ -1,0 +1,82 @@
+// A hollow rectangle of one wall thickness, corners sharp or rounded. Exact; torsion by EN 10210-2.
+#pragma once
+
+#include "calculators/section/properties/properties.hpp"
+#include "calculators/section/shapes/torsion.hpp"
+#include "lib/figure/figure.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath::section {
+
+struct Hollow {
+  static constexpr auto id = "section.hollow";
+  static constexpr auto title = "Section: hollow rectangle";
+  static constexpr auto scope =
+      "Area, second moments, moduli and torsion constant of a hollow rectangle. Origin of the sketch: its "
+      "centre. Radii of the corners: hot finished sections of EN 10210-2 have r_o = 1.5 t and r_i = t, cold "
+      "formed ones of EN 10219-2 to 6 mm wall r_o = 2 t and r_i = t; sharp where missing. Torsion by the "
+      "formula of EN 10210-2 for thin closed walls, with its limit. Local buckling of thin walls is not "
+      "covered.";
+  static constexpr auto source = "[Garrison], [EN10210-2]";
+  static constexpr auto example = R"([project]
+title = "SHS 100x5 from its dimensions"
+
+[post]
+calculator = "section.hollow"
+h = "100 mm"
+b = "100 mm"
+t = "5 mm"
+r_o = "7.5 mm"
+r_i = "5 mm"
+)";
+
+  struct Input {
+    Length h = unset<Length>;
+    Length b = unset<Length>;
+    Length t = unset<Length>;
+    Length r_o = from_si<Length>(0.0);
+    Length r_i = from_si<Length>(0.0);
+  };
+  static constexpr std::tuple inputs{
+      Field{&Input::h, "h", mm, "height, along z"}.positive().usually(0.1, 1e4),
+      Field{&Input::b, "b", mm, "width, along y"}.positive().usually(0.1, 1e4),
+      Field{&Input::t, "t", mm, "wall"}.positive(),
+      Field{&Input::r_o, "r_o", mm, "outer radius of the corners; sharp where missing"}.at_least(0).may_be_missing(),
+      Field{&Input::r_i, "r_i", mm, "inner radius of the corners; sharp where missing"}.at_least(0).may_be_missing()};
+
+  struct Result : Properties {
+    double w = unset<double>;
+  };
+  static constexpr auto results =
+      std::tuple_cat(property_fields<Result>(),
+                     std::tuple{Field{&Result::w, "w", ratio,
+                                      "wall over the shorter middle line, for the torsion of thin closed walls"}
+                                    .limit(0, thickest_closed_wall)});
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return 2.0 * in.t < min(in.h, in.b); }, "t, h, b",
+                  "the walls leave nothing hollow"},
+      Rule<Input>{[](const Input& in) { return 2.0 * in.r_o <= min(in.h, in.b); }, "r_o, h, b",
+                  "the outer radius is at most half the shorter side"},
+      Rule<Input>{[](const Input& in) { return 2.0 * in.r_i <= min(in.h, in.b) - 2.0 * in.t; }, "r_i, t, h, b",
+                  "the inner radius is at most half the hollow"},
+      Rule<Input>{[](const Input& in) { return in.r_o <= in.r_i + 3.4 * in.t; }, "r_o, r_i, t",
+                  "with this outer radius the corner has no wall left"}};
+
+  /// Without what follows from the contour.
+  template <class Tracer>
+  static Result own(const Input& in, Tracer& trace);
+  static Extremes extremes(const Input& in);
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace) {
+    return completed(own(in, trace), extremes(in), trace);
+  }
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template Hollow::Result Hollow::own(const Input&, NoTrace&);
+extern template Hollow::Result Hollow::own(const Input&, Trace&);
+
+}  // namespace loadpath::section

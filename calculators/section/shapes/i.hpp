@@ -1,0 +1,77 @@
+// A doubly symmetric I or H with parallel flanges and fillets. Exact; torsion by the formula of SCI P385.
+#pragma once
+
+#include "calculators/section/properties/properties.hpp"
+#include "calculators/section/shapes/torsion.hpp"
+#include "lib/figure/figure.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath::section {
+
+struct I {
+  static constexpr auto id = "section.I";
+  static constexpr auto title = "Section: I of two equal flanges";
+  static constexpr auto scope =
+      "Area, second moments, moduli and torsion constant of an I or H with two equal flanges, parallel faces "
+      "and fillets of radius r. Origin of the sketch: its centre. Torsion by SCI P385 with its T-junctions, "
+      "within 4.5 % of the tables of rolled sections, which give its limits. Warping torsion is not covered; "
+      "unequal flanges are built up with section.built_up.";
+  static constexpr auto source = "[Garrison], [SCI-P385]";
+  static constexpr auto example = R"([project]
+title = "HEB 200 from its dimensions"
+
+[beam]
+calculator = "section.I"
+h = "200 mm"
+b = "200 mm"
+t_w = "9 mm"
+t_f = "15 mm"
+r = "18 mm"
+)";
+
+  struct Input {
+    Length h = unset<Length>;
+    Length b = unset<Length>;
+    Length t_w = unset<Length>;
+    Length t_f = unset<Length>;
+    Length r = from_si<Length>(0.0);
+  };
+  static constexpr std::tuple inputs{
+      Field{&Input::h, "h", mm, "depth over both flanges"}.positive().usually(0.1, 1e4),
+      Field{&Input::b, "b", mm, "width of the flanges"}.positive().usually(0.1, 1e4),
+      Field{&Input::t_w, "t_w", mm, "thickness of the web"}.positive(),
+      Field{&Input::t_f, "t_f", mm, "thickness of a flange"}.positive(),
+      Field{&Input::r, "r", mm, "radius of the fillets; none where missing"}.at_least(0).may_be_missing()};
+
+  struct Result : Properties {
+    double w_t = unset<double>, w_r = unset<double>;
+  };
+  static constexpr auto results = std::tuple_cat(
+      property_fields<Result>(),
+      std::tuple{Field{&Result::w_t, "w_t", ratio, "web over flange thickness, for the torsion constant"}.limit(
+                     ranges_of_I.least_web, ranges_of_I.most_web),
+                 Field{&Result::w_r, "w_r", ratio, "fillet over flange thickness, for the torsion constant"}.limit(
+                     0, ranges_of_I.most_fillet)});
+
+  static constexpr std::array rules{Rule<Input>{[](const Input& in) { return 2.0 * (in.t_f + in.r) <= in.h; },
+                                                "t_f, r, h", "flanges and fillets need more depth than h"},
+                                    Rule<Input>{[](const Input& in) { return in.t_w + 2.0 * in.r <= in.b; },
+                                                "t_w, r, b", "web and fillets need more width than b"}};
+
+  /// Without what follows from the contour.
+  template <class Tracer>
+  static Result own(const Input& in, Tracer& trace);
+  static Extremes extremes(const Input& in);
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace) {
+    return completed(own(in, trace), extremes(in), trace);
+  }
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template I::Result I::own(const Input&, NoTrace&);
+extern template I::Result I::own(const Input&, Trace&);
+
+}  // namespace loadpath::section

@@ -1,0 +1,38 @@
+#include "calculators/section/shapes/rectangle.hpp"
+
+#include "calculators/section/properties/outline.hpp"
+#include "calculators/section/shapes/torsion.hpp"
+#include "lib/calculator/calculator_of.hpp"
+
+namespace loadpath::section {
+
+template <class Tracer>
+Rectangle::Result Rectangle::own(const Input& in, Tracer& trace) {
+  const auto& [b, h] = in;
+  Result r = centred();
+  STEP(A, b * h, "area of a rectangle");
+  STEP(I_y, b * pow<3>(h) / 12.0, "second moment of a rectangle about its middle line, [Garrison]");
+  STEP(I_z, h * pow<3>(b) / 12.0, "second moment of a rectangle about its middle line, [Garrison]");
+  STEP(a_t, max(b, h), "longer side");
+  STEP(b_t, min(b, h), "shorter side");
+  const auto [k_1, k_2] = rectangle_factors(a_t / b_t);
+  trace.value("k_1", k_1, "series of Saint-Venant for these sides: 0.1406 of a square, 1/3 of a strip, [Oasys]");
+  STEP(I_t, k_1 * a_t * pow<3>(b_t), "torsion of a rectangle");
+  trace.value("k_2", k_2, "series of Saint-Venant: the largest shear is in the middle of the longer side");
+  STEP(W_t, k_2 * a_t * b_t * b_t, "torsion of a rectangle");
+  r.A = A, r.I_y = I_y, r.I_z = I_z, r.I_t = I_t, r.W_t = W_t;
+  return r;
+}
+
+Extremes Rectangle::extremes(const Input& in) { return box(in.b, in.h); }
+
+std::vector<draw::Figure> Rectangle::figures(const Input& in, const Result& r) {
+  return section::figures({{rectangle(in.b, in.h)}, {}}, r);
+}
+
+template Rectangle::Result Rectangle::own(const Input&, NoTrace&);
+template Rectangle::Result Rectangle::own(const Input&, Trace&);
+
+}  // namespace loadpath::section
+
+template const loadpath::Calculator& loadpath::erased<loadpath::section::Rectangle>();

@@ -1,0 +1,56 @@
+// A solid rectangle. Exact, torsion by the series of Saint-Venant.
+#pragma once
+
+#include "calculators/section/properties/properties.hpp"
+#include "lib/figure/figure.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath::section {
+
+struct Rectangle {
+  static constexpr auto id = "section.rectangle";
+  static constexpr auto title = "Section: rectangle";
+  static constexpr auto scope =
+      "Area, second moments, moduli and torsion constant (series of Saint-Venant) of a rectangle of width b and "
+      "height h. Origin of the sketch: its centre.";
+  static constexpr auto source = "[Garrison], [Oasys]";
+  static constexpr auto example = R"([project]
+title = "Flat bar"
+
+[bar]
+calculator = "section.rectangle"
+b = "20 mm"
+h = "60 mm"
+)";
+
+  struct Input {
+    Length b = unset<Length>;
+    Length h = unset<Length>;
+  };
+  static constexpr std::tuple inputs{Field{&Input::b, "b", mm, "width, along y"}.positive().usually(0.1, 1e4),
+                                     Field{&Input::h, "h", mm, "height, along z"}.positive().usually(0.1, 1e4)};
+
+  using Result = Properties;
+  static constexpr auto results = results_of_properties;
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return max(in.b, in.h) <= 1e4 * min(in.b, in.h); }, "b, h",
+                  "one side is at most 10000 times the other"}};
+
+  /// Without what follows from the contour.
+  template <class Tracer>
+  static Result own(const Input& in, Tracer& trace);
+  static Extremes extremes(const Input& in);
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace) {
+    return completed(own(in, trace), extremes(in), trace);
+  }
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template Rectangle::Result Rectangle::own(const Input&, NoTrace&);
+extern template Rectangle::Result Rectangle::own(const Input&, Trace&);
+
+}  // namespace loadpath::section

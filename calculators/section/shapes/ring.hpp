@@ -1,0 +1,61 @@
+// A concentric ring: a tube. Exact.
+#pragma once
+
+#include "calculators/section/properties/properties.hpp"
+#include "lib/figure/figure.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath::section {
+
+struct Ring {
+  static constexpr auto id = "section.ring";
+  static constexpr auto title = "Section: ring";
+  static constexpr auto scope =
+      "Area, second moments, moduli and torsion constant of a ring. Origin of the sketch: its centre. The bore "
+      "is given as a diameter or by the wall. Local buckling of thin walls is not covered.";
+  static constexpr auto source = "[B19]";
+  static constexpr auto example = R"([project]
+title = "Tube"
+
+[tube]
+calculator = "section.ring"
+d = "60 mm"
+t = "5 mm"
+)";
+
+  struct Input {
+    Length d = unset<Length>;
+    Length d_i = unset<Length>;
+    Length t = unset<Length>;
+  };
+  static constexpr std::tuple inputs{Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(0.1, 1e4),
+                                     Field{&Input::d_i, "d_i", mm, "inner diameter"}.at_least(0).may_be_missing(),
+                                     Field{&Input::t, "t", mm, "wall, in place of d_i"}.positive().may_be_missing()};
+
+  using Result = Properties;
+  static constexpr auto results = results_of_properties;
+
+  static constexpr std::array rules{Rule<Input>{[](const Input& in) { return is_set(in.d_i) != is_set(in.t); },
+                                                "d_i, t", "give d_i or t, one of them"},
+                                    Rule<Input>{[](const Input& in) { return !is_set(in.d_i) || in.d_i < in.d; },
+                                                "d_i, d", "the bore must be smaller than the ring"},
+                                    Rule<Input>{[](const Input& in) { return !is_set(in.t) || 2.0 * in.t <= in.d; },
+                                                "t, d", "the wall is at most half the diameter"}};
+
+  /// Without what follows from the contour.
+  template <class Tracer>
+  static Result own(const Input& in, Tracer& trace);
+  static Extremes extremes(const Input& in);
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace) {
+    return completed(own(in, trace), extremes(in), trace);
+  }
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template Ring::Result Ring::own(const Input&, NoTrace&);
+extern template Ring::Result Ring::own(const Input&, Trace&);
+
+}  // namespace loadpath::section

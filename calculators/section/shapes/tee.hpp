@@ -1,0 +1,70 @@
+// A T with parallel faces and fillets. Exact; torsion of thin open walls.
+#pragma once
+
+#include "calculators/section/properties/properties.hpp"
+#include "calculators/section/shapes/torsion.hpp"
+#include "lib/figure/figure.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath::section {
+
+struct Tee {
+  static constexpr auto id = "section.T";
+  static constexpr auto title = "Section: T";
+  static constexpr auto scope =
+      "Area, centroid, second moments, moduli and torsion constant of a T: flange above, web below. Origin of "
+      "the sketch: the middle of the upper face, so z_S is negative. Torsion: the sum of b t^3/3 over the "
+      "straight parts, without fillets; rolled sections have somewhat more. A limit keeps the walls thin. "
+      "Warping torsion, the shear centre and tapered flanges are not covered.";
+  static constexpr auto source = "[Garrison], [Oasys]";
+  static constexpr auto example = R"([project]
+title = "Half an IPE 200"
+
+[tee]
+calculator = "section.T"
+h = "100 mm"
+b = "100 mm"
+t_w = "5.6 mm"
+t_f = "8.5 mm"
+r = "12 mm"
+)";
+
+  struct Input {
+    Length h = unset<Length>;
+    Length b = unset<Length>;
+    Length t_w = unset<Length>;
+    Length t_f = unset<Length>;
+    Length r = from_si<Length>(0.0);
+  };
+  static constexpr std::tuple inputs{
+      Field{&Input::h, "h", mm, "depth with the flange"}.positive().usually(0.1, 1e4),
+      Field{&Input::b, "b", mm, "width of the flange"}.positive().usually(0.1, 1e4),
+      Field{&Input::t_w, "t_w", mm, "thickness of the web"}.positive(),
+      Field{&Input::t_f, "t_f", mm, "thickness of the flange"}.positive(),
+      Field{&Input::r, "r", mm, "radius of the fillets; none where missing"}.at_least(0).may_be_missing()};
+
+  using Result = OpenWalls;
+  static constexpr auto results = results_of_open_walls;
+
+  static constexpr std::array rules{Rule<Input>{[](const Input& in) { return in.t_f + in.r < in.h; }, "t_f, r, h",
+                                                "flange and fillet need more depth than h"},
+                                    Rule<Input>{[](const Input& in) { return in.t_w + 2.0 * in.r <= in.b; },
+                                                "t_w, r, b", "web and fillets need more width than b"}};
+
+  /// Without what follows from the contour.
+  template <class Tracer>
+  static Result own(const Input& in, Tracer& trace);
+  static Extremes extremes(const Input& in);
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace) {
+    return completed(own(in, trace), extremes(in), trace);
+  }
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+extern template Tee::Result Tee::own(const Input&, NoTrace&);
+extern template Tee::Result Tee::own(const Input&, Trace&);
+
+}  // namespace loadpath::section

@@ -103,18 +103,18 @@ pulleys = [
     Force S = unset<Force>, R_x = unset<Force>, R_y = unset<Force>, R = unset<Force>;
     double mu_req = unset<double>;
     static constexpr std::tuple fields{
-        NameField{&PulleyResult::name, "name", "pulley"}.as(Role::result),
-        Field{&PulleyResult::x, "x", mm, "place of its axis"}.as(Role::result),
-        Field{&PulleyResult::y, "y", mm, "place of its axis"}.as(Role::result),
-        Field{&PulleyResult::alpha, "alpha", deg, "wrap"}.as(Role::result),
-        Field{&PulleyResult::l_s, "l_s", mm, "span behind it, between the points of contact"}.as(Role::result),
-        Field{&PulleyResult::n, "n", rpm, "speed, counter-clockwise positive"}.as(Role::result),
-        Field{&PulleyResult::T, "T", N_m, "torque of the belt on it, counter-clockwise positive"}.as(Role::result),
-        Field{&PulleyResult::S, "S", N, "tension of the span behind it"}.as(Role::result),
-        Field{&PulleyResult::R_x, "R_x", N, "load of its shaft, along x"}.as(Role::result),
-        Field{&PulleyResult::R_y, "R_y", N, "load of its shaft, along y"}.as(Role::result),
-        Field{&PulleyResult::R, "R", N, "load of its shaft"}.as(Role::result),
-        Field{&PulleyResult::mu_req, "mu_req", ratio, "coefficient of friction that is used"}.as(Role::result)};
+        NameField{&PulleyResult::name, "name", "pulley"},
+        Field{&PulleyResult::x, "x", mm, "place of its axis"},
+        Field{&PulleyResult::y, "y", mm, "place of its axis"},
+        Field{&PulleyResult::alpha, "alpha", deg, "wrap"},
+        Field{&PulleyResult::l_s, "l_s", mm, "span behind it, between the points of contact"},
+        Field{&PulleyResult::n, "n", rpm, "speed, counter-clockwise positive"},
+        Field{&PulleyResult::T, "T", N_m, "torque of the belt on it, counter-clockwise positive"},
+        Field{&PulleyResult::S, "S", N, "tension of the span behind it"},
+        Field{&PulleyResult::R_x, "R_x", N, "load of its shaft, along x"},
+        Field{&PulleyResult::R_y, "R_y", N, "load of its shaft, along y"},
+        Field{&PulleyResult::R, "R", N, "load of its shaft"},
+        Field{&PulleyResult::mu_req, "mu_req", ratio, "coefficient of friction that is used"}};
   };
   struct Result {
     Length L = unset<Length>, s = unset<Length>;
@@ -126,16 +126,16 @@ pulleys = [
     List<PulleyResult, most_pulleys> pulleys;
   };
   static constexpr std::tuple results{
-      Field{&Result::L, "L", mm, "length of the belt"}.as(Role::result),
-      Field{&Result::s, "s", mm, "way of the pulley that moves, positive in its direction"}.as(Role::result),
-      Field{&Result::v, "v", m_per_s, "speed of the belt"}.as(Role::result),
-      Field{&Result::f_B, "f_B", Hz, "bendings of the belt per second"}.as(Role::result),
-      Field{&Result::P_1, "P_1", kW, "power of the driving pulley"}.as(Role::result),
-      Field{&Result::F_c, "F_c", N, "centrifugal part of the tension"}.as(Role::result),
-      Field{&Result::S_0_min, "S_0_min", N, "least tension of the slack span"}.as(Role::result),
-      Field{&Result::S_0, "S_0", N, "tension of the slack span"}.as(Role::result),
-      Field{&Result::S_max, "S_max", N, "largest tension"}.as(Role::result),
-      ListField{&Result::pulleys, "pulleys", "pulleys, in the order in which the belt runs"}.as(Role::result),
+      Field{&Result::L, "L", mm, "length of the belt"},
+      Field{&Result::s, "s", mm, "way of the pulley that moves, positive in its direction"},
+      Field{&Result::v, "v", m_per_s, "speed of the belt"},
+      Field{&Result::f_B, "f_B", Hz, "bendings of the belt per second"},
+      Field{&Result::P_1, "P_1", kW, "power of the driving pulley"},
+      Field{&Result::F_c, "F_c", N, "centrifugal part of the tension"},
+      Field{&Result::S_0_min, "S_0_min", N, "least tension of the slack span"},
+      Field{&Result::S_0, "S_0", N, "tension of the slack span"},
+      Field{&Result::S_max, "S_max", N, "largest tension"},
+      ListField{&Result::pulleys, "pulleys", "pulleys, in the order in which the belt runs"},
       Field{&Result::u_S, "u_S", ratio, "friction: least tension of the slack span over its tension"}
           .check("mu")
           .where_it_applies(),

@@ -101,20 +101,19 @@ a_set = "600 mm"
     double u_P = unset<double>, excess = unset<double>;
     Merit merit = Merit::none;
     static constexpr std::tuple fields{
-        Choice{&Candidate::section, "section", "section of the belts"}.as(Role::result),
-        Field{&Candidate::d_1, "d_1", mm, "driving pulley"}.as(Role::result),
-        Field{&Candidate::d_2, "d_2", mm, "driven pulley"}.as(Role::result),
-        Field{&Candidate::L, "L", mm, "length of the belts"}.as(Role::result),
-        Count{&Candidate::z, "z", 0, 100, "number of belts"}.as(Role::result),
-        Field{&Candidate::a, "a", mm, "centre distance"}.as(Role::result),
-        Field{&Candidate::n_2, "n_2", rpm, "speed of the driven pulley"}.as(Role::result),
-        Field{&Candidate::B, "B", mm, "width of the pulleys"}.as(Role::result),
-        Field{&Candidate::V, "V", dm3, "volume of the two pulleys as full discs"}.as(Role::result),
-        Field{&Candidate::R_new, "R_new", N, "shaft load at standstill, new belts"}.as(Role::result),
-        Field{&Candidate::u_P, "u_P", ratio, "utilisation of the belts"}.as(Role::result),
-        Field{&Candidate::excess, "excess", ratio, "how much more than the first it takes of what is ranked by"}.as(
-            Role::result),
-        Choice{&Candidate::merit, "merit", "what it does better than the first all the same"}.as(Role::result)};
+        Choice{&Candidate::section, "section", "section of the belts"},
+        Field{&Candidate::d_1, "d_1", mm, "driving pulley"},
+        Field{&Candidate::d_2, "d_2", mm, "driven pulley"},
+        Field{&Candidate::L, "L", mm, "length of the belts"},
+        Count{&Candidate::z, "z", 0, 100, "number of belts"},
+        Field{&Candidate::a, "a", mm, "centre distance"},
+        Field{&Candidate::n_2, "n_2", rpm, "speed of the driven pulley"},
+        Field{&Candidate::B, "B", mm, "width of the pulleys"},
+        Field{&Candidate::V, "V", dm3, "volume of the two pulleys as full discs"},
+        Field{&Candidate::R_new, "R_new", N, "shaft load at standstill, new belts"},
+        Field{&Candidate::u_P, "u_P", ratio, "utilisation of the belts"},
+        Field{&Candidate::excess, "excess", ratio, "how much more than the first it takes of what is ranked by"},
+        Choice{&Candidate::merit, "merit", "what it does better than the first all the same"}};
   };
   using Candidates = List<Candidate, 20>;
 
@@ -132,32 +131,32 @@ a_set = "600 mm"
     Candidates candidates;
   };
   static constexpr std::tuple results{
-      Field{&Result::tried, "tried", ratio, "drives that meet speed and centre distance"}.as(Role::result),
-      Field{&Result::too_weak, "too_weak", ratio, "of them, those that need too many belts"}.as(Role::result),
-      Field{&Result::outside, "outside", ratio, "of them, those that fail another check or limit"}.as(Role::result),
-      Choice{&Result::section, "section", "section of the belts"}.as(Role::result),
-      Field{&Result::d_1, "d_1", mm, "datum diameter of the driving pulley"}.as(Role::result),
-      Field{&Result::d_2, "d_2", mm, "datum diameter of the driven pulley"}.as(Role::result),
-      Field{&Result::L, "L", mm, "datum length of the belts"}.as(Role::result),
-      Count{&Result::z, "z", 0, 100, "number of belts"}.as(Role::result),
-      Field{&Result::a, "a", mm, "centre distance"}.as(Role::result),
-      Field{&Result::n_2, "n_2", rpm, "speed of the driven pulley"}.as(Role::result),
-      Field{&Result::dev_n, "dev_n", ratio, "its deviation, as a share"}.as(Role::result),
-      Field{&Result::dev_a, "dev_a", ratio, "deviation of the centre distance, as a share"}.as(Role::result),
-      Field{&Result::n_k, "n_k", rpm, "speed of the smaller pulley, without slip"}.as(Role::result),
-      Field{&Result::L_h, "L_h", hour, "mean life that the basis states"}.as(Role::result),
-      Field{&Result::F_0, "F_0", N, "initial tension of a span of one belt, run in"}.as(Role::result),
-      Field{&Result::R_0, "R_0", N, "shaft load at standstill"}.as(Role::result),
-      Field{&Result::R_new, "R_new", N, "shaft load at standstill, new belts"}.as(Role::result),
-      Field{&Result::R, "R", N, "shaft load in running"}.as(Role::result),
-      Field{&Result::B, "B", mm, "width of the pulleys"}.as(Role::result),
+      Field{&Result::tried, "tried", ratio, "drives that meet speed and centre distance"},
+      Field{&Result::too_weak, "too_weak", ratio, "of them, those that need too many belts"},
+      Field{&Result::outside, "outside", ratio, "of them, those that fail another check or limit"},
+      Choice{&Result::section, "section", "section of the belts"},
+      Field{&Result::d_1, "d_1", mm, "datum diameter of the driving pulley"},
+      Field{&Result::d_2, "d_2", mm, "datum diameter of the driven pulley"},
+      Field{&Result::L, "L", mm, "datum length of the belts"},
+      Count{&Result::z, "z", 0, 100, "number of belts"},
+      Field{&Result::a, "a", mm, "centre distance"},
+      Field{&Result::n_2, "n_2", rpm, "speed of the driven pulley"},
+      Field{&Result::dev_n, "dev_n", ratio, "its deviation, as a share"},
+      Field{&Result::dev_a, "dev_a", ratio, "deviation of the centre distance, as a share"},
+      Field{&Result::n_k, "n_k", rpm, "speed of the smaller pulley, without slip"},
+      Field{&Result::L_h, "L_h", hour, "mean life that the basis states"},
+      Field{&Result::F_0, "F_0", N, "initial tension of a span of one belt, run in"},
+      Field{&Result::R_0, "R_0", N, "shaft load at standstill"},
+      Field{&Result::R_new, "R_new", N, "shaft load at standstill, new belts"},
+      Field{&Result::R, "R", N, "shaft load in running"},
+      Field{&Result::B, "B", mm, "width of the pulleys"},
       Field{&Result::u_P, "u_P", ratio, "power: design power over what the belts can carry"}.check(),
       Field{&Result::u_grip, "u_grip", ratio, "grip: tension that friction in the grooves needs over what there is"}
           .check("mu"),
       Field{&Result::u_rim, "u_rim", ratio, "rim: larger speed of the rims over the allowable one"}.check(),
       Field{&Result::u_B, "u_B", ratio, "bending frequency over the largest one"}.check(),
       Field{&Result::drives, "drives", ratio, "drives that can be bought and pass every check"}.limit(1, 1e6),
-      ListField{&Result::candidates, "candidates", "the drives, best first"}.as(Role::result)};
+      ListField{&Result::candidates, "candidates", "the drives, best first"}};
 
   static bool section_is_known(const Input& in);
   static bool class_fits(const Input& in);

@@ -93,22 +93,14 @@ end_2 = "pinned"
     Force N_cr = unset<Force>;
   };
   static constexpr std::tuple results{
-      Field{&Result::kappa_1, "kappa_1", ratio, "spring against turning over E I/l, first end"}
-          .as(Role::result)
-          .where_it_applies(),
-      Field{&Result::kappa_2, "kappa_2", ratio, "spring against turning over E I/l, second end"}
-          .as(Role::result)
-          .where_it_applies(),
-      Field{&Result::mu_1, "mu_1", ratio, "spring across the bar over E I/l^3, first end"}
-          .as(Role::result)
-          .where_it_applies(),
-      Field{&Result::mu_2, "mu_2", ratio, "spring across the bar over E I/l^3, second end"}
-          .as(Role::result)
-          .where_it_applies(),
+      Field{&Result::kappa_1, "kappa_1", ratio, "spring against turning over E I/l, first end"}.where_it_applies(),
+      Field{&Result::kappa_2, "kappa_2", ratio, "spring against turning over E I/l, second end"}.where_it_applies(),
+      Field{&Result::mu_1, "mu_1", ratio, "spring across the bar over E I/l^3, first end"}.where_it_applies(),
+      Field{&Result::mu_2, "mu_2", ratio, "spring across the bar over E I/l^3, second end"}.where_it_applies(),
       Field{&Result::u, "u", ratio, "l sqrt(N_cr/(E I)); none where the bar moves without a load"}.limit(1e-3, 1e3),
-      Field{&Result::beta, "beta", ratio, "effective length factor"}.as(Role::result),
-      Field{&Result::s, "s", mm, "effective length"}.as(Role::result),
-      Field{&Result::N_cr, "N_cr", kN, "critical force of the elastic bar"}.as(Role::result).where_it_applies()};
+      Field{&Result::beta, "beta", ratio, "effective length factor"},
+      Field{&Result::s, "s", mm, "effective length"},
+      Field{&Result::N_cr, "N_cr", kN, "critical force of the elastic bar"}.where_it_applies()};
 
   static bool ends_or_frame(const Input& in);
   static bool springs_fit_ends(const Input& in);

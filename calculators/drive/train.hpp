@@ -115,13 +115,13 @@ stages = [
     Moment T_h = unset<Moment>;
     Power P_loss = unset<Power>;
     static constexpr std::tuple fields{
-        Field{&StageResult::i, "i", ratio, "ratio, negative where the sense of rotation changes"}.as(Role::result),
-        Field{&StageResult::eta, "eta", ratio, "efficiency"}.as(Role::result),
-        Field{&StageResult::eta_low, "eta_low", ratio, "lowest usual efficiency of such a stage"}.as(Role::result),
-        Field{&StageResult::eta_high, "eta_high", ratio, "highest usual efficiency of such a stage"}.as(Role::result),
-        Choice{&StageResult::range, "range", "the efficiency against what is usual"}.as(Role::result),
-        Field{&StageResult::T_h, "T_h", N_m, "torque of the housing on the foundation"}.as(Role::result),
-        Field{&StageResult::P_loss, "P_loss", kW, "power that is lost"}.as(Role::result)};
+        Field{&StageResult::i, "i", ratio, "ratio, negative where the sense of rotation changes"},
+        Field{&StageResult::eta, "eta", ratio, "efficiency"},
+        Field{&StageResult::eta_low, "eta_low", ratio, "lowest usual efficiency of such a stage"},
+        Field{&StageResult::eta_high, "eta_high", ratio, "highest usual efficiency of such a stage"},
+        Choice{&StageResult::range, "range", "the efficiency against what is usual"},
+        Field{&StageResult::T_h, "T_h", N_m, "torque of the housing on the foundation"},
+        Field{&StageResult::P_loss, "P_loss", kW, "power that is lost"}};
   };
   struct Shaft {
     AngularSpeed n = unset<AngularSpeed>;
@@ -129,11 +129,9 @@ stages = [
     Power P = unset<Power>;
     Force F_in = unset<Force>, F_out = unset<Force>;
     static constexpr std::tuple fields{
-        Field{&Shaft::n, "n", rpm, "speed, signed"}.as(Role::result),
-        Field{&Shaft::T, "T", N_m, "torque that it carries, signed"}.as(Role::result),
-        Field{&Shaft::P, "P", kW, "power"}.as(Role::result),
-        Field{&Shaft::F_in, "F_in", N, "tangential force on its driven wheel"}.as(Role::result),
-        Field{&Shaft::F_out, "F_out", N, "tangential force on its driving wheel"}.as(Role::result)};
+        Field{&Shaft::n, "n", rpm, "speed, signed"}, Field{&Shaft::T, "T", N_m, "torque that it carries, signed"},
+        Field{&Shaft::P, "P", kW, "power"}, Field{&Shaft::F_in, "F_in", N, "tangential force on its driven wheel"},
+        Field{&Shaft::F_out, "F_out", N, "tangential force on its driving wheel"}};
   };
   struct Result {
     double i = unset<double>, eta = unset<double>;
@@ -145,17 +143,16 @@ stages = [
     List<Shaft, most_stages + 1> shafts;
   };
   static constexpr std::tuple results{
-      Field{&Result::i, "i", ratio, "ratio of the train, negative where the last shaft turns the other way"}.as(
-          Role::result),
-      Field{&Result::eta, "eta", ratio, "efficiency of the train"}.as(Role::result),
-      Choice{&Result::works, "works", "what the train does to the speed"}.as(Role::result),
-      Field{&Result::T_1, "T_1", N_m, "torque that enters"}.as(Role::result),
-      Field{&Result::n_out, "n_out", rpm, "speed of the last shaft, signed"}.as(Role::result),
-      Field{&Result::T_out, "T_out", N_m, "torque that leaves, signed"}.as(Role::result),
-      Field{&Result::P_out, "P_out", kW, "power that leaves"}.as(Role::result),
-      Field{&Result::P_loss, "P_loss", kW, "power that is lost"}.as(Role::result),
-      ListField{&Result::stages, "stages", "stages"}.as(Role::result),
-      ListField{&Result::shafts, "shafts", "shafts, the first to the last"}.as(Role::result)};
+      Field{&Result::i, "i", ratio, "ratio of the train, negative where the last shaft turns the other way"},
+      Field{&Result::eta, "eta", ratio, "efficiency of the train"},
+      Choice{&Result::works, "works", "what the train does to the speed"},
+      Field{&Result::T_1, "T_1", N_m, "torque that enters"},
+      Field{&Result::n_out, "n_out", rpm, "speed of the last shaft, signed"},
+      Field{&Result::T_out, "T_out", N_m, "torque that leaves, signed"},
+      Field{&Result::P_out, "P_out", kW, "power that leaves"},
+      Field{&Result::P_loss, "P_loss", kW, "power that is lost"},
+      ListField{&Result::stages, "stages", "stages"},
+      ListField{&Result::shafts, "shafts", "shafts, the first to the last"}};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !in.stages.empty(); }, "stages", "give at least one stage"},

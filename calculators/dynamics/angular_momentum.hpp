@@ -68,12 +68,11 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
     Name name;
     MassMoment J_1 = unset<MassMoment>, J_2 = unset<MassMoment>;
     AngularSpeed omega_2 = unset<AngularSpeed>, n_2 = unset<AngularSpeed>;
-    static constexpr std::tuple fields{
-        NameField{&After::name, "name", "name of the part"}.as(Role::result),
-        Field{&After::J_1, "J_1", kg_m2, "moment of inertia before"}.as(Role::result),
-        Field{&After::J_2, "J_2", kg_m2, "moment of inertia after"}.as(Role::result),
-        Field{&After::omega_2, "omega_2", rad_per_s, "angular speed after"}.as(Role::result),
-        Field{&After::n_2, "n_2", rpm, "angular speed after, in turns per minute"}.as(Role::result)};
+    static constexpr std::tuple fields{NameField{&After::name, "name", "name of the part"},
+                                       Field{&After::J_1, "J_1", kg_m2, "moment of inertia before"},
+                                       Field{&After::J_2, "J_2", kg_m2, "moment of inertia after"},
+                                       Field{&After::omega_2, "omega_2", rad_per_s, "angular speed after"},
+                                       Field{&After::n_2, "n_2", rpm, "angular speed after, in turns per minute"}};
   };
 
   struct Result {
@@ -85,20 +84,17 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
     List<After, most_parts> after;
   };
   static constexpr std::tuple results{
-      Field{&Result::K_1, "K_1", kg_m2_per_s, "angular momentum before"}.as(Role::result),
-      Field{&Result::K_2, "K_2", kg_m2_per_s, "angular momentum after"}.as(Role::result),
-      Field{&Result::K_k, "K_k", kg_m2_per_s, "angular momentum after of the parts whose speed is given"}.as(
-          Role::result),
-      Field{&Result::J_k, "J_k", kg_m2, "moment of inertia after of the parts whose speed is to be found"}.as(
-          Role::result),
-      Field{&Result::omega_2, "omega_2", rad_per_s, "angular speed after of the parts that turn together"}.as(
-          Role::result),
-      Field{&Result::n_2, "n_2", rpm, "the same in turns per minute"}.as(Role::result),
-      Field{&Result::t_M, "t_M", sec, "time that the moment acts"}.as(Role::result),
-      Field{&Result::E_1, "E_1", J, "kinetic energy before"}.as(Role::result),
-      Field{&Result::E_2, "E_2", J, "kinetic energy after"}.as(Role::result),
-      Field{&Result::Delta_E, "Delta_E", J, "change of the kinetic energy"}.as(Role::result),
-      ListField{&Result::after, "after", "the parts afterwards"}.as(Role::result)};
+      Field{&Result::K_1, "K_1", kg_m2_per_s, "angular momentum before"},
+      Field{&Result::K_2, "K_2", kg_m2_per_s, "angular momentum after"},
+      Field{&Result::K_k, "K_k", kg_m2_per_s, "angular momentum after of the parts whose speed is given"},
+      Field{&Result::J_k, "J_k", kg_m2, "moment of inertia after of the parts whose speed is to be found"},
+      Field{&Result::omega_2, "omega_2", rad_per_s, "angular speed after of the parts that turn together"},
+      Field{&Result::n_2, "n_2", rpm, "the same in turns per minute"},
+      Field{&Result::t_M, "t_M", sec, "time that the moment acts"},
+      Field{&Result::E_1, "E_1", J, "kinetic energy before"},
+      Field{&Result::E_2, "E_2", J, "kinetic energy after"},
+      Field{&Result::Delta_E, "Delta_E", J, "change of the kinetic energy"},
+      ListField{&Result::after, "after", "the parts afterwards"}};
 
   static bool has_unknown(const Input& in);
   static bool inertias_given(const Input& in);

@@ -66,27 +66,25 @@ t_2 = "2 s"
     Time t_max = unset<Time>;
   };
   static constexpr std::tuple results{
-      Field{&Result::a_x, "a_x", m_per_s2, "acceleration along x"}.as(Role::result),
-      Field{&Result::a_y, "a_y", m_per_s2, "acceleration along y"}.as(Role::result),
-      Field{&Result::a_z, "a_z", m_per_s2, "acceleration along z"}.as(Role::result),
-      Field{&Result::P_x, "P_x", N, "resultant of all forces along x"}.as(Role::result),
-      Field{&Result::P_y, "P_y", N, "resultant of all forces along y"}.as(Role::result),
-      Field{&Result::P_z, "P_z", N, "resultant of all forces along z"}.as(Role::result),
-      Field{&Result::P, "P", N, "resultant of all forces"}.as(Role::result),
-      Field{&Result::P_tau, "P_tau", N, "part of the resultant along the path, positive forwards"}.as(Role::result),
-      Field{&Result::P_n, "P_n", N, "part of the resultant towards the centre of curvature"}.as(Role::result),
-      Field{&Result::Phi_x, "Phi_x", N, "inertia force along x"}.as(Role::result),
-      Field{&Result::Phi_y, "Phi_y", N, "inertia force along y"}.as(Role::result),
-      Field{&Result::Phi_z, "Phi_z", N, "inertia force along z"}.as(Role::result),
-      Field{&Result::R_x, "R_x", N, "force that is missing along x: the resultant less the known forces"}.as(
-          Role::result),
-      Field{&Result::R_y, "R_y", N, "force that is missing along y"}.as(Role::result),
-      Field{&Result::R_z, "R_z", N, "force that is missing along z"}.as(Role::result),
-      Field{&Result::R, "R", N, "force that is missing: drive, guide, thread"}.as(Role::result),
-      Field{&Result::N_R, "N_R", W, "power of the missing force"}.as(Role::result),
-      Field{&Result::R_max, "R_max", N, "largest missing force from t_1 to t_2, at 257 times"}.as(Role::result),
-      Field{&Result::t_max, "t_max", sec, "time of the largest missing force, the first where there are several"}.as(
-          Role::result)};
+      Field{&Result::a_x, "a_x", m_per_s2, "acceleration along x"},
+      Field{&Result::a_y, "a_y", m_per_s2, "acceleration along y"},
+      Field{&Result::a_z, "a_z", m_per_s2, "acceleration along z"},
+      Field{&Result::P_x, "P_x", N, "resultant of all forces along x"},
+      Field{&Result::P_y, "P_y", N, "resultant of all forces along y"},
+      Field{&Result::P_z, "P_z", N, "resultant of all forces along z"},
+      Field{&Result::P, "P", N, "resultant of all forces"},
+      Field{&Result::P_tau, "P_tau", N, "part of the resultant along the path, positive forwards"},
+      Field{&Result::P_n, "P_n", N, "part of the resultant towards the centre of curvature"},
+      Field{&Result::Phi_x, "Phi_x", N, "inertia force along x"},
+      Field{&Result::Phi_y, "Phi_y", N, "inertia force along y"},
+      Field{&Result::Phi_z, "Phi_z", N, "inertia force along z"},
+      Field{&Result::R_x, "R_x", N, "force that is missing along x: the resultant less the known forces"},
+      Field{&Result::R_y, "R_y", N, "force that is missing along y"},
+      Field{&Result::R_z, "R_z", N, "force that is missing along z"},
+      Field{&Result::R, "R", N, "force that is missing: drive, guide, thread"},
+      Field{&Result::N_R, "N_R", W, "power of the missing force"},
+      Field{&Result::R_max, "R_max", N, "largest missing force from t_1 to t_2, at 257 times"},
+      Field{&Result::t_max, "t_max", sec, "time of the largest missing force, the first where there are several"}};
 
   static bool laws_read(const Input& in);
   static FieldFault law_fault(const Input& in);

@@ -55,21 +55,20 @@ v_1x = "-1 m/s"
     Speed v_2x = unset<Speed>, v_2y = unset<Speed>, v_2 = unset<Speed>;
     Moment A = unset<Moment>;
   };
-  static constexpr std::tuple results{
-      Field{&Result::I_x, "I_x", N_s, "impulse along x"}.as(Role::result),
-      Field{&Result::I_y, "I_y", N_s, "impulse along y"}.as(Role::result),
-      Field{&Result::I, "I", N_s, "impulse"}.as(Role::result),
-      Field{&Result::F_mx, "F_mx", N, "mean force along x"}.as(Role::result),
-      Field{&Result::F_my, "F_my", N, "mean force along y"}.as(Role::result),
-      Field{&Result::F_m, "F_m", N, "mean force"}.as(Role::result),
-      Field{&Result::q_1x, "q_1x", kg_m_per_s, "momentum along x before"}.as(Role::result),
-      Field{&Result::q_1y, "q_1y", kg_m_per_s, "momentum along y before"}.as(Role::result),
-      Field{&Result::q_2x, "q_2x", kg_m_per_s, "momentum along x after"}.as(Role::result),
-      Field{&Result::q_2y, "q_2y", kg_m_per_s, "momentum along y after"}.as(Role::result),
-      Field{&Result::v_2x, "v_2x", m_per_s, "velocity along x after"}.as(Role::result),
-      Field{&Result::v_2y, "v_2y", m_per_s, "velocity along y after"}.as(Role::result),
-      Field{&Result::v_2, "v_2", m_per_s, "speed after"}.as(Role::result),
-      Field{&Result::A, "A", J, "work of the force: the change of the kinetic energy"}.as(Role::result)};
+  static constexpr std::tuple results{Field{&Result::I_x, "I_x", N_s, "impulse along x"},
+                                      Field{&Result::I_y, "I_y", N_s, "impulse along y"},
+                                      Field{&Result::I, "I", N_s, "impulse"},
+                                      Field{&Result::F_mx, "F_mx", N, "mean force along x"},
+                                      Field{&Result::F_my, "F_my", N, "mean force along y"},
+                                      Field{&Result::F_m, "F_m", N, "mean force"},
+                                      Field{&Result::q_1x, "q_1x", kg_m_per_s, "momentum along x before"},
+                                      Field{&Result::q_1y, "q_1y", kg_m_per_s, "momentum along y before"},
+                                      Field{&Result::q_2x, "q_2x", kg_m_per_s, "momentum along x after"},
+                                      Field{&Result::q_2y, "q_2y", kg_m_per_s, "momentum along y after"},
+                                      Field{&Result::v_2x, "v_2x", m_per_s, "velocity along x after"},
+                                      Field{&Result::v_2y, "v_2y", m_per_s, "velocity along y after"},
+                                      Field{&Result::v_2, "v_2", m_per_s, "speed after"},
+                                      Field{&Result::A, "A", J, "work of the force: the change of the kinetic energy"}};
 
   static bool laws_read(const Input& in);
   static FieldFault law_fault(const Input& in);

@@ -82,23 +82,21 @@ wheels = [
     Speed v = unset<Speed>;
     Moment E = unset<Moment>;
     Force T = unset<Force>;
-    static constexpr std::tuple fields{
-        NameField{&WeightState::name, "name", "name of the body"}.as(Role::result),
-        Field{&WeightState::v, "v", m_per_s, "speed at the end, positive downwards"}.as(Role::result),
-        Field{&WeightState::E, "E", J, "kinetic energy at the end"}.as(Role::result),
-        Field{&WeightState::T, "T", N, "force of the threads on it, upwards"}.as(Role::result)};
+    static constexpr std::tuple fields{NameField{&WeightState::name, "name", "name of the body"},
+                                       Field{&WeightState::v, "v", m_per_s, "speed at the end, positive downwards"},
+                                       Field{&WeightState::E, "E", J, "kinetic energy at the end"},
+                                       Field{&WeightState::T, "T", N, "force of the threads on it, upwards"}};
   };
   struct WheelState {
     Name name;
     AngularSpeed omega = unset<AngularSpeed>, n = unset<AngularSpeed>;
     Moment E = unset<Moment>;
     Power P = unset<Power>;
-    static constexpr std::tuple fields{
-        NameField{&WheelState::name, "name", "name of the wheel"}.as(Role::result),
-        Field{&WheelState::omega, "omega", rad_per_s, "angular speed at the end"}.as(Role::result),
-        Field{&WheelState::n, "n", rpm, "the same in turns per minute"}.as(Role::result),
-        Field{&WheelState::E, "E", J, "kinetic energy at the end"}.as(Role::result),
-        Field{&WheelState::P, "P", W, "power of the driving moment at the end"}.as(Role::result)};
+    static constexpr std::tuple fields{NameField{&WheelState::name, "name", "name of the wheel"},
+                                       Field{&WheelState::omega, "omega", rad_per_s, "angular speed at the end"},
+                                       Field{&WheelState::n, "n", rpm, "the same in turns per minute"},
+                                       Field{&WheelState::E, "E", J, "kinetic energy at the end"},
+                                       Field{&WheelState::P, "P", W, "power of the driving moment at the end"}};
   };
 
   struct Result {
@@ -115,22 +113,22 @@ wheels = [
     List<WheelState, most_parts> wheel_states;
   };
   static constexpr std::tuple results{
-      Field{&Result::m_red, "m_red", kg, "mass reduced to the path s"}.as(Role::result),
-      Field{&Result::F_G, "F_G", N, "weights reduced to the path s"}.as(Role::result),
-      Field{&Result::F_d, "F_d", N, "driving moments reduced to the path s"}.as(Role::result),
-      Field{&Result::F_f, "F_f", N, "friction reduced to the path s"}.as(Role::result),
-      Field{&Result::F, "F", N, "force that accelerates, friction taken off"}.as(Role::result),
-      Choice{&Result::moves, "moves", "which way the lift moves"}.as(Role::result),
-      Field{&Result::a, "a", m_per_s2, "acceleration of the coordinate"}.as(Role::result),
-      Field{&Result::v, "v", m_per_s, "speed of the coordinate at the end, negative backwards"}.as(Role::result),
-      Field{&Result::t, "t", sec, "time for the path"}.as(Role::result),
-      Field{&Result::A, "A", J, "work of all forces over the path"}.as(Role::result),
-      Field{&Result::s_stop, "s_stop", m, "path to a standstill, where the forces brake"}.as(Role::result),
+      Field{&Result::m_red, "m_red", kg, "mass reduced to the path s"},
+      Field{&Result::F_G, "F_G", N, "weights reduced to the path s"},
+      Field{&Result::F_d, "F_d", N, "driving moments reduced to the path s"},
+      Field{&Result::F_f, "F_f", N, "friction reduced to the path s"},
+      Field{&Result::F, "F", N, "force that accelerates, friction taken off"},
+      Choice{&Result::moves, "moves", "which way the lift moves"},
+      Field{&Result::a, "a", m_per_s2, "acceleration of the coordinate"},
+      Field{&Result::v, "v", m_per_s, "speed of the coordinate at the end, negative backwards"},
+      Field{&Result::t, "t", sec, "time for the path"},
+      Field{&Result::A, "A", J, "work of all forces over the path"},
+      Field{&Result::s_stop, "s_stop", m, "path to a standstill, where the forces brake"},
       Field{&Result::u_s, "u_s", ratio,
             "reach: the path over the one to a standstill; none where it never moves along s"}
           .check(),
-      ListField{&Result::weight_states, "weight_states", "the weights at the end of the path"}.as(Role::result),
-      ListField{&Result::wheel_states, "wheel_states", "the wheels at the end of the path"}.as(Role::result)};
+      ListField{&Result::weight_states, "weight_states", "the weights at the end of the path"},
+      ListField{&Result::wheel_states, "wheel_states", "the wheels at the end of the path"}};
 
   static Mass reduced_mass(const Input& in);
   static constexpr std::array rules{

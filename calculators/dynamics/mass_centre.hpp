@@ -53,10 +53,9 @@ bodies = [
   struct After {
     Name name;
     Length Delta_x = unset<Length>, x_2 = unset<Length>;
-    static constexpr std::tuple fields{
-        NameField{&After::name, "name", "name of the body"}.as(Role::result),
-        Field{&After::Delta_x, "Delta_x", loadpath::m, "displacement of the body"}.as(Role::result),
-        Field{&After::x_2, "x_2", loadpath::m, "place after, x"}.as(Role::result)};
+    static constexpr std::tuple fields{NameField{&After::name, "name", "name of the body"},
+                                       Field{&After::Delta_x, "Delta_x", loadpath::m, "displacement of the body"},
+                                       Field{&After::x_2, "x_2", loadpath::m, "place after, x"}};
   };
 
   struct Result {
@@ -65,11 +64,11 @@ bodies = [
     List<After, most_bodies> after;
   };
   static constexpr std::tuple results{
-      Field{&Result::M, "M", kg, "mass of the system"}.as(Role::result),
-      Field{&Result::x_C, "x_C", loadpath::m, "centre of mass, x: before and after"}.as(Role::result),
-      Field{&Result::y_C, "y_C", loadpath::m, "centre of mass, y"}.as(Role::result),
-      Field{&Result::Delta_x, "Delta_x", loadpath::m, "displacement of the carrier along x"}.as(Role::result),
-      ListField{&Result::after, "after", "the bodies after they have moved"}.as(Role::result)};
+      Field{&Result::M, "M", kg, "mass of the system"},
+      Field{&Result::x_C, "x_C", loadpath::m, "centre of mass, x: before and after"},
+      Field{&Result::y_C, "y_C", loadpath::m, "centre of mass, y"},
+      Field{&Result::Delta_x, "Delta_x", loadpath::m, "displacement of the carrier along x"},
+      ListField{&Result::after, "after", "the bodies after they have moved"}};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !in.bodies.empty(); }, "bodies", "give at least one body"},

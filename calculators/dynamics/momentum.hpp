@@ -58,9 +58,9 @@ bodies = [
     Name name;
     Speed v_2 = unset<Speed>;
     Momentum I = unset<Momentum>;
-    static constexpr std::tuple fields{NameField{&After::name, "name", "name of the body"}.as(Role::result),
-                                       Field{&After::v_2, "v_2", m_per_s, "velocity after"}.as(Role::result),
-                                       Field{&After::I, "I", N_s, "impulse on the body"}.as(Role::result)};
+    static constexpr std::tuple fields{NameField{&After::name, "name", "name of the body"},
+                                       Field{&After::v_2, "v_2", m_per_s, "velocity after"},
+                                       Field{&After::I, "I", N_s, "impulse on the body"}};
   };
 
   struct Result {
@@ -72,23 +72,21 @@ bodies = [
     List<After, most_bodies> after;
   };
   static constexpr std::tuple results{
-      Field{&Result::M, "M", kg, "mass of the system"}.as(Role::result),
-      Field{&Result::Q_1, "Q_1", kg_m_per_s, "momentum before"}.as(Role::result),
-      Field{&Result::Q_2, "Q_2", kg_m_per_s, "momentum after"}.as(Role::result),
-      Field{&Result::V_1, "V_1", m_per_s, "velocity of the centre of mass before"}.as(Role::result),
-      Field{&Result::q_k, "q_k", kg_m_per_s, "momentum after of the bodies whose velocity is given"}.as(Role::result),
-      Field{&Result::m_k, "m_k", kg, "mass of the bodies whose velocity is to be found"}.as(Role::result),
+      Field{&Result::M, "M", kg, "mass of the system"},
+      Field{&Result::Q_1, "Q_1", kg_m_per_s, "momentum before"},
+      Field{&Result::Q_2, "Q_2", kg_m_per_s, "momentum after"},
+      Field{&Result::V_1, "V_1", m_per_s, "velocity of the centre of mass before"},
+      Field{&Result::q_k, "q_k", kg_m_per_s, "momentum after of the bodies whose velocity is given"},
+      Field{&Result::m_k, "m_k", kg, "mass of the bodies whose velocity is to be found"},
       Field{&Result::V_k, "V_k", m_per_s,
             "velocity after of the bodies that move on together; of their centre of mass "
-            "in an impact"}
-          .as(Role::result),
-      Field{&Result::E_1, "E_1", J, "kinetic energy before"}.as(Role::result),
-      Field{&Result::E_2, "E_2", J, "kinetic energy after"}.as(Role::result),
+            "in an impact"},
+      Field{&Result::E_1, "E_1", J, "kinetic energy before"},
+      Field{&Result::E_2, "E_2", J, "kinetic energy after"},
       Field{&Result::Delta_E, "Delta_E", J,
             "change of the kinetic energy: positive from inside (a spring), negative "
-            "lost"}
-          .as(Role::result),
-      ListField{&Result::after, "after", "the bodies after"}.as(Role::result)};
+            "lost"},
+      ListField{&Result::after, "after", "the bodies after"}};
 
   static bool some_are_open(const Input& in);
   static bool impact_is_of_two(const Input& in);

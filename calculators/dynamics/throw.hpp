@@ -58,20 +58,19 @@ theta = "30 deg"
     double u_h = unset<double>, u_L = unset<double>;
   };
   static constexpr std::tuple results{
-      Field{&Result::V_x, "V_x", m_per_s, "horizontal speed, all the time"}.as(Role::result),
-      Field{&Result::V_z, "V_z", m_per_s, "vertical speed of the throw"}.as(Role::result),
-      Field{&Result::t_H, "t_H", sec, "time to the highest point; 0 where it is thrown level or downwards"}.as(
-          Role::result),
-      Field{&Result::H, "H", m, "height of the highest point above the throw"}.as(Role::result),
-      Field{&Result::t_L, "t_L", sec, "time to the landing"}.as(Role::result),
-      Field{&Result::L, "L", m, "horizontal distance to the landing"}.as(Role::result),
-      Field{&Result::V_L, "V_L", m_per_s, "speed at the landing"}.as(Role::result),
-      Field{&Result::theta_L, "theta_L", deg, "angle of the landing below the horizontal"}.as(Role::result),
-      Field{&Result::theta_H, "theta_H", deg, "angle of greatest height"}.as(Role::result),
-      Field{&Result::theta_R, "theta_R", deg, "angle of greatest range"}.as(Role::result),
-      Field{&Result::L_max, "L_max", m, "greatest range, at theta_R"}.as(Role::result),
-      Field{&Result::theta_flat, "theta_flat", deg, "flatter of the angles that reach L_req"}.as(Role::result),
-      Field{&Result::theta_steep, "theta_steep", deg, "steeper of the angles that reach L_req"}.as(Role::result),
+      Field{&Result::V_x, "V_x", m_per_s, "horizontal speed, all the time"},
+      Field{&Result::V_z, "V_z", m_per_s, "vertical speed of the throw"},
+      Field{&Result::t_H, "t_H", sec, "time to the highest point; 0 where it is thrown level or downwards"},
+      Field{&Result::H, "H", m, "height of the highest point above the throw"},
+      Field{&Result::t_L, "t_L", sec, "time to the landing"},
+      Field{&Result::L, "L", m, "horizontal distance to the landing"},
+      Field{&Result::V_L, "V_L", m_per_s, "speed at the landing"},
+      Field{&Result::theta_L, "theta_L", deg, "angle of the landing below the horizontal"},
+      Field{&Result::theta_H, "theta_H", deg, "angle of greatest height"},
+      Field{&Result::theta_R, "theta_R", deg, "angle of greatest range"},
+      Field{&Result::L_max, "L_max", m, "greatest range, at theta_R"},
+      Field{&Result::theta_flat, "theta_flat", deg, "flatter of the angles that reach L_req"},
+      Field{&Result::theta_steep, "theta_steep", deg, "steeper of the angles that reach L_req"},
       Field{&Result::u_h, "u_h", ratio, "landing: its height over that of the highest point, above the throw"}.check(),
       Field{&Result::u_L, "u_L", ratio, "reach: the distance that is to be reached over the greatest range"}.check(
           "L_req")};

@@ -65,23 +65,22 @@ mu = 0.1
     double u_s = unset<double>;
   };
   static constexpr std::tuple results{
-      Field{&Result::R, "R", N, "force of the plane on the body"}.as(Role::result),
-      Field{&Result::T, "T", N, "friction"}.as(Role::result),
-      Field{&Result::A_G, "A_G", J, "work of the weight"}.as(Role::result),
-      Field{&Result::A_T, "A_T", J, "work of the friction"}.as(Role::result),
-      Field{&Result::A_F, "A_F", J, "work of the force F"}.as(Role::result),
-      Field{&Result::A_c, "A_c", J, "work of the spring"}.as(Role::result),
-      Field{&Result::A, "A", J, "work of all forces"}.as(Role::result),
-      Field{&Result::E_1, "E_1", J, "kinetic energy at the start"}.as(Role::result),
-      Field{&Result::E_2, "E_2", J, "kinetic energy at the end"}.as(Role::result),
-      Field{&Result::v_2, "v_2", m_per_s, "speed at the end"}.as(Role::result),
-      Field{&Result::t, "t", sec, "time for the path; without a spring"}.as(Role::result),
-      Field{&Result::P_m, "P_m", W, "mean power of the force F; without a spring"}.as(Role::result),
-      Field{&Result::P_2, "P_2", W, "power of the force F at the end"}.as(Role::result),
+      Field{&Result::R, "R", N, "force of the plane on the body"},
+      Field{&Result::T, "T", N, "friction"},
+      Field{&Result::A_G, "A_G", J, "work of the weight"},
+      Field{&Result::A_T, "A_T", J, "work of the friction"},
+      Field{&Result::A_F, "A_F", J, "work of the force F"},
+      Field{&Result::A_c, "A_c", J, "work of the spring"},
+      Field{&Result::A, "A", J, "work of all forces"},
+      Field{&Result::E_1, "E_1", J, "kinetic energy at the start"},
+      Field{&Result::E_2, "E_2", J, "kinetic energy at the end"},
+      Field{&Result::v_2, "v_2", m_per_s, "speed at the end"},
+      Field{&Result::t, "t", sec, "time for the path; without a spring"},
+      Field{&Result::P_m, "P_m", W, "mean power of the force F; without a spring"},
+      Field{&Result::P_2, "P_2", W, "power of the force F at the end"},
       Field{&Result::s_stop, "s_stop", m,
             "path to a standstill under these forces; none where they drive, or with a "
-            "spring"}
-          .as(Role::result),
+            "spring"},
       Field{&Result::u_s, "u_s", ratio, "reach: the work against the motion over the energy that there is"}.check()};
 
   static constexpr std::array rules{

@@ -64,8 +64,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
     Similar similar = Similar::no;
     static constexpr std::tuple fields = std::tuple_cat(
         cycle_fields<Compared>(),
-        std::tuple{Choice<Compared, Similar>{&Compared::similar, "similar", "of one ratio with the first cycle"}.as(
-            Role::result)});
+        std::tuple{Choice<Compared, Similar>{&Compared::similar, "similar", "of one ratio with the first cycle"}});
   };
 
   struct Result : Characteristics {
@@ -77,7 +76,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
       std::tuple{
           Field<Result, double>{&Result::u_y, "u_y", ratio, "yielding: largest stress over the yield strength"}.check(
               "R_e"),
-          ListField<Result, Compared, most_others>{&Result::others, "others", "the compared cycles"}.as(Role::result)});
+          ListField<Result, Compared, most_others>{&Result::others, "others", "the compared cycles"}});
 
   static constexpr std::array rules{
       Rule<Input>{&two_given, "sigma_max, sigma_min, sigma_m, sigma_a, r",

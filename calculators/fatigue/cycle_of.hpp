@@ -42,14 +42,13 @@ struct Characteristics {
 template <class Owner>
 constexpr auto cycle_fields() {
   return std::tuple{
-      Field<Owner, Stress>{&Owner::sigma_max, "sigma_max", MPa, "largest stress of the cycle, signed"}.as(Role::result),
-      Field<Owner, Stress>{&Owner::sigma_min, "sigma_min", MPa, "least stress of the cycle, signed"}.as(Role::result),
-      Field<Owner, Stress>{&Owner::sigma_m, "sigma_m", MPa, "mean stress, signed"}.as(Role::result),
-      Field<Owner, Stress>{&Owner::sigma_a, "sigma_a", MPa, "amplitude"}.as(Role::result),
+      Field<Owner, Stress>{&Owner::sigma_max, "sigma_max", MPa, "largest stress of the cycle, signed"},
+      Field<Owner, Stress>{&Owner::sigma_min, "sigma_min", MPa, "least stress of the cycle, signed"},
+      Field<Owner, Stress>{&Owner::sigma_m, "sigma_m", MPa, "mean stress, signed"},
+      Field<Owner, Stress>{&Owner::sigma_a, "sigma_a", MPa, "amplitude"},
       Field<Owner, double>{&Owner::r, "r", ratio, "ratio sigma_min/sigma_max; infinite where sigma_max is zero"}
-          .may_be_infinite()
-          .as(Role::result),
-      Choice<Owner, Kind>{&Owner::kind, "kind", "kind of cycle"}.as(Role::result)};
+          .may_be_infinite(),
+      Choice<Owner, Kind>{&Owner::kind, "kind", "kind of cycle"}};
 }
 
 /// Why two characteristics do not make a cycle, and what would; empty where they do.

@@ -116,20 +116,17 @@ R_z = "6.3 um"
     double x_d = unset<double>, x_n = unset<double>;
   };
   static constexpr std::tuple results{
-      Field{&Result::sigma_m1, "sigma_m1", MPa, "fatigue limit of the smooth specimen; shear in torsion"}.as(
-          Role::result),
-      Field{&Result::sigma_low, "sigma_low", MPa, "lower end of the rule's band"}.as(Role::result),
-      Field{&Result::sigma_high, "sigma_high", MPa, "upper end of the rule's band"}.as(Role::result),
-      Field{&Result::N_0, "N_0", ratio, "cycles that the limit stands for: of non-ferrous metals conventional"}.as(
-          Role::result),
-      Field{&Result::K_f, "K_f", ratio, "fatigue notch factor"}.as(Role::result),
-      Field{&Result::epsilon, "epsilon", ratio, "size factor of Serensen's school"}.as(Role::result),
-      Field{&Result::beta_F, "beta_F", ratio, "surface factor of Serensen's school"}.as(Role::result),
-      Field{&Result::K_D, "K_D", ratio, "factor of shape, size and surface together: specimen over part"}.as(
-          Role::result),
-      Field{&Result::k_a, "k_a", ratio, "surface factor of Marin's school"}.as(Role::result),
-      Field{&Result::k_b, "k_b", ratio, "size factor of Marin's school"}.as(Role::result),
-      Field{&Result::sigma_D, "sigma_D", MPa, "fatigue limit of the part, r = -1, as nominal stress"}.as(Role::result),
+      Field{&Result::sigma_m1, "sigma_m1", MPa, "fatigue limit of the smooth specimen; shear in torsion"},
+      Field{&Result::sigma_low, "sigma_low", MPa, "lower end of the rule's band"},
+      Field{&Result::sigma_high, "sigma_high", MPa, "upper end of the rule's band"},
+      Field{&Result::N_0, "N_0", ratio, "cycles that the limit stands for: of non-ferrous metals conventional"},
+      Field{&Result::K_f, "K_f", ratio, "fatigue notch factor"},
+      Field{&Result::epsilon, "epsilon", ratio, "size factor of Serensen's school"},
+      Field{&Result::beta_F, "beta_F", ratio, "surface factor of Serensen's school"},
+      Field{&Result::K_D, "K_D", ratio, "factor of shape, size and surface together: specimen over part"},
+      Field{&Result::k_a, "k_a", ratio, "surface factor of Marin's school"},
+      Field{&Result::k_b, "k_b", ratio, "size factor of Marin's school"},
+      Field{&Result::sigma_D, "sigma_D", MPa, "fatigue limit of the part, r = -1, as nominal stress"},
       Field{&Result::x_d, "x_d", ratio, "d within the range of the size factor: 0 least, 1 largest diameter"}.limit(
           0, 1 + 1e-9, "d"),
       Field{&Result::x_n, "x_n", ratio, "R_m within the range of Neuber's constant: 0 least, 1 largest strength"}.limit(

@@ -82,26 +82,21 @@ S = "350 MPa"
     double x_S = unset<double>, x_N = unset<double>, x_0 = unset<double>, x_D = unset<double>, P_f = unset<double>;
   };
   static constexpr std::tuple results{
-      Field{&Result::n, "n", ratio, "failures in the regression"}.as(Role::result),
-      Field{&Result::A, "A", ratio, "lg N at S = 1 MPa on the line of 50 % survival"}.as(Role::result),
-      Field{&Result::B, "B", ratio, "slope of lg N over lg S, negative"}.as(Role::result),
-      Field{&Result::B_low, "B_low", ratio, "lower end of the slope's confidence interval"}.as(Role::result),
-      Field{&Result::B_high, "B_high", ratio, "upper end of the slope's confidence interval"}.as(Role::result),
-      Field{&Result::k, "k", ratio, "exponent of the line N S^k = const"}.as(Role::result),
-      Field{&Result::s, "s", ratio, "standard deviation of lg N"}.as(Role::result),
-      Field{&Result::T_N, "T_N", ratio, "scatter of life: N at 10 % over N at 90 % survival, above 1"}.as(Role::result),
-      Field{&Result::T_S, "T_S", ratio, "scatter of strength: S at 10 % over S at 90 % survival, above 1"}.as(
-          Role::result),
-      Field{&Result::A_P, "A_P", ratio, "lg N at S = 1 MPa on the line of survival P_s"}.as(Role::result),
-      Field{&Result::S_D, "S_D", MPa, "fatigue limit: given, or half-way between run-outs and failures"}.as(
-          Role::result),
-      Field{&Result::N_D, "N_D", ratio, "cycles of the knee, where the line meets the fatigue limit"}.as(Role::result),
-      Field{&Result::N_50, "N_50", ratio, "life at S, 50 % survival; none at and below the fatigue limit"}.as(
-          Role::result),
-      Field{&Result::N_P, "N_P", ratio, "life at S, survival P_s with 50 % confidence: z s, no tolerance factor"}.as(
-          Role::result),
-      Field{&Result::S_0, "S_0", MPa, "conventional fatigue limit: strength at N_0 cycles, 50 % survival"}.as(
-          Role::result),
+      Field{&Result::n, "n", ratio, "failures in the regression"},
+      Field{&Result::A, "A", ratio, "lg N at S = 1 MPa on the line of 50 % survival"},
+      Field{&Result::B, "B", ratio, "slope of lg N over lg S, negative"},
+      Field{&Result::B_low, "B_low", ratio, "lower end of the slope's confidence interval"},
+      Field{&Result::B_high, "B_high", ratio, "upper end of the slope's confidence interval"},
+      Field{&Result::k, "k", ratio, "exponent of the line N S^k = const"},
+      Field{&Result::s, "s", ratio, "standard deviation of lg N"},
+      Field{&Result::T_N, "T_N", ratio, "scatter of life: N at 10 % over N at 90 % survival, above 1"},
+      Field{&Result::T_S, "T_S", ratio, "scatter of strength: S at 10 % over S at 90 % survival, above 1"},
+      Field{&Result::A_P, "A_P", ratio, "lg N at S = 1 MPa on the line of survival P_s"},
+      Field{&Result::S_D, "S_D", MPa, "fatigue limit: given, or half-way between run-outs and failures"},
+      Field{&Result::N_D, "N_D", ratio, "cycles of the knee, where the line meets the fatigue limit"},
+      Field{&Result::N_50, "N_50", ratio, "life at S, 50 % survival; none at and below the fatigue limit"},
+      Field{&Result::N_P, "N_P", ratio, "life at S, survival P_s with 50 % confidence: z s, no tolerance factor"},
+      Field{&Result::S_0, "S_0", MPa, "conventional fatigue limit: strength at N_0 cycles, 50 % survival"},
       Field{&Result::x_S, "x_S", ratio, "S within the tested stresses: 0 the lowest, 1 the highest of the regression"}
           .limit(0, 1 + 1e-9, "S"),
       Field{&Result::x_N, "x_N", ratio, "N_0 over the longest life in the regression: no extrapolation"}.limit(

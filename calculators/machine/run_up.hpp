@@ -81,16 +81,16 @@ n_2 = "1400 rpm"
     double u_M = unset<double>, u_t = unset<double>;
   };
   static constexpr std::tuple results{
-      Field{&Result::J_red, "J_red", kg_m2, "moment of inertia reduced to the motor's shaft"}.as(Role::result),
-      Field{&Result::M_start, "M_start", N_m, "accelerating moment at the start, signed"}.as(Role::result),
-      Field{&Result::M_end, "M_end", N_m, "accelerating moment at the end, signed"}.as(Role::result),
-      Field{&Result::M_least, "M_least", N_m, "least moment towards the end speed on the way"}.as(Role::result),
-      Field{&Result::epsilon_1, "epsilon_1", rad_per_s2, "angular acceleration at the start"}.as(Role::result),
-      Field{&Result::t, "t", sec, "time of the run"}.as(Role::result),
-      Field{&Result::turns, "turns", ratio, "turns of the motor meanwhile"}.as(Role::result),
-      Field{&Result::Delta_E, "Delta_E", J, "change of the kinetic energy"}.as(Role::result),
-      Field{&Result::A_M, "A_M", J, "work of the motor; of a brake negative, its heat"}.as(Role::result),
-      Field{&Result::A_L, "A_L", J, "work that the load takes"}.as(Role::result),
+      Field{&Result::J_red, "J_red", kg_m2, "moment of inertia reduced to the motor's shaft"},
+      Field{&Result::M_start, "M_start", N_m, "accelerating moment at the start, signed"},
+      Field{&Result::M_end, "M_end", N_m, "accelerating moment at the end, signed"},
+      Field{&Result::M_least, "M_least", N_m, "least moment towards the end speed on the way"},
+      Field{&Result::epsilon_1, "epsilon_1", rad_per_s2, "angular acceleration at the start"},
+      Field{&Result::t, "t", sec, "time of the run"},
+      Field{&Result::turns, "turns", ratio, "turns of the motor meanwhile"},
+      Field{&Result::Delta_E, "Delta_E", J, "change of the kinetic energy"},
+      Field{&Result::A_M, "A_M", J, "work of the motor; of a brake negative, its heat"},
+      Field{&Result::A_L, "A_L", J, "work that the load takes"},
       Field{&Result::u_M, "u_M", ratio, "run: moment against it over the moment for it, where they are closest"}
           .check(),
       Field{&Result::u_t, "u_t", ratio, "time of the run over the allowed one"}.check("t_adm")};

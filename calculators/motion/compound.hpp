@@ -77,30 +77,28 @@ phi = "60 deg"
     Acceleration a_x = unset<Acceleration>, a_y = unset<Acceleration>;
   };
   static constexpr std::tuple results{
-      Field{&Result::v_r, "v_r", m_per_s, "relative speed"}.as(Role::result),
-      Field{&Result::v_e, "v_e", m_per_s, "transport speed: of the point of the frame under the moving one"}.as(
-          Role::result),
-      Field{&Result::v, "v", m_per_s, "absolute speed"}.as(Role::result),
-      Field{&Result::a_r, "a_r", m_per_s2, "relative acceleration"}.as(Role::result),
-      Field{&Result::a_e, "a_e", m_per_s2, "transport acceleration"}.as(Role::result),
-      Field{&Result::a_c, "a_c", m_per_s2, "Coriolis acceleration"}.as(Role::result),
-      Field{&Result::a, "a", m_per_s2, "absolute acceleration"}.as(Role::result),
-      Choice{&Result::sense, "sense", "Coriolis acceleration beside the normal transport acceleration"}.as(
-          Role::result),
-      Field{&Result::v_exi, "v_exi", m_per_s, "transport velocity along xi"}.as(Role::result),
-      Field{&Result::v_eeta, "v_eeta", m_per_s, "transport velocity along eta"}.as(Role::result),
-      Field{&Result::v_axi, "v_axi", m_per_s, "absolute velocity along xi"}.as(Role::result),
-      Field{&Result::v_aeta, "v_aeta", m_per_s, "absolute velocity along eta"}.as(Role::result),
-      Field{&Result::a_exi, "a_exi", m_per_s2, "transport acceleration along xi"}.as(Role::result),
-      Field{&Result::a_eeta, "a_eeta", m_per_s2, "transport acceleration along eta"}.as(Role::result),
-      Field{&Result::a_cxi, "a_cxi", m_per_s2, "Coriolis acceleration along xi"}.as(Role::result),
-      Field{&Result::a_ceta, "a_ceta", m_per_s2, "Coriolis acceleration along eta"}.as(Role::result),
-      Field{&Result::a_axi, "a_axi", m_per_s2, "absolute acceleration along xi"}.as(Role::result),
-      Field{&Result::a_aeta, "a_aeta", m_per_s2, "absolute acceleration along eta"}.as(Role::result),
-      Field{&Result::v_x, "v_x", m_per_s, "absolute velocity along x"}.as(Role::result),
-      Field{&Result::v_y, "v_y", m_per_s, "absolute velocity along y"}.as(Role::result),
-      Field{&Result::a_x, "a_x", m_per_s2, "absolute acceleration along x"}.as(Role::result),
-      Field{&Result::a_y, "a_y", m_per_s2, "absolute acceleration along y"}.as(Role::result)};
+      Field{&Result::v_r, "v_r", m_per_s, "relative speed"},
+      Field{&Result::v_e, "v_e", m_per_s, "transport speed: of the point of the frame under the moving one"},
+      Field{&Result::v, "v", m_per_s, "absolute speed"},
+      Field{&Result::a_r, "a_r", m_per_s2, "relative acceleration"},
+      Field{&Result::a_e, "a_e", m_per_s2, "transport acceleration"},
+      Field{&Result::a_c, "a_c", m_per_s2, "Coriolis acceleration"},
+      Field{&Result::a, "a", m_per_s2, "absolute acceleration"},
+      Choice{&Result::sense, "sense", "Coriolis acceleration beside the normal transport acceleration"},
+      Field{&Result::v_exi, "v_exi", m_per_s, "transport velocity along xi"},
+      Field{&Result::v_eeta, "v_eeta", m_per_s, "transport velocity along eta"},
+      Field{&Result::v_axi, "v_axi", m_per_s, "absolute velocity along xi"},
+      Field{&Result::v_aeta, "v_aeta", m_per_s, "absolute velocity along eta"},
+      Field{&Result::a_exi, "a_exi", m_per_s2, "transport acceleration along xi"},
+      Field{&Result::a_eeta, "a_eeta", m_per_s2, "transport acceleration along eta"},
+      Field{&Result::a_cxi, "a_cxi", m_per_s2, "Coriolis acceleration along xi"},
+      Field{&Result::a_ceta, "a_ceta", m_per_s2, "Coriolis acceleration along eta"},
+      Field{&Result::a_axi, "a_axi", m_per_s2, "absolute acceleration along xi"},
+      Field{&Result::a_aeta, "a_aeta", m_per_s2, "absolute acceleration along eta"},
+      Field{&Result::v_x, "v_x", m_per_s, "absolute velocity along x"},
+      Field{&Result::v_y, "v_y", m_per_s, "absolute velocity along y"},
+      Field{&Result::a_x, "a_x", m_per_s2, "absolute acceleration along x"},
+      Field{&Result::a_y, "a_y", m_per_s2, "absolute acceleration along y"}};
 
   static constexpr std::array<Rule<Input>, 0> rules{};
 

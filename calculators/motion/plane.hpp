@@ -96,17 +96,16 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
     Speed v_x = unset<Speed>, v_y = unset<Speed>, v = unset<Speed>;
     double gamma = unset<double>;
     Acceleration a_x = unset<Acceleration>, a_y = unset<Acceleration>, a = unset<Acceleration>;
-    static constexpr std::tuple fields{
-        NameField{&PointState::name, "name", "name of the point"}.as(Role::result),
-        Field{&PointState::x, "x", m, "coordinate x"}.as(Role::result),
-        Field{&PointState::y, "y", m, "coordinate y"}.as(Role::result),
-        Field{&PointState::v_x, "v_x", m_per_s, "velocity along x"}.as(Role::result),
-        Field{&PointState::v_y, "v_y", m_per_s, "velocity along y"}.as(Role::result),
-        Field{&PointState::v, "v", m_per_s, "speed"}.as(Role::result),
-        Field{&PointState::gamma, "gamma", deg, "direction of the velocity, from x"}.as(Role::result),
-        Field{&PointState::a_x, "a_x", m_per_s2, "acceleration along x"}.as(Role::result),
-        Field{&PointState::a_y, "a_y", m_per_s2, "acceleration along y"}.as(Role::result),
-        Field{&PointState::a, "a", m_per_s2, "acceleration"}.as(Role::result)};
+    static constexpr std::tuple fields{NameField{&PointState::name, "name", "name of the point"},
+                                       Field{&PointState::x, "x", m, "coordinate x"},
+                                       Field{&PointState::y, "y", m, "coordinate y"},
+                                       Field{&PointState::v_x, "v_x", m_per_s, "velocity along x"},
+                                       Field{&PointState::v_y, "v_y", m_per_s, "velocity along y"},
+                                       Field{&PointState::v, "v", m_per_s, "speed"},
+                                       Field{&PointState::gamma, "gamma", deg, "direction of the velocity, from x"},
+                                       Field{&PointState::a_x, "a_x", m_per_s2, "acceleration along x"},
+                                       Field{&PointState::a_y, "a_y", m_per_s2, "acceleration along y"},
+                                       Field{&PointState::a, "a", m_per_s2, "acceleration"}};
   };
 
   struct Result {
@@ -123,21 +122,20 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
     List<PointState, most_points + 2> states;
   };
   static constexpr std::tuple results{
-      Choice{&Result::found, "found", "what the angular speed follows from"}.as(Role::result),
-      Choice{&Result::kind, "kind", "what the body does at this instant"}.as(Role::result),
-      Field{&Result::AB, "AB", m, "distance of A and B"}.as(Role::result),
-      Field{&Result::beta, "beta", deg, "direction from A to B, from x"}.as(Role::result),
-      Field{&Result::v_B, "v_B", m_per_s, "velocity of B along alpha_B, signed"}.as(Role::result),
-      Field{&Result::omega, "omega", rad_per_s, "angular speed, counter-clockwise positive"}.as(Role::result),
-      Field{&Result::x_P, "x_P", m, "pole of velocities, x; none in a translation"}.as(Role::result),
-      Field{&Result::y_P, "y_P", m, "pole of velocities, y; none in a translation"}.as(Role::result),
-      Field{&Result::PA, "PA", m, "distance of A from the pole of velocities"}.as(Role::result),
-      Field{&Result::epsilon, "epsilon", rad_per_s2, "angular acceleration, counter-clockwise positive"}.as(
-          Role::result),
-      Field{&Result::a_B, "a_B", m_per_s2, "acceleration of B along alpha_aB, signed"}.as(Role::result),
-      Field{&Result::x_Q, "x_Q", m, "pole of accelerations, x"}.as(Role::result),
-      Field{&Result::y_Q, "y_Q", m, "pole of accelerations, y"}.as(Role::result),
-      ListField{&Result::states, "states", "A, B and the further points"}.as(Role::result)};
+      Choice{&Result::found, "found", "what the angular speed follows from"},
+      Choice{&Result::kind, "kind", "what the body does at this instant"},
+      Field{&Result::AB, "AB", m, "distance of A and B"},
+      Field{&Result::beta, "beta", deg, "direction from A to B, from x"},
+      Field{&Result::v_B, "v_B", m_per_s, "velocity of B along alpha_B, signed"},
+      Field{&Result::omega, "omega", rad_per_s, "angular speed, counter-clockwise positive"},
+      Field{&Result::x_P, "x_P", m, "pole of velocities, x; none in a translation"},
+      Field{&Result::y_P, "y_P", m, "pole of velocities, y; none in a translation"},
+      Field{&Result::PA, "PA", m, "distance of A from the pole of velocities"},
+      Field{&Result::epsilon, "epsilon", rad_per_s2, "angular acceleration, counter-clockwise positive"},
+      Field{&Result::a_B, "a_B", m_per_s2, "acceleration of B along alpha_aB, signed"},
+      Field{&Result::x_Q, "x_Q", m, "pole of accelerations, x"},
+      Field{&Result::y_Q, "y_Q", m, "pole of accelerations, y"},
+      ListField{&Result::states, "states", "A, B and the further points"}};
 
   static bool has_B(const Input& in) { return is_set(in.B.x) && is_set(in.B.y); }
   static bool is_B_apart(const Input& in);

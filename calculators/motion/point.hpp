@@ -71,16 +71,15 @@ t_2 = "2 s"
     Speed v = unset<Speed>;
     Acceleration a_tau = unset<Acceleration>, a_n = unset<Acceleration>, a = unset<Acceleration>;
     Length rho = unset<Length>;
-    static constexpr std::tuple fields{
-        Field{&State::t, "t", sec, "time"}.as(Role::result),
-        Field{&State::x, "x", m, "coordinate x"}.as(Role::result),
-        Field{&State::y, "y", m, "coordinate y"}.as(Role::result),
-        Field{&State::z, "z", m, "coordinate z"}.as(Role::result),
-        Field{&State::v, "v", m_per_s, "speed"}.as(Role::result),
-        Field{&State::a_tau, "a_tau", m_per_s2, "tangential acceleration"}.as(Role::result),
-        Field{&State::a_n, "a_n", m_per_s2, "normal acceleration"}.as(Role::result),
-        Field{&State::a, "a", m_per_s2, "acceleration"}.as(Role::result),
-        Field{&State::rho, "rho", m, "radius of curvature"}.as(Role::result)};
+    static constexpr std::tuple fields{Field{&State::t, "t", sec, "time"},
+                                       Field{&State::x, "x", m, "coordinate x"},
+                                       Field{&State::y, "y", m, "coordinate y"},
+                                       Field{&State::z, "z", m, "coordinate z"},
+                                       Field{&State::v, "v", m_per_s, "speed"},
+                                       Field{&State::a_tau, "a_tau", m_per_s2, "tangential acceleration"},
+                                       Field{&State::a_n, "a_n", m_per_s2, "normal acceleration"},
+                                       Field{&State::a, "a", m_per_s2, "acceleration"},
+                                       Field{&State::rho, "rho", m, "radius of curvature"}};
   };
 
   struct Result {
@@ -98,32 +97,30 @@ t_2 = "2 s"
     List<State, most_states> states;
   };
   static constexpr std::tuple results{
-      Field{&Result::x_M, "x_M", m, "coordinate x at the time t"}.as(Role::result),
-      Field{&Result::y_M, "y_M", m, "coordinate y at the time t"}.as(Role::result),
-      Field{&Result::z_M, "z_M", m, "coordinate z at the time t"}.as(Role::result),
-      Field{&Result::v_x, "v_x", m_per_s, "velocity along x"}.as(Role::result),
-      Field{&Result::v_y, "v_y", m_per_s, "velocity along y"}.as(Role::result),
-      Field{&Result::v_z, "v_z", m_per_s, "velocity along z"}.as(Role::result),
-      Field{&Result::v, "v", m_per_s, "speed"}.as(Role::result),
-      Field{&Result::a_x, "a_x", m_per_s2, "acceleration along x"}.as(Role::result),
-      Field{&Result::a_y, "a_y", m_per_s2, "acceleration along y"}.as(Role::result),
-      Field{&Result::a_z, "a_z", m_per_s2, "acceleration along z"}.as(Role::result),
-      Field{&Result::a, "a", m_per_s2, "acceleration"}.as(Role::result),
-      Field{&Result::a_tau, "a_tau", m_per_s2, "tangential acceleration, positive where the speed grows"}.as(
-          Role::result),
-      Field{&Result::a_n, "a_n", m_per_s2, "normal acceleration, towards the centre of curvature"}.as(Role::result),
-      Field{&Result::kappa, "kappa", per_m, "curvature of the path"}.as(Role::result),
-      Field{&Result::rho, "rho", m, "radius of curvature; none where the path is straight"}.as(Role::result),
-      Field{&Result::gamma, "gamma", deg, "direction of the velocity in the plane xy, from x"}.as(Role::result),
-      Choice{&Result::change, "change", "whether the point gets faster"}.as(Role::result),
-      Field{&Result::L, "L", m, "way along the path from t_1 to t_2"}.as(Role::result),
-      Field{&Result::Delta_r, "Delta_r", m, "displacement from t_1 to t_2, end from start"}.as(Role::result),
-      Field{&Result::v_m, "v_m", m_per_s, "mean velocity from t_1 to t_2, the displacement over the time"}.as(
-          Role::result),
-      Field{&Result::v_L, "v_L", m_per_s, "mean speed from t_1 to t_2, the way over the time"}.as(Role::result),
-      Field{&Result::v_max, "v_max", m_per_s, "largest speed from t_1 to t_2, at 257 times"}.as(Role::result),
-      Field{&Result::a_max, "a_max", m_per_s2, "largest acceleration from t_1 to t_2, at 257 times"}.as(Role::result),
-      ListField{&Result::states, "states", "states at the given times, or evenly over the range"}.as(Role::result)};
+      Field{&Result::x_M, "x_M", m, "coordinate x at the time t"},
+      Field{&Result::y_M, "y_M", m, "coordinate y at the time t"},
+      Field{&Result::z_M, "z_M", m, "coordinate z at the time t"},
+      Field{&Result::v_x, "v_x", m_per_s, "velocity along x"},
+      Field{&Result::v_y, "v_y", m_per_s, "velocity along y"},
+      Field{&Result::v_z, "v_z", m_per_s, "velocity along z"},
+      Field{&Result::v, "v", m_per_s, "speed"},
+      Field{&Result::a_x, "a_x", m_per_s2, "acceleration along x"},
+      Field{&Result::a_y, "a_y", m_per_s2, "acceleration along y"},
+      Field{&Result::a_z, "a_z", m_per_s2, "acceleration along z"},
+      Field{&Result::a, "a", m_per_s2, "acceleration"},
+      Field{&Result::a_tau, "a_tau", m_per_s2, "tangential acceleration, positive where the speed grows"},
+      Field{&Result::a_n, "a_n", m_per_s2, "normal acceleration, towards the centre of curvature"},
+      Field{&Result::kappa, "kappa", per_m, "curvature of the path"},
+      Field{&Result::rho, "rho", m, "radius of curvature; none where the path is straight"},
+      Field{&Result::gamma, "gamma", deg, "direction of the velocity in the plane xy, from x"},
+      Choice{&Result::change, "change", "whether the point gets faster"},
+      Field{&Result::L, "L", m, "way along the path from t_1 to t_2"},
+      Field{&Result::Delta_r, "Delta_r", m, "displacement from t_1 to t_2, end from start"},
+      Field{&Result::v_m, "v_m", m_per_s, "mean velocity from t_1 to t_2, the displacement over the time"},
+      Field{&Result::v_L, "v_L", m_per_s, "mean speed from t_1 to t_2, the way over the time"},
+      Field{&Result::v_max, "v_max", m_per_s, "largest speed from t_1 to t_2, at 257 times"},
+      Field{&Result::a_max, "a_max", m_per_s2, "largest acceleration from t_1 to t_2, at 257 times"},
+      ListField{&Result::states, "states", "states at the given times, or evenly over the range"}};
 
   static bool laws_read(const Input& in);
   static FieldFault law_fault(const Input& in);

@@ -67,25 +67,25 @@ t_2 = "2 s"
     Acceleration a_x = unset<Acceleration>, a_y = unset<Acceleration>;
   };
   static constexpr std::tuple results{
-      Field{&Result::phi_t, "phi_t", deg, "angle at the time t"}.as(Role::result),
-      Field{&Result::omega, "omega", rad_per_s, "angular speed, signed"}.as(Role::result),
-      Field{&Result::n, "n", rpm, "angular speed in turns per minute, signed"}.as(Role::result),
-      Field{&Result::epsilon, "epsilon", rad_per_s2, "angular acceleration, signed"}.as(Role::result),
-      Choice{&Result::change, "change", "whether the body gets faster"}.as(Role::result),
-      Field{&Result::Delta_phi, "Delta_phi", deg, "angle turned from t_1 to t_2, signed"}.as(Role::result),
-      Field{&Result::turns, "turns", ratio, "turns from t_1 to t_2, signed"}.as(Role::result),
-      Field{&Result::omega_m, "omega_m", rad_per_s, "mean angular speed from t_1 to t_2"}.as(Role::result),
-      Field{&Result::v, "v", m_per_s, "speed of the point"}.as(Role::result),
-      Field{&Result::a_tau, "a_tau", m_per_s2, "tangential acceleration, positive counter-clockwise"}.as(Role::result),
-      Field{&Result::a_n, "a_n", m_per_s2, "normal acceleration, towards the axis"}.as(Role::result),
-      Field{&Result::a, "a", m_per_s2, "acceleration of the point"}.as(Role::result),
-      Field{&Result::mu, "mu", deg, "angle of the acceleration against the direction to the axis"}.as(Role::result),
-      Field{&Result::x_M, "x_M", mm, "coordinate x of the point, from the axis"}.as(Role::result),
-      Field{&Result::y_M, "y_M", mm, "coordinate y of the point, from the axis"}.as(Role::result),
-      Field{&Result::v_x, "v_x", m_per_s, "velocity of the point along x"}.as(Role::result),
-      Field{&Result::v_y, "v_y", m_per_s, "velocity of the point along y"}.as(Role::result),
-      Field{&Result::a_x, "a_x", m_per_s2, "acceleration of the point along x"}.as(Role::result),
-      Field{&Result::a_y, "a_y", m_per_s2, "acceleration of the point along y"}.as(Role::result)};
+      Field{&Result::phi_t, "phi_t", deg, "angle at the time t"},
+      Field{&Result::omega, "omega", rad_per_s, "angular speed, signed"},
+      Field{&Result::n, "n", rpm, "angular speed in turns per minute, signed"},
+      Field{&Result::epsilon, "epsilon", rad_per_s2, "angular acceleration, signed"},
+      Choice{&Result::change, "change", "whether the body gets faster"},
+      Field{&Result::Delta_phi, "Delta_phi", deg, "angle turned from t_1 to t_2, signed"},
+      Field{&Result::turns, "turns", ratio, "turns from t_1 to t_2, signed"},
+      Field{&Result::omega_m, "omega_m", rad_per_s, "mean angular speed from t_1 to t_2"},
+      Field{&Result::v, "v", m_per_s, "speed of the point"},
+      Field{&Result::a_tau, "a_tau", m_per_s2, "tangential acceleration, positive counter-clockwise"},
+      Field{&Result::a_n, "a_n", m_per_s2, "normal acceleration, towards the axis"},
+      Field{&Result::a, "a", m_per_s2, "acceleration of the point"},
+      Field{&Result::mu, "mu", deg, "angle of the acceleration against the direction to the axis"},
+      Field{&Result::x_M, "x_M", mm, "coordinate x of the point, from the axis"},
+      Field{&Result::y_M, "y_M", mm, "coordinate y of the point, from the axis"},
+      Field{&Result::v_x, "v_x", m_per_s, "velocity of the point along x"},
+      Field{&Result::v_y, "v_y", m_per_s, "velocity of the point along y"},
+      Field{&Result::a_x, "a_x", m_per_s2, "acceleration of the point along x"},
+      Field{&Result::a_y, "a_y", m_per_s2, "acceleration of the point along y"}};
 
   static bool law_reads(const Input& in);
   static FieldFault law_fault(const Input& in);

@@ -85,21 +85,19 @@ parts = [
     Area A = unset<Area>;
     Length y_S = unset<Length>, z_S = unset<Length>;
     SecondMoment I_y = unset<SecondMoment>, I_z = unset<SecondMoment>, I_yz = unset<SecondMoment>;
-    static constexpr std::tuple fields{
-        NameField{&Placed::name, "name", "name of the part"}.as(Role::result),
-        Field{&Placed::A, "A", mm2, "area, negative where cut out"}.as(Role::result),
-        Field{&Placed::y_S, "y_S", mm, "centroid, to the right"}.as(Role::result),
-        Field{&Placed::z_S, "z_S", mm, "centroid, upwards"}.as(Role::result),
-        Field{&Placed::I_y, "I_y", mm4, "second moment about its own centroid"}.as(Role::result),
-        Field{&Placed::I_z, "I_z", mm4, "second moment about its own centroid"}.as(Role::result),
-        Field{&Placed::I_yz, "I_yz", mm4, "product of area about its own centroid"}.as(Role::result)};
+    static constexpr std::tuple fields{NameField{&Placed::name, "name", "name of the part"},
+                                       Field{&Placed::A, "A", mm2, "area, negative where cut out"},
+                                       Field{&Placed::y_S, "y_S", mm, "centroid, to the right"},
+                                       Field{&Placed::z_S, "z_S", mm, "centroid, upwards"},
+                                       Field{&Placed::I_y, "I_y", mm4, "second moment about its own centroid"},
+                                       Field{&Placed::I_z, "I_z", mm4, "second moment about its own centroid"},
+                                       Field{&Placed::I_yz, "I_yz", mm4, "product of area about its own centroid"}};
   };
   struct Result : Properties {
     List<Placed, 20> parts;
   };
-  static constexpr auto results =
-      std::tuple_cat(property_fields<Result>(),
-                     std::tuple{ListField{&Result::parts, "parts", "the parts at their places"}.as(Role::result)});
+  static constexpr auto results = std::tuple_cat(
+      property_fields<Result>(), std::tuple{ListField{&Result::parts, "parts", "the parts at their places"}});
   static constexpr std::array rules{
       Rule<Input>{&parts_are_whole, "parts", "a part lacks what its shape needs", &incomplete},
       Rule<Input>{&is_full, "parts",

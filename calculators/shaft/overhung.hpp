@@ -79,22 +79,20 @@ tau_adm = "30 MPa"
     double u_v = unset<double>, u_Q = unset<double>, u_tau = unset<double>;
   };
   static constexpr std::tuple results{
-      Field{&Result::M_b, "M_b", N_m, "bending moment at the bearing"}.as(Role::result),
-      Field{&Result::M_t, "M_t", N_m, "design torque"}.as(Role::result),
-      Field{&Result::M_v, "M_v", N_m, "equivalent moment"}.as(Role::result),
-      Field{&Result::d_v, "d_v", mm, "least diameter by the equivalent stress"}.as(Role::result),
-      Field{&Result::d_t, "d_t", mm, "least diameter by torsion alone"}.as(Role::result),
+      Field{&Result::M_b, "M_b", N_m, "bending moment at the bearing"},
+      Field{&Result::M_t, "M_t", N_m, "design torque"},
+      Field{&Result::M_v, "M_v", N_m, "equivalent moment"},
+      Field{&Result::d_v, "d_v", mm, "least diameter by the equivalent stress"},
+      Field{&Result::d_t, "d_t", mm, "least diameter by torsion alone"},
       Field{&Result::d_min, "d_min", mm,
-            "least diameter by bending with torsion and by torsion alone; the neutral axis is checked at d"}
-          .as(Role::result),
-      Field{&Result::d, "d", mm, "outer diameter"}.as(Role::result),
-      Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"}.as(Role::result),
-      Field{&Result::sigma_b, "sigma_b", MPa, "bending stress"}.as(Role::result),
-      Field{&Result::tau_t, "tau_t", MPa, "torsional stress"}.as(Role::result),
-      Field{&Result::sigma_M, "sigma_M", MPa, "equivalent stress by von Mises, extreme fibre"}.as(Role::result),
-      Field{&Result::sigma_T, "sigma_T", MPa, "equivalent stress by Tresca, extreme fibre"}.as(Role::result),
-      Field{&Result::tau_Q, "tau_Q", MPa, "shear stress at the neutral axis, torsion and transverse shear"}.as(
-          Role::result),
+            "least diameter by bending with torsion and by torsion alone; the neutral axis is checked at d"},
+      Field{&Result::d, "d", mm, "outer diameter"},
+      Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"},
+      Field{&Result::sigma_b, "sigma_b", MPa, "bending stress"},
+      Field{&Result::tau_t, "tau_t", MPa, "torsional stress"},
+      Field{&Result::sigma_M, "sigma_M", MPa, "equivalent stress by von Mises, extreme fibre"},
+      Field{&Result::sigma_T, "sigma_T", MPa, "equivalent stress by Tresca, extreme fibre"},
+      Field{&Result::tau_Q, "tau_Q", MPa, "shear stress at the neutral axis, torsion and transverse shear"},
       Field{&Result::u_v, "u_v", ratio, "bending with torsion: equivalent stress over the allowable one"}.check(),
       Field{&Result::u_Q, "u_Q", ratio, "shear at the neutral axis: equivalent stress over the allowable one"}.check(),
       Field{&Result::u_tau, "u_tau", ratio, "torsion alone: shear stress over the allowable one"}.check("tau_adm")};

@@ -132,25 +132,24 @@ theta_adm = "0.004 rad/m"
     Twist theta = unset<Twist>;
     double phi = unset<double>;
     static constexpr std::tuple fields{
-        Field{&Stretch::x, "x", mm, "left end"}.as(Role::result),
-        Field{&Stretch::l, "l", mm, "length"}.as(Role::result),
-        Field{&Stretch::M, "M", N_m, "internal moment, signed"}.as(Role::result),
-        Field{&Stretch::M_t, "M_t", N_m, "design moment"}.as(Role::result),
-        Field{&Stretch::d_strength, "d_strength", mm, "least diameter by strength"}.as(Role::result),
-        Field{&Stretch::d_stiffness, "d_stiffness", mm, "least diameter by stiffness"}.as(Role::result),
-        Field{&Stretch::d, "d", mm, "outer diameter"}.as(Role::result),
-        Field{&Stretch::d_bore, "d_bore", mm, "bore"}.as(Role::result),
-        Field{&Stretch::tau, "tau", MPa, "largest shear stress"}.as(Role::result),
-        Field{&Stretch::theta, "theta", deg_per_m, "twist per length, signed"}.as(Role::result),
-        Field{&Stretch::phi, "phi", deg, "twist of the right end against the left, positive like M"}.as(Role::result)};
+        Field{&Stretch::x, "x", mm, "left end"},
+        Field{&Stretch::l, "l", mm, "length"},
+        Field{&Stretch::M, "M", N_m, "internal moment, signed"},
+        Field{&Stretch::M_t, "M_t", N_m, "design moment"},
+        Field{&Stretch::d_strength, "d_strength", mm, "least diameter by strength"},
+        Field{&Stretch::d_stiffness, "d_stiffness", mm, "least diameter by stiffness"},
+        Field{&Stretch::d, "d", mm, "outer diameter"},
+        Field{&Stretch::d_bore, "d_bore", mm, "bore"},
+        Field{&Stretch::tau, "tau", MPa, "largest shear stress"},
+        Field{&Stretch::theta, "theta", deg_per_m, "twist per length, signed"},
+        Field{&Stretch::phi, "phi", deg, "twist of the right end against the left, positive like M"}};
   };
 
   struct Section {
     Length x = unset<Length>;
     double phi = unset<double>;
-    static constexpr std::tuple fields{
-        Field{&Section::x, "x", mm, "place from the left end"}.as(Role::result),
-        Field{&Section::phi, "phi", deg, "twist against the left end, signed"}.as(Role::result)};
+    static constexpr std::tuple fields{Field{&Section::x, "x", mm, "place from the left end"},
+                                       Field{&Section::phi, "phi", deg, "twist against the left end, signed"}};
   };
 
   struct Result {
@@ -169,29 +168,27 @@ theta_adm = "0.004 rad/m"
     List<Section, most_stretches + 1> sections;
   };
   static constexpr std::tuple results{
-      Field{&Result::tau_all, "tau_all", MPa, "allowable shear stress"}.as(Role::result),
-      Field{&Result::M_max, "M_max", N_m, "largest design moment"}.as(Role::result),
-      Field{&Result::d_strength, "d_strength", mm, "least diameter by strength"}.as(Role::result),
-      Field{&Result::d_stiffness, "d_stiffness", mm, "least diameter by stiffness"}.as(Role::result),
-      Field{&Result::d_min, "d_min", mm, "least diameter by both"}.as(Role::result),
-      Choice{&Result::governs, "governs", "condition that asks for the larger diameter"}.as(Role::result),
-      Field{&Result::D_star, "D_star", mm, "diameter below which stiffness governs, solid or bored alike"}.as(
-          Role::result),
-      Field{&Result::d, "d", mm, "outer diameter where no segment has its own"}.as(Role::result),
-      Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"}.as(Role::result),
-      Field{&Result::d_max, "d_max", mm, "largest outer diameter of the shaft"}.as(Role::result),
-      Field{&Result::tau_max, "tau_max", MPa, "largest shear stress"}.as(Role::result),
-      Field{&Result::theta_max, "theta_max", deg_per_m, "largest twist per length"}.as(Role::result),
-      Field{&Result::phi, "phi", deg, "twist of the right end against the left, positive like M"}.as(Role::result),
-      Field{&Result::phi_max, "phi_max", deg, "largest twist between any two sections"}.as(Role::result),
+      Field{&Result::tau_all, "tau_all", MPa, "allowable shear stress"},
+      Field{&Result::M_max, "M_max", N_m, "largest design moment"},
+      Field{&Result::d_strength, "d_strength", mm, "least diameter by strength"},
+      Field{&Result::d_stiffness, "d_stiffness", mm, "least diameter by stiffness"},
+      Field{&Result::d_min, "d_min", mm, "least diameter by both"},
+      Choice{&Result::governs, "governs", "condition that asks for the larger diameter"},
+      Field{&Result::D_star, "D_star", mm, "diameter below which stiffness governs, solid or bored alike"},
+      Field{&Result::d, "d", mm, "outer diameter where no segment has its own"},
+      Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"},
+      Field{&Result::d_max, "d_max", mm, "largest outer diameter of the shaft"},
+      Field{&Result::tau_max, "tau_max", MPa, "largest shear stress"},
+      Field{&Result::theta_max, "theta_max", deg_per_m, "largest twist per length"},
+      Field{&Result::phi, "phi", deg, "twist of the right end against the left, positive like M"},
+      Field{&Result::phi_max, "phi_max", deg, "largest twist between any two sections"},
       Field{&Result::u_tau, "u_tau", ratio, "strength: largest shear stress over the allowable one"}.check(),
       Field{&Result::u_theta, "u_theta", ratio, "stiffness: largest twist per length over the allowable one"}.check(
           "theta_adm"),
       Field{&Result::F_bend, "F_bend", N, "bending: transverse force, which torsion alone does not cover"}.limit(
           0, 1e-3, "F"),
-      ListField{&Result::segments, "segments", "stretches of constant moment and diameter, left to right"}.as(
-          Role::result),
-      ListField{&Result::sections, "sections", "sections between the stretches"}.as(Role::result)};
+      ListField{&Result::segments, "segments", "stretches of constant moment and diameter, left to right"},
+      ListField{&Result::sections, "sections", "sections between the stretches"}};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return is_set(in.T) == in.torques.empty(); }, "T, torques",

@@ -50,10 +50,10 @@ sigma_adm = "120 MPa"
   struct Result : WallResult {
     Length R_m = unset<Length>, r = unset<Length>;
   };
-  static constexpr std::tuple results = std::tuple_cat(
-      wall_results<Result>(),
-      std::tuple{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall at the large end"}.as(Role::result),
-                 Field{&Result::r, "r", mm, "mean radius at the governing place"}.as(Role::result)});
+  static constexpr std::tuple results =
+      std::tuple_cat(wall_results<Result>(),
+                     std::tuple{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall at the large end"},
+                                Field{&Result::r, "r", mm, "mean radius at the governing place"}});
 
   static constexpr std::array rules = join<Input>(
       wall_rules<Input>(), liquid_rules<Input>(),

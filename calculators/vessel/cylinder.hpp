@@ -61,13 +61,10 @@ sigma_adm = "140 MPa"
   };
   static constexpr std::tuple results = std::tuple_cat(
       wall_results<Result>(),
-      std::tuple{
-          Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall"}.as(Role::result),
-          Field{&Result::delta_o, "delta_o", mm, "carrying thickness by the hoop stress alone, pR/sigma"}.as(
-              Role::result),
-          Field{&Result::delta_M, "delta_M", mm, "carrying thickness by the meridional stress alone, pR/2sigma"}.as(
-              Role::result),
-          Field{&Result::a_r, "a_r", mm, "section of the rings per length of the vessel"}.as(Role::result)},
+      std::tuple{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall"},
+                 Field{&Result::delta_o, "delta_o", mm, "carrying thickness by the hoop stress alone, pR/sigma"},
+                 Field{&Result::delta_M, "delta_M", mm, "carrying thickness by the meridional stress alone, pR/2sigma"},
+                 Field{&Result::a_r, "a_r", mm, "section of the rings per length of the vessel"}},
       lame_results<Result>(),
       std::tuple{
           Field{&Result::w_r, "w_r", ratio, "rings: distance over the length of wall that works with them"}.limit(

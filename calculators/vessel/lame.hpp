@@ -16,14 +16,10 @@ struct LameResult {
 template <class Result>
 constexpr auto lame_results() {
   return std::tuple{
-      Field<Result, Stress>{&Result::sigma_L, "sigma_L", MPa, "thick wall: equivalent stress by Lamé, inside"}.as(
-          Role::result),
-      Field<Result, double>{&Result::e_L, "e_L", ratio, "error of the thin-wall equivalent stress against Lamé"}.as(
-          Role::result),
-      Field<Result, Length>{&Result::delta_L, "delta_L", mm, "thick wall: least thickness to order by Lamé"}.as(
-          Role::result),
-      Field<Result, double>{&Result::u_L, "u_L", ratio, "thick wall: equivalent stress over the allowable one"}.as(
-          Role::result)};
+      Field<Result, Stress>{&Result::sigma_L, "sigma_L", MPa, "thick wall: equivalent stress by Lamé, inside"},
+      Field<Result, double>{&Result::e_L, "e_L", ratio, "error of the thin-wall equivalent stress against Lamé"},
+      Field<Result, Length>{&Result::delta_L, "delta_L", mm, "thick wall: least thickness to order by Lamé"},
+      Field<Result, double>{&Result::u_L, "u_L", ratio, "thick wall: equivalent stress over the allowable one"}};
 }
 
 /// Hoop and meridional stress at the inner surface.

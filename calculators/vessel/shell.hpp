@@ -66,14 +66,13 @@ sigma_adm = "120 MPa"
     Length r = unset<Length>, z = unset<Length>, rho_o = unset<Length>, rho_M = unset<Length>;
     Stress sigma_o = unset<Stress>, sigma_M = unset<Stress>, sigma_v = unset<Stress>;
     static constexpr std::tuple fields{
-        Field{&Along::r, "r", mm, "distance from the axis, middle of the carrying wall"}.as(Role::result),
-        Field{&Along::z, "z", mm, "height"}.as(Role::result),
-        Field{&Along::rho_o, "rho_o", mm, "radius of curvature across the meridian"}.as(Role::result),
-        Field{&Along::rho_M, "rho_M", mm, "radius of curvature of the meridian; none where it is straight"}.as(
-            Role::result),
-        Field{&Along::sigma_o, "sigma_o", MPa, "hoop stress"}.as(Role::result),
-        Field{&Along::sigma_M, "sigma_M", MPa, "meridional stress"}.as(Role::result),
-        Field{&Along::sigma_v, "sigma_v", MPa, "equivalent stress, seams included"}.as(Role::result)};
+        Field{&Along::r, "r", mm, "distance from the axis, middle of the carrying wall"},
+        Field{&Along::z, "z", mm, "height"},
+        Field{&Along::rho_o, "rho_o", mm, "radius of curvature across the meridian"},
+        Field{&Along::rho_M, "rho_M", mm, "radius of curvature of the meridian; none where it is straight"},
+        Field{&Along::sigma_o, "sigma_o", MPa, "hoop stress"},
+        Field{&Along::sigma_M, "sigma_M", MPa, "meridional stress"},
+        Field{&Along::sigma_v, "sigma_v", MPa, "equivalent stress, seams included"}};
   };
 
   struct Result : WallResult {
@@ -84,8 +83,8 @@ sigma_adm = "120 MPa"
   static constexpr std::tuple results = std::tuple_cat(
       wall_results<Result>(),
       std::tuple{
-          Field{&Result::r, "r", mm, "governing place: distance from the axis"}.as(Role::result),
-          Field{&Result::z, "z", mm, "governing place: height"}.as(Role::result),
+          Field{&Result::r, "r", mm, "governing place: distance from the axis"},
+          Field{&Result::z, "z", mm, "governing place: height"},
           Field{&Result::psi_max, "psi_max", deg, "edges: largest turn of the meridian from one chord to the next"}
               .limit(0, 15 * (1 + 1e-9)),
           Field{&Result::s_min, "s_min", ratio,
@@ -97,8 +96,7 @@ sigma_adm = "120 MPa"
               .limit(0, 0.2),
           Field{&Result::w_b, "w_b", ratio, "buckling of a knuckle: 0.002 of the crown radius over the thickness"}
               .limit(0, 1),
-          ListField<Result, Along, most_points>{&Result::along, "along", "stresses along the meridian"}.as(
-              Role::result)});
+          ListField<Result, Along, most_points>{&Result::along, "along", "stresses along the meridian"}});
 
   static constexpr std::array rules = join<Input>(
       wall_rules<Input>(), liquid_rules<Input>(),

@@ -53,8 +53,8 @@ sigma_adm = "160 MPa"
   };
   static constexpr std::tuple results =
       std::tuple_cat(wall_results<Result>(),
-                     std::tuple{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall"}.as(Role::result),
-                                Field{&Result::phi, "phi", deg, "governing place, from the top"}.as(Role::result)},
+                     std::tuple{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall"},
+                                Field{&Result::phi, "phi", deg, "governing place, from the top"}},
                      lame_results<Result>());
 
   static constexpr std::array rules = join<Input>(

@@ -47,8 +47,8 @@ sigma_adm = "140 MPa"
   struct Result : WallResult {
     Length r_m = unset<Length>;
   };
-  static constexpr std::tuple results = std::tuple_cat(
-      wall_results<Result>(), std::tuple{Field{&Result::r_m, "r_m", mm, "mean radius of the tube"}.as(Role::result)});
+  static constexpr std::tuple results =
+      std::tuple_cat(wall_results<Result>(), std::tuple{Field{&Result::r_m, "r_m", mm, "mean radius of the tube"}});
 
   static constexpr std::array rules =
       join<Input>(wall_rules<Input>(), gas_rules<Input>(),

@@ -95,20 +95,16 @@ constexpr auto liquid_inputs(const char* level) {
 template <class Result>
 constexpr auto wall_results() {
   return std::tuple{
-      Field<Result, Stress>{&Result::sigma_all, "sigma_all", MPa, "allowable stress"}.as(Role::result),
-      Field<Result, Length>{&Result::delta_min, "delta_min", mm, "least thickness to order, with its allowances"}.as(
-          Role::result),
-      Field<Result, Length>{&Result::delta, "delta", mm, "wall thickness as ordered"}.as(Role::result),
-      Field<Result, Length>{&Result::delta_c, "delta_c", mm, "thickness that carries: corroded and thinned"}.as(
-          Role::result),
-      Field<Result, Stress>{&Result::p_i, "p_i", MPa, "pressure at the governing place"}.as(Role::result),
-      Field<Result, Stress>{&Result::sigma_o, "sigma_o", MPa, "hoop stress at the governing place"}.as(Role::result),
-      Field<Result, Stress>{&Result::sigma_M, "sigma_M", MPa, "meridional stress at the governing place"}.as(
-          Role::result),
+      Field<Result, Stress>{&Result::sigma_all, "sigma_all", MPa, "allowable stress"},
+      Field<Result, Length>{&Result::delta_min, "delta_min", mm, "least thickness to order, with its allowances"},
+      Field<Result, Length>{&Result::delta, "delta", mm, "wall thickness as ordered"},
+      Field<Result, Length>{&Result::delta_c, "delta_c", mm, "thickness that carries: corroded and thinned"},
+      Field<Result, Stress>{&Result::p_i, "p_i", MPa, "pressure at the governing place"},
+      Field<Result, Stress>{&Result::sigma_o, "sigma_o", MPa, "hoop stress at the governing place"},
+      Field<Result, Stress>{&Result::sigma_M, "sigma_M", MPa, "meridional stress at the governing place"},
       Field<Result, Stress>{&Result::sigma_v, "sigma_v", MPa,
-                            "equivalent stress at the governing place, seams included"}
-          .as(Role::result),
-      Field<Result, Stress>{&Result::p_max, "p_max", MPa, "allowable gas pressure at that thickness"}.as(Role::result),
+                            "equivalent stress at the governing place, seams included"},
+      Field<Result, Stress>{&Result::p_max, "p_max", MPa, "allowable gas pressure at that thickness"},
       Field<Result, double>{&Result::t_R, "t_R", ratio, "thin wall: thickness over the mean radius of curvature"}.limit(
           0, 0.05 * (1 + 1e-12)),
       Field<Result, double>{&Result::u_v, "u_v", ratio, "strength: equivalent stress over the allowable one"}.check()};

@@ -69,7 +69,7 @@ Calculator calculator_of() {
   c.source = C::source;
   c.example = C::example;
   c.input = &record_type<Input, C::inputs>();
-  c.result = &record_type<Result, C::results>();
+  c.result = &record_type<Result, C::results, Role::result>();
   c.rules = detail::rule_infos<C>;
   c.holds = [](std::size_t rule, const void* in) { return C::rules[rule].holds(*static_cast<const Input*>(in)); };
   c.fault_of = [](std::size_t rule, const void* in) {

@@ -8,6 +8,7 @@
 #include "lib/quantity/units.hpp"
 
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -73,8 +74,8 @@ template <class Self>
 struct Described {
   const char* key = "";
   const char* doc = "";
-  Role role = Role::input;
-  bool optional = false;  // an input that may be missing (a rule or a default says what then)
+  std::optional<Role> role = {};  // else what the list says that it stands in: input, or result
+  bool optional = false;          // an input that may be missing (a rule or a default says what then)
 
   [[nodiscard]] constexpr Self as(Role r) const {
     Self s = self();

@@ -19,12 +19,12 @@ template <class Enum>
 inline constexpr auto choice_table = choice_infos<Enum>();
 
 template <class Self>
-FieldInfo described(const detail::Described<Self>& field, FieldInfo::Type type) {
+FieldInfo described(const detail::Described<Self>& field, FieldInfo::Type type, Role role_of_list) {
   FieldInfo info;
   info.type = type;
   info.key = field.key;
   info.doc = field.doc;
-  info.role = field.role;
+  info.role = field.role.value_or(role_of_list);
   info.optional = field.optional;
   return info;
 }
@@ -32,12 +32,12 @@ FieldInfo described(const detail::Described<Self>& field, FieldInfo::Type type) 
 template <const auto& fields, std::size_t I>
 inline constexpr auto member_at = std::get<I>(fields).at;
 
-template <const auto& fields>
+template <const auto& fields, Role role>
 std::span<const FieldInfo> infos_of();
 
-template <const auto& fields, std::size_t I, class Owner, class Quantity>
+template <const auto& fields, Role role, std::size_t I, class Owner, class Quantity>
 FieldInfo info_of(const Field<Owner, Quantity>& f) {
-  FieldInfo info = described(f, FieldInfo::Type::quantity);
+  FieldInfo info = described(f, FieldInfo::Type::quantity, role);
   info.unit = f.unit.symbol;
   info.factor = in_si(f.unit.one);
   info.dimension = f.unit.dimension();
@@ -64,9 +64,9 @@ FieldInfo info_of(const Field<Owner, Quantity>& f) {
   return info;
 }
 
-template <const auto& fields, std::size_t I, class Owner>
+template <const auto& fields, Role role, std::size_t I, class Owner>
 FieldInfo info_of(const Count<Owner>& f) {
-  FieldInfo info = described(f, FieldInfo::Type::count);
+  FieldInfo info = described(f, FieldInfo::Type::count, role);
   info.bounds = {static_cast<double>(f.low), static_cast<double>(f.high), false, false};
   info.get = [](const void* o) { return static_cast<double>(static_cast<const Owner*>(o)->*member_at<fields, I>); };
   info.set = [](void* o, double v) { static_cast<Owner*>(o)->*member_at<fields, I> = static_cast<int>(v); };
@@ -80,23 +80,23 @@ void let_text(ShortText<capacity> Owner::*, FieldInfo& info) {
   info.set_text = [](void* o, std::string_view t) { static_cast<Owner*>(o)->*member_at<fields, I> = t; };
 }
 
-template <const auto& fields, std::size_t I, class Owner>
+template <const auto& fields, Role role, std::size_t I, class Owner>
 FieldInfo info_of(const NameField<Owner>& f) {
-  FieldInfo info = described(f, FieldInfo::Type::name);
+  FieldInfo info = described(f, FieldInfo::Type::name, role);
   let_text<fields, I>(f.at, info);
   return info;
 }
 
-template <const auto& fields, std::size_t I, class Owner>
+template <const auto& fields, Role role, std::size_t I, class Owner>
 FieldInfo info_of(const FormulaField<Owner>& f) {
-  FieldInfo info = described(f, FieldInfo::Type::formula);
+  FieldInfo info = described(f, FieldInfo::Type::formula, role);
   let_text<fields, I>(f.at, info);
   return info;
 }
 
-template <const auto& fields, std::size_t I, class Owner, class Enum>
+template <const auto& fields, Role role, std::size_t I, class Owner, class Enum>
 FieldInfo info_of(const Choice<Owner, Enum>& f) {
-  FieldInfo info = described(f, FieldInfo::Type::choice);
+  FieldInfo info = described(f, FieldInfo::Type::choice, role);
   info.choices = choice_table<Enum>;
   info.get = [](const void* o) {
     const Enum value = static_cast<const Owner*>(o)->*member_at<fields, I>;
@@ -112,22 +112,22 @@ FieldInfo info_of(const Choice<Owner, Enum>& f) {
   return info;
 }
 
-template <const auto& fields, std::size_t I, class Owner, class Part>
+template <const auto& fields, Role role, std::size_t I, class Owner, class Part>
 FieldInfo info_of(const Group<Owner, Part>& f) {
-  FieldInfo info = described(f, FieldInfo::Type::group);
+  FieldInfo info = described(f, FieldInfo::Type::group, role);
   info.positional = f.positional;
-  info.fields = infos_of<Part::fields>();
+  info.fields = infos_of<Part::fields, role>();
   info.size = [](const void*) { return std::size_t{1}; };
   info.element = [](void* o, std::size_t) -> void* { return &(static_cast<Owner*>(o)->*member_at<fields, I>); };
   return info;
 }
 
-template <const auto& fields, std::size_t I, class Owner, class Element, std::size_t N>
+template <const auto& fields, Role role, std::size_t I, class Owner, class Element, std::size_t N>
 FieldInfo info_of(const ListField<Owner, Element, N>& f) {
-  FieldInfo info = described(f, FieldInfo::Type::list);
+  FieldInfo info = described(f, FieldInfo::Type::list, role);
   info.positional = f.positional;
   info.provider = f.provider;
-  info.fields = infos_of<Element::fields>();
+  info.fields = infos_of<Element::fields, role>();
   info.capacity = N;
   info.size = [](const void* o) { return (static_cast<const Owner*>(o)->*member_at<fields, I>).size(); };
   info.element = [](void* o, std::size_t i) -> void* { return &(static_cast<Owner*>(o)->*member_at<fields, I>)[i]; };
@@ -139,11 +139,11 @@ FieldInfo info_of(const ListField<Owner, Element, N>& f) {
   return info;
 }
 
-template <const auto& fields>
+template <const auto& fields, Role role>
 std::span<const FieldInfo> infos_of() {
   constexpr std::size_t count = std::tuple_size_v<std::remove_cvref_t<decltype(fields)>>;
   static const auto infos = []<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<FieldInfo, count>{info_of<fields, I>(std::get<I>(fields))...};
+    return std::array<FieldInfo, count>{info_of<fields, role, I>(std::get<I>(fields))...};
   }
   (std::make_index_sequence<count>{});
   return infos;
@@ -151,11 +151,12 @@ std::span<const FieldInfo> infos_of() {
 
 }  // namespace detail
 
-/// The erased type of an aggregate whose fields are declared in `fields`.
-template <class Aggregate, const auto& fields>
+/// The erased type of an aggregate whose fields are declared in `fields`, which are of that role unless they say
+/// otherwise.
+template <class Aggregate, const auto& fields, Role role = Role::input>
 const RecordType& record_type() {
   static const RecordType type{
-      detail::infos_of<fields>(), [] { return std::shared_ptr<void>(std::make_shared<Aggregate>()); },
+      detail::infos_of<fields, role>(), [] { return std::shared_ptr<void>(std::make_shared<Aggregate>()); },
       [](const void* from, void* to) { *static_cast<Aggregate*>(to) = *static_cast<const Aggregate*>(from); }};
   return type;
 }

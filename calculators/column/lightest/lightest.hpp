@@ -88,18 +88,17 @@ gamma_F = 1
     double u = unset<double>, demand = unset<double>, excess = unset<double>;
     Failure failure = Failure::none;
     static constexpr std::tuple fields{
-        NameField{&Candidate::name, "name", "section"}.as(Role::result),
-        Field{&Candidate::q, "q", kg_per_m, "mass per length"}.as(Role::result),
-        Choice{&Candidate::axis, "axis", "axis of the largest slenderness"}.as(Role::result),
-        Field{&Candidate::lambda, "lambda", ratio, "largest slenderness"}.as(Role::result),
-        Field{&Candidate::sigma_cr, "sigma_cr", MPa, "critical stress, without safety"}.as(Role::result),
-        Field{&Candidate::P_all, "P_all", kN, "allowable force"}.as(Role::result),
-        Field{&Candidate::u, "u", ratio, "force over the allowable one"}.as(Role::result),
+        NameField{&Candidate::name, "name", "section"},
+        Field{&Candidate::q, "q", kg_per_m, "mass per length"},
+        Choice{&Candidate::axis, "axis", "axis of the largest slenderness"},
+        Field{&Candidate::lambda, "lambda", ratio, "largest slenderness"},
+        Field{&Candidate::sigma_cr, "sigma_cr", MPa, "critical stress, without safety"},
+        Field{&Candidate::P_all, "P_all", kN, "allowable force"},
+        Field{&Candidate::u, "u", ratio, "force over the allowable one"},
         Field{&Candidate::demand, "demand", ratio,
-              "the largest of its checks and limits that are known: it carries the bar up to 1"}
-            .as(Role::result),
-        Field{&Candidate::excess, "excess", ratio, "mass over that of the section found, less 1"}.as(Role::result),
-        Choice{&Candidate::failure, "failure", "why it does not carry the bar"}.as(Role::result)};
+              "the largest of its checks and limits that are known: it carries the bar up to 1"},
+        Field{&Candidate::excess, "excess", ratio, "mass over that of the section found, less 1"},
+        Choice{&Candidate::failure, "failure", "why it does not carry the bar"}};
   };
   using Candidates = List<Candidate, 12>;
 
@@ -112,20 +111,15 @@ gamma_F = 1
   };
   static constexpr auto results = std::tuple_cat(
       std::tuple{NameField{&Result::section, "section",
-                           "lightest section; the strongest of those judged where none carries the bar"}
-                     .as(Role::result),
-                 Field{&Result::q, "q", kg_per_m, "its mass per length"}.as(Role::result),
-                 Field{&Result::mass, "mass", kg, "mass of the bar"}.as(Role::result),
-                 Field{&Result::sections, "sections", ratio, "sections of these families that there is room for"}.as(
-                     Role::result)},
+                           "lightest section; the strongest of those judged where none carries the bar"},
+                 Field{&Result::q, "q", kg_per_m, "its mass per length"},
+                 Field{&Result::mass, "mass", kg, "mass of the bar"},
+                 Field{&Result::sections, "sections", ratio, "sections of these families that there is room for"}},
       member_results<Result>(),
-      std::tuple{
-          Field{&Result::lack, "lack", ratio, "part of the force that even the strongest judged does not carry"}.as(
-              Role::result),
-          Field{&Result::carrying, "carrying", ratio, "sections that carry the bar"}.limit(1, 1e6),
-          ListField{&Result::candidates, "candidates", "sections that carry the bar, lightest first"}.as(Role::result),
-          ListField{&Result::lighter, "lighter", "the next lighter ones and why they fail, heaviest first"}.as(
-              Role::result)});
+      std::tuple{Field{&Result::lack, "lack", ratio, "part of the force that even the strongest judged does not carry"},
+                 Field{&Result::carrying, "carrying", ratio, "sections that carry the bar"}.limit(1, 1e6),
+                 ListField{&Result::candidates, "candidates", "sections that carry the bar, lightest first"},
+                 ListField{&Result::lighter, "lighter", "the next lighter ones and why they fail, heaviest first"}});
 
   static bool families_known(const Input& in);
   static FieldFault unknown_family(const Input& in);

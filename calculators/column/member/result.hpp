@@ -22,17 +22,17 @@ struct AxisResult {
   double eta = unset<double>;
   Stress sigma_s = unset<Stress>;
   static constexpr std::tuple fields{
-      NameField{&AxisResult::name, "name", "axis that the bar bends about"}.as(Role::result),
-      Field{&AxisResult::i, "i", mm, "radius of gyration"}.as(Role::result),
-      Field{&AxisResult::beta, "beta", ratio, "effective length factor"}.as(Role::result),
-      Field{&AxisResult::s, "s", mm, "effective length"}.as(Role::result),
-      Field{&AxisResult::lambda, "lambda", ratio, "slenderness"}.as(Role::result),
-      Field{&AxisResult::N_cr, "N_cr", kN, "critical force of the elastic bar"}.as(Role::result),
-      Field{&AxisResult::alpha, "alpha", ratio, "imperfection factor of EN 1993-1-1"}.as(Role::result),
-      Field{&AxisResult::lambda_bar, "lambda_bar", ratio, "slenderness of EN 1993-1-1"}.as(Role::result),
-      Field{&AxisResult::chi, "chi", ratio, "reduction factor of EN 1993-1-1"}.as(Role::result),
-      Field{&AxisResult::eta, "eta", ratio, "eccentricity ratio e c/i^2"}.as(Role::result),
-      Field{&AxisResult::sigma_s, "sigma_s", MPa, "mean stress at which the extreme fibre yields"}.as(Role::result)};
+      NameField{&AxisResult::name, "name", "axis that the bar bends about"},
+      Field{&AxisResult::i, "i", mm, "radius of gyration"},
+      Field{&AxisResult::beta, "beta", ratio, "effective length factor"},
+      Field{&AxisResult::s, "s", mm, "effective length"},
+      Field{&AxisResult::lambda, "lambda", ratio, "slenderness"},
+      Field{&AxisResult::N_cr, "N_cr", kN, "critical force of the elastic bar"},
+      Field{&AxisResult::alpha, "alpha", ratio, "imperfection factor of EN 1993-1-1"},
+      Field{&AxisResult::lambda_bar, "lambda_bar", ratio, "slenderness of EN 1993-1-1"},
+      Field{&AxisResult::chi, "chi", ratio, "reduction factor of EN 1993-1-1"},
+      Field{&AxisResult::eta, "eta", ratio, "eccentricity ratio e c/i^2"},
+      Field{&AxisResult::sigma_s, "sigma_s", MPa, "mean stress at which the extreme fibre yields"}};
 };
 
 struct MethodResult {
@@ -42,13 +42,12 @@ struct MethodResult {
   double n = unset<double>;
   Force P_all = unset<Force>;
   double u = unset<double>;
-  static constexpr std::tuple fields{
-      NameField{&MethodResult::name, "name", "method"}.as(Role::result),
-      Field{&MethodResult::sigma_cr, "sigma_cr", MPa, "critical stress, without safety"}.as(Role::result),
-      Field{&MethodResult::P_cr, "P_cr", kN, "critical force, without safety"}.as(Role::result),
-      Field{&MethodResult::n, "n", ratio, "safety of the method"}.as(Role::result),
-      Field{&MethodResult::P_all, "P_all", kN, "allowable force"}.as(Role::result),
-      Field{&MethodResult::u, "u", ratio, "force over the allowable one"}.as(Role::result)};
+  static constexpr std::tuple fields{NameField{&MethodResult::name, "name", "method"},
+                                     Field{&MethodResult::sigma_cr, "sigma_cr", MPa, "critical stress, without safety"},
+                                     Field{&MethodResult::P_cr, "P_cr", kN, "critical force, without safety"},
+                                     Field{&MethodResult::n, "n", ratio, "safety of the method"},
+                                     Field{&MethodResult::P_all, "P_all", kN, "allowable force"},
+                                     Field{&MethodResult::u, "u", ratio, "force over the allowable one"}};
 };
 
 struct MemberResult {
@@ -74,36 +73,28 @@ struct MemberResult {
 template <class Result>
 constexpr auto slenderness_results() {
   return std::tuple{
-      Choice<Result, Loading>{&Result::loading, "loading", "what the force does to the bar"}.as(Role::result),
-      Field<Result, Force>{&Result::F, "F", kN, "compressive force"}.as(Role::result),
-      Field<Result, Area>{&Result::A, "A", mm2, "area"}.as(Role::result),
+      Choice<Result, Loading>{&Result::loading, "loading", "what the force does to the bar"},
+      Field<Result, Force>{&Result::F, "F", kN, "compressive force"},
+      Field<Result, Area>{&Result::A, "A", mm2, "area"},
       Field<Result, Length>{&Result::t, "t", mm,
-                            "thickness that the strength depends on; the least of the table where unknown"}
-          .as(Role::result),
-      Choice<Result, AxisName>{&Result::axis, "axis", "axis of the largest slenderness"}.as(Role::result),
-      Field<Result, double>{&Result::lambda, "lambda", ratio, "largest slenderness"}.as(Role::result),
-      Field<Result, Force>{&Result::N_cr, "N_cr", kN, "least critical force of the elastic bar, however short it is"}
-          .as(Role::result)};
+                            "thickness that the strength depends on; the least of the table where unknown"},
+      Choice<Result, AxisName>{&Result::axis, "axis", "axis of the largest slenderness"},
+      Field<Result, double>{&Result::lambda, "lambda", ratio, "largest slenderness"},
+      Field<Result, Force>{&Result::N_cr, "N_cr", kN, "least critical force of the elastic bar, however short it is"}};
 }
 
 /// Where the formulas end, and what the method that decides allows.
 template <class Result>
 constexpr auto stress_results() {
   return std::tuple{
-      Field<Result, Stress>{&Result::sigma_E, "sigma_E", MPa, "stress at that force, however short the bar is"}.as(
-          Role::result),
-      Field<Result, double>{&Result::lambda_T, "lambda_T", ratio, "slenderness at which Tetmajer's formula ends"}.as(
-          Role::result),
-      Field<Result, double>{&Result::gap, "gap", ratio, "at the published lambda_1, Tetmajer over Euler less 1"}.as(
-          Role::result),
-      Field<Result, double>{&Result::lambda_lim, "lambda_lim", ratio, "limit slenderness of Euler's formula"}.as(
-          Role::result),
-      Field<Result, Stress>{&Result::sigma_cr, "sigma_cr", MPa, "critical stress of the method that decides"}.as(
-          Role::result),
-      Field<Result, Force>{&Result::P_all, "P_all", kN, "allowable force of the method that decides"}.as(Role::result),
+      Field<Result, Stress>{&Result::sigma_E, "sigma_E", MPa, "stress at that force, however short the bar is"},
+      Field<Result, double>{&Result::lambda_T, "lambda_T", ratio, "slenderness at which Tetmajer's formula ends"},
+      Field<Result, double>{&Result::gap, "gap", ratio, "at the published lambda_1, Tetmajer over Euler less 1"},
+      Field<Result, double>{&Result::lambda_lim, "lambda_lim", ratio, "limit slenderness of Euler's formula"},
+      Field<Result, Stress>{&Result::sigma_cr, "sigma_cr", MPa, "critical stress of the method that decides"},
+      Field<Result, Force>{&Result::P_all, "P_all", kN, "allowable force of the method that decides"},
       Field<Result, double>{&Result::spread, "spread", ratio,
-                            "largest critical stress of the methods over the least, less 1"}
-          .as(Role::result)};
+                            "largest critical stress of the methods over the least, less 1"}};
 }
 
 template <class Result>
@@ -132,9 +123,8 @@ constexpr auto member_results() {
   return std::tuple_cat(
       slenderness_results<Result>(), stress_results<Result>(), member_checks<Result>(),
       std::tuple{
-          ListField<Result, AxisResult, 2>{&Result::axes, "axes", "bending about y and about z"}.as(Role::result),
-          ListField<Result, MethodResult, most_methods>{&Result::methods, "methods", "the methods side by side"}.as(
-              Role::result)});
+          ListField<Result, AxisResult, 2>{&Result::axes, "axes", "bending about y and about z"},
+          ListField<Result, MethodResult, most_methods>{&Result::methods, "methods", "the methods side by side"}});
 }
 
 }  // namespace loadpath::column

@@ -40,7 +40,7 @@ namespace detail {
 template <class Result, class Quantity>
 constexpr auto property(Quantity Properties::*at, const char* key, Unit<Quantity> unit, const char* doc) {
   Quantity Result::*const own = at;
-  return Field{own, key, unit, doc}.as(Role::result);
+  return Field{own, key, unit, doc};
 }
 
 }  // namespace detail

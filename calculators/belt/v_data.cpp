@@ -18,8 +18,8 @@ struct CountRow {
   static constexpr auto group = "v_belt_count";
   double z = unset<double>, low = unset<double>, high = unset<double>;
   static constexpr std::tuple fields{Field{&CountRow::z, "z", ratio, "number of belts"},
-                                     Field{&CountRow::low, "C_K_low", ratio, "low end"},
-                                     Field{&CountRow::high, "C_K_high", ratio, "high end"}};
+                                     Field{&CountRow::low, called("C_K_low"), ratio, "low end"},
+                                     Field{&CountRow::high, called("C_K_high"), ratio, "high end"}};
 };
 
 struct ServiceRow {

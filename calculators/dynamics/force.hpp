@@ -44,7 +44,7 @@ t_2 = "2 s"
     Time t_1 = unset<Time>, t_2 = unset<Time>;
   };
   static constexpr std::tuple inputs{
-      Field{&Input::mass, "m", kg, "mass"}.positive().usually(1e-6, 1e6),
+      Field{&Input::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e6),
       FormulaField{&Input::x, "x", "coordinate as a formula of the time t: \"3 m*sin(pi*t/(1 s))\""},
       FormulaField{&Input::y, "y", "coordinate as a formula of the time t; stays 0 where missing"}.may_be_missing(),
       FormulaField{&Input::z, "z", "coordinate as a formula of the time t; stays 0 where missing"}.may_be_missing(),

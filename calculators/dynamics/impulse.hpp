@@ -40,7 +40,7 @@ v_1x = "-1 m/s"
     Speed v_1x = 0.0 * m_per_s, v_1y = 0.0 * m_per_s;
   };
   static constexpr std::tuple inputs{
-      Field{&Input::mass, "m", kg, "mass"}.positive().usually(1e-6, 1e6),
+      Field{&Input::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e6),
       FormulaField{&Input::F_x, "F_x", "force along x as a formula of the time t: \"500 N*sin(pi*t/(20 ms))\""},
       FormulaField{&Input::F_y, "F_y", "force along y as a formula of the time t; none where missing"}.may_be_missing(),
       Field{&Input::t_1, "t_1", sec, "time at which the force starts"},

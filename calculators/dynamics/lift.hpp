@@ -42,7 +42,7 @@ wheels = [
     double i = 1.0, alpha = pi / 2.0, mu = 0.0;
     static constexpr std::tuple fields{
         NameField{&Weight::name, "name", "name of the body"}.may_be_missing(),
-        Field{&Weight::mass, "m", kg, "mass"}.positive().usually(1e-6, 1e7),
+        Field{&Weight::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e7),
         Field{&Weight::i, "i", ratio, "its path over the path s, positive downwards"},
         Field{&Weight::alpha, "alpha", deg, "slope of its track: 90 deg hangs, 0 deg level"}.within(0, 90),
         Field{&Weight::mu, "mu", ratio, "coefficient of friction on its track"}.at_least(0).usually(0, 1)};

@@ -37,7 +37,7 @@ bodies = [
     Length x = 0.0 * m, y = 0.0 * m, s = 0.0 * m;
     static constexpr std::tuple fields{
         NameField{&Body::name, "name", "name of the body"}.may_be_missing(),
-        Field{&Body::mass, "m", kg, "mass"}.positive().usually(1e-6, 1e7),
+        Field{&Body::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e7),
         Field{&Body::x, "x", loadpath::m, "place of its centre of mass before, x"},
         Field{&Body::y, "y", loadpath::m, "place of its centre of mass, y"},
         Field{&Body::s, "s", loadpath::m, "path along the carrier, signed along x; none of the carrier"}};

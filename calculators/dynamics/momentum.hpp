@@ -36,7 +36,7 @@ bodies = [
     Speed v_1 = 0.0 * m_per_s, v_2 = unset<Speed>;
     static constexpr std::tuple fields{
         NameField{&Body::name, "name", "name of the body"}.may_be_missing(),
-        Field{&Body::mass, "m", kg, "mass"}.positive().usually(1e-6, 1e7),
+        Field{&Body::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e7),
         Field{&Body::v_1, "v_1", m_per_s, "velocity before"},
         Field{&Body::v_2, "v_2", m_per_s, "velocity after; where missing it is to be found"}.may_be_missing()};
   };

@@ -43,7 +43,7 @@ mu = 0.1
     Acceleration g = usual_gravity;
   };
   static constexpr std::tuple inputs{
-      Field{&Input::mass, "m", kg, "mass"}.positive().usually(1e-6, 1e6),
+      Field{&Input::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e6),
       Field{&Input::s, "s", m, "length of the path"}.positive().usually(1e-6, 1e6),
       Field{&Input::alpha, "alpha", deg, "slope of the path, positive where it rises"}.within(-90, 90),
       Field{&Input::mu, "mu", ratio, "coefficient of sliding friction"}.at_least(0).usually(0, 1),

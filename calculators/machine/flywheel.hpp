@@ -81,7 +81,7 @@ delta = 0.01
           .positive()
           .usually(1e-4, 0.3)
           .may_be_missing(),
-      Field{&Input::inertia, "J", kg_m2, "moment of inertia of a given flywheel"}.positive().may_be_missing(),
+      Field{&Input::inertia, called("J"), kg_m2, "moment of inertia of a given flywheel"}.positive().may_be_missing(),
       Field{&Input::J_0, "J_0", kg_m2, "inertia that turns with the shaft at a constant ratio, reduced to it"}.at_least(
           0),
       Field{&Input::eta, "eta", ratio, "efficiency between the motor and the shaft"}.within(0.01, 1),

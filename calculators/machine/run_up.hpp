@@ -42,7 +42,7 @@ n_2 = "1400 rpm"
     double u = 1.0;
     static constexpr std::tuple fields{
         NameField{&Part::name, "name", "name of the part"}.may_be_missing(),
-        Field{&Part::inertia, "J", kg_m2, "moment of inertia about its own axis"}.positive(),
+        Field{&Part::inertia, called("J"), kg_m2, "moment of inertia about its own axis"}.positive(),
         Field{&Part::u, "u", ratio, "its speed over that of the motor"}};
   };
   struct Point {

@@ -34,6 +34,10 @@ struct Range {
   }
 };
 
+/// The key of a field whose member bears another name, because its symbol is taken in C++: a mass, beside the unit m.
+/// Elsewhere a key that differs from its member is a slip, and fails a test.
+constexpr const char* called(const char* key) { return key; }
+
 /// Where the value of an input can come from when the user does not type it.
 struct Provider {
   enum class Kind { none, table, companion };

@@ -62,7 +62,7 @@ L = "2650 mm"
     AngularSpeed n_1 = unset<AngularSpeed>;
     double epsilon = 0.01;
     Length d_1 = unset<Length>, d_2 = unset<Length>, a = unset<Length>, L = unset<Length>;
-    int z = 0;
+    Whole z = 0;
     End C_K_end = End::low;
     Tensioning tensioning = Tensioning::fixed;
     double mu = unset<double>;
@@ -113,7 +113,7 @@ L = "2650 mm"
     double K_A = unset<double>;
     Power P_B = unset<Power>, P_0 = unset<Power>, dP = unset<Power>, P_N = unset<Power>, P_all = unset<Power>;
     double c_alpha = unset<double>, c_L = unset<double>, C_K = unset<double>, z_0 = unset<double>;
-    int z = 0;
+    Whole z = 0;
     Force F_c = unset<Force>, F_0 = unset<Force>, F_0_new = unset<Force>;
     Force S_1 = unset<Force>, S_2 = unset<Force>;
     Length y = unset<Length>;

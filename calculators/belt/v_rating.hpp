@@ -76,7 +76,7 @@ double wrap_factor(Basis basis, double alpha, Tracer& trace) {
 }
 
 /// The least number of belts whose shares carry z_0 belts' rating; 0 where no number up to 100 does.
-inline int belts_needed(Basis basis, double z_0, bool high_end) {
+inline Whole belts_needed(Basis basis, double z_0, bool high_end) {
   for (int z = 1; z <= 100; ++z) {
     const double share = basis == Basis::iso ? v_count_factor(z, high_end) : 1.0;
     if (z * share >= z_0 * (1.0 - 1e-9)) return z;

@@ -50,7 +50,7 @@ a_set = "600 mm"
     double tol_a = 0.15;
     double epsilon = 0.01;
     Length d_1_min = unset<Length>, d_max = unset<Length>;
-    int z_max = 8;
+    Whole z_max = 8;
     double mu = unset<double>;
     Speed v_rim_adm = from_si<Speed>(35.0);
     Rank rank = Rank::pulleys;
@@ -92,7 +92,7 @@ a_set = "600 mm"
   struct Candidate {
     SectionWord section = SectionWord::none;
     Length d_1 = unset<Length>, d_2 = unset<Length>, L = unset<Length>;
-    int z = 0;
+    Whole z = 0;
     Length a = unset<Length>;
     AngularSpeed n_2 = unset<AngularSpeed>;
     Length B = unset<Length>;
@@ -121,7 +121,7 @@ a_set = "600 mm"
     double drives = 0.0, tried = 0.0, too_weak = 0.0, outside = 0.0;
     SectionWord section = SectionWord::none;
     Length d_1 = unset<Length>, d_2 = unset<Length>, L = unset<Length>, a = unset<Length>;
-    int z = 0;
+    Whole z = 0;
     AngularSpeed n_2 = unset<AngularSpeed>, n_k = unset<AngularSpeed>;
     Time L_h = unset<Time>;
     double dev_n = unset<double>, dev_a = unset<double>;

@@ -164,7 +164,7 @@ bool Roller::links_reach(const Input& in) {
 
 FieldFault Roller::too_few_links(const Input& in) {
   const double least = std::ceil(links_at(closest(in) / in.p, in.z_1, in.z_2));
-  return {"X", say("{1} links do not reach around the sprockets", std::to_string(in.X)),
+  return {"X", say("{1} links do not reach around the sprockets", std::to_string(static_cast<int>(in.X))),
           say("give more than {1}", std::to_string(static_cast<int>(least)))};
 }
 

@@ -54,10 +54,10 @@ S_min = 7.6
     Edition edition = Edition::maker;
     Force F_uM = unset<Force>, F_u94 = unset<Force>;
     LineDensity q = unset<LineDensity>;
-    int strands = 1;
-    int z_1 = 0, z_2 = 0;
+    Whole strands = 1;
+    Whole z_1 = 0, z_2 = 0;
     Length a = unset<Length>;
-    int X = 0;
+    Whole X = 0;
     AngularSpeed n_1 = unset<AngularSpeed>;
     Power P = unset<Power>;
     Moment T_1 = unset<Moment>;

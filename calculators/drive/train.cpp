@@ -51,7 +51,7 @@ struct Set {
 
 Set planetary_set(const Stage& s) {
   gear::Planetary::Input set;
-  set.z_s = s.z_s, set.z_r = s.z_r, set.z_p = std::max(1, (s.z_r - s.z_s) / 2), set.N_p = 1;
+  set.z_s = s.z_s, set.z_r = s.z_r, set.z_p = Whole(std::max(1.0, (s.z_r - s.z_s) / 2.0)), set.N_p = 1;
   set.eta_0 = s.eta;
   const auto held = [&](Member member) { return s.in != member && s.out != member; };
   set.fixed = held(Member::sun)       ? gear::Planetary::Member::sun
@@ -150,7 +150,7 @@ Diameters diameters_of(const Stage& s) {
   if (!has_teeth(s)) return {};
   const bool gears = s.kind == StageKind::gear || s.kind == StageKind::internal;
   const Length tooth = gears ? s.m_n / std::cos(s.beta) : s.kind == StageKind::chain ? s.p / pi : unset<Length>;
-  return {tooth * static_cast<double>(s.z_1), tooth * static_cast<double>(s.z_2)};
+  return {tooth * s.z_1, tooth * s.z_2};
 }
 
 /// Speed, torque and power behind a stage.

@@ -52,12 +52,12 @@ stages = [
     Name name;
     StageKind kind = StageKind::gear;
     double i = unset<double>;
-    int z_1 = 0, z_2 = 0;
+    Whole z_1 = 0, z_2 = 0;
     Length d_1 = unset<Length>, d_2 = unset<Length>;
     double slip = 0.0;
     Length m_n = unset<Length>, p = unset<Length>;
     double beta = 0.0;
-    int z_s = 0, z_r = 0;
+    Whole z_s = 0, z_r = 0;
     Member in = Member::sun, out = Member::carrier;
     double eta = unset<double>;
     Sense sense = Sense::usual;

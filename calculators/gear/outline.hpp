@@ -3,6 +3,7 @@
 
 #include "calculators/gear/tooth_form.hpp"
 #include "lib/figure/figure.hpp"
+#include "lib/quantity/whole.hpp"
 
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace loadpath::gear {
 struct Body {
   Rack rack;         // in transverse modules
   double m_t = 0.0;  // transverse module
-  int z = 0;
+  Whole z = 0;
   double x = 0.0;  // profile shift in transverse modules
   double r_a = 0.0, r_f = 0.0;
   draw::Point at;     // the axis

@@ -55,7 +55,7 @@ sigma_adm_2 = "200 MPa"
 
   struct Input {
     Mesh mesh = Mesh::external;
-    int z_1 = 0, z_2 = 0;
+    Whole z_1 = 0, z_2 = 0;
     Length m_n = unset<Length>;
     double alpha_n = 20.0 * deg.one, beta = 0.0;
     Hand hand = Hand::right;
@@ -64,7 +64,7 @@ sigma_adm_2 = "200 MPa"
     double h_aP = 1.0, h_fP = 1.25, rho_fP = 0.38;
     Shortening shortening = Shortening::clearance;
     Length A_s1 = 0.0 * mm, A_s2 = 0.0 * mm;
-    int k_W1 = 0, k_W2 = 0;
+    Whole k_W1 = 0, k_W2 = 0;
     Length b = unset<Length>;
     double psi_m = unset<double>;
     Moment T_1 = unset<Moment>;

@@ -16,7 +16,7 @@ struct Wheel {
   double z, x;
   Length A_s, d, d_b, d_a;
   double g;
-  int spanned;
+  Whole spanned;
 };
 
 template <class Tracer>
@@ -72,7 +72,7 @@ void measure_teeth(const Pair::Input& in, PairResult& r, Tracer& trace) {
   const double alpha_n = in.alpha_n, x_1 = in.x_1, x_2 = r.x_2, x_0 = r.x_0, h_aP = in.h_aP;
   const bool both_shifts_given = is_set(in.a_w) && (is_set(in.x_2) || in.mesh == Mesh::rack);
   STEP(s_n1, m_n * (pi / 2.0 + 2.0 * x_1 * tan(alpha_n)) + A_s1, "normal thickness at the reference circle");
-  const Wheel one{static_cast<double>(in.z_1), x_1, A_s1, r.d_1, r.d_b1, r.d_a1, 1.0, in.k_W1};
+  const Wheel one{in.z_1, x_1, A_s1, r.d_1, r.d_b1, r.d_a1, 1.0, in.k_W1};
   const Length s_an1 = r.s_an1 = tip_thickness(in, r, one, s_n1, first, trace);
   r.k_W1 = spanned_teeth(in, r, one, trace);
   r.W_1 = base_tangent(in, r, one, r.k_W1, first, trace);
@@ -83,7 +83,7 @@ void measure_teeth(const Pair::Input& in, PairResult& r, Tracer& trace) {
     r.s_an2 = s_an2, r.s_a = s_a;
   } else {
     STEP(s_n2, m_n * (pi / 2.0 + 2.0 * x_2 * tan(alpha_n)) + A_s2, "normal thickness at the reference circle");
-    const Wheel two{static_cast<double>(in.z_2), x_2, A_s2, r.d_2, r.d_b2, r.d_a2, sign_of(in.mesh), in.k_W2};
+    const Wheel two{in.z_2, x_2, A_s2, r.d_2, r.d_b2, r.d_a2, sign_of(in.mesh), in.k_W2};
     const Length s_an2 = r.s_an2 = tip_thickness(in, r, two, s_n2, second, trace);
     STEP(s_a, min(s_an1, s_an2) / m_n, "the thinner tip, in modules");
     r.s_n2 = s_n2, r.s_a = s_a;

@@ -117,8 +117,7 @@ void assembly(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
   const double z_s = in.z_s, z_p = in.z_p, z_r = r.z_r, N_p = in.N_p, h_aP = in.h_aP, x_p = in.x_p;
   STEP(q, (z_s + z_r) / N_p, "steps of assembly between two planets; whole for even spacing, [Assembly]");
   r.q = q;
-  r.spacing =
-      (in.z_s + Planetary::ring_teeth(in)) % in.N_p == 0 ? Planetary::Spacing::even : Planetary::Spacing::uneven;
+  r.spacing = Planetary::evenly_spaced(in) ? Planetary::Spacing::even : Planetary::Spacing::uneven;
   const double steps = std::round(q);
   trace.value("steps", steps, "the nearest whole number of steps");
   STEP(phi_2, 2.0 * pi * steps / (z_s + z_r), "where the second planet can be put in");

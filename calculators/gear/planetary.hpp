@@ -46,8 +46,8 @@ eta_0 = 0.97
   static constexpr double most_shifted = 4.0;  // teeth that profile shift can still mend
 
   struct Input {
-    int z_s = 0, z_p = 0, z_r = 0;
-    int N_p = 3;
+    Whole z_s = 0, z_p = 0, z_r = 0;
+    Whole N_p = 3;
     Member fixed = Member::ring;
     AngularSpeed n_s = unset<AngularSpeed>, n_c = unset<AngularSpeed>, n_r = unset<AngularSpeed>;
     Moment T_s = unset<Moment>, T_c = unset<Moment>, T_r = unset<Moment>;
@@ -58,7 +58,8 @@ eta_0 = 0.97
     double K_gamma = 1.0;
   };
   /// As given, or what brings sun, planets and ring to one axis.
-  static int ring_teeth(const Input& in) { return in.z_r > 0 ? in.z_r : in.z_s + 2 * in.z_p; }
+  static Whole ring_teeth(const Input& in) { return in.z_r > 0 ? in.z_r : Whole(in.z_s + 2 * in.z_p); }
+  static bool evenly_spaced(const Input& in) { return Whole(in.z_s + ring_teeth(in)) % static_cast<int>(in.N_p) == 0; }
   static bool speeds_determined(const Input& in);
   static FieldFault wrong_speeds(const Input& in);
   static constexpr std::tuple inputs{
@@ -140,10 +141,10 @@ eta_0 = 0.97
                   "with a member held one speed of the others is given; with none held, two", &wrong_speeds},
       Rule<Input>{[](const Input& in) { return is_set(in.T_s) + is_set(in.T_c) + is_set(in.T_r) <= 1; },
                   "T_s, T_c, T_r", "one torque sets the others: give one of T_s, T_c, T_r"},
-      Rule<Input>{[](const Input& in) { return (in.z_s + ring_teeth(in)) % in.N_p == 0; }, "z_s, z_r, N_p",
+      Rule<Input>{&evenly_spaced, "z_s, z_r, N_p",
                   "(z_s + z_r)/N_p is not whole: the planets can be put in, but not spaced evenly", nullptr, true},
       Rule<Input>{[](const Input& in) {
-                    const int gap = ring_teeth(in) - in.z_s - 2 * in.z_p;
+                    const double gap = ring_teeth(in) - in.z_s - 2 * in.z_p;
                     return gap == 0 || std::abs(gap) > most_shifted;  // a limit tells of more
                   },
                   "z_r, z_s, z_p",

@@ -96,7 +96,7 @@ F_y = "0 N"
     List<CamProfile, 8> profiles;
     Crank crank;
     List<Cylinder, 16> cylinders;
-    int positions = 1;
+    Whole positions = 1;
     List<Load, 64> loads;
     List<Spring, 32> springs;
     List<Side, 16> sides;

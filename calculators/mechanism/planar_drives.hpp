@@ -15,7 +15,7 @@ struct Crank {
   AngularSpeed speed = 0.0 * rad_per_s.one;
   AngularAcceleration acceleration = 0.0 * rad_per_s2.one;
   double start = 0.0;
-  int positions = 360, turns = 1;
+  Whole positions = 360, turns = 1;
   struct Place {
     double angle = unset<double>;
     static constexpr std::tuple fields{Field{&Place::angle, "angle", deg, "crank angle"}.within(-3600, 3600)};

@@ -49,14 +49,14 @@ bool follows_law(const Drive& drive) {
 class LawCheck {
  public:
   std::vector<FieldFault> run(const Planar::Input& in) {
-    for_each_drive(in, [this](const auto& drive, int positions) { check(drive, positions); });
+    for_each_drive(in, [this](const auto& drive, Whole positions) { check(drive, positions); });
     if (faults_.empty()) check_times(in);
     return std::move(faults_);
   }
 
  private:
   template <class Drive>
-  void check(const Drive& drive, int positions) {
+  void check(const Drive& drive, Whole positions) {
     const std::string path = path_of(drive), formula = path + "." + formula_key(drive);
     if (!drive.law.empty() && !formula_of(drive).empty())
       return add(formula, say("'law' and '{1}' both say how the drive moves", formula_key(drive)),
@@ -100,7 +100,7 @@ class LawCheck {
   }
 
   template <class Drive>
-  void check_formula(const Drive& drive, const std::string& path, int positions) {
+  void check_formula(const Drive& drive, const std::string& path, Whole positions) {
     if (!is_set(drive.duration))
       return add(path, say("a law by a formula needs the time for which it holds"), say("add duration = \"2 s\""));
     const auto law = parsed(formula_of(drive), dimension_of(drive));

@@ -109,7 +109,7 @@ account::Verdict no_return(const std::string& step, const Planar::Input& in) {
   v.step = step;
   v.symbol = "returns";
   v.meaning = say("after the cycle the mechanism is where it began");
-  v.bound = say("after {1} turns", std::to_string(in.crank.turns));
+  v.bound = say("after {1} turns", std::to_string(static_cast<int>(in.crank.turns)));
   v.value = say("elsewhere");
   v.state = account::State::fail;
   v.note =

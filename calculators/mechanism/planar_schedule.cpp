@@ -105,7 +105,7 @@ Schedule schedule_by_laws(const Planar::Input& in, const mechanism::ReleasedSyst
   Schedule schedule;
   if (has_crank(in))
     schedule.turns = whole_turns(drive_at(laws[0], starts[0], first, first).coordinate, system.coordinate(0));
-  const int count = has_crank(in) ? in.crank.positions : in.positions;
+  const Whole count = has_crank(in) ? in.crank.positions : in.positions;
   for (int k = 0; k < count; ++k) {
     const double t = count > 1 ? first + (last - first) * k / (count - 1) : first;
     schedule.at.push_back(t);

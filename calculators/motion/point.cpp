@@ -124,7 +124,7 @@ void fill_states(const Point::Input& in, const PointPath& path, Point::Result& r
   for (const auto& instant : in.times) r.states.push_back(state_at(path, in_si(instant.t)));
   if (!in.times.empty() || !is_set(in.t_1)) return;
   for (int i = 0; i < in.rows; ++i)
-    r.states.push_back(state_at(path, in_si(in.t_1 + (in.t_2 - in.t_1) * (static_cast<double>(i) / (in.rows - 1)))));
+    r.states.push_back(state_at(path, in_si(in.t_1 + (in.t_2 - in.t_1) * (i / (in.rows - 1)))));
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ t_2 = "2 s"
     Formula x, y, z;
     Time t = unset<Time>;
     Time t_1 = unset<Time>, t_2 = unset<Time>;
-    int rows = 13;
+    Whole rows = 13;
     List<Instant, most_states> times;
   };
   static constexpr std::tuple inputs{

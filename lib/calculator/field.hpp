@@ -5,7 +5,7 @@
 #pragma once
 
 #include "lib/calculator/list.hpp"
-#include "lib/quantity/units.hpp"
+#include "lib/quantity/whole.hpp"
 
 #include <limits>
 #include <optional>
@@ -197,10 +197,10 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
 /// A whole number.
 template <class Owner>
 struct Count : detail::Described<Count<Owner>> {
-  int Owner::*at;
+  Whole Owner::*at;
   int low;
   int high;
-  constexpr Count(int Owner::*member, const char* k, int least, int most, const char* d)
+  constexpr Count(Whole Owner::*member, const char* k, int least, int most, const char* d)
       : detail::Described<Count<Owner>>{k, d}, at{member}, low{least}, high{most} {}
 };
 

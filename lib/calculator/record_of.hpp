@@ -69,7 +69,7 @@ FieldInfo info_of(const Count<Owner>& f) {
   FieldInfo info = described(f, FieldInfo::Type::count, role);
   info.bounds = {static_cast<double>(f.low), static_cast<double>(f.high), false, false};
   info.get = [](const void* o) { return static_cast<double>(static_cast<const Owner*>(o)->*member_at<fields, I>); };
-  info.set = [](void* o, double v) { static_cast<Owner*>(o)->*member_at<fields, I> = static_cast<int>(v); };
+  info.set = [](void* o, double v) { static_cast<Owner*>(o)->*member_at<fields, I> = Whole(v); };
   return info;
 }
 

@@ -10,9 +10,6 @@ namespace loadpath::belt {
 
 namespace {
 
-using std::cos;
-using std::log;
-using std::sin;
 using Input = Course::Input;
 using Result = Course::Result;
 using Pulley = Course::Pulley;
@@ -124,7 +121,7 @@ void press(const Loop& loop, std::size_t k, Force N_before, Force N_behind, Cour
   STEP(R, sqrt(R_x * R_x + R_y * R_y), "load of the shaft");
   p.R_x = R_x, p.R_y = R_y, p.R = R;
   if (!(N_before > 0.0 * N && N_behind > 0.0 * N)) return;
-  STEP(mu_req, abs(log(static_cast<double>(N_behind / N_before))) / alpha, "friction that is used, [Shigley-17]");
+  STEP(mu_req, abs(log(N_behind / N_before)) / alpha, "friction that is used, [Shigley-17]");
   p.mu_req = mu_req;
 }
 

@@ -90,8 +90,7 @@ void tighten(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   STEP(S_2, S_1 - F_t, "slack span");
   r.F_c = F_c, r.S_0_min = S_0_min, r.S_1 = S_1, r.S_2 = S_2;
   if (S_2 > F_c) {
-    STEP(mu_req, log(static_cast<double>((S_1 - F_c) / (S_2 - F_c))) / min(alpha_1, alpha_2),
-         "friction that is used, [Shigley-17]");
+    STEP(mu_req, log((S_1 - F_c) / (S_2 - F_c)) / min(alpha_1, alpha_2), "friction that is used, [Shigley-17]");
     r.mu_req = mu_req;
   }
   STEP(u_S, S_0_min / S_0, "friction condition");

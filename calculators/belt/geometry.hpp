@@ -45,8 +45,7 @@ DriveCourse lay(const Pulleys& pulleys, Tracer& trace) {
   DriveCourse c;
   c.a = a, c.L = pulleys.L;
   if (pulleys.arrangement == Arrangement::crossed) {
-    STEP(gamma, asin(static_cast<double>((d_1 + d_2) / (2.0 * a))),
-         "inclination of the spans to the line of centres, crossed belt");
+    STEP(gamma, asin((d_1 + d_2) / (2.0 * a)), "inclination of the spans to the line of centres, crossed belt");
     STEP(alpha_1, pi + 2.0 * gamma, "wrap of the driving pulley, and of the driven one");
     c.gamma = gamma, c.alpha_1 = c.alpha_2 = alpha_1;
     if (!is_set(c.L)) {
@@ -54,7 +53,7 @@ DriveCourse lay(const Pulleys& pulleys, Tracer& trace) {
       c.L = L;
     }
   } else {
-    STEP(gamma, asin(static_cast<double>((d_2 - d_1) / (2.0 * a))), "inclination of the spans to the line of centres");
+    STEP(gamma, asin((d_2 - d_1) / (2.0 * a)), "inclination of the spans to the line of centres");
     STEP(alpha_1, pi - 2.0 * gamma, "wrap of the driving pulley");
     STEP(alpha_2, pi + 2.0 * gamma, "wrap of the driven pulley");
     c.gamma = gamma, c.alpha_1 = alpha_1, c.alpha_2 = alpha_2;

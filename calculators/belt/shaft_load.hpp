@@ -23,7 +23,7 @@ ShaftLoad shaft_load(Force N_1, Force N_2, double slope, Tracer& trace) {
   STEP(R_x, (N_1 + N_2) * cos(psi), "shaft load in running along the line of centres");
   STEP(R_y, (N_1 - N_2) * sin(psi), "across it, positive to the side of the tight span");
   STEP(R, sqrt(R_x * R_x + R_y * R_y), "shaft load in running; the same on the driven shaft, reversed");
-  STEP(theta_R, atan(static_cast<double>(R_y / R_x)), "its direction against the line of centres");
+  STEP(theta_R, atan(R_y / R_x), "its direction against the line of centres");
   load.R_x = R_x, load.R_y = R_y, load.R = R, load.theta_R = theta_R;
   return load;
 }

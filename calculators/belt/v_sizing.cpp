@@ -225,8 +225,8 @@ void check(const Input& in, const V::Input& drive, const char* which, Result& r,
   }
   const auto n_2 = r.n_2, n_2_set = in.n_2_set;
   const auto a = r.a, a_set = in.a_set;
-  STEP(dev_n, static_cast<double>(n_2 / n_2_set) - 1.0, "speed against the wanted one");
-  STEP(dev_a, static_cast<double>(a / a_set) - 1.0, "centre distance against the wanted one");
+  STEP(dev_n, n_2 / n_2_set - 1.0, "speed against the wanted one");
+  STEP(dev_a, a / a_set - 1.0, "centre distance against the wanted one");
   r.dev_n = dev_n, r.dev_a = dev_a;
 }
 

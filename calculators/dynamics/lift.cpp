@@ -10,8 +10,6 @@ namespace loadpath::dynamics {
 
 namespace {
 
-using std::cos;
-using std::sin;
 using Input = Lift::Input;
 using Moves = Lift::Moves;
 using Result = Lift::Result;
@@ -71,7 +69,7 @@ void run(const Input& in, Result& r, Tracer& trace) {
   if (r.moves == Moves::forwards) r.u_s = 0.0;  // backwards it never gets to s
   if (r.moves == Moves::forwards && in_si(a) < 0.0) {
     STEP(s_stop, v_0 * v_0 / (-2.0 * a), "all of the kinetic energy is used up");
-    STEP(u_s, static_cast<double>(s / s_stop), "path over the one to a standstill");
+    STEP(u_s, s / s_stop, "path over the one to a standstill");
     r.s_stop = s_stop, r.u_s = u_s;
     if (u_s > 1.0) return;
   }

@@ -9,10 +9,6 @@ namespace loadpath::dynamics {
 
 namespace {
 
-using std::atan;
-using std::cos;
-using std::sin;
-
 /// How high the landing is, over how high the body gets, both above the throw.
 double reached_height(const Throw::Input& in, const Throw::Result& r) {
   return in_si(in.h) < 0.0 ? -in_si(in.h) / in_si(r.H) : 0.0;
@@ -39,8 +35,7 @@ void find_best(const Throw::Input& in, Throw::Result& r, Tracer& trace) {
   r.theta_H = pi / 2.0;
   if (!(in_si(V_0 * V_0 + 2.0 * g * h) > 0.0)) return;
   STEP(V_E, sqrt(V_0 * V_0 + 2.0 * g * h), "speed at the height of the landing, [B34]");
-  STEP(theta_R, atan(static_cast<double>(V_0 / V_E)),
-       "greatest range: directions of throw and landing are perpendicular");
+  STEP(theta_R, atan(V_0 / V_E), "greatest range: directions of throw and landing are perpendicular");
   STEP(L_max, V_0 * V_E / g, "range at that angle");
   r.theta_R = theta_R, r.L_max = L_max;
 }
@@ -53,10 +48,10 @@ void aim(const Throw::Input& in, Throw::Result& r, Tracer& trace) {
   const auto g = in.g;
   const auto L_max = r.L_max;
   if (!is_set(L_max)) return;  // no throw with this speed gets as high as the landing
-  STEP(u_L, static_cast<double>(L_req / L_max), "distance over the greatest range");
+  STEP(u_L, L_req / L_max, "distance over the greatest range");
   r.u_L = u_L;
-  STEP(k, static_cast<double>(V_0 * V_0 / (g * L_req)), "twice the height of a vertical throw over the distance");
-  STEP(D, k * k - 1.0 + 2.0 * k * static_cast<double>(h / L_req), "discriminant of tan(theta) from the law of motion");
+  STEP(k, V_0 * V_0 / (g * L_req), "twice the height of a vertical throw over the distance");
+  STEP(D, k * k - 1.0 + 2.0 * k * (h / L_req), "discriminant of tan(theta) from the law of motion");
   if (!(D >= 0.0)) return;
   STEP(theta_flat, atan(k - sqrt(D)), "law of motion through the aim, [B32]");
   STEP(theta_steep, atan(k + sqrt(D)), "law of motion through the aim, [B32]");

@@ -10,8 +10,6 @@ namespace loadpath::dynamics {
 
 namespace {
 
-using std::cos;
-using std::sin;
 using Input = WorkAndEnergy::Input;
 using Result = WorkAndEnergy::Result;
 

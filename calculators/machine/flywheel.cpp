@@ -64,7 +64,7 @@ void take_inertia(const Input& in, Result& r, Tracer& trace) {
   const MassMoment J_is = is_set(given) ? given + J_0 : max(J_F, J_0);
   trace.value("J_is", J_is, is_set(given) ? "given flywheel with J_0" : "flywheel of that inertia with J_0");
   if (!(in_si(J_is) > 0.0)) return;
-  STEP(delta_is, static_cast<double>(Delta_E / (J_is * omega * omega)), "unevenness, [Khurmi-16]");
+  STEP(delta_is, Delta_E / (J_is * omega * omega), "unevenness, [Khurmi-16]");
   STEP(n_max, omega * (1.0 + 0.5 * delta_is), "mean speed half way between the largest and the least");
   STEP(n_min, omega * (1.0 - 0.5 * delta_is), "mean speed half way between the largest and the least");
   r.delta_is = delta_is, r.n_max = n_max, r.n_min = n_min;
@@ -91,7 +91,7 @@ void take_power(const Input& in, Result& r, Tracer& trace) {
   }
   const auto P = r.P;
   if (!is_set(P_n)) return;
-  STEP(u_P, static_cast<double>(P / P_n), "mean power over the rated power");
+  STEP(u_P, P / P_n, "mean power over the rated power");
   r.u_P = u_P;
 }
 
@@ -107,7 +107,7 @@ void take_rim(const Input& in, Result& r, Tracer& trace) {
   STEP(v_rim, 0.5 * omega * D, "speed of the rim");
   r.m_rim = m_rim, r.v_rim = v_rim;
   if (!is_set(v_adm)) return;
-  STEP(u_v, static_cast<double>(v_rim / v_adm), "speed of the rim over the allowable one");
+  STEP(u_v, v_rim / v_adm, "speed of the rim over the allowable one");
   r.u_v = u_v;
 }
 

@@ -112,7 +112,7 @@ void take_energies(const Input& in, Result& r, Tracer& trace) {
   r.Delta_E = Delta_E, r.A_M = A_M;
   if (!is_set(in.t_adm)) return;
   const auto t = r.t, t_adm = in.t_adm;
-  STEP(u_t, static_cast<double>(t / t_adm), "time over the allowed one");
+  STEP(u_t, t / t_adm, "time over the allowed one");
   r.u_t = u_t;
 }
 

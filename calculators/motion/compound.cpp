@@ -9,8 +9,6 @@ namespace loadpath::motion {
 
 namespace {
 
-using std::cos;
-using std::sin;
 using Input = Compound::Input;
 using Result = Compound::Result;
 

@@ -11,8 +11,6 @@ namespace loadpath::motion {
 
 namespace {
 
-using std::cos;
-using std::sin;
 using Input = Plane::Input;
 using Result = Plane::Result;
 

@@ -38,7 +38,7 @@ Length mean_radius(Length R, Length e, Tracer& trace) {
 template <class Tracer>
 double knuckle_slenderness(Length rho_c, Length delta_c, Tracer& trace) {
   trace.value("rho_c", rho_c, "radius of the crown");
-  STEP(w_b, static_cast<double>(0.002 * rho_c / delta_c),
+  STEP(w_b, 0.002 * rho_c / delta_c,
        "knuckles in compression thinner than 0.002 of the crown radius may buckle, [UG-32]");
   return w_b;
 }

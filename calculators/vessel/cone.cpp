@@ -64,7 +64,6 @@ class ConeShape {
 
 template <class Tracer>
 Length mean_radius(const Input& in, Length e, Tracer& trace) {
-  using std::cos;
   const auto R = in.R;
   const auto alpha = in.alpha;
   STEP(R_m, R + e * cos(alpha), "middle of the carrying wall at the large end");

@@ -2,7 +2,7 @@
 // Trace the report prints the same line symbolically, with numbers, with its value and its reason.
 #pragma once
 
-#include "lib/quantity/units.hpp"
+#include "lib/quantity/whole.hpp"
 
 #include <cstddef>
 #include <string>
@@ -11,10 +11,16 @@
 namespace loadpath {
 
 /// Declares `symbol` as the value of `formula` and tells the tracer. The text of `formula` must be in the language of
-/// lib/formula; `why` is a clause of a standard, a book with its equation, or the physical reason.
-#define STEP(symbol, formula, why) \
-  const auto symbol = (formula);   \
+/// lib/formula, which reads an input as `in.d`, a result as `r.F_c`, and prints d and F_c; `why` is a clause of a
+/// standard, a book with its equation, or the physical reason.
+#define STEP(symbol, formula, why)      \
+  const auto symbol = reduced(formula); \
   trace.step(#symbol, #formula, why, symbol)
+
+/// A STEP whose value is the result of that name.
+#define STEP_TO(result, symbol, formula, why) \
+  STEP(symbol, formula, why);                 \
+  (result).symbol = symbol
 
 /// The value of `formula`, told to the tracer under a symbol that only the caller of a shared formula knows.
 #define NAMED_STEP(symbol, formula, why) trace.named(symbol, #formula, why, (formula))

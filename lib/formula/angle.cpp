@@ -15,9 +15,7 @@ bool is_constant(const Node& tree) {
 
 bool is_inverse(const std::string& function) { return function == "asin" || function == "acos" || function == "atan"; }
 
-bool keeps_kind(const std::string& function) {
-  return function == "abs" || function == "min" || function == "max" || function == "static_cast<double>";
-}
+bool keeps_kind(const std::string& function) { return function == "abs" || function == "min" || function == "max"; }
 
 }  // namespace
 

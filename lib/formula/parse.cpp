@@ -15,11 +15,10 @@ struct Function {
   std::string_view name;
   std::size_t arguments;
 };
-constexpr std::array functions = {
-    Function{"sqrt", 1}, Function{"cbrt", 1}, Function{"abs", 1},  Function{"sin", 1},
-    Function{"cos", 1},  Function{"tan", 1},  Function{"asin", 1}, Function{"acos", 1},
-    Function{"atan", 1}, Function{"exp", 1},  Function{"log", 1},  Function{"static_cast<double>", 1},
-    Function{"pow", 2},  Function{"min", 2},  Function{"max", 2},  Function{"is_set", 1}};
+constexpr std::array functions = {Function{"sqrt", 1}, Function{"cbrt", 1}, Function{"abs", 1},   Function{"sin", 1},
+                                  Function{"cos", 1},  Function{"tan", 1},  Function{"asin", 1},  Function{"acos", 1},
+                                  Function{"atan", 1}, Function{"exp", 1},  Function{"log", 1},   Function{"pow", 2},
+                                  Function{"min", 2},  Function{"max", 2},  Function{"is_set", 1}};
 
 bool is_function(std::string_view name) {
   return std::any_of(functions.begin(), functions.end(), [&](const Function& f) { return f.name == name; });
@@ -33,6 +32,13 @@ bool is_in_language(const Node& call) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool continues_word(char c) { return is_letter(c) || is_digit(c); }
+
+/// The length of the sign between a name and its member, in.d or Kind::wide, that the text begins with; else 0.
+std::size_t member_sign(std::string_view text) {
+  const std::size_t sign = text.starts_with("::") ? 2 : text.starts_with('.') ? 1 : 0;
+  return text.size() > sign && is_letter(text[sign]) ? sign : 0;
+}
 
 /// Operators from the weakest to the strongest; a comparison does not chain.
 using Level = std::array<std::string_view, 6>;
@@ -88,9 +94,15 @@ class Parser {
       if (found.empty()) break;
       Tree right = infix(level + 1);
       if (!right) return std::nullopt;
+      if (level == comparison) belong(*left, *right);
       left = Node{Kind::binary, std::string(found), {std::move(*left), std::move(*right)}};
     }
     return left;
+  }
+  /// Kind::wide beside in.kind is in.kind::wide.
+  static void belong(const Node& choice, Node& word) {
+    const std::size_t type = word.text.rfind("::");
+    if (type != std::string::npos) word.text.replace(0, type, choice.text);
   }
   std::string_view take_operator(const Level& level) {
     skip_blanks();
@@ -143,21 +155,30 @@ class Parser {
 
   Tree name() {
     if (!is_letter(rest_.front())) return std::nullopt;
-    std::string text = take_while([](char c) { return is_letter(c) || is_digit(c); });
-    if (text == "pow" || text == "root" || text == "static_cast") text += template_argument(text);
+    std::string text = take_while(continues_word);
+    if (member_sign(rest_) > 0) return member(std::move(text));
+    if (text == "pow" || text == "root") text += template_argument(text);
     if (take("(")) return call(std::move(text));
-    const bool reserved = is_function(text) || text.ends_with('>') || text == "static_cast";
+    const bool reserved = is_function(text) || text.ends_with('>');
     return reserved ? std::nullopt : Tree(Node{Kind::symbol, text, {}});
   }
-  /// "<3>", "<double>", or nothing: then the text is read on as a plain name.
+  /// in.d, Kind::wide.
+  Tree member(std::string name) {
+    for (std::size_t sign = member_sign(rest_); sign > 0; sign = member_sign(rest_)) {
+      name += rest_.substr(0, sign);
+      rest_.remove_prefix(sign);
+      name += take_while(continues_word);
+    }
+    return take("(") ? std::nullopt : Tree(Node{Kind::symbol, std::move(name), {}});
+  }
+  /// "<3>", or nothing: then the text is read on as a plain name.
   std::string template_argument(std::string_view function) {
     const std::string_view before = rest_;
     if (take("<")) {
-      if (function == "static_cast" && take("double") && take(">")) return "<double>";
       const bool negative = function == "pow" && take("-");
       skip_blanks();
       const std::string exponent = take_while(is_digit);
-      const bool counts = function != "static_cast" && !exponent.empty() && exponent.size() < 3 && exponent[0] != '0';
+      const bool counts = !exponent.empty() && exponent.size() < 3 && exponent[0] != '0';
       if (counts && take(">")) return (negative ? "<-" : "<") + exponent + ">";
     }
     rest_ = before;
@@ -185,8 +206,36 @@ class Parser {
   int depth_ = 0;
 };
 
+void collect(const Node& tree, std::vector<std::string>& names) {
+  if (tree.kind == Kind::symbol && std::find(names.begin(), names.end(), tree.text) == names.end()) {
+    names.push_back(tree.text);
+  }
+  for (const Node& kid : tree.kids) collect(kid, names);
+}
+
 }  // namespace
 
 std::optional<Node> parse(std::string_view cpp) { return cpp.size() > longest ? std::nullopt : Parser(cpp).whole(); }
+
+std::vector<std::string> names(const Node& tree) {
+  std::vector<std::string> names;
+  collect(tree, names);
+  return names;
+}
+
+std::string_view symbol_of(std::string_view name) { return name.substr(name.find_last_of(".:") + 1); }
+
+std::string shown(std::string_view cpp) {
+  std::string text;
+  while (!cpp.empty()) {
+    const auto end = std::find_if_not(cpp.begin(), cpp.end(), continues_word);
+    const std::string_view word = cpp.substr(0, std::max<std::size_t>(1, static_cast<std::size_t>(end - cpp.begin())));
+    cpp.remove_prefix(word.size());
+    const std::size_t sign = is_letter(word.front()) ? member_sign(cpp) : 0;
+    if (sign == 0) text += word;
+    cpp.remove_prefix(sign);
+  }
+  return text;
+}
 
 }  // namespace loadpath::formula

@@ -20,18 +20,13 @@ struct Piece {
 
 bool is(const Node& tree, std::string_view op) { return tree.kind == Kind::binary && tree.text == op; }
 
-const Node& uncast(const Node& tree) {
-  return tree.kind == Kind::call && tree.text == "static_cast<double>" ? uncast(tree.kids[0]) : tree;
-}
-
 /// A symbol that is multiplied with itself counts as a power.
 struct Factor {
   const Node* node;
   int times = 1;
 };
 
-void collect(const Node& tree, std::vector<Factor>& factors) {
-  const Node& node = uncast(tree);
+void collect(const Node& node, std::vector<Factor>& factors) {
   if (is(node, "*")) {
     for (const Node& kid : node.kids) collect(kid, factors);
   } else if (!factors.empty() && node.kind == Kind::symbol && node.text == factors.back().node->text) {
@@ -187,7 +182,7 @@ class Printer {
 
   /// a / b / c is one fraction.
   [[nodiscard]] Piece fraction(const Node& tree) const {
-    const Node& over = uncast(tree.kids[0]);
+    const Node& over = tree.kids[0];
     if (is(over, "/")) {
       return fraction({Kind::binary, "/", {over.kids[0], {Kind::binary, "*", {over.kids[1], tree.kids[1]}}}});
     }
@@ -205,8 +200,7 @@ class Printer {
     const Piece raised = written({exponent, {}});
     return power(base, raised, exponent);
   }
-  [[nodiscard]] Piece power(const Node& base, const Piece& raised, std::string_view digits = {}) const {
-    const Node& node = uncast(base);
+  [[nodiscard]] Piece power(const Node& node, const Piece& raised, std::string_view digits = {}) const {
     const Piece under = at_least(Level::atom, piece(node));
     const Level level = digits.empty() ? raised.level : Level::atom;
     const bool letter = node.kind == Kind::symbol && !is_unit(node.text) && !(substituted_ && substituted_(node.text));
@@ -220,7 +214,6 @@ class Printer {
   [[nodiscard]] Piece call(const Node& tree) const {
     const std::string& f = tree.text;
     const Node& x = tree.kids[0];
-    if (f == "static_cast<double>") return piece(x);
     if (f == "sqrt" && x.kind == Kind::call && x.text == "sqrt") return root(4, x.kids[0]);
     if (f == "sqrt" || f == "cbrt") return root(f == "sqrt" ? 2 : 3, x);
     if (f.starts_with("root<")) return root(template_number(f), x);
@@ -236,12 +229,7 @@ class Printer {
   [[nodiscard]] Piece root(int degree, const Node& x) const { return {to_.root(degree, piece(x).text)}; }
 
   /// The branch that the values take, where they are known.
-  [[nodiscard]] const Node& chosen(const Node& tree) const {
-    const Node& node = uncast(tree);
-    if (node.kind != Kind::choose || !known_) return node;
-    const double condition = value(node.kids[0], known_);
-    return std::isnan(condition) ? node : chosen(node.kids[condition != 0.0 ? 1 : 2]);
-  }
+  [[nodiscard]] const Node& chosen(const Node& tree) const { return known_ ? formula::chosen(tree, known_) : tree; }
   [[nodiscard]] Piece choice(const Node& tree) const {
     const Node& branch = chosen(tree);
     if (branch.kind != Kind::choose) return piece(branch);

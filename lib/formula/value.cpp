@@ -47,8 +47,7 @@ double called(std::string_view function, double x) {
   if (function == "exp") return std::exp(x);
   if (function == "log") return std::log(x);
   if (function.starts_with("pow<")) return std::pow(x, template_number(function));
-  if (function.starts_with("root<")) return std::pow(x, 1.0 / template_number(function));
-  return x;  // static_cast<double>
+  return std::pow(x, 1.0 / template_number(function));  // root<n>
 }
 
 double called(std::string_view function, double a, double b) {
@@ -103,6 +102,12 @@ Number evaluated(const Node& tree, const Known& known) {
 
 double value(const Node& tree, const Known& known) {
   return evaluated(tree, known).value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+const Node& chosen(const Node& tree, const Known& known) {
+  if (tree.kind != Kind::choose) return tree;
+  const double condition = value(tree.kids[0], known);
+  return std::isnan(condition) ? tree : chosen(tree.kids[condition != 0.0 ? 1 : 2], known);
 }
 
 }  // namespace loadpath::formula

@@ -18,9 +18,4 @@ inline constexpr Unit<Density> kg_per_m3{"kg/m^3", from_si<Density>(1.0)};
 
 using std::pow;  // of numbers, beside pow<n> of quantities
 
-// An angle is a double in rad: of the ratio of two quantities too.
-using Ratio = decltype(Length() / Length());
-[[nodiscard]] inline double asin(const Ratio& x) { return std::asin(in_si(x)); }
-[[nodiscard]] inline double acos(const Ratio& x) { return std::acos(in_si(x)); }
-
 }  // namespace loadpath

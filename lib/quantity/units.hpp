@@ -61,9 +61,17 @@ using boost::units::pow;
 using boost::units::root;
 using boost::units::sqrt;
 using std::abs;
+using std::acos;
+using std::asin;
+using std::atan;
+using std::cos;
+using std::exp;
+using std::log;
 using std::max;
 using std::min;
+using std::sin;
 using std::sqrt;
+using std::tan;
 
 // By value, so that they are one instruction; std::max takes references and becomes a branch.
 template <class Unit, class Number>
@@ -80,6 +88,20 @@ template <class Unit, class Number>
   using Result = decltype(root<3>(q));
   return Result::from_value(cube_root(q.value()));
 }
+
+// Of the ratio of two like quantities, whose unit Boost carries on, numbers; an angle is a double in rad.
+using Ratio = decltype(Length() / Length());
+[[nodiscard]] inline double log(const Ratio& x) { return std::log(x.value()); }
+[[nodiscard]] inline double asin(const Ratio& x) { return std::asin(x.value()); }
+[[nodiscard]] inline double acos(const Ratio& x) { return std::acos(x.value()); }
+[[nodiscard]] inline double atan(const Ratio& x) { return std::atan(x.value()); }
+
+/// What a formula comes to: a quantity, or a plain number where its dimensions cancel.
+template <class Quantity>
+[[nodiscard]] constexpr Quantity reduced(const Quantity& q) {
+  return q;
+}
+[[nodiscard]] constexpr double reduced(const Ratio& x) { return x.value(); }
 
 namespace detail {
 

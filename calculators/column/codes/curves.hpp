@@ -117,7 +117,7 @@ Stress sp16_stress(double lambda, const Material& material, Tracer& trace) {
   const auto &E = material.E, &R_e = material.R_e;
   const auto alpha_s = material.sp16.alpha, beta_s = material.sp16.beta;
   constexpr double end_of_table = 14.0;
-  STEP(lambda_r, static_cast<double>(lambda * sqrt(R_e / E)), "relative slenderness, [SP16]");
+  STEP(lambda_r, lambda * sqrt(R_e / E), "relative slenderness, [SP16]");
   if (!(lambda_r <= end_of_table)) {
     trace.value("sigma_cr", unset<Stress>, "beyond the table of the code, which ends at 14, [SP16]");
     return unset<Stress>;

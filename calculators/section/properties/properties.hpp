@@ -122,7 +122,7 @@ void turn_to_principal_axes(Properties& r, Tracer& trace) {
   STEP(I_R, sqrt(pow<2>((I_y - I_z) / 2.0) + I_yz * I_yz), "radius of Mohr's circle");
   STEP(I_max, (I_y + I_z) / 2.0 + I_R, "largest, by Mohr's circle");
   STEP(I_min, (I_y + I_z) / 2.0 - I_R, "least, by Mohr's circle");
-  STEP(alpha, atan(static_cast<double>(-2.0 * I_yz / (I_y - I_z + 2.0 * I_R))), "half the angle on Mohr's circle");
+  STEP(alpha, atan(-2.0 * I_yz / (I_y - I_z + 2.0 * I_R)), "half the angle on Mohr's circle");
   r.I_max = I_max, r.I_min = I_min, r.alpha = alpha;
 }
 

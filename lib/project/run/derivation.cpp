@@ -28,53 +28,79 @@ std::string named_element(const std::string& scope, const Record& input, const R
   return scope;
 }
 
-void collect_names(const formula::Node& node, std::vector<std::string>& names) {
-  if (node.kind == formula::Kind::symbol && std::find(names.begin(), names.end(), node.text) == names.end()) {
-    names.push_back(node.text);
+/// A value that is taken over as it is, under its own symbol, has no formula: S_0, where S_0 is given.
+bool is_taken_over(const formula::Node& tree, const Line& line, const Names& names) {
+  const auto known = [&](std::string_view name) { return names.si_of(line.scope, name); };
+  const formula::Node& chosen = formula::chosen(tree, known);
+  return chosen.kind == formula::Kind::symbol && formula::symbol_of(chosen.text) == line.symbol;
+}
+
+std::optional<Names::Known> found_in(const Record& record, std::string_view path) {
+  const std::size_t word = path.find("::");
+  const Leaf leaf = find_leaf(record, path.substr(0, word));
+  if (!leaf || leaf.field->get == nullptr) return std::nullopt;
+  if (word == std::string_view::npos) return Names::Known{leaf.get(), leaf.field->unit};
+  for (std::size_t i = 0; i < leaf.field->choices.size(); ++i) {
+    if (leaf.field->choices[i].key == path.substr(word + 2)) return Names::Known{static_cast<double>(i), "-"};
   }
-  for (const formula::Node& kid : node.kids) collect_names(kid, names);
+  return std::nullopt;
 }
 
 account::Step step_of(const Line& line, const Names& names, const std::string& unit) {
   account::Step step;
   step.symbol = line.symbol;
-  step.formula = line.formula;
   step.value = {line.si, unit};
   step.why = say(line.why);
-  std::vector<std::string> wanted;
-  if (const auto tree = formula::parse(line.formula)) collect_names(*tree, wanted);
-  for (const std::string& name : wanted) {
-    if (const auto known = names.find(line.scope, name)) step.given.push_back({name, known->si, known->unit});
+  const auto tree = formula::parse(line.formula);
+  if (tree && is_taken_over(*tree, line, names)) return step;
+  step.formula = formula::shown(line.formula);
+  for (const std::string& name : tree ? formula::names(*tree) : std::vector<std::string>{}) {
+    const auto known = names.find(line.scope, name);
+    if (known) step.given.push_back({std::string(formula::symbol_of(name)), known->si, known->unit});
   }
   return step;
 }
 
 }  // namespace
 
-std::optional<Names::Known> Names::find_here(const std::string& scope, std::string_view name) const {
+std::optional<Names::Known> Names::find_line(const std::string& scope, std::string_view name) const {
   const auto line = lines_.find(joined(scope, name));
-  if (line != lines_.end()) return line->second;
-  const auto from = [&](const Record& record) -> std::optional<Known> {
-    const Leaf leaf = find_leaf(record, joined(scope, name));
-    if (!leaf || leaf.field->get == nullptr) return std::nullopt;
-    return Known{leaf.get(), leaf.field->unit};
-  };
+  return line != lines_.end() ? std::optional(line->second) : std::nullopt;
+}
+
+std::optional<Names::Known> Names::find_result(const std::string& scope, std::string_view name) const {
+  const auto line = find_line(scope, name);
+  return line ? line : found_in(result_, joined(scope, name));
+}
+
+std::optional<Names::Known> Names::find_any(const std::string& scope, std::string_view name) const {
+  if (const auto line = find_line(scope, name)) return line;
   // A list of the input with the scope's name need not have the same elements as that of the result. At the top an
   // input that was left open ("d") is what the calculator has put in its place.
-  if (!scope.empty()) return from(result_);
-  const auto typed = from(input_);
-  const auto found = from(result_);
+  const auto found = found_in(result_, joined(scope, name));
+  if (!scope.empty()) return found;
+  const auto typed = found_in(input_, name);
   return (!typed || std::isnan(typed->si)) && found ? found : typed;
 }
 
-std::optional<Names::Known> Names::find(const std::string& scope, std::string_view name) const {
-  std::string outer = scope;
+std::optional<Names::Known> Names::find_outwards(std::string scope, std::string_view name, Find in_scope) const {
   while (true) {
-    if (const auto known = find_here(outer, name)) return known;
-    if (outer.empty()) return std::nullopt;
-    const std::size_t dot = outer.rfind('.');
-    outer.resize(dot == std::string::npos ? 0 : dot);
+    if (const auto known = (this->*in_scope)(scope, name)) return known;
+    if (scope.empty()) return std::nullopt;
+    const std::size_t dot = scope.rfind('.');
+    scope.resize(dot == std::string::npos ? 0 : dot);
   }
+}
+
+std::optional<Names::Known> Names::find(const std::string& scope, std::string_view name) const {
+  if (name.starts_with("in.")) return found_in(input_, name.substr(3));
+  if (name.starts_with("r.")) return find_outwards(scope, name.substr(2), &Names::find_result);
+  return find_outwards(scope, formula::symbol_of(name), &Names::find_any);
+}
+
+std::optional<double> Names::si_of(const std::string& scope, std::string_view name) const {
+  const auto known = find(scope, name);
+  return known ? std::optional(known->si) : std::nullopt;
 }
 
 std::string Names::unit_of(const Line& line) const {

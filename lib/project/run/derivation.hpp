@@ -8,8 +8,9 @@ namespace loadpath::project {
 /// `input` and `result` are the records of the traced evaluation.
 std::vector<account::Derived> derive(const Trace& trace, const Record& input, const Record& result);
 
-/// The value that a name has in a scope after the lines before `line`: earlier lines of the scope, the element of the
-/// result that the scope names, outer scopes, the inputs. Nothing where it is unknown.
+/// The value that a name has in a scope after the lines before `line`: of in.d that of the input; of r.F_c and of a
+/// plain name that of the earlier lines of the scope, of the element of the result that the scope names, of outer
+/// scopes, and of a plain name at last that of the input. Nothing where it is unknown.
 class Names {
  public:
   Names(const Record& input, const Record& result) : input_(input), result_(result) {}
@@ -18,13 +19,18 @@ class Names {
     std::string unit;
   };
   [[nodiscard]] std::optional<Known> find(const std::string& scope, std::string_view name) const;
+  [[nodiscard]] std::optional<double> si_of(const std::string& scope, std::string_view name) const;
   /// The unit that the field of a line's symbol is shown in, or a readable one.
   [[nodiscard]] std::string unit_of(const Line& line) const;
   void add(const Line& line, const std::string& unit);
 
  private:
   [[nodiscard]] bool is_angle(const Line& line) const;
-  [[nodiscard]] std::optional<Known> find_here(const std::string& scope, std::string_view name) const;
+  using Find = std::optional<Known> (Names::*)(const std::string& scope, std::string_view name) const;
+  [[nodiscard]] std::optional<Known> find_outwards(std::string scope, std::string_view name, Find in_scope) const;
+  [[nodiscard]] std::optional<Known> find_line(const std::string& scope, std::string_view name) const;
+  [[nodiscard]] std::optional<Known> find_result(const std::string& scope, std::string_view name) const;
+  [[nodiscard]] std::optional<Known> find_any(const std::string& scope, std::string_view name) const;
 
   const Record& input_;
   const Record& result_;

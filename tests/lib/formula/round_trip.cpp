@@ -28,8 +28,8 @@ class Trees {
     return {Kind::binary, operators[below(4)], {algebra(depth - 1), algebra(depth - 1)}};
   }
   Node any(int depth) {
-    static const std::vector<std::string> calls = {"sqrt",   "cbrt",    "abs", "sin",     "exp",
-                                                   "pow<3>", "root<5>", "log", "pow<-2>", "static_cast<double>"};
+    static const std::vector<std::string> calls = {"sqrt",   "cbrt",    "abs", "sin",    "exp",
+                                                   "pow<3>", "root<5>", "log", "pow<-2>"};
     static const std::vector<std::string> pairs = {"+", "-", "*", "/", "<", ">=", "==", "&&", "||"};
     if (depth == 0) return leaf();
     switch (below(6)) {

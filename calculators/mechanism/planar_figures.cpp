@@ -33,7 +33,7 @@ draw::Scale scale_of(const Axis& axis) { return {axis_symbol(axis), axis.quantit
 
 draw::Figure drive_figure(const account::Entry& entry, const Axis& axis) {
   const bool rotary = entry.path == "drive.M";
-  draw::Plot plot{scale_of(axis), {rotary ? "M" : "F", entry.doc, entry.unit}, {}, {}, {}};
+  draw::Plot plot{scale_of(axis), {rotary ? "M" : "F", entry.doc, entry.unit}};
   plot.curves.push_back(curve_of(rotary ? "M" : "F", entry.value));
   const Extreme peak = largest(entry.value);
   if (!std::isnan(peak.value)) plot.marks.push_back({peak.at, peak.value, "peak"});
@@ -44,7 +44,7 @@ draw::Figure drive_figure(const account::Entry& entry, const Axis& axis) {
 }
 
 draw::Figure reactions_figure(const mechanism::Model& model, const account::Account& account, const Axis& axis) {
-  draw::Plot plot{scale_of(axis), {"R", "force of the joints", "N"}, {}, {}, {}};
+  draw::Plot plot{scale_of(axis), {"R", "force of the joints", "N"}};
   for (const auto& j : model.joints) {
     if (plot.curves.size() == 6) break;  // more cannot be told apart
     if (const auto* e = find_entry(account, "joints." + j.name + ".F"))

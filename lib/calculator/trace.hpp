@@ -60,10 +60,8 @@ class Trace {
 
   class [[nodiscard]] Scope {
    public:
-    Scope(Trace& trace, const char* list, std::size_t i) : trace_(trace), outer_(trace.scope_) {
-      trace.scope_ += (outer_.empty() ? "" : ".") + std::string(list) + "[" + std::to_string(i + 1) + "]";
-    }
-    ~Scope() { trace_.scope_ = outer_; }
+    Scope(Trace& trace, const char* list, std::size_t i);
+    ~Scope();
     Scope(const Scope&) = delete;
     Scope& operator=(const Scope&) = delete;
 
@@ -74,7 +72,7 @@ class Trace {
 
   template <class Quantity>
   void step(const char* symbol, const char* formula, const char* why, const Quantity& q) {
-    lines_.push_back({scope_, symbol, formula, why, in_si(q), dimension_of<Quantity>});
+    add(symbol, formula, why, in_si(q), dimension_of<Quantity>);
   }
   template <class Quantity>
   [[nodiscard]] Quantity named(const char* symbol, const char* formula, const char* why, const Quantity& q) {
@@ -88,7 +86,7 @@ class Trace {
   }
   /// The same of an angle, which in C++ is a plain number of radians.
   void angle(const char* symbol, double radians, const char* why) {
-    lines_.push_back({scope_, symbol, "", why, radians, Dimension::of(0, 0, 0, 0, 1)});
+    add(symbol, "", why, radians, Dimension::of(0, 0, 0, 0, 1));
   }
   /// Lines until the end of the scope belong to element i of a list of the result.
   Scope scope(const char* list, std::size_t i) { return {*this, list, i}; }
@@ -96,6 +94,8 @@ class Trace {
   [[nodiscard]] const std::vector<Line>& lines() const { return lines_; }
 
  private:
+  void add(const char* symbol, const char* formula, const char* why, double si, Dimension dimension);
+
   std::string scope_;
   std::vector<Line> lines_;
 };

@@ -1,7 +1,9 @@
 // Figures as data: what is to be seen, in SI numbers and words. No SVG, no colour, no number text: lib/draw/svg.cpp
-// chooses ticks, colours and sizes.
+// chooses ticks, colours and sizes. What many sources draw has its special members in the source, for each of them
+// would compile its own copies.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <variant>
 #include <vector>
@@ -42,6 +44,14 @@ struct Bound {
 };
 
 struct Plot {
+  Plot();
+  Plot(Scale across, Scale up);
+  Plot(const Plot&);
+  Plot(Plot&&) noexcept;
+  Plot& operator=(const Plot&);
+  Plot& operator=(Plot&&) noexcept;
+  ~Plot();
+
   Scale x;
   Scale y;
   std::vector<Curve> curves;
@@ -51,6 +61,13 @@ struct Plot {
 
 /// A mechanism in one position, metres.
 struct Scheme {
+  Scheme();
+  Scheme(const Scheme&);
+  Scheme(Scheme&&) noexcept;
+  Scheme& operator=(const Scheme&);
+  Scheme& operator=(Scheme&&) noexcept;
+  ~Scheme();
+
   struct Body {
     std::string name;
     std::vector<Point> points;  // joints and points of the link; drawn as a bar, or a plate from three points on
@@ -258,6 +275,17 @@ struct Shaft {
 };
 
 struct Figure {
+  Figure(std::string name, std::string words, Plot drawn);
+  Figure(std::string name, std::string words, Scheme drawn);
+  Figure(std::string name, std::string words, Shaft drawn);
+  Figure(std::string name, std::string words, Plans drawn);
+  Figure(std::string name, std::string words, Motion drawn);
+  Figure(const Figure&);
+  Figure(Figure&&) noexcept;
+  Figure& operator=(const Figure&);
+  Figure& operator=(Figure&&) noexcept;
+  ~Figure();
+
   std::string id;       // unique in a step, a file-name part: "torque-diagram"
   std::string caption;  // a message id, without numbers
   std::variant<Plot, Scheme, Shaft, Plans, Motion> content;

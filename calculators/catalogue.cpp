@@ -1,7 +1,7 @@
 #include "calculators/catalogue.hpp"
 
 #include "calculators/machine/flywheel_step.hpp"
-#include "calculators/mechanism/planar_step.hpp"
+#include "calculators/mechanism/step.hpp"
 #include "lib/project/run/calculator_step.hpp"
 
 #include <array>
@@ -41,7 +41,7 @@ struct Row {
 // One row per calculator, and its name above. Explicit, because a linker drops objects that nothing refers to.
 // clang-format off
 static constexpr std::array all{
-    Row{&erased<struct PlanarMechanism>, &make_planar_step},
+    Row{&erased<planar::Mechanism>, &planar::make_step},
     Row{&erased<shaft::Torsion>},
     Row{&erased<shaft::Overhung>},
     Row{&erased<section::Circle>},

@@ -1,27 +1,27 @@
-#include "calculators/mechanism/templates/planar_template.hpp"
+#include "calculators/mechanism/templates/template.hpp"
 
 #include <array>
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 // One line per template; the only list of them.
 // clang-format off
 static constexpr std::array list{
-    &planar_template<struct SliderCrank>,
-    &planar_template<struct OscillatingCylinder>,
-    &planar_template<struct FourBar>,
-    &planar_template<struct SlottedLever>,
-    &planar_template<struct Shaper>,
-    &planar_template<struct Whitworth>,
-    &planar_template<struct ScotchYoke>,
-    &planar_template<struct Watt2>,
-    &planar_template<struct FourBarSlider>,
-    &planar_template<struct Stephenson3>,
-    &planar_template<struct TogglePress>,
-    &planar_template<struct LoaderArm>,
-    &planar_template<struct CamFollower>,
-    &planar_template<struct CamArm>,
-    &planar_template<struct CamFlatFollower>,
+    &mechanism_template<struct SliderCrank>,
+    &mechanism_template<struct OscillatingCylinder>,
+    &mechanism_template<struct FourBar>,
+    &mechanism_template<struct SlottedLever>,
+    &mechanism_template<struct Shaper>,
+    &mechanism_template<struct Whitworth>,
+    &mechanism_template<struct ScotchYoke>,
+    &mechanism_template<struct Watt2>,
+    &mechanism_template<struct FourBarSlider>,
+    &mechanism_template<struct Stephenson3>,
+    &mechanism_template<struct TogglePress>,
+    &mechanism_template<struct LoaderArm>,
+    &mechanism_template<struct CamFollower>,
+    &mechanism_template<struct CamArm>,
+    &mechanism_template<struct CamFlatFollower>,
 };
 // clang-format on
 
@@ -34,4 +34,4 @@ std::span<const Template* const> all() {
   return templates;
 }
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

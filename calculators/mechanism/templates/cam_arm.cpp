@@ -1,6 +1,6 @@
-#include "calculators/mechanism/templates/planar_template_of.hpp"
+#include "calculators/mechanism/templates/template_of.hpp"
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 struct CamArm {
   static constexpr auto id = "cam_arm";
@@ -57,6 +57,6 @@ loads = [{ link = "arm", at = "B", F_x = "0 N", F_y = "-300 N" }]
   }
 };
 
-template const PlanarTemplate& planar_template<CamArm>();
+template const MechanismTemplate& mechanism_template<CamArm>();
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

@@ -1,6 +1,6 @@
-#include "calculators/mechanism/templates/planar_template_of.hpp"
+#include "calculators/mechanism/templates/template_of.hpp"
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 struct CamFlatFollower {
   static constexpr auto id = "cam_flat_follower";
@@ -40,11 +40,11 @@ loads = [{ link = "follower", at = "B", F_x = "0 N", F_y = "-150 N" }]
     sketch.block("follower", B, 0.0);
     sketch.revolute("O", "ground", "cam");
     sketch.prismatic("guide", {"follower", "ground"}, {"B", "O"}, up);
-    sketch.cam("contact", {"follower", "cam"}, {"B", "O"}, profile, up, PlanarMechanism::Type::cam_flat);
+    sketch.cam("contact", {"follower", "cam"}, {"B", "O"}, profile, up, planar::Type::cam_flat);
     sketch.crank("O");
   }
 };
 
-template const PlanarTemplate& planar_template<CamFlatFollower>();
+template const MechanismTemplate& mechanism_template<CamFlatFollower>();
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

@@ -1,6 +1,6 @@
-#include "calculators/mechanism/templates/planar_template_of.hpp"
+#include "calculators/mechanism/templates/template_of.hpp"
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 struct CamFollower {
   static constexpr auto id = "cam_follower";
@@ -53,6 +53,6 @@ springs.spring = { links = ["follower", "ground"], points = ["B", "T"], k = "8 N
   }
 };
 
-template const PlanarTemplate& planar_template<CamFollower>();
+template const MechanismTemplate& mechanism_template<CamFollower>();
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

@@ -1,7 +1,7 @@
 #include "calculators/mechanism/templates/four_bar_lengths.hpp"
-#include "calculators/mechanism/templates/planar_template_of.hpp"
+#include "calculators/mechanism/templates/template_of.hpp"
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 struct FourBar : FourBarLengths {
   static constexpr auto id = "four_bar";
@@ -24,6 +24,6 @@ loads = [{ link = "rocker", M = "-15 N*m" }]
   void draw(Sketch& sketch) const { FourBarLengths::draw(sketch, pins(sketch)); }
 };
 
-template const PlanarTemplate& planar_template<FourBar>();
+template const MechanismTemplate& mechanism_template<FourBar>();
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

@@ -1,6 +1,6 @@
 #include "calculators/mechanism/templates/four_bar_lengths.hpp"
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 std::optional<FieldFault> stop_of(const Chain& chain, const char* path) {
   const Length far = chain.frame + chain.crank, near = abs(chain.frame - chain.crank);
@@ -43,4 +43,4 @@ void FourBarLengths::draw(Sketch& sketch, const Pins& at, const Pin* coupler_pin
   sketch.crank("O");
 }
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

@@ -3,7 +3,7 @@
 
 #include "calculators/mechanism/templates/sketch.hpp"
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 /// A crank and what it moves: whether it can turn round depends on nothing else.
 struct Chain {
@@ -34,4 +34,4 @@ struct FourBarLengths {
   [[nodiscard]] std::optional<FieldFault> crank_stop() const { return stop_of({a, b, c, d}, "a"); }
 };
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

@@ -1,7 +1,7 @@
 #include "calculators/mechanism/templates/four_bar_lengths.hpp"
-#include "calculators/mechanism/templates/planar_template_of.hpp"
+#include "calculators/mechanism/templates/template_of.hpp"
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 struct FourBarSlider : FourBarLengths {
   static constexpr auto id = "four_bar_slider";
@@ -52,6 +52,6 @@ loads = [{ link = "slider", at = "E", F_x = "-200 N", F_y = "0 N" }]
   }
 };
 
-template const PlanarTemplate& planar_template<FourBarSlider>();
+template const MechanismTemplate& mechanism_template<FourBarSlider>();
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

@@ -1,6 +1,6 @@
-#include "calculators/mechanism/templates/planar_template_of.hpp"
+#include "calculators/mechanism/templates/template_of.hpp"
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 struct LoaderArm {
   static constexpr auto id = "loader_arm";
@@ -97,6 +97,6 @@ loads = [{ link = "bucket", at = "M", F_x = "0 kN", F_y = "-5 kN" }]
   }
 };
 
-template const PlanarTemplate& planar_template<LoaderArm>();
+template const MechanismTemplate& mechanism_template<LoaderArm>();
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

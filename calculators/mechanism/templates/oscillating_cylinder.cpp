@@ -1,6 +1,6 @@
-#include "calculators/mechanism/templates/planar_template_of.hpp"
+#include "calculators/mechanism/templates/template_of.hpp"
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 struct OscillatingCylinder {
   static constexpr auto id = "oscillating_cylinder";
@@ -43,6 +43,6 @@ loads = [
   [[nodiscard]] std::optional<FieldFault> crank_stop() const { return pin_runs_through("C", r, d); }
 };
 
-template const PlanarTemplate& planar_template<OscillatingCylinder>();
+template const MechanismTemplate& mechanism_template<OscillatingCylinder>();
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

@@ -4,7 +4,7 @@
 
 #include "calculators/mechanism/templates/sketch.hpp"
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 struct QuickReturn {
   Length r = unset<Length>, d = unset<Length>, c = unset<Length>, l = unset<Length>;  // OA, OB, BC, CD
@@ -32,4 +32,4 @@ struct QuickReturn {
   }
 };
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

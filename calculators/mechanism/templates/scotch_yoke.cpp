@@ -1,6 +1,6 @@
-#include "calculators/mechanism/templates/planar_template_of.hpp"
+#include "calculators/mechanism/templates/template_of.hpp"
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 struct ScotchYoke {
   static constexpr auto id = "scotch_yoke";
@@ -33,6 +33,6 @@ loads = [{ link = "yoke", at = "K", F_x = "-400 N", F_y = "0 N" }]
   }
 };
 
-template const PlanarTemplate& planar_template<ScotchYoke>();
+template const MechanismTemplate& mechanism_template<ScotchYoke>();
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

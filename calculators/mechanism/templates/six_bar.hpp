@@ -3,7 +3,7 @@
 
 #include "calculators/mechanism/templates/four_bar_lengths.hpp"
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 struct SixBar : FourBarLengths {
   Length g = unset<Length>;
@@ -38,4 +38,4 @@ struct SixBar : FourBarLengths {
   }
 };
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

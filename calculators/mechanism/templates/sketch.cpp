@@ -1,31 +1,31 @@
 #include "calculators/mechanism/templates/sketch.hpp"
 
-#include "calculators/mechanism/planar_names.hpp"
-#include "calculators/mechanism/planar_profiles.hpp"
+#include "calculators/mechanism/words/names.hpp"
+#include "calculators/mechanism/words/profiles.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-PlanarMechanism::Point point_of(const char* name, Vec at) {
-  PlanarMechanism::Point point;
+planar::Point point_of(const char* name, Vec at) {
+  planar::Point point;
   point.name = name;
   point.x = from_si<Length>(at.x);
   point.y = from_si<Length>(at.y);
   return point;
 }
 
-void put_zero(PlanarMechanism::Point& point) { point.x = point.y = 0.0 * m.one; }
+void put_zero(planar::Point& point) { point.x = point.y = 0.0 * m.one; }
 
 }  // namespace
 
-void put_zeros(PlanarMechanism::Input& in) {
+void put_zeros(Mechanism::Input& in) {
   for (auto& point : in.ground) put_zero(point);
   for (auto& link : in.links) {
     for (auto& point : link.points) put_zero(point);
@@ -103,7 +103,7 @@ Vec Sketch::meet(const Reach& link, const Line& line, Assembly assembly) {
 void Sketch::fixed(const Pin& pin) { in_.ground.push_back(point_of(pin.name, pin.at)); }
 
 void Sketch::link(const char* name, Vec origin, double angle) {
-  PlanarMechanism::Link link;
+  planar::Link link;
   link.name = name;
   link.origin = {from_si<Length>(origin.x), from_si<Length>(origin.y)};
   link.angle = angle;
@@ -127,9 +127,9 @@ void Sketch::block(const char* name, const Pin& pin, double angle) {
   point(pin.name, {0.0, 0.0});
 }
 
-void Sketch::joint(const char* name, PlanarMechanism::Type type, const PlanarMechanism::Pair& links,
-                   const PlanarMechanism::Pair& points, double angle) {
-  PlanarMechanism::Joint joint;
+void Sketch::joint(const char* name, planar::Type type, const planar::Pair& links, const planar::Pair& points,
+                   double angle) {
+  planar::Joint joint;
   joint.name = name;
   joint.type = type;
   joint.links = links;
@@ -139,22 +139,22 @@ void Sketch::joint(const char* name, PlanarMechanism::Type type, const PlanarMec
 }
 
 void Sketch::revolute(const char* name, const char* first, const char* second, const char* point) {
-  joint(name, PlanarMechanism::Type::revolute, {first, second}, {point, point}, 0.0);
+  joint(name, planar::Type::revolute, {first, second}, {point, point}, 0.0);
 }
 
 void Sketch::prismatic(const char* name, std::pair<const char*, const char*> links,
                        std::pair<const char*, const char*> points, double angle) {
-  joint(name, PlanarMechanism::Type::prismatic, {links.first, links.second}, {points.first, points.second}, angle);
+  joint(name, planar::Type::prismatic, {links.first, links.second}, {points.first, points.second}, angle);
 }
 
 void Sketch::slot(const char* name, std::pair<const char*, const char*> links,
                   std::pair<const char*, const char*> points, double angle) {
-  joint(name, PlanarMechanism::Type::slot, {links.first, links.second}, {points.first, points.second}, angle);
+  joint(name, planar::Type::slot, {links.first, links.second}, {points.first, points.second}, angle);
 }
 
 void Sketch::cam(const char* name, std::pair<const char*, const char*> links,
                  std::pair<const char*, const char*> points, const CamProfile& profile, double angle,
-                 PlanarMechanism::Type type) {
+                 planar::Type type) {
   joint(name, type, {links.first, links.second}, {points.first, points.second}, angle);
   in_.joints.back().profile = profile.name;
   in_.profiles.push_back(profile);
@@ -176,10 +176,10 @@ Vec Sketch::follower_at(const CamProfile& profile, double angle) const {
 }
 
 void Sketch::cylinder(const char* name, const char* joint) {
-  PlanarMechanism::Cylinder cylinder;
+  planar::Cylinder cylinder;
   cylinder.name = name;
   cylinder.joint = joint;
   in_.cylinders.push_back(cylinder);
 }
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

@@ -3,7 +3,7 @@
 // Template sources use it. Links lie in axes of their own: the origin is the first pin, the x axis runs to the second.
 #pragma once
 
-#include "calculators/mechanism/planar.hpp"
+#include "calculators/mechanism/words/mechanism.hpp"
 #include "lib/mechanism/model/vec.hpp"
 #include "lib/text/issue.hpp"
 
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 using mechanism::Vec;
 
@@ -54,7 +54,7 @@ FieldFault leaves_slot(const char* path, Length lever, Length farthest);
 class Sketch {
  public:
   /// `angle`: the crank's at the first position, rad; NaN where there is none.
-  Sketch(PlanarMechanism::Input& in, double angle) : in_(in), angle_(angle) {}
+  Sketch(Mechanism::Input& in, double angle) : in_(in), angle_(angle) {}
 
   [[nodiscard]] double crank_angle() const { return angle_; }
 
@@ -80,7 +80,7 @@ class Sketch {
   /// The follower's point on the profile of the cam, whose axis is the cam's point; the profile's x axis at `angle` in
   /// the axes of the cam. What is wrong with the profile is told under its own fields: the template's have their names.
   void cam(const char* joint, std::pair<const char*, const char*> links, std::pair<const char*, const char*> points,
-           const CamProfile& profile, double angle, PlanarMechanism::Type type = PlanarMechanism::Type::cam);
+           const CamProfile& profile, double angle, planar::Type type = planar::Type::cam);
   /// Where the follower's point is: a roller's centre, the middle of a flat face.
   [[nodiscard]] Vec follower_at(const CamProfile& profile, double angle) const;
   void crank(const char* joint) { in_.crank.joint = joint; }
@@ -93,23 +93,22 @@ class Sketch {
 
  private:
   void link(const char* name, Vec origin, double angle);
-  void joint(const char* name, PlanarMechanism::Type type, const PlanarMechanism::Pair& links,
-             const PlanarMechanism::Pair& points, double angle);
+  void joint(const char* name, planar::Type type, const planar::Pair& links, const planar::Pair& points, double angle);
   void refuse(Message message);
   [[nodiscard]] std::string where() const;
 
-  PlanarMechanism::Input& in_;
+  Mechanism::Input& in_;
   double angle_;
   std::optional<FieldFault> fault_;
   std::vector<std::pair<std::size_t, Length>> bars_;
 };
 
 /// Zeros where the numbers of a drawing without lengths go: they are given, whatever they will be.
-void put_zeros(PlanarMechanism::Input& in);
+void put_zeros(Mechanism::Input& in);
 
 constexpr auto choices_of(Assembly) {
   return std::array{ChoiceName<Assembly>{Assembly::open, "open", "the usual way"},
                     ChoiceName<Assembly>{Assembly::crossed, "crossed", "the other way, mirrored"}};
 }
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

@@ -1,8 +1,8 @@
-#include "calculators/mechanism/templates/planar_template_of.hpp"
+#include "calculators/mechanism/templates/template_of.hpp"
 
 #include <cmath>
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 struct SliderCrank {
   static constexpr auto id = "slider_crank";
@@ -54,6 +54,6 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "0 N" }]
   }
 };
 
-template const PlanarTemplate& planar_template<SliderCrank>();
+template const MechanismTemplate& mechanism_template<SliderCrank>();
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

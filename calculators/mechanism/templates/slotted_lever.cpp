@@ -1,6 +1,6 @@
-#include "calculators/mechanism/templates/planar_template_of.hpp"
+#include "calculators/mechanism/templates/template_of.hpp"
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 struct SlottedLever {
   static constexpr auto id = "slotted_lever";
@@ -44,6 +44,6 @@ loads = [{ link = "lever", M = "-30 N*m" }]
   }
 };
 
-template const PlanarTemplate& planar_template<SlottedLever>();
+template const MechanismTemplate& mechanism_template<SlottedLever>();
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

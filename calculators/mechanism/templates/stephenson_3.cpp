@@ -1,7 +1,7 @@
-#include "calculators/mechanism/templates/planar_template_of.hpp"
 #include "calculators/mechanism/templates/six_bar.hpp"
+#include "calculators/mechanism/templates/template_of.hpp"
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 struct Stephenson3 : SixBar {
   static constexpr auto id = "stephenson_3";
@@ -34,6 +34,6 @@ loads = [{ link = "rocker_2", M = "-10 N*m" }]
   }
 };
 
-template const PlanarTemplate& planar_template<Stephenson3>();
+template const MechanismTemplate& mechanism_template<Stephenson3>();
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

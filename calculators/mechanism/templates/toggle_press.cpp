@@ -1,7 +1,7 @@
 #include "calculators/mechanism/templates/four_bar_lengths.hpp"
-#include "calculators/mechanism/templates/planar_template_of.hpp"
+#include "calculators/mechanism/templates/template_of.hpp"
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 struct TogglePress {
   static constexpr auto id = "toggle_press";
@@ -63,6 +63,6 @@ loads = [{ link = "ram", at = "D", F_x = "0 N", F_y = "8 kN" }]
   }
 };
 
-template const PlanarTemplate& planar_template<TogglePress>();
+template const MechanismTemplate& mechanism_template<TogglePress>();
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

@@ -1,7 +1,7 @@
-#include "calculators/mechanism/templates/planar_template_of.hpp"
 #include "calculators/mechanism/templates/six_bar.hpp"
+#include "calculators/mechanism/templates/template_of.hpp"
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 struct Watt2 : SixBar {
   static constexpr auto id = "watt_2";
@@ -35,6 +35,6 @@ loads = [{ link = "rocker_2", M = "-10 N*m" }]
   }
 };
 
-template const PlanarTemplate& planar_template<Watt2>();
+template const MechanismTemplate& mechanism_template<Watt2>();
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

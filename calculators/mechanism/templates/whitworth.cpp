@@ -1,7 +1,7 @@
-#include "calculators/mechanism/templates/planar_template_of.hpp"
 #include "calculators/mechanism/templates/quick_return.hpp"
+#include "calculators/mechanism/templates/template_of.hpp"
 
-namespace loadpath::templates {
+namespace loadpath::planar::templates {
 
 struct Whitworth : QuickReturn {
   static constexpr auto id = "whitworth";
@@ -51,6 +51,6 @@ loads = [{ link = "ram", at = "D", F_x = "-1.5 kN", F_y = "0 N" }]
   }
 };
 
-template const PlanarTemplate& planar_template<Whitworth>();
+template const MechanismTemplate& mechanism_template<Whitworth>();
 
-}  // namespace loadpath::templates
+}  // namespace loadpath::planar::templates

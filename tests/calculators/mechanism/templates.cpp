@@ -1,6 +1,6 @@
 // Mechanisms known in shape: each closes over its cycle, is the same as the mechanism written out, and says what does
 // not fit together.
-#include "calculators/mechanism/planar.hpp"
+#include "calculators/mechanism/words/mechanism.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/build.hpp"
 #include "tests/lib/project/texts.hpp"
@@ -10,14 +10,13 @@
 
 using namespace loadpath;
 using namespace loadpath::test;
-using Planar = PlanarMechanism;
 
 namespace {
 
 const Calculator& planar_mechanism() { return *find_calculator(calculators(), "mechanism.planar"); }
 
-const Planar::Input& input_of(const project::Project& project) {
-  return *static_cast<const Planar::Input*>(project.steps[0]->input().reading.record.data.get());
+const planar::Mechanism::Input& input_of(const project::Project& project) {
+  return *static_cast<const planar::Mechanism::Input*>(project.steps[0]->input().reading.record.data.get());
 }
 
 std::string quoted(const Name& name) { return "\"" + std::string(name.view()) + "\""; }
@@ -34,7 +33,7 @@ std::string points_text(const Points& points) {
   return text + " }";
 }
 
-std::string link_text(const Planar::Link& l) {
+std::string link_text(const planar::Link& l) {
   return "links." + std::string(l.name.view()) + " = { points = " + points_text(l.points) + ", origin = [" +
          metres(l.origin.x) + ", " + metres(l.origin.y) + "], angle = " + radians(l.angle) + ", mass = \"" +
          format_exact(in_si(l.mass)) + " kg\", J = \"" + format_exact(in_si(l.J)) + " kg*m^2\"" +
@@ -61,7 +60,7 @@ std::string profile_text(const CamProfile& p) {
   return text + "] }\n";
 }
 
-std::string joint_text(const Planar::Joint& j) {
+std::string joint_text(const planar::Joint& j) {
   std::string text = "joints." + std::string(j.name.view()) + " = { type = " + key_of(j.type) + ", links = [" +
                      quoted(j.links.first) + ", " + quoted(j.links.second) + "], direction = " + radians(j.direction);
   if (!j.profile.empty()) text += ", profile = " + quoted(j.profile);
@@ -70,7 +69,7 @@ std::string joint_text(const Planar::Joint& j) {
 }
 
 /// Links and joints of an expanded mechanism, written out.
-std::string written_out(const Planar::Input& in) {
+std::string written_out(const planar::Mechanism::Input& in) {
   std::string text = "ground = " + points_text(in.ground) + "\n";
   for (const auto& link : in.links) text += link_text(link);
   for (const auto& joint : in.joints) text += joint_text(joint);
@@ -92,7 +91,7 @@ std::string without(const std::string& text, const std::vector<std::string>& sta
 }
 
 /// The example of a template without template, parameters and masses, and with the joints of its drives.
-std::string without_template(const Template& t, const Planar::Input& in) {
+std::string without_template(const Template& t, const planar::Mechanism::Input& in) {
   std::vector<std::string> starts{"template", "links.", "ground."};
   for (const FieldInfo& f : t.parameters->fields) starts.push_back(std::string(f.key) + " = ");
   std::string text = without(t.example, starts);

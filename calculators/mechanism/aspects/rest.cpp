@@ -1,0 +1,277 @@
+#include "calculators/mechanism/aspects/rest.hpp"
+
+#include "calculators/mechanism/cycle/either_way.hpp"
+#include "calculators/mechanism/cycle/ranges.hpp"
+#include "calculators/mechanism/results/rows.hpp"
+#include "lib/mechanism/model/vec.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace loadpath::planar {
+
+namespace {
+
+using account::Cell;
+using account::Quantity;
+using account::Table;
+using mechanism::Position;
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+// ---- series
+
+struct Standing {
+  ResultPattern crank, cylinder;
+  double StandingEffort::*effort;
+};
+constexpr std::array standing_rows{
+    Standing{{"drive.M_backward", "N*m", "moment of the drive that begins to turn it backward from rest; no inertia",
+              "with friction and a crank as the only drive"},
+             {"cylinders.NAME.F_backward", "N", "force of the drive that begins to move it backward from rest",
+              "with friction, as the only drive"},
+             &StandingEffort::backward},
+    Standing{{"drive.M_forward", "N*m", "moment of the drive that begins to turn it forward from rest; no inertia",
+              "with friction and a crank as the only drive"},
+             {"cylinders.NAME.F_forward", "N", "force of the drive that begins to move it forward from rest",
+              "with friction, as the only drive"},
+             &StandingEffort::forward}};
+
+/// Of all that friction may make where joints rest.
+struct Band {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+
+  /// What is no number leaves no band.
+  void take(double value) {
+    least = std::isnan(value) || value < least ? value : least;
+    most = std::isnan(value) || value > most ? value : most;
+  }
+  static Band open() { return {none, none}; }
+};
+
+template <class Read>
+Band band_at(const Cycle& cycle, std::size_t k, Read read) {
+  Band band;
+  if (!cycle.has_forces(k)) return Band::open();
+  band.take(read(cycle.positions[k]));
+  if (cycle.either_way.empty()) return band;
+  for (const Position& way : cycle.either_way[k]) {
+    if (way.pose.empty()) return Band::open();  // it jams so: no effort is too large
+    band.take(read(way));
+  }
+  return band;
+}
+
+Output::Values with_reason(std::vector<double> values) {
+  const bool open = std::any_of(values.begin(), values.end(), [](double x) { return std::isnan(x); });
+  return {std::move(values), open ? say("friction lets no effort move it that way") : Message{}};
+}
+
+constexpr ResultPattern drive_least{
+    "drive.M_min", "N*m", "least moment of the drive, friction of what rests either way", "with friction and a crank"};
+constexpr ResultPattern drive_most{"drive.M_max", "N*m", "largest moment of the drive so", "with friction and a crank"};
+constexpr ResultPattern cylinder_least{"cylinders.NAME.F_min", "N",
+                                       "least force of the drive, friction of what rests either way", "with friction"};
+constexpr ResultPattern cylinder_most{"cylinders.NAME.F_max", "N", "largest force of the drive so", "with friction"};
+constexpr ResultPattern joint_most{"joints.NAME.F_max", "N",
+                                   "largest magnitude of the joint's force, friction of what rests either way",
+                                   "with friction"};
+
+template <class Read>
+void add_end(const ResultPattern& pattern, const std::string& name, double Band::*end, Read read,
+             std::vector<Output>& out) {
+  const auto over_cycle = [read, end](const Solved& solved) {
+    const Cycle& cycle = solved.cycle;
+    std::vector<double> values;
+    for (std::size_t k = 0; k < cycle.positions.size(); ++k) values.push_back(band_at(cycle, k, read).*end);
+    return with_reason(std::move(values));
+  };
+  const Dimension dimension = std::string_view(pattern.unit) == "N" ? N.dimension() : N_m.dimension();
+  out.push_back({named(pattern.path, name), pattern.doc, pattern.unit, dimension, {}, over_cycle, false});
+}
+
+void add_standing(const mechanism::Driver& driver, std::vector<Output>& out) {
+  const bool rotary = driver.kind == mechanism::Driver::Kind::rotary;
+  for (const Standing& row : standing_rows) {
+    const ResultPattern& pattern = rotary ? row.crank : row.cylinder;
+    const auto read = [effort = row.effort](const Solved& solved) {
+      const Cycle& cycle = solved.cycle;
+      std::vector<double> values(cycle.positions.size(), none);
+      for (std::size_t k = 0; k < cycle.standing.size(); ++k)
+        values[k] = cycle.closed[k] ? cycle.standing[k].*effort : none;
+      return with_reason(std::move(values));
+    };
+    const Dimension dimension = rotary ? N_m.dimension() : N.dimension();
+    out.push_back({named(pattern.path, driver.name), pattern.doc, pattern.unit, dimension, {}, read, false});
+  }
+}
+
+// ---- tables
+
+/// "from 30 deg to 60 deg, from 200 deg to 210 deg", as far as positions tell.
+Message ranges(const std::vector<bool>& positions, const Axis& axis) {
+  constexpr std::size_t most = 4;
+  const auto runs = runs_of(positions, true, axis.cyclic());
+  if (runs.empty()) return say("nowhere");
+  if (runs.front().count == positions.size()) return say("at every position");
+  Message all;
+  for (std::size_t n = 0; n < std::min(runs.size(), most); ++n) {
+    const std::string first = place_of(runs[n].first, axis), last = place_of(runs[n].last, axis);
+    const Message run = runs[n].count == 1 ? say("at {1}", first) : say("from {1} to {2}", first, last);
+    all = n == 0 ? run : say("{1}, {2}", all, run);
+  }
+  return runs.size() > most ? say("{1}, and {2} more", all, std::to_string(runs.size() - most)) : all;
+}
+
+/// Coefficients of friction that are all the same can be named.
+std::optional<double> common_coefficient(const mechanism::Model& model) {
+  std::optional<double> mu;
+  for (const mechanism::Joint& joint : model.joints) {
+    const mechanism::Friction& f = joint.friction;
+    if (f.rolling_arm > 0.0 || f.loss > 0.0 || f.loss_back > 0.0) return {};
+    if (f.coefficient == 0.0) continue;
+    if (mu && *mu != f.coefficient) return {};
+    mu = f.coefficient;
+  }
+  return mu;
+}
+
+class StandingTable {
+ public:
+  StandingTable(const mechanism::Model& model, const Cycle& cycle, const Axis* axis)
+      : model_(model), cycle_(cycle), axis_(axis) {
+    unit_ = model.drivers[0].kind == mechanism::Driver::Kind::rotary ? "N*m" : "N";
+  }
+
+  Table made() {
+    add_extreme(say("effort of the drive that starts it forward, no inertia"), &StandingEffort::forward, true);
+    add_extreme(say("effort that starts it backward"), &StandingEffort::backward, false);
+    add_jamming(say("no effort starts it forward"), &StandingEffort::forward);
+    add_jamming(say("no effort starts it backward"), &StandingEffort::backward);
+    const auto stands = [this](std::size_t k) { return cycle_.standing[k].stands(); };
+    add(say("stands without its drive"), where(stands));
+    add_threshold(say("least friction with which its load does not drive it back, as a part of what it has"),
+                  cycle_.stands_somewhere);
+    if (axis_ != nullptr) add_threshold(say("the same for every position"), cycle_.stands_everywhere);
+    return std::move(table_);
+  }
+
+ private:
+  void add(Message what, Cell value) { table_.rows.push_back({std::move(what), std::move(value)}); }
+
+  template <class Holds>
+  [[nodiscard]] Cell where(Holds holds) const {
+    if (axis_ == nullptr) return holds(0) ? say("yes") : say("no");
+    std::vector<bool> held(cycle_.positions.size());
+    for (std::size_t k = 0; k < held.size(); ++k) held[k] = holds(k);
+    return ranges(held, *axis_);
+  }
+
+  /// The largest that is asked for; backward it is the smallest.
+  void add_extreme(Message what, double StandingEffort::*effort, bool largest) {
+    std::optional<std::size_t> at;
+    for (std::size_t k = 0; k < cycle_.standing.size(); ++k) {
+      const double here = cycle_.standing[k].*effort;
+      if (std::isnan(here)) continue;
+      const double best = at ? cycle_.standing[*at].*effort : here;
+      if (!at || (largest ? here > best : here < best)) at = k;
+    }
+    if (!at) return;
+    const Quantity value{cycle_.standing[*at].*effort, unit_};
+    if (axis_ == nullptr) return add(std::move(what), value);
+    const Message extreme = largest ? say("{1}: largest, at {2}", what, place_of(*at, *axis_))
+                                    : say("{1}: smallest, at {2}", what, place_of(*at, *axis_));
+    add(extreme, value);
+  }
+
+  void add_jamming(Message what, double StandingEffort::*effort) {
+    const auto jams = [&](std::size_t k) { return cycle_.standing[k].known && std::isnan(cycle_.standing[k].*effort); };
+    for (std::size_t k = 0; k < cycle_.standing.size(); ++k) {
+      if (jams(k)) return add(std::move(what), where(jams));
+    }
+  }
+
+  void add_threshold(const Message& what, const std::optional<Cycle::Threshold>& threshold) {
+    if (!threshold) return;
+    const auto& [share, at] = *threshold;
+    add(axis_ == nullptr ? what : say("{1}; at {2}", what, place_of(at, *axis_)), Quantity{share, "-", 4});
+    if (const auto mu = common_coefficient(model_))
+      add(say("coefficient of friction then"), Quantity{share * *mu, "-", 4});
+  }
+
+  const mechanism::Model& model_;
+  const Cycle& cycle_;
+  const Axis* axis_;
+  std::string unit_;
+  Table table_{say("At rest: what starts the mechanism, and where it stands without its drive"), {}, {}};
+};
+
+/// Rows of what differs: how it is with the friction one way and the other.
+void add_difference(const std::string& place, const std::string& what, const std::string& unit, const Band& band,
+                    Table& table) {
+  const double size = std::max(std::abs(band.least), std::abs(band.most));
+  if (!(band.most - band.least > 1e-9 * size)) return;
+  table.rows.push_back({place, what, Quantity{band.least, unit}, Quantity{band.most, unit}});
+}
+
+}  // namespace
+
+void add_rest_outputs(const mechanism::Model& model, std::vector<Output>& out) {
+  if (!has_dry_friction(model) || model.drivers.empty()) return;
+  if (model.drivers.size() == 1) add_standing(model.drivers[0], out);
+  for (std::size_t d = 0; d < model.drivers.size(); ++d) {
+    const auto effort = [d](const Position& p) { return p.effort[d]; };
+    const bool rotary = model.drivers[d].kind == mechanism::Driver::Kind::rotary;
+    add_end(rotary ? drive_least : cylinder_least, model.drivers[d].name, &Band::least, effort, out);
+    add_end(rotary ? drive_most : cylinder_most, model.drivers[d].name, &Band::most, effort, out);
+  }
+  for (std::size_t j = 0; j < model.joints.size(); ++j) {
+    const auto force = [j](const Position& p) { return mechanism::length(p.reactions[j].force); };
+    add_end(joint_most, model.joints[j].name, &Band::most, force, out);
+  }
+}
+
+void list_rest_patterns(std::vector<ResultPattern>& patterns) {
+  for (const Standing& row : standing_rows) {
+    patterns.push_back(row.crank);
+    patterns.push_back(row.cylinder);
+  }
+  for (const ResultPattern& p : {drive_least, drive_most, cylinder_least, cylinder_most, joint_most})
+    patterns.push_back(p);
+}
+
+std::optional<Table> standing_table(const mechanism::Model& model, const Cycle& cycle, const Axis* axis) {
+  if (cycle.standing.empty() || std::find(cycle.closed.begin(), cycle.closed.end(), true) == cycle.closed.end())
+    return {};
+  return StandingTable(model, cycle, axis).made();
+}
+
+std::optional<Table> dead_point_table(const mechanism::Model& model, const Cycle& cycle, const Axis* axis) {
+  constexpr int most_positions = 6;
+  Table table{say("Where joints rest, friction either way"), {say("at"), say("quantity"), say("from"), say("to")}, {}};
+  int resting = 0;
+  for (std::size_t k = 0; k < cycle.either_way.size(); ++k) {
+    if (cycle.either_way[k].empty() || ++resting > most_positions) continue;
+    const std::string place = axis == nullptr ? "–" : place_of(k, *axis);
+    for (std::size_t d = 0; d < model.drivers.size(); ++d) {
+      const bool rotary = model.drivers[d].kind == mechanism::Driver::Kind::rotary;
+      const Band band = band_at(cycle, k, [d](const Position& p) { return p.effort[d]; });
+      add_difference(place, rotary ? "drive.M" : "cylinders." + model.drivers[d].name + ".F", rotary ? "N*m" : "N",
+                     band, table);
+    }
+    for (std::size_t j = 0; j < model.joints.size(); ++j) {
+      const Band band = band_at(cycle, k, [j](const Position& p) { return mechanism::length(p.reactions[j].force); });
+      add_difference(place, "joints." + model.joints[j].name + ".F", "N", band, table);
+    }
+  }
+  if (resting > most_positions)
+    table.caption = say("{1}: the first {2} of {3} positions", table.caption, std::to_string(most_positions),
+                        std::to_string(resting));
+  if (table.rows.empty()) return {};
+  return table;
+}
+
+}  // namespace loadpath::planar

@@ -1,0 +1,17 @@
+// Solves a mechanism with friction again where its sense is not known: at rest, and where joints rest for a moment.
+#pragma once
+
+#include "calculators/mechanism/cycle/cycle.hpp"
+
+namespace loadpath::planar {
+
+/// Whether some joint has dry friction or loses power: what holds a mechanism that rests.
+bool has_dry_friction(const mechanism::Model& model);
+
+/// More drives at rest than can be tried either way. Needs values.
+std::vector<FieldFault> check_rest(const Mechanism::Input& in, const mechanism::Model& model);
+
+/// Of the positions that close: fills `either_way`, `standing` and its thresholds.
+void solve_either_way(const CycleTask& task, Cycle& cycle);
+
+}  // namespace loadpath::planar

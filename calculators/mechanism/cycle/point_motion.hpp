@@ -1,0 +1,15 @@
+// How a point of a link moves at a solved position.
+#pragma once
+
+#include "lib/mechanism/model/position.hpp"
+#include "lib/mechanism/model/vec.hpp"
+
+namespace loadpath::planar {
+
+/// Global place, velocity and acceleration of a point of a link.
+struct PointMotion {
+  mechanism::Vec place, velocity, acceleration;
+};
+PointMotion motion_of(const mechanism::Position& p, int link, mechanism::Vec at);
+
+}  // namespace loadpath::planar

@@ -1,0 +1,114 @@
+#include "calculators/mechanism/cycle/rounding.hpp"
+
+#include "lib/mechanism/equations/kinematics.hpp"
+#include "lib/quantity/decimal.hpp"
+#include "lib/quantity/units.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::planar {
+
+namespace {
+
+constexpr double rounding = 1e-13;  // of the largest term: some hundred times the spacing of doubles
+
+struct Scale {
+  Dimension dimension;
+  double largest = 0.0;
+};
+
+/// The largest magnitudes over the positions of a cycle; what is not known there counts for nothing.
+struct Largest {
+  double length = 0.0, speed = 0.0, acceleration = 0.0;  // of links' origins
+  double turning = 0.0, angular_acceleration = 0.0;      // of links
+  double force = 0.0, couple = 0.0;                      // of joints, drives and loads
+  static void see(double magnitude, double& most) { most = magnitude > most ? magnitude : most; }
+  static double length_of(const mechanism::Pose& pose) { return mechanism::length(mechanism::Vec{pose.x, pose.y}); }
+
+  void see(const mechanism::Position& p, const std::vector<mechanism::Driver>& drivers) {
+    for (std::size_t k = 0; k < p.pose.size(); ++k) {
+      see(length_of(p.pose[k]), length);
+      see(length_of(p.velocity[k]), speed);
+      see(length_of(p.acceleration[k]), acceleration);
+      see(std::abs(p.velocity[k].phi), turning);
+      see(std::abs(p.acceleration[k].phi), angular_acceleration);
+    }
+    for (const mechanism::Reaction& r : p.reactions) see_force(r.force, r.couple);
+    for (const mechanism::LoadNow& load : p.loads) see_force(load.force, load.moment);
+    for (std::size_t d = 0; d < drivers.size(); ++d) {
+      const bool turns = drivers[d].kind == mechanism::Driver::Kind::rotary;
+      see(std::abs(p.effort[d]), turns ? couple : force);
+    }
+  }
+
+ private:
+  void see_force(mechanism::Vec acting, double turning_moment) {
+    see(mechanism::length(acting), force);
+    see(std::abs(turning_moment), couple);
+  }
+};
+
+/// Of all links, with their masses at this distance.
+double inertia_within(const mechanism::Model& model, double distance) {
+  double sum = 0.0;
+  for (const mechanism::Link& link : model.links) sum += link.mass * distance * distance + link.inertia;
+  return sum;
+}
+
+std::vector<Scale> scales_of(const mechanism::Model& model, const Cycle& cycle) {
+  Largest of;
+  for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
+    if (cycle.closed[k]) of.see(cycle.positions[k], model.drivers);
+  }
+  const double reach = mechanism::characteristic_length(model), length = of.length + reach;
+  const double speed = of.speed + of.turning * reach, turned = of.turning * of.turning + of.angular_acceleration;
+  const double moment = std::max(of.couple, of.force * length);
+  return {{mm.dimension(), length},
+          {deg.dimension(), 1.0},
+          {m_per_s.dimension(), speed},
+          {rad_per_s.dimension(), of.turning},
+          {m_per_s2.dimension(), of.acceleration + turned * reach},
+          {rad_per_s2.dimension(), turned},
+          {N.dimension(), std::max(of.force, of.couple / length)},
+          {N_m.dimension(), moment},
+          {kg_m2.dimension(), inertia_within(model, length)},
+          {W.dimension(), std::max(of.force * speed, moment * of.turning)}};
+}
+
+}  // namespace
+
+Rounding rounding_at(const mechanism::Position& p) {
+  constexpr double part = 1e-12;  // a reaction comes out of a chain of equations
+  Rounding least;
+  for (const mechanism::Reaction& r : p.reactions) {
+    const double force = part * mechanism::length(r.force);
+    least.force = std::max(least.force, force);
+    least.moment = std::max(least.moment, force * mechanism::length(r.at));
+  }
+  return least;
+}
+
+double direction_of(mechanism::Vec v) {
+  constexpr double part = 1e-9;
+  if (std::abs(v.y) <= part * std::abs(v.x)) return v.x < 0.0 ? pi : 0.0;
+  return std::atan2(v.y, v.x);
+}
+
+void clear_rounding(const mechanism::Model& model, const Cycle& cycle, std::vector<account::Entry>& results) {
+  const std::vector<Scale> scales = scales_of(model, cycle);
+  for (account::Entry& e : results) {
+    const auto scale = std::find_if(scales.begin(), scales.end(),
+                                    [&](const Scale& s) { return s.dimension == e.value.signature.dimension; });
+    if (scale == scales.end()) continue;
+    e.value.rounding = rounding * scale->largest;
+    const bool direction = e.path.starts_with("links.") && e.path.ends_with(".phi");
+    const Decimals decimals = Decimals::within(e.value.rounding);
+    for (double& x : e.value.si) {
+      if (direction && std::abs(x + pi) <= e.value.rounding) x = pi;
+      x = std::abs(x) <= e.value.rounding ? 0.0 : decimals.nearest(x);
+    }
+  }
+}
+
+}  // namespace loadpath::planar

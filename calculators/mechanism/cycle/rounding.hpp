@@ -1,0 +1,29 @@
+// What rounding leaves in the results of a mechanism: told from values by the size of what they are computed from.
+#pragma once
+
+#include "calculators/mechanism/cycle/cycle.hpp"
+#include "lib/account/account.hpp"
+#include "lib/mechanism/model/model.hpp"
+#include "lib/mechanism/model/position.hpp"
+
+#include <vector>
+
+namespace loadpath::planar {
+
+/// What rounding leaves of a zero at a position, beside the largest reaction and its moment about the origin.
+struct Rounding {
+  double force = 0.0;   // N
+  double moment = 0.0;  // N m
+};
+Rounding rounding_at(const mechanism::Position& p);
+
+/// The direction of a vector in (-pi, pi]: along the x axis, whichever way, to rounding just 0 or pi.
+double direction_of(mechanism::Vec v);
+
+/// Gives every result the size of its rounding, makes zeros of what is no larger, and leaves no digits that are. A sum
+/// is as exact as its largest term: a force is one of forces, a moment of moments and of forces at the mechanism's
+/// arms, a power of forces at its speeds. What these are is told by the cycle, not by the results that happen to be
+/// wanted.
+void clear_rounding(const mechanism::Model& model, const Cycle& cycle, std::vector<account::Entry>& results);
+
+}  // namespace loadpath::planar

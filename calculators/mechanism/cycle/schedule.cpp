@@ -1,0 +1,141 @@
+#include "calculators/mechanism/cycle/schedule.hpp"
+
+#include "calculators/mechanism/words/law.hpp"
+#include "calculators/mechanism/words/loads.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace loadpath::planar {
+
+namespace {
+
+using mechanism::Drive;
+
+/// Crank angles as the user counts them.
+std::vector<double> crank_angles(const planar::Crank& crank) {
+  std::vector<double> angles;
+  for (const auto& place : crank.at) angles.push_back(place.angle);
+  if (!angles.empty()) return angles;
+  const double sense = in_si(crank.speed) < 0.0 ? -1.0 : 1.0;
+  const double cycle = sense * 2.0 * pi * crank.turns;
+  for (int k = 0; k < crank.positions; ++k) angles.push_back(crank.start + cycle * k / crank.positions);
+  return angles;
+}
+
+/// Of angles that differ by whole turns, the one nearest to the assembled position.
+double whole_turns(double wanted, double assembled) { return 2.0 * pi * std::round((assembled - wanted) / (2.0 * pi)); }
+
+double place_of(const planar::Cylinder& c, double assembled, std::size_t k, std::size_t count) {
+  const double from = is_set(c.from) ? in_si(c.from) : assembled;
+  const double to = is_set(c.to) ? in_si(c.to) : from;
+  return count < 2 ? from : from + (to - from) * static_cast<double>(k) / static_cast<double>(count - 1);
+}
+
+double sense_of(planar::Impending impending) {
+  return impending == planar::Impending::either ? 0.0 : impending == planar::Impending::forward ? 1.0 : -1.0;
+}
+
+Schedule schedule_by_speeds(const Mechanism::Input& in, const mechanism::ReleasedSystem& system) {
+  Schedule schedule;
+  const std::vector<double> angles = has_crank(in) ? crank_angles(in.crank) : std::vector<double>{};
+  const std::size_t count = has_crank(in) ? angles.size() : static_cast<std::size_t>(in.positions);
+  const double turns = has_crank(in) ? whole_turns(angles[0], system.coordinate(0)) : 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    std::vector<Drive> drives;
+    if (has_crank(in)) {
+      drives.push_back(
+          {angles[k] + turns, in_si(in.crank.speed), in_si(in.crank.acceleration), sense_of(in.crank.impending)});
+    }
+    for (const planar::Cylinder& c : in.cylinders) {
+      drives.push_back({place_of(c, system.coordinate(drives.size()), k, count), in_si(c.speed), in_si(c.acceleration),
+                        sense_of(c.impending)});
+    }
+    schedule.at.push_back(has_crank(in) ? angles[k] : drives.empty() ? 0.0 : drives[0].coordinate);
+    schedule.drives.push_back(std::move(drives));
+  }
+  schedule.turns = turns;
+  if (is_whole_turn(in)) schedule.period = (in_si(in.crank.speed) < 0.0 ? -2.0 : 2.0) * pi * in.crank.turns;
+  return schedule;
+}
+
+/// A drive without a law of its own goes on from where it stands, with its speed and acceleration.
+Drive drive_at(const DriveLaw& law, const Drive& start, double since, double t) {
+  if (law.empty()) {
+    const double after = t - since, speed = start.speed + start.acceleration * after;
+    return {start.coordinate + 0.5 * (start.speed + speed) * after, speed, start.acceleration};
+  }
+  const Jet there = law.at(t);
+  return {there.value, there.first, there.second};
+}
+
+/// Where a law turns round, rounding leaves a speed of either sign: the drive rests there.
+void let_rest(Schedule& schedule) {
+  constexpr double rounding = 1e-9;  // of its largest speed
+  for (std::size_t d = 0; !schedule.drives.empty() && d < schedule.drives.front().size(); ++d) {
+    double most = 0.0;
+    for (const auto& drives : schedule.drives) most = std::max(most, std::abs(drives[d].speed));
+    for (auto& drives : schedule.drives) {
+      if (std::abs(drives[d].speed) <= rounding * most) drives[d].speed = 0.0;
+    }
+  }
+}
+
+/// Equal steps of time, from the first moment of a law to the last of one.
+Schedule schedule_by_laws(const Mechanism::Input& in, const mechanism::ReleasedSystem& system) {
+  std::vector<DriveLaw> laws;
+  std::vector<Drive> starts;
+  if (has_crank(in)) {
+    laws.emplace_back(in.crank);
+    starts.push_back({in.crank.start, in_si(in.crank.speed), in_si(in.crank.acceleration)});
+  }
+  for (const planar::Cylinder& c : in.cylinders) {
+    laws.emplace_back(c);
+    const double from = is_set(c.from) ? in_si(c.from) : system.coordinate(starts.size());
+    starts.push_back({from, in_si(c.speed), in_si(c.acceleration)});
+  }
+  double first = std::numeric_limits<double>::infinity(), last = -first;
+  for (const DriveLaw& law : laws) {
+    if (law.empty()) continue;
+    first = std::min(first, law.first());
+    last = std::max(last, law.last());
+  }
+  Schedule schedule;
+  if (has_crank(in))
+    schedule.turns = whole_turns(drive_at(laws[0], starts[0], first, first).coordinate, system.coordinate(0));
+  const Whole count = has_crank(in) ? in.crank.positions : in.positions;
+  for (int k = 0; k < count; ++k) {
+    const double t = count > 1 ? first + (last - first) * k / (count - 1) : first;
+    schedule.at.push_back(t);
+    schedule.drives.emplace_back();
+    std::vector<Drive>& drives = schedule.drives.back();
+    for (std::size_t d = 0; d < laws.size(); ++d) drives.push_back(drive_at(laws[d], starts[d], first, t));
+    if (has_crank(in)) drives[0].coordinate += schedule.turns;
+  }
+  let_rest(schedule);
+  return schedule;
+}
+
+}  // namespace
+
+bool has_crank(const Mechanism::Input& in) { return !in.crank.joint.empty(); }
+
+bool is_whole_turn(const Mechanism::Input& in) { return has_crank(in) && in.crank.at.empty() && !has_law(in); }
+
+Schedule schedule_of(const Mechanism::Input& in, const mechanism::ReleasedSystem& system) {
+  return has_law(in) ? schedule_by_laws(in, system) : schedule_by_speeds(in, system);
+}
+
+void set_loads(const CycleTask& task, mechanism::ReleasedSystem& system, const std::vector<Drive>& drives) {
+  if (drives.empty()) return;
+  const double crank_angle = drives[0].coordinate - task.schedule.turns;
+  for (std::size_t k = 0; k < task.in.loads.size(); ++k) {
+    if (task.in.loads[k].over.empty()) continue;
+    const double share = share_at(task.in.loads[k], crank_angle, 2.0 * pi * task.in.crank.turns);
+    const mechanism::Load full = load_of(task.in, task.in.loads[k]);
+    system.set_load(k, share * full.force, share * full.moment);
+  }
+}
+
+}  // namespace loadpath::planar

@@ -1,0 +1,37 @@
+// Where the drives of a mechanism stand and how they move, position by position.
+#pragma once
+
+#include "calculators/mechanism/words/mechanism.hpp"
+#include "lib/mechanism/groups/released_system.hpp"
+
+#include <vector>
+
+namespace loadpath::planar {
+
+/// The states of all drives at every position.
+struct Schedule {
+  std::vector<std::vector<mechanism::Drive>> drives;
+  std::vector<double> at;  // of the axis: crank angles, or the first cylinder's places, or times
+  double turns = 0.0;      // by which the drive's coordinate is ahead of the crank angle, rad
+  double period = 0.0;     // of the crank angle, signed; 0: not a whole turn
+};
+
+bool has_crank(const Mechanism::Input& in);
+/// Whether the positions are those of a whole turn of the crank.
+bool is_whole_turn(const Mechanism::Input& in);
+/// The system is assembled: drives without a stated place begin where they are.
+Schedule schedule_of(const Mechanism::Input& in, const mechanism::ReleasedSystem& system);
+
+/// What is solved: a mechanism, its drives at every position, with inertia or without.
+struct CycleTask {
+  const Mechanism::Input& in;
+  const mechanism::Model& model;
+  bool redundant;  // joints hold too much
+  const Schedule& schedule;
+  bool statics;
+};
+
+/// Loads that vary over the cycle, as they are where the drives stand so.
+void set_loads(const CycleTask& task, mechanism::ReleasedSystem& system, const std::vector<mechanism::Drive>& drives);
+
+}  // namespace loadpath::planar

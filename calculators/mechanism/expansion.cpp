@@ -1,0 +1,116 @@
+#include "calculators/mechanism/expansion.hpp"
+
+#include "calculators/mechanism/cycle/cycle.hpp"
+#include "calculators/mechanism/templates/template.hpp"
+#include "lib/calculator/record_of.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace loadpath::planar {
+
+namespace {
+
+using project::Reading;
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// A point has its coordinates in one of two ways: what is said of one of them is said of the point.
+std::string told_path(const std::string& path) {
+  const bool of_point =
+      path.starts_with("ground.") || (path.starts_with("links.") && path.find(".points.") != std::string::npos);
+  return of_point ? path.substr(0, path.rfind('.')) : path;
+}
+
+/// Values of what the template draws; masses and friction stay the user's.
+void put(const Mechanism::Input& drawn, Mechanism::Input& in) {
+  std::copy(drawn.ground.begin(), drawn.ground.end(), in.ground.begin());
+  for (std::size_t i = 0; i < drawn.joints.size(); ++i) in.joints[i].direction = drawn.joints[i].direction;
+  std::copy(drawn.profiles.begin(), drawn.profiles.end(), in.profiles.begin());
+  for (std::size_t i = 0; i < drawn.links.size(); ++i) {
+    in.links[i].origin = drawn.links[i].origin;
+    in.links[i].angle = drawn.links[i].angle;
+    std::copy(drawn.links[i].points.begin(), drawn.links[i].points.end(), in.links[i].points.begin());
+  }
+}
+
+std::optional<FieldFault> set_inertia(planar::Link& link, Length l, const Reading& reading) {
+  const std::string name(link.name.view()), path = "links." + name;
+  if (reading.typed.count(path + ".J") != 0 || in_si(link.mass) == 0.0) return std::nullopt;
+  if (reading.typed.count(path + ".S") != 0) {
+    return FieldFault{path,
+                      say("'{1}.J' is missing: with a mass centre of its own '{2}' is no slender bar", path, name),
+                      say("write J = \"... kg*m^2\", about the mass centre")};
+  }
+  link.J = link.mass * l * l / 12.0;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Record laid_out(const Template& from) {
+  Record record(record_type<Mechanism::Input, Mechanism::inputs>());
+  from.lay_out(record.data.get());
+  return record;
+}
+
+bool is_given_in(const Record& laid, const std::string& path) {
+  if (!find_leaf(laid, path)) return false;
+  const std::string_view key = std::string_view(path).substr(path.rfind('.') + 1);
+  const std::string_view head = std::string_view(path).substr(0, path.find('.'));
+  if (head == "ground" || head == "links") return !is_one_of(key, {"name", "mass", "J", "S"});
+  if (head == "joints") return is_one_of(key, {"type", "first", "second", "direction", "angle", "profile"});
+  if (head == "profiles") return key != "name";
+  if (head == "crank")
+    return is_one_of(key, {"joint", "to"}) && !find_leaf(laid, "crank.joint").field->text(laid.data.get()).empty();
+  return head == "cylinders" && key == "joint";
+}
+
+std::vector<FieldFault> check_overrides(const Template& from, const Reading& reading) {
+  const Record laid = laid_out(from);
+  std::vector<FieldFault> faults;
+  for (const auto& entry : reading.typed) {
+    const std::string path = told_path(entry.first);
+    if (!is_given_in(laid, entry.first) || (!faults.empty() && faults.back().path == path)) continue;
+    faults.push_back({path, say("'{1}' comes from the template '{2}'", path, from.id),
+                      say("leave it out; mass, J and S of its links, friction in its joints and new points are free")});
+  }
+  return faults;
+}
+
+std::vector<FieldFault> expand(const Template& from, const Reading& reading, Mechanism::Input& in) {
+  const auto& shape = static_cast<const templates::MechanismTemplate&>(from);
+  const void* parameters = reading.parameters.data.get();
+  if (is_whole_turn(in)) {
+    if (auto stop = shape.crank_stop(parameters)) return {std::move(*stop)};
+  }
+  Mechanism::Input drawn;
+  templates::Sketch sketch(drawn, in.crank.joint.empty() ? unset<double> : first_crank_angle(in.crank));
+  shape.draw(parameters, sketch);
+  if (sketch.fault()) return {*sketch.fault()};
+  std::vector<FieldFault> faults;
+  for (const auto& [link, l] : sketch.bars()) {
+    if (auto fault = set_inertia(in.links[link], l, reading)) faults.push_back(std::move(*fault));
+  }
+  if (faults.empty()) put(drawn, in);
+  return faults;
+}
+
+account::Table template_table(const Template& from, const Record& parameters) {
+  account::Table table{
+      say("Template {1}: {2}", from.id, from.title), {say("parameter"), say("meaning"), say("value")}, {}};
+  for_each_leaf(parameters, [&](const std::string& path, const Leaf& leaf) {
+    const FieldInfo& field = *leaf.field;
+    const bool choice = field.type == FieldInfo::Type::choice;
+    if (!choice && !std::isfinite(leaf.get())) return;  // left out
+    account::Cell value = account::Quantity{leaf.get(), field.unit};
+    if (choice) value = say(field.choices[static_cast<std::size_t>(leaf.get())].key);
+    table.rows.push_back({account::Symbol{path}, say(field.doc), std::move(value)});
+  });
+  return table;
+}
+
+}  // namespace loadpath::planar

@@ -1,0 +1,174 @@
+#include "calculators/mechanism/pictures/plans.hpp"
+
+#include "calculators/mechanism/results/output.hpp"
+#include "lib/draw/canvas/typeset.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace loadpath::planar {
+
+namespace {
+
+using draw::Plan;
+using mechanism::length;
+using mechanism::Vec;
+using Cause = ActingForce::Cause;
+
+constexpr std::size_t most_panels = 12;
+constexpr double rounding = 1e-9;  // of the largest: what is below is drawn as nothing
+
+draw::Point point(Vec v) { return {v.x, v.y}; }
+
+Plan::Tone tone_of(Cause cause) {
+  if (cause == Cause::joint) return Plan::Tone::first;
+  return cause == Cause::weight || cause == Cause::inertia ? Plan::Tone::third : Plan::Tone::second;
+}
+
+double largest_reaction(const mechanism::Position& at) {
+  double most = 0.0;
+  for (const auto& r : at.reactions) most = std::max(most, length(r.force));
+  return most;
+}
+
+double largest_side(const Plan& plan) {
+  double most = 0.0;
+  for (const auto& v : plan.vectors) most = std::max(most, std::hypot(v.to.x - v.from.x, v.to.y - v.from.y));
+  return most;
+}
+
+bool moves(const PlanSubject& subject) {
+  return std::any_of(subject.at.velocity.begin(), subject.at.velocity.end(),
+                     [](const mechanism::Pose& v) { return v.x != 0.0 || v.y != 0.0 || v.phi != 0.0; });
+}
+
+/// The speed of the image of a point on the lever: its velocity turned clockwise.
+Vec lever_arm(const PlanSubject& subject, int link, Vec place) {
+  if (link == mechanism::ground) return {};
+  const auto k = static_cast<std::size_t>(link);
+  const mechanism::Pose &pose = subject.at.pose[k], &v = subject.at.velocity[k];
+  const Vec velocity = Vec{v.x, v.y} + v.phi * mechanism::normal(place - Vec{pose.x, pose.y});
+  return -mechanism::normal(velocity);
+}
+
+/// A couple belongs to the whole image of its link.
+draw::Point middle_of(const Plan::Image& image) {
+  draw::Point sum;
+  for (const auto& p : image.points) sum.x += p.x, sum.y += p.y;
+  const double n = std::max(1.0, static_cast<double>(image.points.size()));
+  return {sum.x / n, sum.y / n};
+}
+
+}  // namespace
+
+Plan force_plan(const PlanSubject& subject, int link) {
+  const double least = rounding * largest_reaction(subject.at);
+  Plan plan{subject.model.links[static_cast<std::size_t>(link)].name, "N", {}};
+  Vec end;
+  for (const ActingForce& acting : acting_on(subject.model, subject.at, link, subject.statics)) {
+    if (length(acting.force) <= least) continue;
+    const Vec next = end + acting.force;
+    plan.vectors.push_back({point(end), point(next), acting.name(), tone_of(acting.cause)});
+    end = next;
+  }
+  return plan;
+}
+
+draw::Plans force_plans(const PlanSubject& subject) {
+  draw::Plans plans;
+  std::vector<double> sizes;
+  for (std::size_t k = 0; k < subject.model.links.size(); ++k) {
+    Plan plan = force_plan(subject, static_cast<int>(k));
+    if (plan.vectors.size() < 2) continue;
+    sizes.push_back(largest_side(plan));
+    plans.panels.push_back(std::move(plan));
+  }
+  while (plans.panels.size() > most_panels) {
+    const auto least = std::min_element(sizes.begin(), sizes.end());
+    plans.panels.erase(plans.panels.begin() + (least - sizes.begin()));
+    sizes.erase(least);
+  }
+  return plans;
+}
+
+Plan zhukovsky_lever(const PlanSubject& subject) {
+  Plan plan = velocity_plan(subject);
+  const auto turned = [](draw::Point p) { return draw::Point{p.y, -p.x}; };
+  for (auto& image : plan.images) {
+    for (auto& p : image.points) p = turned(p);
+  }
+  for (auto& p : plan.points) p.at = turned(p.at);
+  double largest = 0.0;
+  for (const auto& v : plan.vectors) largest = std::max(largest, std::hypot(v.to.x, v.to.y));
+  plan.vectors.clear();
+  for (std::size_t k = 0; k < subject.model.links.size(); ++k) {
+    const int link = static_cast<int>(k);
+    for (const ActingForce& acting : external_forces(subject.model, subject.at, link, subject.statics)) {
+      const bool load = acting.cause != Cause::weight && acting.cause != Cause::inertia;
+      const draw::Point foot = point(lever_arm(subject, link, acting.at));
+      const bool has_moment = length(acting.force) > 0.0 && std::hypot(foot.x, foot.y) > rounding * largest;
+      if (has_moment) plan.forces.push_back({foot, point(acting.force), acting.name(), load});
+      const bool turns = acting.couple != 0.0 && subject.at.velocity[k].phi != 0.0;
+      if (!turns) continue;
+      const bool inertia = acting.cause == Cause::inertia;
+      plan.moments.push_back(
+          {inertia ? foot : middle_of(plan.images[k]), acting.couple,
+           inertia ? "−" + draw::symbol("J") + " " + draw::symbol("epsilon_" + subject.model.links[k].name)
+                   : acting.name()});
+    }
+  }
+  return plan;
+}
+
+double zhukovsky_residual(const PlanSubject& subject) {
+  double sum = 0.0, magnitudes = 0.0;
+  for (std::size_t k = 0; k < subject.model.links.size(); ++k) {
+    const int link = static_cast<int>(k);
+    for (const ActingForce& acting : external_forces(subject.model, subject.at, link, subject.statics)) {
+      const double moment = mechanism::cross(lever_arm(subject, link, acting.at), acting.force) +
+                            acting.couple * subject.at.velocity[k].phi;
+      sum += moment;
+      magnitudes += std::abs(moment);
+    }
+  }
+  return magnitudes > 0.0 ? std::abs(sum) / magnitudes : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<draw::Figure> plan_figures(const PlanSubject& subject) {
+  std::vector<draw::Figure> figures;
+  draw::Plans forces = force_plans(subject);
+  if (!forces.panels.empty()) {
+    const bool all = forces.panels.size() < most_panels;
+    figures.push_back({"force-plans",
+                       all ? "Force plans at the same position: on each link, loads, weight and inertia and the forces "
+                             "of its joints close a polygon"
+                           : "Force plans at the same position, of the links with the largest forces: loads, weight "
+                             "and inertia and the forces of the joints close a polygon",
+                       std::move(forces)});
+  }
+  if (!moves(subject)) return figures;
+  figures.push_back({"velocity-plan",
+                     "Velocity plan: from the pole p to the image of every point; the image of a link is similar to it "
+                     "and turned by a right angle",
+                     draw::Plans{{velocity_plan(subject)}}});
+  figures.push_back({"acceleration-plan",
+                     "Acceleration plan, with the normal and tangential parts between the points of a link and, where "
+                     "links slide, the relative part and that of Coriolis",
+                     draw::Plans{{acceleration_plan(subject)}}});
+  const bool rubs = std::any_of(subject.model.joints.begin(), subject.model.joints.end(),
+                                [](const mechanism::Joint& j) { return j.friction.any(); });
+  if (rubs) return figures;  // the lever says nothing of the forces inside the joints, which then do work
+  Plan lever = zhukovsky_lever(subject);
+  if (!lever.forces.empty() || !lever.moments.empty()) {
+    figures.push_back(
+        {"zhukovsky",
+         "Zhukovsky's lever: the velocity plan turned clockwise by a right angle, with the forces at the "
+         "images of their points; the moments about the pole, with couples times their angular speed, sum "
+         "to zero",
+         draw::Plans{{std::move(lever)}}});
+  }
+  return figures;
+}
+
+}  // namespace loadpath::planar

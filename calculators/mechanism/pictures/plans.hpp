@@ -1,0 +1,42 @@
+// The plans of a planar mechanism at a position, as textbooks draw them.
+#pragma once
+
+#include "calculators/mechanism/cycle/cycle.hpp"
+#include "calculators/mechanism/pictures/forces.hpp"
+#include "calculators/mechanism/words/points.hpp"
+#include "lib/figure/figure.hpp"
+
+#include <vector>
+
+namespace loadpath::planar {
+
+/// What a plan is drawn of.
+struct PlanSubject {
+  const mechanism::Model& model;
+  const std::vector<TracedPoint>& points;
+  const mechanism::Position& at;
+  bool statics = false;
+};
+
+/// The forces on a link head to tail: a closed polygon. Forces that rounding leaves of zeros are left out.
+draw::Plan force_plan(const PlanSubject& subject, int link);
+/// The links with the largest forces, at most a dozen, in their order.
+draw::Plans force_plans(const PlanSubject& subject);
+
+/// From the pole, at which the ground is, to the velocity of every point. Where links slide on each other the point of
+/// the second link has the second link's name.
+draw::Plan velocity_plan(const PlanSubject& subject);
+/// The same of accelerations, with their parts towards and across the lines between the points of a link, and with
+/// those of sliding: relative and Coriolis.
+draw::Plan acceleration_plan(const PlanSubject& subject);
+
+/// The velocity plan turned clockwise by a right angle, with the forces at the images of their points: their moments
+/// about the pole, and couples times angular speeds, sum to zero.
+draw::Plan zhukovsky_lever(const PlanSubject& subject);
+/// That sum over the sum of magnitudes, W over W: of forces and couples on the lever; NaN where nothing moves.
+double zhukovsky_residual(const PlanSubject& subject);
+
+/// The figures of all plans that say something at this position.
+std::vector<draw::Figure> plan_figures(const PlanSubject& subject);
+
+}  // namespace loadpath::planar

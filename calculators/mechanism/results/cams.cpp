@@ -1,0 +1,109 @@
+#include "calculators/mechanism/results/cams.hpp"
+
+#include "calculators/mechanism/results/rows.hpp"
+#include "calculators/mechanism/words/profiles.hpp"
+#include "lib/mechanism/studies/cam_state.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+namespace loadpath::planar {
+
+namespace {
+
+using mechanism::CamContact;
+using mechanism::JointKind;
+using mechanism::Position;
+
+struct Cam {
+  std::string name;
+  std::size_t index = 0;
+  std::shared_ptr<const mechanism::Model> model;
+
+  [[nodiscard]] const mechanism::Joint& joint() const { return model->joints[index]; }
+  [[nodiscard]] mechanism::CamState at(const Position& p) const { return cam_state(*model, index, p); }
+  static bool slides(const Cam& c) { return c.joint().contact == CamContact::flat || c.joint().radius_i == 0.0; }
+  static bool is_guided(const Cam& c) { return guide_of(*c.model, c.index).has_value(); }
+};
+
+constexpr std::array cam_rows{
+    row<Cam>(
+        "joints.NAME.N", "force that the cam pushes the follower with; negative: the follower lifts off", N,
+        [](const Cam& c, const Position& p) { return c.at(p).pressing; }, nullptr, "cams"),
+    row<Cam>(
+        "joints.NAME.alpha", "pressure angle: of the contact's normal against the path of the follower", deg,
+        [](const Cam& c, const Position& p) { return *c.at(p).pressure_angle; }, &Cam::is_guided,
+        "cams whose follower slides or turns"),
+    row<Cam>(
+        "joints.NAME.v_s", "speed of sliding of the follower on the cam, counter-clockwise round it positive", m_per_s,
+        [](const Cam& c, const Position& p) { return c.at(p).sliding; }, &Cam::slides, "edges and flat faces on cams")};
+
+account::Verdict verdict(const std::string& step, const std::string& symbol, Message meaning, double radius,
+                         Message bound, bool holds) {
+  account::Verdict v;
+  v.step = step;
+  v.symbol = symbol;
+  v.meaning = std::move(meaning);
+  v.bound = std::move(bound);
+  v.value = account::Quantity{radius, "mm"};
+  v.state = holds ? account::State::pass : account::State::fail;
+  return v;
+}
+
+std::string angle_text(const mechanism::Joint& joint, double parameter) {
+  return format_quantity(cam_angle(*joint.profile, parameter), "deg", 4);
+}
+
+}  // namespace
+
+void add_cam_outputs(const mechanism::Model& model, std::vector<Output>& out) {
+  const auto kept = std::make_shared<const mechanism::Model>(model);
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    if (model.joints[k].kind == JointKind::cam) add_outputs(Cam{model.joints[k].name, k, kept}, cam_rows, out);
+  }
+}
+
+void list_cam_patterns(std::vector<ResultPattern>& patterns) { list_patterns(cam_rows, patterns); }
+
+std::vector<account::Verdict> profile_verdicts(const std::string& step, const mechanism::Model& model) {
+  std::vector<account::Verdict> verdicts;
+  for (const mechanism::Joint& joint : model.joints) {
+    if (joint.kind != JointKind::cam) continue;
+    const mechanism::Bends bends = mechanism::bends_of(*joint.profile);
+    verdicts.push_back(verdict(
+        step, "profile_" + joint.name,
+        say("least radius of curvature of the profile where it bulges, joint '{1}': it is not undercut", joint.name),
+        bends.bulge, say("more than 0"), bends.bulge > 0.0));
+    account::Verdict& bulge = verdicts.back();
+    bulge.note = say("at a cam angle of {1}", angle_text(joint, bends.bulge_at));
+    if (bulge.state == account::State::fail) {
+      const std::string angle = angle_text(joint, bends.bulge_at);
+      bulge.note =
+          joint.contact == CamContact::flat
+              ? say("undercut at a cam angle of {1}: make the base circle larger, or the segment longer", angle)
+              : say("undercut at a cam angle of {1}: make the base circle larger, or the roller smaller", angle);
+    }
+    if (!std::isfinite(bends.hollow) || joint.contact == CamContact::flat || joint.radius_i == 0.0) continue;
+    const bool fits = bends.hollow > joint.radius_i;
+    verdicts.push_back(verdict(step, "hollow_" + joint.name,
+                               say("least radius of curvature where the profile is hollow: the roller of joint '{1}' "
+                                   "reaches into it",
+                                   joint.name),
+                               bends.hollow, say("more than {1}", format_quantity(joint.radius_i, "mm")), fits));
+    verdicts.back().note = say("at a cam angle of {1}", angle_text(joint, bends.hollow_at));
+  }
+  return verdicts;
+}
+
+std::vector<std::string> passive_freedoms(const mechanism::Model& model) {
+  std::vector<std::string> names;
+  for (const mechanism::Joint& joint : model.joints) {
+    const bool rolls = joint.kind == JointKind::cam && joint.contact == CamContact::round && joint.radius_i > 0.0;
+    if (rolls) names.push_back(joint.name);
+  }
+  return names;
+}
+
+}  // namespace loadpath::planar

@@ -1,0 +1,15 @@
+// The position that reports show.
+#pragma once
+
+#include "calculators/mechanism/cycle/cycle.hpp"
+#include "lib/account/account.hpp"
+
+#include <cstddef>
+
+namespace loadpath::planar {
+
+/// The position nearest to the largest moment of the drive, or force of the first cylinder; else the first that has
+/// forces; one past the last where none has.
+std::size_t governing_position(const Cycle& cycle, const account::Account& account);
+
+}  // namespace loadpath::planar

@@ -1,0 +1,86 @@
+// What a planar mechanism gives to other steps: paths, dimensions, and how each is read off a position.
+#pragma once
+
+#include "calculators/mechanism/words/mechanism.hpp"
+#include "lib/account/account.hpp"
+#include "lib/calculator/calculator.hpp"
+#include "lib/mechanism/model/model.hpp"
+#include "lib/mechanism/model/position.hpp"
+#include "lib/quantity/dimension.hpp"
+#include "lib/text/issue.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace loadpath::planar {
+
+struct Cycle;
+struct Kinematics;
+struct Errors;
+struct Balanced;
+
+/// What is known when all positions are solved.
+struct Solved {
+  const Cycle& cycle;
+  const Kinematics& kinematics;
+  const Errors& errors;
+  const Balanced& balanced;
+};
+
+/// A position, and what mechanism::PositionFunctions derives there: null where that is not known.
+struct Reached {
+  const mechanism::Position& at;
+  const mechanism::Position* derivative;
+};
+
+/// How results are read off a position: those of one thing together, so that what they share is found once.
+struct Reading {
+  struct Together {
+    std::size_t count = 0;
+    std::function<void(const Reached&, std::span<double> values)> read;
+  };
+  std::shared_ptr<const Together> together;
+  std::size_t place = 0;  // of this result among them
+
+  Reading() = default;
+  Reading(std::shared_ptr<const Together> all, std::size_t own) : together(std::move(all)), place(own) {}
+  /// Of a single result: a function of the position.
+  template <class Read>
+  requires std::is_invocable_r_v<double, Read, const mechanism::Position&> Reading(
+      Read read)  // NOLINT(google-explicit-constructor)
+      : together(std::make_shared<const Together>(
+            Together{1, [read](const Reached& reached, std::span<double> values) { values[0] = read(reached.at); }})) {}
+};
+
+struct Output {
+  struct Values {
+    std::vector<double> si;  // one for every position, or one
+    Message missing;         // why there are none, or not everywhere; empty: there are, or it goes without saying
+    Values(std::vector<double> values, Message reason = {})  // NOLINT(google-explicit-constructor)
+        : si(std::move(values)), missing(std::move(reason)) {}
+  };
+  std::string path;  // "joints.A.F"
+  std::string doc;
+  std::string unit;
+  Dimension dimension;
+  Reading read;
+  /// In place of `read`, of all that is solved.
+  std::function<Values(const Solved&)> read_cycle = {};
+  bool is_single = false;
+  /// In place of `read`, of the results before it.
+  std::function<Values(const account::Account&)> read_results = {};
+  std::vector<std::string> results_read = {};  // their paths
+  Message missing = {};                        // of `read`: why it may have no value though the mechanism has forces
+};
+
+/// Whether a result is the effort of a drive itself, "drive.M" or "cylinders.NAME.F".
+bool is_drive_effort(std::string_view path);
+
+}  // namespace loadpath::planar

@@ -1,0 +1,82 @@
+// Results of a mechanism as tables of rows: what every thing of one kind gives, under a path with its name.
+#pragma once
+
+#include "calculators/mechanism/results/output.hpp"
+#include "lib/quantity/units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <memory>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace loadpath::planar {
+
+/// What the rows of a thing are read off at a position: what its `now` makes of it, where it has one, once for all of
+/// them; else the position itself.
+template <class Thing>
+decltype(auto) now_of(const Thing& thing, const Reached& reached) {
+  if constexpr (requires { thing.now(reached); }) {
+    return thing.now(reached);
+  } else if constexpr (requires { thing.now(reached.at); }) {
+    return thing.now(reached.at);
+  } else {
+    return (reached.at);
+  }
+}
+template <class Thing>
+using Now = std::remove_cvref_t<decltype(now_of(std::declval<const Thing&>(), std::declval<const Reached&>()))>;
+
+/// A path with NAME for the thing's own, and how the value is read off.
+template <class Thing>
+struct Row {
+  ResultPattern pattern;
+  Dimension dimension;
+  double (*read)(const Thing&, const Now<Thing>&);
+  bool (*has)(const Thing&) = nullptr;  // null: every thing of the kind
+};
+
+/// `where`: which things have it, in words.
+template <class Thing, class Quantity>
+constexpr Row<Thing> row(const char* path, const char* doc, const Unit<Quantity>& unit,
+                         double (*read)(const Thing&, const Now<Thing>&), bool (*has)(const Thing&) = nullptr,
+                         const char* where = "") {
+  return {{path, unit.symbol, doc, where}, unit.dimension(), read, has};
+}
+
+inline std::string named(std::string path, const std::string& name) {
+  const std::size_t at = path.find("NAME");
+  return at == std::string::npos ? path : path.replace(at, 4, name);
+}
+
+/// `thing` has a member `name`; the readers keep a copy of it.
+template <class Thing, std::size_t Count>
+void add_outputs(const Thing& thing, const std::array<Row<Thing>, Count>& rows, std::vector<Output>& out) {
+  std::vector<Row<Thing>> own;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
+               [&](const Row<Thing>& r) { return r.has == nullptr || r.has(thing); });
+  const auto read = [thing, own](const Reached& reached, std::span<double> values) {
+    const auto& now = now_of(thing, reached);
+    for (std::size_t n = 0; n < own.size(); ++n) values[n] = own[n].read(thing, now);
+  };
+  const auto together = std::make_shared<const Reading::Together>(Reading::Together{own.size(), read});
+  for (std::size_t n = 0; n < own.size(); ++n) {
+    const auto& [pattern, dimension, reads, has] = own[n];
+    out.push_back({.path = named(pattern.path, thing.name),
+                   .doc = pattern.doc,
+                   .unit = pattern.unit,
+                   .dimension = dimension,
+                   .read = {together, n}});
+  }
+}
+
+template <class Rows>
+void list_patterns(const Rows& rows, std::vector<ResultPattern>& patterns) {
+  for (const auto& r : rows) patterns.push_back(r.pattern);
+}
+
+}  // namespace loadpath::planar

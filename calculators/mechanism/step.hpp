@@ -1,0 +1,52 @@
+// The step of a planar mechanism in a project: its paths come from the names in its model.
+#pragma once
+
+#include "calculators/mechanism/cycle/cycle.hpp"
+#include "calculators/mechanism/cycle/kinematics.hpp"
+#include "calculators/mechanism/results/output.hpp"
+#include "lib/mechanism/structure/structure.hpp"
+#include "lib/project/step.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace loadpath::planar {
+
+class MechanismStep : public project::Step {
+ public:
+  using Step::Step;
+
+  void prepare(const project::Declared& declared, const project::Companions& companion,
+               std::vector<Issue>& issues) override;
+  [[nodiscard]] Outcome<Signature> signature(const std::string& path) const override;
+  /// With the moment or power of a drive comes the force of its joint.
+  [[nodiscard]] std::vector<std::string> companions_of(const std::string& path) const override;
+  void solve(const project::Known& known, const project::Wanted& wanted, std::vector<Issue>& issues) override;
+
+ private:
+  [[nodiscard]] Mechanism::Input& data() { return *static_cast<Mechanism::Input*>(own().reading.record.data.get()); }
+  [[nodiscard]] const Mechanism::Input& data() const {
+    return *static_cast<const Mechanism::Input*>(input().reading.record.data.get());
+  }
+  void add_faults_of_names(std::vector<Issue>& issues) const;
+  void add_idle_fields(std::vector<Issue>& issues) const;
+  void add_idle_senses(std::vector<Issue>& issues) const;
+  void add_idle_motions(std::vector<Issue>& issues) const;
+  void add_idle_strokes(std::vector<Issue>& issues) const;
+  bool diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues);
+  void add_faults(const std::vector<FieldFault>& faults, std::vector<Issue>& issues) const;
+  /// Puts the template's values, if there is one, into the input; false where they do not fit together.
+  bool expand_template(std::vector<Issue>& issues);
+  [[nodiscard]] account::Origin origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const;
+  void fill_inputs();
+  /// Tables and figures. `given`: before what holds too much was released.
+  void illustrate(const mechanism::Model& given, const mechanism::Model& model, const Solved& solved);
+
+  std::vector<Output> outputs_;
+  mechanism::Structure structure_;
+  std::unique_ptr<Axis> axis_;  // null: one position
+};
+
+std::unique_ptr<project::Step> make_step(project::StepInput&& input);
+
+}  // namespace loadpath::planar

@@ -1,0 +1,128 @@
+// A planar mechanism in a project: links, joints, drives and loads as a user writes them.
+//
+// Decides positions, velocities, accelerations, the reaction of every joint and the driving moment or force, over a
+// turn of the crank, over strokes of cylinders, or at given positions (lib/mechanism). Rigid links; play counts as an
+// error only. Signs: moments counter-clockwise positive; a joint's force is that of its first link on its second
+// (R_12). A link's points are written in its own axes, or, where neither origin nor angle is given, as drawn on paper.
+#pragma once
+
+#include "calculators/mechanism/words/cam_profile.hpp"
+#include "calculators/mechanism/words/design.hpp"
+#include "calculators/mechanism/words/drives.hpp"
+#include "calculators/mechanism/words/loading.hpp"
+#include "calculators/mechanism/words/parts.hpp"
+#include "lib/calculator/field.hpp"
+
+#include <array>
+
+namespace loadpath::planar {
+
+struct Mechanism {
+  static constexpr auto id = "mechanism.planar";
+  static constexpr auto title = "Planar mechanism";
+  static constexpr auto scope =
+      "Motion, joint reactions and driving effort of a planar mechanism with pins, slides, slots, gears, belts, cams, "
+      "rolling wheels and friction, with masses and loads, over a cycle or at given positions. Rigid links; play "
+      "counts "
+      "as an error of outputs, elasticity is not covered.";
+  static constexpr auto source = "[A10], [B29], [B31], [D3]";
+  static constexpr auto example = R"([project]
+title = "Slider-crank"
+
+[press]
+calculator = "mechanism.planar"
+crank = { joint = "O", speed = "60 rpm", positions = 72 }
+
+[press.ground]
+O = ["0 mm", "0 mm"]
+B = ["0 mm", "0 mm"]
+
+[press.links.crank]
+points = { O = ["0 mm", "0 mm"], A = ["50 mm", "0 mm"] }
+angle = "30 deg"
+
+[press.links.rod]
+points = { A = ["0 mm", "0 mm"], B = ["200 mm", "0 mm"] }
+angle = "-7 deg"
+
+[press.links.slider]
+points = { B = ["0 mm", "0 mm"] }
+angle = "0 deg"
+mass = "2 kg"
+
+[press.joints]
+O = { type = "revolute", links = ["crank", "ground"] }
+A = { type = "revolute", links = ["crank", "rod"] }
+B = { type = "revolute", links = ["rod", "slider"] }
+guide = { type = "prismatic", links = ["slider", "ground"], points = ["B", "B"] }
+
+[[press.loads]]
+link = "slider"
+at = "B"
+F_x = "-1 kN"
+F_y = "0 N"
+)";
+
+  struct Side {
+    Name side;
+    static constexpr std::tuple fields{NameField{&Side::side, "side", "side of a group: \"B_left\", \"D_ahead\""}};
+  };
+
+  enum class Analysis { kinetostatic, statics };
+  struct Input {
+    List<Point, 32> ground;
+    List<Link, 128> links;
+    List<Joint, 192> joints;
+    List<CamProfile, 8> profiles;
+    Crank crank;
+    List<Cylinder, 16> cylinders;
+    Whole positions = 1;
+    List<Load, 64> loads;
+    List<Spring, 32> springs;
+    List<Side, 16> sides;
+    List<Tolerance, 64> tolerances;
+    List<Accuracy, 16> accuracy;
+    List<Counterweight, 16> counterweights;
+    Balance balance = Balance::rms;
+    List<Hodograph, 16> hodographs;
+    Acceleration gravity = 0.0 * m_per_s2.one;
+    double gravity_direction = -pi / 2.0;
+    Analysis analysis = Analysis::kinetostatic;
+  };
+  static constexpr std::tuple inputs{
+      ListField{&Input::ground, "ground", "points of the fixed link"}.as_arrays().may_be_missing(),
+      ListField{&Input::links, "links", "moving links, by name"},
+      ListField{&Input::joints, "joints", "joints, by name"},
+      ListField{&Input::profiles, "profiles", "profiles of cams, by name"}.may_be_missing(),
+      Group{&Input::crank, "crank", "drive of a revolute joint"}.may_be_missing(),
+      ListField{&Input::cylinders, "cylinders", "drives of prismatic joints, by name"}.may_be_missing(),
+      Count{&Input::positions, "positions", 1, 7200,
+            "positions of a stroke, or of a law of motion, of cylinders without a crank"},
+      ListField{&Input::loads, "loads", "forces and couples"}.may_be_missing(),
+      ListField{&Input::springs, "springs", "springs and dampers, by name"}.may_be_missing(),
+      ListField{&Input::sides, "sides",
+                "assembly by the sides of its groups, which the report lists; as stated or drawn where missing"}
+          .as_arrays()
+          .may_be_missing(),
+      ListField{&Input::tolerances, "tolerances", "dimensions and masses that are not exact, by name"}.may_be_missing(),
+      ListField{&Input::accuracy, "accuracy", "outputs whose error by tolerances and play is wanted, by name"}
+          .may_be_missing(),
+      ListField{&Input::counterweights, "counterweights", "where counterweights are wanted, by name"}.may_be_missing(),
+      Choice{&Input::balance, "balance", "what counterweights make as small as it gets"}.may_be_missing(),
+      ListField{&Input::hodographs, "hodographs",
+                "joints whose force is drawn as a hodograph; the busiest where missing"}
+          .as_arrays()
+          .may_be_missing(),
+      Field{&Input::gravity, "gravity", m_per_s2, "acceleration of gravity; none where missing"}.at_least(0).usually(
+          0, 30),
+      Field{&Input::gravity_direction, "gravity_direction", deg, "direction of gravity"},
+      Choice{&Input::analysis, "analysis", "with the inertia of the links, or loads alone"}.may_be_missing()};
+};
+
+constexpr auto choices_of(Mechanism::Analysis) {
+  using T = Mechanism::Analysis;
+  return std::array{ChoiceName<T>{T::kinetostatic, "kinetostatic", "loads, weights and inertia"},
+                    ChoiceName<T>{T::statics, "static", "loads and weights; no inertia"}};
+}
+
+}  // namespace loadpath::planar

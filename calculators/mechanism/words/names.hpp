@@ -1,0 +1,71 @@
+// Finds what the names in a mechanism stand for, and collects what is wrong with them.
+#pragma once
+
+#include "calculators/mechanism/words/mechanism.hpp"
+#include "lib/text/issue.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loadpath::planar {
+
+class NameFaults {
+ public:
+  explicit NameFaults(const Mechanism::Input& in) : in_(in) {}
+
+  [[nodiscard]] const Mechanism::Input& input() const { return in_; }
+  [[nodiscard]] bool none() const { return faults_.empty(); }
+  [[nodiscard]] std::vector<FieldFault> take() { return std::move(faults_); }
+
+  void add(std::string path, Message message, Message hint = {}) {
+    faults_.push_back({std::move(path), std::move(message), std::move(hint)});
+  }
+  void add(FieldFault fault) { faults_.push_back(std::move(fault)); }
+
+  /// False, and a fault at `path`, where the mechanism has no such link; the ground is one.
+  bool require_link(const Name& name, const std::string& path);
+  bool require_joint(const Name& name, const std::string& path);
+  bool require_spring(const Name& name, const std::string& path);
+  /// Of a link that is there, or the ground.
+  bool require_point(int link, const Name& name, const std::string& path);
+
+ private:
+  bool require(bool found, const Name& name, const std::string& path, std::string_view kind,
+               const std::vector<std::string>& names);
+
+  const Mechanism::Input& in_;
+  std::vector<FieldFault> faults_;
+};
+
+inline std::string text(const Name& name) { return std::string(name.view()); }
+
+/// The element of a list that has this name; nullptr where there is none.
+template <class Items>
+auto find_named(const Items& items, const Name& name) -> decltype(&*items.begin()) {
+  const auto found = std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
+  return found == items.end() ? nullptr : &*found;
+}
+/// The place in its list of one that is there.
+template <class Items>
+std::size_t index_of(const Items& items, const Name& name) {
+  return static_cast<std::size_t>(find_named(items, name) - &*items.begin());
+}
+
+/// The names of the elements of a list.
+template <class Items>
+std::vector<std::string> names_in(const Items& items) {
+  std::vector<std::string> names;
+  for (const auto& item : items) names.emplace_back(item.name.view());
+  return names;
+}
+
+/// The path of a named element of a list, or of a field of it: "links.rod.S".
+std::string path_of(const char* list, std::string_view name, std::string_view field = {});
+inline std::string path_of(const char* list, const Name& name, std::string_view field = {}) {
+  return path_of(list, name.view(), field);
+}
+
+}  // namespace loadpath::planar

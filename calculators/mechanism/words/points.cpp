@@ -1,0 +1,46 @@
+#include "calculators/mechanism/words/points.hpp"
+
+#include "calculators/mechanism/words/names.hpp"
+#include "lib/mechanism/model/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::planar {
+
+using mechanism::Vec;
+
+std::pair<Name, Name> point_names(const planar::Joint& joint) {
+  const Name first = joint.points.first.empty() ? joint.name : joint.points.first;
+  return {first, joint.points.second.empty() ? first : joint.points.second};
+}
+
+int link_index(const Mechanism::Input& in, const Name& name) {
+  return find_named(in.links, name) == nullptr ? mechanism::ground : static_cast<int>(index_of(in.links, name));
+}
+
+const planar::Point* find_point(const Mechanism::Input& in, int link, const Name& name) {
+  return link == mechanism::ground ? find_named(in.ground, name)
+                                   : find_named(in.links[static_cast<std::size_t>(link)].points, name);
+}
+
+bool is_drawn(const planar::Link& link) { return !is_set(link.angle) && !is_set(link.origin.x); }
+
+Vec vector_of(const planar::Point& p) {
+  if (is_set(p.x)) return {in_si(p.x), in_si(p.y)};
+  return in_si(p.r) * Vec{std::cos(p.angle), std::sin(p.angle)};
+}
+
+std::vector<TracedPoint> traced_points(const Mechanism::Input& in) {
+  std::vector<TracedPoint> points;
+  for (std::size_t i = 0; i < in.links.size(); ++i) {
+    for (const auto& p : in.links[i].points) {
+      const bool known =
+          std::any_of(points.begin(), points.end(), [&](const auto& t) { return t.name == p.name.view(); });
+      if (!known) points.push_back({std::string(p.name.view()), static_cast<int>(i), vector_of(p)});
+    }
+  }
+  return points;
+}
+
+}  // namespace loadpath::planar

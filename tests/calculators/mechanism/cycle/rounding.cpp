@@ -1,0 +1,72 @@
+#include "calculators/mechanism/cycle/rounding.hpp"
+
+#include "calculators/mechanism/cycle/cycle.hpp"
+#include "lib/quantity/units.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace loadpath;
+using namespace loadpath::planar;
+
+namespace {
+
+/// A link that rests, and one position of it.
+struct Resting {
+  mechanism::Model model;
+  Cycle cycle;
+
+  Resting() : model() {
+    model.links.emplace_back();
+    model.links[0].inertia = 0.033;
+    cycle.positions = {mechanism::blank_position(model)};
+    cycle.closed = {true};
+  }
+};
+
+}  // namespace
+
+TEST_SUITE("mechanism rounding") {
+  TEST_CASE("what is far below what the links have is a zero, of a moment of inertia too") {
+    const Resting resting;
+    std::vector<account::Entry> results(1);
+    results[0].value = {{kg_m2.dimension(), nullptr}, {7.4e-69, 0.033, 1e-9}};
+    clear_rounding(resting.model, resting.cycle, results);
+    CHECK(results[0].value.si == std::vector<double>{0.0, 0.033, 1e-9});
+    CHECK(results[0].value.rounding > 0.0);
+  }
+
+  TEST_CASE("a direction along the axis is 0 or half a turn, whatever the sign of its rounding") {
+    for (const double off : {-1e-16, -0.0, 0.0, 1e-16}) {
+      CHECK(direction_of({2.0, off}) == 0.0);
+      CHECK(direction_of({-2.0, off}) == pi);
+    }
+    CHECK(direction_of({0.0, -1.0}) == -0.5 * pi);
+    CHECK(direction_of({-1.0, -1.0}) == std::atan2(-1.0, -1.0));
+  }
+
+  TEST_CASE("the angle of a link at half a turn is positive, whatever the sign of its rounding") {
+    std::vector<account::Entry> results(2);
+    results[0].path = "links.rod.phi";
+    results[1].path = "crank_angle";
+    for (account::Entry& e : results) e.value = {{deg.dimension(), nullptr}, {-pi, pi, -3.0, -pi + 1e-16}};
+    const Resting resting;
+    clear_rounding(resting.model, resting.cycle, results);
+    const std::vector<double>& phi = results[0].value.si;
+    for (const std::size_t k : {0U, 1U, 3U}) CHECK(std::abs(phi[k] - pi) <= results[0].value.rounding);
+    CHECK(phi[2] == -3.0);
+    CHECK(results[1].value.si[0] < 0.0);
+  }
+
+  TEST_CASE("the symbol of the axis is that of what is counted: time t, stroke s, crank angle phi") {
+    const auto symbol = [](const char* quantity) {
+      Axis axis;
+      axis.quantity = quantity;
+      return axis_symbol(axis);
+    };
+    CHECK(symbol("time") == "t");
+    CHECK(symbol("stroke") == "s");
+    CHECK(symbol("crank angle") == "phi");
+  }
+}

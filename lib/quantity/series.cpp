@@ -283,15 +283,4 @@ double value_at(const Value& series, double at) {
   return interpolated(points, static_cast<std::size_t>(count), *place);
 }
 
-double cycle_integral(const Value& series) {
-  if (!over_a_cycle(series)) return not_available;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < series.si.size(); ++i) {
-    const Point a = point(series, static_cast<std::ptrdiff_t>(i));
-    const Point b = point(series, static_cast<std::ptrdiff_t>(i) + 1);
-    sum += 0.5 * (a.value + b.value) * (b.at - a.at);
-  }
-  return sum;
-}
-
 }  // namespace loadpath

@@ -57,7 +57,4 @@ double root_mean_square(const Value& series);
 /// The value at a place of the axis: local cubic between positions, periodic on a cycle; NaN outside an open axis.
 double value_at(const Value& series, double at);
 
-/// The integral over the axis on the closed cycle: the work of a moment over the crank angle. NaN where not a cycle.
-double cycle_integral(const Value& series);
-
 }  // namespace loadpath

@@ -126,9 +126,6 @@ double covered_size(const Entry& entry, std::string_view key);
 Outcome<const Series*> find_series(const Library& library, std::string_view name);
 Outcome<const Series*> find_series(std::string_view name);
 
-/// The smallest member at or above a number in the unit of the series; a number that rounding put just above stays.
-Outcome<double> at_or_above(const Series& series, double number);
-
 std::vector<double> members_in_si(const Series& series);
 
 /// A value that no source was seen for.

@@ -74,11 +74,11 @@ class LawCheck {
   /// A formula is not used outside of the time for which it holds; points rest before and after theirs.
   void check_times(const Mechanism::Input& in) {
     double first = 0.0, last = 0.0;
-    for_each_drive(in, [&](const auto& drive, int) {
+    for_each_drive(in, [&](const auto& drive, Whole) {
       if (follows_law(drive))
         first = std::min(first, DriveLaw(drive).first()), last = std::max(last, DriveLaw(drive).last());
     });
-    for_each_drive(in, [&](const auto& drive, int) {
+    for_each_drive(in, [&](const auto& drive, Whole) {
       if (formula_of(drive).empty() || (first == 0.0 && last == DriveLaw(drive).last())) return;
       add(path_of(drive) + ".duration",
           say("the law of '{1}' holds from 0 s to {2}, and other drives move from {3} to {4}", path_of(drive),
@@ -170,7 +170,7 @@ Jet DriveLaw::at(double t) const {
 
 bool has_law(const Mechanism::Input& in) {
   bool any = false;
-  for_each_drive(in, [&any](const auto& drive, int) { any = any || follows_law(drive); });
+  for_each_drive(in, [&any](const auto& drive, Whole) { any = any || follows_law(drive); });
   return any;
 }
 
@@ -179,7 +179,7 @@ std::vector<FieldFault> check_laws(const Mechanism::Input& in) { return LawCheck
 std::vector<FieldFault> overshooting_laws(const Mechanism::Input& in) {
   constexpr double negligible = 1e-3;  // of the way from the lowest to the highest point
   std::vector<FieldFault> warnings;
-  for_each_drive(in, [&](const auto& drive, int) {
+  for_each_drive(in, [&](const auto& drive, Whole) {
     if (drive.law.size() < 2 || drive.law_shape != planar::LawShape::spline) return;
     std::vector<double> t, place;
     for (const auto& moment : drive.law) {

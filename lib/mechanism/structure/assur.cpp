@@ -115,10 +115,4 @@ std::vector<Group> groups(const Model& model) {
   return found;
 }
 
-std::vector<JointCount> determinate_joint_counts(int links) {
-  std::vector<JointCount> counts;
-  for (int p5 = 0; 2 * p5 <= 3 * links; ++p5) counts.push_back({p5, 3 * links - 2 * p5});
-  return counts;
-}
-
 }  // namespace loadpath::mechanism

@@ -28,12 +28,4 @@ struct Group {
 /// In order of attachment. The model has passed `diagnose`: it is square and its constraints are independent.
 std::vector<Group> groups(const Model& model);
 
-/// A way in which n links can form a statically determinate group: p5 joints of two constraints, p4 of one.
-struct JointCount {
-  int p5 = 0;
-  int p4 = 0;
-};
-/// The solutions of 3 n = 2 p5 + p4 in whole numbers, by rising p5. n >= 1.
-std::vector<JointCount> determinate_joint_counts(int links);
-
 }  // namespace loadpath::mechanism

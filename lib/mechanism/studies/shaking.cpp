@@ -155,15 +155,6 @@ std::vector<Counterweight> find_counterweights(const Model& model, std::span<con
   return weights;
 }
 
-Model with_counterweights(const Model& model, std::span<const Counterweight> weights, double radius) {
-  Model balanced = model;
-  for (const Counterweight& weight : weights) {
-    Link& link = balanced.links[weight.site.link];
-    link = with_counterweight(link, weight, radius);
-  }
-  return balanced;
-}
-
 Link with_counterweight(const Link& link, const Counterweight& weight, double radius) {
   const double mass = weight.site.mass > 0.0 ? weight.site.mass : weight.mass_at(radius);
   if (mass == 0.0) return link;

@@ -52,10 +52,8 @@ std::vector<Counterweight> find_counterweights(const Model& model, std::span<con
                                                std::span<const CounterweightSite> sites,
                                                BalanceAim aim = BalanceAim::rms);
 
-/// With point masses for the counterweights at this distance from their pivots, m, > 0; a site with a stated mass has
-/// that mass at the arm that it needs. The motion stays as it is; forces and shaking moment are to be found anew.
-Model with_counterweights(const Model& model, std::span<const Counterweight> weights, double radius);
-/// With one of them.
+/// A link with a point mass for its counterweight at this distance from the pivot, m, > 0; a site with a stated mass
+/// has that mass at the arm that it needs. The motion stays as it is; forces and shaking moment are to be found anew.
 Link with_counterweight(const Link& link, const Counterweight& weight, double radius);
 
 /// Mass, mass centre and moment of inertia with a point mass at this place of the link's frame.

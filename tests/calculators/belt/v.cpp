@@ -193,7 +193,7 @@ TEST_SUITE("belt v") {
   TEST_CASE("the number of belts is the least that passes") {
     for (const belt::V::Input& drive : {wedge(), classical()}) {
       belt::V::Input in = drive;
-      const int z = solve(in).z;
+      const auto z = static_cast<int>(solve(in).z);
       CHECK(solve(in).u_P <= 1.0);
       in.z = z - 1;
       CHECK(solve(in).u_P > 1.0);

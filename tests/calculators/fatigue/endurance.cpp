@@ -10,7 +10,7 @@
 namespace {
 
 using namespace loadpath;
-using E = FatigueEndurance;
+using E = fatigue::Endurance;
 
 double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
 

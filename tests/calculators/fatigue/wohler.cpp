@@ -12,7 +12,7 @@
 namespace {
 
 using namespace loadpath;
-using W = FatigueWohler;
+using W = fatigue::Wohler;
 
 double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
 

@@ -45,7 +45,7 @@ std::string key_of(Enum value) {
   return "\"" + std::string(word_of(value)) + "\"";
 }
 
-std::string profile_text(const CamProfile& p) {
+std::string profile_text(const planar::CamProfile& p) {
   std::string text = "profiles." + std::string(p.name.view()) + " = { shape = " + key_of(p.shape) +
                      ", sense = " + key_of(p.sense) + ", side = " + key_of(p.side) + ", base = " + metres(p.base) +
                      ", roller = " + metres(p.roller) + ", offset = " + metres(p.offset);

@@ -229,24 +229,12 @@ TEST_SUITE("quantity") {
     CHECK(root_mean_square(series) == doctest::Approx(std::sqrt(11.0)).epsilon(1e-14));
   }
 
-  TEST_CASE("mean, rms and work exist for a cycle only") {
+  TEST_CASE("mean and rms exist for a cycle only") {
     const Axis axis = open(0.0, 1.0, 11);
     const Value series = over(axis, [](double x) { return x; });
     CHECK(std::isnan(mean(series)));
     CHECK(std::isnan(root_mean_square(series)));
-    CHECK(std::isnan(cycle_integral(series)));
     CHECK(std::isnan(mean(Value{{}, {3.0}})));
-  }
-
-  TEST_CASE("work is the sum over equal steps and changes sign with the turn") {
-    const auto moment = [](double x) { return 5.0 + std::cos(2.0 * x) + std::sin(x); };
-    const Axis axis = cycle(36);
-    const Value series = over(axis, moment);
-    double sum = 0.0;
-    for (const double M : series.si) sum += M * 2.0 * pi / 36.0;
-    CHECK(cycle_integral(series) == doctest::Approx(sum).epsilon(1e-14));
-    const Axis backwards = cycle(36, -2.0 * pi);
-    CHECK(cycle_integral(over(backwards, moment)) == doctest::Approx(-10.0 * pi).epsilon(1e-14));
   }
 
   TEST_CASE("the value at a position is the position's, between them a cubic's") {

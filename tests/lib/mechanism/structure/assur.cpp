@@ -138,18 +138,4 @@ TEST_SUITE("mechanism structure") {
     s.slot(beam, ground);
     CHECK(structure_of(s.model) == "2.2 RRP: beam");
   }
-
-  TEST_CASE("joints of a determinate group, [A10] table 10.2") {
-    const auto counts = [](int links) {
-      std::string text;
-      for (const JointCount& c : determinate_joint_counts(links)) {
-        text += std::to_string(c.p5) + "/" + std::to_string(c.p4) + " ";
-      }
-      return text;
-    };
-    CHECK(counts(1) == "0/3 1/1 ");
-    CHECK(counts(2) == "0/6 1/4 2/2 3/0 ");
-    CHECK(counts(3) == "0/9 1/7 2/5 3/3 4/1 ");
-    CHECK(counts(4) == "0/12 1/10 2/8 3/6 4/4 5/2 6/0 ");
-  }
 }

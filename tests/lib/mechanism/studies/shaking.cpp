@@ -26,6 +26,15 @@ std::vector<Position> turn_of(const Model& model, int positions = 72) {
   return cycle;
 }
 
+Model with_counterweights(const Model& model, const std::vector<Counterweight>& weights, double radius) {
+  Model balanced = model;
+  for (const Counterweight& weight : weights) {
+    Link& link = balanced.links[weight.site.link];
+    link = with_counterweight(link, weight, radius);
+  }
+  return balanced;
+}
+
 }  // namespace
 
 TEST_SUITE("mechanism") {

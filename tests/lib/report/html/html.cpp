@@ -96,8 +96,7 @@ TEST_SUITE("report") {
 
   TEST_CASE("headings are numbered, tables and figures count through the page") {
     const Table table{say("a"), {}, {}};
-    draw::Figure figure;
-    figure.caption = "moment";
+    const draw::Figure figure{"", "moment", draw::Plot{}};
     const std::string out = body({Heading{2, "One", "one"}, Heading{3, "Part", "p"}, table, figure,
                                   Heading{2, "Two", "two"}, Heading{3, "Part", "q"}, table, figure});
     for (const char* part :

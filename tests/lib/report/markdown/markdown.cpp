@@ -71,9 +71,7 @@ TEST_SUITE("report") {
 
   TEST_CASE("figures are files beside the text, numbered so that their names differ") {
     Document document;
-    draw::Figure figure;
-    figure.id = "moment";
-    figure.caption = "Drive moment";
+    const draw::Figure figure{"moment", "Drive moment", draw::Plot{}};
     document.blocks = {figure, figure};
     const Markdown out = markdown(document, "my report");
     REQUIRE(out.figures.size() == 2);

@@ -9,56 +9,43 @@ namespace {
 template <class Tracer>
 Moment torque(const Pair::Input& in, Tracer& trace) {
   const auto T_given = in.T_1;
-  const auto P = in.P;
-  const auto n_1 = in.n_1;
-  if (!is_set(P)) return T_given;
-  STEP(T_1, P / n_1, "torque from the power, nominal");
+  if (!is_set(in.P)) return T_given;
+  STEP(T_1, in.P / in.n_1, "torque from the power, nominal");
   return T_1;
 }
 
 template <class Tracer>
 void speeds(const Pair::Input& in, PairResult& r, Tracer& trace) {
-  const auto n_1 = in.n_1;
-  const auto d_w1 = r.d_w1;
-  const double z_1 = in.z_1, z_2 = in.z_2;
-  STEP(v, n_1 * d_w1 / 2.0, "pitch line velocity");
-  r.v = v;
+  STEP_TO(r, v, in.n_1 * r.d_w1 / 2.0, "pitch line velocity");
   if (in.mesh == Mesh::rack) return;
   const double g = sign_of(in.mesh);
   trace.value("g", g, "1 with a wheel, -1 with a ring");
-  STEP(n_2, -g * n_1 * z_1 / z_2, "wheels turn against each other, wheel and ring alike");
-  r.n_2 = n_2;
+  STEP_TO(r, n_2, -g * in.n_1 * in.z_1 / in.z_2, "wheels turn against each other, wheel and ring alike");
 }
 
 /// [Vortarus], with the hand of the helix and the sense of rotation; the working circle gives what the bearings feel.
 template <class Tracer>
 void forces(const Pair::Input& in, Moment T_1, PairResult& r, Tracer& trace) {
-  const auto d_1 = r.d_1, d_w1 = r.d_w1;
-  const double beta = in.beta, alpha_t = r.alpha_t, alpha_wt = r.alpha_wt;
   const double w = in.turns == Turns::ccw ? 1.0 : -1.0, h = in.hand == Hand::right ? 1.0 : -1.0;
   trace.value("w", w, "1 where gear 1 turns counter-clockwise, -1 clockwise");
   trace.value("h", h, "1 for a right-hand helix of gear 1, -1 for a left-hand one");
-  STEP(F_t, 2.0 * abs(T_1) / d_1, "at the reference circle");
-  STEP(F_tw, 2.0 * abs(T_1) / d_w1, "at the working circle");
-  STEP(F_rw, F_tw * tan(alpha_wt), "radial, at the working circle, [Vortarus]");
-  STEP(F_a, F_t * tan(beta), "axial, [Vortarus]");
-  STEP(F_bn, F_tw / cos(alpha_wt) * sqrt(1.0 + pow<2>(tan(beta) * cos(alpha_t))), "along the normal of the tooth");
-  STEP(F_x1, -F_rw, "a tooth is pushed towards its own wheel, away from its mate");
-  STEP(F_y1, -w * 2.0 * T_1 / d_w1, "against the rotation where gear 1 drives");
-  STEP(F_z1, -h * F_y1 * d_w1 / d_1 * tan(beta), "along the axis: the force is normal to the helix");
-  r.F_t = F_t, r.F_tw = F_tw, r.F_rw = F_rw, r.F_a = F_a, r.F_bn = F_bn;
-  r.F_x1 = F_x1, r.F_y1 = F_y1, r.F_z1 = F_z1;
+  STEP_TO(r, F_t, 2.0 * abs(T_1) / r.d_1, "at the reference circle");
+  STEP_TO(r, F_tw, 2.0 * abs(T_1) / r.d_w1, "at the working circle");
+  STEP_TO(r, F_rw, F_tw * tan(r.alpha_wt), "radial, at the working circle, [Vortarus]");
+  STEP_TO(r, F_a, F_t * tan(in.beta), "axial, [Vortarus]");
+  STEP_TO(r, F_bn, F_tw / cos(r.alpha_wt) * sqrt(1.0 + pow<2>(tan(in.beta) * cos(r.alpha_t))),
+          "along the normal of the tooth");
+  STEP_TO(r, F_x1, -F_rw, "a tooth is pushed towards its own wheel, away from its mate");
+  STEP_TO(r, F_y1, -w * 2.0 * T_1 / r.d_w1, "against the rotation where gear 1 drives");
+  STEP_TO(r, F_z1, -h * F_y1 * r.d_w1 / r.d_1 * tan(in.beta), "along the axis: the force is normal to the helix");
   r.F_x2 = -F_x1, r.F_y2 = -F_y1, r.F_z2 = -F_z1;
   if (in.mesh == Mesh::rack) return;
-  const double u = r.u;
-  STEP(T_2, abs(T_1) * u, "without losses");
-  r.T_2 = T_2;
+  STEP_TO(r, T_2, abs(T_1) * r.u, "without losses");
 }
 
 /// [Shigley14] (14-4a) to (14-6b); the speeds up to which they are used are recalled.
 template <class Tracer>
 void velocity_factor(const Pair::Input& in, PairResult& r, Tracer& trace) {
-  const auto v = r.v;
   if (in.cutting == Cutting::none) {
     const bool runs = is_set(in.n_1);
     r.K_v = 1.0;
@@ -66,17 +53,17 @@ void velocity_factor(const Pair::Input& in, PairResult& r, Tracer& trace) {
     return trace.value("K_v", r.K_v, runs ? "not counted: how the teeth are cut is not given" : "load at rest");
   }
   if (in.cutting == Cutting::cast) {
-    r.K_v = NAMED_STEP("K_v", (3.05 + v / m_per_s) / 3.05, "cast teeth, Barth, [Shigley14]");
-    r.v_share = NAMED_STEP("v_share", v / (10.0 * m_per_s), "used up to 10 m/s");
+    r.K_v = NAMED_STEP("K_v", (3.05 + r.v / m_per_s) / 3.05, "cast teeth, Barth, [Shigley14]");
+    r.v_share = NAMED_STEP("v_share", r.v / (10.0 * m_per_s), "used up to 10 m/s");
   } else if (in.cutting == Cutting::milled) {
-    r.K_v = NAMED_STEP("K_v", (6.1 + v / m_per_s) / 6.1, "cut teeth, Barth, [Shigley14]");
-    r.v_share = NAMED_STEP("v_share", v / (20.0 * m_per_s), "used up to 20 m/s");
+    r.K_v = NAMED_STEP("K_v", (6.1 + r.v / m_per_s) / 6.1, "cut teeth, Barth, [Shigley14]");
+    r.v_share = NAMED_STEP("v_share", r.v / (20.0 * m_per_s), "used up to 20 m/s");
   } else if (in.cutting == Cutting::hobbed) {
-    r.K_v = NAMED_STEP("K_v", (3.56 + sqrt(v / m_per_s)) / 3.56, "hobbed or shaped teeth, [Shigley14]");
-    r.v_share = NAMED_STEP("v_share", v / (25.0 * m_per_s), "used up to 25 m/s");
+    r.K_v = NAMED_STEP("K_v", (3.56 + sqrt(r.v / m_per_s)) / 3.56, "hobbed or shaped teeth, [Shigley14]");
+    r.v_share = NAMED_STEP("v_share", r.v / (25.0 * m_per_s), "used up to 25 m/s");
   } else {
-    r.K_v = NAMED_STEP("K_v", sqrt((5.56 + sqrt(v / m_per_s)) / 5.56), "shaved or ground teeth, [Shigley14]");
-    r.v_share = NAMED_STEP("v_share", v / (50.0 * m_per_s), "used up to 50 m/s");
+    r.K_v = NAMED_STEP("K_v", sqrt((5.56 + sqrt(r.v / m_per_s)) / 5.56), "shaved or ground teeth, [Shigley14]");
+    r.v_share = NAMED_STEP("v_share", r.v / (50.0 * m_per_s), "used up to 50 m/s");
   }
 }
 
@@ -105,23 +92,20 @@ struct Bending {
 
 template <class Tracer>
 Bending bend(const Pair::Input& in, const PairResult& r, const Tooth& tooth, Tracer& trace) {
-  const auto m_n = in.m_n, b = r.b;
-  const auto F_t = r.F_t;
-  const auto sigma_adm = tooth.sigma_adm;
-  const double K_A = in.K_A, K_f = in.K_f, K_v = r.K_v;
   const double Y = is_set(tooth.Y_given) ? tooth.Y_given : form_factor(in, tooth.z, tooth.x, r.k);
   trace.value("Y", Y, is_set(tooth.Y_given) ? "Lewis' factor as given" : from_form);
   trace.value(tooth.Y, Y, "of this gear");
-  const Stress sigma_F = NAMED_STEP(tooth.sigma, K_A * K_v * K_f * F_t / (b * m_n * Y), "bending, [Lewis]");
+  const Stress sigma_F =
+      NAMED_STEP(tooth.sigma, in.K_A * r.K_v * in.K_f * r.F_t / (r.b * in.m_n * Y), "bending, [Lewis]");
   Bending bent{Y, sigma_F};
-  if (!is_set(sigma_adm)) return bent;
+  if (!is_set(tooth.sigma_adm)) return bent;
   const double Y_A = tooth.both_ways ? 0.7 : 1.0;
   trace.value("sigma_F", sigma_F, "this stress");
-  trace.value("sigma_adm", sigma_adm, "allowable for teeth that bend one way");
+  trace.value("sigma_adm", tooth.sigma_adm, "allowable for teeth that bend one way");
   trace.value("Y_A", Y_A,
               tooth.both_ways ? "teeth that bend both ways bear 0.7 of it, recalled from ISO 6336-5"
                               : "the teeth bend one way");
-  bent.u = NAMED_STEP(tooth.u, sigma_F / (Y_A * sigma_adm), "bending by Lewis");
+  bent.u = NAMED_STEP(tooth.u, sigma_F / (Y_A * tooth.sigma_adm), "bending by Lewis");
   return bent;
 }
 

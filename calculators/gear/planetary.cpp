@@ -17,35 +17,30 @@ void fill_speed(AngularSpeed& n, const char* symbol, AngularSpeed given, bool he
 /// The third speed from the two that are known.
 template <class Tracer>
 void all_speeds(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
-  const double i_0 = r.i_0;
   fill_speed(r.n_s, "n_s", in.n_s, in.fixed == Member::sun, trace);
   fill_speed(r.n_c, "n_c", in.n_c, in.fixed == Member::carrier, trace);
   fill_speed(r.n_r, "n_r", in.n_r, in.fixed == Member::ring, trace);
   const auto n_s = r.n_s, n_c = r.n_c, n_r = r.n_r;
   if (!is_set(n_s)) {
-    r.n_s = NAMED_STEP("n_s", n_c + i_0 * (n_r - n_c), "[Willis]");
+    r.n_s = NAMED_STEP("n_s", n_c + r.i_0 * (n_r - n_c), "[Willis]");
   } else if (!is_set(n_c)) {
-    r.n_c = NAMED_STEP("n_c", (n_s - i_0 * n_r) / (1.0 - i_0), "[Willis]");
+    r.n_c = NAMED_STEP("n_c", (n_s - r.i_0 * n_r) / (1.0 - r.i_0), "[Willis]");
   } else {
-    r.n_r = NAMED_STEP("n_r", n_c + (n_s - n_c) / i_0, "[Willis]");
+    r.n_r = NAMED_STEP("n_r", n_c + (n_s - n_c) / r.i_0, "[Willis]");
   }
 }
 
 template <class Tracer>
 void planet_speeds(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
-  const double z_s = in.z_s, z_p = in.z_p;
-  const auto n_s = r.n_s, n_c = r.n_c;
-  STEP(n_pc, -z_s / z_p * (n_s - n_c), "the planet rolls on the sun");
-  STEP(n_p, n_c + n_pc, "with the carrier");
-  r.n_pc = n_pc, r.n_p = n_p;
+  STEP_TO(r, n_pc, -in.z_s / in.z_p * (r.n_s - r.n_c), "the planet rolls on the sun");
+  STEP_TO(r, n_p, r.n_c + n_pc, "with the carrier");
 }
 
 template <class Tracer>
 void ratio_of(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
-  const double i_0 = r.i_0;
-  if (in.fixed == Member::ring) r.i = NAMED_STEP("i", 1.0 - i_0, "sun over carrier, ring held");
-  if (in.fixed == Member::carrier) r.i = NAMED_STEP("i", i_0, "sun over ring, carrier held");
-  if (in.fixed == Member::sun) r.i = NAMED_STEP("i", 1.0 - 1.0 / i_0, "ring over carrier, sun held");
+  if (in.fixed == Member::ring) r.i = NAMED_STEP("i", 1.0 - r.i_0, "sun over carrier, ring held");
+  if (in.fixed == Member::carrier) r.i = NAMED_STEP("i", r.i_0, "sun over ring, carrier held");
+  if (in.fixed == Member::sun) r.i = NAMED_STEP("i", 1.0 - 1.0 / r.i_0, "ring over carrier, sun held");
 }
 
 /// Which way the power rolls in the set as seen from the carrier: 1 from sun to ring, -1 back, 0 where nothing rolls.
@@ -59,11 +54,11 @@ double way_of_power(const Planetary::Input& in, const Planetary::Result& r) {
 
 template <class Tracer>
 void torques(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
-  const double i_0 = r.i_0, eta_0 = is_set(in.eta_0) ? in.eta_0 : 1.0, w = way_of_power(in, r);
+  const double eta_0 = is_set(in.eta_0) ? in.eta_0 : 1.0, w = way_of_power(in, r);
   const auto T_given_s = in.T_s, T_given_c = in.T_c, T_given_r = in.T_r;
   trace.value("eta_0", eta_0, is_set(in.eta_0) ? "given" : "no losses");
   trace.value("w", w, "1: power rolls from sun to ring, -1: from ring to sun, 0: nothing rolls, [Mueller]");
-  STEP(k, -i_0 * pow(eta_0, w), "torque on the ring over that on the sun, with losses, [Mueller]");
+  STEP(k, -r.i_0 * pow(eta_0, w), "torque on the ring over that on the sun, with losses, [Mueller]");
   r.T_s = T_given_s;
   if (is_set(T_given_s)) trace.value("T_s", r.T_s, "given");
   if (is_set(T_given_r)) {
@@ -74,36 +69,27 @@ void torques(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
     const auto T_c = T_given_c;
     r.T_s = NAMED_STEP("T_s", -T_c / (1.0 + k), "from that on the carrier");
   }
-  const auto T_s = r.T_s;
-  STEP(T_r, k * T_s, "on the ring");
-  STEP(T_c, -(T_s + T_r), "equilibrium of the set");
-  r.T_r = T_r, r.T_c = T_c;
+  STEP_TO(r, T_r, k * r.T_s, "on the ring");
+  STEP_TO(r, T_c, -(r.T_s + T_r), "equilibrium of the set");
 }
 
 template <class Tracer>
 void powers(Planetary::Result& r, Tracer& trace) {
-  const auto T_s = r.T_s, T_c = r.T_c, T_r = r.T_r;
-  const auto n_s = r.n_s, n_c = r.n_c, n_r = r.n_r;
-  STEP(P_s, T_s * n_s, "into the sun");
-  STEP(P_c, T_c * n_c, "into the carrier");
-  STEP(P_r, T_r * n_r, "into the ring");
-  STEP(P_w, T_s * (n_s - n_c), "rolls in the teeth");
-  STEP(P_in, max(P_s, 0.0 * W) + max(P_c, 0.0 * W) + max(P_r, 0.0 * W), "power that enters");
-  STEP(P_loss, P_s + P_c + P_r, "enters and does not come out");
-  r.P_s = P_s, r.P_c = P_c, r.P_r = P_r, r.P_w = P_w, r.P_in = P_in, r.P_loss = P_loss;
+  STEP_TO(r, P_s, r.T_s * r.n_s, "into the sun");
+  STEP_TO(r, P_c, r.T_c * r.n_c, "into the carrier");
+  STEP_TO(r, P_r, r.T_r * r.n_r, "into the ring");
+  STEP_TO(r, P_w, r.T_s * (r.n_s - r.n_c), "rolls in the teeth");
+  STEP_TO(r, P_in, max(P_s, 0.0 * W) + max(P_c, 0.0 * W) + max(P_r, 0.0 * W), "power that enters");
+  STEP_TO(r, P_loss, P_s + P_c + P_r, "enters and does not come out");
   if (!(P_in > 0.0 * W)) return;
-  STEP(eta, 1.0 - P_loss / P_in, "efficiency");
-  r.eta = eta;
+  STEP_TO(r, eta, 1.0 - P_loss / P_in, "efficiency");
 }
 
 template <class Tracer>
 void tooth_force(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
-  const auto m_n = in.m_n;
-  const auto T_s = r.T_s;
-  const double z_s = in.z_s, N_p = in.N_p, beta = in.beta, K_gamma = in.K_gamma;
-  if (!is_set(m_n) || !is_set(T_s)) return;
-  STEP(F_t, K_gamma * 2.0 * abs(T_s) * cos(beta) / (N_p * m_n * z_s), "at the reference circle of the sun");
-  r.F_t = F_t;
+  if (!is_set(in.m_n) || !is_set(r.T_s)) return;
+  STEP_TO(r, F_t, in.K_gamma * 2.0 * abs(r.T_s) * cos(in.beta) / (in.N_p * in.m_n * in.z_s),
+          "at the reference circle of the sun");
 }
 
 Planetary::Coaxial coaxial_by(double z_gap) {
@@ -114,23 +100,20 @@ Planetary::Coaxial coaxial_by(double z_gap) {
 /// Evenly spaced planets need a whole number of tooth steps of sun and ring together between them.
 template <class Tracer>
 void assembly(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
-  const double z_s = in.z_s, z_p = in.z_p, z_r = r.z_r, N_p = in.N_p, h_aP = in.h_aP, x_p = in.x_p;
-  STEP(q, (z_s + z_r) / N_p, "steps of assembly between two planets; whole for even spacing, [Assembly]");
-  r.q = q;
+  STEP_TO(r, q, (in.z_s + r.z_r) / in.N_p, "steps of assembly between two planets; whole for even spacing, [Assembly]");
   r.spacing = Planetary::evenly_spaced(in) ? Planetary::Spacing::even : Planetary::Spacing::uneven;
   const double steps = std::round(q);
   trace.value("steps", steps, "the nearest whole number of steps");
-  STEP(phi_2, 2.0 * pi * steps / (z_s + z_r), "where the second planet can be put in");
-  STEP(z_gap, z_r - z_s - 2.0 * z_p, "zero where sun, planet and ring come to one axis by their teeth, [Assembly]");
-  r.phi_2 = phi_2, r.z_gap = z_gap;
+  STEP_TO(r, phi_2, 2.0 * pi * steps / (in.z_s + r.z_r), "where the second planet can be put in");
+  STEP_TO(r, z_gap, r.z_r - in.z_s - 2.0 * in.z_p,
+          "zero where sun, planet and ring come to one axis by their teeth, [Assembly]");
   r.coaxial = coaxial_by(z_gap);
   if (in.N_p == 1) {
     r.u_N = 0.0;
     return trace.value("u_N", r.u_N, "a single planet has no neighbour");
   }
-  STEP(u_N, (z_p + 2.0 * (h_aP + x_p)) / ((z_s + z_p) * sin(pi / N_p)),
-       "tip circle of a planet over the distance to its neighbour, [Assembly]");
-  r.u_N = u_N;
+  STEP_TO(r, u_N, (in.z_p + 2.0 * (in.h_aP + in.x_p)) / ((in.z_s + in.z_p) * sin(pi / in.N_p)),
+          "tip circle of a planet over the distance to its neighbour, [Assembly]");
 }
 
 }  // namespace
@@ -164,10 +147,9 @@ FieldFault Planetary::wrong_speeds(const Input& in) {
 template <class Tracer>
 Planetary::Result Planetary::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  const double z_s = in.z_s, z_r = r.z_r = ring_teeth(in);
+  const double z_r = r.z_r = ring_teeth(in);
   trace.value("z_r", z_r, in.z_r > 0 ? "as given" : "z_s + 2 z_p: sun, planets and ring come to one axis");
-  STEP(i_0, -z_r / z_s, "sun and ring turn against each other with the carrier at rest, [Willis]");
-  r.i_0 = i_0;
+  STEP_TO(r, i_0, -z_r / in.z_s, "sun and ring turn against each other with the carrier at rest, [Willis]");
   all_speeds(in, r, trace);
   planet_speeds(in, r, trace);
   ratio_of(in, r, trace);

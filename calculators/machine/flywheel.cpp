@@ -34,16 +34,15 @@ template <class Tracer>
 void take_energy(const Input& in, Result& r, Tracer& trace) {
   const Samples samples = samples_of(in);
   const auto energy = turning_energy({samples.data(), samples.size()}, in.period);
-  const auto period = in.period;
   const Moment A = energy.work * J;
   const Moment E_low = energy.low * J, E_high = energy.high * J;
   trace.value("A", A, "integral of the moment over the period");
-  STEP(M_m, A / period, "mean moment: what the motor, or the load, has all the time [Khurmi-16]");
+  STEP_TO(r, M_m, A / in.period, "mean moment: what the motor, or the load, has all the time [Khurmi-16]");
   trace.value("E_low", E_low, "least integral of M - M_m from the start");
   trace.value("E_high", E_high, "largest integral of M - M_m from the start");
-  STEP(Delta_E, E_high - E_low, "largest fluctuation of energy, [Khurmi-16]");
-  r.A = A, r.M_m = M_m, r.M_peak = energy.peak * N_m;
-  r.E_low = E_low, r.E_high = E_high, r.Delta_E = Delta_E;
+  STEP_TO(r, Delta_E, E_high - E_low, "largest fluctuation of energy, [Khurmi-16]");
+  r.A = A, r.M_peak = energy.peak * N_m;
+  r.E_low = E_low, r.E_high = E_high;
   const bool drives = in.role == Flywheel::Source::drive;
   r.phi_fast = drives ? energy.high_phi : energy.low_phi;
   r.phi_slow = drives ? energy.low_phi : energy.high_phi;
@@ -54,61 +53,42 @@ void take_energy(const Input& in, Result& r, Tracer& trace) {
 /// What delta asks for, and what the given wheel makes of it.
 template <class Tracer>
 void take_inertia(const Input& in, Result& r, Tracer& trace) {
-  const auto omega = in.omega;
-  const auto delta = in.delta;
-  const auto given = in.inertia, J_0 = in.J_0;
-  const auto Delta_E = r.Delta_E;
-  STEP(J_F, Delta_E / (delta * omega * omega), "the moment holds the links' inertia already, [Khurmi-16]");
-  STEP(J_add, max(J_F - J_0, 0.0 * kg_m2), "less what turns at a constant ratio");
-  r.J_F = J_F, r.J_add = J_add;
-  const MassMoment J_is = is_set(given) ? given + J_0 : max(J_F, J_0);
+  const auto given = in.inertia;
+  STEP_TO(r, J_F, r.Delta_E / (in.delta * in.omega * in.omega),
+          "the moment holds the links' inertia already, [Khurmi-16]");
+  STEP_TO(r, J_add, max(J_F - in.J_0, 0.0 * kg_m2), "less what turns at a constant ratio");
+  const MassMoment J_is = is_set(given) ? given + in.J_0 : max(J_F, in.J_0);
   trace.value("J_is", J_is, is_set(given) ? "given flywheel with J_0" : "flywheel of that inertia with J_0");
   if (!(in_si(J_is) > 0.0)) return;
-  STEP(delta_is, Delta_E / (J_is * omega * omega), "unevenness, [Khurmi-16]");
-  STEP(n_max, omega * (1.0 + 0.5 * delta_is), "mean speed half way between the largest and the least");
-  STEP(n_min, omega * (1.0 - 0.5 * delta_is), "mean speed half way between the largest and the least");
-  r.delta_is = delta_is, r.n_max = n_max, r.n_min = n_min;
+  STEP_TO(r, delta_is, r.Delta_E / (J_is * in.omega * in.omega), "unevenness, [Khurmi-16]");
+  STEP_TO(r, n_max, in.omega * (1.0 + 0.5 * delta_is), "mean speed half way between the largest and the least");
+  STEP_TO(r, n_min, in.omega * (1.0 - 0.5 * delta_is), "mean speed half way between the largest and the least");
   if (!is_set(given)) return;
-  STEP(u_delta, delta_is / delta, "unevenness over the allowed one");
-  r.u_delta = u_delta;
+  STEP_TO(r, u_delta, delta_is / in.delta, "unevenness over the allowed one");
 }
 
 template <class Tracer>
 void take_power(const Input& in, Result& r, Tracer& trace) {
   if (r.work == Flywheel::Work::none) return;
-  const auto omega = in.omega;
-  const auto eta = in.eta;
-  const auto M_m = r.M_m;
-  const auto P_n = in.P_n;
-  STEP(P_m, abs(M_m) * omega, "mean power");
-  r.P_m = P_m;
+  STEP_TO(r, P_m, abs(r.M_m) * in.omega, "mean power");
   if (r.work == Flywheel::Work::absorbed) {
-    STEP(P, P_m / eta, "losses on the way from the motor");
-    r.P = P;
+    STEP_TO(r, P, P_m / in.eta, "losses on the way from the motor");
   } else {
-    STEP(P, P_m * eta, "losses on the way to what is driven");
-    r.P = P;
+    STEP_TO(r, P, P_m * in.eta, "losses on the way to what is driven");
   }
-  const auto P = r.P;
-  if (!is_set(P_n)) return;
-  STEP(u_P, P / P_n, "mean power over the rated power");
-  r.u_P = u_P;
+  if (!is_set(in.P_n)) return;
+  STEP_TO(r, u_P, r.P / in.P_n, "mean power over the rated power");
 }
 
 template <class Tracer>
 void take_rim(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(in.D)) return;
-  const auto D = in.D;
-  const auto omega = in.omega;
-  const auto v_adm = in.v_adm;
   const MassMoment J_R = is_set(in.inertia) ? in.inertia : r.J_add;
   trace.value("J_R", J_R, "inertia of the flywheel");
-  STEP(m_rim, 4.0 * J_R / (D * D), "all of the mass at the mean diameter of the rim");
-  STEP(v_rim, 0.5 * omega * D, "speed of the rim");
-  r.m_rim = m_rim, r.v_rim = v_rim;
-  if (!is_set(v_adm)) return;
-  STEP(u_v, v_rim / v_adm, "speed of the rim over the allowable one");
-  r.u_v = u_v;
+  STEP_TO(r, m_rim, 4.0 * J_R / (in.D * in.D), "all of the mass at the mean diameter of the rim");
+  STEP_TO(r, v_rim, 0.5 * in.omega * in.D, "speed of the rim");
+  if (!is_set(in.v_adm)) return;
+  STEP_TO(r, u_v, v_rim / in.v_adm, "speed of the rim over the allowable one");
 }
 
 }  // namespace

@@ -101,19 +101,13 @@ void follow(const Input& in, const Balance& balance, const Speeds& speeds, Resul
 
 template <class Tracer>
 void take_energies(const Input& in, Result& r, Tracer& trace) {
-  const auto J_red = r.J_red;
-  const auto n_1 = in.n_1, n_2 = in.n_2;
-  const auto A_L = r.A_L;
   trace.value("t", r.t, "sum over the stretches of J_red times the integral of d omega/M, [B36]");
   trace.value("turns", r.turns, "sum over the stretches of the angle, a turn is 2 pi");
-  trace.value("A_L", A_L, "integral of the load's moment over the angle");
-  STEP(Delta_E, 0.5 * J_red * (n_2 * n_2 - n_1 * n_1), "kinetic energy, [B37]");
-  STEP(A_M, Delta_E + A_L, "theorem of kinetic energy, [B37]");
-  r.Delta_E = Delta_E, r.A_M = A_M;
+  trace.value("A_L", r.A_L, "integral of the load's moment over the angle");
+  STEP_TO(r, Delta_E, 0.5 * r.J_red * (in.n_2 * in.n_2 - in.n_1 * in.n_1), "kinetic energy, [B37]");
+  STEP_TO(r, A_M, Delta_E + r.A_L, "theorem of kinetic energy, [B37]");
   if (!is_set(in.t_adm)) return;
-  const auto t = r.t, t_adm = in.t_adm;
-  STEP(u_t, t / t_adm, "time over the allowed one");
-  r.u_t = u_t;
+  STEP_TO(r, u_t, r.t / in.t_adm, "time over the allowed one");
 }
 
 bool rises(const RunUp::Points& points) {
@@ -158,13 +152,10 @@ RunUp::Result RunUp::evaluate(const Input& in, Tracer& trace) {
   r.J_red = reduced_inertia(in) * kg_m2;
   r.M_start = balance.at(in_si(in.n_1)) * N_m;
   r.M_end = balance.at(in_si(in.n_2)) * N_m;
-  const auto J_red = r.J_red;
-  const auto M_start = r.M_start;
-  trace.value("J_red", J_red, "sum of J u^2: the same kinetic energy, [B37]");
-  trace.value("M_start", M_start, "motor less load at n_1");
+  trace.value("J_red", r.J_red, "sum of J u^2: the same kinetic energy, [B37]");
+  trace.value("M_start", r.M_start, "motor less load at n_1");
   trace.value("M_end", r.M_end, "motor less load at n_2");
-  STEP(epsilon_1, M_start / J_red, "J epsilon = M, [B36]");
-  r.epsilon_1 = epsilon_1;
+  STEP_TO(r, epsilon_1, r.M_start / r.J_red, "J epsilon = M, [B36]");
   follow(in, balance, speeds_of(in, balance), r);
   trace.value("M_least", r.M_least, "least over the speeds at which a line bends");
   if (is_set(r.t)) take_energies(in, r, trace);

@@ -60,24 +60,21 @@ Span span_of(const Input& in, Tracer& trace) {
 template <class Tracer>
 void take_velocity_of_B(const Input& in, const Span& span, Result& r, Tracer& trace) {
   const auto& [AB, beta] = span;
-  const auto v_A = in.v_A;
-  const auto alpha_A = in.alpha_A, alpha_B = is_set(in.alpha_B) ? in.alpha_B : 0.0;
+  const auto alpha_B = is_set(in.alpha_B) ? in.alpha_B : 0.0;
   r.v_B = in.v_B;
   if (!is_set(in.alpha_B)) trace.value("alpha_B", alpha_B, "any direction: B rests");
   if (!is_set(in.v_B)) {
-    STEP(v_B, v_A * cos(alpha_A - beta) / cos(alpha_B - beta), "projections on AB are equal, [B29]");
-    r.v_B = without_rounding(in_si(v_B), in_si(v_A)) * m_per_s;
+    STEP(v_B, in.v_A * cos(in.alpha_A - beta) / cos(alpha_B - beta), "projections on AB are equal, [B29]");
+    r.v_B = without_rounding(in_si(v_B), in_si(in.v_A)) * m_per_s;
   }
-  const auto v_B = r.v_B;
   if (case_of(in) == Plane::Case::inclined) {
     r.omega = 0.0 * rad_per_s;
     trace.value("omega", r.omega, "parallel velocities oblique to AB: translation, [B29]");
     return;
   }
-  STEP(v_nA, v_A * sin(alpha_A - beta), "part of v_A across AB");
-  STEP(v_nB, v_B * sin(alpha_B - beta), "part of v_B across AB");
-  STEP(omega, (v_nB - v_nA) / AB, "B turns about A, [B29]");
-  r.omega = omega;
+  STEP(v_nA, in.v_A * sin(in.alpha_A - beta), "part of v_A across AB");
+  STEP(v_nB, r.v_B * sin(alpha_B - beta), "part of v_B across AB");
+  STEP_TO(r, omega, (v_nB - v_nA) / AB, "B turns about A, [B29]");
 }
 
 /// Whether a speed at the distance that matters is nothing beside the velocities.
@@ -97,49 +94,37 @@ void tell_A(const Input& in, Tracer& trace) {
 
 template <class Tracer>
 void find_pole(const Input& in, Result& r, Tracer& trace) {
-  const auto v_A = in.v_A;
   const auto x_A = in.A.x, y_A = in.A.y;
-  const auto omega = r.omega;
-  const Speed v_Ax = without_rounding(in_si(v_A) * cos(in.alpha_A), in_si(v_A)) * m_per_s;
-  const Speed v_Ay = without_rounding(in_si(v_A) * sin(in.alpha_A), in_si(v_A)) * m_per_s;
+  const Speed v_Ax = without_rounding(in_si(in.v_A) * cos(in.alpha_A), in_si(in.v_A)) * m_per_s;
+  const Speed v_Ay = without_rounding(in_si(in.v_A) * sin(in.alpha_A), in_si(in.v_A)) * m_per_s;
   tell_A(in, trace);
   trace.value("v_Ax", v_Ax, "v_A along x");
   trace.value("v_Ay", v_Ay, "v_A along y");
-  STEP(x_P, x_A - v_Ay / omega, "on the perpendicular to the velocity of A, [B29]");
-  STEP(y_P, y_A + v_Ax / omega, "on the perpendicular to the velocity of A, [B29]");
-  STEP(PA, abs(v_A / omega), "omega = v_A/PA, [B29]");
-  r.x_P = x_P, r.y_P = y_P, r.PA = PA;
+  STEP_TO(r, x_P, x_A - v_Ay / r.omega, "on the perpendicular to the velocity of A, [B29]");
+  STEP_TO(r, y_P, y_A + v_Ax / r.omega, "on the perpendicular to the velocity of A, [B29]");
+  STEP_TO(r, PA, abs(in.v_A / r.omega), "omega = v_A/PA, [B29]");
 }
 
 /// The angular acceleration from the straight guide of B.
 template <class Tracer>
 void take_guide_of_B(const Input& in, const Span& span, Result& r, Tracer& trace) {
   const auto& [AB, beta] = span;
-  const auto a_A = in.a_A;
-  const auto alpha_aA = in.alpha_aA, alpha_aB = in.alpha_aB;
-  const auto omega = r.omega;
-  STEP(a_B, (a_A * cos(alpha_aA - beta) - omega * omega * AB) / cos(alpha_aB - beta),
-       "projections on AB: that of a_B is smaller by the normal acceleration of B about A");
-  STEP(epsilon, (a_B * sin(alpha_aB - beta) - a_A * sin(alpha_aA - beta)) / AB,
-       "parts across AB: tangential acceleration of B about A");
-  r.a_B = a_B, r.epsilon = epsilon;
+  STEP_TO(r, a_B, (in.a_A * cos(in.alpha_aA - beta) - r.omega * r.omega * AB) / cos(in.alpha_aB - beta),
+          "projections on AB: that of a_B is smaller by the normal acceleration of B about A");
+  STEP_TO(r, epsilon, (a_B * sin(in.alpha_aB - beta) - in.a_A * sin(in.alpha_aA - beta)) / AB,
+          "parts across AB: tangential acceleration of B about A");
 }
 
 template <class Tracer>
 void find_pole_of_accelerations(const Input& in, Result& r, Tracer& trace) {
-  const auto omega = r.omega;
-  const auto epsilon = r.epsilon;
   const auto x_A = in.A.x, y_A = in.A.y;
-  const auto a_A = in.a_A;
-  const auto alpha_aA = in.alpha_aA;
-  STEP(D, pow<4>(omega) + epsilon * epsilon, "square of the acceleration per distance");
+  STEP(D, pow<4>(r.omega) + r.epsilon * r.epsilon, "square of the acceleration per distance");
   if (in_si(D) == 0.0) return;
   if (r.kind != Plane::Kind::rotation) tell_A(in, trace);
-  STEP(x_Q, x_A + a_A * (omega * omega * cos(alpha_aA) - epsilon * sin(alpha_aA)) / D,
-       "the point without acceleration");
-  STEP(y_Q, y_A + a_A * (omega * omega * sin(alpha_aA) + epsilon * cos(alpha_aA)) / D,
-       "the point without acceleration");
-  r.x_Q = x_Q, r.y_Q = y_Q;
+  STEP_TO(r, x_Q, x_A + in.a_A * (r.omega * r.omega * cos(in.alpha_aA) - r.epsilon * sin(in.alpha_aA)) / D,
+          "the point without acceleration");
+  STEP_TO(r, y_Q, y_A + in.a_A * (r.omega * r.omega * sin(in.alpha_aA) + r.epsilon * cos(in.alpha_aA)) / D,
+          "the point without acceleration");
 }
 
 Plane::PointState state_at(const Input& in, const Result& r, const Name& name, Length x, Length y) {

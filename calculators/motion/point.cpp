@@ -51,45 +51,34 @@ void take_state(const PointState& s, bool plane, Point::Result& r, Tracer& trace
 /// Magnitudes, and the parts of the acceleration, of a motion in the plane xy.
 template <class Tracer>
 void split_in_plane(bool rests, Point::Result& r, Tracer& trace) {
-  const auto v_x = r.v_x, v_y = r.v_y;
-  const auto a_x = r.a_x, a_y = r.a_y;
-  STEP(v, sqrt(v_x * v_x + v_y * v_y), "magnitude of the velocity, [B26]");
-  STEP(a, sqrt(a_x * a_x + a_y * a_y), "magnitude of the acceleration");
-  r.v = v, r.a = a;
+  STEP_TO(r, v, sqrt(r.v_x * r.v_x + r.v_y * r.v_y), "magnitude of the velocity, [B26]");
+  STEP_TO(r, a, sqrt(r.a_x * r.a_x + r.a_y * r.a_y), "magnitude of the acceleration");
   if (rests) return;
-  STEP(a_tau, (v_x * a_x + v_y * a_y) / v, "projection of the acceleration on the tangent, dv/dt");
-  STEP(a_n, abs(v_x * a_y - v_y * a_x) / v, "part of the acceleration across the tangent");
-  r.a_tau = a_tau, r.a_n = a_n;
+  STEP_TO(r, a_tau, (r.v_x * r.a_x + r.v_y * r.a_y) / v, "projection of the acceleration on the tangent, dv/dt");
+  STEP_TO(r, a_n, abs(r.v_x * r.a_y - r.v_y * r.a_x) / v, "part of the acceleration across the tangent");
 }
 
 /// The same of a motion in space.
 template <class Tracer>
 void split_in_space(bool rests, Point::Result& r, Tracer& trace) {
-  const auto v_x = r.v_x, v_y = r.v_y, v_z = r.v_z;
-  const auto a_x = r.a_x, a_y = r.a_y, a_z = r.a_z;
-  STEP(v, sqrt(v_x * v_x + v_y * v_y + v_z * v_z), "magnitude of the velocity, [B26]");
-  STEP(a, sqrt(a_x * a_x + a_y * a_y + a_z * a_z), "magnitude of the acceleration");
-  r.v = v, r.a = a;
+  STEP_TO(r, v, sqrt(r.v_x * r.v_x + r.v_y * r.v_y + r.v_z * r.v_z), "magnitude of the velocity, [B26]");
+  STEP_TO(r, a, sqrt(r.a_x * r.a_x + r.a_y * r.a_y + r.a_z * r.a_z), "magnitude of the acceleration");
   if (rests) return;
-  STEP(a_tau, (v_x * a_x + v_y * a_y + v_z * a_z) / v, "projection of the acceleration on the tangent, dv/dt");
-  STEP(c_x, v_y * a_z - v_z * a_y, "vector product of velocity and acceleration");
-  STEP(c_y, v_z * a_x - v_x * a_z, "vector product of velocity and acceleration");
-  STEP(c_z, v_x * a_y - v_y * a_x, "vector product of velocity and acceleration");
-  STEP(a_n, sqrt(c_x * c_x + c_y * c_y + c_z * c_z) / v, "part of the acceleration across the tangent");
-  r.a_tau = a_tau, r.a_n = a_n;
+  STEP_TO(r, a_tau, (r.v_x * r.a_x + r.v_y * r.a_y + r.v_z * r.a_z) / v,
+          "projection of the acceleration on the tangent, dv/dt");
+  STEP(c_x, r.v_y * r.a_z - r.v_z * r.a_y, "vector product of velocity and acceleration");
+  STEP(c_y, r.v_z * r.a_x - r.v_x * r.a_z, "vector product of velocity and acceleration");
+  STEP(c_z, r.v_x * r.a_y - r.v_y * r.a_x, "vector product of velocity and acceleration");
+  STEP_TO(r, a_n, sqrt(c_x * c_x + c_y * c_y + c_z * c_z) / v, "part of the acceleration across the tangent");
 }
 
 /// Curvature and direction, where there is a tangent.
 template <class Tracer>
 void bend(Point::Result& r, Tracer& trace) {
-  const auto v = r.v;
-  const auto a_n = r.a_n;
   if (in_si(abs(r.v_x)) + in_si(abs(r.v_y)) > 0.0) r.gamma = std::atan2(in_si(r.v_y), in_si(r.v_x));
-  STEP(kappa, a_n / (v * v), "from a_n = v^2/rho, [B28]");
-  r.kappa = kappa;
-  if (!(in_si(a_n) > rounding * in_si(r.a))) return;
-  STEP(rho, v * v / a_n, "a_n = v^2/rho, [B28]");
-  r.rho = rho;
+  STEP_TO(r, kappa, r.a_n / (r.v * r.v), "from a_n = v^2/rho, [B28]");
+  if (!(in_si(r.a_n) > rounding * in_si(r.a))) return;
+  STEP_TO(r, rho, r.v * r.v / r.a_n, "a_n = v^2/rho, [B28]");
 }
 
 Point::Change change_of(bool rests, Acceleration a_tau, Acceleration a) {
@@ -101,14 +90,13 @@ Point::Change change_of(bool rests, Acceleration a_tau, Acceleration a) {
 template <class Tracer>
 void take_range(const Point::Input& in, const PointPath& path, Point::Result& r, Tracer& trace) {
   const double from = in_si(in.t_1), to = in_si(in.t_2);
-  const auto t_1 = in.t_1, t_2 = in.t_2;
   const PointState first = path.at(from), last = path.at(to);
   const Length L = path.length(from, to) * m;
   const Length Delta_r = std::hypot(last.r[0] - first.r[0], last.r[1] - first.r[1], last.r[2] - first.r[2]) * m;
   trace.value("L", L, "integral of the speed over the range");
   trace.value("Delta_r", Delta_r, "distance of the places at t_2 and t_1");
-  STEP(v_m, Delta_r / (t_2 - t_1), "mean velocity, [B26]");
-  STEP(v_L, L / (t_2 - t_1), "mean speed along the path");
+  STEP_TO(r, v_m, Delta_r / (in.t_2 - in.t_1), "mean velocity, [B26]");
+  STEP_TO(r, v_L, L / (in.t_2 - in.t_1), "mean speed along the path");
   constexpr int samples = 257;
   double fastest = 0.0, largest = 0.0;
   for (int i = 0; i < samples; ++i) {
@@ -116,7 +104,7 @@ void take_range(const Point::Input& in, const PointPath& path, Point::Result& r,
     fastest = std::max(fastest, s.speed);
     largest = std::max(largest, s.acceleration);
   }
-  r.L = L, r.Delta_r = Delta_r, r.v_m = v_m, r.v_L = v_L;
+  r.L = L, r.Delta_r = Delta_r;
   r.v_max = fastest * m_per_s, r.a_max = largest * m_per_s2;
 }
 

@@ -22,32 +22,26 @@ Rotation::Change change_of(double omega, double epsilon, double t) {
 
 template <class Tracer>
 void count_turns(const Rotation::Input& in, Rotation::Result& r, Tracer& trace) {
-  const auto t_1 = in.t_1, t_2 = in.t_2;
-  const double phi_1 = motion::at(law_of(in), in_si(t_1)).value, phi_2 = motion::at(law_of(in), in_si(t_2)).value;
+  const double phi_1 = motion::at(law_of(in), in_si(in.t_1)).value, phi_2 = motion::at(law_of(in), in_si(in.t_2)).value;
   trace.angle("phi_1", phi_1, "law of rotation at t_1");
   trace.angle("phi_2", phi_2, "law of rotation at t_2");
-  STEP(Delta_phi, phi_2 - phi_1, "angle turned");
-  STEP(turns, Delta_phi / (2.0 * pi), "a turn is 2 pi");
-  STEP(omega_m, Delta_phi / (t_2 - t_1), "mean angular speed, [B28]");
-  r.Delta_phi = Delta_phi, r.turns = turns, r.omega_m = omega_m;
+  STEP_TO(r, Delta_phi, phi_2 - phi_1, "angle turned");
+  STEP_TO(r, turns, Delta_phi / (2.0 * pi), "a turn is 2 pi");
+  STEP_TO(r, omega_m, Delta_phi / (in.t_2 - in.t_1), "mean angular speed, [B28]");
 }
 
 template <class Tracer>
 void move_point(const Rotation::Input& in, Rotation::Result& r, Tracer& trace) {
-  const auto R = in.R;
-  const auto omega = r.omega;
-  const auto epsilon = r.epsilon;
-  STEP(v, R * abs(omega), "speed of a point on a circle, [B28]");
-  STEP(a_tau, R * epsilon, "tangential acceleration, [B28]");
-  STEP(a_n, R * omega * omega, "normal acceleration, [B28]");
-  STEP(a, sqrt(a_tau * a_tau + a_n * a_n), "acceleration, [B28]");
-  r.v = v, r.a_tau = a_tau, r.a_n = a_n, r.a = a;
+  STEP_TO(r, v, in.R * abs(r.omega), "speed of a point on a circle, [B28]");
+  STEP_TO(r, a_tau, in.R * r.epsilon, "tangential acceleration, [B28]");
+  STEP_TO(r, a_n, in.R * r.omega * r.omega, "normal acceleration, [B28]");
+  STEP_TO(r, a, sqrt(a_tau * a_tau + a_n * a_n), "acceleration, [B28]");
   if (in_si(a) > 0.0) r.mu = std::atan2(std::abs(in_si(a_tau)), in_si(a_n));
   const double direction = in.phi_M + r.phi_t;
   const double c = without_rounding(std::cos(direction), 1.0);
   const double s = without_rounding(std::sin(direction), 1.0);
-  r.x_M = R * c, r.y_M = R * s;
-  r.v_x = -R * omega * s, r.v_y = R * omega * c;
+  r.x_M = in.R * c, r.y_M = in.R * s;
+  r.v_x = -in.R * r.omega * s, r.v_y = in.R * r.omega * c;
   r.a_x = -a_tau * s - a_n * c, r.a_y = a_tau * c - a_n * s;
 }
 

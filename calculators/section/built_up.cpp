@@ -32,20 +32,20 @@ class Turned {
 template <class Tracer>
 BuiltUp::Placed place(const Part& part, const Turned& placed, const Properties& own, Tracer& trace) {
   const auto I_y0 = own.I_y, I_z0 = own.I_z, I_yz0 = own.I_yz;
-  const double angle = part.angle, sign = sign_of(part);
+  const double sign = sign_of(part);
   trace.value("A_0", own.A, "area of the part");
   trace.value("I_y0", I_y0, "of the part about its own axes, before it is turned");
   trace.value("I_z0", I_z0, "of the part about its own axes, before it is turned");
   trace.value("I_yz0", I_yz0, "of the part about its own axes, before it is turned");
-  trace.angle("angle", angle, "turned counter-clockwise");
+  trace.angle("angle", part.angle, "turned counter-clockwise");
   trace.value("sign", sign, "1 of material, -1 of a hole");
   const auto A_0 = own.A;
   STEP(A, sign * A_0, "counts negative where it is cut out");
   const auto [y_S, z_S] = placed(own.y_S, own.z_S);
   trace.value("y_S", y_S, "centroid of the part at its place");
   trace.value("z_S", z_S, "centroid of the part at its place");
-  STEP(c, cos(angle), "of the turn");
-  STEP(s, sin(angle), "of the turn");
+  STEP(c, cos(part.angle), "of the turn");
+  STEP(s, sin(part.angle), "of the turn");
   STEP(I_y, sign * (I_y0 * c * c + I_z0 * s * s + 2.0 * I_yz0 * s * c), "turned about its centroid, [ME102]");
   STEP(I_z, sign * (I_y0 * s * s + I_z0 * c * c - 2.0 * I_yz0 * s * c), "turned about its centroid, [ME102]");
   STEP(I_yz, sign * (I_yz0 * (c * c - s * s) + (I_z0 - I_y0) * s * c), "turned about its centroid, [ME102]");

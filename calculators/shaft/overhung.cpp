@@ -21,32 +21,24 @@ Length size_by_torsion(Moment M_t, Stress tau_adm, const Bore& bore, Tracer& tra
 /// Stresses and utilisations at the diameter.
 template <class Tracer>
 void check(const Overhung::Input& in, Overhung::Result& r, Tracer& trace) {
-  const auto &sigma_adm = in.sigma_adm, &tau_adm = in.tau_adm;
-  const auto K_A = in.K_A;
-  const auto F = in.F;
-  const auto M_b = r.M_b, M_t = r.M_t;
-  const auto d = r.d, d_bore = r.d_bore;
-  STEP(W, pi / 32.0 * (pow<4>(d) - pow<4>(d_bore)) / d, "section modulus in bending");
-  STEP(A, pi / 4.0 * (d * d - d_bore * d_bore), "area");
-  STEP(sigma_b, M_b / W, "extreme fibre");
-  STEP(tau_t, M_t / (2.0 * W), "surface; the modulus in torsion is twice that in bending");
-  STEP(sigma_M, sqrt(sigma_b * sigma_b + 3.0 * tau_t * tau_t), "von Mises, [Mises]");
-  STEP(sigma_T, sqrt(sigma_b * sigma_b + 4.0 * tau_t * tau_t), "Tresca");
-  STEP(kappa, 4.0 / 3.0 * (d * d + d * d_bore + d_bore * d_bore) / (d * d + d_bore * d_bore),
+  STEP(W, pi / 32.0 * (pow<4>(r.d) - pow<4>(r.d_bore)) / r.d, "section modulus in bending");
+  STEP(A, pi / 4.0 * (r.d * r.d - r.d_bore * r.d_bore), "area");
+  STEP_TO(r, sigma_b, r.M_b / W, "extreme fibre");
+  STEP_TO(r, tau_t, r.M_t / (2.0 * W), "surface; the modulus in torsion is twice that in bending");
+  STEP_TO(r, sigma_M, sqrt(sigma_b * sigma_b + 3.0 * tau_t * tau_t), "von Mises, [Mises]");
+  STEP_TO(r, sigma_T, sqrt(sigma_b * sigma_b + 4.0 * tau_t * tau_t), "Tresca");
+  STEP(kappa, 4.0 / 3.0 * (r.d * r.d + r.d * r.d_bore + r.d_bore * r.d_bore) / (r.d * r.d + r.d_bore * r.d_bore),
        "shear at the neutral axis over the mean shear, from Q S / (I b) of a ring");
-  STEP(tau_Q, tau_t + kappa * K_A * abs(F) / A, "neutral axis, on the side where both act together");
+  STEP_TO(r, tau_Q, tau_t + kappa * in.K_A * abs(in.F) / A, "neutral axis, on the side where both act together");
   const bool mises = in.hypothesis == Overhung::Hypothesis::mises;
   const double k = mises ? std::sqrt(3.0) : 2.0;
   const Stress sigma_v = mises ? Stress(sigma_M) : Stress(sigma_T);
   trace.value("sigma_v", sigma_v, mises ? "equivalent stress by von Mises" : "equivalent stress by Tresca");
-  STEP(u_v, sigma_v / sigma_adm, "bending with torsion at the extreme fibre");
+  STEP_TO(r, u_v, sigma_v / in.sigma_adm, "bending with torsion at the extreme fibre");
   trace.value("k", k, mises ? "root of 3 for pure shear by von Mises" : "2 for pure shear by Tresca");
-  STEP(u_Q, k * tau_Q / sigma_adm, "pure shear at the neutral axis");
-  r.sigma_b = sigma_b, r.tau_t = tau_t, r.sigma_M = sigma_M, r.sigma_T = sigma_T, r.tau_Q = tau_Q;
-  r.u_v = u_v, r.u_Q = u_Q;
-  if (!is_set(tau_adm)) return;
-  STEP(u_tau, tau_t / tau_adm, "torsion alone");
-  r.u_tau = u_tau;
+  STEP_TO(r, u_Q, k * tau_Q / in.sigma_adm, "pure shear at the neutral axis");
+  if (!is_set(in.tau_adm)) return;
+  STEP_TO(r, u_tau, tau_t / in.tau_adm, "torsion alone");
 }
 
 }  // namespace
@@ -55,20 +47,18 @@ template <class Tracer>
 Overhung::Result Overhung::evaluate(const Input& in, Tracer& trace) {
   const auto& [F, a, T, K_A, d_given, chi, bore, sigma_adm, tau_adm, hypothesis] = in;
   Result r;
-  STEP(M_b, K_A * abs(F) * a, "at the bearing");
-  STEP(M_t, K_A * abs(T), "at the same time");
+  STEP_TO(r, M_b, K_A * abs(F) * a, "at the bearing");
+  STEP_TO(r, M_t, K_A * abs(T), "at the same time");
   const double c = hypothesis == Hypothesis::mises ? 0.75 : 1.0;
   trace.value("c", c,
               hypothesis == Hypothesis::mises ? "weight of torsion by von Mises" : "weight of torsion by Tresca");
-  STEP(M_v, sqrt(M_b * M_b + c * M_t * M_t), "equivalent moment");
-  r.M_b = M_b, r.M_t = M_t, r.M_v = M_v;
+  STEP_TO(r, M_v, sqrt(M_b * M_b + c * M_t * M_t), "equivalent moment");
   const Bore bore_for_sizing{chi, bore};
   STEP(W_t, 2.0 * M_v / sigma_adm, "modulus asked for by W = M_v/sigma_adm; in torsion it is twice W");
   r.d_min = r.d_v = size_for_modulus("d_v", W_t, bore_for_sizing, by_equivalent, trace);
   if (is_set(tau_adm)) {
     const Length d_v = r.d_v, d_t = r.d_t = size_by_torsion(M_t, tau_adm, bore_for_sizing, trace);
-    STEP(d_min, max(d_v, d_t), "the larger governs");
-    r.d_min = d_min;
+    STEP_TO(r, d_min, max(d_v, d_t), "the larger governs");
   }
   r.d = is_set(d_given) ? d_given : r.d_min;
   r.d_bore = bore_of(bore, chi, r.d);

@@ -84,11 +84,10 @@ Length size_by_strength(Moment M_t, const Cylinder& c, Stress tau_all, Tracer& t
 template <class Tracer>
 Length size_by_stiffness(Moment M_t, const Cylinder& c, const Allowed& allowed, Tracer& trace) {
   const auto& [tau_all, G, theta_adm] = allowed;
-  const double chi = c.chi;
   const Length d_bore = c.d_bore;
   if (!is_set(theta_adm)) return unset<Length>;
-  if (is_set(chi)) {
-    STEP(d_stiffness, sqrt(sqrt(32.0 * M_t / (pi * G * theta_adm * (1.0 - pow<4>(chi))))),
+  if (is_set(c.chi)) {
+    STEP(d_stiffness, sqrt(sqrt(32.0 * M_t / (pi * G * theta_adm * (1.0 - pow<4>(c.chi))))),
          "stiffness of a ring, [B19] (10)");
     return d_stiffness;
   }
@@ -103,36 +102,29 @@ Length size_by_stiffness(Moment M_t, const Cylinder& c, const Allowed& allowed, 
 
 template <class Tracer>
 Stress allowable(const Torsion::Input& in, Tracer& trace) {
-  const auto tau_adm = in.tau_adm, R_e = in.R_e;
-  const auto S = in.S;
-  if (is_set(tau_adm)) {
-    STEP(tau_all, tau_adm, "as given");
+  if (is_set(in.tau_adm)) {
+    STEP(tau_all, in.tau_adm, "as given");
     return tau_all;
   }
-  STEP(tau_all, R_e / (sqrt(3.0) * S), "yielding in shear by the distortion energy hypothesis, [Mises]");
+  STEP(tau_all, in.R_e / (sqrt(3.0) * in.S), "yielding in shear by the distortion energy hypothesis, [Mises]");
   return tau_all;
 }
 
 /// Stress and twist of one stretch at its diameter.
 template <class Tracer>
 void load(Torsion::Stretch& s, Stress G, double K_A, Tracer& trace) {
-  const auto d = s.d, d_bore = s.d_bore, l = s.l;
-  const auto M = s.M, M_t = s.M_t;
-  if (M_t <= 0.0 * N_m.one && !(d > d_bore)) {  // no moment has sized it, and none loads it
+  if (s.M_t <= 0.0 * N_m.one && !(s.d > s.d_bore)) {  // no moment has sized it, and none loads it
     s.tau = from_si<Stress>(0.0);
-    if (is_set(G)) s.theta = from_si<Twist>(0.0), s.phi = is_set(l) ? 0.0 : s.phi;
+    if (is_set(G)) s.theta = from_si<Twist>(0.0), s.phi = is_set(s.l) ? 0.0 : s.phi;
     trace.value("tau", s.tau, "no moment");
     return;
   }
-  STEP(I_t, pi / 32.0 * (pow<4>(d) - pow<4>(d_bore)), "polar second moment of a ring");
-  STEP(tau, M_t * d / (2.0 * I_t), "at the surface, [B19] (2)");
-  s.tau = tau;
+  STEP(I_t, pi / 32.0 * (pow<4>(s.d) - pow<4>(s.d_bore)), "polar second moment of a ring");
+  STEP_TO(s, tau, s.M_t * s.d / (2.0 * I_t), "at the surface, [B19] (2)");
   if (!is_set(G)) return;
-  STEP(theta, K_A * M / (G * I_t), "twist per length, signed, [B19] (7)");
-  s.theta = theta;
-  if (!is_set(l)) return;
-  STEP(phi, theta * l, "twist of the stretch");
-  s.phi = phi;
+  STEP_TO(s, theta, K_A * s.M / (G * I_t), "twist per length, signed, [B19] (7)");
+  if (!is_set(s.l)) return;
+  STEP_TO(s, phi, theta * s.l, "twist of the stretch");
 }
 
 /// Takes the magnitude where it is larger. Once something is not available, the largest is not either.
@@ -145,7 +137,6 @@ void raise(Quantity& largest, Quantity value) {
 /// Moments and least diameters, stretch by stretch; the largest are those of the shaft.
 template <class Tracer>
 void size_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::Result& r, Tracer& trace) {
-  const double K_A = in.K_A;
   const Allowed allowed{r.tau_all, in.G, in.theta_adm};
   Moment M_max = 0.0 * N_m.one;
   Length strongest = 0.0 * m.one, stiffest = strongest, open = strongest;
@@ -155,7 +146,7 @@ void size_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
     const Moment M = part.M;
     const Cylinder& c = part.cylinder;
     trace.value("M", M, "internal moment: the sum of the torques to its left");
-    STEP(M_t, K_A * abs(M), "design moment");
+    STEP(M_t, in.K_A * abs(M), "design moment");
     if (is_set(c.chi)) trace.value("chi", c.chi, "bore ratio");
     const Length d_strength = size_by_strength(M_t, c, allowed.tau_all, trace);
     const Length d_stiffness = size_by_stiffness(M_t, c, allowed, trace);
@@ -174,19 +165,15 @@ void size_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
 
 template <class Tracer>
 void choose_least(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
-  const auto G = in.G;
-  const auto theta_adm = in.theta_adm;
-  const auto tau_all = r.tau_all;
-  const auto d_strength = r.d_strength, d_stiffness = r.d_stiffness;
-  trace.value("d_strength", d_strength, "largest of the shaft");
-  if (is_set(theta_adm)) {
-    trace.value("d_stiffness", d_stiffness, "largest of the shaft");
-    STEP(D_star, 2.0 * tau_all / (G * theta_adm), "below this diameter stiffness governs, above it strength");
-    r.D_star = D_star;
+  trace.value("d_strength", r.d_strength, "largest of the shaft");
+  if (is_set(in.theta_adm)) {
+    trace.value("d_stiffness", r.d_stiffness, "largest of the shaft");
+    STEP_TO(r, D_star, 2.0 * r.tau_all / (in.G * in.theta_adm),
+            "below this diameter stiffness governs, above it strength");
   }
-  STEP(d_min, is_set(d_stiffness) ? max(d_strength, d_stiffness) : d_strength, "the larger governs, [B19]");
-  r.d_min = d_min;
-  r.governs = d_stiffness > d_strength ? Torsion::Governs::stiffness : Torsion::Governs::strength;
+  STEP_TO(r, d_min, is_set(r.d_stiffness) ? max(r.d_strength, r.d_stiffness) : r.d_strength,
+          "the larger governs, [B19]");
+  r.governs = r.d_stiffness > r.d_strength ? Torsion::Governs::stiffness : Torsion::Governs::strength;
 }
 
 /// Stresses and twist at the diameters as given, else at the common one; a ratio gives the bore unless it is kept.
@@ -220,17 +207,11 @@ void load_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
 
 template <class Tracer>
 void judge(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
-  const auto theta_adm = in.theta_adm;
-  const auto tau_all = r.tau_all;
-  const auto tau_max = r.tau_max;
-  const auto theta_max = r.theta_max;
-  trace.value("tau_max", tau_max, "largest of the shaft");
-  STEP(u_tau, tau_max / tau_all, "strength condition, [B19] (3)");
-  r.u_tau = u_tau;
-  if (is_set(theta_adm)) {
-    trace.value("theta_max", theta_max, "largest of the shaft");
-    STEP(u_theta, theta_max / theta_adm, "stiffness condition, [B19] (8)");
-    r.u_theta = u_theta;
+  trace.value("tau_max", r.tau_max, "largest of the shaft");
+  STEP_TO(r, u_tau, r.tau_max / r.tau_all, "strength condition, [B19] (3)");
+  if (is_set(in.theta_adm)) {
+    trace.value("theta_max", r.theta_max, "largest of the shaft");
+    STEP_TO(r, u_theta, r.theta_max / in.theta_adm, "stiffness condition, [B19] (8)");
   }
   if (is_set(r.phi)) trace.angle("phi", r.phi, "sum over the stretches, with sign");
   r.F_bend = abs(in.F);

@@ -13,18 +13,14 @@ inline Strength strength_of(const WallInput& in, Stress sigma_all) {
 /// The thickness to order for a carrying thickness.
 template <class Tracer>
 Length ordered(const char* symbol, Length carrying, const WallInput& in, Tracer& trace) {
-  const auto c = in.c, c_t = in.c_t;
-  const auto f_t = in.f_t;
   const Length delta_0 = carrying;
   trace.value("delta_0", delta_0, "thickness at which the governing place is just strong enough");
-  return NAMED_STEP(symbol, (delta_0 + c + c_t) / (1.0 - f_t), "with its allowances, each once");
+  return NAMED_STEP(symbol, (delta_0 + in.c + in.c_t) / (1.0 - in.f_t), "with its allowances, each once");
 }
 
 template <class Tracer>
 Length carrying(const WallInput& in, Length delta, Tracer& trace) {
-  const auto c = in.c, c_t = in.c_t;
-  const auto f_t = in.f_t;
-  STEP(delta_c, delta * (1.0 - f_t) - c - c_t, "what corrosion and mill leave of the wall");
+  STEP(delta_c, delta * (1.0 - in.f_t) - in.c - in.c_t, "what corrosion and mill leave of the wall");
   return delta_c;
 }
 
@@ -47,28 +43,24 @@ double knuckle_slenderness(Length rho_c, Length delta_c, Tracer& trace) {
 /// writes its radii down, which lie e outside of those given. Returns the governing place.
 template <class Input, class Result, class Make, class Told, class Tracer>
 double assess(const Input& in, Result& r, Length scale, const Make& make, const Told& told, Tracer& trace) {
-  const auto p = in.p;
   const Stress sigma_all = allowable(in, trace);
   const Strength strength = strength_of(in, sigma_all);
   r.sigma_all = sigma_all;
-  r.delta_min = ordered("delta_min", least_thickness(make, p, scale, strength), in, trace);
+  r.delta_min = ordered("delta_min", least_thickness(make, in.p, scale, strength), in, trace);
   r.delta = is_set(in.delta) ? in.delta : r.delta_min;
   if (!is_set(in.delta)) trace.value("delta", r.delta, "the least one");
   r.delta_c = carrying(in, r.delta, trace);
   told(offset(in, r.delta, r.delta_c, trace), trace);
   const auto shape = make(r.delta_c);
-  const auto delta_c = r.delta_c;
   const Length rho_min = shape.sharpest();
   trace.value("rho_min", rho_min, "smallest radius of curvature of the shell");
-  STEP(t_R, delta_c / rho_min, "thin walls are below 1/20, [B24]");
-  r.t_R = t_R;
-  const double t = governing_place(shape, p, r.delta_c, strength);
+  STEP_TO(r, t_R, r.delta_c / rho_min, "thin walls are below 1/20, [B24]");
+  const double t = governing_place(shape, in.p, r.delta_c, strength);
   const Place place = shape.at(t, trace);
-  const Membrane m = membrane(place, p, r.delta_c, strength, trace);
+  const Membrane m = membrane(place, in.p, r.delta_c, strength, trace);
   const Stress sigma_v = equivalent(m, strength.hypothesis, trace);
   r.p_i = m.p_i, r.sigma_o = m.o, r.sigma_M = m.M, r.sigma_v = sigma_v;
-  STEP(u_v, sigma_v / sigma_all, "strength condition, [B24]");
-  r.u_v = u_v;
+  STEP_TO(r, u_v, sigma_v / sigma_all, "strength condition, [B24]");
   r.p_max = allowable_pressure(shape, r.delta_c, strength);
   trace.value("p_max", r.p_max, "the pressure at which the first place is just strong enough");
   return t;

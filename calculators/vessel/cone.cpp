@@ -23,15 +23,15 @@ class ConeShape {
   template <class Tracer>
   Place at(double t, Tracer& trace) const {
     using std::cos;
-    const auto alpha = in_.alpha;
     Place place;
     const Length r = t * R_m_;
-    place.r = r, place.z = r / std::tan(alpha);
+    place.r = r, place.z = r / std::tan(in_.alpha);
     trace.value("r", r, "mean radius at the governing place");
-    place.rho_o = NAMED_STEP("rho_o", r / cos(alpha), "normal to the wall, up to the axis");
+    place.rho_o = NAMED_STEP("rho_o", r / cos(in_.alpha), "normal to the wall, up to the axis");
     place.kappa_M = 0.0 / r;
     trace.value("kappa_M", place.kappa_M, "the meridian is straight");
-    place.q_M = NAMED_STEP("q_M", r / (2.0 * cos(alpha)), "pressure on the section over the upright part of the pull");
+    place.q_M =
+        NAMED_STEP("q_M", r / (2.0 * cos(in_.alpha)), "pressure on the section over the upright part of the pull");
     if (wet_) {
       place.p_l = head(in_, place.z, trace);
       hang(place, trace);
@@ -47,14 +47,12 @@ class ConeShape {
   template <class Tracer>
   void hang(Place& place, Tracer& trace) const {
     using std::cos, std::tan;
-    const auto alpha = in_.alpha;
-    const auto rho = in_.rho;
-    const auto h_l = in_.h_l;
     const Acceleration g_n = gravity;
     const Length r = place.r;
-    STEP(r_l, min(r, h_l * tan(alpha)), "radius up to which the liquid loads the wall below the place");
-    place.n_M = NAMED_STEP("n_M", rho * g_n * pow<2>(r_l) * (h_l / 2.0 - r_l / (3.0 * tan(alpha))) / (r * cos(alpha)),
-                           "weight of the liquid below and above the section, [ExpertsMind-cone]");
+    STEP(r_l, min(r, in_.h_l * tan(in_.alpha)), "radius up to which the liquid loads the wall below the place");
+    place.n_M = NAMED_STEP(
+        "n_M", in_.rho * g_n * pow<2>(r_l) * (in_.h_l / 2.0 - r_l / (3.0 * tan(in_.alpha))) / (r * cos(in_.alpha)),
+        "weight of the liquid below and above the section, [ExpertsMind-cone]");
   }
 
   const Input& in_;
@@ -64,9 +62,7 @@ class ConeShape {
 
 template <class Tracer>
 Length mean_radius(const Input& in, Length e, Tracer& trace) {
-  const auto R = in.R;
-  const auto alpha = in.alpha;
-  STEP(R_m, R + e * cos(alpha), "middle of the carrying wall at the large end");
+  STEP(R_m, in.R + e * cos(in.alpha), "middle of the carrying wall at the large end");
   return R_m;
 }
 

@@ -78,39 +78,29 @@ class CylinderShape {
 /// The rings that are there, or those that could take the hoop force alone, as the textbook assumes.
 template <class Tracer>
 Length rings(const Input& in, Stress sigma_all, Tracer& trace) {
-  const auto A_r = in.A_r;
-  const auto l_r = in.l_r;
   if (in.ends != Ends::ringed) return 0.0 * mm;
-  if (is_set(A_r)) {
-    STEP(a_r, A_r / l_r, "section of the rings per length");
+  if (is_set(in.A_r)) {
+    STEP(a_r, in.A_r / in.l_r, "section of the rings per length");
     return a_r;
   }
-  const auto p = in.p;
-  const auto R = in.R;
   const Stress p_0 = bottom_pressure(in);
   trace.value("p_0", p_0, "pressure of the liquid at the lowest place");
-  STEP(a_r, (p + p_0) * R / sigma_all, "rings that could take the whole hoop force, as [B24] assumes");
+  STEP(a_r, (in.p + p_0) * in.R / sigma_all, "rings that could take the whole hoop force, as [B24] assumes");
   return a_r;
 }
 
 /// The thicknesses of the book: each stress by itself.
 template <class Tracer>
 void by_the_book(const Input& in, Cylinder::Result& r, Tracer& trace) {
-  const auto z_l = in.z_l, z_c = in.z_c;
-  const auto p_i = r.p_i, sigma_all = r.sigma_all, sigma_M = r.sigma_M;
-  const auto R_m = r.R_m, delta_c = r.delta_c;
-  STEP(delta_o, p_i * R_m / (z_l * sigma_all), "hoop stress alone, [B24] (10)");
-  STEP(delta_M, sigma_M * delta_c / (z_c * sigma_all), "meridional stress alone, [B24] (11)");
-  r.delta_o = delta_o, r.delta_M = delta_M;
+  STEP_TO(r, delta_o, r.p_i * r.R_m / (in.z_l * r.sigma_all), "hoop stress alone, [B24] (10)");
+  STEP_TO(r, delta_M, r.sigma_M * r.delta_c / (in.z_c * r.sigma_all), "meridional stress alone, [B24] (11)");
 }
 
 template <class Tracer>
 void check_rings(const Input& in, Cylinder::Result& r, Tracer& trace) {
-  const auto l_r = in.l_r;
-  const auto R_m = r.R_m, delta_c = r.delta_c;
-  if (!is_set(l_r)) return;
-  STEP(w_r, l_r / (1.56 * sqrt(R_m * delta_c)), "a ring helps over 0.78 sqrt(R delta) on either side, [Timoshenko]");
-  r.w_r = w_r;
+  if (!is_set(in.l_r)) return;
+  STEP_TO(r, w_r, in.l_r / (1.56 * sqrt(r.R_m * r.delta_c)),
+          "a ring helps over 0.78 sqrt(R delta) on either side, [Timoshenko]");
 }
 
 }  // namespace

@@ -42,21 +42,17 @@ class EllipsoidShape {
 
 template <class Tracer>
 void mean_axes(const Input& in, Ellipsoid::Result& r, Length e, Tracer& trace) {
-  const auto a = in.a, b = in.b;
-  STEP(a_m, a + e, "middle of the carrying wall, across");
-  STEP(b_m, b + e, "middle of the carrying wall, along");
-  r.a_m = a_m, r.b_m = b_m;
+  STEP_TO(r, a_m, in.a + e, "middle of the carrying wall, across");
+  STEP_TO(r, b_m, in.b + e, "middle of the carrying wall, along");
 }
 
 /// The stresses of pole and equator in their known form, and the bound of the hoop compression of flat heads.
 template <class Tracer>
 void ends(const Input& in, Ellipsoid::Result& r, Tracer& trace) {
-  const auto p = in.p;
-  const auto a_m = r.a_m, b_m = r.b_m, delta_c = r.delta_c;
-  STEP(sigma_pole, p * pow<2>(a_m) / (2.0 * b_m * delta_c), "pole, [Timoshenko]");
-  STEP(sigma_eq, p * a_m / delta_c * (1.0 - pow<2>(a_m / b_m) / 2.0), "hoop stress of the equator, [Timoshenko]");
-  r.w_b = sigma_eq < 0.0 * MPa ? knuckle_slenderness(a_m * a_m / b_m, delta_c, trace) : 0.0;
-  r.sigma_pole = sigma_pole, r.sigma_eq = sigma_eq;
+  STEP_TO(r, sigma_pole, in.p * pow<2>(r.a_m) / (2.0 * r.b_m * r.delta_c), "pole, [Timoshenko]");
+  STEP_TO(r, sigma_eq, in.p * r.a_m / r.delta_c * (1.0 - pow<2>(r.a_m / r.b_m) / 2.0),
+          "hoop stress of the equator, [Timoshenko]");
+  r.w_b = sigma_eq < 0.0 * MPa ? knuckle_slenderness(r.a_m * r.a_m / r.b_m, r.delta_c, trace) : 0.0;
 }
 
 }  // namespace

@@ -60,10 +60,9 @@ struct ThickSphere {
 template <class Thick, class Tracer>
 Membrane thick_stresses(const Thick& thick, Stress p_i, Length R_i, Length R_a, const Strength& strength,
                         Tracer& trace) {
-  const auto z_l = strength.z_l, z_c = strength.z_c;
   const auto [sigma_t, sigma_z] = thick(p_i, R_i, R_a, trace);
-  STEP(s_o, sigma_t / z_l, "hoop stress as longitudinal seams feel it");
-  STEP(s_M, sigma_z / z_c, "meridional stress as circumferential seams feel it");
+  STEP(s_o, sigma_t / strength.z_l, "hoop stress as longitudinal seams feel it");
+  STEP(s_M, sigma_z / strength.z_c, "meridional stress as circumferential seams feel it");
   return {p_i, sigma_t, sigma_z, s_o, s_M};
 }
 
@@ -96,18 +95,17 @@ Length thickness_of_ratio(double ratio, const Mean& mean) {
 template <class Thick, class Result, class Mean, class Tracer>
 void compare(const Thick& thick, const WallInput& in, Result& r, Length R_m, const Mean& mean, Tracer& trace) {
   const Strength strength = strength_of(in, r.sigma_all);
-  const auto p_i = r.p_i, sigma_all = r.sigma_all, sigma_v = r.sigma_v;
-  const auto delta_c = r.delta_c;
-  if (!(R_m > 0.5 * delta_c)) return;  // a wall that would fill the vessel
-  STEP(R_i, R_m - 0.5 * delta_c, "inside of the carrying wall");
-  STEP(R_a, R_m + 0.5 * delta_c, "outside of the carrying wall");
-  const Stress sigma_L = equivalent(thick_stresses(thick, p_i, R_i, R_a, strength, trace), strength.hypothesis, trace);
+  if (!(R_m > 0.5 * r.delta_c)) return;  // a wall that would fill the vessel
+  STEP(R_i, R_m - 0.5 * r.delta_c, "inside of the carrying wall");
+  STEP(R_a, R_m + 0.5 * r.delta_c, "outside of the carrying wall");
+  const Stress sigma_L =
+      equivalent(thick_stresses(thick, r.p_i, R_i, R_a, strength, trace), strength.hypothesis, trace);
   trace.value("sigma_L", sigma_L, "the thick wall");
-  trace.value("sigma_v", sigma_v, "the thin wall");
-  STEP(e_L, sigma_v / sigma_L - 1.0, "what the thin-wall formula misses");
-  STEP(u_L, sigma_L / sigma_all, "the same strength condition with the stress of the thick wall");
-  r.sigma_L = sigma_L, r.e_L = e_L, r.u_L = u_L;
-  const Length least = thickness_of_ratio(least_thickness_ratio(thick, p_i, strength), mean);
+  trace.value("sigma_v", r.sigma_v, "the thin wall");
+  STEP_TO(r, e_L, r.sigma_v / sigma_L - 1.0, "what the thin-wall formula misses");
+  STEP_TO(r, u_L, sigma_L / r.sigma_all, "the same strength condition with the stress of the thick wall");
+  r.sigma_L = sigma_L;
+  const Length least = thickness_of_ratio(least_thickness_ratio(thick, r.p_i, strength), mean);
   r.delta_L = ordered("delta_L", least, in, trace);
 }
 

@@ -38,13 +38,11 @@ struct Membrane {
 
 template <class Tracer>
 Stress allowable(const WallInput& in, Tracer& trace) {
-  const auto sigma_adm = in.sigma_adm, R_e = in.R_e;
-  const auto S = in.S;
-  if (is_set(sigma_adm)) {
-    STEP(sigma_all, sigma_adm, "as given");
+  if (is_set(in.sigma_adm)) {
+    STEP(sigma_all, in.sigma_adm, "as given");
     return sigma_all;
   }
-  STEP(sigma_all, R_e / S, "yield strength over the safety factor");
+  STEP(sigma_all, in.R_e / in.S, "yield strength over the safety factor");
   return sigma_all;
 }
 
@@ -67,28 +65,22 @@ Stress equivalent(Stress s_o, Stress s_M, Stress p_i, Hypothesis hypothesis, Tra
 
 template <class Tracer>
 Stress hoop(const Place& place, Stress p_i, Stress sigma_M, Length delta_c, Tracer& trace) {
-  const auto rho_o = place.rho_o;
-  const auto kappa_M = place.kappa_M;
-  const auto w_o = place.w_o;
-  if (w_o < 1.0) {
-    STEP(sigma_o, w_o * rho_o * p_i / delta_c, "[B24] (9), (10) with rings: the wall carries its part");
+  if (place.w_o < 1.0) {
+    STEP(sigma_o, place.w_o * place.rho_o * p_i / delta_c, "[B24] (9), (10) with rings: the wall carries its part");
     return sigma_o;
   }
-  STEP(sigma_o, rho_o * (p_i / delta_c - sigma_M * kappa_M), "balance across the wall, [B24] (9)");
+  STEP(sigma_o, place.rho_o * (p_i / delta_c - sigma_M * place.kappa_M), "balance across the wall, [B24] (9)");
   return sigma_o;
 }
 
 template <class Tracer>
 Membrane membrane(const Place& place, Stress p, Length delta_c, const Strength& strength, Tracer& trace) {
-  const auto q_M = place.q_M;
-  const auto n_M = place.n_M;
-  const auto p_l = place.p_l;
-  const auto z_l = strength.z_l, z_c = strength.z_c;
-  STEP(p_i, p + p_l, "gas and liquid");
-  STEP(sigma_M, (p * q_M + n_M) / delta_c, "balance along the axis of what lies beyond the place, [B24] (11)");
+  STEP(p_i, p + place.p_l, "gas and liquid");
+  STEP(sigma_M, (p * place.q_M + place.n_M) / delta_c,
+       "balance along the axis of what lies beyond the place, [B24] (11)");
   const Stress sigma_o = hoop(place, p_i, sigma_M, delta_c, trace);
-  STEP(s_o, sigma_o / z_l, "hoop stress as longitudinal seams feel it");
-  STEP(s_M, sigma_M / z_c, "meridional stress as circumferential seams feel it");
+  STEP(s_o, sigma_o / strength.z_l, "hoop stress as longitudinal seams feel it");
+  STEP(s_M, sigma_M / strength.z_c, "meridional stress as circumferential seams feel it");
   return {p_i, sigma_o, sigma_M, s_o, s_M};
 }
 
@@ -115,16 +107,15 @@ double governing_place(const Shape& shape, Stress p, Length delta_c, const Stren
 /// How far the middle of the carrying wall lies outside of the surface that the given radii belong to.
 template <class Tracer>
 Length offset(const WallInput& in, Length delta, Length delta_c, Tracer& trace) {
-  const auto c = in.c;
   if (in.measured == Measured::inner) {
-    STEP(e, c + 0.5 * delta_c, "middle of the carrying wall, from the inside of the new one");
+    STEP(e, in.c + 0.5 * delta_c, "middle of the carrying wall, from the inside of the new one");
     return e;
   }
   if (in.measured == Measured::outer) {
     STEP(e, -0.5 * delta_c, "middle of the carrying wall, from the outside, which mill and corrosion leave");
     return e;
   }
-  STEP(e, c + 0.5 * delta_c - 0.5 * delta, "middle of the carrying wall, from that of the new one");
+  STEP(e, in.c + 0.5 * delta_c - 0.5 * delta, "middle of the carrying wall, from that of the new one");
   return e;
 }
 

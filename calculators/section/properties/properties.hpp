@@ -110,55 +110,45 @@ inline SecondMoment without_rounding(SecondMoment I_yz, SecondMoment I_y, Second
 /// Principal second moments and their axis.
 template <class Tracer>
 void turn_to_principal_axes(Properties& r, Tracer& trace) {
-  const auto I_y = r.I_y, I_z = r.I_z, I_yz = r.I_yz;
-  if (I_yz == from_si<SecondMoment>(0.0)) {
-    STEP(I_max, max(I_y, I_z), "y and z are principal axes: the product of area is zero");
-    STEP(I_min, min(I_y, I_z), "the other one");
-    r.I_max = I_max, r.I_min = I_min;
-    r.alpha = I_y >= I_z ? 0.0 : 0.5 * pi;
+  if (r.I_yz == from_si<SecondMoment>(0.0)) {
+    STEP_TO(r, I_max, max(r.I_y, r.I_z), "y and z are principal axes: the product of area is zero");
+    STEP_TO(r, I_min, min(r.I_y, r.I_z), "the other one");
+    r.alpha = r.I_y >= r.I_z ? 0.0 : 0.5 * pi;
     trace.angle("alpha", r.alpha, "I_max is about y where I_y is the larger, else about z");
     return;
   }
-  STEP(I_R, sqrt(pow<2>((I_y - I_z) / 2.0) + I_yz * I_yz), "radius of Mohr's circle");
-  STEP(I_max, (I_y + I_z) / 2.0 + I_R, "largest, by Mohr's circle");
-  STEP(I_min, (I_y + I_z) / 2.0 - I_R, "least, by Mohr's circle");
-  STEP(alpha, atan(-2.0 * I_yz / (I_y - I_z + 2.0 * I_R)), "half the angle on Mohr's circle");
-  r.I_max = I_max, r.I_min = I_min, r.alpha = alpha;
+  STEP(I_R, sqrt(pow<2>((r.I_y - r.I_z) / 2.0) + r.I_yz * r.I_yz), "radius of Mohr's circle");
+  STEP_TO(r, I_max, (r.I_y + r.I_z) / 2.0 + I_R, "largest, by Mohr's circle");
+  STEP_TO(r, I_min, (r.I_y + r.I_z) / 2.0 - I_R, "least, by Mohr's circle");
+  STEP_TO(r, alpha, atan(-2.0 * r.I_yz / (r.I_y - r.I_z + 2.0 * I_R)), "half the angle on Mohr's circle");
 }
 
 /// What follows from A, the centroid, I_y, I_z, I_yz and the contour.
 template <class Tracer>
 void complete(Properties& r, const Extremes& extremes, Tracer& trace) {
-  const auto A = r.A;
-  const auto I_y = r.I_y, I_z = r.I_z;
-  STEP(i_y, sqrt(I_y / A), "radius of gyration");
-  STEP(i_z, sqrt(I_z / A), "radius of gyration");
-  r.i_y = i_y, r.i_z = i_z;
+  STEP_TO(r, i_y, sqrt(r.I_y / r.A), "radius of gyration");
+  STEP_TO(r, i_z, sqrt(r.I_z / r.A), "radius of gyration");
   const Reach along_y = reach(extremes, r.y_S, r.z_S, 1.0, 0.0);
   const auto [e_right, e_left, e_top, e_bottom] = along_y;
   trace.value("e_top", e_top, "from the centroid to the uppermost fibre");
-  STEP(W_y_top, I_y / e_top, "bending about y, upper side");
+  STEP_TO(r, W_y_top, r.I_y / e_top, "bending about y, upper side");
   trace.value("e_bottom", e_bottom, "from the centroid to the lowest fibre");
-  STEP(W_y_bottom, I_y / e_bottom, "bending about y, lower side");
+  STEP_TO(r, W_y_bottom, r.I_y / e_bottom, "bending about y, lower side");
   trace.value("e_left", e_left, "from the centroid to the leftmost fibre");
-  STEP(W_z_left, I_z / e_left, "bending about z, left side");
+  STEP_TO(r, W_z_left, r.I_z / e_left, "bending about z, left side");
   trace.value("e_right", e_right, "from the centroid to the rightmost fibre");
-  STEP(W_z_right, I_z / e_right, "bending about z, right side");
-  r.W_y_top = W_y_top, r.W_y_bottom = W_y_bottom, r.W_z_left = W_z_left, r.W_z_right = W_z_right;
+  STEP_TO(r, W_z_right, r.I_z / e_right, "bending about z, right side");
   turn_to_principal_axes(r, trace);
-  const auto I_max = r.I_max, I_min = r.I_min;
-  STEP(i_min, sqrt(I_min / A), "least radius of gyration");
-  r.i_min = i_min;
+  STEP_TO(r, i_min, sqrt(r.I_min / r.A), "least radius of gyration");
   const Reach from_axis = r.alpha == 0.0 ? along_y
                           : r.I_yz == from_si<SecondMoment>(0.0)
                               ? along_y.turned_left()
                               : reach(extremes, r.y_S, r.z_S, std::cos(r.alpha), std::sin(r.alpha));
   const Length e_max = max(from_axis.left, from_axis.right), e_min = max(from_axis.ahead, from_axis.behind);
   trace.value("e_max", e_max, "farthest fibre from the principal axis of I_max");
-  STEP(W_max, I_max / e_max, "bending about the principal axis of I_max");
+  STEP_TO(r, W_max, r.I_max / e_max, "bending about the principal axis of I_max");
   trace.value("e_min", e_min, "farthest fibre from the principal axis of I_min");
-  STEP(W_min, I_min / e_min, "bending about the principal axis of I_min");
-  r.W_max = W_max, r.W_min = W_min;
+  STEP_TO(r, W_min, r.I_min / e_min, "bending about the principal axis of I_min");
 }
 
 template <class Result, class Tracer>

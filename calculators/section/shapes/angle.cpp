@@ -11,12 +11,10 @@ namespace {
 template <class Tracer>
 void twist(const Angle::Input& in, Angle::Result& result, Tracer& trace) {
   const auto& [h, b, t, r, r_2] = in;
-  STEP(w, t / (min(h, b) - t), "thickness over length of the shorter leg");
-  result.w = w;
+  STEP_TO(result, w, t / (min(h, b) - t), "thickness over length of the shorter leg");
   if (!(w <= thickest_open_wall)) return;
-  STEP(I_t, (h + b - t) * pow<3>(t) / 3.0, "thin open walls, [Oasys]");
-  STEP(W_t, I_t / t, "shear in the thin walls");
-  result.I_t = I_t, result.W_t = W_t;
+  STEP_TO(result, I_t, (h + b - t) * pow<3>(t) / 3.0, "thin open walls, [Oasys]");
+  STEP_TO(result, W_t, I_t / t, "shear in the thin walls");
 }
 
 }  // namespace
@@ -33,24 +31,25 @@ Angle::Result Angle::own(const Input& in, Tracer& trace) {
   trace.value("e_2", e_2, "its centroid from the faces of the leg");
   trace.value("I_2", I_2, "its second moment");
   trace.value("I_2p", I_2p, "its product of area");
-  STEP(A, t * (h + b - t) + A_r - 2.0 * A_2, "two legs, the root fillet, less the toes");
-  STEP(y_S, (h * t * t + (b * b - t * t) * t + 2.0 * A_r * (t + e_r) - 2.0 * A_2 * (t - e_2 + b - e_2)) / (2.0 * A),
-       "first moment about the back of the upright leg over the area");
-  STEP(z_S, (b * t * t + (h * h - t * t) * t + 2.0 * A_r * (t + e_r) - 2.0 * A_2 * (t - e_2 + h - e_2)) / (2.0 * A),
-       "first moment about the back of the other leg over the area");
-  STEP(I_y,
-       (t * pow<3>(h) + (b - t) * pow<3>(t)) / 3.0 + I_r + A_r * pow<2>(t + e_r) - 2.0 * I_2 -
-           A_2 * (pow<2>(t - e_2) + pow<2>(h - e_2)) - A * z_S * z_S,
-       "about the back of the leg, brought to the centroid by Steiner, [Garrison]");
-  STEP(I_z,
-       (t * pow<3>(b) + (h - t) * pow<3>(t)) / 3.0 + I_r + A_r * pow<2>(t + e_r) - 2.0 * I_2 -
-           A_2 * (pow<2>(t - e_2) + pow<2>(b - e_2)) - A * y_S * y_S,
-       "about the back of the leg, brought to the centroid by Steiner, [Garrison]");
-  STEP(I_yz,
-       t * t * (h * h + b * b - t * t) / 4.0 + I_rp + A_r * pow<2>(t + e_r) - 2.0 * I_2p -
-           A_2 * (t - e_2) * (h - e_2 + b - e_2) - A * y_S * z_S,
-       "about the corner, brought to the centroid by Steiner, [Garrison]");
-  result.A = A, result.y_S = y_S, result.z_S = z_S, result.I_y = I_y, result.I_z = I_z, result.I_yz = I_yz;
+  STEP_TO(result, A, t * (h + b - t) + A_r - 2.0 * A_2, "two legs, the root fillet, less the toes");
+  STEP_TO(result, y_S,
+          (h * t * t + (b * b - t * t) * t + 2.0 * A_r * (t + e_r) - 2.0 * A_2 * (t - e_2 + b - e_2)) / (2.0 * A),
+          "first moment about the back of the upright leg over the area");
+  STEP_TO(result, z_S,
+          (b * t * t + (h * h - t * t) * t + 2.0 * A_r * (t + e_r) - 2.0 * A_2 * (t - e_2 + h - e_2)) / (2.0 * A),
+          "first moment about the back of the other leg over the area");
+  STEP_TO(result, I_y,
+          (t * pow<3>(h) + (b - t) * pow<3>(t)) / 3.0 + I_r + A_r * pow<2>(t + e_r) - 2.0 * I_2 -
+              A_2 * (pow<2>(t - e_2) + pow<2>(h - e_2)) - A * z_S * z_S,
+          "about the back of the leg, brought to the centroid by Steiner, [Garrison]");
+  STEP_TO(result, I_z,
+          (t * pow<3>(b) + (h - t) * pow<3>(t)) / 3.0 + I_r + A_r * pow<2>(t + e_r) - 2.0 * I_2 -
+              A_2 * (pow<2>(t - e_2) + pow<2>(b - e_2)) - A * y_S * y_S,
+          "about the back of the leg, brought to the centroid by Steiner, [Garrison]");
+  STEP_TO(result, I_yz,
+          t * t * (h * h + b * b - t * t) / 4.0 + I_rp + A_r * pow<2>(t + e_r) - 2.0 * I_2p -
+              A_2 * (t - e_2) * (h - e_2 + b - e_2) - A * y_S * z_S,
+          "about the corner, brought to the centroid by Steiner, [Garrison]");
   twist(in, result, trace);
   return result;
 }

@@ -11,12 +11,10 @@ namespace {
 template <class Tracer>
 void twist(const Channel::Input& in, Channel::Result& result, Tracer& trace) {
   const auto& [h, b, t_w, t_f, r] = in;
-  STEP(w, max(t_w / (h - 2.0 * t_f), t_f / b), "thickness over length of the stubbier wall");
-  result.w = w;
+  STEP_TO(result, w, max(t_w / (h - 2.0 * t_f), t_f / b), "thickness over length of the stubbier wall");
   if (!(w <= thickest_open_wall)) return;
-  STEP(I_t, (2.0 * b * pow<3>(t_f) + (h - 2.0 * t_f) * pow<3>(t_w)) / 3.0, "thin open walls, [Oasys]");
-  STEP(W_t, I_t / max(t_w, t_f), "shear in the thickest wall");
-  result.I_t = I_t, result.W_t = W_t;
+  STEP_TO(result, I_t, (2.0 * b * pow<3>(t_f) + (h - 2.0 * t_f) * pow<3>(t_w)) / 3.0, "thin open walls, [Oasys]");
+  STEP_TO(result, W_t, I_t / max(t_w, t_f), "shear in the thickest wall");
 }
 
 }  // namespace
@@ -26,17 +24,16 @@ Channel::Result Channel::own(const Input& in, Tracer& trace) {
   const auto& [h, b, t_w, t_f, r] = in;
   Result result{centred()};
   const auto [A_r, e_r, I_r, I_rp] = corner(r, trace);
-  STEP(A, 2.0 * b * t_f + (h - 2.0 * t_f) * t_w + 2.0 * A_r, "flanges, web and two fillets");
-  STEP(y_S, (b * b * t_f + (h - 2.0 * t_f) * t_w * t_w / 2.0 + 2.0 * A_r * (t_w + e_r)) / A,
-       "first moment about the back of the web over the area");
-  STEP(I_y,
-       (b * pow<3>(h) - (b - t_w) * pow<3>(h - 2.0 * t_f)) / 12.0 + 2.0 * (I_r + A_r * pow<2>(h / 2.0 - t_f - e_r)),
-       "the rectangle less what is open beside the web, and the fillets by Steiner, [Garrison]");
-  STEP(I_z,
-       (2.0 * t_f * pow<3>(b) + (h - 2.0 * t_f) * pow<3>(t_w)) / 3.0 + 2.0 * (I_r + A_r * pow<2>(t_w + e_r)) -
-           A * y_S * y_S,
-       "about the back of the web, brought to the centroid by Steiner, [Garrison]");
-  result.A = A, result.y_S = y_S, result.I_y = I_y, result.I_z = I_z;
+  STEP_TO(result, A, 2.0 * b * t_f + (h - 2.0 * t_f) * t_w + 2.0 * A_r, "flanges, web and two fillets");
+  STEP_TO(result, y_S, (b * b * t_f + (h - 2.0 * t_f) * t_w * t_w / 2.0 + 2.0 * A_r * (t_w + e_r)) / A,
+          "first moment about the back of the web over the area");
+  STEP_TO(result, I_y,
+          (b * pow<3>(h) - (b - t_w) * pow<3>(h - 2.0 * t_f)) / 12.0 + 2.0 * (I_r + A_r * pow<2>(h / 2.0 - t_f - e_r)),
+          "the rectangle less what is open beside the web, and the fillets by Steiner, [Garrison]");
+  STEP_TO(result, I_z,
+          (2.0 * t_f * pow<3>(b) + (h - 2.0 * t_f) * pow<3>(t_w)) / 3.0 + 2.0 * (I_r + A_r * pow<2>(t_w + e_r)) -
+              A * y_S * y_S,
+          "about the back of the web, brought to the centroid by Steiner, [Garrison]");
   twist(in, result, trace);
   return result;
 }

@@ -9,12 +9,11 @@ template <class Tracer>
 Circle::Result Circle::own(const Input& in, Tracer& trace) {
   const auto& [d] = in;
   Result r = centred();
-  STEP(A, pi / 4.0 * d * d, "area of a circle");
-  STEP(I_y, pi / 64.0 * pow<4>(d), "half the polar second moment, [B19]");
+  STEP_TO(r, A, pi / 4.0 * d * d, "area of a circle");
+  STEP_TO(r, I_y, pi / 64.0 * pow<4>(d), "half the polar second moment, [B19]");
   r.I_z = NAMED_STEP("I_z", I_y, "every diameter is alike");
-  STEP(I_t, pi / 32.0 * pow<4>(d), "polar second moment, exact for circles, [B19]");
-  STEP(W_t, 2.0 * I_t / d, "shear is largest at the surface, [B19]");
-  r.A = A, r.I_y = I_y, r.I_t = I_t, r.W_t = W_t;
+  STEP_TO(r, I_t, pi / 32.0 * pow<4>(d), "polar second moment, exact for circles, [B19]");
+  STEP_TO(r, W_t, 2.0 * I_t / d, "shear is largest at the surface, [B19]");
   return r;
 }
 

@@ -12,16 +12,14 @@ namespace {
 template <class Tracer>
 void twist(const Hollow::Input& in, Hollow::Result& result, Tracer& trace) {
   const auto& [h, b, t, r_o, r_i] = in;
-  STEP(w, t / (min(h, b) - t), "thickness over the shorter middle line");
-  result.w = w;
+  STEP_TO(result, w, t / (min(h, b) - t), "thickness over the shorter middle line");
   if (!(w <= thickest_closed_wall)) return;
   STEP(R_c, (r_o + r_i) / 2.0, "radius of the middle line in a corner, [EN10210-2]");
   STEP(h_m, 2.0 * (b - t + h - t) - 2.0 * R_c * (4.0 - pi), "length of the middle line, [EN10210-2]");
   STEP(A_h, (b - t) * (h - t) - R_c * R_c * (4.0 - pi), "area that the middle line encloses, [EN10210-2]");
   STEP(K, 2.0 * A_h * t / h_m, "Bredt, [EN10210-2]");
-  STEP(I_t, pow<3>(t) * h_m / 3.0 + 2.0 * K * A_h, "closed wall, and the wall by itself, [EN10210-2]");
-  STEP(W_t, I_t / (t + K / t), "shear at the outer face, [EN10210-2]");
-  result.I_t = I_t, result.W_t = W_t;
+  STEP_TO(result, I_t, pow<3>(t) * h_m / 3.0 + 2.0 * K * A_h, "closed wall, and the wall by itself, [EN10210-2]");
+  STEP_TO(result, W_t, I_t / (t + K / t), "shear at the outer face, [EN10210-2]");
 }
 
 }  // namespace
@@ -39,17 +37,16 @@ Hollow::Result Hollow::own(const Input& in, Tracer& trace) {
   trace.value("A_i", A_i, "area in an inner corner, likewise");
   trace.value("e_i", e_i, "from the inner faces to its centroid");
   trace.value("I_i", I_i, "its second moment");
-  STEP(A, b * h - (b - 2.0 * t) * (h - 2.0 * t) - 4.0 * A_o + 4.0 * A_i,
-       "outer less inner rectangle, with the corners");
-  STEP(I_y,
-       (b * pow<3>(h) - (b - 2.0 * t) * pow<3>(h - 2.0 * t)) / 12.0 - 4.0 * (I_o + A_o * pow<2>(h / 2.0 - e_o)) +
-           4.0 * (I_i + A_i * pow<2>(h / 2.0 - t - e_i)),
-       "outer less inner rectangle, the corners by Steiner, [EN10210-2]");
-  STEP(I_z,
-       (h * pow<3>(b) - (h - 2.0 * t) * pow<3>(b - 2.0 * t)) / 12.0 - 4.0 * (I_o + A_o * pow<2>(b / 2.0 - e_o)) +
-           4.0 * (I_i + A_i * pow<2>(b / 2.0 - t - e_i)),
-       "outer less inner rectangle, the corners by Steiner, [EN10210-2]");
-  result.A = A, result.I_y = I_y, result.I_z = I_z;
+  STEP_TO(result, A, b * h - (b - 2.0 * t) * (h - 2.0 * t) - 4.0 * A_o + 4.0 * A_i,
+          "outer less inner rectangle, with the corners");
+  STEP_TO(result, I_y,
+          (b * pow<3>(h) - (b - 2.0 * t) * pow<3>(h - 2.0 * t)) / 12.0 - 4.0 * (I_o + A_o * pow<2>(h / 2.0 - e_o)) +
+              4.0 * (I_i + A_i * pow<2>(h / 2.0 - t - e_i)),
+          "outer less inner rectangle, the corners by Steiner, [EN10210-2]");
+  STEP_TO(result, I_z,
+          (h * pow<3>(b) - (h - 2.0 * t) * pow<3>(b - 2.0 * t)) / 12.0 - 4.0 * (I_o + A_o * pow<2>(b / 2.0 - e_o)) +
+              4.0 * (I_i + A_i * pow<2>(b / 2.0 - t - e_i)),
+          "outer less inner rectangle, the corners by Steiner, [EN10210-2]");
   twist(in, result, trace);
   return result;
 }

@@ -10,17 +10,16 @@ template <class Tracer>
 Rectangle::Result Rectangle::own(const Input& in, Tracer& trace) {
   const auto& [b, h] = in;
   Result r = centred();
-  STEP(A, b * h, "area of a rectangle");
-  STEP(I_y, b * pow<3>(h) / 12.0, "second moment of a rectangle about its middle line, [Garrison]");
-  STEP(I_z, h * pow<3>(b) / 12.0, "second moment of a rectangle about its middle line, [Garrison]");
+  STEP_TO(r, A, b * h, "area of a rectangle");
+  STEP_TO(r, I_y, b * pow<3>(h) / 12.0, "second moment of a rectangle about its middle line, [Garrison]");
+  STEP_TO(r, I_z, h * pow<3>(b) / 12.0, "second moment of a rectangle about its middle line, [Garrison]");
   STEP(a_t, max(b, h), "longer side");
   STEP(b_t, min(b, h), "shorter side");
   const auto [k_1, k_2] = rectangle_factors(a_t / b_t);
   trace.value("k_1", k_1, "series of Saint-Venant for these sides: 0.1406 of a square, 1/3 of a strip, [Oasys]");
-  STEP(I_t, k_1 * a_t * pow<3>(b_t), "torsion of a rectangle");
+  STEP_TO(r, I_t, k_1 * a_t * pow<3>(b_t), "torsion of a rectangle");
   trace.value("k_2", k_2, "series of Saint-Venant: the largest shear is in the middle of the longer side");
-  STEP(W_t, k_2 * a_t * b_t * b_t, "torsion of a rectangle");
-  r.A = A, r.I_y = I_y, r.I_z = I_z, r.I_t = I_t, r.W_t = W_t;
+  STEP_TO(r, W_t, k_2 * a_t * b_t * b_t, "torsion of a rectangle");
   return r;
 }
 

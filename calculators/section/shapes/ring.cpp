@@ -7,15 +7,13 @@ namespace loadpath::section {
 
 template <class Tracer>
 Ring::Result Ring::own(const Input& in, Tracer& trace) {
-  const auto d = in.d, t = in.t;
   Result r = centred();
-  const Length d_i = is_set(t) ? NAMED_STEP("d_i", d - 2.0 * t, "bore that the wall leaves") : in.d_i;
-  STEP(A, pi / 4.0 * (d * d - d_i * d_i), "area of a ring");
-  STEP(I_y, pi / 64.0 * (pow<4>(d) - pow<4>(d_i)), "half the polar second moment, [B19]");
+  const Length d_i = is_set(in.t) ? NAMED_STEP("d_i", in.d - 2.0 * in.t, "bore that the wall leaves") : in.d_i;
+  STEP_TO(r, A, pi / 4.0 * (in.d * in.d - d_i * d_i), "area of a ring");
+  STEP_TO(r, I_y, pi / 64.0 * (pow<4>(in.d) - pow<4>(d_i)), "half the polar second moment, [B19]");
   r.I_z = NAMED_STEP("I_z", I_y, "every diameter is alike");
-  STEP(I_t, pi / 32.0 * (pow<4>(d) - pow<4>(d_i)), "polar second moment, exact for rings, [B19]");
-  STEP(W_t, 2.0 * I_t / d, "shear is largest at the surface, [B19]");
-  r.A = A, r.I_y = I_y, r.I_t = I_t, r.W_t = W_t;
+  STEP_TO(r, I_t, pi / 32.0 * (pow<4>(in.d) - pow<4>(d_i)), "polar second moment, exact for rings, [B19]");
+  STEP_TO(r, W_t, 2.0 * I_t / in.d, "shear is largest at the surface, [B19]");
   return r;
 }
 

@@ -11,12 +11,10 @@ namespace {
 template <class Tracer>
 void twist(const Tee::Input& in, Tee::Result& result, Tracer& trace) {
   const auto& [h, b, t_w, t_f, r] = in;
-  STEP(w, max(t_w / (h - t_f), t_f / b), "thickness over length of the stubbier wall");
-  result.w = w;
+  STEP_TO(result, w, max(t_w / (h - t_f), t_f / b), "thickness over length of the stubbier wall");
   if (!(w <= thickest_open_wall)) return;
-  STEP(I_t, (b * pow<3>(t_f) + (h - t_f) * pow<3>(t_w)) / 3.0, "thin open walls, [Oasys]");
-  STEP(W_t, I_t / max(t_w, t_f), "shear in the thickest wall");
-  result.I_t = I_t, result.W_t = W_t;
+  STEP_TO(result, I_t, (b * pow<3>(t_f) + (h - t_f) * pow<3>(t_w)) / 3.0, "thin open walls, [Oasys]");
+  STEP_TO(result, W_t, I_t / max(t_w, t_f), "shear in the thickest wall");
 }
 
 }  // namespace
@@ -26,16 +24,15 @@ Tee::Result Tee::own(const Input& in, Tracer& trace) {
   const auto& [h, b, t_w, t_f, r] = in;
   Result result{centred()};
   const auto [A_r, e_r, I_r, I_rp] = corner(r, trace);
-  STEP(A, b * t_f + (h - t_f) * t_w + 2.0 * A_r, "flange, web and two fillets");
-  STEP(z_S, -(b * t_f * t_f + (h * h - t_f * t_f) * t_w + 4.0 * A_r * (t_f + e_r)) / (2.0 * A),
-       "first moment about the upper face over the area, downwards negative");
-  STEP(
-      I_y,
+  STEP_TO(result, A, b * t_f + (h - t_f) * t_w + 2.0 * A_r, "flange, web and two fillets");
+  STEP_TO(result, z_S, -(b * t_f * t_f + (h * h - t_f * t_f) * t_w + 4.0 * A_r * (t_f + e_r)) / (2.0 * A),
+          "first moment about the upper face over the area, downwards negative");
+  STEP_TO(
+      result, I_y,
       (b * pow<3>(t_f) + t_w * (pow<3>(h) - pow<3>(t_f))) / 3.0 + 2.0 * (I_r + A_r * pow<2>(t_f + e_r)) - A * z_S * z_S,
       "about the upper face, brought to the centroid by Steiner, [Garrison]");
-  STEP(I_z, (t_f * pow<3>(b) + (h - t_f) * pow<3>(t_w)) / 12.0 + 2.0 * (I_r + A_r * pow<2>(t_w / 2.0 + e_r)),
-       "flange, web, and the fillets by Steiner, [Garrison]");
-  result.A = A, result.z_S = z_S, result.I_y = I_y, result.I_z = I_z;
+  STEP_TO(result, I_z, (t_f * pow<3>(b) + (h - t_f) * pow<3>(t_w)) / 12.0 + 2.0 * (I_r + A_r * pow<2>(t_w / 2.0 + e_r)),
+          "flange, web, and the fillets by Steiner, [Garrison]");
   twist(in, result, trace);
   return result;
 }

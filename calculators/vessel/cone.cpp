@@ -27,11 +27,10 @@ class ConeShape {
     const Length r = t * R_m_;
     place.r = r, place.z = r / std::tan(in_.alpha);
     trace.value("r", r, "mean radius at the governing place");
-    place.rho_o = NAMED_STEP("rho_o", r / cos(in_.alpha), "normal to the wall, up to the axis");
+    STEP_TO(place, rho_o, r / cos(in_.alpha), "normal to the wall, up to the axis");
     place.kappa_M = 0.0 / r;
     trace.value("kappa_M", place.kappa_M, "the meridian is straight");
-    place.q_M =
-        NAMED_STEP("q_M", r / (2.0 * cos(in_.alpha)), "pressure on the section over the upright part of the pull");
+    STEP_TO(place, q_M, r / (2.0 * cos(in_.alpha)), "pressure on the section over the upright part of the pull");
     if (wet_) {
       place.p_l = head(in_, place.z, trace);
       hang(place, trace);
@@ -50,9 +49,9 @@ class ConeShape {
     const Acceleration g_n = gravity;
     const Length r = place.r;
     STEP(r_l, min(r, in_.h_l * tan(in_.alpha)), "radius up to which the liquid loads the wall below the place");
-    place.n_M = NAMED_STEP(
-        "n_M", in_.rho * g_n * pow<2>(r_l) * (in_.h_l / 2.0 - r_l / (3.0 * tan(in_.alpha))) / (r * cos(in_.alpha)),
-        "weight of the liquid below and above the section, [ExpertsMind-cone]");
+    STEP_TO(place, n_M,
+            in_.rho * g_n * pow<2>(r_l) * (in_.h_l / 2.0 - r_l / (3.0 * tan(in_.alpha))) / (r * cos(in_.alpha)),
+            "weight of the liquid below and above the section, [ExpertsMind-cone]");
   }
 
   const Input& in_;

@@ -50,14 +50,14 @@ class CylinderShape {
     const Length R_m = R_m_;
     const Stress p_0 = bottom_pressure(in_);
     if (closed) {
-      place.q_M = NAMED_STEP("q_M", R_m / 2.0, "pull of the ends over the circumference, [B24] (11)");
+      STEP_TO(place, q_M, R_m / 2.0, "pull of the ends over the circumference, [B24] (11)");
     } else {
       place.q_M = 0.0 * R_m;
       trace.value("q_M", place.q_M, "no ends, no pull, [B24] (10)");
     }
     if (closed && in_.support == Cylinder::Support::top) {
       trace.value("p_0", p_0, "pressure of the liquid on the bottom, which the wall holds");
-      place.n_M = NAMED_STEP("n_M", p_0 * R_m / 2.0, "weight of the liquid over the circumference");
+      STEP_TO(place, n_M, p_0 * R_m / 2.0, "weight of the liquid over the circumference");
     } else {
       trace.value("n_M", place.n_M, "of the liquid: none");
     }

@@ -76,11 +76,8 @@ sigma_adm = "140 MPa"
                                          "rings need both the area A_r of their section and their distance l_r"},
                              Rule<Input>{[](const Input& in) { return in.ends == Ends::ringed || !is_set(in.A_r); },
                                          "A_r, l_r, ends", "rings go with ends = \"ringed\""},
-                             Rule<Input>{[](const Input& in) {
-                                           return !is_set(in.delta) || in.measured == Measured::inner ||
-                                                  in.R > (in.measured == Measured::outer ? 1.0 : 0.5) * in.delta;
-                                         },
-                                         "R, delta", "the wall is thicker than the radius leaves room for"}});
+                             Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
+                                         "the wall is thicker than the radius leaves room for"}});
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -28,9 +28,9 @@ class EllipsoidShape {
     trace.value("r", r, "distance of the governing place from the axis");
     trace.value("z", z, "height above the equator");
     STEP(w, sqrt(pow<2>(a_m * z / b_m) + pow<2>(b_m * r / a_m)), "how fast the ellipse runs there");
-    place.rho_o = NAMED_STEP("rho_o", a_m / b_m * w, "normal to the wall, up to the axis");
-    place.kappa_M = NAMED_STEP("kappa_M", a_m * b_m / pow<3>(w), "curvature of the ellipse");
-    place.q_M = NAMED_STEP("q_M", a_m / b_m * w / 2.0, "pressure on the cap over the upright part of the pull");
+    STEP_TO(place, rho_o, a_m / b_m * w, "normal to the wall, up to the axis");
+    STEP_TO(place, kappa_M, a_m * b_m / pow<3>(w), "curvature of the ellipse");
+    STEP_TO(place, q_M, a_m / b_m * w / 2.0, "pressure on the cap over the upright part of the pull");
     trace.value("p_l", place.p_l, "no liquid");
     trace.value("n_M", place.n_M, "no liquid");
     return place;

@@ -62,11 +62,8 @@ sigma_adm = "140 MPa"
       wall_rules<Input>(), gas_rules<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return in.a <= 5.0 * in.b && in.b <= 5.0 * in.a; }, "a, b",
                              "so flat or so slender an ellipsoid is no membrane: a/b must lie between 1/5 and 5"},
-                 Rule<Input>{[](const Input& in) {
-                               return !is_set(in.delta) || in.measured == Measured::inner ||
-                                      min(in.a, in.b) > (in.measured == Measured::outer ? 1.0 : 0.5) * in.delta;
-                             },
-                             "a, b, delta", "the wall is thicker than the semi-axes leave room for"}});
+                 Rule<Input>{[](const Input& in) { return leaves_room(in, min(in.a, in.b)); }, "a, b, delta",
+                             "the wall is thicker than the semi-axes leave room for"}});
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

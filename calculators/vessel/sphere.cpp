@@ -31,9 +31,9 @@ class SphereShape {
     const Length R_m = R_m_;
     const double phi = t * pi;
     place.r = R_m * std::sin(phi), place.z = R_m * (1.0 + std::cos(phi));
-    place.rho_o = NAMED_STEP("rho_o", R_m, "the sphere is curved alike in all directions, [B24]");
-    place.kappa_M = NAMED_STEP("kappa_M", 1.0 / R_m, "along the meridian too");
-    place.q_M = NAMED_STEP("q_M", R_m / 2.0, "pressure on the cap over its circumference, [B24]");
+    STEP_TO(place, rho_o, R_m, "the sphere is curved alike in all directions, [B24]");
+    STEP_TO(place, kappa_M, 1.0 / R_m, "along the meridian too");
+    STEP_TO(place, q_M, R_m / 2.0, "pressure on the cap over its circumference, [B24]");
     if (wet_) {
       trace.angle("phi", phi, "of the governing place, from the top");
       place.p_l = head(in_, place.z, trace);

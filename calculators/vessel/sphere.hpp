@@ -61,11 +61,8 @@ sigma_adm = "160 MPa"
       wall_rules<Input>(), liquid_rules<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return !is_set(in.h_l) || in.h_l <= 2.0 * in.R; }, "h_l, R",
                              "the liquid stands above the top of the sphere: give the pressure there as p"},
-                 Rule<Input>{[](const Input& in) {
-                               return !is_set(in.delta) || in.measured == Measured::inner ||
-                                      in.R > (in.measured == Measured::outer ? 1.0 : 0.5) * in.delta;
-                             },
-                             "R, delta", "the wall is thicker than the radius leaves room for"}});
+                 Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
+                             "the wall is thicker than the radius leaves room for"}});
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -35,6 +35,12 @@ struct Liquid {
   Length h_l = unset<Length>;
 };
 
+/// Whether a wall that is given leaves room inside of a radius, to the surface that `measured` says.
+inline bool leaves_room(const WallInput& in, Length radius) {
+  if (!is_set(in.delta) || in.measured == Measured::inner) return true;
+  return radius > (in.measured == Measured::outer ? 1.0 : 0.5) * in.delta;
+}
+
 struct WallResult {
   Stress sigma_all = unset<Stress>;
   Length delta_min = unset<Length>, delta = unset<Length>, delta_c = unset<Length>;

@@ -89,27 +89,8 @@ auto with_input(const Part& p, Use use) {
   return use(Rectangle{}, Rectangle::Input{p.b, p.h});
 }
 
-Contours contours_of(const Part& p) {
-  switch (p.shape) {
-    case Shape::circle:
-      return {circle(p.d), {}};
-    case Shape::ring:
-      return {circle(p.d), circle(p.d_i)};
-    case Shape::I:
-      return {i_outline(p.h, p.b, p.t_w, p.t_f, p.r), {}};
-    case Shape::channel:
-      return {channel_outline(p.h, p.b, p.t_w, p.t_f, p.r), {}};
-    case Shape::angle:
-      return {angle_outline(p.h, p.b, p.t, p.r, p.r_2), {}};
-    case Shape::T:
-      return {tee_outline(p.h, p.b, p.t_w, p.t_f, p.r), {}};
-    case Shape::hollow:
-      return {rectangle(p.b, p.h, p.r), rectangle(p.b - 2.0 * p.t, p.h - 2.0 * p.t, p.r_2)};
-    case Shape::table:
-    case Shape::rectangle:
-      break;
-  }
-  return {rectangle(p.b, p.h), {}};
+Contours contours_of(const Part& part) {
+  return with_input(part, [](auto calculator, const auto& in) { return decltype(calculator)::contours(in); });
 }
 
 Length or_none(Length length) { return is_set(length) ? length : from_si<Length>(0.0); }

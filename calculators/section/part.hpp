@@ -13,17 +13,12 @@ struct Shaped {
   Extremes extremes;
 };
 
-/// For drawing, in the same axes.
-struct Contours {
-  Outline outline;
-  Outline hole;  // empty where it has none
-};
-
 /// What is wrong with a part; nothing where it is whole.
 std::optional<FieldFault> fault_of(const BuiltUp::Part& part);
 
 /// Of a part that is whole.
 Shaped shaped(const BuiltUp::Part& part);
+/// For drawing, in the same axes.
 Contours contours(const BuiltUp::Part& part);
 
 }  // namespace loadpath::section

@@ -144,4 +144,10 @@ std::vector<draw::Figure> figures(const Sketch& sketch, const Properties& proper
   return {{"section", caption, scheme}};
 }
 
+std::vector<draw::Figure> figures(const Contours& contours, const Properties& properties) {
+  Sketch sketch{{contours.outline}, {}};
+  if (!contours.hole.empty()) sketch.holes.push_back(contours.hole);
+  return figures(sketch, properties);
+}
+
 }  // namespace loadpath::section

@@ -26,6 +26,12 @@ Extremes box(Length b, Length h);
 Extremes rounded_box(Length b, Length h, Length r);
 Extremes corners_of(const Outline& outline);
 
+/// The contours of one shape.
+struct Contours {
+  Outline outline;
+  Outline hole;  // empty where it has none
+};
+
 /// What is drawn: contours of material, and of holes in it.
 struct Sketch {
   std::vector<Outline> material;
@@ -34,5 +40,6 @@ struct Sketch {
 
 /// The section with its centroid and its axes.
 std::vector<draw::Figure> figures(const Sketch& sketch, const Properties& properties);
+std::vector<draw::Figure> figures(const Contours& contours, const Properties& properties);
 
 }  // namespace loadpath::section

@@ -1,6 +1,5 @@
 #include "calculators/section/shapes/angle.hpp"
 
-#include "calculators/section/properties/outline.hpp"
 #include "calculators/section/shapes/corner.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
@@ -56,9 +55,7 @@ Angle::Result Angle::own(const Input& in, Tracer& trace) {
 
 Extremes Angle::extremes(const Input& in) { return corners_of(angle_outline(in.h, in.b, in.t)); }
 
-std::vector<draw::Figure> Angle::figures(const Input& in, const Result& r) {
-  return section::figures({{angle_outline(in.h, in.b, in.t, in.r, in.r_2)}, {}}, r);
-}
+Contours Angle::contours(const Input& in) { return {angle_outline(in.h, in.b, in.t, in.r, in.r_2), {}}; }
 
 template Angle::Result Angle::own(const Input&, NoTrace&);
 template Angle::Result Angle::own(const Input&, Trace&);

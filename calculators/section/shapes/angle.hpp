@@ -1,16 +1,14 @@
 // An angle, equal or unequal, with root fillet and rounded toes. Exact; torsion of thin open walls.
 #pragma once
 
-#include "calculators/section/properties/properties.hpp"
+#include "calculators/section/properties/shape_calculator.hpp"
 #include "calculators/section/shapes/torsion.hpp"
-#include "lib/figure/figure.hpp"
 
 #include <array>
-#include <vector>
 
 namespace loadpath::section {
 
-struct Angle {
+struct Angle : ShapeCalculator<Angle> {
   static constexpr auto id = "section.angle";
   static constexpr auto title = "Section: angle";
   static constexpr auto scope =
@@ -56,18 +54,10 @@ r_2 = "6 mm"
                   "thickness and radii need longer legs"},
       Rule<Input>{[](const Input& in) { return in.r_2 <= in.t; }, "r_2, t", "the toes are rounded by at most t"}};
 
-  /// Without what follows from the contour.
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);
   static Extremes extremes(const Input& in);
-  template <class Tracer>
-  static Result evaluate(const Input& in, Tracer& trace) {
-    return completed(own(in, trace), extremes(in), trace);
-  }
-  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+  static Contours contours(const Input& in);
 };
-
-extern template Angle::Result Angle::own(const Input&, NoTrace&);
-extern template Angle::Result Angle::own(const Input&, Trace&);
 
 }  // namespace loadpath::section

@@ -1,6 +1,5 @@
 #include "calculators/section/shapes/channel.hpp"
 
-#include "calculators/section/properties/outline.hpp"
 #include "calculators/section/shapes/corner.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
@@ -40,9 +39,7 @@ Channel::Result Channel::own(const Input& in, Tracer& trace) {
 
 Extremes Channel::extremes(const Input& in) { return corners_of(channel_outline(in.h, in.b, in.t_w, in.t_f)); }
 
-std::vector<draw::Figure> Channel::figures(const Input& in, const Result& r) {
-  return section::figures({{channel_outline(in.h, in.b, in.t_w, in.t_f, in.r)}, {}}, r);
-}
+Contours Channel::contours(const Input& in) { return {channel_outline(in.h, in.b, in.t_w, in.t_f, in.r), {}}; }
 
 template Channel::Result Channel::own(const Input&, NoTrace&);
 template Channel::Result Channel::own(const Input&, Trace&);

@@ -1,16 +1,14 @@
 // A channel with parallel flanges and fillets. Exact; torsion of thin open walls.
 #pragma once
 
-#include "calculators/section/properties/properties.hpp"
+#include "calculators/section/properties/shape_calculator.hpp"
 #include "calculators/section/shapes/torsion.hpp"
-#include "lib/figure/figure.hpp"
 
 #include <array>
-#include <vector>
 
 namespace loadpath::section {
 
-struct Channel {
+struct Channel : ShapeCalculator<Channel> {
   static constexpr auto id = "section.channel";
   static constexpr auto title = "Section: channel";
   static constexpr auto scope =
@@ -53,18 +51,10 @@ r = "13 mm"
                                     Rule<Input>{[](const Input& in) { return in.t_w + in.r <= in.b; }, "t_w, r, b",
                                                 "web and fillet need more width than b"}};
 
-  /// Without what follows from the contour.
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);
   static Extremes extremes(const Input& in);
-  template <class Tracer>
-  static Result evaluate(const Input& in, Tracer& trace) {
-    return completed(own(in, trace), extremes(in), trace);
-  }
-  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+  static Contours contours(const Input& in);
 };
-
-extern template Channel::Result Channel::own(const Input&, NoTrace&);
-extern template Channel::Result Channel::own(const Input&, Trace&);
 
 }  // namespace loadpath::section

@@ -1,6 +1,5 @@
 #include "calculators/section/shapes/circle.hpp"
 
-#include "calculators/section/properties/outline.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath::section {
@@ -11,7 +10,7 @@ Circle::Result Circle::own(const Input& in, Tracer& trace) {
   Result r = centred();
   STEP_TO(r, A, pi / 4.0 * d * d, "area of a circle");
   STEP_TO(r, I_y, pi / 64.0 * pow<4>(d), "half the polar second moment, [B19]");
-  r.I_z = NAMED_STEP("I_z", I_y, "every diameter is alike");
+  STEP_TO(r, I_z, I_y, "every diameter is alike");
   STEP_TO(r, I_t, pi / 32.0 * pow<4>(d), "polar second moment, exact for circles, [B19]");
   STEP_TO(r, W_t, 2.0 * I_t / d, "shear is largest at the surface, [B19]");
   return r;
@@ -19,9 +18,7 @@ Circle::Result Circle::own(const Input& in, Tracer& trace) {
 
 Extremes Circle::extremes(const Input& in) { return disc(in.d); }
 
-std::vector<draw::Figure> Circle::figures(const Input& in, const Result& r) {
-  return section::figures({{circle(in.d)}, {}}, r);
-}
+Contours Circle::contours(const Input& in) { return {circle(in.d), {}}; }
 
 template Circle::Result Circle::own(const Input&, NoTrace&);
 template Circle::Result Circle::own(const Input&, Trace&);

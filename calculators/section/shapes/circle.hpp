@@ -1,15 +1,13 @@
 // A solid circle. Exact.
 #pragma once
 
-#include "calculators/section/properties/properties.hpp"
-#include "lib/figure/figure.hpp"
+#include "calculators/section/properties/shape_calculator.hpp"
 
 #include <array>
-#include <vector>
 
 namespace loadpath::section {
 
-struct Circle {
+struct Circle : ShapeCalculator<Circle> {
   static constexpr auto id = "section.circle";
   static constexpr auto title = "Section: circle";
   static constexpr auto scope =
@@ -34,18 +32,10 @@ d = "40 mm"
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return is_set(in.d); }, "d", "give the diameter"}};
 
-  /// Without what follows from the contour.
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);
   static Extremes extremes(const Input& in);
-  template <class Tracer>
-  static Result evaluate(const Input& in, Tracer& trace) {
-    return completed(own(in, trace), extremes(in), trace);
-  }
-  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+  static Contours contours(const Input& in);
 };
-
-extern template Circle::Result Circle::own(const Input&, NoTrace&);
-extern template Circle::Result Circle::own(const Input&, Trace&);
 
 }  // namespace loadpath::section

@@ -1,6 +1,5 @@
 #include "calculators/section/shapes/hollow.hpp"
 
-#include "calculators/section/properties/outline.hpp"
 #include "calculators/section/shapes/corner.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
@@ -53,9 +52,9 @@ Hollow::Result Hollow::own(const Input& in, Tracer& trace) {
 
 Extremes Hollow::extremes(const Input& in) { return rounded_box(in.b, in.h, in.r_o); }
 
-std::vector<draw::Figure> Hollow::figures(const Input& in, const Result& r) {
+Contours Hollow::contours(const Input& in) {
   const Length b_i = in.b - 2.0 * in.t, h_i = in.h - 2.0 * in.t;
-  return section::figures({{rectangle(in.b, in.h, in.r_o)}, {rectangle(b_i, h_i, in.r_i)}}, r);
+  return {rectangle(in.b, in.h, in.r_o), rectangle(b_i, h_i, in.r_i)};
 }
 
 template Hollow::Result Hollow::own(const Input&, NoTrace&);

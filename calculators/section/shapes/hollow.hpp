@@ -1,16 +1,14 @@
 // A hollow rectangle of one wall thickness, corners sharp or rounded. Exact; torsion by EN 10210-2.
 #pragma once
 
-#include "calculators/section/properties/properties.hpp"
+#include "calculators/section/properties/shape_calculator.hpp"
 #include "calculators/section/shapes/torsion.hpp"
-#include "lib/figure/figure.hpp"
 
 #include <array>
-#include <vector>
 
 namespace loadpath::section {
 
-struct Hollow {
+struct Hollow : ShapeCalculator<Hollow> {
   static constexpr auto id = "section.hollow";
   static constexpr auto title = "Section: hollow rectangle";
   static constexpr auto scope =
@@ -65,18 +63,10 @@ r_i = "5 mm"
       Rule<Input>{[](const Input& in) { return in.r_o <= in.r_i + 3.4 * in.t; }, "r_o, r_i, t",
                   "with this outer radius the corner has no wall left"}};
 
-  /// Without what follows from the contour.
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);
   static Extremes extremes(const Input& in);
-  template <class Tracer>
-  static Result evaluate(const Input& in, Tracer& trace) {
-    return completed(own(in, trace), extremes(in), trace);
-  }
-  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+  static Contours contours(const Input& in);
 };
-
-extern template Hollow::Result Hollow::own(const Input&, NoTrace&);
-extern template Hollow::Result Hollow::own(const Input&, Trace&);
 
 }  // namespace loadpath::section

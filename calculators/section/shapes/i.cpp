@@ -1,6 +1,5 @@
 #include "calculators/section/shapes/i.hpp"
 
-#include "calculators/section/properties/outline.hpp"
 #include "calculators/section/shapes/corner.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
@@ -45,9 +44,7 @@ I::Result I::own(const Input& in, Tracer& trace) {
 
 Extremes I::extremes(const Input& in) { return box(in.b, in.h); }
 
-std::vector<draw::Figure> I::figures(const Input& in, const Result& r) {
-  return section::figures({{i_outline(in.h, in.b, in.t_w, in.t_f, in.r)}, {}}, r);
-}
+Contours I::contours(const Input& in) { return {i_outline(in.h, in.b, in.t_w, in.t_f, in.r), {}}; }
 
 template I::Result I::own(const Input&, NoTrace&);
 template I::Result I::own(const Input&, Trace&);

@@ -1,16 +1,14 @@
 // A doubly symmetric I or H with parallel flanges and fillets. Exact; torsion by the formula of SCI P385.
 #pragma once
 
-#include "calculators/section/properties/properties.hpp"
+#include "calculators/section/properties/shape_calculator.hpp"
 #include "calculators/section/shapes/torsion.hpp"
-#include "lib/figure/figure.hpp"
 
 #include <array>
-#include <vector>
 
 namespace loadpath::section {
 
-struct I {
+struct I : ShapeCalculator<I> {
   static constexpr auto id = "section.I";
   static constexpr auto title = "Section: I of two equal flanges";
   static constexpr auto scope =
@@ -60,18 +58,10 @@ r = "18 mm"
                                     Rule<Input>{[](const Input& in) { return in.t_w + 2.0 * in.r <= in.b; },
                                                 "t_w, r, b", "web and fillets need more width than b"}};
 
-  /// Without what follows from the contour.
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);
   static Extremes extremes(const Input& in);
-  template <class Tracer>
-  static Result evaluate(const Input& in, Tracer& trace) {
-    return completed(own(in, trace), extremes(in), trace);
-  }
-  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+  static Contours contours(const Input& in);
 };
-
-extern template I::Result I::own(const Input&, NoTrace&);
-extern template I::Result I::own(const Input&, Trace&);
 
 }  // namespace loadpath::section

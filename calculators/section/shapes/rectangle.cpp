@@ -1,6 +1,5 @@
 #include "calculators/section/shapes/rectangle.hpp"
 
-#include "calculators/section/properties/outline.hpp"
 #include "calculators/section/shapes/torsion.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
@@ -25,9 +24,7 @@ Rectangle::Result Rectangle::own(const Input& in, Tracer& trace) {
 
 Extremes Rectangle::extremes(const Input& in) { return box(in.b, in.h); }
 
-std::vector<draw::Figure> Rectangle::figures(const Input& in, const Result& r) {
-  return section::figures({{rectangle(in.b, in.h)}, {}}, r);
-}
+Contours Rectangle::contours(const Input& in) { return {rectangle(in.b, in.h), {}}; }
 
 template Rectangle::Result Rectangle::own(const Input&, NoTrace&);
 template Rectangle::Result Rectangle::own(const Input&, Trace&);

@@ -1,15 +1,13 @@
 // A solid rectangle. Exact, torsion by the series of Saint-Venant.
 #pragma once
 
-#include "calculators/section/properties/properties.hpp"
-#include "lib/figure/figure.hpp"
+#include "calculators/section/properties/shape_calculator.hpp"
 
 #include <array>
-#include <vector>
 
 namespace loadpath::section {
 
-struct Rectangle {
+struct Rectangle : ShapeCalculator<Rectangle> {
   static constexpr auto id = "section.rectangle";
   static constexpr auto title = "Section: rectangle";
   static constexpr auto scope =
@@ -39,18 +37,10 @@ h = "60 mm"
       Rule<Input>{[](const Input& in) { return max(in.b, in.h) <= 1e4 * min(in.b, in.h); }, "b, h",
                   "one side is at most 10000 times the other"}};
 
-  /// Without what follows from the contour.
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);
   static Extremes extremes(const Input& in);
-  template <class Tracer>
-  static Result evaluate(const Input& in, Tracer& trace) {
-    return completed(own(in, trace), extremes(in), trace);
-  }
-  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+  static Contours contours(const Input& in);
 };
-
-extern template Rectangle::Result Rectangle::own(const Input&, NoTrace&);
-extern template Rectangle::Result Rectangle::own(const Input&, Trace&);
 
 }  // namespace loadpath::section

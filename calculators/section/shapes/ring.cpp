@@ -1,6 +1,5 @@
 #include "calculators/section/shapes/ring.hpp"
 
-#include "calculators/section/properties/outline.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath::section {
@@ -11,7 +10,7 @@ Ring::Result Ring::own(const Input& in, Tracer& trace) {
   const Length d_i = is_set(in.t) ? NAMED_STEP("d_i", in.d - 2.0 * in.t, "bore that the wall leaves") : in.d_i;
   STEP_TO(r, A, pi / 4.0 * (in.d * in.d - d_i * d_i), "area of a ring");
   STEP_TO(r, I_y, pi / 64.0 * (pow<4>(in.d) - pow<4>(d_i)), "half the polar second moment, [B19]");
-  r.I_z = NAMED_STEP("I_z", I_y, "every diameter is alike");
+  STEP_TO(r, I_z, I_y, "every diameter is alike");
   STEP_TO(r, I_t, pi / 32.0 * (pow<4>(in.d) - pow<4>(d_i)), "polar second moment, exact for rings, [B19]");
   STEP_TO(r, W_t, 2.0 * I_t / in.d, "shear is largest at the surface, [B19]");
   return r;
@@ -19,9 +18,9 @@ Ring::Result Ring::own(const Input& in, Tracer& trace) {
 
 Extremes Ring::extremes(const Input& in) { return disc(in.d); }
 
-std::vector<draw::Figure> Ring::figures(const Input& in, const Result& r) {
+Contours Ring::contours(const Input& in) {
   const Length d_i = is_set(in.t) ? in.d - 2.0 * in.t : in.d_i;
-  return section::figures({{circle(in.d)}, {circle(d_i)}}, r);
+  return {circle(in.d), circle(d_i)};
 }
 
 template Ring::Result Ring::own(const Input&, NoTrace&);

@@ -1,15 +1,13 @@
 // A concentric ring: a tube. Exact.
 #pragma once
 
-#include "calculators/section/properties/properties.hpp"
-#include "lib/figure/figure.hpp"
+#include "calculators/section/properties/shape_calculator.hpp"
 
 #include <array>
-#include <vector>
 
 namespace loadpath::section {
 
-struct Ring {
+struct Ring : ShapeCalculator<Ring> {
   static constexpr auto id = "section.ring";
   static constexpr auto title = "Section: ring";
   static constexpr auto scope =
@@ -44,18 +42,10 @@ t = "5 mm"
                                     Rule<Input>{[](const Input& in) { return !is_set(in.t) || 2.0 * in.t <= in.d; },
                                                 "t, d", "the wall is at most half the diameter"}};
 
-  /// Without what follows from the contour.
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);
   static Extremes extremes(const Input& in);
-  template <class Tracer>
-  static Result evaluate(const Input& in, Tracer& trace) {
-    return completed(own(in, trace), extremes(in), trace);
-  }
-  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+  static Contours contours(const Input& in);
 };
-
-extern template Ring::Result Ring::own(const Input&, NoTrace&);
-extern template Ring::Result Ring::own(const Input&, Trace&);
 
 }  // namespace loadpath::section

@@ -1,6 +1,5 @@
 #include "calculators/section/shapes/tee.hpp"
 
-#include "calculators/section/properties/outline.hpp"
 #include "calculators/section/shapes/corner.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
@@ -39,9 +38,7 @@ Tee::Result Tee::own(const Input& in, Tracer& trace) {
 
 Extremes Tee::extremes(const Input& in) { return corners_of(tee_outline(in.h, in.b, in.t_w, in.t_f)); }
 
-std::vector<draw::Figure> Tee::figures(const Input& in, const Result& r) {
-  return section::figures({{tee_outline(in.h, in.b, in.t_w, in.t_f, in.r)}, {}}, r);
-}
+Contours Tee::contours(const Input& in) { return {tee_outline(in.h, in.b, in.t_w, in.t_f, in.r), {}}; }
 
 template Tee::Result Tee::own(const Input&, NoTrace&);
 template Tee::Result Tee::own(const Input&, Trace&);

@@ -1,0 +1,28 @@
+// What the calculators of single shapes share: a shape says its own area, second moments and contour; moduli, principal
+// axes and figures follow.
+#pragma once
+
+#include "calculators/section/properties/outline.hpp"
+
+#include <array>
+
+namespace loadpath::section {
+
+/// The base of a shape that declares
+///   template <class Tracer> static Result own(const Input&, Tracer&);  // without what follows from the contour
+///   static Extremes extremes(const Input&);
+///   static Contours contours(const Input&);
+/// and defines them in its source, `own` for NoTrace and Trace.
+template <class Shape>
+struct ShapeCalculator {
+  template <class Input, class Tracer>
+  static auto evaluate(const Input& in, Tracer& trace) {
+    return completed(Shape::own(in, trace), Shape::extremes(in), trace);
+  }
+  template <class Input>
+  static std::vector<draw::Figure> figures(const Input& in, const Properties& r) {
+    return section::figures(Shape::contours(in), r);
+  }
+};
+
+}  // namespace loadpath::section

@@ -2,8 +2,8 @@
 
 #include "calculators/motion/laws.hpp"
 #include "calculators/motion/path_figures.hpp"
+#include "calculators/motion/plane_parts.hpp"
 #include "lib/calculator/calculator_of.hpp"
-#include "lib/quantity/format.hpp"
 
 #include <cmath>
 
@@ -14,24 +14,7 @@ namespace {
 using Input = Plane::Input;
 using Result = Plane::Result;
 
-constexpr double square_to_AB = 1e-9;  // cosine below which a direction counts as perpendicular to AB
 constexpr double rounding = 1e-12;
-constexpr double rigid = 1e-3;  // of the larger speed: what rounded velocities of a rigid body may differ by
-
-double distance(const Input& in) { return std::hypot(in_si(in.B.x - in.A.x), in_si(in.B.y - in.A.y)); }
-
-/// The cosine of a direction against AB.
-double cosine_to_AB(const Input& in, double alpha) {
-  return (in_si(in.B.x - in.A.x) * cos(alpha) + in_si(in.B.y - in.A.y) * sin(alpha)) / distance(in);
-}
-bool is_across_AB(const Input& in, double alpha) { return std::abs(cosine_to_AB(in, alpha)) <= square_to_AB; }
-
-/// The speed of B where it was not given: where it rests its direction does not matter.
-bool rests_in_B(const Input& in) { return is_set(in.v_B) && in_si(in.v_B) == 0.0; }
-bool uses_B(const Input& in) { return !is_set(in.omega); }
-
-double projection_of_A(const Input& in) { return in_si(in.v_A) * cosine_to_AB(in, in.alpha_A); }
-double projection_of_B(const Input& in) { return rests_in_B(in) ? 0.0 : in_si(in.v_B) * cosine_to_AB(in, in.alpha_B); }
 
 Plane::Case case_of(const Input& in) {
   using C = Plane::Case;
@@ -147,31 +130,6 @@ Plane::PointState state_at(const Input& in, const Result& r, const Name& name, L
 }
 
 }  // namespace
-
-bool Plane::has_one_way(const Input& in) {
-  const bool tells = has_B(in) && (is_set(in.alpha_B) || rests_in_B(in));
-  const bool starts = is_set(in.v_B) || is_set(in.alpha_B);
-  return is_set(in.omega) ? !starts : tells;
-}
-bool Plane::is_B_apart(const Input& in) { return !has_B(in) || distance(in) > 0.0; }
-bool Plane::has_speed_of_B(const Input& in) {
-  if (!uses_B(in) || !has_one_way(in) || !is_B_apart(in) || is_set(in.v_B)) return true;
-  return !is_across_AB(in, in.alpha_B);
-}
-bool Plane::projections_agree(const Input& in) {
-  if (!uses_B(in) || !has_one_way(in) || !is_B_apart(in) || !is_set(in.v_B)) return true;
-  const double larger = std::max(std::abs(in_si(in.v_A)), std::abs(in_si(in.v_B)));
-  return std::abs(projection_of_A(in) - projection_of_B(in)) <= rigid * larger;
-}
-FieldFault Plane::projections(const Input& in) {
-  return {"",
-          say("the velocity of A has {1} along AB and that of B {2}: AB would change its length",
-              format_quantity(projection_of_A(in), "m/s", 4), format_quantity(projection_of_B(in), "m/s", 4)),
-          say("leave out v_B: it follows from the velocity of A")};
-}
-bool Plane::guide_is_oblique(const Input& in) {
-  return !is_set(in.alpha_aB) || (has_B(in) && is_B_apart(in) && !is_across_AB(in, in.alpha_aB));
-}
 
 template <class Tracer>
 Plane::Result Plane::evaluate(const Input& in, Tracer& trace) {

@@ -1,104 +1,12 @@
 #include "calculators/shaft/torsion.hpp"
 
-#include "calculators/shaft/round_sizing.hpp"
+#include "calculators/shaft/torsion_parts.hpp"
+#include "calculators/shaft/torsion_stretch.hpp"
 #include "lib/calculator/calculator_of.hpp"
-#include "lib/quantity/format.hpp"
-
-#include <algorithm>
 
 namespace loadpath::shaft {
 
 namespace {
-
-Length total_length(const Torsion::Input& in) {
-  Length sum = 0.0 * m.one;
-  for (const auto& s : in.segments) sum += s.l;
-  for (const auto& t : in.torques) {
-    if (in.segments.empty()) sum = max(sum, t.x);
-  }
-  return is_set(in.l) ? in.l : sum;
-}
-
-Cylinder cylinder_of(const Torsion::Input& in, const Torsion::Segment& s) {
-  const bool own_bore = is_set(s.chi) || is_set(s.d_bore);
-  return {s.l, is_set(s.d) ? s.d : in.d, own_bore ? s.chi : in.chi, own_bore ? s.d_bore : in.d_bore};
-}
-
-Cylinders cylinders_of(const Torsion::Input& in) {
-  Cylinders cylinders;
-  for (const auto& s : in.segments) cylinders.push_back(cylinder_of(in, s));
-  if (cylinders.empty()) cylinders.push_back({total_length(in), in.d, in.chi, in.d_bore});
-  return cylinders;
-}
-
-Moment given_sum(const Torsion::Input& in) {
-  Moment sum = 0.0 * N_m.one;
-  for (const auto& t : in.torques) sum += t.T;
-  return sum;
-}
-
-bool is_beyond(const Torsion::Input& in, const Torsion::Torque& t) {
-  return !(t.x <= total_length(in) * (1.0 + 1e-12));
-}
-
-/// The torques with the reaction of the end that is held.
-Torques torques_of(const Torsion::Input& in) {
-  Torques torques;
-  for (const auto& t : in.torques) torques.push_back({t.x, t.T});
-  const Moment reaction = -given_sum(in);
-  if (in.fixed == Torsion::Fixed::left) torques.push_back({0.0 * m.one, reaction});
-  if (in.fixed == Torsion::Fixed::right) torques.push_back({total_length(in), reaction});
-  return torques;
-}
-
-/// The short form: one torque goes through the whole shaft.
-Stretches stretches_of_short_form(const Torsion::Input& in) {
-  Stretches parts;
-  Length x = 0.0 * m.one;
-  if (in.segments.empty()) parts.push_back({x, in.T, {in.l, in.d, in.chi, in.d_bore}});
-  for (const auto& s : in.segments) {
-    parts.push_back({x, in.T, cylinder_of(in, s)});
-    x += s.l;
-  }
-  return parts;
-}
-
-/// What sizing and checking of one stretch need beside its moment.
-struct Allowed {
-  Stress tau_all;
-  Stress G;
-  Twist theta_adm;
-};
-
-constexpr SizingReasons by_strength{"strength, [B19] (4)", "strength of a ring, [B19] (5)",
-                                    "strength: the diameter that has W_t with the given bore, [B19] (3)"};
-
-/// The least diameter by strength.
-template <class Tracer>
-Length size_by_strength(Moment M_t, const Cylinder& c, Stress tau_all, Tracer& trace) {
-  STEP(W_t, M_t / tau_all, "section modulus in torsion that strength asks for, [B19] (3)");
-  return size_for_modulus("d_strength", W_t, {c.chi, c.d_bore}, by_strength, trace);
-}
-
-/// The same by stiffness.
-template <class Tracer>
-Length size_by_stiffness(Moment M_t, const Cylinder& c, const Allowed& allowed, Tracer& trace) {
-  const auto& [tau_all, G, theta_adm] = allowed;
-  const Length d_bore = c.d_bore;
-  if (!is_set(theta_adm)) return unset<Length>;
-  if (is_set(c.chi)) {
-    STEP(d_stiffness, sqrt(sqrt(32.0 * M_t / (pi * G * theta_adm * (1.0 - pow<4>(c.chi))))),
-         "stiffness of a ring, [B19] (10)");
-    return d_stiffness;
-  }
-  if (is_set(d_bore)) {
-    STEP(d_stiffness, sqrt(sqrt(pow<4>(d_bore) + 32.0 * M_t / (pi * G * theta_adm))),
-         "stiffness with the given bore, [B19] (8)");
-    return d_stiffness;
-  }
-  STEP(d_stiffness, sqrt(sqrt(32.0 * M_t / (pi * G * theta_adm))), "stiffness, [B19] (9)");
-  return d_stiffness;
-}
 
 template <class Tracer>
 Stress allowable(const Torsion::Input& in, Tracer& trace) {
@@ -108,23 +16,6 @@ Stress allowable(const Torsion::Input& in, Tracer& trace) {
   }
   STEP(tau_all, in.R_e / (sqrt(3.0) * in.S), "yielding in shear by the distortion energy hypothesis, [Mises]");
   return tau_all;
-}
-
-/// Stress and twist of one stretch at its diameter.
-template <class Tracer>
-void load(Torsion::Stretch& s, Stress G, double K_A, Tracer& trace) {
-  if (s.M_t <= 0.0 * N_m.one && !(s.d > s.d_bore)) {  // no moment has sized it, and none loads it
-    s.tau = from_si<Stress>(0.0);
-    if (is_set(G)) s.theta = from_si<Twist>(0.0), s.phi = is_set(s.l) ? 0.0 : s.phi;
-    trace.value("tau", s.tau, "no moment");
-    return;
-  }
-  STEP(I_t, pi / 32.0 * (pow<4>(s.d) - pow<4>(s.d_bore)), "polar second moment of a ring");
-  STEP_TO(s, tau, s.M_t * s.d / (2.0 * I_t), "at the surface, [B19] (2)");
-  if (!is_set(G)) return;
-  STEP_TO(s, theta, K_A * s.M / (G * I_t), "twist per length, signed, [B19] (7)");
-  if (!is_set(s.l)) return;
-  STEP_TO(s, phi, theta * s.l, "twist of the stretch");
 }
 
 /// Takes the magnitude where it is larger. Once something is not available, the largest is not either.
@@ -219,64 +110,11 @@ void judge(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
 
 }  // namespace
 
-bool Torsion::torques_close(const Input& in) {
-  if (in.fixed != Fixed::none || in.torques.empty()) return true;
-  double largest = 0.0;
-  for (const auto& t : in.torques) largest = std::max(largest, std::abs(in_si(t.T)));
-  return std::abs(in_si(given_sum(in))) <= 1e-6 * largest;
-}
-
-FieldFault Torsion::open_sum(const Input& in) {
-  const double sum = in_si(given_sum(in));
-  return {"torques", say("the torques sum to {1}, not to zero", format_quantity(sum, N_m.symbol)),
-          say("add the torque of {1} that is missing, or hold an end: fixed = \"left\" or fixed = \"right\"",
-              format_quantity(-sum, N_m.symbol))};
-}
-
-bool Torsion::torques_on_shaft(const Input& in) {
-  return std::none_of(in.torques.begin(), in.torques.end(), [&](const Torque& t) { return is_beyond(in, t); }) &&
-         (in.torques.empty() || total_length(in) > 0.0 * m.one);
-}
-
-FieldFault Torsion::torque_off_shaft(const Input& in) {
-  const auto off =
-      std::find_if(in.torques.begin(), in.torques.end(), [&](const Torque& t) { return is_beyond(in, t); });
-  if (off == in.torques.end()) {
-    return {"torques", say("all torques act at one place, and the shaft has no length"),
-            say("give each torque the place x that it acts at, from the left end")};
-  }
-  const std::string number = std::to_string(off - in.torques.begin() + 1);
-  const std::string name = off->name.empty() ? number : "'" + std::string(off->name.view()) + "'";
-  return {off->name.empty() ? "torques[" + number + "].x" : "torques." + std::string(off->name.view()) + ".x",
-          say("torque {1} stands at {2}, {3} beyond the end of the shaft at {4}", name,
-              format_quantity(in_si(off->x), mm.symbol), format_quantity(in_si(off->x - total_length(in)), mm.symbol),
-              format_quantity(in_si(total_length(in)), mm.symbol)),
-          in.segments.empty() ? say("x counts from the left end: correct it, or the length l")
-                              : say("x counts from the left end: correct it, or the lengths of the segments")};
-}
-
-/// Where tau_adm is given no material fills R_e: it was typed, or S stands alone.
-FieldFault Torsion::two_safeties(const Input& in) {
-  if (is_set(in.R_e)) return {};
-  return {
-      "S", say("tau_adm already holds the safety, and S would be a second one"),
-      say("leave out S; or leave out tau_adm, and S counts against the yield strength R_e, given or of a material")};
-}
-
-bool Torsion::bores_fit(const Input& in) {
-  return std::all_of(in.segments.begin(), in.segments.end(), [&](const Segment& s) {
-    const Length d = is_set(s.d) ? s.d : in.d;
-    const Length d_bore = is_set(s.d_bore) || is_set(s.chi) ? s.d_bore : in.d_bore;
-    return !(is_set(s.chi) && is_set(s.d_bore)) && !(is_set(d) && is_set(d_bore) && d_bore >= d);
-  });
-}
-
 template <class Tracer>
 Torsion::Result Torsion::evaluate(const Input& in, Tracer& trace) {
   Result r;
   r.tau_all = allowable(in, trace);
-  const Stretches parts =
-      in.torques.empty() ? stretches_of_short_form(in) : stretches(torques_of(in), cylinders_of(in));
+  const Stretches parts = stretches_of(in);
   size_stretches(in, parts, r, trace);
   choose_least(in, r, trace);
   load_stretches(in, parts, r, trace);

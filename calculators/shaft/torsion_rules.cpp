@@ -1,0 +1,63 @@
+// What shaft.torsion asks of its input beyond the bounds of its fields.
+#include "calculators/shaft/torsion_parts.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace loadpath::shaft {
+
+bool Torsion::torques_close(const Input& in) {
+  if (in.fixed != Fixed::none || in.torques.empty()) return true;
+  double largest = 0.0;
+  for (const auto& t : in.torques) largest = std::max(largest, std::abs(in_si(t.T)));
+  return std::abs(in_si(given_sum(in))) <= 1e-6 * largest;
+}
+
+FieldFault Torsion::open_sum(const Input& in) {
+  const double sum = in_si(given_sum(in));
+  return {"torques", say("the torques sum to {1}, not to zero", format_quantity(sum, N_m.symbol)),
+          say("add the torque of {1} that is missing, or hold an end: fixed = \"left\" or fixed = \"right\"",
+              format_quantity(-sum, N_m.symbol))};
+}
+
+bool Torsion::torques_on_shaft(const Input& in) {
+  return std::none_of(in.torques.begin(), in.torques.end(), [&](const Torque& t) { return is_beyond(in, t); }) &&
+         (in.torques.empty() || total_length(in) > 0.0 * m.one);
+}
+
+FieldFault Torsion::torque_off_shaft(const Input& in) {
+  const auto off =
+      std::find_if(in.torques.begin(), in.torques.end(), [&](const Torque& t) { return is_beyond(in, t); });
+  if (off == in.torques.end()) {
+    return {"torques", say("all torques act at one place, and the shaft has no length"),
+            say("give each torque the place x that it acts at, from the left end")};
+  }
+  const std::string number = std::to_string(off - in.torques.begin() + 1);
+  const std::string name = off->name.empty() ? number : "'" + std::string(off->name.view()) + "'";
+  return {off->name.empty() ? "torques[" + number + "].x" : "torques." + std::string(off->name.view()) + ".x",
+          say("torque {1} stands at {2}, {3} beyond the end of the shaft at {4}", name,
+              format_quantity(in_si(off->x), mm.symbol), format_quantity(in_si(off->x - total_length(in)), mm.symbol),
+              format_quantity(in_si(total_length(in)), mm.symbol)),
+          in.segments.empty() ? say("x counts from the left end: correct it, or the length l")
+                              : say("x counts from the left end: correct it, or the lengths of the segments")};
+}
+
+/// Where tau_adm is given no material fills R_e: it was typed, or S stands alone.
+FieldFault Torsion::two_safeties(const Input& in) {
+  if (is_set(in.R_e)) return {};
+  return {
+      "S", say("tau_adm already holds the safety, and S would be a second one"),
+      say("leave out S; or leave out tau_adm, and S counts against the yield strength R_e, given or of a material")};
+}
+
+bool Torsion::bores_fit(const Input& in) {
+  return std::all_of(in.segments.begin(), in.segments.end(), [&](const Segment& s) {
+    const Length d = is_set(s.d) ? s.d : in.d;
+    const Length d_bore = is_set(s.d_bore) || is_set(s.chi) ? s.d_bore : in.d_bore;
+    return !(is_set(s.chi) && is_set(s.d_bore)) && !(is_set(d) && is_set(d_bore) && d_bore >= d);
+  });
+}
+
+}  // namespace loadpath::shaft

@@ -8,8 +8,7 @@ namespace {
 
 template <class Tracer>
 Moment torque(const Pair::Input& in, Tracer& trace) {
-  const auto T_given = in.T_1;
-  if (!is_set(in.P)) return T_given;
+  if (!is_set(in.P)) return in.T_1;
   STEP(T_1, in.P / in.n_1, "torque from the power, nominal");
   return T_1;
 }
@@ -26,9 +25,8 @@ void speeds(const Pair::Input& in, PairResult& r, Tracer& trace) {
 /// [Vortarus], with the hand of the helix and the sense of rotation; the working circle gives what the bearings feel.
 template <class Tracer>
 void forces(const Pair::Input& in, Moment T_1, PairResult& r, Tracer& trace) {
-  const double w = in.turns == Turns::ccw ? 1.0 : -1.0, h = in.hand == Hand::right ? 1.0 : -1.0;
-  trace.value("w", w, "1 where gear 1 turns counter-clockwise, -1 clockwise");
-  trace.value("h", h, "1 for a right-hand helix of gear 1, -1 for a left-hand one");
+  STEP(w, in.turns == Turns::ccw ? 1.0 : -1.0, "1 where gear 1 turns counter-clockwise, -1 clockwise");
+  STEP(h, in.hand == Hand::right ? 1.0 : -1.0, "1 for a right-hand helix of gear 1, -1 for a left-hand one");
   STEP_TO(r, F_t, 2.0 * abs(T_1) / r.d_1, "at the reference circle");
   STEP_TO(r, F_tw, 2.0 * abs(T_1) / r.d_w1, "at the working circle");
   STEP_TO(r, F_rw, F_tw * tan(r.alpha_wt), "radial, at the working circle, [Vortarus]");
@@ -53,17 +51,17 @@ void velocity_factor(const Pair::Input& in, PairResult& r, Tracer& trace) {
     return trace.value("K_v", r.K_v, runs ? "not counted: how the teeth are cut is not given" : "load at rest");
   }
   if (in.cutting == Cutting::cast) {
-    r.K_v = NAMED_STEP("K_v", (3.05 + r.v / m_per_s) / 3.05, "cast teeth, Barth, [Shigley14]");
-    r.v_share = NAMED_STEP("v_share", r.v / (10.0 * m_per_s), "used up to 10 m/s");
+    STEP_TO(r, K_v, (3.05 + r.v / m_per_s) / 3.05, "cast teeth, Barth, [Shigley14]");
+    STEP_TO(r, v_share, r.v / (10.0 * m_per_s), "used up to 10 m/s");
   } else if (in.cutting == Cutting::milled) {
-    r.K_v = NAMED_STEP("K_v", (6.1 + r.v / m_per_s) / 6.1, "cut teeth, Barth, [Shigley14]");
-    r.v_share = NAMED_STEP("v_share", r.v / (20.0 * m_per_s), "used up to 20 m/s");
+    STEP_TO(r, K_v, (6.1 + r.v / m_per_s) / 6.1, "cut teeth, Barth, [Shigley14]");
+    STEP_TO(r, v_share, r.v / (20.0 * m_per_s), "used up to 20 m/s");
   } else if (in.cutting == Cutting::hobbed) {
-    r.K_v = NAMED_STEP("K_v", (3.56 + sqrt(r.v / m_per_s)) / 3.56, "hobbed or shaped teeth, [Shigley14]");
-    r.v_share = NAMED_STEP("v_share", r.v / (25.0 * m_per_s), "used up to 25 m/s");
+    STEP_TO(r, K_v, (3.56 + sqrt(r.v / m_per_s)) / 3.56, "hobbed or shaped teeth, [Shigley14]");
+    STEP_TO(r, v_share, r.v / (25.0 * m_per_s), "used up to 25 m/s");
   } else {
-    r.K_v = NAMED_STEP("K_v", sqrt((5.56 + sqrt(r.v / m_per_s)) / 5.56), "shaved or ground teeth, [Shigley14]");
-    r.v_share = NAMED_STEP("v_share", r.v / (50.0 * m_per_s), "used up to 50 m/s");
+    STEP_TO(r, K_v, sqrt((5.56 + sqrt(r.v / m_per_s)) / 5.56), "shaved or ground teeth, [Shigley14]");
+    STEP_TO(r, v_share, r.v / (50.0 * m_per_s), "used up to 50 m/s");
   }
 }
 

@@ -88,8 +88,7 @@ void measure_teeth(const Pair::Input& in, PairResult& r, Tracer& trace) {
     STEP_TO(r, j_bn, -cos(in.alpha_n) * (in.A_s1 + in.A_s2), "backlash from the allowances alone");
     return;
   }
-  const double x_sum = in.mesh == Mesh::rack ? in.x_1 : in.x_1 + r.x_2;
-  trace.value("x_sum", x_sum, "sum of the profile shifts");
+  STEP(x_sum, in.mesh == Mesh::rack ? in.x_1 : in.x_1 + r.x_2, "sum of the profile shifts");
   STEP_TO(r, j_bn, 2.0 * in.m_n * sin(in.alpha_n) * (r.x_0 - x_sum) - cos(in.alpha_n) * (in.A_s1 + in.A_s2),
           "backlash along the normal: from the centre distance and the allowances");
 }

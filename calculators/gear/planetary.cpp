@@ -20,13 +20,12 @@ void all_speeds(const Planetary::Input& in, Planetary::Result& r, Tracer& trace)
   fill_speed(r.n_s, "n_s", in.n_s, in.fixed == Member::sun, trace);
   fill_speed(r.n_c, "n_c", in.n_c, in.fixed == Member::carrier, trace);
   fill_speed(r.n_r, "n_r", in.n_r, in.fixed == Member::ring, trace);
-  const auto n_s = r.n_s, n_c = r.n_c, n_r = r.n_r;
-  if (!is_set(n_s)) {
-    r.n_s = NAMED_STEP("n_s", n_c + r.i_0 * (n_r - n_c), "[Willis]");
-  } else if (!is_set(n_c)) {
-    r.n_c = NAMED_STEP("n_c", (n_s - r.i_0 * n_r) / (1.0 - r.i_0), "[Willis]");
+  if (!is_set(r.n_s)) {
+    STEP_TO(r, n_s, r.n_c + r.i_0 * (r.n_r - r.n_c), "[Willis]");
+  } else if (!is_set(r.n_c)) {
+    STEP_TO(r, n_c, (r.n_s - r.i_0 * r.n_r) / (1.0 - r.i_0), "[Willis]");
   } else {
-    r.n_r = NAMED_STEP("n_r", n_c + (n_s - n_c) / r.i_0, "[Willis]");
+    STEP_TO(r, n_r, r.n_c + (r.n_s - r.n_c) / r.i_0, "[Willis]");
   }
 }
 
@@ -55,19 +54,16 @@ double way_of_power(const Planetary::Input& in, const Planetary::Result& r) {
 template <class Tracer>
 void torques(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
   const double eta_0 = is_set(in.eta_0) ? in.eta_0 : 1.0, w = way_of_power(in, r);
-  const auto T_given_s = in.T_s, T_given_c = in.T_c, T_given_r = in.T_r;
   trace.value("eta_0", eta_0, is_set(in.eta_0) ? "given" : "no losses");
   trace.value("w", w, "1: power rolls from sun to ring, -1: from ring to sun, 0: nothing rolls, [Mueller]");
   STEP(k, -r.i_0 * pow(eta_0, w), "torque on the ring over that on the sun, with losses, [Mueller]");
-  r.T_s = T_given_s;
-  if (is_set(T_given_s)) trace.value("T_s", r.T_s, "given");
-  if (is_set(T_given_r)) {
-    const auto T_r = T_given_r;
-    r.T_s = NAMED_STEP("T_s", T_r / k, "from that on the ring");
+  r.T_s = in.T_s;
+  if (is_set(in.T_s)) trace.value("T_s", r.T_s, "given");
+  if (is_set(in.T_r)) {
+    STEP_TO(r, T_s, in.T_r / k, "from that on the ring");
   }
-  if (is_set(T_given_c)) {
-    const auto T_c = T_given_c;
-    r.T_s = NAMED_STEP("T_s", -T_c / (1.0 + k), "from that on the carrier");
+  if (is_set(in.T_c)) {
+    STEP_TO(r, T_s, -in.T_c / (1.0 + k), "from that on the carrier");
   }
   STEP_TO(r, T_r, k * r.T_s, "on the ring");
   STEP_TO(r, T_c, -(r.T_s + T_r), "equilibrium of the set");
@@ -147,9 +143,13 @@ FieldFault Planetary::wrong_speeds(const Input& in) {
 template <class Tracer>
 Planetary::Result Planetary::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  const double z_r = r.z_r = ring_teeth(in);
-  trace.value("z_r", z_r, in.z_r > 0 ? "as given" : "z_s + 2 z_p: sun, planets and ring come to one axis");
-  STEP_TO(r, i_0, -z_r / in.z_s, "sun and ring turn against each other with the carrier at rest, [Willis]");
+  r.z_r = ring_teeth(in);
+  if (in.z_r > 0) {
+    trace.value("z_r", r.z_r, "as given");
+  } else {
+    STEP_TO(r, z_r, in.z_s + 2.0 * in.z_p, "sun, planets and ring come to one axis");
+  }
+  STEP_TO(r, i_0, -r.z_r / in.z_s, "sun and ring turn against each other with the carrier at rest, [Willis]");
   all_speeds(in, r, trace);
   planet_speeds(in, r, trace);
   ratio_of(in, r, trace);

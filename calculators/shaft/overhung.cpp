@@ -7,6 +7,8 @@ namespace loadpath::shaft {
 
 namespace {
 
+using Hypothesis = Overhung::Hypothesis;
+
 constexpr SizingReasons by_equivalent{"bending with torsion, a solid circle", "bending with torsion, a ring",
                                       "bending with torsion: the diameter that has W_t with the given bore"};
 constexpr SizingReasons by_torsion{"torsion, [B19] (4)", "torsion of a ring, [B19] (5)",
@@ -30,12 +32,9 @@ void check(const Overhung::Input& in, Overhung::Result& r, Tracer& trace) {
   STEP(kappa, 4.0 / 3.0 * (r.d * r.d + r.d * r.d_bore + r.d_bore * r.d_bore) / (r.d * r.d + r.d_bore * r.d_bore),
        "shear at the neutral axis over the mean shear, from Q S / (I b) of a ring");
   STEP_TO(r, tau_Q, tau_t + kappa * in.K_A * abs(in.F) / A, "neutral axis, on the side where both act together");
-  const bool mises = in.hypothesis == Overhung::Hypothesis::mises;
-  const double k = mises ? std::sqrt(3.0) : 2.0;
-  const Stress sigma_v = mises ? Stress(sigma_M) : Stress(sigma_T);
-  trace.value("sigma_v", sigma_v, mises ? "equivalent stress by von Mises" : "equivalent stress by Tresca");
+  STEP(sigma_v, in.hypothesis == Hypothesis::mises ? sigma_M : sigma_T, "equivalent stress by the hypothesis chosen");
   STEP_TO(r, u_v, sigma_v / in.sigma_adm, "bending with torsion at the extreme fibre");
-  trace.value("k", k, mises ? "root of 3 for pure shear by von Mises" : "2 for pure shear by Tresca");
+  STEP(k, in.hypothesis == Hypothesis::mises ? sqrt(3.0) : 2.0, "pure shear by the hypothesis chosen");
   STEP_TO(r, u_Q, k * tau_Q / in.sigma_adm, "pure shear at the neutral axis");
   if (!is_set(in.tau_adm)) return;
   STEP_TO(r, u_tau, tau_t / in.tau_adm, "torsion alone");
@@ -45,23 +44,20 @@ void check(const Overhung::Input& in, Overhung::Result& r, Tracer& trace) {
 
 template <class Tracer>
 Overhung::Result Overhung::evaluate(const Input& in, Tracer& trace) {
-  const auto& [F, a, T, K_A, d_given, chi, bore, sigma_adm, tau_adm, hypothesis] = in;
   Result r;
-  STEP_TO(r, M_b, K_A * abs(F) * a, "at the bearing");
-  STEP_TO(r, M_t, K_A * abs(T), "at the same time");
-  const double c = hypothesis == Hypothesis::mises ? 0.75 : 1.0;
-  trace.value("c", c,
-              hypothesis == Hypothesis::mises ? "weight of torsion by von Mises" : "weight of torsion by Tresca");
+  STEP_TO(r, M_b, in.K_A * abs(in.F) * in.a, "at the bearing");
+  STEP_TO(r, M_t, in.K_A * abs(in.T), "at the same time");
+  STEP(c, in.hypothesis == Hypothesis::mises ? 0.75 : 1.0, "weight of torsion by the hypothesis chosen");
   STEP_TO(r, M_v, sqrt(M_b * M_b + c * M_t * M_t), "equivalent moment");
-  const Bore bore_for_sizing{chi, bore};
-  STEP(W_t, 2.0 * M_v / sigma_adm, "modulus asked for by W = M_v/sigma_adm; in torsion it is twice W");
-  r.d_min = r.d_v = size_for_modulus("d_v", W_t, bore_for_sizing, by_equivalent, trace);
-  if (is_set(tau_adm)) {
-    const Length d_v = r.d_v, d_t = r.d_t = size_by_torsion(M_t, tau_adm, bore_for_sizing, trace);
-    STEP_TO(r, d_min, max(d_v, d_t), "the larger governs");
+  const Bore bore{in.chi, in.d_bore};
+  STEP(W_t, 2.0 * M_v / in.sigma_adm, "modulus asked for by W = M_v/sigma_adm; in torsion it is twice W");
+  r.d_min = r.d_v = size_for_modulus("d_v", W_t, bore, by_equivalent, trace);
+  if (is_set(in.tau_adm)) {
+    r.d_t = size_by_torsion(M_t, in.tau_adm, bore, trace);
+    STEP_TO(r, d_min, max(r.d_v, r.d_t), "the larger governs");
   }
-  r.d = is_set(d_given) ? d_given : r.d_min;
-  r.d_bore = bore_of(bore, chi, r.d);
+  r.d = is_set(in.d) ? in.d : r.d_min;
+  r.d_bore = bore_of(in.d_bore, in.chi, r.d);
   check(in, r, trace);
   return r;
 }

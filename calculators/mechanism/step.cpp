@@ -1,30 +1,19 @@
 #include "calculators/mechanism/step.hpp"
 
-#include "calculators/mechanism/aspects/accuracy.hpp"
+#include "calculators/mechanism/aspects.hpp"
 #include "calculators/mechanism/aspects/assemblies.hpp"
-#include "calculators/mechanism/aspects/balance.hpp"
-#include "calculators/mechanism/aspects/influence.hpp"
-#include "calculators/mechanism/aspects/masses.hpp"
-#include "calculators/mechanism/aspects/report.hpp"
-#include "calculators/mechanism/aspects/sources.hpp"
-#include "calculators/mechanism/cycle/either_way.hpp"
+#include "calculators/mechanism/cycle/idle.hpp"
+#include "calculators/mechanism/cycle/redundant.hpp"
 #include "calculators/mechanism/expansion.hpp"
-#include "calculators/mechanism/outputs.hpp"
-#include "calculators/mechanism/pictures/figures.hpp"
-#include "calculators/mechanism/pictures/hodographs.hpp"
-#include "calculators/mechanism/proof/proof.hpp"
-#include "calculators/mechanism/proof/redundancy.hpp"
-#include "calculators/mechanism/results/design.hpp"
-#include "calculators/mechanism/results/governing.hpp"
 #include "calculators/mechanism/results/values.hpp"
 #include "calculators/mechanism/templates/template.hpp"
 #include "calculators/mechanism/words/checks.hpp"
+#include "calculators/mechanism/words/law.hpp"
 #include "calculators/mechanism/words/loads.hpp"
 #include "calculators/mechanism/words/model.hpp"
 #include "calculators/mechanism/words/profiles.hpp"
 #include "lib/calculator/calculator.hpp"
 #include "lib/calculator/record_of.hpp"
-#include "lib/mechanism/structure/structure.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -44,14 +33,15 @@ void MechanismStep::prepare(const project::Declared& declared, const project::Co
   if (known && !std::any_of(issues.begin(), issues.end(), is_own)) expand_template(issues);
   if (std::any_of(issues.begin(), issues.end(), is_own)) return;  // the model has holes: nothing more can be said of it
   mechanism::Model model = model_of(data());
-  outputs_ = mechanism_outputs(data(), model);
+  outputs_ = outputs_of(data(), model);
   const std::string axis = axis_name(data());
   if (!axis.empty()) {
     const double period = is_whole_turn(data()) ? 2.0 * pi : 0.0;  // its sense is known when the cycle is solved
     const char* const unit = axis == "time" ? "s" : axis == "stroke" ? "mm" : "deg";
     axis_ = std::make_unique<Axis>(Axis{name(), axis, unit, {}, {}, period});
   }
-  add_idle_fields(issues);
+  const auto typed = [this](const std::string& path) { return input().reading.typed.count(path) != 0; };
+  add_faults(idle_fields(data(), typed), issues);
   if (known && diagnose_model(model, issues)) add_faults(choose_assembly(data(), structure_, model), issues);
 }
 
@@ -66,85 +56,6 @@ bool MechanismStep::expand_template(std::vector<Issue>& issues) {
   return faults.empty();
 }
 
-/// Fields that would do nothing beside the drive that is given.
-void MechanismStep::add_idle_fields(std::vector<Issue>& issues) const {
-  const auto typed = [&](const char* path) { return input().reading.typed.count(path) != 0; };
-  for (const char* path : {"crank.start", "crank.positions"}) {
-    if (!typed("crank.at") || !typed(path)) continue;
-    issues.push_back(issue_at(input(), path,
-                              say("'{1}' is of a whole turn, and 'crank.at' gives the crank angles", path),
-                              say("leave out one of the two")));
-  }
-  const bool formula = !data().crank.angle_of_t.empty();
-  for (const char* const path : {"crank.speed", "crank.acceleration", "crank.start", "crank.at"}) {
-    if ((data().crank.law.empty() && !formula) || !typed(path)) continue;
-    issues.push_back(
-        issue_at(input(), path,
-                 say("'{1}' and '{2}' both say how the crank moves", path, formula ? "crank.angle_of_t" : "crank.law"),
-                 say("leave out one of the two")));
-  }
-  add_idle_senses(issues);
-  const bool crank = !data().crank.joint.empty();
-  if (crank && typed("positions")) {
-    issues.push_back(issue_at(input(), "positions", say("'positions' is of strokes of cylinders, and a crank drives"),
-                              say("the positions of a turn stand in the crank: crank = { positions = 72 }")));
-  }
-  add_idle_motions(issues);
-  if (!crank) add_idle_strokes(issues);
-}
-
-/// A cylinder with a law has its places and speeds from it.
-void MechanismStep::add_idle_motions(std::vector<Issue>& issues) const {
-  for (const auto& cylinder : data().cylinders) {
-    if (cylinder.law.empty() && cylinder.place_of_t.empty()) continue;
-    const std::string law = path_of("cylinders", cylinder.name, cylinder.law.empty() ? "place_of_t" : "law");
-    for (const char* const field : {"speed", "acceleration", "from", "to"}) {
-      const std::string path = path_of("cylinders", cylinder.name, field);
-      if (input().reading.typed.count(path) == 0) continue;
-      issues.push_back(issue_at(input(), path, say("'{1}' and '{2}' both say how the cylinder moves", path, law),
-                                say("leave out one of the two")));
-    }
-  }
-}
-
-/// Friction of what moves has its sense from the motion.
-void MechanismStep::add_idle_senses(std::vector<Issue>& issues) const {
-  const auto moves = [](const auto& drive) { return in_si(drive.speed) != 0.0; };
-  const auto& cylinders = data().cylinders;
-  const bool some_move =
-      has_law(data()) || moves(data().crank) || std::any_of(cylinders.begin(), cylinders.end(), moves);
-  const auto check = [&](const auto& drive, const std::string& path) {
-    const auto& typed = input().reading.typed;
-    const auto has = [&](const char* field) { return typed.count(path + field) != 0; };
-    const bool follows_law = has(".law") || has(".angle_of_t") || has(".place_of_t");  // told with the law
-    if (drive.impending == planar::Impending::either || !some_move || follows_law) return;
-    issues.push_back(issue_at(input(), path + ".impending",
-                              moves(drive) ? say("'impending' is of a drive that rests, and '{1}' has a speed", path)
-                                           : say("'impending' is of a mechanism that rests, and another drive moves"),
-                              say("leave out one of the two")));
-  };
-  check(data().crank, "crank");
-  for (const auto& cylinder : data().cylinders) check(cylinder, path_of("cylinders", cylinder.name));
-}
-
-/// A stroke needs both ends and a number of positions.
-void MechanismStep::add_idle_strokes(std::vector<Issue>& issues) const {
-  const bool several = data().positions > 1;
-  if (has_law(data())) return;
-  if (several && !data().cylinders.empty() && !is_set(data().cylinders.front().to)) {
-    issues.push_back(issue_at(input(), "positions",
-                              say("'positions' is of a stroke, and the cylinder '{1}' has no end of it",
-                                  std::string(data().cylinders.front().name.view())),
-                              say("add 'to', the place at the last position")));
-  }
-  for (const auto& cylinder : data().cylinders) {
-    if (several || !is_set(cylinder.to)) continue;
-    issues.push_back(issue_at(input(), path_of("cylinders", cylinder.name, "to"),
-                              say("'to' is the end of a stroke, and only one position is solved"),
-                              say("add the number of positions, positions = 72, or leave out 'to'")));
-  }
-}
-
 /// What is wrong with names and points, but for what follows from an error that is there already.
 void MechanismStep::add_faults_of_names(std::vector<Issue>& issues) const {
   std::vector<std::string> wrong;
@@ -157,10 +68,7 @@ void MechanismStep::add_faults_of_names(std::vector<Issue>& issues) const {
   }
   NameFaults faults(data());
   check_names(faults);
-  for (const auto& link : data().links) check_mass_points(link, faults);
-  check_accuracy(faults);
-  check_balance(faults);
-  check_hodographs(faults);
+  ask_all(&Aspect::check_names, faults);
   if (faults.none()) check_shared_points(faults);
   for (const FieldFault& fault : faults.take()) {
     const bool follows = std::any_of(wrong.begin(), wrong.end(), [&](const std::string& path) {
@@ -173,7 +81,7 @@ void MechanismStep::add_faults_of_names(std::vector<Issue>& issues) const {
 Outcome<Signature> MechanismStep::signature(const std::string& path) const {
   if (outputs_.empty()) return Fault{};  // the model has holes, which are told
   const auto found = std::find_if(outputs_.begin(), outputs_.end(), [&](const auto& o) { return o.path == path; });
-  if (found != outputs_.end()) return Signature{found->dimension, found->is_single ? nullptr : axis_.get()};
+  if (found != outputs_.end()) return Signature{found->what.dimension, found->is_single ? nullptr : axis_.get()};
   std::vector<std::string> paths;
   for (const auto& o : outputs_) paths.push_back(o.path);
   return Fault{
@@ -182,8 +90,12 @@ Outcome<Signature> MechanismStep::signature(const std::string& path) const {
 }
 
 std::vector<std::string> MechanismStep::companions_of(const std::string& path) const {
-  if (!path.starts_with("drive.M") && !path.starts_with("drive.P")) return {};
-  return {name() + ".joints." + std::string(data().crank.joint.view()) + ".F"};
+  const auto taken = std::find_if(outputs_.begin(), outputs_.end(), [&](const auto& o) { return o.path == path; });
+  if (taken == outputs_.end() || !taken->what.facts.loads_crank) return {};
+  const auto force = std::find_if(outputs_.begin(), outputs_.end(), [&](const auto& o) {
+    return o.what.facts.kind == Kind::joint_force && o.name == data().crank.joint.view();
+  });
+  return {name() + "." + force->path};
 }
 
 /// The field of the project file that a finding is about.
@@ -216,21 +128,23 @@ static bool in_order(const planar::Crank& crank) {
          std::adjacent_find(crank.at.begin(), crank.at.end(), falling) == crank.at.end();
 }
 
+/// False where values contradict each other: nothing more can be said of the model.
+bool MechanismStep::check_values(const mechanism::Model& model, std::vector<Issue>& issues) const {
+  auto faults = check_drawing(data(), model);
+  for (FieldFault& fault : check_shares(data())) faults.push_back(std::move(fault));
+  for (FieldFault& fault : check_profiles(data())) faults.push_back(std::move(fault));
+  for (FieldFault& fault : check_laws(data())) faults.push_back(std::move(fault));
+  ask_all(&Aspect::check_values, data(), model, faults);
+  add_faults(faults, issues);
+  return faults.empty();
+}
+
 bool MechanismStep::diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues) {
   if (!in_order(data().crank)) {
     issues.push_back(issue_at(input(), "crank.at", say("the crank angles must rise, or fall, from each to the next")));
     return false;
   }
-  auto drawing = check_drawing(data(), model);
-  for (FieldFault& fault : check_shares(data())) drawing.push_back(std::move(fault));
-  for (FieldFault& fault : check_profiles(data())) drawing.push_back(std::move(fault));
-  for (FieldFault& fault : check_laws(data())) drawing.push_back(std::move(fault));
-  for (FieldFault& fault : check_rest(data(), model)) drawing.push_back(std::move(fault));
-  for (FieldFault& fault : check_mass_lines(data(), model)) drawing.push_back(std::move(fault));
-  for (FieldFault& fault : check_reductions(data())) drawing.push_back(std::move(fault));
-  for (FieldFault& fault : check_half_widths(data())) drawing.push_back(std::move(fault));
-  add_faults(drawing, issues);
-  if (!drawing.empty()) return false;
+  if (!check_values(model, issues)) return false;
   for (const FieldFault& warning : overshooting_laws(data())) {
     issues.push_back(issue_at(input(), warning.path, warning.message, warning.hint));
     issues.back().severity = Severity::warning;
@@ -242,15 +156,10 @@ bool MechanismStep::diagnose_model(const mechanism::Model& model, std::vector<Is
     said = f.message.text();
     issues.push_back(issue_at(input(), path_of(f, model), f.message, f.hint));
   }
-  if (!structure_.redundant.empty() && !data().accuracy.empty()) {
-    issues.push_back(
-        issue_at(input(), "accuracy",
-                 say("errors are not covered where joints hold too much: with other dimensions they would "
-                     "not close"),
-                 say("leave out what repeats the others: {1}", names_of(model.joints, structure_.redundant[0]))));
-    return false;
-  }
-  return findings.empty();
+  std::vector<FieldFault> uncovered;
+  ask_all(&Aspect::check_structure, data(), model, structure_, uncovered);
+  add_faults(uncovered, issues);
+  return findings.empty() && uncovered.empty();
 }
 
 void MechanismStep::solve(const project::Known& known, const project::Wanted& wanted, std::vector<Issue>& issues) {
@@ -264,47 +173,38 @@ void MechanismStep::solve(const project::Known& known, const project::Wanted& wa
   add_faults(choose_assembly(data(), structure_, model), issues);
   if (issues.size() != before) return;
   const bool redundant = !structure_.redundant.empty();
-  Cycle cycle = solve_cycle(data(), model, redundant, axis_.get());
-  outputs_ = mechanism_outputs(data(), model);
-  account::Account& account = own_account();
-  account.verdicts = proof(name(), data(), model, cycle, axis_.get());
-  const mechanism::Model given = model;
-  if (redundant) {
-    for (auto& v : redundancies(name(), model, structure_)) account.verdicts.push_back(std::move(v));
-    hide_what_is_not_unique(cycle);
-    model = determinate(model, cycle);
-  }
-  const Kinematics kinematics = kinematics_of(model, cycle, axis_.get(), !has_law(data()));
-  const Errors errors = errors_of(data(), model, cycle);
-  const Balanced balanced = balance_of(data(), model, cycle);
-  const Solved solved{cycle, kinematics, errors, balanced};
-  // What was released of the given model is read from what was solved.
-  const auto wants = [&](const std::string& path) { return wanted.holds(name(), path); };
-  fill_results(data(), given, outputs_, mechanism_outputs(data(), model), solved, axis_.get(), wants, account);
-  for (auto& v : changes_of_assembly(name(), model, cycle, kinematics, axis_.get()))
-    account.verdicts.push_back(std::move(v));
-  fill_inputs();
-  own_account().sources = sources_used(data(), structure_);
-  if (wanted.pictures) illustrate(given, model, solved);
+  const Cycle proved = solve_cycle(data(), model, redundant, axis_.get());
+  const mechanism::Model released = redundant ? determinate(model, proved) : mechanism::Model();
+  const Cycle shown = redundant ? without_what_is_not_unique(proved) : Cycle();
+  const mechanism::Model& free = redundant ? released : model;
+  const Cycle& cycle = redundant ? shown : proved;
+  const Kinematics kinematics = kinematics_of(free, cycle, axis_.get(), !has_law(data()));
+  Solved solved{name(), data(), structure_, model, free, proved, cycle, kinematics, axis_.get()};
+  ask_all(&Aspect::find, solved, solved.found);
+  tell(solved, wanted);
 }
 
-void MechanismStep::illustrate(const mechanism::Model& given, const mechanism::Model& model, const Solved& solved) {
+void MechanismStep::tell(const Solved& solved, const project::Wanted& wanted) {
   account::Account& account = own_account();
-  const Cycle& cycle = solved.cycle;
-  const Axis* const axis = axis_.get();
-  account.input_blocks = model_tables(data());
+  account = {};
+  ask_all(&Aspect::judge, solved, account.verdicts);
+  outputs_ = outputs_of(data(), solved.given);
+  const auto wants = [&](const std::string& path) { return wanted.holds(name(), path); };
+  // What was released of the given model is read from what was solved.
+  fill_results(outputs_, outputs_of(data(), solved.model), solved, wants, account);
+  fill_inputs();
+  account.sources = sources_used(data(), structure_);
+  if (wanted.pictures) illustrate(solved);
+}
+
+void MechanismStep::illustrate(const Solved& solved) {
+  account::Account& account = own_account();
   if (input().from != nullptr)
-    account.input_blocks.insert(account.input_blocks.begin(),
-                                template_table(*input().from, input().reading.parameters));
-  account.blocks = result_tables(account, model, structure_, cycle, axis);
-  for (auto& b : motion_tables(account, model, cycle, solved.kinematics, axis)) account.blocks.push_back(std::move(b));
-  const bool statics = data().analysis == Mechanism::Analysis::statics;
-  for (auto& b : influence_tables(model, cycle, governing_position(cycle, account), statics))
-    account.blocks.emplace_back(std::move(b));
-  for (auto& b : error_tables(data(), solved.errors, axis)) account.blocks.emplace_back(std::move(b));
-  for (auto& b : balance_tables(data(), solved.balanced)) account.blocks.emplace_back(std::move(b));
-  for (auto& note : missing_hodographs(data(), cycle, axis)) account.blocks.emplace_back(std::move(note));
-  account.figures = mechanism_figures(data(), given, cycle, account, axis);
+    account.input_blocks.emplace_back(template_table(*input().from, input().reading.parameters));
+  const Results results(outputs_, account.results);
+  ask_all(&Aspect::show_input, data(), account.input_blocks);
+  ask_all(&Aspect::show, solved, results, account.blocks);
+  ask_all(&Aspect::draw, solved, results, account.figures);
 }
 
 /// Where the value of an input comes from: typed, from the template (what that has `laid`), a default.
@@ -348,7 +248,7 @@ const Calculator& erased<planar::Mechanism>() {
     c.used_sources = planar::occasional_sources();
     c.example = planar::Mechanism::example;
     c.input = &record_type<planar::Mechanism::Input, planar::Mechanism::inputs>();
-    c.patterns = planar::mechanism_result_patterns();
+    c.patterns = planar::result_patterns();
     c.templates = planar::templates::all();
     return c;
   }();

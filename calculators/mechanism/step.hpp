@@ -1,9 +1,8 @@
 // The step of a planar mechanism in a project: its paths come from the names in its model.
 #pragma once
 
-#include "calculators/mechanism/cycle/cycle.hpp"
-#include "calculators/mechanism/cycle/kinematics.hpp"
 #include "calculators/mechanism/results/output.hpp"
+#include "calculators/mechanism/results/solved.hpp"
 #include "lib/mechanism/structure/structure.hpp"
 #include "lib/project/step.hpp"
 
@@ -29,18 +28,16 @@ class MechanismStep : public project::Step {
     return *static_cast<const Mechanism::Input*>(input().reading.record.data.get());
   }
   void add_faults_of_names(std::vector<Issue>& issues) const;
-  void add_idle_fields(std::vector<Issue>& issues) const;
-  void add_idle_senses(std::vector<Issue>& issues) const;
-  void add_idle_motions(std::vector<Issue>& issues) const;
-  void add_idle_strokes(std::vector<Issue>& issues) const;
+  bool check_values(const mechanism::Model& model, std::vector<Issue>& issues) const;
   bool diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues);
   void add_faults(const std::vector<FieldFault>& faults, std::vector<Issue>& issues) const;
   /// Puts the template's values, if there is one, into the input; false where they do not fit together.
   bool expand_template(std::vector<Issue>& issues);
   [[nodiscard]] account::Origin origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const;
   void fill_inputs();
-  /// Tables and figures. `given`: before what holds too much was released.
-  void illustrate(const mechanism::Model& given, const mechanism::Model& model, const Solved& solved);
+  /// Verdicts, results, inputs; tables and figures where they are wanted.
+  void tell(const Solved& solved, const project::Wanted& wanted);
+  void illustrate(const Solved& solved);
 
   std::vector<Output> outputs_;
   mechanism::Structure structure_;

@@ -29,6 +29,7 @@ struct Entry {
   std::string word;        // a choice or a name instead of a number
   bool is_factor = false;  // inputs only: see Field::factor
   Message missing = {};    // why there is no value, or none at some positions; empty: "not available"
+  bool brief = true;       // results only: worth a line where there is little room
 };
 
 /// Whether nothing is known of it, at no position.

@@ -1,11 +1,12 @@
-#include "calculators/mechanism/aspects/balance.hpp"
-
+// Counterweights that a project asks for, and what they leave of the shaking force (lib/mechanism/studies/shaking.hpp).
 #include "calculators/mechanism/cycle/rounding.hpp"
-#include "calculators/mechanism/results/rows.hpp"
+#include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/words/points.hpp"
+#include "lib/mechanism/studies/shaking.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -21,6 +22,14 @@ using mechanism::ShakingCycle;
 using mechanism::Vec;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// Empty where no counterweights are asked for or not every position closes.
+struct Balanced {
+  std::vector<mechanism::Counterweight> weights;  // in the order of the project
+  mechanism::ShakingCycle before, after;          // moments about the global origin
+  std::vector<mechanism::Shaking> left;           // with the counterweights, at every position
+  bool knows_moment = false;                      // afterwards: every counterweight has a mass or a radius
+};
 
 /// Whether a pin or a weld holds this point of the link to the ground.
 bool is_fixed(const Mechanism::Input& in, const planar::Counterweight& weight) {
@@ -81,50 +90,38 @@ Message no_radius() { return say("a counterweight without radius has no moment o
 
 /// One number of the balance as a result.
 struct Single {
-  ResultPattern pattern;
-  Dimension dimension;
+  Declaration what;
   double (*read)(const Balanced&);
   bool needs_place = false;
 };
-const std::vector<Single>& frame_rows() {
-  static const std::vector<Single> rows{
-      {{"frame.F_rms", "N", "shaking force, root mean square over the turn", "with counterweights"},
-       N.dimension(),
-       [](const Balanced& b) { return b.before.rms_force; }},
-      {{"frame.F_peak", "N", "its largest magnitude", "with counterweights"},
-       N.dimension(),
-       [](const Balanced& b) { return b.before.peak_force; }},
-      {{"frame.F_rms_balanced", "N", "what the counterweights leave of it, root mean square", "with counterweights"},
-       N.dimension(),
-       [](const Balanced& b) { return b.after.rms_force; }},
-      {{"frame.F_peak_balanced", "N", "the largest magnitude that they leave", "with counterweights"},
-       N.dimension(),
-       [](const Balanced& b) { return b.after.peak_force; }},
-      {{"frame.M_peak_balanced", "N*m", "largest shaking moment with them, about the global origin",
-        "with counterweights"},
-       N_m.dimension(),
-       [](const Balanced& b) { return b.after.peak_moment; },
-       true}};
-  return rows;
-}
+constexpr const char* where = "with counterweights";
+constexpr std::array frame_rows{
+    Single{declare("frame.F_rms", "shaking force, root mean square over the turn", N, where, {.detail = true}),
+           [](const Balanced& b) { return b.before.rms_force; }},
+    Single{declare("frame.F_peak", "its largest magnitude", N, where, {.detail = true}),
+           [](const Balanced& b) { return b.before.peak_force; }},
+    Single{declare("frame.F_rms_balanced", "what the counterweights leave of it, root mean square", N, where,
+                   {.detail = true}),
+           [](const Balanced& b) { return b.after.rms_force; }},
+    Single{declare("frame.F_peak_balanced", "the largest magnitude that they leave", N, where, {.detail = true}),
+           [](const Balanced& b) { return b.after.peak_force; }},
+    Single{declare("frame.M_peak_balanced", "largest shaking moment with them, about the global origin", N_m, where,
+                   {.detail = true}),
+           [](const Balanced& b) { return b.after.peak_moment; }, true}};
+constexpr Declaration left_over =
+    declare("frame.F_balanced", "shaking force with the counterweights", N, where, {.detail = true});
 
 struct OfWeight {
-  ResultPattern pattern;
-  Dimension dimension;
+  Declaration what;
   double (*read)(const planar::Counterweight&, const Counterweight&);
 };
-const std::vector<OfWeight>& weight_rows() {
-  static const std::vector<OfWeight> rows{
-      {{"counterweights.NAME.mr", "kg*mm", "its mass times its arm", "counterweights"},
-       kg_mm.dimension(),
-       [](const planar::Counterweight&, const Counterweight& w) { return moment_of(w); }},
-      {{"counterweights.NAME.angle", "deg", "direction of its arm in the link's axes", "counterweights"},
-       deg.dimension(),
-       [](const planar::Counterweight&, const Counterweight& w) { return angle_of(w); }},
-      {{"counterweights.NAME.m", "kg", "its mass", "counterweights"}, kg.dimension(), &mass_of},
-      {{"counterweights.NAME.r", "mm", "its arm", "counterweights"}, mm.dimension(), &arm_of}};
-  return rows;
-}
+constexpr std::array weight_rows{
+    OfWeight{declare("counterweights.NAME.mr", "its mass times its arm", kg_mm, "counterweights"),
+             [](const planar::Counterweight&, const Counterweight& w) { return moment_of(w); }},
+    OfWeight{declare("counterweights.NAME.angle", "direction of its arm in the link's axes", deg, "counterweights"),
+             [](const planar::Counterweight&, const Counterweight& w) { return angle_of(w); }},
+    OfWeight{declare("counterweights.NAME.m", "its mass", kg, "counterweights"), &mass_of},
+    OfWeight{declare("counterweights.NAME.r", "its arm", mm, "counterweights"), &arm_of}};
 
 Output::Values one(double value, const Message& missing) {
   return std::isnan(value) ? Output::Values({none}, missing) : Output::Values({value});
@@ -168,9 +165,8 @@ Table shaking_table(const Mechanism::Input& in, const Balanced& balanced) {
   return table;
 }
 
-}  // namespace
-
-void check_balance(NameFaults& faults) {
+/// Counterweights that say too little, or where there is nothing to balance.
+void check_names(NameFaults& faults) {
   const Mechanism::Input& in = faults.input();
   if (in.counterweights.empty()) return;
   if (in.analysis == Mechanism::Analysis::statics)
@@ -219,50 +215,69 @@ Balanced balance_of(const Mechanism::Input& in, const mechanism::Model& model, c
   return balanced;
 }
 
-void add_balance_outputs(const Mechanism::Input& in, std::vector<Output>& out) {
-  if (in.counterweights.empty()) return;
-  for (std::size_t n = 0; n < in.counterweights.size(); ++n) {
-    const planar::Counterweight wanted = in.counterweights[n];
-    for (const OfWeight& row : weight_rows()) {
-      const auto read = [wanted, n, read = row.read](const Solved& solved) {
-        if (solved.balanced.weights.empty()) return Output::Values({none}, open_somewhere());
-        return one(read(wanted, solved.balanced.weights[n]), say("neither its mass nor its radius is given"));
-      };
-      out.push_back({named(row.pattern.path, std::string(wanted.name.view())),
-                     row.pattern.doc,
-                     row.pattern.unit,
-                     row.dimension,
-                     {},
-                     read,
-                     true});
-    }
-  }
-  for (const Single& row : frame_rows()) {
-    const auto read = [read = row.read, needs_place = row.needs_place](const Solved& solved) {
-      if (solved.balanced.weights.empty()) return Output::Values({none}, open_somewhere());
-      if (needs_place && !solved.balanced.knows_moment) return Output::Values({none}, no_radius());
-      return Output::Values({read(solved.balanced)});
+void find(const Solved& solved, Findings& found) { found.add(balance_of(solved.in, solved.model, solved.cycle)); }
+
+Output single(const Declaration& what, const std::string& name) {
+  Output one = output(what, name);
+  one.is_single = true;
+  return one;
+}
+
+void add_weight(const planar::Counterweight& wanted, std::size_t index, std::vector<Output>& out) {
+  for (const OfWeight& row : weight_rows) {
+    out.push_back(single(row.what, text(wanted.name)));
+    out.back().read_cycle = [wanted, index, read = row.read](const Solved& solved) {
+      const auto& weights = solved.found.of<Balanced>().weights;
+      if (weights.empty()) return Output::Values({none}, open_somewhere());
+      return one(read(wanted, weights[index]), say("neither its mass nor its radius is given"));
     };
-    out.push_back({row.pattern.path, row.pattern.doc, row.pattern.unit, row.dimension, {}, read, true});
   }
-  const auto left = [](const Solved& solved) {
+}
+
+void add(const Mechanism::Input& in, const mechanism::Model&, std::vector<Output>& out) {
+  if (in.counterweights.empty()) return;
+  for (std::size_t n = 0; n < in.counterweights.size(); ++n) add_weight(in.counterweights[n], n, out);
+  for (const Single& row : frame_rows) {
+    out.push_back(single(row.what, ""));
+    out.back().read_cycle = [read = row.read, needs_place = row.needs_place](const Solved& solved) {
+      const auto& balanced = solved.found.of<Balanced>();
+      if (balanced.weights.empty()) return Output::Values({none}, open_somewhere());
+      if (needs_place && !balanced.knows_moment) return Output::Values({none}, no_radius());
+      return Output::Values({read(balanced)});
+    };
+  }
+  out.push_back(output(left_over, ""));
+  out.back().read_cycle = [](const Solved& solved) {
+    const auto& left = solved.found.of<Balanced>().left;
     std::vector<double> values(solved.cycle.positions.size(), none);
-    for (std::size_t k = 0; k < solved.balanced.left.size(); ++k)
-      values[k] = mechanism::length(solved.balanced.left[k].force);
-    return Output::Values(std::move(values), solved.balanced.left.empty() ? open_somewhere() : Message{});
+    for (std::size_t k = 0; k < left.size(); ++k) values[k] = mechanism::length(left[k].force);
+    return Output::Values(std::move(values), left.empty() ? open_somewhere() : Message{});
   };
-  out.push_back({"frame.F_balanced", "shaking force with the counterweights", N.symbol, N.dimension(), {}, left});
 }
 
-void list_balance_patterns(std::vector<ResultPattern>& patterns) {
-  for (const OfWeight& row : weight_rows()) patterns.push_back(row.pattern);
-  for (const Single& row : frame_rows()) patterns.push_back(row.pattern);
-  patterns.push_back({"frame.F_balanced", "N", "shaking force with the counterweights", "with counterweights"});
+void list(std::vector<ResultPattern>& patterns) {
+  for (const OfWeight& row : weight_rows) patterns.push_back(row.what.pattern);
+  for (const Single& row : frame_rows) patterns.push_back(row.what.pattern);
+  patterns.push_back(left_over.pattern);
 }
 
-std::vector<Table> balance_tables(const Mechanism::Input& in, const Balanced& balanced) {
-  if (balanced.weights.empty()) return {};
-  return {weight_table(in, balanced), shaking_table(in, balanced)};
+void show(const Solved& solved, const Results&, std::vector<account::Block>& blocks) {
+  const auto& balanced = solved.found.of<Balanced>();
+  if (balanced.weights.empty()) return;
+  blocks.emplace_back(weight_table(solved.in, balanced));
+  blocks.emplace_back(shaking_table(solved.in, balanced));
 }
+
+}  // namespace
+
+namespace aspects {
+
+const Aspect& balance() {
+  static constexpr Aspect aspect{
+      .check_names = &check_names, .list = &list, .add_outputs = &add, .find = &find, .show = &show};
+  return aspect;
+}
+
+}  // namespace aspects
 
 }  // namespace loadpath::planar

@@ -1,8 +1,8 @@
-#include "calculators/mechanism/aspects/efficiency.hpp"
-
-#include "lib/quantity/units.hpp"
+// Where the power of the drive goes over a whole turn: friction, useful work, efficiency.
+#include "calculators/mechanism/results/aspect.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,30 +15,12 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 using account::Cell;
 using account::Quantity;
 
-/// Means over the turn, W.
-class Means {
- public:
-  explicit Means(const account::Account& account) : account_(account) {}
-
-  [[nodiscard]] const account::Account& account() const { return account_; }
-
-  [[nodiscard]] const account::Entry* find(const std::string& path) const {
-    for (const account::Entry& e : account_.results) {
-      if (e.path == path) return &e;
-    }
-    return nullptr;
-  }
-  /// What is small against the largest value is what rounding has left of a zero.
-  [[nodiscard]] double of(const std::string& path) const {
-    const account::Entry* entry = find(path);
-    if (entry == nullptr) return 0.0;
-    const double average = mean(entry->value);
-    return std::abs(average) < 1e-9 * std::abs(largest(entry->value).value) ? 0.0 : average;
-  }
-
- private:
-  const account::Account& account_;
-};
+/// What is small against the largest value is what rounding has left of a zero.
+double mean_of(const account::Entry* entry) {
+  if (entry == nullptr) return 0.0;
+  const double average = mean(entry->value);
+  return std::abs(average) < 1e-9 * std::abs(largest(entry->value).value) ? 0.0 : average;
+}
 
 Cell share(double part, double whole) { return Quantity{part / whole, "-", 4}; }
 
@@ -61,75 +43,108 @@ Efficiency efficiency(double drive, double useful) {
                                : say("drive and useful loads both take power"));
 }
 
-Efficiency efficiency_of(const Means& means) {
-  const account::Entry* drive = means.find("drive.P");
+Efficiency efficiency_of(const Results& results) {
+  const account::Entry *const drive = results.find(Kind::drive_power), *const use = results.find(Kind::useful_power);
   if (drive == nullptr || !drive->value.is_series() || !drive->value.signature.axis->cyclic())
     return undefined(say("the positions are no whole turn of the crank"));
-  for (const account::Entry& e : means.account().results) {
-    if (e.path.starts_with("cylinders.")) return undefined(say("several drives share the work"));
-  }
-  if (means.find("drive.P_useful") == nullptr) return undefined(say("no load is marked useful"));
-  return efficiency(means.of("drive.P"), means.of("drive.P_useful"));
+  if (results.find(Kind::cylinder_force) != nullptr) return undefined(say("several drives share the work"));
+  if (use == nullptr) return undefined(say("no load is marked useful"));
+  return efficiency(mean_of(drive), mean_of(use));
 }
 
-std::vector<std::string> results_read() { return {"drive.P", "drive.P_useful"}; }
+constexpr const char* where = "with a crank, and friction or useful loads";
+constexpr Declaration forward = declare("drive.efficiency", "useful work over the work of the drive, over a turn",
+                                        ratio, where, {.kind = Kind::efficiency, .tabled = Tabled::always});
+constexpr Declaration back =
+    declare("drive.efficiency_back", "driven by the load: work that the drive takes over the work of the useful loads",
+            ratio, where, {.kind = Kind::efficiency_back, .tabled = Tabled::always});
 
-constexpr ResultPattern forward_pattern{"drive.efficiency", "-", "useful work over the work of the drive, over a turn",
-                                        "with a crank, and friction or useful loads"};
-constexpr ResultPattern back_pattern{"drive.efficiency_back", "-",
-                                     "driven by the load: work that the drive takes over the work of the useful loads",
-                                     "with a crank, and friction or useful loads"};
-
-}  // namespace
-
-std::optional<account::Table> efficiency_table(const account::Account& account, const Axis* axis) {
-  const Means means(account);
-  const bool friction = means.find("drive.P_loss") != nullptr, use = means.find("drive.P_useful") != nullptr;
-  if (axis == nullptr || !axis->cyclic() || (!friction && !use) || means.find("drive.P") == nullptr) return {};
-  account::Table table{say("Power over the turn"), {say("quantity"), say("mean")}, {}};
-  const double drive = means.of("drive.P"), lost = means.of("drive.P_loss"), useful = means.of("drive.P_useful");
-  table.rows.push_back({say("power of the drive"), Quantity{drive, "W"}});
-  if (friction) {
-    for (const account::Entry& e : account.results) {
-      if (e.path.starts_with("joints.") && e.path.ends_with(".P_loss"))
-        table.rows.push_back({say("{1}", e.path), Quantity{means.of(e.path), "W"}});
-    }
-    table.rows.push_back({say("friction in all joints"), Quantity{lost, "W"}});
-    if (drive > 0.0) table.rows.push_back({say("share of friction in the power of the drive"), share(lost, drive)});
-  }
-  if (use) {
-    table.rows.push_back({say("power against the useful loads"), Quantity{useful, "W"}});
-    const Efficiency found = efficiency_of(means);
-    const bool back = !std::isnan(found.back);
-    const Cell value = back                        ? Cell(Quantity{found.back, "-", 4})
-                       : std::isnan(found.forward) ? Cell(say("not available: {1}", found.why_not_forward))
-                                                   : Cell(Quantity{found.forward, "-", 4});
-    table.rows.push_back(
-        {back ? say("efficiency of the reversed flow, from the loads to the drive") : say("efficiency"), value});
-  }
-  return table;
-}
-
-void add_efficiency_outputs(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {
+/// Of a mechanism with a crank and friction or useful loads. Where it is not defined there is a reason.
+void add(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {
   const bool friction =
       std::any_of(model.joints.begin(), model.joints.end(), [](const auto& j) { return j.friction.any(); });
   const bool use = std::any_of(in.loads.begin(), in.loads.end(),
                                [](const auto& load) { return load.useful == planar::Useful::yes; });
   if (in.crank.joint.empty() || (!friction && !use)) return;
-  const auto add = [&](const ResultPattern& pattern, double Efficiency::*value, Message Efficiency::*reason) {
-    const auto read = [value, reason](const account::Account& account) {
-      const Efficiency found = efficiency_of(Means(account));
+  const auto add_one = [&](const Declaration& what, double Efficiency::*value, Message Efficiency::*reason) {
+    out.push_back(output(what, ""));
+    out.back().is_single = true;
+    out.back().read_results = [value, reason](const Results& results) {
+      const Efficiency found = efficiency_of(results);
       return Output::Values({found.*value}, found.*reason);
     };
-    out.push_back({pattern.path, pattern.doc, pattern.unit, ratio.dimension(), {}, {}, true, read, results_read()});
+    out.back().results_read = {Kind::drive_power, Kind::useful_power};
   };
-  add(forward_pattern, &Efficiency::forward, &Efficiency::why_not_forward);
-  add(back_pattern, &Efficiency::back, &Efficiency::why_not_back);
+  add_one(forward, &Efficiency::forward, &Efficiency::why_not_forward);
+  add_one(back, &Efficiency::back, &Efficiency::why_not_back);
 }
 
-void list_efficiency_patterns(std::vector<ResultPattern>& patterns) {
-  patterns.push_back(forward_pattern);
-  patterns.push_back(back_pattern);
+void list(std::vector<ResultPattern>& patterns) {
+  patterns.push_back(forward.pattern);
+  patterns.push_back(back.pattern);
 }
+
+constexpr std::array cited{Citation{"Inventor",
+                                    [](const auto& in, const auto&) {
+                                      return std::any_of(in.joints.begin(), in.joints.end(), [](const auto& j) {
+                                        return j.efficiency != 1.0 || is_set(j.efficiency_back);
+                                      });
+                                    }},
+                           Citation{"NovaSolver", [](const auto& in, const auto&) {
+                                      return std::any_of(in.joints.begin(), in.joints.end(),
+                                                         [](const auto& j) { return is_set(j.efficiency_back); });
+                                    }}};
+
+void add_losses(const Results& results, account::Table& table) {
+  for (const auto& line : results) {
+    if (line.kind() != Kind::joint_loss) continue;
+    table.rows.push_back({say("{1}", line.entry->path), Quantity{mean_of(line.entry), "W"}});
+  }
+}
+
+/// Nothing for a mechanism without friction and useful loads, or without a whole turn: no mean says anything then.
+void show(const Solved& solved, const Results& results, std::vector<account::Block>& blocks) {
+  const account::Entry* const power = results.find(Kind::drive_power);
+  const account::Entry* const friction = results.find(Kind::friction_power);
+  const account::Entry* const use = results.find(Kind::useful_power);
+  const bool turns = solved.axis != nullptr && solved.axis->cyclic();
+  if (!turns || (friction == nullptr && use == nullptr) || power == nullptr) return;
+  account::Table table{say("Power over the turn"), {say("quantity"), say("mean")}, {}};
+  const double drive = mean_of(power), lost = mean_of(friction);
+  table.rows.push_back({say("power of the drive"), Quantity{drive, "W"}});
+  if (friction != nullptr) {
+    add_losses(results, table);
+    table.rows.push_back({say("friction in all joints"), Quantity{lost, "W"}});
+    if (drive > 0.0) table.rows.push_back({say("share of friction in the power of the drive"), share(lost, drive)});
+  }
+  if (use != nullptr) {
+    table.rows.push_back({say("power against the useful loads"), Quantity{mean_of(use), "W"}});
+    const Efficiency found = efficiency_of(results);
+    const bool reversed = !std::isnan(found.back);
+    const Cell value = reversed                    ? Cell(Quantity{found.back, "-", 4})
+                       : std::isnan(found.forward) ? Cell(say("not available: {1}", found.why_not_forward))
+                                                   : Cell(Quantity{found.forward, "-", 4});
+    table.rows.push_back(
+        {reversed ? say("efficiency of the reversed flow, from the loads to the drive") : say("efficiency"), value});
+  }
+  blocks.emplace_back(std::move(table));
+}
+
+}  // namespace
+
+namespace aspects {
+
+/// The table stands before what is said of rest, the results stand behind it.
+const Aspect& power() {
+  static constexpr Aspect aspect{.show = &show};
+  return aspect;
+}
+
+const Aspect& efficiency() {
+  static constexpr Aspect aspect{.list = &list, .add_outputs = &add, .citations = cited};
+  return aspect;
+}
+
+}  // namespace aspects
 
 }  // namespace loadpath::planar

@@ -1,9 +1,10 @@
-#include "calculators/mechanism/aspects/flanks.hpp"
-
+// Where the loaded flanks of teeth change: the play between them is passed there.
+#include "calculators/mechanism/results/aspect.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace loadpath::planar {
@@ -42,21 +43,27 @@ std::string changes_of_flank(const Value& series, const Axis& axis) {
   return places;
 }
 
+/// Of gears and racks over a cycle.
+void show(const Solved& solved, const Results& results, std::vector<account::Block>& blocks) {
+  if (solved.axis == nullptr) return;
+  account::Table table{say("Loaded flanks of teeth"), {say("joint"), say("the flank changes at")}, {}};
+  for (const auto& line : results) {
+    if (line.kind() != Kind::tooth_force) continue;
+    const std::string places = changes_of_flank(line.entry->value, *solved.axis);
+    table.rows.push_back({line.output->name, places.empty() ? account::Cell(say("nowhere")) : account::Cell(places)});
+  }
+  if (!table.rows.empty()) blocks.emplace_back(std::move(table));
+}
+
 }  // namespace
 
-std::optional<account::Table> flank_table(const account::Account& account, const mechanism::Model& model,
-                                          const Axis* axis) {
-  if (axis == nullptr) return {};
-  account::Table table{say("Loaded flanks of teeth"), {say("joint"), say("the flank changes at")}, {}};
-  for (const mechanism::Joint& joint : model.joints) {
-    for (const account::Entry& e : account.results) {
-      if (e.path != "joints." + joint.name + ".F_t") continue;
-      const std::string places = changes_of_flank(e.value, *axis);
-      table.rows.push_back({joint.name, places.empty() ? account::Cell(say("nowhere")) : account::Cell(places)});
-    }
-  }
-  if (table.rows.empty()) return {};
-  return table;
+namespace aspects {
+
+const Aspect& flanks() {
+  static constexpr Aspect aspect{.show = &show};
+  return aspect;
 }
+
+}  // namespace aspects
 
 }  // namespace loadpath::planar

@@ -1,5 +1,6 @@
-#include "calculators/mechanism/aspects/influence.hpp"
-
+// What the forces of a mechanism hang on, at its governing position: who causes them, and what changes them.
+#include "calculators/mechanism/results/aspect.hpp"
+#include "calculators/mechanism/results/governing.hpp"
 #include "lib/mechanism/accuracy/sensitivity.hpp"
 #include "lib/mechanism/studies/causes.hpp"
 
@@ -218,16 +219,29 @@ void add_changes(const mechanism::Model& model, const Position& at, bool statics
   if (!table.rows.empty()) tables.push_back(std::move(table));
 }
 
+/// Every reaction and effort split by cause, and the change of the drive by the dimensions and masses that change it
+/// most. None where the position has no forces.
+void show(const Solved& solved, const Results& results, std::vector<account::Block>& blocks) {
+  const Cycle& cycle = solved.cycle;
+  const std::size_t governing = governing_position(cycle, results);
+  if (governing >= cycle.positions.size() || !cycle.has_forces(governing)) return;
+  const bool statics = solved.in.analysis == Mechanism::Analysis::statics;
+  std::vector<Table> tables;
+  add_causes(solved.model, cycle.positions[governing], statics, tables);
+  // With other dimensions joints that hold too much would not close.
+  if (cycle.unique.empty()) add_changes(solved.model, cycle.positions[governing], statics, tables);
+  append(std::move(tables), blocks);
+}
+
 }  // namespace
 
-std::vector<Table> influence_tables(const mechanism::Model& model, const Cycle& cycle, std::size_t governing,
-                                    bool statics) {
-  std::vector<Table> tables;
-  if (governing >= cycle.positions.size() || !cycle.has_forces(governing)) return tables;
-  add_causes(model, cycle.positions[governing], statics, tables);
-  // With other dimensions joints that hold too much would not close.
-  if (cycle.unique.empty()) add_changes(model, cycle.positions[governing], statics, tables);
-  return tables;
+namespace aspects {
+
+const Aspect& influence() {
+  static constexpr Aspect aspect{.show = &show};
+  return aspect;
 }
+
+}  // namespace aspects
 
 }  // namespace loadpath::planar

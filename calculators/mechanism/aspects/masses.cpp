@@ -1,5 +1,5 @@
-#include "calculators/mechanism/aspects/masses.hpp"
-
+// Masses of links reduced to points, where a project asks for it.
+#include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/words/point_masses.hpp"
 #include "calculators/mechanism/words/points.hpp"
 #include "lib/quantity/format.hpp"
@@ -8,9 +8,12 @@
 
 namespace loadpath::planar {
 
+namespace {
+
 using mechanism::PointMass;
 
-void check_mass_points(const planar::Link& link, NameFaults& faults) {
+/// Points that do not exist or are not asked for.
+void check_points(const planar::Link& link, NameFaults& faults) {
   const std::string path = path_of("links", link.name, "mass_points");
   const bool wanted = link.masses != Masses::as_given, given = !link.mass_points.first.empty();
   if (wanted && !given) {
@@ -31,8 +34,12 @@ void check_mass_points(const planar::Link& link, NameFaults& faults) {
                say("a mass is reduced to two different points, and both are '{1}'", text(link.mass_points.first)));
 }
 
-std::vector<FieldFault> check_reductions(const Mechanism::Input& in) {
-  std::vector<FieldFault> faults;
+void check_names(NameFaults& faults) {
+  for (const planar::Link& link : faults.input().links) check_points(link, faults);
+}
+
+/// Points that a mass cannot be reduced to.
+void check_values(const Mechanism::Input& in, const mechanism::Model&, std::vector<FieldFault>& faults) {
   for (const planar::Link& l : in.links) {
     if (l.masses == Masses::as_given) continue;
     const mechanism::Link link = own_of(l);
@@ -49,10 +56,10 @@ std::vector<FieldFault> check_reductions(const Mechanism::Input& in) {
     faults.push_back({path, say("the mass centre of '{1}' does not lie between '{2}' and '{3}'", name, a, b),
                       say("name two points with S on the line between them")});
   }
-  return faults;
 }
 
-std::optional<account::Table> reduction_table(const Mechanism::Input& in) {
+/// The point masses of all links that are reduced.
+void show_input(const Mechanism::Input& in, std::vector<account::Block>& blocks) {
   using account::Cell;
   using account::Quantity;
   account::Table table{say("Masses reduced to points"),
@@ -73,8 +80,18 @@ std::optional<account::Table> reduction_table(const Mechanism::Input& in) {
          is_static ? Cell(std::string("–")) : Cell(Quantity{masses[2].mass, "kg"}), Quantity{link.inertia, "kg*m^2"},
          Quantity{link.inertia - mechanism::missing_inertia(link, masses), "kg*m^2"}});
   }
-  if (table.rows.empty()) return std::nullopt;
-  return table;
+  if (!table.rows.empty()) blocks.emplace_back(std::move(table));
 }
+
+}  // namespace
+
+namespace aspects {
+
+const Aspect& masses() {
+  static constexpr Aspect aspect{.check_names = &check_names, .check_values = &check_values, .show_input = &show_input};
+  return aspect;
+}
+
+}  // namespace aspects
 
 }  // namespace loadpath::planar

@@ -1,15 +1,14 @@
-#include "calculators/mechanism/aspects/rest.hpp"
-
+// Friction where its sense is not known: of a mechanism at rest, which may be about to move either way, and of joints
+// that rest for a moment while the others move, as at a dead point.
 #include "calculators/mechanism/cycle/either_way.hpp"
 #include "calculators/mechanism/cycle/ranges.hpp"
-#include "calculators/mechanism/results/rows.hpp"
+#include "calculators/mechanism/results/aspect.hpp"
 #include "lib/mechanism/model/vec.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <string_view>
 
 namespace loadpath::planar {
 
@@ -25,19 +24,21 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 // ---- series
 
 struct Standing {
-  ResultPattern crank, cylinder;
+  Declaration crank, cylinder;
   double StandingEffort::*effort;
 };
+constexpr const char* only_crank = "with friction and a crank as the only drive";
+constexpr const char* only_cylinder = "with friction, as the only drive";
 constexpr std::array standing_rows{
-    Standing{{"drive.M_backward", "N*m", "moment of the drive that begins to turn it backward from rest; no inertia",
-              "with friction and a crank as the only drive"},
-             {"cylinders.NAME.F_backward", "N", "force of the drive that begins to move it backward from rest",
-              "with friction, as the only drive"},
+    Standing{declare("drive.M_backward", "moment of the drive that begins to turn it backward from rest; no inertia",
+                     N_m, only_crank, {.loads_crank = true}),
+             declare("cylinders.NAME.F_backward", "force of the drive that begins to move it backward from rest", N,
+                     only_cylinder),
              &StandingEffort::backward},
-    Standing{{"drive.M_forward", "N*m", "moment of the drive that begins to turn it forward from rest; no inertia",
-              "with friction and a crank as the only drive"},
-             {"cylinders.NAME.F_forward", "N", "force of the drive that begins to move it forward from rest",
-              "with friction, as the only drive"},
+    Standing{declare("drive.M_forward", "moment of the drive that begins to turn it forward from rest; no inertia", N_m,
+                     only_crank, {.loads_crank = true}),
+             declare("cylinders.NAME.F_forward", "force of the drive that begins to move it forward from rest", N,
+                     only_cylinder),
              &StandingEffort::forward}};
 
 /// Of all that friction may make where joints rest.
@@ -70,42 +71,42 @@ Output::Values with_reason(std::vector<double> values) {
   return {std::move(values), open ? say("friction lets no effort move it that way") : Message{}};
 }
 
-constexpr ResultPattern drive_least{
-    "drive.M_min", "N*m", "least moment of the drive, friction of what rests either way", "with friction and a crank"};
-constexpr ResultPattern drive_most{"drive.M_max", "N*m", "largest moment of the drive so", "with friction and a crank"};
-constexpr ResultPattern cylinder_least{"cylinders.NAME.F_min", "N",
-                                       "least force of the drive, friction of what rests either way", "with friction"};
-constexpr ResultPattern cylinder_most{"cylinders.NAME.F_max", "N", "largest force of the drive so", "with friction"};
-constexpr ResultPattern joint_most{"joints.NAME.F_max", "N",
-                                   "largest magnitude of the joint's force, friction of what rests either way",
-                                   "with friction"};
+constexpr Declaration drive_least =
+    declare("drive.M_min", "least moment of the drive, friction of what rests either way", N_m,
+            "with friction and a crank", {.loads_crank = true});
+constexpr Declaration drive_most =
+    declare("drive.M_max", "largest moment of the drive so", N_m, "with friction and a crank", {.loads_crank = true});
+constexpr Declaration cylinder_least =
+    declare("cylinders.NAME.F_min", "least force of the drive, friction of what rests either way", N, "with friction");
+constexpr Declaration cylinder_most =
+    declare("cylinders.NAME.F_max", "largest force of the drive so", N, "with friction");
+constexpr Declaration joint_most =
+    declare("joints.NAME.F_max", "largest magnitude of the joint's force, friction of what rests either way", N,
+            "with friction", {.tabled = Tabled::at_one_position});
 
 template <class Read>
-void add_end(const ResultPattern& pattern, const std::string& name, double Band::*end, Read read,
-             std::vector<Output>& out) {
+void add_end(const Declaration& what, const std::string& name, double Band::*end, Read read, std::vector<Output>& out) {
   const auto over_cycle = [read, end](const Solved& solved) {
     const Cycle& cycle = solved.cycle;
     std::vector<double> values;
     for (std::size_t k = 0; k < cycle.positions.size(); ++k) values.push_back(band_at(cycle, k, read).*end);
     return with_reason(std::move(values));
   };
-  const Dimension dimension = std::string_view(pattern.unit) == "N" ? N.dimension() : N_m.dimension();
-  out.push_back({named(pattern.path, name), pattern.doc, pattern.unit, dimension, {}, over_cycle, false});
+  out.push_back(output(what, name));
+  out.back().read_cycle = over_cycle;
 }
 
 void add_standing(const mechanism::Driver& driver, std::vector<Output>& out) {
   const bool rotary = driver.kind == mechanism::Driver::Kind::rotary;
   for (const Standing& row : standing_rows) {
-    const ResultPattern& pattern = rotary ? row.crank : row.cylinder;
-    const auto read = [effort = row.effort](const Solved& solved) {
+    out.push_back(output(rotary ? row.crank : row.cylinder, driver.name));
+    out.back().read_cycle = [effort = row.effort](const Solved& solved) {
       const Cycle& cycle = solved.cycle;
       std::vector<double> values(cycle.positions.size(), none);
       for (std::size_t k = 0; k < cycle.standing.size(); ++k)
         values[k] = cycle.closed[k] ? cycle.standing[k].*effort : none;
       return with_reason(std::move(values));
     };
-    const Dimension dimension = rotary ? N_m.dimension() : N.dimension();
-    out.push_back({named(pattern.path, driver.name), pattern.doc, pattern.unit, dimension, {}, read, false});
   }
 }
 
@@ -217,9 +218,7 @@ void add_difference(const std::string& place, const std::string& what, const std
   table.rows.push_back({place, what, Quantity{band.least, unit}, Quantity{band.most, unit}});
 }
 
-}  // namespace
-
-void add_rest_outputs(const mechanism::Model& model, std::vector<Output>& out) {
+void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Output>& out) {
   if (!has_dry_friction(model) || model.drivers.empty()) return;
   if (model.drivers.size() == 1) add_standing(model.drivers[0], out);
   for (std::size_t d = 0; d < model.drivers.size(); ++d) {
@@ -234,21 +233,23 @@ void add_rest_outputs(const mechanism::Model& model, std::vector<Output>& out) {
   }
 }
 
-void list_rest_patterns(std::vector<ResultPattern>& patterns) {
+void list(std::vector<ResultPattern>& patterns) {
   for (const Standing& row : standing_rows) {
-    patterns.push_back(row.crank);
-    patterns.push_back(row.cylinder);
+    patterns.push_back(row.crank.pattern);
+    patterns.push_back(row.cylinder.pattern);
   }
-  for (const ResultPattern& p : {drive_least, drive_most, cylinder_least, cylinder_most, joint_most})
-    patterns.push_back(p);
+  for (const Declaration& d : {drive_least, drive_most, cylinder_least, cylinder_most, joint_most})
+    patterns.push_back(d.pattern);
 }
 
+/// What starts the mechanism and where it stands without its drive; nothing without friction or with several drives.
 std::optional<Table> standing_table(const mechanism::Model& model, const Cycle& cycle, const Axis* axis) {
   if (cycle.standing.empty() || std::find(cycle.closed.begin(), cycle.closed.end(), true) == cycle.closed.end())
     return {};
   return StandingTable(model, cycle, axis).made();
 }
 
+/// The positions where joints rest while others move, with the forces that their friction may make.
 std::optional<Table> dead_point_table(const mechanism::Model& model, const Cycle& cycle, const Axis* axis) {
   constexpr int most_positions = 6;
   Table table{say("Where joints rest, friction either way"), {say("at"), say("quantity"), say("from"), say("to")}, {}};
@@ -273,5 +274,27 @@ std::optional<Table> dead_point_table(const mechanism::Model& model, const Cycle
   if (table.rows.empty()) return {};
   return table;
 }
+
+void check(const Mechanism::Input& in, const mechanism::Model& model, std::vector<FieldFault>& faults) {
+  for (FieldFault& fault : check_rest(in, model)) faults.push_back(std::move(fault));
+}
+
+void show(const Solved& solved, const Results&, std::vector<account::Block>& blocks) {
+  if (auto standing = standing_table(solved.model, solved.cycle, solved.axis))
+    blocks.emplace_back(std::move(*standing));
+  if (auto resting = dead_point_table(solved.model, solved.cycle, solved.axis))
+    blocks.emplace_back(std::move(*resting));
+}
+
+}  // namespace
+
+namespace aspects {
+
+const Aspect& rest() {
+  static constexpr Aspect aspect{.check_values = &check, .list = &list, .add_outputs = &add, .show = &show};
+  return aspect;
+}
+
+}  // namespace aspects
 
 }  // namespace loadpath::planar

@@ -16,4 +16,8 @@ PointMotion motion_of(const mechanism::Position& p, int link, Vec at) {
           Vec{p.acceleration[k].x, p.acceleration[k].y} + epsilon * across - (omega * omega) * arm};
 }
 
+double angle_of(const mechanism::Position& p, int link) {
+  return link == mechanism::ground ? 0.0 : p.pose[static_cast<std::size_t>(link)].phi;
+}
+
 }  // namespace loadpath::planar

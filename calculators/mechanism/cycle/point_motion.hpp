@@ -12,4 +12,7 @@ struct PointMotion {
 };
 PointMotion motion_of(const mechanism::Position& p, int link, mechanism::Vec at);
 
+/// Of a link's axes; 0 of the ground.
+double angle_of(const mechanism::Position& p, int link);
+
 }  // namespace loadpath::planar

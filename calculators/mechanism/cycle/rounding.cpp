@@ -13,11 +13,6 @@ namespace {
 
 constexpr double rounding = 1e-13;  // of the largest term: some hundred times the spacing of doubles
 
-struct Scale {
-  Dimension dimension;
-  double largest = 0.0;
-};
-
 /// The largest magnitudes over the positions of a cycle; what is not known there counts for nothing.
 struct Largest {
   double length = 0.0, speed = 0.0, acceleration = 0.0;  // of links' origins
@@ -56,26 +51,6 @@ double inertia_within(const mechanism::Model& model, double distance) {
   return sum;
 }
 
-std::vector<Scale> scales_of(const mechanism::Model& model, const Cycle& cycle) {
-  Largest of;
-  for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
-    if (cycle.closed[k]) of.see(cycle.positions[k], model.drivers);
-  }
-  const double reach = mechanism::characteristic_length(model), length = of.length + reach;
-  const double speed = of.speed + of.turning * reach, turned = of.turning * of.turning + of.angular_acceleration;
-  const double moment = std::max(of.couple, of.force * length);
-  return {{mm.dimension(), length},
-          {deg.dimension(), 1.0},
-          {m_per_s.dimension(), speed},
-          {rad_per_s.dimension(), of.turning},
-          {m_per_s2.dimension(), of.acceleration + turned * reach},
-          {rad_per_s2.dimension(), turned},
-          {N.dimension(), std::max(of.force, of.couple / length)},
-          {N_m.dimension(), moment},
-          {kg_m2.dimension(), inertia_within(model, length)},
-          {W.dimension(), std::max(of.force * speed, moment * of.turning)}};
-}
-
 }  // namespace
 
 Rounding rounding_at(const mechanism::Position& p) {
@@ -95,19 +70,35 @@ double direction_of(mechanism::Vec v) {
   return std::atan2(v.y, v.x);
 }
 
-void clear_rounding(const mechanism::Model& model, const Cycle& cycle, std::vector<account::Entry>& results) {
-  const std::vector<Scale> scales = scales_of(model, cycle);
-  for (account::Entry& e : results) {
-    const auto scale = std::find_if(scales.begin(), scales.end(),
-                                    [&](const Scale& s) { return s.dimension == e.value.signature.dimension; });
-    if (scale == scales.end()) continue;
-    e.value.rounding = rounding * scale->largest;
-    const bool direction = e.path.starts_with("links.") && e.path.ends_with(".phi");
-    const Decimals decimals = Decimals::within(e.value.rounding);
-    for (double& x : e.value.si) {
-      if (direction && std::abs(x + pi) <= e.value.rounding) x = pi;
-      x = std::abs(x) <= e.value.rounding ? 0.0 : decimals.nearest(x);
-    }
+ResultRounding::ResultRounding(const mechanism::Model& model, const Cycle& cycle) {
+  Largest of;
+  for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
+    if (cycle.closed[k]) of.see(cycle.positions[k], model.drivers);
+  }
+  const double reach = mechanism::characteristic_length(model), length = of.length + reach;
+  const double speed = of.speed + of.turning * reach, turned = of.turning * of.turning + of.angular_acceleration;
+  const double moment = std::max(of.couple, of.force * length);
+  scales_ = {{mm.dimension(), length},
+             {deg.dimension(), 1.0},
+             {m_per_s.dimension(), speed},
+             {rad_per_s.dimension(), of.turning},
+             {m_per_s2.dimension(), of.acceleration + turned * reach},
+             {rad_per_s2.dimension(), turned},
+             {N.dimension(), std::max(of.force, of.couple / length)},
+             {N_m.dimension(), moment},
+             {kg_m2.dimension(), inertia_within(model, length)},
+             {W.dimension(), std::max(of.force * speed, moment * of.turning)}};
+}
+
+void ResultRounding::clear(Value& value, bool direction) const {
+  const auto scale = std::find_if(scales_.begin(), scales_.end(),
+                                  [&](const Scale& s) { return s.dimension == value.signature.dimension; });
+  if (scale == scales_.end()) return;
+  value.rounding = rounding * scale->largest;
+  const Decimals decimals = Decimals::within(value.rounding);
+  for (double& x : value.si) {
+    if (direction && std::abs(x + pi) <= value.rounding) x = pi;
+    x = std::abs(x) <= value.rounding ? 0.0 : decimals.nearest(x);
   }
 }
 

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "calculators/mechanism/cycle/cycle.hpp"
-#include "lib/account/account.hpp"
 #include "lib/mechanism/model/model.hpp"
 #include "lib/mechanism/model/position.hpp"
+#include "lib/quantity/dimension.hpp"
+#include "lib/quantity/series.hpp"
 
 #include <vector>
 
@@ -20,10 +21,23 @@ Rounding rounding_at(const mechanism::Position& p);
 /// The direction of a vector in (-pi, pi]: along the x axis, whichever way, to rounding just 0 or pi.
 double direction_of(mechanism::Vec v);
 
-/// Gives every result the size of its rounding, makes zeros of what is no larger, and leaves no digits that are. A sum
-/// is as exact as its largest term: a force is one of forces, a moment of moments and of forces at the mechanism's
-/// arms, a power of forces at its speeds. What these are is told by the cycle, not by the results that happen to be
-/// wanted.
-void clear_rounding(const mechanism::Model& model, const Cycle& cycle, std::vector<account::Entry>& results);
+/// What rounding leaves in results: a sum is as exact as its largest term, a force one of forces, a moment of moments
+/// and of forces at the mechanism's arms, a power of forces at its speeds. What these are is told by the cycle, not by
+/// the results that happen to be wanted.
+class ResultRounding {
+ public:
+  ResultRounding(const mechanism::Model& model, const Cycle& cycle);
+
+  /// Gives a result the size of its rounding, makes zeros of what is no larger, and leaves no digits that are. Of a
+  /// `direction` half a turn is positive.
+  void clear(Value& value, bool direction) const;
+
+ private:
+  struct Scale {
+    Dimension dimension;
+    double largest = 0.0;
+  };
+  std::vector<Scale> scales_;
+};
 
 }  // namespace loadpath::planar

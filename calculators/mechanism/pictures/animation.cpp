@@ -155,13 +155,13 @@ class Animation {
 
   void add_numbers() {
     motion_.axis = {axis_symbol(in_.axis), in_.axis.quantity, in_.axis.unit, at_frames(in_.axis.at)};
-    for (const auto& e : in_.account.results) {
-      const bool drive = is_drive_effort(e.path);
-      const bool joint = e.path.starts_with("joints.") && e.path.ends_with(".F");
-      if ((!drive && !joint) || motion_.numbers.size() == most_numbers) continue;
-      const std::size_t first = e.path.find('.') + 1;
-      const std::string name = e.path.substr(first, e.path.rfind('.') - first);
-      const std::string symbol = e.path == "drive.M" ? "M" : (joint ? "R_" : "F_") + name;
+    for (const auto& line : in_.results) {
+      const Kind kind = line.kind();
+      const bool number = is_effort(kind) || kind == Kind::joint_force;
+      if (!number || motion_.numbers.size() == most_numbers) continue;
+      const account::Entry& e = *line.entry;
+      const std::string symbol =
+          kind == Kind::drive_moment ? "M" : (kind == Kind::joint_force ? "R_" : "F_") + line.output->name;
       motion_.numbers.push_back({symbol, e.doc, e.unit, at_frames(e.value.si)});
     }
   }

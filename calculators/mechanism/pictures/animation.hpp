@@ -2,8 +2,8 @@
 #pragma once
 
 #include "calculators/mechanism/pictures/scheme.hpp"
+#include "calculators/mechanism/results/results.hpp"
 #include "calculators/mechanism/words/points.hpp"
-#include "lib/account/account.hpp"
 
 #include <vector>
 
@@ -14,7 +14,7 @@ struct AnimationSubject {
   const Cycle& cycle;
   const Extents& extents;
   const std::vector<TracedPoint>& points;
-  const account::Account& account;
+  const Results& results;
   const Axis& axis;
   std::size_t governing = 0;  // a position with forces: the one that is printed
   bool statics = false;

@@ -1,7 +1,6 @@
 #include "calculators/mechanism/pictures/forces.hpp"
 
 #include "calculators/mechanism/cycle/point_motion.hpp"
-#include "calculators/mechanism/results/output.hpp"
 #include "lib/draw/canvas/typeset.hpp"
 #include "lib/mechanism/model/spring.hpp"
 
@@ -13,10 +12,6 @@ using mechanism::Model;
 using mechanism::Position;
 using mechanism::Vec;
 using Cause = ActingForce::Cause;
-
-double angle_of(const Position& at, int link) {
-  return link == mechanism::ground ? 0.0 : at.pose[static_cast<std::size_t>(link)].phi;
-}
 
 std::string named(const std::string& name, const char* otherwise) { return name.empty() ? otherwise : name; }
 

@@ -1,7 +1,6 @@
 // Velocity and acceleration plans.
 #include "calculators/mechanism/cycle/point_motion.hpp"
 #include "calculators/mechanism/pictures/plans.hpp"
-#include "calculators/mechanism/results/output.hpp"
 #include "calculators/mechanism/words/points.hpp"
 #include "lib/draw/canvas/typeset.hpp"
 

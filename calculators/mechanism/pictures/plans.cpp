@@ -1,6 +1,5 @@
 #include "calculators/mechanism/pictures/plans.hpp"
 
-#include "calculators/mechanism/results/output.hpp"
 #include "lib/draw/canvas/typeset.hpp"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 #include "calculators/mechanism/cycle/point_motion.hpp"
 #include "calculators/mechanism/cycle/rounding.hpp"
 #include "calculators/mechanism/pictures/forces.hpp"
-#include "calculators/mechanism/results/output.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,31 +21,8 @@ draw::Point point(Vec v) { return {v.x, v.y}; }
 
 Vec on_paper(const Position& p, int link, Vec at) { return motion_of(p, link, at).place; }
 
-double angle_of(const Position& p, int link) {
-  return link == mechanism::ground ? 0.0 : p.pose[static_cast<std::size_t>(link)].phi;
-}
-
-bool has_line(JointKind kind) { return kind == JointKind::prismatic || kind == JointKind::slot; }
 bool has_pin(JointKind kind) { return kind == JointKind::revolute || kind == JointKind::rigid; }
 bool has_rack(JointKind kind) { return kind == JointKind::rack || kind == JointKind::rolling_on_line; }
-
-/// Where the pin stands on the line of its guide or slot.
-double reach(const mechanism::Joint& j, const Position& p) {
-  return mechanism::dot(on_paper(p, j.i, j.point_i) - on_paper(p, j.j, j.point_j), line_of(j, p));
-}
-
-bool has_face(const mechanism::Joint& j) {
-  return j.kind == JointKind::cam && j.contact == mechanism::CamContact::flat;
-}
-
-Vec face_of(const mechanism::Joint& j, const Position& p) {
-  return mechanism::turn(angle_of(p, j.i) + j.angle)({1.0, 0.0});
-}
-
-/// Where the cam touches along a flat face.
-double reach_on_face(const mechanism::Joint& j, std::size_t n, const Position& p) {
-  return mechanism::dot(p.reactions[n].at - on_paper(p, j.i, j.point_i), face_of(j, p));
-}
 
 /// The points of a link that joints and loads use, each once, in the order of the joints.
 std::vector<Vec> used_points(const mechanism::Model& model, const Extents& extents, int link) {
@@ -312,61 +288,11 @@ class Drawing {
   Motion motion_;
 };
 
-/// Whether a point stays where it is, but for rounding.
-bool rests(const std::vector<draw::Point>& path) {
-  double far = 0.0, size = 0.0;
-  for (const auto& p : path) {
-    far = std::max(far, std::hypot(p.x - path.front().x, p.y - path.front().y));
-    size = std::max(size, std::hypot(p.x, p.y));
-  }
-  return far <= 1e-9 * size;
-}
-
 }  // namespace
-
-Extents extents_of(const mechanism::Model& model, const Cycle& cycle) {
-  Extents all{std::vector<Stroke>(model.joints.size()), std::vector<bool>(model.loads.size()),
-              std::vector<bool>(model.loads.size())};
-  bool first = true;
-  for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
-    if (!cycle.closed[k]) continue;
-    const Position& p = cycle.positions[k];
-    for (std::size_t n = 0; n < model.joints.size(); ++n) {
-      const mechanism::Joint& j = model.joints[n];
-      if (!has_line(j.kind) && !has_face(j)) continue;
-      const double at = has_face(j) ? reach_on_face(j, n, p) : reach(j, p);
-      Stroke& stroke = all.strokes[n];
-      stroke = first ? Stroke{at, at} : Stroke{std::min(stroke.from, at), std::max(stroke.to, at)};
-    }
-    for (std::size_t n = 0; n < model.loads.size(); ++n) {
-      all.loads_push[n] = all.loads_push[n] || mechanism::length(p.loads[n].force) > 0.0;
-      all.loads_turn[n] = all.loads_turn[n] || p.loads[n].moment != 0.0;
-    }
-    first = false;
-  }
-  return all;
-}
 
 Motion scheme_at(const mechanism::Model& model, const Position& at, const Extents& extents,
                  const std::vector<TracedPoint>& points, Shown shown) {
   return Drawing(model, at, extents, points, shown).taken();
-}
-
-void add_paths(const std::vector<TracedPoint>& points, const Cycle& cycle, bool cyclic, Scheme& scheme) {
-  constexpr std::size_t positions = 12;
-  const std::size_t spacing = std::max<std::size_t>(1, cycle.positions.size() / positions);
-  const bool whole = cyclic && std::all_of(cycle.closed.begin(), cycle.closed.end(), [](bool c) { return c; });
-  for (const TracedPoint& traced : points) {
-    Scheme::Path path{traced.name, {}, {}};
-    for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
-      if (!cycle.closed[k]) continue;
-      path.points.push_back(point(on_paper(cycle.positions[k], traced.link, traced.at)));
-      if (k % spacing == 0) path.positions.push_back(path.points.back());
-    }
-    if (path.points.size() < 3 || rests(path.points)) continue;
-    if (whole) path.points.push_back(path.points.front());
-    scheme.paths.push_back(std::move(path));
-  }
 }
 
 }  // namespace loadpath::planar

@@ -2,23 +2,13 @@
 #pragma once
 
 #include "calculators/mechanism/cycle/cycle.hpp"
+#include "calculators/mechanism/pictures/extents.hpp"
 #include "calculators/mechanism/words/points.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>
 
 namespace loadpath::planar {
-
-/// How far a pin goes along its guide or slot, or a contact along a flat face: from its own point, m.
-struct Stroke {
-  double from = 0.0, to = 0.0;
-};
-/// What a drawing that moves needs room for at every position.
-struct Extents {
-  std::vector<Stroke> strokes;               // of every joint; of joints without a line empty
-  std::vector<bool> loads_push, loads_turn;  // somewhere in the cycle
-};
-Extents extents_of(const mechanism::Model& model, const Cycle& cycle);
 
 /// What is drawn: forces that are zero at this position too, where the drawing moves.
 enum class Shown { at_rest, moving };

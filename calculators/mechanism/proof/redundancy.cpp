@@ -1,29 +1,33 @@
-#include "calculators/mechanism/proof/redundancy.hpp"
-
+// What a planar mechanism says whose joints hold more than is needed: which reactions are not unique. Those are never
+// shown.
+#include "calculators/mechanism/results/aspect.hpp"
 #include "lib/mechanism/structure/release.hpp"
 
-#include <algorithm>
-#include <limits>
+#include <array>
+#include <string>
+#include <utility>
 
 namespace loadpath::planar {
 
-std::vector<account::Verdict> redundancies(const std::string& step, const mechanism::Model& model,
-                                           const mechanism::Structure& structure) {
-  std::vector<account::Verdict> verdicts;
-  for (const auto& [joints, freedoms] : mechanism::shared_freedoms(structure)) {
+namespace {
+
+/// A line for each set of joints that hold a freedom too many.
+void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
+  for (const auto& [joints, freedoms] : mechanism::shared_freedoms(solved.structure)) {
     account::Verdict v;
-    v.step = step;
+    v.step = solved.step;
     v.symbol = "determinate";
     v.meaning = say("equilibrium of rigid links alone decides every reaction");
     v.bound = say("no joint holds too much");
     v.value = say("shared by {1} joints", std::to_string(joints.size()));
     v.state = account::State::not_covered;
-    v.note = say("{1}: what they share depends on play and elasticity", mechanism::too_many(model, joints, freedoms));
+    v.note =
+        say("{1}: what they share depends on play and elasticity", mechanism::too_many(solved.given, joints, freedoms));
     verdicts.push_back(std::move(v));
   }
-  return verdicts;
 }
 
+/// For each joint whether its force and its couple are unique.
 account::Table uniqueness_table(const mechanism::Model& model, const Cycle& cycle) {
   account::Table table{
       say("Reactions that equilibrium alone decides"), {say("joint"), say("force"), say("couple")}, {}};
@@ -37,25 +41,22 @@ account::Table uniqueness_table(const mechanism::Model& model, const Cycle& cycl
   return table;
 }
 
-static void hide(const std::vector<mechanism::Uniqueness>& unique, mechanism::Position& p) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t k = 0; k < p.reactions.size(); ++k) {
-    if (!unique[k].force) p.reactions[k].force = {none, none};
-    if (!unique[k].couple) p.reactions[k].couple = none;
-  }
+void show(const Solved& solved, const Results&, std::vector<account::Block>& blocks) {
+  if (!solved.cycle.unique.empty()) blocks.emplace_back(uniqueness_table(solved.model, solved.cycle));
 }
 
-void hide_what_is_not_unique(Cycle& cycle) {
-  for (mechanism::Position& p : cycle.positions) hide(cycle.unique, p);
-  for (auto& ways : cycle.either_way) {
-    for (mechanism::Position& way : ways) hide(cycle.unique, way);
-  }
+constexpr std::array cited{Citation{
+    "Wojtyra", [](const auto&, const mechanism::Structure& structure) { return !structure.redundant.empty(); }}};
+
+}  // namespace
+
+namespace aspects {
+
+const Aspect& redundancy() {
+  static constexpr Aspect aspect{.judge = &judge, .show = &show, .citations = cited};
+  return aspect;
 }
 
-mechanism::Model determinate(const mechanism::Model& model, const Cycle& cycle) {
-  const auto closed = std::find(cycle.closed.begin(), cycle.closed.end(), true) - cycle.closed.begin();
-  if (static_cast<std::size_t>(closed) == cycle.closed.size()) return model;
-  return mechanism::release(model, cycle.positions[static_cast<std::size_t>(closed)].pose).value_or(model);
-}
+}  // namespace aspects
 
 }  // namespace loadpath::planar

@@ -1,15 +1,13 @@
 #include "calculators/mechanism/results/governing.hpp"
 
-#include "calculators/mechanism/results/output.hpp"
-
 #include <cmath>
 
 namespace loadpath::planar {
 
-std::size_t governing_position(const Cycle& cycle, const account::Account& account) {
-  for (const auto& e : account.results) {
-    if (!is_drive_effort(e.path)) continue;
-    const Extreme peak = largest(e.value);
+std::size_t governing_position(const Cycle& cycle, const Results& results) {
+  for (const auto& line : results) {
+    if (!is_effort(line.kind())) continue;
+    const Extreme peak = largest(line.entry->value);
     if (!std::isnan(peak.value) && cycle.has_forces(peak.nearest)) return peak.nearest;
   }
   std::size_t first = 0;

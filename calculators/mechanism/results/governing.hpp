@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/mechanism/cycle/cycle.hpp"
-#include "lib/account/account.hpp"
+#include "calculators/mechanism/results/results.hpp"
 
 #include <cstddef>
 
@@ -10,6 +10,6 @@ namespace loadpath::planar {
 
 /// The position nearest to the largest moment of the drive, or force of the first cylinder; else the first that has
 /// forces; one past the last where none has.
-std::size_t governing_position(const Cycle& cycle, const account::Account& account);
+std::size_t governing_position(const Cycle& cycle, const Results& results);
 
 }  // namespace loadpath::planar

@@ -2,8 +2,14 @@
 
 namespace loadpath::planar {
 
-bool is_drive_effort(std::string_view path) {
-  return path == "drive.M" || (path.starts_with("cylinders.") && path.ends_with(".F"));
+std::string named(const char* path, const std::string& name) {
+  std::string own = path;
+  const std::size_t at = own.find("NAME");
+  return at == std::string::npos ? own : own.replace(at, 4, name);
+}
+
+Output output(const Declaration& what, const std::string& name) {
+  return {.what = what, .name = name, .path = named(what.pattern.path, name)};
 }
 
 }  // namespace loadpath::planar

@@ -1,12 +1,9 @@
-// What a planar mechanism gives to other steps: paths, dimensions, and how each is read off a position.
+// What a planar mechanism gives to other steps: results with their paths, and how each is read off what is solved.
 #pragma once
 
-#include "calculators/mechanism/words/mechanism.hpp"
-#include "lib/account/account.hpp"
-#include "lib/calculator/calculator.hpp"
-#include "lib/mechanism/model/model.hpp"
+#include "calculators/mechanism/results/declaration.hpp"
+#include "calculators/mechanism/results/results.hpp"
 #include "lib/mechanism/model/position.hpp"
-#include "lib/quantity/dimension.hpp"
 #include "lib/text/issue.hpp"
 
 #include <cstddef>
@@ -14,25 +11,13 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace loadpath::planar {
 
-struct Cycle;
-struct Kinematics;
-struct Errors;
-struct Balanced;
-
-/// What is known when all positions are solved.
-struct Solved {
-  const Cycle& cycle;
-  const Kinematics& kinematics;
-  const Errors& errors;
-  const Balanced& balanced;
-};
+struct Solved;
 
 /// A position, and what mechanism::PositionFunctions derives there: null where that is not known.
 struct Reached {
@@ -66,21 +51,21 @@ struct Output {
     Values(std::vector<double> values, Message reason = {})  // NOLINT(google-explicit-constructor)
         : si(std::move(values)), missing(std::move(reason)) {}
   };
+  Declaration what;
+  std::string name;  // of what it is of: "A"; empty for the mechanism as a whole
   std::string path;  // "joints.A.F"
-  std::string doc;
-  std::string unit;
-  Dimension dimension;
-  Reading read;
+  Reading read = {};
   /// In place of `read`, of all that is solved.
   std::function<Values(const Solved&)> read_cycle = {};
   bool is_single = false;
-  /// In place of `read`, of the results before it.
-  std::function<Values(const account::Account&)> read_results = {};
-  std::vector<std::string> results_read = {};  // their paths
-  Message missing = {};                        // of `read`: why it may have no value though the mechanism has forces
+  /// In place of `read`, of the results before it; these kinds of them.
+  std::function<Values(const Results&)> read_results = {};
+  std::vector<Kind> results_read = {};
 };
 
-/// Whether a result is the effort of a drive itself, "drive.M" or "cylinders.NAME.F".
-bool is_drive_effort(std::string_view path);
+/// The path with this name in place of NAME.
+std::string named(const char* path, const std::string& name);
+/// Not read off anything yet.
+Output output(const Declaration& what, const std::string& name);
 
 }  // namespace loadpath::planar

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "calculators/mechanism/results/output.hpp"
-#include "lib/quantity/units.hpp"
 
 #include <algorithm>
 #include <array>
@@ -31,26 +30,26 @@ decltype(auto) now_of(const Thing& thing, const Reached& reached) {
 template <class Thing>
 using Now = std::remove_cvref_t<decltype(now_of(std::declval<const Thing&>(), std::declval<const Reached&>()))>;
 
-/// A path with NAME for the thing's own, and how the value is read off.
+/// A result of a thing, and how its value is read off.
 template <class Thing>
 struct Row {
-  ResultPattern pattern;
-  Dimension dimension;
+  Declaration what;
   double (*read)(const Thing&, const Now<Thing>&);
   bool (*has)(const Thing&) = nullptr;  // null: every thing of the kind
 };
 
 /// `where`: which things have it, in words.
 template <class Thing, class Quantity>
+constexpr Row<Thing> row(const char* path, const char* doc, const Unit<Quantity>& unit, const Facts& facts,
+                         double (*read)(const Thing&, const Now<Thing>&), bool (*has)(const Thing&) = nullptr,
+                         const char* where = "") {
+  return {declare(path, doc, unit, where, facts), read, has};
+}
+template <class Thing, class Quantity>
 constexpr Row<Thing> row(const char* path, const char* doc, const Unit<Quantity>& unit,
                          double (*read)(const Thing&, const Now<Thing>&), bool (*has)(const Thing&) = nullptr,
                          const char* where = "") {
-  return {{path, unit.symbol, doc, where}, unit.dimension(), read, has};
-}
-
-inline std::string named(std::string path, const std::string& name) {
-  const std::size_t at = path.find("NAME");
-  return at == std::string::npos ? path : path.replace(at, 4, name);
+  return row<Thing>(path, doc, unit, {}, read, has, where);
 }
 
 /// `thing` has a member `name`; the readers keep a copy of it.
@@ -65,18 +64,14 @@ void add_outputs(const Thing& thing, const std::array<Row<Thing>, Count>& rows, 
   };
   const auto together = std::make_shared<const Reading::Together>(Reading::Together{own.size(), read});
   for (std::size_t n = 0; n < own.size(); ++n) {
-    const auto& [pattern, dimension, reads, has] = own[n];
-    out.push_back({.path = named(pattern.path, thing.name),
-                   .doc = pattern.doc,
-                   .unit = pattern.unit,
-                   .dimension = dimension,
-                   .read = {together, n}});
+    out.push_back(output(own[n].what, thing.name));
+    out.back().read = {together, n};
   }
 }
 
 template <class Rows>
 void list_patterns(const Rows& rows, std::vector<ResultPattern>& patterns) {
-  for (const auto& r : rows) patterns.push_back(r.pattern);
+  for (const auto& r : rows) patterns.push_back(r.what.pattern);
 }
 
 }  // namespace loadpath::planar

@@ -1,7 +1,5 @@
 #include "calculators/mechanism/results/values.hpp"
 
-#include "calculators/mechanism/cycle/cycle.hpp"
-#include "calculators/mechanism/cycle/kinematics.hpp"
 #include "calculators/mechanism/cycle/rounding.hpp"
 #include "calculators/mechanism/results/missing.hpp"
 
@@ -47,22 +45,28 @@ class Columns {
   std::vector<double> values_;  // of all at one position
 };
 
-Output::Values values_of(const Output& output, const Solved& solved, const account::Account& account,
-                         Columns& columns) {
-  if (output.read_results) return output.read_results(account);
+Message missing_of(const Output& output) {
+  const std::string_view reason = output.what.facts.missing;
+  return reason.empty() ? Message{} : say(reason);
+}
+
+Output::Values values_of(const Output& output, const Solved& solved, const Results& before, Columns& columns) {
+  if (output.read_results) return output.read_results(before);
   if (output.read_cycle) return output.read_cycle(solved);
   Output::Values values = columns.take(output.read);
   const bool open = std::any_of(values.si.begin(), values.si.end(), [](double x) { return std::isnan(x); });
-  if (open) values.missing = output.missing;
+  if (open) values.missing = missing_of(output);
   return values;
 }
 
-/// Whether an output is made from the results of this path.
-bool is_read_by_others(const std::string& path, const std::vector<Output>& outputs) {
+/// Whether an output is made from the results of this kind.
+bool is_read_by_others(Kind kind, const std::vector<Output>& outputs) {
   return std::any_of(outputs.begin(), outputs.end(), [&](const Output& o) {
-    return std::find(o.results_read.begin(), o.results_read.end(), path) != o.results_read.end();
+    return std::find(o.results_read.begin(), o.results_read.end(), kind) != o.results_read.end();
   });
 }
+
+bool reads_results(const Output& output) { return output.read_results != nullptr; }
 
 /// The output of the same path; where it was not solved, this one.
 const Output& same_of(const std::vector<Output>& outputs, const Output& output) {
@@ -72,33 +76,43 @@ const Output& same_of(const std::vector<Output>& outputs, const Output& output) 
 
 }  // namespace
 
-void fill_results(const Mechanism::Input& in, const mechanism::Model& model, const std::vector<Output>& told,
-                  const std::vector<Output>& read, const Solved& solved, const Axis* axis, const Wants& wants,
-                  account::Account& account) {
+void fill_results(const std::vector<Output>& told, const std::vector<Output>& read, const Solved& solved,
+                  const Wants& wants, account::Account& account) {
   Columns columns(solved);
   const auto needed = [&](const Output& output) {
-    return axis == nullptr || output.is_single || wants(output.path) || is_read_by_others(output.path, told);
+    return solved.axis == nullptr || output.is_single || wants(output.path) ||
+           is_read_by_others(output.what.facts.kind, told);
   };
   account.results.clear();
   account.results.reserve(told.size());
-  const auto add = [&](const Output& output) {
+  const auto add = [&](const Output& output, const Results& before) {
     Output::Values values({});
     if (needed(output)) {
-      values = values_of(same_of(read, output), solved, account, columns);
-      explain_missing(in, solved.cycle, values);
+      values = values_of(same_of(read, output), solved, before, columns);
+      explain_missing(solved.in, solved.cycle, values);
     }
     auto& [si, missing] = values;
-    Value value{{output.dimension, output.is_single ? nullptr : axis}, std::move(si)};
-    account.results.push_back(
-        {output.path, output.doc, output.unit, Role::result, std::move(value), {}, "", false, std::move(missing)});
+    const auto& [pattern, dimension, facts] = output.what;
+    Value value{{dimension, output.is_single ? nullptr : solved.axis}, std::move(si)};
+    account.results.push_back({output.path,
+                               pattern.doc,
+                               pattern.unit,
+                               Role::result,
+                               std::move(value),
+                               {},
+                               "",
+                               false,
+                               std::move(missing),
+                               !facts.detail});
   };
-  for (const Output& output : told) {
-    if (!output.read_results) add(output);
-  }
-  clear_rounding(model, solved.cycle, account.results);
-  for (const Output& output : told) {  // ratios of what is there now
-    if (output.read_results) add(output);
-  }
+  const auto ratios = std::find_if(told.begin(), told.end(), &reads_results);
+  const Results none_yet(told, account.results);
+  std::for_each(told.begin(), ratios, [&](const Output& output) { add(output, none_yet); });
+  const ResultRounding rounding(solved.given, solved.cycle);
+  for (std::size_t n = 0; n < account.results.size(); ++n)
+    rounding.clear(account.results[n].value, told[n].what.facts.kind == Kind::direction);
+  const Results before(told, account.results);  // ratios are of what is there now
+  std::for_each(ratios, told.end(), [&](const Output& output) { add(output, before); });
 }
 
 }  // namespace loadpath::planar

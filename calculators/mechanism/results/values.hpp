@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calculators/mechanism/results/output.hpp"
+#include "calculators/mechanism/results/solved.hpp"
 #include "lib/account/account.hpp"
 
 #include <functional>
@@ -15,9 +16,8 @@ using Wants = std::function<bool(const std::string& path)>;
 
 /// The results of an account, in the order of `told`, cleared of what rounding leaves; series that are not wanted have
 /// no values. `read`: outputs of what was solved, which tell what they can of those; where joints held too much it is
-/// less than was given. `axis` is null where there is one position.
-void fill_results(const Mechanism::Input& in, const mechanism::Model& model, const std::vector<Output>& told,
-                  const std::vector<Output>& read, const Solved& solved, const Axis* axis, const Wants& wants,
-                  account::Account& account);
+/// less than was given.
+void fill_results(const std::vector<Output>& told, const std::vector<Output>& read, const Solved& solved,
+                  const Wants& wants, account::Account& account);
 
 }  // namespace loadpath::planar

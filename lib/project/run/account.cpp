@@ -79,6 +79,7 @@ void Run::fill_results(Account& account) const {
     const auto display = step_.input().display.find(column.path);
     const std::string unit = display == step_.input().display.end() ? column.field->unit : display->second;
     Entry entry{column.path, column.field->doc, unit, column.field->role, value_of(column), {}, ""};
+    entry.brief = column.path == column.field->key;  // else it is of an element of a list
     if (column.field->type == FieldInfo::Type::choice) entry.word = words_of(*column.field, column.si);
     account.results.push_back(std::move(entry));
   }

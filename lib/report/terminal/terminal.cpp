@@ -47,23 +47,15 @@ std::string shown(const account::Entry& e) {
          format_quantity(high.value, e.unit) + " (at " + format_quantity(high.at, axis.unit, 5) + ")";
 }
 
-/// Results worth a line on the terminal: no elements of lists, no points, nothing that was not asked for.
-bool is_brief(const account::Entry& e) {
-  const bool joint_force = e.path.starts_with("joints.") && !e.path.ends_with(".x") && !e.path.ends_with(".y");
-  const bool asked = e.path.starts_with("accuracy.") || e.path.starts_with("counterweights.");
-  const bool element = e.path.find_first_of("[.") != std::string::npos && !e.path.starts_with("drive.") &&
-                       !e.path.starts_with("cylinders.") && !asked;
-  const bool internal =
-      e.path.starts_with("springs.") ||
-      (e.path.starts_with("links.") && (e.path.ends_with(".N") || e.path.ends_with(".V") || e.path.ends_with(".M_b")));
-  return e.role == Role::result && (!account::is_open(e) || !e.missing.empty()) &&
-         (!element || joint_force || internal);
+/// Results worth a line on the terminal: nothing that was not asked for.
+bool is_shown(const account::Entry& e) {
+  return e.brief && e.role == Role::result && (!account::is_open(e) || !e.missing.empty());
 }
 
 void show_results(const project::Step& step) {
   std::vector<std::vector<std::string>> rows;
   for (const account::Entry& e : step.account().results) {
-    if (is_brief(e)) rows.push_back({"  " + e.path, shown(e), e.doc});
+    if (is_shown(e)) rows.push_back({"  " + e.path, shown(e), e.doc});
   }
   std::cout << columns(rows);
 }

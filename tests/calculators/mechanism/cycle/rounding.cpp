@@ -30,11 +30,10 @@ struct Resting {
 TEST_SUITE("mechanism rounding") {
   TEST_CASE("what is far below what the links have is a zero, of a moment of inertia too") {
     const Resting resting;
-    std::vector<account::Entry> results(1);
-    results[0].value = {{kg_m2.dimension(), nullptr}, {7.4e-69, 0.033, 1e-9}};
-    clear_rounding(resting.model, resting.cycle, results);
-    CHECK(results[0].value.si == std::vector<double>{0.0, 0.033, 1e-9});
-    CHECK(results[0].value.rounding > 0.0);
+    Value inertia{{kg_m2.dimension(), nullptr}, {7.4e-69, 0.033, 1e-9}};
+    ResultRounding(resting.model, resting.cycle).clear(inertia, false);
+    CHECK(inertia.si == std::vector<double>{0.0, 0.033, 1e-9});
+    CHECK(inertia.rounding > 0.0);
   }
 
   TEST_CASE("a direction along the axis is 0 or half a turn, whatever the sign of its rounding") {
@@ -47,16 +46,14 @@ TEST_SUITE("mechanism rounding") {
   }
 
   TEST_CASE("the angle of a link at half a turn is positive, whatever the sign of its rounding") {
-    std::vector<account::Entry> results(2);
-    results[0].path = "links.rod.phi";
-    results[1].path = "crank_angle";
-    for (account::Entry& e : results) e.value = {{deg.dimension(), nullptr}, {-pi, pi, -3.0, -pi + 1e-16}};
     const Resting resting;
-    clear_rounding(resting.model, resting.cycle, results);
-    const std::vector<double>& phi = results[0].value.si;
-    for (const std::size_t k : {0U, 1U, 3U}) CHECK(std::abs(phi[k] - pi) <= results[0].value.rounding);
-    CHECK(phi[2] == -3.0);
-    CHECK(results[1].value.si[0] < 0.0);
+    const ResultRounding rounding(resting.model, resting.cycle);
+    Value phi{{deg.dimension(), nullptr}, {-pi, pi, -3.0, -pi + 1e-16}}, plain = phi;
+    rounding.clear(phi, true);
+    rounding.clear(plain, false);
+    for (const std::size_t k : {0U, 1U, 3U}) CHECK(std::abs(phi.si[k] - pi) <= phi.rounding);
+    CHECK(phi.si[2] == -3.0);
+    CHECK(plain.si[0] < 0.0);
   }
 
   TEST_CASE("the symbol of the axis is that of what is counted: time t, stroke s, crank angle phi") {

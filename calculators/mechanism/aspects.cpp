@@ -1,0 +1,118 @@
+#include "calculators/mechanism/aspects.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace loadpath::planar {
+
+namespace aspects {
+
+// Each is defined in a source of its own.
+const Aspect& drawn();
+const Aspect& masses();
+const Aspect& details();
+const Aspect& closing();
+const Aspect& contact();
+const Aspect& drives();
+const Aspect& reactions();
+const Aspect& places();
+const Aspect& members();
+const Aspect& contacts();
+const Aspect& cams();
+const Aspect& machine();
+const Aspect& springs();
+const Aspect& kinematics();
+const Aspect& equations();
+const Aspect& extremes();
+const Aspect& power();
+const Aspect& rest();
+const Aspect& efficiency();
+const Aspect& flanks();
+const Aspect& structure();
+const Aspect& redundancy();
+const Aspect& changes_of_assembly();
+const Aspect& motion();
+const Aspect& influence();
+const Aspect& accuracy();
+const Aspect& balance();
+const Aspect& figures();
+const Aspect& hodographs();
+
+}  // namespace aspects
+
+// One line per aspect; the only list of them.
+// clang-format off
+static constexpr std::array list{
+    &aspects::drawn,
+    &aspects::masses,
+    &aspects::details,
+    &aspects::closing,
+    &aspects::contact,
+    &aspects::drives,
+    &aspects::reactions,
+    &aspects::places,
+    &aspects::members,
+    &aspects::contacts,
+    &aspects::cams,
+    &aspects::machine,
+    &aspects::springs,
+    &aspects::kinematics,
+    &aspects::equations,
+    &aspects::extremes,
+    &aspects::power,
+    &aspects::rest,
+    &aspects::efficiency,
+    &aspects::flanks,
+    &aspects::structure,
+    &aspects::redundancy,
+    &aspects::changes_of_assembly,
+    &aspects::motion,
+    &aspects::influence,
+    &aspects::accuracy,
+    &aspects::balance,
+    &aspects::figures,
+    &aspects::hodographs,
+};
+// clang-format on
+
+std::span<const Aspect* const> all_aspects() {
+  static const auto all = [] {
+    std::array<const Aspect*, list.size()> made{};
+    for (std::size_t i = 0; i < list.size(); ++i) made[i] = &list[i]();
+    return made;
+  }();
+  return all;
+}
+
+std::vector<Output> outputs_of(const Mechanism::Input& in, const mechanism::Model& model) {
+  std::vector<Output> out;
+  ask_all(&Aspect::add_outputs, in, model, out);
+  std::stable_partition(out.begin(), out.end(), [](const Output& o) { return o.read_results == nullptr; });
+  return out;
+}
+
+std::vector<ResultPattern> result_patterns() {
+  std::vector<ResultPattern> patterns;
+  ask_all(&Aspect::list, patterns);
+  return patterns;
+}
+
+std::vector<std::string> occasional_sources() {
+  std::vector<std::string> keys;
+  for (const Aspect* aspect : all_aspects()) {
+    for (const Citation& citation : aspect->citations) keys.emplace_back(citation.key);
+  }
+  return keys;
+}
+
+std::vector<std::string> sources_used(const Mechanism::Input& in, const mechanism::Structure& structure) {
+  std::vector<std::string> keys;
+  for (const Aspect* aspect : all_aspects()) {
+    for (const Citation& citation : aspect->citations) {
+      if (citation.used(in, structure)) keys.emplace_back(citation.key);
+    }
+  }
+  return keys;
+}
+
+}  // namespace loadpath::planar

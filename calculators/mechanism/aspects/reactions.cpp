@@ -1,0 +1,55 @@
+// The force of each joint.
+#include "calculators/mechanism/results/aspect.hpp"
+#include "calculators/mechanism/results/rows.hpp"
+#include "lib/mechanism/model/vec.hpp"
+
+#include <array>
+
+namespace loadpath::planar {
+
+namespace {
+
+using mechanism::Position;
+
+struct Jointed {
+  std::string name;
+  std::size_t index;
+  mechanism::JointKind kind;
+
+  static bool is_prismatic(const Jointed& j) { return j.kind == mechanism::JointKind::prismatic; }
+};
+
+constexpr std::array joint_rows{
+    row<Jointed>("joints.NAME.F", "magnitude of the joint's force", N,
+                 {.kind = Kind::joint_force, .tabled = Tabled::always},
+                 [](const Jointed& j, const Position& p) { return mechanism::length(p.reactions[j.index].force); }),
+    row<Jointed>("joints.NAME.x", "force of the first link on the second, along x", N,
+                 {.tabled = Tabled::at_one_position, .detail = true},
+                 [](const Jointed& j, const Position& p) { return -p.reactions[j.index].force.x; }),
+    row<Jointed>("joints.NAME.y", "force of the first link on the second, along y", N,
+                 {.tabled = Tabled::at_one_position, .detail = true},
+                 [](const Jointed& j, const Position& p) { return -p.reactions[j.index].force.y; }),
+    row<Jointed>(
+        "joints.NAME.M", "couple of the first link on the second at the first link's point", N_m,
+        {.tabled = Tabled::always}, [](const Jointed& j, const Position& p) { return -p.reactions[j.index].couple; },
+        &Jointed::is_prismatic, "prismatic joints")};
+
+void list(std::vector<ResultPattern>& patterns) { list_patterns(joint_rows, patterns); }
+
+void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Output>& out) {
+  for (std::size_t j = 0; j < model.joints.size(); ++j)
+    add_outputs(Jointed{model.joints[j].name, j, model.joints[j].kind}, joint_rows, out);
+}
+
+}  // namespace
+
+namespace aspects {
+
+const Aspect& reactions() {
+  static constexpr Aspect aspect{.list = &list, .add_outputs = &add};
+  return aspect;
+}
+
+}  // namespace aspects
+
+}  // namespace loadpath::planar

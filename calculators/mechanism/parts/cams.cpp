@@ -1,0 +1,130 @@
+// What a mechanism with cams gives beside what every joint gives.
+#include "calculators/mechanism/results/aspect.hpp"
+#include "calculators/mechanism/results/rows.hpp"
+#include "calculators/mechanism/words/profiles.hpp"
+#include "lib/mechanism/studies/cam_state.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+namespace loadpath::planar {
+
+namespace {
+
+using mechanism::CamContact;
+using mechanism::JointKind;
+using mechanism::Position;
+
+struct Cam {
+  std::string name;
+  std::size_t index = 0;
+  std::shared_ptr<const mechanism::Model> model;
+
+  [[nodiscard]] const mechanism::Joint& joint() const { return model->joints[index]; }
+  [[nodiscard]] mechanism::CamState at(const Position& p) const { return cam_state(*model, index, p); }
+  static bool slides(const Cam& c) { return c.joint().contact == CamContact::flat || c.joint().radius_i == 0.0; }
+  static bool is_guided(const Cam& c) { return guide_of(*c.model, c.index).has_value(); }
+};
+
+constexpr std::array cam_rows{
+    row<Cam>(
+        "joints.NAME.N", "force that the cam pushes the follower with; negative: the follower lifts off", N,
+        {.tabled = Tabled::always}, [](const Cam& c, const Position& p) { return c.at(p).pressing; }, nullptr, "cams"),
+    row<Cam>(
+        "joints.NAME.alpha", "pressure angle: of the contact's normal against the path of the follower", deg,
+        {.kind = Kind::pressure_angle}, [](const Cam& c, const Position& p) { return *c.at(p).pressure_angle; },
+        &Cam::is_guided, "cams whose follower slides or turns"),
+    row<Cam>(
+        "joints.NAME.v_s", "speed of sliding of the follower on the cam, counter-clockwise round it positive", m_per_s,
+        [](const Cam& c, const Position& p) { return c.at(p).sliding; }, &Cam::slides, "edges and flat faces on cams")};
+
+account::Verdict verdict(const std::string& step, const std::string& symbol, Message meaning, double radius,
+                         Message bound, bool holds) {
+  account::Verdict v;
+  v.step = step;
+  v.symbol = symbol;
+  v.meaning = std::move(meaning);
+  v.bound = std::move(bound);
+  v.value = account::Quantity{radius, "mm"};
+  v.state = holds ? account::State::pass : account::State::fail;
+  return v;
+}
+
+std::string angle_text(const mechanism::Joint& joint, double parameter) {
+  return format_quantity(cam_angle(*joint.profile, parameter), "deg", 4);
+}
+
+void list(std::vector<ResultPattern>& patterns) { list_patterns(cam_rows, patterns); }
+
+void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Output>& out) {
+  const auto kept = std::make_shared<const mechanism::Model>(model);
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    if (model.joints[k].kind == JointKind::cam) add_outputs(Cam{model.joints[k].name, k, kept}, cam_rows, out);
+  }
+}
+
+/// That the profile can be made, and the roller reaches all of it.
+void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
+  for (const mechanism::Joint& joint : solved.given.joints) {
+    if (joint.kind != JointKind::cam) continue;
+    const mechanism::Bends bends = mechanism::bends_of(*joint.profile);
+    verdicts.push_back(verdict(
+        solved.step, "profile_" + joint.name,
+        say("least radius of curvature of the profile where it bulges, joint '{1}': it is not undercut", joint.name),
+        bends.bulge, say("more than 0"), bends.bulge > 0.0));
+    account::Verdict& bulge = verdicts.back();
+    bulge.note = say("at a cam angle of {1}", angle_text(joint, bends.bulge_at));
+    if (bulge.state == account::State::fail) {
+      const std::string angle = angle_text(joint, bends.bulge_at);
+      bulge.note =
+          joint.contact == CamContact::flat
+              ? say("undercut at a cam angle of {1}: make the base circle larger, or the segment longer", angle)
+              : say("undercut at a cam angle of {1}: make the base circle larger, or the roller smaller", angle);
+    }
+    if (!std::isfinite(bends.hollow) || joint.contact == CamContact::flat || joint.radius_i == 0.0) continue;
+    const bool fits = bends.hollow > joint.radius_i;
+    verdicts.push_back(verdict(solved.step, "hollow_" + joint.name,
+                               say("least radius of curvature where the profile is hollow: the roller of joint '{1}' "
+                                   "reaches into it",
+                                   joint.name),
+                               bends.hollow, say("more than {1}", format_quantity(joint.radius_i, "mm")), fits));
+    verdicts.back().note = say("at a cam angle of {1}", angle_text(joint, bends.hollow_at));
+  }
+}
+
+template <class Holds>
+bool any_law(const Mechanism::Input& in, Holds holds) {
+  return std::any_of(in.profiles.begin(), in.profiles.end(), [&](const CamProfile& profile) {
+    return std::any_of(profile.segments.begin(), profile.segments.end(),
+                       [&](const CamProfile::Segment& segment) { return holds(segment.law); });
+  });
+}
+
+constexpr std::array cited{
+    Citation{"Trajectories",
+             [](const auto& in, const auto&) {
+               return any_law(in, [](CamProfile::Law law) { return law != CamProfile::Law::dwell; });
+             }},
+    Citation{"Rothbart",
+             [](const auto& in, const auto&) {
+               return any_law(in, [](CamProfile::Law law) { return law == CamProfile::Law::modified_sine; });
+             }},
+    Citation{"SolidWorks", [](const auto& in, const auto&) {
+               return any_law(in, [](CamProfile::Law law) { return law == CamProfile::Law::modified_trapezoid; });
+             }}};
+
+}  // namespace
+
+namespace aspects {
+
+const Aspect& cams() {
+  static constexpr Aspect aspect{.list = &list, .add_outputs = &add, .judge = &judge, .citations = cited};
+  return aspect;
+}
+
+}  // namespace aspects
+
+}  // namespace loadpath::planar

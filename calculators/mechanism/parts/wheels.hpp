@@ -1,0 +1,16 @@
+// Forces of wheels: teeth, rolling contacts, the spans of belts.
+#pragma once
+
+#include "calculators/mechanism/results/output.hpp"
+#include "lib/mechanism/model/model.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace loadpath::planar {
+
+/// Of the joint with this index; nothing where it has no wheels.
+void add_wheel_outputs(const mechanism::Joint& joint, std::size_t index, std::vector<Output>& out);
+void list_wheel_patterns(std::vector<ResultPattern>& patterns);
+
+}  // namespace loadpath::planar

@@ -1,0 +1,107 @@
+// The groups that a mechanism is built of, and how well the equations determine it.
+#include "calculators/mechanism/results/aspect.hpp"
+#include "lib/mechanism/structure/assur.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace loadpath::planar {
+
+namespace {
+
+using account::Quantity;
+using account::Table;
+
+/// "2 · 3 + 0 = 6": what the joints take away from the links of a group.
+std::string count_of(const mechanism::Group& group) {
+  const auto drives = group.drivers.size();
+  return std::to_string(3 * group.links.size()) + " = 2 · " + std::to_string(group.p5) + " + " +
+         std::to_string(group.p4) + (drives == 0 ? "" : " + " + std::to_string(drives));
+}
+
+template <class Parts>
+std::string listed(const Parts& parts, const std::vector<std::size_t>& chosen) {
+  std::string names;
+  for (const std::size_t k : chosen) names += (names.empty() ? "" : ", ") + parts[k].name;
+  return names;
+}
+
+Message kind_of(const mechanism::Group& group) {
+  static constexpr std::array roman{"", "I", "II", "III", "IV", "V", "VI", "VII", "VIII"};
+  if (group.contour_class == 1) return say("initial link");
+  const auto k = static_cast<std::size_t>(group.contour_class);
+  const std::string number = k < roman.size() ? roman[k] : std::to_string(k);
+  const Message group_class = say("class {1}, order {2}", number, std::to_string(group.order));
+  return group.kind.empty() ? group_class : say("{1}, {2}", group_class, group.kind);
+}
+
+Table structure_table(const mechanism::Model& model, bool released) {
+  Table table{released
+                  ? say("Structure, without what joints hold too much: groups in order of attachment, 3 n = 2 p5 + "
+                        "p4 + drives")
+                  : say("Structure: groups in order of attachment, 3 n = 2 p5 + p4 + drives"),
+              {say("links"), say("joints"), say("kind"), say("count")},
+              {}};
+  for (const mechanism::Group& group : mechanism::groups(model)) {
+    table.rows.push_back(
+        {listed(model.links, group.links), listed(model.joints, group.joints), kind_of(group), count_of(group)});
+  }
+  return table;
+}
+
+/// The joints whose roller turns freely: no force depends on that freedom, and mobility does not count it.
+std::vector<std::string> passive_freedoms(const mechanism::Model& model) {
+  std::vector<std::string> names;
+  for (const mechanism::Joint& joint : model.joints) {
+    const bool rolls = joint.kind == mechanism::JointKind::cam && joint.contact == mechanism::CamContact::round &&
+                       joint.radius_i > 0.0;
+    if (rolls) names.push_back(joint.name);
+  }
+  return names;
+}
+
+Table determinacy_table(const mechanism::Model& model, const mechanism::Structure& structure, const Cycle& cycle,
+                        const Axis* axis) {
+  Table table{say("Mobility and conditioning"), {}, {}};
+  table.rows.push_back(
+      {say("mobility by count, 3 n − 2 p5 − p4; drives not counted"), std::to_string(structure.mobility_by_count)});
+  table.rows.push_back({say("mobility by rank of the constraints"), std::to_string(structure.mobility)});
+  for (const std::string& name : passive_freedoms(model)) {
+    table.rows.push_back(
+        {say("passive freedom, not counted: the roller of '{1}' turns freely", name), std::string("1")});
+  }
+  const auto steps = std::count(cycle.in_steps.begin(), cycle.in_steps.end(), true);
+  if (steps > 0 && axis != nullptr) {
+    const auto first = std::find(cycle.in_steps.begin(), cycle.in_steps.end(), true) - cycle.in_steps.begin();
+    table.rows.push_back({say("positions that were followed in small steps; first at {1}",
+                              format_quantity(axis->at[static_cast<std::size_t>(first)], axis->unit, 5)),
+                          std::to_string(steps)});
+  }
+  if (cycle.worst_condition == 0.0) return table;
+  const Message largest = say("largest condition number of constraints and drives, 1-norm");
+  table.rows.push_back({axis == nullptr
+                            ? largest
+                            : say("{1}, at {2}", largest, format_quantity(axis->at[cycle.worst_at], axis->unit, 5)),
+                        Quantity{cycle.worst_condition, "-", 2}});
+  return table;
+}
+
+void show(const Solved& solved, const Results&, std::vector<account::Block>& blocks) {
+  blocks.emplace_back(structure_table(solved.model, !solved.cycle.unique.empty()));
+  blocks.emplace_back(determinacy_table(solved.model, solved.structure, solved.cycle, solved.axis));
+}
+
+}  // namespace
+
+namespace aspects {
+
+const Aspect& structure() {
+  static constexpr Aspect aspect{.show = &show};
+  return aspect;
+}
+
+}  // namespace aspects
+
+}  // namespace loadpath::planar

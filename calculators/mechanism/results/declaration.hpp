@@ -1,0 +1,55 @@
+// What is said of a result of a mechanism once, before there is one: its path, unit and meaning, and the facts by which
+// tables, figures and other results choose it. Nothing tells results apart by the text of their path.
+#pragma once
+
+#include "lib/calculator/calculator.hpp"
+#include "lib/quantity/dimension.hpp"
+#include "lib/quantity/units.hpp"
+
+namespace loadpath::planar {
+
+/// What a result is to those who look for it; most are looked for by nobody.
+enum class Kind {
+  other,
+  drive_moment,
+  cylinder_force,
+  drive_power,
+  useful_power,
+  friction_power,  // of all joints
+  joint_loss,
+  efficiency,
+  efficiency_back,
+  joint_force,  // its magnitude
+  tooth_force,
+  pressure_angle,
+  transmission_angle,
+  direction  // of a link: the whole turn is (-pi, pi]
+};
+/// Whether it is the effort of a drive itself.
+constexpr bool is_effort(Kind kind) { return kind == Kind::drive_moment || kind == Kind::cylinder_force; }
+
+/// Where the tables of a report have it: what parts are designed for, and at a single position all forces of joints.
+enum class Tabled { no, at_one_position, always };
+
+struct Facts {
+  Kind kind = Kind::other;
+  Tabled tabled = Tabled::no;
+  bool detail = false;       // too much where there is little room
+  bool loads_crank = false;  // who takes it takes the force of the crank's joint with it
+  const char* missing = "";  // a message: why there may be none though the mechanism has forces
+};
+
+struct Declaration {
+  ResultPattern pattern;  // NAME stands for the name of what it is of
+  Dimension dimension;
+  Facts facts;
+};
+
+/// `where`: what has it, in words; empty: everything of its kind.
+template <class Quantity>
+constexpr Declaration declare(const char* path, const char* doc, const Unit<Quantity>& unit, const char* where,
+                              const Facts& facts = {}) {
+  return {{path, unit.symbol, doc, where}, unit.dimension(), facts};
+}
+
+}  // namespace loadpath::planar

@@ -152,7 +152,7 @@ int describe(const DescribeOptions& options) {
   if (c == nullptr) return describe_template(options.id) ? passed : refuse(options.id);
   std::cout << c->id << ": " << c->title << "\n\n" << c->scope << "\n\n";
   for (const std::string& key : keys_in(c->source)) std::cout << "[" << key << "] " << table::citation(key) << "\n";
-  for (const std::string& key : c->used_sources)
+  for (const std::string& key : c->used_sources())
     std::cout << "[" << key << "] where it is used: " << table::citation(key) << "\n";
   std::cout << "\n";
   show_type("Inputs", *c->input);
@@ -160,7 +160,7 @@ int describe(const DescribeOptions& options) {
   for (const RuleInfo& rule : c->rules) std::cout << "  rule (" << rule.fields << "): " << rule.text << "\n";
   if (!c->rules.empty()) std::cout << "\n";
   if (c->result != nullptr) show_type("Results", *c->result);
-  if (!c->patterns.empty()) show_patterns(c->patterns);
+  if (const auto patterns = c->patterns(); !patterns.empty()) show_patterns(patterns);
   std::cout << "Example, a project file that runs:\n\n" << c->example;
   return passed;
 }

@@ -127,7 +127,7 @@ TEST_SUITE("contract") {
       const auto keys = report::keys_in(c->source);
       CHECK(!keys.empty());
       for (const std::string& key : keys) CHECK(!table::citation(key).empty());
-      for (const std::string& key : c->used_sources) {
+      for (const std::string& key : c->used_sources()) {
         CHECK_MESSAGE(!table::citation(key).empty(), key);
         CHECK_MESSAGE(keys.count(key) == 0, key);
       }

@@ -52,7 +52,7 @@ std::optional<FieldFault> set_inertia(planar::Link& link, Length l, const Readin
 }  // namespace
 
 Record laid_out(const Template& from) {
-  Record record(record_type<Mechanism::Input, Mechanism::inputs>());
+  Record record(record_type<Mechanism::Input, Mechanism::inputs>);
   from.lay_out(record.data.get());
   return record;
 }

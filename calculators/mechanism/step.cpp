@@ -245,10 +245,10 @@ const Calculator& erased<planar::Mechanism>() {
     c.title = planar::Mechanism::title;
     c.scope = planar::Mechanism::scope;
     c.source = planar::Mechanism::source;
-    c.used_sources = planar::occasional_sources();
+    c.used_sources = &planar::occasional_sources;
     c.example = planar::Mechanism::example;
-    c.input = &record_type<planar::Mechanism::Input, planar::Mechanism::inputs>();
-    c.patterns = planar::result_patterns();
+    c.input = &record_type<planar::Mechanism::Input, planar::Mechanism::inputs>;
+    c.patterns = &planar::result_patterns;
     c.templates = planar::templates::all();
     return c;
   }();

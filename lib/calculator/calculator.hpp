@@ -51,15 +51,17 @@ struct ResultColumn {
 };
 
 struct Calculator {
-  const char* id = "";                    // "shaft.torsion"
-  const char* title = "";                 // "Torsion of a shaft"
-  const char* scope = "";                 // what it decides, what it assumes, what it does not cover
-  const char* source = "";                // keys of tables/sources.toml: "[B19]"
-  const char* example = "";               // a project file that runs
-  std::vector<std::string> used_sources;  // keys that a step cites only where it uses them (account::Account::sources)
+  const char* id = "";       // "shaft.torsion"
+  const char* title = "";    // "Torsion of a shaft"
+  const char* scope = "";    // what it decides, what it assumes, what it does not cover
+  const char* source = "";   // keys of tables/sources.toml: "[B19]"
+  const char* example = "";  // a project file that runs
+  /// Keys that a step cites only where it uses them (account::Account::sources).
+  std::vector<std::string> (*used_sources)() = [] { return std::vector<std::string>(); };
   const RecordType* input = nullptr;
   const RecordType* result = nullptr;
-  std::vector<ResultPattern> patterns;  // in place of `result`, where names in the input make the paths
+  /// In place of `result`, where names in the input make the paths.
+  std::vector<ResultPattern> (*patterns)() = [] { return std::vector<ResultPattern>(); };
   std::span<const Template* const> templates;
   std::span<const RuleInfo> rules;
   bool (*holds)(std::size_t rule, const void* input) = nullptr;

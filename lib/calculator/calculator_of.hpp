@@ -59,7 +59,7 @@ LOADPATH_SWEEP void sweep_loop(typename C::Input& input, std::span<const InputCo
 }  // namespace detail
 
 template <class C>
-Calculator calculator_of() {
+constexpr Calculator calculator_of() {
   using Input = typename C::Input;
   using Result = typename C::Result;
   Calculator c;
@@ -68,8 +68,8 @@ Calculator calculator_of() {
   c.scope = C::scope;
   c.source = C::source;
   c.example = C::example;
-  c.input = &record_type<Input, C::inputs>();
-  c.result = &record_type<Result, C::results, Role::result>();
+  c.input = &record_type<Input, C::inputs>;
+  c.result = &record_type<Result, C::results, Role::result>;
   c.rules = detail::rule_infos<C>;
   c.holds = [](std::size_t rule, const void* in) { return C::rules[rule].holds(*static_cast<const Input*>(in)); };
   c.fault_of = [](std::size_t rule, const void* in) {
@@ -96,7 +96,7 @@ Calculator calculator_of() {
 
 template <class C>
 const Calculator& erased() {
-  static const Calculator calculator = calculator_of<C>();
+  static constexpr Calculator calculator = calculator_of<C>();
   return calculator;
 }
 

@@ -1,5 +1,5 @@
 // Makes the erased fields (lib/calculator/record.hpp) from a calculator's constexpr list. Included by the source of a
-// calculator.
+// calculator. They are constants: nothing is built when the program starts.
 #pragma once
 
 #include "lib/calculator/record.hpp"
@@ -19,7 +19,7 @@ template <class Enum>
 inline constexpr auto choice_table = choice_infos<Enum>();
 
 template <class Self>
-FieldInfo described(const detail::Described<Self>& field, FieldInfo::Type type, Role role_of_list) {
+constexpr FieldInfo described(const detail::Described<Self>& field, FieldInfo::Type type, Role role_of_list) {
   FieldInfo info;
   info.type = type;
   info.key = field.key;
@@ -33,10 +33,10 @@ template <const auto& fields, std::size_t I>
 inline constexpr auto member_at = std::get<I>(fields).at;
 
 template <const auto& fields, Role role>
-std::span<const FieldInfo> infos_of();
+constexpr std::span<const FieldInfo> infos_of();
 
 template <const auto& fields, Role role, std::size_t I, class Owner, class Quantity>
-FieldInfo info_of(const Field<Owner, Quantity>& f) {
+constexpr FieldInfo info_of(const Field<Owner, Quantity>& f) {
   FieldInfo info = described(f, FieldInfo::Type::quantity, role);
   info.unit = f.unit.symbol;
   info.factor = in_si(f.unit.one);
@@ -65,7 +65,7 @@ FieldInfo info_of(const Field<Owner, Quantity>& f) {
 }
 
 template <const auto& fields, Role role, std::size_t I, class Owner>
-FieldInfo info_of(const Count<Owner>& f) {
+constexpr FieldInfo info_of(const Count<Owner>& f) {
   FieldInfo info = described(f, FieldInfo::Type::count, role);
   info.bounds = {static_cast<double>(f.low), static_cast<double>(f.high), false, false};
   info.get = [](const void* o) { return static_cast<double>(static_cast<const Owner*>(o)->*member_at<fields, I>); };
@@ -74,28 +74,28 @@ FieldInfo info_of(const Count<Owner>& f) {
 }
 
 template <const auto& fields, std::size_t I, class Owner, std::size_t capacity>
-void let_text(ShortText<capacity> Owner::*, FieldInfo& info) {
+constexpr void let_text(ShortText<capacity> Owner::*, FieldInfo& info) {
   info.capacity = capacity;
   info.text = [](const void* o) { return (static_cast<const Owner*>(o)->*member_at<fields, I>).view(); };
   info.set_text = [](void* o, std::string_view t) { static_cast<Owner*>(o)->*member_at<fields, I> = t; };
 }
 
 template <const auto& fields, Role role, std::size_t I, class Owner>
-FieldInfo info_of(const NameField<Owner>& f) {
+constexpr FieldInfo info_of(const NameField<Owner>& f) {
   FieldInfo info = described(f, FieldInfo::Type::name, role);
   let_text<fields, I>(f.at, info);
   return info;
 }
 
 template <const auto& fields, Role role, std::size_t I, class Owner>
-FieldInfo info_of(const FormulaField<Owner>& f) {
+constexpr FieldInfo info_of(const FormulaField<Owner>& f) {
   FieldInfo info = described(f, FieldInfo::Type::formula, role);
   let_text<fields, I>(f.at, info);
   return info;
 }
 
 template <const auto& fields, Role role, std::size_t I, class Owner, class Enum>
-FieldInfo info_of(const Choice<Owner, Enum>& f) {
+constexpr FieldInfo info_of(const Choice<Owner, Enum>& f) {
   FieldInfo info = described(f, FieldInfo::Type::choice, role);
   info.choices = choice_table<Enum>;
   info.get = [](const void* o) {
@@ -113,7 +113,7 @@ FieldInfo info_of(const Choice<Owner, Enum>& f) {
 }
 
 template <const auto& fields, Role role, std::size_t I, class Owner, class Part>
-FieldInfo info_of(const Group<Owner, Part>& f) {
+constexpr FieldInfo info_of(const Group<Owner, Part>& f) {
   FieldInfo info = described(f, FieldInfo::Type::group, role);
   info.positional = f.positional;
   info.fields = infos_of<Part::fields, role>();
@@ -123,7 +123,7 @@ FieldInfo info_of(const Group<Owner, Part>& f) {
 }
 
 template <const auto& fields, Role role, std::size_t I, class Owner, class Element, std::size_t N>
-FieldInfo info_of(const ListField<Owner, Element, N>& f) {
+constexpr FieldInfo info_of(const ListField<Owner, Element, N>& f) {
   FieldInfo info = described(f, FieldInfo::Type::list, role);
   info.positional = f.positional;
   info.provider = f.provider;
@@ -140,13 +140,14 @@ FieldInfo info_of(const ListField<Owner, Element, N>& f) {
 }
 
 template <const auto& fields, Role role>
-std::span<const FieldInfo> infos_of() {
-  constexpr std::size_t count = std::tuple_size_v<std::remove_cvref_t<decltype(fields)>>;
-  static const auto infos = []<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<FieldInfo, count>{info_of<fields, role, I>(std::get<I>(fields))...};
-  }
-  (std::make_index_sequence<count>{});
-  return infos;
+inline constexpr auto infos = []<std::size_t... I>(std::index_sequence<I...>) {
+  return std::array<FieldInfo, sizeof...(I)>{info_of<fields, role, I>(std::get<I>(fields))...};
+}
+(std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(fields)>>>{});
+
+template <const auto& fields, Role role>
+constexpr std::span<const FieldInfo> infos_of() {
+  return infos<fields, role>;
 }
 
 }  // namespace detail
@@ -154,11 +155,8 @@ std::span<const FieldInfo> infos_of() {
 /// The erased type of an aggregate whose fields are declared in `fields`, which are of that role unless they say
 /// otherwise.
 template <class Aggregate, const auto& fields, Role role = Role::input>
-const RecordType& record_type() {
-  static const RecordType type{
-      detail::infos_of<fields, role>(), [] { return std::shared_ptr<void>(std::make_shared<Aggregate>()); },
-      [](const void* from, void* to) { *static_cast<Aggregate*>(to) = *static_cast<const Aggregate*>(from); }};
-  return type;
-}
+inline constexpr RecordType record_type{
+    detail::infos_of<fields, role>(), [] { return std::shared_ptr<void>(std::make_shared<Aggregate>()); },
+    [](const void* from, void* to) { *static_cast<Aggregate*>(to) = *static_cast<const Aggregate*>(from); }};
 
 }  // namespace loadpath

@@ -19,7 +19,7 @@ struct RowKind : Choice<Owner, Enum> {
 namespace detail {
 
 template <const auto& fields, Role role, std::size_t I, class Owner, class Enum>
-FieldInfo info_of(const RowKind<Owner, Enum>& f) {
+constexpr FieldInfo info_of(const RowKind<Owner, Enum>& f) {
   FieldInfo info = info_of<fields, role, I>(static_cast<const Choice<Owner, Enum>&>(f));
   info.provider = {Provider::Kind::table, f.table, "kind"};
   return info;

@@ -42,7 +42,7 @@ void fill(std::span<const FieldInfo> fields, const Entry& entry, void* values);
 
 template <class Values>
 std::vector<Typed<Values>> typed_rows(const std::vector<const Table*>& tables) {
-  const auto fields = record_type<Values, Values::fields>().fields;
+  const auto fields = record_type<Values, Values::fields>.fields;
   std::vector<Typed<Values>> rows;
   for (const Entry& entry : entries_of(tables)) {
     Typed<Values>& row = rows.emplace_back();

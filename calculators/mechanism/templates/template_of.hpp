@@ -8,13 +8,13 @@ namespace loadpath::planar::templates {
 
 template <class T>
 const MechanismTemplate& mechanism_template() {
-  static const MechanismTemplate made = [] {
+  static constexpr MechanismTemplate made = [] {
     MechanismTemplate t;
     t.id = T::id;
     t.title = T::title;
     t.doc = T::doc;
     t.example = T::example;
-    t.parameters = &record_type<T, T::fields>();
+    t.parameters = &record_type<T, T::fields>;
     t.lay_out = [](void* input) {
       auto& in = *static_cast<Mechanism::Input*>(input);
       Sketch sketch(in, unset<double>);

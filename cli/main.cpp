@@ -312,6 +312,10 @@ std::string program() { return "loadpath " LOADPATH_VERSION; }
 }  // namespace loadpath::cli
 
 int main(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "--version") {  // asked by scripts, again and again: nothing is set up
+    std::cout << loadpath::cli::program() << "\n";
+    return loadpath::cli::passed;
+  }
   std::signal(SIGINT, [](int) { std::_Exit(loadpath::cli::interrupted); });
   try {
     return loadpath::cli::dispatch(argc, argv);

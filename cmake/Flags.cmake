@@ -35,3 +35,11 @@ endfunction()
 function(loadpath_hot)
   set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O3> SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
+
+# A command lives for milliseconds: a release of the program needs no relocation, and brings what it uses of the C++
+# library along. Not wholly static: then the first exception sorts the unwind tables of the whole program, 6 ms.
+function(loadpath_quick_start target)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT LOADPATH_SANITIZE)
+    target_link_options(${target} PRIVATE $<$<CONFIG:Release>:-no-pie;-static-libstdc++;-static-libgcc>)
+  endif()
+endfunction()

@@ -17,9 +17,16 @@ using table::Row;
 using table::Table;
 using Rows = std::vector<std::vector<std::string>>;
 
-int unknown(const std::string& word, const char* what, const std::vector<std::string>& candidates) {
-  std::cerr << "loadpath: there is no " << what << " '" << word
-            << "'\n  = help: " << did_you_mean(word, candidates, say("`loadpath tables` shows all")).text() << "\n";
+int unknown_table(const std::string& word) {
+  const Library& library = table::active();
+  std::vector<std::string> names;
+  for (const Table& t : library.tables) {
+    names.push_back(t.name);
+    names.push_back(t.name.substr(0, t.name.find('/')));
+  }
+  for (const table::Series& s : library.series) names.push_back(s.name);
+  std::cerr << "loadpath: there is no table '" << word
+            << "'\n  = help: " << did_you_mean(word, names, say("`loadpath tables` shows all")).text() << "\n";
   return wrong_input;
 }
 
@@ -100,8 +107,8 @@ int show_audit(const Library& library) {
   return passed;
 }
 
-int show_row(const Library& library, const std::string& group, const std::string& name) {
-  const auto entry = table::find_row(library, group, name);
+int show_row(const std::string& group, const std::string& name) {
+  const auto entry = table::find_row(group, name);
   if (!entry) {
     std::cerr << "loadpath: " << entry.fault().message.text() << "\n";
     if (!entry.fault().hint.empty()) std::cerr << "  = help: " << entry.fault().hint.text() << "\n";
@@ -190,29 +197,25 @@ int search_tables(const TablesOptions& options) {
                        part ? "search the part: loadpath tables " + options.table + "/" + options.key : "leave it out");
 }
 
+/// The series that is named by itself, or in its table; null where none is.
+const table::Series* series_of(const TablesOptions& options) {
+  if (const auto* series = table::series_named(options.table)) return series;
+  const auto* series = table::series_named(options.key);
+  return series != nullptr && series->table == options.table ? series : nullptr;
+}
+
 }  // namespace
 
 /// Tables are named whole ("materials/steel_aisi"), by their folder ("materials"), or a series by its own name ("R40").
 int tables(const TablesOptions& options) {
   if (!options.where.empty() || !options.sort.empty()) return search_tables(options);
-  const Library& library = table::active();
-  if (options.audit) return show_audit(library);
-  if (options.table.empty()) return show_index(library);
-  std::vector<std::string> names;
-  std::vector<const Table*> chosen;
-  for (const Table& t : library.tables) {
-    const std::string folder = t.name.substr(0, t.name.find('/'));
-    if (t.name == options.table || folder == options.table) chosen.push_back(&t);
-    names.push_back(t.name);
-    names.push_back(folder);
-  }
-  for (const table::Series& s : library.series) {
-    if (s.name == options.table || (s.table == options.table && s.name == options.key)) return show_series(s);
-    names.push_back(s.name);
-  }
-  if (chosen.empty()) return unknown(options.table, "table", names);
-  if (!options.key.empty()) return show_row(library, chosen[0]->group, options.key);
-  for (const Table* t : chosen) show_table(*t, nullptr);
+  if (options.audit) return show_audit(table::active());
+  if (options.table.empty()) return show_index(table::active());
+  if (const auto* series = series_of(options)) return show_series(*series);
+  const Table* const first = table::first_table_in(options.table);
+  if (first == nullptr) return unknown_table(options.table);
+  if (!options.key.empty()) return show_row(first->group, options.key);
+  for (const Table* t : table::tables_in(options.table)) show_table(*t, nullptr);
   return passed;
 }
 

@@ -2,6 +2,7 @@
 #include "lib/table/reader.hpp"
 #include "lib/text/embedded.hpp"
 
+#include <algorithm>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
@@ -50,36 +51,34 @@ const Library& built_in_file(std::size_t i) {
   return read[i].read(embedded::tables()[i]);
 }
 
-/// What is found in the tables in use; of the built-in ones the files that have the word are read first.
-template <class Find>
-auto look_for(std::string_view word, Find find) {
-  if (replacement()) return find(*replacement());
+/// Visits the tables in use until that gives true; of the built-in files only those that have `text` are read.
+template <class Visit>
+void visit_until(std::string_view text, Visit visit) {
+  if (replacement()) return static_cast<void>(visit(*replacement()));
   const auto files = embedded::tables();
   for (std::size_t i = 0; i < files.size(); ++i) {
-    if (files[i].text.find(word) == std::string_view::npos) continue;
-    if (auto found = find(built_in_file(i))) return found;
+    if (files[i].text.find(text) != std::string_view::npos && visit(built_in_file(i))) return;
   }
-  return find(built_in());
 }
 
 /// The tables in use that are wanted; of the built-in files only those that have `text` are read.
 template <class Wanted>
 std::vector<const Table*> tables_where(const std::string& text, Wanted wanted) {
   std::vector<const Table*> found;
-  const auto collect = [&](const Library& library) {
+  visit_until(text, [&](const Library& library) {
     for (const Table& table : library.tables) {
       if (wanted(table)) found.push_back(&table);
     }
-  };
-  if (replacement()) {
-    collect(*replacement());
-    return found;
-  }
-  const auto files = embedded::tables();
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    if (files[i].text.find(text) != std::string_view::npos) collect(built_in_file(i));
-  }
+    return false;
+  });
   return found;
+}
+
+/// How a file says that a table has this name, or lies in this folder.
+std::string table_line(std::string_view name) { return "table = \"" + std::string(name); }
+
+bool is_named(const Table& table, std::string_view name) {
+  return table.name == name || std::string_view(table.name).substr(0, table.name.find('/')) == name;
 }
 
 void audit_row(const Table& table, const Row& row, const std::vector<Value>& values, double size_max,
@@ -127,11 +126,27 @@ std::vector<Recalled> audit(const Library& library) {
 }
 
 Outcome<Entry> find_row(std::string_view group, std::string_view name) {
-  return look_for(name, [&](const Library& library) { return find_row(library, group, name); });
+  Entry entry;
+  visit_until('"' + std::string(name) + '"', [&](const Library& library) {
+    if (const auto found = find_row(library, group, name)) entry = *found;
+    return entry.row != nullptr;
+  });
+  if (entry.row != nullptr) return entry;
+  return find_row(active(), group, name);  // by other capitals, or says what is near
+}
+
+const Series* series_named(std::string_view name) {
+  const Series* named = nullptr;
+  visit_until("name = \"" + std::string(name) + '"', [&](const Library& library) {
+    if (const auto found = find_series(library, name)) named = *found;
+    return named != nullptr;
+  });
+  return named;
 }
 
 Outcome<const Series*> find_series(std::string_view name) {
-  return look_for(name, [&](const Library& library) { return find_series(library, name); });
+  if (const Series* series = series_named(name)) return series;
+  return find_series(active(), name);  // says what is near
 }
 
 std::vector<const Table*> tables_of(std::string_view group) {
@@ -140,19 +155,29 @@ std::vector<const Table*> tables_of(std::string_view group) {
 }
 
 std::vector<const Table*> tables_in(std::string_view name) {
-  const auto named = [&](const Table& table) {
-    return table.name == name || std::string_view(table.name).substr(0, table.name.find('/')) == name;
-  };
-  return tables_where("table = \"" + std::string(name), named);
+  return tables_where(table_line(name), [&](const Table& table) { return is_named(table, name); });
 }
 
+const Table* first_table_in(std::string_view name) {
+  const Table* first = nullptr;
+  visit_until(table_line(name), [&](const Library& library) {
+    const auto found = std::find_if(library.tables.begin(), library.tables.end(),
+                                    [&](const Table& table) { return is_named(table, name); });
+    if (found != library.tables.end()) first = &*found;
+    return first != nullptr;
+  });
+  return first;
+}
+
+/// One citation is read from its line: the file of all of them takes longer than most commands.
 std::string citation(std::string_view key) {
-  const auto find = [&](const Library& library) {
-    const auto found = library.citations.find(key);
-    return found == library.citations.end() ? nullptr : &found->second;
-  };
-  const Citation* found = look_for(key, find);
-  return found == nullptr ? std::string() : found->text;
+  for (const auto& file : embedded::tables()) {
+    if (replacement() || file.text.find("[sources]") == std::string_view::npos) continue;
+    if (const auto text = plain_text(file.text, key)) return std::string(*text);
+  }
+  const auto& citations = active().citations;
+  const auto found = citations.find(key);
+  return found == citations.end() ? std::string() : found->second.text;
 }
 
 }  // namespace loadpath::table

@@ -120,4 +120,16 @@ bool read_texts(const Cell& cell, std::vector<std::string>& texts) {
   return true;
 }
 
+std::optional<std::string_view> plain_text(std::string_view file, std::string_view key) {
+  const std::string bare(key);
+  for (const std::string& head : {"\n" + bare + " = \"", "\n\"" + bare + "\" = \""}) {
+    const std::size_t found = file.find(head);
+    if (found == std::string_view::npos) continue;
+    const std::string_view value = file.substr(found + head.size());
+    const std::size_t end = value.find_first_of("\"\\\n");
+    if (end != std::string_view::npos && value.substr(end).starts_with("\"\n")) return value.substr(0, end);
+  }
+  return std::nullopt;
+}
+
 }  // namespace loadpath::table

@@ -38,4 +38,8 @@ bool read_line(std::string_view line, std::vector<Cell>& cells);
 /// The texts of such a cell: ["HE 100 A", "HEA100"].
 bool read_texts(const Cell& cell, std::vector<std::string>& texts);
 
+/// The value of a line KEY = "text", or of one with the key in quotes, as the file has it; nothing where there is no
+/// such line, or its text has escapes.
+std::optional<std::string_view> plain_text(std::string_view file, std::string_view key);
+
 }  // namespace loadpath::table

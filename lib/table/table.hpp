@@ -99,6 +99,8 @@ Outcome<Entry> find_row(std::string_view group, std::string_view name);
 std::vector<const Table*> tables_of(std::string_view group);
 /// Likewise the table of a name ("sections/ipe"), or all of a folder ("sections").
 std::vector<const Table*> tables_in(std::string_view name);
+/// The first of them, null where there is none; the others are not read.
+const Table* first_table_in(std::string_view name);
 
 struct Property {
   double si = 0.0;
@@ -125,6 +127,8 @@ double covered_size(const Entry& entry, std::string_view key);
 
 Outcome<const Series*> find_series(const Library& library, std::string_view name);
 Outcome<const Series*> find_series(std::string_view name);
+/// Null where there is none; then nothing else is read to say so.
+const Series* series_named(std::string_view name);
 
 std::vector<double> members_in_si(const Series& series);
 

@@ -1,5 +1,8 @@
 #include "tests/lib/table/tables.hpp"
 
+#include <map>
+#include <utility>
+
 using namespace loadpath;
 using namespace loadpath::table;
 
@@ -77,6 +80,33 @@ TEST_SUITE("table") {
     CHECK(unknown.fault().hint.text() == "did you mean '42CrMo4'?");
     CHECK((*find_series("R40"))->members.size() == 201);
     CHECK_FALSE(find_series("R21"));
+  }
+
+  TEST_CASE("the first file that has a row is the only one of its group") {
+    std::map<std::pair<std::string, std::string>, std::string> homes;
+    for (const Table& table : built_in().tables) {
+      for (const Row& row : table.rows) {
+        std::vector<std::string> names = row.aliases;
+        names.push_back(row.name);
+        for (const std::string& name : names) {
+          const std::string& home = homes.emplace(std::pair(table.group, name), table.name).first->second;
+          CHECK_MESSAGE(home == table.name, name);
+        }
+      }
+    }
+  }
+
+  TEST_CASE("a table and a series are found by their names, or are not there") {
+    CHECK(first_table_in("materials/steel_aisi")->name == "materials/steel_aisi");
+    CHECK(first_table_in("materials")->group == "material");
+    CHECK(first_table_in("material") == nullptr);
+    CHECK(series_named("R40") == *find_series("R40"));
+    CHECK(series_named("R4") == nullptr);
+  }
+
+  TEST_CASE("a citation reads like that of the whole library") {
+    for (const auto& [key, known] : built_in().citations) CHECK(citation(key) == known.text);
+    CHECK(citation("nobody").empty());
   }
 
   TEST_CASE("how far a property is covered can be asked") {

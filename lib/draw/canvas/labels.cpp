@@ -1,14 +1,27 @@
 #include "lib/draw/canvas/labels.hpp"
 
 #include <numbers>
+#include <utility>
 
 namespace loadpath::draw {
 namespace {
 
 constexpr double hit = 1e3, outside = 1e4, crowded = 3.0, close_by = 4.0;
 
+/// Whether one box lies wholly on one side of the other.
+bool is_apart(const Box& a, const Box& b) {
+  return a.right < b.left || b.right < a.left || a.bottom < b.top || b.bottom < a.top;
+}
+
+/// Whether both ends of a segment lie on the same side of the box, as those of most segments do.
+bool is_beside(const Box& box, Point from, Point to) {
+  return (from.x < box.left && to.x < box.left) || (from.x > box.right && to.x > box.right) ||
+         (from.y < box.top && to.y < box.top) || (from.y > box.bottom && to.y > box.bottom);
+}
+
 /// Clips the segment to the box (Liang and Barsky) and tells whether something is left.
 bool enters(const Box& box, Point from, Point to) {
+  if (is_beside(box, from, to)) return false;
   const Point d = to - from;
   double enter = 0.0, leave = 1.0;
   const auto clip = [&](double slope, double room) {
@@ -31,21 +44,31 @@ Box pushed(Point foot, Point direction, double gap, double width, double height)
 
 }  // namespace
 
+Labels::Line::Line(std::vector<Point> points, double half_width, double weight)
+    : points_(std::move(points)), half_width_(half_width), weight_(weight) {
+  if (points_.empty()) return;
+  extent_ = Box::around(points_.front(), 0.0, 0.0);
+  for (const Point& p : points_) extent_.include({p.x, p.y, p.x, p.y});
+}
+
 bool Labels::Line::crosses(const Box& box) const {
-  const Box wide = box.grown(half_width);
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    if (enters(wide, points[i - 1], points[i])) return true;
+  const Box wide = box.grown(half_width_);
+  if (is_apart(wide, extent_)) return false;
+  for (std::size_t i = 1; i < points_.size(); ++i) {
+    if (enters(wide, points_[i - 1], points_[i])) return true;
   }
   return false;
 }
 
-double Labels::hits(const Box& box) const {
-  double sum = area_.contains(box) ? 0.0 : outside;
-  for (const Box& other : boxes_) sum += box.meets(other) ? 2.0 * hit : 0.0;
+double Labels::cost(const Candidate& candidate, double enough) const {
+  const Box& box = candidate.box;
+  double hits = area_.contains(box) ? 0.0 : outside;
+  for (const Box& other : boxes_) hits += box.meets(other) ? 2.0 * hit : 0.0;
   for (const Line& line : lines_) {
-    if (line.crosses(box.grown(close_by))) sum += line.weight * (line.crosses(box) ? hit : crowded);
+    if (candidate.cost + hits >= enough) break;
+    if (line.crosses(box.grown(close_by))) hits += line.weight() * (line.crosses(box) ? hit : crowded);
   }
-  return sum;
+  return candidate.cost + hits;
 }
 
 Box Labels::place(const std::vector<Candidate>& candidates) {
@@ -53,7 +76,7 @@ Box Labels::place(const std::vector<Candidate>& candidates) {
   double least = 1e300;
   for (const Candidate& c : candidates) {
     if (c.cost >= least) continue;
-    if (const double sum = c.cost + hits(c.box); sum < least) least = sum, best = c.box;
+    if (const double all = cost(c, least); all < least) least = all, best = c.box;
   }
   boxes_.push_back(spaced(best));
   return best;
@@ -62,7 +85,7 @@ Box Labels::place(const std::vector<Candidate>& candidates) {
 std::optional<Box> Labels::place_free(const std::vector<Candidate>& candidates) {
   const Box best = place(candidates);
   boxes_.pop_back();
-  if (candidates.empty() || hits(best) >= hit) return std::nullopt;
+  if (candidates.empty() || cost({best, 0.0}, hit) >= hit) return std::nullopt;
   boxes_.push_back(spaced(best));
   return best;
 }

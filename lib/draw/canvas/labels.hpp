@@ -23,7 +23,7 @@ class Labels {
   void keep_off(const Box& box) { boxes_.push_back(box); }
   /// `weight`: below 1 for what a label may cross where there is no room.
   void keep_off(std::vector<Point> polyline, double half_width = 1.0, double weight = 1.0) {
-    lines_.push_back({std::move(polyline), half_width, weight});
+    lines_.emplace_back(std::move(polyline), half_width, weight);
   }
 
   /// The best candidate, which is then kept off by later labels; nothing when each one hits something.
@@ -32,13 +32,19 @@ class Labels {
   Box place(const std::vector<Candidate>& candidates);
 
  private:
-  struct Line {
-    std::vector<Point> points;
-    double half_width, weight;
-
+  class Line {
+   public:
+    Line(std::vector<Point> points, double half_width, double weight);
     [[nodiscard]] bool crosses(const Box& box) const;
+    [[nodiscard]] double weight() const { return weight_; }
+
+   private:
+    std::vector<Point> points_;
+    Box extent_;
+    double half_width_, weight_;
   };
-  [[nodiscard]] double hits(const Box& box) const;
+  /// What the candidate costs with all that it hits; counting ends where that is `enough`.
+  [[nodiscard]] double cost(const Candidate& candidate, double enough) const;
 
   Box area_;
   std::vector<Box> boxes_;

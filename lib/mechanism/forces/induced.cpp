@@ -6,6 +6,16 @@
 #include <cmath>
 
 namespace loadpath::mechanism {
+namespace {
+
+void add(double amount, std::span<const Reaction> influence, std::span<Reaction> to) {
+  for (std::size_t k = 0; k < to.size(); ++k) {
+    to[k].force = to[k].force + amount * influence[k].force;
+    to[k].couple += amount * influence[k].couple;
+  }
+}
+
+}  // namespace
 
 InducedForces::InducedForces(const Model& model) : model_(model), size_(characteristic_length(model)) {
   for (std::size_t k = 0; k < model.joints.size(); ++k) {
@@ -17,6 +27,8 @@ InducedForces::InducedForces(const Model& model) : model_(model), size_(characte
     if (rubs(joint)) parts_ = 4;
   }
   for (auto* x : {&amounts_, &induced_, &before_}) x->resize(modes_.size());
+  for (auto* x : {&free_, &by_, &moved_}) x->resize(sources_.size());
+  influences_.resize(modes_.size() * sources_.size());
   newton_ = SmallLu(modes_.size());
 }
 
@@ -49,26 +61,76 @@ RestLimits InducedForces::limits(const Position& at) const {
   return {size_ * omega, omega, size_ * epsilon, epsilon};
 }
 
-void InducedForces::induce(const Position& at, double share) {
-  for (const InducedSource& source : sources_) {
-    mechanism::induce(model_.joints[source.joint], source, at.reactions[source.joint], share,
-                      std::span(induced_).subspan(source.first));
-  }
-}
-
-double InducedForces::largest_force(const Position& at) {
+double InducedForces::largest(std::span<const Reaction> reactions) const {
   double most = 1e-300;
-  for (const Reaction& reaction : at.reactions)
-    most = std::max({most, std::abs(reaction.force.x), std::abs(reaction.force.y)});
+  for (const Reaction& reaction : reactions) {
+    most = std::max({most, std::abs(reaction.force.x), std::abs(reaction.force.y), std::abs(reaction.couple) / size_});
+  }
   return most;
 }
 
-bool InducedForces::is_settled(const Position& at) const {
-  const double rounding = 1e-15 * largest_force(at);
+/// The amount to try each mode with: of the size of the reactions, so that they do not drown what it adds.
+double InducedForces::take_free(const Position& at) {
+  for (std::size_t k = 0; k < sources_.size(); ++k) free_[k] = at.reactions[sources_[k].joint];
+  scale_ = largest(at.reactions);
+  return scale_;
+}
+
+void InducedForces::take_influence(const Position& at, std::size_t mode) {
+  const double amount = amounts_[mode];
+  for (std::size_t k = 0; k < sources_.size(); ++k) {
+    const Reaction& with = at.reactions[sources_[k].joint];
+    Reaction& adds = influences_[mode * sources_.size() + k];
+    adds.force = (1.0 / amount) * (with.force - free_[k].force);
+    adds.couple = (with.couple - free_[k].couple) / amount;
+  }
+}
+
+/// Newton's iteration for amounts that induce themselves; what they induce is linear in them but for the signs.
+bool InducedForces::find_amounts(double share) {
+  constexpr int most_steps = 30;
+  for (int k = 0; k < most_steps; ++k) {
+    find_reactions();
+    induce(by_, share);
+    if (is_settled()) return true;
+    fill_newton(share);
+    if (!step()) return false;
+  }
+  return false;
+}
+
+void InducedForces::find_reactions() {
+  by_ = free_;
+  for (std::size_t m = 0; m < amounts_.size(); ++m) add(amounts_[m], influence(m), by_);
+}
+
+void InducedForces::induce(std::span<const Reaction> by, double share) {
+  for (std::size_t k = 0; k < sources_.size(); ++k) {
+    const InducedSource& source = sources_[k];
+    mechanism::induce(model_.joints[source.joint], source, by[k], share, std::span(induced_).subspan(source.first));
+  }
+}
+
+bool InducedForces::is_settled() const {
+  const double rounding = 1e-15 * std::max(scale_, largest(by_));
   for (std::size_t m = 0; m < amounts_.size(); ++m) {
     if (!(std::abs(amounts_[m] - induced_[m]) <= rounding + 1e-13 * std::abs(amounts_[m]))) return false;
   }
   return true;
+}
+
+/// The slopes of what is left of the amounts when they induce themselves, by a little more of each.
+void InducedForces::fill_newton(double share) {
+  before_ = induced_;
+  const double little = 1e-6 * std::max(scale_, largest(by_));
+  for (std::size_t m = 0; m < amounts_.size(); ++m) {
+    moved_ = by_;
+    add(little, influence(m), moved_);
+    induce(moved_, share);
+    for (std::size_t r = 0; r < amounts_.size(); ++r) {
+      newton_.at(r, m) = (r == m ? 1.0 : 0.0) - (induced_[r] - before_[r]) / little;
+    }
+  }
 }
 
 bool InducedForces::step() {

@@ -7,7 +7,6 @@
 #include "lib/mechanism/model/position.hpp"
 #include "lib/numerics/small_lu.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -40,14 +39,11 @@ class InducedForces {
   template <class FindForces>
   [[nodiscard]] bool solve(Position& at, FindForces find_forces, FrictionTaken friction = {}) {
     start(at, friction.resting);
+    find_influences(at, find_forces);
     for (int part = 1; part <= parts_; ++part) {
-      const double share = friction.share * static_cast<double>(part) / parts_;
-      const auto induce_anew = [&] {
-        find_forces(Induced{modes_, amounts_});
-        induce(at, share);
-      };
-      if (!find_amounts(at, induce_anew)) return false;
+      if (!find_amounts(friction.share * static_cast<double>(part) / parts_)) return false;
     }
+    find_forces(Induced{modes_, amounts_});
     add_to(at);
     return true;
   }
@@ -55,38 +51,41 @@ class InducedForces {
  private:
   void start(const Position& at, Resting resting);
   [[nodiscard]] RestLimits limits(const Position& at) const;
-  void induce(const Position& at, double share);
-  void add_to(Position& at) const;
-  [[nodiscard]] bool is_settled(const Position& at) const;
-  [[nodiscard]] bool step();
 
-  /// Newton's iteration for amounts that induce themselves; what they induce is linear in them but for the signs.
-  template <class InduceAnew>
-  bool find_amounts(const Position& at, InduceAnew induce_anew) {
-    constexpr int most_steps = 30;
-    for (int k = 0; k < most_steps; ++k) {
-      induce_anew();
-      if (is_settled(at)) return true;
-      before_ = induced_;
-      const double little = 1e-6 * largest_force(at);
-      for (std::size_t m = 0; m < amounts_.size(); ++m) {
-        amounts_[m] += little;
-        induce_anew();
-        amounts_[m] -= little;
-        for (std::size_t r = 0; r < amounts_.size(); ++r) {
-          newton_.at(r, m) = (r == m ? 1.0 : 0.0) - (induced_[r] - before_[r]) / little;
-        }
-      }
-      if (!step()) return false;
+  /// Reactions are linear in the amounts: those without any, and what one more of each does to them.
+  template <class FindForces>
+  void find_influences(const Position& at, FindForces find_forces) {
+    find_forces(Induced{modes_, amounts_});
+    const double unit = take_free(at);
+    for (std::size_t m = 0; m < amounts_.size(); ++m) {
+      amounts_[m] = unit;
+      find_forces(Induced{modes_, amounts_});
+      take_influence(at, m);
+      amounts_[m] = 0.0;
     }
-    return false;
   }
-  [[nodiscard]] static double largest_force(const Position& at);
+  double take_free(const Position& at);
+  void take_influence(const Position& at, std::size_t mode);
+  [[nodiscard]] std::span<const Reaction> influence(std::size_t mode) const {
+    return std::span(influences_).subspan(mode * sources_.size(), sources_.size());
+  }
+
+  [[nodiscard]] bool find_amounts(double share);
+  void find_reactions();
+  void induce(std::span<const Reaction> by, double share);
+  [[nodiscard]] bool is_settled() const;
+  void fill_newton(double share);
+  [[nodiscard]] bool step();
+  void add_to(Position& at) const;
+  [[nodiscard]] double largest(std::span<const Reaction> reactions) const;
 
   const Model& model_;
   std::vector<InducedSource> sources_;
   std::vector<InducedMode> modes_;
   std::vector<double> amounts_, induced_, before_;
+  std::vector<Reaction> free_, by_, moved_;  // of the sources: without any amount, at these, at those beside
+  std::vector<Reaction> influences_;         // of the modes in turn: what an amount of 1 adds to each source
+  double scale_ = 0.0;                       // N, of the reactions
   SmallLu newton_{0};
   double size_ = 1.0;  // of the mechanism, m
   bool some_rest_ = false;

@@ -1,4 +1,5 @@
 // Friction in joints: textbook cases by hand, and what must hold for every mechanism with friction.
+#include "lib/mechanism/forces/induced.hpp"
 #include "lib/mechanism/groups/system.hpp"
 #include "tests/lib/mechanism/models.hpp"
 #include "tests/lib/mechanism/proof/methods.hpp"
@@ -167,5 +168,20 @@ TEST_SUITE("mechanism") {
     const double second = position_of(rubbing_slider_crank(2e-4), {drive}).effort[0] - none.effort[0];
     CHECK(first > 0.0);
     CHECK(second == doctest::Approx(2.0 * first).epsilon(1e-3));
+  }
+
+  TEST_CASE("forces are solved for once without what friction induces, once with each of it, and once with all") {
+    const Model model = rubbing_lever(0.1);
+    Position at = position_of(model, {{0.5, 10.0, 0.0}});
+    InducedForces induced(model);
+    std::size_t solutions = 0;
+    const auto find_forces = [&](const Induced& with) {
+      ++solutions;
+      for (Reaction& reaction : at.reactions) reaction = {.at = {}, .force = {100.0, -50.0}};
+      for (std::size_t m = 0; m < with.modes.size(); ++m)
+        at.reactions[with.modes[m].joint].force.x += 0.1 * with.amounts[m];
+    };
+    CHECK(induced.solve(at, find_forces));
+    CHECK(solutions == induced.found().modes.size() + 2);
   }
 }

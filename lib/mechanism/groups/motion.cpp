@@ -162,7 +162,7 @@ inline void GroupMotion::find_cut_forces(std::size_t g, Position& out) {
   for (std::size_t k = group.first_cut; k < group.last_cut; ++k) {
     const Cut& cut = plan_.cuts[k];
     const CutPlace& at = at_.cut(k);
-    Reaction reaction{.at = at.pair.at, .force = {}};
+    Reaction reaction{.at = at.pair.at, .force = {}, .touch = at.pair.touch.parameter};
     for (std::size_t r = 0; r < cut.rows; ++r) {
       const PairRow& row = at.pair.rows[r];
       reaction.force = reaction.force + right[cut.row + r] * row.e;

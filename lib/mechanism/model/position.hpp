@@ -27,9 +27,10 @@ inline bool moves(std::span<const Drive> drives) {
 /// Force and couple that link j exerts on link i, global axes, at the joint's pin (point_i of link i).
 template <class Scalar>
 struct BasicReaction {
-  BasicVec<Scalar> at;     // global
-  BasicVec<Scalar> force;  // N
-  Scalar couple = 0.0;     // N m; of what holds the angle, and of friction
+  BasicVec<Scalar> at;               // global
+  BasicVec<Scalar> force;            // N
+  Scalar couple = 0.0;               // N m; of what holds the angle, and of friction
+  double touch = Profile::anywhere;  // cams: where on the profile (BasicTouch::parameter)
 };
 using Reaction = BasicReaction<double>;
 

@@ -37,9 +37,8 @@ std::optional<std::size_t> guide_of(const Model& model, std::size_t cam) {
 CamState cam_state(const Model& model, std::size_t k, const Position& at) {
   const Joint& joint = model.joints[k];
   const Placed i = placed_at(at, joint.i), j = placed_at(at, joint.j);
-  PairPlace place;  // a profile may come near its follower twice: the contact is the one that was solved
-  const Vec contact = (j.turned * turn(joint.direction)).back()(at.reactions[k].at - j.point(joint.point_j));
-  place.touch.parameter = joint.profile->nearest((1.0 / joint.metre) * contact, Profile::anywhere);
+  PairPlace place;
+  place.touch.parameter = at.reactions[k].touch;  // a profile may come near its follower twice
   mechanism::place(shape_of(joint), i, j, place);
   const Vec out = place.rows[0].e;
   CamState state;

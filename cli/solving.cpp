@@ -21,6 +21,7 @@ project::Wanted wanted_by(const OutputOptions& output, bool in_full) {
   const bool shown = !output.json && !output.quiet;
   const bool drawn = !output.reports.empty() || !output.svg.empty() || !output.dxf.empty();
   return {.pictures = drawn || (shown && in_full),
+          .formulas = !output.reports.empty() || output.json || (shown && in_full),
           .series = project::SeriesChoice(shown ? std::vector<std::string>{} : output.series)};
 }
 

@@ -6,6 +6,7 @@
 #include "lib/calculator/field.hpp"
 #include "lib/quantity/series.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -46,8 +47,9 @@ struct Account {
   std::vector<Entry> inputs;
   std::vector<Entry> results;
   std::vector<Verdict> verdicts;
-  Message governing;  // which position the derivation is for; empty where there is one value
-  std::vector<Derived> derivation;
+  Message governing;                // which position the derivation is for; empty where there is one value
+  std::vector<Derived> derivation;  // where formulas are wanted
+  std::set<std::string> scopes;     // what its lines are about: "", "methods[2]"; known without it
   std::vector<Block> input_blocks;  // where the step shows its inputs itself, not in a list; where pictures are wanted
   std::vector<Block> blocks;        // what only this kind of step has: tables, notes; where pictures are wanted
   std::vector<draw::Figure> figures;  // where pictures are wanted

@@ -21,6 +21,7 @@ using account::Origin;
 /// What is wanted of the accounts; what nobody looks at is costly, and is not made.
 struct Wanted {
   bool pictures = true;              // tables and figures
+  bool formulas = true;              // the derivation, written out
   SeriesChoice series = {};          // of those that could be written
   std::set<std::string> taken = {};  // those that other steps refer to, "lever.drive.M": solve() fills it
 

@@ -38,16 +38,17 @@ Origin Run::origin_of(const std::string& path, const Leaf& leaf) const {
   return plain_origin(step_.input().reading, path, leaf);
 }
 
-void Run::fill(bool pictures, Account& account) const {
+void Run::fill(const Wanted& wanted, Account& account) const {
   fill_inputs(account);
   fill_results(account);
   fill_verdicts(account);
-  if (traced_) account.derivation = derive(trace_, record_, result_);
+  for (const Line& line : trace_.lines()) account.scopes.insert(line.scope);
+  if (wanted.formulas && traced_) account.derivation = derive(trace_, record_, result_);
   if (axis_ != nullptr && traced_) {
     account.governing = say("at {1} ({2}), where the governing check is largest",
                             format_quantity(axis_->at[governing_], axis_->unit, 5), axis_->name());
   }
-  if (pictures && traced_ && calculator_.figures != nullptr)
+  if (wanted.pictures && traced_ && calculator_.figures != nullptr)
     account.figures = calculator_.figures(record_.data.get(), result_.data.get());
 }
 

@@ -186,7 +186,7 @@ void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector
   if (!run.check_rules(issues)) return;
   if (!run.search(issues)) return;
   run.evaluate();
-  run.fill(wanted.pictures, own_account());
+  run.fill(wanted, own_account());
 }
 
 std::unique_ptr<Step> make_calculator_step(StepInput&& input) {

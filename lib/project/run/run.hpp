@@ -20,7 +20,7 @@ class Run {
   bool search(std::vector<Issue>& issues);
   /// All results at all positions.
   void evaluate();
-  void fill(bool pictures, Account& account) const;
+  void fill(const Wanted& wanted, Account& account) const;
 
  private:
   /// Of a utilisation: a size that is just the least one passes, and what is just zero may have a sign.

@@ -88,8 +88,8 @@ void show_lists(const project::Step& step) {
   if (!account.blocks.empty()) return;
   for (const account::Table& table : report::list_tables(account.results)) {
     const std::string list = table.caption.text();
-    const bool worked_out = std::any_of(account.derivation.begin(), account.derivation.end(),
-                                        [&](const auto& line) { return line.scope.starts_with(list); });
+    const bool worked_out = std::any_of(account.scopes.begin(), account.scopes.end(),
+                                        [&](const std::string& scope) { return scope.starts_with(list); });
     if (!worked_out) show_table(table);
   }
 }

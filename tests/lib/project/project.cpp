@@ -114,14 +114,17 @@ a.toml:5:27: error: 'axle' has no result 'd_mn'
     const auto all = told(text).project;
     std::vector<Issue> issues;
     auto values = project::read_project(text, "a.toml", catalogue(), issues);
-    project::solve(values, issues, {.pictures = false});
+    project::solve(values, issues, {.pictures = false, .formulas = false});
     CHECK(issues.empty());
+    CHECK_FALSE(all.steps[1]->account().derivation.empty());
     for (std::size_t n = 0; n < all.steps.size(); ++n) {
       const auto &account = values.steps[n]->account(), &full = all.steps[n]->account();
       CHECK_FALSE((full.figures.empty() && full.blocks.empty() && n == 0));
       CHECK(account.figures.empty());
       CHECK(account.blocks.empty());
       CHECK(account.input_blocks.empty());
+      CHECK(account.derivation.empty());
+      CHECK(account.scopes == full.scopes);
       CHECK(account.verdicts.size() == full.verdicts.size());
       REQUIRE(account.results.size() == full.results.size());
       for (std::size_t k = 0; k < account.results.size(); ++k) {

@@ -4,6 +4,7 @@
 // given. Sign: along the axes. Source: [B32]. Not covered: laws with kinks or jumps (they ask for impacts).
 #pragma once
 
+#include "calculators/motion/laws.hpp"
 #include "calculators/motion/range.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/trace.hpp"
@@ -38,7 +39,7 @@ t_2 = "2 s"
 
   struct Input {
     Mass mass = unset<Mass>;
-    Formula x, y, z;
+    motion::LengthLaw x, y, z;
     Time t = unset<Time>;
     Force F_x = 0.0 * N, F_y = 0.0 * N, F_z = 0.0 * N;
     Time t_1 = unset<Time>, t_2 = unset<Time>;

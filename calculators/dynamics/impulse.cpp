@@ -1,6 +1,5 @@
 #include "calculators/dynamics/impulse.hpp"
 
-#include "calculators/motion/laws.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 // The mass m hides the unit of its name where the formulas are.
@@ -12,9 +11,7 @@ namespace {
 
 using motion::Written;
 
-std::array<Written, 2> laws_of(const Impulse::Input& in) {
-  return {{{"F_x", &in.F_x, N.dimension()}, {"F_y", &in.F_y, N.dimension()}}};
-}
+std::array<Written, 2> laws_of(const Impulse::Input& in) { return {{{"F_x", &in.F_x}, {"F_y", &in.F_y}}}; }
 
 Momentum impulse_of(const Written& law, const Impulse::Input& in) {
   const auto value = [](const void* of, double t) { return motion::at(*static_cast<const Written*>(of), t).value; };
@@ -80,7 +77,7 @@ std::vector<draw::Figure> Impulse::figures(const Input& in, const Result& r) {
   plot.y = {"F", "force", "N"};
   constexpr int points = 181;
   for (const Written& law : laws_of(in)) {
-    if (law.formula->empty()) continue;
+    if (law.text->empty()) continue;
     draw::Curve curve{law.key, {}, {}, in.F_y.empty()};
     for (int i = 0; i < points; ++i) {
       curve.x.push_back(in_si(in.t_1 + (in.t_2 - in.t_1) * (static_cast<double>(i) / (points - 1))));

@@ -4,6 +4,7 @@
 // Source: [B33], theorem of momentum of a point.
 #pragma once
 
+#include "calculators/motion/laws.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -35,7 +36,7 @@ v_1x = "-1 m/s"
 
   struct Input {
     Mass mass = unset<Mass>;
-    Formula F_x, F_y;
+    motion::ForceLaw F_x, F_y;
     Time t_1 = 0.0 * sec, t_2 = unset<Time>;
     Speed v_1x = 0.0 * m_per_s, v_1y = 0.0 * m_per_s;
   };

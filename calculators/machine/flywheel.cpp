@@ -15,14 +15,12 @@ using Input = Flywheel::Input;
 using Result = Flywheel::Result;
 using Samples = Flywheel::Samples;
 
-const Law* law_of(const Input& in) { return motion::law_of(in.M_of_phi, N_m.dimension(), {"phi", deg.dimension()}); }
-
 /// The moment over one period, however it is given.
 Samples samples_of(const Input& in) {
   if (!in.series.empty()) return in.series;
   Samples samples;
   for (const auto& point : in.points) samples.push_back({point.phi, in_si(point.M)});
-  const Law* const law = law_of(in);
+  const Law* const law = in.M_of_phi.law();
   for (std::size_t i = 0; law != nullptr && i < Flywheel::most_samples; ++i) {
     const double phi = in.period * static_cast<double>(i) / Flywheel::most_samples;
     samples.push_back({phi, law->at(phi).value});
@@ -101,8 +99,8 @@ bool Flywheel::law_reads(const Input& in) { return law_fault(in).message.empty()
 
 FieldFault Flywheel::law_fault(const Input& in) {
   if (in.M_of_phi.empty()) return {};
-  const auto law = Law::parse(in.M_of_phi.view(), {"phi", deg.dimension()}, N_m.dimension());
-  if (!law) return {"M_of_phi", law.fault().message, law.fault().hint};
+  if (const Fault* const fault = in.M_of_phi.fault()) return {"M_of_phi", fault->message, fault->hint};
+  const Law* const law = in.M_of_phi.law();
   const auto moment = [&](double phi) {  // whose slope may be infinite, as at the end of a root
     const Jet jet = law->at(phi);
     return std::isfinite(jet.first) && std::isfinite(jet.second) ? jet : Jet{jet.value, 0.0, 0.0};

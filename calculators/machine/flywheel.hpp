@@ -8,6 +8,7 @@
 
 #include "calculators/machine/energy_of_turning.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/law_text.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/motion_units.hpp"
@@ -50,9 +51,11 @@ delta = 0.01
   static constexpr std::size_t most_samples = 1440;
   using Samples = List<Sample, most_samples>;
 
+  static constexpr Law::Variable angle{"phi", deg.dimension()};
+
   struct Input {
     Moment M = unset<Moment>;
-    Formula M_of_phi;
+    LawOf<N_m, angle> M_of_phi;
     List<Point, most_points> points;
     double period = 2.0 * pi;
     Source role = Source::load;

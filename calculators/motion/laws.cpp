@@ -1,7 +1,6 @@
 #include "calculators/motion/laws.hpp"
 
 #include "lib/quantity/format.hpp"
-#include "lib/quantity/units.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
@@ -16,55 +15,18 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-Outcome<Law> parsed(const Formula& formula, const Dimension& dimension) {
-  return Law::parse(formula.view(), time_variable(), dimension);
-}
-
-/// A formula and what it was read as.
-struct Kept {
-  Formula formula;
-  Dimension dimension, variable;
-  bool is_law = false;
-  Law law;
-};
-
 }  // namespace
 
-Law::Variable time_variable() { return {"t", sec.dimension()}; }
-
-const Law* law_of(const Formula& formula, const Dimension& dimension, const Law::Variable& variable) {
-  thread_local std::array<Kept, 16> kept;
-  thread_local std::size_t next = 0;
-  if (formula.empty()) return nullptr;
-  for (const Kept& k : kept) {
-    if (k.formula == formula && k.dimension == dimension && k.variable == variable.dimension)
-      return k.is_law ? &k.law : nullptr;
-  }
-  Kept& slot = kept[next];
-  next = (next + 1) % kept.size();
-  auto law = Law::parse(formula.view(), variable, dimension);
-  slot.formula = formula;
-  slot.dimension = dimension;
-  slot.variable = variable.dimension;
-  slot.is_law = static_cast<bool>(law);
-  if (slot.is_law) slot.law = std::move(*law);
-  return slot.is_law ? &slot.law : nullptr;
-}
-
-bool reads(const Written& written) {
-  return written.formula->empty() || law_of(*written.formula, written.dimension) != nullptr;
-}
+bool reads(const Written& written) { return written.text->fault() == nullptr; }
 
 FieldFault reading_fault(const Written& written) {
-  if (written.formula->empty()) return {};
-  const auto law = parsed(*written.formula, written.dimension);
-  if (law) return {};
-  return {written.key, law.fault().message, law.fault().hint};
+  const Fault* const fault = written.text->fault();
+  return fault == nullptr ? FieldFault{} : FieldFault{written.key, fault->message, fault->hint};
 }
 
 Jet at(const Written& written, double t) {
-  if (written.formula->empty()) return {};
-  const Law* const law = law_of(*written.formula, written.dimension);
+  if (written.text->empty()) return {};
+  const Law* const law = written.text->law();
   return law == nullptr ? Jet{nan, nan, nan} : law->at(t);
 }
 

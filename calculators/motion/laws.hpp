@@ -1,30 +1,27 @@
 // Laws of motion as formulas of the time t: coordinates of a point, angles, forces.
 #pragma once
 
-#include "lib/calculator/list.hpp"
+#include "lib/calculator/law_text.hpp"
 #include "lib/numerics/jet.hpp"
-#include "lib/quantity/expression/law.hpp"
+#include "lib/quantity/units.hpp"
 #include "lib/text/issue.hpp"
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 
 namespace loadpath::motion {
 
-/// t, in seconds.
-Law::Variable time_variable();
+inline constexpr Law::Variable time_variable{"t", sec.dimension()};
 
-/// The law that a formula is, or null where it is none. Formulas that were read lately are kept, so that a sweep reads
-/// each of them once; the pointer is good until fifteen other formulas have been asked for.
-const Law* law_of(const Formula& formula, const Dimension& dimension, const Law::Variable& variable = time_variable());
+using LengthLaw = LawOf<m, time_variable>;
+using AngleLaw = LawOf<deg, time_variable>;
+using ForceLaw = LawOf<N, time_variable>;
 
 /// A formula of an input with the key that it was given under.
 struct Written {
   const char* key;
-  const Formula* formula;
-  Dimension dimension;
+  const LawText* text;
 };
 
 /// Whether a formula is a law; an empty one, which stands for zero, is.

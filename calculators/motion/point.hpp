@@ -6,6 +6,7 @@
 // Not covered: laws with kinks or jumps; where the point rests there is no tangent, hence no a_tau, a_n and rho.
 #pragma once
 
+#include "calculators/motion/laws.hpp"
 #include "calculators/motion/range.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/trace.hpp"
@@ -46,7 +47,7 @@ t_2 = "2 s"
   static constexpr std::size_t most_states = 61;
 
   struct Input {
-    Formula x, y, z;
+    LengthLaw x, y, z;
     Time t = unset<Time>;
     Time t_1 = unset<Time>, t_2 = unset<Time>;
     Whole rows = 13;

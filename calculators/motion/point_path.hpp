@@ -2,7 +2,6 @@
 #pragma once
 
 #include "calculators/motion/laws.hpp"
-#include "lib/quantity/units.hpp"
 
 #include <array>
 
@@ -20,8 +19,8 @@ struct PointState {
 struct PointPath {
   Written x, y, z;
 
-  PointPath(const Formula& x_of_t, const Formula& y_of_t, const Formula& z_of_t)
-      : x{"x", &x_of_t, m.dimension()}, y{"y", &y_of_t, m.dimension()}, z{"z", &z_of_t, m.dimension()} {}
+  PointPath(const LengthLaw& x_of_t, const LengthLaw& y_of_t, const LengthLaw& z_of_t)
+      : x{"x", &x_of_t}, y{"y", &y_of_t}, z{"z", &z_of_t} {}
 
   [[nodiscard]] std::array<Written, 3> all() const { return {x, y, z}; }
   [[nodiscard]] bool reads() const { return motion::reads(x) && motion::reads(y) && motion::reads(z); }

@@ -1,6 +1,5 @@
 #include "calculators/motion/rotation.hpp"
 
-#include "calculators/motion/laws.hpp"
 #include "calculators/motion/path_figures.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
@@ -10,7 +9,7 @@ namespace loadpath::motion {
 
 namespace {
 
-Written law_of(const Rotation::Input& in) { return {"phi", &in.phi, deg.dimension()}; }
+Written law_of(const Rotation::Input& in) { return {"phi", &in.phi}; }
 
 /// Counter-clockwise and getting faster are two things: the signs of omega and epsilon tell.
 Rotation::Change change_of(double omega, double epsilon, double t) {

@@ -4,6 +4,7 @@
 // the axis. Source: [B28]. Not covered: laws with kinks or jumps.
 #pragma once
 
+#include "calculators/motion/laws.hpp"
 #include "calculators/motion/range.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/trace.hpp"
@@ -38,7 +39,7 @@ t_2 = "2 s"
   enum class Change { at_rest, steady, faster, slower };
 
   struct Input {
-    Formula phi;
+    AngleLaw phi;
     Time t = unset<Time>;
     Length R = unset<Length>;
     double phi_M = 0.0;

@@ -212,12 +212,13 @@ struct NameField : detail::Described<NameField<Owner>> {
       : detail::Described<NameField<Owner>>{k, d}, at{member} {}
 };
 
-/// A quantity as a formula of one variable (lib/quantity/expression/law.hpp); the calculator reads it.
-template <class Owner>
-struct FormulaField : detail::Described<FormulaField<Owner>> {
-  Formula Owner::*at;
-  constexpr FormulaField(Formula Owner::*member, const char* k, const char* d)
-      : detail::Described<FormulaField<Owner>>{k, d}, at{member} {}
+/// A quantity as a formula of one variable (lib/quantity/expression/law.hpp): a text that the calculator reads, or one
+/// that reads itself.
+template <class Owner, class Text>
+struct FormulaField : detail::Described<FormulaField<Owner, Text>> {
+  Text Owner::*at;
+  constexpr FormulaField(Text Owner::*member, const char* k, const char* d)
+      : detail::Described<FormulaField<Owner, Text>>{k, d}, at{member} {}
 };
 
 /// One of a few words; `choices_of(Enum{})` is found beside the enum class and gives an array of ChoiceName.

@@ -73,9 +73,9 @@ constexpr FieldInfo info_of(const Count<Owner>& f) {
   return info;
 }
 
-template <const auto& fields, std::size_t I, class Owner, std::size_t capacity>
-constexpr void let_text(ShortText<capacity> Owner::*, FieldInfo& info) {
-  info.capacity = capacity;
+template <const auto& fields, std::size_t I, class Owner, class Text>
+constexpr void let_text(Text Owner::*, FieldInfo& info) {
+  info.capacity = Text::capacity;
   info.text = [](const void* o) { return (static_cast<const Owner*>(o)->*member_at<fields, I>).view(); };
   info.set_text = [](void* o, std::string_view t) { static_cast<Owner*>(o)->*member_at<fields, I> = t; };
 }
@@ -87,8 +87,8 @@ constexpr FieldInfo info_of(const NameField<Owner>& f) {
   return info;
 }
 
-template <const auto& fields, Role role, std::size_t I, class Owner>
-constexpr FieldInfo info_of(const FormulaField<Owner>& f) {
+template <const auto& fields, Role role, std::size_t I, class Owner, class Text>
+constexpr FieldInfo info_of(const FormulaField<Owner, Text>& f) {
   FieldInfo info = described(f, FieldInfo::Type::formula, role);
   let_text<fields, I>(f.at, info);
   return info;

@@ -27,13 +27,9 @@ if(LOADPATH_FUZZ)
   target_compile_options(loadpath_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
-# A release build of a target with little optimisation, and sources in it that get all of it (and so cannot share the
-# target's precompiled header).
+# A release build of a target with little optimisation.
 function(loadpath_cold target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-endfunction()
-function(loadpath_hot)
-  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O3> SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
 # A command lives for milliseconds: a release of the program needs no relocation, and brings what it uses of the C++

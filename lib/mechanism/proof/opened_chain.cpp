@@ -1,6 +1,6 @@
 #include "lib/mechanism/proof/opened_chain.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>

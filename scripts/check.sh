@@ -7,4 +7,4 @@ cd "$(dirname "$0")/.."
 install_missing ${1:-} $build_packages $test_packages
 cmake --preset release -DLOADPATH_TESTS=ON >/dev/null
 cmake --build --preset release
-ctest --preset release --no-tests=error
+ctest --preset release --no-tests=error --parallel "$(nproc)"

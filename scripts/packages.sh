@@ -21,7 +21,7 @@ install_missing() {
     printf 'error: installing these would remove:\n%s\nrun again with --replace to agree\n' "$removed" >&2
     return 1
   fi
-  $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
+  $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing
 }
 
 build_packages="g++ cmake ninja-build libboost1.81-dev libboost-json1.81-dev libcli11-dev libtomlplusplus-dev libeigen3-dev"

@@ -5,9 +5,12 @@ set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
 
+echo "1/3 packages"
 install_missing ${1:-} $build_packages
+echo "2/3 the program: some minutes, less with more cores"
 cmake --preset release -DLOADPATH_TESTS=OFF >/dev/null
-cmake --build --preset release --target loadpath
+NINJA_STATUS="[%p %es] " cmake --build --preset release --target loadpath
+echo "3/3 a first project"
 
 report=build/report.html
 status=0

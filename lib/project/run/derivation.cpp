@@ -28,11 +28,15 @@ std::string named_element(const std::string& scope, const Record& input, const R
   return scope;
 }
 
-/// A value that is taken over as it is, under its own symbol, has no formula: S_0, where S_0 is given.
-bool is_taken_over(const formula::Node& tree, const Line& line, const Names& names) {
+/// Whether the branch that ran says no more than the line without it: S_0 of S_0, where it is given, or 30.0 * m_per_s.
+bool says_nothing(const formula::Node& tree, const Line& line, const Names& names) {
+  using formula::Kind;
   const auto known = [&](std::string_view name) { return names.si_of(line.scope, name); };
-  const formula::Node& chosen = formula::chosen(tree, known);
-  return chosen.kind == formula::Kind::symbol && formula::symbol_of(chosen.text) == line.symbol;
+  const formula::Node& ran = formula::chosen(tree, known);
+  const bool in_unit = ran.kind == Kind::binary && ran.text == "*" && ran.kids[0].kind == Kind::number &&
+                       ran.kids[1].kind == Kind::symbol && !known(ran.kids[1].text);
+  return ran.kind == Kind::number || in_unit ||
+         (ran.kind == Kind::symbol && formula::symbol_of(ran.text) == line.symbol);
 }
 
 std::optional<Names::Known> found_in(const Record& record, std::string_view path) {
@@ -52,7 +56,7 @@ account::Step step_of(const Line& line, const Names& names, const std::string& u
   step.value = {line.si, unit};
   step.why = say(line.why);
   const auto tree = formula::parse(line.formula);
-  if (tree && is_taken_over(*tree, line, names)) return step;
+  if (tree && says_nothing(*tree, line, names)) return step;
   step.formula = formula::shown(line.formula);
   for (const std::string& name : tree ? formula::names(*tree) : std::vector<std::string>{}) {
     const auto known = names.find(line.scope, name);
@@ -93,7 +97,9 @@ std::optional<Names::Known> Names::find_outwards(std::string scope, std::string_
 }
 
 std::optional<Names::Known> Names::find(const std::string& scope, std::string_view name) const {
-  if (name.starts_with("in.")) return found_in(input_, name.substr(3));
+  if (name.starts_with("in.")) {  // a calculator that another one runs has an input that is not this one
+    if (const auto known = found_in(input_, name.substr(3))) return known;
+  }
   if (name.starts_with("r.")) return find_outwards(scope, name.substr(2), &Names::find_result);
   return find_outwards(scope, formula::symbol_of(name), &Names::find_any);
 }

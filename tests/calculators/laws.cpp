@@ -1,4 +1,5 @@
 // How results follow their inputs: what doubles, what grows with a power, what stays, and what only rises or falls.
+#include "tests/calculators/rows.hpp"
 #include "tests/calculators/step_text.hpp"
 
 #include <cmath>
@@ -50,6 +51,11 @@ const Law bars[] = {
     {"column.lightest", "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"",
      "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"\nl = \"2.25 m\"", "N_cr", 4},
     {"column.effective_length", "", "l = \"2.4 m\"\nc_1 = \"20 kN*m/rad\"", "beta", 1},
+    // turned about: the ends change places
+    {"column.effective_length", "", "end_1 = \"pinned\"\nc_1 = \nend_2 = \"elastic\"\nc_2 = \"40 kN*m/rad\"", "beta",
+     1},
+    {"column.effective_length", R"(k_1 = "900 N/mm")",
+     "end_1 = \"pinned\"\nc_1 = \nend_2 = \"elastic\"\nc_2 = \"40 kN*m/rad\"\nk_2 = \"900 N/mm\"", "beta", 1},
 };
 
 const char* const half_stresses =
@@ -74,6 +80,9 @@ const Law vessels[] = {
     {"vessel.cylinder", "delta = \"10 mm\"\nc = \"0 mm\"", "delta = \"20 mm\"\nc = \"0 mm\"\nR = \"1200 mm\"", "u_v",
      1},
     {"vessel.sphere", "delta = \"30 mm\"", "delta = \"30 mm\"\np = \"1.6 MPa\"", "sigma_M", 2},
+    // two equal stresses: both hypotheses are one
+    {"vessel.sphere", "delta = \"30 mm\"\nhypothesis = \"tresca\"", "delta = \"30 mm\"\nhypothesis = \"mises\"",
+     "sigma_v", 1},
     {"vessel.sphere", "delta = \"30 mm\"\nc = \"0 mm\"", "delta = \"60 mm\"\nc = \"0 mm\"\nR = \"10 m\"", "p_max", 1},
     {"vessel.cone", "delta = \"10 mm\"\nrho = \nh_l = ", "delta = \"10 mm\"\nrho = \nh_l = \np = \"0.2 MPa\"",
      "sigma_o", 2},
@@ -221,11 +230,26 @@ const Trend trends[] = {
       R"([["0 rpm", "5 N*m"], ["1400 rpm", "39 N*m"]])"}},
 };
 
-std::string joined(const char* lines, const std::string& last) {
-  return *lines == '\0' ? last : std::string(lines) + "\n" + last;
+std::string lines_at(const Trend& trend, const char* value) {
+  const std::string last = std::string(trend.key) + " = " + value;
+  return *trend.lines == '\0' ? last : std::string(trend.lines) + "\n" + last;
 }
 
 }  // namespace
+
+std::vector<Run> loadpath::test::runs_of_laws() {
+  std::vector<Run> runs;
+  for (const auto& group : laws) {
+    for (const Law& law : group) {
+      runs.push_back({law.calculator, law.from});
+      runs.push_back({law.calculator, law.to});
+    }
+  }
+  for (const Trend& trend : trends) {
+    for (const char* value : trend.values) runs.push_back({trend.calculator, lines_at(trend, value)});
+  }
+  return runs;
+}
 
 TEST_SUITE("laws of the calculators") {
   TEST_CASE("results scale as they must") {
@@ -248,8 +272,7 @@ TEST_SUITE("laws of the calculators") {
         const std::string what =
             std::string(trend.calculator) + "." + trend.result + " with " + trend.key + " = " + value;
         INFO(what);
-        const double now =
-            ExampleStep(trend.calculator, joined(trend.lines, std::string(trend.key) + " = " + value))(trend.result);
+        const double now = ExampleStep(trend.calculator, lines_at(trend, value))(trend.result);
         if (last) CHECK((trend.sense == rises ? now > *last : now < *last));
         last = now;
       }
@@ -262,7 +285,9 @@ TEST_SUITE("laws of the calculators") {
       for (const Law& law : group) tried.insert(law.calculator);
     }
     for (const Calculator* c : calculators()) {
-      if (c->evaluate != nullptr) CHECK_MESSAGE(tried.count(c->id) == 1, c->id);
+      if (c->evaluate == nullptr) continue;
+      CHECK_MESSAGE(tried.count(c->id) == 1, std::string(c->id),
+                    " has no law: add a row {calculator, from, to, result, factor} to tests/calculators/laws.cpp");
     }
   }
 }

@@ -1,4 +1,5 @@
 // Both sides of every validity limit and of every check: a value next to the bound that passes, and one that does not.
+#include "tests/calculators/rows.hpp"
 #include "tests/calculators/step_text.hpp"
 
 #include <set>
@@ -116,8 +117,17 @@ const Side fatigue[] = {
 };
 
 const char* const spur = "beta = \"0 deg\"\na_w = \nx_1 = 0";
+// a pitch circle of 50 mm: 400 rad/s are 10 m/s
+const char* const cast = "beta = \"0 deg\"\na_w = \nx_1 = 0\ncutting = \"cast\"";
+const char* const milled = "beta = \"0 deg\"\na_w = \nx_1 = 0\ncutting = \"milled\"";
+const char* const hobbed = "beta = \"0 deg\"\na_w = \nx_1 = 0\ncutting = \"hobbed\"";
+const char* const ground = "beta = \"0 deg\"\na_w = \nx_1 = 0\ncutting = \"ground\"";
 
 const Side gears[] = {
+    {"gear.pair", "v_share", outside, "n_1", R"("399 rad/s")", R"("401 rad/s")", cast},
+    {"gear.pair", "v_share", outside, "n_1", R"("799 rad/s")", R"("801 rad/s")", milled},
+    {"gear.pair", "v_share", outside, "n_1", R"("999 rad/s")", R"("1001 rad/s")", hobbed},
+    {"gear.pair", "v_share", outside, "n_1", R"("1999 rad/s")", R"("2001 rad/s")", ground},
     {"gear.pair", "eps_gamma", outside, "h_aP", "0.6", "0.55", spur},
     {"gear.pair", "x_free", outside, "x_1", "-0.18", "-0.19", spur},
     {"gear.pair", "s_a", outside, "x_1", "1.18", "1.2", spur},
@@ -140,6 +150,7 @@ const Side pulleys[] = {
     {"chain.roller", "alpha_1", outside, "a", R"("700 mm")", R"("500 mm")", "z_1 = 17\nz_2 = 100"},
     {"chain.roller", "alpha_2", outside, "a", R"("700 mm")", R"("500 mm")", "z_1 = 100\nz_2 = 17"},
     {"chain.roller", "v_share", outside, "n_1", R"("670 rpm")", R"("680 rpm")"},
+    {"chain.roller", "v_share", outside, "n_1", R"("1349 rpm")", R"("1351 rpm")", R"(lubrication = "bath")"},
     {"chain.roller", "u_p", over, "p_adm", R"("22 MPa")", R"("21 MPa")"},
     {"chain.roller", "u_F", over, "P", R"("39.2 kW")", R"("39.3 kW")"},
     {"chain.roller", "u_S", over, "S_min", "12.6", "12.7"},
@@ -196,18 +207,33 @@ const Side motion[] = {
 
 const std::span<const Side> groups[] = {vessels, sections, bars, fatigue, gears, pulleys, v_belts, motion};
 
+std::string lines_at(const Side& row, const char* value) {
+  const std::string last = std::string(row.key) + " = " + value;
+  return *row.lines == '\0' ? last : std::string(row.lines) + "\n" + last;
+}
+
 void check(const Side& row) {
   const std::string what = std::string(row.calculator) + "." + row.field + " by " + row.key;
   INFO(what);
   const auto at = [&](const char* value) {
-    const std::string lines = *row.lines == '\0' ? "" : std::string(row.lines) + "\n";
-    return ExampleStep(row.calculator, lines + row.key + " = " + value).verdict(row.field);
+    return ExampleStep(row.calculator, lines_at(row, value)).verdict(row.field);
   };
   CHECK(account::slug(at(row.keeps)) == account::slug(State::pass));
   CHECK(account::slug(at(row.leaves)) == account::slug(row.state));
 }
 
 }  // namespace
+
+std::vector<Run> loadpath::test::runs_of_limits() {
+  std::vector<Run> runs;
+  for (const auto& group : groups) {
+    for (const Side& row : group) {
+      runs.push_back({row.calculator, lines_at(row, row.keeps)});
+      runs.push_back({row.calculator, lines_at(row, row.leaves)});
+    }
+  }
+  return runs;
+}
 
 TEST_SUITE("limits") {
   TEST_CASE("both sides of every limit and check") {
@@ -226,7 +252,9 @@ TEST_SUITE("limits") {
       for (const FieldInfo& f : c->result->fields) {
         if (f.role != Role::limit && f.role != Role::check) continue;
         const std::string name = std::string(c->id) + "." + f.key;
-        CHECK_MESSAGE(tried.count(name) == 1, name);
+        CHECK_MESSAGE(tried.count(name) == 1, name,
+                      " has no row with both of its sides: add {calculator, field, state ",
+                      "beyond, key, value that passes, value that does not} to tests/calculators/limits.cpp");
       }
     }
   }

@@ -50,13 +50,18 @@ class ExampleStep {
 
   /// What is wrong with the lines; empty where nothing is.
   [[nodiscard]] const std::string& fault() const { return fault_; }
-  /// The SI value of a result.
+  /// The SI value of a result, or of a line of the derivation: "axes[1].sigma_max".
   [[nodiscard]] double operator()(const std::string& path) const {
     REQUIRE_MESSAGE(fault_.empty(), fault_);
     const Value* const value = project_.value(project_.steps[0]->name() + "." + path);
-    REQUIRE_MESSAGE(value != nullptr, path);
-    return value->si[0];
+    if (value != nullptr) return value->si[0];
+    for (const account::Derived& line : project_.steps[0]->account().derivation) {
+      if ((line.scope.empty() ? "" : line.scope + ".") + line.step.symbol == path) return line.step.value.si;
+    }
+    FAIL(path, " is no result, nor a line of the derivation");
+    return 0.0;
   }
+  [[nodiscard]] const project::Project& project() const { return project_; }
   [[nodiscard]] account::State verdict(std::string_view symbol) const {
     REQUIRE_MESSAGE(fault_.empty(), fault_);
     for (const account::Verdict& verdict : project::verdicts(project_)) {
@@ -70,7 +75,7 @@ class ExampleStep {
     for (const Calculator* c : calculators()) {
       if (c->id == id) return *c;
     }
-    REQUIRE_MESSAGE(false, id);
+    FAIL(std::string(id), " is no calculator");
     return *calculators()[0];
   }
 

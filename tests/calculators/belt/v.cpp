@@ -159,6 +159,28 @@ TEST_SUITE("belt v") {
     CHECK(rel(in_si(b.Delta_1), 0.036) < 1e-12);
   }
 
+  TEST_CASE("on equal pulleys the grip is Euler's with the wedge friction of half a turn") {
+    belt::V::Input in = wedge();
+    in.d_2 = in.d_1, in.mu = 0.3;
+    const auto r = solve(in);
+    const double F_t = in_si(r.S_1 - r.S_2), N_0 = in_si(r.F_0 - r.F_c);
+    const double ratio = std::exp(pi * 0.3 / std::sin(0.5 * r.phi_1));
+    CHECK(rel(r.u_grip, 0.5 * F_t * (ratio + 1.0) / (ratio - 1.0) / N_0) < 1e-10);
+  }
+
+  TEST_CASE("a new belt is tensioned to 1.3 times, and everything that measures the tension follows") {
+    const auto wedge_belt = solve(wedge()), classical_belt = solve(classical());
+    for (const auto& r : {wedge_belt, classical_belt}) {
+      CHECK(rel(in_si(r.F_0_new), 1.3 * in_si(r.F_0)) < 1e-12);
+      CHECK(rel(in_si(r.R_new), 1.3 * in_si(r.R_0)) < 1e-12);
+      CHECK(rel(in_si(r.f_s_new), std::sqrt(1.3) * in_si(r.f_s)) < 1e-12);
+      CHECK(rel(in_si(r.y), 0.0155 * in_si(r.a)) < 1e-12);
+    }
+    CHECK(rel(in_si(wedge_belt.Q_new), 1.3 * in_si(wedge_belt.Q)) < 1e-12);
+    // GOST 1284.3-96, (18) and (19): the stiffness of the belt stands in both
+    CHECK(rel(in_si(classical_belt.Q_new - classical_belt.Q), 0.3 * in_si(classical_belt.F_0) / 16.0) < 1e-12);
+  }
+
   TEST_CASE("the wrap factor of the basis iso is that of its table to two digits") {
     for (const auto& [deg_of_wrap, printed] : {std::pair{180, 1.00},
                                                {170, 0.98},

@@ -41,6 +41,20 @@ TEST_SUITE("motion compound") {
     CHECK(near(b("a_x"), -a("a_y")));
   }
 
+  TEST_CASE("the size of a vector is that of its parts, along the frame as in the fixed axes") {
+    const auto p = point(
+        "xi = \"0.2 m\"\neta = \"0.1 m\"\nv_xi = \"2 m/s\"\nv_eta = \"-1 m/s\"\nv_zeta = \"0.5 m/s\"\n"
+        "a_xi = \"3 m/s^2\"\na_eta = \"1 m/s^2\"\na_zeta = \"-2 m/s^2\"\nomega = \"3 rad/s\"\n"
+        "epsilon = \"2 rad/s^2\"\nphi = \"40 deg\"\nv_Ax = \"1 m/s\"\na_Ay = \"2 m/s^2\"\n");
+    CHECK(near(p("v_r"), std::hypot(2.0, 1.0, 0.5)));
+    CHECK(near(p("a_r"), std::hypot(3.0, 1.0, 2.0)));
+    CHECK(near(p("v_e"), std::hypot(p("v_exi"), p("v_eeta"))));
+    CHECK(near(p("a_e"), std::hypot(p("a_exi"), p("a_eeta"))));
+    CHECK(near(p("a_c"), 2.0 * 3.0 * std::hypot(2.0, 1.0)));
+    CHECK(near(p("v"), std::hypot(p("v_x"), p("v_y"), 0.5)));
+    CHECK(near(p("a"), std::hypot(p("a_x"), p("a_y"), 2.0)));
+  }
+
   TEST_CASE("derivatives of the absolute path agree: an independent way by laws of time") {
     // xi = 0.1 m + 2 m/s t on a rod that turns by 3 rad/s: x = xi cos(3 t), y = xi sin(3 t), at t = 0.2 s
     const SolvedStep law("motion.point",
@@ -48,5 +62,23 @@ TEST_SUITE("motion compound") {
                          "y = \"(0.1 m + 2 m/s*t)*sin(3*t/(1 s))\"\nt = \"0.2 s\"\n");
     const auto p = point("xi = \"0.5 m\"\nv_xi = \"2 m/s\"\nomega = \"3 rad/s\"\nphi = \"0.6 rad\"\n");
     for (const std::string of : {"v_x", "v_y", "a_x", "a_y"}) CHECK(near(p(of), law(of), 1e-12));
+  }
+
+  TEST_CASE("the same on a plate that is carried along, across it and upwards, with every part of every law") {
+    // at t = 0.2 s on A = (t + t^2, 2 t - t^2/2), turned by 3 t + t^2/2, with xi = 0.1 + 2 t, eta = 0.3 - t + t^2/2
+    const std::string xi = "(0.1 m + 2 m/s*t)", eta = "(0.3 m - 1 m/s*t + 0.5 m/s^2*t^2)";
+    const std::string phi = "(3*t/(1 s) + 0.5*(t/(1 s))^2)";
+    const SolvedStep law("motion.point", "x = \"1 m/s*t + 1 m/s^2*t^2 + " + xi + "*cos" + phi + " - " + eta + "*sin" +
+                                             phi + "\"\n" + "y = \"2 m/s*t - 0.5 m/s^2*t^2 + " + xi + "*sin" + phi +
+                                             " + " + eta + "*cos" + phi +
+                                             "\"\nz = \"0.7 m/s*t + 0.4 m/s^2*t^2\"\nt = \"0.2 s\"\n");
+    const auto p = point(
+        "xi = \"0.5 m\"\nv_xi = \"2 m/s\"\neta = \"0.12 m\"\nv_eta = \"-0.8 m/s\"\na_eta = \"1 m/s^2\"\n"
+        "v_zeta = \"0.86 m/s\"\na_zeta = \"0.8 m/s^2\"\nomega = \"3.2 rad/s\"\nepsilon = \"1 rad/s^2\"\n"
+        "phi = \"0.62 rad\"\nv_Ax = \"1.4 m/s\"\nv_Ay = \"1.8 m/s\"\na_Ax = \"2 m/s^2\"\na_Ay = \"-1 m/s^2\"\n");
+    for (const std::string of : {"v_x", "v_y", "v", "a_x", "a_y", "a"}) {
+      CAPTURE(of);
+      CHECK(near(p(of), law(of), 1e-12));
+    }
   }
 }

@@ -1,6 +1,8 @@
 #include "calculators/section/built_up.hpp"
 
+#include "calculators/section/polygon_moments.hpp"
 #include "calculators/section/profile.hpp"
+#include "calculators/section/properties/outline.hpp"
 #include "calculators/section/shapes/angle.hpp"
 #include "calculators/section/shapes/hollow.hpp"
 #include "calculators/section/shapes/rectangle.hpp"
@@ -66,6 +68,27 @@ TEST_SUITE("section built up") {
     const auto by_circle = 0.5 * (own.I_y + own.I_z) + 0.5 * c * (own.I_y - own.I_z) - s * own.I_yz;
     CHECK(rel(turned.I_y, by_circle) < 1e-12);
     CHECK(std::abs(expected - 103.55) < 0.05);
+  }
+
+  TEST_CASE("an angle turned and moved is the integral over its turned contour") {
+    Part part;
+    part.shape = Shape::angle;
+    part.h = 80.0 * mm, part.b = 60.0 * mm, part.t = 8.0 * mm, part.angle = 0.4, part.y = 30.0 * mm,
+    part.z = -20.0 * mm;
+    Outline contour;
+    const double c = std::cos(0.4), s = std::sin(0.4);
+    for (const section::Place& p : angle_outline(part.h, part.b, part.t))
+      contour.push_back({part.y + c * p.y - s * p.z, part.z + s * p.y + c * p.z});
+    NoTrace trace;
+    const Properties expected = centroidal(polygon_moments(contour, contour[0]), contour[0], trace);
+    const auto built = solve<section::BuiltUp>(of({part}));
+    CHECK(rel(built.A, expected.A) < 1e-12);
+    CHECK(rel(built.y_S, expected.y_S) < 1e-12);
+    CHECK(rel(built.z_S, expected.z_S) < 1e-12);
+    CHECK(rel(built.I_y, expected.I_y) < 1e-11);
+    CHECK(rel(built.I_z, expected.I_z) < 1e-11);
+    CHECK(rel(built.I_yz, expected.I_yz) < 1e-11);
+    CHECK(rel(built.parts[0].I_yz, expected.I_yz) < 1e-11);
   }
 
   TEST_CASE("an I of three plates, a box of four, a T of two are the shapes themselves") {

@@ -10,14 +10,37 @@
 #include "calculators/section/shapes/torsion.hpp"
 #include "tests/calculators/section/sections.hpp"
 
+#include <vector>
+
 using namespace loadpath;
 using namespace loadpath::section;
 
 namespace {
 
+double sign(Length length) { return length > 0.0 * mm ? 1.0 : length < 0.0 * mm ? -1.0 : 0.0; }
+
 Properties of_outline(const Outline& outline) {
   NoTrace trace;
   return centroidal(polygon_moments(outline, outline[0]), outline[0], trace);
+}
+
+/// A contour of right angles whose corners are rounded, finely enough for an integral.
+Properties of_rounded(const Outline& sharp, const std::vector<Length>& radii) {
+  constexpr int parts = 400;  // of an arc
+  std::vector<section::Place> fine;
+  const std::size_t n = sharp.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const section::Place &at = sharp[i], &before = sharp[(i + n - 1) % n], &after = sharp[(i + 1) % n];
+    const double u_y = sign(before.y - at.y), u_z = sign(before.z - at.z);
+    const double v_y = sign(after.y - at.y), v_z = sign(after.z - at.z);
+    const Length r = radii[i], y = at.y + r * (u_y + v_y), z = at.z + r * (u_z + v_z);
+    for (int k = 0; k <= parts; ++k) {
+      const double c = std::cos(0.5 * pi * k / parts), s = std::sin(0.5 * pi * k / parts);
+      fine.push_back({y - r * (c * v_y + s * u_y), z - r * (c * v_z + s * u_z)});
+    }
+  }
+  NoTrace trace;
+  return centroidal(polygon_moments(fine, fine[0]), fine[0], trace);
 }
 
 /// A closed form against the integral over the same contour.
@@ -53,6 +76,51 @@ TEST_SUITE("section") {
                4e-3);
     check_same(solve<section::Tee>({h, b, t_w, t_f, r}), of_outline(tee_outline(h, b, t_w, t_f, r)), 4e-3);
     check_same(solve<section::Circle>({h}), of_outline(circle(h)), 4e-3);
+  }
+
+  TEST_CASE("closed forms with large fillets are the integrals over contours of fine arcs") {
+    const Length h = 100.0 * mm, b = 60.0 * mm, t_w = 7.0 * mm, t_f = 9.0 * mm, r = 16.0 * mm, o = none;
+    check_same(solve<section::I>({h, b, t_w, t_f, r}),
+               of_rounded(i_outline(h, b, t_w, t_f, none), {o, o, o, r, r, o, o, o, o, r, r, o}), 1e-6);
+    check_same(solve<section::Channel>({h, b, t_w, t_f, r}),
+               of_rounded(channel_outline(h, b, t_w, t_f), {o, o, o, r, r, o, o, o}), 1e-6);
+    const Length toe = 6.0 * mm;
+    check_same(solve<section::Angle>({h, b, t_f, r, toe}), of_rounded(angle_outline(h, b, t_f), {o, o, toe, r, toe, o}),
+               1e-6);
+    check_same(solve<section::Tee>({h, b, t_w, t_f, r}),
+               of_rounded(tee_outline(h, b, t_w, t_f), {o, o, r, o, o, o, o, r}), 1e-6);
+  }
+
+  TEST_CASE("torsion constants of universal beams and columns are those printed for BS 4-1, to the last digit") {
+    struct Printed {
+      double h, b, t_w, t_f, r, I_t, half_unit;  // mm; cm^4
+    };
+    for (const Printed& p : {Printed{921.0, 420.5, 21.4, 36.6, 24.1, 1734, 0.5},
+                             {911.8, 418.5, 19.4, 32.0, 24.1, 1193, 0.5},
+                             {453.4, 189.9, 8.5, 12.7, 10.2, 37.1, 0.05},
+                             {203.2, 133.2, 5.7, 7.8, 7.6, 5.96, 0.005},
+                             {203.2, 203.6, 7.2, 11.0, 10.2, 22.2, 0.05},
+                             {152.4, 152.2, 5.8, 6.8, 7.6, 4.63, 0.005},
+                             {474.6, 424.0, 47.6, 77.0, 15.2, 13700, 50}}) {
+      CAPTURE(p.I_t);
+      const auto rolled = solve<section::I>({p.h * mm, p.b * mm, p.t_w * mm, p.t_f * mm, p.r * mm});
+      CHECK(std::abs(in_si(rolled.I_t) * 1e8 - p.I_t) <= p.half_unit);
+    }
+  }
+
+  TEST_CASE("a square tube that is all corner is a round one") {
+    const Length d = 100.0 * mm, t = 10.0 * mm;
+    const auto tube = solve<section::Hollow>({d, d, t, 0.5 * d, 0.5 * d - t});
+    section::Ring::Input in{d};
+    in.t = t;
+    const auto ring = solve<section::Ring>(in);
+    CHECK(rel(tube.A, ring.A) < 1e-12);
+    CHECK(rel(tube.I_y, ring.I_y) < 1e-12);
+    CHECK(rel(tube.I_z, ring.I_z) < 1e-12);
+    // Bredt's cell, 2 pi R^3 t, and what its wall has when it is cut open
+    const double R = 45e-3, wall = 10e-3;
+    CHECK(rel(in_si(tube.I_t), 2.0 * pi * R * wall * (R * R + wall * wall / 3.0)) < 1e-12);
+    CHECK(rel(in_si(tube.W_t), in_si(tube.I_t) / (R + wall)) < 1e-12);
   }
 
   TEST_CASE("the factors of a rectangle in torsion: table of Oasys GSA, and the limit of a strip") {

@@ -216,4 +216,15 @@ TEST_SUITE("vessel.cylinder") {
     CHECK(says(step + "p = \"1 MPa\"\nends = \"ringed\"\nl_r = \"300 mm\"\n", "rings need both"));
     CHECK(says("calculator = \"vessel.cylinder\"\nR = \"600 mm\"\np = \"1 MPa\"\n", "give sigma_adm"));
   }
+
+  TEST_CASE("the allowances must leave something of the wall") {
+    const std::string pipe =
+        "calculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"300 mm\"\nmeasured = \"mean\"\ndelta = \"10 mm\"\n"
+        "sigma_adm = \"140 MPa\"\n";
+    const std::string words = "the allowances leave nothing of the wall";
+    for (const char* left : {"c = \"9.9 mm\"\n", "c = \"5 mm\"\nc_t = \"4.9 mm\"\n", "f_t = 0.4\nc = \"5.9 mm\"\n"})
+      CHECK_FALSE(says(pipe + left, words));
+    for (const char* none : {"c = \"10.1 mm\"\n", "c = \"5 mm\"\nc_t = \"5.1 mm\"\n", "f_t = 0.4\nc = \"6.1 mm\"\n"})
+      CHECK(says(pipe + none, words));
+  }
 }

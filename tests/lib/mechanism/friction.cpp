@@ -1,8 +1,10 @@
 // Friction in joints: textbook cases by hand, and what must hold for every mechanism with friction.
 #include "lib/mechanism/forces/induced.hpp"
 #include "lib/mechanism/groups/system.hpp"
+#include "tests/lib/mechanism/cam_models.hpp"
 #include "tests/lib/mechanism/models.hpp"
 #include "tests/lib/mechanism/proof/methods.hpp"
+#include "tests/lib/mechanism/wheel_models.hpp"
 
 #include <doctest/doctest.h>
 
@@ -146,6 +148,23 @@ TEST_SUITE("mechanism") {
           CHECK(std::abs(left.power) <= 1e-11 * left.power_scale);
         }
       }
+    }
+  }
+
+  TEST_CASE("viscous friction takes power from every joint that moves, and the drive brings it") {
+    for (Model model : {slider_crank(), slotted_lever(), cam_with_roller(), rolling_wheel()}) {
+      const std::vector<Drive> drives{{1.0, 30.0, 0.0}};
+      const double without = position_of(model, drives).effort[0];
+      for (Joint& joint : model.joints) joint.friction = {.pin_radius = 0.008, .viscous = 0.3};
+      const Position at = position_of(model, drives);
+      double lost = 0.0;
+      for (std::size_t j = 0; j < model.joints.size(); ++j) {
+        CAPTURE(model.joints[j].name);
+        CHECK(loss(model, at, j) >= -1e-9);
+        lost += loss(model, at, j);
+      }
+      CHECK(lost > 0.0);
+      CHECK(30.0 * (at.effort[0] - without) == doctest::Approx(lost).epsilon(1e-9));
     }
   }
 

@@ -1,0 +1,246 @@
+#!/usr/bin/env python3
+"""Mutation test: does a test notice when a formula is wrong?
+
+Changes one sign, constant or comparison at a random place of the sources, builds, runs the tests until one fails, and
+puts the place back. A mutant that every test passes is a hole in the tests, unless it computes the same. Two of three
+mutants are made in the formulas of STEP, the others in plain code.
+
+Run it in a clean checkout with a build of the tests; an unoptimised one is built fastest:
+  cmake -G Ninja -B build/mutants -DCMAKE_BUILD_TYPE=Debug && scripts/mutate.py --build build/mutants --seed 1
+Ctrl-C leaves the sources as they were.
+"""
+import argparse
+import itertools
+import pathlib
+import random
+import re
+import subprocess
+import sys
+import time
+from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
+from dataclasses import dataclass
+
+STEP = re.compile(r'\b(STEP|STEP_TO|NAMED_STEP)\(')
+SIGN = re.compile(r'(?<= )[+-](?= )')
+CONSTANT = re.compile(r'(?<![\w.])\d+\.\d+(?![\w.])')
+COMPARISON = re.compile(r'(?<= )[<>](?= )')
+OTHER = {'+': '-', '-': '+', '<': '>', '>': '<'}
+SUITE = re.compile(r'TEST_SUITE\("([^"]*)"')
+NOTICING = ('contract', 'laws of the calculators', 'limits', 'limit cases')  # the suites that see every calculator
+LONGEST = 300  # seconds that a suite may take
+
+
+@dataclass(frozen=True)
+class Site:
+    """A place of a source, and what a mutant has there."""
+    path: pathlib.Path
+    start: int
+    end: int
+    new: str
+
+    def mutated(self, text):
+        return text[:self.start] + self.new + text[self.end:]
+
+    def described(self, text):
+        """Place, and the line before and after."""
+        first, last = text.rfind('\n', 0, self.start) + 1, text.find('\n', self.end)
+        line = text[first:last].strip()
+        after = (text[first:self.start] + self.new + text[self.end:last]).strip()
+        return f"{self.path}:{text.count(chr(10), 0, self.start) + 1}\n    {line}\n    {after}"
+
+
+# --- places -----------------------------------------------------------------------------------------------------------
+
+def arguments(text, start):
+    """The bounds of the arguments of a macro, from behind its opening parenthesis; then where it ends."""
+    bounds, begun, depth, at = [], start, 1, start
+    while depth:
+        if text[at] == '"':
+            at = re.compile(r'"(\\.|[^"\\])*"').match(text, at).end()
+            continue
+        depth += {'(': 1, ')': -1}.get(text[at], 0)
+        if depth == 0 or (depth == 1 and text[at] == ','):
+            bounds.append((begun, at))
+            begun = at + 1
+        at += 1
+    return bounds, at
+
+
+def steps(text):
+    """The bounds of each STEP, and those of the formula in it."""
+    for found in STEP.finditer(text):
+        bounds, end = arguments(text, found.end())
+        yield (found.start(), end), bounds[2 if found[1] == 'STEP_TO' else 1]
+
+
+def swaps(pattern, path, text, start, end):
+    return [Site(path, m.start(), m.end(), OTHER[m[0]]) for m in pattern.finditer(text, start, end)]
+
+
+def formula_sites(path, text):
+    """Every sign and every constant of a formula; the constant becomes larger by 3 %."""
+    sites = []
+    for _, (start, end) in steps(text):
+        sites += swaps(SIGN, path, text, start, end)
+        sites += [Site(path, m.start(), m.end(), repr(float(m[0]) * 1.03))
+                  for m in CONSTANT.finditer(text, start, end) if float(m[0])]
+    return sites
+
+
+def is_plain(line):
+    """Whether the line computes: no comment, no text, nothing for the preprocessor or the compiler alone."""
+    return not (line.lstrip().startswith(('//', '#')) or '"' in line or 'template' in line)
+
+
+def code_sites(path, text):
+    """Signs and comparisons outside of formulas. Counting by one and by sizes is left: most of it would only crash."""
+    sites, begun, formulas = [], 0, [bounds for bounds, _ in steps(text)]
+    for line in text.splitlines(keepends=True):
+        start, end = begun, begun + len(line.split(' // ')[0])
+        begun += len(line)
+        if not is_plain(line) or any(a < end and start < b for a, b in formulas):
+            continue
+        if 'size()' not in line:
+            sites += [s for s in swaps(SIGN, path, text, start, end) if not re.match(r' 1\b', text[s.end:])]
+        if re.search(r'\bif \(|\?', line) and 'for (' not in line:
+            sites += swaps(COMPARISON, path, text, start, end)
+    return sites
+
+
+def all_sites(folders):
+    """The places in formulas, and those in code; how a picture looks is for the goldens."""
+    formulas, code = [], []
+    for path in sorted(p for folder in folders for p in pathlib.Path(folder).rglob('*.[ch]pp')):
+        text = path.read_text()
+        formulas += formula_sites(path, text)
+        if not path.as_posix().startswith('lib/draw/'):
+            code += code_sites(path, text)
+    return formulas, code
+
+
+def drawn(formulas, code, count):
+    """Two of three from the formulas."""
+    most = min(len(formulas), count * 2 // 3)
+    sites = random.sample(formulas, most) + random.sample(code, min(len(code), count - most))
+    random.shuffle(sites)
+    return sites
+
+
+# --- tests ------------------------------------------------------------------------------------------------------------
+
+@dataclass(frozen=True)
+class Tests:
+    """The suites of the test program, each with the folders that hold it."""
+    build: pathlib.Path
+    suites: dict
+
+    @classmethod
+    def of(cls, build):
+        suites = {}
+        for path in sorted(pathlib.Path('tests').rglob('*.cpp')):
+            for name in SUITE.findall(path.read_text()):
+                suites.setdefault(name, set()).add(path.parent.parts[1:])
+        return cls(build, suites)
+
+    def in_order_for(self, path):
+        """The likeliest to notice a change of this source first: its own folder's, then those of every calculator."""
+        def nearness(suite):
+            return max(sum(1 for _ in itertools.takewhile(lambda pair: pair[0] == pair[1], zip(folder, path.parts)))
+                       for folder in self.suites[suite])
+        noticed = path.parts[0] == 'calculators'
+        return sorted(self.suites, key=lambda s: (-max(nearness(s), 1.5 if noticed and s in NOTICING else 0), s))
+
+    def commands_for(self, path):
+        program = [str(self.build / 'tests/loadpath_tests'), '--abort-after=1']
+        own = [[*program, f'--test-suite={suite}'] for suite in self.in_order_for(path)]
+        verify = [str(self.build / 'cli/loadpath'), 'verify']
+        return [verify, *own] if path.parts[0] == 'calculators' else [*own, verify]
+
+
+def passes(command):
+    try:
+        return subprocess.run(command, capture_output=True, timeout=LONGEST).returncode == 0
+    except subprocess.TimeoutExpired:
+        return False
+
+
+def first_failure(commands, jobs):
+    """The first command that fails, with `jobs` at a time; nothing where all pass."""
+    left = iter(commands)
+    with ThreadPoolExecutor(jobs) as pool:
+        running = {pool.submit(passes, c): c for c in itertools.islice(left, jobs)}
+        while running:
+            done, _ = wait(running, return_when=FIRST_COMPLETED)
+            for result in done:
+                command = running.pop(result)
+                if not result.result():
+                    return command
+                running |= {pool.submit(passes, c): c for c in itertools.islice(left, 1)}
+    return None
+
+
+def builds(build):
+    targets = ['loadpath', 'loadpath_tests']
+    return subprocess.run(['cmake', '--build', build, '--target', *targets], capture_output=True).returncode == 0
+
+
+def verdict_of(site, tests, jobs):
+    """What becomes of a mutant: "killed by ...", "SURVIVED", "does not build"."""
+    text = site.path.read_text()
+    site.path.write_text(site.mutated(text))
+    try:
+        if not builds(tests.build):
+            return 'does not build'
+        killer = first_failure(tests.commands_for(site.path), jobs)
+        return f"killed by {killer[-1].removeprefix('--test-suite=')}" if killer else 'SURVIVED'
+    finally:
+        site.path.write_text(text)
+
+
+# --- the run ----------------------------------------------------------------------------------------------------------
+
+def options():
+    p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    p.add_argument('--build', type=pathlib.Path, default=pathlib.Path('build/release'), help='folder of the build')
+    p.add_argument('--count', type=int, default=50, help='mutants')
+    p.add_argument('--seed', type=int, default=1, help='which ones; the same seed draws the same from the same sources')
+    p.add_argument('--where', default='calculators,lib', help='folders, with commas between them')
+    p.add_argument('--jobs', type=int, default=2, help='suites that run at a time')
+    p.add_argument('--seconds', type=float, default=7200, help='no further mutant after so long')
+    p.add_argument('--least', type=float, default=0, help='percent that must be killed, or it exits with 1')
+    return p.parse_args()
+
+
+def check_start(build):
+    """Every test must pass before: a mutant would be killed for nothing otherwise."""
+    if subprocess.run(['git', 'diff', '--quiet', '--', 'calculators', 'lib']).returncode:
+        sys.exit('error: calculators or lib has changes: commit them first')
+    if not builds(build):
+        sys.exit(f'error: {build} does not build')
+
+
+def main():
+    o = options()
+    check_start(o.build)
+    tests = Tests.of(o.build)
+    if failed := first_failure(tests.commands_for(pathlib.Path('calculators')), o.jobs):
+        sys.exit(f"error: fails before anything is changed: {' '.join(failed)}")
+    random.seed(o.seed)
+    formulas, code = all_sites(o.where.split(','))
+    print(f'{len(formulas)} places in formulas, {len(code)} in code', flush=True)
+    killed = survived = 0
+    begun = time.monotonic()
+    for site in drawn(formulas, code, o.count):
+        if time.monotonic() - begun > o.seconds:
+            break
+        described = site.described(site.path.read_text())
+        verdict = verdict_of(site, tests, o.jobs)
+        killed += verdict.startswith('killed')
+        survived += verdict == 'SURVIVED'
+        print(f'{verdict}: {described}', flush=True)
+    share = 100 * killed / max(killed + survived, 1)
+    print(f'{killed} of {killed + survived} mutants killed: {share:.1f} %; {time.monotonic() - begun:.0f} s')
+    sys.exit(share < o.least)
+
+
+main()

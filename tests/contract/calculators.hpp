@@ -1,0 +1,51 @@
+// What the contract's tests share: the calculators, and their examples solved.
+#pragma once
+
+#include "calculators/catalogue.hpp"
+#include "lib/project/project.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace loadpath::test {
+
+/// Those that are one function from a record to a record.
+inline std::vector<const Calculator*> plain_calculators() {
+  std::vector<const Calculator*> plain;
+  for (const Calculator* c : calculators()) {
+    if (c->evaluate != nullptr) plain.push_back(c);
+  }
+  return plain;
+}
+
+inline project::Project example_of(const Calculator& c, std::vector<Issue>& issues) {
+  return project::read_project(c.example, "example.toml", catalogue(), issues);
+}
+
+/// The input and result of a calculator's example.
+struct SolvedExample {
+  Record input, result;
+};
+
+inline SolvedExample solved_example(const Calculator& c) {
+  std::vector<Issue> issues;
+  project::Project p = example_of(c, issues);
+  REQUIRE(issues.empty());
+  SolvedExample s{p.steps[0]->input().reading.record.clone(), Record(*c.result)};
+  project::solve(p, issues);
+  for (const account::Entry& e : p.steps[0]->account().inputs) {  // what rows of tables filled
+    const Leaf leaf = find_leaf(s.input, e.path);
+    if (leaf && leaf.field->get != nullptr && std::isnan(leaf.get()) && e.value.si.size() == 1) leaf.set(e.value.si[0]);
+  }
+  Trace trace;
+  c.explain(s.input.data.get(), s.result.data.get(), trace);
+  return s;
+}
+
+inline bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+}  // namespace loadpath::test

@@ -1,0 +1,127 @@
+// What a report prints as a formula is what the code computes: every line of every derivation that examples, reference
+// cases and the tests' rows bring forth, and no formula of the sources that none of them reaches.
+#include "lib/formula/formula.hpp"
+#include "lib/report/build.hpp"
+#include "lib/table/table.hpp"
+#include "lib/toml/tree.hpp"
+#include "tests/calculators/rows.hpp"
+#include "tests/calculators/step_text.hpp"
+#include "tests/contract/source_formulas.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <set>
+
+namespace {
+
+using namespace loadpath;
+using namespace loadpath::test;
+namespace fs = std::filesystem;
+
+using Use = std::function<void(const project::Project&)>;
+
+void use_file(const fs::path& file, const Use& use) {
+  std::string text;
+  REQUIRE(toml::read_file(file.string(), text));
+  std::vector<Issue> issues;
+  project::Project p = project::read_project(text, file.string(), catalogue(), issues);
+  if (!has_errors(issues)) project::solve(p, issues);
+  INFO(file.string());
+  REQUIRE(!has_errors(issues));
+  use(p);
+}
+
+void use_runs(const std::vector<Run>& runs, const Use& use) {
+  for (const Run& run : runs) {
+    const ExampleStep step(run.calculator, run.lines);
+    if (step.fault().empty()) use(step.project());  // a fault is for the test that owns the row to tell
+  }
+}
+
+/// Every project of the examples and of the reference cases, and every row of the tests.
+void for_each_project(const Use& use) {
+  for (const auto& entry : fs::directory_iterator(LOADPATH_ROOT "/examples"))
+    use_file(entry.path() / "project.toml", use);
+  for (const auto& entry : fs::directory_iterator(LOADPATH_ROOT "/reference")) {
+    if (entry.path().extension() == ".toml") use_file(entry.path(), use);
+  }
+  for (const Calculator* c : calculators()) use_runs({{c->id, ""}}, use);
+  use_runs(runs_of_laws(), use);
+  use_runs(runs_of_limits(), use);
+  use_runs(runs_of_limit_cases(), use);
+}
+
+/// The formula of a line over the numbers that are printed beside it.
+double value_of(const account::Step& step) {
+  const auto tree = formula::parse(step.formula);
+  REQUIRE(tree);
+  return formula::value(*tree, [&](std::string_view name) -> std::optional<double> {
+    for (const auto& given : step.given) {
+      if (given.name == name) return given.si;
+    }
+    return std::nullopt;
+  });
+}
+
+/// Whether no two names of a formula are printed alike, as in.b and r.b would.
+bool prints_apart(const account::Step& step) {
+  std::set<std::string> names;
+  return std::all_of(step.given.begin(), step.given.end(),
+                     [&](const auto& given) { return names.insert(given.name).second; });
+}
+
+void check_line(const account::Step& step) {
+  INFO(step.symbol, " = ", step.formula);
+  if (!step.formula.empty()) {
+    CHECK(prints_apart(step));
+    const double value = value_of(step);
+    CHECK(std::abs(value - step.value.si) <= 1e-12 * std::abs(step.value.si));
+  }
+  for (const std::string& key : report::keys_in(step.why.text()))
+    CHECK_MESSAGE(!table::citation(key).empty(), key, " is no source: add a row to tables/sources.toml");
+}
+
+/// A formula of a folder; without a symbol one that several symbols share.
+std::string name_of(const std::string& folder, const std::string& symbol, const std::string& text) {
+  return folder + ": " + symbol + " = " + text;
+}
+
+/// The formulas that ran.
+std::set<std::string> reached() {
+  std::set<std::string> names;
+  for_each_project([&](const project::Project& p) {
+    for (const auto& step : p.steps) {
+      const std::string folder(step->input().calculator->element());
+      for (const account::Derived& line : step->account().derivation) {
+        names.insert(name_of(folder, line.step.symbol, line.step.formula));
+        names.insert(name_of(folder, "", line.step.formula));
+      }
+    }
+  });
+  return names;
+}
+
+}  // namespace
+
+TEST_SUITE("contract") {
+  TEST_CASE("the text of every step, evaluated over the printed symbols, is the value of the code") {
+    for_each_project([](const project::Project& p) {
+      for (const auto& step : p.steps) {
+        INFO(p.file, ": ", step->name());
+        for (const account::Derived& line : step->account().derivation) check_line(line.step);
+      }
+    });
+  }
+
+  TEST_CASE("every formula of the sources runs") {
+    const std::set<std::string> ran = reached();
+    const auto formulas = source_formulas();
+    CHECK(formulas.size() > 600);
+    for (const SourceFormula& f : formulas) {
+      CHECK_MESSAGE(ran.count(name_of(f.folder, f.symbol, f.text)) == 1, f.place, ": ", f.symbol, " = ", f.text,
+                    ": nothing runs it: add a row to tests/calculators/limit_cases.cpp, or a case to reference/");
+    }
+  }
+}

@@ -1,0 +1,20 @@
+// The formulas as they stand in the sources of the calculators.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace loadpath::test {
+
+/// What a STEP, STEP_TO or NAMED_STEP says.
+struct SourceFormula {
+  std::string place;   // "calculators/gear/pair_mesh.cpp:13"
+  std::string folder;  // "gear"
+  std::string symbol;  // empty: the caller of a NAMED_STEP knows it
+  std::string text;    // as it is printed
+};
+
+/// All of them, in the order of files and lines.
+std::vector<SourceFormula> source_formulas();
+
+}  // namespace loadpath::test

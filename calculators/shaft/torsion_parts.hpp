@@ -48,38 +48,8 @@ inline Torques torques_of(const Torsion::Input& in) {
   return torques;
 }
 
-/// The torques with the reaction of the end that is held.
-Torques torques_of(const Torsion::Input& in) {
-  Torques torques;
-  for (const auto& t : in.torques) torques.push_back({t.x, t.T});
-  const Moment reaction = -given_sum(in);
-  if (in.fixed == Torsion::Fixed::left) torques.push_back({0.0 * m.one, reaction});
-  if (in.fixed == Torsion::Fixed::right) torques.push_back({total_length(in), reaction});
-  return torques;
-}
-
-/// The torques with the reaction of the end that is held.
-inline Torques torques_of(const Torsion::Input& in) {
-  Torques torques;
-  for (const auto& t : in.torques) torques.push_back({t.x, t.T});
-  const Moment reaction = -given_sum(in);
-  if (in.fixed == Torsion::Fixed::left) torques.push_back({0.0 * m.one, reaction});
-  if (in.fixed == Torsion::Fixed::right) torques.push_back({total_length(in), reaction});
-  return torques;
-}
-
-/// The torques with the reaction of the end that is held.
-Torques torques_of(const Torsion::Input& in) {
-  Torques torques;
-  for (const auto& t : in.torques) torques.push_back({t.x, t.T});
-  const Moment reaction = -given_sum(in);
-  if (in.fixed == Torsion::Fixed::left) torques.push_back({0.0 * m.one, reaction});
-  if (in.fixed == Torsion::Fixed::right) torques.push_back({total_length(in), reaction});
-  return torques;
-}
-
 /// The short form: one torque goes through the whole shaft.
-Stretches stretches_of_short_form(const Torsion::Input& in) {
+inline Stretches stretches_of_short_form(const Torsion::Input& in) {
   Stretches parts;
   Length x = 0.0 * m.one;
   if (in.segments.empty()) parts.push_back({x, in.T, {in.l, in.d, in.chi, in.d_bore}});

@@ -37,8 +37,7 @@ struct Bar {
   [[nodiscard]] bool knows_reactions(const Position& p) const {
     const int own = static_cast<int>(index);
     for (std::size_t k = 0; k < model->joints.size(); ++k) {
-      const auto& [at, force, couple] = p.reactions[k];
-      const bool known = std::isfinite(force.x) && std::isfinite(couple);
+      const bool known = std::isfinite(p.reactions[k].force.x) && std::isfinite(p.reactions[k].couple);
       if (!known && (model->joints[k].i == own || model->joints[k].j == own)) return false;
     }
     return true;

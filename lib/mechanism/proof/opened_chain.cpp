@@ -1,5 +1,6 @@
 #include "lib/mechanism/proof/opened_chain.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>

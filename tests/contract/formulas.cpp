@@ -103,6 +103,19 @@ std::set<std::string> reached() {
   return names;
 }
 
+/// Whether a line may be printed without this formula: of "S_0 = is_set(in.S_0) ? in.S_0 : S_0_min" the branch S_0 says
+/// nothing, and 1.0 no more than the value.
+bool may_be_left_out(const std::string& text) {
+  const auto tree = formula::parse(text);
+  return tree && (tree->kind == formula::Kind::choose || tree->kind == formula::Kind::number ||
+                  tree->kind == formula::Kind::symbol);
+}
+
+bool ran(const SourceFormula& f, const std::set<std::string>& names) {
+  if (names.count(name_of(f.folder, f.symbol, f.text)) == 1) return true;
+  return may_be_left_out(f.text) && names.count(name_of(f.folder, f.symbol, "")) == 1;
+}
+
 }  // namespace
 
 TEST_SUITE("contract") {
@@ -116,11 +129,11 @@ TEST_SUITE("contract") {
   }
 
   TEST_CASE("every formula of the sources runs") {
-    const std::set<std::string> ran = reached();
+    const std::set<std::string> names = reached();
     const auto formulas = source_formulas();
     CHECK(formulas.size() > 600);
     for (const SourceFormula& f : formulas) {
-      CHECK_MESSAGE(ran.count(name_of(f.folder, f.symbol, f.text)) == 1, f.place, ": ", f.symbol, " = ", f.text,
+      CHECK_MESSAGE(ran(f, names), f.place, ": ", f.symbol, " = ", f.text,
                     ": nothing runs it: add a row to tests/calculators/limit_cases.cpp, or a case to reference/");
     }
   }

@@ -62,6 +62,12 @@ std::string printed(const std::string& formula) {
   return formula::shown(text);
 }
 
+/// What stands between quotation marks; nothing where the argument is no literal.
+std::string literal(const std::string& argument) {
+  const std::size_t from = argument.find('"'), to = argument.rfind('"');
+  return from < to ? argument.substr(from + 1, to - from - 1) : "";
+}
+
 /// "gear" of "calculators/gear/pair_mesh.cpp".
 std::string folder_of(const fs::path& file) { return std::next(file.begin())->string(); }
 
@@ -77,7 +83,8 @@ void read_formulas(const fs::path& root, const fs::path& file, std::vector<Sourc
     REQUIRE(arguments.size() > symbol + 1);
     const auto line = 1 + std::count(text.begin(), text.begin() + start, '\n');
     formulas.push_back({path.generic_string() + ":" + std::to_string(line), folder_of(path),
-                        name == "NAMED_STEP" ? "" : printed(arguments[symbol]), printed(arguments[symbol + 1])});
+                        name == "NAMED_STEP" ? literal(arguments[symbol]) : printed(arguments[symbol]),
+                        printed(arguments[symbol + 1])});
   }
 }
 

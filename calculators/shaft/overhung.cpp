@@ -32,9 +32,12 @@ void check(const Overhung::Input& in, Overhung::Result& r, Tracer& trace) {
   STEP(kappa, 4.0 / 3.0 * (r.d * r.d + r.d * r.d_bore + r.d_bore * r.d_bore) / (r.d * r.d + r.d_bore * r.d_bore),
        "shear at the neutral axis over the mean shear, from Q S / (I b) of a ring");
   STEP_TO(r, tau_Q, tau_t + kappa * in.K_A * abs(in.F) / A, "neutral axis, on the side where both act together");
-  STEP(sigma_v, in.hypothesis == Hypothesis::mises ? sigma_M : sigma_T, "equivalent stress by the hypothesis chosen");
+  const bool mises = in.hypothesis == Hypothesis::mises;
+  STEP(sigma_v, in.hypothesis == Hypothesis::mises ? sigma_M : sigma_T,
+       mises ? "equivalent stress by von Mises" : "equivalent stress by Tresca");
   STEP_TO(r, u_v, sigma_v / in.sigma_adm, "bending with torsion at the extreme fibre");
-  STEP(k, in.hypothesis == Hypothesis::mises ? sqrt(3.0) : 2.0, "pure shear by the hypothesis chosen");
+  STEP(k, in.hypothesis == Hypothesis::mises ? sqrt(3.0) : 2.0,
+       mises ? "root of 3 for pure shear by von Mises" : "2 for pure shear by Tresca");
   STEP_TO(r, u_Q, k * tau_Q / in.sigma_adm, "pure shear at the neutral axis");
   if (!is_set(in.tau_adm)) return;
   STEP_TO(r, u_tau, tau_t / in.tau_adm, "torsion alone");
@@ -47,7 +50,8 @@ Overhung::Result Overhung::evaluate(const Input& in, Tracer& trace) {
   Result r;
   STEP_TO(r, M_b, in.K_A * abs(in.F) * in.a, "at the bearing");
   STEP_TO(r, M_t, in.K_A * abs(in.T), "at the same time");
-  STEP(c, in.hypothesis == Hypothesis::mises ? 0.75 : 1.0, "weight of torsion by the hypothesis chosen");
+  STEP(c, in.hypothesis == Hypothesis::mises ? 0.75 : 1.0,
+       in.hypothesis == Hypothesis::mises ? "weight of torsion by von Mises" : "weight of torsion by Tresca");
   STEP_TO(r, M_v, sqrt(M_b * M_b + c * M_t * M_t), "equivalent moment");
   const Bore bore{in.chi, in.d_bore};
   STEP(W_t, 2.0 * M_v / in.sigma_adm, "modulus asked for by W = M_v/sigma_adm; in torsion it is twice W");

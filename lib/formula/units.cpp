@@ -1,6 +1,5 @@
-#include "lib/quantity/units.hpp"
-
 #include "lib/formula/names.hpp"
+#include "lib/quantity/drive_units.hpp"
 
 #include <algorithm>
 #include <array>
@@ -39,6 +38,10 @@ constexpr std::array units = {
     row("rad_per_s", rad_per_s),
     row("rad_per_s2", rad_per_s2),
     row("W", W),
+    row("kW", kW),
+    row("rpm", rpm),
+    row("hour", hour),
+    row("kg_per_m", kg_per_m),
 };
 
 const NamedUnit* find(std::string_view name) {

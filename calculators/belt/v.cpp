@@ -34,39 +34,25 @@ std::string_view service_row(V::Duty duty, V::Motor motor) {
 
 template <class Tracer>
 void move(const V::Input& in, V::Result& r, Tracer& trace) {
-  const auto n_1 = in.n_1;
-  const auto d_1 = in.d_1, d_2 = in.d_2;
-  const auto epsilon = in.epsilon;
-  STEP(i, d_2 / d_1 / (1.0 - epsilon), "transmission ratio with slip, [B40]");
-  STEP(n_2, n_1 / i, "speed of the driven pulley");
-  STEP(v, n_1 * d_1 / 2.0, "speed of the belt");
-  r.i = i, r.n_2 = n_2, r.v = v;
-  const auto course = lay(pulleys_of(in), trace);
-  r.a = course.a, r.L = course.L, r.l_s = course.l_s;
-  r.gamma = course.gamma, r.alpha_1 = course.alpha_1, r.alpha_2 = course.alpha_2;
-  const auto alpha_1 = r.alpha_1, alpha_2 = r.alpha_2;
-  STEP(alpha, min(alpha_1, alpha_2), "the smaller wrap governs");
-  r.alpha = alpha;
+  STEP_TO(r, i, in.d_2 / in.d_1 / (1.0 - in.epsilon), "transmission ratio with slip, [B40]");
+  STEP_TO(r, n_2, in.n_1 / i, "speed of the driven pulley");
+  STEP_TO(r, v, in.n_1 * in.d_1 / 2.0, "speed of the belt");
+  lay(pulleys_of(in), r, trace);
+  STEP_TO(r, alpha, min(r.alpha_1, r.alpha_2), "the smaller wrap governs");
 }
 
 template <class Tracer>
 void serve(const V::Input& in, V::Result& r, Tracer& trace) {
-  const auto P = in.P;
   r.K_A = is_set(in.K_A) ? in.K_A : optibelt_service_factor(service_row(in.duty, in.motor), in_si(in.h_day) / 3600.0);
-  const auto K_A = r.K_A;
-  trace.value("K_A", K_A, is_set(in.K_A) ? "as given" : "c_2 by load, motor and use, [Optibelt-V] 17");
-  STEP(P_B, K_A * P, "design power");
-  r.P_B = P_B;
+  trace.value("K_A", r.K_A, is_set(in.K_A) ? "as given" : "c_2 by load, motor and use, [Optibelt-V] 17");
+  STEP_TO(r, P_B, r.K_A * in.P, "design power");
 }
 
 template <class Tracer>
 void carry(const VSection& section, const V::Input& in, V::Result& r, Tracer& trace) {
-  const auto d_1 = in.d_1, d_2 = in.d_2;
-  const auto n_1 = in.n_1;
-  STEP(d_k, min(d_1, d_2), "the smaller pulley");
-  STEP(i_g, max(d_1, d_2) / d_k, "ratio of the diameters, at least 1");
-  STEP(n_k, n_1 * d_1 / d_k, "speed of the smaller pulley, without slip");
-  r.n_k = n_k;
+  STEP(d_k, min(in.d_1, in.d_2), "the smaller pulley");
+  STEP(i_g, max(in.d_1, in.d_2) / d_k, "ratio of the diameters, at least 1");
+  STEP_TO(r, n_k, in.n_1 * in.d_1 / d_k, "speed of the smaller pulley, without slip");
   rate(section, d_k, n_k, i_g, r, trace);
   r.c_alpha = wrap_factor(in.basis, r.alpha, trace);
   r.c_L = v_length_factor(section, r.L);

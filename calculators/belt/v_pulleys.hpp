@@ -16,12 +16,10 @@ double place_in(Quantity value, Quantity low, Quantity high) {
 /// The validity of the rating.
 template <class Tracer>
 void limit_rating(const VSection& section, Length d_k, AngularSpeed n_k, V::Result& r, Tracer& trace) {
-  const VRow& row = section.row;
   const double alpha_least = section.basis == Basis::iso ? pi / 2.0 : least_optibelt_wrap();
-  const auto v = r.v, v_max = row.v_max;
-  const auto alpha = r.alpha;
-  r.x_d = place_in(d_k, row.d_low, row.d_high);
-  r.x_n = place_in(n_k, row.n_low, row.n_high);
+  const auto v_max = section.row.v_max;
+  r.x_d = place_in(d_k, section.row.d_low, section.row.d_high);
+  r.x_n = place_in(n_k, section.row.n_low, section.row.n_high);
   if (!section.lengths.empty()) r.x_L = place_in(r.L, section.lengths.front().L, section.lengths.back().L);
   trace.value("x_d", r.x_d, "place of the smaller pulley in the range that is rated");
   trace.value("x_n", r.x_n, "place of its speed in the range that is rated");
@@ -29,10 +27,9 @@ void limit_rating(const VSection& section, Length d_k, AngularSpeed n_k, V::Resu
   trace.value(
       "alpha_least", alpha_least,
       section.basis == Basis::iso ? "least wrap, [GOST1284.3] 3.3.5" : "least wrap of the table, [Optibelt-V] 16");
-  STEP(x_alpha, alpha / alpha_least, "smaller wrap over the least one");
+  STEP_TO(r, x_alpha, r.alpha / alpha_least, "smaller wrap over the least one");
   trace.value("v_max", v_max, "largest speed of the section");
-  STEP(x_v, v / v_max, "speed over the largest one");
-  r.x_alpha = x_alpha, r.x_v = x_v;
+  STEP_TO(r, x_v, r.v / v_max, "speed over the largest one");
 }
 
 /// The factor of the mean life for the kind of load, [GOST1284.2] annex 3.
@@ -60,55 +57,42 @@ void live(const VSection& section, const V::Input& in, V::Result& r, Tracer& tra
     return;
   }
   if (in.duty == V::Duty::unstated) return;
-  const Time L_medium = (in.belt_class == V::BeltClass::IV ? 3700.0 : 2700.0) * hour;
-  trace.value("L_medium", L_medium, "mean life under a medium load, [GOST1284.2] annex 3");
-  trace.value("K_1", life_factor(in.duty), "for the kind of load, [GOST1284.2] annex 3");
+  STEP(L_medium, in.belt_class == V::BeltClass::IV ? 3700.0 * hour : 2700.0 * hour,
+       "mean life under a medium load, [GOST1284.2] annex 3");
   const double K_1 = life_factor(in.duty);
-  STEP(L_h, K_1 * L_medium, "mean life, temperate climate");
-  r.L_h = L_h;
+  trace.value("K_1", K_1, "for the kind of load, [GOST1284.2] annex 3");
+  STEP_TO(r, L_h, K_1 * L_medium, "mean life, temperate climate");
 }
 
 template <class Tracer>
 void turn_rims(const V::Input& in, V::Result& r, Tracer& trace) {
-  const auto n_1 = in.n_1, n_2 = r.n_2;
-  const auto d_a1 = r.d_a1, d_a2 = r.d_a2;
-  const auto v_rim_adm = in.v_rim_adm;
-  STEP(v_rim, max(n_1 * d_a1, n_2 * d_a2) / 2.0, "larger speed of the two rims");
-  STEP(u_rim, v_rim / v_rim_adm, "rim condition");
-  r.v_rim = v_rim, r.u_rim = u_rim;
+  STEP_TO(r, v_rim, max(in.n_1 * r.d_a1, r.n_2 * r.d_a2) / 2.0, "larger speed of the two rims");
+  STEP_TO(r, u_rim, v_rim / in.v_rim_adm, "rim condition");
 }
 
 /// Sizes of the pulleys, as far as they do not depend on the number of belts, and the room for adjustment.
 template <class Tracer>
 void build_pulleys(const VSection& section, const V::Input& in, V::Result& r, Tracer& trace) {
   const VRow& row = section.row;
-  const auto d_1 = in.d_1, d_2 = in.d_2, h_a = row.h_a, w_d = row.w_d, L = r.L;
-  const auto v = r.v;
-  const auto f_B_max = row.f_B_max;
-  r.phi_1 = d_1 <= row.d_phi ? row.phi_1 : row.phi_2;
-  r.phi_2 = d_2 <= row.d_phi ? row.phi_1 : row.phi_2;
+  r.phi_1 = in.d_1 <= row.d_phi ? row.phi_1 : row.phi_2;
+  r.phi_2 = in.d_2 <= row.d_phi ? row.phi_1 : row.phi_2;
   trace.angle("phi_1", r.phi_1, "groove angle of the driving pulley, [GOST1284.2] annex 5");
   trace.angle("phi_2", r.phi_2, "groove angle of the driven pulley, [GOST1284.2] annex 5");
-  trace.value("h_a", h_a, "groove above the datum diameter");
-  STEP(d_a1, d_1 + 2.0 * h_a, "driving pulley, outside");
-  STEP(d_a2, d_2 + 2.0 * h_a, "driven pulley, outside");
-  r.d_a1 = d_a1, r.d_a2 = d_a2;
+  trace.value("h_a", row.h_a, "groove above the datum diameter");
+  STEP_TO(r, d_a1, in.d_1 + 2.0 * row.h_a, "driving pulley, outside");
+  STEP_TO(r, d_a2, in.d_2 + 2.0 * row.h_a, "driven pulley, outside");
   turn_rims(in, r, trace);
-  trace.value("w_d", w_d, "datum width of the groove");
-  STEP(Delta_1, 0.020 * L, "room for tensioning, [GOST1284.3] (11)");
-  STEP(Delta_2, 0.009 * L + 2.0 * w_d, "room for fitting, [GOST1284.3] (12)");
-  STEP(f_B, 2.0 * v / L, "two pulleys bend the belt in each round");
-  trace.value("f_B_max", f_B_max, "largest bending frequency of the section");
-  STEP(u_B, f_B / f_B_max, "bending frequency condition");
-  r.Delta_1 = Delta_1, r.Delta_2 = Delta_2, r.f_B = f_B, r.u_B = u_B;
+  trace.value("w_d", row.w_d, "datum width of the groove");
+  STEP_TO(r, Delta_1, 0.020 * r.L, "room for tensioning, [GOST1284.3] (11)");
+  STEP_TO(r, Delta_2, 0.009 * r.L + 2.0 * row.w_d, "room for fitting, [GOST1284.3] (12)");
+  STEP_TO(r, f_B, 2.0 * r.v / r.L, "two pulleys bend the belt in each round");
+  trace.value("f_B_max", row.f_B_max, "largest bending frequency of the section");
+  STEP_TO(r, u_B, f_B / row.f_B_max, "bending frequency condition");
   live(section, in, r, trace);
   if (r.z == 0) return;
-  const auto e = row.e, f = row.f;
-  const double z = r.z;
-  trace.value("e", e, "pitch of the grooves");
-  trace.value("f", f, "from the last groove to the edge");
-  STEP(B, (z - 1.0) * e + 2.0 * f, "width of the pulleys");
-  r.B = B;
+  trace.value("e", row.e, "pitch of the grooves");
+  trace.value("f", row.f, "from the last groove to the edge");
+  STEP_TO(r, B, (r.z - 1.0) * row.e + 2.0 * row.f, "width of the pulleys");
 }
 
 }  // namespace loadpath::belt

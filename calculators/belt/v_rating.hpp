@@ -13,12 +13,9 @@ struct Increments {
 };
 
 template <class Tracer>
-Increments increments(const VRow& row, double x_d, Tracer& trace) {
-  const auto a_1 = row.a_1, b_1 = row.b_1, a_2 = row.a_2, b_2 = row.b_2;
-  const auto a_3 = row.a_3, b_3 = row.b_3, a_4 = row.a_4, b_4 = row.b_4;
-  const double lg = std::log(x_d) / std::log(10.0);
-  trace.value("lg_d", lg, "decimal logarithm of the diameter in mm");
-  return {a_1 + b_1 * lg, a_2 + b_2 * lg, a_3 + b_3 * lg, a_4 + b_4 * lg};
+Increments increments(const VRow& row, double x_d_k, Tracer& trace) {
+  STEP(lg_d, log(x_d_k) / log(10.0), "decimal logarithm of the diameter in mm");
+  return {row.a_1 + row.b_1 * lg_d, row.a_2 + row.b_2 * lg_d, row.a_3 + row.b_3 * lg_d, row.a_4 + row.b_4 * lg_d};
 }
 
 /// ISO 5292 as in [GOST1284.3] 3.5.2: linear between the ratios 1, 1.05, 1.20, 1.50 and 3.00.
@@ -48,19 +45,18 @@ void rate(const VSection& section, Length d_k, AngularSpeed n_k, double i_g, V::
   trace.value("C_3", C_3, fitted);
   trace.value("C_4", C_4, fitted);
   STEP(x_d_k, d_k / mm, "smaller pulley in mm");
-  const double r_n = n_k / rpm / 1000.0;
-  trace.value("r_n", r_n, "its speed in 1000/min");
-  STEP(P_0,
-       1000.0 * W * r_n * x_d_k * (C_1 - C_2 / x_d_k - C_3 * pow<2>(r_n * x_d_k) - C_4 * log(r_n * x_d_k) / log(10.0)),
-       "rated power, closed form of the tables of the basis");
+  STEP(r_n, n_k / rpm / 1000.0, "its speed in 1000/min");
+  STEP_TO(
+      r, P_0,
+      1000.0 * W * r_n * x_d_k * (C_1 - C_2 / x_d_k - C_3 * pow<2>(r_n * x_d_k) - C_4 * log(r_n * x_d_k) / log(10.0)),
+      "rated power, closed form of the tables of the basis");
   const Increments k = increments(section.row, x_d_k, trace);
   const double k_i = iso ? iso_increment(k, i_g) : optibelt_increment(k, i_g);
   trace.value("k_i", k_i,
               iso ? "increment for the ratio, linear between 1, 1.05, 1.20, 1.50, 3.00, [GOST1284.3] 3.5.2"
                   : "increment for the ratio, in steps, [Optibelt-V]");
-  STEP(dP, 1000.0 * W * k_i * r_n, "less bending around the larger pulley");
-  STEP(P_N, P_0 + dP, "rated power of one belt");
-  r.P_0 = P_0, r.dP = dP, r.P_N = P_N;
+  STEP_TO(r, dP, 1000.0 * W * k_i * r_n, "less bending around the larger pulley");
+  STEP_TO(r, P_N, P_0 + dP, "rated power of one belt");
 }
 
 /// The wrap factor of the basis at the smaller wrap.
@@ -86,23 +82,17 @@ inline Whole belts_needed(Basis basis, double z_0, bool high_end) {
 
 template <class Tracer>
 void count(const V::Input& in, V::Result& r, Tracer& trace) {
-  const auto P_B = r.P_B, P_N = r.P_N;
-  const auto c_alpha = r.c_alpha, c_L = r.c_L;
-  if (!(P_N > from_si<Power>(0.0)) || !is_set(c_alpha) || !is_set(c_L)) return;
-  STEP(z_0, P_B / (P_N * c_alpha * c_L), "number of belts before the count factor");
-  r.z_0 = z_0;
+  if (!(r.P_N > from_si<Power>(0.0)) || !is_set(r.c_alpha) || !is_set(r.c_L)) return;
+  STEP_TO(r, z_0, r.P_B / (r.P_N * r.c_alpha * r.c_L), "number of belts before the count factor");
   const bool iso = in.basis == Basis::iso, high_end = in.C_K_end == V::End::high;
   r.z = in.z > 0 ? in.z : belts_needed(in.basis, z_0, high_end);
   if (r.z == 0) return;
-  const double z = r.z;
-  trace.value("z", z, in.z > 0 ? "as given" : "the least number that carries the power");
-  r.C_K = iso ? v_count_factor(z, high_end) : 1.0;
-  const auto C_K = r.C_K;
-  trace.value("C_K", C_K,
+  trace.value("z", r.z, in.z > 0 ? "as given" : "the least number that carries the power");
+  r.C_K = iso ? v_count_factor(r.z, high_end) : 1.0;
+  trace.value("C_K", r.C_K,
               iso ? "belts share unevenly, [GOST1284.3] 20" : "the basis has no count factor, [Optibelt-V]");
-  STEP(P_all, z * C_K * P_N * c_alpha * c_L, "power that the belts can carry");
-  STEP(u_P, P_B / P_all, "power condition");
-  r.P_all = P_all, r.u_P = u_P;
+  STEP_TO(r, P_all, r.z * r.C_K * r.P_N * r.c_alpha * r.c_L, "power that the belts can carry");
+  STEP_TO(r, u_P, r.P_B / P_all, "power condition");
 }
 
 }  // namespace loadpath::belt

@@ -1,5 +1,6 @@
 #include "calculators/belt/course.hpp"
 
+#include "calculators/belt/flat.hpp"
 #include "calculators/belt/geometry.hpp"
 #include "tests/calculators/belt/steps.hpp"
 #include "tests/lib/project/texts.hpp"
@@ -74,8 +75,9 @@ TEST_SUITE("belt course") {
     for (const double d : {80.0, 200.0, 560.0}) {
       const auto r = solve(around({pulley(0, 0, 200), pulley(700, 300, d)}));
       NoTrace trace;
-      const auto open =
-          belt::lay({200.0 * mm, d * mm, std::hypot(700.0, 300.0) * mm, unset<Length>, belt::Arrangement::open}, trace);
+      belt::Flat::Result open;
+      belt::lay({200.0 * mm, d * mm, std::hypot(700.0, 300.0) * mm, unset<Length>, belt::Arrangement::open}, open,
+                trace);
       CHECK(in_mm(r.L) == doctest::Approx(in_mm(open.L)).epsilon(1e-13));
       CHECK(r.pulleys[0].alpha == doctest::Approx(open.alpha_1).epsilon(1e-13));
       CHECK(r.pulleys[1].alpha == doctest::Approx(open.alpha_2).epsilon(1e-13));

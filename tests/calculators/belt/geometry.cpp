@@ -1,4 +1,4 @@
-#include "calculators/belt/geometry.hpp"
+#include "calculators/belt/flat.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,9 +10,11 @@ using namespace loadpath;
 using belt::Arrangement;
 using belt::Pulleys;
 
-belt::DriveCourse course(double d_1, double d_2, double a, Arrangement arrangement = Arrangement::open) {
+belt::Flat::Result course(double d_1, double d_2, double a, Arrangement arrangement = Arrangement::open) {
+  belt::Flat::Result r;
   NoTrace trace;
-  return belt::lay(Pulleys{d_1 * mm, d_2 * mm, a * mm, unset<Length>, arrangement}, trace);
+  belt::lay(Pulleys{d_1 * mm, d_2 * mm, a * mm, unset<Length>, arrangement}, r, trace);
+  return r;
 }
 
 double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }

@@ -15,28 +15,21 @@ using End = EffectiveLength::End;
 /// The springs of elastic ends over those of the bar.
 template <class Tracer>
 void compare_springs(const Input& in, Result& r, Tracer& trace) {
-  const auto E = in.E;
-  const auto I = in.I;
-  const auto l = in.l;
-  const auto c_1 = in.c_1, c_2 = in.c_2;
-  const auto k_1 = in.k_1, k_2 = in.k_2;
-  if (is_set(c_1)) r.kappa_1 = NAMED_STEP("kappa_1", c_1 * l / (E * I), "first end against turning");
-  if (is_set(k_1)) r.mu_1 = NAMED_STEP("mu_1", k_1 * pow<3>(l) / (E * I), "first end across the bar");
-  if (is_set(c_2)) r.kappa_2 = NAMED_STEP("kappa_2", c_2 * l / (E * I), "second end against turning");
-  if (is_set(k_2)) r.mu_2 = NAMED_STEP("mu_2", k_2 * pow<3>(l) / (E * I), "second end across the bar");
+  if (is_set(in.c_1)) r.kappa_1 = NAMED_STEP("kappa_1", in.c_1 * in.l / (in.E * in.I), "first end against turning");
+  if (is_set(in.k_1)) r.mu_1 = NAMED_STEP("mu_1", in.k_1 * pow<3>(in.l) / (in.E * in.I), "first end across the bar");
+  if (is_set(in.c_2)) r.kappa_2 = NAMED_STEP("kappa_2", in.c_2 * in.l / (in.E * in.I), "second end against turning");
+  if (is_set(in.k_2)) r.mu_2 = NAMED_STEP("mu_2", in.k_2 * pow<3>(in.l) / (in.E * in.I), "second end across the bar");
 }
 
 /// The beams of a joint turn it like a spring: bent in one sense when the frame is braced, in two when it sways.
 template <class Tracer>
 void take_joints(const Input& in, Result& r, Tracer& trace) {
-  const auto G_1 = in.G_1, G_2 = in.G_2;
   const bool sways = in.frame == EffectiveLength::Frame::sway;
-  const double beams = sways ? 6.0 : 2.0;
-  trace.value("beams", beams,
-              sways ? "6 E I/L of beams bent to an S, [AISC-alignment]"
-                    : "2 E I/L of beams bent to one side, [AISC-alignment]");
-  if (G_1 > 0.0) r.kappa_1 = NAMED_STEP("kappa_1", beams / G_1, "first joint against turning");
-  if (G_2 > 0.0) r.kappa_2 = NAMED_STEP("kappa_2", beams / G_2, "second joint against turning");
+  STEP(beams, in.frame == EffectiveLength::Frame::sway ? 6.0 : 2.0,
+       sways ? "6 E I/L of beams bent to an S, [AISC-alignment]"
+             : "2 E I/L of beams bent to one side, [AISC-alignment]");
+  if (in.G_1 > 0.0) r.kappa_1 = NAMED_STEP("kappa_1", beams / in.G_1, "first joint against turning");
+  if (in.G_2 > 0.0) r.kappa_2 = NAMED_STEP("kappa_2", beams / in.G_2, "second joint against turning");
 }
 
 column::End rigid(End end) {
@@ -85,21 +78,16 @@ bool EffectiveLength::supports_inside(const Input& in) {
 
 template <class Tracer>
 Result EffectiveLength::evaluate(const Input& in, Tracer& trace) {
-  const auto E = in.E;
-  const auto I = in.I;
-  const auto l = in.l;
   Result r;
   if (is_set(in.G_1)) take_joints(in, r, trace);
   compare_springs(in, r, trace);
   const double u = r.u = buckling_parameter(bar_of(in, r));
   trace.value("u", u, "smallest root of the characteristic equation, by the exact stiffness, [Wittrick]");
   if (!is_set(u)) return r;
-  STEP(beta, pi / u, "the hinged bar that buckles at the same force, [B25]");
-  STEP(s, beta * l, "effective length, [B25]");
-  r.beta = beta, r.s = s;
-  if (!is_set(E) || !is_set(I)) return r;
-  STEP(N_cr, pow<2>(pi) * E * I / pow<2>(s), "critical force of the elastic bar, [B25]");
-  r.N_cr = N_cr;
+  STEP_TO(r, beta, pi / u, "the hinged bar that buckles at the same force, [B25]");
+  STEP_TO(r, s, beta * in.l, "effective length, [B25]");
+  if (!is_set(in.E) || !is_set(in.I)) return r;
+  STEP_TO(r, N_cr, pow<2>(pi) * in.E * in.I / pow<2>(s), "critical force of the elastic bar, [B25]");
   return r;
 }
 

@@ -121,13 +121,9 @@ Result Lightest::evaluate(const Input& in, Tracer& trace) {
   static_cast<MemberResult&>(r) = Buckling::evaluate(bar_of(in, *best), trace);
   r.section = best->name();
   const auto q = r.q = best->m;
-  const auto l = in.l;
-  STEP(mass, q * l, "mass of the bar");
-  r.mass = mass;
+  STEP_TO(r, mass, q * in.l, "mass of the bar");
   if (r.u > 1.0) {
-    const auto F = r.F, P_all = r.P_all;
-    STEP(lack, 1.0 - P_all / F, "part of the force that even the strongest does not carry");
-    r.lack = lack;
+    STEP_TO(r, lack, 1.0 - r.P_all / r.F, "part of the force that even the strongest does not carry");
   }
   return r;
 }

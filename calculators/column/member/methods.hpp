@@ -52,10 +52,9 @@ Stress critical_stress(const Member& in, const Material& material, const MemberR
       return sigma_cr;
     }
     case Method::ec3: {
-      const auto R_e = in.R_e;
       const double chi = std::min(r.axes[0].chi, r.axes[1].chi);
       trace.value("chi", chi, "the lower of both axes");
-      STEP(sigma_cr, chi * R_e, "EN 1993-1-1 (6.47) without its partial factor, [EN1993-1-1-buckling]");
+      STEP(sigma_cr, chi * in.R_e, "EN 1993-1-1 (6.47) without its partial factor, [EN1993-1-1-buckling]");
       return sigma_cr;
     }
     case Method::aisc:
@@ -69,9 +68,8 @@ Stress critical_stress(const Member& in, const Material& material, const MemberR
 template <class Tracer>
 double safety(const Member& in, Method method, Tracer& trace) {
   if (method == Method::ec3) {
-    const auto gamma_M1 = in.gamma_M1, gamma_F = in.gamma_F;
-    if (!is_set(gamma_M1) || !is_set(gamma_F)) return unset<double>;
-    STEP(n, gamma_M1 * gamma_F, "partial factors on the resistance and on the load");
+    if (!is_set(in.gamma_M1) || !is_set(in.gamma_F)) return unset<double>;
+    STEP(n, in.gamma_M1 * in.gamma_F, "partial factors on the resistance and on the load");
     return n;
   }
   const double n = method == Method::aisc ? in.Omega_c : in.n_st;
@@ -90,18 +88,14 @@ inline constexpr auto method_names = [] {
 template <class Tracer>
 void add_method(const Member& in, const Material& material, Method method, MemberResult& r, Tracer& trace) {
   [[maybe_unused]] const auto scope = trace.scope("methods", r.methods.size());
-  const auto A = r.A;
-  const auto F = r.F;
   MethodResult by{method_names[static_cast<std::size_t>(method)]};
   const Stress sigma_cr = by.sigma_cr = critical_stress(in, material, r, method, trace);
   const double n = by.n = safety(in, method, trace);
   if (is_set(sigma_cr)) {
-    STEP(P_cr, sigma_cr * A, "critical force");
-    by.P_cr = P_cr;
+    STEP_TO(by, P_cr, sigma_cr * r.A, "critical force");
     if (is_set(n)) {
-      STEP(P_all, P_cr / n, "allowable force");
-      by.P_all = P_all;
-      if (is_set(F)) by.u = NAMED_STEP("u", F / P_all, "force over the allowable one");
+      STEP_TO(by, P_all, P_cr / n, "allowable force");
+      if (is_set(r.F)) by.u = NAMED_STEP("u", r.F / P_all, "force over the allowable one");
     }
   }
   r.methods.push_back(by);

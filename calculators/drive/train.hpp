@@ -61,6 +61,9 @@ stages = [
     Member in = Member::sun, out = Member::carrier;
     double eta = unset<double>;
     Sense sense = Sense::usual;
+
+    [[nodiscard]] bool has_teeth() const { return z_1 > 0 && z_2 > 0; }
+
     static constexpr std::tuple fields{
         NameField{&Stage::name, "name", "name of the stage"}.may_be_missing(),
         Choice{&Stage::kind, "kind", "kind of drive"},

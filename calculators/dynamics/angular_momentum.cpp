@@ -44,26 +44,22 @@ MassMoment inertia_of_unknown(const Input& in) {
 
 template <class Tracer>
 void find_speed(const Input& in, Result& r, Tracer& trace) {
-  const auto K_1 = r.K_1, K_k = r.K_k;
   const auto J_k = inertia_of_unknown(in);
-  const auto M = in.M;
   const Time t = is_set(in.t) ? in.t : 0.0 * sec;
   trace.value("J_k", J_k, "sum of J after, of the parts whose speed is to be found");
   trace.value("t", t, "time that the moment acts");
-  STEP(K_2, K_1 + M * t, "theorem of angular momentum, [B36]");
-  STEP(omega_2, (K_2 - K_k) / J_k, "angular momentum that is left for them, K = J omega, [B36]");
-  r.J_k = J_k, r.K_2 = K_2, r.omega_2 = r.n_2 = omega_2, r.t_M = t;
+  STEP_TO(r, K_2, r.K_1 + in.M * t, "theorem of angular momentum, [B36]");
+  STEP(omega_2, (K_2 - r.K_k) / J_k, "angular momentum that is left for them, K = J omega, [B36]");
+  r.J_k = J_k, r.omega_2 = r.n_2 = omega_2, r.t_M = t;
 }
 
 template <class Tracer>
 void find_time(const Input& in, Result& r, Tracer& trace) {
-  const auto K_1 = r.K_1, K_2 = r.K_k;
-  const auto M = in.M;
+  const auto K_2 = r.K_k;
   trace.value("K_2", K_2, "sum of J omega after");
   r.K_2 = K_2;
-  if (in_si(M) == 0.0) return;
-  STEP(t_M, (K_2 - K_1) / M, "theorem of angular momentum, [B36]");
-  r.t_M = t_M;
+  if (in_si(in.M) == 0.0) return;
+  STEP_TO(r, t_M, (K_2 - r.K_1) / in.M, "theorem of angular momentum, [B36]");
 }
 
 void take_energies(const Input& in, Result& r) {
@@ -110,11 +106,9 @@ AngularMomentumChange::Result AngularMomentumChange::evaluate(const Input& in, T
     find_time(in, r, trace);
   }
   take_energies(in, r);
-  const auto E_1 = r.E_1, E_2 = r.E_2;
-  trace.value("E_1", E_1, "sum of J omega^2/2 before, [B37]");
-  trace.value("E_2", E_2, "sum of J omega^2/2 after, [B37]");
-  STEP(Delta_E, E_2 - E_1, "brought from inside and by the moment, or lost");
-  r.Delta_E = Delta_E;
+  trace.value("E_1", r.E_1, "sum of J omega^2/2 before, [B37]");
+  trace.value("E_2", r.E_2, "sum of J omega^2/2 after, [B37]");
+  STEP_TO(r, Delta_E, r.E_2 - r.E_1, "brought from inside and by the moment, or lost");
   return r;
 }
 

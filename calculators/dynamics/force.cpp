@@ -45,24 +45,19 @@ void find_largest(const ForceOfMotion::Input& in, ForceOfMotion::Result& r) {
 template <class Tracer>
 void take_resultant(const ForceOfMotion::Input& in, ForceOfMotion::Result& r, Tracer& trace) {
   const auto m = in.mass;
-  const auto a_x = r.a_x, a_y = r.a_y, a_z = r.a_z;
-  STEP(P_x, m * a_x, "fundamental law, [B32]");
-  STEP(P_y, m * a_y, "fundamental law, [B32]");
-  STEP(P_z, m * a_z, "fundamental law, [B32]");
-  STEP(P, sqrt(P_x * P_x + P_y * P_y + P_z * P_z), "magnitude");
-  r.P_x = P_x, r.P_y = P_y, r.P_z = P_z, r.P = P;
+  STEP_TO(r, P_x, m * r.a_x, "fundamental law, [B32]");
+  STEP_TO(r, P_y, m * r.a_y, "fundamental law, [B32]");
+  STEP_TO(r, P_z, m * r.a_z, "fundamental law, [B32]");
+  STEP_TO(r, P, sqrt(P_x * P_x + P_y * P_y + P_z * P_z), "magnitude");
   r.Phi_x = -P_x, r.Phi_y = -P_y, r.Phi_z = -P_z;
 }
 
 template <class Tracer>
 void take_missing(const ForceOfMotion::Input& in, ForceOfMotion::Result& r, Tracer& trace) {
-  const auto F_x = in.F_x, F_y = in.F_y, F_z = in.F_z;
-  const auto P_x = r.P_x, P_y = r.P_y, P_z = r.P_z;
-  STEP(R_x, P_x - F_x, "what the known forces do not bring");
-  STEP(R_y, P_y - F_y, "what the known forces do not bring");
-  STEP(R_z, P_z - F_z, "what the known forces do not bring");
-  STEP(R, sqrt(R_x * R_x + R_y * R_y + R_z * R_z), "magnitude");
-  r.R_x = R_x, r.R_y = R_y, r.R_z = R_z, r.R = R;
+  STEP_TO(r, R_x, r.P_x - in.F_x, "what the known forces do not bring");
+  STEP_TO(r, R_y, r.P_y - in.F_y, "what the known forces do not bring");
+  STEP_TO(r, R_z, r.P_z - in.F_z, "what the known forces do not bring");
+  STEP_TO(r, R, sqrt(R_x * R_x + R_y * R_y + R_z * R_z), "magnitude");
 }
 
 }  // namespace

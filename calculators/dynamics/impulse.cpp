@@ -20,13 +20,10 @@ Momentum impulse_of(const Written& law, const Impulse::Input& in) {
 
 template <class Tracer>
 void take_mean(const Impulse::Input& in, Impulse::Result& r, Tracer& trace) {
-  const auto t_1 = in.t_1, t_2 = in.t_2;
-  const auto I_x = r.I_x, I_y = r.I_y;
-  STEP(I, sqrt(I_x * I_x + I_y * I_y), "magnitude");
-  STEP(F_mx, I_x / (t_2 - t_1), "the constant force of the same impulse");
-  STEP(F_my, I_y / (t_2 - t_1), "the constant force of the same impulse");
-  STEP(F_m, I / (t_2 - t_1), "the constant force of the same impulse");
-  r.I = I, r.F_mx = F_mx, r.F_my = F_my, r.F_m = F_m;
+  STEP_TO(r, I, sqrt(r.I_x * r.I_x + r.I_y * r.I_y), "magnitude");
+  STEP_TO(r, F_mx, r.I_x / (in.t_2 - in.t_1), "the constant force of the same impulse");
+  STEP_TO(r, F_my, r.I_y / (in.t_2 - in.t_1), "the constant force of the same impulse");
+  STEP_TO(r, F_m, I / (in.t_2 - in.t_1), "the constant force of the same impulse");
 }
 
 }  // namespace
@@ -49,22 +46,20 @@ template <class Tracer>
 Impulse::Result Impulse::evaluate(const Input& in, Tracer& trace) {
   Result r;
   const auto m = in.mass;
-  const auto v_1x = in.v_1x, v_1y = in.v_1y;
   const Momentum I_x = impulse_of(laws_of(in)[0], in), I_y = impulse_of(laws_of(in)[1], in);
   r.I_x = I_x, r.I_y = I_y;
   trace.value("I_x", I_x, "integral of the force over the time, [B33]");
   trace.value("I_y", I_y, "integral of the force over the time, [B33]");
   take_mean(in, r, trace);
-  STEP(q_1x, m * v_1x, "momentum before, [B33]");
-  STEP(q_1y, m * v_1y, "momentum before, [B33]");
-  STEP(q_2x, q_1x + I_x, "theorem of momentum, [B33]");
-  STEP(q_2y, q_1y + I_y, "theorem of momentum, [B33]");
-  STEP(v_2x, q_2x / m, "momentum after, [B33]");
-  STEP(v_2y, q_2y / m, "momentum after, [B33]");
-  STEP(v_2, sqrt(v_2x * v_2x + v_2y * v_2y), "magnitude");
-  STEP(A, 0.5 * m * (v_2 * v_2 - v_1x * v_1x - v_1y * v_1y), "change of the kinetic energy, [B34] (11)");
-  r.q_1x = q_1x, r.q_1y = q_1y, r.q_2x = q_2x, r.q_2y = q_2y;
-  r.v_2x = v_2x, r.v_2y = v_2y, r.v_2 = v_2, r.A = A;
+  STEP_TO(r, q_1x, m * in.v_1x, "momentum before, [B33]");
+  STEP_TO(r, q_1y, m * in.v_1y, "momentum before, [B33]");
+  STEP_TO(r, q_2x, q_1x + I_x, "theorem of momentum, [B33]");
+  STEP_TO(r, q_2y, q_1y + I_y, "theorem of momentum, [B33]");
+  STEP_TO(r, v_2x, q_2x / m, "momentum after, [B33]");
+  STEP_TO(r, v_2y, q_2y / m, "momentum after, [B33]");
+  STEP_TO(r, v_2, sqrt(v_2x * v_2x + v_2y * v_2y), "magnitude");
+  STEP_TO(r, A, 0.5 * m * (v_2 * v_2 - in.v_1x * in.v_1x - in.v_1y * in.v_1y),
+          "change of the kinetic energy, [B34] (11)");
   return r;
 }
 

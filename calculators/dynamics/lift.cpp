@@ -44,42 +44,32 @@ Moves moves_of(const Input& in, const Result& r) {
 
 template <class Tracer>
 void accelerate(Result& r, Tracer& trace) {
-  const auto F_G = r.F_G, F_d = r.F_d, F_f = r.F_f;
-  const auto m_red = r.m_red;
-  const double sense = r.moves == Moves::stands ? 0.0 : r.moves == Moves::forwards ? 1.0 : -1.0;
   if (r.moves == Moves::stands) {
-    r.F = 0.0 * N;
+    STEP_TO(r, F, 0.0 * N, "friction holds the lift at rest");
     r.a = 0.0 * m_per_s2;
-    trace.value("F", r.F, "friction holds the lift at rest");
     return;
   }
-  trace.value("sense", sense, "1 forwards, -1 backwards");
-  STEP(F, F_G + F_d - sense * F_f, "friction is against the motion, [B37]");
-  STEP(a, F / m_red, "theorem of kinetic energy over a small path, [B37]");
-  r.F = F, r.a = a;
+  STEP(sense, r.moves == Moves::forwards ? 1.0 : -1.0, "1 forwards, -1 backwards");
+  STEP_TO(r, F, r.F_G + r.F_d - sense * r.F_f, "friction is against the motion, [B37]");
+  STEP_TO(r, a, F / r.m_red, "theorem of kinetic energy over a small path, [B37]");
 }
 
 /// Speed and time over the path, where the lift gets to its end.
 template <class Tracer>
 void run(const Input& in, Result& r, Tracer& trace) {
-  const auto s = in.s;
   const auto v_0 = in.v_0;
-  const auto a = r.a;
-  const auto F = r.F;
   if (r.moves == Moves::forwards) r.u_s = 0.0;  // backwards it never gets to s
-  if (r.moves == Moves::forwards && in_si(a) < 0.0) {
-    STEP(s_stop, v_0 * v_0 / (-2.0 * a), "all of the kinetic energy is used up");
-    STEP(u_s, s / s_stop, "path over the one to a standstill");
-    r.s_stop = s_stop, r.u_s = u_s;
+  if (r.moves == Moves::forwards && in_si(r.a) < 0.0) {
+    STEP_TO(r, s_stop, v_0 * v_0 / (-2.0 * r.a), "all of the kinetic energy is used up");
+    STEP_TO(r, u_s, in.s / s_stop, "path over the one to a standstill");
     if (u_s > 1.0) return;
   }
   const double sense = r.moves == Moves::backwards ? -1.0 : 1.0;
-  STEP(A, sense * F * s, "work of all forces, [B37]");
-  STEP(v_end, sqrt(max(v_0 * v_0 + 2.0 * sense * a * s, 0.0 * v_0 * v_0)), "theorem of kinetic energy, [B37]");
-  r.A = A, r.v = sense * v_end;
+  STEP_TO(r, A, sense * r.F * in.s, "work of all forces, [B37]");
+  STEP(v_end, sqrt(max(v_0 * v_0 + 2.0 * sense * r.a * in.s, 0.0 * v_0 * v_0)), "theorem of kinetic energy, [B37]");
+  r.v = sense * v_end;
   if (!(in_si(v_0 + v_end) > 0.0)) return;
-  STEP(t, 2.0 * s / (v_0 + v_end), "mean speed of a constant acceleration");
-  r.t = t;
+  STEP_TO(r, t, 2.0 * in.s / (v_0 + v_end), "mean speed of a constant acceleration");
 }
 
 void take_parts(const Input& in, Result& r) {

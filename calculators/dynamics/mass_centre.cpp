@@ -19,10 +19,10 @@ MassCentre::Result MassCentre::evaluate(const Input& in, Tracer& trace) {
   trace.value("S_x", S_x, "sum of m x");
   trace.value("S_y", S_y, "sum of m y");
   trace.value("S_s", S_s, "sum of m s, of the paths along the carrier");
-  STEP(x_C, S_x / M, "centre of mass, [B35]");
-  STEP(y_C, S_y / M, "centre of mass, [B35]");
-  STEP(Delta_x, -S_s / M, "the centre of mass stays: sum of m (Delta_x + s) is zero, [B35]");
-  r.M = M, r.x_C = x_C, r.y_C = y_C, r.Delta_x = Delta_x;
+  STEP_TO(r, x_C, S_x / M, "centre of mass, [B35]");
+  STEP_TO(r, y_C, S_y / M, "centre of mass, [B35]");
+  STEP_TO(r, Delta_x, -S_s / M, "the centre of mass stays: sum of m (Delta_x + s) is zero, [B35]");
+  r.M = M;
   for (const Body& body : in.bodies) r.after.push_back({body.name, Delta_x + body.s, body.x + Delta_x + body.s});
   return r;
 }

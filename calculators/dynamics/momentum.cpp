@@ -37,16 +37,15 @@ void add_up(const Input& in, Result& r, Tracer& trace) {
 /// The two bodies of an impact part by e times the velocity that they met with.
 template <class Tracer>
 void part(const Input& in, Result& r, Tracer& trace) {
-  const auto V_k = r.V_k;
-  const auto e = in.e;
   const auto m_1 = in.bodies[0].mass, m_2 = in.bodies[1].mass;
   const Speed v_11 = in.bodies[0].v_1, v_21 = in.bodies[1].v_1;
   trace.value("m_1", m_1, "mass of the first body");
   trace.value("m_2", m_2, "mass of the second body");
   trace.value("v_11", v_11, "velocity of the first body before");
   trace.value("v_21", v_21, "velocity of the second body before");
-  STEP(v_12, V_k - e * m_2 / (m_1 + m_2) * (v_11 - v_21), "first body: the bodies part by e times their approach");
-  STEP(v_22, V_k + e * m_1 / (m_1 + m_2) * (v_11 - v_21), "second body: the bodies part by e times their approach");
+  STEP(v_12, r.V_k - in.e * m_2 / (m_1 + m_2) * (v_11 - v_21), "first body: the bodies part by e times their approach");
+  STEP(v_22, r.V_k + in.e * m_1 / (m_1 + m_2) * (v_11 - v_21),
+       "second body: the bodies part by e times their approach");
   r.after[0].v_2 = v_12, r.after[1].v_2 = v_22;
 }
 
@@ -77,21 +76,16 @@ template <class Tracer>
 SystemMomentum::Result SystemMomentum::evaluate(const Input& in, Tracer& trace) {
   Result r;
   add_up(in, r, trace);
-  const auto M = r.M, m_k = r.m_k;
-  const auto Q_1 = r.Q_1, q_k = r.q_k, S = in.S;
-  STEP(V_1, Q_1 / M, "Q = M V_C, [B35]");
-  STEP(Q_2, Q_1 + S, "theorem of momentum of a system, [B35]");
-  STEP(V_k, (Q_2 - q_k) / m_k, "momentum that is left for the bodies to be found, [B35]");
-  r.V_1 = V_1, r.Q_2 = Q_2, r.V_k = V_k;
+  STEP_TO(r, V_1, r.Q_1 / r.M, "Q = M V_C, [B35]");
+  STEP_TO(r, Q_2, r.Q_1 + in.S, "theorem of momentum of a system, [B35]");
+  STEP_TO(r, V_k, (Q_2 - r.q_k) / r.m_k, "momentum that is left for the bodies to be found, [B35]");
   for (const Body& body : in.bodies)
     r.after.push_back({body.name, is_set(body.v_2) ? body.v_2 : Speed(V_k), unset<Momentum>});
   if (is_impact(in)) part(in, r, trace);
   finish(in, r);
-  const auto E_1 = r.E_1, E_2 = r.E_2;
-  trace.value("E_1", E_1, "sum of m v^2/2 before");
-  trace.value("E_2", E_2, "sum of m v^2/2 after");
-  STEP(Delta_E, E_2 - E_1, "what inner forces have brought, or taken");
-  r.Delta_E = Delta_E;
+  trace.value("E_1", r.E_1, "sum of m v^2/2 before");
+  trace.value("E_2", r.E_2, "sum of m v^2/2 after");
+  STEP_TO(r, Delta_E, r.E_2 - r.E_1, "what inner forces have brought, or taken");
   return r;
 }
 

@@ -16,46 +16,35 @@ double reached_height(const Throw::Input& in, const Throw::Result& r) {
 
 template <class Tracer>
 void land(const Throw::Input& in, Throw::Result& r, Tracer& trace) {
-  const auto h = in.h;
-  const auto g = in.g;
-  const auto V_x = r.V_x, V_z = r.V_z;
-  STEP(t_L, (V_z + sqrt(V_z * V_z + 2.0 * g * h)) / g, "later time at which z = -h, from the law of motion [B32]");
-  STEP(L, V_x * t_L, "law of motion along x, [B32]");
-  STEP(V_L, sqrt(V_x * V_x + V_z * V_z + 2.0 * g * h), "the speed does not depend on the angle, [B34]");
-  r.t_L = t_L, r.L = L, r.V_L = V_L;
-  r.theta_L = std::atan2(std::sqrt(std::max(0.0, in_si(V_z * V_z + 2.0 * g * h))), in_si(V_x));
+  const auto V_z = r.V_z;
+  STEP_TO(r, t_L, (V_z + sqrt(V_z * V_z + 2.0 * in.g * in.h)) / in.g,
+          "later time at which z = -h, from the law of motion [B32]");
+  STEP_TO(r, L, r.V_x * t_L, "law of motion along x, [B32]");
+  STEP_TO(r, V_L, sqrt(r.V_x * r.V_x + V_z * V_z + 2.0 * in.g * in.h), "the speed does not depend on the angle, [B34]");
+  r.theta_L = std::atan2(std::sqrt(std::max(0.0, in_si(V_z * V_z + 2.0 * in.g * in.h))), in_si(r.V_x));
 }
 
 /// The greatest range: where speed of throw and of landing are perpendicular.
 template <class Tracer>
 void find_best(const Throw::Input& in, Throw::Result& r, Tracer& trace) {
   const auto V_0 = in.V_0;
-  const auto h = in.h;
-  const auto g = in.g;
   r.theta_H = pi / 2.0;
-  if (!(in_si(V_0 * V_0 + 2.0 * g * h) > 0.0)) return;
-  STEP(V_E, sqrt(V_0 * V_0 + 2.0 * g * h), "speed at the height of the landing, [B34]");
-  STEP(theta_R, atan(V_0 / V_E), "greatest range: directions of throw and landing are perpendicular");
-  STEP(L_max, V_0 * V_E / g, "range at that angle");
-  r.theta_R = theta_R, r.L_max = L_max;
+  if (!(in_si(V_0 * V_0 + 2.0 * in.g * in.h) > 0.0)) return;
+  STEP(V_E, sqrt(V_0 * V_0 + 2.0 * in.g * in.h), "speed at the height of the landing, [B34]");
+  STEP_TO(r, theta_R, atan(V_0 / V_E), "greatest range: directions of throw and landing are perpendicular");
+  STEP_TO(r, L_max, V_0 * V_E / in.g, "range at that angle");
 }
 
 /// Both angles that reach the distance: the flight passes (L_req, -h).
 template <class Tracer>
 void aim(const Throw::Input& in, Throw::Result& r, Tracer& trace) {
-  const auto V_0 = in.V_0;
-  const auto h = in.h, L_req = in.L_req;
-  const auto g = in.g;
-  const auto L_max = r.L_max;
-  if (!is_set(L_max)) return;  // no throw with this speed gets as high as the landing
-  STEP(u_L, L_req / L_max, "distance over the greatest range");
-  r.u_L = u_L;
-  STEP(k, V_0 * V_0 / (g * L_req), "twice the height of a vertical throw over the distance");
-  STEP(D, k * k - 1.0 + 2.0 * k * (h / L_req), "discriminant of tan(theta) from the law of motion");
+  if (!is_set(r.L_max)) return;  // no throw with this speed gets as high as the landing
+  STEP_TO(r, u_L, in.L_req / r.L_max, "distance over the greatest range");
+  STEP(k, in.V_0 * in.V_0 / (in.g * in.L_req), "twice the height of a vertical throw over the distance");
+  STEP(D, k * k - 1.0 + 2.0 * k * (in.h / in.L_req), "discriminant of tan(theta) from the law of motion");
   if (!(D >= 0.0)) return;
-  STEP(theta_flat, atan(k - sqrt(D)), "law of motion through the aim, [B32]");
-  STEP(theta_steep, atan(k + sqrt(D)), "law of motion through the aim, [B32]");
-  r.theta_flat = theta_flat, r.theta_steep = theta_steep;
+  STEP_TO(r, theta_flat, atan(k - sqrt(D)), "law of motion through the aim, [B32]");
+  STEP_TO(r, theta_steep, atan(k + sqrt(D)), "law of motion through the aim, [B32]");
 }
 
 }  // namespace
@@ -66,11 +55,9 @@ Throw::Result Throw::evaluate(const Input& in, Tracer& trace) {
   Result r;
   r.V_x = motion::without_rounding(in_si(V_0) * cos(theta), in_si(V_0)) * m_per_s;
   trace.value("V_x", r.V_x, "part of the speed along x, constant, [B32]");
-  STEP(V_z, V_0 * sin(theta), "part of the speed along z at the throw, [B32]");
-  r.V_z = V_z;
-  STEP(t_H, max(V_z, 0.0 * m_per_s) / g, "the vertical speed is zero, [B32]");
-  STEP(H, 0.5 * g * t_H * t_H, "highest point, [B32]");
-  r.t_H = t_H, r.H = H;
+  STEP_TO(r, V_z, V_0 * sin(theta), "part of the speed along z at the throw, [B32]");
+  STEP_TO(r, t_H, max(V_z, 0.0 * m_per_s) / g, "the vertical speed is zero, [B32]");
+  STEP_TO(r, H, 0.5 * g * t_H * t_H, "highest point, [B32]");
   r.u_h = reached_height(in, r);
   if (r.u_h <= 1.0) land(in, r, trace);
   find_best(in, r, trace);

@@ -121,13 +121,10 @@ template <class Tracer>
 Cycle::Result Cycle::evaluate(const Input& in, Tracer& trace) {
   Result r;
   static_cast<Characteristics&>(r) = cycle_of(in, trace);
-  const auto R_e = in.R_e;
-  if (is_set(R_e)) {
-    const auto sigma_max = r.sigma_max, sigma_min = r.sigma_min;
-    const double k = in.stress == Stresses::shear ? std::sqrt(3.0) : 1.0;
-    trace.value("k", k, in.stress == Stresses::shear ? "shear by the distortion energy hypothesis, [Mises]" : "normal");
-    STEP(u_y, k * max(abs(sigma_max), abs(sigma_min)) / R_e, "no yielding at the first load");
-    r.u_y = u_y;
+  if (is_set(in.R_e)) {
+    STEP(k, in.stress == Stresses::shear ? sqrt(3.0) : 1.0,
+         in.stress == Stresses::shear ? "shear by the distortion energy hypothesis, [Mises]" : "normal");
+    STEP_TO(r, u_y, k * max(abs(r.sigma_max), abs(r.sigma_min)) / in.R_e, "no yielding at the first load");
   }
   for (std::size_t i = 0; i < in.others.size(); ++i) {
     [[maybe_unused]] const auto here = trace.scope("others", i);

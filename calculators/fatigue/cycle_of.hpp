@@ -84,47 +84,43 @@ Extremes from_stresses(const Given& g, Tracer& trace) {
     trace.value("sigma_min", g.sigma_min, "as given");
     return {g.sigma_max, g.sigma_min};
   }
-  const auto sigma_m = g.sigma_m, sigma_a = g.sigma_a;
   if (given_max) {
-    const Stress sigma_max = g.sigma_max;
-    trace.value("sigma_max", sigma_max, "as given");
+    trace.value("sigma_max", g.sigma_max, "as given");
     if (given_m) {
-      STEP(sigma_min, 2.0 * sigma_m - sigma_max, "the mean lies half-way, [B20]");
-      return {sigma_max, sigma_min};
+      STEP(sigma_min, 2.0 * g.sigma_m - g.sigma_max, "the mean lies half-way, [B20]");
+      return {g.sigma_max, sigma_min};
     }
-    STEP(sigma_min, sigma_max - 2.0 * sigma_a, "two amplitudes lower, [B20]");
-    return {sigma_max, sigma_min};
+    STEP(sigma_min, g.sigma_max - 2.0 * g.sigma_a, "two amplitudes lower, [B20]");
+    return {g.sigma_max, sigma_min};
   }
   if (given_min) {
-    const Stress sigma_min = g.sigma_min;
-    trace.value("sigma_min", sigma_min, "as given");
+    trace.value("sigma_min", g.sigma_min, "as given");
     if (given_m) {
-      STEP(sigma_max, 2.0 * sigma_m - sigma_min, "the mean lies half-way, [B20]");
-      return {sigma_max, sigma_min};
+      STEP(sigma_max, 2.0 * g.sigma_m - g.sigma_min, "the mean lies half-way, [B20]");
+      return {sigma_max, g.sigma_min};
     }
-    STEP(sigma_max, sigma_min + 2.0 * sigma_a, "two amplitudes higher, [B20]");
-    return {sigma_max, sigma_min};
+    STEP(sigma_max, g.sigma_min + 2.0 * g.sigma_a, "two amplitudes higher, [B20]");
+    return {sigma_max, g.sigma_min};
   }
-  STEP(sigma_max, sigma_m + sigma_a, "[B20]");
-  STEP(sigma_min, sigma_m - sigma_a, "[B20]");
+  STEP(sigma_max, g.sigma_m + g.sigma_a, "[B20]");
+  STEP(sigma_min, g.sigma_m - g.sigma_a, "[B20]");
   return {sigma_max, sigma_min};
 }
 
 /// From one stress where r is infinite: sigma_max is zero.
 template <class Tracer>
 Extremes from_infinite_ratio(const Given& g, Tracer& trace) {
-  const auto sigma_m = g.sigma_m, sigma_a = g.sigma_a;
   const Stress sigma_max = 0.0 * MPa;
   trace.value("sigma_max", sigma_max, "zero, for r is infinite, [B20]");
   if (is_set(g.sigma_min)) {
     trace.value("sigma_min", g.sigma_min, "as given");
     return {sigma_max, g.sigma_min};
   }
-  if (is_set(sigma_m)) {
-    STEP(sigma_min, 2.0 * sigma_m, "the mean lies half-way, [B20]");
+  if (is_set(g.sigma_m)) {
+    STEP(sigma_min, 2.0 * g.sigma_m, "the mean lies half-way, [B20]");
     return {sigma_max, sigma_min};
   }
-  STEP(sigma_min, -2.0 * sigma_a, "two amplitudes below zero, [B20]");
+  STEP(sigma_min, -2.0 * g.sigma_a, "two amplitudes below zero, [B20]");
   return {sigma_max, sigma_min};
 }
 
@@ -132,26 +128,23 @@ Extremes from_infinite_ratio(const Given& g, Tracer& trace) {
 template <class Tracer>
 Extremes from_ratio(const Given& g, Tracer& trace) {
   const auto r = g.r;
-  const auto sigma_m = g.sigma_m, sigma_a = g.sigma_a;
   if (std::isinf(r)) return from_infinite_ratio(g, trace);
   if (is_set(g.sigma_min)) {
-    const Stress sigma_min = g.sigma_min;
-    trace.value("sigma_min", sigma_min, "as given");
-    STEP(sigma_max, sigma_min / r, "by the ratio, [B20]");
-    return {sigma_max, sigma_min};
+    trace.value("sigma_min", g.sigma_min, "as given");
+    STEP(sigma_max, g.sigma_min / r, "by the ratio, [B20]");
+    return {sigma_max, g.sigma_min};
   }
   if (is_set(g.sigma_max)) {
-    const Stress sigma_max = g.sigma_max;
-    trace.value("sigma_max", sigma_max, "as given");
+    trace.value("sigma_max", g.sigma_max, "as given");
+    STEP(sigma_min, r * g.sigma_max, "by the ratio, [B20]");
+    return {g.sigma_max, sigma_min};
+  }
+  if (is_set(g.sigma_m)) {
+    STEP(sigma_max, 2.0 * g.sigma_m / (1.0 + r), "mean and ratio, [B20]");
     STEP(sigma_min, r * sigma_max, "by the ratio, [B20]");
     return {sigma_max, sigma_min};
   }
-  if (is_set(sigma_m)) {
-    STEP(sigma_max, 2.0 * sigma_m / (1.0 + r), "mean and ratio, [B20]");
-    STEP(sigma_min, r * sigma_max, "by the ratio, [B20]");
-    return {sigma_max, sigma_min};
-  }
-  STEP(sigma_max, 2.0 * sigma_a / (1.0 - r), "amplitude and ratio, [B20]");
+  STEP(sigma_max, 2.0 * g.sigma_a / (1.0 - r), "amplitude and ratio, [B20]");
   STEP(sigma_min, r * sigma_max, "by the ratio, [B20]");
   return {sigma_max, sigma_min};
 }
@@ -168,8 +161,7 @@ Characteristics cycle_of(const Given& g, Tracer& trace) {
     trace.value("r", c.r, "infinite: sigma_max is zero, [B20]");
     return c;
   }
-  STEP(r, sigma_min / sigma_max, "ratio of the cycle, [B20]");
-  c.r = r;
+  STEP_TO(c, r, sigma_min / sigma_max, "ratio of the cycle, [B20]");
   return c;
 }
 

@@ -15,20 +15,13 @@ using Loading = Endurance::Loading;
 using School = Endurance::School;
 using Finish = Endurance::Finish;
 
-constexpr Stress kpsi = 6.894757 * MPa;  // 1000 lbf/in^2
-
-/// Range of an estimate as 0..1.
-double within(double x, double low, double high) { return (x - low) / (high - low); }
-
 /// Neuber's constant in the units of its source: Shigley fits it over kpsi, in root inches.
 template <class Tracer>
 Length neuber_length(const Input& in, Result& r, Tracer& trace) {
-  const bool torsion = in.loading == Loading::torsion;
-  const double S_k = in.R_m / kpsi;
-  trace.value("S_k", S_k, "R_m in kpsi, in which the fit is published");
-  r.x_n = within(in.R_m / MPa, 340.0, torsion ? 1500.0 : 1700.0);
-  trace.value("x_n", r.x_n, "of steels from 340 to 1700 MPa, in torsion to 1500 MPa, [Shigley6]");
-  if (torsion) {
+  STEP(S_k, in.R_m / (6.894757 * MPa), "R_m in kpsi, in which the fit is published");
+  STEP_TO(r, x_n, (in.R_m / MPa - 340.0) / ((in.loading == Loading::torsion ? 1500.0 : 1700.0) - 340.0),
+          "of steels from 340 to 1700 MPa, in torsion to 1500 MPa, [Shigley6]");
+  if (in.loading == Loading::torsion) {
     STEP(w_a, 0.190 - 2.51e-3 * S_k + 1.35e-5 * pow<2>(S_k) - 2.67e-8 * pow<3>(S_k),
          "root of Neuber's constant in root inches, torsion, [Shigley6] (6-35b)");
     STEP(a_N, pow<2>(w_a) * 25.4 * mm, "Neuber's constant");
@@ -41,70 +34,57 @@ Length neuber_length(const Input& in, Result& r, Tracer& trace) {
 }
 
 template <class Tracer>
+double sensitivity(const Input& in, Result& r, Tracer& trace) {
+  if (!is_set(in.r_n)) {
+    return NAMED_STEP("q", is_set(in.q) ? in.q : 1.0, is_set(in.q) ? "as given" : "of no account: there is no notch");
+  }
+  const Length a_N = neuber_length(in, r, trace);
+  return NAMED_STEP("q", 1.0 / (1.0 + sqrt(a_N / in.r_n)), "notch sensitivity, Neuber, [Shigley6] (6-34)");
+}
+
+template <class Tracer>
 void notch(const Input& in, Result& r, Tracer& trace) {
-  const auto K_t = in.K_t;
-  const auto r_n = in.r_n;
   if (is_set(in.K_f)) {
-    r.K_f = in.K_f;
-    trace.value("K_f", r.K_f, "as given");
+    STEP_TO(r, K_f, in.K_f, "as given");
     return;
   }
-  double sensitivity = is_set(in.q) ? in.q : 1.0;
-  if (is_set(r_n)) {
-    const Length a_N = neuber_length(in, r, trace);
-    STEP(q, 1.0 / (1.0 + sqrt(a_N / r_n)), "notch sensitivity, Neuber, [Shigley6] (6-34)");
-    sensitivity = q;
-  } else {
-    trace.value("q", sensitivity, is_set(in.q) ? "as given" : "of no account: there is no notch");
-  }
-  const double q = sensitivity;
-  STEP(K_f, 1.0 + q * (K_t - 1.0), "what the notch takes in fatigue, [Shigley6] (6-32)");
-  r.K_f = K_f;
+  const double q = sensitivity(in, r, trace);
+  STEP_TO(r, K_f, 1.0 + q * (in.K_t - 1.0), "what the notch takes in fatigue, [Shigley6] (6-32)");
 }
 
 /// Size and roughness as DIN 743 has them; Serensen's tables are theirs, term for term.
 template <class Tracer>
 void size_and_surface(const Input& in, Result& r, Tracer& trace) {
-  const auto d = in.d, R_z = in.R_z;
-  const auto R_m = in.R_m;
-  r.epsilon = is_set(in.epsilon) ? in.epsilon : 1.0;
-  if (is_set(d) && in.loading == Loading::tension) r.x_d = 0.0;
-  if (is_set(d) && in.loading != Loading::tension) {
-    const double x_d = d > 150.0 * mm ? 1.0 : std::log(d / (7.5 * mm)) / std::log(20.0);
-    trace.value("x_d", x_d, "d from 7.5 to 150 mm on a logarithmic scale; it stays at 1 beyond, [DIN743]");
-    r.x_d = x_d;
-    STEP(epsilon, 1.0 - 0.2 * x_d, "size in bending and torsion, [DIN743]");
-    r.epsilon = epsilon;
+  if (is_set(in.d) && in.loading == Loading::tension) r.x_d = 0.0;
+  if (is_set(in.d) && in.loading != Loading::tension) {
+    STEP_TO(r, x_d, in.d > 150.0 * mm ? 1.0 : log(in.d / (7.5 * mm)) / log(20.0),
+            "d from 7.5 to 150 mm on a logarithmic scale; it stays at 1 beyond, [DIN743]");
+    STEP_TO(r, epsilon, 1.0 - 0.2 * x_d, "size in bending and torsion, [DIN743]");
   } else {
-    trace.value("epsilon", r.epsilon, is_set(in.epsilon) ? "as given" : "no size effect: tension, or no d given");
+    STEP_TO(r, epsilon, is_set(in.epsilon) ? in.epsilon : 1.0,
+            is_set(in.epsilon) ? "as given" : "no size effect: tension, or no d given");
   }
-  r.beta_F = is_set(in.beta_F) ? in.beta_F : 1.0;
-  if (!is_set(R_z)) {
-    trace.value("beta_F", r.beta_F, is_set(in.beta_F) ? "as given" : "polished: no R_z given");
+  if (!is_set(in.R_z)) {
+    STEP_TO(r, beta_F, is_set(in.beta_F) ? in.beta_F : 1.0, is_set(in.beta_F) ? "as given" : "polished: no R_z given");
     return;
   }
-  const double lg_R = std::log10(std::max(R_z / um, 1.0)), lg_S = std::log10(R_m / (20.0 * MPa));
+  const double lg_R = std::log10(std::max(in.R_z / um, 1.0)), lg_S = std::log10(in.R_m / (20.0 * MPa));
   trace.value("lg_R", lg_R, "lg of R_z in micrometres, 0 below 1");
   trace.value("lg_S", lg_S, "lg of R_m/20 MPa");
   STEP(K_F, 1.0 - 0.22 * lg_R * (lg_S - 1.0), "roughness, [DIN743], [GOST25504]");
   if (in.loading == Loading::torsion) {
-    STEP(beta_F, 0.575 * K_F + 0.425, "roughness in torsion, [DIN743]");
-    r.beta_F = beta_F;
+    STEP_TO(r, beta_F, 0.575 * K_F + 0.425, "roughness in torsion, [DIN743]");
   } else {
-    STEP(beta_F, K_F, "tension and bending");
-    r.beta_F = beta_F;
+    STEP_TO(r, beta_F, K_F, "tension and bending");
   }
 }
 
 template <class Tracer>
 void serensen(const Input& in, Result& r, Tracer& trace) {
   size_and_surface(in, r, trace);
-  const auto K_f = r.K_f, epsilon = r.epsilon, beta_F = r.beta_F;
-  const auto beta_V = in.beta_V;
-  const auto sigma_m1 = r.sigma_m1;
-  STEP(K_D, (K_f / epsilon + 1.0 / beta_F - 1.0) / beta_V, "shape, size and surface together, [GOST25504]");
-  STEP(sigma_D, sigma_m1 / K_D, "fatigue limit of the part");
-  r.K_D = K_D, r.sigma_D = sigma_D;
+  STEP_TO(r, K_D, (r.K_f / r.epsilon + 1.0 / r.beta_F - 1.0) / in.beta_V,
+          "shape, size and surface together, [GOST25504]");
+  STEP_TO(r, sigma_D, r.sigma_m1 / K_D, "fatigue limit of the part");
 }
 
 struct MarinSurface {
@@ -134,8 +114,7 @@ double marin_size(const Input& in, Result& r, Tracer& trace) {
     if (is_set(d)) r.x_d = 0.0;
     return NAMED_STEP("k_b", 1.0, "no size effect: tension, or no d given, [Shigley6]");
   }
-  r.x_d = std::log(d / (2.79 * mm)) / std::log(254.0 / 2.79);
-  trace.value("x_d", r.x_d, "d from 2.79 to 254 mm on a logarithmic scale, [Shigley6]");
+  STEP_TO(r, x_d, log(d / (2.79 * mm)) / log(254.0 / 2.79), "d from 2.79 to 254 mm on a logarithmic scale, [Shigley6]");
   if (d > 51.0 * mm) return NAMED_STEP("k_b", 1.51 * pow(d / mm, -0.157), "51 to 254 mm, [Shigley6] (6-20)");
   return NAMED_STEP("k_b", 1.24 * pow(d / mm, -0.107), "2.79 to 51 mm, [Shigley6] (6-20)");
 }
@@ -143,18 +122,14 @@ double marin_size(const Input& in, Result& r, Tracer& trace) {
 template <class Tracer>
 void marin(const Input& in, Result& r, Tracer& trace) {
   using std::pow;
-  const auto R_m = in.R_m;
   const auto [a, b] = surface(in.finish);
   trace.value("a", a, "of the finish, [Shigley6] table 6-2");
   trace.value("b", b, "of the finish, [Shigley6] table 6-2");
-  STEP(k_s, a * pow(R_m / MPa, b), "surface, [Shigley6] (6-19)");
-  STEP(k_a, min(k_s, 1.0), "no surface is better than polished");
-  const double k_b = marin_size(in, r, trace);
-  const auto K_f = r.K_f;
-  const auto sigma_m1 = r.sigma_m1;
-  STEP(K_D, K_f / (k_a * k_b), "shape, size and surface together");
-  STEP(sigma_D, sigma_m1 / K_D, "fatigue limit of the part, the notch counted once");
-  r.k_a = k_a, r.k_b = k_b, r.K_D = K_D, r.sigma_D = sigma_D;
+  STEP(k_s, a * pow(in.R_m / MPa, b), "surface, [Shigley6] (6-19)");
+  STEP_TO(r, k_a, min(k_s, 1.0), "no surface is better than polished");
+  r.k_b = marin_size(in, r, trace);
+  STEP_TO(r, K_D, r.K_f / (k_a * r.k_b), "shape, size and surface together");
+  STEP_TO(r, sigma_D, r.sigma_m1 / K_D, "fatigue limit of the part, the notch counted once");
 }
 
 }  // namespace
@@ -185,15 +160,13 @@ template <class Tracer>
 Endurance::Result Endurance::evaluate(const Input& in, Tracer& trace) {
   Result r;
   if (is_set(in.sigma_W)) {
-    r.sigma_m1 = in.sigma_W;
-    trace.value("sigma_m1", r.sigma_m1, "as measured");
+    STEP_TO(r, sigma_m1, in.sigma_W, "as measured");
   } else {
     estimate(in, r, trace);
   }
-  r.N_0 = in.group >= Group::wrought_aluminium ? 1e8 : 1e7;
-  trace.value("N_0", r.N_0,
-              in.group >= Group::wrought_aluminium ? "non-ferrous: no asymptote, the limit is conventional, [B20]"
-                                                   : "the curve runs level from about here, [B20]");
+  STEP_TO(r, N_0, in.group >= Group::wrought_aluminium ? 1e8 : 1e7,
+          in.group >= Group::wrought_aluminium ? "non-ferrous: no asymptote, the limit is conventional, [B20]"
+                                               : "the curve runs level from about here, [B20]");
   notch(in, r, trace);
   if (in.school == School::serensen) {
     serensen(in, r, trace);

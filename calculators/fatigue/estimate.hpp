@@ -83,16 +83,14 @@ template <class Tracer>
 void estimate(const Endurance::Input& in, Endurance::Result& r, Tracer& trace) {
   const Factors f = factors(in);
   const double f_low = f.low, f_high = f.high;
-  const Stress R_m = in.R_m;
-  // Shigley: steels stronger than 1400 MPa gain nothing; the others set no such bound.
-  const Stress R_cap = in.rule == Endurance::RuleOf::shigley ? min(R_m, 1400.0 * MPa) : R_m;
   trace.value("f_low", f_low, f.why);
   trace.value("f_high", f_high, f.why);
-  trace.value("R_cap", R_cap, "tensile strength that the rule counts");
-  STEP(sigma_low, f_low * R_cap, "lower end of the rule's band");
-  STEP(sigma_high, f_high * R_cap, "upper end of the rule's band");
-  r.sigma_low = sigma_low, r.sigma_high = sigma_high;
-  r.sigma_m1 = NAMED_STEP("sigma_m1", sigma_low, "the lower end, on the safe side");
+  // Shigley: steels stronger than 1400 MPa gain nothing; the others set no such bound.
+  STEP(R_cap, in.rule == Endurance::RuleOf::shigley ? min(in.R_m, 1400.0 * MPa) : in.R_m,
+       "tensile strength that the rule counts");
+  STEP_TO(r, sigma_low, f_low * R_cap, "lower end of the rule's band");
+  STEP_TO(r, sigma_high, f_high * R_cap, "upper end of the rule's band");
+  STEP_TO(r, sigma_m1, sigma_low, "the lower end, on the safe side");
 }
 
 }  // namespace loadpath::fatigue

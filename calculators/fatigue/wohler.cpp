@@ -68,33 +68,30 @@ void fit(const Input& in, const Sums& sums, Result& r, Tracer& trace) {
   trace.value("Y_m", Y_m, "mean of Y");
   trace.value("Q_xx", Q_xx, "sum of (X - X_m)^2");
   trace.value("Q_xy", Q_xy, "sum of (X - X_m)(Y - Y_m)");
-  STEP(B, Q_xy / Q_xx, "least squares, life as the dependent variable, [E739]");
-  STEP(A, Y_m - B * X_m, "the line goes through the means, [E739]");
-  STEP(k, -B, "N S^k is constant along the line");
+  STEP_TO(r, B, Q_xy / Q_xx, "least squares, life as the dependent variable, [E739]");
+  STEP_TO(r, A, Y_m - B * X_m, "the line goes through the means, [E739]");
+  STEP_TO(r, k, -B, "N S^k is constant along the line");
   const double Q = squares_about(in, A, B);
   trace.value("Q", Q, "sum of (Y - A - B X)^2");
-  STEP(s, sqrt(Q / (n - 2.0)), "two of the n points are spent on the line, [E739]");
+  STEP_TO(r, s, sqrt(Q / (n - 2.0)), "two of the n points are spent on the line, [E739]");
   const double t_C = numerics::student_quantile(0.5 * (1.0 + in.C), sums.n - 2);
   trace.value("t_C", t_C, "Student's t of n - 2 degrees of freedom for the confidence C");
   STEP(b_C, t_C * s / sqrt(Q_xx), "half the confidence interval of the slope, [E739]");
-  STEP(B_low, B - b_C, "lower end");
-  STEP(B_high, B + b_C, "upper end");
-  r.n = n, r.A = A, r.B = B, r.k = k, r.s = s, r.B_low = B_low, r.B_high = B_high;
+  STEP_TO(r, B_low, B - b_C, "lower end");
+  STEP_TO(r, B_high, B + b_C, "upper end");
+  r.n = n;
 }
 
 template <class Tracer>
 void scatter(const Input& in, Result& r, Tracer& trace) {
   using std::pow;
-  const auto A = r.A, k = r.k, s = r.s;
-  const auto P_s = in.P_s;
-  const double z_90 = numerics::normal_quantile(0.9), z_P = numerics::normal_quantile(P_s);
+  const double z_90 = numerics::normal_quantile(0.9), z_P = numerics::normal_quantile(in.P_s);
   trace.value("z_90", z_90, "standard normal deviate of 90 %");
-  STEP(T_N, pow(10.0, 2.0 * z_90 * s), "lives at 10 % and 90 % survival, log-normal, [ISO12107]");
-  STEP(T_S, pow(T_N, 1.0 / k), "the same along the stress");
+  STEP_TO(r, T_N, pow(10.0, 2.0 * z_90 * r.s), "lives at 10 % and 90 % survival, log-normal, [ISO12107]");
+  STEP_TO(r, T_S, pow(T_N, 1.0 / r.k), "the same along the stress");
   trace.value("z_P", z_P, "standard normal deviate of P_s");
-  STEP(A_P, A - z_P * s, "line of survival P_s, parallel to that of 50 %");
-  STEP(P_f, 1.0 - P_s, "no percentile below the fifth, [E739]");
-  r.T_N = T_N, r.T_S = T_S, r.A_P = A_P, r.P_f = P_f;
+  STEP_TO(r, A_P, r.A - z_P * r.s, "line of survival P_s, parallel to that of 50 %");
+  STEP_TO(r, P_f, 1.0 - in.P_s, "no percentile below the fifth, [E739]");
 }
 
 /// The lowest stress of a failure, wherever it lies.
@@ -114,53 +111,42 @@ template <class Tracer>
 void knee(const Input& in, Result& r, Tracer& trace) {
   using std::pow;
   const Stress S_r = highest_runout(in), S_f = lowest_failure(in);
-  const auto A = r.A, B = r.B;
   if (is_set(in.S_D)) {
-    r.S_D = in.S_D;
-    trace.value("S_D", r.S_D, "as given");
+    STEP_TO(r, S_D, in.S_D, "as given");
   } else if (S_r > 0.0 * MPa) {
     trace.value("S_r", S_r, "highest stress with a run-out");
     trace.value("S_f", S_f, "lowest stress with a failure");
-    STEP(S_D, (S_r + S_f) / 2.0, "half-way: a first estimate of the asymptote of [B20], no staircase statistics");
-    r.S_D = S_D;
+    STEP_TO(r, S_D, (S_r + S_f) / 2.0, "half-way: a first estimate of the asymptote of [B20], no staircase statistics");
   } else {
     return;
   }
-  const Stress S_D = r.S_D;
-  STEP(N_D, pow(10.0, A + B * log(S_D / MPa) / log(10.0)), "the line at the fatigue limit");
+  STEP_TO(r, N_D, pow(10.0, r.A + r.B * log(r.S_D / MPa) / log(10.0)), "the line at the fatigue limit");
   const double N_max = longest(in);
   trace.value("N_max", N_max, "longest test");
-  STEP(x_D, N_D / N_max, "the line is not followed beyond the tests, [E739]");
-  r.N_D = N_D, r.x_D = x_D;
+  STEP_TO(r, x_D, N_D / N_max, "the line is not followed beyond the tests, [E739]");
 }
 
 template <class Tracer>
 void life(const Input& in, const Sums& sums, Result& r, Tracer& trace) {
   using std::pow;
-  const auto A = r.A, B = r.B, A_P = r.A_P;
-  const auto S = in.S;
-  const double X_low = sums.X_low, X_high = sums.X_high;
-  trace.value("X_low", X_low, "least X of the regression");
-  trace.value("X_high", X_high, "largest X of the regression");
-  if (is_set(S)) {
-    STEP(X_S, log(S / MPa) / log(10.0), "lg of the stress");
-    STEP(x_S, (X_S - X_low) / (X_high - X_low), "the line holds between the tested stresses, [E739]");
-    r.x_S = std::abs(x_S) < 1e-9 ? 0.0 : x_S;  // a tested stress in another unit is rounded otherwise
-    if (!is_set(r.S_D) || S > r.S_D) {
-      STEP(N_50, pow(10.0, A + B * X_S), "life of one in two");
-      STEP(N_P, pow(10.0, A_P + B * X_S), "life that the share P_s survives, with 50 % confidence");
-      r.N_50 = N_50, r.N_P = N_P;
+  trace.value("X_low", sums.X_low, "least X of the regression");
+  trace.value("X_high", sums.X_high, "largest X of the regression");
+  if (is_set(in.S)) {
+    STEP(X_S, log(in.S / MPa) / log(10.0), "lg of the stress");
+    STEP(x_S, (X_S - sums.X_low) / (sums.X_high - sums.X_low), "the line holds between the tested stresses, [E739]");
+    r.x_S = std::abs(x_S) < 1e-9 ? 0.0 : x_S;
+    if (!is_set(r.S_D) || in.S > r.S_D) {
+      STEP_TO(r, N_50, pow(10.0, r.A + r.B * X_S), "life of one in two");
+      STEP_TO(r, N_P, pow(10.0, r.A_P + r.B * X_S), "life that the share P_s survives, with 50 % confidence");
     }
   }
-  const auto N_0 = in.N_0;
-  if (!is_set(N_0)) return;
-  const double Y_high = sums.Y_high;
-  STEP(S_0, pow(10.0, (log(N_0) / log(10.0) - A) / B) * MPa, "conventional fatigue limit, [B20]: the line at N_0");
-  trace.value("Y_high", Y_high, "largest lg N of the regression");
-  STEP(x_N, N_0 / pow(10.0, Y_high), "lives beyond those tested are not on the line, [E739]");
-  STEP(S_most, pow(10.0, X_high) * MPa, "largest stress of the regression");
-  STEP(x_0, S_0 / S_most, "stresses beyond those tested are not on the line, [E739]");
-  r.S_0 = S_0, r.x_N = x_N, r.x_0 = x_0;
+  if (!is_set(in.N_0)) return;
+  STEP_TO(r, S_0, pow(10.0, (log(in.N_0) / log(10.0) - r.A) / r.B) * MPa,
+          "conventional fatigue limit, [B20]: the line at N_0");
+  trace.value("Y_high", sums.Y_high, "largest lg N of the regression");
+  STEP_TO(r, x_N, in.N_0 / pow(10.0, sums.Y_high), "lives beyond those tested are not on the line, [E739]");
+  STEP(S_most, pow(10.0, sums.X_high) * MPa, "largest stress of the regression");
+  STEP_TO(r, x_0, S_0 / S_most, "stresses beyond those tested are not on the line, [E739]");
 }
 
 /// Straight where both scales are logarithmic.

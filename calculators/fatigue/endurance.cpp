@@ -164,9 +164,11 @@ Endurance::Result Endurance::evaluate(const Input& in, Tracer& trace) {
   } else {
     estimate(in, r, trace);
   }
-  STEP_TO(r, N_0, in.group >= Group::wrought_aluminium ? 1e8 : 1e7,
-          in.group >= Group::wrought_aluminium ? "non-ferrous: no asymptote, the limit is conventional, [B20]"
-                                               : "the curve runs level from about here, [B20]");
+  const bool ferrous = in.group < Group::wrought_aluminium;
+  r.N_0 = ferrous ? 1e7 : 1e8;
+  trace.value("N_0", r.N_0,
+              ferrous ? "the curve runs level from about here, [B20]"
+                      : "non-ferrous: no asymptote, the limit is conventional, [B20]");
   notch(in, r, trace);
   if (in.school == School::serensen) {
     serensen(in, r, trace);

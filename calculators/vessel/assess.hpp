@@ -47,7 +47,7 @@ double assess(const Input& in, Result& r, Length scale, const Make& make, const 
   const Strength strength = strength_of(in, sigma_all);
   r.sigma_all = sigma_all;
   r.delta_min = ordered("delta_min", least_thickness(make, in.p, scale, strength), in, trace);
-  r.delta = is_set(in.delta) ? in.delta : NAMED_STEP("delta", r.delta_min, "the least one");
+  r.delta = is_set(in.delta) ? in.delta : r.delta_min;
   r.delta_c = carrying(in, r.delta, trace);
   told(offset(in, r.delta, r.delta_c, trace), trace);
   const auto shape = make(r.delta_c);

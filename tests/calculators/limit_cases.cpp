@@ -134,6 +134,7 @@ const Case cycles[] = {
 const Case fatigue[] = {
     {"fatigue.cycle", "sigma_max = \"100 MPa\"\nsigma_min = \"100 MPa\"", "sigma_a", 0.0},
     {"fatigue.endurance", "sigma_W = \"300 MPa\"\nK_t = 1\nd = \"7.5 mm\"\nR_z = \"1 um\"", "sigma_D", 300e6},
+    {"fatigue.endurance", "K_t = \nr_n = \nK_f = 2", "K_f", 2.0},
     {"fatigue.endurance", "loading = \"torsion\"\nR_z = \"1 um\"", "beta_F", 1.0},
     {"fatigue.endurance", "school = \"marin\"\nR_z = \nfinish = \"machined\"\nloading = \"tension\"", "k_b", 1.0},
     {"fatigue.endurance",  // of so weak a steel no surface is better than polished
@@ -167,6 +168,7 @@ const Case racks[] = {
 
 // Willis on a set of 24, 30 and 84 teeth, whose basic ratio is -3.5: sun, carrier and ring at -600, 100 and 300 rad/s.
 const Case sets[] = {
+    {"gear.planetary", "z_r = ", "z_r", 84.0},  // sun, planets and ring come to one axis
     {"gear.planetary", "fixed = \"none\"\nn_s = \nn_c = \"100 rad/s\"\nn_r = \"300 rad/s\"", "n_s", -600.0},
     {"gear.planetary", "fixed = \"none\"\nn_s = \"-600 rad/s\"\nn_r = \"300 rad/s\"", "n_c", 100.0},
     {"gear.planetary", "fixed = \"none\"\nn_s = \"-600 rad/s\"\nn_c = \"100 rad/s\"", "n_r", 300.0},
@@ -300,6 +302,8 @@ const Case motion[] = {
     {"dynamics.work", "mu = 0\nalpha = \"-90 deg\"\nv_1 = \"3 m/s\"", "E_1", 4.5},
     {"dynamics.work", "mu = 0\nalpha = \"-90 deg\"", "v_2", std::sqrt(2 * g * 2)},
     {"dynamics.lift", "weights = [{ m = \"1 kg\" }]\nwheels = ", "a", g},
+    {"dynamics.lift",  // on a slope less steep than its angle of friction a body stays
+     "weights = [{ m = \"8 kg\", alpha = \"30 deg\", mu = 0.6 }]\nwheels = ", "F", 0.0},
     {"machine.flywheel", "M_of_phi = \"20 kN*m + 10 kN*m*sin(phi)\"\nJ_0 = \"100 kg*m^2\"", "J_add",
      20e3 / (0.01 * 36 * pi * pi) - 100},
     {"machine.flywheel", "D = \"2 m\"", "v_rim", 6 * pi},

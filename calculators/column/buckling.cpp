@@ -66,8 +66,9 @@ Length radius_of_gyration(const Input& in, Area A, AxisName axis, Tracer& trace)
     if (!about_y && in.I_min < in.I_z)
       return NAMED_STEP("i", sqrt(in.I_min / A), "about the weak principal axis in place of z");
     if (!about_y && is_set(in.I_z)) return NAMED_STEP("i", sqrt(in.I_z / A), "radius of gyration about z, [B25]");
-    if (about_y) return NAMED_STEP("i", in.i_y, "as given");
-    return NAMED_STEP("i", in.i_z, "as given");
+    // without their names, so that the axes go through the same lines and fold into a table
+    trace.value("i", about_y ? in.i_y : in.i_z, "as given");
+    return about_y ? in.i_y : in.i_z;
   }
   if (!is_set(in.d)) {
     if (about_y) return NAMED_STEP("i", in.h / sqrt(12.0), "rectangle about y");
@@ -80,8 +81,11 @@ Length radius_of_gyration(const Input& in, Area A, AxisName axis, Tracer& trace)
 template <class Tracer>
 double factor_of_length(const Input& in, AxisName axis, Tracer& trace) {
   const bool about_y = axis == AxisName::y;
-  if (about_y && is_set(in.beta_y)) return NAMED_STEP("beta", in.beta_y, "as given");
-  if (!about_y && is_set(in.beta_z)) return NAMED_STEP("beta", in.beta_z, "as given");
+  const double given = about_y ? in.beta_y : in.beta_z;
+  if (is_set(given)) {
+    trace.value("beta", given, "as given");
+    return given;
+  }
   const Ends ends = ends_of(in, axis);
   if (supports_of(in, axis).empty()) {
     const double beta = length_factor(ends, in.beta_basis);

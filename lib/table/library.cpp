@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <mutex>
-#include <optional>
 #include <stdexcept>
 
 namespace loadpath::table {
@@ -41,27 +40,21 @@ struct OneFile {
   }
 };
 
-std::optional<Library>& replacement() {
-  static std::optional<Library> library;
-  return library;
-}
-
 const Library& built_in_file(std::size_t i) {
   static std::vector<OneFile> read(embedded::tables().size());
   return read[i].read(embedded::tables()[i]);
 }
 
-/// Visits the tables in use until that gives true; of the built-in files only those that have `text` are read.
+/// Visits the tables until that gives true; only the files that have `text` are read.
 template <class Visit>
 void visit_until(std::string_view text, Visit visit) {
-  if (replacement()) return static_cast<void>(visit(*replacement()));
   const auto files = embedded::tables();
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (files[i].text.find(text) != std::string_view::npos && visit(built_in_file(i))) return;
   }
 }
 
-/// The tables in use that are wanted; of the built-in files only those that have `text` are read.
+/// The tables that are wanted; only the files that have `text` are read.
 template <class Wanted>
 std::vector<const Table*> tables_where(const std::string& text, Wanted wanted) {
   std::vector<const Table*> found;
@@ -96,17 +89,6 @@ const Library& built_in() {
   return library;
 }
 
-Library overlaid(Library base, std::string_view text, const std::string& file, std::vector<Issue>& issues) {
-  Reader reader(base, issues);
-  reader.read(text, file);
-  reader.check_citations();
-  return base;
-}
-
-const Library& active() { return replacement() ? *replacement() : built_in(); }
-
-void activate(Library library) { replacement() = std::move(library); }
-
 std::vector<Recalled> audit(const Library& library) {
   std::vector<Recalled> found;
   for (const Table& table : library.tables) {
@@ -132,7 +114,7 @@ Outcome<Entry> find_row(std::string_view group, std::string_view name) {
     return entry.row != nullptr;
   });
   if (entry.row != nullptr) return entry;
-  return find_row(active(), group, name);  // by other capitals, or says what is near
+  return find_row(built_in(), group, name);  // by other capitals, or says what is near
 }
 
 const Series* series_named(std::string_view name) {
@@ -146,7 +128,7 @@ const Series* series_named(std::string_view name) {
 
 Outcome<const Series*> find_series(std::string_view name) {
   if (const Series* series = series_named(name)) return series;
-  return find_series(active(), name);  // says what is near
+  return find_series(built_in(), name);  // says what is near
 }
 
 std::vector<const Table*> tables_of(std::string_view group) {
@@ -172,10 +154,10 @@ const Table* first_table_in(std::string_view name) {
 /// One citation is read from its line: the file of all of them takes longer than most commands.
 std::string citation(std::string_view key) {
   for (const auto& file : embedded::tables()) {
-    if (replacement() || file.text.find("[sources]") == std::string_view::npos) continue;
+    if (file.text.find("[sources]") == std::string_view::npos) continue;
     if (const auto text = plain_text(file.text, key)) return std::string(*text);
   }
-  const auto& citations = active().citations;
+  const auto& citations = built_in().citations;
   const auto found = citations.find(key);
   return found == citations.end() ? std::string() : found->second.text;
 }

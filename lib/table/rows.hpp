@@ -52,7 +52,7 @@ std::vector<Typed<Values>> typed_rows(const std::vector<const Table*>& tables) {
   return rows;
 }
 
-/// The rows of the group of an aggregate in the tables in use: read when first asked for, and kept.
+/// The rows of the group of an aggregate in the tables: read when first asked for, and kept.
 template <class Values>
 const std::vector<Typed<Values>>& rows_of() {
   static const auto rows = typed_rows<Values>(tables_of(Values::group));

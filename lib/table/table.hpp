@@ -78,13 +78,6 @@ struct Library {
 /// The tables that are built into the program, read when first asked for.
 const Library& built_in();
 
-/// A library with the tables of a file laid over it: rows and series of the same name are replaced, others are added.
-Library overlaid(Library base, std::string_view text, const std::string& file, std::vector<Issue>& issues);
-
-/// The tables in use: the built-in ones, or those that the command line put in their place before any project is read.
-const Library& active();
-void activate(Library library);
-
 struct Entry {
   const Table* table = nullptr;
   const Row* row = nullptr;
@@ -92,10 +85,10 @@ struct Entry {
 
 /// A row by its name, else by an alias, whatever the case and the spaces.
 Outcome<Entry> find_row(const Library& library, std::string_view group, std::string_view name);
-/// In the tables in use; reads of the built-in ones only what it needs. So do the others without a library.
+/// In the built-in tables, of which it reads only what it needs. So do the others without a library.
 Outcome<Entry> find_row(std::string_view group, std::string_view name);
 
-/// The tables of a group that are in use, in order; reads of the built-in ones only these.
+/// The tables of a group, in order; reads only these.
 std::vector<const Table*> tables_of(std::string_view group);
 /// Likewise the table of a name ("sections/ipe"), or all of a folder ("sections").
 std::vector<const Table*> tables_in(std::string_view name);

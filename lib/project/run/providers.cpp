@@ -105,7 +105,7 @@ std::vector<double> stock_values(const std::string& stock) {
 
 std::vector<std::string> stock_names() {
   std::vector<std::string> names;
-  for (const table::Series& series : table::active().series) names.push_back(series.name);
+  for (const table::Series& series : table::built_in().series) names.push_back(series.name);
   return names;
 }
 

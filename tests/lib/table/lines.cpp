@@ -2,6 +2,7 @@
 
 #include "lib/table/table.hpp"
 #include "lib/text/embedded.hpp"
+#include "tests/lib/table/tables.hpp"
 
 #include <doctest/doctest.h>
 
@@ -23,7 +24,7 @@ bool reads(std::string_view line) {
 
 Library read(const std::string& text) {
   std::vector<Issue> issues;
-  Library library = overlaid({}, text, "table.toml", issues);
+  Library library = with_file({}, text, "table.toml", issues);
   for (const Issue& issue : issues) {  // the citations of the built-in tables stand in a file of their own
     CHECK(issue.message.text().find("there is no source") == 0);
   }

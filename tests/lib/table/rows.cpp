@@ -1,5 +1,7 @@
 #include "lib/table/rows.hpp"
 
+#include "tests/lib/table/tables.hpp"
+
 #include <doctest/doctest.h>
 
 using namespace loadpath;
@@ -35,7 +37,7 @@ list = "Price list"
 )";
 
 Library read(const std::string& text, std::vector<Issue>& issues, Library base = {}) {
-  return overlaid(std::move(base), text, "bars.toml", issues);
+  return with_file(std::move(base), text, "bars.toml", issues);
 }
 
 std::vector<const Table*> all_of(const Library& library) {

@@ -1,6 +1,7 @@
 // What the tests of tables share.
 #pragma once
 
+#include "lib/table/reader.hpp"
 #include "lib/table/table.hpp"
 
 #include <doctest/doctest.h>
@@ -11,6 +12,14 @@ namespace loadpath::table {
 
 constexpr double mm = 1e-3;
 constexpr double MPa = 1e6;
+
+/// A library with a file read into it.
+inline Library with_file(Library base, std::string_view text, const std::string& file, std::vector<Issue>& issues) {
+  Reader reader(base, issues);
+  reader.read(text, file);
+  reader.check_citations();
+  return base;
+}
 
 inline Entry material(std::string_view name) {
   const auto found = find_row(built_in(), "material", name);

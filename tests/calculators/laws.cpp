@@ -251,7 +251,7 @@ std::vector<Run> loadpath::test::runs_of_laws() {
   return runs;
 }
 
-TEST_SUITE("laws of the calculators") {
+TEST_SUITE("laws") {
   TEST_CASE("results scale as they must") {
     for (const auto& group : laws) {
       for (const Law& law : group) {

@@ -26,7 +26,7 @@ CONSTANT = re.compile(r'(?<![\w.])\d+\.\d+(?![\w.])')
 COMPARISON = re.compile(r'(?<= )[<>](?= )')
 OTHER = {'+': '-', '-': '+', '<': '>', '>': '<'}
 SUITE = re.compile(r'TEST_SUITE\("([^"]*)"')
-NOTICING = ('contract', 'laws of the calculators', 'limits', 'limit cases')  # the suites that see every calculator
+NOTICING = ('contract', 'laws', 'limits', 'limit cases')  # the suites that see every calculator
 LONGEST = 300  # seconds that a suite may take
 
 

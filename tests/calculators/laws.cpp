@@ -260,7 +260,8 @@ TEST_SUITE("laws") {
         const double from = ExampleStep(law.calculator, law.from)(law.result);
         const double to = ExampleStep(law.calculator, law.to)(law.result);
         CHECK(std::abs(from) > 0.0);
-        CHECK(std::abs(to - law.factor * from) <= 1e-9 * std::abs(to));
+        CHECK_MESSAGE(std::abs(to - law.factor * from) <= 1e-9 * std::abs(to), "factor ", to / from,
+                      ", and the row says ", law.factor);
       }
     }
   }

@@ -73,9 +73,22 @@ bool prints_apart(const account::Step& step) {
                      [&](const auto& given) { return names.insert(given.name).second; });
 }
 
+/// The names of a formula that nobody knows: a local that no STEP has made.
+std::string unknown_names(const account::Step& step) {
+  std::string unknown;
+  const auto tree = formula::parse(step.formula);
+  for (const std::string& name : tree ? formula::names(*tree) : std::vector<std::string>{}) {
+    const auto is_it = [&](const auto& given) { return given.name == formula::symbol_of(name); };
+    const bool known = std::any_of(step.given.begin(), step.given.end(), is_it) || formula::constant(name);
+    if (!known) unknown += " " + name;
+  }
+  return unknown;
+}
+
 void check_line(const account::Step& step) {
   INFO(step.symbol, " = ", step.formula);
   if (!step.formula.empty()) {
+    CHECK_MESSAGE(unknown_names(step).empty(), "no input, no result and no earlier STEP:", unknown_names(step));
     CHECK(prints_apart(step));
     const double value = value_of(step);
     const bool both_missing = std::isnan(value) && std::isnan(step.value.si);

@@ -1,9 +1,8 @@
 #include "calculators/drive/train.hpp"
 
-#include "calculators/gear/planetary.hpp"
+#include "calculators/drive/stage.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace loadpath::drive {
@@ -12,55 +11,6 @@ namespace {
 
 using Stage = Train::Stage;
 using StageKind = Train::StageKind;
-using Member = Train::Member;
-
-/// What a planetary set makes of its members: ratio and efficiency by Willis, its third member held.
-struct Set {
-  double i, eta;
-};
-
-Set planetary_set(const Stage& s) {
-  gear::Planetary::Input set;
-  set.z_s = s.z_s, set.z_r = s.z_r, set.z_p = Whole(std::max(1.0, (s.z_r - s.z_s) / 2.0)), set.N_p = 1;
-  set.eta_0 = s.eta;
-  const auto held = [&](Member member) { return s.in != member && s.out != member; };
-  set.fixed = held(Member::sun)       ? gear::Planetary::Member::sun
-              : held(Member::carrier) ? gear::Planetary::Member::carrier
-                                      : gear::Planetary::Member::ring;
-  const AngularSpeed one = from_si<AngularSpeed>(1.0);
-  const Moment unit = from_si<Moment>(1.0);
-  if (s.in == Member::sun) set.n_s = one, set.T_s = unit;
-  if (s.in == Member::carrier) set.n_c = one, set.T_c = unit;
-  if (s.in == Member::ring) set.n_r = one, set.T_r = unit;
-  NoTrace trace;
-  const auto r = gear::Planetary::evaluate(set, trace);
-  const AngularSpeed out = s.out == Member::sun ? r.n_s : s.out == Member::carrier ? r.n_c : r.n_r;
-  return {one / out, r.eta};
-}
-
-struct Usual {
-  double low, high;
-};
-
-/// The ranges are a warning, no limit: [B40] gives that of chains, [Efficiencies] the others.
-Usual usual_of(StageKind kind) {
-  switch (kind) {
-    case StageKind::gear:
-    case StageKind::internal:
-      return {0.94, 0.99};
-    case StageKind::belt:
-      return {0.94, 0.985};
-    case StageKind::chain:
-      return {0.94, 0.98};
-    case StageKind::worm:
-      return {0.5, 0.9};
-    case StageKind::planetary:
-      return {0.94, 0.99};
-    case StageKind::other:
-      break;
-  }
-  return {unset<double>, unset<double>};
-}
 
 double turn_of(const Stage& s) {
   if (s.sense == Train::Sense::usual) return s.kind == StageKind::gear ? -1.0 : 1.0;

@@ -1,0 +1,39 @@
+// What a stage of a train makes of its kind.
+#pragma once
+
+#include "calculators/drive/train.hpp"
+
+namespace loadpath::drive {
+
+/// Ratio and efficiency of a planetary set by Willis, its third member held.
+struct Set {
+  double i, eta;
+};
+Set planetary_set(const Train::Stage& s);
+
+struct Usual {
+  double low, high;
+};
+/// The usual efficiencies of a kind. The ranges are a warning, no limit: [B40] gives that of chains, [Efficiencies] the
+/// others.
+inline Usual usual_of(Train::StageKind kind) {
+  using StageKind = Train::StageKind;
+  switch (kind) {
+    case StageKind::gear:
+    case StageKind::internal:
+      return {0.94, 0.99};
+    case StageKind::belt:
+      return {0.94, 0.985};
+    case StageKind::chain:
+      return {0.94, 0.98};
+    case StageKind::worm:
+      return {0.5, 0.9};
+    case StageKind::planetary:
+      return {0.94, 0.99};
+    case StageKind::other:
+      break;
+  }
+  return {unset<double>, unset<double>};
+}
+
+}  // namespace loadpath::drive

@@ -7,13 +7,14 @@ mutants are made in the formulas of STEP, the others in plain code.
 
 Run it in a clean checkout with a build of the tests; an unoptimised one is built fastest:
   cmake -G Ninja -B build/mutants -DCMAKE_BUILD_TYPE=Debug && scripts/mutate.py --build build/mutants --seed 1
-Ctrl-C leaves the sources as they were.
+Ctrl-C and SIGTERM leave the sources as they were.
 """
 import argparse
 import itertools
 import pathlib
 import random
 import re
+import signal
 import subprocess
 import sys
 import time
@@ -220,12 +221,14 @@ def check_start(build):
 
 
 def main():
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that the place is put back
     o = options()
     check_start(o.build)
     tests = Tests.of(o.build)
     if failed := first_failure(tests.commands_for(pathlib.Path('calculators')), o.jobs):
         sys.exit(f"error: fails before anything is changed: {' '.join(failed)}")
     random.seed(o.seed)
+    print(f'seed {o.seed}', flush=True)
     formulas, code = all_sites(o.where.split(','))
     print(f'{len(formulas)} places in formulas, {len(code)} in code', flush=True)
     killed = survived = 0

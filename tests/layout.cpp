@@ -33,12 +33,15 @@ std::string text_of(const fs::path& path) {
 std::string room_of(const std::string& file) { return fs::path(file).parent_path().generic_string(); }
 /// "lib" of "lib/draw/plot"; the storeys of the house.
 std::string storey_of(const std::string& room) { return room.substr(0, room.find('/')); }
-int height_of(const std::string& storey) { return storey == "lib" ? 0 : storey == "calculators" ? 1 : 2; }
+int height_of(const std::string& storey) {
+  return storey == "lib" ? 0 : storey == "calculators" ? 1 : storey == "cli" ? 2 : 3;
+}
 
 /// The graph between "```rooms" and "```": a room, a colon, the rooms that it needs.
 Graph read_graph(const std::string& page) {
   Graph graph;
-  const std::size_t from = page.find("```rooms\n"), to = page.find("```", from + 3);
+  const std::size_t from = page.find("```rooms\n"), to = page.find("```", from + 9);
+  REQUIRE(from != std::string::npos);
   REQUIRE(to != std::string::npos);
   std::istringstream lines(page.substr(from + 9, to - from - 9));
   for (std::string line; std::getline(lines, line);) {

@@ -45,7 +45,7 @@ void rate(const VSection& section, Length d_k, AngularSpeed n_k, double i_g, V::
   trace.value("C_3", C_3, fitted);
   trace.value("C_4", C_4, fitted);
   STEP(x_d_k, d_k / mm, "smaller pulley in mm");
-  STEP(r_n, n_k / rpm / 1000.0, "its speed in 1000/min");
+  STEP(r_n, n_k / (1000.0 * rpm), "its speed in 1000/min");
   STEP_TO(
       r, P_0,
       1000.0 * W * r_n * x_d_k * (C_1 - C_2 / x_d_k - C_3 * pow<2>(r_n * x_d_k) - C_4 * log(r_n * x_d_k) / log(10.0)),

@@ -8,35 +8,9 @@ namespace loadpath::planar {
 namespace aspects {
 
 // Each is defined in a source of its own.
-const Aspect& drawn();
-const Aspect& masses();
-const Aspect& details();
-const Aspect& closing();
-const Aspect& contact();
-const Aspect& drives();
-const Aspect& reactions();
-const Aspect& places();
-const Aspect& members();
-const Aspect& contacts();
-const Aspect& cams();
-const Aspect& machine();
-const Aspect& springs();
-const Aspect& kinematics();
-const Aspect& equations();
-const Aspect& extremes();
-const Aspect& power();
-const Aspect& rest();
-const Aspect& efficiency();
-const Aspect& flanks();
-const Aspect& structure();
-const Aspect& redundancy();
-const Aspect& changes_of_assembly();
-const Aspect& motion();
-const Aspect& influence();
-const Aspect& accuracy();
-const Aspect& balance();
-const Aspect& figures();
-const Aspect& hodographs();
+extern const Aspect drawn, masses, details, closing, contact, drives, reactions, places, members, contacts, cams,
+    machine, springs, kinematics, equations, extremes, power, rest, efficiency, flanks, structure, redundancy,
+    changes_of_assembly, motion, influence, accuracy, balance, figures, hodographs;
 
 }  // namespace aspects
 
@@ -75,14 +49,7 @@ static constexpr std::array list{
 };
 // clang-format on
 
-std::span<const Aspect* const> all_aspects() {
-  static const auto all = [] {
-    std::array<const Aspect*, list.size()> made{};
-    for (std::size_t i = 0; i < list.size(); ++i) made[i] = &list[i]();
-    return made;
-  }();
-  return all;
-}
+std::span<const Aspect* const> all_aspects() { return list; }
 
 std::vector<Output> outputs_of(const Mechanism::Input& in, const mechanism::Model& model) {
   std::vector<Output> out;

@@ -39,7 +39,7 @@ std::string shown(std::string_view cpp);
 /// The SI value of a symbol or unit name; nothing where it is unknown.
 using Known = std::function<std::optional<double>(std::string_view name)>;
 
-/// The value of the tree over SI values; NaN where a name is unknown. `pi` and the units of lib/quantity/units.hpp need
+/// The value of the tree over SI values; NaN where a name is unknown. `pi` and the units of lib/formula/units.cpp need
 /// no `known`.
 double value(const Node& tree, const Known& known);
 

@@ -35,6 +35,9 @@ requires requires(Quantity q) { q.value(); }
 template <class Quantity>
 requires requires(Quantity q) { q.value(); }
 [[nodiscard]] constexpr auto operator/(const Quantity& q, Whole count) { return q / static_cast<double>(count); }
+template <class Quantity>
+requires requires(Quantity q) { q.value(); }
+[[nodiscard]] constexpr auto operator/(Whole count, const Quantity& q) { return static_cast<double>(count) / q; }
 
 namespace detail {
 

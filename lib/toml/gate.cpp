@@ -13,6 +13,8 @@ bool is_control(char c) {
   return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7F;
 }
 
+bool is_foreign(char c) { return static_cast<unsigned char>(c) >= 0x80; }
+
 /// "U+0007"
 std::string code_of(char c) {
   constexpr char digits[] = "0123456789ABCDEF";
@@ -25,7 +27,41 @@ bool continues_outside_ascii(std::string_view text, std::size_t at) {
   const std::size_t end = text.find_first_not_of(" \t\r", at + 1);
   if (end == std::string_view::npos || text[end] != '\n') return false;
   const std::size_t next = text.find_first_not_of(" \t\r\n", end);
-  return next != std::string_view::npos && static_cast<unsigned char>(text[next]) >= 0x80;
+  return next != std::string_view::npos && is_foreign(text[next]);
+}
+
+/// Behind the text in quotes that starts at `at`; npos where it is not closed.
+std::size_t behind_quotes(std::string_view text, std::size_t at) {
+  const char quote = text[at];
+  const bool long_text = text.substr(at, 3) == std::string(3, quote);
+  const std::string_view closing = text.substr(at, long_text ? 3 : 1);
+  for (std::size_t i = at + closing.size(); i < text.size(); ++i) {
+    if (quote == '"' && text[i] == '\\') {
+      ++i;
+    } else if (text.substr(i, closing.size()) == closing) {
+      return i + closing.size();
+    } else if (!long_text && text[i] == '\n') {
+      break;
+    }
+  }
+  return std::string_view::npos;
+}
+
+/// The first character outside ASCII outside of quotes and comments; npos where there is none, or a text before it is
+/// not closed, which the parser tells.
+std::size_t first_bare_foreign(std::string_view text) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  std::size_t i = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+  while (i < text.size() && !is_foreign(text[i])) {
+    if (text[i] == '"' || text[i] == '\'') {
+      i = behind_quotes(text, i);
+    } else if (text[i] == '#') {
+      i = text.find('\n', i);
+    } else {
+      ++i;
+    }
+  }
+  return i < text.size() ? i : std::string_view::npos;
 }
 
 Issue issue_at(std::string_view text, std::size_t at, const std::string& file, Message message, Message hint) {
@@ -59,6 +95,12 @@ std::optional<Issue> refuse_text(std::string_view text, const std::string& file)
     if (i + 1 < text.size() && text[i + 1] == '\\') ++i;  // an escaped backslash escapes nothing
   }
   return std::nullopt;
+}
+
+std::optional<Issue> refuse_bare(std::string_view text, const std::string& file) {
+  const std::size_t at = first_bare_foreign(text);
+  if (at == std::string_view::npos) return std::nullopt;
+  return issue_at(text, at, file, say("not valid TOML: a character outside ASCII stands outside of quotes"), {});
 }
 
 }  // namespace loadpath::toml

@@ -140,6 +140,11 @@ Tree read_toml(std::string_view text, const std::string& file, std::vector<Issue
     issues.push_back(*refused);
     return {};
   }
+  if (auto refused = refuse_bare(text, file)) {
+    refused->hint = hint_for(line_of(text, refused->place.line));
+    issues.push_back(std::move(*refused));
+    return {};
+  }
   try {
     Tree tree = convert_table(::toml::parse(text, file), file);
     tree.place = {file, 1, 1, 1};

@@ -1,4 +1,4 @@
-// Calculators with lists: at least 10 million elements a second, without an allocation (tests/contract.cpp).
+// Calculators with lists: at least 10 million elements a second, without an allocation (tests/contract/evaluation.cpp).
 #include "calculators/column/buckling.hpp"
 #include "calculators/drive/train.hpp"
 #include "calculators/section/built_up.hpp"

@@ -73,7 +73,7 @@ bool prints_apart(const account::Step& step) {
                      [&](const auto& given) { return names.insert(given.name).second; });
 }
 
-/// The names of a formula that nobody knows: a local that no STEP has made.
+/// The names of a formula that nobody knows: a local that no STEP has made, or of a branch that did not run.
 std::string unknown_names(const account::Step& step) {
   std::string unknown;
   const auto tree = formula::parse(step.formula);
@@ -88,11 +88,12 @@ std::string unknown_names(const account::Step& step) {
 void check_line(const account::Step& step) {
   INFO(step.symbol, " = ", step.formula);
   if (!step.formula.empty()) {
-    CHECK_MESSAGE(unknown_names(step).empty(), "no input, no result and no earlier STEP:", unknown_names(step));
     CHECK(prints_apart(step));
     const double value = value_of(step);
     const bool both_missing = std::isnan(value) && std::isnan(step.value.si);
-    CHECK((both_missing || std::abs(value - step.value.si) <= 1e-12 * std::abs(step.value.si)));
+    CHECK_MESSAGE((both_missing || std::abs(value - step.value.si) <= 1e-12 * std::abs(step.value.si)),
+                  "the text gives ", value, ", the code ", step.value.si,
+                  "; no input, no result and no earlier STEP:", unknown_names(step));
   }
   for (const std::string& key : report::keys_in(step.why.text()))
     CHECK_MESSAGE(!table::citation(key).empty(), key, " is no source: add a row to tables/sources.toml");

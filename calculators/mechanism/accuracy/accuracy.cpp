@@ -282,18 +282,15 @@ constexpr std::array cited{Citation{"NIST", &is_asked}, Citation{"Torkia", &is_a
 
 namespace aspects {
 
-const Aspect& accuracy() {
-  static constexpr Aspect aspect{.check_names = &check_accuracy,
-                                 .check_values = &check_half_widths,
-                                 .check_structure = &check_closing,
-                                 .list = &list,
-                                 .add_outputs = &add,
-                                 .find = &find,
-                                 .show_input = &show_input,
-                                 .show = &show,
-                                 .citations = cited};
-  return aspect;
-}
+extern constinit const Aspect accuracy{.check_names = &check_accuracy,
+                                       .check_values = &check_half_widths,
+                                       .check_structure = &check_closing,
+                                       .list = &list,
+                                       .add_outputs = &add,
+                                       .find = &find,
+                                       .show_input = &show_input,
+                                       .show = &show,
+                                       .citations = cited};
 
 }  // namespace aspects
 

@@ -272,11 +272,8 @@ void show(const Solved& solved, const Results&, std::vector<account::Block>& blo
 
 namespace aspects {
 
-const Aspect& balance() {
-  static constexpr Aspect aspect{
-      .check_names = &check_names, .list = &list, .add_outputs = &add, .find = &find, .show = &show};
-  return aspect;
-}
+extern constinit const Aspect balance{
+    .check_names = &check_names, .list = &list, .add_outputs = &add, .find = &find, .show = &show};
 
 }  // namespace aspects
 

@@ -72,10 +72,7 @@ void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
 
 namespace aspects {
 
-const Aspect& changes_of_assembly() {
-  static constexpr Aspect aspect{.judge = &judge};
-  return aspect;
-}
+extern constinit const Aspect changes_of_assembly{.judge = &judge};
 
 }  // namespace aspects
 

@@ -50,10 +50,7 @@ void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Out
 
 namespace aspects {
 
-const Aspect& drives() {
-  static constexpr Aspect aspect{.list = &list, .add_outputs = &add};
-  return aspect;
-}
+extern constinit const Aspect drives{.list = &list, .add_outputs = &add};
 
 }  // namespace aspects
 

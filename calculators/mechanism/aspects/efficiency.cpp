@@ -135,15 +135,9 @@ void show(const Solved& solved, const Results& results, std::vector<account::Blo
 namespace aspects {
 
 /// The table stands before what is said of rest, the results stand behind it.
-const Aspect& power() {
-  static constexpr Aspect aspect{.show = &show};
-  return aspect;
-}
+extern constinit const Aspect power{.show = &show};
 
-const Aspect& efficiency() {
-  static constexpr Aspect aspect{.list = &list, .add_outputs = &add, .citations = cited};
-  return aspect;
-}
+extern constinit const Aspect efficiency{.list = &list, .add_outputs = &add, .citations = cited};
 
 }  // namespace aspects
 

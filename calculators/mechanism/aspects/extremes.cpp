@@ -85,10 +85,7 @@ void show(const Solved& solved, const Results& results, std::vector<account::Blo
 
 namespace aspects {
 
-const Aspect& extremes() {
-  static constexpr Aspect aspect{.show = &show};
-  return aspect;
-}
+extern constinit const Aspect extremes{.show = &show};
 
 }  // namespace aspects
 

@@ -59,10 +59,7 @@ void show(const Solved& solved, const Results& results, std::vector<account::Blo
 
 namespace aspects {
 
-const Aspect& flanks() {
-  static constexpr Aspect aspect{.show = &show};
-  return aspect;
-}
+extern constinit const Aspect flanks{.show = &show};
 
 }  // namespace aspects
 

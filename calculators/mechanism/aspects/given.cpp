@@ -134,15 +134,9 @@ void show_details(const Mechanism::Input& in, std::vector<account::Block>& block
 
 namespace aspects {
 
-const Aspect& drawn() {
-  static constexpr Aspect aspect{.show_input = &show_drawn};
-  return aspect;
-}
+extern constinit const Aspect drawn{.show_input = &show_drawn};
 
-const Aspect& details() {
-  static constexpr Aspect aspect{.show_input = &show_details};
-  return aspect;
-}
+extern constinit const Aspect details{.show_input = &show_details};
 
 }  // namespace aspects
 

@@ -174,10 +174,7 @@ void draw_all(const Solved& solved, const Results&, std::vector<draw::Figure>& f
 
 namespace aspects {
 
-const Aspect& hodographs() {
-  static constexpr Aspect aspect{.check_names = &check_names, .show = &show, .draw = &draw_all};
-  return aspect;
-}
+extern constinit const Aspect hodographs{.check_names = &check_names, .show = &show, .draw = &draw_all};
 
 }  // namespace aspects
 

@@ -237,10 +237,7 @@ void show(const Solved& solved, const Results& results, std::vector<account::Blo
 
 namespace aspects {
 
-const Aspect& influence() {
-  static constexpr Aspect aspect{.show = &show};
-  return aspect;
-}
+extern constinit const Aspect influence{.show = &show};
 
 }  // namespace aspects
 

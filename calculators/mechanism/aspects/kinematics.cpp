@@ -154,10 +154,7 @@ void list(std::vector<ResultPattern>& patterns) {
 
 namespace aspects {
 
-const Aspect& kinematics() {
-  static constexpr Aspect aspect{.list = &list, .add_outputs = &add};
-  return aspect;
-}
+extern constinit const Aspect kinematics{.list = &list, .add_outputs = &add};
 
 }  // namespace aspects
 

@@ -87,10 +87,8 @@ void show_input(const Mechanism::Input& in, std::vector<account::Block>& blocks)
 
 namespace aspects {
 
-const Aspect& masses() {
-  static constexpr Aspect aspect{.check_names = &check_names, .check_values = &check_values, .show_input = &show_input};
-  return aspect;
-}
+extern constinit const Aspect masses{
+    .check_names = &check_names, .check_values = &check_values, .show_input = &show_input};
 
 }  // namespace aspects
 

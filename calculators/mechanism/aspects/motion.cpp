@@ -179,10 +179,7 @@ void show(const Solved& solved, const Results& results, std::vector<account::Blo
 
 namespace aspects {
 
-const Aspect& motion() {
-  static constexpr Aspect aspect{.show = &show};
-  return aspect;
-}
+extern constinit const Aspect motion{.show = &show};
 
 }  // namespace aspects
 

@@ -65,10 +65,7 @@ void add(const Mechanism::Input& in, const mechanism::Model& model, std::vector<
 
 namespace aspects {
 
-const Aspect& places() {
-  static constexpr Aspect aspect{.list = &list, .add_outputs = &add};
-  return aspect;
-}
+extern constinit const Aspect places{.list = &list, .add_outputs = &add};
 
 }  // namespace aspects
 

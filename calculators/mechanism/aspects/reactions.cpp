@@ -45,10 +45,7 @@ void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Out
 
 namespace aspects {
 
-const Aspect& reactions() {
-  static constexpr Aspect aspect{.list = &list, .add_outputs = &add};
-  return aspect;
-}
+extern constinit const Aspect reactions{.list = &list, .add_outputs = &add};
 
 }  // namespace aspects
 

@@ -290,10 +290,7 @@ void show(const Solved& solved, const Results&, std::vector<account::Block>& blo
 
 namespace aspects {
 
-const Aspect& rest() {
-  static constexpr Aspect aspect{.check_values = &check, .list = &list, .add_outputs = &add, .show = &show};
-  return aspect;
-}
+extern constinit const Aspect rest{.check_values = &check, .list = &list, .add_outputs = &add, .show = &show};
 
 }  // namespace aspects
 

@@ -120,10 +120,7 @@ constexpr std::array cited{
 
 namespace aspects {
 
-const Aspect& cams() {
-  static constexpr Aspect aspect{.list = &list, .add_outputs = &add, .judge = &judge, .citations = cited};
-  return aspect;
-}
+extern constinit const Aspect cams{.list = &list, .add_outputs = &add, .judge = &judge, .citations = cited};
 
 }  // namespace aspects
 

@@ -97,10 +97,7 @@ void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Out
 
 namespace aspects {
 
-const Aspect& contacts() {
-  static constexpr Aspect aspect{.list = &list, .add_outputs = &add};
-  return aspect;
-}
+extern constinit const Aspect contacts{.list = &list, .add_outputs = &add};
 
 }  // namespace aspects
 

@@ -128,10 +128,7 @@ void add(const Mechanism::Input& in, const mechanism::Model& model, std::vector<
 
 namespace aspects {
 
-const Aspect& machine() {
-  static constexpr Aspect aspect{.list = &list, .add_outputs = &add};
-  return aspect;
-}
+extern constinit const Aspect machine{.list = &list, .add_outputs = &add};
 
 }  // namespace aspects
 

@@ -92,10 +92,7 @@ void check(const Mechanism::Input& in, const mechanism::Model& model, std::vecto
 
 namespace aspects {
 
-const Aspect& members() {
-  static constexpr Aspect aspect{.check_values = &check, .list = &list, .add_outputs = &add};
-  return aspect;
-}
+extern constinit const Aspect members{.check_values = &check, .list = &list, .add_outputs = &add};
 
 }  // namespace aspects
 

@@ -42,10 +42,7 @@ void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Out
 
 namespace aspects {
 
-const Aspect& springs() {
-  static constexpr Aspect aspect{.list = &list, .add_outputs = &add};
-  return aspect;
-}
+extern constinit const Aspect springs{.list = &list, .add_outputs = &add};
 
 }  // namespace aspects
 

@@ -102,10 +102,7 @@ void draw_all(const Solved& solved, const Results& results, std::vector<draw::Fi
 
 namespace aspects {
 
-const Aspect& figures() {
-  static constexpr Aspect aspect{.draw = &draw_all};
-  return aspect;
-}
+extern constinit const Aspect figures{.draw = &draw_all};
 
 }  // namespace aspects
 

@@ -169,10 +169,7 @@ void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
 
 namespace aspects {
 
-const Aspect& closing() {
-  static constexpr Aspect aspect{.judge = &judge};
-  return aspect;
-}
+extern constinit const Aspect closing{.judge = &judge};
 
 }  // namespace aspects
 

@@ -69,10 +69,7 @@ void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
 
 namespace aspects {
 
-const Aspect& contact() {
-  static constexpr Aspect aspect{.judge = &judge};
-  return aspect;
-}
+extern constinit const Aspect contact{.judge = &judge};
 
 }  // namespace aspects
 

@@ -191,10 +191,7 @@ void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
 
 namespace aspects {
 
-const Aspect& equations() {
-  static constexpr Aspect aspect{.judge = &judge};
-  return aspect;
-}
+extern constinit const Aspect equations{.judge = &judge};
 
 }  // namespace aspects
 

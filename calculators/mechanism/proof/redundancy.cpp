@@ -52,10 +52,7 @@ constexpr std::array cited{Citation{
 
 namespace aspects {
 
-const Aspect& redundancy() {
-  static constexpr Aspect aspect{.judge = &judge, .show = &show, .citations = cited};
-  return aspect;
-}
+extern constinit const Aspect redundancy{.judge = &judge, .show = &show, .citations = cited};
 
 }  // namespace aspects
 

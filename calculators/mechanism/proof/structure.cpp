@@ -97,10 +97,7 @@ void show(const Solved& solved, const Results&, std::vector<account::Block>& blo
 
 namespace aspects {
 
-const Aspect& structure() {
-  static constexpr Aspect aspect{.show = &show};
-  return aspect;
-}
+extern constinit const Aspect structure{.show = &show};
 
 }  // namespace aspects
 

@@ -21,7 +21,7 @@ void Reader::read_quantity(const Tree& tree, const FieldInfo& field, void* owner
       return read_special(tree, field, owner, path);
     case Tree::Type::array:
       return say_at(tree.place, path, say("a list of values makes this a range, and `run` takes one value"),
-                    say("use `loadpath sweep` for ranges"));
+                    say("give one of its values"));
     case Tree::Type::boolean:
       return say_at(tree.place, path, say("a quantity is expected, not {1}", tree.text),
                     say("write a text with a unit, \"30 {1}\"", field.unit));
@@ -45,7 +45,7 @@ void Reader::read_text_quantity(const Tree& tree, const FieldInfo& field, void* 
   reading_.operands.push_back({path, {&field, owner}, std::move(*parsed), std::move(text), start});
 }
 
-/// { stock = "R40" }, { mean = ..., sd = ... }, { value = ..., tolerance = ... }; a range is for sweeps.
+/// { stock = "R40" }, { mean = ..., sd = ... }, { value = ..., tolerance = ... }.
 void Reader::read_special(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   if (const auto* stock = tree.find("stock")) {
     if (*field.searched_in == '\0')
@@ -54,8 +54,7 @@ void Reader::read_special(const Tree& tree, const FieldInfo& field, void* owner,
     return;
   }
   if (tree.find("from") != nullptr) {
-    return say_at(tree.place, path, say("this is a range, and `run` takes one value"),
-                  say("use `loadpath sweep` for ranges"));
+    return say_at(tree.place, path, say("this is a range, and `run` takes one value"), say("give one of its values"));
   }
   if (tree.find("mean") != nullptr || tree.find("value") != nullptr) return read_spread(tree, field, owner, path);
   say_at(tree.place, path, say("a quantity is expected, not {1}", toml::word_for(tree.type)),

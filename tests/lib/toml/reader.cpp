@@ -75,6 +75,18 @@ TEST_SUITE("toml") {
     CHECK(issues_of("[вал]\n").ends_with("  = help: a name has Latin letters, digits and '_'\n"));
   }
 
+  TEST_CASE("a character outside ASCII stands in quotes or in a comment") {
+    CHECK(issues_of("# момент\na = 'я' # я\nb = \"\"\"я\\\"\"\" я\"\"\"\nc = \"\\\" я\"\n").empty());
+    CHECK(issues_of("\xEF\xBB\xBF"
+                    "a = 1\n")
+              .empty());
+    CHECK(issues_of("T = 900 Н·м\n") ==
+          "a.toml:1:9: error: not valid TOML: a character outside ASCII stands outside of quotes\n"
+          "1 | T = 900 Н·м\n  |         ^\n  = help: write a quantity in quotes: \"900 Н·м\"\n");
+    CHECK(issues_of("a = [\"я\", я]\n").starts_with("a.toml:1:11: error: not valid TOML: "));
+    CHECK(issues_of("a = 'я\nб = 1\n").starts_with("a.toml:1:7: error: the text is not closed\n"));
+  }
+
   TEST_CASE("a key that stands twice is refused") {
     CHECK(issues_of("d = 1\nd = 2\n").starts_with("a.toml:2:5: error: not valid TOML: cannot redefine existing"));
   }

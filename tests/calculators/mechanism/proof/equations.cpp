@@ -8,7 +8,7 @@ using namespace loadpath;
 using namespace loadpath::planar;
 
 namespace loadpath::planar::aspects {
-const Aspect& equations();
+extern const Aspect equations;
 }
 
 namespace {
@@ -51,7 +51,7 @@ std::vector<account::Verdict> proof(const std::string& step, const Mechanism::In
   const mechanism::Model model;
   const Kinematics kinematics;
   std::vector<account::Verdict> verdicts;
-  aspects::equations().judge({step, in, structure, model, model, cycle, cycle, kinematics, axis}, verdicts);
+  aspects::equations.judge({step, in, structure, model, model, cycle, cycle, kinematics, axis}, verdicts);
   return verdicts;
 }
 

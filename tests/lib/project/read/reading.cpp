@@ -212,7 +212,7 @@ a.toml:7:9: error: 'axle.title' takes a text, not a number
   }
 
   TEST_CASE("a range is for sweeps") {
-    const std::string remedy = "  = help: use `loadpath sweep` for ranges\n";
+    const std::string remedy = "  = help: give one of its values\n";
     CHECK(issues_of(axle + "T = { from = \"30 N*m\", to = \"60 N*m\", step = \"1 N*m\" }\ntau_adm = \"30 MPa\"\n") ==
           "a.toml:3:5: error: this is a range, and `run` takes one value\n"
           "3 | T = { from = \"30 N*m\", to = \"60 N*m\", step = \"1 N*m\" }\n"

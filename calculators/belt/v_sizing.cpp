@@ -3,7 +3,6 @@
 #include "calculators/belt/figures.hpp"
 #include "calculators/belt/v_choices.hpp"
 #include "calculators/belt/v_search.hpp"
-#include "calculators/belt/v_sizing.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>

@@ -53,6 +53,15 @@ const Case bars[] = {
     {"shaft.torsion", "d = \"2 m\"\ntorques = [{ x = \"0 m\", T = \"1 MN*m\" }, { x = \"1 m\", T = \"-1 MN*m\" }]",
      "tau_max", 1e6 / (pi / 2)},
     {"shaft.overhung", "a = \"0 mm\"\nd = \"40 mm\"", "sigma_b", 0.0},
+    {"column.buckling",  // lambda = 142.9 is 4.78 sqrt(E/R_e): a little beyond 4.71, where the bar buckles elastically
+     R"(method = "aisc"
+n_st = 1.67
+sigma_P =
+ends = "pinned_pinned"
+d = "40 mm"
+l = "1429 mm"
+R_e = "235 MPa")",
+     "methods.aisc.sigma_cr", 0.877 * pi* pi * 210e9 / (142.9 * 142.9)},
     {"column.buckling", R"(ends = "pinned_pinned")", "N_cr",
      pi* pi * 210e9 * (pi / 64 * 0.045 * 0.045 * 0.045 * 0.045) / (0.9 * 0.9)},
     {"column.lightest", "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"", "q", 16.7},  // the only one

@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -25,13 +26,13 @@ inline std::string with(std::string text, const std::string& key, const std::str
   return text.replace(at, end - at, line);
 }
 
-/// The same for lines of "key = value"; "key = " takes the key out.
+/// The same for lines of "key = value"; "key =" takes the key out.
 inline std::string with_lines(std::string text, const std::string& lines) {
   std::istringstream in(lines);
   for (std::string line; std::getline(in, line);) {
-    const std::size_t equals = line.find(" = ");
+    const std::size_t equals = line.find(" =");
     REQUIRE_MESSAGE(equals != std::string::npos, line);
-    text = with(std::move(text), line.substr(0, equals), line.substr(equals + 3));
+    text = with(std::move(text), line.substr(0, equals), line.substr(std::min(equals + 3, line.size())));
   }
   return text;
 }

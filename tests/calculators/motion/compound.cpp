@@ -24,6 +24,12 @@ TEST_SUITE("motion compound") {
   TEST_CASE("on a circle the Coriolis acceleration is along the normal one with the rotation, against it otherwise") {
     const auto with = point("xi = \"1 m\"\nv_eta = \"2 m/s\"\na_xi = \"-4 m/s^2\"\nomega = \"5 rad/s\"\n");
     const auto against = point("xi = \"1 m\"\nv_eta = \"-2 m/s\"\na_xi = \"-4 m/s^2\"\nomega = \"5 rad/s\"\n");
+    // the same circle about the same axis, its point at (0.6, 0.8) m
+    const std::string turned = "xi = \"0.6 m\"\neta = \"0.8 m\"\nomega = \"5 rad/s\"\n";
+    CHECK(point(turned + "v_xi = \"-1.6 m/s\"\nv_eta = \"1.2 m/s\"\n").word("sense") == "along");
+    CHECK(point(turned + "v_xi = \"1.6 m/s\"\nv_eta = \"-1.2 m/s\"\n").word("sense") == "against");
+    CHECK(point(turned + "v_xi = \"1.2 m/s\"\nv_eta = \"1.6 m/s\"\n").word("sense") == "across");
+    CHECK(point(turned + "v_xi = \"1.2 m/s\"\n").word("sense") == "oblique");
     CHECK(with.word("sense") == "along");
     CHECK(against.word("sense") == "against");
     // absolute motion on the same circle with v = omega r +- v_r: its normal acceleration is v^2/r

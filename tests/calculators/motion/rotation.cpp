@@ -1,5 +1,8 @@
+#include "calculators/motion/rotation.hpp"
+
 #include "tests/calculators/motion/solved.hpp"
 
+using namespace loadpath;
 using namespace loadpath::test;
 
 namespace {
@@ -39,6 +42,19 @@ TEST_SUITE("motion rotation") {
     CHECK(near(b("v"), 3.0 * a("v")));
     CHECK(near(b("a"), 3.0 * a("a")));
     CHECK(near(b("mu"), a("mu")));
+  }
+
+  TEST_CASE("the drawn speed goes over the range that is asked for") {
+    motion::Rotation::Input in;  // phi = t^3: omega = 3 t^2
+    in.phi = "1 rad*(t/(1 s))^3";
+    in.t = 2.0 * sec, in.t_1 = 1.0 * sec, in.t_2 = 3.0 * sec;
+    NoTrace trace;
+    const auto figures = motion::Rotation::figures(in, motion::Rotation::evaluate(in, trace));
+    REQUIRE(!figures.empty());
+    const auto& curve = std::get<draw::Plot>(figures[0].content).curves.at(0);
+    CHECK(curve.x.front() == 1.0);
+    CHECK(curve.x.back() == 3.0);
+    for (std::size_t i = 0; i < curve.x.size(); ++i) CHECK(near(curve.y[i], 3.0 * curve.x[i] * curve.x[i]));
   }
 
   TEST_CASE("what cannot be a rotation is refused with its reason") {

@@ -199,4 +199,13 @@ TEST_SUITE("project steps") {
             std::string("'") + row.key + "' takes one value, and this is a series over press: crank angle");
     }
   }
+
+  TEST_CASE("an element that has a name answers to its number too") {
+    const ExampleStep course("belt.course", "");
+    for (const auto& [number, name] : {std::pair{"[1]", "motor"}, {"[3]", "pump"}, {"[4]", "fan"}}) {
+      const double by_name = course(std::string("pulleys.") + name + ".alpha");
+      CHECK(course(std::string("pulleys") + number + ".alpha") == by_name);
+    }
+    CHECK(course.project().value("common_belt.pulleys[5].alpha") == nullptr);
+  }
 }

@@ -65,6 +65,17 @@ TEST_SUITE("quantity") {
     CHECK(maximum(unresolved).value <= 1.0);
   }
 
+  TEST_CASE("a summit within a millionth of a step of the first position is at it, a thousandth away it is not") {
+    const Axis axis = cycle(360, 2.0 * pi, 3.0);  // an axis that begins far from 0
+    const double step = 2.0 * pi / 360.0;
+    const auto place = [&](double offset) {
+      return maximum(over(axis, [&](double x) { return std::cos(x - 3.0 - offset); })).at;
+    };
+    CHECK(place(1e-8 * step) == 3.0);
+    CHECK(place(1e-3 * step) == doctest::Approx(3.0 + 1e-3 * step).epsilon(1e-9));
+    CHECK(place(0.1 * step) == doctest::Approx(3.0 + 0.1 * step).epsilon(1e-9));
+  }
+
   TEST_CASE("steps of 15 degrees refine a cosine and leave a peak narrower than the grid alone") {
     const Axis axis = cycle(24);
     const Value cosine = over(axis, [](double x) { return std::cos(x - 0.13); });

@@ -23,6 +23,9 @@ struct Case {
   double si;
 };
 
+const char* const right_triangle =
+    "holes = \npoints = [[\"0 m\", \"0 m\"], [\"1 m\", \"0 m\"], [\"0 m\", \"1 m\"]]";  // sides of 1 m from the origin
+
 const Case shapes[] = {
     {"section.circle", R"(d = "2 m")", "I_t", pi / 2},
     {"section.circle", "d = \"2 m\"", "A", pi},
@@ -31,8 +34,11 @@ const Case shapes[] = {
     {"section.rectangle", "b = \"1 mm\"\nh = \"10 m\"", "I_t",
      10e-9 / 3 * (1 - 0.630249e-4)},  // a strip: 1 - 0.630249 b/h
     {"section.rectangle", "b = \"1 m\"\nh = \"1 m\"", "I_min", 1.0 / 12},
-    {"section.polygon", "holes = \npoints = [[\"0 m\", \"0 m\"], [\"1 m\", \"0 m\"], [\"0 m\", \"1 m\"]]", "I_min",
-     1.0 / 72},
+    {"section.polygon", right_triangle, "W_z_left", 1.0 / 12.0},
+    {"section.polygon", right_triangle, "W_z_right", 1.0 / 24.0},
+    {"section.polygon", right_triangle, "W_y_bottom", 1.0 / 12.0},
+    {"section.polygon", right_triangle, "W_y_top", 1.0 / 24.0},
+    {"section.polygon", right_triangle, "I_min", 1.0 / 72},
     {"section.built_up", R"(parts = [{ shape = "rectangle", b = "1 m", h = "1 m", z = "5 m" }])", "I_y", 1.0 / 12},
     {"section.I", "h = \"1 m\"\nb = \"1 m\"\nt_f = \"499.999999 mm\"\nt_w = \"300 mm\"\nr = \"0 mm\"", "I_y", 1.0 / 12},
     {"section.channel", "h = \"1 m\"\nb = \"1 m\"\nt_f = \"499.999999 mm\"\nt_w = \"300 mm\"\nr = \"0 mm\"", "I_y",
@@ -143,6 +149,7 @@ const Case cycles[] = {
 const Case fatigue[] = {
     {"fatigue.cycle", "sigma_max = \"100 MPa\"\nsigma_min = \"100 MPa\"", "sigma_a", 0.0},
     {"fatigue.endurance", "sigma_W = \"300 MPa\"\nK_t = 1\nd = \"7.5 mm\"\nR_z = \"1 um\"", "sigma_D", 300e6},
+    {"fatigue.endurance", "d = \"151 mm\"", "epsilon", 0.8},  // the scale of sizes ends at 150 mm
     {"fatigue.endurance", "K_t = \nr_n = \nK_f = 2", "K_f", 2.0},
     {"fatigue.endurance", "loading = \"torsion\"\nR_z = \"1 um\"", "beta_F", 1.0},
     {"fatigue.endurance", "school = \"marin\"\nR_z = \nfinish = \"machined\"\nloading = \"tension\"", "k_b", 1.0},

@@ -71,8 +71,8 @@ std::map<std::string, Origin> fill_lists(const StepInput& input) {
     const Provider& from = field.provider;
     const auto named = input.rows.find(from.table);
     const auto& typed = input.reading.typed;
-    if (field.is_leaf() || named == input.rows.end() || typed.count(field.key) + typed.count(from.unless) != 0)
-      continue;
+    if (field.is_leaf() || named == input.rows.end()) continue;
+    if (typed.contains(field.key) || typed.contains(from.unless)) continue;
     const auto entry = table::find_row(from.table, named->second.text);
     if (!entry) continue;  // another input has said so
     for (const auto& [size, value] : table::values_by_size(*entry, from.column)) {

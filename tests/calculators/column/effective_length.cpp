@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace {
@@ -133,6 +134,24 @@ TEST_SUITE("column effective length") {
       most = std::max(most, std::abs(shape.w[i]));
     }
     CHECK(most == 1.0);
+  }
+
+  TEST_CASE("a weak spring at the foot of a free bar: u tan u = c, however small") {
+    for (const double c : {0.02, 0.1, 0.2}) {
+      const double u = column::buckling_parameter({{held, c}, {0.0, 0.0}, {}});
+      CHECK(rel(u * std::tan(u), c) < 1e-11);
+    }
+  }
+
+  TEST_CASE("the buckled shape of a cantilever is 1 - cos, whichever end is free") {
+    const column::End fixed{held, held}, free{0.0, 0.0};
+    const double u = 0.5 * std::numbers::pi;
+    const auto from_foot = column::buckled_shape({fixed, free, {}}, u),
+               from_tip = column::buckled_shape({free, fixed, {}}, u);
+    for (std::size_t i = 0; i < from_foot.x.size(); ++i) {
+      CHECK(std::abs(from_foot.w[i] - (1.0 - std::cos(u * from_foot.x[i]))) < 1e-6);
+      CHECK(std::abs(from_tip.w[i] - (1.0 - std::cos(u * (1.0 - from_tip.x[i])))) < 1e-6);
+    }
   }
 
   TEST_CASE("wrong ends, springs and supports are told") {

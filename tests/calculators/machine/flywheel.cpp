@@ -1,6 +1,8 @@
+#include "calculators/machine/energy_of_turning.hpp"
 #include "tests/calculators/motion/solved.hpp"
 
 #include <algorithm>
+#include <array>
 
 using namespace loadpath::test;
 using loadpath::account::State;
@@ -35,6 +37,13 @@ TEST_SUITE("machine flywheel") {
       low = std::min(low, w), high = std::max(high, w);
     }
     CHECK(near((high - low) / (0.5 * (high + low)), 0.05, 1e-3));
+  }
+
+  TEST_CASE("the drawn energy is the area between the moment and its mean") {
+    using loadpath::machine::Sample;
+    const std::array<Sample, 4> saw{{{1.0, 2.0}, {2.0, 6.0}, {4.0, 2.0}, {5.0, 0.0}}};
+    const double mean = 3.0, areas[] = {0.0, 4.0 - 3.0, 12.0 - 9.0, 13.0 - 12.0};
+    for (std::size_t i = 0; i < saw.size(); ++i) CHECK(near(loadpath::machine::energy_at(saw, mean, i), areas[i]));
   }
 
   TEST_CASE("the same moment as load and as drive asks for the same flywheel, fast and slow change places") {

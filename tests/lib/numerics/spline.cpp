@@ -1,10 +1,14 @@
 #include "lib/numerics/spline.hpp"
 
+#include "lib/numerics/periodic_spline.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 using loadpath::MonotoneSpline;
 using loadpath::RestToRestSpline;
@@ -78,5 +82,21 @@ TEST_SUITE("numerics") {
     }
     CHECK(curve.at(0.5).first == doctest::Approx(0.0));  // it dwells
     CHECK(curve.at(1.5).first == doctest::Approx(2.0 / (1.0 / -6.0 + 1.0 / (-0.1 / 1.5))));
+  }
+
+  TEST_CASE("a closed curve comes again after its period, wherever it begins") {
+    const double period = 2.0 * std::numbers::pi;
+    std::vector<double> x, y;
+    for (int k = 0; k < 40; ++k) {
+      x.push_back(1.0 + period * k / 40.0);
+      y.push_back(std::sin(x.back()));
+    }
+    const loadpath::PeriodicSpline spline(x, y, period);
+    const double h = period / 40.0;  // the bounds of Hall and Meyer for a fourth derivative of 1
+    for (double at = -9.0; at < 20.0; at += 0.37) {
+      CHECK(std::abs(spline.at(at).y - std::sin(at)) < 5.0 / 384.0 * h * h * h * h);
+      CHECK(std::abs(spline.at(at).first - std::cos(at)) < h * h * h / 24.0);
+      CHECK(std::abs(spline.at(at).second + std::sin(at)) < 3.0 / 8.0 * h * h);
+    }
   }
 }

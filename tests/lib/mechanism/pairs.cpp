@@ -217,4 +217,21 @@ TEST_SUITE("mechanism") {
       CHECK(std::abs(two.at.reactions.back().couple) > 0.1);
     }
   }
+
+  TEST_CASE("a joint is open by as much as its points are apart") {
+    const Model model = four_bar();
+    WholeSystem system(model);
+    REQUIRE(system.assemble() == Status::closed);
+    Constraints constraints(model);
+    Position at = blank_position(model);
+    const Drive drive{system.coordinate(0), 0.0, 0.0};
+    REQUIRE(system.solve({&drive, 1}, at, false) == Status::closed);
+    std::vector<double> q;
+    for (const Pose& pose : at.pose) q.insert(q.end(), {pose.x, pose.y, pose.phi});
+    q.resize(constraints.columns() + 3, 0.0);
+    q[3] += 0.003, q[4] += 0.004;  // the coupler beside its place
+    constraints.place(q, {&drive.coordinate, 1});
+    const double wanted[] = {0.0, 0.005, 0.005, 0.0};
+    for (std::size_t joint = 0; joint < 4; ++joint) CHECK(std::abs(constraints.opening(joint) - wanted[joint]) < 1e-12);
+  }
 }

@@ -164,9 +164,6 @@ pulleys = [
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Course::Result Course::evaluate(const Input&, NoTrace&);
-extern template Course::Result Course::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Course::Side) {
   using Side = Course::Side;
   return std::array{

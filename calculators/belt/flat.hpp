@@ -174,9 +174,6 @@ sigma_adm = "6 MPa"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Flat::Result Flat::evaluate(const Input&, NoTrace&);
-extern template Flat::Result Flat::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Arrangement) {
   return std::array{ChoiceName<Arrangement>{Arrangement::open, "open", "both shafts turn alike"},
                     ChoiceName<Arrangement>{Arrangement::crossed, "crossed", "the shafts turn against each other"}};

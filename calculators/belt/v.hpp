@@ -219,7 +219,4 @@ L = "2650 mm"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template V::Result V::evaluate(const Input&, NoTrace&);
-extern template V::Result V::evaluate(const Input&, Trace&);
-
 }  // namespace loadpath::belt

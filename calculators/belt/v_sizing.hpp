@@ -178,9 +178,6 @@ a_set = "600 mm"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template VSizing::Result VSizing::evaluate(const Input&, NoTrace&);
-extern template VSizing::Result VSizing::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(VSizing::Rank) {
   using Rank = VSizing::Rank;
   return std::array{ChoiceName<Rank>{Rank::pulleys, "pulleys", "small pulleys: the volume of the two as full discs"},

@@ -206,9 +206,6 @@ S_min = 7.6
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Roller::Result Roller::evaluate(const Input&, NoTrace&);
-extern template Roller::Result Roller::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Roller::Edition) {
   using Edition = Roller::Edition;
   return std::array{ChoiceName<Edition>{Edition::maker, "maker", "a maker's current list (Donghua 2020)"},

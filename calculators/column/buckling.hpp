@@ -83,7 +83,4 @@ n_st = 3
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Buckling::Result Buckling::evaluate(const Buckling::Input&, NoTrace&);
-extern template Buckling::Result Buckling::evaluate(const Buckling::Input&, Trace&);
-
 }  // namespace loadpath::column

@@ -125,9 +125,6 @@ end_2 = "pinned"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template EffectiveLength::Result EffectiveLength::evaluate(const Input&, NoTrace&);
-extern template EffectiveLength::Result EffectiveLength::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(EffectiveLength::End) {
   using E = EffectiveLength::End;
   return std::array{

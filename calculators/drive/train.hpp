@@ -173,9 +173,6 @@ stages = [
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Train::Result Train::evaluate(const Input&, NoTrace&);
-extern template Train::Result Train::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Train::StageKind) {
   return std::array{
       ChoiceName<Train::StageKind>{Train::StageKind::gear, "gear", "wheels with outer teeth"},

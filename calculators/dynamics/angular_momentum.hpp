@@ -113,7 +113,4 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
   static Result evaluate(const Input& in, Tracer& trace);
 };
 
-extern template AngularMomentumChange::Result AngularMomentumChange::evaluate(const Input&, NoTrace&);
-extern template AngularMomentumChange::Result AngularMomentumChange::evaluate(const Input&, Trace&);
-
 }  // namespace loadpath::dynamics

@@ -102,7 +102,4 @@ t_2 = "2 s"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template ForceOfMotion::Result ForceOfMotion::evaluate(const Input&, NoTrace&);
-extern template ForceOfMotion::Result ForceOfMotion::evaluate(const Input&, Trace&);
-
 }  // namespace loadpath::dynamics

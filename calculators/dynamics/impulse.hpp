@@ -86,7 +86,4 @@ v_1x = "-1 m/s"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Impulse::Result Impulse::evaluate(const Input&, NoTrace&);
-extern template Impulse::Result Impulse::evaluate(const Input&, Trace&);
-
 }  // namespace loadpath::dynamics

@@ -142,9 +142,6 @@ wheels = [
   static Result evaluate(const Input& in, Tracer& trace);
 };
 
-extern template Lift::Result Lift::evaluate(const Input&, NoTrace&);
-extern template Lift::Result Lift::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Lift::Moves) {
   using M = Lift::Moves;
   return std::array{ChoiceName<M>{M::forwards, "forwards", "along s"},

@@ -79,7 +79,4 @@ bodies = [
   static Result evaluate(const Input& in, Tracer& trace);
 };
 
-extern template MassCentre::Result MassCentre::evaluate(const Input&, NoTrace&);
-extern template MassCentre::Result MassCentre::evaluate(const Input&, Trace&);
-
 }  // namespace loadpath::dynamics

@@ -100,7 +100,4 @@ bodies = [
   static Result evaluate(const Input& in, Tracer& trace);
 };
 
-extern template SystemMomentum::Result SystemMomentum::evaluate(const Input&, NoTrace&);
-extern template SystemMomentum::Result SystemMomentum::evaluate(const Input&, Trace&);
-
 }  // namespace loadpath::dynamics

@@ -84,7 +84,4 @@ theta = "30 deg"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Throw::Result Throw::evaluate(const Input&, NoTrace&);
-extern template Throw::Result Throw::evaluate(const Input&, Trace&);
-
 }  // namespace loadpath::dynamics

@@ -93,7 +93,4 @@ mu = 0.1
   static Result evaluate(const Input& in, Tracer& trace);
 };
 
-extern template WorkAndEnergy::Result WorkAndEnergy::evaluate(const Input&, NoTrace&);
-extern template WorkAndEnergy::Result WorkAndEnergy::evaluate(const Input&, Trace&);
-
 }  // namespace loadpath::dynamics

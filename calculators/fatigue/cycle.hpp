@@ -88,9 +88,6 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Cycle::Result Cycle::evaluate(const Input&, NoTrace&);
-extern template Cycle::Result Cycle::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Cycle::Stresses) {
   using Stresses = Cycle::Stresses;
   return std::array{ChoiceName<Stresses>{Stresses::normal, "normal", "normal stresses, sigma"},

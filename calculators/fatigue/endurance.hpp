@@ -162,9 +162,6 @@ R_z = "6.3 um"
   static Result evaluate(const Input& in, Tracer& trace);
 };
 
-extern template Endurance::Result Endurance::evaluate(const Input&, NoTrace&);
-extern template Endurance::Result Endurance::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Endurance::Group) {
   using G = Endurance::Group;
   return std::array{ChoiceName<G>{G::carbon_steel, "carbon-steel", "carbon and structural steel"},

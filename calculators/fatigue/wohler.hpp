@@ -123,9 +123,6 @@ S = "350 MPa"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Wohler::Result Wohler::evaluate(const Input&, NoTrace&);
-extern template Wohler::Result Wohler::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Wohler::End) {
   using End = Wohler::End;
   return std::array{ChoiceName<End>{End::failure, "failure", "the specimen failed"},

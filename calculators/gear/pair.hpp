@@ -200,7 +200,4 @@ sigma_adm_2 = "200 MPa"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Pair::Result Pair::evaluate(const Input&, NoTrace&);
-extern template Pair::Result Pair::evaluate(const Input&, Trace&);
-
 }  // namespace loadpath::gear

@@ -31,13 +31,4 @@ void measure_teeth(const Pair::Input& in, PairResult& r, Tracer& trace);
 template <class Tracer>
 void load_teeth(const Pair::Input& in, PairResult& r, Tracer& trace);
 
-extern template void lay_out(const Pair::Input&, PairResult&, NoTrace&);
-extern template void lay_out(const Pair::Input&, PairResult&, Trace&);
-extern template void bring_to_mesh(const Pair::Input&, PairResult&, NoTrace&);
-extern template void bring_to_mesh(const Pair::Input&, PairResult&, Trace&);
-extern template void measure_teeth(const Pair::Input&, PairResult&, NoTrace&);
-extern template void measure_teeth(const Pair::Input&, PairResult&, Trace&);
-extern template void load_teeth(const Pair::Input&, PairResult&, NoTrace&);
-extern template void load_teeth(const Pair::Input&, PairResult&, Trace&);
-
 }  // namespace loadpath::gear

@@ -155,9 +155,6 @@ eta_0 = 0.97
   static Result evaluate(const Input& in, Tracer& trace);
 };
 
-extern template Planetary::Result Planetary::evaluate(const Input&, NoTrace&);
-extern template Planetary::Result Planetary::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Planetary::Member) {
   using Member = Planetary::Member;
   return std::array{ChoiceName<Member>{Member::ring, "ring", "the ring"},

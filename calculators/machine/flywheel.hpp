@@ -150,9 +150,6 @@ delta = 0.01
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Flywheel::Result Flywheel::evaluate(const Input&, NoTrace&);
-extern template Flywheel::Result Flywheel::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Flywheel::Source) {
   using S = Flywheel::Source;
   return std::array{ChoiceName<S>{S::load, "load", "what the machine asks its motor for; the motor's own is constant"},

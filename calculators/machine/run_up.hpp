@@ -114,7 +114,4 @@ n_2 = "1400 rpm"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template RunUp::Result RunUp::evaluate(const Input&, NoTrace&);
-extern template RunUp::Result RunUp::evaluate(const Input&, Trace&);
-
 }  // namespace loadpath::machine

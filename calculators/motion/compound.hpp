@@ -107,9 +107,6 @@ phi = "60 deg"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Compound::Result Compound::evaluate(const Input&, NoTrace&);
-extern template Compound::Result Compound::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Compound::Sense) {
   using S = Compound::Sense;
   return std::array{ChoiceName<S>{S::none, "none", "one of the two is zero"},

@@ -169,9 +169,6 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Plane::Result Plane::evaluate(const Input&, NoTrace&);
-extern template Plane::Result Plane::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Plane::Case) {
   using C = Plane::Case;
   return std::array{

@@ -138,9 +138,6 @@ t_2 = "2 s"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Point::Result Point::evaluate(const Input&, NoTrace&);
-extern template Point::Result Point::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Point::Change) {
   using C = Point::Change;
   return std::array{ChoiceName<C>{C::at_rest, "at_rest", "the point rests at this time"},

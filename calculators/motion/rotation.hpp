@@ -102,9 +102,6 @@ t_2 = "2 s"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Rotation::Result Rotation::evaluate(const Input&, NoTrace&);
-extern template Rotation::Result Rotation::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Rotation::Change) {
   using C = Rotation::Change;
   return std::array{ChoiceName<C>{C::at_rest, "at_rest", "the body stands at this time"},

@@ -108,9 +108,6 @@ parts = [
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template BuiltUp::Result BuiltUp::evaluate(const Input&, NoTrace&);
-extern template BuiltUp::Result BuiltUp::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(BuiltUp::Shape) {
   using Shape = BuiltUp::Shape;
   return std::array{ChoiceName<Shape>{Shape::table, "table", "a row of the section tables: `section` names it"},

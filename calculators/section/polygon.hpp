@@ -65,7 +65,4 @@ holes = [{ points = [["10 mm", "10 mm"], ["40 mm", "10 mm"], ["10 mm", "40 mm"]]
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Polygon::Result Polygon::evaluate(const Input&, NoTrace&);
-extern template Polygon::Result Polygon::evaluate(const Input&, Trace&);
-
 }  // namespace loadpath::section

@@ -107,9 +107,6 @@ tau_adm = "30 MPa"
   static Result evaluate(const Input& in, Tracer& trace);
 };
 
-extern template Overhung::Result Overhung::evaluate(const Input&, NoTrace&);
-extern template Overhung::Result Overhung::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Overhung::Hypothesis) {
   return std::array{
       ChoiceName<Overhung::Hypothesis>{Overhung::Hypothesis::mises, "mises", "von Mises, distortion energy"},

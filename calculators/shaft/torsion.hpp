@@ -220,9 +220,6 @@ theta_adm = "0.004 rad/m"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Torsion::Result Torsion::evaluate(const Input&, NoTrace&);
-extern template Torsion::Result Torsion::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Torsion::Fixed) {
   return std::array{ChoiceName<Torsion::Fixed>{Torsion::Fixed::none, "none", "free at both ends"},
                     ChoiceName<Torsion::Fixed>{Torsion::Fixed::left, "left", "held at the left end"},

@@ -67,7 +67,4 @@ sigma_adm = "120 MPa"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Cone::Result Cone::evaluate(const Input&, NoTrace&);
-extern template Cone::Result Cone::evaluate(const Input&, Trace&);
-
 }  // namespace loadpath::vessel

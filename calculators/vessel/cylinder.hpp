@@ -84,9 +84,6 @@ sigma_adm = "140 MPa"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Cylinder::Result Cylinder::evaluate(const Input&, NoTrace&);
-extern template Cylinder::Result Cylinder::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Cylinder::Ends) {
   using Ends = Cylinder::Ends;
   return std::array{ChoiceName<Ends>{Ends::closed, "closed", "ends that the wall holds together"},

@@ -70,7 +70,4 @@ sigma_adm = "140 MPa"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Ellipsoid::Result Ellipsoid::evaluate(const Input&, NoTrace&);
-extern template Ellipsoid::Result Ellipsoid::evaluate(const Input&, Trace&);
-
 }  // namespace loadpath::vessel

@@ -111,9 +111,6 @@ sigma_adm = "120 MPa"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Shell::Result Shell::evaluate(const Input&, NoTrace&);
-extern template Shell::Result Shell::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Shell::Start) {
   using Start = Shell::Start;
   return std::array{ChoiceName<Start>{Start::closed, "closed", "a lid that the shell holds"},

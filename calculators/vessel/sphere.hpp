@@ -69,7 +69,4 @@ sigma_adm = "160 MPa"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Sphere::Result Sphere::evaluate(const Input&, NoTrace&);
-extern template Sphere::Result Sphere::evaluate(const Input&, Trace&);
-
 }  // namespace loadpath::vessel

@@ -64,7 +64,4 @@ sigma_adm = "140 MPa"
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Torus::Result Torus::evaluate(const Input&, NoTrace&);
-extern template Torus::Result Torus::evaluate(const Input&, Trace&);
-
 }  // namespace loadpath::vessel

@@ -166,9 +166,6 @@ gamma_F = 1
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
-extern template Lightest::Result Lightest::evaluate(const Input&, NoTrace&);
-extern template Lightest::Result Lightest::evaluate(const Input&, Trace&);
-
 constexpr auto choices_of(Lightest::Failure) {
   using Failure = Lightest::Failure;
   return std::array{

@@ -46,22 +46,18 @@ void lay(const Input& in, const Circles& circles, const Loop& loop, Result& r, T
     Course::PulleyResult p;
     p.name = in.pulleys[k].name;
     p.x = circles[k].at.x * m, p.y = circles[k].at.y * m;
-    p.alpha = loop.wraps[k], p.l_s = loop.spans[k].length * m;
-    trace.angle("alpha", p.alpha, "wrap between the tangents of both spans");
-    trace.value("l_s", p.l_s, "common tangent with the next pulley");
+    p.alpha = trace.angle("alpha", loop.wraps[k], "wrap between the tangents of both spans");
+    p.l_s = trace.value("l_s", loop.spans[k].length * m, "common tangent with the next pulley");
     r.pulleys.push_back(p);
   }
-  r.L = loop.length * m;
-  trace.value("L", r.L, "spans and arcs, exact");
+  r.L = trace.value("L", loop.length * m, "spans and arcs, exact");
 }
 
 template <class Tracer>
 void turn(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(in.n_1)) return;
-  const auto d_1 = in.pulleys[0].d;
-  const double N_p = static_cast<double>(in.pulleys.size());
-  trace.value("d_1", d_1, "diameter of the first pulley");
-  trace.value("N_p", N_p, "number of pulleys");
+  const auto d_1 = trace.value("d_1", in.pulleys[0].d, "diameter of the first pulley");
+  const double N_p = trace.value("N_p", static_cast<double>(in.pulleys.size()), "number of pulleys");
   STEP_TO(r, v, in.n_1 * d_1 / 2.0, "speed of the belt");
   STEP_TO(r, f_B, N_p * v / r.L, "every pulley bends the belt in each round");
   for (std::size_t k = 0; k < r.pulleys.size(); ++k)
@@ -72,11 +68,10 @@ void turn(const Input& in, Result& r, Tracer& trace) {
 template <class Tracer>
 void press(const Loop& loop, std::size_t k, Force N_before, Force N_behind, Course::PulleyResult& p, Tracer& trace) {
   const std::size_t before = (k + loop.count - 1) % loop.count;
-  const double psi_in = loop.spans[before].direction, psi_out = loop.spans[k].direction;
   trace.value("N_before", N_before, "what presses the pulley from the span before it, S - F_c");
   trace.value("N_behind", N_behind, "and from the span behind it");
-  trace.value("psi_in", psi_in, "direction in which the belt comes, rad");
-  trace.value("psi_out", psi_out, "direction in which it leaves, rad");
+  const double psi_in = trace.value("psi_in", loop.spans[before].direction, "direction in which the belt comes, rad");
+  const double psi_out = trace.value("psi_out", loop.spans[k].direction, "direction in which it leaves, rad");
   STEP_TO(p, R_x, N_behind * cos(psi_out) - N_before * cos(psi_in), "both spans pull the shaft, along x");
   STEP_TO(p, R_y, N_behind * sin(psi_out) - N_before * sin(psi_in), "along y");
   STEP_TO(p, R, sqrt(R_x * R_x + R_y * R_y), "load of the shaft");
@@ -89,8 +84,7 @@ void tighten(const Input& in, const Loop& loop, Result& r, Tracer& trace) {
   if (!is_set(r.v) || !(has_powers(in) || is_set(in.S_0))) return;
   const auto taken = taken_forces(in, r.v);
   STEP_TO(r, F_c, in.q * r.v * r.v, "turns the belt around, and does not press the pulleys");
-  const auto& F_t = taken.back();
-  trace.value("F_t", F_t, "force of the driving pulley: what the others take, P / v");
+  const Force F_t = trace.value("F_t", taken.back(), "force of the driving pulley: what the others take, P / v");
   STEP_TO(r, P_1, F_t * r.v, "power of the driving pulley");
   if (is_set(in.mu)) {
     const auto N_0 = least_pressing(in, loop, taken);
@@ -102,19 +96,15 @@ void tighten(const Input& in, const Loop& loop, Result& r, Tracer& trace) {
   r.S_max = S_0, r.N_min = S_0 - F_c;
   for (std::size_t k = 0; k < r.pulleys.size(); ++k) {
     [[maybe_unused]] const auto here = trace.scope("pulleys", k);
-    const Force before = k == 0 ? S_0 + taken.back() : r.pulleys[k - 1].S;
-    const auto& F_k = taken[k];
-    trace.value("F_k", F_k, "taken up to this pulley");
+    const Force F_k = trace.value("F_k", taken[k], "taken up to this pulley");
     STEP(S, S_0 + F_k, "tension behind it");
-    const auto S_before = before;
-    const auto d = in.pulleys[k].d;
-    const double turn = sense_of(in, in.pulleys[k]);
+    const Force S_before = k == 0 ? S_0 + F_t : r.pulleys[k - 1].S;
     trace.value("S_before", S_before, "tension before it");
-    trace.value("d", d, "diameter");
-    trace.value("turn", turn, "+1 where it turns counter-clockwise");
+    const Length d = trace.value("d", in.pulleys[k].d, "diameter");
+    const double turn = trace.value("turn", sense_of(in, in.pulleys[k]), "+1 where it turns counter-clockwise");
     STEP(T, turn * (S - S_before) * d / 2.0, "torque of the belt on it");
     r.pulleys[k].S = S, r.pulleys[k].T = T;
-    press(loop, k, before - F_c, S - F_c, r.pulleys[k], trace);
+    press(loop, k, S_before - F_c, S - F_c, r.pulleys[k], trace);
     r.S_max = max(r.S_max, S), r.N_min = min(r.N_min, S - F_c);
   }
   if (!is_set(r.S_0_min)) return;
@@ -135,8 +125,7 @@ Course::Result Course::evaluate(const Input& in, Tracer& trace) {
     const std::size_t moving = moving_one(in);
     const double way = shift_of(in, circles).way.value_or(unset<double>);
     move(circles[moving], way, in.pulleys[moving].along);
-    r.s = way * m;
-    trace.value("s", r.s, "shortest way of the pulley that moves to a belt of the length L, by bisection");
+    r.s = trace.value("s", way * m, "shortest way of the pulley that moves to a belt of the length L, by bisection");
   }
   const Loop loop = lay_loop(circles, turn_of(in));
   if (loop.flaw != Flaw::none) return r;

@@ -55,9 +55,9 @@ void carry(const VSection& section, const V::Input& in, V::Result& r, Tracer& tr
   STEP_TO(r, n_k, in.n_1 * in.d_1 / d_k, "speed of the smaller pulley, without slip");
   rate(section, d_k, n_k, i_g, r, trace);
   r.c_alpha = wrap_factor(in.basis, r.alpha, trace);
-  r.c_L = v_length_factor(section, r.L);
-  trace.value("c_L", r.c_L,
-              in.basis == Basis::iso ? "length factor, [GOST1284.3] 19" : "length factor c_3, [Optibelt-V] 18, 20");
+  r.c_L =
+      trace.value("c_L", v_length_factor(section, r.L),
+                  in.basis == Basis::iso ? "length factor, [GOST1284.3] 19" : "length factor c_3, [Optibelt-V] 18, 20");
   count(in, r, trace);
   limit_rating(section, d_k, n_k, r, trace);
 }

@@ -16,19 +16,18 @@ double place_in(Quantity value, Quantity low, Quantity high) {
 /// The validity of the rating.
 template <class Tracer>
 void limit_rating(const VSection& section, Length d_k, AngularSpeed n_k, V::Result& r, Tracer& trace) {
-  const double alpha_least = section.basis == Basis::iso ? pi / 2.0 : least_optibelt_wrap();
-  const auto v_max = section.row.v_max;
-  r.x_d = place_in(d_k, section.row.d_low, section.row.d_high);
-  r.x_n = place_in(n_k, section.row.n_low, section.row.n_high);
+  const VRow& row = section.row;
+  const bool iso = section.basis == Basis::iso;
+  r.x_d = trace.value("x_d", place_in(d_k, row.d_low, row.d_high),
+                      "place of the smaller pulley in the range that is rated");
+  r.x_n = trace.value("x_n", place_in(n_k, row.n_low, row.n_high), "place of its speed in the range that is rated");
   if (!section.lengths.empty()) r.x_L = place_in(r.L, section.lengths.front().L, section.lengths.back().L);
-  trace.value("x_d", r.x_d, "place of the smaller pulley in the range that is rated");
-  trace.value("x_n", r.x_n, "place of its speed in the range that is rated");
   trace.value("x_L", r.x_L, "place of the length in the list");
-  trace.value(
-      "alpha_least", alpha_least,
-      section.basis == Basis::iso ? "least wrap, [GOST1284.3] 3.3.5" : "least wrap of the table, [Optibelt-V] 16");
+  const double alpha_least =
+      trace.value("alpha_least", iso ? pi / 2.0 : least_optibelt_wrap(),
+                  iso ? "least wrap, [GOST1284.3] 3.3.5" : "least wrap of the table, [Optibelt-V] 16");
   STEP_TO(r, x_alpha, r.alpha / alpha_least, "smaller wrap over the least one");
-  trace.value("v_max", v_max, "largest speed of the section");
+  const auto v_max = trace.value("v_max", row.v_max, "largest speed of the section");
   STEP_TO(r, x_v, r.v / v_max, "speed over the largest one");
 }
 
@@ -52,15 +51,13 @@ inline double life_factor(V::Duty duty) {
 template <class Tracer>
 void live(const VSection& section, const V::Input& in, V::Result& r, Tracer& trace) {
   if (section.basis == Basis::optibelt) {
-    r.L_h = section.row.L_h;
-    trace.value("L_h", r.L_h, "life that the ratings hold for, [Optibelt-V]");
+    r.L_h = trace.value("L_h", section.row.L_h, "life that the ratings hold for, [Optibelt-V]");
     return;
   }
   if (in.duty == V::Duty::unstated) return;
   STEP(L_medium, in.belt_class == V::BeltClass::IV ? 3700.0 * hour : 2700.0 * hour,
        "mean life under a medium load, [GOST1284.2] annex 3");
-  const double K_1 = life_factor(in.duty);
-  trace.value("K_1", K_1, "for the kind of load, [GOST1284.2] annex 3");
+  const double K_1 = trace.value("K_1", life_factor(in.duty), "for the kind of load, [GOST1284.2] annex 3");
   STEP_TO(r, L_h, K_1 * L_medium, "mean life, temperate climate");
 }
 

@@ -38,12 +38,11 @@ inline double optibelt_increment(const Increments& k, double i_g) {
 template <class Tracer>
 void rate(const VSection& section, Length d_k, AngularSpeed n_k, double i_g, V::Result& r, Tracer& trace) {
   const bool iso = section.basis == Basis::iso;
-  const auto C_1 = section.row.C_1, C_2 = section.row.C_2, C_3 = section.row.C_3, C_4 = section.row.C_4;
   const char* const fitted = iso ? "fitted to [GOST1284.3] 12 to 17" : "fitted to the power tables of [Optibelt-V]";
-  trace.value("C_1", C_1, fitted);
-  trace.value("C_2", C_2, fitted);
-  trace.value("C_3", C_3, fitted);
-  trace.value("C_4", C_4, fitted);
+  const double C_1 = trace.value("C_1", section.row.C_1, fitted);
+  const double C_2 = trace.value("C_2", section.row.C_2, fitted);
+  const double C_3 = trace.value("C_3", section.row.C_3, fitted);
+  const double C_4 = trace.value("C_4", section.row.C_4, fitted);
   STEP(x_d_k, d_k / mm, "smaller pulley in mm");
   STEP(r_n, n_k / (1000.0 * rpm), "its speed in 1000/min");
   STEP_TO(
@@ -51,10 +50,10 @@ void rate(const VSection& section, Length d_k, AngularSpeed n_k, double i_g, V::
       1000.0 * W * r_n * x_d_k * (C_1 - C_2 / x_d_k - C_3 * pow<2>(r_n * x_d_k) - C_4 * log(r_n * x_d_k) / log(10.0)),
       "rated power, closed form of the tables of the basis");
   const Increments k = increments(section.row, x_d_k, trace);
-  const double k_i = iso ? iso_increment(k, i_g) : optibelt_increment(k, i_g);
-  trace.value("k_i", k_i,
-              iso ? "increment for the ratio, linear between 1, 1.05, 1.20, 1.50, 3.00, [GOST1284.3] 3.5.2"
-                  : "increment for the ratio, in steps, [Optibelt-V]");
+  const double k_i =
+      trace.value("k_i", iso ? iso_increment(k, i_g) : optibelt_increment(k, i_g),
+                  iso ? "increment for the ratio, linear between 1, 1.05, 1.20, 1.50, 3.00, [GOST1284.3] 3.5.2"
+                      : "increment for the ratio, in steps, [Optibelt-V]");
   STEP_TO(r, dP, 1000.0 * W * k_i * r_n, "less bending around the larger pulley");
   STEP_TO(r, P_N, P_0 + dP, "rated power of one belt");
 }
@@ -62,13 +61,10 @@ void rate(const VSection& section, Length d_k, AngularSpeed n_k, double i_g, V::
 /// The wrap factor of the basis at the smaller wrap.
 template <class Tracer>
 double wrap_factor(Basis basis, double alpha, Tracer& trace) {
-  if (basis == Basis::iso) {
-    STEP(c_alpha, 1.25 * (1.0 - exp(-alpha / pi * log(5.0))), "wrap factor: closed form of [GOST1284.3] 18");
-    return c_alpha;
-  }
-  const double c_alpha = optibelt_wrap_factor(alpha);
-  trace.value("c_alpha", c_alpha, "wrap factor, linear in [Optibelt-V] 16");
-  return c_alpha;
+  if (basis == Basis::iso)
+    return NAMED_STEP("c_alpha", 1.25 * (1.0 - exp(-alpha / pi * log(5.0))),
+                      "wrap factor: closed form of [GOST1284.3] 18");
+  return trace.value("c_alpha", optibelt_wrap_factor(alpha), "wrap factor, linear in [Optibelt-V] 16");
 }
 
 /// The least number of belts whose shares carry z_0 belts' rating; 0 where no number up to 100 does.
@@ -88,9 +84,8 @@ void count(const V::Input& in, V::Result& r, Tracer& trace) {
   r.z = in.z > 0 ? in.z : belts_needed(in.basis, z_0, high_end);
   if (r.z == 0) return;
   trace.value("z", r.z, in.z > 0 ? "as given" : "the least number that carries the power");
-  r.C_K = iso ? v_count_factor(r.z, high_end) : 1.0;
-  trace.value("C_K", r.C_K,
-              iso ? "belts share unevenly, [GOST1284.3] 20" : "the basis has no count factor, [Optibelt-V]");
+  r.C_K = trace.value("C_K", iso ? v_count_factor(r.z, high_end) : 1.0,
+                      iso ? "belts share unevenly, [GOST1284.3] 20" : "the basis has no count factor, [Optibelt-V]");
   STEP_TO(r, P_all, r.z * r.C_K * r.P_N * r.c_alpha * r.c_L, "power that the belts can carry");
   STEP_TO(r, u_P, r.P_B / P_all, "power condition");
 }

@@ -57,10 +57,9 @@ V::Input drive_of(const Input& in, const Candidate& c) {
 /// One drive whole: the first of the list, or the one that comes nearest.
 template <class Tracer>
 void check(const Input& in, const V::Input& drive, const char* which, Result& r, Tracer& trace) {
-  r.d_1 = drive.d_1, r.d_2 = drive.d_2, r.L = drive.L;
-  trace.value("d_1", r.d_1, which);
-  trace.value("d_2", r.d_2, which);
-  trace.value("L", r.L, which);
+  r.d_1 = trace.value("d_1", drive.d_1, which);
+  r.d_2 = trace.value("d_2", drive.d_2, which);
+  r.L = trace.value("L", drive.L, which);
   const V::Result found = V::evaluate(drive, trace);
   r.section = word_of(drive.section), r.z = found.z;
   r.a = found.a, r.n_2 = found.n_2, r.n_k = found.n_k, r.L_h = found.L_h, r.F_0 = found.F_0, r.R_0 = found.R_0,

@@ -40,16 +40,15 @@ void grip(const V::Input& in, const Press& pressed, V::Result& r, Tracer& trace)
 
 template <class Tracer>
 void tension(const VSection& section, const V::Input& in, V::Result& r, Tracer& trace) {
-  const auto m = section.row.m;
-  trace.value("m", m, "mass per length of one belt");
+  const auto m = trace.value("m", section.row.m, "mass per length of one belt");
   STEP_TO(r, F_c, m * r.v * r.v, "turns the belt around, and does not press it into the grooves");
   const Press pressed = press(in, r, trace);
   const auto& [F_t, N_0] = pressed;
   grip(in, pressed, r, trace);
   const bool fixed = in.tensioning == V::Tensioning::fixed;
-  const Force F_lost = fixed ? F_c : 0.0 * F_c;
-  trace.value("F_lost", F_lost,
-              fixed ? "on fixed centres the centrifugal part relieves the grooves" : "the tensioner makes up for it");
+  const Force F_lost = trace.value(
+      "F_lost", fixed ? F_c : 0.0 * F_c,
+      fixed ? "on fixed centres the centrifugal part relieves the grooves" : "the tensioner makes up for it");
   STEP_TO(r, F_0, N_0 + F_lost, "initial tension of a span of one belt, run in");
   STEP_TO(r, F_0_new, 1.3 * F_0, "new belts lose tension when they run in, [Optibelt-V]");
   STEP_TO(r, S_1, N_0 + F_c + F_t / 2.0, "tight span of one belt");
@@ -62,8 +61,7 @@ void measure(const VSection& section, V::Result& r, Tracer& trace) {
   const auto m = section.row.m;
   STEP_TO(r, y, 1.55 / 100.0 * r.a, "deflection of a span, [GOST1284.3] (17)");
   if (section.basis == Basis::iso) {
-    const auto C_0 = section.row.C_0;
-    trace.value("C_0", C_0, "stiffness of the belt, [GOST1284.3] 21");
+    const auto C_0 = trace.value("C_0", section.row.C_0, "stiffness of the belt, [GOST1284.3] 21");
     STEP_TO(r, Q, (r.F_0 + C_0) / 16.0, "test force, [GOST1284.3] (19)");
     STEP_TO(r, Q_new, (r.F_0_new + C_0) / 16.0, "test force of a new belt, [GOST1284.3] (18)");
   } else {

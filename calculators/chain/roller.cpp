@@ -26,8 +26,7 @@ void links(const Input& in, Result& r, Tracer& trace) {
     r.X_0 = links_at(in.a / in.p, in.z_1, in.z_2);
     trace.value("X_0", r.X_0, "links at the wanted centre distance, exact for circles of z pitches, [ISO10823]");
   }
-  r.X = in.X > 0 ? in.X : even(r.X_0);
-  trace.value("X", r.X, in.X > 0 ? "as given" : "the nearest even number");
+  r.X = trace.value("X", in.X > 0 ? in.X : even(r.X_0), in.X > 0 ? "as given" : "the nearest even number");
   STEP_TO(r, L, r.X * in.p, "length of the chain");
   r.a_p = pitches_of(r.X, in.z_1, in.z_2);
   trace.value("a_p", r.a_p, "centre distance in pitches that belongs to the links, exact, [ISO10823]");
@@ -61,8 +60,7 @@ void speeds(const Input& in, Result& r, Tracer& trace) {
 template <class Tracer>
 Moment torque(const Input& in, Tracer& trace) {
   if (!is_set(in.P)) return in.T_1;
-  STEP(T_1, in.P / in.n_1, "torque from the power, nominal");
-  return T_1;
+  return NAMED_STEP("T_1", in.P / in.n_1, "torque from the power, nominal");
 }
 
 /// Without the mass of the chain its sag and centrifugal force stay out of the largest pull, which is told.

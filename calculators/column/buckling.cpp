@@ -50,8 +50,7 @@ void take_tension(const Input& in, Result& r, Tracer& trace) {
   r.x_t = 0.0;
   if (!(in.N > 0.0 * kN)) return;
   if (!is_set(in.R_e)) {
-    r.x_t = unset<double>;
-    trace.value("x_t", r.x_t, "the yield strength is not known");
+    r.x_t = trace.value("x_t", unset<double>, "the yield strength is not known");
     return;
   }
   STEP(sigma_t, in.N / r.A, "plain stress of the bar in tension");
@@ -67,8 +66,7 @@ Length radius_of_gyration(const Input& in, Area A, AxisName axis, Tracer& trace)
       return NAMED_STEP("i", sqrt(in.I_min / A), "about the weak principal axis in place of z");
     if (!about_y && is_set(in.I_z)) return NAMED_STEP("i", sqrt(in.I_z / A), "radius of gyration about z, [B25]");
     // without their names, so that the axes go through the same lines and fold into a table
-    trace.value("i", about_y ? in.i_y : in.i_z, "as given");
-    return about_y ? in.i_y : in.i_z;
+    return trace.value("i", about_y ? in.i_y : in.i_z, "as given");
   }
   if (!is_set(in.d)) {
     if (about_y) return NAMED_STEP("i", in.h / sqrt(12.0), "rectangle about y");
@@ -82,20 +80,12 @@ template <class Tracer>
 double factor_of_length(const Input& in, AxisName axis, Tracer& trace) {
   const bool about_y = axis == AxisName::y;
   const double given = about_y ? in.beta_y : in.beta_z;
-  if (is_set(given)) {
-    trace.value("beta", given, "as given");
-    return given;
-  }
-  const Ends ends = ends_of(in, axis);
-  if (supports_of(in, axis).empty()) {
-    const double beta = length_factor(ends, in.beta_basis);
-    trace.value("beta", beta, length_factor_reason(in.beta_basis));
-    return beta;
-  }
+  if (is_set(given)) return trace.value("beta", given, "as given");
+  if (supports_of(in, axis).empty())
+    return trace.value("beta", length_factor(ends_of(in, axis), in.beta_basis), length_factor_reason(in.beta_basis));
   const double u = buckling_parameter(bar_of(in, axis));
   trace.value("u", u, "l sqrt(N_cr/(E I)) of the bar with its supports, by its exact stiffness, [Wittrick]");
-  STEP(beta, pi / u, "the hinged bar that buckles at the same force");
-  return beta;
+  return NAMED_STEP("beta", pi / u, "the hinged bar that buckles at the same force");
 }
 
 template <class Tracer>
@@ -145,19 +135,16 @@ void take_curves(const Input& in, const Material& material, AxisName axis, Axis&
   if (!is_set(in.R_e)) return;
   const Curve curve = curve_of(in, axis);
   if (is_steel(in) && curve != Curve::by_kind) {
-    a.alpha = imperfection(curve);
-    trace.value("alpha", a.alpha, imperfection_reason(curve));
+    a.alpha = trace.value("alpha", imperfection(curve), imperfection_reason(curve));
     a.chi = ec3_reduction(a.lambda, a.alpha, material, trace);
     a.lambda_bar = a.lambda / (pi * std::sqrt(in.E / in.R_e));
   }
   if (!is_set(in.e_y) && !is_set(in.e_z)) return;
   const bool about_y = axis == AxisName::y;
   const Length given = about_y ? in.e_y : in.e_z;
-  const auto e = is_set(given) ? given : 0.0 * mm;
+  const auto e = trace.value("e", is_set(given) ? given : 0.0 * mm, "eccentricity in the plane of bending");
   const Length depth = extreme_fibre(in, axis);
-  const auto c = is_set(depth) ? depth : 0.0 * mm;
-  trace.value("e", e, "eccentricity in the plane of bending");
-  trace.value("c", c, "extreme fibre from the axis");
+  const auto c = trace.value("c", is_set(depth) ? depth : 0.0 * mm, "extreme fibre from the axis");
   STEP_TO(a, eta, e * c / pow<2>(a.i), "eccentricity ratio, [Gere]");
   const auto sigma_s = a.sigma_s = secant_stress(a.lambda, eta, in.E, in.R_e);
   trace.value("sigma_s", sigma_s, "found so that the extreme fibre yields, or the bar buckles by Euler without e");
@@ -167,8 +154,7 @@ void take_curves(const Input& in, const Material& material, AxisName axis, Axis&
 
 template <class Tracer>
 void conclude(const Input& in, Result& r, Tracer& trace) {
-  r.spread = spread_of(r);
-  trace.value("spread", r.spread, "largest critical stress over the least, less 1");
+  r.spread = trace.value("spread", spread_of(r), "largest critical stress over the least, less 1");
   STEP_TO(r, r_lambda, r.lambda / in.lambda_max, "slenderness over the largest that is allowed");
   r.r_class = is_set(in.R_e) ? class_ratio(plates_of(in), in.R_e) : unset<double>;
   if (is_set(r.r_class))

@@ -19,11 +19,9 @@ double turn_of(const Stage& s) {
 
 template <class Tracer>
 double ratio_of(const Stage& s, Tracer& trace) {
-  const double turn = turn_of(s);
-  trace.value("turn", turn, "-1 where the second shaft turns the other way");
+  const double turn = trace.value("turn", turn_of(s), "-1 where the second shaft turns the other way");
   if (is_set(s.i)) {
-    const double i_given = s.i;
-    trace.value("i_given", i_given, "as given");
+    const double i_given = trace.value("i_given", s.i, "as given");
     return NAMED_STEP("i", turn * i_given, "ratio of the speeds as given");
   }
   if (s.has_teeth()) {
@@ -45,14 +43,12 @@ void rate(const Stage& s, Train::StageResult& r, Tracer& trace) {
   if (s.kind == StageKind::planetary) {
     const Set set = planetary_set(s);
     const double turn = s.sense == Train::Sense::opposite ? -1.0 : 1.0;
-    r.i = turn * set.i, r.eta = set.eta;
-    trace.value("i", r.i, "by Willis, the third member held, [Willis]");
-    trace.value("eta", r.eta, "by the rolling power, [Mueller]");
+    r.i = trace.value("i", turn * set.i, "by Willis, the third member held, [Willis]");
+    r.eta = trace.value("eta", set.eta, "by the rolling power, [Mueller]");
   } else {
     r.i = ratio_of(s, trace);
-    r.eta = is_set(s.eta) ? s.eta : 1.0 - s.slip;
-    trace.value("eta", r.eta,
-                is_set(s.eta) ? "as given, the slip of a belt included" : "no losses but the slip of a belt");
+    r.eta = trace.value("eta", is_set(s.eta) ? s.eta : 1.0 - s.slip,
+                        is_set(s.eta) ? "as given, the slip of a belt included" : "no losses but the slip of a belt");
   }
   if (!is_set(usual.low) || !is_set(s.eta)) return;
   r.range = s.eta < usual.low    ? Train::EtaRange::below

@@ -44,20 +44,17 @@ MassMoment inertia_of_unknown(const Input& in) {
 
 template <class Tracer>
 void find_speed(const Input& in, Result& r, Tracer& trace) {
-  const auto J_k = inertia_of_unknown(in);
-  const Time t = is_set(in.t) ? in.t : 0.0 * sec;
-  trace.value("J_k", J_k, "sum of J after, of the parts whose speed is to be found");
-  trace.value("t", t, "time that the moment acts");
+  const auto J_k = r.J_k =
+      trace.value("J_k", inertia_of_unknown(in), "sum of J after, of the parts whose speed is to be found");
+  const Time t = r.t_M = trace.value("t", is_set(in.t) ? in.t : 0.0 * sec, "time that the moment acts");
   STEP_TO(r, K_2, r.K_1 + in.M * t, "theorem of angular momentum, [B36]");
-  STEP(omega_2, (K_2 - r.K_k) / J_k, "angular momentum that is left for them, K = J omega, [B36]");
-  r.J_k = J_k, r.omega_2 = r.n_2 = omega_2, r.t_M = t;
+  STEP_TO(r, omega_2, (K_2 - r.K_k) / J_k, "angular momentum that is left for them, K = J omega, [B36]");
+  r.n_2 = omega_2;
 }
 
 template <class Tracer>
 void find_time(const Input& in, Result& r, Tracer& trace) {
-  const auto K_2 = r.K_k;
-  trace.value("K_2", K_2, "sum of J omega after");
-  r.K_2 = K_2;
+  const auto K_2 = r.K_2 = trace.value("K_2", r.K_k, "sum of J omega after");
   if (in_si(in.M) == 0.0) return;
   STEP_TO(r, t_M, (K_2 - r.K_1) / in.M, "theorem of angular momentum, [B36]");
 }
@@ -96,9 +93,8 @@ bool AngularMomentumChange::time_is_ahead(const Input& in) {
 template <class Tracer>
 AngularMomentumChange::Result AngularMomentumChange::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  r.K_1 = momentum_before(in);
+  r.K_1 = trace.value("K_1", momentum_before(in), "sum of J omega before; J = m R^2 of a small mass, [B33], [B36]");
   r.K_k = momentum_known(in);
-  trace.value("K_1", r.K_1, "sum of J omega before; J = m R^2 of a small mass, [B33], [B36]");
   if (has_unknown(in)) {
     trace.value("K_k", r.K_k, "sum of J omega after, of the parts whose speed is given");
     find_speed(in, r, trace);

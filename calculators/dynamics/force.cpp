@@ -77,11 +77,10 @@ template <class Tracer>
 ForceOfMotion::Result ForceOfMotion::evaluate(const Input& in, Tracer& trace) {
   Result r;
   const PointState now = path_of(in).at(in_si(in.t));
-  r.a_x = now.a[0] * m_per_s2, r.a_y = now.a[1] * m_per_s2, r.a_z = now.a[2] * m_per_s2;
   constexpr const char* second = "second derivative of the law of motion, [B32]";
-  trace.value("a_x", r.a_x, second);
-  trace.value("a_y", r.a_y, second);
-  trace.value("a_z", r.a_z, second);
+  r.a_x = trace.value("a_x", now.a[0] * m_per_s2, second);
+  r.a_y = trace.value("a_y", now.a[1] * m_per_s2, second);
+  r.a_z = trace.value("a_z", now.a[2] * m_per_s2, second);
   take_resultant(in, r, trace);
   take_missing(in, r, trace);
   r.P_tau = in.mass * (now.a_tau * m_per_s2), r.P_n = in.mass * (now.a_n * m_per_s2);

@@ -46,10 +46,9 @@ template <class Tracer>
 Impulse::Result Impulse::evaluate(const Input& in, Tracer& trace) {
   Result r;
   const auto m = in.mass;
-  const Momentum I_x = impulse_of(laws_of(in)[0], in), I_y = impulse_of(laws_of(in)[1], in);
-  r.I_x = I_x, r.I_y = I_y;
-  trace.value("I_x", I_x, "integral of the force over the time, [B33]");
-  trace.value("I_y", I_y, "integral of the force over the time, [B33]");
+  constexpr const char* integral = "integral of the force over the time, [B33]";
+  const Momentum I_x = r.I_x = trace.value("I_x", impulse_of(laws_of(in)[0], in), integral);
+  const Momentum I_y = r.I_y = trace.value("I_y", impulse_of(laws_of(in)[1], in), integral);
   take_mean(in, r, trace);
   STEP_TO(r, q_1x, m * in.v_1x, "momentum before, [B33]");
   STEP_TO(r, q_1y, m * in.v_1y, "momentum before, [B33]");

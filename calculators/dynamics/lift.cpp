@@ -17,7 +17,7 @@ using Result = Lift::Result;
 /// Everything reduced to the path s: what has the same work and the same kinetic energy.
 template <class Tracer>
 void reduce(const Input& in, Result& r, Tracer& trace) {
-  r.m_red = Lift::reduced_mass(in);
+  r.m_red = trace.value("m_red", Lift::reduced_mass(in), "sum of m i^2 and J (i/r)^2: the same kinetic energy, [B37]");
   r.F_G = r.F_d = r.F_f = 0.0 * N;
   for (const auto& w : in.weights) {
     const double hang = motion::without_rounding(cos(w.alpha), 1.0);
@@ -28,7 +28,6 @@ void reduce(const Input& in, Result& r, Tracer& trace) {
     r.F_d += w.M_d * w.i / w.r;
     r.F_f += w.M_f * std::abs(w.i) / w.r;
   }
-  trace.value("m_red", r.m_red, "sum of m i^2 and J (i/r)^2: the same kinetic energy, [B37]");
   trace.value("F_G", r.F_G, "sum of m g sin(alpha) i: the same work, [B37]");
   trace.value("F_d", r.F_d, "sum of M_d i/r: the same work, [B37]");
   trace.value("F_f", r.F_f, "sum of M_f |i|/r and mu m g cos(alpha) |i|: the same work, [B37]");

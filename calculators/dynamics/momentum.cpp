@@ -27,22 +27,20 @@ void add_up(const Input& in, Result& r, Tracer& trace) {
       m_k += body.mass;
     }
   }
-  trace.value("M", M, "sum of the masses");
-  trace.value("Q_1", Q_1, "sum of m v before, [B35]");
-  trace.value("q_k", q_k, "sum of m v after, of the bodies whose velocity is given");
-  trace.value("m_k", m_k, "mass of the bodies whose velocity is to be found");
-  r.M = M, r.Q_1 = Q_1, r.q_k = q_k, r.m_k = m_k, r.E_1 = E_1;
+  r.M = trace.value("M", M, "sum of the masses");
+  r.Q_1 = trace.value("Q_1", Q_1, "sum of m v before, [B35]");
+  r.q_k = trace.value("q_k", q_k, "sum of m v after, of the bodies whose velocity is given");
+  r.m_k = trace.value("m_k", m_k, "mass of the bodies whose velocity is to be found");
+  r.E_1 = E_1;
 }
 
 /// The two bodies of an impact part by e times the velocity that they met with.
 template <class Tracer>
 void part(const Input& in, Result& r, Tracer& trace) {
-  const auto m_1 = in.bodies[0].mass, m_2 = in.bodies[1].mass;
-  const Speed v_11 = in.bodies[0].v_1, v_21 = in.bodies[1].v_1;
-  trace.value("m_1", m_1, "mass of the first body");
-  trace.value("m_2", m_2, "mass of the second body");
-  trace.value("v_11", v_11, "velocity of the first body before");
-  trace.value("v_21", v_21, "velocity of the second body before");
+  const auto m_1 = trace.value("m_1", in.bodies[0].mass, "mass of the first body");
+  const auto m_2 = trace.value("m_2", in.bodies[1].mass, "mass of the second body");
+  const Speed v_11 = trace.value("v_11", in.bodies[0].v_1, "velocity of the first body before");
+  const Speed v_21 = trace.value("v_21", in.bodies[1].v_1, "velocity of the second body before");
   STEP(v_12, r.V_k - in.e * m_2 / (m_1 + m_2) * (v_11 - v_21), "first body: the bodies part by e times their approach");
   STEP(v_22, r.V_k + in.e * m_1 / (m_1 + m_2) * (v_11 - v_21),
        "second body: the bodies part by e times their approach");

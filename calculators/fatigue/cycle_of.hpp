@@ -78,29 +78,19 @@ struct Extremes {
 /// From two stresses.
 template <class Tracer>
 Extremes from_stresses(const Given& g, Tracer& trace) {
-  const auto given_max = is_set(g.sigma_max), given_min = is_set(g.sigma_min), given_m = is_set(g.sigma_m);
-  if (given_max && given_min) {
-    trace.value("sigma_max", g.sigma_max, "as given");
-    trace.value("sigma_min", g.sigma_min, "as given");
-    return {g.sigma_max, g.sigma_min};
-  }
-  if (given_max) {
-    trace.value("sigma_max", g.sigma_max, "as given");
-    if (given_m) {
-      STEP(sigma_min, 2.0 * g.sigma_m - g.sigma_max, "the mean lies half-way, [B20]");
-      return {g.sigma_max, sigma_min};
-    }
-    STEP(sigma_min, g.sigma_max - 2.0 * g.sigma_a, "two amplitudes lower, [B20]");
-    return {g.sigma_max, sigma_min};
+  const bool given_min = is_set(g.sigma_min), given_m = is_set(g.sigma_m);
+  if (is_set(g.sigma_max)) {
+    const Stress sigma_max = trace.value("sigma_max", g.sigma_max, "as given");
+    if (given_min) return {sigma_max, trace.value("sigma_min", g.sigma_min, "as given")};
+    if (given_m)
+      return {sigma_max, NAMED_STEP("sigma_min", 2.0 * g.sigma_m - g.sigma_max, "the mean lies half-way, [B20]")};
+    return {sigma_max, NAMED_STEP("sigma_min", g.sigma_max - 2.0 * g.sigma_a, "two amplitudes lower, [B20]")};
   }
   if (given_min) {
-    trace.value("sigma_min", g.sigma_min, "as given");
-    if (given_m) {
-      STEP(sigma_max, 2.0 * g.sigma_m - g.sigma_min, "the mean lies half-way, [B20]");
-      return {sigma_max, g.sigma_min};
-    }
-    STEP(sigma_max, g.sigma_min + 2.0 * g.sigma_a, "two amplitudes higher, [B20]");
-    return {sigma_max, g.sigma_min};
+    const Stress sigma_min = trace.value("sigma_min", g.sigma_min, "as given");
+    if (given_m)
+      return {NAMED_STEP("sigma_max", 2.0 * g.sigma_m - g.sigma_min, "the mean lies half-way, [B20]"), sigma_min};
+    return {NAMED_STEP("sigma_max", g.sigma_min + 2.0 * g.sigma_a, "two amplitudes higher, [B20]"), sigma_min};
   }
   STEP(sigma_max, g.sigma_m + g.sigma_a, "[B20]");
   STEP(sigma_min, g.sigma_m - g.sigma_a, "[B20]");
@@ -110,18 +100,10 @@ Extremes from_stresses(const Given& g, Tracer& trace) {
 /// From one stress where r is infinite: sigma_max is zero.
 template <class Tracer>
 Extremes from_infinite_ratio(const Given& g, Tracer& trace) {
-  const Stress sigma_max = 0.0 * MPa;
-  trace.value("sigma_max", sigma_max, "zero, for r is infinite, [B20]");
-  if (is_set(g.sigma_min)) {
-    trace.value("sigma_min", g.sigma_min, "as given");
-    return {sigma_max, g.sigma_min};
-  }
-  if (is_set(g.sigma_m)) {
-    STEP(sigma_min, 2.0 * g.sigma_m, "the mean lies half-way, [B20]");
-    return {sigma_max, sigma_min};
-  }
-  STEP(sigma_min, -2.0 * g.sigma_a, "two amplitudes below zero, [B20]");
-  return {sigma_max, sigma_min};
+  const Stress sigma_max = trace.value("sigma_max", 0.0 * MPa, "zero, for r is infinite, [B20]");
+  if (is_set(g.sigma_min)) return {sigma_max, trace.value("sigma_min", g.sigma_min, "as given")};
+  if (is_set(g.sigma_m)) return {sigma_max, NAMED_STEP("sigma_min", 2.0 * g.sigma_m, "the mean lies half-way, [B20]")};
+  return {sigma_max, NAMED_STEP("sigma_min", -2.0 * g.sigma_a, "two amplitudes below zero, [B20]")};
 }
 
 /// From one stress and the ratio.
@@ -131,13 +113,11 @@ Extremes from_ratio(const Given& g, Tracer& trace) {
   if (std::isinf(r)) return from_infinite_ratio(g, trace);
   if (is_set(g.sigma_min)) {
     trace.value("sigma_min", g.sigma_min, "as given");
-    STEP(sigma_max, g.sigma_min / r, "by the ratio, [B20]");
-    return {sigma_max, g.sigma_min};
+    return {NAMED_STEP("sigma_max", g.sigma_min / r, "by the ratio, [B20]"), g.sigma_min};
   }
   if (is_set(g.sigma_max)) {
     trace.value("sigma_max", g.sigma_max, "as given");
-    STEP(sigma_min, r * g.sigma_max, "by the ratio, [B20]");
-    return {g.sigma_max, sigma_min};
+    return {g.sigma_max, NAMED_STEP("sigma_min", r * g.sigma_max, "by the ratio, [B20]")};
   }
   if (is_set(g.sigma_m)) {
     STEP(sigma_max, 2.0 * g.sigma_m / (1.0 + r), "mean and ratio, [B20]");

@@ -21,23 +21,19 @@ Length neuber_length(const Input& in, Result& r, Tracer& trace) {
   STEP(S_k, in.R_m / (6.894757 * MPa), "R_m in kpsi, in which the fit is published");
   STEP_TO(r, x_n, (in.R_m / MPa - 340.0) / ((in.loading == Loading::torsion ? 1500.0 : 1700.0) - 340.0),
           "of steels from 340 to 1700 MPa, in torsion to 1500 MPa, [Shigley6]");
-  if (in.loading == Loading::torsion) {
-    STEP(w_a, 0.190 - 2.51e-3 * S_k + 1.35e-5 * pow<2>(S_k) - 2.67e-8 * pow<3>(S_k),
-         "root of Neuber's constant in root inches, torsion, [Shigley6] (6-35b)");
-    STEP(a_N, pow<2>(w_a) * 25.4 * mm, "Neuber's constant");
-    return a_N;
-  }
-  STEP(w_a, 0.246 - 3.08e-3 * S_k + 1.51e-5 * pow<2>(S_k) - 2.67e-8 * pow<3>(S_k),
-       "root of Neuber's constant in root inches, bending and tension, [Shigley6] (6-35a)");
-  STEP(a_N, pow<2>(w_a) * 25.4 * mm, "Neuber's constant");
-  return a_N;
+  const double w_a =
+      in.loading == Loading::torsion
+          ? NAMED_STEP("w_a", 0.190 - 2.51e-3 * S_k + 1.35e-5 * pow<2>(S_k) - 2.67e-8 * pow<3>(S_k),
+                       "root of Neuber's constant in root inches, torsion, [Shigley6] (6-35b)")
+          : NAMED_STEP("w_a", 0.246 - 3.08e-3 * S_k + 1.51e-5 * pow<2>(S_k) - 2.67e-8 * pow<3>(S_k),
+                       "root of Neuber's constant in root inches, bending and tension, [Shigley6] (6-35a)");
+  return NAMED_STEP("a_N", pow<2>(w_a) * 25.4 * mm, "Neuber's constant");
 }
 
 template <class Tracer>
 double sensitivity(const Input& in, Result& r, Tracer& trace) {
-  if (!is_set(in.r_n)) {
+  if (!is_set(in.r_n))
     return NAMED_STEP("q", is_set(in.q) ? in.q : 1.0, is_set(in.q) ? "as given" : "of no account: there is no notch");
-  }
   const Length a_N = neuber_length(in, r, trace);
   return NAMED_STEP("q", 1.0 / (1.0 + sqrt(a_N / in.r_n)), "notch sensitivity, Neuber, [Shigley6] (6-34)");
 }
@@ -68,9 +64,9 @@ void size_and_surface(const Input& in, Result& r, Tracer& trace) {
     STEP_TO(r, beta_F, is_set(in.beta_F) ? in.beta_F : 1.0, is_set(in.beta_F) ? "as given" : "polished: no R_z given");
     return;
   }
-  const double lg_R = std::log10(std::max(in.R_z / um, 1.0)), lg_S = std::log10(in.R_m / (20.0 * MPa));
-  trace.value("lg_R", lg_R, "lg of R_z in micrometres, 0 below 1");
-  trace.value("lg_S", lg_S, "lg of R_m/20 MPa");
+  const double lg_R =
+      trace.value("lg_R", std::log10(std::max(in.R_z / um, 1.0)), "lg of R_z in micrometres, 0 below 1");
+  const double lg_S = trace.value("lg_S", std::log10(in.R_m / (20.0 * MPa)), "lg of R_m/20 MPa");
   STEP(K_F, 1.0 - 0.22 * lg_R * (lg_S - 1.0), "roughness, [DIN743], [GOST25504]");
   if (in.loading == Loading::torsion) {
     STEP_TO(r, beta_F, 0.575 * K_F + 0.425, "roughness in torsion, [DIN743]");
@@ -165,10 +161,9 @@ Endurance::Result Endurance::evaluate(const Input& in, Tracer& trace) {
     estimate(in, r, trace);
   }
   const bool ferrous = in.group < Group::wrought_aluminium;
-  r.N_0 = ferrous ? 1e7 : 1e8;
-  trace.value("N_0", r.N_0,
-              ferrous ? "the curve runs level from about here, [B20]"
-                      : "non-ferrous: no asymptote, the limit is conventional, [B20]");
+  r.N_0 = trace.value("N_0", ferrous ? 1e7 : 1e8,
+                      ferrous ? "the curve runs level from about here, [B20]"
+                              : "non-ferrous: no asymptote, the limit is conventional, [B20]");
   notch(in, r, trace);
   if (in.school == School::serensen) {
     serensen(in, r, trace);

@@ -82,9 +82,8 @@ inline bool covers(const Endurance::Input& in) { return is_set(factors(in).low);
 template <class Tracer>
 void estimate(const Endurance::Input& in, Endurance::Result& r, Tracer& trace) {
   const Factors f = factors(in);
-  const double f_low = f.low, f_high = f.high;
-  trace.value("f_low", f_low, f.why);
-  trace.value("f_high", f_high, f.why);
+  const double f_low = trace.value("f_low", f.low, f.why);
+  const double f_high = trace.value("f_high", f.high, f.why);
   // Shigley: steels stronger than 1400 MPa gain nothing; the others set no such bound.
   STEP(R_cap, in.rule == Endurance::RuleOf::shigley ? min(in.R_m, 1400.0 * MPa) : in.R_m,
        "tensile strength that the rule counts");

@@ -62,34 +62,31 @@ double squares_about(const Input& in, double A, double B) {
 
 template <class Tracer>
 void fit(const Input& in, const Sums& sums, Result& r, Tracer& trace) {
-  const double n = sums.n, X_m = sums.X, Y_m = sums.Y, Q_xx = sums.xx, Q_xy = sums.xy;
+  const double n = r.n = sums.n;
   trace.value("n", n, "failures above the highest run-out, X = lg(S/MPa), Y = lg N");
-  trace.value("X_m", X_m, "mean of X");
-  trace.value("Y_m", Y_m, "mean of Y");
-  trace.value("Q_xx", Q_xx, "sum of (X - X_m)^2");
-  trace.value("Q_xy", Q_xy, "sum of (X - X_m)(Y - Y_m)");
+  const double X_m = trace.value("X_m", sums.X, "mean of X");
+  const double Y_m = trace.value("Y_m", sums.Y, "mean of Y");
+  const double Q_xx = trace.value("Q_xx", sums.xx, "sum of (X - X_m)^2");
+  const double Q_xy = trace.value("Q_xy", sums.xy, "sum of (X - X_m)(Y - Y_m)");
   STEP_TO(r, B, Q_xy / Q_xx, "least squares, life as the dependent variable, [E739]");
   STEP_TO(r, A, Y_m - B * X_m, "the line goes through the means, [E739]");
   STEP_TO(r, k, -B, "N S^k is constant along the line");
-  const double Q = squares_about(in, A, B);
-  trace.value("Q", Q, "sum of (Y - A - B X)^2");
+  const double Q = trace.value("Q", squares_about(in, A, B), "sum of (Y - A - B X)^2");
   STEP_TO(r, s, sqrt(Q / (n - 2.0)), "two of the n points are spent on the line, [E739]");
   const double t_C = numerics::student_quantile(0.5 * (1.0 + in.C), sums.n - 2);
   trace.value("t_C", t_C, "Student's t of n - 2 degrees of freedom for the confidence C");
   STEP(b_C, t_C * s / sqrt(Q_xx), "half the confidence interval of the slope, [E739]");
   STEP_TO(r, B_low, B - b_C, "lower end");
   STEP_TO(r, B_high, B + b_C, "upper end");
-  r.n = n;
 }
 
 template <class Tracer>
 void scatter(const Input& in, Result& r, Tracer& trace) {
   using std::pow;
-  const double z_90 = numerics::normal_quantile(0.9), z_P = numerics::normal_quantile(in.P_s);
-  trace.value("z_90", z_90, "standard normal deviate of 90 %");
+  const double z_90 = trace.value("z_90", numerics::normal_quantile(0.9), "standard normal deviate of 90 %");
   STEP_TO(r, T_N, pow(10.0, 2.0 * z_90 * r.s), "lives at 10 % and 90 % survival, log-normal, [ISO12107]");
   STEP_TO(r, T_S, pow(T_N, 1.0 / r.k), "the same along the stress");
-  trace.value("z_P", z_P, "standard normal deviate of P_s");
+  const double z_P = trace.value("z_P", numerics::normal_quantile(in.P_s), "standard normal deviate of P_s");
   STEP_TO(r, A_P, r.A - z_P * r.s, "line of survival P_s, parallel to that of 50 %");
   STEP_TO(r, P_f, 1.0 - in.P_s, "no percentile below the fifth, [E739]");
 }
@@ -121,8 +118,7 @@ void knee(const Input& in, Result& r, Tracer& trace) {
     return;
   }
   STEP_TO(r, N_D, pow(10.0, r.A + r.B * log(r.S_D / MPa) / log(10.0)), "the line at the fatigue limit");
-  const double N_max = longest(in);
-  trace.value("N_max", N_max, "longest test");
+  const double N_max = trace.value("N_max", longest(in), "longest test");
   STEP_TO(r, x_D, N_D / N_max, "the line is not followed beyond the tests, [E739]");
 }
 

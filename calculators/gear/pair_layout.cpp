@@ -41,10 +41,9 @@ void distance_from_shift(const Pair::Input& in, double g, PairResult& r, Tracer&
   STEP_TO(r, x_0, in.x_1 + x_2, "sum of the profile shifts");
   STEP(inv_wt, inv_t + 2.0 * x_0 * tan(in.alpha_n) / (g * (in.z_2 + g * in.z_1)),
        "involute function of the working pressure angle, no backlash, [ISO21771]");
-  const double alpha_wt = angle_of_involute(inv_wt);
-  trace.angle("alpha_wt", alpha_wt, "the angle with this involute function");
+  const double alpha_wt = r.alpha_wt =
+      trace.angle("alpha_wt", angle_of_involute(inv_wt), "the angle with this involute function");
   STEP_TO(r, a_w, r.a * cos(r.alpha_t) / cos(alpha_wt), "working centre distance, [ISO21771]");
-  r.alpha_wt = alpha_wt;
 }
 
 template <class Tracer>
@@ -52,8 +51,7 @@ void diameters(const Pair::Input& in, double g, PairResult& r, Tracer& trace) {
   STEP_TO(r, d_w1, 2.0 * r.a_w * in.z_1 / (in.z_2 + g * in.z_1), "working pitch circle");
   STEP_TO(r, d_w2, 2.0 * r.a_w * in.z_2 / (in.z_2 + g * in.z_1), "working pitch circle");
   if (in.shortening == Shortening::none) {
-    trace.value("k", 0.0, "full addendum");
-    r.k = 0.0;
+    r.k = trace.value("k", 0.0, "full addendum");
   } else {
     STEP_TO(r, k, max(0.0, in.x_1 + r.x_2 - g * (r.a_w - r.a) / in.m_n),
             "shortens both tips where the clearance would else be less");

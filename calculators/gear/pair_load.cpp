@@ -9,16 +9,14 @@ namespace {
 template <class Tracer>
 Moment torque(const Pair::Input& in, Tracer& trace) {
   if (!is_set(in.P)) return in.T_1;
-  STEP(T_1, in.P / in.n_1, "torque from the power, nominal");
-  return T_1;
+  return NAMED_STEP("T_1", in.P / in.n_1, "torque from the power, nominal");
 }
 
 template <class Tracer>
 void speeds(const Pair::Input& in, PairResult& r, Tracer& trace) {
   STEP_TO(r, v, in.n_1 * r.d_w1 / 2.0, "pitch line velocity");
   if (in.mesh == Mesh::rack) return;
-  const double g = sign_of(in.mesh);
-  trace.value("g", g, "1 with a wheel, -1 with a ring");
+  const double g = trace.value("g", sign_of(in.mesh), "1 with a wheel, -1 with a ring");
   STEP_TO(r, n_2, -g * in.n_1 * in.z_1 / in.z_2, "wheels turn against each other, wheel and ring alike");
 }
 
@@ -46,11 +44,9 @@ template <class Tracer>
 void velocity_factor(const Pair::Input& in, PairResult& r, Tracer& trace) {
   if (in.cutting == Cutting::none) {
     const bool runs = is_set(in.n_1);
-    r.K_v = 1.0;
     if (!(runs && Pair::asks_strength(in))) r.v_share = 0.0;  // else nobody knows how fast such teeth may run
-    return trace.value("K_v", r.K_v, runs ? "not counted: how the teeth are cut is not given" : "load at rest");
-  }
-  if (in.cutting == Cutting::cast) {
+    r.K_v = trace.value("K_v", 1.0, runs ? "not counted: how the teeth are cut is not given" : "load at rest");
+  } else if (in.cutting == Cutting::cast) {
     STEP_TO(r, K_v, (3.05 + r.v / m_per_s) / 3.05, "cast teeth, Barth, [Shigley14]");
     STEP_TO(r, v_share, r.v / (10.0 * m_per_s), "used up to 10 m/s");
   } else if (in.cutting == Cutting::milled) {

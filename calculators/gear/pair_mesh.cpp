@@ -7,12 +7,8 @@ namespace {
 
 template <class Tracer>
 double tips_over_bases(const Pair::Input& in, const PairResult& r, Tracer& trace) {
-  if (in.mesh == Mesh::rack) {
-    STEP(q_a, r.d_a1 / r.d_b1, "the flank begins at the base circle");
-    return q_a;
-  }
-  STEP(q_a, min(r.d_a1 / r.d_b1, r.d_a2 / r.d_b2), "flanks begin at the base circle");
-  return q_a;
+  if (in.mesh == Mesh::rack) return NAMED_STEP("q_a", r.d_a1 / r.d_b1, "the flank begins at the base circle");
+  return NAMED_STEP("q_a", min(r.d_a1 / r.d_b1, r.d_a2 / r.d_b2), "flanks begin at the base circle");
 }
 
 template <class Tracer>
@@ -42,8 +38,7 @@ void overlap(const Pair::Input& in, PairResult& r, Tracer& trace) {
   if (is_set(r.b)) {
     STEP_TO(r, eps_beta, r.b * sin(in.beta) / (pi * in.m_n), "overlap ratio, [ISO21771]");
   } else {
-    trace.value("eps_beta", 0.0, "not counted: the face width is not given");
-    r.eps_beta = 0.0;
+    r.eps_beta = trace.value("eps_beta", 0.0, "not counted: the face width is not given");
   }
   STEP_TO(r, eps_gamma, r.eps_alpha + r.eps_beta, "total contact ratio");
 }
@@ -75,9 +70,8 @@ double tips_apart(const Pair::Input& in, const PairResult& r, Tracer& trace) {
        acos((r.d_a2 * r.d_a2 - r.d_a1 * r.d_a1 + 4.0 * r.a_w * r.a_w) / (4.0 * r.a_w * r.d_a2)) + tan(alpha_a2) -
            alpha_a2 - tan(r.alpha_wt) + r.alpha_wt,
        "turn of the ring until its tip is there, [KHK-internal]");
-  STEP(f_t, (theta_1 * in.z_1 / in.z_2 - theta_2) * r.d_a2 / (2.0 * in.m_n),
-       "trochoid interference: length by which they miss");
-  return f_t;
+  return NAMED_STEP("f_t", (theta_1 * in.z_1 / in.z_2 - theta_2) * r.d_a2 / (2.0 * in.m_n),
+                    "trochoid interference: length by which they miss");
 }
 
 template <class Tracer>

@@ -98,15 +98,14 @@ template <class Tracer>
 void assembly(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
   STEP_TO(r, q, (in.z_s + r.z_r) / in.N_p, "steps of assembly between two planets; whole for even spacing, [Assembly]");
   r.spacing = Planetary::evenly_spaced(in) ? Planetary::Spacing::even : Planetary::Spacing::uneven;
-  const double steps = std::round(q);
-  trace.value("steps", steps, "the nearest whole number of steps");
+  const double steps = trace.value("steps", std::round(q), "the nearest whole number of steps");
   STEP_TO(r, phi_2, 2.0 * pi * steps / (in.z_s + r.z_r), "where the second planet can be put in");
   STEP_TO(r, z_gap, r.z_r - in.z_s - 2.0 * in.z_p,
           "zero where sun, planet and ring come to one axis by their teeth, [Assembly]");
   r.coaxial = coaxial_by(z_gap);
   if (in.N_p == 1) {
-    r.u_N = 0.0;
-    return trace.value("u_N", r.u_N, "a single planet has no neighbour");
+    r.u_N = trace.value("u_N", 0.0, "a single planet has no neighbour");
+    return;
   }
   STEP_TO(r, u_N, (in.z_p + 2.0 * (in.h_aP + in.x_p)) / ((in.z_s + in.z_p) * sin(pi / in.N_p)),
           "tip circle of a planet over the distance to its neighbour, [Assembly]");

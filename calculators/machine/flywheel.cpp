@@ -32,15 +32,12 @@ template <class Tracer>
 void take_energy(const Input& in, Result& r, Tracer& trace) {
   const Samples samples = samples_of(in);
   const auto energy = turning_energy({samples.data(), samples.size()}, in.period);
-  const Moment A = energy.work * J;
-  const Moment E_low = energy.low * J, E_high = energy.high * J;
-  trace.value("A", A, "integral of the moment over the period");
+  const Moment A = r.A = trace.value("A", energy.work * J, "integral of the moment over the period");
   STEP_TO(r, M_m, A / in.period, "mean moment: what the motor, or the load, has all the time [Khurmi-16]");
-  trace.value("E_low", E_low, "least integral of M - M_m from the start");
-  trace.value("E_high", E_high, "largest integral of M - M_m from the start");
+  const Moment E_low = r.E_low = trace.value("E_low", energy.low * J, "least integral of M - M_m from the start");
+  const Moment E_high = r.E_high = trace.value("E_high", energy.high * J, "largest integral of M - M_m from the start");
   STEP_TO(r, Delta_E, E_high - E_low, "largest fluctuation of energy, [Khurmi-16]");
-  r.A = A, r.M_peak = energy.peak * N_m;
-  r.E_low = E_low, r.E_high = E_high;
+  r.M_peak = energy.peak * N_m;
   const bool drives = in.role == Flywheel::Source::drive;
   r.phi_fast = drives ? energy.high_phi : energy.low_phi;
   r.phi_slow = drives ? energy.low_phi : energy.high_phi;
@@ -81,8 +78,7 @@ void take_power(const Input& in, Result& r, Tracer& trace) {
 template <class Tracer>
 void take_rim(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(in.D)) return;
-  const MassMoment J_R = is_set(in.inertia) ? in.inertia : r.J_add;
-  trace.value("J_R", J_R, "inertia of the flywheel");
+  const MassMoment J_R = trace.value("J_R", is_set(in.inertia) ? in.inertia : r.J_add, "inertia of the flywheel");
   STEP_TO(r, m_rim, 4.0 * J_R / (in.D * in.D), "all of the mass at the mean diameter of the rim");
   STEP_TO(r, v_rim, 0.5 * in.omega * in.D, "speed of the rim");
   if (!is_set(in.v_adm)) return;

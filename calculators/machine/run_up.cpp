@@ -149,12 +149,9 @@ template <class Tracer>
 RunUp::Result RunUp::evaluate(const Input& in, Tracer& trace) {
   Result r;
   const Balance balance(in);
-  r.J_red = reduced_inertia(in) * kg_m2;
-  r.M_start = balance.at(in_si(in.n_1)) * N_m;
-  r.M_end = balance.at(in_si(in.n_2)) * N_m;
-  trace.value("J_red", r.J_red, "sum of J u^2: the same kinetic energy, [B37]");
-  trace.value("M_start", r.M_start, "motor less load at n_1");
-  trace.value("M_end", r.M_end, "motor less load at n_2");
+  r.J_red = trace.value("J_red", reduced_inertia(in) * kg_m2, "sum of J u^2: the same kinetic energy, [B37]");
+  r.M_start = trace.value("M_start", balance.at(in_si(in.n_1)) * N_m, "motor less load at n_1");
+  r.M_end = trace.value("M_end", balance.at(in_si(in.n_2)) * N_m, "motor less load at n_2");
   STEP_TO(r, epsilon_1, r.M_start / r.J_red, "J epsilon = M, [B36]");
   follow(in, balance, speeds_of(in, balance), r);
   trace.value("M_least", r.M_least, "least over the speeds at which a line bends");

@@ -33,10 +33,8 @@ struct Span {
 template <class Tracer>
 Span span_of(const Input& in, Tracer& trace) {
   const Length dx = in.B.x - in.A.x, dy = in.B.y - in.A.y;
-  const double beta = std::atan2(in_si(dy), in_si(dx));
-  const Length AB = sqrt(dx * dx + dy * dy);
-  trace.value("AB", AB, "distance of A and B");
-  trace.value("beta", beta, "direction from A to B, from x");
+  const Length AB = trace.value("AB", sqrt(dx * dx + dy * dy), "distance of A and B");
+  const double beta = trace.value("beta", std::atan2(in_si(dy), in_si(dx)), "direction from A to B, from x");
   return {AB, beta};
 }
 
@@ -51,8 +49,7 @@ void take_velocity_of_B(const Input& in, const Span& span, Result& r, Tracer& tr
     r.v_B = without_rounding(in_si(v_B), in_si(in.v_A)) * m_per_s;
   }
   if (case_of(in) == Plane::Case::inclined) {
-    r.omega = 0.0 * rad_per_s;
-    trace.value("omega", r.omega, "parallel velocities oblique to AB: translation, [B29]");
+    r.omega = trace.value("omega", 0.0 * rad_per_s, "parallel velocities oblique to AB: translation, [B29]");
     return;
   }
   STEP(v_nA, in.v_A * sin(in.alpha_A - beta), "part of v_A across AB");

@@ -31,20 +31,18 @@ Point::State state_at(const PointPath& path, double t) {
 /// Place, velocity and acceleration from the laws; a plane motion is not told of z.
 template <class Tracer>
 void take_state(const PointState& s, bool plane, Point::Result& r, Tracer& trace) {
-  r.x_M = s.r[0] * m, r.y_M = s.r[1] * m, r.z_M = s.r[2] * m;
-  r.v_x = s.v[0] * m_per_s, r.v_y = s.v[1] * m_per_s, r.v_z = s.v[2] * m_per_s;
-  r.a_x = s.a[0] * m_per_s2, r.a_y = s.a[1] * m_per_s2, r.a_z = s.a[2] * m_per_s2;
+  r.z_M = s.r[2] * m, r.v_z = s.v[2] * m_per_s, r.a_z = s.a[2] * m_per_s2;
   constexpr const char* law = "law of motion at the time t";
   constexpr const char* first = "first derivative of the law of motion, [B26]";
   constexpr const char* second = "second derivative of the law of motion, [B32]";
-  trace.value("x_M", r.x_M, law);
-  trace.value("y_M", r.y_M, law);
+  r.x_M = trace.value("x_M", s.r[0] * m, law);
+  r.y_M = trace.value("y_M", s.r[1] * m, law);
   if (!plane) trace.value("z_M", r.z_M, law);
-  trace.value("v_x", r.v_x, first);
-  trace.value("v_y", r.v_y, first);
+  r.v_x = trace.value("v_x", s.v[0] * m_per_s, first);
+  r.v_y = trace.value("v_y", s.v[1] * m_per_s, first);
   if (!plane) trace.value("v_z", r.v_z, first);
-  trace.value("a_x", r.a_x, second);
-  trace.value("a_y", r.a_y, second);
+  r.a_x = trace.value("a_x", s.a[0] * m_per_s2, second);
+  r.a_y = trace.value("a_y", s.a[1] * m_per_s2, second);
   if (!plane) trace.value("a_z", r.a_z, second);
 }
 
@@ -91,10 +89,9 @@ template <class Tracer>
 void take_range(const Point::Input& in, const PointPath& path, Point::Result& r, Tracer& trace) {
   const double from = in_si(in.t_1), to = in_si(in.t_2);
   const PointState first = path.at(from), last = path.at(to);
-  const Length L = path.length(from, to) * m;
-  const Length Delta_r = std::hypot(last.r[0] - first.r[0], last.r[1] - first.r[1], last.r[2] - first.r[2]) * m;
-  trace.value("L", L, "integral of the speed over the range");
-  trace.value("Delta_r", Delta_r, "distance of the places at t_2 and t_1");
+  const double apart = std::hypot(last.r[0] - first.r[0], last.r[1] - first.r[1], last.r[2] - first.r[2]);
+  const Length L = r.L = trace.value("L", path.length(from, to) * m, "integral of the speed over the range");
+  const Length Delta_r = r.Delta_r = trace.value("Delta_r", apart * m, "distance of the places at t_2 and t_1");
   STEP_TO(r, v_m, Delta_r / (in.t_2 - in.t_1), "mean velocity, [B26]");
   STEP_TO(r, v_L, L / (in.t_2 - in.t_1), "mean speed along the path");
   constexpr int samples = 257;
@@ -104,7 +101,6 @@ void take_range(const Point::Input& in, const PointPath& path, Point::Result& r,
     fastest = std::max(fastest, s.speed);
     largest = std::max(largest, s.acceleration);
   }
-  r.L = L, r.Delta_r = Delta_r;
   r.v_max = fastest * m_per_s, r.a_max = largest * m_per_s2;
 }
 

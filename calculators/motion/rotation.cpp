@@ -21,9 +21,9 @@ Rotation::Change change_of(double omega, double epsilon, double t) {
 
 template <class Tracer>
 void count_turns(const Rotation::Input& in, Rotation::Result& r, Tracer& trace) {
-  const double phi_1 = motion::at(law_of(in), in_si(in.t_1)).value, phi_2 = motion::at(law_of(in), in_si(in.t_2)).value;
-  trace.angle("phi_1", phi_1, "law of rotation at t_1");
-  trace.angle("phi_2", phi_2, "law of rotation at t_2");
+  const Written law = law_of(in);
+  const double phi_1 = trace.angle("phi_1", motion::at(law, in_si(in.t_1)).value, "law of rotation at t_1");
+  const double phi_2 = trace.angle("phi_2", motion::at(law, in_si(in.t_2)).value, "law of rotation at t_2");
   STEP_TO(r, Delta_phi, phi_2 - phi_1, "angle turned");
   STEP_TO(r, turns, Delta_phi / (2.0 * pi), "a turn is 2 pi");
   STEP_TO(r, omega_m, Delta_phi / (in.t_2 - in.t_1), "mean angular speed, [B28]");
@@ -61,13 +61,10 @@ template <class Tracer>
 Rotation::Result Rotation::evaluate(const Input& in, Tracer& trace) {
   Result r;
   const Jet now = motion::at(law_of(in), in_si(in.t));
-  r.phi_t = now.value;
-  r.n = r.omega = now.first * rad_per_s;
-  r.epsilon = now.second * rad_per_s2;
-  trace.value("phi_t", r.phi_t, "law of rotation at the time t");
-  trace.value("omega", r.omega, "first derivative of the law, [B28]");
-  trace.value("n", r.n, "the same in turns per minute");
-  trace.value("epsilon", r.epsilon, "second derivative of the law, [B28]");
+  r.phi_t = trace.value("phi_t", now.value, "law of rotation at the time t");
+  r.omega = trace.value("omega", now.first * rad_per_s, "first derivative of the law, [B28]");
+  r.n = trace.value("n", r.omega, "the same in turns per minute");
+  r.epsilon = trace.value("epsilon", now.second * rad_per_s2, "second derivative of the law, [B28]");
   r.change = change_of(now.first, now.second, in_si(in.t));
   if (is_set(in.t_1)) count_turns(in, r, trace);
   if (is_set(in.R)) move_point(in, r, trace);

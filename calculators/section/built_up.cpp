@@ -31,15 +31,12 @@ class Turned {
 /// The part turned and put to its place.
 template <class Tracer>
 BuiltUp::Placed place(const Part& part, const Turned& placed, const Properties& own, Tracer& trace) {
-  const auto I_y0 = own.I_y, I_z0 = own.I_z, I_yz0 = own.I_yz;
-  const double sign = sign_of(part);
-  trace.value("A_0", own.A, "area of the part");
-  trace.value("I_y0", I_y0, "of the part about its own axes, before it is turned");
-  trace.value("I_z0", I_z0, "of the part about its own axes, before it is turned");
-  trace.value("I_yz0", I_yz0, "of the part about its own axes, before it is turned");
+  const auto A_0 = trace.value("A_0", own.A, "area of the part");
+  const auto I_y0 = trace.value("I_y0", own.I_y, "of the part about its own axes, before it is turned");
+  const auto I_z0 = trace.value("I_z0", own.I_z, "of the part about its own axes, before it is turned");
+  const auto I_yz0 = trace.value("I_yz0", own.I_yz, "of the part about its own axes, before it is turned");
   trace.angle("angle", part.angle, "turned counter-clockwise");
-  trace.value("sign", sign, "1 of material, -1 of a hole");
-  const auto A_0 = own.A;
+  const double sign = trace.value("sign", sign_of(part), "1 of material, -1 of a hole");
   STEP(A, sign * A_0, "counts negative where it is cut out");
   const auto [y_S, z_S] = placed(own.y_S, own.z_S);
   trace.value("y_S", y_S, "centroid of the part at its place");
@@ -122,8 +119,7 @@ BuiltUp::Result BuiltUp::evaluate(const Input& in, Tracer& trace) {
   static_cast<Properties&>(r) = centroidal(sum, sketch_origin, trace);
   complete(r, extremes, trace);
   if (!is_set(I_t)) return r;
-  r.I_t = I_t;
-  trace.value("I_t", I_t, "sum of the parts' own: a lower bound");
+  r.I_t = trace.value("I_t", I_t, "sum of the parts' own: a lower bound");
   return r;
 }
 

@@ -51,15 +51,15 @@ template <class Tracer>
 Properties centroidal(const Moments& sum, const Place& origin, Tracer& trace) {
   const auto& [A, S_y, S_z, I_yy, I_zz, I_yz_0] = sum;
   const auto& [y_0, z_0] = origin;
+  Properties r;
   trace.value("y_0", y_0, "axes to sum about: through this place of the sketch");
   trace.value("z_0", z_0, "axes to sum about: through this place of the sketch");
-  trace.value("A", A, "sum of the areas");
+  r.A = trace.value("A", A, "sum of the areas");
   trace.value("S_y", S_y, "sum of the first moments about the axis y there");
   trace.value("S_z", S_z, "sum of the first moments about the axis z there");
   trace.value("I_yy", I_yy, "sum of the second moments about the axis y there");
   trace.value("I_zz", I_zz, "sum of the second moments about the axis z there");
   trace.value("I_yz_0", I_yz_0, "sum of the products of area about both");
-  Properties r;
   STEP(e_y, S_z / A, "first moment about z over the area");
   STEP(e_z, S_y / A, "first moment about y over the area");
   STEP_TO(r, y_S, y_0 + e_y, "in the sketch");
@@ -67,7 +67,6 @@ Properties centroidal(const Moments& sum, const Place& origin, Tracer& trace) {
   STEP_TO(r, I_y, I_yy - A * e_z * e_z, "brought to the centroid by Steiner, [Garrison]");
   STEP_TO(r, I_z, I_zz - A * e_y * e_y, "brought to the centroid by Steiner, [Garrison]");
   STEP(I_yz_S, I_yz_0 - A * e_y * e_z, "brought to the centroid by Steiner");
-  r.A = A;
   r.I_yz = without_rounding(I_yz_S, I_y, I_z);
   trace.value("I_yz", r.I_yz, "product of area about the centroid; what is only rounding is zero");
   return r;

@@ -23,9 +23,7 @@ Length size_for_modulus(const char* symbol, SectionModulus W_t, const Bore& bore
                         Tracer& trace) {
   if (is_set(bore.chi)) return NAMED_STEP(symbol, cbrt(16.0 * W_t / (pi * (1.0 - pow<4>(bore.chi)))), why.ratio);
   if (!is_set(bore.d_bore)) return NAMED_STEP(symbol, cbrt(16.0 * W_t / pi), why.solid);
-  const Length d = diameter_for_modulus(W_t, bore.d_bore);
-  trace.value(symbol, d, why.size);
-  return d;
+  return trace.value(symbol, diameter_for_modulus(W_t, bore.d_bore), why.size);
 }
 
 }  // namespace loadpath::shaft

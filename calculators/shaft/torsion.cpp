@@ -10,12 +10,9 @@ namespace {
 
 template <class Tracer>
 Stress allowable(const Torsion::Input& in, Tracer& trace) {
-  if (is_set(in.tau_adm)) {
-    STEP(tau_all, in.tau_adm, "as given");
-    return tau_all;
-  }
-  STEP(tau_all, in.R_e / (sqrt(3.0) * in.S), "yielding in shear by the distortion energy hypothesis, [Mises]");
-  return tau_all;
+  if (is_set(in.tau_adm)) return NAMED_STEP("tau_all", in.tau_adm, "as given");
+  return NAMED_STEP("tau_all", in.R_e / (sqrt(3.0) * in.S),
+                    "yielding in shear by the distortion energy hypothesis, [Mises]");
 }
 
 /// Takes the magnitude where it is larger. Once something is not available, the largest is not either.
@@ -34,9 +31,8 @@ void size_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
   bool any_open = false;
   for (const shaft::Stretch& part : parts) {
     [[maybe_unused]] const auto scope = trace.scope("segments", r.segments.size());
-    const Moment M = part.M;
     const Cylinder& c = part.cylinder;
-    trace.value("M", M, "internal moment: the sum of the torques to its left");
+    const Moment M = trace.value("M", part.M, "internal moment: the sum of the torques to its left");
     STEP(M_t, in.K_A * abs(M), "design moment");
     if (is_set(c.chi)) trace.value("chi", c.chi, "bore ratio");
     const Length d_strength = size_by_strength(M_t, c, allowed.tau_all, trace);

@@ -29,27 +29,21 @@ Length size_by_stiffness(Moment M_t, const Cylinder& c, const Allowed& allowed, 
   const auto& [tau_all, G, theta_adm] = allowed;
   const Length d_bore = c.d_bore;
   if (!is_set(theta_adm)) return unset<Length>;
-  if (is_set(c.chi)) {
-    STEP(d_stiffness, sqrt(sqrt(32.0 * M_t / (pi * G * theta_adm * (1.0 - pow<4>(c.chi))))),
-         "stiffness of a ring, [B19] (10)");
-    return d_stiffness;
-  }
-  if (is_set(d_bore)) {
-    STEP(d_stiffness, sqrt(sqrt(pow<4>(d_bore) + 32.0 * M_t / (pi * G * theta_adm))),
-         "stiffness with the given bore, [B19] (8)");
-    return d_stiffness;
-  }
-  STEP(d_stiffness, sqrt(sqrt(32.0 * M_t / (pi * G * theta_adm))), "stiffness, [B19] (9)");
-  return d_stiffness;
+  if (is_set(c.chi))
+    return NAMED_STEP("d_stiffness", sqrt(sqrt(32.0 * M_t / (pi * G * theta_adm * (1.0 - pow<4>(c.chi))))),
+                      "stiffness of a ring, [B19] (10)");
+  if (is_set(d_bore))
+    return NAMED_STEP("d_stiffness", sqrt(sqrt(pow<4>(d_bore) + 32.0 * M_t / (pi * G * theta_adm))),
+                      "stiffness with the given bore, [B19] (8)");
+  return NAMED_STEP("d_stiffness", sqrt(sqrt(32.0 * M_t / (pi * G * theta_adm))), "stiffness, [B19] (9)");
 }
 
 /// Stress and twist of one stretch at its diameter.
 template <class Tracer>
 void load(Torsion::Stretch& s, Stress G, double K_A, Tracer& trace) {
   if (s.M_t <= 0.0 * N_m.one && !(s.d > s.d_bore)) {  // no moment has sized it, and none loads it
-    s.tau = from_si<Stress>(0.0);
+    s.tau = trace.value("tau", from_si<Stress>(0.0), "no moment");
     if (is_set(G)) s.theta = from_si<Twist>(0.0), s.phi = is_set(s.l) ? 0.0 : s.phi;
-    trace.value("tau", s.tau, "no moment");
     return;
   }
   STEP(I_t, pi / 32.0 * (pow<4>(s.d) - pow<4>(s.d_bore)), "polar second moment of a ring");

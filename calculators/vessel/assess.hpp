@@ -20,39 +20,34 @@ Length ordered(const char* symbol, Length carrying, const WallInput& in, Tracer&
 
 template <class Tracer>
 Length carrying(const WallInput& in, Length delta, Tracer& trace) {
-  STEP(delta_c, delta * (1.0 - in.f_t) - in.c - in.c_t, "what corrosion and mill leave of the wall");
-  return delta_c;
+  return NAMED_STEP("delta_c", delta * (1.0 - in.f_t) - in.c - in.c_t, "what corrosion and mill leave of the wall");
 }
 
 template <class Tracer>
 Length mean_radius(Length R, Length e, Tracer& trace) {
-  STEP(R_m, R + e, "middle of the carrying wall");
-  return R_m;
+  return NAMED_STEP("R_m", R + e, "middle of the carrying wall");
 }
 
 /// The bound of the hoop compression of heads whose crown has this radius.
 template <class Tracer>
 double knuckle_slenderness(Length rho_c, Length delta_c, Tracer& trace) {
   trace.value("rho_c", rho_c, "radius of the crown");
-  STEP(w_b, 0.002 * rho_c / delta_c,
-       "knuckles in compression thinner than 0.002 of the crown radius may buckle, [UG-32]");
-  return w_b;
+  return NAMED_STEP("w_b", 0.002 * rho_c / delta_c,
+                    "knuckles in compression thinner than 0.002 of the crown radius may buckle, [UG-32]");
 }
 
 /// Sizes and checks the shape that `make(delta_c)` gives for a carrying thickness. `told(e, trace)`
 /// writes its radii down, which lie e outside of those given. Returns the governing place.
 template <class Input, class Result, class Make, class Told, class Tracer>
 double assess(const Input& in, Result& r, Length scale, const Make& make, const Told& told, Tracer& trace) {
-  const Stress sigma_all = allowable(in, trace);
+  const Stress sigma_all = r.sigma_all = allowable(in, trace);
   const Strength strength = strength_of(in, sigma_all);
-  r.sigma_all = sigma_all;
   r.delta_min = ordered("delta_min", least_thickness(make, in.p, scale, strength), in, trace);
   r.delta = is_set(in.delta) ? in.delta : r.delta_min;
   r.delta_c = carrying(in, r.delta, trace);
   told(offset(in, r.delta, r.delta_c, trace), trace);
   const auto shape = make(r.delta_c);
-  const Length rho_min = shape.sharpest();
-  trace.value("rho_min", rho_min, "smallest radius of curvature of the shell");
+  const Length rho_min = trace.value("rho_min", shape.sharpest(), "smallest radius of curvature of the shell");
   STEP_TO(r, t_R, r.delta_c / rho_min, "thin walls are below 1/20, [B24]");
   const double t = governing_place(shape, in.p, r.delta_c, strength);
   const Place place = shape.at(t, trace);

@@ -28,8 +28,7 @@ class ConeShape {
     place.r = r, place.z = r / std::tan(in_.alpha);
     trace.value("r", r, "mean radius at the governing place");
     STEP_TO(place, rho_o, r / cos(in_.alpha), "normal to the wall, up to the axis");
-    place.kappa_M = 0.0 / r;
-    trace.value("kappa_M", place.kappa_M, "the meridian is straight");
+    place.kappa_M = trace.value("kappa_M", 0.0 / r, "the meridian is straight");
     STEP_TO(place, q_M, r / (2.0 * cos(in_.alpha)), "pressure on the section over the upright part of the pull");
     if (wet_) {
       place.p_l = head(in_, place.z, trace);
@@ -61,8 +60,7 @@ class ConeShape {
 
 template <class Tracer>
 Length mean_radius(const Input& in, Length e, Tracer& trace) {
-  STEP(R_m, in.R + e * cos(in.alpha), "middle of the carrying wall at the large end");
-  return R_m;
+  return NAMED_STEP("R_m", in.R + e * cos(in.alpha), "middle of the carrying wall at the large end");
 }
 
 }  // namespace

@@ -27,15 +27,13 @@ class CylinderShape {
     Place place;
     const Length R_m = R_m_;
     place.r = R_m, place.z = t * height();
-    place.kappa_M = 0.0 / R_m;
     if (has_liquid(in_)) {
       place.p_l = head(in_, place.z, trace);
     } else {
       trace.value("p_l", place.p_l, "no liquid");
     }
-    STEP(rho_o, R_m, "hoop: the radius of the cylinder");
-    trace.value("kappa_M", place.kappa_M, "the meridian is straight");
-    place.rho_o = rho_o;
+    STEP_TO(place, rho_o, R_m, "hoop: the radius of the cylinder");
+    place.kappa_M = trace.value("kappa_M", 0.0 / R_m, "the meridian is straight");
     pull(place, trace);
     if (in_.ends == Ends::ringed) share(place, trace);
     return place;
@@ -52,8 +50,7 @@ class CylinderShape {
     if (closed) {
       STEP_TO(place, q_M, R_m / 2.0, "pull of the ends over the circumference, [B24] (11)");
     } else {
-      place.q_M = 0.0 * R_m;
-      trace.value("q_M", place.q_M, "no ends, no pull, [B24] (10)");
+      place.q_M = trace.value("q_M", 0.0 * R_m, "no ends, no pull, [B24] (10)");
     }
     if (closed && in_.support == Cylinder::Support::top) {
       trace.value("p_0", p_0, "pressure of the liquid on the bottom, which the wall holds");
@@ -66,9 +63,8 @@ class CylinderShape {
   template <class Tracer>
   void share(Place& place, Tracer& trace) const {
     const Length delta_c = delta_c_, a_r = a_r_;
-    STEP(w_o, delta_c / (delta_c + a_r),
-         "rings and wall stretch alike, so they share the hoop force by their sections");
-    place.w_o = w_o;
+    STEP_TO(place, w_o, delta_c / (delta_c + a_r),
+            "rings and wall stretch alike, so they share the hoop force by their sections");
   }
 
   const Input& in_;
@@ -79,14 +75,10 @@ class CylinderShape {
 template <class Tracer>
 Length rings(const Input& in, Stress sigma_all, Tracer& trace) {
   if (in.ends != Ends::ringed) return 0.0 * mm;
-  if (is_set(in.A_r)) {
-    STEP(a_r, in.A_r / in.l_r, "section of the rings per length");
-    return a_r;
-  }
-  const Stress p_0 = bottom_pressure(in);
-  trace.value("p_0", p_0, "pressure of the liquid at the lowest place");
-  STEP(a_r, (in.p + p_0) * in.R / sigma_all, "rings that could take the whole hoop force, as [B24] assumes");
-  return a_r;
+  if (is_set(in.A_r)) return NAMED_STEP("a_r", in.A_r / in.l_r, "section of the rings per length");
+  const Stress p_0 = trace.value("p_0", bottom_pressure(in), "pressure of the liquid at the lowest place");
+  return NAMED_STEP("a_r", (in.p + p_0) * in.R / sigma_all,
+                    "rings that could take the whole hoop force, as [B24] assumes");
 }
 
 /// The thicknesses of the book: each stress by itself.

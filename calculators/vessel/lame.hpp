@@ -35,11 +35,7 @@ struct ThickCylinder {
   template <class Tracer>
   Principal operator()(Stress p_i, Length R_i, Length R_a, Tracer& trace) const {
     STEP(sigma_t, p_i * (pow<2>(R_a) + pow<2>(R_i)) / (pow<2>(R_a) - pow<2>(R_i)), "hoop stress inside, [Lame]");
-    if (!closed) {
-      const Stress none = 0.0 * MPa;
-      trace.value("sigma_z", none, "no ends, no pull");
-      return {sigma_t, none};
-    }
+    if (!closed) return {sigma_t, trace.value("sigma_z", 0.0 * MPa, "no ends, no pull")};
     STEP(sigma_z, p_i * pow<2>(R_i) / (pow<2>(R_a) - pow<2>(R_i)), "pull of the ends over the ring, [Lame]");
     return {sigma_t, sigma_z};
   }
@@ -98,13 +94,12 @@ void compare(const Thick& thick, const WallInput& in, Result& r, Length R_m, con
   if (!(R_m > 0.5 * r.delta_c)) return;  // a wall that would fill the vessel
   STEP(R_i, R_m - 0.5 * r.delta_c, "inside of the carrying wall");
   STEP(R_a, R_m + 0.5 * r.delta_c, "outside of the carrying wall");
-  const Stress sigma_L =
+  const Stress sigma_L = r.sigma_L =
       equivalent(thick_stresses(thick, r.p_i, R_i, R_a, strength, trace), strength.hypothesis, trace);
   trace.value("sigma_L", sigma_L, "the thick wall");
   trace.value("sigma_v", r.sigma_v, "the thin wall");
   STEP_TO(r, e_L, r.sigma_v / sigma_L - 1.0, "what the thin-wall formula misses");
   STEP_TO(r, u_L, sigma_L / r.sigma_all, "the same strength condition with the stress of the thick wall");
-  r.sigma_L = sigma_L;
   const Length least = thickness_of_ratio(least_thickness_ratio(thick, r.p_i, strength), mean);
   r.delta_L = ordered("delta_L", least, in, trace);
 }

@@ -10,11 +10,9 @@ inline constexpr Acceleration gravity = 9.80665 * m_per_s2;  // standard value, 
 /// At the height z above the lowest place; zero above the surface.
 template <class Tracer>
 Stress head(const Liquid& liquid, Length z, Tracer& trace) {
-  const Acceleration g_n = gravity;
-  trace.value("g_n", g_n, "standard acceleration of free fall");
+  const Acceleration g_n = trace.value("g_n", gravity, "standard acceleration of free fall");
   trace.value("z", z, "height of the place");
-  STEP(p_l, liquid.rho * g_n * max(liquid.h_l - z, 0.0 * liquid.h_l), "head of the liquid");
-  return p_l;
+  return NAMED_STEP("p_l", liquid.rho * g_n * max(liquid.h_l - z, 0.0 * liquid.h_l), "head of the liquid");
 }
 
 }  // namespace loadpath::vessel

@@ -38,39 +38,29 @@ struct Membrane {
 
 template <class Tracer>
 Stress allowable(const WallInput& in, Tracer& trace) {
-  if (is_set(in.sigma_adm)) {
-    STEP(sigma_all, in.sigma_adm, "as given");
-    return sigma_all;
-  }
-  STEP(sigma_all, in.R_e / in.S, "yield strength over the safety factor");
-  return sigma_all;
+  if (is_set(in.sigma_adm)) return NAMED_STEP("sigma_all", in.sigma_adm, "as given");
+  return NAMED_STEP("sigma_all", in.R_e / in.S, "yield strength over the safety factor");
 }
 
 /// Of the principal stresses s_o, s_M in the wall and -p_i at its inner surface.
 template <class Tracer>
 Stress equivalent(Stress s_o, Stress s_M, Stress p_i, Hypothesis hypothesis, Tracer& trace) {
-  if (hypothesis == Hypothesis::membrane) {
-    STEP(sigma_v, max(abs(s_o), abs(s_M)), "the larger membrane stress, [B24]");
-    return sigma_v;
-  }
-  if (hypothesis == Hypothesis::mises) {
-    STEP(sigma_v, sqrt(0.5 * (pow<2>(s_o - s_M) + pow<2>(s_M + p_i) + pow<2>(s_o + p_i))),
-         "with the radial stress -p_i at the inner surface, [Mises]");
-    return sigma_v;
-  }
-  STEP(sigma_v, max(max(s_o, s_M), -p_i) - min(min(s_o, s_M), -p_i),
-       "Tresca, with the radial stress -p_i at the inner surface");
-  return sigma_v;
+  if (hypothesis == Hypothesis::membrane)
+    return NAMED_STEP("sigma_v", max(abs(s_o), abs(s_M)), "the larger membrane stress, [B24]");
+  if (hypothesis == Hypothesis::mises)
+    return NAMED_STEP("sigma_v", sqrt(0.5 * (pow<2>(s_o - s_M) + pow<2>(s_M + p_i) + pow<2>(s_o + p_i))),
+                      "with the radial stress -p_i at the inner surface, [Mises]");
+  return NAMED_STEP("sigma_v", max(max(s_o, s_M), -p_i) - min(min(s_o, s_M), -p_i),
+                    "Tresca, with the radial stress -p_i at the inner surface");
 }
 
 template <class Tracer>
 Stress hoop(const Place& place, Stress p_i, Stress sigma_M, Length delta_c, Tracer& trace) {
-  if (place.w_o < 1.0) {
-    STEP(sigma_o, place.w_o * place.rho_o * p_i / delta_c, "[B24] (9), (10) with rings: the wall carries its part");
-    return sigma_o;
-  }
-  STEP(sigma_o, place.rho_o * (p_i / delta_c - sigma_M * place.kappa_M), "balance across the wall, [B24] (9)");
-  return sigma_o;
+  if (place.w_o < 1.0)
+    return NAMED_STEP("sigma_o", place.w_o * place.rho_o * p_i / delta_c,
+                      "[B24] (9), (10) with rings: the wall carries its part");
+  return NAMED_STEP("sigma_o", place.rho_o * (p_i / delta_c - sigma_M * place.kappa_M),
+                    "balance across the wall, [B24] (9)");
 }
 
 template <class Tracer>
@@ -107,16 +97,12 @@ double governing_place(const Shape& shape, Stress p, Length delta_c, const Stren
 /// How far the middle of the carrying wall lies outside of the surface that the given radii belong to.
 template <class Tracer>
 Length offset(const WallInput& in, Length delta, Length delta_c, Tracer& trace) {
-  if (in.measured == Measured::inner) {
-    STEP(e, in.c + 0.5 * delta_c, "middle of the carrying wall, from the inside of the new one");
-    return e;
-  }
-  if (in.measured == Measured::outer) {
-    STEP(e, -0.5 * delta_c, "middle of the carrying wall, from the outside, which mill and corrosion leave");
-    return e;
-  }
-  STEP(e, in.c + 0.5 * delta_c - 0.5 * delta, "middle of the carrying wall, from that of the new one");
-  return e;
+  if (in.measured == Measured::inner)
+    return NAMED_STEP("e", in.c + 0.5 * delta_c, "middle of the carrying wall, from the inside of the new one");
+  if (in.measured == Measured::outer)
+    return NAMED_STEP("e", -0.5 * delta_c,
+                      "middle of the carrying wall, from the outside, which mill and corrosion leave");
+  return NAMED_STEP("e", in.c + 0.5 * delta_c - 0.5 * delta, "middle of the carrying wall, from that of the new one");
 }
 
 /// The same for a wall of this carrying thickness.

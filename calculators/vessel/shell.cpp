@@ -157,11 +157,10 @@ Shell::Result Shell::evaluate(const Input& in, Tracer& trace) {
   r.r = from_si<Length>(governing.r), r.z = from_si<Length>(governing.z);
   double turn = 0.0;
   for (const MeridianPoint& p : shell.points()) turn = std::max(turn, p.turn);
-  r.psi_max = turn, r.s_min = shell.least_slope();
-  trace.value("psi_max", r.psi_max, "sharpest turn of the meridian");
-  trace.value("s_min", r.s_min, "the widest radius over rho_o, where the shell is flattest");
-  r.w_kappa = shell.largest_jump();
-  trace.value("w_kappa", r.w_kappa, "largest change of kappa_M from one point to the next, times rho_o");
+  r.psi_max = trace.value("psi_max", turn, "sharpest turn of the meridian");
+  r.s_min = trace.value("s_min", shell.least_slope(), "the widest radius over rho_o, where the shell is flattest");
+  r.w_kappa =
+      trace.value("w_kappa", shell.largest_jump(), "largest change of kappa_M from one point to the next, times rho_o");
   tabulate(shell, in, r);
   knuckle(r, trace);
   return r;

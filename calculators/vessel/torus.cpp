@@ -41,8 +41,7 @@ class TorusShape {
 template <class Tracer>
 Length tube_radius(Length r_t, Length e, Tracer& trace) {
   trace.value("r_t", r_t, "radius of the tube as given");
-  STEP(r_m, r_t + e, "middle of the carrying wall");
-  return r_m;
+  return NAMED_STEP("r_m", r_t + e, "middle of the carrying wall");
 }
 
 }  // namespace

@@ -22,8 +22,9 @@ namespace loadpath {
   STEP(symbol, formula, why);                 \
   (result).symbol = symbol
 
-/// The value of `formula`, told to the tracer under a symbol that only the caller of a shared formula knows.
-#define NAMED_STEP(symbol, formula, why) trace.named(symbol, #formula, why, (formula))
+/// The value of `formula`, told to the tracer under a symbol that is no local here: that of what a function returns, or
+/// one that only the caller of a shared formula knows.
+#define NAMED_STEP(symbol, formula, why) trace.named(symbol, #formula, why, reduced(formula))
 
 /// For sweeps and searches.
 struct NoTrace {
@@ -35,9 +36,11 @@ struct NoTrace {
   [[nodiscard]] Quantity named(const char*, const char*, const char*, const Quantity& q) {
     return q;
   }
-  template <class... Arguments>
-  void value(const Arguments&...) {}
-  void angle(const char*, double, const char*) {}
+  template <class Quantity>
+  Quantity value(const char*, const Quantity& q, const char*) {
+    return q;
+  }
+  double angle(const char*, double radians, const char*) { return radians; }
   template <class... Arguments>
   [[nodiscard]] Scope scope(const Arguments&...) {
     return {};
@@ -79,14 +82,16 @@ class Trace {
     step(symbol, formula, why, q);
     return q;
   }
-  /// A value that a helper has found and that later steps use.
+  /// A value that a helper has found and that later steps use, told and handed on.
   template <class Quantity>
-  void value(const char* symbol, const Quantity& q, const char* why) {
+  Quantity value(const char* symbol, const Quantity& q, const char* why) {
     step(symbol, "", why, q);
+    return q;
   }
   /// The same of an angle, which in C++ is a plain number of radians.
-  void angle(const char* symbol, double radians, const char* why) {
+  double angle(const char* symbol, double radians, const char* why) {
     add(symbol, "", why, radians, Dimension::of(0, 0, 0, 0, 1));
+    return radians;
   }
   /// Lines until the end of the scope belong to element i of a list of the result.
   Scope scope(const char* list, std::size_t i) { return {*this, list, i}; }

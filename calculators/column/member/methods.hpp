@@ -46,16 +46,12 @@ Stress critical_stress(const Member& in, const Material& material, const MemberR
       return johnson_stress(lambda, material, trace);
     case Method::rankine:
       return rankine_stress(lambda, material, trace);
-    case Method::secant: {
-      const Stress sigma_cr = min(r.axes[0].sigma_s, r.axes[1].sigma_s);
-      trace.value("sigma_cr", sigma_cr, "the lower of both axes");
-      return sigma_cr;
-    }
+    case Method::secant:
+      return trace.value("sigma_cr", min(r.axes[0].sigma_s, r.axes[1].sigma_s), "the lower of both axes");
     case Method::ec3: {
-      const double chi = std::min(r.axes[0].chi, r.axes[1].chi);
-      trace.value("chi", chi, "the lower of both axes");
-      STEP(sigma_cr, chi * in.R_e, "EN 1993-1-1 (6.47) without its partial factor, [EN1993-1-1-buckling]");
-      return sigma_cr;
+      const double chi = trace.value("chi", std::min(r.axes[0].chi, r.axes[1].chi), "the lower of both axes");
+      return NAMED_STEP("sigma_cr", chi * in.R_e,
+                        "EN 1993-1-1 (6.47) without its partial factor, [EN1993-1-1-buckling]");
     }
     case Method::aisc:
       return aisc_stress(lambda, material, trace);
@@ -69,8 +65,7 @@ template <class Tracer>
 double safety(const Member& in, Method method, Tracer& trace) {
   if (method == Method::ec3) {
     if (!is_set(in.gamma_M1) || !is_set(in.gamma_F)) return unset<double>;
-    STEP(n, in.gamma_M1 * in.gamma_F, "partial factors on the resistance and on the load");
-    return n;
+    return NAMED_STEP("n", in.gamma_M1 * in.gamma_F, "partial factors on the resistance and on the load");
   }
   const double n = method == Method::aisc ? in.Omega_c : in.n_st;
   if (is_set(n)) trace.value("n", n, method == Method::aisc ? "AISC 360, E1, [AISC360]" : "safety against buckling");

@@ -144,10 +144,10 @@ void complete(Properties& r, const Extremes& extremes, Tracer& trace) {
                           : r.I_yz == from_si<SecondMoment>(0.0)
                               ? along_y.turned_left()
                               : reach(extremes, r.y_S, r.z_S, std::cos(r.alpha), std::sin(r.alpha));
-  const Length e_max = max(from_axis.left, from_axis.right), e_min = max(from_axis.ahead, from_axis.behind);
-  trace.value("e_max", e_max, "farthest fibre from the principal axis of I_max");
+  const auto [ahead, behind, left, right] = from_axis;
+  const Length e_max = trace.value("e_max", max(left, right), "farthest fibre from the principal axis of I_max");
   STEP_TO(r, W_max, r.I_max / e_max, "bending about the principal axis of I_max");
-  trace.value("e_min", e_min, "farthest fibre from the principal axis of I_min");
+  const Length e_min = trace.value("e_min", max(ahead, behind), "farthest fibre from the principal axis of I_min");
   STEP_TO(r, W_min, r.I_min / e_min, "bending about the principal axis of I_min");
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calculators/section/properties/shape_calculator.hpp"
+#include "calculators/section/shapes/flanged.hpp"
 #include "calculators/section/shapes/torsion.hpp"
 
 #include <array>
@@ -29,19 +30,9 @@ t_f = "11 mm"
 r = "13 mm"
 )";
 
-  struct Input {
-    Length h = unset<Length>;
-    Length b = unset<Length>;
-    Length t_w = unset<Length>;
-    Length t_f = unset<Length>;
-    Length r = from_si<Length>(0.0);
-  };
-  static constexpr std::tuple inputs{
-      Field{&Input::h, "h", mm, "depth over both flanges"}.positive().usually(0.1, 1e4),
-      Field{&Input::b, "b", mm, "width of the flanges, with the web"}.positive().usually(0.1, 1e4),
-      Field{&Input::t_w, "t_w", mm, "thickness of the web"}.positive(),
-      Field{&Input::t_f, "t_f", mm, "thickness of a flange"}.positive(),
-      Field{&Input::r, "r", mm, "radius of the fillets; none where missing"}.at_least(0).may_be_missing()};
+  using Input = Flanged;
+  static constexpr auto inputs =
+      flanged_inputs("depth over both flanges", "width of the flanges, with the web", "thickness of a flange");
 
   using Result = OpenWalls;
   static constexpr auto results = results_of_open_walls;

@@ -1,0 +1,26 @@
+// The sizes of a section of a web and flanges: an I, a channel, a T.
+#pragma once
+
+#include "lib/calculator/field.hpp"
+
+namespace loadpath::section {
+
+struct Flanged {
+  Length h = unset<Length>;
+  Length b = unset<Length>;
+  Length t_w = unset<Length>;
+  Length t_f = unset<Length>;
+  Length r = from_si<Length>(0.0);
+};
+
+/// With what its depth, its width and the thickness of its flanges are called.
+constexpr auto flanged_inputs(const char* depth, const char* width, const char* flange) {
+  return std::tuple{
+      Field{&Flanged::h, "h", mm, depth}.positive().usually(0.1, 1e4),
+      Field{&Flanged::b, "b", mm, width}.positive().usually(0.1, 1e4),
+      Field{&Flanged::t_w, "t_w", mm, "thickness of the web"}.positive(),
+      Field{&Flanged::t_f, "t_f", mm, flange}.positive(),
+      Field{&Flanged::r, "r", mm, "radius of the fillets; none where missing"}.at_least(0).may_be_missing()};
+}
+
+}  // namespace loadpath::section

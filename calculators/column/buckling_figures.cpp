@@ -10,25 +10,9 @@ namespace {
 /// The curve of a method through the data of the governing axis.
 Stress stress_at(double lambda, const Material& material, const AxisResult& axis, Method method) {
   NoTrace trace;
-  switch (method) {
-    case Method::euler:
-      return euler_stress(lambda, material, trace);
-    case Method::tetmajer:
-      return tetmajer_stress(lambda, material, trace);
-    case Method::johnson:
-      return johnson_stress(lambda, material, trace);
-    case Method::rankine:
-      return rankine_stress(lambda, material, trace);
-    case Method::secant:
-      return secant_stress(lambda, axis.eta, material.E, material.R_e);
-    case Method::ec3:
-      return ec3_reduction(lambda, axis.alpha, material, trace) * material.R_e;
-    case Method::aisc:
-      return aisc_stress(lambda, material, trace);
-    case Method::sp16:
-      return sp16_stress(lambda, material, trace);
-  }
-  return unset<Stress>;
+  if (method == Method::secant) return secant_stress(lambda, axis.eta, material.E, material.R_e);
+  if (method == Method::ec3) return ec3_reduction(lambda, axis.alpha, material, trace) * material.R_e;
+  return stress_of_slenderness(method, lambda, material, trace);
 }
 
 Method method_named(std::string_view name) {

@@ -115,4 +115,27 @@ Stress sp16_stress(double lambda, const Material& material, Tracer& trace) {
   return NAMED_STEP("sigma_cr", phi * R_e, "(7) without its factors, [SP16]");
 }
 
+/// By a method that takes nothing of the bar but its slenderness; unset for one that takes more.
+template <class Tracer>
+Stress stress_of_slenderness(Method method, double lambda, const Material& material, Tracer& trace) {
+  switch (method) {
+    case Method::euler:
+      return euler_stress(lambda, material, trace);
+    case Method::tetmajer:
+      return tetmajer_stress(lambda, material, trace);
+    case Method::johnson:
+      return johnson_stress(lambda, material, trace);
+    case Method::rankine:
+      return rankine_stress(lambda, material, trace);
+    case Method::aisc:
+      return aisc_stress(lambda, material, trace);
+    case Method::sp16:
+      return sp16_stress(lambda, material, trace);
+    case Method::secant:
+    case Method::ec3:
+      break;
+  }
+  return unset<Stress>;
+}
+
 }  // namespace loadpath::column

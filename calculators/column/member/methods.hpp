@@ -36,29 +36,13 @@ inline bool has_method(const Member& in, const Material& material, const MemberR
 template <class Tracer>
 Stress critical_stress(const Member& in, const Material& material, const MemberResult& r, Method method,
                        Tracer& trace) {
-  const auto lambda = r.lambda;
-  switch (method) {
-    case Method::euler:
-      return euler_stress(lambda, material, trace);
-    case Method::tetmajer:
-      return tetmajer_stress(lambda, material, trace);
-    case Method::johnson:
-      return johnson_stress(lambda, material, trace);
-    case Method::rankine:
-      return rankine_stress(lambda, material, trace);
-    case Method::secant:
-      return trace.value("sigma_cr", min(r.axes[0].sigma_s, r.axes[1].sigma_s), "the lower of both axes");
-    case Method::ec3: {
-      const double chi = trace.value("chi", std::min(r.axes[0].chi, r.axes[1].chi), "the lower of both axes");
-      return NAMED_STEP("sigma_cr", chi * in.R_e,
-                        "EN 1993-1-1 (6.47) without its partial factor, [EN1993-1-1-buckling]");
-    }
-    case Method::aisc:
-      return aisc_stress(lambda, material, trace);
-    case Method::sp16:
-      return sp16_stress(lambda, material, trace);
+  if (method == Method::secant)
+    return trace.value("sigma_cr", min(r.axes[0].sigma_s, r.axes[1].sigma_s), "the lower of both axes");
+  if (method == Method::ec3) {
+    const double chi = trace.value("chi", std::min(r.axes[0].chi, r.axes[1].chi), "the lower of both axes");
+    return NAMED_STEP("sigma_cr", chi * in.R_e, "EN 1993-1-1 (6.47) without its partial factor, [EN1993-1-1-buckling]");
   }
-  return unset<Stress>;
+  return stress_of_slenderness(method, r.lambda, material, trace);
 }
 
 template <class Tracer>

@@ -26,15 +26,12 @@ double missing_at(const ForceOfMotion::Input& in, const PointState& s) {
   return std::hypot(mass * s.a[0] - in_si(in.F_x), mass * s.a[1] - in_si(in.F_y), mass * s.a[2] - in_si(in.F_z));
 }
 
-double time_at(const ForceOfMotion::Input& in, int i) {
-  return in_si(in.t_1 + (in.t_2 - in.t_1) * (static_cast<double>(i) / (samples - 1)));
-}
-
 void find_largest(const ForceOfMotion::Input& in, ForceOfMotion::Result& r) {
   const PointPath path = path_of(in);
   double most = -1.0;
   for (int i = 0; i < samples; ++i) {
-    const double t = time_at(in, i), R = missing_at(in, path.at(t));
+    const double t = in_si(in.t_1 + (in.t_2 - in.t_1) * (static_cast<double>(i) / (samples - 1)));
+    const double R = missing_at(in, path.at(t));
     if (!(R > most * (1.0 + 1e-12))) continue;  // of equal ones the first
     most = R;
     r.R_max = R * N;
@@ -62,7 +59,7 @@ void take_missing(const ForceOfMotion::Input& in, ForceOfMotion::Result& r, Trac
 
 }  // namespace
 
-bool ForceOfMotion::laws_read(const Input& in) { return path_of(in).reads(); }
+bool ForceOfMotion::laws_read(const Input& in) { return law_fault(in).message.empty(); }
 FieldFault ForceOfMotion::law_fault(const Input& in) { return path_of(in).reading_fault(); }
 bool ForceOfMotion::laws_are_smooth(const Input& in) { return gap(in).message.empty(); }
 
@@ -96,15 +93,9 @@ std::vector<draw::Figure> ForceOfMotion::figures(const Input& in, const Result& 
   if (!is_set(in.t_1)) return {};
   const PointPath path = path_of(in);
   std::vector<draw::Figure> all{motion::path_figure(path, in_si(in.t), in_si(in.t_1), in_si(in.t_2))};
-  draw::Plot plot;
-  plot.x = {"t", "time", "s"};
-  plot.y = {"R", "missing force", "N"};
-  draw::Curve curve{"R", {}, {}};
-  for (int i = 0; i < samples; ++i) {
-    curve.x.push_back(time_at(in, i));
-    curve.y.push_back(missing_at(in, path.at(curve.x.back())));
-  }
-  plot.curves.push_back(std::move(curve));
+  draw::Plot plot = motion::over_time("R", "missing force", "N");
+  const auto missing = [&](double t) { return missing_at(in, path.at(t)); };
+  plot.curves.push_back(motion::curve_over(in_si(in.t_1), in_si(in.t_2), samples, "R", missing));
   plot.marks.push_back({in_si(r.t_max), in_si(r.R_max), "largest"});
   all.push_back({"force", "Missing force over time", std::move(plot)});
   return all;

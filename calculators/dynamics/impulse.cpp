@@ -1,5 +1,6 @@
 #include "calculators/dynamics/impulse.hpp"
 
+#include "calculators/motion/path_figures.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 // The mass m hides the unit of its name where the formulas are.
@@ -28,19 +29,10 @@ void take_mean(const Impulse::Input& in, Impulse::Result& r, Tracer& trace) {
 
 }  // namespace
 
-bool Impulse::laws_read(const Input& in) { return motion::reads(laws_of(in)[0]) && motion::reads(laws_of(in)[1]); }
-
-FieldFault Impulse::law_fault(const Input& in) {
-  FieldFault fault = motion::reading_fault(laws_of(in)[0]);
-  return fault.message.empty() ? motion::reading_fault(laws_of(in)[1]) : fault;
-}
-
+bool Impulse::laws_read(const Input& in) { return law_fault(in).message.empty(); }
+FieldFault Impulse::law_fault(const Input& in) { return motion::reading_fault(laws_of(in)); }
 bool Impulse::laws_are_smooth(const Input& in) { return gap(in).message.empty(); }
-
-FieldFault Impulse::gap(const Input& in) {
-  FieldFault fault = motion::gap_fault(laws_of(in)[0], in_si(in.t_1), in_si(in.t_2));
-  return fault.message.empty() ? motion::gap_fault(laws_of(in)[1], in_si(in.t_1), in_si(in.t_2)) : fault;
-}
+FieldFault Impulse::gap(const Input& in) { return motion::gap_fault(laws_of(in), in_si(in.t_1), in_si(in.t_2)); }
 
 template <class Tracer>
 Impulse::Result Impulse::evaluate(const Input& in, Tracer& trace) {
@@ -66,18 +58,12 @@ template Impulse::Result Impulse::evaluate(const Input&, NoTrace&);
 template Impulse::Result Impulse::evaluate(const Input&, Trace&);
 
 std::vector<draw::Figure> Impulse::figures(const Input& in, const Result& r) {
-  draw::Plot plot;
-  plot.x = {"t", "time", "s"};
-  plot.y = {"F", "force", "N"};
-  constexpr int points = 181;
+  draw::Plot plot = motion::over_time("F", "force", "N");
   for (const Written& law : laws_of(in)) {
     if (law.text->empty()) continue;
-    draw::Curve curve{law.key, {}, {}, in.F_y.empty()};
-    for (int i = 0; i < points; ++i) {
-      curve.x.push_back(in_si(in.t_1 + (in.t_2 - in.t_1) * (static_cast<double>(i) / (points - 1))));
-      curve.y.push_back(motion::at(law, curve.x.back()).value);
-    }
-    plot.curves.push_back(std::move(curve));
+    const auto force = [&](double t) { return motion::at(law, t).value; };
+    plot.curves.push_back(motion::curve_over(in_si(in.t_1), in_si(in.t_2), 181, law.key, force));
+    plot.curves.back().filled = in.F_y.empty();
   }
   if (in.F_y.empty()) plot.bounds.push_back({in_si(r.F_mx), "mean"});
   return {{"force", "Force over time; its area is the impulse", std::move(plot)}};

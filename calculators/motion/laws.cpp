@@ -19,9 +19,11 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 bool reads(const Written& written) { return written.text->fault() == nullptr; }
 
-FieldFault reading_fault(const Written& written) {
-  const Fault* const fault = written.text->fault();
-  return fault == nullptr ? FieldFault{} : FieldFault{written.key, fault->message, fault->hint};
+FieldFault reading_fault(std::span<const Written> laws) {
+  for (const Written& law : laws) {
+    if (const Fault* const fault = law.text->fault()) return {law.key, fault->message, fault->hint};
+  }
+  return {};
 }
 
 Jet at(const Written& written, double t) {
@@ -77,18 +79,20 @@ Gap first_gap(const Written& written, double t_1, double t_2) {
   return reads(written) ? first_gap([&](double t) { return at(written, t); }, t_1, t_2) : Gap{};
 }
 
-FieldFault gap_fault(const Written& written, double t_1, double t_2) {
-  const Gap gap = first_gap(written, t_1, t_2);
+FieldFault gap_fault(std::span<const Written> laws, double t_1, double t_2) {
   const auto time = [](double t) { return format_quantity(t, "s", 4); };
-  if (!gap) return {};
-  if (gap.from < gap.to) {
-    return {
-        written.key,
-        say("between t = {1} and {2} the law leaps, or turns too fast to be followed", time(gap.from), time(gap.to)),
-        say("it has a pole there, or the range is too long for its waves: give a shorter one")};
+  for (const Written& law : laws) {
+    const Gap gap = first_gap(law, t_1, t_2);
+    if (!gap) continue;
+    if (gap.from < gap.to)
+      return {
+          law.key,
+          say("between t = {1} and {2} the law leaps, or turns too fast to be followed", time(gap.from), time(gap.to)),
+          say("it has a pole there, or the range is too long for its waves: give a shorter one")};
+    return {law.key, say("the law has no value, speed or acceleration at t = {1}", time(gap.from)),
+            say("it divides by zero there, or takes a root or an arc of what has none")};
   }
-  return {written.key, say("the law has no value, speed or acceleration at t = {1}", time(gap.from)),
-          say("it divides by zero there, or takes a root or an arc of what has none")};
+  return {};
 }
 
 double integral(double (*function)(const void* data, double t), const void* data, double t_1, double t_2) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <span>
 
 namespace loadpath::motion {
 
@@ -26,8 +27,8 @@ struct Written {
 
 /// Whether a formula is a law; an empty one, which stands for zero, is.
 bool reads(const Written& written);
-/// What is wrong with it, at its key; empty where nothing is.
-FieldFault reading_fault(const Written& written);
+/// What is wrong with the first formula that is no law, at its key; empty where all are.
+FieldFault reading_fault(std::span<const Written> laws);
 
 /// Value and derivatives at a time, SI: zero of an empty formula, NaN of one that is no law.
 Jet at(const Written& written, double t);
@@ -48,8 +49,8 @@ struct Gap {
 Gap first_gap(const std::function<Jet(double)>& law, double t_1, double t_2, int count = 257);
 /// None too where the formula is no law, which another rule says.
 Gap first_gap(const Written& written, double t_1, double t_2);
-/// A message for it.
-FieldFault gap_fault(const Written& written, double t_1, double t_2);
+/// A message for the first law that has one.
+FieldFault gap_fault(std::span<const Written> laws, double t_1, double t_2);
 
 /// The integral of a function of time, adaptive to a relative error of about 1e-10.
 double integral(double (*function)(const void* data, double t), const void* data, double t_1, double t_2);

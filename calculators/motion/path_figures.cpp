@@ -8,19 +8,15 @@ namespace {
 
 constexpr int points = 181;
 
-double time_at(double t_1, double t_2, int i) { return t_1 + (t_2 - t_1) * i / (points - 1); }
-
 /// A curve of a number of the state over the range.
 template <class Number>
 draw::Curve curve(const PointPath& path, double t_1, double t_2, const char* label, Number number) {
-  draw::Curve c{label, {}, {}};
-  for (int i = 0; i < points; ++i) {
-    const double t = time_at(t_1, t_2, i);
-    c.x.push_back(t);
-    c.y.push_back(number(path.at(t)));
-  }
-  return c;
+  return curve_over(t_1, t_2, points, label, [&](double t) { return number(path.at(t)); });
 }
+
+bool lies_between(double t, double t_1, double t_2) { return t_1 <= t && t <= t_2; }
+
+}  // namespace
 
 draw::Plot over_time(const char* symbol, const char* meaning, const char* unit) {
   draw::Plot plot;
@@ -29,15 +25,11 @@ draw::Plot over_time(const char* symbol, const char* meaning, const char* unit) 
   return plot;
 }
 
-bool lies_between(double t, double t_1, double t_2) { return t_1 <= t && t <= t_2; }
-
-}  // namespace
-
 draw::Figure path_figure(const PointPath& path, double t, double t_1, double t_2) {
   draw::Scheme scheme;
   draw::Scheme::Path way{"", {}};
   for (int i = 0; i < points; ++i) {
-    const PointState s = path.at(time_at(t_1, t_2, i));
+    const PointState s = path.at(t_1 + (t_2 - t_1) * i / (points - 1));
     way.points.push_back({s.r[0], s.r[1]});
   }
   scheme.paths.push_back(std::move(way));

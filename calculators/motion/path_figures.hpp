@@ -17,6 +17,19 @@ struct Vectors {
   std::vector<std::pair<std::string, draw::Point>> of;
 };
 
+/// A plot of a quantity over the time, its curves still to be drawn.
+draw::Plot over_time(const char* symbol, const char* meaning, const char* unit);
+/// A function of the time at `points` times from t_1 to t_2, their ends included.
+template <class Function>
+draw::Curve curve_over(double t_1, double t_2, int points, const char* label, const Function& value) {
+  draw::Curve curve{label, {}, {}};
+  for (int i = 0; i < points; ++i) {
+    curve.x.push_back(t_1 + (t_2 - t_1) * i / (points - 1));
+    curve.y.push_back(value(curve.x.back()));
+  }
+  return curve;
+}
+
 /// The path in the plane xy from t_1 to t_2 with the point at the time t.
 draw::Figure path_figure(const PointPath& path, double t, double t_1, double t_2);
 /// Speed, and the parts of the acceleration, over the range.

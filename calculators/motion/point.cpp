@@ -113,7 +113,7 @@ void fill_states(const Point::Input& in, const PointPath& path, Point::Result& r
 
 }  // namespace
 
-bool Point::laws_read(const Input& in) { return path_of(in).reads(); }
+bool Point::laws_read(const Input& in) { return law_fault(in).message.empty(); }
 FieldFault Point::law_fault(const Input& in) { return path_of(in).reading_fault(); }
 
 bool Point::laws_are_smooth(const Input& in) { return gap(in).message.empty(); }

@@ -27,27 +27,6 @@ bool is_rest(const PointState& s, double t) {
 
 }  // namespace
 
-FieldFault PointPath::reading_fault() const {
-  for (const Written& law : all()) {
-    if (FieldFault fault = motion::reading_fault(law); !fault.message.empty()) return fault;
-  }
-  return {};
-}
-
-bool PointPath::is_smooth(double t_1, double t_2) const {
-  for (const Written& law : all()) {
-    if (first_gap(law, t_1, t_2)) return false;
-  }
-  return true;
-}
-
-FieldFault PointPath::gap_fault(double t_1, double t_2) const {
-  for (const Written& law : all()) {
-    if (FieldFault fault = motion::gap_fault(law, t_1, t_2); !fault.message.empty()) return fault;
-  }
-  return {};
-}
-
 PointState PointPath::at(double t) const {
   PointState s;
   const std::array<Written, 3> laws = all();

@@ -23,12 +23,8 @@ struct PointPath {
       : x{"x", &x_of_t}, y{"y", &y_of_t}, z{"z", &z_of_t} {}
 
   [[nodiscard]] std::array<Written, 3> all() const { return {x, y, z}; }
-  [[nodiscard]] bool reads() const { return motion::reads(x) && motion::reads(y) && motion::reads(z); }
-  /// The first fault of a formula.
-  [[nodiscard]] FieldFault reading_fault() const;
-  /// Whether every law has its value and derivatives from t_1 to t_2; true where one does not read.
-  [[nodiscard]] bool is_smooth(double t_1, double t_2) const;
-  [[nodiscard]] FieldFault gap_fault(double t_1, double t_2) const;
+  [[nodiscard]] FieldFault reading_fault() const { return motion::reading_fault(all()); }
+  [[nodiscard]] FieldFault gap_fault(double t_1, double t_2) const { return motion::gap_fault(all(), t_1, t_2); }
 
   [[nodiscard]] PointState at(double t) const;
   /// The length of the way from t_1 to t_2, both ways of a return counted, m.

@@ -10,6 +10,7 @@ namespace loadpath::motion {
 namespace {
 
 Written law_of(const Rotation::Input& in) { return {"phi", &in.phi}; }
+std::array<Written, 1> laws_of(const Rotation::Input& in) { return {law_of(in)}; }
 
 /// Counter-clockwise and getting faster are two things: the signs of omega and epsilon tell.
 Rotation::Change change_of(double omega, double epsilon, double t) {
@@ -47,13 +48,13 @@ void move_point(const Rotation::Input& in, Rotation::Result& r, Tracer& trace) {
 }  // namespace
 
 bool Rotation::law_reads(const Input& in) { return motion::reads(law_of(in)); }
-FieldFault Rotation::law_fault(const Input& in) { return motion::reading_fault(law_of(in)); }
+FieldFault Rotation::law_fault(const Input& in) { return motion::reading_fault(laws_of(in)); }
 bool Rotation::law_is_smooth(const Input& in) { return gap(in).message.empty(); }
 
 FieldFault Rotation::gap(const Input& in) {
-  FieldFault fault = motion::gap_fault(law_of(in), in_si(in.t), in_si(in.t));
+  FieldFault fault = motion::gap_fault(laws_of(in), in_si(in.t), in_si(in.t));
   if (fault.message.empty() && is_set(in.t_1) && is_set(in.t_2))
-    fault = motion::gap_fault(law_of(in), in_si(in.t_1), in_si(in.t_2));
+    fault = motion::gap_fault(laws_of(in), in_si(in.t_1), in_si(in.t_2));
   return fault;
 }
 
@@ -77,16 +78,9 @@ template Rotation::Result Rotation::evaluate(const Input&, Trace&);
 std::vector<draw::Figure> Rotation::figures(const Input& in, const Result& r) {
   std::vector<draw::Figure> all;
   if (is_set(in.t_1)) {
-    draw::Plot plot;
-    plot.x = {"t", "time", "s"};
-    plot.y = {"omega", "angular speed", "rad/s"};
-    draw::Curve curve{"omega", {}, {}};
-    constexpr int points = 181;
-    for (int i = 0; i < points; ++i) {
-      curve.x.push_back(in_si(in.t_1 + (in.t_2 - in.t_1) * (static_cast<double>(i) / (points - 1))));
-      curve.y.push_back(motion::at(law_of(in), curve.x.back()).first);
-    }
-    plot.curves.push_back(std::move(curve));
+    draw::Plot plot = over_time("omega", "angular speed", "rad/s");
+    const auto speed = [law = law_of(in)](double t) { return motion::at(law, t).first; };
+    plot.curves.push_back(curve_over(in_si(in.t_1), in_si(in.t_2), 181, "omega", speed));
     if (in.t_1 <= in.t && in.t <= in.t_2) plot.marks.push_back({in_si(in.t), in_si(r.omega), "at t"});
     all.push_back({"angular-speed", "Angular speed over time", std::move(plot)});
   }

@@ -29,6 +29,8 @@ bool slip_fits(const Stage& s) {
   return s.slip == 0.0 || (s.kind == StageKind::belt && !(s.eta > (1.0 - s.slip) * (1.0 + 1e-12)));
 }
 
+bool has_two_members(const Stage& s) { return s.kind != StageKind::planetary || (s.in != s.out && s.z_r > s.z_s + 1); }
+
 std::string path_of(const Train::Input& in, const Stage* s) {
   return s->name.empty() ? "stages[" + std::to_string(s - in.stages.data() + 1) + "]"
                          : "stages." + std::string(s->name.view());
@@ -65,17 +67,12 @@ FieldFault Train::wrong_slip(const Input& in) {
                   say("leave out eta, or lower it; leave out the slip of anything but a belt"));
 }
 
-bool Train::members_differ(const Input& in) {
-  return std::all_of(in.stages.begin(), in.stages.end(), [](const Stage& s) {
-    return s.kind != StageKind::planetary || (s.in != s.out && s.z_r > s.z_s + 1);
-  });
-}
+bool Train::members_differ(const Input& in) { return std::all_of(in.stages.begin(), in.stages.end(), has_two_members); }
 
 FieldFault Train::same_member(const Input& in) {
-  return fault_of(
-      in, [](const Stage& s) { return s.kind != StageKind::planetary || (s.in != s.out && s.z_r > s.z_s + 1); },
-      say("power cannot enter and leave by one member, and the ring has more teeth than the sun"),
-      say("choose in and out among sun, carrier, ring; z_r is larger than z_s"));
+  return fault_of(in, has_two_members,
+                  say("power cannot enter and leave by one member, and the ring has more teeth than the sun"),
+                  say("choose in and out among sun, carrier, ring; z_r is larger than z_s"));
 }
 
 }  // namespace loadpath::drive

@@ -5,16 +5,7 @@
 
 namespace loadpath::planar {
 
-namespace aspects {
-
-// Each is defined in a source of its own.
-extern const Aspect drawn, masses, details, closing, contact, drives, reactions, places, members, contacts, cams,
-    machine, springs, kinematics, equations, extremes, power, rest, efficiency, flanks, structure, redundancy,
-    changes_of_assembly, motion, influence, accuracy, balance, figures, hodographs;
-
-}  // namespace aspects
-
-// One line per aspect; the only list of them.
+// One line per aspect, in the order of reports.
 // clang-format off
 static constexpr std::array list{
     &aspects::drawn,

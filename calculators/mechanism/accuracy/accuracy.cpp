@@ -280,18 +280,14 @@ constexpr std::array cited{Citation{"NIST", &is_asked}, Citation{"Torkia", &is_a
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect accuracy{.check_names = &check_accuracy,
-                                       .check_values = &check_half_widths,
-                                       .check_structure = &check_closing,
-                                       .list = &list,
-                                       .add_outputs = &add,
-                                       .find = &find,
-                                       .show_input = &show_input,
-                                       .show = &show,
-                                       .citations = cited};
-
-}  // namespace aspects
+constinit const Aspect aspects::accuracy{.check_names = &check_accuracy,
+                                         .check_values = &check_half_widths,
+                                         .check_structure = &check_closing,
+                                         .list = &list,
+                                         .add_outputs = &add,
+                                         .find = &find,
+                                         .show_input = &show_input,
+                                         .show = &show,
+                                         .citations = cited};
 
 }  // namespace loadpath::planar

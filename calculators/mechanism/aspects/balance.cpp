@@ -270,11 +270,7 @@ void show(const Solved& solved, const Results&, std::vector<account::Block>& blo
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect balance{
+constinit const Aspect aspects::balance{
     .check_names = &check_names, .list = &list, .add_outputs = &add, .find = &find, .show = &show};
-
-}  // namespace aspects
 
 }  // namespace loadpath::planar

@@ -70,10 +70,6 @@ void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect changes_of_assembly{.judge = &judge};
-
-}  // namespace aspects
+constinit const Aspect aspects::changes_of_assembly{.judge = &judge};
 
 }  // namespace loadpath::planar

@@ -48,10 +48,6 @@ void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Out
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect drives{.list = &list, .add_outputs = &add};
-
-}  // namespace aspects
+constinit const Aspect aspects::drives{.list = &list, .add_outputs = &add};
 
 }  // namespace loadpath::planar

@@ -132,13 +132,9 @@ void show(const Solved& solved, const Results& results, std::vector<account::Blo
 
 }  // namespace
 
-namespace aspects {
-
 /// The table stands before what is said of rest, the results stand behind it.
-extern constinit const Aspect power{.show = &show};
+constinit const Aspect aspects::power{.show = &show};
 
-extern constinit const Aspect efficiency{.list = &list, .add_outputs = &add, .citations = cited};
-
-}  // namespace aspects
+constinit const Aspect aspects::efficiency{.list = &list, .add_outputs = &add, .citations = cited};
 
 }  // namespace loadpath::planar

@@ -83,10 +83,6 @@ void show(const Solved& solved, const Results& results, std::vector<account::Blo
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect extremes{.show = &show};
-
-}  // namespace aspects
+constinit const Aspect aspects::extremes{.show = &show};
 
 }  // namespace loadpath::planar

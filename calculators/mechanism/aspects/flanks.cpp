@@ -57,10 +57,6 @@ void show(const Solved& solved, const Results& results, std::vector<account::Blo
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect flanks{.show = &show};
-
-}  // namespace aspects
+constinit const Aspect aspects::flanks{.show = &show};
 
 }  // namespace loadpath::planar

@@ -132,12 +132,8 @@ void show_details(const Mechanism::Input& in, std::vector<account::Block>& block
 
 }  // namespace
 
-namespace aspects {
+constinit const Aspect aspects::drawn{.show_input = &show_drawn};
 
-extern constinit const Aspect drawn{.show_input = &show_drawn};
-
-extern constinit const Aspect details{.show_input = &show_details};
-
-}  // namespace aspects
+constinit const Aspect aspects::details{.show_input = &show_details};
 
 }  // namespace loadpath::planar

@@ -172,10 +172,6 @@ void draw_all(const Solved& solved, const Results&, std::vector<draw::Figure>& f
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect hodographs{.check_names = &check_names, .show = &show, .draw = &draw_all};
-
-}  // namespace aspects
+constinit const Aspect aspects::hodographs{.check_names = &check_names, .show = &show, .draw = &draw_all};
 
 }  // namespace loadpath::planar

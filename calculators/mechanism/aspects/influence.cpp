@@ -235,10 +235,6 @@ void show(const Solved& solved, const Results& results, std::vector<account::Blo
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect influence{.show = &show};
-
-}  // namespace aspects
+constinit const Aspect aspects::influence{.show = &show};
 
 }  // namespace loadpath::planar

@@ -152,10 +152,6 @@ void list(std::vector<ResultPattern>& patterns) {
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect kinematics{.list = &list, .add_outputs = &add};
-
-}  // namespace aspects
+constinit const Aspect aspects::kinematics{.list = &list, .add_outputs = &add};
 
 }  // namespace loadpath::planar

@@ -85,11 +85,7 @@ void show_input(const Mechanism::Input& in, std::vector<account::Block>& blocks)
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect masses{
+constinit const Aspect aspects::masses{
     .check_names = &check_names, .check_values = &check_values, .show_input = &show_input};
-
-}  // namespace aspects
 
 }  // namespace loadpath::planar

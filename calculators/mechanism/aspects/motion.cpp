@@ -177,10 +177,6 @@ void show(const Solved& solved, const Results& results, std::vector<account::Blo
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect motion{.show = &show};
-
-}  // namespace aspects
+constinit const Aspect aspects::motion{.show = &show};
 
 }  // namespace loadpath::planar

@@ -63,10 +63,6 @@ void add(const Mechanism::Input& in, const mechanism::Model& model, std::vector<
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect places{.list = &list, .add_outputs = &add};
-
-}  // namespace aspects
+constinit const Aspect aspects::places{.list = &list, .add_outputs = &add};
 
 }  // namespace loadpath::planar

@@ -43,10 +43,6 @@ void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Out
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect reactions{.list = &list, .add_outputs = &add};
-
-}  // namespace aspects
+constinit const Aspect aspects::reactions{.list = &list, .add_outputs = &add};
 
 }  // namespace loadpath::planar

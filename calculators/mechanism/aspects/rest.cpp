@@ -288,10 +288,6 @@ void show(const Solved& solved, const Results&, std::vector<account::Block>& blo
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect rest{.check_values = &check, .list = &list, .add_outputs = &add, .show = &show};
-
-}  // namespace aspects
+constinit const Aspect aspects::rest{.check_values = &check, .list = &list, .add_outputs = &add, .show = &show};
 
 }  // namespace loadpath::planar

@@ -118,10 +118,6 @@ constexpr std::array cited{
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect cams{.list = &list, .add_outputs = &add, .judge = &judge, .citations = cited};
-
-}  // namespace aspects
+constinit const Aspect aspects::cams{.list = &list, .add_outputs = &add, .judge = &judge, .citations = cited};
 
 }  // namespace loadpath::planar

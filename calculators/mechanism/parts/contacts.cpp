@@ -95,10 +95,6 @@ void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Out
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect contacts{.list = &list, .add_outputs = &add};
-
-}  // namespace aspects
+constinit const Aspect aspects::contacts{.list = &list, .add_outputs = &add};
 
 }  // namespace loadpath::planar

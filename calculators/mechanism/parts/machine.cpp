@@ -126,10 +126,6 @@ void add(const Mechanism::Input& in, const mechanism::Model& model, std::vector<
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect machine{.list = &list, .add_outputs = &add};
-
-}  // namespace aspects
+constinit const Aspect aspects::machine{.list = &list, .add_outputs = &add};
 
 }  // namespace loadpath::planar

@@ -90,10 +90,6 @@ void check(const Mechanism::Input& in, const mechanism::Model& model, std::vecto
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect members{.check_values = &check, .list = &list, .add_outputs = &add};
-
-}  // namespace aspects
+constinit const Aspect aspects::members{.check_values = &check, .list = &list, .add_outputs = &add};
 
 }  // namespace loadpath::planar

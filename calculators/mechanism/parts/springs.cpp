@@ -40,10 +40,6 @@ void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Out
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect springs{.list = &list, .add_outputs = &add};
-
-}  // namespace aspects
+constinit const Aspect aspects::springs{.list = &list, .add_outputs = &add};
 
 }  // namespace loadpath::planar

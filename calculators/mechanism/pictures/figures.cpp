@@ -100,10 +100,6 @@ void draw_all(const Solved& solved, const Results& results, std::vector<draw::Fi
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect figures{.draw = &draw_all};
-
-}  // namespace aspects
+constinit const Aspect aspects::figures{.draw = &draw_all};
 
 }  // namespace loadpath::planar

@@ -167,10 +167,6 @@ void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect closing{.judge = &judge};
-
-}  // namespace aspects
+constinit const Aspect aspects::closing{.judge = &judge};
 
 }  // namespace loadpath::planar

@@ -67,10 +67,6 @@ void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect contact{.judge = &judge};
-
-}  // namespace aspects
+constinit const Aspect aspects::contact{.judge = &judge};
 
 }  // namespace loadpath::planar

@@ -189,10 +189,6 @@ void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect equations{.judge = &judge};
-
-}  // namespace aspects
+constinit const Aspect aspects::equations{.judge = &judge};
 
 }  // namespace loadpath::planar

@@ -50,10 +50,6 @@ constexpr std::array cited{Citation{
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect redundancy{.judge = &judge, .show = &show, .citations = cited};
-
-}  // namespace aspects
+constinit const Aspect aspects::redundancy{.judge = &judge, .show = &show, .citations = cited};
 
 }  // namespace loadpath::planar

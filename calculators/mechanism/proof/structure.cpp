@@ -95,10 +95,6 @@ void show(const Solved& solved, const Results&, std::vector<account::Block>& blo
 
 }  // namespace
 
-namespace aspects {
-
-extern constinit const Aspect structure{.show = &show};
-
-}  // namespace aspects
+constinit const Aspect aspects::structure{.show = &show};
 
 }  // namespace loadpath::planar

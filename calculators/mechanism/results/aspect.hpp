@@ -1,8 +1,8 @@
 // One side of a mechanism that a project can ask about: drives, losses, accuracy, counterweights, hodographs...
 //
-// An aspect is one source, which says here what it reads, adds, finds, tables, draws and lacks, and a row in
-// calculators/mechanism/aspects.cpp. The step goes through the rows and names none of them. Functions that an aspect
-// does not have are null.
+// An aspect is one source, which says here what it reads, adds, finds, tables, draws and lacks, its name below and a
+// row in calculators/mechanism/aspects.cpp. The step goes through the rows and names none of them. Functions that an
+// aspect does not have are null.
 #pragma once
 
 #include "calculators/mechanism/results/output.hpp"
@@ -42,6 +42,15 @@ struct Aspect {
   void (*draw)(const Solved& solved, const Results& results, std::vector<draw::Figure>& figures) = nullptr;
   std::span<const Citation> citations = {};
 };
+
+namespace aspects {
+
+// Each is defined in a source of its own.
+extern const Aspect drawn, masses, details, closing, contact, drives, reactions, places, members, contacts, cams,
+    machine, springs, kinematics, equations, extremes, power, rest, efficiency, flanks, structure, redundancy,
+    changes_of_assembly, motion, influence, accuracy, balance, figures, hodographs;
+
+}  // namespace aspects
 
 /// Puts the tables or notes of an aspect behind those that are there.
 template <class Blocks>

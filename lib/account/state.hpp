@@ -9,6 +9,7 @@ namespace loadpath::account {
 
 /// From good to bad: the larger of two is the worse.
 enum class State { pass, not_covered, not_available, fail };
+constexpr State pass_if(bool holds) { return holds ? State::pass : State::fail; }
 
 /// "pass", "not covered".
 Message word(State state);

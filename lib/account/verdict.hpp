@@ -16,11 +16,11 @@ struct Verdict {
   std::string step;    // "crankshaft"
   std::string symbol;  // "u_tau"
   Message meaning;
-  std::optional<double> utilisation;  // none for a limit
-  Cell value;                         // what is compared
-  Message bound;                      // "passes at 1 or less", "0 to 0.9"
+  std::optional<double> utilisation = {};  // none for a limit
+  Cell value = {};                         // what is compared
+  Message bound;                           // "passes at 1 or less", "0 to 0.9"
   State state = State::not_available;
-  Message note;  // where it governs, why it is not covered; may be empty
+  Message note = {};  // where it governs, why it is not covered; may be empty
 };
 struct Verdicts {
   std::vector<Verdict> rows;

@@ -57,15 +57,13 @@ void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
   if (found.empty()) return;
   Message places = found.front();
   for (std::size_t n = 1; n < found.size(); ++n) places = say("{1}, {2}", places, found[n]);
-  account::Verdict v;
-  v.step = solved.step;
-  v.symbol = "assembly";
-  v.meaning = say("every group keeps its assembly");
-  v.bound = say("no change point");
-  v.value = say("passed {1} times", std::to_string(found.size()));
-  v.state = account::State::not_covered;
-  v.note = say("the drive alone does not tell which way the mechanism goes on: {1}", places);
-  verdicts.push_back(std::move(v));
+  verdicts.push_back({.step = solved.step,
+                      .symbol = "assembly",
+                      .meaning = say("every group keeps its assembly"),
+                      .value = say("passed {1} times", std::to_string(found.size())),
+                      .bound = say("no change point"),
+                      .state = account::State::not_covered,
+                      .note = say("the drive alone does not tell which way the mechanism goes on: {1}", places)});
 }
 
 }  // namespace

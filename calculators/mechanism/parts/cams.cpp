@@ -14,6 +14,7 @@ namespace loadpath::planar {
 
 namespace {
 
+using account::Quantity;
 using mechanism::CamContact;
 using mechanism::JointKind;
 using mechanism::Position;
@@ -41,18 +42,6 @@ constexpr std::array cam_rows{
         "joints.NAME.v_s", "speed of sliding of the follower on the cam, counter-clockwise round it positive", m_per_s,
         [](const Cam& c, const Position& p) { return c.at(p).sliding; }, &Cam::slides, "edges and flat faces on cams")};
 
-account::Verdict verdict(const std::string& step, const std::string& symbol, Message meaning, double radius,
-                         Message bound, bool holds) {
-  account::Verdict v;
-  v.step = step;
-  v.symbol = symbol;
-  v.meaning = std::move(meaning);
-  v.bound = std::move(bound);
-  v.value = account::Quantity{radius, "mm"};
-  v.state = holds ? account::State::pass : account::State::fail;
-  return v;
-}
-
 std::string angle_text(const mechanism::Joint& joint, double parameter) {
   return format_quantity(cam_angle(*joint.profile, parameter), "deg", 4);
 }
@@ -71,27 +60,31 @@ void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
   for (const mechanism::Joint& joint : solved.given.joints) {
     if (joint.kind != JointKind::cam) continue;
     const mechanism::Bends bends = mechanism::bends_of(*joint.profile);
-    verdicts.push_back(verdict(
-        solved.step, "profile_" + joint.name,
-        say("least radius of curvature of the profile where it bulges, joint '{1}': it is not undercut", joint.name),
-        bends.bulge, say("more than 0"), bends.bulge > 0.0));
-    account::Verdict& bulge = verdicts.back();
-    bulge.note = say("at a cam angle of {1}", angle_text(joint, bends.bulge_at));
-    if (bulge.state == account::State::fail) {
-      const std::string angle = angle_text(joint, bends.bulge_at);
-      bulge.note =
-          joint.contact == CamContact::flat
-              ? say("undercut at a cam angle of {1}: make the base circle larger, or the segment longer", angle)
-              : say("undercut at a cam angle of {1}: make the base circle larger, or the roller smaller", angle);
-    }
-    if (!std::isfinite(bends.hollow) || joint.contact == CamContact::flat || joint.radius_i == 0.0) continue;
-    const bool fits = bends.hollow > joint.radius_i;
-    verdicts.push_back(verdict(solved.step, "hollow_" + joint.name,
-                               say("least radius of curvature where the profile is hollow: the roller of joint '{1}' "
-                                   "reaches into it",
-                                   joint.name),
-                               bends.hollow, say("more than {1}", format_quantity(joint.radius_i, "mm")), fits));
-    verdicts.back().note = say("at a cam angle of {1}", angle_text(joint, bends.hollow_at));
+    const bool flat = joint.contact == CamContact::flat;
+    const std::string angle = angle_text(joint, bends.bulge_at);
+    verdicts.push_back(
+        {.step = solved.step,
+         .symbol = "profile_" + joint.name,
+         .meaning = say("least radius of curvature of the profile where it bulges, joint '{1}': it is not undercut",
+                        joint.name),
+         .value = Quantity{bends.bulge, "mm"},
+         .bound = say("more than 0"),
+         .state = account::pass_if(bends.bulge > 0.0),
+         .note =
+             bends.bulge > 0.0 ? say("at a cam angle of {1}", angle)
+             : flat
+                 ? say("undercut at a cam angle of {1}: make the base circle larger, or the segment longer", angle)
+                 : say("undercut at a cam angle of {1}: make the base circle larger, or the roller smaller", angle)});
+    if (!std::isfinite(bends.hollow) || flat || joint.radius_i == 0.0) continue;
+    verdicts.push_back({.step = solved.step,
+                        .symbol = "hollow_" + joint.name,
+                        .meaning = say("least radius of curvature where the profile is hollow: the roller of joint "
+                                       "'{1}' reaches into it",
+                                       joint.name),
+                        .value = Quantity{bends.hollow, "mm"},
+                        .bound = say("more than {1}", format_quantity(joint.radius_i, "mm")),
+                        .state = account::pass_if(bends.hollow > joint.radius_i),
+                        .note = say("at a cam angle of {1}", angle_text(joint, bends.hollow_at))});
   }
 }
 

@@ -44,14 +44,13 @@ Message change_points(const Cycle& cycle, const Axis& axis) {
 }
 
 account::Verdict closing(const std::string& step, const Mechanism::Input& in, const Cycle& cycle, const Axis* axis) {
-  account::Verdict v;
-  v.step = step;
-  v.symbol = "closes";
-  v.meaning = say("the mechanism closes at every position");
-  v.bound = say("every position");
   const auto closed = static_cast<std::size_t>(std::count(cycle.closed.begin(), cycle.closed.end(), true));
-  v.value = say("{1} of {2}", std::to_string(closed), std::to_string(cycle.closed.size()));
-  v.state = closed == cycle.closed.size() ? account::State::pass : account::State::fail;
+  account::Verdict v{.step = step,
+                     .symbol = "closes",
+                     .meaning = say("the mechanism closes at every position"),
+                     .value = say("{1} of {2}", std::to_string(closed), std::to_string(cycle.closed.size())),
+                     .bound = say("every position"),
+                     .state = account::pass_if(closed == cycle.closed.size())};
   if (v.state == account::State::pass) return v;
   if (axis != nullptr && cycle.closes_but_at_change_points()) {
     v.note = change_points(cycle, *axis);
@@ -71,17 +70,14 @@ account::Verdict closing(const std::string& step, const Mechanism::Input& in, co
 
 /// Means over the turn are those of a cycle only if the mechanism is back then where it began.
 account::Verdict no_return(const std::string& step, const Mechanism::Input& in) {
-  account::Verdict v;
-  v.step = step;
-  v.symbol = "returns";
-  v.meaning = say("after the cycle the mechanism is where it began");
-  v.bound = say("after {1} turns", std::to_string(static_cast<int>(in.crank.turns)));
-  v.value = say("elsewhere");
-  v.state = account::State::fail;
-  v.note =
-      say("give the turns of the crank that make a cycle, crank = { turns = ... }; where these are too many, "
-          "give crank angles in place of a cycle, crank = { at = [...] }, and there are no means");
-  return v;
+  return {.step = step,
+          .symbol = "returns",
+          .meaning = say("after the cycle the mechanism is where it began"),
+          .value = say("elsewhere"),
+          .bound = say("after {1} turns", std::to_string(static_cast<int>(in.crank.turns))),
+          .state = account::State::fail,
+          .note = say("give the turns of the crank that make a cycle, crank = { turns = ... }; where these are too "
+                      "many, give crank angles in place of a cycle, crank = { at = [...] }, and there are no means")};
 }
 
 /// Whether no drive moves nor says which way it is about to: then friction could act either way.
@@ -114,15 +110,13 @@ std::vector<bool> held_one_way(const Cycle& cycle) {
 /// A turning spring whose angle does not come back is wound up further with every cycle.
 account::Verdict wound_up(const std::string& step, const Mechanism::Input& in, const Cycle::Winding& winding) {
   const std::string name(in.springs[winding.spring].name.view());
-  account::Verdict v;
-  v.step = step;
-  v.symbol = "returns_" + name;
-  v.meaning = say("after the cycle the spring '{1}' is as it was", name);
-  v.bound = say("the same angle");
-  v.value = Quantity{winding.by, "deg", 4};
-  v.state = account::State::fail;
-  v.note = say("it is wound up further with every cycle; these results are of the first");
-  return v;
+  return {.step = step,
+          .symbol = "returns_" + name,
+          .meaning = say("after the cycle the spring '{1}' is as it was", name),
+          .value = Quantity{winding.by, "deg", 4},
+          .bound = say("the same angle"),
+          .state = account::State::fail,
+          .note = say("it is wound up further with every cycle; these results are of the first")};
 }
 
 /// Said only of a mechanism with friction.
@@ -130,13 +124,13 @@ void add_jamming(const std::string& step, const Mechanism::Input& in, const mech
                  const Axis* axis, std::vector<account::Verdict>& verdicts) {
   const auto jams = static_cast<std::size_t>(std::count(cycle.jams.begin(), cycle.jams.end(), true));
   if (!has_dry_friction(model) && jams == 0) return;
-  account::Verdict v;
-  v.step = step;
-  v.symbol = "moves";
-  v.meaning = say("friction does not jam the mechanism");
-  v.bound = say("every position");
-  v.value = say("{1} of {2}", std::to_string(cycle.jams.size() - jams), std::to_string(cycle.jams.size()));
-  v.state = jams == 0 ? account::State::pass : account::State::fail;
+  account::Verdict v{
+      .step = step,
+      .symbol = "moves",
+      .meaning = say("friction does not jam the mechanism"),
+      .value = say("{1} of {2}", std::to_string(cycle.jams.size() - jams), std::to_string(cycle.jams.size())),
+      .bound = say("every position"),
+      .state = account::pass_if(jams == 0)};
   if (jams > 0 && axis != nullptr) v.note = say("jams {1}", range_of(cycle.jams, true, *axis));
   if (is_at_rest(in)) {
     const std::vector<bool> held = held_one_way(cycle);

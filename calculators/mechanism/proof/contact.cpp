@@ -46,22 +46,18 @@ void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
     for (std::size_t k = 0; k < lost.size(); ++k)
       lost[k] = cycle.has_forces(k) && pressing(model, cycle.positions[k], n) < -rounding_at(cycle.positions[k]).force;
     const auto count = static_cast<std::size_t>(std::count(lost.begin(), lost.end(), true));
-    account::Verdict v;
-    v.step = solved.step;
-    v.symbol = "contact_" + joint.name;
-    v.meaning = cam ? say("the follower of joint '{1}' stays on its cam", joint.name)
-                    : say("the wheel of joint '{1}' stays on what it rolls on", joint.name);
-    v.bound = say("every position");
-    if (!cycle.unique.empty() && !cycle.unique[n].force) {
-      v.value = say("not unique");
-      v.state = account::State::not_covered;
-      verdicts.push_back(std::move(v));
-      continue;
-    }
+    account::Verdict& v = verdicts.emplace_back(
+        account::Verdict{.step = solved.step,
+                         .symbol = "contact_" + joint.name,
+                         .meaning = cam ? say("the follower of joint '{1}' stays on its cam", joint.name)
+                                        : say("the wheel of joint '{1}' stays on what it rolls on", joint.name),
+                         .value = say("not unique"),
+                         .bound = say("every position"),
+                         .state = account::State::not_covered});
+    if (!cycle.unique.empty() && !cycle.unique[n].force) continue;
     v.value = say("{1} of {2}", std::to_string(lost.size() - count), std::to_string(lost.size()));
-    v.state = count == 0 ? account::State::pass : account::State::fail;
+    v.state = account::pass_if(count == 0);
     if (count > 0 && solved.axis != nullptr) v.note = say("lifts off {1}", range_of(lost, true, *solved.axis));
-    verdicts.push_back(std::move(v));
   }
 }
 

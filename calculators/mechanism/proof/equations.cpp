@@ -23,20 +23,14 @@ using account::Quantity;
 constexpr double rounding = 1e-12;
 
 account::Verdict limit(const std::string& step, const char* symbol, Message meaning, double value, double bound) {
-  account::Verdict v;
-  v.step = step;
-  v.symbol = symbol;
-  v.meaning = std::move(meaning);
-  v.bound = say("at most {1}", format_number(bound));
-  if (value <= rounding) {
-    v.value = say("at most {1}", format_number(rounding));
-  } else {
-    v.value = Quantity{value, "-", 2};
-  }
-  v.state = std::isnan(value) ? account::State::not_available
-            : value <= bound  ? account::State::pass
-                              : account::State::fail;
-  return v;
+  using account::Cell;
+  return {
+      .step = step,
+      .symbol = symbol,
+      .meaning = std::move(meaning),
+      .value = value <= rounding ? Cell(say("at most {1}", format_number(rounding))) : Cell(Quantity{value, "-", 2}),
+      .bound = say("at most {1}", format_number(bound)),
+      .state = std::isnan(value) ? account::State::not_available : account::pass_if(value <= bound)};
 }
 
 /// A residual as a part of what it is a residual of; of nothing it is zero. What cannot be told is no number.
@@ -131,15 +125,13 @@ account::Verdict trust(const std::string& step, const Cycle& cycle, const Axis* 
     ++closed;
     if (!cycle.proofs[k].trustworthy()) doubtful.push_back(k);
   }
-  account::Verdict v;
-  v.step = step;
-  v.symbol = "trustworthy";
-  v.meaning = say("motion and forces are proved: differences over the largest force times the condition number");
-  v.bound = say("every position");
-  v.value = say("{1} of {2}", std::to_string(closed - doubtful.size()), std::to_string(closed));
-  v.state = closed == 0        ? account::State::not_available
-            : doubtful.empty() ? account::State::pass
-                               : account::State::fail;
+  account::Verdict v{
+      .step = step,
+      .symbol = "trustworthy",
+      .meaning = say("motion and forces are proved: differences over the largest force times the condition number"),
+      .value = say("{1} of {2}", std::to_string(closed - doubtful.size()), std::to_string(closed)),
+      .bound = say("every position"),
+      .state = closed == 0 ? account::State::not_available : account::pass_if(doubtful.empty())};
   if (doubtful.empty() || axis == nullptr) return v;
   const std::string first = place_of(doubtful.front(), *axis), last = place_of(doubtful.back(), *axis);
   v.note = doubtful.size() == 1 ? say("not trustworthy at {1}", first)

@@ -14,16 +14,14 @@ namespace {
 /// A line for each set of joints that hold a freedom too many.
 void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
   for (const auto& [joints, freedoms] : mechanism::shared_freedoms(solved.structure)) {
-    account::Verdict v;
-    v.step = solved.step;
-    v.symbol = "determinate";
-    v.meaning = say("equilibrium of rigid links alone decides every reaction");
-    v.bound = say("no joint holds too much");
-    v.value = say("shared by {1} joints", std::to_string(joints.size()));
-    v.state = account::State::not_covered;
-    v.note =
-        say("{1}: what they share depends on play and elasticity", mechanism::too_many(solved.given, joints, freedoms));
-    verdicts.push_back(std::move(v));
+    verdicts.push_back({.step = solved.step,
+                        .symbol = "determinate",
+                        .meaning = say("equilibrium of rigid links alone decides every reaction"),
+                        .value = say("shared by {1} joints", std::to_string(joints.size())),
+                        .bound = say("no joint holds too much"),
+                        .state = account::State::not_covered,
+                        .note = say("{1}: what they share depends on play and elasticity",
+                                    mechanism::too_many(solved.given, joints, freedoms))});
   }
 }
 

@@ -54,16 +54,15 @@ std::optional<account::Verdict> direction_of_springs(const std::string& step, co
   const auto without = static_cast<std::size_t>(std::count(cycle.undirected.begin(), cycle.undirected.end(), true));
   if (without == 0) return std::nullopt;
   const std::string spring = spring_without_direction(in, cycle);
-  account::Verdict v;
-  v.step = step;
-  v.symbol = "directed_" + spring;
-  v.meaning = say("the ends of spring '{1}' are apart: its force has a direction", spring);
-  v.bound = say("every position");
-  v.value =
-      say("{1} of {2}", std::to_string(cycle.undirected.size() - without), std::to_string(cycle.undirected.size()));
-  v.state = account::State::fail;
-  if (axis != nullptr) v.note = say("they coincide {1}", range_of(cycle.undirected, true, *axis));
-  return v;
+  const std::size_t all = cycle.undirected.size();
+  return account::Verdict{
+      .step = step,
+      .symbol = "directed_" + spring,
+      .meaning = say("the ends of spring '{1}' are apart: its force has a direction", spring),
+      .value = say("{1} of {2}", std::to_string(all - without), std::to_string(all)),
+      .bound = say("every position"),
+      .state = account::State::fail,
+      .note = axis == nullptr ? Message{} : say("they coincide {1}", range_of(cycle.undirected, true, *axis))};
 }
 
 void explain_missing(const Mechanism::Input& in, const Cycle& cycle, Output::Values& values) {

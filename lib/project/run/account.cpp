@@ -98,18 +98,16 @@ Message Run::missing_input() const {
 
 account::Verdict Run::check_verdict(const Column& column) const {
   const Extreme largest = axis_ == nullptr ? Extreme{column.si[0], 0.0, 0} : maximum(value_of(column));
-  account::Verdict v;
-  v.step = step_.name();
-  v.symbol = column.path;
-  v.meaning = say(column.field->doc);
-  v.bound = say("passes at 1 or less");
-  v.value = account::Quantity{largest.value, "-", 4};
   const bool beyond_table = std::isnan(largest.value) && !missing_.empty();
-  v.state = beyond_table                      ? account::State::not_covered
-            : std::isnan(largest.value)       ? account::State::not_available
-            : largest.value < -rounding       ? account::State::not_covered  // no utilisation is negative
-            : largest.value <= 1.0 + rounding ? account::State::pass
-                                              : account::State::fail;
+  account::Verdict v{.step = step_.name(),
+                     .symbol = column.path,
+                     .meaning = say(column.field->doc),
+                     .value = account::Quantity{largest.value, "-", 4},
+                     .bound = say("passes at 1 or less"),
+                     .state = beyond_table                ? account::State::not_covered
+                              : std::isnan(largest.value) ? account::State::not_available
+                              : largest.value < -rounding ? account::State::not_covered  // no utilisation is negative
+                                                          : account::pass_if(largest.value <= 1.0 + rounding)};
   if (std::isnan(largest.value))
     v.note = missing_.empty() ? missing_input() : missing_;
   else
@@ -120,21 +118,18 @@ account::Verdict Run::check_verdict(const Column& column) const {
 
 account::Verdict Run::limit_verdict(const Column& column) const {
   const Range& bounds = column.field->bounds;
-  const auto outside = [&](double x) { return std::isnan(x) || !bounds.holds(x); };
   const auto distance = [&](double x) { return std::isnan(x) ? INFINITY : std::max(bounds.low - x, x - bounds.high); };
   const auto worst = std::max_element(column.si.begin(), column.si.end(),
                                       [&](double a, double b) { return distance(a) < distance(b); });
-  account::Verdict v;
-  v.step = step_.name();
-  v.symbol = column.path;
-  v.meaning = say(column.field->doc);
-  v.bound = say("covered from {1} to {2}", format_quantity(bounds.low, column.field->unit),
-                format_quantity(bounds.high, column.field->unit));
-  v.value = account::Quantity{*worst, column.field->unit, 4};
-  v.state = std::isnan(*worst) ? account::State::not_available
-            : outside(*worst)  ? account::State::not_covered
-                               : account::State::pass;
-  return v;
+  return {.step = step_.name(),
+          .symbol = column.path,
+          .meaning = say(column.field->doc),
+          .value = account::Quantity{*worst, column.field->unit, 4},
+          .bound = say("covered from {1} to {2}", format_quantity(bounds.low, column.field->unit),
+                       format_quantity(bounds.high, column.field->unit)),
+          .state = std::isnan(*worst)     ? account::State::not_available
+                   : bounds.holds(*worst) ? account::State::pass
+                                          : account::State::not_covered};
 }
 
 /// Where a limit is not kept, a check without a value is no gap in the input: the formula does not reach so far.
@@ -157,15 +152,14 @@ void Run::fill_verdicts(Account& account) const {
   if (!columns_.empty()) return;
   for (const FieldInfo& field : calculator_.result->fields) {  // nothing could be computed: say so check by check
     if (field.role != Role::check || !is_asked(field)) continue;
-    account::Verdict v;
-    v.step = step_.name();
-    v.symbol = field.key;
-    v.meaning = say(field.doc);
-    v.bound = say("passes at 1 or less");
-    v.value = missing_.empty() ? account::State::not_available : account::State::not_covered;
-    v.state = missing_.empty() ? account::State::not_available : account::State::not_covered;
-    v.note = missing_.empty() ? missing_input() : missing_;
-    account.verdicts.push_back(std::move(v));
+    const account::State state = missing_.empty() ? account::State::not_available : account::State::not_covered;
+    account.verdicts.push_back({.step = step_.name(),
+                                .symbol = field.key,
+                                .meaning = say(field.doc),
+                                .value = state,
+                                .bound = say("passes at 1 or less"),
+                                .state = state,
+                                .note = missing_.empty() ? missing_input() : missing_});
   }
 }
 

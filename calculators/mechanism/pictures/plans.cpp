@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace loadpath::planar {
 
@@ -118,20 +117,6 @@ Plan zhukovsky_lever(const PlanSubject& subject) {
     }
   }
   return plan;
-}
-
-double zhukovsky_residual(const PlanSubject& subject) {
-  double sum = 0.0, magnitudes = 0.0;
-  for (std::size_t k = 0; k < subject.model.links.size(); ++k) {
-    const int link = static_cast<int>(k);
-    for (const ActingForce& acting : external_forces(subject.model, subject.at, link, subject.statics)) {
-      const double moment = mechanism::cross(lever_arm(subject, link, acting.at), acting.force) +
-                            acting.couple * subject.at.velocity[k].phi;
-      sum += moment;
-      magnitudes += std::abs(moment);
-    }
-  }
-  return magnitudes > 0.0 ? std::abs(sum) / magnitudes : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<draw::Figure> plan_figures(const PlanSubject& subject) {

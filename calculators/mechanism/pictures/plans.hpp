@@ -33,8 +33,6 @@ draw::Plan acceleration_plan(const PlanSubject& subject);
 /// The velocity plan turned clockwise by a right angle, with the forces at the images of their points: their moments
 /// about the pole, and couples times angular speeds, sum to zero.
 draw::Plan zhukovsky_lever(const PlanSubject& subject);
-/// That sum over the sum of magnitudes, W over W: of forces and couples on the lever; NaN where nothing moves.
-double zhukovsky_residual(const PlanSubject& subject);
 
 /// The figures of all plans that say something at this position.
 std::vector<draw::Figure> plan_figures(const PlanSubject& subject);

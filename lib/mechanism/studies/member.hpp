@@ -47,7 +47,7 @@ class MemberLoads {
 
   /// What acts on the link at a position that is solved. `statics`: without inertia.
   void take(const Position& at, bool statics);
-  /// Just before and just after each place where something acts, in rising order.
+  /// Just before and just after each place where something acts, in rising order; nothing may be left after the last.
   [[nodiscard]] std::span<const SectionForces> stations() const { return stations_; }
   /// Anywhere between, 0 <= x <= length.
   [[nodiscard]] SectionForces at(double x) const;
@@ -56,8 +56,6 @@ class MemberLoads {
     SectionForces N, V, M;
   };
   [[nodiscard]] Peaks peaks() const;
-  /// What is left at the end, where nothing may be left.
-  [[nodiscard]] SectionForces left_over() const { return stations_.back(); }
 
  private:
   struct Action {

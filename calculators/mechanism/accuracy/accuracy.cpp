@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace loadpath::planar {
 
@@ -18,8 +17,6 @@ using account::Quantity;
 using account::Table;
 using mechanism::OutputError;
 using mechanism::Status;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// Of all outputs that a project asks for, in its order.
 struct Errors {

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace loadpath::planar {
 
@@ -20,8 +19,6 @@ using account::Table;
 using mechanism::Counterweight;
 using mechanism::ShakingCycle;
 using mechanism::Vec;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// Empty where no counterweights are asked for or not every position closes.
 struct Balanced {

@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace loadpath::planar {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 using account::Cell;
 using account::Quantity;

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace loadpath::planar {
 
@@ -20,8 +19,6 @@ using mechanism::Position;
 using mechanism::RelativeMotion;
 using mechanism::Stroke;
 using mechanism::Vec;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// A slot or a slide.
 struct Guide {

@@ -19,8 +19,6 @@ using account::Quantity;
 using account::Table;
 using mechanism::Position;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 // ---- series
 
 struct Standing {

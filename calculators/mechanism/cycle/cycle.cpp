@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 
@@ -38,7 +37,6 @@ bool is_finite(const mechanism::Position& p) {
 
 /// The motion stays, forces there are none.
 void take_forces_away(mechanism::Position& p) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   for (double& effort : p.effort) effort = none;
   for (mechanism::Reaction& reaction : p.reactions) reaction = {reaction.at, {none, none}, none};
 }

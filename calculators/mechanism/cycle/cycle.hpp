@@ -18,10 +18,12 @@
 
 namespace loadpath::planar {
 
+/// In the place of a number that is not known, or that there is not.
+inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
 /// The effort of a drive without inertia that starts the mechanism from rest, and the one that holds it without
 /// friction, N m or N. What is no number there: no effort starts it that way.
 struct StandingEffort {
-  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   double backward = none, without = none, forward = none;
   bool known = false;  // the position was reached
 

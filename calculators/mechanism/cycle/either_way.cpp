@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace loadpath::planar {
 
@@ -13,8 +12,6 @@ using mechanism::Position;
 using mechanism::ReleasedSystem;
 using mechanism::Resting;
 using mechanism::Status;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 class EitherWay {
  public:

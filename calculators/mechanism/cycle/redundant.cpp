@@ -3,12 +3,10 @@
 #include "lib/mechanism/structure/release.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace loadpath::planar {
 
 static void hide(const std::vector<mechanism::Uniqueness>& unique, mechanism::Position& p) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t k = 0; k < p.reactions.size(); ++k) {
     if (!unique[k].force) p.reactions[k].force = {none, none};
     if (!unique[k].couple) p.reactions[k].couple = none;

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 namespace loadpath::planar {
@@ -18,8 +17,6 @@ namespace {
 using mechanism::JointKind;
 using mechanism::Position;
 using mechanism::Vec;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// What the first link does to the second across the guide.
 struct Guide {

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -18,8 +17,6 @@ namespace {
 
 using mechanism::Position;
 using mechanism::Vec;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 struct Machine {
   std::string name;

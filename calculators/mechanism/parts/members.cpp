@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 namespace loadpath::planar {
@@ -15,8 +14,6 @@ namespace {
 
 using mechanism::MemberLoads;
 using mechanism::Position;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 mechanism::Member member_of(const Mechanism::Input& in, const mechanism::Model& model, std::size_t k) {
   mechanism::Member member = mechanism::member_of(model, k);

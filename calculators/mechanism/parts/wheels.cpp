@@ -1,12 +1,12 @@
 #include "calculators/mechanism/parts/wheels.hpp"
 
+#include "calculators/mechanism/cycle/cycle.hpp"
 #include "calculators/mechanism/results/rows.hpp"
 #include "lib/mechanism/model/frames.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace loadpath::planar {
 
@@ -15,8 +15,6 @@ namespace {
 using mechanism::JointKind;
 using mechanism::Position;
 using mechanism::Vec;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 struct Contact {
   std::string name;

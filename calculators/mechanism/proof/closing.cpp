@@ -134,12 +134,12 @@ void add_jamming(const std::string& step, const Mechanism::Input& in, const mech
   if (jams > 0 && axis != nullptr) v.note = say("jams {1}", range_of(cycle.jams, true, *axis));
   if (is_at_rest(in)) {
     const std::vector<bool> held = held_one_way(cycle);
-    const bool none = std::find(held.begin(), held.end(), true) == held.end();
+    const bool nowhere = std::find(held.begin(), held.end(), true) == held.end();
     v.state = account::State::not_covered;
     const bool one_drive = !cycle.standing.empty();
     v.note =
-        none ? say("at rest friction acts either way: the results are without it, and the effort lies between "
-                   "M_min and M_max, F_min and F_max; state 'impending' for one way")
+        nowhere ? say("at rest friction acts either way: the results are without it, and the effort lies between "
+                      "M_min and M_max, F_min and F_max; state 'impending' for one way")
         : one_drive && holds_against(cycle, 1.0)
             ? say("at rest friction acts either way, and no effort of the drive starts it forward; state 'impending'")
         : one_drive && holds_against(cycle, -1.0)

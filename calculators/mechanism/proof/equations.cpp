@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -35,9 +34,9 @@ account::Verdict limit(const std::string& step, const char* symbol, Message mean
 
 /// A residual as a part of what it is a residual of; of nothing it is zero. What cannot be told is no number.
 double part_of(double residual, double scale) {
-  if (!std::isfinite(residual) || !std::isfinite(scale)) return std::numeric_limits<double>::quiet_NaN();
+  if (!std::isfinite(residual) || !std::isfinite(scale)) return none;
   if (scale > 0.0) return residual / scale;
-  return residual == 0.0 ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+  return residual == 0.0 ? 0.0 : none;
 }
 
 /// The largest of what is left over, and of what it is left over from, over the positions that close.
@@ -110,7 +109,7 @@ template <class Measure>
 account::Verdict at_worst(const std::string& step, const char* symbol, Message meaning, const Cycle& cycle,
                           const Axis* axis, Measure measure) {
   const auto worst = worst_position(cycle, measure);
-  const double off = worst ? measure(cycle.proofs[*worst]) : std::numeric_limits<double>::quiet_NaN();
+  const double off = worst ? measure(cycle.proofs[*worst]) : none;
   account::Verdict v = limit(step, symbol, std::move(meaning), off, mechanism::Proof::tolerance);
   if (worst && v.state != account::State::pass && axis != nullptr) v.note = say("at {1}", place_of(*worst, *axis));
   return v;
@@ -163,7 +162,6 @@ void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
   for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
     if (cycle.has_forces(k)) left.add(cycle.positions[k], cycle.proofs[k].residuals, !in.crank.joint.empty());
   }
-  const double none = std::numeric_limits<double>::quiet_NaN();
   const auto part = [&](double residual, double scale) { return left.any ? part_of(residual, scale) : none; };
   verdicts.push_back(limit(solved.step, "force_balance",
                            say("equilibrium of every link: unbalanced force over the largest reaction"),

@@ -6,7 +6,6 @@
 #include "lib/mechanism/model/pair.hpp"
 #include "lib/quantity/format.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -21,85 +20,58 @@ using mechanism::Vec;
 /// A field that only some types take, and whether a joint has it.
 struct Special {
   const char* key;
-  bool (*given)(const planar::Joint&);
-  std::array<Type, 6> types;  // padded with the first
+  Some<Type> types;
   const char* of;
+  bool (*given)(const planar::Joint&);
 };
 
-constexpr auto wheels =
-    std::array{Type::gear, Type::ring_gear, Type::belt, Type::crossed_belt, Type::rolling, Type::rolling_inside};
+constexpr Some wheels{Type::gear, Type::ring_gear, Type::belt, Type::crossed_belt, Type::rolling, Type::rolling_inside};
+constexpr Some losing{Type::gear, Type::ring_gear, Type::rack, Type::belt, Type::crossed_belt};
+constexpr Some cams{Type::cam, Type::cam_flat};
 
-const std::array specials{
+constexpr std::array specials{
     Special{"angle",
-            [](const planar::Joint& j) { return is_set(j.angle); },
-            {Type::prismatic, Type::rigid, Type::rigid, Type::rigid, Type::rigid, Type::rigid},
-            "prismatic and rigid joints"},
-    Special{"radii", [](const planar::Joint& j) { return is_set(j.radii.first); }, wheels, "joints of two wheels"},
+            {Type::prismatic, Type::rigid},
+            "prismatic and rigid joints",
+            [](const auto& j) { return is_set(j.angle); }},
+    Special{"radii", wheels, "joints of two wheels", [](const auto& j) { return is_set(j.radii.first); }},
     Special{"radius",
-            [](const planar::Joint& j) { return is_set(j.radius); },
-            {Type::rack, Type::rolling_on_line, Type::cam, Type::rack, Type::rack, Type::rack},
-            "racks, wheels on a line and rollers on a cam"},
-    Special{"profile",
-            [](const planar::Joint& j) { return !j.profile.empty(); },
-            {Type::cam, Type::cam_flat, Type::cam, Type::cam, Type::cam, Type::cam},
-            "cams"},
-    Special{"face",
-            [](const planar::Joint& j) { return j.face != 0.0; },
-            {Type::cam_flat, Type::cam_flat, Type::cam_flat, Type::cam_flat, Type::cam_flat, Type::cam_flat},
-            "flat faces on a cam"},
-    Special{"holding",
-            [](const planar::Joint& j) { return j.holding != planar::Holding::one_side; },
-            {Type::cam, Type::cam_flat, Type::cam, Type::cam, Type::cam, Type::cam},
-            "cams"},
-    Special{"slack",
-            [](const planar::Joint& j) { return in_si(j.slack) != 0.0; },
-            {Type::belt, Type::crossed_belt, Type::belt, Type::belt, Type::belt, Type::belt},
-            "belts"},
+            {Type::rack, Type::rolling_on_line, Type::cam},
+            "racks, wheels on a line and rollers on a cam",
+            [](const auto& j) { return is_set(j.radius); }},
+    Special{"profile", cams, "cams", [](const auto& j) { return !j.profile.empty(); }},
+    Special{"face", {Type::cam_flat}, "flat faces on a cam", [](const auto& j) { return j.face != 0.0; }},
+    Special{"holding", cams, "cams", [](const auto& j) { return j.holding != planar::Holding::one_side; }},
+    Special{"slack", {Type::belt, Type::crossed_belt}, "belts", [](const auto& j) { return in_si(j.slack) != 0.0; }},
     Special{"mu",
-            [](const planar::Joint& j) { return j.mu != 0.0; },
-            {Type::revolute, Type::prismatic, Type::slot, Type::cam, Type::cam_flat, Type::slot},
-            "revolute joints, prismatic joints, slots and cams"},
+            {Type::revolute, Type::prismatic, Type::slot, Type::cam, Type::cam_flat},
+            "revolute joints, prismatic joints, slots and cams",
+            [](const auto& j) { return j.mu != 0.0; }},
     Special{"pin_radius",
-            [](const planar::Joint& j) { return is_set(j.pin_radius); },
-            {Type::revolute, Type::slot, Type::slot, Type::slot, Type::slot, Type::slot},
-            "pins: revolute and slot"},
-    Special{"guide_length",
-            [](const planar::Joint& j) { return is_set(j.guide_length); },
-            {Type::prismatic, Type::prismatic, Type::prismatic, Type::prismatic, Type::prismatic, Type::prismatic},
-            "prismatic joints"},
-    Special{"guide_width",
-            [](const planar::Joint& j) { return is_set(j.guide_width); },
-            {Type::prismatic, Type::prismatic, Type::prismatic, Type::prismatic, Type::prismatic, Type::prismatic},
-            "prismatic joints"},
-    Special{"rolling_arm",
-            [](const planar::Joint& j) { return in_si(j.rolling_arm) != 0.0; },
-            {Type::rolling, Type::rolling_inside, Type::rolling_on_line, Type::rolling, Type::rolling, Type::rolling},
-            "rolling wheels"},
-    Special{"efficiency",
-            [](const planar::Joint& j) { return j.efficiency != 1.0; },
-            {Type::gear, Type::ring_gear, Type::rack, Type::belt, Type::crossed_belt, Type::gear},
-            "teeth and belts"},
-    Special{"efficiency_back",
-            [](const planar::Joint& j) { return is_set(j.efficiency_back); },
-            {Type::gear, Type::ring_gear, Type::rack, Type::belt, Type::crossed_belt, Type::gear},
-            "teeth and belts"},
-    Special{"clearance",
-            [](const planar::Joint& j) { return in_si(j.clearance) != 0.0; },
-            {Type::revolute, Type::revolute, Type::revolute, Type::revolute, Type::revolute, Type::revolute},
-            "pins: revolute joints"},
-    Special{"c",
-            [](const planar::Joint& j) { return in_si(j.c) != 0.0; },
-            {Type::prismatic, Type::slot, Type::cam, Type::cam_flat, Type::slot, Type::slot},
-            "what slides: prismatic, slot and cams"},
+            {Type::revolute, Type::slot},
+            "pins: revolute and slot",
+            [](const auto& j) { return is_set(j.pin_radius); }},
     Special{
-        "c_turn",
-        [](const planar::Joint& j) { return in_si(j.c_turn) != 0.0; },
-        {Type::revolute, Type::rolling, Type::rolling_inside, Type::rolling_on_line, Type::revolute, Type::revolute},
-        "joints that turn: revolute and rolling"}};
-
-bool takes(const Special& special, Type type) {
-  return std::find(special.types.begin(), special.types.end(), type) != special.types.end();
-}
+        "guide_length", {Type::prismatic}, "prismatic joints", [](const auto& j) { return is_set(j.guide_length); }},
+    Special{"guide_width", {Type::prismatic}, "prismatic joints", [](const auto& j) { return is_set(j.guide_width); }},
+    Special{"rolling_arm",
+            {Type::rolling, Type::rolling_inside, Type::rolling_on_line},
+            "rolling wheels",
+            [](const auto& j) { return in_si(j.rolling_arm) != 0.0; }},
+    Special{"efficiency", losing, "teeth and belts", [](const auto& j) { return j.efficiency != 1.0; }},
+    Special{"efficiency_back", losing, "teeth and belts", [](const auto& j) { return is_set(j.efficiency_back); }},
+    Special{"clearance",
+            {Type::revolute},
+            "pins: revolute joints",
+            [](const auto& j) { return in_si(j.clearance) != 0.0; }},
+    Special{"c",
+            {Type::prismatic, Type::slot, Type::cam, Type::cam_flat},
+            "what slides: prismatic, slot and cams",
+            [](const auto& j) { return in_si(j.c) != 0.0; }},
+    Special{"c_turn",
+            {Type::revolute, Type::rolling, Type::rolling_inside, Type::rolling_on_line},
+            "joints that turn: revolute and rolling",
+            [](const auto& j) { return in_si(j.c_turn) != 0.0; }}};
 
 class FieldCheck {
  public:
@@ -107,10 +79,9 @@ class FieldCheck {
 
   std::vector<FieldFault> run() {
     for (const Special& special : specials) {
-      if (special.given(joint_) && !takes(special, joint_.type)) refuse(special);
+      if (special.given(joint_) && !special.types.has(joint_.type)) refuse(special);
     }
-    const bool two_wheels = std::find(wheels.begin(), wheels.end(), joint_.type) != wheels.end();
-    if (two_wheels && !is_set(joint_.radii.first)) need("radii", "radii = [\"20 mm\", \"50 mm\"]");
+    if (wheels.has(joint_.type) && !is_set(joint_.radii.first)) need("radii", "radii = [\"20 mm\", \"50 mm\"]");
     const bool on_line = joint_.type == Type::rack || joint_.type == Type::rolling_on_line;
     if (on_line && !is_set(joint_.radius)) need("radius", "radius = \"20 mm\"");
     if (is_cam(joint_.type) && joint_.profile.empty()) need("profile", "profile = \"NAME\", and it to the profiles");

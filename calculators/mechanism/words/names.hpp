@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,6 +62,19 @@ std::vector<std::string> names_in(const Items& items) {
   for (const auto& item : items) names.emplace_back(item.name.view());
   return names;
 }
+
+/// Some of the values of a choice.
+template <class Value>
+class Some {
+ public:
+  constexpr Some(std::initializer_list<Value> values) {
+    for (const Value value : values) bits_ |= 1U << static_cast<unsigned>(value);
+  }
+  [[nodiscard]] constexpr bool has(Value value) const { return (bits_ >> static_cast<unsigned>(value) & 1U) != 0; }
+
+ private:
+  unsigned bits_ = 0;
+};
 
 /// The path of a named element of a list, or of a field of it: "links.rod.S".
 std::string path_of(const char* list, std::string_view name, std::string_view field = {});

@@ -16,30 +16,27 @@ using Shape = CamProfile::Shape;
 
 constexpr double whole_turn = 2.0 * pi;
 
-/// A field that only some shapes take, and whether a profile has it.
 using planar::path_of;
 
+/// A field that only some shapes take, and whether a profile has it.
 struct Special {
   const char* key;
+  Some<Shape> shapes;
   bool (*given)(const CamProfile&);
-  std::array<Shape, 4> shapes;  // padded with the first
 };
 
-constexpr std::array by_lift{Shape::sliding, Shape::swinging, Shape::flat, Shape::swinging_flat};
-constexpr std::array by_roller{Shape::sliding, Shape::swinging, Shape::sliding, Shape::sliding};
-constexpr std::array by_offset{Shape::sliding, Shape::swinging_flat, Shape::sliding, Shape::sliding};
-constexpr std::array by_pivot{Shape::swinging, Shape::swinging_flat, Shape::swinging, Shape::swinging};
-constexpr std::array<Shape, 4> only(Shape shape) { return {shape, shape, shape, shape}; }
+constexpr Some by_lift{Shape::sliding, Shape::swinging, Shape::flat, Shape::swinging_flat};
 
-const std::array specials{Special{"base", [](const auto& p) { return is_set(p.base); }, by_lift},
-                          Special{"roller", [](const auto& p) { return in_si(p.roller) != 0.0; }, by_roller},
-                          Special{"offset", [](const auto& p) { return in_si(p.offset) != 0.0; }, by_offset},
-                          Special{"pivot", [](const auto& p) { return is_set(p.pivot); }, by_pivot},
-                          Special{"arm", [](const auto& p) { return is_set(p.arm); }, only(Shape::swinging)},
-                          Special{"segments", [](const auto& p) { return !p.segments.empty(); }, by_lift},
-                          Special{"r", [](const auto& p) { return is_set(p.r); }, only(Shape::circle)},
-                          Special{"centre", [](const auto& p) { return is_set(p.centre.x); }, only(Shape::circle)},
-                          Special{"points", [](const auto& p) { return !p.points.empty(); }, only(Shape::points)}};
+constexpr std::array specials{
+    Special{"base", by_lift, [](const auto& p) { return is_set(p.base); }},
+    Special{"roller", {Shape::sliding, Shape::swinging}, [](const auto& p) { return in_si(p.roller) != 0.0; }},
+    Special{"offset", {Shape::sliding, Shape::swinging_flat}, [](const auto& p) { return in_si(p.offset) != 0.0; }},
+    Special{"pivot", {Shape::swinging, Shape::swinging_flat}, [](const auto& p) { return is_set(p.pivot); }},
+    Special{"arm", {Shape::swinging}, [](const auto& p) { return is_set(p.arm); }},
+    Special{"segments", by_lift, [](const auto& p) { return !p.segments.empty(); }},
+    Special{"r", {Shape::circle}, [](const auto& p) { return is_set(p.r); }},
+    Special{"centre", {Shape::circle}, [](const auto& p) { return is_set(p.centre.x); }},
+    Special{"points", {Shape::points}, [](const auto& p) { return !p.points.empty(); }}};
 
 std::string path_of(const CamProfile& profile, std::string_view field = {}) {
   return path_of("profiles", profile.name, field);
@@ -73,8 +70,7 @@ class FieldCheck {
 
  private:
   void check(const Special& special) {
-    if (!special.given(profile_)) return;
-    if (std::find(special.shapes.begin(), special.shapes.end(), profile_.shape) != special.shapes.end()) return;
+    if (!special.given(profile_) || special.shapes.has(profile_.shape)) return;
     faults_.push_back({path_of(profile_, special.key),
                        say("a profile of the shape {1} takes no '{2}'", word_of(profile_.shape), special.key),
                        say("leave it out, or change the shape")});

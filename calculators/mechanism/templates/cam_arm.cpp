@@ -2,7 +2,7 @@
 
 namespace loadpath::planar::templates {
 
-struct CamArm {
+struct CamArm : CamProfile {
   static constexpr auto id = "cam_arm";
   static constexpr auto title = "Cam with a swinging arm, with a roller or an edge";
   static constexpr auto doc =
@@ -21,10 +21,6 @@ links.arm.mass = "0.6 kg"
 loads = [{ link = "arm", at = "B", F_x = "0 N", F_y = "-300 N" }]
 )";
 
-  Length base = unset<Length>, roller = 0.0 * m.one, pivot = unset<Length>, arm = unset<Length>;
-  CamProfile::Hand side = CamProfile::Hand::left;
-  CamProfile::Sense sense = CamProfile::Sense::counter_clockwise;
-  List<CamProfile::Segment, 16> segments;
   static constexpr std::tuple fields{
       Field{&CamArm::base, "base", mm, "radius of the base circle of the cam itself"}.positive(),
       Field{&CamArm::roller, "roller", mm, "radius of the roller; 0: an edge"}.at_least(0),
@@ -35,25 +31,15 @@ loads = [{ link = "arm", at = "B", F_x = "0 N", F_y = "-300 N" }]
       ListField{&CamArm::segments, "segments", "rises, dwells and falls over a turn, by their swing"}};
 
   void draw(Sketch& sketch) const {
-    CamProfile profile;
+    CamProfile profile = *this;
     profile.name = "lobe";
-    profile.shape = CamProfile::Shape::swinging;
-    profile.base = base;
-    profile.roller = roller;
-    profile.pivot = pivot;
-    profile.arm = arm;
-    profile.side = side;
-    profile.sense = sense;
-    profile.segments = segments;
-    const Pin O{"O", {0.0, 0.0}}, A{"A", {in_si(pivot), 0.0}}, B{"B", sketch.follower_at(profile, 0.0)};
-    sketch.fixed(O);
+    profile.shape = Shape::swinging;
+    const Pin A{"A", {in_si(pivot), 0.0}}, B{"B", sketch.follower_at(profile, 0.0)};
+    sketch.turning_cam();
     sketch.fixed(A);
-    sketch.block("cam", O, sketch.crank_angle());
     sketch.bar("arm", A, B, arm);
-    sketch.revolute("O", "ground", "cam");
     sketch.revolute("A", "ground", "arm");
     sketch.cam("contact", {"arm", "cam"}, {"B", "O"}, profile, 0.0);
-    sketch.crank("O");
   }
 };
 

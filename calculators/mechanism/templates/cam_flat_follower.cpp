@@ -2,7 +2,7 @@
 
 namespace loadpath::planar::templates {
 
-struct CamFlatFollower {
+struct CamFlatFollower : CamProfile {
   static constexpr auto id = "cam_flat_follower";
   static constexpr auto title = "Cam with a flat-faced follower on a straight guide";
   static constexpr auto doc =
@@ -18,9 +18,6 @@ links.follower.mass = "0.5 kg"
 loads = [{ link = "follower", at = "B", F_x = "0 N", F_y = "-150 N" }]
 )";
 
-  Length base = unset<Length>;
-  CamProfile::Sense sense = CamProfile::Sense::counter_clockwise;
-  List<CamProfile::Segment, 16> segments;
   static constexpr std::tuple fields{
       Field{&CamFlatFollower::base, "base", mm, "radius of the base circle of the cam"}.positive(),
       Choice{&CamFlatFollower::sense, "sense", "how the cam turns as the segments follow each other"}.may_be_missing(),
@@ -28,20 +25,14 @@ loads = [{ link = "follower", at = "B", F_x = "0 N", F_y = "-150 N" }]
 
   void draw(Sketch& sketch) const {
     constexpr double up = pi / 2.0;
-    CamProfile profile;
+    CamProfile profile = *this;
     profile.name = "lobe";
-    profile.shape = CamProfile::Shape::flat;
-    profile.base = base;
-    profile.sense = sense;
-    profile.segments = segments;
-    const Pin O{"O", {0.0, 0.0}}, B{"B", sketch.follower_at(profile, up)};
-    sketch.fixed(O);
-    sketch.block("cam", O, sketch.crank_angle());
+    profile.shape = Shape::flat;
+    const Pin B{"B", sketch.follower_at(profile, up)};
+    sketch.turning_cam();
     sketch.block("follower", B, 0.0);
-    sketch.revolute("O", "ground", "cam");
     sketch.prismatic("guide", {"follower", "ground"}, {"B", "O"}, up);
     sketch.cam("contact", {"follower", "cam"}, {"B", "O"}, profile, up, planar::Type::cam_flat);
-    sketch.crank("O");
   }
 };
 

@@ -2,13 +2,12 @@
 
 namespace loadpath::planar::templates {
 
-struct CamFollower {
+struct CamFollower : CamProfile {
   static constexpr auto id = "cam_follower";
   static constexpr auto title = "Cam with a follower on a straight guide, with a roller or an edge";
   static constexpr auto doc =
       "The cam turns about the origin O; its follower slides along y and has a roller about B, or an edge there. The "
-      "law "
-      "of its lift begins at the crank angle 0.";
+      "law of its lift begins at the crank angle 0.";
   static constexpr auto example = R"([valve]
 calculator = "mechanism.planar"
 template = "cam_follower"
@@ -22,9 +21,6 @@ ground.T = ["0 mm", "100 mm"]
 springs.spring = { links = ["follower", "ground"], points = ["B", "T"], k = "8 N/mm", free = "75 mm" }
 )";
 
-  Length base = unset<Length>, roller = 0.0 * m.one, offset = 0.0 * m.one;
-  CamProfile::Sense sense = CamProfile::Sense::counter_clockwise;
-  List<CamProfile::Segment, 16> segments;
   static constexpr std::tuple fields{
       Field{&CamFollower::base, "base", mm, "radius of the base circle of the cam itself"}.positive(),
       Field{&CamFollower::roller, "roller", mm, "radius of the roller; 0: an edge"}.at_least(0),
@@ -34,22 +30,15 @@ springs.spring = { links = ["follower", "ground"], points = ["B", "T"], k = "8 N
 
   void draw(Sketch& sketch) const {
     constexpr double up = pi / 2.0;
-    CamProfile profile;
+    CamProfile profile = *this;
     profile.name = "lobe";
-    profile.base = base;
-    profile.roller = roller;
-    profile.offset = offset;
-    profile.sense = sense;
-    profile.segments = segments;
-    const Pin O{"O", {0.0, 0.0}}, G{"G", {-in_si(offset), 0.0}}, B{"B", sketch.follower_at(profile, up)};
-    sketch.fixed(O);
+    profile.shape = Shape::sliding;
+    const Pin G{"G", {-in_si(offset), 0.0}}, B{"B", sketch.follower_at(profile, up)};
+    sketch.turning_cam();
     sketch.fixed(G);
-    sketch.block("cam", O, sketch.crank_angle());
     sketch.block("follower", B, 0.0);
-    sketch.revolute("O", "ground", "cam");
     sketch.prismatic("guide", {"follower", "ground"}, {"B", "G"}, up);
     sketch.cam("contact", {"follower", "cam"}, {"B", "O"}, profile, up);
-    sketch.crank("O");
   }
 };
 

@@ -23,24 +23,20 @@ std::optional<FieldFault> stop_of(const Chain& chain, const char* path) {
 }
 
 FourBarLengths::Pins FourBarLengths::pins(Sketch& sketch) const {
-  Pins at{{"O", {0.0, 0.0}}, {"A", polar(a, sketch.crank_angle())}, {"B", {}}, {"C", {in_si(d), 0.0}}};
+  Pins at{sketch.crank_arm(a), {"B", {}}, {"C", {in_si(d), 0.0}}};
   at.B.at = sketch.meet({"coupler", at.A.at, b}, Reach{"rocker", at.C.at, c}, assembly);
   return at;
 }
 
 void FourBarLengths::draw(Sketch& sketch, const Pins& at, const Pin* coupler_pin, const Pin* rocker_pin) const {
-  sketch.fixed(at.O);
   sketch.fixed(at.C);
-  sketch.bar("crank", at.O, at.A, a);
   sketch.bar("coupler", at.A, at.B, b);
   if (coupler_pin != nullptr) sketch.point(coupler_pin->name, coupler_pin->at);
   sketch.bar("rocker", at.C, at.B, c);
   if (rocker_pin != nullptr) sketch.point(rocker_pin->name, rocker_pin->at);
-  sketch.revolute("O", "ground", "crank");
   sketch.revolute("A", "crank", "coupler");
   sketch.revolute("B", "coupler", "rocker");
   sketch.revolute("C", "ground", "rocker");
-  sketch.crank("O");
 }
 
 }  // namespace loadpath::planar::templates

@@ -25,11 +25,12 @@ struct FourBarLengths {
           .may_be_missing()};
 
   struct Pins {
-    Pin O, A, B, C;
+    Pin A, B, C;
   };
+  /// Draws the crank OA, and says where the other pins are.
   [[nodiscard]] Pins pins(Sketch& sketch) const;
-  /// The fixed pins, crank OA, coupler AB, rocker CB and their joints. `coupler_pin`, `rocker_pin`: one more pin on
-  /// that link, in its axes.
+  /// The fixed pin C, coupler AB, rocker CB and their joints. `coupler_pin`, `rocker_pin`: one more pin on that link,
+  /// in its axes.
   void draw(Sketch& sketch, const Pins& at, const Pin* coupler_pin = nullptr, const Pin* rocker_pin = nullptr) const;
   [[nodiscard]] std::optional<FieldFault> crank_stop() const { return stop_of({a, b, c, d}, "a"); }
 };

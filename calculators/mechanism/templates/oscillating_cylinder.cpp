@@ -26,18 +26,14 @@ loads = [
       Field{&OscillatingCylinder::d, "d", mm, "distance of the cylinder's pin C from O"}.positive()};
 
   void draw(Sketch& sketch) const {
-    const Pin O{"O", {0.0, 0.0}}, A{"A", polar(r, sketch.crank_angle())}, C{"C", {in_si(d), 0.0}};
+    const Pin A = sketch.crank_arm(r), C{"C", {in_si(d), 0.0}};
     const double along = direction(C.at, A.at);
-    sketch.fixed(O);
     sketch.fixed(C);
-    sketch.bar("crank", O, A, r);
     sketch.block("rod", A, along);
     sketch.block("cylinder", C, along);
-    sketch.revolute("O", "ground", "crank");
     sketch.revolute("A", "crank", "rod");
     sketch.revolute("C", "ground", "cylinder");
     sketch.prismatic("bore", {"rod", "cylinder"}, {"A", "C"});
-    sketch.crank("O");
   }
 
   [[nodiscard]] std::optional<FieldFault> crank_stop() const { return pin_runs_through("C", r, d); }

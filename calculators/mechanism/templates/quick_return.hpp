@@ -13,22 +13,20 @@ struct QuickReturn {
   enum class Arm { along_slot, opposite };
   /// `e`: height of the guide above B.
   void draw(Sketch& sketch, Arm arm, Length e) const {
-    const Pin O{"O", {0.0, 0.0}}, A{"A", polar(r, sketch.crank_angle())}, B{"B", {0.0, -in_si(d)}};
+    const Pin A = sketch.crank_arm(r), B{"B", {0.0, -in_si(d)}};
     const double of_arm = arm == Arm::along_slot ? direction(B.at, A.at) : direction(A.at, B.at);
     const Pin C{"C", B.at + polar(c, of_arm)}, G{"G", {0.0, in_si(e - d)}};
     const Pin D{"D", sketch.meet({"rod", C.at, l}, Line{G.at, {1.0, 0.0}}, assembly)};
-    for (const Pin& pin : {O, B, G}) sketch.fixed(pin);
-    sketch.bar("crank", O, A, r);
+    sketch.fixed(B);
+    sketch.fixed(G);
     sketch.bar("lever", B, C, c);
     sketch.bar("rod", C, D, l);
     sketch.block("ram", D, 0.0);
-    sketch.revolute("O", "ground", "crank");
     sketch.slot("A", {"crank", "lever"}, {"A", "B"});
     sketch.revolute("B", "ground", "lever");
     sketch.revolute("C", "lever", "rod");
     sketch.revolute("D", "rod", "ram");
     sketch.prismatic("guide", {"ram", "ground"}, {"D", "G"});
-    sketch.crank("O");
   }
 };
 

@@ -22,14 +22,10 @@ loads = [{ link = "yoke", at = "K", F_x = "-400 N", F_y = "0 N" }]
   static constexpr std::tuple fields{Field{&ScotchYoke::r, "r", mm, "length of the crank OA"}.positive()};
 
   void draw(Sketch& sketch) const {
-    const Pin O{"O", {0.0, 0.0}}, A{"A", polar(r, sketch.crank_angle())}, K{"K", {A.at.x, 0.0}};
-    sketch.fixed(O);
-    sketch.bar("crank", O, A, r);
+    const Pin A = sketch.crank_arm(r), K{"K", {A.at.x, 0.0}};
     sketch.block("yoke", K, 0.0);
-    sketch.revolute("O", "ground", "crank");
     sketch.slot("A", {"crank", "yoke"}, {"A", "K"}, pi / 2.0);
     sketch.prismatic("guide", {"yoke", "ground"}, {"K", "O"});
-    sketch.crank("O");
   }
 };
 

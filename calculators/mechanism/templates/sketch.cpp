@@ -100,6 +100,27 @@ Vec Sketch::meet(const Reach& link, const Line& line, Assembly assembly) {
   return line.through + (ahead - mechanism::dot(to, line.along)) * line.along;
 }
 
+/// The fixed pin that the crank turns about.
+static constexpr Pin O{"O", {0.0, 0.0}};
+
+Pin Sketch::crank_arm(Length r) {
+  const Pin A{"A", polar(r, angle_)};
+  bar("crank", O, A, r);
+  drive("crank");
+  return A;
+}
+
+void Sketch::turning_cam() {
+  block("cam", O, angle_);
+  drive("cam");
+}
+
+void Sketch::drive(const char* link) {
+  fixed(O);
+  revolute("O", "ground", link);
+  in_.crank.joint = "O";
+}
+
 void Sketch::fixed(const Pin& pin) { in_.ground.push_back(point_of(pin.name, pin.at)); }
 
 void Sketch::link(const char* name, Vec origin, double angle) {

@@ -56,12 +56,15 @@ class Sketch {
   /// `angle`: the crank's at the first position, rad; NaN where there is none.
   Sketch(Mechanism::Input& in, double angle) : in_(in), angle_(angle) {}
 
-  [[nodiscard]] double crank_angle() const { return angle_; }
-
   /// The place where two links meet; left of the way from one to the other where `open`, right of it where `crossed`.
   Vec meet(const Reach& one, const Reach& other, Assembly assembly);
   /// The place where a link meets a line, ahead of its foot on the line where `open`, behind it where `crossed`.
   Vec meet(const Reach& link, const Line& line, Assembly assembly);
+
+  /// The crank OA of this length, driven about the fixed pin O at the origin: its pin A.
+  Pin crank_arm(Length r);
+  /// The link "cam", driven about the fixed pin O at the origin.
+  void turning_cam();
 
   void fixed(const Pin& pin);
   /// A bar with two pins; its mass centre is the point S_LINK in the middle.
@@ -83,7 +86,6 @@ class Sketch {
            const CamProfile& profile, double angle, planar::Type type = planar::Type::cam);
   /// Where the follower's point is: a roller's centre, the middle of a flat face.
   [[nodiscard]] Vec follower_at(const CamProfile& profile, double angle) const;
-  void crank(const char* joint) { in_.crank.joint = joint; }
   void cylinder(const char* name, const char* joint);
 
   /// What does not meet, the first of it: what follows from it is not said.
@@ -92,6 +94,7 @@ class Sketch {
   [[nodiscard]] const std::vector<std::pair<std::size_t, Length>>& bars() const { return bars_; }
 
  private:
+  void drive(const char* link);
   void link(const char* name, Vec origin, double angle);
   void joint(const char* name, planar::Type type, const planar::Pair& links, const planar::Pair& points, double angle);
   void refuse(Message message);

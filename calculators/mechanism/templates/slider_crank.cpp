@@ -30,18 +30,14 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "0 N" }]
           .may_be_missing()};
 
   void draw(Sketch& sketch) const {
-    const Pin O{"O", {0.0, 0.0}}, A{"A", polar(r, sketch.crank_angle())}, G{"G", {0.0, in_si(e)}};
+    const Pin A = sketch.crank_arm(r), G{"G", {0.0, in_si(e)}};
     const Pin B{"B", sketch.meet({"rod", A.at, l}, Line{G.at, {1.0, 0.0}}, assembly)};
-    sketch.fixed(O);
     sketch.fixed(G);
-    sketch.bar("crank", O, A, r);
     sketch.bar("rod", A, B, l);
     sketch.block("slider", B, 0.0);
-    sketch.revolute("O", "ground", "crank");
     sketch.revolute("A", "crank", "rod");
     sketch.revolute("B", "rod", "slider");
     sketch.prismatic("guide", {"slider", "ground"}, {"B", "G"});
-    sketch.crank("O");
   }
 
   [[nodiscard]] std::optional<FieldFault> crank_stop() const {

@@ -26,16 +26,12 @@ loads = [{ link = "lever", M = "-30 N*m" }]
       Field{&SlottedLever::l, "l", mm, "length of the lever BC"}.positive()};
 
   void draw(Sketch& sketch) const {
-    const Pin O{"O", {0.0, 0.0}}, A{"A", polar(r, sketch.crank_angle())}, B{"B", {-in_si(d), 0.0}};
+    const Pin A = sketch.crank_arm(r), B{"B", {-in_si(d), 0.0}};
     const Pin C{"C", B.at + polar(l, direction(B.at, A.at))};
-    sketch.fixed(O);
     sketch.fixed(B);
-    sketch.bar("crank", O, A, r);
     sketch.bar("lever", B, C, l);
-    sketch.revolute("O", "ground", "crank");
     sketch.revolute("B", "ground", "lever");
     sketch.slot("A", {"crank", "lever"}, {"A", "B"});
-    sketch.crank("O");
   }
 
   [[nodiscard]] std::optional<FieldFault> crank_stop() const {

@@ -38,24 +38,20 @@ loads = [{ link = "ram", at = "D", F_x = "0 N", F_y = "8 kN" }]
       Choice{&TogglePress::ram, "ram", "open: the ram is below B, crossed: above it"}.may_be_missing()};
 
   void draw(Sketch& sketch) const {
-    const Pin O{"O", {0.0, 0.0}}, A{"A", polar(r, sketch.crank_angle())}, C{"C", cartesian(x_C, y_C)};
+    const Pin A = sketch.crank_arm(r), C{"C", cartesian(x_C, y_C)};
     const Pin B{"B", sketch.meet({"upper", C.at, b}, Reach{"rod", A.at, l}, assembly)};
     const Pin D{"D", sketch.meet({"lower", B.at, f}, Line{C.at, {0.0, -1.0}}, ram)};
-    sketch.fixed(O);
     sketch.fixed(C);
-    sketch.bar("crank", O, A, r);
     sketch.bar("rod", A, B, l);
     sketch.bar("upper", C, B, b);
     sketch.bar("lower", B, D, f);
     sketch.block("ram", D, 0.0);
-    sketch.revolute("O", "ground", "crank");
     sketch.revolute("A", "crank", "rod");
     sketch.revolute("B", "rod", "upper");
     sketch.revolute("B_lower", "upper", "lower", "B");
     sketch.revolute("C", "ground", "upper");
     sketch.revolute("D", "lower", "ram");
     sketch.prismatic("guide", {"ram", "ground"}, {"D", "C"}, -pi / 2.0);
-    sketch.crank("O");
   }
 
   [[nodiscard]] std::optional<FieldFault> crank_stop() const {

@@ -19,13 +19,6 @@ using Cause = ActingForce::Cause;
 
 constexpr std::size_t most_frames = 360, most_columns_times_frames = 60000, most_numbers = 16;
 
-draw::Point point(Vec v) { return {v.x, v.y}; }
-
-Plan::Tone tone_of(Cause cause) {
-  if (cause == Cause::joint) return Plan::Tone::first;
-  return cause == Cause::weight || cause == Cause::inertia ? Plan::Tone::third : Plan::Tone::second;
-}
-
 double largest(const std::vector<draw::Point>& values) {
   double most = 0.0;
   for (const auto& v : values) most = std::max(most, std::hypot(v.x, v.y));
@@ -129,7 +122,7 @@ class Animation {
   Motion::Side side_of(const ActingForce& a) {
     const auto [found, is_new] = ids_.try_emplace(key(a), motion_.forces.size());
     if (is_new) motion_.forces.emplace_back();
-    return {found->second, a.sense, a.name(), tone_of(a.cause)};
+    return {found->second, a.sense, a.name(), a.tone()};
   }
 
   /// Sides that are zero all the time, then polygons of fewer than two sides; the one with the largest force is shown.

@@ -4,6 +4,8 @@
 #include "lib/draw/canvas/typeset.hpp"
 #include "lib/mechanism/model/spring.hpp"
 
+#include <algorithm>
+
 namespace loadpath::planar {
 
 namespace {
@@ -87,6 +89,11 @@ void add_joints(const Model& model, const Position& at, int link, std::vector<Ac
 
 std::string ActingForce::name() const { return sense < 0.0 ? "−" + draw::symbol(label) : label; }
 
+draw::Plan::Tone ActingForce::tone() const {
+  if (cause == Cause::joint) return draw::Plan::Tone::first;
+  return cause == Cause::weight || cause == Cause::inertia ? draw::Plan::Tone::third : draw::Plan::Tone::second;
+}
+
 std::vector<ActingForce> external_forces(const Model& model, const Position& at, int link, bool statics) {
   std::vector<ActingForce> forces;
   add_loads(model, at, link, forces);
@@ -100,6 +107,13 @@ std::vector<ActingForce> acting_on(const Model& model, const Position& at, int l
   std::vector<ActingForce> forces = external_forces(model, at, link, statics);
   add_joints(model, at, link, forces);
   return forces;
+}
+
+draw::Point middle_of(const std::vector<draw::Point>& points) {
+  draw::Point sum;
+  for (const auto& p : points) sum.x += p.x, sum.y += p.y;
+  const double n = std::max(1.0, static_cast<double>(points.size()));
+  return {sum.x / n, sum.y / n};
 }
 
 Vec line_of(const mechanism::Joint& joint, const Position& at) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calculators/mechanism/cycle/cycle.hpp"
+#include "lib/figure/figure.hpp"
 
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct ActingForce {
 
   /// With its sign.
   [[nodiscard]] std::string name() const;
+  [[nodiscard]] draw::Plan::Tone tone() const;
 };
 
 /// Loads, springs, weight, inertia (the force -m a at the mass centre, with the couple -J epsilon), drives, then
@@ -31,6 +33,10 @@ std::vector<ActingForce> acting_on(const mechanism::Model& model, const mechanis
 /// Loads, springs and drives, weights and inertia of all links: what Zhukovsky's lever is loaded with.
 std::vector<ActingForce> external_forces(const mechanism::Model& model, const mechanism::Position& at, int link,
                                          bool statics);
+
+inline draw::Point point(mechanism::Vec v) { return {v.x, v.y}; }
+/// The mean of points; of none the origin.
+draw::Point middle_of(const std::vector<draw::Point>& points);
 
 /// The direction of the line of a joint, a guide or slot, in global axes.
 mechanism::Vec line_of(const mechanism::Joint& joint, const mechanism::Position& at);

@@ -16,8 +16,6 @@ using mechanism::JointKind;
 using mechanism::length;
 using mechanism::Vec;
 
-draw::Point point(Vec v) { return {v.x, v.y}; }
-
 /// A point of the mechanism in a plan.
 struct ImagePoint {
   std::string name;  // of the point: "A"

@@ -17,13 +17,6 @@ using Cause = ActingForce::Cause;
 constexpr std::size_t most_panels = 12;
 constexpr double rounding = 1e-9;  // of the largest: what is below is drawn as nothing
 
-draw::Point point(Vec v) { return {v.x, v.y}; }
-
-Plan::Tone tone_of(Cause cause) {
-  if (cause == Cause::joint) return Plan::Tone::first;
-  return cause == Cause::weight || cause == Cause::inertia ? Plan::Tone::third : Plan::Tone::second;
-}
-
 double largest_reaction(const mechanism::Position& at) {
   double most = 0.0;
   for (const auto& r : at.reactions) most = std::max(most, length(r.force));
@@ -50,14 +43,6 @@ Vec lever_arm(const PlanSubject& subject, int link, Vec place) {
   return -mechanism::normal(velocity);
 }
 
-/// A couple belongs to the whole image of its link.
-draw::Point middle_of(const Plan::Image& image) {
-  draw::Point sum;
-  for (const auto& p : image.points) sum.x += p.x, sum.y += p.y;
-  const double n = std::max(1.0, static_cast<double>(image.points.size()));
-  return {sum.x / n, sum.y / n};
-}
-
 }  // namespace
 
 Plan force_plan(const PlanSubject& subject, int link) {
@@ -67,7 +52,7 @@ Plan force_plan(const PlanSubject& subject, int link) {
   for (const ActingForce& acting : acting_on(subject.model, subject.at, link, subject.statics)) {
     if (length(acting.force) <= least) continue;
     const Vec next = end + acting.force;
-    plan.vectors.push_back({point(end), point(next), acting.name(), tone_of(acting.cause)});
+    plan.vectors.push_back({point(end), point(next), acting.name(), acting.tone()});
     end = next;
   }
   return plan;
@@ -109,9 +94,9 @@ Plan zhukovsky_lever(const PlanSubject& subject) {
       if (has_moment) plan.forces.push_back({foot, point(acting.force), acting.name(), load});
       const bool turns = acting.couple != 0.0 && subject.at.velocity[k].phi != 0.0;
       if (!turns) continue;
-      const bool inertia = acting.cause == Cause::inertia;
+      const bool inertia = acting.cause == Cause::inertia;  // another couple belongs to the whole image of its link
       plan.moments.push_back(
-          {inertia ? foot : middle_of(plan.images[k]), acting.couple,
+          {inertia ? foot : middle_of(plan.images[k].points), acting.couple,
            inertia ? "−" + draw::symbol("J") + " " + draw::symbol("epsilon_" + subject.model.links[k].name)
                    : acting.name()});
     }

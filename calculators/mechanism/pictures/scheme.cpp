@@ -17,10 +17,6 @@ using mechanism::JointKind;
 using mechanism::Position;
 using mechanism::Vec;
 
-draw::Point point(Vec v) { return {v.x, v.y}; }
-
-Vec on_paper(const Position& p, int link, Vec at) { return motion_of(p, link, at).place; }
-
 bool has_pin(JointKind kind) { return kind == JointKind::revolute || kind == JointKind::rigid; }
 bool has_rack(JointKind kind) { return kind == JointKind::rack || kind == JointKind::rolling_on_line; }
 
@@ -72,13 +68,7 @@ class Drawing {
  private:
   Scheme& scheme() { return motion_.still; }
 
-  draw::Point middle_of(std::size_t link) {
-    draw::Point sum;
-    const auto& points = scheme().bodies[link].points;
-    for (const auto& p : points) sum.x += p.x, sum.y += p.y;
-    const double n = std::max(1.0, static_cast<double>(points.size()));
-    return {sum.x / n, sum.y / n};
-  }
+  draw::Point middle_of_body(int link) { return middle_of(scheme().bodies[static_cast<std::size_t>(link)].points); }
 
   /// From the first point of the links to the farthest.
   double size() {
@@ -162,7 +152,7 @@ class Drawing {
     Vec sum;
     for (const int link : {j.i, j.j}) {
       if (link == mechanism::ground) continue;
-      const draw::Point middle = middle_of(static_cast<std::size_t>(link));
+      const draw::Point middle = middle_of_body(link);
       const Vec off = Vec{middle.x, middle.y} - place;
       if (mechanism::length(off) > 0.0) sum = sum + (1.0 / mechanism::length(off)) * off;
     }
@@ -264,7 +254,7 @@ class Drawing {
     if (now.moment == 0.0 && !(moving_ && extents_.loads_turn[n])) return;
     // A couple without a point belongs to the whole link.
     const bool has_place = extents_.loads_push[n] || mechanism::length(l.point) > 0.0;
-    const draw::Point seat = has_place ? point(place) : middle_of(static_cast<std::size_t>(l.link));
+    const draw::Point seat = has_place ? point(place) : middle_of_body(l.link);
     scheme().moments.push_back({seat, now.moment, l.name.empty() ? "M" : l.name});
     motion_.couples.push_back({{}, {l.link, -1}});
   }

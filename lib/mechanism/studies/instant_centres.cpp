@@ -37,22 +37,9 @@ InstantCentre instant_centre(const Position& at, int i, int j, double size) {
   const double speed = length(v), omega = vi.phi - vj.phi, still = 1e-12 * fastest(at, size);
   if (size * std::abs(omega) <= still && speed <= still) return {};
   if (farthest * size * std::abs(omega) > speed && size * std::abs(omega) > still) {
-    return {InstantCentre::Kind::point, from + (1.0 / omega) * normal(v), {}, omega};
+    return {InstantCentre::Kind::point, from + (1.0 / omega) * normal(v), {}};
   }
-  return {InstantCentre::Kind::at_infinity, {}, (1.0 / speed) * normal(v), 0.0};
-}
-
-InstantCentre acceleration_pole(const Position& at, std::size_t link, double size) {
-  const Pose& a = at.acceleration[link];
-  const double omega = at.velocity[link].phi, squared = omega * omega, epsilon = a.phi;
-  const double turning = std::hypot(squared, epsilon), straight = std::hypot(a.x, a.y);
-  if (turning * size * farthest <= straight) {
-    return {straight > 0.0 ? InstantCentre::Kind::at_infinity : InstantCentre::Kind::at_rest, {}, {}, omega};
-  }
-  if (turning == 0.0) return {};
-  const Vec own{a.x, a.y};
-  const Vec arm = (1.0 / (turning * turning)) * (squared * own + epsilon * normal(own));
-  return {InstantCentre::Kind::point, origin_of(at, static_cast<int>(link)) + arm, {}, omega};
+  return {InstantCentre::Kind::at_infinity, {}, (1.0 / speed) * normal(v)};
 }
 
 std::vector<CentreOfPair> instant_centres(const Position& at, double size) {

@@ -1,11 +1,9 @@
-// Instantaneous centres: the point about which a link turns at the moment, against the ground or another link, and the
-// pole of accelerations.
+// Instantaneous centres: the point about which a link turns at the moment, against the ground or another link.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"
 #include "lib/mechanism/model/position.hpp"
 
-#include <cstddef>
 #include <vector>
 
 namespace loadpath::mechanism {
@@ -14,19 +12,14 @@ struct InstantCentre {
   /// `at_infinity`: the links do not turn against each other, all points move alike; `at_rest`: nor do they move.
   enum class Kind { point, at_infinity, at_rest };
   Kind kind = Kind::at_rest;
-  Vec at;              // global, m: where there is one
-  Vec direction;       // unit vector towards the centre at infinity: square to the motion
-  double omega = 0.0;  // rad/s: of the first link against the second
+  Vec at;         // global, m: where there is one
+  Vec direction;  // unit vector towards the centre at infinity: square to the motion
 };
 
 /// Of link i against link j: where both have the same velocity. It does not depend on the speed of the one drive, but
 /// there must be one. `size`: of the mechanism, m; a centre more than 1e9 of it away is at infinity. Technical
 /// mechanics (in Bulgarian), chapter 29.
 InstantCentre instant_centre(const Position& at, int i, int j, double size);
-
-/// The point of the link's plane that has no acceleration; `omega` is that of the link. At infinity where the link has
-/// neither angular speed nor angular acceleration; its direction then has no meaning and is zero.
-InstantCentre acceleration_pole(const Position& at, std::size_t link, double size);
 
 /// Of every two links, the ground last: three of them lie on a line for any three links (Aronhold and Kennedy).
 struct CentreOfPair {

@@ -55,14 +55,6 @@ std::optional<std::array<PointMass, 2>> statically_equivalent(const Link& link, 
   return std::array<PointMass, 2>{{{a, link.mass * (1.0 - part)}, {b, link.mass * part}}};
 }
 
-std::optional<std::array<PointMass, 2>> dynamically_equivalent(const Link& link, Vec a) {
-  const Vec arm = link.centre - a;
-  const double square = dot(arm, arm);
-  if (!(square > 0.0) || !(link.mass > 0.0) || !(link.inertia > 0.0)) return std::nullopt;
-  const Vec beyond = (link.inertia / link.mass / square) * arm;
-  return statically_equivalent(link, a, link.centre + beyond);
-}
-
 std::optional<std::array<PointMass, 3>> dynamically_equivalent(const Link& link, Vec a, Vec b) {
   const std::optional<Vec> line = line_through_centre(link, a, b);
   if (!line) return std::nullopt;

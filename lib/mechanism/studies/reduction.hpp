@@ -51,9 +51,6 @@ struct PointMass {
 /// Two masses at points on a line with the mass centre, with the mass and the mass centre of the link. The moment of
 /// inertia that they lack: `missing_inertia`. Nothing if the points coincide or the line misses the mass centre.
 std::optional<std::array<PointMass, 2>> statically_equivalent(const Link& link, Vec a, Vec b);
-/// Two masses with the moment of inertia as well: one at this point, the other opposite, in the centre of percussion
-/// for it. Nothing if the point is the mass centre, or the link has no mass or no moment of inertia.
-std::optional<std::array<PointMass, 2>> dynamically_equivalent(const Link& link, Vec a);
 /// Three masses with the moment of inertia as well, at two points and, the last, in the mass centre between them, on
 /// one line; that one can be negative.
 std::optional<std::array<PointMass, 3>> dynamically_equivalent(const Link& link, Vec a, Vec b);

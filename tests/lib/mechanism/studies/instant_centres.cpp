@@ -91,22 +91,6 @@ TEST_SUITE("mechanism") {
     check_at(instant_centre(solved.at, 0, ground, 0.35), {pose.x, 0.0});
     const double top = length(point_velocity(solved.at.velocity[0], {0.0, 0.35}));
     CHECK(top == doctest::Approx(2.0 * length(point_velocity(solved.at.velocity[0], {}))));
-    check_at(acceleration_pole(solved.at, 0, 0.35), {pose.x, pose.y});  // it rolls evenly
-  }
-
-  TEST_CASE("the pole of accelerations has none") {
-    const Solved solved = solve(slider_crank(), {{1.0, 12.0, -30.0}});
-    REQUIRE(solved.status == Status::closed);
-    for (std::size_t link = 0; link < 2; ++link) {
-      const InstantCentre pole = acceleration_pole(solved.at, link, 0.5);
-      REQUIRE(pole.kind == Kind::point);
-      const Pose& pose = solved.at.pose[link];
-      const Vec a =
-          point_acceleration(solved.at.acceleration[link], solved.at.velocity[link].phi, pole.at - Vec{pose.x, pose.y});
-      CHECK(length(a) <= 1e-11);
-    }
-    CHECK(acceleration_pole(solved.at, 2, 0.5).kind == Kind::at_infinity);  // the piston
-    CHECK(acceleration_pole(moving({}), 0, 1.0).kind == Kind::at_rest);
   }
 
   TEST_CASE("the centres of any three links lie on a line") {

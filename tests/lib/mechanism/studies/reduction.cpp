@@ -129,14 +129,6 @@ TEST_SUITE("mechanism") {
     CHECK_FALSE(statically_equivalent(connecting_rod, {0.1, 0.1}, {0.1, 0.1}).has_value());
   }
 
-  TEST_CASE("two masses in a point and its centre of percussion have a link's inertia too") {
-    const auto masses = dynamically_equivalent(connecting_rod, {0.0, 0.1});
-    REQUIRE(masses.has_value());
-    check_equivalent(connecting_rod, *masses);
-    CHECK(std::abs(missing_inertia(connecting_rod, *masses)) <= 1e-15);
-    CHECK_FALSE(dynamically_equivalent(connecting_rod, connecting_rod.centre).has_value());
-  }
-
   TEST_CASE("three masses in two chosen points and the mass centre have a link's inertia too") {
     const auto masses = dynamically_equivalent(connecting_rod, {}, {0.27, 0.09});
     REQUIRE(masses.has_value());

@@ -39,6 +39,20 @@ void for_each_drive(const Mechanism::Input& in, Visit visit) {
     visit(cylinder, in.crank.joint.empty() ? in.positions : in.crank.positions);
 }
 
+/// The times of a law by points, and the places then.
+struct Points {
+  std::vector<double> t, place;
+};
+template <class Drive>
+Points points_of(const Drive& drive) {
+  Points points;
+  for (const auto& moment : drive.law) {
+    points.t.push_back(in_si(moment.t));
+    points.place.push_back(place_of(moment));
+  }
+  return points;
+}
+
 template <class Drive>
 bool follows_law(const Drive& drive) {
   return !drive.law.empty() || !formula_of(drive).empty();
@@ -121,40 +135,28 @@ class LawCheck {
 
 }  // namespace
 
-template <class Moments, class PlaceOf>
-void DriveLaw::take_points(const Moments& moments, planar::LawShape shape, PlaceOf place_of) {
-  std::vector<double> t, place;
-  for (const auto& moment : moments) {
-    t.push_back(in_si(moment.t));
-    place.push_back(place_of(moment));
+template <class Drive>
+void DriveLaw::take(const Drive& drive) {
+  if (!drive.law.empty()) {
+    const auto [t, place] = points_of(drive);
+    first_ = t.front();
+    last_ = t.back();
+    if (drive.law_shape == planar::LawShape::monotone) {
+      motion_ = MonotoneSpline(t, place);
+    } else {
+      motion_ = RestToRestSpline(t, place);
+    }
   }
-  first_ = t.front();
-  last_ = t.back();
-  if (shape == planar::LawShape::monotone) {
-    motion_ = MonotoneSpline(t, place);
-  } else {
-    motion_ = RestToRestSpline(t, place);
-  }
-}
-
-void DriveLaw::take_formula(const Formula& formula, const Dimension& dimension, Time duration) {
-  auto law = parsed(formula, dimension);
+  if (formula_of(drive).empty()) return;
+  auto law = parsed(formula_of(drive), dimension_of(drive));
   if (!law) return;  // told by check_laws
   motion_ = std::move(*law);
-  last_ = in_si(duration);
+  last_ = in_si(drive.duration);
 }
 
-DriveLaw::DriveLaw(const Crank& crank) {
-  if (!crank.law.empty())
-    take_points(crank.law, crank.law_shape, [](const Crank::Moment& moment) { return place_of(moment); });
-  if (!crank.angle_of_t.empty()) take_formula(crank.angle_of_t, deg.dimension(), crank.duration);
-}
+DriveLaw::DriveLaw(const Crank& crank) { take(crank); }
 
-DriveLaw::DriveLaw(const Cylinder& cylinder) {
-  if (!cylinder.law.empty())
-    take_points(cylinder.law, cylinder.law_shape, [](const Cylinder::Moment& moment) { return place_of(moment); });
-  if (!cylinder.place_of_t.empty()) take_formula(cylinder.place_of_t, mm.dimension(), cylinder.duration);
-}
+DriveLaw::DriveLaw(const Cylinder& cylinder) { take(cylinder); }
 
 Jet DriveLaw::at(double t) const {
   return std::visit(
@@ -181,11 +183,7 @@ std::vector<FieldFault> overshooting_laws(const Mechanism::Input& in) {
   std::vector<FieldFault> warnings;
   for_each_drive(in, [&](const auto& drive, Whole) {
     if (drive.law.size() < 2 || drive.law_shape != planar::LawShape::spline) return;
-    std::vector<double> t, place;
-    for (const auto& moment : drive.law) {
-      t.push_back(in_si(moment.t));
-      place.push_back(place_of(moment));
-    }
+    const auto [t, place] = points_of(drive);
     const auto [low, high] = std::minmax_element(place.begin(), place.end());
     const auto over = RestToRestSpline(t, place).largest_overshoot();
     if (!(over.by > negligible * (*high - *low))) return;

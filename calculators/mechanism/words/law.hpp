@@ -26,9 +26,8 @@ class DriveLaw {
   [[nodiscard]] Jet at(double t) const;
 
  private:
-  template <class Moments, class PlaceOf>
-  void take_points(const Moments& moments, planar::LawShape shape, PlaceOf place_of);
-  void take_formula(const Formula& formula, const Dimension& dimension, Time duration);
+  template <class Drive>
+  void take(const Drive& drive);
 
   std::variant<std::monostate, RestToRestSpline, MonotoneSpline, Law> motion_;
   double first_ = 0.0, last_ = 0.0;

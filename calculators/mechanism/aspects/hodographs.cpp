@@ -18,10 +18,6 @@ constexpr std::size_t busiest = 3;
 constexpr double mark_spacing = pi / 6.0;
 constexpr std::size_t marks_of_other_axes = 12;
 
-std::string link_name(const mechanism::Model& model, int link) {
-  return link == mechanism::ground ? "ground" : model.links[static_cast<std::size_t>(link)].name;
-}
-
 /// A joint with its forces over the cycle.
 struct Loaded {
   std::size_t joint = 0;

@@ -145,10 +145,6 @@ Wording wording_of(const Parameter& p, const mechanism::Model& model) {
   return *std::find_if(wordings.begin(), wordings.end(), [&](const Wording& w) { return w.dimension == p.dimension; });
 }
 
-std::string link_name(const mechanism::Model& model, int link) {
-  return link == mechanism::ground ? "ground" : model.links[static_cast<std::size_t>(link)].name;
-}
-
 Message name_of(const Parameter& p, const char* id, const mechanism::Model& model) {
   using enum Parameter::Dimension;
   if (p.dimension <= friction_coefficient) {

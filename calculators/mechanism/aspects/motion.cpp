@@ -147,13 +147,10 @@ void add_centres(const mechanism::Model& model, const mechanism::Position& deriv
   constexpr std::size_t few_links = 3;
   Table table{
       say("Instantaneous centres at the first position"), {say("link"), say("against"), say("x"), say("y")}, {}};
-  const auto name = [&](int link) {
-    return link == mechanism::ground ? std::string("ground") : model.links[static_cast<std::size_t>(link)].name;
-  };
   const double size = mechanism::characteristic_length(model);
   for (const auto& pair : instant_centres(derivatives, size)) {
     if (pair.j != mechanism::ground && model.links.size() > few_links) continue;
-    std::vector<Cell> row{name(pair.i), name(pair.j)};
+    std::vector<Cell> row{link_name(model, pair.i), link_name(model, pair.j)};
     for (Cell& cell : cells_of(pair.centre, size)) row.push_back(std::move(cell));
     table.rows.push_back(std::move(row));
   }

@@ -6,7 +6,7 @@
 #include "calculators/mechanism/words/point_masses.hpp"
 #include "calculators/mechanism/words/points.hpp"
 #include "calculators/mechanism/words/profiles.hpp"
-#include "lib/mechanism/model/vec.hpp"
+#include "lib/mechanism/model/frames.hpp"
 
 #include <cmath>
 #include <vector>
@@ -44,12 +44,6 @@ mechanism::Link link_of(const Mechanism::Input& in, std::size_t i) {
   return link;
 }
 
-Vec on_paper(const mechanism::Model& model, int link, Vec p) {
-  if (link == mechanism::ground) return p;
-  const mechanism::Pose& pose = model.links[static_cast<std::size_t>(link)].pose;
-  return Vec{pose.x, pose.y} + mechanism::turn(pose.phi)(p);
-}
-
 /// Whether the points of its two links lie in one place, or at least on one line.
 bool brings_together(mechanism::JointKind kind) {
   using Kind = mechanism::JointKind;
@@ -67,7 +61,7 @@ void place_links(const Mechanism::Input& in, mechanism::Model& model) {
       if (is_placed(j.i) == is_placed(j.j) || !brings_together(j.kind)) continue;
       const bool i_free = !is_placed(j.i);
       const int free = i_free ? j.i : j.j;
-      const Vec target = on_paper(model, i_free ? j.j : j.i, i_free ? j.point_j : j.point_i);
+      const Vec target = placed_in(model, i_free ? j.j : j.i).point(i_free ? j.point_j : j.point_i);
       mechanism::Pose& pose = model.links[static_cast<std::size_t>(free)].pose;
       const Vec offset = mechanism::turn(pose.phi)(i_free ? j.point_i : j.point_j);
       pose.x = target.x - offset.x;

@@ -54,9 +54,6 @@ class PartChecks {
   [[nodiscard]] bool exists(int link) const {
     return link == ground || (link >= 0 && static_cast<std::size_t>(link) < model_.links.size());
   }
-  [[nodiscard]] std::string name(int link) const {
-    return link == ground ? "ground" : model_.links[static_cast<std::size_t>(link)].name;
-  }
 
   const Model& model_;
   std::vector<Finding> findings_;
@@ -90,7 +87,7 @@ void PartChecks::check(std::size_t k, const Joint& joint) {
   if (!exists(joint.i) || !exists(joint.j)) {
     add(About::joint, k, say("joint '{1}' is at a link that does not exist", joint.name));
   } else if (joint.i == joint.j) {
-    add(About::joint, k, say("joint '{1}' connects '{2}' with itself", joint.name, name(joint.i)),
+    add(About::joint, k, say("joint '{1}' connects '{2}' with itself", joint.name, link_name(model_, joint.i)),
         say("a joint is between two links, or between a link and the ground"));
   }
   if (!finite({joint.point_i.x, joint.point_i.y, joint.point_j.x, joint.point_j.y, joint.direction, joint.angle})) {
@@ -144,7 +141,7 @@ void PartChecks::check_rotary(std::size_t k, const Driver& driver) {
     return;
   }
   if (driver.i == driver.j) {
-    add(About::driver, k, say("driver '{1}' turns '{2}' against itself", driver.name, name(driver.i)));
+    add(About::driver, k, say("driver '{1}' turns '{2}' against itself", driver.name, link_name(model_, driver.i)));
     return;
   }
   for (const auto& joint : model_.joints) {
@@ -152,7 +149,7 @@ void PartChecks::check_rotary(std::size_t k, const Driver& driver) {
     if (joint.kind != JointKind::prismatic || !same_pair(driver, across)) continue;
     add(About::driver, k,
         say("driver '{1}' turns '{2}' against '{3}', but the prismatic joint '{4}' holds that angle", driver.name,
-            name(driver.i), name(driver.j), joint.name),
+            link_name(model_, driver.i), link_name(model_, driver.j), joint.name),
         say("a prismatic joint takes a linear driver"));
   }
   check_driven_once(k, driver);

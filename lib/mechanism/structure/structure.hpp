@@ -63,6 +63,9 @@ std::vector<SharedFreedoms> shared_freedoms(const Structure& structure);
 /// "the joints 'A', 'B' together hold one freedom too many"
 Message too_many(const Model& model, const std::vector<std::size_t>& joints, std::size_t freedoms);
 
+inline std::string link_name(const Model& model, int link) {
+  return link == ground ? "ground" : model.links[static_cast<std::size_t>(link)].name;
+}
 /// "'crank', 'rod'".
 template <class Parts>
 std::string names_of(const Parts& parts, const std::vector<std::size_t>& chosen) {

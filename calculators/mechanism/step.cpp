@@ -131,9 +131,7 @@ static bool in_order(const planar::Crank& crank) {
 /// False where values contradict each other: nothing more can be said of the model.
 bool MechanismStep::check_values(const mechanism::Model& model, std::vector<Issue>& issues) const {
   auto faults = check_drawing(data(), model);
-  for (FieldFault& fault : check_shares(data())) faults.push_back(std::move(fault));
-  for (FieldFault& fault : check_profiles(data())) faults.push_back(std::move(fault));
-  for (FieldFault& fault : check_laws(data())) faults.push_back(std::move(fault));
+  for (const auto check : {&check_shares, &check_profiles, &check_laws}) append(check(data()), faults);
   ask_all(&Aspect::check_values, data(), model, faults);
   add_faults(faults, issues);
   return faults.empty();

@@ -274,7 +274,7 @@ std::optional<Table> dead_point_table(const mechanism::Model& model, const Cycle
 }
 
 void check(const Mechanism::Input& in, const mechanism::Model& model, std::vector<FieldFault>& faults) {
-  for (FieldFault& fault : check_rest(in, model)) faults.push_back(std::move(fault));
+  append(check_rest(in, model), faults);
 }
 
 void show(const Solved& solved, const Results&, std::vector<account::Block>& blocks) {

@@ -26,9 +26,7 @@ class NameCheck {
     for (const auto& point : in_.ground) check_point(point, "ground." + std::string(point.name.view()));
     for (const auto& link : in_.links) check_link(link);
     for (const auto& joint : in_.joints) check_joint(joint);
-    for (const auto& profile : in_.profiles) {
-      for (FieldFault& fault : check_fields(profile)) faults_.add(std::move(fault));
-    }
+    for (const auto& profile : in_.profiles) faults_.add(check_fields(profile));
     check_drives();
     for (std::size_t i = 0; i < in_.loads.size(); ++i) check_load(in_.loads[i], i);
     for (const auto& spring : in_.springs) check_spring(spring);
@@ -68,7 +66,7 @@ class NameCheck {
       faults_.add(links, say("joint '{1}' connects '{2}' with itself", joint.name.view(), joint.links.first.view()),
                   say("a joint is between two links, or between a link and the ground"));
     }
-    for (FieldFault& fault : check_fields(joint)) faults_.add(std::move(fault));
+    faults_.add(check_fields(joint));
     if (is_cam(joint.type) && !joint.profile.empty()) check_cam(joint);
   }
 
@@ -127,7 +125,7 @@ class NameCheck {
   void check_spring(const planar::Spring& spring) {
     const bool first = faults_.require_link(spring.links.first, path_of("springs", spring.name, "links") + ".first");
     const bool second = faults_.require_link(spring.links.second, path_of("springs", spring.name, "links") + ".second");
-    for (FieldFault& fault : check_fields(spring)) faults_.add(std::move(fault));
+    faults_.add(check_fields(spring));
     if (first && second && spring.links.first == spring.links.second)
       faults_.add(path_of("springs", spring.name, "links"),
                   say("a spring acts between two links, or a link and the ground"));

@@ -7,11 +7,16 @@
 #include <algorithm>
 #include <cstddef>
 #include <initializer_list>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace loadpath::planar {
+
+inline void append(std::vector<FieldFault> more, std::vector<FieldFault>& faults) {
+  std::move(more.begin(), more.end(), std::back_inserter(faults));
+}
 
 class NameFaults {
  public:
@@ -24,7 +29,7 @@ class NameFaults {
   void add(std::string path, Message message, Message hint = {}) {
     faults_.push_back({std::move(path), std::move(message), std::move(hint)});
   }
-  void add(FieldFault fault) { faults_.push_back(std::move(fault)); }
+  void add(std::vector<FieldFault> more) { append(std::move(more), faults_); }
 
   /// False, and a fault at `path`, where the mechanism has no such link; the ground is one.
   bool require_link(const Name& name, const std::string& path);

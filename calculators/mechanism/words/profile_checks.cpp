@@ -272,9 +272,7 @@ std::vector<FieldFault> check_values(const CamProfile& profile) { return ValueCh
 
 std::vector<FieldFault> check_profiles(const Mechanism::Input& in) {
   std::vector<FieldFault> faults;
-  for (const CamProfile& profile : in.profiles) {
-    for (FieldFault& fault : check_values(profile)) faults.push_back(std::move(fault));
-  }
+  for (const CamProfile& profile : in.profiles) append(check_values(profile), faults);
   if (faults.empty()) check_hollows(in, faults);
   return faults;
 }

@@ -5,7 +5,6 @@
 #include "lib/calculator/record_of.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace loadpath::planar {

@@ -4,7 +4,6 @@
 #include "lib/quantity/format.hpp"
 
 #include <string>
-#include <utility>
 
 namespace loadpath::planar {
 

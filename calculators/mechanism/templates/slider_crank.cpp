@@ -1,7 +1,5 @@
 #include "calculators/mechanism/templates/template_of.hpp"
 
-#include <cmath>
-
 namespace loadpath::planar::templates {
 
 struct SliderCrank {

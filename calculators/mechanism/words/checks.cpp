@@ -8,7 +8,6 @@
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 

@@ -3,8 +3,6 @@
 #include "calculators/mechanism/words/points.hpp"
 #include "lib/mechanism/model/model.hpp"
 
-#include <algorithm>
-
 namespace loadpath::planar {
 
 std::string path_of(const char* list, std::string_view name, std::string_view field) {

@@ -3,7 +3,6 @@
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace loadpath::formula {
 namespace {

@@ -4,7 +4,6 @@
 #include "lib/project/parts.hpp"
 
 #include <algorithm>
-#include <functional>
 
 namespace loadpath::project {
 

@@ -1,7 +1,5 @@
 #include "lib/quantity/format.hpp"
 
-#include <cmath>
-
 namespace loadpath {
 namespace {
 

@@ -7,8 +7,6 @@
 #include "lib/mechanism/whole/system.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <numbers>
 

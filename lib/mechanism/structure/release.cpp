@@ -3,7 +3,6 @@
 #include "lib/mechanism/structure/free_mechanism.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace loadpath::mechanism {

@@ -3,7 +3,6 @@
 #include "lib/formula/formula.hpp"
 #include "lib/quantity/format.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 

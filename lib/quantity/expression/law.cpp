@@ -2,7 +2,6 @@
 
 #include "lib/quantity/expression/tree.hpp"
 
-#include <optional>
 #include <string>
 
 namespace loadpath {

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -33,6 +34,16 @@ gear::Pair::Input helical() {
   in.b = 28.0 * mm;
   in.T_1 = 60.0 * N_m;
   return in;
+}
+
+/// The free length between the tips of wheel and ring, from the derivation.
+double tips_of(const gear::Pair::Input& in) {
+  Trace trace;
+  gear::Pair::evaluate(in, trace);
+  for (const Line& line : trace.lines()) {
+    if (line.symbol == "f_t") return line.si;
+  }
+  return unset<double>;
 }
 
 /// The messages of a step with these lines.
@@ -102,6 +113,26 @@ TEST_SUITE("gear pair") {
     CHECK(rel(r.d_a2 / mm, 69.096) < 1e-12);
     CHECK(rel(r.eps_alpha, 1.6592491236642055) < 1e-10);
     CHECK(r.f_int > 0.0);
+  }
+
+  TEST_CASE("the free length between tips of wheel and ring is that of the drawn circles") {
+    gear::Pair::Input in = pair_of(16, 24, 3);
+    in.mesh = gear::Mesh::internal;
+    in.x_2 = -0.516;
+    in.shortening = gear::Shortening::none;
+    const auto r = solve(in);
+    // Centres on the x axis, the ring's in the origin, the wheel's at a_w; the tip circles cross above the axis.
+    const double a = r.a_w / mm, r_1 = 0.5 * r.d_a1 / mm, r_2 = 0.5 * r.d_a2 / mm;
+    const double x = (a * a + r_2 * r_2 - r_1 * r_1) / (2.0 * a), y = std::sqrt(r_2 * r_2 - x * x);
+    const auto inv = [](double alpha) { return std::tan(alpha) - alpha; };
+    const auto behind = [&](double d_b, double d_a) { return inv(std::acos(d_b / d_a)) - inv(r.alpha_wt); };
+    // From the pitch point a flank's tip stands behind by the difference of its involutes, and goes on to the crossing.
+    const double wheel = std::atan2(y, x - a) + behind(r.d_b1 / mm, r.d_a1 / mm);
+    const double ring = std::atan2(y, x) + behind(r.d_b2 / mm, r.d_a2 / mm);
+    const double apart = (wheel * 16.0 / 24.0 - ring) * r_2 / 3.0;
+    REQUIRE(apart < 10.0);
+    CHECK(std::abs(std::min(apart, r.f_int) - r.f_int) < 1e-9);
+    CHECK(std::abs(tips_of(in) - apart) < 1e-9);
   }
 
   TEST_CASE("profile shifts give the distance, and the distance the shifts") {

@@ -27,7 +27,7 @@ if(LOADPATH_FUZZ)
   target_compile_options(loadpath_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
-# A release build of a target with little optimisation.
+# A release build of a target with little optimisation: of what runs once a command. Solver and sweeps keep -O3.
 function(loadpath_cold target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()

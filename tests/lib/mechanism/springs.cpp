@@ -38,6 +38,22 @@ TEST_SUITE("mechanism") {
     CHECK(spring_now(model.springs[0], solved.at).effort == doctest::Approx(effort));
   }
 
+  TEST_CASE("a damper resists with the rate at which its ends part, between turning links too") {
+    Model model = slider_crank();
+    const double c = 15.0, dt = 1e-6, speed = 7.0;
+    model.springs.push_back({"c", Spring::Kind::linear, 1, 0, {0.1, 0.02}, {0.03, -0.01}, 0.0, 0.0, c});
+    WholeSystem system(model);
+    REQUIRE(system.assemble() == Status::closed);
+    const double start = system.coordinate(0);
+    const auto at_time = [&](double t) { return solve(model, {{start + 0.4 + speed * t, speed, 0.0}}).at; };
+    const auto span = [&](const Position& at) {
+      const auto now = spring_now(model.springs[0], at);
+      return length(now.at_i - now.at_j);
+    };
+    const double rate = (span(at_time(dt)) - span(at_time(-dt))) / (2.0 * dt);
+    CHECK(spring_now(model.springs[0], at_time(0.0)).effort == doctest::Approx(c * rate).epsilon(1e-7));
+  }
+
   TEST_CASE("where its ends coincide a spring has no direction, unless it has no force there") {
     Model model;
     const int block = add_link(model, "block", {});

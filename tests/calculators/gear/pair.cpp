@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 namespace {
 
@@ -41,7 +42,7 @@ double tips_of(const gear::Pair::Input& in) {
   Trace trace;
   gear::Pair::evaluate(in, trace);
   for (const Line& line : trace.lines()) {
-    if (line.symbol == "f_t") return line.si;
+    if (std::string_view(line.symbol) == "f_t") return line.si;
   }
   return unset<double>;
 }

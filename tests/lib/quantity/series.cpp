@@ -269,7 +269,8 @@ TEST_SUITE("quantity") {
       CHECK(std::isnan(value_at(series, 2.01)));
       CHECK(std::isnan(value_at(series, -0.01)));
     }
-    const Value wave = over(open(0.0, 2.0, 41), [](double x) { return std::sin(x); });
+    const Axis fine = open(0.0, 2.0, 41);
+    const Value wave = over(fine, [](double x) { return std::sin(x); });
     for (const double x : {0.01, 0.06, 1.94, 1.99}) CHECK(std::abs(value_at(wave, x) - std::sin(x)) < 3e-7);
   }
 

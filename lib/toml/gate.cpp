@@ -64,6 +64,33 @@ std::size_t first_bare_foreign(std::string_view text) {
   return i < text.size() ? i : std::string_view::npos;
 }
 
+/// Where keys have more parts, or brackets lie deeper within one another, than any project has: the parser goes down by
+/// a call for each. npos where they do not.
+std::size_t first_too_deep(std::string_view text) {
+  constexpr int most = 64;
+  int parts = 0, depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"' || c == '\'') {
+      i = behind_quotes(text, i);
+      if (i == std::string_view::npos) return i;
+      --i;
+    } else if (c == '#') {
+      i = std::min(text.find('\n', i), text.size());
+      parts = 0;
+    } else if (c == '\n' || c == '=' || c == ',') {
+      parts = 0;
+    } else if (c == '.') {
+      if (++parts > most) return i;
+    } else if (c == '[' || c == '{') {
+      if (++depth > most) return i;
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
+  }
+  return std::string_view::npos;
+}
+
 Issue issue_at(std::string_view text, std::size_t at, const std::string& file, Message message, Message hint) {
   const std::string_view before = text.substr(0, at);
   const std::size_t start = before.rfind('\n') + 1;  // npos + 1 is 0
@@ -98,6 +125,8 @@ std::optional<Issue> refuse_text(std::string_view text, const std::string& file)
 }
 
 std::optional<Issue> refuse_bare(std::string_view text, const std::string& file) {
+  if (const std::size_t deep = first_too_deep(text); deep != std::string_view::npos)
+    return issue_at(text, deep, file, say("tables lie too deep within one another"), say("at most 64 levels"));
   const std::size_t at = first_bare_foreign(text);
   if (at == std::string_view::npos) return std::nullopt;
   return issue_at(text, at, file, say("not valid TOML: a character outside ASCII stands outside of quotes"), {});

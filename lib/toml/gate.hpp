@@ -15,8 +15,8 @@ inline constexpr std::size_t largest_file = std::size_t{4} << 20U;
 /// The first thing that cannot be passed on, with its place.
 std::optional<Issue> refuse_text(std::string_view text, const std::string& file);
 
-/// The first character outside ASCII that stands neither in quotes nor in a comment, without a hint: no TOML, and the
-/// parser is undefined on it too.
+/// What is no TOML, or no project, and what the parser does not stand: a character outside ASCII that stands neither in
+/// quotes nor in a comment, without a hint, and tables that lie too deep within one another.
 std::optional<Issue> refuse_bare(std::string_view text, const std::string& file);
 
 }  // namespace loadpath::toml

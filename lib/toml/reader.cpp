@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -135,19 +136,33 @@ std::string_view line_of(std::string_view text, int line) {
 
 }  // namespace
 
+namespace {
+
+/// A text with control characters written as escapes would reach terminals and reports.
+void refuse_controls(const Tree& tree, std::vector<Issue>& issues) {
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n'; };
+  if (tree.type == Tree::Type::text && std::any_of(tree.text.begin(), tree.text.end(), is_control))
+    issues.push_back({tree.place, "", say("a control character in a text"), say("remove it"), Severity::error});
+  for (const Tree& item : tree.items) refuse_controls(item, issues);
+  for (const Tree::Entry& entry : tree.entries) refuse_controls(entry.value, issues);
+}
+
+}  // namespace
+
 Tree read_toml(std::string_view text, const std::string& file, std::vector<Issue>& issues) {
   if (const auto refused = refuse_text(text, file)) {
     issues.push_back(*refused);
     return {};
   }
   if (auto refused = refuse_bare(text, file)) {
-    refused->hint = hint_for(line_of(text, refused->place.line));
+    if (refused->hint.empty()) refused->hint = hint_for(line_of(text, refused->place.line));
     issues.push_back(std::move(*refused));
     return {};
   }
   try {
     Tree tree = convert_table(::toml::parse(text, file), file);
     tree.place = {file, 1, 1, 1};
+    refuse_controls(tree, issues);
     return tree;
   } catch (const ::toml::parse_error& error) {
     const Place place = place_of(error.source(), file);
@@ -185,14 +200,23 @@ const Tree::Entry* Tree::find(std::string_view key) const {
   return found == entries.end() ? nullptr : &*found;
 }
 
+/// Of what never ends no more than what is refused.
+static void read_whole(std::istream& stream, std::string& text) {
+  std::array<char, 1U << 14U> part{};
+  while (stream && text.size() <= largest_file) {
+    stream.read(part.data(), part.size());
+    text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+}
+
 bool read_file(const std::string& path, std::string& text) {
   if (path == "-") {
-    text.assign(std::istreambuf_iterator<char>(std::cin), {});
+    read_whole(std::cin, text);
     return true;
   }
   std::ifstream stream(path, std::ios::binary);
   if (!stream || std::filesystem::is_directory(path)) return false;
-  text.assign(std::istreambuf_iterator<char>(stream), {});
+  read_whole(stream, text);
   return !stream.bad();
 }
 

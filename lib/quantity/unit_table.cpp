@@ -96,6 +96,7 @@ constexpr UnitRow rows[] = {
     {"kip", "", "", pound_force, -10, force, none},
     {"psi", "", "", psi, -5, stress, none},
     {"ksi", "", "", psi, -2, stress, none},
+    {"kpsi", "", "", psi, -2, stress, none},
 };
 
 /// The first eight bytes of a name as one number, in the order of the names: one comparison instead of a memcmp.

@@ -142,7 +142,7 @@ class Check {
       case Rule::root:
         return root(node, first);
       case Rule::trigonometric:
-        return ratio(node, first, "'{1}' needs an angle or a number, not {2}", {});
+        return trigonometric(node, first);
       case Rule::number:
         return ratio(node, first, "'{1}' needs a number, not {2}", {});
       case Rule::inverse:
@@ -163,6 +163,19 @@ class Check {
     if (dimension) return *dimension;
     return fault(node, say("'{1}' cannot be taken of {2}", node.function->name, name_of(radicand)),
                  say("make it a number first: divide by 1 of its unit"));
+  }
+
+  /// A literal number is no angle, as outside of expressions; with pi in it, it is one in radians.
+  [[nodiscard]] Dimensioned trigonometric(const Node& node, const Dimension& given) const {
+    const Node& angle = node.kids.front();
+    const std::string written = tree_.written(angle);
+    const Node& number = angle.operation == Operation::negate ? angle.kids.front() : angle;
+    const bool literal = number.operation == Operation::literal && written.find("pi") == std::string::npos;
+    if (literal && given.is_number() && number.si != 0.0) {
+      return fault(angle, say("'{1}' needs an angle, and '{2}' is a bare number", node.function->name, written),
+                   say("write {1}({2} deg), or {1}({2} rad)", node.function->name, written));
+    }
+    return ratio(node, given, "'{1}' needs an angle or a number, not {2}", {});
   }
 
   [[nodiscard]] static Dimensioned ratio(const Node& node, const Dimension& given, std::string_view rule,

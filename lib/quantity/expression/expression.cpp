@@ -6,6 +6,31 @@
 
 namespace loadpath {
 
+namespace {
+
+using expression::Node;
+using expression::Operation;
+
+/// Through products and quotients with positive numbers; a sign, a signed factor, a sum or the choice of max and min
+/// says what is meant, but a range or a mean square is never an extreme.
+std::string_view magnitude_of(const Node& node) {
+  if (node.operation == Operation::call && node.function->is_magnitude && !is_constant(node))
+    return node.function->name;
+  const bool product = node.operation == Operation::multiply || node.operation == Operation::divide;
+  if (!product && node.operation != Operation::negate) return {};
+  std::string_view name;
+  bool sign = node.operation == Operation::negate;
+  for (const Node& kid : node.kids) {
+    const std::string_view of_kid = magnitude_of(kid);
+    if (!of_kid.empty()) name = of_kid;
+    if (of_kid.empty() && !is_constant(kid)) return {};  // a signed factor
+    if (is_constant(kid) && constant(kid) < 0.0) sign = true;
+  }
+  return sign && (name == "peak" || name == "abs") ? std::string_view() : name;
+}
+
+}  // namespace
+
 Expression::Expression() = default;
 Expression::~Expression() = default;
 Expression::Expression(Expression&&) noexcept = default;
@@ -23,6 +48,8 @@ Outcome<Expression> Expression::parse(std::string_view text) {
 const std::vector<Expression::Reference>& Expression::references() const { return references_; }
 
 Outcome<Signature> Expression::check(const Declared& declared) const { return expression::check(*tree_, declared); }
+
+std::string_view Expression::magnitude() const { return magnitude_of(tree_->root); }
 
 Value Expression::evaluate(const Known& known) const {
   const auto signature =

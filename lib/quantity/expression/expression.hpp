@@ -51,6 +51,9 @@ class Expression {
   /// Dimension and axis of the result, or the first fault: unknown names, unlike dimensions or axes, °C, wrong
   /// arguments.
   [[nodiscard]] Outcome<Signature> check(const Declared& declared) const;
+  /// The function that makes the value a magnitude, so that the sign of what it is taken of is lost: "peak"; empty
+  /// where none does. A sign that is written before it stands for the one that is meant.
+  [[nodiscard]] std::string_view magnitude() const;
   /// The value. A result that is not finite is NaN (never an infinity).
   [[nodiscard]] Value evaluate(const Known& known) const;
 

@@ -20,14 +20,23 @@ constexpr std::size_t any_number = 1024;
 
 constexpr Function reduction(std::string_view name, std::string_view form, double (*f)(const Value&),
                              Rule rule = Rule::reduction) {
-  return {.name = name, .form = form, .rule = rule, .least = 1, .most = 1, .reduce = f};
+  const bool is_magnitude = name == "peak" || name == "amplitude" || name == "range" || name == "rms";
+  return {.name = name, .form = form, .rule = rule, .least = 1, .most = 1, .reduce = f, .is_magnitude = is_magnitude};
 }
 
 using JetOf = Jet (*)(const Jet&);
 
 constexpr Function map(std::string_view name, std::string_view form, Rule rule, double (*f)(double), JetOf jet,
                        int degree = 1) {
-  return {.name = name, .form = form, .rule = rule, .least = 1, .most = 1, .map = f, .degree = degree, .jet = jet};
+  return {.name = name,
+          .form = form,
+          .rule = rule,
+          .least = 1,
+          .most = 1,
+          .map = f,
+          .degree = degree,
+          .is_magnitude = name == "abs",
+          .jet = jet};
 }
 
 constexpr Function functions[] = {

@@ -33,6 +33,7 @@ struct Function {
   double (*map)(double) = nullptr;
   double (*join)(double, double) = nullptr;
   int degree = 1;
+  bool is_magnitude = false;         // never negative, whatever it is taken of
   Jet (*jet)(const Jet&) = nullptr;  // of a smooth function of one argument; null where it has kinks
   Jet (*jet_of_two)(const Jet&, const Jet&) = nullptr;
 };

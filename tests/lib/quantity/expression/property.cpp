@@ -29,7 +29,7 @@ class Generator {
       case 0:
         return {"-(" + a.text + ")", -a.value};
       case 1:
-        return {"sin(" + a.text + ")", finite(std::sin(a.value))};
+        return {"sin((" + a.text + ")*1 rad)", finite(std::sin(a.value))};
       case 2:
         return {"sqrt(abs(" + a.text + "))", finite(std::sqrt(std::abs(a.value)))};
       case 3:

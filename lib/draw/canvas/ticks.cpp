@@ -10,7 +10,8 @@ namespace loadpath::draw {
 namespace {
 
 double power_of_ten(int exponent) { return std::pow(10.0, exponent); }
-int magnitude(double value) { return static_cast<int>(std::floor(std::log10(value) + 1e-9)); }
+/// Of nothing it is that of 1.
+int magnitude(double value) { return value > 0.0 ? static_cast<int>(std::floor(std::log10(value) + 1e-9)) : 0; }
 
 double decimal_step(double least) {
   const double unit = power_of_ten(magnitude(least));

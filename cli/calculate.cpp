@@ -98,6 +98,22 @@ void put_angles(Tree& step, const std::string& at, std::vector<Issue>& issues) {
   put(*crank, flag_entry("at", at, nullptr, issues));
 }
 
+/// Modes of failure that the shell accepts, beside those of the file.
+void put_accepted(Tree& step, const std::vector<std::string>& accepted) {
+  if (accepted.empty()) return;
+  const Place place{"--accept", 1, 1, 1};
+  auto table = std::find_if(step.entries.begin(), step.entries.end(), [](const auto& e) { return e.key == "accept"; });
+  if (table == step.entries.end()) table = step.entries.insert(step.entries.end(), {"accept", place, {}});
+  for (const std::string& text : accepted) {
+    const std::size_t equals = std::min(text.find('='), text.size());
+    Tree reason;
+    reason.type = Tree::Type::text;
+    reason.place = place;
+    reason.text = text.substr(std::min(equals + 1, text.size()));
+    put(table->value, {text.substr(0, equals), place, std::move(reason)});
+  }
+}
+
 /// Flags in place of what a step says. The number of positions goes to the crank where there is one.
 void put_flags(Tree& step, const CalculateOptions& options, std::vector<Issue>& issues) {
   for (const auto& [key, text] : options.values) {
@@ -112,6 +128,7 @@ void put_flags(Tree& step, const CalculateOptions& options, std::vector<Issue>& 
         flag_entry(key, text, find_field(options.calculator->input->fields, key), issues));
   }
   if (!options.at.empty()) put_angles(step, options.at, issues);
+  put_accepted(step, options.accepted);
 }
 
 Tree tree_of_flags(const CalculateOptions& options, std::vector<Issue>& issues) {

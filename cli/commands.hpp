@@ -21,6 +21,7 @@ struct OutputOptions {
   std::string dxf;                  // file for that drawing, or folder for those of several mechanisms
   std::vector<std::string> series;  // patterns of those that JSON and CSV hold; none: all
   bool quiet = false;
+  bool strict = false;  // what is open counts as not judged
 };
 
 struct RunOptions {
@@ -36,6 +37,7 @@ struct CalculateOptions {
   std::string file;
   std::string at;                                           // crank angles, in place of those of the file
   std::vector<std::pair<std::string, std::string>> values;  // key, text as typed
+  std::vector<std::string> accepted;  // modes of failure with reasons: "pitting=rated by the maker"
   OutputOptions output;
 };
 int calculate(const CalculateOptions& options);

@@ -82,6 +82,20 @@ void show_patterns(std::span<const ResultPattern> patterns) {
   std::cout << "Results, NAME as in the project file\n" << terminal::columns(rows) << "\n";
 }
 
+/// The ways in which the part can fail, and what judges each.
+void show_modes(const Calculator& calculator) {
+  Rows rows;
+  for (const ModeInfo& mode : calculator.modes) {
+    const std::string judge = *mode.checks != '\0'  ? mode.checks
+                              : *mode.judge != '\0' ? std::string("left to ") + mode.judge
+                                                    : "nothing in loadpath judges it";
+    rows.push_back({std::string("  ") + mode.id, mode.title, judge});
+  }
+  if (rows.empty()) return;
+  std::cout << "Modes of failure, and what judges them; accept.MODE = \"reason\" answers for one that is not judged\n"
+            << terminal::columns(rows) << "\n";
+}
+
 std::string joined(const std::vector<std::string>& words) {
   std::string all;
   for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
@@ -93,6 +107,7 @@ void add_names(std::span<const FieldInfo> fields, void* owner, const std::string
   for (const FieldInfo& f : fields) {
     if (f.type != Type::list || f.size(owner) == 0) continue;
     const FieldInfo* name = find_field(f.fields, "name");
+    if (name == nullptr) continue;  // elements by number, of which a template says no more
     std::vector<std::string> names;
     for (std::size_t i = 0; i < f.size(owner); ++i) names.emplace_back(name->text(f.element(owner, i)));
     rows.push_back({"  " + prefix + f.key, joined(names)});
@@ -161,6 +176,7 @@ int describe(const DescribeOptions& options) {
   if (!c->rules.empty()) std::cout << "\n";
   if (c->result != nullptr) show_type("Results", *c->result);
   if (const auto patterns = c->patterns(); !patterns.empty()) show_patterns(patterns);
+  show_modes(*c);
   std::cout << "Example, a project file that runs:\n\n" << c->example;
   return passed;
 }

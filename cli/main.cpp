@@ -23,8 +23,9 @@ constexpr auto footer = R"(Examples:
   loadpath mechanism planar --file examples/toggle-press/project.toml --svg press.svg
   loadpath convert "2700 lbf*in" "N*m"
 
-Exit codes: 0 solved and every check passes; 1 solved, but a check fails, is not covered or not available;
-2 the input is wrong, nothing is written; 3 a fault of the program; 130 interrupted.)";
+Exit codes: 0 solved, and every mode of failure that applies is judged and passes, or accepted; 1 solved, but one fails,
+is not judged, not covered or not available;
+2 the input is wrong, nothing is written; 3 a fault of the program, or of standard output; 130 interrupted.)";
 
 void add_output(CLI::App& app, OutputOptions& output) {
   app.add_option("--report", output.reports, "write a report: FILE.html, FILE.md or FILE.pdf")
@@ -43,6 +44,7 @@ void add_output(CLI::App& app, OutputOptions& output) {
       ->take_all()
       ->allow_extra_args(false);
   app.add_flag("--quiet", output.quiet, "print errors only");
+  app.add_flag("--strict", output.strict, "count modes of failure that are open as not judged: exit code 1");
 }
 
 void setup_run(CLI::App& app, RunOptions& options, Action& action) {
@@ -156,6 +158,14 @@ void add_flags(CLI::App& app, const Calculator& calculator, CalculateOptions& op
     add(group, "row of the " + group + " tables that fills what is missing", "NAME");
   }
   add("title", "title of the report", "TEXT");
+  if (!calculator.modes.empty()) {
+    app.add_option("--accept", options.accepted,
+                   "answer for a mode of failure that is not judged: --accept fatigue=\"stands still\"")
+        ->type_name("MODE=REASON")
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
+  }
   app.add_option("--file", options.file,
                  "project file: its steps of this calculator, and what they refer to; other flags replace their fields")
       ->type_name("FILE");
@@ -314,11 +324,14 @@ std::string program() { return "loadpath " LOADPATH_VERSION; }
 int main(int argc, char** argv) {
   if (argc > 1 && std::string_view(argv[1]) == "--version") {  // asked by scripts, again and again: nothing is set up
     std::cout << loadpath::cli::program() << "\n";
-    return loadpath::cli::passed;
+    return std::cout.flush() ? loadpath::cli::passed : loadpath::cli::fault;
   }
   std::signal(SIGINT, [](int) { std::_Exit(loadpath::cli::interrupted); });
   try {
-    return loadpath::cli::dispatch(argc, argv);
+    const int code = loadpath::cli::dispatch(argc, argv);
+    if (std::cout.flush()) return code;
+    std::cerr << "loadpath: standard output cannot be written\n";
+    return loadpath::cli::fault;
   } catch (const std::exception& error) {
     std::cerr << "loadpath: a fault of the program: " << error.what() << "\n";
     return loadpath::cli::fault;

@@ -33,8 +33,9 @@ void check_series(const project::Project& project, const OutputOptions& output, 
 
 }  // namespace
 
-int exit_for(const std::vector<account::Verdict>& verdicts) {
-  return account::worst(verdicts) == account::State::pass ? passed : not_passed;
+int exit_for(const account::Modes& modes, bool strict) {
+  const account::State most = strict ? account::State::accepted : account::State::open;
+  return account::rank(account::worst(modes)) <= account::rank(most) ? passed : not_passed;
 }
 
 int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceText>& sources,
@@ -51,7 +52,10 @@ int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceTe
   } else if (!output.quiet) {
     terminal::show_project(project, in_full);
   }
-  return exit_for(project::verdicts(project));
+  const int code = exit_for(project::modes(project), output.strict);
+  if (code != exit_for(project::modes(project), false) && !output.quiet)
+    std::cerr << "not passed: what is open counts as not judged (--strict)\n";
+  return code;
 }
 
 }  // namespace loadpath::cli

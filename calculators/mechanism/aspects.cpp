@@ -30,6 +30,7 @@ static constexpr std::array list{
     &aspects::flanks,
     &aspects::structure,
     &aspects::redundancy,
+    &aspects::resolution,
     &aspects::changes_of_assembly,
     &aspects::motion,
     &aspects::influence,

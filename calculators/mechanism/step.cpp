@@ -5,6 +5,7 @@
 #include "calculators/mechanism/cycle/idle.hpp"
 #include "calculators/mechanism/cycle/redundant.hpp"
 #include "calculators/mechanism/expansion.hpp"
+#include "calculators/mechanism/results/modes.hpp"
 #include "calculators/mechanism/results/values.hpp"
 #include "calculators/mechanism/templates/template.hpp"
 #include "calculators/mechanism/words/checks.hpp"
@@ -91,11 +92,16 @@ Outcome<Signature> MechanismStep::signature(const std::string& path) const {
 
 std::vector<std::string> MechanismStep::companions_of(const std::string& path) const {
   const auto taken = std::find_if(outputs_.begin(), outputs_.end(), [&](const auto& o) { return o.path == path; });
-  if (taken == outputs_.end() || !taken->what.facts.loads_crank) return {};
+  if (taken == outputs_.end()) return {};
+  std::vector<std::string> all;
+  for (const std::string& key : listed_keys(taken->what.facts.with))
+    all.push_back(name() + "." + path.substr(0, path.rfind('.') + 1) + key);
+  if (!taken->what.facts.loads_crank) return all;
   const auto force = std::find_if(outputs_.begin(), outputs_.end(), [&](const auto& o) {
     return o.what.facts.kind == Kind::joint_force && o.name == data().crank.joint.view();
   });
-  return {name() + "." + force->path};
+  all.push_back(name() + "." + force->path);
+  return all;
 }
 
 /// The field of the project file that a finding is about.
@@ -171,6 +177,8 @@ void MechanismStep::solve(const project::Known& known, const project::Wanted& wa
   add_faults(choose_assembly(data(), structure_, model), issues);
   if (issues.size() != before) return;
   const bool redundant = !structure_.redundant.empty();
+  if (axis_ != nullptr && axis_->quantity == "crank angle" && in_si(data().crank.acceleration) == 0.0)
+    axis_->speed = std::abs(in_si(data().crank.speed));
   const Cycle proved = solve_cycle(data(), model, redundant, axis_.get());
   const mechanism::Model released = redundant ? determinate(model, proved) : mechanism::Model();
   const Cycle shown = redundant ? without_what_is_not_unique(proved) : Cycle();
@@ -191,6 +199,7 @@ void MechanismStep::tell(const Solved& solved, const project::Wanted& wanted) {
   // What was released of the given model is read from what was solved.
   fill_results(outputs_, outputs_of(data(), solved.model), solved, wants, account);
   fill_inputs();
+  account.modes = modes_of(*this, data(), wanted);
   account.sources = sources_used(data(), structure_);
   if (wanted.pictures) illustrate(solved);
 }
@@ -248,6 +257,9 @@ const Calculator& erased<planar::Mechanism>() {
     c.input = &record_type<planar::Mechanism::Input, planar::Mechanism::inputs>;
     c.patterns = &planar::result_patterns;
     c.templates = planar::templates::all();
+    c.modes = mode_infos<planar::Mechanism>;
+    c.applies = &applies_of<planar::Mechanism>;
+    c.turns = true;
     return c;
   }();
   return calculator;

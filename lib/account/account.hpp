@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lib/account/block.hpp"
+#include "lib/account/mode.hpp"
 #include "lib/account/verdict.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/quantity/series.hpp"
@@ -46,7 +47,9 @@ struct Derived {
 struct Account {
   std::vector<Entry> inputs;
   std::vector<Entry> results;
-  std::vector<Verdict> verdicts;
+  std::vector<Verdict> verdicts;    // of checks and limits
+  Modes modes;                      // what they amount to: the verdict on the part
+  std::vector<Message> warnings;    // customs that the input breaks
   Message governing;                // which position the derivation is for; empty where there is one value
   std::vector<Derived> derivation;  // where formulas are wanted
   std::set<std::string> scopes;     // what its lines are about: "", "methods[2]"; known without it

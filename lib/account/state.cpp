@@ -6,28 +6,37 @@ namespace loadpath::account {
 namespace {
 
 struct Words {
-  const char *word, *overall, *mark;
+  const char *word, *mark;
+  int rank;
 };
 
 Words words(State state) {
   switch (state) {
     case State::pass:
-      return {"pass", "every check passes", "✓"};
+      return {"pass", "✓", 0};
+    case State::accepted:
+      return {"accepted", "≈", 1};
+    case State::open:
+      return {"open", "○", 2};
+    case State::not_judged:
+      return {"not judged", "?", 3};
     case State::not_covered:
-      return {"not covered", "something is not covered", "◇"};
+      return {"not covered", "◇", 4};
     case State::not_available:
-      return {"not available", "something is not available", "–"};
+      return {"not available", "–", 5};
     case State::fail:
-      return {"fail", "a check fails", "✗"};
+      return {"fail", "✗", 6};
   }
-  return {"", "", ""};
+  return {"", "", 0};
 }
 
 }  // namespace
 
-Message word(State state) { return say(words(state).word); }
+int rank(State state) { return words(state).rank; }
 
-Message overall(State state) { return say(words(state).overall); }
+State worse(State a, State b) { return rank(a) < rank(b) ? b : a; }
+
+Message word(State state) { return say(words(state).word); }
 
 std::string slug(State state) {
   std::string name = words(state).word;

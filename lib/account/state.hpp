@@ -1,4 +1,4 @@
-// How a check can come out, and the words for it.
+// How a check or a mode of failure can come out, and the words for it.
 #pragma once
 
 #include "lib/text/issue.hpp"
@@ -7,14 +7,25 @@
 
 namespace loadpath::account {
 
-/// From good to bad: the larger of two is the worse.
-enum class State { pass, not_covered, not_available, fail };
+enum class State {
+  pass,
+  accepted,       // by the user, with a reason
+  open,           // it may concern the part, and nothing says so
+  not_judged,     // it concerns the part, and nothing was held against it
+  not_covered,    // outside of what the method covers
+  not_available,  // a value is missing
+  fail
+};
+
+/// From good to bad: the worst of several decides. An order of its own, whatever that of the words.
+int rank(State state);
+/// The worse of two.
+State worse(State a, State b);
+
 constexpr State pass_if(bool holds) { return holds ? State::pass : State::fail; }
 
 /// "pass", "not covered".
 Message word(State state);
-/// The same for a set of checks: "every check passes".
-Message overall(State state);
 /// The word as one name: "not-covered".
 std::string slug(State state);
 /// A sign that says the same without colour.

@@ -1,12 +1,10 @@
 #include "lib/account/verdict.hpp"
 
-#include <algorithm>
-
 namespace loadpath::account {
 
 State worst(const std::vector<Verdict>& verdicts) {
   State state = State::pass;
-  for (const Verdict& row : verdicts) state = std::max(state, row.state);
+  for (const Verdict& row : verdicts) state = worse(state, row.state);
   return state;
 }
 

@@ -1,6 +1,7 @@
 // A calculator without its C++ types: what the program's commands, readers, searches, sweeps and reports know of it.
 #pragma once
 
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/record.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -67,6 +68,8 @@ struct Calculator {
   bool (*holds)(std::size_t rule, const void* input) = nullptr;
   /// What is wrong with an input that breaks the rule: the rule's particulars, else its text.
   FieldFault (*fault_of)(std::size_t rule, const void* input) = nullptr;
+  std::span<const ModeInfo> modes;
+  Applies (*applies)(std::size_t mode, const void* input) = nullptr;
   void (*evaluate)(const void* input, void* result) = nullptr;
   void (*explain)(const void* input, void* result, Trace& trace) = nullptr;
   std::vector<draw::Figure> (*figures)(const void* input, const void* result) = nullptr;
@@ -76,6 +79,8 @@ struct Calculator {
   /// Whether an input may be a series: not where it decides on one thing for all its loads, a belt and its tension, a
   /// section. At every position of a cycle it would find another.
   bool takes_series = true;
+  /// Whether its part turns: the loads that it gives to others then come again and again.
+  bool turns = false;
 
   [[nodiscard]] std::string_view element() const {
     const std::string_view all = id;

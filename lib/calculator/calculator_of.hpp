@@ -5,8 +5,10 @@
 //     struct Input { ... };  struct Result { ... };
 //     static constexpr std::tuple inputs{Field{...}...}, results{Field{...}...};
 //     static constexpr std::array rules{Rule<Input>{...}...};
+//     static constexpr std::array modes{Mode<Input>{...}...};  // in which its part can fail
 //     template <class Tracer> static Result evaluate(const Input&, Tracer&);   // defined in the source
 //     static constexpr bool takes_series = false;              // where it decides on one thing for all its loads
+//     static constexpr bool turns = true;                      // of a part that turns
 //     static std::vector<draw::Figure> figures(const Input&, const Result&);
 //   };
 #pragma once
@@ -75,6 +77,10 @@ constexpr Calculator calculator_of() {
   c.fault_of = [](std::size_t rule, const void* in) {
     return detail::fault_of(C::rules[rule], *static_cast<const Input*>(in));
   };
+  if constexpr (requires { C::modes; }) {
+    c.modes = mode_infos<C>;
+    c.applies = &applies_of<C>;
+  }
   c.evaluate = [](const void* in, void* out) {
     NoTrace trace;
     *static_cast<Result*>(out) = C::evaluate(*static_cast<const Input*>(in), trace);
@@ -91,6 +97,7 @@ constexpr Calculator calculator_of() {
     detail::sweep_loop<C>(*static_cast<Input*>(in), columns, out, count);
   };
   if constexpr (requires { C::takes_series; }) c.takes_series = C::takes_series;
+  if constexpr (requires { C::turns; }) c.turns = C::turns;
   return c;
 }
 

@@ -16,8 +16,8 @@ namespace loadpath {
 
 struct FieldFault;
 
-/// A check is a utilisation, demand over capacity, passing at <= 1. A limit is a validity range: outside its bounds the
-/// verdict is "not covered".
+/// A check is a utilisation, demand over capacity, passing at <= 1. A limit is the range of a method, outside of which
+/// the verdict is "not covered"; or a criterion, outside of which the part fails.
 enum class Role { input, result, check, limit };
 
 struct Range {
@@ -110,8 +110,12 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
   const char* asked_by = "";     // check or limit: exists only where one of these inputs is given ("N, P")
   bool infinite = false;         // input: a plain number that may be typed as inf
   bool where_set = false;        // check or limit: exists only where the calculator gives it a value
+  bool is_criterion = false;     // limit: outside its bounds the part fails
+  bool is_beside = false;        // check or limit: shown, and never part of a verdict
   const char* searched_in = "";  // input: where missing, the smallest value of this stock that passes every check
   bool kept = false;             // input: where missing in a search, the result of the same key of the sizing run
+  const char* companions = "";   // what acts together with it on the same part: keys beside its own, "F_t, F_r"
+  bool signed_load = false;      // input: its sign decides, so that a magnitude is no value for it
   bool is_factor = false;        // input: raises a load or lowers a strength; the report lists where each is applied
 
   constexpr Field(Quantity Owner::*member, const char* k, Unit<Quantity> u, const char* d)
@@ -153,6 +157,18 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
     f.asked_by = input;
     return f;
   }
+  /// A limit that is the criterion itself: no room between the tips is no gap in a method.
+  [[nodiscard]] constexpr Field criterion() const {
+    Field f = *this;
+    f.is_criterion = true;
+    return f;
+  }
+  /// A check or limit that is shown beside the verdict: of another school, of a sum that other checks judge in parts.
+  [[nodiscard]] constexpr Field beside() const {
+    Field f = *this;
+    f.is_beside = true;
+    return f;
+  }
   /// A plain number whose infinity means something: the ratio of a stress cycle that ends in zero.
   [[nodiscard]] constexpr Field may_be_infinite() const {
     Field f = *this;
@@ -173,6 +189,18 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
   [[nodiscard]] constexpr Field kept_in_search() const {
     Field f = *this;
     f.kept = true;
+    return f;
+  }
+  /// One component of what acts on a part; `keys` are the others: who takes it and not them has not looked at all.
+  [[nodiscard]] constexpr Field with(const char* keys) const {
+    Field f = *this;
+    f.companions = keys;
+    return f;
+  }
+  /// A load whose sign decides: tension or compression.
+  [[nodiscard]] constexpr Field keeps_sign() const {
+    Field f = *this;
+    f.signed_load = true;
     return f;
   }
   [[nodiscard]] constexpr Field factor() const {

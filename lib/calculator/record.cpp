@@ -37,6 +37,16 @@ void* take_element(const FieldInfo& list, void* owner, std::string_view& path) {
 
 }  // namespace
 
+std::vector<std::string> listed_keys(std::string_view list) {
+  std::vector<std::string> keys;
+  while (!list.empty()) {
+    const std::size_t comma = std::min(list.find(", "), list.size());
+    keys.emplace_back(list.substr(0, comma));
+    list.remove_prefix(std::min(comma + 2, list.size()));
+  }
+  return keys;
+}
+
 const FieldInfo* find_field(std::span<const FieldInfo> fields, std::string_view key) {
   for (const FieldInfo& field : fields) {
     if (field.key == key) return &field;

@@ -43,8 +43,12 @@ struct FieldInfo {
   const char* asked_by = "";
   bool infinite = false;
   bool where_set = false;
+  bool is_criterion = false;
+  bool is_beside = false;
   const char* searched_in = "";
   bool kept = false;
+  const char* companions = "";
+  bool signed_load = false;
   bool is_factor = false;
 
   std::span<const ChoiceInfo> choices;  // choice
@@ -93,6 +97,9 @@ struct Leaf {
   [[nodiscard]] double get() const { return field->get(owner); }
   void set(double si) const { field->set(owner, si); }
 };
+
+/// The keys of a list: "N, P".
+std::vector<std::string> listed_keys(std::string_view list);
 
 const FieldInfo* find_field(std::span<const FieldInfo> fields, std::string_view key);
 

@@ -48,8 +48,12 @@ constexpr FieldInfo info_of(const Field<Owner, Quantity>& f) {
   info.asked_by = f.asked_by;
   info.infinite = f.infinite;
   info.where_set = f.where_set;
+  info.is_criterion = f.is_criterion;
+  info.is_beside = f.is_beside;
   info.searched_in = f.searched_in;
   info.kept = f.kept;
+  info.companions = f.companions;
+  info.signed_load = f.signed_load;
   info.is_factor = f.is_factor;
   info.get = [](const void* o) { return in_si(static_cast<const Owner*>(o)->*member_at<fields, I>); };
   info.set = [](void* o, double v) { static_cast<Owner*>(o)->*member_at<fields, I> = from_si<Quantity>(v); };

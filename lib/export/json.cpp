@@ -17,7 +17,7 @@ namespace {
 using account::Entry;
 using project::SeriesChoice;
 
-constexpr int schema_version = 1;
+constexpr int schema_version = 2;
 
 /// A state by its word in English, whatever the language of the report.
 std::string word_of(account::State state) { return std::string(account::word(state).id); }
@@ -85,6 +85,29 @@ void write_verdicts(const std::vector<account::Verdict>& list, JsonWriter& out) 
   out.close_array();
 }
 
+/// The verdict on a part or a machine: its worst mode, what it covers, and every mode.
+void write_modes(const account::Modes& modes, JsonWriter& out) {
+  out.key("verdict").open_object();
+  out.member("state", word_of(account::overall(modes)));
+  out.member("scope", account::scope(modes).text());
+  out.key("modes").open_array();
+  for (const account::Mode& mode : account::in_order(modes)) {
+    out.open_object();
+    out.member("step", mode.step);
+    out.member("mode", mode.id);
+    out.member("meaning", mode.title.text());
+    out.member("state", word_of(mode.state));
+    if (mode.utilisation) out.member("utilisation", *mode.utilisation);
+    if (!mode.governs.empty()) out.member("governs", mode.governs);
+    if (!mode.judge.empty()) out.member("left_to", mode.judge);
+    if (!mode.wants.empty()) out.member("wants", mode.wants);
+    out.member("reason", account::reason(mode).text());
+    out.close_object();
+  }
+  out.close_array();
+  out.close_object();
+}
+
 void write_derivation(const std::vector<account::Derived>& lines, JsonWriter& out) {
   out.key("derivation").open_array();
   for (const auto& [scope, step, element] : lines) {
@@ -146,6 +169,11 @@ void write_step(const project::Step& step, const SeriesChoice& choice, JsonWrite
   }
   out.close_object();
   write_verdicts(account.verdicts, out);
+  if (!account.warnings.empty()) {
+    out.key("warnings").open_array();
+    for (const Message& warning : account.warnings) out.write(warning.text());
+    out.close_array();
+  }
   if (!account.governing.empty()) out.member("derivation_for", account.governing.text());
   if (!account.derivation.empty()) write_derivation(account.derivation, out);
   out.close_object();
@@ -163,7 +191,7 @@ std::string json_of(const project::Project& project, std::string_view program, c
   out.member("title", project.title);
   for (const auto& [key, value] : project.meta) out.member(key, value);
   out.close_object();
-  out.member("verdict", word_of(account::worst(project::verdicts(project))));
+  write_modes(project::modes(project), out);
   out.key("steps").open_array();
   for (const auto& step : project.steps) write_step(*step, choice, out);
   out.close_array();

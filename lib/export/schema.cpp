@@ -121,6 +121,13 @@ json::object step_schema(const Calculator& calculator) {
   for (const char* key : {"title", "note", "material"}) properties[key] = json::object{{"type", "string"}};
   for (const std::string& group : table_groups(calculator)) properties[group] = json::object{{"type", "string"}};
   properties["display"] = json::object{{"type", "object"}, {"additionalProperties", json::object{{"type", "string"}}}};
+  json::object reasons;
+  for (const ModeInfo& mode : calculator.modes)
+    reasons[mode.id] = json::object{{"type", "string"}, {"minLength", 1}, {"description", mode.title}};
+  properties["accept"] = json::object{{"type", "object"},
+                                      {"additionalProperties", false},
+                                      {"description", "modes of failure that you answer for, each with the reason"},
+                                      {"properties", std::move(reasons)}};
   step["required"] = json::array{"calculator"};
   if (!calculator.templates.empty()) add_templates(calculator, step);
   return step;

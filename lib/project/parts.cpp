@@ -1,5 +1,6 @@
 #include "lib/project/parts.hpp"
 
+#include "lib/project/accept.hpp"
 #include "lib/quantity/number.hpp"
 
 #include <algorithm>
@@ -12,12 +13,9 @@ namespace {
 
 using toml::Tree;
 
-constexpr std::array reserved{"shaft", "fatigue",  "vessel",  "column",     "section",  "gear",      "belt",
-                              "chain", "drive",    "machine", "motion",     "dynamics", "mechanism", "run",
-                              "list",  "describe", "sweep",   "verify",     "tables",   "convert",   "schema",
-                              "init",  "watch",    "why",     "completion", "man",      "project",   "expect"};
+constexpr std::array reserved{"project", "values", "tables", "expect"};
 constexpr std::array heading_keys{"title", "number", "revision", "author", "checker", "date", "note"};
-const std::vector<std::string> step_keys{"calculator", "template", "title", "note", "display"};
+const std::vector<std::string> step_keys{"calculator", "template", "title", "note", "display", "accept"};
 
 void add(std::vector<Issue>& issues, const Place& place, const std::string& key, Message message, Message hint = {}) {
   issues.push_back({place, key, std::move(message), std::move(hint), Severity::error});
@@ -167,6 +165,7 @@ void read_within(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
   const Place place = place_in(tree.place, tree.text, 0, tree.text.size());
   if (!(literal->si > 0.0)) return add(issues, place, "expect.within", say("within must be > 0"), remedy);
   if (tree.text.find('%') != std::string::npos) {
+    if (literal->si >= 1.0) return add(issues, place, "expect.within", say("within must be < 100 %"), remedy);
     e.within = literal->si;
   } else if (literal->dimension.is_number()) {
     add(issues, place, "expect.within", say("'{1}' may be a part of the value or a difference from it", tree.text),
@@ -285,6 +284,7 @@ std::unique_ptr<Step> read_step(const Tree::Entry& entry, Catalogue catalogue, s
   if (const auto* note = entry.value.find("note")) input.note = text_of(*note, entry.key + ".note", issues);
   read_rows(entry.value, input, issues);
   read_display(entry.value, input, issues);
+  read_accepted(entry.value, input, issues);
   input.reading = read_record(entry.value, *input.calculator->input, input.from, entry.key + ".",
                               keys_beside_fields(*input.calculator), issues);
   return known->make_step(std::move(input));

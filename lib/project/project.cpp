@@ -58,6 +58,35 @@ std::set<std::string> taken_series(const Project& project) {
   return taken;
 }
 
+/// What loads a step varies where it is a series, or comes from something that turns, at once or through other steps.
+/// In order of evaluation.
+void find_varying_loads(Project& project, const Declared& declared) {
+  for (const std::size_t i : project.order) {
+    Step& step = *project.steps[i];
+    for (const Operand& operand : step.input().reading.operands) {
+      for (const auto& reference : operand.expression.references()) {
+        const Step* const source = project.find(split_step(reference.path).first);
+        if (source == nullptr) continue;
+        const auto signature = declared(reference.path);
+        if (source->input().calculator->turns || source->load_varies() || (signature && signature->axis != nullptr))
+          step.set_load_varies(true);
+      }
+    }
+  }
+}
+
+/// Customs that the input breaks stand with the step that they are about.
+void hand_out_warnings(Project& project, const std::vector<Issue>& issues) {
+  for (const Issue& issue : issues) {
+    if (issue.severity != Severity::warning) continue;
+    for (const auto& step : project.steps) {
+      if ((issue.key + ".").starts_with(step->name() + "."))
+        step->warn(
+            say("{1}: {2}", issue.key.substr(std::min(step->name().size() + 1, issue.key.size())), issue.message));
+    }
+  }
+}
+
 void check_expectations(const Project& project, std::vector<Issue>& issues) {
   for (const Expectation& e : project.expectations) {
     const auto signature = e.value.check([&](const std::string& path) { return signature_of(project, path); });
@@ -132,6 +161,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
   const Declared declared = [&](const std::string& path) { return signature_of(project, path); };
   const Companions companions = [&](const std::string& path) { return companions_of(project, path); };
   for (const std::size_t i : project.order) project.steps[i]->prepare(declared, companions, issues);
+  find_varying_loads(project, declared);
   if (!has_errors(issues)) check_expectations(project, issues);
   return project;
 }
@@ -147,6 +177,14 @@ void solve(Project& project, std::vector<Issue>& issues, Wanted wanted) {
     project.steps[i]->solve(known, wanted, issues);
     if (has_errors(issues)) return;
   }
+  hand_out_warnings(project, issues);
+}
+
+account::Modes modes(const Project& project) {
+  account::Modes all;
+  for (const auto& step : project.steps)
+    all.insert(all.end(), step->account().modes.begin(), step->account().modes.end());
+  return all;
 }
 
 std::vector<account::Verdict> verdicts(const Project& project) {

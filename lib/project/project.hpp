@@ -50,7 +50,9 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
 /// Solves the steps in order; stops at the first step with an issue.
 void solve(Project& project, std::vector<Issue>& issues, Wanted wanted = {});
 
-/// All verdicts, and the worst of them.
+/// The checks and limits of all steps.
 std::vector<account::Verdict> verdicts(const Project& project);
+/// How the modes of failure of all parts came out: the verdict.
+account::Modes modes(const Project& project);
 
 }  // namespace loadpath::project

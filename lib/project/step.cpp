@@ -51,6 +51,32 @@ Issue issue_at(const StepInput& input, const std::string& path, Message message,
 
 namespace {
 
+/// An angle is no bare number and an angular speed no frequency, as in a value that is typed. What comes from other
+/// steps may have lost its angle in a ratio of lengths, but a speed of turning is still no frequency. A load whose sign
+/// decides takes no magnitude.
+FieldFault lost_angle(const Operand& operand, const Dimension& given) {
+  const FieldInfo& field = *operand.leaf.field;
+  const Dimension& wanted = field.dimension;
+  const std::string_view magnitude = operand.expression.magnitude();
+  if (field.signed_load && !magnitude.empty()) {
+    return {operand.path, say("the sign of '{1}' decides, and '{2}' gives a magnitude", operand.path, magnitude),
+            say("take the series itself, its least value, min(...), or say the sign: -peak(...)")};
+  }
+  if (given == wanted) return {};
+  const bool literal = operand.expression.references().empty();
+  const bool angle = literal && wanted == Dimension::of(0, 0, 0, 0, 1);
+  const bool speed = literal && wanted == Dimension::of(0, 0, -1, 0, 1);
+  const bool frequency = wanted == Dimension::of(0, 0, -1) && given == Dimension::of(0, 0, -1, 0, 1);
+  if (!angle && !speed && !frequency) return {};
+  const Message hint = angle   ? say("write its unit: deg or rad")
+                       : speed ? say("write rpm, rev/s or rad/s; a frequency times 2*pi rad")
+                               : say("divide by 2*pi rad");
+  return {operand.path,
+          say("'{1}' takes a value of {2}, and this expression is one of {3}", operand.path, name_of(wanted),
+              name_of(given)),
+          hint};
+}
+
 /// The axis of one operand after its dimension has been compared with that of its field.
 const Axis* check_operand(const Operand& operand, const std::string& step, const Declared& declared,
                           std::vector<Issue>& issues) {
@@ -70,6 +96,11 @@ const Axis* check_operand(const Operand& operand, const std::string& step, const
                       say("'{1}' is a {2}, and this expression is a {3}", operand.path, name_of(wanted),
                           name_of(signature->dimension)),
                       {},
+                      Severity::error});
+    return nullptr;
+  }
+  if (const FieldFault fault = lost_angle(operand, signature->dimension); !fault.message.empty()) {
+    issues.push_back({place_in(operand.place, operand.text, 0, operand.text.size()), key, fault.message, fault.hint,
                       Severity::error});
     return nullptr;
   }

@@ -41,6 +41,8 @@ struct StepInput {
   Reading reading;
   /// Rows that the step names for its providers: "material" -> "C45E".
   std::map<std::string, Typed> rows;
+  /// Modes of failure that the user answers for, and why: "pitting" -> "rated by the maker, drawing 12".
+  std::map<std::string, std::string> accepted;
   /// Display units of results that the user prefers: "d" -> "in".
   std::map<std::string, std::string> display;
   Place place;  // of the step's name
@@ -78,14 +80,23 @@ class Step {
   [[nodiscard]] virtual const Value* value(const std::string& path) const;
 
   [[nodiscard]] const Account& account() const { return account_; }
+  /// Whether what loads the part comes from something that turns, or varies: known when the project is read.
+  [[nodiscard]] bool load_varies() const { return load_varies_; }
+  void set_load_varies(bool varies) { load_varies_ = varies; }
+  /// What comes along with the loads of the step, and it does not take: "lever.links.rod.M_b"; after `prepare`.
+  [[nodiscard]] const std::string& left_of_loads() const { return left_of_loads_; }
+  void warn(Message warning) { account_.warnings.push_back(std::move(warning)); }
 
  protected:
   [[nodiscard]] StepInput& own() { return input_; }
   [[nodiscard]] Account& own_account() { return account_; }
+  void leave_of_loads(std::string names) { left_of_loads_ = std::move(names); }
 
  private:
   StepInput input_;
   Account account_;
+  bool load_varies_ = false;
+  std::string left_of_loads_;
 };
 
 /// Checks the operands of a reading against their fields: dimension, references. The axis that they share, if any;

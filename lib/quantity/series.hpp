@@ -17,6 +17,7 @@ struct Axis {
   std::vector<double> at;     // SI, ascending or descending; a cycle holds no doubled end point
   std::vector<double> share;  // part of the cycle's time that belongs to each position; sums to 1; empty: not a cycle
   double period = 0.0;        // SI, signed; 0: not a cycle
+  double speed = 0.0;         // of what turns through an angle, rad/s; 0: not known, or not constant
   [[nodiscard]] std::string name() const { return step + ": " + quantity; }
   [[nodiscard]] bool cyclic() const { return period != 0.0; }
 };

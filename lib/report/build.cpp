@@ -94,6 +94,7 @@ void add_step(const Step& step, std::vector<Block>& blocks) {
   blocks.emplace_back(
       Paragraph{say("{1} ({2}). {3}", input.calculator->title, input.calculator->id, input.calculator->scope),
                 Paragraph::Tone::note});
+  for (const Message& warning : account.warnings) blocks.emplace_back(Paragraph{warning, Paragraph::Tone::warning});
   if (!input.note.empty()) blocks.emplace_back(Paragraph{say("{1}", input.note)});
   if (account.input_blocks.empty()) {
     blocks.emplace_back(input_table(account));
@@ -204,7 +205,7 @@ Document build(const Project& project, std::string_view program) {
   document.meta.emplace_back(say("Project file"), project.file);
   for (const auto& [key, value] : project.meta) document.meta.emplace_back(say("{1}", key), value);
   document.meta.emplace_back(say("Program"), std::string(program));
-  document.summary.rows = project::verdicts(project);
+  document.summary = project::modes(project);
   add_factors(project, document.blocks);
   for (const auto& step : project.steps) add_step(*step, document.blocks);
   add_sources(project, document.blocks);

@@ -7,33 +7,44 @@
 
 namespace loadpath::report {
 
-Message tally(const Verdicts& verdicts) {
-  const auto& rows = verdicts.rows;
-  const State state = worst(rows);
-  const auto such = std::count_if(rows.begin(), rows.end(), [&](const Verdict& row) { return row.state == state; });
-  const std::string all = std::to_string(rows.size()), some = std::to_string(such);
-  switch (state) {
-    case State::pass:
-      return rows.size() == 1 ? say("The one check passes.") : say("All {1} checks pass.", all);
-    case State::fail:
-      return say("{1} of {2} checks not met.", some, all);
-    case State::not_covered:
-      return say("{1} of {2} checks outside of what the method covers.", some, all);
-    case State::not_available:
-      return say("{1} of {2} checks without a result.", some, all);
+Message tally(const Modes& modes) {
+  const Modes sorted = account::in_order(modes);
+  std::string counts;
+  for (auto first = sorted.begin(); first != sorted.end();) {
+    const auto last = std::find_if(first, sorted.end(), [&](const Mode& m) { return m.state != first->state; });
+    counts += (counts.empty() ? "" : ", ") + std::to_string(last - first) + " " + word(first->state).text();
+    first = last;
   }
-  return {};
+  return modes.size() == 1 ? say("Of the one mode of failure: {1}.", counts)
+                           : say("Of {1} modes of failure: {2}.", std::to_string(modes.size()), counts);
 }
 
-const Verdict* most_utilised(const Verdicts& verdicts) {
-  const auto highest = std::max_element(
-      verdicts.rows.begin(), verdicts.rows.end(),
-      [](const Verdict& a, const Verdict& b) { return a.utilisation.value_or(-1.0) < b.utilisation.value_or(-1.0); });
-  return highest != verdicts.rows.end() && highest->utilisation ? &*highest : nullptr;
+const Mode* most_utilised(const Modes& modes) {
+  const auto highest = std::max_element(modes.begin(), modes.end(), [](const Mode& a, const Mode& b) {
+    return a.utilisation.value_or(-1.0) < b.utilisation.value_or(-1.0);
+  });
+  return highest != modes.end() && highest->utilisation ? &*highest : nullptr;
 }
 
-Message utilisation(const Verdict& row) {
-  return say("The highest utilisation is {1}:", format_number(row.utilisation.value_or(NAN), 3));
+Message utilisation(const Mode& mode) {
+  return say("The highest utilisation is {1}: {2} {3}.", format_number(mode.utilisation.value_or(NAN), 3), mode.step,
+             mode.title);
+}
+
+Modes told(const Modes& modes) {
+  Modes rows = account::in_order(modes);
+  std::erase_if(rows, account::is_remote);
+  return rows;
+}
+
+Message remote(const Modes& modes) {
+  std::string names;
+  for (const Mode& mode : modes) {
+    if (account::is_remote(mode)) names += (names.empty() ? "" : ", ") + mode.step + ": " + mode.title.text();
+  }
+  return names.empty()
+             ? Message{}
+             : say("Open, where nothing says that they concern the part, and judged by nothing here: {1}.", names);
 }
 
 std::string Numbering::heading(int level) {

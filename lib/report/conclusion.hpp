@@ -1,4 +1,4 @@
-// The outcome of all checks in words, and the numbers of headings, tables and figures.
+// The outcome of all modes of failure in words, and the numbers of headings, tables and figures.
 #pragma once
 
 #include "lib/report/document.hpp"
@@ -7,12 +7,17 @@
 
 namespace loadpath::report {
 
-/// How many rows hold, or do not: "1 of 5 checks not met."
-Message tally(const Verdicts& verdicts);
+/// How many came out how: "Of 6 modes of failure: 1 not judged, 4 pass, 1 open."
+Message tally(const Modes& modes);
 
-/// The row with the highest utilisation, or none, and what it is announced with.
-const Verdict* most_utilised(const Verdicts& verdicts);
-Message utilisation(const Verdict& row);
+/// The mode with the highest utilisation, or none, and what it is announced with.
+const Mode* most_utilised(const Modes& modes);
+Message utilisation(const Mode& mode);
+
+/// The modes that have a row of their own, in order; those that are open and judged by nothing are told in one line,
+/// empty where there are none.
+Modes told(const Modes& modes);
+Message remote(const Modes& modes);
 
 /// Counts through a document.
 class Numbering {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lib/account/block.hpp"
+#include "lib/account/mode.hpp"
 #include "lib/text/issue.hpp"
 
 #include <string>
@@ -16,6 +17,8 @@ using account::Block;
 using account::Cell;
 using account::Derivation;
 using account::Heading;
+using account::Mode;
+using account::Modes;
 using account::Paragraph;
 using account::Quantity;
 using account::State;
@@ -28,7 +31,7 @@ using account::Verdicts;
 struct Document {
   std::string title;
   std::vector<std::pair<Message, std::string>> meta;  // "Project file" "lever.toml", "Program" "loadpath 0.1.0"...
-  Verdicts summary;                                   // first page
+  Modes summary;                                      // first page
   std::vector<Block> blocks;
 };
 

@@ -24,10 +24,10 @@ constexpr std::array joint_rows{
                  {.kind = Kind::joint_force, .tabled = Tabled::always},
                  [](const Jointed& j, const Position& p) { return mechanism::length(p.reactions[j.index].force); }),
     row<Jointed>("joints.NAME.x", "force of the first link on the second, along x", N,
-                 {.tabled = Tabled::at_one_position, .detail = true},
+                 {.tabled = Tabled::at_one_position, .detail = true, .with = "y"},
                  [](const Jointed& j, const Position& p) { return -p.reactions[j.index].force.x; }),
     row<Jointed>("joints.NAME.y", "force of the first link on the second, along y", N,
-                 {.tabled = Tabled::at_one_position, .detail = true},
+                 {.tabled = Tabled::at_one_position, .detail = true, .with = "x"},
                  [](const Jointed& j, const Position& p) { return -p.reactions[j.index].force.y; }),
     row<Jointed>(
         "joints.NAME.M", "couple of the first link on the second at the first link's point", N_m,

@@ -49,14 +49,16 @@ struct Bar {
 constexpr std::array bar_rows{
     row<Bar>(
         "links.NAME.N", "axial force of the largest magnitude over the link's length, tension positive", N,
-        {.tabled = Tabled::always}, [](const Bar&, const MemberLoads::Peaks& most) { return most.N.N; }, nullptr,
-        "links with two joints or more"),
+        {.tabled = Tabled::always, .with = "V, M_b"},
+        [](const Bar&, const MemberLoads::Peaks& most) { return most.N.N; }, nullptr, "links with two joints or more"),
     row<Bar>(
-        "links.NAME.V", "shear force of the largest magnitude over its length", N, {.tabled = Tabled::always},
+        "links.NAME.V", "shear force of the largest magnitude over its length", N,
+        {.tabled = Tabled::always, .with = "N, M_b"},
         [](const Bar&, const MemberLoads::Peaks& most) { return most.V.V; }, nullptr, "links with two joints or more"),
     row<Bar>(
-        "links.NAME.M_b", "bending moment of the largest magnitude over its length", N_m, {.tabled = Tabled::always},
-        [](const Bar&, const MemberLoads::Peaks& most) { return most.M.M; }, nullptr, "links with two joints or more")};
+        "links.NAME.M_b", "bending moment of the largest magnitude over its length", N_m,
+        {.tabled = Tabled::always, .with = "N, V"}, [](const Bar&, const MemberLoads::Peaks& most) { return most.M.M; },
+        nullptr, "links with two joints or more")};
 
 void list(std::vector<ResultPattern>& patterns) { list_patterns(bar_rows, patterns); }
 

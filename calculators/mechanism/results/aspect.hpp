@@ -48,7 +48,7 @@ namespace aspects {
 // Each is defined in a source of its own.
 extern const Aspect drawn, masses, details, closing, contact, drives, reactions, places, members, contacts, cams,
     machine, springs, kinematics, equations, extremes, power, rest, efficiency, flanks, structure, redundancy,
-    changes_of_assembly, motion, influence, accuracy, balance, figures, hodographs;
+    resolution, changes_of_assembly, motion, influence, accuracy, balance, figures, hodographs;
 
 }  // namespace aspects
 

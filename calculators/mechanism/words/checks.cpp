@@ -203,6 +203,30 @@ void check_shared_points(NameFaults& faults) {
   }
 }
 
+namespace {
+
+/// Whether the mass centre that nobody named could be meant: the only point, in the origin of the drawing.
+bool lies_in_origin(const planar::Link& link) {
+  return link.points.size() == 1 && mechanism::length(vector_of(link.points[0])) == 0.0;
+}
+
+/// A drawn link has no axes of its own: its mass would lie in the origin of the drawing.
+void check_masses(const Mechanism::Input& in, std::vector<FieldFault>& faults) {
+  for (const planar::Link& link : in.links) {
+    if (link.points.empty() || !is_drawn(link) || !(in_si(link.mass) > 0.0) || !link.S.empty() || lies_in_origin(link))
+      continue;
+    const std::string name(link.name.view()), point(link.points[0].name.view());
+    faults.push_back(
+        {path_of("links", name, "mass"),
+         say("the link '{1}' is drawn in place and has a mass, and nothing says where its mass centre lies", name),
+         link.points.size() == 1 ? say("name its point: S = \"{1}\"", point)
+                                 : say("give it a point S and name it: S = \"S\"; of a slender bar between two pins "
+                                       "S is the middle, and J = m l^2/12")});
+  }
+}
+
+}  // namespace
+
 std::vector<FieldFault> check_drawing(const Mechanism::Input& in, const mechanism::Model& model) {
   const auto drawn = [&](int link) {
     return link == mechanism::ground || is_drawn(in.links[static_cast<std::size_t>(link)]);
@@ -220,6 +244,7 @@ std::vector<FieldFault> check_drawing(const Mechanism::Input& in, const mechanis
                       say("draw it at one place on both links, or give the links their angles")});
   }
   check_lengths(in, model, size, faults);
+  check_masses(in, faults);
   return faults;
 }
 

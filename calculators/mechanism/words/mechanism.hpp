@@ -12,6 +12,7 @@
 #include "calculators/mechanism/words/loading.hpp"
 #include "calculators/mechanism/words/parts.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 
 #include <array>
 
@@ -117,6 +118,31 @@ F_y = "0 N"
           0, 30),
       Field{&Input::gravity_direction, "gravity_direction", deg, "direction of gravity"},
       Choice{&Input::analysis, "analysis", "with the inertia of the links, or loads alone"}.may_be_missing()};
+
+  /// The rows that judge a mode are those of the aspects; a mode without a row does not concern the mechanism.
+  static constexpr std::array modes{
+      Mode<Input>{"closing", "a position where it does not close, a cycle that does not end where it began",
+                  &always<Input>}
+          .judged_by("closes, returns, returns_*, directed_*, assembly")
+          .of_shape(),
+      Mode<Input>{"jamming", "friction that holds it", &always<Input>}.judged_by("moves").of_shape(),
+      Mode<Input>{"contact", "wheels and followers that leave what they run on", &always<Input>}.judged_by("contact_*"),
+      Mode<Input>{"profile", "a cam that cannot be made, or that its roller does not reach", &always<Input>}
+          .judged_by("profile_*, hollow_*")
+          .of_shape(),
+      Mode<Input>{"uniqueness", "reactions that equilibrium alone does not decide", &always<Input>}
+          .judged_by("determinate")
+          .of_shape(),
+      Mode<Input>{"solution", "motion or forces that independent methods find otherwise", &always<Input>}
+          .judged_by("force_balance, moment_balance, power_balance, motion, trustworthy, whole_system, "
+                     "opened_chain, "
+                     "released_constraints, virtual_power, zhukovsky_lever")
+          .of_shape(),
+      Mode<Input>{"resolution", "a largest reaction between the positions", &always<Input>}
+          .judged_by("resolution")
+          .of_shape(),
+      Mode<Input>{"strength", "strength of the links and pins that no step takes", &unseen<Input>},
+      Mode<Input>{"pins", "wear of pins: pressure times speed", &unseen<Input>}.special()};
 };
 
 constexpr auto choices_of(Mechanism::Analysis) {

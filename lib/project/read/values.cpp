@@ -50,6 +50,7 @@ void Reader::read_special(const Tree& tree, const FieldInfo& field, void* owner,
   if (const auto* stock = tree.find("stock")) {
     if (*field.searched_in == '\0')
       return say_at(stock->place, path, say("'{1}' cannot be searched for", path), say("give a value"));
+    refuse_others(tree, {"stock"}, path);
     reading_.searches.push_back({path, {&field, owner}, stock->value.text, stock->value.place});
     return;
   }
@@ -61,11 +62,27 @@ void Reader::read_special(const Tree& tree, const FieldInfo& field, void* owner,
          say("write a text with a unit, \"30 {1}\"", field.unit));
 }
 
-void Reader::read_spread(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
-  static const std::vector<std::string> keys{"mean", "sd", "value", "tolerance"};
+void Reader::refuse_others(const Tree& tree, const std::vector<std::string>& keys, const std::string& path) {
   for (const Tree::Entry& entry : tree.entries) {
     if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
     say_at(entry.place, path, say("'{1}' is no field here", entry.key), one_of(entry.key, keys));
+  }
+}
+
+void Reader::read_spread(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  refuse_others(tree,
+                tree.find("mean") != nullptr ? std::vector<std::string>{"mean", "sd"}
+                                             : std::vector<std::string>{"value", "tolerance"},
+                path);
+  for (const char* key : {"sd", "tolerance"}) {
+    const auto* spread = tree.find(key);
+    if (spread == nullptr) continue;
+    if (spread->value.type == toml::Tree::Type::number && field.dimension.is_number()) continue;
+    const auto literal = parse_literal(spread->value.text);
+    const bool part = literal && literal->dimension.is_number() && spread->value.text.ends_with('%');
+    if (spread->value.type != Tree::Type::text || !literal || (!part && literal->dimension != field.dimension))
+      say_at(spread->value.place, path, say("'{1}' is a spread of a {2}", key, name_of(field.dimension)),
+             say("write a text in {1}, or a part of the value, \"5 %\"", field.unit));
   }
   const auto* middle = tree.find("mean") != nullptr ? tree.find("mean") : tree.find("value");
   read_quantity(middle->value, field, owner, path);

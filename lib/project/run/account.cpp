@@ -15,6 +15,16 @@ Message at_place(const Extreme& extreme, const Axis& axis) {
   return say("at {1} ({2})", format_quantity(extreme.at, axis.unit, 5), axis.name());
 }
 
+/// "covered from 0.2 to 3", "passes up to 9": what a limit asks of its value.
+Message bounds_of(const FieldInfo& field) {
+  const std::string low = format_quantity(field.bounds.low, field.unit);
+  const std::string high = format_quantity(field.bounds.high, field.unit);
+  const Message verb = field.is_criterion ? say("passes") : say("covered");
+  if (std::isinf(field.bounds.high)) return say("{1} from {2}", verb, low);
+  if (std::isinf(field.bounds.low)) return say("{1} up to {2}", verb, high);
+  return say("{1} from {2} to {3}", verb, low, high);
+}
+
 /// The choices that occur, in their order: "strength", or over a series "strength, stiffness".
 std::string words_of(const FieldInfo& field, const std::vector<double>& si) {
   std::string words;
@@ -42,6 +52,7 @@ void Run::fill(const Wanted& wanted, Account& account) const {
   fill_inputs(account);
   fill_results(account);
   fill_verdicts(account);
+  fill_modes(account);
   for (const Line& line : trace_.lines()) account.scopes.insert(line.scope);
   if (wanted.formulas && traced_) account.derivation = derive(trace_, record_, result_);
   if (axis_ != nullptr && traced_) {
@@ -118,18 +129,22 @@ account::Verdict Run::check_verdict(const Column& column) const {
 
 account::Verdict Run::limit_verdict(const Column& column) const {
   const Range& bounds = column.field->bounds;
-  const auto distance = [&](double x) { return std::isnan(x) ? INFINITY : std::max(bounds.low - x, x - bounds.high); };
+  const auto distance = [&](double x) {  // beyond the nearer bound; what cannot be negative is never near zero
+    if (std::isnan(x)) return static_cast<double>(INFINITY);
+    const bool from_zero = bounds.low == 0.0 && x >= 0.0 && !std::isinf(bounds.high);
+    return std::max(from_zero ? -INFINITY : bounds.low - x, x - bounds.high);
+  };
   const auto worst = std::max_element(column.si.begin(), column.si.end(),
                                       [&](double a, double b) { return distance(a) < distance(b); });
   return {.step = step_.name(),
           .symbol = column.path,
           .meaning = say(column.field->doc),
           .value = account::Quantity{*worst, column.field->unit, 4},
-          .bound = say("covered from {1} to {2}", format_quantity(bounds.low, column.field->unit),
-                       format_quantity(bounds.high, column.field->unit)),
-          .state = std::isnan(*worst)     ? account::State::not_available
-                   : bounds.holds(*worst) ? account::State::pass
-                                          : account::State::not_covered};
+          .bound = bounds_of(*column.field),
+          .state = std::isnan(*worst)           ? account::State::not_available
+                   : bounds.holds(*worst)       ? account::State::pass
+                   : column.field->is_criterion ? account::State::fail
+                                                : account::State::not_covered};
 }
 
 /// Where a limit is not kept, a check without a value is no gap in the input: the formula does not reach so far.

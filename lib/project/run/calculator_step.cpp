@@ -11,16 +11,6 @@ namespace loadpath::project {
 
 namespace {
 
-std::vector<std::string> split(std::string_view names) {
-  std::vector<std::string> parts;
-  while (!names.empty()) {
-    const std::size_t comma = names.find(", ");
-    parts.emplace_back(names.substr(0, comma));
-    names.remove_prefix(comma == std::string_view::npos ? names.size() : comma + 2);
-  }
-  return parts;
-}
-
 /// What a field is, from its meaning: "yield strength, with S in place of tau_adm".
 std::string noun_of(std::string_view doc) { return std::string(doc.substr(0, doc.find_first_of(",;:"))); }
 
@@ -31,6 +21,7 @@ std::string head(std::string_view path) { return std::string(path.substr(0, path
 void CalculatorStep::prepare(const Declared& declared, const Companions& companions, std::vector<Issue>& issues) {
   axis_ = check_operands(input().reading, name(), input().calculator->takes_series, declared, issues);
   provided_ = find_provided(input(), companions, issues);
+  leave_of_loads(rest_of_loads(companions));
   origins_ = fill_lists(input());
   find_searches(issues);
   check_rules_of_literals(issues);
@@ -78,7 +69,7 @@ void CalculatorStep::check_rules_of_literals(std::vector<Issue>& issues) {
   const Calculator& calculator = *input().calculator;
   for (std::size_t i = 0; i < calculator.rules.size(); ++i) {
     if (calculator.rules[i].only_warns) continue;  // said once, when it is solved
-    const auto fields = split(calculator.rules[i].fields);
+    const auto fields = listed_keys(calculator.rules[i].fields);
     if (std::any_of(fields.begin(), fields.end(), [&](const std::string& f) { return is_open(f); })) continue;
     const Record& record = input().reading.record;
     if (!calculator.holds(i, record.data.get())) issues.push_back(broken_rule(i, record));
@@ -86,13 +77,13 @@ void CalculatorStep::check_rules_of_literals(std::vector<Issue>& issues) {
 }
 
 bool CalculatorStep::is_about(std::size_t rule, const std::string& path) const {
-  const auto fields = split(input().calculator->rules[rule].fields);
+  const auto fields = listed_keys(input().calculator->rules[rule].fields);
   return std::find(fields.begin(), fields.end(), head(path)) != fields.end();
 }
 
 /// The input of a rule that a row was to fill, and the row has no such value; null where there is none.
 const Provided* CalculatorStep::lacking_row(std::size_t rule, const Record& record) const {
-  const auto fields = split(input().calculator->rules[rule].fields);
+  const auto fields = listed_keys(input().calculator->rules[rule].fields);
   for (const Provided& provided : provided_) {
     const bool concerned = std::find(fields.begin(), fields.end(), provided.path) != fields.end();
     if (concerned && !provided.row.empty() && std::isnan(find_leaf(record, provided.path).get())) return &provided;
@@ -126,7 +117,7 @@ Issue CalculatorStep::broken_rule(std::size_t rule, const Record& record) const 
   const Calculator& calculator = *input().calculator;
   if (const Provided* provided = lacking_row(rule, record)) return lacking_value(*provided, record);
   FieldFault fault = calculator.fault_of(rule, record.data.get());
-  for (const std::string& field : split(calculator.rules[rule].fields)) {
+  for (const std::string& field : listed_keys(calculator.rules[rule].fields)) {
     if (fault.path.empty() && input().reading.typed.count(field) != 0) fault.path = field;
   }
   Issue issue = issue_at(input(), fault.path, std::move(fault.message), std::move(fault.hint));
@@ -134,7 +125,8 @@ Issue CalculatorStep::broken_rule(std::size_t rule, const Record& record) const 
   return issue;
 }
 
-Outcome<Signature> CalculatorStep::signature(const std::string& path) const {
+/// The field of a result or an input at a path; which elements a list has is known later. Null where there is none.
+const FieldInfo* CalculatorStep::field_at(const std::string& path) const {
   for (const RecordType* type : {input().calculator->result, input().calculator->input}) {
     std::span<const FieldInfo> fields = type->fields;
     std::string rest = path;
@@ -143,10 +135,9 @@ Outcome<Signature> CalculatorStep::signature(const std::string& path) const {
       const FieldInfo* field = find_field(fields, std::string_view(rest).substr(0, end));
       if (field == nullptr) break;
       rest = end == std::string::npos ? "" : rest.substr(end);
-      const bool has_value = field->type == FieldInfo::Type::quantity || field->type == FieldInfo::Type::count;
-      if (has_value && rest.empty()) return Signature{field->dimension, axis_};
+      if (rest.empty()) return field;
       if (field->is_leaf()) break;
-      if (field->type == FieldInfo::Type::list) {  // an element by number or name; which there are is known later
+      if (field->type == FieldInfo::Type::list) {  // an element by number or name
         const bool numbered = rest.starts_with('[');
         const int number = numbered ? std::atoi(rest.c_str() + 1) : 1;
         if (number < 1 || static_cast<std::size_t>(number) > field->capacity) break;
@@ -159,6 +150,14 @@ Outcome<Signature> CalculatorStep::signature(const std::string& path) const {
       fields = field->fields;
     }
   }
+  return nullptr;
+}
+
+Outcome<Signature> CalculatorStep::signature(const std::string& path) const {
+  const FieldInfo* const field = field_at(path);
+  const bool has_value =
+      field != nullptr && (field->type == FieldInfo::Type::quantity || field->type == FieldInfo::Type::count);
+  if (has_value) return Signature{field->dimension, axis_};
   return unknown_path(path);
 }
 
@@ -173,11 +172,33 @@ Fault CalculatorStep::unknown_path(const std::string& path) const {
           did_you_mean(path, known, say("`loadpath describe {1}` lists them", input().calculator->id), name() + ".")};
 }
 
-std::vector<std::string> CalculatorStep::companions_of(const std::string&) const {
+std::vector<std::string> CalculatorStep::companions_of(const std::string& path) const {
   std::vector<std::string> all;
+  const std::string beside = name() + "." + path.substr(0, path.rfind('.') + 1);  // "train.shafts[2]."
+  if (const FieldInfo* const field = field_at(path)) {
+    for (const std::string& key : listed_keys(field->companions)) all.push_back(beside + key);
+  }
   for (const Provided& provided : provided_)
     all.insert(all.end(), provided.companions.begin(), provided.companions.end());
   return all;
+}
+
+/// What comes along with the loads that are referred to, and neither another input nor a provider takes.
+std::string CalculatorStep::rest_of_loads(const Companions& companions) const {
+  std::set<std::string> taken;
+  for (const Operand& operand : input().reading.operands) {
+    for (const auto& reference : operand.expression.references()) taken.insert(reference.path);
+  }
+  for (const Provided& provided : provided_) taken.insert(provided.companions.begin(), provided.companions.end());
+  std::string rest;
+  for (const Operand& operand : input().reading.operands) {
+    for (const auto& reference : operand.expression.references()) {
+      for (const std::string& path : companions(reference.path)) {
+        if (taken.insert(path).second) rest += (rest.empty() ? "" : ", ") + path;
+      }
+    }
+  }
+  return rest;
 }
 
 void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) {
@@ -186,6 +207,7 @@ void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector
   if (!run.check_rules(issues)) return;
   if (!run.search(issues)) return;
   run.evaluate();
+  run.warn_of_unused(issues);
   run.fill(wanted, own_account());
 }
 

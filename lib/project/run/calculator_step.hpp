@@ -36,6 +36,8 @@ class CalculatorStep : public Step {
   void find_searches(std::vector<Issue>& issues);
   void check_rules_of_literals(std::vector<Issue>& issues);
   [[nodiscard]] bool is_open(const std::string& field) const;
+  [[nodiscard]] const FieldInfo* field_at(const std::string& path) const;
+  [[nodiscard]] std::string rest_of_loads(const Companions& companions) const;
   [[nodiscard]] Fault unknown_path(const std::string& path) const;
 
   const Axis* axis_ = nullptr;  // of the series among the inputs; null: one position

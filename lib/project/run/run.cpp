@@ -32,6 +32,12 @@ std::vector<std::size_t> list_sizes(std::span<const FieldInfo> fields, void* dat
   return sizes;
 }
 
+/// Whether it is of the dimension, and has a value anywhere.
+bool exists(const Value& value, const Dimension& dimension) {
+  return value.signature.dimension == dimension &&
+         std::any_of(value.si.begin(), value.si.end(), [](double x) { return !std::isnan(x); });
+}
+
 /// The value as one of the step's axis: a series over it, or the largest magnitude of a foreign series.
 Value fitted(const Value& value, const Axis* axis) {
   if (!value.is_series() || value.signature.axis == axis) return value;
@@ -47,7 +53,8 @@ Run::Run(const CalculatorStep& step, const Known& known)
       axis_(step.axis()),
       record_(step.input().reading.record.clone()),
       result_(*calculator_.result),
-      origins_(step.origins()) {}
+      origins_(step.origins()),
+      applies_(calculator_.modes.size(), Applies::no) {}
 
 bool Run::evaluate_operands(std::vector<Issue>& issues) {
   const std::size_t before = issues.size();
@@ -58,7 +65,10 @@ bool Run::evaluate_operands(std::vector<Issue>& issues) {
         {operand.path, map_leaf(operand.path), std::move(*value), {say("= {1}", operand.text), {}, false}});
   }
   for (const Provided& provided : step_.provided()) {
-    if (!provided.companions.empty()) inputs_.push_back(companion_input(provided));
+    if (std::any_of(provided.companions.begin(), provided.companions.end(),
+                    [&](const std::string& path) { return exists(known_(path), provided.leaf.field->dimension); })) {
+      inputs_.push_back(companion_input(provided));
+    }
   }
   return issues.size() == before;
 }
@@ -69,6 +79,7 @@ Run::Input Run::companion_input(const Provided& provided) const {
   std::string names;
   for (const std::string& path : provided.companions) {
     const Value value = fitted(known_(path), axis_);
+    if (!exists(value, provided.leaf.field->dimension)) continue;  // a shaft with one wheel has one force
     if (value.is_series() && !most.is_series())
       most = {value.signature, std::vector<double>(value.si.size(), most.si[0])};
     for (std::size_t i = 0; i < most.si.size(); ++i) {
@@ -173,11 +184,15 @@ double Run::largest_result(const FieldInfo& field) {
 
 void Run::evaluate() {
   settle_sizes();
-  if (lacks_needed_) return;
+  if (lacks_needed_) return doubt_modes();
   columns_.clear();
   std::vector<std::size_t> shape;  // of the result that the columns stand for
   for (std::size_t i = 0; i < positions(); ++i) {
-    if (!set_position(i)) continue;
+    if (!set_position(i)) {
+      doubt_modes();
+      continue;
+    }
+    ask_modes();
     calculator_.evaluate(record_.data.get(), result_.data.get());
     std::vector<std::size_t> here = list_sizes(calculator_.result->fields, result_.data.get());
     if (columns_.empty() || here != shape) {
@@ -210,7 +225,7 @@ std::size_t Run::governing_position() const {
   std::size_t best = 0;
   double most = -1.0;
   for (const Column& column : columns_) {
-    if (column.field->role != Role::check || !is_asked(*column.field)) continue;
+    if (column.field->role != Role::check || !is_asked(*column.field) || column.field->is_beside) continue;
     for (std::size_t i = 0; i < column.si.size(); ++i) {
       if (column.si[i] > most) {
         most = column.si[i];

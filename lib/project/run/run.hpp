@@ -20,6 +20,8 @@ class Run {
   bool search(std::vector<Issue>& issues);
   /// All results at all positions.
   void evaluate();
+  /// A warning for every typed quantity that no result depends on.
+  void warn_of_unused(std::vector<Issue>& issues);
   void fill(const Wanted& wanted, Account& account) const;
 
  private:
@@ -60,19 +62,29 @@ class Run {
   [[nodiscard]] Issue aimless(const Search& wanted) const;
   std::size_t first_broken_rule();
   bool passes();
-  bool is_covered();
+  bool keeps_limits(bool criteria);
   std::vector<double>::const_iterator first_that_passes(const std::vector<double>& values, double least,
                                                         const Leaf& leaf, bool covered);
   bool take_largest(const std::vector<double>& values, const Leaf& leaf);
   void keep_sizing_results(const std::string& searched);
   [[nodiscard]] Leaf map_leaf(const std::string& path) const { return find_leaf(record_, path); }
 
+  [[nodiscard]] std::vector<double> numbers_at(std::size_t position);
+  [[nodiscard]] bool keeps_rules() const;
+  bool moves_something(const Leaf& leaf, std::size_t position, const std::vector<double>& before);
   void trace_governing();
   [[nodiscard]] std::size_t governing_position() const;
   void fill_inputs(Account& account) const;
   [[nodiscard]] bool applies(const Column& column) const;
   void fill_results(Account& account) const;
   void fill_verdicts(Account& account) const;
+  void fill_modes(Account& account) const;
+  void add_missing_input(Account& account) const;
+  /// Which modes concern the part as it is now in the record.
+  void ask_modes();
+  /// Of a part that is not known: any may.
+  void doubt_modes();
+  [[nodiscard]] bool is_judged(const ModeInfo& mode, const Account& account, std::string& wants) const;
   void excuse_uncovered(Account& account) const;
   [[nodiscard]] Message missing_input() const;
   [[nodiscard]] account::Verdict check_verdict(const Column& column) const;
@@ -92,6 +104,7 @@ class Run {
   bool lacks_needed_ = false;              // such a value, and the calculator needs it
   std::vector<Column> columns_;
   std::vector<std::size_t> order_;  // of columns, for a walk over the result
+  std::vector<Applies> applies_;    // of every mode, over the positions
   Trace trace_;
   std::size_t governing_ = 0;
   bool traced_ = false;

@@ -8,17 +8,12 @@
 namespace loadpath::project {
 
 bool Run::is_asked(const FieldInfo& check) const {
-  std::string_view inputs = check.asked_by;
-  if (inputs.empty()) return true;
-  while (!inputs.empty()) {
-    const std::size_t comma = std::min(inputs.find(", "), inputs.size());
-    const std::string input(inputs.substr(0, comma));
-    const Leaf asking = map_leaf(input);
-    const bool lacks = asking && step_.names_row_for(input) && !asking.field->provider.may_lack;
-    if (asking && (!std::isnan(asking.get()) || lacks)) return true;
-    inputs.remove_prefix(std::min(comma + 2, inputs.size()));
-  }
-  return false;
+  const std::vector<std::string> asking = listed_keys(check.asked_by);
+  return asking.empty() || std::any_of(asking.begin(), asking.end(), [&](const std::string& input) {
+           const Leaf leaf = map_leaf(input);
+           const bool lacks = leaf && step_.names_row_for(input) && !leaf.field->provider.may_lack;
+           return leaf && (!std::isnan(leaf.get()) || lacks);
+         });
 }
 
 /// The first rule about the input that is searched for that is broken at a position; none: past the last.
@@ -37,17 +32,22 @@ std::size_t Run::first_broken_rule() {
 
 bool Run::passes() {
   if (!settle_sizes() || first_broken_rule() < calculator_.rules.size()) return false;
-  return std::all_of(calculator_.result->fields.begin(), calculator_.result->fields.end(), [&](const FieldInfo& f) {
-    if (f.role != Role::check || !is_asked(f)) return true;
-    const double largest = largest_result(f);
-    return (largest >= -rounding && largest <= 1.0) || (f.where_set && std::isnan(largest));
-  });
+  const auto& fields = calculator_.result->fields;
+  return std::all_of(fields.begin(), fields.end(),
+                     [&](const FieldInfo& f) {
+                       if (f.role != Role::check || !is_asked(f) || f.is_beside) return true;
+                       const double largest = largest_result(f);
+                       return (largest >= -rounding && largest <= 1.0) || (f.where_set && std::isnan(largest));
+                     }) &&
+         keeps_limits(true);
 }
 
-/// Whether every limit is kept too: what passes beyond its formulas is no size to take.
-bool Run::is_covered() {
-  return std::all_of(calculator_.result->fields.begin(), calculator_.result->fields.end(), [&](const FieldInfo& f) {
-    if (f.role != Role::limit || !is_asked(f)) return true;
+/// Whether the criteria among the limits are kept, or those of the methods: what passes beyond its formulas is no size
+/// to take.
+bool Run::keeps_limits(bool criteria) {
+  const auto& fields = calculator_.result->fields;
+  return std::all_of(fields.begin(), fields.end(), [&](const FieldInfo& f) {
+    if (f.role != Role::limit || !is_asked(f) || f.is_beside || f.is_criterion != criteria) return true;
     bool within = true;
     for (std::size_t i = 0; i < positions() && within; ++i) {
       if (!set_position(i)) continue;
@@ -67,7 +67,7 @@ std::vector<double>::const_iterator Run::first_that_passes(const std::vector<dou
   for (; candidate != values.end(); ++candidate) {
     if (!leaf.field->bounds.holds(*candidate)) continue;
     leaf.set(*candidate);
-    if ((passes() && (!covered || is_covered())) || lacks_needed_) break;
+    if ((passes() && (!covered || keeps_limits(false))) || lacks_needed_) break;
   }
   return candidate;
 }
@@ -88,7 +88,7 @@ void Run::keep_sizing_results(const std::string& searched) {
 bool Run::is_any_asked() const {
   const auto& fields = calculator_.result->fields;
   return std::any_of(fields.begin(), fields.end(),
-                     [&](const FieldInfo& f) { return f.role == Role::check && is_asked(f); });
+                     [&](const FieldInfo& f) { return f.role == Role::check && !f.is_beside && is_asked(f); });
 }
 
 /// A search without a check; its hint names what asks for one.

@@ -34,8 +34,8 @@ class Writer {
     for (const auto& [name, text] : document.meta) {
       out += "<div><dt>" + escaped(name.text()) + "</dt><dd>" + escaped(text) + "</dd></div>\n";
     }
-    return out + "</dl>\n</header>\n" + page::conclusion(document.summary) +
-           page::verdicts(document.summary, anchors_) + contents(document);
+    return out + "</dl>\n</header>\n" + page::conclusion(document.summary) + page::modes(document.summary, anchors_) +
+           contents(document);
   }
 
   std::string operator()(const Heading& heading) {

@@ -22,7 +22,12 @@ std::string state(State state);
 std::string derivation(const Derivation& derivation);
 /// Links a row to the heading of its step where the page has one.
 std::string verdicts(const Verdicts& verdicts, const std::set<std::string>& anchors);
-std::string conclusion(const Verdicts& verdicts);
+/// A bar beside a utilisation.
+std::string bar(double utilisation);
+
+/// The outcome of all modes in a sentence, and each in a row.
+std::string conclusion(const Modes& modes);
+std::string modes(const Modes& modes, const std::set<std::string>& anchors);
 
 /// A figure that holds a Motion; without scripts it is a picture.
 std::string motion(const draw::Figure& figure);

@@ -9,13 +9,6 @@ namespace {
 
 constexpr double limit_at = 80.0;  // percent of the bar that stands for a utilisation of 1
 
-std::string bar(double utilisation) {
-  const double percent = std::clamp(limit_at * utilisation, 0.0, 100.0);
-  const std::string_view state = utilisation <= 1.0 ? "pass" : "fail";
-  return "<span class=\"bar\" aria-hidden=\"true\"><span class=\"" + std::string(state) +
-         "\" style=\"width:" + format_number(percent, 3) + "%\"></span></span>";
-}
-
 std::string subject(const Verdict& row, const std::set<std::string>& anchors) {
   std::string out = escaped(row.step);
   if (anchors.contains(row.step)) out = "<a href=\"#" + out + "\">" + out + "</a>";
@@ -33,6 +26,13 @@ std::string value(const Verdict& row) {
 }
 
 }  // namespace
+
+std::string bar(double utilisation) {
+  const double percent = std::clamp(limit_at * utilisation, 0.0, 100.0);
+  const std::string_view state = utilisation <= 1.0 ? "pass" : "fail";
+  return "<span class=\"bar\" aria-hidden=\"true\"><span class=\"" + std::string(state) +
+         "\" style=\"width:" + format_number(percent, 3) + "%\"></span></span>";
+}
 
 std::string verdicts(const Verdicts& verdicts, const std::set<std::string>& anchors) {
   if (verdicts.rows.empty()) return {};

@@ -1,4 +1,5 @@
 #include "lib/formula/formula.hpp"
+#include "lib/quantity/format.hpp"
 #include "lib/report/conclusion.hpp"
 #include "lib/report/markdown/text.hpp"
 #include "lib/report/worked.hpp"
@@ -48,13 +49,25 @@ std::string verdicts(const Verdicts& verdicts) {
   return md::table(grid);
 }
 
-std::string conclusion(const Verdicts& all) {
-  if (all.rows.empty()) return {};
-  std::string out = state(worst(all.rows)) + ": " + text(tally(all).text());
-  if (const Verdict* row = most_utilised(all)) {
-    out += " " + text(utilisation(*row).text()) + " " + text(row->step) + " " + symbol(row->symbol) + ".";
-  }
+std::string conclusion(const Modes& all) {
+  if (all.empty()) return {};
+  std::string out = state(overall(all)) + ": " + text(tally(all).text());
+  if (const Mode* mode = most_utilised(all)) out += " " + text(utilisation(*mode).text());
   return out + "\n\n";
+}
+
+std::string modes(const Modes& all) {
+  if (all.empty()) return {};
+  Grid grid{{text(say("mode of failure").text()), text(say("utilisation").text()), text(say("verdict").text())},
+            {},
+            {false, true, false}};
+  for (const Mode& mode : told(all)) {
+    const std::string subject = mode.step + " " + mode.title.text() + "; " + account::reason(mode).text();
+    const std::string value = mode.utilisation ? format_number(*mode.utilisation, 3) : "–";
+    grid.rows.push_back({text(subject), text(value), state(mode.state)});
+  }
+  const Message rest = remote(all);
+  return md::table(grid) + (rest.empty() ? "" : text(rest.text()) + "\n\n");
 }
 
 /// The formula on one line; its numbers, where they say more, on the next.
@@ -129,7 +142,7 @@ Markdown markdown(const Document& document, std::string_view stem) {
   Markdown out;
   out.text = "# " + text(document.title) + "\n\n";
   for (const auto& [name, value] : document.meta) out.text += "- " + text(name.text()) + ": " + text(value) + "\n";
-  out.text += (document.meta.empty() ? "" : "\n") + conclusion(document.summary) + verdicts(document.summary);
+  out.text += (document.meta.empty() ? "" : "\n") + conclusion(document.summary) + modes(document.summary);
   Writer writer(stem, out);
   for (const Block& block : document.blocks) std::visit(writer, block);
   return out;

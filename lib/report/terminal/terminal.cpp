@@ -141,6 +141,25 @@ void show_verdicts(const std::vector<account::Verdict>& verdicts) {
   std::cout << columns(rows);
 }
 
+/// The modes of failure, what needs a hand first; those that are open and judged by nothing in one line.
+void show_modes(const account::Modes& modes) {
+  std::vector<std::vector<std::string>> rows;
+  std::string remote;
+  for (const account::Mode& mode : account::in_order(modes)) {
+    if (account::is_remote(mode)) {
+      remote += (remote.empty() ? "" : ", ") + mode.step + "." + mode.id;
+      continue;
+    }
+    rows.push_back({"  " + state_word(mode.state), mode.step + "." + mode.id,
+                    mode.utilisation ? format_quantity(*mode.utilisation, "-", 4) : "",
+                    mode.title.text() + "; " + account::reason(mode).text()});
+  }
+  std::cout << columns(rows);
+  if (!remote.empty())
+    std::cout << "  " << state_word(account::State::open) << "  "
+              << say("and judged by nothing here: {1}", remote).text() << "\n";
+}
+
 }  // namespace
 
 bool colours(Stream stream) {
@@ -192,9 +211,14 @@ void show_project(const project::Project& project, bool in_full) {
     std::cout << "\n";
   }
   const auto verdicts = project::verdicts(project);
-  if (verdicts.empty()) return;
-  show_verdicts(verdicts);
-  std::cout << "\n" << account::overall(account::worst(verdicts)).text() << "\n";
+  if (in_full && !verdicts.empty()) {
+    show_verdicts(verdicts);
+    std::cout << "\n";
+  }
+  const auto modes = project::modes(project);
+  if (modes.empty()) return;
+  show_modes(modes);
+  std::cout << "\n" << account::scope(modes).text() << "\n";
 }
 
 }  // namespace loadpath::terminal

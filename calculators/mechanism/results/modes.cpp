@@ -1,0 +1,49 @@
+#include "calculators/mechanism/results/modes.hpp"
+
+#include "lib/project/modes.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace loadpath::planar {
+
+namespace {
+
+/// Whether another step takes a result of this link or joint.
+bool is_taken(const std::set<std::string>& taken, const std::string& of) {
+  const auto next = taken.lower_bound(of + ".");
+  return next != taken.end() && next->starts_with(of + ".");
+}
+
+/// The links and joints whose loads go nowhere: "rod, A, B".
+std::string left_alone(const std::string& step, const Mechanism::Input& in, const std::set<std::string>& taken) {
+  std::string names;
+  const auto add = [&](const char* kind, std::string_view name) {
+    if (!is_taken(taken, step + "." + kind + "." + std::string(name)))
+      names += (names.empty() ? "" : ", ") + std::string(name);
+  };
+  for (const Link& link : in.links) add("links", link.name.view());
+  for (const Joint& joint : in.joints) add("joints", joint.name.view());
+  return names;
+}
+
+}  // namespace
+
+account::Modes modes_of(const project::Step& step, const Mechanism::Input& in, const project::Wanted& wanted) {
+  account::Modes modes;
+  for (const auto& mode : Mechanism::modes) {
+    const auto rows = project::rows_of(mode, step.account().verdicts);
+    if (rows.empty() && *mode.checks != '\0') continue;
+    modes.push_back(project::judged(step, mode, mode.applies(in), rows, {}, true));
+    if (modes.back().id != "strength") continue;
+    const std::string left = left_alone(step.name(), in, wanted.taken);
+    if (left.empty()) {
+      modes.pop_back();
+    } else if (modes.back().state == account::State::open) {
+      modes.back().note = say("taken by no step: {1}", left);
+    }
+  }
+  return modes;
+}
+
+}  // namespace loadpath::planar

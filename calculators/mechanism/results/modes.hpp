@@ -1,0 +1,14 @@
+// What the verdicts of the aspects say of the ways in which a mechanism can fail.
+#pragma once
+
+#include "calculators/mechanism/words/mechanism.hpp"
+#include "lib/account/mode.hpp"
+#include "lib/project/step.hpp"
+
+namespace loadpath::planar {
+
+/// Of a step whose account has its verdicts. A mode without a verdict does not concern the mechanism, but for what
+/// nothing here judges: the strength of links and pins that `wanted` does not name as taken by another step.
+account::Modes modes_of(const project::Step& step, const Mechanism::Input& in, const project::Wanted& wanted);
+
+}  // namespace loadpath::planar

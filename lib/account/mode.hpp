@@ -1,0 +1,43 @@
+// How the modes of failure of a part came out, and what may be said of all of them.
+#pragma once
+
+#include "lib/account/state.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/text/issue.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace loadpath::account {
+
+struct Mode {
+  std::string step;  // "gears"
+  std::string id;    // "root_1": the key of `accept`
+  Message title;     // "tooth root of gear 1 in bending"
+  ModeKind kind = ModeKind::strength;
+  State state = State::not_judged;
+  std::optional<double> utilisation;  // of what governs
+  std::string governs;                // the check or limit that decides: "u_F1", "segments[2].u_tau"
+  std::string judge;                  // the calculator that it is left to
+  std::string wants;                  // inputs that would let it be judged: "sigma_adm_1"
+  Message note;                       // where it governs, why it is accepted; may be empty
+};
+using Modes = std::vector<Mode>;
+
+/// The worst of all; pass where there is none.
+State worst(const Modes& modes);
+/// What is said of all together: the worst, but for what is open or accepted, beside which the others pass; open where
+/// nothing was judged at all.
+State overall(const Modes& modes);
+/// Failures first, then what is not judged, then by utilisation; what is open comes last.
+Modes in_order(Modes modes);
+/// "fail: rod.buckling; not judged: rod.bending; pass: rod.section": never a pass without what it covers.
+Message scope(const Modes& modes);
+/// What stands behind the title: "u_F1 at 30 deg"; "give sigma_adm_1"; "nothing in loadpath judges it".
+Message reason(const Mode& mode);
+/// Whether the mode is one of many that may concern the part, while nothing says so, nothing could be given for it and
+/// nothing judges it: worth no line of its own.
+bool is_remote(const Mode& mode);
+
+}  // namespace loadpath::account

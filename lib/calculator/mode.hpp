@@ -1,0 +1,106 @@
+// The ways in which a part can fail or stop serving. A calculator declares them beside its fields; a verdict is about
+// them, not about the checks that happened to be computed: what applies and was not judged does not pass.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace loadpath {
+
+/// Whether a mode concerns a part; unseen: the input cannot tell.
+enum class Applies { no, unseen, yes };
+
+/// What a mode is about, which decides what is said of it where nothing judges it.
+enum class ModeKind {
+  strength,  // worse with load
+  service,   // twist, sag: a bound that only the user can set; open until it is given
+  shape,     // interference, undercut, room
+  special    // decides in special service alone: wear, creep; open until an input shows that service
+};
+
+/// What is known of a mode without the type of its input.
+struct ModeInfo {
+  const char* id = "";     // "root_1": the key of `accept`, and of JSON
+  const char* title = "";  // "tooth root of gear 1 in bending"
+  ModeKind kind = ModeKind::strength;
+  const char* checks = "";  // the checks and limits that judge it, all of them: "u_F1, v_share", "segments.u_tau"
+  const char* judge = "";   // the calculator that judges it; without checks and judge nothing does
+  const char* wants = "";   // inputs that would let it be judged, where its checks do not tell
+  bool by_service = false;  // unseen, it applies where what loads the part says that it turns or that the load varies
+  bool by_rest = false;     // unseen, it applies where a load has companions that the step does not take
+};
+
+/// A mode of a calculator with this input. `applies` is asked with values of tables in, at every position of a series.
+template <class Input>
+struct Mode : ModeInfo {
+  Applies (*applies)(const Input&);
+
+  constexpr Mode(const char* i, const char* t, Applies (*when)(const Input&)) : ModeInfo{i, t}, applies(when) {}
+
+  [[nodiscard]] constexpr Mode judged_by(const char* all) const {
+    Mode mode = *this;
+    mode.checks = all;
+    return mode;
+  }
+  [[nodiscard]] constexpr Mode left_to(const char* calculator) const {
+    Mode mode = *this;
+    mode.judge = calculator;
+    return mode;
+  }
+  /// What to give so that it is judged: "sigma_adm_1".
+  [[nodiscard]] constexpr Mode wanting(const char* inputs) const {
+    Mode mode = *this;
+    mode.wants = inputs;
+    return mode;
+  }
+  /// Of a part that turns, or whose load varies.
+  [[nodiscard]] constexpr Mode in_service() const {
+    Mode mode = *this;
+    mode.by_service = true;
+    return mode;
+  }
+  /// Brought by what comes along with the load that is taken: bending, with the torque of a gear.
+  [[nodiscard]] constexpr Mode by_companions() const {
+    Mode mode = *this;
+    mode.by_rest = true;
+    return mode;
+  }
+  [[nodiscard]] constexpr Mode of_service() const { return of(ModeKind::service); }
+  [[nodiscard]] constexpr Mode of_shape() const { return of(ModeKind::shape); }
+  [[nodiscard]] constexpr Mode special() const { return of(ModeKind::special); }
+
+ private:
+  [[nodiscard]] constexpr Mode of(ModeKind k) const {
+    Mode mode = *this;
+    mode.kind = k;
+    return mode;
+  }
+};
+
+/// The modes of a calculator class without the type of its input.
+template <class C>
+inline constexpr auto mode_infos = [] {
+  std::array<ModeInfo, C::modes.size()> infos{};
+  for (std::size_t i = 0; i < infos.size(); ++i) infos[i] = C::modes[i];
+  return infos;
+}();
+template <class C>
+Applies applies_of(std::size_t mode, const void* input) {
+  return C::modes[mode].applies(*static_cast<const typename C::Input*>(input));
+}
+
+/// Predicates that many modes have.
+template <class Input>
+constexpr Applies always(const Input&) {
+  return Applies::yes;
+}
+template <class Input>
+constexpr Applies unseen(const Input&) {
+  return Applies::unseen;
+}
+/// Yes where it holds, else not at all.
+constexpr Applies where(bool holds) { return holds ? Applies::yes : Applies::no; }
+/// Yes where an input shows it, else the input cannot tell.
+constexpr Applies shown_by(bool holds) { return holds ? Applies::yes : Applies::unseen; }
+
+}  // namespace loadpath

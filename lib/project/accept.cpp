@@ -1,0 +1,55 @@
+#include "lib/project/accept.hpp"
+
+#include <algorithm>
+
+namespace loadpath::project {
+
+using toml::Tree;
+
+namespace {
+
+/// One line with words in it.
+bool is_line(const std::string& text) {
+  return text.find('\n') == std::string::npos && text.find_first_not_of(" \t") != std::string::npos;
+}
+
+void read_reason(const Tree::Entry& entry, StepInput& input, std::vector<Issue>& issues) {
+  const std::string key = input.name + ".accept." + entry.key;
+  const auto& modes = input.calculator->modes;
+  if (std::none_of(modes.begin(), modes.end(), [&](const ModeInfo& m) { return entry.key == m.id; })) {
+    std::vector<std::string> ids;
+    for (const ModeInfo& mode : modes) ids.emplace_back(mode.id);
+    issues.push_back({entry.place, key, say("'{1}' has no mode of failure '{2}'", input.calculator->id, entry.key),
+                      did_you_mean(entry.key, ids, say("`loadpath describe {1}` lists them", input.calculator->id)),
+                      Severity::error});
+  } else if (entry.value.type != Tree::Type::text || !is_line(entry.value.text)) {
+    issues.push_back({entry.value.place, key, say("what is accepted needs a reason, a text of one line"),
+                      say("write {1} = \"rated by the maker, drawing 12\"", entry.key), Severity::error});
+  } else {
+    input.accepted[entry.key] = entry.value.text;
+  }
+}
+
+}  // namespace
+
+void read_accepted(const Tree& table, StepInput& input, std::vector<Issue>& issues) {
+  const auto* accepted = table.find("accept");
+  if (accepted == nullptr) return;
+  if (accepted->value.type != Tree::Type::table) {
+    issues.push_back({accepted->value.place, input.name + ".accept",
+                      say("'{1}' is a table of reasons, not {2}", "accept", toml::word_for(accepted->value.type)),
+                      say("name the modes: accept = { fatigue = \"runs for an hour in all\" }"), Severity::error});
+    return;
+  }
+  for (const Tree::Entry& entry : accepted->value.entries) read_reason(entry, input, issues);
+}
+
+void accept(const StepInput& input, account::Mode& mode) {
+  const auto accepted = input.accepted.find(mode.id);
+  const bool waits = mode.state == account::State::open || mode.state == account::State::not_judged;
+  if (accepted == input.accepted.end() || !waits) return;
+  mode.state = account::State::accepted;
+  mode.note = say("{1}", accepted->second);
+}
+
+}  // namespace loadpath::project

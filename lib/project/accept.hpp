@@ -1,0 +1,19 @@
+// What the user answers for: modes of failure of a step that are accepted with a reason, in place of a judgement.
+#pragma once
+
+#include "lib/account/mode.hpp"
+#include "lib/project/step.hpp"
+#include "lib/toml/tree.hpp"
+
+#include <vector>
+
+namespace loadpath::project {
+
+/// accept.pitting = "rated by the maker, drawing 12". A mode that the calculator does not have, or no reason, is an
+/// issue.
+void read_accepted(const toml::Tree& table, StepInput& input, std::vector<Issue>& issues);
+
+/// The mode as it stands with what the step accepts: never in place of a failure, nor beyond what a method covers.
+void accept(const StepInput& input, account::Mode& mode);
+
+}  // namespace loadpath::project

@@ -1,0 +1,24 @@
+// From checks and limits to modes of failure: what was held against a mode decides it, and what was not is said.
+#pragma once
+
+#include "lib/account/mode.hpp"
+#include "lib/project/step.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loadpath::project {
+
+/// The rows of the account that judge a mode. A key of its checks names a row, "u_tau", that of every element,
+/// "segments.u_tau", or all that begin so, "contact_*".
+std::vector<const account::Verdict*> rows_of(const ModeInfo& mode, const std::vector<account::Verdict>& all);
+/// Whether the key names the row.
+bool names_row(std::string_view key, std::string_view symbol);
+
+/// What the step says of a mode that applies, or may. `wants`: inputs without which a check of it is missing; `enough`:
+/// whether the rows judge it if they pass.
+account::Mode judged(const Step& step, const ModeInfo& mode, Applies applies,
+                     const std::vector<const account::Verdict*>& rows, std::string wants, bool enough);
+
+}  // namespace loadpath::project

@@ -1,0 +1,76 @@
+// Which modes of failure concern the part of a run, and what its checks and limits say of them.
+#include "lib/project/modes.hpp"
+
+#include "lib/project/run/run.hpp"
+
+#include <algorithm>
+
+namespace loadpath::project {
+
+namespace {
+
+/// The field that a key of a mode names: "u_tau", "segments.u_tau".
+const FieldInfo* field_of(const RecordType& result, std::string_view key) {
+  const std::size_t dot = key.find('.');
+  const FieldInfo* field = find_field(result.fields, key.substr(0, dot));
+  return field == nullptr || dot == std::string_view::npos ? field : find_field(field->fields, key.substr(dot + 1));
+}
+
+void add_words(std::string_view words, std::string& to) {
+  if (!words.empty() && to.find(words) == std::string::npos) to += (to.empty() ? "" : ", ") + std::string(words);
+}
+
+}  // namespace
+
+void Run::ask_modes() {
+  for (std::size_t k = 0; k < calculator_.modes.size(); ++k)
+    applies_[k] = std::max(applies_[k], calculator_.applies(k, record_.data.get()));
+}
+
+void Run::doubt_modes() {
+  for (Applies& applies : applies_) applies = std::max(applies, Applies::unseen);
+}
+
+/// Whether a mode that passes is judged by that: no check of it is missing, and one there is, unless limits alone judge
+/// it. A limit without its input does not apply. `wants` takes what asks for the checks that are missing.
+bool Run::is_judged(const ModeInfo& mode, const Account& account, std::string& wants) const {
+  bool by_checks = false, checked = false;
+  for (const std::string& key : listed_keys(mode.checks)) {
+    const FieldInfo* const field = field_of(*calculator_.result, key);
+    if (field == nullptr || field->role != Role::check) continue;
+    by_checks = true;
+    const bool shown = std::any_of(account.verdicts.begin(), account.verdicts.end(),
+                                   [&](const auto& row) { return names_row(key, row.symbol); });
+    checked = checked || shown;
+    if (!shown && !is_asked(*field)) add_words(field->asked_by, wants);
+  }
+  return wants.empty() && (checked || !by_checks);
+}
+
+/// A step that has no results for want of an input has not been judged at all.
+void Run::add_missing_input(Account& account) const {
+  const Message missing = missing_input();
+  if (!columns_.empty() || missing.empty()) return;
+  account::Mode mode;
+  mode.step = step_.name();
+  mode.id = "inputs";
+  mode.title = say("every input has a value");
+  mode.kind = ModeKind::shape;
+  mode.state = account::State::not_available;
+  mode.note = missing;
+  account.modes.push_back(std::move(mode));
+}
+
+void Run::fill_modes(Account& account) const {
+  add_missing_input(account);
+  for (std::size_t k = 0; k < calculator_.modes.size(); ++k) {
+    if (applies_[k] == Applies::no) continue;
+    const ModeInfo& mode = calculator_.modes[k];
+    std::string wants;
+    const bool enough = is_judged(mode, account, wants);
+    account.modes.push_back(
+        judged(step_, mode, applies_[k], rows_of(mode, account.verdicts), std::move(wants), enough));
+  }
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,46 @@
+// The first page: how the machine's modes of failure came out.
+#include "lib/quantity/format.hpp"
+#include "lib/report/conclusion.hpp"
+#include "lib/report/html/html.hpp"
+#include "lib/text/markup.hpp"
+
+namespace loadpath::report::page {
+namespace {
+
+std::string subject(const Mode& mode, const std::set<std::string>& anchors) {
+  const std::string step = escaped(mode.step);
+  const std::string linked = anchors.contains(mode.step) ? "<a href=\"#" + step + "\">" + step + "</a>" : step;
+  return linked + " " + escaped(mode.title.text()) + "<br><small>" + escaped(account::reason(mode).text()) + "</small>";
+}
+
+std::string value(const Mode& mode) {
+  return mode.utilisation ? escaped(format_number(*mode.utilisation, 3)) + bar(*mode.utilisation) : "–";
+}
+
+}  // namespace
+
+std::string conclusion(const Modes& modes) {
+  if (modes.empty()) return {};
+  std::string out = "<p class=\"conclusion\">" + state(overall(modes)) + "<span>" + escaped(tally(modes).text());
+  if (const Mode* mode = most_utilised(modes)) out += " " + escaped(utilisation(*mode).text());
+  return out + "</span></p>\n";
+}
+
+std::string modes(const Modes& modes, const std::set<std::string>& anchors) {
+  if (modes.empty()) return {};
+  std::string out = "<div class=\"scroll\"><table class=\"verdicts\">\n<thead><tr>";
+  for (const Message& head : {say("mode of failure"), say("utilisation"), say("verdict")}) {
+    out += std::string("<th scope=\"col\"") + (head.id == "utilisation" ? " class=\"number\">" : ">") +
+           escaped(head.text()) + "</th>";
+  }
+  out += "</tr></thead>\n<tbody>\n";
+  for (const Mode& mode : told(modes)) {
+    out += "<tr><td class=\"subject\">" + subject(mode, anchors) + "</td><td class=\"number\">" + value(mode) +
+           "</td><td class=\"verdict\">" + state(mode.state) + "</td></tr>\n";
+  }
+  out += "</tbody></table></div>\n";
+  const Message rest = remote(modes);
+  return rest.empty() ? out : out + "<p class=\"note\">" + escaped(rest.text()) + "</p>\n";
+}
+
+}  // namespace loadpath::report::page

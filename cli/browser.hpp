@@ -1,6 +1,9 @@
 // PDF by a headless browser, where one is installed.
 #pragma once
 
+#include "cli/staged.hpp"
+
+#include <filesystem>
 #include <string>
 
 namespace loadpath::cli {
@@ -8,7 +11,7 @@ namespace loadpath::cli {
 /// The path of a Chromium or Chrome, or an empty text.
 std::string find_browser();
 
-/// Prints a page to a PDF file; false where the browser fails.
-bool print_to_pdf(const std::string& html, const std::string& path);
+/// Prints a page to a PDF file; false where the browser fails. `scratch` keeps what it needs on the way.
+bool print_to_pdf(const std::string& html, const std::filesystem::path& path, Scratch& scratch);
 
 }  // namespace loadpath::cli

@@ -1,6 +1,7 @@
 #include "cli/output.hpp"
 
 #include "cli/browser.hpp"
+#include "cli/staged.hpp"
 #include "lib/draw/dxf.hpp"
 #include "lib/export/csv.hpp"
 #include "lib/export/json.hpp"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
 namespace loadpath::cli {
@@ -96,14 +96,14 @@ bool add_drawings(const project::Project& project, const OutputOptions& options,
   return true;
 }
 
-bool write_file(const File& file) {
-  std::error_code error;
-  if (file.path.has_parent_path()) fs::create_directories(file.path.parent_path(), error);
-  std::ofstream stream(file.path, std::ios::binary);
-  stream << file.text;
-  stream.close();
-  if (stream) return true;
-  std::cerr << "loadpath: cannot write '" << file.path.string() << "'\n";
+/// Whether an output would take the place of what the program reads.
+bool overwrites(const std::vector<File>& files, const std::string& input) {
+  for (const File& file : files) {
+    if (!same_file(file.path, input)) continue;
+    std::cerr << "loadpath: '" << file.path.string() << "' is the project itself: nothing is written\n  = help: name "
+              << "another file\n";
+    return true;
+  }
   return false;
 }
 
@@ -150,13 +150,18 @@ bool write(const project::Project& project, const OutputOptions& options) {
   }
   if (!options.csv.empty() && !add_series(project, options, files)) return false;
   if (!add_drawings(project, options, files)) return false;
-  if (!std::all_of(files.begin(), files.end(), write_file)) return false;
+  if (files.empty() && prints.empty()) return true;
+  if (overwrites(files, project.file)) return false;
+  Scratch scratch;
+  Staged staged(scratch);
+  if (!std::all_of(files.begin(), files.end(), [&](const File& f) { return staged.add(f.path, f.text); })) return false;
   for (const std::string& path : prints) {
-    if (!print_to_pdf(report::html(document), path)) {
+    if (!print_to_pdf(report::html(document), staged.aside(path), scratch)) {
       std::cerr << "loadpath: the browser did not write '" << path << "'\n";
       return false;
     }
   }
+  if (!staged.finish()) return false;
   for (const std::string& path : options.reports) {
     if (!options.quiet) std::cerr << "report: " << path << "\n";
   }

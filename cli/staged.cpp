@@ -1,0 +1,203 @@
+#include "cli/staged.hpp"
+
+#include "cli/commands.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <iostream>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace loadpath::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+sigset_t watched() {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) {
+    struct sigaction now {};
+    const bool ignored = sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;  // nohup
+    if (!ignored) sigaddset(&set, signal);
+  }
+  return set;
+}
+
+/// All of it, on the disk.
+bool write_whole(int file, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(file, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return ::fsync(file) == 0 || errno == EINVAL || errno == EROFS;  // a pipe has no disk behind it
+}
+
+bool cannot_write(const fs::path& path, int error) {
+  std::cerr << "loadpath: cannot write '" << path.string() << "': " << std::strerror(error) << "\n";
+  return false;
+}
+
+}  // namespace
+
+Scratch::Scratch() {
+  const sigset_t set = watched();
+  pthread_sigmask(SIG_BLOCK, &set, &before_);
+  watcher_ = std::thread([this] { take_signals(); });
+}
+
+Scratch::~Scratch() {
+  pthread_kill(watcher_.native_handle(), SIGUSR1);  // nothing more to watch
+  watcher_.join();
+  remove_all();  // alone again
+  pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
+void Scratch::take_signals() {
+  const sigset_t set = watched();
+  int signal = 0;
+  sigwait(&set, &signal);
+  if (signal == SIGUSR1) return;
+  mutex_.lock();  // for good: nothing comes into being any more
+  remove_all();
+  _exit(interrupted);
+}
+
+int Scratch::create(const fs::path& path) {
+  const std::lock_guard lock(mutex_);
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file >= 0) paths_.push_back(path);
+  return file;
+}
+
+void Scratch::add(const fs::path& path) {
+  const std::lock_guard lock(mutex_);
+  paths_.push_back(path);
+}
+
+fs::path Scratch::create_folder() {
+  const std::lock_guard lock(mutex_);
+  std::string pattern = (fs::temp_directory_path() / "loadpath-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) return {};
+  paths_.emplace_back(pattern);
+  return pattern;
+}
+
+void Scratch::release(const fs::path& path) {
+  const std::lock_guard lock(mutex_);
+  std::erase(paths_, path);
+}
+
+pid_t Scratch::start(const std::vector<std::string>& words) {
+  std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setsigmask(&attributes, &before_);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  const std::lock_guard lock(mutex_);
+  if (posix_spawn(&child_, words[0].c_str(), &actions, &attributes, arguments.data(), environ) != 0) child_ = 0;
+  posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
+  return child_;
+}
+
+int Scratch::wait() {
+  siginfo_t ended{};
+  waitid(P_PID, static_cast<id_t>(child_), &ended, WEXITED | WNOWAIT);  // its number is not given away yet
+  const std::lock_guard lock(mutex_);
+  int status = 0;
+  const bool reaped = waitpid(child_, &status, 0) == child_;
+  child_ = 0;
+  return reaped && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+void Scratch::remove_all() {
+  if (child_ > 0) kill(child_, SIGKILL);
+  for (const fs::path& path : paths_) {
+    std::error_code error;
+    for (int tries = 0; tries < 20 && fs::exists(path, error); ++tries) {  // a child may still write into a folder
+      fs::remove_all(path, error);
+      if (error) usleep(10'000);
+    }
+  }
+  paths_.clear();
+}
+
+bool Staged::add(const fs::path& path, const std::string& text) {
+  std::error_code error;
+  if (fs::is_other(path, error)) {  // a device or a pipe: there is nothing old to keep
+    files_.push_back({{}, path, text});
+    return true;
+  }
+  if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
+  const fs::path beside = place_beside(path);
+  const int file = scratch_.create(beside);
+  if (file < 0) return cannot_write(path, errno);
+  const int why = write_whole(file, text) ? 0 : errno;
+  const int later = ::close(file) == 0 ? why : errno;
+  return later == 0 || cannot_write(path, why == 0 ? later : why);
+}
+
+fs::path Staged::place_beside(const fs::path& path) {
+  std::error_code error;
+  const fs::path named = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
+  const fs::path target = error || named.empty() ? path : named;
+  const std::string number = std::to_string(getpid()) + "-" + std::to_string(files_.size() + 1);
+  const fs::path beside = target.parent_path() / ("." + target.filename().string() + "." + number + ".part");
+  files_.push_back({beside, target, {}});
+  return beside;
+}
+
+fs::path Staged::aside(const fs::path& path) {
+  fs::path beside = place_beside(path);
+  scratch_.add(beside);
+  return beside;
+}
+
+bool Staged::finish() {
+  for (const File& file : files_) {
+    if (const int why = file.aside.empty() ? send(file) : put(file); why != 0) return cannot_write(file.path, why);
+  }
+  return true;
+}
+
+/// To a device or a pipe.
+int Staged::send(const File& file) {
+  const int target = ::open(file.path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (target < 0) return errno;
+  const int why = write_whole(target, file.text) ? 0 : errno;
+  return ::close(target) == 0 || why != 0 ? why : errno;
+}
+
+/// In its place, with the rights of the file that stood there; a protected one stays.
+int Staged::put(const File& file) {
+  std::error_code error;
+  if (fs::exists(file.path, error)) {
+    if (access(file.path.c_str(), W_OK) != 0) return errno;
+    fs::permissions(file.aside, fs::status(file.path, error).permissions(), error);
+  }
+  fs::rename(file.aside, file.path, error);
+  if (!error) scratch_.release(file.aside);
+  return error.value();
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  return fs::exists(a, error) && fs::exists(b, error) && fs::equivalent(a, b, error);
+}
+
+}  // namespace loadpath::cli

@@ -1,0 +1,76 @@
+// Files that come into being whole or not at all: written aside, flushed to the disk, and renamed once all of them are
+// there. What ends early, by an error or a signal, leaves the old files as they were and nothing beside them.
+#pragma once
+
+#include <csignal>
+#include <filesystem>
+#include <mutex>
+#include <string>
+#include <sys/types.h>
+#include <thread>
+#include <vector>
+
+namespace loadpath::cli {
+
+/// What must not outlive the program, however it ends: files, folders, a child. While one lives, SIGINT, SIGTERM and
+/// SIGHUP are taken by a thread that removes all of it and ends the program with the exit code for interrupted.
+class Scratch {
+ public:
+  Scratch();
+  ~Scratch();
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  void add(const std::filesystem::path& path);
+  /// A new file; its descriptor, or -1 with errno.
+  int create(const std::filesystem::path& path);
+  /// What is no longer scratch: it has become an output.
+  void release(const std::filesystem::path& path);
+  /// A new folder; empty where there can be none.
+  std::filesystem::path create_folder();
+  /// Starts another program, which says nothing; 0 where that fails. Killed where this one is ended.
+  pid_t start(const std::vector<std::string>& words);
+  /// Its exit code, once it has ended; -1 where a signal has ended it.
+  int wait();
+
+ private:
+  void remove_all();
+  void take_signals();
+
+  std::mutex mutex_;
+  std::vector<std::filesystem::path> paths_;
+  pid_t child_ = 0;
+  sigset_t before_;
+  std::thread watcher_;
+};
+
+/// The outputs of one command.
+class Staged {
+ public:
+  explicit Staged(Scratch& scratch) : scratch_(scratch) {}
+
+  /// Writes the text beside the path. False, with a word on standard error, where that is not possible.
+  bool add(const std::filesystem::path& path, const std::string& text);
+  /// A path beside it, for another program to write to; `finish` moves it.
+  std::filesystem::path aside(const std::filesystem::path& path);
+  /// Puts every file in its place. False, with a word, where one cannot be put there.
+  bool finish();
+
+ private:
+  struct File {
+    std::filesystem::path aside, path;  // aside: empty for a device or a pipe
+    std::string text;                   // for these
+  };
+  static int send(const File& file);
+  int put(const File& file);
+  /// Where the file is written first, in the folder that it will stand in.
+  std::filesystem::path place_beside(const std::filesystem::path& path);
+
+  Scratch& scratch_;
+  std::vector<File> files_;
+};
+
+/// Whether two paths name one file, through links too.
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
+}  // namespace loadpath::cli

@@ -107,6 +107,9 @@ void tighten(const Input& in, const Loop& loop, Result& r, Tracer& trace) {
     press(loop, k, S_before - F_c, S - F_c, r.pulleys[k], trace);
     r.S_max = max(r.S_max, S), r.N_min = min(r.N_min, S - F_c);
   }
+  if (is_set(in.S_adm)) {
+    STEP_TO(r, u_T, r.S_max / in.S_adm, "strength condition");
+  }
   if (!is_set(r.S_0_min)) return;
   if (!is_set(in.S_0)) {
     r.u_S = 1.0;

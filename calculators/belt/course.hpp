@@ -9,6 +9,7 @@
 
 #include "calculators/belt/loop.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/drive_units.hpp"
@@ -37,6 +38,7 @@ calculator = "belt.course"
 n_1 = "1450 rpm"
 mu = 0.5
 q = "0.3 kg/m"
+S_adm = "2 kN"
 L = "2360 mm"
 turns = "cw"
 pulleys = [
@@ -76,7 +78,7 @@ pulleys = [
     AngularSpeed n_1 = unset<AngularSpeed>;
     double mu = unset<double>;
     LineDensity q = 0.0 * kg_per_m;
-    Force S_0 = unset<Force>;
+    Force S_0 = unset<Force>, S_adm = unset<Force>;
   };
   static constexpr std::tuple inputs{
       ListField{&Input::pulleys, "pulleys", "pulleys in the order in which the belt runs; the first one drives"},
@@ -90,6 +92,9 @@ pulleys = [
           .may_be_missing(),
       Field{&Input::q, "q", kg_per_m, "mass of the belt per length"}.at_least(0).usually(0, 20),
       Field{&Input::S_0, "S_0", N, "tension of the slack span, behind the first pulley; the least one where missing"}
+          .positive()
+          .may_be_missing(),
+      Field{&Input::S_adm, "S_adm", N, "allowable tension of the belt, its safety included"}
           .positive()
           .may_be_missing()};
 
@@ -109,7 +114,7 @@ pulleys = [
         Field{&PulleyResult::alpha, "alpha", deg, "wrap"},
         Field{&PulleyResult::l_s, "l_s", mm, "span behind it, between the points of contact"},
         Field{&PulleyResult::n, "n", rpm, "speed, counter-clockwise positive"},
-        Field{&PulleyResult::T, "T", N_m, "torque of the belt on it, counter-clockwise positive"},
+        Field{&PulleyResult::T, "T", N_m, "torque of the belt on it, counter-clockwise positive"}.with("R"),
         Field{&PulleyResult::S, "S", N, "tension of the span behind it"},
         Field{&PulleyResult::R_x, "R_x", N, "load of its shaft, along x"},
         Field{&PulleyResult::R_y, "R_y", N, "load of its shaft, along y"},
@@ -122,7 +127,7 @@ pulleys = [
     AngularSpeed f_B = unset<AngularSpeed>;
     Power P_1 = unset<Power>;
     Force F_c = unset<Force>, S_0_min = unset<Force>, S_0 = unset<Force>, S_max = unset<Force>, N_min = unset<Force>;
-    double u_S = unset<double>;
+    double u_S = unset<double>, u_T = unset<double>;
     List<PulleyResult, most_pulleys> pulleys;
   };
   static constexpr std::tuple results{
@@ -141,6 +146,10 @@ pulleys = [
           .where_it_applies(),
       Field{&Result::N_min, "N_min", N, "least tension that presses a pulley, without the centrifugal part"}
           .limit(1e-9, 1e9, "S_0, mu")
+          .criterion()
+          .where_it_applies(),
+      Field{&Result::u_T, "u_T", ratio, "strength: largest tension over the allowable one"}
+          .check("S_adm")
           .where_it_applies()};
 
   static bool tensioner_fits(const Input& in);
@@ -158,6 +167,17 @@ pulleys = [
       Rule<Input>{&powers_fit, "pulleys, n_1, mu, S_0",
                   "powers need a speed and mu or S_0, and the first pulley drives", &wrong_power},
       Rule<Input>{&closes, "pulleys", "the belt does not run through these pulleys", &flaw_of}};
+
+  static constexpr bool turns = true;
+  static bool carries(const Input& in);
+  static Applies loaded(const Input& in) { return where(carries(in)); }
+  static constexpr std::array modes{
+      Mode<Input>{"grip", "slip on a pulley", &loaded}.judged_by("u_S"),
+      Mode<Input>{"lifting", "belt lifts off a pulley", &loaded}.judged_by("N_min"),
+      Mode<Input>{"strength", "strength of the belt under its largest tension", &loaded}.judged_by("u_T"),
+      Mode<Input>{"bending", "least pulley, and bendings per second", &unseen<Input>}.special(),
+      Mode<Input>{"speed", "speed of belt and rims", &unseen<Input>}.special(),
+      Mode<Input>{"radial_load", "radial load that the motor bears", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -30,6 +30,8 @@ FieldFault length_fault(const Input& in, const Circles& circles) {
 
 }  // namespace
 
+bool Course::carries(const Input& in) { return has_powers(in) || is_set(in.S_0); }
+
 bool Course::tensioner_fits(const Input& in) {
   const auto moving =
       std::count_if(in.pulleys.begin(), in.pulleys.end(), [](const Pulley& p) { return is_set(p.along); });

@@ -37,6 +37,9 @@ void size(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
           is_set(in.E_b) ? "bending around the smaller pulley" : "the allowable stress holds for the given pulleys");
   STEP_TO(r, sigma_c, in.rho * r.v * r.v, "centrifugal stress");
   STEP_TO(r, sigma_N, in.sigma_adm - sigma_b - sigma_c, "left for pulling");
+  if (is_set(in.E_b)) {
+    STEP_TO(r, u_b, sigma_b / in.sigma_adm, "bending alone");
+  }
   if (!(sigma_N > from_si<Stress>(0.0))) return;
   STEP_TO(r, v_opt, sqrt((in.sigma_adm - sigma_b) / (3.0 * in.rho)), "largest power where F_t v has its maximum");
   STEP_TO(r, b_min, r.F_t / (in.delta * sigma_N * (1.0 - 1.0 / r.m_e)),
@@ -73,6 +76,13 @@ void judge(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   STEP_TO(r, f_B, 2.0 * r.v / r.L, "two pulleys bend the belt in each round");
 }
 
+/// Two spans pass between the pulleys of a crossed belt.
+template <class Tracer>
+void cross(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
+  if (in.arrangement != Arrangement::crossed) return;
+  STEP_TO(r, g_x, r.a - (in.d_1 + in.d_2) / 2.0 - 2.0 * in.delta, "gap of the pulleys less two thicknesses");
+}
+
 template <class Tracer>
 void limit_speed(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   const bool synthetic = in.kind == Flat::Kind::synthetic;
@@ -95,6 +105,7 @@ Flat::Result Flat::evaluate(const Input& in, Tracer& trace) {
   move(in, r, trace);
   lay(pulleys_of(in), r, trace);
   limit_speed(in, r, trace);
+  cross(in, r, trace);
   pull(in, r, trace);
   size(in, r, trace);
   r.b = is_set(in.b) ? in.b : r.b_min;

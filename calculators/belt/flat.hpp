@@ -9,6 +9,7 @@
 
 #include "calculators/belt/geometry.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/drive_units.hpp"
@@ -43,6 +44,7 @@ kind = "synthetic"
 delta = "2.5 mm"
 rho = "1100 kg/m^3"
 sigma_adm = "6 MPa"
+E_b = "40 MPa"
 )";
 
   enum class Kind { conventional, synthetic };
@@ -118,7 +120,8 @@ sigma_adm = "6 MPa"
     Force R_0 = unset<Force>, R_x = unset<Force>, R_y = unset<Force>, R = unset<Force>;
     double theta_R = unset<double>;
     AngularSpeed f_B = unset<AngularSpeed>;
-    double u_S = unset<double>, u_sigma = unset<double>, x_v = unset<double>;
+    double u_S = unset<double>, u_sigma = unset<double>, u_b = unset<double>, x_v = unset<double>;
+    Length g_x = unset<Length>;
     Speed v_range = unset<Speed>;
   };
   static constexpr std::tuple results{
@@ -153,8 +156,15 @@ sigma_adm = "6 MPa"
       Field{&Result::f_B, "f_B", Hz, "bendings of the belt per second"},
       Field{&Result::u_S, "u_S", ratio, "friction: least initial tension over the initial tension"}.check(),
       Field{&Result::u_sigma, "u_sigma", ratio, "strength: largest stress over the allowable one"}.check(),
-      Field{&Result::sigma_N, "sigma_N", MPa, "stress left for pulling, without bending and centrifugal stress"}.limit(
-          0, 1e6),
+      Field{&Result::sigma_N, "sigma_N", MPa, "stress left for pulling, without bending and centrifugal stress"}
+          .limit(0, 1e6)
+          .criterion(),
+      Field{&Result::u_b, "u_b", ratio, "bending around the smaller pulley: its stress over the allowable one"}.check(
+          "E_b"),
+      Field{&Result::g_x, "g_x", mm, "room between the pulleys that the crossing spans leave"}
+          .limit(0, 1e6)
+          .criterion()
+          .where_it_applies(),
       Field{&Result::v_range, "v_range", m_per_s, "speed, against the range of flat belts"}.limit(5, 100),
       Field{&Result::x_v, "x_v", ratio, "speed over the largest one of its kind: 30 m/s, synthetic 100 m/s"}.limit(0,
                                                                                                                    1)};
@@ -168,6 +178,20 @@ sigma_adm = "6 MPa"
       Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must stand clear of each other", &touching},
       Rule<Input>{[](const Input& in) { return in.delta < 0.5 * min(in.d_1, in.d_2); }, "delta, d_1, d_2",
                   "the belt must be thinner than half of the smaller pulley"}};
+
+  static constexpr bool turns = true;
+  static Applies crossed(const Input& in) { return where(in.arrangement == Arrangement::crossed); }
+  static constexpr std::array modes{
+      Mode<Input>{"grip", "slip of the belt", &always<Input>}.judged_by("u_S"),
+      Mode<Input>{"strength", "strength of the belt in the tight span", &always<Input>}.judged_by("u_sigma, sigma_N"),
+      Mode<Input>{"bending", "bending of the belt around the smaller pulley", &always<Input>}.judged_by("u_b"),
+      Mode<Input>{"speed", "speed of flat belts", &always<Input>}.judged_by("v_range, x_v"),
+      Mode<Input>{"room", "room for the crossing spans between the pulleys", &crossed}.judged_by("g_x").of_shape(),
+      Mode<Input>{"twist", "spans twist and rub where they cross",
+                  [](const Input& in) { return crossed(in) == Applies::yes ? Applies::unseen : Applies::no; }},
+      Mode<Input>{"fatigue", "life of the belt: bendings per second", &unseen<Input>}.special(),
+      Mode<Input>{"rim", "bursting of the rims", &unseen<Input>}.special(),
+      Mode<Input>{"radial_load", "radial load that the motor bears", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

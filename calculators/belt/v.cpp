@@ -109,6 +109,7 @@ V::Result V::evaluate(const Input& in, Tracer& trace) {
   serve(in, r, trace);
   carry(*section, in, r, trace);
   build_pulleys(*section, in, r, trace);
+  buy(*section, in, r, trace);
   if (r.z == 0) return r;
   tension(*section, in, r, trace);
   measure(*section, r, trace);

@@ -10,6 +10,7 @@
 #include "calculators/belt/geometry.hpp"
 #include "calculators/belt/v_data.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 
@@ -124,12 +125,12 @@ L = "2650 mm"
     Length B = unset<Length>, d_a1 = unset<Length>, d_a2 = unset<Length>;
     double phi_1 = unset<double>, phi_2 = unset<double>;
     Speed v_rim = unset<Speed>;
-    Length Delta_1 = unset<Length>, Delta_2 = unset<Length>;
+    Length Delta_1 = unset<Length>, Delta_2 = unset<Length>, g_r = unset<Length>, g_f = unset<Length>;
     AngularSpeed f_B = unset<AngularSpeed>;
     Time L_h = unset<Time>;
     double u_P = unset<double>, u_grip = unset<double>, u_rim = unset<double>, u_B = unset<double>;
     double x_d = unset<double>, x_n = unset<double>, x_L = unset<double>, x_alpha = unset<double>;
-    double x_v = unset<double>;
+    double x_v = unset<double>, x_z = unset<double>, off_d = unset<double>, off_L = unset<double>;
   };
   static constexpr std::tuple results{
       Field{&Result::i, "i", ratio, "transmission ratio n_1/n_2 with slip"},
@@ -190,7 +191,17 @@ L = "2650 mm"
       Field{&Result::x_n, "x_n", ratio, "its speed, from the lowest (0) to the highest (1) rated one"}.limit(0, 1),
       Field{&Result::x_L, "x_L", ratio, "length, from the shortest (0) to the longest (1) listed belt"}.limit(0, 1),
       Field{&Result::x_alpha, "x_alpha", ratio, "wrap of the smaller pulley over the least one"}.limit(1, 10),
-      Field{&Result::x_v, "x_v", ratio, "speed over the largest one of the section"}.limit(0, 1)};
+      Field{&Result::x_v, "x_v", ratio, "speed over the largest one of the section"}.limit(0, 1),
+      Field{&Result::x_z, "x_z", ratio, "number of belts over the most that share a load, 16"}
+          .limit(0, 1)
+          .where_it_applies(),
+      Field{&Result::off_d, "off_d", ratio, "pulleys whose diameter no list has: sizes of series v_pulleys"}.limit(0,
+                                                                                                                   0.5),
+      Field{&Result::off_L, "off_L", ratio, "1 where no list has a belt of this length"}
+          .limit(0, 0.5)
+          .where_it_applies(),
+      Field{&Result::g_r, "g_r", mm, "room between the rims of the pulleys"}.limit(0, 1e5).criterion(),
+      Field{&Result::g_f, "g_f", mm, "room between the rims when the belts are fitted"}.limit(0, 1e5).criterion()};
 
   static bool section_is_known(const Input& in);
   static FieldFault unknown_section(const Input& in);
@@ -213,6 +224,30 @@ L = "2650 mm"
       Rule<Input>{[](const Input& in) { return is_set(in.a) != is_set(in.L); }, "a, L",
                   "give either the centre distance a or the length of the belt L"},
       Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must stand clear of each other", &touching}};
+
+  static constexpr bool turns = true;
+  static constexpr std::array modes{
+      Mode<Input>{"power", "power of the belts", &always<Input>}.judged_by("u_P, P_N, x_n"),
+      Mode<Input>{"pulley", "least pulley of the section", &always<Input>}.judged_by("x_d"),
+      Mode<Input>{"length", "length that the basis rates", &always<Input>}.judged_by("x_L").of_shape(),
+      Mode<Input>{"wrap", "wrap of the smaller pulley", &always<Input>}.judged_by("x_alpha"),
+      Mode<Input>{"grip", "slip in the grooves, by Euler's condition",
+                  [](const Input& in) { return shown_by(is_set(in.mu)); }}
+          .judged_by("u_grip"),
+      Mode<Input>{"speed", "speed of the section", &always<Input>}.judged_by("x_v"),
+      Mode<Input>{"rim", "bursting of the rims", &always<Input>}.judged_by("u_rim"),
+      Mode<Input>{"bending", "bending frequency", &always<Input>}.judged_by("u_B"),
+      Mode<Input>{"sharing", "load shared by many belts", &always<Input>}.judged_by("x_z"),
+      Mode<Input>{"room", "room between the rims", &always<Input>}.judged_by("g_r").of_shape(),
+      Mode<Input>{"fitting", "room to fit the belts", &always<Input>}.judged_by("g_f").of_shape(),
+      Mode<Input>{"sold_pulleys", "pulleys that are sold", &always<Input>}.judged_by("off_d").of_shape(),
+      Mode<Input>{"sold_belts", "belts of a length that is sold",
+                  [](const Input& in) { return shown_by(is_set(in.L)); }}
+          .judged_by("off_L")
+          .wanting("L")
+          .of_shape(),
+      Mode<Input>{"radial_load", "radial load that the motor bears", &unseen<Input>}.special(),
+      Mode<Input>{"heat", "heat, oil and dust", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -1,5 +1,7 @@
 #include "calculators/belt/v_data.hpp"
 
+#include "lib/table/table.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -58,6 +60,16 @@ std::span<const WrapRow> wraps() {
   return rows;
 }
 
+std::vector<Length> read_pulleys(Basis basis) {
+  std::vector<Length> pulleys;
+  if (const auto series = table::find_series(basis == Basis::iso ? "v_pulleys_gost" : "v_pulleys")) {
+    for (const double d : table::members_in_si(**series)) pulleys.push_back(from_si<Length>(d));
+  }
+  return pulleys;
+}
+
+bool is_same(Length a, Length b) { return std::abs(in_si(a) - in_si(b)) < 1e-9; }
+
 /// y at x, linear between points in ascending order of x; NaN outside.
 template <class Point, class X, class Y>
 double between(std::span<const Point> points, double at, X x, Y y) {
@@ -96,6 +108,24 @@ std::string names_of_v_sections(Basis basis) {
     if (section.basis == basis) names += (names.empty() ? "" : ", ") + std::string(section.name.view());
   }
   return names;
+}
+
+std::span<const Length> v_pulleys(Basis basis) {
+  static const auto iso = read_pulleys(Basis::iso), optibelt = read_pulleys(Basis::optibelt);
+  return basis == Basis::iso ? iso : optibelt;
+}
+
+bool is_sold_pulley(Length d) {
+  const auto lists = [d](Basis basis) {
+    const auto all = v_pulleys(basis);
+    return std::any_of(all.begin(), all.end(), [d](Length listed) { return is_same(listed, d); });
+  };
+  return lists(Basis::iso) || lists(Basis::optibelt);
+}
+
+bool is_sold_belt(const VSection& section, Length L) {
+  return std::any_of(section.lengths.begin(), section.lengths.end(),
+                     [L](const VLengthRow& row) { return is_same(row.L, L); });
 }
 
 double v_length_factor(const VSection& section, Length L) {

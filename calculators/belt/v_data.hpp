@@ -92,6 +92,12 @@ SectionWord word_of(const Name& name);
 /// "Z, A, B"
 std::string names_of_v_sections(Basis basis);
 
+/// The pulleys of a basis that are made, ascending.
+std::span<const Length> v_pulleys(Basis basis);
+/// Whether a list has this pulley, or this belt of the section, to the last bits of rounding.
+bool is_sold_pulley(Length d);
+bool is_sold_belt(const VSection& section, Length L);
+
 /// The length factor: of the table, linear between its lengths; NaN outside of them.
 double v_length_factor(const VSection& section, Length L);
 /// The wrap factor of the Optibelt basis, linear between the rows of its table; NaN outside.

@@ -31,6 +31,16 @@ void limit_rating(const VSection& section, Length d_k, AngularSpeed n_k, V::Resu
   STEP_TO(r, x_v, r.v / v_max, "speed over the largest one");
 }
 
+/// Whether pulleys and belts are those of a list, and as many as share a load.
+template <class Tracer>
+void buy(const VSection& section, const V::Input& in, V::Result& r, Tracer& trace) {
+  r.off_d = trace.value("off_d", (is_sold_pulley(in.d_1) ? 0.0 : 1.0) + (is_sold_pulley(in.d_2) ? 0.0 : 1.0),
+                        "pulleys that no list has");
+  if (is_set(in.L)) r.off_L = trace.value("off_L", is_sold_belt(section, in.L) ? 0.0 : 1.0, "1: no list has this belt");
+  if (r.z == 0) return;
+  STEP_TO(r, x_z, r.z / 16.0, "more belts hardly share the load, nor are such pulleys stocked; recalled");
+}
+
 /// The factor of the mean life for the kind of load, [GOST1284.2] annex 3.
 inline double life_factor(V::Duty duty) {
   switch (duty) {
@@ -82,6 +92,8 @@ void build_pulleys(const VSection& section, const V::Input& in, V::Result& r, Tr
   trace.value("w_d", row.w_d, "datum width of the groove");
   STEP_TO(r, Delta_1, 0.020 * r.L, "room for tensioning, [GOST1284.3] (11)");
   STEP_TO(r, Delta_2, 0.009 * r.L + 2.0 * row.w_d, "room for fitting, [GOST1284.3] (12)");
+  STEP_TO(r, g_r, r.a - (r.d_a1 + r.d_a2) / 2.0, "between the rims");
+  STEP_TO(r, g_f, g_r - Delta_2, "left when the pulleys are moved together for fitting");
   STEP_TO(r, f_B, 2.0 * r.v / r.L, "two pulleys bend the belt in each round");
   trace.value("f_B_max", row.f_B_max, "largest bending frequency of the section");
   STEP_TO(r, u_B, f_B / row.f_B_max, "bending frequency condition");

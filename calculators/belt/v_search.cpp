@@ -1,7 +1,6 @@
 #include "calculators/belt/v_search.hpp"
 
 #include "calculators/belt/v_choices.hpp"
-#include "lib/table/table.hpp"
 
 #include <algorithm>
 
@@ -13,20 +12,6 @@ using Candidate = VSizing::Candidate;
 using Rank = VSizing::Rank;
 
 namespace {
-
-std::vector<Length> read_pulleys(Basis basis) {
-  std::vector<Length> pulleys;
-  if (const auto series = table::find_series(basis == Basis::iso ? "v_pulleys_gost" : "v_pulleys")) {
-    for (const double d : table::members_in_si(**series)) pulleys.push_back(from_si<Length>(d));
-  }
-  return pulleys;
-}
-
-/// The pulleys that are made, ascending.
-std::span<const Length> pulleys_of(Basis basis) {
-  static const auto iso = read_pulleys(Basis::iso), optibelt = read_pulleys(Basis::optibelt);
-  return basis == Basis::iso ? iso : optibelt;
-}
 
 /// What one field of a result of belt.v adds to it; a check that is not available counts as a limit.
 template <class F>
@@ -130,7 +115,7 @@ void try_section(const VSection& section, const Input& in, Result& r, Nearest& n
   V::Input drive = drive_of(in);
   drive.section = section.name;
   const double i_w = in_si(in.n_1 / in.n_2_set) * (1.0 - in.epsilon);  // d_2 over d_1
-  const auto pulleys = pulleys_of(in.basis);
+  const auto pulleys = v_pulleys(in.basis);
   for (const Length& small : pulleys) {
     if (small < section.row.d_least || small > section.row.d_high) continue;
     const Length wanted = small * max(i_w, 1.0 / i_w);

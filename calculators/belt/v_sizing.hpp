@@ -173,6 +173,20 @@ a_set = "600 mm"
       Rule<Input>{[](const Input& in) { return !(is_set(in.d_1_min) && is_set(in.d_max)) || in.d_1_min <= in.d_max; },
                   "d_1_min, d_max", "the smallest driving pulley must not be larger than the largest pulley"}};
 
+  static constexpr bool turns = true;
+  static constexpr std::array modes{
+      Mode<Input>{"drives", "room, sizes that are sold, and all that belt.v asks of a drive", &always<Input>}
+          .judged_by("drives")
+          .of_shape(),
+      Mode<Input>{"power", "power of the belts", &always<Input>}.judged_by("u_P"),
+      Mode<Input>{"grip", "slip in the grooves, by Euler's condition",
+                  [](const Input& in) { return shown_by(is_set(in.mu)); }}
+          .judged_by("u_grip"),
+      Mode<Input>{"rim", "bursting of the rims", &always<Input>}.judged_by("u_rim"),
+      Mode<Input>{"bending", "bending frequency", &always<Input>}.judged_by("u_B"),
+      Mode<Input>{"radial_load", "radial load that the motor bears", &unseen<Input>}.special(),
+      Mode<Input>{"heat", "heat, oil and dust", &unseen<Input>}.special()};
+
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);

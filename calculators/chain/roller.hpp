@@ -10,6 +10,7 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/drive_units.hpp"
@@ -43,6 +44,7 @@ K_A = 1.3
 a = "1000 mm"
 p_adm = "35 MPa"
 S_min = 7.6
+P_R = "5.5 kW"
 )";
 
   enum class Edition { maker, iso606_1994 };
@@ -72,6 +74,11 @@ S_min = 7.6
   static FieldFault sprockets_touch(const Input& in);
   static bool links_reach(const Input& in);
   static FieldFault too_few_links(const Input& in);
+  static Applies loaded(const Input& in) { return where(is_set(in.P) || is_set(in.T_1)); }
+  /// What wears out or breaks by running alone.
+  static Applies runs_loaded(const Input& in) {
+    return loaded(in) == Applies::yes ? shown_by(is_set(in.n_1)) : Applies::no;
+  }
   static constexpr std::tuple inputs{
       Field{&Input::p, "p", mm, "pitch of the chain"}.positive().usually(4, 120).from("chain", "p"),
       Field{&Input::p_t, "p_t", mm, "distance of two strands"}.positive().from("chain", "p_t"),
@@ -155,8 +162,8 @@ S_min = 7.6
       Field{&Result::v_share, "v_share", ratio, "speed over the highest for this lubrication"}.limit(0, 1, "n_1"),
       Field{&Result::delta_1, "delta_1", ratio, "polygon effect: drop of the chain speed below its largest"},
       Field{&Result::delta_2, "delta_2", ratio, "the same at the driven sprocket"},
-      Field{&Result::T_1, "T_1", N_m, "torque of the driving sprocket, nominal"},
-      Field{&Result::T_2, "T_2", N_m, "torque of the driven sprocket, nominal, without losses"},
+      Field{&Result::T_1, "T_1", N_m, "torque of the driving sprocket, nominal"}.with("F_W"),
+      Field{&Result::T_2, "T_2", N_m, "torque of the driven sprocket, nominal, without losses"}.with("F_W"),
       Field{&Result::F_t, "F_t", N, "pull of the chain, nominal"},
       Field{&Result::F_c, "F_c", N, "centrifugal force"},
       Field{&Result::F_f, "F_f", N, "pull by sag"},
@@ -200,6 +207,25 @@ S_min = 7.6
                   "an odd number of links needs a cranked link, which is weaker", nullptr, true},
       Rule<Input>{[](const Input& in) { return in.z_1 >= 17 && in.z_2 >= 17; }, "z_1, z_2",
                   "with fewer than 17 teeth the chain runs rough and wears soon", nullptr, true}};
+
+  static constexpr bool turns = true;
+  static constexpr std::array modes{
+      Mode<Input>{"joints", "wear of the joints: pressure of the pins", &loaded}.judged_by("u_p"),
+      Mode<Input>{"breaking", "breaking of the link plates", &loaded}.judged_by("u_S, u_F"),
+      Mode<Input>{"plates", "fatigue of the link plates", &runs_loaded}.judged_by("u_P").in_service(),
+      Mode<Input>{"rollers", "impact fatigue of rollers and bushes", &runs_loaded}.judged_by("u_P").in_service(),
+      Mode<Input>{"speed", "speed for this lubrication", [](const Input& in) { return where(is_set(in.n_1)); }}
+          .judged_by("v_share"),
+      Mode<Input>{"wrap_1", "teeth in mesh of the driving sprocket: wrap", &always<Input>}
+          .judged_by("alpha_1")
+          .of_shape(),
+      Mode<Input>{"wrap_2", "teeth in mesh of the driven sprocket: wrap", &always<Input>}
+          .judged_by("alpha_2")
+          .of_shape(),
+      Mode<Input>{"ratio", "ratio for one stage", &always<Input>}.judged_by("i").of_shape(),
+      Mode<Input>{"galling", "galling of pins and bushes", &unseen<Input>}.judged_by("u_P").special(),
+      Mode<Input>{"sprockets", "wear of the teeth", &unseen<Input>}.special(),
+      Mode<Input>{"vibration", "vibration of the strands by the polygon effect", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

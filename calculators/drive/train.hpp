@@ -9,6 +9,7 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/drive_units.hpp"
@@ -131,10 +132,11 @@ stages = [
     Moment T = unset<Moment>;
     Power P = unset<Power>;
     Force F_in = unset<Force>, F_out = unset<Force>;
-    static constexpr std::tuple fields{
-        Field{&Shaft::n, "n", rpm, "speed, signed"}, Field{&Shaft::T, "T", N_m, "torque that it carries, signed"},
-        Field{&Shaft::P, "P", kW, "power"}, Field{&Shaft::F_in, "F_in", N, "tangential force on its driven wheel"},
-        Field{&Shaft::F_out, "F_out", N, "tangential force on its driving wheel"}};
+    static constexpr std::tuple fields{Field{&Shaft::n, "n", rpm, "speed, signed"},
+                                       Field{&Shaft::T, "T", N_m, "torque that it carries, signed"}.with("F_in, F_out"),
+                                       Field{&Shaft::P, "P", kW, "power"},
+                                       Field{&Shaft::F_in, "F_in", N, "tangential force on its driven wheel"},
+                                       Field{&Shaft::F_out, "F_out", N, "tangential force on its driving wheel"}};
   };
   struct Result {
     double i = unset<double>, eta = unset<double>;
@@ -167,6 +169,16 @@ stages = [
       Rule<Input>{&ratios_single, "stages", "the ratio of a stage is given once", &double_ratio},
       Rule<Input>{&slips_fit, "stages", "slip belongs to a belt, and its efficiency contains it", &wrong_slip},
       Rule<Input>{&members_differ, "stages", "in and out of a planetary set are two members", &same_member}};
+
+  static constexpr bool turns = true;
+  static bool drives_a_worm(const Input& in);
+  static constexpr std::array modes{
+      Mode<Input>{"self_locking", "a worm that its wheel cannot drive",
+                  [](const Input& in) { return where(drives_a_worm(in)); }}
+          .of_shape(),
+      Mode<Input>{"strength", "strength of the stages that no step takes",
+                  [](const Input& in) { return is_set(in.P) || is_set(in.T_1) ? Applies::unseen : Applies::no; }},
+      Mode<Input>{"heat", "heat", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -67,6 +67,15 @@ FieldFault Train::wrong_slip(const Input& in) {
                   say("leave out eta, or lower it; leave out the slip of anything but a belt"));
 }
 
+/// The wheel is on the first shaft: only a worm of many threads can be driven, and none that locks itself.
+bool Train::drives_a_worm(const Input& in) {
+  return std::any_of(in.stages.begin(), in.stages.end(), [](const Stage& s) {
+    return s.kind == StageKind::worm && (is_set(s.i)     ? s.i < 1.0
+                                         : s.has_teeth() ? s.z_2 < s.z_1
+                                                         : has_diameters(s) && s.d_2 < s.d_1);
+  });
+}
+
 bool Train::members_differ(const Input& in) { return std::all_of(in.stages.begin(), in.stages.end(), has_two_members); }
 
 FieldFault Train::same_member(const Input& in) {

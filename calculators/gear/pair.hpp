@@ -12,6 +12,7 @@
 
 #include "calculators/gear/pair_choices.hpp"
 #include "calculators/gear/pair_result.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/text/issue.hpp"
@@ -63,6 +64,7 @@ sigma_adm_2 = "200 MPa"
     Length a_w = unset<Length>;
     double h_aP = 1.0, h_fP = 1.25, rho_fP = 0.38;
     Shortening shortening = Shortening::clearance;
+    Length d_a2 = unset<Length>;
     Length A_s1 = 0.0 * mm, A_s2 = 0.0 * mm;
     Whole k_W1 = 0, k_W2 = 0;
     Length b = unset<Length>;
@@ -82,6 +84,11 @@ sigma_adm_2 = "200 MPa"
   static bool bases_meet(const Input& in);
   static bool asks_strength(const Input& in) { return is_set(in.sigma_adm_1) || is_set(in.sigma_adm_2); }
   static bool working_angle_exists(const Input& in);
+  static bool carries(const Input& in) { return is_set(in.T_1) || is_set(in.P); }
+  static constexpr double widest = 30.0;  // usual face width in normal modules
+  static bool is_wide(const Input& in) {
+    return is_set(in.b) ? in.b > widest * in.m_n : is_set(in.psi_m) && in.psi_m > widest;
+  }
   static constexpr std::tuple inputs{
       Choice{&Input::mesh, "mesh", "what gear 1 meshes with"}.may_be_missing(),
       Count{&Input::z_1, "z_1", 5, 2000, "teeth of gear 1, the wheel or pinion"},
@@ -105,6 +112,9 @@ sigma_adm_2 = "200 MPa"
       Field{&Input::h_fP, "h_fP", ratio, "dedendum of the basic rack in modules"}.within(0.4, 2.5).usually(1, 1.4),
       Field{&Input::rho_fP, "rho_fP", ratio, "root radius of the basic rack in modules"}.within(0, 0.6),
       Choice{&Input::shortening, "shortening", "tips of a pair with profile shift"}.may_be_missing(),
+      Field{&Input::d_a2, "d_a2", mm, "tip diameter of gear 2, in place of that by h_aP; of a ring the inner one"}
+          .positive()
+          .may_be_missing(),
       Field{&Input::A_s1, "A_s1", mm, "allowance of the tooth thickness of gear 1, thinner is negative"}.within(-5, 0),
       Field{&Input::A_s2, "A_s2", mm, "allowance of the tooth thickness of gear 2, thinner is negative"}.within(-5, 0),
       Count{&Input::k_W1, "k_W1", 0, 2000, "teeth spanned on gear 1; 0: chosen"}.may_be_missing(),
@@ -112,10 +122,11 @@ sigma_adm_2 = "200 MPa"
       Field{&Input::b, "b", mm, "common face width"}.positive().may_be_missing(),
       Field{&Input::psi_m, "psi_m", ratio, "face width in normal modules, in place of b"}
           .positive()
-          .usually(5, 30)
+          .usually(5, widest)
           .may_be_missing(),
       Field{&Input::T_1, "T_1", N_m,
             "torque on shaft 1, nominal; positive where gear 1 drives, negative where it is driven"}
+          .with("F_x1, F_y1, F_z1")
           .may_be_missing(),
       Field{&Input::P, "P", kW, "nominal power that gear 1 takes in, in place of T_1, with n_1"}.may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of gear 1"}.positive().may_be_missing(),
@@ -157,9 +168,9 @@ sigma_adm_2 = "200 MPa"
                   "a ring has more teeth than the wheel inside it"},
       Rule<Input>{[](const Input& in) {
                     return in.mesh != Mesh::rack || !(is_set(in.x_2) || is_set(in.sigma_adm_2) || is_set(in.Y_2) ||
-                                                      in.A_s2 < 0.0 * mm || in.k_W2 != 0);
+                                                      in.A_s2 < 0.0 * mm || in.k_W2 != 0 || is_set(in.d_a2));
                   },
-                  "mesh, x_2, A_s2, k_W2, Y_2, sigma_adm_2",
+                  "mesh, x_2, d_a2, A_s2, k_W2, Y_2, sigma_adm_2",
                   "of a rack only the place a_w of its reference line is given: leave out what belongs to a wheel 2"},
       Rule<Input>{
           [](const Input& in) {
@@ -194,6 +205,47 @@ sigma_adm_2 = "200 MPa"
                   "the root radius does not fit into the dedendum"},
       Rule<Input>{[](const Input& in) { return in.k_W1 < in.z_1 && (in.k_W2 == 0 || in.k_W2 < in.z_2); },
                   "k_W1, k_W2, z_1, z_2", "fewer teeth are spanned than the wheel has"}};
+
+  static constexpr bool turns = true;
+  static constexpr std::array modes{
+      Mode<Input>{"dynamic", "dynamic load of running teeth",
+                  [](const Input& in) { return where(carries(in) && is_set(in.n_1) && in.cutting == Cutting::none); }}
+          .wanting("cutting"),
+      Mode<Input>{"root_1", "tooth root of gear 1 in bending, by Lewis",
+                  [](const Input& in) { return where(carries(in)); }}
+          .judged_by("u_F1, v_share"),
+      Mode<Input>{"root_2", "tooth root of gear 2 in bending, by Lewis",
+                  [](const Input& in) { return where(carries(in) && in.mesh == Mesh::external); }}
+          .judged_by("u_F2, v_share"),
+      Mode<Input>{"root_mate", "tooth root of the ring or rack in bending",
+                  [](const Input& in) { return where(carries(in) && in.mesh != Mesh::external); }},
+      Mode<Input>{"fillet", "stress concentration at the fillet, which Lewis leaves out",
+                  [](const Input& in) { return carries(in) && in.K_f == 1.0 ? shown_by(is_set(in.n_1)) : Applies::no; }}
+          .wanting("K_f"),
+      Mode<Input>{"pitting_1", "pitting of gear 1", [](const Input& in) { return where(carries(in)); }},
+      Mode<Input>{"pitting_2", "pitting of its mate", [](const Input& in) { return where(carries(in)); }},
+      Mode<Input>{"contact", "a pair of teeth in contact at every instant", &always<Input>}
+          .judged_by("eps_gamma")
+          .of_shape(),
+      Mode<Input>{"flanks", "flanks of the teeth are involutes", &always<Input>}.judged_by("q_a, x_2").of_shape(),
+      Mode<Input>{"undercut", "undercut", &always<Input>}.judged_by("x_free").of_shape(),
+      Mode<Input>{"pointed", "pointed teeth", &always<Input>}.judged_by("s_a").of_shape(),
+      Mode<Input>{"interference", "interference of tips and fillets", &always<Input>}.judged_by("f_int").of_shape(),
+      Mode<Input>{"clearance_1", "tip of gear 1 in the root of its mate", &always<Input>}.judged_by("c_1").of_shape(),
+      Mode<Input>{"clearance_2", "tip of the mate in the root of gear 1", &always<Input>}.judged_by("c_2").of_shape(),
+      Mode<Input>{"backlash", "jamming for want of backlash", &always<Input>}.judged_by("j_bn").of_shape(),
+      Mode<Input>{"trimming", "a wheel put into its ring sideways",
+                  [](const Input& in) { return in.mesh == Mesh::internal ? Applies::unseen : Applies::no; }}
+          .special(),
+      Mode<Input>{"width", "uneven load over a wide face", [](const Input& in) { return shown_by(is_wide(in)); }}
+          .special(),
+      Mode<Input>{"overload", "overload of the teeth by a peak", &unseen<Input>}.special(),
+      Mode<Input>{"scuffing", "scuffing", &unseen<Input>}.special(),
+      Mode<Input>{"micropitting", "micropitting", &unseen<Input>}.special(),
+      Mode<Input>{"wear", "wear of the flanks", &unseen<Input>}.special(),
+      Mode<Input>{"case_crushing", "crushing below a hardened case", &unseen<Input>}.special(),
+      Mode<Input>{"heat", "heat", &unseen<Input>}.special(),
+      Mode<Input>{"rim", "thin rim", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

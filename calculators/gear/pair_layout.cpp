@@ -57,11 +57,15 @@ void diameters(const Pair::Input& in, double g, PairResult& r, Tracer& trace) {
             "shortens both tips where the clearance would else be less");
   }
   STEP_TO(r, d_a1, r.d_1 + 2.0 * in.m_n * (in.h_aP + in.x_1 - r.k), "tip circle");
-  STEP_TO(r, d_a2, r.d_2 + 2.0 * g * in.m_n * (in.h_aP + r.x_2 - r.k), "tip circle");
+  if (is_set(in.d_a2)) {
+    r.d_a2 = trace.value("d_a2", in.d_a2, "tip circle as given");
+  } else {
+    STEP_TO(r, d_a2, r.d_2 + 2.0 * g * in.m_n * (in.h_aP + r.x_2 - r.k), "tip circle");
+  }
   STEP_TO(r, d_f1, r.d_1 - 2.0 * in.m_n * (in.h_fP - in.x_1), "root circle");
   STEP_TO(r, d_f2, r.d_2 - 2.0 * g * in.m_n * (in.h_fP - r.x_2), "root circle");
   STEP_TO(r, c_1, g * (r.a_w - d_f2 / 2.0) - d_a1 / 2.0, "from the tip of gear 1 to the root of gear 2");
-  STEP_TO(r, c_2, g * (r.a_w - d_a2 / 2.0) - d_f1 / 2.0, "from the tip of gear 2 to the root of gear 1");
+  STEP_TO(r, c_2, g * (r.a_w - r.d_a2 / 2.0) - d_f1 / 2.0, "from the tip of gear 2 to the root of gear 1");
 }
 
 /// Against a rack the pitch circle is the reference circle wherever the rack stands.

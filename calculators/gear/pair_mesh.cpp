@@ -89,6 +89,8 @@ void interference(const Pair::Input& in, double h_Ff, PairResult& r, Tracer& tra
     r.f_int = min(f_1, f_2);
   }
   if (in.mesh == Mesh::internal) {
+    STEP_TO(r, d_clear, sqrt(r.d_b2 * r.d_b2 + 4.0 * pow<2>(r.a_w * sin(r.alpha_wt) + rho_F1)),
+            "a ring with this tip circle touches gear 1 down to its fillet");
     const double f_t = tips_apart(in, r, trace);
     if (!(f_t >= r.f_int)) r.f_int = f_t;
   }

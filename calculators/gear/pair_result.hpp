@@ -18,7 +18,7 @@ struct PairResult {
   Length d_1 = unset<Length>, d_2 = unset<Length>, d_b1 = unset<Length>, d_b2 = unset<Length>;
   Length d_w1 = unset<Length>, d_w2 = unset<Length>;
   Length d_a1 = unset<Length>, d_a2 = unset<Length>, d_f1 = unset<Length>, d_f2 = unset<Length>;
-  Length c_1 = unset<Length>, c_2 = unset<Length>;
+  Length c_1 = unset<Length>, c_2 = unset<Length>, d_clear = unset<Length>;
   Length p_et = unset<Length>, g_f = unset<Length>, g_a = unset<Length>, g_alpha = unset<Length>;
   double eps_alpha = unset<double>, eps_beta = unset<double>, eps_gamma = unset<double>;
   double x_min1 = unset<double>, x_min2 = unset<double>, x_free = unset<double>;
@@ -62,32 +62,43 @@ inline constexpr std::tuple pair_results{
     Field{&PairResult::d_a2, "d_a2", mm, "tip diameter of gear 2; of a ring the inner one"},
     Field{&PairResult::d_f1, "d_f1", mm, "root diameter of gear 1"},
     Field{&PairResult::d_f2, "d_f2", mm, "root diameter of gear 2; of a ring the outer one"},
-    Field{&PairResult::c_1, "c_1", mm, "clearance of the tip of gear 1"},
-    Field{&PairResult::c_2, "c_2", mm, "clearance of the tip of gear 2"},
+    Field{&PairResult::c_1, "c_1", mm, "clearance of the tip of gear 1"}.limit(-1e-6, 1e4).criterion(),
+    Field{&PairResult::c_2, "c_2", mm, "clearance of the tip of gear 2"}.limit(-1e-6, 1e4).criterion(),
+    Field{&PairResult::d_clear, "d_clear", mm,
+          "least tip diameter of the ring that stays clear of the fillet of gear 1"},
     Field{&PairResult::p_et, "p_et", mm, "transverse base pitch"},
     Field{&PairResult::g_f, "g_f", mm, "path of contact from the tip of gear 2 to the pitch point"},
     Field{&PairResult::g_a, "g_a", mm, "path of contact from the pitch point to the tip of gear 1"},
     Field{&PairResult::g_alpha, "g_alpha", mm, "path of contact"},
     Field{&PairResult::eps_alpha, "eps_alpha", ratio, "transverse contact ratio"},
     Field{&PairResult::eps_beta, "eps_beta", ratio, "overlap ratio"},
-    Field{&PairResult::eps_gamma, "eps_gamma", ratio, "contact: total contact ratio, at least 1"}.limit(1, 100),
+    Field{&PairResult::eps_gamma, "eps_gamma", ratio, "contact: total contact ratio, at least 1"}
+        .limit(1, 100)
+        .criterion(),
     Field{&PairResult::x_min1, "x_min1", ratio, "profile shift below which gear 1 is undercut"},
     Field{&PairResult::x_min2, "x_min2", ratio, "profile shift below which gear 2 is undercut"},
     Field{&PairResult::x_free, "x_free", ratio, "undercut: least profile shift above its beginning; -0.02 is harmless"}
-        .limit(-0.02, 100),
+        .limit(-0.02, 100)
+        .criterion(),
     Field{&PairResult::s_n1, "s_n1", mm, "normal tooth thickness of gear 1 at the reference circle"},
     Field{&PairResult::s_n2, "s_n2", mm, "normal tooth thickness of gear 2 at the reference circle"},
     Field{&PairResult::s_an1, "s_an1", mm, "normal tip thickness of gear 1"},
     Field{&PairResult::s_an2, "s_an2", mm, "normal tip thickness of gear 2"},
     Field{&PairResult::q_a, "q_a", ratio,
           "flanks: least tip circle over base circle; inside of it there is no involute"}
-        .limit(1, 1e4),
-    Field{&PairResult::s_a, "s_a", ratio, "pointed tip: least tip thickness in modules; 0.2, hardened 0.4"}.limit(0.2,
-                                                                                                                  100),
+        .limit(1, 1e4)
+        .criterion(),
+    Field{&PairResult::s_a, "s_a", ratio, "pointed tip: least tip thickness in modules; 0.2, hardened 0.4"}
+        .limit(0.2, 100)
+        .criterion(),
     Field{&PairResult::f_int, "f_int", ratio,
-          "interference: least free length between tips and fillets, or tips of wheel and ring, in modules"}
-        .limit(-0.01, 1e4),
-    Field{&PairResult::j_bn, "j_bn", mm, "backlash along the normal; below zero the teeth jam"}.limit(-1e-6, 1e3),
+          "interference: least free length between tips and fillets, or tips of wheel and ring, in modules; d_a2 "
+          "from d_clear on mends a ring"}
+        .limit(-0.01, 1e4)
+        .criterion(),
+    Field{&PairResult::j_bn, "j_bn", mm, "backlash along the normal; below zero the teeth jam"}
+        .limit(-1e-6, 1e3)
+        .criterion(),
     Field{&PairResult::k_W1, "k_W1", ratio, "teeth of gear 1 spanned by W_1"},
     Field{&PairResult::W_1, "W_1", mm, "base-tangent length of gear 1"},
     Field{&PairResult::k_W2, "k_W2", ratio, "teeth of gear 2 spanned by W_2"},
@@ -95,7 +106,7 @@ inline constexpr std::tuple pair_results{
     Field{&PairResult::b, "b", mm, "common face width"},
     Field{&PairResult::n_2, "n_2", rpm, "speed of gear 2, negative where it turns against gear 1"},
     Field{&PairResult::v, "v", m_per_s, "pitch line velocity; of a rack its speed"},
-    Field{&PairResult::T_2, "T_2", N_m, "torque of gear 2 on its shaft, without losses"},
+    Field{&PairResult::T_2, "T_2", N_m, "torque of gear 2 on its shaft, without losses"}.with("F_x2, F_y2, F_z2"),
     Field{&PairResult::F_t, "F_t", N, "tangential force at the reference circle, nominal, for strength"},
     Field{&PairResult::F_tw, "F_tw", N, "tangential force at the working circle, for the bearings"},
     Field{&PairResult::F_rw, "F_rw", N, "radial force at the working circle"},
@@ -110,7 +121,8 @@ inline constexpr std::tuple pair_results{
     Field{&PairResult::K_v, "K_v", ratio, "velocity factor, raises the load; 1 without cutting"},
     Field{&PairResult::v_share, "v_share", ratio,
           "velocity factor: speed over the highest that it is used for; a strength needs cutting"}
-        .limit(0, 1, "n_1"),
+        .limit(0, 1, "n_1")
+        .where_it_applies(),
     Field{&PairResult::Y_1, "Y_1", ratio, "Lewis' factor of gear 1, load at the tip"},
     Field{&PairResult::Y_2, "Y_2", ratio, "Lewis' factor of gear 2, load at the tip"},
     Field{&PairResult::sigma_F1, "sigma_F1", MPa, "bending stress of gear 1 by Lewis"},

@@ -1,5 +1,6 @@
 #include "calculators/gear/planetary.hpp"
 
+#include "calculators/gear/pair.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath::gear {
@@ -107,8 +108,40 @@ void assembly(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
     r.u_N = trace.value("u_N", 0.0, "a single planet has no neighbour");
     return;
   }
-  STEP_TO(r, u_N, (in.z_p + 2.0 * (in.h_aP + in.x_p)) / ((in.z_s + in.z_p) * sin(pi / in.N_p)),
+  const double least = trace.value("least", std::floor(q), "whole steps between the planets that stand closest");
+  STEP(phi_min, 2.0 * pi * least / (in.z_s + r.z_r), "the smallest angle between two neighbours");
+  STEP_TO(r, u_N, (in.z_p + 2.0 * (in.h_aP + in.x_p)) / ((in.z_s + in.z_p) * sin(phi_min / 2.0)),
           "tip circle of a planet over the distance to its neighbour, [Assembly]");
+}
+
+constexpr const char* as_pair = "as gear.pair finds it";
+
+/// Sun with planet, and planet with ring at the same centre distance.
+template <class Tracer>
+void meshes(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
+  NoTrace quiet;
+  Pair::Input sun;
+  sun.m_n = is_set(in.m_n) ? in.m_n : 1.0 * mm, sun.beta = in.beta, sun.h_aP = in.h_aP;
+  Pair::Input ring = sun;
+  sun.z_1 = in.z_s, sun.z_2 = in.z_p, sun.x_1 = in.x_s, sun.x_2 = in.x_p;
+  const PairResult with_sun = Pair::evaluate(sun, quiet);
+  ring.mesh = Mesh::internal, ring.z_1 = in.z_p, ring.z_2 = Planetary::ring_teeth(in), ring.x_1 = in.x_p;
+  ring.a_w = with_sun.a_w;
+  PairResult with_ring = Pair::evaluate(ring, quiet);
+  const Length full = with_ring.d_a2;  // its tips with the addendum of the basic rack
+  if (is_set(in.h_ar)) {
+    ring.d_a2 = full + 2.0 * (in.h_aP - in.h_ar) * ring.m_n;
+    with_ring = Pair::evaluate(ring, quiet);
+  }
+  r.f_sp = trace.value("f_sp", with_sun.f_int, as_pair);
+  r.eps_sp = trace.value("eps_sp", with_sun.eps_alpha, as_pair);
+  r.x_free = trace.value("x_free", with_sun.x_free, as_pair);
+  r.f_pr = trace.value("f_pr", with_ring.f_int, as_pair);
+  r.eps_pr = trace.value("eps_pr", with_ring.eps_alpha, as_pair);
+  const Length c_s = min(with_sun.c_1, with_sun.c_2), c_r = min(with_ring.c_1, with_ring.c_2);
+  r.c_a = trace.value("c_a", min(c_s, c_r) / ring.m_n, as_pair);
+  r.s_a = trace.value("s_a", min(with_sun.s_a, with_ring.s_a), as_pair);
+  r.h_clear = trace.value("h_clear", in.h_aP + (full - with_ring.d_clear) / (2.0 * ring.m_n), as_pair);
 }
 
 }  // namespace
@@ -158,6 +191,7 @@ Planetary::Result Planetary::evaluate(const Input& in, Tracer& trace) {
     tooth_force(in, r, trace);
   }
   assembly(in, r, trace);
+  meshes(in, r, trace);
   return r;
 }
 

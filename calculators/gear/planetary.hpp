@@ -4,11 +4,13 @@
 // powers and the efficiency; whether the planets can be put in evenly, fit beside each other, and lie on one circle.
 // Signs: speeds and torques are positive in one sense of rotation; a torque is what acts on the member from outside,
 // so power enters where T n > 0. Losses: eta_0 of the set with the carrier at rest, from sun to ring or back alike;
-// bearings, seals and churning are not covered. Conditions that profile shift or uneven spacing can mend are told, not
-// refused; planets that touch each other fail.
+// bearings, seals and churning are not covered. Sun and planet, planet and ring mesh as gear.pair has it: the sun with
+// its planet without backlash, the ring with the shift that the same centre distance asks for. Planets stand as evenly
+// as whole steps of assembly let them; those that touch each other, or that the ring interferes with, fail.
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/drive_units.hpp"
 #include "lib/text/issue.hpp"
@@ -23,7 +25,7 @@ struct Planetary {
   static constexpr auto title = "Planetary gear set";
   static constexpr auto scope =
       "Speeds, torques, powers and efficiency of sun, carrier and ring by Willis, with any member held or none; "
-      "conditions of assembly. Tooth losses only; strength is not covered.";
+      "conditions of assembly, meshes of sun, planets and ring. Tooth losses only; strength is not covered.";
   static constexpr auto source = "[Willis], [Mueller]";
   static constexpr auto example = R"([project]
 title = "Planetary stage of a winch"
@@ -38,6 +40,7 @@ fixed = "ring"
 n_s = "1450 rpm"
 T_s = "50 N*m"
 eta_0 = 0.97
+h_ar = 0.9
 )";
 
   enum class Member { ring, carrier, sun, none };
@@ -52,7 +55,7 @@ eta_0 = 0.97
     AngularSpeed n_s = unset<AngularSpeed>, n_c = unset<AngularSpeed>, n_r = unset<AngularSpeed>;
     Moment T_s = unset<Moment>, T_c = unset<Moment>, T_r = unset<Moment>;
     double eta_0 = unset<double>;
-    double h_aP = 1.0, x_p = 0.0;
+    double h_aP = 1.0, x_s = 0.0, x_p = 0.0, h_ar = unset<double>;
     Length m_n = unset<Length>;
     double beta = 0.0;
     double K_gamma = 1.0;
@@ -78,11 +81,14 @@ eta_0 = 0.97
           .within(0.5, 1)
           .usually(0.94, 0.99)
           .may_be_missing(),
-      Field{&Input::h_aP, "h_aP", ratio, "addendum of the planet in modules, for the room between planets"}.within(0.3,
-                                                                                                                   2),
-      Field{&Input::x_p, "x_p", ratio, "profile shift of the planet, for the room between planets"}.within(-3, 3),
+      Field{&Input::h_aP, "h_aP", ratio, "addendum of the teeth in modules"}.within(0.3, 2),
+      Field{&Input::x_s, "x_s", ratio, "profile shift of the sun"}.within(-3, 3),
+      Field{&Input::x_p, "x_p", ratio, "profile shift of the planet; that of the ring follows"}.within(-3, 3),
+      Field{&Input::h_ar, "h_ar", ratio, "addendum of the ring in modules; missing: that of the other teeth"}
+          .within(0, 2)
+          .may_be_missing(),
       Field{&Input::m_n, "m_n", mm, "normal module, for the tooth force"}.positive().usually(0.2, 50).may_be_missing(),
-      Field{&Input::beta, "beta", deg, "helix angle, for the tooth force"}.within(0, 45),
+      Field{&Input::beta, "beta", deg, "helix angle"}.within(0, 45),
       Field{&Input::K_gamma, "K_gamma", ratio, "share of the planet that carries most, over the mean share"}
           .at_least(1)
           .usually(1, 1.6)
@@ -104,6 +110,8 @@ eta_0 = 0.97
     Coaxial coaxial = Coaxial::exact;
     double z_gap = unset<double>;
     double u_N = unset<double>;
+    double f_sp = unset<double>, f_pr = unset<double>, eps_sp = unset<double>, eps_pr = unset<double>;
+    double x_free = unset<double>, h_clear = unset<double>, c_a = unset<double>, s_a = unset<double>;
   };
   static constexpr std::tuple results{
       Field{&Result::z_r, "z_r", ratio, "teeth of the ring"},
@@ -129,16 +137,49 @@ eta_0 = 0.97
       Field{&Result::q, "q", ratio, "(z_s + z_r)/N_p; whole for even spacing"},
       Choice{&Result::spacing, "spacing", "how the planets can be put in"},
       Field{&Result::phi_2, "phi_2", deg, "place of the second planet nearest to even spacing"},
+      Field{&Result::h_clear, "h_clear", ratio,
+            "largest addendum of the ring that stays clear of the planets' fillets"},
       Choice{&Result::coaxial, "coaxial", "how sun, planet and ring come to one axis"},
       Field{&Result::z_gap, "z_gap", ratio, "coaxial: z_r - z_s - 2 z_p, which profile shift can still mend"}.limit(
           -most_shifted, most_shifted),
-      Field{&Result::u_N, "u_N", ratio, "room between planets: tip circle over the distance of their axes"}.check()};
+      Field{&Result::u_N, "u_N", ratio, "room between planets: tip circle over the distance of their axes"}.check(),
+      Field{&Result::f_sp, "f_sp", ratio, "interference of sun and planet: least free length, in modules"}
+          .limit(-0.01, 1e4)
+          .criterion()
+          .where_it_applies(),
+      Field{&Result::f_pr, "f_pr", ratio,
+            "interference of planet and ring: least free length, in modules; h_ar up to h_clear mends it"}
+          .limit(-0.01, 1e4)
+          .criterion()
+          .where_it_applies(),
+      Field{&Result::eps_sp, "eps_sp", ratio, "contact of sun and planet: transverse contact ratio"}
+          .limit(1, 100)
+          .criterion()
+          .where_it_applies(),
+      Field{&Result::eps_pr, "eps_pr", ratio, "contact of planet and ring: transverse contact ratio"}
+          .limit(1, 100)
+          .criterion()
+          .where_it_applies(),
+      Field{&Result::x_free, "x_free", ratio,
+            "undercut: least profile shift of sun and planet above its beginning; -0.02 is harmless"}
+          .limit(-0.02, 100)
+          .criterion(),
+      Field{&Result::c_a, "c_a", ratio, "tip clearance: the least of both meshes, in modules"}
+          .limit(-1e-6, 100)
+          .criterion()
+          .where_it_applies(),
+      Field{&Result::s_a, "s_a", ratio, "pointed tip: least tip thickness in modules; 0.2, hardened 0.4"}
+          .limit(0.2, 100)
+          .criterion()
+          .where_it_applies()};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return ring_teeth(in) > in.z_p && ring_teeth(in) > in.z_s; }, "z_r, z_s, z_p",
                   "the ring has more teeth than sun and planet"},
       Rule<Input>{&speeds_determined, "fixed, n_s, n_c, n_r",
                   "with a member held one speed of the others is given; with none held, two", &wrong_speeds},
+      Rule<Input>{[](const Input& in) { return in.N_p <= in.z_s + ring_teeth(in); }, "N_p, z_s, z_r",
+                  "there are no more places for planets than teeth of sun and ring together"},
       Rule<Input>{[](const Input& in) { return is_set(in.T_s) + is_set(in.T_c) + is_set(in.T_r) <= 1; },
                   "T_s, T_c, T_r", "one torque sets the others: give one of T_s, T_c, T_r"},
       Rule<Input>{&evenly_spaced, "z_s, z_r, N_p",
@@ -150,6 +191,33 @@ eta_0 = 0.97
                   "z_r, z_s, z_p",
                   "z_r is not z_s + 2 z_p: only profile shift brings sun, planets and ring to one axis", nullptr,
                   true}};
+
+  static constexpr bool turns = true;
+  static Applies loaded(const Input& in) { return where(is_set(in.T_s) || is_set(in.T_c) || is_set(in.T_r)); }
+  static constexpr std::array modes{
+      Mode<Input>{"room", "room between every two neighbouring planets", &always<Input>}.judged_by("u_N").of_shape(),
+      Mode<Input>{"coaxial", "sun, planets and ring on one axis", &always<Input>}.judged_by("z_gap").of_shape(),
+      Mode<Input>{"mesh_sun", "mesh of sun and planets: interference and contact", &always<Input>}
+          .judged_by("f_sp, eps_sp")
+          .of_shape(),
+      Mode<Input>{"mesh_ring", "mesh of planets and ring: interference and contact", &always<Input>}
+          .judged_by("f_pr, eps_pr")
+          .of_shape(),
+      Mode<Input>{"undercut", "undercut of sun and planets", &always<Input>}.judged_by("x_free").of_shape(),
+      Mode<Input>{"clearance", "tips in the roots of their mates", &always<Input>}.judged_by("c_a").of_shape(),
+      Mode<Input>{"pointed", "pointed teeth", &always<Input>}.judged_by("s_a").of_shape(),
+      Mode<Input>{"teeth_sun", "teeth of the sun: root and pitting", &loaded}.left_to("gear.pair"),
+      Mode<Input>{"teeth_planet", "teeth of the planets: root, bent both ways, and pitting", &loaded}.left_to(
+          "gear.pair"),
+      Mode<Input>{"teeth_ring", "teeth of the ring: root and pitting", &loaded}.left_to("gear.pair"),
+      Mode<Input>{"trimming", "planets put into the ring sideways", &unseen<Input>}.special(),
+      Mode<Input>{"sharing", "load shared unevenly by the planets",
+                  [](const Input& in) { return in.N_p > 1 && in.K_gamma == 1.0 ? Applies::unseen : Applies::no; }}
+          .special(),
+      Mode<Input>{"pins", "pins and bearings of the planets", &unseen<Input>}.special(),
+      Mode<Input>{"wear", "scuffing, micropitting and wear", &unseen<Input>}.special(),
+      Mode<Input>{"heat", "heat", &unseen<Input>}.special(),
+      Mode<Input>{"rim", "thin rim of planets and ring", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -1,0 +1,107 @@
+// What must not pass again of belts: rows of the list of what was found by use.
+#include "calculators/belt/v_sizing.hpp"
+#include "tests/found/modes.hpp"
+
+#include <cmath>
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+const std::string narrow =
+    "section = \"SPZ\"\nduty = \nmotor = \nh_day = \nK_A = 1.2\nP = \"5 kW\"\nd_1 = \"90 mm\"\nd_2 = \"180 mm\"\nL = "
+    "\n";
+
+std::string course(const std::string& lines) {
+  return "L = \nS_adm = \nmu = \n" + lines +
+         "\npulleys = [{ x = \"0 mm\", y = \"0 mm\", d = \"160 mm\" }, "
+         "{ x = \"500 mm\", y = \"0 mm\", d = \"160 mm\", P = \"5 kW\" }]";
+}
+
+/// Of the sections of the basis Optibelt: height of the groove above the datum diameter, datum width; mm.
+struct Groove {
+  double h_a, w_d;
+};
+Groove groove_of(belt::SectionWord section) {
+  switch (section) {
+    case belt::SectionWord::SPZ:
+      return {2.0, 8.5};
+    case belt::SectionWord::SPA:
+      return {2.75, 11.0};
+    case belt::SectionWord::SPB:
+      return {3.5, 14.0};
+    case belt::SectionWord::SPC:
+      return {4.8, 19.0};
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+TEST_SUITE("found belt") {
+  TEST_CASE("A20: rims of 94 and 184 mm need 139 mm, and room to fit the belts beside") {
+    CHECK(mode_with("belt.v", narrow + "a = \"136 mm\"", "room") == "fail");
+    CHECK(mode_with("belt.v", narrow + "a = \"138.9 mm\"", "room") == "fail");
+    CHECK(mode_with("belt.v", narrow + "a = \"139.1 mm\"", "room") == "pass");
+    CHECK(mode_with("belt.v", narrow + "a = \"139.1 mm\"", "fitting") == "fail");
+    CHECK(mode_with("belt.v", narrow + "a = \"400 mm\"", "fitting") == "pass");
+  }
+
+  TEST_CASE("A20: the winner of a search keeps its rims apart, and can be fitted") {
+    NoTrace trace;
+    int found = 0;
+    for (const double P : {1.0, 5.0, 20.0}) {
+      for (const double a : {120.0, 150.0, 200.0, 300.0}) {
+        for (const double i : {1.0, 1.5, 2.0, 3.0}) {
+          belt::VSizing::Input in;
+          in.basis = belt::Basis::optibelt, in.K_A = 1.2;
+          in.P = P * kW, in.n_1 = 1460.0 * rpm, in.n_2_set = 1460.0 / i * rpm, in.a_set = a * mm;
+          const auto r = belt::VSizing::evaluate(in, trace);
+          const Groove groove = groove_of(r.section);
+          if (!(r.drives > 0.0) || groove.h_a == 0.0) continue;
+          const double room = r.a / mm - (r.d_1 / mm + r.d_2 / mm) / 2.0 - 2.0 * groove.h_a;
+          CHECK(room - (0.009 * (r.L / mm) + 2.0 * groove.w_d) > -1e-9);
+          ++found;
+        }
+      }
+    }
+    CHECK(found > 5);
+  }
+
+  TEST_CASE("A21: pulleys and lengths that no list has are not covered, nor 58 belts side by side") {
+    const std::string odd = "d_1 = \"283 mm\"\nd_2 = \"507 mm\"\nL = \na = \"1400 mm\"";
+    CHECK(ExampleStep("belt.v", odd)("L") == doctest::Approx(4.0499).epsilon(1e-4));
+    CHECK(mode_with("belt.v", odd, "sold_pulleys") == "not-covered");
+    CHECK(mode_with("belt.v", odd, "sold_belts") == "open");  // a length is not chosen yet
+    CHECK(mode_with("belt.v", "L = \"4049.9 mm\"", "sold_belts") == "not-covered");
+    CHECK(mode_with("belt.v", "", "sold_belts") == "pass");
+    CHECK(mode_with("belt.v", "", "sold_pulleys") == "pass");
+    CHECK(mode_with("belt.v", narrow + "P = \"110 kW\"\nL = \"1250 mm\"", "sharing") == "not-covered");
+    CHECK(mode_with("belt.v", "", "sharing") == "pass");
+  }
+
+  TEST_CASE("A22: a tension without friction judges no grip, and strength wants the belt's own") {
+    CHECK(mode_with("belt.course", course("S_0 = \"1 N\""), "grip") == "not-judged");
+    CHECK(mode_with("belt.course", course("S_0 = \"1 N\"\nmu = 0.5"), "grip") == "fail");
+    CHECK(mode_with("belt.course", course("mu = 0.5"), "grip") == "pass");
+    CHECK(mode_with("belt.course", course("mu = 0.5"), "strength") == "not-judged");
+    CHECK(mode_with("belt.course", course("mu = 0.5\nS_adm = \"5 kN\""), "strength") == "pass");
+  }
+
+  TEST_CASE("A22: a thick belt on a small pulley is judged by its bending, and never without it") {
+    const std::string thick = "delta = \"19 mm\"\nkind = \"conventional\"\nsigma_adm = \"3 MPa\"\n";
+    CHECK(mode_with("belt.flat", thick + "E_b = ", "bending") == "not-judged");
+    CHECK(mode_with("belt.flat", thick + "E_b = \"50 MPa\"", "bending") == "fail");  // 50 * 19/200 = 4.75 MPa
+    CHECK(mode_with("belt.flat", "", "bending") == "pass");
+  }
+
+  TEST_CASE("A22: two spans do not go through 1 mm") {
+    const std::string crossed = "arrangement = \"crossed\"\nE_b = \n";
+    CHECK(mode_with("belt.flat", crossed + "a = \"351 mm\"", "room") == "fail");
+    CHECK(mode_with("belt.flat", crossed + "a = \"1200 mm\"", "room") == "pass");
+    CHECK(mode_with("belt.flat", crossed + "a = \"1200 mm\"", "twist") == "open");
+    CHECK(mode_with("belt.flat", "", "room") == "none");
+  }
+}

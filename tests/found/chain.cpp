@@ -1,0 +1,37 @@
+// What must not pass again of chains: rows of the list of what was found by use.
+#include "tests/found/modes.hpp"
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+const std::string pull_alone = "p_adm = \nS_min = \nP_R = \n";
+
+}  // namespace
+
+TEST_SUITE("found chain") {
+  TEST_CASE("A6: a pull below the breaking load passes nothing by itself") {
+    const std::string row =
+        pull_alone + "chain = \"08B\"\nz_1 = 19\nn_1 = \"100 rpm\"\nP = \"5.5 kW\"\na = \"500 mm\"\nK_A = 1";
+    CHECK(ExampleStep("chain.roller", row)("p_r") == doctest::Approx(274e6).epsilon(0.005));
+    for (const char* id : {"joints", "breaking", "plates", "rollers"})
+      CHECK(mode_with("chain.roller", row, id) == "not-judged");
+    CHECK(mode_with("chain.roller", pull_alone + "P = \"50 kW\"\nK_A = 1", "breaking") != "pass");
+  }
+
+  TEST_CASE("each of the three is asked for what it needs, and judged by it alone") {
+    CHECK(mode_with("chain.roller", pull_alone + "p_adm = \"35 MPa\"", "joints") == "pass");
+    CHECK(mode_with("chain.roller", pull_alone + "p_adm = \"35 MPa\"", "plates") == "not-judged");
+    CHECK(mode_with("chain.roller", pull_alone + "S_min = 7.6", "breaking") == "pass");
+    CHECK(mode_with("chain.roller", pull_alone + "P_R = \"5.5 kW\"", "plates") == "pass");
+    CHECK(mode_with("chain.roller", pull_alone + "P_R = \"3 kW\"", "rollers") == "fail");
+    CHECK(mode_with("chain.roller", pull_alone + "P = ", "joints") == "none");
+  }
+
+  TEST_CASE("a chain that stands still does not tire, as far as it is known") {
+    const std::string still = pull_alone + "P = \nn_1 = \nT_1 = \"200 N*m\"";
+    CHECK(mode_with("chain.roller", still, "plates") == "open");
+    CHECK(mode_with("chain.roller", still, "joints") == "not-judged");
+  }
+}

@@ -11,6 +11,7 @@ namespace {
 
 using Input = Cycle::Input;
 using Result = Cycle::Result;
+using Stresses = Cycle::Stresses;
 
 /// "others[2].", "others.test." or nothing for the first cycle.
 std::string place_of(const Input& in, std::size_t i) {
@@ -96,6 +97,15 @@ draw::Figure in_the_plane(const Input& in, const Result& r) {
   return {"amplitude-mean", "Amplitude and mean stress; similar cycles lie on a ray", std::move(plot)};
 }
 
+/// The limit is that of symmetric cycles: tension lowers it, and so does shear of either sense.
+template <class Tracer>
+void hold_against_limit(const Input& in, Result& r, Tracer& trace) {
+  STEP_TO(r, u_D, in.S_D * r.sigma_a / in.sigma_D, "amplitude over the limit of symmetric cycles, with its safety");
+  if (r.kind == Kind::constant) return;
+  STEP_TO(r, x_m, max(in.stress == Stresses::shear ? abs(r.sigma_m) : r.sigma_m, 0.0 * MPa) / r.sigma_a,
+          "mean stress that lowers the limit; compression does not");
+}
+
 }  // namespace
 
 bool Cycle::two_given(const Input& in) { return miscounted(in) > in.others.size(); }
@@ -125,7 +135,11 @@ Cycle::Result Cycle::evaluate(const Input& in, Tracer& trace) {
     STEP(k, in.stress == Stresses::shear ? sqrt(3.0) : 1.0,
          in.stress == Stresses::shear ? "shear by the distortion energy hypothesis, [Mises]" : "normal");
     STEP_TO(r, u_y, k * max(abs(r.sigma_max), abs(r.sigma_min)) / in.R_e, "no yielding at the first load");
+    if (is_set(in.S_F)) {
+      STEP_TO(r, u_F, in.S_F * r.u_y, "with its safety");
+    }
   }
+  if (is_set(in.sigma_D)) hold_against_limit(in, r, trace);
   for (std::size_t i = 0; i < in.others.size(); ++i) {
     [[maybe_unused]] const auto here = trace.scope("others", i);
     Compared other;

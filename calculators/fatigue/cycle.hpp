@@ -1,12 +1,14 @@
 // The characteristics of a stress cycle from any two of them; its kind; which other cycles are similar to it.
 //
 // Decides sigma_max, sigma_min, mean, amplitude and ratio r, and the kind of the cycle, [B20]; for shear stresses
-// alike. Cycles of one ratio are similar; +inf and -inf are one ratio, that of a pulsation below zero. Where a yield
-// strength is given the largest stress is checked against it. Tension is positive. Not covered: life, fatigue limits,
-// histories that are no cycle.
+// alike. Cycles of one ratio are similar; +inf and -inf are one ratio, that of a pulsation below zero. The largest
+// stress is held against a yield strength, the amplitude against the fatigue limit of the part in symmetric cycles,
+// each with its safety. Tension is positive, and lowers that limit: such a cycle is not covered; what compression adds
+// to it is not counted. Not covered: life, histories that are no cycle.
 #pragma once
 
 #include "calculators/fatigue/cycle_of.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>
@@ -18,7 +20,9 @@ struct Cycle {
   static constexpr auto title = "Stress cycle";
   static constexpr auto scope =
       "Largest, least and mean stress, amplitude, ratio and kind of a stress cycle from any two of these; similar "
-      "cycles; normal and shear stresses alike. Life and fatigue limit are not covered.";
+      "cycles; normal and shear stresses alike. The largest stress against yielding, the amplitude against a fatigue "
+      "limit "
+      "of r = -1 where the mean stress is no tension. Life is not covered.";
   static constexpr auto source = "[B20]";
   static constexpr auto example = R"([project]
 title = "Cycle of a connecting rod"
@@ -43,7 +47,8 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
 
   struct Input : Given {
     Stresses stress = Stresses::normal;
-    Stress R_e = unset<Stress>;
+    Stress R_e = unset<Stress>, sigma_D = unset<Stress>;
+    double S_F = unset<double>, S_D = unset<double>;
     List<Other, most_others> others;
   };
   static bool two_given(const Input& in);
@@ -57,6 +62,21 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
                      .positive()
                      .usually(50, 2500)
                      .from("material", "R_e"),
+                 Field<Input, double>{&Input::S_F, "S_F", ratio, "safety against yielding"}
+                     .at_least(1)
+                     .usually(1, 6)
+                     .may_be_missing()
+                     .factor(),
+                 Field<Input, Stress>{&Input::sigma_D, "sigma_D", MPa,
+                                      "fatigue limit of the part, r = -1, as nominal stress: of fatigue.endurance"}
+                     .positive()
+                     .usually(5, 1500)
+                     .may_be_missing(),
+                 Field<Input, double>{&Input::S_D, "S_D", ratio, "safety against the fatigue limit"}
+                     .at_least(1)
+                     .usually(1, 6)
+                     .may_be_missing()
+                     .factor(),
                  ListField<Input, Other, most_others>{&Input::others, "others", "cycles that are compared with it"}
                      .may_be_missing()});
 
@@ -68,7 +88,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
   };
 
   struct Result : Characteristics {
-    double u_y = unset<double>;
+    double u_y = unset<double>, u_F = unset<double>, u_D = unset<double>, x_m = unset<double>;
     List<Compared, most_others> others;
   };
   static constexpr std::tuple results = std::tuple_cat(
@@ -76,12 +96,30 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
       std::tuple{
           Field<Result, double>{&Result::u_y, "u_y", ratio, "yielding: largest stress over the yield strength"}.check(
               "R_e"),
+          Field<Result, double>{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F"),
+          Field<Result, double>{&Result::u_D, "u_D", ratio, "fatigue: amplitude over the limit, with its safety"}.check(
+              "sigma_D"),
+          Field<Result, double>{&Result::x_m, "x_m", ratio,
+                                "mean stress over the amplitude, where it lowers the limit of r = -1"}
+              .limit(0, same, "sigma_D")
+              .where_it_applies(),
           ListField<Result, Compared, most_others>{&Result::others, "others", "the compared cycles"}});
 
   static constexpr std::array rules{
       Rule<Input>{&two_given, "sigma_max, sigma_min, sigma_m, sigma_a, r",
                   "two of sigma_max, sigma_min, sigma_m, sigma_a and r make a cycle", &wrong_count},
-      Rule<Input>{&sound, "sigma_max, sigma_min, sigma_m, sigma_a, r", "these two do not make a cycle", &unsound}};
+      Rule<Input>{&sound, "sigma_max, sigma_min, sigma_m, sigma_a, r", "these two do not make a cycle", &unsound},
+      Rule<Input>{[](const Input& in) { return !is_set(in.S_F) || is_set(in.R_e); }, "S_F, R_e",
+                  "the safety S_F counts against the yield strength R_e: give it, or a material"},
+      Rule<Input>{[](const Input& in) { return is_set(in.S_D) == is_set(in.sigma_D); }, "sigma_D, S_D",
+                  "the fatigue limit sigma_D and the safety against it S_D belong together"}};
+
+  static constexpr std::array modes{
+      Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),
+      Mode<Input>{"fatigue", "fatigue, with an amplitude above the fatigue limit", &always<Input>}.judged_by(
+          "u_D, x_m"),
+      Mode<Input>{"life", "life of what is loaded above its fatigue limit", &unseen<Input>}.left_to("fatigue.wohler"),
+      Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>}};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/text/issue.hpp"
@@ -156,7 +157,20 @@ R_z = "6.3 um"
                            !(is_set(in.epsilon) || is_set(in.R_z) || is_set(in.beta_F) || in.beta_V != 1.0);
                   },
                   "school, epsilon, R_z, beta_F, beta_V",
-                  "epsilon, R_z, beta_F and beta_V belong to Serensen's school; Marin's takes finish and d"}};
+                  "epsilon, R_z, beta_F and beta_V belong to Serensen's school; Marin's takes finish and d"},
+      Rule<Input>{[](const Input& in) { return !(in.sigma_W >= in.R_m); }, "sigma_W, R_m",
+                  "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"}};
+
+  static constexpr std::array modes{
+      Mode<Input>{"size", "a diameter for which no size factor was measured",
+                  [](const Input& in) { return where(is_set(in.d)); }}
+          .judged_by("x_d")
+          .of_shape(),
+      Mode<Input>{"notch", "a strength for which no notch sensitivity was measured",
+                  [](const Input& in) { return where(is_set(in.r_n)); }}
+          .judged_by("x_n")
+          .of_shape(),
+      Mode<Input>{"surroundings", "corrosion, heat, fretting under press fits", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

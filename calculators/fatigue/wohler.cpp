@@ -177,6 +177,8 @@ bool Wohler::limit_is_below(const Input& in) {
   return !is_set(in.S_D) || s.n < 3 || lg_stress(in.S_D) <= s.X_low + 1e-12;
 }
 
+Applies Wohler::has_knee(const Input& in) { return where(is_set(in.S_D) || highest_runout(in) > 0.0 * MPa); }
+
 template <class Tracer>
 Wohler::Result Wohler::evaluate(const Input& in, Tracer& trace) {
   Result r;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 
@@ -62,10 +63,11 @@ S = "350 MPa"
   static bool enough(const Input& in);
   static bool spread(const Input& in);
   static bool limit_is_below(const Input& in);
+  static Applies has_knee(const Input& in);
   static constexpr std::tuple inputs{
       ListField{&Input::tests, "tests", "test points: stress, cycles, \"failure\" or \"runout\""}.as_arrays(),
       Field{&Input::P_s, "P_s", ratio, "probability of survival of the line for design, with 50 % confidence"}.within(
-          0.01, 0.999),
+          0.5, 0.999),
       Field{&Input::C, "C", ratio, "confidence of the interval of the slope"}.within(0.5, 0.999),
       Field{&Input::S, "S", MPa, "stress at which the life is asked for"}.positive().may_be_missing(),
       Field{&Input::S_D, "S_D", MPa, "fatigue limit, where it is known from other tests"}.positive().may_be_missing(),
@@ -117,6 +119,18 @@ S = "350 MPa"
           "those failures lie at one stress: a line needs two levels at least, and lives that fall with stress"},
       Rule<Input>{&limit_is_below, "S_D",
                   "bars have failed below this fatigue limit: it is at most the lowest stress of the line"}};
+
+  static constexpr std::array modes{
+      Mode<Input>{"stress", "S outside of the tested stresses", [](const Input& in) { return where(is_set(in.S)); }}
+          .judged_by("x_S")
+          .of_shape(),
+      Mode<Input>{"cycles", "N_0 outside of the tested lives", [](const Input& in) { return where(is_set(in.N_0)); }}
+          .judged_by("x_N, x_0")
+          .of_shape(),
+      Mode<Input>{"knee", "a knee outside of the tested lives", &has_knee}.judged_by("x_D").of_shape(),
+      Mode<Input>{"survival", "a survival of which so few tests do not tell", &always<Input>}
+          .judged_by("P_f")
+          .of_shape()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

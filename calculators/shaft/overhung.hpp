@@ -6,6 +6,7 @@
 // Not covered: fatigue of the rotating shaft, notches and keyways, deflection, the bearing side of the shaft.
 #pragma once
 
+#include "calculators/shaft/modes.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -50,6 +51,9 @@ tau_adm = "30 MPa"
     Stress tau_adm = unset<Stress>;
     Hypothesis hypothesis = Hypothesis::mises;
   };
+  static constexpr Applies loaded(const Input& in) {
+    return where(abs(in.F) > 0.0 * N.one || abs(in.T) > 0.0 * N_m.one);
+  }
   static constexpr std::tuple inputs{
       Field{&Input::F, "F", N, "transverse force on the overhang"},
       Field{&Input::a, "a", mm, "overhang: from the force to the middle of the bearing"}.at_least(0).usually(1, 1e4),
@@ -102,6 +106,12 @@ tau_adm = "30 MPa"
                   "give the bore as chi or as d_bore, never both"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.d) && is_set(in.d_bore)) || in.d_bore < in.d; }, "d_bore, d",
                   "the bore must be smaller than the shaft"}};
+
+  static constexpr auto modes = with_modes_of_shafts(std::array{
+      Mode<Input>{"yield", "yield beside the bearing, in bending with torsion", &loaded}.judged_by("u_v"),
+      Mode<Input>{"shear", "yield at the neutral axis, in shear", &loaded}.judged_by("u_Q"),
+      Mode<Input>{"torsion", "torsion alone", [](const Input& in) { return where(is_set(in.tau_adm)); }}.judged_by(
+          "u_tau")});
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -87,7 +87,8 @@ void load_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
     most = max(most, twist);
     if (is_set(x)) r.sections.push_back({x, twist});
   }
-  r.d_max = d_max, r.d_bore = bore_of(in.d_bore, in.chi, r.d), r.tau_max = tau_max, r.theta_max = theta_max;
+  r.d_max = d_max, r.d_s = is_set(in.d_h) ? max(in.d_h, d_max) : d_max;
+  r.d_bore = bore_of(in.d_bore, in.chi, r.d), r.tau_max = tau_max, r.theta_max = theta_max;
   r.phi = twist;
   r.phi_max = is_set(twist) ? most - least : unset<double>;
 }

@@ -6,6 +6,7 @@
 // Not covered: bending (see shaft.overhung), fatigue, notches, keyways, buckling of thin tubes.
 #pragma once
 
+#include "calculators/shaft/modes.hpp"
 #include "calculators/shaft/torque_diagram.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/trace.hpp"
@@ -74,7 +75,7 @@ theta_adm = "0.004 rad/m"
     Length l = unset<Length>;
     Length d = unset<Length>;
     double chi = unset<double>;
-    Length d_bore = unset<Length>;
+    Length d_bore = unset<Length>, d_h = unset<Length>;
     double K_A = 1.0;
     Stress G = unset<Stress>;
     Stress tau_adm = unset<Stress>;
@@ -89,6 +90,7 @@ theta_adm = "0.004 rad/m"
   static bool torques_close(const Input& in);
   static bool torques_on_shaft(const Input& in);
   static bool bores_fit(const Input& in);
+  static Applies loaded(const Input& in);
   static FieldFault two_safeties(const Input& in);
   static FieldFault open_sum(const Input& in);
   static FieldFault torque_off_shaft(const Input& in);
@@ -98,6 +100,11 @@ theta_adm = "0.004 rad/m"
       Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
       Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}.at_least(0).below(0.99).may_be_missing(),
       Field{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing().kept_in_search(),
+      Field{&Input::d_h, "d_h", mm,
+            "diameter at heat treatment, which the strength of the material belongs to; the largest where missing"}
+          .positive()
+          .usually(1, 2000)
+          .may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "service factor: what the loads do not contain, once"}
           .positive()
           .usually(1, 4)
@@ -108,7 +115,7 @@ theta_adm = "0.004 rad/m"
           .usually(1, 1000)
           .may_be_missing(),
       Field{&Input::R_e, "R_e", MPa, "yield strength, with S in place of tau_adm"}.positive().usually(50, 2500).from(
-          "material", "R_e", "d_max", "tau_adm"),
+          "material", "R_e", "d_s", "tau_adm"),
       Field{&Input::S, "S", ratio, "safety factor against yielding, with R_e"}
           .at_least(1)
           .usually(1, 6)
@@ -158,7 +165,7 @@ theta_adm = "0.004 rad/m"
     Length d_strength = unset<Length>, d_stiffness = unset<Length>, d_min = unset<Length>;
     Governs governs = Governs::strength;
     Length D_star = unset<Length>;
-    Length d = unset<Length>, d_bore = unset<Length>, d_max = unset<Length>;
+    Length d = unset<Length>, d_bore = unset<Length>, d_max = unset<Length>, d_s = unset<Length>;
     Stress tau_max = unset<Stress>;
     Twist theta_max = unset<Twist>;
     double phi = unset<double>, phi_max = unset<double>;
@@ -178,6 +185,7 @@ theta_adm = "0.004 rad/m"
       Field{&Result::d, "d", mm, "outer diameter where no segment has its own"},
       Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"},
       Field{&Result::d_max, "d_max", mm, "largest outer diameter of the shaft"},
+      Field{&Result::d_s, "d_s", mm, "diameter whose strength the material has: at heat treatment, else the largest"},
       Field{&Result::tau_max, "tau_max", MPa, "largest shear stress"},
       Field{&Result::theta_max, "theta_max", deg_per_m, "largest twist per length"},
       Field{&Result::phi, "phi", deg, "twist of the right end against the left, positive like M"},
@@ -213,7 +221,18 @@ theta_adm = "0.004 rad/m"
       Rule<Input>{&torques_on_shaft, "torques, segments, l", "every torque must lie on the shaft", &torque_off_shaft},
       Rule<Input>{&bores_fit, "segments, d",
                   "the bore of a segment must be smaller than its diameter; give it as chi or as "
-                  "d_bore, never both"}};
+                  "d_bore, never both"},
+      Rule<Input>{[](const Input& in) { return !(in.d_h < in.d); }, "d_h, d",
+                  "the diameter at heat treatment is not below that of the finished shaft"}};
+
+  static constexpr auto modes =
+      with_modes_of_shafts(std::array{Mode<Input>{"yield", "yield in torsion", &loaded}.judged_by("u_tau"),
+                                      Mode<Input>{"twist", "twist", &loaded}.judged_by("u_theta").of_service(),
+                                      Mode<Input>{"bending", "bending by forces across the shaft: a shaft.overhung",
+                                                  [](const Input& in) { return shown_by(is_set(in.F)); }}
+                                          .judged_by("F_bend")
+                                          .wanting("F")
+                                          .in_service()});
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

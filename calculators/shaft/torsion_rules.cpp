@@ -52,6 +52,13 @@ FieldFault Torsion::two_safeties(const Input& in) {
       say("leave out S; or leave out tau_adm, and S counts against the yield strength R_e, given or of a material")};
 }
 
+/// Whether a torque runs through it at all.
+Applies Torsion::loaded(const Input& in) {
+  const auto turns = [](Moment T) { return abs(T) > 0.0 * N_m.one; };
+  return where(turns(in.T) ||
+               std::any_of(in.torques.begin(), in.torques.end(), [&](const Torque& t) { return turns(t.T); }));
+}
+
 bool Torsion::bores_fit(const Input& in) {
   return std::all_of(in.segments.begin(), in.segments.end(), [&](const Segment& s) {
     const Length d = is_set(s.d) ? s.d : in.d;

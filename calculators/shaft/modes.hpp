@@ -1,0 +1,53 @@
+// The ways in which any shaft can fail or stop serving; what its calculator judges stands before them.
+#pragma once
+
+#include "lib/calculator/mode.hpp"
+#include "lib/quantity/units.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace loadpath::shaft {
+
+/// A service factor says that the load is not even.
+template <class Input>
+Applies load_varies(const Input& in) {
+  return shown_by(in.K_A > 1.0);
+}
+
+/// Walls thinner than d/20 can buckle in torsion before they yield; solid and thick ones do not.
+inline Applies thin_wall_of(Length d, double chi, Length d_bore) {
+  constexpr double thin = 0.9;
+  if (is_set(d_bore)) return is_set(d) ? where(d_bore > thin * d) : Applies::unseen;
+  return where(chi > thin);
+}
+
+template <class Input>
+Applies thin_wall(const Input& in) {
+  Applies applies = thin_wall_of(in.d, in.chi, in.d_bore);
+  if constexpr (requires { in.segments; }) {
+    for (const auto& s : in.segments)
+      applies = std::max(applies, thin_wall_of(is_set(s.d) ? s.d : in.d, s.chi, s.d_bore));
+  }
+  return applies;
+}
+
+/// What the calculator judges, and what concerns every shaft.
+template <class Input, std::size_t judged>
+constexpr auto with_modes_of_shafts(const std::array<Mode<Input>, judged>& own) {
+  const std::array common{
+      Mode<Input>{"fatigue", "fatigue, at shoulders, keyways and press fits first", &load_varies<Input>}
+          .left_to("fatigue.cycle")
+          .in_service(),
+      Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
+      Mode<Input>{"critical_bending", "critical speed in bending", &unseen<Input>}.in_service(),
+      Mode<Input>{"critical_torsion", "critical speed in torsion", &unseen<Input>}.in_service(),
+      Mode<Input>{"deflection", "deflection, and slope at bearings and meshes", &unseen<Input>}.of_service(),
+      Mode<Input>{"keyway", "yield at keyways and other notches", &unseen<Input>},
+      Mode<Input>{"hub", "slip of what is pressed or clamped on it", &unseen<Input>},
+      Mode<Input>{"wall", "buckling of a thin wall", &thin_wall<Input>},
+      Mode<Input>{"brittle", "brittle fracture", &unseen<Input>}.special()};
+  return std::apply([](const auto&... mode) { return std::array{mode...}; }, std::tuple_cat(own, common));
+}
+
+}  // namespace loadpath::shaft

@@ -1,0 +1,51 @@
+// What must not pass again of stress cycles: rows of the list of what was found by use.
+#include "tests/found/modes.hpp"
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+std::string symmetric(const std::string& amplitude, const std::string& more = "") {
+  return "sigma_max = \"" + amplitude + "\"\nsigma_min = \"-" + amplitude + "\"\n" + more;
+}
+
+}  // namespace
+
+TEST_SUITE("found fatigue") {
+  TEST_CASE("A2: 382 MPa do not last where the part has 186 MPa") {
+    const std::string limit = "sigma_D = \"186 MPa\"\nS_D = 1.5";
+    const ExampleStep bad("fatigue.cycle", symmetric("382 MPa", limit));
+    CHECK(std::abs(bad("u_D") - 1.5 * 382.0 / 186.0) < 1e-12);
+    CHECK(mode_with("fatigue.cycle", symmetric("382 MPa", limit), "fatigue") == "fail");
+    CHECK(mode_with("fatigue.cycle", symmetric("123 MPa", limit), "fatigue") == "pass");
+    CHECK(mode_with("fatigue.cycle", symmetric("125 MPa", limit), "fatigue") == "fail");
+    CHECK(mode_with("fatigue.cycle", symmetric("125 MPa"), "fatigue") == "not-judged");
+    CHECK_FALSE(ExampleStep("fatigue.cycle", symmetric("125 MPa", "sigma_D = \"186 MPa\"")).fault().empty());
+  }
+
+  TEST_CASE("a tensile mean stress lowers the limit of symmetric cycles: not covered; compression does not") {
+    const std::string limit = "\nsigma_D = \"186 MPa\"\nS_D = 1.5";
+    CHECK(mode_with("fatigue.cycle", "sigma_max = \"120 MPa\"\nsigma_min = \"0 MPa\"" + limit, "fatigue") ==
+          "not-covered");
+    CHECK(mode_with("fatigue.cycle", "sigma_max = \"0 MPa\"\nsigma_min = \"-120 MPa\"" + limit, "fatigue") == "pass");
+    CHECK(mode_with("fatigue.cycle", "stress = \"shear\"\nsigma_max = \"0 MPa\"\nsigma_min = \"-120 MPa\"" + limit,
+                    "fatigue") == "not-covered");
+  }
+
+  TEST_CASE("A2: 900 MPa without a yield strength are not judged, nor with one that has no safety") {
+    CHECK(mode_with("fatigue.cycle", symmetric("900 MPa"), "yield") == "not-judged");
+    CHECK(mode_with("fatigue.cycle", symmetric("200 MPa", "R_e = \"355 MPa\""), "yield") == "not-judged");
+    CHECK(mode_with("fatigue.cycle", symmetric("900 MPa", "R_e = \"355 MPa\""), "yield") == "fail");
+    CHECK(mode_with("fatigue.cycle", symmetric("200 MPa", "R_e = \"355 MPa\"\nS_F = 1.5"), "yield") == "pass");
+    CHECK(mode_with("fatigue.cycle", symmetric("240 MPa", "R_e = \"355 MPa\"\nS_F = 1.5"), "yield") == "fail");
+  }
+
+  TEST_CASE("A29: a fatigue limit above the tensile strength, a design line that most bars do not survive") {
+    const std::string measured = "R_m = \"400 MPa\"\nr_n = \nq = 0.8\n";
+    CHECK(ExampleStep("fatigue.endurance", measured + "sigma_W = \"200 MPa\"").fault().empty());
+    CHECK_FALSE(ExampleStep("fatigue.endurance", measured + "sigma_W = \"690 MPa\"").fault().empty());
+    CHECK(ExampleStep("fatigue.wohler", "P_s = 0.5").fault().empty());
+    CHECK_FALSE(ExampleStep("fatigue.wohler", "P_s = 0.01").fault().empty());
+  }
+}

@@ -1,0 +1,60 @@
+// What must not pass again of shafts: rows of the list of what was found by use.
+#include "tests/found/modes.hpp"
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+const std::string plain = "torques = \nT = \"100 N*m\"\ntheta_adm = \nG = ";
+
+}  // namespace
+
+TEST_SUITE("found shaft") {
+  TEST_CASE("A12: a torque that comes from a gear bends the shaft, and varies") {
+    const auto project = solved(R"([project]
+title = "A shaft behind a gear"
+
+[gears]
+calculator = "gear.pair"
+z_1 = 20
+z_2 = 57
+m_n = "2.5 mm"
+T_1 = "60 N*m"
+b = "25 mm"
+
+[axle]
+calculator = "shaft.torsion"
+T = "=gears.T_2"
+tau_adm = "20 MPa"
+)");
+    CHECK(mode_of(project, "axle", "yield") == "pass");
+    for (const char* id : {"fatigue", "critical_bending", "critical_torsion"})
+      CHECK(mode_of(project, "axle", id) == "not-judged");
+    CHECK(mode_of(project, "axle", "bending") == "not-covered");  // the forces of the teeth come with the torque
+  }
+
+  TEST_CASE("a torque that is typed passes with its scope") {
+    CHECK(mode_with("shaft.torsion", plain, "yield") == "pass");
+    for (const char* id : {"bending", "fatigue", "twist", "deflection", "brittle"})
+      CHECK(mode_with("shaft.torsion", plain, id) == "open");
+    CHECK(mode_with("shaft.torsion", plain + "\nK_A = 1.5", "fatigue") == "not-judged");
+    CHECK(mode_with("shaft.torsion", plain + "\nF = \"900 N\"", "bending") == "not-covered");
+    CHECK(mode_with("shaft.torsion", plain, "wall") == "none");
+    CHECK(mode_with("shaft.torsion", plain + "\nchi = 0.95", "wall") == "not-judged");
+  }
+
+  TEST_CASE("A29: without a torque nothing passes") {
+    CHECK(mode_with("shaft.torsion", plain + "\nT = \"0 N*m\"", "yield") == "none");
+    CHECK(mode_with("shaft.overhung", "F = \"0 N\"\nT = \"0 N*m\"", "yield") == "none");
+    CHECK(mode_with("shaft.overhung", "", "yield") == "pass");
+  }
+
+  TEST_CASE("A32: C45E has 430 MPa finished to 40 mm, 370 MPa where it was quenched and tempered at 45 mm") {
+    const std::string lines = plain + "\ntau_adm = \nmaterial = \"C45E\"\nS = 2\nd = \"40 mm\"";
+    CHECK(std::abs(ExampleStep("shaft.torsion", lines)("tau_all") / 1e6 - 430.0 / 2.0 / std::sqrt(3.0)) < 1e-6);
+    const ExampleStep quenched("shaft.torsion", lines + "\nd_h = \"45 mm\"");
+    CHECK(std::abs(quenched("tau_all") / 1e6 - 370.0 / 2.0 / std::sqrt(3.0)) < 1e-6);
+    CHECK_FALSE(ExampleStep("shaft.torsion", lines + "\nd_h = \"35 mm\"").fault().empty());
+  }
+}

@@ -48,13 +48,18 @@ void take_section(const Input& in, Result& r, Tracer& trace) {
 template <class Tracer>
 void take_tension(const Input& in, Result& r, Tracer& trace) {
   r.x_t = 0.0;
+  if (is_set(in.n_t) && is_set(in.N)) r.u_t = 0.0;
   if (!(in.N > 0.0 * kN)) return;
   if (!is_set(in.R_e)) {
-    r.x_t = trace.value("x_t", unset<double>, "the yield strength is not known");
+    r.x_t = r.u_t = trace.value("x_t", unset<double>, "the yield strength is not known");
     return;
   }
   STEP(sigma_t, in.N / r.A, "plain stress of the bar in tension");
   STEP_TO(r, x_t, sigma_t / in.R_e, "over the yield strength");
+  if (!is_set(in.n_t)) return;
+  STEP(n, in.method == Method::ec3 ? in.gamma_F * in.n_t : in.n_t,
+       in.method == Method::ec3 ? "partial factors on the load and on the resistance" : "safety in tension");
+  STEP_TO(r, u_t, n * x_t, "over the yield strength with its safety");
 }
 
 template <class Tracer>
@@ -152,18 +157,31 @@ void take_curves(const Input& in, const Material& material, AxisName axis, Axis&
        "extreme fibre, secant formula, [Gere]");
 }
 
+/// The limits of class 3 are those of steel: of another material nothing is known of its walls.
+template <class Tracer>
+void judge_class(const Input& in, Result& r, Tracer& trace) {
+  const double ratio = is_set(in.R_e) ? class_ratio(plates_of(in), in.R_e) : unset<double>;
+  if (!is_set(ratio)) return;
+  if (!is_steel(in) && has_modulus_of_steel(in)) return;
+  if (ratio > 0.0) {
+    STEP_TO(r, x_E, in.E / (210.0 * GPa), "the limits of table 5.2 are those of steel");
+  }
+  if (!has_modulus_of_steel(in)) return;
+  r.r_class =
+      trace.value("r_class", ratio, "EN 1993-1-1, table 5.2, with eps = sqrt(235 MPa/R_e), [EN1993-1-1-buckling]");
+}
+
 template <class Tracer>
 void conclude(const Input& in, Result& r, Tracer& trace) {
   r.spread = trace.value("spread", spread_of(r), "largest critical stress over the least, less 1");
   STEP_TO(r, r_lambda, r.lambda / in.lambda_max, "slenderness over the largest that is allowed");
-  r.r_class = is_set(in.R_e) ? class_ratio(plates_of(in), in.R_e) : unset<double>;
-  if (is_set(r.r_class))
-    trace.value("r_class", r.r_class, "EN 1993-1-1, table 5.2, with eps = sqrt(235 MPa/R_e), [EN1993-1-1-buckling]");
+  judge_class(in, r, trace);
   if (!is_set(r.sigma_cr)) return;
   trace.value("sigma_cr", r.sigma_cr, "of the method that decides");
   if (!is_set(r.u)) return;
   trace.value("P_all", r.P_all, "of the method that decides");
   STEP_TO(r, u, r.F / r.P_all, "force over the allowable force, which holds the safety");
+  if (in.method == Method::secant) r.u_e = r.u;
 }
 
 }  // namespace

@@ -5,11 +5,12 @@
 // stresses hold no safety; each allowable load holds the safety of its own method. Uniform straight bar, central load
 // (but for the secant formula), flexural buckling about the principal axes y and z. Sign: N is positive in tension, as
 // mechanisms give it; P is positive in compression. Both may be series. In tension the plain stress N/A is held
-// against the yield strength. Not covered: the net section of a bar in tension, torsional and flexural-torsional
-// buckling (open sections of one symmetry or none), sections of class 4, built-up and tapered bars, transverse loads,
-// biaxial eccentricity.
+// against the yield strength with a safety of its own. Not covered: the net section of a bar in tension, torsional and
+// flexural-torsional buckling (open sections of one symmetry or none), sections of class 4, built-up and tapered bars,
+// transverse loads, biaxial eccentricity.
 #pragma once
 
+#include "calculators/column/member/modes.hpp"
 #include "calculators/column/member/result.hpp"
 #include "calculators/column/member/rules.hpp"
 #include "calculators/column/member/section.hpp"
@@ -60,6 +61,7 @@ n_st = 3
   static bool extreme_fibre_known(const Input& in);
   static FieldFault section_missing(const Input& in);
   static FieldFault missing_for_method(const Input& in);
+  static Outline outline_of(const Input& in);
 
   static constexpr auto rules = join<Input>(
       held_rules<Input>(),
@@ -77,6 +79,7 @@ n_st = 3
                       "h, b, t_f",
                       "something is missing that the method needs", &missing_for_method}},
       method_rules<Input>());
+  static constexpr auto modes = member_modes<Input, &outline_of>("u, r_1, r_0");
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

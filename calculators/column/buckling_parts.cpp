@@ -29,6 +29,29 @@ const Sp16Type& sp16_type(Profile kind) {
   return none;
 }
 
+/// By its kind; without one a bar of d, or of h and b, is known too.
+Outline Buckling::outline_of(const Input& in) {
+  switch (in.kind) {
+    case Profile::rolled_I:
+    case Profile::welded_I:
+      return Outline::two_flanges;
+    case Profile::channel:
+    case Profile::tee:
+    case Profile::angle:
+      return Outline::open;
+    case Profile::hot_hollow:
+    case Profile::cold_hollow:
+    case Profile::welded_box:
+      return Outline::closed;
+    case Profile::solid:
+      return Outline::solid;
+    case Profile::unsaid:
+      break;
+  }
+  if (is_set(in.d)) return is_set(in.A) || in.d_bore > 0.0 * mm ? Outline::closed : Outline::solid;
+  return is_set(in.A) ? Outline::unknown : Outline::solid;
+}
+
 Plates plates_of(const Buckling::Input& in) {
   const Length wall = is_set(in.t_w) ? in.t_w : 0.5 * (in.d - in.d_bore);
   return {in.kind, in.grade, in.h, in.b, in.t_f, wall, in.r, in.d};

@@ -9,6 +9,7 @@
 
 #include "calculators/column/member/stability.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/text/issue.hpp"
@@ -119,6 +120,8 @@ end_2 = "pinned"
                   },
                   "end_1, end_2, E, I", "springs are compared with the bar: give E (or a material) and I"},
       Rule<Input>{&supports_inside, "supports, l", "supports stand between the ends, in order along the bar"}};
+  static constexpr std::array modes{
+      Mode<Input>{"held", "a bar that moves without a load", &always<Input>}.judged_by("u").of_shape()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -1,11 +1,13 @@
 // A section put together from parts: plain shapes and rolled sections of the tables, each at its place and angle.
 //
 // Second moments by Steiner, exact. Sign: an angle turns a part counter-clockwise about its own origin, which is then
-// put to y, z. The parts act as one: their connection is not checked. Parts must not overlap (what overlaps counts
-// twice). Not covered: torsion of closed cells that parts form, warping, the shear centre.
+// put to y, z. The parts act as one: their connection is not checked. Parts that overlap are refused, for what both
+// cover would count twice; one that stands apart is told. Not covered: torsion of closed cells that parts form,
+// warping, the shear centre.
 #pragma once
 
 #include "calculators/section/properties/outline.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/text/issue.hpp"
 
 #include <array>
@@ -21,7 +23,7 @@ struct BuiltUp {
       "or "
       "cut from them. Each part has the origin of its own calculator (a channel the middle of its back, an angle its "
       "corner, a T the middle of its upper face, others their centre). The parts act as one. I_t is the sum of the "
-      "parts' own, a lower bound: closed cells that the parts form would add to it. Connection and overlap are not "
+      "parts' own, a lower bound: closed cells that the parts form would add to it. Connection is not "
       "checked; warping is not covered.";
   static constexpr auto source = "[Garrison], [ME102]";
   static constexpr auto example = R"([project]
@@ -77,6 +79,10 @@ parts = [
   static bool parts_are_whole(const Input& in);
   static FieldFault incomplete(const Input& in);
   static bool is_full(const Input& in);
+  static bool none_overlap(const Input& in);
+  static FieldFault overlapping(const Input& in);
+  static bool all_touch(const Input& in);
+  static FieldFault apart(const Input& in);
   static constexpr std::tuple inputs{ListField{&Input::parts, "parts", "what the section is put together from"}};
 
   /// A part at its place: about its own centroid, in the axes of the whole.
@@ -101,7 +107,13 @@ parts = [
   static constexpr std::array rules{
       Rule<Input>{&parts_are_whole, "parts", "a part lacks what its shape needs", &incomplete},
       Rule<Input>{&is_full, "parts",
-                  "the holes leave no section: more is cut out than there is, or beside the material"}};
+                  "the holes leave no section: more is cut out than there is, or beside the material"},
+      Rule<Input>{&none_overlap, "parts", "parts overlap: what both cover would count twice", &overlapping},
+      Rule<Input>{&all_touch, "parts", "a part stands apart from the others", &apart, true}};
+
+  static constexpr std::array modes{
+      Mode<Input>{"joined", "parts that are not joined, and do not act as one",
+                  [](const Input& in) { return in.parts.size() < 2 ? Applies::no : shown_by(!all_touch(in)); }}};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

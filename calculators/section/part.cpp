@@ -137,6 +137,12 @@ std::optional<FieldFault> fault_of(const Part& part) {
   return with_input(part, [](auto calculator, const auto& in) { return broken_rule<decltype(calculator)>(in); });
 }
 
+Part as_shape(const Part& part) {
+  if (part.shape != Shape::table) return part;
+  const auto* row = find_profile(part.section.view());
+  return row != nullptr ? shape_of(*row) : part;
+}
+
 Shaped shaped(const Part& part) {
   if (part.shape == Shape::table) {
     const auto* row = find_profile(part.section.view());

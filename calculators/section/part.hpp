@@ -16,6 +16,9 @@ struct Shaped {
 /// What is wrong with a part; nothing where it is whole.
 std::optional<FieldFault> fault_of(const BuiltUp::Part& part);
 
+/// The shape that a whole part has, or that its row of a table stands for.
+BuiltUp::Part as_shape(const BuiltUp::Part& part);
+
 /// Of a part that is whole.
 Shaped shaped(const BuiltUp::Part& part);
 /// For drawing, in the same axes.

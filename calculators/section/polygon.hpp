@@ -5,6 +5,7 @@
 #pragma once
 
 #include "calculators/section/properties/outline.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/text/issue.hpp"
 
 #include <array>
@@ -59,6 +60,7 @@ holes = [{ points = [["10 mm", "10 mm"], ["40 mm", "10 mm"], ["10 mm", "40 mm"]]
       Rule<Input>{&is_simple, "points, holes", "no side may touch or cross another one of its contour", &crossing},
       Rule<Input>{&holes_are_inside, "holes, points", "every hole must lie inside the contour and clear of other holes",
                   &hole_outside}};
+  static constexpr std::array<Mode<Input>, 0> modes{};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

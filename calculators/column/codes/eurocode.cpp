@@ -110,9 +110,13 @@ double class_ratio(const Plates& s, Stress R_e) {
       return std::max((s.b - s.t_w - r) / s.t_f / outstand, (s.h - 2.0 * (s.t_f + r)) / s.t_w / internal);
     case Profile::tee:
       return std::max((s.b - s.t_w - 2.0 * r) / (2.0 * s.t_f) / outstand, (s.h - s.t_f - r) / s.t_w / outstand);
+    case Profile::welded_box: {
+      if (is_set(s.d)) return tube;
+      const Length flange = is_set(s.t_f) ? s.t_f : web;
+      return std::max((s.b - 2.0 * web) / flange, (s.h - 2.0 * flange) / web) / internal;
+    }
     case Profile::hot_hollow:
     case Profile::cold_hollow:
-    case Profile::welded_box:
       if (is_set(s.d)) return tube;
       return (max(s.h, s.b) - 3.0 * web) / web / internal;
     case Profile::angle:

@@ -23,7 +23,8 @@ double imperfection(Curve curve);
 const char* imperfection_reason(Curve curve);
 
 /// The largest width-to-thickness ratio of the parts over the limit of class 3, table 5.2: above 1 the section buckles
-/// locally. Of a round tube that of d over its wall, whatever the kind. NaN where the thicknesses are not known.
+/// locally. Of a round tube that of d over its wall, whatever the kind; of a welded box between its plates. NaN where
+/// the thicknesses are not known.
 double class_ratio(const Plates& section, Stress R_e);
 
 }  // namespace loadpath::column

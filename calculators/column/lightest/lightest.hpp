@@ -117,7 +117,7 @@ gamma_F = 1
                  Field{&Result::sections, "sections", ratio, "sections of these families that there is room for"}},
       member_results<Result>(),
       std::tuple{Field{&Result::lack, "lack", ratio, "part of the force that even the strongest judged does not carry"},
-                 Field{&Result::carrying, "carrying", ratio, "sections that carry the bar"}.limit(1, 1e6),
+                 Field{&Result::carrying, "carrying", ratio, "sections that carry the bar"}.limit(1, 1e6).criterion(),
                  ListField{&Result::candidates, "candidates", "sections that carry the bar, lightest first"},
                  ListField{&Result::lighter, "lighter", "the next lighter ones and why they fail, heaviest first"}});
 
@@ -138,6 +138,7 @@ gamma_F = 1
   static FieldFault missing_for_method(const Input& in);
   static bool one_carries(const Input& in);
   static FieldFault none_carries(const Input& in);
+  static Outline outline_of(const Input& in);
 
   static constexpr auto rules = join<Input>(
       std::array{
@@ -160,6 +161,7 @@ gamma_F = 1
       method_rules<Input>(),
       std::array{Rule<Input>{&one_carries, "families, N, P", "no section of these families carries the bar",
                              &none_carries, true}});
+  static constexpr auto modes = member_modes<Input, &outline_of>("u, r_1, r_0, carrying");
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -17,12 +17,11 @@ struct Bound {
 };
 
 /// In the order in which the reason is told.
-constexpr std::array bounds{Bound{&MemberResult::u, Failure::load},
-                            Bound{&MemberResult::x_t, Failure::tension},
-                            Bound{&MemberResult::r_1, Failure::range},
-                            Bound{&MemberResult::r_0, Failure::range},
-                            Bound{&MemberResult::r_lambda, Failure::slenderness},
-                            Bound{&MemberResult::r_class, Failure::thin}};
+constexpr std::array bounds{
+    Bound{&MemberResult::u, Failure::load},      Bound{&MemberResult::x_t, Failure::tension},
+    Bound{&MemberResult::u_t, Failure::tension}, Bound{&MemberResult::r_1, Failure::range},
+    Bound{&MemberResult::r_0, Failure::range},   Bound{&MemberResult::r_lambda, Failure::slenderness},
+    Bound{&MemberResult::r_class, Failure::thin}};
 
 /// Why the method gives no force: it ends before this bar, or was not tried for want of a strength or of a buckling
 /// curve.
@@ -40,6 +39,15 @@ bool belongs(const TableSection& section, const Lightest::Input& in) {
   const bool wanted = std::any_of(in.families.begin(), in.families.end(),
                                   [&](const Lightest::Family& f) { return f.family.view() == own; });
   return wanted && !(section.h > in.h_max) && !(section.b > in.b_max);
+}
+
+/// Of all that there is to choose from, for what is taken is a result.
+Outline Lightest::outline_of(const Input& in) {
+  Outline outline = Outline::solid;
+  for (const TableSection& section : sections_by_mass()) {
+    if (belongs(section, in)) outline = std::max(outline, Buckling::outline_of(bar_of(in, section)));
+  }
+  return outline;
 }
 
 Stress strength_of(const Lightest::Input& in, Length t) {

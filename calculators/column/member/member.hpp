@@ -32,7 +32,7 @@ struct Member {
   Length e_y = unset<Length>, e_z = unset<Length>;
   Grade grade = Grade::to_S420;
   Method method = Method::tetmajer;
-  double n_st = unset<double>, gamma_M1 = unset<double>, gamma_F = unset<double>, Omega_c = 1.67;
+  double n_st = unset<double>, n_t = unset<double>, gamma_M1 = unset<double>, gamma_F = unset<double>, Omega_c = 1.67;
   Class material_class = Class::unsaid;
   double lambda_max = 200.0;
 };
@@ -41,7 +41,7 @@ struct Member {
 template <class Input>
 constexpr auto held_inputs() {
   return std::tuple{
-      Field<Input, Force>{&Input::N, "N", kN, "normal force, positive in tension"}.may_be_missing(),
+      Field<Input, Force>{&Input::N, "N", kN, "normal force, positive in tension"}.keeps_sign().may_be_missing(),
       Field<Input, Force>{&Input::P, "P", kN, "compressive force, in place of N"}.at_least(0).may_be_missing(),
       Field<Input, Length>{&Input::l, "l", mm, "length between the ends"}.positive().usually(10, 1e5),
       Choice<Input, Ends>{&Input::ends, "ends", "how the ends are held, about both axes"}.may_be_missing(),
@@ -149,6 +149,12 @@ constexpr auto method_inputs() {
                            "safety against buckling of euler, tetmajer, johnson, rankine and secant"}
           .at_least(1)
           .usually(1.5, 10)
+          .may_be_missing()
+          .factor(),
+      Field<Input, double>{&Input::n_t, "n_t", ratio,
+                           "safety of a bar in tension against yielding; of ec3 gamma_M0, and gamma_F comes with it"}
+          .at_least(1)
+          .usually(1, 6)
           .may_be_missing()
           .factor(),
       Field<Input, double>{&Input::gamma_M1, "gamma_M1", ratio, "partial factor of EN 1993-1-1 and its national annex"}

@@ -1,6 +1,7 @@
 #include "calculators/column/member/parts.hpp"
 
 #include "calculators/column/member/length_factor.hpp"
+#include "calculators/column/member/result.hpp"
 
 namespace loadpath::column {
 
@@ -32,6 +33,13 @@ Bar bar_of(const Member& in, AxisName axis) {
   return bar;
 }
 
-bool is_steel(const Member& in) { return in.material_class == Class::unsaid || in.material_class == Class::steel; }
+bool has_modulus_of_steel(const Member& in) {
+  const double x = in.E / steel_modulus;
+  return !(x < least_steel || x > most_steel);
+}
+
+bool is_steel(const Member& in) {
+  return in.material_class == Class::steel || (in.material_class == Class::unsaid && has_modulus_of_steel(in));
+}
 
 }  // namespace loadpath::column

@@ -12,6 +12,8 @@ Ends ends_of(const Member& in, AxisName axis);
 const Member::Supports& supports_of(const Member& in, AxisName axis);
 /// The bar between its ends with the supports that hinder bending about the axis.
 Bar bar_of(const Member& in, AxisName axis);
+/// Whether its modulus is that of steel, as far as it is known.
+bool has_modulus_of_steel(const Member& in);
 /// Whether the codes for steel structures hold for the material.
 bool is_steel(const Member& in);
 

@@ -9,6 +9,10 @@
 
 namespace loadpath::column {
 
+/// What counts as the modulus of steel, over 210 GPa: the codes of steel and their classes of sections hold within.
+inline constexpr Stress steel_modulus = from_si<Stress>(210e9);
+inline constexpr double least_steel = 0.85, most_steel = 1.1;
+
 inline constexpr std::size_t most_methods = choices_of(Method{}).size();
 
 struct AxisResult {
@@ -63,8 +67,9 @@ struct MemberResult {
   Stress sigma_cr = unset<Stress>;
   Force P_all = unset<Force>;
   double spread = unset<double>;
-  double u = unset<double>, x_t = unset<double>;
-  double r_lambda = unset<double>, r_1 = unset<double>, r_0 = unset<double>, r_class = unset<double>;
+  double u = unset<double>, u_e = unset<double>, u_t = unset<double>, x_t = unset<double>;
+  double r_lambda = unset<double>, r_1 = unset<double>, r_0 = unset<double>, r_class = unset<double>,
+         x_E = unset<double>;
   List<AxisResult, 2> axes;
   List<MethodResult, most_methods> methods;
 };
@@ -101,8 +106,16 @@ template <class Result>
 constexpr auto member_checks() {
   return std::tuple{
       Field<Result, double>{&Result::u, "u", ratio, "buckling: force over the allowable one"}.check("N, P"),
+      Field<Result, double>{&Result::u_e, "u_e", ratio,
+                            "eccentric load: force over the one that the secant formula allows, where it decides"}
+          .check("N, P")
+          .where_it_applies(),
+      Field<Result, double>{&Result::u_t, "u_t", ratio, "tension, with its safety: 0 in compression"}
+          .check("n_t")
+          .where_it_applies(),
       Field<Result, double>{&Result::x_t, "x_t", ratio, "tension: stress N/A over the yield strength; 0 in compression"}
-          .limit(0, 1, "N"),
+          .limit(0, 1, "N")
+          .criterion(),
       Field<Result, double>{&Result::r_lambda, "r_lambda", ratio, "slenderness over the largest that is allowed"}.limit(
           0, 1),
       Field<Result, double>{&Result::r_1, "r_1", ratio, "Euler: limit slenderness over the slenderness"}
@@ -115,6 +128,10 @@ constexpr auto member_checks() {
       Field<Result, double>{&Result::r_class, "r_class", ratio,
                             "local buckling: thinness of the parts over the limit of class 3"}
           .limit(0, 1)
+          .where_it_applies(),
+      Field<Result, double>{&Result::x_E, "x_E", ratio,
+                            "modulus over the 210 GPa of steel, whose limits of class 3 are"}
+          .limit(least_steel, most_steel)
           .where_it_applies()};
 }
 

@@ -123,8 +123,10 @@ bool method_suits_class(const Member& in) {
 
 FieldFault method_of_steel(const Member& in) {
   return {"method",
-          say("the method '{1}' is for steel, not for material_class = \"{2}\"", word_of(in.method),
-              word_of(in.material_class)),
+          in.material_class == Class::unsaid ? say("the method '{1}' is for steel, not for a modulus of {2}",
+                                                   word_of(in.method), format_quantity(in_si(in.E), GPa.symbol))
+                                             : say("the method '{1}' is for steel, not for material_class = \"{2}\"",
+                                                   word_of(in.method), word_of(in.material_class)),
           say("take euler, tetmajer, johnson or rankine with the constants of the material")};
 }
 

@@ -63,7 +63,7 @@ constexpr auto held_rules() {
 template <class Input>
 constexpr auto method_rules() {
   return std::array{
-      Rule<Input>{&of<Input, &method_suits_class>, "method, material_class", "the method is for steel alone",
+      Rule<Input>{&of<Input, &method_suits_class>, "method, material_class, E", "the method is for steel alone",
                   &of<Input, &method_of_steel>},
       Rule<Input>{[](const Input& in) { return is_set(in.a_T) == is_set(in.b_T); }, "a_T, b_T",
                   "a_T and b_T belong together"},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "calculators/section/properties/outline.hpp"
+#include "lib/calculator/mode.hpp"
 
 #include <array>
 

@@ -41,6 +41,7 @@ r = "13 mm"
                                                 "t_f, r, h", "flanges and fillets need more depth than h"},
                                     Rule<Input>{[](const Input& in) { return in.t_w + in.r <= in.b; }, "t_w, r, b",
                                                 "web and fillet need more width than b"}};
+  static constexpr std::array modes{torsion_mode<Input>("w")};
 
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);

@@ -31,6 +31,7 @@ d = "40 mm"
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return is_set(in.d); }, "d", "give the diameter"}};
+  static constexpr std::array<Mode<Input>, 0> modes{};
 
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);

@@ -62,6 +62,7 @@ r_i = "5 mm"
                   "the inner radius is at most half the hollow"},
       Rule<Input>{[](const Input& in) { return in.r_o <= in.r_i + 3.4 * in.t; }, "r_o, r_i, t",
                   "with this outer radius the corner has no wall left"}};
+  static constexpr std::array modes{torsion_mode<Input>("w")};
 
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);

@@ -48,6 +48,7 @@ r = "18 mm"
                                                 "t_f, r, h", "flanges and fillets need more depth than h"},
                                     Rule<Input>{[](const Input& in) { return in.t_w + 2.0 * in.r <= in.b; },
                                                 "t_w, r, b", "web and fillets need more width than b"}};
+  static constexpr std::array modes{torsion_mode<Input>("w_t, w_r")};
 
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);

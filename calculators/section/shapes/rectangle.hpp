@@ -36,6 +36,7 @@ h = "60 mm"
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return max(in.b, in.h) <= 1e4 * min(in.b, in.h); }, "b, h",
                   "one side is at most 10000 times the other"}};
+  static constexpr std::array<Mode<Input>, 0> modes{};
 
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);

@@ -41,6 +41,7 @@ t = "5 mm"
                                                 "d_i, d", "the bore must be smaller than the ring"},
                                     Rule<Input>{[](const Input& in) { return !is_set(in.t) || 2.0 * in.t <= in.d; },
                                                 "t, d", "the wall is at most half the diameter"}};
+  static constexpr std::array<Mode<Input>, 0> modes{};
 
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);

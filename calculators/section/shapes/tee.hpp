@@ -41,6 +41,7 @@ r = "12 mm"
                                                 "flange and fillet need more depth than h"},
                                     Rule<Input>{[](const Input& in) { return in.t_w + 2.0 * in.r <= in.b; },
                                                 "t_w, r, b", "web and fillets need more width than b"}};
+  static constexpr std::array modes{torsion_mode<Input>("w")};
 
   template <class Tracer>
   static Result own(const Input& in, Tracer& trace);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calculators/section/properties/properties.hpp"
+#include "lib/calculator/mode.hpp"
 
 #include <cmath>
 
@@ -31,6 +32,14 @@ inline RectangleFactors rectangle_factors(double a_over_b) {
 /// How thick walls may be for the formulas of thin ones: over the shortest straight part of an open section, and over
 /// the shorter middle line of a closed one (the thickest of EN 10210-2).
 inline constexpr double thickest_open_wall = 0.25, thickest_closed_wall = 0.25;
+
+/// Sections judge nothing but where their torsion constant holds.
+template <class Input>
+constexpr Mode<Input> torsion_mode(const char* limits) {
+  return Mode<Input>{"torsion", "walls that the torsion constant does not hold for", &always<Input>}
+      .judged_by(limits)
+      .of_shape();
+}
 
 /// The properties of a section whose torsion constant holds for thin open walls only.
 struct OpenWalls : Properties {

@@ -1,0 +1,95 @@
+// The ways in which a bar under a normal force can fail. column.buckling and column.lightest have the same; what their
+// sections are, each says itself.
+#pragma once
+
+#include "calculators/column/member/member.hpp"
+#include "lib/calculator/mode.hpp"
+
+#include <algorithm>
+
+namespace loadpath::column {
+
+/// The outline of a section, as far as the input tells it. Of several sections the last of these that one of them has.
+enum class Outline { solid, closed, unknown, two_flanges, open };
+
+template <class Input>
+Applies compressed(const Input& in) {
+  if (is_set(in.P)) return where(in.P > 0.0 * kN.one);
+  return is_set(in.N) ? where(in.N < 0.0 * kN.one) : Applies::unseen;
+}
+
+template <class Input>
+Applies pulled(const Input& in) {
+  return where(in.N > 0.0 * kN.one);
+}
+
+template <class Input>
+bool is_eccentric(const Input& in) {
+  return in.e_y > 0.0 * mm.one || in.e_z > 0.0 * mm.one;
+}
+
+template <class Input>
+Applies bent(const Input& in) {
+  return std::min(where(is_eccentric(in)), compressed(in));
+}
+
+template <class Input>
+Applies pulled_and_bent(const Input& in) {
+  return std::min(where(is_eccentric(in)), pulled(in));
+}
+
+template <class Input>
+Applies pulled_at_holes(const Input& in) {
+  return std::min(Applies::unseen, pulled(in));
+}
+
+/// Walls that can buckle: all but those of solid sections.
+template <class Input, auto outline_of>
+Applies thin_walled(const Input& in) {
+  const Outline outline = outline_of(in);
+  if (outline == Outline::solid) return Applies::no;
+  return std::min(outline == Outline::unknown ? Applies::unseen : Applies::yes, compressed(in));
+}
+
+/// Open sections of one symmetry or none twist when they buckle; those of two flanges do so where the ends or the
+/// supports about the weak axis hold them, which no input tells.
+template <class Input, auto outline_of>
+Applies twisting(const Input& in) {
+  const Outline outline = outline_of(in);
+  if (outline <= Outline::closed) return Applies::no;
+  return std::min(outline == Outline::open ? Applies::yes : Applies::unseen, compressed(in));
+}
+
+template <class Input, auto outline_of>
+Applies twisting_when_bent(const Input& in) {
+  const Outline outline = outline_of(in);
+  if (outline <= Outline::closed) return Applies::no;
+  return std::min(outline == Outline::unknown ? Applies::unseen : Applies::yes, bent(in));
+}
+
+template <class Input, auto outline_of>
+constexpr auto member_modes(const char* of_buckling) {
+  return std::array{
+      Mode<Input>{"buckling", "flexural buckling, about y and about z", &compressed<Input>}.judged_by(of_buckling),
+      Mode<Input>{"slenderness", "slenderness", &compressed<Input>}.judged_by("r_lambda"),
+      Mode<Input>{"local", "local buckling of the walls", &thin_walled<Input, outline_of>}
+          .judged_by("r_class, x_E")
+          .wanting("R_e"),
+      Mode<Input>{"torsional", "torsional and torsional-flexural buckling of an open section",
+                  &twisting<Input, outline_of>},
+      Mode<Input>{"eccentric", "bar and section under force and moment: by the secant formula alone", &bent<Input>}
+          .judged_by("u_e")
+          .wanting("method = secant"),
+      Mode<Input>{"lateral_torsional", "lateral-torsional buckling with bending",
+                  &twisting_when_bent<Input, outline_of>},
+      Mode<Input>{"lateral", "bending by loads across the bar, by its inertia, by moments", &unseen<Input>}
+          .in_service()
+          .by_companions(),
+      Mode<Input>{"tension", "yield in tension", &pulled<Input>}.judged_by("x_t, u_t"),
+      Mode<Input>{"tension_bent", "yield in tension with bending", &pulled_and_bent<Input>},
+      Mode<Input>{"net_section", "net section in tension, at holes and pins", &pulled_at_holes<Input>},
+      Mode<Input>{"fatigue", "fatigue", &unseen<Input>}.left_to("fatigue.cycle").in_service(),
+      Mode<Input>{"weight", "bending by its own weight", &unseen<Input>}.special()};
+}
+
+}  // namespace loadpath::column

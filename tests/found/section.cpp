@@ -1,0 +1,66 @@
+// What must not pass again of built-up sections: rows of the list of what was found by use.
+#include "calculators/section/built_up.hpp"
+#include "tests/found/modes.hpp"
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+std::string parts(const std::string& list) { return "parts = [" + list + "]"; }
+
+const std::string upn = R"({ section = "UPN 200", y = "10 mm" },)";
+const std::string plate = R"({ shape = "rectangle", b = "200 mm", h = "12 mm", z = "-106 mm" },)";
+
+bool is_refused(const std::string& list) {
+  const ExampleStep step("section.built_up", parts(list));
+  return step.fault().find("overlap") != std::string::npos;
+}
+
+bool is_warned(const std::string& list) {
+  std::vector<Issue> issues;
+  auto project = project::read_project("[girder]\ncalculator = \"section.built_up\"\n" + parts(list), "found.toml",
+                                       catalogue(), issues);
+  project::solve(project, issues);
+  return std::any_of(issues.begin(), issues.end(), [](const Issue& issue) {
+    return issue.severity == Severity::warning && issue.message.text().find("does not touch") != std::string::npos;
+  });
+}
+
+}  // namespace
+
+TEST_SUITE("found section") {
+  TEST_CASE("A24: the same plate twice is no bar of two plates") {
+    CHECK_FALSE(is_refused(upn + plate));
+    CHECK(is_refused(plate + plate));
+    CHECK(is_refused(upn + upn));
+    CHECK(is_refused(upn + R"({ section = "UPN 200", y = "17 mm" })"));  // through the web of the other
+  }
+
+  TEST_CASE("A24: parts that touch do not overlap, whatever their angle; nor what lies in the hollow of another") {
+    CHECK_FALSE(is_refused(R"({ shape = "rectangle", b = "20 mm", h = "20 mm", angle = "30 deg" },
+                              { shape = "rectangle", b = "20 mm", h = "20 mm", y = "17.3205 mm", z = "10 mm", angle = "30 deg" })"));
+    CHECK(is_refused(R"({ shape = "rectangle", b = "20 mm", h = "20 mm", angle = "30 deg" },
+                        { shape = "rectangle", b = "20 mm", h = "20 mm", y = "15 mm", z = "9 mm", angle = "30 deg" })"));
+    const std::string tube = R"({ shape = "ring", d = "100 mm", d_i = "90 mm" },)";
+    CHECK_FALSE(is_refused(tube + R"({ shape = "circle", d = "90 mm" })"));
+    CHECK(is_refused(tube + R"({ shape = "circle", d = "95 mm" })"));
+    CHECK_FALSE(is_refused(tube + R"({ shape = "rectangle", b = "63.6 mm", h = "63.6 mm" })"));
+    CHECK(is_refused(tube + R"({ shape = "rectangle", b = "66 mm", h = "66 mm" })"));
+  }
+
+  TEST_CASE("A24: what two parts cover may be cut out once") {
+    CHECK_FALSE(is_refused(R"({ shape = "rectangle", b = "100 mm", h = "10 mm" },
+                              { shape = "rectangle", b = "10 mm", h = "100 mm" },
+                              { shape = "rectangle", b = "10 mm", h = "10 mm", as = "hole" })"));
+  }
+
+  TEST_CASE("A24: parts 10 m apart are one bar only where something joins them") {
+    CHECK_FALSE(is_warned(upn + plate));
+    CHECK(is_warned(upn + R"({ name = "far", section = "UPN 200", y = "10 m" })"));
+    CHECK(mode_with("section.built_up", parts(upn + plate), "joined") == "open");
+    CHECK(mode_with("section.built_up", parts(upn + R"({ section = "UPN 200", y = "10 m" })"), "joined") ==
+          "not-judged");
+    CHECK(mode_with("section.built_up", parts(plate), "joined") == "none");
+  }
+}

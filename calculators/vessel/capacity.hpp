@@ -63,31 +63,29 @@ inline Growing growing(Stress without, Stress with, double load) {
 /// The gas pressure that a wall just carries; zero where the liquid alone is too much.
 template <class Shape>
 Stress allowable_pressure(const Shape& shape, Length delta_c, const Strength& strength) {
-  NoTrace off;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < shape.places(); ++i) {
-    const Place place = shape.at(shape.place(i), off);
+  const auto one_over_load = [&](double t) {
+    NoTrace off;
+    const Place place = shape.at(t, off);
     const Membrane none = membrane(place, 0.0 * MPa, delta_c, strength, off);
     const Membrane some = membrane(place, strength.sigma_all, delta_c, strength, off);
     const GrowingStresses s{growing(none.s_o, some.s_o, 1.0), growing(none.s_M, some.s_M, 1.0),
                             growing(-none.p_i, -some.p_i, 1.0)};
-    least = std::min(least, largest_load(s, strength));
-  }
-  return least * strength.sigma_all;
+    return 1.0 / largest_load(s, strength);
+  };
+  return strength.sigma_all / largest_over(shape, one_over_load).f;
 }
 
 /// The thickness that the places of a shape need if its radii stay as they are; infinite where none is enough.
 /// `unit` is any length.
 template <class Shape>
 Length needed_thickness(const Shape& shape, Stress p, Length unit, const Strength& strength) {
-  NoTrace off;
-  Length most = 0.0 * mm;
-  for (std::size_t i = 0; i < shape.places(); ++i) {
-    const Membrane m = membrane(shape.at(shape.place(i), off), p, unit, strength, off);
+  const auto units = [&](double t) {
+    NoTrace off;
+    const Membrane m = membrane(shape.at(t, off), p, unit, strength, off);
     const GrowingStresses s{{0.0, in_si(m.s_o)}, {0.0, in_si(m.s_M)}, {in_si(-m.p_i), 0.0}};
-    most = max(most, unit / largest_load(s, strength));
-  }
-  return most;
+    return 1.0 / largest_load(s, strength);
+  };
+  return largest_over(shape, units).f * unit;
 }
 
 /// The least carrying thickness of the shape that `make(delta_c)` gives; unset where none is. `scale` is a length of

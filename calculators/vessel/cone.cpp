@@ -4,6 +4,9 @@
 #include "calculators/vessel/picture.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace loadpath::vessel {
 
 namespace {
@@ -12,11 +15,14 @@ using Input = Cone::Input;
 
 class ConeShape {
  public:
-  ConeShape(const Input& in, Length R_m) : in_(in), R_m_(R_m), wet_(has_liquid(in)) {}
+  static constexpr bool continuous = true;
 
-  /// Gas loads the large end most. With a liquid the governing place lies below its surface, or at the large end.
-  [[nodiscard]] std::size_t places() const { return wet_ ? 128 : 1; }
-  [[nodiscard]] double place(std::size_t i) const { return wet_ ? (static_cast<double>(i) + 1.0) / 128.0 : 1.0; }
+  ConeShape(const Input& in, Length R_m) : in_(in), R_m_(R_m), wet_(has_liquid(in)) {
+    if (wet_) look_at_places();
+  }
+
+  [[nodiscard]] std::size_t places() const { return places_.size(); }
+  [[nodiscard]] double place(std::size_t i) const { return places_[i]; }
   [[nodiscard]] Length sharpest() const { return R_m_ / std::cos(in_.alpha); }
 
   /// t from the point, 0, to the large end, 1.
@@ -41,6 +47,17 @@ class ConeShape {
   }
 
  private:
+  static constexpr std::size_t even = 128;
+
+  /// Gas loads the large end most. With a liquid: even places, and its edge.
+  void look_at_places() {
+    const double edge = in_si(in_.h_l * std::tan(in_.alpha) / R_m_);
+    places_ = {};
+    if (edge < 1.0 && edge > 0.0) places_.push_back(edge);
+    for (std::size_t i = 0; i < even; ++i) places_.push_back((static_cast<double>(i) + 1.0) / even);
+    std::sort(places_.begin(), places_.end());
+  }
+
   /// The liquid that hangs below the place: all that stands on the section, and the point below it.
   template <class Tracer>
   void hang(Place& place, Tracer& trace) const {
@@ -56,6 +73,7 @@ class ConeShape {
   const Input& in_;
   Length R_m_;
   bool wet_;
+  List<double, even + 1> places_{1.0};
 };
 
 template <class Tracer>

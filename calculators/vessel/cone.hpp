@@ -7,6 +7,7 @@
 #pragma once
 
 #include "calculators/vessel/assess.hpp"
+#include "calculators/vessel/modes.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>
@@ -61,6 +62,8 @@ sigma_adm = "120 MPa"
                              "h_l, R, alpha", "the liquid stands above the large end of the cone"},
                  Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
                              "the wall is thicker than the radius leaves room for"}});
+
+  static constexpr std::array modes = wall_modes<Input>("u_v, t_R");
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "calculators/vessel/lame.hpp"
+#include "calculators/vessel/modes.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>
@@ -78,6 +79,11 @@ sigma_adm = "140 MPa"
                                          "A_r, l_r, ends", "rings go with ends = \"ringed\""},
                              Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
                                          "the wall is thicker than the radius leaves room for"}});
+
+  static constexpr Applies ringed(const Input& in) { return where(in.ends == Ends::ringed); }
+  static constexpr std::array modes = wall_modes<Input>(
+      "u_v, t_R, w_r",
+      Mode<Input>{"rings", "rings too far apart to help the wall", &ringed}.judged_by("w_r").wanting("A_r, l_r"));
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

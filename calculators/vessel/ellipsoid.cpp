@@ -11,6 +11,8 @@ using Input = Ellipsoid::Input;
 
 class EllipsoidShape {
  public:
+  static constexpr bool continuous = true;
+
   EllipsoidShape(Length a_m, Length b_m) : a_m_(a_m), b_m_(b_m) {}
   [[nodiscard]] std::size_t places() const { return 33; }
   [[nodiscard]] double place(std::size_t i) const { return static_cast<double>(i) / 32.0; }

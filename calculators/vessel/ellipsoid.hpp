@@ -6,6 +6,7 @@
 #pragma once
 
 #include "calculators/vessel/assess.hpp"
+#include "calculators/vessel/modes.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>
@@ -64,6 +65,10 @@ sigma_adm = "140 MPa"
                              "so flat or so slender an ellipsoid is no membrane: a/b must lie between 1/5 and 5"},
                  Rule<Input>{[](const Input& in) { return leaves_room(in, min(in.a, in.b)); }, "a, b, delta",
                              "the wall is thicker than the semi-axes leave room for"}});
+
+  static constexpr Applies flat(const Input& in) { return where(in.a * in.a > 2.0 * in.b * in.b); }
+  static constexpr std::array modes = wall_modes<Input>(
+      "u_v, t_R", Mode<Input>{"knuckle", "buckling of the knuckle in compression", &flat}.judged_by("w_b"));
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -1,5 +1,6 @@
 // The thick-walled answer beside the membrane one: Lamé's stresses at the inner surface of cylinders and spheres. It is
-// always printed, so that nothing jumps where the thin wall ends.
+// always printed, so that nothing jumps where the thin wall ends; but not of spheres with liquid, whose weight on the
+// ring it leaves out.
 #pragma once
 
 #include "calculators/vessel/assess.hpp"

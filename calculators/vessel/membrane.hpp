@@ -1,12 +1,14 @@
 // Membrane stresses of shells of revolution by eq. 9 of [B24], their equivalent stress, and the most loaded place.
 //
 // A shape is a class with
-//   std::size_t places() const;                           how many places may govern
+//   std::size_t places() const;                           how many places are looked at
 //   double place(std::size_t i) const;                    the i-th, as a parameter 0..1 along the meridian
+//   static constexpr bool continuous = true;              where any place between them may govern
 //   template <class Tracer> Place at(double t, Tracer&);  the shell there
 //   Length sharpest() const;                              its smallest radius of curvature
 #pragma once
 
+#include "calculators/vessel/most_loaded.hpp"
 #include "calculators/vessel/wall.hpp"
 
 namespace loadpath::vessel {
@@ -83,15 +85,13 @@ Stress equivalent(const Membrane& m, Hypothesis hypothesis, Tracer& trace) {
 template <class Shape>
 double governing_place(const Shape& shape, Stress p, Length delta_c, const Strength& strength) {
   if (shape.places() == 1) return shape.place(0);
-  NoTrace off;
-  double t_most = 0.0, most = -1.0;
-  for (std::size_t i = 0; i < shape.places(); ++i) {
-    const double t = shape.place(i);
-    const Membrane m = membrane(shape.at(t, off), p, delta_c, strength, off);
-    const double u = equivalent(m, strength.hypothesis, off) / strength.sigma_all;
-    if (!(u <= most)) most = u, t_most = t;
-  }
-  return t_most;
+  return largest_over(shape,
+                      [&](double t) {
+                        NoTrace off;
+                        const Membrane m = membrane(shape.at(t, off), p, delta_c, strength, off);
+                        return equivalent(m, strength.hypothesis, off) / strength.sigma_all;
+                      })
+      .t;
 }
 
 /// How far the middle of the carrying wall lies outside of the surface that the given radii belong to.

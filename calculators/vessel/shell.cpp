@@ -129,6 +129,10 @@ void knuckle(Shell::Result& r, Tracer& trace) {
 
 }  // namespace
 
+Applies Shell::knuckle_compressed(const Input& in) { return where(pressed(ShellShape(in, 0.0 * mm), in.p).in_knuckle); }
+
+Applies Shell::compressed(const Input& in) { return where(pressed(ShellShape(in, 0.0 * mm), in.p).elsewhere); }
+
 bool Shell::long_enough(const Input& in) { return in.points.size() >= 3; }
 
 bool Shell::apart(const Input& in) {
@@ -136,6 +140,11 @@ bool Shell::apart(const Input& in) {
     if (in.points[i].r == in.points[i - 1].r && in.points[i].z == in.points[i - 1].z) return false;
   }
   return true;
+}
+
+bool Shell::is_loaded(const Input& in) {
+  return in.p > 0.0 * MPa || !has_liquid(in) ||
+         std::any_of(in.points.begin(), in.points.end(), [&](const Point& point) { return point.z < in.h_l; });
 }
 
 bool Shell::held_off_axis(const Input& in) {

@@ -11,6 +11,7 @@
 
 #include "calculators/vessel/assess.hpp"
 #include "calculators/vessel/meridian.hpp"
+#include "calculators/vessel/modes.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>
@@ -53,6 +54,7 @@ sigma_adm = "120 MPa"
   };
   static bool long_enough(const Input& in);
   static bool apart(const Input& in);
+  static bool is_loaded(const Input& in);
   static bool held_off_axis(const Input& in);
   static constexpr std::tuple inputs = std::tuple_cat(
       std::tuple{ListField<Input, Point, most_points>{&Input::points, "points",
@@ -102,9 +104,17 @@ sigma_adm = "120 MPa"
       wall_rules<Input>(), liquid_rules<Input>(),
       std::array{Rule<Input>{&long_enough, "points", "a meridian needs at least three points"},
                  Rule<Input>{&apart, "points", "two neighbouring points of the meridian are one and the same"},
+                 Rule<Input>{&is_loaded, "h_l, points", "nothing loads the wall: the liquid stands below all of it"},
                  Rule<Input>{&held_off_axis, "points",
                              "only the first point may lie on the axis, and the last must lie higher or lower than it: "
                              "split a shell that is closed at both ends where it is held"}});
+
+  static Applies knuckle_compressed(const Input& in);
+  static Applies compressed(const Input& in);
+  static constexpr std::array modes = wall_modes<Input>(
+      "u_v, t_R, psi_max, s_min, w_kappa",
+      Mode<Input>{"knuckle", "buckling of a knuckle in compression", &knuckle_compressed}.judged_by("w_b"),
+      Mode<Input>{"buckling", "buckling of the wall in compression", &compressed});
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -4,6 +4,9 @@
 #include "calculators/vessel/picture.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace loadpath::vessel {
 
 namespace {
@@ -12,16 +15,14 @@ using Input = Sphere::Input;
 
 class SphereShape {
  public:
-  SphereShape(const Input& in, Length R_m) : in_(in), R_m_(R_m), wet_(has_liquid(in)) {}
+  static constexpr bool continuous = true;
 
-  /// Gas presses alike everywhere. With a liquid: 64 places, and the ring from below and from above.
-  [[nodiscard]] std::size_t places() const { return wet_ ? 66 : 1; }
-  [[nodiscard]] double place(std::size_t i) const {
-    if (!wet_) return 0.5;
-    const double ring = in_.phi_s / pi;
-    if (i >= 64) return i == 64 ? ring * (1.0 + 1e-12) : ring * (1.0 - 1e-12);
-    return (static_cast<double>(i) + 1.0) / 64.0;
+  SphereShape(const Input& in, Length R_m) : in_(in), R_m_(R_m), wet_(has_liquid(in)) {
+    if (wet_) look_at_places();
   }
+
+  [[nodiscard]] std::size_t places() const { return places_.size(); }
+  [[nodiscard]] double place(std::size_t i) const { return places_[i]; }
   [[nodiscard]] Length sharpest() const { return R_m_; }
 
   /// t from the top, 0, to the bottom, 1.
@@ -47,6 +48,16 @@ class SphereShape {
   }
 
  private:
+  static constexpr std::size_t even = 64;
+
+  /// Gas presses alike everywhere. With a liquid: even places, its edge, and the ring from above and from below.
+  void look_at_places() {
+    const double ring = in_.phi_s / pi, edge = std::acos(std::clamp(in_si(in_.h_l / R_m_) - 1.0, -1.0, 1.0)) / pi;
+    places_ = {ring * (1.0 - 1e-12), ring * (1.0 + 1e-12), edge};
+    for (std::size_t i = 0; i < even; ++i) places_.push_back((static_cast<double>(i) + 1.0) / even);
+    std::sort(places_.begin(), places_.end());
+  }
+
   /// What the liquid presses on the lower cap, over its circumference; written so that the pole is no exception.
   [[nodiscard]] Tension below(double phi) const {
     const Length h = in_.h_l, R = R_m_;
@@ -70,9 +81,14 @@ class SphereShape {
   const Input& in_;
   Length R_m_;
   bool wet_;
+  List<double, even + 3> places_{0.5};
 };
 
 }  // namespace
+
+Applies Sphere::compressed(const Input& in) {
+  return where(has_liquid(in) && pressed(SphereShape(in, in.R), in.p).elsewhere);
+}
 
 template <class Tracer>
 Sphere::Result Sphere::evaluate(const Input& in, Tracer& trace) {
@@ -82,7 +98,7 @@ Sphere::Result Sphere::evaluate(const Input& in, Tracer& trace) {
   const auto told = [&](Length e, auto& tracer) { r.R_m = mean_radius(in.R, e, tracer); };
   const double t = assess(in, r, in.R, make, told, trace);
   r.phi = has_liquid(in) ? t * pi : unset<double>;
-  compare(ThickSphere{}, in, r, r.R_m, mean, trace);
+  if (!has_liquid(in)) compare(ThickSphere{}, in, r, r.R_m, mean, trace);
   return r;
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "calculators/vessel/lame.hpp"
+#include "calculators/vessel/modes.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>
@@ -63,6 +64,10 @@ sigma_adm = "160 MPa"
                              "the liquid stands above the top of the sphere: give the pressure there as p"},
                  Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
                              "the wall is thicker than the radius leaves room for"}});
+
+  static Applies compressed(const Input& in);
+  static constexpr std::array modes =
+      wall_modes<Input>("u_v, t_R", Mode<Input>{"buckling", "buckling of the wall in compression", &compressed});
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "calculators/vessel/assess.hpp"
+#include "calculators/vessel/modes.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>
@@ -58,6 +59,8 @@ sigma_adm = "140 MPa"
                                          "the wall is thicker than the radius leaves room for"},
                              Rule<Input>{[](const Input& in) { return !is_set(in.delta) || in.R_0 > in.r + in.delta; },
                                          "R_0, r, delta", "the wall leaves no hole in the ring: R_0 must be larger"}});
+
+  static constexpr std::array modes = wall_modes<Input>("u_v, t_R");
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

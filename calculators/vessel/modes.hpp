@@ -1,0 +1,58 @@
+// In which ways the wall of a vessel can fail, alike for all shapes.
+#pragma once
+
+#include "calculators/vessel/membrane.hpp"
+#include "lib/calculator/mode.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace loadpath::vessel {
+
+/// `strength`: the checks and limits of a shape's strength; `own`: the modes that not every shape has.
+template <class Input, class... Own>
+constexpr auto wall_modes(const char* strength, Own... own) {
+  using M = Mode<Input>;
+  return std::array{
+      M{"strength", "yield of the wall", &always<Input>}.judged_by(strength),
+      own...,
+      M{"fatigue", "fatigue by cycles of the pressure", &unseen<Input>}.left_to("fatigue.cycle").in_service(),
+      M{"vacuum", "buckling under outside pressure or vacuum", &unseen<Input>}.special(),
+      M{"nozzles", "openings and nozzles", &unseen<Input>}.special(),
+      M{"supports", "bending at supports, junctions and edges", &unseen<Input>}.special(),
+      M{"test_pressure", "yield under the pressure of the test", &unseen<Input>}.special(),
+      M{"low_temperature", "brittle fracture at low temperature", &unseen<Input>}.special(),
+      M{"creep", "creep at high temperature", &unseen<Input>}.special()};
+}
+
+/// Where a wall is pressed, in one direction or both. It follows from the balance alone, whatever the thickness.
+struct Pressed {
+  bool in_knuckle = false;  // by the gas alone, around the axis: the meridian is bent too sharply there
+  bool elsewhere = false;
+};
+
+template <class Shape>
+Pressed pressed(const Shape& shape, Stress p) {
+  constexpr double rounding = 1e-9;
+  NoTrace off;
+  const Strength any{1.0 * MPa, 1.0, 1.0, Hypothesis::membrane};
+  const Length unit = 1.0 * m;
+  Stress largest = 0.0 * MPa;
+  for (std::size_t i = 0; i < shape.places(); ++i) {
+    const Membrane s = membrane(shape.at(shape.place(i), off), p, unit, any, off);
+    largest = max(largest, max(abs(s.o), abs(s.M)));
+  }
+  Pressed found;
+  for (std::size_t i = 0; i < shape.places(); ++i) {
+    const Place place = shape.at(shape.place(i), off);
+    const Membrane s = membrane(place, p, unit, any, off);
+    const bool hoop = -s.o > rounding * largest;
+    const bool knuckle = in_si(place.q_M) * in_si(place.kappa_M) > 1.0;
+    found.in_knuckle = found.in_knuckle || (hoop && knuckle);
+    found.elsewhere = found.elsewhere || (hoop && !knuckle) || s.M < -rounding * largest;
+  }
+  return found;
+}
+
+}  // namespace loadpath::vessel

@@ -1,0 +1,60 @@
+// The place of a shell where something is largest.
+#pragma once
+
+#include <cstddef>
+
+namespace loadpath::vessel {
+
+/// A place along the meridian, and what a function is there.
+struct Peak {
+  double t = 0.0, f = -1.0;
+};
+
+/// The largest value of f between two places, by the golden section, which keeps a single peak between its ends.
+template <class Function>
+Peak peak_between(const Function& f, double low, double high) {
+  constexpr double part = 0.6180339887498949;
+  constexpr int steps = 32;
+  Peak left{high - part * (high - low)}, right{low + part * (high - low)};
+  left.f = f(left.t), right.f = f(right.t);
+  for (int i = 0; i < steps; ++i) {
+    if (left.f < right.f) {
+      low = left.t, left = right;
+      right = {low + part * (high - low)}, right.f = f(right.t);
+    } else {
+      high = right.t, right = left;
+      left = {high - part * (high - low)}, left.f = f(left.t);
+    }
+  }
+  return left.f < right.f ? right : left;
+}
+
+/// The largest f >= 0 over the places of a shape, NaN where one is; between them too where the shape is continuous: its
+/// places are then in order, and among them are all at which the load changes.
+template <class Shape, class Function>
+Peak largest_over(const Shape& shape, const Function& f) {
+  Peak best;
+  const std::size_t count = shape.places();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Peak here{shape.place(i), f(shape.place(i))};
+    if (!(here.f <= best.f)) best = here;
+  }
+  if constexpr (requires { Shape::continuous; }) {
+    if (count == 1) return best;
+    constexpr double worth = 0.99, flat = 1e-12;  // of the largest: a lower peak stays lower; no peak, but rounding
+    const double low = worth * best.f;
+    Peak before, here{shape.place(0), f(shape.place(0))};
+    for (std::size_t i = 0; i < count; ++i) {
+      const Peak after = i + 1 < count ? Peak{shape.place(i + 1), f(shape.place(i + 1))} : Peak{here.t};
+      const double height = here.f * (1.0 - flat);
+      if (here.f >= low && before.f < height && after.f < height) {
+        const Peak between = peak_between(f, i == 0 ? here.t : before.t, after.t);
+        if (between.f > best.f * (1.0 + flat)) best = between;
+      }
+      before = here, here = after;
+    }
+  }
+  return best;
+}
+
+}  // namespace loadpath::vessel

@@ -1,0 +1,96 @@
+// What must not pass again of vessels: rows of the list of what was found by use.
+#include "tests/found/modes.hpp"
+
+#include <cmath>
+#include <iomanip>
+#include <numbers>
+#include <sstream>
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+const std::string water = "p = \"0 MPa\"\nrho = \"1000 kg/m^3\"\nc = \"0 mm\"\nmeasured = \"mean\"\n";
+
+std::string sphere(const std::string& R, const std::string& h_l, const std::string& more = "") {
+  return water + "R = \"" + R + "\"\nh_l = \"" + h_l + "\"\nsigma_adm = \"140 MPa\"\nz_l = 1\nz_c = 1" + more;
+}
+
+/// A sphere of 6 m from its bottom up to a ring at this angle, by points, full of water.
+std::string bowl(double ring) {
+  std::string points;
+  const int count = 40;
+  for (int i = 0; i <= count; ++i) {
+    const double phi = ring / 180.0 * std::numbers::pi * i / count;
+    const double r = 6.0 * std::sin(phi), z = 6.0 * (1.0 - std::cos(phi));
+    points += (i == 0 ? "[[\"" : ", [\"") + std::to_string(r) + " m\", \"" + std::to_string(z) + " m\"]";
+  }
+  return "points = " + points + "]\np = \"0 MPa\"\nrho = \"1000 kg/m^3\"\nh_l = \"12 m\"\nsigma_adm = \"140 MPa\"";
+}
+
+double per_mille(double value, double expected) { return 1000.0 * std::abs(value / expected - 1.0); }
+
+/// Whether a wall of the least thickness is used to the full.
+bool just_enough(const char* calculator, const std::string& lines) {
+  const double least = ExampleStep(calculator, lines)("delta_min");
+  std::ostringstream delta;
+  delta << std::setprecision(16) << least << " m";
+  const ExampleStep step(calculator, lines + "\ndelta = \"" + delta.str() + "\"");
+  return std::abs(step("u_v") - 1.0) < 1e-9;
+}
+
+}  // namespace
+
+TEST_SUITE("found vessel") {
+  TEST_CASE("A15: a sphere that hangs from a high ring with liquid is pressed below it, and may buckle") {
+    const std::string hung = sphere("6 m", "12 m", "\nphi_s = \"60 deg\"");
+    CHECK(mode_with("vessel.sphere", hung, "buckling") == "not-judged");
+    CHECK(mode_with("vessel.sphere", hung, "strength") == "pass");
+    CHECK(mode_with("vessel.sphere", sphere("6 m", "12 m", "\nphi_s = \"90 deg\""), "buckling") == "none");
+    CHECK(mode_with("vessel.sphere", hung + "\np = \"1 MPa\"", "buckling") == "none");
+    CHECK(mode_with("vessel.sphere", sphere("6 m", "6 m", "\nphi_s = \"90 deg\""), "buckling") == "not-judged");
+    CHECK(mode_with("vessel.sphere", "", "buckling") == "none");
+    CHECK(mode_with("vessel.sphere", "", "strength") == "pass");
+    CHECK(mode_with("vessel.sphere", "", "vacuum") == "open");
+  }
+
+  TEST_CASE("A15: the same shell by points") {
+    CHECK(mode_with("vessel.shell", bowl(120.0), "buckling") == "not-judged");
+    CHECK(mode_with("vessel.shell", bowl(90.0), "buckling") == "none");
+  }
+
+  TEST_CASE("A15: knuckles of flat heads are judged, those of deep ones are not pressed") {
+    CHECK(mode_with("vessel.ellipsoid", "delta = \"2.4 mm\"\nmeasured = \"mean\"", "knuckle") == "pass");
+    CHECK(mode_with("vessel.ellipsoid", "delta = \"2.3 mm\"\nmeasured = \"mean\"", "knuckle") == "not-covered");
+    CHECK(mode_with("vessel.ellipsoid", "b = \"500 mm\"", "knuckle") == "none");
+  }
+
+  TEST_CASE("A16: the liquid's edge governs, and the thickness is enough for it") {
+    const std::string lines = sphere("5 m", "1.354 m", "\nz_l = 0.7\nz_c = 0.7\nsigma_adm = \"10 MPa\"");
+    const ExampleStep given("vessel.sphere", lines + "\ndelta = \"6 mm\"");
+    CHECK(per_mille(given("sigma_v"), 8.316e6) < 0.1);
+    CHECK(per_mille(given("delta_min"), 4.990e-3) < 0.1);
+    CHECK(std::abs(given("phi") - std::acos(1.354 / 5.0 - 1.0)) < 1e-6);
+    CHECK(given.verdict("u_v") == account::State::pass);
+    CHECK(ExampleStep("vessel.sphere", lines + "\ndelta = \"4.98 mm\"").verdict("u_v") == account::State::fail);
+    CHECK(given.project().value("sphere.delta_L") == nullptr);  // Lamé knows nothing of the weight on the ring
+  }
+
+  TEST_CASE("A16: the least thickness with liquid is just strong enough, wherever its edge lies") {
+    for (const char* h_l : {"0.3 m", "1.354 m", "3.21 m", "5 m", "7.77 m", "9.9 m"}) {
+      CAPTURE(std::string(h_l));
+      CHECK(just_enough("vessel.sphere", sphere("5 m", h_l)));
+    }
+    for (const char* h_l : {"0.3 m", "1.01 m", "1.7 m"}) {
+      CAPTURE(std::string(h_l));
+      CHECK(just_enough("vessel.cone", "p = \"0 MPa\"\nh_l = \"" + std::string(h_l) + "\""));
+    }
+  }
+
+  TEST_CASE("cycles of the pressure are fatigue; rings that are not there are no help") {
+    CHECK(mode_with("vessel.cylinder", "", "fatigue") == "open");
+    CHECK(mode_with("vessel.cylinder", "", "rings") == "none");
+    CHECK(mode_with("vessel.cylinder", "ends = \"ringed\"", "rings") == "not-judged");
+  }
+}

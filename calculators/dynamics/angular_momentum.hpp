@@ -6,6 +6,7 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/motion_units.hpp"
 
@@ -108,6 +109,8 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
                   "where every omega_2 is given the time follows from the moment: leave out t, or one omega_2"},
       Rule<Input>{&time_is_ahead, "M, parts",
                   "this moment does not bring the parts from omega_1 to omega_2: change its sign or give one"}};
+
+  static constexpr std::array<Mode<Input>, 0> modes{};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

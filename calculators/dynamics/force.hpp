@@ -7,6 +7,7 @@
 #include "calculators/motion/laws.hpp"
 #include "calculators/motion/range.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/motion_units.hpp"
@@ -33,8 +34,8 @@ m = "2 kg"
 x = "3 m*sin(pi*t/(1 s))"
 y = "5 m*cos(pi*t/(1 s))"
 t = "0.25 s"
-t_1 = "0 s"
-t_2 = "2 s"
+t_1 = "0.1 s"
+t_2 = "1.9 s"
 )toml";
 
   struct Input {
@@ -96,6 +97,8 @@ t_2 = "2 s"
       motion::range_rules<Input>(),
       std::array{
           Rule<Input>{&laws_are_smooth, "x, y, z, t, t_1, t_2", "the laws must have values at these times", &gap}});
+
+  static constexpr std::array<Mode<Input>, 0> modes{};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -6,6 +6,7 @@
 
 #include "calculators/motion/laws.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/motion_units.hpp"
@@ -80,6 +81,8 @@ v_1x = "-1 m/s"
       Rule<Input>{[](const Input& in) { return !(in.t_1 >= in.t_2); }, "t_2, t_1",
                   "the force must end after its start"},
       Rule<Input>{&laws_are_smooth, "F_x, F_y, t_1, t_2", "the laws must have values at these times", &gap}};
+
+  static constexpr std::array<Mode<Input>, 0> modes{};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -71,6 +71,13 @@ void run(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, t, 2.0 * in.s / (v_0 + v_end), "mean speed of a constant acceleration");
 }
 
+/// The least force of the threads, of what hangs and of what is on a slope.
+void take_least(Force T, const Lift::Weight& w, Result& r) {
+  if (Lift::is_level(w)) return;
+  Force& least = Lift::hangs(w) ? r.T_hang : r.T_slope;
+  if (!(T >= least)) least = T;
+}
+
 void take_parts(const Input& in, Result& r) {
   const double sense = r.moves == Moves::stands ? 0.0 : r.moves == Moves::forwards ? 1.0 : -1.0;
   for (const auto& w : in.weights) {
@@ -78,7 +85,11 @@ void take_parts(const Input& in, Result& r) {
     const double hang = motion::without_rounding(cos(w.alpha), 1.0);
     const Speed v = w.i * r.v;
     Lift::WeightState state{w.name, v, 0.5 * w.mass * v * v, unset<Force>};
-    if (r.moves != Moves::stands) state.T = w.mass * (in.g * (sin(w.alpha) - way * w.mu * hang) - w.i * r.a);
+    if (r.moves != Moves::stands || Lift::hangs(w)) {
+      const Force T = w.mass * (in.g * (sin(w.alpha) - way * w.mu * hang) - w.i * r.a);
+      state.T = motion::without_rounding(T / (w.mass * in.g), 1.0 + std::abs(w.i * r.a / in.g)) * (w.mass * in.g);
+      take_least(state.T, w, r);
+    }
     r.weight_states.push_back(state);
   }
   for (const auto& w : in.wheels) {

@@ -3,14 +3,18 @@
 // Every part moves i times as far (at the radius r of a wheel) as the path s, the coordinate of the lift. A pulley
 // whose axis moves is a weight and a wheel. Friction in the bearings and on tracks is against the motion; a lift that
 // its weights cannot move stands. Sign: i is positive where a weight goes down for growing s, and a wheel turns
-// forwards. Source: [B37]. Not covered: slip, slack and weight of the threads.
+// forwards. A thread pulls what hangs, or is on a slope, upwards: else it is slack. Source: [B37]. Not covered: slip
+// and weight of the threads, a thread that pulls down a slope, and whether one along a level track is tight.
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/motion_units.hpp"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 
 namespace loadpath::dynamics {
 
@@ -109,6 +113,7 @@ wheels = [
     Moment A = unset<Moment>;
     Length s_stop = unset<Length>;
     double u_s = unset<double>;
+    Force T_hang = unset<Force>, T_slope = unset<Force>;
     List<WeightState, most_parts> weight_states;
     List<WheelState, most_parts> wheel_states;
   };
@@ -127,9 +132,23 @@ wheels = [
       Field{&Result::u_s, "u_s", ratio,
             "reach: the path over the one to a standstill; none where it never moves along s"}
           .check(),
+      Field{&Result::T_hang, "T_hang", N, "least force of the threads on what hangs; below zero they are slack"}
+          .limit(0, std::numeric_limits<double>::infinity())
+          .criterion()
+          .where_it_applies(),
+      Field{&Result::T_slope, "T_slope", N,
+            "least force of the threads on what moves on a slope; below zero they are slack, or pull downwards"}
+          .limit(0, std::numeric_limits<double>::infinity())
+          .where_it_applies(),
       ListField{&Result::weight_states, "weight_states", "the weights at the end of the path"},
       ListField{&Result::wheel_states, "wheel_states", "the wheels at the end of the path"}};
 
+  static constexpr bool hangs(const Weight& w) { return w.alpha >= pi / 2.0 * (1.0 - 1e-12); }
+  static constexpr bool is_level(const Weight& w) { return w.alpha == 0.0; }
+  static constexpr bool slopes(const Weight& w) { return !hangs(w) && !is_level(w); }
+  static bool has_track(const Input& in, bool (*track)(const Weight&)) {
+    return std::any_of(in.weights.begin(), in.weights.end(), track);
+  }
   static Mass reduced_mass(const Input& in);
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !(in.weights.empty() && in.wheels.empty()); }, "weights, wheels",
@@ -137,6 +156,20 @@ wheels = [
       Rule<Input>{
           [](const Input& in) { return in_si(reduced_mass(in)) > 0.0 || (in.weights.empty() && in.wheels.empty()); },
           "weights, wheels", "something that has mass must move with the path s: no part does"}};
+
+  static constexpr bool turns = true;
+  static constexpr std::array modes{
+      Mode<Input>{"reach", "it stops before the end of the path", &always<Input>}.judged_by("u_s"),
+      Mode<Input>{"slack", "threads of what hangs go slack",
+                  [](const Input& in) { return where(has_track(in, &hangs)); }}
+          .judged_by("T_hang"),
+      Mode<Input>{"slack_slope", "threads of what is on a slope go slack",
+                  [](const Input& in) { return where(has_track(in, &slopes)); }}
+          .judged_by("T_slope"),
+      Mode<Input>{"slack_level", "threads of what is on a level track go slack",
+                  [](const Input& in) { return has_track(in, &is_level) ? Applies::unseen : Applies::no; }},
+      Mode<Input>{"threads", "strength of the threads", &unseen<Input>},
+      Mode<Input>{"slip", "threads slip on their drums", &unseen<Input>}};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/motion_units.hpp"
 
@@ -74,6 +75,8 @@ bodies = [
       Rule<Input>{[](const Input& in) { return !in.bodies.empty(); }, "bodies", "give at least one body"},
       Rule<Input>{[](const Input& in) { return in.bodies.empty() || in_si(in.bodies.front().s) == 0.0; }, "bodies",
                   "the first body is the carrier: it has no path s along itself"}};
+
+  static constexpr std::array<Mode<Input>, 0> modes{};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

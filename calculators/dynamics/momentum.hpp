@@ -5,6 +5,7 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/motion_units.hpp"
 
@@ -95,6 +96,8 @@ bodies = [
       Rule<Input>{&some_are_open, "bodies", "leave out v_2 of the body that is to be found: all are given"},
       Rule<Input>{&impact_is_of_two, "e, bodies", "e is of the impact of two bodies, whose v_2 are both to be found"},
       Rule<Input>{&bodies_meet, "e, bodies", "two bodies of the same velocity do not meet: there is no impact"}};
+
+  static constexpr std::array<Mode<Input>, 0> modes{};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

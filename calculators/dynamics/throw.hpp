@@ -5,6 +5,7 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/motion_units.hpp"
@@ -78,6 +79,10 @@ theta = "30 deg"
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !(in_si(in.h) < 0.0 && in.theta <= 0.0); }, "theta, h",
                   "a body that is thrown level or downwards does not land higher: raise theta, or give h >= 0"}};
+
+  static constexpr std::array modes{
+      Mode<Input>{"landing", "it does not come up to the height of the landing", &always<Input>}.judged_by("u_h"),
+      Mode<Input>{"reach", "it falls short", [](const Input& in) { return where(is_set(in.L_req)); }}.judged_by("u_L")};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/motion_units.hpp"
 
@@ -88,6 +89,9 @@ mu = 0.1
                   "a spring needs c, z_1 and z_2: give all three or none"},
       Rule<Input>{[](const Input& in) { return is_set(in.c) || !(is_set(in.z_1) || is_set(in.z_2)); }, "z_1, z_2, c",
                   "a deformation needs the stiffness c of the spring"}};
+
+  static constexpr std::array modes{
+      Mode<Input>{"reach", "it stops before the end of the path", &always<Input>}.judged_by("u_s")};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -9,51 +9,90 @@ namespace {
 
 constexpr double no_mean = 1e-9;  // of the largest moment: below, the mean is rounding
 
-/// Sample i, or the first one again a period later.
-Sample at(std::span<const Sample> samples, double period, std::size_t i) {
-  if (i < samples.size()) return samples[i];
-  return {samples.front().phi + period, samples.front().M};
-}
+/// The moment between two samples, less a mean.
+class Piece {
+ public:
+  Piece(const Sample& a, const Sample& b, double mean) : h_(b.phi - a.phi), a_(a.M - mean), b_(b.M - mean) {
+    const double from = h_ * a.slope - (b.M - a.M), to = h_ * b.slope - (b.M - a.M);
+    if (std::isfinite(from) && std::isfinite(to)) from_ = from, to_ = to;
+  }
 
-double work_of(const Sample& a, const Sample& b) { return 0.5 * (a.M + b.M) * (b.phi - a.phi); }
+  [[nodiscard]] bool changes_sign() const { return a_ * b_ < 0.0; }
+  /// Where it does, as a part of the way.
+  [[nodiscard]] double zero() const {
+    double s = a_ / (a_ - b_);
+    if (from_ == 0.0 && to_ == 0.0) return s;
+    for (double low = 0.0, high = 1.0; high - low > 1e-9; s = 0.5 * (low + high)) (at(s) * a_ > 0.0 ? low : high) = s;
+    return s;
+  }
+  /// The work over this part of the way.
+  [[nodiscard]] double work(double s = 1.0) const {
+    const double s2 = s * s, s3 = s2 * s, s4 = s3 * s;
+    const double straight = a_ * s + 0.5 * (b_ - a_) * s2;
+    const double bent = from_ * (s2 / 2.0 - 2.0 * s3 / 3.0 + s4 / 4.0) - to_ * (s3 / 3.0 - s4 / 4.0);
+    return h_ * (straight + bent);
+  }
+
+ private:
+  [[nodiscard]] double at(double s) const { return a_ + s * (b_ - a_) + s * (1.0 - s) * ((1.0 - s) * from_ - s * to_); }
+
+  double h_, a_, b_;
+  double from_ = 0.0, to_ = 0.0;  // slopes at both ends beyond that of the straight line, times h
+};
 
 void take(TurningEnergy& energy, double E, double phi) {
   if (E < energy.low) energy.low = E, energy.low_phi = phi;
   if (E > energy.high) energy.high = E, energy.high_phi = phi;
 }
 
+/// Calls `then` with each sample and the next, of the last with the first a period later.
+template <class Then>
+void each_pair(const std::function<Sample(std::size_t)>& sample, std::size_t count, double period, const Then& then) {
+  const Sample first = sample(0);
+  Sample a = first;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool last = i + 1 == count;
+    Sample b = last ? first : sample(i + 1);
+    if (last) b.phi += period;
+    then(a, b, last);
+    a = b;
+  }
+}
+
 }  // namespace
 
-TurningEnergy turning_energy(std::span<const Sample> samples, double period) {
+TurningEnergy turning_energy(const std::function<Sample(std::size_t)>& sample, std::size_t count, double period) {
   TurningEnergy energy;
-  if (samples.empty()) return energy;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    energy.work += work_of(samples[i], at(samples, period, i + 1));
-    energy.peak = std::max(energy.peak, std::abs(samples[i].M));
-  }
+  if (count == 0) return energy;
+  each_pair(sample, count, period, [&](const Sample& a, const Sample& b, bool) {
+    energy.work += Piece(a, b, 0.0).work();
+    if (std::abs(a.M) > energy.peak) energy.peak = std::abs(a.M), energy.peak_phi = a.phi;
+  });
   if (std::abs(energy.work) <= no_mean * energy.peak * period) energy.work = 0.0;
   energy.mean = energy.work / period;
-  energy.low_phi = energy.high_phi = samples.front().phi;
+  energy.low_phi = energy.high_phi = sample(0).phi;
   double E = 0.0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    Sample a = samples[i], b = at(samples, period, i + 1);
-    a.M -= energy.mean, b.M -= energy.mean;
-    if (a.M * b.M < 0.0) {  // the extreme lies where the moment is the mean
-      const double share = a.M / (a.M - b.M), phi = a.phi + share * (b.phi - a.phi);
-      take(energy, E + 0.5 * a.M * (phi - a.phi), phi);
+  each_pair(sample, count, period, [&](const Sample& a, const Sample& b, bool last) {
+    const Piece piece(a, b, energy.mean);
+    if (piece.changes_sign()) {  // the extreme lies where the moment is the mean
+      const double s = piece.zero();
+      take(energy, E + piece.work(s), a.phi + s * (b.phi - a.phi));
     }
-    E += work_of(a, b);
-    if (i + 1 < samples.size()) take(energy, E, b.phi);
-  }
+    E += piece.work();
+    if (!last) take(energy, E, b.phi);
+  });
   constexpr double even = 1e-12;  // of the largest moment over the period: below, the moment is constant
   if (energy.high - energy.low <= even * energy.peak * period) energy.low = energy.high = 0.0;
   return energy;
 }
 
+TurningEnergy turning_energy(std::span<const Sample> samples, double period) {
+  return turning_energy([&samples](std::size_t i) { return samples[i]; }, samples.size(), period);
+}
+
 double energy_at(std::span<const Sample> samples, double mean, std::size_t i) {
   double E = 0.0;
-  for (std::size_t k = 0; k < i; ++k)
-    E += work_of(samples[k], samples[k + 1]) - mean * (samples[k + 1].phi - samples[k].phi);
+  for (std::size_t k = 0; k < i; ++k) E += Piece(samples[k], samples[k + 1], mean).work();
   return E;
 }
 

@@ -2,26 +2,32 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <limits>
 #include <span>
 
 namespace loadpath::machine {
 
-/// The moment at an angle; between neighbours it is a straight line. Two at one angle are a jump.
+/// The moment at an angle. Between neighbours it is a straight line, or, where both have slopes, a cubic. Two at one
+/// angle are a jump.
 struct Sample {
-  double phi = 0.0;  // rad
-  double M = 0.0;    // N m
+  double phi = 0.0;                                         // rad
+  double M = 0.0;                                           // N m
+  double slope = std::numeric_limits<double>::quiet_NaN();  // N m/rad
 };
 
 /// SI numbers of one cycle.
 struct TurningEnergy {
   double mean = 0.0;                     // of the moment over the angle; zero where it is nothing but rounding
-  double peak = 0.0;                     // largest magnitude of the moment
+  double peak = 0.0, peak_phi = 0.0;     // largest magnitude of the moment among the samples, and where
   double work = 0.0;                     // over the cycle
   double low = 0.0, high = 0.0;          // least and largest work of the moment beyond its mean
   double low_phi = 0.0, high_phi = 0.0;  // where they are reached
 };
 
-/// Of ascending samples, closed after `period`: the last goes on to the first. Exact for straight lines.
+/// Of so many ascending samples, closed after `period`: the last goes on to the first. Exact for straight lines and
+/// cubics.
+TurningEnergy turning_energy(const std::function<Sample(std::size_t)>& sample, std::size_t count, double period);
 TurningEnergy turning_energy(std::span<const Sample> samples, double period);
 
 /// The work beyond the mean from the first sample to sample i, for figures.

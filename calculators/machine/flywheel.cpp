@@ -5,6 +5,7 @@
 #include "lib/calculator/calculator_of.hpp"
 #include "lib/quantity/format.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace loadpath::machine {
@@ -15,7 +16,59 @@ using Input = Flywheel::Input;
 using Result = Flywheel::Result;
 using Samples = Flywheel::Samples;
 
-/// The moment over one period, however it is given.
+/// A law at even angles. The last is the end of the period, where it may leap to its start.
+struct LawSamples {
+  const Law& law;
+  double period;
+  std::size_t steps;
+
+  [[nodiscard]] Jet jet(double phi) const {
+    constexpr double before_end = 1.0 - 1e-12;
+    return law.at(std::min(phi, period * before_end));
+  }
+  Sample operator()(std::size_t i) const {
+    const double phi = period * static_cast<double>(i) / static_cast<double>(steps);
+    const Jet moment = jet(phi);
+    return {phi, moment.value, moment.first};
+  }
+  [[nodiscard]] TurningEnergy energy() const {
+    return turning_energy([this](std::size_t i) { return (*this)(i); }, steps + 1, period);
+  }
+  /// The largest magnitude near the largest sample: that of the parabola there leads to it.
+  [[nodiscard]] double peak(const TurningEnergy& sampled) const {
+    const Jet at = jet(sampled.peak_phi);
+    const double step = -at.first / at.second, h = period / static_cast<double>(steps);
+    const double phi = sampled.peak_phi + step;
+    if (!(std::abs(step) <= h) || phi < 0.0 || phi > period) return sampled.peak;
+    return std::max(sampled.peak, std::abs(jet(phi).value));
+  }
+};
+
+/// The energy of a law, at angles that are taken closer until it settles.
+struct LawEnergy {
+  TurningEnergy energy;
+  bool settled = false;
+};
+
+LawEnergy energy_of(const Law& law, double period) {
+  constexpr double same = 1e-5;
+  constexpr std::size_t most_steps = 16 * Flywheel::most_samples;
+  LawSamples samples{law, period, Flywheel::most_samples};
+  LawEnergy found{samples.energy()};
+  while (!found.settled && samples.steps < most_steps) {
+    const TurningEnergy coarse = found.energy;
+    samples.steps *= 2;
+    found.energy = samples.energy();
+    const double fine = found.energy.high - found.energy.low, rough = coarse.high - coarse.low;
+    const double whole = found.energy.peak * period;
+    found.settled = std::abs(fine - rough) <= same * fine + 1e-12 * whole &&
+                    std::abs(found.energy.work - coarse.work) <= same * whole;
+  }
+  found.energy.peak = samples.peak(found.energy);
+  return found;
+}
+
+/// The moment over one period as it is drawn, however it is given.
 Samples samples_of(const Input& in) {
   if (!in.series.empty()) return in.series;
   Samples samples;
@@ -28,10 +81,16 @@ Samples samples_of(const Input& in) {
   return samples;
 }
 
+TurningEnergy energy_of(const Input& in) {
+  const Law* const law = in.series.empty() ? in.M_of_phi.law() : nullptr;
+  if (law != nullptr) return energy_of(*law, in.period).energy;
+  const Samples samples = samples_of(in);
+  return turning_energy({samples.data(), samples.size()}, in.period);
+}
+
 template <class Tracer>
 void take_energy(const Input& in, Result& r, Tracer& trace) {
-  const Samples samples = samples_of(in);
-  const auto energy = turning_energy({samples.data(), samples.size()}, in.period);
+  const TurningEnergy energy = energy_of(in);
   const Moment A = r.A = trace.value("A", energy.work * J, "integral of the moment over the period");
   STEP_TO(r, M_m, A / in.period, "mean moment: what the motor, or the load, has all the time [Khurmi-16]");
   const Moment E_low = r.E_low = trace.value("E_low", energy.low * J, "least integral of M - M_m from the start");
@@ -54,11 +113,13 @@ void take_inertia(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, J_add, max(J_F - in.J_0, 0.0 * kg_m2), "less what turns at a constant ratio");
   const MassMoment J_is = is_set(given) ? given + in.J_0 : max(J_F, in.J_0);
   trace.value("J_is", J_is, is_set(given) ? "given flywheel with J_0" : "flywheel of that inertia with J_0");
-  if (!(in_si(J_is) > 0.0)) return;
+  if (!(in_si(J_is) > 0.0)) {
+    r.u_delta = trace.value("u_delta", 0.0, "an even moment needs no flywheel");
+    return;
+  }
   STEP_TO(r, delta_is, r.Delta_E / (J_is * in.omega * in.omega), "unevenness, [Khurmi-16]");
   STEP_TO(r, n_max, in.omega * (1.0 + 0.5 * delta_is), "mean speed half way between the largest and the least");
   STEP_TO(r, n_min, in.omega * (1.0 - 0.5 * delta_is), "mean speed half way between the largest and the least");
-  if (!is_set(given)) return;
   STEP_TO(r, u_delta, delta_is / in.delta, "unevenness over the allowed one");
 }
 
@@ -103,7 +164,11 @@ FieldFault Flywheel::law_fault(const Input& in) {
   };
   const double end = in.period * (1.0 - 1e-12);  // the period's end is its start
   const motion::Gap gap = motion::first_gap(moment, 0.0, end, static_cast<int>(most_samples) + 1);
-  if (!gap) return {};
+  if (!gap) {
+    if (energy_of(*law, in.period).settled) return {};
+    return {"M_of_phi", say("the moment has more waves in the period than can be followed"),
+            say("give the least period after which it repeats, or points")};
+  }
   const std::string place = format_quantity(gap.from, deg.symbol, 4);
   if (gap.from < gap.to) {
     return {"M_of_phi", say("near phi = {1} the moment leaps, or turns too fast to be followed", place),

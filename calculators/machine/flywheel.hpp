@@ -9,6 +9,7 @@
 #include "calculators/machine/energy_of_turning.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/law_text.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/motion_units.hpp"
@@ -60,6 +61,7 @@ delta = 0.01
     double period = 2.0 * pi;
     Source role = Source::load;
     AngularSpeed omega = unset<AngularSpeed>;
+    double turns_per_turn = 1.0;
     double delta = unset<double>;
     MassMoment inertia = unset<MassMoment>, J_0 = 0.0 * kg_m2;
     double eta = 1.0;
@@ -80,8 +82,13 @@ delta = 0.01
           .usually(10, 7200),
       Choice{&Input::role, "role", "whose moment it is"}.may_be_missing(),
       Field{&Input::omega, "omega", rad_per_s, "mean angular speed"}.positive().usually(0.1, 1e4),
+      Field{&Input::turns_per_turn, called("ratio"), ratio,
+            "speed of this shaft over that of the crank over whose angle the series M is given; M is of this shaft"}
+          .positive()
+          .usually(0.01, 100),
       Field{&Input::delta, "delta", ratio, "unevenness that is allowed, (omega_max - omega_min)/omega"}
           .positive()
+          .below(2)
           .usually(1e-4, 0.3)
           .may_be_missing(),
       Field{&Input::inertia, called("J"), kg_m2, "moment of inertia of a given flywheel"}.positive().may_be_missing(),
@@ -107,7 +114,7 @@ delta = 0.01
   };
   static constexpr std::tuple results{
       Field{&Result::M_m, "M_m", N_m, "mean moment over the angle"},
-      Field{&Result::M_peak, "M_peak", N_m, "largest magnitude of the moment"},
+      Field{&Result::M_peak, "M_peak", N_m, "largest magnitude of the moment; of a series, of its positions"},
       Field{&Result::A, "A", J, "work over the period"},
       Choice{&Result::work, "work", "whether the machine does work over the period"},
       Field{&Result::E_low, "E_low", J, "least work of the moment beyond its mean, from the start"},
@@ -124,7 +131,8 @@ delta = 0.01
       Field{&Result::P, "P", W, "mean power of the motor, or of what is driven"},
       Field{&Result::m_rim, "m_rim", kg, "mass of a rim of that inertia"},
       Field{&Result::v_rim, "v_rim", m_per_s, "speed of the rim"},
-      Field{&Result::u_delta, "u_delta", ratio, "unevenness with the given flywheel over the allowed one"}.check("J"),
+      Field{&Result::u_delta, "u_delta", ratio, "unevenness with the given flywheel, or with J_F, over the allowed one"}
+          .check(),
       Field{&Result::u_P, "u_P", ratio, "mean power over the rated power of the motor"}.check("P_n"),
       Field{&Result::u_v, "u_v", ratio, "speed of the rim over the allowable one"}.check("v_adm")};
 
@@ -144,6 +152,15 @@ delta = 0.01
                   "a given flywheel is judged by the unevenness delta that is allowed: give it too"},
       Rule<Input>{[](const Input& in) { return !is_set(in.v_adm) || is_set(in.D); }, "v_adm, D",
                   "the speed of the rim needs its diameter D"}};
+
+  static constexpr bool turns = true;
+  static constexpr std::array modes{
+      Mode<Input>{"unevenness", "the machine runs unevenly", &always<Input>}.of_service().judged_by("u_delta"),
+      Mode<Input>{"motor", "the motor is too weak", &always<Input>}.of_service().judged_by("u_P"),
+      Mode<Input>{"bursting", "the rim bursts by its speed", [](const Input& in) { return shown_by(is_set(in.D)); }}
+          .judged_by("u_v")
+          .wanting("D, v_adm"),
+      Mode<Input>{"overspeed", "the rim bursts when the load is lost", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -1,6 +1,7 @@
 #include "calculators/machine/flywheel_step.hpp"
 
 #include "calculators/machine/flywheel.hpp"
+#include "lib/quantity/format.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,8 @@
 namespace loadpath::machine {
 
 namespace {
+
+constexpr double most_apart = 0.01;  // of the speeds of shaft and crank, for they are typed twice
 
 Flywheel::Input& data_of(project::StepInput& input) {
   return *static_cast<Flywheel::Input*>(input.reading.record.data.get());
@@ -42,7 +45,14 @@ void FlywheelStep::prepare(const project::Declared& declared, const project::Com
   CalculatorStep::prepare(declared, companions, issues);
 }
 
-bool FlywheelStep::fill(const Value& series, std::vector<Issue>& issues) {
+double FlywheelStep::number(const char* key, double typed, const project::Known& known) const {
+  for (const project::Operand& operand : input().reading.operands) {
+    if (operand.path == key) return operand.expression.evaluate(known).si.front();
+  }
+  return typed;
+}
+
+bool FlywheelStep::fill(const Value& series, const project::Known& known, std::vector<Issue>& issues) {
   const auto refuse = [&](Message message, Message hint = {}) {
     issues.push_back(project::issue_at(input(), "M", std::move(message), std::move(hint)));
     return false;
@@ -56,9 +66,18 @@ bool FlywheelStep::fill(const Value& series, std::vector<Issue>& issues) {
   if (std::any_of(series.si.begin(), series.si.end(), [](double M) { return std::isnan(M); }))
     return refuse(say("the moment is not known at every position of the cycle"));
   Flywheel::Input& in = data_of(own());
-  in.period = std::abs(axis.period);
+  const double own_speed = number("omega", in_si(in.omega), known);
+  const double per_turn = number("ratio", in.turns_per_turn, known), speed = per_turn * axis.speed;
+  if (!(per_turn > 0.0)) return true;  // what its field refuses
+  if (axis.speed > 0.0 && std::abs(own_speed - speed) > most_apart * own_speed) {
+    return refuse(say("the moment runs over the turn of a crank at {1}, and this shaft turns at {2}",
+                      format_quantity(axis.speed, "rpm", 5), format_quantity(own_speed, "rpm", 5)),
+                  say("give the ratio of the two, ratio = {1}, with the moment on this shaft",
+                      format_number(own_speed / axis.speed, 6)));
+  }
+  in.period = per_turn * std::abs(axis.period);
   in.series.clear();
-  for (std::size_t i = 0; i < series.si.size(); ++i) in.series.push_back({axis.at[i], series.si[i]});
+  for (std::size_t i = 0; i < series.si.size(); ++i) in.series.push_back({per_turn * axis.at[i], series.si[i]});
   if (axis.period < 0.0) {  // a crank that turns backwards: the angle is counted the way it turns
     for (Sample& sample : in.series) sample.phi = -sample.phi, sample.M = -sample.M;
   }
@@ -68,8 +87,13 @@ bool FlywheelStep::fill(const Value& series, std::vector<Issue>& issues) {
 void FlywheelStep::solve(const project::Known& known, const project::Wanted& wanted, std::vector<Issue>& issues) {
   if (!moment_) return CalculatorStep::solve(known, wanted, issues);
   const auto series = project::evaluate_operand(*moment_, name(), known, issues);
-  if (!series || !fill(*series, issues)) return;
+  if (!series || !fill(*series, known, issues)) return;
   CalculatorStep::solve(known, wanted, issues);
+  // The samples have taken both in, so that the calculator alone depends on neither.
+  std::erase_if(issues, [&](const Issue& issue) {
+    const bool taken = issue.key == name() + ".M" || issue.key == name() + ".ratio";
+    return taken && issue.severity == Severity::warning;
+  });
   for (account::Entry& entry : own_account().inputs) {
     if (entry.path != "M") continue;
     entry.value = *series;

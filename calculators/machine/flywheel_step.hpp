@@ -20,7 +20,9 @@ class FlywheelStep : public project::CalculatorStep {
   /// Takes the moment's expression away from the inputs that are lifted, and checks that it is a series.
   void take_series(const project::Declared& declared, std::vector<Issue>& issues);
   /// Puts the series into the input; false and an issue where it is no cycle, or not known everywhere.
-  bool fill(const Value& series, std::vector<Issue>& issues);
+  bool fill(const Value& series, const project::Known& known, std::vector<Issue>& issues);
+  /// Of an input that is typed, or an expression.
+  [[nodiscard]] double number(const char* key, double typed, const project::Known& known) const;
 
   std::optional<project::Operand> moment_;
 };

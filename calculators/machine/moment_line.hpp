@@ -18,10 +18,11 @@ double moment_at(std::span<const LinePoint> line, double omega);
 struct Stretch {
   double time = 0.0;   // s
   double angle = 0.0;  // rad
+  double taken = 0.0;  // J, by the load
 };
 
 /// The run of an inertia from omega_1 to omega_2 while the accelerating moment goes straight from M_1 to M_2, both of
-/// the sign of omega_2 - omega_1 and neither zero.
-Stretch run(double inertia, double omega_1, double M_1, double omega_2, double M_2);
+/// the sign of omega_2 - omega_1 and neither zero; the load goes straight from `load_1` to `load_2`.
+Stretch run(double inertia, double omega_1, double M_1, double omega_2, double M_2, double load_1, double load_2);
 
 }  // namespace loadpath::machine

@@ -56,18 +56,6 @@ double resistance(const Balance& balance, double omega, double sense) {
   return with > 0.0 ? against / with : unset<double>;
 }
 
-/// The work that the load takes over a stretch, by the middles of many small ones.
-double load_work(const Balance& balance, double inertia, double from, double to) {
-  constexpr int steps = 64;
-  double work = 0.0;
-  for (int i = 0; i < steps; ++i) {
-    const double a = from + (to - from) * i / steps, b = from + (to - from) * (i + 1) / steps;
-    const auto part = run(inertia, a, balance.at(a), b, balance.at(b));
-    work += balance.load_at(0.5 * (a + b)) * part.angle;
-  }
-  return work;
-}
-
 /// Time, angle and works of the whole run; nothing where it does not get to its end.
 void follow(const Input& in, const Balance& balance, const Speeds& speeds, Result& r) {
   const double inertia = in_si(r.J_red), sense = in.n_2 > in.n_1 ? 1.0 : -1.0;
@@ -85,18 +73,17 @@ void follow(const Input& in, const Balance& balance, const Speeds& speeds, Resul
     return;
   }
   Stretch whole;
-  double taken = 0.0;
   for (std::size_t i = 0; i + 1 < speeds.size(); ++i) {
     const double a = speeds[i], b = speeds[i + 1];
     if (a == b) continue;
-    const auto part = run(inertia, a, balance.at(a), b, balance.at(b));
+    const auto part = run(inertia, a, balance.at(a), b, balance.at(b), balance.load_at(a), balance.load_at(b));
     whole.time += part.time;
     whole.angle += part.angle;
-    taken += load_work(balance, inertia, a, b);
+    whole.taken += part.taken;
   }
   r.t = whole.time * sec;
   r.turns = whole.angle / (2.0 * pi);
-  r.A_L = taken * J;
+  r.A_L = whole.taken * J;
 }
 
 template <class Tracer>

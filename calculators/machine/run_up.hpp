@@ -8,6 +8,7 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/motion_units.hpp"
@@ -108,6 +109,12 @@ n_2 = "1400 rpm"
       Rule<Input>{&lines_rise, "motor, load", "the speeds of a line must rise from each to the next"},
       Rule<Input>{&lines_reach, "motor, load, n_1, n_2", "a line of two points or more must reach from n_1 to n_2",
                   &short_line}};
+
+  static constexpr bool turns = true;
+  static constexpr std::array modes{
+      Mode<Input>{"stall", "it stands before it gets to its speed", &always<Input>}.judged_by("u_M"),
+      Mode<Input>{"time", "the run takes too long", &always<Input>}.of_service().judged_by("u_t"),
+      Mode<Input>{"heat", "motor or brake get too hot", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/motion_units.hpp"
@@ -101,6 +102,8 @@ phi = "60 deg"
       Field{&Result::a_y, "a_y", m_per_s2, "absolute acceleration along y"}};
 
   static constexpr std::array<Rule<Input>, 0> rules{};
+
+  static constexpr std::array<Mode<Input>, 0> modes{};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/motion_units.hpp"
@@ -163,6 +164,8 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
                   "a_A, epsilon, alpha_aB", "accelerations need that of A: give a_A (\"0 m/s^2\" where it has none)"},
       Rule<Input>{&guide_is_oblique, "alpha_aB, A, B",
                   "alpha_aB needs B, and must not be perpendicular to AB: epsilon would not follow; give epsilon"}};
+
+  static constexpr std::array<Mode<Input>, 0> modes{};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

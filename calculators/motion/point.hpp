@@ -9,6 +9,7 @@
 #include "calculators/motion/laws.hpp"
 #include "calculators/motion/range.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/motion_units.hpp"
@@ -132,6 +133,8 @@ t_2 = "2 s"
       range_rules<Input>(),
       std::array{Rule<Input>{&laws_are_smooth, "x, y, z, t, t_1, t_2, times",
                              "the laws must have values at these times", &gap}});
+
+  static constexpr std::array<Mode<Input>, 0> modes{};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -1,0 +1,41 @@
+// What must not pass again of lifts: rows of the list of what was found by use.
+#include "tests/found/modes.hpp"
+
+#include <cmath>
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+std::string pulled(const std::string& weight, const std::string& M_d) {
+  return "s = \"2 m\"\nweights = [{ m = \"10 kg\"" + weight +
+         " }]\nwheels = [{ J = \"0.01 kg*m^2\", r = \"100 mm\", M_d = \"" + M_d + "\" }]";
+}
+
+}  // namespace
+
+TEST_SUITE("found dynamics") {
+  TEST_CASE("A23: a rope does not push") {
+    const ExampleStep pushed("dynamics.lift", pulled("", "500 N*m"));
+    CHECK(std::abs(pushed("T_hang") + 4537.0) < 1.0);
+    CHECK(mode_with("dynamics.lift", pulled("", "500 N*m"), "slack") == "fail");
+    CHECK(mode_with("dynamics.lift", pulled("", "0 N*m"), "slack") == "pass");
+    CHECK(mode_with("dynamics.lift", "", "slack") == "pass");
+  }
+
+  TEST_CASE("A23: nor down a slope, where a thread from below might pull; of a level track nothing is known") {
+    const std::string slope = ", alpha = \"30 deg\"", level = ", alpha = \"0 deg\"";
+    CHECK(mode_with("dynamics.lift", pulled(slope, "500 N*m"), "slack_slope") == "not-covered");
+    CHECK(mode_with("dynamics.lift", pulled(slope, "0.4 N*m"), "slack_slope") == "pass");
+    CHECK(mode_with("dynamics.lift", pulled(level, "5 N*m"), "slack_level") == "open");
+    CHECK(mode_with("dynamics.lift", pulled("", "0 N*m"), "slack_level") == "none");
+  }
+
+  TEST_CASE("what hangs from a lift that stands pulls by its weight") {
+    const ExampleStep stands(
+        "dynamics.lift",
+        "weights = [{ m = \"1 kg\" }]\nwheels = [{ J = \"0.01 kg*m^2\", r = \"100 mm\", M_f = \"5 N*m\" }]");
+    CHECK(std::abs(stands("T_hang") - 9.81) < 1e-9);
+  }
+}

@@ -124,4 +124,24 @@ TEST_SUITE("cli calculate") {
               .code == 0);
     CHECK(contains(desk.get("a.html"), "Drive"));
   }
+
+  TEST_CASE("--accept answers for a mode that is not judged, --strict asks for the open ones") {
+    const std::vector<std::string> gears{"gear",          "pair",    "--z_1",         "20",     "--z_2", "57",
+                                         "--m_n",         "2.5 mm",  "--T_1",         "60 N*m", "--b",   "25 mm",
+                                         "--sigma_adm_1", "200 MPa", "--sigma_adm_2", "200 MPa"};
+    const auto with = [&](std::vector<std::string> more) {
+      more.insert(more.begin(), gears.begin(), gears.end());
+      return loadpath_with(more);
+    };
+    const std::vector<std::string> accepted{"--accept", "pitting_1=rated by the maker", "--accept",
+                                            "pitting_2=rated by the maker"};
+    CHECK(with({}).code == 1);
+    CHECK(with(accepted).code == 0);
+    CHECK(with(accepted).out.find("accepted") != std::string::npos);
+    std::vector<std::string> strict = accepted;
+    strict.emplace_back("--strict");
+    CHECK(with(strict).code == 1);
+    CHECK(with({"--accept", "pitting_1"}).code == 2);
+    CHECK(with({"--accept", "piting_1=x"}).error.find("did you mean 'pitting_1'?") != std::string::npos);
+  }
 }

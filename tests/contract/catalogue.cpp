@@ -61,7 +61,7 @@ TEST_SUITE("contract") {
     }
   }
 
-  TEST_CASE("the example of a calculator runs and passes") {
+  TEST_CASE("the example of a calculator runs, and none of its checks or modes fails") {
     for (const Calculator* c : calculators()) {
       INFO(std::string(c->id));
       std::vector<Issue> issues;
@@ -71,6 +71,10 @@ TEST_SUITE("contract") {
       REQUIRE(p.steps.size() == 1);
       CHECK(p.steps[0]->input().calculator == c);
       CHECK(account::worst(project::verdicts(p)) == account::State::pass);
+      for (const account::Mode& mode : project::modes(p)) {
+        INFO(mode.id);
+        CHECK(account::rank(mode.state) <= account::rank(account::State::not_judged));
+      }
     }
   }
 }

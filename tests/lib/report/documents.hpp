@@ -27,11 +27,22 @@ inline Verdict check(double u, State state) {
   return row;
 }
 
+inline Mode mode(double u, State state) {
+  Mode row;
+  row.step = "shaft";
+  row.id = "yield";
+  row.title = say("yield in torsion");
+  row.governs = "u_tau";
+  row.utilisation = u;
+  row.state = state;
+  return row;
+}
+
 inline Document shaft_document() {
   Document document;
   document.title = "Shaft";
   document.meta = {{say("Project file"), "shaft.toml"}, {say("Program"), "loadpath 1.0"}};
-  document.summary.rows = {check(0.83, State::pass)};
+  document.summary = {mode(0.83, State::pass)};
   document.blocks = {Heading{2, "Shaft", "shaft"}, Heading{3, "Calculation", "shaft-calculation"},
                      Derivation{{torsion_step()}}};
   return document;
@@ -48,7 +59,12 @@ inline Document hostile_document() {
   row.step = row.symbol = hostile;
   row.meaning = row.bound = row.note = say("{1}", hostile);
   row.value = std::string(hostile);
-  document.summary.rows = {row};
+  Mode mode;
+  mode.step = mode.id = mode.governs = hostile;
+  mode.title = mode.note = say("{1}", hostile);
+  mode.utilisation = 2.0;
+  mode.state = State::fail;
+  document.summary = {mode};
   Step step = torsion_step();
   step.symbol = step.formula = hostile;
   step.why = say("{1}", hostile);

@@ -116,22 +116,39 @@ TEST_SUITE("report") {
     for (const Row& row : std::vector<Row>{{State::pass, "#shape-pass", "pass"},
                                            {State::fail, "#shape-fail", "fail"},
                                            {State::not_covered, "#shape-not-covered", "not covered"},
+                                           {State::not_judged, "#shape-not-judged", "not judged"},
+                                           {State::open, "#shape-open", "open"},
+                                           {State::accepted, "#shape-pass", "pass"},
                                            {State::not_available, "#shape-not-available", "not available"}}) {
       Document document = shaft_document();
-      document.summary.rows[0].state = row.state;
+      document.summary[0].state = row.state;
       const std::string conclusion = between(html(document), "<p class=\"conclusion\">", "</p>");
       CHECK(contains(conclusion, "href=\"" + std::string(row.shape) + "\"/></svg>" + row.word + "</span>"));
     }
   }
 
-  TEST_CASE("the conclusion counts the rows of the worst kind and names the highest utilisation") {
+  TEST_CASE("the conclusion counts the modes by their state and names the highest utilisation") {
     Document document = shaft_document();
-    CHECK(contains(html(document), "The one check passes. The highest utilisation is 0.83: shaft <math><msub>"));
-    document.summary.rows.push_back(check(1.274, State::fail));
-    document.summary.rows.push_back(check(0.5, State::not_covered));
-    CHECK(contains(html(document), "1 of 3 checks not met. The highest utilisation is 1.27: shaft"));
-    document.summary.rows.clear();
+    CHECK(contains(html(document),
+                   "Of the one mode of failure: 1 pass. The highest utilisation is 0.83: shaft yield in torsion."));
+    document.summary.push_back(mode(1.274, State::fail));
+    document.summary.push_back(mode(0.5, State::not_covered));
+    CHECK(contains(html(document),
+                   "Of 3 modes of failure: 1 fail, 1 not covered, 1 pass. The highest utilisation is 1.27"));
+    document.summary.clear();
     CHECK_FALSE(contains(html(document), "<p class=\"conclusion\""));
+  }
+
+  TEST_CASE("modes that are open and judged by nothing are told in one line") {
+    Document document = shaft_document();
+    account::Mode wear = mode(0.0, State::open);
+    wear.kind = ModeKind::special;
+    wear.title = say("wear");
+    wear.governs.clear();
+    document.summary.push_back(wear);
+    const std::string page = html(document);
+    CHECK(contains(page, "judged by nothing here: shaft: wear."));
+    CHECK_FALSE(contains(page, "wear<br>"));
   }
 
   TEST_CASE("a utilisation draws a bar that ends at the edge") {
@@ -143,7 +160,7 @@ TEST_SUITE("report") {
   }
 
   TEST_CASE("a row of the summary leads to the heading of its step") {
-    CHECK(contains(html(shaft_document()), "<td class=\"subject\"><a href=\"#shaft\">shaft</a> <math>"));
+    CHECK(contains(html(shaft_document()), "<td class=\"subject\"><a href=\"#shaft\">shaft</a> yield in torsion<br>"));
   }
 
   TEST_CASE("no text of a user becomes markup") {

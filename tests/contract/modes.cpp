@@ -1,0 +1,81 @@
+// What must hold of the modes of failure of every calculator, whatever it computes.
+#include "lib/project/modes.hpp"
+
+#include "tests/contract/calculators.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+namespace {
+
+using namespace loadpath;
+
+/// Every check and limit with its path, elements of lists without their number: "segments.u_tau".
+void add_judges(std::span<const FieldInfo> fields, const std::string& prefix,
+                std::vector<std::pair<std::string, const FieldInfo*>>& all) {
+  for (const FieldInfo& field : fields) {
+    if (field.role == Role::check || field.role == Role::limit) all.emplace_back(prefix + field.key, &field);
+    add_judges(field.fields, prefix + field.key + ".", all);
+  }
+}
+
+std::vector<std::pair<std::string, const FieldInfo*>> judges_of(const Calculator& calculator) {
+  std::vector<std::pair<std::string, const FieldInfo*>> all;
+  if (calculator.result != nullptr) add_judges(calculator.result->fields, "", all);
+  return all;
+}
+
+bool is_named(const Calculator& calculator, const std::string& key) {
+  return std::any_of(calculator.modes.begin(), calculator.modes.end(), [&](const ModeInfo& mode) {
+    const auto keys = listed_keys(mode.checks);
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  });
+}
+
+}  // namespace
+
+TEST_SUITE("contract") {
+  TEST_CASE("a mode of failure has an id of its own, words, and judges that exist") {
+    for (const Calculator* c : calculators()) {
+      const auto judges = judges_of(*c);
+      std::set<std::string> ids;
+      for (const ModeInfo& mode : c->modes) {
+        INFO(std::string(c->id), " ", std::string(mode.id));
+        CHECK(ids.insert(mode.id).second);
+        CHECK(project::is_name(mode.id));
+        CHECK(!std::string(mode.title).empty());
+        CHECK_MESSAGE((*mode.judge == '\0' || find_calculator(calculators(), mode.judge) != nullptr), mode.judge,
+                      " is no calculator");
+        CHECK_MESSAGE((*mode.checks == '\0' || *mode.judge == '\0'), "it is judged here, or left to another");
+        if (c->result == nullptr) continue;  // the aspects of a mechanism make its rows
+        for (const std::string& key : listed_keys(mode.checks)) {
+          const bool known = std::any_of(judges.begin(), judges.end(), [&](const auto& j) { return j.first == key; });
+          CHECK_MESSAGE(known, key, " is no check and no limit of it");
+        }
+        for (const std::string& key : listed_keys(mode.wants))
+          CHECK_MESSAGE(find_field(c->input->fields, key.substr(0, key.find(' '))) != nullptr, key,
+                        " is no input of it");
+      }
+    }
+  }
+
+  TEST_CASE("every check and limit judges a mode of failure, or is said to stand beside") {
+    for (const Calculator* c : calculators()) {
+      for (const auto& judge : judges_of(*c)) {
+        INFO(std::string(c->id), " ", judge.first);
+        CHECK_MESSAGE(is_named(*c, judge.first) != judge.second->is_beside,
+                      "name it in a mode (.judged_by), or declare it .beside(), never both");
+      }
+    }
+  }
+
+  TEST_CASE("a calculator without modes judges nothing") {
+    for (const Calculator* c : calculators()) {
+      INFO(std::string(c->id));
+      if (c->modes.empty()) CHECK(judges_of(*c).empty());
+    }
+  }
+}

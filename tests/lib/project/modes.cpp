@@ -1,0 +1,171 @@
+// What is said of a part: modes that apply, may apply, are judged, accepted, or left alone.
+#include "lib/project/modes.hpp"
+
+#include "calculators/catalogue.hpp"
+#include "lib/project/project.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace {
+
+using namespace loadpath;
+using account::State;
+
+struct Judged {
+  explicit Judged(const std::string& text) {
+    project = project::read_project(text, "part.toml", catalogue(), issues);
+    if (!has_errors(issues)) project::solve(project, issues);
+  }
+  /// "gears.root_1"
+  [[nodiscard]] const account::Mode& mode(const std::string& name) {
+    all = project::modes(project);
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const account::Mode& m) { return m.step + "." + m.id == name; });
+    REQUIRE_MESSAGE(found != all.end(), name);
+    return *found;
+  }
+  [[nodiscard]] bool has(const std::string& name) {
+    all = project::modes(project);
+    return std::any_of(all.begin(), all.end(), [&](const account::Mode& m) { return m.step + "." + m.id == name; });
+  }
+  [[nodiscard]] std::string messages() const {
+    std::string text;
+    for (const Issue& issue : issues) text += issue.message.text() + " = " + issue.hint.text() + "\n";
+    return text;
+  }
+  project::Project project;
+  std::vector<Issue> issues;
+  account::Modes all;
+};
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+const std::string gears =
+    "[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = \"2.5 mm\"\nT_1 = \"60 N*m\"\nb = \"25 mm\"\n";
+const std::string strength = "sigma_adm_1 = \"200 MPa\"\nsigma_adm_2 = \"200 MPa\"\n";
+const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\n";
+const std::string press = R"toml([press]
+calculator = "mechanism.planar"
+template = "slider_crank"
+r = "50 mm"
+l = "200 mm"
+crank = { speed = "600 rpm", positions = 36 }
+links.rod.mass = "1 kg"
+)toml";
+const std::string rod =
+    "[rod]\ncalculator = \"column.buckling\"\nl = \"200 mm\"\nd = \"20 mm\"\nends = \"pinned_pinned\"\nE = \"210 "
+    "GPa\"\n"
+    "R_e = \"235 MPa\"\nmethod = \"johnson\"\nn_st = 2\n";
+
+}  // namespace
+
+TEST_SUITE("project modes") {
+  TEST_CASE("a load without a strength is not judged, and what would judge it is named") {
+    Judged bare(gears), judged(gears + strength), one(gears + "sigma_adm_1 = \"200 MPa\"\n");
+    CHECK(bare.mode("gears.root_1").state == State::not_judged);
+    CHECK(bare.mode("gears.root_1").wants == "sigma_adm_1");
+    CHECK(judged.mode("gears.root_1").state == State::pass);
+    CHECK(judged.mode("gears.root_1").governs == "u_F1");
+    CHECK(one.mode("gears.root_1").state == State::pass);
+    CHECK(one.mode("gears.root_2").state == State::not_judged);                    // one wheel does not hide the other
+    CHECK(account::overall(project::modes(judged.project)) == State::not_judged);  // pitting
+  }
+
+  TEST_CASE("without a load nothing of strength applies") {
+    CHECK_FALSE(Judged(gears.substr(0, gears.find("T_1"))).has("gears.root_1"));
+  }
+
+  TEST_CASE("the user answers for what nothing judges, and never for a failure") {
+    const std::string reason = "accept.pitting_1 = \"rated by the maker, drawing 12\"\n";
+    Judged accepted(gears + strength + reason);
+    CHECK(accepted.mode("gears.pitting_1").state == State::accepted);
+    CHECK(account::reason(accepted.mode("gears.pitting_1")).text() == "rated by the maker, drawing 12");
+    Judged failing(gears + "sigma_adm_1 = \"20 MPa\"\nsigma_adm_2 = \"20 MPa\"\naccept.root_1 = \"it will hold\"\n");
+    CHECK(failing.mode("gears.root_1").state == State::fail);
+    CHECK(contains(Judged(gears + "accept.piting_1 = \"x\"\n").messages(),
+                   "has no mode of failure 'piting_1' = did you mean 'pitting_1'?"));
+    CHECK(contains(Judged(gears + "accept.pitting_1 = \" \"\n").messages(), "needs a reason"));
+    CHECK(contains(Judged(gears + "accept.pitting_1 = true\n").messages(), "needs a reason"));
+    CHECK(contains(Judged(gears + "accept = \"pitting_1\"\n").messages(), "is a table of reasons, not a text"));
+  }
+
+  TEST_CASE("a torque that is typed may stand still, one from gears turns, and brings their forces") {
+    Judged typed(axle + "T = \"100 N*m\"\n"), taken(gears + strength + axle + "T = \"=gears.T_2\"\n");
+    CHECK(account::overall(project::modes(typed.project)) == State::pass);  // beside what is open
+    CHECK(typed.mode("axle.fatigue").state == State::open);
+    CHECK(typed.mode("axle.bending").state == State::open);
+    CHECK(taken.mode("axle.fatigue").state == State::not_judged);
+    CHECK(taken.mode("axle.bending").state == State::not_covered);
+  }
+
+  TEST_CASE("a link's force comes with its bending, which a column of force alone has not judged") {
+    Judged column(press + rod + "N = \"=press.links.rod.N\"\n");
+    REQUIRE_MESSAGE(!has_errors(column.issues), column.messages());
+    CHECK(column.mode("rod.buckling").state == State::pass);
+    CHECK(column.mode("rod.lateral").state == State::not_judged);
+    CHECK(contains(account::reason(column.mode("rod.lateral")).text(), "press.links.rod.V, press.links.rod.M_b"));
+    CHECK_FALSE(contains(account::reason(column.mode("rod.lateral")).text(), "press.links.rod.N"));
+  }
+
+  TEST_CASE("a magnitude is no value for a load whose sign decides, unless its sign is said") {
+    CHECK(contains(Judged(press + rod + "N = \"=peak(press.links.rod.N)\"\n").messages(),
+                   "the sign of 'N' decides, and 'peak' gives a magnitude"));
+    CHECK(contains(Judged(press + rod + "N = \"=2*abs(press.links.rod.N)\"\n").messages(), "'abs' gives a magnitude"));
+    for (const char* sound : {"=-peak(press.links.rod.N)", "=min(press.links.rod.N)", "=press.links.rod.N"}) {
+      CAPTURE(sound);
+      CHECK_FALSE(has_errors(Judged(press + rod + "N = \"" + sound + "\"\n").issues));
+    }
+  }
+
+  TEST_CASE("links and pins that no step takes are one open line") {
+    Judged alone(press), taken(press + rod + "N = \"=press.links.rod.N\"\n");
+    CHECK(alone.mode("press.strength").state == State::open);
+    CHECK(contains(account::reason(alone.mode("press.strength")).text(), "rod"));
+    CHECK_FALSE(contains(account::reason(taken.mode("press.strength")).text(), " rod,"));
+  }
+
+  TEST_CASE("a step without results for want of an input has not passed") {
+    Judged step(axle + "T = \"=1 N*m / 0\"\n");
+    CHECK(step.mode("axle.inputs").state == State::not_available);
+    CHECK(account::worst(project::modes(step.project)) == State::not_available);
+  }
+
+  TEST_CASE("a pass is never said without what it covers") {
+    CHECK(contains(account::scope(project::modes(Judged(gears + strength).project)).text(), "; pass: gears."));
+    CHECK(account::scope({}).text() == "nothing is judged here");
+    CHECK(account::overall({}) == State::open);
+  }
+
+  TEST_CASE("customs that an input breaks stand with its step") {
+    Judged odd(axle + "T = \"100 N*m\"\nK_A = 0.001\n");
+    REQUIRE(odd.project.steps[0]->account().warnings.size() == 1);
+    CHECK(contains(odd.project.steps[0]->account().warnings[0].text(), "K_A"));
+  }
+
+  TEST_CASE("a typed input that no result depends on is told") {
+    const std::string unloaded = gears.substr(0, gears.find("T_1"));
+    CHECK_FALSE(contains(Judged(unloaded).messages(), "no effect"));
+    CHECK(contains(Judged(unloaded + "K_A = 1.5\n").messages(), "'K_A' has no effect here"));
+    CHECK_FALSE(contains(Judged(gears + "K_A = 1.5\n").messages(), "no effect"));
+    CHECK_FALSE(contains(Judged(axle + "T = \"100 N*m\"\nG = \"80 GPa\"\nl = \"1 m\"\n").messages(), "no effect"));
+  }
+}
+
+TEST_SUITE("project angles") {
+  TEST_CASE("inside of expressions as outside an angle is no bare number, and an angular speed no frequency") {
+    const auto says = [](const std::string& text) { return Judged(text).messages(); };
+    const std::string motion = "[m]\ncalculator = \"motion.compound\"\nxi = \"1 m\"\nv_eta = \"2 m/s\"\n";
+    CHECK(contains(says(motion + "omega = \"=50 Hz\"\n"), "'omega' takes a value of angular speed"));
+    CHECK(contains(says(motion + "omega = \"=3000/(1 min)\"\n"), "rpm, rev/s or rad/s"));
+    CHECK_FALSE(contains(says(motion + "omega = \"=2*1450 rpm\"\n"), "omega"));
+    CHECK_FALSE(contains(says(motion + "omega = \"=2*pi*1 rad*50 Hz\"\n"), "omega"));
+    CHECK(contains(says(motion + "omega = \"5 rad/s\"\nphi = \"=12\"\n"), "write its unit: deg or rad"));
+    CHECK(
+        contains(says(motion + "omega = \"=10 rad/s*sin(30)\"\n"), "'sin' needs an angle, and '30' is a bare number"));
+    CHECK_FALSE(contains(says(motion + "omega = \"=10 rad/s*sin(pi/6)\"\n"), "bare number"));
+    CHECK_FALSE(contains(says(motion + "omega = \"=10 rad/s*sin(30 deg)\"\n"), "bare number"));
+  }
+}

@@ -1,6 +1,7 @@
 // The place of a shell where something is largest.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 namespace loadpath::vessel {
@@ -37,7 +38,8 @@ Peak largest_over(const Shape& shape, const Function& f) {
   const std::size_t count = shape.places();
   for (std::size_t i = 0; i < count; ++i) {
     const Peak here{shape.place(i), f(shape.place(i))};
-    if (!(here.f <= best.f)) best = here;
+    if (std::isnan(here.f)) return here;
+    if (here.f > best.f) best = here;
   }
   if constexpr (requires { Shape::continuous; }) {
     if (count == 1) return best;
@@ -47,7 +49,7 @@ Peak largest_over(const Shape& shape, const Function& f) {
     for (std::size_t i = 0; i < count; ++i) {
       const Peak after = i + 1 < count ? Peak{shape.place(i + 1), f(shape.place(i + 1))} : Peak{here.t};
       const double height = here.f * (1.0 - flat);
-      if (here.f >= low && before.f < height && after.f < height) {
+      if (here.f >= low && before.f < height && after.f <= here.f) {
         const Peak between = peak_between(f, i == 0 ? here.t : before.t, after.t);
         if (between.f > best.f * (1.0 + flat)) best = between;
       }

@@ -8,12 +8,20 @@
 namespace loadpath::project {
 
 bool Run::is_asked(const FieldInfo& check) const {
-  const std::vector<std::string> asking = listed_keys(check.asked_by);
-  return asking.empty() || std::any_of(asking.begin(), asking.end(), [&](const std::string& input) {
-           const Leaf leaf = map_leaf(input);
-           const bool lacks = leaf && step_.names_row_for(input) && !leaf.field->provider.may_lack;
-           return leaf && (!std::isnan(leaf.get()) || lacks);
-         });
+  std::string_view inputs = check.asked_by;
+  if (inputs.empty()) return true;
+  while (!inputs.empty()) {  // asked for every candidate of a search: no list of keys is made
+    const std::string_view input = inputs.substr(0, inputs.find(", "));
+    const Leaf asking = find_leaf(record_, input);
+    if (asking && (!std::isnan(asking.get()) || comes_from_row(input, *asking.field))) return true;
+    inputs.remove_prefix(std::min(input.size() + 2, inputs.size()));
+  }
+  return false;
+}
+
+/// Whether a row that the step names is to give the input, and must have it.
+bool Run::comes_from_row(std::string_view input, const FieldInfo& field) const {
+  return step_.names_row_for(std::string(input)) && !field.provider.may_lack;
 }
 
 /// The first rule about the input that is searched for that is broken at a position; none: past the last.

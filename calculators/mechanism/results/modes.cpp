@@ -3,27 +3,30 @@
 #include "lib/project/modes.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <string>
 
 namespace loadpath::planar {
 
 namespace {
 
-/// Whether another step takes a result of this link or joint.
-bool is_taken(const std::set<std::string>& taken, const std::string& of) {
-  const auto next = taken.lower_bound(of + ".");
-  return next != taken.end() && next->starts_with(of + ".");
+/// Whether another step takes one of these results, all that begin so: "press.links.rod.N".
+bool is_taken(const std::set<std::string>& taken, const std::string& of, std::initializer_list<const char*> loads) {
+  return std::any_of(loads.begin(), loads.end(), [&](const char* load) {
+    const auto next = taken.lower_bound(of + "." + load);
+    return next != taken.end() && next->starts_with(of + "." + load);
+  });
 }
 
 /// The links and joints whose loads go nowhere: "rod, A, B".
 std::string left_alone(const std::string& step, const Mechanism::Input& in, const std::set<std::string>& taken) {
   std::string names;
-  const auto add = [&](const char* kind, std::string_view name) {
-    if (!is_taken(taken, step + "." + kind + "." + std::string(name)))
+  const auto add = [&](const char* kind, std::string_view name, std::initializer_list<const char*> loads) {
+    if (!is_taken(taken, step + "." + kind + "." + std::string(name), loads))
       names += (names.empty() ? "" : ", ") + std::string(name);
   };
-  for (const Link& link : in.links) add("links", link.name.view());
-  for (const Joint& joint : in.joints) add("joints", joint.name.view());
+  for (const Link& link : in.links) add("links", link.name.view(), {"N", "V", "M_b"});
+  for (const Joint& joint : in.joints) add("joints", joint.name.view(), {"F", "x", "y", "N", "M"});
   return names;
 }
 

@@ -1,5 +1,8 @@
 #include "lib/quantity/format.hpp"
 
+#include <cmath>
+#include <string_view>
+
 namespace loadpath {
 namespace {
 

@@ -13,7 +13,6 @@ namespace loadpath::planar {
 namespace {
 
 using draw::Motion;
-using draw::Plan;
 using mechanism::Vec;
 using Cause = ActingForce::Cause;
 

@@ -129,4 +129,21 @@ n_t = 2
     for (const char* id : {"local", "torsional", "lateral_torsional", "tension"}) CHECK(of(bar, id) == "none");
     CHECK(of(bar, "buckling") == "pass");
   }
+
+  TEST_CASE("no verdict is better than its checks: a pulled bar for which no section is found has not passed") {
+    const auto project = solved(R"([bar]
+calculator = "column.lightest"
+families = ["CHS"]
+l = "4 m"
+N = "300 kN"
+material = "S235JR"
+ends = "pinned_pinned"
+method = "ec3"
+gamma_M1 = 1
+gamma_F = 1.4
+)");
+    REQUIRE(account::worst(project::verdicts(project)) != account::State::pass);
+    CHECK(account::rank(account::overall(project::modes(project))) >=
+          account::rank(account::worst(project::verdicts(project))));
+  }
 }

@@ -64,12 +64,14 @@ void Run::add_missing_input(Account& account) const {
 void Run::fill_modes(Account& account) const {
   add_missing_input(account);
   for (std::size_t k = 0; k < calculator_.modes.size(); ++k) {
-    if (applies_[k] == Applies::no) continue;
     const ModeInfo& mode = calculator_.modes[k];
+    const auto rows = rows_of(mode, account.verdicts);
+    const auto passes = [](const account::Verdict* row) { return row->state == account::State::pass; };
+    // What does not concern the part, and yet does not pass, was seen wrongly: no verdict is better than its checks.
+    if (applies_[k] == Applies::no && std::all_of(rows.begin(), rows.end(), passes)) continue;
     std::string wants;
     const bool enough = is_judged(mode, account, wants);
-    account.modes.push_back(
-        judged(step_, mode, applies_[k], rows_of(mode, account.verdicts), std::move(wants), enough));
+    account.modes.push_back(judged(step_, mode, applies_[k], rows, std::move(wants), enough));
   }
 }
 

@@ -54,7 +54,7 @@ TEST_SUITE("found column") {
   }
 
   TEST_CASE("A3: the force of a link that moves does not come alone: its inertia bends it, and both vary") {
-    const auto project = solved(R"([project]
+    const auto project = solved_as_found(R"([project]
 title = "A rod"
 
 [crank]
@@ -131,7 +131,7 @@ n_t = 2
   }
 
   TEST_CASE("no verdict is better than its checks: a pulled bar for which no section is found has not passed") {
-    const auto project = solved(R"([bar]
+    const auto project = solved_as_found(R"([bar]
 calculator = "column.lightest"
 families = ["CHS"]
 l = "4 m"

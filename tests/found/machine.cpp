@@ -74,8 +74,8 @@ TEST_SUITE("found machine") {
     const auto wheel = [&](const std::string& lines) {
       return press + "[wheel]\ncalculator = \"machine.flywheel\"\ndelta = 0.02\n" + lines;
     };
-    const auto crank = solved(wheel("M = \"=press.drive.M\"\nomega = \"60 rpm\"\n"));
-    const auto shaft = solved(wheel("M = \"=press.drive.M/8.05\"\nomega = \"483 rpm\"\nratio = 8.05\n"));
+    const auto crank = solved_as_found(wheel("M = \"=press.drive.M\"\nomega = \"60 rpm\"\n"));
+    const auto shaft = solved_as_found(wheel("M = \"=press.drive.M/8.05\"\nomega = \"483 rpm\"\nratio = 8.05\n"));
     REQUIRE(crank.value("wheel.J_F") != nullptr);
     REQUIRE(shaft.value("wheel.J_F") != nullptr);
     CHECK(relative(shaft.value("wheel.Delta_E")->si[0], crank.value("wheel.Delta_E")->si[0]) < 1e-9);

@@ -54,8 +54,8 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 TEST_SUITE("found mechanism") {
   TEST_CASE("A27: 77 positions miss the peak near the dead point, and say so") {
-    CHECK(mode_of(solved(tight(77)), "press", "resolution") == "not-covered");
-    CHECK(mode_of(solved(tight(7200)), "press", "resolution") != "not-covered");
+    CHECK(mode_of(solved_as_found(tight(77)), "press", "resolution") == "not-covered");
+    CHECK(mode_of(solved_as_found(tight(7200)), "press", "resolution") != "not-covered");
   }
 
   TEST_CASE("A31: the mass of a drawn link lies nowhere until its centre is named") {

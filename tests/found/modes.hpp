@@ -25,7 +25,7 @@ inline std::string mode_with(std::string_view calculator, const std::string& lin
 }
 
 /// A project as its text, solved.
-inline project::Project solved(const std::string& text) {
+inline project::Project solved_as_found(const std::string& text) {
   std::vector<Issue> issues;
   project::Project project = project::read_project(text, "found.toml", catalogue(), issues);
   if (!has_errors(issues)) project::solve(project, issues);

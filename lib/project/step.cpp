@@ -51,17 +51,18 @@ Issue issue_at(const StepInput& input, const std::string& path, Message message,
 
 namespace {
 
-/// An angle is no bare number and an angular speed no frequency, as in a value that is typed. What comes from other
-/// steps may have lost its angle in a ratio of lengths, but a speed of turning is still no frequency. A load whose sign
-/// decides takes no magnitude.
-FieldFault lost_angle(const Operand& operand, const Dimension& given) {
-  const FieldInfo& field = *operand.leaf.field;
-  const Dimension& wanted = field.dimension;
+/// A load whose sign decides takes no magnitude.
+FieldFault lost_sign(const Operand& operand) {
   const std::string_view magnitude = operand.expression.magnitude();
-  if (field.signed_load && !magnitude.empty()) {
-    return {operand.path, say("the sign of '{1}' decides, and '{2}' gives a magnitude", operand.path, magnitude),
-            say("take the series itself, its least value, min(...), or say the sign: -peak(...)")};
-  }
+  if (!operand.leaf.field->signed_load || magnitude.empty()) return {};
+  return {operand.path, say("the sign of '{1}' decides, and '{2}' gives a magnitude", operand.path, magnitude),
+          say("take the series itself, its least value, min(...), or say the sign: -peak(...)")};
+}
+
+/// An angle is no bare number and an angular speed no frequency, as in a value that is typed. What comes from other
+/// steps may have lost its angle in a ratio of lengths, but a speed of turning is still no frequency.
+FieldFault lost_angle(const Operand& operand, const Dimension& given) {
+  const Dimension& wanted = operand.leaf.field->dimension;
   if (given == wanted) return {};
   const bool literal = operand.expression.references().empty();
   const bool angle = literal && wanted == Dimension::of(0, 0, 0, 0, 1);
@@ -99,7 +100,8 @@ const Axis* check_operand(const Operand& operand, const std::string& step, const
                       Severity::error});
     return nullptr;
   }
-  if (const FieldFault fault = lost_angle(operand, signature->dimension); !fault.message.empty()) {
+  for (const FieldFault& fault : {lost_sign(operand), lost_angle(operand, signature->dimension)}) {
+    if (fault.message.empty()) continue;
     issues.push_back({place_in(operand.place, operand.text, 0, operand.text.size()), key, fault.message, fault.hint,
                       Severity::error});
     return nullptr;

@@ -47,48 +47,38 @@ std::size_t behind_quotes(std::string_view text, std::size_t at) {
   return std::string_view::npos;
 }
 
-/// The first character outside ASCII outside of quotes and comments; npos where there is none, or a text before it is
-/// not closed, which the parser tells.
-std::size_t first_bare_foreign(std::string_view text) {
+/// The first character outside of quotes and comments for which `found` holds; npos where there is none, or a text
+/// before it is not closed, which the parser tells. Of a comment its end alone is seen.
+template <class Found>
+std::size_t find_bare(std::string_view text, Found found) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   std::size_t i = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
-  while (i < text.size() && !is_foreign(text[i])) {
+  while (i < text.size()) {
     if (text[i] == '"' || text[i] == '\'') {
       i = behind_quotes(text, i);
     } else if (text[i] == '#') {
       i = text.find('\n', i);
+    } else if (found(text[i])) {
+      return i;
     } else {
       ++i;
     }
   }
-  return i < text.size() ? i : std::string_view::npos;
+  return std::string_view::npos;
 }
 
 /// Where keys have more parts, or brackets lie deeper within one another, than any project has: the parser goes down by
-/// a call for each. npos where they do not.
+/// a call for each.
 std::size_t first_too_deep(std::string_view text) {
   constexpr int most = 64;
   int parts = 0, depth = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '"' || c == '\'') {
-      i = behind_quotes(text, i);
-      if (i == std::string_view::npos) return i;
-      --i;
-    } else if (c == '#') {
-      i = std::min(text.find('\n', i), text.size());
-      parts = 0;
-    } else if (c == '\n' || c == '=' || c == ',') {
-      parts = 0;
-    } else if (c == '.') {
-      if (++parts > most) return i;
-    } else if (c == '[' || c == '{') {
-      if (++depth > most) return i;
-    } else if (c == ']' || c == '}') {
-      --depth;
-    }
-  }
-  return std::string_view::npos;
+  return find_bare(text, [&](char c) {
+    if (c == '\n' || c == '=' || c == ',') parts = 0;
+    if (c == '.') ++parts;
+    if (c == '[' || c == '{') ++depth;
+    if (c == ']' || c == '}') --depth;
+    return parts > most || depth > most;
+  });
 }
 
 Issue issue_at(std::string_view text, std::size_t at, const std::string& file, Message message, Message hint) {
@@ -127,7 +117,7 @@ std::optional<Issue> refuse_text(std::string_view text, const std::string& file)
 std::optional<Issue> refuse_bare(std::string_view text, const std::string& file) {
   if (const std::size_t deep = first_too_deep(text); deep != std::string_view::npos)
     return issue_at(text, deep, file, say("tables lie too deep within one another"), say("at most 64 levels"));
-  const std::size_t at = first_bare_foreign(text);
+  const std::size_t at = find_bare(text, is_foreign);
   if (at == std::string_view::npos) return std::nullopt;
   return issue_at(text, at, file, say("not valid TOML: a character outside ASCII stands outside of quotes"), {});
 }

@@ -20,36 +20,32 @@ constexpr std::size_t any_number = 1024;
 
 constexpr Function reduction(std::string_view name, std::string_view form, double (*f)(const Value&),
                              Rule rule = Rule::reduction) {
-  const bool is_magnitude = name == "peak" || name == "amplitude" || name == "range" || name == "rms";
-  return {.name = name, .form = form, .rule = rule, .least = 1, .most = 1, .reduce = f, .is_magnitude = is_magnitude};
+  return {.name = name, .form = form, .rule = rule, .least = 1, .most = 1, .reduce = f};
 }
 
 using JetOf = Jet (*)(const Jet&);
 
 constexpr Function map(std::string_view name, std::string_view form, Rule rule, double (*f)(double), JetOf jet,
                        int degree = 1) {
-  return {.name = name,
-          .form = form,
-          .rule = rule,
-          .least = 1,
-          .most = 1,
-          .map = f,
-          .degree = degree,
-          .is_magnitude = name == "abs",
-          .jet = jet};
+  return {.name = name, .form = form, .rule = rule, .least = 1, .most = 1, .map = f, .degree = degree, .jet = jet};
+}
+
+constexpr Function magnitude(Function f) {
+  f.is_magnitude = true;
+  return f;
 }
 
 constexpr Function functions[] = {
-    reduction("peak", "peak(series)", peak),
-    reduction("amplitude", "amplitude(series)", amplitude),
-    reduction("range", "range(series)", range),
+    magnitude(reduction("peak", "peak(series)", peak)),
+    magnitude(reduction("amplitude", "amplitude(series)", amplitude)),
+    magnitude(reduction("range", "range(series)", range)),
     reduction("mean", "mean(series)", mean, Rule::cycle_reduction),
-    reduction("rms", "rms(series)", root_mean_square, Rule::cycle_reduction),
+    magnitude(reduction("rms", "rms(series)", root_mean_square, Rule::cycle_reduction)),
     {.name = "at", .form = "at(series, place)", .rule = Rule::place, .least = 2, .most = 2},
     {"max", "max(series) or max(a, b)", Rule::selection, 1, any_number, highest, nullptr, greater},
     {"min", "min(series) or min(a, b)", Rule::selection, 1, any_number, lowest, nullptr, smaller},
-    map(
-        "abs", "abs(x)", Rule::same, [](double x) { return std::abs(x); }, nullptr),
+    magnitude(map(
+        "abs", "abs(x)", Rule::same, [](double x) { return std::abs(x); }, nullptr)),
     map(
         "sqrt", "sqrt(x)", Rule::root, [](double x) { return std::sqrt(x); }, sqrt, 2),
     map(

@@ -17,6 +17,7 @@ struct Tree {
   Place place;       // of the value; of text: of its first character inside the quotes
   std::string text;  // the text; number and boolean as written
   double number = 0.0;
+  std::string shared;          // "values.n", where what is written there stands here
   std::vector<Tree> items;     // array
   std::vector<Entry> entries;  // table, in the order of the file
 

@@ -72,6 +72,9 @@ TEST_SUITE("toml") {
   TEST_CASE("a Cyrillic key without quotes is told to take them") {
     CHECK(
         issues_of("момент = \"3 N*m\"\n").ends_with("  = help: write a key with other than Latin letters in quotes\n"));
+    CHECK(issues_of("I = \"=tables.sections.\"IPE 330\".I_y\"\n")
+              .ends_with("  = help: an expression with quotes in it stands in single quotes: '=tables.sections.\"IPE "
+                         "330\".I_y'\n"));
     CHECK(issues_of("[вал]\n").ends_with("  = help: a name has Latin letters, digits and '_'\n"));
   }
 

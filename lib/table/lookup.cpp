@@ -1,6 +1,6 @@
 #include "lib/quantity/format.hpp"
+#include "lib/table/names.hpp"
 #include "lib/table/table.hpp"
-#include "lib/text/utf8.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,15 +9,8 @@ namespace loadpath::table {
 
 namespace {
 
-std::u32string folded(std::string_view name) {
-  std::u32string points = code_points(name);
-  points.erase(std::remove(points.begin(), points.end(), U' '), points.end());
-  std::transform(points.begin(), points.end(), points.begin(), lower_case);
-  return points;
-}
-
-bool is_alias(const Row& row, const std::u32string& wanted) {
-  return std::any_of(row.aliases.begin(), row.aliases.end(), [&](const std::string& a) { return folded(a) == wanted; });
+bool is_among(const std::vector<std::string>& names, const std::u32string& wanted) {
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return folded(name) == wanted; });
 }
 
 /// The latest table wins: a user's stand behind the built-in ones.
@@ -31,8 +24,7 @@ Entry last_row(const Library& library, std::string_view group, Holds holds) {
   return {};
 }
 
-std::vector<std::string> names_of(const Library& library, std::string_view group) {
-  std::vector<std::string> names;
+void add_names(const Library& library, std::string_view group, std::vector<std::string>& names) {
   for (const Table& table : library.tables) {
     if (table.group != group) continue;
     for (const Row& row : table.rows) {
@@ -40,7 +32,6 @@ std::vector<std::string> names_of(const Library& library, std::string_view group
       names.insert(names.end(), row.aliases.begin(), row.aliases.end());
     }
   }
-  return names;
 }
 
 Fault fault(Message message, Message hint = {}) { return {0, 1, std::move(message), std::move(hint)}; }
@@ -68,6 +59,10 @@ Fault no_value_at(const Entry& entry, std::string_view key, double size) {
   return fault(say("{1} of '{2}' is given up to {3}, not for {4}", key, name, text(covered), text(size)));
 }
 
+Property property_of(const Entry& entry, const Column& column, const Value& value) {
+  return {value.si, column.unit, value.sources, value.sources.empty(), entry.row->own};
+}
+
 }  // namespace
 
 const Column* Table::column(std::string_view key) const {
@@ -75,12 +70,27 @@ const Column* Table::column(std::string_view key) const {
   return found == columns.end() ? nullptr : &*found;
 }
 
+Fault no_row(std::string_view group, std::string_view name, const std::vector<const Library*>& libraries) {
+  const std::u32string wanted = folded(name);
+  const Message message = say("there is no {1} '{2}' in the tables", group, name);
+  std::vector<std::string> names;
+  for (const Library* library : libraries) {
+    const Entry close = last_row(*library, group, [&](const Row& row) { return is_among(row.near, wanted); });
+    if (close.row != nullptr)
+      return fault(message, say("'{1}' comes close and is not the same: name it if it will do", close.row->name));
+    add_names(*library, group, names);
+  }
+  const std::string near = near_name(name, names);
+  return fault(message, near.empty() ? Message{} : say("did you mean '{1}'?", near));
+}
+
 Outcome<Entry> find_row(const Library& library, std::string_view group, std::string_view name) {
   const std::u32string wanted = folded(name);
   Entry entry = last_row(library, group, [&](const Row& row) { return folded(row.name) == wanted; });
-  if (entry.row == nullptr) entry = last_row(library, group, [&](const Row& row) { return is_alias(row, wanted); });
+  if (entry.row == nullptr)
+    entry = last_row(library, group, [&](const Row& row) { return is_among(row.aliases, wanted); });
   if (entry.row != nullptr) return entry;
-  return fault(say("there is no {1} '{2}' in the tables", group, name), did_you_mean(name, names_of(library, group)));
+  return no_row(group, name, {&library});
 }
 
 Outcome<Property> property(const Entry& entry, std::string_view key, double size) {
@@ -91,7 +101,7 @@ Outcome<Property> property(const Entry& entry, std::string_view key, double size
     if (value == nullptr && size <= step.size_max) value = value_of(step.values, key);
   }
   if (value == nullptr) return no_value_at(entry, key, size);
-  return Property{value->si, column->unit, value->sources, value->sources.empty()};
+  return property_of(entry, *column, *value);
 }
 
 std::vector<SizedProperty> values_by_size(const Entry& entry, std::string_view key) {
@@ -100,8 +110,7 @@ std::vector<SizedProperty> values_by_size(const Entry& entry, std::string_view k
   if (column == nullptr || value_of(entry.row->values, key) != nullptr) return all;
   for (const Step& step : entry.row->by_size) {
     const Value* value = value_of(step.values, key);
-    if (value != nullptr)
-      all.push_back({step.size_max, {value->si, column->unit, value->sources, value->sources.empty()}});
+    if (value != nullptr) all.push_back({step.size_max, property_of(entry, *column, *value)});
   }
   return all;
 }

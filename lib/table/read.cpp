@@ -176,11 +176,11 @@ void Reader::add_columns(Table& table, const std::vector<ReadColumn>& units) {
   }
 }
 
-void Reader::check_citations() {
+void Reader::check_citations(const std::function<bool(const std::string&)>& known_elsewhere) {
   std::vector<std::string> keys;
   for (const auto& [key, citation] : library_.citations) keys.push_back(key);
   for (const Cited& cited : cited_) {
-    if (library_.citations.count(cited.key) != 0) continue;
+    if (library_.citations.count(cited.key) != 0 || (known_elsewhere && known_elsewhere(cited.key))) continue;
     complain(cited.place, "", say("there is no source '{1}'", cited.key),
              did_you_mean(cited.key, keys, say("name it in [sources]")));
   }

@@ -1,13 +1,14 @@
 #include "lib/table/reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace loadpath::table {
 
 namespace {
 
-constexpr std::string_view words[] = {"name",    "aliases", "standard", "kind",    "note",
-                                      "by_size", "sources", "cite",     "recalled"};
+constexpr std::string_view words[] = {"name", "aliases", "near",    "standard", "kind",
+                                      "note", "by_size", "sources", "cite",     "recalled"};
 
 bool is_word(std::string_view key) { return std::find(std::begin(words), std::end(words), key) != std::end(words); }
 
@@ -22,6 +23,7 @@ bool Reader::read_row(const Tree& tree, const Frame& frame, Row& row) {
   row.name = text_of(tree, "name", "", true);
   row.note = text_of(tree, "note", row.name);
   if (const auto* aliases = tree.find("aliases")) row.aliases = texts(aliases->value, row.name + ".aliases");
+  if (const auto* near = tree.find("near")) row.near = texts(near->value, row.name + ".near");
   read_values(tree, frame, row);
   let_defaults(frame, row);
   return issues_.size() == before;
@@ -87,7 +89,7 @@ void Reader::add_value(const Tree::Entry& entry, const Frame& frame, const std::
   const ReadColumn* column = column_of(entry, frame, row);
   if (column == nullptr) return;
   const std::string& key = entry.key;
-  if (entry.value.type != Tree::Type::number) {
+  if (entry.value.type != Tree::Type::number || !std::isfinite(entry.value.number)) {
     return complain(entry.value.place, row + "." + key, say("{1} must be a number", key),
                     say("it is read in {1}, as 'units' says", column->column.unit));
   }

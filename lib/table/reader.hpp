@@ -1,8 +1,8 @@
 // Reads files of tables into a library. What is wrong becomes issues; the rest is read all the same.
 //
 // A file names its `table` and the `group` of its rows ("material"), the `units` of its columns, `[defaults]` for what
-// its rows share, and each `[[row]]`: name, aliases, standard, kind, note, its values, and `by_size` for those that
-// hold up to a `size_max`. `sources` are those of all values of a row or a step, `cite.KEY` those of the values it
+// its rows share, and each `[[row]]`: name, aliases, near, standard, kind, note, its values, and `by_size` for those
+// that hold up to a `size_max`. `sources` are those of all values of a row or a step, `cite.KEY` those of the values it
 // lists, and `recalled` (a list, or true) marks the values that no source was seen for. A file of sizes has
 // `[[series]]` instead; `[sources]` are the citations. Rows that all give the same keys may be written as lines:
 // `columns` are the keys, and each of `rows` is an array of their values, "" where there is none.
@@ -13,6 +13,7 @@
 #include "lib/table/table.hpp"
 #include "lib/toml/tree.hpp"
 
+#include <functional>
 #include <set>
 
 namespace loadpath::table {
@@ -23,8 +24,8 @@ class Reader {
 
   void read(std::string_view text, const std::string& file);
 
-  /// Every key that was cited must have its citation, in whatever file.
-  void check_citations();
+  /// Every key that was cited must have its citation, in whatever file, or be known elsewhere.
+  void check_citations(const std::function<bool(const std::string& key)>& known_elsewhere = {});
 
  private:
   using Tree = toml::Tree;

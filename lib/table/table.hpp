@@ -29,11 +29,13 @@ struct Step {
 struct Row {
   std::string name;
   std::vector<std::string> aliases;
+  std::vector<std::string> near;  // names of others that come close, and are not the same
   std::string standard;
   std::string kind;
   std::string note;
   std::vector<Value> values;  // at any size
   std::vector<Step> by_size;  // ascending
+  bool own = false;           // of the project: its sources are texts, not keys of citations
 };
 
 struct Column {
@@ -62,6 +64,7 @@ struct Series {
   std::vector<double> members;  // in the unit, each the double nearest to its decimal: 31.5
   std::vector<std::string> sources;
   std::vector<double> recalled;  // of the numbers that the file lists
+  bool own = false;              // of the project, as a row's
 };
 
 struct Citation {
@@ -85,6 +88,8 @@ struct Entry {
 
 /// A row by its name, else by an alias, whatever the case and the spaces.
 Outcome<Entry> find_row(const Library& library, std::string_view group, std::string_view name);
+/// What to say of a row that none of the libraries has: which comes close and is not the same, or which name is near.
+Fault no_row(std::string_view group, std::string_view name, const std::vector<const Library*>& libraries);
 /// In the built-in tables, of which it reads only what it needs. So do the others without a library.
 Outcome<Entry> find_row(std::string_view group, std::string_view name);
 
@@ -100,6 +105,7 @@ struct Property {
   std::string unit;
   std::vector<std::string> sources;
   bool recalled = false;
+  bool own = false;  // of a row of the project
 };
 
 inline constexpr double no_size = std::numeric_limits<double>::quiet_NaN();

@@ -47,6 +47,8 @@ Outcome<Expression> Expression::parse(std::string_view text) {
 
 const std::vector<Expression::Reference>& Expression::references() const { return references_; }
 
+bool Expression::is_reference() const { return tree_->root.operation == Operation::reference; }
+
 Outcome<Signature> Expression::check(const Declared& declared) const { return expression::check(*tree_, declared); }
 
 std::string_view Expression::magnitude() const { return magnitude_of(tree_->root); }

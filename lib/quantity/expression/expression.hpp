@@ -4,7 +4,8 @@
 //   number  decimal point only (a comma separates arguments), directly followed by a unit: 30 MPa, 2 N*m, 60 deg
 //           (a unit's own * / ^ bind only inside the unit text, which ends before a reference, a call, a number and pi:
 //           `2 N*m*lever.drive.phi`, `40 mm*cos(20 deg)`, `2 m*pi`); `1/min` and `W/(m*K)` are units
-//   name    always with a dot: lever.drive.M, shaft.segments[2].tau, shaft.segments.journal.tau
+//   name    always with a dot: lever.drive.M, shaft.segments[2].tau, shaft.segments.journal.tau; a part that is no
+//           name in quotes: tables.sections."IPE 330".I_y
 //   const   pi, g (9.80665 m/s^2; inside the unit of a number g is the gram: `5 g`, `2 kN/g`, but `80 kg * (g)`)
 //   calls   peak min max mean rms amplitude range at(series, place) abs sqrt cbrt exp ln sin cos tan asin acos
 //           atan atan2
@@ -17,6 +18,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +28,16 @@ namespace loadpath {
 namespace expression {
 struct Tree;
 }
+
+/// Factors that a value contains, by the inputs that they are: "chain.K_A". Two are of one kind where their last names
+/// are the same.
+using Factors = std::set<std::string>;
+using FactorsOf = std::function<Factors(const std::string& path)>;
+/// "chain.K_A": "K_A".
+std::string key_of(const std::string& factor);
+Factors keys_of(const Factors& factors);
+/// The factor of the same kind; empty where there is none.
+std::string same_key(const Factors& factors, const std::string& factor);
 
 class Expression {
  public:
@@ -48,12 +60,17 @@ class Expression {
   static Outcome<Expression> parse(std::string_view text);
 
   [[nodiscard]] const std::vector<Reference>& references() const;
+  /// Whether it is one reference and nothing else: it may stand for what is no number.
+  [[nodiscard]] bool is_reference() const;
   /// Dimension and axis of the result, or the first fault: unknown names, unlike dimensions or axes, °C, wrong
   /// arguments.
   [[nodiscard]] Outcome<Signature> check(const Declared& declared) const;
   /// The function that makes the value a magnitude, so that the sign of what it is taken of is lost: "peak"; empty
   /// where none does. A sign that is written before it stands for the one that is meant.
   [[nodiscard]] std::string_view magnitude() const;
+  /// Those of its references: of a product all, of a quotient without those of the divisor. A factor that would count
+  /// twice, and a sum of what holds one and what does not, are faults.
+  [[nodiscard]] Outcome<Factors> factors(const FactorsOf& of) const;
   /// The value. A result that is not finite is NaN (never an infinity).
   [[nodiscard]] Value evaluate(const Known& known) const;
 

@@ -52,8 +52,19 @@ void Parser::fail_bare_name(std::size_t end) {
   fail(next_, end - next_, say("'{1}' alone is no reference", word), std::move(hint));
 }
 
+/// Whether what was read last is the start of a value of a table, cut at a name that is no word: `tables.sections.IPE`.
+bool Parser::is_behind_table() const {
+  if (references_.empty()) return false;
+  const auto& last = references_.back();
+  return last.at + last.path.size() == end_ && last.path.starts_with("tables.");
+}
+
 void Parser::fail_unexpected() {
   const auto word = word_end(text_, next_);
+  if (is_behind_table()) {
+    return fail(next_, 1, say("a name that is more than letters and digits stands in double quotes"),
+                say("write '=tables.sections.\"IPE 330\".I_y', in single quotes for TOML"));
+  }
   const auto end = character_end(text_, next_);
   if (word != next_) return fail_unexpected_word(word);
   if (sees('(') || sees('.') || digits_end(text_, next_) != next_) return fail_missing_operator(end);

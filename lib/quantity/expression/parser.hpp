@@ -65,6 +65,7 @@ class Parser {
   void fail_missing_value();
   void fail_unknown_function(const std::string& name);
   void fail_bare_name(std::size_t end);
+  [[nodiscard]] bool is_behind_table() const;
   void fail_unexpected();
   void fail_comma();
   void fail_unexpected_word(std::size_t end);

@@ -52,6 +52,21 @@ std::size_t index_end(std::string_view text, std::size_t at) {
   return end > at + 1 && character(text, end) == ']' ? end + 1 : at;
 }
 
+/// "IPE 330": the name of a row of a table, in quotes.
+std::size_t quoted_end(std::string_view text, std::size_t at) {
+  if (character(text, at) != '"') return at;
+  const auto close = text.find('"', at + 1);
+  return close == std::string_view::npos || close == at + 1 ? at : close + 1;
+}
+
+/// A dot and a name behind it, with its index, or one in quotes.
+std::size_t part_end(std::string_view text, std::size_t at) {
+  if (character(text, at) != '.') return at;
+  if (is_letter(character(text, at + 1))) return index_end(text, name_end(text, at + 1));
+  const auto end = quoted_end(text, at + 1);
+  return end == at + 1 ? at : end;
+}
+
 /// What a unit is looked for in, and the word that is none.
 struct Units {
   std::string_view text, variable;
@@ -146,11 +161,10 @@ std::size_t name_end(std::string_view text, std::size_t at) {
 
 std::size_t path_end(std::string_view text, std::size_t at) {
   auto end = index_end(text, name_end(text, at));
-  bool dotted = false;
-  while (end != at && character(text, end) == '.' && is_letter(character(text, end + 1))) {
-    end = index_end(text, name_end(text, end + 1));
-    dotted = true;
-  }
+  if (end == at) return at;
+  auto next = part_end(text, end);
+  const bool dotted = next != end;
+  for (; next != end; next = part_end(text, end)) end = next;
   return dotted ? end : at;
 }
 

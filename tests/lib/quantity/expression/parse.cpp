@@ -44,6 +44,18 @@ constexpr std::string_view times_hint = "write * between them";
 }  // namespace
 
 TEST_SUITE("quantity") {
+  TEST_CASE("a part of a reference that is no name stands in quotes") {
+    const auto parsed = Expression::parse("2*tables.sections.\"IPE 330\".I_y + tables.materials.\"1.0038\".E * x.y");
+    REQUIRE(parsed);
+    const auto& references = parsed->references();
+    REQUIRE(references.size() == 3);
+    CHECK(references[0].path == "tables.sections.\"IPE 330\".I_y");
+    CHECK(references[1].path == "tables.materials.\"1.0038\".E");
+    CHECK(references[2].path == "x.y");
+    CHECK_FALSE(Expression::parse("tables.sections.\"IPE 330.I_y"));
+    CHECK_FALSE(Expression::parse("tables.sections.\"\".I_y"));
+  }
+
   TEST_CASE("references are listed as written, with their places") {
     const auto parsed = Expression::parse("2 N*m + lever.drive.M*shaft.segments[2].tau - shaft.segments.journal.tau");
     REQUIRE(parsed);
@@ -132,6 +144,10 @@ TEST_SUITE("quantity") {
         {"((1)", "(", "'(' is not closed", close_hint},
         {"peak(lever.drive.M", "(", "'(' is not closed", close_hint},
         {"1)", ")", "unexpected ')'", "no '(' is open"},
+        {"tables.sections.IPE 330.I_y", "3", "a name that is more than letters and digits stands in double quotes",
+         "write '=tables.sections.\"IPE 330\".I_y', in single quotes for TOML"},
+        {"tables.materials.16Mo3.E", ".", "a name that is more than letters and digits stands in double quotes",
+         "write '=tables.sections.\"IPE 330\".I_y', in single quotes for TOML"},
         {"2 $ 3", "$", "unexpected '$'", "the operators are + - * / ^"},
         {"2 × 3", "×", "unexpected '×'", "the operators are + - * / ^"},
         {"shaft.segments[a].d", "[", "unexpected '['",

@@ -162,6 +162,11 @@ void count_turns(const BasicPairShape<Scalar>& shape, const BasicPlaced<Scalar>&
 }
 
 template <class Scalar>
+bool has_phase(const BasicPairShape<Scalar>& shape) {
+  return has_two_wheels(shape) || has_wheel_on_line(shape);
+}
+
+template <class Scalar>
 void take_phases(BasicModel<Scalar>& model) {
   const auto placed = [&](int link) {
     if (link == ground) return BasicPlaced<Scalar>{};
@@ -170,7 +175,7 @@ void take_phases(BasicModel<Scalar>& model) {
   };
   for (BasicJoint<Scalar>& joint : model.joints) {
     const BasicPairShape<Scalar> shape = shape_of(joint);
-    if (!has_two_wheels(shape) && !has_wheel_on_line(shape)) continue;
+    if (!has_phase(shape)) continue;
     BasicPairPlace<Scalar> at;
     place(shape, placed(joint.i), placed(joint.j), at);
     joint.phase = rolled(shape, at, placed(joint.i), placed(joint.j));
@@ -242,6 +247,7 @@ template void place(const BasicPairShape<double>&, const BasicPlaced<double>&, c
                     BasicPairPlace<double>&);
 template void count_turns(const BasicPairShape<double>&, const BasicPlaced<double>&, const BasicPlaced<double>&,
                           BasicPairPlace<double>&);
+template bool has_phase(const BasicPairShape<double>&);
 template void take_phases(BasicModel<double>&);
 template void open(const BasicPairShape<double>&, const BasicPairPlace<double>&, const BasicPlaced<double>&,
                    const BasicPlaced<double>&, double, std::span<double>);
@@ -257,6 +263,7 @@ template void place(const BasicPairShape<Dual>&, const BasicPlaced<Dual>&, const
                     BasicPairPlace<Dual>&);
 template void count_turns(const BasicPairShape<Dual>&, const BasicPlaced<Dual>&, const BasicPlaced<Dual>&,
                           BasicPairPlace<Dual>&);
+template bool has_phase(const BasicPairShape<Dual>&);
 template void take_phases(BasicModel<Dual>&);
 template void open(const BasicPairShape<Dual>&, const BasicPairPlace<Dual>&, const BasicPlaced<Dual>&,
                    const BasicPlaced<Dual>&, Dual, std::span<Dual>);

@@ -117,6 +117,9 @@ void place(const BasicPairShape<Scalar>& shape, const BasicPlaced<Scalar>& i, co
 template <class Scalar>
 void count_turns(const BasicPairShape<Scalar>& shape, const BasicPlaced<Scalar>& i, const BasicPlaced<Scalar>& j,
                  BasicPairPlace<Scalar>& at);
+/// Whether the first of its equations keeps a phase: wheels.
+template <class Scalar>
+bool has_phase(const BasicPairShape<Scalar>& shape);
 /// Sets the phase of every joint that has one to what it is at the stated poses.
 template <class Scalar>
 void take_phases(BasicModel<Scalar>& model);

@@ -6,9 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 namespace loadpath::mechanism {
 namespace {
+
+// Equations beyond which the inverse is found column by column: elimination of a full matrix takes the cube of them.
+constexpr std::size_t most_dense = 300;
 
 using Row = Eigen::Vector3d;  // a force and a couple in units of length
 
@@ -37,7 +42,9 @@ Instant::Instant(const Model& model)
       no_targets_(model.drivers.size()),
       beside_(model.joints.size()),
       inverse_(constraints_.rows()),
+      column_sums_(constraints_.columns()),
       motions_(constraints_.rows() * constraints_.columns()) {
+  if (constraints_.rows() > most_dense) factors_.emplace(constraints_.columns(), constraints_.pattern());
   active_.reserve(2 * model.links.size() + model.loads.size() + 2 * model.springs.size() + 2 * model.joints.size());
 }
 
@@ -84,8 +91,31 @@ void Instant::add_induced(int link, std::size_t joint, const Reaction& acting, d
   active_.push_back({ActiveForce::Kind::induced, joint, k, arm, sense * acting.force, sense * acting.couple});
 }
 
-// Column after column, so that the largest sums of columns, the 1-norms, are those of what the inverse takes for rows.
 void Instant::find_motions() {
+  const double norm = factors_ ? invert_sparse() : invert_dense();
+  const std::size_t size = constraints_.rows();
+  condition_ = size == 0 ? 1.0 : norm * largest_row_sum(motions_, size);
+}
+
+/// Column after column. The 1-norm of the Jacobian, NaN where it is singular.
+double Instant::invert_sparse() {
+  const std::size_t size = constraints_.rows();
+  if (!factors_->factor(constraints_.jacobian())) return std::numeric_limits<double>::quiet_NaN();
+  std::ranges::fill(motions_, 0.0);
+  for (std::size_t row = 0; row < size; ++row) {
+    const auto column = std::span(motions_).subspan(row * size, size);
+    column[row] = 1.0;
+    factors_->solve(column);
+  }
+  std::ranges::fill(column_sums_, 0.0);
+  const auto pattern = constraints_.pattern();
+  for (std::size_t n = 0; n < pattern.size(); ++n)
+    column_sums_[static_cast<std::size_t>(pattern[n].column)] += std::abs(constraints_.jacobian()[n]);
+  return *std::ranges::max_element(column_sums_);
+}
+
+/// Column after column, so that the largest sums of columns, the 1-norms, are those of what the inverse takes for rows.
+double Instant::invert_dense() {
   const std::size_t size = constraints_.rows();
   std::ranges::fill(motions_, 0.0);
   const auto pattern = constraints_.pattern();
@@ -95,7 +125,7 @@ void Instant::find_motions() {
   }
   const double norm = largest_row_sum(motions_, size);
   inverse_.invert(motions_);
-  condition_ = size == 0 ? 1.0 : norm * largest_row_sum(motions_, size);
+  return norm;
 }
 
 double Instant::effort_arm(std::size_t driver) const {

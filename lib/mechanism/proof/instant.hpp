@@ -6,8 +6,10 @@
 #include "lib/mechanism/equations/kinematics.hpp"
 #include "lib/mechanism/proof/active_forces.hpp"
 #include "lib/numerics/dense_inverse.hpp"
+#include "lib/numerics/sparse_lu.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -65,6 +67,8 @@ class Instant {
   void find_induced_forces();
   void add_induced(int link, std::size_t joint, const Reaction& acting, double sense);
   void find_motions();
+  [[nodiscard]] double invert_dense();
+  [[nodiscard]] double invert_sparse();
 
   const Model* model_;
   const Position* at_ = nullptr;
@@ -77,6 +81,8 @@ class Instant {
   std::size_t external_ = 0;
   std::vector<Reaction> beside_;
   DenseInverse inverse_;
+  std::optional<SparseLu> factors_;  // in place of it where there are many links
+  std::vector<double> column_sums_;
   std::vector<double> motions_;  // a column of the inverse of the dense Jacobian after the other
   double condition_ = 0.0;
 };

@@ -26,6 +26,12 @@ MatrixXd jacobian_of(const Constraints& constraints) {
   return full;
 }
 
+VectorXd residual_without(const Constraints& constraints, std::span<const std::size_t> rows) {
+  VectorXd residual = Eigen::Map<const VectorXd>(constraints.residual().data(), static_cast<Index>(constraints.rows()));
+  for (const std::size_t row : rows) residual(static_cast<Index>(row)) = 0.0;
+  return residual;
+}
+
 // Each vector holds one dependent column and the columns it depends on.
 NullSpace kernel(const MatrixXd& a) {
   Eigen::ColPivHouseholderQR<MatrixXd> qr;
@@ -74,19 +80,25 @@ void FreeMechanism::shift(std::span<const double> by) {
   place();
 }
 
-bool FreeMechanism::close() {
+bool FreeMechanism::close_without(std::span<const std::size_t> rows, std::span<const std::size_t> reluctant) {
+  constexpr double reluctance = 1e-6;  // far above the threshold of the rank, its square below what is measured
   constexpr int most_steps = 40;
   constexpr double longest_step = 0.3;
-  const Eigen::Map<const VectorXd> residual(constraints_.residual().data(), static_cast<Index>(constraints_.rows()));
   const Eigen::Map<const VectorXd> q(q_.data(), static_cast<Index>(q_.size()));
+  VectorXd residual = residual_without(constraints_, rows);
   const auto rounding = [&] { return 1e-15 * (1.0 + q.norm()); };
   for (int k = 0; k < most_steps && residual.norm() > rounding(); ++k) {
+    MatrixXd jacobian = jacobian_of(constraints_);
+    for (const std::size_t row : rows) jacobian.row(static_cast<Index>(row)).setZero();
+    for (const std::size_t column : reluctant) jacobian.col(static_cast<Index>(column)) *= reluctance;
     Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition;
     decomposition.setThreshold(rank_threshold);
-    decomposition.compute(jacobian_of(constraints_));
+    decomposition.compute(jacobian);
     VectorXd step = decomposition.solve(residual);
+    for (const std::size_t column : reluctant) step(static_cast<Index>(column)) *= reluctance;
     step *= -std::min(1.0, longest_step / step.cwiseAbs().maxCoeff());
     shift({step.data(), static_cast<std::size_t>(step.size())});
+    residual = residual_without(constraints_, rows);
   }
   return residual.norm() <= closed * (1.0 + q.norm());
 }

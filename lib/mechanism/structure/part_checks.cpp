@@ -18,6 +18,14 @@ bool finite(std::initializer_list<double> values) {
 
 bool same_pair(const Driver& a, const Driver& b) { return (a.i == b.i && a.j == b.j) || (a.i == b.j && a.j == b.i); }
 
+/// A rotor: what has only to be turned, not to be carried.
+bool turns_about_fixed_pin(const Model& model, int link) {
+  return std::ranges::any_of(model.joints, [link](const Joint& joint) {
+    const bool own = (joint.i == link && joint.j == ground) || (joint.j == link && joint.i == ground);
+    return own && joint.kind == JointKind::revolute;
+  });
+}
+
 class PartChecks {
  public:
   explicit PartChecks(const Model& model) : model_(model) {}
@@ -71,9 +79,9 @@ void PartChecks::check(std::size_t k, const Link& link) {
     add(About::link, k,
         say("link '{1}': moment of inertia {2}: must be finite and not negative", link.name,
             format_quantity(link.inertia, "kg*m^2")));
-  } else if (link.mass == 0.0 && link.inertia > 0.0) {
-    add(About::link, k, say("link '{1}' has a moment of inertia but no mass", link.name),
-        say("give its mass too, or leave the moment of inertia out"));
+  } else if (link.mass == 0.0 && link.inertia > 0.0 && !turns_about_fixed_pin(model_, static_cast<int>(k))) {
+    add(About::link, k, say("link '{1}' moves about, and has a moment of inertia but no mass", link.name),
+        say("give its mass too; a rotor on a pin of the ground may have J alone, with its mass centre on that pin"));
   }
   const auto at_link = [&](const Joint& joint) {
     return joint.i == static_cast<int>(k) || joint.j == static_cast<int>(k);

@@ -66,6 +66,7 @@ pulleys = [
                                                                                                                   3000),
         Choice{&Pulley::side, "side", "which side of the loop it is on"}.may_be_missing(),
         Field{&Pulley::P, "P", kW, "power that it takes out of the belt; negative where it drives too"}
+            .load()
             .may_be_missing(),
         Field{&Pulley::along, "along", deg, "direction in which this pulley moves until the belt has the length L"}
             .may_be_missing()};
@@ -114,11 +115,11 @@ pulleys = [
         Field{&PulleyResult::alpha, "alpha", deg, "wrap"},
         Field{&PulleyResult::l_s, "l_s", mm, "span behind it, between the points of contact"},
         Field{&PulleyResult::n, "n", rpm, "speed, counter-clockwise positive"},
-        Field{&PulleyResult::T, "T", N_m, "torque of the belt on it, counter-clockwise positive"}.with("R"),
+        Field{&PulleyResult::T, "T", N_m, "torque of the belt on it, counter-clockwise positive"}.load().with("R"),
         Field{&PulleyResult::S, "S", N, "tension of the span behind it"},
-        Field{&PulleyResult::R_x, "R_x", N, "load of its shaft, along x"},
-        Field{&PulleyResult::R_y, "R_y", N, "load of its shaft, along y"},
-        Field{&PulleyResult::R, "R", N, "load of its shaft"},
+        Field{&PulleyResult::R_x, "R_x", N, "load of its shaft, along x"}.load(),
+        Field{&PulleyResult::R_y, "R_y", N, "load of its shaft, along y"}.load(),
+        Field{&PulleyResult::R, "R", N, "load of its shaft"}.load(),
         Field{&PulleyResult::mu_req, "mu_req", ratio, "coefficient of friction that is used"}};
   };
   struct Result {

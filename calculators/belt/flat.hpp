@@ -8,6 +8,7 @@
 #pragma once
 
 #include "calculators/belt/geometry.hpp"
+#include "calculators/load/shaft_load.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -68,10 +69,11 @@ E_b = "40 MPa"
   };
   static constexpr std::tuple inputs{
       Field{&Input::P, "P", kW, "power at the driving pulley, the mean over the cycle"}
+          .load()
           .positive()
           .usually(0.01, 3000)
           .may_be_missing(),
-      Field{&Input::T_1, "T_1", N_m, "torque at the driving pulley, in place of P"}.positive().may_be_missing(),
+      Field{&Input::T_1, "T_1", N_m, "torque at the driving pulley, in place of P"}.load().positive().may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "service factor: what the power does not contain, once"}
           .positive()
           .usually(1, 3)
@@ -119,6 +121,7 @@ E_b = "40 MPa"
     Stress sigma_max = unset<Stress>;
     Force R_0 = unset<Force>, R_x = unset<Force>, R_y = unset<Force>, R = unset<Force>;
     double theta_R = unset<double>;
+    ShaftLoad shaft_1, shaft_2;
     AngularSpeed f_B = unset<AngularSpeed>;
     double u_S = unset<double>, u_sigma = unset<double>, u_b = unset<double>, x_v = unset<double>;
     Length g_x = unset<Length>;
@@ -134,7 +137,7 @@ E_b = "40 MPa"
       Field{&Result::gamma, "gamma", deg, "inclination of the spans to the line of centres"},
       Field{&Result::alpha_1, "alpha_1", deg, "wrap of the driving pulley"},
       Field{&Result::alpha_2, "alpha_2", deg, "wrap of the driven pulley"},
-      Field{&Result::F_t, "F_t", N, "force that the belt carries over, with K_A"},
+      Field{&Result::F_t, "F_t", N, "force that the belt carries over, with K_A"}.holding("K_A"),
       Field{&Result::m_e, "m_e", ratio, "largest ratio of the tensions that press the pulleys"},
       Field{&Result::sigma_b, "sigma_b", MPa, "bending stress around the smaller pulley"},
       Field{&Result::sigma_c, "sigma_c", MPa, "centrifugal stress"},
@@ -148,11 +151,13 @@ E_b = "40 MPa"
       Field{&Result::S_2, "S_2", N, "tension of the slack span"},
       Field{&Result::mu_req, "mu_req", ratio, "coefficient of friction that is used"},
       Field{&Result::sigma_max, "sigma_max", MPa, "largest stress: tight span at the smaller pulley"},
-      Field{&Result::R_0, "R_0", N, "shaft load at standstill, along the line of centres"},
-      Field{&Result::R_x, "R_x", N, "shaft load in running, toward the other pulley"},
-      Field{&Result::R_y, "R_y", N, "shaft load in running, to the side of the tight span"},
-      Field{&Result::R, "R", N, "shaft load in running"},
+      Field{&Result::R_0, "R_0", N, "shaft load at standstill, along the line of centres"}.load().holding("K_A"),
+      Field{&Result::R_x, "R_x", N, "shaft load in running, toward the other pulley"}.load().holding("K_A"),
+      Field{&Result::R_y, "R_y", N, "shaft load in running, to the side of the tight span"}.load().holding("K_A"),
+      Field{&Result::R, "R", N, "shaft load in running"}.load().holding("K_A"),
       Field{&Result::theta_R, "theta_R", deg, "its direction against the line of centres"},
+      Group{&Result::shaft_1, "shaft_1", "what the belt does to the driving shaft, for a shaft: load"}.handed_over(),
+      Group{&Result::shaft_2, "shaft_2", "what the belt does to the driven shaft, for a shaft: load"}.handed_over(),
       Field{&Result::f_B, "f_B", Hz, "bendings of the belt per second"},
       Field{&Result::u_S, "u_S", ratio, "friction: least initial tension over the initial tension"}.check(),
       Field{&Result::u_sigma, "u_sigma", ratio, "strength: largest stress over the allowable one"}.check(),

@@ -1,6 +1,7 @@
 // What a belt does to its shafts: the pull of the two spans on the driving pulley. The driven pulley has the opposite.
 #pragma once
 
+#include "calculators/load/shaft_load.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
 
@@ -16,6 +17,14 @@ void load_shaft(Force N_1, Force N_2, double psi, Result& r, Tracer& trace) {
   STEP_TO(r, R_y, (N_1 - N_2) * sin(psi), "across it, positive to the side of the tight span");
   STEP_TO(r, R, sqrt(R_x * R_x + R_y * R_y), "shaft load in running; the same on the driven shaft, reversed");
   STEP_TO(r, theta_R, atan(R_y / R_x), "its direction against the line of centres");
+}
+
+/// What the two shafts take whole: the driven one is pulled the other way.
+template <class Result>
+void hand_over(Moment T_1, Moment T_2, Length d_1, Length d_2, AngularSpeed n_1, Result& r) {
+  const Force none = 0.0 * N.one;
+  r.shaft_1 = {abs(T_1), r.R, r.R_x, r.R_y, none, d_1, n_1};
+  r.shaft_2 = {abs(T_2), r.R, -r.R_x, -r.R_y, none, d_2, r.n_2};
 }
 
 }  // namespace loadpath::belt

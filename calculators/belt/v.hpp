@@ -9,6 +9,7 @@
 
 #include "calculators/belt/geometry.hpp"
 #include "calculators/belt/v_data.hpp"
+#include "calculators/load/shaft_load.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -70,10 +71,11 @@ L = "2650 mm"
     Speed v_rim_adm = from_si<Speed>(35.0);
   };
   static constexpr std::tuple inputs{
+      RecordField<Input>{"drive", "a drive that belt.v_sizing has picked, whole: drive = \"=pick.best\""},
       Choice{&Input::basis, "basis", "system of ratings and factors; must be stated"},
       NameField{&Input::section, "section", "section of the belt: A, SPB"},
       Choice{&Input::belt_class, "belt_class", "class of the belt; goes with the basis iso"}.may_be_missing(),
-      Field{&Input::P, "P", kW, "power, the mean over the cycle"}.positive().usually(0.05, 3000),
+      Field{&Input::P, "P", kW, "power, the mean over the cycle"}.load().positive().usually(0.05, 3000),
       Field{&Input::K_A, "K_A", ratio, "service factor of the basis (C_P, c_2): what the power does not contain, once"}
           .positive()
           .usually(1, 2)
@@ -122,6 +124,7 @@ L = "2650 mm"
     AngularSpeed f_s = unset<AngularSpeed>, f_s_new = unset<AngularSpeed>;
     Force R_0 = unset<Force>, R_new = unset<Force>, R_x = unset<Force>, R_y = unset<Force>, R = unset<Force>;
     double theta_R = unset<double>;
+    ShaftLoad shaft_1, shaft_2;
     Length B = unset<Length>, d_a1 = unset<Length>, d_a2 = unset<Length>;
     double phi_1 = unset<double>, phi_2 = unset<double>;
     Speed v_rim = unset<Speed>;
@@ -164,12 +167,14 @@ L = "2650 mm"
       Field{&Result::Q_new, "Q_new", N, "test force, new belt"},
       Field{&Result::f_s, "f_s", Hz, "frequency of the plucked span, run in"},
       Field{&Result::f_s_new, "f_s_new", Hz, "frequency of the plucked span, new belt"},
-      Field{&Result::R_0, "R_0", N, "shaft load at standstill, along the line of centres"},
-      Field{&Result::R_new, "R_new", N, "shaft load at standstill, new belts"},
-      Field{&Result::R_x, "R_x", N, "shaft load in running, toward the other pulley"},
-      Field{&Result::R_y, "R_y", N, "shaft load in running, to the side of the tight span"},
-      Field{&Result::R, "R", N, "shaft load in running"},
+      Field{&Result::R_0, "R_0", N, "shaft load at standstill, along the line of centres"}.load().holding("K_A"),
+      Field{&Result::R_new, "R_new", N, "shaft load at standstill, new belts"}.load().holding("K_A"),
+      Field{&Result::R_x, "R_x", N, "shaft load in running, toward the other pulley"}.load().holding("K_A"),
+      Field{&Result::R_y, "R_y", N, "shaft load in running, to the side of the tight span"}.load().holding("K_A"),
+      Field{&Result::R, "R", N, "shaft load in running"}.load().holding("K_A"),
       Field{&Result::theta_R, "theta_R", deg, "its direction against the line of centres"},
+      Group{&Result::shaft_1, "shaft_1", "what the belt does to the driving shaft, for a shaft: load"}.handed_over(),
+      Group{&Result::shaft_2, "shaft_2", "what the belt does to the driven shaft, for a shaft: load"}.handed_over(),
       Field{&Result::B, "B", mm, "width of the pulleys"},
       Field{&Result::d_a1, "d_a1", mm, "outer diameter of the driving pulley"},
       Field{&Result::d_a2, "d_a2", mm, "outer diameter of the driven pulley"},

@@ -69,6 +69,8 @@ void check(const Input& in, const V::Input& drive, const char* which, Result& r,
     r.z = in.z_max, r.u_P = found.u_P * found.z / in.z_max;
     trace.value("u_P", r.u_P, "as many belts as are allowed");
   }
+  r.best = {drive};
+  r.best.z = r.z;
   STEP_TO(r, dev_n, r.n_2 / in.n_2_set - 1.0, "speed against the wanted one");
   STEP_TO(r, dev_a, r.a / in.a_set - 1.0, "centre distance against the wanted one");
 }

@@ -59,7 +59,7 @@ a_set = "600 mm"
       Choice{&Input::basis, "basis", "system of ratings and factors; must be stated"},
       NameField{&Input::section, "section", "only this section"}.may_be_missing(),
       Choice{&Input::belt_class, "belt_class", "class of the belt; goes with the basis iso"}.may_be_missing(),
-      Field{&Input::P, "P", kW, "power, the mean over the cycle"}.positive().usually(0.05, 3000),
+      Field{&Input::P, "P", kW, "power, the mean over the cycle"}.load().positive().usually(0.05, 3000),
       Field{&Input::K_A, "K_A", ratio, "service factor of the basis (C_P, c_2): what the power does not contain, once"}
           .positive()
           .usually(1, 2)
@@ -110,12 +110,17 @@ a_set = "600 mm"
         Field{&Candidate::n_2, "n_2", rpm, "speed of the driven pulley"},
         Field{&Candidate::B, "B", mm, "width of the pulleys"},
         Field{&Candidate::V, "V", dm3, "volume of the two pulleys as full discs"},
-        Field{&Candidate::R_new, "R_new", N, "shaft load at standstill, new belts"},
+        Field{&Candidate::R_new, "R_new", N, "shaft load at standstill, new belts"}.load(),
         Field{&Candidate::u_P, "u_P", ratio, "utilisation of the belts"},
         Field{&Candidate::excess, "excess", ratio, "how much more than the first it takes of what is ranked by"},
         Choice{&Candidate::merit, "merit", "what it does better than the first all the same"}};
   };
   using Candidates = List<Candidate, 20>;
+
+  /// What belt.v takes of a drive.
+  struct Drive : V::Input {
+    static constexpr const auto& fields = V::inputs;
+  };
 
   struct Result {
     double drives = 0.0, tried = 0.0, too_weak = 0.0, outside = 0.0;
@@ -128,6 +133,7 @@ a_set = "600 mm"
     Force F_0 = unset<Force>, R_0 = unset<Force>, R_new = unset<Force>, R = unset<Force>;
     Length B = unset<Length>;
     double u_P = unset<double>, u_grip = unset<double>, u_rim = unset<double>, u_B = unset<double>;
+    Drive best;
     Candidates candidates;
   };
   static constexpr std::tuple results{
@@ -146,9 +152,9 @@ a_set = "600 mm"
       Field{&Result::n_k, "n_k", rpm, "speed of the smaller pulley, without slip"},
       Field{&Result::L_h, "L_h", hour, "mean life that the basis states"},
       Field{&Result::F_0, "F_0", N, "initial tension of a span of one belt, run in"},
-      Field{&Result::R_0, "R_0", N, "shaft load at standstill"},
-      Field{&Result::R_new, "R_new", N, "shaft load at standstill, new belts"},
-      Field{&Result::R, "R", N, "shaft load in running"},
+      Field{&Result::R_0, "R_0", N, "shaft load at standstill"}.load().holding("K_A"),
+      Field{&Result::R_new, "R_new", N, "shaft load at standstill, new belts"}.load().holding("K_A"),
+      Field{&Result::R, "R", N, "shaft load in running"}.load().holding("K_A"),
       Field{&Result::B, "B", mm, "width of the pulleys"},
       Field{&Result::u_P, "u_P", ratio, "power: design power over what the belts can carry"}.check(),
       Field{&Result::u_grip, "u_grip", ratio, "grip: tension that friction in the grooves needs over what there is"}
@@ -156,6 +162,7 @@ a_set = "600 mm"
       Field{&Result::u_rim, "u_rim", ratio, "rim: larger speed of the rims over the allowable one"}.check(),
       Field{&Result::u_B, "u_B", ratio, "bending frequency over the largest one"}.check(),
       Field{&Result::drives, "drives", ratio, "drives that can be bought and pass every check"}.limit(1, 1e6),
+      Group{&Result::best, "best", "the first drive whole, for belt.v: drive = \"=pick.best\""}.handed_over(),
       ListField{&Result::candidates, "candidates", "the drives, best first"}};
 
   static bool section_is_known(const Input& in);

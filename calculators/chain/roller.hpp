@@ -9,6 +9,7 @@
 // drives' sag.
 #pragma once
 
+#include "calculators/load/shaft_load.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -107,8 +108,9 @@ P_R = "5.5 kW"
       Field{&Input::a, "a", mm, "centre distance that is wanted; the links make it exact"}.positive().may_be_missing(),
       Count{&Input::X, "X", 0, 2000, "links, in place of a; 0: the even number nearest to a"}.may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of the driving sprocket"}.positive().may_be_missing(),
-      Field{&Input::P, "P", kW, "nominal power, with n_1"}.at_least(0).may_be_missing(),
+      Field{&Input::P, "P", kW, "nominal power, with n_1"}.load().at_least(0).may_be_missing(),
       Field{&Input::T_1, "T_1", N_m, "nominal torque of the driving sprocket, in place of P"}
+          .load()
           .at_least(0)
           .may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "service factor: shocks of motor and machine, once"}
@@ -119,7 +121,8 @@ P_R = "5.5 kW"
       Choice{&Input::lubrication, "lubrication", "how the chain is lubricated"}.may_be_missing(),
       Field{&Input::p_adm, "p_adm", MPa, "allowable pressure in the joint"}.positive().usually(5, 60).may_be_missing(),
       Field{&Input::S_min, "S_min", ratio, "least safety against breaking"}.at_least(1).usually(5, 20).may_be_missing(),
-      Field{&Input::P_R, "P_R", kW, "rated power of the chain with 19 teeth at n_1, all strands"}
+      Field{&Input::P_R, "P_R", kW,
+            "rated power of the chain with 19 teeth at the speed of the smaller sprocket, all strands"}
           .positive()
           .may_be_missing()};
 
@@ -137,6 +140,7 @@ P_R = "5.5 kW"
     double delta_1 = unset<double>, delta_2 = unset<double>;
     Moment T_1 = unset<Moment>, T_2 = unset<Moment>;
     Force F_t = unset<Force>, F_c = unset<Force>, F_f = unset<Force>, F = unset<Force>, F_W = unset<Force>;
+    ShaftLoad shaft_1, shaft_2;
     Stress p_r = unset<Stress>;
     Force F_u = unset<Force>;
     double S_stat = unset<double>, S_dyn = unset<double>, u_F = unset<double>;
@@ -162,13 +166,15 @@ P_R = "5.5 kW"
       Field{&Result::v_share, "v_share", ratio, "speed over the highest for this lubrication"}.limit(0, 1, "n_1"),
       Field{&Result::delta_1, "delta_1", ratio, "polygon effect: drop of the chain speed below its largest"},
       Field{&Result::delta_2, "delta_2", ratio, "the same at the driven sprocket"},
-      Field{&Result::T_1, "T_1", N_m, "torque of the driving sprocket, nominal"}.with("F_W"),
-      Field{&Result::T_2, "T_2", N_m, "torque of the driven sprocket, nominal, without losses"}.with("F_W"),
+      Field{&Result::T_1, "T_1", N_m, "torque of the driving sprocket, nominal"}.load().with("F_W"),
+      Field{&Result::T_2, "T_2", N_m, "torque of the driven sprocket, nominal, without losses"}.load().with("F_W"),
       Field{&Result::F_t, "F_t", N, "pull of the chain, nominal"},
       Field{&Result::F_c, "F_c", N, "centrifugal force"},
       Field{&Result::F_f, "F_f", N, "pull by sag"},
-      Field{&Result::F, "F", N, "largest pull: with the service factor, centrifugal force and sag"},
-      Field{&Result::F_W, "F_W", N, "force on each shaft, along the line of centres"},
+      Field{&Result::F, "F", N, "largest pull: with the service factor, centrifugal force and sag"}.holding("K_A"),
+      Field{&Result::F_W, "F_W", N, "force on each shaft, along the line of centres"}.load().holding("K_A"),
+      Group{&Result::shaft_1, "shaft_1", "what the chain does to the driving shaft, for a shaft: load"}.handed_over(),
+      Group{&Result::shaft_2, "shaft_2", "what the chain does to the driven shaft, for a shaft: load"}.handed_over(),
       Field{&Result::p_r, "p_r", MPa, "pressure in the joints"},
       Field{&Result::F_u, "F_u", kN, "breaking load of all strands"},
       Field{&Result::S_stat, "S_stat", ratio, "static safety against breaking: without the service factor"},

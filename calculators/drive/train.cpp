@@ -75,7 +75,7 @@ void drive(const Train::Shaft& before, Train::StageResult& stage, Train::Shaft& 
   const auto n_before = before.n;
   const auto T_before = before.T;
   if (is_set(n_before)) {
-    trace.value("n_before", n_before, "speed before the stage");
+    trace.speed("n_before", n_before, "speed before the stage");
     STEP_TO(after, n, n_before / stage.i, "speed behind the stage, [B40]");
   }
   if (!is_set(T_before)) return;

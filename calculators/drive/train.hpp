@@ -108,8 +108,8 @@ stages = [
   static bool members_differ(const Input& in);
   static FieldFault same_member(const Input& in);
   static constexpr std::tuple inputs{
-      Field{&Input::P, "P", kW, "power that enters, with n_1"}.positive().may_be_missing(),
-      Field{&Input::T_1, "T_1", N_m, "torque that enters, in place of P"}.positive().may_be_missing(),
+      Field{&Input::P, "P", kW, "power that enters, with n_1"}.load().positive().may_be_missing(),
+      Field{&Input::T_1, "T_1", N_m, "torque that enters, in place of P"}.load().positive().may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of the first shaft"}.positive().may_be_missing(),
       ListField{&Input::stages, "stages", "stages from the motor to the machine"}};
 
@@ -124,7 +124,7 @@ stages = [
         Field{&StageResult::eta_low, "eta_low", ratio, "lowest usual efficiency of such a stage"},
         Field{&StageResult::eta_high, "eta_high", ratio, "highest usual efficiency of such a stage"},
         Choice{&StageResult::range, "range", "the efficiency against what is usual"},
-        Field{&StageResult::T_h, "T_h", N_m, "torque of the housing on the foundation"},
+        Field{&StageResult::T_h, "T_h", N_m, "torque of the housing on the foundation"}.load(),
         Field{&StageResult::P_loss, "P_loss", kW, "power that is lost"}};
   };
   struct Shaft {
@@ -132,11 +132,12 @@ stages = [
     Moment T = unset<Moment>;
     Power P = unset<Power>;
     Force F_in = unset<Force>, F_out = unset<Force>;
-    static constexpr std::tuple fields{Field{&Shaft::n, "n", rpm, "speed, signed"},
-                                       Field{&Shaft::T, "T", N_m, "torque that it carries, signed"}.with("F_in, F_out"),
-                                       Field{&Shaft::P, "P", kW, "power"},
-                                       Field{&Shaft::F_in, "F_in", N, "tangential force on its driven wheel"},
-                                       Field{&Shaft::F_out, "F_out", N, "tangential force on its driving wheel"}};
+    static constexpr std::tuple fields{
+        Field{&Shaft::n, "n", rpm, "speed, signed"},
+        Field{&Shaft::T, "T", N_m, "torque that it carries, signed"}.load().with("F_in, F_out"),
+        Field{&Shaft::P, "P", kW, "power"},
+        Field{&Shaft::F_in, "F_in", N, "tangential force on its driven wheel"}.load(),
+        Field{&Shaft::F_out, "F_out", N, "tangential force on its driving wheel"}.load()};
   };
   struct Result {
     double i = unset<double>, eta = unset<double>;
@@ -151,9 +152,9 @@ stages = [
       Field{&Result::i, "i", ratio, "ratio of the train, negative where the last shaft turns the other way"},
       Field{&Result::eta, "eta", ratio, "efficiency of the train"},
       Choice{&Result::works, "works", "what the train does to the speed"},
-      Field{&Result::T_1, "T_1", N_m, "torque that enters"},
+      Field{&Result::T_1, "T_1", N_m, "torque that enters"}.load(),
       Field{&Result::n_out, "n_out", rpm, "speed of the last shaft, signed"},
-      Field{&Result::T_out, "T_out", N_m, "torque that leaves, signed"},
+      Field{&Result::T_out, "T_out", N_m, "torque that leaves, signed"}.load(),
       Field{&Result::P_out, "P_out", kW, "power that leaves"},
       Field{&Result::P_loss, "P_loss", kW, "power that is lost"},
       ListField{&Result::stages, "stages", "stages"},

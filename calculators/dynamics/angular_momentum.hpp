@@ -59,8 +59,8 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
   };
   static constexpr std::tuple inputs{
       ListField{&Input::parts, "parts", "parts on the axis; those without omega_2 turn together afterwards"},
-      Field{&Input::M, "M", N_m,
-            "constant external moment about the axis, signed: negative brakes what turns forwards"},
+      Field{&Input::M, "M", N_m, "constant external moment about the axis, signed: negative brakes what turns forwards"}
+          .load(),
       Field{&Input::t, "t", sec, "time that the moment acts; found where every omega_2 is given"}
           .at_least(0)
           .may_be_missing()};

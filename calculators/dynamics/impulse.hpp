@@ -43,8 +43,10 @@ v_1x = "-1 m/s"
   };
   static constexpr std::tuple inputs{
       Field{&Input::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e6),
-      FormulaField{&Input::F_x, "F_x", "force along x as a formula of the time t: \"500 N*sin(pi*t/(20 ms))\""},
-      FormulaField{&Input::F_y, "F_y", "force along y as a formula of the time t; none where missing"}.may_be_missing(),
+      FormulaField{&Input::F_x, "F_x", "force along x as a formula of the time t: \"500 N*sin(pi*t/(20 ms))\""}.load(),
+      FormulaField{&Input::F_y, "F_y", "force along y as a formula of the time t; none where missing"}
+          .load()
+          .may_be_missing(),
       Field{&Input::t_1, "t_1", sec, "time at which the force starts"},
       Field{&Input::t_2, "t_2", sec, "time at which it ends, after t_1"},
       Field{&Input::v_1x, "v_1x", m_per_s, "velocity along x before"},
@@ -60,9 +62,9 @@ v_1x = "-1 m/s"
   static constexpr std::tuple results{Field{&Result::I_x, "I_x", N_s, "impulse along x"},
                                       Field{&Result::I_y, "I_y", N_s, "impulse along y"},
                                       Field{&Result::I, "I", N_s, "impulse"},
-                                      Field{&Result::F_mx, "F_mx", N, "mean force along x"},
-                                      Field{&Result::F_my, "F_my", N, "mean force along y"},
-                                      Field{&Result::F_m, "F_m", N, "mean force"},
+                                      Field{&Result::F_mx, "F_mx", N, "mean force along x"}.load(),
+                                      Field{&Result::F_my, "F_my", N, "mean force along y"}.load(),
+                                      Field{&Result::F_m, "F_m", N, "mean force"}.load(),
                                       Field{&Result::q_1x, "q_1x", kg_m_per_s, "momentum along x before"},
                                       Field{&Result::q_1y, "q_1y", kg_m_per_s, "momentum along y before"},
                                       Field{&Result::q_2x, "q_2x", kg_m_per_s, "momentum along x after"},

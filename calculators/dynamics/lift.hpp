@@ -46,7 +46,7 @@ wheels = [
     double i = 1.0, alpha = pi / 2.0, mu = 0.0;
     static constexpr std::tuple fields{
         NameField{&Weight::name, "name", "name of the body"}.may_be_missing(),
-        Field{&Weight::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e7),
+        Field{&Weight::mass, called("m"), kg, "mass"}.load().positive().usually(1e-6, 1e7),
         Field{&Weight::i, "i", ratio, "its path over the path s, positive downwards"},
         Field{&Weight::alpha, "alpha", deg, "slope of its track: 90 deg hangs, 0 deg level"}.within(0, 90),
         Field{&Weight::mu, "mu", ratio, "coefficient of friction on its track"}.at_least(0).usually(0, 1)};
@@ -63,7 +63,7 @@ wheels = [
         Field{&Wheel::r, "r", mm, "radius that the thread runs at"}.positive().usually(1, 1e5),
         Field{&Wheel::i, "i", ratio, "path of the thread on it, against its axis, over the path s"},
         Field{&Wheel::M_f, "M_f", N_m, "moment of the bearing friction"}.at_least(0),
-        Field{&Wheel::M_d, "M_d", N_m, "driving moment, positive forwards; negative brakes"}};
+        Field{&Wheel::M_d, "M_d", N_m, "driving moment, positive forwards; negative brakes"}.load()};
   };
   static constexpr std::size_t most_parts = 16;
 
@@ -89,7 +89,7 @@ wheels = [
     static constexpr std::tuple fields{NameField{&WeightState::name, "name", "name of the body"},
                                        Field{&WeightState::v, "v", m_per_s, "speed at the end, positive downwards"},
                                        Field{&WeightState::E, "E", J, "kinetic energy at the end"},
-                                       Field{&WeightState::T, "T", N, "force of the threads on it, upwards"}};
+                                       Field{&WeightState::T, "T", N, "force of the threads on it, upwards"}.load()};
   };
   struct WheelState {
     Name name;

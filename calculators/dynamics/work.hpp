@@ -48,7 +48,7 @@ mu = 0.1
       Field{&Input::s, "s", m, "length of the path"}.positive().usually(1e-6, 1e6),
       Field{&Input::alpha, "alpha", deg, "slope of the path, positive where it rises"}.within(-90, 90),
       Field{&Input::mu, "mu", ratio, "coefficient of sliding friction"}.at_least(0).usually(0, 1),
-      Field{&Input::F, "F", N, "constant force along the path, positive forwards"},
+      Field{&Input::F, "F", N, "constant force along the path, positive forwards"}.load(),
       Field{&Input::v_1, "v_1", m_per_s, "speed at the start"}.at_least(0),
       Field{&Input::c, "c", N_per_mm, "stiffness of a spring along the path"}.positive().may_be_missing(),
       Field{&Input::z_1, "z_1", mm, "deformation of the spring at the start"}.may_be_missing(),
@@ -66,7 +66,7 @@ mu = 0.1
     double u_s = unset<double>;
   };
   static constexpr std::tuple results{
-      Field{&Result::R, "R", N, "force of the plane on the body"},
+      Field{&Result::R, "R", N, "force of the plane on the body"}.load(),
       Field{&Result::T, "T", N, "friction"},
       Field{&Result::A_G, "A_G", J, "work of the weight"},
       Field{&Result::A_T, "A_T", J, "work of the friction"},

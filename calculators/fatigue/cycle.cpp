@@ -143,6 +143,7 @@ Cycle::Result Cycle::evaluate(const Input& in, Tracer& trace) {
   for (std::size_t i = 0; i < in.others.size(); ++i) {
     [[maybe_unused]] const auto here = trace.scope("others", i);
     Compared other;
+    other.name = in.others[i].name;
     static_cast<Characteristics&>(other) = cycle_of(in.others[i], trace);
     other.similar = are_similar(r, other) ? Similar::yes : Similar::no;
     r.others.push_back(other);

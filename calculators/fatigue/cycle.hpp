@@ -8,6 +8,7 @@
 #pragma once
 
 #include "calculators/fatigue/cycle_of.hpp"
+#include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/figure/figure.hpp"
 
@@ -47,6 +48,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
 
   struct Input : Given {
     Stresses stress = Stresses::normal;
+    Length d_h = unset<Length>;
     Stress R_e = unset<Stress>, sigma_D = unset<Stress>;
     double S_F = unset<double>, S_D = unset<double>;
     List<Other, most_others> others;
@@ -57,33 +59,36 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
   static FieldFault unsound(const Input& in);
   static constexpr std::tuple inputs = std::tuple_cat(
       given_fields<Input>(),
-      std::tuple{Choice<Input, Stresses>{&Input::stress, "stress", "what varies"}.may_be_missing(),
-                 Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength, to check the largest stress"}
-                     .positive()
-                     .usually(50, 2500)
-                     .from("material", "R_e"),
-                 Field<Input, double>{&Input::S_F, "S_F", ratio, "safety against yielding"}
-                     .at_least(1)
-                     .usually(1, 6)
-                     .may_be_missing()
-                     .factor(),
-                 Field<Input, Stress>{&Input::sigma_D, "sigma_D", MPa,
-                                      "fatigue limit of the part, r = -1, as nominal stress: of fatigue.endurance"}
-                     .positive()
-                     .usually(5, 1500)
-                     .may_be_missing(),
-                 Field<Input, double>{&Input::S_D, "S_D", ratio, "safety against the fatigue limit"}
-                     .at_least(1)
-                     .usually(1, 6)
-                     .may_be_missing()
-                     .factor(),
-                 ListField<Input, Other, most_others>{&Input::others, "others", "cycles that are compared with it"}
-                     .may_be_missing()});
+      std::tuple{
+          Choice<Input, Stresses>{&Input::stress, "stress", "what varies"}.may_be_missing(),
+          Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength, to check the largest stress"}
+              .positive()
+              .usually(50, 2500)
+              .from("material", "R_e", "d_h"),
+          diameter_at_heat_treatment(&Input::d_h),
+          Field<Input, double>{&Input::S_F, "S_F", ratio, "safety against yielding"}
+              .at_least(1)
+              .usually(1, 6)
+              .may_be_missing()
+              .factor(),
+          Field<Input, Stress>{&Input::sigma_D, "sigma_D", MPa,
+                               "fatigue limit of the part, r = -1, as nominal stress: of fatigue.endurance"}
+              .positive()
+              .usually(5, 1500)
+              .may_be_missing(),
+          Field<Input, double>{&Input::S_D, "S_D", ratio, "safety against the fatigue limit"}
+              .at_least(1)
+              .usually(1, 6)
+              .may_be_missing()
+              .factor(),
+          ListField<Input, List<Other, most_others>>{&Input::others, "others", "cycles that are compared with it"}
+              .may_be_missing()});
 
   struct Compared : Characteristics {
+    Name name;
     Similar similar = Similar::no;
     static constexpr std::tuple fields = std::tuple_cat(
-        cycle_fields<Compared>(),
+        std::tuple{NameField<Compared>{&Compared::name, "name", "name of the cycle"}}, cycle_fields<Compared>(),
         std::tuple{Choice<Compared, Similar>{&Compared::similar, "similar", "of one ratio with the first cycle"}});
   };
 
@@ -103,7 +108,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
                                 "mean stress over the amplitude, where it lowers the limit of r = -1"}
               .limit(0, same, "sigma_D")
               .where_it_applies(),
-          ListField<Result, Compared, most_others>{&Result::others, "others", "the compared cycles"}});
+          ListField<Result, List<Compared, most_others>>{&Result::others, "others", "the compared cycles"}});
 
   static constexpr std::array rules{
       Rule<Input>{&two_given, "sigma_max, sigma_min, sigma_m, sigma_a, r",

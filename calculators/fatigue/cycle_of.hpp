@@ -23,10 +23,14 @@ enum class Kind { symmetric, above, below, constant, alternating, tensile, compr
 template <class Owner>
 constexpr auto given_fields() {
   return std::tuple{
-      Field<Owner, Stress>{&Owner::sigma_max, "sigma_max", MPa, "largest stress of the cycle, signed"}.may_be_missing(),
-      Field<Owner, Stress>{&Owner::sigma_min, "sigma_min", MPa, "least stress of the cycle, signed"}.may_be_missing(),
-      Field<Owner, Stress>{&Owner::sigma_m, "sigma_m", MPa, "mean stress, signed"}.may_be_missing(),
-      Field<Owner, Stress>{&Owner::sigma_a, "sigma_a", MPa, "amplitude"}.at_least(0).may_be_missing(),
+      Field<Owner, Stress>{&Owner::sigma_max, "sigma_max", MPa, "largest stress of the cycle, signed"}
+          .load()
+          .may_be_missing(),
+      Field<Owner, Stress>{&Owner::sigma_min, "sigma_min", MPa, "least stress of the cycle, signed"}
+          .load()
+          .may_be_missing(),
+      Field<Owner, Stress>{&Owner::sigma_m, "sigma_m", MPa, "mean stress, signed"}.load().may_be_missing(),
+      Field<Owner, Stress>{&Owner::sigma_a, "sigma_a", MPa, "amplitude"}.load().at_least(0).may_be_missing(),
       Field<Owner, double>{&Owner::r, "r", ratio, "ratio sigma_min/sigma_max; may be inf"}
           .may_be_infinite()
           .may_be_missing()};

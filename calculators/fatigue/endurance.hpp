@@ -8,6 +8,7 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -69,7 +70,7 @@ R_z = "6.3 um"
     RuleOf rule = RuleOf::textbook;
     Stress sigma_W = unset<Stress>;
     School school = School::serensen;
-    Length d = unset<Length>;
+    Length d = unset<Length>, d_h = unset<Length>;
     double epsilon = unset<double>, K_t = 1.0, q = unset<double>;
     Length r_n = unset<Length>;
     double K_f = unset<double>;
@@ -80,7 +81,7 @@ R_z = "6.3 um"
   static bool rule_fits(const Input& in);
   static FieldFault misfit(const Input& in);
   static constexpr std::tuple inputs{
-      Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m", "d"),
+      Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m", "d_h, d"),
       Choice{&Input::group, "group", "group of materials"},
       Choice{&Input::loading, "loading", "kind of stress that varies"},
       Choice{&Input::rule, "rule", "rule that estimates the fatigue limit"}.may_be_missing(),
@@ -90,6 +91,7 @@ R_z = "6.3 um"
           .may_be_missing(),
       Choice{&Input::school, "school", "school that goes from the specimen to the part"}.may_be_missing(),
       Field{&Input::d, "d", mm, "diameter of the part at the section"}.positive().usually(1, 1000).may_be_missing(),
+      diameter_at_heat_treatment(&Input::d_h),
       Field{&Input::epsilon, "epsilon", ratio, "size factor, in place of one from d"}.within(0.3, 1).may_be_missing(),
       Field{&Input::K_t, "K_t", ratio, "stress concentration factor of the shape, on the net section"}.within(1, 10),
       Field{&Input::q, "q", ratio, "notch sensitivity"}.within(0, 1).may_be_missing(),
@@ -159,7 +161,8 @@ R_z = "6.3 um"
                   "school, epsilon, R_z, beta_F, beta_V",
                   "epsilon, R_z, beta_F and beta_V belong to Serensen's school; Marin's takes finish and d"},
       Rule<Input>{[](const Input& in) { return !(in.sigma_W >= in.R_m); }, "sigma_W, R_m",
-                  "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"}};
+                  "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"},
+      heat_treated_before_turning<Input>()};
 
   static constexpr std::array modes{
       Mode<Input>{"size", "a diameter for which no size factor was measured",

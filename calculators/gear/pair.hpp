@@ -126,9 +126,12 @@ sigma_adm_2 = "200 MPa"
           .may_be_missing(),
       Field{&Input::T_1, "T_1", N_m,
             "torque on shaft 1, nominal; positive where gear 1 drives, negative where it is driven"}
+          .load()
           .with("F_x1, F_y1, F_z1")
           .may_be_missing(),
-      Field{&Input::P, "P", kW, "nominal power that gear 1 takes in, in place of T_1, with n_1"}.may_be_missing(),
+      Field{&Input::P, "P", kW, "nominal power that gear 1 takes in, in place of T_1, with n_1"}
+          .load()
+          .may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of gear 1"}.positive().may_be_missing(),
       Choice{&Input::turns, "turns", "sense of rotation of gear 1, seen against the z axis"}.may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "application factor: what the nominal load does not contain, once"}

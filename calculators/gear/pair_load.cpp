@@ -35,8 +35,10 @@ void forces(const Pair::Input& in, Moment T_1, PairResult& r, Tracer& trace) {
   STEP_TO(r, F_y1, -w * 2.0 * T_1 / r.d_w1, "against the rotation where gear 1 drives");
   STEP_TO(r, F_z1, -h * F_y1 * r.d_w1 / r.d_1 * tan(in.beta), "along the axis: the force is normal to the helix");
   r.F_x2 = -F_x1, r.F_y2 = -F_y1, r.F_z2 = -F_z1;
+  r.gear_1 = shaft_load(in.K_A, T_1, {F_x1, F_y1, F_z1}, r.d_w1, in.n_1);
   if (in.mesh == Mesh::rack) return;
   STEP_TO(r, T_2, abs(T_1) * r.u, "without losses");
+  r.gear_2 = shaft_load(in.K_A, T_2, {r.F_x2, r.F_y2, r.F_z2}, r.d_w2, r.n_2);
 }
 
 /// [Shigley14] (14-4a) to (14-6b); the speeds up to which they are used are recalled.

@@ -1,6 +1,7 @@
 // What is found of a pair of gears.
 #pragma once
 
+#include "calculators/load/shaft_load.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/quantity/drive_units.hpp"
 
@@ -34,6 +35,7 @@ struct PairResult {
   Force F_t = unset<Force>, F_tw = unset<Force>, F_rw = unset<Force>, F_a = unset<Force>, F_bn = unset<Force>;
   Force F_x1 = unset<Force>, F_y1 = unset<Force>, F_z1 = unset<Force>;
   Force F_x2 = unset<Force>, F_y2 = unset<Force>, F_z2 = unset<Force>;
+  ShaftLoad gear_1, gear_2;
   double K_v = unset<double>, v_share = unset<double>;
   double Y_1 = unset<double>, Y_2 = unset<double>;
   Stress sigma_F1 = unset<Stress>, sigma_F2 = unset<Stress>;
@@ -100,24 +102,27 @@ inline constexpr std::tuple pair_results{
         .limit(-1e-6, 1e3)
         .criterion(),
     Field{&PairResult::k_W1, "k_W1", ratio, "teeth of gear 1 spanned by W_1"},
-    Field{&PairResult::W_1, "W_1", mm, "base-tangent length of gear 1"},
+    Field{&PairResult::W_1, "W_1", mm, "base-tangent length of gear 1; none where b is too small to measure it"},
     Field{&PairResult::k_W2, "k_W2", ratio, "teeth of gear 2 spanned by W_2"},
-    Field{&PairResult::W_2, "W_2", mm, "base-tangent length of gear 2"},
+    Field{&PairResult::W_2, "W_2", mm, "base-tangent length of gear 2; none where b is too small to measure it"},
     Field{&PairResult::b, "b", mm, "common face width"},
     Field{&PairResult::n_2, "n_2", rpm, "speed of gear 2, negative where it turns against gear 1"},
     Field{&PairResult::v, "v", m_per_s, "pitch line velocity; of a rack its speed"},
-    Field{&PairResult::T_2, "T_2", N_m, "torque of gear 2 on its shaft, without losses"}.with("F_x2, F_y2, F_z2"),
+    Field{&PairResult::T_2, "T_2", N_m, "torque of gear 2 on its shaft, without losses"}.load().with(
+        "F_x2, F_y2, F_z2"),
     Field{&PairResult::F_t, "F_t", N, "tangential force at the reference circle, nominal, for strength"},
-    Field{&PairResult::F_tw, "F_tw", N, "tangential force at the working circle, for the bearings"},
-    Field{&PairResult::F_rw, "F_rw", N, "radial force at the working circle"},
-    Field{&PairResult::F_a, "F_a", N, "axial force"},
+    Field{&PairResult::F_tw, "F_tw", N, "tangential force at the working circle, for the bearings"}.load(),
+    Field{&PairResult::F_rw, "F_rw", N, "radial force at the working circle"}.load(),
+    Field{&PairResult::F_a, "F_a", N, "axial force"}.load(),
     Field{&PairResult::F_bn, "F_bn", N, "force along the normal of the tooth"},
-    Field{&PairResult::F_x1, "F_x1", N, "force on gear 1 along x, from axis 1 to the pitch point"},
-    Field{&PairResult::F_y1, "F_y1", N, "force on gear 1 along y"},
-    Field{&PairResult::F_z1, "F_z1", N, "force on gear 1 along z, its axis"},
-    Field{&PairResult::F_x2, "F_x2", N, "force on gear 2 along x"},
-    Field{&PairResult::F_y2, "F_y2", N, "force on gear 2 along y"},
-    Field{&PairResult::F_z2, "F_z2", N, "force on gear 2 along z"},
+    Field{&PairResult::F_x1, "F_x1", N, "force on gear 1 along x, from axis 1 to the pitch point"}.load(),
+    Field{&PairResult::F_y1, "F_y1", N, "force on gear 1 along y"}.load(),
+    Field{&PairResult::F_z1, "F_z1", N, "force on gear 1 along z, its axis"}.load(),
+    Field{&PairResult::F_x2, "F_x2", N, "force on gear 2 along x"}.load(),
+    Field{&PairResult::F_y2, "F_y2", N, "force on gear 2 along y"}.load(),
+    Field{&PairResult::F_z2, "F_z2", N, "force on gear 2 along z"}.load(),
+    Group{&PairResult::gear_1, "gear_1", "what gear 1 does to its shaft, for a shaft: load"}.handed_over(),
+    Group{&PairResult::gear_2, "gear_2", "what gear 2 does to its shaft, for a shaft: load"}.handed_over(),
     Field{&PairResult::K_v, "K_v", ratio, "velocity factor, raises the load; 1 without cutting"},
     Field{&PairResult::v_share, "v_share", ratio,
           "velocity factor: speed over the highest that it is used for; a strength needs cutting"}

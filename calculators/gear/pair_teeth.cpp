@@ -59,6 +59,23 @@ Length base_tangent(const Pair::Input& in, const PairResult& r, const Wheel& w, 
                     "base-tangent length, [ISO21771]");
 }
 
+/// Whether the jaws of a gauge find both flanks: the base tangent of a helical tooth leans along the helix.
+bool is_wide_enough(const Pair::Input& in, const PairResult& r, Length W) {
+  const double beta_b = std::asin(std::sin(in.beta) * std::cos(in.alpha_n));
+  return !is_set(r.b) || r.b > W * std::sin(beta_b);
+}
+
+/// Base-tangent length and the teeth that it spans; none where the face is too narrow to measure it.
+template <class Tracer>
+void span(const Pair::Input& in, const PairResult& r, const Wheel& w, const Symbols& name, double& k_W, Length& W,
+          Tracer& trace) {
+  NoTrace quiet;
+  const double k = spanned_teeth(in, r, w, trace);
+  if (!is_wide_enough(in, r, base_tangent(in, r, w, k, name, quiet))) return;
+  k_W = k;
+  W = base_tangent(in, r, w, k, name, trace);
+}
+
 }  // namespace
 
 template <class Tracer>
@@ -68,8 +85,7 @@ void measure_teeth(const Pair::Input& in, PairResult& r, Tracer& trace) {
           "normal thickness at the reference circle");
   const Wheel one{in.z_1, in.x_1, in.A_s1, r.d_1, r.d_b1, r.d_a1, 1.0, in.k_W1};
   const Length s_an1 = r.s_an1 = tip_thickness(in, r, one, s_n1, first, trace);
-  r.k_W1 = spanned_teeth(in, r, one, trace);
-  r.W_1 = base_tangent(in, r, one, r.k_W1, first, trace);
+  span(in, r, one, first, r.k_W1, r.W_1, trace);
   if (in.mesh == Mesh::rack) {
     STEP_TO(r, s_an2, in.m_n * (pi / 2.0 - 2.0 * in.h_aP * tan(in.alpha_n)), "tip of the rack");
     STEP_TO(r, s_a, min(s_an1, s_an2) / in.m_n, "the thinner tip, in modules");
@@ -79,10 +95,7 @@ void measure_teeth(const Pair::Input& in, PairResult& r, Tracer& trace) {
     const Wheel two{in.z_2, r.x_2, in.A_s2, r.d_2, r.d_b2, r.d_a2, sign_of(in.mesh), in.k_W2};
     const Length s_an2 = r.s_an2 = tip_thickness(in, r, two, s_n2, second, trace);
     STEP_TO(r, s_a, min(s_an1, s_an2) / in.m_n, "the thinner tip, in modules");
-    if (in.mesh == Mesh::external) {
-      r.k_W2 = spanned_teeth(in, r, two, trace);
-      r.W_2 = base_tangent(in, r, two, r.k_W2, second, trace);
-    }
+    if (in.mesh == Mesh::external) span(in, r, two, second, r.k_W2, r.W_2, trace);
   }
   if (!both_shifts_given) {
     STEP_TO(r, j_bn, -cos(in.alpha_n) * (in.A_s1 + in.A_s2), "backlash from the allowances alone");

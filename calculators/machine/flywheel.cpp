@@ -178,6 +178,21 @@ FieldFault Flywheel::law_fault(const Input& in) {
           say("it divides by zero there, or takes a root or an arc of what has none")};
 }
 
+bool Flywheel::law_repeats(const Input& in) { return law_leap(in).message.empty(); }
+
+FieldFault Flywheel::law_leap(const Input& in) {
+  constexpr double rounding = 1e-6;
+  const Law* const law = in.M_of_phi.empty() ? nullptr : in.M_of_phi.law();
+  if (law == nullptr) return {};
+  const double first = law->at(0.0).value, last = law->at(in.period * (1.0 - 1e-12)).value;
+  if (!(std::abs(last - first) > rounding * std::max(std::abs(first), std::abs(last)))) return {};
+  return {"M_of_phi",
+          say("the moment does not repeat after {1}: it leaps there from {2} to {3}",
+              format_quantity(in.period, deg.symbol, 5), format_quantity(last, N_m.symbol, 4),
+              format_quantity(first, N_m.symbol, 4)),
+          say("give the period after which it repeats, as period = \"720 deg\"; a leap that is meant may stay")};
+}
+
 bool Flywheel::points_rise(const Input& in) {
   if (in.points.empty()) return true;
   for (std::size_t i = 1; i < in.points.size(); ++i) {

@@ -46,7 +46,7 @@ delta = 0.01
     double phi = unset<double>;
     Moment M = unset<Moment>;
     static constexpr std::tuple fields{Field{&Point::phi, "phi", deg, "angle, not falling from one to the next"},
-                                       Field{&Point::M, "M", N_m, "moment; straight to the next point"}};
+                                       Field{&Point::M, "M", N_m, "moment; straight to the next point"}.load()};
   };
   static constexpr std::size_t most_points = 72;
   static constexpr std::size_t most_samples = 1440;
@@ -71,8 +71,9 @@ delta = 0.01
     Samples series;  // of M, filled by the step; no field of its own
   };
   static constexpr std::tuple inputs{
-      Field{&Input::M, "M", N_m, "moment over a cycle, a series: \"=press.drive.M\""}.may_be_missing(),
+      Field{&Input::M, "M", N_m, "moment over a cycle, a series: \"=press.drive.M\""}.load().may_be_missing(),
       FormulaField{&Input::M_of_phi, "M_of_phi", "moment as a formula of the angle phi, in place of the series"}
+          .load()
           .may_be_missing(),
       ListField{&Input::points, "points", "moment by points over one period, in place of the series"}
           .as_arrays()
@@ -114,7 +115,7 @@ delta = 0.01
   };
   static constexpr std::tuple results{
       Field{&Result::M_m, "M_m", N_m, "mean moment over the angle"},
-      Field{&Result::M_peak, "M_peak", N_m, "largest magnitude of the moment; of a series, of its positions"},
+      Field{&Result::M_peak, "M_peak", N_m, "largest magnitude of the moment; of a series, of its positions"}.load(),
       Field{&Result::A, "A", J, "work over the period"},
       Choice{&Result::work, "work", "whether the machine does work over the period"},
       Field{&Result::E_low, "E_low", J, "least work of the moment beyond its mean, from the start"},
@@ -139,11 +140,14 @@ delta = 0.01
   static bool has_one_moment(const Input& in);
   static bool law_reads(const Input& in);
   static FieldFault law_fault(const Input& in);
+  static bool law_repeats(const Input& in);
+  static FieldFault law_leap(const Input& in);
   static bool points_rise(const Input& in);
   static constexpr std::array rules{
       Rule<Input>{&has_one_moment, "M, M_of_phi, points",
                   "give the moment once: as a series M, as M_of_phi, or as points"},
       Rule<Input>{&law_reads, "M_of_phi, period", "M_of_phi must be a moment as a formula of phi", &law_fault},
+      Rule<Input>{&law_repeats, "M_of_phi, period", "the moment does not repeat after its period", &law_leap, true},
       Rule<Input>{&points_rise, "points, period",
                   "points need two or more angles, none below the one before, and all within one period"},
       Rule<Input>{[](const Input& in) { return is_set(in.delta) || is_set(in.inertia); }, "delta, J",

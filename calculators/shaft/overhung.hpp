@@ -55,9 +55,10 @@ tau_adm = "30 MPa"
     return where(abs(in.F) > 0.0 * N.one || abs(in.T) > 0.0 * N_m.one);
   }
   static constexpr std::tuple inputs{
-      Field{&Input::F, "F", N, "transverse force on the overhang"},
+      RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
+      Field{&Input::F, "F", N, "transverse force on the overhang"}.load(),
       Field{&Input::a, "a", mm, "overhang: from the force to the middle of the bearing"}.at_least(0).usually(1, 1e4),
-      Field{&Input::T, "T", N_m, "torque at the same time"},
+      Field{&Input::T, "T", N_m, "torque at the same time"}.load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on force and torque: what they do not contain, once"}
           .positive()
           .usually(1, 4)
@@ -83,9 +84,9 @@ tau_adm = "30 MPa"
     double u_v = unset<double>, u_Q = unset<double>, u_tau = unset<double>;
   };
   static constexpr std::tuple results{
-      Field{&Result::M_b, "M_b", N_m, "bending moment at the bearing"},
-      Field{&Result::M_t, "M_t", N_m, "design torque"},
-      Field{&Result::M_v, "M_v", N_m, "equivalent moment"},
+      Field{&Result::M_b, "M_b", N_m, "bending moment at the bearing"}.holding("K_A"),
+      Field{&Result::M_t, "M_t", N_m, "design torque"}.holding("K_A"),
+      Field{&Result::M_v, "M_v", N_m, "equivalent moment"}.holding("K_A"),
       Field{&Result::d_v, "d_v", mm, "least diameter by the equivalent stress"},
       Field{&Result::d_t, "d_t", mm, "least diameter by torsion alone"},
       Field{&Result::d_min, "d_min", mm,

@@ -9,6 +9,7 @@
 #include "calculators/shaft/modes.hpp"
 #include "calculators/shaft/torque_diagram.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/text/issue.hpp"
@@ -67,7 +68,7 @@ theta_adm = "0.004 rad/m"
     Moment T = unset<Moment>;
     static constexpr std::tuple fields{NameField{&Torque::name, "name", "what brings the torque"}.may_be_missing(),
                                        Field{&Torque::x, "x", mm, "place from the left end"}.at_least(0),
-                                       Field{&Torque::T, "T", N_m, "torque on the shaft, signed"}};
+                                       Field{&Torque::T, "T", N_m, "torque on the shaft, signed"}.load()};
   };
 
   struct Input {
@@ -95,16 +96,13 @@ theta_adm = "0.004 rad/m"
   static FieldFault open_sum(const Input& in);
   static FieldFault torque_off_shaft(const Input& in);
   static constexpr std::tuple inputs{
-      Field{&Input::T, "T", N_m, "torque through the whole shaft, in place of torques"}.may_be_missing(),
+      RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
+      Field{&Input::T, "T", N_m, "torque through the whole shaft, in place of torques"}.load().may_be_missing(),
       Field{&Input::l, "l", mm, "length of the shaft, for the angle of twist"}.positive().may_be_missing(),
       Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
       Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}.at_least(0).below(0.99).may_be_missing(),
       Field{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing().kept_in_search(),
-      Field{&Input::d_h, "d_h", mm,
-            "diameter at heat treatment, which the strength of the material belongs to; the largest where missing"}
-          .positive()
-          .usually(1, 2000)
-          .may_be_missing(),
+      diameter_at_heat_treatment(&Input::d_h),
       Field{&Input::K_A, "K_A", ratio, "service factor: what the loads do not contain, once"}
           .positive()
           .usually(1, 4)
@@ -125,7 +123,7 @@ theta_adm = "0.004 rad/m"
           .positive()
           .usually(0.02, 10)
           .may_be_missing(),
-      Field{&Input::F, "F", N, "transverse force that comes with the torque; bends the shaft"}.coming_with("T"),
+      Field{&Input::F, "F", N, "transverse force that comes with the torque; bends the shaft"}.load().coming_with("T"),
       Choice{&Input::fixed, "fixed", "end that is held; its reaction closes the sum of the torques"}.may_be_missing(),
       ListField{&Input::torques, "torques", "torques along the shaft; their sum is zero unless an end is fixed"}
           .may_be_missing(),
@@ -176,7 +174,7 @@ theta_adm = "0.004 rad/m"
   };
   static constexpr std::tuple results{
       Field{&Result::tau_all, "tau_all", MPa, "allowable shear stress"},
-      Field{&Result::M_max, "M_max", N_m, "largest design moment"},
+      Field{&Result::M_max, "M_max", N_m, "largest design moment"}.holding("K_A"),
       Field{&Result::d_strength, "d_strength", mm, "least diameter by strength"},
       Field{&Result::d_stiffness, "d_stiffness", mm, "least diameter by stiffness"},
       Field{&Result::d_min, "d_min", mm, "least diameter by both"},
@@ -222,8 +220,7 @@ theta_adm = "0.004 rad/m"
       Rule<Input>{&bores_fit, "segments, d",
                   "the bore of a segment must be smaller than its diameter; give it as chi or as "
                   "d_bore, never both"},
-      Rule<Input>{[](const Input& in) { return !(in.d_h < in.d); }, "d_h, d",
-                  "the diameter at heat treatment is not below that of the finished shaft"}};
+      heat_treated_before_turning<Input>()};
 
   static constexpr auto modes =
       with_modes_of_shafts(std::array{Mode<Input>{"yield", "yield in torsion", &loaded}.judged_by("u_tau"),

@@ -57,8 +57,8 @@ sigma_adm = "120 MPa"
   static bool is_loaded(const Input& in);
   static bool held_off_axis(const Input& in);
   static constexpr std::tuple inputs = std::tuple_cat(
-      std::tuple{ListField<Input, Point, most_points>{&Input::points, "points",
-                                                      "meridian, from the free end of the shell to where it is held"}
+      std::tuple{ListField<Input, List<Point, most_points>>{
+                     &Input::points, "points", "meridian, from the free end of the shell to where it is held"}
                      .as_arrays(),
                  Choice<Input, Start>{&Input::start, "start", "what ends the shell at a first point off the axis"}
                      .may_be_missing()},
@@ -98,7 +98,7 @@ sigma_adm = "120 MPa"
               .limit(0, 0.2),
           Field{&Result::w_b, "w_b", ratio, "buckling of a knuckle: 0.002 of the crown radius over the thickness"}
               .limit(0, 1),
-          ListField<Result, Along, most_points>{&Result::along, "along", "stresses along the meridian"}});
+          ListField<Result, List<Along, most_points>>{&Result::along, "along", "stresses along the meridian"}});
 
   static constexpr std::array rules = join<Input>(
       wall_rules<Input>(), liquid_rules<Input>(),

@@ -52,7 +52,8 @@ struct WallResult {
 template <class Input>
 constexpr auto wall_inputs() {
   return std::tuple{
-      Field<Input, Stress>{&Input::p, "p", MPa, "internal gauge pressure of the gas"}.at_least(0).usually(0, 100),
+      Field<Input, Stress>{&Input::p, "p", MPa, "internal gauge pressure of the gas"}.load().at_least(0).usually(0,
+                                                                                                                 100),
       Field<Input, Length>{&Input::delta, "delta", mm, "wall thickness as ordered"}
           .positive()
           .usually(0.5, 400)
@@ -92,6 +93,7 @@ constexpr auto wall_inputs() {
 template <class Input>
 constexpr auto liquid_inputs(const char* level) {
   return std::tuple{Field<Input, Density>{&Input::rho, "rho", kg_per_m3, "density of the liquid, with h_l"}
+                        .load()
                         .positive()
                         .usually(300, 14000)
                         .may_be_missing(),

@@ -18,6 +18,7 @@ struct Origin {
   Message text;
   std::vector<std::string> sources;  // keys of tables/sources.toml
   bool recalled = false;             // the row's source was not seen: flagged in the report
+  bool searched = false;             // found by a search
 };
 
 /// A named quantity of a step.
@@ -27,11 +28,12 @@ struct Entry {
   std::string unit;  // display unit
   Role role = Role::result;
   Value value;
-  Origin origin;           // inputs only
-  std::string word;        // a choice or a name instead of a number
-  bool is_factor = false;  // inputs only: see Field::factor
-  Message missing = {};    // why there is no value, or none at some positions; empty: "not available"
-  bool brief = true;       // results only: worth a line where there is little room
+  Origin origin;             // inputs only
+  std::string word;          // a choice or a name instead of a number
+  bool is_factor = false;    // inputs only: see Field::factor
+  Message missing = {};      // why there is no value, or none at some positions; empty: "not available"
+  bool brief = true;         // results only: worth a line where there is little room
+  bool handed_over = false;  // results only: of a record for other steps, shown where they take it
 };
 
 /// Whether nothing is known of it, at no position.

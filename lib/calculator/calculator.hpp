@@ -27,6 +27,8 @@ struct ResultPattern {
   const char* unit;
   const char* doc;
   const char* where;  // when it exists; empty: always
+  bool is_load = false;
+  const char* companions = "";  // what acts together with it on the same part: "V, M_b"
 };
 
 /// An input that is known in shape: a few parameters of its own in place of many elements. In a project file the key

@@ -80,6 +80,8 @@ struct Described {
   const char* doc = "";
   std::optional<Role> role = {};  // else what the list says that it stands in: input, or result
   bool optional = false;          // an input that may be missing (a rule or a default says what then)
+  bool is_load = false;           // what the part has to carry, or another part by it; not a capacity
+  bool is_beside = false;         // a result that is shown, and never part of a verdict
 
   [[nodiscard]] constexpr Self as(Role r) const {
     Self s = self();
@@ -89,6 +91,20 @@ struct Described {
   [[nodiscard]] constexpr Self may_be_missing() const {
     Self s = self();
     s.optional = true;
+    return s;
+  }
+  /// Force, moment, power, pressure: of an input what the part has to carry, of a result what a part has to carry that
+  /// takes it.
+  [[nodiscard]] constexpr Self load() const {
+    Self s = self();
+    s.is_load = true;
+    return s;
+  }
+  /// A result that is shown, and is no part of a verdict: of another school, of a sum that other checks judge in parts,
+  /// of methods side by side.
+  [[nodiscard]] constexpr Self beside() const {
+    Self s = self();
+    s.is_beside = true;
     return s;
   }
 
@@ -107,16 +123,18 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
   Range bounds;     // outside: refused (input), not covered (limit)
   Range plausible;  // outside: a warning
   Provider provider;
-  const char* asked_by = "";     // check or limit: exists only where one of these inputs is given ("N, P")
-  bool infinite = false;         // input: a plain number that may be typed as inf
-  bool where_set = false;        // check or limit: exists only where the calculator gives it a value
-  bool is_criterion = false;     // limit: outside its bounds the part fails
-  bool is_beside = false;        // check or limit: shown, and never part of a verdict
-  const char* searched_in = "";  // input: where missing, the smallest value of this stock that passes every check
-  bool kept = false;             // input: where missing in a search, the result of the same key of the sizing run
-  const char* companions = "";   // what acts together with it on the same part: keys beside its own, "F_t, F_r"
-  bool signed_load = false;      // input: its sign decides, so that a magnitude is no value for it
-  bool is_factor = false;        // input: raises a load or lowers a strength; the report lists where each is applied
+  const char* asked_by = "";      // check or limit: exists only where one of these inputs is given ("N, P")
+  bool infinite = false;          // input: a plain number that may be typed as inf
+  bool where_set = false;         // check or limit: exists only where the calculator gives it a value
+  bool is_criterion = false;      // limit: outside its bounds the part fails
+  const char* searched_in = "";   // input: where missing, the smallest value of this stock that passes every check
+  bool sought_unasked = false;    // input: searched for where it is missing, too, not only where it is "?"
+  bool larger_is_better = false;  // input: "?" is the largest value that passes
+  bool kept = false;              // input: where missing in a search, the result of the same key of the sizing run
+  const char* companions = "";    // what acts together with it on the same part: keys beside its own, "F_t, F_r"
+  bool signed_load = false;       // input: its sign decides, so that a magnitude is no value for it
+  const char* factors = "";       // result: inputs that it holds already, so that none may apply them again: "K_A"
+  bool is_factor = false;         // input: raises a load or lowers a strength; the report lists where each is applied
 
   constexpr Field(Quantity Owner::*member, const char* k, Unit<Quantity> u, const char* d)
       : Base{k, d}, at{member}, unit{u} {}
@@ -163,12 +181,6 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
     f.is_criterion = true;
     return f;
   }
-  /// A check or limit that is shown beside the verdict: of another school, of a sum that other checks judge in parts.
-  [[nodiscard]] constexpr Field beside() const {
-    Field f = *this;
-    f.is_beside = true;
-    return f;
-  }
   /// A plain number whose infinity means something: the ratio of a stress cycle that ends in zero.
   [[nodiscard]] constexpr Field may_be_infinite() const {
     Field f = *this;
@@ -181,9 +193,22 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
     f.where_set = true;
     return f;
   }
+  /// A size that is searched for where it is missing, and where it is "?".
   [[nodiscard]] constexpr Field searched(const char* stock) const {
+    Field f = findable(stock);
+    f.sought_unasked = true;
+    return f;
+  }
+  /// A size that can be searched for: "?".
+  [[nodiscard]] constexpr Field findable(const char* stock) const {
     Field f = *this;
     f.searched_in = stock;
+    return f;
+  }
+  /// A length, a speed of which "?" is the largest value that passes.
+  [[nodiscard]] constexpr Field most() const {
+    Field f = *this;
+    f.larger_is_better = true;
     return f;
   }
   [[nodiscard]] constexpr Field kept_in_search() const {
@@ -201,6 +226,12 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
   [[nodiscard]] constexpr Field keeps_sign() const {
     Field f = *this;
     f.signed_load = true;
+    return f;
+  }
+  /// A load that holds these factors already: who takes it may not apply them again.
+  [[nodiscard]] constexpr Field holding(const char* keys) const {
+    Field f = *this;
+    f.factors = keys;
     return f;
   }
   [[nodiscard]] constexpr Field factor() const {
@@ -257,11 +288,19 @@ struct Choice : detail::Described<Choice<Owner, Enum>> {
       : detail::Described<Choice<Owner, Enum>>{k, d}, at{member} {}
 };
 
+/// A record of another step, "=pick.best", that fills those of the fields beside it that are not typed.
+template <class Owner>
+struct RecordField : detail::Described<RecordField<Owner>> {
+  constexpr RecordField(const char* k, const char* d)
+      : detail::Described<RecordField<Owner>>{k, d, std::nullopt, true} {}
+};
+
 /// A nested aggregate with fields of its own. Positional: may also be written as an array of its first fields.
 template <class Owner, class Part>
 struct Group : detail::Described<Group<Owner, Part>> {
   Part Owner::*at;
   bool positional = false;
+  bool is_handed_over = false;  // result: for other steps to take whole; shown where they do, not here
   constexpr Group(Part Owner::*member, const char* k, const char* d)
       : detail::Described<Group<Owner, Part>>{k, d}, at{member} {}
   [[nodiscard]] constexpr Group as_array() const {
@@ -269,16 +308,22 @@ struct Group : detail::Described<Group<Owner, Part>> {
     g.positional = true;
     return g;
   }
+  [[nodiscard]] constexpr Group handed_over() const {
+    Group g = *this;
+    g.is_handed_over = true;
+    return g;
+  }
 };
 
-/// A list of aggregates with fields of their own. An element may carry a NameField "name".
-template <class Owner, class Element, std::size_t N>
-struct ListField : detail::Described<ListField<Owner, Element, N>> {
-  List<Element, N> Owner::*at;
+/// A list of aggregates with fields of their own: a List, or a std::vector, which has no bound. An element may carry a
+/// NameField "name".
+template <class Owner, class Items>
+struct ListField : detail::Described<ListField<Owner, Items>> {
+  Items Owner::*at;
   bool positional = false;
   Provider provider;
-  constexpr ListField(List<Element, N> Owner::*member, const char* k, const char* d)
-      : detail::Described<ListField<Owner, Element, N>>{k, d}, at{member} {}
+  constexpr ListField(Items Owner::*member, const char* k, const char* d)
+      : detail::Described<ListField<Owner, Items>>{k, d}, at{member} {}
   /// The values of a row that the step names at all its sizes, for elements of a size and a value.
   [[nodiscard]] constexpr ListField from_sizes(const char* table, const char* column, const char* unless) const {
     ListField l = this->may_be_missing();

@@ -1,4 +1,4 @@
-// Lists inside inputs and results: bounded, inline, without allocation. Unbounded data are a Series.
+// Lists inside inputs and results: bounded, inline, without allocation. What is never swept may be a std::vector.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 
 namespace loadpath {
@@ -13,6 +14,13 @@ namespace loadpath {
 /// At most N elements, held in place. Adding more is refused by the readers with a message, never by the calculator.
 template <class Element, std::size_t N>
 using List = boost::container::static_vector<Element, N>;
+
+/// The capacity of a list without a bound: a std::vector.
+inline constexpr std::size_t no_bound = std::numeric_limits<std::size_t>::max();
+template <class Items>
+inline constexpr std::size_t capacity_of = no_bound;
+template <class Element, std::size_t N>
+inline constexpr std::size_t capacity_of<List<Element, N>> = N;
 
 /// A short text, held in place.
 template <std::size_t most>

@@ -1,6 +1,8 @@
 #include "lib/calculator/record.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace loadpath {
 
@@ -54,15 +56,86 @@ const FieldInfo* find_field(std::span<const FieldInfo> fields, std::string_view 
   return nullptr;
 }
 
-Leaf find_leaf(std::span<const FieldInfo> fields, void* data, std::string_view path) {
-  const std::size_t end = path.find_first_of(".[");
+Leaf find_member(std::span<const FieldInfo> fields, void* data, std::string_view path) {
+  const std::size_t end = std::min(path.find_first_of(".["), path.size());
   const FieldInfo* field = find_field(fields, path.substr(0, end));
-  if (field == nullptr) return {};
-  path.remove_prefix(end == std::string_view::npos ? path.size() : end);
-  if (field->is_leaf()) return path.empty() ? Leaf{field, data} : Leaf{};
+  path.remove_prefix(end);
+  if (field == nullptr || path.empty()) return {field, data};
+  if (!field->has_fields()) return {};
   void* inner = field->type == FieldInfo::Type::list ? take_element(*field, data, path) : field->element(data, 0);
   if (inner == nullptr || !path.starts_with('.')) return {};
-  return find_leaf(field->fields, inner, path.substr(1));
+  return find_member(field->fields, inner, path.substr(1));
+}
+
+Leaf find_leaf(std::span<const FieldInfo> fields, void* data, std::string_view path) {
+  const Leaf member = find_member(fields, data, path);
+  return member && member.field->is_leaf() ? member : Leaf{};
+}
+
+namespace {
+
+/// Takes "[2]" or ".journal" off the path behind a list; false where no element can be meant.
+bool skip_element(const FieldInfo& list, std::string_view& path) {
+  const bool numbered = path.starts_with('[');
+  if (!numbered && find_field(list.fields, "name") == nullptr) return false;
+  std::size_t number = 1;
+  if (numbered) std::from_chars(path.data() + 1, path.data() + path.size(), number);
+  if (number < 1 || number > list.capacity) return false;
+  const std::size_t end = numbered ? path.find(']') : path.find_first_of(".[", 1);
+  path.remove_prefix(end == std::string_view::npos ? path.size() : numbered ? end + 1 : end);
+  return true;
+}
+
+}  // namespace
+
+const FieldInfo* find_field_at(std::span<const FieldInfo> fields, std::string_view path) {
+  const std::size_t end = std::min(path.find_first_of(".["), path.size());
+  const FieldInfo* field = find_field(fields, path.substr(0, end));
+  path.remove_prefix(end);
+  if (field == nullptr || path.empty()) return field;
+  if (field->type == FieldInfo::Type::list && !skip_element(*field, path)) return nullptr;
+  if (!field->has_fields()) return nullptr;
+  if (path.empty()) return field;  // the whole element
+  return path.starts_with('.') ? find_field_at(field->fields, path.substr(1)) : nullptr;
+}
+
+bool is_missing(const FieldInfo& field, void* owner) {
+  switch (field.type) {
+    case FieldInfo::Type::quantity:
+      return std::isnan(field.get(owner));
+    case FieldInfo::Type::name:
+    case FieldInfo::Type::formula:
+      return field.text(owner).empty();
+    case FieldInfo::Type::list:
+      return field.size(owner) == 0;
+    case FieldInfo::Type::count:
+      return !field.bounds.holds(field.get(owner));
+    case FieldInfo::Type::choice:
+    case FieldInfo::Type::group:
+    case FieldInfo::Type::record:
+      return false;
+  }
+  return false;
+}
+
+std::string word_of(const Leaf& leaf) {
+  if (leaf.field->type != FieldInfo::Type::choice) return std::string(leaf.field->text(leaf.owner));
+  const double index = leaf.get();
+  return std::isnan(index) ? "" : leaf.field->choices[static_cast<std::size_t>(index)].key;
+}
+
+bool set_word(const Leaf& leaf, std::string_view word) {
+  const FieldInfo& field = *leaf.field;
+  if (field.type != FieldInfo::Type::choice) {
+    if (word.size() > field.capacity) return false;
+    field.set_text(leaf.owner, word);
+    return true;
+  }
+  const auto found = std::find_if(field.choices.begin(), field.choices.end(),
+                                  [&](const ChoiceInfo& c) { return word == c.key && *c.key != '\0'; });
+  if (found == field.choices.end()) return false;
+  leaf.set(static_cast<double>(found - field.choices.begin()));
+  return true;
 }
 
 std::string element_path(const FieldInfo& list, void* owner, std::size_t i) {
@@ -72,10 +145,8 @@ std::string element_path(const FieldInfo& list, void* owner, std::size_t i) {
 
 void for_each_leaf(std::span<const FieldInfo> fields, void* data, const VisitLeaf& visit) {
   for (const FieldInfo& field : fields) {
-    if (field.is_leaf()) {
-      visit(field.key, {&field, data});
-      continue;
-    }
+    if (field.is_leaf()) visit(field.key, {&field, data});
+    if (!field.has_fields()) continue;
     const bool list = field.type == FieldInfo::Type::list;
     const std::size_t count = list ? field.size(data) : 1;
     for (std::size_t i = 0; i < count; ++i) {

@@ -23,13 +23,24 @@ struct ChoiceInfo {
 
 /// One field. Which of the accessors are set depends on the type; `owner` points to the aggregate that holds it.
 struct FieldInfo {
-  enum class Type { quantity, count, choice, name, formula, group, list };
+  enum class Type {
+    quantity,
+    count,
+    choice,
+    name,
+    formula,
+    group,
+    list,
+    record  // of another step: no value of its own
+  };
 
   Type type = Type::quantity;
   const char* key = "";
   const char* doc = "";
   Role role = Role::input;
   bool optional = false;
+  bool is_load = false;
+  bool is_beside = false;
   bool positional = false;  // group, list of groups: may be written as an array
 
   // quantity
@@ -44,16 +55,19 @@ struct FieldInfo {
   bool infinite = false;
   bool where_set = false;
   bool is_criterion = false;
-  bool is_beside = false;
   const char* searched_in = "";
+  bool sought_unasked = false;
+  bool larger_is_better = false;
   bool kept = false;
   const char* companions = "";
   bool signed_load = false;
+  const char* factors = "";
   bool is_factor = false;
+  bool is_handed_over = false;  // group
 
   std::span<const ChoiceInfo> choices;  // choice
   std::span<const FieldInfo> fields;    // group, list
-  std::size_t capacity = 0;             // list: elements; name, formula: bytes
+  std::size_t capacity = 0;             // list: elements, or no_bound; name, formula: bytes
 
   double* (*address)(void* owner) = nullptr;              // quantity
   double (*get)(const void* owner) = nullptr;             // quantity, count, choice (its index)
@@ -62,10 +76,13 @@ struct FieldInfo {
   void (*set_text)(void* owner, std::string_view text) = nullptr;
   std::size_t (*size)(const void* owner) = nullptr;        // list; a group has size 1
   void* (*element)(void* owner, std::size_t i) = nullptr;  // list, group
+  void (*reserve)(void* owner, std::size_t n) = nullptr;   // list: up to n elements, none moves another
   void* (*push)(void* owner) = nullptr;                    // list: adds a blank element
 
-  [[nodiscard]] bool is_leaf() const { return type != Type::group && type != Type::list; }
-  [[nodiscard]] bool has_fields() const { return !is_leaf(); }
+  [[nodiscard]] bool is_leaf() const { return !has_fields() && type != Type::record; }
+  [[nodiscard]] bool has_fields() const { return type == Type::group || type == Type::list; }
+  [[nodiscard]] bool is_number() const { return type == Type::quantity || type == Type::count; }
+  [[nodiscard]] bool is_word() const { return type == Type::choice || type == Type::name || type == Type::formula; }
 };
 
 /// An aggregate type without its name.
@@ -103,11 +120,25 @@ std::vector<std::string> listed_keys(std::string_view list);
 
 const FieldInfo* find_field(std::span<const FieldInfo> fields, std::string_view key);
 
+/// The field at a path, of whatever type, and the aggregate that holds it.
+Leaf find_member(std::span<const FieldInfo> fields, void* data, std::string_view path);
+
 /// The leaf at a path: "d", "segments[2].tau" (from 1) or "segments.journal.tau" (by the element's name).
 Leaf find_leaf(std::span<const FieldInfo> fields, void* data, std::string_view path);
 inline Leaf find_leaf(const Record& record, std::string_view path) {
   return find_leaf(record.type->fields, record.data.get(), path);
 }
+
+/// The field at a path of a record; which elements its lists have is known later. Null where there is none.
+const FieldInfo* find_field_at(std::span<const FieldInfo> fields, std::string_view path);
+
+/// Whether a field that must be given has no value.
+bool is_missing(const FieldInfo& field, void* owner);
+
+/// What a choice, a name or a formula says.
+std::string word_of(const Leaf& leaf);
+/// Gives a choice, a name or a formula its text; false where a choice has no such word, or a name is too long.
+bool set_word(const Leaf& leaf, std::string_view word);
 
 /// Every leaf with its path, in order.
 using VisitLeaf = std::function<void(const std::string& path, const Leaf& leaf)>;

@@ -26,6 +26,8 @@ constexpr FieldInfo described(const detail::Described<Self>& field, FieldInfo::T
   info.doc = field.doc;
   info.role = field.role.value_or(role_of_list);
   info.optional = field.optional;
+  info.is_load = field.is_load;
+  info.is_beside = field.is_beside;
   return info;
 }
 
@@ -49,11 +51,13 @@ constexpr FieldInfo info_of(const Field<Owner, Quantity>& f) {
   info.infinite = f.infinite;
   info.where_set = f.where_set;
   info.is_criterion = f.is_criterion;
-  info.is_beside = f.is_beside;
   info.searched_in = f.searched_in;
+  info.sought_unasked = f.sought_unasked;
+  info.larger_is_better = f.larger_is_better;
   info.kept = f.kept;
   info.companions = f.companions;
   info.signed_load = f.signed_load;
+  info.factors = f.factors;
   info.is_factor = f.is_factor;
   info.get = [](const void* o) { return in_si(static_cast<const Owner*>(o)->*member_at<fields, I>); };
   info.set = [](void* o, double v) { static_cast<Owner*>(o)->*member_at<fields, I> = from_si<Quantity>(v); };
@@ -116,9 +120,15 @@ constexpr FieldInfo info_of(const Choice<Owner, Enum>& f) {
   return info;
 }
 
+template <const auto& fields, Role role, std::size_t I, class Owner>
+constexpr FieldInfo info_of(const RecordField<Owner>& f) {
+  return described(f, FieldInfo::Type::record, role);
+}
+
 template <const auto& fields, Role role, std::size_t I, class Owner, class Part>
 constexpr FieldInfo info_of(const Group<Owner, Part>& f) {
   FieldInfo info = described(f, FieldInfo::Type::group, role);
+  info.is_handed_over = f.is_handed_over;
   info.positional = f.positional;
   info.fields = infos_of<Part::fields, role>();
   info.size = [](const void*) { return std::size_t{1}; };
@@ -126,15 +136,17 @@ constexpr FieldInfo info_of(const Group<Owner, Part>& f) {
   return info;
 }
 
-template <const auto& fields, Role role, std::size_t I, class Owner, class Element, std::size_t N>
-constexpr FieldInfo info_of(const ListField<Owner, Element, N>& f) {
+template <const auto& fields, Role role, std::size_t I, class Owner, class Items>
+constexpr FieldInfo info_of(const ListField<Owner, Items>& f) {
+  using Element = typename Items::value_type;
   FieldInfo info = described(f, FieldInfo::Type::list, role);
   info.positional = f.positional;
   info.provider = f.provider;
   info.fields = infos_of<Element::fields, role>();
-  info.capacity = N;
+  info.capacity = capacity_of<Items>;
   info.size = [](const void* o) { return (static_cast<const Owner*>(o)->*member_at<fields, I>).size(); };
   info.element = [](void* o, std::size_t i) -> void* { return &(static_cast<Owner*>(o)->*member_at<fields, I>)[i]; };
+  info.reserve = [](void* o, std::size_t n) { (static_cast<Owner*>(o)->*member_at<fields, I>).reserve(n); };
   info.push = [](void* o) -> void* {
     auto& list = static_cast<Owner*>(o)->*member_at<fields, I>;
     list.push_back(Element{});

@@ -41,6 +41,7 @@ struct NoTrace {
     return q;
   }
   double angle(const char*, double radians, const char*) { return radians; }
+  AngularSpeed speed(const char*, AngularSpeed omega, const char*) { return omega; }
   template <class... Arguments>
   [[nodiscard]] Scope scope(const Arguments&...) {
     return {};
@@ -92,6 +93,11 @@ class Trace {
   double angle(const char* symbol, double radians, const char* why) {
     add(symbol, "", why, radians, Dimension::of(0, 0, 0, 0, 1));
     return radians;
+  }
+  /// The same of an angular speed, which in C++ has the dimension of a frequency.
+  AngularSpeed speed(const char* symbol, AngularSpeed omega, const char* why) {
+    add(symbol, "", why, in_si(omega), Dimension::of(0, 0, -1, 0, 1));
+    return omega;
   }
   /// Lines until the end of the scope belong to element i of a list of the result.
   Scope scope(const char* list, std::size_t i) { return {*this, list, i}; }

@@ -41,9 +41,10 @@ struct Member {
 template <class Input>
 constexpr auto held_inputs() {
   return std::tuple{
-      Field<Input, Force>{&Input::N, "N", kN, "normal force, positive in tension"}.keeps_sign().may_be_missing(),
-      Field<Input, Force>{&Input::P, "P", kN, "compressive force, in place of N"}.at_least(0).may_be_missing(),
-      Field<Input, Length>{&Input::l, "l", mm, "length between the ends"}.positive().usually(10, 1e5),
+      RecordField<Input>{"load", "the link of a mechanism, whole: load = \"=press.links.rod\""},
+      Field<Input, Force>{&Input::N, "N", kN, "normal force, positive in tension"}.load().keeps_sign().may_be_missing(),
+      Field<Input, Force>{&Input::P, "P", kN, "compressive force, in place of N"}.load().at_least(0).may_be_missing(),
+      Field<Input, Length>{&Input::l, "l", mm, "length between the ends"}.positive().usually(10, 1e5).most(),
       Choice<Input, Ends>{&Input::ends, "ends", "how the ends are held, about both axes"}.may_be_missing(),
       Choice<Input, Ends>{&Input::ends_y, "ends_y",
                           "how the ends are held where the bar bends about y, in place of ends"}
@@ -61,12 +62,12 @@ constexpr auto held_inputs() {
           .positive()
           .usually(0.3, 5)
           .may_be_missing(),
-      ListField<Input, Member::Support, most_supports>{&Input::supports_y, "supports_y",
-                                                       "rigid supports between the ends that hinder bending about y"}
+      ListField<Input, List<Member::Support, most_supports>>{
+          &Input::supports_y, "supports_y", "rigid supports between the ends that hinder bending about y"}
           .as_arrays()
           .may_be_missing(),
-      ListField<Input, Member::Support, most_supports>{&Input::supports_z, "supports_z",
-                                                       "rigid supports between the ends that hinder bending about z"}
+      ListField<Input, List<Member::Support, most_supports>>{
+          &Input::supports_z, "supports_z", "rigid supports between the ends that hinder bending about z"}
           .as_arrays()
           .may_be_missing()};
 }

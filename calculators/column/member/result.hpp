@@ -99,7 +99,8 @@ constexpr auto stress_results() {
       Field<Result, Stress>{&Result::sigma_cr, "sigma_cr", MPa, "critical stress of the method that decides"},
       Field<Result, Force>{&Result::P_all, "P_all", kN, "allowable force of the method that decides"},
       Field<Result, double>{&Result::spread, "spread", ratio,
-                            "largest critical stress of the methods over the least, less 1"}};
+                            "largest critical stress of the methods over the least, less 1"}
+          .beside()};
 }
 
 template <class Result>
@@ -140,8 +141,9 @@ constexpr auto member_results() {
   return std::tuple_cat(
       slenderness_results<Result>(), stress_results<Result>(), member_checks<Result>(),
       std::tuple{
-          ListField<Result, AxisResult, 2>{&Result::axes, "axes", "bending about y and about z"},
-          ListField<Result, MethodResult, most_methods>{&Result::methods, "methods", "the methods side by side"}});
+          ListField<Result, List<AxisResult, 2>>{&Result::axes, "axes", "bending about y and about z"},
+          ListField<Result, List<MethodResult, most_methods>>{&Result::methods, "methods", "the methods side by side"}
+              .beside()});
 }
 
 }  // namespace loadpath::column

@@ -26,7 +26,8 @@ constexpr auto section_inputs() {
           .positive()
           .usually(1, 2000)
           .from("section", "d")
-          .where_it_has(),
+          .where_it_has()
+          .findable("R40"),
       Field<Input, Length>{&Input::d_bore, "d_bore", mm, "bore of a round bar"}.at_least(0).may_be_missing(),
       Field<Input, Length>{&Input::h, "h", mm, "height of the section, along z"}
           .positive()

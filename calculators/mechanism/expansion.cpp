@@ -36,16 +36,11 @@ void put(const Mechanism::Input& drawn, Mechanism::Input& in) {
   }
 }
 
-std::optional<FieldFault> set_inertia(planar::Link& link, Length l, const Reading& reading) {
-  const std::string name(link.name.view()), path = "links." + name;
-  if (reading.typed.count(path + ".J") != 0 || in_si(link.mass) == 0.0) return std::nullopt;
-  if (reading.typed.count(path + ".S") != 0) {
-    return FieldFault{path,
-                      say("'{1}.J' is missing: with a mass centre of its own '{2}' is no slender bar", path, name),
-                      say("write J = \"... kg*m^2\", about the mass centre")};
-  }
+/// Of a bar; with a mass centre of its own it is none (words/masses.hpp).
+void set_inertia(planar::Link& link, Length l, const Reading& reading) {
+  const std::string path = "links." + std::string(link.name.view());
+  if (reading.typed.count(path + ".J") != 0 || reading.typed.count(path + ".S") != 0) return;
   link.J = link.mass * l * l / 12.0;
-  return std::nullopt;
 }
 
 }  // namespace
@@ -63,8 +58,10 @@ bool is_given_in(const Record& laid, const std::string& path) {
   if (head == "ground" || head == "links") return !is_one_of(key, {"name", "mass", "J", "S"});
   if (head == "joints") return is_one_of(key, {"type", "first", "second", "direction", "angle", "profile"});
   if (head == "profiles") return key != "name";
-  if (head == "crank")
-    return is_one_of(key, {"joint", "to"}) && !find_leaf(laid, "crank.joint").field->text(laid.data.get()).empty();
+  if (head == "crank") {
+    const Leaf joint = find_leaf(laid, "crank.joint");
+    return is_one_of(key, {"joint", "to"}) && !joint.field->text(joint.owner).empty();
+  }
   return head == "cylinders" && key == "joint";
 }
 
@@ -90,12 +87,9 @@ std::vector<FieldFault> expand(const Template& from, const Reading& reading, Mec
   templates::Sketch sketch(drawn, in.crank.joint.empty() ? unset<double> : first_crank_angle(in.crank));
   shape.draw(parameters, sketch);
   if (sketch.fault()) return {*sketch.fault()};
-  std::vector<FieldFault> faults;
-  for (const auto& [link, l] : sketch.bars()) {
-    if (auto fault = set_inertia(in.links[link], l, reading)) faults.push_back(std::move(*fault));
-  }
-  if (faults.empty()) put(drawn, in);
-  return faults;
+  for (const auto& [link, l] : sketch.bars()) set_inertia(in.links[link], l, reading);
+  put(drawn, in);
+  return {};
 }
 
 account::Table template_table(const Template& from, const Record& parameters) {

@@ -2,6 +2,9 @@
 
 #include "calculators/mechanism/aspects.hpp"
 #include "calculators/mechanism/aspects/assemblies.hpp"
+#include "calculators/mechanism/completion/courses.hpp"
+#include "calculators/mechanism/completion/cylinders.hpp"
+#include "calculators/mechanism/completion/masses.hpp"
 #include "calculators/mechanism/cycle/idle.hpp"
 #include "calculators/mechanism/cycle/redundant.hpp"
 #include "calculators/mechanism/expansion.hpp"
@@ -17,6 +20,7 @@
 #include "lib/calculator/record_of.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace loadpath::planar {
@@ -26,28 +30,41 @@ void MechanismStep::prepare(const project::Declared& declared, const project::Co
     return issue.severity == Severity::error && (issue.key + ".").starts_with(name() + ".");
   };
   check_operands(input().reading, name(), false, declared, issues);
+  for (const project::Taken& taken : input().reading.taken) {
+    issues.push_back({taken.place, name() + "." + taken.path,
+                      say("'{1}' of a mechanism is written out: its parts hang on it", taken.path),
+                      say("what many steps share can stand in [values]: \"=values.{1}\"", taken.path),
+                      Severity::error});
+  }
   // What names hang on must see that a value is given; which one is known when the project is solved.
   for (const project::Operand& operand : input().reading.operands) operand.leaf.set(operand.leaf.field->factor);
   if (input().from != nullptr) add_faults(check_overrides(*input().from, input().reading), issues);
   add_faults_of_names(issues);
+  const auto typed = [this](const std::string& path) { return is_typed(path); };
+  if (std::none_of(issues.begin(), issues.end(), is_own)) add_faults(name_mass_centres(data(), typed), issues);
   const bool known = input().reading.operands.empty();
   if (known && !std::any_of(issues.begin(), issues.end(), is_own)) expand_template(issues);
   if (std::any_of(issues.begin(), issues.end(), is_own)) return;  // the model has holes: nothing more can be said of it
-  mechanism::Model model = model_of(data());
-  outputs_ = outputs_of(data(), model);
-  const std::string axis = axis_name(data());
+  complete();
+  mechanism::Model model = model_of(in_);
+  outputs_ = outputs_of(in_, model);
+  const std::string axis = axis_name(in_);
   if (!axis.empty()) {
-    const double period = is_whole_turn(data()) ? 2.0 * pi : 0.0;  // its sense is known when the cycle is solved
+    const double period = is_whole_turn(in_) ? 2.0 * pi : 0.0;  // its sense is known when the cycle is solved
     const char* const unit = axis == "time" ? "s" : axis == "stroke" ? "mm" : "deg";
     axis_ = std::make_unique<Axis>(Axis{name(), axis, unit, {}, {}, period});
   }
-  const auto typed = [this](const std::string& path) { return input().reading.typed.count(path) != 0; };
-  add_faults(idle_fields(data(), typed), issues);
-  if (known && diagnose_model(model, issues)) add_faults(choose_assembly(data(), structure_, model), issues);
+  add_faults(idle_fields(in_, typed), issues);
+  if (known && diagnose_model(model, issues)) add_faults(choose_assembly(in_, structure_, model), issues);
 }
 
 void MechanismStep::add_faults(const std::vector<FieldFault>& faults, std::vector<Issue>& issues) const {
   for (const FieldFault& fault : faults) issues.push_back(issue_at(input(), fault.path, fault.message, fault.hint));
+}
+
+void MechanismStep::complete() {
+  set_bar_inertia(data(), [this](const std::string& path) { return is_typed(path); });
+  in_ = with_cylinders(with_mass_centres(data()));
 }
 
 bool MechanismStep::expand_template(std::vector<Issue>& issues) {
@@ -83,11 +100,43 @@ Outcome<Signature> MechanismStep::signature(const std::string& path) const {
   if (outputs_.empty()) return Fault{};  // the model has holes, which are told
   const auto found = std::find_if(outputs_.begin(), outputs_.end(), [&](const auto& o) { return o.path == path; });
   if (found != outputs_.end()) return Signature{found->what.dimension, found->is_single ? nullptr : axis_.get()};
+  if (const Leaf given = given_at(path)) return Signature{given.field->dimension, nullptr};
   std::vector<std::string> paths;
   for (const auto& o : outputs_) paths.push_back(o.path);
   return Fault{
       0, path.size(), say("'{1}' has no result '{2}'", name(), path),
       did_you_mean(path, paths, say("`loadpath describe {1}` lists them", input().calculator->id), name() + ".")};
+}
+
+std::vector<project::Member> MechanismStep::members(const std::string& path) const {
+  std::vector<project::Member> members;
+  const auto add = [&](const std::string& of, const std::string& key, const char* as) {
+    const std::string full = of + "." + key;
+    const bool known = std::any_of(outputs_.begin(), outputs_.end(), [&](const auto& o) { return o.path == full; });
+    if (known) members.push_back({as, full});
+  };
+  for (const Output& o : outputs_) {
+    if (o.path.starts_with(path + ".")) members.push_back({o.path.substr(path.size() + 1), o.path});
+  }
+  const std::string joint = "joints." + std::string(data().crank.joint.view());
+  const std::string& shaft = path == "drive" ? joint : path;
+  if (path.starts_with("links.")) add(path, "length", "l");
+  if (path == "drive") add(path, "M", "T");
+  if (path == "drive") add(joint, "F", "F");
+  if (shaft.starts_with("joints.")) add(shaft, "x", "F_x"), add(shaft, "y", "F_y");
+  return members;
+}
+
+Leaf MechanismStep::given_at(const std::string& path) const {
+  const project::Reading& reading = input().reading;
+  for (const Record* record : {&reading.parameters, &reading.record}) {
+    if (record->type == nullptr) continue;
+    const Leaf leaf = find_leaf(*record, path);
+    const bool number =
+        leaf && (leaf.field->type == FieldInfo::Type::quantity || leaf.field->type == FieldInfo::Type::count);
+    if (number && std::isfinite(leaf.get())) return leaf;
+  }
+  return {};
 }
 
 std::vector<std::string> MechanismStep::companions_of(const std::string& path) const {
@@ -98,7 +147,7 @@ std::vector<std::string> MechanismStep::companions_of(const std::string& path) c
     all.push_back(name() + "." + path.substr(0, path.rfind('.') + 1) + key);
   if (!taken->what.facts.loads_crank) return all;
   const auto force = std::find_if(outputs_.begin(), outputs_.end(), [&](const auto& o) {
-    return o.what.facts.kind == Kind::joint_force && o.name == data().crank.joint.view();
+    return o.what.facts.kind == Kind::joint_force && o.name == in_.crank.joint.view();
   });
   all.push_back(name() + "." + force->path);
   return all;
@@ -136,20 +185,22 @@ static bool in_order(const planar::Crank& crank) {
 
 /// False where values contradict each other: nothing more can be said of the model.
 bool MechanismStep::check_values(const mechanism::Model& model, std::vector<Issue>& issues) const {
-  auto faults = check_drawing(data(), model);
-  for (const auto check : {&check_shares, &check_profiles, &check_laws}) append(check(data()), faults);
-  ask_all(&Aspect::check_values, data(), model, faults);
+  auto faults = check_drawing(in_, model);
+  append(check_bars(data()), faults);
+  for (const auto check : {&check_gravity, &check_shares, &check_courses, &check_profiles, &check_laws})
+    append(check(in_), faults);
+  ask_all(&Aspect::check_values, in_, model, faults);
   add_faults(faults, issues);
   return faults.empty();
 }
 
 bool MechanismStep::diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues) {
-  if (!in_order(data().crank)) {
+  if (!in_order(in_.crank)) {
     issues.push_back(issue_at(input(), "crank.at", say("the crank angles must rise, or fall, from each to the next")));
     return false;
   }
   if (!check_values(model, issues)) return false;
-  for (const FieldFault& warning : overshooting_laws(data())) {
+  for (const FieldFault& warning : overshooting_laws(in_)) {
     issues.push_back(issue_at(input(), warning.path, warning.message, warning.hint));
     issues.back().severity = Severity::warning;
   }
@@ -161,7 +212,7 @@ bool MechanismStep::diagnose_model(const mechanism::Model& model, std::vector<Is
     issues.push_back(issue_at(input(), path_of(f, model), f.message, f.hint));
   }
   std::vector<FieldFault> uncovered;
-  ask_all(&Aspect::check_structure, data(), model, structure_, uncovered);
+  ask_all(&Aspect::check_structure, in_, model, structure_, uncovered);
   add_faults(uncovered, issues);
   return findings.empty() && uncovered.empty();
 }
@@ -172,20 +223,21 @@ void MechanismStep::solve(const project::Known& known, const project::Wanted& wa
     if (const auto value = evaluate_operand(operand, name(), known, issues)) operand.leaf.set(value->si[0]);
   }
   if (issues.size() != before || !expand_template(issues)) return;
-  mechanism::Model model = model_of(data());
+  complete();
+  mechanism::Model model = model_of(in_);
   if (!input().reading.operands.empty() && !diagnose_model(model, issues)) return;
-  add_faults(choose_assembly(data(), structure_, model), issues);
+  add_faults(choose_assembly(in_, structure_, model), issues);
   if (issues.size() != before) return;
   const bool redundant = !structure_.redundant.empty();
-  if (axis_ != nullptr && axis_->quantity == "crank angle" && in_si(data().crank.acceleration) == 0.0)
-    axis_->speed = std::abs(in_si(data().crank.speed));
-  const Cycle proved = solve_cycle(data(), model, redundant, axis_.get());
+  if (axis_ != nullptr && axis_->quantity == "crank angle" && in_si(in_.crank.acceleration) == 0.0)
+    axis_->speed = std::abs(in_si(in_.crank.speed));
+  const Cycle proved = solve_cycle(in_, model, redundant, axis_.get());
   const mechanism::Model released = redundant ? determinate(model, proved) : mechanism::Model();
   const Cycle shown = redundant ? without_what_is_not_unique(proved) : Cycle();
   const mechanism::Model& free = redundant ? released : model;
   const Cycle& cycle = redundant ? shown : proved;
-  const Kinematics kinematics = kinematics_of(free, cycle, axis_.get(), !has_law(data()));
-  Solved solved{name(), data(), structure_, model, free, proved, cycle, kinematics, axis_.get()};
+  const Kinematics kinematics = kinematics_of(free, cycle, axis_.get(), !has_law(in_));
+  Solved solved{name(), in_, structure_, model, free, proved, cycle, kinematics, axis_.get()};
   ask_all(&Aspect::find, solved, solved.found);
   tell(solved, wanted);
 }
@@ -194,13 +246,13 @@ void MechanismStep::tell(const Solved& solved, const project::Wanted& wanted) {
   account::Account& account = own_account();
   account = {};
   ask_all(&Aspect::judge, solved, account.verdicts);
-  outputs_ = outputs_of(data(), solved.given);
+  outputs_ = outputs_of(in_, solved.given);
   const auto wants = [&](const std::string& path) { return wanted.holds(name(), path); };
   // What was released of the given model is read from what was solved.
-  fill_results(outputs_, outputs_of(data(), solved.model), solved, wants, account);
+  fill_results(outputs_, outputs_of(in_, solved.model), solved, wants, account);
   fill_inputs();
-  account.modes = modes_of(*this, data(), wanted);
-  account.sources = sources_used(data(), structure_);
+  account.modes = modes_of(*this, in_, wanted);
+  account.sources = sources_used(in_, structure_);
   if (wanted.pictures) illustrate(solved);
 }
 
@@ -209,15 +261,15 @@ void MechanismStep::illustrate(const Solved& solved) {
   if (input().from != nullptr)
     account.input_blocks.emplace_back(template_table(*input().from, input().reading.parameters));
   const Results results(outputs_, account.results);
-  ask_all(&Aspect::show_input, data(), account.input_blocks);
+  ask_all(&Aspect::show_input, in_, account.input_blocks);
   ask_all(&Aspect::show, solved, results, account.blocks);
   ask_all(&Aspect::draw, solved, results, account.figures);
 }
 
 /// Where the value of an input comes from: typed, from the template (what that has `laid`), a default.
 account::Origin MechanismStep::origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const {
-  if (laid != nullptr && input().reading.typed.count(path) == 0) {
-    if (is_given_in(*laid, path)) return {say("template {1}", input().from->id), {}, false};
+  if (!is_typed(path)) {
+    if (laid != nullptr && is_given_in(*laid, path)) return {say("template {1}", input().from->id), {}, false};
     if (path.ends_with(".J") && leaf.get() > 0.0) return {say("slender bar"), {}, false};
   }
   return project::plain_origin(input().reading, path, leaf);

@@ -18,6 +18,8 @@ class MechanismStep : public project::Step {
   void prepare(const project::Declared& declared, const project::Companions& companion,
                std::vector<Issue>& issues) override;
   [[nodiscard]] Outcome<Signature> signature(const std::string& path) const override;
+  /// All that a link, a joint, the drive gives; of the drive the torque as shafts call it, with the force of its joint.
+  [[nodiscard]] std::vector<project::Member> members(const std::string& path) const override;
   /// With the moment or power of a drive comes the force of its joint.
   [[nodiscard]] std::vector<std::string> companions_of(const std::string& path) const override;
   void solve(const project::Known& known, const project::Wanted& wanted, std::vector<Issue>& issues) override;
@@ -27,18 +29,24 @@ class MechanismStep : public project::Step {
   [[nodiscard]] const Mechanism::Input& data() const {
     return *static_cast<const Mechanism::Input*>(input().reading.record.data.get());
   }
+  /// A number that is given, or that the template brings; no leaf where there is none at the path.
+  [[nodiscard]] Leaf given_at(const std::string& path) const;
   void add_faults_of_names(std::vector<Issue>& issues) const;
   bool check_values(const mechanism::Model& model, std::vector<Issue>& issues) const;
   bool diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues);
   void add_faults(const std::vector<FieldFault>& faults, std::vector<Issue>& issues) const;
   /// Puts the template's values, if there is one, into the input; false where they do not fit together.
   bool expand_template(std::vector<Issue>& issues);
+  [[nodiscard]] bool is_typed(const std::string& path) const { return input().reading.typed.count(path) != 0; }
+  /// What is solved, from what is given: with the inertia and middles of bars, and the parts of cylinders.
+  void complete();
   [[nodiscard]] account::Origin origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const;
   void fill_inputs();
   /// Verdicts, results, inputs; tables and figures where they are wanted.
   void tell(const Solved& solved, const project::Wanted& wanted);
   void illustrate(const Solved& solved);
 
+  Mechanism::Input in_;  // as it is solved
   std::vector<Output> outputs_;
   mechanism::Structure structure_;
   std::unique_ptr<Axis> axis_;  // null: one position

@@ -28,15 +28,16 @@ struct Driven {
 constexpr std::array drive_rows{
     row<Driven>(
         "drive.M", "moment of the drive on the driven link, counter-clockwise positive", N_m,
-        {.kind = Kind::drive_moment, .tabled = Tabled::always, .loads_crank = true},
+        {.kind = Kind::drive_moment, .tabled = Tabled::always, .is_load = true, .loads_crank = true},
         [](const Driven& d, const Position& p) { return p.effort[d.index]; }, &Driven::is_rotary, "with a crank"),
     row<Driven>(
         "drive.P", "power of the drive", W, {.kind = Kind::drive_power, .tabled = Tabled::always, .loads_crank = true},
         [](const Driven& d, const Position& p) { return p.effort[d.index] * d.speed(p); }, &Driven::is_rotary,
         "with a crank"),
     row<Driven>(
-        "cylinders.NAME.F", "force of the drive on the first link, along the guide", N,
-        {.kind = Kind::cylinder_force, .tabled = Tabled::always},
+        "cylinders.NAME.F",
+        "force of the drive on the first link, along the guide; between two points: pushing them apart", N,
+        {.kind = Kind::cylinder_force, .tabled = Tabled::always, .is_load = true},
         [](const Driven& d, const Position& p) { return p.effort[d.index]; }, &Driven::is_linear)};
 
 void list(std::vector<ResultPattern>& patterns) { list_patterns(drive_rows, patterns); }

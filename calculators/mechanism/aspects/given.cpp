@@ -1,4 +1,5 @@
 // The mechanism as it is given: drives, links, points, joints, profiles, loads and springs as tables.
+#include "calculators/mechanism/completion/courses.hpp"
 #include "calculators/mechanism/cycle/cycle.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/words/joints.hpp"
@@ -24,12 +25,17 @@ std::string names_of_points(const planar::Link& link) {
   return all;
 }
 
+Cell mass_centre_of(const planar::Link& link) {
+  if (!(in_si(link.mass) > 0.0)) return std::string("–");
+  return link.S.empty() ? Cell(say("origin")) : Cell(text(link.S));
+}
+
 Table link_table(const Mechanism::Input& in) {
   Table table{
       say("Links"), {say("link"), say("points"), say("mass"), say("moment of inertia"), say("mass centre")}, {}};
   for (const auto& l : in.links) {
     table.rows.push_back({text(l.name), names_of_points(l), Quantity{in_si(l.mass), "kg"},
-                          Quantity{in_si(l.J), "kg*m^2"}, l.S.empty() ? Cell(say("origin")) : Cell(text(l.S))});
+                          Quantity{in_si(l.J), "kg*m^2"}, mass_centre_of(l)});
   }
   return table;
 }
@@ -127,6 +133,7 @@ void show_details(const Mechanism::Input& in, std::vector<account::Block>& block
   append(detail_tables(in), blocks);
   append(profile_tables(in), blocks);
   if (!in.loads.empty()) blocks.emplace_back(load_table(in));
+  if (!in.courses.empty()) blocks.emplace_back(course_table(in));
   if (!in.springs.empty()) blocks.emplace_back(spring_table(in));
 }
 

@@ -16,23 +16,26 @@ struct Jointed {
   std::size_t index;
   mechanism::JointKind kind;
 
-  static bool is_prismatic(const Jointed& j) { return j.kind == mechanism::JointKind::prismatic; }
+  static bool holds_angle(const Jointed& j) {
+    return j.kind == mechanism::JointKind::prismatic || j.kind == mechanism::JointKind::rigid;
+  }
 };
 
 constexpr std::array joint_rows{
     row<Jointed>("joints.NAME.F", "magnitude of the joint's force", N,
-                 {.kind = Kind::joint_force, .tabled = Tabled::always},
+                 {.kind = Kind::joint_force, .tabled = Tabled::always, .is_load = true},
                  [](const Jointed& j, const Position& p) { return mechanism::length(p.reactions[j.index].force); }),
     row<Jointed>("joints.NAME.x", "force of the first link on the second, along x", N,
-                 {.tabled = Tabled::at_one_position, .detail = true, .with = "y"},
+                 {.tabled = Tabled::at_one_position, .detail = true, .is_load = true, .with = "y"},
                  [](const Jointed& j, const Position& p) { return -p.reactions[j.index].force.x; }),
     row<Jointed>("joints.NAME.y", "force of the first link on the second, along y", N,
-                 {.tabled = Tabled::at_one_position, .detail = true, .with = "x"},
+                 {.tabled = Tabled::at_one_position, .detail = true, .is_load = true, .with = "x"},
                  [](const Jointed& j, const Position& p) { return -p.reactions[j.index].force.y; }),
     row<Jointed>(
         "joints.NAME.M", "couple of the first link on the second at the first link's point", N_m,
-        {.tabled = Tabled::always}, [](const Jointed& j, const Position& p) { return -p.reactions[j.index].couple; },
-        &Jointed::is_prismatic, "prismatic joints")};
+        {.tabled = Tabled::always, .is_load = true},
+        [](const Jointed& j, const Position& p) { return -p.reactions[j.index].couple; }, &Jointed::holds_angle,
+        "prismatic and rigid joints")};
 
 void list(std::vector<ResultPattern>& patterns) { list_patterns(joint_rows, patterns); }
 

@@ -29,14 +29,14 @@ constexpr const char* only_crank = "with friction and a crank as the only drive"
 constexpr const char* only_cylinder = "with friction, as the only drive";
 constexpr std::array standing_rows{
     Standing{declare("drive.M_backward", "moment of the drive that begins to turn it backward from rest; no inertia",
-                     N_m, only_crank, {.loads_crank = true}),
+                     N_m, only_crank, {.is_load = true, .loads_crank = true}),
              declare("cylinders.NAME.F_backward", "force of the drive that begins to move it backward from rest", N,
-                     only_cylinder),
+                     only_cylinder, {.is_load = true}),
              &StandingEffort::backward},
     Standing{declare("drive.M_forward", "moment of the drive that begins to turn it forward from rest; no inertia", N_m,
-                     only_crank, {.loads_crank = true}),
+                     only_crank, {.is_load = true, .loads_crank = true}),
              declare("cylinders.NAME.F_forward", "force of the drive that begins to move it forward from rest", N,
-                     only_cylinder),
+                     only_cylinder, {.is_load = true}),
              &StandingEffort::forward}};
 
 /// Of all that friction may make where joints rest.
@@ -71,16 +71,17 @@ Output::Values with_reason(std::vector<double> values) {
 
 constexpr Declaration drive_least =
     declare("drive.M_min", "least moment of the drive, friction of what rests either way", N_m,
-            "with friction and a crank", {.loads_crank = true});
-constexpr Declaration drive_most =
-    declare("drive.M_max", "largest moment of the drive so", N_m, "with friction and a crank", {.loads_crank = true});
+            "with friction and a crank", {.is_load = true, .loads_crank = true});
+constexpr Declaration drive_most = declare("drive.M_max", "largest moment of the drive so", N_m,
+                                           "with friction and a crank", {.is_load = true, .loads_crank = true});
 constexpr Declaration cylinder_least =
-    declare("cylinders.NAME.F_min", "least force of the drive, friction of what rests either way", N, "with friction");
+    declare("cylinders.NAME.F_min", "least force of the drive, friction of what rests either way", N, "with friction",
+            {.is_load = true});
 constexpr Declaration cylinder_most =
-    declare("cylinders.NAME.F_max", "largest force of the drive so", N, "with friction");
+    declare("cylinders.NAME.F_max", "largest force of the drive so", N, "with friction", {.is_load = true});
 constexpr Declaration joint_most =
     declare("joints.NAME.F_max", "largest magnitude of the joint's force, friction of what rests either way", N,
-            "with friction", {.tabled = Tabled::at_one_position});
+            "with friction", {.tabled = Tabled::at_one_position, .is_load = true});
 
 template <class Read>
 void add_end(const Declaration& what, const std::string& name, double Band::*end, Read read, std::vector<Output>& out) {

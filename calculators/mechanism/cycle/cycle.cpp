@@ -63,7 +63,7 @@ Status run(mechanism::ReleasedSystem& system, const CycleTask& task, bool backwa
     if (cycle.closed[k]) return Status::closed;
     std::vector<Drive> drives = schedule.drives[k];
     if (backward && schedule.period != 0.0) drives[0].coordinate -= schedule.period;
-    set_loads(task, system, drives);
+    set_loads(task, system, drives, k, cycle.positions[k]);
     const Status status = system.solve(drives, cycle.positions[k], task.statics);
     if (status == Status::singular && !passing) {
       passing = k;
@@ -159,7 +159,8 @@ Cycle solve_cycle(const Mechanism::Input& in, const mechanism::Model& model, boo
     return cycle;
   }
   if (redundant) cycle.unique = mechanism::uniqueness(model);
-  const CycleTask task{in, model, redundant, schedule, in.analysis == Mechanism::Analysis::statics};
+  const LoadCourses courses(in);
+  const CycleTask task{in, model, redundant, schedule, in.analysis == Mechanism::Analysis::statics, courses};
   cycle.first_failure = run(system, task, false, cycle);
   if (cycle.first_failure == Status::closed) {
     cycle.returns = schedule.period == 0.0 || !cycle.closed[0] || returns(system, task, cycle);

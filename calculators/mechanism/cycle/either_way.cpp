@@ -40,7 +40,7 @@ class EitherWay {
   void solve(ReleasedSystem& system, std::size_t k, bool backward) {
     std::vector<Drive> drives = task_.schedule.drives[k];
     if (backward && task_.schedule.period != 0.0) drives[0].coordinate -= task_.schedule.period;
-    set_loads(task_, system, drives);
+    set_loads(task_, system, drives, k, position_);
     if (cycle_.undirected[k]) return;
     if (cycle_.some_rest[k]) {
       if (mechanism::moves(drives)) {

@@ -127,14 +127,18 @@ Schedule schedule_of(const Mechanism::Input& in, const mechanism::ReleasedSystem
   return has_law(in) ? schedule_by_laws(in, system) : schedule_by_speeds(in, system);
 }
 
-void set_loads(const CycleTask& task, mechanism::ReleasedSystem& system, const std::vector<Drive>& drives) {
-  if (drives.empty()) return;
-  const double crank_angle = drives[0].coordinate - task.schedule.turns;
-  for (std::size_t k = 0; k < task.in.loads.size(); ++k) {
-    if (task.in.loads[k].over.empty()) continue;
-    const double share = share_at(task.in.loads[k], crank_angle, 2.0 * pi * task.in.crank.turns);
-    const mechanism::Load full = load_of(task.in, task.in.loads[k]);
-    system.set_load(k, share * full.force, share * full.moment);
+void set_loads(const CycleTask& task, mechanism::ReleasedSystem& system, const std::vector<Drive>& drives,
+               std::size_t k, mechanism::Position& place) {
+  if (task.courses.by_stroke()) (void)system.solve(drives, place, task.statics);  // who solves it next tells a failure
+  const double crank_angle = drives.empty() ? 0.0 : drives[0].coordinate - task.schedule.turns;
+  const Instant now{crank_angle, time_at(task.in, task.schedule.at, k), place};
+  for (std::size_t n = 0; n < task.in.loads.size(); ++n) {
+    const planar::Load& load = task.in.loads[n];
+    const CourseNow* const course = task.courses.of(n);
+    if (load.over.empty() && course == nullptr) continue;
+    const double share = course != nullptr ? course->share(course->argument(now, task.model))
+                                           : share_at(load, crank_angle, 2.0 * pi * task.in.crank.turns);
+    system.set_load(n, share * task.model.loads[n].force, share * task.model.loads[n].moment);
   }
 }
 

@@ -1,9 +1,11 @@
 // Where the drives of a mechanism stand and how they move, position by position.
 #pragma once
 
+#include "calculators/mechanism/completion/courses.hpp"
 #include "calculators/mechanism/words/mechanism.hpp"
 #include "lib/mechanism/groups/released_system.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace loadpath::planar {
@@ -29,9 +31,12 @@ struct CycleTask {
   bool redundant;  // joints hold too much
   const Schedule& schedule;
   bool statics;
+  const LoadCourses& courses;
 };
 
-/// Loads that vary over the cycle, as they are where the drives stand so.
-void set_loads(const CycleTask& task, mechanism::ReleasedSystem& system, const std::vector<mechanism::Drive>& drives);
+/// Loads that vary over the cycle, as they are at position k, where the drives stand so. `place` is solved first where
+/// a load goes by a stroke.
+void set_loads(const CycleTask& task, mechanism::ReleasedSystem& system, const std::vector<mechanism::Drive>& drives,
+               std::size_t k, mechanism::Position& place);
 
 }  // namespace loadpath::planar

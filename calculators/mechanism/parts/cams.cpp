@@ -33,7 +33,8 @@ struct Cam {
 constexpr std::array cam_rows{
     row<Cam>(
         "joints.NAME.N", "force that the cam pushes the follower with; negative: the follower lifts off", N,
-        {.tabled = Tabled::always}, [](const Cam& c, const Position& p) { return c.at(p).pressing; }, nullptr, "cams"),
+        {.tabled = Tabled::always, .is_load = true}, [](const Cam& c, const Position& p) { return c.at(p).pressing; },
+        nullptr, "cams"),
     row<Cam>(
         "joints.NAME.alpha", "pressure angle: of the contact's normal against the path of the follower", deg,
         {.kind = Kind::pressure_angle}, [](const Cam& c, const Position& p) { return *c.at(p).pressure_angle; },

@@ -44,8 +44,9 @@ struct Guide {
 
 constexpr std::array guide_rows{
     row<Guide>(
-        "joints.NAME.N", "force of the first link across the guide, to its left", N, {.tabled = Tabled::always},
-        [](const Guide&, const Guide::Pressure& at) { return at.N; }, nullptr, "prismatic joints"),
+        "joints.NAME.N", "force of the first link across the guide, to its left", N,
+        {.tabled = Tabled::always, .is_load = true}, [](const Guide&, const Guide::Pressure& at) { return at.N; },
+        nullptr, "prismatic joints"),
     row<Guide>(
         "joints.NAME.h", "where that force lies: distance from the first link's point, along the guide", mm,
         {.missing = "where there is none, the guide carries a couple alone, or nothing"},
@@ -54,11 +55,12 @@ constexpr std::array guide_rows{
                                                                            : at.M / at.N; },
         nullptr, "prismatic joints"),
     row<Guide>(
-        "joints.NAME.N_front", "force on the front edge of the block, N/2 + M/l", N, {.tabled = Tabled::always},
+        "joints.NAME.N_front", "force on the front edge of the block, N/2 + M/l", N,
+        {.tabled = Tabled::always, .is_load = true},
         [](const Guide& g, const Guide::Pressure& at) { return 0.5 * at.N + at.M / g.joint.guide_length; },
         &Guide::has_length, "with a guide_length"),
     row<Guide>(
-        "joints.NAME.N_back", "force on its back edge, N/2 - M/l", N, {.tabled = Tabled::always},
+        "joints.NAME.N_back", "force on its back edge, N/2 - M/l", N, {.tabled = Tabled::always, .is_load = true},
         [](const Guide& g, const Guide::Pressure& at) { return 0.5 * at.N - at.M / g.joint.guide_length; },
         &Guide::has_length, "with a guide_length")};
 

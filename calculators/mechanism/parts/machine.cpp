@@ -80,25 +80,25 @@ constexpr std::array machine_rows{
         "with a crank"),
     row<Machine>(
         "drive.M_red", "moment of loads, weights and springs, reduced to the crank", N_m,
-        {.tabled = Tabled::always, .loads_crank = true},
+        {.tabled = Tabled::always, .is_load = true, .loads_crank = true},
         [](const Machine&, const Machine::Now& now) { return now.reduced.moment; }, &Machine::has_crank,
         "with a crank"),
     row<Machine>(
         "frame.F", "shaking force on the frame, the magnitude of -sum m a", N,
-        {.tabled = Tabled::always, .detail = true},
+        {.tabled = Tabled::always, .detail = true, .is_load = true},
         [](const Machine&, const Machine::Now& now) { return mechanism::length(now.shaking.force); }, &Machine::shakes,
         "links with mass"),
     row<Machine>(
-        "frame.x", "shaking force along x", N, {.detail = true},
+        "frame.x", "shaking force along x", N, {.detail = true, .is_load = true},
         [](const Machine&, const Machine::Now& now) { return now.shaking.force.x; }, &Machine::shakes,
         "links with mass"),
     row<Machine>(
-        "frame.y", "shaking force along y", N, {.detail = true},
+        "frame.y", "shaking force along y", N, {.detail = true, .is_load = true},
         [](const Machine&, const Machine::Now& now) { return now.shaking.force.y; }, &Machine::shakes,
         "links with mass"),
     row<Machine>(
         "frame.M", "shaking moment on the frame about the global origin", N_m,
-        {.tabled = Tabled::always, .detail = true},
+        {.tabled = Tabled::always, .detail = true, .is_load = true},
         [](const Machine&, const Machine::Now& now) { return now.shaking.moment; }, &Machine::shakes,
         "links with mass"),
     row<Machine>("drive.P_loss", "power that friction takes in all joints", W,

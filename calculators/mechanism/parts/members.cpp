@@ -1,9 +1,11 @@
 // Internal forces of links.
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/results/rows.hpp"
+#include "calculators/mechanism/words/points.hpp"
 #include "lib/mechanism/studies/member.hpp"
 #include "lib/quantity/format.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -15,13 +17,34 @@ namespace {
 using mechanism::MemberLoads;
 using mechanism::Position;
 
+/// Of a link that hangs on one joint, from there to its farthest point.
+void reach_from_one_joint(const planar::Link& link, const mechanism::Model& model, mechanism::Member& member) {
+  const auto own = static_cast<int>(member.link);
+  const auto holds = [own](const mechanism::Joint& j) { return j.i == own || j.j == own; };
+  if (std::count_if(model.joints.begin(), model.joints.end(), holds) != 1) return;
+  const mechanism::Joint& joint = *std::find_if(model.joints.begin(), model.joints.end(), holds);
+  member.start = member.end = joint.i == own ? joint.point_i : joint.point_j;
+  for (const planar::Point& point : link.points) {
+    const mechanism::Vec at = vector_of(point);
+    if (mechanism::length(at - member.start) > member.length()) member.end = at;
+  }
+}
+
 mechanism::Member member_of(const Mechanism::Input& in, const mechanism::Model& model, std::size_t k) {
   mechanism::Member member = mechanism::member_of(model, k);
+  if (member.length() == 0.0) reach_from_one_joint(in.links[k], model, member);
   const bool bar = member.length() > 0.0 && mechanism::is_uniform(model, member);
   const bool uniform = in.links[k].mass_line == planar::MassLine::uniform ||
                        (in.links[k].mass_line == planar::MassLine::automatic && bar);
   member.mass = uniform ? mechanism::MassLine::uniform : mechanism::MassLine::lumped;
   return member;
+}
+
+/// Before the values of a template are known all its points lie in one place.
+bool has_no_size(const mechanism::Model& model) {
+  return std::all_of(model.joints.begin(), model.joints.end(), [](const mechanism::Joint& j) {
+    return mechanism::length(j.point_i) == 0.0 && mechanism::length(j.point_j) == 0.0;
+  });
 }
 
 struct Bar {
@@ -49,27 +72,41 @@ struct Bar {
 constexpr std::array bar_rows{
     row<Bar>(
         "links.NAME.N", "axial force of the largest magnitude over the link's length, tension positive", N,
-        {.tabled = Tabled::always, .with = "V, M_b"},
-        [](const Bar&, const MemberLoads::Peaks& most) { return most.N.N; }, nullptr, "links with two joints or more"),
+        {.tabled = Tabled::always, .is_load = true, .with = "V, M_b"},
+        [](const Bar&, const MemberLoads::Peaks& most) { return most.N.N; }, nullptr,
+        "links with two joints in different places, or with one joint and another point"),
     row<Bar>(
         "links.NAME.V", "shear force of the largest magnitude over its length", N,
-        {.tabled = Tabled::always, .with = "N, M_b"},
-        [](const Bar&, const MemberLoads::Peaks& most) { return most.V.V; }, nullptr, "links with two joints or more"),
+        {.tabled = Tabled::always, .is_load = true, .with = "N, M_b"},
+        [](const Bar&, const MemberLoads::Peaks& most) { return most.V.V; }, nullptr,
+        "links with two joints in different places, or with one joint and another point"),
     row<Bar>(
         "links.NAME.M_b", "bending moment of the largest magnitude over its length", N_m,
-        {.tabled = Tabled::always, .with = "N, V"}, [](const Bar&, const MemberLoads::Peaks& most) { return most.M.M; },
-        nullptr, "links with two joints or more")};
+        {.tabled = Tabled::always, .is_load = true, .with = "N, V"},
+        [](const Bar&, const MemberLoads::Peaks& most) { return most.M.M; }, nullptr,
+        "links with two joints in different places, or with one joint and another point")};
 
-void list(std::vector<ResultPattern>& patterns) { list_patterns(bar_rows, patterns); }
+constexpr Declaration length =
+    declare("links.NAME.length", "distance of its joints that are farthest apart", mm,
+            "links with two joints in different places, or with one joint and another point");
+
+void list(std::vector<ResultPattern>& patterns) {
+  list_patterns(bar_rows, patterns);
+  patterns.push_back(length.pattern);
+}
 
 void add(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {
   const auto kept = std::make_shared<const mechanism::Model>(model);
   const bool statics = in.analysis == Mechanism::Analysis::statics;
   for (std::size_t k = 0; k < model.links.size(); ++k) {
     const mechanism::Member member = member_of(in, *kept, k);
-    if (member.length() == 0.0) continue;
+    const bool unknown = has_no_size(*kept) && joint_points(in, in.links[k].name).size() > 1;
+    if (member.length() == 0.0 && !unknown) continue;
     const auto loads = std::make_shared<MemberLoads>(*kept, member);
     add_outputs(Bar{model.links[k].name, kept, loads, k, statics}, bar_rows, out);
+    out.push_back(output(length, model.links[k].name));
+    out.back().is_single = true;
+    out.back().read_cycle = [l = member.length()](const Solved&) { return Output::Values({l}); };
   }
 }
 
@@ -77,7 +114,7 @@ void add(const Mechanism::Input& in, const mechanism::Model& model, std::vector<
 void check(const Mechanism::Input& in, const mechanism::Model& model, std::vector<FieldFault>& faults) {
   for (std::size_t k = 0; k < in.links.size(); ++k) {
     if (in.links[k].mass_line != planar::MassLine::uniform) continue;
-    const mechanism::Member member = mechanism::member_of(model, k);
+    const mechanism::Member member = member_of(in, model, k);
     if (member.length() > 0.0 && mechanism::is_uniform(model, member)) continue;
     const double l = member.length(), J = model.links[k].mass * l * l / 12.0;
     faults.push_back({"links." + model.links[k].name + ".mass_line",

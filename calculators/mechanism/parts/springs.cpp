@@ -20,7 +20,7 @@ struct Elastic {
 
 constexpr std::array spring_rows{
     row<Elastic>(
-        "springs.NAME.F", "force, tension positive", N, {.tabled = Tabled::always},
+        "springs.NAME.F", "force, tension positive", N, {.tabled = Tabled::always, .is_load = true},
         [](const Elastic& e, const Position& p) { return spring_now(e.spring, p).effort; }, &Elastic::pulls,
         "springs that pull"),
     row<Elastic>(
@@ -28,7 +28,8 @@ constexpr std::array spring_rows{
         [](const Elastic& e, const Position& p) { return spring_now(e.spring, p).stretch; }, &Elastic::pulls,
         "springs that pull"),
     row<Elastic>(
-        "springs.NAME.M", "moment on the second link, counter-clockwise positive", N_m, {.tabled = Tabled::always},
+        "springs.NAME.M", "moment on the second link, counter-clockwise positive", N_m,
+        {.tabled = Tabled::always, .is_load = true},
         [](const Elastic& e, const Position& p) { return spring_now(e.spring, p).effort; }, &Elastic::turns,
         "springs that turn")};
 

@@ -41,15 +41,16 @@ struct Contact {
 constexpr std::array contact_rows{
     row<Contact>(
         "joints.NAME.F_t", "circumferential force on the first link's wheel; its sign tells the loaded flank", N,
-        {.kind = Kind::tooth_force, .tabled = Tabled::always},
+        {.kind = Kind::tooth_force, .tabled = Tabled::always, .is_load = true},
         [](const Contact& c, const Position& p) { return c.forces(p).T; }, &Contact::meshes, "gears and racks"),
     row<Contact>(
-        "joints.NAME.F_r", "radial force, which presses the wheels apart", N, {.tabled = Tabled::always},
-        [](const Contact& c, const Position& p) { return c.forces(p).N; }, &Contact::meshes, "gears and racks"),
+        "joints.NAME.F_r", "radial force, which presses the wheels apart", N,
+        {.tabled = Tabled::always, .is_load = true}, [](const Contact& c, const Position& p) { return c.forces(p).N; },
+        &Contact::meshes, "gears and racks"),
     row<Contact>(
         "joints.NAME.N", "force that presses the wheels together; negative: the contact is lost", N,
-        {.tabled = Tabled::always}, [](const Contact& c, const Position& p) { return c.forces(p).N; }, &Contact::rolls,
-        "rolling wheels"),
+        {.tabled = Tabled::always, .is_load = true}, [](const Contact& c, const Position& p) { return c.forces(p).N; },
+        &Contact::rolls, "rolling wheels"),
     row<Contact>(
         "joints.NAME.mu_req", "coefficient of friction that rolling without slip needs", ratio,
         [](const Contact& c, const Position& p) {
@@ -97,10 +98,10 @@ struct Belt {
 
 constexpr std::array belt_rows{
     row<Belt>(
-        "joints.NAME.S_tight", "tension of the tight span", N, {.tabled = Tabled::at_one_position},
+        "joints.NAME.S_tight", "tension of the tight span", N, {.tabled = Tabled::at_one_position, .is_load = true},
         [](const Belt& b, const Position& p) { return b.spans(p).tight; }, nullptr, "belts"),
     row<Belt>(
-        "joints.NAME.S_slack", "tension of the slack span", N, {.tabled = Tabled::at_one_position},
+        "joints.NAME.S_slack", "tension of the slack span", N, {.tabled = Tabled::at_one_position, .is_load = true},
         [](const Belt& b, const Position& p) { return b.spans(p).slack; }, nullptr, "belts"),
     row<Belt>(
         "joints.NAME.wrap", "angle of wrap on the first link's wheel", deg,

@@ -35,6 +35,7 @@ struct Facts {
   Kind kind = Kind::other;
   Tabled tabled = Tabled::no;
   bool detail = false;       // too much where there is little room
+  bool is_load = false;      // a part that takes it has to carry it
   bool loads_crank = false;  // who takes it takes the force of the crank's joint with it
   const char* with = "";     // what acts together with it on the same link: "V, M_b"
   const char* missing = "";  // a message: why there may be none though the mechanism has forces
@@ -50,7 +51,7 @@ struct Declaration {
 template <class Quantity>
 constexpr Declaration declare(const char* path, const char* doc, const Unit<Quantity>& unit, const char* where,
                               const Facts& facts = {}) {
-  return {{path, unit.symbol, doc, where}, unit.dimension(), facts};
+  return {{path, unit.symbol, doc, where, facts.is_load, facts.with}, unit.dimension(), facts};
 }
 
 }  // namespace loadpath::planar

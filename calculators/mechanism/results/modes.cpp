@@ -1,9 +1,11 @@
 #include "calculators/mechanism/results/modes.hpp"
 
+#include "calculators/mechanism/words/names.hpp"
 #include "lib/project/modes.hpp"
 
 #include <algorithm>
 #include <initializer_list>
+#include <set>
 #include <string>
 
 namespace loadpath::planar {
@@ -18,15 +20,26 @@ bool is_taken(const std::set<std::string>& taken, const std::string& of, std::in
   });
 }
 
-/// The links and joints whose loads go nowhere: "rod, A, B".
+/// The links, joints and cylinders whose loads go nowhere: "rod, A, B".
 std::string left_alone(const std::string& step, const Mechanism::Input& in, const std::set<std::string>& taken) {
   std::string names;
   const auto add = [&](const char* kind, std::string_view name, std::initializer_list<const char*> loads) {
     if (!is_taken(taken, step + "." + kind + "." + std::string(name), loads))
       names += (names.empty() ? "" : ", ") + std::string(name);
   };
-  for (const Link& link : in.links) add("links", link.name.view(), {"N", "V", "M_b"});
-  for (const Joint& joint : in.joints) add("joints", joint.name.view(), {"F", "x", "y", "N", "M"});
+  std::set<std::string_view> parts;  // of cylinders, which are designed for their force
+  for (const Mechanism::Actuator& actuator : in.actuators) {
+    if (!actuator.between_points) continue;
+    add("cylinders", actuator.name.view(), {"F"});
+    const Joint& bore = *find_named(in.joints, actuator.joint);
+    parts.insert({bore.links.first.view(), bore.links.second.view(), bore.name.view()});
+  }
+  for (const Link& link : in.links) {
+    if (!parts.contains(link.name.view())) add("links", link.name.view(), {"N", "V", "M_b"});
+  }
+  for (const Joint& joint : in.joints) {
+    if (!parts.contains(joint.name.view())) add("joints", joint.name.view(), {"F", "x", "y", "N", "M"});
+  }
   return names;
 }
 

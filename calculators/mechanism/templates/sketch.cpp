@@ -146,6 +146,7 @@ void Sketch::point(const char* name, Vec at) { in_.links.back().points.push_back
 void Sketch::block(const char* name, const Pin& pin, double angle) {
   link(name, pin.at, angle);
   point(pin.name, {0.0, 0.0});
+  in_.links.back().S = pin.name;
 }
 
 void Sketch::joint(const char* name, planar::Type type, const planar::Pair& links, const planar::Pair& points,

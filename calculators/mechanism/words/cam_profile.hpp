@@ -4,6 +4,7 @@
 #include "lib/calculator/field.hpp"
 
 #include <array>
+#include <vector>
 
 namespace loadpath::planar {
 
@@ -46,10 +47,10 @@ struct CamProfile {
   Length pivot = unset<Length>, arm = unset<Length>;
   Hand side = Hand::left;
   Sense sense = Sense::counter_clockwise;
-  List<Segment, 16> segments;
+  std::vector<Segment> segments;
   Length r = unset<Length>;
   Vertex centre;
-  List<Vertex, 128> points;
+  std::vector<Vertex> points;
   static constexpr std::tuple fields{
       NameField{&CamProfile::name, "name", "name of the profile"},
       Choice{&CamProfile::shape, "shape", "by what it is given"},

@@ -95,7 +95,6 @@ class NameCheck {
   void check_drives() {
     if (!in_.crank.joint.empty()) faults_.require_joint(in_.crank.joint, "crank.joint");
     require_turning(in_.crank.joint);
-    for (const auto& c : in_.cylinders) faults_.require_joint(c.joint, path_of("cylinders", c.name, "joint"));
     if (in_.crank.joint.empty() || in_.crank.to.empty() || !faults_.none()) return;
     const planar::Joint* const joint = find_named(in_.joints, in_.crank.joint);
     const bool first_fixed = joint->links.first.view() == "ground";
@@ -105,6 +104,7 @@ class NameCheck {
 
   void check_load(const planar::Load& load, std::size_t i) {
     const std::string path = path_of(load, i);
+    if (!load.course.empty()) faults_.require_course(load.course, path + ".course");
     const bool known = faults_.require_link(load.link, path + ".link");
     const bool polar = is_set(load.F) && is_set(load.direction), cartesian = is_set(load.F_x) || is_set(load.F_y);
     const bool any_polar = is_set(load.F) || is_set(load.direction);
@@ -203,29 +203,12 @@ void check_shared_points(NameFaults& faults) {
   }
 }
 
-namespace {
-
-/// Whether the mass centre that nobody named could be meant: the only point, in the origin of the drawing.
-bool lies_in_origin(const planar::Link& link) {
-  return link.points.size() == 1 && mechanism::length(vector_of(link.points[0])) == 0.0;
+std::vector<FieldFault> check_gravity(const Mechanism::Input& in) {
+  if (!(in_si(in.gravity) < 0.0)) return {};
+  return {{"gravity", say("gravity = {1}: must be ≥ 0 m/s²", format_quantity(in_si(in.gravity), "m/s^2")),
+           say("it is a magnitude: write gravity = \"{1}\"; it points down, or as gravity_direction says",
+               format_quantity(-in_si(in.gravity), "m/s^2"))}};
 }
-
-/// A drawn link has no axes of its own: its mass would lie in the origin of the drawing.
-void check_masses(const Mechanism::Input& in, std::vector<FieldFault>& faults) {
-  for (const planar::Link& link : in.links) {
-    if (link.points.empty() || !is_drawn(link) || !(in_si(link.mass) > 0.0) || !link.S.empty() || lies_in_origin(link))
-      continue;
-    const std::string name(link.name.view()), point(link.points[0].name.view());
-    faults.push_back(
-        {path_of("links", name, "mass"),
-         say("the link '{1}' is drawn in place and has a mass, and nothing says where its mass centre lies", name),
-         link.points.size() == 1 ? say("name its point: S = \"{1}\"", point)
-                                 : say("give it a point S and name it: S = \"S\"; of a slender bar between two pins "
-                                       "S is the middle, and J = m l^2/12")});
-  }
-}
-
-}  // namespace
 
 std::vector<FieldFault> check_drawing(const Mechanism::Input& in, const mechanism::Model& model) {
   const auto drawn = [&](int link) {
@@ -244,7 +227,6 @@ std::vector<FieldFault> check_drawing(const Mechanism::Input& in, const mechanis
                       say("draw it at one place on both links, or give the links their angles")});
   }
   check_lengths(in, model, size, faults);
-  check_masses(in, faults);
   return faults;
 }
 

@@ -16,6 +16,9 @@ void check_names(NameFaults& faults);
 /// names are right.
 void check_shared_points(NameFaults& faults);
 
+/// Gravity is a magnitude. Needs values.
+std::vector<FieldFault> check_gravity(const Mechanism::Input& in);
+
 /// Pins that two drawn links show at different places. Needs values.
 std::vector<FieldFault> check_drawing(const Mechanism::Input& in, const mechanism::Model& model);
 

@@ -1,9 +1,11 @@
 // The drives of a planar mechanism: a crank and cylinders, at a speed or by a law of motion.
 #pragma once
 
+#include "calculators/mechanism/words/parts.hpp"
 #include "lib/calculator/field.hpp"
 
 #include <array>
+#include <vector>
 
 namespace loadpath::planar {
 
@@ -20,14 +22,14 @@ struct Crank {
     double angle = unset<double>;
     static constexpr std::tuple fields{Field{&Place::angle, "angle", deg, "crank angle"}.within(-3600, 3600)};
   };
-  List<Place, 64> at;
+  std::vector<Place> at;
   struct Moment {
     Time t = unset<Time>;
     double angle = unset<double>;
     static constexpr std::tuple fields{Field{&Moment::t, "t", sec, "time"},
                                        Field{&Moment::angle, "angle", deg, "crank angle then"}.within(-36000, 36000)};
   };
-  List<Moment, 64> law;
+  std::vector<Moment> law;
   LawShape law_shape = LawShape::spline;
   Formula angle_of_t;
   Time duration = unset<Time>;
@@ -71,14 +73,28 @@ struct Cylinder {
     static constexpr std::tuple fields{Field{&Moment::t, "t", sec, "time"},
                                        Field{&Moment::place, "place", mm, "place along the guide then"}};
   };
-  List<Moment, 64> law;
+  std::vector<Moment> law;
   LawShape law_shape = LawShape::spline;
   Formula place_of_t;
   Time duration = unset<Time>;
   Impending impending = Impending::either;
+  Pair links, points;
+  Force F = unset<Force>;
+  Name course;
   static constexpr std::tuple fields{
       NameField{&Cylinder::name, "name", "name of the drive"},
-      NameField{&Cylinder::joint, "joint", "prismatic or slot joint that is driven"},
+      NameField{&Cylinder::joint, "joint", "prismatic or slot joint that is driven, of links that are written out"}
+          .may_be_missing(),
+      Group{&Cylinder::links, "links",
+            "in place of joint: the two links that it lies between, itself without mass; the ground is called ground"}
+          .as_array()
+          .may_be_missing(),
+      Group{&Cylinder::points, "points", "its ends, on the first and on the second link; places are its lengths"}
+          .as_array()
+          .may_be_missing(),
+      Field{&Cylinder::F, "F", N, "between two points: given force in place of a drive, pushing the ends apart"}
+          .may_be_missing(),
+      NameField{&Cylinder::course, "course", "how F varies, one of the courses"}.may_be_missing(),
       Field{&Cylinder::speed, "speed", m_per_s, "speed of the first link along the guide"},
       Field{&Cylinder::acceleration, "acceleration", m_per_s2, "acceleration along the guide"},
       Field{&Cylinder::from, "from", mm, "place at the first position; as assembled where missing"}.may_be_missing(),

@@ -3,7 +3,7 @@
 #include "calculators/mechanism/words/names.hpp"
 #include "calculators/mechanism/words/profiles.hpp"
 #include "lib/mechanism/model/frames.hpp"
-#include "lib/mechanism/model/pair.hpp"
+#include "lib/mechanism/structure/phases.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <array>
@@ -245,7 +245,7 @@ void take_from_assembly(mechanism::Model& model) {
     const bool right = cross(along, i.point(joint.point_i) - j.point(joint.point_j)) < 0.0;
     joint.radius_i = right ? -joint.radius_i : joint.radius_i;
   }
-  mechanism::take_phases(model);
+  mechanism::settle_phases(model);
 }
 
 }  // namespace loadpath::planar

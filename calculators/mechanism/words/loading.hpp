@@ -5,6 +5,7 @@
 #include "lib/calculator/field.hpp"
 
 #include <array>
+#include <vector>
 
 namespace loadpath::planar {
 
@@ -22,22 +23,24 @@ struct Load {
   Force F_x = unset<Force>, F_y = unset<Force>;
   Moment M = unset<Moment>;
   Axes axes = Axes::fixed;
-  List<Share, 24> over;
+  std::vector<Share> over;
+  Name course;
   Useful useful = Useful::no;
   static constexpr std::tuple fields{
       NameField{&Load::name, "name", "name of the load"}.may_be_missing(),
       NameField{&Load::link, "link", "link that it acts on"},
       NameField{&Load::at, "at", "point that the force acts at"}.may_be_missing(),
-      Field{&Load::F, "F", N, "force, with its direction"}.may_be_missing(),
+      Field{&Load::F, "F", N, "force, with its direction"}.load().may_be_missing(),
       Field{&Load::direction, "direction", deg, "direction of the force, from the x axis"}.may_be_missing(),
-      Field{&Load::F_x, "F_x", N, "force along x, in place of F and direction"}.may_be_missing(),
-      Field{&Load::F_y, "F_y", N, "force along y"}.may_be_missing(),
-      Field{&Load::M, "M", N_m, "couple, counter-clockwise positive"}.may_be_missing(),
+      Field{&Load::F_x, "F_x", N, "force along x, in place of F and direction"}.load().may_be_missing(),
+      Field{&Load::F_y, "F_y", N, "force along y"}.load().may_be_missing(),
+      Field{&Load::M, "M", N_m, "couple, counter-clockwise positive"}.load().may_be_missing(),
       Choice{&Load::axes, "axes", "axes of direction, F_x and F_y"}.may_be_missing(),
       ListField{&Load::over, "over",
                 "shares of F and M over the crank angle, rising, straight from each to the next and round to the first"}
           .as_arrays()
           .may_be_missing(),
+      NameField{&Load::course, "course", "how F and M vary, one of the courses, in place of 'over'"}.may_be_missing(),
       Choice{&Load::useful, "useful",
              "whether the work against it is what the machine is for: the efficiency counts it"}
           .may_be_missing()};

@@ -3,6 +3,7 @@
 #include "calculators/mechanism/words/names.hpp"
 #include "calculators/mechanism/words/points.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace loadpath::planar {
@@ -117,8 +118,9 @@ double share_at(const planar::Load& load, double crank_angle, double period) {
   if (over.empty()) return 1.0;
   const double first = over[0].angle;
   const double angle = crank_angle - period * std::floor((crank_angle - first) / period);
-  std::size_t k = 0;
-  while (k + 1 < over.size() && over[k + 1].angle <= angle) ++k;
+  const auto next_one = std::upper_bound(over.begin() + 1, over.end(), angle,
+                                         [](double at, const planar::Share& share) { return at < share.angle; });
+  const auto k = static_cast<std::size_t>(next_one - over.begin()) - 1;
   const bool last = k + 1 == over.size();
   const double next = last ? first + period : over[k + 1].angle, next_share = last ? over[0].share : over[k + 1].share;
   const double width = next - over[k].angle;
@@ -144,7 +146,9 @@ Table load_table(const Mechanism::Input& in) {
                           l.at.empty() ? none : Cell(text(l.at)), force, direction,
                           is_set(l.M) ? Cell(Quantity{in_si(l.M), "N*m"}) : none,
                           l.axes == planar::Axes::link ? say("of the link") : say("fixed"),
-                          l.over.empty() ? say("constant") : say("by {1} shares", std::to_string(l.over.size()))});
+                          !l.over.empty()     ? say("by {1} shares", std::to_string(l.over.size()))
+                          : !l.course.empty() ? say("course {1}", l.course.view())
+                                              : say("constant")});
   }
   return table;
 }

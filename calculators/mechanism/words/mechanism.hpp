@@ -7,6 +7,7 @@
 #pragma once
 
 #include "calculators/mechanism/words/cam_profile.hpp"
+#include "calculators/mechanism/words/course.hpp"
 #include "calculators/mechanism/words/design.hpp"
 #include "calculators/mechanism/words/drives.hpp"
 #include "calculators/mechanism/words/loading.hpp"
@@ -15,6 +16,7 @@
 #include "lib/calculator/mode.hpp"
 
 #include <array>
+#include <vector>
 
 namespace loadpath::planar {
 
@@ -70,25 +72,33 @@ F_y = "0 N"
   };
 
   enum class Analysis { kinetostatic, statics };
+  /// A cylinder and the joint that it slides in.
+  struct Actuator {
+    Name name, joint;
+    bool driven = true;  // else a load pushes the first link of the joint
+    bool between_points = false;
+  };
   struct Input {
-    List<Point, 32> ground;
-    List<Link, 128> links;
-    List<Joint, 192> joints;
-    List<CamProfile, 8> profiles;
+    std::vector<Point> ground;
+    std::vector<Link> links;
+    std::vector<Joint> joints;
+    std::vector<CamProfile> profiles;
     Crank crank;
-    List<Cylinder, 16> cylinders;
+    std::vector<Cylinder> cylinders;
     Whole positions = 1;
-    List<Load, 64> loads;
-    List<Spring, 32> springs;
-    List<Side, 16> sides;
-    List<Tolerance, 64> tolerances;
-    List<Accuracy, 16> accuracy;
-    List<Counterweight, 16> counterweights;
+    std::vector<Load> loads;
+    std::vector<Course> courses;
+    std::vector<Spring> springs;
+    std::vector<Side> sides;
+    std::vector<Tolerance> tolerances;
+    std::vector<Accuracy> accuracy;
+    std::vector<Counterweight> counterweights;
     Balance balance = Balance::rms;
-    List<Hodograph, 16> hodographs;
+    std::vector<Hodograph> hodographs;
     Acceleration gravity = 0.0 * m_per_s2.one;
     double gravity_direction = -pi / 2.0;
     Analysis analysis = Analysis::kinetostatic;
+    std::vector<Actuator> actuators;  // what cylinders have become (words/cylinders.hpp): no field
   };
   static constexpr std::tuple inputs{
       ListField{&Input::ground, "ground", "points of the fixed link"}.as_arrays().may_be_missing(),
@@ -96,10 +106,13 @@ F_y = "0 N"
       ListField{&Input::joints, "joints", "joints, by name"},
       ListField{&Input::profiles, "profiles", "profiles of cams, by name"}.may_be_missing(),
       Group{&Input::crank, "crank", "drive of a revolute joint"}.may_be_missing(),
-      ListField{&Input::cylinders, "cylinders", "drives of prismatic joints, by name"}.may_be_missing(),
+      ListField{&Input::cylinders, "cylinders", "cylinders between two points, and drives of prismatic joints, by name"}
+          .may_be_missing(),
       Count{&Input::positions, "positions", 1, 7200,
             "positions of a stroke, or of a law of motion, of cylinders without a crank"},
       ListField{&Input::loads, "loads", "forces and couples"}.may_be_missing(),
+      ListField{&Input::courses, "courses", "how loads vary over time, a stroke or by a formula, by name"}
+          .may_be_missing(),
       ListField{&Input::springs, "springs", "springs and dampers, by name"}.may_be_missing(),
       ListField{&Input::sides, "sides",
                 "assembly by the sides of its groups, which the report lists; as stated or drawn where missing"}
@@ -114,8 +127,8 @@ F_y = "0 N"
                 "joints whose force is drawn as a hodograph; the busiest where missing"}
           .as_arrays()
           .may_be_missing(),
-      Field{&Input::gravity, "gravity", m_per_s2, "acceleration of gravity; none where missing"}.at_least(0).usually(
-          0, 30),
+      Field{&Input::gravity, "gravity", m_per_s2, "acceleration of gravity, its magnitude; none where missing"}.usually(
+          -30, 30),
       Field{&Input::gravity_direction, "gravity_direction", deg, "direction of gravity"},
       Choice{&Input::analysis, "analysis", "with the inertia of the links, or loads alone"}.may_be_missing()};
 
@@ -138,6 +151,8 @@ F_y = "0 N"
                      "opened_chain, "
                      "released_constraints, virtual_power, zhukovsky_lever")
           .of_shape(),
+      Mode<Input>{"courses", "loads where the points of their course do not reach", &always<Input>}.judged_by(
+          "course_*"),
       Mode<Input>{"resolution", "a largest reaction between the positions", &always<Input>}
           .judged_by("resolution")
           .of_shape(),

@@ -105,9 +105,11 @@ mechanism::Model model_of(const Mechanism::Input& in) {
   for (std::size_t i = 0; i < in.links.size(); ++i) model.links.push_back(link_of(in, i));
   for (const auto& j : in.joints) model.joints.push_back(joint_of(in, j));
   place_links(in, model);
-  take_from_assembly(model);
   if (!in.crank.joint.empty()) model.drivers.push_back(crank_driver(in, model));
-  for (const auto& c : in.cylinders) model.drivers.push_back(cylinder_driver(in, c, model));
+  for (const auto& c : in.cylinders) {  // between two points they become a joint first (with_cylinders)
+    if (!c.joint.empty()) model.drivers.push_back(cylinder_driver(in, c, model));
+  }
+  take_from_assembly(model);
   for (const auto& l : in.loads) model.loads.push_back(load_of(in, l));
   for (const auto& spring : in.springs) model.springs.push_back(spring_of(in, spring));
   model.gravity = in_si(in.gravity) * Vec{std::cos(in.gravity_direction), std::sin(in.gravity_direction)};

@@ -35,6 +35,7 @@ class NameFaults {
   bool require_link(const Name& name, const std::string& path);
   bool require_joint(const Name& name, const std::string& path);
   bool require_spring(const Name& name, const std::string& path);
+  bool require_course(const Name& name, const std::string& path);
   /// Of a link that is there, or the ground.
   bool require_point(int link, const Name& name, const std::string& path);
 
@@ -64,6 +65,7 @@ std::size_t index_of(const Items& items, const Name& name) {
 template <class Items>
 std::vector<std::string> names_in(const Items& items) {
   std::vector<std::string> names;
+  names.reserve(items.size());
   for (const auto& item : items) names.emplace_back(item.name.view());
   return names;
 }

@@ -4,6 +4,7 @@
 #include "lib/calculator/field.hpp"
 
 #include <array>
+#include <vector>
 
 namespace loadpath::planar {
 
@@ -33,7 +34,7 @@ enum class MassLine { automatic, uniform, lumped };
 enum class Masses { as_given, two_points, three_points };
 struct Link {
   Name name;
-  List<Point, 16> points;
+  std::vector<Point> points;
   Mass mass = 0.0 * kg.one;
   MassMoment J = 0.0 * kg_m2.one;
   Name S;
@@ -48,10 +49,12 @@ struct Link {
           .as_arrays(),
       Field{&Link::mass, "mass", kg, "mass"}.at_least(0),
       Field{&Link::J, "J", kg_m2,
-            "moment of inertia about the mass centre; where missing 0, for a template's bar that of a slender bar"}
+            "moment of inertia about the mass centre; where missing that of a slender bar between two joints, of a "
+            "block of one point 0"}
           .at_least(0),
       NameField{&Link::S, "S",
-                "point that is the mass centre; where missing the origin, for a template's bar its middle S_LINK"}
+                "point that is the mass centre; where missing the middle S_LINK of a bar between two joints, of a "
+                "block of one point that"}
           .may_be_missing(),
       Group{&Link::origin, "origin", "rough place of the link's origin in the stated assembly"}
           .as_array()

@@ -31,6 +31,24 @@ Vec vector_of(const planar::Point& p) {
   return in_si(p.r) * Vec{std::cos(p.angle), std::sin(p.angle)};
 }
 
+std::vector<Name> joint_points(const Mechanism::Input& in, const Name& link) {
+  std::vector<Name> points;
+  const auto add = [&](const Name& point) {
+    if (std::find(points.begin(), points.end(), point) == points.end()) points.push_back(point);
+  };
+  for (const planar::Joint& joint : in.joints) {
+    if (joint.links.first != link && joint.links.second != link) continue;
+    const auto [first, second] = point_names(joint);
+    const Name& own = joint.links.first == link ? first : second;
+    add(own);
+  }
+  for (const Cylinder& c : in.cylinders) {  // between two points: they end in pins
+    if (c.links.first == link) add(c.points.first);
+    if (c.links.second == link) add(c.points.second);
+  }
+  return points;
+}
+
 std::vector<TracedPoint> traced_points(const Mechanism::Input& in) {
   std::vector<TracedPoint> points;
   for (std::size_t i = 0; i < in.links.size(); ++i) {

@@ -19,6 +19,9 @@ int link_index(const Mechanism::Input& in, const Name& name);
 const planar::Point* find_point(const Mechanism::Input& in, int link, const Name& name);
 mechanism::Vec vector_of(const planar::Point& point);
 
+/// The points of a link at which it has joints, each once.
+std::vector<Name> joint_points(const Mechanism::Input& in, const Name& link);
+
 /// Whether its points are given as they lie on paper: it has neither an origin nor an angle of its own.
 bool is_drawn(const planar::Link& link);
 

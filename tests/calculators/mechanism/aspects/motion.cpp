@@ -226,7 +226,7 @@ ground = { O1 = ["0 mm", "0 mm"], O2 = ["100 mm", "0 mm"] }
 [par.links]
 c1 = { points = { O1 = ["0 mm", "0 mm"], A1 = ["50 mm", "0 mm"] }, angle = "90 deg" }
 c2 = { points = { O2 = ["0 mm", "0 mm"], A2 = ["50 mm", "0 mm"] }, angle = "90 deg" }
-bar = { points = { A1 = ["0 mm", "0 mm"], A2 = ["100 mm", "0 mm"], S = ["50 mm", "0 mm"] }, angle = "0 deg", mass = "5 kg", S = "S" }
+bar = { points = { A1 = ["0 mm", "0 mm"], A2 = ["100 mm", "0 mm"], S = ["50 mm", "0 mm"] }, angle = "0 deg", mass = "5 kg", J = "0 kg*m^2", S = "S" }
 [par.joints]
 O1 = { links = ["c1", "ground"] }
 O2 = { links = ["c2", "ground"] }

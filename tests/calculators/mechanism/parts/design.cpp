@@ -58,7 +58,7 @@ void check_said(const std::string& text, const std::string& message) {
   CHECK(issues[0].message.text() == message);
 }
 
-const std::string rotating = ", mass = \"2 kg\", S = \"S\"";  // 80 and 40 kg mm from O
+const std::string rotating = ", mass = \"2 kg\", J = \"0 kg*m^2\", S = \"S\"";  // 80 and 40 kg mm from O
 
 }  // namespace
 
@@ -91,8 +91,8 @@ TEST_SUITE("mechanism design") {
   }
 
   TEST_CASE("the smallest peak is below the peak of the smallest root mean square") {
-    const std::string heavy =
-        press(rotating, ", mass = \"1 kg\", S = \"C\"") + "counterweights.w = { link = \"crank\", at = \"O\" }\n";
+    const std::string heavy = press(rotating, ", mass = \"1 kg\", J = \"0 kg*m^2\", S = \"C\"") +
+                              "counterweights.w = { link = \"crank\", at = \"O\" }\n";
     const auto rms = solved(heavy), peak = solved(heavy + "balance = \"peak\"\n");
     CHECK(number_of(rms, "frame.F_rms_balanced") < number_of(peak, "frame.F_rms_balanced"));
     CHECK(number_of(rms, "frame.F_peak_balanced") > number_of(peak, "frame.F_peak_balanced"));

@@ -24,6 +24,7 @@ points = { A = ["0 mm", "0 mm"], B = ["50 mm", "100 mm"] }
 [bar.links.b]
 points = { B = ["50 mm", "100 mm"], C = ["200 mm", "100 mm"], F = ["125 mm", "140 mm"], S = ["0 mm", "0 mm"] }
 mass = "2 kg"
+J = "0 kg*m^2"
 S = "S"
 [bar.links.c]
 points = { C = ["200 mm", "100 mm"], D = ["150 mm", "0 mm"] }

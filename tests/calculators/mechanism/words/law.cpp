@@ -13,7 +13,7 @@ const std::string arm = R"([a]
 calculator = "mechanism.planar"
 crank = { joint = "O", positions = 41, LAW }
 ground = { O = ["0 mm", "0 mm"] }
-links.arm = { points = { O = ["0 mm", "0 mm"], T = ["100 mm", "0 mm"] }, angle = "30 deg", mass = "1 kg", J = "0.02 kg*m^2" }
+links.arm = { points = { O = ["0 mm", "0 mm"], T = ["100 mm", "0 mm"] }, angle = "30 deg", mass = "1 kg", J = "0.02 kg*m^2", S = "O" }
 joints.O = { type = "revolute", links = ["ground", "arm"] }
 )";
 const std::string ram = R"([a]

@@ -130,7 +130,8 @@ TEST_SUITE("mechanism faults") {
   }
 
   TEST_CASE("a link that is said to be a uniform bar") {
-    CHECK(message_of("angle = \"-10 deg\"", "angle = \"-10 deg\"\nmass = \"2 kg\"\nmass_line = \"uniform\"") ==
+    CHECK(message_of("angle = \"-10 deg\"",
+                     "angle = \"-10 deg\"\nmass = \"2 kg\"\nS = \"A\"\nJ = \"0 kg*m^2\"\nmass_line = \"uniform\"") ==
           "link 'rod' is no uniform bar of 150 mm: that has its mass centre in the middle and J = 0.00375 kg·m²");
   }
 }

@@ -31,12 +31,10 @@ class Ordering {
     state_[i] = State::open;
     path_.push_back(i);
     bool sound = true;
-    for (const Operand& operand : project_.steps[i]->input().reading.operands) {
-      for (const auto& reference : operand.expression.references()) {
-        const std::size_t other = index_of(std::string_view(reference.path).substr(0, reference.path.find('.')));
-        if (other < state_.size() && !visit(other)) sound = false;
-      }
-    }
+    for_each_reference(project_.steps[i]->input().reading, [&](const std::string& path) {
+      const std::size_t other = index_of(std::string_view(path).substr(0, path.find('.')));
+      if (other < state_.size() && !visit(other)) sound = false;
+    });
     path_.pop_back();
     state_[i] = sound ? State::done : State::in_cycle;
     if (sound) order_.push_back(i);

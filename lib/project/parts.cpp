@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace loadpath::project {
 
@@ -14,7 +15,7 @@ namespace {
 using toml::Tree;
 
 constexpr std::array reserved{"project", "values", "tables", "expect"};
-constexpr std::array heading_keys{"title", "number", "revision", "author", "checker", "date", "note"};
+constexpr std::array keys_of_heading{"title", "number", "revision", "author", "checker", "date", "note", "tables"};
 const std::vector<std::string> step_keys{"calculator", "template", "title", "note", "display", "accept"};
 
 void add(std::vector<Issue>& issues, const Place& place, const std::string& key, Message message, Message hint = {}) {
@@ -66,13 +67,36 @@ bool read_template(const Tree& table, StepInput& input, std::vector<Issue>& issu
   return false;
 }
 
+/// The row of one table: by its name, of another step, or the first that passes.
+void read_row(const Tree::Entry& row, StepInput& input, std::vector<Issue>& issues) {
+  const std::string key = input.name + "." + row.key;
+  const auto* stock = row.value.find("stock");
+  for (const Tree::Entry& other : row.value.entries) {
+    if (stock != nullptr && other.key != "stock")
+      add(issues, other.place, key, say("'{1}' is no field here", other.key), say("give the stock alone"));
+  }
+  const Tree::Entry& named = stock == nullptr ? row : *stock;
+  const std::string text = text_of(named, key, issues);
+  Place start = named.value.place;
+  input.rows[row.key] = {"", start};  // where it is known only when the project is solved
+  if (stock != nullptr || text == "?") {
+    input.reading.searches.push_back({row.key, {}, stock == nullptr ? "" : text, start});
+  } else if (text.starts_with('=')) {
+    ++start.column;
+    const auto source = lone_reference(named.value);
+    if (!source)
+      return add(issues, place_in(start, text, 0, text.size() - 1), key, say("'{1}' takes the name of a row", row.key),
+                 say("refer to one that another step has: {1} = \"=step.{1}\"", row.key));
+    input.reading.taken.push_back({row.key, nullptr, *source, start});
+  } else {
+    input.rows[row.key].text = text;
+  }
+}
+
 /// Rows that a step names for the tables its providers read: material = "C45E". A material is known to every step.
 void read_rows(const Tree& table, StepInput& input, std::vector<Issue>& issues) {
-  const auto groups = table_groups(*input.calculator);
-  for (const std::string& group : groups) {
-    if (const auto* row = table.find(group)) {
-      input.rows[group] = {text_of(*row, input.name + "." + group, issues), row->value.place};
-    }
+  for (const std::string& group : table_groups(*input.calculator)) {
+    if (const auto* row = table.find(group)) read_row(*row, input, issues);
   }
   const auto* material = table.find("material");
   if (material == nullptr || input.rows.count("material") != 0) return;
@@ -146,20 +170,23 @@ bool name_is_free(const Tree::Entry& entry, std::vector<Issue>& issues) {
   return false;
 }
 
-/// within = "0.5 %", a part of the value, or "0.1 mm", a quantity like it.
+/// within = "0.5 %", a part of the value, or a quantity like it: "0.1 mm", of a plain number with a sign, "±0.01".
 void read_within(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
   const Message remedy = e.unit.empty() || e.unit == "-"
-                             ? say("write a part of the value, \"0.5 %\"")
+                             ? say("write a part of the value, \"0.5 %\", or a difference from it, \"±0.01\"")
                              : say("write a part of the value, \"0.5 %\", or a quantity like it, \"0.1 {1}\"", e.unit);
   if (tree.type != Tree::Type::text) {
     return add(issues, tree.place, "expect.within", say("within is a text with a unit"), remedy);
   }
-  auto literal = parse_literal(tree.text);
+  constexpr std::string_view sign = "±";
+  const bool is_difference = tree.text.starts_with(sign);
+  const std::size_t start = is_difference ? sign.size() : 0;
+  auto literal = parse_literal(std::string_view(tree.text).substr(start));
   if (literal && literal->dimension == Dimension::of(0, 0, 0, 1))  // 0.1 K, never a point on the scale
     literal = parse_literal(tree.text, Expected{literal->dimension, Kind::difference, "K"});
   if (!literal) {
     const Fault& fault = literal.fault();
-    return add(issues, place_in(tree.place, tree.text, fault.at, fault.length), "expect.within", fault.message,
+    return add(issues, place_in(tree.place, tree.text, start + fault.at, fault.length), "expect.within", fault.message,
                fault.hint.empty() ? remedy : fault.hint);
   }
   const Place place = place_in(tree.place, tree.text, 0, tree.text.size());
@@ -167,7 +194,7 @@ void read_within(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
   if (tree.text.find('%') != std::string::npos) {
     if (literal->si >= 1.0) return add(issues, place, "expect.within", say("within must be < 100 %"), remedy);
     e.within = literal->si;
-  } else if (literal->dimension.is_number()) {
+  } else if (literal->dimension.is_number() && !is_difference) {
     add(issues, place, "expect.within", say("'{1}' may be a part of the value or a difference from it", tree.text),
         remedy);
   } else if (literal->dimension == e.is.dimension) {
@@ -180,7 +207,7 @@ void read_within(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
   }
 }
 
-/// digits = 3, or within = "0.5 %" or "0.1 mm".
+/// digits = 3, or within = "0.5 %" or "0.1 mm"; neither of an infinite value.
 void read_tolerance(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
   if (const auto* digits = tree.find("digits")) {
     const double n = digits->value.number;
@@ -190,9 +217,32 @@ void read_tolerance(const Tree& tree, Expectation& e, std::vector<Issue>& issues
     e.digits = static_cast<int>(n);
   }
   if (const auto* within = tree.find("within")) read_within(within->value, e, issues);
-  if ((tree.find("digits") == nullptr) == (tree.find("within") == nullptr)) {
+  const bool has_digits = tree.find("digits") != nullptr, has_within = tree.find("within") != nullptr;
+  if (std::isinf(e.is.si)) {
+    if (has_digits || has_within) add(issues, tree.place, "expect", say("an infinite value has no tolerance"));
+  } else if (has_digits == has_within) {
     add(issues, tree.place, "expect", say("an expectation has either digits or within"));
   }
+}
+
+/// What is expected: a quantity, or "inf" of a plain number.
+void read_expected(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
+  if (e.is_text == "inf" || e.is_text == "-inf") {
+    e.number = e.is.si = (e.is_text[0] == '-' ? -1.0 : 1.0) * std::numeric_limits<double>::infinity();
+    e.unit = "-";
+    return;
+  }
+  const auto is = parse_literal(e.is_text);
+  if (!is) {
+    add(issues, place_in(tree.place, e.is_text, is.fault().at, is.fault().length), "expect.is", is.fault().message,
+        is.fault().hint);
+    return;
+  }
+  e.is = *is;
+  const auto number = read_number(e.is_text, 0);
+  e.number = number->value;
+  e.unit = e.is_text.substr(std::min(e.is_text.find_first_not_of(' ', number->end), e.is_text.size()));
+  if (e.unit.empty()) e.unit = "-";
 }
 
 std::optional<Expectation> read_expectation(const Tree& tree, std::vector<Issue>& issues) {
@@ -224,22 +274,14 @@ std::optional<Expectation> read_expectation(const Tree& tree, std::vector<Issue>
   } else {
     e.value = std::move(*parsed);
   }
-  const auto is = parse_literal(e.is_text);
-  if (!is) {
-    add(issues, place_in(tree.find("is")->value.place, e.is_text, is.fault().at, is.fault().length), "expect.is",
-        is.fault().message, is.fault().hint);
-  } else {
-    e.is = *is;
-    const auto number = read_number(e.is_text, 0);
-    e.number = number->value;
-    e.unit = e.is_text.substr(std::min(e.is_text.find_first_not_of(' ', number->end), e.is_text.size()));
-    if (e.unit.empty()) e.unit = "-";
-  }
+  read_expected(tree.find("is")->value, e, issues);
   read_tolerance(tree, e, issues);
   return issues.size() == before ? std::optional(std::move(e)) : std::nullopt;
 }
 
 }  // namespace
+
+std::vector<std::string> heading_keys() { return {keys_of_heading.begin(), keys_of_heading.end()}; }
 
 std::span<const char* const> reserved_names() { return reserved; }
 
@@ -251,11 +293,12 @@ void read_heading(const Tree::Entry& entry, Project& project, std::vector<Issue>
                say("'{1}' is a table of fields, not {2}", "project", toml::word_for(entry.value.type)));
   }
   for (const Tree::Entry& e : entry.value.entries) {
-    if (std::find(heading_keys.begin(), heading_keys.end(), e.key) == heading_keys.end()) {
+    if (std::find(keys_of_heading.begin(), keys_of_heading.end(), e.key) == keys_of_heading.end()) {
       add(issues, e.place, "project." + e.key, say("'{1}' is no field here", e.key),
-          did_you_mean(e.key, std::vector<std::string>(heading_keys.begin(), heading_keys.end())));
+          did_you_mean(e.key, heading_keys()));
       continue;
     }
+    if (e.key == "tables") continue;  // read before the steps
     const std::string text = text_of(e, "project." + e.key, issues);
     if (e.key == "title")
       project.title = text;
@@ -271,22 +314,24 @@ void read_expectations(const Tree& tree, Project& project, std::vector<Issue>& i
   }
 }
 
-std::unique_ptr<Step> read_step(const Tree::Entry& entry, Catalogue catalogue, std::vector<Issue>& issues) {
+std::unique_ptr<Step> read_step(const Tree::Entry& entry, const Project& project, Catalogue catalogue,
+                                std::vector<Issue>& issues) {
   if (!name_is_free(entry, issues)) return nullptr;
   StepInput input;
   input.name = entry.key;
   input.place = entry.place;
+  input.tables = project.tables;
   const CatalogueEntry* const known = entry_of_step(entry, catalogue, issues);
   if (known == nullptr) return nullptr;
   input.calculator = known->calculator;
   if (!read_template(entry.value, input, issues)) return nullptr;
   if (const auto* title = entry.value.find("title")) input.title = text_of(*title, entry.key + ".title", issues);
   if (const auto* note = entry.value.find("note")) input.note = text_of(*note, entry.key + ".note", issues);
-  read_rows(entry.value, input, issues);
   read_display(entry.value, input, issues);
   read_accepted(entry.value, input, issues);
   input.reading = read_record(entry.value, *input.calculator->input, input.from, entry.key + ".",
                               keys_beside_fields(*input.calculator), issues);
+  read_rows(entry.value, input, issues);
   return known->make_step(std::move(input));
 }
 

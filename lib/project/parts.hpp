@@ -5,14 +5,19 @@
 
 #include <memory>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace loadpath::project {
 
 void read_heading(const toml::Tree::Entry& entry, Project& project, std::vector<Issue>& issues);
 void read_expectations(const toml::Tree& tree, Project& project, std::vector<Issue>& issues);
 /// The step of a table, not yet prepared; nothing where name or calculator are wrong.
-std::unique_ptr<Step> read_step(const toml::Tree::Entry& entry, Catalogue catalogue, std::vector<Issue>& issues);
+std::unique_ptr<Step> read_step(const toml::Tree::Entry& entry, const Project& project, Catalogue catalogue,
+                                std::vector<Issue>& issues);
 
+/// The keys of [project].
+std::vector<std::string> heading_keys();
 /// Words that no step can be called: commands, elements, `project`, `expect`.
 std::span<const char* const> reserved_names();
 bool is_reserved(std::string_view name);

@@ -1,7 +1,10 @@
 #include "lib/project/project.hpp"
 
+#include "lib/project/factors.hpp"
 #include "lib/project/order.hpp"
 #include "lib/project/parts.hpp"
+#include "lib/project/references.hpp"
+#include "lib/table/tables.hpp"
 
 #include <algorithm>
 
@@ -9,13 +12,7 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr std::size_t most_tables = 1000;
-
-/// "lever.drive.M" -> "lever", "drive.M".
-std::pair<std::string, std::string> split_step(const std::string& path) {
-  const std::size_t dot = path.find('.');
-  return {path.substr(0, dot), dot == std::string::npos ? "" : path.substr(dot + 1)};
-}
+constexpr std::size_t most_tables = 100'000;  // no rule: what has more is a slip
 
 std::vector<std::string> names_of(const Project& project) {
   std::vector<std::string> names;
@@ -23,14 +20,17 @@ std::vector<std::string> names_of(const Project& project) {
   return names;
 }
 
-Outcome<Signature> signature_of(const Project& project, const std::string& path) {
+bool is_of_tables(const std::string& path) { return path.starts_with("tables."); }
+
+Outcome<Signature> signature_of(Project& project, const std::string& path) {
+  if (is_of_tables(path)) {
+    const auto referred = project.tables->value_at(path);
+    return referred ? Outcome<Signature>(Signature{referred->dimension, nullptr}) : referred.fault();
+  }
   const auto [name, rest] = split_step(path);
+  if (name == "values") return project.values.signature(rest);
   const Step* step = project.find(name);
-  if (step != nullptr) return step->signature(rest);
-  const std::string near = nearest(name, names_of(project));
-  if (!near.empty())
-    return Fault{0, path.size(), say("there is no step '{1}'", name), say("did you mean '{1}'?", near + "." + rest)};
-  return Fault{0, path.size(), say("there is no step '{1}'", name), there_is(names_of(project))};
+  return step == nullptr ? project.unknown_step(path) : step->signature(rest);
 }
 
 std::vector<std::string> companions_of(const Project& project, const std::string& path) {
@@ -41,12 +41,24 @@ std::vector<std::string> companions_of(const Project& project, const std::string
 
 std::vector<std::string> references_of(const Project& project) {
   std::vector<std::string> references;
-  for (const auto& step : project.steps) {
-    for (const Operand& operand : step->input().reading.operands) {
-      for (const auto& reference : operand.expression.references()) references.push_back(reference.path);
-    }
-  }
+  for (const auto& step : project.steps)
+    for_each_reference(step->input().reading, [&](const std::string& path) { references.push_back(path); });
   return references;
+}
+
+/// The values of tables that expressions name. What is none is told where the expression is checked.
+std::map<std::string, Value> table_values_of(const Project& project) {
+  std::map<std::string, Value> values;
+  const auto take = [&](const std::string& path) {
+    if (!is_of_tables(path)) return;
+    if (const auto referred = project.tables->value_at(path))
+      values[path] = {{referred->dimension, nullptr}, {referred->value.si}};
+  };
+  std::for_each(project.references.begin(), project.references.end(), take);
+  for (const Expectation& e : project.expectations) {
+    for (const auto& reference : e.value.references()) take(reference.path);
+  }
+  return values;
 }
 
 /// What the steps refer to, and what loads a part beside it.
@@ -63,16 +75,33 @@ std::set<std::string> taken_series(const Project& project) {
 void find_varying_loads(Project& project, const Declared& declared) {
   for (const std::size_t i : project.order) {
     Step& step = *project.steps[i];
-    for (const Operand& operand : step.input().reading.operands) {
-      for (const auto& reference : operand.expression.references()) {
-        const Step* const source = project.find(split_step(reference.path).first);
-        if (source == nullptr) continue;
-        const auto signature = declared(reference.path);
-        if (source->input().calculator->turns || source->load_varies() || (signature && signature->axis != nullptr))
-          step.set_load_varies(true);
-      }
-    }
+    for_each_reference(step.input().reading, [&](const std::string& path) {
+      const Step* const source = project.find(split_step(path).first);
+      if (source == nullptr) return;
+      const auto signature = declared(path);
+      if (source->input().calculator->turns || source->load_varies() || (signature && signature->axis != nullptr))
+        step.set_load_varies(true);
+    });
   }
+}
+
+/// What steps know of one another while the project is solved.
+Known known_of(const Project& project) {
+  static const Value none{{}, {std::numeric_limits<double>::quiet_NaN()}};
+  const auto value = [&project](const std::string& path) -> const Value& {
+    const Value* known = project.value(path);
+    return known == nullptr ? none : *known;
+  };
+  const auto word = [&project](const std::string& path) {
+    const auto [name, rest] = split_step(path);
+    const Step* const step = project.find(name);
+    return step == nullptr ? std::string() : step->word(rest);
+  };
+  const auto within = [&project](const std::string& path) {
+    const auto [name, rest] = split_step(path);
+    return project.find(name)->within(rest);
+  };
+  return {value, word, within};
 }
 
 /// Customs that the input breaks stand with the step that they are about.
@@ -87,7 +116,7 @@ void hand_out_warnings(Project& project, const std::vector<Issue>& issues) {
   }
 }
 
-void check_expectations(const Project& project, std::vector<Issue>& issues) {
+void check_expectations(Project& project, std::vector<Issue>& issues) {
   for (const Expectation& e : project.expectations) {
     const auto signature = e.value.check([&](const std::string& path) { return signature_of(project, path); });
     if (!signature) {
@@ -116,8 +145,18 @@ const Step* Project::find(std::string_view name) const {
   return found == steps.end() ? nullptr : found->get();
 }
 
-const Value* Project::value(const std::string& path) const {
+Fault Project::unknown_step(const std::string& path) const {
   const auto [name, rest] = split_step(path);
+  const std::string near = nearest(name, names_of(*this));
+  return {
+      0, path.size(), say("there is no step '{1}'", name),
+      near.empty() ? there_is(names_of(*this)) : say("did you mean '{1}'?", rest.empty() ? near : near + "." + rest)};
+}
+
+const Value* Project::value(const std::string& path) const {
+  if (const auto found = table_values.find(path); found != table_values.end()) return &found->second;
+  const auto [name, rest] = split_step(path);
+  if (name == "values") return values.literal(rest);
   const Step* step = find(name);
   return step == nullptr ? nullptr : step->value(rest);
 }
@@ -140,12 +179,19 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
                       Severity::error});
     return project;
   }
+  project.tables = read_own_tables(tree, file, catalogue, project.files, issues);
+  const auto* const values = tree.find("values");
+  if (values != nullptr && is_shared(*values)) project.values.read(*values, issues);
+  const auto written_out = [&](const toml::Tree::Entry& entry) {
+    return toml::Tree::Entry{entry.key, entry.place, project.values.in_place(entry.value, issues)};
+  };
   for (const toml::Tree::Entry& entry : tree.entries) {
+    if (is_shared(entry) || is_own_tables(entry)) continue;
     if (entry.key == "project") {
       read_heading(entry, project, issues);
     } else if (entry.key == "expect") {
       read_expectations(entry.value, project, issues);
-    } else if (auto step = read_step(entry, catalogue, issues)) {
+    } else if (auto step = read_step(written_out(entry), project, catalogue, issues)) {
       project.steps.push_back(std::move(step));
     }
   }
@@ -156,25 +202,28 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
                       say("a step is a table with a key calculator = \"...\""),
                       Severity::error});
   }
+  for (const auto& step : project.steps) refuse_own_rows(*step, issues);
   project.order = order_of_evaluation(project, issues);
-  project.references = references_of(project);
   const Declared declared = [&](const std::string& path) { return signature_of(project, path); };
   const Companions companions = [&](const std::string& path) { return companions_of(project, path); };
-  for (const std::size_t i : project.order) project.steps[i]->prepare(declared, companions, issues);
+  for (const std::size_t i : project.order) {
+    settle_references(*project.steps[i], project, issues);
+    project.steps[i]->prepare(declared, companions, issues);
+  }
+  project.references = references_of(project);
+  project.table_values = table_values_of(project);
   find_varying_loads(project, declared);
   if (!has_errors(issues)) check_expectations(project, issues);
+  project.values.warn_of_unused(issues);
   return project;
 }
 
 void solve(Project& project, std::vector<Issue>& issues, Wanted wanted) {
-  static const Value none{{}, {std::numeric_limits<double>::quiet_NaN()}};
-  const Known known = [&](const std::string& path) -> const Value& {
-    const Value* value = project.value(path);
-    return value == nullptr ? none : *value;
-  };
+  const Known known = known_of(project);
   wanted.taken = taken_series(project);
   for (const std::size_t i : project.order) {
-    project.steps[i]->solve(known, wanted, issues);
+    check_factors(*project.steps[i], project, issues);
+    if (!has_errors(issues)) project.steps[i]->solve(known, wanted, issues);
     if (has_errors(issues)) return;
   }
   hand_out_warnings(project, issues);

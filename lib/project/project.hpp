@@ -1,9 +1,11 @@
 // A project file: its steps, the order in which they follow from one another, and what is expected of them.
 #pragma once
 
-#include "lib/project/catalogue.hpp"
+#include "lib/project/own_tables.hpp"
+#include "lib/project/read/shared.hpp"
 #include "lib/quantity/literal.hpp"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,12 +33,18 @@ struct Project {
   std::string file;
   std::string title;
   std::vector<std::pair<std::string, std::string>> meta;  // number, revision, author, checker, date, note: as typed
-  std::vector<std::unique_ptr<Step>> steps;               // in the order of the file
-  std::vector<std::size_t> order;                         // of evaluation
-  std::vector<std::string> references;                    // of the steps to one another: full paths
+  Values values;
+  std::vector<std::unique_ptr<Step>> steps;     // in the order of the file
+  std::vector<std::size_t> order;               // of evaluation
+  std::vector<std::string> references;          // of the steps to one another: full paths
+  std::shared_ptr<const table::Tables> tables;  // the project's own before the built-in ones
+  std::vector<NamedFile> files;                 // that were read beside its own
+  std::map<std::string, Value> table_values;    // that expressions name: "tables.materials.S355.E"
   std::vector<Expectation> expectations;
 
   [[nodiscard]] const Step* find(std::string_view name) const;
+  /// That there is no step of a path's name, and which there may be.
+  [[nodiscard]] Fault unknown_step(const std::string& path) const;
   /// The value at "step.path" after solving, or nothing.
   [[nodiscard]] const Value* value(const std::string& path) const;
 };

@@ -25,6 +25,9 @@ void collect_steps(const Tree& tree, std::vector<std::string>& steps) {
   for (const Tree::Entry& entry : tree.entries) collect_steps(entry.value, steps);
 }
 
+/// What every part of a project needs.
+bool is_of_all(std::string_view key) { return key == "project" || key == "values" || key == "tables"; }
+
 std::set<std::string> needed_steps(const Tree& project, std::string_view calculator) {
   std::vector<std::string> open;
   for (const Tree::Entry& entry : project.entries) {
@@ -51,9 +54,8 @@ Tree part_for(const Tree& project, std::string_view calculator) {
   const std::set<std::string> needed = needed_steps(project, calculator);
   Tree part;
   part.place = project.place;
-  std::copy_if(
-      project.entries.begin(), project.entries.end(), std::back_inserter(part.entries),
-      [&](const Tree::Entry& e) { return needed.count(e.key) != 0 || (!needed.empty() && e.key == "project"); });
+  std::copy_if(project.entries.begin(), project.entries.end(), std::back_inserter(part.entries),
+               [&](const Tree::Entry& e) { return needed.count(e.key) != 0 || (!needed.empty() && is_of_all(e.key)); });
   return part;
 }
 

@@ -10,6 +10,15 @@ namespace loadpath::project {
 
 std::vector<std::string> Step::companions_of(const std::string&) const { return {}; }
 
+const FieldInfo* Step::field(const std::string& path) const {
+  const Calculator& calculator = *input_.calculator;
+  for (const RecordType* type : {calculator.result, calculator.input}) {
+    if (type == nullptr) continue;
+    if (const FieldInfo* field = find_field_at(type->fields, path)) return field;
+  }
+  return nullptr;
+}
+
 namespace {
 
 /// "pulleys[3].R": element 3 of a list whose elements have names, "pulleys.pump.R"; nothing where it is no such path.
@@ -35,6 +44,65 @@ const Value* Step::value(const std::string& path) const {
     if (found != nullptr && !found->value.si.empty()) return &found->value;
   }
   return nullptr;
+}
+
+namespace {
+
+void add_members(std::span<const FieldInfo> fields, const std::string& of, const std::string& prefix,
+                 std::vector<Member>& members) {
+  for (const FieldInfo& field : fields) {
+    const std::string key = prefix + field.key;
+    if (field.type == FieldInfo::Type::group) add_members(field.fields, of, key + ".", members);
+    if (field.is_leaf()) members.push_back({key, std::string(of).append(".").append(key), field.is_word()});
+  }
+}
+
+/// Whether the path ends in the list itself, not in one of its elements.
+bool is_whole_list(const FieldInfo& field, const std::string& path) {
+  return field.type == FieldInfo::Type::list && (path == field.key || path.ends_with("." + std::string(field.key)));
+}
+
+}  // namespace
+
+std::vector<Member> Step::members(const std::string& path) const {
+  const FieldInfo* const record = field(path);
+  std::vector<Member> members;
+  if (record != nullptr && record->has_fields() && !is_whole_list(*record, path))
+    add_members(record->fields, path, "", members);
+  return members;
+}
+
+std::string Step::word(const std::string& path) const {
+  if (const auto found = rows_found_.find(path); found != rows_found_.end()) return found->second;
+  if (const auto named = input_.rows.find(path); named != input_.rows.end()) return named->second.text;
+  for (const auto* entries : {&account_.results, &account_.inputs}) {
+    const auto same = std::find_if(entries->begin(), entries->end(), [&](const Entry& e) { return e.path == path; });
+    const Entry* found = same == entries->end() ? numbered_entry(*entries, path) : &*same;
+    if (found != nullptr && !found->word.empty()) return found->word;
+  }
+  return {};
+}
+
+std::vector<std::pair<std::string, const Entry*>> Step::within(const std::string& path) const {
+  std::vector<std::pair<std::string, const Entry*>> found;
+  for (const auto* entries : {&account_.results, &account_.inputs}) {
+    for (const Entry& entry : *entries) {
+      const bool inside = entry.path.size() > path.size() && entry.path.starts_with(path) &&
+                          (entry.path[path.size()] == '.' || entry.path[path.size()] == '[');
+      if (inside) found.emplace_back(entry.path.substr(path.size()), &entry);
+    }
+    if (!found.empty()) break;
+  }
+  return found;
+}
+
+Form form_of(const Step& step, const std::string& path) {
+  if (step.input().rows.contains(path)) return Form::row;
+  const FieldInfo* const field = step.field(path);
+  if (field != nullptr && field->is_word()) return Form::word;
+  if (field != nullptr && is_whole_list(*field, path)) return Form::list;
+  if (!step.members(path).empty()) return Form::record;
+  return step.signature(path) ? Form::number : Form::nothing;
 }
 
 Issue issue_at(const StepInput& input, const std::string& path, Message message, Message hint) {
@@ -135,10 +203,34 @@ const Axis* check_operands(const Reading& reading, const std::string& step, bool
   return shared;
 }
 
+namespace {
+
+/// Makes counts whole; an issue where one is none.
+std::optional<Issue> broken_count(const Operand& operand, const std::string& step, Value& value) {
+  constexpr double rounding = 1e-9;
+  for (double& n : value.si) {
+    const double whole = std::round(n);
+    if (std::abs(n - whole) > rounding * std::max(1.0, std::abs(n)))
+      return Issue{place_in(operand.place, operand.text, 0, operand.text.size()), step + "." + operand.path,
+                   say("{1} = {2} is no whole number", operand.path, format_number(n)),
+                   say("a count is taken as it is; there is no rounding"), Severity::error};
+    if (!std::isnan(n)) n = whole;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<Value> evaluate_operand(const Operand& operand, const std::string& step, const Known& known,
                                       std::vector<Issue>& issues) {
   const FieldInfo& field = *operand.leaf.field;
-  Value value = operand.expression.evaluate(known);
+  Value value = operand.expression.evaluate(known.value);
+  if (field.type == FieldInfo::Type::count) {
+    if (auto issue = broken_count(operand, step, value)) {
+      issues.push_back(std::move(*issue));
+      return std::nullopt;
+    }
+  }
   const auto refused = std::find_if(value.si.begin(), value.si.end(),
                                     [&](double x) { return !std::isnan(x) && !field.bounds.holds(x); });
   if (refused == value.si.end()) return value;
@@ -171,6 +263,7 @@ std::vector<Entry> input_entries(const Record& record,
 Origin plain_origin(const Reading& reading, const std::string& path, const Leaf& leaf) {
   const auto typed = reading.typed.find(path);
   if (typed != reading.typed.end()) {
+    if (!typed->second.shared.empty()) return {say("given as {1}", typed->second.shared), {}, false};
     if (typed->second.mean_of_uncertain) return {say("given, middle value"), {}, false};
     const bool quantity = leaf.field->type == FieldInfo::Type::quantity && !typed->second.text.empty();
     const bool as_shown =

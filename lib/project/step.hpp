@@ -12,6 +12,10 @@
 #include <string>
 #include <vector>
 
+namespace loadpath::table {
+class Tables;
+}
+
 namespace loadpath::project {
 
 using account::Account;
@@ -22,6 +26,7 @@ using account::Origin;
 struct Wanted {
   bool pictures = true;              // tables and figures
   bool formulas = true;              // the derivation, written out
+  bool unused = true;                // which inputs have no effect
   SeriesChoice series = {};          // of those that could be written
   std::set<std::string> taken = {};  // those that other steps refer to, "lever.drive.M": solve() fills it
 
@@ -39,6 +44,7 @@ struct StepInput {
   const Calculator* calculator = nullptr;
   const Template* from = nullptr;  // null: the input is written out
   Reading reading;
+  std::shared_ptr<const table::Tables> tables;  // what its rows and stocks are looked up in; never null
   /// Rows that the step names for its providers: "material" -> "C45E".
   std::map<std::string, Typed> rows;
   /// Modes of failure that the user answers for, and why: "pitting" -> "rated by the maker, drawing 12".
@@ -50,10 +56,25 @@ struct StepInput {
 
 /// The signatures of other steps' paths, when the file is read.
 using Declared = Expression::Declared;
-/// Their values, when it is solved.
-using Known = Expression::Known;
+/// What other steps have, when the project is solved.
+struct Known {
+  Expression::Known value;
+  /// A choice, a name, a row; empty where there is none.
+  std::function<std::string(const std::string& path)> word;
+  /// Everything in a record or a list, "pulleys": paths behind it, "[2].R", ".pump.R".
+  std::function<std::vector<std::pair<std::string, const Entry*>>(const std::string& path)> within;
+
+  const Value& operator()(const std::string& path) const { return value(path); }
+};
 /// What else loads the part that takes a path's value: full paths (Step::companions_of).
 using Companions = std::function<std::vector<std::string>(const std::string& path)>;
+
+/// A value in a record of a step.
+struct Member {
+  std::string key;   // within the record: "T"
+  std::string path;  // within the step: "gear_2.T"
+  bool is_word = false;
+};
 
 class Step {
  public:
@@ -64,6 +85,7 @@ class Step {
 
   [[nodiscard]] const std::string& name() const { return input_.name; }
   [[nodiscard]] const StepInput& input() const { return input_; }
+  [[nodiscard]] StepInput& input() { return input_; }
 
   /// Checks what can be known before anything runs: expressions' dimensions, names, rules. Called in order of
   /// evaluation.
@@ -71,6 +93,10 @@ class Step {
   /// Dimension and axis of a path; a Fault with a hint where there is none, without a message where the step's own
   /// errors, which are told, leave it unknown. After `prepare`.
   [[nodiscard]] virtual Outcome<Signature> signature(const std::string& path) const = 0;
+  /// The field at a path, a result or an input; null where there is none, or its shape depends on the model.
+  [[nodiscard]] virtual const FieldInfo* field(const std::string& path) const;
+  /// What a record of the step has: "gear_2", "links.rod"; empty where there is none of that name.
+  [[nodiscard]] virtual std::vector<Member> members(const std::string& path) const;
   /// Full paths of what else loads the part that takes the value at `path`.
   [[nodiscard]] virtual std::vector<std::string> companions_of(const std::string& path) const;
   /// Fills the account; series that are not wanted may have no values. A computed value that its field refuses becomes
@@ -78,6 +104,10 @@ class Step {
   virtual void solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) = 0;
   /// The value at a path, after `solve`; nothing where there is none (an element that the list does not have).
   [[nodiscard]] virtual const Value* value(const std::string& path) const;
+  /// The choice, name or row at a path, after `solve`; empty where there is none.
+  [[nodiscard]] std::string word(const std::string& path) const;
+  /// Results, else inputs, in a record or a list, with what stands behind its path.
+  [[nodiscard]] std::vector<std::pair<std::string, const Entry*>> within(const std::string& path) const;
 
   [[nodiscard]] const Account& account() const { return account_; }
   /// Whether what loads the part comes from something that turns, or varies: known when the project is read.
@@ -85,19 +115,34 @@ class Step {
   void set_load_varies(bool varies) { load_varies_ = varies; }
   /// What comes along with the loads of the step, and it does not take: "lever.links.rod.M_b"; after `prepare`.
   [[nodiscard]] const std::string& left_of_loads() const { return left_of_loads_; }
+  /// What the loads hold that the step has taken: its own results hold it too; known when it is solved.
+  [[nodiscard]] const Factors& factors() const { return factors_; }
+  void hold(Factors factors) { factors_ = std::move(factors); }
+  /// What the report says of the step's inputs.
+  void remark(Message remark) { remarks_.push_back(std::move(remark)); }
+  [[nodiscard]] const std::vector<Message>& remarks() const { return remarks_; }
   void warn(Message warning) { account_.warnings.push_back(std::move(warning)); }
 
  protected:
   [[nodiscard]] StepInput& own() { return input_; }
+  /// The row that the step has found for a table.
+  void name_row(const std::string& group, std::string row) { rows_found_[group] = std::move(row); }
   [[nodiscard]] Account& own_account() { return account_; }
   void leave_of_loads(std::string names) { left_of_loads_ = std::move(names); }
 
  private:
   StepInput input_;
   Account account_;
+  std::map<std::string, std::string> rows_found_;
+  Factors factors_;
+  std::vector<Message> remarks_;
   bool load_varies_ = false;
   std::string left_of_loads_;
 };
+
+/// What a lone reference names.
+enum class Form { nothing, number, word, row, record, list };
+Form form_of(const Step& step, const std::string& path);
 
 /// Checks the operands of a reading against their fields: dimension, references. The axis that they share, if any;
 /// `lifted` false refuses series.

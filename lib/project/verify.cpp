@@ -8,10 +8,16 @@ namespace loadpath::project {
 
 namespace {
 
-Comparison compare(const Expectation& e, const Known& known) {
+Comparison compare(const Expectation& e, const Expression::Known& known) {
   Comparison c;
   c.expectation = &e;
   c.ours = e.value.evaluate(known).si[0];
+  if (std::isinf(e.is.si)) {  // the value itself: in an expression what is infinite has no value
+    c.ours = known(e.text).si[0];
+    c.holds = c.ours == e.is.si;
+    c.deviation = c.holds ? 0.0 : std::nan("");
+    return c;
+  }
   const double scale = e.is.si == 0.0 ? parse_unit(e.unit)->factor : std::abs(e.is.si);  // of 0: in its own unit
   c.deviation = (c.ours - e.is.si) / scale;
   c.allowed = e.within      ? *e.within
@@ -30,7 +36,7 @@ double half_unit(double value, int digits) {
 
 std::vector<Comparison> compare(const Project& project) {
   static const Value none{{}, {std::nan("")}};
-  const Known known = [&](const std::string& path) -> const Value& {
+  const Expression::Known known = [&](const std::string& path) -> const Value& {
     const Value* value = project.value(path);
     return value == nullptr ? none : *value;
   };

@@ -1,14 +1,32 @@
 #include "lib/project/read/reader.hpp"
+#include "lib/project/read/rows_file.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace loadpath::project {
 
 using Type = FieldInfo::Type;
 
+/// What a list without a bound takes: no rule of any calculator, but what has more is a slip, and fills the memory.
+constexpr std::size_t most_elements = 100'000;
+
+void Reader::refuse_size(const Tree& tree, const FieldInfo& field, const std::string& path, std::size_t count) {
+  const bool bounded = field.capacity != no_bound;
+  const std::size_t most = bounded ? field.capacity : most_elements;
+  say_at(tree.place, path, say("at most {1} {2}; here are {3}", std::to_string(most), field.key, std::to_string(count)),
+         bounded ? Message{} : say("no list of a project has more"));
+}
+
 void Reader::read_list(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  if (names_rows_file(tree) && find_field(field.fields, "name") == nullptr) {
+    const auto rows = read_rows_file(tree);
+    if (rows) return read_list(*rows, field, owner, path);
+    return say_at(tree.entries[0].value.place, path, rows.fault().message, rows.fault().hint);
+  }
   const bool named = tree.type == Tree::Type::table && find_field(field.fields, "name") != nullptr &&
                      find_field(field.fields, "name")->type == Type::name;
+  if (!field.positional && takes(tree, field, path)) return;
   if (tree.type == Tree::Type::array && tree.items.empty()) {
     return say_at(tree.place, path, say("'{1}' is empty", path),
                   field.optional ? say("give what it lists, or leave it out") : say("give what it lists"));
@@ -19,11 +37,8 @@ void Reader::read_list(const Tree& tree, const FieldInfo& field, void* owner, co
     const auto is_new = [&](const Tree::Entry& entry) { return target.find_given(entry.key) == nullptr; };
     count = target.given + static_cast<std::size_t>(std::count_if(tree.entries.begin(), tree.entries.end(), is_new));
   }
-  if (count > field.capacity) {
-    return say_at(
-        tree.place, path,
-        say("at most {1} {2}; here are {3}", std::to_string(field.capacity), field.key, std::to_string(count)));
-  }
+  if (count > std::min(field.capacity, most_elements)) return refuse_size(tree, field, path, count);
+  field.reserve(owner, count);  // operands point into elements
   if (named) {
     for (const Tree::Entry& entry : tree.entries) read_element(entry.value, target, path, &entry);
   } else if (tree.type == Tree::Type::array) {
@@ -80,15 +95,14 @@ void Reader::read_element(const Tree& tree, const Target& target, const std::str
 void Reader::check_names(const FieldInfo& list, void* owner, const std::string& path, const Place& place) {
   const FieldInfo* name = find_field(list.fields, "name");
   if (name == nullptr || name->type != Type::name) return;
-  std::vector<std::string_view> seen;
+  std::set<std::string_view> seen;
   for (std::size_t i = 0; i < list.size(owner); ++i) {
     const std::string_view n = name->text(list.element(owner, i));
-    if (!n.empty() && std::find(seen.begin(), seen.end(), n) != seen.end()) {
+    if (!n.empty() && !seen.insert(n).second) {
       const auto typed = reading_.typed.find(path + "." + std::string(n) + ".name");
       say_at(typed == reading_.typed.end() ? place : typed->second.place, path,
              say("the name '{1}' stands twice in '{2}'", n, path));
     }
-    seen.push_back(n);
   }
 }
 

@@ -35,7 +35,7 @@ void Reader::read_fields(const Tree& table, const std::vector<Part>& parts, cons
       if (path.empty()) reading_.faulty.insert(nearest(entry.key, keys_of(parts)));
       continue;
     }
-    reading_.typed[inner] = {entry.value.text, entry.value.place};
+    reading_.typed[inner] = {entry.value.text, entry.value.place, false, entry.value.shared};
     read_value(entry.value, *find_field(part->fields, entry.key), part->owner, inner);
   }
   for (const Part& part : parts) require(part.fields, part.owner, path, table.place);
@@ -57,11 +57,39 @@ void Reader::read_value(const Tree& tree, const FieldInfo& field, void* owner, c
       return read_aggregate(tree, field, field.element(owner, 0), path);
     case Type::list:
       return read_list(tree, field, owner, path);
+    case Type::record:
+      if (takes(tree, field, path)) return;
+      return say_at(tree.place, path, say("'{1}' takes the record of another step", path),
+                    say("refer to it: {1} = \"=pick.best\"", path));
   }
+}
+
+bool Reader::takes(const Tree& tree, const FieldInfo& field, const std::string& path) {
+  if (tree.type != Tree::Type::text || !tree.text.starts_with('=')) return false;
+  Place start = tree.place;
+  ++start.column;
+  if (const auto source = lone_reference(tree)) {
+    reading_.taken.push_back({path, &field, *source, start});
+    return true;
+  }
+  const std::string text = tree.text.substr(1);
+  if (const auto parsed = Expression::parse(text); !parsed) {
+    fault_at(start, text, path, parsed.fault());
+  } else if (field.is_word()) {
+    say_at(place_in(start, text, 0, text.size()), path, say("'{1}' is no number to calculate with", path),
+           say("refer to one that another step has: {1} = \"=step.{2}\"", path, field.key));
+  } else {
+    const bool list = field.type == Type::list;
+    say_at(place_in(start, text, 0, text.size()), path,
+           say("'{1}' takes {2} of another step whole", path, list ? say("a list") : say("a record")),
+           say("name it and its step: {1} = \"=step.{2}\"", path, list ? field.key : "record"));
+  }
+  return true;
 }
 
 void Reader::read_aggregate(const Tree& tree, const FieldInfo& field, void* inner, const std::string& path) {
   if (tree.type == Tree::Type::table) return read_fields(tree, {{field.fields, inner}}, path, {});
+  if (!field.positional && takes(tree, field, path)) return;
   if (!field.positional) {
     return say_at(tree.place, path, say("'{1}' is a table of fields, not {2}", path, toml::word_for(tree.type)),
                   there_is(keys_of({{field.fields, inner}})));
@@ -85,28 +113,25 @@ void Reader::read_array(const Tree& tree, const FieldInfo& field, void* inner, c
   for (std::size_t i = 0; i < count; ++i) {
     const Tree& item = array ? tree.items[i] : tree;
     const std::string leaf = joined(path, leaves[i]->key);
-    reading_.typed[leaf] = {item.text, item.place};
+    reading_.typed[leaf] = {item.text, item.place, false, item.shared};
     read_value(item, *leaves[i], inner, leaf);
   }
   require(field.fields, inner, path, tree.place);
 }
 
-static bool is_missing(const FieldInfo& field, void* owner) {
-  switch (field.type) {
-    case Type::quantity:
-      return std::isnan(field.get(owner));
-    case Type::name:
-    case Type::formula:
-      return field.text(owner).empty();
-    case Type::list:
-      return field.size(owner) == 0;
-    case Type::count:
-      return !field.bounds.holds(field.get(owner));
-    case Type::choice:
-    case Type::group:
-      return false;
-  }
-  return false;
+/// Whether a record is taken that may fill this field.
+static bool may_come(const Reading& reading, const std::string& path) {
+  return std::any_of(reading.taken.begin(), reading.taken.end(), [&](const Taken& taken) {
+    const bool beside = taken.field != nullptr && taken.field->type == Type::record;
+    return path.starts_with(beside ? taken.path.substr(0, taken.path.rfind('.') + 1) : taken.path + ".");
+  });
+}
+
+/// Whether a record stands beside the fields, be it right or wrong.
+bool Reader::is_record_typed(std::span<const FieldInfo> fields, const std::string& path) const {
+  return std::any_of(fields.begin(), fields.end(), [&](const FieldInfo& f) {
+    return f.type == Type::record && reading_.typed.count(joined(path, f.key)) != 0;
+  });
 }
 
 void Reader::require(std::span<const FieldInfo> fields, void* owner, const std::string& path, const Place& place) {
@@ -116,11 +141,18 @@ void Reader::require(std::span<const FieldInfo> fields, void* owner, const std::
     if (field.type == Type::group) {
       require(field.fields, field.element(owner, 0), inner, place);
     } else if (is_missing(field, owner)) {
-      const bool in_unit = field.type == Type::quantity && std::string_view(field.unit) != "-";
-      say_at(place, inner, say("'{1}' is missing: {2}", inner, field.doc),
-             in_unit ? say("write {1} = \"... {2}\"", field.key, field.unit) : Message{});
+      const Lacking lacking{inner, &field, place};
+      if (may_come(reading_, inner) || is_record_typed(fields, path))
+        reading_.lacking.push_back(lacking);
+      else
+        say_missing(lacking);
     }
   }
+}
+
+void Reader::say_missing(const Lacking& lacking) {
+  Issue issue = missing_field(lacking, prefix_);
+  say_at(issue.place, lacking.path, std::move(issue.message), std::move(issue.hint));
 }
 
 }  // namespace loadpath::project

@@ -29,8 +29,12 @@ class Reader {
 
  private:
   void read_value(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
+  /// What other steps have is taken whole, where the text says so.
+  bool takes(const Tree& tree, const FieldInfo& field, const std::string& path);
+  void read_expression(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_quantity(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_text_quantity(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
+  void read_search(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_special(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   /// Keys of a table that are none of these.
   void refuse_others(const toml::Tree& tree, const std::vector<std::string>& keys, const std::string& path);
@@ -42,6 +46,7 @@ class Reader {
   void read_name(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_formula(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_list(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
+  void refuse_size(const Tree& tree, const FieldInfo& field, const std::string& path, std::size_t count);
   /// A list, and how many of its elements a template has laid out.
   struct Target {
     const FieldInfo& list;
@@ -54,6 +59,8 @@ class Reader {
   void read_aggregate(const Tree& tree, const FieldInfo& field, void* inner, const std::string& path);
   void read_array(const Tree& tree, const FieldInfo& field, void* inner, const std::string& path);
   void require(std::span<const FieldInfo> fields, void* owner, const std::string& path, const Place& place);
+  [[nodiscard]] bool is_record_typed(std::span<const FieldInfo> fields, const std::string& path) const;
+  void say_missing(const Lacking& lacking);
   void check_names(const FieldInfo& list, void* owner, const std::string& path, const Place& place);
 
   void say_at(const Place& place, const std::string& path, Message message, Message hint = {},

@@ -30,6 +30,20 @@ Reading read_record(const toml::Tree& table, const RecordType& type, const Templ
   return reading;
 }
 
+std::optional<std::string> lone_reference(const toml::Tree& tree) {
+  if (tree.type != toml::Tree::Type::text || !tree.text.starts_with('=')) return std::nullopt;
+  const auto parsed = Expression::parse(std::string_view(tree.text).substr(1));
+  if (!parsed || !parsed->is_reference()) return std::nullopt;
+  return parsed->references().front().path;
+}
+
+Issue missing_field(const Lacking& lacking, const std::string& prefix) {
+  const FieldInfo& field = *lacking.field;
+  const bool in_unit = field.type == Type::quantity && std::string_view(field.unit) != "-";
+  return {lacking.place, prefix + lacking.path, say("'{1}' is missing: {2}", lacking.path, field.doc),
+          in_unit ? say("write {1} = \"... {2}\"", field.key, field.unit) : Message{}, Severity::error};
+}
+
 Message bounds_message(const FieldInfo& field) {
   const Range& b = field.bounds;
   const std::string unit = field.type == Type::quantity ? field.unit : "-";

@@ -7,26 +7,44 @@
 #include "lib/toml/tree.hpp"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace loadpath::project {
 
-/// A leaf whose value is an expression over other steps.
+/// A number whose value is an expression over other steps.
 struct Operand {
   std::string path;  // of the leaf, within the step
   Leaf leaf;
   Expression expression;
-  std::string text;  // as written, without the '='
-  Place place;       // of the text behind the '='
+  std::string text;       // as written, without the '='
+  Place place;            // of the text behind the '='
+  bool may_lack = false;  // of a record: what that leaves open stays open
 };
 
-/// A leaf whose value is to be found: the smallest of a stock that passes every check.
+/// What is taken whole from another step: a word, a list, a record, the row of a table.
+struct Taken {
+  std::string path;                  // what it fills, within the step
+  const FieldInfo* field = nullptr;  // null: a row
+  std::string source;                // "pick.best"
+  Place place;                       // of the text behind the '='
+  bool may_lack = false;             // of a record: what that leaves open stays open
+};
+
+/// What is to be found: the smallest of a stock, or the largest value, or the first row of a table, that passes.
 struct Search {
   std::string path;
-  Leaf leaf;
-  std::string stock;
+  Leaf leaf;          // without field: the row of a table
+  std::string stock;  // empty: the largest value
+  Place place;
+};
+
+/// A field that has no value yet, and must have one.
+struct Lacking {
+  std::string path;
+  const FieldInfo* field;
   Place place;
 };
 
@@ -35,6 +53,7 @@ struct Typed {
   std::string text;
   Place place;
   bool mean_of_uncertain = false;
+  std::string shared = {};  // "values.n", which it was written as
 };
 
 /// What a table says about a record.
@@ -42,11 +61,30 @@ struct Reading {
   Record record;
   Record parameters;  // of the template that laid the record out; without type where there is none
   std::vector<Operand> operands;
+  std::vector<Taken> taken;
+  std::vector<Taken> records;    // that are among the operands and the words now, field by field
+  std::vector<Lacking> lacking;  // that a record may fill, which is known when all steps are read
   std::vector<Search> searches;
   std::map<std::string, Typed> typed;  // by the path of the leaf; lists and groups by their own path too
   std::set<std::string> faulty;        // top-level fields that an error is about: what else depends on them is not said
   Place place;                         // of the table
 };
+
+/// "=pick.section" alone: what it refers to; nothing where the text is another. An expression that cannot be read is
+/// none.
+std::optional<std::string> lone_reference(const toml::Tree& tree);
+
+/// That a field has no value.
+Issue missing_field(const Lacking& lacking, const std::string& prefix);
+
+/// Every path of other steps that the reading refers to.
+template <class Visit>
+void for_each_reference(const Reading& reading, const Visit& visit) {
+  for (const Operand& operand : reading.operands) {
+    for (const auto& reference : operand.expression.references()) visit(reference.path);
+  }
+  for (const Taken& taken : reading.taken) visit(taken.source);
+}
 
 /// Reads `table` into a fresh record, or into one that `from` lays out: an element that is there already takes what
 /// stands under its name. Keys in `reserved` are left to the caller; `prefix` starts the keys of issues.

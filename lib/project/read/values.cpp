@@ -29,14 +29,19 @@ void Reader::read_quantity(const Tree& tree, const FieldInfo& field, void* owner
 }
 
 void Reader::read_text_quantity(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
-  if (tree.text == "?") {
-    if (*field.searched_in == '\0') {
-      return say_at(tree.place, path, say("'{1}' cannot be searched for", path), say("give a value"));
-    }
-    reading_.searches.push_back({path, {&field, owner}, field.searched_in, tree.place});
-    return;
-  }
+  if (tree.text == "?") return read_search(tree, field, owner, path);
   if (!tree.text.starts_with('=')) return read_literal(tree.text, tree, field, owner, path);
+  read_expression(tree, field, owner, path);
+}
+
+void Reader::read_search(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  const bool can_be_large = field.larger_is_better || (field.is_load && !field.signed_load);
+  if (*field.searched_in == '\0' && !can_be_large)
+    return say_at(tree.place, path, say("'{1}' cannot be searched for", path), say("give a value"));
+  reading_.searches.push_back({path, {&field, owner}, field.searched_in, tree.place});
+}
+
+void Reader::read_expression(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   Place start = tree.place;
   ++start.column;
   std::string text = tree.text.substr(1);
@@ -142,13 +147,13 @@ void Reader::read_literal(const std::string& text, const Tree& tree, const Field
 }
 
 void Reader::read_count(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  if (tree.type == Tree::Type::text && tree.text.starts_with('=')) return read_expression(tree, field, owner, path);
   const double n = tree.number;
   if (tree.type != Tree::Type::number || n != std::floor(n)) {
     const bool number = tree.type == Tree::Type::number;
     return say_at(
         tree.place, path,
-        say("a whole number is expected, not {1}", number ? format_number(n) : std::string(toml::word_for(tree.type))),
-        tree.text.starts_with('=') ? say("a count takes no expression") : Message{});
+        say("a whole number is expected, not {1}", number ? format_number(n) : std::string(toml::word_for(tree.type))));
   }
   if (!field.bounds.holds(n)) {
     return say_at(tree.place, path, say("{1} = {2}: {3}", path, format_number(n), bounds_message(field)));
@@ -158,6 +163,7 @@ void Reader::read_count(const Tree& tree, const FieldInfo& field, void* owner, c
 }
 
 void Reader::read_choice(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  if (takes(tree, field, path)) return;
   const std::vector<std::string> words = words_to_type(field);
   if (tree.type != Tree::Type::text || std::find(words.begin(), words.end(), tree.text) == words.end()) {
     const std::string written =
@@ -170,6 +176,7 @@ void Reader::read_choice(const Tree& tree, const FieldInfo& field, void* owner, 
 }
 
 void Reader::read_name(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  if (takes(tree, field, path)) return;
   if (tree.type != Tree::Type::text)
     return say_at(tree.place, path, say("a name is expected, not {1}", toml::word_for(tree.type)));
   if (!is_name(tree.text)) {
@@ -182,6 +189,7 @@ void Reader::read_name(const Tree& tree, const FieldInfo& field, void* owner, co
 }
 
 void Reader::read_formula(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  if (takes(tree, field, path)) return;
   if (tree.type != Tree::Type::text)
     return say_at(tree.place, path, say("a formula is expected, not {1}", toml::word_for(tree.type)),
                   say("write it as a text: \"20 mm*sin(t/(1 s))\""));

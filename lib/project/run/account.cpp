@@ -63,6 +63,16 @@ void Run::fill(const Wanted& wanted, Account& account) const {
     account.figures = calculator_.figures(record_.data.get(), result_.data.get());
 }
 
+/// Rows that were taken from other steps, or found.
+void Run::fill_rows(Account& account) const {
+  for (const auto& [group, row] : rows_) {
+    const auto origin = origins_.find(group);
+    if (origin == origins_.end() || row.text.empty()) continue;
+    account.inputs.insert(account.inputs.begin(),
+                          {group, "row of the tables", "-", Role::input, {}, origin->second, row.text});
+  }
+}
+
 void Run::fill_inputs(Account& account) const {
   account.inputs =
       input_entries(record_, [&](const std::string& path, const Leaf& leaf) { return origin_of(path, leaf); });
@@ -71,6 +81,7 @@ void Run::fill_inputs(Account& account) const {
       if (input.path == entry.path) entry.value = input.value;
     }
   }
+  fill_rows(account);
 }
 
 /// Whether a result is asked for, and is not one that the calculator has left unset.
@@ -80,18 +91,36 @@ bool Run::applies(const Column& column) const {
          std::any_of(column.si.begin(), column.si.end(), [](double x) { return !std::isnan(x); });
 }
 
+/// Whether a result is part of a record that other steps take whole.
+bool Run::is_handed_over(const std::string& path) const {
+  const FieldInfo* const head = find_field(calculator_.result->fields, path.substr(0, path.find('.')));
+  return head != nullptr && head->is_handed_over;
+}
+
+/// What the records name: words of a drive that was picked.
+void Run::fill_words_of_records(Account& account) const {
+  for_each_leaf(result_, [&](const std::string& path, const Leaf& leaf) {
+    if (leaf.field->get != nullptr || !is_handed_over(path)) return;
+    Entry entry{path, leaf.field->doc, "-", leaf.field->role, {}, {}, word_of(leaf)};
+    entry.handed_over = true;
+    if (!entry.word.empty()) account.results.push_back(std::move(entry));
+  });
+}
+
 void Run::fill_results(Account& account) const {
   for (const FieldInfo& field : calculator_.result->fields) {  // what the calculation names: the section that it found
     if (!traced_ || field.type != FieldInfo::Type::name || field.text(result_.data.get()).empty()) continue;
     account.results.push_back(
         {field.key, field.doc, "-", field.role, {}, {}, std::string(field.text(result_.data.get()))});
   }
+  if (traced_) fill_words_of_records(account);
   for (const Column& column : columns_) {
     if (!applies(column)) continue;
     const auto display = step_.input().display.find(column.path);
     const std::string unit = display == step_.input().display.end() ? column.field->unit : display->second;
     Entry entry{column.path, column.field->doc, unit, column.field->role, value_of(column), {}, ""};
     entry.brief = column.path == column.field->key;  // else it is of an element of a list
+    entry.handed_over = is_handed_over(column.path);
     if (column.field->type == FieldInfo::Type::choice) entry.word = words_of(*column.field, column.si);
     account.results.push_back(std::move(entry));
   }
@@ -99,6 +128,7 @@ void Run::fill_results(Account& account) const {
 
 /// Which of the inputs has no value somewhere; empty where all have.
 Message Run::missing_input() const {
+  if (!not_given_.empty()) return not_given_;
   for (const Input& input : inputs_) {
     if (std::any_of(input.value.si.begin(), input.value.si.end(), [](double x) { return std::isnan(x); })) {
       return say("'{1}' is not available: {2}", input.path, input.origin.text);

@@ -1,7 +1,7 @@
 #include "lib/project/run/calculator_step.hpp"
 
 #include "lib/project/run/run.hpp"
-#include "lib/table/rows.hpp"
+#include "lib/table/tables.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,15 +14,25 @@ namespace {
 /// What a field is, from its meaning: "yield strength, with S in place of tau_adm".
 std::string noun_of(std::string_view doc) { return std::string(doc.substr(0, doc.find_first_of(",;:"))); }
 
+/// The size that a row is asked at: the first that is given of those that the provider names.
+double size_of(const Provider& provider, const Record& record) {
+  for (const std::string& key : listed_keys(provider.size)) {
+    const Leaf size = find_leaf(record, key);
+    if (size && !std::isnan(size.get())) return size.get();
+  }
+  return table::no_size;
+}
+
 std::string head(std::string_view path) { return std::string(path.substr(0, path.find_first_of(".["))); }
 
 }  // namespace
 
 void CalculatorStep::prepare(const Declared& declared, const Companions& companions, std::vector<Issue>& issues) {
   axis_ = check_operands(input().reading, name(), input().calculator->takes_series, declared, issues);
-  provided_ = find_provided(input(), companions, issues);
-  leave_of_loads(rest_of_loads(companions));
-  origins_ = fill_lists(input());
+  provided_ = provided_by_rows(input(), input().rows, issues);
+  for (Provided& provided : provided_by_companions(input(), companions)) provided_.push_back(std::move(provided));
+  rest_ = rest_of_loads(companions);
+  origins_ = fill_lists(input(), input().rows, input().reading.record);
   find_searches(issues);
   check_rules_of_literals(issues);
 }
@@ -32,19 +42,37 @@ void CalculatorStep::find_searches(std::vector<Issue>& issues) {
   searches_ = input().reading.searches;
   void* data = input().reading.record.data.get();
   for (const FieldInfo& field : input().calculator->input->fields) {
-    if (*field.searched_in != '\0' && input().reading.typed.count(field.key) == 0) {
+    if (field.sought_unasked && input().reading.typed.count(field.key) == 0) {
       searches_.push_back({field.key, {&field, data}, field.searched_in, input().place});
     }
   }
-  for (const Search& search : searches_) {
-    if (!stock_values(search.stock).empty()) continue;
-    issues.push_back({search.place, name() + "." + search.path, say("there is no stock '{1}'", search.stock),
-                      did_you_mean(search.stock, stock_names()), Severity::error});
-  }
+  for (const Search& search : searches_) check_stock(search, issues);
   if (searches_.size() > 1 && !input().reading.searches.empty()) {
     issues.push_back({searches_[1].place, name() + "." + searches_[1].path,
                       say("one field at a time can be searched for"), say("give '{1}' a value", searches_[1].path),
                       Severity::error});
+  }
+}
+
+/// Whether there is anything to search in.
+void CalculatorStep::check_stock(const Search& search, std::vector<Issue>& issues) const {
+  const auto refuse = [&](Message message, Message hint) {
+    issues.push_back({search.place, name() + "." + search.path, std::move(message), std::move(hint), Severity::error});
+  };
+  if (search.leaf.field == nullptr) {
+    for (const FieldInfo& field : input().calculator->input->fields) {
+      if (field.provider.table == search.path && input().reading.typed.count(field.key) != 0)
+        return refuse(say("'{1}' is given, and the {2} that is searched for gives it too", field.key, search.path),
+                      say("leave out {1}, or name the {2}", field.key, search.path));
+    }
+    if (table::order_of(search.path).empty())
+      return refuse(say("'{1}' cannot be searched for: its rows have no order", search.path),
+                    say("name one; `loadpath tables` lists them"));
+    if (input().tables->ordered_rows(search.path, search.stock).empty())
+      refuse(say("there is no table or kind of {1} '{2}'", search.path, search.stock),
+             did_you_mean(search.stock, input().tables->names_of(search.path)));
+  } else if (!search.stock.empty() && stock_values(*input().tables, search.stock).empty()) {
+    refuse(say("there is no stock '{1}'", search.stock), did_you_mean(search.stock, input().tables->series_names()));
   }
 }
 
@@ -61,6 +89,7 @@ bool CalculatorStep::is_open(const std::string& field) const {
   const auto& reading = input().reading;
   return reading.faulty.count(field) != 0 || names_row_for(field) ||
          std::any_of(reading.operands.begin(), reading.operands.end(), concerns) ||
+         std::any_of(reading.taken.begin(), reading.taken.end(), concerns) ||
          std::any_of(searches_.begin(), searches_.end(), concerns) ||
          std::any_of(provided_.begin(), provided_.end(), concerns);
 }
@@ -72,7 +101,7 @@ void CalculatorStep::check_rules_of_literals(std::vector<Issue>& issues) {
     const auto fields = listed_keys(calculator.rules[i].fields);
     if (std::any_of(fields.begin(), fields.end(), [&](const std::string& f) { return is_open(f); })) continue;
     const Record& record = input().reading.record;
-    if (!calculator.holds(i, record.data.get())) issues.push_back(broken_rule(i, record));
+    if (!calculator.holds(i, record.data.get())) issues.push_back(broken_rule(i, record, provided_));
   }
 }
 
@@ -81,31 +110,37 @@ bool CalculatorStep::is_about(std::size_t rule, const std::string& path) const {
   return std::find(fields.begin(), fields.end(), head(path)) != fields.end();
 }
 
+namespace {
+
 /// The input of a rule that a row was to fill, and the row has no such value; null where there is none.
-const Provided* CalculatorStep::lacking_row(std::size_t rule, const Record& record) const {
-  const auto fields = listed_keys(input().calculator->rules[rule].fields);
-  for (const Provided& provided : provided_) {
+const Provided* lacking_row(const RuleInfo& rule, const Record& record, const std::vector<Provided>& all) {
+  const auto fields = listed_keys(rule.fields);
+  for (const Provided& provided : all) {
     const bool concerned = std::find(fields.begin(), fields.end(), provided.path) != fields.end();
     if (concerned && !provided.row.empty() && std::isnan(find_leaf(record, provided.path).get())) return &provided;
   }
   return nullptr;
 }
 
+}  // namespace
+
 /// A row that has no value for an input, or none for the size of the part.
 Issue CalculatorStep::lacking_value(const Provided& provided, const Record& record) const {
-  const FieldInfo& field = *provided.leaf.field;
+  const FieldInfo& field = *provided.field;
   const Provider& from = field.provider;
   const std::string instead = *from.unless == '\0' ? field.key : from.unless;
   const auto issue = [&](Message message, Message hint) {
     return Issue{place_in(input().rows.at(from.table).place, provided.row, 0, provided.row.size()),
                  name() + "." + from.table, std::move(message), std::move(hint), Severity::error};
   };
-  const auto entry = table::find_row(from.table, provided.row);
+  const auto entry = input().tables->find_row(from.table, provided.row);
   if (entry && table::covered_size(*entry, from.column) > 0.0) {
-    const Leaf size = find_leaf(record, from.size);
-    Lookup found = look_up(provided, size ? size.get() : table::no_size);
-    if (size && std::isnan(size.get()))
-      return issue(std::move(found.reason), say("give {1}, or {2}", from.size, instead));
+    const double size = size_of(from, record);
+    Lookup found = look_up(*input().tables, provided, size);
+    const bool of_input = find_field(record.type->fields, std::string_view(from.size).substr(
+                                                              0, std::string_view(from.size).find(','))) != nullptr;
+    if (of_input && std::isnan(size))
+      return issue(std::move(found.reason), say("give {1}, or {2}", listed_keys(from.size).back(), instead));
     return issue(std::move(found.reason), say("name another, or give {1}", instead));
   }
   return issue(say("the {1} '{2}' has no {3} {4}", from.table, provided.row, noun_of(field.doc), field.key),
@@ -113,9 +148,10 @@ Issue CalculatorStep::lacking_value(const Provided& provided, const Record& reco
                                     : say("name another, or give {1} in its place", from.unless));
 }
 
-Issue CalculatorStep::broken_rule(std::size_t rule, const Record& record) const {
+Issue CalculatorStep::broken_rule(std::size_t rule, const Record& record, const std::vector<Provided>& provided) const {
   const Calculator& calculator = *input().calculator;
-  if (const Provided* provided = lacking_row(rule, record)) return lacking_value(*provided, record);
+  if (const Provided* lacking = lacking_row(calculator.rules[rule], record, provided))
+    return lacking_value(*lacking, record);
   FieldFault fault = calculator.fault_of(rule, record.data.get());
   for (const std::string& field : listed_keys(calculator.rules[rule].fields)) {
     if (fault.path.empty() && input().reading.typed.count(field) != 0) fault.path = field;
@@ -125,39 +161,9 @@ Issue CalculatorStep::broken_rule(std::size_t rule, const Record& record) const 
   return issue;
 }
 
-/// The field of a result or an input at a path; which elements a list has is known later. Null where there is none.
-const FieldInfo* CalculatorStep::field_at(const std::string& path) const {
-  for (const RecordType* type : {input().calculator->result, input().calculator->input}) {
-    std::span<const FieldInfo> fields = type->fields;
-    std::string rest = path;
-    while (!rest.empty()) {
-      const std::size_t end = rest.find_first_of(".[");
-      const FieldInfo* field = find_field(fields, std::string_view(rest).substr(0, end));
-      if (field == nullptr) break;
-      rest = end == std::string::npos ? "" : rest.substr(end);
-      if (rest.empty()) return field;
-      if (field->is_leaf()) break;
-      if (field->type == FieldInfo::Type::list) {  // an element by number or name
-        const bool numbered = rest.starts_with('[');
-        const int number = numbered ? std::atoi(rest.c_str() + 1) : 1;
-        if (number < 1 || static_cast<std::size_t>(number) > field->capacity) break;
-        if (!numbered && find_field(field->fields, "name") == nullptr) break;
-        const std::size_t stop = numbered ? rest.find(']') + 1 : rest.find_first_of(".[", 1);
-        rest = stop == std::string::npos || stop == 0 ? "" : rest.substr(stop);
-      }
-      if (!rest.starts_with('.')) break;
-      rest.erase(0, 1);
-      fields = field->fields;
-    }
-  }
-  return nullptr;
-}
-
 Outcome<Signature> CalculatorStep::signature(const std::string& path) const {
-  const FieldInfo* const field = field_at(path);
-  const bool has_value =
-      field != nullptr && (field->type == FieldInfo::Type::quantity || field->type == FieldInfo::Type::count);
-  if (has_value) return Signature{field->dimension, axis_};
+  const FieldInfo* const found = field(path);
+  if (found != nullptr && found->is_number()) return Signature{found->dimension, axis_};
   return unknown_path(path);
 }
 
@@ -175,40 +181,55 @@ Fault CalculatorStep::unknown_path(const std::string& path) const {
 std::vector<std::string> CalculatorStep::companions_of(const std::string& path) const {
   std::vector<std::string> all;
   const std::string beside = name() + "." + path.substr(0, path.rfind('.') + 1);  // "train.shafts[2]."
-  if (const FieldInfo* const field = field_at(path)) {
-    for (const std::string& key : listed_keys(field->companions)) all.push_back(beside + key);
+  if (const FieldInfo* const found = field(path)) {
+    for (const std::string& key : listed_keys(found->companions)) all.push_back(beside + key);
   }
   for (const Provided& provided : provided_)
     all.insert(all.end(), provided.companions.begin(), provided.companions.end());
   return all;
 }
 
-/// What comes along with the loads that are referred to, and neither another input nor a provider takes.
-std::string CalculatorStep::rest_of_loads(const Companions& companions) const {
+std::set<std::string> CalculatorStep::taken_paths() const {
   std::set<std::string> taken;
-  for (const Operand& operand : input().reading.operands) {
-    for (const auto& reference : operand.expression.references()) taken.insert(reference.path);
-  }
+  for_each_reference(input().reading, [&](const std::string& path) { taken.insert(path); });
   for (const Provided& provided : provided_) taken.insert(provided.companions.begin(), provided.companions.end());
-  std::string rest;
-  for (const Operand& operand : input().reading.operands) {
-    for (const auto& reference : operand.expression.references()) {
-      for (const std::string& path : companions(reference.path)) {
-        if (taken.insert(path).second) rest += (rest.empty() ? "" : ", ") + path;
-      }
+  return taken;
+}
+
+/// What comes along with the loads that are referred to, and neither another input nor a provider takes.
+std::vector<std::string> CalculatorStep::rest_of_loads(const Companions& companions) const {
+  std::set<std::string> taken = taken_paths();
+  std::vector<std::string> rest;
+  for_each_reference(input().reading, [&](const std::string& reference) {
+    for (const std::string& path : companions(reference)) {
+      if (taken.insert(path).second) rest.push_back(path);
     }
-  }
+  });
   return rest;
 }
 
+/// Those of them that are not nothing: a spur gear has no axial force.
+void CalculatorStep::leave_what_acts(const Known& known) {
+  std::string names;
+  for (const std::string& path : rest_) {
+    const Value& value = known(path);
+    const bool acts =
+        std::any_of(value.si.begin(), value.si.end(), [&](double x) { return !(std::abs(x) <= value.rounding); });
+    if (acts) names += (names.empty() ? "" : ", ") + path;
+  }
+  leave_of_loads(names);
+}
+
 void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) {
+  leave_what_acts(known);
   Run run(*this, known);
-  if (!run.evaluate_operands(issues)) return;
+  if (!run.take_from_others(issues) || !run.evaluate_operands(issues)) return;
   if (!run.check_rules(issues)) return;
   if (!run.search(issues)) return;
   run.evaluate();
-  run.warn_of_unused(issues);
+  if (wanted.unused) run.warn_of_unused(issues);
   run.fill(wanted, own_account());
+  for (const auto& [group, row] : run.rows()) name_row(group, row.text);
 }
 
 std::unique_ptr<Step> make_calculator_step(StepInput&& input) {

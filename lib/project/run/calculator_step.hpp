@@ -24,24 +24,27 @@ class CalculatorStep : public Step {
   [[nodiscard]] const std::map<std::string, Origin>& origins() const { return origins_; }
   /// The issue that an input makes by breaking a rule: where the rule says, else at the first of its fields that was
   /// typed.
-  [[nodiscard]] Issue broken_rule(std::size_t rule, const Record& record) const;
+  [[nodiscard]] Issue broken_rule(std::size_t rule, const Record& record, const std::vector<Provided>& provided) const;
   /// Whether a table is to fill the input, be there such a row or not.
   [[nodiscard]] bool names_row_for(const std::string& field) const;
   /// Whether a rule of the calculator concerns an input, or the list that it is in.
   [[nodiscard]] bool is_about(std::size_t rule, const std::string& path) const;
 
  private:
-  [[nodiscard]] const Provided* lacking_row(std::size_t rule, const Record& record) const;
   [[nodiscard]] Issue lacking_value(const Provided& provided, const Record& record) const;
   void find_searches(std::vector<Issue>& issues);
+  void check_stock(const Search& search, std::vector<Issue>& issues) const;
   void check_rules_of_literals(std::vector<Issue>& issues);
   [[nodiscard]] bool is_open(const std::string& field) const;
-  [[nodiscard]] const FieldInfo* field_at(const std::string& path) const;
-  [[nodiscard]] std::string rest_of_loads(const Companions& companions) const;
+  /// Paths of others that the step takes.
+  [[nodiscard]] std::set<std::string> taken_paths() const;
+  [[nodiscard]] std::vector<std::string> rest_of_loads(const Companions& companions) const;
+  void leave_what_acts(const Known& known);
   [[nodiscard]] Fault unknown_path(const std::string& path) const;
 
   const Axis* axis_ = nullptr;  // of the series among the inputs; null: one position
   std::vector<Provided> provided_;
+  std::vector<std::string> rest_;  // what comes along with the loads, and is not taken
   std::vector<Search> searches_;
   std::map<std::string, Origin> origins_;
 };

@@ -116,6 +116,8 @@ std::string Names::unit_of(const Line& line) const {
       return leaf.field->unit;
     }
   }
+  const std::string unit = unit_of_speed(line);
+  if (!unit.empty()) return unit;
   return readable_unit(line.si, is_angle(line) ? Dimension::of(0, 0, 0, 0, 1) : line.dimension);
 }
 
@@ -127,6 +129,21 @@ bool Names::is_angle(const Line& line) const {
            const auto known = find(line.scope, name);
            return known && known->unit == "deg";
          });
+}
+
+/// In C++ an angular speed has the dimension of a frequency; what it is a multiple of tells it from one: "rpm",
+/// "rad/s".
+std::string Names::unit_of_speed(const Line& line) const {
+  if (line.dimension != Dimension::of(0, 0, -1)) return {};
+  const auto tree = formula::parse(line.formula);
+  std::string unit;
+  for (const std::string& name : tree ? formula::names(*tree) : std::vector<std::string>{}) {
+    const auto known = find(line.scope, name);
+    if (!known || known->unit == "-" || known->unit == "deg") continue;
+    if (known->unit != "rpm" && known->unit != "rad/s") return {};
+    if (unit.empty()) unit = known->unit;
+  }
+  return unit;
 }
 
 void Names::add(const Line& line, const std::string& unit) {

@@ -26,6 +26,7 @@ class Names {
 
  private:
   [[nodiscard]] bool is_angle(const Line& line) const;
+  [[nodiscard]] std::string unit_of_speed(const Line& line) const;
   using Find = std::optional<Known> (Names::*)(const std::string& scope, std::string_view name) const;
   [[nodiscard]] std::optional<Known> find_outwards(std::string scope, std::string_view name, Find in_scope) const;
   [[nodiscard]] std::optional<Known> find_line(const std::string& scope, std::string_view name) const;

@@ -10,6 +10,11 @@ namespace loadpath::project {
 
 namespace {
 
+Origin origin_of(const std::string& row, const table::Property& property) {
+  return {table::named_source(row, property), property.own ? std::vector<std::string>{} : property.sources,
+          property.recalled};
+}
+
 /// Whether the row leaves the input as it is.
 bool lacks(const table::Entry& entry, const FieldInfo& field) {
   if (field.type == FieldInfo::Type::choice) return !table::kind_of(*entry.row, field);
@@ -17,14 +22,15 @@ bool lacks(const table::Entry& entry, const FieldInfo& field) {
 }
 
 /// The row that the step names for this input; nothing where it names none, or where the row does not exist.
-std::optional<Provided> from_table(const StepInput& input, const FieldInfo& field, void* data,
+std::optional<Provided> from_table(const StepInput& input, const Rows& rows, const FieldInfo& field,
                                    std::vector<Issue>& issues) {
-  const auto named = input.rows.find(field.provider.table);
-  if (named == input.rows.end() || input.reading.typed.count(field.provider.unless) != 0) return std::nullopt;
+  const auto named = rows.find(field.provider.table);
+  if (named == rows.end() || named->second.text.empty()) return std::nullopt;
+  if (input.reading.typed.count(field.provider.unless) != 0) return std::nullopt;
   const std::string& row = named->second.text;
-  const auto entry = table::find_row(field.provider.table, row);
+  const auto entry = input.tables->find_row(field.provider.table, row);
   if (entry && lacks(*entry, field)) return std::nullopt;
-  if (entry) return Provided{field.key, {&field, data}, row, {}};
+  if (entry) return Provided{field.key, &field, row, {}};
   const Place place = place_in(named->second.place, row, entry.fault().at, row.size());
   const bool said = std::any_of(issues.begin(), issues.end(), [&](const Issue& i) {
     return i.place.line == place.line && i.place.column == place.column && i.place.file == place.file;
@@ -36,9 +42,8 @@ std::optional<Provided> from_table(const StepInput& input, const FieldInfo& fiel
 }
 
 /// What comes along with everything that the expression of another input refers to.
-std::optional<Provided> from_companion(const StepInput& input, const FieldInfo& field, void* data,
-                                       const Companions& companions) {
-  Provided provided{field.key, {&field, data}, "", {}};
+std::optional<Provided> from_companion(const StepInput& input, const FieldInfo& field, const Companions& companions) {
+  Provided provided{field.key, &field, "", {}};
   for (const Operand& operand : input.reading.operands) {
     if (operand.path.substr(operand.path.rfind('.') + 1) != field.provider.column) continue;  // "T", "torques[2].T"
     for (const auto& reference : operand.expression.references()) {
@@ -50,69 +55,85 @@ std::optional<Provided> from_companion(const StepInput& input, const FieldInfo& 
 
 }  // namespace
 
-std::vector<Provided> find_provided(const StepInput& input, const Companions& companions, std::vector<Issue>& issues) {
+std::vector<Provided> provided_by_rows(const StepInput& input, const Rows& rows, std::vector<Issue>& issues) {
   std::vector<Provided> found;
-  void* data = input.reading.record.data.get();
   for (const FieldInfo& field : input.calculator->input->fields) {
-    if (input.reading.typed.count(field.key) != 0) continue;
-    std::optional<Provided> provided;
-    if (field.provider.kind == Provider::Kind::table && field.is_leaf())
-      provided = from_table(input, field, data, issues);
-    if (field.provider.kind == Provider::Kind::companion) provided = from_companion(input, field, data, companions);
-    if (provided) found.push_back(std::move(*provided));
+    const bool of_row = field.provider.kind == Provider::Kind::table && field.is_leaf();
+    if (!of_row || input.reading.typed.count(field.key) != 0) continue;
+    if (auto provided = from_table(input, rows, field, issues)) found.push_back(std::move(*provided));
   }
   return found;
 }
 
-std::map<std::string, Origin> fill_lists(const StepInput& input) {
+std::vector<Provided> provided_by_companions(const StepInput& input, const Companions& companions) {
+  std::vector<Provided> found;
+  for (const FieldInfo& field : input.calculator->input->fields) {
+    if (field.provider.kind != Provider::Kind::companion || input.reading.typed.count(field.key) != 0) continue;
+    if (auto provided = from_companion(input, field, companions)) found.push_back(std::move(*provided));
+  }
+  return found;
+}
+
+std::map<std::string, Origin> fill_lists(const StepInput& input, const Rows& rows, const Record& record) {
   std::map<std::string, Origin> origins;
-  void* const data = input.reading.record.data.get();
+  void* const data = record.data.get();
   for (const FieldInfo& field : input.calculator->input->fields) {
     const Provider& from = field.provider;
-    const auto named = input.rows.find(from.table);
+    const auto named = rows.find(from.table);
     const auto& typed = input.reading.typed;
-    if (field.is_leaf() || named == input.rows.end()) continue;
+    if (!field.has_fields() || named == rows.end() || named->second.text.empty()) continue;
     if (typed.contains(field.key) || typed.contains(from.unless)) continue;
-    const auto entry = table::find_row(from.table, named->second.text);
+    const auto entry = input.tables->find_row(from.table, named->second.text);
     if (!entry) continue;  // another input has said so
     for (const auto& [size, value] : table::values_by_size(*entry, from.column)) {
       if (field.size(data) == field.capacity) break;
       const std::string path = std::string(field.key) + "[" + std::to_string(field.size(data) + 1) + "].";
       void* const element = field.push(data);
       field.fields[0].set(element, size), field.fields[1].set(element, value.si);
-      const Origin origin{say("{1}", named->second.text), value.sources, value.recalled};
+      const Origin origin = origin_of(named->second.text, value);
       origins[path + field.fields[0].key] = origins[path + field.fields[1].key] = origin;
     }
   }
   return origins;
 }
 
-Lookup look_up(const Provided& provided, double size) {
-  const FieldInfo& field = *provided.leaf.field;
+Lookup look_up(const table::Tables& tables, const Provided& provided, double size) {
+  const FieldInfo& field = *provided.field;
   const double at = *field.provider.size == '\0' ? table::no_size : size;
-  const auto entry = table::find_row(field.provider.table, provided.row);
-  if (!entry) return {std::nan(""), {}, false, entry.fault().message};
-  if (const auto word = table::kind_of(*entry->row, field)) return {*word, {}, false, {}};
+  const Origin row{say("{1}", provided.row), {}, false};
+  const auto entry = tables.find_row(field.provider.table, provided.row);
+  if (!entry) return {std::nan(""), row, entry.fault().message};
+  if (const auto word = table::kind_of(*entry->row, field)) return {*word, row, {}};
   const auto property = table::property(*entry, field.provider.column, at);
-  if (!property) return {std::nan(""), {}, false, property.fault().message};
-  return {property->si, property->sources, property->recalled, {}};
+  if (!property) return {std::nan(""), row, property.fault().message};
+  return {property->si, origin_of(provided.row, *property), {}};
 }
 
-std::vector<double> stock_values(const std::string& stock) {
-  const auto series = table::find_series(stock);
+std::vector<double> stock_values(const table::Tables& tables, const std::string& stock) {
+  const auto series = tables.find_series(stock);
   return series ? table::members_in_si(**series) : std::vector<double>{};
 }
 
-std::vector<std::string> stock_names() {
-  std::vector<std::string> names;
-  for (const table::Series& series : table::built_in().series) names.push_back(series.name);
-  return names;
+Origin stock_origin(const table::Tables& tables, const std::string& stock, Message text) {
+  const auto series = tables.find_series(stock);
+  if (!series) return {std::move(text), {}, false};
+  const bool own = (*series)->own;
+  return {table::named_source(std::move(text), **series), own ? std::vector<std::string>{} : (*series)->sources,
+          !(*series)->recalled.empty()};
 }
 
-Origin stock_origin(const std::string& stock, Message text) {
-  const auto series = table::find_series(stock);
-  if (!series) return {std::move(text), {}, false};
-  return {std::move(text), (*series)->sources, !(*series)->recalled.empty()};
+Origin expression_origin(const table::Tables& tables, const Operand& operand) {
+  Origin origin{say("= {1}", operand.text), {}, false};
+  for (const auto& reference : operand.expression.references()) {
+    const auto referred = reference.path.starts_with("tables.") ? tables.value_at(reference.path)
+                                                                : Outcome<table::Tables::Referred>(Fault{});
+    if (!referred) continue;
+    Origin row = origin_of(operand.text, referred->value);
+    origin.recalled = origin.recalled || row.recalled;
+    origin.sources.insert(origin.sources.end(), row.sources.begin(), row.sources.end());
+    if (referred->value.own) origin.text = table::named_source("= " + operand.text, referred->value);
+  }
+  return origin;
 }
 
 }  // namespace loadpath::project

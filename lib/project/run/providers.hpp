@@ -2,13 +2,14 @@
 #pragma once
 
 #include "lib/project/step.hpp"
+#include "lib/table/tables.hpp"
 
 namespace loadpath::project {
 
 /// One such input of a step.
 struct Provided {
   std::string path;
-  Leaf leaf;
+  const FieldInfo* field;
   std::string row;                      // table: the row's name, "C45E"
   std::vector<std::string> companions;  // companion: full paths of what comes along
 };
@@ -16,24 +17,29 @@ struct Provided {
 /// What a table says.
 struct Lookup {
   double si = 0.0;  // NaN: not available, with the reason
-  std::vector<std::string> sources;
-  bool recalled = false;
+  Origin origin;
   Message reason;
 };
 
-/// The inputs of a step that its providers fill. Rows that do not exist, or lack the column, become issues.
-std::vector<Provided> find_provided(const StepInput& input, const Companions& companions, std::vector<Issue>& issues);
+/// Rows of tables by their groups; one without a text is not known yet.
+using Rows = std::map<std::string, Typed>;
 
-/// Fills the lists that take a row's values at all its sizes, and says by leaf where these come from.
-std::map<std::string, Origin> fill_lists(const StepInput& input);
+/// The inputs of a step that the rows fill. Rows that do not exist, or lack the column, become issues.
+std::vector<Provided> provided_by_rows(const StepInput& input, const Rows& rows, std::vector<Issue>& issues);
+/// Those that come along with the loads of others.
+std::vector<Provided> provided_by_companions(const StepInput& input, const Companions& companions);
+
+/// Fills the lists of a record that take a row's values at all its sizes, and says by leaf where these come from.
+std::map<std::string, Origin> fill_lists(const StepInput& input, const Rows& rows, const Record& record);
 
 /// The value of a table's row, at a size where it depends on one; none where that is not known (NaN).
-Lookup look_up(const Provided& provided, double size);
+Lookup look_up(const table::Tables& tables, const Provided& provided, double size);
 
 /// The values of a stock in SI, ascending: "R20", "R40", "shaft"...; empty where the stock is unknown.
-std::vector<double> stock_values(const std::string& stock);
-std::vector<std::string> stock_names();
+std::vector<double> stock_values(const table::Tables& tables, const std::string& stock);
 /// The origin of a value that was taken from a stock: the stock's sources, or that one of its sizes is recalled.
-Origin stock_origin(const std::string& stock, Message text);
+Origin stock_origin(const table::Tables& tables, const std::string& stock, Message text);
+/// The origin of an input that an expression gives, with those of the tables that it names.
+Origin expression_origin(const table::Tables& tables, const Operand& operand);
 
 }  // namespace loadpath::project

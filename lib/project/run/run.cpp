@@ -15,11 +15,9 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 template <class Visit>
 void walk(std::span<const FieldInfo> fields, void* data, const Visit& visit) {
   for (const FieldInfo& field : fields) {
-    if (field.is_leaf()) {
-      visit(field, data);
-    } else {
-      for (std::size_t i = 0; i < field.size(data); ++i) walk(field.fields, field.element(data, i), visit);
-    }
+    if (field.is_leaf()) visit(field, data);
+    if (!field.has_fields()) continue;
+    for (std::size_t i = 0; i < field.size(data); ++i) walk(field.fields, field.element(data, i), visit);
   }
 }
 
@@ -32,10 +30,14 @@ std::vector<std::size_t> list_sizes(std::span<const FieldInfo> fields, void* dat
   return sizes;
 }
 
+/// Whether it has a value anywhere.
+bool is_known(const Value& value) {
+  return std::any_of(value.si.begin(), value.si.end(), [](double x) { return !std::isnan(x); });
+}
+
 /// Whether it is of the dimension, and has a value anywhere.
 bool exists(const Value& value, const Dimension& dimension) {
-  return value.signature.dimension == dimension &&
-         std::any_of(value.si.begin(), value.si.end(), [](double x) { return !std::isnan(x); });
+  return value.signature.dimension == dimension && is_known(value);
 }
 
 /// The value as one of the step's axis: a series over it, or the largest magnitude of a foreign series.
@@ -53,6 +55,8 @@ Run::Run(const CalculatorStep& step, const Known& known)
       axis_(step.axis()),
       record_(step.input().reading.record.clone()),
       result_(*calculator_.result),
+      rows_(step.input().rows),
+      provided_(step.provided()),
       origins_(step.origins()),
       applies_(calculator_.modes.size(), Applies::no) {}
 
@@ -60,13 +64,13 @@ bool Run::evaluate_operands(std::vector<Issue>& issues) {
   const std::size_t before = issues.size();
   for (const Operand& operand : step_.input().reading.operands) {
     auto value = evaluate_operand(operand, step_.name(), known_, issues);
-    if (!value) continue;
+    if (!value || (operand.may_lack && !is_known(*value))) continue;
     inputs_.push_back(
-        {operand.path, map_leaf(operand.path), std::move(*value), {say("= {1}", operand.text), {}, false}});
+        {operand.path, map_leaf(operand.path), std::move(*value), expression_origin(*step_.input().tables, operand)});
   }
-  for (const Provided& provided : step_.provided()) {
+  for (const Provided& provided : provided_) {
     if (std::any_of(provided.companions.begin(), provided.companions.end(),
-                    [&](const std::string& path) { return exists(known_(path), provided.leaf.field->dimension); })) {
+                    [&](const std::string& path) { return exists(known_(path), provided.field->dimension); })) {
       inputs_.push_back(companion_input(provided));
     }
   }
@@ -75,11 +79,11 @@ bool Run::evaluate_operands(std::vector<Issue>& issues) {
 
 /// Of several things that come along, the largest at each position.
 Run::Input Run::companion_input(const Provided& provided) const {
-  Value most{{provided.leaf.field->dimension, nullptr}, {0.0}};
+  Value most{{provided.field->dimension, nullptr}, {0.0}};
   std::string names;
   for (const std::string& path : provided.companions) {
     const Value value = fitted(known_(path), axis_);
-    if (!exists(value, provided.leaf.field->dimension)) continue;  // a shaft with one wheel has one force
+    if (!exists(value, provided.field->dimension)) continue;  // a shaft with one wheel has one force
     if (value.is_series() && !most.is_series())
       most = {value.signature, std::vector<double>(value.si.size(), most.si[0])};
     for (std::size_t i = 0; i < most.si.size(); ++i) {
@@ -92,7 +96,7 @@ Run::Input Run::companion_input(const Provided& provided) const {
 }
 
 bool Run::set_position(std::size_t i) {
-  bool available = true;
+  bool available = not_given_.empty();
   for (const Input& input : inputs_) {
     const double si = input.value.si[input.value.is_series() ? i : 0];
     available = available && !std::isnan(si);
@@ -107,9 +111,9 @@ bool Run::check_rules(std::vector<Issue>& issues) {
   for (std::size_t i = 0; i < positions(); ++i) {
     if (!set_position(i)) continue;
     for (std::size_t rule = 0; rule < calculator_.rules.size(); ++rule) {
-      if (calculator_.holds(rule, record_.data.get())) continue;
+      if (waits_for_search(rule) || calculator_.holds(rule, record_.data.get())) continue;
       if (calculator_.rules[rule].only_warns && !warned.insert(rule).second) continue;
-      issues.push_back(step_.broken_rule(rule, record_));
+      issues.push_back(step_.broken_rule(rule, record_, provided_));
       if (!calculator_.rules[rule].only_warns) return false;
     }
   }
@@ -119,23 +123,36 @@ bool Run::check_rules(std::vector<Issue>& issues) {
 bool Run::provide(double size) {
   missing_ = {};
   lacks_needed_ = false;
-  for (const Provided& provided : step_.provided()) {
+  for (const Provided& provided : provided_) {
     if (provided.row.empty()) continue;
-    const Lookup found = look_up(provided, size);
+    Lookup found = look_up(*step_.input().tables, provided, size);
     map_leaf(provided.path).set(found.si);
-    origins_[provided.path] = {say("{1}", provided.row), found.sources, found.recalled};
+    origins_[provided.path] = std::move(found.origin);
     if (!std::isnan(found.si)) continue;
     missing_ = found.reason;
-    lacks_needed_ = lacks_needed_ || !provided.leaf.field->optional;
+    lacks_needed_ = lacks_needed_ || !provided.field->optional;
   }
   return !lacks_needed_;
 }
 
-const char* Run::size_field() const {
-  for (const Provided& provided : step_.provided()) {
-    if (*provided.leaf.field->provider.size != '\0') return provided.leaf.field->provider.size;
+bool Run::is_given(std::string_view input) const {
+  const Leaf leaf = find_leaf(record_, input);
+  return (leaf && !std::isnan(leaf.get())) ||
+         std::any_of(inputs_.begin(), inputs_.end(), [&](const Input& known) { return known.path == input; });
+}
+
+/// What the rows are asked at: the first of the sizes that is given, "d_h, d", else the last.
+std::string_view Run::size_field() const {
+  for (const Provided& provided : provided_) {
+    std::string_view sizes = provided.field->provider.size;
+    if (sizes.empty()) continue;
+    for (std::size_t end = sizes.find(", "); end != std::string_view::npos; end = sizes.find(", ")) {
+      if (is_given(sizes.substr(0, end))) return sizes.substr(0, end);
+      sizes.remove_prefix(end + 2);
+    }
+    return sizes;
   }
-  return nullptr;
+  return {};
 }
 
 double Run::size_now() {
@@ -143,13 +160,13 @@ double Run::size_now() {
   for (const Input& input : inputs_) {
     if (input.path == size_field()) return input.value.is_series() ? maximum(input.value).value : input.value.si[0];
   }
-  const Leaf given = map_leaf(size_field());
+  const Leaf given = find_leaf(record_, size_field());
   return given ? given.get() : nan;
 }
 
 /// A size that follows from the values, or is searched for, starts at nothing.
 double Run::first_size() {
-  if (size_field() == nullptr) return nan;
+  if (size_field().empty()) return nan;
   const bool found = find_field(calculator_.result->fields, size_field()) != nullptr ||
                      (!step_.searches().empty() && step_.searches().front().path == size_field());
   return found ? 0.0 : size_now();
@@ -157,7 +174,7 @@ double Run::first_size() {
 
 /// A strength falls with the size that it is asked for, so the size only grows from one round to the next.
 bool Run::settle_sizes() {
-  if (size_field() == nullptr) return provide(nan);
+  if (size_field().empty()) return provide(nan);
   double size = first_size();
   for (int round = 0; round < 20; ++round) {
     if (!provide(size)) return false;

@@ -3,14 +3,23 @@
 
 #include "lib/project/run/calculator_step.hpp"
 
+#include <string>
 #include <vector>
 
 namespace loadpath::project {
+
+/// What an input can move: results, which modes of failure concern the part, which customs it breaks.
+struct Effects {
+  std::vector<double> numbers;
+  std::string words;
+};
 
 class Run {
  public:
   Run(const CalculatorStep& step, const Known& known);
 
+  /// Words, lists and rows of other steps; what a field refuses becomes an issue at the reference.
+  bool take_from_others(std::vector<Issue>& issues);
   /// The values of expressions and companions; what a field refuses becomes an issue at its expression.
   bool evaluate_operands(std::vector<Issue>& issues);
   /// The rules between inputs, at every position.
@@ -20,9 +29,11 @@ class Run {
   bool search(std::vector<Issue>& issues);
   /// All results at all positions.
   void evaluate();
-  /// A warning for every typed quantity that no result depends on.
+  /// A warning for every typed input that could have been left out and has no effect.
   void warn_of_unused(std::vector<Issue>& issues);
   void fill(const Wanted& wanted, Account& account) const;
+  /// By their groups, those that were found among them.
+  [[nodiscard]] const Rows& rows() const { return rows_; }
 
  private:
   /// Of a utilisation: a size that is just the least one passes, and what is just zero may have a sign.
@@ -42,6 +53,12 @@ class Run {
     std::vector<double> si;
   };
 
+  void take_word(const Taken& taken, std::vector<Issue>& issues);
+  void take_list(const Taken& taken, std::vector<Issue>& issues);
+  /// What has no value in the other step.
+  void leave_open(const Taken& taken);
+  void refuse_length(const Taken& taken, std::vector<Issue>& issues) const;
+  void take_row(const std::string& group, const std::string& row, std::vector<Issue>& issues);
   [[nodiscard]] Input companion_input(const Provided& provided) const;
   void add_columns();
   [[nodiscard]] std::size_t positions() const { return axis_ == nullptr ? 1 : axis_->at.size(); }
@@ -51,7 +68,8 @@ class Run {
   bool provide(double size);
   /// Values from tables at the size that follows from them.
   bool settle_sizes();
-  [[nodiscard]] const char* size_field() const;
+  [[nodiscard]] std::string_view size_field() const;
+  [[nodiscard]] bool is_given(std::string_view input) const;
   /// NaN where nothing gives it.
   [[nodiscard]] double size_now();
   [[nodiscard]] double first_size();
@@ -61,22 +79,49 @@ class Run {
   [[nodiscard]] bool comes_from_row(std::string_view input, const FieldInfo& field) const;
   [[nodiscard]] bool is_any_asked() const;
   [[nodiscard]] Issue aimless(const Search& wanted) const;
+  [[nodiscard]] bool concerns_search(std::size_t rule) const;
+  /// Whether a rule is about what is not there before the search.
+  [[nodiscard]] bool waits_for_search(std::size_t rule) const;
   std::size_t first_broken_rule();
   bool passes();
   bool keeps_limits(bool criteria);
-  std::vector<double>::const_iterator first_that_passes(const std::vector<double>& values, double least,
-                                                        const Leaf& leaf, bool covered);
-  bool take_largest(const std::vector<double>& values, const Leaf& leaf);
+  /// What a search goes through, ascending: sizes of a stock, or rows of a table.
+  struct Candidates {
+    Leaf leaf;  // without field: rows
+    std::vector<double> sizes;
+    std::vector<std::string> rows;
+    [[nodiscard]] std::size_t count() const { return leaf ? sizes.size() : rows.size(); }
+    [[nodiscard]] Message name(std::size_t i) const;
+  };
+  [[nodiscard]] Candidates candidates_of(const Search& wanted) const;
+  void try_candidate(const Candidates& all, std::size_t i);
+  bool fits(const Candidates& all, std::size_t i, bool covered);
+  std::size_t first_that_fits(const Candidates& all, std::size_t from, bool covered);
+  bool take_largest(const Candidates& all);
+  void search_first(const Search& wanted, std::vector<Issue>& issues);
+  void search_most(const Search& wanted, std::vector<Issue>& issues);
+  void tell_found(const Search& wanted, const Candidates& all, std::size_t found);
+  void tell_none(const Search& wanted, double value, std::vector<Issue>& issues);
+  bool passes_with(const Leaf& leaf, double value);
+  /// What a candidate is refused for.
+  [[nodiscard]] Message fault_of_candidate();
   void keep_sizing_results(const std::string& searched);
   [[nodiscard]] Leaf map_leaf(const std::string& path) const { return find_leaf(record_, path); }
 
-  [[nodiscard]] std::vector<double> numbers_at(std::size_t position);
+  void find_effects(Effects& effects);
   [[nodiscard]] bool keeps_rules() const;
-  bool moves_something(const Leaf& leaf, std::size_t position, const std::vector<double>& before);
+  bool has_effect(const Leaf& leaf, std::size_t position);
+  [[nodiscard]] bool lacks_checks() const;
+  [[nodiscard]] std::vector<std::size_t> probes() const;
+  [[nodiscard]] double untyped(const std::string& path, const FieldInfo& field) const;
+  bool is_spare(const std::string& path, const Leaf& leaf);
   void trace_governing();
   [[nodiscard]] std::size_t governing_position() const;
   void fill_inputs(Account& account) const;
+  void fill_rows(Account& account) const;
   [[nodiscard]] bool applies(const Column& column) const;
+  [[nodiscard]] bool is_handed_over(const std::string& path) const;
+  void fill_words_of_records(Account& account) const;
   void fill_results(Account& account) const;
   void fill_verdicts(Account& account) const;
   void fill_modes(Account& account) const;
@@ -99,6 +144,9 @@ class Run {
   const Axis* axis_;
   Record record_;
   Record result_;
+  Rows rows_;
+  std::vector<Provided> provided_;
+  Message not_given_;  // a word or a list of another step that is not available; empty: there is none
   std::vector<Input> inputs_;
   std::map<std::string, Origin> origins_;  // of provided, kept and searched leaves
   Message missing_;                        // why a table's value is not available

@@ -1,34 +1,75 @@
-// Inputs that were typed and move nothing: said, for who typed them believes that they count.
+// Inputs that were typed and have no effect: said, for who typed them believes that they count.
 #include "lib/project/run/run.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <set>
 
 namespace loadpath::project {
 
 namespace {
 
+using Type = FieldInfo::Type;
+
+constexpr std::size_t most_choices = 32;
+
 /// Whether a number differs; what is not available is like itself.
 bool differs(double a, double b) { return a != b && !(std::isnan(a) && std::isnan(b)); }
 
-/// Other values for a leaf, near and far.
-std::array<double, 6> others(const FieldInfo& field, double value) {
-  const double unit = field.factor;
+/// Other values of a quantity, near and far; zero last, for it can turn a part into another one.
+std::vector<double> other_quantities(double value, double unit) {
   if (value == 0.0) return {unit, 0.01 * unit, -0.01 * unit, 100.0 * unit, -unit, 1e-4 * unit};
-  return {value * (1.0 + 1e-3), value * (1.0 - 1e-3), value * 1.5, value * 0.5, value * 30.0, value * 0.03};
+  return {value * (1.0 + 1e-3), value * (1.0 - 1e-3), value * 1.5, value * 0.5, value * 30.0, value * 0.03, 0.0};
+}
+
+std::vector<double> other_choices(std::size_t count, double value) {
+  std::vector<double> all;
+  for (std::size_t i = 0; i < std::min(count, most_choices); ++i) {
+    if (static_cast<double>(i) != value) all.push_back(static_cast<double>(i));
+  }
+  return all;
+}
+
+std::vector<double> others(const FieldInfo& field, double value) {
+  if (field.type == Type::choice) return other_choices(field.choices.size(), value);
+  if (field.type == Type::count) return {value + 1.0, value - 1.0, 2.0 * value, value + 10.0};
+  return other_quantities(value, field.factor);
+}
+
+bool may_be(const FieldInfo& field, double value) { return field.type == Type::choice || field.bounds.holds(value); }
+
+/// Adds what the results hold.
+void add_effects(std::span<const FieldInfo> fields, void* data, Effects& effects) {
+  for (const FieldInfo& field : fields) {
+    if (field.type == Type::record || field.is_handed_over) continue;  // which repeats inputs
+    if (field.has_fields()) {
+      for (std::size_t i = 0; i < field.size(data); ++i) add_effects(field.fields, field.element(data, i), effects);
+    } else if (field.get != nullptr) {
+      effects.numbers.push_back(field.get(data));
+    } else {
+      effects.words += std::string(field.text(data)) + "\n";
+    }
+  }
+}
+
+bool equal(const Effects& a, const Effects& b) {
+  return a.words == b.words && std::equal(a.numbers.begin(), a.numbers.end(), b.numbers.begin(), b.numbers.end(),
+                                          [](double x, double y) { return !differs(x, y); });
 }
 
 }  // namespace
 
-std::vector<double> Run::numbers_at(std::size_t position) {
-  std::vector<double> numbers;
-  if (!set_position(position)) return numbers;
+/// Of the inputs as they are in the record: results, which modes concern the part, which customs it breaks.
+void Run::find_effects(Effects& effects) {
+  effects = {};
   calculator_.evaluate(record_.data.get(), result_.data.get());
-  for_each_leaf(result_, [&](const std::string&, const Leaf& leaf) {
-    if (leaf.field->get != nullptr) numbers.push_back(leaf.get());
-  });
-  return numbers;
+  add_effects(calculator_.result->fields, result_.data.get(), effects);
+  for (std::size_t k = 0; k < calculator_.modes.size(); ++k)
+    effects.numbers.push_back(static_cast<double>(calculator_.applies(k, record_.data.get())));
+  for (std::size_t rule = 0; rule < calculator_.rules.size(); ++rule)
+    effects.numbers.push_back(calculator_.holds(rule, record_.data.get()) ? 1.0 : 0.0);
 }
 
 bool Run::keeps_rules() const {
@@ -38,43 +79,88 @@ bool Run::keeps_rules() const {
   return true;
 }
 
-/// Whether another value of the leaf changes a result at the position; also where it may have no other.
-bool Run::moves_something(const Leaf& leaf, std::size_t position, const std::vector<double>& before) {
+/// Whether another value of the leaf changes anything at the position; also where it may have no other.
+bool Run::has_effect(const Leaf& leaf, std::size_t position) {
+  if (!set_position(position)) return false;
+  Effects before, after;
+  find_effects(before);
   const double given = leaf.get();
   bool tried = false, moved = false;
   for (const double value : others(*leaf.field, given)) {
-    if (moved || !leaf.field->bounds.holds(value)) continue;
+    if (moved || !may_be(*leaf.field, value)) continue;
     leaf.set(value);
     if (!keeps_rules()) continue;
     tried = true;
-    const std::vector<double> after = numbers_at(position);
-    moved = !std::equal(before.begin(), before.end(), after.begin(), after.end(),
-                        [](double a, double b) { return !differs(a, b); });
+    find_effects(after);
+    moved = !equal(before, after);
   }
   leaf.set(given);
   return moved || !tried;
 }
 
-void Run::warn_of_unused(std::vector<Issue>& issues) {
-  if (!traced_ || axis_ != nullptr) return;  // over a series it may count at another position
+/// Where inputs are tried: a few places of a cycle, and the one that governs.
+std::vector<std::size_t> Run::probes() const {
+  const std::size_t count = positions();
+  const std::set<std::size_t> places{governing_, 0, count / 4, count / 2, 3 * count / 4};
+  return {places.begin(), places.end()};
+}
+
+/// What the leaf is where nobody types it; NaN where it has to be typed, or its list is inside of another one.
+double Run::untyped(const std::string& path, const FieldInfo& field) const {
   const Record blank(*calculator_.input);
-  const std::vector<double> before = numbers_at(0);
+  const std::string head = path.substr(0, path.find_first_of(".["));
+  const FieldInfo* const top = find_field(calculator_.input->fields, head);
+  std::string place = path;
+  if (top != nullptr && top->type == Type::list) {
+    top->push(blank.data.get());
+    place = head + "[1]" + path.substr(path.find_first_of(".[", head.size() + 1));
+  }
+  const Leaf leaf = find_leaf(blank, place);
+  const bool has_default = leaf && (field.optional || field.type == Type::quantity);
+  return has_default ? leaf.get() : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Whether who typed the input could have left it out: nothing and no rule asks for it.
+bool Run::is_spare(const std::string& path, const Leaf& leaf) {
+  const double blank = untyped(path, *leaf.field), given = leaf.get();
+  const bool may_lack = leaf.field->optional && leaf.field->type == Type::quantity;
+  if (std::isnan(blank) && !may_lack) return false;
+  leaf.set(blank);
+  const bool spare = keeps_rules();
+  leaf.set(given);
+  return spare;
+}
+
+/// Whether a check that is asked for has no value: what it would be moved by cannot be told.
+bool Run::lacks_checks() const {
+  return std::any_of(columns_.begin(), columns_.end(), [&](const Column& column) {
+    const bool is_check = column.field->role == Role::check && applies(column);
+    return is_check && std::all_of(column.si.begin(), column.si.end(), [](double x) { return std::isnan(x); });
+  });
+}
+
+/// Whether nobody typed the input: the record of another step has it.
+static bool is_of_record(const Reading& reading, const std::string& path) {
+  const auto fills = [&](const auto& taken) { return taken.may_lack && taken.path == path; };
+  return std::any_of(reading.operands.begin(), reading.operands.end(), fills) ||
+         std::any_of(reading.taken.begin(), reading.taken.end(), fills);
+}
+
+void Run::warn_of_unused(std::vector<Issue>& issues) {
+  if (!traced_ || lacks_checks()) return;
+  const std::vector<std::size_t> places = probes();
   for (const auto& entry : step_.input().reading.typed) {
     const std::string& path = entry.first;
     const Leaf leaf = map_leaf(path);
-    if (!leaf || leaf.field->type != FieldInfo::Type::quantity || !std::isfinite(leaf.get())) continue;
-    const bool in_list = path.find_first_of("[.") != std::string::npos;  // where elements weigh one another out
-    const bool required = !leaf.field->optional && !in_list && std::isnan(find_leaf(blank, path).get());
-    if (in_list || required) continue;
-    const auto is_operand = [&](const Input& input) { return input.path == path; };
-    if (std::any_of(inputs_.begin(), inputs_.end(), is_operand)) continue;
-    const bool is_size = size_field() != nullptr && path == size_field();  // tables are asked with it
-    if (is_size || moves_something(leaf, 0, before)) continue;
-    Issue issue = issue_at(step_.input(), path, say("'{1}' has no effect here: no result depends on it", path));
+    if (!leaf || leaf.field->get == nullptr || !std::isfinite(leaf.get())) continue;
+    if (path == size_field() || is_of_record(step_.input().reading, path)) continue;  // tables are asked with the size
+    const auto counts = [&](std::size_t position) { return has_effect(leaf, position); };
+    if (std::any_of(places.begin(), places.end(), counts) || !is_spare(path, leaf)) continue;
+    Issue issue = issue_at(step_.input(), path, say("'{1}' has no effect here: no result changes with it", path));
     issue.severity = Severity::warning;
     issues.push_back(std::move(issue));
   }
-  set_position(0);
+  set_position(governing_);
   calculator_.evaluate(record_.data.get(), result_.data.get());  // as it was
 }
 

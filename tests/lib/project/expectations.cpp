@@ -50,6 +50,24 @@ TEST_SUITE("project expectations") {
     }
   }
 
+  TEST_CASE("within of a plain number may be a difference, with its sign") {
+    CHECK(compared("value = \"=axle.M_max/(62.15 N*m)\"\nis = \"1.6\"\nwithin = \"±0.01\"\n" + source).holds);
+    CHECK_FALSE(compared("value = \"=axle.M_max/(62.15 N*m)\"\nis = \"1.6\"\nwithin = \"±0.001\"\n" + source).holds);
+    CHECK(issues_of(expecting("value = \"axle.u_tau\"\nis = \"1\"\nwithin = \"0.01\"\n" + source))
+              .ends_with("  = help: write a part of the value, \"0.5 %\", or a difference from it, \"±0.01\"\n"));
+  }
+
+  TEST_CASE("infinity is expected as such, and needs no tolerance") {
+    const std::string cycle = "[rod]\ncalculator = \"fatigue.cycle\"\nsigma_max = \"0 MPa\"\nsigma_a = \"5 MPa\"\n";
+    const auto expected = [&](const char* is) {
+      return project::compare(solved(cycle + "[[expect]]\nvalue = \"rod.r\"\nis = \"" + is + "\"\n" + source)).at(0);
+    };
+    CHECK(expected("inf").holds);
+    CHECK_FALSE(expected("-inf").holds);
+    CHECK(issues_of(cycle + "[[expect]]\nvalue = \"rod.r\"\nis = \"inf\"\ndigits = 3\n" + source)
+              .find("an infinite value has no tolerance") != std::string::npos);
+  }
+
   TEST_CASE("an expected zero is compared in SI") {
     CHECK(compared("value = \"axle.M_max - 100 N*m\"\nis = \"0 N*m\"\nwithin = \"1 %\"\n" + source).holds);
   }
@@ -96,7 +114,7 @@ TEST_SUITE("project expectations") {
     CHECK(issues_of(expecting(value_and_is + "within = \"0.1 mpa\"\n"))
               .starts_with("a.toml:9:15: error: unknown unit 'mpa'\n"));
     CHECK(issues_of(expecting("value = \"axle.u_tau\"\nis = \"1\"\n" + source + "within = \"3 mm\"\n"))
-              .ends_with("  = help: write a part of the value, \"0.5 %\"\n"));
+              .ends_with("  = help: write a part of the value, \"0.5 %\", or a difference from it, \"±0.01\"\n"));
   }
 
   TEST_CASE("an unknown key of an expectation is told with the nearest one") {

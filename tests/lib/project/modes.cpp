@@ -154,6 +154,55 @@ TEST_SUITE("project modes") {
   }
 }
 
+TEST_SUITE("project unused") {
+  const std::string bar =
+      "[rod]\ncalculator = \"column.buckling\"\nl = \"200 mm\"\nd = \"12 mm\"\nends = \"pinned_pinned\"\n"
+      "material = \"S355JR\"\nmethod = \"johnson\"\nn_st = 2\n";
+  const std::string engine =
+      "[m]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"60 mm\"\nl = \"200 mm\"\n"
+      "crank = { speed = \"3000 rpm\", positions = 24 }\nlinks.slider = { mass = \"0.4 kg\" }\n";
+
+  TEST_CASE("a typed number or word that no result depends on is told") {
+    const auto says = [&](const std::string& more) { return Judged(bar + "P = \"5 kN\"\n" + more).messages(); };
+    CHECK_FALSE(contains(says("a_R = 1e-4\n"), "no effect"));  // it moves a row of another method
+    CHECK(contains(says("grade = \"S460\"\n"), "'grade' has no effect here"));
+    CHECK(contains(says("gamma_M1 = 1.1\n"), "'gamma_M1' has no effect here"));
+    CHECK_FALSE(contains(says("n_t = 2\n"), "'n_st' has no effect"));
+    CHECK_FALSE(contains(says("e_y = \"3 mm\"\n"), "no effect"));  // its mode is not judged, which says it
+  }
+
+  TEST_CASE("where a check has no value nothing is said of what would move it") {
+    const std::string below = "sigma_P = \"190 MPa\"\nP = \"10 kN\"\n";  // Euler is not covered there
+    std::string euler = bar;
+    euler.replace(euler.find("johnson"), 7, "euler");
+    CHECK_FALSE(contains(Judged(euler + below).messages(), "no effect"));
+  }
+
+  TEST_CASE("over a series an input is tried at several positions") {
+    const std::string moving = engine + bar + "N = \"=m.links.rod.N\"\n";
+    CHECK(contains(Judged(moving + "gamma_M1 = 1.1\n").messages(), "'gamma_M1' has no effect here"));
+    CHECK_FALSE(contains(Judged(moving + "n_t = 2\n").messages(), "no effect"));  // pulled in half of them
+  }
+
+  TEST_CASE("inputs inside of lists are tried too, also those that come from expressions") {
+    const std::string lift =
+        "[l]\ncalculator = \"dynamics.lift\"\ns = \"2 m\"\nweights = [{ m = \"60 kg\", i = -1 }, { m = "
+        "\"100 kg\", mu = 0.1";
+    CHECK(contains(Judged(lift + " }]\n").messages(), "'weights[2].mu' has no effect here"));  // it hangs
+    CHECK_FALSE(contains(Judged(lift + ", alpha = \"60 deg\" }]\n").messages(), "no effect"));
+    const std::string axle_and_bar = axle + "T = \"100 N*m\"\n" + bar + "P = \"5 kN\"\n";
+    CHECK(contains(Judged(axle_and_bar + "gamma_M1 = \"=1 + axle.u_tau\"\n").messages(),
+                   "'gamma_M1' has no effect here"));
+  }
+
+  TEST_CASE("a word that a rule asks for is not told, though no other changes a result") {
+    const Judged belt(
+        "[b]\ncalculator = \"belt.v\"\nbasis = \"iso\"\nsection = \"C\"\nbelt_class = \"III\"\nP = \"10 kW\"\nn_1 = "
+        "\"800 rpm\"\nd_1 = \"200 mm\"\nd_2 = \"200 mm\"\nL = \"3750 mm\"\n");
+    CHECK_FALSE(contains(belt.messages(), "no effect"));
+  }
+}
+
 TEST_SUITE("project angles") {
   TEST_CASE("inside of expressions as outside an angle is no bare number, and an angular speed no frequency") {
     const auto says = [](const std::string& text) { return Judged(text).messages(); };

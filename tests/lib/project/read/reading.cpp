@@ -296,7 +296,7 @@ a.toml:3:25: error: 'tolerence' is no field here
 
   TEST_CASE("all errors of a file are told at once, in the order of their places") {
     CHECK(issues_of("[axle]\ncalculator = \"shaft.torsion\"\nT = \"9 N\"\ntau_adm = 30\n\n[pin]\ncalculator = "
-                    "\"shaft.overhang\"\n\n[values]\nx = 1\n") ==
+                    "\"shaft.overhang\"\n\n[tables]\ncalculator = \"shaft.torsion\"\n") ==
           R"(a.toml:3:6: error: '9 N' is a force, a moment is expected
 3 | T = "9 N"
   |      ^^^
@@ -309,10 +309,10 @@ a.toml:7:15: error: there is no calculator 'shaft.overhang'
 7 | calculator = "shaft.overhang"
   |               ^^^^^^^^^^^^^^
   = help: did you mean 'shaft.overhung'?
-a.toml:9:2: error: 'values' is a word of the program and cannot name a step
-9 | [values]
+a.toml:9:2: error: 'tables' is a word of the program and cannot name a step
+9 | [tables]
   |  ^^^^^^
-  = help: call it 'values_1' or by its part of the machine
+  = help: call it 'tables_1' or by its part of the machine
 )");
   }
 

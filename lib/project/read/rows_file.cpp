@@ -1,0 +1,141 @@
+#include "lib/project/read/rows_file.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+namespace loadpath::project {
+
+namespace {
+
+using toml::Tree;
+
+constexpr std::uintmax_t largest = 16'000'000;  // bytes
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blank = " \t\r";
+  const std::size_t first = text.find_first_not_of(blank);
+  return first == std::string_view::npos ? std::string_view{}
+                                         : text.substr(first, text.find_last_not_of(blank) - first + 1);
+}
+
+/// The mark that parts the cells of the file: the first of these in its heading.
+char separator_of(std::string_view heading) {
+  for (const char mark : {'\t', ';', ','}) {
+    if (heading.find(mark) != std::string_view::npos) return mark;
+  }
+  return ',';
+}
+
+std::vector<std::string_view> cells_of(std::string_view line, char separator) {
+  std::vector<std::string_view> cells;
+  while (true) {
+    const std::size_t end = line.find(separator);
+    cells.push_back(trimmed(line.substr(0, end)));
+    if (end == std::string_view::npos) return cells;
+    line.remove_prefix(end + 1);
+  }
+}
+
+struct Column {
+  std::string key, unit;
+};
+
+/// "t [s]" or "t (s)".
+Column column_of(std::string_view heading) {
+  const std::size_t open = heading.find_first_of("[("), close = heading.find_last_of("])");
+  if (open == std::string_view::npos || close == std::string_view::npos || close < open)
+    return {std::string(heading), ""};
+  const std::string unit(trimmed(heading.substr(open + 1, close - open - 1)));
+  return {std::string(trimmed(heading.substr(0, open))), unit == "-" || unit == "1" ? "" : unit};
+}
+
+/// As the number or the text would stand in the project file.
+Tree value_of(std::string_view cell, const Column& column, const Place& place) {
+  Tree value;
+  value.place = place;
+  value.text = column.unit.empty() ? std::string(cell) : std::string(cell) + " " + column.unit;
+  char* end = nullptr;
+  const std::string text(cell);
+  value.number = std::strtod(text.c_str(), &end);
+  const bool number = column.unit.empty() && !text.empty() && *end == '\0';
+  value.type = number ? Tree::Type::number : Tree::Type::text;
+  return value;
+}
+
+Fault fault(Message message, Message hint) { return {0, 1, std::move(message), std::move(hint)}; }
+
+class Rows {
+ public:
+  Rows(const std::string& name, const Place& place) : name_(name), place_(place) {
+    rows_.type = Tree::Type::array;
+    rows_.place = place;
+  }
+
+  Outcome<Tree> read(const std::string& text) {
+    std::istringstream lines(text);
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+      ++number;
+      const std::string_view kept = trimmed(std::string_view(line).substr(0, line.find('#')));
+      if (kept.empty()) continue;
+      if (columns_.empty()) {
+        take_heading(kept);
+      } else if (!take_row(kept)) {
+        return fault(say("line {1} of '{2}' has not as many cells as its heading, {3}", std::to_string(number), name_,
+                         std::to_string(columns_.size())),
+                     say("write a cell for each column, parted as in the heading"));
+      }
+    }
+    if (rows_.items.empty())
+      return fault(say("'{1}' has no rows", name_), say("a heading with the fields, t [s], share; then a row a line"));
+    return std::move(rows_);
+  }
+
+ private:
+  void take_heading(std::string_view line) {
+    separator_ = separator_of(line);
+    for (const std::string_view cell : cells_of(line, separator_)) columns_.push_back(column_of(cell));
+  }
+
+  bool take_row(std::string_view line) {
+    const auto cells = cells_of(line, separator_);
+    if (cells.size() != columns_.size()) return false;
+    Tree& row = rows_.items.emplace_back();
+    row.place = place_;
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      row.entries.push_back({columns_[k].key, place_, value_of(cells[k], columns_[k], place_)});
+    return true;
+  }
+
+  const std::string& name_;
+  const Place& place_;
+  Tree rows_;
+  std::vector<Column> columns_;
+  char separator_ = ',';
+};
+
+}  // namespace
+
+bool names_rows_file(const Tree& tree) {
+  return tree.type == Tree::Type::table && tree.entries.size() == 1 && tree.entries[0].key == "file" &&
+         tree.entries[0].value.type == Tree::Type::text;
+}
+
+Outcome<Tree> read_rows_file(const Tree& tree) {
+  const Tree& named = tree.entries[0].value;
+  const std::filesystem::path path = std::filesystem::path(named.place.file).parent_path() / named.text;
+  std::error_code error;
+  std::string text;
+  const bool there = std::filesystem::is_regular_file(path, error);
+  if (there && std::filesystem::file_size(path, error) > largest)
+    return fault(say("'{1}' is no list of rows", named.text), say("at most 16 MB"));
+  if (!there || !toml::read_file(path.string(), text))
+    return fault(say("there is no file '{1}' that can be read", path.string()),
+                 say("its path goes from the folder of the project file"));
+  return Rows(named.text, named.place).read(text);
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,20 @@
+// A list of a project whose rows stand in a file beside it: over_time = { file = "pressure.csv" }.
+//
+// The first line names the fields, with their units in brackets: t [s], share. Cells are parted by commas, semicolons
+// or tabs; what follows a # is left out.
+#pragma once
+
+#include "lib/text/issue.hpp"
+#include "lib/toml/tree.hpp"
+
+#include <string>
+
+namespace loadpath::project {
+
+/// Whether this stands in place of the rows themselves.
+bool names_rows_file(const toml::Tree& tree);
+
+/// The rows as they would stand in the project file. The path is taken from the folder of the project.
+Outcome<toml::Tree> read_rows_file(const toml::Tree& tree);
+
+}  // namespace loadpath::project

@@ -1,0 +1,125 @@
+#include "lib/project/read/shared.hpp"
+
+#include "lib/project/read/reading.hpp"
+#include "lib/quantity/literal.hpp"
+#include "lib/quantity/number.hpp"
+
+#include <algorithm>
+
+namespace loadpath::project {
+
+namespace {
+
+using toml::Tree;
+
+constexpr std::string_view prefix = "values.";
+
+/// "=values.n": "n"; empty where the text is none that stands alone.
+std::string name_of_reference(const Tree& tree) {
+  const auto path = lone_reference(tree);
+  return path && path->starts_with(prefix) ? path->substr(prefix.size()) : "";
+}
+
+/// The value of a text or number that an expression may hold; without unit none of an angle is meant.
+std::optional<Value> literal_of(const Tree& tree) {
+  if (tree.type == Tree::Type::number) return Value{{}, {tree.number}};
+  if (tree.type != Tree::Type::text) return std::nullopt;
+  const auto literal = parse_literal(tree.text);
+  if (!literal) return std::nullopt;
+  return Value{{literal->dimension, nullptr}, {literal->si}};
+}
+
+}  // namespace
+
+bool is_shared(const Tree::Entry& entry) { return entry.key == "values" && entry.value.find("calculator") == nullptr; }
+
+void Values::read(const Tree::Entry& table, std::vector<Issue>& issues) {
+  const auto refuse = [&](const Place& place, const std::string& key, Message message, Message hint) {
+    issues.push_back({place, key, std::move(message), std::move(hint), Severity::error});
+  };
+  if (table.value.type != Tree::Type::table)
+    return refuse(table.value.place, table.key, say("'{1}' is a table of values", table.key),
+                  say("write [values] and below it n = \"1450 rpm\""));
+  for (const Tree::Entry& entry : table.value.entries) {
+    if (!is_name(entry.key)) {
+      refuse(entry.place, "values." + entry.key, say("'{1}' is no name", entry.key),
+             say("a name has Latin letters, digits and '_', and does not start with a digit"));
+      continue;
+    }
+    Shared shared{entry.value, entry.place, {}, false, false};
+    if (auto literal = literal_of(entry.value)) {
+      shared.literal = std::move(*literal);
+      shared.is_literal = true;
+    }
+    all_[entry.key] = std::move(shared);
+  }
+  refuse_circles(issues);
+}
+
+void Values::refuse_circles(std::vector<Issue>& issues) {
+  for (const auto& [name, shared] : all_) {
+    std::set<std::string> seen{name};
+    for (std::string next = name_of_reference(shared.tree); all_.contains(next);
+         next = name_of_reference(all_[next].tree)) {
+      if (seen.insert(next).second) continue;
+      issues.push_back({shared.tree.place, "values." + name, say("'values.{1}' refers to itself", name),
+                        say("give one of the circle a value"), Severity::error});
+      break;
+    }
+  }
+}
+
+Message Values::nearest_to(const std::string& name) const {
+  std::vector<std::string> names;
+  for (const auto& entry : all_) names.push_back(entry.first);
+  return names.empty() ? say("write [values] and below it {1} = \"...\"", name)
+                       : did_you_mean(name, names, there_is(names), "values.");
+}
+
+Tree Values::in_place(const Tree& tree, std::vector<Issue>& issues) {
+  const std::string name = name_of_reference(tree);
+  if (name.empty()) {
+    Tree copy = tree;
+    for (Tree& item : copy.items) item = in_place(item, issues);
+    for (Tree::Entry& entry : copy.entries) entry.value = in_place(entry.value, issues);
+    return copy;
+  }
+  const auto found = all_.find(name);
+  if (found == all_.end()) {
+    Place place = tree.place;
+    ++place.column;
+    issues.push_back({place_in(place, tree.text, 0, tree.text.size() - 1), "values." + name,
+                      say("there is no value '{1}'", name), nearest_to(name), Severity::error});
+    return tree;
+  }
+  if (!open_.insert(name).second) return tree;  // a circle, which has been told
+  found->second.is_used = true;
+  Tree value = in_place(found->second.tree, issues);
+  open_.erase(name);
+  value.shared = std::string(prefix) + name;
+  return value;
+}
+
+Outcome<Signature> Values::signature(const std::string& name) {
+  const auto found = all_.find(name);
+  if (found == all_.end()) return Fault{0, name.size(), say("there is no value '{1}'", name), nearest_to(name)};
+  found->second.is_used = true;
+  if (found->second.is_literal) return found->second.literal.signature;
+  return Fault{0, name.size(), say("'values.{1}' is no literal to calculate with", name),
+               say("it can stand alone: \"=values.{1}\"", name)};
+}
+
+const Value* Values::literal(const std::string& name) const {
+  const auto found = all_.find(name);
+  return found != all_.end() && found->second.is_literal ? &found->second.literal : nullptr;
+}
+
+void Values::warn_of_unused(std::vector<Issue>& issues) const {
+  for (const auto& [name, shared] : all_) {
+    if (shared.is_used) continue;
+    issues.push_back(
+        {shared.place, "values." + name, say("nothing refers to 'values.{1}'", name), {}, Severity::warning});
+  }
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,49 @@
+// What a file writes once for many steps: [values]. A reference that stands alone, "=values.n", is as if the text were
+// typed there, be it a quantity, a word, a list; inside an expression, "=2*values.n", it is a literal.
+#pragma once
+
+#include "lib/quantity/series.hpp"
+#include "lib/text/issue.hpp"
+#include "lib/toml/tree.hpp"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace loadpath::project {
+
+/// Whether an entry is `[values]`, and no step that was called so.
+bool is_shared(const toml::Tree::Entry& entry);
+
+class Values {
+ public:
+  /// Takes the table [values]; names that are none and references in a circle become issues.
+  void read(const toml::Tree::Entry& table, std::vector<Issue>& issues);
+  [[nodiscard]] bool empty() const { return all_.empty(); }
+
+  /// The tree with values in place of the references that stand alone. Unknown names become issues.
+  [[nodiscard]] toml::Tree in_place(const toml::Tree& tree, std::vector<Issue>& issues);
+  /// The literal of a name, for an expression; a Fault where there is none.
+  [[nodiscard]] Outcome<Signature> signature(const std::string& name);
+  /// Null where there is none.
+  [[nodiscard]] const Value* literal(const std::string& name) const;
+  /// A warning for every value that nothing refers to.
+  void warn_of_unused(std::vector<Issue>& issues) const;
+
+ private:
+  struct Shared {
+    toml::Tree tree;
+    Place place;  // of its name
+    Value literal;
+    bool is_literal = false;
+    bool is_used = false;
+  };
+  [[nodiscard]] Message nearest_to(const std::string& name) const;
+  void refuse_circles(std::vector<Issue>& issues);
+
+  std::map<std::string, Shared> all_;
+  std::set<std::string> open_;  // while references are followed
+};
+
+}  // namespace loadpath::project

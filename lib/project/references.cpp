@@ -1,0 +1,160 @@
+#include "lib/project/references.hpp"
+
+#include <algorithm>
+
+namespace loadpath::project {
+
+namespace {
+
+using Type = FieldInfo::Type;
+
+/// What a field, or the row of a table, takes from another step.
+bool fits(const FieldInfo* field, Form form) {
+  if (field == nullptr || field->is_word()) return form == Form::word || form == Form::row;
+  return form == (field->type == Type::list ? Form::list : Form::record);
+}
+
+Message noun_of(Form form) {
+  switch (form) {
+    case Form::number:
+      return say("a number");
+    case Form::word:
+    case Form::row:
+      return say("a word");
+    case Form::record:
+      return say("a record");
+    case Form::list:
+      return say("a list");
+    case Form::nothing:
+      break;
+  }
+  return say("nothing");
+}
+
+Message wanted_by(const FieldInfo* field) {
+  if (field == nullptr) return say("the name of a row");
+  if (field->is_word()) return say("a word");
+  return field->type == Type::list ? say("a list") : say("a record");
+}
+
+/// "d_1, d_2, L"
+void list(std::string& names, std::string_view name) { names += (names.empty() ? "" : ", ") + std::string(name); }
+
+class Settling {
+ public:
+  Settling(Step& step, const Project& project, std::vector<Issue>& issues)
+      : step_(step), reading_(step.input().reading), project_(project), issues_(issues) {}
+
+  void run() {
+    const std::vector<Taken> all = std::move(reading_.taken);
+    reading_.taken.clear();
+    for (const Taken& taken : all) settle(taken);
+    if (refused_ || !reading_.faulty.empty()) return;  // what a record may have is not known
+    for (const Lacking& lacking : reading_.lacking) {
+      if (reading_.typed.count(lacking.path) == 0) issues_.push_back(missing_field(lacking, step_.name() + "."));
+    }
+  }
+
+ private:
+  void settle(const Taken& taken) {
+    const auto [name, rest] = split_step(taken.source);
+    const Step* const source = project_.find(name);
+    if (source == nullptr) return refuse(taken, project_.unknown_step(taken.source));
+    const Form form = form_of(*source, rest);
+    if (form == Form::nothing) {
+      const auto signature = source->signature(rest);
+      return refuse(taken, signature ? Fault{} : signature.fault());
+    }
+    if (!fits(taken.field, form)) {
+      return refuse(taken, Fault{0,
+                                 taken.source.size(),
+                                 say("'{1}' takes {2}, and '{3}' is {4}", taken.path, wanted_by(taken.field),
+                                     taken.source, noun_of(form)),
+                                 {}});
+    }
+    if (form == Form::record) return fill_from(taken, *source, rest);
+    if (form == Form::list && !shares_fields(taken, *source->field(rest))) return;
+    reading_.taken.push_back(taken);
+  }
+
+  void refuse(const Taken& taken, const Fault& fault) {
+    refused_ = true;
+    issues_.push_back({place_in(taken.place, taken.source, fault.at, fault.length), step_.name() + "." + taken.path,
+                       fault.message, fault.hint, Severity::error});
+  }
+
+  /// Elements of a list are filled by key: each that must be there has to come.
+  bool shares_fields(const Taken& taken, const FieldInfo& given) {
+    for (const FieldInfo& field : taken.field->fields) {
+      const FieldInfo* const same = find_field(given.fields, field.key);
+      const bool alike = same != nullptr && same->type == field.type && same->dimension == field.dimension;
+      if (field.optional ? same == nullptr || alike : alike) continue;
+      refuse(taken, Fault{0,
+                          taken.source.size(),
+                          say("'{1}' needs {2} of each element, and '{3}' has none like it", taken.path, field.key,
+                              taken.source),
+                          {}});
+      return false;
+    }
+    return true;
+  }
+
+  /// An operand, or a word, for every field that is not typed and that the record has.
+  void fill_from(const Taken& taken, const Step& source, const std::string& rest) {
+    const bool beside = taken.field->type == Type::record;
+    const std::string base = beside ? taken.path.substr(0, taken.path.rfind('.') + 1) : taken.path + ".";
+    const std::vector<Member> members = source.members(rest);
+    std::string filled, kept;
+    for_each_leaf(reading_.record, [&](const std::string& path, const Leaf& leaf) {
+      if (!path.starts_with(base)) return;
+      const auto given = std::find_if(members.begin(), members.end(), [&](const Member& member) {
+        return member.key == std::string_view(path).substr(base.size()) && is_like(source, member, *leaf.field);
+      });
+      if (given == members.end()) return;
+      if (reading_.typed.count(path) != 0) return list(kept, given->key);
+      fill(taken, path, leaf, {given->key, source.name() + "." + given->path, given->is_word});
+      list(filled, given->key);
+    });
+    if (filled.empty()) {
+      return refuse(taken,
+                    Fault{0, taken.source.size(), say("'{1}' has nothing that '{2}' lacks", taken.source, step_.name()),
+                          say("`loadpath describe {1}` lists the inputs", step_.input().calculator->id)});
+    }
+    reading_.records.push_back(taken);
+    step_.remark(kept.empty() ? say("taken from {1}: {2}", taken.source, filled)
+                              : say("taken from {1}: {2}; given here and not taken: {3}", taken.source, filled, kept));
+  }
+
+  static bool is_like(const Step& source, const Member& member, const FieldInfo& field) {
+    if (member.is_word || field.is_word()) return member.is_word && field.is_word();
+    const auto signature = source.signature(member.path);
+    return field.is_number() && signature && signature->dimension == field.dimension;
+  }
+
+  /// `given`: with the full path of its value.
+  void fill(const Taken& taken, const std::string& path, const Leaf& leaf, const Member& given) {
+    reading_.typed[path] = {"=" + given.path, taken.place};
+    if (given.is_word) return reading_.taken.push_back({path, leaf.field, given.path, taken.place, true});
+    auto expression = Expression::parse(given.path);
+    reading_.operands.push_back({path, leaf, std::move(*expression), given.path, taken.place, true});
+  }
+
+  bool refused_ = false;
+  Step& step_;
+  Reading& reading_;
+  const Project& project_;
+  std::vector<Issue>& issues_;
+};
+
+}  // namespace
+
+std::pair<std::string, std::string> split_step(const std::string& path) {
+  const std::size_t dot = path.find('.');
+  return {path.substr(0, dot), dot == std::string::npos ? "" : path.substr(dot + 1)};
+}
+
+void settle_references(Step& step, const Project& project, std::vector<Issue>& issues) {
+  Settling(step, project, issues).run();
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,85 @@
+// Whether a step passes as it is now: what a search asks of every candidate.
+#include "lib/project/run/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::project {
+
+bool Run::is_asked(const FieldInfo& check) const {
+  std::string_view inputs = check.asked_by;
+  if (inputs.empty()) return true;
+  while (!inputs.empty()) {  // asked for every candidate of a search: no list of keys is made
+    const std::string_view input = inputs.substr(0, inputs.find(", "));
+    const Leaf asking = find_leaf(record_, input);
+    if (asking && (!std::isnan(asking.get()) || comes_from_row(input, *asking.field))) return true;
+    inputs.remove_prefix(std::min(input.size() + 2, inputs.size()));
+  }
+  return false;
+}
+
+/// Whether a row that the step names is to give the input, and must have it.
+bool Run::comes_from_row(std::string_view input, const FieldInfo& field) const {
+  return step_.names_row_for(std::string(input)) && !field.provider.may_lack;
+}
+
+/// Whether a rule is about the input that is searched for, or about those that the row gives which is.
+bool Run::concerns_search(std::size_t rule) const {
+  const Search& wanted = step_.searches().front();
+  if (wanted.leaf) return step_.is_about(rule, wanted.path);
+  const auto fields = listed_keys(calculator_.rules[rule].fields);
+  return std::any_of(fields.begin(), fields.end(), [&](const std::string& key) {
+    const FieldInfo* const field = find_field(calculator_.input->fields, key);
+    return field != nullptr && field->provider.table == wanted.path;
+  });
+}
+
+bool Run::waits_for_search(std::size_t rule) const {
+  if (step_.searches().empty()) return false;
+  const Search& wanted = step_.searches().front();
+  return !(wanted.leaf && wanted.leaf.field->sought_unasked) && concerns_search(rule);
+}
+
+/// The first rule about the input that is searched for that is broken at a position; none: past the last.
+std::size_t Run::first_broken_rule() {
+  const std::size_t count = calculator_.rules.size();
+  for (std::size_t i = 0; i < positions(); ++i) {
+    if (!set_position(i)) continue;
+    for (std::size_t rule = 0; rule < count; ++rule) {
+      if (calculator_.rules[rule].only_warns || !concerns_search(rule)) continue;
+      if (!calculator_.holds(rule, record_.data.get())) return rule;
+    }
+  }
+  return count;
+}
+
+bool Run::passes() {
+  if (!settle_sizes() || first_broken_rule() < calculator_.rules.size()) return false;
+  const auto& fields = calculator_.result->fields;
+  return std::all_of(fields.begin(), fields.end(),
+                     [&](const FieldInfo& f) {
+                       if (f.role != Role::check || !is_asked(f) || f.is_beside) return true;
+                       const double largest = largest_result(f);
+                       return (largest >= -rounding && largest <= 1.0) || (f.where_set && std::isnan(largest));
+                     }) &&
+         keeps_limits(true);
+}
+
+/// Whether the criteria among the limits are kept, or those of the methods: what passes beyond its formulas is no size
+/// to take.
+bool Run::keeps_limits(bool criteria) {
+  const auto& fields = calculator_.result->fields;
+  return std::all_of(fields.begin(), fields.end(), [&](const FieldInfo& f) {
+    if (f.role != Role::limit || !is_asked(f) || f.is_beside || f.is_criterion != criteria) return true;
+    bool within = true;
+    for (std::size_t i = 0; i < positions() && within; ++i) {
+      if (!set_position(i)) continue;
+      calculator_.evaluate(record_.data.get(), result_.data.get());
+      const double si = f.get(result_.data.get());
+      within = std::isnan(si) ? f.where_set : f.bounds.holds(si);
+    }
+    return within;
+  });
+}
+
+}  // namespace loadpath::project

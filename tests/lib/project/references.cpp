@@ -1,0 +1,256 @@
+// What a step takes from others beside numbers: counts, words, rows of tables, lists, records, shared values.
+#include "calculators/catalogue.hpp"
+#include "lib/project/project.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+namespace {
+
+using namespace loadpath;
+
+struct Solved {
+  explicit Solved(const std::string& text) {
+    project = project::read_project(text, "refer.toml", catalogue(), issues);
+    if (!has_errors(issues)) project::solve(project, issues);
+  }
+  [[nodiscard]] std::string messages() const {
+    std::string text;
+    for (const Issue& issue : issues)
+      text += issue.key + ": " + issue.message.text() + " = " + issue.hint.text() + "\n";
+    return text;
+  }
+  [[nodiscard]] double value(const std::string& path) const {
+    const Value* const found = project.value(path);
+    REQUIRE_MESSAGE(found != nullptr, path, "\n", messages());
+    return found->si[0];
+  }
+  [[nodiscard]] std::string word(const std::string& path) const {
+    const std::size_t dot = path.find('.');
+    return project.find(path.substr(0, dot))->word(path.substr(dot + 1));
+  }
+  [[nodiscard]] std::string origin(const std::string& step, const std::string& path) const {
+    for (const account::Entry& entry : project.find(step)->account().inputs) {
+      if (entry.path == path) return entry.origin.text.text();
+    }
+    return "none";
+  }
+  project::Project project;
+  std::vector<Issue> issues;
+};
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+const std::string gears =
+    "[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = \"2.5 mm\"\nT_1 = \"60 N*m\"\nb = \"25 mm\"\n";
+const std::string bar =
+    "calculator = \"column.buckling\"\nP = \"100 kN\"\nl = \"3 m\"\nends = \"pinned_pinned\"\nmethod = "
+    "\"ec3\"\ngamma_M1 = 1\ngamma_F = 1.4\n";
+
+}  // namespace
+
+TEST_SUITE("references") {
+  TEST_CASE("a count follows another, and a sum of them") {
+    const Solved pair(gears +
+                      "[next]\ncalculator = \"gear.pair\"\nz_1 = \"=gears.z_2\"\nz_2 = \"=gears.z_1 + 20\"\n"
+                      "m_n = \"=gears.m_n\"\n");
+    CHECK_MESSAGE(pair.messages().find("next") == std::string::npos, pair.messages());
+    CHECK(pair.value("next.z_1") == 57.0);
+    CHECK(pair.value("next.z_2") == 40.0);
+    CHECK(pair.origin("next", "z_1") == "= gears.z_2");
+  }
+
+  TEST_CASE("what is no whole number is no count, and nothing is rounded") {
+    const Solved pair(gears + "[next]\ncalculator = \"gear.pair\"\nz_1 = \"=gears.z_2/2\"\nz_2 = 40\nm_n = \"2 mm\"\n");
+    CHECK_MESSAGE(contains(pair.messages(), "z_1 = 28.5 is no whole number"), pair.messages());
+    const Solved length(gears + "[next]\ncalculator = \"gear.pair\"\nz_1 = \"=gears.m_n\"\nz_2 = 40\nm_n = \"2 mm\"\n");
+    CHECK_MESSAGE(contains(length.messages(), "next.z_1: 'z_1' is a plain number, and this expression is a length"),
+                  length.messages());
+    const Solved few(gears +
+                     "[next]\ncalculator = \"gear.pair\"\nz_1 = \"=gears.z_1 - 20\"\nz_2 = 40\nm_n = \"2 mm\"\n");
+    CHECK_MESSAGE(contains(few.messages(), "next.z_1: z_1 = 0"), few.messages());
+  }
+
+  TEST_CASE("a word of a choice is taken from a choice that has it") {
+    const std::string first = "[first]\n" + bar + "section = \"HEA 160\"\nmaterial = \"S235JR\"\n";
+    const Solved same(first +
+                      "[other]\ncalculator = \"column.buckling\"\nP = \"=first.P\"\nl = \"=first.l\"\n"
+                      "ends = \"=first.ends\"\nmethod = \"=first.method\"\ngamma_M1 = 1\ngamma_F = 1.4\n"
+                      "section = \"=first.section\"\nmaterial = \"=first.material\"\n");
+    REQUIRE_MESSAGE(!has_errors(same.issues), same.messages());
+    CHECK(same.word("other.method") == "ec3");
+    CHECK(same.word("other.section") == "HEA 160");
+    CHECK(same.word("other.material") == "S235JR");
+    CHECK(same.value("other.u") == same.value("first.u"));
+    const Solved wrong(first + "[other]\n" + bar + "section = \"=first.ends\"\nmaterial = \"S235JR\"\n");
+    CHECK_MESSAGE(contains(wrong.messages(), "first.ends = pinned_pinned"), wrong.messages());
+    const Solved number(first + "[other]\n" + bar + "section = \"=first.P\"\nmaterial = \"S235JR\"\n");
+    CHECK_MESSAGE(
+        contains(number.messages(), "other.section: 'section' takes the name of a row, and 'first.P' is a number"),
+        number.messages());
+  }
+
+  TEST_CASE("words are no numbers to calculate with") {
+    const Solved sum("[first]\n" + bar + "section = \"=2*first.section\"\nmaterial = \"S235JR\"\n");
+    CHECK_MESSAGE(contains(sum.messages(), "'section' takes the name of a row"), sum.messages());
+    const Solved method("[a]\n" + bar +
+                        "section = \"HEA 160\"\nmaterial = \"S235JR\"\n[b]\ncalculator = "
+                        "\"column.buckling\"\nP = \"1 kN\"\nl = \"1 m\"\nmethod = \"=a.method + 1\"\n");
+    CHECK_MESSAGE(contains(method.messages(), "'method' is no number to calculate with"), method.messages());
+  }
+
+  TEST_CASE("the section that the search for the lightest has found is checked by itself") {
+    const Solved found(
+        "[pick]\ncalculator = \"column.lightest\"\nfamilies = [\"HEA\"]\nP = \"100 kN\"\nl = \"3 m\"\n"
+        "ends = \"pinned_pinned\"\nmethod = \"ec3\"\ngamma_M1 = 1\ngamma_F = 1.4\nmaterial = \"S235JR\"\n"
+        "[check]\n" +
+        bar + "section = \"=pick.section\"\nmaterial = \"=pick.material\"\n");
+    REQUIRE_MESSAGE(!has_errors(found.issues), found.messages());
+    CHECK(found.word("check.section") == found.word("pick.section"));
+    CHECK(found.value("check.u") == doctest::Approx(found.value("pick.u")));
+    CHECK(found.value("check.u") <= 1.0);
+  }
+
+  TEST_CASE("words and lists of a mechanism are written out") {
+    const std::string press =
+        "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"50 mm\"\n"
+        "l = \"200 mm\"\ncrank = { speed = \"60 rpm\", positions = 36 }\n";
+    const Solved lists(press +
+                       "loads = \"=other.torques\"\n[other]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\n"
+                       "torques = [{ x = \"0 mm\", T = \"9 N*m\" }, { x = \"9 mm\", T = \"-9 N*m\" }]\n");
+    CHECK_MESSAGE(has_errors(lists.issues), lists.messages());
+  }
+
+  TEST_CASE("unknown steps, results and circles are told") {
+    CHECK(contains(Solved("[a]\n" + bar + "section = \"=pik.section\"\nmaterial = \"S235JR\"\n").messages(),
+                   "there is no step 'pik'"));
+    CHECK(contains(Solved(gears + "[a]\n" + bar + "section = \"=gears.section\"\nmaterial = \"S235JR\"\n").messages(),
+                   "'gears' has no result 'section'"));
+    CHECK(contains(Solved("[a]\n" + bar + "section = \"=b.section\"\nmaterial = \"S235JR\"\n[b]\n" + bar +
+                          "section = \"=a.section\"\nmaterial = \"S235JR\"\n")
+                       .messages(),
+                   "refer to one another in a circle"));
+  }
+
+  TEST_CASE("the first row that passes is found, and what its forerunner fails by") {
+    const Solved found("[pick]\n" + bar + "section = \"?\"\nmaterial = \"S235JR\"\n");
+    REQUIRE_MESSAGE(!has_errors(found.issues), found.messages());
+    CHECK(found.value("pick.u") <= 1.0);
+    CHECK(!found.word("pick.section").empty());
+    const std::string how = found.origin("pick", "section");
+    CHECK_MESSAGE(contains(how, "smallest of section that passes every check; "), how);
+    CHECK_MESSAGE(contains(how, "fails: u = "), how);
+    const Solved in_one("[pick]\n" + bar + "section = { stock = \"sections/ipe\" }\nmaterial = \"S235JR\"\n");
+    CHECK_MESSAGE(in_one.word("pick.section").starts_with("IPE "), in_one.messages());
+    const Solved both("[pick]\n" + bar + "section = \"?\"\nA = \"10 cm^2\"\nmaterial = \"S235JR\"\n");
+    CHECK_MESSAGE(contains(both.messages(), "'A' is given, and the section that is searched for gives it too"),
+                  both.messages());
+    const Solved more("[pick]\n" + bar + "section = { stock = \"sections/ipe\", max = 3 }\nmaterial = \"S235JR\"\n");
+    CHECK_MESSAGE(contains(more.messages(), "'max' is no field here"), more.messages());
+    const Solved none("[pick]\n" + bar + "section = { stock = \"sections/ip\" }\nmaterial = \"S235JR\"\n");
+    CHECK_MESSAGE(contains(none.messages(), "there is no table or kind of section 'sections/ip'"), none.messages());
+    const Solved steel("[pick]\n" + bar + "section = \"IPE 200\"\nmaterial = \"?\"\n");
+    CHECK_MESSAGE(contains(steel.messages(), "'material' cannot be searched for: its rows have no order"),
+                  steel.messages());
+  }
+}
+
+TEST_SUITE("largest values") {
+  TEST_CASE("the largest load and the longest bar that pass, to four digits") {
+    const std::string strut =
+        "[strut]\ncalculator = \"column.buckling\"\nends = \"pinned_pinned\"\nmethod = \"ec3\"\n"
+        "gamma_M1 = 1\ngamma_F = 1.4\nsection = \"HEA 160\"\nmaterial = \"S235JR\"\n";
+    const Solved load(strut + "P = \"?\"\nl = \"3 m\"\n");
+    REQUIRE_MESSAGE(!has_errors(load.issues), load.messages());
+    const double P = load.value("strut.P");
+    CHECK(load.value("strut.u") <= 1.0);
+    CHECK(load.value("strut.u") > 0.999);
+    CHECK(contains(load.origin("strut", "P"), "largest that passes every check; beyond: u = 1"));
+    const Solved longest(strut + "P = \"" + std::to_string(P) + " N\"\nl = \"?\"\n");
+    REQUIRE_MESSAGE(!has_errors(longest.issues), longest.messages());
+    CHECK(longest.value("strut.l") == doctest::Approx(3.0).epsilon(1e-3));
+  }
+
+  TEST_CASE("the torque that a shaft carries, by its own formula; and where nothing limits it") {
+    const std::string shaft = "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"?\"\nd = \"40 mm\"\n";
+    const Solved torque(shaft + "tau_adm = \"30 MPa\"\n");
+    REQUIRE_MESSAGE(!has_errors(torque.issues), torque.messages());
+    CHECK(torque.value("shaft.T") == doctest::Approx(376.9));  // pi/16 * 0.04^3 * 30e6 = 376.99, rounded down
+    CHECK(has_errors(Solved(shaft).issues));
+  }
+
+  TEST_CASE("a diameter of a column is searched for where it is asked for") {
+    const Solved round(
+        "[round]\ncalculator = \"column.buckling\"\nP = \"100 kN\"\nl = \"1 m\"\nd = \"?\"\n"
+        "ends = \"pinned_pinned\"\nmaterial = \"S235JR\"\nmethod = \"johnson\"\nn_st = 3\n");
+    REQUIRE_MESSAGE(!has_errors(round.issues), round.messages());
+    CHECK(round.value("round.u") <= 1.0);
+    CHECK(contains(round.origin("round", "d"), "smallest of R40 that passes every check; "));
+  }
+
+  TEST_CASE("a chain is found by its pitch") {
+    const Solved chain(
+        "[chain]\ncalculator = \"chain.roller\"\nchain = \"?\"\nz_1 = 21\nz_2 = 57\na = \"1 m\"\n"
+        "P = \"3 kW\"\nn_1 = \"96 rpm\"\np_adm = \"30 MPa\"\nS_min = 8\n");
+    REQUIRE_MESSAGE(!has_errors(chain.issues), chain.messages());
+    CHECK(chain.value("chain.u_p") <= 1.0);
+    CHECK(chain.value("chain.u_S") <= 1.0);
+    CHECK(!chain.word("chain.chain").empty());
+  }
+}
+
+TEST_SUITE("shared values") {
+  TEST_CASE("a value that stands alone is read by the field that takes it") {
+    const Solved shared(
+        "[values]\nmodule = \"2.5 mm\"\nteeth = 20\nsteel = \"S235JR\"\nheld = \"pinned_pinned\"\n"
+        "[gears]\ncalculator = \"gear.pair\"\nz_1 = \"=values.teeth\"\nz_2 = 57\nm_n = \"=values.module\"\n"
+        "[a]\ncalculator = \"column.buckling\"\nP = \"100 kN\"\nl = \"3 m\"\nends = \"=values.held\"\n"
+        "method = \"ec3\"\ngamma_M1 = 1\ngamma_F = 1.4\nsection = \"HEA 160\"\nmaterial = \"=values.steel\"\n");
+    REQUIRE_MESSAGE(!has_errors(shared.issues), shared.messages());
+    CHECK(shared.value("gears.z_1") == 20.0);
+    CHECK(shared.value("gears.m_n") == doctest::Approx(0.0025));
+    CHECK(shared.word("a.ends") == "pinned_pinned");
+    CHECK(shared.word("a.material") == "S235JR");
+    CHECK(contains(shared.origin("gears", "m_n"), "values.module"));
+  }
+
+  TEST_CASE("inside an expression it is a literal") {
+    const Solved twice(
+        "[values]\nm = \"2.5 mm\"\n[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = "
+        "\"=2*values.m\"\n");
+    REQUIRE_MESSAGE(!has_errors(twice.issues), twice.messages());
+    CHECK(twice.value("gears.m_n") == doctest::Approx(0.005));
+    const Solved word(
+        "[values]\nm = \"HEA 160\"\n[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = "
+        "\"=2*values.m\"\n");
+    CHECK_MESSAGE(contains(word.messages(), "'values.m' is no literal to calculate with"), word.messages());
+  }
+
+  TEST_CASE("a value may be an expression, a list or another value") {
+    const Solved chain("[values]\na = \"=values.b\"\nb = \"=1.4*gears.T_2\"\n" + gears +
+                       "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"=values.a\"\ntau_adm = \"30 MPa\"\n");
+    REQUIRE_MESSAGE(!has_errors(chain.issues), chain.messages());
+    CHECK(chain.value("shaft.T") == doctest::Approx(1.4 * chain.value("gears.T_2")));
+    const Solved list(
+        "[values]\nall = [\"HEA\", \"HEB\"]\n[pick]\ncalculator = \"column.lightest\"\nfamilies = "
+        "\"=values.all\"\nP = \"100 kN\"\nl = \"3 m\"\nends = \"pinned_pinned\"\nmethod = \"ec3\"\n"
+        "gamma_M1 = 1\ngamma_F = 1.4\nmaterial = \"S235JR\"\n");
+    CHECK_MESSAGE(!has_errors(list.issues), list.messages());
+  }
+
+  TEST_CASE("what is wrong with values is told where they stand") {
+    CHECK(contains(Solved("[values]\nm = \"2 mm\"\n[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = "
+                          "\"=values.n\"\n")
+                       .messages(),
+                   "there is no value 'n'"));
+    CHECK(contains(Solved("[values]\na = \"=values.b\"\nb = \"=values.a\"\n" + gears).messages(), "refers to itself"));
+    CHECK(contains(Solved("[values]\n\"1a\" = 3\n" + gears).messages(), "'1a' is no name"));
+    CHECK(contains(Solved("values = 3\n" + gears).messages(), "'values' is a table of values"));
+    CHECK(contains(Solved("[values]\na = 3\n" + gears).messages(), "nothing refers to 'values.a'"));
+    CHECK(contains(Solved("[values]\na = \"3 kg\"\n[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = "
+                          "\"=values.a\"\n")
+                       .messages(),
+                   "gears.m_n"));
+  }
+}

@@ -43,7 +43,7 @@ bool print_to_pdf(const std::string& html, const fs::path& path, Scratch& scratc
                                  "--print-to-pdf=" + target.string(),
                                  "file://" + page.string()};
   if (geteuid() == 0) words.insert(words.begin() + 1, "--no-sandbox");  // Chromium refuses its sandbox to root
-  return scratch.start(words) != 0 && scratch.wait() == 0 && fs::exists(target);
+  return scratch.start(words) != 0 && scratch.wait() == 0 && fs::file_size(target, error) > 0 && !error;
 }
 
 }  // namespace loadpath::cli

@@ -30,6 +30,13 @@ struct RunOptions {
 };
 int run(const RunOptions& options);
 
+/// Why a project, a step, a result or a mode of failure came out as it did.
+struct WhyOptions {
+  std::string file;
+  std::string of;  // "rod", "rod.u", "rod.buckling"; empty: every step in a line
+};
+int why(const WhyOptions& options);
+
 /// One calculator from the shell: its flags are the keys of a project file. With a file the steps of this calculator in
 /// it, and what they refer to; the flags then stand in place of what these steps say.
 struct CalculateOptions {
@@ -42,10 +49,14 @@ struct CalculateOptions {
 };
 int calculate(const CalculateOptions& options);
 
-int list();
+struct ListOptions {
+  std::string element;  // empty: all
+};
+int list(const ListOptions& options);
 
 struct DescribeOptions {
   std::string id;
+  std::string name;  // behind an element: shaft torsion
 };
 int describe(const DescribeOptions& options);
 

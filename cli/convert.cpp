@@ -1,12 +1,17 @@
+#include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
+#include "lib/project/own_tables.hpp"
 #include "lib/project/read/reading.hpp"
 #include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"
 #include "lib/report/terminal/terminal.hpp"
+#include "lib/table/tables.hpp"
 
 #include <cmath>
 #include <iostream>
+#include <map>
+#include <memory>
 
 namespace loadpath::cli {
 
@@ -18,32 +23,51 @@ int refuse(const std::string& text, std::size_t skipped, const char* what, const
   return wrong_input;
 }
 
+/// The values of built-in tables, by their paths.
+class TableValues {
+ public:
+  TableValues() {
+    std::vector<project::NamedFile> files;
+    std::vector<Issue> issues;
+    tables_ = project::read_own_tables({}, "", catalogue(), files, issues);
+  }
+
+  Outcome<Signature> signature(const std::string& path) {
+    if (!path.starts_with("tables."))
+      return Fault{0, path.size(), say("'{1}' refers to a project, and there is none here", path), {}};
+    const auto referred = tables_->value_at(path);
+    if (!referred) return referred.fault();
+    values_[path] = {{referred->dimension, nullptr}, {referred->value.si}};
+    return values_[path].signature;
+  }
+  [[nodiscard]] const Value& value(const std::string& path) const { return values_.at(path); }
+
+ private:
+  std::shared_ptr<const table::Tables> tables_;
+  std::map<std::string, Value> values_;
+};
+
+/// The value of an expression without its `=`: of numbers, and of tables.
+Outcome<Literal> value_of(std::string_view text) {
+  const auto parsed = Expression::parse(text);
+  if (!parsed) return parsed.fault();
+  TableValues tables;
+  const auto signature = parsed->check([&](const std::string& path) { return tables.signature(path); });
+  if (!signature) return signature.fault();
+  const double si = parsed->evaluate([&](const std::string& path) -> const Value& { return tables.value(path); }).si[0];
+  if (std::isfinite(si)) return Literal{si, signature->dimension};
+  return Fault{0, text.size(), say("there is no such number: a division by zero, or a root of a negative"), {}};
+}
+
 }  // namespace
 
-/// "2700 lbf*in", or an expression without references: "=2 * pi * 3 rad/s".
+/// "2700 lbf*in", or an expression without steps: "=2 * pi * 3 rad/s".
 int convert(const ConvertOptions& options) {
   const std::string& text = options.quantity;
   const bool expression = text.starts_with('=');
-  Literal literal;
-  if (expression) {
-    const auto parsed = Expression::parse(std::string_view(text).substr(1));
-    if (!parsed) return refuse(text, 1, "quantity", parsed.fault());
-    const auto signature = parsed->check([](const std::string& path) -> Outcome<Signature> {
-      return Fault{0, path.size(), say("'{1}' refers to a project, and there is none here", path), {}};
-    });
-    if (!signature) return refuse(text, 1, "quantity", signature.fault());
-    static const Value none;
-    literal = {parsed->evaluate([](const std::string&) -> const Value& { return none; }).si[0], signature->dimension};
-    if (!std::isfinite(literal.si)) {
-      return refuse(
-          text, 1, "quantity",
-          {0, text.size() - 1, say("there is no such number: a division by zero, or a root of a negative"), {}});
-    }
-  } else {
-    const auto parsed = parse_literal(text);
-    if (!parsed) return refuse(text, 0, "quantity", parsed.fault());
-    literal = *parsed;
-  }
+  const auto read = expression ? value_of(std::string_view(text).substr(1)) : parse_literal(text);
+  if (!read) return refuse(text, expression ? 1 : 0, "quantity", read.fault());
+  const Literal literal = *read;
   const std::string unit = !options.unit.empty()           ? options.unit
                            : literal.dimension.is_number() ? "-"
                                                            : readable_unit(literal.si, literal.dimension);

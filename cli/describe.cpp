@@ -1,6 +1,7 @@
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
 #include "lib/calculator/choice_words.hpp"
+#include "lib/project/parts.hpp"
 #include "lib/project/read/reading.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/build.hpp"
@@ -17,6 +18,12 @@ namespace {
 using report::keys_in;
 using Type = FieldInfo::Type;
 using Rows = std::vector<std::vector<std::string>>;
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+  return all;
+}
 
 std::string bounds_of(const FieldInfo& field) {
   const bool open = std::isinf(field.bounds.low) && std::isinf(field.bounds.high);
@@ -43,9 +50,15 @@ std::string default_of(const FieldInfo& field, void* owner) {
   return field.optional ? "optional" : "required";
 }
 
+std::string list_of(const FieldInfo& field) {
+  return field.capacity == no_bound ? "list" : "list, at most " + std::to_string(field.capacity);
+}
+
 void add_fields(std::span<const FieldInfo> fields, void* owner, const std::string& prefix, Rows& rows) {
   for (const FieldInfo& f : fields) {
     const std::string key = "  " + prefix + f.key;
+    if (f.type == Type::record) rows.push_back({key, "record", "optional", f.doc});
+    if (f.type == Type::record) continue;
     if (f.is_leaf()) {
       const std::string unit = f.type == Type::choice    ? words_of(f)
                                : f.type == Type::name    ? "name"
@@ -58,7 +71,7 @@ void add_fields(std::span<const FieldInfo> fields, void* owner, const std::strin
       continue;
     }
     const bool list = f.type == Type::list;
-    rows.push_back({key + (list ? "[]" : ""), list ? "list, at most " + std::to_string(f.capacity) : "table",
+    rows.push_back({key + (list ? "[]" : ""), list ? list_of(f) : "table",
                     f.role == Role::input && !f.optional ? "required" : "", f.doc});
     void* inner = list ? f.push(owner) : f.element(owner, 0);
     add_fields(f.fields, inner, prefix + f.key + (list ? "[]." : "."), rows);
@@ -70,6 +83,42 @@ void show_type(const char* title, const RecordType& type) {
   Rows rows;
   add_fields(type.fields, blank.data.get(), "", rows);
   std::cout << title << "\n" << terminal::columns(rows) << "\n";
+}
+
+/// Which inputs a row of a table fills: "E, R_e at the size of t".
+std::string filled_by(const Calculator& calculator, std::string_view group) {
+  std::string all;
+  for (const FieldInfo& field : calculator.input->fields) {
+    const Provider& from = field.provider;
+    if (from.kind != Provider::Kind::table || from.table != group) continue;
+    all += (all.empty() ? "" : ", ") + std::string(field.key);
+    if (*from.size != '\0') all += std::string(" (at the size ") + from.size + ")";
+  }
+  return all;
+}
+
+/// The keys that a step has beside the fields of its calculator.
+void show_keys(const Calculator& calculator) {
+  Rows rows{{"  calculator", "word", "required", std::string(calculator.id)}};
+  if (!calculator.templates.empty())
+    rows.push_back({"  template", "word", "optional", "an input known in shape, by its parameters: see below"});
+  for (const std::string& group : table_groups(calculator)) {
+    rows.push_back({"  " + group, "name", "optional",
+                    "a row of `loadpath tables`, or of [tables." + group + "s] in the file; fills what is missing of " +
+                        filled_by(calculator, group)});
+  }
+  rows.push_back({"  title, note", "text", "optional", "for the report"});
+  if (calculator.result != nullptr)
+    rows.push_back({"  display", "table", "optional", "units of results: display = { KEY = \"in\" }"});
+  if (!calculator.modes.empty())
+    rows.push_back({"  accept", "table", "optional",
+                    "modes of failure that you answer for: accept.MODE = \"reason\"; the modes stand below"});
+  std::cout << "Keys of the step beside its inputs\n"
+            << terminal::columns(rows)
+            << terminal::paragraph("  The file itself may have [project] with " + joined(project::heading_keys()) +
+                                       ", and [[expect]] with reference values.",
+                                   2)
+            << "\n";
 }
 
 /// Results whose paths come from the names in a project file.
@@ -96,12 +145,6 @@ void show_modes(const Calculator& calculator) {
             << terminal::columns(rows) << "\n";
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
-  return all;
-}
-
 /// The names of list elements that a template has laid out, and of those within them.
 void add_names(std::span<const FieldInfo> fields, void* owner, const std::string& prefix, Rows& rows) {
   for (const FieldInfo& f : fields) {
@@ -117,7 +160,7 @@ void add_names(std::span<const FieldInfo> fields, void* owner, const std::string
 }
 
 void show_template(const Calculator& calculator, const Template& t) {
-  std::cout << calculator.id << "." << t.id << ": " << t.title << "\n\n" << t.doc << "\n\n";
+  std::cout << calculator.id << "." << t.id << ": " << t.title << "\n\n" << terminal::paragraph(t.doc) << "\n";
   show_type("Parameters, beside the fields of the calculator", *t.parameters);
   Record laid(*calculator.input);
   t.lay_out(laid.data.get());
@@ -149,31 +192,50 @@ bool describe_template(const std::string& id) {
   return false;
 }
 
-int refuse(const std::string& id) {
-  std::vector<std::string> ids;
+int refuse(const std::string& id, const Message& hint) {
+  std::cerr << "loadpath: there is no calculator '" << id << "'\n  = help: " << hint.text() << "\n";
+  return wrong_input;
+}
+
+/// What was meant by an id that is none: the calculators of an element, the one of this name, or the nearest id.
+Message remedy(const std::string& id) {
+  std::vector<std::string> ids, own;
   for (const Calculator* known : calculators()) {
     ids.emplace_back(known->id);
+    if (known->element() == id) own.emplace_back(known->id);
+    if (std::string_view(known->id).ends_with("." + id)) return say("did you mean '{1}'?", known->id);
     for (const Template* t : known->templates) ids.push_back(std::string(known->id) + "." + t->id);
   }
-  std::cerr << "loadpath: there is no calculator '" << id
-            << "'\n  = help: " << did_you_mean(id, ids, say("`loadpath list` shows all")).text() << "\n";
-  return wrong_input;
+  if (!own.empty()) return say("'{1}' has the calculators {2}", id, joined(own));
+  return did_you_mean(id, ids, say("`loadpath list` shows all"));
+}
+
+void show_sources(const Calculator& calculator) {
+  for (const std::string& key : keys_in(calculator.source))
+    std::cout << terminal::paragraph("[" + key + "] " + table::citation(key), 2);
+  for (const std::string& key : calculator.used_sources())
+    std::cout << terminal::paragraph("[" + key + "] where it is used: " + table::citation(key), 2);
+  std::cout << "\n";
+}
+
+void show_rules(const Calculator& calculator) {
+  for (const RuleInfo& rule : calculator.rules)
+    std::cout << terminal::paragraph("  rule (" + std::string(rule.fields) + "): " + rule.text, 2);
+  if (!calculator.rules.empty()) std::cout << "\n";
 }
 
 }  // namespace
 
 int describe(const DescribeOptions& options) {
-  const Calculator* c = find_calculator(calculators(), options.id);
-  if (c == nullptr) return describe_template(options.id) ? passed : refuse(options.id);
-  std::cout << c->id << ": " << c->title << "\n\n" << c->scope << "\n\n";
-  for (const std::string& key : keys_in(c->source)) std::cout << "[" << key << "] " << table::citation(key) << "\n";
-  for (const std::string& key : c->used_sources())
-    std::cout << "[" << key << "] where it is used: " << table::citation(key) << "\n";
-  std::cout << "\n";
+  const std::string id = options.id + (options.name.empty() ? "" : "." + options.name);
+  const Calculator* c = find_calculator(calculators(), id);
+  if (c == nullptr) return describe_template(id) ? passed : refuse(id, remedy(id));
+  std::cout << c->id << ": " << c->title << "\n\n" << terminal::paragraph(c->scope) << "\n";
+  show_sources(*c);
   show_type("Inputs", *c->input);
+  show_keys(*c);
   if (!c->templates.empty()) show_templates(*c);
-  for (const RuleInfo& rule : c->rules) std::cout << "  rule (" << rule.fields << "): " << rule.text << "\n";
-  if (!c->rules.empty()) std::cout << "\n";
+  show_rules(*c);
   if (c->result != nullptr) show_type("Results", *c->result);
   if (const auto patterns = c->patterns(); !patterns.empty()) show_patterns(patterns);
   show_modes(*c);

@@ -19,6 +19,7 @@ using Action = std::function<int()>;
 
 constexpr auto footer = R"(Examples:
   loadpath run examples/slotted-lever/project.toml --report report.html
+  loadpath why examples/press-link/project.toml lever
   loadpath shaft torsion --T "2700 N*m" --tau_adm "30 MPa"
   loadpath mechanism planar --file examples/toggle-press/project.toml --svg press.svg
   loadpath convert "2700 lbf*in" "N*m"
@@ -54,10 +55,25 @@ void setup_run(CLI::App& app, RunOptions& options, Action& action) {
   run_app->callback([&] { action = [&] { return run(options); }; });
 }
 
+void setup_why(CLI::App& app, WhyOptions& options, Action& action) {
+  CLI::App* sub = app.add_subcommand("why", "what decides over a step: what was chosen, what judges it, its formulas");
+  sub->add_option("file", options.file, "project file; - is standard input")->required();
+  sub->add_option("of", options.of,
+                  "step, or a result or mode of failure of one: rod, rod.u; every step where missing");
+  sub->callback([&] { action = [&] { return why(options); }; });
+}
+
 void setup_describe(CLI::App& app, DescribeOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("describe", "fields, sources, limits and an example of one calculator");
   sub->add_option("id", options.id, "calculator, for example shaft.torsion")->required();
+  sub->add_option("name", options.name, "its name where the id is an element alone, as in shaft torsion");
   sub->callback([&] { action = [&] { return describe(options); }; });
+}
+
+void setup_list(CLI::App& app, ListOptions& options, Action& action) {
+  CLI::App* sub = app.add_subcommand("list", "all calculators, or those of an element");
+  sub->add_option("element", options.element, "for example shaft");
+  sub->callback([&] { action = [&] { return list(options); }; });
 }
 
 void setup_convert(CLI::App& app, ConvertOptions& options, Action& action) {
@@ -107,6 +123,8 @@ std::string type_word(const FieldInfo& field) {
     case FieldInfo::Type::group:
     case FieldInfo::Type::list:
       return "TOML";
+    case FieldInfo::Type::record:
+      return "RECORD";
   }
   return "";
 }
@@ -248,6 +266,11 @@ int unknown_command(const CLI::App& app, const CLI::App& command) {
     return wrong_input;
   }
   if (words[0].starts_with('-')) return unknown_option(command, words[0]);
+  if (const Calculator* meant = find_calculator(calculators(), words[0])) {
+    return refuse("there is no command '" + words[0] + "'", "on the shell a calculator is two words: loadpath " +
+                                                                std::string(meant->element()) + " " +
+                                                                name_in_element(*meant));
+  }
   std::vector<std::string> names;
   for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; })) {
     names.push_back(sub->get_name());
@@ -290,13 +313,16 @@ int dispatch(int argc, char** argv) {
   app.require_subcommand(0, 1);
   Action action;
   RunOptions run_options;
+  WhyOptions why_options;
+  ListOptions list_options;
   DescribeOptions describe_options;
   ConvertOptions convert_options;
   VerifyOptions verify_options;
   TablesOptions tables_options;
   CalculateOptions calculate_options;
   setup_run(app, run_options, action);
-  app.add_subcommand("list", "all calculators")->callback([&] { action = list; });
+  setup_why(app, why_options, action);
+  setup_list(app, list_options, action);
   setup_describe(app, describe_options, action);
   setup_convert(app, convert_options, action);
   setup_verify(app, verify_options, action);

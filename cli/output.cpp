@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <set>
 
 namespace loadpath::cli {
 
@@ -96,13 +97,22 @@ bool add_drawings(const project::Project& project, const OutputOptions& options,
   return true;
 }
 
-/// Whether an output would take the place of what the program reads.
-bool overwrites(const std::vector<File>& files, const std::string& input) {
-  for (const File& file : files) {
-    if (!same_file(file.path, input)) continue;
-    std::cerr << "loadpath: '" << file.path.string() << "' is the project itself: nothing is written\n  = help: name "
-              << "another file\n";
-    return true;
+bool refuse(const fs::path& path, const char* why) {
+  std::cerr << "loadpath: '" << path.string() << "' " << why << ": nothing is written\n  = help: name another file\n";
+  return true;
+}
+
+/// Whether an output would take the place of what the program reads, or of another output.
+bool overwrites(const std::vector<fs::path>& outputs, const project::Project& project) {
+  std::set<fs::path> seen;
+  for (const fs::path& path : outputs) {
+    std::error_code error;
+    const auto is_path = [&](const project::NamedFile& read) { return same_file(path, read.name); };
+    if (same_file(path, project.file)) return refuse(path, "is the project itself");
+    if (std::any_of(project.files.begin(), project.files.end(), is_path))
+      return refuse(path, "is a table of the project");
+    if (!fs::is_other(path, error) && !seen.insert(fs::weakly_canonical(path, error)).second)
+      return refuse(path, "is named for two outputs");
   }
   return false;
 }
@@ -151,7 +161,9 @@ bool write(const project::Project& project, const OutputOptions& options) {
   if (!options.csv.empty() && !add_series(project, options, files)) return false;
   if (!add_drawings(project, options, files)) return false;
   if (files.empty() && prints.empty()) return true;
-  if (overwrites(files, project.file)) return false;
+  std::vector<fs::path> outputs(prints.begin(), prints.end());
+  for (const File& file : files) outputs.push_back(file.path);
+  if (overwrites(outputs, project)) return false;
   Scratch scratch;
   Staged staged(scratch);
   if (!std::all_of(files.begin(), files.end(), [&](const File& f) { return staged.add(f.path, f.text); })) return false;

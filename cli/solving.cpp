@@ -44,7 +44,9 @@ int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceTe
   project::Project project = read(issues);
   if (!has_errors(issues)) project::solve(project, issues, wanted_by(output, in_full));
   if (!has_errors(issues)) check_series(project, output, issues);
-  tell(issues, sources, output);
+  std::vector<terminal::SourceText> texts = sources;
+  for (const project::NamedFile& file : project.files) texts.push_back({file.name, file.text});
+  tell(issues, texts, output);
   if (has_errors(issues)) return wrong_input;
   if (!write(project, output)) return wrong_input;
   if (output.json) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <iostream>
@@ -17,6 +18,8 @@ namespace loadpath::cli {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr const char* part = ".part";  // how the name of a file ends that is not yet whole
 
 sigset_t watched() {
   sigset_t set;
@@ -38,6 +41,19 @@ bool write_whole(int file, std::string_view text) {
     text.remove_prefix(static_cast<std::size_t>(written));
   }
   return ::fsync(file) == 0 || errno == EINVAL || errno == EROFS;  // a pipe has no disk behind it
+}
+
+/// Removes what a program that was killed has left of this output: parts that bear the number of no process.
+void remove_leftovers(const fs::path& target) {
+  const std::string start = "." + target.filename().string() + ".";
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(start) || !name.ends_with(part)) continue;
+    const int process = std::atoi(name.c_str() + start.size());
+    if (process > 0 && kill(process, 0) != 0 && errno == ESRCH) fs::remove(entry.path(), error);
+  }
 }
 
 bool cannot_write(const fs::path& path, int error) {
@@ -157,7 +173,8 @@ fs::path Staged::place_beside(const fs::path& path) {
   const fs::path named = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
   const fs::path target = error || named.empty() ? path : named;
   const std::string number = std::to_string(getpid()) + "-" + std::to_string(files_.size() + 1);
-  const fs::path beside = target.parent_path() / ("." + target.filename().string() + "." + number + ".part");
+  const fs::path beside = target.parent_path() / ("." + target.filename().string() + "." + number + part);
+  remove_leftovers(target);
   files_.push_back({beside, target, {}});
   return beside;
 }

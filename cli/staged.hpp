@@ -1,5 +1,6 @@
 // Files that come into being whole or not at all: written aside, flushed to the disk, and renamed once all of them are
-// there. What ends early, by an error or a signal, leaves the old files as they were and nothing beside them.
+// there. What ends early, by an error or a signal, leaves the old files as they were and nothing beside them; of what
+// is killed the next run removes the rest.
 #pragma once
 
 #include <csignal>

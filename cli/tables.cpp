@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <limits>
 
 namespace loadpath::cli {
 
@@ -16,6 +17,16 @@ using table::Library;
 using table::Row;
 using table::Table;
 using Rows = std::vector<std::vector<std::string>>;
+
+/// A row of values is never broken: it is searched for and compared.
+constexpr std::size_t any_width = std::numeric_limits<std::size_t>::max();
+
+/// "also: 1.0038, St 37-2"; empty where there are none.
+std::string listed(const char* what, const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? std::string(what) + ": " : ", ") + name;
+  return all.empty() ? all : terminal::paragraph(all, 2);
+}
 
 int unknown_table(const std::string& word) {
   const Library& library = table::built_in();
@@ -67,13 +78,15 @@ void show_table(const Table& t, const Row* only) {
   for (const Row& row : t.rows) {
     if (only == nullptr || only == &row) add_row(t, row, rows);
   }
-  std::cout << t.title << " (" << t.name << ")\n" << terminal::columns(rows) << "* recalled: its source was not seen\n";
+  std::cout << t.title << " (" << t.name << ")\n"
+            << terminal::columns(rows, any_width) << "* recalled: its source was not seen\n";
 }
 
 void show_details(const Row& row) {
+  const std::string kind = row.kind.empty() ? "" : ", " + row.kind, note = row.note.empty() ? "" : "; " + row.note;
   std::cout << "\n"
-            << row.standard << (row.kind.empty() ? "" : ", " + row.kind) << (row.note.empty() ? "" : "; " + row.note)
-            << "\n";
+            << terminal::paragraph(row.standard + kind + note) << listed("also called", row.aliases)
+            << listed("close to, and not the same as", row.near);
   std::vector<std::string> keys;
   const auto collect = [&](const std::vector<table::Value>& values) {
     for (const auto& v : values) {
@@ -84,7 +97,7 @@ void show_details(const Row& row) {
   };
   collect(row.values);
   for (const auto& step : row.by_size) collect(step.values);
-  for (const auto& key : keys) std::cout << "[" << key << "] " << table::citation(key) << "\n";
+  for (const auto& key : keys) std::cout << terminal::paragraph("[" + key + "] " + table::citation(key), 2);
 }
 
 int show_series(const table::Series& series) {
@@ -103,7 +116,7 @@ int show_audit(const Library& library) {
     rows.push_back({r.table, r.row, r.key, format_quantity(r.si, r.unit),
                     std::isinf(r.size_max) ? "" : format_quantity(r.size_max, "mm")});
   }
-  std::cout << terminal::columns(rows) << rows.size() - 1 << " values without a seen source\n";
+  std::cout << terminal::columns(rows, any_width) << rows.size() - 1 << " values without a seen source\n";
   return passed;
 }
 
@@ -157,7 +170,7 @@ int show_found(const Tables& chosen, const std::vector<table::Entry>& found,
     for (std::size_t i = 0; i < values.size(); ++i)
       rows[i + 1].push_back(std::isnan(values[i]) ? "" : format_number(values[i], 5));
   }
-  std::cout << terminal::columns(rows) << found.size() << " of " << all << " rows\n";
+  std::cout << terminal::columns(rows, any_width) << found.size() << " of " << all << " rows\n";
   return passed;
 }
 

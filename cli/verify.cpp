@@ -31,7 +31,7 @@ std::string deviation_of(const project::Comparison& c) {
 bool verify_one(const std::string& file, std::string_view text, bool asked_for, Count& count) {
   std::vector<Issue> issues;
   project::Project project = project::read_project(text, file, catalogue(), issues);
-  if (!has_errors(issues)) project::solve(project, issues, {.pictures = false, .formulas = false});
+  if (!has_errors(issues)) project::solve(project, issues, {.pictures = false, .formulas = false, .unused = false});
   if (has_errors(issues)) {
     terminal::show_issues(issues, {{file, std::string(text)}});
     return false;

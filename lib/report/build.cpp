@@ -101,6 +101,7 @@ void add_step(const Step& step, std::vector<Block>& blocks) {
     append(blocks, list_tables(account.inputs));
   }
   append(blocks, account.input_blocks);
+  for (const Message& remark : step.remarks()) blocks.emplace_back(Paragraph{remark, Paragraph::Tone::note});
   if (!account.derivation.empty()) {
     blocks.emplace_back(Heading{3, "Calculation", step.name() + "-calculation"});
     if (!account.governing.empty()) blocks.emplace_back(Paragraph{say("Worked out {1}.", account.governing)});
@@ -174,7 +175,7 @@ std::vector<Table> list_tables(const std::vector<Entry>& entries) {
   std::string list, element;
   for (const Entry& e : entries) {
     const auto path = element_path(e.path);
-    if (!path || available.count(path->list + "." + path->field) == 0) continue;
+    if (!path || e.handed_over || available.count(path->list + "." + path->field) == 0) continue;
     if (path->list != list) {
       tables.push_back({say("{1}", path->list), {say("no.")}, {}});
       columns.clear();

@@ -8,6 +8,26 @@ namespace {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
+/// The text with one space for every break of a line.
+std::string in_one_line(std::string text) {
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
+    const std::size_t next = std::min(text.find_first_not_of(' ', at + 1), text.size());
+    text.replace(at, next - at, " ");
+  }
+  return text;
+}
+
+/// The length of the longest line before the example, in characters.
+std::size_t longest_line(const std::string& shown) {
+  std::size_t longest = 0, length = 0;
+  for (const char c : shown.substr(0, shown.find("Example, a project file"))) {
+    const bool continues = (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+    length = c == '\n' ? 0 : length + (continues ? 0 : 1);
+    longest = std::max(longest, length);
+  }
+  return longest;
+}
+
 }  // namespace
 
 TEST_SUITE("cli describe") {
@@ -18,18 +38,44 @@ TEST_SUITE("cli describe") {
       CHECK(contains(list, calculator->id));
       const Ran o = loadpath_with({"describe", calculator->id});
       CHECK(o.code == 0);
-      CHECK(contains(o.out, calculator->scope));
+      const std::string text = in_one_line(o.out);
+      CHECK(contains(text, in_one_line(calculator->scope)));
+      CHECK(longest_line(o.out) <= 100);
       for (const FieldInfo& field : calculator->input->fields) CHECK(contains(o.out, std::string("  ") + field.key));
-      for (const RuleInfo& rule : calculator->rules) CHECK(contains(o.out, rule.text));
+      for (const RuleInfo& rule : calculator->rules) CHECK(contains(text, rule.text));
     }
+  }
+
+  TEST_CASE("the keys that every step has are told beside its inputs") {
+    const std::string column = loadpath_with({"describe", "column.buckling"}).out;
+    for (const char* key : {"calculator", "material", "section", "title, note", "display", "accept"})
+      CHECK(contains(column, "\n  " + std::string(key) + " "));
+    CHECK(contains(column, "[project]"));
+    CHECK_FALSE(contains(column, "\n  template "));
+    CHECK(contains(loadpath_with({"describe", "mechanism.planar"}).out, "\n  template "));
+  }
+
+  TEST_CASE("an element alone is told with its calculators, and behind it a name makes an id") {
+    const Ran shaft = loadpath_with({"describe", "shaft"});
+    CHECK(shaft.code == 2);
+    CHECK(contains(shaft.error, "= help: 'shaft' has the calculators shaft.torsion, shaft.overhung"));
+    CHECK(contains(loadpath_with({"describe", "torsion"}).error, "= help: did you mean 'shaft.torsion'?"));
+    CHECK(loadpath_with({"describe", "shaft", "torsion"}).out == loadpath_with({"describe", "shaft.torsion"}).out);
+    const std::string list = loadpath_with({"list", "shaft"}).out;
+    CHECK(contains(list, "shaft.torsion"));
+    CHECK_FALSE(contains(list, "gear.pair"));
+    CHECK(loadpath_with({"list", "shfat"}).error ==
+          "loadpath: there is no element 'shfat'\n  = help: did you mean 'shaft'?\n");
+    CHECK(loadpath_with({"shaft.torsion", "--T", "9 N*m"}).error ==
+          "loadpath: there is no command 'shaft.torsion'\n  = help: on the shell a calculator is two words: loadpath "
+          "shaft torsion\n");
   }
 
   TEST_CASE("results whose paths come from names are described by patterns with unit and meaning") {
     const std::string shown = loadpath_with({"describe", "mechanism.planar"}).out;
     CHECK(contains(shown, "Results, NAME as in the project file\n"));
     CHECK(contains(shown, " N        magnitude of the joint's force\n"));
-    CHECK(contains(shown,
-                   " N*m      couple of the first link on the second at the first link's point (prismatic joints)\n"));
+    CHECK(contains(shown, " N*m      couple of the first link on the second at the first"));
     for (const char* path : {"drive.M", "drive.P", "cylinders.NAME.F", "joints.NAME.x", "joints.NAME.F",
                              "joints.NAME.N_front", "links.NAME.M_b", "springs.NAME.F", "links.NAME.phi",
                              "links.NAME.omega", "points.NAME.x", "points.NAME.a_y"}) {

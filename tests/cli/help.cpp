@@ -46,8 +46,8 @@ TEST_SUITE("cli help") {
     CHECK(loadpath_with({"runn", "a.toml"}).error ==
           "loadpath: there is no command 'runn'\n  = help: did you mean 'run'?\n");
     CHECK(loadpath_with({"teapot"})
-              .error.starts_with("loadpath: there is no command 'teapot'\n  = help: there is: run, list, describe, "
-                                 "convert, verify, tables, "
+              .error.starts_with("loadpath: there is no command 'teapot'\n  = help: there is: run, why, list, "
+                                 "describe, convert, verify, tables, "
                                  "schema, mechanism, shaft"));
     CHECK(loadpath_with({"teapot"}).code == 2);
   }

@@ -14,17 +14,6 @@ namespace loadpath::terminal {
 
 namespace {
 
-std::size_t width_of(const std::string& text) {  // code points; an escape sequence has none
-  std::size_t width = 0;
-  bool escape = false;
-  for (const char c : text) {
-    if (c == '\033') escape = true;
-    if (!escape && (static_cast<unsigned char>(c) & 0xC0U) != 0x80U) ++width;
-    if (escape && c == 'm') escape = false;
-  }
-  return width;
-}
-
 std::string in_colour(const std::string& text, const char* code) {
   return colours(Stream::out) ? "\033[" + std::string(code) + "m" + text + "\033[0m" : text;
 }
@@ -70,7 +59,7 @@ std::string text_of(const account::Cell& cell) {
 }
 
 void show_table(const account::Table& table) {
-  std::cout << "  " << table.caption.text() << "\n";
+  std::cout << paragraph("  " + table.caption.text());
   std::vector<std::vector<std::string>> rows;
   if (!table.head.empty()) rows.emplace_back();
   for (const Message& word : table.head) rows.back().push_back(word.text());
@@ -99,18 +88,6 @@ void show_tables(const project::Step& step) {
   for (const account::Block& block : step.account().blocks) {
     if (const auto* table = std::get_if<account::Table>(&block)) show_table(*table);
   }
-}
-
-/// The formula of a line with the branch that ran; as it was written where it is not in the language.
-std::string plain_formula(const account::Step& line) {
-  const auto tree = formula::parse(line.formula);
-  if (!tree) return line.formula;
-  const formula::Known known = [&](std::string_view name) -> std::optional<double> {
-    const auto given =
-        std::find_if(line.given.begin(), line.given.end(), [&](const auto& g) { return g.name == name; });
-    return given == line.given.end() ? std::nullopt : std::optional(given->si);
-  };
-  return formula::plain(*tree, {}, known);
 }
 
 void show_derivation(const project::Step& step) {
@@ -156,11 +133,36 @@ void show_modes(const account::Modes& modes) {
   }
   std::cout << columns(rows);
   if (!remote.empty())
-    std::cout << "  " << state_word(account::State::open) << "  "
-              << say("and judged by nothing here: {1}", remote).text() << "\n";
+    std::cout << columns(
+        {{"  " + state_word(account::State::open), say("and judged by nothing here: {1}", remote).text()}});
+}
+
+/// Hints name many words at times. Lines of a file stay whole, for the caret stands below its character.
+std::string with_short_hints(const std::string& text) {
+  constexpr std::string_view mark = "= help: ";
+  std::string all;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string line = text.substr(at, end - at);
+    const bool hint = line.find_first_not_of(' ') == line.find(mark);
+    all += hint && !line.empty() ? paragraph(line, mark.size()) : line + "\n";
+    at = end + 1;
+  }
+  return all;
 }
 
 }  // namespace
+
+std::string plain_formula(const account::Step& line) {
+  const auto tree = formula::parse(line.formula);
+  if (!tree) return line.formula;
+  const formula::Known known = [&](std::string_view name) -> std::optional<double> {
+    const auto given =
+        std::find_if(line.given.begin(), line.given.end(), [&](const auto& g) { return g.name == name; });
+    return given == line.given.end() ? std::nullopt : std::optional(given->si);
+  };
+  return formula::plain(*tree, {}, known);
+}
 
 bool colours(Stream stream) {
   static const bool wanted = std::getenv("NO_COLOR") == nullptr;
@@ -168,28 +170,12 @@ bool colours(Stream stream) {
 }
 
 void show_issues(const std::vector<Issue>& issues, const std::vector<SourceText>& sources) {
-  std::cerr << render(issues, [&](const std::string& file) {
+  const std::string text = render(issues, [&](const std::string& file) {
     const auto found =
         std::find_if(sources.begin(), sources.end(), [&](const SourceText& s) { return s.file == file; });
     return found == sources.end() ? std::string() : found->text;
   });
-}
-
-std::string columns(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::size_t> widths;
-  for (const auto& row : rows) {
-    if (widths.size() < row.size()) widths.resize(row.size(), 0);
-    for (std::size_t i = 0; i + 1 < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
-  }
-  std::string text;
-  for (const auto& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      text += row[i];
-      if (i + 1 < row.size()) text += std::string(widths[i] - width_of(row[i]) + 2, ' ');
-    }
-    text += "\n";
-  }
-  return text;
+  std::cerr << (isatty(STDERR_FILENO) != 0 ? with_short_hints(text) : text);
 }
 
 std::string state_word(account::State state) {
@@ -218,7 +204,7 @@ void show_project(const project::Project& project, bool in_full) {
   const auto modes = project::modes(project);
   if (modes.empty()) return;
   show_modes(modes);
-  std::cout << "\n" << account::scope(modes).text() << "\n";
+  std::cout << "\n" << paragraph(account::scope(modes).text(), 2);
 }
 
 }  // namespace loadpath::terminal

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
+#include <regex>
 
 using namespace loadpath;
 using toml::Tree;
@@ -48,6 +50,36 @@ bool is_type(const json::value& wanted, const Tree& tree) {
 
 bool accepts(const json::value& value, const Tree& tree);
 
+/// What a "$ref" points to: "#/$defs/shaft.torsion".
+const json::value& definition(const json::value& reference) {
+  const std::string_view path = reference.as_string();
+  return schema().at("$defs").at(path.substr(path.rfind('/') + 1));
+}
+
+bool fits(const json::value& pattern, const std::string& text) {
+  static std::map<std::string, std::regex> known;
+  const std::string key(pattern.as_string());
+  const auto found = known.try_emplace(key, key).first;
+  return std::regex_search(text, found->second);
+}
+
+/// Words, texts and numbers.
+bool accepts_leaf(const json::object& rule, const Tree& tree) {
+  if (const auto* word = rule.if_contains("const"); word != nullptr && !is_word(*word, tree.text)) return false;
+  if (const auto* words = rule.if_contains("enum")) {
+    const auto& all = words->as_array();
+    if (std::none_of(all.begin(), all.end(), [&](const json::value& w) { return is_word(w, tree.text); })) return false;
+  }
+  if (const auto* pattern = rule.if_contains("pattern");
+      pattern != nullptr && tree.type == Tree::Type::text && !fits(*pattern, tree.text))
+    return false;
+  if (tree.type != Tree::Type::number) return true;
+  const auto* least = rule.if_contains("minimum");
+  const auto* most = rule.if_contains("maximum");
+  return (least == nullptr || tree.number >= least->to_number<double>()) &&
+         (most == nullptr || tree.number <= most->to_number<double>());
+}
+
 bool accepts_entries(const json::object& rule, const Tree& tree) {
   if (const auto* required = rule.if_contains("required")) {
     for (const auto& key : required->as_array()) {
@@ -75,19 +107,12 @@ bool accepts(const json::value& value, const Tree& tree) {
   if (value.is_bool()) return value.as_bool();
   const json::object& rule = value.as_object();
   if (const auto* type = rule.if_contains("type"); type != nullptr && !is_type(*type, tree)) return false;
-  if (const auto* word = rule.if_contains("const"); word != nullptr && !is_word(*word, tree.text)) return false;
-  if (const auto* words = rule.if_contains("enum")) {
-    const auto& all = words->as_array();
-    if (std::none_of(all.begin(), all.end(), [&](const json::value& w) { return is_word(w, tree.text); })) return false;
-  }
+  if (const auto* other = rule.if_contains("$ref"); other != nullptr && !accepts(definition(*other), tree))
+    return false;
+  if (!accepts_leaf(rule, tree)) return false;
   if (const auto* forms = rule.if_contains("anyOf")) {
     const auto& all = forms->as_array();
     if (std::none_of(all.begin(), all.end(), [&](const json::value& form) { return accepts(form, tree); }))
-      return false;
-  }
-  if (const auto* forms = rule.if_contains("oneOf")) {
-    const auto& all = forms->as_array();
-    if (std::count_if(all.begin(), all.end(), [&](const json::value& form) { return accepts(form, tree); }) != 1)
       return false;
   }
   if (const auto* conditions = rule.if_contains("allOf")) {
@@ -125,12 +150,13 @@ TEST_SUITE("schema") {
   }
 
   TEST_CASE("it has a step for each calculator, with its fields") {
-    const auto& kinds = schema().at("additionalProperties").at("oneOf").as_array();
-    REQUIRE(kinds.size() == calculators().size());
-    for (std::size_t i = 0; i < kinds.size(); ++i) {
-      const auto& properties = kinds[i].at("properties").as_object();
-      CHECK(properties.at("calculator").at("const") == calculators()[i]->id);
-      for (const FieldInfo& field : calculators()[i]->input->fields) {
+    const json::value& step = schema().at("additionalProperties");
+    CHECK(step.at("properties").at("calculator").at("enum").as_array().size() == calculators().size());
+    CHECK(step.at("allOf").as_array().size() == calculators().size());
+    for (const Calculator* calculator : calculators()) {
+      const auto& properties = schema().at("$defs").at(calculator->id).at("properties").as_object();
+      CHECK(properties.at("calculator").at("const") == calculator->id);
+      for (const FieldInfo& field : calculator->input->fields) {
         CAPTURE(field.key);
         CHECK(properties.contains(field.key));
         CHECK_FALSE(properties.at(field.key).at("description").as_string().empty());
@@ -181,5 +207,54 @@ TEST_SUITE("schema") {
     CHECK_FALSE(accepts(schema(), tree_of("[axle]\ncalculator = \"shaft.torsoin\"\n")));
     CHECK_FALSE(accepts(schema(), tree_of("[axle]\nT = \"9 N*m\"\n")));
     CHECK_FALSE(accepts(schema(), tree_of("[project]\ntitel = \"x\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(start + "accept = { yeild = \"x\" }\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(start + "display = { dd = \"in\" }\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(start + "T = { stok = \"R40\" }\n")));
+    CHECK_FALSE(accepts(schema(), tree_of("[p]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 41.5\nm_n = \"2 mm\"\n")));
+  }
+
+  TEST_CASE("it wants what the program wants, of lists and groups too") {
+    const std::string over = "[o]\ncalculator = \"shaft.overhung\"\nF = \"1 kN\"\na = \"50 mm\"\n";
+    CHECK_FALSE(accepts(schema(), tree_of(over + "sigma_adm = \"60 MPa\"\n")));
+    CHECK(accepts(schema(), tree_of(over + "sigma_adm = \"60 MPa\"\nT = \"9 N*m\"\n")));
+    const std::string axle = "[a]\ncalculator = \"shaft.torsion\"\n";
+    CHECK_FALSE(accepts(schema(), tree_of(axle + "torques = [{ x = \"0 mm\" }]\n")));
+    CHECK_FALSE(accepts(schema(), tree_of("[t]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\n")));
+  }
+
+  TEST_CASE("a quantity has a unit of its dimension, or one that is composed") {
+    const std::string start = "[axle]\ncalculator = \"shaft.torsion\"\n";
+    for (const char* d :
+         {"40 mm", "40mm", "1-1/2 in", "1/2 in", "2,5 cm", "= 2 * other.d", "?", "40 мм", "4e-2 m", ".5 ft"}) {
+      CAPTURE(d);
+      CHECK(accepts(schema(), tree_of(start + "d = \"" + d + "\"\n")));
+    }
+    for (const char* d : {"40", "40 MPa", "forty mm", "40 kg", "", "40 N"}) {
+      CAPTURE(d);
+      CHECK_FALSE(accepts(schema(), tree_of(start + "d = \"" + d + "\"\n")));
+    }
+    CHECK(accepts(schema(), tree_of(start + "T = \"900 N*m\"\nG = \"81000 N/mm²\"\ntheta_adm = \"0.25 deg/m\"\n")));
+    CHECK(accepts(schema(), tree_of(start + "d = { stock = \"R20\" }\nK_A = 1.5\nS = \"1,5\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(start + "K_A = \"much\"\n")));
+  }
+
+  TEST_CASE("it knows the tables of a project's own") {
+    const std::string row = "[tables.materials.M]\nsource = \"x\"\n";
+    CHECK(
+        accepts(schema(), tree_of(row + "E = \"210 GPa\"\nby_size = [{ size_max = \"16 mm\", R_e = \"265 MPa\" }]\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(row + "Re = \"265 MPa\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(row + "R_e = \"265 mm\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of("[tables.materials.M]\nE = \"210 GPa\"\n")));
+    CHECK_FALSE(accepts(schema(), tree_of("[tables.v_belts.M]\nsource = \"x\"\n")));
+    CHECK(accepts(schema(), tree_of("[tables.series.S]\nsource = \"x\"\nunit = \"mm\"\nsizes = [1, 2]\n")));
+    CHECK(accepts(schema(), tree_of("[project]\ntables = [\"own.toml\"]\n")));
+    CHECK_FALSE(accepts(schema(), tree_of("[project]\ntables = \"own.toml\"\n")));
+  }
+
+  TEST_CASE("it offers the names of rows, and takes others too") {
+    const auto& forms = schema().at("$defs").at("material").at("anyOf").as_array();
+    const auto& names = forms[0].at("enum").as_array();
+    CHECK(std::any_of(names.begin(), names.end(), [](const json::value& name) { return is_word(name, "S235JR"); }));
+    CHECK(accepts(schema(), tree_of("[axle]\ncalculator = \"shaft.torsion\"\nmaterial = \"my own\"\n")));
   }
 }

@@ -1,0 +1,45 @@
+#include "lib/report/terminal/why.hpp"
+
+#include "cli/commands.hpp"
+#include "cli/solving.hpp"
+#include "lib/toml/tree.hpp"
+
+#include <iostream>
+
+namespace loadpath::cli {
+
+namespace {
+
+/// That a file has no such step, and which it has.
+int refuse_step(const project::Project& project, const std::string& name) {
+  const Fault fault = project.unknown_step(name);
+  std::cerr << "loadpath: " << fault.message.text() << "\n  = help: " << fault.hint.text() << "\n";
+  return wrong_input;
+}
+
+}  // namespace
+
+int why(const WhyOptions& options) {
+  std::string text;
+  if (!toml::read_file(options.file, text)) {
+    std::cerr << "loadpath: cannot read '" << options.file << "'\n";
+    return wrong_input;
+  }
+  const std::string name = options.file == "-" ? "standard input" : options.file;
+  std::vector<Issue> issues;
+  project::Project project = project::read_project(text, name, catalogue(), issues);
+  if (!has_errors(issues)) project::solve(project, issues, {.pictures = false, .formulas = true});
+  terminal::show_issues(issues, {{name, text}});
+  if (has_errors(issues)) return wrong_input;
+  if (options.of.empty()) {
+    terminal::show_deciding(project);
+    return exit_for(project::modes(project), false);
+  }
+  const std::size_t dot = options.of.find('.');
+  const project::Step* const step = project.find(options.of.substr(0, dot));
+  if (step == nullptr) return refuse_step(project, options.of);
+  if (!terminal::show_why(*step, dot == std::string::npos ? "" : options.of.substr(dot + 1))) return wrong_input;
+  return exit_for(step->account().modes, false);
+}
+
+}  // namespace loadpath::cli

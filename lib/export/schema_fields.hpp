@@ -1,0 +1,35 @@
+// What a field of a project file may be, as JSON Schema: types, words, units, which keys are needed.
+#pragma once
+
+#include "lib/calculator/calculator.hpp"
+
+#include <boost/json.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace loadpath::exports {
+
+/// The definitions that the fields refer to ("$defs"): each dimension once.
+class Definitions {
+ public:
+  /// A quantity: a text with a unit of its dimension or an expression, a stock to search in, a spread.
+  boost::json::object quantity(const Dimension& dimension);
+  /// A name of a row of the built-in tables of a group, or another text: of the project's own.
+  boost::json::object row(const std::string& group);
+  [[nodiscard]] boost::json::object take() { return std::move(all_); }
+
+  void add(const std::string& name, boost::json::object schema) { all_[name] = std::move(schema); }
+  static boost::json::object reference(const std::string& name) { return {{"$ref", "#/$defs/" + name}}; }
+
+ private:
+  boost::json::object all_;
+};
+
+/// The keys of an aggregate. `blank`: one without values, which tells what must be given; null: nothing must.
+boost::json::object object_of(std::span<const FieldInfo> fields, void* blank, Definitions& definitions);
+
+/// `[tables]` of a project: rows of the groups that the calculators name.
+boost::json::object tables_schema(Calculators calculators, Definitions& definitions);
+
+}  // namespace loadpath::exports

@@ -1,0 +1,111 @@
+#include "lib/report/why.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace loadpath::report {
+
+namespace {
+
+using account::Account;
+using account::Derived;
+using account::Entry;
+
+std::string joined(const std::string& scope, const std::string& name) {
+  return scope.empty() ? name : scope + "." + name;
+}
+
+/// The scopes that a name can be of, from the inner one outwards: "segments[2]", "".
+std::vector<std::string> scopes_from(std::string scope) {
+  std::vector<std::string> scopes{scope};
+  while (!scope.empty()) {
+    const std::size_t dot = scope.rfind('.');
+    scope.resize(dot == std::string::npos ? 0 : dot);
+    scopes.push_back(scope);
+  }
+  return scopes;
+}
+
+/// Follows names from a line back to the lines and inputs that they come from.
+class Tracing {
+ public:
+  explicit Tracing(const Account& account) : account_(account) {}
+
+  Reasons of(const std::string& path) {
+    const std::size_t count = account_.derivation.size();
+    for (std::size_t i = count; i-- > 0;) {
+      const Derived& line = account_.derivation[i];
+      if (joined(line.scope, line.step.symbol) != path && joined(line.element, line.step.symbol) != path) continue;
+      follow(i);
+      break;
+    }
+    Reasons reasons;
+    for (const std::size_t i : lines_) reasons.lines.push_back(account_.derivation[i]);
+    for (const Entry& entry : account_.inputs) {
+      if (inputs_.contains(entry.path)) reasons.inputs.push_back(&entry);
+    }
+    return reasons;
+  }
+
+ private:
+  void follow(std::size_t i) {
+    if (!lines_.insert(i).second) return;
+    const Derived& line = account_.derivation[i];
+    for (const account::Step::Given& given : line.step.given) {
+      if (!follow_line(i, line.scope, given)) add_input(line, given.name);
+    }
+    if (line.step.formula.empty()) follow_taken(i);
+  }
+
+  /// A line that takes the value of another over, "sigma_F" of "sigma_F1", or of the method that decides.
+  void follow_taken(std::size_t i) {
+    const account::Step& taken = account_.derivation[i].step;
+    for (std::size_t k = i; k-- > 0;) {
+      const account::Step& other = account_.derivation[k].step;
+      const bool named_so = other.symbol.starts_with(taken.symbol) || taken.symbol.starts_with(other.symbol);
+      if (named_so && !other.formula.empty() && other.value.si == taken.value.si) return follow(k);
+    }
+  }
+
+  /// The last line before that gave the name this value.
+  bool follow_line(std::size_t before, const std::string& from, const account::Step::Given& given) {
+    for (const std::string& scope : scopes_from(from)) {
+      for (std::size_t i = before; i-- > 0;) {
+        const Derived& line = account_.derivation[i];
+        if (line.scope != scope || line.step.symbol != given.name || line.step.value.si != given.si) continue;
+        follow(i);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void add_input(const Derived& line, const std::string& name) {
+    for (const std::string& scope : {line.scope, line.element, std::string()}) inputs_.insert(joined(scope, name));
+  }
+
+  const Account& account_;
+  std::set<std::size_t> lines_;
+  std::set<std::string> inputs_;
+};
+
+}  // namespace
+
+Reasons reasons_of(const Account& account, const std::string& path) { return Tracing(account).of(path); }
+
+std::vector<const Entry*> chosen(const Account& account) {
+  std::vector<const Entry*> found;
+  for (const Entry& entry : account.inputs) {
+    if (entry.origin.searched) found.push_back(&entry);
+  }
+  return found;
+}
+
+std::optional<account::Mode> deciding(const Account& account) {
+  if (account.modes.empty()) return std::nullopt;
+  const auto all = account::in_order(account.modes);
+  const auto judged = std::find_if(all.begin(), all.end(), [](const account::Mode& m) { return !m.governs.empty(); });
+  return judged == all.end() ? all.front() : *judged;
+}
+
+}  // namespace loadpath::report

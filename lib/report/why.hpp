@@ -1,0 +1,28 @@
+// Why a value of a solved step is what it is: the lines of its calculation that it follows from, the inputs that these
+// start from, and what was chosen on the way.
+#pragma once
+
+#include "lib/account/account.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace loadpath::report {
+
+struct Reasons {
+  std::vector<account::Derived> lines;        // in the order of the calculation
+  std::vector<const account::Entry*> inputs;  // in the order of the account
+};
+
+/// What the value at a path follows from: "u_tau", "segments.journal.tau". Empty where no formula gives it.
+Reasons reasons_of(const account::Account& account, const std::string& path);
+
+/// Inputs that were searched for, with what the search says of them: rows, sizes, loads.
+std::vector<const account::Entry*> chosen(const account::Account& account);
+
+/// The mode of failure that decides over a step: the worst, among like ones the most utilised; nothing where it has
+/// none.
+std::optional<account::Mode> deciding(const account::Account& account);
+
+}  // namespace loadpath::report

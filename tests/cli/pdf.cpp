@@ -1,0 +1,116 @@
+// A PDF is printed by a browser, which may fail: browsers of shell script stand in for it here.
+#include "tests/cli/process.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <spawn.h>
+#include <string>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+using namespace loadpath::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\nT = \"2700 N*m\"\ntau_adm = \"30 MPa\"\n";
+const std::string old_pdf = "an old PDF\n";
+/// Where the browser is told to print to.
+const std::string target = "for word in \"$@\"; do case $word in --print-to-pdf=*) out=${word#*=};; esac; done\n";
+
+/// A desk with a project, an old PDF, a folder for temporary files and a browser.
+class Office {
+ public:
+  explicit Office(const std::string& browser) {
+    fs::create_directory(desk_.folder() / "bin");
+    fs::create_directory(desk_.folder() / "tmp");
+    desk_.put("a.toml", axle);
+    desk_.put("a.pdf", old_pdf);
+    desk_.put("bin/chromium", "#!/bin/sh\n" + target + browser);
+    fs::permissions(desk_.folder() / "bin/chromium", fs::perms::owner_all);
+  }
+  [[nodiscard]] const Desk& desk() const { return desk_; }
+  [[nodiscard]] std::string in(const char* name) const { return (desk_.folder() / name).string(); }
+  [[nodiscard]] Ran print() const {
+    return desk_.run({"run", "a.toml", "--quiet", "--report", "a.pdf"}, "",
+                     {{"PATH", in("bin") + ":/usr/bin:/bin"}, {"TMPDIR", in("tmp")}});
+  }
+  /// Whether nothing is left but what was there, and the browser.
+  [[nodiscard]] bool is_tidy() const {
+    return fs::is_empty(in("tmp")) && desk_.files() == std::vector<std::string>{"a.pdf", "a.toml", "bin/chromium"};
+  }
+
+ private:
+  Desk desk_;
+};
+
+/// Starts the program and, once its browser runs, sends the signal; the exit code.
+int interrupted_with(const Office& office, int signal) {
+  const std::string line = "cd '" + office.in("") + "' && PATH='" + office.in("bin") + "':/usr/bin:/bin TMPDIR='" +
+                           office.in("tmp") + "' exec '" LOADPATH_PROGRAM "' run a.toml --quiet --report a.pdf";
+  const char* words[] = {"/bin/sh", "-c", line.c_str(), nullptr};
+  pid_t child = 0;
+  REQUIRE(posix_spawn(&child, words[0], nullptr, nullptr, const_cast<char**>(words), environ) == 0);
+  for (int tries = 0; tries < 500 && !office.desk().has("runs"); ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  kill(child, signal);
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+void check_kept(const Office& office) {
+  const Ran ran = office.print();
+  CHECK(ran.code == 2);
+  CHECK(ran.error == "loadpath: the browser did not write 'a.pdf'\n");
+  CHECK(office.desk().get("a.pdf") == old_pdf);
+  CHECK(office.is_tidy());
+}
+
+}  // namespace
+
+TEST_SUITE("cli pdf") {
+  TEST_CASE("what the browser prints takes the place of the old PDF") {
+    const Office office("echo 'a new PDF' > \"$out\"\n");
+    CHECK(office.print().code == 0);
+    CHECK(office.desk().get("a.pdf") == "a new PDF\n");
+    CHECK(office.is_tidy());
+  }
+
+  TEST_CASE("a browser that writes nothing leaves the old PDF") { check_kept(Office("exit 0\n")); }
+
+  TEST_CASE("a browser that writes an empty file leaves the old PDF") { check_kept(Office(": > \"$out\"\n")); }
+
+  TEST_CASE("a browser that fails half-way leaves the old PDF") {
+    check_kept(Office("echo half > \"$out\"\nexit 1\n"));
+  }
+
+  TEST_CASE("a browser that is killed leaves the old PDF") { check_kept(Office("echo half > \"$out\"\nkill -9 $$\n")); }
+
+  TEST_CASE("an interrupt ends the browser too, and its folder is removed") {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+      const Office office(
+          "echo half > \"$out\"\nmkdir \"$TMPDIR\"/loadpath-*/profile\ntouch \"${out%/*}\"/runs\n"
+          "exec sleep 60\n");
+      const auto started = std::chrono::steady_clock::now();
+      CHECK(interrupted_with(office, signal) == 130);
+      CHECK(std::chrono::steady_clock::now() - started < std::chrono::seconds(30));
+      CHECK(office.desk().get("a.pdf") == old_pdf);
+      fs::remove(office.in("runs"));
+      CHECK(office.is_tidy());
+    }
+  }
+
+  TEST_CASE("a project is no place for its PDF") {
+    const Office office("echo 'a new PDF' > \"$out\"\n");
+    office.desk().put("a.pdf", axle);
+    const Ran ran = office.desk().run({"run", "a.pdf", "--report", "a.pdf"}, "",
+                                      {{"PATH", office.in("bin")}, {"TMPDIR", office.in("tmp")}});
+    CHECK(ran.code == 2);
+    CHECK(ran.error.find("'a.pdf' is the project itself: nothing is written") != std::string::npos);
+    CHECK(office.desk().get("a.pdf") == axle);
+  }
+}

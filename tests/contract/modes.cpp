@@ -2,6 +2,7 @@
 #include "lib/project/modes.hpp"
 
 #include "tests/contract/calculators.hpp"
+#include "tests/contract/held.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,6 +13,7 @@
 namespace {
 
 using namespace loadpath;
+using test::for_each_step;
 
 /// Every check and limit with its path, elements of lists without their number: "segments.u_tau".
 void add_judges(std::span<const FieldInfo> fields, const std::string& prefix,
@@ -70,6 +72,22 @@ TEST_SUITE("contract") {
                       "name it in a mode (.judged_by), or declare it .beside(), never both");
       }
     }
+  }
+
+  // The aspects of a mechanism make its rows when it is solved, so that only projects show them.
+  TEST_CASE("every row that judges a mechanism is named by a mode") {
+    for_each_step([](const project::Step& step, const std::string& where) {
+      const Calculator& calculator = *step.input().calculator;
+      if (calculator.result != nullptr) return;
+      for (const account::Verdict& row : step.account().verdicts) {
+        INFO(where, " ", row.symbol);
+        CHECK(std::any_of(calculator.modes.begin(), calculator.modes.end(), [&](const ModeInfo& mode) {
+          const auto keys = listed_keys(mode.checks);
+          return std::any_of(keys.begin(), keys.end(),
+                             [&](const std::string& key) { return project::names_row(key, row.symbol); });
+        }));
+      }
+    });
   }
 
   TEST_CASE("a calculator without modes judges nothing") {

@@ -100,6 +100,14 @@ TEST_SUITE("found gear") {
     CHECK(mode_with("gear.pair", tips + "\nh_fP = 1.25", "clearance_1") == "pass");
   }
 
+  TEST_CASE("B11: a base tangent is told where the face is wide enough to measure it") {
+    const auto length = [](const std::string& lines) { return ExampleStep("gear.pair", lines)("W_2"); };
+    CHECK(length("") > 0.05);
+    CHECK(std::isnan(length("b = \"11 mm\"")));  // W_2 sin(beta_b): 57.82 mm times sin 11.27 deg
+    CHECK(length("b = \"12 mm\"") > 0.05);
+    CHECK(length("b = \"1 mm\"\nbeta = \"0 deg\"\na_w = ") > 0.04);
+  }
+
   TEST_CASE("A29: a train in which the wheel drives the worm is not judged") {
     const auto worm = [](const std::string& teeth) {
       return mode_with("drive.train", "stages = [{ kind = \"worm\", eta = 0.7, " + teeth + " }]", "self_locking");

@@ -1,6 +1,7 @@
 // What must not pass again of flywheels and runs: rows of the list of what was found by use.
 #include "tests/found/modes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -39,6 +40,18 @@ TEST_SUITE("found machine") {
     const double pi = std::numbers::pi;  // (phi - pi)^2/2 from pi to 2 pi, on either side of the mean
     const ExampleStep wheel("machine.flywheel", "M_of_phi = \"20 kN*m + 9 kN*m*phi/(180 deg)\"\ndelta = 0.01");
     CHECK(relative(wheel("Delta_E"), 9000.0 / pi * pi * pi / 2.0) < 1e-9);
+  }
+
+  TEST_CASE("A28: a formula that does not repeat in its period is warned of") {
+    const auto warned = [](const std::string& formula) {
+      const ExampleStep wheel("machine.flywheel", "M_of_phi = \"" + formula + "\"\ndelta = 0.01");
+      const auto& warnings = wheel.project().steps[0]->account().warnings;
+      return std::any_of(warnings.begin(), warnings.end(),
+                         [](const Message& m) { return m.text().find("does not repeat") != std::string::npos; });
+    };
+    CHECK(warned("20 kN*m + 9 kN*m*phi/(180 deg)"));
+    CHECK(warned("20 kN*m + 9 kN*m*cos(phi/2)"));
+    CHECK_FALSE(warned("20 kN*m + 9 kN*m*cos(2*phi)"));
   }
 
   TEST_CASE("A28: an unevenness of 2 and more would turn the wheel back") {

@@ -1,0 +1,152 @@
+// What must not stop a user again at the tables: rows of the list of what was found by use.
+#include "lib/table/tables.hpp"
+
+#include "tests/found/modes.hpp"
+
+#include <cmath>
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+std::string first_error_of(const std::string& text) {
+  std::vector<Issue> issues;
+  project::Project project = project::read_project(text, "found.toml", catalogue(), issues);
+  if (!has_errors(issues)) project::solve(project, issues);
+  for (const Issue& issue : issues) {
+    if (issue.severity == Severity::error) return issue.message.text() + " | " + issue.hint.text();
+  }
+  return "";
+}
+
+/// The name of the row that answers, or what is said where none does.
+std::string answer(const char* group, const std::string& name) {
+  const auto found = table::find_row(group, name);
+  return found ? found->row->name : found.fault().message.text() + " | " + found.fault().hint.text();
+}
+
+double yield_of(const std::string& material, double size) {
+  const auto entry = table::find_row("material", material);
+  REQUIRE(entry);
+  const auto found = table::property(*entry, "R_e", size);
+  return found ? found->si / 1e6 : std::nan("");
+}
+
+std::string wall(const std::string& lines) {
+  return "[wall]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"500 mm\"\nS = 1.5\n" + lines + "\n";
+}
+
+std::string strut(const std::string& lines) {
+  return "[strut]\ncalculator = \"column.buckling\"\nP = \"50 kN\"\nl = \"2 m\"\nends = \"pinned_pinned\"\nmethod = "
+         "\"euler\"\nsigma_P = \"190 MPa\"\nn_st = 3\nA = \"20 cm^2\"\nI_z = \"90 cm^4\"\n" +
+         lines + "\n";
+}
+
+}  // namespace
+
+TEST_SUITE("found tables") {
+  TEST_CASE("C4: steels of pressure vessels have their yield by the thickness of the plate") {
+    CHECK(yield_of("P355GH", 0.016) == doctest::Approx(355));
+    CHECK(yield_of("P355GH", 0.0161) == doctest::Approx(345));
+    CHECK(yield_of("1.0345", 0.012) == doctest::Approx(235));
+    CHECK(yield_of("16Mo3", 0.03) == doctest::Approx(270));
+    CHECK(yield_of("13CrMo4-5", 0.03) == doctest::Approx(290));
+    CHECK(std::isnan(yield_of("P265GH", 0.251)));
+    const auto project = solved_as_found(wall("material = \"P265GH\"\ndelta = \"?\""));
+    CHECK(mode_of(project, "wall", "strength") == "pass");
+  }
+
+  TEST_CASE("C4: old names answer, and what only comes close says so") {
+    CHECK(answer("material", "St37-2") == "S235");
+    CHECK(answer("material", "St 52-3") == "S355");
+    CHECK(answer("material", "GGG40") == "EN-GJS-400-15");
+    CHECK(answer("material", "GG25") == "EN-GJL-250");
+    CHECK(answer("material", "45") == "Steel 45");
+    CHECK(answer("material", "17Mn4") == "P295GH");
+    CHECK(answer("material", "Ст3") ==
+          "there is no material 'Ст3' in the tables | 'St3sp' comes close and is not the same: name it if it will do");
+    CHECK(answer("material", "SA-516 Gr. 70")
+              .ends_with("'P355GH' comes close and is not the same: name it if it will do"));
+  }
+
+  TEST_CASE("C4: the nearest name is that of the nearest size of the same series") {
+    CHECK(answer("section", "HEA 155").ends_with("did you mean 'HEA 160'?"));
+    CHECK(answer("section", "IPE 205").ends_with("did you mean 'IPE 200'?"));
+    CHECK(answer("material", "S35").ends_with("did you mean 'S235'?"));
+    CHECK(answer("material", "S235JO").ends_with("did you mean 'S235JR'?"));
+    CHECK(answer("material", "42CrMo5").ends_with("did you mean '42CrMo4'?"));
+  }
+
+  TEST_CASE("C4: a material of the project's own is used, and of another project is not") {
+    const std::string own = "[tables.materials.M]\nsource = \"certificate\"\nR_e = \"291 MPa\"\n";
+    const auto project = solved_as_found(own + wall("delta = \"10 mm\"\nmaterial = \"M\""));
+    CHECK(project.value("wall.sigma_all")->si[0] == doctest::Approx(291e6 / 1.5));
+    CHECK(first_error_of(wall("delta = \"10 mm\"\nmaterial = \"M\"")).starts_with("there is no material 'M'"));
+    const auto over = solved_as_found("[tables.materials.S235]\nsource = \"test\"\nR_e = \"300 MPa\"\n" +
+                                      wall("delta = \"10 mm\"\nmaterial = \"S235\""));
+    const auto plain = solved_as_found(wall("delta = \"10 mm\"\nmaterial = \"S235\""));
+    CHECK(over.value("wall.sigma_all")->si[0] == doctest::Approx(200e6));
+    CHECK(plain.value("wall.sigma_all")->si[0] == doctest::Approx(235e6 / 1.5));
+  }
+
+  TEST_CASE("C4: a section of the project's own fills a column, a stock of its own is searched") {
+    const auto project = solved_as_found(
+        "[tables.sections.S]\nsource = \"maker\"\nkind = \"rolled_I\"\nA = \"20 cm^2\"\nI_y = \"900 cm^4\"\nI_z = \"90 "
+        "cm^4\"\n[strut]\ncalculator = \"column.buckling\"\nP = \"50 kN\"\nl = \"2 m\"\nends = "
+        "\"pinned_pinned\"\nmethod = "
+        "\"euler\"\nsigma_P = \"190 MPa\"\nn_st = 3\nE = \"210 GPa\"\nsection = \"S\"\n");
+    CHECK(project.value("strut.A")->si[0] == doctest::Approx(20e-4));
+    const auto stock = solved_as_found(
+        "[tables.series.bars]\nunit = \"mm\"\nsizes = [20, 33, 70]\nsource = \"store\"\n"
+        "[axle]\ncalculator = \"shaft.torsion\"\nT = \"100 N*m\"\ntau_adm = \"30 "
+        "MPa\"\nd = { stock = \"bars\" }\n");
+    CHECK(stock.value("axle.d")->si[0] == doctest::Approx(0.033));
+  }
+
+  TEST_CASE("C4: a section of the project's own is refused where a calculator looks in its catalogue alone") {
+    const std::string parts = "[g]\ncalculator = \"section.built_up\"\nparts = [{ section = \"IPE 200\" }]\n";
+    CHECK(first_error_of(parts).empty());
+    CHECK(first_error_of("[tables.sections.\"IPE 200\"]\nsource = \"maker\"\nA = \"20 cm^2\"\n" + parts)
+              .starts_with("'IPE 200' is a section of the project's own, and 'section.built_up' takes those"));
+  }
+
+  TEST_CASE("values of tables stand in expressions, with their dimension known when the file is read") {
+    const auto project =
+        solved_as_found(strut("I_y = '=2 * tables.sections.\"IPE 330\".I_z'\nE = \"=tables.materials.S355.E\""));
+    CHECK(project.value("strut.E")->si[0] == 210e9);
+    CHECK(first_error_of(strut("I_y = '=tables.sections.\"IPE 330\".A'\nE = \"210 GPa\"")).find("is a") !=
+          std::string::npos);
+    CHECK(first_error_of(strut("I_y = '=tables.sections.\"IPE 331\".I_y'\nE = \"210 GPa\"")) ==
+          "there is no section 'IPE 331' in the tables | did you mean 'IPE 330'?");
+    CHECK(first_error_of(strut("I_y = '=tables.sections.\"IPE 330\".I_yy'\nE = \"210 GPa\""))
+              .starts_with("the section 'IPE 330' has no value 'I_yy' | did you mean 'I_y"));
+    const auto own = solved_as_found("[tables.materials.M]\nsource = \"certificate\"\nE = \"205 GPa\"\n" +
+                                     strut("I_y = \"90 cm^4\"\nE = \"=tables.materials.M.E\""));
+    const auto& inputs = own.steps[0]->account().inputs;
+    const auto E = std::find_if(inputs.begin(), inputs.end(), [](const auto& e) { return e.path == "E"; });
+    REQUIRE(E != inputs.end());
+    CHECK(E->origin.text.text() == "= tables.materials.M.E, own table of the project: certificate");
+  }
+
+  TEST_CASE("A32: a strength belongs to the diameter at heat treatment") {
+    const auto as_finished = solved_as_found(
+        "[s]\ncalculator = \"fatigue.endurance\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\nrule = "
+        "\"din743\"\nloading = "
+        "\"bending\"\nd = \"40 mm\"\n");
+    const auto quenched = solved_as_found(
+        "[s]\ncalculator = \"fatigue.endurance\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\nrule = "
+        "\"din743\"\nloading = "
+        "\"bending\"\nd = \"40 mm\"\nd_h = \"45 mm\"\n");
+    CHECK(quenched.value("s.sigma_m1")->si[0] < as_finished.value("s.sigma_m1")->si[0]);
+    CHECK(first_error_of("[s]\ncalculator = \"fatigue.endurance\"\nR_m = \"700 MPa\"\ngroup = \"carbon-steel\"\nrule = "
+                         "\"din743\"\nloading = \"bending\"\nd = \"40 mm\"\nd_h = \"35 mm\"\n")
+              .starts_with("the diameter at heat treatment is not below"));
+    const std::string cycle =
+        "[c]\ncalculator = \"fatigue.cycle\"\nsigma_max = \"200 MPa\"\nsigma_min = \"-200 MPa\"\nS_F = 1.5\n"
+        "material = \"C45E\"\n";
+    CHECK(first_error_of(cycle).find("give d_h, or R_e") != std::string::npos);
+    const auto sized = solved_as_found(cycle + "d_h = \"45 mm\"\n");
+    CHECK(sized.value("c.R_e")->si[0] == doctest::Approx(370e6));
+  }
+}

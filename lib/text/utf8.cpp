@@ -51,6 +51,16 @@ std::size_t first_invalid_byte(std::string_view text) {
   return std::string_view::npos;
 }
 
+std::size_t first_control(std::string_view text, std::string_view allowed) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const bool in_ascii = (byte < 0x20 && allowed.find(text[i]) == std::string_view::npos) || byte == 0x7F;
+    const bool beyond = byte == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;
+    if (in_ascii || beyond) return i;
+  }
+  return std::string_view::npos;
+}
+
 std::size_t character_length(std::string_view text, std::size_t at) {
   const std::size_t length = at < text.size() ? well_formed_length(text, at) : 1;
   return length == 0 ? 1 : length;

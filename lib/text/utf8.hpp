@@ -10,6 +10,10 @@ namespace loadpath {
 /// The first byte that is not part of well-formed UTF-8; npos where all is well.
 std::size_t first_invalid_byte(std::string_view text);
 
+/// The first control character, U+0000 to U+001F or U+007F to U+009F, that is not among `allowed`; npos where there is
+/// none. Terminals obey them.
+std::size_t first_control(std::string_view text, std::string_view allowed);
+
 /// How many bytes the character at `at` takes: 1 to 4, never past the end of `text`.
 std::size_t character_length(std::string_view text, std::size_t at);
 

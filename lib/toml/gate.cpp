@@ -3,23 +3,19 @@
 #include "lib/text/utf8.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace loadpath::toml {
 
 namespace {
 
-bool is_control(char c) {
-  const auto byte = static_cast<unsigned char>(c);
-  return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7F;
-}
-
 bool is_foreign(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 
 /// "U+0007"
-std::string code_of(char c) {
+std::string code_of(std::string_view text, std::size_t at) {
   constexpr char digits[] = "0123456789ABCDEF";
-  const auto byte = static_cast<unsigned char>(c);
-  return std::string("U+00") + digits[byte >> 4U] + digits[byte & 0x0FU];
+  const char32_t point = code_points(text.substr(at, character_length(text, at)))[0];
+  return std::string("U+00") + digits[(point >> 4U) & 0x0FU] + digits[point & 0x0FU];
 }
 
 /// Whether the backslash at `at` ends its line and the next text begins with a letter outside ASCII.
@@ -28,6 +24,17 @@ bool continues_outside_ascii(std::string_view text, std::size_t at) {
   if (end == std::string_view::npos || text[end] != '\n') return false;
   const std::size_t next = text.find_first_not_of(" \t\r\n", end);
   return next != std::string_view::npos && is_foreign(text[next]);
+}
+
+/// The first backslash between two places before a letter outside ASCII, at once or in the next line; npos where there
+/// is none.
+std::size_t first_bad_escape(std::string_view text, std::size_t from, std::size_t to) {
+  for (std::size_t i = from; i < to; ++i) {
+    if (text[i] != '\\') continue;
+    if ((i + 1 < text.size() && is_foreign(text[i + 1])) || continues_outside_ascii(text, i)) return i;
+    ++i;  // an escaped backslash escapes nothing
+  }
+  return std::string_view::npos;
 }
 
 /// Behind the text in quotes that starts at `at`; npos where it is not closed.
@@ -39,7 +46,9 @@ std::size_t behind_quotes(std::string_view text, std::size_t at) {
     if (quote == '"' && text[i] == '\\') {
       ++i;
     } else if (text.substr(i, closing.size()) == closing) {
-      return i + closing.size();
+      std::size_t end = i + closing.size();
+      for (int more = 0; long_text && more < 2 && end < text.size() && text[end] == quote; ++more) ++end;
+      return end;
     } else if (!long_text && text[i] == '\n') {
       break;
     }
@@ -47,24 +56,71 @@ std::size_t behind_quotes(std::string_view text, std::size_t at) {
   return std::string_view::npos;
 }
 
+/// Whether a quote opens a text, or is glued to a bare word: the parser reads that word on, quote and all.
+class Openings {
+ public:
+  /// Told of every bare character.
+  void pass(char c) {
+    if (c == '{' || c == '[') return open(c);
+    if ((c == '}' || c == ']') && !brackets_.empty()) brackets_.pop_back();
+    opens_ = c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == ',' || (!in_value_ && (c == '=' || c == '.'));
+    if (c == '=') in_value_ = true;
+    if (c == ',' && brackets_.ends_with('{')) in_value_ = false;
+    if (c == '\n' && brackets_.empty()) in_value_ = false;
+  }
+  void pass_text() { opens_ = false; }
+  [[nodiscard]] bool opens() const { return opens_; }
+
+ private:
+  /// A bracket that is glued to a word opens as little as a quote there.
+  void open(char bracket) {
+    brackets_ += bracket;
+    if (bracket == '{') in_value_ = false;
+  }
+
+  std::string brackets_;  // that are open
+  bool in_value_ = false;
+  bool opens_ = true;
+};
+
 /// The first character outside of quotes and comments for which `found` holds; npos where there is none, or a text
-/// before it is not closed, which the parser tells. Of a comment its end alone is seen.
-template <class Found>
-std::size_t find_bare(std::string_view text, Found found) {
+/// before it is not closed, which the parser tells. Of a comment its end alone is seen. `quoted` is told where a text
+/// in quotes begins, and what comes behind it.
+template <class Found, class Quoted>
+std::size_t find_bare(std::string_view text, Found found, Quoted quoted) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   std::size_t i = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+  Openings openings;
   while (i < text.size()) {
-    if (text[i] == '"' || text[i] == '\'') {
-      i = behind_quotes(text, i);
+    if ((text[i] == '"' || text[i] == '\'') && openings.opens()) {
+      const std::size_t from = i;
+      i = behind_quotes(text, from);
+      quoted(from, std::min(i, text.size()));
+      openings.pass_text();
     } else if (text[i] == '#') {
       i = text.find('\n', i);
     } else if (found(text[i])) {
       return i;
     } else {
-      ++i;
+      openings.pass(text[i++]);
     }
   }
   return std::string_view::npos;
+}
+
+template <class Found>
+std::size_t find_bare(std::string_view text, Found found) {
+  return find_bare(text, found, [](std::size_t, std::size_t) {});
+}
+
+std::size_t first_bad_escape(std::string_view text) {
+  std::size_t bad = std::string_view::npos;
+  const auto look = [&](std::size_t from, std::size_t to) {
+    if (bad == std::string_view::npos && text.substr(from, 3) == "\"\"\"") bad = first_bad_escape(text, from, to);
+  };
+  find_bare(
+      text, [](char) { return false; }, look);
+  return bad;
 }
 
 /// Where keys have more parts, or brackets lie deeper within one another, than any project has: the parser goes down by
@@ -101,22 +157,21 @@ std::optional<Issue> refuse_text(std::string_view text, const std::string& file)
   if (const std::size_t at = first_invalid_byte(text); at != std::string_view::npos) {
     return issue_at(text, at, file, say("this byte is not UTF-8"), say("save the file as UTF-8"));
   }
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (is_control(text[i]))
-      return issue_at(text, i, file, say("the control character {1}", code_of(text[i])), say("remove it"));
-    if (text[i] != '\\') continue;
-    if (continues_outside_ascii(text, i)) {
-      return issue_at(text, i, file, say("a backslash at the end of a line before a letter outside ASCII"),
-                      say("write the text in one line"));
-    }
-    if (i + 1 < text.size() && text[i + 1] == '\\') ++i;  // an escaped backslash escapes nothing
-  }
+  if (const std::size_t at = first_control(text, "\t\n\r"); at != std::string_view::npos)
+    return issue_at(text, at, file, say("the control character {1}", code_of(text, at)), say("remove it"));
   return std::nullopt;
 }
 
 std::optional<Issue> refuse_bare(std::string_view text, const std::string& file) {
   if (const std::size_t deep = first_too_deep(text); deep != std::string_view::npos)
     return issue_at(text, deep, file, say("tables lie too deep within one another"), say("at most 64 levels"));
+  if (const std::size_t bad = first_bad_escape(text); bad != std::string_view::npos) {
+    if (is_foreign(text[bad + 1]))
+      return issue_at(text, bad, file, say("not valid TOML: a backslash before a letter outside ASCII"),
+                      say("write a backslash twice"));
+    return issue_at(text, bad, file, say("a backslash at the end of a line before a letter outside ASCII"),
+                    say("write the text in one line"));
+  }
   const std::size_t at = find_bare(text, is_foreign);
   if (at == std::string_view::npos) return std::nullopt;
   return issue_at(text, at, file, say("not valid TOML: a character outside ASCII stands outside of quotes"), {});

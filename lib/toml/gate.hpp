@@ -1,5 +1,5 @@
 // What is refused before a text reaches the TOML parser: Debian's toml++ 3.3 is undefined on bad UTF-8, on control
-// characters, and on a line-ending backslash that is followed by a letter outside ASCII.
+// characters, on letters outside ASCII that stand in no quotes, and on those behind a backslash in a long text.
 #pragma once
 
 #include "lib/text/issue.hpp"

@@ -137,17 +137,18 @@ std::string_view line_of(std::string_view text, int line) {
   return text;
 }
 
-}  // namespace
-
-namespace {
-
-/// A text with control characters written as escapes would reach terminals and reports.
+/// A text or a key with control characters written as escapes would reach terminals and reports.
 void refuse_controls(const Tree& tree, std::vector<Issue>& issues) {
-  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n'; };
-  if (tree.type == Tree::Type::text && std::any_of(tree.text.begin(), tree.text.end(), is_control))
-    issues.push_back({tree.place, "", say("a control character in a text"), say("remove it"), Severity::error});
+  const auto refuse = [&](std::string_view text, const Place& place) {
+    if (first_control(text, "\t\n") != std::string_view::npos)
+      issues.push_back({place, "", say("a control character in a text"), say("remove it"), Severity::error});
+  };
+  if (tree.type == Tree::Type::text) refuse(tree.text, tree.place);
   for (const Tree& item : tree.items) refuse_controls(item, issues);
-  for (const Tree::Entry& entry : tree.entries) refuse_controls(entry.value, issues);
+  for (const Tree::Entry& entry : tree.entries) {
+    refuse(entry.key, entry.place);
+    refuse_controls(entry.value, issues);
+  }
 }
 
 }  // namespace
@@ -165,8 +166,9 @@ Tree read_toml(std::string_view text, const std::string& file, std::vector<Issue
   try {
     Tree tree = convert_table(::toml::parse(text, file), file);
     tree.place = {file, 1, 1, 1};
+    const std::size_t before = issues.size();
     refuse_controls(tree, issues);
-    return tree;
+    return issues.size() == before ? tree : Tree{};
   } catch (const ::toml::parse_error& error) {
     const Place place = place_of(error.source(), file);
     const std::string_view line = line_of(text, place.line);

@@ -88,6 +88,18 @@ TEST_SUITE("toml") {
           "1 | T = 900 Н·м\n  |         ^\n  = help: write a quantity in quotes: \"900 Н·м\"\n");
     CHECK(issues_of("a = [\"я\", я]\n").starts_with("a.toml:1:11: error: not valid TOML: "));
     CHECK(issues_of("a = 'я\nб = 1\n").starts_with("a.toml:1:7: error: the text is not closed\n"));
+    for (const char* fine : {"[a.\"я\".б]\n", "a.\"я\" = 1\n", "a = { b.\"я\" = 1, \"я\" = [1, 'я'] }\n",
+                             "a = [\n  \"я\",\n  'я']\n", "a = \"\"\"я\"\"\"\"\"\n\"я\" = 'я'\n"}) {
+      const bool is_bare = issues_of(fine).find("outside of quotes") != std::string::npos;
+      CHECK_MESSAGE(is_bare == (std::string(fine).find(".б") != std::string::npos), fine);
+    }
+    // a quote that is glued to a word opens no text, and the parser is not asked for the letter behind it
+    for (const char* glued : {"a = 0i'\xEF\xBB\xBB\"=n\n", "a = 0=\"\xC9\xA7\n", "a = 0[\"\xC9\xA7\"]\n",
+                              "a = 1.'\xEF\xBB\xBB'\n", "a = [1, 2.\"\xEF\xBB\xBB\"]\n", "a'\xEF\xBB\xBB' = 1\n",
+                              "a = { b = 1.'\xEF\xBB\xBB' }\n", "a = \"b\"'\xEF\xBB\xBB'\n"}) {
+      CHECK_MESSAGE(issues_of(glued).find("a character outside ASCII stands outside of quotes") != std::string::npos,
+                    glued);
+    }
   }
 
   TEST_CASE("a key that stands twice is refused") {
@@ -112,6 +124,10 @@ TEST_SUITE("toml") {
           "a.toml:1:7: error: the control character U+0007\n1 | a = \"x\xEF\xBF\xBDy\"\n  |       ^\n  = help: remove "
           "it\n");
     CHECK(issues_of("[a\x1b]\n").starts_with("a.toml:1:3: error: the control character U+001B\n"));
+    CHECK(issues_of("a = \"\xC2\x9B\"\n").starts_with("a.toml:1:6: error: the control character U+009B\n"));
+    for (const char* escaped :
+         {R"(a = "\u001b")", R"("\u001b" = 1)", R"(a = ["\u009b"])", R"(a."\u0000".b = 1)", R"(a = "\r")"})
+      CHECK_MESSAGE(issues_of(escaped).find("error: a control character in a text") != std::string::npos, escaped);
     CHECK(issues_of("a = 1 # \x7f\n").starts_with("a.toml:1:9: error: the control character U+007F\n"));
     CHECK(
         issues_of(std::string("a = 1\0b = 2\n", 12)).starts_with("a.toml:1:6: error: the control character U+0000\n"));
@@ -125,6 +141,9 @@ TEST_SUITE("toml") {
   |               ^
   = help: write the text in one line
 )");
+    CHECK(issues_of("note = \"\"\"one \\\xEF\xBA\xBF\"\"\"\n").find("a backslash before a letter outside ASCII") !=
+          std::string::npos);
+    CHECK(issues_of("note = 'C:\\я' # \\я\n").empty());
     CHECK(tree_of("note = \"\"\"one \\\n  two\"\"\"\n").find("note")->value.text == "one two");
     CHECK(tree_of("note = \"\"\"one \\\\\nдва\"\"\"\n").find("note")->value.text == "one \\\nдва");
   }

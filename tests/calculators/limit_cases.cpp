@@ -49,7 +49,8 @@ const Case shapes[] = {
     {"section.hollow", "h = \"1 m\"\nb = \"1 m\"\nt = \"499.999999 mm\"\nr_o = \"0 mm\"\nr_i = \"0 mm\"", "I_y",
      1.0 / 12},
     // open walls twist like the strip that they are when straightened: its length by t^3/3
-    {"section.angle", "h = \"1 m\"\nb = \"0.5 m\"\nt = \"1 mm\"\nr = \"0 mm\"\nr_2 = \"0 mm\"", "I_t", 1.499e-9 / 3},
+    {"section.angle", "h = \"1 m\"\nb = \"0.5 m\"\nt = \"1e-6 mm\"\nr = \"0 mm\"\nr_2 = \"0 mm\"", "I_t",
+     1.499999999e-27 / 3},
     {"section.T", "h = \"1 m\"\nb = \"0.5 m\"\nt_w = \"1 mm\"\nt_f = \"1 mm\"\nr = \"0 mm\"", "I_t", 1.499e-9 / 3},
     {"section.channel", "h = \"1 m\"\nb = \"0.5 m\"\nt_w = \"1 mm\"\nt_f = \"1 mm\"\nr = \"0 mm\"", "I_t",
      1.998e-9 / 3},

@@ -63,4 +63,31 @@ TEST_SUITE("found section") {
           "not-judged");
     CHECK(mode_with("section.built_up", parts(plate), "joined") == "none");
   }
+
+  TEST_CASE("B10: a sharp angle twists by no more stiffness than it has") {
+    const auto angle = [](const char* legs, const char* radii) {
+      return ExampleStep("section.angle",
+                         std::string("h = \"") + legs + "\"\nb = \"" + legs + "\"\nt = \"10 mm\"\n" + radii);
+    };
+    // over t^4, of 4 and of 10 thicknesses: finite differences of the torsion function, extrapolated over two grids
+    CHECK(angle("40 mm", "r = \"0 mm\"\nr_2 = \"0 mm\"").fault().empty());
+    for (const auto& [legs, exact] : {std::pair{"60 mm", 3.5284}, std::pair{"100 mm", 6.1951}}) {
+      const double I_t = angle(legs, "r = \"0 mm\"\nr_2 = \"0 mm\"")("I_t");
+      CHECK_MESSAGE(I_t <= exact * 1e-8, legs);
+      CHECK_MESSAGE(I_t >= 0.985 * exact * 1e-8, legs);
+    }
+  }
+
+  TEST_CASE("B10: rounded toes are reached where they are round") {
+    // A, W_max, W_min by integrals over a polygon of 4,000 points
+    const ExampleStep thick("section.angle",
+                            "h = \"120 mm\"\nb = \"60 mm\"\nt = \"12 mm\"\nr = \"6 mm\"\nr_2 = \"12 mm\"");
+    CHECK(thick("A") == doctest::Approx(1961.92e-6).epsilon(1e-5));
+    CHECK(thick("W_max") == doctest::Approx(37403.8e-9).epsilon(1e-5));
+    CHECK(thick("W_min") == doctest::Approx(8381.06e-9).epsilon(1e-5));
+    const ExampleStep thin("section.angle",
+                           "h = \"200 mm\"\nb = \"100 mm\"\nt = \"10 mm\"\nr = \"15 mm\"\nr_2 = \"7.5 mm\"");
+    CHECK(thin("W_max") == doctest::Approx(98369.9e-9).epsilon(1e-5));
+    CHECK(thin("W_min") == doctest::Approx(22358.8e-9).epsilon(1e-5));
+  }
 }

@@ -12,7 +12,13 @@ void twist(const Angle::Input& in, Angle::Result& result, Tracer& trace) {
   const auto& [h, b, t, r, r_2] = in;
   STEP_TO(result, w, t / (min(h, b) - t), "thickness over length of the shorter leg");
   if (!(w <= thickest_open_wall)) return;
-  STEP_TO(result, I_t, (h + b - t) * pow<3>(t) / 3.0, "thin open walls, [Oasys]");
+  STEP(K_1, max(h, b) * pow<3>(t) * (1.0 / 3.0 - 0.21 * (t / max(h, b)) * (1.0 - pow<4>(t / max(h, b)) / 12.0)),
+       "the longer leg, a rectangle, [Roark]");
+  STEP(l, min(h, b) - t, "length of the other leg");
+  STEP(K_2, l * pow<3>(t) * (1.0 / 3.0 - 0.105 * (t / l) * (1.0 - pow<4>(t / l) / 192.0)),
+       "a rectangle with one free end, [Roark]");
+  STEP(D, (4.0 - 2.0 * sqrt(2.0)) * t, "inscribed circle where the legs meet, without the fillet, [Roark]");
+  STEP_TO(result, I_t, K_1 + K_2 + 0.07 * pow<4>(D), "both legs and their joint, [Roark]");
   STEP_TO(result, W_t, I_t / t, "shear in the thin walls");
 }
 
@@ -53,7 +59,11 @@ Angle::Result Angle::own(const Input& in, Tracer& trace) {
   return result;
 }
 
-Extremes Angle::extremes(const Input& in) { return corners_of(angle_outline(in.h, in.b, in.t)); }
+Extremes Angle::extremes(const Input& in) {
+  const auto& [h, b, t, r, r_2] = in;
+  const Length none = from_si<Length>(0.0);
+  return {{none, none}, {b, none}, {none, h}, {b - r_2, t - r_2, r_2}, {t - r_2, h - r_2, r_2}};
+}
 
 Contours Angle::contours(const Input& in) { return {angle_outline(in.h, in.b, in.t, in.r, in.r_2), {}}; }
 

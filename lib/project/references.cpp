@@ -112,7 +112,8 @@ class Settling {
       });
       if (given == members.end()) return;
       if (reading_.typed.count(path) != 0) return list(kept, given->key);
-      fill(taken, path, leaf, {given->key, source.name() + "." + given->path, given->is_word});
+      fill(taken, path, leaf, {given->key, source.name() + "." + given->path, given->is_word},
+           may_lack(source, *given, path));
       list(filled, given->key);
     });
     if (filled.empty()) {
@@ -132,11 +133,20 @@ class Settling {
   }
 
   /// `given`: with the full path of its value.
-  void fill(const Taken& taken, const std::string& path, const Leaf& leaf, const Member& given) {
+  void fill(const Taken& taken, const std::string& path, const Leaf& leaf, const Member& given, bool may_lack) {
     reading_.typed[path] = {"=" + given.path, taken.place};
-    if (given.is_word) return reading_.taken.push_back({path, leaf.field, given.path, taken.place, true});
+    if (given.is_word) return reading_.taken.push_back({path, leaf.field, given.path, taken.place, true, may_lack});
     auto expression = Expression::parse(given.path);
-    reading_.operands.push_back({path, leaf, std::move(*expression), given.path, taken.place, true});
+    reading_.operands.push_back({path, leaf, std::move(*expression), given.path, taken.place, true, may_lack});
+  }
+
+  /// What the record leaves open stays open in the step, but for what the step cannot do without and for loads: one
+  /// that is not known is not none.
+  [[nodiscard]] bool may_lack(const Step& source, const Member& given, const std::string& path) const {
+    const FieldInfo* const field = source.field(given.path);
+    const bool needed = std::any_of(reading_.lacking.begin(), reading_.lacking.end(),
+                                    [&](const Lacking& lacking) { return lacking.path == path; });
+    return !needed && (field == nullptr || !field->is_load);
   }
 
   bool refused_ = false;

@@ -15,4 +15,40 @@ TEST_SUITE("found drive") {
     }
     CHECK(speeds > 0);
   }
+
+  TEST_CASE("A13: a shaft that takes a chain's pull with K_A takes no torque without it") {
+    const auto faults = [](const std::string& loads) {
+      const std::string text = R"([chain]
+calculator = "chain.roller"
+chain = "16B"
+z_1 = 21
+z_2 = 57
+a = "1 m"
+P = "3 kW"
+n_1 = "96 rpm"
+K_A = 1.4
+p_adm = "30 MPa"
+
+[train]
+calculator = "drive.train"
+P = "3 kW"
+n_1 = "1440 rpm"
+stages = [{ kind = "chain", z_1 = 17, z_2 = 51, eta = 0.96 }]
+
+[end]
+calculator = "shaft.overhung"
+a = "60 mm"
+sigma_adm = "60 MPa"
+)" + loads;
+      std::vector<Issue> issues;
+      project::Project project = project::read_project(text, "found.toml", catalogue(), issues);
+      if (!has_errors(issues)) project::solve(project, issues);
+      std::erase_if(issues, [](const Issue& issue) { return issue.severity != Severity::error; });
+      return render(issues, [&](const std::string&) { return text; });
+    };
+    const std::string mixed = faults("F = \"=chain.F_W\"\nT = \"=train.T_out\"\n");
+    CHECK_MESSAGE(mixed.find("'F' holds chain.K_A = 1.4, and 'T' does not") != std::string::npos, mixed);
+    CHECK(faults("load = \"=chain.shaft_1\"\n") == "");
+    CHECK(faults("F = \"=chain.F_W\"\nT = \"=chain.K_A*train.T_out\"\n") == "");
+  }
 }

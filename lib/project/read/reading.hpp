@@ -19,9 +19,10 @@ struct Operand {
   std::string path;  // of the leaf, within the step
   Leaf leaf;
   Expression expression;
-  std::string text;       // as written, without the '='
-  Place place;            // of the text behind the '='
-  bool may_lack = false;  // of a record: what that leaves open stays open
+  std::string text;        // as written, without the '='
+  Place place;             // of the text behind the '='
+  bool of_record = false;  // nobody typed it
+  bool may_lack = false;   // of a record: what that leaves open stays open
 };
 
 /// What is taken whole from another step: a word, a list, a record, the row of a table.
@@ -30,6 +31,7 @@ struct Taken {
   const FieldInfo* field = nullptr;  // null: a row
   std::string source;                // "pick.best"
   Place place;                       // of the text behind the '='
+  bool of_record = false;            // nobody typed it
   bool may_lack = false;             // of a record: what that leaves open stays open
 };
 

@@ -141,7 +141,7 @@ bool Run::lacks_checks() const {
 
 /// Whether nobody typed the input: the record of another step has it.
 static bool is_of_record(const Reading& reading, const std::string& path) {
-  const auto fills = [&](const auto& taken) { return taken.may_lack && taken.path == path; };
+  const auto fills = [&](const auto& taken) { return taken.of_record && taken.path == path; };
   return std::any_of(reading.operands.begin(), reading.operands.end(), fills) ||
          std::any_of(reading.taken.begin(), reading.taken.end(), fills);
 }

@@ -1,6 +1,5 @@
 // Factors travel with loads, and loads that act together travel together.
-#include "calculators/catalogue.hpp"
-#include "lib/project/project.hpp"
+#include "tests/lib/project/solved.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,36 +9,9 @@
 namespace {
 
 using namespace loadpath;
-
-struct Solved {
-  explicit Solved(const std::string& text) {
-    project = project::read_project(text, "factors.toml", catalogue(), issues);
-    if (!has_errors(issues)) project::solve(project, issues);
-  }
-  [[nodiscard]] std::string messages() const {
-    std::string text;
-    for (const Issue& issue : issues) {
-      if (issue.severity == Severity::error)
-        text += issue.key + ": " + issue.message.text() + " = " + issue.hint.text() + "\n";
-    }
-    return text;
-  }
-  [[nodiscard]] double value(const std::string& path) const {
-    const Value* const found = project.value(path);
-    REQUIRE_MESSAGE(found != nullptr, path, "\n", messages());
-    return found->si[0];
-  }
-  [[nodiscard]] std::string mode(const std::string& step, const std::string& id) const {
-    for (const account::Mode& mode : project.find(step)->account().modes) {
-      if (mode.id == id) return account::slug(mode.state);
-    }
-    return "none";
-  }
-  project::Project project;
-  std::vector<Issue> issues;
-};
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using account::State;
+using test::contains;
+using test::Solved;
 
 std::string chain(const std::string& K_A) {
   return "[chain]\ncalculator = \"chain.roller\"\nchain = \"16B\"\nz_1 = 21\nz_2 = 57\na = \"1 m\"\nP = \"3 kW\"\n"
@@ -57,20 +29,20 @@ const std::string gears =
 TEST_SUITE("factors") {
   TEST_CASE("a service factor that a load holds is not applied again") {
     const Solved twice(chain("1.4") + end("F = \"=chain.F_W\"\nT = \"0 N*m\"\nK_A = 1.3"));
-    CHECK_MESSAGE(contains(twice.messages(), "end.K_A: K_A would count twice: 'F' holds chain.K_A = 1.4"),
-                  twice.messages());
-    CHECK(Solved(chain("1.4") + end("F = \"=chain.F_W\"\nT = \"0 N*m\"")).messages().empty());
-    CHECK(Solved(chain("1") + end("F = \"=chain.F_W\"\nT = \"0 N*m\"\nK_A = 1.3")).messages().empty());
-    CHECK(Solved(chain("1.4") + end("F = \"=chain.F_t\"\nT = \"0 N*m\"\nK_A = 1.3")).messages().empty());
+    CHECK_MESSAGE(contains(twice.errors(), "end.K_A: K_A would count twice: 'F' holds chain.K_A = 1.4"),
+                  twice.errors());
+    CHECK(Solved(chain("1.4") + end("F = \"=chain.F_W\"\nT = \"0 N*m\"")).errors().empty());
+    CHECK(Solved(chain("1") + end("F = \"=chain.F_W\"\nT = \"0 N*m\"\nK_A = 1.3")).errors().empty());
+    CHECK(Solved(chain("1.4") + end("F = \"=chain.F_t\"\nT = \"0 N*m\"\nK_A = 1.3")).errors().empty());
   }
 
   TEST_CASE("loads with a factor and without it do not act on one part") {
     const Solved unlike(chain("1.4") + end("F = \"=chain.F_W\"\nT = \"=chain.T_2\""));
-    CHECK_MESSAGE(contains(unlike.messages(), "end.T: 'F' holds chain.K_A = 1.4, and 'T' does not"), unlike.messages());
+    CHECK_MESSAGE(contains(unlike.errors(), "end.T: 'F' holds chain.K_A = 1.4, and 'T' does not"), unlike.errors());
     const Solved alike(chain("1.4") + end("F = \"=chain.F_W\"\nT = \"=chain.K_A*chain.T_2\""));
-    CHECK_MESSAGE(alike.messages().empty(), alike.messages());
+    CHECK_MESSAGE(alike.errors().empty(), alike.errors());
     const Solved without(chain("1.4") + end("F = \"=chain.F_W/chain.K_A\"\nT = \"=chain.T_2\"\nK_A = 1.4"));
-    CHECK_MESSAGE(without.messages().empty(), without.messages());
+    CHECK_MESSAGE(without.errors().empty(), without.errors());
   }
 
   TEST_CASE("reactions of a mechanism hold what its loads hold") {
@@ -82,36 +54,36 @@ TEST_SUITE("factors") {
              end("load = \"=press.drive\"\n" + K_A);
     };
     const Solved twice(press("K_A = 1.2"));
-    CHECK_MESSAGE(contains(twice.messages(), "K_A would count twice"), twice.messages());
+    CHECK_MESSAGE(contains(twice.errors(), "K_A would count twice"), twice.errors());
     const Solved once(press(""));
-    CHECK_MESSAGE(once.messages().empty(), once.messages());
+    CHECK_MESSAGE(once.errors().empty(), once.errors());
   }
 
   TEST_CASE("nor in one expression, nor as its square") {
-    CHECK(contains(Solved(chain("1.4") + end("F = \"=chain.F_W + chain.F_t\"\nT = \"0 N*m\"")).messages(),
+    CHECK(contains(Solved(chain("1.4") + end("F = \"=chain.F_W + chain.F_t\"\nT = \"0 N*m\"")).errors(),
                    "'chain.F_W' holds chain.K_A, and 'chain.F_t' does not"));
-    CHECK(contains(Solved(chain("1.4") + end("F = \"=max(chain.F_t, chain.F_W)\"\nT = \"0 N*m\"")).messages(),
+    CHECK(contains(Solved(chain("1.4") + end("F = \"=max(chain.F_t, chain.F_W)\"\nT = \"0 N*m\"")).errors(),
                    "'chain.F_W' holds chain.K_A, and 'chain.F_t' does not"));
-    CHECK(contains(Solved(chain("1.4") + end("F = \"=chain.K_A*chain.F_W\"\nT = \"0 N*m\"")).messages(),
+    CHECK(contains(Solved(chain("1.4") + end("F = \"=chain.K_A*chain.F_W\"\nT = \"0 N*m\"")).errors(),
                    "K_A would count twice: 'chain.K_A' holds chain.K_A"));
-    CHECK(Solved(chain("1.4") + end("F = \"=chain.F_W + 100 N\"\nT = \"0 N*m\"")).messages().empty());
+    CHECK(Solved(chain("1.4") + end("F = \"=chain.F_W + 100 N\"\nT = \"0 N*m\"")).errors().empty());
   }
 }
 
 TEST_SUITE("shaft loads") {
   TEST_CASE("a shaft takes what sits on it whole, with its service factor") {
     const Solved taken(chain("1.4") + end("load = \"=chain.shaft_2\""));
-    REQUIRE_MESSAGE(taken.messages().empty(), taken.messages());
+    REQUIRE_MESSAGE(taken.errors().empty(), taken.errors());
     CHECK(taken.value("end.F") == doctest::Approx(taken.value("chain.F_W")));
     CHECK(taken.value("end.T") == doctest::Approx(1.4 * taken.value("chain.T_2")));
-    CHECK(taken.mode("end", "other_loads") == "open");
+    CHECK(taken.mode("end.other_loads").state == State::open);
     const Solved twice(chain("1.4") + end("load = \"=chain.shaft_2\"\nK_A = 1.2"));
-    CHECK_MESSAGE(contains(twice.messages(), "K_A would count twice"), twice.messages());
+    CHECK_MESSAGE(contains(twice.errors(), "K_A would count twice"), twice.errors());
   }
 
   TEST_CASE("what is typed beside a record stays") {
     const Solved typed(chain("1.4") + end("load = \"=chain.shaft_2\"\nT = \"900 N*m\""));
-    REQUIRE_MESSAGE(typed.messages().empty(), typed.messages());
+    REQUIRE_MESSAGE(typed.errors().empty(), typed.errors());
     CHECK(typed.value("end.T") == 900.0);
     REQUIRE(!typed.project.find("end")->remarks().empty());
     const std::string told = typed.project.find("end")->remarks()[0].text();
@@ -120,18 +92,37 @@ TEST_SUITE("shaft loads") {
 
   TEST_CASE("torque and tooth forces of a gear come together, of a helical one also the axial force") {
     const Solved spur(gears + end("load = \"=gears.gear_2\""));
-    REQUIRE_MESSAGE(spur.messages().empty(), spur.messages());
+    REQUIRE_MESSAGE(spur.errors().empty(), spur.errors());
     CHECK(spur.value("end.T") == doctest::Approx(60.0 * 57.0 / 20.0));
     // 2 T_1/d_1 = 2 * 60/0.05 at 20 deg: F_t/cos(alpha)
     CHECK(spur.value("end.F") == doctest::Approx(2400.0 / std::cos(20.0 * 3.14159265358979 / 180.0)));
-    CHECK(spur.mode("end", "other_loads") == "open");
+    CHECK(spur.mode("end.other_loads").state == State::open);
     const Solved helical(gears + "beta = \"15 deg\"\n" + end("load = \"=gears.gear_2\""));
-    CHECK_MESSAGE(helical.mode("end", "other_loads") == "not-judged", helical.messages());
+    CHECK_MESSAGE(helical.mode("end.other_loads").state == State::not_judged, helical.errors());
     const Solved torsion(gears +
                          "[end]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nload = \"=gears.gear_2\"\n");
-    REQUIRE_MESSAGE(torsion.messages().empty(), torsion.messages());
+    REQUIRE_MESSAGE(torsion.errors().empty(), torsion.errors());
     CHECK(torsion.value("end.T") == doctest::Approx(171.0));
     CHECK(torsion.value("end.F") == doctest::Approx(spur.value("end.F")));
+  }
+
+  TEST_CASE("loads that a record leaves open are not none") {
+    const std::string unloaded =
+        "[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = \"2.5 mm\"\nb = \"25 mm\"\n";
+    for (const std::string& shaft :
+         {end("load = \"=gears.gear_2\""),
+          std::string("[end]\ncalculator = \"shaft.torsion\"\nd = \"5 mm\"\ntau_adm = \"30 MPa\"\nload = "
+                      "\"=gears.gear_2\"\n")}) {
+      const Solved open(unloaded + shaft);
+      REQUIRE_MESSAGE(open.errors().empty(), open.errors());
+      CHECK(open.find_mode("end.yield")->state == State::not_available);
+      const auto& verdicts = open.project.find("end")->account().verdicts;
+      REQUIRE(!verdicts.empty());
+      for (const account::Verdict& verdict : verdicts) {
+        CHECK(verdict.state == State::not_available);
+        CHECK_MESSAGE(contains(verdict.note.text(), "gears.gear_2"), verdict.note.text());
+      }
+    }
   }
 
   TEST_CASE("a V-belt that was picked is checked whole, and follows the power") {
@@ -143,7 +134,7 @@ TEST_SUITE("shaft loads") {
     };
     for (const char* P : {"11 kW", "22 kW"}) {
       const Solved whole(drive(P));
-      REQUIRE_MESSAGE(whole.messages().empty(), whole.messages());
+      REQUIRE_MESSAGE(whole.errors().empty(), whole.errors());
       CHECK(whole.value("belt.z") == whole.value("pick.z"));
       CHECK(whole.value("belt.R") == doctest::Approx(whole.value("pick.R")));
       CHECK(whole.value("belt.u_P") == doctest::Approx(whole.value("pick.u_P")));
@@ -153,15 +144,14 @@ TEST_SUITE("shaft loads") {
   }
 
   TEST_CASE("a record that has nothing for the step, and what is no record, is refused") {
-    CHECK(contains(Solved(chain("1.4") + end("load = \"=chain.F_W\"")).messages(),
+    CHECK(contains(Solved(chain("1.4") + end("load = \"=chain.F_W\"")).errors(),
                    "'load' takes a record, and 'chain.F_W' is a number"));
-    CHECK(contains(Solved(chain("1.4") + end("load = \"=chain.shaft_3\"")).messages(),
-                   "'chain' has no result 'shaft_3'"));
-    CHECK(contains(Solved(chain("1.4") + "[belt]\ncalculator = \"belt.v\"\ndrive = \"=chain.shaft_1\"\n").messages(),
-                   "has nothing that 'belt' lacks"));
     CHECK(
-        contains(Solved(chain("1.4") + end("load = \"chain\"")).messages(), "'load' takes the record of another step"));
-    CHECK(!contains(Solved(chain("1.4") + end("load = \"=chain.F_W\"")).messages(), "is missing"));
-    CHECK(!contains(Solved(chain("1.4") + end("load = \"chain\"")).messages(), "is missing"));
+        contains(Solved(chain("1.4") + end("load = \"=chain.shaft_3\"")).errors(), "'chain' has no result 'shaft_3'"));
+    CHECK(contains(Solved(chain("1.4") + "[belt]\ncalculator = \"belt.v\"\ndrive = \"=chain.shaft_1\"\n").errors(),
+                   "has nothing that 'belt' lacks"));
+    CHECK(contains(Solved(chain("1.4") + end("load = \"chain\"")).errors(), "'load' takes the record of another step"));
+    CHECK(!contains(Solved(chain("1.4") + end("load = \"=chain.F_W\"")).errors(), "is missing"));
+    CHECK(!contains(Solved(chain("1.4") + end("load = \"chain\"")).errors(), "is missing"));
   }
 }

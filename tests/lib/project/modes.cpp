@@ -1,8 +1,5 @@
 // What is said of a part: modes that apply, may apply, are judged, accepted, or left alone.
-#include "lib/project/modes.hpp"
-
-#include "calculators/catalogue.hpp"
-#include "lib/project/project.hpp"
+#include "tests/lib/project/solved.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,35 +10,8 @@ namespace {
 
 using namespace loadpath;
 using account::State;
-
-struct Judged {
-  explicit Judged(const std::string& text) {
-    project = project::read_project(text, "part.toml", catalogue(), issues);
-    if (!has_errors(issues)) project::solve(project, issues);
-  }
-  /// "gears.root_1"
-  [[nodiscard]] const account::Mode& mode(const std::string& name) {
-    all = project::modes(project);
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const account::Mode& m) { return m.step + "." + m.id == name; });
-    REQUIRE_MESSAGE(found != all.end(), name);
-    return *found;
-  }
-  [[nodiscard]] bool has(const std::string& name) {
-    all = project::modes(project);
-    return std::any_of(all.begin(), all.end(), [&](const account::Mode& m) { return m.step + "." + m.id == name; });
-  }
-  [[nodiscard]] std::string messages() const {
-    std::string text;
-    for (const Issue& issue : issues) text += issue.message.text() + " = " + issue.hint.text() + "\n";
-    return text;
-  }
-  project::Project project;
-  std::vector<Issue> issues;
-  account::Modes all;
-};
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using test::contains;
+using test::Solved;
 
 const std::string gears =
     "[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = \"2.5 mm\"\nT_1 = \"60 N*m\"\nb = \"25 mm\"\n";
@@ -64,7 +34,7 @@ const std::string rod =
 
 TEST_SUITE("project modes") {
   TEST_CASE("a load without a strength is not judged, and what would judge it is named") {
-    Judged bare(gears), judged(gears + strength), one(gears + "sigma_adm_1 = \"200 MPa\"\n");
+    Solved bare(gears), judged(gears + strength), one(gears + "sigma_adm_1 = \"200 MPa\"\n");
     CHECK(bare.mode("gears.root_1").state == State::not_judged);
     CHECK(bare.mode("gears.root_1").wants == "sigma_adm_1");
     CHECK(judged.mode("gears.root_1").state == State::pass);
@@ -75,25 +45,25 @@ TEST_SUITE("project modes") {
   }
 
   TEST_CASE("without a load nothing of strength applies") {
-    CHECK_FALSE(Judged(gears.substr(0, gears.find("T_1"))).has("gears.root_1"));
+    CHECK_FALSE(Solved(gears.substr(0, gears.find("T_1"))).has("gears.root_1"));
   }
 
   TEST_CASE("the user answers for what nothing judges, and never for a failure") {
     const std::string reason = "accept.pitting_1 = \"rated by the maker, drawing 12\"\n";
-    Judged accepted(gears + strength + reason);
+    Solved accepted(gears + strength + reason);
     CHECK(accepted.mode("gears.pitting_1").state == State::accepted);
     CHECK(account::reason(accepted.mode("gears.pitting_1")).text() == "rated by the maker, drawing 12");
-    Judged failing(gears + "sigma_adm_1 = \"20 MPa\"\nsigma_adm_2 = \"20 MPa\"\naccept.root_1 = \"it will hold\"\n");
+    Solved failing(gears + "sigma_adm_1 = \"20 MPa\"\nsigma_adm_2 = \"20 MPa\"\naccept.root_1 = \"it will hold\"\n");
     CHECK(failing.mode("gears.root_1").state == State::fail);
-    CHECK(contains(Judged(gears + "accept.piting_1 = \"x\"\n").messages(),
+    CHECK(contains(Solved(gears + "accept.piting_1 = \"x\"\n").messages(),
                    "has no mode of failure 'piting_1' = did you mean 'pitting_1'?"));
-    CHECK(contains(Judged(gears + "accept.pitting_1 = \" \"\n").messages(), "needs a reason"));
-    CHECK(contains(Judged(gears + "accept.pitting_1 = true\n").messages(), "needs a reason"));
-    CHECK(contains(Judged(gears + "accept = \"pitting_1\"\n").messages(), "is a table of reasons, not a text"));
+    CHECK(contains(Solved(gears + "accept.pitting_1 = \" \"\n").messages(), "needs a reason"));
+    CHECK(contains(Solved(gears + "accept.pitting_1 = true\n").messages(), "needs a reason"));
+    CHECK(contains(Solved(gears + "accept = \"pitting_1\"\n").messages(), "is a table of reasons, not a text"));
   }
 
   TEST_CASE("a torque that is typed may stand still, one from gears turns, and brings their forces") {
-    Judged typed(axle + "T = \"100 N*m\"\n"), taken(gears + strength + axle + "T = \"=gears.T_2\"\n");
+    Solved typed(axle + "T = \"100 N*m\"\n"), taken(gears + strength + axle + "T = \"=gears.T_2\"\n");
     CHECK(account::overall(project::modes(typed.project)) == State::pass);  // beside what is open
     CHECK(typed.mode("axle.fatigue").state == State::open);
     CHECK(typed.mode("axle.bending").state == State::open);
@@ -102,7 +72,7 @@ TEST_SUITE("project modes") {
   }
 
   TEST_CASE("a link's force comes with its bending, which a column of force alone has not judged") {
-    Judged column(press + rod + "N = \"=press.links.rod.N\"\n");
+    Solved column(press + rod + "N = \"=press.links.rod.N\"\n");
     REQUIRE_MESSAGE(!has_errors(column.issues), column.messages());
     CHECK(column.mode("rod.buckling").state == State::pass);
     CHECK(column.mode("rod.lateral").state == State::not_judged);
@@ -111,46 +81,46 @@ TEST_SUITE("project modes") {
   }
 
   TEST_CASE("a magnitude is no value for a load whose sign decides, unless its sign is said") {
-    CHECK(contains(Judged(press + rod + "N = \"=peak(press.links.rod.N)\"\n").messages(),
+    CHECK(contains(Solved(press + rod + "N = \"=peak(press.links.rod.N)\"\n").messages(),
                    "the sign of 'N' decides, and 'peak' gives a magnitude"));
-    CHECK(contains(Judged(press + rod + "N = \"=2*abs(press.links.rod.N)\"\n").messages(), "'abs' gives a magnitude"));
+    CHECK(contains(Solved(press + rod + "N = \"=2*abs(press.links.rod.N)\"\n").messages(), "'abs' gives a magnitude"));
     for (const char* sound : {"=-peak(press.links.rod.N)", "=min(press.links.rod.N)", "=press.links.rod.N"}) {
       CAPTURE(sound);
-      CHECK_FALSE(has_errors(Judged(press + rod + "N = \"" + sound + "\"\n").issues));
+      CHECK_FALSE(has_errors(Solved(press + rod + "N = \"" + sound + "\"\n").issues));
     }
   }
 
   TEST_CASE("links and pins that no step takes are one open line") {
-    Judged alone(press), taken(press + rod + "N = \"=press.links.rod.N\"\n");
+    Solved alone(press), taken(press + rod + "N = \"=press.links.rod.N\"\n");
     CHECK(alone.mode("press.strength").state == State::open);
     CHECK(contains(account::reason(alone.mode("press.strength")).text(), "rod"));
     CHECK_FALSE(contains(account::reason(taken.mode("press.strength")).text(), " rod,"));
   }
 
   TEST_CASE("a step without results for want of an input has not passed") {
-    Judged step(axle + "T = \"=1 N*m / 0\"\n");
+    Solved step(axle + "T = \"=1 N*m / 0\"\n");
     CHECK(step.mode("axle.inputs").state == State::not_available);
     CHECK(account::worst(project::modes(step.project)) == State::not_available);
   }
 
   TEST_CASE("a pass is never said without what it covers") {
-    CHECK(contains(account::scope(project::modes(Judged(gears + strength).project)).text(), "; pass: gears."));
+    CHECK(contains(account::scope(project::modes(Solved(gears + strength).project)).text(), "; pass: gears."));
     CHECK(account::scope({}).text() == "nothing is judged here");
     CHECK(account::overall({}) == State::open);
   }
 
   TEST_CASE("customs that an input breaks stand with its step") {
-    Judged odd(axle + "T = \"100 N*m\"\nK_A = 0.001\n");
+    Solved odd(axle + "T = \"100 N*m\"\nK_A = 0.001\n");
     REQUIRE(odd.project.steps[0]->account().warnings.size() == 1);
     CHECK(contains(odd.project.steps[0]->account().warnings[0].text(), "K_A"));
   }
 
   TEST_CASE("a typed input that no result depends on is told") {
     const std::string unloaded = gears.substr(0, gears.find("T_1"));
-    CHECK_FALSE(contains(Judged(unloaded).messages(), "no effect"));
-    CHECK(contains(Judged(unloaded + "K_A = 1.5\n").messages(), "'K_A' has no effect here"));
-    CHECK_FALSE(contains(Judged(gears + "K_A = 1.5\n").messages(), "no effect"));
-    CHECK_FALSE(contains(Judged(axle + "T = \"100 N*m\"\nG = \"80 GPa\"\nl = \"1 m\"\n").messages(), "no effect"));
+    CHECK_FALSE(contains(Solved(unloaded).messages(), "no effect"));
+    CHECK(contains(Solved(unloaded + "K_A = 1.5\n").messages(), "'K_A' has no effect here"));
+    CHECK_FALSE(contains(Solved(gears + "K_A = 1.5\n").messages(), "no effect"));
+    CHECK_FALSE(contains(Solved(axle + "T = \"100 N*m\"\nG = \"80 GPa\"\nl = \"1 m\"\n").messages(), "no effect"));
   }
 }
 
@@ -163,7 +133,7 @@ TEST_SUITE("project unused") {
       "crank = { speed = \"3000 rpm\", positions = 24 }\nlinks.slider = { mass = \"0.4 kg\" }\n";
 
   TEST_CASE("a typed number or word that no result depends on is told") {
-    const auto says = [&](const std::string& more) { return Judged(bar + "P = \"5 kN\"\n" + more).messages(); };
+    const auto says = [&](const std::string& more) { return Solved(bar + "P = \"5 kN\"\n" + more).messages(); };
     CHECK_FALSE(contains(says("a_R = 1e-4\n"), "no effect"));  // it moves a row of another method
     CHECK(contains(says("grade = \"S460\"\n"), "'grade' has no effect here"));
     CHECK(contains(says("gamma_M1 = 1.1\n"), "'gamma_M1' has no effect here"));
@@ -175,28 +145,28 @@ TEST_SUITE("project unused") {
     const std::string below = "sigma_P = \"190 MPa\"\nP = \"10 kN\"\n";  // Euler is not covered there
     std::string euler = bar;
     euler.replace(euler.find("johnson"), 7, "euler");
-    CHECK_FALSE(contains(Judged(euler + below).messages(), "no effect"));
+    CHECK_FALSE(contains(Solved(euler + below).messages(), "no effect"));
   }
 
   TEST_CASE("over a series an input is tried at several positions") {
     const std::string moving = engine + bar + "N = \"=m.links.rod.N\"\n";
-    CHECK(contains(Judged(moving + "gamma_M1 = 1.1\n").messages(), "'gamma_M1' has no effect here"));
-    CHECK_FALSE(contains(Judged(moving + "n_t = 2\n").messages(), "no effect"));  // pulled in half of them
+    CHECK(contains(Solved(moving + "gamma_M1 = 1.1\n").messages(), "'gamma_M1' has no effect here"));
+    CHECK_FALSE(contains(Solved(moving + "n_t = 2\n").messages(), "no effect"));  // pulled in half of them
   }
 
   TEST_CASE("inputs inside of lists are tried too, also those that come from expressions") {
     const std::string lift =
         "[l]\ncalculator = \"dynamics.lift\"\ns = \"2 m\"\nweights = [{ m = \"60 kg\", i = -1 }, { m = "
         "\"100 kg\", mu = 0.1";
-    CHECK(contains(Judged(lift + " }]\n").messages(), "'weights[2].mu' has no effect here"));  // it hangs
-    CHECK_FALSE(contains(Judged(lift + ", alpha = \"60 deg\" }]\n").messages(), "no effect"));
+    CHECK(contains(Solved(lift + " }]\n").messages(), "'weights[2].mu' has no effect here"));  // it hangs
+    CHECK_FALSE(contains(Solved(lift + ", alpha = \"60 deg\" }]\n").messages(), "no effect"));
     const std::string axle_and_bar = axle + "T = \"100 N*m\"\n" + bar + "P = \"5 kN\"\n";
-    CHECK(contains(Judged(axle_and_bar + "gamma_M1 = \"=1 + axle.u_tau\"\n").messages(),
+    CHECK(contains(Solved(axle_and_bar + "gamma_M1 = \"=1 + axle.u_tau\"\n").messages(),
                    "'gamma_M1' has no effect here"));
   }
 
   TEST_CASE("a word that a rule asks for is not told, though no other changes a result") {
-    const Judged belt(
+    const Solved belt(
         "[b]\ncalculator = \"belt.v\"\nbasis = \"iso\"\nsection = \"C\"\nbelt_class = \"III\"\nP = \"10 kW\"\nn_1 = "
         "\"800 rpm\"\nd_1 = \"200 mm\"\nd_2 = \"200 mm\"\nL = \"3750 mm\"\n");
     CHECK_FALSE(contains(belt.messages(), "no effect"));
@@ -205,7 +175,7 @@ TEST_SUITE("project unused") {
 
 TEST_SUITE("project angles") {
   TEST_CASE("inside of expressions as outside an angle is no bare number, and an angular speed no frequency") {
-    const auto says = [](const std::string& text) { return Judged(text).messages(); };
+    const auto says = [](const std::string& text) { return Solved(text).messages(); };
     const std::string motion = "[m]\ncalculator = \"motion.compound\"\nxi = \"1 m\"\nv_eta = \"2 m/s\"\n";
     CHECK(contains(says(motion + "omega = \"=50 Hz\"\n"), "'omega' takes a value of angular speed"));
     CHECK(contains(says(motion + "omega = \"=3000/(1 min)\"\n"), "rpm, rev/s or rad/s"));

@@ -1,6 +1,5 @@
 // What a step takes from others beside numbers: counts, words, rows of tables, lists, records, shared values.
-#include "calculators/catalogue.hpp"
-#include "lib/project/project.hpp"
+#include "tests/lib/project/solved.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,38 +8,8 @@
 namespace {
 
 using namespace loadpath;
-
-struct Solved {
-  explicit Solved(const std::string& text) {
-    project = project::read_project(text, "refer.toml", catalogue(), issues);
-    if (!has_errors(issues)) project::solve(project, issues);
-  }
-  [[nodiscard]] std::string messages() const {
-    std::string text;
-    for (const Issue& issue : issues)
-      text += issue.key + ": " + issue.message.text() + " = " + issue.hint.text() + "\n";
-    return text;
-  }
-  [[nodiscard]] double value(const std::string& path) const {
-    const Value* const found = project.value(path);
-    REQUIRE_MESSAGE(found != nullptr, path, "\n", messages());
-    return found->si[0];
-  }
-  [[nodiscard]] std::string word(const std::string& path) const {
-    const std::size_t dot = path.find('.');
-    return project.find(path.substr(0, dot))->word(path.substr(dot + 1));
-  }
-  [[nodiscard]] std::string origin(const std::string& step, const std::string& path) const {
-    for (const account::Entry& entry : project.find(step)->account().inputs) {
-      if (entry.path == path) return entry.origin.text.text();
-    }
-    return "none";
-  }
-  project::Project project;
-  std::vector<Issue> issues;
-};
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using test::contains;
+using test::Solved;
 
 const std::string gears =
     "[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = \"2.5 mm\"\nT_1 = \"60 N*m\"\nb = \"25 mm\"\n";

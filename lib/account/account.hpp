@@ -19,6 +19,7 @@ struct Origin {
   std::vector<std::string> sources;  // keys of tables/sources.toml
   bool recalled = false;             // the row's source was not seen: flagged in the report
   bool searched = false;             // found by a search
+  bool assumed = false;              // the default: nobody gave it
 };
 
 /// A named quantity of a step.

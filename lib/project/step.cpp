@@ -271,7 +271,7 @@ Origin plain_origin(const Reading& reading, const std::string& path, const Leaf&
     return {as_shown ? say("given") : say("given as {1}", typed->second.text), {}, false};
   }
   const bool open = leaf.field->type == FieldInfo::Type::quantity && std::isnan(leaf.get());
-  return {open ? Message{} : say("default"), {}, false};
+  return {open ? Message{} : say("default"), {}, false, false, !open};
 }
 
 }  // namespace loadpath::project

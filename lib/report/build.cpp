@@ -1,6 +1,7 @@
 #include "lib/report/build.hpp"
 
 #include "lib/quantity/format.hpp"
+#include "lib/report/why.hpp"
 #include "lib/table/table.hpp"
 
 #include <algorithm>
@@ -117,14 +118,29 @@ void add_step(const Step& step, std::vector<Block>& blocks) {
   if (!account.verdicts.empty()) blocks.emplace_back(Verdicts{account.verdicts});
 }
 
-/// Factors that raise a load or lower a strength, each where it is applied: once.
+/// The inputs that the verdicts of a step follow from; none where no formula is written out.
+std::set<std::string> deciding_inputs(const Account& account) {
+  std::set<std::string> paths;
+  for (const account::Verdict& row : account.verdicts) {
+    for (const Entry* input : reasons_of(account, row.symbol).inputs) paths.insert(input->path);
+  }
+  return paths;
+}
+
+/// Factors that raise a load or lower a strength, each where it is applied: once. One that nobody gave and no verdict
+/// follows from is that of another method.
 void add_factors(const Project& project, std::vector<Block>& blocks) {
   Table table{say("Factors, each applied once where it stands"),
               {say("step"), say("factor"), say("meaning"), say("value")},
               {}};
   for (const auto& step : project.steps) {
-    for (const Entry& e : step->account().inputs) {
-      if (e.is_factor) table.rows.push_back({step->name(), Symbol{e.path}, say("{1}", e.doc), cell_of(e)});
+    const auto& inputs = step->account().inputs;
+    if (std::none_of(inputs.begin(), inputs.end(), [](const Entry& e) { return e.is_factor; })) continue;
+    const std::set<std::string> deciding = deciding_inputs(step->account());
+    for (const Entry& e : inputs) {
+      const bool of_another = e.origin.assumed && !deciding.empty() && !deciding.contains(e.path);
+      if (e.is_factor && !of_another)
+        table.rows.push_back({step->name(), Symbol{e.path}, say("{1}", e.doc), cell_of(e)});
     }
   }
   if (!table.rows.empty()) blocks.emplace_back(std::move(table));

@@ -184,4 +184,20 @@ TEST_SUITE("layout") {
     for (int i = 0; i < 27; ++i) files.push_back("lib/a/" + std::to_string(i) + ".hpp");
     CHECK(tells(faults({{"lib/a", {}}}, files, {}), "lib/a: holds 27 files"));
   }
+
+  TEST_CASE("a source that a comment names is there") {
+    std::vector<std::string> files;
+    includes_of(LOADPATH_ROOT, files);
+    std::set<std::string> names;
+    for (const std::string& file : files) names.insert(fs::path(file).filename().string());
+    const std::regex comment("// ?[^\n]*"), source("[a-z_0-9]+[.][ch]pp");
+    for (const std::string& file : files) {
+      const std::string text = text_of(fs::path(LOADPATH_ROOT) / file);
+      for (std::sregex_iterator i(text.begin(), text.end(), comment), end; i != end; ++i) {
+        const std::string line = i->str();
+        for (std::sregex_iterator k(line.begin(), line.end(), source); k != end; ++k)
+          CHECK_MESSAGE(names.count(k->str()) == 1, file, " names ", k->str());
+      }
+    }
+  }
 }

@@ -28,7 +28,7 @@ struct MechanismTemplate : Template {
   std::optional<FieldFault> (*crank_stop)(const void* parameters) = nullptr;
 };
 
-/// The erased form of a template's struct: defined by mechanism_template_of.hpp, instantiated in the template's source.
+/// The erased form of a template's struct: defined by template_of.hpp, instantiated in the template's source.
 template <class T>
 const MechanismTemplate& mechanism_template();
 

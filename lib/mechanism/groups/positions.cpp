@@ -33,7 +33,7 @@ GroupPositions::GroupPositions(const Plan& plan, double length)
   for (std::size_t k = 0; k < plan.cuts.size(); ++k) prepare(plan.cuts[k].shape, cuts_[k].pair);
 }
 
-// Inline as in group_motion.cpp.
+// Inline as in motion.cpp.
 inline void GroupPositions::place(std::size_t t) {
   const TreeJoint& tree = plan_.tree[t];
   const Placed& on = links_[tree.on];

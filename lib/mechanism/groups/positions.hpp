@@ -47,7 +47,7 @@ class GroupPositions {
   /// Sets up the closing equations where the mechanism is. False where they are singular.
   [[nodiscard]] bool factor();
 
-  /// The search of assemblies (group_search.cpp): the drives' coordinates; then the groups one after the other, each
+  /// The search of assemblies (search.cpp): the drives' coordinates; then the groups one after the other, each
   /// on its side +1 or -1 where it has a closed form, else by iteration from these unknown coordinates. False where
   /// that leads to no assembly.
   void aim(std::span<const Drive> drives);

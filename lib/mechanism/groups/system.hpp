@@ -1,7 +1,7 @@
 // Positions, velocities, accelerations, reactions and driving efforts of a planar mechanism, group by group: forward
 // through the initial links and Assur groups in their order of attachment, back for the forces. The cost is linear in
 // the number of groups. What the groups cannot follow by themselves, a change point or a long move, is followed by the
-// equations of the whole system (whole_system.hpp), which also tell why a position is not reached.
+// equations of the whole system (lib/mechanism/whole), which also tell why a position is not reached.
 //
 // The model has passed `diagnose`. All memory is taken in the constructor: `assemble` and `solve` allocate nothing.
 #pragma once

@@ -1,5 +1,4 @@
-// The parser of expressions: its grammar is in expression_parse.cpp, what it says of a wrong text in
-// expression_fault.cpp.
+// The parser of expressions: its grammar is in parse.cpp, what it says of a wrong text in fault.cpp.
 #pragma once
 
 #include "lib/quantity/expression/scan.hpp"

@@ -33,15 +33,15 @@ void check_series(const project::Project& project, const OutputOptions& output, 
 
 }  // namespace
 
-int exit_for(const account::Modes& modes, bool strict) {
-  const account::State most = strict ? account::State::accepted : account::State::open;
-  return account::rank(account::worst(modes)) <= account::rank(most) ? passed : not_passed;
+int exit_for(const account::Modes& modes) {
+  return account::rank(account::worst(modes)) <= account::rank(account::State::open) ? passed : not_passed;
 }
 
 int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceText>& sources,
                    const OutputOptions& output, bool in_full) {
   std::vector<Issue> issues;
   project::Project project = read(issues);
+  project.strict = output.strict;
   if (!has_errors(issues)) project::solve(project, issues, wanted_by(output, in_full));
   if (!has_errors(issues)) check_series(project, output, issues);
   std::vector<terminal::SourceText> texts = sources;
@@ -54,10 +54,7 @@ int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceTe
   } else if (!output.quiet) {
     terminal::show_project(project, in_full);
   }
-  const int code = exit_for(project::modes(project), output.strict);
-  if (code != exit_for(project::modes(project), false) && !output.quiet)
-    std::cerr << "not passed: what is open counts as not judged (--strict)\n";
-  return code;
+  return exit_for(project::modes(project));
 }
 
 }  // namespace loadpath::cli

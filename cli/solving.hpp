@@ -15,7 +15,7 @@ using ReadProject = std::function<project::Project(std::vector<Issue>& issues)>;
 int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceText>& sources,
                    const OutputOptions& output, bool in_full);
 
-/// The exit code that modes of failure amount to; `strict`: what is open counts as not judged.
-int exit_for(const account::Modes& modes, bool strict);
+/// The exit code that modes of failure amount to.
+int exit_for(const account::Modes& modes);
 
 }  // namespace loadpath::cli

@@ -33,13 +33,13 @@ int why(const WhyOptions& options) {
   if (has_errors(issues)) return wrong_input;
   if (options.of.empty()) {
     terminal::show_deciding(project);
-    return exit_for(project::modes(project), false);
+    return exit_for(project::modes(project));
   }
   const std::size_t dot = options.of.find('.');
   const project::Step* const step = project.find(options.of.substr(0, dot));
   if (step == nullptr) return refuse_step(project, options.of);
   if (!terminal::show_why(*step, dot == std::string::npos ? "" : options.of.substr(dot + 1))) return wrong_input;
-  return exit_for(step->account().modes, false);
+  return exit_for(step->account().modes);
 }
 
 }  // namespace loadpath::cli

@@ -29,6 +29,13 @@ State overall(const Modes& modes) {
   return judged ? State::pass : State::open;
 }
 
+Modes strictly(Modes modes) {
+  for (Mode& mode : modes) {
+    if (mode.state == State::open) mode.state = State::not_judged;
+  }
+  return modes;
+}
+
 Modes in_order(Modes modes) {
   std::stable_sort(modes.begin(), modes.end(), [](const Mode& a, const Mode& b) {
     if (a.state != b.state) return place(a.state) < place(b.state);

@@ -30,6 +30,8 @@ State worst(const Modes& modes);
 /// What is said of all together: the worst, but for what is open or accepted, beside which the others pass; open where
 /// nothing was judged at all.
 State overall(const Modes& modes);
+/// The modes where nothing may be left open: what is open counts as not judged.
+Modes strictly(Modes modes);
 /// Failures first, then what is not judged, then by utilisation; what is open comes last.
 Modes in_order(Modes modes);
 /// "fail: rod.buckling; not judged: rod.bending; pass: rod.section": never a pass without what it covers.

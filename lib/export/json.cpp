@@ -86,8 +86,10 @@ void write_verdicts(const std::vector<account::Verdict>& list, JsonWriter& out) 
 }
 
 /// The verdict on a part or a machine: its worst mode, what it covers, and every mode.
-void write_modes(const account::Modes& modes, JsonWriter& out) {
+void write_modes(const project::Project& project, JsonWriter& out) {
+  const account::Modes modes = project::modes(project);
   out.key("verdict").open_object();
+  if (project.strict) out.member("strict", true);
   out.member("state", word_of(account::overall(modes)));
   out.member("scope", account::scope(modes).text());
   out.key("modes").open_array();
@@ -191,7 +193,7 @@ std::string json_of(const project::Project& project, std::string_view program, c
   out.member("title", project.title);
   for (const auto& [key, value] : project.meta) out.member(key, value);
   out.close_object();
-  write_modes(project::modes(project), out);
+  write_modes(project, out);
   out.key("steps").open_array();
   for (const auto& step : project.steps) write_step(*step, choice, out);
   out.close_array();

@@ -233,7 +233,7 @@ account::Modes modes(const Project& project) {
   account::Modes all;
   for (const auto& step : project.steps)
     all.insert(all.end(), step->account().modes.begin(), step->account().modes.end());
-  return all;
+  return project.strict ? account::strictly(std::move(all)) : all;
 }
 
 std::vector<account::Verdict> verdicts(const Project& project) {

@@ -41,6 +41,7 @@ struct Project {
   std::vector<NamedFile> files;                 // that were read beside its own
   std::map<std::string, Value> table_values;    // that expressions name: "tables.materials.S355.E"
   std::vector<Expectation> expectations;
+  bool strict = false;  // what is open counts as not judged
 
   [[nodiscard]] const Step* find(std::string_view name) const;
   /// That there is no step of a path's name, and which there may be.
@@ -60,7 +61,7 @@ void solve(Project& project, std::vector<Issue>& issues, Wanted wanted = {});
 
 /// The checks and limits of all steps.
 std::vector<account::Verdict> verdicts(const Project& project);
-/// How the modes of failure of all parts came out: the verdict.
+/// How the modes of failure of all parts came out, as strictly as the project is judged: the verdict.
 account::Modes modes(const Project& project);
 
 }  // namespace loadpath::project

@@ -221,6 +221,8 @@ Document build(const Project& project, std::string_view program) {
   document.title = project.title.empty() ? project.file : project.title;
   document.meta.emplace_back(say("Project file"), project.file);
   for (const auto& [key, value] : project.meta) document.meta.emplace_back(say("{1}", key), value);
+  if (project.strict)
+    document.meta.emplace_back(say("Judged strictly"), say("what is open counts as not judged").text());
   document.meta.emplace_back(say("Program"), std::string(program));
   document.summary = project::modes(project);
   add_factors(project, document.blocks);

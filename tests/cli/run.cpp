@@ -133,6 +133,26 @@ TEST_SUITE("cli run") {
     CHECK(run(wrong, {"--quiet"}).error.starts_with("standard input:4:15: error:"));
   }
 
+  TEST_CASE("with --strict what is open counts as not judged wherever a verdict stands") {
+    const Desk desk;
+    desk.put("a.toml", passing);
+    const std::vector<std::string> strict{"run", "a.toml", "--strict", "--report", "a.md", "--report", "a.html"};
+    const Ran shown = desk.run(strict);
+    CHECK(shown.code == 1);
+    CHECK(contains(shown.out, "\n  not judged  axle.twist "));
+    CHECK(contains(shown.out, "\nnot judged: axle."));
+    CHECK_FALSE(contains(shown.out, "open"));
+    CHECK(contains(desk.get("a.md"), "not judged: Of "));
+    CHECK(contains(desk.get("a.md"), "- Judged strictly: what is open counts as not judged\n"));
+    CHECK_FALSE(contains(desk.get("a.md"), " open\\."));
+    CHECK(contains(desk.get("a.html"), "not judged"));
+    const Ran as_json = desk.run({"run", "a.toml", "--strict", "--json"});
+    CHECK(as_json.code == 1);
+    CHECK(json::parse(as_json.out).at("verdict").at("state") == "not judged");
+    CHECK(json::parse(as_json.out).at("verdict").at("strict") == true);
+    CHECK(desk.run({"run", "a.toml"}).code == 0);
+  }
+
   TEST_CASE("--json is one object, and a number reads back to the result") {
     const Ran o = run(passing, {"--json"});
     CHECK(o.code == 0);

@@ -1,11 +1,10 @@
 #include "lib/report/terminal/terminal.hpp"
 
-#include "lib/formula/formula.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/build.hpp"
+#include "lib/report/terminal/rows.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <unistd.h>
@@ -18,33 +17,15 @@ std::string in_colour(const std::string& text, const char* code) {
   return colours(Stream::out) ? "\033[" + std::string(code) + "m" + text + "\033[0m" : text;
 }
 
-std::string not_available(const account::Entry& e) {
-  return e.missing.empty() ? format_quantity(NAN, e.unit) : say("not available: {1}", e.missing).text();
-}
-
-std::string shown(const account::Entry& e) {
-  if (!e.word.empty()) return e.word;
-  if (!e.value.is_series()) {
-    const double si = e.value.si.empty() ? NAN : e.value.si[0];
-    return std::isnan(si) ? not_available(e) : format_quantity(si, e.unit);
-  }
-  if (is_constant(e.value)) return say("{1}, constant", format_quantity(e.value.si.front(), e.unit)).text();
-  const Extreme low = minimum(e.value), high = maximum(e.value);
-  if (std::isnan(low.value)) return not_available(e);
-  const Axis& axis = *e.value.signature.axis;
-  return format_quantity(low.value, e.unit) + " (at " + format_quantity(low.at, axis.unit, 5) + ") to " +
-         format_quantity(high.value, e.unit) + " (at " + format_quantity(high.at, axis.unit, 5) + ")";
-}
-
 /// Results worth a line on the terminal: nothing that was not asked for.
 bool is_shown(const account::Entry& e) {
   return e.brief && e.role == Role::result && (!account::is_open(e) || !e.missing.empty());
 }
 
 void show_results(const project::Step& step) {
-  std::vector<std::vector<std::string>> rows;
+  std::vector<Row> rows;
   for (const account::Entry& e : step.account().results) {
-    if (is_shown(e)) rows.push_back({"  " + e.path, shown(e), e.doc});
+    if (is_shown(e)) rows.push_back({"  " + e.path, value_text(e), e.doc});
   }
   std::cout << columns(rows);
 }
@@ -60,7 +41,7 @@ std::string text_of(const account::Cell& cell) {
 
 void show_table(const account::Table& table) {
   std::cout << paragraph("  " + table.caption.text());
-  std::vector<std::vector<std::string>> rows;
+  std::vector<Row> rows;
   if (!table.head.empty()) rows.emplace_back();
   for (const Message& word : table.head) rows.back().push_back(word.text());
   for (const auto& row : table.rows) {
@@ -94,18 +75,14 @@ void show_derivation(const project::Step& step) {
   const auto& lines = step.account().derivation;
   if (!step.account().governing.empty()) std::cout << "  worked out " << step.account().governing.text() << ":\n";
   const bool several = std::any_of(lines.begin(), lines.end(), [](const auto& d) { return d.scope.ends_with("[2]"); });
-  std::vector<std::vector<std::string>> rows;
+  std::vector<Row> rows;
   rows.reserve(lines.size());
-  for (const auto& [scope, line, element] : lines) {
-    rows.push_back({"  " + (several && !scope.empty() ? element + " " : "") + formula::symbol_plain(line.symbol) +
-                        (line.formula.empty() ? "" : " = " + plain_formula(line)),
-                    "= " + format_quantity(line.value.si, line.value.unit), line.why.text()});
-  }
+  for (const account::Derived& line : lines) rows.push_back(line_row(line, several));
   std::cout << columns(rows);
 }
 
 void show_verdicts(const std::vector<account::Verdict>& verdicts) {
-  std::vector<std::vector<std::string>> rows;
+  std::vector<Row> rows;
   for (const account::Verdict& v : verdicts) {
     const auto* number = std::get_if<account::Quantity>(&v.value);
     const auto* words = std::get_if<Message>(&v.value);
@@ -116,25 +93,6 @@ void show_verdicts(const std::vector<account::Verdict>& verdicts) {
                     v.meaning.text() + (v.note.empty() ? "" : "; " + v.note.text())});
   }
   std::cout << columns(rows);
-}
-
-/// The modes of failure, what needs a hand first; those that are open and judged by nothing in one line.
-void show_modes(const account::Modes& modes) {
-  std::vector<std::vector<std::string>> rows;
-  std::string remote;
-  for (const account::Mode& mode : account::in_order(modes)) {
-    if (account::is_remote(mode)) {
-      remote += (remote.empty() ? "" : ", ") + mode.step + "." + mode.id;
-      continue;
-    }
-    rows.push_back({"  " + state_word(mode.state), mode.step + "." + mode.id,
-                    mode.utilisation ? format_quantity(*mode.utilisation, "-", 4) : "",
-                    mode.title.text() + "; " + account::reason(mode).text()});
-  }
-  std::cout << columns(rows);
-  if (!remote.empty())
-    std::cout << columns(
-        {{"  " + state_word(account::State::open), say("and judged by nothing here: {1}", remote).text()}});
 }
 
 /// Hints name many words at times. Lines of a file stay whole, for the caret stands below its character.
@@ -152,17 +110,6 @@ std::string with_short_hints(const std::string& text) {
 }
 
 }  // namespace
-
-std::string plain_formula(const account::Step& line) {
-  const auto tree = formula::parse(line.formula);
-  if (!tree) return line.formula;
-  const formula::Known known = [&](std::string_view name) -> std::optional<double> {
-    const auto given =
-        std::find_if(line.given.begin(), line.given.end(), [&](const auto& g) { return g.name == name; });
-    return given == line.given.end() ? std::nullopt : std::optional(given->si);
-  };
-  return formula::plain(*tree, {}, known);
-}
 
 bool colours(Stream stream) {
   static const bool wanted = std::getenv("NO_COLOR") == nullptr;
@@ -203,8 +150,7 @@ void show_project(const project::Project& project, bool in_full) {
   }
   const auto modes = project::modes(project);
   if (modes.empty()) return;
-  show_modes(modes);
-  std::cout << "\n" << paragraph(account::scope(modes).text(), 2);
+  std::cout << mode_columns(modes, true) << "\n" << paragraph(account::scope(modes).text(), 2);
 }
 
 }  // namespace loadpath::terminal

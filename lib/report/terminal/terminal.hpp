@@ -23,9 +23,6 @@ bool colours(Stream stream);
 /// The results and verdicts of a solved project; `in_full`: its formulas too, and of a mechanism its tables.
 void show_project(const project::Project& project, bool in_full);
 
-/// The formula of a line with the branch that ran; as it was written where it is not in the language.
-std::string plain_formula(const account::Step& line);
-
 /// One coloured word for a state: "pass", "FAIL".
 std::string state_word(account::State state);
 

@@ -1,7 +1,6 @@
 #include "lib/report/terminal/why.hpp"
 
-#include "lib/formula/formula.hpp"
-#include "lib/quantity/format.hpp"
+#include "lib/report/terminal/rows.hpp"
 #include "lib/report/terminal/terminal.hpp"
 #include "lib/report/why.hpp"
 
@@ -16,35 +15,18 @@ using account::Entry;
 using account::Mode;
 using project::Step;
 
-std::string value_of(const Entry& entry) {
-  if (!entry.word.empty() || entry.value.si.empty()) return entry.word;
-  if (!entry.value.is_series()) return format_quantity(entry.value.si[0], entry.unit);
-  return format_quantity(minimum(entry.value).value, entry.unit) + " to " +
-         format_quantity(maximum(entry.value).value, entry.unit);
-}
-
 void show_entries(const std::vector<const Entry*>& entries) {
-  std::vector<std::vector<std::string>> rows;
+  std::vector<Row> rows;
   rows.reserve(entries.size());
-  for (const Entry* e : entries) rows.push_back({"  " + e->path, value_of(*e), e->origin.text.text()});
+  for (const Entry* e : entries) rows.push_back({"  " + e->path, value_text(*e), e->origin.text.text()});
   std::cout << columns(rows);
 }
 
 void show_lines(const std::vector<account::Derived>& lines) {
-  std::vector<std::vector<std::string>> rows;
+  std::vector<Row> rows;
   rows.reserve(lines.size());
-  for (const auto& [scope, line, element] : lines) {
-    const std::string left = (scope.empty() ? "" : element + " ") + formula::symbol_plain(line.symbol);
-    rows.push_back({"  " + left + (line.formula.empty() ? "" : " = " + plain_formula(line)),
-                    "= " + format_quantity(line.value.si, line.value.unit), line.why.text()});
-  }
+  for (const account::Derived& line : lines) rows.push_back(line_row(line, true));
   std::cout << columns(rows);
-}
-
-void show_mode(const Mode& mode) {
-  std::cout << columns(
-      {{"  " + state_word(mode.state), mode.id, mode.utilisation ? format_quantity(*mode.utilisation, "-", 4) : "",
-        mode.title.text() + "; " + account::reason(mode).text()}});
 }
 
 /// The results of a step whose formulas are not lines: what a mechanism's solver gives.
@@ -53,7 +35,7 @@ bool show_result(const Step& step, const std::string& path) {
     for (const Entry& entry : *entries) {
       if (entry.path != path) continue;
       const std::string from = entry.origin.text.empty() ? std::string() : "; " + entry.origin.text.text();
-      std::cout << columns({{"  " + entry.path, value_of(entry), entry.doc + from}});
+      std::cout << columns({{"  " + entry.path, value_text(entry), entry.doc + from}});
       return true;
     }
   }
@@ -91,13 +73,11 @@ void refuse(const Step& step, const std::string& path) {
 }  // namespace
 
 void show_deciding(const project::Project& project) {
-  std::vector<std::vector<std::string>> rows;
+  std::vector<Row> rows;
   for (const auto& step : project.steps) {
     const auto mode = report::deciding(step->account());
     if (!mode) continue;
-    rows.push_back({"  " + state_word(account::overall(step->account().modes)), step->name(),
-                    mode->utilisation ? format_quantity(*mode->utilisation, "-", 4) : "",
-                    mode->title.text() + "; " + account::reason(*mode).text()});
+    rows.push_back(mode_row(*mode, step->name()));
   }
   std::cout << columns(rows);
 }
@@ -109,7 +89,7 @@ bool show_why(const Step& step, const std::string& of) {
                                      : std::nullopt;
   std::string path = mode ? mode->governs : of;
   std::cout << step.name() << ": " << step.input().calculator->title << " (" << step.input().calculator->id << ")\n";
-  if (mode) show_mode(*mode);
+  if (mode) std::cout << columns({mode_row(*mode, mode->id)});
   const auto chosen = report::chosen(step.account());
   if (of.empty() && !chosen.empty()) {
     std::cout << "chosen\n";

@@ -1,0 +1,26 @@
+// Rows of the terminal's columns: values, lines of a calculation, modes of failure.
+#pragma once
+
+#include "lib/account/account.hpp"
+
+#include <string>
+#include <vector>
+
+namespace loadpath::terminal {
+
+using Row = std::vector<std::string>;
+
+/// A word, a quantity, the extremes of a series with their places; or why there is none.
+std::string value_text(const account::Entry& entry);
+
+/// "u = F / A", its value and its source; `in_element`: behind the name of the element that it belongs to.
+Row line_row(const account::Derived& line, bool in_element);
+
+/// How a mode came out, by the name that it has where it stands: "rod.yield" of a project, "yield" of a step.
+Row mode_row(const account::Mode& mode, const std::string& name);
+
+/// The modes as columns, what needs a hand first; those that are open and judged by nothing share the last line.
+/// `of_project`: named with their steps.
+std::string mode_columns(const account::Modes& modes, bool of_project);
+
+}  // namespace loadpath::terminal

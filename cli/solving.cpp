@@ -33,6 +33,12 @@ void check_series(const project::Project& project, const OutputOptions& output, 
 
 }  // namespace
 
+std::vector<terminal::SourceText> with_files_of(const project::Project& project,
+                                                std::vector<terminal::SourceText> sources) {
+  for (const project::NamedFile& file : project.files) sources.push_back({file.name, file.text});
+  return sources;
+}
+
 int exit_for(const account::Modes& modes) {
   return account::rank(account::worst(modes)) <= account::rank(account::State::open) ? passed : not_passed;
 }
@@ -44,9 +50,7 @@ int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceTe
   project.strict = output.strict;
   if (!has_errors(issues)) project::solve(project, issues, wanted_by(output, in_full));
   if (!has_errors(issues)) check_series(project, output, issues);
-  std::vector<terminal::SourceText> texts = sources;
-  for (const project::NamedFile& file : project.files) texts.push_back({file.name, file.text});
-  tell(issues, texts, output);
+  tell(issues, with_files_of(project, sources), output);
   if (has_errors(issues)) return wrong_input;
   if (!write(project, output)) return wrong_input;
   if (output.json) {

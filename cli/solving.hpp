@@ -15,6 +15,10 @@ using ReadProject = std::function<project::Project(std::vector<Issue>& issues)>;
 int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceText>& sources,
                    const OutputOptions& output, bool in_full);
 
+/// What issues point into: these, and the files that the project was read from beside its own.
+std::vector<terminal::SourceText> with_files_of(const project::Project& project,
+                                                std::vector<terminal::SourceText> sources);
+
 /// The exit code that modes of failure amount to.
 int exit_for(const account::Modes& modes);
 

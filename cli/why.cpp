@@ -28,8 +28,9 @@ int why(const WhyOptions& options) {
   const std::string name = options.file == "-" ? "standard input" : options.file;
   std::vector<Issue> issues;
   project::Project project = project::read_project(text, name, catalogue(), issues);
-  if (!has_errors(issues)) project::solve(project, issues, {.pictures = false, .formulas = true});
-  terminal::show_issues(issues, {{name, text}});
+  const project::SeriesChoice asked({options.of});
+  if (!has_errors(issues)) project::solve(project, issues, {.pictures = false, .formulas = true, .series = asked});
+  terminal::show_issues(issues, with_files_of(project, {{name, text}}));
   if (has_errors(issues)) return wrong_input;
   if (options.of.empty()) {
     terminal::show_deciding(project);

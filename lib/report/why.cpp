@@ -1,5 +1,7 @@
 #include "lib/report/why.hpp"
 
+#include "lib/report/conclusion.hpp"
+
 #include <algorithm>
 #include <set>
 
@@ -101,11 +103,20 @@ std::vector<const Entry*> chosen(const Account& account) {
   return found;
 }
 
-std::optional<account::Mode> deciding(const Account& account) {
-  if (account.modes.empty()) return std::nullopt;
-  const auto all = account::in_order(account.modes);
-  const auto judged = std::find_if(all.begin(), all.end(), [](const account::Mode& m) { return !m.governs.empty(); });
-  return judged == all.end() ? all.front() : *judged;
+std::optional<account::Mode> deciding(const account::Modes& modes) {
+  const auto badness = [](const account::Mode& m) { return m.state == account::State::open ? -1 : rank(m.state); };
+  const auto worst = std::max_element(modes.begin(), modes.end(), [&](const account::Mode& a, const account::Mode& b) {
+    if (a.state != b.state) return badness(a) < badness(b);
+    return a.utilisation.value_or(-1.0) < b.utilisation.value_or(-1.0);
+  });
+  return worst == modes.end() ? std::nullopt : std::optional(*worst);
+}
+
+std::optional<account::Mode> telling(const account::Modes& modes) {
+  const auto worst = deciding(modes);
+  if (worst && worst->state == account::State::fail) return worst;
+  const account::Mode* const most = most_utilised(modes);
+  return most == nullptr ? std::nullopt : std::optional(*most);
 }
 
 }  // namespace loadpath::report

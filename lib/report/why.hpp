@@ -21,8 +21,12 @@ Reasons reasons_of(const account::Account& account, const std::string& path);
 /// Inputs that were searched for, with what the search says of them: rows, sizes, loads.
 std::vector<const account::Entry*> chosen(const account::Account& account);
 
-/// The mode of failure that decides over a step: the worst, among like ones the most utilised; nothing where it has
-/// none.
-std::optional<account::Mode> deciding(const account::Account& account);
+/// The mode of failure that decides over a part: the worst, among like ones the most utilised; one that is open only
+/// where there is no other. Nothing where there is none.
+std::optional<account::Mode> deciding(const account::Modes& modes);
+
+/// The mode whose formulas tell most of a part: that which fails, else the most utilised; nothing where none has a
+/// value.
+std::optional<account::Mode> telling(const account::Modes& modes);
 
 }  // namespace loadpath::report

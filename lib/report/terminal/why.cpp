@@ -29,23 +29,38 @@ void show_lines(const std::vector<account::Derived>& lines) {
   std::cout << columns(rows);
 }
 
-/// The results of a step whose formulas are not lines: what a mechanism's solver gives.
-bool show_result(const Step& step, const std::string& path) {
-  for (const auto* entries : {&step.account().results, &step.account().inputs}) {
+/// What is known of a path: the input, and the result of the same name where it is another value.
+std::vector<const Entry*> entries_at(const Step& step, const std::string& path) {
+  std::vector<const Entry*> found;
+  for (const auto* entries : {&step.account().inputs, &step.account().results}) {
     for (const Entry& entry : *entries) {
       if (entry.path != path) continue;
-      const std::string from = entry.origin.text.empty() ? std::string() : "; " + entry.origin.text.text();
-      std::cout << columns({{"  " + entry.path, value_text(entry), entry.doc + from}});
-      return true;
+      if (found.empty() || value_text(*found.back()) != value_text(entry)) found.push_back(&entry);
     }
   }
-  return false;
+  return found;
 }
 
 const Mode* find_mode(const Step& step, const std::string& id) {
   const auto& modes = step.account().modes;
   const auto found = std::find_if(modes.begin(), modes.end(), [&](const Mode& m) { return m.id == id; });
   return found == modes.end() ? nullptr : &*found;
+}
+
+/// A mode of failure, a value, or a mode of the calculator that does not concern this part; none where there is no
+/// such.
+std::vector<Row> rows_about(const Step& step, const std::string& name) {
+  if (const Mode* const mode = find_mode(step, name)) return {mode_row(*mode, mode->id)};
+  std::vector<Row> rows;
+  for (const Entry* e : entries_at(step, name)) {
+    const std::string from = e->origin.text.empty() ? std::string() : "; " + e->origin.text.text();
+    rows.push_back({"  " + e->path, value_text(*e), e->doc + from});
+  }
+  if (!rows.empty()) return rows;
+  for (const ModeInfo& mode : step.input().calculator->modes) {
+    if (mode.id == name) rows.push_back({"  does not apply here", mode.id, mode.title});
+  }
+  return rows;
 }
 
 void show_reasons(const Step& step, const std::string& path) {
@@ -70,36 +85,59 @@ void refuse(const Step& step, const std::string& path) {
   std::cerr << "  = help: " << near << "\n";
 }
 
+void show_head(const Step& step) {
+  std::cout << step.name() << ": " << step.input().calculator->title << " (" << step.input().calculator->id << ")\n";
+}
+
+/// Everything that does not pass, what was chosen, and the formulas that tell most.
+void show_step(const Step& step) {
+  account::Modes rest = step.account().modes;
+  std::erase_if(rest, [](const Mode& mode) { return mode.state == account::State::pass; });
+  std::cout << mode_columns(rest, false);
+  if (const auto chosen = report::chosen(step.account()); !chosen.empty()) {
+    std::cout << "chosen\n";
+    show_entries(chosen);
+  }
+  const auto mode = report::telling(step.account().modes);
+  if (!mode) return;
+  std::cout << (mode->state == account::State::fail ? "fails\n" : "most utilised\n")
+            << columns({mode_row(*mode, mode->id)});
+  show_reasons(step, mode->governs);
+}
+
+/// What keeps the step from passing, where something else was asked for.
+void show_obstacle(const Step& step, const std::string& asked) {
+  const auto mode = report::deciding(step.account().modes);
+  if (!mode || mode->id == asked || rank(mode->state) <= rank(account::State::open)) return;
+  std::cout << "decides over " << step.name() << "\n" << columns({mode_row(*mode, mode->id)});
+}
+
 }  // namespace
 
 void show_deciding(const project::Project& project) {
   std::vector<Row> rows;
   for (const auto& step : project.steps) {
-    const auto mode = report::deciding(step->account());
-    if (!mode) continue;
-    rows.push_back(mode_row(*mode, step->name()));
+    if (const auto mode = report::deciding(step->account().modes)) rows.push_back(mode_row(*mode, step->name()));
   }
   std::cout << columns(rows);
 }
 
 bool show_why(const Step& step, const std::string& of) {
-  const Mode* named = of.empty() ? nullptr : find_mode(step, of);
-  const auto mode = named != nullptr ? std::optional(*named)
-                    : of.empty()     ? report::deciding(step.account())
-                                     : std::nullopt;
-  std::string path = mode ? mode->governs : of;
-  std::cout << step.name() << ": " << step.input().calculator->title << " (" << step.input().calculator->id << ")\n";
-  if (mode) std::cout << columns({mode_row(*mode, mode->id)});
-  const auto chosen = report::chosen(step.account());
-  if (of.empty() && !chosen.empty()) {
-    std::cout << "chosen\n";
-    show_entries(chosen);
+  if (of.empty()) {
+    show_head(step);
+    show_step(step);
+    return true;
   }
-  if (!mode && !show_result(step, path)) {
-    refuse(step, path);
+  const std::vector<Row> rows = rows_about(step, of);
+  if (rows.empty()) {
+    refuse(step, of);
     return false;
   }
-  if (!path.empty()) show_reasons(step, path);
+  show_head(step);
+  std::cout << columns(rows);
+  const Mode* const mode = find_mode(step, of);
+  show_reasons(step, mode != nullptr ? mode->governs : of);
+  show_obstacle(step, of);
   return true;
 }
 

@@ -1,0 +1,159 @@
+// Why a part came out as it did, from the shell.
+#include "tests/cli/process.hpp"
+
+using namespace loadpath::test;
+
+namespace {
+
+const std::string press = R"toml([press]
+calculator = "mechanism.planar"
+template = "slider_crank"
+r = "50 mm"
+l = "200 mm"
+crank = { speed = "600 rpm", positions = 36 }
+links.rod.mass = "1 kg"
+)toml";
+const std::string rod = R"toml([rod]
+calculator = "column.buckling"
+N = "=-peak(press.links.rod.N)"
+l = "200 mm"
+d = "?"
+ends = "pinned_pinned"
+E = "210 GPa"
+R_e = "235 MPa"
+method = "johnson"
+n_st = 2
+)toml";
+const std::string strut = R"toml([strut]
+calculator = "column.buckling"
+P = "40 kN"
+l = "2 m"
+section = { stock = "sections/ipe" }
+ends = "pinned_pinned"
+E = "210 GPa"
+R_e = "235 MPa"
+method = "johnson"
+n_st = 2
+)toml";
+const std::string end = R"toml([end]
+calculator = "shaft.overhung"
+F = "2 kN"
+a = "50 mm"
+T = "90 N*m"
+sigma_adm = "60 MPa"
+tau_adm = "30 MPa"
+)toml";
+const std::string weak = end + "d = \"20 mm\"\n";
+
+Ran why(const std::string& project, const std::string& of = "") {
+  std::vector<std::string> words{"why", "-"};
+  if (!of.empty()) words.push_back(of);
+  return Desk().run(words, project);
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool before(const std::string& text, const std::string& first, const std::string& second) {
+  return contains(text, first) && text.find(first) < text.rfind(second) && contains(text, second);
+}
+
+}  // namespace
+
+TEST_SUITE("cli why") {
+  TEST_CASE("every step is told by the mode that decides over it, and the exit code follows") {
+    const Ran all = why(press + rod);
+    CHECK(all.code == 1);
+    CHECK(contains(all.out, "  not judged  rod "));
+    CHECK_FALSE(contains(all.out, "flexural buckling"));
+    CHECK(contains(all.out, "  pass        press "));
+    CHECK(why(end).code == 0);
+    CHECK(contains(why(weak).out, "  FAIL  end "));
+    CHECK(why(weak).code == 1);
+  }
+
+  TEST_CASE("of a step all modes that do not pass stand first, then the most utilised one with its formulas") {
+    const Ran told = why(press + rod, "rod");
+    CHECK(told.code == 1);
+    CHECK(before(told.out, "  not judged  lateral ", "not taken,"));
+    CHECK(before(told.out, "  not judged  fatigue ", "most utilised\n"));
+    CHECK(before(told.out, "\nmost utilised\n  pass  buckling ", "\n  u = F / P_all "));
+    CHECK(before(told.out, "\n  u = F / P_all ", "\nfrom\n"));
+  }
+
+  TEST_CASE("what fails is told with its formulas") {
+    const Ran told = why(weak, "end");
+    CHECK(told.code == 1);
+    CHECK(before(told.out, "\nfails\n  FAIL  yield ", "\n  u_v = "));
+    CHECK(before(told.out, "\nfrom\n", "\n  sigma_adm "));
+    CHECK_FALSE(contains(told.out, "\n  tau_adm "));
+  }
+
+  TEST_CASE("a size that was found tells why, by its step, by its name, and by the result of that name") {
+    const std::string reason = "smallest of R40 that passes every check; 26.5 mm fails: u_v = 1.157";
+    CHECK(contains(why(end, "end").out, reason));
+    CHECK(contains(why(end, "end.d").out, reason));
+    CHECK_FALSE(contains(why(end, "end.d").out, "\n  d  28 mm  outer diameter\n"));
+    CHECK(before(why(end, "end").out, "\nchosen\n  d  28 mm ", "most utilised"));
+  }
+
+  TEST_CASE("a row that was found tells why") {
+    CHECK(contains(why(strut, "strut").out, "\nchosen\n  section  IPE "));
+    CHECK(contains(why(strut, "strut.section").out, " smallest of sections/ipe that passes every check"));
+  }
+
+  TEST_CASE("a mode is told with its formulas, and beside it what decides over the step") {
+    const Ran told = why(press + rod, "rod.buckling");
+    CHECK(told.code == 1);
+    CHECK(contains(told.out, ")\n  pass  buckling "));
+    CHECK(contains(told.out, "\n  u = F / P_all "));
+    CHECK(before(told.out, "\ndecides over rod\n  not judged  ", "not judged"));
+    CHECK_FALSE(contains(why(press + rod, "rod.lateral").out, "decides over"));
+    CHECK_FALSE(contains(why(end, "end.yield").out, "decides over"));
+  }
+
+  TEST_CASE("a result is told with its formulas alone, and the inputs that they start from") {
+    const Ran told = why(end, "end.sigma_b");
+    CHECK(told.code == 0);
+    CHECK(contains(told.out, "= M_b / W "));
+    CHECK_FALSE(contains(told.out, "Tresca"));
+    CHECK(before(told.out, "\nfrom\n", "\n  F "));
+    CHECK_FALSE(contains(told.out, "sigma_adm"));
+  }
+
+  TEST_CASE("a series is told by its extremes and their places") {
+    const Ran told = why(press, "press.links.rod.N");
+    CHECK(told.code == 0);
+    CHECK(contains(told.out, "\n  links.rod.N  -172.718 N (at 180 deg) to 222.066 N (at "));
+  }
+
+  TEST_CASE("a value that is none says so") {
+    const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\nT = \"=1 N*m / 0\"\ntau_adm = \"30 MPa\"\n";
+    CHECK(contains(why(axle, "axle.T").out, "\n  T  not available"));
+    CHECK(why(axle, "axle.T").code == 1);
+  }
+
+  TEST_CASE("a mode that does not concern the part is not denied") {
+    const Ran told = why(strut, "strut.tension");
+    CHECK(told.code == 0);
+    CHECK(contains(told.out, "\n  does not apply here  tension  yield in tension\n"));
+  }
+
+  TEST_CASE("an unknown name is refused before anything is said") {
+    const Ran step = why(end, "edn"), value = why(end, "end.sigma_c"), beyond = why(end, "end.d.x");
+    for (const Ran* ran : {&step, &value, &beyond}) {
+      CHECK(ran->code == 2);
+      CHECK(ran->out.empty());
+    }
+    CHECK(step.error == "loadpath: there is no step 'edn'\n  = help: did you mean 'end'?\n");
+    CHECK(contains(value.error,
+                   "'end' has no result and no mode of failure 'sigma_c'\n  = help: did you mean 'end.sigma_"));
+    CHECK(why("[end]\nF = 3\n").code == 2);
+    CHECK(loadpath_with({"why", "nothing.toml"}).code == 2);
+  }
+
+  TEST_CASE("what is wrong in a file of the project is shown with its line") {
+    const Desk desk;
+    desk.put("own.toml", "table = \"mine\"\ngroup = \"material\"\nunits = { Re = \"MPa\" }\n");
+    desk.put("a.toml", "[project]\ntables = [\"own.toml\"]\n" + end);
+    CHECK(contains(desk.run({"why", "a.toml"}).error, "\n3 | units = { Re = \"MPa\" }\n"));
+  }
+}

@@ -19,6 +19,8 @@ using project::Step;
 
 bool is_list_path(const std::string& path) { return path.find_first_of("[.") != std::string::npos; }
 
+Cell symbol_cell(const Entry& entry) { return is_list_path(entry.path) ? Cell(entry.path) : Cell(Symbol{entry.path}); }
+
 /// A value as one cell: a number, or what a series amounts to.
 Cell cell_of(const Entry& entry) {
   if (!entry.word.empty()) return entry.word;
@@ -73,12 +75,21 @@ std::set<std::string> available_fields(const std::vector<Entry>& entries) {
   return fields;
 }
 
+/// What searches have found, of all steps.
+Table found_table(const Project& project) {
+  Table table{say("Found"), {say("step"), say("symbol"), say("value"), say("why")}, {}};
+  for (const auto& step : project.steps) {
+    for (const Entry* e : chosen(step->account()))
+      table.rows.push_back({step->name(), symbol_cell(*e), cell_of(*e), origin_cell(e->origin)});
+  }
+  return table;
+}
+
 Table input_table(const Account& account) {
   Table table{say("Given"), {say("symbol"), say("meaning"), say("value"), say("from")}, {}};
   for (const Entry& e : account.inputs) {
     if (element_path(e.path)) continue;
-    Cell symbol = is_list_path(e.path) ? Cell(e.path) : Cell(Symbol{e.path});
-    table.rows.push_back({std::move(symbol), say("{1}", e.doc), cell_of(e), origin_cell(e.origin)});
+    table.rows.push_back({symbol_cell(e), say("{1}", e.doc), cell_of(e), origin_cell(e.origin)});
   }
   return table;
 }
@@ -224,6 +235,7 @@ Document build(const Project& project, std::string_view program) {
   if (project.strict)
     document.meta.emplace_back(say("Judged strictly"), say("what is open counts as not judged").text());
   document.meta.emplace_back(say("Program"), std::string(program));
+  document.found = found_table(project);
   document.summary = project::modes(project);
   add_factors(project, document.blocks);
   for (const auto& step : project.steps) add_step(*step, document.blocks);

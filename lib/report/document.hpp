@@ -31,6 +31,7 @@ using account::Verdicts;
 struct Document {
   std::string title;
   std::vector<std::pair<Message, std::string>> meta;  // "Project file" "lever.toml", "Program" "loadpath 0.1.0"...
+  Table found;                                        // first page: what was searched for
   Modes summary;                                      // first page
   std::vector<Block> blocks;
 };

@@ -153,6 +153,21 @@ TEST_SUITE("cli run") {
     CHECK(desk.run({"run", "a.toml"}).code == 0);
   }
 
+  TEST_CASE("what a search has found stands at the top, with its reason") {
+    const Desk desk;
+    desk.put("a.toml", passing);
+    const std::string reason = "smallest of R40 that passes every check; 75 mm fails: u_tau = 1.086";
+    const Ran ran = desk.run({"run", "a.toml", "--report", "a.md", "--report", "a.html"});
+    CHECK(contains(ran.out, ")\n  found  d = 80 mm  " + reason + "\n"));
+    CHECK(contains(loadpath_with({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 MPa"}).out,
+                   ")\n  found  d = 80 mm  " + reason + "\n"));
+    const std::string page = desk.get("a.md");
+    CHECK(page.find("**Table 1.** Found") < page.find("mode of failure |"));
+    CHECK(contains(page, "80 mm | smallest of R40 that passes every check; 75 mm fails"));
+    CHECK(contains(desk.get("a.html"), "</b> Found</p>"));
+    CHECK_FALSE(contains(run(failing).out, "found"));
+  }
+
   TEST_CASE("--json is one object, and a number reads back to the result") {
     const Ran o = run(passing, {"--json"});
     CHECK(o.code == 0);

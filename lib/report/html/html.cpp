@@ -34,8 +34,9 @@ class Writer {
     for (const auto& [name, text] : document.meta) {
       out += "<div><dt>" + escaped(name.text()) + "</dt><dd>" + escaped(text) + "</dd></div>\n";
     }
-    return out + "</dl>\n</header>\n" + page::conclusion(document.summary) + page::modes(document.summary, anchors_) +
-           contents(document);
+    out += "</dl>\n</header>\n" + page::conclusion(document.summary);
+    if (!document.found.rows.empty()) out += (*this)(document.found);
+    return out + page::modes(document.summary, anchors_) + contents(document);
   }
 
   std::string operator()(const Heading& heading) {

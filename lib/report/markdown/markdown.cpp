@@ -142,8 +142,10 @@ Markdown markdown(const Document& document, std::string_view stem) {
   Markdown out;
   out.text = "# " + text(document.title) + "\n\n";
   for (const auto& [name, value] : document.meta) out.text += "- " + text(name.text()) + ": " + text(value) + "\n";
-  out.text += (document.meta.empty() ? "" : "\n") + conclusion(document.summary) + modes(document.summary);
+  out.text += (document.meta.empty() ? "" : "\n") + conclusion(document.summary);
   Writer writer(stem, out);
+  if (!document.found.rows.empty()) writer(document.found);
+  out.text += modes(document.summary);
   for (const Block& block : document.blocks) std::visit(writer, block);
   return out;
 }

@@ -3,6 +3,7 @@
 #include "lib/quantity/format.hpp"
 #include "lib/report/build.hpp"
 #include "lib/report/terminal/rows.hpp"
+#include "lib/report/why.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -20,6 +21,14 @@ std::string in_colour(const std::string& text, const char* code) {
 /// Results worth a line on the terminal: nothing that was not asked for.
 bool is_shown(const account::Entry& e) {
   return e.brief && e.role == Role::result && (!account::is_open(e) || !e.missing.empty());
+}
+
+/// What a search has found, and why.
+void show_found(const project::Step& step) {
+  std::vector<Row> rows;
+  for (const account::Entry* e : report::chosen(step.account()))
+    rows.push_back({"  found", e->path + " = " + value_text(*e), e->origin.text.text()});
+  std::cout << columns(rows);
 }
 
 void show_results(const project::Step& step) {
@@ -135,6 +144,7 @@ void show_project(const project::Project& project, bool in_full) {
   for (const auto& step : project.steps) {
     std::cout << step->name() << ": " << step->input().calculator->title << " (" << step->input().calculator->id
               << ")\n";
+    show_found(*step);
     if (in_full) show_derivation(*step);
     if (in_full && !step->account().blocks.empty())
       show_tables(*step);

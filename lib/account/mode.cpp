@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <limits>
 
 namespace loadpath::account {
 
@@ -12,6 +14,35 @@ int place(State state) {
   constexpr std::array order{State::fail, State::not_available, State::not_covered, State::not_judged,
                              State::pass, State::accepted,      State::open};
   return static_cast<int>(std::find(order.begin(), order.end(), state) - order.begin());
+}
+
+using Part = Modes::const_iterator;
+
+/// Modes of one state by their names; by their number where these are more than `most`.
+Message names_of(Part first, Part last, std::ptrdiff_t most) {
+  const auto remote = std::count_if(first, last, is_remote);
+  if (last - first - remote > most) return say("{1} modes above", std::to_string(last - first));
+  std::string names;
+  for (auto mode = first; mode != last; ++mode) {
+    if (!is_remote(*mode)) names += (names.empty() ? "" : ", ") + mode->step + "." + mode->id;
+  }
+  if (remote > 0) names += (names.empty() ? "" : ", ") + std::to_string(remote) + " judged by nothing here";
+  return say("{1}", names);
+}
+
+/// State by state; `most`: how many of a state are named.
+template <class Most>
+Message told(const Modes& modes, const Most& most) {
+  if (modes.empty()) return say("nothing is judged here");
+  const Modes sorted = in_order(modes);
+  Message all;
+  for (auto first = sorted.begin(); first != sorted.end();) {
+    const auto last = std::find_if(first, sorted.end(), [&](const Mode& m) { return m.state != first->state; });
+    const Message part = say("{1}: {2}", word(first->state), names_of(first, last, most(first->state)));
+    all = all.empty() ? part : say("{1}; {2}", all, part);
+    first = last;
+  }
+  return all;
 }
 
 }  // namespace
@@ -45,22 +76,14 @@ Modes in_order(Modes modes) {
 }
 
 Message scope(const Modes& modes) {
-  if (modes.empty()) return say("nothing is judged here");
-  const Modes sorted = in_order(modes);
-  Message all;
-  for (auto first = sorted.begin(); first != sorted.end();) {
-    const auto last = std::find_if(first, sorted.end(), [&](const Mode& m) { return m.state != first->state; });
-    std::string names;
-    for (auto mode = first; mode != last; ++mode) {
-      if (!is_remote(*mode)) names += (names.empty() ? "" : ", ") + mode->step + "." + mode->id;
-    }
-    const auto remote = std::count_if(first, last, is_remote);
-    if (remote > 0) names += (names.empty() ? "" : ", ") + std::to_string(remote) + " judged by nothing here";
-    const Message part = say("{1}: {2}", word(first->state), names);
-    all = all.empty() ? part : say("{1}; {2}", all, part);
-    first = last;
-  }
-  return all;
+  return told(modes, [](State) { return std::numeric_limits<std::ptrdiff_t>::max(); });
+}
+
+Message brief_scope(const Modes& modes) {
+  constexpr std::ptrdiff_t most_passing = 8, most_open = 4, all = std::numeric_limits<std::ptrdiff_t>::max();
+  return told(modes, [](State state) {
+    return state == State::pass ? most_passing : state == State::open ? most_open : all;
+  });
 }
 
 Message reason(const Mode& mode) {

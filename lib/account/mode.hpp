@@ -36,6 +36,8 @@ Modes strictly(Modes modes);
 Modes in_order(Modes modes);
 /// "fail: rod.buckling; not judged: rod.bending; pass: rod.section": never a pass without what it covers.
 Message scope(const Modes& modes);
+/// The same below a list of all modes: of many that pass, or are open, their number.
+Message brief_scope(const Modes& modes);
 /// What stands behind the title: "u_F1 at 30 deg"; "give sigma_adm_1"; "nothing in loadpath judges it".
 Message reason(const Mode& mode);
 /// Whether the mode is one of many that may concern the part, while nothing says so, nothing could be given for it and

@@ -160,7 +160,7 @@ void show_project(const project::Project& project, bool in_full) {
   }
   const auto modes = project::modes(project);
   if (modes.empty()) return;
-  std::cout << mode_columns(modes, true) << "\n" << paragraph(account::scope(modes).text(), 2);
+  std::cout << mode_columns(modes, true) << "\n" << paragraph(account::brief_scope(modes).text(), 2);
 }
 
 }  // namespace loadpath::terminal

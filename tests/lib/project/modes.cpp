@@ -106,7 +106,26 @@ TEST_SUITE("project modes") {
   TEST_CASE("a pass is never said without what it covers") {
     CHECK(contains(account::scope(project::modes(Solved(gears + strength).project)).text(), "; pass: gears."));
     CHECK(account::scope({}).text() == "nothing is judged here");
+    CHECK(account::brief_scope({}).text() == "nothing is judged here");
     CHECK(account::overall({}) == State::open);
+  }
+
+  TEST_CASE("below a list many passing or open modes are counted, and what needs a hand is named") {
+    account::Modes modes;
+    const auto add = [&](State state, const std::string& id) {
+      account::Mode mode;
+      mode.step = "part", mode.id = id, mode.state = state, mode.wants = "S";
+      modes.push_back(mode);
+    };
+    for (int k = 1; k <= 8; ++k) add(State::pass, std::to_string(k));
+    for (int k = 1; k <= 4; ++k) add(State::open, std::to_string(k));
+    CHECK(account::brief_scope(modes).text() == account::scope(modes).text());
+    add(State::pass, "9");
+    add(State::open, "5");
+    for (int k = 1; k <= 9; ++k) add(State::not_judged, "n" + std::to_string(k));
+    CHECK(account::brief_scope(modes).text() ==
+          "not judged: part.n1, part.n2, part.n3, part.n4, part.n5, part.n6, part.n7, part.n8, part.n9; pass: 9 modes "
+          "above; open: 5 modes above");
   }
 
   TEST_CASE("customs that an input breaks stand with its step") {

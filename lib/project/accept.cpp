@@ -26,8 +26,18 @@ void read_reason(const Tree::Entry& entry, StepInput& input, std::vector<Issue>&
     issues.push_back({entry.value.place, key, say("what is accepted needs a reason, a text of one line"),
                       say("write {1} = \"rated by the maker, drawing 12\"", entry.key), Severity::error});
   } else {
-    input.accepted[entry.key] = entry.value.text;
+    input.accepted[entry.key] = {entry.value.text, entry.place};
   }
+}
+
+/// What a mode is in place of accepted.
+Message instead_of_accepted(const std::string& id, const account::Modes& modes) {
+  using account::State;
+  const auto mode = std::find_if(modes.begin(), modes.end(), [&](const account::Mode& m) { return m.id == id; });
+  if (mode == modes.end()) return say("{1} does not apply here", id);
+  if (mode->state == State::pass) return say("{1} is judged, and passes", id);
+  if (mode->state == State::fail) return say("{1} fails, and a failure is never accepted", id);
+  return say("{1} is {2}, which is never accepted", id, word(mode->state));
 }
 
 }  // namespace
@@ -49,7 +59,22 @@ void accept(const StepInput& input, account::Mode& mode) {
   const bool waits = mode.state == account::State::open || mode.state == account::State::not_judged;
   if (accepted == input.accepted.end() || !waits) return;
   mode.state = account::State::accepted;
-  mode.note = say("{1}", accepted->second);
+  mode.note = say("{1}", accepted->second.text);
+}
+
+void warn_of_idle_acceptances(const Step& step, std::vector<Issue>& issues) {
+  const account::Modes& modes = step.account().modes;
+  for (const auto& [id, reason] : step.input().accepted) {
+    if (std::any_of(modes.begin(), modes.end(),
+                    [&id = id](const account::Mode& m) { return m.id == id && m.state == account::State::accepted; }))
+      continue;
+    const std::string path = "accept." + id;
+    issues.push_back({reason.place,
+                      step.name() + "." + path,
+                      say("{1} has no effect: {2}", path, instead_of_accepted(id, modes)),
+                      {},
+                      Severity::warning});
+  }
 }
 
 }  // namespace loadpath::project

@@ -16,4 +16,7 @@ void read_accepted(const toml::Tree& table, StepInput& input, std::vector<Issue>
 /// The mode as it stands with what the step accepts: never in place of a failure, nor beyond what a method covers.
 void accept(const StepInput& input, account::Mode& mode);
 
+/// A warning for every mode that a solved step accepts in vain: it passes, fails, or does not concern the part.
+void warn_of_idle_acceptances(const Step& step, std::vector<Issue>& issues);
+
 }  // namespace loadpath::project

@@ -1,5 +1,6 @@
 #include "lib/project/project.hpp"
 
+#include "lib/project/accept.hpp"
 #include "lib/project/factors.hpp"
 #include "lib/project/order.hpp"
 #include "lib/project/parts.hpp"
@@ -104,14 +105,18 @@ Known known_of(const Project& project) {
   return {value, word, within};
 }
 
+/// A warning as it stands with its step: behind the path that it is about, where it does not start with that.
+Message of_step(const Issue& warning, const std::string& step) {
+  const std::string path = warning.key.substr(std::min(step.size() + 1, warning.key.size()));
+  return warning.message.text().starts_with(path) ? warning.message : say("{1}: {2}", path, warning.message);
+}
+
 /// Customs that the input breaks stand with the step that they are about.
 void hand_out_warnings(Project& project, const std::vector<Issue>& issues) {
   for (const Issue& issue : issues) {
     if (issue.severity != Severity::warning) continue;
     for (const auto& step : project.steps) {
-      if ((issue.key + ".").starts_with(step->name() + "."))
-        step->warn(
-            say("{1}: {2}", issue.key.substr(std::min(step->name().size() + 1, issue.key.size())), issue.message));
+      if ((issue.key + ".").starts_with(step->name() + ".")) step->warn(of_step(issue, step->name()));
     }
   }
 }
@@ -226,6 +231,7 @@ void solve(Project& project, std::vector<Issue>& issues, Wanted wanted) {
     if (!has_errors(issues)) project.steps[i]->solve(known, wanted, issues);
     if (has_errors(issues)) return;
   }
+  for (const auto& step : project.steps) warn_of_idle_acceptances(*step, issues);
   hand_out_warnings(project, issues);
 }
 

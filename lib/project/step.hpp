@@ -48,7 +48,7 @@ struct StepInput {
   /// Rows that the step names for its providers: "material" -> "C45E".
   std::map<std::string, Typed> rows;
   /// Modes of failure that the user answers for, and why: "pitting" -> "rated by the maker, drawing 12".
-  std::map<std::string, std::string> accepted;
+  std::map<std::string, Typed> accepted;
   /// Display units of results that the user prefers: "d" -> "in".
   std::map<std::string, std::string> display;
   Place place;  // of the step's name

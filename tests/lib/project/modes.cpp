@@ -97,6 +97,24 @@ TEST_SUITE("project modes") {
     CHECK_FALSE(contains(account::reason(taken.mode("press.strength")).text(), " rod,"));
   }
 
+  TEST_CASE("an acceptance that has no effect is told, with what the mode is in its place") {
+    const auto warnings = [](const std::string& text) {
+      std::string all;
+      const Solved solved(text);
+      for (const Message& warning : solved.project.steps[0]->account().warnings) all += warning.text() + "\n";
+      return all;
+    };
+    CHECK(warnings(gears + "accept.pitting_1 = \"rated\"\n").empty());
+    CHECK(warnings(gears + strength + "accept.root_1 = \"it holds\"\n") ==
+          "accept.root_1 has no effect: root_1 is judged, and passes\n");
+    CHECK(warnings(gears + "sigma_adm_1 = \"20 MPa\"\nsigma_adm_2 = \"20 MPa\"\naccept.root_1 = \"it holds\"\n") ==
+          "accept.root_1 has no effect: root_1 fails, and a failure is never accepted\n");
+    CHECK(warnings(gears.substr(0, gears.find("T_1")) + "accept.root_1 = \"it holds\"\n") ==
+          "accept.root_1 has no effect: root_1 does not apply here\n");
+    CHECK(warnings(axle + "T = \"=1 N*m / 0\"\naccept.yield = \"it holds\"\n") ==
+          "accept.yield has no effect: yield is not available, which is never accepted\n");
+  }
+
   TEST_CASE("a step without results for want of an input has not passed") {
     Solved step(axle + "T = \"=1 N*m / 0\"\n");
     CHECK(step.mode("axle.inputs").state == State::not_available);

@@ -109,8 +109,7 @@ bool overwrites(const std::vector<fs::path>& outputs, const project::Project& pr
     std::error_code error;
     const auto is_path = [&](const project::NamedFile& read) { return same_file(path, read.name); };
     if (same_file(path, project.file)) return refuse(path, "is the project itself");
-    if (std::any_of(project.files.begin(), project.files.end(), is_path))
-      return refuse(path, "is a table of the project");
+    if (std::any_of(project.files.begin(), project.files.end(), is_path)) return refuse(path, "is read by the project");
     if (!fs::is_other(path, error) && !seen.insert(fs::weakly_canonical(path, error)).second)
       return refuse(path, "is named for two outputs");
   }

@@ -13,7 +13,7 @@ namespace loadpath::project {
 /// A file that a project is read from, beside its own.
 struct NamedFile {
   std::string name;
-  std::string text;
+  std::string text;  // empty where no issue points into it
 };
 
 /// Whether an entry is `[tables]`, and no step that was called so.

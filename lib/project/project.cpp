@@ -4,6 +4,7 @@
 #include "lib/project/factors.hpp"
 #include "lib/project/order.hpp"
 #include "lib/project/parts.hpp"
+#include "lib/project/read/rows_file.hpp"
 #include "lib/project/references.hpp"
 #include "lib/table/tables.hpp"
 
@@ -121,6 +122,11 @@ void hand_out_warnings(Project& project, const std::vector<Issue>& issues) {
   }
 }
 
+void add_step(const toml::Tree::Entry& entry, Project& project, Catalogue catalogue, std::vector<Issue>& issues) {
+  for (std::string& path : rows_files_in(entry.value)) project.files.push_back({std::move(path), {}});
+  if (auto step = read_step(entry, project, catalogue, issues)) project.steps.push_back(std::move(step));
+}
+
 void check_expectations(Project& project, std::vector<Issue>& issues) {
   for (const Expectation& e : project.expectations) {
     const auto signature = e.value.check([&](const std::string& path) { return signature_of(project, path); });
@@ -196,8 +202,8 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
       read_heading(entry, project, issues);
     } else if (entry.key == "expect") {
       read_expectations(entry.value, project, issues);
-    } else if (auto step = read_step(written_out(entry), project, catalogue, issues)) {
-      project.steps.push_back(std::move(step));
+    } else {
+      add_step(written_out(entry), project, catalogue, issues);
     }
   }
   if (project.steps.empty() && !has_errors(issues)) {

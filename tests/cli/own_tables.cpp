@@ -114,7 +114,7 @@ TEST_SUITE("cli own tables") {
     desk.put("a.toml", "[project]\ntables = [\"own.md\"]\n" + shell);
     const Ran o = desk.run({"run", "a.toml", "--report", "own.md"});
     CHECK(o.code == 2);
-    CHECK(contains(o.error, "is a table of the project: nothing is written"));
+    CHECK(contains(o.error, "is read by the project: nothing is written"));
     CHECK(desk.get("own.md") == steels);
   }
 }

@@ -117,6 +117,11 @@ class Rows {
   char separator_ = ',';
 };
 
+/// Taken from the folder of the project that names it.
+std::filesystem::path path_of(const Tree& named) {
+  return std::filesystem::path(named.place.file).parent_path() / named.text;
+}
+
 }  // namespace
 
 bool names_rows_file(const Tree& tree) {
@@ -124,9 +129,20 @@ bool names_rows_file(const Tree& tree) {
          tree.entries[0].value.type == Tree::Type::text;
 }
 
+std::vector<std::string> rows_files_in(const Tree& table) {
+  if (names_rows_file(table)) return {path_of(table.entries[0].value).string()};
+  std::vector<std::string> paths;
+  const auto add = [&](const Tree& part) {
+    for (std::string& path : rows_files_in(part)) paths.push_back(std::move(path));
+  };
+  for (const Tree::Entry& entry : table.entries) add(entry.value);
+  for (const Tree& item : table.items) add(item);
+  return paths;
+}
+
 Outcome<Tree> read_rows_file(const Tree& tree) {
   const Tree& named = tree.entries[0].value;
-  const std::filesystem::path path = std::filesystem::path(named.place.file).parent_path() / named.text;
+  const std::filesystem::path path = path_of(named);
   std::error_code error;
   std::string text;
   const bool there = std::filesystem::is_regular_file(path, error);

@@ -8,11 +8,15 @@
 #include "lib/toml/tree.hpp"
 
 #include <string>
+#include <vector>
 
 namespace loadpath::project {
 
 /// Whether this stands in place of the rows themselves.
 bool names_rows_file(const toml::Tree& tree);
+
+/// The paths of all such files that a table of a project names, from where the project was read.
+std::vector<std::string> rows_files_in(const toml::Tree& table);
 
 /// The rows as they would stand in the project file. The path is taken from the folder of the project.
 Outcome<toml::Tree> read_rows_file(const toml::Tree& tree);

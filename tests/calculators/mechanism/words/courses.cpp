@@ -76,6 +76,16 @@ TEST_SUITE("courses") {
       CHECK(ran.out == same.out);
     }
   }
+  TEST_CASE("a file of rows is no place for an output") {
+    const Desk desk;
+    const std::string rows = "s [cm], share\n15, 0\n20, 0.4\n25, 1\n";
+    desk.put("p.toml", by_course("over_stroke = { file = \"diagram.csv\" }"));
+    desk.put("diagram.csv", rows);
+    const Ran ran = desk.run({"run", "p.toml", "--csv", "./diagram.csv"});
+    CHECK(ran.code == 2);
+    CHECK(ran.error.find("'./diagram.csv' is read by the project: nothing is written") != std::string::npos);
+    CHECK(desk.get("diagram.csv") == rows);
+  }
   TEST_CASE("what is wrong with a file of rows is said") {
     const Desk desk;
     desk.put("p.toml", by_course("over_stroke = { file = \"diagram.csv\" }"));

@@ -61,8 +61,7 @@ json::object closed(json::array required, json::object properties) {
 
 json::array forms_of(const Dimension& dimension) {
   const json::object any{{"type", json::array{"string", "number"}}};
-  json::array forms{json::object{{"type", "string"}, {"pattern", pattern_of(dimension)}},
-                    closed({"stock"}, {{"stock", json::object{{"type", "string"}}}}),
+  json::array forms{json::object{{"type", "string"}, {"pattern", pattern_of(dimension)}}, of_one_text("stock"),
                     closed({"mean", "sd"}, {{"mean", any}, {"sd", any}}),
                     closed({"value", "tolerance"}, {{"value", any}, {"tolerance", any}})};
   if (dimension.is_number()) forms.push_back(json::object{{"type", "number"}});
@@ -116,6 +115,8 @@ json::object rows(json::object row) { return {{"type", "object"}, {"additionalPr
 
 }  // namespace
 
+json::object of_one_text(const char* key) { return closed({key}, {{key, json::object{{"type", "string"}}}}); }
+
 json::object Definitions::quantity(const Dimension& dimension) {
   const std::string name = "quantity_" + slug(dimension.is_number() ? "number" : si_unit(dimension));
   if (!all_.contains(name)) all_[name] = {{"anyOf", forms_of(dimension)}};
@@ -124,7 +125,8 @@ json::object Definitions::quantity(const Dimension& dimension) {
 
 json::object Definitions::row(const std::string& group) {
   if (!all_.contains(group))
-    all_[group] = {{"anyOf", json::array{json::object{{"enum", names_of(group)}}, json::object{{"type", "string"}}}}};
+    all_[group] = {{"anyOf", json::array{json::object{{"enum", names_of(group)}}, json::object{{"type", "string"}},
+                                         of_one_text("stock")}}};
   return reference(group);
 }
 

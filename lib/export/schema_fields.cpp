@@ -48,6 +48,7 @@ json::object list(const FieldInfo& field, void* blank, Definitions& definitions)
   } else if (field.positional) {
     forms.push_back(json::object{{"type", json::array{"string", "number"}}});
   }
+  if (find_field(field.fields, "name") == nullptr) forms.push_back(of_one_text("file"));
   forms.push_back(expression());
   return {{"anyOf", std::move(forms)}};
 }

@@ -26,6 +26,9 @@ class Definitions {
   boost::json::object all_;
 };
 
+/// A table with nothing but a text: { stock = "R20" }, { file = "law.csv" }.
+boost::json::object of_one_text(const char* key);
+
 /// The keys of an aggregate. `blank`: one without values, which tells what must be given; null: nothing must.
 boost::json::object object_of(std::span<const FieldInfo> fields, void* blank, Definitions& definitions);
 

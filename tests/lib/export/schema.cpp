@@ -251,6 +251,18 @@ TEST_SUITE("schema") {
     CHECK_FALSE(accepts(schema(), tree_of("[project]\ntables = \"own.toml\"\n")));
   }
 
+  TEST_CASE("a row may be searched for in a stock, and the rows of a list may stand in a file") {
+    const std::string rod = "[rod]\ncalculator = \"column.buckling\"\nN = \"9 kN\"\nl = \"1 m\"\nE = \"210 GPa\"\n";
+    CHECK(accepts(schema(), tree_of(rod + "section = { stock = \"sections/ipe\" }\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(rod + "section = { stok = \"sections/ipe\" }\n")));
+    const std::string press =
+        "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"50 mm\"\n"
+        "l = \"200 mm\"\n[press.courses.law]\nover_time = ";
+    CHECK(accepts(schema(), tree_of(press + "[[\"0 s\", 0], [\"1 s\", 1]]\n")));
+    CHECK(accepts(schema(), tree_of(press + "{ file = \"law.csv\" }\n")));
+    CHECK_FALSE(accepts(schema(), tree_of(press + "{ file = 3 }\n")));
+  }
+
   TEST_CASE("it offers the names of rows, and takes others too") {
     const auto& forms = schema().at("$defs").at("material").at("anyOf").as_array();
     const auto& names = forms[0].at("enum").as_array();

@@ -2,7 +2,9 @@
 
 #include "cli/output.hpp"
 #include "lib/export/json.hpp"
+#include "lib/project/verify.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 namespace loadpath::cli {
@@ -29,6 +31,15 @@ project::Wanted wanted_by(const OutputOptions& output, bool in_full) {
 void check_series(const project::Project& project, const OutputOptions& output, std::vector<Issue>& issues) {
   for (const FieldFault& fault : project::SeriesChoice(output.series).check(project))
     issues.push_back({{"--series", 0, 0, 1}, "", fault.message, fault.hint, Severity::error});
+}
+
+/// That values which the project expects are others: no part of its verdict.
+void tell_misses(const project::Project& project) {
+  const auto all = project::compare(project);
+  const auto misses = std::count_if(all.begin(), all.end(), [](const project::Comparison& c) { return !c.holds; });
+  if (misses == 0) return;
+  std::cerr << misses << " of " << all.size() << (all.size() == 1 ? " expectation misses" : " expectations miss")
+            << ": `loadpath verify " << (project.file == "standard input" ? "-" : project.file) << "` tells\n";
 }
 
 }  // namespace
@@ -58,6 +69,7 @@ int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceTe
   } else if (!output.quiet) {
     terminal::show_project(project, in_full);
   }
+  if (!output.quiet) tell_misses(project);
   return exit_for(project::modes(project));
 }
 

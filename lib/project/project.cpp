@@ -63,6 +63,15 @@ std::map<std::string, Value> table_values_of(const Project& project) {
   return values;
 }
 
+/// What expectations are held against.
+std::set<std::string> compared_series(const Project& project) {
+  std::set<std::string> compared;
+  for (const Expectation& e : project.expectations) {
+    for (const auto& reference : e.value.references()) compared.insert(reference.path);
+  }
+  return compared;
+}
+
 /// What the steps refer to, and what loads a part beside it.
 std::set<std::string> taken_series(const Project& project) {
   std::set<std::string> taken(project.references.begin(), project.references.end());
@@ -232,6 +241,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
 void solve(Project& project, std::vector<Issue>& issues, Wanted wanted) {
   const Known known = known_of(project);
   wanted.taken = taken_series(project);
+  wanted.compared = compared_series(project);
   for (const std::size_t i : project.order) {
     check_factors(*project.steps[i], project, issues);
     if (!has_errors(issues)) project.steps[i]->solve(known, wanted, issues);

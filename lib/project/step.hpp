@@ -24,15 +24,17 @@ using account::Origin;
 
 /// What is wanted of the accounts; what nobody looks at is costly, and is not made.
 struct Wanted {
-  bool pictures = true;              // tables and figures
-  bool formulas = true;              // the derivation, written out
-  bool unused = true;                // which inputs have no effect
-  SeriesChoice series = {};          // of those that could be written
-  std::set<std::string> taken = {};  // those that other steps refer to, "lever.drive.M": solve() fills it
+  bool pictures = true;                 // tables and figures
+  bool formulas = true;                 // the derivation, written out
+  bool unused = true;                   // which inputs have no effect
+  SeriesChoice series = {};             // of those that could be written
+  std::set<std::string> taken = {};     // those that other steps refer to, "lever.drive.M": solve() fills it
+  std::set<std::string> compared = {};  // those that expectations refer to: solve() fills it too
 
   /// Whether the series of this path in this step is needed for any of it; pictures show every one.
   [[nodiscard]] bool holds(const std::string& step, const std::string& path) const {
-    return pictures || series.holds(step, path) || taken.count(step + "." + path) != 0;
+    const std::string full = step + "." + path;
+    return pictures || series.holds(step, path) || taken.contains(full) || compared.contains(full);
   }
 };
 

@@ -168,6 +168,20 @@ TEST_SUITE("cli run") {
     CHECK_FALSE(contains(run(failing).out, "found"));
   }
 
+  TEST_CASE("expectations that miss are told in a line, and decide over nothing") {
+    const std::string right = "[[expect]]\nvalue = \"axle.T\"\nis = \"2700 N*m\"\ndigits = 3\nsource = \"given\"\n";
+    const std::string wrong_one =
+        "[[expect]]\nvalue = \"axle.T\"\nis = \"2600 N*m\"\ndigits = 3\nsource = \"a slip\"\n";
+    const Desk desk;
+    desk.put("a.toml", passing + right + wrong_one);
+    const Ran ran = desk.run({"run", "a.toml"});
+    CHECK(ran.code == 0);
+    CHECK(ran.error == "1 of 2 expectations miss: `loadpath verify a.toml` tells\n");
+    CHECK(desk.run({"run", "a.toml", "--quiet"}).error.empty());
+    CHECK(run(passing + right).error.empty());
+    CHECK(run(passing + wrong_one).error == "1 of 1 expectation misses: `loadpath verify -` tells\n");
+  }
+
   TEST_CASE("--json is one object, and a number reads back to the result") {
     const Ran o = run(passing, {"--json"});
     CHECK(o.code == 0);

@@ -45,7 +45,7 @@ std::string default_of(const FieldInfo& field, void* owner) {
     return word.empty() ? "optional" : word;
   }
   const bool number = field.type == Type::quantity || field.type == Type::count;
-  if (number && !std::isnan(field.get(owner)))
+  if (number && !is_missing(field, owner))
     return "default " + format_quantity(field.get(owner), field.type == Type::count ? "-" : field.unit);
   return field.optional ? "optional" : "required";
 }

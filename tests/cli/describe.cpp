@@ -1,6 +1,8 @@
 #include "calculators/catalogue.hpp"
 #include "tests/cli/process.hpp"
 
+#include <regex>
+
 using namespace loadpath;
 using namespace loadpath::test;
 
@@ -66,9 +68,12 @@ TEST_SUITE("cli describe") {
     CHECK_FALSE(contains(list, "gear.pair"));
     CHECK(loadpath_with({"list", "shfat"}).error ==
           "loadpath: there is no element 'shfat'\n  = help: did you mean 'shaft'?\n");
-    CHECK(loadpath_with({"shaft.torsion", "--T", "9 N*m"}).error ==
-          "loadpath: there is no command 'shaft.torsion'\n  = help: on the shell a calculator is two words: loadpath "
-          "shaft torsion\n");
+  }
+
+  TEST_CASE("a count that must be given, or may be left out, has no default") {
+    const std::string shown = loadpath_with({"describe", "gear.pair"}).out;
+    CHECK(std::regex_search(shown, std::regex("\n  z_1 +whole number +required ")));
+    CHECK(std::regex_search(shown, std::regex("\n  z_2 +whole number +optional ")));
   }
 
   TEST_CASE("results whose paths come from names are described by patterns with unit and meaning") {

@@ -266,11 +266,6 @@ int unknown_command(const CLI::App& app, const CLI::App& command) {
     return wrong_input;
   }
   if (words[0].starts_with('-')) return unknown_option(command, words[0]);
-  if (const Calculator* meant = find_calculator(calculators(), words[0])) {
-    return refuse("there is no command '" + words[0] + "'", "on the shell a calculator is two words: loadpath " +
-                                                                std::string(meant->element()) + " " +
-                                                                name_in_element(*meant));
-  }
   std::vector<std::string> names;
   for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; })) {
     names.push_back(sub->get_name());
@@ -305,6 +300,16 @@ int wrong_words(const CLI::App& app, const CLI::ParseError& error) {
   return refuse(said, help);
 }
 
+/// What was typed; the id of a calculator, shaft.torsion, as the two words that it is here.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  const Calculator* const named = words.empty() ? nullptr : find_calculator(calculators(), words[0]);
+  if (named == nullptr) return words;
+  words[0] = name_in_element(*named);
+  words.insert(words.begin(), std::string(named->element()));
+  return words;
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App app(
       "loadpath: design calculator for machine elements, from the loads of a mechanism to the sizes of its parts",
@@ -331,8 +336,10 @@ int dispatch(int argc, char** argv) {
   setup_elements(app, calculate_options, action);
   app.footer(footer);  // both only here: commands inherit what is set before they are made
   app.allow_extras();
+  std::vector<std::string> words = words_of(argc, argv);
+  std::reverse(words.begin(), words.end());  // as CLI11 takes them
   try {
-    app.parse(argc, argv);
+    app.parse(std::move(words));
   } catch (const CLI::Success& success) {  // --help, --version
     return app.exit(success);
   } catch (const CLI::ParseError& error) {

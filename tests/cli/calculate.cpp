@@ -126,6 +126,16 @@ TEST_SUITE("cli calculate") {
     CHECK(contains(desk.get("a.html"), "Drive"));
   }
 
+  TEST_CASE("an id is as good as its two words") {
+    const std::vector<std::string> flags{"--T", "2700 N*m", "--tau_adm", "30 MPa"};
+    std::vector<std::string> one{"shaft.torsion"}, two{"shaft", "torsion"};
+    one.insert(one.end(), flags.begin(), flags.end());
+    two.insert(two.end(), flags.begin(), flags.end());
+    CHECK(loadpath_with(one).code == 0);
+    CHECK(loadpath_with(one).out == loadpath_with(two).out);
+    CHECK(loadpath_with({"shaft.torsoin"}).code == 2);
+  }
+
   TEST_CASE("--accept answers for a mode that is not judged, --strict asks for the open ones") {
     const std::vector<std::string> gears{"gear",          "pair",    "--z_1",         "20",     "--z_2", "57",
                                          "--m_n",         "2.5 mm",  "--T_1",         "60 N*m", "--b",   "25 mm",

@@ -20,6 +20,15 @@ void speeds(const Pair::Input& in, PairResult& r, Tracer& trace) {
   STEP_TO(r, n_2, -g * in.n_1 * in.z_1 / in.z_2, "wheels turn against each other, wheel and ring alike");
 }
 
+/// What the shafts take, each in its own frame. The axes of the results point from axis 1 to the pitch point, which is
+/// toward axis 2 where that is of a wheel, away from it where a ring is around gear 1.
+void hand_over(const Pair::Input& in, Moment T_1, PairResult& r) {
+  const double K_A = in.K_A, to_2 = K_A * sign_of(in.mesh);
+  r.gear_1 = shaft_load(K_A * T_1, {to_2 * r.F_x1, to_2 * r.F_y1, K_A * r.F_z1}, r.d_w1, in.n_1);
+  if (in.mesh == Mesh::rack) return;
+  r.gear_2 = shaft_load(K_A * r.T_2, {-to_2 * r.F_x2, -to_2 * r.F_y2, K_A * r.F_z2}, r.d_w2, r.n_2);
+}
+
 /// [Vortarus], with the hand of the helix and the sense of rotation; the working circle gives what the bearings feel.
 template <class Tracer>
 void forces(const Pair::Input& in, Moment T_1, PairResult& r, Tracer& trace) {
@@ -35,10 +44,10 @@ void forces(const Pair::Input& in, Moment T_1, PairResult& r, Tracer& trace) {
   STEP_TO(r, F_y1, -w * 2.0 * T_1 / r.d_w1, "against the rotation where gear 1 drives");
   STEP_TO(r, F_z1, -h * F_y1 * r.d_w1 / r.d_1 * tan(in.beta), "along the axis: the force is normal to the helix");
   r.F_x2 = -F_x1, r.F_y2 = -F_y1, r.F_z2 = -F_z1;
-  r.gear_1 = shaft_load(in.K_A, T_1, {F_x1, F_y1, F_z1}, r.d_w1, in.n_1);
-  if (in.mesh == Mesh::rack) return;
-  STEP_TO(r, T_2, abs(T_1) * r.u, "without losses");
-  r.gear_2 = shaft_load(in.K_A, T_2, {r.F_x2, r.F_y2, r.F_z2}, r.d_w2, r.n_2);
+  if (in.mesh != Mesh::rack) {
+    STEP_TO(r, T_2, abs(T_1) * r.u, "without losses");
+  }
+  hand_over(in, T_1, r);
 }
 
 /// [Shigley14] (14-4a) to (14-6b); the speeds up to which they are used are recalled.

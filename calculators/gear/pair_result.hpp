@@ -116,13 +116,15 @@ inline constexpr std::tuple pair_results{
     Field{&PairResult::F_a, "F_a", N, "axial force"}.load(),
     Field{&PairResult::F_bn, "F_bn", N, "force along the normal of the tooth"},
     Field{&PairResult::F_x1, "F_x1", N, "force on gear 1 along x, from axis 1 to the pitch point"}.load(),
-    Field{&PairResult::F_y1, "F_y1", N, "force on gear 1 along y"}.load(),
+    Field{&PairResult::F_y1, "F_y1", N, "force on gear 1 along y, in the frame of F_x1"}.load(),
     Field{&PairResult::F_z1, "F_z1", N, "force on gear 1 along z, its axis"}.load(),
-    Field{&PairResult::F_x2, "F_x2", N, "force on gear 2 along x"}.load(),
-    Field{&PairResult::F_y2, "F_y2", N, "force on gear 2 along y"}.load(),
-    Field{&PairResult::F_z2, "F_z2", N, "force on gear 2 along z"}.load(),
-    Group{&PairResult::gear_1, "gear_1", "what gear 1 does to its shaft, for a shaft: load"}.handed_over(),
-    Group{&PairResult::gear_2, "gear_2", "what gear 2 does to its shaft, for a shaft: load"}.handed_over(),
+    Field{&PairResult::F_x2, "F_x2", N, "force on gear 2 along x, in the frame of F_x1, not its own"}.load(),
+    Field{&PairResult::F_y2, "F_y2", N, "force on gear 2 along y, in the frame of F_x1"}.load(),
+    Field{&PairResult::F_z2, "F_z2", N, "force on gear 2 along z, in the frame of F_x1"}.load(),
+    Group{&PairResult::gear_1, "gear_1", "what gear 1 does to its shaft, in the frame of that shaft: load"}
+        .handed_over(),
+    Group{&PairResult::gear_2, "gear_2", "what gear 2 does to its shaft, in the frame of that shaft: load"}
+        .handed_over(),
     Field{&PairResult::K_v, "K_v", ratio, "velocity factor, raises the load; 1 without cutting"},
     Field{&PairResult::v_share, "v_share", ratio,
           "velocity factor: speed over the highest that it is used for; a strength needs cutting"}

@@ -10,9 +10,12 @@
 
 namespace loadpath {
 
-/// A design load: the nominal one times the service factor of who gives it, which is so in all of its parts. z lies
-/// along the shaft, x points from its axis to that of its mate, or along the line of pull; it stands in space while the
-/// shaft turns.
+/// A design load: the nominal one times the service factor of who gives it, which is so in all of its parts. Its frame
+/// is that of the loaded shaft and stands in space while the shaft turns: x points from the axis of this shaft to that
+/// of its mate, or along the line of pull, z along the shaft, the same way on both shafts of a drive, and y makes a
+/// right hand with them. On the two shafts x and y thus point against each other: what acts between them has the same
+/// F_x on both and the same F_y, and opposite F_z. F_x is positive where it draws the shafts together (belt, chain, a
+/// wheel in a ring) and negative where it parts them (two wheels).
 struct ShaftLoad {
   Moment T = unset<Moment>;
   Force F = unset<Force>, F_x = unset<Force>, F_y = unset<Force>, F_z = unset<Force>;
@@ -22,22 +25,21 @@ struct ShaftLoad {
   static constexpr std::tuple fields{
       Field{&ShaftLoad::T, "T", N_m, "torque, with the service factor"}.load().with("F, F_z").holding("K_A"),
       Field{&ShaftLoad::F, "F", N, "transverse force: F_x with F_y"}.load().with("T, F_z").holding("K_A"),
-      Field{&ShaftLoad::F_x, "F_x", N, "force along x, to the mate or along the line of pull"}.load().holding("K_A"),
-      Field{&ShaftLoad::F_y, "F_y", N, "force along y"}.load().holding("K_A"),
+      Field{&ShaftLoad::F_x, "F_x", N, "force along x: positive draws the shaft to its mate"}.load().holding("K_A"),
+      Field{&ShaftLoad::F_y, "F_y", N, "force along y, at right angles to x and the shaft"}.load().holding("K_A"),
       Field{&ShaftLoad::F_z, "F_z", N, "force along the shaft"}.load().holding("K_A"),
       Field{&ShaftLoad::d_w, "d_w", mm, "diameter that the forces act at"},
       Field{&ShaftLoad::n, "n", rpm, "speed of the shaft"}};
 };
 
-/// Forces on a shaft, nominal.
+/// Forces on a shaft in its own frame.
 struct ShaftForces {
   Force x, y, z;
 };
 
-/// Of nominal loads.
-inline ShaftLoad shaft_load(double K_A, Moment T, const ShaftForces& on, Length d_w, AngularSpeed n) {
-  const Force F_x = K_A * on.x, F_y = K_A * on.y;
-  return {K_A * abs(T), sqrt(F_x * F_x + F_y * F_y), F_x, F_y, K_A * on.z, d_w, n};
+/// Of design loads, with the service factor.
+inline ShaftLoad shaft_load(Moment T, const ShaftForces& own, Length d_w, AngularSpeed n) {
+  return {abs(T), sqrt(own.x * own.x + own.y * own.y), own.x, own.y, own.z, d_w, n};
 }
 
 }  // namespace loadpath

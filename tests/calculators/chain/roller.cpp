@@ -92,6 +92,18 @@ TEST_SUITE("roller chain") {
     CHECK(shock.S_dyn < one.S_dyn);
   }
 
+  TEST_CASE("both shafts are drawn to their mates, with the torque of each") {
+    chain::Roller::Input in = conveyor();
+    in.K_A = 1.5;
+    const auto r = solve(in);
+    for (const ShaftLoad& load : {r.shaft_1, r.shaft_2}) {
+      CHECK(load.F_x == r.F_W);
+      CHECK(load.F == r.F_W);
+      CHECK(in_si(load.F_y) == 0.0);
+    }
+    CHECK(rel(in_si(r.shaft_2.T), 1.5 * 3000 / (96 * pi / 30) * 57 / 21) < 1e-12);
+  }
+
   TEST_CASE("two editions of ISO 606 differ by 42 % for 16B, and the field says which is meant") {
     chain::Roller::Input in = conveyor();
     const auto maker = solve(in);

@@ -248,6 +248,30 @@ TEST_SUITE("gear pair") {
     CHECK(solve(in).F_x1 == r.F_x1);
   }
 
+  TEST_CASE("each shaft takes its forces in its own frame: wheels part their shafts, a ring draws them together") {
+    for (const auto mesh : {gear::Mesh::external, gear::Mesh::internal}) {
+      gear::Pair::Input in = pair_of(20, 57, 2.5);  // d_w1 = 50 mm, d_w2 = 142.5 mm: 2400 N at 20 deg
+      in.mesh = mesh, in.T_1 = 60.0 * N_m, in.K_A = 1.25;
+      const bool ring = mesh == gear::Mesh::internal;
+      const auto r = solve(in);
+      const double radial = 1.25 * 2400.0 * std::tan(20.0 * pi / 180.0);
+      CHECK(rel(in_si(r.gear_1.F_x), ring ? radial : -radial) < 1e-12);
+      CHECK(rel(in_si(r.gear_2.F_x), ring ? radial : -radial) < 1e-12);
+      // About axis 1, which turns counter-clockwise, the teeth brake; about axis 2 they drive: a wheel against the
+      // sense of gear 1, a ring with it. The pitch point lies toward the mate, but beyond axis 1 in a ring.
+      CHECK(rel((ring ? -1.0 : 1.0) * 0.025 * in_si(r.gear_1.F_y), -75.0) < 1e-12);
+      CHECK(rel(0.07125 * in_si(r.gear_2.F_y), (ring ? 1.0 : -1.0) * 75.0 * 57.0 / 20.0) < 1e-12);
+      CHECK(in_si(r.gear_1.F_z) == 0.0);
+      for (const ShaftLoad& load : {r.gear_1, r.gear_2})
+        CHECK(rel(in_si(load.F), std::hypot(in_si(load.F_x), in_si(load.F_y))) < 1e-12);
+    }
+    const auto r = solve(helical());
+    CHECK(r.gear_1.F_z > 0.0 * N);
+    CHECK(in_si(r.gear_1.F_z + r.gear_2.F_z) == 0.0);
+    CHECK(in_si(r.gear_1.F_x - r.gear_2.F_x) == 0.0);
+    CHECK(in_si(r.gear_1.F_y - r.gear_2.F_y) == 0.0);
+  }
+
   TEST_CASE("each factor of the bending stress acts once") {
     gear::Pair::Input in = helical();
     const auto one = solve(in);

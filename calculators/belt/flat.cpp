@@ -73,7 +73,7 @@ void judge(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   STEP(N_1, r.S_1 - r.F_c, "tight span: what presses the pulley");
   STEP(N_2, r.S_2 - r.F_c, "slack span: what presses the pulley");
   load_shaft(N_1, N_2, in.arrangement == Arrangement::crossed ? -r.gamma : r.gamma, r, trace);
-  hand_over(r.F_t * in.d_1 / 2.0, r.F_t * in.d_2 / 2.0, in.d_1, in.d_2, in.n_1, r);
+  hand_over(r.F_t * in.d_1 / 2.0, r.F_t * in.d_2 / 2.0, largest_pull(r, r.R_0), in.d_1, in.d_2, in.n_1, r);
   STEP_TO(r, f_B, 2.0 * r.v / r.L, "two pulleys bend the belt in each round");
 }
 

@@ -26,7 +26,8 @@ struct Flat {
   static constexpr auto scope =
       "Length or centre distance, wraps, speeds with slip, tensions by Euler's condition with the centrifugal part, "
       "width of the belt, initial tension and shaft load of a flat belt, open or crossed. Speeds of 5 to 30 m/s, of "
-      "synthetic belts to 100 m/s. Rollers on the belt: belt.course. The life of the belt is not covered.";
+      "synthetic belts to 100 m/s. What shafts take whole is the larger pull, in running or at standstill. Rollers on "
+      "the belt: belt.course. The life of the belt is not covered.";
   static constexpr auto source = "[B40], [Shigley-17]";
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
@@ -156,8 +157,10 @@ E_b = "40 MPa"
       Field{&Result::R_y, "R_y", N, "shaft load in running, to the side of the tight span"}.load().holding("K_A"),
       Field{&Result::R, "R", N, "shaft load in running"}.load().holding("K_A"),
       Field{&Result::theta_R, "theta_R", deg, "its direction against the line of centres"},
-      Group{&Result::shaft_1, "shaft_1", "what the belt does to the driving shaft, for a shaft: load"}.handed_over(),
-      Group{&Result::shaft_2, "shaft_2", "what the belt does to the driven shaft, for a shaft: load"}.handed_over(),
+      Group{&Result::shaft_1, "shaft_1", "most that the belt does to the driving shaft, running or not: load"}
+          .handed_over(),
+      Group{&Result::shaft_2, "shaft_2", "most that the belt does to the driven shaft, running or not: load"}
+          .handed_over(),
       Field{&Result::f_B, "f_B", Hz, "bendings of the belt per second"},
       Field{&Result::u_S, "u_S", ratio, "friction: least initial tension over the initial tension"}.check(),
       Field{&Result::u_sigma, "u_sigma", ratio, "strength: largest stress over the allowable one"}.check(),

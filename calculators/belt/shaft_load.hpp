@@ -1,4 +1,4 @@
-// What a belt does to its shafts: the pull of the two spans on the driving pulley. The driven pulley has the opposite.
+// What a belt does to its shafts: the pull of the two spans, on each pulley toward the other.
 #pragma once
 
 #include "calculators/load/shaft_load.hpp"
@@ -15,16 +15,24 @@ void load_shaft(Force N_1, Force N_2, double psi, Result& r, Tracer& trace) {
   trace.angle("psi", psi, "inclination of the tight span, positive where it leaves the line of centres");
   STEP_TO(r, R_x, (N_1 + N_2) * cos(psi), "shaft load in running along the line of centres");
   STEP_TO(r, R_y, (N_1 - N_2) * sin(psi), "across it, positive to the side of the tight span");
-  STEP_TO(r, R, sqrt(R_x * R_x + R_y * R_y), "shaft load in running; the same on the driven shaft, reversed");
+  STEP_TO(r, R, sqrt(R_x * R_x + R_y * R_y), "shaft load in running; on the driven shaft as large, reversed");
   STEP_TO(r, theta_R, atan(R_y / R_x), "its direction against the line of centres");
 }
 
-/// What the two shafts take whole: the driven one is pulled the other way.
+/// The largest pull on each shaft: R in running, or one along the line of centres at standstill (R_0, of new belts
+/// R_new), which is larger where the belts are new or where centrifugal force relieves the pulleys in running.
 template <class Result>
-void hand_over(Moment T_1, Moment T_2, Length d_1, Length d_2, AngularSpeed n_1, Result& r) {
+ShaftForces largest_pull(const Result& r, Force at_standstill) {
   const Force none = 0.0 * N.one;
-  r.shaft_1 = {abs(T_1), r.R, r.R_x, r.R_y, none, d_1, n_1};
-  r.shaft_2 = {abs(T_2), r.R, -r.R_x, -r.R_y, none, d_2, r.n_2};
+  return at_standstill > r.R ? ShaftForces{at_standstill, none, none} : ShaftForces{r.R_x, r.R_y, none};
+}
+
+/// What the two shafts take whole. y points on the driving shaft to the side of the tight span, on the driven one the
+/// other way.
+template <class Result>
+void hand_over(Moment T_1, Moment T_2, const ShaftForces& pull, Length d_1, Length d_2, AngularSpeed n_1, Result& r) {
+  r.shaft_1 = shaft_load(T_1, pull, d_1, n_1);
+  r.shaft_2 = shaft_load(T_2, pull, d_2, r.n_2);
 }
 
 }  // namespace loadpath::belt

@@ -114,7 +114,7 @@ V::Result V::evaluate(const Input& in, Tracer& trace) {
   tension(*section, in, r, trace);
   measure(*section, r, trace);
   load_shafts(r, trace);
-  hand_over(r.P_B / in.n_1, r.P_B / r.n_2, in.d_1, in.d_2, in.n_1, r);
+  hand_over(r.P_B / in.n_1, r.P_B / r.n_2, largest_pull(r, max(r.R_0, r.R_new)), in.d_1, in.d_2, in.n_1, r);
   return r;
 }
 

@@ -26,7 +26,8 @@ struct V {
   static constexpr auto scope =
       "Number of belts, course, initial tension with its measurement, shaft loads and pulleys of an open V-belt drive "
       "with two pulleys, on one basis: ISO 5292 (GOST 1284.3, classes III and IV) or Optibelt. Within the diameters, "
-      "speeds and lengths that the basis rates. A life is given only where the basis states one.";
+      "speeds and lengths that the basis rates. A life is given only where the basis states one. What shafts take "
+      "whole is the largest pull: in running, at standstill or of new belts.";
   static constexpr auto source = "[B40], [GOST1284.3], [Optibelt-V]";
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
@@ -173,8 +174,10 @@ L = "2650 mm"
       Field{&Result::R_y, "R_y", N, "shaft load in running, to the side of the tight span"}.load().holding("K_A"),
       Field{&Result::R, "R", N, "shaft load in running"}.load().holding("K_A"),
       Field{&Result::theta_R, "theta_R", deg, "its direction against the line of centres"},
-      Group{&Result::shaft_1, "shaft_1", "what the belt does to the driving shaft, for a shaft: load"}.handed_over(),
-      Group{&Result::shaft_2, "shaft_2", "what the belt does to the driven shaft, for a shaft: load"}.handed_over(),
+      Group{&Result::shaft_1, "shaft_1", "most that the belts do to the driving shaft, new or run in: load"}
+          .handed_over(),
+      Group{&Result::shaft_2, "shaft_2", "most that the belts do to the driven shaft, new or run in: load"}
+          .handed_over(),
       Field{&Result::B, "B", mm, "width of the pulleys"},
       Field{&Result::d_a1, "d_a1", mm, "outer diameter of the driving pulley"},
       Field{&Result::d_a2, "d_a2", mm, "outer diameter of the driven pulley"},

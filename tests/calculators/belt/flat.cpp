@@ -133,6 +133,26 @@ TEST_SUITE("belt flat") {
     CHECK(in_si(r.R_y) == 0.0);
   }
 
+  TEST_CASE("both shafts are drawn to their mates, by the larger pull of standstill and running") {
+    belt::Flat::Input in = fan();
+    in.b = 160.0 * mm, in.S_0 = 900.0 * N;
+    const double gamma = std::asin(0.15 / 1.2);
+    const auto fixed = solve(in);  // centrifugal force relieves the pulleys in running
+    in.tensioning = belt::Flat::Tensioning::constant_force;
+    const auto pulled = solve(in);  // and here it does not: the lean of the tight span comes on top
+    const double F_t = 15e3 / (1450 * pi / 30 * 0.1);
+    for (const auto& load : {fixed.shaft_1, fixed.shaft_2}) {
+      CHECK(rel(in_si(load.F), 1800.0 * std::cos(gamma)) < 1e-12);
+      CHECK(rel(in_si(load.F_x), 1800.0 * std::cos(gamma)) < 1e-12);
+      CHECK(in_si(load.F_y) == 0.0);
+    }
+    for (const auto& load : {pulled.shaft_1, pulled.shaft_2}) {
+      CHECK(rel(in_si(load.F_x), 1800.0 * std::cos(gamma)) < 1e-12);
+      CHECK(rel(in_si(load.F_y), F_t * std::sin(gamma)) < 1e-12);
+      CHECK(rel(in_si(load.F), std::hypot(in_si(load.F_x), in_si(load.F_y))) < 1e-12);
+    }
+  }
+
   TEST_CASE("the shaft load leans to the tight span of the smaller driving pulley, and away from it when crossed") {
     CHECK(solve(fan()).R_y > 0.0 * N);
     belt::Flat::Input in = fan();

@@ -159,6 +159,23 @@ TEST_SUITE("belt v") {
     CHECK(rel(in_si(b.Delta_1), 0.036) < 1e-12);
   }
 
+  TEST_CASE("both shafts are drawn to their mates by the largest pull, that of new belts") {
+    const auto a = solve(wedge());
+    // From the values of the other program above: 2 z 1.3 F_0 cos(gamma), sin(gamma) = 100 mm/a.
+    const double pull = 2 * 3 * 1.3 * 452.7065386 * std::sqrt(1.0 - std::pow(0.1 / 0.8478570162, 2));
+    CHECK(pull > 2448.459206);  // in running
+    const auto b = solve(classical());
+    for (const auto& [load, F] : {std::pair{a.shaft_1, pull},
+                                  {a.shaft_2, pull},
+                                  {b.shaft_1, 1.3 * 1462.684579},
+                                  {b.shaft_2, 1.3 * 1462.684579}}) {
+      CHECK(rel(in_si(load.F), F) < 1e-8);
+      CHECK(rel(in_si(load.F_x), F) < 1e-8);
+      CHECK(in_si(load.F_y) == 0.0);
+      CHECK(in_si(load.F_z) == 0.0);
+    }
+  }
+
   TEST_CASE("on equal pulleys the grip is Euler's with the wedge friction of half a turn") {
     belt::V::Input in = wedge();
     in.d_2 = in.d_1, in.mu = 0.3;

@@ -74,6 +74,18 @@ Length nearest_belt(const VSection& section, const Input& in, const V::Input& dr
   return best;
 }
 
+/// The drive as it is bought where more belts are needed than are allowed.
+V::Input with_most_belts(const Input& in, V::Input drive) {
+  drive.z = in.z_max;
+  return drive;
+}
+
+void keep_nearest(const V::Input& drive, const Input& in, Nearest& nearest) {
+  NoTrace quiet;
+  const Lack lack = lack_of(V::evaluate(drive, quiet), is_set(in.mu));
+  if (lack.less_than(nearest.lack)) nearest = {drive, lack};
+}
+
 void try_pair(const VSection& section, const Input& in, V::Input& drive, Result& r, Nearest& nearest) {
   drive.L = nearest_belt(section, in, drive);
   if (!is_set(drive.L)) return;
@@ -81,15 +93,12 @@ void try_pair(const VSection& section, const Input& in, V::Input& drive, Result&
   NoTrace quiet;
   const V::Result found = V::evaluate(drive, quiet);
   const bool too_weak = found.z == 0 || found.z > in.z_max;
-  Lack lack = lack_of(found, is_set(in.mu));
-  if (!too_weak && lack.none()) {
+  if (!too_weak && lack_of(found, is_set(in.mu)).none()) {
     r.drives += 1.0;
-    rank_in(r.candidates, candidate_of(drive, found), in.rank);
-    return;
+    return rank_in(r.candidates, candidate_of(drive, found), in.rank);
   }
   (too_weak ? r.too_weak : r.outside) += 1.0;
-  if (too_weak) ++lack.limits;
-  if (lack.less_than(nearest.lack)) nearest = {drive, lack};
+  keep_nearest(too_weak ? with_most_belts(in, drive) : drive, in, nearest);
 }
 
 bool fits_room(const Input& in, const V::Input& drive) {

@@ -65,10 +65,6 @@ void check(const Input& in, const V::Input& drive, const char* which, Result& r,
   r.a = found.a, r.n_2 = found.n_2, r.n_k = found.n_k, r.L_h = found.L_h, r.F_0 = found.F_0, r.R_0 = found.R_0,
   r.R_new = found.R_new, r.R = found.R;
   r.B = found.B, r.u_P = found.u_P, r.u_grip = found.u_grip, r.u_rim = found.u_rim, r.u_B = found.u_B;
-  if (found.z > in.z_max) {
-    r.z = in.z_max, r.u_P = found.u_P * found.z / in.z_max;
-    trace.value("u_P", r.u_P, "as many belts as are allowed");
-  }
   r.best = {drive};
   r.best.z = r.z;
   STEP_TO(r, dev_n, r.n_2 / in.n_2_set - 1.0, "speed against the wanted one");
@@ -97,7 +93,8 @@ VSizing::Result VSizing::evaluate(const Input& in, Tracer& trace) {
     compare(in, r);
     check(in, drive_of(in, r.candidates.front()), "of the first drive of the list", r, trace);
   } else if (r.tried > 0.0) {
-    check(in, nearest.drive, "of the drive that comes nearest: none passes", r, trace);
+    check(in, nearest.drive, "of the drive that comes nearest, with no more belts than are allowed: none passes", r,
+          trace);
   }
   return r;
 }

@@ -15,8 +15,8 @@ struct VSizing {
   static constexpr auto title = "V-belt drives that can be bought";
   static constexpr auto scope =
       "Ranked list of V-belt drives out of standard sections, pulleys and lengths for a power, two speeds and a rough "
-      "centre distance, on one basis; the best one with its whole calculation, or the one that comes nearest where "
-      "none passes. Covers what belt.v covers.";
+      "centre distance, on one basis; the best one with its whole calculation, or where none passes the one that comes "
+      "nearest, with the most belts that are allowed. Covers what belt.v covers.";
   static constexpr auto source = V::source;
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
@@ -161,7 +161,9 @@ a_set = "600 mm"
           .check("mu"),
       Field{&Result::u_rim, "u_rim", ratio, "rim: larger speed of the rims over the allowable one"}.check(),
       Field{&Result::u_B, "u_B", ratio, "bending frequency over the largest one"}.check(),
-      Field{&Result::drives, "drives", ratio, "drives that can be bought and pass every check"}.limit(1, 1e6),
+      Field{&Result::drives, "drives", ratio, "drives that can be bought and pass every check"}
+          .limit(1, 1e6)
+          .criterion(),
       Group{&Result::best, "best", "the first drive whole, for belt.v: drive = \"=pick.best\""}.handed_over(),
       ListField{&Result::candidates, "candidates", "the drives, best first"}};
 

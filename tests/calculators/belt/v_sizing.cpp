@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -126,6 +127,36 @@ TEST_SUITE("belt v sizing") {
     CHECK(slips.value("u_P") <= 1.0);
     const BeltStep far(with(text, "a_set", "\"15 m\""));
     CHECK(far.value("tried") == 0.0);
+  }
+
+  TEST_CASE("where no drive passes all that is shown is of one drive: that of the most belts that are allowed") {
+    auto in = fan();
+    in.P = 300e3 * W;
+    const auto r = solve(in);
+    CHECK(r.drives == 0.0);
+    CHECK(r.z == 8);
+    CHECK(r.best.z == 8);
+    CHECK(r.u_P > 1.0);
+    NoTrace trace;
+    const auto whole = belt::V::evaluate(r.best, trace);
+    CHECK(whole.z == 8);
+    for (const auto& [of_belt, shown] :
+         {std::pair{whole.F_0, r.F_0}, {whole.R_0, r.R_0}, {whole.R_new, r.R_new}, {whole.R, r.R}})
+      CHECK(of_belt == shown);
+    CHECK(in_si(whole.B) == in_si(r.B));
+    CHECK(whole.u_P == r.u_P);
+    // What the spans of 8 belts hold at rest, by hand.
+    const double sin_gamma = std::abs(in_si(r.d_2 - r.d_1)) / 2.0 / in_si(r.a);
+    CHECK(in_si(r.R_0) == doctest::Approx(2.0 * 8.0 * in_si(r.F_0) * std::sqrt(1.0 - sin_gamma * sin_gamma)));
+  }
+
+  TEST_CASE("that no drive passes is a failure") {
+    const BeltStep none(with(text, "P", "\"2000 kW\""));
+    const auto verdicts = project::verdicts(none.project);
+    const auto drives =
+        std::find_if(verdicts.begin(), verdicts.end(), [](const auto& row) { return row.symbol == "drives"; });
+    REQUIRE(drives != verdicts.end());
+    CHECK(drives->state == account::State::fail);
   }
 
   TEST_CASE("the rules of belt.v hold here too") {

@@ -5,24 +5,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
 namespace loadpath::project {
 
 namespace {
 
-/// The value of an input of a solved step.
-double input_of(const Step& step, const std::string& key) {
-  const Value* const value = step.value(key);
-  return value == nullptr || value->si.empty() ? std::nan("") : value->si[0];
-}
-
 /// A factor of 1 does not count, nor one that is not given.
 bool counts(double factor) { return !std::isnan(factor) && factor != 1.0; }
 
+/// Of a series the first that counts.
+double factor_in(const std::vector<double>& si) {
+  const auto found = std::find_if(si.begin(), si.end(), counts);
+  return found == si.end() ? 1.0 : *found;
+}
+
+/// The factor that an input of a solved step is.
+double input_of(const Step& step, const std::string& key) {
+  const Value* const value = step.value(key);
+  return value == nullptr ? 1.0 : factor_in(value->si);
+}
+
 /// "chain.K_A = 1.4"
-Message told(const Project& project, const std::string& factor) {
-  const Value* const value = project.value(factor);
-  return value == nullptr ? say("{1}", factor) : say("{1} = {2}", factor, format_number(value->si[0], 4));
+Message told(const Factors& factors, const std::string& factor) {
+  return say("{1} = {2}", factor, format_number(factors.at(factor), 4));
 }
 
 /// What the value at a path of another step holds.
@@ -32,13 +40,27 @@ Factors factors_at(const Project& project, const std::string& path) {
   const FieldInfo* const field = step == nullptr ? nullptr : step->field(rest);
   if (step == nullptr) return {};
   if (field == nullptr) return step->factors();  // of a mechanism: its reactions hold what its loads do
-  if (field->is_factor) return counts(input_of(*step, rest)) ? Factors{path} : Factors{};
-  Factors held = field->is_load ? step->factors() : Factors{};
-  for (const std::string& key : listed_keys(field->factors)) {
-    if (counts(input_of(*step, key))) held.insert(std::string(name).append(".").append(key));
+  Factors held;
+  const auto add = [&](const std::string& key, const std::string& of) {
+    if (const double factor = input_of(*step, key); counts(factor)) held[of] = factor;
+  };
+  if (field->is_factor) {
+    add(rest, path);
+    return held;
   }
+  const std::vector<std::string> own = listed_keys(field->factors);
+  if (field->is_load || !own.empty()) held = step->factors();
+  for (const std::string& key : own) add(key, std::string(name).append(".").append(key));
   return held;
 }
+
+/// What loads a step, as it is written there, and what it holds.
+struct Load {
+  std::string path, text;
+  Place place;
+  Factors held;
+  bool is_list = false;
+};
 
 class Check {
  public:
@@ -49,57 +71,85 @@ class Check {
     for (const Operand& operand : step_.input().reading.operands) {
       if (operand.leaf.field->is_load && !operand.expression.references().empty()) take(operand);
     }
+    for (const Taken& taken : step_.input().reading.taken) {
+      if (taken.field != nullptr && taken.field->type == FieldInfo::Type::list)
+        take_list(taken, taken.field->fields, "[1].");
+    }
     refuse_own();
     step_.hold(held_);
   }
 
  private:
   void take(const Operand& operand) {
-    const auto factors =
-        operand.expression.factors([&](const std::string& path) { return factors_at(project_, path); });
-    if (!factors) return refuse(operand, factors.fault());
-    if (first_ == nullptr) {
-      first_ = &operand;
-      held_ = *factors;
-    } else if (keys_of(*factors) != keys_of(held_)) {
-      refuse_unlike(operand, *factors);
+    auto factors = operand.expression.factors([&](const std::string& path) { return factors_at(project_, path); });
+    Load load{operand.path, operand.text, operand.place, {}};
+    if (!factors) return refuse(load, factors.fault());
+    load.held = std::move(*factors);
+    take(std::move(load));
+  }
+
+  /// All elements of a list come from one step, and hold the same.
+  void take_list(const Taken& taken, std::span<const FieldInfo> fields, const std::string& within) {
+    for (const FieldInfo& field : fields) {
+      const std::string inner = within + field.key;
+      if (field.is_load)
+        take(Load{taken.path, taken.source, taken.place, factors_at(project_, taken.source + inner), true});
+      const bool is_list = field.type == FieldInfo::Type::list;
+      if (field.has_fields()) take_list(taken, field.fields, inner + (is_list ? "[1]." : "."));
     }
   }
 
-  void refuse(const Operand& operand, const Fault& fault) {
-    issues_.push_back({place_in(operand.place, operand.text, fault.at, fault.length), step_.name() + "." + operand.path,
+  void take(Load load) {
+    held_.insert(load.held.begin(), load.held.end());
+    if (!first_) {
+      first_ = std::move(load);
+    } else if (const std::string more = without_equal(load.held, first_->held); !more.empty()) {
+      refuse_unlike(load, more, *first_);
+    } else if (const std::string lost = without_equal(first_->held, load.held); !lost.empty()) {
+      refuse_unlike(*first_, lost, load);
+    }
+  }
+
+  void refuse(const Load& load, const Fault& fault) {
+    issues_.push_back({place_in(load.place, load.text, fault.at, fault.length), step_.name() + "." + load.path,
                        fault.message, fault.hint, Severity::error});
   }
 
-  void refuse_unlike(const Operand& operand, const Factors& factors) {
-    const bool more_here = factors.size() > held_.size();
-    const Operand& with = more_here ? operand : *first_;
-    const Operand& without = more_here ? *first_ : operand;
-    const std::string factor = *(more_here ? factors : held_).begin();
+  void refuse_unlike(const Load& with, const std::string& factor, const Load& without) {
+    const std::string other = of_kind(without.held, kind_of(factor));
+    const Message held = told(with.held, factor);
+    if (!other.empty())
+      return refuse(without, Fault{0, without.text.size(),
+                                   say("'{1}' holds {2}, and '{3}' holds {4}", with.path, held, without.path,
+                                       told(without.held, other)),
+                                   say("divide each by the one that it holds, and give one here")});
     refuse(without,
-           Fault{0, without.text.size(),
-                 say("'{1}' holds {2}, and '{3}' does not", with.path, told(project_, factor), without.path),
-                 say("write {1} = \"={2}*({3})\", or take both without it", without.path, factor, without.text)});
+           Fault{0, without.text.size(), say("'{1}' holds {2}, and '{3}' does not", with.path, held, without.path),
+                 without.is_list || with.is_list
+                     ? say("take both with it, or both without")
+                     : say("write {1} = \"={2}*({3})\", or take both without it", without.path, factor, without.text)});
   }
 
   /// A factor that the step applies to loads that hold one of its kind.
   void refuse_own() {
-    for (const std::string& factor : held_) {
-      const std::string key = key_of(factor);
+    for (const auto& [factor, value] : held_) {
+      const std::string key = kind_of(factor);
       const FieldInfo* const own = find_field(step_.input().calculator->input->fields, key);
       if (own == nullptr || !own->is_factor || !counts(own_value(key))) continue;
-      issues_.push_back(issue_at(
-          step_.input(), key, say("{1} would count twice: '{2}' holds {3}", key, first_->path, told(project_, factor)),
-          say("leave out {1} here, or take '{2}' without it", key, first_->path)));
+      issues_.push_back(issue_at(step_.input(), key,
+                                 say("{1} would count twice: '{2}' holds {3}", key, first_->path, told(held_, factor)),
+                                 say("leave out {1} here, or take '{2}' without it", key, first_->path)));
     }
   }
 
   double own_value(const std::string& key) {
+    static const Value none{{}, {std::numeric_limits<double>::quiet_NaN()}};
+    const auto known = [&](const std::string& path) -> const Value& {
+      const Value* const value = project_.value(path);
+      return value == nullptr ? none : *value;
+    };
     for (const Operand& operand : step_.input().reading.operands) {
-      if (operand.path == key) {
-        const Value* const value = project_.value(operand.text);
-        return value == nullptr ? 0.0 : value->si[0];
-      }
+      if (operand.path == key) return factor_in(operand.expression.evaluate(known).si);
     }
     return find_leaf(step_.input().reading.record, key).get();
   }
@@ -107,7 +157,7 @@ class Check {
   Step& step_;
   const Project& project_;
   std::vector<Issue>& issues_;
-  const Operand* first_ = nullptr;
+  std::optional<Load> first_;
   Factors held_;
 };
 

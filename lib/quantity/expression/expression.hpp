@@ -17,8 +17,8 @@
 #include "lib/text/issue.hpp"
 
 #include <functional>
+#include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,15 +29,16 @@ namespace expression {
 struct Tree;
 }
 
-/// Factors that a value contains, by the inputs that they are: "chain.K_A". Two are of one kind where their last names
-/// are the same.
-using Factors = std::set<std::string>;
+/// Factors that a value contains, by the inputs that they are, with their values: "chain.K_A", 1.4. Two are of one kind
+/// where their last names are the same, and those of one kind are equal where their values are.
+using Factors = std::map<std::string, double>;
 using FactorsOf = std::function<Factors(const std::string& path)>;
 /// "chain.K_A": "K_A".
-std::string key_of(const std::string& factor);
-Factors keys_of(const Factors& factors);
-/// The factor of the same kind; empty where there is none.
-std::string same_key(const Factors& factors, const std::string& factor);
+std::string kind_of(const std::string& factor);
+/// The factor of this kind; empty where there is none.
+std::string of_kind(const Factors& factors, const std::string& kind);
+/// One of these that has no equal among the others; empty where every one has.
+std::string without_equal(const Factors& factors, const Factors& others);
 
 class Expression {
  public:
@@ -68,8 +69,8 @@ class Expression {
   /// The function that makes the value a magnitude, so that the sign of what it is taken of is lost: "peak"; empty
   /// where none does. A sign that is written before it stands for the one that is meant.
   [[nodiscard]] std::string_view magnitude() const;
-  /// Those of its references: of a product all, of a quotient without those of the divisor. A factor that would count
-  /// twice, and a sum of what holds one and what does not, are faults.
+  /// Those of its references: of a product all, of a quotient without those of the divisor, of a root of a square once.
+  /// A factor that would count twice, and a sum of what holds one and what does not, are faults.
   [[nodiscard]] Outcome<Factors> factors(const FactorsOf& of) const;
   /// The value. A result that is not finite is NaN (never an infinity).
   [[nodiscard]] Value evaluate(const Known& known) const;

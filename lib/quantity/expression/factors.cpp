@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace loadpath {
 
@@ -10,18 +12,73 @@ namespace {
 
 using expression::Node;
 using expression::Operation;
+using expression::Rule;
 
+/// Kind and value: what makes factors equal.
+using Identity = std::pair<std::string, double>;
+struct Raised {
+  double power = 0.0;
+  std::set<std::string> names;  // the inputs that it is: "chain.K_A"
+};
+using Powers = std::map<Identity, Raised>;
 /// Nothing: of a literal, which goes with any.
-using Held = std::optional<Factors>;
+using Held = std::optional<Powers>;
+
+void multiply(Powers& powers, const Powers& by, double exponent) {
+  for (const auto& [identity, raised] : by) {
+    Raised& all = powers[identity];
+    all.power += exponent * raised.power;
+    all.names.insert(raised.names.begin(), raised.names.end());
+  }
+  std::erase_if(powers, [](const auto& entry) { return entry.second.power == 0.0; });
+}
+
+Held raised_to(const Held& base, double exponent) {
+  if (!base) return base;
+  Powers powers;
+  multiply(powers, *base, exponent);
+  return powers;
+}
+
+/// The kind that counts more than once; empty where none does.
+std::string counted_twice(const Powers& powers) {
+  std::map<std::string, double> sums;
+  for (const auto& [identity, raised] : powers) sums[identity.first] += std::max(raised.power, 0.0);
+  const auto most = std::find_if(sums.begin(), sums.end(), [](const auto& sum) { return sum.second > 1.0; });
+  return most == sums.end() ? "" : most->first;
+}
+
+/// A factor of these that the others do not hold, or in another power; empty where they hold all.
+std::string more_than(const Powers& others, const Powers& powers) {
+  for (const auto& [identity, raised] : powers) {
+    const auto other = others.find(identity);
+    if (other == others.end() || other->second.power != raised.power) return *raised.names.begin();
+  }
+  return {};
+}
+
+std::string name_of_kind(const Powers& powers, const std::string& kind) {
+  for (const auto& [identity, raised] : powers) {
+    if (identity.first == kind) return *raised.names.begin();
+  }
+  return {};
+}
 
 class Walk {
  public:
   Walk(const expression::Tree& tree, const FactorsOf& of) : tree_(tree), of_(of) {}
 
   Outcome<Factors> run() {
-    Held held = of_node(tree_.root);
-    if (fault_) return *fault_;
-    return held.value_or(Factors{});
+    const Powers powers = of_node(tree_.root).value_or(Powers{});
+    if (unlike_) return *unlike_;
+    if (!counted_twice(powers).empty()) return *twice_;
+    Factors factors;
+    for (const auto& [identity, raised] : powers) {
+      for (const std::string& name : raised.names) {
+        if (raised.power > 0.0) factors[name] = identity.second;
+      }
+    }
+    return factors;
   }
 
  private:
@@ -30,86 +87,138 @@ class Walk {
       case Operation::literal:
         return std::nullopt;
       case Operation::reference:
-        return of_(node.path);
+        return of_reference(node);
       case Operation::multiply:
-        return product(node);
+        return product(node, 1.0);
       case Operation::divide:
-        return quotient(node);
+        return product(node, -1.0);
       case Operation::negate:
-      case Operation::power:
         return of_node(node.kids[0]);
+      case Operation::power:
+        return watched(node, raised_to(of_node(node.kids[0]), constant(node.kids[1])));
       case Operation::add:
       case Operation::subtract:
-      case Operation::call:
         return alike(node);
+      case Operation::call:
+        return of_call(node);
     }
     return std::nullopt;
   }
 
-  /// What both hold; a factor that stands in both would count twice.
-  Held product(const Node& node) {
-    Held a = of_node(node.kids[0]);
-    const Held b = of_node(node.kids[1]);
-    if (!a || !b) return a ? a : b;
-    for (const std::string& factor : *b) {
-      const std::string twin = same_key(*a, factor);
-      if (!twin.empty()) refuse(node, say("{1} would count twice: '{2}' holds {3}", key_of(factor), of(node, 0), twin));
+  Powers of_reference(const Node& node) {
+    Powers powers;
+    for (const auto& [name, value] : of_(node.path)) {
+      Raised& raised = powers[{kind_of(name), value}];
+      raised.power = 1.0;
+      raised.names.insert(name);
     }
-    a->insert(b->begin(), b->end());
-    return a;
+    return powers;
   }
 
-  Held quotient(const Node& node) {
-    Held a = of_node(node.kids[0]);
+  /// What both hold; a factor that stands in both counts twice.
+  Held product(const Node& node, double exponent) {
+    const Held a = of_node(node.kids[0]);
     const Held b = of_node(node.kids[1]);
-    for (const std::string& factor : b.value_or(Factors{})) {
-      if (a) a->erase(same_key(*a, factor));
+    if (!a && !b) return std::nullopt;
+    Powers powers = a.value_or(Powers{});
+    multiply(powers, b.value_or(Powers{}), exponent);
+    return watched(node, std::move(powers));
+  }
+
+  /// Remembers where a factor counts twice first: what surrounds it may still take it out again.
+  Held watched(const Node& node, Held held) {
+    const std::string kind = held ? counted_twice(*held) : "";
+    if (kind.empty() || twice_) return held;
+    const std::string name = name_of_kind(*held, kind);
+    twice_ = fault(node, say("{1} would count twice: '{2}' holds {3}", kind, of(node, 0), name),
+                   say("take one of them without it"));
+    return held;
+  }
+
+  Held of_call(const Node& node) {
+    switch (node.function->rule) {
+      case Rule::place:
+        return of_node(node.kids[0]);
+      case Rule::root:
+        return raised_to(of_node(node.kids[0]), 1.0 / node.function->degree);
+      case Rule::trigonometric:
+      case Rule::number:
+      case Rule::inverse:
+      case Rule::ratio:
+        alike(node);
+        return Powers{};
+      case Rule::reduction:
+      case Rule::cycle_reduction:
+      case Rule::selection:
+      case Rule::same:
+        return alike(node);
     }
-    return a;
+    return alike(node);
   }
 
   /// Of a sum, a difference, a choice: what all hold alike.
   Held alike(const Node& node) {
     Held held;
+    std::size_t first = 0;
     for (std::size_t i = 0; i < node.kids.size(); ++i) {
       const Held next = of_node(node.kids[i]);
-      if (held && next && keys_of(*held) != keys_of(*next)) refuse(node, unlike(node, i, *held, *next));
-      if (!held) held = next;
+      if (!next) continue;
+      if (!held) {
+        held = next, first = i;
+        continue;
+      }
+      compare(node, {*held, of(node, first)}, {*next, of(node, i)});
+      for (const auto& [identity, raised] : *next)
+        (*held)[identity].names.insert(raised.names.begin(), raised.names.end());
     }
     return held;
   }
 
-  Message unlike(const Node& node, std::size_t i, const Factors& before, const Factors& here) const {
-    const bool first = here.size() < before.size();
-    const Factors& more = first ? before : here;
-    return say("'{1}' holds {2}, and '{3}' does not", of(node, first ? i - 1 : i), *more.begin(),
-               of(node, first ? i : i - 1));
+  struct Term {
+    const Powers& powers;
+    std::string text;
+  };
+  void compare(const Node& node, const Term& a, const Term& b) {
+    const std::string more_a = more_than(b.powers, a.powers), more_b = more_than(a.powers, b.powers);
+    if (unlike_ || (more_a.empty() && more_b.empty())) return;
+    const Term& with = more_a.empty() ? b : a;
+    const Term& without = more_a.empty() ? a : b;
+    const std::string more = more_a.empty() ? more_b : more_a;
+    const std::string other = name_of_kind(without.powers, kind_of(more));
+    unlike_ = fault(node,
+                    other.empty() ? say("'{1}' holds {2}, and '{3}' does not", with.text, more, without.text)
+                                  : say("'{1}' holds {2}, and '{3}' holds {4}", with.text, more, without.text, other),
+                    say("take both with it, or both without"));
   }
 
-  void refuse(const Node& node, Message message) {
-    if (!fault_) fault_ = Fault{node.at, node.length, std::move(message), say("take both with it, or both without")};
+  static Fault fault(const Node& node, Message message, Message hint) {
+    return Fault{node.at, node.length, std::move(message), std::move(hint)};
   }
   [[nodiscard]] std::string of(const Node& node, std::size_t i) const { return tree_.written(node.kids[i]); }
 
   const expression::Tree& tree_;
   const FactorsOf& of_;
-  std::optional<Fault> fault_;
+  std::optional<Fault> unlike_, twice_;
 };
 
 }  // namespace
 
-std::string key_of(const std::string& factor) { return factor.substr(factor.rfind('.') + 1); }
+std::string kind_of(const std::string& factor) { return factor.substr(factor.rfind('.') + 1); }
 
-Factors keys_of(const Factors& factors) {
-  Factors keys;
-  for (const std::string& factor : factors) keys.insert(key_of(factor));
-  return keys;
+std::string of_kind(const Factors& factors, const std::string& kind) {
+  const auto same =
+      std::find_if(factors.begin(), factors.end(), [&](const auto& factor) { return kind_of(factor.first) == kind; });
+  return same == factors.end() ? "" : same->first;
 }
 
-std::string same_key(const Factors& factors, const std::string& factor) {
-  const auto same =
-      std::find_if(factors.begin(), factors.end(), [&](const auto& f) { return key_of(f) == key_of(factor); });
-  return same == factors.end() ? "" : *same;
+std::string without_equal(const Factors& factors, const Factors& others) {
+  const auto has_equal = [&](const auto& factor) {
+    return std::any_of(others.begin(), others.end(), [&](const auto& other) {
+      return kind_of(other.first) == kind_of(factor.first) && other.second == factor.second;
+    });
+  };
+  const auto alone = std::find_if_not(factors.begin(), factors.end(), has_equal);
+  return alone == factors.end() ? "" : alone->first;
 }
 
 Outcome<Factors> Expression::factors(const FactorsOf& of) const { return Walk(*tree_, of).run(); }

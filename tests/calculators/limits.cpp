@@ -219,8 +219,8 @@ const Side v_belts[] = {
     {"belt.v_sizing", "u_P", over, "z_max", "8", "4", R"(P = "200 kW")"},
     {"belt.v_sizing", "u_grip", over, "mu", "0.5", "0.3"},
     {"belt.v_sizing", "u_rim", over, "v_rim_adm", R"("10 m/s")", R"("3 m/s")"},
-    {"belt.v_sizing", "u_B", outside, "a_set", R"("600 mm")", R"("60 mm")"},
-    {"belt.v_sizing", "drives", outside, "P", R"("200 kW")", R"("300 kW")"},
+    {"belt.v_sizing", "u_B", State::not_available, "a_set", R"("600 mm")", R"("60 mm")"},
+    {"belt.v_sizing", "drives", over, "P", R"("200 kW")", R"("300 kW")"},
 };
 
 const Side motion[] = {

@@ -82,11 +82,18 @@ json::object schema_of(const FieldInfo& field, void* blank, Definitions& definit
   return {};
 }
 
+/// What "?" finds of a field; empty where it finds nothing.
+std::string searched_text(const FieldInfo& field) {
+  if (*field.searched_in != '\0') return std::string("; \"?\" searches in ") + field.searched_in;
+  const bool can_be_large = field.larger_is_better || (field.is_load && !field.signed_load);
+  return can_be_large && field.type == Type::quantity ? "; \"?\" finds the largest that passes" : "";
+}
+
 json::string description(const FieldInfo& field) {
   std::string text = field.doc;
   const bool in_unit = field.type == Type::quantity && std::string_view(field.unit) != "-";
   if (in_unit) text += std::string(", in ") + field.unit + " or a unit like it";
-  if (*field.searched_in != '\0') text += std::string("; \"?\" searches in ") + field.searched_in;
+  text += searched_text(field);
   return json::string(text);
 }
 

@@ -164,6 +164,18 @@ TEST_SUITE("schema") {
     }
   }
 
+  TEST_CASE("it tells what \"?\" finds: sizes of a stock, and the largest load that passes") {
+    const auto told = [](const char* calculator, const char* field) {
+      const json::value& found = schema().at("$defs").at(calculator).at("properties").at(field).at("description");
+      return std::string(std::string_view(found.as_string()));
+    };
+    CHECK(told("chain.roller", "P").ends_with("; \"?\" finds the largest that passes"));
+    CHECK(told("shaft.torsion", "d").ends_with("; \"?\" searches in R40"));
+    CHECK(told("column.buckling", "l").ends_with("; \"?\" finds the largest that passes"));
+    CHECK(told("column.buckling", "N").find('?') == std::string::npos);  // its sign decides
+    CHECK(told("chain.roller", "K_A").find('?') == std::string::npos);
+  }
+
   TEST_CASE("it accepts every project of the repository") {
     for (const char* folder : {"examples", "reference"}) {
       for (const auto& file :

@@ -39,7 +39,9 @@ constexpr auto with_modes_of_shafts(const std::array<Mode<Input>, judged>& own) 
       Mode<Input>{"fatigue", "fatigue, at shoulders, keyways and press fits first", &load_varies<Input>}
           .left_to("fatigue.cycle")
           .in_service(),
-      Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "what comes along with its loads, and is not taken; F_z bends by F_z d_w/2",
+                  &unseen<Input>}
+          .by_companions(),
       Mode<Input>{"critical_bending", "critical speed in bending", &unseen<Input>}.in_service(),
       Mode<Input>{"critical_torsion", "critical speed in torsion", &unseen<Input>}.in_service(),
       Mode<Input>{"deflection", "deflection, and slope at bearings and meshes", &unseen<Input>}.of_service(),

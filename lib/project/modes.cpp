@@ -60,7 +60,9 @@ account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
     mode.wants = wants.empty() ? info.wants : std::move(wants);
     mode.judge = info.judge;
     if (mode.wants.empty() && *info.checks != '\0') mode.note = say("{1} has no value here", info.checks);
-    if (rest) mode.note = say("not taken, though it comes with the load: {1}", step.left_of_loads());
+    if (rest)
+      mode.note = say("not taken, though it comes with the load: {1}; judge it by hand: accept.{2} = \"...\"",
+                      step.left_of_loads(), info.id);
   } else {
     mode.governs = governing(rows).symbol;
     mode.utilisation = governing(rows).utilisation;

@@ -115,11 +115,12 @@ pulleys = [
         Field{&PulleyResult::alpha, "alpha", deg, "wrap"},
         Field{&PulleyResult::l_s, "l_s", mm, "span behind it, between the points of contact"},
         Field{&PulleyResult::n, "n", rpm, "speed, counter-clockwise positive"},
-        Field{&PulleyResult::T, "T", N_m, "torque of the belt on it, counter-clockwise positive"}.load().with("R"),
+        Field{&PulleyResult::T, "T", N_m, "torque of the belt on it, counter-clockwise positive"}.load().with(
+            "R|R_x|R_y"),
         Field{&PulleyResult::S, "S", N, "tension of the span behind it"},
-        Field{&PulleyResult::R_x, "R_x", N, "load of its shaft, along x"}.load(),
-        Field{&PulleyResult::R_y, "R_y", N, "load of its shaft, along y"}.load(),
-        Field{&PulleyResult::R, "R", N, "load of its shaft"}.load(),
+        Field{&PulleyResult::R_x, "R_x", N, "load of its shaft, along x"}.load().with("T, R_y"),
+        Field{&PulleyResult::R_y, "R_y", N, "load of its shaft, along y"}.load().with("T, R_x"),
+        Field{&PulleyResult::R, "R", N, "load of its shaft"}.load().with("T"),
         Field{&PulleyResult::mu_req, "mu_req", ratio, "coefficient of friction that is used"}};
   };
   struct Result {

@@ -152,9 +152,9 @@ a_set = "600 mm"
       Field{&Result::n_k, "n_k", rpm, "speed of the smaller pulley, without slip"},
       Field{&Result::L_h, "L_h", hour, "mean life that the basis states"},
       Field{&Result::F_0, "F_0", N, "initial tension of a span of one belt, run in"},
-      Field{&Result::R_0, "R_0", N, "shaft load at standstill"}.load().holding("K_A"),
-      Field{&Result::R_new, "R_new", N, "shaft load at standstill, new belts"}.load().holding("K_A"),
-      Field{&Result::R, "R", N, "shaft load in running"}.load().holding("K_A"),
+      Field{&Result::R_0, "R_0", N, "shaft load at standstill"}.load().with("P").holding("K_A"),
+      Field{&Result::R_new, "R_new", N, "shaft load at standstill, new belts"}.load().with("P").holding("K_A"),
+      Field{&Result::R, "R", N, "shaft load in running"}.load().with("P").holding("K_A"),
       Field{&Result::B, "B", mm, "width of the pulleys"},
       Field{&Result::u_P, "u_P", ratio, "power: design power over what the belts can carry"}.check(),
       Field{&Result::u_grip, "u_grip", ratio, "grip: tension that friction in the grooves needs over what there is"}

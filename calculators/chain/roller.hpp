@@ -172,7 +172,8 @@ P_R = "5.5 kW"
       Field{&Result::F_c, "F_c", N, "centrifugal force"},
       Field{&Result::F_f, "F_f", N, "pull by sag"},
       Field{&Result::F, "F", N, "largest pull: with the service factor, centrifugal force and sag"}.holding("K_A"),
-      Field{&Result::F_W, "F_W", N, "force on each shaft, along the line of centres"}.load().holding("K_A"),
+      Field{&Result::F_W, "F_W", N, "force on each shaft, along the line of centres"}.load().with("T_1|T_2").holding(
+          "K_A"),
       Group{&Result::shaft_1, "shaft_1", "what the chain does to the driving shaft, for a shaft: load"}.handed_over(),
       Group{&Result::shaft_2, "shaft_2", "what the chain does to the driven shaft, for a shaft: load"}.handed_over(),
       Field{&Result::p_r, "p_r", MPa, "pressure in the joints"},

@@ -136,8 +136,8 @@ stages = [
         Field{&Shaft::n, "n", rpm, "speed, signed"},
         Field{&Shaft::T, "T", N_m, "torque that it carries, signed"}.load().with("F_in, F_out"),
         Field{&Shaft::P, "P", kW, "power"},
-        Field{&Shaft::F_in, "F_in", N, "tangential force on its driven wheel"}.load(),
-        Field{&Shaft::F_out, "F_out", N, "tangential force on its driving wheel"}.load()};
+        Field{&Shaft::F_in, "F_in", N, "tangential force on its driven wheel"}.load().with("T, F_out"),
+        Field{&Shaft::F_out, "F_out", N, "tangential force on its driving wheel"}.load().with("T, F_in")};
   };
   struct Result {
     double i = unset<double>, eta = unset<double>;

@@ -80,9 +80,10 @@ t_2 = "1.9 s"
       Field{&Result::Phi_x, "Phi_x", N, "inertia force along x"},
       Field{&Result::Phi_y, "Phi_y", N, "inertia force along y"},
       Field{&Result::Phi_z, "Phi_z", N, "inertia force along z"},
-      Field{&Result::R_x, "R_x", N, "force that is missing along x: the resultant less the known forces"}.load(),
-      Field{&Result::R_y, "R_y", N, "force that is missing along y"}.load(),
-      Field{&Result::R_z, "R_z", N, "force that is missing along z"}.load(),
+      Field{&Result::R_x, "R_x", N, "force that is missing along x: the resultant less the known forces"}.load().with(
+          "R_y, R_z"),
+      Field{&Result::R_y, "R_y", N, "force that is missing along y"}.load().with("R_x, R_z"),
+      Field{&Result::R_z, "R_z", N, "force that is missing along z"}.load().with("R_x, R_y"),
       Field{&Result::R, "R", N, "force that is missing: drive, guide, thread"}.load(),
       Field{&Result::N_R, "N_R", W, "power of the missing force"},
       Field{&Result::R_max, "R_max", N, "largest missing force from t_1 to t_2, at 257 times"}.load(),

@@ -23,11 +23,20 @@ struct ShaftLoad {
   AngularSpeed n = unset<AngularSpeed>;
 
   static constexpr std::tuple fields{
-      Field{&ShaftLoad::T, "T", N_m, "torque, with the service factor"}.load().with("F, F_z").holding("K_A"),
+      Field{&ShaftLoad::T, "T", N_m, "torque, with the service factor"}.load().with("F|F_x|F_y, F_z").holding("K_A"),
       Field{&ShaftLoad::F, "F", N, "transverse force: F_x with F_y"}.load().with("T, F_z").holding("K_A"),
-      Field{&ShaftLoad::F_x, "F_x", N, "force along x: positive draws the shaft to its mate"}.load().holding("K_A"),
-      Field{&ShaftLoad::F_y, "F_y", N, "force along y, at right angles to x and the shaft"}.load().holding("K_A"),
-      Field{&ShaftLoad::F_z, "F_z", N, "force along the shaft"}.load().holding("K_A"),
+      Field{&ShaftLoad::F_x, "F_x", N, "force along x: positive draws the shaft to its mate"}
+          .load()
+          .with("T, F_y, F_z")
+          .holding("K_A"),
+      Field{&ShaftLoad::F_y, "F_y", N, "force along y, at right angles to x and the shaft"}
+          .load()
+          .with("T, F_x, F_z")
+          .holding("K_A"),
+      Field{&ShaftLoad::F_z, "F_z", N, "force along the shaft; bends it by F_z d_w/2"}
+          .load()
+          .with("T, F|F_x|F_y")
+          .holding("K_A"),
       Field{&ShaftLoad::d_w, "d_w", mm, "diameter that the forces act at"},
       Field{&ShaftLoad::n, "n", rpm, "speed of the shaft"}};
 };

@@ -217,6 +217,7 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
     return f;
   }
   /// One component of what acts on a part; `keys` are the others: who takes it and not them has not looked at all.
+  /// "T_1|T_2": one of them, the torque of the shaft that takes it.
   [[nodiscard]] constexpr Field with(const char* keys) const {
     Field f = *this;
     f.companions = keys;

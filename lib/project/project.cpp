@@ -35,10 +35,38 @@ Outcome<Signature> signature_of(Project& project, const std::string& path) {
   return step == nullptr ? project.unknown_step(path) : step->signature(rest);
 }
 
-std::vector<std::string> companions_of(const Project& project, const std::string& path) {
+/// Of what acts on one of several parts, "chain.T_1|T_2", that which `referred` has; where it has none, all.
+std::vector<std::string> alternatives_of(const std::string& companion, const std::string& beside,
+                                         const std::set<std::string>& referred) {
+  std::vector<std::string> all, meant;
+  for (std::size_t from = 0; from <= companion.size();) {
+    const std::size_t to = std::min(companion.find('|', from), companion.size());
+    const std::string key = companion.substr(from, to - from);
+    all.push_back(from == 0 ? key : beside + key);
+    if (referred.count(all.back()) != 0) meant.push_back(all.back());
+    from = to + 1;
+  }
+  return meant.empty() ? all : meant;
+}
+
+/// For a step that refers to these paths.
+std::vector<std::string> companions_of(const Project& project, const std::string& path,
+                                       const std::set<std::string>& referred = {}) {
   const auto [name, rest] = split_step(path);
   const Step* step = project.find(name);
-  return step == nullptr ? std::vector<std::string>{} : step->companions_of(rest);
+  std::vector<std::string> all;
+  if (step == nullptr) return all;
+  for (const std::string& companion : step->companions_of(rest)) {
+    for (std::string& one : alternatives_of(companion, path.substr(0, path.rfind('.') + 1), referred))
+      all.push_back(std::move(one));
+  }
+  return all;
+}
+
+std::set<std::string> references_of(const Step& step) {
+  std::set<std::string> references;
+  for_each_reference(step.input().reading, [&](const std::string& path) { references.insert(path); });
+  return references;
 }
 
 std::vector<std::string> references_of(const Project& project) {
@@ -225,9 +253,11 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
   for (const auto& step : project.steps) refuse_own_rows(*step, issues);
   project.order = order_of_evaluation(project, issues);
   const Declared declared = [&](const std::string& path) { return signature_of(project, path); };
-  const Companions companions = [&](const std::string& path) { return companions_of(project, path); };
   for (const std::size_t i : project.order) {
     settle_references(*project.steps[i], project, issues);
+    const Companions companions = [&, referred = references_of(*project.steps[i])](const std::string& path) {
+      return companions_of(project, path, referred);
+    };
     project.steps[i]->prepare(declared, companions, issues);
   }
   project.references = references_of(project);

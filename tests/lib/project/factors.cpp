@@ -165,6 +165,38 @@ TEST_SUITE("shaft loads") {
     CHECK_MESSAGE(contains(twice.errors(), "K_A would count twice"), twice.errors());
   }
 
+  TEST_CASE("a force that is taken without its torque leaves that not judged") {
+    const auto other_loads = [](const std::string& source, const std::string& loads) {
+      const Solved solved(source + end(loads));
+      REQUIRE_MESSAGE(solved.errors().empty(), solved.errors());
+      return solved.mode("end.other_loads");
+    };
+    const account::Mode alone = other_loads(chain("1.4"), "F = \"=chain.F_W\"\nT = \"0 N*m\"");
+    CHECK(alone.state == State::not_judged);
+    CHECK_MESSAGE(contains(alone.note.text(), "chain.T_1, chain.T_2"), alone.note.text());
+    for (const char* torque : {"chain.T_1", "chain.T_2"}) {
+      CAPTURE(torque);
+      const std::string T = std::string("T = \"=chain.K_A*") + torque + "\"";
+      CHECK(other_loads(chain("1.4"), "F = \"=chain.F_W\"\n" + T).state == State::open);
+    }
+    const std::string belts =
+        "[belt]\ncalculator = \"belt.v\"\nbasis = \"optibelt\"\nsection = \"SPB\"\nP = \"30 kW\"\nK_A = 1.2\n"
+        "n_1 = \"1460 rpm\"\nd_1 = \"200 mm\"\nd_2 = \"400 mm\"\nL = \"2650 mm\"\n";
+    for (const char* F : {"R_0", "R_new", "R", "R_x", "R_y"}) {
+      CAPTURE(F);
+      const account::Mode mode = other_loads(belts, std::string("F = \"=belt.") + F + "\"\nT = \"0 N*m\"");
+      CHECK(mode.state == State::not_judged);
+      CHECK_MESSAGE(contains(mode.note.text(), "belt.shaft_1.T, belt.shaft_2.T"), mode.note.text());
+    }
+    CHECK(other_loads(belts, "F = \"=belt.shaft_2.F\"\nT = \"=belt.shaft_2.T\"").state == State::open);
+    for (const char* F : {"F_tw", "F_rw", "F_x1", "F_y1", "F_x2", "F_y2"}) {
+      CAPTURE(F);
+      const account::Mode mode = other_loads(gears, std::string("F = \"=gears.") + F + "\"\nT = \"0 N*m\"");
+      CHECK(mode.state == State::not_judged);
+    }
+    CHECK(other_loads(gears, "F = \"=sqrt(gears.F_x2^2 + gears.F_y2^2)\"\nT = \"=gears.T_2\"").state == State::open);
+  }
+
   TEST_CASE("what is typed beside a record stays") {
     const Solved typed(chain("1.4") + end("load = \"=chain.shaft_2\"\nT = \"900 N*m\""));
     REQUIRE_MESSAGE(typed.errors().empty(), typed.errors());
@@ -183,6 +215,12 @@ TEST_SUITE("shaft loads") {
     CHECK(spur.mode("end.other_loads").state == State::open);
     const Solved helical(gears + "beta = \"15 deg\"\n" + end("load = \"=gears.gear_2\""));
     CHECK_MESSAGE(helical.mode("end.other_loads").state == State::not_judged, helical.errors());
+    const std::string note = helical.mode("end.other_loads").note.text();
+    CHECK_MESSAGE(contains(note, "gears.gear_2.F_z; judge it by hand: accept.other_loads = "), note);
+    CHECK(contains(helical.mode("end.other_loads").title.text(), "F_z bends by F_z d_w/2"));
+    const Solved answered(gears + "beta = \"15 deg\"\n" +
+                          end("load = \"=gears.gear_2\"\naccept.other_loads = \"F_z d_w/2 is 12 N*m\""));
+    CHECK_MESSAGE(answered.mode("end.other_loads").state == State::accepted, answered.errors());
     const Solved torsion(gears +
                          "[end]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nload = \"=gears.gear_2\"\n");
     REQUIRE_MESSAGE(torsion.errors().empty(), torsion.errors());

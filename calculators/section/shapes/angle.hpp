@@ -14,7 +14,8 @@ struct Angle : ShapeCalculator<Angle> {
   static constexpr auto scope =
       "Area, centroid, second moments, principal axes, moduli and torsion constant of an angle: leg h upwards, "
       "leg b to the right. Origin of the sketch: the outer corner. Torsion: the legs as rectangles with their free "
-      "ends, and their joint without the fillet, which only stiffens. A limit keeps the legs thin. Warping torsion and the shear centre are not covered. "
+      "ends, and their joint without the fillet, which only stiffens. A limit keeps the legs thin. Warping torsion and "
+      "the shear centre are not covered. "
       "The moduli about y and z are those of tables; an angle that is free to bend does so about its principal "
       "axes.";
   static constexpr auto source = "[Garrison], [Roark]";

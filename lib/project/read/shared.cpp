@@ -5,6 +5,7 @@
 #include "lib/quantity/number.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace loadpath::project {
 
@@ -13,6 +14,8 @@ namespace {
 using toml::Tree;
 
 constexpr std::string_view prefix = "values.";
+constexpr std::size_t most_in_place = 1'000'000;  // values and tables that stand in the place of a name
+constexpr std::size_t deepest = 32;               // values that refer to one another
 
 /// "=values.n": "n"; empty where the text is none that stands alone.
 std::string name_of_reference(const Tree& tree) {
@@ -46,7 +49,7 @@ void Values::read(const Tree::Entry& table, std::vector<Issue>& issues) {
              say("a name has Latin letters, digits and '_', and does not start with a digit"));
       continue;
     }
-    Shared shared{entry.value, entry.place, {}, false, false};
+    Shared shared{entry.value, entry.place, {}, false, false, false};
     if (auto literal = literal_of(entry.value)) {
       shared.literal = std::move(*literal);
       shared.is_literal = true;
@@ -56,14 +59,21 @@ void Values::read(const Tree::Entry& table, std::vector<Issue>& issues) {
   refuse_circles(issues);
 }
 
+/// Once for each value.
+void Values::refuse_circle(const std::string& name, std::vector<Issue>& issues) {
+  Shared& shared = all_[name];
+  if (std::exchange(shared.in_circle, true)) return;
+  issues.push_back({shared.tree.place, "values." + name, say("'values.{1}' refers to itself", name),
+                    say("give one of the circle a value"), Severity::error});
+}
+
 void Values::refuse_circles(std::vector<Issue>& issues) {
   for (const auto& [name, shared] : all_) {
     std::set<std::string> seen{name};
     for (std::string next = name_of_reference(shared.tree); all_.contains(next);
          next = name_of_reference(all_[next].tree)) {
       if (seen.insert(next).second) continue;
-      issues.push_back({shared.tree.place, "values." + name, say("'values.{1}' refers to itself", name),
-                        say("give one of the circle a value"), Severity::error});
+      if (next == name) refuse_circle(name, issues);
       break;
     }
   }
@@ -78,6 +88,14 @@ Message Values::nearest_to(const std::string& name) const {
 
 Tree Values::in_place(const Tree& tree, std::vector<Issue>& issues) {
   const std::string name = name_of_reference(tree);
+  if (!open_.empty()) ++in_place_;
+  if (in_place_ > most_in_place || open_.size() > deepest) {
+    if (!std::exchange(too_many_, true))
+      issues.push_back({tree.place, "values", say("values that stand in values come to too many"),
+                        say("at most {1} of them, {2} deep", std::to_string(most_in_place), std::to_string(deepest)),
+                        Severity::error});
+    return tree;
+  }
   if (name.empty()) {
     Tree copy = tree;
     for (Tree& item : copy.items) item = in_place(item, issues);
@@ -90,9 +108,14 @@ Tree Values::in_place(const Tree& tree, std::vector<Issue>& issues) {
     ++place.column;
     issues.push_back({place_in(place, tree.text, 0, tree.text.size() - 1), "values." + name,
                       say("there is no value '{1}'", name), nearest_to(name), Severity::error});
+    told_.insert(name);
     return tree;
   }
-  if (!open_.insert(name).second) return tree;  // a circle, which has been told
+  if (!open_.insert(name).second) {
+    refuse_circle(name, issues);
+    told_.insert(name);
+    return tree;
+  }
   found->second.is_used = true;
   Tree value = in_place(found->second.tree, issues);
   open_.erase(name);
@@ -102,6 +125,7 @@ Tree Values::in_place(const Tree& tree, std::vector<Issue>& issues) {
 
 Outcome<Signature> Values::signature(const std::string& name) {
   const auto found = all_.find(name);
+  if (found == all_.end() && told_.contains(name)) return Fault{};
   if (found == all_.end()) return Fault{0, name.size(), say("there is no value '{1}'", name), nearest_to(name)};
   found->second.is_used = true;
   if (found->second.is_literal) return found->second.literal.signature;

@@ -38,12 +38,17 @@ class Values {
     Value literal;
     bool is_literal = false;
     bool is_used = false;
+    bool in_circle = false;  // which has been told
   };
   [[nodiscard]] Message nearest_to(const std::string& name) const;
+  void refuse_circle(const std::string& name, std::vector<Issue>& issues);
   void refuse_circles(std::vector<Issue>& issues);
 
   std::map<std::string, Shared> all_;
   std::set<std::string> open_;  // while references are followed
+  std::set<std::string> told_;  // names that stood alone, and have no value
+  std::size_t in_place_ = 0;    // what has been put in the place of names
+  bool too_many_ = false;       // which has been told
 };
 
 }  // namespace loadpath::project

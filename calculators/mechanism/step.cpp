@@ -99,7 +99,9 @@ void MechanismStep::add_faults_of_names(std::vector<Issue>& issues) const {
 Outcome<Signature> MechanismStep::signature(const std::string& path) const {
   if (outputs_.empty()) return Fault{};  // the model has holes, which are told
   const auto found = std::find_if(outputs_.begin(), outputs_.end(), [&](const auto& o) { return o.path == path; });
-  if (found != outputs_.end()) return Signature{found->what.dimension, found->is_single ? nullptr : axis_.get()};
+  if (found != outputs_.end())
+    return Signature{found->what.dimension, found->is_single ? nullptr : axis_.get(),
+                     found->what.facts.is_load && !found->what.facts.is_tension};
   if (const Leaf given = given_at(path)) return Signature{given.field->dimension, nullptr};
   std::vector<std::string> paths;
   for (const auto& o : outputs_) paths.push_back(o.path);
@@ -145,6 +147,12 @@ std::vector<std::string> MechanismStep::companions_of(const std::string& path) c
   std::vector<std::string> all;
   for (const std::string& key : listed_keys(taken->what.facts.with))
     all.push_back(name() + "." + path.substr(0, path.rfind('.') + 1) + key);
+  const bool of_crank = path.starts_with("joints.") && taken->name == in_.crank.joint.view();
+  if (of_crank) {  // the drive acts on the same shaft
+    for (const auto& o : outputs_) {
+      if (o.what.facts.kind == Kind::drive_moment) all.push_back(name() + "." + o.path);
+    }
+  }
   if (!taken->what.facts.loads_crank) return all;
   const auto force = std::find_if(outputs_.begin(), outputs_.end(), [&](const auto& o) {
     return o.what.facts.kind == Kind::joint_force && o.name == in_.crank.joint.view();

@@ -9,6 +9,7 @@
 #include "lib/table/tables.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace loadpath::project {
 
@@ -109,11 +110,23 @@ std::set<std::string> taken_series(const Project& project) {
   return taken;
 }
 
+/// Whether a load is calculated from a power or a speed of turning: T = "=5 kW/(1450 rpm)".
+bool comes_from_turning(const Operand& operand, const Declared& declared) {
+  const std::array turning{Dimension::of(0, 0, -1, 0, 1), Dimension::of(0, 0, -1), Dimension::of(2, 1, -3)};
+  return operand.leaf.field->is_load && std::any_of(turning.begin(), turning.end(), [&](const Dimension& dimension) {
+           return operand.expression.speaks_of(dimension, declared);
+         });
+}
+
 /// What loads a step varies where it is a series, or comes from something that turns, at once or through other steps.
 /// In order of evaluation.
 void find_varying_loads(Project& project, const Declared& declared) {
   for (const std::size_t i : project.order) {
     Step& step = *project.steps[i];
+    const auto& operands = step.input().reading.operands;
+    if (std::any_of(operands.begin(), operands.end(),
+                    [&](const Operand& o) { return comes_from_turning(o, declared); }))
+      step.set_load_varies(true);
     for_each_reference(step.input().reading, [&](const std::string& path) {
       const Step* const source = project.find(split_step(path).first);
       if (source == nullptr) return;

@@ -51,14 +51,25 @@ class Settling {
     for (const Taken& taken : all) settle(taken);
     if (refused_ || !reading_.faulty.empty()) return;  // what a record may have is not known
     for (const Lacking& lacking : reading_.lacking) {
-      if (reading_.typed.count(lacking.path) == 0) issues_.push_back(missing_field(lacking, step_.name() + "."));
+      if (reading_.typed.count(lacking.path) == 0) issues_.push_back(missing(lacking));
     }
   }
 
  private:
+  /// What is still missing when records have filled what they have: told at the first of them.
+  [[nodiscard]] Issue missing(const Lacking& lacking) const {
+    Issue issue = missing_field(lacking, step_.name() + ".");
+    if (reading_.records.empty()) return issue;
+    const Taken& record = reading_.records.front();
+    issue.place = place_in(record.place, record.source, 0, record.source.size());
+    issue.message = say("{1}, and '{2}' does not give it", issue.message, record.source);
+    return issue;
+  }
+
   void settle(const Taken& taken) {
     const auto [name, rest] = split_step(taken.source);
     const Step* const source = project_.find(name);
+    if (source == nullptr && name == "values") return void(refused_ = true);  // told where it was to stand
     if (source == nullptr) return refuse(taken, project_.unknown_step(taken.source));
     const Form form = form_of(*source, rest);
     if (form == Form::nothing) {
@@ -75,6 +86,16 @@ class Settling {
     if (form == Form::record) return fill_from(taken, *source, rest);
     if (form == Form::list && !shares_fields(taken, *source->field(rest))) return;
     reading_.taken.push_back(taken);
+    if (form == Form::list) reading_.taken.back().axis = axis_of(taken, *source, rest);
+  }
+
+  /// The axis of the series among what the elements of a list give.
+  static const Axis* axis_of(const Taken& taken, const Step& source, const std::string& rest) {
+    for (const FieldInfo& field : taken.field->fields) {
+      const auto signature = source.signature(rest + "[1]." + field.key);
+      if (signature && signature->axis != nullptr) return signature->axis;
+    }
+    return nullptr;
   }
 
   void refuse(const Taken& taken, const Fault& fault) {

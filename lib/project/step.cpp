@@ -28,9 +28,16 @@ const Entry* numbered_entry(const std::vector<Entry>& entries, std::string_view 
   std::size_t left = 0;
   std::from_chars(path.data() + open + 1, path.data() + close, left);
   const std::string list = std::string(path.substr(0, open)) + ".";
-  const std::string_view field = path.substr(close + 1);
+  std::string element;  // "pulleys.pump": an open input of an element has no entry, but no element is without any
   for (const Entry& e : entries) {
-    if (e.path.starts_with(list) && e.path.ends_with(field) && left-- == 1) return &e;
+    if (!e.path.starts_with(list)) continue;
+    const std::string here = e.path.substr(0, e.path.find('.', list.size()));
+    if (here != element) {
+      if (left == 0) return nullptr;
+      element = here;
+      --left;
+    }
+    if (left == 0 && e.path == element + std::string(path.substr(close + 1))) return &e;
   }
   return nullptr;
 }
@@ -119,11 +126,16 @@ Issue issue_at(const StepInput& input, const std::string& path, Message message,
 
 namespace {
 
-/// A load whose sign decides takes no magnitude.
-FieldFault lost_sign(const Operand& operand) {
-  const std::string_view magnitude = operand.expression.magnitude();
-  if (!operand.leaf.field->signed_load || magnitude.empty()) return {};
-  return {operand.path, say("the sign of '{1}' decides, and '{2}' gives a magnitude", operand.path, magnitude),
+/// A load whose sign decides takes no magnitude, and no force with a sign of another meaning.
+FieldFault lost_sign(const Operand& operand, const Declared& declared) {
+  if (!operand.leaf.field->signed_load) return {};
+  const std::string_view part = operand.expression.unsigned_part(declared);
+  if (part.empty()) return {};
+  if (part.find('.') != std::string_view::npos)
+    return {operand.path,
+            say("the sign of '{1}' decides, and that of '{2}' is not of tension and compression", operand.path, part),
+            say("take the N of a link, or say the sign: -{1} where it presses, 0 N + {1} where it pulls", part)};
+  return {operand.path, say("the sign of '{1}' decides, and '{2}' gives a magnitude", operand.path, part),
           say("take the series itself, its least value, min(...), or say the sign: -peak(...)")};
 }
 
@@ -168,7 +180,7 @@ const Axis* check_operand(const Operand& operand, const std::string& step, const
                       Severity::error});
     return nullptr;
   }
-  for (const FieldFault& fault : {lost_sign(operand), lost_angle(operand, signature->dimension)}) {
+  for (const FieldFault& fault : {lost_sign(operand, declared), lost_angle(operand, signature->dimension)}) {
     if (fault.message.empty()) continue;
     issues.push_back({place_in(operand.place, operand.text, 0, operand.text.size()), key, fault.message, fault.hint,
                       Severity::error});
@@ -182,24 +194,24 @@ const Axis* check_operand(const Operand& operand, const std::string& step, const
 const Axis* check_operands(const Reading& reading, const std::string& step, bool lifted, const Declared& declared,
                            std::vector<Issue>& issues) {
   const Axis* shared = nullptr;
-  for (const Operand& operand : reading.operands) {
-    const Axis* axis = check_operand(operand, step, declared, issues);
-    if (axis == nullptr) continue;
-    const Place place = place_in(operand.place, operand.text, 0, operand.text.size());
-    const std::string key = step + "." + operand.path;
-    if (!lifted) {
-      issues.push_back({place, key,
-                        say("'{1}' takes one value, and this is a series over {2}", operand.path, axis->name()),
-                        say("reduce it with peak, max, min, mean, rms or at"), Severity::error});
-    } else if (shared != nullptr && shared != axis) {
-      issues.push_back(
-          {place, key,
-           say("this is a series over {1}, and another input is one over {2}", axis->name(), shared->name()),
-           say("reduce one of them with peak, max, min, mean, rms or at"), Severity::error});
-    } else {
+  const auto take = [&](const Axis* axis, const std::string& path, const Place& start, const std::string& text) {
+    if (axis == nullptr) return;
+    const auto refuse = [&](Message message, Message hint) {
+      issues.push_back({place_in(start, text, 0, text.size()), step + "." + path, std::move(message), std::move(hint),
+                        Severity::error});
+    };
+    if (!lifted)
+      refuse(say("'{1}' takes one value, and this is a series over {2}", path, axis->name()),
+             say("reduce it with peak, max, min, mean, rms or at"));
+    else if (shared != nullptr && shared != axis)
+      refuse(say("this is a series over {1}, and another input is one over {2}", axis->name(), shared->name()),
+             say("reduce one of them with peak, max, min, mean, rms or at"));
+    else
       shared = axis;
-    }
-  }
+  };
+  for (const Operand& operand : reading.operands)
+    take(check_operand(operand, step, declared, issues), operand.path, operand.place, operand.text);
+  for (const Taken& taken : reading.taken) take(taken.axis, taken.path, taken.place, taken.source);
   return shared;
 }
 

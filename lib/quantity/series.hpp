@@ -25,6 +25,7 @@ struct Axis {
 struct Signature {
   Dimension dimension;
   const Axis* axis = nullptr;  // null: one value
+  bool other_sign = false;     // a load whose sign, if it has one, is not that of tension and compression
 };
 
 struct Value {

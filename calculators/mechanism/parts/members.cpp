@@ -72,7 +72,7 @@ struct Bar {
 constexpr std::array bar_rows{
     row<Bar>(
         "links.NAME.N", "axial force of the largest magnitude over the link's length, tension positive", N,
-        {.tabled = Tabled::always, .is_load = true, .with = "V, M_b"},
+        {.tabled = Tabled::always, .is_load = true, .is_tension = true, .with = "V, M_b"},
         [](const Bar&, const MemberLoads::Peaks& most) { return most.N.N; }, nullptr,
         "links with two joints in different places, or with one joint and another point"),
     row<Bar>(

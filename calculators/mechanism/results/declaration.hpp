@@ -36,6 +36,7 @@ struct Facts {
   Tabled tabled = Tabled::no;
   bool detail = false;       // too much where there is little room
   bool is_load = false;      // a part that takes it has to carry it
+  bool is_tension = false;   // a load that is positive where it pulls, negative where it presses
   bool loads_crank = false;  // who takes it takes the force of the crank's joint with it
   const char* with = "";     // what acts together with it on the same link: "V, M_b"
   const char* missing = "";  // a message: why there may be none though the mechanism has forces

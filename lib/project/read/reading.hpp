@@ -33,6 +33,7 @@ struct Taken {
   Place place;                       // of the text behind the '='
   bool of_record = false;            // nobody typed it
   bool may_lack = false;             // of a record: what that leaves open stays open
+  const Axis* axis = nullptr;        // of a list that holds series
 };
 
 /// What is to be found: the smallest of a stock, or the largest value, or the first row of a table, that passes.

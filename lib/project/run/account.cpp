@@ -53,6 +53,7 @@ void Run::fill(const Wanted& wanted, Account& account) const {
   fill_results(account);
   fill_verdicts(account);
   fill_modes(account);
+  tell_unjudged(account);
   for (const Line& line : trace_.lines()) account.scopes.insert(line.scope);
   if (wanted.formulas && traced_) account.derivation = derive(trace_, record_, result_);
   if (axis_ != nullptr && traced_) {
@@ -61,6 +62,19 @@ void Run::fill(const Wanted& wanted, Account& account) const {
   }
   if (wanted.pictures && traced_ && calculator_.figures != nullptr)
     account.figures = calculator_.figures(record_.data.get(), result_.data.get());
+}
+
+/// What was found has passed what is judged: what is not, for want of an input, is told with it.
+void Run::tell_unjudged(Account& account) const {
+  std::string names;
+  for (const account::Mode& mode : account.modes) {
+    if (mode.kind == ModeKind::strength && mode.state == account::State::not_judged && !mode.wants.empty())
+      names += (names.empty() ? "" : ", ") + mode.id;
+  }
+  if (names.empty()) return;
+  for (Entry& entry : account.inputs) {
+    if (entry.origin.searched) entry.origin.text = say("{1}; not judged: {2}", entry.origin.text, names);
+  }
 }
 
 /// Rows that were taken from other steps, or found.
@@ -148,7 +162,7 @@ account::Verdict Run::check_verdict(const Column& column) const {
                      .state = beyond_table                ? account::State::not_covered
                               : std::isnan(largest.value) ? account::State::not_available
                               : largest.value < -rounding ? account::State::not_covered  // no utilisation is negative
-                                                          : account::pass_if(largest.value <= 1.0 + rounding)};
+                                                          : account::pass_if(is_passed(largest.value))};
   if (std::isnan(largest.value))
     v.note = missing_.empty() ? missing_input() : missing_;
   else

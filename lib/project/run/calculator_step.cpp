@@ -60,17 +60,19 @@ void CalculatorStep::check_stock(const Search& search, std::vector<Issue>& issue
     issues.push_back({search.place, name() + "." + search.path, std::move(message), std::move(hint), Severity::error});
   };
   if (search.leaf.field == nullptr) {
-    for (const FieldInfo& field : input().calculator->input->fields) {
-      if (field.provider.table == search.path && input().reading.typed.count(field.key) != 0)
-        return refuse(say("'{1}' is given, and the {2} that is searched for gives it too", field.key, search.path),
-                      say("leave out {1}, or name the {2}", field.key, search.path));
-    }
     if (table::order_of(search.path).empty())
       return refuse(say("'{1}' cannot be searched for: its rows have no order", search.path),
                     say("name one; `loadpath tables` lists them"));
-    if (input().tables->ordered_rows(search.path, search.stock).empty())
-      refuse(say("there is no table or kind of {1} '{2}'", search.path, search.stock),
-             did_you_mean(search.stock, input().tables->names_of(search.path)));
+    const auto rows = input().tables->ordered_rows(search.path, search.stock);
+    if (rows.empty())
+      return refuse(say("there is no table or kind of {1} '{2}'", search.path, search.stock),
+                    did_you_mean(search.stock, input().tables->names_of(search.path)));
+    for (const FieldInfo& field : input().calculator->input->fields) {
+      if (field.provider.table != search.path || input().reading.typed.count(field.key) == 0) continue;
+      if (std::any_of(rows.begin(), rows.end(), [&](const table::Entry& row) { return gives(row, field); }))
+        return refuse(say("'{1}' is given, and the {2} that is searched for gives it too", field.key, search.path),
+                      say("leave out {1}, name the {2}, or search in a table without {1}", field.key, search.path));
+    }
   } else if (!search.stock.empty() && stock_values(*input().tables, search.stock).empty()) {
     refuse(say("there is no stock '{1}'", search.stock), did_you_mean(search.stock, input().tables->series_names()));
   }
@@ -136,7 +138,7 @@ Issue CalculatorStep::lacking_value(const Provided& provided, const Record& reco
   const auto entry = input().tables->find_row(from.table, provided.row);
   if (entry && table::covered_size(*entry, from.column) > 0.0) {
     const double size = size_of(from, record);
-    Lookup found = look_up(*input().tables, provided, size);
+    Lookup found = look_up(provided, size);
     const bool of_input = find_field(record.type->fields, std::string_view(from.size).substr(
                                                               0, std::string_view(from.size).find(','))) != nullptr;
     if (of_input && std::isnan(size))
@@ -163,8 +165,29 @@ Issue CalculatorStep::broken_rule(std::size_t rule, const Record& record, const 
 
 Outcome<Signature> CalculatorStep::signature(const std::string& path) const {
   const FieldInfo* const found = field(path);
-  if (found != nullptr && found->is_number()) return Signature{found->dimension, axis_};
-  return unknown_path(path);
+  if (found == nullptr || !found->is_number()) return unknown_path(path);
+  const bool is_result = find_field_at(input().calculator->result->fields, path) != nullptr;
+  if (!is_result && has_no_element(path)) return missing_element(path);
+  const bool varies = is_result || is_open(head(path));
+  return Signature{found->dimension, varies ? axis_ : nullptr, found->is_load && !found->signed_load};
+}
+
+/// Whether a path names an element that a list of the input does not have; of one that another step or a row fills that
+/// is not known yet.
+bool CalculatorStep::has_no_element(const std::string& path) const {
+  const FieldInfo* const list = find_field(input().calculator->input->fields, head(path));
+  if (list == nullptr || list->type != FieldInfo::Type::list || list->provider.kind == Provider::Kind::table)
+    return false;
+  const auto& taken = input().reading.taken;
+  const bool later = std::any_of(taken.begin(), taken.end(), [&](const Taken& t) { return t.path == list->key; });
+  return !later && !find_leaf(input().reading.record, path);
+}
+
+Fault CalculatorStep::missing_element(const std::string& path) const {
+  const FieldInfo& list = *find_field(input().calculator->input->fields, head(path));
+  const std::size_t count = list.size(input().reading.record.data.get());
+  return {0, path.size(), say("'{1}' has no element '{2}'", name(), path),
+          say("{1} has {2}, counted from 1", list.key, std::to_string(count))};
 }
 
 Fault CalculatorStep::unknown_path(const std::string& path) const {
@@ -200,11 +223,18 @@ std::set<std::string> CalculatorStep::taken_paths() const {
 std::vector<std::string> CalculatorStep::rest_of_loads(const Companions& companions) const {
   std::set<std::string> taken = taken_paths();
   std::vector<std::string> rest;
-  for_each_reference(input().reading, [&](const std::string& reference) {
+  const auto add = [&](const std::string& reference) {
     for (const std::string& path : companions(reference)) {
       if (taken.insert(path).second) rest.push_back(path);
     }
-  });
+  };
+  for (const Operand& operand : input().reading.operands) {
+    if (!operand.leaf.field->is_load) continue;  // a length brings nothing along
+    for (const auto& reference : operand.expression.references()) add(reference.path);
+  }
+  for (const Taken& list : input().reading.taken) {
+    if (list.field != nullptr && list.field->type == FieldInfo::Type::list) add(list.source);
+  }
   return rest;
 }
 

@@ -38,6 +38,8 @@ class CalculatorStep : public Step {
   [[nodiscard]] bool is_open(const std::string& field) const;
   /// Paths of others that the step takes.
   [[nodiscard]] std::set<std::string> taken_paths() const;
+  [[nodiscard]] bool has_no_element(const std::string& path) const;
+  [[nodiscard]] Fault missing_element(const std::string& path) const;
   [[nodiscard]] std::vector<std::string> rest_of_loads(const Companions& companions) const;
   void leave_what_acts(const Known& known);
   [[nodiscard]] Fault unknown_path(const std::string& path) const;

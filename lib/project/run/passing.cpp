@@ -23,9 +23,11 @@ bool Run::comes_from_row(std::string_view input, const FieldInfo& field) const {
   return step_.names_row_for(std::string(input)) && !field.provider.may_lack;
 }
 
-/// Whether a rule is about the input that is searched for, or about those that the row gives which is.
+/// Whether a rule is about the input that is searched for, or about those that the row gives which is. Of a load it may
+/// be any: what a part needs is asked where it is loaded.
 bool Run::concerns_search(std::size_t rule) const {
   const Search& wanted = step_.searches().front();
+  if (wanted.leaf && wanted.leaf.field->is_load) return true;
   if (wanted.leaf) return step_.is_about(rule, wanted.path);
   const auto fields = listed_keys(calculator_.rules[rule].fields);
   return std::any_of(fields.begin(), fields.end(), [&](const std::string& key) {
@@ -54,13 +56,14 @@ std::size_t Run::first_broken_rule() {
 }
 
 bool Run::passes() {
-  if (!settle_sizes() || first_broken_rule() < calculator_.rules.size()) return false;
+  settle_sizes();
+  if (first_broken_rule() < calculator_.rules.size()) return false;
   const auto& fields = calculator_.result->fields;
   return std::all_of(fields.begin(), fields.end(),
                      [&](const FieldInfo& f) {
                        if (f.role != Role::check || !is_asked(f) || f.is_beside) return true;
                        const double largest = largest_result(f);
-                       return (largest >= -rounding && largest <= 1.0) || (f.where_set && std::isnan(largest));
+                       return is_passed(largest) || (f.where_set && std::isnan(largest));
                      }) &&
          keeps_limits(true);
 }
@@ -70,16 +73,19 @@ bool Run::passes() {
 bool Run::keeps_limits(bool criteria) {
   const auto& fields = calculator_.result->fields;
   return std::all_of(fields.begin(), fields.end(), [&](const FieldInfo& f) {
-    if (f.role != Role::limit || !is_asked(f) || f.is_beside || f.is_criterion != criteria) return true;
-    bool within = true;
-    for (std::size_t i = 0; i < positions() && within; ++i) {
-      if (!set_position(i)) continue;
-      calculator_.evaluate(record_.data.get(), result_.data.get());
-      const double si = f.get(result_.data.get());
-      within = std::isnan(si) ? f.where_set : f.bounds.holds(si);
-    }
-    return within;
+    return f.role != Role::limit || !is_asked(f) || f.is_beside || f.is_criterion != criteria || !first_outside(f);
   });
+}
+
+/// The first value of a limit that is outside of it, or that is missing; nothing where it is kept.
+std::optional<double> Run::first_outside(const FieldInfo& limit) {
+  for (std::size_t i = 0; i < positions(); ++i) {
+    if (!set_position(i)) continue;
+    calculator_.evaluate(record_.data.get(), result_.data.get());
+    const double si = limit.get(result_.data.get());
+    if (std::isnan(si) ? !limit.where_set : !limit.bounds.holds(si)) return si;
+  }
+  return std::nullopt;
 }
 
 }  // namespace loadpath::project

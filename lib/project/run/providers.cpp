@@ -21,16 +21,31 @@ bool lacks(const table::Entry& entry, const FieldInfo& field) {
   return field.provider.may_lack && table::covered_size(entry, field.provider.column) == 0.0;
 }
 
+/// The rows of a step, each looked up once.
+class RowsFound {
+ public:
+  explicit RowsFound(const table::Tables& tables) : tables_(tables) {}
+  const Outcome<table::Entry>& of(const std::string& group, const std::string& name) {
+    auto found = found_.find(group);
+    if (found == found_.end()) found = found_.emplace(group, tables_.find_row(group, name)).first;
+    return found->second;
+  }
+
+ private:
+  const table::Tables& tables_;
+  std::map<std::string, Outcome<table::Entry>> found_;  // by the group, of which a step names one
+};
+
 /// The row that the step names for this input; nothing where it names none, or where the row does not exist.
-std::optional<Provided> from_table(const StepInput& input, const Rows& rows, const FieldInfo& field,
+std::optional<Provided> from_table(const StepInput& input, const Rows& rows, const FieldInfo& field, RowsFound& found,
                                    std::vector<Issue>& issues) {
   const auto named = rows.find(field.provider.table);
   if (named == rows.end() || named->second.text.empty()) return std::nullopt;
   if (input.reading.typed.count(field.provider.unless) != 0) return std::nullopt;
   const std::string& row = named->second.text;
-  const auto entry = input.tables->find_row(field.provider.table, row);
+  const auto& entry = found.of(field.provider.table, row);
   if (entry && lacks(*entry, field)) return std::nullopt;
-  if (entry) return Provided{field.key, &field, row, {}};
+  if (entry) return Provided{field.key, &field, row, {}, *entry};
   const Place place = place_in(named->second.place, row, entry.fault().at, row.size());
   const bool said = std::any_of(issues.begin(), issues.end(), [&](const Issue& i) {
     return i.place.line == place.line && i.place.column == place.column && i.place.file == place.file;
@@ -43,7 +58,7 @@ std::optional<Provided> from_table(const StepInput& input, const Rows& rows, con
 
 /// What comes along with everything that the expression of another input refers to.
 std::optional<Provided> from_companion(const StepInput& input, const FieldInfo& field, const Companions& companions) {
-  Provided provided{field.key, &field, "", {}};
+  Provided provided{field.key, &field, "", {}, {}};
   for (const Operand& operand : input.reading.operands) {
     if (operand.path.substr(operand.path.rfind('.') + 1) != field.provider.column) continue;  // "T", "torques[2].T"
     for (const auto& reference : operand.expression.references()) {
@@ -55,12 +70,18 @@ std::optional<Provided> from_companion(const StepInput& input, const FieldInfo& 
 
 }  // namespace
 
+bool gives(const table::Entry& row, const FieldInfo& field) {
+  if (field.type == FieldInfo::Type::choice) return table::kind_of(*row.row, field).has_value();
+  return table::covered_size(row, field.provider.column) != 0.0;
+}
+
 std::vector<Provided> provided_by_rows(const StepInput& input, const Rows& rows, std::vector<Issue>& issues) {
   std::vector<Provided> found;
+  RowsFound rows_found(*input.tables);
   for (const FieldInfo& field : input.calculator->input->fields) {
     const bool of_row = field.provider.kind == Provider::Kind::table && field.is_leaf();
     if (!of_row || input.reading.typed.count(field.key) != 0) continue;
-    if (auto provided = from_table(input, rows, field, issues)) found.push_back(std::move(*provided));
+    if (auto provided = from_table(input, rows, field, rows_found, issues)) found.push_back(std::move(*provided));
   }
   return found;
 }
@@ -97,14 +118,12 @@ std::map<std::string, Origin> fill_lists(const StepInput& input, const Rows& row
   return origins;
 }
 
-Lookup look_up(const table::Tables& tables, const Provided& provided, double size) {
+Lookup look_up(const Provided& provided, double size) {
   const FieldInfo& field = *provided.field;
   const double at = *field.provider.size == '\0' ? table::no_size : size;
   const Origin row{say("{1}", provided.row), {}, false};
-  const auto entry = tables.find_row(field.provider.table, provided.row);
-  if (!entry) return {std::nan(""), row, entry.fault().message};
-  if (const auto word = table::kind_of(*entry->row, field)) return {*word, row, {}};
-  const auto property = table::property(*entry, field.provider.column, at);
+  if (const auto word = table::kind_of(*provided.entry.row, field)) return {*word, row, {}};
+  const auto property = table::property(provided.entry, field.provider.column, at);
   if (!property) return {std::nan(""), row, property.fault().message};
   return {property->si, origin_of(provided.row, *property), {}};
 }

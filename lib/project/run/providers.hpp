@@ -12,6 +12,7 @@ struct Provided {
   const FieldInfo* field;
   std::string row;                      // table: the row's name, "C45E"
   std::vector<std::string> companions;  // companion: full paths of what comes along
+  table::Entry entry = {};              // table: the row itself
 };
 
 /// What a table says.
@@ -26,6 +27,8 @@ using Rows = std::map<std::string, Typed>;
 
 /// The inputs of a step that the rows fill. Rows that do not exist, or lack the column, become issues.
 std::vector<Provided> provided_by_rows(const StepInput& input, const Rows& rows, std::vector<Issue>& issues);
+/// Whether a row has a value for the input.
+bool gives(const table::Entry& row, const FieldInfo& field);
 /// Those that come along with the loads of others.
 std::vector<Provided> provided_by_companions(const StepInput& input, const Companions& companions);
 
@@ -33,7 +36,7 @@ std::vector<Provided> provided_by_companions(const StepInput& input, const Compa
 std::map<std::string, Origin> fill_lists(const StepInput& input, const Rows& rows, const Record& record);
 
 /// The value of a table's row, at a size where it depends on one; none where that is not known (NaN).
-Lookup look_up(const table::Tables& tables, const Provided& provided, double size);
+Lookup look_up(const Provided& provided, double size);
 
 /// The values of a stock in SI, ascending: "R20", "R40", "shaft"...; empty where the stock is unknown.
 std::vector<double> stock_values(const table::Tables& tables, const std::string& stock);

@@ -120,19 +120,15 @@ bool Run::check_rules(std::vector<Issue>& issues) {
   return true;
 }
 
-bool Run::provide(double size) {
+void Run::provide(double size) {
   missing_ = {};
-  lacks_needed_ = false;
   for (const Provided& provided : provided_) {
     if (provided.row.empty()) continue;
-    Lookup found = look_up(*step_.input().tables, provided, size);
+    Lookup found = look_up(provided, size);
     map_leaf(provided.path).set(found.si);
     origins_[provided.path] = std::move(found.origin);
-    if (!std::isnan(found.si)) continue;
-    missing_ = found.reason;
-    lacks_needed_ = lacks_needed_ || !provided.field->optional;
+    if (std::isnan(found.si)) missing_ = found.reason;
   }
-  return !lacks_needed_;
 }
 
 bool Run::is_given(std::string_view input) const {
@@ -173,17 +169,15 @@ double Run::first_size() {
 }
 
 /// A strength falls with the size that it is asked for, so the size only grows from one round to the next.
-bool Run::settle_sizes() {
+void Run::settle_sizes() {
   if (size_field().empty()) return provide(nan);
   double size = first_size();
   for (int round = 0; round < 20; ++round) {
-    if (!provide(size)) return false;
+    provide(size);
     const double next = size_now();
-    if (std::isnan(next)) return true;  // something else is not available; the checks say so
-    if (next == size) return true;
+    if (std::isnan(next) || next == size) return;  // without a size something is not available; the checks say so
     size = next;
   }
-  return true;
 }
 
 double Run::largest_result(const FieldInfo& field) {
@@ -201,7 +195,6 @@ double Run::largest_result(const FieldInfo& field) {
 
 void Run::evaluate() {
   settle_sizes();
-  if (lacks_needed_) return doubt_modes();
   columns_.clear();
   std::vector<std::size_t> shape;  // of the result that the columns stand for
   for (std::size_t i = 0; i < positions(); ++i) {

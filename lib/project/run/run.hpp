@@ -3,6 +3,7 @@
 
 #include "lib/project/run/calculator_step.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,9 @@ class Run {
   bool evaluate_operands(std::vector<Issue>& issues);
   /// The rules between inputs, at every position.
   bool check_rules(std::vector<Issue>& issues);
-  /// Sets the leaf that is searched for to the smallest value of its stock that passes every check at every position.
-  /// An issue where no check is asked for, so that any value would pass.
+  /// Sets what is searched for: a size to the smallest of its stock with which every check passes at every position, a
+  /// row to the first of its table, a load to the largest. An issue where no check is asked for, so that any would
+  /// pass.
   bool search(std::vector<Issue>& issues);
   /// All results at all positions.
   void evaluate();
@@ -38,6 +40,7 @@ class Run {
  private:
   /// Of a utilisation: a size that is just the least one passes, and what is just zero may have a sign.
   static constexpr double rounding = 1e-9;
+  static bool is_passed(double utilisation) { return utilisation >= -rounding && utilisation <= 1.0 + rounding; }
 
   /// A leaf that is set anew at every position.
   struct Input {
@@ -64,10 +67,10 @@ class Run {
   [[nodiscard]] std::size_t positions() const { return axis_ == nullptr ? 1 : axis_->at.size(); }
   /// Puts the inputs of position i into the record; false where one of them is not available there.
   bool set_position(std::size_t i);
-  /// Values from tables at a size; false where a table has none (missing_ says why).
-  bool provide(double size);
+  /// Values from tables at a size; where a table has none, missing_ says why.
+  void provide(double size);
   /// Values from tables at the size that follows from them.
-  bool settle_sizes();
+  void settle_sizes();
   [[nodiscard]] std::string_view size_field() const;
   [[nodiscard]] bool is_given(std::string_view input) const;
   /// NaN where nothing gives it.
@@ -85,6 +88,7 @@ class Run {
   std::size_t first_broken_rule();
   bool passes();
   bool keeps_limits(bool criteria);
+  [[nodiscard]] std::optional<double> first_outside(const FieldInfo& limit);
   /// What a search goes through, ascending: sizes of a stock, or rows of a table.
   struct Candidates {
     Leaf leaf;  // without field: rows
@@ -100,11 +104,13 @@ class Run {
   bool take_largest(const Candidates& all);
   void search_first(const Search& wanted, std::vector<Issue>& issues);
   void search_most(const Search& wanted, std::vector<Issue>& issues);
+  void warn_of_passed_over(const Search& wanted, const Candidates& all, std::size_t found, std::vector<Issue>& issues);
   void tell_found(const Search& wanted, const Candidates& all, std::size_t found);
   void tell_none(const Search& wanted, double value, std::vector<Issue>& issues);
   bool passes_with(const Leaf& leaf, double value);
   /// What a candidate is refused for.
   [[nodiscard]] Message fault_of_candidate();
+  [[nodiscard]] Message fault_of_limits();
   void keep_sizing_results(const std::string& searched);
   [[nodiscard]] Leaf map_leaf(const std::string& path) const { return find_leaf(record_, path); }
 
@@ -119,6 +125,7 @@ class Run {
   [[nodiscard]] std::size_t governing_position() const;
   void fill_inputs(Account& account) const;
   void fill_rows(Account& account) const;
+  void tell_unjudged(Account& account) const;
   [[nodiscard]] bool applies(const Column& column) const;
   [[nodiscard]] bool is_handed_over(const std::string& path) const;
   void fill_words_of_records(Account& account) const;
@@ -150,7 +157,6 @@ class Run {
   std::vector<Input> inputs_;
   std::map<std::string, Origin> origins_;  // of provided, kept and searched leaves
   Message missing_;                        // why a table's value is not available
-  bool lacks_needed_ = false;              // such a value, and the calculator needs it
   std::vector<Column> columns_;
   std::vector<std::size_t> order_;  // of columns, for a walk over the result
   std::vector<Applies> applies_;    // of every mode, over the positions

@@ -27,7 +27,7 @@ Run::Candidates Run::candidates_of(const Search& wanted) const {
 
 void Run::try_candidate(const Candidates& all, std::size_t i) {
   if (all.leaf) return all.leaf.set(all.sizes[i]);
-  std::vector<Issue> lacks;  // a row that lacks what is needed does not pass
+  std::vector<Issue> lacks;
   take_row(step_.searches().front().path, all.rows[i], lacks);
 }
 
@@ -37,12 +37,34 @@ bool Run::fits(const Candidates& all, std::size_t i, bool covered) {
   return passes() && (!covered || keeps_limits(false));
 }
 
-/// A stock ends where a value that is needed is missing: no larger one can pass. A table goes on with its next row.
 std::size_t Run::first_that_fits(const Candidates& all, std::size_t from, bool covered) {
   for (std::size_t i = from; i < all.count(); ++i) {
-    if (fits(all, i, covered) || (all.leaf && lacks_needed_)) return i;
+    if (fits(all, i, covered)) return i;
   }
   return all.count();
+}
+
+/// Rows before the one that was found for which the step cannot be calculated: they are no failures, and may be what
+/// the user would rather have.
+void Run::warn_of_passed_over(const Search& wanted, const Candidates& all, std::size_t found,
+                              std::vector<Issue>& issues) {
+  std::size_t count = 0;
+  Issue first;
+  for (std::size_t i = 0; i < found && !all.leaf; ++i) {
+    try_candidate(all, i);
+    settle_sizes();
+    const std::size_t rule = first_broken_rule();
+    if (rule == calculator_.rules.size()) continue;
+    if (count++ > 0) continue;
+    const Issue fault = step_.broken_rule(rule, record_, provided_);
+    first = issue_at(step_.input(), wanted.path, say("{1}: {2}", all.name(i), fault.message), fault.hint);
+  }
+  if (count == 0) return;
+  first.message =
+      say("of the rows that were tried {1} are passed over, the first is {2}", std::to_string(count), first.message);
+  first.place = wanted.place;
+  first.severity = Severity::warning;
+  issues.push_back(std::move(first));
 }
 
 /// What the sizing run has found for inputs that were left open and stay as they are when the size is rounded up.
@@ -82,38 +104,52 @@ Issue Run::aimless(const Search& wanted) const {
 bool Run::take_largest(const Candidates& all) {
   for (std::size_t i = all.count(); i-- > 0;) {
     try_candidate(all, i);
+    settle_sizes();
     if (first_broken_rule() == calculator_.rules.size()) return true;
   }
   try_candidate(all, all.count() - 1);
+  settle_sizes();
   return false;
 }
 
+/// The first limit that is not kept, of the criteria before those of the methods.
+Message Run::fault_of_limits() {
+  for (const bool criteria : {true, false}) {
+    for (const FieldInfo& f : calculator_.result->fields) {
+      if (f.role != Role::limit || !is_asked(f) || f.is_beside || f.is_criterion != criteria) continue;
+      if (const auto bad = first_outside(f))
+        return std::isnan(*bad) ? say("{1} is not available", f.key)
+                                : say("{1} = {2}: {3}", f.key, format_quantity(*bad, f.unit, 4), bounds_message(f));
+    }
+  }
+  return say("a check has no value");
+}
+
 Message Run::fault_of_candidate() {
-  if (!settle_sizes()) return missing_;
+  settle_sizes();
   if (const std::size_t rule = first_broken_rule(); rule < calculator_.rules.size())
     return step_.broken_rule(rule, record_, provided_).message;
-  const FieldInfo* worst = nullptr;
+  const FieldInfo* worst = nullptr;  // a check without a value may be so for a limit that is not kept
   double most = 1.0;
   for (const FieldInfo& f : calculator_.result->fields) {
     if (f.role != Role::check || !is_asked(f) || f.is_beside) continue;
     const double largest = largest_result(f);
-    if (std::isnan(largest) ? f.where_set : largest <= most) continue;
+    if (!(largest > most)) continue;
     worst = &f;
-    most = std::isnan(largest) ? most : largest;
+    most = largest;
   }
   if (worst != nullptr) return say("{1} = {2}", worst->key, format_number(largest_result(*worst), 4));
-  return say("a limit is not kept");
+  return fault_of_limits();
 }
 
 bool Run::search(std::vector<Issue>& issues) {
   if (step_.searches().empty()) return true;
   const Search& wanted = step_.searches().front();
-  const std::size_t before = issues.size();
   if (wanted.leaf && wanted.stock.empty())
     search_most(wanted, issues);
   else
     search_first(wanted, issues);
-  return issues.size() == before;
+  return !has_errors(issues);
 }
 
 void Run::search_first(const Search& wanted, std::vector<Issue>& issues) {
@@ -135,22 +171,27 @@ void Run::search_first(const Search& wanted, std::vector<Issue>& issues) {
                      wanted.stock.empty() ? wanted.path : wanted.stock);
     return issues.push_back(std::move(issue));
   }
+  if (found < all.count()) {
+    warn_of_passed_over(wanted, all, found, issues);
+    try_candidate(all, found);
+    settle_sizes();
+  }
   tell_found(wanted, all, found);
 }
 
 /// What was found, and why the one before it is too small.
 void Run::tell_found(const Search& wanted, const Candidates& all, std::size_t found) {
   const std::string stock = wanted.stock.empty() ? wanted.path : wanted.stock;
-  const bool lacks = found < all.count() && lacks_needed_;
   Message text = say("smallest of {1} that passes every check", stock);
-  if (lacks) text = say("first of {1} for which a value is missing", stock);
   if (found == all.count()) text = say("largest of {1}; none passes", stock);
-  if (found > 0 && found < all.count() && !lacks) {
+  if (found > 0 && found < all.count()) {
     try_candidate(all, found - 1);
     text = say("{1}; {2} fails: {3}", text, all.name(found - 1), fault_of_candidate());
     try_candidate(all, found);
     settle_sizes();
   }
+  if (found < all.count() && !keeps_limits(false))
+    text = say("{1}; beyond the range of its formulas: {2}", text, fault_of_limits());
   Origin origin = wanted.leaf ? stock_origin(*step_.input().tables, wanted.stock, std::move(text))
                               : Origin{std::move(text), {}, false};
   origin.searched = true;

@@ -56,17 +56,21 @@ void Run::search_most(const Search& wanted, std::vector<Issue>& issues) {
     (passes_with(leaf, middle) ? low : high) = middle;
   }
   const double found = rounded_down(low, leaf.field->factor);
-  passes_with(leaf, high);
+  leaf.set(1.01 * found);
   const Message beyond = fault_of_candidate();
   if (!passes_with(leaf, found)) leaf.set(low);
-  origins_[wanted.path] = {say("largest that passes every check; beyond: {1}", beyond), {}, false, true};
+  origins_[wanted.path] = {say("largest that passes every check; 1 % more: {1}", beyond), {}, false, true};
 }
 
+/// Without a value there is no result, and no verdict.
 void Run::tell_none(const Search& wanted, double value, std::vector<Issue>& issues) {
-  map_leaf(wanted.path).set(value);
+  const Leaf leaf = map_leaf(wanted.path);
+  leaf.set(value);
   if (const std::size_t rule = first_broken_rule(); rule < calculator_.rules.size())
     return issues.push_back(step_.broken_rule(rule, record_, provided_));
-  origins_[wanted.path] = {say("none passes, not even this"), {}, false, true};
+  not_given_ = say("no '{1}' passes: at {2} {3}", wanted.path, format_quantity(value, leaf.field->unit, digits),
+                   fault_of_candidate());
+  leaf.set(std::nan(""));
 }
 
 }  // namespace loadpath::project

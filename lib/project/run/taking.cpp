@@ -79,25 +79,31 @@ void Run::refuse_length(const Taken& taken, std::vector<Issue>& issues) const {
        Severity::error});
 }
 
-/// Elements by number or name, leaves by their keys; a series stays one.
+/// Elements by number or name, leaves by their keys; a series stays one. All elements are there before a leaf of one is
+/// kept.
 void Run::take_list(const Taken& taken, std::vector<Issue>& issues) {
   void* const owner = find_member(record_.type->fields, record_.data.get(), taken.path).owner;
-  std::string element;
-  for (const auto& [behind, entry] : known_.within(taken.source)) {
+  const auto given = known_.within(taken.source);
+  std::vector<std::string> elements;
+  for (const auto& [behind, entry] : given) {
+    const std::string here = split_element(behind).first;
+    if (!elements.empty() && elements.back() == here) continue;
+    if (elements.size() == taken.field->capacity) return refuse_length(taken, issues);
+    elements.push_back(here);
+    name_element(*taken.field, taken.field->push(owner), here);
+  }
+  if (elements.empty()) return leave_open(taken);
+  std::size_t element = 0;
+  for (const auto& [behind, entry] : given) {
     const auto [here, key] = split_element(behind);
-    if (here != element) {
-      if (taken.field->size(owner) == taken.field->capacity) return refuse_length(taken, issues);
-      name_element(*taken.field, taken.field->push(owner), here);
-      element = here;
-    }
-    const std::string path = taken.path + element_path(*taken.field, owner, taken.field->size(owner) - 1) + "." + key;
+    if (here != elements[element]) ++element;
+    const std::string path = taken.path + element_path(*taken.field, owner, element) + "." + key;
     const Leaf leaf = map_leaf(path);
     if (!leaf || leaf.field->role != Role::input) continue;
     if (leaf.field->is_word()) set_word(leaf, entry->word);
     if (leaf.field->is_number() && !entry->value.si.empty())
       inputs_.push_back({path, leaf, entry->value, {say("= {1}", taken.source + behind), {}, false}});
   }
-  if (element.empty()) leave_open(taken);
 }
 
 }  // namespace loadpath::project

@@ -2,6 +2,7 @@
 
 #include "lib/quantity/expression/tree.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace loadpath {
@@ -11,22 +12,45 @@ namespace {
 using expression::Node;
 using expression::Operation;
 
+/// What is never negative: a magnitude, or the larger of a value and a number that is not negative.
+bool is_positive(const Node& call) {
+  if (is_constant(call)) return false;
+  return call.function->is_magnitude ||
+         (call.function->name == "max" && std::any_of(call.kids.begin(), call.kids.end(), [](const Node& kid) {
+            return is_constant(kid) && constant(kid) >= 0.0;
+          }));
+}
+
 /// Through products and quotients with positive numbers; a sign, a signed factor, a sum or the choice of max and min
 /// says what is meant, but a range or a mean square is never an extreme.
-std::string_view magnitude_of(const Node& node) {
-  if (node.operation == Operation::call && node.function->is_magnitude && !is_constant(node))
-    return node.function->name;
+std::string_view unsigned_of(const Node& node, const Expression::Declared& declared) {
+  if (node.operation == Operation::call && is_positive(node)) return node.function->name;
+  if (node.operation == Operation::reference) {
+    const auto signature = declared(node.path);
+    return signature && signature->other_sign ? std::string_view(node.path) : std::string_view();
+  }
   const bool product = node.operation == Operation::multiply || node.operation == Operation::divide;
   if (!product && node.operation != Operation::negate) return {};
   std::string_view name;
   bool sign = node.operation == Operation::negate;
   for (const Node& kid : node.kids) {
-    const std::string_view of_kid = magnitude_of(kid);
+    const std::string_view of_kid = unsigned_of(kid, declared);
     if (!of_kid.empty()) name = of_kid;
     if (of_kid.empty() && !is_constant(kid)) return {};  // a signed factor
     if (is_constant(kid) && constant(kid) < 0.0) sign = true;
   }
-  return sign && (name == "peak" || name == "abs") ? std::string_view() : name;
+  const bool is_extreme = name != "range" && name != "amplitude" && name != "rms";
+  return sign && is_extreme ? std::string_view() : name;
+}
+
+bool holds(const Node& node, const Dimension& dimension, const Expression::Declared& declared) {
+  if (node.operation == Operation::literal) return node.dimension == dimension;
+  if (node.operation == Operation::reference) {
+    const auto signature = declared(node.path);
+    return signature && signature->dimension == dimension;
+  }
+  return std::any_of(node.kids.begin(), node.kids.end(),
+                     [&](const Node& kid) { return holds(kid, dimension, declared); });
 }
 
 }  // namespace
@@ -51,7 +75,13 @@ bool Expression::is_reference() const { return tree_->root.operation == Operatio
 
 Outcome<Signature> Expression::check(const Declared& declared) const { return expression::check(*tree_, declared); }
 
-std::string_view Expression::magnitude() const { return magnitude_of(tree_->root); }
+std::string_view Expression::unsigned_part(const Declared& declared) const {
+  return unsigned_of(tree_->root, declared);
+}
+
+bool Expression::speaks_of(const Dimension& dimension, const Declared& declared) const {
+  return holds(tree_->root, dimension, declared);
+}
 
 Value Expression::evaluate(const Known& known) const {
   const auto signature =

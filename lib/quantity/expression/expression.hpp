@@ -66,9 +66,11 @@ class Expression {
   /// Dimension and axis of the result, or the first fault: unknown names, unlike dimensions or axes, °C, wrong
   /// arguments.
   [[nodiscard]] Outcome<Signature> check(const Declared& declared) const;
-  /// The function that makes the value a magnitude, so that the sign of what it is taken of is lost: "peak"; empty
-  /// where none does. A sign that is written before it stands for the one that is meant.
-  [[nodiscard]] std::string_view magnitude() const;
+  /// What makes the sign of the value another than that of tension and compression: a function, "peak", or a path,
+  /// "press.joints.A.F"; empty where nothing does. A sign that is written before it stands for the one that is meant.
+  [[nodiscard]] std::string_view unsigned_part(const Declared& declared) const;
+  /// Whether a number or a reference in it is of the dimension: 5 kW/(1450 rpm) speaks of a speed.
+  [[nodiscard]] bool speaks_of(const Dimension& dimension, const Declared& declared) const;
   /// Those of its references: of a product all, of a quotient without those of the divisor, of a root of a square once.
   /// A factor that would count twice, and a sum of what holds one and what does not, are faults.
   [[nodiscard]] Outcome<Factors> factors(const FactorsOf& of) const;

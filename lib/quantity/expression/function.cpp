@@ -46,8 +46,8 @@ constexpr Function functions[] = {
     {"min", "min(series) or min(a, b)", Rule::selection, 1, any_number, lowest, nullptr, smaller},
     magnitude(map(
         "abs", "abs(x)", Rule::same, [](double x) { return std::abs(x); }, nullptr)),
-    map(
-        "sqrt", "sqrt(x)", Rule::root, [](double x) { return std::sqrt(x); }, sqrt, 2),
+    magnitude(map(
+        "sqrt", "sqrt(x)", Rule::root, [](double x) { return std::sqrt(x); }, sqrt, 2)),
     map(
         "cbrt", "cbrt(x)", Rule::root, [](double x) { return std::cbrt(x); }, cbrt, 3),
     map(

@@ -7,11 +7,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 namespace loadpath::planar {
 
 namespace {
+
+constexpr double largest_share = 1e6;  // beyond it a formula is near a pole
 
 bool is_guide(const planar::Joint& joint) { return joint.type == Type::prismatic || joint.type == Type::slot; }
 
@@ -107,6 +110,11 @@ class CourseCheck {
     if (by_time(course) && !has_law(in_) && speed == 0.0)
       add(course, "", say("'{1}' goes by the time, and nothing tells when the mechanism is where", course.name.view()),
           say("give the drive its speed, or a law of motion"));
+    const auto& at = in_.crank.at;
+    if (by_time(course) && at.size() > 1 && in_si(at[1].angle - at[0].angle) * speed < 0.0)
+      add(course, "",
+          say("'{1}' goes by the time, and the crank turns against the order of its positions", course.name.view()),
+          say("give 'at' in the order in which the crank comes by"));
     if (by_stroke(course)) return check_stroke(course);
     if (!course.stroke_of.empty())
       add(course, "stroke_of", say("'{1}' does not go by a stroke", course.name.view()), say("leave it out"));
@@ -170,7 +178,7 @@ double CourseNow::share(double argument) const {
 }
 
 bool CourseNow::reaches(double argument) const {
-  if (formula_) return true;
+  if (formula_) return std::abs(share(argument)) <= largest_share;  // not where it has no value
   const double rounding = 1e-9 * (points_.back().first - points_.front().first);
   return argument >= points_.front().first - rounding && argument <= points_.back().first + rounding;
 }

@@ -3,6 +3,7 @@
 #include "calculators/mechanism/words/model.hpp"
 #include "calculators/mechanism/words/points.hpp"
 #include "lib/mechanism/model/frames.hpp"
+#include "lib/quantity/format.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,7 @@ class CylinderCheck {
   explicit CylinderCheck(NameFaults& faults) : faults_(faults), in_(faults.input()) {}
 
   void check(const Cylinder& c) {
+    check_way(c);
     if (!lies_between_points(c)) return check_joint(c);
     if (!c.joint.empty())
       return add(c, "joint", say("'joint' and 'links' both say what '{1}' moves", c.name.view()),
@@ -51,6 +53,15 @@ class CylinderCheck {
     if (is_set(c.F))
       add(c, "F", say("'F' is of a cylinder between two points, and '{1}' drives a joint", c.name.view()),
           say("give the force as a load on its link, and leave the drive out"));
+  }
+
+  /// Against its speed the time would run backwards.
+  void check_way(const Cylinder& c) {
+    if (!is_set(c.from) || !is_set(c.to) || in_si(c.to - c.from) * in_si(c.speed) >= 0.0) return;
+    add(c, "speed",
+        say("'{1}' goes from {2} to {3}, and its speed has the other sign", c.name.view(),
+            format_quantity(in_si(c.from), mm.symbol), format_quantity(in_si(c.to), mm.symbol)),
+        say("a cylinder that gets shorter has a negative speed"));
   }
 
   void check_ends(const Cylinder& c) {

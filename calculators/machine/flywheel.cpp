@@ -185,7 +185,10 @@ FieldFault Flywheel::law_leap(const Input& in) {
   const Law* const law = in.M_of_phi.empty() ? nullptr : in.M_of_phi.law();
   if (law == nullptr) return {};
   const double first = law->at(0.0).value, last = law->at(in.period * (1.0 - 1e-12)).value;
-  if (!(std::abs(last - first) > rounding * std::max(std::abs(first), std::abs(last)))) return {};
+  double most = std::max(std::abs(first), std::abs(last));
+  for (const double share : {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875})
+    most = std::max(most, std::abs(law->at(in.period * share).value));
+  if (!(std::abs(last - first) > rounding * most)) return {};
   return {"M_of_phi",
           say("the moment does not repeat after {1}: it leaps there from {2} to {3}",
               format_quantity(in.period, deg.symbol, 5), format_quantity(last, N_m.symbol, 4),

@@ -100,6 +100,7 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
   static bool has_unknown(const Input& in);
   static bool inertias_given(const Input& in);
   static bool time_is_ahead(const Input& in);
+  static constexpr bool turns = true;
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !in.parts.empty(); }, "parts", "give at least one part"},
       Rule<Input>{&inertias_given, "parts", "a part has J_1 (and J_2), or m with R_1 (and R_2): give one of the two"},

@@ -93,6 +93,7 @@ t_2 = "1.9 s"
   static FieldFault law_fault(const Input& in);
   static bool laws_are_smooth(const Input& in);
   static FieldFault gap(const Input& in);
+  static constexpr bool turns = true;
   static constexpr std::array rules = join<Input>(
       std::array{Rule<Input>{&laws_read, "x, y, z", "x, y and z must be lengths as formulas of t", &law_fault}},
       motion::range_rules<Input>(),

@@ -78,6 +78,7 @@ v_1x = "-1 m/s"
   static FieldFault law_fault(const Input& in);
   static bool laws_are_smooth(const Input& in);
   static FieldFault gap(const Input& in);
+  static constexpr bool turns = true;
   static constexpr std::array rules{
       Rule<Input>{&laws_read, "F_x, F_y", "F_x and F_y must be forces as formulas of t", &law_fault},
       Rule<Input>{[](const Input& in) { return !(in.t_1 >= in.t_2); }, "t_2, t_1",

@@ -110,6 +110,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
               .where_it_applies(),
           ListField<Result, List<Compared, most_others>>{&Result::others, "others", "the compared cycles"}});
 
+  static constexpr bool turns = true;
   static constexpr std::array rules{
       Rule<Input>{&two_given, "sigma_max, sigma_min, sigma_m, sigma_a, r",
                   "two of sigma_max, sigma_min, sigma_m, sigma_a and r make a cycle", &wrong_count},

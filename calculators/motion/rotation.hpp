@@ -93,6 +93,7 @@ t_2 = "2 s"
   static FieldFault law_fault(const Input& in);
   static bool law_is_smooth(const Input& in);
   static FieldFault gap(const Input& in);
+  static constexpr bool turns = true;
   static constexpr std::array rules = join<Input>(
       std::array{Rule<Input>{&law_reads, "phi", "phi must be an angle as a formula of t", &law_fault}},
       range_rules<Input>(),

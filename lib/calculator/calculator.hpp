@@ -81,7 +81,7 @@ struct Calculator {
   /// Whether an input may be a series: not where it decides on one thing for all its loads, a belt and its tension, a
   /// section. At every position of a cycle it would find another.
   bool takes_series = true;
-  /// Whether its part turns: the loads that it gives to others then come again and again.
+  /// Whether its part turns, or moves under loads that vary: those that it gives to others come again and again.
   bool turns = false;
 
   [[nodiscard]] std::string_view element() const {

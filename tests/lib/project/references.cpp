@@ -8,6 +8,7 @@
 namespace {
 
 using namespace loadpath;
+using account::State;
 using test::contains;
 using test::Solved;
 
@@ -135,7 +136,7 @@ TEST_SUITE("largest values") {
     const double P = load.value("strut.P");
     CHECK(load.value("strut.u") <= 1.0);
     CHECK(load.value("strut.u") > 0.999);
-    CHECK(contains(load.origin("strut", "P"), "largest that passes every check; beyond: u = 1"));
+    CHECK(contains(load.origin("strut", "P"), "largest that passes every check; 1 % more: u = 1.01"));
     const Solved longest(strut + "P = \"" + std::to_string(P) + " N\"\nl = \"?\"\n");
     REQUIRE_MESSAGE(!has_errors(longest.issues), longest.messages());
     CHECK(longest.value("strut.l") == doctest::Approx(3.0).epsilon(1e-3));
@@ -156,6 +157,53 @@ TEST_SUITE("largest values") {
     REQUIRE_MESSAGE(!has_errors(round.issues), round.messages());
     CHECK(round.value("round.u") <= 1.0);
     CHECK(contains(round.origin("round", "d"), "smallest of R40 that passes every check; "));
+  }
+
+  TEST_CASE("rows that cannot be calculated are no failures, and said") {
+    const std::string tube =
+        "[tube]\ncalculator = \"column.buckling\"\nP = \"90 kN\"\nl = \"3 m\"\nends = \"pinned_pinned\"\n"
+        "material = \"S355\"\nmethod = \"ec3\"\ngamma_M1 = 1\ngamma_F = 1\n";
+    const Solved all(tube + "section = \"?\"\n");
+    REQUIRE_MESSAGE(!has_errors(all.issues), all.messages());
+    CHECK(all.value("tube.u") <= 1.0);
+    CHECK_MESSAGE(contains(all.messages(), "rows that were tried 24 are passed over, the first is CHS 26.9x3.2"),
+                  all.messages());
+    const Solved hot(tube + "section = { stock = \"sections/chs\" }\nkind = \"hot_hollow\"\n");
+    REQUIRE_MESSAGE(!has_errors(hot.issues), hot.messages());
+    CHECK_MESSAGE(hot.messages().empty(), hot.messages());
+    CHECK(hot.value("tube.A") < all.value("tube.A"));
+    const Solved unkind(tube + "section = { stock = \"sections/chs\" }\n");
+    CHECK_MESSAGE(contains(unkind.errors(), "needs the buckling curves"), unkind.errors());
+    const Solved both(tube + "section = \"?\"\nkind = \"hot_hollow\"\n");
+    CHECK_MESSAGE(contains(both.errors(), "'kind' is given, and the section that is searched for gives it too"),
+                  both.errors());
+  }
+
+  TEST_CASE("where no row and no load passes, nothing passes") {
+    const std::string bar =
+        "[bar]\ncalculator = \"column.buckling\"\nl = \"3 m\"\nends = \"pinned_pinned\"\nmaterial = \"S355\"\n";
+    const Solved rows(bar +
+                      "P = \"100000 kN\"\nsection = { stock = \"sections/ipe\" }\nmethod = \"ec3\"\n"
+                      "gamma_M1 = 1\ngamma_F = 1\n");
+    REQUIRE_MESSAGE(!has_errors(rows.issues), rows.messages());
+    CHECK(contains(rows.origin("bar", "section"), "none passes"));
+    CHECK(rows.mode("bar.buckling").state == State::fail);
+    // lambda = 300 is more than the 200 that are allowed, at every load
+    const Solved load(bar + "d = \"40 mm\"\nP = \"?\"\nmethod = \"euler\"\nsigma_P = \"190 MPa\"\nn_st = 3\n");
+    REQUIRE_MESSAGE(!has_errors(load.issues), load.messages());
+    REQUIRE(load.has("bar.inputs"));
+    CHECK(load.mode("bar.inputs").state == State::not_available);
+    CHECK_MESSAGE(contains(load.mode("bar.inputs").note.text(), "no 'P' passes"), load.mode("bar.inputs").note.text());
+    const Solved unsafe(bar + "d = \"40 mm\"\nP = \"?\"\nmethod = \"johnson\"\n");
+    CHECK_MESSAGE(contains(unsafe.errors(), "n_st"), unsafe.errors());
+  }
+
+  TEST_CASE("what was found tells what is not judged with it") {
+    const Solved pulled(
+        "[bar]\ncalculator = \"column.buckling\"\nl = \"1 m\"\nends = \"pinned_pinned\"\nmaterial = \"S355\"\n"
+        "d = \"?\"\nN = \"25 kN\"\nmethod = \"johnson\"\nn_st = 3\n");
+    REQUIRE_MESSAGE(!has_errors(pulled.issues), pulled.messages());
+    CHECK_MESSAGE(contains(pulled.origin("bar", "d"), "; not judged: tension"), pulled.origin("bar", "d"));
   }
 
   TEST_CASE("a chain is found by its pitch") {
@@ -208,6 +256,24 @@ TEST_SUITE("shared values") {
     CHECK_MESSAGE(!has_errors(list.issues), list.messages());
   }
 
+  TEST_CASE("values in values are bounded, and a circle through lists is one") {
+    std::string doubled = "[values]\na0 = [\"1 mm\"]\n";
+    for (int i = 1; i <= 60; ++i) {
+      const std::string last = "\"=values.a" + std::to_string(i - 1) + "\"";
+      doubled += "a" + std::to_string(i) + " = [" + last + ", " + last + "]\n";
+    }
+    const auto shaft = [](const std::string& list) {
+      return "[shaft]\ncalculator = \"shaft.torsion\"\nd = \"40 mm\"\ntorques = \"=values." + list + "\"\n";
+    };
+    CHECK_MESSAGE(contains(Solved(doubled + shaft("a20")).errors(), "come to too many"), "2^20");
+    CHECK_MESSAGE(contains(Solved(doubled + shaft("a60")).errors(), "come to too many"), "60 deep");
+    const Solved circle("[values]\na = [\"=values.b\"]\nb = [\"=values.a\"]\n" + shaft("a"));
+    CHECK_MESSAGE(contains(circle.errors(), "refers to itself"), circle.errors());
+    const Solved unknown("[values]\nn = \"1 rpm\"\n" + shaft("m"));
+    CHECK_MESSAGE(contains(unknown.errors(), "there is no value 'm'"), unknown.errors());
+    CHECK_MESSAGE(!contains(unknown.errors(), "no step"), unknown.errors());
+  }
+
   TEST_CASE("what is wrong with values is told where they stand") {
     CHECK(contains(Solved("[values]\nm = \"2 mm\"\n[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = "
                           "\"=values.n\"\n")
@@ -221,5 +287,75 @@ TEST_SUITE("shared values") {
                           "\"=values.a\"\n")
                        .messages(),
                    "gears.m_n"));
+  }
+
+  TEST_CASE("a list that is taken whole keeps its series, and its elements their numbers") {
+    const std::string crank = R"([press]
+calculator = "mechanism.planar"
+template = "slider_crank"
+r = "50 mm"
+l = "200 mm"
+crank = { speed = "60 rpm", positions = 12 }
+loads = [{ link = "slider", at = "B", F_x = "-10 kN" }]
+[line]
+calculator = "shaft.torsion"
+d = "60 mm"
+tau_adm = "60 MPa"
+fixed = "left"
+torques = { wheel = { x = "0 mm", T = "=press.drive.M" }, other = { x = "1 m", T = "-10 N*m" } }
+[same]
+calculator = "shaft.torsion"
+d = "60 mm"
+fixed = "left"
+tau_adm = "60 MPa"
+torques = "=line.torques"
+)";
+    const Solved taken(crank);
+    REQUIRE_MESSAGE(!has_errors(taken.issues), taken.errors());
+    REQUIRE(taken.project.value("same.M_max")->si.size() == 12);
+    for (std::size_t i = 0; i < 12; ++i)
+      CHECK(taken.project.value("same.M_max")->si[i] == taken.project.value("line.M_max")->si[i]);
+    CHECK(taken.value("line.torques[2].x") == 1.0);
+    const Solved named(
+        "[line]\ncalculator = \"shaft.torsion\"\nT = \"1 N*m\"\ntau_adm = \"60 MPa\"\nsegments = { a = { l = \"1 mm\", "
+        "d = \"2 mm\" }, "
+        "b = { l = \"1 mm\", d = \"4 mm\", d_bore = \"1 mm\" } }\n"
+        "[next]\ncalculator = \"shaft.torsion\"\nT = \"1 N*m\"\ntau_adm = \"60 MPa\"\nd = \"9 mm\"\nd_bore = "
+        "\"=line.segments[1].d_bore\"\n");
+    CHECK(named.value("line.segments[1].d_bore") != 1e-3);
+    CHECK(named.value("line.segments[2].d_bore") == 1e-3);
+  }
+
+  TEST_CASE("a length brings no loads along") {
+    const Solved beside(
+        gears +
+        "[axle]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nd = \"?\"\nload = \"=gears.gear_2\"\n"
+        "[neighbour]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nd = \"=axle.d\"\nT = \"10 N*m\"\n");
+    REQUIRE_MESSAGE(!has_errors(beside.issues), beside.errors());
+    CHECK(beside.project.find("neighbour")->left_of_loads().empty());
+  }
+
+  TEST_CASE("what a record cannot give is told at the record") {
+    const Solved wrong(
+        "[pick]\ncalculator = \"belt.v_sizing\"\nbasis = \"optibelt\"\nP = \"11 kW\"\nK_A = 1.2\nn_1 = \"1460 rpm\"\n"
+        "n_2_set = \"730 rpm\"\na_set = \"600 mm\"\n"
+        "[end]\ncalculator = \"shaft.overhung\"\na = \"60 mm\"\nsigma_adm = \"60 MPa\"\nload = \"=pick.best\"\n");
+    CHECK_MESSAGE(contains(wrong.errors(), "pick.best"), wrong.errors());
+  }
+
+  TEST_CASE("a force whose sign is no tension is no normal force without a sign") {
+    const std::string crank =
+        "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"50 mm\"\nl = \"500 mm\"\n"
+        "crank = { speed = \"60 rpm\", positions = 12 }\nloads = [{ link = \"slider\", at = \"B\", F_x = \"-12 kN\" "
+        "}]\n"
+        "[rod]\ncalculator = \"column.buckling\"\nd = \"14 mm\"\nl = \"500 mm\"\nends = \"pinned_pinned\"\nE = \"210 "
+        "GPa\"\n"
+        "R_e = \"235 MPa\"\nmethod = \"johnson\"\nn_st = 3\nn_t = 2\nN = \"=";
+    for (const char* wrong : {"press.joints.A.F", "press.joints.A.x", "2*press.joints.A.F", "press.drive.M/(50 mm)",
+                              "sqrt(press.links.rod.N^2)", "max(press.links.rod.N, 0 N)"})
+      CHECK_MESSAGE(contains(Solved(crank + wrong + "\"\n").errors(), "the sign of 'N' decides"), wrong);
+    for (const char* right : {"press.links.rod.N", "-press.joints.A.F", "0 N + press.joints.A.F",
+                              "1.1*press.links.rod.N", "min(press.links.rod.N, 0 N)", "min(press.links.rod.N)"})
+      CHECK_MESSAGE(!has_errors(Solved(crank + right + "\"\n").issues), right);
   }
 }

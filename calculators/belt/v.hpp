@@ -149,7 +149,7 @@ L = "2650 mm"
       Field{&Result::alpha_2, "alpha_2", deg, "wrap of the driven pulley"},
       Field{&Result::alpha, "alpha", deg, "wrap of the smaller pulley"},
       Field{&Result::K_A, "K_A", ratio, "service factor"},
-      Field{&Result::P_B, "P_B", kW, "design power"},
+      Field{&Result::P_B, "P_B", kW, "design power"}.holding("K_A"),
       Field{&Result::P_0, "P_0", kW, "rated power of one belt, equal pulleys"},
       Field{&Result::dP, "dP", kW, "increment by the ratio"},
       Field{&Result::c_alpha, "c_alpha", ratio, "wrap factor (C_alpha, c_1)"},

@@ -33,9 +33,29 @@ Message told(const Factors& factors, const std::string& factor) {
   return say("{1} = {2}", factor, format_number(factors.at(factor), 4));
 }
 
+/// A value of [values] that a step has for a factor is that factor: "values.n" the K_A of "chain".
+Factors factors_of_shared(const Project& project, const std::string& path) {
+  const Value* const value = project.value(path);
+  if (value == nullptr || !counts(factor_in(value->si))) return {};
+  for (const auto& step : project.steps) {
+    for (const auto& [key, typed] : step->input().reading.typed) {
+      const FieldInfo* const field = find_field(step->input().calculator->input->fields, key);
+      if (typed.shared == path && field != nullptr && field->is_factor)
+        return {{step->name() + "." + key, factor_in(value->si)}};
+    }
+  }
+  return {};
+}
+
+/// Whether a value of a step holds what the step's loads do: a load, and the power that it is of.
+bool carries(const FieldInfo& field) {
+  return field.is_load || *field.factors != '\0' || field.dimension == Dimension::of(2, 1, -3);
+}
+
 /// What the value at a path of another step holds.
 Factors factors_at(const Project& project, const std::string& path) {
   const auto [name, rest] = split_step(path);
+  if (name == "values" && project.find(name) == nullptr) return factors_of_shared(project, path);
   const Step* const step = project.find(name);
   const FieldInfo* const field = step == nullptr ? nullptr : step->field(rest);
   if (step == nullptr) return {};
@@ -48,9 +68,8 @@ Factors factors_at(const Project& project, const std::string& path) {
     add(rest, path);
     return held;
   }
-  const std::vector<std::string> own = listed_keys(field->factors);
-  if (field->is_load || !own.empty()) held = step->factors();
-  for (const std::string& key : own) add(key, std::string(name).append(".").append(key));
+  if (carries(*field)) held = step->factors();
+  for (const std::string& key : listed_keys(field->factors)) add(key, std::string(name).append(".").append(key));
   return held;
 }
 

@@ -155,6 +155,28 @@ TEST_SUITE("factors") {
 }
 
 TEST_SUITE("shaft loads") {
+  TEST_CASE("a factor that stands in [values] is that of the step which has it") {
+    const auto shared = [](const std::string& loads) {
+      return Solved("[values]\nservice = 1.4\n" + chain("\"=values.service\"") + end(loads)).errors();
+    };
+    const std::string twice = shared("F = \"=values.service*chain.F_t\"\nT = \"=values.service*chain.T_2\"\nK_A = 1.4");
+    CHECK_MESSAGE(contains(twice, "K_A would count twice"), twice);
+    CHECK(shared("F = \"=values.service*chain.F_t\"\nT = \"=values.service*chain.T_2\"") == "");
+    CHECK(contains(shared("F = \"=values.service*chain.F_W\"\nT = \"0 N*m\""), "twice"));
+  }
+
+  TEST_CASE("the power of a train holds what its torque does") {
+    const std::string train =
+        chain("1.4") +
+        "[train]\ncalculator = \"drive.train\"\nT_1 = \"=chain.shaft_2.T\"\nn_1 = \"30 rpm\"\n"
+        "stages = [{ kind = \"gear\", z_1 = 20, z_2 = 60 }]\n"
+        "[next]\ncalculator = \"chain.roller\"\nchain = \"16B\"\nz_1 = 21\nz_2 = 57\na = \"1 m\"\n"
+        "P = \"=train.P_out\"\nn_1 = \"10 rpm\"\np_adm = \"30 MPa\"\nK_A = ";
+    CHECK_MESSAGE(contains(Solved(train + "1.4\n").errors(), "K_A would count twice"),
+                  Solved(train + "1.4\n").errors());
+    CHECK(Solved(train + "1\n").errors() == "");
+  }
+
   TEST_CASE("a shaft takes what sits on it whole, with its service factor") {
     const Solved taken(chain("1.4") + end("load = \"=chain.shaft_2\""));
     REQUIRE_MESSAGE(taken.errors().empty(), taken.errors());

@@ -50,6 +50,12 @@ std::string default_of(const FieldInfo& field, void* owner) {
   return field.optional ? "optional" : "required";
 }
 
+/// What "?" finds, where it is no size of a stock.
+std::string searched_of(const FieldInfo& field) {
+  const bool is_input = field.role == Role::input && *field.searched_in == '\0';
+  return is_input && field.can_be_largest() ? "; \"?\" finds the largest" : "";
+}
+
 std::string list_of(const FieldInfo& field) {
   return field.capacity == no_bound ? "list" : "list, at most " + std::to_string(field.capacity);
 }
@@ -67,7 +73,7 @@ void add_fields(std::span<const FieldInfo> fields, void* owner, const std::strin
                                                          : f.unit;
       const std::string rule = bounds_of(f);
       rows.push_back({key, unit, f.role == Role::input ? default_of(f, owner) : "",
-                      f.doc + (rule.empty() ? "" : " (" + rule + ")")});
+                      f.doc + (rule.empty() ? "" : " (" + rule + ")") + searched_of(f)});
       continue;
     }
     const bool list = f.type == Type::list;

@@ -82,6 +82,10 @@ struct FieldInfo {
   [[nodiscard]] bool is_leaf() const { return !has_fields() && type != Type::record; }
   [[nodiscard]] bool has_fields() const { return type == Type::group || type == Type::list; }
   [[nodiscard]] bool is_number() const { return type == Type::quantity || type == Type::count; }
+  /// Whether "?" finds the largest value that passes: of a load without a sign, and where more is better.
+  [[nodiscard]] bool can_be_largest() const {
+    return type == Type::quantity && (larger_is_better || (is_load && !signed_load));
+  }
   [[nodiscard]] bool is_word() const { return type == Type::choice || type == Type::name || type == Type::formula; }
 };
 

@@ -85,8 +85,7 @@ json::object schema_of(const FieldInfo& field, void* blank, Definitions& definit
 /// What "?" finds of a field; empty where it finds nothing.
 std::string searched_text(const FieldInfo& field) {
   if (*field.searched_in != '\0') return std::string("; \"?\" searches in ") + field.searched_in;
-  const bool can_be_large = field.larger_is_better || (field.is_load && !field.signed_load);
-  return can_be_large && field.type == Type::quantity ? "; \"?\" finds the largest that passes" : "";
+  return field.can_be_largest() ? "; \"?\" finds the largest that passes" : "";
 }
 
 json::string description(const FieldInfo& field) {

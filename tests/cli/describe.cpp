@@ -74,6 +74,7 @@ TEST_SUITE("cli describe") {
     const std::string shown = loadpath_with({"describe", "gear.pair"}).out;
     CHECK(std::regex_search(shown, std::regex("\n  z_1 +whole number +required ")));
     CHECK(std::regex_search(shown, std::regex("\n  z_2 +whole number +optional ")));
+    CHECK(contains(shown, "\"?\""));  // of T_1, which may be as large as passes
   }
 
   TEST_CASE("results whose paths come from names are described by patterns with unit and meaning") {

@@ -35,8 +35,7 @@ void Reader::read_text_quantity(const Tree& tree, const FieldInfo& field, void* 
 }
 
 void Reader::read_search(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
-  const bool can_be_large = field.larger_is_better || (field.is_load && !field.signed_load);
-  if (*field.searched_in == '\0' && !can_be_large)
+  if (*field.searched_in == '\0' && !field.can_be_largest())
     return say_at(tree.place, path, say("'{1}' cannot be searched for", path), say("give a value"));
   reading_.searches.push_back({path, {&field, owner}, field.searched_in, tree.place});
 }

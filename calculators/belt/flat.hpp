@@ -8,7 +8,7 @@
 #pragma once
 
 #include "calculators/belt/geometry.hpp"
-#include "calculators/load/shaft_load.hpp"
+#include "calculators/belt/shaft_load.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -152,19 +152,10 @@ E_b = "40 MPa"
       Field{&Result::S_2, "S_2", N, "tension of the slack span"},
       Field{&Result::mu_req, "mu_req", ratio, "coefficient of friction that is used"},
       Field{&Result::sigma_max, "sigma_max", MPa, "largest stress: tight span at the smaller pulley"},
-      Field{&Result::R_0, "R_0", N, "shaft load at standstill, along the line of centres"}
-          .load()
-          .with("shaft_1.T|shaft_2.T")
-          .holding("K_A"),
-      Field{&Result::R_x, "R_x", N, "shaft load in running, toward the other pulley"}
-          .load()
-          .with("R_y, shaft_1.T|shaft_2.T")
-          .holding("K_A"),
-      Field{&Result::R_y, "R_y", N, "shaft load in running, to the side of the tight span"}
-          .load()
-          .with("R_x, shaft_1.T|shaft_2.T")
-          .holding("K_A"),
-      Field{&Result::R, "R", N, "shaft load in running"}.load().with("shaft_1.T|shaft_2.T").holding("K_A"),
+      pull(&Result::R_0, "R_0", "shaft load at standstill, along the line of centres"),
+      pull(&Result::R_x, "R_x", "shaft load in running, toward the other pulley", "R_y, shaft_1.T|shaft_2.T"),
+      pull(&Result::R_y, "R_y", "shaft load in running, to the side of the tight span", "R_x, shaft_1.T|shaft_2.T"),
+      pull(&Result::R, "R", "shaft load in running"),
       Field{&Result::theta_R, "theta_R", deg, "its direction against the line of centres"},
       Group{&Result::shaft_1, "shaft_1", "most that the belt does to the driving shaft, running or not: load"}
           .handed_over(),

@@ -2,10 +2,17 @@
 #pragma once
 
 #include "calculators/load/shaft_load.hpp"
+#include "lib/calculator/field.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
 
 namespace loadpath::belt {
+
+/// A pull on both shafts: the torque of the one that it is taken for comes with it.
+template <class Result>
+constexpr auto pull(Force Result::*at, const char* key, const char* doc, const char* with = "shaft_1.T|shaft_2.T") {
+  return Field<Result, Force>{at, key, N, doc}.load().with(with).holding("K_A");
+}
 
 /// Of spans that press the pulleys with N_1 (tight) and N_2 (slack): their tensions without the part that turns the
 /// belt around. psi is the inclination of the tight span, positive away from the line of centres. R_x along that

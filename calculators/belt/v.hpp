@@ -8,8 +8,8 @@
 #pragma once
 
 #include "calculators/belt/geometry.hpp"
+#include "calculators/belt/shaft_load.hpp"
 #include "calculators/belt/v_data.hpp"
-#include "calculators/load/shaft_load.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -168,23 +168,11 @@ L = "2650 mm"
       Field{&Result::Q_new, "Q_new", N, "test force, new belt"},
       Field{&Result::f_s, "f_s", Hz, "frequency of the plucked span, run in"},
       Field{&Result::f_s_new, "f_s_new", Hz, "frequency of the plucked span, new belt"},
-      Field{&Result::R_0, "R_0", N, "shaft load at standstill, along the line of centres"}
-          .load()
-          .with("shaft_1.T|shaft_2.T")
-          .holding("K_A"),
-      Field{&Result::R_new, "R_new", N, "shaft load at standstill, new belts"}
-          .load()
-          .with("shaft_1.T|shaft_2.T")
-          .holding("K_A"),
-      Field{&Result::R_x, "R_x", N, "shaft load in running, toward the other pulley"}
-          .load()
-          .with("R_y, shaft_1.T|shaft_2.T")
-          .holding("K_A"),
-      Field{&Result::R_y, "R_y", N, "shaft load in running, to the side of the tight span"}
-          .load()
-          .with("R_x, shaft_1.T|shaft_2.T")
-          .holding("K_A"),
-      Field{&Result::R, "R", N, "shaft load in running"}.load().with("shaft_1.T|shaft_2.T").holding("K_A"),
+      pull(&Result::R_0, "R_0", "shaft load at standstill, along the line of centres"),
+      pull(&Result::R_new, "R_new", "shaft load at standstill, new belts"),
+      pull(&Result::R_x, "R_x", "shaft load in running, toward the other pulley", "R_y, shaft_1.T|shaft_2.T"),
+      pull(&Result::R_y, "R_y", "shaft load in running, to the side of the tight span", "R_x, shaft_1.T|shaft_2.T"),
+      pull(&Result::R, "R", "shaft load in running"),
       Field{&Result::theta_R, "theta_R", deg, "its direction against the line of centres"},
       Group{&Result::shaft_1, "shaft_1", "most that the belts do to the driving shaft, new or run in: load"}
           .handed_over(),

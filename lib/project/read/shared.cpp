@@ -139,6 +139,7 @@ const Value* Values::literal(const std::string& name) const {
 }
 
 void Values::warn_of_unused(std::vector<Issue>& issues) const {
+  if (!told_.empty()) return;  // a name that was mistyped may have meant it
   for (const auto& [name, shared] : all_) {
     if (shared.is_used) continue;
     issues.push_back(

@@ -195,6 +195,7 @@ Fault CalculatorStep::unknown_path(const std::string& path) const {
   Record blank(*input().calculator->result);
   for_each_leaf(blank, [&](const std::string& leaf, const Leaf&) { known.push_back(leaf); });
   for (const FieldInfo& f : input().calculator->result->fields) {
+    if (f.is_handed_over) known.emplace_back(f.key);
     for (const FieldInfo& inner : f.fields) known.push_back(std::string(f.key) + "[1]." + inner.key);
   }
   return {0, path.size(), say("'{1}' has no result '{2}'", name(), path),

@@ -271,7 +271,8 @@ TEST_SUITE("shared values") {
     CHECK_MESSAGE(contains(circle.errors(), "refers to itself"), circle.errors());
     const Solved unknown("[values]\nn = \"1 rpm\"\n" + shaft("m"));
     CHECK_MESSAGE(contains(unknown.errors(), "there is no value 'm'"), unknown.errors());
-    CHECK_MESSAGE(!contains(unknown.errors(), "no step"), unknown.errors());
+    CHECK_MESSAGE(!contains(unknown.messages(), "no step"), unknown.messages());
+    CHECK_MESSAGE(!contains(unknown.messages(), "nothing refers"), unknown.messages());
   }
 
   TEST_CASE("what is wrong with values is told where they stand") {
@@ -333,6 +334,12 @@ torques = "=line.torques"
         "[neighbour]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nd = \"=axle.d\"\nT = \"10 N*m\"\n");
     REQUIRE_MESSAGE(!has_errors(beside.issues), beside.errors());
     CHECK(beside.project.find("neighbour")->left_of_loads().empty());
+  }
+
+  TEST_CASE("a record that is mistyped is told with the one that was meant") {
+    const Solved mistyped(gears +
+                          "[axle]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nload = \"=gears.gear_3\"\n");
+    CHECK_MESSAGE(contains(mistyped.errors(), "did you mean 'gears.gear_"), mistyped.errors());
   }
 
   TEST_CASE("what a record cannot give is told at the record") {

@@ -1,40 +1,20 @@
 // Why a part came out as it did, from the shell.
 #include "tests/cli/process.hpp"
+#include "tests/lib/project/texts.hpp"
 
 using namespace loadpath::test;
 
 namespace {
 
-const std::string press = R"toml([press]
-calculator = "mechanism.planar"
-template = "slider_crank"
-r = "50 mm"
-l = "200 mm"
-crank = { speed = "600 rpm", positions = 36 }
-links.rod.mass = "1 kg"
-)toml";
-const std::string rod = R"toml([rod]
-calculator = "column.buckling"
-N = "=-peak(press.links.rod.N)"
-l = "200 mm"
-d = "?"
+const std::string bar = R"toml(calculator = "column.buckling"
 ends = "pinned_pinned"
 E = "210 GPa"
 R_e = "235 MPa"
 method = "johnson"
 n_st = 2
 )toml";
-const std::string strut = R"toml([strut]
-calculator = "column.buckling"
-P = "40 kN"
-l = "2 m"
-section = { stock = "sections/ipe" }
-ends = "pinned_pinned"
-E = "210 GPa"
-R_e = "235 MPa"
-method = "johnson"
-n_st = 2
-)toml";
+const std::string rod = "[rod]\n" + bar + "N = \"=-peak(press.links.rod.N)\"\nl = \"200 mm\"\nd = \"?\"\n";
+const std::string strut = "[strut]\n" + bar + "P = \"40 kN\"\nl = \"2 m\"\nsection = { stock = \"sections/ipe\" }\n";
 const std::string end = R"toml([end]
 calculator = "shaft.overhung"
 F = "2 kN"
@@ -60,7 +40,7 @@ bool before(const std::string& text, const std::string& first, const std::string
 
 TEST_SUITE("cli why") {
   TEST_CASE("every step is told by the mode that decides over it, and the exit code follows") {
-    const Ran all = why(press + rod);
+    const Ran all = why(press_of_heavy_rod + rod);
     CHECK(all.code == 1);
     CHECK(contains(all.out, "  not judged  rod "));
     CHECK_FALSE(contains(all.out, "flexural buckling"));
@@ -71,7 +51,7 @@ TEST_SUITE("cli why") {
   }
 
   TEST_CASE("of a step all modes that do not pass stand first, then the most utilised one with its formulas") {
-    const Ran told = why(press + rod, "rod");
+    const Ran told = why(press_of_heavy_rod + rod, "rod");
     CHECK(told.code == 1);
     CHECK(before(told.out, "  not judged  lateral ", "not taken,"));
     CHECK(before(told.out, "  not judged  fatigue ", "most utilised\n"));
@@ -101,12 +81,12 @@ TEST_SUITE("cli why") {
   }
 
   TEST_CASE("a mode is told with its formulas, and beside it what decides over the step") {
-    const Ran told = why(press + rod, "rod.buckling");
+    const Ran told = why(press_of_heavy_rod + rod, "rod.buckling");
     CHECK(told.code == 1);
     CHECK(contains(told.out, ")\n  pass  buckling "));
     CHECK(contains(told.out, "\n  u = F / P_all "));
     CHECK(before(told.out, "\ndecides over rod\n  not judged  ", "not judged"));
-    CHECK_FALSE(contains(why(press + rod, "rod.lateral").out, "decides over"));
+    CHECK_FALSE(contains(why(press_of_heavy_rod + rod, "rod.lateral").out, "decides over"));
     CHECK_FALSE(contains(why(end, "end.yield").out, "decides over"));
   }
 
@@ -120,7 +100,7 @@ TEST_SUITE("cli why") {
   }
 
   TEST_CASE("a series is told by its extremes and their places") {
-    const Ran told = why(press, "press.links.rod.N");
+    const Ran told = why(press_of_heavy_rod, "press.links.rod.N");
     CHECK(told.code == 0);
     CHECK(contains(told.out, "\n  links.rod.N  -172.718 N (at 180 deg) to 222.066 N (at "));
   }

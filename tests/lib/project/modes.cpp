@@ -1,5 +1,6 @@
 // What is said of a part: modes that apply, may apply, are judged, accepted, or left alone.
 #include "tests/lib/project/solved.hpp"
+#include "tests/lib/project/texts.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,20 +12,13 @@ namespace {
 using namespace loadpath;
 using account::State;
 using test::contains;
+using test::press_of_heavy_rod;
 using test::Solved;
 
 const std::string gears =
     "[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = \"2.5 mm\"\nT_1 = \"60 N*m\"\nb = \"25 mm\"\n";
 const std::string strength = "sigma_adm_1 = \"200 MPa\"\nsigma_adm_2 = \"200 MPa\"\n";
 const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\n";
-const std::string press = R"toml([press]
-calculator = "mechanism.planar"
-template = "slider_crank"
-r = "50 mm"
-l = "200 mm"
-crank = { speed = "600 rpm", positions = 36 }
-links.rod.mass = "1 kg"
-)toml";
 const std::string rod =
     "[rod]\ncalculator = \"column.buckling\"\nl = \"200 mm\"\nd = \"20 mm\"\nends = \"pinned_pinned\"\nE = \"210 "
     "GPa\"\n"
@@ -72,7 +66,7 @@ TEST_SUITE("project modes") {
   }
 
   TEST_CASE("a link's force comes with its bending, which a column of force alone has not judged") {
-    Solved column(press + rod + "N = \"=press.links.rod.N\"\n");
+    Solved column(press_of_heavy_rod + rod + "N = \"=press.links.rod.N\"\n");
     REQUIRE_MESSAGE(!has_errors(column.issues), column.messages());
     CHECK(column.mode("rod.buckling").state == State::pass);
     CHECK(column.mode("rod.lateral").state == State::not_judged);
@@ -81,17 +75,18 @@ TEST_SUITE("project modes") {
   }
 
   TEST_CASE("a magnitude is no value for a load whose sign decides, unless its sign is said") {
-    CHECK(contains(Solved(press + rod + "N = \"=peak(press.links.rod.N)\"\n").messages(),
+    CHECK(contains(Solved(press_of_heavy_rod + rod + "N = \"=peak(press.links.rod.N)\"\n").messages(),
                    "the sign of 'N' decides, and 'peak' gives a magnitude"));
-    CHECK(contains(Solved(press + rod + "N = \"=2*abs(press.links.rod.N)\"\n").messages(), "'abs' gives a magnitude"));
+    CHECK(contains(Solved(press_of_heavy_rod + rod + "N = \"=2*abs(press.links.rod.N)\"\n").messages(),
+                   "'abs' gives a magnitude"));
     for (const char* sound : {"=-peak(press.links.rod.N)", "=min(press.links.rod.N)", "=press.links.rod.N"}) {
       CAPTURE(sound);
-      CHECK_FALSE(has_errors(Solved(press + rod + "N = \"" + sound + "\"\n").issues));
+      CHECK_FALSE(has_errors(Solved(press_of_heavy_rod + rod + "N = \"" + sound + "\"\n").issues));
     }
   }
 
   TEST_CASE("links and pins that no step takes are one open line") {
-    Solved alone(press), taken(press + rod + "N = \"=press.links.rod.N\"\n");
+    Solved alone(press_of_heavy_rod), taken(press_of_heavy_rod + rod + "N = \"=press.links.rod.N\"\n");
     CHECK(alone.mode("press.strength").state == State::open);
     CHECK(contains(account::reason(alone.mode("press.strength")).text(), "rod"));
     CHECK_FALSE(contains(account::reason(taken.mode("press.strength")).text(), " rod,"));

@@ -10,6 +10,16 @@
 
 namespace loadpath::test {
 
+/// A slider-crank whose rod alone has a mass.
+inline const std::string press_of_heavy_rod = R"toml([press]
+calculator = "mechanism.planar"
+template = "slider_crank"
+r = "50 mm"
+l = "200 mm"
+crank = { speed = "600 rpm", positions = 36 }
+links.rod.mass = "1 kg"
+)toml";
+
 inline const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\n";
 
 /// A four-bar driven by a link that cannot turn round: open from about 10 to 170 deg.

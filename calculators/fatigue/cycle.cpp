@@ -11,7 +11,6 @@ namespace {
 
 using Input = Cycle::Input;
 using Result = Cycle::Result;
-using Stresses = Cycle::Stresses;
 
 /// "others[2].", "others.test." or nothing for the first cycle.
 std::string place_of(const Input& in, std::size_t i) {
@@ -53,7 +52,7 @@ bool are_similar(const Characteristics& a, const Characteristics& b) {
   return std::abs(a1 * b2 - a2 * b1) <= same * size && a1 * b1 + a2 * b2 > 0.0;
 }
 
-std::string greek(const Input& in) { return in.stress == Cycle::Stresses::shear ? "tau" : "sigma"; }
+std::string greek(const Input& in) { return in.stress == Stresses::shear ? "tau" : "sigma"; }
 
 /// Two periods of a sine: what happens between the extremes does not matter.
 draw::Figure over_time(const Input& in, const Result& r) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "calculators/fatigue/cycle_of.hpp"
+#include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/figure/figure.hpp"
@@ -35,7 +36,6 @@ sigma_min = "-40 MPa"
 others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
 )";
 
-  enum class Stresses { normal, shear };
   enum class Similar { yes, no };
 
   struct Other : Given {
@@ -58,6 +58,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
   static FieldFault wrong_count(const Input& in);
   static FieldFault unsound(const Input& in);
   static constexpr std::tuple inputs = std::tuple_cat(
+      std::tuple{RecordField<Input>{"cycle", "the largest stress of a part, whole: cycle = \"=shaft.cycle\""}},
       given_fields<Input>(),
       std::tuple{
           Choice<Input, Stresses>{&Input::stress, "stress", "what varies"}.may_be_missing(),
@@ -124,19 +125,13 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),
       Mode<Input>{"fatigue", "fatigue, with an amplitude above the fatigue limit", &always<Input>}.judged_by(
           "u_D, x_m"),
-      Mode<Input>{"life", "life of what is loaded above its fatigue limit", &unseen<Input>}.left_to("fatigue.wohler"),
+      Mode<Input>{"life", "life of what is loaded above its fatigue limit", &unseen<Input>},
       Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>}};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
-
-constexpr auto choices_of(Cycle::Stresses) {
-  using Stresses = Cycle::Stresses;
-  return std::array{ChoiceName<Stresses>{Stresses::normal, "normal", "normal stresses, sigma"},
-                    ChoiceName<Stresses>{Stresses::shear, "shear", "shear stresses: read tau for sigma"}};
-}
 
 constexpr auto choices_of(Cycle::Similar) {
   using Similar = Cycle::Similar;

@@ -114,6 +114,28 @@ void assembly(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
           "tip circle of a planet over the distance to its neighbour, [Assembly]");
 }
 
+/// Torque of one mesh on a gear of z teeth, of the sun's or the ring's T on all planets, and its speed against the
+/// carrier. A set that stands still has no speed.
+void load_mesh(MeshOfSet& mesh, const Planetary::Input& in, Moment T, double z, double way, AngularSpeed n) {
+  mesh.T_1 = (way < 0.0 ? -1.0 : 1.0) * in.K_gamma * abs(T) / in.N_p * mesh.z_1 / z;
+  if (abs(n) > 0.0 * rpm) mesh.n_1 = abs(n);
+}
+
+MeshOfSet mesh_of(const Pair::Input& pair, double x_2, const Planetary::Input& in) {
+  MeshOfSet mesh{pair.mesh, pair.z_1, pair.z_2, in.m_n, in.beta, pair.x_1, x_2, in.h_aP};
+  if (is_set(in.m_n)) mesh.d_a2 = pair.d_a2;
+  return mesh;
+}
+
+/// What is left to gear.pair. A planet drives the ring where the sun drives the planet.
+void hand_over(const Planetary::Input& in, Planetary::Result& r) {
+  r.sun_mesh.idler = Idler::gear_2, r.ring_mesh.idler = Idler::gear_1;
+  if (!is_set(r.T_s)) return;
+  const double way = way_of_power(in, r);
+  load_mesh(r.sun_mesh, in, r.T_s, in.z_s, way, r.n_s - r.n_c);
+  load_mesh(r.ring_mesh, in, r.T_r, r.z_r, way, r.n_pc);
+}
+
 constexpr const char* as_pair = "as gear.pair finds it";
 
 /// Sun with planet, and planet with ring at the same centre distance.
@@ -142,6 +164,7 @@ void meshes(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
   r.c_a = trace.value("c_a", min(c_s, c_r) / ring.m_n, as_pair);
   r.s_a = trace.value("s_a", min(with_sun.s_a, with_ring.s_a), as_pair);
   r.h_clear = trace.value("h_clear", in.h_aP + (full - with_ring.d_clear) / (2.0 * ring.m_n), as_pair);
+  r.sun_mesh = mesh_of(sun, in.x_p, in), r.ring_mesh = mesh_of(ring, with_ring.x_2, in);
 }
 
 }  // namespace
@@ -192,6 +215,7 @@ Planetary::Result Planetary::evaluate(const Input& in, Tracer& trace) {
   }
   assembly(in, r, trace);
   meshes(in, r, trace);
+  hand_over(in, r);
   return r;
 }
 

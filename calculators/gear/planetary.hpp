@@ -9,6 +9,7 @@
 // as whole steps of assembly let them; those that touch each other, or that the ring interferes with, fail.
 #pragma once
 
+#include "calculators/gear/mesh_of_set.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -112,6 +113,7 @@ h_ar = 0.9
     double u_N = unset<double>;
     double f_sp = unset<double>, f_pr = unset<double>, eps_sp = unset<double>, eps_pr = unset<double>;
     double x_free = unset<double>, h_clear = unset<double>, c_a = unset<double>, s_a = unset<double>;
+    MeshOfSet sun_mesh, ring_mesh;
   };
   static constexpr std::tuple results{
       Field{&Result::z_r, "z_r", ratio, "teeth of the ring"},
@@ -171,7 +173,9 @@ h_ar = 0.9
       Field{&Result::s_a, "s_a", ratio, "pointed tip: least tip thickness in modules; 0.2, hardened 0.4"}
           .limit(0.2, 100)
           .criterion()
-          .where_it_applies()};
+          .where_it_applies(),
+      Group{&Result::sun_mesh, "sun_mesh", "sun with the planet that carries most, for gear.pair: pair"}.handed_over(),
+      Group{&Result::ring_mesh, "ring_mesh", "that planet with the ring, for gear.pair: pair"}.handed_over()};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return ring_teeth(in) > in.z_p && ring_teeth(in) > in.z_s; }, "z_r, z_s, z_p",
@@ -206,10 +210,12 @@ h_ar = 0.9
       Mode<Input>{"undercut", "undercut of sun and planets", &always<Input>}.judged_by("x_free").of_shape(),
       Mode<Input>{"clearance", "tips in the roots of their mates", &always<Input>}.judged_by("c_a").of_shape(),
       Mode<Input>{"pointed", "pointed teeth", &always<Input>}.judged_by("s_a").of_shape(),
-      Mode<Input>{"teeth_sun", "teeth of the sun: root and pitting", &loaded}.left_to("gear.pair"),
+      Mode<Input>{"teeth_sun", "teeth of the sun: root and pitting", &loaded}.left_to(
+          "gear.pair", "sun_mesh.root_1, sun_mesh.pitting_1"),
       Mode<Input>{"teeth_planet", "teeth of the planets: root, bent both ways, and pitting", &loaded}.left_to(
-          "gear.pair"),
-      Mode<Input>{"teeth_ring", "teeth of the ring: root and pitting", &loaded}.left_to("gear.pair"),
+          "gear.pair", "sun_mesh.root_2, sun_mesh.pitting_2, ring_mesh.root_1, ring_mesh.pitting_1"),
+      Mode<Input>{"teeth_ring", "teeth of the ring: root and pitting", &loaded}.left_to(
+          "gear.pair", "ring_mesh.root_mate, ring_mesh.pitting_2"),
       Mode<Input>{"trimming", "planets put into the ring sideways", &unseen<Input>}.special(),
       Mode<Input>{"sharing", "load shared unevenly by the planets",
                   [](const Input& in) { return in.N_p > 1 && in.K_gamma == 1.0 ? Applies::unseen : Applies::no; }}

@@ -32,13 +32,17 @@ Applies thin_wall(const Input& in) {
   return applies;
 }
 
+/// Where a shaft breaks first that turns, or whose load varies.
+template <class Input>
+constexpr Mode<Input> fatigue_of_shaft() {
+  return Mode<Input>{"fatigue", "fatigue, at shoulders, keyways and press fits first", &load_varies<Input>}
+      .in_service();
+}
+
 /// What the calculator judges, and what concerns every shaft.
 template <class Input, std::size_t judged>
 constexpr auto with_modes_of_shafts(const std::array<Mode<Input>, judged>& own) {
   const std::array common{
-      Mode<Input>{"fatigue", "fatigue, at shoulders, keyways and press fits first", &load_varies<Input>}
-          .left_to("fatigue.cycle")
-          .in_service(),
       Mode<Input>{"other_loads", "what comes along with its loads, and is not taken; F_z bends by F_z d_w/2",
                   &unseen<Input>}
           .by_companions(),

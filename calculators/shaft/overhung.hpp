@@ -112,7 +112,8 @@ tau_adm = "30 MPa"
       Mode<Input>{"yield", "yield beside the bearing, in bending with torsion", &loaded}.judged_by("u_v"),
       Mode<Input>{"shear", "yield at the neutral axis, in shear", &loaded}.judged_by("u_Q"),
       Mode<Input>{"torsion", "torsion alone", [](const Input& in) { return where(is_set(in.tau_adm)); }}.judged_by(
-          "u_tau")});
+          "u_tau"),
+      fatigue_of_shaft<Input>()});
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

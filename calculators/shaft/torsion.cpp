@@ -103,6 +103,7 @@ void judge(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
   }
   if (is_set(r.phi)) trace.angle("phi", r.phi, "sum over the stretches, with sign");
   r.F_bend = abs(in.F);
+  r.cycle = {Stresses::shear, r.tau_max};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 // Not covered: bending (see shaft.overhung), fatigue, notches, keyways, buckling of thin tubes.
 #pragma once
 
+#include "calculators/load/stress_cycle.hpp"
 #include "calculators/shaft/modes.hpp"
 #include "calculators/shaft/torque_diagram.hpp"
 #include "lib/calculator/field.hpp"
@@ -169,6 +170,7 @@ theta_adm = "0.004 rad/m"
     double phi = unset<double>, phi_max = unset<double>;
     double u_tau = unset<double>, u_theta = unset<double>;
     Force F_bend = unset<Force>;
+    StressCycle cycle;
     List<Stretch, most_stretches> segments;
     List<Section, most_stretches + 1> sections;
   };
@@ -193,6 +195,7 @@ theta_adm = "0.004 rad/m"
           "theta_adm"),
       Field{&Result::F_bend, "F_bend", N, "bending: transverse force, which torsion alone does not cover"}.limit(
           0, 1e-3, "F"),
+      Group{&Result::cycle, "cycle", "largest stress of the shaft, for fatigue.cycle: cycle"}.handed_over(),
       ListField{&Result::segments, "segments", "stretches of constant moment and diameter, left to right"},
       ListField{&Result::sections, "sections", "sections between the stretches"}};
 
@@ -229,7 +232,8 @@ theta_adm = "0.004 rad/m"
                                                   [](const Input& in) { return shown_by(is_set(in.F)); }}
                                           .judged_by("F_bend")
                                           .wanting("F")
-                                          .in_service()});
+                                          .in_service(),
+                                      fatigue_of_shaft<Input>().left_to("fatigue.cycle", "cycle.fatigue")});
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

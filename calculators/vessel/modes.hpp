@@ -14,16 +14,15 @@ namespace loadpath::vessel {
 template <class Input, class... Own>
 constexpr auto wall_modes(const char* strength, Own... own) {
   using M = Mode<Input>;
-  return std::array{
-      M{"strength", "yield of the wall", &always<Input>}.judged_by(strength),
-      own...,
-      M{"fatigue", "fatigue by cycles of the pressure", &unseen<Input>}.left_to("fatigue.cycle").in_service(),
-      M{"vacuum", "buckling under outside pressure or vacuum", &unseen<Input>}.special(),
-      M{"nozzles", "openings and nozzles", &unseen<Input>}.special(),
-      M{"supports", "bending at supports, junctions and edges", &unseen<Input>}.special(),
-      M{"test_pressure", "yield under the pressure of the test", &unseen<Input>}.special(),
-      M{"low_temperature", "brittle fracture at low temperature", &unseen<Input>}.special(),
-      M{"creep", "creep at high temperature", &unseen<Input>}.special()};
+  return std::array{M{"strength", "yield of the wall", &always<Input>}.judged_by(strength),
+                    own...,
+                    M{"fatigue", "fatigue by cycles of the pressure", &unseen<Input>}.in_service(),
+                    M{"vacuum", "buckling under outside pressure or vacuum", &unseen<Input>}.special(),
+                    M{"nozzles", "openings and nozzles", &unseen<Input>}.special(),
+                    M{"supports", "bending at supports, junctions and edges", &unseen<Input>}.special(),
+                    M{"test_pressure", "yield under the pressure of the test", &unseen<Input>}.special(),
+                    M{"low_temperature", "brittle fracture at low temperature", &unseen<Input>}.special(),
+                    M{"creep", "creep at high temperature", &unseen<Input>}.special()};
 }
 
 /// Where a wall is pressed, in one direction or both. It follows from the balance alone, whatever the thickness.

@@ -91,10 +91,7 @@ Message reason(const Mode& mode) {
     return mode.note.empty() ? say("{1}", mode.governs) : say("{1} {2}", mode.governs, mode.note);
   if (!mode.note.empty()) return mode.note;
   if (!mode.wants.empty()) return say("give {1}", mode.wants);
-  if (!mode.judge.empty()) {
-    return mode.state == State::open ? say("left to {1}", mode.judge)
-                                     : say("left to {1}, and no step takes the whole part", mode.judge);
-  }
+  if (!mode.judge.empty()) return say("left to {1}", mode.judge);
   return say("nothing in loadpath judges it");
 }
 

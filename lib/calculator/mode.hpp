@@ -25,6 +25,7 @@ struct ModeInfo {
   ModeKind kind = ModeKind::strength;
   const char* checks = "";  // the checks and limits that judge it, all of them: "u_F1, v_share", "segments.u_tau"
   const char* judge = "";   // the calculator that judges it; without checks and judge nothing does
+  const char* taken = "";   // how that judges it: modes of it, by the record that it takes, "sun_mesh.root_1"
   const char* wants = "";   // inputs that would let it be judged, where its checks do not tell
   bool by_service = false;  // unseen, it applies where what loads the part says that it turns or that the load varies
   bool by_rest = false;     // unseen, it applies where a load has companions that the step does not take
@@ -42,9 +43,12 @@ struct Mode : ModeInfo {
     mode.checks = all;
     return mode;
   }
-  [[nodiscard]] constexpr Mode left_to(const char* calculator) const {
+  /// Judged by steps of another calculator that take records of this part: all of `modes`, each behind the record,
+  /// "sun_mesh.root_2, ring_mesh.root_1".
+  [[nodiscard]] constexpr Mode left_to(const char* calculator, const char* modes) const {
     Mode mode = *this;
     mode.judge = calculator;
+    mode.taken = modes;
     return mode;
   }
   /// What to give so that it is judged: "sigma_adm_1".

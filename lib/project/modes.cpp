@@ -3,6 +3,7 @@
 #include "lib/project/accept.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace loadpath::project {
 
@@ -24,7 +25,94 @@ State unjudged(const ModeInfo& mode, Applies applies) {
   return waits ? State::open : State::not_judged;
 }
 
+/// "=epi.sun_mesh and =epi.ring_mesh": what a step takes that judges the mode.
+std::string records_of(const ModeInfo& left, const std::string& part) {
+  std::string all;
+  for (const std::string& key : listed_keys(left.taken)) {
+    const std::string record = "=" + part + "." + key.substr(0, key.find('.'));
+    if (all.find(record) == std::string::npos) all += (all.empty() ? "" : " and ") + record;
+  }
+  return all;
+}
+
+const ModeInfo* info_of(const Step& step, const std::string& mode) {
+  const auto& all = step.input().calculator->modes;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const ModeInfo& info) { return mode == info.id; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+/// Whether an input of the judge has what the part says of itself; what that leaves open is the judge's own.
+bool agrees(const Step& judge, const Step& part, const Member& member) {
+  const auto& inputs = judge.account().inputs;
+  const auto input =
+      std::find_if(inputs.begin(), inputs.end(), [&](const Entry& entry) { return entry.path == member.key; });
+  const bool has_field = find_field(judge.input().calculator->input->fields, member.key) != nullptr;
+  if (member.is_word) {
+    const std::string word = part.word(member.path);
+    return !has_field || word.empty() || (input != inputs.end() && input->word == word);
+  }
+  const Value* const value = part.value(member.path);
+  const bool open =
+      value == nullptr || std::all_of(value->si.begin(), value->si.end(), [](double x) { return std::isnan(x); });
+  return !has_field || open || (input != inputs.end() && input->value.si == value->si);
+}
+
+/// Whether the step has taken a record of the part, and kept it: what was typed in its place may be another part.
+bool takes(const Step& judge, const Step& part, const std::string& record) {
+  const auto& records = judge.input().reading.records;
+  if (std::none_of(records.begin(), records.end(),
+                   [&](const Taken& taken) { return taken.source == part.name() + "." + record; }))
+    return false;
+  const auto members = part.members(record);
+  return std::all_of(members.begin(), members.end(), [&](const Member& m) { return agrees(judge, part, m); });
+}
+
+/// The modes of a calculator's steps that judge what is left to it. A record that no such step takes leaves all of it
+/// open: nothing comes back.
+std::vector<const account::Mode*> judges_of(const ModeInfo& left, const Step& part, const Project& project) {
+  std::vector<const account::Mode*> judges;
+  for (const std::string& key : listed_keys(left.taken)) {
+    const std::size_t dot = key.find('.');
+    bool taken = false;
+    for (const auto& step : project.steps) {
+      if (step->input().calculator->id != std::string_view(left.judge)) continue;
+      if (!takes(*step, part, key.substr(0, dot))) continue;
+      taken = true;
+      for (const account::Mode& mode : step->account().modes) {
+        if (mode.id == key.substr(dot + 1)) judges.push_back(&mode);
+      }
+    }
+    if (!taken) return {};
+  }
+  return judges;
+}
+
+/// As the worst of its judges came out.
+void settle(account::Mode& mode, const std::vector<const account::Mode*>& judges) {
+  const account::Mode& worst = **std::max_element(judges.begin(), judges.end(), [](const auto* a, const auto* b) {
+    if (a->state != b->state) return rank(a->state) < rank(b->state);
+    return a->utilisation.value_or(-1.0) < b->utilisation.value_or(-1.0);
+  });
+  mode.state = worst.state;
+  mode.utilisation = worst.utilisation;
+  mode.wants.clear();
+  mode.note = say("by {1}.{2}: {3}", worst.step, worst.id, reason(worst));
+}
+
 }  // namespace
+
+void settle_left(Project& project) {
+  for (auto part = project.order.rbegin(); part != project.order.rend(); ++part) {  // judges first
+    Step& step = *project.steps[*part];
+    for (account::Mode& mode : step.modes()) {
+      const ModeInfo* const info = info_of(step, mode.id);
+      const bool waits = mode.state == State::open || mode.state == State::not_judged;
+      if (info == nullptr || *info->judge == '\0' || !waits) continue;
+      const auto judges = judges_of(*info, step, project);
+      if (!judges.empty()) settle(mode, judges);
+    }
+  }
+}
 
 bool names_row(std::string_view key, std::string_view symbol) {
   if (key.ends_with('*')) return symbol.starts_with(key.substr(0, key.size() - 1));
@@ -60,6 +148,8 @@ account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
     mode.wants = wants.empty() ? info.wants : std::move(wants);
     mode.judge = info.judge;
     if (mode.wants.empty() && *info.checks != '\0') mode.note = say("{1} has no value here", info.checks);
+    if (mode.state == State::not_judged && *info.judge != '\0')
+      mode.note = say("left to {1}, and no step of it takes {2} whole", info.judge, records_of(info, step.name()));
     if (rest)
       mode.note = say("not taken, though it comes with the load: {1}; judge it by hand: accept.{2} = \"...\"",
                       step.left_of_loads(), info.id);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lib/account/mode.hpp"
-#include "lib/project/step.hpp"
+#include "lib/project/project.hpp"
 
 #include <string>
 #include <string_view>
@@ -20,5 +20,9 @@ bool names_row(std::string_view key, std::string_view symbol);
 /// whether the rows judge it if they pass.
 account::Mode judged(const Step& step, const ModeInfo& mode, Applies applies,
                      const std::vector<const account::Verdict*>& rows, std::string wants, bool enough);
+
+/// When all steps are solved: modes that parts leave to another calculator come out as in the steps of it that have
+/// taken their records whole.
+void settle_left(Project& project);
 
 }  // namespace loadpath::project

@@ -2,6 +2,7 @@
 
 #include "lib/project/accept.hpp"
 #include "lib/project/factors.hpp"
+#include "lib/project/modes.hpp"
 #include "lib/project/order.hpp"
 #include "lib/project/parts.hpp"
 #include "lib/project/read/rows_file.hpp"
@@ -290,6 +291,7 @@ void solve(Project& project, std::vector<Issue>& issues, Wanted wanted) {
     if (!has_errors(issues)) project.steps[i]->solve(known, wanted, issues);
     if (has_errors(issues)) return;
   }
+  settle_left(project);
   for (const auto& step : project.steps) warn_of_idle_acceptances(*step, issues);
   hand_out_warnings(project, issues);
 }

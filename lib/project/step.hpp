@@ -112,6 +112,8 @@ class Step {
   [[nodiscard]] std::vector<std::pair<std::string, const Entry*>> within(const std::string& path) const;
 
   [[nodiscard]] const Account& account() const { return account_; }
+  /// What is said of its modes of failure, where other steps have a word in it.
+  [[nodiscard]] account::Modes& modes() { return account_.modes; }
   /// Whether what loads the part comes from something that turns, or varies: known when the project is read.
   [[nodiscard]] bool load_varies() const { return load_varies_; }
   void set_load_varies(bool varies) { load_varies_ = varies; }

@@ -37,6 +37,25 @@ bool is_named(const Calculator& calculator, const std::string& key) {
   });
 }
 
+/// What is left to another calculator names records of this one, and modes of that one, which takes a record.
+void check_left(const Calculator& calculator, const ModeInfo& mode) {
+  const auto keys = listed_keys(mode.taken);
+  CHECK_MESSAGE((*mode.judge == '\0') == keys.empty(), "the judge, and what of it judges");
+  const Calculator* const judge = find_calculator(calculators(), mode.judge);
+  for (const std::string& key : keys) {
+    const std::size_t dot = key.find('.');
+    REQUIRE_MESSAGE(dot != std::string::npos, key);
+    const FieldInfo* const record = find_field(calculator.result->fields, key.substr(0, dot));
+    CHECK_MESSAGE((record != nullptr && record->is_handed_over), key, " is no record that is handed over");
+    CHECK_MESSAGE(std::any_of(judge->modes.begin(), judge->modes.end(),
+                              [&](const ModeInfo& m) { return key.substr(dot + 1) == m.id; }),
+                  key, " is no mode of ", mode.judge);
+    CHECK_MESSAGE(std::any_of(judge->input->fields.begin(), judge->input->fields.end(),
+                              [](const FieldInfo& field) { return field.type == FieldInfo::Type::record; }),
+                  mode.judge, " takes no record");
+  }
+}
+
 }  // namespace
 
 TEST_SUITE("contract") {
@@ -52,6 +71,7 @@ TEST_SUITE("contract") {
         CHECK_MESSAGE((*mode.judge == '\0' || find_calculator(calculators(), mode.judge) != nullptr), mode.judge,
                       " is no calculator");
         CHECK_MESSAGE((*mode.checks == '\0' || *mode.judge == '\0'), "it is judged here, or left to another");
+        check_left(*c, mode);
         if (c->result == nullptr) continue;  // the aspects of a mechanism make its rows
         for (const std::string& key : listed_keys(mode.checks)) {
           const bool known = std::any_of(judges.begin(), judges.end(), [&](const auto& j) { return j.first == key; });

@@ -219,4 +219,60 @@ TEST_SUITE("project angles") {
     CHECK_FALSE(contains(says(motion + "omega = \"=10 rad/s*sin(pi/6)\"\n"), "bare number"));
     CHECK_FALSE(contains(says(motion + "omega = \"=10 rad/s*sin(30 deg)\"\n"), "bare number"));
   }
+
+  TEST_CASE("what a part leaves to another calculator comes out as there, where its record is taken whole") {
+    const std::string turning = axle + "d = \"40 mm\"\nT = \"100 N*m\"\nK_A = 1.5\n";
+    const std::string life = "[life]\ncalculator = \"fatigue.cycle\"\nr = -1\n";
+    const std::string limit = "sigma_D = \"60 MPa\"\nS_D = 1.5\n", taken = "cycle = \"=axle.cycle\"\n";
+    Solved alone(turning), apart(turning + life + limit + "sigma_max = \"=axle.tau_max\"\n");
+    CHECK(alone.mode("axle.fatigue").state == State::not_judged);
+    CHECK(account::reason(alone.mode("axle.fatigue")).text() ==
+          "left to fatigue.cycle, and no step of it takes =axle.cycle whole");
+    CHECK(apart.mode("axle.fatigue").state == State::not_judged);
+    Solved judged(turning + life + limit + taken);
+    REQUIRE_MESSAGE(!has_errors(judged.issues), judged.messages());
+    CHECK(judged.mode("axle.fatigue").state == State::pass);
+    CHECK(judged.mode("axle.fatigue").utilisation == judged.mode("life.fatigue").utilisation);
+    CHECK(account::reason(judged.mode("axle.fatigue")).text() == "by life.fatigue: u_D");
+    CHECK(judged.word("life.stress") == "shear");
+    CHECK(Solved(turning + life + "sigma_D = \"10 MPa\"\nS_D = 1.5\n" + taken).mode("axle.fatigue").state ==
+          State::fail);
+    CHECK(contains(account::reason(Solved(turning + life + taken).mode("axle.fatigue")).text(), "give sigma_D"));
+  }
+
+  TEST_CASE("a record that is taken and then changed settles nothing") {
+    const std::string turning = axle + "d = \"40 mm\"\nT = \"100 N*m\"\nK_A = 1.5\n";
+    const std::string life =
+        "[life]\ncalculator = \"fatigue.cycle\"\nr = -1\nsigma_D = \"60 MPa\"\nS_D = 1.5\n"
+        "cycle = \"=axle.cycle\"\n";
+    CHECK(Solved(turning + life + "sigma_max = \"1 MPa\"\n").mode("axle.fatigue").state == State::not_judged);
+    CHECK(Solved(turning + life + "stress = \"normal\"\n").mode("axle.fatigue").state == State::not_judged);
+  }
+
+  TEST_CASE("the teeth of a planetary set are judged by the pairs that take its meshes, the planet's by both") {
+    const std::string set =
+        "[set]\ncalculator = \"gear.planetary\"\nz_s = 24\nz_p = 24\nN_p = 3\nfixed = \"ring\"\nn_s = \"1500 rpm\"\n"
+        "T_s = \"90 N*m\"\nm_n = \"2.5 mm\"\n";
+    const std::string rest =
+        "b = \"30 mm\"\nsigma_adm_1 = \"200 MPa\"\naccept.pitting_1 = \"case hardened\"\n"
+        "accept.pitting_2 = \"case hardened\"\n";
+    const std::string with_sun =
+        "[with_sun]\ncalculator = \"gear.pair\"\npair = \"=set.sun_mesh\"\n"
+        "sigma_adm_2 = \"200 MPa\"\n" +
+        rest;
+    const std::string with_ring = "[with_ring]\ncalculator = \"gear.pair\"\npair = \"=set.ring_mesh\"\n" + rest;
+    Solved one(set + with_sun), both(set + with_sun + with_ring);
+    REQUIRE_MESSAGE(!has_errors(both.issues), both.messages());
+    CHECK(one.mode("set.teeth_sun").state == State::accepted);  // its root passes, its pitting is answered for
+    CHECK(one.mode("set.teeth_planet").state == State::not_judged);
+    CHECK(both.mode("set.teeth_planet").state == State::accepted);
+    CHECK(both.mode("set.teeth_ring").state == State::not_judged);  // Lewis does not know the teeth of a ring
+    CHECK(both.word("with_sun.idler") == "gear_2");
+    CHECK(both.word("with_ring.mesh") == "internal");
+    // A third of the torque each; against the carrier the sun turns by 72/96 of its speed.
+    CHECK(both.value("with_sun.T_1") == doctest::Approx(30.0));
+    CHECK(both.value("with_sun.n_1") == doctest::Approx(1500.0 * 0.75 * 2.0 * 3.14159265358979 / 60.0));
+    CHECK(both.value("with_ring.T_1") == doctest::Approx(30.0));  // the planet is as large as the sun
+    CHECK(both.value("with_sun.F_t") == doctest::Approx(both.value("set.F_t")));
+  }
 }

@@ -1,0 +1,31 @@
+// The largest stress of a part, for fatigue.cycle to take whole: cycle = "=shaft.cycle". How it varies is said there.
+#pragma once
+
+#include "lib/calculator/field.hpp"
+#include "lib/quantity/units.hpp"
+
+#include <array>
+#include <tuple>
+
+namespace loadpath {
+
+enum class Stresses { normal, shear };
+
+constexpr auto choices_of(Stresses) {
+  return std::array{ChoiceName<Stresses>{Stresses::normal, "normal", "normal stresses, sigma"},
+                    ChoiceName<Stresses>{Stresses::shear, "shear", "shear stresses: read tau for sigma"}};
+}
+
+/// A nominal stress, with the service factor.
+struct StressCycle {
+  Stresses stress = Stresses::normal;
+  Stress sigma_max = unset<Stress>;
+
+  static constexpr std::tuple fields{
+      Choice{&StressCycle::stress, "stress", "what varies"},
+      Field{&StressCycle::sigma_max, "sigma_max", MPa, "largest nominal stress, with the service factor"}
+          .load()
+          .holding("K_A")};
+};
+
+}  // namespace loadpath

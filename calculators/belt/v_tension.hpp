@@ -74,8 +74,8 @@ void measure(const VSection& section, V::Result& r, Tracer& trace) {
 
 template <class Tracer>
 void load_shafts(V::Result& r, Tracer& trace) {
-  STEP_TO(r, R_0, 2.0 * r.z * r.F_0 * cos(r.gamma), "shaft load at standstill");
-  STEP_TO(r, R_new, 2.0 * r.z * r.F_0_new * cos(r.gamma), "shaft load at standstill, new belts");
+  STEP_TO(r, R_0, 2.0 * r.z * r.F_0 * r.l_s / r.a, "two spans of every belt at standstill, along the line of centres");
+  STEP_TO(r, R_new, 2.0 * r.z * r.F_0_new * r.l_s / r.a, "the same of new belts");
   STEP(N_1, r.z * (r.S_1 - r.F_c), "tight spans: what presses the pulley");
   STEP(N_2, r.z * (r.S_2 - r.F_c), "slack spans: what presses the pulley");
   load_shaft(N_1, N_2, r.gamma, r, trace);

@@ -160,7 +160,7 @@ TEST_SUITE("fatigue.cycle") {
     fatigue::Cycle::Input in;
     in.sigma_max = 60.0 * MPa, in.sigma_min = -180.0 * MPa, in.R_e = 360.0 * MPa;
     CHECK(std::abs(cycle(in).u_y - 0.5) < 1e-12);
-    in.stress = fatigue::Stresses::shear;
+    in.stress = Stresses::shear;
     CHECK(std::abs(cycle(in).u_y - 0.5 * std::sqrt(3.0)) < 1e-12);
   }
 }

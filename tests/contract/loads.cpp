@@ -22,6 +22,7 @@ struct Reason {
 constexpr const char* is_whole = "it is the whole force on the body";
 constexpr const char* at_an_end =
     "a coupling takes it over; where a wheel sits, shafts tell its force beside the torque";
+constexpr const char* of_stress = "a stress holds what brings it";
 constexpr const char* balances = "the forces of the planets balance around the axis";
 constexpr std::array alone{
     Reason{"belt.v_sizing candidates.R_new", "a row to choose from; belt.v gives what loads the shafts"},
@@ -32,6 +33,9 @@ constexpr std::array alone{
     Reason{"gear.planetary T_c", balances},
     Reason{"gear.planetary T_r", balances},
     Reason{"gear.planetary F_t", "it loads a tooth; on the shaft of the sun the planets balance"},
+    Reason{"gear.planetary sun_mesh.T_1", "one mesh of several, for gear.pair; on the shaft of the sun they balance"},
+    Reason{"gear.planetary ring_mesh.T_1", "one mesh of several, for gear.pair; on the ring they balance"},
+    Reason{"shaft.torsion cycle.sigma_max", of_stress},
     Reason{"dynamics.force R", is_whole},
     Reason{"dynamics.force R_max", is_whole},
     Reason{"dynamics.impulse F_m", is_whole},
@@ -44,7 +48,6 @@ constexpr std::array alone{
 constexpr const char* of_a_body = "its bodies are rigid: loads move them and do not bend them";
 constexpr const char* of_a_drive = "power and torque pass through it; its results tell the forces on its shafts";
 constexpr const char* of_a_wall = "the pressure is the load of its wall, and comes alone";
-constexpr const char* of_stress = "a stress holds what brings it";
 constexpr const char* of_energy = "the moments about one axis are its energy; the shaft takes what comes along";
 constexpr std::array takes_alone{
     Reason{"drive.train", of_a_drive},

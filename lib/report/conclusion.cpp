@@ -27,8 +27,8 @@ const Mode* most_utilised(const Modes& modes) {
 }
 
 Message utilisation(const Mode& mode) {
-  return say("The highest utilisation is {1}: {2} {3}.", format_number(mode.utilisation.value_or(NAN), 3), mode.step,
-             mode.title);
+  return say("The highest utilisation is {1}, of {2}: {3}.", format_number(mode.utilisation.value_or(NAN), 3),
+             mode.step, mode.title);
 }
 
 Modes told(const Modes& modes) {

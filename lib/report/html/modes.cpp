@@ -10,7 +10,8 @@ namespace {
 std::string subject(const Mode& mode, const std::set<std::string>& anchors) {
   const std::string step = escaped(mode.step);
   const std::string linked = anchors.contains(mode.step) ? "<a href=\"#" + step + "\">" + step + "</a>" : step;
-  return linked + " " + escaped(mode.title.text()) + "<br><small>" + escaped(account::reason(mode).text()) + "</small>";
+  return linked + ": " + escaped(mode.title.text()) + "<br><small>" + escaped(account::reason(mode).text()) +
+         "</small>";
 }
 
 std::string value(const Mode& mode) {

@@ -62,7 +62,7 @@ std::string modes(const Modes& all) {
             {},
             {false, true, false}};
   for (const Mode& mode : told(all)) {
-    const std::string subject = mode.step + " " + mode.title.text() + "; " + account::reason(mode).text();
+    const std::string subject = mode.step + ": " + mode.title.text() + "; " + account::reason(mode).text();
     const std::string value = mode.utilisation ? format_number(*mode.utilisation, 3) : "–";
     grid.rows.push_back({text(subject), text(value), state(mode.state)});
   }

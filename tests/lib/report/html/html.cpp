@@ -130,7 +130,7 @@ TEST_SUITE("report") {
   TEST_CASE("the conclusion counts the modes by their state and names the highest utilisation") {
     Document document = shaft_document();
     CHECK(contains(html(document),
-                   "Of the one mode of failure: 1 pass. The highest utilisation is 0.83: shaft yield in torsion."));
+                   "Of the one mode of failure: 1 pass. The highest utilisation is 0.83, of shaft: yield in torsion."));
     document.summary.push_back(mode(1.274, State::fail));
     document.summary.push_back(mode(0.5, State::not_covered));
     CHECK(contains(html(document),
@@ -160,7 +160,7 @@ TEST_SUITE("report") {
   }
 
   TEST_CASE("a row of the summary leads to the heading of its step") {
-    CHECK(contains(html(shaft_document()), "<td class=\"subject\"><a href=\"#shaft\">shaft</a> yield in torsion<br>"));
+    CHECK(contains(html(shaft_document()), "<td class=\"subject\"><a href=\"#shaft\">shaft</a>: yield in torsion<br>"));
   }
 
   TEST_CASE("no text of a user becomes markup") {

@@ -1,0 +1,143 @@
+#include "lib/beam/beam.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace loadpath::beam {
+
+namespace {
+
+using Stiffness = std::array<std::array<double, 4>, 4>;
+
+/// Forces and couples on the two ends of a span per displacement and slope of them.
+Stiffness stiffness_of(const Span& span) {
+  const double l = span.l, phi = 12.0 * span.EI / (span.GA * l * l), c = span.EI / ((1.0 + phi) * l * l * l);
+  const double a = 12.0 * c, b = 6.0 * l * c, near = (4.0 + phi) * l * l * c, far = (2.0 - phi) * l * l * c;
+  return {{{a, b, -a, b}, {b, near, -b, far}, {-a, -b, a, -b}, {b, far, -b, near}}};
+}
+
+/// What an even load does to the two ends of a span that are held.
+std::array<double, 4> held(const Span& span, double q) {
+  return {q * span.l / 2.0, q * span.l * span.l / 12.0, q * span.l / 2.0, -q * span.l * span.l / 12.0};
+}
+
+}  // namespace
+
+Beam::Beam(std::vector<Span> spans, std::vector<Support> supports)
+    : spans_(std::move(spans)), supports_(std::move(supports)), factors_(2 * (spans_.size() + 1)) {
+  for (std::size_t s = 0; s < spans_.size(); ++s) {
+    const Stiffness k = stiffness_of(spans_[s]);
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) factors_.at(2 * s + i, 2 * s + j) += k[i][j];
+    }
+  }
+  for (const Support& support : supports_) {
+    if (support.k < rigid) factors_.at(2 * support.node, 2 * support.node) += support.k;
+  }
+  for (const Support& support : supports_) {
+    if (!(support.k < rigid)) factors_.fix(2 * support.node);
+  }
+  holds_ = factors_.factor();
+}
+
+std::optional<Beam> Beam::of(std::vector<Span> spans, std::vector<Support> supports) {
+  Beam beam(std::move(spans), std::move(supports));
+  if (!beam.holds_) return std::nullopt;
+  return beam;
+}
+
+Ends Beam::ends_of(std::size_t span, std::span<const double> u, double q) const {
+  const Stiffness k = stiffness_of(spans_[span]);
+  const std::array<double, 4> even = held(spans_[span], q);
+  std::array<double, 4> f{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) f[i] += k[i][j] * u[2 * span + j];
+    f[i] -= even[i];
+  }
+  return {{f[0], -f[1]}, {-f[2], f[3]}};
+}
+
+Bent Beam::bend(std::span<const Load> loads, std::span<const double> q) const {
+  std::vector<double> u(2 * nodes()), forces(nodes());
+  for (const Load& load : loads) {
+    u[2 * load.node] += load.F;
+    u[2 * load.node + 1] += load.M;
+    forces[load.node] += load.F;
+  }
+  for (std::size_t s = 0; s < q.size(); ++s) {
+    const std::array<double, 4> even = held(spans_[s], q[s]);
+    for (std::size_t i = 0; i < 4; ++i) u[2 * s + i] += even[i];
+  }
+  for (const Support& support : supports_) {
+    if (!(support.k < rigid)) u[2 * support.node] = 0.0;
+  }
+  factors_.solve(u);
+  Bent bent;
+  for (std::size_t n = 0; n < nodes(); ++n) bent.nodes.push_back({u[2 * n], u[2 * n + 1]});
+  for (std::size_t s = 0; s < spans_.size(); ++s) bent.spans.push_back(ends_of(s, u, s < q.size() ? q[s] : 0.0));
+  for (const Support& support : supports_) {
+    const double right = support.node < spans_.size() ? bent.spans[support.node].left.V : 0.0;
+    const double left = support.node > 0 ? bent.spans[support.node - 1].right.V : 0.0;
+    bent.reactions.push_back(right - left - forces[support.node]);
+  }
+  return bent;
+}
+
+std::vector<double> Beam::flexibilities() const {
+  std::vector<double> all, u(2 * nodes());
+  for (std::size_t n = 0; n < nodes(); ++n) {
+    const bool is_held = std::any_of(supports_.begin(), supports_.end(),
+                                     [&](const Support& s) { return s.node == n && !(s.k < rigid); });
+    std::fill(u.begin(), u.end(), 0.0);
+    u[2 * n] = is_held ? 0.0 : 1.0;
+    factors_.solve(u);
+    all.push_back(u[2 * n]);
+  }
+  return all;
+}
+
+namespace {
+
+/// The shape that the masses take when each is pushed in proportion to itself and to `shape`.
+std::vector<double> pushed(const Beam& beam, std::span<const double> masses, std::span<const double> shape) {
+  std::vector<Load> loads;
+  for (std::size_t n = 0; n < masses.size(); ++n) loads.push_back({n, masses[n] * shape[n], 0.0});
+  std::vector<double> v;
+  for (const Node& node : beam.bend(loads).nodes) v.push_back(node.v);
+  return v;
+}
+
+double product(std::span<const double> masses, std::span<const double> a, std::span<const double> b) {
+  double sum = 0.0;
+  for (std::size_t n = 0; n < masses.size(); ++n) sum += masses[n] * a[n] * b[n];
+  return sum;
+}
+
+}  // namespace
+
+Frequencies frequencies(const Beam& beam, std::span<const double> masses) {
+  Frequencies found;
+  std::vector<double> shape(masses.size(), 1.0);
+  std::vector<double> next = pushed(beam, masses, shape);
+  const double first = product(masses, next, next);
+  if (!(first > 0.0)) return found;
+  found.rayleigh = std::sqrt(product(masses, next, shape) / first);
+  const std::vector<double> own = beam.flexibilities();
+  double sum = 0.0;
+  for (std::size_t n = 0; n < masses.size(); ++n) sum += masses[n] * own[n];
+  found.dunkerley = 1.0 / std::sqrt(sum);
+  constexpr int most_rounds = 200;
+  for (int round = 0; round < most_rounds; ++round) {
+    const double size = std::sqrt(product(masses, next, next));
+    for (double& x : next) x /= size;
+    shape = std::exchange(next, {});
+    next = pushed(beam, masses, shape);
+    const double before = std::exchange(found.lowest, 1.0 / std::sqrt(product(masses, next, shape)));
+    if (std::abs(found.lowest - before) <= 1e-13 * found.lowest) break;
+  }
+  return found;
+}
+
+}  // namespace loadpath::beam

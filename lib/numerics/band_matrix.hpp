@@ -1,0 +1,65 @@
+// A symmetric positive definite matrix with few entries beside its diagonal, factored in place: beams, chains of
+// springs.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace loadpath::numerics {
+
+/// Entries lie at most `reach` beside the diagonal; of them the lower half is kept, row by row.
+template <std::size_t reach>
+class BandMatrix {
+ public:
+  explicit BandMatrix(std::size_t size) : rows_(size) {}
+
+  [[nodiscard]] std::size_t size() const { return rows_.size(); }
+  /// The entry of row i and column j, i - reach <= j <= i.
+  [[nodiscard]] double& at(std::size_t i, std::size_t j) { return rows_[i][reach + j - i]; }
+  [[nodiscard]] double at(std::size_t i, std::size_t j) const { return rows_[i][reach + j - i]; }
+
+  /// Makes row and column i those of the unit matrix: an unknown that is zero.
+  void fix(std::size_t i) {
+    rows_[i].fill(0.0);
+    rows_[i][reach] = 1.0;
+    for (std::size_t below = i + 1; below < size() && below <= i + reach; ++below) at(below, i) = 0.0;
+  }
+
+  /// L D L^T in place of the matrix. False where a pivot is no larger than `least` of its diagonal: it is not positive
+  /// definite, to rounding.
+  [[nodiscard]] bool factor(double least = 1e-12) {
+    for (std::size_t i = 0; i < size(); ++i) {
+      const double diagonal = at(i, i);
+      const std::size_t first = i - std::min(i, reach);
+      for (std::size_t j = first; j < i; ++j) {
+        for (std::size_t k = std::max(first, j - std::min(j, reach)); k < j; ++k) at(i, j) -= at(i, k) * at(j, k);
+      }
+      for (std::size_t j = first; j < i; ++j) {
+        const double scaled = at(i, j) / at(j, j);
+        at(i, i) -= scaled * at(i, j);
+        at(i, j) = scaled;
+      }
+      if (!(at(i, i) > least * diagonal)) return false;
+    }
+    return true;
+  }
+
+  /// The solution in place of the right-hand side, after `factor`.
+  void solve(std::span<double> x) const {
+    for (std::size_t i = 0; i < size(); ++i) {
+      for (std::size_t j = i - std::min(i, reach); j < i; ++j) x[i] -= at(i, j) * x[j];
+    }
+    for (std::size_t i = 0; i < size(); ++i) x[i] /= at(i, i);
+    for (std::size_t i = size(); i-- > 0;) {
+      for (std::size_t j = i - std::min(i, reach); j < i; ++j) x[j] -= at(i, j) * x[i];
+    }
+  }
+
+ private:
+  std::vector<std::array<double, reach + 1>> rows_;
+};
+
+}  // namespace loadpath::numerics

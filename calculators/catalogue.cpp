@@ -9,7 +9,7 @@
 namespace loadpath {
 
 // clang-format off
-namespace shaft { struct Torsion; struct Overhung; }
+namespace shaft { struct Torsion; struct Overhung; struct Design; }
 namespace section {
   struct Circle; struct Ring; struct Rectangle; struct I; struct Channel; struct Angle; struct Tee; struct Hollow;
   struct Polygon; struct BuiltUp;
@@ -44,6 +44,7 @@ static constexpr std::array all{
     Row{&erased<planar::Mechanism>, &planar::make_step},
     Row{&erased<shaft::Torsion>},
     Row{&erased<shaft::Overhung>},
+    Row{&erased<shaft::Design>},
     Row{&erased<section::Circle>},
     Row{&erased<section::Ring>},
     Row{&erased<section::Rectangle>},

@@ -24,7 +24,7 @@ void speeds(const Pair::Input& in, PairResult& r, Tracer& trace) {
 /// toward axis 2 where that is of a wheel, away from it where a ring is around gear 1.
 void hand_over(const Pair::Input& in, Moment T_1, PairResult& r) {
   const double K_A = in.K_A, to_2 = K_A * sign_of(in.mesh);
-  r.gear_1 = shaft_load(K_A * T_1, {to_2 * r.F_x1, to_2 * r.F_y1, K_A * r.F_z1}, r.d_w1, in.n_1);
+  r.gear_1 = shaft_load(K_A * T_1, {to_2 * r.F_x1, to_2 * r.F_y1, K_A * r.F_z1}, r.d_w1, in.n_1, sign_of(in.mesh));
   if (in.mesh == Mesh::rack) return;
   r.gear_2 = shaft_load(K_A * r.T_2, {-to_2 * r.F_x2, -to_2 * r.F_y2, K_A * r.F_z2}, r.d_w2, r.n_2);
 }

@@ -19,7 +19,7 @@ namespace loadpath {
 struct ShaftLoad {
   Moment T = unset<Moment>;
   Force F = unset<Force>, F_x = unset<Force>, F_y = unset<Force>, F_z = unset<Force>;
-  Length d_w = unset<Length>;
+  Length d_w = unset<Length>, x_w = unset<Length>;
   AngularSpeed n = unset<AngularSpeed>;
 
   static constexpr std::tuple fields{
@@ -38,6 +38,7 @@ struct ShaftLoad {
           .with("T, F|F_x|F_y")
           .holding("K_A"),
       Field{&ShaftLoad::d_w, "d_w", mm, "diameter that the forces act at"},
+      Field{&ShaftLoad::x_w, "x_w", mm, "from the axis to the point where the forces act, along x"},
       Field{&ShaftLoad::n, "n", rpm, "speed of the shaft"}};
 };
 
@@ -46,9 +47,10 @@ struct ShaftForces {
   Force x, y, z;
 };
 
-/// Of design loads, with the service factor.
-inline ShaftLoad shaft_load(Moment T, const ShaftForces& own, Length d_w, AngularSpeed n) {
-  return {abs(T), sqrt(own.x * own.x + own.y * own.y), own.x, own.y, own.z, d_w, n};
+/// Of design loads, with the service factor. `side`: -1 where they act on the side away from the mate, as on a wheel in
+/// a ring.
+inline ShaftLoad shaft_load(Moment T, const ShaftForces& own, Length d_w, AngularSpeed n, double side = 1.0) {
+  return {abs(T), sqrt(own.x * own.x + own.y * own.y), own.x, own.y, own.z, d_w, side * d_w / 2.0, n};
 }
 
 }  // namespace loadpath

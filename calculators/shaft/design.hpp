@@ -1,0 +1,246 @@
+// A shaft on its bearings: reactions, moments, deflection, slope, twist, strength and fatigue at every section, and the
+// first critical speed.
+//
+// Decides what the bearings carry and how the shaft bends in two planes, by beams with shear; the largest equivalent
+// stress of each section (von Mises) against yielding; the safety of each notch against fatigue of a turning shaft by
+// four schools, [Shigley7], with the fatigue limit of the part by Marin; slopes, deflection and the critical speed.
+// Axes: z along the shaft from its left end, X and Y across it, Y a quarter turn from X about z. Forces stand in space
+// while the shaft turns: bending alternates, axial stress stays, torsion runs from r_T T to T.
+// Not covered: forces that turn with the shaft, masses that whirl as discs, press fits but by a given K_t, life.
+#pragma once
+
+#include "calculators/fatigue/endurance.hpp"
+#include "calculators/shaft/design_result.hpp"
+#include "calculators/shaft/modes.hpp"
+#include "lib/calculator/heat_treatment.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
+
+#include <vector>
+
+namespace loadpath::shaft {
+
+enum class School { goodman, soderberg, gerber, elliptic };
+
+struct Design {
+  static constexpr auto id = "shaft.design";
+  static constexpr auto title = "Shaft on its bearings";
+  static constexpr auto scope =
+      "Reactions, moments, deflection, slope and twist of a shaft on two or more bearings, with what sits on it; yield "
+      "and fatigue of every section and notch; the first critical speed. Forces stand in space while the shaft turns.";
+  static constexpr auto source = "[Shigley6], [Shigley7], [Peterson], [Cowper], [Mises]";
+  static constexpr auto example = R"([project]
+title = "Shaft of a gear between its bearings"
+
+[shaft]
+calculator = "shaft.design"
+material = "C45E"
+n = "1450 rpm"
+pieces = [{ l = "60 mm", d = "30 mm" }, { l = "80 mm", d = "40 mm" }, { l = "60 mm", d = "30 mm" }]
+supports = [{ name = "left", x = "15 mm", holds = "both" }, { name = "right", x = "185 mm" }]
+seats = [
+  { name = "coupling", x = "0 mm", way = "balances" },
+  { name = "gear", x = "100 mm", T = "50 N*m", F_x = "-600 N", F_y = "1500 N" },
+]
+notches = [
+  { name = "left_shoulder", x = "60 mm", kind = "shoulder", r = "2 mm" },
+  { name = "right_shoulder", x = "140 mm", kind = "shoulder", r = "2 mm" },
+]
+S_F = 1.5
+S_D = 1.5
+r_T = 0
+)";
+
+  struct Input {
+    List<Piece, most_pieces> pieces;
+    List<Support, most_supports> supports;
+    List<Seat, most_seats> seats;
+    List<Notched, most_notches> notches;
+    AngularSpeed n = unset<AngularSpeed>;
+    double K_A = 1.0, k_max = 1.0, g_angle = unset<double>;
+    Stress E = unset<Stress>, G = unset<Stress>;
+    Density rho = unset<Density>;
+    Length d_h = unset<Length>;
+    Stress R_e = unset<Stress>, R_m = unset<Stress>;
+    double S_F = unset<double>, S_D = unset<double>, r_T = unset<double>;
+    School method = School::goodman;
+    fatigue::Endurance::Group group = fatigue::Endurance::Group::carbon_steel;
+    fatigue::Endurance::Finish finish = fatigue::Endurance::Finish::machined;
+    Stress sigma_W = unset<Stress>;
+    Length v_adm = unset<Length>;
+    Twist theta_adm = unset<Twist>;
+    double k_n = 1.25;
+  };
+  static constexpr std::tuple inputs{
+      ListField{&Input::pieces, "pieces", "cylinders from left to right"},
+      ListField{&Input::supports, "supports", "bearings"},
+      ListField{&Input::seats, "seats", "what sits on the shaft and loads it"}.may_be_missing(),
+      ListField{&Input::notches, "notches", "where stress concentrates"}.may_be_missing(),
+      Field{&Input::n, "n", rpm, "speed; a shaft without one stands still"}.positive().may_be_missing(),
+      Field{&Input::K_A, "K_A", ratio, "service factor on all loads: what they do not contain, once"}
+          .positive()
+          .usually(1, 4)
+          .factor(),
+      Field{&Input::k_max, "k_max", ratio, "largest load, of a start or a jam, over that in service; for yield"}
+          .at_least(1)
+          .usually(1, 5)
+          .factor(),
+      Field{&Input::g_angle, "g_angle", deg, "direction of weight from X to Y; missing: weight is not counted"}
+          .may_be_missing(),
+      Field{&Input::E, "E", GPa, "modulus of elasticity"}.positive().usually(1, 500).from("material", "E"),
+      Field{&Input::G, "G", GPa, "shear modulus"}.positive().usually(1, 500).from("material", "G"),
+      Field{&Input::rho, "rho", kg_per_m3, "density"}.positive().usually(500, 20000).from("material", "rho"),
+      diameter_at_heat_treatment(&Input::d_h),
+      Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_s"),
+      Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m", "d_s"),
+      Field{&Input::S_F, "S_F", ratio, "safety against yielding"}.at_least(1).usually(1, 6).may_be_missing().factor(),
+      Field{&Input::S_D, "S_D", ratio, "safety against fatigue, without end"}
+          .at_least(1)
+          .usually(1, 6)
+          .may_be_missing()
+          .factor(),
+      Field{&Input::r_T, "r_T", ratio, "least over largest torque: 1 steady, 0 with starts and stops, -1 reversing"}
+          .within(-1, 1)
+          .may_be_missing(),
+      Choice{&Input::method, "method", "school that decides over fatigue"}.may_be_missing(),
+      Choice{&Input::group, "group", "group of materials, for the fatigue limit"}.may_be_missing(),
+      Choice{&Input::finish, "finish", "surface"}.may_be_missing(),
+      Field{&Input::sigma_W, "sigma_W", MPa, "measured fatigue limit of smooth specimens in bending, r = -1"}
+          .positive()
+          .usually(10, 1500)
+          .may_be_missing(),
+      Field{&Input::v_adm, "v_adm", mm, "allowable deflection"}.positive().may_be_missing(),
+      Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
+          .positive()
+          .usually(0.02, 10)
+          .may_be_missing(),
+      Field{&Input::k_n, "k_n", ratio, "least critical speed over the speed; 1.25 is a custom"}
+          .at_least(1)
+          .usually(1.1, 2)
+          .factor()};
+
+  struct Result {
+    Length l = unset<Length>, d_max = unset<Length>, d_s = unset<Length>;
+    Mass mass = unset<Mass>;
+    Moment M_max = unset<Moment>, T_max = unset<Moment>;
+    Length v_max = unset<Length>;
+    Twist theta_max = unset<Twist>;
+    double phi = unset<double>;
+    AngularSpeed n_c = unset<AngularSpeed>, n_R = unset<AngularSpeed>, n_D = unset<AngularSpeed>;
+    double u_y = unset<double>, u_theta = unset<double>, u_n = unset<double>;
+    List<Carried, most_supports> bearings;
+    List<Seated, most_seats> seats;
+    List<Place, most_places> places;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::l, "l", mm, "length"},
+      Field{&Result::d_max, "d_max", mm, "largest diameter"},
+      Field{&Result::d_s, "d_s", mm, "diameter whose strength the material has: at heat treatment, else the largest"},
+      Field{&Result::mass, "mass", kg, "mass of the shaft itself"},
+      Field{&Result::M_max, "M_max", N_m, "largest bending moment"}.holding("K_A"),
+      Field{&Result::T_max, "T_max", N_m, "largest torque"}.holding("K_A"),
+      Field{&Result::v_max, "v_max", mm, "largest deflection"},
+      Field{&Result::theta_max, "theta_max", deg_per_m, "largest twist per length"},
+      Field{&Result::phi, "phi", deg, "largest twist between any two sections"},
+      Field{&Result::n_c, "n_c", rpm, "first critical speed in bending, of masses without the turning of discs"},
+      Field{&Result::n_R, "n_R", rpm, "the same by Rayleigh, never below it"},
+      Field{&Result::n_D, "n_D", rpm, "the same by Dunkerley, never above it"},
+      Field{&Result::u_y, "u_y", ratio, "deflection over the allowable one"}.check("v_adm"),
+      Field{&Result::u_theta, "u_theta", ratio, "twist per length over the allowable one"}.check("theta_adm"),
+      Field{&Result::u_n, "u_n", ratio, "critical speed: speed with its margin over it"}.check("n").where_it_applies(),
+      ListField{&Result::bearings, "bearings", "what each bearing carries"},
+      ListField{&Result::seats, "seats", "how the shaft moves where something sits on it"},
+      ListField{&Result::places, "places", "sections where something changes, left to right"}};
+
+  static bool on_shaft(const Input& in);
+  static FieldFault off_shaft(const Input& in);
+  static bool held(const Input& in);
+  static bool torques_close(const Input& in);
+  static FieldFault open_sum(const Input& in);
+  static bool thrust_is_held(const Input& in);
+  static bool bores_fit(const Input& in);
+  static bool notches_fit(const Input& in);
+  static FieldFault misfit(const Input& in);
+  static bool steps_are_notched(const Input& in);
+  static FieldFault bare_step(const Input& in);
+  static bool slopes_of_all(const Input& in);
+  static bool treated_thick(const Input& in);
+  static bool asks_fatigue(const Input& in) { return is_set(in.S_D); }
+  static constexpr std::array rules{
+      Rule<Input>{&held, "supports", "two bearings at least hold a shaft, at different places"},
+      Rule<Input>{&on_shaft, "supports, seats, notches, pieces", "what is on the shaft lies between its ends",
+                  &off_shaft},
+      Rule<Input>{&bores_fit, "pieces", "the bore of a piece is smaller than its diameter"},
+      Rule<Input>{&torques_close, "seats", "what drives the shaft and what it drives take the same torque", &open_sum},
+      Rule<Input>{&thrust_is_held, "seats, supports",
+                  "one bearing alone takes forces along the shaft: holds = \"both\""},
+      Rule<Input>{&notches_fit, "notches, pieces", "the notches fit the shaft", &misfit},
+      Rule<Input>{&steps_are_notched, "notches, pieces, S_D", "fatigue begins where the diameter changes", &bare_step},
+      Rule<Input>{&slopes_of_all, "supports", "give beta_adm of every bearing, or of none"},
+      Rule<Input>{&treated_thick, "d_h, pieces",
+                  "the diameter at heat treatment is not below that of the finished part"},
+      Rule<Input>{[](const Input& in) { return asks_fatigue(in) == is_set(in.r_T); }, "S_D, r_T",
+                  "fatigue needs the safety S_D and how the torque runs, r_T"},
+      Rule<Input>{[](const Input& in) { return !asks_fatigue(in) || is_set(in.R_m); }, "R_m, S_D",
+                  "fatigue needs the tensile strength R_m, or a material"},
+      Rule<Input>{[](const Input& in) { return !asks_fatigue(in) || is_set(in.R_e); }, "R_e, S_D",
+                  "fatigue needs the yield strength R_e, or a material"},
+      Rule<Input>{[](const Input& in) {
+                    return !asks_fatigue(in) || is_set(in.sigma_W) || in.group <= fatigue::Endurance::Group::cast_steel;
+                  },
+                  "sigma_W, group", "the rule for the fatigue limit is for steels: give sigma_W"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.S_F) || is_set(in.R_e); }, "S_F, R_e",
+                  "the safety S_F counts against the yield strength R_e: give it, or a material"},
+      Rule<Input>{[](const Input& in) { return is_set(in.E) && is_set(in.G); }, "E, G",
+                  "bending needs the moduli E and G, or a material"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.g_angle) || is_set(in.rho); }, "g_angle, rho",
+                  "its weight needs the density rho, or a material"}};
+
+  static Applies loaded(const Input& in) { return where(!in.seats.empty() || is_set(in.g_angle)); }
+  static Applies running(const Input& in) { return is_set(in.n) ? Applies::yes : Applies::unseen; }
+  static Applies tired(const Input& in) { return min(loaded(in), max(running(in), load_varies(in))); }
+  static Applies other_forces(const Input& in);
+  static constexpr std::array modes{
+      Mode<Input>{"yield", "yield of a section", &loaded}.judged_by("places.u_v"),
+      Mode<Input>{"fatigue", "fatigue of a notch or section", &tired}
+          .judged_by("places.u_D, places.x_b, places.x_t, places.x_d, places.x_n")
+          .wanting("S_D, r_T")
+          .in_service(),
+      Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
+      Mode<Input>{"deflection", "deflection", &loaded}.judged_by("u_y").of_service(),
+      Mode<Input>{"slope_bearings", "slope of the shaft in its bearings", &loaded}
+          .judged_by("bearings.u_beta")
+          .wanting("supports beta_adm")
+          .of_service(),
+      Mode<Input>{"slope_seats", "slope of the shaft under gears", &loaded}
+          .judged_by("seats.u_beta")
+          .wanting("seats beta_adm")
+          .of_service(),
+      Mode<Input>{"twist", "twist", &loaded}.judged_by("u_theta").of_service(),
+      Mode<Input>{"critical_bending", "critical speed in bending", &running}
+          .judged_by("u_n")
+          .wanting("rho")
+          .in_service(),
+      Mode<Input>{"critical_torsion", "critical speed in torsion", &unseen<Input>}.in_service(),
+      Mode<Input>{"bearings", "life and static safety of its bearings", &unseen<Input>}.in_service(),
+      Mode<Input>{"hub", "keys, press fits and splines of what sits on it", &unseen<Input>},
+      Mode<Input>{"turning_loads", "forces that turn with the shaft: unbalance, a crank", &unseen<Input>}.special(),
+      Mode<Input>{"brittle", "brittle fracture", &unseen<Input>}.special(),
+      Mode<Input>{"corrosion", "corrosion and fretting", &unseen<Input>}.special()};
+
+  static constexpr bool takes_series = false;
+  static constexpr bool turns = true;
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+constexpr auto choices_of(School) {
+  return std::array{
+      ChoiceName<School>{School::goodman, "goodman", "a line to the tensile strength"},
+      ChoiceName<School>{School::soderberg, "soderberg", "a line to the yield strength: on the safe side"},
+      ChoiceName<School>{School::gerber, "gerber", "a parabola to the tensile strength"},
+      ChoiceName<School>{School::elliptic, "elliptic", "an ellipse to the yield strength, of ASME"}};
+}
+
+}  // namespace loadpath::shaft

@@ -1,0 +1,198 @@
+#include "calculators/shaft/design_bending.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::shaft {
+
+namespace {
+
+using Input = Design::Input;
+
+constexpr double g_n = 9.80665;  // standard gravity, m/s^2
+constexpr double finest = 1e-9;  // of the length: what is nearer is one place
+constexpr double parts = 60.0;   // of the length, at least: deflection and masses between the places
+
+double area_of(const Piece& piece) {
+  const double d = in_si(piece.d), b = in_si(piece.d_bore);
+  return pi / 4.0 * (d * d - b * b);
+}
+
+double inertia_of(const Piece& piece) {
+  const double d = in_si(piece.d), b = in_si(piece.d_bore);
+  return pi / 64.0 * (d * d * d * d - b * b * b * b);
+}
+
+/// Stiffness in shear: that of the area over Cowper's factor, of a circle about 1.13, of a thin ring about 2.
+double shear_stiffness(const Input& in, const Piece& piece) {
+  const double nu = in_si(in.E) / (2.0 * in_si(in.G)) - 1.0, m = in_si(piece.d_bore) / in_si(piece.d);
+  const double a = (1.0 + m * m) * (1.0 + m * m);
+  const double k = 6.0 * (1.0 + nu) * a / ((7.0 + 6.0 * nu) * a + (20.0 + 12.0 * nu) * m * m);
+  return k * in_si(in.G) * area_of(piece);
+}
+
+std::vector<double> named_places(const Input& in) {
+  std::vector<double> x{0.0};
+  for (const Piece& piece : in.pieces) x.push_back(x.back() + in_si(piece.l));
+  for (const Support& support : in.supports) x.push_back(in_si(support.x));
+  for (const Seat& seat : in.seats) x.push_back(in_si(seat.x));
+  for (const Notched& notch : in.notches) x.push_back(in_si(notch.x));
+  std::sort(x.begin(), x.end());
+  return x;
+}
+
+std::size_t piece_at(const Input& in, double x) {
+  double end = 0.0;
+  for (std::size_t i = 0; i < in.pieces.size(); ++i) {
+    end += in_si(in.pieces[i].l);
+    if (x < end) return i;
+  }
+  return in.pieces.size() - 1;
+}
+
+beam::Beam beam_of(const Input& in, const Stations& stations) {
+  std::vector<beam::Span> spans;
+  for (std::size_t s = 0; s + 1 < stations.x.size(); ++s) {
+    const Piece& piece = in.pieces[stations.piece[s]];
+    spans.push_back({stations.x[s + 1] - stations.x[s], in_si(in.E) * inertia_of(piece), shear_stiffness(in, piece)});
+  }
+  std::vector<beam::Support> supports;
+  for (const Support& support : in.supports)
+    supports.push_back({stations.at(support.x), is_set(support.k) ? in_si(support.k) : beam::rigid});
+  return *beam::Beam::of(std::move(spans), std::move(supports));  // the rules have seen that it is held
+}
+
+/// One of two planes, whose direction is turned by `turned` from X: what of each load lies in it.
+beam::Bent bent(const Input& in, const Stations& stations, const beam::Beam& beam, double turned) {
+  std::vector<beam::Load> loads;
+  const double gravity = is_set(in.g_angle) ? g_n * std::cos(in.g_angle - turned) : 0.0;
+  for (const Seat& seat : in.seats) {
+    const double c = std::cos(seat.angle - turned), s = -std::sin(seat.angle - turned);
+    const double F = in.K_A * (in_si(seat.F_x) * c + in_si(seat.F_y) * s) + in_si(seat.mass) * gravity;
+    loads.push_back({stations.at(seat.x), F, -in.K_A * in_si(seat.F_z) * in_si(seat.x_w) * c});
+  }
+  std::vector<double> weight;
+  for (const std::size_t piece : stations.piece)
+    weight.push_back(is_set(in.g_angle) ? in_si(in.rho) * area_of(in.pieces[piece]) * gravity : 0.0);
+  return beam.bend(loads, weight);
+}
+
+/// What acts to the left of every span: of torques what drives, of forces along the shaft what pulls it to the left.
+void run_along(const Input& in, Loaded& loaded) {
+  const Stations& stations = loaded.stations;
+  std::vector<double> T(stations.x.size()), N(stations.x.size());
+  for (std::size_t i = 0; i < in.seats.size(); ++i) {
+    T[stations.at(in.seats[i].x)] += in.K_A * in_si(torque_of(in, i));
+    N[stations.at(in.seats[i].x)] -= in.K_A * in_si(in.seats[i].F_z);
+    loaded.thrust += in.K_A * in_si(in.seats[i].F_z);
+  }
+  for (const Support& support : in.supports) {
+    if (support.holds == Holds::both) N[stations.at(support.x)] += loaded.thrust;
+  }
+  loaded.phi.assign(1, 0.0);
+  double torque = 0.0, pull = 0.0;
+  for (std::size_t s = 0; s + 1 < stations.x.size(); ++s) {
+    loaded.T.push_back(torque += T[s]);
+    loaded.N.push_back(pull += N[s]);
+    const double I_p = 2.0 * inertia_of(in.pieces[stations.piece[s]]);
+    loaded.phi.push_back(loaded.phi.back() + torque * (stations.x[s + 1] - stations.x[s]) / (in_si(in.G) * I_p));
+  }
+}
+
+double larger(double a, double b) { return std::abs(a) < std::abs(b) ? b : a; }
+
+}  // namespace
+
+std::size_t Stations::at(Length place) const {
+  const double wanted = in_si(place);
+  const auto next = std::lower_bound(x.begin(), x.end(), wanted);
+  if (next == x.begin()) return 0;
+  if (next == x.end()) return x.size() - 1;
+  const auto index = static_cast<std::size_t>(next - x.begin());
+  return x[index] - wanted < wanted - x[index - 1] ? index : index - 1;
+}
+
+Stations stations_of(const Input& in) {
+  Stations stations;
+  const double length = in_si(length_of(in));
+  for (const double x : named_places(in)) {
+    if (stations.x.empty()) {
+      stations.x.push_back(x);
+      continue;
+    }
+    const double from = stations.x.back(), gap = x - from;
+    if (gap <= finest * length) continue;
+    const double count = std::ceil(gap / length * parts);
+    for (double k = 1.0; k <= count; ++k) stations.x.push_back(k < count ? from + gap * k / count : x);
+  }
+  for (std::size_t s = 0; s + 1 < stations.x.size(); ++s)
+    stations.piece.push_back(piece_at(in, (stations.x[s] + stations.x[s + 1]) / 2.0));
+  return stations;
+}
+
+Length length_of(const Input& in) {
+  Length sum = 0.0 * m.one;
+  for (const Piece& piece : in.pieces) sum += piece.l;
+  return sum;
+}
+
+Mass mass_of(const Input& in) {
+  double sum = 0.0;
+  for (const Piece& piece : in.pieces) sum += in_si(in.rho) * area_of(piece) * in_si(piece.l);
+  return from_si<Mass>(sum);
+}
+
+Moment torque_of(const Input& in, std::size_t seat) {
+  const auto given = [](const Seat& s) {
+    if (!is_set(s.T) || s.way == Way::balances) return 0.0 * N_m.one;
+    return s.way == Way::drives ? s.T : -s.T;
+  };
+  if (in.seats[seat].way != Way::balances) return given(in.seats[seat]);
+  Moment sum = 0.0 * N_m.one;
+  for (const Seat& s : in.seats) sum += given(s);
+  return -sum;
+}
+
+Felt Loaded::felt(std::size_t node) const {
+  const auto side = [&](std::size_t span, bool right_end) {
+    const auto& ends_x = x.spans[span];
+    const auto& ends_y = y.spans[span];
+    const beam::End& in_x = right_end ? ends_x.right : ends_x.left;
+    const beam::End& in_y = right_end ? ends_y.right : ends_y.left;
+    return Felt{in_x.M, in_y.M, std::hypot(in_x.V, in_y.V), N[span], T[span]};
+  };
+  if (node == 0) return side(0, false);
+  if (node == T.size()) return side(node - 1, true);
+  const Felt left = side(node - 1, true), right = side(node, false);
+  const bool more_left = std::hypot(left.M_x, left.M_y) > std::hypot(right.M_x, right.M_y);
+  const Felt& bent_more = more_left ? left : right;
+  return {bent_more.M_x, bent_more.M_y, std::max(left.V, right.V), larger(left.N, right.N), larger(left.T, right.T)};
+}
+
+double Loaded::deflection(std::size_t node) const { return std::hypot(x.nodes[node].v, y.nodes[node].v); }
+double Loaded::slope(std::size_t node) const { return std::hypot(x.nodes[node].slope, y.nodes[node].slope); }
+
+Loaded loaded_shaft(const Input& in) {
+  Loaded loaded;
+  loaded.stations = stations_of(in);
+  const beam::Beam beam = beam_of(in, loaded.stations);
+  loaded.x = bent(in, loaded.stations, beam, 0.0);
+  loaded.y = bent(in, loaded.stations, beam, pi / 2.0);
+  run_along(in, loaded);
+  return loaded;
+}
+
+beam::Frequencies critical_speeds(const Input& in) {
+  const Stations stations = stations_of(in);
+  std::vector<double> masses(stations.x.size());
+  for (std::size_t s = 0; s + 1 < stations.x.size(); ++s) {
+    const double half =
+        in_si(in.rho) * area_of(in.pieces[stations.piece[s]]) * (stations.x[s + 1] - stations.x[s]) / 2.0;
+    masses[s] += half;
+    masses[s + 1] += half;
+  }
+  for (const Seat& seat : in.seats) masses[stations.at(seat.x)] += in_si(seat.mass);
+  return beam::frequencies(beam_of(in, stations), masses);
+}
+
+}  // namespace loadpath::shaft

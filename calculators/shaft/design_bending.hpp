@@ -1,0 +1,46 @@
+// The shaft as a beam in two planes: where its nodes are, what its bearings carry, and what every section feels.
+#pragma once
+
+#include "calculators/shaft/design.hpp"
+#include "lib/beam/beam.hpp"
+
+#include <vector>
+
+namespace loadpath::shaft {
+
+/// The places where something changes, and points between them; the piece of every span. SI.
+struct Stations {
+  std::vector<double> x;
+  std::vector<std::size_t> piece;  // of the span to the right of each x but the last
+
+  [[nodiscard]] std::size_t at(Length place) const;  // the nearest
+};
+Stations stations_of(const Design::Input& in);
+
+/// What a section feels, of both sides the larger: planes X and Y, along the shaft and around it.
+struct Felt {
+  double M_x = 0.0, M_y = 0.0, V = 0.0, N = 0.0, T = 0.0;
+};
+
+/// The shaft under all of its loads, with the service factor.
+struct Loaded {
+  Stations stations;
+  beam::Bent x, y;
+  std::vector<double> T, N;  // of every span
+  std::vector<double> phi;   // twist of every node against the first
+  double thrust = 0.0;       // that the fixed bearing takes, signed
+  [[nodiscard]] Felt felt(std::size_t node) const;
+  [[nodiscard]] double deflection(std::size_t node) const;
+  [[nodiscard]] double slope(std::size_t node) const;
+};
+Loaded loaded_shaft(const Design::Input& in);
+
+/// Of the shaft and what sits on it.
+beam::Frequencies critical_speeds(const Design::Input& in);
+
+Length length_of(const Design::Input& in);
+Mass mass_of(const Design::Input& in);
+/// What the seat gives to the shaft: positive where it drives.
+Moment torque_of(const Design::Input& in, std::size_t seat);
+
+}  // namespace loadpath::shaft

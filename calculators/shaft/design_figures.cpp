@@ -1,0 +1,71 @@
+// The shaft from the side, with bearings and seats, and its diagrams along it.
+#include "calculators/shaft/design_bending.hpp"
+
+namespace loadpath::shaft {
+
+namespace {
+
+draw::Curve along(const Loaded& loaded, const char* label, double (*of)(const Loaded&, std::size_t span, bool right)) {
+  draw::Curve curve{label, {}, {}, true};
+  for (std::size_t s = 0; s + 1 < loaded.stations.x.size(); ++s) {
+    curve.x.insert(curve.x.end(), {loaded.stations.x[s], loaded.stations.x[s + 1]});
+    curve.y.insert(curve.y.end(), {of(loaded, s, false), of(loaded, s, true)});
+  }
+  return curve;
+}
+
+draw::Figure diagram(const char* id, const char* caption, draw::Scale up, std::vector<draw::Curve> curves) {
+  draw::Plot plot;
+  plot.x = {"z", "place along the shaft", "mm"};
+  plot.y = std::move(up);
+  plot.curves = std::move(curves);
+  return {id, caption, std::move(plot)};
+}
+
+double moment_x(const Loaded& l, std::size_t s, bool right) {
+  return right ? l.x.spans[s].right.M : l.x.spans[s].left.M;
+}
+double moment_y(const Loaded& l, std::size_t s, bool right) {
+  return right ? l.y.spans[s].right.M : l.y.spans[s].left.M;
+}
+double force_x(const Loaded& l, std::size_t s, bool right) {
+  return right ? l.x.spans[s].right.V : l.x.spans[s].left.V;
+}
+double force_y(const Loaded& l, std::size_t s, bool right) {
+  return right ? l.y.spans[s].right.V : l.y.spans[s].left.V;
+}
+double torque(const Loaded& l, std::size_t s, bool) { return l.T[s]; }
+
+draw::Figure side(const Design::Input& in) {
+  draw::Shaft shaft;
+  for (const Piece& piece : in.pieces) shaft.parts.push_back({in_si(piece.l), in_si(piece.d), in_si(piece.d_bore)});
+  for (std::size_t i = 0; i < in.seats.size(); ++i) {
+    const double T = in_si(torque_of(in, i));
+    if (T != 0.0) shaft.torques.push_back({in_si(in.seats[i].x), T, std::string(in.seats[i].name.view())});
+  }
+  return {"shaft", "The shaft from the side, with its torques", std::move(shaft)};
+}
+
+draw::Figure elastic_line(const Loaded& loaded) {
+  draw::Curve x{"v_X", loaded.stations.x, {}}, y{"v_Y", loaded.stations.x, {}};
+  for (std::size_t n = 0; n < loaded.stations.x.size(); ++n) {
+    x.y.push_back(loaded.x.nodes[n].v);
+    y.y.push_back(loaded.y.nodes[n].v);
+  }
+  return diagram("elastic-line", "The elastic line in both planes", {"v", "deflection", "mm"}, {x, y});
+}
+
+}  // namespace
+
+std::vector<draw::Figure> Design::figures(const Input& in, const Result&) {
+  const Loaded loaded = loaded_shaft(in);
+  return {side(in),
+          diagram("transverse-force", "Transverse force in both planes", {"V", "transverse force", "N"},
+                  {along(loaded, "V_X", &force_x), along(loaded, "V_Y", &force_y)}),
+          diagram("bending-moment", "Bending moment in both planes", {"M", "bending moment", "N*m"},
+                  {along(loaded, "M_X", &moment_x), along(loaded, "M_Y", &moment_y)}),
+          diagram("torque-diagram", "Torque diagram", {"T", "torque", "N*m"}, {along(loaded, "T", &torque)}),
+          elastic_line(loaded)};
+}
+
+}  // namespace loadpath::shaft

@@ -1,0 +1,117 @@
+// What a shaft is made of and what sits on it: pieces, bearings, seats, notches.
+#pragma once
+
+#include "lib/calculator/field.hpp"
+#include "lib/quantity/drive_units.hpp"
+#include "lib/quantity/units.hpp"
+
+#include <array>
+#include <tuple>
+
+namespace loadpath::shaft {
+
+/// A cylinder of the shaft.
+struct Piece {
+  Name name;
+  Length l = unset<Length>, d = unset<Length>;
+  Length d_bore = 0.0 * mm;
+  static constexpr std::tuple fields{NameField{&Piece::name, "name", "what the piece is"}.may_be_missing(),
+                                     Field{&Piece::l, "l", mm, "length"}.positive(),
+                                     Field{&Piece::d, "d", mm, "outer diameter"}.positive().usually(1, 2000),
+                                     Field{&Piece::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0)};
+};
+
+enum class Holds { radial, both };
+
+/// A bearing, in both planes alike.
+struct Support {
+  Name name;
+  Length x = unset<Length>;
+  Holds holds = Holds::radial;
+  Stiffness k = unset<Stiffness>;
+  double beta_adm = unset<double>;
+  static constexpr std::tuple fields{
+      NameField{&Support::name, "name", "name of the bearing"}.may_be_missing(),
+      Field{&Support::x, "x", mm, "its middle, from the left end of the shaft"}.at_least(0),
+      Choice{&Support::holds, "holds", "what the bearing takes"}.may_be_missing(),
+      Field{&Support::k, "k", N_per_mm, "radial stiffness of bearing and housing; missing: rigid"}
+          .positive()
+          .may_be_missing(),
+      Field{&Support::beta_adm, "beta_adm", deg, "allowable slope of the shaft in it"}
+          .positive()
+          .usually(0.005, 5)
+          .may_be_missing()};
+};
+
+enum class Way { takes, drives, balances };
+
+/// What sits on the shaft and loads it: a gear, a pulley, a sprocket, a coupling, a weight.
+struct Seat {
+  Name name;
+  Length x = unset<Length>;
+  Way way = Way::takes;
+  Moment T = unset<Moment>;
+  double angle = 0.0;
+  Force F_x = 0.0 * N.one, F_y = 0.0 * N.one, F_z = 0.0 * N.one;
+  Length x_w = 0.0 * mm;
+  Mass mass = 0.0 * kg.one;
+  double beta_adm = unset<double>;
+  static constexpr std::tuple fields{
+      NameField{&Seat::name, "name", "what sits there"}.may_be_missing(),
+      Field{&Seat::x, "x", mm, "its middle, from the left end of the shaft"}.at_least(0),
+      RecordField<Seat>{"load", "gear, belt, chain or drive that sits there, whole: load = \"=gears.gear_2\""},
+      Choice{&Seat::way, "way", "what it does with the torque"}.may_be_missing(),
+      Field{&Seat::T, "T", N_m, "its torque"}.load().at_least(0).may_be_missing(),
+      Field{&Seat::angle, "angle", deg, "direction to its mate, or of the pull: F_x against X, from X to Y"},
+      Field{&Seat::F_x, "F_x", N, "force toward its mate, or along the pull; negative away from it"}.load(),
+      Field{&Seat::F_y, "F_y", N, "force across, a quarter turn further"}.load(),
+      Field{&Seat::F_z, "F_z", N, "force along the shaft, positive to the right"}.load(),
+      Field{&Seat::x_w, "x_w", mm, "from the axis to the point where the forces act, toward the mate"},
+      Field{&Seat::mass, "mass", kg, "mass, for the critical speed, and the weight where that counts"}.at_least(0),
+      Field{&Seat::beta_adm, "beta_adm", deg, "allowable slope of the shaft under it"}
+          .positive()
+          .usually(0.005, 5)
+          .may_be_missing()};
+};
+
+enum class Notch { shoulder, groove, keyway, given };
+
+/// A place where stress concentrates.
+struct Notched {
+  Name name;
+  Length x = unset<Length>;
+  Notch kind = Notch::shoulder;
+  Length r = unset<Length>, t = unset<Length>;
+  double K_t = unset<double>, K_ts = unset<double>;
+  static constexpr std::tuple fields{
+      NameField{&Notched::name, "name", "what it is"}.may_be_missing(),
+      Field{&Notched::x, "x", mm, "place, from the left end of the shaft; of a keyway its end"}.at_least(0),
+      Choice{&Notched::kind, "kind", "kind of notch"},
+      Field{&Notched::r, "r", mm, "radius of its root; of a keyway missing: 0.02 d"}
+          .positive()
+          .usually(0.1, 100)
+          .may_be_missing(),
+      Field{&Notched::t, "t", mm, "depth of a groove"}.positive().may_be_missing(),
+      Field{&Notched::K_t, "K_t", ratio, "stress concentration in bending, on the net section, of a given notch"}
+          .within(1, 10)
+          .may_be_missing(),
+      Field{&Notched::K_ts, "K_ts", ratio, "the same in torsion"}.within(1, 10).may_be_missing()};
+};
+
+constexpr auto choices_of(Holds) {
+  return std::array{ChoiceName<Holds>{Holds::radial, "radial", "forces across the shaft: a floating bearing"},
+                    ChoiceName<Holds>{Holds::both, "both", "forces across and along: the fixed bearing"}};
+}
+constexpr auto choices_of(Way) {
+  return std::array{ChoiceName<Way>{Way::takes, "takes", "takes the torque from the shaft"},
+                    ChoiceName<Way>{Way::drives, "drives", "drives the shaft"},
+                    ChoiceName<Way>{Way::balances, "balances", "gives or takes what the others leave: a coupling"}};
+}
+constexpr auto choices_of(Notch) {
+  return std::array{ChoiceName<Notch>{Notch::shoulder, "shoulder", "fillet of radius r where the diameter changes"},
+                    ChoiceName<Notch>{Notch::groove, "groove", "round groove of depth t and radius r"},
+                    ChoiceName<Notch>{Notch::keyway, "keyway", "end of a keyway, end-milled"},
+                    ChoiceName<Notch>{Notch::given, "given", "anything else, by its K_t, K_ts and r"}};
+}
+
+}  // namespace loadpath::shaft

@@ -1,0 +1,94 @@
+// What is found of a shaft between its bearings: what they carry, how it bends, how each section stands.
+#pragma once
+
+#include "calculators/shaft/design_parts.hpp"
+#include "lib/calculator/list.hpp"
+
+namespace loadpath::shaft {
+
+inline constexpr std::size_t most_pieces = 32, most_supports = 8, most_seats = 24, most_notches = 32;
+inline constexpr std::size_t most_places = most_pieces + 1 + most_supports + most_seats + most_notches;
+
+/// What a bearing carries, for bearing calculators to take whole.
+struct Carried {
+  Name name;
+  Length x = unset<Length>;
+  Force R_x = unset<Force>, R_y = unset<Force>, F_r = unset<Force>, F_a = unset<Force>;
+  AngularSpeed n = unset<AngularSpeed>;
+  double beta = unset<double>, u_beta = unset<double>;
+  static constexpr std::tuple fields{
+      NameField{&Carried::name, "name", "name of the bearing"},
+      Field{&Carried::x, "x", mm, "its place"},
+      Field{&Carried::R_x, "R_x", N, "force on the shaft along X"}.load().with("R_y, F_a").holding("K_A"),
+      Field{&Carried::R_y, "R_y", N, "force on the shaft along Y"}.load().with("R_x, F_a").holding("K_A"),
+      Field{&Carried::F_r, "F_r", N, "radial load of the bearing"}.load().with("F_a").holding("K_A"),
+      Field{&Carried::F_a, "F_a", N, "axial load of the bearing"}.load().with("F_r").holding("K_A"),
+      Field{&Carried::n, "n", rpm, "speed of the shaft"},
+      Field{&Carried::beta, "beta", deg, "slope of the shaft in it"},
+      Field{&Carried::u_beta, "u_beta", ratio, "slope over the allowable one"}.check().where_it_applies()};
+};
+
+/// How the shaft moves where something sits on it.
+struct Seated {
+  Name name;
+  Length x = unset<Length>, v = unset<Length>;
+  double beta = unset<double>, u_beta = unset<double>;
+  static constexpr std::tuple fields{
+      NameField{&Seated::name, "name", "what sits there"}, Field{&Seated::x, "x", mm, "its place"},
+      Field{&Seated::v, "v", mm, "deflection"}, Field{&Seated::beta, "beta", deg, "slope"},
+      Field{&Seated::u_beta, "u_beta", ratio, "slope over the allowable one"}.check().where_it_applies()};
+};
+
+/// A place of the shaft: the thinner of its two sides, with the larger moments.
+struct Place {
+  Name name;
+  Length x = unset<Length>, d = unset<Length>, d_bore = unset<Length>;
+  Force N = unset<Force>;
+  Moment M_x = unset<Moment>, M_y = unset<Moment>, M = unset<Moment>, T = unset<Moment>;
+  Stress sigma_b = unset<Stress>, sigma_n = unset<Stress>, tau = unset<Stress>, sigma_v = unset<Stress>;
+  double u_v = unset<double>;
+  double K_t = unset<double>, K_ts = unset<double>, K_f = unset<double>, K_fs = unset<double>;
+  Stress S_e = unset<Stress>, sigma_a = unset<Stress>, sigma_m = unset<Stress>;
+  double n_Goodman = unset<double>, n_Soderberg = unset<double>, n_Gerber = unset<double>, n_elliptic = unset<double>;
+  double u_D = unset<double>;
+  double x_b = unset<double>, x_t = unset<double>, x_d = unset<double>, x_n = unset<double>;
+  static constexpr std::tuple fields{
+      NameField{&Place::name, "name", "what is there"},
+      Field{&Place::x, "x", mm, "place"},
+      Field{&Place::d, "d", mm, "outer diameter, of a groove the net one"},
+      Field{&Place::d_bore, "d_bore", mm, "bore"},
+      Field{&Place::N, "N", loadpath::N, "force along the shaft, tension positive"},
+      Field{&Place::M_x, "M_x", N_m, "bending moment in the plane of X"},
+      Field{&Place::M_y, "M_y", N_m, "bending moment in the plane of Y"},
+      Field{&Place::M, "M", N_m, "bending moment of both planes"},
+      Field{&Place::T, "T", N_m, "torque, signed"},
+      Field{&Place::sigma_b, "sigma_b", MPa, "bending stress"},
+      Field{&Place::sigma_n, "sigma_n", MPa, "stress of the force along the shaft, signed"},
+      Field{&Place::tau, "tau", MPa, "torsional stress"},
+      Field{&Place::sigma_v, "sigma_v", MPa, "largest equivalent stress, by von Mises"},
+      Field{&Place::u_v, "u_v", ratio, "yield: largest equivalent stress over the allowable one"}.check("S_F"),
+      Field{&Place::K_t, "K_t", ratio, "stress concentration in bending"},
+      Field{&Place::K_ts, "K_ts", ratio, "stress concentration in torsion"},
+      Field{&Place::K_f, "K_f", ratio, "fatigue notch factor in bending"},
+      Field{&Place::K_fs, "K_fs", ratio, "fatigue notch factor in torsion"},
+      Field{&Place::S_e, "S_e", MPa, "fatigue limit of the part without its notch"},
+      Field{&Place::sigma_a, "sigma_a", MPa, "equivalent amplitude, notches counted"},
+      Field{&Place::sigma_m, "sigma_m", MPa, "equivalent mean stress, notches counted"},
+      Field{&Place::n_Goodman, "n_Goodman", ratio, "safety against fatigue by Goodman"},
+      Field{&Place::n_Soderberg, "n_Soderberg", ratio, "safety against fatigue by Soderberg"},
+      Field{&Place::n_Gerber, "n_Gerber", ratio, "safety against fatigue by Gerber"},
+      Field{&Place::n_elliptic, "n_elliptic", ratio, "safety against fatigue by the ellipse of ASME"},
+      Field{&Place::u_D, "u_D", ratio, "fatigue: safety that is asked for over that of the method"}.check("S_D"),
+      Field{&Place::x_b, "x_b", ratio, "height over radius of the notch within its fit in bending: 0 least, 1 largest"}
+          .limit(-1e-9, 1 + 1e-9)
+          .where_it_applies(),
+      Field{&Place::x_t, "x_t", ratio, "the same within its fit in torsion"}.limit(-1e-9, 1 + 1e-9).where_it_applies(),
+      Field{&Place::x_d, "x_d", ratio, "d within the range of the size factor: 0 least, 1 largest"}
+          .limit(0, 1 + 1e-9)
+          .where_it_applies(),
+      Field{&Place::x_n, "x_n", ratio, "R_m within the range of Neuber's constant: 0 least, 1 largest"}
+          .limit(0, 1)
+          .where_it_applies()};
+};
+
+}  // namespace loadpath::shaft

@@ -1,0 +1,190 @@
+// What shaft.design asks of its input beyond the bounds of its fields.
+#include "calculators/shaft/design_bending.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace loadpath::shaft {
+
+namespace {
+
+using Input = Design::Input;
+
+constexpr double same = 1e-6;  // of the length: places that are meant to be one
+
+bool are_one(const Input& in, Length a, Length b) { return abs(a - b) <= same * length_of(in); }
+
+/// "seats.gear.x", "seats[2].x".
+template <class Elements>
+std::string place_of(const char* list, const Elements& all, std::size_t i, const char* key) {
+  const Name& name = all[i].name;
+  return name.empty() ? std::string(list) + "[" + std::to_string(i + 1) + "]." + key
+                      : std::string(list) + "." + std::string(name.view()) + "." + key;
+}
+
+/// Calls with the key and the place of everything that is on the shaft, until one call is true.
+template <class Found>
+bool find_place(const Input& in, const Found& found) {
+  const auto in_list = [&](const char* list, const auto& all) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (found(place_of(list, all, i, "x"), all[i].x)) return true;
+    }
+    return false;
+  };
+  return in_list("supports", in.supports) || in_list("seats", in.seats) || in_list("notches", in.notches);
+}
+
+bool is_off(const Input& in, Length x) { return !(x <= (1.0 + same) * length_of(in)); }
+
+/// The ends of the pieces within the shaft where the outer diameter changes, until a call is true.
+template <class Found>
+bool find_step(const Input& in, const Found& found) {
+  Length x = 0.0 * mm;
+  for (std::size_t i = 0; i + 1 < in.pieces.size(); ++i) {
+    x += in.pieces[i].l;
+    const Length d = in.pieces[i].d, next = in.pieces[i + 1].d;
+    if (d != next && found(x, min(d, next), max(d, next))) return true;
+  }
+  return false;
+}
+
+Moment balance(const Input& in) {
+  Moment sum = 0.0 * N_m.one;
+  for (std::size_t i = 0; i < in.seats.size(); ++i) sum += torque_of(in, i);
+  return sum;
+}
+
+std::ptrdiff_t count_balancing(const Input& in) {
+  return std::count_if(in.seats.begin(), in.seats.end(), [](const Seat& s) { return s.way == Way::balances; });
+}
+
+const Piece& piece_at(const Input& in, Length x) {
+  Length end = 0.0 * mm;
+  for (const Piece& piece : in.pieces) {
+    end += piece.l;
+    if (x < end) return piece;
+  }
+  return in.pieces.back();
+}
+
+std::string format(Length x) { return format_quantity(in_si(x), mm.symbol); }
+
+/// What is wrong with a notch; empty where nothing is.
+Message fault_of(const Input& in, const Notched& notch) {
+  const bool by_fit = notch.kind == Notch::shoulder || notch.kind == Notch::groove;
+  const Piece& piece = piece_at(in, notch.x);
+  if (by_fit && !is_set(notch.r)) return say("this notch needs the radius r of its root");
+  if ((notch.kind == Notch::groove) != is_set(notch.t)) return say("a groove has a depth t, and nothing else has");
+  if ((notch.kind == Notch::given) != is_set(notch.K_t) || is_set(notch.K_t) != is_set(notch.K_ts))
+    return say("K_t and K_ts go together, with kind = \"given\" alone");
+  if (by_fit && piece.d_bore > 0.0 * mm) return say("the charts are of solid shafts: of a bored one give K_t and K_ts");
+  if (notch.kind == Notch::groove && !(2.0 * notch.t < piece.d)) return say("the groove is deeper than the shaft");
+  if (notch.kind == Notch::given && notch.K_t > 1.0 && !is_set(notch.r))
+    return say("a given notch needs the radius r of its root, for the sensitivity to it");
+  const bool at_step = find_step(in, [&](Length x, Length, Length) { return are_one(in, x, notch.x); });
+  if (notch.kind == Notch::shoulder && !at_step) return say("the diameter does not change at {1}", format(notch.x));
+  if (notch.kind != Notch::shoulder && notch.kind != Notch::given && at_step)
+    return say("at {1} the diameter changes: a notch of both is one given by K_t and K_ts", format(notch.x));
+  return {};
+}
+
+}  // namespace
+
+bool Design::held(const Input& in) {
+  return std::any_of(in.supports.begin(), in.supports.end(),
+                     [&](const Support& s) { return !are_one(in, s.x, in.supports.front().x); });
+}
+
+bool Design::on_shaft(const Input& in) {
+  return !find_place(in, [&](const std::string&, Length x) { return is_off(in, x); });
+}
+
+FieldFault Design::off_shaft(const Input& in) {
+  FieldFault fault;
+  find_place(in, [&](const std::string& key, Length x) {
+    if (!is_off(in, x)) return false;
+    fault = {key, say("{1} is beyond the end of the shaft at {2}", format(x), format(length_of(in))),
+             say("x counts from the left end: correct it, or the lengths of the pieces")};
+    return true;
+  });
+  return fault;
+}
+
+bool Design::bores_fit(const Input& in) {
+  return std::all_of(in.pieces.begin(), in.pieces.end(), [](const Piece& p) { return p.d_bore < p.d; });
+}
+
+bool Design::torques_close(const Input& in) {
+  double largest = 0.0;
+  for (const Seat& seat : in.seats) largest = std::max(largest, is_set(seat.T) ? in_si(seat.T) : 0.0);
+  const bool balanced_alone = std::all_of(in.seats.begin(), in.seats.end(),
+                                          [](const Seat& s) { return s.way != Way::balances || !is_set(s.T); });
+  return count_balancing(in) <= 1 && balanced_alone && std::abs(in_si(balance(in))) <= 1e-6 * largest;
+}
+
+FieldFault Design::open_sum(const Input& in) {
+  if (count_balancing(in) > 1) return {"seats", say("more than one seat balances the torque"), say("one is enough")};
+  const double sum = in_si(balance(in));
+  if (std::abs(sum) > 0.0)
+    return {"seats", say("of the torques {1} are left over", format_quantity(sum, N_m.symbol)),
+            say("say what drives the shaft, way = \"drives\", or let a coupling take the rest, way = \"balances\"")};
+  return {"seats", say("what balances has no torque of its own"), say("leave out its T")};
+}
+
+bool Design::thrust_is_held(const Input& in) {
+  const auto fixed =
+      std::count_if(in.supports.begin(), in.supports.end(), [](const Support& s) { return s.holds == Holds::both; });
+  const bool pushed =
+      std::any_of(in.seats.begin(), in.seats.end(), [](const Seat& s) { return abs(s.F_z) > 0.0 * N.one; });
+  return fixed == 1 || (fixed == 0 && !pushed);
+}
+
+bool Design::notches_fit(const Input& in) {
+  for (std::size_t i = 0; i < in.notches.size(); ++i) {
+    if (!fault_of(in, in.notches[i]).empty()) return false;
+    for (std::size_t k = 0; k < i; ++k) {
+      if (are_one(in, in.notches[i].x, in.notches[k].x)) return false;
+    }
+  }
+  return true;
+}
+
+FieldFault Design::misfit(const Input& in) {
+  for (std::size_t i = 0; i < in.notches.size(); ++i) {
+    const Message fault = fault_of(in, in.notches[i]);
+    if (!fault.empty()) return {place_of("notches", in.notches, i, "kind"), fault, {}};
+  }
+  return {"notches", say("two notches stand at one place"),
+          say("a notch in a notch is one given by its K_t and K_ts: kind = \"given\"")};
+}
+
+bool Design::steps_are_notched(const Input& in) { return bare_step(in).path.empty(); }
+
+FieldFault Design::bare_step(const Input& in) {
+  FieldFault fault;
+  if (!asks_fatigue(in)) return fault;
+  find_step(in, [&](Length x, Length d, Length D) {
+    const bool known = std::any_of(in.notches.begin(), in.notches.end(),
+                                   [&](const Notched& notch) { return are_one(in, notch.x, x); });
+    if (known) return false;
+    fault = {"notches",
+             say("at {1} the diameter changes from {2} to {3}, and no notch says how", format(x), format(d), format(D)),
+             say("add {1} to notches", "{ x = \"" + format(x) + "\", kind = \"shoulder\", r = \"...\" }")};
+    return true;
+  });
+  return fault;
+}
+
+bool Design::slopes_of_all(const Input& in) {
+  const auto given =
+      std::count_if(in.supports.begin(), in.supports.end(), [](const Support& s) { return is_set(s.beta_adm); });
+  return given == 0 || given == static_cast<std::ptrdiff_t>(in.supports.size());
+}
+
+bool Design::treated_thick(const Input& in) {
+  return std::none_of(in.pieces.begin(), in.pieces.end(), [&](const Piece& p) { return in.d_h < p.d; });
+}
+
+}  // namespace loadpath::shaft

@@ -1,7 +1,7 @@
 #include "calculators/shaft/design.hpp"
 
 #include "calculators/shaft/design_bending.hpp"
-#include "calculators/shaft/design_place.hpp"
+#include "calculators/shaft/design_sections.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
@@ -19,18 +19,15 @@ double slope_over(double beta, const Element& element) {
   return is_set(element.beta_adm) ? beta / element.beta_adm : unset<double>;
 }
 
-template <class Tracer>
-void carry(const Input& in, const Loaded& loaded, Result& r, Tracer& trace) {
+void carry(const Input& in, const Loaded& loaded, Result& r) {
   for (std::size_t i = 0; i < in.supports.size(); ++i) {
-    [[maybe_unused]] const auto here = trace.scope("bearings", i);
     const Support& support = in.supports[i];
     Carried c;
-    c.name = support.name, c.x = support.x, c.n = in.n;
-    c.R_x = trace.value("R_x", from_si<Force>(loaded.x.reactions[i]), "by the elements of the beam");
-    c.R_y = trace.value("R_y", from_si<Force>(loaded.y.reactions[i]), "the same in the other plane");
-    STEP_TO(c, F_r, sqrt(c.R_x * c.R_x + c.R_y * c.R_y), "both planes together");
+    c.name = support.name, c.x = support.x, c.n = r.n;
+    c.R_x = from_si<Force>(loaded.x.reactions[i]), c.R_y = from_si<Force>(loaded.y.reactions[i]);
+    c.F_r = sqrt(c.R_x * c.R_x + c.R_y * c.R_y);
     c.F_a = from_si<Force>(support.holds == Holds::both ? std::abs(loaded.thrust) : 0.0);
-    c.beta = trace.angle("beta", loaded.slope(loaded.stations.at(support.x)), "slope of both planes together");
+    c.beta = loaded.slope(loaded.stations.at(support.x));
     c.u_beta = slope_over(c.beta, support);
     r.bearings.push_back(c);
   }
@@ -83,8 +80,8 @@ void critical_speed(const Input& in, Result& r, Tracer& trace) {
   r.n_D = trace.speed("n_D", from_si<AngularSpeed>(found.dunkerley), "Dunkerley: each mass alone");
   r.n_c = trace.speed("n_c", from_si<AngularSpeed>(found.lowest), "of masses on the elastic line");
   r.n_R = trace.speed("n_R", from_si<AngularSpeed>(found.rayleigh), "Rayleigh: bent as by the weights");
-  if (!is_set(in.n)) return;
-  STEP_TO(r, u_n, in.k_n * in.n / r.n_c, "below the first critical speed, with its margin");
+  if (!is_set(r.n)) return;
+  STEP_TO(r, u_n, in.k_n * r.n / r.n_c, "below the first critical speed, with its margin");
 }
 
 }  // namespace
@@ -97,9 +94,11 @@ Design::Result Design::evaluate(const Input& in, Tracer& trace) {
   r.d_s = is_set(in.d_h) ? in.d_h : r.d_max;
   const Loaded loaded = loaded_shaft(in);
   extremes(loaded, in, r);
-  carry(in, loaded, r, trace);
+  r.n = speed_of(in);
+  if (is_set(r.n)) trace.speed("n", r.n, "of the shaft and all that sits on it");
+  carry(in, loaded, r);
   seat(in, loaded, r);
-  judge_places(in, loaded, r, trace);
+  judge_sections(in, loaded, r, trace);
   stiffness(in, r, trace);
   critical_speed(in, r, trace);
   return r;

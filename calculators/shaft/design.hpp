@@ -40,7 +40,7 @@ pieces = [{ l = "60 mm", d = "30 mm" }, { l = "80 mm", d = "40 mm" }, { l = "60 
 supports = [{ name = "left", x = "15 mm", holds = "both" }, { name = "right", x = "185 mm" }]
 seats = [
   { name = "coupling", x = "0 mm", way = "balances" },
-  { name = "gear", x = "100 mm", T = "50 N*m", F_x = "-600 N", F_y = "1500 N" },
+  { name = "gear", x = "100 mm", T = "50 N*m", F_x = "-600 N", F_y = "1500 N", F_z = "300 N", x_w = "35 mm" },
 ]
 notches = [
   { name = "left_shoulder", x = "60 mm", kind = "shoulder", r = "2 mm" },
@@ -76,7 +76,8 @@ r_T = 0
       ListField{&Input::supports, "supports", "bearings"},
       ListField{&Input::seats, "seats", "what sits on the shaft and loads it"}.may_be_missing(),
       ListField{&Input::notches, "notches", "where stress concentrates"}.may_be_missing(),
-      Field{&Input::n, "n", rpm, "speed; a shaft without one stands still"}.positive().may_be_missing(),
+      Field{&Input::n, "n", rpm, "speed; without it, that of a seat; a shaft without any stands still"}
+          .may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "service factor on all loads: what they do not contain, once"}
           .positive()
           .usually(1, 4)
@@ -127,10 +128,12 @@ r_T = 0
     Twist theta_max = unset<Twist>;
     double phi = unset<double>;
     AngularSpeed n_c = unset<AngularSpeed>, n_R = unset<AngularSpeed>, n_D = unset<AngularSpeed>;
+    AngularSpeed n = unset<AngularSpeed>;
     double u_y = unset<double>, u_theta = unset<double>, u_n = unset<double>;
     List<Carried, most_supports> bearings;
     List<Seated, most_seats> seats;
-    List<Place, most_places> places;
+    List<Section, most_places> sections;
+    List<Safety, most_places> safeties;
   };
   static constexpr std::tuple results{
       Field{&Result::l, "l", mm, "length"},
@@ -142,6 +145,7 @@ r_T = 0
       Field{&Result::v_max, "v_max", mm, "largest deflection"},
       Field{&Result::theta_max, "theta_max", deg_per_m, "largest twist per length"},
       Field{&Result::phi, "phi", deg, "largest twist between any two sections"},
+      Field{&Result::n, "n", rpm, "speed"},
       Field{&Result::n_c, "n_c", rpm, "first critical speed in bending, of masses without the turning of discs"},
       Field{&Result::n_R, "n_R", rpm, "the same by Rayleigh, never below it"},
       Field{&Result::n_D, "n_D", rpm, "the same by Dunkerley, never above it"},
@@ -150,13 +154,15 @@ r_T = 0
       Field{&Result::u_n, "u_n", ratio, "critical speed: speed with its margin over it"}.check("n").where_it_applies(),
       ListField{&Result::bearings, "bearings", "what each bearing carries"},
       ListField{&Result::seats, "seats", "how the shaft moves where something sits on it"},
-      ListField{&Result::places, "places", "sections where something changes, left to right"}};
+      ListField{&Result::sections, "sections", "sections where something changes, left to right"},
+      ListField{&Result::safeties, "safeties", "the same sections against fatigue"}};
 
   static bool on_shaft(const Input& in);
   static FieldFault off_shaft(const Input& in);
   static bool held(const Input& in);
   static bool torques_close(const Input& in);
   static FieldFault open_sum(const Input& in);
+  static bool speeds_agree(const Input& in);
   static bool thrust_is_held(const Input& in);
   static bool bores_fit(const Input& in);
   static bool notches_fit(const Input& in);
@@ -174,6 +180,7 @@ r_T = 0
       Rule<Input>{&torques_close, "seats", "what drives the shaft and what it drives take the same torque", &open_sum},
       Rule<Input>{&thrust_is_held, "seats, supports",
                   "one bearing alone takes forces along the shaft: holds = \"both\""},
+      Rule<Input>{&speeds_agree, "n, seats", "all that sits on one shaft turns at one speed, which is not zero"},
       Rule<Input>{&notches_fit, "notches, pieces", "the notches fit the shaft", &misfit},
       Rule<Input>{&steps_are_notched, "notches, pieces, S_D", "fatigue begins where the diameter changes", &bare_step},
       Rule<Input>{&slopes_of_all, "supports", "give beta_adm of every bearing, or of none"},
@@ -197,13 +204,13 @@ r_T = 0
                   "its weight needs the density rho, or a material"}};
 
   static Applies loaded(const Input& in) { return where(!in.seats.empty() || is_set(in.g_angle)); }
-  static Applies running(const Input& in) { return is_set(in.n) ? Applies::yes : Applies::unseen; }
+  static Applies running(const Input& in);
   static Applies tired(const Input& in) { return min(loaded(in), max(running(in), load_varies(in))); }
   static Applies other_forces(const Input& in);
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield of a section", &loaded}.judged_by("places.u_v"),
+      Mode<Input>{"yield", "yield of a section", &loaded}.judged_by("sections.u_v"),
       Mode<Input>{"fatigue", "fatigue of a notch or section", &tired}
-          .judged_by("places.u_D, places.x_b, places.x_t, places.x_d, places.x_n")
+          .judged_by("safeties.u_D, safeties.x_b, safeties.x_t, safeties.x_d, safeties.x_n")
           .wanting("S_D, r_T")
           .in_service(),
       Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),

@@ -142,6 +142,12 @@ Mass mass_of(const Input& in) {
   return from_si<Mass>(sum);
 }
 
+AngularSpeed speed_of(const Input& in) {
+  if (is_set(in.n)) return abs(in.n);
+  const auto turning = std::find_if(in.seats.begin(), in.seats.end(), [](const Seat& s) { return is_set(s.n); });
+  return turning == in.seats.end() ? unset<AngularSpeed> : abs(turning->n);
+}
+
 Moment torque_of(const Input& in, std::size_t seat) {
   const auto given = [](const Seat& s) {
     if (!is_set(s.T) || s.way == Way::balances) return 0.0 * N_m.one;

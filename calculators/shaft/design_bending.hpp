@@ -40,6 +40,8 @@ beam::Frequencies critical_speeds(const Design::Input& in);
 
 Length length_of(const Design::Input& in);
 Mass mass_of(const Design::Input& in);
+/// Of the shaft, or the first seat that has one; its magnitude.
+AngularSpeed speed_of(const Design::Input& in);
 /// What the seat gives to the shaft: positive where it drives.
 Moment torque_of(const Design::Input& in, std::size_t seat);
 

@@ -54,6 +54,7 @@ struct Seat {
   double angle = 0.0;
   Force F_x = 0.0 * N.one, F_y = 0.0 * N.one, F_z = 0.0 * N.one;
   Length x_w = 0.0 * mm;
+  AngularSpeed n = unset<AngularSpeed>;
   Mass mass = 0.0 * kg.one;
   double beta_adm = unset<double>;
   static constexpr std::tuple fields{
@@ -67,6 +68,7 @@ struct Seat {
       Field{&Seat::F_y, "F_y", N, "force across, a quarter turn further"}.load(),
       Field{&Seat::F_z, "F_z", N, "force along the shaft, positive to the right"}.load(),
       Field{&Seat::x_w, "x_w", mm, "from the axis to the point where the forces act, toward the mate"},
+      Field{&Seat::n, "n", rpm, "its speed, which is that of the shaft"}.may_be_missing(),
       Field{&Seat::mass, "mass", kg, "mass, for the critical speed, and the weight where that counts"}.at_least(0),
       Field{&Seat::beta_adm, "beta_adm", deg, "allowable slope of the shaft under it"}
           .positive()

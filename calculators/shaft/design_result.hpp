@@ -39,54 +39,63 @@ struct Seated {
       Field{&Seated::u_beta, "u_beta", ratio, "slope over the allowable one"}.check().where_it_applies()};
 };
 
-/// A place of the shaft: the thinner of its two sides, with the larger moments.
-struct Place {
+/// A place of the shaft where something changes: the thinner of its two sides, with the larger moments.
+struct Section {
   Name name;
   Length x = unset<Length>, d = unset<Length>, d_bore = unset<Length>;
-  Force N = unset<Force>;
   Moment M_x = unset<Moment>, M_y = unset<Moment>, M = unset<Moment>, T = unset<Moment>;
+  Force N = unset<Force>;
   Stress sigma_b = unset<Stress>, sigma_n = unset<Stress>, tau = unset<Stress>, sigma_v = unset<Stress>;
   double u_v = unset<double>;
-  double K_t = unset<double>, K_ts = unset<double>, K_f = unset<double>, K_fs = unset<double>;
+  static constexpr std::tuple fields{
+      NameField{&Section::name, "name", "what is there"},
+      Field{&Section::x, "x", mm, "place"},
+      Field{&Section::d, "d", mm, "outer diameter, of a groove the net one"},
+      Field{&Section::d_bore, "d_bore", mm, "bore"},
+      Field{&Section::M_x, "M_x", N_m, "bending moment in the plane of X"},
+      Field{&Section::M_y, "M_y", N_m, "bending moment in the plane of Y"},
+      Field{&Section::M, "M", N_m, "bending moment of both planes"},
+      Field{&Section::T, "T", N_m, "torque, signed"},
+      Field{&Section::N, "N", loadpath::N, "force along the shaft, tension positive"},
+      Field{&Section::sigma_b, "sigma_b", MPa, "bending stress"},
+      Field{&Section::sigma_n, "sigma_n", MPa, "stress of the force along the shaft, signed"},
+      Field{&Section::tau, "tau", MPa, "torsional stress"},
+      Field{&Section::sigma_v, "sigma_v", MPa, "largest equivalent stress, by von Mises"},
+      Field{&Section::u_v, "u_v", ratio, "yield: largest equivalent stress over the allowable one"}.check("S_F")};
+};
+
+/// How a section stands against fatigue, by each school.
+struct Safety {
+  Name name;
+  Length x = unset<Length>;
+  double K_t = 1.0, K_ts = 1.0, K_f = unset<double>, K_fs = unset<double>;
   Stress S_e = unset<Stress>, sigma_a = unset<Stress>, sigma_m = unset<Stress>;
   double n_Goodman = unset<double>, n_Soderberg = unset<double>, n_Gerber = unset<double>, n_elliptic = unset<double>;
   double u_D = unset<double>;
   double x_b = unset<double>, x_t = unset<double>, x_d = unset<double>, x_n = unset<double>;
   static constexpr std::tuple fields{
-      NameField{&Place::name, "name", "what is there"},
-      Field{&Place::x, "x", mm, "place"},
-      Field{&Place::d, "d", mm, "outer diameter, of a groove the net one"},
-      Field{&Place::d_bore, "d_bore", mm, "bore"},
-      Field{&Place::N, "N", loadpath::N, "force along the shaft, tension positive"},
-      Field{&Place::M_x, "M_x", N_m, "bending moment in the plane of X"},
-      Field{&Place::M_y, "M_y", N_m, "bending moment in the plane of Y"},
-      Field{&Place::M, "M", N_m, "bending moment of both planes"},
-      Field{&Place::T, "T", N_m, "torque, signed"},
-      Field{&Place::sigma_b, "sigma_b", MPa, "bending stress"},
-      Field{&Place::sigma_n, "sigma_n", MPa, "stress of the force along the shaft, signed"},
-      Field{&Place::tau, "tau", MPa, "torsional stress"},
-      Field{&Place::sigma_v, "sigma_v", MPa, "largest equivalent stress, by von Mises"},
-      Field{&Place::u_v, "u_v", ratio, "yield: largest equivalent stress over the allowable one"}.check("S_F"),
-      Field{&Place::K_t, "K_t", ratio, "stress concentration in bending"},
-      Field{&Place::K_ts, "K_ts", ratio, "stress concentration in torsion"},
-      Field{&Place::K_f, "K_f", ratio, "fatigue notch factor in bending"},
-      Field{&Place::K_fs, "K_fs", ratio, "fatigue notch factor in torsion"},
-      Field{&Place::S_e, "S_e", MPa, "fatigue limit of the part without its notch"},
-      Field{&Place::sigma_a, "sigma_a", MPa, "equivalent amplitude, notches counted"},
-      Field{&Place::sigma_m, "sigma_m", MPa, "equivalent mean stress, notches counted"},
-      Field{&Place::n_Goodman, "n_Goodman", ratio, "safety against fatigue by Goodman"},
-      Field{&Place::n_Soderberg, "n_Soderberg", ratio, "safety against fatigue by Soderberg"},
-      Field{&Place::n_Gerber, "n_Gerber", ratio, "safety against fatigue by Gerber"},
-      Field{&Place::n_elliptic, "n_elliptic", ratio, "safety against fatigue by the ellipse of ASME"},
-      Field{&Place::u_D, "u_D", ratio, "fatigue: safety that is asked for over that of the method"}.check("S_D"),
-      Field{&Place::x_b, "x_b", ratio, "height over radius of the notch within its fit in bending: 0 least, 1 largest"}
+      NameField{&Safety::name, "name", "what is there"},
+      Field{&Safety::x, "x", mm, "place"},
+      Field{&Safety::K_t, "K_t", ratio, "stress concentration in bending"},
+      Field{&Safety::K_ts, "K_ts", ratio, "stress concentration in torsion"},
+      Field{&Safety::K_f, "K_f", ratio, "fatigue notch factor in bending"},
+      Field{&Safety::K_fs, "K_fs", ratio, "fatigue notch factor in torsion"},
+      Field{&Safety::S_e, "S_e", MPa, "fatigue limit of the part without its notch"},
+      Field{&Safety::sigma_a, "sigma_a", MPa, "equivalent amplitude, notches counted"},
+      Field{&Safety::sigma_m, "sigma_m", MPa, "equivalent mean stress, notches counted"},
+      Field{&Safety::n_Goodman, "n_Goodman", ratio, "safety against fatigue by Goodman"},
+      Field{&Safety::n_Soderberg, "n_Soderberg", ratio, "safety against fatigue by Soderberg"},
+      Field{&Safety::n_Gerber, "n_Gerber", ratio, "safety against fatigue by Gerber"},
+      Field{&Safety::n_elliptic, "n_elliptic", ratio, "safety against fatigue by the ellipse of ASME"},
+      Field{&Safety::u_D, "u_D", ratio, "fatigue: safety that is asked for over that of the method"}.check(),
+      Field{&Safety::x_b, "x_b", ratio, "height over radius of the notch within its fit in bending: 0 least, 1 largest"}
           .limit(-1e-9, 1 + 1e-9)
           .where_it_applies(),
-      Field{&Place::x_t, "x_t", ratio, "the same within its fit in torsion"}.limit(-1e-9, 1 + 1e-9).where_it_applies(),
-      Field{&Place::x_d, "x_d", ratio, "d within the range of the size factor: 0 least, 1 largest"}
+      Field{&Safety::x_t, "x_t", ratio, "the same within its fit in torsion"}.limit(-1e-9, 1 + 1e-9).where_it_applies(),
+      Field{&Safety::x_d, "x_d", ratio, "d within the range of the size factor: 0 least, 1 largest"}
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
-      Field{&Place::x_n, "x_n", ratio, "R_m within the range of Neuber's constant: 0 least, 1 largest"}
+      Field{&Safety::x_n, "x_n", ratio, "R_m within the range of Neuber's constant: 0 least, 1 largest"}
           .limit(0, 1)
           .where_it_applies()};
 };

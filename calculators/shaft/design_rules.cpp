@@ -133,6 +133,16 @@ FieldFault Design::open_sum(const Input& in) {
   return {"seats", say("what balances has no torque of its own"), say("leave out its T")};
 }
 
+bool Design::speeds_agree(const Input& in) {
+  const AngularSpeed n = speed_of(in);
+  const auto agrees = [&](AngularSpeed own) {
+    return !is_set(own) || (abs(own) > 0.0 * rpm && abs(abs(own) - n) <= 1e-3 * n);
+  };
+  return agrees(in.n) && std::all_of(in.seats.begin(), in.seats.end(), [&](const Seat& s) { return agrees(s.n); });
+}
+
+Applies Design::running(const Input& in) { return shown_by(is_set(speed_of(in))); }
+
 bool Design::thrust_is_held(const Input& in) {
   const auto fixed =
       std::count_if(in.supports.begin(), in.supports.end(), [](const Support& s) { return s.holds == Holds::both; });

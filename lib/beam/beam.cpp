@@ -23,6 +23,27 @@ std::array<double, 4> held(const Span& span, double q) {
   return {q * span.l / 2.0, q * span.l * span.l / 12.0, q * span.l / 2.0, -q * span.l * span.l / 12.0};
 }
 
+/// What is nothing beside the largest of its kind is rounding.
+constexpr double rounding = 1e-12;
+template <class Elements, class Of>
+void clean(Elements& all, const Of& of) {
+  double largest = 0.0;
+  for (auto& element : all) largest = std::max(largest, std::abs(of(element)));
+  for (auto& element : all) {
+    if (std::abs(of(element)) < rounding * largest) of(element) = 0.0;
+  }
+}
+
+void clean(Bent& bent) {
+  clean(bent.nodes, [](Node& n) -> double& { return n.v; });
+  clean(bent.nodes, [](Node& n) -> double& { return n.slope; });
+  clean(bent.reactions, [](double& reaction) -> double& { return reaction; });
+  std::vector<End*> ends;
+  for (Ends& span : bent.spans) ends.insert(ends.end(), {&span.left, &span.right});
+  clean(ends, [](End* end) -> double& { return end->V; });
+  clean(ends, [](End* end) -> double& { return end->M; });
+}
+
 }  // namespace
 
 Beam::Beam(std::vector<Span> spans, std::vector<Support> supports)
@@ -82,6 +103,7 @@ Bent Beam::bend(std::span<const Load> loads, std::span<const double> q) const {
     const double left = support.node > 0 ? bent.spans[support.node - 1].right.V : 0.0;
     bent.reactions.push_back(right - left - forces[support.node]);
   }
+  clean(bent);
   return bent;
 }
 

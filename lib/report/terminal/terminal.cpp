@@ -61,15 +61,15 @@ void show_table(const account::Table& table) {
   std::cout << columns(rows);
 }
 
-/// Lists that no line of the calculation works out: what a search has found, and what it has left.
+/// Lists of which the calculation does not work out every element: what a search has left, sections that do not govern.
 void show_lists(const project::Step& step) {
   const auto& account = step.account();
   if (!account.blocks.empty()) return;
   for (const account::Table& table : report::list_tables(account.results)) {
     const std::string list = table.caption.text();
-    const bool worked_out = std::any_of(account.scopes.begin(), account.scopes.end(),
-                                        [&](const std::string& scope) { return scope.starts_with(list); });
-    if (!worked_out) show_table(table);
+    const auto worked_out = std::count_if(account.scopes.begin(), account.scopes.end(),
+                                          [&](const std::string& scope) { return scope.starts_with(list + "["); });
+    if (static_cast<std::size_t>(worked_out) < table.rows.size()) show_table(table);
   }
 }
 

@@ -5,7 +5,8 @@
 
 namespace loadpath::shaft {
 
+/// All of them quietly, and those again with their lines that decide over yielding and over fatigue.
 template <class Tracer>
-void judge_places(const Design::Input& in, const Loaded& loaded, Design::Result& r, Tracer& trace);
+void judge_sections(const Design::Input& in, const Loaded& loaded, Design::Result& r, Tracer& trace);
 
 }  // namespace loadpath::shaft

@@ -62,14 +62,27 @@ beam::Beam beam_of(const Input& in, const Stations& stations) {
   return *beam::Beam::of(std::move(spans), std::move(supports));  // the rules have seen that it is held
 }
 
-/// One of two planes, whose direction is turned by `turned` from X: what of each load lies in it.
-beam::Bent bent(const Input& in, const Stations& stations, const beam::Beam& beam, double turned) {
+/// The direction of an angle; a right one leaves nothing of the other plane.
+struct Direction {
+  double c, s;
+  explicit Direction(double angle) : c(exact(std::cos(angle))), s(exact(std::sin(angle))) {}
+
+ private:
+  static double exact(double part) { return std::abs(part) < 1e-15 ? 0.0 : part; }
+};
+
+enum class Plane { X, Y };
+
+/// One of two planes: what of each load lies in it.
+beam::Bent bent(const Input& in, const Stations& stations, const beam::Beam& beam, Plane plane) {
+  const Direction down(is_set(in.g_angle) ? in.g_angle : 0.0);
+  const double gravity = !is_set(in.g_angle) ? 0.0 : g_n * (plane == Plane::X ? down.c : down.s);
   std::vector<beam::Load> loads;
-  const double gravity = is_set(in.g_angle) ? g_n * std::cos(in.g_angle - turned) : 0.0;
   for (const Seat& seat : in.seats) {
-    const double c = std::cos(seat.angle - turned), s = -std::sin(seat.angle - turned);
-    const double F = in.K_A * (in_si(seat.F_x) * c + in_si(seat.F_y) * s) + in_si(seat.mass) * gravity;
-    loads.push_back({stations.at(seat.x), F, -in.K_A * in_si(seat.F_z) * in_si(seat.x_w) * c});
+    const Direction way(seat.angle);
+    const double along = plane == Plane::X ? way.c : way.s, across = plane == Plane::X ? -way.s : way.c;
+    const double F = in.K_A * (in_si(seat.F_x) * along + in_si(seat.F_y) * across) + in_si(seat.mass) * gravity;
+    loads.push_back({stations.at(seat.x), F, -in.K_A * in_si(seat.F_z) * in_si(seat.x_w) * along});
   }
   std::vector<double> weight;
   for (const std::size_t piece : stations.piece)
@@ -182,8 +195,8 @@ Loaded loaded_shaft(const Input& in) {
   Loaded loaded;
   loaded.stations = stations_of(in);
   const beam::Beam beam = beam_of(in, loaded.stations);
-  loaded.x = bent(in, loaded.stations, beam, 0.0);
-  loaded.y = bent(in, loaded.stations, beam, pi / 2.0);
+  loaded.x = bent(in, loaded.stations, beam, Plane::X);
+  loaded.y = bent(in, loaded.stations, beam, Plane::Y);
   run_along(in, loaded);
   return loaded;
 }

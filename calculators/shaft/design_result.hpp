@@ -83,10 +83,11 @@ struct Safety {
       Field{&Safety::S_e, "S_e", MPa, "fatigue limit of the part without its notch"},
       Field{&Safety::sigma_a, "sigma_a", MPa, "equivalent amplitude, notches counted"},
       Field{&Safety::sigma_m, "sigma_m", MPa, "equivalent mean stress, notches counted"},
-      Field{&Safety::n_Goodman, "n_Goodman", ratio, "safety against fatigue by Goodman"},
-      Field{&Safety::n_Soderberg, "n_Soderberg", ratio, "safety against fatigue by Soderberg"},
-      Field{&Safety::n_Gerber, "n_Gerber", ratio, "safety against fatigue by Gerber"},
-      Field{&Safety::n_elliptic, "n_elliptic", ratio, "safety against fatigue by the ellipse of ASME"},
+      Field{&Safety::n_Goodman, "n_Goodman", ratio, "safety against fatigue by Goodman"}.may_be_infinite(),
+      Field{&Safety::n_Soderberg, "n_Soderberg", ratio, "safety against fatigue by Soderberg"}.may_be_infinite(),
+      Field{&Safety::n_Gerber, "n_Gerber", ratio, "safety against fatigue by Gerber"}.may_be_infinite(),
+      Field{&Safety::n_elliptic, "n_elliptic", ratio, "safety against fatigue by the ellipse of ASME"}
+          .may_be_infinite(),
       Field{&Safety::u_D, "u_D", ratio, "fatigue: safety that is asked for over that of the method"}.check(),
       Field{&Safety::x_b, "x_b", ratio, "height over radius of the notch within its fit in bending: 0 least, 1 largest"}
           .limit(-1e-9, 1 + 1e-9)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace loadpath::shaft {
@@ -133,6 +134,7 @@ void tire(const Input& in, const Section& p, Safety& s, Tracer& trace) {
   STEP_TO(s, sigma_a, sqrt(pow<2>(s.K_f * p.sigma_b) + 3.0 * pow<2>(s.K_fs * tau_a)), "amplitude, [Shigley7] (7-5)");
   STEP_TO(s, sigma_m, sqrt(pow<2>(s.K_f * p.sigma_n) + 3.0 * pow<2>(s.K_fs * tau_m)), "mean, [Shigley7] (7-6)");
   if (!(sigma_a + sigma_m > 0.0 * MPa)) {
+    s.n_Goodman = s.n_Soderberg = s.n_Gerber = s.n_elliptic = std::numeric_limits<double>::infinity();
     s.u_D = trace.value("u_D", 0.0, "no stress");
     return;
   }

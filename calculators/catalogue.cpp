@@ -27,6 +27,7 @@ namespace dynamics {
   struct AngularMomentumChange; struct WorkAndEnergy; struct Lift;
 }
 namespace machine { struct Flywheel; struct RunUp; }
+namespace bearing { struct Rolling; }
 // clang-format on
 
 namespace {
@@ -89,6 +90,7 @@ static constexpr std::array all{
     Row{&erased<dynamics::Lift>},
     Row{&erased<machine::Flywheel>, &machine::make_flywheel_step},
     Row{&erased<machine::RunUp>},
+    Row{&erased<bearing::Rolling>},
 };
 // clang-format on
 

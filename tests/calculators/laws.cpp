@@ -141,7 +141,16 @@ const Law motion[] = {
      "load = \nmotor = [[\"0 rpm\", \"90 N*m\"], [\"1000 rpm\", \"120 N*m\"], [\"1400 rpm\", \"80 N*m\"]]", "t", 0.5},
 };
 
-const std::span<const Law> laws[] = {sections, bars, fatigue, vessels, drives, motion};
+const char* const radial = "f_0 = \nF_a = ";
+
+const Law bearings[] = {
+    {"bearing.rolling", radial, "f_0 = \nF_a = \nF_r = \"1.25 kN\"", "L_10", 8},
+    {"bearing.rolling", "", R"(n = "1800 rpm")", "L_10h", 0.5},
+    {"bearing.rolling", radial, "f_0 = \nF_a = \nK_A = 2", "C_req", 2},
+    {"bearing.rolling", "", R"(C = "58.2 kN")", "L_nh", 8},
+};
+
+const std::span<const Law> laws[] = {sections, bars, fatigue, vessels, drives, motion, bearings};
 
 /// What `result` does over the values of a key, one after the other.
 enum class Sense { rises, falls };
@@ -221,6 +230,8 @@ const Trend trends[] = {
     {"dynamics.throw", "L", rises, "theta", {R"("10 deg")", R"("25 deg")", R"("40 deg")", R"("45 deg")"}},
     {"dynamics.throw", "L", falls, "theta", {R"("45 deg")", R"("55 deg")", R"("70 deg")", R"("85 deg")"}},
     {"dynamics.work", "v_2", falls, "mu", {"0", "0.1", "0.3", "0.5"}},
+    {"bearing.rolling", "L_10h", falls, "F_a", {R"("0.8 kN")", R"("1 kN")", R"("3 kN")", R"("8 kN")"}},
+    {"bearing.rolling", "C_req", falls, "a_1", {"0.25", "0.64", "1"}},
     {"machine.flywheel", "J_F", falls, "delta", {"0.005", "0.01", "0.02", "0.05"}},
     {"machine.run_up",
      "t",

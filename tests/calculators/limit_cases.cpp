@@ -332,8 +332,16 @@ const Case motion[] = {
      1400 * pi / 30 / 10},
 };
 
+const Case bearings[] = {
+    {"bearing.rolling", "f_0 = \nF_a = \nF_r = \"29.1 kN\"", "L_10", 1.0},  // that is what C is
+    {"bearing.rolling", "f_0 = \nF_a = \nF_r = \"29.1 kN\"\nn = \"100 rpm\"", "L_10h", 6e5},
+    {"bearing.rolling", "f_0 = \nF_a = \nblocks = [{ q = 0.25 }, { q = 0.75 }]", "P_m", 2500.0},
+    {"bearing.rolling", "f_0 = \nF_a = \nblocks = [{ q = 0.5 }, { q = 0.5, n = \"0 rpm\" }]", "n_m", 15 * pi},
+    {"bearing.rolling", "kind = \"thrust_roller\"\nf_0 = \nF_r = \"0 N\"", "P_0", 1000.0},
+};
+
 const std::span<const Case> groups[] = {shapes, bars, tubes,      vessels, cycles, fatigue,
-                                        racks,  sets, velocities, drives,  motion};
+                                        racks,  sets, velocities, drives,  motion, bearings};
 
 bool is(double value, double expected) {
   return std::abs(value - expected) <= (expected == 0.0 ? 1e-9 : 2e-6 * std::abs(expected));

@@ -243,7 +243,23 @@ const Side motion[] = {
     {"machine.run_up", "u_t", over, "t_adm", R"("3.71 s")", R"("3.7 s")"},
 };
 
-const std::span<const Side> groups[] = {vessels, sections, bars, fatigue, gears, pulleys, v_belts, motion};
+const char* const radial = "f_0 = \nF_a = ";
+const char* const tapered = "f_0 = \nkind = \"tapered_roller\"\ne = 0.37\nY = 1.6\nY_0 = 0.9";  // F_i = 0.781 kN
+
+const Side bearings[] = {
+    {"bearing.rolling", "x_f", outside, "F_a", R"("8.8 kN")", R"("8.82 kN")"},
+    {"bearing.rolling", "F_ao", over, "F_a", R"("0 N")", R"("1 N")", "kind = \"cylindrical_roller_NU\"\nf_0 = "},
+    {"bearing.rolling", "F_ro", over, "F_r", R"("0 N")", R"("1 N")", "kind = \"thrust_ball\"\nf_0 = "},
+    {"bearing.rolling", "u_L", over, "L_h", R"("15800 h")", R"("15850 h")"},
+    {"bearing.rolling", "x_P", outside, "F_r", R"("14.5 kN")", R"("14.6 kN")", radial},
+    {"bearing.rolling", "u_0", over, "s_0", "7.1", "7.2"},
+    {"bearing.rolling", "x_min", over, "F_r", R"("291 N")", R"("290 N")", radial},
+    {"bearing.rolling", "u_n", over, "n_max", R"("900 rpm")", R"("899 rpm")"},
+    {"bearing.rolling", "u_a", over, "F_a", R"("8.94 kN")", R"("8.96 kN")", "f_0 = \ne = 0.44\nY = 1"},
+    {"bearing.rolling", "x_i", outside, "F_a", R"("0.79 kN")", R"("0.78 kN")", tapered},
+};
+
+const std::span<const Side> groups[] = {vessels, sections, bars, fatigue, gears, pulleys, v_belts, motion, bearings};
 
 std::string lines_at(const Side& row, const char* value) {
   const std::string last = std::string(row.key) + " = " + value;

@@ -25,6 +25,7 @@ constexpr const char* at_an_end =
 constexpr const char* of_stress = "a stress holds what brings it";
 constexpr const char* balances = "the forces of the planets balance around the axis";
 constexpr std::array alone{
+    Reason{"bearing.rolling F_i", "the mating bearing takes it beside a radial load of its own"},
     Reason{"belt.v_sizing candidates.R_new", "a row to choose from; belt.v gives what loads the shafts"},
     Reason{"drive.train T_1", at_an_end},
     Reason{"drive.train T_out", at_an_end},

@@ -57,6 +57,7 @@ constexpr const char* by_sizes = "sizes decide";
 constexpr const char* by_tension = "the tension that is not typed grows with the load; strength holds against it";
 constexpr const char* by_balance = "all forces on it grow alike, and so does what drives it";
 constexpr std::array without_load{
+    Reason{"bearing.rolling speed", by_speed},
     Reason{"belt.course grip", by_tension},
     Reason{"belt.course lifting", by_tension},
     Reason{"belt.flat bending", by_sizes},

@@ -1,0 +1,242 @@
+#include "calculators/bearing/rolling.hpp"
+
+#include "lib/calculator/calculator_of.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::bearing {
+
+namespace {
+
+using Input = Rolling::Input;
+using Result = Rolling::Result;
+using Stage = Rolling::Stage;
+using Stages = List<Stage, Rolling::most_blocks>;
+
+constexpr Force none = 0.0 * N.one;
+
+/// What a load does to the bearing while it turns.
+struct Equivalent {
+  double x_f = unset<double>, e = unset<double>, Y = unset<double>;
+  Force P = unset<Force>;
+};
+
+/// e and Y of the maker's table, or by f_0.
+template <class Tracer>
+void find_factors(const Input& in, Force F_aK, Equivalent& q, Tracer& trace) {
+  q.e = in.e, q.Y = in.Y;
+  if (!is_set(in.f_0)) {
+    trace.value("e", q.e, "of the maker's table");
+    trace.value("Y", q.Y, "of the maker's table");
+    return;
+  }
+  STEP_TO(q, x_f, in.f_0 * F_aK / in.C_0, "what e and Y of a deep groove ball bearing depend on, [ISO281]");
+  const DeepGroove found = deep_groove_at(x_f);
+  q.e = trace.value("e", found.e, "straight between the rows of [ISO281], [Koyo]");
+  q.Y = trace.value("Y", found.Y, "straight between the rows of [ISO281], [Koyo]");
+}
+
+/// The equivalent load of F_rK and F_aK, which hold K_A.
+template <class Tracer>
+Equivalent equivalent(const Input& in, Force F_rK, Force F_aK, Tracer& trace) {
+  Equivalent q;
+  if (takes_axial_alone(in.kind)) {
+    STEP_TO(q, P, F_aK, "a thrust bearing takes axial load alone, [ISO281]");
+    return q;
+  }
+  if (takes_radial_alone(in.kind) || F_aK == none) {
+    STEP_TO(q, P, F_rK, "radial load alone, [ISO281]");
+    return q;
+  }
+  find_factors(in, F_aK, q, trace);
+  const double e = q.e, Y = q.Y;
+  const double X = trace.value("X", is_set(in.X) ? in.X : radial_factor(in.kind),
+                               is_set(in.X) ? "of the maker's table" : "of the kind, [ISO281]");
+  const double Y_1 = trace.value("Y_1", has_two_rows(in.kind) ? in.Y_1 : 0.0,
+                                 has_two_rows(in.kind) ? "of the maker's table" : "one row: none up to e");
+  STEP_TO(q, P, F_aK > e * F_rK ? X * F_rK + Y * F_aK : F_rK + Y_1 * F_aK, "equivalent dynamic load, [ISO281]");
+  return q;
+}
+
+/// One block for all where none is given.
+template <class Tracer>
+Stages stages(const Input& in, Force F_rd, Force F_ad, const Equivalent& whole, Tracer& trace) {
+  Stages all;
+  for (std::size_t i = 0; i < in.blocks.size(); ++i) {
+    [[maybe_unused]] const auto here = trace.scope("blocks", i);
+    const Rolling::Block& b = in.blocks[i];
+    const double k = trace.value("k", b.k, "loads of the block over those of the step");
+    STEP(F_rK, k * F_rd, "radial load of the block");
+    STEP(F_aK, k * F_ad, "axial load of the block");
+    const Equivalent q = equivalent(in, F_rK, F_aK, trace);
+    all.push_back({b.name, b.q, is_set(b.n) ? b.n : in.n, q.e, q.Y, q.P, unset<double>});
+  }
+  if (in.blocks.empty()) all.push_back({Name(), 1.0, in.n, whole.e, whole.Y, whole.P, unset<double>});
+  return all;
+}
+
+Force largest(const Stages& all) {
+  Force P = none;
+  for (const Stage& s : all) {
+    if (s.n > 0.0 * rpm.one) P = std::max(P, s.P);
+  }
+  return P;
+}
+
+Force smallest(const Stages& all) {
+  Force P = largest(all);
+  for (const Stage& s : all) {
+    if (s.n > 0.0 * rpm.one) P = std::min(P, s.P);
+  }
+  return P;
+}
+
+/// Mean speed and mean load, and the share of each block in the fatigue; of a bearing that runs.
+template <class Tracer>
+void means(Stages& all, Result& r, Tracer& trace) {
+  const double P_max = in_si(largest(all));
+  double turns = 0.0, wear = 0.0;
+  for (Stage& s : all) {
+    const double part = s.q * in_si(s.n);
+    s.D = P_max > 0.0 ? part * std::pow(in_si(s.P) / P_max, r.p) : 0.0;
+    turns += part, wear += s.D;
+  }
+  for (Stage& s : all) s.D = wear > 0.0 ? s.D / wear : 0.0;
+  const double P_m = all.size() == 1 ? P_max : P_max * std::pow(wear / turns, 1.0 / r.p);
+  r.n_m = trace.speed("n_m", from_si<AngularSpeed>(turns), "sum of q n over the blocks");
+  r.P_m = trace.value("P_m", from_si<Force>(P_m),
+                      "(sum P^p n q / sum n q)^(1/p) over the blocks, by linear damage, [SEED-bearings]");
+}
+
+/// Life in turns and hours; none that a number could tell under almost no load.
+template <class Tracer>
+void life(const Input& in, const Stages& all, Result& r, Tracer& trace) {
+  const Force P_max = trace.value("P_max", largest(all), "largest load in running");
+  STEP(P_lim, is_set(in.C_0) ? min(0.5 * in.C, in.C_0) : 0.5 * in.C, "beyond, bodies and raceways yield, [ISO281]");
+  STEP_TO(r, x_P, P_max / P_lim, "within what the rating life holds for");
+  const Force P_m = r.P_m;
+  const double p = r.p;
+  const AngularSpeed n_m = r.n_m;
+  if (is_set(in.L_h)) {
+    STEP(L_req, in.L_h * n_m / (2.0 * pi * 1e6), "millions of revolutions that are asked for");
+    STEP_TO(r, C_req, P_m * pow(L_req / in.a_1, 1.0 / p), "load rating that has this life, [ISO281]");
+    STEP_TO(r, u_L, C_req / in.C, "against that of the bearing");
+  }
+  if (!(P_m > 1e-4 * in.C)) return;
+  STEP_TO(r, L_10, pow(in.C / P_m, p), "millions of revolutions, 90 %, [ISO281]");
+  STEP_TO(r, L_10h, 2.0 * pi * 1e6 * L_10 / n_m, "at the mean speed");
+  STEP_TO(r, L_nh, in.a_1 * L_10h, "with its reliability");
+}
+
+template <class Tracer>
+void running(const Input& in, Stages& all, Result& r, Tracer& trace) {
+  means(all, r, trace);
+  life(in, all, r, trace);
+  const Force P_low = trace.value("P_low", smallest(all), "smallest load in running");
+  const double c = trace.value("c", has_balls(in.kind) ? 0.01 : 0.02, has_balls(in.kind) ? "balls" : "rollers");
+  STEP(P_need, is_set(in.P_min) ? in.P_min : c * in.C,
+       is_set(in.P_min) ? "of the maker" : "rule of thumb, [SKF-rolling]");
+  STEP_TO(r, x_min, P_low / P_need, "rolls, and does not skid");
+  if (!is_set(in.n_max)) return;
+  const AngularSpeed n_top = trace.speed("n_top", Rolling::highest_speed(in), "highest speed");
+  STEP_TO(r, u_n, n_top / in.n_max, "against that of the maker's table");
+}
+
+/// The largest load at rest, in running or in a shock.
+template <class Tracer>
+void at_rest(const Input& in, Force F_rX, Force F_aX, Result& r, Tracer& trace) {
+  STEP(F_r00, is_set(in.F_r0) ? in.F_r0 : 0.0 * N, "radial, at rest or in a shock");
+  STEP(F_a00, is_set(in.F_a0) ? abs(in.F_a0) : 0.0 * N, "axial at the same time");
+  if (takes_axial_alone(in.kind)) {
+    STEP_TO(r, P_0, max(F_aX, F_a00), "a thrust bearing takes axial load alone, [ISO76]");
+  } else {
+    const bool axial = Rolling::has_axial(in);
+    const double X_0 = trace.value("X_0", static_radial_factor(in.kind), "of the kind, [ISO76]");
+    const double Y_k = static_axial_factor(in.kind);
+    const double Y_0 = trace.value("Y_0",
+                                   is_set(in.Y_0) ? in.Y_0
+                                   : !axial       ? 0.0
+                                                  : Y_k,
+                                   is_set(in.Y_0) ? "of the maker's table"
+                                   : axial        ? "of the kind, [ISO76]"
+                                                  : "without an axial load");
+    if (!is_set(Y_0)) return;
+    STEP(P_0r, max(F_rX, X_0 * F_rX + Y_0 * F_aX), "in running, [ISO76]");
+    STEP(P_00, max(F_r00, X_0 * F_r00 + Y_0 * F_a00), "at rest or in a shock, [ISO76]");
+    STEP_TO(r, P_0, max(P_0r, P_00), "the larger");
+  }
+  if (!is_set(in.s_0)) return;
+  STEP_TO(r, u_0, in.s_0 * r.P_0 / in.C_0, "no dents of more than 1/10000 of a ball or roller, [ISO76]");
+}
+
+/// What of an axial load the kind cannot take: the way, or more than half of the radial load on ribs.
+Force refused(Kind kind, Force F_r, Force F_a) {
+  if (takes_radial_alone(kind)) return abs(F_a);
+  Force over = none;
+  if (takes_one_way(kind)) over = std::max(over, -F_a);
+  if (bears_on_ribs(kind)) over = std::max(over, abs(F_a) - 0.5 * F_r);
+  return over;
+}
+
+/// The axial load of a kind, its way and its size.
+template <class Tracer>
+void axial(const Input& in, double k, Force F_rX, Force F_aX, Result& r, Tracer& trace) {
+  const Force F_a0 = is_set(in.F_a0) ? in.F_a0 : none, F_r0 = is_set(in.F_r0) ? in.F_r0 : none;
+  const Force over_0 = bears_on_ribs(in.kind) ? refused(in.kind, 2.0 * abs(F_a0), F_a0) : refused(in.kind, F_r0, F_a0);
+  r.F_ao = trace.value("F_ao", std::max(refused(in.kind, F_rX, k * in.K_A * in.F_a), over_0),
+                       "the wrong way, or without ribs; on ribs beyond half the radial load, [SKF-rolling]");
+  r.F_ro = trace.value("F_ro", takes_axial_alone(in.kind) ? std::max(F_rX, F_r0) : none, "on a thrust bearing");
+  if (Rolling::has_axial_bound(in) == Applies::yes && (is_set(in.F_a_adm) || is_set(in.C_0))) {
+    if (bears_on_ribs(in.kind) && !is_set(in.F_a_adm)) return;
+    STEP(F_aa, is_set(in.F_a_adm) ? in.F_a_adm : 0.5 * in.C_0,
+         is_set(in.F_a_adm) ? "of the maker" : "of a deep groove ball bearing, [SKF-rolling]");
+    const Force F_a_all = trace.value("F_a_all", std::max(F_aX, abs(F_a0)), "largest axial load");
+    STEP_TO(r, u_a, F_a_all / F_aa, "against the allowed one");
+  }
+}
+
+template <class Tracer>
+void by_itself(const Input& in, Force F_rK, Force F_aK, Result& r, Tracer& trace) {
+  if (!at_an_angle(in.kind) || !(F_rK > 1e-9 * in.C)) return;
+  STEP_TO(r, F_i, F_rK / (2.0 * in.Y), "half of the rollers bear, [LYC-bearings]");
+  const Force F_a_way = trace.value("F_a_way", in.F_a > none ? F_aK : none, "axial load that presses into it");
+  STEP_TO(r, x_i, F_a_way / F_i, "the mating bearing holds against it, so that it is never less");
+}
+
+}  // namespace
+
+template <class Tracer>
+Rolling::Result Rolling::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  r.p = trace.value("p", has_balls(in.kind) ? 3.0 : 10.0 / 3.0, has_balls(in.kind) ? "balls" : "rollers");
+  STEP(F_rd, in.K_A * in.F_r, "radial load");
+  STEP(F_ad, in.K_A * abs(in.F_a), "axial load");
+  const Force F_rK = trace.value("F_rK", F_rd, "the load itself"), F_aK = trace.value("F_aK", F_ad, "the load itself");
+  const Equivalent q = equivalent(in, F_rK, F_aK, trace);
+  r.x_f = q.x_f, r.e = q.e, r.Y = q.Y, r.P = q.P;
+  Stages all = stages(in, F_rd, F_ad, q, trace);
+  double k_max = in.blocks.empty() ? 1.0 : 0.0, k_run = k_max;
+  for (const Block& b : in.blocks) {
+    k_max = std::max(k_max, b.k);
+    if ((is_set(b.n) ? b.n : in.n) > 0.0 * rpm.one) k_run = std::max(k_run, b.k);
+  }
+  trace.value("k_max", k_max, "largest of the blocks");
+  trace.value("k_run", k_run, "largest of those in which it turns");
+  if (is_set(r.x_f)) r.x_f = NAMED_STEP("x_f", in.f_0 * k_run * F_ad / in.C_0, "of the largest load in turning");
+  if (runs(in) == Applies::yes) running(in, all, r, trace);
+  if (!in.blocks.empty()) r.blocks = all;
+  STEP(F_rX, k_max * F_rd, "largest radial load of the blocks");
+  STEP(F_aX, k_max * F_ad, "largest axial load of the blocks");
+  at_rest(in, F_rX, F_aX, r, trace);
+  axial(in, k_max, F_rX, F_aX, r, trace);
+  by_itself(in, F_rK, F_aK, r, trace);
+  return r;
+}
+
+template Rolling::Result Rolling::evaluate(const Input&, NoTrace&);
+template Rolling::Result Rolling::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath::bearing
+
+template const loadpath::Calculator& loadpath::erased<loadpath::bearing::Rolling>();

@@ -1,0 +1,252 @@
+// A rolling bearing by its load ratings: rating life, static safety, least load, speed, axial load that its kind takes.
+//
+// Decides L_10 = (C/P)^p of [ISO281] with the reliability a_1, for one load or for blocks of load and speed, against
+// the life that is asked for; s_0 = C_0/P_0 of [ISO76]; the least load without which it skids. C, C_0, the factors and
+// the speed are those of the maker's table; deep groove ball bearings have theirs by f_0. Of a bearing that takes axial
+// load one way F_a is positive that way, and holds what its own radial load makes; of the others its sign is nothing.
+// K_A acts once: on all loads but those at rest, F_r0 and F_a0.
+// Not covered: a_ISO (lubricant, dirt, fatigue limit), swinging, clearance, tilt, spherical thrust bearings.
+#pragma once
+
+#include "calculators/bearing/rolling_kind.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/quantity/drive_units.hpp"
+#include "lib/text/issue.hpp"
+
+#include <array>
+#include <limits>
+
+namespace loadpath::bearing {
+
+inline constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+struct Rolling {
+  static constexpr auto id = "bearing.rolling";
+  static constexpr auto title = "Rolling bearing";
+  static constexpr auto scope =
+      "Basic rating life with its reliability, for one load or blocks of load and speed; static safety, least load, "
+      "speed, and the axial load that the kind can take. Lubricant and dirt (a_ISO), swinging and tilt are not "
+      "covered.";
+  static constexpr auto source = "[ISO281], [ISO76]";
+  static constexpr bool takes_series = false;  // one life for all loads
+  static constexpr auto example = R"([project]
+title = "Bearing 6208 of a gear shaft"
+
+[left]
+calculator = "bearing.rolling"
+kind = "deep_groove_ball"
+C = "29.1 kN"
+C_0 = "17.9 kN"
+f_0 = 14
+F_r = "2.5 kN"
+F_a = "1 kN"
+n = "900 rpm"
+n_max = "8500 rpm"
+L_h = "15000 h"
+s_0 = 2
+)";
+
+  struct Block {
+    Name name;
+    double q = unset<double>, k = 1.0;
+    AngularSpeed n = unset<AngularSpeed>;
+    static constexpr std::tuple fields{
+        NameField{&Block::name, "name", "name of the block"}.may_be_missing(),
+        Field{&Block::q, "q", ratio, "share of the time; all shares sum to 1"}.positive().within(0, 1),
+        Field{&Block::k, "k", ratio, "its loads over F_r and F_a"}.at_least(0).usually(0, 10),
+        Field{&Block::n, "n", rpm, "its speed; that of the step where missing"}.at_least(0).may_be_missing()};
+  };
+  static constexpr std::size_t most_blocks = 32;
+
+  struct Input {
+    Kind kind = Kind::unstated;
+    Force C = unset<Force>, C_0 = unset<Force>;
+    Force F_r = unset<Force>, F_a = 0.0 * N.one;
+    double K_A = 1.0;
+    AngularSpeed n = unset<AngularSpeed>, n_max = unset<AngularSpeed>;
+    double f_0 = unset<double>, e = unset<double>, X = unset<double>, Y = unset<double>, Y_1 = unset<double>;
+    double Y_0 = unset<double>;
+    Time L_h = unset<Time>;
+    double a_1 = 1.0, s_0 = unset<double>;
+    Force P_min = unset<Force>, F_a_adm = unset<Force>;
+    Force F_r0 = unset<Force>, F_a0 = unset<Force>;
+    List<Block, most_blocks> blocks;
+  };
+  static AngularSpeed highest_speed(const Input& in);
+  static bool has_axial(const Input& in);
+  static bool factors_given(const Input& in);
+  static bool factors_once(const Input& in);
+  static bool static_factors_given(const Input& in);
+  static bool shares_close(const Input& in);
+  static FieldFault missing_factors(const Input& in);
+  static FieldFault open_shares(const Input& in);
+  static Applies runs(const Input& in);
+  static Applies runs_at_an_angle(const Input& in);
+  static Applies has_axial_bound(const Input& in);
+  static constexpr std::tuple inputs{
+      Choice{&Input::kind, "kind", "kind of the bearing; must be stated"},
+      Field{&Input::C, "C", kN, "basic dynamic load rating, of the maker's table"}.positive().usually(0.05, 1e5),
+      Field{&Input::C_0, "C_0", kN, "basic static load rating"}.positive().usually(0.02, 2e5).may_be_missing(),
+      Field{&Input::F_r, "F_r", kN, "radial load on the bearing"}.load().at_least(0),
+      Field{&Input::F_a, "F_a", kN,
+            "axial load on the bearing; of a kind that takes it one way positive that way, with what F_r itself makes"}
+          .load(),
+      Field{&Input::K_A, "K_A", ratio, "service factor on F_r and F_a: what they do not contain, once"}
+          .positive()
+          .usually(1, 4)
+          .factor(),
+      Field{&Input::n, "n", rpm, "speed of one ring against the other; 0 of a bearing that stands"}.at_least(0),
+      Field{&Input::n_max, "n_max", rpm, "highest speed of the maker's table for this lubrication"}
+          .positive()
+          .may_be_missing(),
+      Field{&Input::f_0, "f_0", ratio, "factor of the maker's table that gives e and Y of a deep groove ball bearing"}
+          .positive()
+          .usually(8, 18)
+          .may_be_missing(),
+      Field{&Input::e, "e", ratio, "F_a/F_r beyond which X and Y count, of the maker's table"}
+          .positive()
+          .usually(0.1, 2)
+          .may_be_missing(),
+      Field{&Input::X, "X", ratio, "radial factor beyond e; that of the kind where missing"}
+          .at_least(0)
+          .usually(0.3, 1)
+          .may_be_missing(),
+      Field{&Input::Y, "Y", ratio, "axial factor beyond e; Y_2 of two rows"}
+          .positive()
+          .usually(0.2, 7)
+          .may_be_missing(),
+      Field{&Input::Y_1, "Y_1", ratio, "axial factor up to e, of two rows"}
+          .at_least(0)
+          .usually(0.3, 5)
+          .may_be_missing(),
+      Field{&Input::Y_0, "Y_0", ratio, "axial factor of the static load"}.at_least(0).usually(0.2, 5).may_be_missing(),
+      Field{&Input::L_h, "L_h", hour, "life that is asked for"}.positive().usually(100, 3e5).may_be_missing(),
+      Field{&Input::a_1, "a_1", ratio,
+            "reliability: 1 for 90 %, 0.64 for 95, 0.55 for 96, 0.47 for 97, 0.37 for 98, 0.25 for 99 %"}
+          .within(0.01, 1)
+          .factor(),
+      Field{&Input::s_0, "s_0", ratio,
+            "least static safety: at rest 0.5 of balls and 1 of rollers, running 1 to 2 and 1.5 to 3.5, under shocks "
+            "more"}
+          .at_least(0.4)
+          .usually(0.5, 10)
+          .may_be_missing()
+          .factor(),
+      Field{&Input::P_min, "P_min", kN, "least load that it needs, of the maker; 0.01 C of balls, 0.02 C of rollers"}
+          .positive()
+          .may_be_missing(),
+      Field{&Input::F_a_adm, "F_a_adm", kN, "axial load that the maker allows; 0.5 C_0 of a deep groove ball bearing"}
+          .positive()
+          .may_be_missing(),
+      Field{&Input::F_r0, "F_r0", kN, "largest radial load at rest or in a shock, where it is more than in running"}
+          .load()
+          .at_least(0)
+          .may_be_missing(),
+      Field{&Input::F_a0, "F_a0", kN, "axial load at the same time"}.load().may_be_missing(),
+      ListField{&Input::blocks, "blocks", "blocks of load and speed with their shares of the time; else all is one"}
+          .may_be_missing()};
+
+  struct Stage {
+    Name name;
+    double q = unset<double>;
+    AngularSpeed n = unset<AngularSpeed>;
+    double e = unset<double>, Y = unset<double>;
+    Force P = unset<Force>;
+    double D = unset<double>;
+    static constexpr std::tuple fields{NameField{&Stage::name, "name", "name of the block"},
+                                       Field{&Stage::q, "q", ratio, "share of the time"},
+                                       Field{&Stage::n, "n", rpm, "speed"},
+                                       Field{&Stage::e, "e", ratio, "F_a/F_r beyond which the axial load counts"},
+                                       Field{&Stage::Y, "Y", ratio, "axial factor"},
+                                       Field{&Stage::P, "P", kN, "equivalent dynamic load"}.holding("K_A"),
+                                       Field{&Stage::D, "D", ratio, "its share of the fatigue"}};
+  };
+
+  struct Result {
+    double p = unset<double>, x_f = unset<double>, e = unset<double>, Y = unset<double>;
+    Force P = unset<Force>, P_m = unset<Force>;
+    AngularSpeed n_m = unset<AngularSpeed>;
+    double L_10 = unset<double>;
+    Time L_10h = unset<Time>, L_nh = unset<Time>;
+    Force C_req = unset<Force>, P_0 = unset<Force>, F_i = unset<Force>, F_ao = unset<Force>, F_ro = unset<Force>;
+    double u_L = unset<double>, x_P = unset<double>, u_0 = unset<double>, x_min = unset<double>, u_n = unset<double>;
+    double u_a = unset<double>, x_i = unset<double>;
+    List<Stage, most_blocks> blocks;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::p, "p", ratio, "life exponent: 3 of balls, 10/3 of rollers"},
+      Field{&Result::x_f, "x_f", ratio, "f_0 F_a/C_0, up to the end of the table of e and Y"}
+          .limit(0, 6.89 * (1.0 + 1e-9), "f_0")
+          .where_it_applies(),
+      Field{&Result::e, "e", ratio, "F_a/F_r beyond which the axial load counts"},
+      Field{&Result::Y, "Y", ratio, "axial factor beyond it"},
+      Field{&Result::P, "P", kN, "equivalent dynamic load of F_r and F_a"}.holding("K_A"),
+      Field{&Result::P_m, "P_m", kN, "equivalent dynamic load of all blocks"}.holding("K_A"),
+      Field{&Result::n_m, "n_m", rpm, "mean speed"},
+      Field{&Result::L_10, "L_10", ratio, "basic rating life in millions of revolutions, 90 %"},
+      Field{&Result::L_10h, "L_10h", hour, "basic rating life, 90 %"},
+      Field{&Result::L_nh, "L_nh", hour, "life with the reliability of a_1"},
+      Field{&Result::C_req, "C_req", kN, "dynamic load rating that the life asks for"},
+      Field{&Result::P_0, "P_0", kN, "equivalent static load, the largest"},
+      Field{&Result::F_i, "F_i", kN, "axial load that its radial load makes, on the mating bearing: F_r/(2 Y)"}.load(),
+      Field{&Result::F_ao, "F_ao", N, "axial load that its kind cannot take"}.limit(0, 1e-3).criterion(),
+      Field{&Result::F_ro, "F_ro", N, "radial load that its kind cannot take"}.limit(0, 1e-3).criterion(),
+      Field{&Result::u_L, "u_L", ratio, "life: load rating that it asks for over C"}.check("L_h").where_it_applies(),
+      Field{&Result::x_P, "x_P", ratio, "largest P over the smaller of C/2 and C_0: beyond, no rating life"}
+          .limit(0, 1)
+          .where_it_applies(),
+      Field{&Result::u_0, "u_0", ratio, "static: safety asked for, times P_0 over C_0"}.check("s_0"),
+      Field{&Result::x_min, "x_min", ratio, "smallest P in running over the least load; below it the bearing skids"}
+          .limit(1 - 1e-9, unbounded)
+          .criterion()
+          .where_it_applies(),
+      Field{&Result::u_n, "u_n", ratio, "highest speed over that of the maker's table"}.check("n_max"),
+      Field{&Result::u_a, "u_a", ratio, "axial load over the allowed one"}.check("F_a_adm, C_0").where_it_applies(),
+      Field{&Result::x_i, "x_i", ratio, "axial load over what the radial load makes, F_i: it is never less"}
+          .limit(1 - 1e-6, unbounded)
+          .where_it_applies(),
+      ListField{&Result::blocks, "blocks", "the blocks"}};
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return in.kind != Kind::unstated; }, "kind",
+                  "state the kind of the bearing: its life exponent and the loads that it takes hang on it"},
+      Rule<Input>{&factors_once, "f_0, e, Y", "give f_0, or e and Y, never both: f_0 of a deep groove ball bearing"},
+      Rule<Input>{&factors_given, "e, Y, X, Y_1, f_0, C_0, F_a, kind", "this load needs the factors of the bearing",
+                  &missing_factors},
+      Rule<Input>{[](const Input& in) { return !is_set(in.s_0) || is_set(in.C_0); }, "s_0, C_0",
+                  "the static safety needs the static load rating C_0"},
+      Rule<Input>{&static_factors_given, "Y_0, s_0, F_a, F_a0, kind",
+                  "the static safety under an axial load needs Y_0 of the maker's table"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.F_a0) || is_set(in.F_r0); }, "F_a0, F_r0",
+                  "give the radial load F_r0 beside F_a0, be it zero"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.L_h) || runs(in) == Applies::yes; }, "L_h, n, blocks",
+                  "a bearing that stands has no life in hours: leave out L_h, or give the speed"},
+      Rule<Input>{&shares_close, "blocks", "the shares q of the blocks must sum to 1", &open_shares}};
+
+  static constexpr bool turns = true;
+  static constexpr std::array modes{
+      Mode<Input>{"fatigue", "fatigue of the raceways: rating life", &runs}.judged_by("u_L, x_P, x_f"),
+      Mode<Input>{"static", "dents by the largest load, at rest or in a shock", &always<Input>}.judged_by("u_0"),
+      Mode<Input>{"skidding", "skidding under too small a load", &runs}.judged_by("x_min").of_shape(),
+      Mode<Input>{"speed", "speed above that of the maker's table", &runs}.judged_by("u_n"),
+      Mode<Input>{"axial", "an axial load that the kind cannot take", &always<Input>}.judged_by("F_ao").of_shape(),
+      Mode<Input>{"radial", "a radial load that the kind cannot take", &always<Input>}.judged_by("F_ro").of_shape(),
+      Mode<Input>{"ribs", "ribs, or edges of the groove, under the axial load", &has_axial_bound}
+          .judged_by("u_a")
+          .wanting("F_a_adm"),
+      Mode<Input>{"mate", "less axial load than its own radial load makes", &runs_at_an_angle}
+          .judged_by("x_i")
+          .of_shape(),
+      Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
+      Mode<Input>{"film", "wear and fatigue where the film is thin or the oil dirty: a_ISO", &unseen<Input>}.special(),
+      Mode<Input>{"heat", "heat, and the life of the grease", &unseen<Input>}.special(),
+      Mode<Input>{"tilt", "tilt of its rings: slope of the shaft, alignment of the seats", &unseen<Input>}.special(),
+      Mode<Input>{"seats", "rings that creep on their seats: fits, circlips, shoulders", &unseen<Input>}.special(),
+      Mode<Input>{"standstill", "marks by vibration at standstill, current, rust", &unseen<Input>}.special()};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+}  // namespace loadpath::bearing

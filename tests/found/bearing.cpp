@@ -1,0 +1,85 @@
+// What must not pass of rolling bearings: designs that an engineer rejects.
+#include "tests/found/modes.hpp"
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+const std::string id = "bearing.rolling";
+const std::string bare = "f_0 = \nF_a = \n";
+const std::string rollers = bare + "kind = \"cylindrical_roller_NU\"\n";
+const std::string tapered = "f_0 = \nkind = \"tapered_roller\"\ne = 0.37\nY = 1.6\nY_0 = 0.9\n";
+
+}  // namespace
+
+TEST_SUITE("found bearing") {
+  TEST_CASE("a bearing without ribs takes no axial load, in running or at rest, and none the wrong way") {
+    CHECK(mode_with(id, rollers, "axial") == "pass");
+    CHECK(mode_with(id, rollers + "F_a = \"10 N\"", "axial") == "fail");
+    CHECK(mode_with(id, rollers + "F_a = \"-10 N\"", "axial") == "fail");
+    CHECK(mode_with(id, rollers + "F_r0 = \"1 kN\"\nF_a0 = \"1 kN\"", "axial") == "fail");
+    CHECK(mode_with(id, tapered + "F_a = \"2 kN\"", "axial") == "pass");
+    CHECK(mode_with(id, tapered + "F_a = \"-2 kN\"", "axial") == "fail");
+    CHECK(mode_with(id, tapered + "F_a = \"-2 kN\"", "mate") == "not-covered");
+    CHECK(mode_with(id, "F_a = \"-1 kN\"", "axial") == "pass");  // a deep groove takes it both ways
+  }
+
+  TEST_CASE("ribs take half of the radial load, and what the maker allows") {
+    const std::string ribs = "f_0 = \nkind = \"cylindrical_roller_NJ\"\ne = 0.2\nY = 0.6\n";
+    CHECK(mode_with(id, ribs + "F_a = \"1 kN\"", "ribs") == "not-judged");
+    CHECK(mode_with(id, ribs + "F_a = \"1 kN\"\nF_a_adm = \"1.1 kN\"", "ribs") == "pass");
+    CHECK(mode_with(id, ribs + "F_a = \"1 kN\"\nF_a_adm = \"0.9 kN\"", "ribs") == "fail");
+    CHECK(mode_with(id, ribs + "F_a = \"1.3 kN\"\nF_a_adm = \"2 kN\"", "axial") == "fail");
+    CHECK(mode_with(id, ribs + "F_a = \"-0.5 kN\"\nF_a_adm = \"2 kN\"", "axial") == "fail");
+  }
+
+  TEST_CASE("a thrust bearing takes no radial load, and skids without an axial one") {
+    const std::string thrust = bare + "kind = \"thrust_ball\"\n";
+    CHECK(mode_with(id, thrust + "F_r = \"0 N\"\nF_a = \"2 kN\"", "radial") == "pass");
+    CHECK(mode_with(id, thrust + "F_a = \"2 kN\"", "radial") == "fail");
+    CHECK(mode_with(id, thrust + "F_r = \"0 N\"", "skidding") == "fail");
+    CHECK(mode_with(id, thrust + "F_r = \"0 N\"\nF_a = \"-2 kN\"", "axial") == "fail");
+  }
+
+  TEST_CASE("a tapered bearing that is said to bear less than its radial load makes is not covered") {
+    CHECK(mode_with(id, tapered + "F_a = \"0 kN\"", "mate") == "not-covered");
+    CHECK(mode_with(id, tapered + "F_a = \"0.7 kN\"", "mate") == "not-covered");
+    CHECK(mode_with(id, tapered + "F_a = \"0.8 kN\"", "mate") == "pass");
+  }
+
+  TEST_CASE("an overload at standstill dents a bearing whose running load is small") {
+    CHECK(mode_with(id, "F_r0 = \"8 kN\"", "static") == "pass");
+    CHECK(mode_with(id, "F_r0 = \"9.1 kN\"", "static") == "fail");
+    CHECK(mode_with(id, "F_r0 = \"2 kN\"\nF_a0 = \"-16 kN\"", "static") == "fail");
+    CHECK(mode_with(id, "F_r0 = \"2 kN\"\nF_a0 = \"-16 kN\"", "ribs") == "fail");
+    CHECK(mode_with(id, "n = \"0 rpm\"\nL_h = \nn_max = \nF_r = \"12 kN\"", "static") == "fail");
+    CHECK(mode_with(id, "blocks = [{ q = 0.999 }, { q = 0.001, k = 4, n = \"0 rpm\" }]", "static") == "fail");
+  }
+
+  TEST_CASE("what is not given is not judged") {
+    CHECK(mode_with(id, "L_h = ", "fatigue") == "not-judged");
+    CHECK(mode_with(id, "s_0 = ", "static") == "not-judged");
+    CHECK(mode_with(id, "n_max = ", "speed") == "not-judged");
+    CHECK(mode_with(id, "n = \"0 rpm\"\nL_h = \nn_max = ", "fatigue") == "none");
+  }
+
+  TEST_CASE("speed, and a load that is nothing, fail") {
+    CHECK(mode_with(id, "n = \"8600 rpm\"\nL_h = \"1000 h\"", "speed") == "fail");
+    CHECK(mode_with(id, "blocks = [{ q = 0.9 }, { q = 0.1, n = \"9000 rpm\" }]", "speed") == "fail");
+    CHECK(mode_with(id, bare + "F_r = \"0 N\"", "skidding") == "fail");
+    CHECK(mode_with(id, bare + "F_r = \"200 N\"", "skidding") == "fail");
+    CHECK(mode_with(id, "blocks = [{ q = 0.5 }, { q = 0.5, k = 0 }]", "skidding") == "fail");
+  }
+
+  TEST_CASE("beyond half of C, and beyond C_0, there is no rating life") {
+    CHECK(mode_with(id, bare + "F_r = \"15 kN\"\nL_h = \"1 h\"", "fatigue") == "not-covered");
+    CHECK(mode_with(id, bare + "C_0 = \"10 kN\"\nF_r = \"11 kN\"\nL_h = \"1 h\"", "fatigue") == "not-covered");
+  }
+
+  TEST_CASE("99 % of the bearings ask for more than 90 %") {
+    CHECK(mode_with(id, "", "fatigue") == "pass");
+    CHECK(mode_with(id, "a_1 = 0.25", "fatigue") == "fail");
+    CHECK(mode_with(id, "K_A = 1.3", "fatigue") == "fail");
+  }
+}

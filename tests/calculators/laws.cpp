@@ -150,7 +150,16 @@ const Law bearings[] = {
     {"bearing.rolling", "", R"(C = "58.2 kN")", "L_nh", 8},
 };
 
-const std::span<const Law> laws[] = {sections, bars, fatigue, vessels, drives, motion, bearings};
+const Law keys[] = {
+    {"shaft.key", "", R"(T = "900 N*m")", "p_2", 2},
+    {"shaft.key", "", "i = 2", "p_1", 1 / 1.5},
+    {"shaft.key", "", "K_A = 2.5", "F_t", 2},
+    {"shaft.key", "", "f_W = 0.5\ntorque = \"reversing\"", "u_2", 1},
+    {"shaft.key", "key = \nb = \"14 mm\"\nh = \"9 mm\"\nt_1 = \"5.5 mm\"",
+     "key = \nb = \"28 mm\"\nh = \"18 mm\"\nt_1 = \"11 mm\"\nd = \"100 mm\"\nl = \"140 mm\"", "tau", 1.0 / 8},
+};
+
+const std::span<const Law> laws[] = {keys, sections, bars, fatigue, vessels, drives, motion, bearings};
 
 /// What `result` does over the values of a key, one after the other.
 enum class Sense { rises, falls };
@@ -230,6 +239,7 @@ const Trend trends[] = {
     {"dynamics.throw", "L", rises, "theta", {R"("10 deg")", R"("25 deg")", R"("40 deg")", R"("45 deg")"}},
     {"dynamics.throw", "L", falls, "theta", {R"("45 deg")", R"("55 deg")", R"("70 deg")", R"("85 deg")"}},
     {"dynamics.work", "v_2", falls, "mu", {"0", "0.1", "0.3", "0.5"}},
+    {"shaft.key", "p_2", falls, "l", {R"("25 mm")", R"("50 mm")", R"("70 mm")"}},
     {"bearing.rolling", "L_10h", falls, "F_a", {R"("0.8 kN")", R"("1 kN")", R"("3 kN")", R"("8 kN")"}},
     {"bearing.rolling", "C_req", falls, "a_1", {"0.25", "0.64", "1"}},
     {"machine.flywheel", "J_F", falls, "delta", {"0.005", "0.01", "0.02", "0.05"}},

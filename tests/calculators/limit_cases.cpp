@@ -340,8 +340,15 @@ const Case bearings[] = {
     {"bearing.rolling", "kind = \"thrust_roller\"\nf_0 = \nF_r = \"0 N\"", "P_0", 1000.0},
 };
 
-const std::span<const Case> groups[] = {shapes, bars, tubes,      vessels, cycles, fatigue,
-                                        racks,  sets, velocities, drives,  motion, bearings};
+const Case keys[] = {
+    {"shaft.key", "form = \"B\"\nl = \"56 mm\"", "p_2", 22.5e3 / (3.5e-3 * 56e-3)},
+    {"shaft.key", "T = \"0 N*m\"", "F_t", 0.0},
+    {"shaft.key", "T_max = \"-1 kN*m\"", "F_t", 40e3},
+    {"shaft.key", "d = \"50 mm\"", "x_d", 1.0},
+};
+
+const std::span<const Case> groups[] = {keys,  shapes, bars,       tubes,  vessels, cycles,  fatigue,
+                                        racks, sets,   velocities, drives, motion,  bearings};
 
 bool is(double value, double expected) {
   return std::abs(value - expected) <= (expected == 0.0 ? 1e-9 : 2e-6 * std::abs(expected));

@@ -259,7 +259,21 @@ const Side bearings[] = {
     {"bearing.rolling", "x_i", outside, "F_a", R"("0.79 kN")", R"("0.78 kN")", tapered},
 };
 
-const std::span<const Side> groups[] = {vessels, sections, bars, fatigue, gears, pulleys, v_belts, motion, bearings};
+const Side keys[] = {
+    {"shaft.key", "u_1", over, "T", R"("2051 N*m")", R"("2052 N*m")"},
+    {"shaft.key", "u_2", over, "T", R"("1058 N*m")", R"("1059 N*m")"},
+    {"shaft.key", "u_k", over, "T", R"("1481 N*m")", R"("1482 N*m")"},
+    {"shaft.key", "u_tau", over, "tau_adm", R"("28.8 MPa")", R"("28.6 MPa")"},
+    {"shaft.key", "u_W", over, "f_W", "0.426", "0.425", R"(torque = "reversing")"},
+    {"shaft.key", "u_n", over, "l_n", R"("70 mm")", R"("69.9 mm")"},
+    {"shaft.key", "x_l", outside, "l", R"("79 mm")", R"("79.1 mm")"},
+    {"shaft.key", "x_d", over, "d", R"("50 mm")", R"("50.1 mm")"},
+    {"shaft.key", "x_d", over, "d", R"("44.1 mm")", R"("44 mm")"},
+    {"shaft.key", "x_h", over, "t_2", R"("3.5 mm")", R"("3.4 mm")"},
+};
+
+const std::span<const Side> groups[] = {keys,  vessels, sections, bars,   fatigue,
+                                        gears, pulleys, v_belts,  motion, bearings};
 
 std::string lines_at(const Side& row, const char* value) {
   const std::string last = std::string(row.key) + " = " + value;

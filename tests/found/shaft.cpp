@@ -58,3 +58,59 @@ tau_adm = "20 MPa"
     CHECK_FALSE(ExampleStep("shaft.torsion", lines + "\nd_h = \"35 mm\"").fault().empty());
   }
 }
+
+TEST_SUITE("found key") {
+  TEST_CASE("a weak hub fails where shaft and key hold") {
+    CHECK(mode_with("shaft.key", "R_e_2 = \nT = \"1 kN*m\"\np_adm_2 = \"60 MPa\"", "hub") == "fail");
+    CHECK(mode_with("shaft.key", "R_e_2 = \nT = \"1 kN*m\"\np_adm_2 = \"60 MPa\"", "shaft") == "pass");
+    CHECK(mode_with("shaft.key", "R_e_k = \"150 MPa\"\nT = \"1 kN*m\"", "key") == "fail");
+    CHECK(mode_with("shaft.key", "R_e_1 = \"150 MPa\"\nT = \"1.1 kN*m\"", "shaft") == "fail");
+    CHECK(mode_with("shaft.key", "R_e_2 = ", "hub") == "not-judged");
+  }
+
+  TEST_CASE("a key that sticks out of the hub, or of another shaft, or too high, fails") {
+    CHECK(mode_with("shaft.key", "l_n = \"60 mm\"", "hub_length") == "fail");
+    CHECK(mode_with("shaft.key", "l_n = ", "hub_length") == "not-judged");
+    CHECK(mode_with("shaft.key", "d = \"44 mm\"", "fit") == "fail");
+    CHECK(mode_with("shaft.key", "d = \"55 mm\"", "fit") == "fail");
+    CHECK(mode_with("shaft.key", "d = \"45 mm\"", "fit") == "pass");
+    CHECK(mode_with("shaft.key", "t_2 = \"3 mm\"", "depth") == "fail");
+    CHECK(mode_with("shaft.key", "l = \"90 mm\"\nl_n = \"100 mm\"", "length") == "not-covered");
+  }
+
+  TEST_CASE("a torque that changes its sense is not judged by what it would be without") {
+    CHECK(mode_with("shaft.key", "", "reversal") == "none");
+    CHECK(mode_with("shaft.key", "torque = ", "reversal") == "open");
+    CHECK(mode_with("shaft.key", "torque = \"reversing\"", "reversal") == "not-judged");
+    CHECK(mode_with("shaft.key", "torque = \"reversing\"\nf_W = 0.5", "reversal") == "pass");
+    CHECK(mode_with("shaft.key", "torque = \"reversing\"\nf_W = 0.4", "reversal") == "fail");
+  }
+
+  TEST_CASE("a start of five times the torque breaks the key, which K_A does not tell") {
+    CHECK(mode_with("shaft.key", "K_A = 1", "hub") == "pass");
+    CHECK(mode_with("shaft.key", "K_A = 1\nT_max = \"-2.25 kN*m\"", "hub") == "fail");
+  }
+
+  TEST_CASE("the forces of a gear bend the shaft, and its torque comes alone to the key") {
+    const auto project = solved_as_found(R"([project]
+title = "A wheel on its key"
+
+[gears]
+calculator = "gear.pair"
+z_1 = 20
+z_2 = 57
+m_n = "2.5 mm"
+T_1 = "60 N*m"
+b = "25 mm"
+
+[seat]
+calculator = "shaft.key"
+load = "=gears.gear_2"
+d = "35 mm"
+key = "10x8"
+l = "45 mm"
+)");
+    CHECK(mode_of(project, "seat", "seat") == "not-judged");
+    CHECK(mode_of(project, "seat", "reversal") == "not-judged");
+  }
+}

@@ -1,0 +1,108 @@
+#include "calculators/shaft/key.hpp"
+
+#include "lib/calculator/calculator_of.hpp"
+
+namespace loadpath::shaft {
+
+namespace {
+
+using Input = Key::Input;
+using Result = Key::Result;
+
+/// What a side allows: typed, or 0.9 of its yield strength; none where neither is given.
+template <class Tracer>
+Stress allowed(const char* symbol, Stress typed, Stress R_e, Tracer& trace) {
+  if (is_set(typed)) return trace.value(symbol, typed, "given");
+  if (!is_set(R_e)) return typed;
+  return trace.value(symbol, 0.9 * R_e, "0.9 R_e, method C of [DIN6892]");
+}
+
+/// Pressures and the shear stress at the force that counts.
+template <class Tracer>
+void stresses(const Input& in, Result& r, Tracer& trace) {
+  STEP_TO(r, l_tr, in.form == Key::Form::A ? in.l - in.b : in.l,
+          in.form == Key::Form::A ? "between the round ends" : "up to the straight ends");
+  STEP_TO(r, phi, in.i > 1 ? 0.75 : 1.0, "two keys do not bear alike, method C of [DIN6892]");
+  STEP_TO(r, T_eq, is_set(in.T_max) ? max(in.K_A * abs(in.T), abs(in.T_max)) : in.K_A * abs(in.T),
+          "torque that counts");
+  STEP_TO(r, F_t, 2.0 * T_eq / in.d, "at the surface of the shaft");
+  STEP_TO(r, p_1, F_t / (in.t_1 * l_tr * in.i * phi), "on what stands in the shaft");
+  STEP_TO(r, p_2, F_t / ((in.h - in.t_1) * l_tr * in.i * phi), "on what stands out of it, method C of [DIN6892]");
+  STEP_TO(r, tau, F_t / (in.b * l_tr * in.i * phi), "across its width, round ends not counted");
+}
+
+/// Against what shaft, hub and key allow.
+template <class Tracer>
+void strengths(const Input& in, Result& r, Tracer& trace) {
+  const Stress p_1 = r.p_1, p_2 = r.p_2, tau = r.tau;
+  const Stress p_a1 = allowed("p_a1", in.p_adm_1, in.R_e_1, trace);
+  const Stress p_a2 = allowed("p_a2", in.p_adm_2, in.R_e_2, trace);
+  const Stress p_ak = allowed("p_ak", in.p_adm_k, in.R_e_k, trace);
+  if (is_set(p_a1)) {
+    STEP_TO(r, u_1, p_1 / p_a1, "against what the shaft allows");
+  }
+  if (is_set(p_a2)) {
+    STEP_TO(r, u_2, p_2 / p_a2, "against what the hub allows");
+  }
+  if (is_set(p_ak)) {
+    STEP_TO(r, u_k, max(p_1, p_2) / p_ak, "against what the key allows");
+  }
+  if (is_set(in.tau_adm)) {
+    STEP_TO(r, u_tau, tau / in.tau_adm, "against what the key allows in shear");
+  } else if (is_set(p_ak)) {
+    STEP_TO(r, u_tau, sqrt(3.0) * tau / p_ak, "equivalent stress of pure shear, [Mises]");
+  }
+}
+
+/// Where the torque changes its sense every side allows less.
+template <class Tracer>
+void reversal(const Input& in, Result& r, Tracer& trace) {
+  if (!is_set(in.f_W) || !is_set(r.u_1) || !is_set(r.u_2) || !is_set(r.u_k)) return;
+  STEP_TO(r, u_W, max(max(r.u_1, r.u_2), r.u_k) / in.f_W, "the worst side, by the factor of method B");
+}
+
+/// What fits: shaft, hub, seats.
+template <class Tracer>
+void fits(const Input& in, Result& r, Tracer& trace) {
+  STEP_TO(r, x_l, r.l_tr / in.d, "up to 1.3 it bears evenly, [DIN6892]");
+  if (is_set(in.l_n)) {
+    STEP_TO(r, u_n, in.l / in.l_n, "inside of the hub");
+  }
+  if (is_set(in.d_over)) {
+    STEP_TO(r, x_d, (in.d - in.d_over) / (in.d_to - in.d_over), "between the shafts that the key belongs to");
+  }
+  if (!is_set(in.t_2)) return;
+  STEP_TO(r, x_h, in.h / (in.t_1 + in.t_2), "with play above the key");
+}
+
+}  // namespace
+
+bool Key::sizes_given(const Input& in) { return is_set(in.b) && is_set(in.h) && is_set(in.t_1); }
+
+Applies Key::loaded(const Input& in) {
+  return where(abs(in.T) > 0.0 * N_m.one || (is_set(in.T_max) && abs(in.T_max) > 0.0 * N_m.one));
+}
+
+Applies Key::reverses(const Input& in) {
+  if (in.torque == Sense::unknown) return Applies::unseen;
+  return where(in.torque == Sense::reversing);
+}
+
+Applies Key::varies(const Input& in) { return shown_by(in.K_A > 1.0 || in.torque == Sense::reversing); }
+
+template <class Tracer>
+Key::Result Key::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  stresses(in, r, trace);
+  strengths(in, r, trace);
+  reversal(in, r, trace);
+  fits(in, r, trace);
+  return r;
+}
+
+template Key::Result Key::evaluate(const Input&, NoTrace&);
+template Key::Result Key::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath::shaft
+
+template const loadpath::Calculator& loadpath::erased<loadpath::shaft::Key>();

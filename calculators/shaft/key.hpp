@@ -1,0 +1,214 @@
+// A parallel key: pressure on its sides in shaft and hub, shear, what fits the shaft and the hub.
+//
+// Decides by method C of [DIN6892]: an even pressure over the length that bears and over the height that stands in the
+// seat of the shaft, t_1, and in that of the hub, h - t_1, each against what its own part allows, 0.9 R_e or typed;
+// two keys bear 1.5 times one. Sizes are those of DIN 6885-1 by `key = "14x9"`, or typed. K_A acts once, on T and not
+// on T_max, which is what the largest shock brings, whole. Without the friction of the seat, and without chamfers. Not
+// covered: a torque that changes its sense, but by the factor f_W of method B that is typed; how uneven the pressure is
+// along the key (method B); keys that are pressed in; three keys and more.
+#pragma once
+
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/quantity/units.hpp"
+
+#include <array>
+
+namespace loadpath::shaft {
+
+struct Key {
+  static constexpr auto id = "shaft.key";
+  static constexpr auto title = "Parallel key";
+  static constexpr auto scope =
+      "Pressure on the sides of one key or two in shaft and hub, on the key itself, its shear; whether the key belongs "
+      "to the shaft, and bears in the hub. The shaft at the end of its seat, fretting and the hub's wall are not "
+      "covered.";
+  static constexpr auto source = "[DIN6892], [Mises]";
+  static constexpr auto example = R"([project]
+title = "Wheel on a shaft of 50 mm"
+
+[seat]
+calculator = "shaft.key"
+T = "450 N*m"
+torque = "one_way"
+K_A = 1.25
+d = "50 mm"
+key = "14x9"
+l = "70 mm"
+l_n = "75 mm"
+R_e_1 = "370 MPa"
+R_e_2 = "300 MPa"
+R_e_k = "420 MPa"
+)";
+
+  enum class Sense { unknown, one_way, reversing };
+  enum class Form { A, B };
+
+  struct Input {
+    Moment T = unset<Moment>, T_max = unset<Moment>;
+    Sense torque = Sense::unknown;
+    double K_A = 1.0;
+    Length d = unset<Length>;
+    Length b = unset<Length>, h = unset<Length>, t_1 = unset<Length>, t_2 = unset<Length>;
+    Length d_over = unset<Length>, d_to = unset<Length>, l_min = unset<Length>, l_max = unset<Length>;
+    Form form = Form::A;
+    Length l = unset<Length>, l_n = unset<Length>;
+    Whole i = 1;
+    Stress R_e_1 = unset<Stress>, R_e_2 = unset<Stress>, R_e_k = unset<Stress>;
+    Stress p_adm_1 = unset<Stress>, p_adm_2 = unset<Stress>, p_adm_k = unset<Stress>, tau_adm = unset<Stress>;
+    double f_W = unset<double>;
+  };
+  static bool sizes_given(const Input& in);
+  static Applies loaded(const Input& in);
+  static Applies reverses(const Input& in);
+  static Applies varies(const Input& in);
+  static constexpr std::tuple inputs{
+      RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
+      Field{&Input::T, "T", N_m, "torque"}.load(),
+      Field{&Input::T_max, "T_max", N_m, "largest torque of a start or a shock, where it is more than K_A T"}
+          .load()
+          .may_be_missing(),
+      Choice{&Input::torque, "torque", "whether the torque changes its sense"}.may_be_missing(),
+      Field{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
+          .positive()
+          .usually(1, 4)
+          .factor(),
+      Field{&Input::d, "d", mm, "diameter of the shaft"}.positive().usually(6, 500),
+      Field{&Input::b, "b", mm, "width of the key"}.positive().from("key", "b"),
+      Field{&Input::h, "h", mm, "height of the key"}.positive().from("key", "h"),
+      Field{&Input::t_1, "t_1", mm, "depth of the seat in the shaft"}.positive().from("key", "t_1"),
+      Field{&Input::t_2, "t_2", mm, "depth of the seat in the hub"}.positive().from("key", "t_2"),
+      Field{&Input::d_over, "d_over", mm, "shafts that the key belongs to: above"}.positive().from("key", "d_over"),
+      Field{&Input::d_to, "d_to", mm, "shafts that the key belongs to: up to"}.positive().from("key", "d_to"),
+      Field{&Input::l_min, "l_min", mm, "shortest key of this section"}.positive().from("key", "l_min").where_it_has(),
+      Field{&Input::l_max, "l_max", mm, "longest key of this section"}.positive().from("key", "l_max").where_it_has(),
+      Choice{&Input::form, "form", "ends of the key"}.may_be_missing(),
+      Field{&Input::l, "l", mm, "length of the key"}.positive().usually(6, 400).findable("key"),
+      Field{&Input::l_n, "l_n", mm, "length of the hub"}.positive().usually(5, 1000).may_be_missing(),
+      Count{&Input::i, "i", 1, 2, "keys around the shaft"}.may_be_missing(),
+      Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft"}.positive().usually(150, 2000).may_be_missing(),
+      Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub, at its thickness; none of a brittle one"}
+          .positive()
+          .usually(100, 2000)
+          .may_be_missing(),
+      Field{&Input::R_e_k, "R_e_k", MPa, "yield strength of the key"}.positive().usually(150, 2000).may_be_missing(),
+      Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable pressure in the shaft, in place of R_e_1"}
+          .positive()
+          .usually(20, 1500)
+          .may_be_missing(),
+      Field{&Input::p_adm_2, "p_adm_2", MPa, "allowable pressure in the hub, in place of R_e_2: of cast iron always"}
+          .positive()
+          .usually(20, 1500)
+          .may_be_missing(),
+      Field{&Input::p_adm_k, "p_adm_k", MPa, "allowable pressure on the key, in place of R_e_k"}
+          .positive()
+          .usually(20, 1500)
+          .may_be_missing(),
+      Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress of the key; by Mises from its pressure if missing"}
+          .positive()
+          .usually(10, 1000)
+          .may_be_missing(),
+      Field{&Input::f_W, "f_W", ratio, "factor of a torque that changes its sense, of method B; lowers what is allowed"}
+          .within(0.1, 1)
+          .may_be_missing()
+          .factor()};
+
+  struct Result {
+    Moment T_eq = unset<Moment>;
+    Force F_t = unset<Force>;
+    Length l_tr = unset<Length>;
+    double phi = unset<double>;
+    Stress p_1 = unset<Stress>, p_2 = unset<Stress>, tau = unset<Stress>;
+    double u_1 = unset<double>, u_2 = unset<double>, u_k = unset<double>, u_tau = unset<double>, u_W = unset<double>;
+    double u_n = unset<double>, x_l = unset<double>, x_d = unset<double>, x_h = unset<double>;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::T_eq, "T_eq", N_m, "torque that counts: with the service factor, or that of the shock"}.holding(
+          "K_A"),
+      Field{&Result::F_t, "F_t", N, "force at the surface of the shaft"}.holding("K_A"),
+      Field{&Result::l_tr, "l_tr", mm, "length that bears"},
+      Field{&Result::phi, "phi", ratio, "share that each of the keys bears"},
+      Field{&Result::p_1, "p_1", MPa, "pressure in the seat of the shaft"},
+      Field{&Result::p_2, "p_2", MPa, "pressure in the seat of the hub"},
+      Field{&Result::tau, "tau", MPa, "shear stress of the key"},
+      Field{&Result::u_1, "u_1", ratio, "shaft: pressure over the allowable one"}.check("p_adm_1, R_e_1"),
+      Field{&Result::u_2, "u_2", ratio, "hub: pressure over the allowable one"}.check("p_adm_2, R_e_2"),
+      Field{&Result::u_k, "u_k", ratio, "key: the larger pressure over the allowable one"}.check("p_adm_k, R_e_k"),
+      Field{&Result::u_tau, "u_tau", ratio, "shear of the key over the allowable one"}.check("tau_adm, p_adm_k, R_e_k"),
+      Field{&Result::u_W, "u_W", ratio, "sides under a torque that changes its sense: the worst of them over f_W"}
+          .check("f_W")
+          .where_it_applies(),
+      Field{&Result::u_n, "u_n", ratio, "length of the key over that of the hub"}.check("l_n"),
+      Field{&Result::x_l, "x_l", ratio, "length that bears over d: longer ones do not bear evenly"}.limit(0,
+                                                                                                          1.3 + 1e-9),
+      Field{&Result::x_d, "x_d", ratio, "d within the shafts of the key: above 0, up to 1"}
+          .limit(1e-9, 1 + 1e-9)
+          .criterion()
+          .where_it_applies(),
+      Field{&Result::x_h, "x_h", ratio, "height of the key over both depths: it must go in"}
+          .limit(0, 1)
+          .criterion()
+          .where_it_applies()};
+
+  static constexpr std::array rules{
+      Rule<Input>{&sizes_given, "b, h, t_1", "give a key: key = \"14x9\", or b, h and t_1"},
+      Rule<Input>{[](const Input& in) { return !sizes_given(in) || in.t_1 < in.h; }, "t_1, h",
+                  "the seat in the shaft must be less deep than the key is high"},
+      Rule<Input>{[](const Input& in) { return !sizes_given(in) || 2.0 * in.t_1 < in.d; }, "t_1, d",
+                  "the seat cuts the shaft through"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.b) || !is_set(in.l) || in.form == Form::B || in.l > in.b; },
+                  "l, b, form", "a key with round ends must be longer than it is wide"},
+      Rule<Input>{[](const Input& in) { return is_set(in.d_over) == is_set(in.d_to) && !(in.d_to <= in.d_over); },
+                  "d_over, d_to", "d_over and d_to belong together, and d_to is the larger"},
+      Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_1) && is_set(in.R_e_1)); }, "p_adm_1, R_e_1",
+                  "give p_adm_1 or R_e_1, never both"},
+      Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_2) && is_set(in.R_e_2)); }, "p_adm_2, R_e_2",
+                  "give p_adm_2 or R_e_2, never both"},
+      Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_k) && is_set(in.R_e_k)); }, "p_adm_k, R_e_k",
+                  "give p_adm_k or R_e_k, never both"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.f_W) || in.torque == Sense::reversing; }, "f_W, torque",
+                  "f_W belongs to a torque that changes its sense: torque = \"reversing\""},
+      Rule<Input>{[](const Input& in) { return !(in.l < in.l_min) && !(in.l > in.l_max); }, "l, l_min, l_max",
+                  "the standard has no key of this section in that length", nullptr, true}};
+
+  static constexpr std::array modes{
+      Mode<Input>{"shaft", "side of the seat in the shaft crushed", &loaded}.judged_by("u_1"),
+      Mode<Input>{"hub", "side of the seat in the hub crushed", &loaded}.judged_by("u_2"),
+      Mode<Input>{"key", "side of the key crushed", &loaded}.judged_by("u_k"),
+      Mode<Input>{"shear", "key sheared off", &loaded}.judged_by("u_tau"),
+      Mode<Input>{"reversal", "sides beaten out where the torque changes its sense", &reverses}
+          .judged_by("u_W")
+          .in_service(),
+      Mode<Input>{"length", "a key so long that its end does not bear", &loaded}.judged_by("x_l").of_shape(),
+      Mode<Input>{"hub_length", "a key that sticks out of the hub", &always<Input>}.judged_by("u_n").of_shape(),
+      Mode<Input>{"fit", "a key that does not belong to the shaft", &always<Input>}.judged_by("x_d").of_shape(),
+      Mode<Input>{"depth", "a key that is too high for its seats", &always<Input>}.judged_by("x_h").of_shape(),
+      Mode<Input>{"fatigue", "fatigue of the shaft at the end of the seat", &varies}
+          .left_to("fatigue.cycle")
+          .in_service(),
+      Mode<Input>{"seat", "a hub that shifts or tilts by the forces that come with the torque: no key holds it",
+                  &unseen<Input>}
+          .by_companions(),
+      Mode<Input>{"wall", "the wall of the hub above its seat", &unseen<Input>},
+      Mode<Input>{"fretting", "fretting of the seat", &unseen<Input>}.special(),
+      Mode<Input>{"balance", "imbalance by a single key at a high speed", &unseen<Input>}.special()};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+constexpr auto choices_of(Key::Sense) {
+  using Sense = Key::Sense;
+  return std::array{
+      ChoiceName<Sense>{Sense::unknown, "unknown", "it is not known"},
+      ChoiceName<Sense>{Sense::one_way, "one_way", "it never does"},
+      ChoiceName<Sense>{Sense::reversing, "reversing", "it does: starts both ways, or torsional vibration"}};
+}
+constexpr auto choices_of(Key::Form) {
+  using Form = Key::Form;
+  return std::array{ChoiceName<Form>{Form::A, "A", "round ends: l - b bears"},
+                    ChoiceName<Form>{Form::B, "B", "straight ends: all of l bears"}};
+}
+
+}  // namespace loadpath::shaft

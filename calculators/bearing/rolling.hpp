@@ -85,6 +85,7 @@ s_0 = 2
   static Applies runs_at_an_angle(const Input& in);
   static Applies has_axial_bound(const Input& in);
   static constexpr std::tuple inputs{
+      RecordField<Input>{"load", "a bearing of a shaft, whole: load = \"=shaft.bearings.left\""},
       Choice{&Input::kind, "kind", "kind of the bearing; must be stated"},
       Field{&Input::C, "C", kN, "basic dynamic load rating, of the maker's table"}.positive().usually(0.05, 1e5),
       Field{&Input::C_0, "C_0", kN, "basic static load rating"}.positive().usually(0.02, 2e5).may_be_missing(),

@@ -229,7 +229,9 @@ r_T = 0
           .wanting("rho")
           .in_service(),
       Mode<Input>{"critical_torsion", "critical speed in torsion", &unseen<Input>}.in_service(),
-      Mode<Input>{"bearings", "life and static safety of its bearings", &unseen<Input>}.in_service(),
+      Mode<Input>{"bearings", "life and static safety of its bearings", &unseen<Input>}
+          .left_to("bearing.rolling", "bearings.fatigue, bearings.static, bearings.axial, bearings.speed")
+          .in_service(),
       Mode<Input>{"hub", "keys, press fits and splines of what sits on it", &unseen<Input>},
       Mode<Input>{"turning_loads", "forces that turn with the shaft: unbalance, a crank", &unseen<Input>}.special(),
       Mode<Input>{"brittle", "brittle fracture", &unseen<Input>}.special(),

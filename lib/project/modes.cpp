@@ -57,13 +57,31 @@ bool agrees(const Step& judge, const Step& part, const Member& member) {
   return !has_field || open || (input != inputs.end() && input->value.si == value->si);
 }
 
+/// The ways to name a record of a part: an element of a list by its place, and by its name.
+using Names = std::vector<std::string>;
+
+/// The records behind a key: the one of that name, or every element of the list of that name.
+std::vector<Names> records_behind(const Step& part, const std::string& key) {
+  const FieldInfo* const field = find_field(part.input().calculator->result->fields, key);
+  if (field == nullptr || field->type != FieldInfo::Type::list) return {{key}};
+  std::vector<Names> all;
+  const auto has = [&](const std::string& element) { return !part.within(element).empty(); };
+  for (std::string element = key + "[1]"; has(element); element = key + "[" + std::to_string(all.size() + 1) + "]") {
+    const std::string name = part.word(element + ".name");
+    all.push_back(name.empty() ? Names{element} : Names{element, key + "." + name});
+  }
+  return all;
+}
+
 /// Whether the step has taken a record of the part, and kept it: what was typed in its place may be another part.
-bool takes(const Step& judge, const Step& part, const std::string& record) {
+bool takes(const Step& judge, const Step& part, const Names& record) {
   const auto& records = judge.input().reading.records;
-  if (std::none_of(records.begin(), records.end(),
-                   [&](const Taken& taken) { return taken.source == part.name() + "." + record; }))
-    return false;
-  const auto members = part.members(record);
+  const bool named = std::any_of(records.begin(), records.end(), [&](const Taken& taken) {
+    return std::any_of(record.begin(), record.end(),
+                       [&](const std::string& name) { return taken.source == part.name() + "." + name; });
+  });
+  if (!named) return false;
+  const auto members = part.members(record.front());
   return std::all_of(members.begin(), members.end(), [&](const Member& m) { return agrees(judge, part, m); });
 }
 
@@ -73,16 +91,17 @@ std::vector<const account::Mode*> judges_of(const ModeInfo& left, const Step& pa
   std::vector<const account::Mode*> judges;
   for (const std::string& key : listed_keys(left.taken)) {
     const std::size_t dot = key.find('.');
-    bool taken = false;
-    for (const auto& step : project.steps) {
-      if (step->input().calculator->id != std::string_view(left.judge)) continue;
-      if (!takes(*step, part, key.substr(0, dot))) continue;
-      taken = true;
-      for (const account::Mode& mode : step->account().modes) {
-        if (mode.id == key.substr(dot + 1)) judges.push_back(&mode);
+    for (const Names& record : records_behind(part, key.substr(0, dot))) {
+      bool taken = false;
+      for (const auto& step : project.steps) {
+        if (step->input().calculator->id != std::string_view(left.judge) || !takes(*step, part, record)) continue;
+        taken = true;
+        for (const account::Mode& mode : step->account().modes) {
+          if (mode.id == key.substr(dot + 1)) judges.push_back(&mode);
+        }
       }
+      if (!taken) return {};
     }
-    if (!taken) return {};
   }
   return judges;
 }

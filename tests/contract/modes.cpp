@@ -46,7 +46,8 @@ void check_left(const Calculator& calculator, const ModeInfo& mode) {
     const std::size_t dot = key.find('.');
     REQUIRE_MESSAGE(dot != std::string::npos, key);
     const FieldInfo* const record = find_field(calculator.result->fields, key.substr(0, dot));
-    CHECK_MESSAGE((record != nullptr && record->is_handed_over), key, " is no record that is handed over");
+    const bool hands_over = record != nullptr && (record->is_handed_over || record->type == FieldInfo::Type::list);
+    CHECK_MESSAGE(hands_over, key, " is no record that is handed over, nor a list of such");
     CHECK_MESSAGE(std::any_of(judge->modes.begin(), judge->modes.end(),
                               [&](const ModeInfo& m) { return key.substr(dot + 1) == m.id; }),
                   key, " is no mode of ", mode.judge);

@@ -184,8 +184,7 @@ R_e_k = "420 MPa"
       Mode<Input>{"hub_length", "a key that sticks out of the hub", &always<Input>}.judged_by("u_n").of_shape(),
       Mode<Input>{"fit", "a key that does not belong to the shaft", &always<Input>}.judged_by("x_d").of_shape(),
       Mode<Input>{"depth", "a key that is too high for its seats", &always<Input>}.judged_by("x_h").of_shape(),
-      Mode<Input>{"fatigue", "fatigue of the shaft at the end of the seat", &varies}
-          .left_to("fatigue.cycle")
+      Mode<Input>{"fatigue", "fatigue of the shaft at the end of the seat: a notch of shaft.design", &varies}
           .in_service(),
       Mode<Input>{"seat", "a hub that shifts or tilts by the forces that come with the torque: no key holds it",
                   &unseen<Input>}

@@ -65,10 +65,10 @@ std::vector<Names> records_behind(const Step& part, const std::string& key) {
   const FieldInfo* const field = find_field(part.input().calculator->result->fields, key);
   if (field == nullptr || field->type != FieldInfo::Type::list) return {{key}};
   std::vector<Names> all;
-  const auto has = [&](const std::string& element) { return !part.within(element).empty(); };
-  for (std::string element = key + "[1]"; has(element); element = key + "[" + std::to_string(all.size() + 1) + "]") {
-    const std::string name = part.word(element + ".name");
-    all.push_back(name.empty() ? Names{element} : Names{element, key + "." + name});
+  for (const auto& [path, entry] : part.within(key)) {  // ".left.F_r", "[1].F_r"
+    const std::string element = key + path.substr(0, path.find('.', 1));
+    if (!all.empty() && all.back().front() == element) continue;
+    all.push_back({element, key + "[" + std::to_string(all.size() + 1) + "]"});
   }
   return all;
 }

@@ -26,6 +26,11 @@ struct Case {
 const char* const right_triangle =
     "holes = \npoints = [[\"0 m\", \"0 m\"], [\"1 m\", \"0 m\"], [\"0 m\", \"1 m\"]]";  // sides of 1 m from the origin
 
+// 100 N in the middle of 1 m of 10 mm, at rest
+const char* const middle_load =
+    "pieces = [{ l = \"1 m\", d = \"10 mm\" }]\nsupports = [{ name = \"left\", x = \"0 m\" }, { x = \"1 m\" }]\n"
+    "seats = [{ x = \"0.5 m\", F_x = \"100 N\" }]\nnotches = \nrho = \"7850 kg/m^3\"";
+
 const Case shapes[] = {
     {"section.circle", R"(d = "2 m")", "I_t", pi / 2},
     {"section.circle", "d = \"2 m\"", "A", pi},
@@ -60,6 +65,9 @@ const Case bars[] = {
     {"shaft.torsion", "d = \"2 m\"\ntorques = [{ x = \"0 m\", T = \"1 MN*m\" }, { x = \"1 m\", T = \"-1 MN*m\" }]",
      "tau_max", 1e6 / (pi / 2)},
     {"shaft.overhung", "a = \"0 mm\"\nd = \"40 mm\"", "sigma_b", 0.0},
+    {"shaft.design", middle_load, "M_max", 25.0},             // F l/4
+    {"shaft.design", middle_load, "bearings.left.R_x", -50},  // half of it
+    {"shaft.design", middle_load, "mass", 7850 * pi / 4 * 1e-4},
     {"column.buckling",  // lambda = 142.9 is 4.78 sqrt(E/R_e): a little beyond 4.71, where the bar buckles elastically
      R"(method = "aisc"
 n_st = 1.67

@@ -1,0 +1,251 @@
+// Shafts on their bearings: statics of random shafts, charts and schools, and designs that must not pass.
+#include "calculators/shaft/design.hpp"
+
+#include "calculators/fatigue/peterson.hpp"
+#include "tests/found/modes.hpp"
+#include "tests/lib/project/solved.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+namespace {
+
+using namespace loadpath;
+using account::State;
+using doctest::Approx;
+using shaft::Design;
+using shaft::Holds;
+using shaft::Seat;
+using shaft::Way;
+using test::contains;
+using test::mode_with;
+using test::Solved;
+
+Design::Result solve(const Design::Input& in) {
+  NoTrace trace;
+  return Design::evaluate(in, trace);
+}
+
+/// Three pieces, two or three bearings, forces and thrusts anywhere.
+Design::Input random_shaft(std::mt19937& random) {
+  std::uniform_real_distribution<double> part(0.0, 1.0), force(-5e3, 5e3);
+  Design::Input in;
+  in.E = 210.0 * GPa, in.G = 81.0 * GPa;
+  for (int k = 0; k < 3; ++k)
+    in.pieces.push_back({{}, (50.0 + 200.0 * part(random)) * mm, (20.0 + 40.0 * part(random)) * mm});
+  Length l = 0.0 * mm;
+  for (const auto& piece : in.pieces) l += piece.l;
+  in.supports.push_back({{}, 0.1 * part(random) * l, Holds::both});
+  in.supports.push_back({{}, (0.8 + 0.2 * part(random)) * l});
+  if (part(random) < 0.5) in.supports.push_back({{}, (0.4 + 0.2 * part(random)) * l, Holds::radial, 1e5 * N_per_mm});
+  for (int k = 0; k < 4; ++k) {
+    Seat seat;
+    seat.x = part(random) * l, seat.angle = 6.0 * part(random);
+    seat.F_x = force(random) * N, seat.F_y = force(random) * N, seat.F_z = force(random) * N;
+    seat.x_w = 60.0 * part(random) * mm;
+    in.seats.push_back(seat);
+  }
+  return in;
+}
+
+/// The sum over all forces, and over their moments about the left end, in the plane that is turned by `turned` from X.
+struct Sum {
+  double force = 0.0, moment = 0.0, size = 0.0;
+};
+Sum balance(const Design::Input& in, const Design::Result& r, double turned) {
+  Sum sum;
+  const auto add = [&](double F, double x, double M) {
+    sum.force += F, sum.moment += F * x + M;
+    sum.size += std::abs(F);
+  };
+  for (const Seat& s : in.seats) {
+    const double a = s.angle - turned;
+    add(in_si(s.F_x) * std::cos(a) - in_si(s.F_y) * std::sin(a), in_si(s.x),
+        -in_si(s.F_z) * in_si(s.x_w) * std::cos(a));
+  }
+  for (const auto& b : r.bearings)
+    add(in_si(b.R_x) * std::cos(turned) + in_si(b.R_y) * std::sin(turned), in_si(b.x), 0.0);
+  return sum;
+}
+
+const std::string bare =
+    "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\nd_h = \"40 mm\"\n"
+    "pieces = [{ l = \"200 mm\", d = \"40 mm\" }]\nS_F = 1.5\n";
+const std::string two_bearings = "supports = [{ x = \"10 mm\", holds = \"both\" }, { x = \"190 mm\" }]\n";
+
+std::string messages(const std::string& lines) { return Solved(bare + lines).errors(); }
+
+}  // namespace
+
+TEST_SUITE("shaft design") {
+  TEST_CASE("bearings and loads balance in every plane, and along the shaft") {
+    std::mt19937 random(12);
+    for (int k = 0; k < 60; ++k) {
+      const Design::Input in = random_shaft(random);
+      const Design::Result r = solve(in);
+      for (const double turned : {0.0, 1.0, 2.5}) {
+        const Sum sum = balance(in, r, turned);
+        CHECK(std::abs(sum.force) < 1e-9 * sum.size);
+        CHECK(std::abs(sum.moment) < 1e-9 * sum.size);
+      }
+      double thrust = 0.0;
+      for (const Seat& s : in.seats) thrust += in_si(s.F_z);
+      CHECK(in_si(r.bearings[0].F_a) == Approx(std::abs(thrust)));
+      CHECK(in_si(r.sections.front().M) == Approx(0.0).epsilon(1e-9));
+    }
+  }
+
+  TEST_CASE("loads add up, and a shaft that is turned about its axis bears the same") {
+    std::mt19937 random(21);
+    for (int k = 0; k < 30; ++k) {
+      const Design::Input in = random_shaft(random);
+      Design::Input first = in, rest = in, turned = in;
+      for (std::size_t i = 0; i < in.seats.size(); ++i) {
+        Seat& away = i == 0 ? rest.seats[i] : first.seats[i];
+        away.F_x = away.F_y = away.F_z = 0.0 * N;
+        turned.seats[i].angle += 0.7;
+      }
+      const Design::Result all = solve(in), a = solve(first), b = solve(rest), c = solve(turned);
+      for (std::size_t i = 0; i < all.bearings.size(); ++i) {
+        CHECK(in_si(a.bearings[i].R_x + b.bearings[i].R_x - all.bearings[i].R_x) == Approx(0.0).epsilon(1e-9));
+        CHECK(in_si(c.bearings[i].F_r) == Approx(in_si(all.bearings[i].F_r)));
+      }
+      CHECK(in_si(c.M_max) == Approx(in_si(all.M_max)));
+      CHECK(in_si(c.v_max) == Approx(in_si(all.v_max)));
+    }
+  }
+
+  TEST_CASE("two bearings share as the lever has it, whatever the diameters") {
+    std::mt19937 random(3);
+    for (int k = 0; k < 20; ++k) {
+      Design::Input in = random_shaft(random);
+      if (in.supports.size() > 2) in.supports.pop_back();
+      const Design::Result r = solve(in);
+      for (auto& piece : in.pieces) piece.d *= 1.7;
+      const Design::Result stiff = solve(in);
+      for (std::size_t i = 0; i < 2; ++i) CHECK(in_si(stiff.bearings[i].F_r) == Approx(in_si(r.bearings[i].F_r)));
+      CHECK(stiff.v_max < r.v_max);
+    }
+  }
+
+  TEST_CASE("Peterson's fits: no step, no concentration; where two of them meet they agree") {
+    using namespace fatigue;
+    const Length D = 100.0 * mm;
+    CHECK(concentration(shoulder_in_bending, 1e-4 * mm, 1e-4 * mm, D).K >= 1.0);
+    for (const double h : {2.0, 5.0, 10.0, 20.0}) {
+      for (const std::span<const Fit> fits :
+           {std::span<const Fit>(shoulder_in_bending), std::span<const Fit>(groove_in_bending),
+            std::span<const Fit>(groove_in_torsion)}) {
+        const double below = concentration(fits, h * mm, h / 1.9999 * mm, D).K;
+        const double above = concentration(fits, h * mm, h / 2.0001 * mm, D).K;
+        CHECK(below == Approx(above).epsilon(0.03));
+      }
+    }
+    // Charts: D/d = 2, r/d = 0.1; bending 1.74, torsion 1.44 (read by eye).
+    CHECK(concentration(shoulder_in_bending, 25.0 * mm, 5.0 * mm, D).K == Approx(1.74).epsilon(0.03));
+    CHECK(concentration(shoulder_in_bending, 25.0 * mm, 1.0 * mm, D).place > 1.0);
+  }
+
+  TEST_CASE("what sits on the shaft is on it, is held, and balances") {
+    CHECK(contains(messages("supports = [{ x = \"10 mm\" }]\n"), "two bearings at least"));
+    CHECK(contains(messages("supports = [{ x = \"10 mm\" }, { x = \"10 mm\" }]\n"), "at different places"));
+    CHECK(contains(messages(two_bearings + "seats = [{ name = \"wheel\", x = \"210 mm\" }]\n"),
+                   "axle.seats.wheel.x: what is on the shaft lies between its ends"));
+    CHECK(contains(messages(two_bearings + "seats = [{ x = \"50 mm\", T = \"9 N*m\" }]\n"), "9 N·m are left over"));
+    CHECK(contains(messages(two_bearings + "seats = [{ x = \"50 mm\", way = \"balances\", T = \"9 N*m\" }]\n"),
+                   "has no torque of its own"));
+    CHECK(contains(messages("supports = [{ x = \"10 mm\" }, { x = \"190 mm\" }]\nseats = [{ x = \"50 mm\", F_z = \"9 "
+                            "N\" }]\n"),
+                   "one bearing alone takes forces along the shaft"));
+    CHECK(contains(messages("supports = [{ x = \"10 mm\", holds = \"both\" }, { x = \"190 mm\", holds = \"both\" }]\n"),
+                   "one bearing alone takes forces along the shaft"));
+    CHECK(contains(messages(two_bearings + "n = \"500 rpm\"\nseats = [{ x = \"50 mm\", n = \"300 rpm\" }]\n"),
+                   "turns at one speed"));
+    CHECK(contains(messages(two_bearings + "n = \"0 rpm\"\n"), "which is not zero"));
+  }
+
+  TEST_CASE("notches fit the shaft, and every step has one where fatigue is judged") {
+    const std::string stepped =
+        "pieces = [{ l = \"90 mm\", d = \"30 mm\" }, { l = \"110 mm\", d = \"40 mm\" }]\n" + two_bearings;
+    const std::string shell = "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\nS_F = 1.5\n";
+    const auto says = [&](const std::string& lines) { return Solved(shell + stepped + lines).errors(); };
+    const std::string tired = "S_D = 1.5\nr_T = 0\n";
+    CHECK(says("").empty());
+    CHECK(contains(says(tired), "at 90 mm the diameter changes from 30 mm to 40 mm"));
+    CHECK(says(tired + "notches = [{ x = \"90 mm\", kind = \"shoulder\", r = \"2 mm\" }]\n").empty());
+    CHECK(contains(says("notches = [{ x = \"90 mm\", kind = \"shoulder\" }]\n"), "needs the radius r"));
+    CHECK(contains(says("notches = [{ x = \"50 mm\", kind = \"shoulder\", r = \"2 mm\" }]\n"),
+                   "does not change at 50 mm"));
+    CHECK(contains(says("notches = [{ x = \"90 mm\", kind = \"keyway\" }]\n"), "a notch of both"));
+    CHECK(contains(says("notches = [{ x = \"50 mm\", kind = \"groove\", r = \"1 mm\", t = \"20 mm\" }]\n"), "deeper"));
+    CHECK(contains(says("notches = [{ x = \"50 mm\", kind = \"given\", K_t = 2 }]\n"), "go together"));
+    CHECK(contains(says("S_D = 1.5\n"), "how the torque runs"));
+    CHECK(contains(says("d_h = \"35 mm\"\n"), "not below that of the finished part"));
+  }
+
+  TEST_CASE("designs that break do not pass") {
+    CHECK(mode_with("shaft.design", "K_A = 25", "fatigue") == "fail");
+    CHECK(mode_with("shaft.design", "K_A = 25", "yield") == "fail");
+    CHECK(mode_with("shaft.design", "k_max = 30", "yield") == "fail");
+    CHECK(mode_with("shaft.design", "S_D = \nr_T = ", "fatigue") == "not_judged");  // it turns
+    CHECK(mode_with("shaft.design", "S_D = \nr_T = \nn = ", "fatigue") == "open");
+    CHECK(mode_with("shaft.design", "S_F = ", "yield") == "not_judged");
+    CHECK(mode_with("shaft.design", "n = \"200000 rpm\"", "critical_bending") == "fail");  // above it, too
+    CHECK(mode_with("shaft.design", "", "bearings") == "open");
+    CHECK(mode_with("shaft.design",
+                    "pieces = [{ l = \"60 mm\", d = \"30 mm\" }, { l = \"80 mm\", d = \"31 mm\" }, "
+                    "{ l = \"60 mm\", d = \"30 mm\" }]\nd_h = \"31 mm\"",
+                    "fatigue") == "not_covered");  // h/r = 0.25/2 is beyond the chart of torsion
+    CHECK(mode_with("shaft.design", "v_adm = \"0.001 mm\"", "deflection") == "fail");
+    CHECK(mode_with("shaft.design",
+                    "supports = [{ x = \"15 mm\", holds = \"both\", beta_adm = \"0.001 deg\" }, { x = \"185 mm\", "
+                    "beta_adm = \"1 deg\" }]",
+                    "slope_bearings") == "fail");
+  }
+
+  TEST_CASE("torque that reverses tires more than one that starts and stops, and that more than a steady one") {
+    double before = 1e9;
+    for (const char* r_T : {"1", "0", "-1"}) {
+      const test::ExampleStep step("shaft.design", std::string("method = \"goodman\"\nr_T = ") + r_T);
+      const double n = step("safeties.left_shoulder.n_Goodman");
+      CHECK(n < before);
+      before = n;
+    }
+  }
+
+  TEST_CASE("weight bends, and its own place of every seat") {
+    const std::string lying =
+        "[axle]\ncalculator = \"shaft.design\"\nE = \"210 GPa\"\nG = \"81 GPa\"\nrho = \"7850 "
+        "kg/m^3\"\ng_angle = \"-90 deg\"\npieces = [{ l = \"1 m\", d = \"50 mm\" }]\nsupports = "
+        "[{ x = \"0 m\" }, { x = \"1 m\" }]\n";
+    Solved own(lying), carried(lying + "seats = [{ x = \"500 mm\", mass = \"10 kg\" }]\n");
+    const double weight = 7850.0 * 9.80665 * 3.14159265358979 / 4.0 * 0.05 * 0.05;
+    CHECK(own.value("axle.bearings[1].R_y") == Approx(weight / 2.0));
+    CHECK(own.value("axle.M_max") == Approx(weight / 8.0));
+    CHECK(carried.value("axle.bearings[2].R_y") == Approx(weight / 2.0 + 5.0 * 9.80665));
+  }
+
+  TEST_CASE("its bearings are settled by the steps that take each of them, with its loads as they are") {
+    const std::string shaft =
+        bare +
+        "n = \"1000 rpm\"\nsupports = [{ name = \"left\", x = \"10 mm\", holds = \"both\" }, { name = "
+        "\"right\", x = \"190 mm\" }]\nseats = [{ x = \"90 mm\", F_x = \"2 kN\", F_z = \"300 N\" }]\n";
+    const auto bearing = [](const std::string& name, const std::string& more) {
+      return "[" + name + "]\ncalculator = \"bearing.rolling\"\nload = \"=axle.bearings." + name +
+             "\"\nkind = \"deep_groove_ball\"\nC = \"29.1 kN\"\nC_0 = \"17.9 kN\"\nf_0 = 14\nn_max = \"8500 "
+             "rpm\"\nL_h = \"10000 h\"\ns_0 = 1.5\n" +
+             more;
+    };
+    Solved one(shaft + bearing("left", "")), both(shaft + bearing("left", "") + bearing("right", ""));
+    REQUIRE_MESSAGE(!has_errors(both.issues), both.messages());
+    CHECK(one.mode("axle.bearings").state != State::pass);
+    CHECK(both.mode("axle.bearings").state == State::pass);
+    CHECK(both.value("left.F_a") == Approx(300.0));
+    CHECK(both.value("right.F_r") == both.value("axle.bearings[2].F_r"));
+    Solved weaker(shaft + bearing("left", "") + bearing("right", "F_r = \"10 N\"\n"));
+    CHECK(weaker.mode("axle.bearings").state != State::pass);
+  }
+}

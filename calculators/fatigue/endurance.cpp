@@ -19,8 +19,9 @@ using Finish = Endurance::Finish;
 template <class Tracer>
 Length neuber_length(const Input& in, Result& r, Tracer& trace) {
   STEP(S_k, in.R_m / (6.894757 * MPa), "R_m in kpsi, in which the fit is published");
-  STEP_TO(r, x_n, (in.R_m / MPa - 340.0) / ((in.loading == Loading::torsion ? 1500.0 : 1700.0) - 340.0),
-          "of steels from 340 to 1700 MPa, in torsion to 1500 MPa, [Shigley6]");
+  const double R_top = trace.value("R_top", in.loading == Loading::torsion ? 1500.0 : 1700.0,
+                                   "in MPa, to which Neuber's constant was measured; in torsion less, [Shigley6]");
+  STEP_TO(r, x_n, (in.R_m / MPa - 340.0) / (R_top - 340.0), "of steels from 340 MPa on, [Shigley6]");
   const double w_a =
       in.loading == Loading::torsion
           ? NAMED_STEP("w_a", 0.190 - 2.51e-3 * S_k + 1.35e-5 * pow<2>(S_k) - 2.67e-8 * pow<3>(S_k),

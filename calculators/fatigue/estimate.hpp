@@ -85,8 +85,10 @@ void estimate(const Endurance::Input& in, Endurance::Result& r, Tracer& trace) {
   const double f_low = trace.value("f_low", f.low, f.why);
   const double f_high = trace.value("f_high", f.high, f.why);
   // Shigley: steels stronger than 1400 MPa gain nothing; the others set no such bound.
-  STEP(R_cap, in.rule == Endurance::RuleOf::shigley ? min(in.R_m, 1400.0 * MPa) : in.R_m,
-       "tensile strength that the rule counts");
+  const Stress R_cap =
+      in.rule == Endurance::RuleOf::shigley
+          ? NAMED_STEP("R_cap", min(in.R_m, 1400.0 * MPa), "tensile strength that the rule counts, [Shigley6] (6-8)")
+          : NAMED_STEP("R_cap", in.R_m, "tensile strength that the rule counts");
   STEP_TO(r, sigma_low, f_low * R_cap, "lower end of the rule's band");
   STEP_TO(r, sigma_high, f_high * R_cap, "upper end of the rule's band");
   STEP_TO(r, sigma_m1, sigma_low, "the lower end, on the safe side");

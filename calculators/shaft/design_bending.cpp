@@ -31,8 +31,8 @@ double shear_stiffness(const Input& in, const Piece& piece) {
   return k * in_si(in.G) * area_of(piece);
 }
 
-std::vector<double> named_places(const Input& in) {
-  std::vector<double> x{0.0};
+beam::Row<double> named_places(const Input& in) {
+  beam::Row<double> x{0.0};
   for (const Piece& piece : in.pieces) x.push_back(x.back() + in_si(piece.l));
   for (const Support& support : in.supports) x.push_back(in_si(support.x));
   for (const Seat& seat : in.seats) x.push_back(in_si(seat.x));
@@ -51,15 +51,15 @@ std::size_t piece_at(const Input& in, double x) {
 }
 
 beam::Beam beam_of(const Input& in, const Stations& stations) {
-  std::vector<beam::Span> spans;
+  beam::Row<beam::Span> spans;
   for (std::size_t s = 0; s + 1 < stations.x.size(); ++s) {
     const Piece& piece = in.pieces[stations.piece[s]];
     spans.push_back({stations.x[s + 1] - stations.x[s], in_si(in.E) * inertia_of(piece), shear_stiffness(in, piece)});
   }
-  std::vector<beam::Support> supports;
+  beam::OfSupports<beam::Support> supports;
   for (const Support& support : in.supports)
     supports.push_back({stations.at(support.x), is_set(support.k) ? in_si(support.k) : beam::rigid});
-  return *beam::Beam::of(std::move(spans), std::move(supports));  // the rules have seen that it is held
+  return *beam::Beam::of(spans, supports);  // the rules have seen that it is held
 }
 
 /// The direction of an angle; a right one leaves nothing of the other plane.
@@ -77,14 +77,14 @@ enum class Plane { X, Y };
 beam::Bent bent(const Input& in, const Stations& stations, const beam::Beam& beam, Plane plane) {
   const Direction down(is_set(in.g_angle) ? in.g_angle : 0.0);
   const double gravity = !is_set(in.g_angle) ? 0.0 : g_n * (plane == Plane::X ? down.c : down.s);
-  std::vector<beam::Load> loads;
+  List<beam::Load, most_seats> loads;
   for (const Seat& seat : in.seats) {
     const Direction way(seat.angle);
     const double along = plane == Plane::X ? way.c : way.s, across = plane == Plane::X ? -way.s : way.c;
     const double F = in.K_A * (in_si(seat.F_x) * along + in_si(seat.F_y) * across) + in_si(seat.mass) * gravity;
     loads.push_back({stations.at(seat.x), F, -in.K_A * in_si(seat.F_z) * in_si(seat.x_w) * along});
   }
-  std::vector<double> weight;
+  beam::Row<double> weight;
   for (const std::size_t piece : stations.piece)
     weight.push_back(is_set(in.g_angle) ? in_si(in.rho) * area_of(in.pieces[piece]) * gravity : 0.0);
   return beam.bend(loads, weight);
@@ -93,7 +93,7 @@ beam::Bent bent(const Input& in, const Stations& stations, const beam::Beam& bea
 /// What acts to the left of every span: of torques what drives, of forces along the shaft what pulls it to the left.
 void run_along(const Input& in, Loaded& loaded) {
   const Stations& stations = loaded.stations;
-  std::vector<double> T(stations.x.size()), N(stations.x.size());
+  beam::Row<double> T(stations.x.size()), N(stations.x.size());
   for (std::size_t i = 0; i < in.seats.size(); ++i) {
     T[stations.at(in.seats[i].x)] += in.K_A * in_si(torque_of(in, i));
     N[stations.at(in.seats[i].x)] -= in.K_A * in_si(in.seats[i].F_z);
@@ -203,7 +203,7 @@ Loaded loaded_shaft(const Input& in) {
 
 beam::Frequencies critical_speeds(const Input& in) {
   const Stations stations = stations_of(in);
-  std::vector<double> masses(stations.x.size());
+  beam::Row<double> masses(stations.x.size());
   for (std::size_t s = 0; s + 1 < stations.x.size(); ++s) {
     const double half =
         in_si(in.rho) * area_of(in.pieces[stations.piece[s]]) * (stations.x[s + 1] - stations.x[s]) / 2.0;

@@ -4,14 +4,12 @@
 #include "calculators/shaft/design.hpp"
 #include "lib/beam/beam.hpp"
 
-#include <vector>
-
 namespace loadpath::shaft {
 
 /// The places where something changes, and points between them; the piece of every span. SI.
 struct Stations {
-  std::vector<double> x;
-  std::vector<std::size_t> piece;  // of the span to the right of each x but the last
+  beam::Row<double> x;
+  beam::Row<std::size_t> piece;  // of the span to the right of each x but the last
 
   [[nodiscard]] std::size_t at(Length place) const;  // the nearest
 };
@@ -26,9 +24,9 @@ struct Felt {
 struct Loaded {
   Stations stations;
   beam::Bent x, y;
-  std::vector<double> T, N;  // of every span
-  std::vector<double> phi;   // twist of every node against the first
-  double thrust = 0.0;       // that the fixed bearing takes, signed
+  beam::Row<double> T, N;  // of every span
+  beam::Row<double> phi;   // twist of every node against the first
+  double thrust = 0.0;     // that the fixed bearing takes, signed
   [[nodiscard]] Felt felt(std::size_t node) const;
   [[nodiscard]] double deflection(std::size_t node) const;
   [[nodiscard]] double slope(std::size_t node) const;

@@ -47,7 +47,8 @@ draw::Figure side(const Design::Input& in) {
 }
 
 draw::Figure elastic_line(const Loaded& loaded) {
-  draw::Curve x{"v_X", loaded.stations.x, {}}, y{"v_Y", loaded.stations.x, {}};
+  const std::vector<double> places(loaded.stations.x.begin(), loaded.stations.x.end());
+  draw::Curve x{"v_X", places, {}}, y{"v_Y", places, {}};
   for (std::size_t n = 0; n < loaded.stations.x.size(); ++n) {
     x.y.push_back(loaded.x.nodes[n].v);
     y.y.push_back(loaded.y.nodes[n].v);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace loadpath::shaft {
 
@@ -22,9 +21,11 @@ struct There {
   Name name;
 };
 
+using Changes = List<There, most_places>;
+
 /// Of what stands at one place the notch comes first, then what has a name.
-std::vector<There> changes_of(const Input& in, const Loaded& loaded) {
-  std::vector<There> all;
+Changes changes_of(const Input& in, const Loaded& loaded) {
+  Changes all;
   const auto add = [&](Length x, const Name& name, const Notched* notch) {
     const std::size_t node = loaded.stations.at(x);
     const auto same = std::find_if(all.begin(), all.end(), [&](const There& t) { return t.node == node; });
@@ -171,6 +172,8 @@ Safety safety_of(const Input& in, const There& there, const Sides& sides, const 
   s.name = p.name, s.x = p.x;
   const bool own = there.notch != nullptr && is_set(there.notch->r);
   const Length r_n = own ? there.notch->r : 0.02 * p.d;
+  trace.value("d", p.d, "of the section");
+  trace.value("r_n", r_n, own ? "of the notch" : "0.02 d, of a keyway; of no account without a notch");
   trace.value("sigma_b", p.sigma_b, "of the section");
   trace.value("sigma_n", p.sigma_n, "of the section");
   trace.value("tau", p.tau, "of the section");
@@ -193,7 +196,7 @@ std::size_t governing(const Elements& all, const Use& use) {
 template <class Tracer>
 void judge_sections(const Input& in, const Loaded& loaded, Result& r, Tracer& trace) {
   NoTrace quiet;
-  const std::vector<There> changes = changes_of(in, loaded);
+  const Changes changes = changes_of(in, loaded);
   for (const There& there : changes) {
     const Sides sides = sides_of(in, loaded.stations, there.node);
     r.sections.push_back(section_at(in, loaded, there, sides, quiet));

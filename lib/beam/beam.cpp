@@ -9,6 +9,7 @@ namespace loadpath::beam {
 
 namespace {
 
+using Unknowns = boost::container::static_vector<double, 2 * most_nodes>;
 using Stiffness = std::array<std::array<double, 4>, 4>;
 
 /// Forces and couples on the two ends of a span per displacement and slope of them.
@@ -38,16 +39,19 @@ void clean(Bent& bent) {
   clean(bent.nodes, [](Node& n) -> double& { return n.v; });
   clean(bent.nodes, [](Node& n) -> double& { return n.slope; });
   clean(bent.reactions, [](double& reaction) -> double& { return reaction; });
-  std::vector<End*> ends;
-  for (Ends& span : bent.spans) ends.insert(ends.end(), {&span.left, &span.right});
+  boost::container::static_vector<End*, 2 * most_nodes> ends;
+  for (Ends& span : bent.spans) {
+    ends.push_back(&span.left);
+    ends.push_back(&span.right);
+  }
   clean(ends, [](End* end) -> double& { return end->V; });
   clean(ends, [](End* end) -> double& { return end->M; });
 }
 
 }  // namespace
 
-Beam::Beam(std::vector<Span> spans, std::vector<Support> supports)
-    : spans_(std::move(spans)), supports_(std::move(supports)), factors_(2 * (spans_.size() + 1)) {
+Beam::Beam(const Row<Span>& spans, const OfSupports<Support>& supports)
+    : spans_(spans), supports_(supports), factors_(2 * (spans_.size() + 1)) {
   for (std::size_t s = 0; s < spans_.size(); ++s) {
     const Stiffness k = stiffness_of(spans_[s]);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -63,8 +67,8 @@ Beam::Beam(std::vector<Span> spans, std::vector<Support> supports)
   holds_ = factors_.factor();
 }
 
-std::optional<Beam> Beam::of(std::vector<Span> spans, std::vector<Support> supports) {
-  Beam beam(std::move(spans), std::move(supports));
+std::optional<Beam> Beam::of(const Row<Span>& spans, const OfSupports<Support>& supports) {
+  Beam beam(spans, supports);
   if (!beam.holds_) return std::nullopt;
   return beam;
 }
@@ -80,8 +84,21 @@ Ends Beam::ends_of(std::size_t span, std::span<const double> u, double q) const 
   return {{f[0], -f[1]}, {-f[2], f[3]}};
 }
 
+bool Beam::is_held(std::size_t node) const {
+  return std::any_of(supports_.begin(), supports_.end(),
+                     [&](const Support& support) { return support.node == node && !(support.k < rigid); });
+}
+
+void Beam::displace(std::span<double> unknowns) const {
+  for (const Support& support : supports_) {
+    if (!(support.k < rigid)) unknowns[2 * support.node] = 0.0;
+  }
+  factors_.solve(unknowns);
+}
+
 Bent Beam::bend(std::span<const Load> loads, std::span<const double> q) const {
-  std::vector<double> u(2 * nodes()), forces(nodes());
+  Row<double> forces(nodes());
+  Unknowns u(2 * nodes());
   for (const Load& load : loads) {
     u[2 * load.node] += load.F;
     u[2 * load.node + 1] += load.M;
@@ -91,10 +108,7 @@ Bent Beam::bend(std::span<const Load> loads, std::span<const double> q) const {
     const std::array<double, 4> even = held(spans_[s], q[s]);
     for (std::size_t i = 0; i < 4; ++i) u[2 * s + i] += even[i];
   }
-  for (const Support& support : supports_) {
-    if (!(support.k < rigid)) u[2 * support.node] = 0.0;
-  }
-  factors_.solve(u);
+  displace(u);
   Bent bent;
   for (std::size_t n = 0; n < nodes(); ++n) bent.nodes.push_back({u[2 * n], u[2 * n + 1]});
   for (std::size_t s = 0; s < spans_.size(); ++s) bent.spans.push_back(ends_of(s, u, s < q.size() ? q[s] : 0.0));
@@ -107,27 +121,15 @@ Bent Beam::bend(std::span<const Load> loads, std::span<const double> q) const {
   return bent;
 }
 
-std::vector<double> Beam::flexibilities() const {
-  std::vector<double> all, u(2 * nodes());
-  for (std::size_t n = 0; n < nodes(); ++n) {
-    const bool is_held = std::any_of(supports_.begin(), supports_.end(),
-                                     [&](const Support& s) { return s.node == n && !(s.k < rigid); });
-    std::fill(u.begin(), u.end(), 0.0);
-    u[2 * n] = is_held ? 0.0 : 1.0;
-    factors_.solve(u);
-    all.push_back(u[2 * n]);
-  }
-  return all;
-}
-
 namespace {
 
 /// The shape that the masses take when each is pushed in proportion to itself and to `shape`.
-std::vector<double> pushed(const Beam& beam, std::span<const double> masses, std::span<const double> shape) {
-  std::vector<Load> loads;
-  for (std::size_t n = 0; n < masses.size(); ++n) loads.push_back({n, masses[n] * shape[n], 0.0});
-  std::vector<double> v;
-  for (const Node& node : beam.bend(loads).nodes) v.push_back(node.v);
+Row<double> pushed(const Beam& beam, std::span<const double> masses, std::span<const double> shape) {
+  Unknowns u(2 * masses.size());
+  for (std::size_t n = 0; n < masses.size(); ++n) u[2 * n] = masses[n] * shape[n];
+  beam.displace(u);
+  Row<double> v;
+  for (std::size_t n = 0; n < masses.size(); ++n) v.push_back(u[2 * n]);
   return v;
 }
 
@@ -137,24 +139,33 @@ double product(std::span<const double> masses, std::span<const double> a, std::s
   return sum;
 }
 
+/// Of each mass alone: the sum of what a unit force does where it acts, times the mass.
+double sum_of_alone(const Beam& beam, std::span<const double> masses) {
+  double sum = 0.0;
+  for (std::size_t n = 0; n < masses.size(); ++n) {
+    if (masses[n] == 0.0 || beam.is_held(n)) continue;
+    Unknowns u(2 * masses.size());
+    u[2 * n] = 1.0;
+    beam.displace(u);
+    sum += masses[n] * u[2 * n];
+  }
+  return sum;
+}
+
 }  // namespace
 
 Frequencies frequencies(const Beam& beam, std::span<const double> masses) {
   Frequencies found;
-  std::vector<double> shape(masses.size(), 1.0);
-  std::vector<double> next = pushed(beam, masses, shape);
+  Row<double> shape(masses.size(), 1.0), next = pushed(beam, masses, shape);
   const double first = product(masses, next, next);
   if (!(first > 0.0)) return found;
   found.rayleigh = std::sqrt(product(masses, next, shape) / first);
-  const std::vector<double> own = beam.flexibilities();
-  double sum = 0.0;
-  for (std::size_t n = 0; n < masses.size(); ++n) sum += masses[n] * own[n];
-  found.dunkerley = 1.0 / std::sqrt(sum);
+  found.dunkerley = 1.0 / std::sqrt(sum_of_alone(beam, masses));
   constexpr int most_rounds = 200;
   for (int round = 0; round < most_rounds; ++round) {
     const double size = std::sqrt(product(masses, next, next));
     for (double& x : next) x /= size;
-    shape = std::exchange(next, {});
+    shape = next;
     next = pushed(beam, masses, shape);
     const double before = std::exchange(found.lowest, 1.0 / std::sqrt(product(masses, next, shape)));
     if (std::abs(found.lowest - before) <= 1e-13 * found.lowest) break;

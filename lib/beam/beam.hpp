@@ -7,13 +7,21 @@
 
 #include "lib/numerics/band_matrix.hpp"
 
+#include <boost/container/static_vector.hpp>
+
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace loadpath::beam {
+
+/// Nothing is allocated: a beam has at most so many nodes.
+inline constexpr std::size_t most_nodes = 320, most_supports = 16;
+template <class Element>
+using Row = boost::container::static_vector<Element, most_nodes>;
+template <class Element>
+using OfSupports = boost::container::static_vector<Element, most_supports>;
 
 inline constexpr double rigid = std::numeric_limits<double>::infinity();
 
@@ -47,32 +55,34 @@ struct Ends {
 
 /// A loaded beam: nodes, the ends of every span, and the force of every support on the beam.
 struct Bent {
-  std::vector<Node> nodes;
-  std::vector<Ends> spans;
-  std::vector<double> reactions;
+  Row<Node> nodes;
+  Row<Ends> spans;
+  OfSupports<double> reactions;
 };
 
 class Beam {
  public:
   /// Nothing where the supports do not hold it: fewer than two of them, or both at one place.
-  static std::optional<Beam> of(std::vector<Span> spans, std::vector<Support> supports);
+  static std::optional<Beam> of(const Row<Span>& spans, const OfSupports<Support>& supports);
 
   [[nodiscard]] std::size_t nodes() const { return spans_.size() + 1; }
-  [[nodiscard]] const std::vector<Span>& spans() const { return spans_; }
 
   /// Under forces and couples at nodes, and an even load q on each span, N/m; no q: none.
   [[nodiscard]] Bent bend(std::span<const Load> loads, std::span<const double> q = {}) const;
 
-  /// The displacement of each node where a unit force acts on it alone: its own flexibility.
-  [[nodiscard]] std::vector<double> flexibilities() const;
+  /// Forces and couples at each node in turn, in place of them its displacement and slope.
+  void displace(std::span<double> unknowns) const;
+
+  /// Whether a node cannot move.
+  [[nodiscard]] bool is_held(std::size_t node) const;
 
  private:
-  Beam(std::vector<Span> spans, std::vector<Support> supports);
+  Beam(const Row<Span>& spans, const OfSupports<Support>& supports);
   [[nodiscard]] Ends ends_of(std::size_t span, std::span<const double> u, double q) const;
 
-  std::vector<Span> spans_;
-  std::vector<Support> supports_;
-  numerics::BandMatrix<3> factors_;  // unknowns: v and slope of each node in turn
+  Row<Span> spans_;
+  OfSupports<Support> supports_;
+  numerics::BandMatrix<3, 2 * most_nodes> factors_;  // unknowns: v and slope of each node in turn
   bool holds_ = false;
 };
 

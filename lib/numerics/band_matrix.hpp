@@ -2,16 +2,18 @@
 // springs.
 #pragma once
 
+#include <boost/container/static_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 namespace loadpath::numerics {
 
-/// Entries lie at most `reach` beside the diagonal; of them the lower half is kept, row by row.
-template <std::size_t reach>
+/// Of at most `most` unknowns. Entries lie at most `reach` beside the diagonal; of them the lower half is kept, row by
+/// row.
+template <std::size_t reach, std::size_t most>
 class BandMatrix {
  public:
   explicit BandMatrix(std::size_t size) : rows_(size) {}
@@ -59,7 +61,7 @@ class BandMatrix {
   }
 
  private:
-  std::vector<std::array<double, reach + 1>> rows_;
+  boost::container::static_vector<std::array<double, reach + 1>, most> rows_;
 };
 
 }  // namespace loadpath::numerics

@@ -15,19 +15,19 @@ using doctest::Approx;
 
 constexpr double E_I = 5000.0;
 
-std::vector<Span> spans(std::size_t count, double length, double GA = rigid) {
-  return std::vector<Span>(count, Span{length / static_cast<double>(count), E_I, GA});
+Row<Span> spans(std::size_t count, double length, double GA = rigid) {
+  return Row<Span>(count, Span{length / static_cast<double>(count), E_I, GA});
 }
 
-Beam beam_of(std::vector<Span> all, std::vector<Support> supports) {
-  auto beam = Beam::of(std::move(all), std::move(supports));
+Beam beam_of(const Row<Span>& all, const OfSupports<Support>& supports) {
+  auto beam = Beam::of(all, supports);
   REQUIRE(beam.has_value());
   return *beam;
 }
 
 /// The displacement of a statically determinate beam that stands on its first and last node, by integrating M/EI twice
 /// in small steps: nothing of the elements in it.
-std::vector<double> integrated(const std::vector<Span>& all, const std::vector<Load>& loads) {
+std::vector<double> integrated(const Row<Span>& all, const std::vector<Load>& loads) {
   double length = 0.0, moment = 0.0;
   std::vector<double> x{0.0};
   for (const Span& span : all) x.push_back(length += span.l);
@@ -97,7 +97,7 @@ TEST_SUITE("beam") {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> part(0.05, 0.4), stiff(1e3, 1e6), force(-5e3, 5e3);
     for (int k = 0; k < 40; ++k) {
-      std::vector<Span> all;
+      Row<Span> all;
       for (int s = 0; s < 6; ++s) all.push_back({part(random), stiff(random), rigid});
       const std::vector<Load> one{{2, force(random), 0.0}, {4, force(random), force(random)}};
       const std::vector<Load> two{{1, force(random), force(random)}, {5, force(random), 0.0}};

@@ -92,7 +92,9 @@ Design::Result Design::evaluate(const Input& in, Tracer& trace) {
   r.d_max = 0.0 * mm;
   for (const Piece& piece : in.pieces) r.d_max = max(r.d_max, piece.d);
   r.d_s = is_set(in.d_h) ? in.d_h : r.d_max;
-  const Loaded loaded = loaded_shaft(in);
+  const auto found = loaded_shaft(in);
+  if (!found) return r;
+  const Loaded& loaded = *found;
   extremes(loaded, in, r);
   r.n = speed_of(in);
   if (is_set(r.n)) trace.speed("n", r.n, "of the shaft and all that sits on it");

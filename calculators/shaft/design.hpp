@@ -160,6 +160,7 @@ r_T = 0
   static bool on_shaft(const Input& in);
   static FieldFault off_shaft(const Input& in);
   static bool held(const Input& in);
+  static bool stiff_enough(const Input& in);
   static bool torques_close(const Input& in);
   static FieldFault open_sum(const Input& in);
   static bool speeds_agree(const Input& in);
@@ -200,6 +201,8 @@ r_T = 0
                   "the safety S_F counts against the yield strength R_e: give it, or a material"},
       Rule<Input>{[](const Input& in) { return is_set(in.E) && is_set(in.G); }, "E, G",
                   "bending needs the moduli E and G, or a material"},
+      Rule<Input>{&stiff_enough, "supports, pieces, E, G",
+                  "the bearings are so soft beside the shaft that they do not hold it"},
       Rule<Input>{[](const Input& in) { return !is_set(in.g_angle) || is_set(in.rho); }, "g_angle, rho",
                   "its weight needs the density rho, or a material"}};
 

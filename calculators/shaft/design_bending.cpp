@@ -50,7 +50,7 @@ std::size_t piece_at(const Input& in, double x) {
   return in.pieces.size() - 1;
 }
 
-beam::Beam beam_of(const Input& in, const Stations& stations) {
+std::optional<beam::Beam> beam_of(const Input& in, const Stations& stations) {
   beam::Row<beam::Span> spans;
   for (std::size_t s = 0; s + 1 < stations.x.size(); ++s) {
     const Piece& piece = in.pieces[stations.piece[s]];
@@ -59,7 +59,7 @@ beam::Beam beam_of(const Input& in, const Stations& stations) {
   beam::OfSupports<beam::Support> supports;
   for (const Support& support : in.supports)
     supports.push_back({stations.at(support.x), is_set(support.k) ? in_si(support.k) : beam::rigid});
-  return *beam::Beam::of(spans, supports);  // the rules have seen that it is held
+  return beam::Beam::of(spans, supports);
 }
 
 /// The direction of an angle; a right one leaves nothing of the other plane.
@@ -191,12 +191,15 @@ Felt Loaded::felt(std::size_t node) const {
 double Loaded::deflection(std::size_t node) const { return std::hypot(x.nodes[node].v, y.nodes[node].v); }
 double Loaded::slope(std::size_t node) const { return std::hypot(x.nodes[node].slope, y.nodes[node].slope); }
 
-Loaded loaded_shaft(const Input& in) {
+bool bears(const Input& in) { return beam_of(in, stations_of(in)).has_value(); }
+
+std::optional<Loaded> loaded_shaft(const Input& in) {
   Loaded loaded;
   loaded.stations = stations_of(in);
-  const beam::Beam beam = beam_of(in, loaded.stations);
-  loaded.x = bent(in, loaded.stations, beam, Plane::X);
-  loaded.y = bent(in, loaded.stations, beam, Plane::Y);
+  const auto beam = beam_of(in, loaded.stations);
+  if (!beam) return std::nullopt;
+  loaded.x = bent(in, loaded.stations, *beam, Plane::X);
+  loaded.y = bent(in, loaded.stations, *beam, Plane::Y);
   run_along(in, loaded);
   return loaded;
 }
@@ -211,7 +214,8 @@ beam::Frequencies critical_speeds(const Input& in) {
     masses[s + 1] += half;
   }
   for (const Seat& seat : in.seats) masses[stations.at(seat.x)] += in_si(seat.mass);
-  return beam::frequencies(beam_of(in, stations), masses);
+  const auto beam = beam_of(in, stations);
+  return beam ? beam::frequencies(*beam, masses) : beam::Frequencies{};
 }
 
 }  // namespace loadpath::shaft

@@ -4,6 +4,8 @@
 #include "calculators/shaft/design.hpp"
 #include "lib/beam/beam.hpp"
 
+#include <optional>
+
 namespace loadpath::shaft {
 
 /// The places where something changes, and points between them; the piece of every span. SI.
@@ -31,7 +33,9 @@ struct Loaded {
   [[nodiscard]] double deflection(std::size_t node) const;
   [[nodiscard]] double slope(std::size_t node) const;
 };
-Loaded loaded_shaft(const Design::Input& in);
+/// Nothing where the bearings are so soft beside the shaft that they hold nothing.
+std::optional<Loaded> loaded_shaft(const Design::Input& in);
+bool bears(const Design::Input& in);
 
 /// Of the shaft and what sits on it.
 beam::Frequencies critical_speeds(const Design::Input& in);

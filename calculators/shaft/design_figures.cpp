@@ -59,7 +59,9 @@ draw::Figure elastic_line(const Loaded& loaded) {
 }  // namespace
 
 std::vector<draw::Figure> Design::figures(const Input& in, const Result&) {
-  const Loaded loaded = loaded_shaft(in);
+  const auto found = loaded_shaft(in);
+  if (!found) return {};
+  const Loaded& loaded = *found;
   return {side(in),
           diagram("transverse-force", "Transverse force in both planes", {"V", "transverse force", "N"},
                   {along(loaded, "V_X", &force_x), along(loaded, "V_Y", &force_y)}),

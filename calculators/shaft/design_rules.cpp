@@ -97,6 +97,11 @@ bool Design::held(const Input& in) {
                      [&](const Support& s) { return !are_one(in, s.x, in.supports.front().x); });
 }
 
+bool Design::stiff_enough(const Input& in) {
+  const bool told = !held(in) || !on_shaft(in) || !bores_fit(in) || !(is_set(in.E) && is_set(in.G));
+  return told || bears(in);  // by another rule
+}
+
 bool Design::on_shaft(const Input& in) {
   return !find_place(in, [&](const std::string&, Length x) { return is_off(in, x); });
 }

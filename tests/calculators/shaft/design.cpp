@@ -162,6 +162,9 @@ TEST_SUITE("shaft design") {
                    "one bearing alone takes forces along the shaft"));
     CHECK(contains(messages("supports = [{ x = \"10 mm\", holds = \"both\" }, { x = \"190 mm\", holds = \"both\" }]\n"),
                    "one bearing alone takes forces along the shaft"));
+    CHECK(
+        contains(messages("supports = [{ x = \"10 mm\", k = \"1e-9 N/mm\" }, { x = \"190 mm\", k = \"1e-9 N/mm\" }]\n"),
+                 "so soft beside the shaft"));
     CHECK(contains(messages(two_bearings + "n = \"500 rpm\"\nseats = [{ x = \"50 mm\", n = \"300 rpm\" }]\n"),
                    "turns at one speed"));
     CHECK(contains(messages(two_bearings + "n = \"0 rpm\"\n"), "which is not zero"));

@@ -151,7 +151,7 @@ r_T = 0
       Field{&Result::n_D, "n_D", rpm, "the same by Dunkerley, never above it"},
       Field{&Result::u_y, "u_y", ratio, "deflection over the allowable one"}.check("v_adm"),
       Field{&Result::u_theta, "u_theta", ratio, "twist per length over the allowable one"}.check("theta_adm"),
-      Field{&Result::u_n, "u_n", ratio, "critical speed: speed with its margin over it"}.check("n").where_it_applies(),
+      Field{&Result::u_n, "u_n", ratio, "critical speed: speed with its margin over it"}.check().where_it_applies(),
       ListField{&Result::bearings, "bearings", "what each bearing carries"},
       ListField{&Result::seats, "seats", "how the shaft moves where something sits on it"},
       ListField{&Result::sections, "sections", "sections where something changes, left to right"},

@@ -83,12 +83,14 @@ struct Notched {
   Name name;
   Length x = unset<Length>;
   Notch kind = Notch::shoulder;
-  Length r = unset<Length>, t = unset<Length>;
+  Length d = unset<Length>, r = unset<Length>, t = unset<Length>;
   double K_t = unset<double>, K_ts = unset<double>;
   static constexpr std::tuple fields{
       NameField{&Notched::name, "name", "what it is"}.may_be_missing(),
       Field{&Notched::x, "x", mm, "place, from the left end of the shaft; of a keyway its end"}.at_least(0),
+      RecordField<Notched>{"part", "what makes it, whole: part = \"=key.notch\""},
       Choice{&Notched::kind, "kind", "kind of notch"},
+      Field{&Notched::d, "d", mm, "diameter that it is made for: that of the shaft there"}.positive().may_be_missing(),
       Field{&Notched::r, "r", mm, "radius of its root; of a keyway missing: 0.02 d"}
           .positive()
           .usually(0.1, 100)
@@ -115,5 +117,13 @@ constexpr auto choices_of(Notch) {
                     ChoiceName<Notch>{Notch::keyway, "keyway", "end of a keyway, end-milled"},
                     ChoiceName<Notch>{Notch::given, "given", "anything else, by its K_t, K_ts and r"}};
 }
+
+/// The end of the seat of a key, for a shaft to take whole.
+struct KeyNotch {
+  Notch kind = Notch::keyway;
+  Length d = unset<Length>;
+  static constexpr std::tuple fields{Choice{&KeyNotch::kind, "kind", "kind of notch"},
+                                     Field{&KeyNotch::d, "d", mm, "diameter that it is made for"}};
+};
 
 }  // namespace loadpath::shaft

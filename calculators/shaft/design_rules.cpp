@@ -83,6 +83,8 @@ Message fault_of(const Input& in, const Notched& notch) {
   if (notch.kind == Notch::groove && !(2.0 * notch.t < piece.d)) return say("the groove is deeper than the shaft");
   if (notch.kind == Notch::given && notch.K_t > 1.0 && !is_set(notch.r))
     return say("a given notch needs the radius r of its root, for the sensitivity to it");
+  if (is_set(notch.d) && abs(notch.d - piece.d) > same * piece.d)
+    return say("it is made for {1}, and the shaft has {2} at {3}", format(notch.d), format(piece.d), format(notch.x));
   const bool at_step = find_step(in, [&](Length x, Length, Length) { return are_one(in, x, notch.x); });
   if (notch.kind == Notch::shoulder && !at_step) return say("the diameter does not change at {1}", format(notch.x));
   if (notch.kind != Notch::shoulder && notch.kind != Notch::given && at_step)

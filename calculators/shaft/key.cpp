@@ -97,6 +97,7 @@ Key::Result Key::evaluate(const Input& in, Tracer& trace) {
   strengths(in, r, trace);
   reversal(in, r, trace);
   fits(in, r, trace);
+  r.notch.d = in.d;
   return r;
 }
 

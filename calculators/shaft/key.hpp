@@ -8,6 +8,7 @@
 // along the key (method B); keys that are pressed in; three keys and more.
 #pragma once
 
+#include "calculators/shaft/design_parts.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -122,6 +123,7 @@ R_e_k = "420 MPa"
     Stress p_1 = unset<Stress>, p_2 = unset<Stress>, tau = unset<Stress>;
     double u_1 = unset<double>, u_2 = unset<double>, u_k = unset<double>, u_tau = unset<double>, u_W = unset<double>;
     double u_n = unset<double>, x_l = unset<double>, x_d = unset<double>, x_h = unset<double>;
+    KeyNotch notch;
   };
   static constexpr std::tuple results{
       Field{&Result::T_eq, "T_eq", N_m, "torque that counts: with the service factor, or that of the shock"}.holding(
@@ -149,7 +151,8 @@ R_e_k = "420 MPa"
       Field{&Result::x_h, "x_h", ratio, "height of the key over both depths: it must go in"}
           .limit(0, 1)
           .criterion()
-          .where_it_applies()};
+          .where_it_applies(),
+      Group{&Result::notch, "notch", "the end of its seat, for a notch of shaft.design: part"}.handed_over()};
 
   static constexpr std::array rules{
       Rule<Input>{&sizes_given, "b, h, t_1", "give a key: key = \"14x9\", or b, h and t_1"},
@@ -184,7 +187,8 @@ R_e_k = "420 MPa"
       Mode<Input>{"hub_length", "a key that sticks out of the hub", &always<Input>}.judged_by("u_n").of_shape(),
       Mode<Input>{"fit", "a key that does not belong to the shaft", &always<Input>}.judged_by("x_d").of_shape(),
       Mode<Input>{"depth", "a key that is too high for its seats", &always<Input>}.judged_by("x_h").of_shape(),
-      Mode<Input>{"fatigue", "fatigue of the shaft at the end of the seat: a notch of shaft.design", &varies}
+      Mode<Input>{"fatigue", "fatigue of the shaft at the end of the seat", &varies}
+          .left_to("shaft.design", "notch.fatigue")
           .in_service(),
       Mode<Input>{"seat", "a hub that shifts or tilts by the forces that come with the torque: no key holds it",
                   &unseen<Input>}

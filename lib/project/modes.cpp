@@ -41,20 +41,21 @@ const ModeInfo* info_of(const Step& step, const std::string& mode) {
   return found == all.end() ? nullptr : &*found;
 }
 
-/// Whether an input of the judge has what the part says of itself; what that leaves open is the judge's own.
-bool agrees(const Step& judge, const Step& part, const Member& member) {
+/// Whether an input of the judge has what the part says of itself; what that leaves open is the judge's own. `beside`:
+/// the fields that the record fills, "notches[2].", and what is before their keys.
+bool agrees(const Step& judge, const std::string& beside, const Step& part, const Member& member) {
   const auto& inputs = judge.account().inputs;
-  const auto input =
-      std::find_if(inputs.begin(), inputs.end(), [&](const Entry& entry) { return entry.path == member.key; });
-  const bool has_field = find_field(judge.input().calculator->input->fields, member.key) != nullptr;
+  const std::string path = beside + member.key;
+  const auto input = std::find_if(inputs.begin(), inputs.end(), [&](const Entry& entry) { return entry.path == path; });
+  const bool has_field = find_field_at(judge.input().calculator->input->fields, path) != nullptr;
   if (member.is_word) {
     const std::string word = part.word(member.path);
-    return !has_field || word.empty() || (input != inputs.end() && input->word == word);
+    return !has_field || word.empty() || judge.word(path) == word;
   }
-  const Value* const value = part.value(member.path);
+  const Value* const given = part.value(member.path);
   const bool open =
-      value == nullptr || std::all_of(value->si.begin(), value->si.end(), [](double x) { return std::isnan(x); });
-  return !has_field || open || (input != inputs.end() && input->value.si == value->si);
+      given == nullptr || std::all_of(given->si.begin(), given->si.end(), [](double x) { return std::isnan(x); });
+  return !has_field || open || (input != inputs.end() && input->value.si == given->si);
 }
 
 /// The ways to name a record of a part: an element of a list by its place, and by its name.
@@ -75,14 +76,15 @@ std::vector<Names> records_behind(const Step& part, const std::string& key) {
 
 /// Whether the step has taken a record of the part, and kept it: what was typed in its place may be another part.
 bool takes(const Step& judge, const Step& part, const Names& record) {
-  const auto& records = judge.input().reading.records;
-  const bool named = std::any_of(records.begin(), records.end(), [&](const Taken& taken) {
-    return std::any_of(record.begin(), record.end(),
-                       [&](const std::string& name) { return taken.source == part.name() + "." + name; });
-  });
-  if (!named) return false;
   const auto members = part.members(record.front());
-  return std::all_of(members.begin(), members.end(), [&](const Member& m) { return agrees(judge, part, m); });
+  const auto& records = judge.input().reading.records;
+  return std::any_of(records.begin(), records.end(), [&](const Taken& taken) {
+    const std::string beside = taken.path.substr(0, taken.path.rfind('.') + 1);
+    const bool named = std::any_of(record.begin(), record.end(),
+                                   [&](const std::string& name) { return taken.source == part.name() + "." + name; });
+    return named &&
+           std::all_of(members.begin(), members.end(), [&](const Member& m) { return agrees(judge, beside, part, m); });
+  });
 }
 
 /// The modes of a calculator's steps that judge what is left to it. A record that no such step takes leaves all of it

@@ -251,4 +251,21 @@ TEST_SUITE("shaft design") {
     Solved weaker(shaft + bearing("left", "") + bearing("right", "F_r = \"10 N\"\n"));
     CHECK(weaker.mode("axle.bearings").state != State::pass);
   }
+
+  TEST_CASE("the seat of a key is judged by the shaft that takes its notch, where it is made for that shaft") {
+    const std::string key =
+        "[key]\ncalculator = \"shaft.key\"\nT = \"100 N*m\"\ntorque = \"one_way\"\nK_A = 1.25\nkey = \"12x8\"\nl = "
+        "\"50 mm\"\nl_n = \"60 mm\"\nR_e_1 = \"430 MPa\"\nR_e_2 = \"250 MPa\"\nR_e_k = \"420 MPa\"\n";
+    const std::string shaft =
+        bare + two_bearings +
+        "n = \"1000 rpm\"\nS_D = 1.5\nr_T = 0\nseats = [{ x = \"40 mm\", F_x = \"1 kN\", T = \"100 "
+        "N*m\" }, { x = \"200 mm\", way = \"balances\" }]\n";
+    const std::string notched = "notches = [{ x = \"60 mm\", part = \"=key.notch\" }]\n";
+    Solved apart(shaft + key + "d = \"40 mm\"\n"), taken(shaft + notched + key + "d = \"40 mm\"\n");
+    REQUIRE_MESSAGE(!has_errors(taken.issues), taken.messages());
+    CHECK(apart.mode("key.fatigue").state == State::not_judged);
+    CHECK(taken.mode("key.fatigue").state == taken.mode("axle.fatigue").state);
+    CHECK(contains(Solved(shaft + notched + key + "d = \"42 mm\"\n").errors(),
+                   "it is made for 42 mm, and the shaft has 40 mm"));
+  }
 }

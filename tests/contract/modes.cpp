@@ -37,6 +37,12 @@ bool is_named(const Calculator& calculator, const std::string& key) {
   });
 }
 
+bool takes_records(std::span<const FieldInfo> fields) {
+  return std::any_of(fields.begin(), fields.end(), [](const FieldInfo& field) {
+    return field.type == FieldInfo::Type::record || takes_records(field.fields);
+  });
+}
+
 /// What is left to another calculator names records of this one, and modes of that one, which takes a record.
 void check_left(const Calculator& calculator, const ModeInfo& mode) {
   const auto keys = listed_keys(mode.taken);
@@ -51,9 +57,7 @@ void check_left(const Calculator& calculator, const ModeInfo& mode) {
     CHECK_MESSAGE(std::any_of(judge->modes.begin(), judge->modes.end(),
                               [&](const ModeInfo& m) { return key.substr(dot + 1) == m.id; }),
                   key, " is no mode of ", mode.judge);
-    CHECK_MESSAGE(std::any_of(judge->input->fields.begin(), judge->input->fields.end(),
-                              [](const FieldInfo& field) { return field.type == FieldInfo::Type::record; }),
-                  mode.judge, " takes no record");
+    CHECK_MESSAGE(takes_records(judge->input->fields), std::string(mode.judge), " takes no record");
   }
 }
 

@@ -43,7 +43,12 @@ draw::Figure side(const Design::Input& in) {
     const double T = in_si(torque_of(in, i));
     if (T != 0.0) shaft.torques.push_back({in_si(in.seats[i].x), T, std::string(in.seats[i].name.view())});
   }
-  return {"shaft", "The shaft from the side, with its torques", std::move(shaft)};
+  for (std::size_t i = 0; i < in.supports.size(); ++i) {
+    const Support& support = in.supports[i];
+    const std::string name = support.name.empty() ? std::to_string(i + 1) : std::string(support.name.view());
+    shaft.bearings.push_back({in_si(support.x), support.holds == Holds::both, name});
+  }
+  return {"shaft", "The shaft from the side, with its torques and bearings", std::move(shaft)};
 }
 
 draw::Figure elastic_line(const Loaded& loaded) {

@@ -11,6 +11,7 @@ constexpr double least_depth = 78.0, most_depth = 170.0;  // of the thickest par
 constexpr double torque_reach = 16.0;                     // of a torque's line beyond the thickest part
 constexpr double torque_radius = 6.5;
 constexpr double row_height = 17.0;
+constexpr double support_depth = 22.0;  // of the sign of a bearing with its ground
 
 std::string millimetres(double metres) { return format_number(1e3 * metres, 5); }
 std::string diameter_text(double metres) { return "⌀" + millimetres(metres); }
@@ -47,6 +48,12 @@ struct TorqueSign {
   std::size_t row;
 };
 
+struct BearingSign {
+  const Shaft::Bearing* bearing;
+  Text text;
+  double x;
+};
+
 class ShaftPicture {
  public:
   explicit ShaftPicture(const Shaft& shaft);
@@ -55,19 +62,24 @@ class ShaftPicture {
  private:
   void place_cylinders();
   void place_torques(const Shaft& shaft);
+  void place_bearings(const Shaft& shaft);
   void draw_cylinders();
   void draw_bores();
   void draw_diameter(const Cylinder& c);
   void draw_torque(const TorqueSign& sign);
+  void draw_bearing(const BearingSign& sign);
   void draw_lengths();
   void draw_length(double left, double right, double y);
   void draw_note();
   [[nodiscard]] double at(double x) const { return 0.5 * (shaft_left + shaft_right) + scale_ * (x - 0.5 * length_); }
   [[nodiscard]] double radius_at(double x) const;
+  /// How far the signs reach below the thickest part.
+  [[nodiscard]] double reach_below() const;
   [[nodiscard]] std::string description() const;
 
   std::vector<Cylinder> cylinders_;
   std::vector<TorqueSign> torques_;
+  std::vector<BearingSign> bearings_;
   double length_ = 0.0, thickest_ = 0.0;  // m
   double scale_ = 1.0, radial_scale_ = 1.0;
   double radius_ = 0.0, axis_ = 0.0, height_ = 60.0;
@@ -85,6 +97,7 @@ ShaftPicture::ShaftPicture(const Shaft& shaft) {
   if (cylinders_.empty()) return;
   place_cylinders();
   place_torques(shaft);
+  place_bearings(shaft);
 }
 
 /// True to scale where that gives a readable drawing; a slender shaft is drawn thicker, a disc longer.
@@ -114,6 +127,18 @@ void ShaftPicture::place_torques(const Shaft& shaft) {
   }
   const double above = torques_.empty() ? 12.0 : rows.height() + torque_reach + 2.0 * torque_radius + 2.0;
   axis_ = above + radius_;
+}
+
+void ShaftPicture::place_bearings(const Shaft& shaft) {
+  for (const auto& bearing : shaft.bearings) {
+    if (drawable(bearing.x))
+      bearings_.push_back({&bearing, typeset(bearing.label), at(std::clamp(bearing.x, 0.0, length_))});
+  }
+}
+
+double ShaftPicture::reach_below() const {
+  const double torques = torques_.empty() ? 0.0 : torque_reach + torque_radius;
+  return std::max(torques, bearings_.empty() ? 0.0 : support_depth + row_height);
 }
 
 double ShaftPicture::radius_at(double x) const {
@@ -192,6 +217,20 @@ void ShaftPicture::draw_torque(const TorqueSign& sign) {
   svg_.text("halo f1", {middle, y}, sign.text, Anchor::middle);
 }
 
+/// A triangle on hatched ground; on two lines, between which it can slide, where it lets the shaft move along.
+void ShaftPicture::draw_bearing(const BearingSign& sign) {
+  constexpr double depth = 15.0, half = 8.5, slide = 3.0;
+  const Point foot{sign.x, axis_ + radius_at(sign.x)};
+  if (sign.bearing->fixed) {
+    support(svg_, foot, {0.0, 1.0});
+  } else {
+    const Point left{foot.x - half, foot.y + depth}, right{foot.x + half, foot.y + depth}, down{0.0, slide};
+    svg_.polygon("pin", {foot, right, left});
+    svg_.line("outline", left + down, right + down);
+  }
+  svg_.text("halo", {sign.x, axis_ + radius_ + support_depth + row_height - 4.0}, sign.text, Anchor::middle);
+}
+
 void ShaftPicture::draw_length(double left, double right, double y) {
   constexpr double head = 7.0;
   svg_.line("thin", {left, y}, {right, y});
@@ -206,7 +245,8 @@ void ShaftPicture::draw_length(double left, double right, double y) {
 }
 
 void ShaftPicture::draw_lengths() {
-  const double first = axis_ + radius_ + (torques_.empty() ? 28.0 : torque_reach + torque_radius + 26.0);
+  const double reach = reach_below();
+  const double first = axis_ + radius_ + (reach > 0.0 ? reach + 26.0 : 28.0);
   Rows below;
   for (const Cylinder& c : cylinders_) {
     const Text text = typeset(millimetres(c.part->length));
@@ -225,8 +265,7 @@ void ShaftPicture::draw_lengths() {
     svg_.text("", {0.5 * (from + to), last - 5.0}, typeset(millimetres(length_)), Anchor::middle);
   }
   for (const Cylinder& c : cylinders_) {
-    const double start =
-        torques_.empty() ? axis_ + c.radius + 3.0 : axis_ + radius_ + torque_reach + torque_radius + 3.0;
+    const double start = axis_ + (reach > 0.0 ? radius_ + reach : c.radius) + 3.0;
     svg_.line("light", {c.right, start}, {c.right, &c == &cylinders_.back() ? last + 4.0 : first + 4.0});
     if (&c == &cylinders_.front()) svg_.line("light", {c.left, start}, {c.left, last + 4.0});
   }
@@ -254,6 +293,8 @@ std::string ShaftPicture::description() const {
             format_quantity(sign.torque->x, "mm", 5))
             .text());
   }
+  for (const BearingSign& sign : bearings_)
+    add(say("bearing {1} at {2}", plain(sign.bearing->label), format_quantity(sign.bearing->x, "mm", 5)).text());
   return text;
 }
 
@@ -266,6 +307,7 @@ Picture ShaftPicture::drawn() {
   draw_bores();
   for (const Cylinder& c : cylinders_) draw_diameter(c);
   for (const TorqueSign& sign : torques_) draw_torque(sign);
+  for (const BearingSign& sign : bearings_) draw_bearing(sign);
   draw_lengths();
   draw_note();
   return {svg_, height_, description()};

@@ -270,8 +270,14 @@ struct Shaft {
     double value = 0.0;  // N m, signed
     std::string label;
   };
+  struct Bearing {
+    double x = 0.0;
+    bool fixed = false;  // it holds the shaft along its axis too
+    std::string label;
+  };
   std::vector<Part> parts;
   std::vector<Torque> torques;
+  std::vector<Bearing> bearings = {};
 };
 
 struct Figure {

@@ -45,6 +45,16 @@ TEST_SUITE("draw") {
     CHECK(overlap(drawn(shaft)) == "");
   }
 
+  TEST_CASE("bearings stand under the shaft, and the one that holds it along its axis on hatched ground") {
+    Shaft shaft = stepped_shaft();
+    shaft.bearings = {{0.1, true, "left"}, {0.9, false, "right"}};
+    const std::string text = drawn(shaft);
+    CHECK(count(text, "class=\"pin\"") == 2);
+    CHECK(says(text, "left"));
+    CHECK(says(text, "bearing right at 900 mm"));
+    CHECK(overlap(text) == "");
+  }
+
   TEST_CASE("short parts keep their dimensions apart") {
     Shaft shaft;
     for (int i = 0; i < 12; ++i) shaft.parts.push_back({i % 2 == 0 ? 0.1 : 0.004, i % 2 == 0 ? 0.05 : 0.07, 0.0});

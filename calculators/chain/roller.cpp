@@ -79,8 +79,8 @@ void pulls(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, F_W, in.K_A * F_t + 2.0 * F_f,
           "both strands pull, [Vunivere]; the centrifugal force does not reach the shafts");
   const Force none = 0.0 * N.one;
-  r.shaft_1 = shaft_load(in.K_A * r.T_1, {F_W, none, none}, r.d_1, in.n_1);
-  r.shaft_2 = shaft_load(in.K_A * T_2, {F_W, none, none}, r.d_2, r.n_2);
+  r.shaft_1 = shaft_load(in.K_A * r.T_1, {F_W, none, none}, r.d_1, in.n_1, 0.0);
+  r.shaft_2 = shaft_load(in.K_A * T_2, {F_W, none, none}, r.d_2, r.n_2, 0.0);
 }
 
 template <class Tracer>

@@ -4,6 +4,7 @@
 
 #include "lib/quantity/units.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -44,13 +45,25 @@ struct Concentration {
   double place;  // of h/r within the fits: 0 least, 1 largest, on a logarithmic scale
 };
 
-/// Of a notch of height h and radius r on the larger diameter D; below 1 a fit says nothing, and 1 is meant.
-inline Concentration concentration(std::span<const Fit> fits, Length h, Length r, Length D) {
-  const double y = h / r, s = 2.0 * h / D;
-  const Fit& fit = y <= fits.front().high ? fits.front() : fits.back();
+/// By one fit, at y = h/r and s = 2 h/D.
+inline double by_fit(const Fit& fit, double y, double s) {
   double K = 0.0;
   for (std::size_t i = fit.C.size(); i-- > 0;) K = K * s + fit.C[i][0] + fit.C[i][1] * std::sqrt(y) + fit.C[i][2] * y;
-  return {std::max(K, 1.0), std::log(y / fits.front().low) / std::log(fits.back().high / fits.front().low)};
+  return K;
+}
+
+/// Of a notch of height h and radius r on the larger diameter D. Below 1 a fit says nothing, and 1 is meant; where two
+/// of them meet the larger counts, for they differ by a percent there.
+inline Concentration concentration(std::span<const Fit> fits, Length h, Length r, Length D) {
+  constexpr double seam = 1e-6;
+  const double y = h / r, s = 2.0 * h / D;
+  double K = 1.0;
+  for (const Fit& fit : fits) {
+    const bool first = &fit == &fits.front(), last = &fit == &fits.back();
+    if ((first || y >= (1.0 - seam) * fit.low) && (last || y <= (1.0 + seam) * fit.high))
+      K = std::max(K, by_fit(fit, y, s));
+  }
+  return {K, std::log(y / fits.front().low) / std::log(fits.back().high / fits.front().low)};
 }
 
 }  // namespace loadpath::fatigue

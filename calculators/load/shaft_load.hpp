@@ -47,8 +47,8 @@ struct ShaftForces {
   Force x, y, z;
 };
 
-/// Of design loads, with the service factor. `side`: -1 where they act on the side away from the mate, as on a wheel in
-/// a ring.
+/// Of design loads, with the service factor. `side`: 1 where they act at the point next to the mate, -1 at the one away
+/// from it, as on a wheel in a ring, 0 at the axis, as the pull of a belt.
 inline ShaftLoad shaft_load(Moment T, const ShaftForces& own, Length d_w, AngularSpeed n, double side = 1.0) {
   return {abs(T), sqrt(own.x * own.x + own.y * own.y), own.x, own.y, own.z, d_w, side * d_w / 2.0, n};
 }

@@ -26,7 +26,8 @@ void carry(const Input& in, const Loaded& loaded, Result& r) {
     c.name = support.name, c.x = support.x, c.n = r.n;
     c.R_x = from_si<Force>(loaded.x.reactions[i]), c.R_y = from_si<Force>(loaded.y.reactions[i]);
     c.F_r = sqrt(c.R_x * c.R_x + c.R_y * c.R_y);
-    c.F_a = from_si<Force>(support.holds == Holds::both ? std::abs(loaded.thrust) : 0.0);
+    c.F_a = from_si<Force>(support.holds == Holds::both ? loaded.thrust : 0.0);
+    if (in.k_max > 1.0) c.F_r0 = in.k_max * c.F_r, c.F_a0 = in.k_max * c.F_a;
     c.beta = loaded.slope(loaded.stations.at(support.x));
     c.u_beta = slope_over(c.beta, support);
     r.bearings.push_back(c);
@@ -34,10 +35,13 @@ void carry(const Input& in, const Loaded& loaded, Result& r) {
 }
 
 void seat(const Input& in, const Loaded& loaded, Result& r) {
-  for (const Seat& seat : in.seats) {
+  for (std::size_t i = 0; i < in.seats.size(); ++i) {
+    const Seat& seat = in.seats[i];
     const std::size_t node = loaded.stations.at(seat.x);
     const double beta = loaded.slope(node);
-    r.seats.push_back({seat.name, seat.x, from_si<Length>(loaded.deflection(node)), beta, slope_over(beta, seat)});
+    const bool turns = is_set(seat.T) || seat.way == Way::balances;
+    const Moment T = turns ? in.K_A * torque_of(in, i) : unset<Moment>;
+    r.seats.push_back({seat.name, seat.x, T, from_si<Length>(loaded.deflection(node)), beta, slope_over(beta, seat)});
   }
 }
 
@@ -76,6 +80,7 @@ template <class Tracer>
 void critical_speed(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(in.rho)) return;
   r.mass = trace.value("mass", mass_of(in), "of the cylinders");
+  if (std::any_of(in.seats.begin(), in.seats.end(), [](const Seat& s) { return !is_set(s.mass); })) return;
   const beam::Frequencies found = critical_speeds(in);
   r.n_D = trace.speed("n_D", from_si<AngularSpeed>(found.dunkerley), "Dunkerley: each mass alone");
   r.n_c = trace.speed("n_c", from_si<AngularSpeed>(found.lowest), "of masses on the elastic line");

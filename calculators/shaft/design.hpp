@@ -35,13 +35,15 @@ title = "Shaft of a gear between its bearings"
 [shaft]
 calculator = "shaft.design"
 material = "C45E"
+group = "carbon-steel"
 n = "1450 rpm"
 pieces = [{ l = "60 mm", d = "30 mm" }, { l = "80 mm", d = "40 mm" }, { l = "60 mm", d = "30 mm" }]
 supports = [{ name = "left", x = "15 mm", holds = "both" }, { name = "right", x = "185 mm" }]
 seats = [
-  { name = "coupling", x = "0 mm", way = "balances" },
-  { name = "gear", x = "100 mm", T = "50 N*m", F_x = "-600 N", F_y = "1500 N", F_z = "300 N", x_w = "35 mm" },
+  { name = "coupling", x = "0 mm", way = "balances", mass = "2 kg" },
+  { name = "gear", x = "100 mm", T = "50 N*m", F_x = "-600 N", F_y = "1429 N", F_z = "300 N", x_w = "35 mm", mass = "1 kg" },
 ]
+g_angle = "-90 deg"
 notches = [
   { name = "left_shoulder", x = "60 mm", kind = "shoulder", r = "2 mm" },
   { name = "right_shoulder", x = "140 mm", kind = "shoulder", r = "2 mm" },
@@ -104,7 +106,7 @@ r_T = 0
           .within(-1, 1)
           .may_be_missing(),
       Choice{&Input::method, "method", "school that decides over fatigue"}.may_be_missing(),
-      Choice{&Input::group, "group", "group of materials, for the fatigue limit"}.may_be_missing(),
+      Choice{&Input::group, "group", "group of materials, for the fatigue limit"},
       Choice{&Input::finish, "finish", "surface"}.may_be_missing(),
       Field{&Input::sigma_W, "sigma_W", MPa, "measured fatigue limit of smooth specimens in bending, r = -1"}
           .positive()
@@ -171,20 +173,39 @@ r_T = 0
   static bool steps_are_notched(const Input& in);
   static FieldFault bare_step(const Input& in);
   static bool slopes_of_all(const Input& in);
+  static bool forces_make_torques(const Input& in);
+  static bool turn_alike(const Input& in);
+  static Applies weighed(const Input& in);
+  static Applies thin_wall(const Input& in);
   static bool treated_thick(const Input& in);
   static bool asks_fatigue(const Input& in) { return is_set(in.S_D); }
   static constexpr std::array rules{
-      Rule<Input>{&held, "supports", "two bearings at least hold a shaft, at different places"},
+      Rule<Input>{&held, "supports", "two bearings at least hold a shaft, all at different places"},
       Rule<Input>{&on_shaft, "supports, seats, notches, pieces", "what is on the shaft lies between its ends",
                   &off_shaft},
-      Rule<Input>{&bores_fit, "pieces", "the bore of a piece is smaller than its diameter"},
+      Rule<Input>{&bores_fit, "pieces",
+                  "the bore of a piece is smaller than its diameter, and than that of its neighbours"},
       Rule<Input>{&torques_close, "seats", "what drives the shaft and what it drives take the same torque", &open_sum},
       Rule<Input>{&thrust_is_held, "seats, supports",
                   "one bearing alone takes forces along the shaft: holds = \"both\""},
       Rule<Input>{&speeds_agree, "n, seats", "all that sits on one shaft turns at one speed, which is not zero"},
       Rule<Input>{&notches_fit, "notches, pieces", "the notches fit the shaft", &misfit},
       Rule<Input>{&steps_are_notched, "notches, pieces, S_D", "fatigue begins where the diameter changes", &bare_step},
-      Rule<Input>{&slopes_of_all, "supports", "give beta_adm of every bearing, or of none"},
+      Rule<Input>{&slopes_of_all, "supports, seats",
+                  "give beta_adm of every bearing or of none, and likewise of the seats"},
+      Rule<Input>{&forces_make_torques, "seats",
+                  "F_y at the distance x_w makes the torque T: the three belong together"},
+      Rule<Input>{
+          &turn_alike, "seats",
+          "what sits on the shaft turns one way in one step and the other way in another: turns = \"cw\" of the "
+          "gears makes their forces fit",
+          nullptr, true},
+      Rule<Input>{[](const Input& in) { return !(in.R_e > in.R_m); }, "R_e, R_m",
+                  "the yield strength is not above the tensile strength"},
+      Rule<Input>{[](const Input& in) { return !(in.sigma_W >= in.R_m); }, "sigma_W, R_m",
+                  "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"},
+      Rule<Input>{[](const Input& in) { return !(in.E < 2.0 * in.G || in.E > 3.0 * in.G); }, "E, G",
+                  "E is between 2 G and 3 G: they belong to one material"},
       Rule<Input>{&treated_thick, "d_h, pieces",
                   "the diameter at heat treatment is not below that of the finished part"},
       Rule<Input>{[](const Input& in) { return asks_fatigue(in) == is_set(in.r_T); }, "S_D, r_T",
@@ -229,12 +250,14 @@ r_T = 0
       Mode<Input>{"twist", "twist", &loaded}.judged_by("u_theta").of_service(),
       Mode<Input>{"critical_bending", "critical speed in bending", &running}
           .judged_by("u_n")
-          .wanting("rho")
+          .wanting("rho, seats mass")
           .in_service(),
       Mode<Input>{"critical_torsion", "critical speed in torsion", &unseen<Input>}.in_service(),
       Mode<Input>{"bearings", "life and static safety of its bearings", &unseen<Input>}
           .left_to("bearing.rolling", "bearings.fatigue, bearings.static, bearings.axial, bearings.speed")
           .in_service(),
+      Mode<Input>{"weight", "bending by weight", &weighed}.wanting("g_angle").special(),
+      Mode<Input>{"wall", "buckling of a thin wall", &thin_wall},
       Mode<Input>{"hub", "keys, press fits and splines of what sits on it", &unseen<Input>},
       Mode<Input>{"turning_loads", "forces that turn with the shaft: unbalance, a crank", &unseen<Input>}.special(),
       Mode<Input>{"brittle", "brittle fracture", &unseen<Input>}.special(),

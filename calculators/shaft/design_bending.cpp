@@ -10,7 +10,7 @@ namespace {
 using Input = Design::Input;
 
 constexpr double g_n = 9.80665;  // standard gravity, m/s^2
-constexpr double finest = 1e-9;  // of the length: what is nearer is one place
+constexpr double finest = 1e-6;  // of the length: what is nearer is one place
 constexpr double parts = 60.0;   // of the length, at least: deflection and masses between the places
 
 double area_of(const Piece& piece) {
@@ -71,6 +71,9 @@ struct Direction {
   static double exact(double part) { return std::abs(part) < 1e-15 ? 0.0 : part; }
 };
 
+/// A mass that is not known is left out, which a mode of failure tells.
+double mass_on(const Seat& seat) { return is_set(seat.mass) ? in_si(seat.mass) : 0.0; }
+
 enum class Plane { X, Y };
 
 /// One of two planes: what of each load lies in it.
@@ -81,7 +84,7 @@ beam::Bent bent(const Input& in, const Stations& stations, const beam::Beam& bea
   for (const Seat& seat : in.seats) {
     const Direction way(seat.angle);
     const double along = plane == Plane::X ? way.c : way.s, across = plane == Plane::X ? -way.s : way.c;
-    const double F = in.K_A * (in_si(seat.F_x) * along + in_si(seat.F_y) * across) + in_si(seat.mass) * gravity;
+    const double F = in.K_A * (in_si(seat.F_x) * along + in_si(seat.F_y) * across) + mass_on(seat) * gravity;
     loads.push_back({stations.at(seat.x), F, -in.K_A * in_si(seat.F_z) * in_si(seat.x_w) * along});
   }
   beam::Row<double> weight;
@@ -213,7 +216,7 @@ beam::Frequencies critical_speeds(const Input& in) {
     masses[s] += half;
     masses[s + 1] += half;
   }
-  for (const Seat& seat : in.seats) masses[stations.at(seat.x)] += in_si(seat.mass);
+  for (const Seat& seat : in.seats) masses[stations.at(seat.x)] += mass_on(seat);
   const auto beam = beam_of(in, stations);
   return beam ? beam::frequencies(*beam, masses) : beam::Frequencies{};
 }

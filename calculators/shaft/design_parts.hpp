@@ -55,7 +55,7 @@ struct Seat {
   Force F_x = 0.0 * N.one, F_y = 0.0 * N.one, F_z = 0.0 * N.one;
   Length x_w = 0.0 * mm;
   AngularSpeed n = unset<AngularSpeed>;
-  Mass mass = 0.0 * kg.one;
+  Mass mass = unset<Mass>;
   double beta_adm = unset<double>;
   static constexpr std::tuple fields{
       NameField{&Seat::name, "name", "what sits there"}.may_be_missing(),
@@ -69,7 +69,9 @@ struct Seat {
       Field{&Seat::F_z, "F_z", N, "force along the shaft, positive to the right"}.load(),
       Field{&Seat::x_w, "x_w", mm, "from the axis to the point where the forces act, toward the mate"},
       Field{&Seat::n, "n", rpm, "its speed, which is that of the shaft"}.may_be_missing(),
-      Field{&Seat::mass, "mass", kg, "mass, for the critical speed, and the weight where that counts"}.at_least(0),
+      Field{&Seat::mass, "mass", kg, "mass, for the critical speed, and the weight where that counts"}
+          .at_least(0)
+          .may_be_missing(),
       Field{&Seat::beta_adm, "beta_adm", deg, "allowable slope of the shaft under it"}
           .positive()
           .usually(0.005, 5)
@@ -91,7 +93,7 @@ struct Notched {
       RecordField<Notched>{"part", "what makes it, whole: part = \"=key.notch\""},
       Choice{&Notched::kind, "kind", "kind of notch"},
       Field{&Notched::d, "d", mm, "diameter that it is made for: that of the shaft there"}.positive().may_be_missing(),
-      Field{&Notched::r, "r", mm, "radius of its root; of a keyway missing: 0.02 d"}
+      Field{&Notched::r, "r", mm, "radius of its root; of a keyway 0.02 d"}
           .positive()
           .usually(0.1, 100)
           .may_be_missing(),

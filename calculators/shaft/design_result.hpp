@@ -7,13 +7,14 @@
 namespace loadpath::shaft {
 
 inline constexpr std::size_t most_pieces = 32, most_supports = 8, most_seats = 24, most_notches = 32;
-inline constexpr std::size_t most_places = most_pieces + 1 + most_supports + most_seats + most_notches;
+inline constexpr std::size_t most_places = 2 * most_pieces + 1 + most_supports + most_seats + most_notches;
 
 /// What a bearing carries, for bearing calculators to take whole.
 struct Carried {
   Name name;
   Length x = unset<Length>;
   Force R_x = unset<Force>, R_y = unset<Force>, F_r = unset<Force>, F_a = unset<Force>;
+  Force F_r0 = unset<Force>, F_a0 = unset<Force>;
   AngularSpeed n = unset<AngularSpeed>;
   double beta = unset<double>, u_beta = unset<double>;
   static constexpr std::tuple fields{
@@ -22,7 +23,10 @@ struct Carried {
       Field{&Carried::R_x, "R_x", N, "force on the shaft along X"}.load().with("R_y, F_a").holding("K_A"),
       Field{&Carried::R_y, "R_y", N, "force on the shaft along Y"}.load().with("R_x, F_a").holding("K_A"),
       Field{&Carried::F_r, "F_r", N, "radial load of the bearing"}.load().with("F_a").holding("K_A"),
-      Field{&Carried::F_a, "F_a", N, "axial load of the bearing"}.load().with("F_r").holding("K_A"),
+      Field{&Carried::F_a, "F_a", N, "axial load of the bearing, positive to the right"}.load().with("F_r").holding(
+          "K_A"),
+      Field{&Carried::F_r0, "F_r0", N, "largest radial load, with k_max"}.load().with("F_a0").holding("K_A"),
+      Field{&Carried::F_a0, "F_a0", N, "largest axial load, with k_max"}.load().with("F_r0").holding("K_A"),
       Field{&Carried::n, "n", rpm, "speed of the shaft"},
       Field{&Carried::beta, "beta", deg, "slope of the shaft in it"},
       Field{&Carried::u_beta, "u_beta", ratio, "slope over the allowable one"}.check().where_it_applies()};
@@ -31,11 +35,16 @@ struct Carried {
 /// How the shaft moves where something sits on it.
 struct Seated {
   Name name;
-  Length x = unset<Length>, v = unset<Length>;
+  Length x = unset<Length>;
+  Moment T = unset<Moment>;
+  Length v = unset<Length>;
   double beta = unset<double>, u_beta = unset<double>;
   static constexpr std::tuple fields{
-      NameField{&Seated::name, "name", "what sits there"}, Field{&Seated::x, "x", mm, "its place"},
-      Field{&Seated::v, "v", mm, "deflection"}, Field{&Seated::beta, "beta", deg, "slope"},
+      NameField{&Seated::name, "name", "what sits there"},
+      Field{&Seated::x, "x", mm, "its place"},
+      Field{&Seated::T, "T", N_m, "torque that it gives to the shaft"},
+      Field{&Seated::v, "v", mm, "deflection"},
+      Field{&Seated::beta, "beta", deg, "slope"},
       Field{&Seated::u_beta, "u_beta", ratio, "slope over the allowable one"}.check().where_it_applies()};
 };
 

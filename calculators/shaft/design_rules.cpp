@@ -38,14 +38,15 @@ bool find_place(const Input& in, const Found& found) {
 
 bool is_off(const Input& in, Length x) { return !(x <= (1.0 + same) * length_of(in)); }
 
-/// The ends of the pieces within the shaft where the outer diameter changes, until a call is true.
+/// The ends of the pieces within the shaft where a diameter changes, until a call is true.
 template <class Found>
 bool find_step(const Input& in, const Found& found) {
   Length x = 0.0 * mm;
   for (std::size_t i = 0; i + 1 < in.pieces.size(); ++i) {
     x += in.pieces[i].l;
     const Length d = in.pieces[i].d, next = in.pieces[i + 1].d;
-    if (d != next && found(x, min(d, next), max(d, next))) return true;
+    const bool changes = d != next || in.pieces[i].d_bore != in.pieces[i + 1].d_bore;
+    if (changes && found(x, min(d, next), max(d, next))) return true;
   }
   return false;
 }
@@ -71,6 +72,16 @@ const Piece& piece_at(const Input& in, Length x) {
 
 std::string format(Length x) { return format_quantity(in_si(x), mm.symbol); }
 
+/// What a force across makes about the axis, where it acts, is the torque, to what tables round; a force along the
+/// shaft that comes with it acts at the same place.
+bool makes_its_torque(const Seat& seat) {
+  constexpr double rounding = 0.05;
+  const bool meshes = abs(seat.F_y) > 0.0 * N.one && abs(seat.F_z) > 0.0 * N.one;
+  if (meshes && seat.x_w == 0.0 * mm) return false;
+  const Moment made = abs(seat.F_y * seat.x_w), T = is_set(seat.T) ? seat.T : 0.0 * N_m.one;
+  return made == 0.0 * N_m.one || seat.way == Way::balances || abs(made - T) <= rounding * max(made, T);
+}
+
 /// What is wrong with a notch; empty where nothing is.
 Message fault_of(const Input& in, const Notched& notch) {
   const bool by_fit = notch.kind == Notch::shoulder || notch.kind == Notch::groove;
@@ -79,14 +90,19 @@ Message fault_of(const Input& in, const Notched& notch) {
   if ((notch.kind == Notch::groove) != is_set(notch.t)) return say("a groove has a depth t, and nothing else has");
   if ((notch.kind == Notch::given) != is_set(notch.K_t) || is_set(notch.K_t) != is_set(notch.K_ts))
     return say("K_t and K_ts go together, with kind = \"given\" alone");
-  if (by_fit && piece.d_bore > 0.0 * mm) return say("the charts are of solid shafts: of a bored one give K_t and K_ts");
+  const Piece& before = piece_at(in, notch.x - 10.0 * same * length_of(in));
+  if (by_fit && max(piece.d_bore, before.d_bore) > 0.0 * mm)
+    return say("the charts are of solid shafts: of a bored one give K_t and K_ts");
   if (notch.kind == Notch::groove && !(2.0 * notch.t < piece.d)) return say("the groove is deeper than the shaft");
+  if (notch.kind == Notch::keyway && is_set(notch.r))
+    return say("K_t of a keyway is that of r = 0.02 d: leave out r, or give K_t and K_ts of another");
   if (notch.kind == Notch::given && notch.K_t > 1.0 && !is_set(notch.r))
     return say("a given notch needs the radius r of its root, for the sensitivity to it");
   if (is_set(notch.d) && abs(notch.d - piece.d) > same * piece.d)
     return say("it is made for {1}, and the shaft has {2} at {3}", format(notch.d), format(piece.d), format(notch.x));
   const bool at_step = find_step(in, [&](Length x, Length, Length) { return are_one(in, x, notch.x); });
-  if (notch.kind == Notch::shoulder && !at_step) return say("the diameter does not change at {1}", format(notch.x));
+  if (notch.kind == Notch::shoulder && (!at_step || before.d == piece.d))
+    return say("the diameter does not change at {1}", format(notch.x));
   if (notch.kind != Notch::shoulder && notch.kind != Notch::given && at_step)
     return say("at {1} the diameter changes: a notch of both is one given by K_t and K_ts", format(notch.x));
   return {};
@@ -95,8 +111,12 @@ Message fault_of(const Input& in, const Notched& notch) {
 }  // namespace
 
 bool Design::held(const Input& in) {
-  return std::any_of(in.supports.begin(), in.supports.end(),
-                     [&](const Support& s) { return !are_one(in, s.x, in.supports.front().x); });
+  for (std::size_t i = 0; i < in.supports.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (are_one(in, in.supports[i].x, in.supports[k].x)) return false;
+    }
+  }
+  return in.supports.size() > 1;
 }
 
 bool Design::stiff_enough(const Input& in) {
@@ -120,7 +140,12 @@ FieldFault Design::off_shaft(const Input& in) {
 }
 
 bool Design::bores_fit(const Input& in) {
-  return std::all_of(in.pieces.begin(), in.pieces.end(), [](const Piece& p) { return p.d_bore < p.d; });
+  for (std::size_t i = 0; i < in.pieces.size(); ++i) {
+    const Length bore = in.pieces[i].d_bore;
+    if (!(bore < in.pieces[i].d) || (i > 0 && !(bore < in.pieces[i - 1].d))) return false;
+    if (i + 1 < in.pieces.size() && !(bore < in.pieces[i + 1].d)) return false;
+  }
+  return true;
 }
 
 bool Design::torques_close(const Input& in) {
@@ -187,7 +212,9 @@ FieldFault Design::bare_step(const Input& in) {
                                    [&](const Notched& notch) { return are_one(in, notch.x, x); });
     if (known) return false;
     fault = {"notches",
-             say("at {1} the diameter changes from {2} to {3}, and no notch says how", format(x), format(d), format(D)),
+             d == D ? say("at {1} the bore changes, and no notch says how", format(x))
+                    : say("at {1} the diameter changes from {2} to {3}, and no notch says how", format(x), format(d),
+                          format(D)),
              say("add {1} to notches", "{ x = \"" + format(x) + "\", kind = \"shoulder\", r = \"...\" }")};
     return true;
   });
@@ -195,9 +222,33 @@ FieldFault Design::bare_step(const Input& in) {
 }
 
 bool Design::slopes_of_all(const Input& in) {
-  const auto given =
-      std::count_if(in.supports.begin(), in.supports.end(), [](const Support& s) { return is_set(s.beta_adm); });
-  return given == 0 || given == static_cast<std::ptrdiff_t>(in.supports.size());
+  const auto all_or_none = [](const auto& elements) {
+    const auto given =
+        std::count_if(elements.begin(), elements.end(), [](const auto& e) { return is_set(e.beta_adm); });
+    return given == 0 || given == static_cast<std::ptrdiff_t>(elements.size());
+  };
+  return all_or_none(in.supports) && all_or_none(in.seats);
+}
+
+bool Design::forces_make_torques(const Input& in) {
+  return std::all_of(in.seats.begin(), in.seats.end(), &makes_its_torque);
+}
+
+bool Design::turn_alike(const Input& in) {
+  const auto has_speed = [](const Seat& seat) { return is_set(seat.n); };
+  const auto first = std::find_if(in.seats.begin(), in.seats.end(), has_speed);
+  return std::none_of(first, in.seats.end(), [&](const Seat& s) { return in_si(first->n) * in_si(s.n) < 0.0; });
+}
+
+Applies Design::weighed(const Input& in) {
+  if (is_set(in.g_angle)) return Applies::no;
+  return shown_by(std::any_of(in.seats.begin(), in.seats.end(), [](const Seat& s) { return s.mass > 0.0 * kg.one; }));
+}
+
+Applies Design::thin_wall(const Input& in) {
+  Applies applies = Applies::no;
+  for (const Piece& p : in.pieces) applies = std::max(applies, thin_wall_of(p.d, unset<double>, p.d_bore));
+  return applies;
 }
 
 bool Design::treated_thick(const Input& in) {

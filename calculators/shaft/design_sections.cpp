@@ -21,6 +21,21 @@ struct There {
   Name name;
 };
 
+/// Where the moment is largest within a piece.
+Length place_of_most(const Loaded& loaded, std::size_t piece) {
+  std::size_t most = 0;
+  double largest = -1.0;
+  for (std::size_t s = 0; s < loaded.stations.piece.size(); ++s) {
+    if (loaded.stations.piece[s] != piece) continue;
+    for (const std::size_t node : {s, s + 1}) {
+      const Felt felt = loaded.felt(node);
+      const double M = std::hypot(felt.M_x, felt.M_y);
+      if (M > largest) largest = M, most = node;
+    }
+  }
+  return from_si<Length>(loaded.stations.x[most]);
+}
+
 using Changes = List<There, most_places>;
 
 /// Of what stands at one place the notch comes first, then what has a name.
@@ -41,6 +56,9 @@ Changes changes_of(const Input& in, const Loaded& loaded) {
   Length x = 0.0 * mm;
   add(x, {}, nullptr);
   for (const Piece& piece : in.pieces) add(x += piece.l, {}, nullptr);
+  if (is_set(in.g_angle)) {  // weight bends most between them
+    for (std::size_t piece = 0; piece < in.pieces.size(); ++piece) add(place_of_most(loaded, piece), {}, nullptr);
+  }
   std::sort(all.begin(), all.end(), [](const There& a, const There& b) { return a.node < b.node; });
   return all;
 }
@@ -121,7 +139,8 @@ void weaken(const Input& in, Length d, Length r_n, Safety& s, Tracer& trace) {
   NoTrace quiet;
   const auto bending = Endurance::evaluate(endurance_of(in, d, Endurance::Loading::bending, s.K_t, r_n), trace);
   const auto torsion = Endurance::evaluate(endurance_of(in, d, Endurance::Loading::torsion, s.K_ts, r_n), quiet);
-  s.K_f = bending.K_f, s.x_d = bending.x_d, s.x_n = bending.x_n;
+  s.K_f = bending.K_f, s.x_d = bending.x_d;
+  s.x_n = max(bending.x_n, torsion.x_n);
   s.K_fs = trace.value("K_fs", torsion.K_f, "in torsion, as fatigue.endurance finds it");
   const Stress sigma_D = bending.sigma_D;
   STEP_TO(s, S_e, s.K_f * sigma_D, "the notch stands with the stresses");
@@ -134,7 +153,7 @@ void tire(const Input& in, const Section& p, Safety& s, Tracer& trace) {
   STEP(tau_m, (1.0 + in.r_T) / 2.0 * p.tau, "mean of torsion");
   STEP_TO(s, sigma_a, sqrt(pow<2>(s.K_f * p.sigma_b) + 3.0 * pow<2>(s.K_fs * tau_a)), "amplitude, [Shigley7] (7-5)");
   STEP_TO(s, sigma_m, sqrt(pow<2>(s.K_f * p.sigma_n) + 3.0 * pow<2>(s.K_fs * tau_m)), "mean, [Shigley7] (7-6)");
-  if (!(sigma_a + sigma_m > 0.0 * MPa)) {
+  if (sigma_a + sigma_m == 0.0 * MPa) {
     s.n_Goodman = s.n_Soderberg = s.n_Gerber = s.n_elliptic = std::numeric_limits<double>::infinity();
     s.u_D = trace.value("u_D", 0.0, "no stress");
     return;
@@ -145,11 +164,10 @@ void tire(const Input& in, const Section& p, Safety& s, Tracer& trace) {
   STEP_TO(s, n_Gerber, 2.0 * s.S_e / (sigma_a + sqrt(sigma_a * sigma_a + q_m * q_m)), "Gerber, [Shigley7] (7-9)");
   STEP_TO(s, n_elliptic, 1.0 / sqrt(pow<2>(sigma_a / s.S_e) + pow<2>(sigma_m / in.R_e)),
           "ellipse of ASME, [Shigley7] (7-11)");
-  const double n_D = in.method == School::goodman     ? s.n_Goodman
-                     : in.method == School::soderberg ? s.n_Soderberg
-                     : in.method == School::gerber    ? s.n_Gerber
-                                                      : s.n_elliptic;
-  trace.value("n_D", n_D, "of the method that decides");
+  const double n_D = in.method == School::goodman     ? NAMED_STEP("n_D", s.n_Goodman, "Goodman decides")
+                     : in.method == School::soderberg ? NAMED_STEP("n_D", s.n_Soderberg, "Soderberg decides")
+                     : in.method == School::gerber    ? NAMED_STEP("n_D", s.n_Gerber, "Gerber decides")
+                                                      : NAMED_STEP("n_D", s.n_elliptic, "the ellipse decides");
   STEP_TO(s, u_D, in.S_D / n_D, "fatigue");
 }
 

@@ -65,7 +65,34 @@ bool Run::passes() {
                        const double largest = largest_result(f);
                        return is_passed(largest) || (f.where_set && std::isnan(largest));
                      }) &&
-         keeps_limits(true);
+         keeps_limits(true) && lists_pass();
+}
+
+/// Whether an element of a list passes its checks and keeps its criteria.
+bool Run::element_passes(const FieldInfo& list, void* element) const {
+  return std::all_of(list.fields.begin(), list.fields.end(), [&](const FieldInfo& f) {
+    const bool judges = f.role == Role::check || (f.role == Role::limit && f.is_criterion);
+    if (!judges || !is_asked(f) || f.is_beside) return true;
+    const double si = f.get(element);
+    if (std::isnan(si)) return f.where_set;
+    return f.role == Role::check ? is_passed(si) : f.bounds.holds(si);
+  });
+}
+
+/// The same of every element at every position.
+bool Run::lists_pass() {
+  const auto judges = [](const FieldInfo& f) { return f.role == Role::check || f.role == Role::limit; };
+  for (const FieldInfo& list : calculator_.result->fields) {
+    if (list.type != FieldInfo::Type::list || std::none_of(list.fields.begin(), list.fields.end(), judges)) continue;
+    for (std::size_t i = 0; i < positions(); ++i) {
+      if (!set_position(i)) continue;
+      calculator_.evaluate(record_.data.get(), result_.data.get());
+      for (std::size_t k = 0; k < list.size(result_.data.get()); ++k) {
+        if (!element_passes(list, list.element(result_.data.get(), k))) return false;
+      }
+    }
+  }
+  return true;
 }
 
 /// Whether the criteria among the limits are kept, or those of the methods: what passes beyond its formulas is no size

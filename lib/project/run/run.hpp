@@ -88,6 +88,8 @@ class Run {
   std::size_t first_broken_rule();
   bool passes();
   bool keeps_limits(bool criteria);
+  bool lists_pass();
+  [[nodiscard]] bool element_passes(const FieldInfo& list, void* element) const;
   [[nodiscard]] std::optional<double> first_outside(const FieldInfo& limit);
   /// What a search goes through, ascending: sizes of a stock, or rows of a table.
   struct Candidates {

@@ -72,7 +72,7 @@ Sum balance(const Design::Input& in, const Design::Result& r, double turned) {
 }
 
 const std::string bare =
-    "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\nd_h = \"40 mm\"\n"
+    "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\nd_h = \"40 mm\"\n"
     "pieces = [{ l = \"200 mm\", d = \"40 mm\" }]\nS_F = 1.5\n";
 const std::string two_bearings = "supports = [{ x = \"10 mm\", holds = \"both\" }, { x = \"190 mm\" }]\n";
 
@@ -173,7 +173,8 @@ TEST_SUITE("shaft design") {
   TEST_CASE("notches fit the shaft, and every step has one where fatigue is judged") {
     const std::string stepped =
         "pieces = [{ l = \"90 mm\", d = \"30 mm\" }, { l = \"110 mm\", d = \"40 mm\" }]\n" + two_bearings;
-    const std::string shell = "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\nS_F = 1.5\n";
+    const std::string shell =
+        "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\nS_F = 1.5\n";
     const auto says = [&](const std::string& lines) { return Solved(shell + stepped + lines).errors(); };
     const std::string tired = "S_D = 1.5\nr_T = 0\n";
     CHECK(says("").empty());
@@ -221,7 +222,8 @@ TEST_SUITE("shaft design") {
 
   TEST_CASE("weight bends, and its own place of every seat") {
     const std::string lying =
-        "[axle]\ncalculator = \"shaft.design\"\nE = \"210 GPa\"\nG = \"81 GPa\"\nrho = \"7850 "
+        "[axle]\ncalculator = \"shaft.design\"\nE = \"210 GPa\"\nG = \"81 GPa\"\ngroup = \"carbon-steel\"\nrho = "
+        "\"7850 "
         "kg/m^3\"\ng_angle = \"-90 deg\"\npieces = [{ l = \"1 m\", d = \"50 mm\" }]\nsupports = "
         "[{ x = \"0 m\" }, { x = \"1 m\" }]\n";
     Solved own(lying), carried(lying + "seats = [{ x = \"500 mm\", mass = \"10 kg\" }]\n");

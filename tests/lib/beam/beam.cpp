@@ -132,6 +132,15 @@ TEST_SUITE("beam") {
     CHECK(found.dunkerley == Approx(std::sqrt(90.0 * E_I / (mass * std::pow(length, 4.0)))).epsilon(1e-3));
   }
 
+  TEST_CASE("a symmetric beam on three supports hums without its symmetry, lower than bent by its weights") {
+    std::vector<double> masses(41, 0.0);
+    masses[10] = masses[30] = 5.0;
+    const Frequencies found = frequencies(beam_of(spans(40, 2.0), {{0}, {20}, {40}}), masses);
+    CHECK(found.lowest == Approx(std::sqrt(48.0 * E_I / 5.0)));  // each field stands alone: 48 E I/l^3, l = 1 m
+    CHECK(found.rayleigh > 1.4 * found.lowest);
+    CHECK(found.dunkerley < found.lowest);
+  }
+
   TEST_CASE("one mass: the three agree; no mass: no frequency") {
     std::vector<double> masses(3, 0.0);
     const Beam beam = beam_of(spans(2, 2.0), {{0}, {2}});

@@ -51,7 +51,7 @@ TEST_SUITE("draw") {
     const std::string text = drawn(shaft);
     CHECK(count(text, "class=\"pin\"") == 2);
     CHECK(says(text, "left"));
-    CHECK(says(text, "bearing right at 900 mm"));
+    CHECK(has(text, "bearing right at 900 mm"));
     CHECK(overlap(text) == "");
   }
 

@@ -1,0 +1,32 @@
+// The comparisons that counting spends its time on, 64 at once as the bits of a word: by AVX2 where the machine has it,
+// else one by one, with the same bits.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace loadpath::rainflow {
+
+enum class Instructions { portable, avx2 };
+
+/// The best of what this machine has.
+Instructions best_instructions();
+
+/// What counting can take: ranges of it are finite.
+inline constexpr double largest_value = 8e307;
+
+/// How 64 samples go on to the next one each.
+struct Moves {
+  std::uint64_t rising = 0;
+  bool plain = false;  // none stays level, and all are finite and of no more than `largest_value`
+};
+
+/// Bit k of word w: x[64 w + k] < x[64 w + k + 1]; x holds 64 * words + 1 values, and `plain` is said of all but x[0].
+void compare_neighbours(const double* x, std::size_t words, Moves* moves, Instructions instructions);
+
+/// Bit k of word w, i = 64 w + k: range i + 1, from x[i + 1] to x[i + 2], is smaller than range i before it. x rises
+/// and falls in turn, rising first or not, and holds 64 * words + 2 values, of which the last may be anything.
+void compare_ranges(const double* x, std::size_t words, std::uint64_t* smaller, bool rising_first,
+                    Instructions instructions);
+
+}  // namespace loadpath::rainflow

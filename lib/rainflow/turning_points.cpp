@@ -1,0 +1,98 @@
+#include "lib/rainflow/turning_points.hpp"
+
+#include "lib/rainflow/bits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace loadpath::rainflow {
+
+namespace {
+
+constexpr std::size_t bits = 64, words_at_once = 8;
+
+}  // namespace
+
+std::optional<Fault> refusal(double sample, std::uint64_t at) {
+  if (std::abs(sample) <= largest_value) return std::nullopt;
+  const std::string place = std::to_string(at);
+  if (std::isfinite(sample))
+    return Fault{at, 1, say("sample {1} of the series (counted from 0) is beyond 8e307", place), {}};
+  return Fault{at, 1, say("sample {1} of the series (counted from 0) is not a finite number", place),
+               say("mend the series there, or count its parts: a gap is no cycle")};
+}
+
+std::size_t TurningPoints::step(std::span<const double> samples, Out& out) {
+  for (std::size_t i = 0; i < samples.size(); ++i, ++samples_) {
+    const double x = samples[i];
+    if (!(std::abs(x) <= largest_value)) return i;
+    if (samples_ == 0) {
+      last_ = x;
+      out.put(x, 0);
+    }
+    if (x == last_) continue;
+    const Course course = x > last_ ? Course::rising : Course::falling;
+    if (course_ != Course::none && course != course_) out.put(last_, since_);
+    course_ = course, last_ = x, since_ = samples_;
+  }
+  return samples.size();
+}
+
+/// 64 moves from x[0], the latest sample, to x[64], none of which is level.
+void TurningPoints::turn(const double* x, std::uint64_t rising, Out& out) {
+  std::uint64_t turns = rising ^ (rising << 1U | static_cast<std::uint64_t>(course_ == Course::rising));
+  if ((turns & 1U) != 0) {
+    out.put(x[0], since_);
+    turns &= turns - 1;
+  }
+  const std::uint64_t first = samples_ - 1;
+  double* const values = out.values + out.count;
+  if (out.at == nullptr) {
+    out.count += put_places(turns, [&](std::size_t i, std::size_t k) { values[i] = x[k]; });
+  } else {
+    std::uint64_t* const at = out.at + out.count;
+    out.count += put_places(turns, [&](std::size_t i, std::size_t k) { values[i] = x[k], at[i] = first + k; });
+  }
+  course_ = rising >> (bits - 1) != 0 ? Course::rising : Course::falling;
+  last_ = x[bits], since_ = first + bits, samples_ += bits;
+}
+
+Outcome<std::size_t> TurningPoints::feed(std::span<const double> samples, double* values, std::uint64_t* at) {
+  Out out{values, at};
+  std::size_t done = 0;
+  const auto slowly = [&](std::size_t count) {
+    const std::size_t good = step(samples.subspan(done, count), out);
+    done += good;
+    return good == count;
+  };
+  while (done < samples.size() && course_ == Course::none) {
+    if (!slowly(1)) return *refusal(samples[done], samples_);
+  }
+  if (done == 0 && !samples.empty() && !slowly(1)) return *refusal(samples[done], samples_);
+  std::array<Moves, words_at_once> moves;
+  while (samples.size() - done >= bits) {
+    const std::size_t words = std::min((samples.size() - done) / bits, words_at_once);
+    const double* const x = samples.data() + done - 1;
+    compare_neighbours(x, words, moves.data(), instructions_);
+    for (std::size_t w = 0; w < words; ++w) {
+      if (moves[w].plain) {
+        turn(x + bits * w, moves[w].rising, out);
+        done += bits;
+      } else if (!slowly(bits)) {
+        return *refusal(samples[done], samples_);
+      }
+    }
+  }
+  if (!slowly(samples.size() - done)) return *refusal(samples[done], samples_);
+  return out.count;
+}
+
+std::size_t TurningPoints::finish(double* value, std::uint64_t* at) const {
+  if (course_ == Course::none) return 0;
+  *value = last_;
+  if (at != nullptr) *at = since_;
+  return 1;
+}
+
+}  // namespace loadpath::rainflow

@@ -1,0 +1,91 @@
+// Counts the cycles of a series that comes in chunks: turning points, a gate, what closes at once, and a stack. It
+// takes the memory of a block and of the residue, and finds the same cycles however the series is cut.
+#pragma once
+
+#include "lib/rainflow/comparisons.hpp"
+#include "lib/rainflow/cycle.hpp"
+#include "lib/rainflow/elimination.hpp"
+#include "lib/rainflow/gate.hpp"
+#include "lib/rainflow/loops.hpp"
+#include "lib/rainflow/turning_points.hpp"
+#include "lib/text/issue.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace loadpath::rainflow {
+
+/// Which loops close: lib/rainflow/methods.hpp.
+enum class Method { four_point, hcm, astm };
+
+/// What becomes of the turning points that close nothing.
+enum class Residue {
+  ignore,
+  half_cycles,  // each range is half a cycle
+  repeated,     // the history repeats: what closes when the residue comes once more is counted, after ISO 12110-2
+  astm,         // as ASTM E1049 counts it, in its order; half cycles too
+};
+
+struct Rules {
+  Method method = Method::four_point;
+  Residue residue = Residue::half_cycles;
+  double gate = 0.0;    // ranges below are not counted, in the unit of the series
+  bool placed = false;  // whether it is told where a cycle begins and ends
+  bool blocks = true;   // whether loops that close at once are taken out first; never with places
+  Instructions instructions = best_instructions();
+};
+
+/// What of the rules contradicts: the residue of ASTM E1049 is in half cycles, and HCM has forgotten the start that a
+/// repetition comes back to (count_periodic has not); a gate below zero.
+std::optional<Fault> contradiction(const Rules& rules);
+
+class Counter {
+ public:
+  /// What it is given: a history, or one period that begins and ends at its largest magnitude.
+  enum class Course { once, period };
+
+  /// Rules without a contradiction; the consumer outlives the counter. Of a period the residue has no rule: by the
+  /// method of four points the three points that are left are one cycle, by the others it has closed.
+  Counter(const Rules& rules, Consumer& consumer, Course course = Course::once);
+  Counter(Counter&&) = delete;
+  ~Counter();
+
+  /// A Fault whose `at` is the sample, counted from 0, where one is not finite or beyond 8e307: what was counted is
+  /// void.
+  std::optional<Fault> feed(std::span<const double> samples);
+  /// The end of the series: its last value, and the residue by its rule.
+  void finish();
+
+  [[nodiscard]] std::uint64_t samples() const { return turning_points_.samples(); }
+  /// The turning points that have not closed; of a finished series with their rule applied or not.
+  [[nodiscard]] Points residue() const;
+
+  class Stack;
+
+ private:
+  void fill(std::size_t count);
+  void count_block(std::size_t count);
+  [[nodiscard]] std::uint64_t* places() { return rules_.placed ? at_.data() + filled_ : nullptr; }
+
+  Rules rules_;
+  Course course_;
+  Consumer* consumer_;
+  TurningPoints turning_points_;
+  Gate gate_;
+  Elimination elimination_;
+  std::unique_ptr<Stack> stack_;
+  std::vector<double> values_, next_values_;  // turning points that wait for a block of them
+  std::vector<std::uint64_t> at_;             // their places
+  std::size_t filled_ = 0;
+};
+
+/// Counts one period of a history that repeats, from its largest magnitude round to it: full cycles alone, by the
+/// method and the gate of the rules. Places are those of the period as given; a cycle over its end begins behind where
+/// it ends.
+std::optional<Fault> count_periodic(std::span<const double> period, const Rules& rules, Consumer& consumer);
+
+}  // namespace loadpath::rainflow

@@ -1,0 +1,34 @@
+// What closes at once wherever it stands: a range that is smaller than the one before it, and no larger than the one
+// behind it. Taking these out block by block, without a branch that can be guessed wrongly, leaves the stack of a
+// counter the few that are left.
+#pragma once
+
+#include "lib/rainflow/comparisons.hpp"
+#include "lib/rainflow/cycle.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace loadpath::rainflow {
+
+class Elimination {
+ public:
+  /// For blocks of up to `largest` turning points.
+  Elimination(std::size_t largest, Instructions instructions);
+
+  /// How many of `points`, which rise and fall in turn, are left; they stay in their order. `points` has room for
+  /// 128 more, and what is in it there is overwritten. `closed` gets the loops that are taken out.
+  std::size_t reduce(double* points, std::size_t count);
+  [[nodiscard]] std::span<const Loop> closed() const { return {closed_.data(), closed_count_}; }
+
+ private:
+  std::size_t pass(double* points, std::size_t count);
+
+  Instructions instructions_;
+  std::vector<std::uint64_t> smaller_;  // a bit for each range
+  std::vector<Loop> closed_;
+  std::size_t closed_count_ = 0;
+};
+
+}  // namespace loadpath::rainflow

@@ -2,15 +2,22 @@
 // least 0.30 with AVX2, 0.09 without; and the time to read as many lines of text.
 #include "lib/rainflow/counter.hpp"
 #include "lib/rainflow/damage.hpp"
+#include "lib/rainflow/series/reader.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numbers>
 #include <random>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -100,8 +107,58 @@ void slope_5_portable_stack_alone(benchmark::State& state) { report(state, Instr
 void two_slopes_avx2(benchmark::State& state) { report(state, Instructions::avx2, {{5.0, 1e-10}, {9.0}}, true); }
 void slope_4_7_avx2(benchmark::State& state) { report(state, Instructions::avx2, {{4.7}}, true); }
 
+/// A text in memory.
+class Text : public Source {
+ public:
+  explicit Text(const std::string& text) : rest_(text) {}
+  loadpath::Outcome<std::size_t> read(std::span<char> room) override {
+    const std::size_t count = std::min(room.size(), rest_.size());
+    std::copy_n(rest_.begin(), count, room.begin());
+    rest_.remove_prefix(count);
+    return count;
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+/// `columns` of six digits each, the last of which is read.
+void read_lines(benchmark::State& state, int columns) {
+  std::string text;
+  for (const double x : series()) {
+    for (int k = 1; k <= columns; ++k) {
+      std::array<char, 32> digits{};
+      const auto end =
+          std::to_chars(digits.data(), digits.data() + digits.size(), x / k, std::chars_format::fixed, 3).ptr;
+      text.append(digits.data(), end);
+      text += k == columns ? '\n' : ',';
+    }
+  }
+  double reading = 1e9;
+  std::size_t count = 0;
+  for ([[maybe_unused]] const auto& turn : state) {
+    count = 0;
+    reading = std::min(reading, seconds([&] {
+                         Form form;
+                         form.column = std::to_string(columns);
+                         const auto reader = read_series(std::make_unique<Text>(text), form);
+                         for (auto part = (*reader)->next(); part && !part->empty(); part = (*reader)->next())
+                           count += part->size();
+                       }));
+    if (count != samples) state.SkipWithError("not all lines");
+  }
+  state.counters["s"] = reading;
+  state.counters["Mlines/s"] = static_cast<double>(count) / reading / 1e6;
+  state.counters["MB/s"] = static_cast<double>(text.size()) / reading / 1e6;
+}
+
+void csv_one_column(benchmark::State& state) { read_lines(state, 1); }
+void csv_third_column(benchmark::State& state) { read_lines(state, 3); }
+
 }  // namespace
 
+BENCHMARK(csv_one_column)->Iterations(3)->Unit(benchmark::kMillisecond);
+BENCHMARK(csv_third_column)->Iterations(3)->Unit(benchmark::kMillisecond);
 BENCHMARK(slope_5_avx2)->Iterations(15)->Unit(benchmark::kMillisecond);
 BENCHMARK(slope_5_portable)->Iterations(9)->Unit(benchmark::kMillisecond);
 BENCHMARK(slope_5_portable_stack_alone)->Iterations(9)->Unit(benchmark::kMillisecond);

@@ -1,0 +1,192 @@
+#include "lib/rainflow/series/binary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace loadpath::rainflow {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "bytes are taken as they are");
+
+constexpr std::size_t block = std::size_t{1} << 17U;  // bytes
+
+Fault at_byte(std::uint64_t byte, Message message, Message hint = {}) {
+  return {byte, 1, std::move(message), std::move(hint)};
+}
+
+/// Rows of numbers of one width, of which one column is read.
+struct Rows {
+  std::size_t width = sizeof(double);
+  std::uint64_t columns = 1, column = 0;
+  std::uint64_t rows = std::numeric_limits<std::uint64_t>::max();  // of a file that does not say it
+  std::uint64_t start = 0;                                         // the byte of the first
+};
+
+class RowReader final : public Reader {
+ public:
+  RowReader(std::unique_ptr<Source> source, const Rows& rows)
+      : source_(std::move(source)), rows_(rows), row_bytes_(rows.width * rows.columns), byte_(rows.start) {
+    bytes_.resize(std::max<std::size_t>(block / row_bytes_, 1) * row_bytes_);
+    values_.resize(bytes_.size() / row_bytes_);
+  }
+
+  Outcome<std::span<const double>> next() override {
+    const std::uint64_t left = rows_.rows - done_;
+    const std::size_t wanted = left < values_.size() ? static_cast<std::size_t>(left) : values_.size();
+    const auto got = source_->read({bytes_.data(), wanted * row_bytes_});
+    if (!got) return got.fault();
+    const std::size_t count = *got / row_bytes_;
+    if (*got % row_bytes_ != 0 || (count < wanted && is_told())) return cut_off(*got);
+    for (std::size_t i = 0; i < count; ++i)
+      values_[i] = value(bytes_.data() + i * row_bytes_ + rows_.column * rows_.width);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!std::isfinite(values_[i])) return not_finite(i);
+    }
+    done_ += count, byte_ += *got;
+    return std::span<const double>(values_.data(), count);
+  }
+
+ private:
+  [[nodiscard]] bool is_told() const { return rows_.rows != Rows{}.rows; }
+  [[nodiscard]] double value(const char* from) const {
+    if (rows_.width == sizeof(double)) {
+      double x = 0.0;
+      std::memcpy(&x, from, sizeof x);
+      return x;
+    }
+    float x = 0.0F;
+    std::memcpy(&x, from, sizeof x);
+    return x;
+  }
+  [[nodiscard]] Fault not_finite(std::size_t i) const {
+    const std::uint64_t byte = byte_ + i * row_bytes_ + rows_.column * rows_.width;
+    return at_byte(
+        byte, say("byte {1}: value {2} is not a finite number", std::to_string(byte), std::to_string(done_ + i + 1)));
+  }
+  [[nodiscard]] Fault cut_off(std::size_t got) const {
+    const std::uint64_t end = byte_ + got;
+    const std::string byte = std::to_string(end);
+    if (is_told())
+      return at_byte(end, say("byte {1}: the file ends after {2} of {3} rows", byte,
+                              std::to_string(done_ + got / row_bytes_), std::to_string(rows_.rows)));
+    return at_byte(end, say("byte {1}: the file ends within a number of {2} bytes", byte, std::to_string(rows_.width)),
+                   say("is it of the other width, float64 or float32?"));
+  }
+
+  std::unique_ptr<Source> source_;
+  Rows rows_;
+  std::size_t row_bytes_;
+  std::uint64_t byte_, done_ = 0;
+  std::vector<char> bytes_;
+  std::vector<double> values_;
+};
+
+/// What stands behind 'key': in the header of an array, a dictionary of Python on one line.
+std::string_view entry(std::string_view header, std::string_view key) {
+  const std::size_t at = header.find("'" + std::string(key) + "'");
+  if (at == std::string_view::npos) return {};
+  std::size_t from = header.find(':', at);
+  if (from == std::string_view::npos) return {};
+  from = header.find_first_not_of(' ', from + 1);
+  if (from == std::string_view::npos) return {};
+  const std::size_t to = header[from] == '(' ? header.find(')', from) : header.find_first_of(",}", from);
+  return header.substr(from, to == std::string_view::npos ? to : to - from);
+}
+
+/// The numbers of "(1000, 3": one or two; none where they are others.
+std::vector<std::uint64_t> shape_of(std::string_view text) {
+  std::vector<std::uint64_t> shape;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (at != end) {
+    if (*at < '0' || *at > '9') {
+      ++at;
+      continue;
+    }
+    std::uint64_t size = 0;
+    const auto [behind, error] = std::from_chars(at, end, size);
+    if (error != std::errc{}) return {};
+    shape.push_back(size);
+    at = behind;
+  }
+  return shape;
+}
+
+std::optional<Fault> choose_column(Rows& rows, const std::string& column) {
+  if (column.empty() && rows.columns == 1) return std::nullopt;
+  std::uint64_t number = 0;
+  const auto [behind, error] = std::from_chars(column.data(), column.data() + column.size(), number);
+  const bool is_number = error == std::errc{} && behind == column.data() + column.size();
+  if (is_number && number >= 1 && number <= rows.columns) {
+    rows.column = number - 1;
+    return std::nullopt;
+  }
+  const std::string columns = std::to_string(rows.columns);
+  if (column.empty()) return at_byte(0, say("the array has {1} columns: say which, by its number from 1", columns));
+  return at_byte(0, say("column '{1}' is none of the array's {2}, which are counted from 1", column, columns));
+}
+
+Outcome<Rows> rows_of(std::string_view header, const std::string& column) {
+  Rows rows;
+  const std::string_view type = entry(header, "descr");
+  if (type != "'<f8'" && type != "'<f4'")
+    return at_byte(0, say("the numbers of the array are {1}; float64 and float32, little-endian, are read", type),
+                   say("in NumPy: numpy.save(path, x.astype('<f8'))"));
+  rows.width = type == "'<f8'" ? sizeof(double) : sizeof(float);
+  const auto shape = shape_of(entry(header, "shape"));
+  if (shape.empty() || shape.size() > 2)
+    return at_byte(0, say("the array has {1} dimensions; one or two are read", std::to_string(shape.size())));
+  rows.rows = shape[0], rows.columns = shape.size() == 2 ? shape[1] : 1;
+  constexpr std::uint64_t most_columns = 1U << 16U;
+  if (rows.columns == 0 || rows.columns > most_columns)
+    return at_byte(0, say("the array has {1} columns; 1 to 65536 are read", std::to_string(rows.columns)));
+  if (entry(header, "fortran_order") != "False" && shape.size() == 2)
+    return at_byte(0, say("the array is in Fortran's order, column after column; C order is read"),
+                   say("in NumPy: numpy.save(path, numpy.ascontiguousarray(x))"));
+  if (auto fault = choose_column(rows, column)) return *fault;
+  return rows;
+}
+
+}  // namespace
+
+Outcome<std::unique_ptr<Reader>> read_plain(std::unique_ptr<Source> source, std::size_t width) {
+  Rows rows;
+  rows.width = width;
+  return std::unique_ptr<Reader>(std::make_unique<RowReader>(std::move(source), rows));
+}
+
+Outcome<std::unique_ptr<Reader>> read_npy(std::unique_ptr<Source> source, const std::string& column) {
+  const auto not_npy = [] { return at_byte(0, say("byte 0: this is no .npy file of NumPy")); };
+  std::array<char, 12> start{};
+  const auto got = source->read(std::span(start).first(8));
+  if (!got) return got.fault();
+  constexpr std::string_view magic("\x93NUMPY", 6);
+  const auto version = static_cast<unsigned char>(start[6]);
+  if (*got != 8 || std::string_view(start.data(), 6) != magic || version < 1 || version > 3) return not_npy();
+  const std::size_t length_bytes = version == 1 ? 2 : 4;
+  const auto more = source->read(std::span(start).subspan(8, length_bytes));
+  if (!more) return more.fault();
+  std::uint32_t length = 0;
+  std::memcpy(&length, start.data() + 8, length_bytes);
+  constexpr std::uint32_t longest = 1U << 20U;
+  if (*more != length_bytes || length > longest) return not_npy();
+  std::string header(length, '\0');
+  const auto read = source->read(header);
+  if (!read) return read.fault();
+  if (*read != length) return not_npy();
+  auto rows = rows_of(header, column);
+  if (!rows) return rows.fault();
+  rows->start = 8 + length_bytes + length;
+  return std::unique_ptr<Reader>(std::make_unique<RowReader>(std::move(source), *rows));
+}
+
+}  // namespace loadpath::rainflow

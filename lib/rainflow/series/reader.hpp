@@ -1,0 +1,51 @@
+// Reads a series of numbers from a file of any length, part by part: one column of text, of a NumPy array, or plain
+// numbers as a machine holds them.
+#pragma once
+
+#include "lib/rainflow/series/source.hpp"
+#include "lib/text/issue.hpp"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace loadpath::rainflow {
+
+/// Parts of a series in their order, each valid until the next is asked for.
+class Reader {
+ public:
+  Reader() = default;
+  Reader(Reader&&) = delete;
+  virtual ~Reader() = default;
+  /// Finite numbers; none at the end. A Fault whose `at` is the line of a text, counted from 1, or the byte of a binary
+  /// file, counted from 0: the message says so too, and reading is over.
+  virtual Outcome<std::span<const double>> next() = 0;
+};
+
+enum class Format {
+  csv,  // lines of columns; .csv, .tsv, .txt, .dat
+  npy,  // NumPy's array of float64 or float32, little-endian, in C order, of one dimension or two; .npy
+  f64,  // little-endian, one after the other; .f64
+  f32,
+};
+
+struct Form {
+  Format format = Format::csv;
+  /// Its name in the header, or its number, counted from 1; empty: the only one.
+  std::string column;
+  /// Between columns: ',', ';', a tab, or a blank for any number of blanks and tabs; none: what the first line with
+  /// numbers or names shows, a tab before a semicolon before a comma before blanks.
+  std::optional<char> separator;
+  /// What a line of comment begins with.
+  char comment = '#';
+};
+
+/// The format that the end of a file's name says; none where it says nothing.
+std::optional<Format> format_of(std::string_view path);
+
+/// A Fault where the start of the file is not of that form, or the column is not there.
+Outcome<std::unique_ptr<Reader>> read_series(std::unique_ptr<Source> source, const Form& form);
+
+}  // namespace loadpath::rainflow

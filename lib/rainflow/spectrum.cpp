@@ -59,6 +59,7 @@ std::vector<Level> RangePairs::levels(Measure measure) const {
 
 LevelCrossings::LevelCrossings(std::vector<double> levels)
     : levels_(std::move(levels)), up_(levels_.size() + 1, 0), down_(levels_.size() + 1, 0) {
+  std::erase_if(levels_, [](double level) { return !std::isfinite(level); });
   std::sort(levels_.begin(), levels_.end());
 }
 

@@ -77,7 +77,7 @@ class RangePairs : public Consumer {
 /// turning points, behind the gate.
 class LevelCrossings : public Consumer {
  public:
-  /// Levels in any order.
+  /// Levels in any order; those that are no finite number are left out.
   explicit LevelCrossings(std::vector<double> levels);
 
   void take(const Batch& /*batch*/) override {}

@@ -43,7 +43,7 @@ TEST_SUITE("rainflow counting") {
   }
 
   TEST_CASE("the example of ASTM E1049 that repeats has whole cycles alone") {
-    // 5.4.5 with figure 7: from D round to D: E-F 4, A-B 3, H-C 7, D-G 9.
+    // 5.4.5 with figure 7, as recalled: from D round to D: E-F 4, A-B 3, H-C 7, D-G 9.
     const Series period{-2, 1, -3, 5, -1, 3, -4, 4};
     const std::map<double, double> printed{{3, 1}, {4, 1}, {7, 1}, {9, 1}};
     for (const Method method : methods) CHECK(by_range(counted_periodic(period, rules_of(method, {}))) == printed);

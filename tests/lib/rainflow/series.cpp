@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -238,6 +239,21 @@ TEST_SUITE("rainflow series") {
       const Read refused = binary(Format::f64, bytes_of(values));
       CHECK(refused.message == "byte 320000: value 40001 is not a finite number");
       CHECK(refused.at == 320000);
+    }
+  }
+
+  TEST_CASE("any bytes are read, or refused with a message, and never as what is no number") {
+    const std::string text = "# t;F\nt;\"F;x\"\n1;2.5\n2; -3e2\n\n3;7\n",
+                      array = npy("<f8", "(2, 2)", bytes_of(Series{1, 2, 3, 4}));
+    std::mt19937 random(9);
+    for (int i = 0; i < 20000; ++i) {
+      const bool is_text = i % 2 == 0;
+      std::string bytes = is_text ? text : array;
+      for (int k = static_cast<int>(random() % 4); k >= 0; --k)
+        bytes[random() % bytes.size()] = static_cast<char>(random() % 256);
+      bytes.resize(bytes.size() - random() % 8);
+      const Read result = is_text ? csv(bytes, i % 4 == 0 ? "F;x" : "2") : binary(Format::npy, bytes, "2");
+      for (const double x : result.values) REQUIRE(std::isfinite(x));
     }
   }
 

@@ -78,11 +78,27 @@ TEST_SUITE("rainflow spectrum") {
         CHECK(gated.counts == all.counts);
       }
     }
-    CHECK(counted(Series{0, 1, 0, 1}, Rules{.gate = 2.0}).empty());
+    Rules rules;
+    rules.gate = 2.0;
+    CHECK(counted(Series{0, 1, 0, 1}, rules).empty());
+    CHECK(counted(Series{0, 2, 0, 2}, rules).size() == 1);  // as large as the gate
+  }
+
+  TEST_CASE("a gate on a period takes away the smaller of its cycles") {
+    for (unsigned seed = 1; seed <= 30; ++seed) {
+      const Series period = noise(3 + seed, seed, seed % 2 == 0 ? 0 : 20);
+      Counts naive = naive_periodic(period);
+      std::erase_if(naive, [](const auto& cycle) { return cycle.first.first < 12.0; });
+      for (const Method method : {Method::four_point, Method::hcm, Method::astm}) {
+        Rules rules;
+        rules.method = method, rules.gate = 12.0;
+        CHECK(counted_periodic(period, rules) == naive);
+      }
+    }
   }
 
   TEST_CASE("levels are crossed as often up as down, and by what reaches them") {
-    LevelCrossings crossings({5.0, 0.0, -5.0, 100.0, 3.0});
+    LevelCrossings crossings({5.0, 0.0, -5.0, std::numeric_limits<double>::quiet_NaN(), 100.0, 3.0});
     count(Series{-1, 3, 1, 6, -6, 5, -1}, Residue::ignore, crossings);
     const auto found = crossings.crossings();
     REQUIRE(found.size() == 5);

@@ -15,14 +15,13 @@ constexpr std::size_t bits = 64;
 constexpr std::uint64_t even = 0x5555555555555555U;
 
 Moves moves_of(const double* x) {
-  std::uint64_t rising = 0, odd = 0;
+  std::uint64_t rising = 0, falling = 0, unsound = 0;
   for (std::size_t k = 0; k < bits; ++k) {
     rising |= static_cast<std::uint64_t>(x[k] < x[k + 1]) << k;
-    // NaN is neither below nor above; both comparisons are made, for a branch would be guessed wrongly.
-    odd |= static_cast<std::uint64_t>(!(x[k] < x[k + 1]) & !(x[k] > x[k + 1]));
-    odd |= static_cast<std::uint64_t>(std::abs(x[k + 1]) > largest_value);
+    falling |= static_cast<std::uint64_t>(x[k] > x[k + 1]) << k;
+    unsound |= static_cast<std::uint64_t>(!(std::abs(x[k + 1]) <= largest_value));
   }
-  return {rising, odd == 0};
+  return {rising, ~(rising | falling), unsound == 0};
 }
 
 std::uint64_t smaller_ranges(const double* x, std::uint64_t rising) {
@@ -37,6 +36,18 @@ std::uint64_t smaller_ranges(const double* x, std::uint64_t rising) {
 
 #if defined(__x86_64__)
 
+/// Of a word in which something is level or no number.
+LOADPATH_AVX2 void look_closely(const double* x, Moves& moves) {
+  __m256d missing = _mm256_setzero_pd();
+  for (std::size_t k = 0; k < bits; k += 4) {
+    const __m256d here = _mm256_loadu_pd(x + k), next = _mm256_loadu_pd(x + k + 1);
+    const auto level = static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(here, next, _CMP_EQ_OQ)));
+    moves.level |= static_cast<std::uint64_t>(level) << k;
+    missing = _mm256_or_pd(missing, _mm256_cmp_pd(next, next, _CMP_UNORD_Q));
+  }
+  moves.sound = moves.sound && _mm256_movemask_pd(missing) == 0;
+}
+
 LOADPATH_AVX2 void compare_neighbours_avx2(const double* x, std::size_t words, Moves* moves) {
   const __m256d size = _mm256_castsi256_pd(_mm256_set1_epi64x(0x7fffffffffffffff));
   for (std::size_t w = 0; w < words; ++w, x += bits) {
@@ -47,10 +58,11 @@ LOADPATH_AVX2 void compare_neighbours_avx2(const double* x, std::size_t words, M
       const auto up = static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(here, next, _CMP_LT_OQ)));
       rising |= static_cast<std::uint64_t>(up) << k;
       level = _mm256_or_pd(level, _mm256_cmp_pd(here, next, _CMP_EQ_UQ));  // or one of them is NaN
-      largest = _mm256_max_pd(_mm256_and_pd(next, size), largest);
+      largest = _mm256_max_pd(_mm256_and_pd(next, size), largest);         // which is passed over here
     }
-    const __m256d too_large = _mm256_cmp_pd(largest, _mm256_set1_pd(largest_value), _CMP_NLE_UQ);
-    moves[w] = {rising, _mm256_movemask_pd(_mm256_or_pd(level, too_large)) == 0};
+    const __m256d too_large = _mm256_cmp_pd(largest, _mm256_set1_pd(largest_value), _CMP_GT_OQ);
+    moves[w] = {rising, 0, _mm256_movemask_pd(too_large) == 0};
+    if (_mm256_movemask_pd(level) != 0) look_closely(x, moves[w]);
   }
 }
 

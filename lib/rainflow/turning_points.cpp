@@ -3,6 +3,7 @@
 #include "lib/rainflow/bits.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <string>
 
@@ -39,23 +40,29 @@ std::size_t TurningPoints::step(std::span<const double> samples, Out& out) {
   return samples.size();
 }
 
-/// 64 moves from x[0], the latest sample, to x[64], none of which is level.
-void TurningPoints::turn(const double* x, std::uint64_t rising, Out& out) {
-  std::uint64_t turns = rising ^ (rising << 1U | static_cast<std::uint64_t>(course_ == Course::rising));
-  if ((turns & 1U) != 0) {
-    out.put(x[0], since_);
-    turns &= turns - 1;
-  }
+/// 64 moves from x[0], the latest sample, to x[64].
+void TurningPoints::turn(const double* x, const Moves& moves, Out& out) {
+  const auto rising_before = static_cast<std::uint64_t>(course_ == Course::rising);
+  // What is level goes on as it came: from the bit behind a rising one a carry runs through all that are level.
+  const std::uint64_t risen = (moves.rising << 1U | rising_before) & moves.level;
+  const std::uint64_t rising = moves.rising | (moves.level & ~(moves.level + risen));
+  const std::uint64_t turns = rising ^ (rising << 1U | rising_before);
   const std::uint64_t first = samples_ - 1;
+  // Where the plateau began that ends before move k: behind the last move before it that is not level.
+  const auto begin = [&](std::size_t k) {
+    const std::uint64_t before = ~moves.level & ((std::uint64_t{1} << k) - 1);
+    return before == 0 ? since_ : first + static_cast<std::uint64_t>(std::bit_width(before));
+  };
   double* const values = out.values + out.count;
   if (out.at == nullptr) {
     out.count += put_places(turns, [&](std::size_t i, std::size_t k) { values[i] = x[k]; });
   } else {
     std::uint64_t* const at = out.at + out.count;
-    out.count += put_places(turns, [&](std::size_t i, std::size_t k) { values[i] = x[k], at[i] = first + k; });
+    out.count += put_places(turns, [&](std::size_t i, std::size_t k) { values[i] = x[k], at[i] = begin(k); });
   }
   course_ = rising >> (bits - 1) != 0 ? Course::rising : Course::falling;
-  last_ = x[bits], since_ = first + bits, samples_ += bits;
+  if (~moves.level != 0) since_ = first + static_cast<std::uint64_t>(std::bit_width(~moves.level));
+  last_ = x[bits], samples_ += bits;
 }
 
 Outcome<std::size_t> TurningPoints::feed(std::span<const double> samples, double* values, std::uint64_t* at) {
@@ -76,8 +83,8 @@ Outcome<std::size_t> TurningPoints::feed(std::span<const double> samples, double
     const double* const x = samples.data() + done - 1;
     compare_neighbours(x, words, moves.data(), instructions_);
     for (std::size_t w = 0; w < words; ++w) {
-      if (moves[w].plain) {
-        turn(x + bits * w, moves[w].rising, out);
+      if (moves[w].sound) {
+        turn(x + bits * w, moves[w], out);
         done += bits;
       } else if (!slowly(bits)) {
         return *refusal(samples[done], samples_);

@@ -46,7 +46,7 @@ class TurningPoints {
 
   /// One after the other, the first included; how many were good.
   std::size_t step(std::span<const double> samples, Out& out);
-  void turn(const double* x, std::uint64_t rising, Out& out);
+  void turn(const double* x, const Moves& moves, Out& out);
 
   Instructions instructions_;
   Course course_ = Course::none;

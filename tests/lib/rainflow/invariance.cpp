@@ -61,7 +61,9 @@ std::vector<Series> kinds(std::size_t count) {
   for (std::size_t i = 1; i < count; ++i) {
     if (i % 137 < 9) holding[i] = holding[i - 1];
   }
-  return {waves(count), waves(count, 0.02), noise(count, 5), holding, noise(count, 6, 1), noise(count, 8, 4)};
+  Series steps = noise(count, 12, 5);  // plateaus of whole words and more
+  for (std::size_t i = 0; i < count; ++i) steps[i] = steps[i - i % (count < 1000 ? 70 : 201)];
+  return {waves(count), waves(count, 0.02), noise(count, 5), holding, noise(count, 6, 1), noise(count, 8, 4), steps};
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ LOADPATH_INLINE double log2_of(double x) {
   const double exponent = std::bit_cast<double>(moved >> 52U | 0x4330000000000000U) - (0x1p52 + 1023.0);
   const double m = std::bit_cast<double>((moved & mantissa) + bits_of_one - to_root);
   const double t = (m - 1.0) / (m + 1.0), z = t * t;
-  double sum = 1.0 / 23.0;
-  for (int k = 21; k >= 1; k -= 2) sum = sum * z + 1.0 / k;
+  double sum = 1.0 / 19.0;
+  for (int k = 17; k >= 1; k -= 2) sum = sum * z + 1.0 / k;
   return exponent + 2.0 * std::numbers::log2e * t * sum;
 }
 
@@ -42,7 +42,7 @@ LOADPATH_INLINE double exp2_of(double y) {
   const double moved = limited + shift;
   const double z = (limited - (moved - shift)) * std::numbers::ln2;
   double sum = 1.0;
-  for (int k = 14; k >= 1; --k) sum = sum * (z * (1.0 / k)) + 1.0;
+  for (int k = 13; k >= 1; --k) sum = sum * (z * (1.0 / k)) + 1.0;
   const double scale = std::bit_cast<double>((std::bit_cast<std::uint64_t>(moved) << 52U) + bits_of_one);
   const double result = sum * scale;
   return y < -1021.0 ? 0.0 : (y >= 1023.0 ? std::numeric_limits<double>::infinity() : result);

@@ -129,6 +129,8 @@ TEST_SUITE("rainflow counting") {
     // points.
     CHECK(counted(Series{0, 10, 0, 10}, hcm) == Counts{{{10, 5}, 1}});
     CHECK(counted(Series{5, 10, 0, 10}, hcm) == Counts{{{10, 5}, 1}});
+    // From zero on there is no half of a loop before the first peak.
+    CHECK(counted(Series{0, 10, 0}, rules_of(Method::hcm, Residue::half_cycles)) == Counts{{{10, 5}, 0.5}});
     CHECK(counted(Series{5, -10, 4, -7, 3}, hcm) == Counts{});
     CHECK(counted(Series{5, -10, 4, -7, 5}, hcm) == Counts{{{11, -1.5}, 1}});
   }
@@ -177,8 +179,14 @@ TEST_SUITE("rainflow counting") {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     for (const double bad : {nan, inf, -inf, 1e308}) {
       for (const std::size_t at : {0U, 1U, 2U, 63U, 64U, 65U, 5000U, 9998U, 9999U}) {
-        for (const Instructions instructions : {Instructions::portable, best_instructions()}) {
+        for (const auto& [instructions, held] : {std::pair{Instructions::portable, false},
+                                                 {Instructions::portable, true},
+                                                 {best_instructions(), false},
+                                                 {best_instructions(), true}}) {
           Series series = waves(10000);
+          if (held) {
+            for (std::size_t i = 1; i < series.size(); i += 2) series[i] = series[i - 1];
+          }
           series[at] = bad;
           Rules rules;
           rules.instructions = instructions;

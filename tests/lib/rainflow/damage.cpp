@@ -142,6 +142,8 @@ TEST_SUITE("rainflow damage") {
                   liu_zenner = *by_miner(curve, Miner::liu_zenner, largest);
     CHECK(original.damage(99.0) == 0.0);
     CHECK(original.damage(100.0) == Approx(1e-6));
+    CHECK(damage_of(original, {{100.0, -100.0}}) == Approx(1e-6));
+    CHECK(damage_of(original, {{100.0, -99.99}}) == 0.0);
     CHECK(elementary.damage(50.0) == Approx(1e-6 / 32.0));
     CHECK(modified.damage(50.0) == Approx(1e-6 / 512.0));  // 2 k - 1 = 9
     // Slope (5 + 3.6) / 2 from the life of 200, 1e6 / 2^5, down to half of the limit.

@@ -118,6 +118,7 @@ TEST_SUITE("rainflow series") {
     CHECK(csv("\"t, s\";\"a;b\"\n1;10\n2;20\n3;30", "a;b").values == values);
     CHECK(csv("1,x,10\n2,,20\n3,\"y,z\",30", "3").values == values);
     CHECK(csv("a b\n10\n20\n30", "a b", ',').values == values);
+    CHECK(csv("2nd;1e3;F\n1;2;10\n1;2;20\n1;2;30", "F").values == values);
   }
 
   TEST_CASE("numbers are those of the C++ library to the bit") {

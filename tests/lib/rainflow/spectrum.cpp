@@ -130,11 +130,16 @@ TEST_SUITE("rainflow spectrum") {
   }
 
   TEST_CASE("a class holds its lower bound, and the last one both") {
-    const Classes classes = *Classes::make(0.0, 0.1, 10);
-    for (std::size_t i = 0; i < 10; ++i) {
-      CHECK(classes.of(classes.bound(i)) == i);
-      if (i > 0) CHECK(classes.of(std::nextafter(classes.bound(i), 0.0)) == i - 1);
+    for (const double low : {0.0, -0.7, 1.1, 123.4}) {
+      for (const double width : {0.1, 0.3, 1.0 / 3.0, 7.7}) {
+        const Classes some = *Classes::make(low, width, 900);
+        for (std::size_t i = 0; i < 900; ++i) {
+          CHECK(some.of(some.bound(i)) == i);
+          if (i > 0) CHECK(some.of(std::nextafter(some.bound(i), -1e9)) == i - 1);
+        }
+      }
     }
+    const Classes classes = *Classes::make(0.0, 0.1, 10);
     CHECK(classes.of(classes.bound(10)) == 9U);
     CHECK(!classes.of(-1e-300));
     CHECK(!classes.of(std::nextafter(classes.bound(10), 2.0)));

@@ -7,6 +7,7 @@
 
 namespace loadpath::rainflow {
 
+/// What may be used; avx2 only where best_instructions() is that.
 enum class Instructions { portable, avx2 };
 
 /// The best of what this machine has.

@@ -1,3 +1,4 @@
+#include "lib/rainflow/counter.hpp"
 #include "lib/rainflow/series/reader.hpp"
 
 #include <doctest/doctest.h>
@@ -255,6 +256,29 @@ TEST_SUITE("rainflow series") {
       bytes.resize(bytes.size() - random() % 8);
       const Read result = is_text ? csv(bytes, i % 4 == 0 ? "F;x" : "2") : binary(Format::npy, bytes, "2");
       for (const double x : result.values) REQUIRE(std::isfinite(x));
+    }
+  }
+
+  TEST_CASE("a history is counted as it is read") {
+    std::string text = "t;sigma\n";
+    Series history;
+    std::mt19937 random(2);
+    for (int i = 0; i < 20000; ++i) {
+      history.push_back(static_cast<double>(random() % 1000) / 8.0);
+      text += std::to_string(i) + ';' + std::to_string(history.back()) + '\n';
+    }
+    CycleList read_ones, known_ones;
+    Counter of_read({}, read_ones), of_known({}, known_ones);
+    const auto reader = read_series(std::make_unique<Bytes>(text), {.column = "sigma", .separator = {}});
+    REQUIRE(reader);
+    for (auto part = (*reader)->next(); part && !part->empty(); part = (*reader)->next()) REQUIRE(!of_read.feed(*part));
+    REQUIRE(!of_known.feed(history));
+    of_read.finish(), of_known.finish();
+    CHECK(of_read.samples() == 20000);
+    REQUIRE(read_ones.cycles().size() == known_ones.cycles().size());
+    for (std::size_t i = 0; i < known_ones.cycles().size(); ++i) {
+      CHECK(read_ones.cycles()[i].range == known_ones.cycles()[i].range);
+      CHECK(read_ones.cycles()[i].mean == known_ones.cycles()[i].mean);
     }
   }
 

@@ -137,7 +137,8 @@ s_0 = 2
       Field{&Input::P_min, "P_min", kN, "least load that it needs, of the maker; 0.01 C of balls, 0.02 C of rollers"}
           .positive()
           .may_be_missing(),
-      Field{&Input::F_a_adm, "F_a_adm", kN, "axial load that the maker allows; 0.5 C_0 of a deep groove ball bearing"}
+      Field{&Input::F_a_adm, "F_a_adm", kN,
+            "axial load that the maker allows; 0.5 C_0 of a deep groove ball bearing: type 0.25 C_0 of a light one"}
           .positive()
           .may_be_missing(),
       Field{&Input::F_r0, "F_r0", kN, "largest radial load at rest or in a shock, where it is more than in running"}

@@ -46,7 +46,7 @@ const Law bars[] = {
     {"shaft.torsion", R"(d = "70 mm")", R"(d = "140 mm")", "u_theta", 1.0 / 16},
     {"shaft.overhung", R"(d = "40 mm")", "d = \"40 mm\"\nF = \"7308 N\"\nT = \"156.6 N*m\"", "u_v", 2},
     {"shaft.overhung", R"(d = "40 mm")", "d = \"40 mm\"\nF = \"7308 N\"\nT = \"156.6 N*m\"", "u_Q", 2},
-    {"shaft.design", "", "K_A = 2", "M_max", 2},
+    {"shaft.design", "g_angle = ", "g_angle = \nK_A = 2", "M_max", 2},  // weight is no load of service
     {"shaft.design", "", "K_A = 2", "phi", 2},
     {"shaft.design", "", "E = \"420 GPa\"\nG = \"162 GPa\"", "v_max", 1.0 / 2},
     {"shaft.design", "E = \"210 GPa\"\nG = \"81 GPa\"", "E = \"840 GPa\"\nG = \"324 GPa\"", "n_c", 2},
@@ -163,7 +163,19 @@ const Law keys[] = {
      "key = \nb = \"28 mm\"\nh = \"18 mm\"\nt_1 = \"11 mm\"\nd = \"100 mm\"\nl = \"140 mm\"", "tau", 1.0 / 8},
 };
 
-const std::span<const Law> laws[] = {keys, sections, bars, fatigue, vessels, drives, motion, bearings};
+const char* const smooth = "Rz_1 = \"0 um\"\nRz_2 = \"0 um\"";
+
+const Law fits[] = {
+    {"shaft.press_fit", smooth, "Rz_1 = \"0 um\"\nRz_2 = \"0 um\"\nU_min = \"82 um\"", "p_min", 2},
+    {"shaft.press_fit", "", "mu = 0.28", "T_slip", 2},
+    {"shaft.press_fit", "", R"(T = "1200 N*m")", "F_res", 2},
+    {"shaft.press_fit", smooth,
+     "Rz_1 = \"0 um\"\nRz_2 = \"0 um\"\nd = \"120 mm\"\nd_i = \"40 mm\"\nD = \"220 mm\"\nl = \"120 mm\"\nU_min = \"82 "
+     "um\"\nU_max = \"180 um\"",
+     "F_slip", 4},
+};
+
+const std::span<const Law> laws[] = {fits, keys, sections, bars, fatigue, vessels, drives, motion, bearings};
 
 /// What `result` does over the values of a key, one after the other.
 enum class Sense { rises, falls };
@@ -243,6 +255,9 @@ const Trend trends[] = {
     {"dynamics.throw", "L", rises, "theta", {R"("10 deg")", R"("25 deg")", R"("40 deg")", R"("45 deg")"}},
     {"dynamics.throw", "L", falls, "theta", {R"("45 deg")", R"("55 deg")", R"("70 deg")", R"("85 deg")"}},
     {"dynamics.work", "v_2", falls, "mu", {"0", "0.1", "0.3", "0.5"}},
+    {"shaft.press_fit", "p_min", rises, "D", {R"("70 mm")", R"("90 mm")", R"("200 mm")"}},
+    {"shaft.press_fit", "p_min", falls, "d_i", {R"("0 mm")", R"("20 mm")", R"("50 mm")"}},
+    {"shaft.press_fit", "T_slip", falls, "dT_2", {R"("5 K")", R"("15 K")", R"("30 K")"}},
     {"shaft.key", "p_2", falls, "l", {R"("25 mm")", R"("50 mm")", R"("70 mm")"}},
     {"bearing.rolling", "L_10h", falls, "F_a", {R"("0.8 kN")", R"("1 kN")", R"("3 kN")", R"("8 kN")"}},
     {"bearing.rolling", "C_req", falls, "a_1", {"0.25", "0.64", "1"}},

@@ -29,7 +29,7 @@ const char* const right_triangle =
 // 100 N in the middle of 1 m of 10 mm, at rest
 const char* const middle_load =
     "pieces = [{ l = \"1 m\", d = \"10 mm\" }]\nsupports = [{ name = \"left\", x = \"0 m\" }, { x = \"1 m\" }]\n"
-    "seats = [{ x = \"0.5 m\", F_x = \"100 N\" }]\nnotches = \nrho = \"7850 kg/m^3\"";
+    "seats = [{ x = \"0.5 m\", F_x = \"100 N\" }]\nnotches = \ng_angle = \nrho = \"7850 kg/m^3\"";
 
 const Case shapes[] = {
     {"section.circle", R"(d = "2 m")", "I_t", pi / 2},
@@ -355,8 +355,19 @@ const Case keys[] = {
     {"shaft.key", "d = \"50 mm\"", "x_d", 1.0},
 };
 
-const std::span<const Case> groups[] = {keys,  shapes, bars,       tubes,  vessels, cycles,  fatigue,
-                                        racks, sets,   velocities, drives, motion,  bearings};
+const char* const solid =  // of one material: p = U E (1 - (d/D)^2)/(2 d)
+    "Rz_1 = \"0 um\"\nRz_2 = \"0 um\"\nd_i = \"0 mm\"\nD = \"120 mm\"\nU_min = \"60 um\"";
+
+const Case fits[] = {
+    {"shaft.press_fit", solid, "p_min", 60e-6 * 210e9 * 0.75 / (2 * 60e-3)},
+    {"shaft.press_fit", "dT_1 = \"80 K\"\ndT_2 = \"80 K\"", "U_T", 0.0},
+    {"shaft.press_fit", "U_max = \"41 um\"\nd_i = \"0 mm\"\nD = \"120 m\"\nRz_1 = \"0 um\"\nRz_2 = \"0 um\"", "sigma_2",
+     41e-6 * 210e9 / 60e-3},  // a hub without an end
+    {"shaft.press_fit", R"(T = "0 N*m")", "F_res", 0.0},
+};
+
+const std::span<const Case> groups[] = {fits,    keys,  shapes, bars,       tubes,  vessels, cycles,
+                                        fatigue, racks, sets,   velocities, drives, motion,  bearings};
 
 bool is(double value, double expected) {
   return std::abs(value - expected) <= (expected == 0.0 ? 1e-9 : 2e-6 * std::abs(expected));

@@ -275,8 +275,16 @@ const Side keys[] = {
     {"shaft.key", "x_h", over, "t_2", R"("3.5 mm")", R"("3.4 mm")"},
 };
 
-const std::span<const Side> groups[] = {keys,  vessels, sections, bars,   fatigue,
-                                        gears, pulleys, v_belts,  motion, bearings};
+const Side fits[] = {
+    {"shaft.press_fit", "u_s", over, "S_r", "2.344", "2.345"},
+    {"shaft.press_fit", "u_1", over, "R_e_1", R"("249.5 MPa")", R"("249.4 MPa")"},
+    {"shaft.press_fit", "u_2", over, "R_e_2", R"("315.7 MPa")", R"("315.6 MPa")"},
+    {"shaft.press_fit", "u_F", over, "F_adm", R"("104.5 kN")", R"("104.4 kN")", "mu_e = 0.1"},
+    {"shaft.press_fit", "u_A", over, "dT_adm", R"("216 K")", R"("215 K")"},
+};
+
+const std::span<const Side> groups[] = {fits,  keys,    vessels, sections, bars,    fatigue,
+                                        gears, pulleys, v_belts, motion,   bearings};
 
 std::string lines_at(const Side& row, const char* value) {
   const std::string last = std::string(row.key) + " = " + value;

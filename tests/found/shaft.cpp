@@ -114,3 +114,28 @@ l = "45 mm"
     CHECK(mode_of(project, "seat", "reversal") == "not-judged");
   }
 }
+
+TEST_SUITE("found press fit") {
+  TEST_CASE(
+      "the smallest fit slips where the largest would hold, and the largest yields where the smallest would not") {
+    CHECK(mode_with("shaft.press_fit", "", "slip") == "pass");
+    CHECK(mode_with("shaft.press_fit", "U_min = \"20 um\"", "slip") == "fail");
+    CHECK(mode_with("shaft.press_fit", "U_max = \"120 um\"", "hub") == "fail");
+    CHECK(mode_with("shaft.press_fit", "d_i = \"50 mm\"\nU_max = \"120 um\"", "shaft") == "fail");
+  }
+
+  TEST_CASE("an axial force beside the torque slips it, oil too, and heat that loosens it") {
+    CHECK(mode_with("shaft.press_fit", "F_z = \"-30 kN\"", "slip") == "fail");
+    CHECK(mode_with("shaft.press_fit", "mu = 0.08", "slip") == "fail");
+    CHECK(mode_with("shaft.press_fit", "dT_1 = \"5 K\"\ndT_2 = \"25 K\"", "slip") == "fail");
+    CHECK(mode_with("shaft.press_fit", "dT_2 = \"-60 K\"", "hub") == "fail");
+  }
+
+  TEST_CASE("a hub hotter than it bears is not put on, and what is not given is not judged") {
+    CHECK(mode_with("shaft.press_fit", "dT_adm = \"200 K\"", "shrinking") == "fail");
+    CHECK(mode_with("shaft.press_fit", "mu_e = 0.1\nF_adm = \"100 kN\"", "pressing") == "fail");
+    CHECK(mode_with("shaft.press_fit", "S_r = ", "slip") == "not-judged");
+    CHECK(mode_with("shaft.press_fit", "S_F = ", "hub") == "not-judged");
+    CHECK(mode_with("shaft.press_fit", "T = \"0 N*m\"", "hub") == "pass");
+  }
+}

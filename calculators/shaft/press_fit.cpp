@@ -1,0 +1,118 @@
+#include "calculators/shaft/press_fit.hpp"
+
+#include "lib/calculator/calculator_of.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+
+namespace loadpath::shaft {
+
+namespace {
+
+using Input = PressFit::Input;
+using Result = PressFit::Result;
+
+constexpr Length none = 0.0 * mm.one;
+
+/// Smallest and largest usable interference, cold or in service.
+template <class Tracer>
+void interferences(const Input& in, Result& r, Tracer& trace) {
+  STEP(U_G, 0.8 * (in.Rz_1 + in.Rz_2), "pressed flat, [DIN7190]");
+  const Length U_T = r.U_T = trace.value("U_T", PressFit::lost_by_heat(in), "d (alpha_2 dT_2 - alpha_1 dT_1), lost");
+  STEP_TO(r, U_w_min, in.U_min - U_G - max(U_T, 0.0 * mm), "usable, cold or in service");
+  STEP_TO(r, U_w_max, max(in.U_max - U_G - min(U_T, 0.0 * mm), 0.0 * mm), "usable, cold or in service");
+}
+
+/// The pressure under which both rings give way by the interference, [Lame].
+template <class Tracer>
+void pressures(const Input& in, Result& r, Tracer& trace) {
+  interferences(in, r, trace);
+  STEP_TO(r, Q_1, in.d_i / in.d, "bore of the shaft over the fit");
+  STEP_TO(r, Q_2, in.d / in.D, "fit over the outer diameter of the hub");
+  STEP(K_1, (1.0 + pow<2>(Q_1)) / (1.0 - pow<2>(Q_1)) - in.nu_1, "shaft under pressure outside, [Lame]");
+  STEP(K_2, (1.0 + pow<2>(Q_2)) / (1.0 - pow<2>(Q_2)) + in.nu_2, "hub under pressure inside, [Lame]");
+  const Length U_w_min = r.U_w_min, U_w_max = r.U_w_max;
+  STEP_TO(r, p_min, U_w_min / (in.d * (K_1 / in.E_1 + K_2 / in.E_2)), "smallest pressure, [Lame]");
+  STEP_TO(r, p_max, U_w_max / (in.d * (K_1 / in.E_1 + K_2 / in.E_2)), "largest pressure, [Lame]");
+}
+
+template <class Tracer>
+void slip(const Input& in, Result& r, Tracer& trace) {
+  const Force F_zz = trace.value("F_zz", is_set(in.F_z) ? in.F_z : 0.0 * N.one, "along the shaft");
+  STEP_TO(r, F_res, in.K_A * sqrt(pow<2>(2.0 * in.T / in.d) + pow<2>(F_zz)), "around and along, as vectors");
+  STEP_TO(r, F_slip, pi * in.d * in.l * in.mu * r.p_min, "friction over the fit");
+  STEP_TO(r, T_slip, F_slip * in.d / 2.0, "alone");
+  if (!is_set(in.S_r)) return;
+  STEP_TO(r, u_s, in.S_r * F_res / F_slip, "against slip");
+}
+
+template <class Tracer>
+void yield(const Input& in, Result& r, Tracer& trace) {
+  const Stress p_max = r.p_max;
+  const double Q_1 = r.Q_1, Q_2 = r.Q_2;
+  STEP_TO(r, sigma_t2, p_max * (1.0 + pow<2>(Q_2)) / (1.0 - pow<2>(Q_2)), "at the bore of the hub, [Lame]");
+  STEP_TO(r, sigma_2, sigma_t2 + p_max, "Tresca: hoop against the pressure");
+  STEP_TO(
+      r, sigma_1, in.d_i > 0.0 * mm ? 2.0 * p_max / (1.0 - pow<2>(Q_1)) : p_max,
+      in.d_i > none ? "Tresca: hoop at the bore of a hollow shaft, [Lame]" : "Tresca: a solid shaft, pressed alike");
+  if (!is_set(in.S_F)) return;
+  STEP_TO(r, u_1, in.S_F * sigma_1 / in.R_e_1, "shaft against yield");
+  STEP_TO(r, u_2, in.S_F * sigma_2 / in.R_e_2, "hub against yield");
+}
+
+/// How it is put on: pressed, or shrunk.
+template <class Tracer>
+void assembly(const Input& in, Result& r, Tracer& trace) {
+  if (is_set(in.mu_e)) {
+    STEP_TO(r, F_e, pi * in.d * in.l * in.mu_e * r.p_max, "friction over all of the fit at the end");
+    if (is_set(in.F_adm)) {
+      STEP_TO(r, u_F, F_e / in.F_adm, "against the press");
+    }
+  }
+  if (!is_set(in.U_c) || !is_set(in.alpha_2)) return;
+  STEP_TO(r, dT_A, (in.U_max + in.U_c) / (in.alpha_2 * in.d), "hub wider by the interference and the clearance");
+  if (!is_set(in.dT_adm)) return;
+  STEP_TO(r, u_A, dT_A / in.dT_adm, "against what the hub allows");
+}
+
+}  // namespace
+
+Length PressFit::lost_by_heat(const Input& in) {
+  Length lost = none;
+  if (is_set(in.dT_2) && is_set(in.alpha_2)) lost += in.d * (in.alpha_2 * in.dT_2);
+  if (is_set(in.dT_1) && is_set(in.alpha_1)) lost -= in.d * (in.alpha_1 * in.dT_1);
+  return lost;
+}
+
+Length PressFit::least_usable(const Input& in) {
+  return in.U_min - 0.8 * (in.Rz_1 + in.Rz_2) - std::max(lost_by_heat(in), none);
+}
+
+FieldFault PressFit::nothing_left(const Input& in) {
+  const auto told = [](Length U) { return format_quantity(in_si(U), um.symbol); };
+  return {"U_min",
+          say("of the smallest interference of {1} roughness takes {2} and heat {3}: nothing is left that presses",
+              told(in.U_min), told(0.8 * (in.Rz_1 + in.Rz_2)), told(std::max(lost_by_heat(in), none))),
+          say("take a tighter fit, or smoother surfaces")};
+}
+
+Applies PressFit::loaded(const Input& in) {
+  return where(abs(in.T) > 0.0 * N_m.one || (is_set(in.F_z) && abs(in.F_z) > 0.0 * N.one));
+}
+
+template <class Tracer>
+PressFit::Result PressFit::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  pressures(in, r, trace);
+  slip(in, r, trace);
+  yield(in, r, trace);
+  assembly(in, r, trace);
+  return r;
+}
+
+template PressFit::Result PressFit::evaluate(const Input&, NoTrace&);
+template PressFit::Result PressFit::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath::shaft
+
+template const loadpath::Calculator& loadpath::erased<loadpath::shaft::PressFit>();

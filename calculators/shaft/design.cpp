@@ -27,7 +27,7 @@ void carry(const Input& in, const Loaded& loaded, Result& r) {
     c.R_x = from_si<Force>(loaded.x.reactions[i]), c.R_y = from_si<Force>(loaded.y.reactions[i]);
     c.F_r = sqrt(c.R_x * c.R_x + c.R_y * c.R_y);
     c.F_a = from_si<Force>(support.holds == Holds::both ? loaded.thrust : 0.0);
-    if (in.k_max > 1.0) c.F_r0 = in.k_max * c.F_r, c.F_a0 = in.k_max * c.F_a;
+    c.F_r0 = in.k_max * c.F_r, c.F_a0 = in.k_max * c.F_a;
     c.beta = loaded.slope(loaded.stations.at(support.x));
     c.u_beta = slope_over(c.beta, support);
     r.bearings.push_back(c);

@@ -270,4 +270,60 @@ TEST_SUITE("shaft design") {
     CHECK(contains(Solved(shaft + notched + key + "d = \"42 mm\"\n").errors(),
                    "it is made for 42 mm, and the shaft has 40 mm"));
   }
+
+  // Each of these passed once.
+  TEST_CASE("what an attack has found does not pass") {
+    const std::string shell = "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\n";
+    const auto says = [&](const std::string& lines) { return Solved(shell + lines).messages(); };
+    const std::string pieces = "pieces = [{ l = \"200 mm\", d = \"40 mm\" }]\n" + two_bearings;
+    // the lowest mode of a symmetric shaft on three bearings is not symmetric
+    const std::string three =
+        "pieces = [{ l = \"2 m\", d = \"40 mm\" }]\nsupports = [{ x = \"0 m\" }, { x = \"1 m\" }, { x = \"2 m\" }]\n"
+        "seats = [{ x = \"0.5 m\", mass = \"5 kg\" }, { x = \"1.5 m\", mass = \"5 kg\" }]\n";
+    CHECK(Solved(shell + three + "n = \"4200 rpm\"\n").mode("axle.critical_bending").state == State::fail);
+    CHECK(contains(says("pieces = [{ l = \"100 mm\", d = \"30 mm\" }, { l = \"100 mm\", d = \"60 mm\", d_bore = \"40 "
+                        "mm\" }]\n" +
+                        two_bearings),
+                   "that of its neighbours"));
+    const std::string long_bar =
+        "pieces = [{ l = \"12 m\", d = \"40 mm\" }]\nsupports = [{ x = \"0 m\" }, { x = \"12 "
+        "m\" }]\nd_h = \"40 mm\"\ng_angle = \"-90 deg\"\nS_F = 1.5\n";
+    CHECK(Solved(shell + long_bar).mode("axle.yield").utilisation.value_or(0.0) > 1.0);  // by its weight, in the middle
+    const std::string stepped =
+        "pieces = [{ l = \"100 mm\", d = \"30 mm\" }, { l = \"200 mm\", d = \"40 mm\" }]\nsupports = [{ x "
+        "= \"10 mm\" }, { x = \"290 mm\" }]\nseats = [{ x = \"100 mm\", F_x = \"3 kN\" }]\nS_D = 1.5\nr_T "
+        "= 0\n";
+    const auto with_notch_at = [&](const char* x) {
+      return Solved(shell + stepped + "notches = [{ x = \"" + x +
+                    "\", kind = \"given\", K_t = 3, K_ts = 2, r = \"1 mm\" }]\n")
+          .mode("axle.fatigue")
+          .utilisation.value_or(0.0);
+    };
+    CHECK(with_notch_at("100.0001 mm") == Approx(with_notch_at("100 mm")).epsilon(1e-4));
+    CHECK(contains(says(pieces + "notches = [{ x = \"50 mm\", kind = \"keyway\", r = \"0.1 mm\" }]\n"), "leave out r"));
+    CHECK(
+        contains(says(pieces + "seats = [{ x = \"50 mm\", F_y = \"10 kN\", x_w = \"200 mm\" }]\n"), "belong together"));
+    CHECK(contains(says(pieces + "seats = [{ x = \"50 mm\", n = \"100 rpm\" }, { x = \"60 mm\", n = \"-100 rpm\" }]\n"),
+                   "one way in one step and the other way"));
+    CHECK(Solved(shell + pieces + "n = \"100 rpm\"\nseats = [{ x = \"50 mm\", F_x = \"1 N\" }]\n")
+              .mode("axle.critical_bending")
+              .state == State::not_judged);  // nobody knows what sits there
+    CHECK(Solved(shell + pieces + "seats = [{ x = \"50 mm\", mass = \"5000 kg\" }]\n").mode("axle.weight").state ==
+          State::not_judged);
+    CHECK(Solved(shell + "pieces = [{ l = \"200 mm\", d = \"40 mm\", d_bore = \"39 mm\" }]\n" + two_bearings)
+              .mode("axle.wall")
+              .state == State::not_judged);
+    CHECK(contains(says(pieces + "R_e = \"900 MPa\"\nR_m = \"500 MPa\"\n"), "not above the tensile strength"));
+    CHECK(contains(says(pieces + "E = \"210 GPa\"\nG = \"8 GPa\"\n"), "belong to one material"));
+  }
+
+  TEST_CASE("the largest force that is found passes every section") {
+    Solved found(
+        "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\npieces = [{ l = "
+        "\"200 mm\", d = \"40 mm\" }]\n" +
+        two_bearings + "seats = [{ name = \"wheel\", x = \"100 mm\", F_x = \"?\" }]\nS_F = 1.5\n");
+    REQUIRE_MESSAGE(!has_errors(found.issues), found.messages());
+    CHECK(found.mode("axle.yield").state == State::pass);
+    CHECK(found.mode("axle.yield").utilisation.value_or(0.0) > 0.99);
+  }
 }

@@ -23,7 +23,7 @@ void carry(const Input& in, const Loaded& loaded, Result& r) {
   for (std::size_t i = 0; i < in.supports.size(); ++i) {
     const Support& support = in.supports[i];
     Carried c;
-    c.name = support.name, c.x = support.x, c.n = r.n;
+    c.name = support.name, c.x = support.x, c.holds = support.holds, c.n = r.n;
     c.R_x = from_si<Force>(loaded.x.reactions[i]), c.R_y = from_si<Force>(loaded.y.reactions[i]);
     c.F_r = sqrt(c.R_x * c.R_x + c.R_y * c.R_y);
     c.F_a = from_si<Force>(support.holds == Holds::both ? loaded.thrust : 0.0);

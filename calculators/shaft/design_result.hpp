@@ -13,6 +13,7 @@ inline constexpr std::size_t most_places = 2 * most_pieces + 1 + most_supports +
 struct Carried {
   Name name;
   Length x = unset<Length>;
+  Holds holds = Holds::radial;
   Force R_x = unset<Force>, R_y = unset<Force>, F_r = unset<Force>, F_a = unset<Force>;
   Force F_r0 = unset<Force>, F_a0 = unset<Force>;
   AngularSpeed n = unset<AngularSpeed>;
@@ -20,6 +21,7 @@ struct Carried {
   static constexpr std::tuple fields{
       NameField{&Carried::name, "name", "name of the bearing"},
       Field{&Carried::x, "x", mm, "its place"},
+      Choice{&Carried::holds, "holds", "what it takes"},
       Field{&Carried::R_x, "R_x", N, "force on the shaft along X"}.load().with("R_y, F_a").holding("K_A"),
       Field{&Carried::R_y, "R_y", N, "force on the shaft along Y"}.load().with("R_x, F_a").holding("K_A"),
       Field{&Carried::F_r, "F_r", N, "radial load of the bearing"}.load().with("F_a").holding("K_A"),

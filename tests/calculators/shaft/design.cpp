@@ -19,7 +19,6 @@ using doctest::Approx;
 using shaft::Design;
 using shaft::Holds;
 using shaft::Seat;
-using shaft::Way;
 using test::contains;
 using test::mode_with;
 using test::Solved;

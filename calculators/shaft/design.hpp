@@ -80,7 +80,8 @@ r_T = 0
       ListField{&Input::notches, "notches", "where stress concentrates"}.may_be_missing(),
       Field{&Input::n, "n", rpm, "speed; without it, that of a seat; a shaft without any stands still"}
           .may_be_missing(),
-      Field{&Input::K_A, "K_A", ratio, "service factor on all loads: what they do not contain, once"}
+      Field{&Input::K_A, "K_A", ratio,
+            "service factor on all torques and forces, not on weight: what they do not contain, once"}
           .positive()
           .usually(1, 4)
           .factor(),

@@ -11,7 +11,7 @@ using Input = Design::Input;
 
 constexpr double g_n = 9.80665;  // standard gravity, m/s^2
 constexpr double finest = 1e-6;  // of the length: what is nearer is one place
-constexpr double parts = 60.0;   // of the length, at least: deflection and masses between the places
+constexpr double parts = 120.0;  // of the length, at least: deflection and masses between the places
 
 double area_of(const Piece& piece) {
   const double d = in_si(piece.d), b = in_si(piece.d_bore);

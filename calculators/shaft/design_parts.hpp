@@ -15,10 +15,11 @@ struct Piece {
   Name name;
   Length l = unset<Length>, d = unset<Length>;
   Length d_bore = 0.0 * mm;
-  static constexpr std::tuple fields{NameField{&Piece::name, "name", "what the piece is"}.may_be_missing(),
-                                     Field{&Piece::l, "l", mm, "length"}.positive(),
-                                     Field{&Piece::d, "d", mm, "outer diameter"}.positive().usually(1, 2000),
-                                     Field{&Piece::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0)};
+  static constexpr std::tuple fields{
+      NameField{&Piece::name, "name", "what the piece is"}.may_be_missing(),
+      Field{&Piece::l, "l", mm, "length"}.positive(),
+      Field{&Piece::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).findable("R40"),
+      Field{&Piece::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0)};
 };
 
 enum class Holds { radial, both };

@@ -325,4 +325,19 @@ TEST_SUITE("shaft design") {
     CHECK(found.mode("axle.yield").state == State::pass);
     CHECK(found.mode("axle.yield").utilisation.value_or(0.0) > 0.99);
   }
+
+  TEST_CASE("the smallest diameter of a piece that passes every section is found, and why the next smaller fails") {
+    const std::string text =
+        "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\nd_h = \"60 "
+        "mm\"\nsupports = "
+        "[{ x = \"0 mm\" }, { x = \"200 mm\" }]\nseats = [{ x = \"100 mm\", F_x = \"20 kN\" }]\nS_F = 1.5\npieces = [{ "
+        "l "
+        "= \"200 mm\", d = \"";
+    Solved found(text + "?\" }]\n");
+    REQUIRE_MESSAGE(!has_errors(found.issues), found.messages());
+    const double d = found.value("axle.sections[2].d");  // 1 kN m, 1.5 sigma <= 370 MPa: at least 34.6 mm
+    CHECK(d == Approx(0.0355));
+    CHECK(found.mode("axle.yield").state == State::pass);
+    CHECK(Solved(text + "33.5 mm\" }]\n").mode("axle.yield").state == State::fail);
+  }
 }

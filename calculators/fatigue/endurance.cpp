@@ -1,6 +1,7 @@
 #include "calculators/fatigue/endurance.hpp"
 
 #include "calculators/fatigue/estimate.hpp"
+#include "calculators/fatigue/size_and_surface.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 #include <cmath>
@@ -54,8 +55,8 @@ template <class Tracer>
 void size_and_surface(const Input& in, Result& r, Tracer& trace) {
   if (is_set(in.d) && in.loading == Loading::tension) r.x_d = 0.0;
   if (is_set(in.d) && in.loading != Loading::tension) {
-    STEP_TO(r, x_d, in.d > 150.0 * mm ? 1.0 : log(in.d / (7.5 * mm)) / log(20.0),
-            "d from 7.5 to 150 mm on a logarithmic scale; it stays at 1 beyond, [DIN743]");
+    const double x_d = place_of_size(in.d, trace);
+    r.x_d = x_d;
     STEP_TO(r, epsilon, 1.0 - 0.2 * x_d, "size in bending and torsion, [DIN743]");
   } else {
     STEP_TO(r, epsilon, is_set(in.epsilon) ? in.epsilon : 1.0,
@@ -65,10 +66,7 @@ void size_and_surface(const Input& in, Result& r, Tracer& trace) {
     STEP_TO(r, beta_F, is_set(in.beta_F) ? in.beta_F : 1.0, is_set(in.beta_F) ? "as given" : "polished: no R_z given");
     return;
   }
-  const double lg_R =
-      trace.value("lg_R", std::log10(std::max(in.R_z / um, 1.0)), "lg of R_z in micrometres, 0 below 1");
-  const double lg_S = trace.value("lg_S", std::log10(in.R_m / (20.0 * MPa)), "lg of R_m/20 MPa");
-  STEP(K_F, 1.0 - 0.22 * lg_R * (lg_S - 1.0), "roughness, [DIN743], [GOST25504]");
+  const double K_F = roughness_factor("K_F", in.R_m, in.R_z, trace);
   if (in.loading == Loading::torsion) {
     STEP_TO(r, beta_F, 0.575 * K_F + 0.425, "roughness in torsion, [DIN743]");
   } else {

@@ -7,6 +7,7 @@
 // Not covered: mean stress, life, histories, safety, temperature, corrosion, press fits.
 #pragma once
 
+#include "calculators/fatigue/size_and_surface.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
@@ -18,8 +19,6 @@
 #include <tuple>
 
 namespace loadpath::fatigue {
-
-inline constexpr Unit<Length> um{"um", from_si<Length>(1e-6)};
 
 struct Endurance {
   static constexpr auto id = "fatigue.endurance";

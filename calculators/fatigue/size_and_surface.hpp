@@ -1,0 +1,31 @@
+// What the size of a section and its roughness leave of a fatigue limit, by DIN 743-2: shared by those who take the
+// tables of Serensen for theirs, term for term, and by those who rate a section by the standard.
+#pragma once
+
+#include "lib/calculator/trace.hpp"
+#include "lib/quantity/unit.hpp"
+#include "lib/quantity/units.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::fatigue {
+
+inline constexpr Unit<Length> um{"um", from_si<Length>(1e-6)};
+
+/// The place of a diameter on the logarithmic scale of sizes: 0 at 7.5 mm, 1 at 150 mm, and 1 beyond.
+template <class Tracer>
+double place_of_size(Length d, Tracer& trace) {
+  return NAMED_STEP("x_d", d > 150.0 * mm ? 1.0 : log(d / (7.5 * mm)) / log(20.0),
+                    "d from 7.5 to 150 mm on a logarithmic scale; it stays at 1 beyond, [DIN743]");
+}
+
+/// K_F in tension and bending, of what is as rough as that.
+template <class Tracer>
+double roughness_factor(const char* symbol, Stress R_m, Length R_z, Tracer& trace) {
+  const double lg_R = trace.value("lg_R", std::log10(std::max(R_z / um, 1.0)), "lg of R_z in micrometres, 0 below 1");
+  const double lg_S = trace.value("lg_S", std::log10(R_m / (20.0 * MPa)), "lg of R_m/20 MPa");
+  return NAMED_STEP(symbol, 1.0 - 0.22 * lg_R * (lg_S - 1.0), "roughness, [DIN743], [GOST25504]");
+}
+
+}  // namespace loadpath::fatigue

@@ -16,7 +16,7 @@ namespace section {
 }
 namespace column { struct Buckling; struct Lightest; struct EffectiveLength; }
 namespace vessel { struct Cylinder; struct Sphere; struct Cone; struct Torus; struct Ellipsoid; struct Shell; }
-namespace fatigue { struct Cycle; struct Endurance; struct Wohler; }
+namespace fatigue { struct Cycle; struct Endurance; struct Wohler; struct Din743; }
 namespace gear { struct Pair; struct Planetary; }
 namespace chain { struct Roller; }
 namespace drive { struct Train; }
@@ -70,6 +70,7 @@ static constexpr std::array all{
     Row{&erased<fatigue::Cycle>},
     Row{&erased<fatigue::Endurance>},
     Row{&erased<fatigue::Wohler>},
+    Row{&erased<fatigue::Din743>},
     Row{&erased<gear::Pair>},
     Row{&erased<gear::Planetary>},
     Row{&erased<chain::Roller>},

@@ -68,6 +68,8 @@ const char* const half_stresses =
     "[\"170 MPa\", 262000], [\"170 MPa\", 365000], [\"155 MPa\", 720000], [\"155 MPa\", 980000], "
     "[\"145 MPa\", 10000000, \"runout\"], [\"140 MPa\", 10000000, \"runout\"]]";
 
+const char* const doubled_section = "M_ba = \"1600 N*m\"\nM_tm = \"1800 N*m\"\nM_ta = \"300 N*m\"";
+
 const Law fatigue[] = {
     {"fatigue.cycle", "", "sigma_max = \"240 MPa\"\nsigma_min = \"-80 MPa\"", "sigma_a", 2},
     {"fatigue.cycle", "", "sigma_max = \"240 MPa\"\nsigma_min = \"-80 MPa\"", "r", 1},
@@ -75,6 +77,13 @@ const Law fatigue[] = {
     {"fatigue.wohler", "", half_stresses, "S_D", 0.5},
     {"fatigue.wohler", "", half_stresses, "k", 1},
     {"fatigue.wohler", "", half_stresses, "N_P", 1},
+    {"fatigue.din743", "", doubled_section, "u_D", 2},
+    {"fatigue.din743", "", doubled_section, "u_F", 2},
+    {"fatigue.din743", "", doubled_section, "S_D", 0.5},
+    {"fatigue.din743", "", "f_max = 3.6", "u_F", 2},
+    {"fatigue.din743", "", "f_max = 3.6", "u_D", 1},
+    {"fatigue.din743", "", "S_min = 2.4", "u_D", 2},
+    {"fatigue.din743", "", "S_min = 2.4", "u_F", 2},
 };
 
 const char* const thick = R"(delta = "10 mm")";
@@ -235,6 +244,12 @@ const Trend trends[] = {
     {"fatigue.endurance", "sigma_D", falls, "d", {R"("10 mm")", R"("30 mm")", R"("60 mm")", R"("140 mm")"}},
     {"fatigue.wohler", "N_P", falls, "P_s", {"0.5", "0.7", "0.9", "0.95"}},
     {"fatigue.wohler", "N_50", falls, "S", {R"("310 MPa")", R"("340 MPa")", R"("380 MPa")", R"("420 MPa")"}},
+    {"fatigue.din743", "S_D", falls, "R_z", {R"("1.6 um")", R"("6.3 um")", R"("25 um")", R"("100 um")"}},
+    {"fatigue.din743", "S_D", falls, "d_h", {R"("50 mm")", R"("60 mm")", R"("100 mm")", R"("250 mm")"}},
+    {"fatigue.din743", "S_D", falls, "M_tm", {R"("0 N*m")", R"("500 N*m")", R"("1500 N*m")", R"("4000 N*m")"}},
+    {"fatigue.din743", "S_D", rises, "r", {R"("0.5 mm")", R"("1 mm")", R"("2.5 mm")", R"("4 mm")"}},
+    {"fatigue.din743", "S_D", rises, "K_V", {"1", "1.1", "1.3", "1.6"}},
+    {"fatigue.din743", "S_F", rises, "d", {R"("36 mm")", R"("40 mm")", R"("42 mm")", R"("46 mm")"}},
     {"gear.pair", "eps_gamma", rises, "beta", {R"("0 deg")", R"("8 deg")", R"("16 deg")"}, "a_w = \nx_1 = 0"},
     {"gear.pair", "x_free", rises, "z_1", {"10", "14", "17", "30"}, "a_w = \nx_1 = 0"},
     {"gear.planetary", "eta", rises, "eta_0", {"0.9", "0.95", "0.99", "1"}},

@@ -155,6 +155,10 @@ const Case cycles[] = {
     {"fatigue.cycle", "sigma_max = \nsigma_min = \nsigma_a = \"40 MPa\"\nr = inf", "sigma_min", -80e6},
 };
 
+const char* const polished_bar =
+    "notch = \"smooth\"\nD = \nr = \nd = \"7.5 mm\"\nd_h = \"16 mm\"\nR_z = \"1 um\"\nM_ba = \nM_tm = \nM_ta = \n"
+    "sigma_ba = \"275 MPa\"";
+
 const Case fatigue[] = {
     {"fatigue.cycle", "sigma_max = \"100 MPa\"\nsigma_min = \"100 MPa\"", "sigma_a", 0.0},
     {"fatigue.endurance", "sigma_W = \"300 MPa\"\nK_t = 1\nd = \"7.5 mm\"\nR_z = \"1 um\"", "sigma_D", 300e6},
@@ -171,6 +175,12 @@ const Case fatigue[] = {
      1 + 0.65 / (1 + 0.0473 / std::sqrt(3 / 25.4))},
     {"fatigue.endurance", "loading = \"torsion\"\nR_m = \"1378.951459 MPa\"", "K_f",
      1 + 0.65 / (1 + 0.0144 / std::sqrt(3 / 25.4))},
+    {"fatigue.din743", "d_h = \"160 mm\"", "K_1B", 0.74},
+    {"fatigue.din743", "d_h = \"300 mm\"", "K_1S", 0.57},
+    {"fatigue.din743", polished_bar, "S_D", 2.0},  // of the size of the tests: 550 MPa over 275 MPa
+    {"fatigue.din743", "M_ba = \"0 N*m\"\nM_ta = \"0 N*m\"", "u_D", 0.0},
+    {"fatigue.din743", "sigma_zdm = \"-100 MPa\"\nsigma_zda = \"0 MPa\"\nM_tm = \"0 N*m\"", "sigma_mv", -100e6},
+    {"fatigue.din743", "notch = \"cross-hole\"\nD = \nd = \"40 mm\"\nr = \"5 mm\"", "stresses.bending.alpha", 1.95},
     {"fatigue.wohler", "P_s = 0.5", "A_P", 29.9426882630},  // the mean line, by the normal equations
 };
 

@@ -133,6 +133,19 @@ const Side fatigue[] = {
     {"fatigue.wohler", "x_0", outside, "N_0", "42600", "42500"},
     {"fatigue.wohler", "x_D", outside, "S_D", R"("239 MPa")", R"("238 MPa")"},
     {"fatigue.wohler", "P_f", outside, "P_s", "0.95", "0.951"},
+    {"fatigue.din743", "u_D", over, "S_min", "1.69", "1.7"},
+    {"fatigue.din743", "u_F", over, "S_min", "2.96", "2.97"},
+    {"fatigue.din743", "x_m", over, "M_tm", R"("7300 N*m")", R"("7301 N*m")"},
+    {"fatigue.din743", "x_d", outside, "d", R"("7.5 mm")", R"("7.4 mm")", "notch = \"smooth\"\nD = \nr = "},
+    {"fatigue.din743", "x_eff", outside, "d_h", R"("500 mm")", R"("501 mm")"},
+    {"fatigue.din743", "x_r", outside, "r", R"("0.12 mm")", R"("0.119 mm")"},
+    {"fatigue.din743", "x_r", outside, "r", R"("0.12 mm")", R"("0.119 mm")", R"(notch = "round-groove")"},
+    {"fatigue.din743", "x_D", outside, "D", R"("42.86 mm")", R"("42.85 mm")"},
+    {"fatigue.din743", "x_alpha", outside, "alpha_b", "6", "6.1", "notch = \"alpha\"\nD = \nr = \nalpha_t = 2"},
+    {"fatigue.din743", "x_t", outside, "D", R"("46.3 mm")", R"("46.1 mm")", "notch = \"v-groove\"\nr = "},
+    {"fatigue.din743", "x_t", outside, "D", R"("58.7 mm")", R"("58.9 mm")", "notch = \"v-groove\"\nr = "},
+    {"fatigue.din743", "x_hole", outside, "r", R"("6.2 mm")", R"("6.4 mm")", "notch = \"cross-hole\"\nD = "},
+    {"fatigue.din743", "x_bore", outside, "d_bore", R"("0 mm")", R"("1 mm")"},
 };
 
 const char* const spur = "beta = \"0 deg\"\na_w = \nx_1 = 0";

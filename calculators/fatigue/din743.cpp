@@ -1,0 +1,18 @@
+#include "calculators/fatigue/din743.hpp"
+
+#include "calculators/fatigue/din743_safety.hpp"
+#include "lib/calculator/calculator_of.hpp"
+
+namespace loadpath::fatigue {
+
+template <class Tracer>
+Din743::Result Din743::evaluate(const Input& in, Tracer& trace) {
+  return {din743(in, in, din743_loads(in), trace)};
+}
+
+template Din743::Result Din743::evaluate(const Input&, NoTrace&);
+template Din743::Result Din743::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath::fatigue
+
+template const loadpath::Calculator& loadpath::erased<loadpath::fatigue::Din743>();

@@ -1,0 +1,122 @@
+// The safety of one section of a shaft against fatigue and against yielding, by DIN 743.
+//
+// Decides, after [DIN743] parts 1 to 3, nominal stresses of tension, bending and torsion, what notch, size, roughness
+// and surface treatment leave of the fatigue limit, how much the mean stress takes off it, and both safeties. Steel,
+// not welded, -40 to 150 degC, stresses in phase, loads with their service factors in, 1e7 cycles and more. Tension
+// is positive; in bending and torsion the sign is of no account, for a round section has a fibre of either sign.
+// Not covered: part 4 (finite life, spectra), shear by transverse forces, splines and undercuts (type their beta),
+// notch factors of hollow shafts (type them), the cracking of a hard surface layer under the largest load. Recalled:
+// that two keyways count 1.15 in torsion as they do in bending.
+#pragma once
+
+#include "calculators/fatigue/din743_fields.hpp"
+#include "calculators/fatigue/din743_rules.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/calculator/trace.hpp"
+
+#include <array>
+#include <tuple>
+
+namespace loadpath::fatigue {
+
+struct Din743 {
+  static constexpr auto id = "fatigue.din743";
+  static constexpr auto title = "Section of a shaft by DIN 743";
+  static constexpr auto scope =
+      "Safety of one section of a steel shaft against fatigue and yielding by DIN 743 parts 1 to 3, from -40 to 150 "
+      "degC: smooth, shoulder, grooves, keyways, press fit, cross hole, or notch factors that are typed. Not covered: "
+      "finite life and spectra (part 4), shear by transverse forces, welds, notch factors of hollow shafts, cracks of "
+      "a "
+      "hard surface layer. Recalled: 1.15 of two keyways in torsion.";
+  static constexpr auto source = "[DIN743]";
+  static constexpr auto example = R"([project]
+title = "Shoulder of a gear shaft"
+
+[shoulder]
+calculator = "fatigue.din743"
+group = "quenched-tempered"
+sigma_B = "1100 MPa"
+sigma_S = "900 MPa"
+d_h = "60 mm"
+notch = "shoulder"
+d = "42 mm"
+D = "50 mm"
+r = "2.5 mm"
+R_z = "6.3 um"
+mean = "proportional"
+M_ba = "800 N*m"
+M_tm = "900 N*m"
+M_ta = "150 N*m"
+f_max = 1.8
+)";
+
+  struct Input : Din743Steel, Din743Section {
+    Force F_zdm = unset<Force>, F_zda = unset<Force>, F_zdmax = unset<Force>;
+    Moment M_bm = unset<Moment>, M_ba = unset<Moment>, M_bmax = unset<Moment>;
+    Moment M_tm = unset<Moment>, M_ta = unset<Moment>, M_tmax = unset<Moment>;
+    Stress sigma_zdm = unset<Stress>, sigma_zda = unset<Stress>, sigma_zdmax = unset<Stress>;
+    Stress sigma_bm = unset<Stress>, sigma_ba = unset<Stress>, sigma_bmax = unset<Stress>;
+    Stress tau_tm = unset<Stress>, tau_ta = unset<Stress>, tau_tmax = unset<Stress>;
+    double f_max = unset<double>, S_min = 1.2;
+    MeanStress mean = MeanStress::proportional;
+  };
+  static constexpr std::tuple loads{
+      action<Input>(&Input::F_zdm, "F_zdm", N, "mean of the axial force, tension positive").keeps_sign(),
+      action<Input>(&Input::F_zda, "F_zda", N, "amplitude of the axial force").at_least(0),
+      action<Input>(&Input::F_zdmax, "F_zdmax", N, "largest axial force that ever comes"),
+      action<Input>(&Input::M_bm, "M_bm", N_m, "mean of the bending moment, in axes that turn with the shaft"),
+      action<Input>(&Input::M_ba, "M_ba", N_m,
+                    "amplitude of the bending moment; of a shaft that turns under it the moment")
+          .at_least(0),
+      action<Input>(&Input::M_bmax, "M_bmax", N_m, "largest bending moment that ever comes"),
+      action<Input>(&Input::M_tm, "M_tm", N_m, "mean of the torque"),
+      action<Input>(&Input::M_ta, "M_ta", N_m, "amplitude of the torque").at_least(0),
+      action<Input>(&Input::M_tmax, "M_tmax", N_m, "largest torque that ever comes"),
+      action<Input>(&Input::sigma_zdm, "sigma_zdm", MPa, "mean nominal stress of tension, in place of the force")
+          .keeps_sign(),
+      action<Input>(&Input::sigma_zda, "sigma_zda", MPa, "its amplitude").at_least(0),
+      action<Input>(&Input::sigma_zdmax, "sigma_zdmax", MPa, "its largest magnitude"),
+      action<Input>(&Input::sigma_bm, "sigma_bm", MPa, "mean nominal stress of bending, in place of the moment"),
+      action<Input>(&Input::sigma_ba, "sigma_ba", MPa, "its amplitude").at_least(0),
+      action<Input>(&Input::sigma_bmax, "sigma_bmax", MPa, "its largest magnitude"),
+      action<Input>(&Input::tau_tm, "tau_tm", MPa, "mean nominal stress of torsion, in place of the torque"),
+      action<Input>(&Input::tau_ta, "tau_ta", MPa, "its amplitude").at_least(0),
+      action<Input>(&Input::tau_tmax, "tau_tmax", MPa, "its largest magnitude"),
+      Field<Input, double>{&Input::f_max, "f_max", ratio,
+                           "largest load over mean plus amplitude (start, jam), where no largest one is given"}
+          .at_least(1)
+          .usually(1, 5)
+          .may_be_missing()
+          .factor(),
+      Choice<Input, MeanStress>{&Input::mean, "mean", "what stays while the load grows: cases 1 and 2"},
+      Field<Input, double>{&Input::S_min, "S_min", ratio,
+                           "required safety, 1.2 by the standard, more where loads or "
+                           "consequences are not known"}
+          .at_least(1.2)
+          .usually(1.2, 5)
+          .factor()};
+  static constexpr std::tuple inputs = std::tuple_cat(din743_steel<Input>(), din743_section<Input>(), loads);
+
+  struct Result : Din743Safety {};
+  static constexpr std::tuple results = din743_results<Result>();
+
+  static constexpr auto rules = din743_rules<Input>();
+  static constexpr std::array modes{
+      Mode<Input>{"fatigue", "fatigue at the notch, with amplitudes for ever", &any_varies<Input>}.judged_by(
+          "u_D, x_m, x_d, x_eff, x_r, x_D, x_alpha, x_t, x_hole, x_bore"),
+      Mode<Input>{"yield", "yield or fracture under the largest load", &always<Input>}.judged_by("u_F").wanting(
+          "f_max"),
+      Mode<Input>{"layer", "cracks of a hard surface layer under the largest load",
+                  [](const Input& in) { return where(in.layer == Layer::hard); }},
+      Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
+      Mode<Input>{"shear", "shear by transverse forces in a short shaft, buckling", &unseen<Input>}.special(),
+      Mode<Input>{"surroundings", "corrosion, fretting under hubs that slip, below -40 or above 150 degC, welds",
+                  &unseen<Input>}
+          .special()};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+}  // namespace loadpath::fatigue

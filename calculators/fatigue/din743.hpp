@@ -103,8 +103,8 @@ f_max = 1.8
 
   static constexpr auto rules = din743_rules<Input>();
   static constexpr std::array modes{
-      Mode<Input>{"fatigue", "fatigue at the notch, with amplitudes for ever", &any_varies<Input>}.judged_by(
-          "u_D, x_m, x_d, x_eff, x_r, x_D, x_alpha, x_t, x_hole, x_bore"),
+      Mode<Input>{"fatigue", "fatigue of the section, at constant amplitudes", &any_varies<Input>}.judged_by(
+          "u_D, x_m, x_small, x_eff, x_r, x_D, x_alpha, x_t, x_hole, x_bore"),
       Mode<Input>{"yield", "yield or fracture under the largest load", &always<Input>}.judged_by("u_F").wanting(
           "f_max"),
       Mode<Input>{"layer", "cracks of a hard surface layer under the largest load",

@@ -118,7 +118,7 @@ constexpr auto din743_results() {
           .check()
           .where_it_applies(),
       din743_range<Result>(&Result::x_m, "x_m", "equivalent mean stress over the yield limit").criterion(),
-      din743_range<Result>(&Result::x_d, "x_d", "7.5 mm over the diameter: K_2 and K_3 are told from there on"),
+      din743_range<Result>(&Result::x_small, "x_small", "7.5 mm over the diameter: K_2 and K_3 are told from there on"),
       din743_range<Result>(&Result::x_eff, "x_eff", "diameter at heat treatment over 500 mm, where K_1 ends"),
       din743_range<Result>(&Result::x_r, "x_r", "0.03 over r/t: shape factors"),
       din743_range<Result>(&Result::x_D, "x_D", "d/D over 0.98: shape factors"),
@@ -126,7 +126,7 @@ constexpr auto din743_results() {
       din743_range<Result>(&Result::x_t, "x_t", "depth of a V-groove over the diameter", 0.05, 0.2),
       din743_range<Result>(&Result::x_hole, "x_hole", "cross hole over the diameter; own bound", 0.0, 0.3),
       din743_range<Result>(&Result::x_bore, "x_bore", "bore over the diameter: notch factors are of solid shafts", 0.0,
-                           0.0),
+                           1e-9),
       ListField<Result, List<Din743Stress, 3>>{&Result::stresses, "stresses", "tension, bending, torsion: what acts"}};
 }
 

@@ -9,17 +9,17 @@ namespace loadpath::fatigue {
 template <class Tracer>
 Area net_area(const Din743Section& s, Tracer& trace) {
   if (s.notch == Notch::cross_hole)
-    return NAMED_STEP("A_n", pi * pow<2>(s.d) / 4.0 - 2.0 * s.r * s.d, "net area, [DIN743] part 2 section 5.2.3");
-  return NAMED_STEP("A_n", pi * (pow<2>(s.d) - pow<2>(s.d_bore)) / 4.0, "area of the section");
+    return NAMED_STEP("Z", pi * pow<2>(s.d) / 4.0 - 2.0 * s.r * s.d, "net area, [DIN743] part 2 section 5.2.3");
+  return NAMED_STEP("Z", pi * (pow<2>(s.d) - pow<2>(s.d_bore)) / 4.0, "area of the section");
 }
 
 template <class Tracer>
 SectionModulus net_modulus(const Din743Section& s, Stressing kind, Tracer& trace) {
   const double c_W = trace.value("c_W", kind == Stressing::torsion ? 16.0 : 32.0, "bending 32, torsion 16");
   if (s.notch == Notch::cross_hole)
-    return NAMED_STEP("W_n", pi * pow<3>(s.d) / c_W - s.r * pow<2>(s.d) / 3.0,
+    return NAMED_STEP("Z", pi * pow<3>(s.d) / c_W - s.r * pow<2>(s.d) / 3.0,
                       "net modulus, [DIN743] part 2 section 5.2.3");
-  return NAMED_STEP("W_n", pi * (pow<4>(s.d) - pow<4>(s.d_bore)) / (c_W * s.d), "modulus of the section");
+  return NAMED_STEP("Z", pi * (pow<4>(s.d) - pow<4>(s.d_bore)) / (c_W * s.d), "modulus of the section");
 }
 
 template <class Quantity>
@@ -39,19 +39,18 @@ void largest(Stress told, double f, Din743Stress& k, Tracer& trace) {
   }
 }
 
-/// Nominal stresses of forces (L: a force or a moment) over the modulus of the section.
+/// Nominal stresses: L, a force or a moment, over Z, the area or the modulus of the net section.
 template <class Quantity, class Modulus, class Tracer>
-void from_action(const Din743Action<Quantity>& action, const Modulus& net, double f, bool signless, Din743Stress& k,
+void from_action(const Din743Action<Quantity>& action, const Modulus& Z, double f, bool signless, Din743Stress& k,
                  Tracer& trace) {
-  const auto W_n = net;
   const auto L_m = trace.value("L_m", or_zero(action.mean), "mean force or moment");
   const auto L_a = trace.value("L_a", or_zero(action.amplitude), "its amplitude");
-  k.sigma_m = signless ? NAMED_STEP("sigma_m", abs(L_m) / W_n, "mean stress: there is a fibre of either sign")
-                       : NAMED_STEP("sigma_m", L_m / W_n, "mean stress, tension positive");
-  STEP_TO(k, sigma_a, L_a / W_n, "amplitude of the nominal stress");
+  k.sigma_m = signless ? NAMED_STEP("sigma_m", abs(L_m) / Z, "mean stress: there is a fibre of either sign")
+                       : NAMED_STEP("sigma_m", L_m / Z, "mean stress, tension positive");
+  STEP_TO(k, sigma_a, L_a / Z, "amplitude of the nominal stress");
   if (is_set(action.largest)) {
     const auto L_max = trace.value("L_max", action.largest, "largest force or moment");
-    STEP_TO(k, sigma_max, abs(L_max) / W_n, "largest nominal stress");
+    STEP_TO(k, sigma_max, abs(L_max) / Z, "largest nominal stress");
   } else {
     largest(unset<Stress>, f, k, trace);
   }
@@ -84,8 +83,7 @@ void nominal_stresses(const Din743Section& s, const Din743Loads& loads, Stressin
   const double f = loads.f_max;
   if (kind == Stressing::tension) {
     if (loads.sigma_zd.acts()) return from_stresses(loads.sigma_zd, f, false, k, trace);
-    const Area W_n = net_area(s, trace);
-    return from_action(loads.F_zd, W_n, f, false, k, trace);
+    return from_action(loads.F_zd, net_area(s, trace), f, false, k, trace);
   }
   const bool bending = kind == Stressing::bending;
   const auto& stress = bending ? loads.sigma_b : loads.tau_t;

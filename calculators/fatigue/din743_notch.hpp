@@ -23,7 +23,7 @@ struct ShapeLaw {
   double A, B, C, z;
 };
 
-/// Table 2 of part 2, by kind of stress.
+/// By kind of stress, tables 2 and 3 of part 2.
 constexpr ShapeLaw shape_law(Notch notch, Stressing kind) {
   constexpr std::array<ShapeLaw, 3> shoulder{{{0.62, 3.5, 0.0, 0.0}, {0.62, 5.8, 0.2, 3.0}, {3.4, 19.0, 1.0, 2.0}}};
   constexpr std::array<ShapeLaw, 3> groove{{{0.22, 1.37, 0.0, 0.0}, {0.2, 2.75, 0.0, 0.0}, {0.7, 10.3, 0.0, 0.0}}};
@@ -36,17 +36,17 @@ double shape_factor(const Din743Section& s, Stressing kind, Length depth, Tracer
   using std::pow;
   const ShapeLaw law = shape_law(s.notch, kind);
   const Length t = depth;
-  const double A = trace.value("A", law.A, "of shape and load, [DIN743] part 2 table 2");
-  const double B = trace.value("B", law.B, "of shape and load, [DIN743] part 2 table 2");
+  const double A = trace.value("A", law.A, "of shape and load, [DIN743] part 2 tables 2, 3");
+  const double B = trace.value("B", law.B, "of shape and load, [DIN743] part 2 tables 2, 3");
   if (law.C == 0.0)
     return NAMED_STEP("alpha", 1.0 + 1.0 / sqrt(A * s.r / t + 2.0 * B * s.r / s.d * pow<2>(1.0 + 2.0 * s.r / s.d)),
-                      "shape factor on the net section, [DIN743] part 2 table 2");
-  const double C = trace.value("C", law.C, "of shape and load, [DIN743] part 2 table 2");
-  const double z = trace.value("z", law.z, "of shape and load, [DIN743] part 2 table 2");
+                      "shape factor on the net section, [DIN743] part 2 tables 2, 3");
+  const double C = trace.value("C", law.C, "of shape and load, [DIN743] part 2 tables 2, 3");
+  const double z = trace.value("z", law.z, "of shape and load, [DIN743] part 2 tables 2, 3");
   return NAMED_STEP("alpha",
                     1.0 + 1.0 / sqrt(A * s.r / t + 2.0 * B * s.r / s.d * pow<2>(1.0 + 2.0 * s.r / s.d) +
                                      C * pow(s.r / t, z) * s.d / s.D),
-                    "shape factor on the net section, [DIN743] part 2 table 2");
+                    "shape factor on the net section, [DIN743] part 2 tables 2, 3");
 }
 
 /// A hole across: its factors belong to the net section.
@@ -59,22 +59,22 @@ double hole_factor(const Din743Section& s, Stressing kind, Tracer& trace) {
   return NAMED_STEP("alpha", 2.023 - 1.125 * sqrt(q), "net section, [DIN743] part 2 section 5.2.3");
 }
 
-/// The related stress gradient, table 3 of part 2.
+/// The related stress gradient, tables 2 and 3 of part 2.
 template <class Tracer>
 Twist gradient(const Din743Section& s, Stressing kind, double phi, Tracer& trace) {
   if (s.notch == Notch::cross_hole) {
-    if (kind == Stressing::tension) return NAMED_STEP("G", 2.3 / s.r, "stress gradient, [DIN743] part 2 table 3");
+    if (kind == Stressing::tension) return NAMED_STEP("G", 2.3 / s.r, "stress gradient, [DIN743] part 2 tables 2, 3");
     if (kind == Stressing::bending)
-      return NAMED_STEP("G", 2.3 / s.r + 2.0 / s.d, "stress gradient, [DIN743] part 2 table 3");
-    return NAMED_STEP("G", 1.15 / s.r + 2.0 / s.d, "stress gradient, [DIN743] part 2 table 3");
+      return NAMED_STEP("G", 2.3 / s.r + 2.0 / s.d, "stress gradient, [DIN743] part 2 tables 2, 3");
+    return NAMED_STEP("G", 1.15 / s.r + 2.0 / s.d, "stress gradient, [DIN743] part 2 tables 2, 3");
   }
   const double own = s.notch == Notch::shoulder ? 1.15 : 1.0;
   if (kind == Stressing::torsion) {
-    const double c_G = trace.value("c_G", own, "of the shape, [DIN743] part 2 table 3");
-    return NAMED_STEP("G", c_G / s.r, "stress gradient in torsion, [DIN743] part 2 table 3");
+    const double c_G = trace.value("c_G", own, "of the shape, [DIN743] part 2 tables 2, 3");
+    return NAMED_STEP("G", c_G / s.r, "stress gradient in torsion, [DIN743] part 2 tables 2, 3");
   }
-  const double c_G = trace.value("c_G", 2.0 * own, "of the shape, [DIN743] part 2 table 3");
-  return NAMED_STEP("G", c_G * (1.0 + phi) / s.r, "stress gradient, [DIN743] part 2 table 3");
+  const double c_G = trace.value("c_G", 2.0 * own, "of the shape, [DIN743] part 2 tables 2, 3");
+  return NAMED_STEP("G", c_G * (1.0 + phi) / s.r, "stress gradient, [DIN743] part 2 tables 2, 3");
 }
 
 /// alpha over the support that its gradient gives.
@@ -85,11 +85,13 @@ void by_shape(const Din743Section& s, const Din743Root& root, Stressing kind, Di
   const Twist G = gradient(s, kind, root.phi, trace);
   const double alpha = k.alpha;
   const Stress sigma_Sd = root.sigma_Sd;
-  const double e_n = s.layer == Layer::hard ? trace.value("e_n", 0.7, "hard surface layer, [DIN743] part 2 (5)")
-                                            : NAMED_STEP("e_n", 0.33 + sigma_Sd / (712.0 * MPa), "[DIN743] part 2 (4)");
-  STEP(n_G, 1.0 + sqrt(G * (1.0 * mm)) * pow(10.0, -e_n), "support of the gradient, G in 1/mm, [DIN743] part 2 (4)");
+  const double e_n = s.layer == Layer::hard
+                         ? trace.value("e_n", 0.7, "hard surface layer, [DIN743] part 2 section 4.3")
+                         : NAMED_STEP("e_n", 0.33 + sigma_Sd / (712.0 * MPa), "[DIN743] part 2 section 4.3");
+  STEP(n_G, 1.0 + sqrt(G * (1.0 * mm)) * pow(10.0, -e_n),
+       "support of the gradient, G in 1/mm, [DIN743] part 2 section 4.3");
   STEP_TO(k, n, min(n_G, alpha), "a notch does not strengthen: beta is 1 or more");
-  STEP_TO(k, beta, alpha / n, "notch factor, [DIN743] part 2 (4)");
+  STEP_TO(k, beta, alpha / n, "notch factor, [DIN743] part 2 section 4.3");
 }
 
 /// K_3 of a diameter, with the notch factor that was measured at d_BK.
@@ -104,29 +106,28 @@ double size_of_notch(const char* symbol, Length d_n, double beta_n, Tracer& trac
 }
 
 template <class Tracer>
-double measured_with_hub(const Din743Section& s, Stressing kind, Stress strength, Tracer& trace) {
+double measured_with_hub(const Din743Section& s, Stressing kind, Stress sigma_Bd, Tracer& trace) {
   using std::pow;
-  const Stress sigma_Bd = strength;
   if (s.notch == Notch::press_fit) {
     STEP(beta_1, 2.7 * pow(sigma_Bd / (1000.0 * MPa), 0.43), "press fit in bending, 40 mm, [DIN743] part 2 table 1");
-    return NAMED_STEP("beta_BK", kind == Stressing::torsion ? 0.65 * beta_1 : beta_1,
-                      "press fit, [DIN743] part 2 table 1");
+    if (kind != Stressing::torsion) return NAMED_STEP("beta_BK", beta_1, "tension and bending alike");
+    return NAMED_STEP("beta_BK", 0.65 * beta_1, "press fit in torsion, [DIN743] part 2 table 1");
   }
   STEP(beta_1, 3.0 * pow(sigma_Bd / (1000.0 * MPa), 0.38), "one keyway in bending, 40 mm, [DIN743] part 2 table 1");
   const double k_2 = trace.value("k_2", s.notch == Notch::two_keyways ? 1.15 : 1.0,
                                  "1.15 for two keyways, [DIN743] part 2 table 1; in torsion recalled");
-  return NAMED_STEP("beta_BK", k_2 * (kind == Stressing::torsion ? 0.56 * beta_1 + 0.1 : beta_1),
-                    "keyway, [DIN743] part 2 table 1");
+  if (kind == Stressing::torsion)
+    return NAMED_STEP("beta_BK", k_2 * (0.56 * beta_1 + 0.1), "keyway in torsion, [DIN743] part 2 table 1");
+  return NAMED_STEP("beta_BK", k_2 * beta_1, "keyway, [DIN743] part 2 table 1");
 }
 
 template <class Tracer>
-double measured_v_groove(Stressing kind, Stress strength, Tracer& trace) {
-  const Stress sigma_Bd = strength;
+double measured_v_groove(Stressing kind, Stress sigma_Bd, Tracer& trace) {
   if (kind == Stressing::tension)
     return NAMED_STEP("beta_BK", 0.109 * sigma_Bd / (100.0 * MPa) + 1.074, "15 mm, [DIN743] part 2 section 4.2.3");
   STEP(beta_1, 0.0923 * sigma_Bd / (100.0 * MPa) + 0.985, "in bending, 15 mm, [DIN743] part 2 section 4.2.3");
-  return NAMED_STEP("beta_BK", kind == Stressing::torsion ? 0.8 * beta_1 : beta_1,
-                    "V-groove, [DIN743] part 2 section 4.2.3");
+  if (kind == Stressing::bending) return NAMED_STEP("beta_BK", beta_1, "bending");
+  return NAMED_STEP("beta_BK", 0.8 * beta_1, "V-groove in torsion, [DIN743] part 2 section 4.2.3");
 }
 
 template <class Tracer>
@@ -136,7 +137,8 @@ double measured_rectangular_groove(const Din743Section& s, Stressing kind, const
   const Stress sigma_Sd = root.sigma_Sd;
   const bool torsion = kind == Stressing::torsion;
   STEP(rho, pow(10.0, -(0.514 + 0.00152 * sigma_Sd / (1.0 * MPa))) * mm, "radius of structure, [DIN743] part 2 4.2.4");
-  STEP(r_f, s.r + (torsion ? 1.0 : 2.9) * rho, "effective radius, [DIN743] part 2 section 4.2.4");
+  const double k_rho = trace.value("k_rho", torsion ? 1.0 : 2.9, "of the load, [DIN743] part 2 section 4.2.4");
+  STEP(r_f, s.r + k_rho * rho, "effective radius, [DIN743] part 2 section 4.2.4");
   const double beta_1 =
       torsion ? NAMED_STEP("beta_1", 1.48 + 0.45 * sqrt(t / r_f), "torsion, [DIN743] part 2 section 4.2.4")
       : kind == Stressing::bending

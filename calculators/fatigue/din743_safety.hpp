@@ -41,8 +41,8 @@ double surface_of(const Din743Root& root, Stressing kind, Tracer& trace) {
 template <class Tracer>
 double geometric_size(Length d, Stressing kind, Tracer& trace) {
   if (kind == Stressing::tension) return trace.value("K_2", 1.0, "tension, [DIN743] part 2 (15)");
-  const double x_2 = place_of_size(d, trace);
-  return NAMED_STEP("K_2", 1.0 - 0.2 * x_2, "size in bending and torsion, [DIN743] part 2 (16)");
+  const double x_d = place_of_size(d, trace);
+  return NAMED_STEP("K_2", 1.0 - 0.2 * x_d, "size in bending and torsion, [DIN743] part 2 (16)");
 }
 
 /// The fatigue limit of the section in symmetric cycles, and how much a mean stress takes off it.
@@ -144,7 +144,7 @@ double together(const char* symbol, const Din743Safety& r, double Din743Stress::
   const double v_b = trace.value("v_b", of_stress(r, "bending", at, 0.0), "of bending");
   const double v_t = trace.value("v_t", of_stress(r, "torsion", at, 0.0), "of torsion");
   return NAMED_STEP(symbol, sqrt(pow<2>(v_zd + v_b) + pow<2>(v_t)),
-                    "in phase: the standard takes them together, [DIN743] part 1 (2), (25)");
+                    "in phase: the standard takes them together, [DIN743] part 1 sections 4.1, 5.1");
 }
 
 /// One over a part of a limit; nothing taken is any safety.
@@ -154,12 +154,12 @@ template <class Tracer>
 void safeties(const Din743Loads& loads, Din743Safety& r, Tracer& trace) {
   const double S_min = loads.S_min;
   const double v_D = together("v_D", r, &Din743Stress::u_a, trace);
-  r.S_D = trace.value("S_D", safety_of(v_D), "1 over v_D: safety against fatigue, [DIN743] part 1 (2)");
+  r.S_D = trace.value("S_D", safety_of(v_D), "1 over v_D: safety against fatigue, [DIN743] part 1 section 4.1");
   STEP_TO(r, u_D, S_min * v_D, "required safety over the one that is there");
   const bool told = std::all_of(r.stresses.begin(), r.stresses.end(), [](const auto& k) { return is_set(k.u_max); });
   if (!told || r.stresses.empty()) return;
   const double v_F = together("v_F", r, &Din743Stress::u_max, trace);
-  r.S_F = trace.value("S_F", safety_of(v_F), "1 over v_F: safety against yielding, [DIN743] part 1 (25)");
+  r.S_F = trace.value("S_F", safety_of(v_F), "1 over v_F: safety against yielding, [DIN743] part 1 section 5.1");
   STEP_TO(r, u_F, S_min * v_F, "required safety over the one that is there");
 }
 
@@ -167,13 +167,13 @@ void safeties(const Din743Loads& loads, Din743Safety& r, Tracer& trace) {
 template <class Tracer>
 void ranges(const Din743Section& s, Length depth, Din743Safety& r, Tracer& trace) {
   const Length t = depth;
-  STEP_TO(r, x_d, 7.5 * mm / s.d, "K_2 and K_3 are told from 7.5 mm, [DIN743] part 2 (16), (17)");
+  STEP_TO(r, x_small, 7.5 * mm / s.d, "K_2 and K_3 are told from 7.5 mm, [DIN743] part 2 (16), (17)");
   if (!is_typed(s.notch) && s.notch != Notch::smooth) {
     STEP_TO(r, x_bore, s.d_bore / s.d, "notch factors are those of solid shafts: type alpha or beta of a hollow one");
   }
   if (has_shape_factors(s.notch)) {
-    STEP_TO(r, x_r, 0.03 * t / s.r, "r/t from 0.03, [DIN743] part 2 table 2");
-    STEP_TO(r, x_D, s.d / (0.98 * s.D), "d/D up to 0.98, [DIN743] part 2 table 2");
+    STEP_TO(r, x_r, 0.03 * t / s.r, "r/t from 0.03, [DIN743] part 2 tables 2, 3");
+    STEP_TO(r, x_D, s.d / (0.98 * s.D), "d/D up to 0.98, [DIN743] part 2 tables 2, 3");
   }
   if (s.notch == Notch::v_groove) {
     STEP_TO(r, x_t, t / s.d, "0.05 to 0.2, [DIN743] part 2 section 4.2.3");
@@ -185,7 +185,7 @@ void ranges(const Din743Section& s, Length depth, Din743Safety& r, Tracer& trace
   for (const Din743Stress& k : r.stresses) largest = is_set(k.alpha) ? std::max(largest, k.alpha) : largest;
   if (largest == 0.0) return;
   const double alpha_max = trace.value("alpha_max", largest, "largest shape factor");
-  STEP_TO(r, x_alpha, alpha_max / 6.0, "alpha up to 6, [DIN743] part 2 table 2");
+  STEP_TO(r, x_alpha, alpha_max / 6.0, "alpha up to 6, [DIN743] part 2 tables 2, 3");
 }
 
 /// Mean stresses beyond the yield limit leave nothing to vary.
@@ -210,7 +210,7 @@ Din743Root root_of(const Din743Section& s, const Din743Safety& r, Tracer& trace)
   const Length t = root.t;
   if (has_shape_factors(s.notch))
     root.phi = NAMED_STEP("phi", s.d / s.D > 0.67 ? 1.0 / (4.0 * sqrt(t / s.r) + 2.0) : 0.0,
-                          "a shallow notch, [DIN743] part 2 table 3");
+                          "a shallow notch, [DIN743] part 2 tables 2, 3");
   return root;
 }
 

@@ -110,7 +110,7 @@ struct Din743Safety {
   Stress sigma_mv = unset<Stress>, tau_mv = unset<Stress>;
   double S_D = unset<double>, S_F = unset<double>;
   double u_D = unset<double>, u_F = unset<double>;
-  double x_m = unset<double>, x_d = unset<double>, x_eff = unset<double>, x_r = unset<double>, x_D = unset<double>;
+  double x_m = unset<double>, x_small = unset<double>, x_eff = unset<double>, x_r = unset<double>, x_D = unset<double>;
   double x_alpha = unset<double>, x_t = unset<double>, x_hole = unset<double>, x_bore = unset<double>;
   List<Din743Stress, 3> stresses;
 };

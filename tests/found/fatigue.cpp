@@ -48,4 +48,40 @@ TEST_SUITE("found fatigue") {
     CHECK(ExampleStep("fatigue.wohler", "P_s = 0.5").fault().empty());
     CHECK_FALSE(ExampleStep("fatigue.wohler", "P_s = 0.01").fault().empty());
   }
+
+  TEST_CASE("sections of shafts that break do not pass by DIN 743") {
+    const auto state = [](const std::string& lines, const std::string& mode) {
+      return mode_with("fatigue.din743", lines, mode);
+    };
+    CHECK(state("", "fatigue") == "pass");
+    CHECK(state("", "yield") == "pass");
+    CHECK(state("M_ba = \"3000 N*m\"", "fatigue") == "fail");
+    CHECK(state("f_max = 20", "yield") == "fail");
+    CHECK(state("M_bmax = \"9 kN*m\"", "yield") == "fail");  // one is told, f_max tells the other
+    CHECK(state("r = \"0.2 mm\"\nM_ba = \"1500 N*m\"", "fatigue") == "fail");
+    // a mean stress beyond yielding leaves nothing to vary, in either way to grow
+    CHECK(state("M_tm = \"9000 N*m\"\nM_ta = \"0.001 N*m\"\nM_ba = \"0.001 N*m\"", "fatigue") == "fail");
+    CHECK(state("M_tm = \"9000 N*m\"\nM_ta = \"1 N*m\"\nmean = \"constant\"", "fatigue") == "fail");
+    // compression helps until it yields itself
+    CHECK(state("F_zdm = \"-1300 kN\"\nF_zda = \"0 N\"", "fatigue") == "fail");
+    CHECK(state("F_zdm = \"-1300 kN\"\nF_zda = \"0 N\"", "yield") == "fail");
+  }
+
+  TEST_CASE("DIN 743: what is not told is not judged, what it does not know is not covered, what stands still lasts") {
+    const auto state = [](const std::string& lines, const std::string& mode) {
+      return mode_with("fatigue.din743", lines, mode);
+    };
+    CHECK(state("f_max = ", "yield") == "not-judged");
+    CHECK(state("f_max = \nM_bmax = \"2 kN*m\"", "yield") == "not-judged");
+    CHECK(state("layer = \"hard\"", "layer") == "not-judged");
+    CHECK(state("", "layer") == "none");
+    CHECK(state("d_h = \"600 mm\"", "fatigue") == "not-covered");
+    CHECK(state("d_bore = \"10 mm\"", "fatigue") == "not-covered");
+    CHECK(state("notch = \"alpha\"\nD = \nr = \nalpha_b = 6.5\nalpha_t = 1\nM_ba = \"20 N*m\"", "fatigue") ==
+          "not-covered");
+    CHECK(state("M_ba = \"0 N*m\"\nM_ta = \"0 N*m\"", "fatigue") == "none");
+    for (const char* const refused : {"R_z = ", "M_ba = \nM_tm = \nM_ta = ", "M_ta = ", "M_tmax = \"1000 N*m\"",
+                                      "d_h = \"45 mm\"", "S_min = 1", "r = ", "group = ", "d = \"50 mm\""})
+      CHECK_FALSE(ExampleStep("fatigue.din743", refused).fault().empty());
+  }
 }

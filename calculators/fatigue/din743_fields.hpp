@@ -132,7 +132,8 @@ constexpr auto din743_results() {
 
 constexpr auto choices_of(Notch) {
   using N = Notch;
-  return std::array{ChoiceName<N>{N::smooth, "smooth", "no notch"},
+  return std::array{ChoiceName<N>{N::untold, "untold", "not told, which no section is rated by"},
+                    ChoiceName<N>{N::smooth, "smooth", "no notch"},
                     ChoiceName<N>{N::shoulder, "shoulder", "shoulder from d to D with the radius r"},
                     ChoiceName<N>{N::round_groove, "round-groove", "groove around, round with r, D beside it"},
                     ChoiceName<N>{N::rectangular_groove, "rectangular-groove",

@@ -184,6 +184,7 @@ void by_tests(const Din743Section& s, const Din743Root& root, Stressing kind, Di
 
 template <class Tracer>
 void notch_factor(const Din743Section& s, const Din743Root& root, Stressing kind, Din743Stress& k, Tracer& trace) {
+  if (s.notch == Notch::untold) return;
   if (s.notch == Notch::smooth) {
     k.beta = trace.value("beta", 1.0, "no notch");
   } else if (s.notch == Notch::alpha) {

@@ -33,6 +33,9 @@ constexpr auto din743_steel_rules() {
 template <class Input>
 constexpr auto din743_section_rules() {
   return std::array{
+      Rule<Input>{
+          [](const Input& in) { return in.notch != Notch::untold; }, "notch",
+          "say what is cut into the section, or sits on it: notch = \"shoulder\", \"keyway\" ..., or \"smooth\""},
       Rule<Input>{[](const Input& in) { return !has_depth(in.notch) || in.D > in.d; }, "D, d, notch",
                   "a shoulder or a groove needs the larger diameter D, above d"},
       Rule<Input>{[](const Input& in) { return !needs_radius(in.notch) || is_set(in.r); }, "r, notch",

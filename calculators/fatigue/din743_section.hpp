@@ -11,6 +11,7 @@
 namespace loadpath::fatigue {
 
 enum class Notch {
+  untold,
   smooth,
   shoulder,
   round_groove,
@@ -42,7 +43,7 @@ struct Din743Steel {
 /// The notch factors that are typed are those of tension, bending and torsion; r is the radius of the notch, w the
 /// width of a rectangular groove.
 struct Din743Section {
-  Notch notch = Notch::smooth;
+  Notch notch = Notch::untold;
   Length d = unset<Length>, d_bore = 0.0 * m.one, D = unset<Length>, r = unset<Length>, w = unset<Length>;
   Length R_z = unset<Length>;
   double K_V = 1.0;

@@ -80,8 +80,9 @@ TEST_SUITE("found fatigue") {
     CHECK(state("notch = \"alpha\"\nD = \nr = \nalpha_b = 6.5\nalpha_t = 1\nM_ba = \"20 N*m\"", "fatigue") ==
           "not-covered");
     CHECK(state("M_ba = \"0 N*m\"\nM_ta = \"0 N*m\"", "fatigue") == "none");
-    for (const char* const refused : {"R_z = ", "M_ba = \nM_tm = \nM_ta = ", "M_ta = ", "M_tmax = \"1000 N*m\"",
-                                      "d_h = \"45 mm\"", "S_min = 1", "r = ", "group = ", "d = \"50 mm\""})
+    for (const char* const refused :
+         {"R_z = ", "notch = ", "M_ba = \nM_tm = \nM_ta = ", "M_ta = ", "M_tmax = \"1000 N*m\"", "d_h = \"45 mm\"",
+          "S_min = 1", "r = ", "group = ", "d = \"50 mm\""})
       CHECK_FALSE(ExampleStep("fatigue.din743", refused).fault().empty());
   }
 }

@@ -283,6 +283,7 @@ TEST_SUITE("fatigue.din743") {
     CHECK(says(steel + bar + load + "M_bmax = \"99 N*m\"\n", "no smaller than mean and amplitude"));
     CHECK(says(steel + bar + "M_ba = \"-1 N*m\"\n", "must be"));
     CHECK(says(bar + load, "give the tensile strength"));
+    CHECK(says(steel + load + "d = \"40 mm\"\nR_z = \"6.3 um\"\n", "say what is cut into the section"));
     CHECK(says(bar + load + "sigma_B = \"470 MPa\"\nsigma_S = \"355 MPa\"\n", "needs the group of steels"));
     CHECK(says(bar + load + "group = \"structural\"\nsigma_B = \"470 MPa\"\n", "goes with sigma_S"));
     CHECK(says(bar + load + "R_m = \"470 MPa\"\nR_e = \"471 MPa\"\n", "yields below"));

@@ -21,9 +21,10 @@ void roughness(const Din743Section& s, Din743Root& root, Tracer& trace) {
     root.K_F = trace.value("K_F", 1.0, "within the notch factor, [DIN743] part 2 table 1");
     return;
   }
-  root.K_F = roughness_factor("K_F", root.sigma_Bd, s.R_z, trace);
+  root.K_F = roughness_factor("K_F", root.sigma_Bd, s.R_z, "roughness, [DIN743] part 2 (18)", trace);
   const Length of_bars = is_groove(s.notch) ? 20.0 * um.one : s.R_zB;
-  if (is_set(of_bars)) root.K_FB = roughness_factor("K_FB", root.sigma_Bd, of_bars, trace);
+  if (is_set(of_bars))
+    root.K_FB = roughness_factor("K_FB", root.sigma_Bd, of_bars, "roughness of the bars of the tests", trace);
 }
 
 template <class Tracer>

@@ -66,7 +66,7 @@ void size_and_surface(const Input& in, Result& r, Tracer& trace) {
     STEP_TO(r, beta_F, is_set(in.beta_F) ? in.beta_F : 1.0, is_set(in.beta_F) ? "as given" : "polished: no R_z given");
     return;
   }
-  const double K_F = roughness_factor("K_F", in.R_m, in.R_z, trace);
+  const double K_F = roughness_factor("K_F", in.R_m, in.R_z, "roughness, [DIN743], [GOST25504]", trace);
   if (in.loading == Loading::torsion) {
     STEP_TO(r, beta_F, 0.575 * K_F + 0.425, "roughness in torsion, [DIN743]");
   } else {

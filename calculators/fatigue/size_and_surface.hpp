@@ -22,10 +22,10 @@ double place_of_size(Length d, Tracer& trace) {
 
 /// K_F in tension and bending, of what is as rough as that.
 template <class Tracer>
-double roughness_factor(const char* symbol, Stress R_m, Length R_z, Tracer& trace) {
+double roughness_factor(const char* symbol, Stress R_m, Length R_z, const char* why, Tracer& trace) {
   const double lg_R = trace.value("lg_R", std::log10(std::max(R_z / um, 1.0)), "lg of R_z in micrometres, 0 below 1");
   const double lg_S = trace.value("lg_S", std::log10(R_m / (20.0 * MPa)), "lg of R_m/20 MPa");
-  return NAMED_STEP(symbol, 1.0 - 0.22 * lg_R * (lg_S - 1.0), "roughness, [DIN743], [GOST25504]");
+  return NAMED_STEP(symbol, 1.0 - 0.22 * lg_R * (lg_S - 1.0), why);
 }
 
 }  // namespace loadpath::fatigue

@@ -6,7 +6,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace {
 
@@ -270,6 +272,19 @@ TEST_SUITE("fatigue.din743") {
       in.mean = MeanStress::constant;
       if (rated(in).S_D > 1.0) CHECK(with_it <= rated(in).S_D);
     }
+  }
+
+  TEST_CASE("a shaft has its sections rated one by one, each under its own lines") {
+    const In in = bar_of_40(Notch::shoulder, 50, 2);
+    Trace trace;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto scope = trace.scope("sections", i);
+      CHECK(din743(in, in, din743_loads(in), trace).S_D == rated(in).S_D);
+    }
+    const auto& lines = trace.lines();
+    CHECK(std::count_if(lines.begin(), lines.end(), [](const Line& line) {
+            return line.scope == "sections[2].stresses[3]" && std::string(line.symbol) == "K_sigma";
+          }) == 1);
   }
 
   TEST_CASE("what a user gets wrong is said") {

@@ -148,19 +148,21 @@ double together(const char* symbol, const Din743Safety& r, double Din743Stress::
                     "in phase: the standard takes them together, [DIN743] part 1 sections 4.1, 5.1");
 }
 
-/// One over a part of a limit; nothing taken is any safety.
-inline double safety_of(double part) { return part > 0.0 ? 1.0 / part : std::numeric_limits<double>::infinity(); }
+/// Where nothing is taken of a limit any safety is there.
+inline constexpr double any_safety = std::numeric_limits<double>::infinity();
 
 template <class Tracer>
 void safeties(const Din743Loads& loads, Din743Safety& r, Tracer& trace) {
   const double S_min = loads.S_min;
   const double v_D = together("v_D", r, &Din743Stress::u_a, trace);
-  r.S_D = trace.value("S_D", safety_of(v_D), "1 over v_D: safety against fatigue, [DIN743] part 1 section 4.1");
+  r.S_D = v_D != 0.0 ? NAMED_STEP("S_D", 1.0 / v_D, "safety against fatigue, [DIN743] part 1 section 4.1")
+                     : trace.value("S_D", any_safety, "nothing varies");
   STEP_TO(r, u_D, S_min * v_D, "required safety over the one that is there");
   const bool told = std::all_of(r.stresses.begin(), r.stresses.end(), [](const auto& k) { return is_set(k.u_max); });
   if (!told || r.stresses.empty()) return;
   const double v_F = together("v_F", r, &Din743Stress::u_max, trace);
-  r.S_F = trace.value("S_F", safety_of(v_F), "1 over v_F: safety against yielding, [DIN743] part 1 section 5.1");
+  r.S_F = v_F != 0.0 ? NAMED_STEP("S_F", 1.0 / v_F, "safety against yielding, [DIN743] part 1 section 5.1")
+                     : trace.value("S_F", any_safety, "nothing acts");
   STEP_TO(r, u_F, S_min * v_F, "required safety over the one that is there");
 }
 

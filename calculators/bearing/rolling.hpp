@@ -53,7 +53,7 @@ s_0 = 2
     AngularSpeed n = unset<AngularSpeed>;
     static constexpr std::tuple fields{
         NameField{&Block::name, "name", "name of the block"}.may_be_missing(),
-        Field{&Block::q, "q", ratio, "share of the time; all shares sum to 1"}.positive().within(0, 1),
+        Field{&Block::q, "q", ratio, "share of the time; all shares sum to 1"}.within(0, 1).positive(),
         Field{&Block::k, "k", ratio, "its loads over F_r and F_a"}.at_least(0).usually(0, 10),
         Field{&Block::n, "n", rpm, "its speed; that of the step where missing"}.at_least(0).may_be_missing()};
   };
@@ -189,9 +189,11 @@ s_0 = 2
       Field{&Result::L_10, "L_10", ratio, "basic rating life in millions of revolutions, 90 %"},
       Field{&Result::L_10h, "L_10h", hour, "basic rating life, 90 %"},
       Field{&Result::L_nh, "L_nh", hour, "life with the reliability of a_1"},
-      Field{&Result::C_req, "C_req", kN, "dynamic load rating that the life asks for"},
-      Field{&Result::P_0, "P_0", kN, "equivalent static load, the largest"},
-      Field{&Result::F_i, "F_i", kN, "axial load that its radial load makes, on the mating bearing: F_r/(2 Y)"}.load(),
+      Field{&Result::C_req, "C_req", kN, "dynamic load rating that the life asks for"}.holding("K_A"),
+      Field{&Result::P_0, "P_0", kN, "equivalent static load, the largest"}.holding("K_A"),
+      Field{&Result::F_i, "F_i", kN, "axial load that its radial load makes, on the mating bearing: F_r/(2 Y)"}
+          .load()
+          .holding("K_A"),
       Field{&Result::F_ao, "F_ao", N, "axial load that its kind cannot take"}.limit(0, 1e-3).criterion(),
       Field{&Result::F_ro, "F_ro", N, "radial load that its kind cannot take"}.limit(0, 1e-3).criterion(),
       Field{&Result::u_L, "u_L", ratio, "life: load rating that it asks for over C"}.check("L_h").where_it_applies(),
@@ -203,7 +205,9 @@ s_0 = 2
           .limit(1 - 1e-9, unbounded)
           .criterion()
           .where_it_applies(),
-      Field{&Result::u_n, "u_n", ratio, "highest speed over that of the maker's table"}.check("n_max"),
+      Field{&Result::u_n, "u_n", ratio, "highest speed over that of the maker's table"}
+          .check("n_max")
+          .where_it_applies(),
       Field{&Result::u_a, "u_a", ratio, "axial load over the allowed one"}.check("F_a_adm, C_0").where_it_applies(),
       Field{&Result::x_i, "x_i", ratio, "axial load over what the radial load makes, F_i: it is never less"}
           .limit(1 - 1e-6, unbounded)

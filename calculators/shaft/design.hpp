@@ -176,6 +176,7 @@ r_T = 0
   static bool slopes_of_all(const Input& in);
   static bool forces_make_torques(const Input& in);
   static bool turn_alike(const Input& in);
+  static bool forces_turn_alike(const Input& in);
   static Applies weighed(const Input& in);
   static Applies thin_wall(const Input& in);
   static bool treated_thick(const Input& in);
@@ -196,6 +197,9 @@ r_T = 0
                   "give beta_adm of every bearing or of none, and likewise of the seats"},
       Rule<Input>{&forces_make_torques, "seats",
                   "F_y at the distance x_w makes the torque T: the three belong together"},
+      Rule<Input>{&forces_turn_alike, "seats",
+                  "what drives the shaft turns it one way, and what it drives holds it back: F_y x_w of a seat has the "
+                  "wrong sign; of gears say which way they turn, turns = \"cw\""},
       Rule<Input>{
           &turn_alike, "seats",
           "what sits on the shaft turns one way in one step and the other way in another: turns = \"cw\" of the "
@@ -231,7 +235,6 @@ r_T = 0
   static Applies loaded(const Input& in) { return where(!in.seats.empty() || is_set(in.g_angle)); }
   static Applies running(const Input& in);
   static Applies tired(const Input& in) { return min(loaded(in), max(running(in), load_varies(in))); }
-  static Applies other_forces(const Input& in);
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield of a section", &loaded}.judged_by("sections.u_v"),
       Mode<Input>{"fatigue", "fatigue of a notch or section", &tired}
@@ -255,7 +258,9 @@ r_T = 0
           .in_service(),
       Mode<Input>{"critical_torsion", "critical speed in torsion", &unseen<Input>}.in_service(),
       Mode<Input>{"bearings", "life and static safety of its bearings", &unseen<Input>}
-          .left_to("bearing.rolling", "bearings.fatigue, bearings.static, bearings.axial, bearings.speed")
+          .left_to("bearing.rolling",
+                   "bearings.fatigue, bearings.static, bearings.axial, bearings.radial, bearings.ribs, bearings.mate, "
+                   "bearings.skidding, bearings.speed")
           .in_service(),
       Mode<Input>{"weight", "bending by weight", &weighed}.wanting("g_angle").special(),
       Mode<Input>{"wall", "buckling of a thin wall", &thin_wall},

@@ -1,6 +1,10 @@
 // The shaft from the side, with bearings and seats, and its diagrams along it.
 #include "calculators/shaft/design_bending.hpp"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace loadpath::shaft {
 
 namespace {

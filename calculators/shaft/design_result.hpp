@@ -4,6 +4,8 @@
 #include "calculators/shaft/design_parts.hpp"
 #include "lib/calculator/list.hpp"
 
+#include <tuple>
+
 namespace loadpath::shaft {
 
 inline constexpr std::size_t most_pieces = 32, most_supports = 8, most_seats = 24, most_notches = 32;
@@ -44,7 +46,7 @@ struct Seated {
   static constexpr std::tuple fields{
       NameField{&Seated::name, "name", "what sits there"},
       Field{&Seated::x, "x", mm, "its place"},
-      Field{&Seated::T, "T", N_m, "torque that it gives to the shaft"},
+      Field{&Seated::T, "T", N_m, "torque that it gives to the shaft"}.holding("K_A"),
       Field{&Seated::v, "v", mm, "deflection"},
       Field{&Seated::beta, "beta", deg, "slope"},
       Field{&Seated::u_beta, "u_beta", ratio, "slope over the allowable one"}.check().where_it_applies()};
@@ -63,11 +65,11 @@ struct Section {
       Field{&Section::x, "x", mm, "place"},
       Field{&Section::d, "d", mm, "outer diameter, of a groove the net one"},
       Field{&Section::d_bore, "d_bore", mm, "bore"},
-      Field{&Section::M_x, "M_x", N_m, "bending moment in the plane of X"},
-      Field{&Section::M_y, "M_y", N_m, "bending moment in the plane of Y"},
-      Field{&Section::M, "M", N_m, "bending moment of both planes"},
-      Field{&Section::T, "T", N_m, "torque, signed"},
-      Field{&Section::N, "N", loadpath::N, "force along the shaft, tension positive"},
+      Field{&Section::M_x, "M_x", N_m, "bending moment in the plane of X"}.holding("K_A"),
+      Field{&Section::M_y, "M_y", N_m, "bending moment in the plane of Y"}.holding("K_A"),
+      Field{&Section::M, "M", N_m, "bending moment of both planes"}.holding("K_A"),
+      Field{&Section::T, "T", N_m, "torque, signed"}.holding("K_A"),
+      Field{&Section::N, "N", loadpath::N, "force along the shaft, tension positive"}.holding("K_A"),
       Field{&Section::sigma_b, "sigma_b", MPa, "bending stress"},
       Field{&Section::sigma_n, "sigma_n", MPa, "stress of the force along the shaft, signed"},
       Field{&Section::tau, "tau", MPa, "torsional stress"},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 
 namespace loadpath::shaft {
@@ -12,7 +13,8 @@ namespace {
 
 using Input = Design::Input;
 
-constexpr double same = 1e-6;  // of the length: places that are meant to be one
+constexpr double same = 1e-6;   // of the length: places that are meant to be one
+constexpr double apart = 1e-4;  // of the length: bearings nearer than that are one bearing
 
 bool are_one(const Input& in, Length a, Length b) { return abs(a - b) <= same * length_of(in); }
 
@@ -70,6 +72,12 @@ const Piece& piece_at(const Input& in, Length x) {
   return in.pieces.back();
 }
 
+/// Whether there is a bore on either side.
+bool is_bored(const Input& in, Length x) {
+  const Length aside = 10.0 * same * length_of(in);
+  return max(piece_at(in, x - aside).d_bore, piece_at(in, x + aside).d_bore) > 0.0 * mm;
+}
+
 std::string format(Length x) { return format_quantity(in_si(x), mm.symbol); }
 
 /// What a force across makes about the axis, where it acts, is the torque, to what tables round; a force along the
@@ -85,14 +93,13 @@ bool makes_its_torque(const Seat& seat) {
 /// What is wrong with a notch; empty where nothing is.
 Message fault_of(const Input& in, const Notched& notch) {
   const bool by_fit = notch.kind == Notch::shoulder || notch.kind == Notch::groove;
-  const Piece& piece = piece_at(in, notch.x);
+  const Length aside = 10.0 * same * length_of(in);
+  const Piece &before = piece_at(in, notch.x - aside), &piece = piece_at(in, notch.x + aside);
   if (by_fit && !is_set(notch.r)) return say("this notch needs the radius r of its root");
   if ((notch.kind == Notch::groove) != is_set(notch.t)) return say("a groove has a depth t, and nothing else has");
   if ((notch.kind == Notch::given) != is_set(notch.K_t) || is_set(notch.K_t) != is_set(notch.K_ts))
     return say("K_t and K_ts go together, with kind = \"given\" alone");
-  const Piece& before = piece_at(in, notch.x - 10.0 * same * length_of(in));
-  if (by_fit && max(piece.d_bore, before.d_bore) > 0.0 * mm)
-    return say("the charts are of solid shafts: of a bored one give K_t and K_ts");
+  if (by_fit && is_bored(in, notch.x)) return say("the charts are of solid shafts: of a bored one give K_t and K_ts");
   if (notch.kind == Notch::groove && !(2.0 * notch.t < piece.d)) return say("the groove is deeper than the shaft");
   if (notch.kind == Notch::keyway && is_set(notch.r))
     return say("K_t of a keyway is that of r = 0.02 d: leave out r, or give K_t and K_ts of another");
@@ -113,7 +120,7 @@ Message fault_of(const Input& in, const Notched& notch) {
 bool Design::held(const Input& in) {
   for (std::size_t i = 0; i < in.supports.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
-      if (are_one(in, in.supports[i].x, in.supports[k].x)) return false;
+      if (!(abs(in.supports[i].x - in.supports[k].x) > apart * length_of(in))) return false;
     }
   }
   return in.supports.size() > 1;
@@ -158,8 +165,10 @@ bool Design::torques_close(const Input& in) {
 
 FieldFault Design::open_sum(const Input& in) {
   if (count_balancing(in) > 1) return {"seats", say("more than one seat balances the torque"), say("one is enough")};
+  const bool typed = std::any_of(in.seats.begin(), in.seats.end(),
+                                 [](const Seat& s) { return s.way == Way::balances && is_set(s.T); });
   const double sum = in_si(balance(in));
-  if (std::abs(sum) > 0.0)
+  if (!typed)
     return {"seats", say("of the torques {1} are left over", format_quantity(sum, N_m.symbol)),
             say("say what drives the shaft, way = \"drives\", or let a coupling take the rest, way = \"balances\"")};
   return {"seats", say("what balances has no torque of its own"), say("leave out its T")};
@@ -215,7 +224,9 @@ FieldFault Design::bare_step(const Input& in) {
              d == D ? say("at {1} the bore changes, and no notch says how", format(x))
                     : say("at {1} the diameter changes from {2} to {3}, and no notch says how", format(x), format(d),
                           format(D)),
-             say("add {1} to notches", "{ x = \"" + format(x) + "\", kind = \"shoulder\", r = \"...\" }")};
+             say("add {1} to notches", "{ x = \"" + format(x) + "\", " +
+                                           (is_bored(in, x) ? "kind = \"given\", K_t = ..., K_ts = ..., r = \"...\" }"
+                                                            : "kind = \"shoulder\", r = \"...\" }"))};
     return true;
   });
   return fault;
@@ -232,6 +243,18 @@ bool Design::slopes_of_all(const Input& in) {
 
 bool Design::forces_make_torques(const Input& in) {
   return std::all_of(in.seats.begin(), in.seats.end(), &makes_its_torque);
+}
+
+/// About z what drives has one sign, what is driven the other.
+bool Design::forces_turn_alike(const Input& in) {
+  double sense = 0.0;
+  for (const Seat& seat : in.seats) {
+    const double made = in_si(seat.F_y) * in_si(seat.x_w) * (seat.way == Way::drives ? 1.0 : -1.0);
+    if (made == 0.0 || seat.way == Way::balances) continue;
+    if (made * sense < 0.0) return false;
+    sense = made > 0.0 ? 1.0 : -1.0;
+  }
+  return true;
 }
 
 bool Design::turn_alike(const Input& in) {

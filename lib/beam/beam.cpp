@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace loadpath::beam {
@@ -171,8 +172,9 @@ Frequencies frequencies(const Beam& beam, std::span<const double> masses) {
     shape = next;
     next = pushed(beam, masses, shape);
     const double before = std::exchange(found.lowest, 1.0 / std::sqrt(product(masses, next, shape)));
-    if (round > least_rounds && std::abs(found.lowest - before) <= 1e-12 * found.lowest) break;
+    if (round > least_rounds && std::abs(found.lowest - before) <= 1e-12 * found.lowest) return found;
   }
+  found.lowest = std::numeric_limits<double>::quiet_NaN();  // it does not settle
   return found;
 }
 

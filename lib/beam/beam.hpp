@@ -62,7 +62,7 @@ struct Bent {
 
 class Beam {
  public:
-  /// Nothing where the supports do not hold it: fewer than two of them, or both at one place.
+  /// Each support at a node of its own. Nothing where they do not hold it: fewer than two of them.
   static std::optional<Beam> of(const Row<Span>& spans, const OfSupports<Support>& supports);
 
   [[nodiscard]] std::size_t nodes() const { return spans_.size() + 1; }
@@ -87,7 +87,7 @@ class Beam {
 };
 
 /// The lowest angular frequency of bending, rad/s, of masses at the nodes on a beam without mass; zero where there are
-/// none, or nothing moves.
+/// none, or nothing moves. What does not settle is NaN.
 struct Frequencies {
   double lowest = 0.0;     // by inverse iteration
   double rayleigh = 0.0;   // of the shape under the weights: never below

@@ -3,6 +3,9 @@
 #include "lib/quantity/format.hpp"
 #include "lib/text/issue.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace loadpath::draw {
 namespace {
 
@@ -217,7 +220,7 @@ void ShaftPicture::draw_torque(const TorqueSign& sign) {
   svg_.text("halo f1", {middle, y}, sign.text, Anchor::middle);
 }
 
-/// A triangle on hatched ground; on two lines, between which it can slide, where it lets the shaft move along.
+/// A triangle on hatched ground; above a line on which it slides, where it lets the shaft move along.
 void ShaftPicture::draw_bearing(const BearingSign& sign) {
   constexpr double depth = 15.0, half = 8.5, slide = 3.0;
   const Point foot{sign.x, axis_ + radius_at(sign.x)};
@@ -228,7 +231,9 @@ void ShaftPicture::draw_bearing(const BearingSign& sign) {
     svg_.polygon("pin", {foot, right, left});
     svg_.line("outline", left + down, right + down);
   }
-  svg_.text("halo", {sign.x, axis_ + radius_ + support_depth + row_height - 4.0}, sign.text, Anchor::middle);
+  const double half = 0.5 * width(sign.text, text_size);
+  const double middle = std::clamp(sign.x, half + 4.0, view_width - half - 4.0);
+  svg_.text("halo", {middle, axis_ + radius_ + support_depth + row_height - 4.0}, sign.text, Anchor::middle);
 }
 
 void ShaftPicture::draw_length(double left, double right, double y) {

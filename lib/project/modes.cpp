@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <vector>
 
 namespace loadpath::project {
 
@@ -25,11 +27,14 @@ State unjudged(const ModeInfo& mode, Applies applies) {
   return waits ? State::open : State::not_judged;
 }
 
-/// "=epi.sun_mesh and =epi.ring_mesh": what a step takes that judges the mode.
-std::string records_of(const ModeInfo& left, const std::string& part) {
+/// "=epi.sun_mesh and =epi.ring_mesh", "each of =shaft.bearings": what a step takes that judges the mode.
+std::string records_of(const ModeInfo& left, std::span<const FieldInfo> fields, const std::string& part) {
   std::string all;
   for (const std::string& key : listed_keys(left.taken)) {
-    const std::string record = "=" + part + "." + key.substr(0, key.find('.'));
+    const std::string name = key.substr(0, key.find('.'));
+    const FieldInfo* const field = find_field(fields, name);
+    const bool is_list = field != nullptr && field->type == FieldInfo::Type::list;
+    const std::string record = (is_list ? "each of =" : "=") + part + "." + name;
     if (all.find(record) == std::string::npos) all += (all.empty() ? "" : " and ") + record;
   }
   return all;
@@ -87,24 +92,28 @@ bool takes(const Step& judge, const Step& part, const Names& record) {
   });
 }
 
-/// The modes of a calculator's steps that judge what is left to it. A record that no such step takes leaves all of it
-/// open: nothing comes back.
+/// The modes of a calculator's steps that judge what is left to it. A record that no such step takes, or of which none
+/// of these modes concerns the step, leaves all of it open: nothing comes back.
 std::vector<const account::Mode*> judges_of(const ModeInfo& left, const Step& part, const Project& project) {
   std::vector<const account::Mode*> judges;
+  std::map<std::string, bool> judged;  // each record by one mode at least
   for (const std::string& key : listed_keys(left.taken)) {
     const std::size_t dot = key.find('.');
     for (const Names& record : records_behind(part, key.substr(0, dot))) {
-      bool taken = false;
+      bool taken = false, &any = judged[record.front()];
       for (const auto& step : project.steps) {
         if (step->input().calculator->id != std::string_view(left.judge) || !takes(*step, part, record)) continue;
         taken = true;
         for (const account::Mode& mode : step->account().modes) {
-          if (mode.id == key.substr(dot + 1)) judges.push_back(&mode);
+          if (mode.id != key.substr(dot + 1)) continue;
+          judges.push_back(&mode);
+          any = true;
         }
       }
       if (!taken) return {};
     }
   }
+  if (std::any_of(judged.begin(), judged.end(), [](const auto& record) { return !record.second; })) return {};
   return judges;
 }
 
@@ -114,7 +123,9 @@ void settle(account::Mode& mode, const std::vector<const account::Mode*>& judges
     if (a->state != b->state) return rank(a->state) < rank(b->state);
     return a->utilisation.value_or(-1.0) < b->utilisation.value_or(-1.0);
   });
-  mode.state = worst.state;
+  // A judge that sees nothing of the service does not take back what the part has seen.
+  const bool weaker = mode.state == State::not_judged && worst.state == State::open;
+  if (!weaker) mode.state = worst.state;
   mode.utilisation = worst.utilisation;
   mode.wants.clear();
   mode.note = say("by {1}.{2}: {3}", worst.step, worst.id, reason(worst));
@@ -170,7 +181,8 @@ account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
     mode.judge = info.judge;
     if (mode.wants.empty() && *info.checks != '\0') mode.note = say("{1} has no value here", info.checks);
     if (mode.state == State::not_judged && *info.judge != '\0')
-      mode.note = say("left to {1}, and no step of it takes {2} whole", info.judge, records_of(info, step.name()));
+      mode.note = say("left to {1}, of which no step takes {2} whole", info.judge,
+                      records_of(info, step.input().calculator->result->fields, step.name()));
     if (rest)
       mode.note = say("not taken, though it comes with the load: {1}; judge it by hand: accept.{2} = \"...\"",
                       step.left_of_loads(), info.id);

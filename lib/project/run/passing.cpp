@@ -65,14 +65,19 @@ bool Run::passes() {
                        const double largest = largest_result(f);
                        return is_passed(largest) || (f.where_set && std::isnan(largest));
                      }) &&
-         keeps_limits(true) && lists_pass();
+         keeps_limits(true);
 }
 
-/// Whether an element of a list passes its checks and keeps its criteria.
-bool Run::element_passes(const FieldInfo& list, void* element) const {
+/// Whether a field of a list's element is a check or a criterion, or the limit of a method.
+bool Run::is_held_against(const FieldInfo& f, bool criteria) const {
+  const bool judges = f.role == Role::limit ? f.is_criterion == criteria : criteria && f.role == Role::check;
+  return judges && is_asked(f) && !f.is_beside;
+}
+
+/// Whether an element of a list passes its checks and keeps its criteria, or the limits of its methods.
+bool Run::element_passes(const FieldInfo& list, void* element, bool criteria) const {
   return std::all_of(list.fields.begin(), list.fields.end(), [&](const FieldInfo& f) {
-    const bool judges = f.role == Role::check || (f.role == Role::limit && f.is_criterion);
-    if (!judges || !is_asked(f) || f.is_beside) return true;
+    if (!is_held_against(f, criteria)) return true;
     const double si = f.get(element);
     if (std::isnan(si)) return f.where_set;
     return f.role == Role::check ? is_passed(si) : f.bounds.holds(si);
@@ -80,15 +85,15 @@ bool Run::element_passes(const FieldInfo& list, void* element) const {
 }
 
 /// The same of every element at every position.
-bool Run::lists_pass() {
-  const auto judges = [](const FieldInfo& f) { return f.role == Role::check || f.role == Role::limit; };
+bool Run::lists_pass(bool criteria) {
+  const auto judges = [&](const FieldInfo& f) { return is_held_against(f, criteria); };
   for (const FieldInfo& list : calculator_.result->fields) {
     if (list.type != FieldInfo::Type::list || std::none_of(list.fields.begin(), list.fields.end(), judges)) continue;
     for (std::size_t i = 0; i < positions(); ++i) {
       if (!set_position(i)) continue;
       calculator_.evaluate(record_.data.get(), result_.data.get());
       for (std::size_t k = 0; k < list.size(result_.data.get()); ++k) {
-        if (!element_passes(list, list.element(result_.data.get(), k))) return false;
+        if (!element_passes(list, list.element(result_.data.get(), k), criteria)) return false;
       }
     }
   }
@@ -99,9 +104,12 @@ bool Run::lists_pass() {
 /// to take.
 bool Run::keeps_limits(bool criteria) {
   const auto& fields = calculator_.result->fields;
-  return std::all_of(fields.begin(), fields.end(), [&](const FieldInfo& f) {
-    return f.role != Role::limit || !is_asked(f) || f.is_beside || f.is_criterion != criteria || !first_outside(f);
-  });
+  return std::all_of(fields.begin(), fields.end(),
+                     [&](const FieldInfo& f) {
+                       return f.role != Role::limit || !is_asked(f) || f.is_beside || f.is_criterion != criteria ||
+                              !first_outside(f);
+                     }) &&
+         lists_pass(criteria);
 }
 
 /// The first value of a limit that is outside of it, or that is missing; nothing where it is kept.

@@ -88,8 +88,9 @@ class Run {
   std::size_t first_broken_rule();
   bool passes();
   bool keeps_limits(bool criteria);
-  bool lists_pass();
-  [[nodiscard]] bool element_passes(const FieldInfo& list, void* element) const;
+  bool lists_pass(bool criteria);
+  [[nodiscard]] bool is_held_against(const FieldInfo& field, bool criteria) const;
+  [[nodiscard]] bool element_passes(const FieldInfo& list, void* element, bool criteria) const;
   [[nodiscard]] std::optional<double> first_outside(const FieldInfo& limit);
   /// What a search goes through, ascending: sizes of a stock, or rows of a table.
   struct Candidates {

@@ -231,8 +231,8 @@ void ShaftPicture::draw_bearing(const BearingSign& sign) {
     svg_.polygon("pin", {foot, right, left});
     svg_.line("outline", left + down, right + down);
   }
-  const double half = 0.5 * width(sign.text, text_size);
-  const double middle = std::clamp(sign.x, half + 4.0, view_width - half - 4.0);
+  const double half_text = 0.5 * width(sign.text, text_size);
+  const double middle = std::clamp(sign.x, half_text + 4.0, view_width - half_text - 4.0);
   svg_.text("halo", {middle, axis_ + radius_ + support_depth + row_height - 4.0}, sign.text, Anchor::middle);
 }
 

@@ -340,4 +340,39 @@ TEST_SUITE("shaft design") {
     CHECK(found.mode("axle.yield").state == State::pass);
     CHECK(Solved(text + "33.5 mm\" }]\n").mode("axle.yield").state == State::fail);
   }
+
+  TEST_CASE("a place behind lengths that are added up is where they end") {
+    const std::string text =
+        "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\npieces = [{ l = \"100 "
+        "mm\", d = "
+        "\"30 mm\" }, { l = \"200 mm\", d = \"40 mm\" }, { l = \"50 mm\", d = \"30 mm\" }]\nsupports = [{ x = \"10 "
+        "mm\" }, { x "
+        "= \"340 mm\" }]\nnotches = [{ x = \"100 mm\", kind = \"shoulder\", r = \"2 mm\" }, { x = \"300 mm\", kind = "
+        "\"shoulder\", r = \"2 mm\" }]\n";
+    CHECK_MESSAGE(Solved(text).errors().empty(), Solved(text).errors());
+  }
+
+  TEST_CASE("gears that turn their shaft against each other are refused") {
+    const auto says = [](const std::string& F_y) {
+      return Solved(bare + two_bearings +
+                    "seats = [{ x = \"50 mm\", way = \"drives\", T = \"10 N*m\", F_y = \"-1 kN\", x_w = \"10 mm\" "
+                    "}, { x = \"150 mm\", T = \"10 N*m\", F_y = \"" +
+                    F_y + "\", x_w = \"5 mm\" }]\n")
+          .errors();
+    };
+    CHECK_MESSAGE(says("2 kN").empty(), says("2 kN"));
+    CHECK(contains(says("-2 kN"), "turns it one way"));
+  }
+
+  TEST_CASE("the torque of a seat holds the service factor of the shaft") {
+    const std::string key =
+        "[key]\ncalculator = \"shaft.key\"\nT = \"=axle.seats.a.T\"\nK_A = 1.5\ntorque = \"one_way\"\nd = "
+        "\"40 mm\"\nkey = \"12x8\"\nl = \"50 mm\"\nl_n = \"60 mm\"\nR_e_1 = \"430 MPa\"\nR_e_2 = \"250 MPa\"\nR_e_k = "
+        "\"420 MPa\"\n";
+    const std::string shaft =
+        bare + two_bearings +
+        "K_A = 1.5\nseats = [{ name = \"a\", x = \"50 mm\", way = \"drives\", T = \"10 N*m\" }, { x = "
+        "\"150 mm\", T = \"10 N*m\" }]\n";
+    CHECK(contains(Solved(shaft + key).errors(), "K_A"));
+  }
 }

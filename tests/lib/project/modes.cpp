@@ -275,4 +275,18 @@ TEST_SUITE("project angles") {
     CHECK(both.value("with_ring.T_1") == doctest::Approx(30.0));  // the planet is as large as the sun
     CHECK(both.value("with_sun.F_t") == doctest::Approx(both.value("set.F_t")));
   }
+
+  TEST_CASE("a judge that knows less of the service does not take back what the part knows") {
+    const std::string shaft =
+        "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\npieces = [{ l = \"200 "
+        "mm\", d = "
+        "\"40 mm\" }]\nsupports = [{ x = \"10 mm\" }, { x = \"190 mm\" }]\nnotches = [{ x = \"50 mm\", part = "
+        "\"=key.notch\" }]\n";
+    const std::string key =
+        "[key]\ncalculator = \"shaft.key\"\nT = \"100 N*m\"\ntorque = \"one_way\"\nK_A = 1.5\nd = \"40 mm\"\nkey = "
+        "\"12x8\"\nl = \"50 mm\"\nl_n = \"60 mm\"\nR_e_1 = \"430 MPa\"\nR_e_2 = \"250 MPa\"\nR_e_k = \"420 MPa\"\n";
+    Solved solved(shaft + key);
+    REQUIRE_MESSAGE(!has_errors(solved.issues), solved.messages());
+    CHECK(solved.mode("key.fatigue").state == State::not_judged);
+  }
 }

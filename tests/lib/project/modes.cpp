@@ -227,7 +227,7 @@ TEST_SUITE("project angles") {
     Solved alone(turning), apart(turning + life + limit + "sigma_max = \"=axle.tau_max\"\n");
     CHECK(alone.mode("axle.fatigue").state == State::not_judged);
     CHECK(account::reason(alone.mode("axle.fatigue")).text() ==
-          "left to fatigue.cycle, and no step of it takes =axle.cycle whole");
+          "left to fatigue.cycle, of which no step takes =axle.cycle whole");
     CHECK(apart.mode("axle.fatigue").state == State::not_judged);
     Solved judged(turning + life + limit + taken);
     REQUIRE_MESSAGE(!has_errors(judged.issues), judged.messages());

@@ -34,7 +34,7 @@ std::string records_of(const ModeInfo& left, std::span<const FieldInfo> fields, 
     const std::string name = key.substr(0, key.find('.'));
     const FieldInfo* const field = find_field(fields, name);
     const bool is_list = field != nullptr && field->type == FieldInfo::Type::list;
-    const std::string record = (is_list ? "each of =" : "=") + part + "." + name;
+    const std::string record = std::string(is_list ? "each of =" : "=").append(part).append(".").append(name);
     if (all.find(record) == std::string::npos) all += (all.empty() ? "" : " and ") + record;
   }
   return all;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lib/calculator/trace.hpp"
+#include "lib/quantity/fit_units.hpp"
 #include "lib/quantity/unit.hpp"
 #include "lib/quantity/units.hpp"
 
@@ -10,8 +11,6 @@
 #include <cmath>
 
 namespace loadpath::fatigue {
-
-inline constexpr Unit<Length> um{"um", from_si<Length>(1e-6)};
 
 /// The place of a diameter on the logarithmic scale of sizes: 0 at 7.5 mm, 1 at 150 mm, and 1 beyond.
 template <class Tracer>

@@ -3,10 +3,10 @@
 //
 // Decides what the bearings carry and how the shaft bends in two planes, by beams with shear; the largest equivalent
 // stress of each section (von Mises) against yielding; the safety of each notch against fatigue of a turning shaft by
-// four schools, [Shigley7], with the fatigue limit of the part by Marin; slopes, deflection and the critical speed.
-// Axes: z along the shaft from its left end, X and Y across it, Y a quarter turn from X about z. Forces stand in space
-// while the shaft turns: bending alternates, axial stress stays, torsion runs from r_T T to T.
-// Not covered: forces that turn with the shaft, masses that whirl as discs, press fits but by a given K_t, life.
+// four schools of [Shigley7], with the fatigue limit of the part by Marin, and by [DIN743]; slopes, deflection and the
+// critical speed. Axes: z along the shaft from its left end, X and Y across it, Y a quarter turn from X about z. Forces
+// stand in space while the shaft turns: bending alternates, axial stress stays, torsion runs from r_T T to T. Not
+// covered: forces that turn with the shaft, masses that whirl as discs, press fits but by a given K_t, life.
 #pragma once
 
 #include "calculators/fatigue/endurance.hpp"
@@ -15,12 +15,13 @@
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
+#include "lib/quantity/fit_units.hpp"
 
 #include <vector>
 
 namespace loadpath::shaft {
 
-enum class School { goodman, soderberg, gerber, elliptic };
+enum class School { goodman, soderberg, gerber, elliptic, din743 };
 
 struct Design {
   static constexpr auto id = "shaft.design";
@@ -28,7 +29,7 @@ struct Design {
   static constexpr auto scope =
       "Reactions, moments, deflection, slope and twist of a shaft on two or more bearings, with what sits on it; yield "
       "and fatigue of every section and notch; the first critical speed. Forces stand in space while the shaft turns.";
-  static constexpr auto source = "[Shigley6], [Shigley7], [Peterson], [Cowper], [Mises]";
+  static constexpr auto source = "[Shigley6], [Shigley7], [DIN743], [Peterson], [Cowper], [Mises]";
   static constexpr auto example = R"([project]
 title = "Shaft of a gear between its bearings"
 
@@ -69,6 +70,7 @@ r_T = 0
     fatigue::Endurance::Group group = fatigue::Endurance::Group::carbon_steel;
     fatigue::Endurance::Finish finish = fatigue::Endurance::Finish::machined;
     Stress sigma_W = unset<Stress>;
+    Length R_z = unset<Length>;
     Length v_adm = unset<Length>;
     Twist theta_adm = unset<Twist>;
     double k_n = 1.25;
@@ -112,6 +114,10 @@ r_T = 0
       Field{&Input::sigma_W, "sigma_W", MPa, "measured fatigue limit of smooth specimens in bending, r = -1"}
           .positive()
           .usually(10, 1500)
+          .may_be_missing(),
+      Field{&Input::R_z, "R_z", um, "roughness, for the safety by DIN 743"}
+          .positive()
+          .usually(0.1, 400)
           .may_be_missing(),
       Field{&Input::v_adm, "v_adm", mm, "allowable deflection"}.positive().may_be_missing(),
       Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
@@ -223,6 +229,11 @@ r_T = 0
                     return !asks_fatigue(in) || is_set(in.sigma_W) || in.group <= fatigue::Endurance::Group::cast_steel;
                   },
                   "sigma_W, group", "the rule for the fatigue limit is for steels: give sigma_W"},
+      Rule<Input>{[](const Input& in) {
+                    const bool steel = in.group <= fatigue::Endurance::Group::cast_steel;
+                    return in.method != School::din743 || (is_set(in.R_z) && steel);
+                  },
+                  "method, R_z, group", "DIN 743 is for steels, and needs the roughness R_z"},
       Rule<Input>{[](const Input& in) { return !is_set(in.S_F) || is_set(in.R_e); }, "S_F, R_e",
                   "the safety S_F counts against the yield strength R_e: give it, or a material"},
       Rule<Input>{[](const Input& in) { return is_set(in.E) && is_set(in.G); }, "E, G",
@@ -238,7 +249,7 @@ r_T = 0
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield of a section", &loaded}.judged_by("sections.u_v"),
       Mode<Input>{"fatigue", "fatigue of a notch or section", &tired}
-          .judged_by("safeties.u_D, safeties.x_b, safeties.x_t, safeties.x_d, safeties.x_n")
+          .judged_by("safeties.u_D, safeties.x_b, safeties.x_t, safeties.x_d, safeties.x_n, safeties.x_DIN")
           .wanting("S_D, r_T")
           .in_service(),
       Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
@@ -281,7 +292,8 @@ constexpr auto choices_of(School) {
       ChoiceName<School>{School::goodman, "goodman", "a line to the tensile strength"},
       ChoiceName<School>{School::soderberg, "soderberg", "a line to the yield strength: on the safe side"},
       ChoiceName<School>{School::gerber, "gerber", "a parabola to the tensile strength"},
-      ChoiceName<School>{School::elliptic, "elliptic", "an ellipse to the yield strength, of ASME"}};
+      ChoiceName<School>{School::elliptic, "elliptic", "an ellipse to the yield strength, of ASME"},
+      ChoiceName<School>{School::din743, "din743", "DIN 743, its case 2: the ratio stays"}};
 }
 
 }  // namespace loadpath::shaft

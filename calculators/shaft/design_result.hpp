@@ -84,7 +84,9 @@ struct Safety {
   double K_t = 1.0, K_ts = 1.0, K_f = unset<double>, K_fs = unset<double>;
   Stress S_e = unset<Stress>, sigma_a = unset<Stress>, sigma_m = unset<Stress>;
   double n_Goodman = unset<double>, n_Soderberg = unset<double>, n_Gerber = unset<double>, n_elliptic = unset<double>;
+  double n_DIN743 = unset<double>;
   double u_D = unset<double>;
+  double x_DIN = unset<double>;
   double x_b = unset<double>, x_t = unset<double>, x_d = unset<double>, x_n = unset<double>;
   static constexpr std::tuple fields{
       NameField{&Safety::name, "name", "what is there"},
@@ -101,7 +103,11 @@ struct Safety {
       Field{&Safety::n_Gerber, "n_Gerber", ratio, "safety against fatigue by Gerber"}.may_be_infinite(),
       Field{&Safety::n_elliptic, "n_elliptic", ratio, "safety against fatigue by the ellipse of ASME"}
           .may_be_infinite(),
+      Field{&Safety::n_DIN743, "n_DIN743", ratio, "safety against fatigue by DIN 743"}.may_be_infinite(),
       Field{&Safety::u_D, "u_D", ratio, "fatigue: safety that is asked for over that of the method"}.check(),
+      Field{&Safety::x_DIN, "x_DIN", ratio, "ranges of DIN 743 that the section is outside of, where that decides"}
+          .limit(0, 0.5)
+          .where_it_applies(),
       Field{&Safety::x_b, "x_b", ratio, "height over radius of the notch within its fit in bending: 0 least, 1 largest"}
           .limit(-1e-9, 1 + 1e-9)
           .where_it_applies(),

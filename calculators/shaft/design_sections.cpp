@@ -1,5 +1,7 @@
 #include "calculators/shaft/design_sections.hpp"
 
+#include "calculators/fatigue/din743_fields.hpp"
+#include "calculators/fatigue/din743_safety.hpp"
 #include "calculators/fatigue/peterson.hpp"
 
 #include <algorithm>
@@ -146,6 +148,63 @@ void weaken(const Input& in, Length d, Length r_n, Safety& s, Tracer& trace) {
   STEP_TO(s, S_e, s.K_f * sigma_D, "the notch stands with the stresses");
 }
 
+/// The section as DIN 743 has it; a given notch by its shape factors without any support, on the safe side.
+fatigue::Din743Section section_of_din743(const Input& in, const There& there, const Sides& sides, const Section& p,
+                                         const Safety& s) {
+  using Kind = fatigue::Notch;
+  fatigue::Din743Section section;
+  section.notch = Kind::smooth, section.R_z = in.R_z, section.d = p.d, section.d_bore = p.d_bore;
+  if (there.notch == nullptr) return section;
+  const Notched& notch = *there.notch;
+  section.r = notch.r;
+  switch (notch.kind) {
+    case Notch::shoulder:
+      section.notch = Kind::shoulder, section.D = sides.larger();
+      break;
+    case Notch::groove:
+      section.notch = Kind::round_groove, section.D = p.d + 2.0 * notch.t;
+      break;
+    case Notch::keyway:
+      section.notch = Kind::keyway;
+      break;
+    case Notch::given:
+      section.notch = Kind::alpha, section.alpha_zd = section.alpha_b = s.K_t, section.alpha_t = s.K_ts;
+      break;
+  }
+  return section;
+}
+
+/// How many of its ranges the section is outside of.
+double outside_of_din743(const fatigue::Din743Safety& rated) {
+  const auto is_outside = [&](const auto& field) {
+    if constexpr (requires { field.role == Role::limit&& field.bounds.holds(rated.*field.at); })
+      return field.role == Role::limit && !std::isnan(rated.*field.at) && !field.bounds.holds(rated.*field.at);
+    else
+      return false;
+  };
+  return std::apply([&](const auto&... field) { return (0.0 + ... + (is_outside(field) ? 1.0 : 0.0)); },
+                    fatigue::din743_results<fatigue::Din743Safety>());
+}
+
+/// By DIN 743, with the strengths as they are in this size; none outside of its ranges.
+template <class Tracer>
+void rate_by_din743(const Input& in, const There& there, const Sides& sides, const Section& p, Safety& s,
+                    Tracer& trace) {
+  if (!is_set(in.R_z) || in.group > Endurance::Group::cast_steel) return;
+  fatigue::Din743Steel steel;
+  steel.R_m = in.R_m, steel.R_e = in.R_e;
+  fatigue::Din743Loads loads;
+  loads.F_zd = {p.N, 0.0 * N.one};
+  loads.M_b = {0.0 * N_m.one, p.M};
+  loads.M_t = {(1.0 + in.r_T) / 2.0 * abs(p.T), (1.0 - in.r_T) / 2.0 * abs(p.T)};
+  loads.f_max = in.k_max;
+  NoTrace quiet;
+  const auto rated = fatigue::din743(steel, section_of_din743(in, there, sides, p, s), loads, quiet);
+  const double outside = outside_of_din743(rated);
+  if (outside == 0.0) s.n_DIN743 = trace.value("n_DIN743", rated.S_D, "DIN 743, as fatigue.din743 finds it");
+  if (in.method == School::din743) s.x_DIN = outside;
+}
+
 /// [Shigley7] (7-5) to (7-14), as safeties: bending alternates, the force along the shaft stays, torsion does both.
 template <class Tracer>
 void tire(const Input& in, const Section& p, Safety& s, Tracer& trace) {
@@ -167,6 +226,7 @@ void tire(const Input& in, const Section& p, Safety& s, Tracer& trace) {
   const double n_D = in.method == School::goodman     ? NAMED_STEP("n_D", s.n_Goodman, "Goodman decides")
                      : in.method == School::soderberg ? NAMED_STEP("n_D", s.n_Soderberg, "Soderberg decides")
                      : in.method == School::gerber    ? NAMED_STEP("n_D", s.n_Gerber, "Gerber decides")
+                     : in.method == School::din743    ? NAMED_STEP("n_D", s.n_DIN743, "DIN 743 decides")
                                                       : NAMED_STEP("n_D", s.n_elliptic, "the ellipse decides");
   STEP_TO(s, u_D, in.S_D / n_D, "fatigue");
 }
@@ -197,6 +257,7 @@ Safety safety_of(const Input& in, const There& there, const Sides& sides, const 
   trace.value("tau", p.tau, "of the section");
   if (there.notch != nullptr) concentrate(*there.notch, sides, r_n, p, s, trace);
   weaken(in, p.d, r_n, s, trace);
+  rate_by_din743(in, there, sides, p, s, trace);
   tire(in, p, s, trace);
   return s;
 }

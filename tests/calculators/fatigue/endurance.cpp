@@ -103,7 +103,7 @@ TEST_SUITE("fatigue.endurance") {
     in.R_m = 800.0 * MPa;
     in.rule = E::RuleOf::din743;
     in.d = 40.0 * mm;
-    in.R_z = 10.0 * fatigue::um;
+    in.R_z = 10.0 * um;
     const double epsilon = 1 - 0.2 * std::log10(40 / 7.5) / std::log10(20.0);
     const double K_F = 1 - 0.22 * 1.0 * (std::log10(40.0) - 1);
     CHECK(rel(limit(in).K_D, 1 / epsilon + 1 / K_F - 1) < 1e-12);
@@ -119,7 +119,7 @@ TEST_SUITE("fatigue.endurance") {
     E::Input in;
     in.R_m = 700.0 * MPa;
     in.rule = E::RuleOf::din743;
-    in.d = 30.0 * mm, in.R_z = 4.0 * fatigue::um, in.K_t = 1.8, in.r_n = 2.0 * mm;
+    in.d = 30.0 * mm, in.R_z = 4.0 * um, in.K_t = 1.8, in.r_n = 2.0 * mm;
     const auto base = limit(in);
     const auto weaker = [&](auto change) {
       E::Input other = in;
@@ -127,7 +127,7 @@ TEST_SUITE("fatigue.endurance") {
       return limit(other).sigma_D < base.sigma_D;
     };
     CHECK(weaker([](E::Input& o) { o.d = 60.0 * mm; }));
-    CHECK(weaker([](E::Input& o) { o.R_z = 25.0 * fatigue::um; }));
+    CHECK(weaker([](E::Input& o) { o.R_z = 25.0 * um; }));
     CHECK(weaker([](E::Input& o) { o.K_t = 2.2; }));
     CHECK(weaker([](E::Input& o) { o.r_n = 4.0 * mm; }));  // more of the same K_t is felt
     CHECK_FALSE(weaker([](E::Input& o) { o.beta_V = 1.3; }));

@@ -213,8 +213,9 @@ void read_tolerance(const Tree& tree, Expectation& e, std::vector<Issue>& issues
     const double n = digits->value.number;
     if (digits->value.type != Tree::Type::number || n < 1 || n > 15 || n != std::floor(n)) {
       add(issues, digits->value.place, "expect.digits", say("digits is a whole number from 1 to 15"));
+    } else {
+      e.digits = static_cast<int>(n);
     }
-    e.digits = static_cast<int>(n);
   }
   if (const auto* within = tree.find("within")) read_within(within->value, e, issues);
   const bool has_digits = tree.find("digits") != nullptr, has_within = tree.find("within") != nullptr;

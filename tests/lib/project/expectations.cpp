@@ -99,6 +99,8 @@ TEST_SUITE("project expectations") {
           "a.toml:9:10: error: digits is a whole number from 1 to 15\n9 | digits = 99\n  |          ^^\n");
     CHECK(issues_of(expecting(value_and_is + "digits = 2.5\n")) ==
           "a.toml:9:10: error: digits is a whole number from 1 to 15\n9 | digits = 2.5\n  |          ^^^\n");
+    CHECK(issues_of(expecting(value_and_is + "digits = 1e30\n")) ==  // more than an int holds
+          "a.toml:9:10: error: digits is a whole number from 1 to 15\n9 | digits = 1e30\n  |          ^^^^\n");
     CHECK(issues_of(expecting(value_and_is + "within = \"3 mm\"\n")) ==
           R"(a.toml:9:11: error: '3 mm' (length) is no tolerance of '1 N*m' (moment)
 9 | within = "3 mm"

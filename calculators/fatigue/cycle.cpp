@@ -126,6 +126,13 @@ FieldFault Cycle::unsound(const Input& in) {
   return {place_of(in, i) + typed(given(in, i)), say(o.reason), *o.remedy == '\0' ? Message{} : say(o.remedy)};
 }
 
+/// What stands still does not tire: nothing is judged by it.
+Applies Cycle::varies(const Input& in) {
+  NoTrace quiet;
+  const bool known = two_given(in) && sound(in);
+  return where(!known || cycle_of(in, quiet).kind != Kind::constant);
+}
+
 template <class Tracer>
 Cycle::Result Cycle::evaluate(const Input& in, Tracer& trace) {
   Result r;

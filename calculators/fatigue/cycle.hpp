@@ -57,6 +57,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
   static bool sound(const Input& in);
   static FieldFault wrong_count(const Input& in);
   static FieldFault unsound(const Input& in);
+  static Applies varies(const Input& in);
   static constexpr std::tuple inputs = std::tuple_cat(
       std::tuple{RecordField<Input>{"cycle", "the largest stress of a part, whole: cycle = \"=shaft.cycle\""}},
       given_fields<Input>(),
@@ -123,8 +124,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),
-      Mode<Input>{"fatigue", "fatigue, with an amplitude above the fatigue limit", &always<Input>}.judged_by(
-          "u_D, x_m"),
+      Mode<Input>{"fatigue", "fatigue, with an amplitude above the fatigue limit", &varies}.judged_by("u_D, x_m"),
       Mode<Input>{"life", "life of what is loaded above its fatigue limit", &unseen<Input>},
       Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>}};
 

@@ -240,6 +240,14 @@ TEST_SUITE("project angles") {
     CHECK(contains(account::reason(Solved(turning + life + taken).mode("axle.fatigue")).text(), "give sigma_D"));
   }
 
+  TEST_CASE("a cycle that stands still settles nothing for a shaft whose load varies") {
+    const std::string turning = axle + "d = \"40 mm\"\nT = \"100 N*m\"\nK_A = 1.5\n";
+    const std::string still =
+        "[life]\ncalculator = \"fatigue.cycle\"\nr = 1\nsigma_D = \"60 MPa\"\nS_D = 1.5\ncycle = "
+        "\"=axle.cycle\"\n";
+    CHECK(Solved(turning + still).mode("axle.fatigue").state == State::not_judged);
+  }
+
   TEST_CASE("a record that is taken and then changed settles nothing") {
     const std::string turning = axle + "d = \"40 mm\"\nT = \"100 N*m\"\nK_A = 1.5\n";
     const std::string life =

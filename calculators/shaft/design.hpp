@@ -197,7 +197,7 @@ r_T = 0
       Rule<Input>{&thrust_is_held, "seats, supports",
                   "one bearing alone takes forces along the shaft: holds = \"both\""},
       Rule<Input>{&speeds_agree, "n, seats", "all that sits on one shaft turns at one speed, which is not zero"},
-      Rule<Input>{&notches_fit, "notches, pieces", "the notches fit the shaft", &misfit},
+      Rule<Input>{&notches_fit, "notches, pieces, r_T", "the notches fit the shaft", &misfit},
       Rule<Input>{&steps_are_notched, "notches, pieces, S_D", "fatigue begins where the diameter changes", &bare_step},
       Rule<Input>{&slopes_of_all, "supports, seats",
                   "give beta_adm of every bearing or of none, and likewise of the seats"},

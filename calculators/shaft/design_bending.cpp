@@ -41,15 +41,6 @@ beam::Row<double> named_places(const Input& in) {
   return x;
 }
 
-std::size_t piece_at(const Input& in, double x) {
-  double end = 0.0;
-  for (std::size_t i = 0; i < in.pieces.size(); ++i) {
-    end += in_si(in.pieces[i].l);
-    if (x < end) return i;
-  }
-  return in.pieces.size() - 1;
-}
-
 std::optional<beam::Beam> beam_of(const Input& in, const Stations& stations) {
   beam::Row<beam::Span> spans;
   for (std::size_t s = 0; s + 1 < stations.x.size(); ++s) {
@@ -142,8 +133,17 @@ Stations stations_of(const Input& in) {
     for (double k = 1.0; k <= count; ++k) stations.x.push_back(k < count ? from + gap * k / count : x);
   }
   for (std::size_t s = 0; s + 1 < stations.x.size(); ++s)
-    stations.piece.push_back(piece_at(in, (stations.x[s] + stations.x[s + 1]) / 2.0));
+    stations.piece.push_back(index_of_piece(in, from_si<Length>((stations.x[s] + stations.x[s + 1]) / 2.0)));
   return stations;
+}
+
+std::size_t index_of_piece(const Input& in, Length x) {
+  Length end = 0.0 * mm;
+  for (std::size_t i = 0; i < in.pieces.size(); ++i) {
+    end += in.pieces[i].l;
+    if (x < end) return i;
+  }
+  return in.pieces.size() - 1;
 }
 
 Length length_of(const Input& in) {

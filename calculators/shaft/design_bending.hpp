@@ -40,6 +40,8 @@ bool bears(const Design::Input& in);
 /// Of the shaft and what sits on it.
 beam::Frequencies critical_speeds(const Design::Input& in);
 
+/// The piece that a place is on; behind the end the last.
+std::size_t index_of_piece(const Design::Input& in, Length x);
 Length length_of(const Design::Input& in);
 Mass mass_of(const Design::Input& in);
 /// Of the shaft, or the first seat that has one; its magnitude.

@@ -87,7 +87,7 @@ struct Notched {
   Length x = unset<Length>;
   Notch kind = Notch::shoulder;
   Length d = unset<Length>, r = unset<Length>, t = unset<Length>;
-  double K_t = unset<double>, K_ts = unset<double>;
+  double K_t = unset<double>, K_ts = unset<double>, r_T = unset<double>;
   static constexpr std::tuple fields{
       NameField{&Notched::name, "name", "what it is"}.may_be_missing(),
       Field{&Notched::x, "x", mm, "place, from the left end of the shaft; of a keyway its end"}.at_least(0),
@@ -102,7 +102,11 @@ struct Notched {
       Field{&Notched::K_t, "K_t", ratio, "stress concentration in bending, on the net section, of a given notch"}
           .within(1, 10)
           .may_be_missing(),
-      Field{&Notched::K_ts, "K_ts", ratio, "the same in torsion"}.within(1, 10).may_be_missing()};
+      Field{&Notched::K_ts, "K_ts", ratio, "the same in torsion"}.within(1, 10).may_be_missing(),
+      Field{&Notched::r_T, "r_T", ratio,
+            "least over largest torque of what makes it: -1 of a key that is beaten both ways"}
+          .within(-1, 1)
+          .may_be_missing()};
 };
 
 constexpr auto choices_of(Holds) {
@@ -125,8 +129,10 @@ constexpr auto choices_of(Notch) {
 struct KeyNotch {
   Notch kind = Notch::keyway;
   Length d = unset<Length>;
+  double r_T = unset<double>;
   static constexpr std::tuple fields{Choice{&KeyNotch::kind, "kind", "kind of notch"},
-                                     Field{&KeyNotch::d, "d", mm, "diameter that it is made for"}};
+                                     Field{&KeyNotch::d, "d", mm, "diameter that it is made for"},
+                                     Field{&KeyNotch::r_T, "r_T", ratio, "-1 where the torque changes its sense"}};
 };
 
 }  // namespace loadpath::shaft

@@ -63,14 +63,7 @@ std::ptrdiff_t count_balancing(const Input& in) {
   return std::count_if(in.seats.begin(), in.seats.end(), [](const Seat& s) { return s.way == Way::balances; });
 }
 
-const Piece& piece_at(const Input& in, Length x) {
-  Length end = 0.0 * mm;
-  for (const Piece& piece : in.pieces) {
-    end += piece.l;
-    if (x < end) return piece;
-  }
-  return in.pieces.back();
-}
+const Piece& piece_at(const Input& in, Length x) { return in.pieces[index_of_piece(in, x)]; }
 
 /// Whether there is a bore on either side.
 bool is_bored(const Input& in, Length x) {
@@ -107,6 +100,9 @@ Message fault_of(const Input& in, const Notched& notch) {
     return say("a given notch needs the radius r of its root, for the sensitivity to it");
   if (is_set(notch.d) && abs(notch.d - piece.d) > same * piece.d)
     return say("it is made for {1}, and the shaft has {2} at {3}", format(notch.d), format(piece.d), format(notch.x));
+  if (notch.r_T < in.r_T)
+    return say("its torque runs back to {1} of the largest, and that of the shaft, r_T, to {2}",
+               format_number(notch.r_T, 3), format_number(in.r_T, 3));
   const bool at_step = find_step(in, [&](Length x, Length, Length) { return are_one(in, x, notch.x); });
   if (notch.kind == Notch::shoulder && (!at_step || before.d == piece.d))
     return say("the diameter does not change at {1}", format(notch.x));

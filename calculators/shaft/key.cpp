@@ -98,6 +98,7 @@ Key::Result Key::evaluate(const Input& in, Tracer& trace) {
   reversal(in, r, trace);
   fits(in, r, trace);
   r.notch.d = in.d;
+  if (in.torque == Sense::reversing) r.notch.r_T = -1.0;
   return r;
 }
 

@@ -18,6 +18,7 @@
 #include <boost/units/systems/si/mass.hpp>
 #include <boost/units/systems/si/power.hpp>
 #include <boost/units/systems/si/pressure.hpp>
+#include <boost/units/systems/si/temperature.hpp>
 #include <boost/units/systems/si/time.hpp>
 #include <boost/units/systems/si/velocity.hpp>
 #include <boost/units/systems/si/volume.hpp>
@@ -42,6 +43,8 @@ using Mass = boost::units::quantity<si::mass>;
 using MassArm = decltype(Mass() * Length());
 using MassMoment = decltype(Mass() * Area());
 using Time = boost::units::quantity<si::time>;
+using Heating = boost::units::quantity<si::temperature>;  // a difference, never a point on the scale
+using Expansion = decltype(1.0 / Heating());
 using Force = boost::units::quantity<si::force>;
 using Moment = boost::units::quantity<si::energy>;
 using Stress = boost::units::quantity<si::pressure>;
@@ -119,6 +122,8 @@ template <>
 inline constexpr int place_of<boost::units::mass_base_dimension> = Dimension::mass;
 template <>
 inline constexpr int place_of<boost::units::time_base_dimension> = Dimension::time;
+template <>
+inline constexpr int place_of<boost::units::temperature_base_dimension> = Dimension::temperature;
 template <class Base, class Exponent, class Next>
 struct Exponents<boost::units::list<boost::units::dim<Base, Exponent>, Next>> {
   static constexpr Dimension value = [] {

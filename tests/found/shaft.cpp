@@ -6,23 +6,21 @@ using namespace loadpath::test;
 
 namespace {
 
-const std::string plain = "torques = \nT = \"100 N*m\"\ntheta_adm = \nG = ";
-
-}  // namespace
-
-TEST_SUITE("found shaft") {
-  TEST_CASE("A12: a torque that comes from a gear bends the shaft, and varies") {
-    const auto project = solved_as_found(R"([project]
-title = "A shaft behind a gear"
-
-[gears]
+const std::string gears = R"([gears]
 calculator = "gear.pair"
 z_1 = 20
 z_2 = 57
 m_n = "2.5 mm"
 T_1 = "60 N*m"
 b = "25 mm"
+)";
+const std::string plain = "torques = \nT = \"100 N*m\"\ntheta_adm = \nG = ";
 
+}  // namespace
+
+TEST_SUITE("found shaft") {
+  TEST_CASE("A12: a torque that comes from a gear bends the shaft, and varies") {
+    const auto project = solved_as_found(gears + R"(
 [axle]
 calculator = "shaft.torsion"
 T = "=gears.T_2"
@@ -92,17 +90,7 @@ TEST_SUITE("found key") {
   }
 
   TEST_CASE("the forces of a gear bend the shaft, and its torque comes alone to the key") {
-    const auto project = solved_as_found(R"([project]
-title = "A wheel on its key"
-
-[gears]
-calculator = "gear.pair"
-z_1 = 20
-z_2 = 57
-m_n = "2.5 mm"
-T_1 = "60 N*m"
-b = "25 mm"
-
+    const auto project = solved_as_found(gears + R"(
 [seat]
 calculator = "shaft.key"
 load = "=gears.gear_2"

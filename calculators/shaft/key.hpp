@@ -8,7 +8,7 @@
 // along the key (method B); keys that are pressed in; three keys and more.
 #pragma once
 
-#include "calculators/shaft/design_parts.hpp"
+#include "calculators/shaft/parts/pieces.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"

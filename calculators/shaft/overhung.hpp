@@ -6,7 +6,7 @@
 // Not covered: fatigue of the rotating shaft, notches and keyways, deflection, the bearing side of the shaft.
 #pragma once
 
-#include "calculators/shaft/modes.hpp"
+#include "calculators/shaft/parts/modes.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"

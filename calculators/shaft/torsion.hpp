@@ -7,7 +7,7 @@
 #pragma once
 
 #include "calculators/load/stress_cycle.hpp"
-#include "calculators/shaft/modes.hpp"
+#include "calculators/shaft/parts/modes.hpp"
 #include "calculators/shaft/torque_diagram.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/heat_treatment.hpp"

@@ -1,5 +1,5 @@
 // Shafts on their bearings: statics of random shafts, charts and schools, and designs that must not pass.
-#include "calculators/shaft/design.hpp"
+#include "calculators/shaft/design/design.hpp"
 
 #include "calculators/fatigue/peterson.hpp"
 #include "tests/found/modes.hpp"

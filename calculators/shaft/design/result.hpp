@@ -1,7 +1,7 @@
 // What is found of a shaft between its bearings: what they carry, how it bends, how each section stands.
 #pragma once
 
-#include "calculators/shaft/design_parts.hpp"
+#include "calculators/shaft/parts/pieces.hpp"
 #include "lib/calculator/list.hpp"
 
 #include <tuple>

@@ -10,8 +10,8 @@
 #pragma once
 
 #include "calculators/fatigue/endurance.hpp"
-#include "calculators/shaft/design_result.hpp"
-#include "calculators/shaft/modes.hpp"
+#include "calculators/shaft/design/result.hpp"
+#include "calculators/shaft/parts/modes.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"

@@ -1,5 +1,5 @@
 // What shaft.design asks of its input beyond the bounds of its fields.
-#include "calculators/shaft/design_bending.hpp"
+#include "calculators/shaft/design/bending.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>

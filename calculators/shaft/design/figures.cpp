@@ -1,5 +1,5 @@
 // The shaft from the side, with bearings and seats, and its diagrams along it.
-#include "calculators/shaft/design_bending.hpp"
+#include "calculators/shaft/design/bending.hpp"
 
 #include <string>
 #include <utility>

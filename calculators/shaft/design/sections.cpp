@@ -1,4 +1,4 @@
-#include "calculators/shaft/design_sections.hpp"
+#include "calculators/shaft/design/sections.hpp"
 
 #include "calculators/fatigue/din743_fields.hpp"
 #include "calculators/fatigue/din743_safety.hpp"

@@ -1,4 +1,4 @@
-#include "calculators/shaft/design_bending.hpp"
+#include "calculators/shaft/design/bending.hpp"
 
 #include <algorithm>
 #include <cmath>

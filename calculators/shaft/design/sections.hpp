@@ -1,7 +1,7 @@
 // The sections of a shaft where something changes, each against yielding and fatigue.
 #pragma once
 
-#include "calculators/shaft/design_bending.hpp"
+#include "calculators/shaft/design/bending.hpp"
 
 namespace loadpath::shaft {
 

@@ -1,7 +1,7 @@
 // The shaft as a beam in two planes: where its nodes are, what its bearings carry, and what every section feels.
 #pragma once
 
-#include "calculators/shaft/design.hpp"
+#include "calculators/shaft/design/design.hpp"
 #include "lib/beam/beam.hpp"
 
 #include <optional>

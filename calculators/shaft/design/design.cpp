@@ -1,7 +1,7 @@
-#include "calculators/shaft/design.hpp"
+#include "calculators/shaft/design/design.hpp"
 
-#include "calculators/shaft/design_bending.hpp"
-#include "calculators/shaft/design_sections.hpp"
+#include "calculators/shaft/design/bending.hpp"
+#include "calculators/shaft/design/sections.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>

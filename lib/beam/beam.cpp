@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 namespace loadpath::beam {
 
@@ -51,20 +49,26 @@ void clean(Bent& bent) {
 
 }  // namespace
 
-Beam::Beam(const Row<Span>& spans, const OfSupports<Support>& supports)
-    : spans_(spans), supports_(supports), factors_(2 * (spans_.size() + 1)) {
+Beam::Matrix Beam::assembled(std::span<const double> masses, double square) const {
+  Matrix matrix(2 * nodes());
   for (std::size_t s = 0; s < spans_.size(); ++s) {
     const Stiffness k = stiffness_of(spans_[s]);
     for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = 0; j <= i; ++j) factors_.at(2 * s + i, 2 * s + j) += k[i][j];
+      for (std::size_t j = 0; j <= i; ++j) matrix.at(2 * s + i, 2 * s + j) += k[i][j];
     }
   }
+  for (std::size_t n = 0; n < masses.size(); ++n) matrix.at(2 * n, 2 * n) -= square * masses[n];
   for (const Support& support : supports_) {
-    if (support.k < rigid) factors_.at(2 * support.node, 2 * support.node) += support.k;
+    if (support.k < rigid) matrix.at(2 * support.node, 2 * support.node) += support.k;
   }
   for (const Support& support : supports_) {
-    if (!(support.k < rigid)) factors_.fix(2 * support.node);
+    if (!(support.k < rigid)) matrix.fix(2 * support.node);
   }
+  return matrix;
+}
+
+Beam::Beam(const Row<Span>& spans, const OfSupports<Support>& supports)
+    : spans_(spans), supports_(supports), factors_(assembled()) {
   holds_ = factors_.factor();
 }
 
@@ -122,60 +126,16 @@ Bent Beam::bend(std::span<const Load> loads, std::span<const double> q) const {
   return bent;
 }
 
-namespace {
-
-/// The shape that the masses take when each is pushed in proportion to itself and to `shape`.
-Row<double> pushed(const Beam& beam, std::span<const double> masses, std::span<const double> shape) {
-  Unknowns u(2 * masses.size());
-  for (std::size_t n = 0; n < masses.size(); ++n) u[2 * n] = masses[n] * shape[n];
-  beam.displace(u);
-  Row<double> v;
-  for (std::size_t n = 0; n < masses.size(); ++n) v.push_back(u[2 * n]);
-  return v;
+Row<double> Beam::flexibilities() const {
+  Unknowns all(2 * nodes());
+  factors_.inverse_diagonal(all);
+  Row<double> each;
+  for (std::size_t n = 0; n < nodes(); ++n) each.push_back(is_held(n) ? 0.0 : all[2 * n]);
+  return each;
 }
 
-double product(std::span<const double> masses, std::span<const double> a, std::span<const double> b) {
-  double sum = 0.0;
-  for (std::size_t n = 0; n < masses.size(); ++n) sum += masses[n] * a[n] * b[n];
-  return sum;
-}
-
-/// Of each mass alone: the sum of what a unit force does where it acts, times the mass.
-double sum_of_alone(const Beam& beam, std::span<const double> masses) {
-  double sum = 0.0;
-  for (std::size_t n = 0; n < masses.size(); ++n) {
-    if (masses[n] == 0.0 || beam.is_held(n)) continue;
-    Unknowns u(2 * masses.size());
-    u[2 * n] = 1.0;
-    beam.displace(u);
-    sum += masses[n] * u[2 * n];
-  }
-  return sum;
-}
-
-}  // namespace
-
-Frequencies frequencies(const Beam& beam, std::span<const double> masses) {
-  Frequencies found;
-  Row<double> shape(masses.size(), 1.0), next = pushed(beam, masses, shape);
-  const double first = product(masses, next, next);
-  if (!(first > 0.0)) return found;
-  found.rayleigh = std::sqrt(product(masses, next, shape) / first);
-  found.dunkerley = 1.0 / std::sqrt(sum_of_alone(beam, masses));
-  // From a shape without any symmetry: that of the shaft would hide a lower mode that does not have it.
-  for (std::size_t n = 0; n < next.size(); ++n) shape[n] = std::sin(1.0 + 2.3 * static_cast<double>(n));
-  next = pushed(beam, masses, shape);
-  constexpr int least_rounds = 30, most_rounds = 400;
-  for (int round = 0; round < most_rounds; ++round) {
-    const double size = std::sqrt(product(masses, next, next));
-    for (double& x : next) x /= size;
-    shape = next;
-    next = pushed(beam, masses, shape);
-    const double before = std::exchange(found.lowest, 1.0 / std::sqrt(product(masses, next, shape)));
-    if (round > least_rounds && std::abs(found.lowest - before) <= 1e-12 * found.lowest) return found;
-  }
-  found.lowest = std::numeric_limits<double>::quiet_NaN();  // it does not settle
-  return found;
+bool Beam::hums_above(std::span<const double> masses, double square) const {
+  return assembled(masses, square).factor(0.0);
 }
 
 }  // namespace loadpath::beam

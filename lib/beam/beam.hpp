@@ -73,23 +73,33 @@ class Beam {
   /// Forces and couples at each node in turn, in place of them its displacement and slope.
   void displace(std::span<double> unknowns) const;
 
+  /// Of each node what a unit force there displaces it.
+  [[nodiscard]] Row<double> flexibilities() const;
+
+  /// Whether masses at the nodes have no frequency below that of this square, rad^2/s^2.
+  [[nodiscard]] bool hums_above(std::span<const double> masses, double square) const;
+
   /// Whether a node cannot move.
   [[nodiscard]] bool is_held(std::size_t node) const;
 
  private:
+  /// Unknowns: v and slope of each node in turn.
+  using Matrix = numerics::BandMatrix<3, 2 * most_nodes>;
   Beam(const Row<Span>& spans, const OfSupports<Support>& supports);
+  /// The stiffness, less the masses times the square of a frequency.
+  [[nodiscard]] Matrix assembled(std::span<const double> masses = {}, double square = 0.0) const;
   [[nodiscard]] Ends ends_of(std::size_t span, std::span<const double> u, double q) const;
 
   Row<Span> spans_;
   OfSupports<Support> supports_;
-  numerics::BandMatrix<3, 2 * most_nodes> factors_;  // unknowns: v and slope of each node in turn
+  Matrix factors_;
   bool holds_ = false;
 };
 
 /// The lowest angular frequency of bending, rad/s, of masses at the nodes on a beam without mass; zero where there are
 /// none, or nothing moves. What does not settle is NaN.
 struct Frequencies {
-  double lowest = 0.0;     // by inverse iteration
+  double lowest = 0.0;     // by Lanczos, and none is below
   double rayleigh = 0.0;   // of the shape under the weights: never below
   double dunkerley = 0.0;  // of the flexibilities: never above
 };

@@ -60,6 +60,23 @@ class BandMatrix {
     }
   }
 
+  /// The diagonal of the inverse, after `factor`: what each unknown does where it acts alone. From the last row up, of
+  /// the inverse no more than lies within the band.
+  void inverse_diagonal(std::span<double> diagonal) const {
+    boost::container::static_vector<std::array<double, reach + 1>, most> inverse(size());  // row i: from i to the right
+    for (std::size_t i = size(); i-- > 0;) {
+      const std::size_t right = std::min(reach, size() - 1 - i);
+      inverse[i].fill(0.0);
+      for (std::size_t k = right; k > 0; --k) {
+        for (std::size_t l = 1; l <= right; ++l)
+          inverse[i][k] -= at(i + l, i) * (l <= k ? inverse[i + l][k - l] : inverse[i + k][l - k]);
+      }
+      inverse[i][0] = 1.0 / at(i, i);
+      for (std::size_t l = 1; l <= right; ++l) inverse[i][0] -= at(i + l, i) * inverse[i][l];
+      diagonal[i] = inverse[i][0];
+    }
+  }
+
  private:
   boost::container::static_vector<std::array<double, reach + 1>, most> rows_;
 };

@@ -1,0 +1,86 @@
+#include "lib/beam/swing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace loadpath::beam {
+
+namespace {
+
+/// A moment per turn, at the left end of a rod and, by it, at the right end: what stands to the left of both is passed
+/// on. Written without the stiffness of a rod with held ends, which has poles where such a rod swings by itself.
+struct Passed {
+  double carried;
+  std::size_t count;  // of natural frequencies below, with the right end held
+  double share;       // of the rest that is 0 at each of them
+};
+
+Passed pass(const Rod& rod, double omega, double left) {
+  constexpr double slow = 1e-4;  // below it the series is exact to rounding
+  const double k = rod.GI / rod.l, b = omega * rod.l * std::sqrt(rod.j / rod.GI);
+  const double c = std::cos(b), s = b < slow ? 1.0 - b * b / 6.0 : std::sin(b) / b;
+  const auto held = static_cast<std::size_t>(b / std::numbers::pi);  // of the rod with both ends held
+  double together = left * s + k * c;
+  if (together == 0.0) together = std::numeric_limits<double>::min();
+  const bool turns_back = (together < 0.0) == (held % 2 == 0);
+  return {k * (left * c - k * b * b * s) / together, held + (turns_back ? 1 : 0), together / k};
+}
+
+}  // namespace
+
+Swing::Walked Swing::walk(double omega) const {
+  boost::container::static_vector<double, most_rods + 1> own(rods_.size() + 1);  // of the discs of each node
+  Walked walked{0, 1.0};
+  for (const Disc& disc : discs_) {
+    const double inertia = omega * omega * disc.J;
+    const double softened = 1.0 - inertia / disc.k;  // 0 where it swings by itself: no number is next to that
+    own[disc.node] -= inertia / (softened == 0.0 ? std::numeric_limits<double>::epsilon() : softened);
+    if (inertia > disc.k) ++walked.below;
+    walked.rest *= softened;
+  }
+  double left = own[0];
+  for (std::size_t i = 0; i < rods_.size(); ++i) {
+    const Passed passed = pass(rods_[i], omega, left);
+    walked.below += passed.count;
+    walked.rest *= passed.share;
+    left = own[i + 1] + passed.carried;
+  }
+  if (left < 0.0) ++walked.below;
+  walked.rest *= left;
+  return walked;
+}
+
+/// Between two values of which the count tells that they hold it; where it is alone, by the false position after
+/// Illinois, else by halves.
+double Swing::natural(std::size_t i) const {
+  if (i == 0) return 0.0;
+  constexpr double first = 256.0, highest = 1e12, finest = 1e-13;
+  double high = first;
+  while (below(high) <= i) {
+    high *= 2.0;
+    if (high > highest) return std::numeric_limits<double>::quiet_NaN();
+  }
+  double low = high / 2.0;
+  while (below(low) > i) low = (high = low) / 2.0;
+  Walked left = walk(low), right = walk(high);
+  int kept = 0;  // which end stayed last: -1 low, 1 high
+  while (high - low > finest * high) {
+    const bool alone = right.below == left.below + 1 && (left.rest < 0.0) != (right.rest < 0.0);
+    const double guess = alone ? low + (high - low) * left.rest / (left.rest - right.rest) : 0.5 * (low + high);
+    const double least = 0.3 * finest * high, next = std::clamp(guess, low + least, high - least);
+    const Walked here = walk(next);
+    if (here.below > i) {
+      high = next, right = here;
+      if (std::exchange(kept, -1) == -1) left.rest *= 0.5;
+    } else {
+      low = next, left = here;
+      if (std::exchange(kept, 1) == 1) right.rest *= 0.5;
+    }
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace loadpath::beam

@@ -1,0 +1,53 @@
+// A round shaft that swings about its axis, with discs on it: its natural frequencies in torsion. The pieces have their
+// inertia along them, so that nothing is lost by cutting them up. After Holzer the shaft is walked from one end to the
+// other; how many frequencies lie below one that is tried is counted after Wittrick and Williams, so that none is
+// missed.
+//
+// SI throughout. Both ends are free; what holds an end is a disc of an inertia that is large beside the others.
+#pragma once
+
+#include "lib/beam/beam.hpp"
+
+#include <boost/container/static_vector.hpp>
+
+#include <cstddef>
+
+namespace loadpath::beam {
+
+/// A uniform stretch between two neighbouring nodes: its stiffness G I_t, and its moment of inertia per length.
+struct Rod {
+  double l = 0.0, GI = 0.0, j = 0.0;
+};
+
+/// An inertia at a node, rigid on the shaft or behind a spring, N m/rad.
+struct Disc {
+  std::size_t node = 0;
+  double J = 0.0, k = rigid;
+};
+
+class Swing {
+ public:
+  static constexpr std::size_t most_rods = 64, most_discs = 32;
+  using Rods = boost::container::static_vector<Rod, most_rods>;
+  using Discs = boost::container::static_vector<Disc, most_discs>;
+
+  Swing(const Rods& rods, const Discs& discs) : rods_(rods), discs_(discs) {}
+
+  /// Of the natural frequencies how many lie below omega, rad/s; turning as a whole is the first of them, at 0.
+  [[nodiscard]] std::size_t below(double omega) const { return walk(omega).below; }
+  /// The natural frequency number i, rad/s, of which number 0 is turning as a whole; NaN where there is none.
+  [[nodiscard]] double natural(std::size_t i) const;
+
+ private:
+  /// How many lie below, and a function of omega without poles that is 0 at each.
+  struct Walked {
+    std::size_t below;
+    double rest;
+  };
+  [[nodiscard]] Walked walk(double omega) const;
+
+  Rods rods_;
+  Discs discs_;
+};
+
+}  // namespace loadpath::beam

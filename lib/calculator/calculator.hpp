@@ -3,6 +3,7 @@
 
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/record.hpp"
+#include "lib/calculator/sizing.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/text/issue.hpp"
@@ -78,6 +79,7 @@ struct Calculator {
   /// `count` evaluations; `input` is the base record and holds the last point afterwards. Allocates nothing.
   void (*sweep)(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out,
                 std::size_t count) = nullptr;
+  Sizing sizing;
   /// Whether an input may be a series: not where it decides on one thing for all its loads, a belt and its tension, a
   /// section. At every position of a cycle it would find another.
   bool takes_series = true;

@@ -9,6 +9,8 @@
 //     template <class Tracer> static Result evaluate(const Input&, Tracer&);   // defined in the source
 //     static constexpr bool takes_series = false;              // where it decides on one thing for all its loads
 //     static constexpr bool turns = true;                      // of a part that turns
+//     static constexpr auto sized = "pieces";                  // a list whose sizes are found together; with arrange,
+//                                                              // raise and unsound (lib/calculator/sizing.hpp)
 //     static std::vector<draw::Figure> figures(const Input&, const Result&);
 //   };
 #pragma once
@@ -58,6 +60,16 @@ LOADPATH_SWEEP void sweep_loop(typename C::Input& input, std::span<const InputCo
   }
 }
 
+template <class C>
+constexpr Sizing sizing_of() {
+  using Input = typename C::Input;
+  return {C::sized, [](const void* in, std::span<Sought> all) { C::arrange(*static_cast<const Input*>(in), all); },
+          [](const void* in, std::span<Sought> all) { return C::raise(*static_cast<const Input*>(in), all); },
+          [](const void* in, std::span<const Sought> all, std::size_t which) {
+            return C::unsound(*static_cast<const Input*>(in), all, which);
+          }};
+}
+
 }  // namespace detail
 
 template <class C>
@@ -96,6 +108,7 @@ constexpr Calculator calculator_of() {
   c.sweep = [](void* in, std::span<const InputColumn> columns, std::span<const ResultColumn> out, std::size_t count) {
     detail::sweep_loop<C>(*static_cast<Input*>(in), columns, out, count);
   };
+  if constexpr (requires { C::sized; }) c.sizing = detail::sizing_of<C>();
   if constexpr (requires { C::takes_series; }) c.takes_series = C::takes_series;
   if constexpr (requires { C::turns; }) c.turns = C::turns;
   return c;

@@ -42,6 +42,7 @@ struct Search {
   Leaf leaf;          // without field: the row of a table
   std::string stock;  // empty: the largest value
   Place place;
+  bool names_stock = false;  // the user, not the field
 };
 
 /// A field that has no value yet, and must have one.

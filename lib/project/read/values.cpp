@@ -55,7 +55,7 @@ void Reader::read_special(const Tree& tree, const FieldInfo& field, void* owner,
     if (*field.searched_in == '\0')
       return say_at(stock->place, path, say("'{1}' cannot be searched for", path), say("give a value"));
     refuse_others(tree, {"stock"}, path);
-    reading_.searches.push_back({path, {&field, owner}, stock->value.text, stock->value.place});
+    reading_.searches.push_back({path, {&field, owner}, stock->value.text, stock->value.place, true});
     return;
   }
   if (tree.find("from") != nullptr) {

@@ -47,11 +47,19 @@ void CalculatorStep::find_searches(std::vector<Issue>& issues) {
     }
   }
   for (const Search& search : searches_) check_stock(search, issues);
-  if (searches_.size() > 1 && !input().reading.searches.empty()) {
+  if (searches_.size() > 1 && !input().reading.searches.empty() && !sizes_together()) {
     issues.push_back({searches_[1].place, name() + "." + searches_[1].path,
                       say("one field at a time can be searched for"), say("give '{1}' a value", searches_[1].path),
                       Severity::error});
   }
+}
+
+bool CalculatorStep::sizes_together() const {
+  const Calculator& calculator = *input().calculator;
+  return *calculator.sizing.list != '\0' && !searches_.empty() &&
+         std::all_of(searches_.begin(), searches_.end(), [&](const Search& search) {
+           return search.leaf && !search.stock.empty() && head(search.path) == calculator.sizing.list;
+         });
 }
 
 /// Whether there is anything to search in.

@@ -20,6 +20,8 @@ class CalculatorStep : public Step {
   [[nodiscard]] const Axis* axis() const { return axis_; }
   [[nodiscard]] const std::vector<Provided>& provided() const { return provided_; }
   [[nodiscard]] const std::vector<Search>& searches() const { return searches_; }
+  /// Whether they are sizes that the calculator wants to be found together.
+  [[nodiscard]] bool sizes_together() const;
   /// Where the elements of lists come from that a row has filled, by leaf.
   [[nodiscard]] const std::map<std::string, Origin>& origins() const { return origins_; }
   /// The issue that an input makes by breaking a rule: where the rule says, else at the first of its fields that was

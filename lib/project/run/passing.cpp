@@ -74,13 +74,37 @@ bool Run::is_held_against(const FieldInfo& f, bool criteria) const {
   return judges && is_asked(f) && !f.is_beside;
 }
 
+/// Whether what is held against a part keeps to it: a field of the result, or of an element of its lists.
+bool Run::keeps(const FieldInfo& f, const void* owner, bool criteria) const {
+  if (!is_held_against(f, criteria)) return true;
+  const double si = f.get(owner);
+  if (std::isnan(si)) return f.where_set;
+  return f.role == Role::check ? is_passed(si) : f.bounds.holds(si);
+}
+
 /// Whether an element of a list passes its checks and keeps its criteria, or the limits of its methods.
 bool Run::element_passes(const FieldInfo& list, void* element, bool criteria) const {
-  return std::all_of(list.fields.begin(), list.fields.end(), [&](const FieldInfo& f) {
-    if (!is_held_against(f, criteria)) return true;
-    const double si = f.get(element);
-    if (std::isnan(si)) return f.where_set;
-    return f.role == Role::check ? is_passed(si) : f.bounds.holds(si);
+  return std::all_of(list.fields.begin(), list.fields.end(),
+                     [&](const FieldInfo& f) { return keeps(f, element, criteria); });
+}
+
+/// What `passes` and `keeps_limits` say together, from one evaluation: of a part without positions.
+bool Run::passes_covered() {
+  if (positions() > 1) return passes() && keeps_limits(false);
+  settle_sizes(settled_);
+  if (first_broken_rule() < calculator_.rules.size() || !set_position(0)) return false;
+  // Where the size is a result it was settled with these values of tables, and all results are there.
+  if (find_field(calculator_.result->fields, size_field()) == nullptr)
+    calculator_.evaluate(record_.data.get(), result_.data.get());
+  const auto& fields = calculator_.result->fields;
+  return std::all_of(fields.begin(), fields.end(), [&](const FieldInfo& f) {
+    if (f.type != FieldInfo::Type::list)
+      return keeps(f, result_.data.get(), true) && keeps(f, result_.data.get(), false);
+    for (std::size_t k = 0; k < f.size(result_.data.get()); ++k) {
+      void* const element = f.element(result_.data.get(), k);
+      if (!element_passes(f, element, true) || !element_passes(f, element, false)) return false;
+    }
+    return true;
   });
 }
 

@@ -169,11 +169,11 @@ double Run::first_size() {
 }
 
 /// A strength falls with the size that it is asked for, so the size only grows from one round to the next.
-void Run::settle_sizes() {
+void Run::settle_sizes(double size) {
   if (size_field().empty()) return provide(nan);
-  double size = first_size();
   for (int round = 0; round < 20; ++round) {
     provide(size);
+    settled_ = size;
     const double next = size_now();
     if (std::isnan(next) || next == size) return;  // without a size something is not available; the checks say so
     size = next;

@@ -70,7 +70,8 @@ class Run {
   /// Values from tables at a size; where a table has none, missing_ says why.
   void provide(double size);
   /// Values from tables at the size that follows from them.
-  void settle_sizes();
+  void settle_sizes() { settle_sizes(first_size()); }
+  void settle_sizes(double size);
   [[nodiscard]] std::string_view size_field() const;
   [[nodiscard]] bool is_given(std::string_view input) const;
   /// NaN where nothing gives it.
@@ -90,6 +91,8 @@ class Run {
   bool keeps_limits(bool criteria);
   bool lists_pass(bool criteria);
   [[nodiscard]] bool is_held_against(const FieldInfo& field, bool criteria) const;
+  bool passes_covered();
+  [[nodiscard]] bool keeps(const FieldInfo& field, const void* owner, bool criteria) const;
   [[nodiscard]] bool element_passes(const FieldInfo& list, void* element, bool criteria) const;
   [[nodiscard]] std::optional<double> first_outside(const FieldInfo& limit);
   /// What a search goes through, ascending: sizes of a stock, or rows of a table.
@@ -107,6 +110,18 @@ class Run {
   bool take_largest(const Candidates& all);
   void search_first(const Search& wanted, std::vector<Issue>& issues);
   void search_most(const Search& wanted, std::vector<Issue>& issues);
+  /// Sizes that are searched for together.
+  struct Together;
+  [[nodiscard]] Together sought_together();
+  bool lay(Together& all, const std::vector<std::size_t>& least);
+  bool fits_together(Together& all, const std::vector<std::size_t>& least);
+  bool find_start(Together& all, std::vector<std::size_t>& least);
+  void lower(Together& all, std::vector<std::size_t>& least);
+  bool lower_one(Together& all, std::vector<std::size_t>& least, std::size_t which);
+  bool lay_largest(Together& all, std::vector<std::size_t>& least);
+  void search_together(std::vector<Issue>& issues);
+  [[nodiscard]] Message fault_of_less(Together& all, const std::vector<std::size_t>& least, std::size_t which);
+  void tell_together(Together& all, const std::vector<std::size_t>& least, bool found);
   void warn_of_passed_over(const Search& wanted, const Candidates& all, std::size_t found, std::vector<Issue>& issues);
   void tell_found(const Search& wanted, const Candidates& all, std::size_t found);
   void tell_none(const Search& wanted, double value, std::vector<Issue>& issues);
@@ -114,6 +129,7 @@ class Run {
   /// What a candidate is refused for.
   [[nodiscard]] Message fault_of_candidate();
   [[nodiscard]] Message fault_of_limits();
+  [[nodiscard]] Message fault_of_lists(double most);
   void keep_sizing_results(const std::string& searched);
   [[nodiscard]] Leaf map_leaf(const std::string& path) const { return find_leaf(record_, path); }
 
@@ -159,6 +175,7 @@ class Run {
   Message not_given_;  // a word or a list of another step that is not available; empty: there is none
   std::vector<Input> inputs_;
   std::map<std::string, Origin> origins_;  // of provided, kept and searched leaves
+  double settled_ = 0.0;                   // the size that values of tables were asked at last
   Message missing_;                        // why a table's value is not available
   std::vector<Column> columns_;
   std::vector<std::size_t> order_;  // of columns, for a walk over the result

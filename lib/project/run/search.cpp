@@ -89,9 +89,13 @@ bool Run::is_any_asked() const {
 /// A search without a check; its hint names what asks for one.
 Issue Run::aimless(const Search& wanted) const {
   std::vector<std::string> asking;
-  for (const FieldInfo& f : calculator_.result->fields) {
-    if (f.role != Role::check || *f.asked_by == '\0') continue;
+  const auto ask = [&](const FieldInfo& f) {
+    if (f.role != Role::check || *f.asked_by == '\0') return;
     if (std::find(asking.begin(), asking.end(), f.asked_by) == asking.end()) asking.emplace_back(f.asked_by);
+  };
+  for (const FieldInfo& f : calculator_.result->fields) {
+    ask(f);
+    std::for_each(f.fields.begin(), f.fields.end(), ask);
   }
   std::string names;
   for (const std::string& inputs : asking) names += ", " + inputs;
@@ -125,6 +129,23 @@ Message Run::fault_of_limits() {
   return say("a check has no value");
 }
 
+/// The check in a list that is beyond 1 most, and beyond `most`; empty where none is.
+Message Run::fault_of_lists(double most) {
+  Message worst;
+  for (std::size_t i = 0; i < positions(); ++i) {
+    if (!set_position(i)) continue;
+    calculator_.evaluate(record_.data.get(), result_.data.get());
+    for_each_leaf(result_, [&](const std::string& path, const Leaf& leaf) {
+      const bool listed = path.find('.') != std::string::npos;
+      if (!listed || leaf.field->role != Role::check || !is_held_against(*leaf.field, true)) return;
+      if (!(leaf.get() > most)) return;
+      most = leaf.get();
+      worst = say("{1} = {2}", path, format_number(most, 4));
+    });
+  }
+  return worst;
+}
+
 Message Run::fault_of_candidate() {
   settle_sizes();
   if (const std::size_t rule = first_broken_rule(); rule < calculator_.rules.size())
@@ -138,6 +159,7 @@ Message Run::fault_of_candidate() {
     worst = &f;
     most = largest;
   }
+  if (const Message listed = fault_of_lists(most); !listed.empty()) return listed;
   if (worst != nullptr) return say("{1} = {2}", worst->key, format_number(largest_result(*worst), 4));
   return fault_of_limits();
 }
@@ -145,7 +167,9 @@ Message Run::fault_of_candidate() {
 bool Run::search(std::vector<Issue>& issues) {
   if (step_.searches().empty()) return true;
   const Search& wanted = step_.searches().front();
-  if (wanted.leaf && wanted.stock.empty())
+  if (step_.sizes_together())
+    search_together(issues);
+  else if (wanted.leaf && wanted.stock.empty())
     search_most(wanted, issues);
   else
     search_first(wanted, issues);

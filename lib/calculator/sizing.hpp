@@ -1,0 +1,32 @@
+// Sizes of one part that are searched for together, and how they go together: d = "?" of several pieces of a shaft.
+#pragma once
+
+#include "lib/text/issue.hpp"
+
+#include <cstddef>
+#include <span>
+
+namespace loadpath {
+
+/// One of them: the element that it is of, and which of its sizes it is now.
+struct Sought {
+  const void* owner = nullptr;
+  const char* stock = "";              // that it is taken from, where the user names none; empty: that of the field
+  std::size_t note = 0;                // of the calculator's own, from `arrange` on
+  std::span<const double> sizes = {};  // ascending, SI
+  std::size_t at = 0;
+  [[nodiscard]] double size() const { return sizes[at]; }
+};
+
+/// What a calculator says of the sizes in one of its lists; the functions see an input in which all else has its value.
+struct Sizing {
+  const char* list = "";  // "pieces"; empty: it has no such list
+  /// Before the search: stocks and notes.
+  void (*arrange)(const void* input, std::span<Sought> sought) = nullptr;
+  /// Raises each no further than the others and what is given ask; false where no size is large enough.
+  bool (*raise)(const void* input, std::span<Sought> sought) = nullptr;
+  /// What is not sound about the size of one of them, beside the others; empty where nothing is.
+  Message (*fault)(const void* input, std::span<const Sought> sought, std::size_t which) = nullptr;
+};
+
+}  // namespace loadpath

@@ -1,0 +1,206 @@
+// The search for several sizes of one part at once: from sizes that pass, all alike but for what their neighbours ask,
+// each is lowered as far as everything holds, the largest first, until none can be.
+//
+// What is lowered is the least that a size may be; the calculator raises it as its neighbours ask (a shoulder, one
+// diameter without a step). For any least sizes there is so one part, the lightest of those that keep to them.
+#include "lib/project/run/run.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace loadpath::project {
+
+struct Run::Together {
+  std::vector<const Search*> searches;
+  std::vector<std::string> stocks;
+  std::vector<std::vector<double>> sizes;
+  std::vector<Sought> sought;
+  [[nodiscard]] std::size_t count() const { return sought.size(); }
+  [[nodiscard]] std::vector<std::size_t> now() const {
+    std::vector<std::size_t> at;
+    for (const Sought& s : sought) at.push_back(s.at);
+    return at;
+  }
+};
+
+Run::Together Run::sought_together() {
+  Together all;
+  for (const Search& search : step_.searches()) {
+    all.searches.push_back(&search);
+    all.sought.push_back({map_leaf(search.path).owner});
+  }
+  calculator_.sizing.arrange(record_.data.get(), all.sought);
+  for (std::size_t i = 0; i < all.count(); ++i) {
+    const Search& search = *all.searches[i];
+    const std::string_view own = all.sought[i].stock;
+    all.stocks.push_back(search.names_stock || own.empty() ? search.stock : std::string(own));
+    all.sizes.push_back(stock_values(*step_.input().tables, all.stocks.back()));
+    std::erase_if(all.sizes.back(), [&](double size) { return !search.leaf.field->bounds.holds(size); });
+  }
+  for (std::size_t i = 0; i < all.count(); ++i) all.sought[i].sizes = all.sizes[i];
+  return all;
+}
+
+/// The sizes that none of which is below its least, and that go together.
+bool Run::lay(Together& all, const std::vector<std::size_t>& least) {
+  for (std::size_t i = 0; i < all.count(); ++i) {
+    if (least[i] >= all.sizes[i].size()) return false;
+    all.sought[i].at = least[i];
+  }
+  if (!calculator_.sizing.raise(record_.data.get(), all.sought)) return false;
+  for (std::size_t i = 0; i < all.count(); ++i) map_leaf(all.searches[i]->path).set(all.sought[i].size());
+  return true;
+}
+
+bool Run::fits_together(Together& all, const std::vector<std::size_t>& least) {
+  return lay(all, least) && passes_covered();
+}
+
+namespace {
+
+/// Of each the first size that is not below.
+std::vector<std::size_t> first_from(const std::vector<std::vector<double>>& sizes, double size) {
+  std::vector<std::size_t> first;
+  for (const std::vector<double>& all : sizes)
+    first.push_back(static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), size) - all.begin()));
+  return first;
+}
+
+/// All sizes of all stocks, each once.
+std::vector<double> levels_of(const std::vector<std::vector<double>>& sizes) {
+  std::vector<double> levels;
+  for (const std::vector<double>& all : sizes) levels.insert(levels.end(), all.begin(), all.end());
+  std::sort(levels.begin(), levels.end());
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  return levels;
+}
+
+}  // namespace
+
+/// All alike, from the middle of the stocks in wide steps, down while they pass or up until they do; then one by one.
+bool Run::find_start(Together& all, std::vector<std::size_t>& least) {
+  const std::vector<double> levels = levels_of(all.sizes);
+  const auto fits = [&](std::size_t level) {
+    least = first_from(all.sizes, levels[level]);
+    return fits_together(all, least);
+  };
+  constexpr std::size_t stride = 8;
+  std::size_t level = levels.size() / 2;
+  if (fits(level)) {
+    while (level >= stride && fits(level - stride)) level -= stride;
+  } else {
+    do level += stride;
+    while (level < levels.size() && !fits(level));
+  }
+  if (level >= levels.size()) {  // perhaps there are too large ones among them
+    level = 0;
+    while (level < levels.size() && !fits(level)) ++level;
+    return level < levels.size();
+  }
+  for (std::size_t step = stride / 2; step > 0; step /= 2) {
+    if (level >= step && fits(level - step)) level -= step;
+  }
+  return fits(level);
+}
+
+/// Lowers one as far as everything holds, in steps of four sizes and then of one; whether it went down.
+bool Run::lower_one(Together& all, std::vector<std::size_t>& least, std::size_t which) {
+  const std::size_t before = least[which];
+  lay(all, least);
+  const std::vector<std::size_t> laid = all.now();
+  const auto lowers_to = [&](std::size_t lower) {
+    std::vector<std::size_t> lowered = least;
+    lowered[which] = lower;
+    if (!lay(all, lowered) || (all.now() != laid && (lower == 0 || !passes_covered()))) return false;
+    least = std::move(lowered);
+    return true;
+  };
+  if (lowers_to(0)) return before > 0;  // its neighbours hold it up
+  for (const std::size_t step : {std::size_t{4}, std::size_t{1}}) {
+    while (least[which] >= step && lowers_to(least[which] - step)) {
+    }
+  }
+  return least[which] < before;
+}
+
+void Run::lower(Together& all, std::vector<std::size_t>& least) {
+  for (bool lowered = true; lowered;) {
+    lay(all, least);
+    std::vector<std::size_t> order(all.count());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return all.sought[a].size() > all.sought[b].size(); });
+    lowered = false;
+    for (const std::size_t which : order) lowered = lower_one(all, least, which) || lowered;
+  }
+  lay(all, least);
+  settle_sizes();
+}
+
+/// Where none pass: the largest with which every rule about them holds.
+bool Run::lay_largest(Together& all, std::vector<std::size_t>& least) {
+  const std::vector<double> levels = levels_of(all.sizes);
+  for (std::size_t level = levels.size(); level-- > 0;) {
+    least = first_from(all.sizes, levels[level]);
+    if (!lay(all, least)) continue;
+    settle_sizes();
+    if (first_broken_rule() == calculator_.rules.size()) return true;
+  }
+  return false;
+}
+
+void Run::search_together(std::vector<Issue>& issues) {
+  Together all = sought_together();
+  std::vector<std::size_t> least(all.count(), 0);
+  if (fits_together(all, least)) return issues.push_back(aimless(*all.searches.front()));
+  const bool found = find_start(all, least);
+  if (found) {
+    lower(all, least);
+  } else if (!lay_largest(all, least)) {
+    const std::string& path = all.searches.front()->path;
+    return issues.push_back(issue_at(step_.input(), path, say("no sizes go together with what is given"),
+                                     say("give '{1}' a value, or let more of them be searched for", path)));
+  }
+  tell_together(all, least, found);
+}
+
+/// What one size less of one of them fails: beside the others as they are where that is not sound, else with those that
+/// go down with it.
+Message Run::fault_of_less(Together& all, const std::vector<std::size_t>& least, std::size_t which) {
+  const Leaf leaf = map_leaf(all.searches[which]->path);
+  const auto named = [&](const Message& fault) {
+    return say("{1}: {2}", format_quantity(leaf.get(), leaf.field->unit), fault);
+  };
+  lay(all, least);
+  const std::size_t found = all.sought[which].at;
+  --all.sought[which].at;
+  leaf.set(all.sought[which].size());
+  const Message unsound = calculator_.sizing.fault(record_.data.get(), all.sought, which);
+  if (!unsound.empty()) return named(unsound);
+  for (std::size_t i = 0; i < all.count(); ++i) {
+    std::vector<std::size_t> lowered = least;
+    if (lowered[i] == 0) continue;
+    --lowered[i];
+    if (lay(all, lowered) && all.sought[which].at < found) return named(fault_of_candidate());
+  }
+  lay(all, least);
+  leaf.set(all.sizes[which][found - 1]);
+  return named(fault_of_candidate());
+}
+
+/// Of each what was found, and why it is no less.
+void Run::tell_together(Together& all, const std::vector<std::size_t>& least, bool found) {
+  for (std::size_t i = 0; i < all.count(); ++i) {
+    Message text = found ? say("smallest of {1} that passes every check, with the others", all.stocks[i])
+                         : say("largest of {1}; none passes", all.stocks[i]);
+    if (found && all.sought[i].at > 0) text = say("{1}; {2}", text, fault_of_less(all, least, i));
+    lay(all, least);
+    Origin origin = stock_origin(*step_.input().tables, all.stocks[i], std::move(text));
+    origin.searched = true;
+    origins_[all.searches[i]->path] = std::move(origin);
+  }
+  settle_sizes();
+}
+
+}  // namespace loadpath::project

@@ -31,6 +31,11 @@ const char* const middle_load =
     "pieces = [{ l = \"1 m\", d = \"10 mm\" }]\nsupports = [{ name = \"left\", x = \"0 m\" }, { x = \"1 m\" }]\n"
     "seats = [{ x = \"0.5 m\", F_x = \"100 N\" }]\nnotches = \ng_angle = \nrho = \"7850 kg/m^3\"";
 
+const char* const bare_bar =
+    "pieces = [{ l = \"1.5 m\", d = \"10 mm\" }]\nsupports = [{ x = \"0 m\" }, { x = \"1.5 m\" }]\nseats = \nnotches = "
+    "\ng_angle = \nS_D = \nr_T = \nmaterial = \nE = \"210 GPa\"\nG = \"81 GPa\"\nR_e = \"400 MPa\"\nrho = \"7850 "
+    "kg/m^3\"";
+
 const Case shapes[] = {
     {"section.circle", R"(d = "2 m")", "I_t", pi / 2},
     {"section.circle", "d = \"2 m\"", "A", pi},
@@ -68,6 +73,7 @@ const Case bars[] = {
     {"shaft.design", middle_load, "M_max", 25.0},             // F l/4
     {"shaft.design", middle_load, "bearings.left.R_x", -50},  // half of it
     {"shaft.design", middle_load, "mass", 7850 * pi / 4 * 1e-4},
+    {"shaft.design", bare_bar, "n_T", pi* std::sqrt(81e9 / 7850) / 1.5},  // a standing wave
     {"column.buckling",  // lambda = 142.9 is 4.78 sqrt(E/R_e): a little beyond 4.71, where the bar buckles elastically
      R"(method = "aisc"
 n_st = 1.67

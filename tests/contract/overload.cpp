@@ -83,6 +83,7 @@ constexpr std::array without_load{
     Reason{"dynamics.work reach", "the force is zero, or drives it on"},
     Reason{"machine.run_up stall", "its points are of motor and load alike, and are no single load"},
     Reason{"shaft.design critical_bending", by_speed},
+    Reason{"shaft.design critical_torsion", by_speed},
     Reason{"shaft.press_fit hub", by_sizes},
     Reason{"shaft.press_fit shaft", by_sizes},
     Reason{"vessel.ellipsoid knuckle", "its proof is a bound of the slenderness"},

@@ -2,6 +2,7 @@
 
 #include "calculators/shaft/design/bending.hpp"
 #include "calculators/shaft/design/sections.hpp"
+#include "calculators/shaft/design/torsion.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
@@ -108,6 +109,7 @@ Design::Result Design::evaluate(const Input& in, Tracer& trace) {
   judge_sections(in, loaded, r, trace);
   stiffness(in, r, trace);
   critical_speed(in, r, trace);
+  judge_torsion(in, r, trace);
   return r;
 }
 

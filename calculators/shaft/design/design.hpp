@@ -1,22 +1,25 @@
 // A shaft on its bearings: reactions, moments, deflection, slope, twist, strength and fatigue at every section, and the
-// first critical speed.
+// critical speeds.
 //
 // Decides what the bearings carry and how the shaft bends in two planes, by beams with shear; the largest equivalent
 // stress of each section (von Mises) against yielding; the safety of each notch against fatigue of a turning shaft by
 // four schools of [Shigley7], with the fatigue limit of the part by Marin, and by [DIN743]; slopes, deflection and the
-// critical speed. Axes: z along the shaft from its left end, X and Y across it, Y a quarter turn from X about z. Forces
-// stand in space while the shaft turns: bending alternates, axial stress stays, torsion runs from r_T T to T. Not
-// covered: forces that turn with the shaft, masses that whirl as discs, press fits but by a given K_t, life.
+// critical speeds in bending and in torsion. Axes: z along the shaft from its left end, X and Y across it, Y a quarter
+// turn from X about z. Forces stand in space while the shaft turns: bending alternates, axial stress stays, torsion
+// runs from r_T T to T. Not covered: forces that turn with the shaft, masses that whirl as discs, press fits but by a
+// given K_t, life.
 #pragma once
 
 #include "calculators/fatigue/endurance.hpp"
 #include "calculators/shaft/design/result.hpp"
 #include "calculators/shaft/parts/modes.hpp"
 #include "lib/calculator/heat_treatment.hpp"
+#include "lib/calculator/sizing.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/fit_units.hpp"
 
+#include <span>
 #include <vector>
 
 namespace loadpath::shaft {
@@ -28,7 +31,8 @@ struct Design {
   static constexpr auto title = "Shaft on its bearings";
   static constexpr auto scope =
       "Reactions, moments, deflection, slope and twist of a shaft on two or more bearings, with what sits on it; yield "
-      "and fatigue of every section and notch; the first critical speed. Forces stand in space while the shaft turns.";
+      "and fatigue of every section and notch; critical speeds in bending and in torsion. Forces stand in space while "
+      "the shaft turns.";
   static constexpr auto source = "[Shigley6], [Shigley7], [DIN743], [Peterson], [Cowper], [Mises]";
   static constexpr auto example = R"([project]
 title = "Shaft of a gear between its bearings"
@@ -41,8 +45,8 @@ n = "1450 rpm"
 pieces = [{ l = "60 mm", d = "30 mm" }, { l = "80 mm", d = "40 mm" }, { l = "60 mm", d = "30 mm" }]
 supports = [{ name = "left", x = "15 mm", holds = "both" }, { name = "right", x = "185 mm" }]
 seats = [
-  { name = "coupling", x = "0 mm", way = "balances", mass = "2 kg" },
-  { name = "gear", x = "100 mm", T = "50 N*m", F_x = "-600 N", F_y = "1429 N", F_z = "300 N", x_w = "35 mm", mass = "1 kg" },
+  { name = "coupling", x = "0 mm", way = "balances", mass = "2 kg", J = "0.002 kg*m^2" },
+  { name = "gear", x = "100 mm", T = "50 N*m", F_x = "-600 N", F_y = "1429 N", F_z = "300 N", x_w = "35 mm", mass = "1 kg", J = "0.0006 kg*m^2" },
 ]
 g_angle = "-90 deg"
 notches = [
@@ -59,6 +63,7 @@ r_T = 0
     List<Support, most_supports> supports;
     List<Seat, most_seats> seats;
     List<Notched, most_notches> notches;
+    List<Order, most_orders> orders;
     AngularSpeed n = unset<AngularSpeed>;
     double K_A = 1.0, k_max = 1.0, g_angle = unset<double>;
     Stress E = unset<Stress>, G = unset<Stress>;
@@ -80,6 +85,8 @@ r_T = 0
       ListField{&Input::supports, "supports", "bearings"},
       ListField{&Input::seats, "seats", "what sits on the shaft and loads it"}.may_be_missing(),
       ListField{&Input::notches, "notches", "where stress concentrates"}.may_be_missing(),
+      ListField{&Input::orders, "orders", "what comes more or less often than once in a turn and can make it swing"}
+          .may_be_missing(),
       Field{&Input::n, "n", rpm, "speed; without it, that of a seat; a shaft without any stands still"}
           .may_be_missing(),
       Field{&Input::K_A, "K_A", ratio,
@@ -124,7 +131,8 @@ r_T = 0
           .positive()
           .usually(0.02, 10)
           .may_be_missing(),
-      Field{&Input::k_n, "k_n", ratio, "least critical speed over the speed; 1.25 is a custom"}
+      Field{&Input::k_n, "k_n", ratio,
+            "least critical speed over the speed; 1.25 is a custom. In torsion distance from any"}
           .at_least(1)
           .usually(1.1, 2)
           .factor()};
@@ -137,10 +145,11 @@ r_T = 0
     Twist theta_max = unset<Twist>;
     double phi = unset<double>;
     AngularSpeed n_c = unset<AngularSpeed>, n_R = unset<AngularSpeed>, n_D = unset<AngularSpeed>;
-    AngularSpeed n = unset<AngularSpeed>;
+    AngularSpeed n_T = unset<AngularSpeed>, n = unset<AngularSpeed>;
     double u_y = unset<double>, u_theta = unset<double>, u_n = unset<double>;
     List<Carried, most_supports> bearings;
     List<Seated, most_seats> seats;
+    List<Harmonic, most_orders + 1> harmonics;
     List<Section, most_places> sections;
     List<Safety, most_places> safeties;
   };
@@ -158,11 +167,13 @@ r_T = 0
       Field{&Result::n_c, "n_c", rpm, "first critical speed in bending, of masses without the turning of discs"},
       Field{&Result::n_R, "n_R", rpm, "the same by Rayleigh, never below it"},
       Field{&Result::n_D, "n_D", rpm, "the same by Dunkerley, never above it"},
+      Field{&Result::n_T, "n_T", rpm, "first critical speed in torsion, of the shaft and what sits on it alone"},
       Field{&Result::u_y, "u_y", ratio, "deflection over the allowable one"}.check("v_adm"),
       Field{&Result::u_theta, "u_theta", ratio, "twist per length over the allowable one"}.check("theta_adm"),
       Field{&Result::u_n, "u_n", ratio, "critical speed: speed with its margin over it"}.check().where_it_applies(),
       ListField{&Result::bearings, "bearings", "what each bearing carries"},
       ListField{&Result::seats, "seats", "how the shaft moves where something sits on it"},
+      ListField{&Result::harmonics, "harmonics", "what can make the shaft swing about its axis, its turning first"},
       ListField{&Result::sections, "sections", "sections where something changes, left to right"},
       ListField{&Result::safeties, "safeties", "the same sections against fatigue"}};
 
@@ -177,6 +188,8 @@ r_T = 0
   static bool bores_fit(const Input& in);
   static bool notches_fit(const Input& in);
   static FieldFault misfit(const Input& in);
+  static bool notches_apart(const Input& in);
+  static FieldFault crowd(const Input& in);
   static bool steps_are_notched(const Input& in);
   static FieldFault bare_step(const Input& in);
   static bool slopes_of_all(const Input& in);
@@ -197,7 +210,8 @@ r_T = 0
       Rule<Input>{&thrust_is_held, "seats, supports",
                   "one bearing alone takes forces along the shaft: holds = \"both\""},
       Rule<Input>{&speeds_agree, "n, seats", "all that sits on one shaft turns at one speed, which is not zero"},
-      Rule<Input>{&notches_fit, "notches, pieces, r_T", "the notches fit the shaft", &misfit},
+      Rule<Input>{&notches_fit, "notches, pieces, r_T, group", "the notches fit the shaft", &misfit},
+      Rule<Input>{&notches_apart, "notches, pieces", "notches stand apart", &crowd, true},
       Rule<Input>{&steps_are_notched, "notches, pieces, S_D", "fatigue begins where the diameter changes", &bare_step},
       Rule<Input>{&slopes_of_all, "supports, seats",
                   "give beta_adm of every bearing or of none, and likewise of the seats"},
@@ -245,6 +259,7 @@ r_T = 0
 
   static Applies loaded(const Input& in) { return where(!in.seats.empty() || is_set(in.g_angle)); }
   static Applies running(const Input& in);
+  static Applies passes_resonance(const Input& in);
   static Applies tired(const Input& in) { return min(loaded(in), max(running(in), load_varies(in))); }
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield of a section", &loaded}.judged_by("sections.u_v"),
@@ -267,7 +282,12 @@ r_T = 0
           .judged_by("u_n")
           .wanting("rho, seats mass")
           .in_service(),
-      Mode<Input>{"critical_torsion", "critical speed in torsion", &unseen<Input>}.in_service(),
+      Mode<Input>{"critical_torsion", "critical speed in torsion", &running}
+          .judged_by("harmonics.u_h")
+          .wanting("rho, seats J")
+          .in_service(),
+      Mode<Input>{"resonance", "running through a resonance in torsion", &passes_resonance}.special(),
+      Mode<Input>{"train", "torsional vibration of the train that it is coupled to", &unseen<Input>}.special(),
       Mode<Input>{"bearings", "life and static safety of its bearings", &unseen<Input>}
           .left_to("bearing.rolling",
                    "bearings.fatigue, bearings.static, bearings.axial, bearings.radial, bearings.ribs, bearings.mate, "
@@ -279,6 +299,12 @@ r_T = 0
       Mode<Input>{"turning_loads", "forces that turn with the shaft: unbalance, a crank", &unseen<Input>}.special(),
       Mode<Input>{"brittle", "brittle fracture", &unseen<Input>}.special(),
       Mode<Input>{"corrosion", "corrosion and fretting", &unseen<Input>}.special()};
+
+  /// Diameters that are searched for together; calculators/shaft/design/sizing.cpp says how.
+  static constexpr auto sized = "pieces";
+  static void arrange(const Input& in, std::span<Sought> sought);
+  static bool raise(const Input& in, std::span<Sought> sought);
+  static Message unsound(const Input& in, std::span<const Sought> sought, std::size_t which);
 
   static constexpr bool takes_series = false;
   static constexpr bool turns = true;

@@ -9,6 +9,7 @@
 namespace loadpath::shaft {
 
 inline constexpr std::size_t most_pieces = 32, most_supports = 8, most_seats = 24, most_notches = 32;
+inline constexpr std::size_t most_orders = 12;
 inline constexpr std::size_t most_places = 2 * most_pieces + 1 + most_supports + most_seats + most_notches;
 
 /// What a bearing carries, for bearing calculators to take whole.
@@ -75,6 +76,21 @@ struct Section {
       Field{&Section::tau, "tau", MPa, "torsional stress"},
       Field{&Section::sigma_v, "sigma_v", MPa, "largest equivalent stress, by von Mises"},
       Field{&Section::u_v, "u_v", ratio, "yield: largest equivalent stress over the allowable one"}.check("S_F")};
+};
+
+/// What comes h times in a turn, against the natural frequencies in torsion on both sides of it.
+struct Harmonic {
+  Name name;
+  double h = unset<double>;
+  AngularSpeed n_below = unset<AngularSpeed>, n_above = unset<AngularSpeed>;
+  double u_h = unset<double>;
+  static constexpr std::tuple fields{
+      NameField{&Harmonic::name, "name", "what comes"}, Field{&Harmonic::h, "h", ratio, "how often in a turn"},
+      Field{&Harmonic::n_below, "n_below", rpm,
+            "speed below at which it meets a natural frequency; none: the lowest is above"},
+      Field{&Harmonic::n_above, "n_above", rpm, "the next one above"},
+      Field{&Harmonic::u_h, "u_h", ratio, "critical speed in torsion: margin k_n over the distance from the nearer one"}
+          .check()};
 };
 
 /// How a section stands against fatigue, by each school.

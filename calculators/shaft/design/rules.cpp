@@ -83,21 +83,43 @@ bool makes_its_torque(const Seat& seat) {
   return made == 0.0 * N_m.one || seat.way == Way::balances || abs(made - T) <= rounding * max(made, T);
 }
 
-/// What is wrong with a notch; empty where nothing is.
+/// What a notch lacks, or has and should not have; empty where nothing is.
+Message fault_of_fields(const Notched& notch) {
+  using Kind = Notch;
+  const Kind kind = notch.kind;
+  const bool rounded = kind == Kind::shoulder || kind == Kind::groove || kind == Kind::rectangular_groove;
+  if (rounded && !is_set(notch.r)) return say("this notch needs the radius r of its root");
+  if (kind == Kind::cross_hole && !is_set(notch.r)) return say("a cross hole needs its radius r");
+  if (is_groove(kind) != is_set(notch.t)) return say("a groove has a depth t, and nothing else has");
+  if ((kind == Kind::rectangular_groove) != is_set(notch.w))
+    return say("a rectangular groove has a width w, and nothing else has");
+  if ((kind == Kind::given) != is_set(notch.K_t) || is_set(notch.K_t) != is_set(notch.K_ts))
+    return say("K_t and K_ts go together, with kind = \"given\" alone");
+  if ((kind == Kind::beta) != is_set(notch.beta_b) || is_set(notch.beta_b) != is_set(notch.beta_t))
+    return say("beta_b and beta_t go together, with kind = \"beta\" alone");
+  if (is_set(notch.h) && kind != Kind::shoulder) return say("h is the least height of a shoulder");
+  if (kind == Kind::keyway && is_set(notch.r))
+    return say("K_t of a keyway is that of r = 0.02 d: leave out r, or give K_t and K_ts of another");
+  if (const bool rootless = kind == Kind::v_groove || kind == Kind::press_fit || kind == Kind::beta;
+      rootless && is_set(notch.r))
+    return say("its notch factor is of no radius: leave out r");
+  if (kind == Kind::given && notch.K_t > 1.0 && !is_set(notch.r))
+    return say("a given notch needs the radius r of its root, for the sensitivity to it");
+  return {};
+}
+
+/// What is wrong with a notch where it is; empty where nothing is.
 Message fault_of(const Input& in, const Notched& notch) {
-  const bool by_fit = notch.kind == Notch::shoulder || notch.kind == Notch::groove;
+  if (Message fault = fault_of_fields(notch); !fault.empty()) return fault;
+  const bool typed = notch.kind == Notch::given || notch.kind == Notch::beta;
   const Length aside = 10.0 * same * length_of(in);
   const Piece &before = piece_at(in, notch.x - aside), &piece = piece_at(in, notch.x + aside);
-  if (by_fit && !is_set(notch.r)) return say("this notch needs the radius r of its root");
-  if ((notch.kind == Notch::groove) != is_set(notch.t)) return say("a groove has a depth t, and nothing else has");
-  if ((notch.kind == Notch::given) != is_set(notch.K_t) || is_set(notch.K_t) != is_set(notch.K_ts))
-    return say("K_t and K_ts go together, with kind = \"given\" alone");
-  if (by_fit && is_bored(in, notch.x)) return say("the charts are of solid shafts: of a bored one give K_t and K_ts");
-  if (notch.kind == Notch::groove && !(2.0 * notch.t < piece.d)) return say("the groove is deeper than the shaft");
-  if (notch.kind == Notch::keyway && is_set(notch.r))
-    return say("K_t of a keyway is that of r = 0.02 d: leave out r, or give K_t and K_ts of another");
-  if (notch.kind == Notch::given && notch.K_t > 1.0 && !is_set(notch.r))
-    return say("a given notch needs the radius r of its root, for the sensitivity to it");
+  if (!typed && notch.kind != Notch::keyway && is_bored(in, notch.x))
+    return say("the charts are of solid shafts: of a bored one give K_t and K_ts");
+  if (is_groove(notch.kind) && !(2.0 * notch.t < piece.d)) return say("the groove is deeper than the shaft");
+  if (notch.kind == Notch::cross_hole && !(notch.r < 0.29 * piece.d)) return say("the hole leaves no section");
+  if (has_factors(notch.kind) && !typed && in.group > fatigue::Endurance::Group::cast_steel)
+    return say("its notch factor is told of steels alone: give K_t and K_ts");
   if (is_set(notch.d) && abs(notch.d - piece.d) > same * piece.d)
     return say("it is made for {1}, and the shaft has {2} at {3}", format(notch.d), format(piece.d), format(notch.x));
   if (notch.r_T < in.r_T)
@@ -106,9 +128,32 @@ Message fault_of(const Input& in, const Notched& notch) {
   const bool at_step = find_step(in, [&](Length x, Length, Length) { return are_one(in, x, notch.x); });
   if (notch.kind == Notch::shoulder && (!at_step || before.d == piece.d))
     return say("the diameter does not change at {1}", format(notch.x));
-  if (notch.kind != Notch::shoulder && notch.kind != Notch::given && at_step)
+  if (const Length high = abs(before.d - piece.d) / 2.0; high < (1.0 - same) * notch.h)
+    return say("it is {1} high, and h asks for {2}", format(high), format(notch.h));
+  if (notch.kind != Notch::shoulder && !typed && at_step)
     return say("at {1} the diameter changes: a notch of both is one given by K_t and K_ts", format(notch.x));
   return {};
+}
+
+/// How far along the shaft a notch is felt: as far as it is deep, twice. Of a keyway a tenth of the diameter counts as
+/// its depth.
+Length reach_of(const Input& in, const Notched& notch) {
+  const Length aside = 10.0 * same * length_of(in), none = 0.0 * mm;
+  const Length d = piece_at(in, notch.x - aside).d, next = piece_at(in, notch.x + aside).d;
+  const Length root = is_set(notch.r) ? notch.r : none, deep = is_set(notch.t) ? notch.t : none;
+  const Length cut = notch.kind == Notch::keyway ? 0.1 * d : abs(d - next) / 2.0;
+  return 2.0 * max(max(root, deep), cut);
+}
+
+/// The first notch behind which another begins before it has died down; null where there is none.
+const Notched* crowded(const Input& in) {
+  for (const Notched& notch : in.notches) {
+    for (const Notched& other : in.notches) {
+      const Length gap = other.x - notch.x;
+      if (gap > 0.0 * mm && gap < max(reach_of(in, notch), reach_of(in, other)) * (1.0 - same)) return &notch;
+    }
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -205,6 +250,17 @@ FieldFault Design::misfit(const Input& in) {
   }
   return {"notches", say("two notches stand at one place"),
           say("a notch in a notch is one given by its K_t and K_ts: kind = \"given\"")};
+}
+
+bool Design::notches_apart(const Input& in) { return crowded(in) == nullptr; }
+
+FieldFault Design::crowd(const Input& in) {
+  const Notched* const notch = crowded(in);
+  if (notch == nullptr) return {};
+  const auto i = static_cast<std::size_t>(notch - in.notches.data());
+  return {place_of("notches", in.notches, i, "x"),
+          say("the next notch is nearer than twice the depth or the radius of one of them: each is rated alone"),
+          say("keep them apart, or give K_t and K_ts of both together")};
 }
 
 bool Design::steps_are_notched(const Input& in) { return bare_step(in).path.empty(); }

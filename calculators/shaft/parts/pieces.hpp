@@ -57,6 +57,8 @@ struct Seat {
   Length x_w = 0.0 * mm;
   AngularSpeed n = unset<AngularSpeed>;
   Mass mass = unset<Mass>;
+  MassMoment J = unset<MassMoment>;
+  Moment k_T = unset<Moment>;
   double beta_adm = unset<double>;
   static constexpr std::tuple fields{
       NameField{&Seat::name, "name", "what sits there"}.may_be_missing(),
@@ -73,36 +75,70 @@ struct Seat {
       Field{&Seat::mass, "mass", kg, "mass, for the critical speed, and the weight where that counts"}
           .at_least(0)
           .may_be_missing(),
+      Field{&Seat::J, "J", kg_m2,
+            "moment of inertia about the axis of all that turns with it, for the critical speed in torsion"}
+          .at_least(0)
+          .may_be_missing(),
+      Field{&Seat::k_T, "k_T", N_m_per_rad,
+            "stiffness in torsion between the shaft and J, of an elastic coupling; missing: rigid"}
+          .positive()
+          .may_be_missing(),
       Field{&Seat::beta_adm, "beta_adm", deg, "allowable slope of the shaft under it"}
           .positive()
           .usually(0.005, 5)
           .may_be_missing()};
 };
 
-enum class Notch { shoulder, groove, keyway, given };
+/// What comes h times in a turn and can make the shaft swing.
+struct Order {
+  Name name;
+  double h = unset<double>;
+  static constexpr std::tuple fields{
+      NameField{&Order::name, "name", "what comes: the teeth of the pinion, the strokes of the engine"}
+          .may_be_missing(),
+      Field{&Order::h, "h", ratio, "how often in a turn of the shaft"}.positive().usually(0.5, 500)};
+};
+
+enum class Notch { shoulder, groove, rectangular_groove, v_groove, keyway, press_fit, cross_hole, given, beta };
+constexpr bool is_groove(Notch n) {
+  return n == Notch::groove || n == Notch::rectangular_groove || n == Notch::v_groove;
+}
+/// Those whose notch factor is told by DIN 743, or typed, and not made of K_t.
+constexpr bool has_factors(Notch n) {
+  return n == Notch::rectangular_groove || n == Notch::v_groove || n == Notch::press_fit || n == Notch::cross_hole ||
+         n == Notch::beta;
+}
 
 /// A place where stress concentrates.
 struct Notched {
   Name name;
   Length x = unset<Length>;
   Notch kind = Notch::shoulder;
-  Length d = unset<Length>, r = unset<Length>, t = unset<Length>;
-  double K_t = unset<double>, K_ts = unset<double>, r_T = unset<double>;
+  Length d = unset<Length>, r = unset<Length>, t = unset<Length>, w = unset<Length>;
+  Length h = unset<Length>;
+  double K_t = unset<double>, K_ts = unset<double>, beta_b = unset<double>, beta_t = unset<double>, r_T = unset<double>;
   static constexpr std::tuple fields{
       NameField{&Notched::name, "name", "what it is"}.may_be_missing(),
       Field{&Notched::x, "x", mm, "place, from the left end of the shaft; of a keyway its end"}.at_least(0),
       RecordField<Notched>{"part", "what makes it, whole: part = \"=key.notch\""},
       Choice{&Notched::kind, "kind", "kind of notch"},
       Field{&Notched::d, "d", mm, "diameter that it is made for: that of the shaft there"}.positive().may_be_missing(),
-      Field{&Notched::r, "r", mm, "radius of its root; of a keyway 0.02 d"}
+      Field{&Notched::r, "r", mm, "radius of its root, or of a cross hole; of a keyway 0.02 d"}
           .positive()
           .usually(0.1, 100)
           .may_be_missing(),
       Field{&Notched::t, "t", mm, "depth of a groove"}.positive().may_be_missing(),
+      Field{&Notched::w, "w", mm, "width of a rectangular groove"}.positive().may_be_missing(),
+      Field{&Notched::h, "h", mm, "least height of a shoulder, for what is set against it"}.positive().may_be_missing(),
       Field{&Notched::K_t, "K_t", ratio, "stress concentration in bending, on the net section, of a given notch"}
           .within(1, 10)
           .may_be_missing(),
       Field{&Notched::K_ts, "K_ts", ratio, "the same in torsion"}.within(1, 10).may_be_missing(),
+      Field{&Notched::beta_b, "beta_b", ratio,
+            "notch factor in bending, on the net section, of tests with this diameter"}
+          .within(1, 10)
+          .may_be_missing(),
+      Field{&Notched::beta_t, "beta_t", ratio, "the same in torsion"}.within(1, 10).may_be_missing(),
       Field{&Notched::r_T, "r_T", ratio,
             "least over largest torque of what makes it: -1 of a key that is beaten both ways"}
           .within(-1, 1)
@@ -121,8 +157,14 @@ constexpr auto choices_of(Way) {
 constexpr auto choices_of(Notch) {
   return std::array{ChoiceName<Notch>{Notch::shoulder, "shoulder", "fillet of radius r where the diameter changes"},
                     ChoiceName<Notch>{Notch::groove, "groove", "round groove of depth t and radius r"},
+                    ChoiceName<Notch>{Notch::rectangular_groove, "rectangular-groove",
+                                      "groove of depth t and width w with r at its edges, of a retaining ring"},
+                    ChoiceName<Notch>{Notch::v_groove, "v-groove", "V-groove of depth t; a thread of that depth"},
                     ChoiceName<Notch>{Notch::keyway, "keyway", "end of a keyway, end-milled"},
-                    ChoiceName<Notch>{Notch::given, "given", "anything else, by its K_t, K_ts and r"}};
+                    ChoiceName<Notch>{Notch::press_fit, "press-fit", "end of a hub that is pressed on"},
+                    ChoiceName<Notch>{Notch::cross_hole, "cross-hole", "hole of radius r across the shaft"},
+                    ChoiceName<Notch>{Notch::given, "given", "anything else, by its K_t, K_ts and r"},
+                    ChoiceName<Notch>{Notch::beta, "beta", "anything else, by notch factors of tests: splines"}};
 }
 
 /// The end of the seat of a key, for a shaft to take whole.

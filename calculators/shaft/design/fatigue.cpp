@@ -1,0 +1,215 @@
+#include "calculators/shaft/design/fatigue.hpp"
+
+#include "calculators/fatigue/din743_fields.hpp"
+#include "calculators/fatigue/din743_safety.hpp"
+#include "calculators/fatigue/peterson.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace loadpath::shaft {
+
+namespace {
+
+using fatigue::Endurance;
+using Input = Design::Input;
+
+/// Notches whose factor is that of tests, or is computed as DIN 743 has it: for all schools alike.
+bool by_factors(const There& there) { return there.notch != nullptr && has_factors(there.notch->kind); }
+
+/// The notch as Peterson has it, and the range that he has it for.
+template <class Tracer>
+void concentrate(const Notched& notch, const Sides& sides, Length r_n, const Section& p, Safety& s, Tracer& trace) {
+  const bool shoulder = notch.kind == Notch::shoulder, fits = shoulder || notch.kind == Notch::groove;
+  if (fits) {
+    const Length D = shoulder ? sides.larger() : p.d + 2.0 * notch.t;
+    const Length h = (D - p.d) / 2.0;
+    const auto in_bending =
+        fatigue::concentration(shoulder ? fatigue::shoulder_in_bending : fatigue::groove_in_bending, h, r_n, D);
+    const auto in_torsion = shoulder ? fatigue::concentration(fatigue::shoulder_in_torsion, h, r_n, D)
+                                     : fatigue::concentration(fatigue::groove_in_torsion, h, r_n, D);
+    s.K_t = in_bending.K, s.K_ts = in_torsion.K;
+    s.x_b = trace.value("x_b", in_bending.place, "place within the fit, [Peterson]");
+    if (abs(p.T) > 0.0 * N_m.one) s.x_t = trace.value("x_t", in_torsion.place, "place within the fit, [Peterson]");
+  } else if (notch.kind == Notch::keyway) {
+    s.K_t = 2.14, s.K_ts = 3.0;
+  } else {
+    s.K_t = notch.K_t, s.K_ts = notch.K_ts;
+  }
+  const char* const source = fits                          ? "of the net section, [Peterson]"
+                             : notch.kind == Notch::keyway ? "end-milled, r = 0.02 d, [Shigley7] table 7-1"
+                                                           : "as given";
+  trace.value("K_t", s.K_t, source);
+  trace.value("K_ts", s.K_ts, source);
+}
+
+Endurance::Input endurance_of(const Input& in, Length d, Endurance::Loading loading, double K, Length r_n) {
+  Endurance::Input e;
+  e.R_m = in.R_m, e.group = in.group, e.rule = Endurance::RuleOf::shigley, e.loading = loading;
+  e.sigma_W = in.sigma_W, e.school = Endurance::School::marin, e.finish = in.finish;
+  e.d = d, e.K_t = K;
+  if (K > 1.0 && in.group <= Endurance::Group::cast_steel) e.r_n = r_n;
+  if (K > 1.0 && in.group > Endurance::Group::cast_steel) e.q = 1.0;
+  return e;
+}
+
+/// The limit of the part, and what the notch takes of it in bending and in torsion.
+template <class Tracer>
+void weaken(const Input& in, Length d, Length r_n, Safety& s, Tracer& trace) {
+  NoTrace quiet;
+  const auto bending = Endurance::evaluate(endurance_of(in, d, Endurance::Loading::bending, s.K_t, r_n), trace);
+  const auto torsion = Endurance::evaluate(endurance_of(in, d, Endurance::Loading::torsion, s.K_ts, r_n), quiet);
+  s.K_f = bending.K_f, s.x_d = bending.x_d;
+  s.x_n = max(bending.x_n, torsion.x_n);
+  s.K_fs = trace.value("K_fs", torsion.K_f, "in torsion, as fatigue.endurance finds it");
+  const Stress sigma_D = bending.sigma_D;
+  STEP_TO(s, S_e, s.K_f * sigma_D, "the notch stands with the stresses");
+}
+
+/// The same where the notch factors are known: the limit is that of the part without its notch.
+template <class Tracer>
+void weaken_by_factors(const Input& in, Length d, const Notched& notch, const fatigue::Din743Safety& rated, Safety& s,
+                       Tracer& trace) {
+  const auto plain = Endurance::evaluate(endurance_of(in, d, Endurance::Loading::bending, 1.0, d), trace);
+  s.x_d = plain.x_d;
+  const Stress sigma_D = plain.sigma_D;
+  STEP_TO(s, S_e, sigma_D, "without the notch, which stands with the stresses");
+  const bool typed = notch.kind == Notch::beta;
+  const char* const source =
+      typed ? "as given" : "beta of the net section, [DIN743] part 2, as fatigue.din743 finds it";
+  const auto factor = [&](double given, const char* stress) {
+    return typed ? given : fatigue::of_stress(rated, stress, &fatigue::Din743Stress::beta, unset<double>);
+  };
+  s.K_f = trace.value("K_f", factor(notch.beta_b, "bending"), source);
+  s.K_fs = trace.value("K_fs", factor(notch.beta_t, "torsion"), source);
+  s.K_t = fatigue::of_stress(rated, "bending", &fatigue::Din743Stress::alpha, unset<double>);
+  s.K_ts = fatigue::of_stress(rated, "torsion", &fatigue::Din743Stress::alpha, unset<double>);
+}
+
+/// The section as DIN 743 has it; a given notch by its shape factors without any support, on the safe side.
+fatigue::Din743Section section_of_din743(const Input& in, const There& there, const Sides& sides, const Section& p,
+                                         const Safety& s) {
+  using Kind = fatigue::Notch;
+  fatigue::Din743Section section;
+  section.notch = Kind::smooth, section.R_z = in.R_z, section.d = p.d, section.d_bore = p.d_bore;
+  if (there.notch == nullptr) return section;
+  const Notched& notch = *there.notch;
+  section.r = notch.r, section.w = notch.w;
+  if (is_groove(notch.kind)) section.D = p.d + 2.0 * notch.t;
+  switch (notch.kind) {
+    case Notch::shoulder:
+      section.notch = Kind::shoulder, section.D = sides.larger();
+      break;
+    case Notch::groove:
+      section.notch = Kind::round_groove;
+      break;
+    case Notch::rectangular_groove:
+      section.notch = Kind::rectangular_groove;
+      break;
+    case Notch::v_groove:
+      section.notch = Kind::v_groove;
+      break;
+    case Notch::keyway:
+      section.notch = Kind::keyway;
+      break;
+    case Notch::press_fit:
+      section.notch = Kind::press_fit;
+      break;
+    case Notch::cross_hole:
+      section.notch = Kind::cross_hole;
+      break;
+    case Notch::given:
+      section.notch = Kind::alpha, section.alpha_zd = section.alpha_b = s.K_t, section.alpha_t = s.K_ts;
+      break;
+    case Notch::beta:
+      section.notch = Kind::beta, section.beta_zd = section.beta_b = notch.beta_b, section.beta_t = notch.beta_t;
+      break;
+  }
+  return section;
+}
+
+/// How many of its ranges the section is outside of.
+double outside_of_din743(const fatigue::Din743Safety& rated) {
+  const auto is_outside = [&](const auto& field) {
+    if constexpr (requires { field.role == Role::limit&& field.bounds.holds(rated.*field.at); })
+      return field.role == Role::limit && !std::isnan(rated.*field.at) && !field.bounds.holds(rated.*field.at);
+    else
+      return false;
+  };
+  return std::apply([&](const auto&... field) { return (0.0 + ... + (is_outside(field) ? 1.0 : 0.0)); },
+                    fatigue::din743_results<fatigue::Din743Safety>());
+}
+
+/// By DIN 743, with the strengths as they are in this size.
+fatigue::Din743Safety rated_by_din743(const Input& in, const There& there, const Sides& sides, const Section& p,
+                                      const Safety& s) {
+  fatigue::Din743Steel steel;
+  steel.R_m = in.R_m, steel.R_e = in.R_e;
+  fatigue::Din743Loads loads;
+  loads.F_zd = {p.N, 0.0 * N.one};
+  loads.M_b = {0.0 * N_m.one, p.M};
+  loads.M_t = {(1.0 + in.r_T) / 2.0 * abs(p.T), (1.0 - in.r_T) / 2.0 * abs(p.T)};
+  loads.f_max = in.k_max;
+  NoTrace quiet;
+  return fatigue::din743(steel, section_of_din743(in, there, sides, p, s), loads, quiet);
+}
+
+/// [Shigley7] (7-5) to (7-14), as safeties: bending alternates, the force along the shaft stays, torsion does both.
+template <class Tracer>
+void tire(const Input& in, const Section& p, Safety& s, Tracer& trace) {
+  STEP(tau_a, (1.0 - in.r_T) / 2.0 * p.tau, "amplitude of torsion");
+  STEP(tau_m, (1.0 + in.r_T) / 2.0 * p.tau, "mean of torsion");
+  STEP_TO(s, sigma_a, sqrt(pow<2>(s.K_f * p.sigma_b) + 3.0 * pow<2>(s.K_fs * tau_a)), "amplitude, [Shigley7] (7-5)");
+  STEP_TO(s, sigma_m, sqrt(pow<2>(s.K_f * p.sigma_n) + 3.0 * pow<2>(s.K_fs * tau_m)), "mean, [Shigley7] (7-6)");
+  if (sigma_a + sigma_m == 0.0 * MPa) {
+    s.n_Goodman = s.n_Soderberg = s.n_Gerber = s.n_elliptic = std::numeric_limits<double>::infinity();
+    s.u_D = trace.value("u_D", 0.0, "no stress");
+    return;
+  }
+  STEP_TO(s, n_Goodman, 1.0 / (sigma_a / s.S_e + sigma_m / in.R_m), "Goodman, [Shigley7] (7-7)");
+  STEP_TO(s, n_Soderberg, 1.0 / (sigma_a / s.S_e + sigma_m / in.R_e), "Soderberg, [Shigley7] (7-13)");
+  STEP(q_m, 2.0 * sigma_m * s.S_e / in.R_m, "mean stress, as the parabola counts it");
+  STEP_TO(s, n_Gerber, 2.0 * s.S_e / (sigma_a + sqrt(sigma_a * sigma_a + q_m * q_m)), "Gerber, [Shigley7] (7-9)");
+  STEP_TO(s, n_elliptic, 1.0 / sqrt(pow<2>(sigma_a / s.S_e) + pow<2>(sigma_m / in.R_e)),
+          "ellipse of ASME, [Shigley7] (7-11)");
+  const double n_D = in.method == School::goodman     ? NAMED_STEP("n_D", s.n_Goodman, "Goodman decides")
+                     : in.method == School::soderberg ? NAMED_STEP("n_D", s.n_Soderberg, "Soderberg decides")
+                     : in.method == School::gerber    ? NAMED_STEP("n_D", s.n_Gerber, "Gerber decides")
+                     : in.method == School::din743    ? NAMED_STEP("n_D", s.n_DIN743, "DIN 743 decides")
+                                                      : NAMED_STEP("n_D", s.n_elliptic, "the ellipse decides");
+  STEP_TO(s, u_D, in.S_D / n_D, "fatigue");
+}
+
+}  // namespace
+
+template <class Tracer>
+Safety safety_of(const Input& in, const There& there, const Sides& sides, const Section& p, Tracer& trace) {
+  Safety s;
+  s.name = p.name, s.x = p.x;
+  const bool own = there.notch != nullptr && is_set(there.notch->r);
+  const Length r_n = own ? there.notch->r : 0.02 * p.d;
+  trace.value("d", p.d, "of the section");
+  trace.value("r_n", r_n, own ? "of the notch" : "0.02 d, of a keyway; of no account without a notch");
+  trace.value("sigma_b", p.sigma_b, "of the section");
+  trace.value("sigma_n", p.sigma_n, "of the section");
+  trace.value("tau", p.tau, "of the section");
+  const bool factors = by_factors(there), steel = in.group <= Endurance::Group::cast_steel;
+  if (there.notch != nullptr && !factors) concentrate(*there.notch, sides, r_n, p, s, trace);
+  fatigue::Din743Safety rated;
+  if (steel && (factors || is_set(in.R_z))) rated = rated_by_din743(in, there, sides, p, s);
+  const double outside = outside_of_din743(rated);
+  if (factors)
+    weaken_by_factors(in, p.d, *there.notch, rated, s, trace);
+  else
+    weaken(in, p.d, r_n, s, trace);
+  if (outside == 0.0 && steel && is_set(in.R_z))
+    s.n_DIN743 = trace.value("n_DIN743", rated.S_D, "DIN 743, as fatigue.din743 finds it");
+  if (in.method == School::din743 || (factors && there.notch->kind != Notch::beta)) s.x_DIN = outside;
+  tire(in, p, s, trace);
+  return s;
+}
+
+template Safety safety_of(const Input&, const There&, const Sides&, const Section&, NoTrace&);
+template Safety safety_of(const Input&, const There&, const Sides&, const Section&, Trace&);
+
+}  // namespace loadpath::shaft

@@ -1,0 +1,188 @@
+// How the diameters of a shaft go together when they are searched for: they fall from one piece to both ends, so that
+// all that sits on the shaft can be pushed onto it; a shoulder is no lower than its fillet, and than what is set
+// against it asks; where nothing is cut between two pieces they are one cylinder; bearings sit on bores of bearings.
+#include "calculators/shaft/design/bending.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::shaft {
+
+namespace {
+
+using Input = Design::Input;
+
+constexpr double same = 1e-6;  // of the length: places that are meant to be one
+
+/// Of a piece that is searched for its place among them, else none.
+constexpr std::size_t none = most_pieces;
+using OfPieces = List<std::size_t, most_pieces>;
+
+OfPieces sought_of(const Input& in, std::span<const Sought> sought) {
+  OfPieces all(in.pieces.size(), none);
+  for (std::size_t k = 0; k < sought.size(); ++k) {
+    for (std::size_t i = 0; i < in.pieces.size(); ++i) {
+      if (sought[k].owner == &in.pieces[i]) all[i] = k;
+    }
+  }
+  return all;
+}
+
+/// Where piece i ends.
+Length end_of(const Input& in, std::size_t i) {
+  Length x = 0.0 * mm;
+  for (std::size_t k = 0; k <= i; ++k) x += in.pieces[k].l;
+  return x;
+}
+
+const Notched* notch_at(const Input& in, Length x) {
+  const auto found = std::find_if(in.notches.begin(), in.notches.end(),
+                                  [&](const Notched& n) { return abs(n.x - x) <= same * length_of(in); });
+  return found == in.notches.end() ? nullptr : &*found;
+}
+
+/// What is between a piece and the one to its right.
+struct Joint {
+  Length x;
+  bool tied = false;        // nothing: one cylinder
+  Length least = 0.0 * mm;  // that the diameters differ, of a shoulder
+  [[nodiscard]] bool steps() const { return least > 0.0 * mm; }
+};
+Joint joint_after(const Input& in, std::size_t i) {
+  Joint joint{end_of(in, i)};
+  const Notched* const notch = notch_at(in, joint.x);
+  joint.tied = notch == nullptr && Design::asks_fatigue(in);
+  if (notch == nullptr || notch->kind != Notch::shoulder) return joint;
+  const Length fillet = is_set(notch->r) ? notch->r : 0.0 * mm, asked = is_set(notch->h) ? notch->h : 0.0 * mm;
+  joint.least = 2.0 * max(max(fillet, asked), 1e-6 * mm);
+  return joint;
+}
+
+bool carries_bearing(const Input& in, std::size_t i) {
+  return std::any_of(in.supports.begin(), in.supports.end(),
+                     [&](const Support& s) { return index_of_piece(in, s.x) == i; });
+}
+
+/// Whether a bearing sits on it, or on what is one cylinder with it.
+bool is_bearing_seat(const Input& in, std::size_t i) {
+  std::size_t first = i, last = i;
+  while (first > 0 && joint_after(in, first - 1).tied) --first;
+  while (last + 1 < in.pieces.size() && joint_after(in, last).tied) ++last;
+  for (std::size_t k = first; k <= last; ++k) {
+    if (carries_bearing(in, k)) return true;
+  }
+  return false;
+}
+
+/// The piece from which the diameters fall to both ends: the thickest that is given between the ends and carries no
+/// bearing, a collar or a seat; else the one that is bent most, as it is of one diameter.
+std::size_t thickest(const Input& in, const OfPieces& sought) {
+  std::size_t found = none;
+  for (std::size_t i = 1; i + 1 < in.pieces.size(); ++i) {
+    if (sought[i] != none || is_bearing_seat(in, i)) continue;
+    if (found == none || in.pieces[i].d > in.pieces[found].d) found = i;
+  }
+  if (found != none) return found;
+  Input alike = in;
+  Length d = 0.1 * length_of(in);
+  for (const Piece& piece : in.pieces) d = max(d, 2.0 * piece.d_bore);
+  for (Piece& piece : alike.pieces) piece.d = d;
+  const auto loaded = loaded_shaft(alike);
+  found = in.pieces.size() / 2;
+  if (!loaded) return found;
+  double most = 0.0;
+  for (std::size_t s = 0; s < loaded->stations.piece.size(); ++s) {
+    const Felt left = loaded->felt(s), right = loaded->felt(s + 1);
+    const double M = std::hypot(left.M_x, left.M_y) + std::hypot(right.M_x, right.M_y);
+    if (M > most * (1.0 + 1e-9)) most = M, found = loaded->stations.piece[s];
+  }
+  return found;
+}
+
+/// The diameters as they are tried: of what is searched for its size, else what is given.
+struct Trial {
+  const Input& in;
+  std::span<const Sought> sought;
+  OfPieces of;
+  [[nodiscard]] bool is_sought(std::size_t i) const { return of[i] != none; }
+  [[nodiscard]] Length d(std::size_t i) const {
+    return is_sought(i) ? from_si<Length>(sought[of[i]].size()) : in.pieces[i].d;
+  }
+  /// From the thickest piece.
+  [[nodiscard]] std::size_t away(std::size_t i) const {
+    const std::size_t top = sought.front().note;
+    return i < top ? top - i : i - top;
+  }
+  /// What a neighbour asks of a piece at least. One that is given, further in, is a collar, or a neck to be passed
+  /// over.
+  [[nodiscard]] Length asked_by(const Joint& joint, std::size_t i, std::size_t neighbour) const {
+    if (joint.tied) return d(neighbour);
+    if (away(i) < away(neighbour)) return d(neighbour) + joint.least;
+    const bool passes_neck = !is_sought(neighbour) && abs(d(i) - d(neighbour)) < (1.0 - same) * joint.least;
+    return passes_neck ? d(neighbour) + joint.least : 0.0 * mm;
+  }
+  [[nodiscard]] Length asked(std::size_t i) const {
+    Length least = 0.0 * mm;
+    if (i > 0) least = max(least, asked_by(joint_after(in, i - 1), i, i - 1));
+    if (i + 1 < in.pieces.size()) least = max(least, asked_by(joint_after(in, i), i, i + 1));
+    return least;
+  }
+  /// One cylinder of one diameter.
+  [[nodiscard]] bool agrees(std::size_t i) const {
+    return !joint_after(in, i).tied || abs(d(i) - d(i + 1)) <= same * d(i);
+  }
+};
+
+std::string format(Length x) { return format_quantity(in_si(x), mm.symbol); }
+
+}  // namespace
+
+void Design::arrange(const Input& in, std::span<Sought> sought) {
+  const OfPieces of = sought_of(in, sought);
+  const std::size_t top = thickest(in, of);
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    if (of[i] == none) continue;
+    sought[of[i]].note = top;
+    if (is_bearing_seat(in, i)) sought[of[i]].stock = "bearing";
+  }
+}
+
+bool Design::raise(const Input& in, std::span<Sought> sought) {
+  const Trial trial{in, sought, sought_of(in, sought)};
+  for (bool raised = true; raised;) {
+    raised = false;
+    for (std::size_t i = 0; i < trial.of.size(); ++i) {
+      if (!trial.is_sought(i)) continue;
+      Sought& own = sought[trial.of[i]];
+      const double least = (1.0 - same) * in_si(trial.asked(i));
+      while (own.size() < least) {
+        raised = true;
+        if (++own.at == own.sizes.size()) return false;
+      }
+    }
+  }
+  for (std::size_t i = 0; i + 1 < trial.of.size(); ++i) {
+    if (!trial.agrees(i)) return false;
+  }
+  return true;
+}
+
+Message Design::unsound(const Input& in, std::span<const Sought> sought, std::size_t which) {
+  const Trial trial{in, sought, sought_of(in, sought)};
+  const auto i = static_cast<std::size_t>(std::find(trial.of.begin(), trial.of.end(), which) - trial.of.begin());
+  const auto beside = [&](const Joint& joint, std::size_t k) -> Message {
+    const Length step = abs(trial.d(i) - trial.d(k));
+    if (joint.steps() && step < (1.0 - same) * joint.least)
+      return say("the shoulder at {1} would be {2} high; its fillet, or what is set against it, asks for {3}",
+                 format(joint.x), format(step / 2.0), format(joint.least / 2.0));
+    if (!joint.tied && trial.away(i) < trial.away(k) && trial.d(i) < trial.d(k) + joint.least * (1.0 - same))
+      return say("what sits on it cannot be pushed over the {1} beyond {2}", format(trial.d(k)), format(joint.x));
+    return {};
+  };
+  Message fault = i == 0 ? Message{} : beside(joint_after(in, i - 1), i - 1);
+  if (fault.empty() && i + 1 < in.pieces.size()) fault = beside(joint_after(in, i), i + 1);
+  return fault;
+}
+
+}  // namespace loadpath::shaft

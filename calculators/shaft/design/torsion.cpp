@@ -1,0 +1,109 @@
+#include "calculators/shaft/design/torsion.hpp"
+
+#include "calculators/shaft/design/bending.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::shaft {
+
+namespace {
+
+using Input = Design::Input;
+using Result = Design::Result;
+
+/// Ends of pieces and places of discs, each once, from left to right.
+using Places = List<double, most_pieces + 1 + most_seats>;
+Places places_of(const Input& in) {
+  Places all{0.0};
+  Length end = 0.0 * mm;
+  for (const Piece& piece : in.pieces) all.push_back(in_si(end += piece.l));
+  const double finest = 1e-6 * all.back();  // of the length: what is nearer is one place
+  for (const Seat& seat : in.seats) all.push_back(std::min(in_si(seat.x), in_si(end)));
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end(), [&](double a, double b) { return b - a <= finest; }), all.end());
+  return all;
+}
+
+std::size_t nearest(const Places& places, Length x) {
+  const auto away = [&](double place) { return std::abs(place - in_si(x)); };
+  const auto found =
+      std::min_element(places.begin(), places.end(), [&](double a, double b) { return away(a) < away(b); });
+  return static_cast<std::size_t>(found - places.begin());
+}
+
+/// How often something comes, against the speeds at which it meets a natural frequency.
+template <class Tracer>
+Harmonic harmonic_of(const Input& in, const beam::Swing& swing, const Order& order, const Result& r, Tracer& trace) {
+  const AngularSpeed n = r.n;
+  Harmonic o;
+  o.name = order.name, o.h = trace.value("h", order.h, "times in a turn");
+  const std::size_t count = swing.below(order.h * in_si(n));
+  const AngularSpeed above = count == 1 ? r.n_T : from_si<AngularSpeed>(swing.natural(count));
+  o.n_above = trace.speed("n_above", above / order.h, "the next natural frequency above, over h");
+  STEP(q_above, o.n_above / n, "distance from it");
+  if (count < 2) {
+    STEP_TO(o, u_h, in.k_n / q_above, "below the lowest natural frequency, with its margin");
+    return o;
+  }
+  o.n_below = trace.speed("n_below", from_si<AngularSpeed>(swing.natural(count - 1) / order.h),
+                          "the next natural frequency below, over h");
+  STEP(q_below, n / o.n_below, "distance from it");
+  STEP_TO(o, u_h, in.k_n / min(q_above, q_below), "between two natural frequencies, with its margin from both");
+  return o;
+}
+
+/// Of all orders, that of the turning itself first.
+template <class Judge>
+void for_each_order(const Input& in, const Judge& judge) {
+  judge(Order{"turning", 1.0});
+  for (const Order& order : in.orders) judge(order);
+}
+
+}  // namespace
+
+std::optional<beam::Swing> swing_of(const Input& in) {
+  const bool known = is_set(in.rho) && is_set(in.G) &&
+                     std::all_of(in.seats.begin(), in.seats.end(), [](const Seat& s) { return is_set(s.J); });
+  if (!known) return std::nullopt;
+  const Places places = places_of(in);
+  beam::Swing::Rods rods;
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const Piece& piece = in.pieces[index_of_piece(in, from_si<Length>((places[i] + places[i + 1]) / 2.0))];
+    const double d = in_si(piece.d), b = in_si(piece.d_bore), I_p = pi / 32.0 * (d * d * d * d - b * b * b * b);
+    rods.push_back({places[i + 1] - places[i], in_si(in.G) * I_p, in_si(in.rho) * I_p});
+  }
+  beam::Swing::Discs discs;
+  for (const Seat& s : in.seats)
+    discs.push_back({nearest(places, s.x), in_si(s.J), is_set(s.k_T) ? in_si(s.k_T) : beam::rigid});
+  return beam::Swing(rods, discs);
+}
+
+Applies Design::passes_resonance(const Input& in) {
+  const AngularSpeed n = speed_of(in);
+  if (!is_set(n)) return Applies::no;
+  const auto swing = swing_of(in);
+  if (!swing) return Applies::unseen;
+  bool passes = false;
+  for_each_order(in, [&](const Order& order) { passes = passes || swing->below(order.h * in_si(n)) > 1; });
+  return where(passes);
+}
+
+template <class Tracer>
+void judge_torsion(const Input& in, Result& r, Tracer& trace) {
+  const auto swing = swing_of(in);
+  if (!swing) return;
+  r.n_T = trace.speed("n_T", from_si<AngularSpeed>(swing->natural(1)), "Holzer: discs and pieces on free ends");
+  if (!is_set(r.n)) return;
+  NoTrace quiet;
+  for_each_order(in, [&](const Order& order) { r.harmonics.push_back(harmonic_of(in, *swing, order, r, quiet)); });
+  const auto worst = std::max_element(r.harmonics.begin(), r.harmonics.end(),
+                                      [](const Harmonic& a, const Harmonic& b) { return a.u_h < b.u_h; });
+  [[maybe_unused]] const auto here = trace.scope("harmonics", static_cast<std::size_t>(worst - r.harmonics.begin()));
+  harmonic_of(in, *swing, {worst->name, worst->h}, r, trace);
+}
+
+template void judge_torsion(const Input&, Result&, NoTrace&);
+template void judge_torsion(const Input&, Result&, Trace&);
+
+}  // namespace loadpath::shaft

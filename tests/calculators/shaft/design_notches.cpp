@@ -1,0 +1,126 @@
+// Notches of a shaft whose factors are told by DIN 743 or typed: against hand calculation, fatigue.din743, and attacks.
+#include "tests/found/modes.hpp"
+#include "tests/lib/project/solved.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace {
+
+using namespace loadpath;
+using account::State;
+using doctest::Approx;
+using test::contains;
+using test::Solved;
+
+/// A turning bar of 40 mm under 1 kN in the middle of 200 mm, and 100 N m through it; a notch at 60 mm: 30 N m.
+std::string barred(const std::string& notch, const std::string& more = "") {
+  return "[bar]\ncalculator = \"shaft.design\"\nE = \"210 GPa\"\nG = \"81 GPa\"\nR_m = \"700 MPa\"\nR_e = \"490 "
+         "MPa\"\ngroup = \"carbon-steel\"\nR_z = \"6.3 um\"\nn = \"500 rpm\"\npieces = [{ l = \"200 mm\", d = \"40 "
+         "mm\" "
+         "}]\nsupports = [{ x = \"0 mm\" }, { x = \"200 mm\" }]\nseats = [{ x = \"100 mm\", F_x = \"1 kN\" }, { x = "
+         "\"0 mm\", way = \"drives\", T = \"100 N*m\" }, { x = \"200 mm\", T = \"100 N*m\" }]\nnotches = [{ name = "
+         "\"n\", x = \"60 mm\", " +
+         notch + " }]\nS_D = 1.5\nr_T = 0.5\nS_F = 1.5\n" + more;
+}
+
+/// The same section alone.
+std::string alone(const std::string& section) {
+  return "[alone]\ncalculator = \"fatigue.din743\"\nR_m = \"700 MPa\"\nR_e = \"490 MPa\"\nR_z = \"6.3 um\"\nmean = "
+         "\"proportional\"\nM_ba = \"30 N*m\"\nM_tm = \"75 N*m\"\nM_ta = \"25 N*m\"\nf_max = 1\n" +
+         section;
+}
+
+struct Told {
+  const char *notch, *section;
+  double beta_b, beta_t;  // by hand
+};
+const Told kinds[] = {
+    {R"(kind = "rectangular-groove", t = "1.25 mm", w = "1.85 mm", r = "0.1 mm")",
+     "notch = \"rectangular-groove\"\nd = \"37.5 mm\"\nD = \"40 mm\"\nw = \"1.85 mm\"\nr = \"0.1 mm\"\n", 3.182867,
+     2.515483},
+    {R"(kind = "v-groove", t = "2.5 mm")", "notch = \"v-groove\"\nd = \"35 mm\"\nD = \"40 mm\"\n", 1.651143, 1.313513},
+    {R"(kind = "press-fit")", "notch = \"press-fit\"\nd = \"40 mm\"\n", 2.316093, 1.505460},
+    {R"(kind = "cross-hole", r = "4 mm")", "notch = \"cross-hole\"\nd = \"40 mm\"\nr = \"4 mm\"\n", 1.884904, 1.439680},
+};
+
+std::string errors(const std::string& notch, const std::string& more = "") {
+  return Solved(barred(notch, more)).errors();
+}
+
+}  // namespace
+
+TEST_SUITE("shaft design notches") {
+  TEST_CASE("notch factors are those of DIN 743, by hand and as fatigue.din743 has them, for every school") {
+    for (const Told& kind : kinds) {
+      CAPTURE(kind.notch);
+      Solved both(barred(kind.notch) + alone(kind.section));
+      REQUIRE_MESSAGE(!has_errors(both.issues), both.messages());
+      CHECK(both.value("bar.safeties.n.K_f") == Approx(kind.beta_b).epsilon(1e-4));
+      CHECK(both.value("bar.safeties.n.K_fs") == Approx(kind.beta_t).epsilon(1e-4));
+      CHECK(both.value("bar.safeties.n.K_f") == Approx(both.value("alone.stresses.bending.beta")));
+      CHECK(both.value("bar.safeties.n.K_fs") == Approx(both.value("alone.stresses.torsion.beta")));
+      CHECK(both.value("bar.safeties.n.n_DIN743") == Approx(both.value("alone.S_D")));
+      CHECK(both.value("bar.safeties.n.sigma_a") > both.value("bar.sections.n.sigma_b") * kind.beta_b);
+    }
+  }
+
+  TEST_CASE("a cross hole has its nominal stresses on the net section") {
+    Solved holed(barred(R"(kind = "cross-hole", r = "4 mm")"));
+    const double d = 0.04, r = 0.004;
+    CHECK(holed.value("bar.sections.n.sigma_b") ==
+          Approx(30.0 / (std::numbers::pi * d * d * d / 32.0 - r * d * d / 3.0)));
+    CHECK(holed.value("bar.sections.n.tau") == Approx(100.0 / (std::numbers::pi * d * d * d / 16.0 - r * d * d / 3.0)));
+  }
+
+  TEST_CASE("a typed notch factor is taken as it is, at a step and of other materials too") {
+    Solved typed(barred(R"(kind = "beta", beta_b = 2, beta_t = 1.6)"));
+    CHECK(typed.value("bar.safeties.n.K_f") == 2.0);
+    CHECK(typed.value("bar.safeties.n.K_fs") == 1.6);
+    const double smooth = Solved(barred(R"(kind = "beta", beta_b = 1, beta_t = 1)")).value("bar.safeties.n.S_e");
+    CHECK(typed.value("bar.safeties.n.S_e") == Approx(smooth));
+    const std::string light = test::with(barred(R"(kind = "beta", beta_b = 2, beta_t = 1.6)"), "group",
+                                         "\"wrought-aluminium\"\nsigma_W = \"150 MPa\"");
+    CHECK_MESSAGE(Solved(light).errors().empty(), Solved(light).errors());
+    const std::string pressed =
+        test::with(barred(R"(kind = "press-fit")"), "group", "\"wrought-aluminium\"\nsigma_W = \"150 MPa\"");
+    CHECK(contains(Solved(pressed).errors(), "of steels alone"));
+  }
+
+  TEST_CASE("beyond the ranges of its factor a notch is not covered, whatever the school") {
+    for (const char* notch : {R"(kind = "v-groove", t = "0.5 mm")", R"(kind = "v-groove", t = "7 mm")",
+                              R"(kind = "cross-hole", r = "7 mm")"}) {
+      CAPTURE(notch);
+      Solved beyond(barred(notch));
+      REQUIRE_MESSAGE(!has_errors(beyond.issues), beyond.messages());
+      CHECK(beyond.mode("bar.fatigue").state == State::not_covered);
+    }
+  }
+
+  TEST_CASE("what a notch lacks, or has too much, is told") {
+    CHECK(contains(errors(R"(kind = "rectangular-groove", t = "1 mm", r = "0.1 mm")"), "has a width w"));
+    CHECK(contains(errors(R"(kind = "rectangular-groove", w = "1 mm", r = "0.1 mm")"), "has a depth t"));
+    CHECK(contains(errors(R"(kind = "rectangular-groove", t = "1 mm", w = "1 mm")"), "needs the radius r"));
+    CHECK(contains(errors(R"(kind = "v-groove")"), "has a depth t"));
+    CHECK(contains(errors(R"(kind = "cross-hole")"), "needs its radius r"));
+    CHECK(contains(errors(R"(kind = "cross-hole", r = "12 mm")"), "leaves no section"));
+    CHECK(contains(errors(R"(kind = "press-fit", r = "1 mm")"), "leave out r"));
+    CHECK(contains(errors(R"(kind = "beta", beta_b = 2)"), "go together"));
+    CHECK(contains(errors(R"(kind = "press-fit", beta_b = 2, beta_t = 2)"), "go together"));
+    CHECK(contains(errors(R"(kind = "keyway", h = "2 mm")"), "least height of a shoulder"));
+  }
+
+  TEST_CASE("notches that stand too near to each other are told") {
+    const auto warns = [](const char* gap) {
+      return contains(Solved(barred(R"(kind = "groove", t = "2 mm", r = "2 mm" }, { x = ")" + std::string(gap) +
+                                    R"(", kind = "groove", t = "1 mm", r = "1 mm")"))
+                          .messages(),
+                      "each is rated alone");
+    };
+    CHECK(warns("63.9 mm"));
+    CHECK_FALSE(warns("64.1 mm"));
+  }
+}

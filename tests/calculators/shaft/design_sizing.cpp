@@ -1,0 +1,164 @@
+// Diameters of a shaft that are found together: everything passes, nothing can be smaller, and the shape is sound.
+#include "tests/found/modes.hpp"
+#include "tests/lib/project/solved.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace {
+
+using namespace loadpath;
+using account::State;
+using doctest::Approx;
+using test::contains;
+using test::Solved;
+
+/// A gear between two bearings and a coupling on the end; five pieces by their diameters.
+using Five = std::array<std::string, 5>;
+const Five all_sought{"?", "?", "?", "?", "?"};
+std::string shaft(const Five& d, const std::string& more = "") {
+  const auto piece = [&](const char* name, const char* l, const std::string& size) {
+    const std::string text = size.starts_with('{') ? size : "\"" + size + "\"";
+    return std::string("{ name = \"") + name + "\", l = \"" + l + "\", d = " + text + " }, ";
+  };
+  return "[axle]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\nn = \"500 rpm\"\n"
+         "pieces = [" +
+         piece("end", "60 mm", d[0]) + piece("left", "40 mm", d[1]) + piece("seat", "60 mm", d[2]) +
+         piece("collar", "15 mm", d[3]) + piece("right", "40 mm", d[4]) +
+         "]\nsupports = [{ name = \"A\", x = \"80 mm\", holds = \"both\", beta_adm = \"0.1 deg\" }, { name = \"B\", x "
+         "= "
+         "\"195 mm\", beta_adm = \"0.1 deg\" }]\n"
+         "seats = [{ name = \"coupling\", x = \"30 mm\", way = \"balances\", mass = \"3 kg\", J = \"0.01 kg*m^2\", "
+         "beta_adm = \"0.5 deg\" }, { name = \"gear\", x = \"130 mm\", T = \"200 N*m\", F_x = \"-1200 N\", F_y = "
+         "\"3200 N\", x_w = \"62.5 mm\", mass = \"4 kg\", J = \"0.01 kg*m^2\", beta_adm = \"0.03 deg\" }]\n"
+         "notches = [{ name = \"n1\", x = \"60 mm\", kind = \"shoulder\", r = \"1.5 mm\" }, { name = \"n2\", x = "
+         "\"100 mm\", kind = \"shoulder\", r = \"1.5 mm\" }, { name = \"n3\", x = \"160 mm\", kind = \"shoulder\", r = "
+         "\"2 mm\", h = \"3 mm\" }, { name = \"n4\", x = \"175 mm\", kind = \"shoulder\", r = \"2 mm\" }]\n"
+         "S_F = 1.5\nS_D = 1.5\nr_T = 0\nv_adm = \"0.05 mm\"\ntheta_adm = \"0.5 deg/m\"\n" +
+         more;
+}
+
+constexpr std::array names{"end", "left", "seat", "collar", "right"};
+std::string origin(const Solved& solved, std::size_t piece) {
+  return solved.origin("axle", std::string("pieces.") + names[piece] + ".d");
+}
+
+/// The diameters that were found, in mm.
+std::array<double, 5> found(Solved& solved) {
+  std::array<double, 5> d{};
+  for (std::size_t i = 0; i < 5; ++i) d[i] = 1e3 * solved.value("axle.pieces[" + std::to_string(i + 1) + "].d");
+  return d;
+}
+
+}  // namespace
+
+TEST_SUITE("shaft sizing") {
+  TEST_CASE("all diameters together: all pass, the shape is sound, and each says what one size less would fail") {
+    Solved solved(shaft(all_sought));
+    REQUIRE_MESSAGE(!has_errors(solved.issues), solved.messages());
+    for (const char* mode : {"yield", "fatigue", "deflection", "twist", "slope_seats", "critical_torsion"})
+      CHECK_MESSAGE(solved.mode(std::string("axle.") + mode).state == State::pass, mode);
+    const auto d = found(solved);
+    CHECK(d[1] >= d[0] + 3.0 - 1e-9);
+    CHECK(d[2] >= d[1] + 3.0 - 1e-9);
+    CHECK(std::abs(d[3] - d[2]) >= 6.0 - 1e-9);
+    CHECK(std::min(d[2], d[3]) >= d[4] + 4.0 - 1e-9);
+    for (const std::size_t bearing : {std::size_t{1}, std::size_t{4}})
+      CHECK(std::abs(d[bearing] / 5.0 - std::round(d[bearing] / 5.0)) < 1e-9);
+    for (std::size_t i = 0; i < 5; ++i) {
+      CHECK_MESSAGE(contains(origin(solved, i), "with the others; "), origin(solved, i));
+    }
+  }
+
+  TEST_CASE("no piece can be smaller: it fails, or its shoulder is lower than its fillet") {
+    Solved solved(shaft(all_sought));
+    const auto d = found(solved);
+    for (std::size_t i = 0; i < 5; ++i) {
+      const double less = (i == 1 || i == 4) ? d[i] - 5.0 : 0.94 * d[i];  // a step of R40 is 6 %
+      Five typed;
+      for (std::size_t k = 0; k < 5; ++k) typed[k] = std::to_string(k == i ? less : d[k]) + " mm";
+      Solved smaller(shaft(typed));
+      const bool told = contains(origin(solved, i), "shoulder at") || contains(origin(solved, i), "pushed over");
+      bool fails = !smaller.errors().empty();
+      for (const account::Mode& mode : smaller.all)
+        fails = fails || mode.state == State::fail || mode.state == State::not_covered;
+      CHECK_MESSAGE((told || fails), i, " ", less);
+    }
+  }
+
+  TEST_CASE("two diameters: of all pairs that are no larger none passes, tried one by one") {
+    const auto two = [](const std::string& a, const std::string& b) {
+      return "[axle]\ncalculator = \"shaft.design\"\nE = \"210 GPa\"\nG = \"81 GPa\"\nR_m = \"700 MPa\"\nR_e = \"490 "
+             "MPa\"\ngroup = \"carbon-steel\"\npieces = [{ l = \"80 mm\", d = \"" +
+             a + "\" }, { l = \"150 mm\", d = \"" + b +
+             "\" }]\nsupports = [{ x = \"90 mm\" }, { x = \"220 mm\" }]\nseats = [{ x = \"0 mm\", F_x = \"3 kN\", way "
+             "= \"drives\", T = \"150 N*m\" }, { x = \"150 mm\", T = \"150 N*m\" }]\nnotches = [{ x = \"80 mm\", kind "
+             "= \"shoulder\", r = \"2 mm\" }]\nS_F = 1.5\nS_D = 1.5\nr_T = 0\n";
+    };
+    Solved solved(two("?", "?"));
+    REQUIRE_MESSAGE(!has_errors(solved.issues), solved.messages());
+    const double a = 1e3 * solved.value("axle.pieces[1].d"), b = 1e3 * solved.value("axle.pieces[2].d");
+    CHECK(solved.mode("axle.fatigue").state == State::pass);
+    for (const double x : {1.0, 0.94, 0.89, 0.84}) {
+      for (const double y : {0.0, 5.0, 10.0}) {
+        if ((x == 1.0 && y == 0.0) || b - y < x * a + 4.0) continue;
+        Solved other(two(std::to_string(x * a) + " mm", std::to_string(b - y) + " mm"));
+        CHECK_MESSAGE(other.mode("axle.fatigue").state != State::pass, x * a, " ", b - y);
+      }
+    }
+  }
+
+  TEST_CASE("what is given stays, and the others go with it") {
+    Five collar = all_sought;
+    collar[3] = "60 mm";
+    Solved solved(shaft(collar));
+    REQUIRE_MESSAGE(!has_errors(solved.issues), solved.messages());
+    const auto d = found(solved);
+    CHECK(d[3] == Approx(60.0));
+    CHECK(d[2] <= 54.0 + 1e-9);
+    CHECK(d[4] <= 56.0 + 1e-9);
+    CHECK(solved.mode("axle.fatigue").state == State::pass);
+    Five own = all_sought;
+    own[1] = "{ stock = \"shaft\" }";
+    Solved by_stock(shaft(own));
+    REQUIRE_MESSAGE(!has_errors(by_stock.issues), by_stock.messages());
+    CHECK(contains(origin(by_stock, 1), "smallest of shaft"));
+  }
+
+  TEST_CASE("pieces without a notch between them are one cylinder, and sit on a bearing's bore together") {
+    const std::string text =
+        "[axle]\ncalculator = \"shaft.design\"\nE = \"210 GPa\"\nG = \"81 GPa\"\nR_m = \"700 MPa\"\nR_e = \"490 "
+        "MPa\"\ngroup = \"carbon-steel\"\npieces = [{ l = \"100 mm\", d = \"?\" }, { l = \"100 mm\", d = \"?\" "
+        "}]\nsupports = [{ x = \"0 mm\" }, { x = \"200 mm\" }]\nseats = [{ x = \"120 mm\", F_x = \"9 kN\" }]\nS_F = "
+        "1.5\nS_D = 1.5\nr_T = 0\n";
+    Solved solved(text);
+    REQUIRE_MESSAGE(!has_errors(solved.issues), solved.messages());
+    CHECK(solved.value("axle.pieces[1].d") == solved.value("axle.pieces[2].d"));
+    CHECK(contains(solved.origin("axle", "pieces[1].d"), "smallest of bearing"));
+    Solved half(test::with(text, "pieces", "[{ l = \"100 mm\", d = \"48 mm\" }, { l = \"100 mm\", d = \"?\" }]"));
+    CHECK(contains(half.errors(), "no sizes go together"));  // 48 mm is no bore of a bearing
+  }
+
+  TEST_CASE("without a check there is no size, and under too much load none passes") {
+    const std::string bare =
+        "[axle]\ncalculator = \"shaft.design\"\nE = \"210 GPa\"\nG = \"81 GPa\"\ngroup = \"carbon-steel\"\npieces = "
+        "[{ l = \"100 mm\", d = \"?\" }, { l = \"100 mm\", d = \"?\" }]\nsupports = [{ x = \"0 mm\" }, { x = \"200 "
+        "mm\" "
+        "}]\nseats = [{ x = \"120 mm\", F_x = \"9 kN\" }]\n";
+    CHECK(contains(Solved(bare).errors(), "nothing tells how large"));
+    CHECK(contains(Solved(bare).messages(), "S_F"));
+    Solved heavy(bare + "R_e = \"300 MPa\"\nS_F = 1.5\nv_adm = \"1e-12 mm\"\n");
+    REQUIRE_MESSAGE(!has_errors(heavy.issues), heavy.messages());
+    CHECK(heavy.mode("axle.deflection").state == State::fail);
+    CHECK(contains(heavy.origin("axle", "pieces[1].d"), "none passes"));
+  }
+
+  TEST_CASE("sizes of other kinds are still searched for one at a time") {
+    const std::string mixed = shaft({"?", "?", "?", "?", "?"}, "");
+    CHECK(contains(Solved(test::with(mixed, "S_F", "\"?\"")).errors(), "cannot be searched for"));
+  }
+}

@@ -9,7 +9,7 @@
 namespace loadpath {
 
 // clang-format off
-namespace shaft { struct Torsion; struct Overhung; struct Design; struct Key; struct PressFit; }
+namespace shaft { struct Torsion; struct Overhung; struct Design; struct Key; struct PressFit; struct Held; }
 namespace section {
   struct Circle; struct Ring; struct Rectangle; struct I; struct Channel; struct Angle; struct Tee; struct Hollow;
   struct Polygon; struct BuiltUp;
@@ -48,6 +48,7 @@ static constexpr std::array all{
     Row{&erased<shaft::Design>},
     Row{&erased<shaft::Key>},
     Row{&erased<shaft::PressFit>},
+    Row{&erased<shaft::Held>},
     Row{&erased<section::Circle>},
     Row{&erased<section::Ring>},
     Row{&erased<section::Rectangle>},

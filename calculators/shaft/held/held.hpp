@@ -1,0 +1,213 @@
+// A bar in torsion that one end or both hold, rigidly or by a spring: what statics alone does not solve.
+//
+// Parts in series, cylinders and cones, solid or bored, each of its own material; sleeves or cores beside them that
+// turn as one with them; torques at places and spread over a part. Decides the reactions, the moment and the rotation
+// along the bar, the shear stress of every part and sleeve against its own strength, twist per length and rotation.
+// Linear elastic, circular sections (Saint-Venant), small cones: up to 10 degrees the exact cone of [Foeppl] has 1 %
+// less stress at its surface. Sign: torques, reactions and rotations all turn the same way; the moment of a section is
+// the sum of what acts to its right. All results hold the service factor. Not covered: bending, fatigue, steps and
+// notches, the joint between members side by side, yielding, warping.
+#pragma once
+
+#include "calculators/load/shear_strength.hpp"
+#include "calculators/load/stress_cycle.hpp"
+#include "calculators/shaft/held/members.hpp"
+#include "calculators/shaft/modes.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
+#include "lib/text/issue.hpp"
+
+#include <array>
+#include <vector>
+
+namespace loadpath::shaft {
+
+struct Held {
+  static constexpr auto id = "shaft.held";
+  static constexpr auto title = "Bar held in torsion";
+  static constexpr auto scope =
+      "Reactions, moments, rotations and shear stresses of a bar in torsion that one end or both hold, rigidly or by "
+      "springs; cylinders and cones in series, sleeves that turn with them, torques at places and along a part. "
+      "Bending, "
+      "fatigue, notches and the joint under a sleeve are not covered.";
+  static constexpr auto source = "[B19], [Gere-3]";
+  static constexpr auto example = R"([project]
+title = "Torsion bar between two brackets"
+
+[bar]
+calculator = "shaft.held"
+end_1 = "held"
+end_2 = "elastic"
+c_2 = "60 kN*m/rad"
+segments = [
+  { name = "root", l = "300 mm", d = "60 mm" },
+  { name = "cone", l = "200 mm", d = "60 mm", d_2 = "40 mm" },
+  { name = "tube", l = "400 mm", d = "40 mm", d_bore = "20 mm", m = "150 N*m/m" },
+]
+sleeves = [{ name = "bush", x = "100 mm", l = "150 mm", d = "75 mm", d_bore = "60 mm", G = "27 GPa", tau_adm = "30 MPa" }]
+torques = [{ name = "lever", x = "500 mm", T = "900 N*m" }]
+G = "80 GPa"
+sigma_adm = "120 MPa"
+behaviour = "ductile"
+theta_adm = "2.5 deg/m"
+phi_adm = "1 deg"
+)";
+
+  struct Input : ShearStrength {
+    List<Segment, most_segments> segments;
+    List<Sleeve, most_sleeves> sleeves;
+    List<AxialTorque, most_twisting> torques;
+    End end_1 = End::free, end_2 = End::free;
+    Moment c_1 = unset<Moment>, c_2 = unset<Moment>;
+    double K_A = 1.0;
+    Stress G = unset<Stress>;
+    Twist theta_adm = unset<Twist>;
+    double phi_adm = unset<double>;
+  };
+  static constexpr auto inputs = std::tuple_cat(
+      std::tuple{
+          ListField{&Input::segments, "segments", "parts of the bar, from the first end to the second"},
+          ListField{&Input::sleeves, "sleeves", "cylinders around or inside it that turn as one with it"}
+              .may_be_missing(),
+          ListField{&Input::torques, "torques", "torques along the bar"}.may_be_missing(),
+          Choice{&Input::end_1, "end_1", "how the first end is held"},
+          Choice{&Input::end_2, "end_2", "how the second end is held"},
+          Field{&Input::c_1, "c_1", N_m_per_rad, "stiffness of an elastic first end"}.positive().may_be_missing(),
+          Field{&Input::c_2, "c_2", N_m_per_rad, "stiffness of an elastic second end"}.positive().may_be_missing(),
+          Field{&Input::K_A, "K_A", ratio, "service factor: what the loads do not contain, once"}
+              .positive()
+              .usually(1, 4)
+              .factor(),
+          Field{&Input::G, "G", GPa, "shear modulus of what has none of its own"}.positive().usually(1, 500).from(
+              "material", "G")},
+      shear_strength_inputs<Input>("d_s"),
+      std::tuple{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
+                     .positive()
+                     .usually(0.02, 10)
+                     .may_be_missing(),
+                 Field{&Input::phi_adm, "phi_adm", deg, "allowable rotation of any section from where it stood"}
+                     .positive()
+                     .usually(0.001, 90)
+                     .may_be_missing()});
+
+  struct Stretch {
+    Length x = unset<Length>, l = unset<Length>;
+    Moment M_1 = unset<Moment>, M_2 = unset<Moment>;
+    double phi = unset<double>;
+    static constexpr std::tuple fields{
+        Field{&Stretch::x, "x", mm, "its first end"}, Field{&Stretch::l, "l", mm, "length"},
+        Field{&Stretch::M_1, "M_1", N_m, "moment at its first end"},
+        Field{&Stretch::M_2, "M_2", N_m, "moment at its second end"},
+        Field{&Stretch::phi, "phi", deg, "rotation of its second end against its first"}};
+  };
+  struct Section {
+    Length x = unset<Length>;
+    double phi = unset<double>;
+    static constexpr std::tuple fields{Field{&Section::x, "x", mm, "place"},
+                                       Field{&Section::phi, "phi", deg, "rotation from where it stood"}};
+  };
+  /// A segment or a sleeve where its stress is the largest.
+  struct Member {
+    Name name;
+    Length x = unset<Length>, d = unset<Length>;
+    Moment T = unset<Moment>;
+    Stress tau = unset<Stress>, tau_all = unset<Stress>;
+    double u_tau = unset<double>;
+    static constexpr std::tuple fields{
+        NameField{&Member::name, "name", "segment or sleeve"},
+        Field{&Member::x, "x", mm, "place of its largest stress"},
+        Field{&Member::d, "d", mm, "its outer diameter there"},
+        Field{&Member::T, "T", N_m, "its part of the moment there, signed"}.holding("K_A"),
+        Field{&Member::tau, "tau", MPa, "largest shear stress"},
+        Field{&Member::tau_all, "tau_all", MPa, "allowable shear stress"},
+        Field{&Member::u_tau, "u_tau", ratio, "shear stress over the allowable one"}};
+  };
+
+  struct Result {
+    Moment R_1 = unset<Moment>, R_2 = unset<Moment>, M_max = unset<Moment>;
+    Length d_s = unset<Length>;
+    Stress tau_max = unset<Stress>;
+    Twist theta_max = unset<Twist>;
+    double phi_1 = unset<double>, phi_2 = unset<double>, phi_max = unset<double>;
+    Length x_phi = unset<Length>;
+    double s_max = unset<double>, u_tau = unset<double>, u_theta = unset<double>, u_phi = unset<double>;
+    StressCycle cycle;
+    List<Member, most_members> members;
+    List<Stretch, most_cuts> stretches;
+    List<Section, most_cuts + 1> sections;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::R_1, "R_1", N_m, "torque of the first support on the bar"}.load().holding("K_A"),
+      Field{&Result::R_2, "R_2", N_m, "torque of the second support on the bar"}.load().holding("K_A"),
+      Field{&Result::M_max, "M_max", N_m, "largest moment in the bar"}.holding("K_A"),
+      Field{&Result::d_s, "d_s", mm, "diameter whose strength the material has: the largest of the bar"},
+      Field{&Result::tau_max, "tau_max", MPa, "largest shear stress"},
+      Field{&Result::theta_max, "theta_max", deg_per_m, "largest twist per length"},
+      Field{&Result::phi_1, "phi_1", deg, "rotation of the first end"},
+      Field{&Result::phi_2, "phi_2", deg, "rotation of the second end"},
+      Field{&Result::phi_max, "phi_max", deg, "largest rotation"},
+      Field{&Result::x_phi, "x_phi", mm, "where it is"},
+      Field{&Result::s_max, "s_max", ratio, "steepest slope of a cone against the axis"}
+          .limit(0, steepest_cone)
+          .where_it_applies(),
+      Field{&Result::u_tau, "u_tau", ratio, "strength: shear stress over the allowable one, largest of all members"}
+          .check(),
+      Field{&Result::u_theta, "u_theta", ratio, "stiffness: largest twist per length over the allowable one"}.check(
+          "theta_adm"),
+      Field{&Result::u_phi, "u_phi", ratio, "stiffness: largest rotation over the allowable one"}.check("phi_adm"),
+      Group{&Result::cycle, "cycle", "largest stress of the bar, for fatigue.cycle: cycle"}.handed_over(),
+      ListField{&Result::members, "members", "segments and sleeves where their stress is the largest"},
+      ListField{&Result::stretches, "stretches", "between neighbouring ends, torques and sleeves"},
+      ListField{&Result::sections, "sections", "sections between the stretches"}};
+
+  static bool springs_fit(const Input& in);
+  static bool one_strength(const Input& in);
+  static bool strength_of_own(const Input& in);
+  static bool has_moduli(const Input& in);
+  static bool walls_stand(const Input& in);
+  static bool on_bar(const Input& in);
+  static FieldFault off_bar(const Input& in);
+  static bool on_cylinders(const Input& in);
+  static bool side_by_side(const Input& in);
+  static Applies loaded(const Input& in);
+  static Applies brittle(const Input& in);
+  static Applies tough(const Input& in);
+  static Applies thin(const Input& in);
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return !in.segments.empty(); }, "segments", "a bar has one segment at least"},
+      Rule<Input>{[](const Input& in) { return in.end_1 != End::free || in.end_2 != End::free; }, "end_1, end_2",
+                  "hold one end at least; shaft.torsion takes a shaft whose ends are free"},
+      Rule<Input>{&springs_fit, "end_1, end_2, c_1, c_2", "c_1 and c_2 go with elastic ends, and each of them has one"},
+      Rule<Input>{&one_strength, "tau_adm, sigma_adm, behaviour, S, R_e",
+                  "give one of them: tau_adm; sigma_adm with behaviour; S with the yield strength R_e (or a material)"},
+      Rule<Input>{&has_moduli, "G, segments, sleeves",
+                  "every part needs a shear modulus: its own G, or the common one"},
+      Rule<Input>{&strength_of_own, "segments, sleeves",
+                  "a part with a G of its own is of another material: give its tau_adm too"},
+      Rule<Input>{&walls_stand, "segments, sleeves", "a bore must be smaller than its part, at both ends"},
+      Rule<Input>{&on_bar, "torques, sleeves, segments", "torques and sleeves lie on the bar", &off_bar},
+      Rule<Input>{&on_cylinders, "sleeves, segments", "a sleeve goes with cylinders, not with cones"},
+      Rule<Input>{&side_by_side, "sleeves, segments",
+                  "a sleeve fits around what it encloses, or inside of the bore: two members fill the same place"}};
+
+  static constexpr std::array modes{
+      Mode<Input>{"yield", "yield in torsion", &tough}.judged_by("u_tau, s_max"),
+      Mode<Input>{"fracture", "fracture of a brittle material in torsion", &brittle}.judged_by("u_tau, s_max"),
+      Mode<Input>{"twist", "twist per length", &loaded}.judged_by("u_theta").of_service(),
+      Mode<Input>{"rotation", "rotation of a section", &loaded}.judged_by("u_phi").of_service(),
+      Mode<Input>{"ends", "what holds the ends, under R_1 and R_2", &unseen<Input>},
+      Mode<Input>{"joint", "shear and slip of the joint under a sleeve",
+                  [](const Input& in) { return where(!in.sleeves.empty() && loaded(in) == Applies::yes); }},
+      Mode<Input>{"notch", "yield at steps, keyways and other notches", &unseen<Input>},
+      fatigue_of_shaft<Input>().left_to("fatigue.cycle", "cycle.fatigue"),
+      Mode<Input>{"other_loads", "what comes along with its torques, and is not taken", &unseen<Input>}.by_companions(),
+      Mode<Input>{"wall", "buckling of a thin wall", &thin},
+      Mode<Input>{"critical_torsion", "critical frequency in torsion", &unseen<Input>}.in_service()};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+}  // namespace loadpath::shaft

@@ -1,0 +1,89 @@
+// What a bar held in torsion is made of: segments in series, sleeves beside them, torques.
+#pragma once
+
+#include "lib/calculator/field.hpp"
+#include "lib/quantity/units.hpp"
+
+#include <array>
+#include <tuple>
+
+namespace loadpath::shaft {
+
+inline constexpr std::size_t most_segments = 16, most_sleeves = 8, most_twisting = 24;
+inline constexpr std::size_t most_members = most_segments + most_sleeves;
+inline constexpr std::size_t most_cuts = most_segments + 2 * most_sleeves + most_twisting;
+
+/// Up to a half-angle of 10 degrees.
+inline constexpr double steepest_cone = 0.176;
+
+inline constexpr Unit<Force> N_m_per_m{"N*m/m", from_si<Force>(1.0)};
+
+enum class End { free, held, elastic };
+
+constexpr auto choices_of(End) {
+  return std::array{ChoiceName<End>{End::free, "free", "turns freely"},
+                    ChoiceName<End>{End::held, "held", "does not turn"},
+                    ChoiceName<End>{End::elastic, "elastic", "held by a spring"}};
+}
+
+/// A cylinder or a cone of the bar.
+struct Segment {
+  Name name;
+  Length l = unset<Length>, d = unset<Length>, d_2 = unset<Length>;
+  Length d_bore = 0.0 * mm, d_bore_2 = unset<Length>;
+  Stress G = unset<Stress>, tau_adm = unset<Stress>;
+  Force m = 0.0 * N;
+  static constexpr std::tuple fields{
+      NameField{&Segment::name, "name", "name of the part"}.may_be_missing(),
+      Field{&Segment::l, "l", mm, "length"}.positive().usually(0.1, 1e5),
+      Field{&Segment::d, "d", mm, "outer diameter; of a cone at its first end"}.positive().usually(1, 2000).findable(
+          "R40"),
+      Field{&Segment::d_2, "d_2", mm, "outer diameter at its second end, of a cone"}
+          .positive()
+          .usually(1, 2000)
+          .may_be_missing(),
+      Field{&Segment::d_bore, "d_bore", mm, "diameter of the bore; of a cone at its first end"}.at_least(0),
+      Field{&Segment::d_bore_2, "d_bore_2", mm, "diameter of the bore at its second end, where it changes"}
+          .at_least(0)
+          .may_be_missing(),
+      Field{&Segment::G, "G", GPa, "its own shear modulus"}.positive().usually(1, 500).may_be_missing(),
+      Field{&Segment::tau_adm, "tau_adm", MPa, "its own allowable shear stress"}
+          .positive()
+          .usually(1, 1000)
+          .may_be_missing(),
+      Field{&Segment::m, "m", N_m_per_m, "torque per length along it, signed"}.load()};
+};
+
+/// A cylinder around the bar, or inside of its bore, that turns as one with it along its whole length.
+struct Sleeve {
+  Name name;
+  Length x = unset<Length>, l = unset<Length>, d = unset<Length>, d_bore = 0.0 * mm;
+  Stress G = unset<Stress>, tau_adm = unset<Stress>;
+  static constexpr std::tuple fields{
+      NameField{&Sleeve::name, "name", "name of the sleeve"}.may_be_missing(),
+      Field{&Sleeve::x, "x", mm, "its first end, from that of the bar"}.at_least(0),
+      Field{&Sleeve::l, "l", mm, "length"}.positive().usually(0.1, 1e5),
+      Field{&Sleeve::d, "d", mm, "outer diameter"}.positive().usually(1, 2000),
+      Field{&Sleeve::d_bore, "d_bore", mm, "diameter of its bore"}.at_least(0),
+      Field{&Sleeve::G, "G", GPa, "its own shear modulus"}.positive().usually(1, 500).may_be_missing(),
+      Field{&Sleeve::tau_adm, "tau_adm", MPa, "its own allowable shear stress"}
+          .positive()
+          .usually(1, 1000)
+          .may_be_missing()};
+};
+
+/// A torque on the bar.
+struct AxialTorque {
+  Name name;
+  Length x = unset<Length>;
+  Moment T = unset<Moment>;
+  static constexpr std::tuple fields{NameField{&AxialTorque::name, "name", "what brings the torque"}.may_be_missing(),
+                                     Field{&AxialTorque::x, "x", mm, "place from the first end"}.at_least(0),
+                                     Field{&AxialTorque::T, "T", N_m, "torque on the bar, signed"}.load()};
+};
+
+inline bool is_cone(const Segment& s) {
+  return (is_set(s.d_2) && s.d_2 != s.d) || (is_set(s.d_bore_2) && s.d_bore_2 != s.d_bore);
+}
+
+}  // namespace loadpath::shaft

@@ -185,7 +185,33 @@ const Law fits[] = {
      "F_slip", 4},
 };
 
-const std::span<const Law> laws[] = {fits, keys, sections, bars, fatigue, vessels, drives, motion, bearings};
+const char* const free_bar = "end_2 = \"free\"\nc_2 = \nsleeves = ";
+
+const Law twists[] = {
+    {"shaft.held", "", "K_A = 2", "R_1", 2},
+    {"shaft.held", "", "K_A = 2", "phi_max", 2},
+    {"shaft.held", free_bar, "end_2 = \"free\"\nc_2 = \nsleeves = \nG = \"160 GPa\"", "phi_2", 1.0 / 2},
+    {"shaft.held", free_bar,
+     "end_2 = \"free\"\nc_2 = \nsleeves = \nsegments = [{ l = \"300 mm\", d = \"120 mm\" }, { l = \"200 mm\", d = "
+     "\"120 "
+     "mm\", d_2 = \"80 mm\" }, { l = \"400 mm\", d = \"80 mm\", d_bore = \"40 mm\", m = \"150 N*m/m\" }]",
+     "phi_2", 1.0 / 16},
+    {"shaft.held", free_bar,
+     "end_2 = \"free\"\nc_2 = \nsleeves = \nsegments = [{ l = \"300 mm\", d = \"120 mm\" }, { l = \"200 mm\", d = "
+     "\"120 "
+     "mm\", d_2 = \"80 mm\" }, { l = \"400 mm\", d = \"80 mm\", d_bore = \"40 mm\", m = \"150 N*m/m\" }]",
+     "u_tau", 1.0 / 8},
+    {"section.thin_walled", "", "T = \"36 kN*m\"", "tau_max", 2},
+    {"section.thin_walled", "", "G = \"160 GPa\"", "theta", 1.0 / 2},
+    {"section.thin_walled", "cells = \nwalls = [{ l = \"100 mm\", t = \"3 mm\" }]",
+     "cells = \nwalls = [{ l = \"100 mm\", t = \"6 mm\" }]", "I_t", 8},
+    {"section.thin_walled",
+     "cells = [{ name = \"a\", A = \"1e4 mm^2\" }]\nwalls = [{ cell = \"a\", l = \"400 mm\", t = \"3 mm\" }]",
+     "cells = [{ name = \"a\", A = \"4e4 mm^2\" }]\nwalls = [{ cell = \"a\", l = \"800 mm\", t = \"6 mm\" }]", "W_t",
+     8},
+};
+
+const std::span<const Law> laws[] = {twists, fits, keys, sections, bars, fatigue, vessels, drives, motion, bearings};
 
 /// What `result` does over the values of a key, one after the other.
 enum class Sense { rises, falls };

@@ -382,8 +382,35 @@ const Case fits[] = {
     {"shaft.press_fit", R"(T = "0 N*m")", "F_res", 0.0},
 };
 
-const std::span<const Case> groups[] = {fits,    keys,  shapes, bars,       tubes,  vessels, cycles,
-                                        fatigue, racks, sets,   velocities, drives, motion,  bearings};
+// 2 m of 2 m in diameter: I_p = pi/2 m^4
+const char* const spread =
+    "end_2 = \"held\"\nc_2 = \nsleeves = \ntorques = \nG = \"1 GPa\"\nsegments = [{ l = \"2 m\", d = \"2 m\", m = \"1 "
+    "kN*m/m\" }]";
+const char* const unloaded =
+    "torques = [{ x = \"0 mm\", T = \"0 N*m\" }]\nsegments = [{ l = \"900 mm\", d = \"60 mm\" }]";
+const char* const ring =  // mean radius 1 m, thickness 1 mm
+    "T = \"1 N*m\"\ncells = [{ name = \"a\", A = \"3.141592653589793 m^2\" }]\nwalls = [{ cell = \"a\", l = "
+    "\"6.283185307179586 m\", t = \"1 mm\" }]";
+
+const Case twists[] = {
+    {"shaft.held", spread, "R_1", -1000.0},
+    {"shaft.held", spread, "phi_max", 1e3 / (pi / 2 * 1e9) * 4 / 8},
+    {"shaft.held", spread, "theta_max", 1e3 / (pi / 2 * 1e9)},
+    {"shaft.held", unloaded, "R_1", 0.0},
+    {"shaft.held", unloaded, "phi_max", 0.0},
+    {"shaft.held", "end_1 = \"free\"", "R_2", -960.0},
+    {"shaft.held",
+     "behaviour = \"brittle\"\nsleeves = \nend_2 = \"free\"\nc_2 = \nsegments = [{ l = \"2 m\", d = \"2 m\" }]",
+     "u_tau", 900.0 / (pi / 2) / 90e6},
+    {"section.thin_walled", ring, "I_B", 2 * pi * 1e-3},
+    {"section.thin_walled", ring, "I_s", 2 * pi * 1e-9 / 3},
+    {"section.thin_walled", "T = \"0 N*m\"", "tau_max", 0.0},
+    {"section.thin_walled", "cells = \nwalls = [{ l = \"3 m\", t = \"1 mm\" }]", "W_t", 1e-6},
+    {"section.thin_walled", "cells = \nwalls = [{ l = \"3 m\", t = \"1 mm\" }]", "r_I", 1.0},
+};
+
+const std::span<const Case> groups[] = {twists,  fits,  keys, shapes,     bars,   tubes,  vessels, cycles,
+                                        fatigue, racks, sets, velocities, drives, motion, bearings};
 
 bool is(double value, double expected) {
   return std::abs(value - expected) <= (expected == 0.0 ? 1e-9 : 2e-6 * std::abs(expected));

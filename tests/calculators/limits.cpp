@@ -296,8 +296,22 @@ const Side fits[] = {
     {"shaft.press_fit", "u_A", over, "dT_adm", R"("216 K")", R"("215 K")"},
 };
 
-const std::span<const Side> groups[] = {fits,  keys,    vessels, sections, bars,    fatigue,
-                                        gears, pulleys, v_belts, motion,   bearings};
+const Side twists[] = {
+    {"shaft.held", "u_tau", over, "sigma_adm", R"("105.3 MPa")", R"("105.2 MPa")"},
+    {"shaft.held", "u_theta", over, "theta_adm", R"("2.263 deg/m")", R"("2.262 deg/m")"},
+    {"shaft.held", "u_phi", over, "phi_adm", R"("0.3244 deg")", R"("0.3243 deg")"},
+    {"shaft.held", "s_max", outside, "segments", R"([{ l = "1 m", d = "400 mm", d_2 = "48 mm" }])",
+     R"([{ l = "1 m", d = "400 mm", d_2 = "47.9 mm" }])", "sleeves = "},
+    {"section.thin_walled", "u_tau", over, "R_e", R"("79.8 MPa")", R"("79.7 MPa")"},
+    {"section.thin_walled", "u_theta", over, "theta_adm", R"("0.1003 deg/m")", R"("0.1002 deg/m")"},
+    {"section.thin_walled", "w", outside, "walls", R"([{ cell = "a", l = "400 mm", t = "25 mm" }])",
+     R"([{ cell = "a", l = "400 mm", t = "25.1 mm" }])", R"(cells = [{ name = "a", A = "1e4 mm^2" }])"},
+    {"section.thin_walled", "w_s", outside, "walls", R"([{ l = "400 mm", t = "40 mm" }])",
+     R"([{ l = "400 mm", t = "40.1 mm" }])", "cells = "},
+};
+
+const std::span<const Side> groups[] = {twists,  fits,  keys,    vessels, sections, bars,
+                                        fatigue, gears, pulleys, v_belts, motion,   bearings};
 
 std::string lines_at(const Side& row, const char* value) {
   const std::string last = std::string(row.key) + " = " + value;

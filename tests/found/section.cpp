@@ -91,3 +91,22 @@ TEST_SUITE("found section") {
     CHECK(thin("W_min") == doctest::Approx(22358.8e-9).epsilon(1e-5));
   }
 }
+
+TEST_SUITE("found thin-walled section") {
+  TEST_CASE("a slit, a slender wall, and thick ones") {
+    const std::string one =
+        "cells = [{ name = \"a\", A = \"40000 mm^2\" }]\nwalls = [{ cell = \"a\", l = \"800 mm\", t = ";
+    CHECK(mode_with("section.thin_walled", "", "yield") == "pass");
+    CHECK(mode_with("section.thin_walled", one + "\"8 mm\" }]", "buckling") == "not-judged");
+    CHECK(mode_with("section.thin_walled", one + "\"16 mm\" }]", "buckling") == "none");
+    CHECK(mode_with("section.thin_walled", one + "\"60 mm\" }]", "yield") == "not-covered");
+    CHECK(mode_with("section.thin_walled", "cells = \nwalls = [{ l = \"800 mm\", t = \"8 mm\" }]", "yield") == "fail");
+  }
+
+  TEST_CASE("torque the other way, brittle walls, a wall of its own strength") {
+    CHECK(mode_with("section.thin_walled", "T = \"-90 kN*m\"", "yield") == "fail");
+    CHECK(mode_with("section.thin_walled", "R_e = \nS = \nsigma_adm = \"20 MPa\"\nbehaviour = \"brittle\"",
+                    "fracture") == "fail");
+    CHECK(mode_with("section.thin_walled", "K_A = 1.5", "fatigue") == "not-judged");
+  }
+}

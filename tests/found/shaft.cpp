@@ -127,3 +127,33 @@ TEST_SUITE("found press fit") {
     CHECK(mode_with("shaft.press_fit", "T = \"0 N*m\"", "hub") == "pass");
   }
 }
+
+TEST_SUITE("found held bar") {
+  TEST_CASE("the sleeve of a weak material decides, not the bar; its joint is not passed in silence") {
+    CHECK(mode_with("shaft.held", "", "yield") == "pass");
+    CHECK(mode_with("shaft.held", "", "joint") == "not-judged");
+    CHECK(mode_with("shaft.held", "sleeves = ", "joint") == "none");
+    const std::string weak =
+        "sleeves = [{ x = \"100 mm\", l = \"150 mm\", d = \"75 mm\", d_bore = \"60 mm\", G = \"27 GPa\", tau_adm = \"3 "
+        "MPa\" }]";
+    CHECK(mode_with("shaft.held", weak, "yield") == "fail");
+  }
+
+  TEST_CASE("a torque the other way, spread or at a place, is judged alike") {
+    CHECK(mode_with("shaft.held", "torques = [{ x = \"500 mm\", T = \"-2 kN*m\" }]", "yield") == "fail");
+    CHECK(mode_with("shaft.held",
+                    "torques = \nsleeves = \nsegments = [{ l = \"1 m\", d = \"20 mm\", m = \"-1 kN*m/m\" }]",
+                    "yield") == "fail");
+    CHECK(mode_with("shaft.held", "phi_adm = \"0.1 deg\"", "rotation") == "fail");
+  }
+
+  TEST_CASE("brittle and ductile are two modes; a thin tube and a steep cone do not pass") {
+    CHECK(mode_with("shaft.held", "behaviour = \"brittle\"", "yield") == "none");
+    CHECK(mode_with("shaft.held", "behaviour = \"brittle\"", "fracture") == "pass");
+    CHECK(mode_with("shaft.held", "sleeves = \nsegments = [{ l = \"1 m\", d = \"100 mm\", d_bore = \"91 mm\" }]",
+                    "wall") == "not-judged");
+    CHECK(mode_with("shaft.held", "sleeves = \nsegments = [{ l = \"1 m\", d = \"500 mm\", d_2 = \"100 mm\" }]",
+                    "yield") == "not-covered");
+    CHECK(mode_with("shaft.held", "K_A = 1.5", "fatigue") == "not-judged");
+  }
+}

@@ -1,0 +1,243 @@
+// A thin-walled section in torsion: one cell or several that share walls, walls that stand free, or both.
+//
+// Decides the flow of shear of every cell by Bredt: all cells twist alike, n linear equations; to its torsion constant
+// the walls add that of thin strips, l t^3/3, and the sum of these alone is that of the section slit open. Stress of a
+// wall: the flow over its thickness, which books give, and at its surface what it has of its own twist more. Each wall
+// may have a shear modulus of its own. Saint-Venant: the section is free to warp and keeps its shape. Not covered:
+// warping that is held, distortion, stress at inner corners and welds, buckling, fatigue, bending.
+#pragma once
+
+#include "calculators/load/shear_strength.hpp"
+#include "calculators/load/stress_cycle.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/text/issue.hpp"
+
+#include <array>
+#include <tuple>
+
+namespace loadpath::section {
+
+inline constexpr std::size_t most_cells = 12, most_walls = 40, most_corners = 24;
+/// Thickness over 2 A/U of a cell: of a square tube a quarter of its middle line, where a finite-difference solution has
+/// 6 % more I_t and 0.6 % more W_t; and over the length of a free wall, where the series of the rectangle has 6 % less.
+inline constexpr double thickest_of_cell = 0.5, thickest_free_wall = 0.1;
+
+struct ThinWalled {
+  static constexpr auto id = "section.thin_walled";
+  static constexpr auto title = "Thin-walled section in torsion";
+  static constexpr auto scope =
+      "Torsion constant, shear flow and stress of every wall and twist of a thin-walled section of one cell or "
+      "several, "
+      "with walls that stand free, beside the same section slit open. Held warping, distortion, inner corners, "
+      "buckling "
+      "and fatigue are not covered.";
+  static constexpr auto source = "[Bredt], [Megson]";
+  static constexpr auto example = R"([project]
+title = "Box girder of two cells with a lip"
+
+[girder]
+calculator = "section.thin_walled"
+T = "18 kN*m"
+cells = [
+  { name = "nose", points = [["0 mm", "0 mm"], ["150 mm", "0 mm"], ["150 mm", "200 mm"], ["0 mm", "200 mm"]] },
+  { name = "box", A = "60000 mm^2" },
+]
+walls = [
+  { name = "front", cell = "nose", points = [["150 mm", "200 mm"], ["0 mm", "200 mm"], ["0 mm", "0 mm"], ["150 mm", "0 mm"]], t = "4 mm" },
+  { name = "web", cell = "nose", beside = "box", l = "200 mm", t = "6 mm" },
+  { name = "top", cell = "box", l = "300 mm", t = "6 mm" },
+  { name = "bottom", cell = "box", l = "300 mm", t = "6 mm" },
+  { name = "rear", cell = "box", l = "200 mm", t = "5 mm" },
+  { name = "lip", l = "60 mm", t = "5 mm" },
+]
+G = "80 GPa"
+R_e = "235 MPa"
+S = 2
+theta_adm = "0.5 deg/m"
+)";
+
+  struct Corner {
+    Length y = unset<Length>, z = unset<Length>;
+    static constexpr std::tuple fields{Field{&Corner::y, "y", mm, "to the right"},
+                                       Field{&Corner::z, "z", mm, "upwards"}};
+  };
+  using Corners = List<Corner, most_corners>;
+
+  struct Cell {
+    Name name;
+    Area A = unset<Area>;
+    Corners points;
+    static constexpr std::tuple fields{
+        NameField{&Cell::name, "name", "name, by which walls refer to it"},
+        Field{&Cell::A, "A", mm2, "area inside of the middle lines of its walls"}.positive().may_be_missing(),
+        ListField{&Cell::points, "points", "corners of these middle lines, in place of A"}
+            .as_arrays()
+            .may_be_missing()};
+  };
+
+  struct Wall {
+    Name name, cell, beside;
+    Length l = unset<Length>;
+    Corners points;
+    Length t = unset<Length>;
+    Stress G = unset<Stress>, tau_adm = unset<Stress>;
+    static constexpr std::tuple fields{
+        NameField{&Wall::name, "name", "name of the wall"}.may_be_missing(),
+        NameField{&Wall::cell, "cell", "cell that it bounds; none: it stands free"}.may_be_missing(),
+        NameField{&Wall::beside, "beside", "cell on its other side; none: the outside"}.may_be_missing(),
+        Field{&Wall::l, "l", mm, "length of its middle line"}.positive().may_be_missing(),
+        ListField{&Wall::points, "points", "corners of its middle line, in place of l"}.as_arrays().may_be_missing(),
+        Field{&Wall::t, "t", mm, "thickness"}.positive().usually(0.1, 200),
+        Field{&Wall::G, "G", GPa, "its own shear modulus"}.positive().usually(1, 500).may_be_missing(),
+        Field{&Wall::tau_adm, "tau_adm", MPa, "its own allowable shear stress"}
+            .positive()
+            .usually(1, 1000)
+            .may_be_missing()};
+  };
+
+  struct Input : ShearStrength {
+    Moment T = unset<Moment>;
+    double K_A = 1.0;
+    List<Cell, most_cells> cells;
+    List<Wall, most_walls> walls;
+    Stress G = unset<Stress>;
+    Twist theta_adm = unset<Twist>;
+  };
+  static constexpr auto inputs = std::tuple_cat(
+      std::tuple{Field{&Input::T, "T", N_m, "torque"}.load(),
+                 Field{&Input::K_A, "K_A", ratio, "service factor: what the torque does not contain, once"}
+                     .positive()
+                     .usually(1, 4)
+                     .factor(),
+                 ListField{&Input::cells, "cells", "closed cells"}.may_be_missing(),
+                 ListField{&Input::walls, "walls", "walls between the cells, around them and free ones"},
+                 Field{&Input::G, "G", GPa, "shear modulus of what has none of its own, for the twist"}
+                     .positive()
+                     .usually(1, 500)
+                     .from("material", "G")},
+      shear_strength_inputs<Input>("t_max"),
+      std::tuple{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
+                     .positive()
+                     .usually(0.02, 10)
+                     .may_be_missing()});
+
+  struct Flow {
+    Name name;
+    Area A = unset<Area>;
+    Stiffness q = unset<Stiffness>;
+    static constexpr std::tuple fields{NameField{&Flow::name, "name", "cell"},
+                                       Field{&Flow::A, "A", mm2, "area inside of the middle lines"},
+                                       Field{&Flow::q, "q", N_per_mm, "shear flow around it, positive like T"}};
+  };
+  struct Loaded {
+    Name name;
+    Length l = unset<Length>;
+    Stiffness q = unset<Stiffness>;
+    Stress tau_m = unset<Stress>, tau = unset<Stress>, tau_all = unset<Stress>;
+    double u_tau = unset<double>;
+    static constexpr std::tuple fields{
+        NameField{&Loaded::name, "name", "wall"},
+        Field{&Loaded::l, "l", mm, "length of its middle line"},
+        Field{&Loaded::q, "q", N_per_mm, "shear flow: that of its cell less that of the one beside"},
+        Field{&Loaded::tau_m, "tau_m", MPa, "mean shear stress, the flow over the thickness"},
+        Field{&Loaded::tau, "tau", MPa, "shear stress at its surface"},
+        Field{&Loaded::tau_all, "tau_all", MPa, "allowable shear stress"},
+        Field{&Loaded::u_tau, "u_tau", ratio, "shear stress over the allowable one"}};
+  };
+
+  struct Result {
+    SecondMoment I_B = unset<SecondMoment>, I_s = unset<SecondMoment>, I_t = unset<SecondMoment>;
+    SectionModulus W_t = unset<SectionModulus>, W_s = unset<SectionModulus>;
+    double r_I = unset<double>;
+    Length t_max = unset<Length>;
+    Stress tau_max = unset<Stress>, tau_s = unset<Stress>;
+    Twist theta = unset<Twist>;
+    double w = unset<double>, w_s = unset<double>, u_tau = unset<double>, u_theta = unset<double>;
+    StressCycle cycle;
+    List<Flow, most_cells> cells;
+    List<Loaded, most_walls> walls;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::I_B, "I_B", mm4, "torsion constant of the cells, by Bredt"},
+      Field{&Result::I_s, "I_s", mm4, "torsion constant of the walls as strips: of the section slit open"},
+      Field{&Result::I_t, "I_t", mm4, "torsion constant of the section"},
+      Field{&Result::W_t, "W_t", mm3, "section modulus in torsion: torque over the largest shear stress"},
+      Field{&Result::W_s, "W_s", mm3, "the same of the section slit open"},
+      Field{&Result::r_I, "r_I", ratio, "how many times stiffer than slit open"},
+      Field{&Result::t_max, "t_max", mm, "thickest wall, which the strength of the material belongs to"},
+      Field{&Result::tau_max, "tau_max", MPa, "largest shear stress"},
+      Field{&Result::tau_s, "tau_s", MPa, "largest shear stress of the section slit open"},
+      Field{&Result::theta, "theta", deg_per_m, "twist per length, positive like T"},
+      Field{&Result::w, "w", ratio, "walls of cells: thickness over 2 A/U of the cell, largest"}
+          .limit(0, thickest_of_cell)
+          .where_it_applies(),
+      Field{&Result::w_s, "w_s", ratio, "free walls: thickness over length, largest"}
+          .limit(0, thickest_free_wall)
+          .where_it_applies(),
+      Field{&Result::u_tau, "u_tau", ratio, "strength: shear stress over the allowable one, largest of the walls"}
+          .check(),
+      Field{&Result::u_theta, "u_theta", ratio, "stiffness: twist per length over the allowable one"}.check(
+          "theta_adm"),
+      Group{&Result::cycle, "cycle", "largest stress of the section, for fatigue.cycle: cycle"}.handed_over(),
+      ListField{&Result::cells, "cells", "cells"},
+      ListField{&Result::walls, "walls", "walls"}};
+
+  static bool sizes_given(const Input& in);
+  static bool cells_known(const Input& in);
+  static FieldFault unknown_cell(const Input& in);
+  static bool cells_once(const Input& in);
+  static bool cells_close(const Input& in);
+  static FieldFault open_cell(const Input& in);
+  static bool areas_fit(const Input& in);
+  static FieldFault too_much_area(const Input& in);
+  static bool outlines_fit(const Input& in);
+  static bool one_strength(const Input& in);
+  static bool moduli_fit(const Input& in);
+  static Applies brittle(const Input& in);
+  static Applies tough(const Input& in);
+  static Applies loaded(const Input& in);
+  static Applies slender(const Input& in);
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return !in.walls.empty(); }, "walls", "a section has one wall at least"},
+      Rule<Input>{
+          &sizes_given, "cells, walls",
+          "give the area of a cell as A or by three points or more, the length of a wall as l or by two or more"},
+      Rule<Input>{&cells_once, "cells", "every cell has a name of its own"},
+      Rule<Input>{&cells_known, "walls, cells",
+                  "a wall names the cell that it bounds, and another one beside it where there is one", &unknown_cell},
+      Rule<Input>{&cells_close, "cells, walls",
+                  "a cell has walls, and its walls or those of cells beside it have the outside on their other side",
+                  &open_cell},
+      Rule<Input>{&areas_fit, "cells, walls", "a cell is no larger than a circle that its walls go around",
+                  &too_much_area},
+      Rule<Input>{&outlines_fit, "cells, walls", "the walls of a cell are not as long as its outline by points",
+                  nullptr, true},
+      Rule<Input>{&one_strength, "tau_adm, sigma_adm, behaviour, S, R_e",
+                  "give one of them: tau_adm; sigma_adm with behaviour; S with the yield strength R_e (or a material)"},
+      Rule<Input>{&moduli_fit, "walls, G",
+                  "a wall with a G of its own is of another material: give its tau_adm, and the G of the others"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.theta_adm) || is_set(in.G); }, "theta_adm, G",
+                  "theta_adm needs the shear modulus G (or a material)"}};
+
+  static constexpr std::array modes{
+      Mode<Input>{"yield", "yield in torsion", &tough}.judged_by("u_tau, w, w_s"),
+      Mode<Input>{"fracture", "fracture of a brittle material in torsion", &brittle}.judged_by("u_tau, w, w_s"),
+      Mode<Input>{"twist", "twist", &loaded}.judged_by("u_theta, w, w_s").of_service(),
+      Mode<Input>{"buckling", "buckling of a slender wall in shear", &slender},
+      Mode<Input>{"corners", "stress at inner corners, welds and holes", &unseen<Input>},
+      Mode<Input>{"warping", "stress along the bar where an end cannot warp", &unseen<Input>},
+      Mode<Input>{"distortion", "cells that lose their shape between diaphragms", &unseen<Input>},
+      Mode<Input>{"other_loads", "what comes along with its torque, and is not taken", &unseen<Input>}.by_companions(),
+      Mode<Input>{"fatigue", "fatigue, at welds and corners first",
+                  [](const Input& in) { return shown_by(in.K_A > 1.0); }}
+          .in_service()
+          .left_to("fatigue.cycle", "cycle.fatigue")};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+}  // namespace loadpath::section

@@ -1,0 +1,165 @@
+// What section.thin_walled asks of its input beyond the bounds of its fields.
+#include "calculators/section/torsion/cells.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace loadpath::section {
+
+namespace {
+
+using Input = ThinWalled::Input;
+using Wall = ThinWalled::Wall;
+using Cell = ThinWalled::Cell;
+
+bool has_size(const Wall& w) {
+  return is_set(w.l) ? w.points.empty() : w.points.size() >= 2 && in_si(length_of(w)) > 0.0;
+}
+bool has_size(const Cell& c) {
+  return is_set(c.A) ? c.points.empty() : c.points.size() >= 3 && in_si(area_of(c)) > 0.0;
+}
+
+bool is_known(const Input& in, const Wall& w) {
+  const std::size_t outside = in.cells.size();
+  const std::size_t cell = cell_of(in, w.cell), beside = cell_of(in, w.beside);
+  if (is_free(w)) return w.beside.empty();
+  return cell != outside && (w.beside.empty() || (beside != outside && beside != cell));
+}
+
+/// Cells that have a way to the outside through walls; nothing else fixes their flow.
+std::array<bool, most_cells + 1> reached_cells(const Input& in) {
+  std::array<bool, most_cells + 1> reached{};
+  reached[in.cells.size()] = true;
+  for (std::size_t round = 0; round < in.cells.size(); ++round) {
+    for (const Wall& w : in.walls) {
+      const std::size_t a = cell_of(in, w.cell), b = cell_of(in, w.beside);
+      if (!is_free(w) && (reached[a] || reached[b])) reached[a] = reached[b] = true;
+    }
+  }
+  return reached;
+}
+
+/// The first cell for which it does not hold; that behind the last where it holds for all.
+template <class Holds>
+std::size_t first_without(const Input& in, const Holds& holds) {
+  std::size_t i = 0;
+  while (i < in.cells.size() && holds(i)) ++i;
+  return i;
+}
+
+bool sizes_and_names(const Input& in) {
+  return ThinWalled::sizes_given(in) && ThinWalled::cells_once(in) && ThinWalled::cells_known(in);
+}
+
+Area largest_area(const Input& in, std::size_t cell) {
+  const Length U = perimeter_of(in, cell);
+  return U * U / (4.0 * pi);
+}
+
+bool area_fits(const Input& in, std::size_t cell) {
+  constexpr double rounding = 1e-3;  // of sizes as they are printed
+  return area_of(in.cells[cell]) <= (1.0 + rounding) * largest_area(in, cell);
+}
+
+Length outline_of(const Cell& cell) {
+  Wall around;
+  around.points = cell.points;
+  const auto &first = cell.points.front(), &last = cell.points.back();
+  return length_of(around) + from_si<Length>(std::hypot(in_si(last.y - first.y), in_si(last.z - first.z)));
+}
+
+}  // namespace
+
+bool ThinWalled::sizes_given(const Input& in) {
+  return std::all_of(in.walls.begin(), in.walls.end(), [](const Wall& w) { return has_size(w); }) &&
+         std::all_of(in.cells.begin(), in.cells.end(), [](const Cell& c) { return has_size(c); });
+}
+
+bool ThinWalled::cells_once(const Input& in) {
+  return first_without(in, [&](std::size_t i) {
+           return !in.cells[i].name.empty() && cell_of(in, in.cells[i].name) == i;
+         }) == in.cells.size();
+}
+
+bool ThinWalled::cells_known(const Input& in) {
+  return std::all_of(in.walls.begin(), in.walls.end(), [&](const Wall& w) { return is_known(in, w); });
+}
+
+FieldFault ThinWalled::unknown_cell(const Input& in) {
+  const auto wall = std::find_if(in.walls.begin(), in.walls.end(), [&](const Wall& w) { return !is_known(in, w); });
+  if (wall == in.walls.end()) return {};
+  const std::string path = "walls[" + std::to_string(wall - in.walls.begin() + 1) + "]";
+  if (is_free(*wall)) return {path + ".beside", say("the wall has a cell beside it, and bounds none"), {}};
+  if (wall->beside == wall->cell) return {path + ".beside", say("the wall has one cell on both sides"), {}};
+  const bool first = cell_of(in, wall->cell) == in.cells.size();
+  return {path + (first ? ".cell" : ".beside"),
+          say("there is no cell '{1}'", std::string((first ? wall->cell : wall->beside).view())),
+          {}};
+}
+
+bool ThinWalled::cells_close(const Input& in) {
+  if (!sizes_and_names(in)) return true;  // another rule says it
+  const auto reached = reached_cells(in);
+  return first_without(in, [&](std::size_t i) { return reached[i]; }) == in.cells.size();
+}
+
+FieldFault ThinWalled::open_cell(const Input& in) {
+  const auto reached = reached_cells(in);
+  const std::size_t i = first_without(in, [&](std::size_t k) { return reached[k]; });
+  return {"cells[" + std::to_string(i + 1) + "]",
+          say("cell '{1}' has no wall to the outside, nor has a cell that it is joined to",
+              std::string(in.cells[i].name.view())),
+          say("give all walls around a cell: cell = its name; beside = the cell on the other side, if any")};
+}
+
+bool ThinWalled::areas_fit(const Input& in) {
+  if (!sizes_and_names(in)) return true;
+  return first_without(in, [&](std::size_t i) { return area_fits(in, i); }) == in.cells.size();
+}
+
+FieldFault ThinWalled::too_much_area(const Input& in) {
+  const std::size_t i = first_without(in, [&](std::size_t k) { return area_fits(in, k); });
+  return {"cells[" + std::to_string(i + 1) + "]",
+          say("the walls of cell '{1}' go around {2} at most, and it has {3}", std::string(in.cells[i].name.view()),
+              format_quantity(in_si(largest_area(in, i)), mm2.symbol),
+              format_quantity(in_si(area_of(in.cells[i])), mm2.symbol)),
+          say("give all of its walls, with beside where another cell has named them")};
+}
+
+bool ThinWalled::outlines_fit(const Input& in) {
+  constexpr double apart = 0.02;
+  if (!sizes_and_names(in)) return true;
+  return first_without(in, [&](std::size_t i) {
+           if (in.cells[i].points.empty()) return true;
+           const Length U = perimeter_of(in, i);
+           return abs(outline_of(in.cells[i]) - U) <= apart * U;
+         }) == in.cells.size();
+}
+
+bool ThinWalled::one_strength(const Input& in) {
+  return one_shear_strength(
+      in, std::all_of(in.walls.begin(), in.walls.end(), [](const Wall& w) { return is_set(w.tau_adm); }));
+}
+
+bool ThinWalled::moduli_fit(const Input& in) {
+  return std::all_of(in.walls.begin(), in.walls.end(),
+                     [&](const Wall& w) { return !is_set(w.G) || (is_set(w.tau_adm) && is_set(in.G)); });
+}
+
+Applies ThinWalled::loaded(const Input& in) { return where(in_si(in.T) != 0.0); }
+Applies ThinWalled::brittle(const Input& in) { return in.behaviour == Behaviour::brittle ? loaded(in) : Applies::no; }
+Applies ThinWalled::tough(const Input& in) { return in.behaviour == Behaviour::brittle ? Applies::no : loaded(in); }
+
+/// Unstiffened plates up to 72 sqrt(235 MPa/R_e)/1.2 thicknesses do not buckle in shear before they yield; without R_e
+/// that of 500 MPa counts.
+Applies ThinWalled::slender(const Input& in) {
+  const double R_e = is_set(in.R_e) ? in.R_e / MPa : 500.0;
+  const double bound = 72.0 / 1.2 * std::sqrt(235.0 / R_e);
+  const bool any = std::any_of(in.walls.begin(), in.walls.end(),
+                               [&](const Wall& w) { return !is_free(w) && reduced(longest_side(w) / w.t) > bound; });
+  return any ? loaded(in) : Applies::no;
+}
+
+}  // namespace loadpath::section

@@ -12,7 +12,7 @@ namespace loadpath {
 namespace shaft { struct Torsion; struct Overhung; struct Design; struct Key; struct PressFit; struct Held; }
 namespace section {
   struct Circle; struct Ring; struct Rectangle; struct I; struct Channel; struct Angle; struct Tee; struct Hollow;
-  struct Polygon; struct BuiltUp; struct ThinWalled;
+  struct Polygon; struct BuiltUp; struct ThinWalled; struct SolidTorsion;
 }
 namespace column { struct Buckling; struct Lightest; struct EffectiveLength; }
 namespace vessel { struct Cylinder; struct Sphere; struct Cone; struct Torus; struct Ellipsoid; struct Shell; }
@@ -60,6 +60,7 @@ static constexpr std::array all{
     Row{&erased<section::Polygon>},
     Row{&erased<section::BuiltUp>},
     Row{&erased<section::ThinWalled>},
+    Row{&erased<section::SolidTorsion>},
     Row{&erased<column::Buckling>},
     Row{&erased<column::Lightest>},
     Row{&erased<column::EffectiveLength>},

@@ -211,7 +211,17 @@ const Law twists[] = {
      8},
 };
 
-const std::span<const Law> laws[] = {twists, fits, keys, sections, bars, fatigue, vessels, drives, motion, bearings};
+const char* const small_triangle = "points = [[\"0 mm\", \"0 mm\"], [\"30 mm\", \"0 mm\"], [\"10 mm\", \"20 mm\"]]";
+const char* const large_triangle = "points = [[\"5 mm\", \"9 mm\"], [\"65 mm\", \"9 mm\"], [\"25 mm\", \"49 mm\"]]";
+
+const Law solids[] = {
+    {"section.solid_torsion", small_triangle, large_triangle, "I_t", 16},
+    {"section.solid_torsion", small_triangle, large_triangle, "W_t", 8},
+    {"section.solid_torsion", "", "K_A = 2", "theta", 2},
+};
+
+const std::span<const Law> laws[] = {solids,  twists,  fits,   keys,   sections, bars,
+                                     fatigue, vessels, drives, motion, bearings};
 
 /// What `result` does over the values of a key, one after the other.
 enum class Sense { rises, falls };

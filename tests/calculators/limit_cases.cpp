@@ -402,6 +402,8 @@ const Case twists[] = {
     {"shaft.held",
      "behaviour = \"brittle\"\nsleeves = \nend_2 = \"free\"\nc_2 = \nsegments = [{ l = \"2 m\", d = \"2 m\" }]",
      "u_tau", 900.0 / (pi / 2) / 90e6},
+    {"section.solid_torsion", "T = \"0 N*m\"", "tau_max", 0.0},
+    {"section.solid_torsion", "T = \"0 N*m\"", "theta", 0.0},
     {"section.thin_walled", ring, "I_B", 2 * pi * 1e-3},
     {"section.thin_walled", ring, "I_s", 2 * pi * 1e-9 / 3},
     {"section.thin_walled", "T = \"0 N*m\"", "tau_max", 0.0},

@@ -20,8 +20,9 @@
 namespace loadpath::section {
 
 inline constexpr std::size_t most_cells = 12, most_walls = 40, most_corners = 24;
-/// Thickness over 2 A/U of a cell: of a square tube a quarter of its middle line, where a finite-difference solution has
-/// 6 % more I_t and 0.6 % more W_t; and over the length of a free wall, where the series of the rectangle has 6 % less.
+/// Thickness over 2 A/U of a cell: of a square tube a quarter of its middle line, where a finite-difference solution
+/// has 6 % more I_t and 0.6 % more W_t; and over the length of a free wall, where the series of the rectangle has 6 %
+/// less.
 inline constexpr double thickest_of_cell = 0.5, thickest_free_wall = 0.1;
 
 struct ThinWalled {

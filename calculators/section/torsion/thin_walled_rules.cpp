@@ -59,7 +59,7 @@ Area largest_area(const Input& in, std::size_t cell) {
 }
 
 bool area_fits(const Input& in, std::size_t cell) {
-  constexpr double rounding = 1e-3;  // of sizes as they are printed
+  constexpr double rounding = 5e-3;  // of sizes as they are printed
   return area_of(in.cells[cell]) <= (1.0 + rounding) * largest_area(in, cell);
 }
 

@@ -1,0 +1,139 @@
+// A solid section of any straight outline, with holes, in torsion: Prandtl's stress function by boundary elements.
+//
+// Decides torsion constant, section modulus and the place of the largest stress from two nets of elements, the second
+// twice as fine, by Richardson's extrapolation; how far the fine one is from it is said and limited. Saint-Venant: free
+// to warp. At an inner corner the elastic stress has no bound: the section modulus is not given there.
+// Not covered: stress at inner corners, held warping, fatigue, bending. Curves are followed by points.
+#pragma once
+
+#include "calculators/load/shear_strength.hpp"
+#include "calculators/load/stress_cycle.hpp"
+#include "calculators/section/polygon.hpp"
+#include "lib/calculator/trace.hpp"
+
+#include <array>
+
+namespace loadpath::section {
+
+inline constexpr std::size_t most_sides = 40;
+/// How far the finer net may be from the extrapolated torsion constant and section modulus.
+inline constexpr double worst_I_t = 2e-3, worst_W_t = 2e-2;
+
+/// The fields of section.polygon, of an input that derives from its.
+template <class Input>
+constexpr auto contour_inputs() {
+  List<Polygon::Corner, 64> Input::*const points = &Polygon::Input::points;
+  List<Polygon::Hole, 8> Input::*const holes = &Polygon::Input::holes;
+  return std::tuple{ListField{points, "points", "corners of the contour, in order around it"}.as_arrays(),
+                    ListField{holes, "holes", "what is cut out"}.may_be_missing()};
+}
+
+struct SolidTorsion {
+  static constexpr auto id = "section.solid_torsion";
+  static constexpr auto title = "Solid section in torsion";
+  static constexpr auto scope =
+      "Torsion constant, section modulus, largest stress with its place and twist of a section that is given by the "
+      "corners of its contour and of its holes, at most 40 in all, by Prandtl's stress function. The stress at inner "
+      "corners, held warping and fatigue are not covered.";
+  static constexpr auto source = "[Prandtl]";
+  static constexpr auto example = R"([project]
+title = "Hexagon bar, 30 mm across flats"
+
+[bar]
+calculator = "section.solid_torsion"
+T = "250 N*m"
+points = [["17.3205 mm", "0 mm"], ["8.66025 mm", "15 mm"], ["-8.66025 mm", "15 mm"], ["-17.3205 mm", "0 mm"], ["-8.66025 mm", "-15 mm"], ["8.66025 mm", "-15 mm"]]
+G = "80 GPa"
+tau_adm = "60 MPa"
+theta_adm = "4 deg/m"
+)";
+
+  struct Input : Polygon::Input, ShearStrength {
+    Moment T = unset<Moment>;
+    double K_A = 1.0;
+    Stress G = unset<Stress>;
+    Twist theta_adm = unset<Twist>;
+  };
+
+  static constexpr auto inputs = std::tuple_cat(
+      std::tuple{Field{&Input::T, "T", N_m, "torque"}.load(),
+                 Field{&Input::K_A, "K_A", ratio, "service factor: what the torque does not contain, once"}
+                     .positive()
+                     .usually(1, 4)
+                     .factor()},
+      contour_inputs<Input>(),
+      std::tuple{
+          Field{&Input::G, "G", GPa, "shear modulus, for the twist"}.positive().usually(1, 500).from("material", "G")},
+      shear_strength_inputs<Input>("d_s"),
+      std::tuple{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
+                     .positive()
+                     .usually(0.02, 10)
+                     .may_be_missing()});
+
+  struct Result {
+    SecondMoment I_t = unset<SecondMoment>;
+    SectionModulus W_t = unset<SectionModulus>;
+    Length y_t = unset<Length>, z_t = unset<Length>, d_s = unset<Length>;
+    Stress tau_max = unset<Stress>, tau_all = unset<Stress>;
+    Twist theta = unset<Twist>;
+    double e_I = unset<double>, e_W = unset<double>, u_tau = unset<double>, u_theta = unset<double>;
+    StressCycle cycle;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::I_t, "I_t", mm4, "torsion constant of Saint-Venant"},
+      Field{&Result::W_t, "W_t", mm3, "section modulus in torsion; none where the section has an inner corner"},
+      Field{&Result::y_t, "y_t", mm, "place of the largest stress, to the right"},
+      Field{&Result::z_t, "z_t", mm, "place of the largest stress, upwards"},
+      Field{&Result::d_s, "d_s", mm, "size whose strength the material has: the larger side of a box around it"},
+      Field{&Result::tau_max, "tau_max", MPa, "largest shear stress"},
+      Field{&Result::tau_all, "tau_all", MPa, "allowable shear stress"},
+      Field{&Result::theta, "theta", deg_per_m, "twist per length, positive like T"},
+      Field{&Result::e_I, "e_I", ratio, "how far the fine net is from the torsion constant"}.limit(0, worst_I_t),
+      Field{&Result::e_W, "e_W", ratio, "how far the fine net is from the section modulus"}
+          .limit(0, worst_W_t)
+          .where_it_applies(),
+      Field{&Result::u_tau, "u_tau", ratio, "strength: largest shear stress over the allowable one"}
+          .check()
+          .where_it_applies(),
+      Field{&Result::u_theta, "u_theta", ratio, "stiffness: twist per length over the allowable one"}.check(
+          "theta_adm"),
+      Group{&Result::cycle, "cycle", "largest stress of the section, for fatigue.cycle: cycle"}.handed_over()};
+
+  static bool sides_fit(const Input& in);
+  static bool has_inner_corner(const Input& in);
+  static Applies loaded(const Input& in);
+  static Applies brittle(const Input& in);
+  static Applies tough(const Input& in);
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return Polygon::has_corners(in); }, "points, holes",
+                  "a contour and each hole have three corners or more"},
+      Rule<Input>{[](const Input& in) { return Polygon::is_simple(in); }, "points, holes",
+                  "no side may touch or cross another one of its contour",
+                  [](const Input& in) { return Polygon::crossing(in); }},
+      Rule<Input>{[](const Input& in) { return Polygon::holes_are_inside(in); }, "holes, points",
+                  "every hole must lie inside the contour and clear of other holes",
+                  [](const Input& in) { return Polygon::hole_outside(in); }},
+      Rule<Input>{&sides_fit, "points, holes", "contour and holes have 40 sides at most"},
+      Rule<Input>{[](const Input& in) { return one_shear_strength(in, false); },
+                  "tau_adm, sigma_adm, behaviour, S, R_e",
+                  "give one of them: tau_adm; sigma_adm with behaviour; S with the yield strength R_e (or a material)"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.theta_adm) || is_set(in.G); }, "theta_adm, G",
+                  "theta_adm needs the shear modulus G (or a material)"}};
+
+  static constexpr std::array modes{
+      Mode<Input>{"yield", "yield in torsion", &tough}.judged_by("u_tau, e_I, e_W"),
+      Mode<Input>{"fracture", "fracture of a brittle material in torsion", &brittle}.judged_by("u_tau, e_I, e_W"),
+      Mode<Input>{"twist", "twist", &loaded}.judged_by("u_theta, e_I").of_service(),
+      Mode<Input>{"corner", "an inner corner, where the stress of a sharp one has no bound",
+                  [](const Input& in) { return has_inner_corner(in) ? loaded(in) : Applies::no; }},
+      Mode<Input>{"warping", "stress along the bar where an end cannot warp", &unseen<Input>},
+      Mode<Input>{"other_loads", "what comes along with its torque, and is not taken", &unseen<Input>}.by_companions(),
+      Mode<Input>{"fatigue", "fatigue", [](const Input& in) { return shown_by(in.K_A > 1.0); }}.in_service().left_to(
+          "fatigue.cycle", "cycle.fatigue")};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+}  // namespace loadpath::section

@@ -11,7 +11,7 @@ namespace loadpath {
 // clang-format off
 namespace shaft { struct Torsion; struct Overhung; struct Design; struct Key; struct PressFit; struct Held; }
 namespace section {
-  struct Circle; struct Ring; struct Rectangle; struct I; struct Channel; struct Angle; struct Tee; struct Hollow;
+  struct Circle; struct Ellipse; struct Ring; struct Rectangle; struct I; struct Channel; struct Angle; struct Tee; struct Hollow;
   struct Polygon; struct BuiltUp; struct ThinWalled; struct SolidTorsion;
 }
 namespace column { struct Buckling; struct Lightest; struct EffectiveLength; }
@@ -50,6 +50,7 @@ static constexpr std::array all{
     Row{&erased<shaft::PressFit>},
     Row{&erased<shaft::Held>},
     Row{&erased<section::Circle>},
+    Row{&erased<section::Ellipse>},
     Row{&erased<section::Ring>},
     Row{&erased<section::Rectangle>},
     Row{&erased<section::I>},

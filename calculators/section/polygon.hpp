@@ -1,6 +1,6 @@
 // A section bounded by straight lines, with holes: by Green's theorem, exact.
 //
-// Not covered: torsion (the torsion constant of an arbitrary contour), warping, the shear centre. Curves are followed
+// Not covered: torsion (see section.solid_torsion), warping, the shear centre. Curves are followed
 // by points: a circle of n points lacks (2 pi / n)^2 / 6 of its area.
 #pragma once
 
@@ -18,8 +18,8 @@ struct Polygon {
   static constexpr auto scope =
       "Area, centroid, second moments, principal axes and moduli of a section that is given by the corners of its "
       "contour and of its holes, in order around each; at most 64 corners, 8 holes of at most 32. Origin of the "
-      "sketch: as the corners are given. The moduli about y and z alone hold where these are principal axes. The "
-      "torsion constant of an arbitrary contour is not covered.";
+      "sketch: as the corners are given. The moduli about y and z alone hold where these are principal axes. Its "
+      "torsion constant is given by section.solid_torsion.";
   static constexpr auto source = "[Garrison], [ME102]";
   static constexpr auto example = R"([project]
 title = "Frame with a window"

@@ -8,13 +8,6 @@ namespace loadpath::shaft {
 
 namespace {
 
-template <class Tracer>
-Stress allowable(const Torsion::Input& in, Tracer& trace) {
-  if (is_set(in.tau_adm)) return NAMED_STEP("tau_all", in.tau_adm, "as given");
-  return NAMED_STEP("tau_all", in.R_e / (sqrt(3.0) * in.S),
-                    "yielding in shear by the distortion energy hypothesis, [Mises]");
-}
-
 /// Takes the magnitude where it is larger. Once something is not available, the largest is not either.
 template <class Quantity>
 void raise(Quantity& largest, Quantity value) {
@@ -111,7 +104,7 @@ void judge(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
 template <class Tracer>
 Torsion::Result Torsion::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  r.tau_all = allowable(in, trace);
+  r.tau_all = allowable_shear(in, unset<Stress>, trace);
   const Stretches parts = stretches_of(in);
   size_stretches(in, parts, r, trace);
   choose_least(in, r, trace);

@@ -6,6 +6,7 @@
 // Not covered: bending (see shaft.overhung), fatigue, notches, keyways, buckling of thin tubes.
 #pragma once
 
+#include "calculators/load/shear_strength.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "calculators/shaft/parts/modes.hpp"
 #include "calculators/shaft/torque_diagram.hpp"
@@ -72,7 +73,7 @@ theta_adm = "0.004 rad/m"
                                        Field{&Torque::T, "T", N_m, "torque on the shaft, signed"}.load()};
   };
 
-  struct Input {
+  struct Input : ShearStrength {
     Moment T = unset<Moment>;
     Length l = unset<Length>;
     Length d = unset<Length>;
@@ -80,9 +81,6 @@ theta_adm = "0.004 rad/m"
     Length d_bore = unset<Length>, d_h = unset<Length>;
     double K_A = 1.0;
     Stress G = unset<Stress>;
-    Stress tau_adm = unset<Stress>;
-    Stress R_e = unset<Stress>;
-    double S = unset<double>;
     Twist theta_adm = unset<Twist>;
     Force F = unset<Force>;
     Fixed fixed = Fixed::none;
@@ -96,39 +94,36 @@ theta_adm = "0.004 rad/m"
   static FieldFault two_safeties(const Input& in);
   static FieldFault open_sum(const Input& in);
   static FieldFault torque_off_shaft(const Input& in);
-  static constexpr std::tuple inputs{
-      RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
-      Field{&Input::T, "T", N_m, "torque through the whole shaft, in place of torques"}.load().may_be_missing(),
-      Field{&Input::l, "l", mm, "length of the shaft, for the angle of twist"}.positive().may_be_missing(),
-      Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
-      Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}.at_least(0).below(0.99).may_be_missing(),
-      Field{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing().kept_in_search(),
-      diameter_at_heat_treatment(&Input::d_h),
-      Field{&Input::K_A, "K_A", ratio, "service factor: what the loads do not contain, once"}
-          .positive()
-          .usually(1, 4)
-          .factor(),
-      Field{&Input::G, "G", GPa, "shear modulus"}.positive().usually(1, 500).from("material", "G"),
-      Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress, without a further safety factor"}
-          .positive()
-          .usually(1, 1000)
-          .may_be_missing(),
-      Field{&Input::R_e, "R_e", MPa, "yield strength, with S in place of tau_adm"}.positive().usually(50, 2500).from(
-          "material", "R_e", "d_s", "tau_adm"),
-      Field{&Input::S, "S", ratio, "safety factor against yielding, with R_e"}
-          .at_least(1)
-          .usually(1, 6)
-          .may_be_missing()
-          .factor(),
-      Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
-          .positive()
-          .usually(0.02, 10)
-          .may_be_missing(),
-      Field{&Input::F, "F", N, "transverse force that comes with the torque; bends the shaft"}.load().coming_with("T"),
-      Choice{&Input::fixed, "fixed", "end that is held; its reaction closes the sum of the torques"}.may_be_missing(),
-      ListField{&Input::torques, "torques", "torques along the shaft; their sum is zero unless an end is fixed"}
-          .may_be_missing(),
-      ListField{&Input::segments, "segments", "cylinders from left to right"}.may_be_missing()};
+  static constexpr auto inputs = std::tuple_cat(
+      std::tuple{
+          RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
+          Field{&Input::T, "T", N_m, "torque through the whole shaft, in place of torques"}.load().may_be_missing(),
+          Field{&Input::l, "l", mm, "length of the shaft, for the angle of twist"}.positive().may_be_missing(),
+          Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
+          Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}
+              .at_least(0)
+              .below(0.99)
+              .may_be_missing(),
+          Field{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing().kept_in_search(),
+          diameter_at_heat_treatment(&Input::d_h),
+          Field{&Input::K_A, "K_A", ratio, "service factor: what the loads do not contain, once"}
+              .positive()
+              .usually(1, 4)
+              .factor(),
+          Field{&Input::G, "G", GPa, "shear modulus"}.positive().usually(1, 500).from("material", "G")},
+      shear_strength_inputs<Input>("d_s"),
+      std::tuple{
+          Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
+              .positive()
+              .usually(0.02, 10)
+              .may_be_missing(),
+          Field{&Input::F, "F", N, "transverse force that comes with the torque; bends the shaft"}.load().coming_with(
+              "T"),
+          Choice{&Input::fixed, "fixed", "end that is held; its reaction closes the sum of the torques"}
+              .may_be_missing(),
+          ListField{&Input::torques, "torques", "torques along the shaft; their sum is zero unless an end is fixed"}
+              .may_be_missing(),
+          ListField{&Input::segments, "segments", "cylinders from left to right"}.may_be_missing()});
 
   struct Stretch {
     Length x = unset<Length>, l = unset<Length>;
@@ -202,8 +197,17 @@ theta_adm = "0.004 rad/m"
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return is_set(in.T) == in.torques.empty(); }, "T, torques",
                   "give either T or torques"},
-      Rule<Input>{[](const Input& in) { return is_set(in.tau_adm) || (is_set(in.R_e) && is_set(in.S)); },
-                  "tau_adm, R_e, S", "give tau_adm, or S with the yield strength R_e (or a material)"},
+      Rule<Input>{[](const Input& in) {
+                    return is_set(in.tau_adm) || is_set(in.sigma_adm) || (is_set(in.R_e) && is_set(in.S));
+                  },
+                  "tau_adm, sigma_adm, R_e, S",
+                  "give tau_adm, or S with the yield strength R_e (or a material), or sigma_adm with behaviour"},
+      Rule<Input>{[](const Input& in) {
+                    return is_set(in.sigma_adm) == (in.behaviour != Behaviour::unsaid) &&
+                           !(is_set(in.sigma_adm) && (is_set(in.tau_adm) || is_set(in.S)));
+                  },
+                  "sigma_adm, behaviour, tau_adm, S",
+                  "sigma_adm goes with behaviour, and stands in place of tau_adm and S"},
       Rule<Input>{[](const Input& in) { return !is_set(in.tau_adm) || !(is_set(in.S) || is_set(in.R_e)); },
                   "tau_adm, R_e, S", "tau_adm already holds the safety: give tau_adm, or R_e with S, never both",
                   &two_safeties},

@@ -39,6 +39,8 @@ constexpr Habit habits[] = {
     {Dimension::of(0, 0, -1, 0, 1), "rad/s"},
     {Dimension::of(-1, 0, 0, 0, 1), "deg/m"},
     {Dimension::of(2, 1, -2, 0, -1), "N*m/rad"},
+    {Dimension::of(-2, -1, 2), "1/(N*m)"},
+    {Dimension::of(-1, -1, 2), "1/N"},
     {Dimension::of(0, 1, -2), "N/mm"},
     {Dimension::of(3, 1, -2), "N*m^2"},
     {Dimension::of(-1, 1, -1), "Pa*s"},

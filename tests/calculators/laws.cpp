@@ -24,6 +24,7 @@ struct Law {
 const Law sections[] = {
     {"section.circle", R"(d = "40 mm")", R"(d = "80 mm")", "I_t", 16},
     {"section.circle", R"(d = "40 mm")", R"(d = "80 mm")", "W_max", 8},
+    {"section.ellipse", "", "b = \"80 mm\"\nh = \"40 mm\"", "I_t", 16},
     {"section.ring", "", "d = \"120 mm\"\nt = \"10 mm\"", "I_y", 16},
     {"section.ring", "", "d = \"120 mm\"\nt = \"10 mm\"", "W_t", 8},
     {"section.rectangle", "", "b = \"40 mm\"\nh = \"120 mm\"", "I_t", 16},

@@ -39,6 +39,14 @@ const char* const bare_bar =
 const Case shapes[] = {
     {"section.circle", R"(d = "2 m")", "I_t", pi / 2},
     {"section.circle", "d = \"2 m\"", "A", pi},
+    {"section.ellipse", "b = \"2 m\"\nh = \"2 m\"", "I_t", pi / 2},
+    {"section.ellipse", "b = \"2 m\"\nh = \"2 m\"", "W_t", pi / 2},
+    {"section.ellipse", "b = \"2 m\"\nh = \"4 m\"", "I_y", 2 * pi},
+    {"section.ellipse", "b = \"2 m\"\nh = \"4 m\"", "W_max", pi},
+    {"shaft.torsion", "torques = \nT = \"1 kN*m\"\ntau_adm = \nsigma_adm = \"100 MPa\"\nbehaviour = \"ductile\"",
+     "tau_all", 60e6},
+    {"shaft.torsion", "torques = \nT = \"1 kN*m\"\ntau_adm = \nsigma_adm = \"100 MPa\"\nbehaviour = \"brittle\"",
+     "tau_all", 75e6},
     {"section.ring", "d = \"2 m\"\nt = \"1 m\"", "I_y", pi / 4},                   // no bore
     {"section.ring", "d = \"2 m\"\nt = \"1 um\"", "A", pi * 2e-6 * (1 - 0.5e-6)},  // a line
     {"section.rectangle", "b = \"1 mm\"\nh = \"10 m\"", "I_t",

@@ -29,6 +29,7 @@ constexpr const char* properties = "it gives properties of a section; what carri
 constexpr const char* laws = "it gives motion or forces; what carries them takes them";
 constexpr std::array unbroken{
     Reason{"section.circle", properties},
+    Reason{"section.ellipse", properties},
     Reason{"section.ring", properties},
     Reason{"section.rectangle", properties},
     Reason{"section.I", properties},

@@ -47,6 +47,10 @@ struct Flexibility {
   SpreadYielding f_1;
 };
 
+inline constexpr SpreadYielding no_spread = from_si<SpreadYielding>(0.0);
+/// Whether a torque is spread over it; without one f_1 is not asked for.
+inline bool is_spread(const Slice& s) { return in_si(s.m) != 0.0; }
+
 /// Integrals of 1/(G I_p) and of x/(G I_p) over a cone whose bore is not in proportion.
 Flexibility integrated(const Held::Input& in, const Slice& s);
 
@@ -54,6 +58,7 @@ template <class Tracer>
 Flexibility of_cylinders(const Held::Input& in, const Slice& s, Tracer& trace) {
   const auto C = trace.value("C", stiffness_at(in, s, 0.0 * mm), "sum of G I_p over the members, which twist alike");
   STEP(f_0, s.l / C, "rotation by a moment of 1, [B19] (7)");
+  if (!is_spread(s)) return {f_0, no_spread};
   STEP(f_1, s.l * s.l / (2.0 * C), "rotation by a torque per length of 1");
   return {f_0, f_1};
 }
@@ -75,6 +80,7 @@ Flexibility of_cone(const Held::Input& in, const Slice& s, Tracer& trace) {
   const Length d_e = trace.value("d_e", second.d, "diameter at its second end");
   STEP(f_0, 32.0 * s.l * (d_a * d_a + d_a * d_e + d_e * d_e) / (3.0 * pi * G * (1.0 - pow<4>(chi)) * pow<3>(d_a * d_e)),
        "integral of 1/(G I_p) along the cone");
+  if (!is_spread(s)) return {f_0, no_spread};
   STEP(f_1, 16.0 * s.l * s.l * (2.0 * d_a + d_e) / (3.0 * pi * G * (1.0 - pow<4>(chi)) * pow<2>(d_a * d_e) * d_e),
        "integral of x/(G I_p) along the cone");
   return {f_0, f_1};

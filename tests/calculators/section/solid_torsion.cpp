@@ -37,7 +37,7 @@ double by_differences(double width, double height, const Solid& solid, int n) {
   const int rows = static_cast<int>(std::lround(height / h));
   std::vector<double> phi((n + 1) * (rows + 1), 0.0);
   const double over = 2 / (1 + std::sin(pi / std::min(n, rows)));
-  for (int round = 0; round < 40 * n; ++round) {
+  for (int round = 0; round < 8 * n; ++round) {
     for (int i = 1; i < n; ++i) {
       for (int j = 1; j < rows; ++j) {
         if (!solid(i * h, j * h)) continue;

@@ -28,6 +28,8 @@ namespace dynamics {
 }
 namespace machine { struct Flywheel; struct RunUp; }
 namespace bearing { struct Rolling; }
+namespace pin { struct Joint; struct Lug; struct En1993; struct Cross; }
+namespace link { struct Member; }
 // clang-format on
 
 namespace {
@@ -98,6 +100,11 @@ static constexpr std::array all{
     Row{&erased<machine::Flywheel>, &machine::make_flywheel_step},
     Row{&erased<machine::RunUp>},
     Row{&erased<bearing::Rolling>},
+    Row{&erased<pin::Joint>},
+    Row{&erased<pin::Lug>},
+    Row{&erased<pin::En1993>},
+    Row{&erased<pin::Cross>},
+    Row{&erased<link::Member>},
 };
 // clang-format on
 

@@ -64,13 +64,8 @@ n_st = 3
   static Outline outline_of(const Input& in);
 
   static constexpr auto rules = join<Input>(
-      held_rules<Input>(),
+      held_rules<Input>(), section_rules<Input, &section_given, &section_missing, &radii_fit>(),
       std::array{
-          Rule<Input>{&section_given, "A, I_y, i_y, I_z, i_z, d, d_bore, h, b", "give the section", &section_missing},
-          Rule<Input>{&radii_fit, "A, I_y, I_z, i_y, i_z",
-                      "I and i of an axis do not fit: I is A i^2; give one of them"},
-          Rule<Input>{[](const Input& in) { return !is_set(in.d_bore) || (is_set(in.d) && in.d_bore < in.d); },
-                      "d_bore, d", "a bore goes with d, and is smaller"},
           Rule<Input>{&extreme_fibre_known, "e_y, e_z, c_y, c_z, h, b, d, kind",
                       "an eccentricity needs the distance of the extreme fibre: c_y (or h) with e_y, c_z (or b) with "
                       "e_z; of a channel about z, a tee about y and an angle c itself, as it is not half the side"},
@@ -78,7 +73,7 @@ n_st = 3
                       "method, R_e, sigma_P, a_T, sigma_c, e_y, e_z, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, "
                       "h, b, t_f",
                       "something is missing that the method needs", &missing_for_method}},
-      method_rules<Input>());
+      method_rules<Input>(), eccentricity_rules<Input>());
   static constexpr auto modes = member_modes<Input, &outline_of>("u, r_1, r_0");
 
   template <class Tracer>

@@ -174,6 +174,23 @@ const Law keys[] = {
      "key = \nb = \"28 mm\"\nh = \"18 mm\"\nt_1 = \"11 mm\"\nd = \"100 mm\"\nl = \"140 mm\"", "tau", 1.0 / 8},
 };
 
+const Law pins[] = {
+    {"pin.joint", "", R"(F = "-29 kN")", "sigma_b", 2},
+    {"pin.joint", "", "K_A = 2.5", "tau", 2},
+    {"pin.joint", "", "d = \"60 mm\"\nt_1 = \"60 mm\"\nt_2 = \"32 mm\"\nc = \"1 mm\"", "sigma_v", 1.0 / 4},
+    {"pin.joint", R"(held = "one_side")", "held = \"one_side\"\nd = \"60 mm\"", "p_2", 1.0 / 2},
+    {"pin.joint", R"(n = "30 rpm")", R"(n = "-60 rpm")", "pv", 2},
+    {"pin.lug", "", R"(t = "80 mm")", "sigma_n", 1.0 / 2},
+    {"pin.lug", "", "K_A = 2", "tau_s", 2},
+    {"pin.en1993", "", "gamma_F = 2.8", "u_vm", 2},
+    {"pin.en1993", "", "d = \"100 mm\"\nd_0 = \"102 mm\"", "M_Rd", 8},
+    {"pin.cross", "", R"(T = "-64 N*m")", "p_1", 2},
+    {"pin.cross", "", "d = \"16 mm\"\nd_w = \"64 mm\"\nD = \"128 mm\"", "tau", 1.0 / 8},
+    {"link.member", "", R"(M_b = "-120 N*m")", "sigma_M", 2},
+    {"link.member", "", "S = 3", "u_y", 2},
+    {"link.member", "", R"(V = "-0.8 kN")", "tau", 2},
+};
+
 const char* const smooth = "Rz_1 = \"0 um\"\nRz_2 = \"0 um\"";
 
 const Law fits[] = {
@@ -223,6 +240,7 @@ const Law solids[] = {
 
 const std::span<const Law> laws[] = {solids,  twists,  fits,   keys,   sections, bars,
                                      fatigue, vessels, drives, motion, bearings};
+const std::span<const Law> laws[] = {pins, fits, keys, sections, bars, fatigue, vessels, drives, motion, bearings};
 
 /// What `result` does over the values of a key, one after the other.
 enum class Sense { rises, falls };
@@ -311,6 +329,9 @@ const Trend trends[] = {
     {"shaft.press_fit", "p_min", rises, "D", {R"("70 mm")", R"("90 mm")", R"("200 mm")"}},
     {"shaft.press_fit", "p_min", falls, "d_i", {R"("0 mm")", R"("20 mm")", R"("50 mm")"}},
     {"shaft.press_fit", "T_slip", falls, "dT_2", {R"("5 K")", R"("15 K")", R"("30 K")"}},
+    {"link.member", "u_p", rises, "l", {R"("200 mm")", R"("400 mm")", R"("800 mm")", R"("1500 mm")"}},
+    {"link.member", "u_i", rises, "M_b", {R"("0 N*m")", R"("60 N*m")", R"("200 N*m")", R"("900 N*m")"}},
+    {"pin.joint", "sigma_b", rises, "d_i", {R"("0 mm")", R"("10 mm")", R"("20 mm")", R"("28 mm")"}},
     {"shaft.key", "p_2", falls, "l", {R"("25 mm")", R"("50 mm")", R"("70 mm")"}},
     {"bearing.rolling", "L_10h", falls, "F_a", {R"("0.8 kN")", R"("1 kN")", R"("3 kN")", R"("8 kN")"}},
     {"bearing.rolling", "C_req", falls, "a_1", {"0.25", "0.64", "1"}},

@@ -420,6 +420,27 @@ const Case twists[] = {
 };
 
 const std::span<const Case> groups[] = {twists,  fits,  keys, shapes,     bars,   tubes,  vessels, cycles,
+const Case pins[] = {
+    {"pin.joint", R"(F = "0 N")", "sigma_v", 0.0},
+    {"pin.joint", "", "M_b", 145.0},                            // integrated load by load
+    {"pin.joint", R"(spread = "falling")", "M_b", 120.833333},  // the same
+    {"pin.joint", R"(d_i = "15 mm")", "tau", 31.9095837e6},     // first moment of half the ring, integrated
+    {"pin.joint", R"(held = "one_side")", "p_2", 370.5240885e6},
+    {"pin.lug", R"(F = "0 N")", "sigma_n", 0.0},
+    {"pin.lug", "", "x_a", 1.0},
+    {"pin.en1993", R"(F = "0 kN")", "a_1", 34e-3},  // two thirds of the bore
+    {"pin.en1993", "", "u_vm", 0.3742405222},
+    {"pin.en1993", "replaceable = \"yes\"\ngamma_M6 = 1\nd_0 = \"50 mm\"", "sigma_h1", 0.0},
+    {"pin.en1993", "replaceable = \"yes\"\ngamma_M6 = 1", "sigma_h1", 383.0117753e6},
+    {"pin.cross", R"(T = "0 N*m")", "tau", 0.0},
+    {"pin.cross", "", "p_2", 32.0 / (8e-3 * 16e-3 * 48e-3)},
+    {"link.member", R"(M_b = "0 N*m")", "sigma_M", 0.0},
+    {"link.member", "M_b = \"0 N*m\"\nl = \"4 m\"\nlambda_max = 1000", "u_p",  // Euler, hinged
+     3.0 * 18e3 * 12 * 16 / (pi * pi * 210e9 * 0.02 * 0.04 * 0.04 * 0.04)},
+    {"link.member", R"(N = "18 kN")", "u_p", 0.0},
+};
+
+const std::span<const Case> groups[] = {pins,    fits,  keys, shapes,     bars,   tubes,  vessels, cycles,
                                         fatigue, racks, sets, velocities, drives, motion, bearings};
 
 bool is(double value, double expected) {

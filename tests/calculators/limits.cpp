@@ -320,6 +320,57 @@ const Side twists[] = {
 
 const std::span<const Side> groups[] = {twists,  fits,  keys,    vessels, sections, bars,
                                         fatigue, gears, pulleys, v_belts, motion,   bearings};
+const char* const drawn = "replaceable = \"yes\"\ngamma_M6 = 1";
+
+const Side pins[] = {
+    {"pin.joint", "u_b", over, "sigma_adm", R"("54.8 MPa")", R"("54.6 MPa")"},
+    {"pin.joint", "u_v", over, "sigma_adm", R"("54.8 MPa")", R"("54.6 MPa")"},
+    {"pin.joint", "u_tau", over, "tau_adm", R"("17.1 MPa")", R"("17 MPa")"},
+    {"pin.joint", "u_1", over, "p_adm_1", R"("20.2 MPa")", R"("20.1 MPa")"},
+    {"pin.joint", "u_2", over, "p_adm_2", R"("18.9 MPa")", R"("18.8 MPa")"},
+    {"pin.joint", "u_pv", over, "pv_adm", R"("0.95 MPa*m/s")", R"("0.948 MPa*m/s")", R"(n = "30 rpm")"},
+    {"pin.lug", "u_n", over, "sigma_adm", R"("31.3 MPa")", R"("31.2 MPa")"},
+    {"pin.lug", "u_s", over, "tau_adm", R"("31.3 MPa")", R"("31.2 MPa")"},
+    {"pin.lug", "u_p", over, "p_adm", R"("31.3 MPa")", R"("31.2 MPa")"},
+    {"pin.lug", "x_b", outside, "b", R"("100 mm")", R"("101 mm")", R"(a = "40 mm")"},
+    {"pin.lug", "x_a", outside, "a", R"("20 mm")", R"("19.9 mm")"},
+    {"pin.en1993", "u_v", over, "F", R"("659 kN")", R"("660 kN")"},
+    {"pin.en1993", "u_m", over, "F", R"("504 kN")", R"("505 kN")"},
+    {"pin.en1993", "u_vm", over, "F", R"("400 kN")", R"("401 kN")"},
+    {"pin.en1993", "u_b1", over, "F", R"("377 kN")", R"("378 kN")"},
+    {"pin.en1993", "u_b2", over, "F", R"("453 kN")", R"("454 kN")"},
+    {"pin.en1993", "u_a1", over, "e_a1", R"("48.9 mm")", R"("48.8 mm")"},
+    {"pin.en1993", "u_c1", over, "e_c1", R"("31.9 mm")", R"("31.8 mm")"},
+    {"pin.en1993", "u_a2", over, "e_a2", R"("46.5 mm")", R"("46.4 mm")"},
+    {"pin.en1993", "u_c2", over, "e_c2", R"("29.5 mm")", R"("29.4 mm")"},
+    {"pin.en1993", "u_ms", over, "F", R"("376 kN")", R"("377 kN")", drawn},
+    {"pin.en1993", "u_s1", over, "F", R"("211 kN")", R"("212 kN")", drawn},
+    {"pin.en1993", "u_s2", over, "F", R"("253 kN")", R"("254 kN")", drawn},
+    {"pin.en1993", "u_h1", over, "F", R"("352 kN")", R"("353 kN")", drawn},
+    {"pin.en1993", "u_h2", over, "F", R"("423 kN")", R"("424 kN")", drawn},
+    {"pin.cross", "u_tau", over, "tau_adm", R"("19.9 MPa")", R"("19.8 MPa")"},
+    {"pin.cross", "u_1", over, "p_adm_1", R"("23.5 MPa")", R"("23.4 MPa")"},
+    {"pin.cross", "u_2", over, "p_adm_2", R"("5.3 MPa")", R"("5.2 MPa")"},
+    {"pin.cross", "u_t", over, "tau_adm_1", R"("6.4 MPa")", R"("6.3 MPa")"},
+    {"pin.cross", "x_d", outside, "d", R"("9.6 mm")", R"("9.7 mm")"},
+};
+
+const Side links[] = {
+    {"link.member", "u_y", over, "S", "10.5", "10.6"},
+    {"link.member", "u_Q", over, "S", "15.7", "15.8"},
+    {"link.member", "u", over, "n_st", "14.4", "14.5"},
+    {"link.member", "u_p", over, "n_st", "9.91", "9.92"},
+    {"link.member", "u_i", over, "n_st", "9.38", "9.39"},
+    {"link.member", "r_lambda", outside, "lambda_max", "45.1", "45"},
+    {"link.member", "r_1", outside, "l", R"("739 mm")", R"("738 mm")", "method = \"euler\"\nsigma_P = \"300 MPa\""},
+    {"link.member", "r_class", outside, "R_e", R"("338 MPa")", R"("339 MPa")",
+     "h = \nb = \nsection = \"IPE 300\"\nkind = \"rolled_I\""},
+    {"link.member", "x_E", outside, "E", R"("179 GPa")", R"("178 GPa")",
+     "h = \nb = \nd = \"60 mm\"\nd_bore = \"40 mm\""},
+};
+
+const std::span<const Side> groups[] = {pins,    links, fits,    keys,    vessels, sections, bars,
+                                        fatigue, gears, pulleys, v_belts, motion,  bearings};
 
 std::string lines_at(const Side& row, const char* value) {
   const std::string last = std::string(row.key) + " = " + value;

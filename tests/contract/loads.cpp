@@ -23,6 +23,7 @@ constexpr const char* is_whole = "it is the whole force on the body";
 constexpr const char* at_an_end =
     "a coupling takes it over; where a wheel sits, shafts tell its force beside the torque";
 constexpr const char* of_stress = "a stress holds what brings it";
+constexpr const char* of_a_pin = "a pin that turns brings no moment into its eye and its fork";
 constexpr const char* balances = "the forces of the planets balance around the axis";
 constexpr std::array alone{
     Reason{"bearing.rolling F_i", "the mating bearing takes it beside a radial load of its own"},
@@ -42,6 +43,10 @@ constexpr std::array alone{
     Reason{"shaft.held R_2", "it loads what holds the bar"},
     Reason{"section.thin_walled cycle.sigma_max", of_stress},
     Reason{"section.solid_torsion cycle.sigma_max", of_stress},
+    Reason{"pin.joint eye.F", of_a_pin},
+    Reason{"pin.joint cheek.F", of_a_pin},
+    Reason{"pin.lug cycle.sigma_max", of_stress},
+    Reason{"link.member cycle.sigma_max", of_stress},
     Reason{"dynamics.force R", is_whole},
     Reason{"dynamics.force R_max", is_whole},
     Reason{"dynamics.impulse F_m", is_whole},

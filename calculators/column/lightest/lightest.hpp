@@ -158,7 +158,7 @@ gamma_F = 1
       held_rules<Input>(),
       std::array{Rule<Input>{&needs_of_method, "method, R_e, sigma_P, a_T, sigma_c, e_y, e_z, n_st, gamma_M1, gamma_F",
                              "something is missing that the method needs", &missing_for_method}},
-      method_rules<Input>(),
+      method_rules<Input>(), eccentricity_rules<Input>(),
       std::array{Rule<Input>{&one_carries, "families, N, P", "no section of these families carries the bar",
                              &none_carries, true}});
   static constexpr auto modes = member_modes<Input, &outline_of>("u, r_1, r_0, carrying");

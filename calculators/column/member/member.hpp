@@ -140,9 +140,9 @@ constexpr auto material_inputs() {
   return std::tuple_cat(strength_inputs<Input>(), tetmajer_inputs<Input>(), rankine_and_secant_inputs<Input>());
 }
 
-/// How it is judged.
+/// The method, and its safety.
 template <class Input>
-constexpr auto method_inputs() {
+constexpr auto method_choice() {
   return std::tuple{
       Choice<Input, Grade>{&Input::grade, "grade", "steel grade, for the buckling curve"}.may_be_missing(),
       Choice<Input, Method>{&Input::method, "method", "method that the check goes by"}.may_be_missing(),
@@ -151,13 +151,24 @@ constexpr auto method_inputs() {
           .at_least(1)
           .usually(1.5, 10)
           .may_be_missing()
-          .factor(),
+          .factor()};
+}
+
+template <class Input>
+constexpr auto tension_inputs() {
+  return std::tuple{
       Field<Input, double>{&Input::n_t, "n_t", ratio,
                            "safety of a bar in tension against yielding; of ec3 gamma_M0, and gamma_F comes with it"}
           .at_least(1)
           .usually(1, 6)
           .may_be_missing()
-          .factor(),
+          .factor()};
+}
+
+/// The factors of the codes, and what goes with every method.
+template <class Input>
+constexpr auto code_inputs() {
+  return std::tuple{
       Field<Input, double>{&Input::gamma_M1, "gamma_M1", ratio, "partial factor of EN 1993-1-1 and its national annex"}
           .at_least(1)
           .usually(1, 1.2)
@@ -178,6 +189,12 @@ constexpr auto method_inputs() {
       Field<Input, double>{&Input::lambda_max, "lambda_max", ratio, "largest slenderness that is allowed"}
           .positive()
           .usually(50, 400)};
+}
+
+/// How it is judged.
+template <class Input>
+constexpr auto method_inputs() {
+  return std::tuple_cat(method_choice<Input>(), tension_inputs<Input>(), code_inputs<Input>());
 }
 
 }  // namespace loadpath::column

@@ -103,47 +103,77 @@ constexpr auto stress_results() {
           .beside()};
 }
 
+/// Buckling by the method that decides.
 template <class Result>
-constexpr auto member_checks() {
+constexpr auto buckling_check() {
   return std::tuple{
-      Field<Result, double>{&Result::u, "u", ratio, "buckling: force over the allowable one"}.check("N, P"),
-      Field<Result, double>{&Result::u_e, "u_e", ratio,
-                            "eccentric load: force over the one that the secant formula allows, where it decides"}
-          .check("N, P")
-          .where_it_applies(),
+      Field<Result, double>{&Result::u, "u", ratio, "buckling: force over the allowable one"}.check("N, P")};
+}
+
+template <class Result>
+constexpr auto eccentric_check() {
+  return std::tuple{Field<Result, double>{
+      &Result::u_e, "u_e", ratio, "eccentric load: force over the one that the secant formula allows, where it decides"}
+                        .check("N, P")
+                        .where_it_applies()};
+}
+
+template <class Result>
+constexpr auto tension_checks() {
+  return std::tuple{
       Field<Result, double>{&Result::u_t, "u_t", ratio, "tension, with its safety: 0 in compression"}
           .check("n_t")
           .where_it_applies(),
       Field<Result, double>{&Result::x_t, "x_t", ratio, "tension: stress N/A over the yield strength; 0 in compression"}
           .limit(0, 1, "N")
-          .criterion(),
+          .criterion()};
+}
+
+/// Slenderness, and where Euler's formula holds.
+template <class Result>
+constexpr auto slenderness_limits() {
+  return std::tuple{
       Field<Result, double>{&Result::r_lambda, "r_lambda", ratio, "slenderness over the largest that is allowed"}.limit(
           0, 1),
       Field<Result, double>{&Result::r_1, "r_1", ratio, "Euler: limit slenderness over the slenderness"}
           .limit(0, 1)
-          .where_it_applies(),
-      Field<Result, double>{&Result::r_0, "r_0", ratio,
-                            "Tetmajer without a yield strength: lambda_0 over the slenderness"}
-          .limit(0, 1)
-          .where_it_applies(),
-      Field<Result, double>{&Result::r_class, "r_class", ratio,
-                            "local buckling: thinness of the parts over the limit of class 3"}
-          .limit(0, 1)
-          .where_it_applies(),
-      Field<Result, double>{&Result::x_E, "x_E", ratio,
-                            "modulus over the 210 GPa of steel, whose limits of class 3 are"}
-          .limit(least_steel, most_steel)
           .where_it_applies()};
 }
 
 template <class Result>
+constexpr auto tetmajer_limit() {
+  return std::tuple{Field<Result, double>{&Result::r_0, "r_0", ratio,
+                                          "Tetmajer without a yield strength: lambda_0 over the slenderness"}
+                        .limit(0, 1)
+                        .where_it_applies()};
+}
+
+template <class Result>
+constexpr auto wall_limits() {
+  return std::tuple{Field<Result, double>{&Result::r_class, "r_class", ratio,
+                                          "local buckling: thinness of the parts over the limit of class 3"}
+                        .limit(0, 1)
+                        .where_it_applies(),
+                    Field<Result, double>{&Result::x_E, "x_E", ratio,
+                                          "modulus over the 210 GPa of steel, whose limits of class 3 are"}
+                        .limit(least_steel, most_steel)
+                        .where_it_applies()};
+}
+
+/// The axes, and the methods side by side.
+template <class Result>
+constexpr auto side_by_side() {
+  return std::tuple{
+      ListField<Result, List<AxisResult, 2>>{&Result::axes, "axes", "bending about y and about z"},
+      ListField<Result, List<MethodResult, most_methods>>{&Result::methods, "methods", "the methods side by side"}
+          .beside()};
+}
+
+template <class Result>
 constexpr auto member_results() {
-  return std::tuple_cat(
-      slenderness_results<Result>(), stress_results<Result>(), member_checks<Result>(),
-      std::tuple{
-          ListField<Result, List<AxisResult, 2>>{&Result::axes, "axes", "bending about y and about z"},
-          ListField<Result, List<MethodResult, most_methods>>{&Result::methods, "methods", "the methods side by side"}
-              .beside()});
+  return std::tuple_cat(slenderness_results<Result>(), stress_results<Result>(), buckling_check<Result>(),
+                        eccentric_check<Result>(), tension_checks<Result>(), slenderness_limits<Result>(),
+                        tetmajer_limit<Result>(), wall_limits<Result>(), side_by_side<Result>());
 }
 
 }  // namespace loadpath::column

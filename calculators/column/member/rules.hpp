@@ -71,8 +71,6 @@ constexpr auto method_rules() {
                   "transition, lambda_1", "the published transition is the lambda_1 of the set: give it"},
       Rule<Input>{[](const Input& in) { return !is_set(in.sigma_P) || !is_set(in.R_e) || in.sigma_P <= in.R_e; },
                   "sigma_P, R_e", "the proportional limit is not above the yield strength"},
-      Rule<Input>{[](const Input& in) { return !(in.e_y > 0.0 * mm && in.e_z > 0.0 * mm); }, "e_y, e_z",
-                  "the secant formula takes an eccentricity about one axis"},
       Rule<Input>{&of<Input, &set_meets_euler>, "a_T, b_T, c_T, E, transition",
                   "with this modulus the set of Tetmajer-Yasinsky never meets Euler's hyperbola"},
       Rule<Input>{&of<Input, &set_near_euler>, "a_T, b_T, c_T, E, lambda_1", "the set misses Euler at its lambda_1",
@@ -83,6 +81,24 @@ constexpr auto method_rules() {
                   &of<Input, &modulus_of_set>, true},
       Rule<Input>{&of<Input, &usual_safety>, "n_st, material_class", "the safety factor is unusual",
                   &of<Input, &unusual_safety>, true}};
+}
+
+/// Of a bar with eccentricities.
+template <class Input>
+constexpr auto eccentricity_rules() {
+  return std::array{Rule<Input>{[](const Input& in) { return !(in.e_y > 0.0 * mm && in.e_z > 0.0 * mm); }, "e_y, e_z",
+                                "the secant formula takes an eccentricity about one axis"}};
+}
+
+/// Of a bar whose section is typed, or a row of the tables.
+template <class Input, auto given, auto missing, auto fit>
+constexpr auto section_rules() {
+  return std::array{
+      Rule<Input>{&of<Input, given>, "A, I_y, i_y, I_z, i_z, d, d_bore, h, b", "give the section", &of<Input, missing>},
+      Rule<Input>{&of<Input, fit>, "A, I_y, I_z, i_y, i_z",
+                  "I and i of an axis do not fit: I is A i^2; give one of them"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.d_bore) || (is_set(in.d) && in.d_bore < in.d); }, "d_bore, d",
+                  "a bore goes with d, and is smaller"}};
 }
 
 }  // namespace loadpath::column

@@ -1,0 +1,121 @@
+#include "calculators/link/member.hpp"
+
+#include "calculators/column/buckling_parts.hpp"
+#include "calculators/column/member/methods.hpp"
+#include "lib/calculator/calculator_of.hpp"
+
+namespace loadpath::link {
+
+namespace {
+
+using Input = Member::Input;
+using Result = Member::Result;
+using column::AxisName;
+
+/// The largest shear stress over the mean one times the area, by the section; unset where it is not known.
+template <class Tracer>
+Stress shear_stress(const Input& in, Area A, Tracer& trace) {
+  const auto V = trace.value("V", abs(in.V), "its size");
+  if (is_set(in.A_v)) return NAMED_STEP("tau", V / in.A_v, "even over the area that carries it");
+  if (is_set(in.A)) return unset<Stress>;
+  if (!is_set(in.d)) return NAMED_STEP("tau", 1.5 * V / A, "neutral axis of a rectangle");
+  const auto d_i = trace.value("d_i", is_set(in.d_bore) ? in.d_bore : 0.0 * mm, "bore");
+  return NAMED_STEP("tau", 4.0 / 3.0 * V / A * (pow<2>(in.d) + in.d * d_i + pow<2>(d_i)) / (pow<2>(in.d) + pow<2>(d_i)),
+                    "neutral axis of a ring or circle");
+}
+
+template <class Tracer>
+void stresses(const Input& in, Result& r, Tracer& trace) {
+  const auto A = r.A;
+  const auto N = trace.value("N", is_set(in.P) ? -in.P : in.N, "tension positive");
+  const auto i_y = trace.value("i_y", r.axes[0].i, "radius of gyration about y");
+  const auto c_y = trace.value("c_y", column::extreme_fibre(in, AxisName::y), "extreme fibre from y");
+  STEP(W_y, A * pow<2>(i_y) / c_y, "section modulus");
+  STEP_TO(r, sigma_N, N / A, "even over the section");
+  STEP(sigma_b, in.M_b / W_y, "extreme fibre, with the sign of the moment");
+  STEP_TO(r, sigma_M, abs(sigma_b), "its size");
+  STEP_TO(r, sigma_o, sigma_N + sigma_b, "fibre that a positive moment pulls");
+  STEP_TO(r, sigma_u, sigma_N - sigma_b, "fibre that it presses");
+  r.tau = shear_stress(in, A, trace);
+  r.cycle = {Stresses::normal, abs(r.sigma_N) + r.sigma_M};
+}
+
+template <class Tracer>
+void yielding(const Input& in, Result& r, Tracer& trace) {
+  if (!is_set(in.S)) return;
+  const auto sigma_N = r.sigma_N, sigma_M = r.sigma_M, tau = r.tau;
+  STEP_TO(r, u_y, in.S * (abs(sigma_N) + sigma_M) / in.R_e, "extreme fibre over the yield strength");
+  if (!is_set(tau)) return;
+  STEP_TO(r, u_Q, in.S * sqrt(pow<2>(sigma_N) + 3.0 * pow<2>(tau)) / in.R_e, "neutral axis, [Mises]");
+}
+
+/// In the plane of motion by the secant formula; across it by a sum that is on the safe side.
+template <class Tracer>
+void buckling_with_bending(const Input& in, Result& r, Tracer& trace) {
+  const double n = column::safety(in, in.method, trace);
+  if (!is_set(n)) return;
+  r.u_p = r.u_i = 0.0, r.k = 1.0;
+  if (!(r.F > 0.0 * kN)) return;
+  const auto sigma_M = r.sigma_M;
+  STEP(sigma_c, max(r.F / r.A, 1e-9 * in.R_e), "stress of the compression");
+  STEP(eta, sigma_M / sigma_c, "eccentricity ratio: M_b/|N| over W_y/A");
+  const auto sigma_s =
+      trace.value("sigma_s", column::secant_stress(r.axes[0].lambda, eta, in.E, in.R_e),
+                  "mean stress at which the extreme fibre yields, or the link buckles in its plane, [Gere]");
+  STEP_TO(r, u_p, n * sigma_c / sigma_s, "force and moment over those that the secant formula allows");
+  const auto N_cy = trace.value("N_cy", r.axes[0].N_cr, "critical force in the plane");
+  STEP(x, n * r.F / N_cy, "force with its safety over the critical one in the plane");
+  STEP_TO(r, k, x < 1.0 ? 1.0 / cos(pi / 2.0 * sqrt(x)) : 1.0,
+          "moment of an even one in the middle, [Gere]; beyond the critical force buckling has decided");
+  const double u = r.u;
+  STEP_TO(r, u_i, u + n * k * sigma_M / in.R_e, "buckling about the weaker axis, and bending: their sum is safe");
+}
+
+}  // namespace
+
+bool Member::force_given(const Input& in) { return is_set(in.N) || is_set(in.P); }
+
+bool Member::fibre_known(const Input& in) { return is_set(column::extreme_fibre(in, AxisName::y)); }
+
+/// Those for which an even moment bounds the others.
+bool Member::ends_in_plane(const Input& in) {
+  if (!column::supports_of(in, AxisName::y).empty()) return false;
+  if (is_set(in.beta_y)) return in.beta_y >= 1.0;
+  const column::Ends ends = column::ends_of(in, AxisName::y);
+  return ends == column::Ends::pinned_pinned || ends == column::Ends::fixed_free || ends == column::Ends::unsaid;
+}
+
+Applies Member::loaded(const Input& in) {
+  const bool forced = is_set(in.P) ? in.P > 0.0 * kN.one : abs(in.N) > 0.0 * kN.one;
+  return where(forced || abs(in.M_b) > 0.0 * N_m.one);
+}
+
+Applies Member::sheared(const Input& in) { return where(abs(in.V) > 0.0 * kN.one); }
+
+Applies Member::compressed_and_bent(const Input& in) {
+  return std::min(column::compressed(in), where(abs(in.M_b) > 0.0 * N_m.one));
+}
+
+Applies Member::twisting_when_bent(const Input& in) {
+  const column::Outline outline = column::Buckling::outline_of(in);
+  if (outline <= column::Outline::closed) return Applies::no;
+  return std::min(outline == column::Outline::unknown ? Applies::unseen : Applies::yes,
+                  where(abs(in.M_b) > 0.0 * N_m.one));
+}
+
+template <class Tracer>
+Result Member::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  static_cast<column::MemberResult&>(r) = column::Buckling::evaluate(in, trace);
+  stresses(in, r, trace);
+  yielding(in, r, trace);
+  buckling_with_bending(in, r, trace);
+  return r;
+}
+
+template Member::Result Member::evaluate(const Input&, NoTrace&);
+template Member::Result Member::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath::link
+
+template const loadpath::Calculator& loadpath::erased<loadpath::link::Member>();

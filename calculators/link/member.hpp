@@ -1,0 +1,167 @@
+// A link of a mechanism under normal force, shear force and bending moment: yield, buckling with bending.
+//
+// Decides the extreme fibre under N and M_b, the neutral axis under N and V, buckling about both axes as
+// column.buckling does, and buckling with bending: in the plane of motion by the secant formula, whose eccentricity is
+// M_b/|N|, and by the sum of buckling about the weaker axis and of the bending stress that the compression raises. M_b
+// bends the link about y, in the plane of its height h. It counts as if it were the same along the whole link, which
+// bounds every other moment of hinged ends and of a link built in at one end; N, V and M_b each with the largest size
+// along the link, as mechanisms give them, and as if at one place. N is positive in tension. Not covered: bending out
+// of the plane, sections of class 4, open sections that twist, curved links, what holes take away.
+#pragma once
+
+#include "calculators/column/buckling.hpp"
+#include "calculators/load/stress_cycle.hpp"
+
+namespace loadpath::link {
+
+/// Its largest stress, for fatigue.cycle to take whole: cycle = "=rod.cycle". How it varies is said there.
+struct LinkCycle {
+  Stresses stress = Stresses::normal;
+  Stress sigma_max = unset<Stress>;
+
+  static constexpr std::tuple fields{
+      Choice{&LinkCycle::stress, "stress", "what varies"},
+      Field{&LinkCycle::sigma_max, "sigma_max", MPa, "largest nominal stress, by its size"}.load()};
+};
+
+struct Member {
+  static constexpr auto id = "link.member";
+  static constexpr auto title = "Link under normal force, shear and bending";
+  static constexpr auto scope =
+      "Yield of a uniform link under N, V and M_b of a mechanism, its buckling about both axes by the method that is "
+      "chosen, and with bending by the secant formula in the plane of motion and by a sum across it. Holes, curved "
+      "links "
+      "and bending out of the plane are not covered.";
+  static constexpr auto source = "[Gere], [Mises], [B25]";
+  static constexpr auto example = R"([project]
+title = "Connecting rod"
+
+[rod]
+calculator = "link.member"
+N = "-18 kN"
+V = "0.4 kN"
+M_b = "60 N*m"
+l = "400 mm"
+h = "40 mm"
+b = "20 mm"
+ends_y = "pinned_pinned"
+ends_z = "fixed_fixed"
+beta_basis = "recommended"
+E = "210 GPa"
+R_e = "355 MPa"
+method = "johnson"
+n_st = 3
+S = 1.5
+)";
+
+  struct Input : column::Buckling::Input {
+    Force V = unset<Force>;
+    Moment M_b = unset<Moment>;
+    Area A_v = unset<Area>;
+    double S = unset<double>;
+  };
+  static constexpr auto inputs = std::tuple_cat(
+      column::held_inputs<Input>(),
+      std::tuple{Field<Input, Force>{&Input::V, "V", kN, "shear force, in the plane of motion; its size counts"}.load(),
+                 Field<Input, Moment>{&Input::M_b, "M_b", N_m,
+                                      "bending moment about y, in the plane of motion; its size counts"}
+                     .load()},
+      column::section_inputs<Input>(),
+      std::tuple{Field<Input, Area>{&Input::A_v, "A_v", mm2,
+                                    "area that carries the shear evenly; of a round bar, a tube or a rectangle known"}
+                     .positive()
+                     .may_be_missing()},
+      column::strength_inputs<Input>(), column::tetmajer_inputs<Input>(), column::derived_section_inputs<Input>(),
+      column::method_choice<Input>(), column::code_inputs<Input>(),
+      std::tuple{Field<Input, double>{&Input::S, "S", ratio, "safety against yield under N, V and M_b"}
+                     .at_least(1)
+                     .usually(1.1, 6)
+                     .may_be_missing()
+                     .factor()});
+
+  struct Result : column::MemberResult {
+    Stress sigma_N = unset<Stress>, sigma_M = unset<Stress>, sigma_o = unset<Stress>, sigma_u = unset<Stress>,
+           tau = unset<Stress>;
+    double k = unset<double>, u_y = unset<double>, u_Q = unset<double>, u_p = unset<double>, u_i = unset<double>;
+    LinkCycle cycle;
+  };
+  static constexpr auto results = std::tuple_cat(
+      std::tuple{
+          Field<Result, Stress>{&Result::sigma_N, "sigma_N", MPa, "stress of the normal force, tension positive"},
+          Field<Result, Stress>{&Result::sigma_M, "sigma_M", MPa, "stress of the moment at the extreme fibre"},
+          Field<Result, Stress>{&Result::sigma_o, "sigma_o", MPa, "fibre that a positive moment pulls"},
+          Field<Result, Stress>{&Result::sigma_u, "sigma_u", MPa, "fibre that it presses"},
+          Field<Result, Stress>{&Result::tau, "tau", MPa, "largest shear stress"},
+          Field<Result, double>{&Result::k, "k", ratio, "how much compression raises the moment at its safety"}},
+      column::slenderness_results<Result>(), column::stress_results<Result>(),
+      std::tuple{
+          Field<Result, double>{&Result::u_y, "u_y", ratio, "yield of the extreme fibre, with its safety"}.check("S"),
+          Field<Result, double>{&Result::u_Q, "u_Q", ratio, "yield in the neutral axis, with its safety"}
+              .check("S")
+              .where_it_applies()},
+      column::buckling_check<Result>(),
+      std::tuple{Field<Result, double>{&Result::u_p, "u_p", ratio,
+                                       "buckling with bending in the plane: force over the one that the secant formula "
+                                       "allows; 0 in tension"}
+                     .check("n_st, gamma_M1, Omega_c"),
+                 Field<Result, double>{&Result::u_i, "u_i", ratio,
+                                       "buckling about the weaker axis and bending, summed; 0 in tension"}
+                     .check("n_st, gamma_M1, Omega_c")},
+      column::slenderness_limits<Result>(), column::wall_limits<Result>(),
+      std::tuple{Group<Result, LinkCycle>{&Result::cycle, "cycle",
+                                          "largest nominal stress of the link, for fatigue.cycle: cycle"}
+                     .handed_over()},
+      column::side_by_side<Result>());
+
+  static bool force_given(const Input& in);
+  static bool fibre_known(const Input& in);
+  static bool ends_in_plane(const Input& in);
+  static Applies loaded(const Input& in);
+  static Applies sheared(const Input& in);
+  static Applies compressed_and_bent(const Input& in);
+  static Applies twisting_when_bent(const Input& in);
+
+  static constexpr auto rules = join<Input>(
+      column::held_rules<Input>(),
+      column::section_rules<Input, &column::Buckling::section_given, &column::Buckling::section_missing,
+                            &column::Buckling::radii_fit>(),
+      std::array{
+          Rule<Input>{&force_given, "N, P", "give the normal force N, positive in tension, or P in compression"},
+          Rule<Input>{[](const Input& in) { return is_set(in.R_e); }, "R_e",
+                      "a link with bending is judged by its yield strength: give R_e, or a material"},
+          Rule<Input>{[](const Input& in) { return in.method != column::Method::secant; }, "method",
+                      "the moment goes by the secant formula in any case: choose the method of buckling without it"},
+          Rule<Input>{&ends_in_plane, "ends_y, ends, beta_y, supports_y",
+                      "in the plane of motion a link turns on its pins, or is built in at one end: ends_y = "
+                      "\"pinned_pinned\" or \"fixed_free\"; across it ends_z"},
+          Rule<Input>{&fibre_known, "c_y, h, d, kind",
+                      "bending needs the distance of the extreme fibre c_y, or h; of a tee or an angle c_y itself"},
+          Rule<Input>{&column::of<Input, &column::Buckling::needs_of_method>,
+                      "method, R_e, sigma_P, a_T, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, h, b, t_f",
+                      "something is missing that the method needs",
+                      &column::of<Input, &column::Buckling::missing_for_method>}},
+      column::method_rules<Input>());
+
+  static constexpr std::array modes{
+      Mode<Input>{"yield", "yield of the extreme fibre under N and M_b", &loaded}.judged_by("u_y"),
+      Mode<Input>{"shear", "yield in the neutral axis under N and V", &sheared}.judged_by("u_Q").wanting("S, A_v"),
+      Mode<Input>{"buckling", "flexural buckling, about y and about z", &column::compressed<Input>}.judged_by("u, r_1"),
+      Mode<Input>{"bent", "buckling with bending", &compressed_and_bent}.judged_by("u_p, u_i"),
+      Mode<Input>{"slenderness", "slenderness", &column::compressed<Input>}.judged_by("r_lambda"),
+      Mode<Input>{"local", "local buckling of the walls", &column::thin_walled<Input, &column::Buckling::outline_of>}
+          .judged_by("r_class, x_E"),
+      Mode<Input>{"torsional", "torsional and torsional-flexural buckling of an open section",
+                  &column::twisting<Input, &column::Buckling::outline_of>},
+      Mode<Input>{"lateral_torsional", "lateral-torsional buckling by the moment", &twisting_when_bent},
+      Mode<Input>{"net_section", "net section at holes and pins: pin.lug", &unseen<Input>},
+      Mode<Input>{"fatigue", "fatigue, at holes and changes of section first", &unseen<Input>}
+          .left_to("fatigue.cycle", "cycle.fatigue")
+          .in_service(),
+      Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
+      Mode<Input>{"weight", "bending by its own weight, where the mechanism has none", &unseen<Input>}.special()};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+}  // namespace loadpath::link

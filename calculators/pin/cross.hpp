@@ -1,0 +1,129 @@
+// A pin across shaft and hub that carries a torque: shear, pressure in shaft and hub, the shaft with its hole.
+//
+// Decides as [RM-9] does: shear in both sections at the surface of the shaft, a pressure in the shaft that grows from
+// its axis to its surface, an even one in the wall of the hub at the middle of that wall. The torsion of the shaft
+// counts with the section modulus that its cross hole leaves, [DIN743]. What is allowed is typed; in shear also a share
+// of R_m by how the torque varies. K_A acts once, on T. Not covered: tapered and grooved pins but by their mean
+// diameter and lower allowable values, the notch of the hole in fatigue, the wall of the hub, bending of the shaft.
+#pragma once
+
+#include "calculators/pin/loading.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/quantity/units.hpp"
+
+#include <array>
+
+namespace loadpath::pin {
+
+struct Cross {
+  static constexpr auto id = "pin.cross";
+  static constexpr auto title = "Pin across shaft and hub";
+  static constexpr auto scope =
+      "Shear of a pin that goes across a solid shaft and its hub and carries the torque, pressure in shaft and hub, "
+      "torsion of the shaft beside its hole. Static; the notch of the hole and the hub are not covered.";
+  static constexpr auto source = "[RM-9], [Inggo-31], [DIN743]";
+  static constexpr auto example = R"([project]
+title = "Lever on its shaft"
+
+[pin]
+calculator = "pin.cross"
+T = "32 N*m"
+loading = "pulsating"
+d = "8 mm"
+d_w = "32 mm"
+D = "64 mm"
+R_m = "400 MPa"
+p_adm_1 = "70 MPa"
+p_adm_2 = "35 MPa"
+tau_adm_1 = "40 MPa"
+)";
+
+  struct Input {
+    Moment T = unset<Moment>;
+    double K_A = 1.0;
+    Loading loading = Loading::unsaid;
+    Length d = unset<Length>, d_w = unset<Length>, D = unset<Length>;
+    Stress R_m = unset<Stress>, tau_adm = unset<Stress>, p_adm_1 = unset<Stress>, p_adm_2 = unset<Stress>,
+           tau_adm_1 = unset<Stress>;
+  };
+  static Applies loaded(const Input& in);
+  static Applies varies(const Input& in);
+  static Applies may_vary(const Input& in);
+  static constexpr std::tuple inputs{
+      RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
+      Field{&Input::T, "T", N_m, "torque; its size counts"}.load(),
+      Field{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
+          .positive()
+          .usually(1, 4)
+          .factor(),
+      Choice{&Input::loading, "loading", "how the torque varies"}.may_be_missing(),
+      Field{&Input::d, "d", mm, "diameter of the pin; of a taper pin the mean one"}.positive().usually(1, 100),
+      Field{&Input::d_w, "d_w", mm, "diameter of the shaft"}.positive().usually(4, 500),
+      Field{&Input::D, "D", mm, "outer diameter of the hub"}.positive().usually(6, 1000),
+      Field{&Input::R_m, "R_m", MPa, "tensile strength of the pin"}
+          .positive()
+          .usually(200, 2500)
+          .from("material", "R_m", "d")
+          .where_it_has(),
+      Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress of the pin under this loading, in place of R_m"}
+          .positive()
+          .usually(5, 1000)
+          .may_be_missing(),
+      Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable pressure in the shaft"}
+          .positive()
+          .usually(5, 1000)
+          .may_be_missing(),
+      Field{&Input::p_adm_2, "p_adm_2", MPa, "allowable pressure in the hub"}
+          .positive()
+          .usually(5, 1000)
+          .may_be_missing(),
+      Field{&Input::tau_adm_1, "tau_adm_1", MPa, "allowable torsional stress of the shaft beside the hole"}
+          .positive()
+          .usually(5, 1000)
+          .may_be_missing()};
+
+  struct Result {
+    Moment T_d = unset<Moment>;
+    Stress tau = unset<Stress>, p_1 = unset<Stress>, p_2 = unset<Stress>, tau_t = unset<Stress>;
+    double u_tau = unset<double>, u_1 = unset<double>, u_2 = unset<double>, u_t = unset<double>, x_d = unset<double>;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::T_d, "T_d", N_m, "torque that counts: with the service factor"}.holding("K_A"),
+      Field{&Result::tau, "tau", MPa, "mean shear stress of the pin"}.holding("K_A"),
+      Field{&Result::p_1, "p_1", MPa, "largest pressure in the shaft, at its surface"}.holding("K_A"),
+      Field{&Result::p_2, "p_2", MPa, "pressure in the hub"}.holding("K_A"),
+      Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the shaft beside the hole"}.holding("K_A"),
+      Field{&Result::u_tau, "u_tau", ratio, "shear of the pin over the allowable stress"}.check("tau_adm, R_m"),
+      Field{&Result::u_1, "u_1", ratio, "pressure in the shaft over the allowable one"}.check("p_adm_1"),
+      Field{&Result::u_2, "u_2", ratio, "pressure in the hub over the allowable one"}.check("p_adm_2"),
+      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft over the allowable stress"}.check("tau_adm_1"),
+      Field{&Result::x_d, "x_d", ratio, "pin over shaft: thicker pins leave no shaft to calculate with"}.limit(
+          0, 0.3 + 1e-9)};
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return in.d < in.d_w; }, "d, d_w", "the pin must be thinner than the shaft"},
+      Rule<Input>{[](const Input& in) { return in.d_w < in.D; }, "D, d_w", "the hub must be thicker than the shaft"},
+      Rule<Input>{
+          [](const Input& in) { return !is_set(in.R_m) || is_set(in.tau_adm) || in.loading != Loading::unsaid; },
+          "R_m, loading", "the share of R_m that is allowed follows from how the torque varies: say loading"}};
+
+  static constexpr std::array modes{
+      Mode<Input>{"shear", "pin sheared off", &loaded}.judged_by("u_tau"),
+      Mode<Input>{"shaft_bore", "bore of the shaft crushed", &loaded}.judged_by("u_1"),
+      Mode<Input>{"hub_bore", "bores of the hub crushed", &loaded}.judged_by("u_2"),
+      Mode<Input>{"shaft", "shaft twisted off beside its hole", &loaded}.judged_by("u_t, x_d"),
+      Mode<Input>{"fatigue", "fatigue of the pin, by what the loading allows", &varies}.judged_by("u_tau"),
+      Mode<Input>{"variation", "fatigue of a pin whose loading is not said to vary", &may_vary}.in_service().wanting(
+          "loading = pulsating"),
+      Mode<Input>{"shaft_fatigue", "fatigue of the shaft at the edge of the hole", &unseen<Input>}.in_service(),
+      Mode<Input>{"wall", "the wall of the hub beside the pin", &unseen<Input>},
+      Mode<Input>{"other_loads", "what comes along with the torque: forces on the hub", &unseen<Input>}.by_companions(),
+      Mode<Input>{"fretting", "a hub that is loose on its shaft and beats the pin out", &unseen<Input>}.special()};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+}  // namespace loadpath::pin

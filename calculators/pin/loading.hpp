@@ -1,0 +1,54 @@
+// How a force varies on a point of a pin, and the share of its tensile strength that is allowed then.
+#pragma once
+
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/quantity/units.hpp"
+
+#include <array>
+
+namespace loadpath::pin {
+
+enum class Loading { unsaid, steady, pulsating, alternating };
+
+constexpr auto choices_of(Loading) {
+  return std::array{
+      ChoiceName<Loading>{Loading::unsaid, "", "not said"},
+      ChoiceName<Loading>{Loading::steady, "steady", "it stays as it is"},
+      ChoiceName<Loading>{Loading::pulsating, "pulsating", "it comes and goes from one side"},
+      ChoiceName<Loading>{Loading::alternating, "alternating", "it changes its sense, or turns around the pin"}};
+}
+
+/// Of R_m; unset where the loading is not said.
+struct Shares {
+  double bending = unset<double>, shear = unset<double>;
+};
+
+constexpr Shares shares_of(Loading loading) {
+  switch (loading) {
+    case Loading::steady:
+      return {0.3, 0.2};
+    case Loading::pulsating:
+      return {0.2, 0.15};
+    case Loading::alternating:
+      return {0.15, 0.1};
+    case Loading::unsaid:
+      break;
+  }
+  return {};
+}
+
+/// What is typed, else the share of R_m; unset where neither is known.
+template <class Tracer>
+Stress allowed_stress(const char* symbol, Stress typed, Stress R_m, double share, const char* why, Tracer& trace) {
+  if (is_set(typed)) return trace.value(symbol, typed, "given");
+  if (!is_set(R_m)) return typed;
+  return trace.value(symbol, share * R_m, why);
+}
+
+/// Fatigue that the allowable stresses of a loading hold.
+constexpr Applies said_to_vary(Loading loading) {
+  return where(loading == Loading::pulsating || loading == Loading::alternating);
+}
+
+}  // namespace loadpath::pin

@@ -1,0 +1,125 @@
+// The eye that a pin pulls: net section beside the bore, shear-out before it, pressure in it.
+//
+// Decides the three nominal stresses of textbooks, [Bhandari-4]: the force over both sides of the bore, over the two
+// planes from the bore to the crown, and over the projected bore. What is allowed is typed, or R_e over a safety, in
+// shear by [Mises]. These hold for eyes of the usual shape, whose crown is not thinner than their sides and whose width
+// is at most 2.5 times the bore, as table 3.9 of [EN1993-1-8] draws them: others are not covered. The force acts along
+// the axis of the eye and counts as a pull. An eye, or one cheek of a fork: each is a step of its own. Not covered:
+// forces across the axis, the notch of the bore in fatigue, bushes, welds.
+#pragma once
+
+#include "calculators/load/stress_cycle.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/quantity/units.hpp"
+
+#include <array>
+
+namespace loadpath::pin {
+
+struct Lug {
+  static constexpr auto id = "pin.lug";
+  static constexpr auto title = "Eye around a pin";
+  static constexpr auto scope =
+      "Net section, shear-out and bearing of an eye or of one cheek of a fork, by nominal stresses, along its axis. "
+      "Eyes of another shape than a round head, forces across the axis and the notch of the bore are not covered.";
+  static constexpr auto source = "[Bhandari-4], [EN1993-1-8], [Mises]";
+  static constexpr auto example = R"([project]
+title = "Eye of a rod"
+
+[eye]
+calculator = "pin.lug"
+F = "50 kN"
+d = "40 mm"
+b = "80 mm"
+a = "20 mm"
+t = "40 mm"
+sigma_adm = "80 MPa"
+tau_adm = "40 MPa"
+p_adm = "80 MPa"
+)";
+
+  struct Input {
+    Force F = unset<Force>;
+    double K_A = 1.0;
+    Length d = unset<Length>, b = unset<Length>, a = unset<Length>, t = unset<Length>;
+    Stress sigma_adm = unset<Stress>, tau_adm = unset<Stress>, p_adm = unset<Stress>, R_e = unset<Stress>;
+    double S = unset<double>;
+  };
+  static Applies loaded(const Input& in);
+  static Applies varies(const Input& in);
+  static constexpr std::tuple inputs{
+      RecordField<Input>{"load", "eye or cheek of a pin, whole: load = \"=pin.eye\""},
+      Field{&Input::F, "F", N, "force of the pin on the eye, along its axis; its size counts"}.load(),
+      Field{&Input::K_A, "K_A", ratio, "service factor on F: what it does not contain, once"}
+          .positive()
+          .usually(1, 4)
+          .factor(),
+      Field{&Input::d, "d", mm, "diameter of the bore"}.positive().usually(2, 500),
+      Field{&Input::b, "b", mm, "width of the eye across the force, bore included"}
+          .positive()
+          .usually(4, 2000)
+          .findable("R40"),
+      Field{&Input::a, "a", mm, "crown: from the edge of the bore to the end of the eye, along the force"}
+          .positive()
+          .usually(1, 1000),
+      Field{&Input::t, "t", mm, "thickness of the eye, or of one cheek"}.positive().usually(1, 1000).findable("R40"),
+      Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress of the net section, in place of R_e"}
+          .positive()
+          .usually(5, 1500)
+          .may_be_missing(),
+      Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress, in place of R_e"}
+          .positive()
+          .usually(5, 1000)
+          .may_be_missing(),
+      Field{&Input::p_adm, "p_adm", MPa, "allowable pressure in the bore"}.positive().usually(1, 1500).may_be_missing(),
+      Field{&Input::R_e, "R_e", MPa, "yield strength of the eye"}
+          .positive()
+          .usually(50, 2500)
+          .from("material", "R_e", "t")
+          .where_it_has(),
+      Field{&Input::S, "S", ratio, "safety against R_e"}.at_least(1).usually(1.2, 10).may_be_missing().factor()};
+
+  struct Result {
+    Force F_d = unset<Force>;
+    Stress sigma_n = unset<Stress>, tau_s = unset<Stress>, p = unset<Stress>;
+    double u_n = unset<double>, u_s = unset<double>, u_p = unset<double>, x_b = unset<double>, x_a = unset<double>;
+    StressCycle cycle;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::F_d, "F_d", N, "force that counts: with the service factor"}.holding("K_A"),
+      Field{&Result::sigma_n, "sigma_n", MPa, "nominal stress of the net section beside the bore"}.holding("K_A"),
+      Field{&Result::tau_s, "tau_s", MPa, "shear stress of the two planes from bore to crown"}.holding("K_A"),
+      Field{&Result::p, "p", MPa, "pressure in the bore"}.holding("K_A"),
+      Field{&Result::u_n, "u_n", ratio, "net section over the allowable stress"}.check("sigma_adm, S"),
+      Field{&Result::u_s, "u_s", ratio, "shear-out over the allowable stress"}.check("tau_adm, S"),
+      Field{&Result::u_p, "u_p", ratio, "pressure over the allowable one"}.check("p_adm"),
+      Field{&Result::x_b, "x_b", ratio, "width over bore: of wider eyes the outside carries little"}.limit(1,
+                                                                                                           2.5 + 1e-9),
+      Field{&Result::x_a, "x_a", ratio, "side of the eye over its crown: thinner crowns bend"}.limit(0, 1 + 1e-9),
+      Group{&Result::cycle, "cycle", "nominal stress of the net section, for fatigue.cycle: cycle"}.handed_over()};
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return !(in.b <= in.d); }, "b, d", "the eye must be wider than its bore"},
+      Rule<Input>{[](const Input& in) { return !(is_set(in.S) && is_set(in.sigma_adm) && is_set(in.tau_adm)); },
+                  "S, sigma_adm, tau_adm", "allowable stresses hold their safety: leave out S"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.S) || is_set(in.R_e); }, "S, R_e",
+                  "the safety S counts against the yield strength R_e: give it, or a material"}};
+
+  static constexpr std::array modes{
+      Mode<Input>{"net", "eye torn beside the bore", &loaded}.judged_by("u_n, x_b").wanting("sigma_adm"),
+      Mode<Input>{"shear_out", "eye sheared out to its crown", &loaded}.judged_by("u_s").wanting("tau_adm"),
+      Mode<Input>{"crown", "eye split or bent at its crown", &loaded}.judged_by("x_a"),
+      Mode<Input>{"bearing", "bore crushed", &loaded}.judged_by("u_p"),
+      Mode<Input>{"fatigue", "fatigue at the edge of the bore", &varies}
+          .left_to("fatigue.cycle", "cycle.fatigue")
+          .in_service(),
+      Mode<Input>{"across", "what comes along with the force across the axis of the eye", &unseen<Input>}
+          .by_companions()};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+}  // namespace loadpath::pin

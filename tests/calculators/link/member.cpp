@@ -1,0 +1,102 @@
+#include "calculators/link/member.hpp"
+
+#include "tests/found/modes.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+namespace {
+
+using namespace loadpath;
+using loadpath::test::ExampleStep;
+using loadpath::test::mode_with;
+
+double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+
+/// The largest moment of a hinged bar of length l under a compression P and moments M(x), bending stiffness EI, by
+/// small steps: w'' = -(M + P w)/EI with w = 0 at both ends, found by shooting.
+double second_order(double l, double EI, double P, const std::function<double(double)>& M) {
+  constexpr int steps = 4000;
+  const double dx = l / steps;
+  double largest = 0.0;
+  const auto end = [&](double slope) {
+    double w = 0.0, v = slope;
+    largest = 0.0;
+    for (int i = 0; i < steps; ++i) {
+      const double x = (i + 0.5) * dx, mid = w + 0.5 * dx * v;
+      const double moment = M(x) + P * mid;
+      largest = std::max(largest, std::abs(moment));
+      w += dx * (v - 0.5 * dx * moment / EI), v -= dx * moment / EI;
+    }
+    return w;
+  };
+  const double at_0 = end(0.0), at_1 = end(1e-3);
+  end(-at_0 * 1e-3 / (at_1 - at_0));
+  return largest;
+}
+
+}  // namespace
+
+TEST_SUITE("link member") {
+  TEST_CASE("[Bhandari-4] example 4.9: 152 MPa in the plate of a press frame under 10 kN and 2750 N*m") {
+    const ExampleStep frame("link.member",
+                            "N = \"10 kN\"\nV = \"0 kN\"\nM_b = \"2750 N*m\"\nh = \"150 mm\"\nb = \"5.263158 mm\"");
+    CHECK(rel(frame("sigma_o"), 152e6) < 1e-6);
+    CHECK(frame("u_p") == 0.0);
+  }
+
+  TEST_CASE("[Gere] problem 11.6-11: at 664.7 kip on 1.471 in the fibre yields") {
+    const ExampleStep column(
+        "link.member",
+        "N = \nP = \"664.7 kip\"\nV = \"0 kN\"\nM_b = \"977.7737 kip*in\"\nl = \"216 in\"\nh = \nb = "
+        "\nA = \"25.6 in^2\"\nI_y = \"740 in^4\"\nI_z = \"241 in^4\"\nends_y = \nends_z = \nbeta_y "
+        "= 1\nbeta_z = 0.5\nc_y = \"6.265 in\"\nE = \"29000 ksi\"\nR_e = \"36 ksi\"\nn_st = 1");
+    CHECK(rel(column("u_p"), 1.0) < 1e-3);
+  }
+
+  TEST_CASE("force and moment that the secant formula allows make the fibre yield, by small steps") {
+    const double A = 800e-6, W = 0.02 * 0.04 * 0.04 / 6, EI = 210e9 * 0.02 * 0.04 * 0.04 * 0.04 / 12;
+    const double f = 3.0 / ExampleStep("link.member", "")("u_p");
+    const double M = second_order(0.4, EI, f * 18e3, [&](double) { return f * 60.0; });
+    CHECK(rel(f * 18e3 / A + M / W, 355e6) < 1e-5);
+  }
+
+  TEST_CASE("an even moment bounds the others of hinged ends") {
+    const double EI = 210e9 * 0.02 * 0.04 * 0.04 * 0.04 / 12, l = 1.6, P = 0.6 * pi * pi * EI / (l * l);
+    const double even = second_order(l, EI, P, [](double) { return 100.0; });
+    CHECK(rel(even, 100.0 / std::cos(pi / 2 * std::sqrt(0.6))) < 1e-4);
+    CHECK(second_order(l, EI, P, [&](double x) { return 400.0 * x * (l - x) / (l * l); }) < even);
+    CHECK(second_order(l, EI, P, [&](double x) { return 100.0 * x / l; }) < even);
+    CHECK(second_order(l, EI, P, [&](double x) { return 100.0 * (1 - 2 * x / l); }) < even);
+  }
+
+  TEST_CASE("a section of the tables, a tube, a rectangle: the shear that they carry") {
+    CHECK(rel(ExampleStep("link.member", "")("tau"), 1.5 * 400 / 800e-6) < 1e-9);
+    CHECK(rel(ExampleStep("link.member", "h = \nb = \nd = \"40 mm\"")("tau"), 4.0 / 3 * 400 / (pi * 400e-6)) < 1e-9);
+    CHECK(rel(ExampleStep("link.member", "A_v = \"200 mm^2\"")("tau"), 400 / 200e-6) < 1e-9);
+    CHECK(mode_with("link.member", "h = \nb = \nsection = \"IPE 100\"\nkind = \"rolled_I\"", "shear") == "not-judged");
+  }
+
+  TEST_CASE("attacked: signs, no safety, sections that twist, ends that no link has") {
+    for (const char* id : {"yield", "shear", "buckling", "bent", "slenderness"})
+      CHECK(mode_with("link.member", "", id) == "pass");
+    CHECK(mode_with("link.member", "", "tension") == "none");
+    CHECK(mode_with("link.member", "M_b = \"-9 kN*m\"", "yield") == "fail");
+    CHECK(mode_with("link.member", "M_b = \"-900 N*m\"", "bent") == "fail");
+    CHECK(mode_with("link.member", "S = ", "yield") == "not-judged");
+    CHECK(mode_with("link.member", "N = \"18 kN\"", "bent") == "none");
+    CHECK(mode_with("link.member", "N = \"0 kN\"", "yield") == "pass");
+    CHECK(mode_with("link.member", "N = \"0 kN\"\nM_b = \"0 N*m\"", "yield") == "none");
+    CHECK(mode_with("link.member", "N = \"-1e-12 N\"\nM_b = \"9 kN*m\"", "bent") == "fail");
+    CHECK(mode_with("link.member", "N = \"-9 MN\"", "bent") == "fail");
+    const std::string i = "h = \nb = \nA_v = \"400 mm^2\"\nsection = \"IPE 100\"\nkind = \"rolled_I\"";
+    CHECK(mode_with("link.member", i, "lateral_torsional") == "not-judged");
+    CHECK_FALSE(ExampleStep("link.member", "ends_y = \"fixed_fixed\"").fault().empty());
+    CHECK_FALSE(ExampleStep("link.member", "R_e = ").fault().empty());
+    CHECK_FALSE(ExampleStep("link.member", "method = \"secant\"").fault().empty());
+    CHECK_FALSE(ExampleStep("link.member", "h = \nb = \nd = \nsection = \"L 50x5\"\nM_b = \"1 N*m\"").fault().empty());
+  }
+}

@@ -38,6 +38,8 @@ Applies Cross::may_vary(const Input& in) {
   return varies(in) == Applies::yes ? Applies::no : std::min(shown_by(in.K_A > 1.0), loaded(in));
 }
 
+Applies Cross::shaft_varies(const Input& in) { return varies(in) == Applies::yes ? Applies::yes : may_vary(in); }
+
 template <class Tracer>
 Cross::Result Cross::evaluate(const Input& in, Tracer& trace) {
   Result r;

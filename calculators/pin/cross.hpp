@@ -51,6 +51,7 @@ tau_adm_1 = "40 MPa"
   static Applies loaded(const Input& in);
   static Applies varies(const Input& in);
   static Applies may_vary(const Input& in);
+  static Applies shaft_varies(const Input& in);
   static constexpr std::tuple inputs{
       RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
       Field{&Input::T, "T", N_m, "torque; its size counts"}.load(),
@@ -117,7 +118,7 @@ tau_adm_1 = "40 MPa"
       Mode<Input>{"fatigue", "fatigue of the pin, by what the loading allows", &varies}.judged_by("u_tau"),
       Mode<Input>{"variation", "fatigue of a pin whose loading is not said to vary", &may_vary}.in_service().wanting(
           "loading = pulsating"),
-      Mode<Input>{"shaft_fatigue", "fatigue of the shaft at the edge of the hole", &unseen<Input>}.in_service(),
+      Mode<Input>{"shaft_fatigue", "fatigue of the shaft at the edge of the hole", &shaft_varies}.in_service(),
       Mode<Input>{"wall", "the wall of the hub beside the pin", &unseen<Input>},
       Mode<Input>{"other_loads", "what comes along with the torque: forces on the hub", &unseen<Input>}.by_companions(),
       Mode<Input>{"fretting", "a hub that is loose on its shaft and beats the pin out", &unseen<Input>}.special()};

@@ -23,6 +23,7 @@ Moment largest_moment(const Input& in, Force F_d, Tracer& trace) {
                         "built in at the faces of the eye, [RM-9] case 3, with the gap");
     case Held::one_side:
       return NAMED_STEP("M_b", F_d * (in.t_1 / 2.0 + in.c), "built in at the face of the wall");
+    case Held::unsaid:
     case Held::loose:
       break;
   }

@@ -34,10 +34,9 @@ struct Joint {
   static constexpr auto id = "pin.joint";
   static constexpr auto title = "Pin in a fork or a wall";
   static constexpr auto scope =
-      "Bending, shear and their sum of a pin, solid or bored, in a fork and an eye or held on one side; pressure in "
-      "eye "
-      "and fork; pressure times speed where it turns. The walls of eye and fork are left to pin.lug; a bored pin that "
-      "turns oval is not covered.";
+      "Bending and shear of a pin, solid or bored, in a fork and an eye or held on one side; pressure in eye and fork; "
+      "pressure times speed where it turns. The walls of eye and fork are left to pin.lug; a bored pin that turns oval "
+      "is not covered.";
   static constexpr auto source = "[RM-9], [Bhandari-4], [Mises]";
   static constexpr auto example = R"([project]
 title = "Pin of a fork"
@@ -57,13 +56,13 @@ p_adm_1 = "100 MPa"
 p_adm_2 = "100 MPa"
 )";
 
-  enum class Held { loose, in_fork, in_eye, one_side };
+  enum class Held { unsaid, loose, in_fork, in_eye, one_side };
   enum class Spread { even, falling };
 
   struct Input {
     Force F = unset<Force>;
     double K_A = 1.0;
-    Held held = Held::loose;
+    Held held = Held::unsaid;
     Loading loading = Loading::unsaid;
     Spread spread = Spread::even;
     Length d = unset<Length>, d_i = unset<Length>;
@@ -88,7 +87,7 @@ p_adm_2 = "100 MPa"
           .positive()
           .usually(1, 4)
           .factor(),
-      Choice{&Input::held, "held", "how the pin is held"},
+      Choice{&Input::held, "held", "how the pin is held"}.may_be_missing(),
       Choice{&Input::loading, "loading", "how the force varies on a point of the pin"}.may_be_missing(),
       Choice{&Input::spread, "spread", "how the force spreads over the cheeks of a loose pin"}.may_be_missing(),
       Field{&Input::d, "d", mm, "diameter of the pin"}.positive().usually(2, 500).findable("R40"),
@@ -163,6 +162,8 @@ p_adm_2 = "100 MPa"
       Group{&Result::cheek, "cheek", "what one cheek of the fork carries, for pin.lug: load"}.handed_over()};
 
   static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return in.held != Held::unsaid; }, "held",
+                  "say how the pin is held, which its moment follows from: loose, in_fork, in_eye or one_side"},
       Rule<Input>{[](const Input& in) { return !is_set(in.d_i) || !is_set(in.d) || in.d_i < in.d; }, "d_i, d",
                   "the bore must be smaller than the pin"},
       Rule<Input>{[](const Input& in) { return in.spread == Spread::even || in.held == Held::loose; }, "spread, held",
@@ -203,7 +204,8 @@ p_adm_2 = "100 MPa"
 
 constexpr auto choices_of(Joint::Held) {
   using Held = Joint::Held;
-  return std::array{ChoiceName<Held>{Held::loose, "loose", "loose in fork and eye"},
+  return std::array{ChoiceName<Held>{Held::unsaid, "", "not said"},
+                    ChoiceName<Held>{Held::loose, "loose", "loose in fork and eye"},
                     ChoiceName<Held>{Held::in_fork, "in_fork", "fixed in the fork, loose in the eye"},
                     ChoiceName<Held>{Held::in_eye, "in_eye", "fixed in the eye, loose in the fork"},
                     ChoiceName<Held>{Held::one_side, "one_side", "fixed in one wall, the eye on its free end"}};

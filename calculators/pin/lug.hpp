@@ -110,7 +110,7 @@ p_adm = "80 MPa"
   static constexpr std::array modes{
       Mode<Input>{"net", "eye torn beside the bore", &loaded}.judged_by("u_n, x_b").wanting("sigma_adm"),
       Mode<Input>{"shear_out", "eye sheared out to its crown", &loaded}.judged_by("u_s").wanting("tau_adm"),
-      Mode<Input>{"crown", "eye split or bent at its crown", &loaded}.judged_by("x_a"),
+      Mode<Input>{"crown", "eye split or bent at its crown", &loaded}.judged_by("x_a").of_shape(),
       Mode<Input>{"bearing", "bore crushed", &loaded}.judged_by("u_p"),
       Mode<Input>{"fatigue", "fatigue at the edge of the bore", &varies}
           .left_to("fatigue.cycle", "cycle.fatigue")

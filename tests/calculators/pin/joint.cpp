@@ -24,7 +24,7 @@ double rel(double value, double expected) { return std::abs(value - expected) / 
 /// 50 kN on a pin of 40 mm, an eye of 40 mm between cheeks of 25 mm.
 Joint::Input knuckle() {
   Joint::Input in;
-  in.F = 50.0 * kN, in.d = 40.0 * mm, in.t_1 = 40.0 * mm, in.t_2 = 25.0 * mm;
+  in.F = 50.0 * kN, in.held = Joint::Held::loose, in.d = 40.0 * mm, in.t_1 = 40.0 * mm, in.t_2 = 25.0 * mm;
   return in;
 }
 
@@ -169,7 +169,7 @@ TEST_SUITE("pin joint") {
     says("held = \"in_eye\"\nd = \"20 mm\"\nspread = \"falling\"\n", "over the cheeks of a loose pin alone");
     says("held = \"loose\"\nd = \"20 mm\"\nR_m = \"500 MPa\"\n", "say loading");
     says("held = \"loose\"\nd = \"20 mm\"\npv_adm = \"1 MPa*m/s\"\n", "needs the speed of turning n");
-    says("d = \"20 mm\"\n", "held");
+    says("d = \"20 mm\"\n", "say how the pin is held");
   }
 
   TEST_CASE("attacked: nothing passes that was not judged") {

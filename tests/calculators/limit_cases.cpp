@@ -438,6 +438,7 @@ const Case pins[] = {
     {"link.member", "M_b = \"0 N*m\"\nl = \"4 m\"\nlambda_max = 1000", "u_p",  // Euler, hinged
      3.0 * 18e3 * 12 * 16 / (pi * pi * 210e9 * 0.02 * 0.04 * 0.04 * 0.04)},
     {"link.member", R"(N = "18 kN")", "u_p", 0.0},
+    {"link.member", R"(A_v = "200 mm^2")", "tau", 2e6},
 };
 
 const std::span<const Case> groups[] = {pins,    fits,  keys, shapes,     bars,   tubes,  vessels, cycles,

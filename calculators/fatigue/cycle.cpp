@@ -38,13 +38,6 @@ std::size_t objected(const Input& in) {
 
 const Given& given(const Input& in, std::size_t i) { return i == 0 ? static_cast<const Given&>(in) : in.others[i - 1]; }
 
-/// A field of the cycle that was typed, for the message to stand at.
-std::string typed(const Given& g) {
-  if (is_set(g.r)) return "r";
-  if (is_set(g.sigma_min)) return "sigma_min";
-  return is_set(g.sigma_max) ? "sigma_max" : is_set(g.sigma_a) ? "sigma_a" : "sigma_m";
-}
-
 /// Proportional extremes, with one sense: r_1 = r_2 without a division.
 bool are_similar(const Characteristics& a, const Characteristics& b) {
   const double a1 = in_si(a.sigma_max), a2 = in_si(a.sigma_min), b1 = in_si(b.sigma_max), b2 = in_si(b.sigma_min);
@@ -109,21 +102,16 @@ void hold_against_limit(const Input& in, Result& r, Tracer& trace) {
 
 bool Cycle::two_given(const Input& in) { return miscounted(in) > in.others.size(); }
 
-FieldFault Cycle::wrong_count(const Input& in) {
+FieldFault Cycle::miscount(const Input& in) {
   const std::size_t i = miscounted(in);
-  const int n = count(given(in, i));
-  return {n == 0 ? "" : place_of(in, i) + typed(given(in, i)),
-          say("a cycle needs exactly two of sigma_max, sigma_min, sigma_m, sigma_a and r; given here: {1}",
-              std::to_string(n)),
-          n < 2 ? say("give one more that says how large the cycle is or where it lies") : say("leave the rest out")};
+  return wrong_count(given(in, i), place_of(in, i));
 }
 
 bool Cycle::sound(const Input& in) { return objected(in) > in.others.size(); }
 
-FieldFault Cycle::unsound(const Input& in) {
+FieldFault Cycle::objectionable(const Input& in) {
   const std::size_t i = objected(in);
-  const Objection o = objection(given(in, i));
-  return {place_of(in, i) + typed(given(in, i)), say(o.reason), *o.remedy == '\0' ? Message{} : say(o.remedy)};
+  return unsound(given(in, i), place_of(in, i));
 }
 
 /// What stands still does not tire: nothing is judged by it.
@@ -138,14 +126,13 @@ Cycle::Result Cycle::evaluate(const Input& in, Tracer& trace) {
   Result r;
   static_cast<Characteristics&>(r) = cycle_of(in, trace);
   if (is_set(in.R_e)) {
-    STEP(k, in.stress == Stresses::shear ? sqrt(3.0) : 1.0,
-         in.stress == Stresses::shear ? "shear by the distortion energy hypothesis, [Mises]" : "normal");
-    STEP_TO(r, u_y, k * max(abs(r.sigma_max), abs(r.sigma_min)) / in.R_e, "no yielding at the first load");
+    r.u_y = part_of_yield(r, in.stress, in.R_e, trace);
     if (is_set(in.S_F)) {
       STEP_TO(r, u_F, in.S_F * r.u_y, "with its safety");
     }
   }
   if (is_set(in.sigma_D)) hold_against_limit(in, r, trace);
+  r.cycle = {in.stress, r.sigma_max, r.sigma_min};
   for (std::size_t i = 0; i < in.others.size(); ++i) {
     [[maybe_unused]] const auto here = trace.scope("others", i);
     Compared other;

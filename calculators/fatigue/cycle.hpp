@@ -4,7 +4,7 @@
 // alike. Cycles of one ratio are similar; +inf and -inf are one ratio, that of a pulsation below zero. The largest
 // stress is held against a yield strength, the amplitude against the fatigue limit of the part in symmetric cycles,
 // each with its safety. Tension is positive, and lowers that limit: such a cycle is not covered; what compression adds
-// to it is not counted. Not covered: life, histories that are no cycle.
+// to it is not counted. Not covered: mean stress and life (fatigue.life takes the cycle whole), histories.
 #pragma once
 
 #include "calculators/fatigue/cycle_of.hpp"
@@ -23,8 +23,7 @@ struct Cycle {
   static constexpr auto scope =
       "Largest, least and mean stress, amplitude, ratio and kind of a stress cycle from any two of these; similar "
       "cycles; normal and shear stresses alike. The largest stress against yielding, the amplitude against a fatigue "
-      "limit "
-      "of r = -1 where the mean stress is no tension. Life is not covered.";
+      "limit of r = -1 where the mean stress is no tension. Mean stress and life: fatigue.life.";
   static constexpr auto source = "[B20]";
   static constexpr auto example = R"([project]
 title = "Cycle of a connecting rod"
@@ -55,8 +54,8 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
   };
   static bool two_given(const Input& in);
   static bool sound(const Input& in);
-  static FieldFault wrong_count(const Input& in);
-  static FieldFault unsound(const Input& in);
+  static FieldFault miscount(const Input& in);
+  static FieldFault objectionable(const Input& in);
   static Applies varies(const Input& in);
   static constexpr std::tuple inputs = std::tuple_cat(
       std::tuple{RecordField<Input>{"cycle", "the largest stress of a part, whole: cycle = \"=shaft.cycle\""}},
@@ -96,6 +95,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
 
   struct Result : Characteristics {
     double u_y = unset<double>, u_F = unset<double>, u_D = unset<double>, x_m = unset<double>;
+    WholeCycle cycle;
     List<Compared, most_others> others;
   };
   static constexpr std::tuple results = std::tuple_cat(
@@ -110,13 +110,14 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
                                 "mean stress over the amplitude, where it lowers the limit of r = -1"}
               .limit(0, same, "sigma_D")
               .where_it_applies(),
+          Group<Result, WholeCycle>{&Result::cycle, "cycle", "the whole cycle, for fatigue.life: cycle"}.handed_over(),
           ListField<Result, List<Compared, most_others>>{&Result::others, "others", "the compared cycles"}});
 
   static constexpr bool turns = true;
   static constexpr std::array rules{
       Rule<Input>{&two_given, "sigma_max, sigma_min, sigma_m, sigma_a, r",
-                  "two of sigma_max, sigma_min, sigma_m, sigma_a and r make a cycle", &wrong_count},
-      Rule<Input>{&sound, "sigma_max, sigma_min, sigma_m, sigma_a, r", "these two do not make a cycle", &unsound},
+                  "two of sigma_max, sigma_min, sigma_m, sigma_a and r make a cycle", &miscount},
+      Rule<Input>{&sound, "sigma_max, sigma_min, sigma_m, sigma_a, r", "these two do not make a cycle", &objectionable},
       Rule<Input>{[](const Input& in) { return !is_set(in.S_F) || is_set(in.R_e); }, "S_F, R_e",
                   "the safety S_F counts against the yield strength R_e: give it, or a material"},
       Rule<Input>{[](const Input& in) { return is_set(in.S_D) == is_set(in.sigma_D); }, "sigma_D, S_D",
@@ -124,8 +125,11 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),
-      Mode<Input>{"fatigue", "fatigue, with an amplitude above the fatigue limit", &varies}.judged_by("u_D, x_m"),
-      Mode<Input>{"life", "life of what is loaded above its fatigue limit", &unseen<Input>},
+      Mode<Input>{"fatigue", "fatigue, with an amplitude above the fatigue limit", &varies}
+          .judged_by("u_D, x_m")
+          .left_to("fatigue.life", "cycle.fatigue"),
+      Mode<Input>{"life", "life of what is loaded above its fatigue limit", &unseen<Input>}.left_to("fatigue.life",
+                                                                                                    "cycle.fatigue"),
       Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>}};
 
   template <class Tracer>

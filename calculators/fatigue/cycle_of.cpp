@@ -72,12 +72,36 @@ int count(const Given& g) {
   return is_set(g.sigma_max) + is_set(g.sigma_min) + is_set(g.sigma_m) + is_set(g.sigma_a) + is_set(g.r);
 }
 
+namespace {
+
+/// A field of the cycle that was typed, for the message to stand at.
+std::string typed(const Given& g) {
+  if (is_set(g.r)) return "r";
+  if (is_set(g.sigma_min)) return "sigma_min";
+  return is_set(g.sigma_max) ? "sigma_max" : is_set(g.sigma_a) ? "sigma_a" : "sigma_m";
+}
+
+}  // namespace
+
 Objection objection(const Given& g) {
   if (count(g) != 2) return {};  // another rule says so
   if (!is_set(g.r)) return of_stresses(g);
   if (is_set(g.sigma_max)) return of_max(g.sigma_max, g.r);
   if (is_set(g.sigma_min)) return of_min(g.sigma_min, g.r);
   return is_set(g.sigma_m) ? of_mean(g.sigma_m, g.r) : of_amplitude(g.sigma_a, g.r);
+}
+
+FieldFault wrong_count(const Given& g, const std::string& place) {
+  const int n = count(g);
+  return {n == 0 ? "" : place + typed(g),
+          say("a cycle needs exactly two of sigma_max, sigma_min, sigma_m, sigma_a and r; given here: {1}",
+              std::to_string(n)),
+          n < 2 ? say("give one more that says how large the cycle is or where it lies") : say("leave the rest out")};
+}
+
+FieldFault unsound(const Given& g, const std::string& place) {
+  const Objection o = objection(g);
+  return {place + typed(g), say(o.reason), *o.remedy == '\0' ? Message{} : say(o.remedy)};
 }
 
 }  // namespace loadpath::fatigue

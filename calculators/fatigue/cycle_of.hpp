@@ -1,6 +1,7 @@
 // The characteristics of a stress cycle from any two of them, and why some pairs do not make one: [B20].
 #pragma once
 
+#include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/text/issue.hpp"
@@ -8,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <tuple>
 
 namespace loadpath::fatigue {
@@ -62,6 +64,9 @@ struct Objection {
 };
 int count(const Given& g);
 Objection objection(const Given& g);
+/// The same for a user, at a field of the cycle that was typed; `place` is before its keys: "others[2].".
+FieldFault wrong_count(const Given& g, const std::string& place);
+FieldFault unsound(const Given& g, const std::string& place);
 
 /// Rounding of sums must not decide what kind a cycle is.
 inline constexpr double same = 1e-9;
@@ -147,6 +152,14 @@ Characteristics cycle_of(const Given& g, Tracer& trace) {
   }
   STEP_TO(c, r, sigma_min / sigma_max, "ratio of the cycle, [B20]");
   return c;
+}
+
+/// The largest stress over the yield strength; of shear stresses by the distortion energy hypothesis.
+template <class Tracer>
+double part_of_yield(const Characteristics& r, Stresses stress, Stress R_e, Tracer& trace) {
+  STEP(k, stress == Stresses::shear ? sqrt(3.0) : 1.0,
+       stress == Stresses::shear ? "shear by the distortion energy hypothesis, [Mises]" : "normal");
+  return NAMED_STEP("u_y", k * max(abs(r.sigma_max), abs(r.sigma_min)) / R_e, "no yielding at the first load");
 }
 
 constexpr auto choices_of(Kind) {

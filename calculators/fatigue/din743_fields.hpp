@@ -163,10 +163,4 @@ constexpr auto choices_of(Layer) {
                     ChoiceName<Layer>{Layer::hard, "hard", "hard: case hardened, nitrided, induction hardened"}};
 }
 
-constexpr auto choices_of(MeanStress) {
-  using M = MeanStress;
-  return std::array{ChoiceName<M>{M::constant, "constant", "case 1: the mean stays, the amplitude grows"},
-                    ChoiceName<M>{M::proportional, "proportional", "case 2: mean and amplitude grow together"}};
-}
-
 }  // namespace loadpath::fatigue

@@ -2,6 +2,7 @@
 // that a whole shaft can have its sections rated one by one.
 #pragma once
 
+#include "calculators/fatigue/mean_stress.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/list.hpp"
 #include "lib/quantity/units.hpp"
@@ -26,8 +27,6 @@ enum class Notch {
 };
 enum class SteelGroup { none, quenched_tempered, case_hardening_crnimo, case_hardening, nitriding, structural };
 enum class Layer { none, hard };
-/// What stays as it is while the load grows to its limit: the mean stress (case 1), or its ratio to the amplitude (2).
-enum class MeanStress { constant, proportional };
 enum class Stressing { tension, bending, torsion };
 
 /// Strengths at the reference diameter of the group (sigma_B, sigma_S, the limits of polished bars), or R_m and R_e as

@@ -1,6 +1,7 @@
 #include "calculators/fatigue/endurance.hpp"
 
 #include "calculators/fatigue/estimate.hpp"
+#include "calculators/fatigue/marin.hpp"
 #include "calculators/fatigue/size_and_surface.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
@@ -14,7 +15,6 @@ using Input = Endurance::Input;
 using Result = Endurance::Result;
 using Loading = Endurance::Loading;
 using School = Endurance::School;
-using Finish = Endurance::Finish;
 
 /// Neuber's constant in the units of its source: Shigley fits it over kpsi, in root inches.
 template <class Tracer>
@@ -32,8 +32,23 @@ Length neuber_length(const Input& in, Result& r, Tracer& trace) {
   return NAMED_STEP("a_N", pow<2>(w_a) * 25.4 * mm, "Neuber's constant");
 }
 
+/// Peterson's; in torsion the same as of a blunter notch.
+template <class Tracer>
+Length peterson_length(const Input& in, Result& r, Tracer& trace) {
+  using std::pow;
+  STEP_TO(r, x_n, (in.R_m / MPa - 560.0) / (2070.0 - 560.0), "of steels from 560 MPa on; to 2070 MPa, own bound");
+  const double c_P = trace.value("c_P", in.loading == Loading::torsion ? 0.6 : 1.0, "0.6 in torsion, recalled");
+  return NAMED_STEP("a_P", c_P * 0.0254 * mm * pow(2070.0 * MPa / in.R_m, 1.8), "Peterson's constant, recalled");
+}
+
 template <class Tracer>
 double sensitivity(const Input& in, Result& r, Tracer& trace) {
+  if (in.sensitivity == Endurance::Sensitivity::cast_iron)
+    return trace.value("q", 0.2, "all grades of cast iron, [Shigley6], recalled");
+  if (is_set(in.r_n) && in.sensitivity == Endurance::Sensitivity::peterson) {
+    const Length a_P = peterson_length(in, r, trace);
+    return NAMED_STEP("q", 1.0 / (1.0 + a_P / in.r_n), "notch sensitivity, Peterson, recalled");
+  }
   if (!is_set(in.r_n))
     return NAMED_STEP("q", is_set(in.q) ? in.q : 1.0, is_set(in.q) ? "as given" : "of no account: there is no notch");
   const Length a_N = neuber_length(in, r, trace);
@@ -82,48 +97,15 @@ void serensen(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, sigma_D, r.sigma_m1 / K_D, "fatigue limit of the part");
 }
 
-struct MarinSurface {
-  double a, b;  // a in MPa
-};
-
-/// Table 6-2 of [Shigley6].
-MarinSurface surface(Finish finish) {
-  switch (finish) {
-    case Finish::ground:
-      return {1.58, -0.085};
-    case Finish::machined:
-      return {4.51, -0.265};
-    case Finish::hot_rolled:
-      return {57.7, -0.718};
-    case Finish::forged:
-      return {272.0, -0.995};
-  }
-  return {unset<double>, unset<double>};
-}
-
-template <class Tracer>
-double marin_size(const Input& in, Result& r, Tracer& trace) {
-  using std::pow;
-  const auto d = in.d;
-  if (!is_set(d) || in.loading == Loading::tension) {
-    if (is_set(d)) r.x_d = 0.0;
-    return NAMED_STEP("k_b", 1.0, "no size effect: tension, or no d given, [Shigley6]");
-  }
-  STEP_TO(r, x_d, log(d / (2.79 * mm)) / log(254.0 / 2.79), "d from 2.79 to 254 mm on a logarithmic scale, [Shigley6]");
-  if (d > 51.0 * mm) return NAMED_STEP("k_b", 1.51 * pow(d / mm, -0.157), "51 to 254 mm, [Shigley6] (6-20)");
-  return NAMED_STEP("k_b", 1.24 * pow(d / mm, -0.107), "2.79 to 51 mm, [Shigley6] (6-20)");
-}
-
+/// What the notch and all factors take together.
 template <class Tracer>
 void marin(const Input& in, Result& r, Tracer& trace) {
-  using std::pow;
-  const auto [a, b] = surface(in.finish);
-  trace.value("a", a, "of the finish, [Shigley6] table 6-2");
-  trace.value("b", b, "of the finish, [Shigley6] table 6-2");
-  STEP(k_s, a * pow(in.R_m / MPa, b), "surface, [Shigley6] (6-19)");
-  STEP_TO(r, k_a, min(k_s, 1.0), "no surface is better than polished");
+  const double k_a = r.k_a = marin_surface(in, trace);
   r.k_b = marin_size(in, r, trace);
-  STEP_TO(r, K_D, r.K_f / (k_a * r.k_b), "shape, size and surface together");
+  const double K_D = is_set(in.k_c) || is_set(in.T) || is_set(in.P_s)
+                         ? marin_service(in, r, trace)
+                         : NAMED_STEP("K_D", r.K_f / (k_a * r.k_b), "shape, size and surface together");
+  r.K_D = K_D;
   STEP_TO(r, sigma_D, r.sigma_m1 / K_D, "fatigue limit of the part, the notch counted once");
 }
 

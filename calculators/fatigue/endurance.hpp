@@ -2,9 +2,10 @@
 // size and surface leave of it in a part.
 //
 // Decides sigma_-1 of the smooth polished specimen by one published rule, the notch factor K_f, and the fatigue limit
-// of the part by one school: Serensen's K_D (GOST 25.504, the school of [B20]) or Marin's factors (Shigley). Torsion
-// alike, with tau for sigma. Limits hold for r = -1.
-// Not covered: mean stress, life, histories, safety, temperature, corrosion, press fits.
+// of the part by one school: Serensen's K_D (GOST 25.504, the school of [B20]) or Marin's factors (Shigley): surface
+// by either edition, size of parts that turn or stand, load, temperature, reliability. Torsion alike, with tau for
+// sigma. Limits hold for r = -1 and one half of the parts, unless P_s says more.
+// Not covered: mean stress, life (fatigue.life), histories, safety, corrosion, press fits.
 #pragma once
 
 #include "calculators/fatigue/size_and_surface.hpp"
@@ -25,8 +26,8 @@ struct Endurance {
   static constexpr auto title = "Fatigue limit of a material and of a part";
   static constexpr auto scope =
       "Fatigue limit in symmetric cycles of a smooth specimen, measured or estimated, and of a part with its shape, "
-      "size "
-      "and surface. Mean stress, life, temperature and corrosion are not covered.";
+      "size and surface, by Marin at a temperature and a reliability. Mean stress and life: fatigue.life. Corrosion is "
+      "not covered.";
   static constexpr auto source = "[B20], [DIN743], [FKM], [GOST25504], [Shigley6]";
   static constexpr auto example = R"([project]
 title = "Shoulder of a shaft"
@@ -61,6 +62,9 @@ R_z = "6.3 um"
   enum class Loading { bending, tension, torsion };
   enum class School { serensen, marin };
   enum class Finish { ground, machined, hot_rolled, forged };
+  enum class Edition { ninth, eleventh };
+  enum class Turning { rotating, standing };
+  enum class Sensitivity { neuber, peterson, cast_iron };
 
   struct Input {
     Stress R_m = unset<Stress>;
@@ -76,6 +80,13 @@ R_z = "6.3 um"
     Length R_z = unset<Length>;
     double beta_F = unset<double>, beta_V = 1.0;
     Finish finish = Finish::ground;
+    Sensitivity sensitivity = Sensitivity::neuber;
+    Edition edition = Edition::ninth;
+    Turning turning = Turning::rotating;
+    Length h = unset<Length>, b = unset<Length>;
+    double k_c = unset<double>;
+    Heating T = unset<Heating>;
+    double P_s = unset<double>;
   };
   static bool rule_fits(const Input& in);
   static FieldFault misfit(const Input& in);
@@ -94,7 +105,7 @@ R_z = "6.3 um"
       Field{&Input::epsilon, "epsilon", ratio, "size factor, in place of one from d"}.within(0.3, 1).may_be_missing(),
       Field{&Input::K_t, "K_t", ratio, "stress concentration factor of the shape, on the net section"}.within(1, 10),
       Field{&Input::q, "q", ratio, "notch sensitivity"}.within(0, 1).may_be_missing(),
-      Field{&Input::r_n, "r_n", mm, "radius of the notch, for the notch sensitivity of steels by Neuber"}
+      Field{&Input::r_n, "r_n", mm, "radius of the notch, for the notch sensitivity of steels"}
           .positive()
           .usually(0.1, 100)
           .may_be_missing(),
@@ -107,15 +118,33 @@ R_z = "6.3 um"
           .within(0.2, 1)
           .may_be_missing(),
       Field{&Input::beta_V, "beta_V", ratio, "factor of a hardened surface"}.within(1, 4).factor(),
-      Choice{&Input::finish, "finish", "surface, for Marin's school"}.may_be_missing()};
+      Choice{&Input::finish, "finish", "surface, for Marin's school"}.may_be_missing(),
+      Choice{&Input::sensitivity, "sensitivity", "how the notch sensitivity follows"}.may_be_missing(),
+      Choice{&Input::edition, "edition", "edition of the surface factors of Marin's school"}.may_be_missing(),
+      Choice{&Input::turning, "turning", "whether the part turns under its bending, for the size of Marin's school"}
+          .may_be_missing(),
+      Field{&Input::h, "h", mm, "height of a rectangular section that stands, in place of d"}
+          .positive()
+          .may_be_missing(),
+      Field{&Input::b, "b", mm, "width of that section"}.positive().may_be_missing(),
+      Field{&Input::k_c, "k_c", ratio, "load factor, where sigma_W was measured in rotating bending"}
+          .within(0.3, 1)
+          .may_be_missing(),
+      Field{&Input::T, "T", scale_of_heat, "temperature of the part, where R_m is that of room temperature"}
+          .positive()
+          .may_be_missing(),
+      Field{&Input::P_s, "P_s", ratio, "reliability: share of parts that bear the limit, else one half"}
+          .within(0.5, 0.999999)
+          .may_be_missing()};
 
   struct Result {
     Stress sigma_m1 = unset<Stress>, sigma_low = unset<Stress>, sigma_high = unset<Stress>;
     double N_0 = unset<double>;
     double K_f = unset<double>, epsilon = unset<double>, beta_F = unset<double>, K_D = unset<double>;
-    double k_a = unset<double>, k_b = unset<double>;
+    double k_a = unset<double>, k_b = unset<double>, k_c = unset<double>, k_d = unset<double>, k_e = unset<double>;
+    Length d_e = unset<Length>;
     Stress sigma_D = unset<Stress>;
-    double x_d = unset<double>, x_n = unset<double>;
+    double x_d = unset<double>, x_n = unset<double>, x_T = unset<double>;
   };
   static constexpr std::tuple results{
       Field{&Result::sigma_m1, "sigma_m1", MPa, "fatigue limit of the smooth specimen; shear in torsion"},
@@ -128,11 +157,17 @@ R_z = "6.3 um"
       Field{&Result::K_D, "K_D", ratio, "factor of shape, size and surface together: specimen over part"},
       Field{&Result::k_a, "k_a", ratio, "surface factor of Marin's school"},
       Field{&Result::k_b, "k_b", ratio, "size factor of Marin's school"},
+      Field{&Result::k_c, "k_c", ratio, "load factor of Marin's school"},
+      Field{&Result::k_d, "k_d", ratio, "temperature factor of Marin's school"},
+      Field{&Result::k_e, "k_e", ratio, "reliability factor of Marin's school"},
+      Field{&Result::d_e, "d_e", mm, "diameter of the bar that turns and is as highly stressed"},
       Field{&Result::sigma_D, "sigma_D", MPa, "fatigue limit of the part, r = -1, as nominal stress"},
       Field{&Result::x_d, "x_d", ratio, "d within the range of the size factor: 0 least, 1 largest diameter"}.limit(
-          0, 1 + 1e-9, "d"),
-      Field{&Result::x_n, "x_n", ratio, "R_m within the range of Neuber's constant: 0 least, 1 largest strength"}.limit(
-          0, 1, "r_n")};
+          0, 1 + 1e-9, "d, h"),
+      Field{&Result::x_n, "x_n", ratio, "R_m within the range of the notch sensitivity: 0 least, 1 largest strength"}
+          .limit(0, 1, "r_n"),
+      Field{&Result::x_T, "x_T", ratio, "T within the range of the temperature factor: 0 least, 1 highest"}.limit(
+          -1e-9, 1 + 1e-9, "T")};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return is_set(in.R_m) || is_set(in.sigma_W); }, "R_m, sigma_W",
@@ -143,10 +178,19 @@ R_z = "6.3 um"
           "K_f, K_t, q, r_n", "give the notch as K_f, or as K_t with q or r_n, never both"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.q) && is_set(in.r_n)); }, "q, r_n",
                   "give the notch sensitivity as q, or the radius r_n that it follows from, never both"},
-      Rule<Input>{[](const Input& in) { return in.K_t == 1.0 || is_set(in.q) || is_set(in.r_n); }, "K_t, q, r_n",
+      Rule<Input>{[](const Input& in) {
+                    return in.K_t == 1.0 || is_set(in.q) || is_set(in.r_n) || in.sensitivity == Sensitivity::cast_iron;
+                  },
+                  "K_t, q, r_n",
                   "a notch needs its sensitivity: q, or the radius r_n for steels; q = 1 is on the safe side"},
       Rule<Input>{[](const Input& in) { return !is_set(in.r_n) || (is_set(in.R_m) && in.group <= Group::cast_steel); },
-                  "r_n, group, R_m", "Neuber's constant is that of steels and needs R_m: give q for other materials"},
+                  "r_n, group, R_m",
+                  "the constants of Neuber and Peterson are those of steels and need R_m: give q for other materials"},
+      Rule<Input>{[](const Input& in) {
+                    const bool iron = in.group >= Group::grey_iron && in.group <= Group::malleable_iron;
+                    return in.sensitivity != Sensitivity::cast_iron || (iron && !is_set(in.q));
+                  },
+                  "sensitivity, group, q", "sensitivity = \"cast-iron\" is q = 0.2 of cast iron, in place of q"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.epsilon) && is_set(in.d)); }, "epsilon, d",
                   "give the size factor epsilon or the diameter d that it follows from, never both"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.beta_F) && is_set(in.R_z)); }, "beta_F, R_z",
@@ -159,18 +203,38 @@ R_z = "6.3 um"
                   },
                   "school, epsilon, R_z, beta_F, beta_V",
                   "epsilon, R_z, beta_F and beta_V belong to Serensen's school; Marin's takes finish and d"},
+      Rule<Input>{[](const Input& in) {
+                    return in.school == School::marin ||
+                           !(is_set(in.T) || is_set(in.P_s) || is_set(in.k_c) || is_set(in.h) || is_set(in.b) ||
+                             in.turning == Turning::standing || in.edition != Edition::ninth);
+                  },
+                  "school, T, P_s, k_c, h, b, turning, edition",
+                  "T, P_s, k_c, h, b, turning and edition belong to Marin's school"},
+      Rule<Input>{[](const Input& in) { return is_set(in.h) == is_set(in.b) && !(is_set(in.h) && is_set(in.d)); },
+                  "h, b, d", "give the diameter d, or height h and width b of a rectangle"},
+      Rule<Input>{[](const Input& in) {
+                    return !is_set(in.h) || (in.turning == Turning::standing && in.loading != Loading::torsion);
+                  },
+                  "h, b, turning, loading",
+                  "the size of a rectangle is told of bending and tension of what stands: turning = \"standing\""},
+      Rule<Input>{[](const Input& in) { return !is_set(in.k_c) || is_set(in.sigma_W); }, "k_c, sigma_W",
+                  "k_c goes with a measured limit sigma_W; the rules have their load factors in them"},
       Rule<Input>{[](const Input& in) { return !(in.sigma_W >= in.R_m); }, "sigma_W, R_m",
                   "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"},
       heat_treated_before_turning<Input>()};
 
   static constexpr std::array modes{
       Mode<Input>{"size", "a diameter for which no size factor was measured",
-                  [](const Input& in) { return where(is_set(in.d)); }}
+                  [](const Input& in) { return where(is_set(in.d) || is_set(in.h)); }}
           .judged_by("x_d")
           .of_shape(),
       Mode<Input>{"notch", "a strength for which no notch sensitivity was measured",
                   [](const Input& in) { return where(is_set(in.r_n)); }}
           .judged_by("x_n")
+          .of_shape(),
+      Mode<Input>{"temperature", "a temperature for which no strength was measured",
+                  [](const Input& in) { return where(is_set(in.T)); }}
+          .judged_by("x_T")
           .of_shape(),
       Mode<Input>{"surroundings", "corrosion, heat, fretting under press fits", &unseen<Input>}.special()};
 
@@ -212,7 +276,7 @@ constexpr auto choices_of(Endurance::School) {
   using S = Endurance::School;
   return std::array{
       ChoiceName<S>{S::serensen, "serensen", "K_D of Serensen and GOST 25.504, size and roughness of DIN 743"},
-      ChoiceName<S>{S::marin, "marin", "Marin's factors after Shigley, 9th edition"}};
+      ChoiceName<S>{S::marin, "marin", "Marin's factors after Shigley"}};
 }
 
 constexpr auto choices_of(Endurance::Finish) {
@@ -220,6 +284,25 @@ constexpr auto choices_of(Endurance::Finish) {
   return std::array{
       ChoiceName<F>{F::ground, "ground", "ground"}, ChoiceName<F>{F::machined, "machined", "machined or cold drawn"},
       ChoiceName<F>{F::hot_rolled, "hot-rolled", "hot rolled"}, ChoiceName<F>{F::forged, "forged", "as forged"}};
+}
+
+constexpr auto choices_of(Endurance::Edition) {
+  using E = Endurance::Edition;
+  return std::array{ChoiceName<E>{E::ninth, "9th", "Shigley, 9th edition"},
+                    ChoiceName<E>{E::eleventh, "11th", "Shigley, 11th edition; but for ground surfaces recalled"}};
+}
+
+constexpr auto choices_of(Endurance::Turning) {
+  using T = Endurance::Turning;
+  return std::array{ChoiceName<T>{T::rotating, "rotating", "it turns: all of its rim is stressed"},
+                    ChoiceName<T>{T::standing, "standing", "it stands: two sides of its rim are stressed"}};
+}
+
+constexpr auto choices_of(Endurance::Sensitivity) {
+  using S = Endurance::Sensitivity;
+  return std::array{ChoiceName<S>{S::neuber, "neuber", "Neuber's constant; steels"},
+                    ChoiceName<S>{S::peterson, "peterson", "Peterson's constant; steels from 560 MPa; recalled"},
+                    ChoiceName<S>{S::cast_iron, "cast-iron", "0.2, of all grades of cast iron; recalled"}};
 }
 
 }  // namespace loadpath::fatigue

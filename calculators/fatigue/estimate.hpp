@@ -32,25 +32,38 @@ inline Factors din743(const Endurance::Input& in) {
   return {0.3, 0.3, "torsion, 0.3 of R_m, [DIN743]"};
 }
 
+/// A row of FKM: limit in tension over tensile strength, in torsion over that in tension, and how a mean stress weighs,
+/// M = a_M R_m/1000 MPa + b_M.
+struct FkmRow {
+  Endurance::Group group;
+  double sigma, tau, a_M, b_M;
+};
+
+inline const FkmRow* fkm_row(Endurance::Group group) {
+  using G = Endurance::Group;
+  static constexpr FkmRow rows[] = {{G::carbon_steel, 0.45, 0.577, 0.35, -0.10},
+                                    {G::alloy_steel, 0.45, 0.577, 0.35, -0.10},
+                                    {G::case_hardening_steel, 0.40, 0.577, 0.35, -0.10},
+                                    {G::stainless_steel, 0.40, 0.577, 0.35, -0.10},
+                                    {G::cast_steel, 0.34, 0.577, 0.35, 0.05},
+                                    {G::grey_iron, 0.34, 1.0, 0.0, 0.5},
+                                    {G::ductile_iron, 0.34, 0.65, 0.35, 0.08},
+                                    {G::malleable_iron, 0.30, 0.75, 0.35, 0.13},
+                                    {G::wrought_aluminium, 0.30, 0.577, 1.0, -0.04},
+                                    {G::cast_aluminium, 0.30, 0.75, 1.0, 0.2}};
+  for (const FkmRow& row : rows) {
+    if (row.group == group) return &row;
+  }
+  return nullptr;
+}
+
 /// Tension; torsion is a part of it.
 inline Factors fkm(const Endurance::Input& in) {
-  using G = Endurance::Group;
-  struct Row {
-    G group;
-    double sigma, tau;
-  };
-  static constexpr Row rows[] = {{G::carbon_steel, 0.45, 0.577},         {G::alloy_steel, 0.45, 0.577},
-                                 {G::case_hardening_steel, 0.40, 0.577}, {G::stainless_steel, 0.40, 0.577},
-                                 {G::cast_steel, 0.34, 0.577},           {G::grey_iron, 0.34, 1.0},
-                                 {G::ductile_iron, 0.34, 0.65},          {G::malleable_iron, 0.30, 0.75},
-                                 {G::wrought_aluminium, 0.30, 0.577},    {G::cast_aluminium, 0.30, 0.75}};
-  if (in.loading == Endurance::Loading::bending) return {};
+  const FkmRow* const row = fkm_row(in.group);
+  if (row == nullptr || in.loading == Endurance::Loading::bending) return {};
   const bool torsion = in.loading == Endurance::Loading::torsion;
-  for (const Row& row : rows) {
-    const double factor = row.sigma * (torsion ? row.tau : 1.0);
-    if (row.group == in.group) return {factor, factor, torsion ? "f_W,sigma f_W,tau, [FKM]" : "f_W,sigma, [FKM]"};
-  }
-  return {};
+  const double factor = row->sigma * (torsion ? row->tau : 1.0);
+  return {factor, factor, torsion ? "f_W,sigma f_W,tau, [FKM]" : "f_W,sigma, [FKM]"};
 }
 
 /// With the load factor of tension and torsion.

@@ -1,4 +1,5 @@
-// The largest stress of a part, for fatigue.cycle to take whole: cycle = "=shaft.cycle". How it varies is said there.
+// The largest stress of a part, for fatigue.cycle to take whole: cycle = "=shaft.cycle". How it varies is said there,
+// and handed on to fatigue.life with both its ends.
 #pragma once
 
 #include "lib/calculator/field.hpp"
@@ -26,6 +27,17 @@ struct StressCycle {
       Field{&StressCycle::sigma_max, "sigma_max", MPa, "largest nominal stress, with the service factor"}
           .load()
           .holding("K_A")};
+};
+
+/// A cycle with both its ends.
+struct WholeCycle {
+  Stresses stress = Stresses::normal;
+  Stress sigma_max = unset<Stress>, sigma_min = unset<Stress>;
+
+  static constexpr std::tuple fields{
+      Choice{&WholeCycle::stress, "stress", "what varies"},
+      Field{&WholeCycle::sigma_max, "sigma_max", MPa, "largest nominal stress, signed"}.load(),
+      Field{&WholeCycle::sigma_min, "sigma_min", MPa, "least nominal stress, signed"}.load()};
 };
 
 }  // namespace loadpath

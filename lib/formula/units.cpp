@@ -1,5 +1,6 @@
 #include "lib/formula/names.hpp"
 #include "lib/quantity/drive_units.hpp"
+#include "lib/quantity/fit_units.hpp"
 
 #include <algorithm>
 #include <array>
@@ -42,6 +43,7 @@ constexpr std::array units = {
     row("rpm", rpm),
     row("hour", hour),
     row("kg_per_m", kg_per_m),
+    row("kelvin", kelvin),
 };
 
 const NamedUnit* find(std::string_view name) {

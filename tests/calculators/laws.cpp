@@ -72,10 +72,20 @@ const char* const half_stresses =
 
 const char* const doubled_section = "M_ba = \"1600 N*m\"\nM_tm = \"1800 N*m\"\nM_ta = \"300 N*m\"";
 
+const char* const half_a_cycle = "sigma_max = \"90 MPa\"\nsigma_min = \"-10 MPa\"";
+const char* const halved_together = "sigma_m = \"0 MPa\"\nsigma_a = \"30 MPa\"\ntau_m = \"20 MPa\"\ntau_a = \"5 MPa\"";
+
 const Law fatigue[] = {
     {"fatigue.cycle", "", "sigma_max = \"240 MPa\"\nsigma_min = \"-80 MPa\"", "sigma_a", 2},
     {"fatigue.cycle", "", "sigma_max = \"240 MPa\"\nsigma_min = \"-80 MPa\"", "r", 1},
     {"fatigue.endurance", R"(sigma_W = "200 MPa")", R"(sigma_W = "400 MPa")", "sigma_D", 2},
+    {"fatigue.life", "", half_a_cycle, "n", 2},
+    {"fatigue.life", "", half_a_cycle, "u_D", 0.5},
+    {"fatigue.life", "", half_a_cycle, "u_y", 0.5},
+    {"fatigue.life", "line = \"slope\"\nk = 5\nN = 10000", "line = \"slope\"\nk = 5\nN = 320000", "S_e", 0.5},
+    {"fatigue.combined", "", halved_together, "n_Serensen", 2},
+    {"fatigue.combined", "", halved_together, "n_Gerber", 2},
+    {"fatigue.combined", "", halved_together, "u_F", 0.5},
     {"fatigue.wohler", "", half_stresses, "S_D", 0.5},
     {"fatigue.wohler", "", half_stresses, "k", 1},
     {"fatigue.wohler", "", half_stresses, "N_P", 1},
@@ -298,6 +308,22 @@ const Trend trends[] = {
     {"fatigue.endurance", "sigma_D", falls, "K_t", {"1", "1.2", "1.65", "2.5"}},
     {"fatigue.endurance", "sigma_D", falls, "R_z", {R"("1.6 um")", R"("6.3 um")", R"("25 um")", R"("100 um")"}},
     {"fatigue.endurance", "sigma_D", falls, "d", {R"("10 mm")", R"("30 mm")", R"("60 mm")", R"("140 mm")"}},
+    {"fatigue.endurance",
+     "sigma_D",
+     falls,
+     "P_s",
+     {"0.5", "0.9", "0.99", "0.9999"},
+     "school = \"marin\"\nR_z = \nfinish = \"ground\""},
+    {"fatigue.endurance",
+     "sigma_D",
+     falls,
+     "T",
+     {R"("300 degC")", R"("400 degC")", R"("500 degC")"},
+     "school = \"marin\"\nR_z = \nfinish = \"ground\""},
+    {"fatigue.life", "N_f", falls, "sigma_max", {R"("320 MPa")", R"("360 MPa")", R"("420 MPa")"}},
+    {"fatigue.life", "n", falls, "K_m", {"1", "1.5", "2.5"}},
+    {"fatigue.combined", "n_Serensen", rises, "K_sigma", {"1", "1.5", "2.5"}, R"(sigma_m = "20 MPa")"},
+    {"fatigue.combined", "n_Serensen", falls, "psi_tau", {"0.05", "0.1", "0.5"}},
     {"fatigue.wohler", "N_P", falls, "P_s", {"0.5", "0.7", "0.9", "0.95"}},
     {"fatigue.wohler", "N_50", falls, "S", {R"("310 MPa")", R"("340 MPa")", R"("380 MPa")", R"("420 MPa")"}},
     {"fatigue.din743", "S_D", falls, "R_z", {R"("1.6 um")", R"("6.3 um")", R"("25 um")", R"("100 um")"}},

@@ -173,6 +173,8 @@ const char* const polished_bar =
     "notch = \"smooth\"\nD = \nr = \nd = \"7.5 mm\"\nd_h = \"16 mm\"\nR_z = \"1 um\"\nM_ba = \nM_tm = \nM_ta = \n"
     "sigma_ba = \"275 MPa\"";
 
+const char* const reversed_cycle = "sigma_max = \"100 MPa\"\nsigma_min = \"-100 MPa\"";
+
 const Case fatigue[] = {
     {"fatigue.cycle", "sigma_max = \"100 MPa\"\nsigma_min = \"100 MPa\"", "sigma_a", 0.0},
     {"fatigue.endurance", "sigma_W = \"300 MPa\"\nK_t = 1\nd = \"7.5 mm\"\nR_z = \"1 um\"", "sigma_D", 300e6},
@@ -189,6 +191,50 @@ const Case fatigue[] = {
      1 + 0.65 / (1 + 0.0473 / std::sqrt(3 / 25.4))},
     {"fatigue.endurance", "loading = \"torsion\"\nR_m = \"1378.951459 MPa\"", "K_f",
      1 + 0.65 / (1 + 0.0144 / std::sqrt(3 / 25.4))},
+    {"fatigue.endurance", "school = \"marin\"\nR_z = \nfinish = \"ground\"\nT = \"20 degC\"\nP_s = 0.5", "k_d", 1.0},
+    {"fatigue.endurance", "school = \"marin\"\nR_z = \nfinish = \"ground\"\nturning = \"standing\"", "d_e",
+     0.370 * 0.032},
+    {"fatigue.endurance",
+     "school = \"marin\"\nR_z = \nfinish = \"forged\"\nedition = \"11th\"\nd = \nturning = \"standing\"\nh = \"20 "
+     "mm\"\nb = \"20 mm\"",
+     "d_e", 0.808 * 0.020},
+    {"fatigue.endurance", "K_t = 1\nr_n = \ngroup = \"grey-iron\"\nrule = \"textbook\"\nsensitivity = \"cast-iron\"",
+     "K_f", 1.0},
+    {"fatigue.endurance", "sensitivity = \"peterson\"\nR_m = \"2070 MPa\"", "K_f", 1 + 0.65 / (1 + 0.0254 / 3)},
+    {"fatigue.endurance", "sensitivity = \"peterson\"\nR_m = \"2070 MPa\"\nloading = \"torsion\"", "K_f",
+     1 + 0.65 / (1 + 0.6 * 0.0254 / 3)},
+    // without a mean stress every rule has the plain ratio
+    {"fatigue.life", reversed_cycle, "n", 1.9},
+    {"fatigue.life", "mean = \"constant\"\nsigma_max = \"100 MPa\"\nsigma_min = \"-100 MPa\"", "u_D", 1.5 / 1.9},
+    {"fatigue.life", "sigma_max = \"0 MPa\"\nsigma_min = \"-200 MPa\"", "n", 1.9},  // compression is no help
+    {"fatigue.life",
+     "sigma_max = \"-1 MPa\"\nsigma_min = \"-201 MPa\"\nrule = \"fkm\"\ncompression = \"counted\"\nM = 0.2", "n",
+     1.9 / 0.8},
+    {"fatigue.life", "sigma_max = \"180 MPa\"\nsigma_min = \"20 MPa\"\nrule = \"fkm\"\nM = 0.3", "sigma_ar",
+     1.3 * (80e6 + 0.1 * 100e6) / 1.1},
+    {"fatigue.life", "sigma_max = \"180 MPa\"\nsigma_min = \"120 MPa\"\nrule = \"fkm\"\nM = 0.3", "sigma_ar",
+     3 * 30e6 * 1.69 / 3.3},
+    {"fatigue.life", "sigma_max = \"180 MPa\"\nsigma_min = \"180 MPa\"", "u_y", 180.0 / 490},  // it stands still
+    {"fatigue.life", "stress = \"shear\"\nsigma_max = \"0 MPa\"\nsigma_min = \"-200 MPa\"", "n",
+     1 / (100 / 190.0 + 100 / (0.67 * 690))},
+    {"fatigue.life", "stress = \"shear\"\nN = 1000\nf = 0.8", "S_e", 0.8 * 0.67 * 690e6},
+    {"fatigue.life", "N = 1000\nR_m = \"450 MPa\"\nR_e = \"300 MPa\"", "S_e", 0.9 * 450e6},  // below 70 kpsi
+    {"fatigue.life", "N = 1000000", "S_e", 190e6},
+    {"fatigue.life", "rule = \"swt\"\nsigma_max = \"200 MPa\"\nsigma_min = \"0 MPa\"", "sigma_ar",
+     200e6 / std::sqrt(2.0)},
+    {"fatigue.life", "rule = \"walker\"\ngamma = 1", "sigma_ar", 100e6},
+    {"fatigue.life", "rule = \"elliptic\"\nsigma_max = \"0 MPa\"\nsigma_min = \"-20 MPa\"", "n", 19.0},
+    {"fatigue.life", "rule = \"modified-goodman\"\nsigma_max = \"480 MPa\"\nsigma_min = \"460 MPa\"", "n", 490 / 480.0},
+    {"fatigue.life", "rule = \"morrow\"\nsigma_fB = \"800 MPa\"", "sigma_ar", 100e6 / 0.9},
+    {"fatigue.life", "rule = \"serensen\"\npsi = 0.25\nK_D = 2", "sigma_ar", 110e6},
+    {"fatigue.life", "rule = \"soderberg\"\nmean = \"constant\"", "sigma_adm", 190e6 * (1 - 80 / 490.0) / 1.5},
+    {"fatigue.life", "group = \"grey-iron\"\nR_e = \nK_m = 1", "u_y", 180.0 / 690},
+    {"fatigue.life", "line = \"basquin\"\nsigma_D = \nsigma_f = \"1000 MPa\"\nb = -0.1\nK_D = 2\nN = 50000", "S_e",
+     500e6 * std::pow(1e5, -0.1)},
+    {"fatigue.combined", "sigma_a = \"0 MPa\"\ntau_m = \"0 MPa\"\ntau_a = \"11 MPa\"", "n_Serensen", 10.0},
+    {"fatigue.combined", "sigma_a = \"18 MPa\"\ntau_m = \"0 MPa\"\ntau_a = \"0 MPa\"", "n_Gough", 10.0},
+    {"fatigue.combined", "tau_m = \"0 MPa\"\ntau_a = \"0 MPa\"\nrule = \"elliptic\"", "n", 3.0},
+    {"fatigue.combined", "sigma_a = \"0 MPa\"\ntau_m = \"49 MPa\"\ntau_a = \"0 MPa\"", "u_y", std::sqrt(3.0) / 10},
     {"fatigue.din743", "d_h = \"160 mm\"", "K_1B", 0.74},
     {"fatigue.din743", "d_h = \"300 mm\"", "K_1S", 0.57},
     {"fatigue.din743", polished_bar, "S_D", 2.0},  // of the size of the tests: 550 MPa over 275 MPa

@@ -77,6 +77,8 @@ constexpr std::array takes_alone{
     Reason{"mechanism.planar", of_a_body},
     Reason{"machine.flywheel", of_energy},
     Reason{"fatigue.cycle", of_stress},
+    Reason{"fatigue.life", of_stress},
+    Reason{"fatigue.combined", of_stress},
     Reason{"fatigue.wohler", of_stress},
     Reason{"vessel.cylinder", of_a_wall},
     Reason{"vessel.sphere", of_a_wall},

@@ -2,6 +2,7 @@
 
 #include "calculators/fatigue/din743_fields.hpp"
 #include "calculators/fatigue/din743_safety.hpp"
+#include "calculators/fatigue/mean_stress.hpp"
 #include "calculators/fatigue/peterson.hpp"
 
 #include <cmath>
@@ -166,12 +167,13 @@ void tire(const Input& in, const Section& p, Safety& s, Tracer& trace) {
     s.u_D = trace.value("u_D", 0.0, "no stress");
     return;
   }
-  STEP_TO(s, n_Goodman, 1.0 / (sigma_a / s.S_e + sigma_m / in.R_m), "Goodman, [Shigley7] (7-7)");
-  STEP_TO(s, n_Soderberg, 1.0 / (sigma_a / s.S_e + sigma_m / in.R_e), "Soderberg, [Shigley7] (7-13)");
-  STEP(q_m, 2.0 * sigma_m * s.S_e / in.R_m, "mean stress, as the parabola counts it");
-  STEP_TO(s, n_Gerber, 2.0 * s.S_e / (sigma_a + sqrt(sigma_a * sigma_a + q_m * q_m)), "Gerber, [Shigley7] (7-9)");
-  STEP_TO(s, n_elliptic, 1.0 / sqrt(pow<2>(sigma_a / s.S_e) + pow<2>(sigma_m / in.R_e)),
-          "ellipse of ASME, [Shigley7] (7-11)");
+  const Stress S_e = s.S_e;
+  s.n_Goodman = fatigue::goodman("n_Goodman", sigma_a, sigma_m, S_e, in.R_m, "Goodman, [Shigley7] (7-7)", trace);
+  s.n_Soderberg =
+      fatigue::soderberg("n_Soderberg", sigma_a, sigma_m, S_e, in.R_e, "Soderberg, [Shigley7] (7-13)", trace);
+  s.n_Gerber = fatigue::gerber("n_Gerber", sigma_a, sigma_m, S_e, in.R_m, "Gerber, [Shigley7] (7-9)", trace);
+  s.n_elliptic =
+      fatigue::elliptic("n_elliptic", sigma_a, sigma_m, S_e, in.R_e, "ellipse of ASME, [Shigley7] (7-11)", trace);
   const double n_D = in.method == School::goodman     ? NAMED_STEP("n_D", s.n_Goodman, "Goodman decides")
                      : in.method == School::soderberg ? NAMED_STEP("n_D", s.n_Soderberg, "Soderberg decides")
                      : in.method == School::gerber    ? NAMED_STEP("n_D", s.n_Gerber, "Gerber decides")

@@ -2,10 +2,12 @@
 
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"
+#include "lib/quantity/fit_units.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace {
 
@@ -163,6 +165,72 @@ TEST_SUITE("fatigue.endurance") {
     CHECK(limit(in).x_d < 0);
   }
 
+  TEST_CASE("Shigley 6-8: reversed tension of 99 % of the parts; solutions of 6-1, 11th edition, and of 6-15") {
+    E::Input in = shoulder();
+    in.K_t = 1.0, in.r_n = unset<Length>;
+    in.R_m = 49.0 * 6.894757 * MPa, in.loading = E::Loading::tension, in.finish = E::Finish::machined, in.P_s = 0.99;
+    CHECK(std::abs(limit(in).k_a - 0.963) < 5e-4);
+    CHECK(std::abs(limit(in).k_e - 0.814) < 5e-4);
+    CHECK(std::abs(in_si(limit(in).sigma_D) / 6.894757e6 - 16.3) < 0.05);
+
+    in = shoulder();
+    in.K_t = 1.0, in.r_n = unset<Length>;
+    in.R_m = 1020.0 * MPa, in.d = 10.0 * mm, in.edition = E::Edition::eleventh;
+    CHECK(std::abs(in_si(limit(in).sigma_D) - 429e6) < 5e5);
+
+    in.R_m = 120.0 * 6.894757 * MPa, in.d = 45.72 * mm, in.edition = E::Edition::ninth;
+    in.finish = E::Finish::machined, in.turning = E::Turning::standing;
+    CHECK(rel(in_si(limit(in).d_e), 16.9164e-3) < 1e-12);
+    CHECK(rel(in_si(limit(in).sigma_D), 42.0 * 6.894757e6) < 5e-3);
+    in.loading = E::Loading::torsion;  // all of the rim is sheared, whether it turns or not
+    CHECK_FALSE(is_set(limit(in).d_e));
+  }
+
+  TEST_CASE("reliability by the deviates of table 6-5, temperature by the rows of table 6-4") {
+    E::Input in = shoulder();
+    const std::pair<double, double> table[] = {{0.5, 1.0},     {0.9, 0.897},    {0.95, 0.868},    {0.99, 0.814},
+                                               {0.999, 0.753}, {0.9999, 0.702}, {0.99999, 0.659}, {0.999999, 0.620}};
+    for (const auto& [P_s, k_e] : table) {
+      in.P_s = P_s;
+      CHECK(std::abs(limit(in).k_e - k_e) < 1e-3);
+    }
+    in.P_s = unset<double>;
+    in.T = 293.15 * kelvin.one;
+    CHECK(limit(in).k_d == 1.0);
+    for (const auto& [T_F, k_d] : {std::pair{500.0, 0.995}, {600.0, 0.963}}) {
+      in.T = (T_F + 459.67) / 1.8 * kelvin.one;
+      CHECK(std::abs(limit(in).k_d - k_d) < 5e-3);
+    }
+    CHECK(limit(in).x_T < 1.0);
+    in.T = 815.0 * kelvin.one;
+    CHECK(limit(in).x_T > 1.0);
+    in.T = 290.0 * kelvin.one;
+    CHECK(limit(in).x_T < 0.0);
+  }
+
+  TEST_CASE("all factors are in K_D; one that is 1 changes nothing") {
+    E::Input in = shoulder();
+    const auto plain = limit(in);
+    in.P_s = 0.5;
+    CHECK(rel(in_si(limit(in).sigma_D), in_si(plain.sigma_D)) < 1e-12);
+    in.P_s = 0.99, in.T = 600.0 * kelvin.one, in.sigma_W = 345.0 * MPa, in.k_c = 0.9;
+    const auto r = limit(in);
+    CHECK(rel(r.K_D, r.K_f / (r.k_a * r.k_b * 0.9 * r.k_d * r.k_e)) < 1e-12);
+  }
+
+  TEST_CASE("Peterson's sensitivity and that of cast iron") {
+    E::Input in = shoulder();
+    in.sensitivity = E::Sensitivity::peterson;
+    const double a = 0.0254 * std::pow(3.0, 1.8);  // 2070 over 690
+    CHECK(rel(limit(in).K_f, 1 + 0.65 / (1 + a / 3)) < 1e-12);
+    in.loading = E::Loading::torsion;
+    CHECK(rel(limit(in).K_f, 1 + 0.65 / (1 + 0.6 * a / 3)) < 1e-12);
+    in.R_m = 559.0 * MPa;
+    CHECK(limit(in).x_n < 0);
+    in.sensitivity = E::Sensitivity::cast_iron, in.r_n = unset<Length>;
+    CHECK(rel(limit(in).K_f, 1 + 0.65 * 0.2) < 1e-12);
+  }
+
   TEST_CASE("what a user gets wrong is said") {
     const std::string steel = "R_m = \"600 MPa\"\ngroup = \"carbon-steel\"\n";
     CHECK(says("group = \"carbon-steel\"\nloading = \"bending\"\n", "give the tensile strength"));
@@ -176,6 +244,15 @@ TEST_SUITE("fatigue.endurance") {
     CHECK(says(steel + "loading = \"bending\"\nbeta_F = 0.8\nR_z = \"4 um\"\n", "never both"));
     CHECK(says(steel + "loading = \"bending\"\nschool = \"marin\"\nR_z = \"4 um\"\n", "belong to Serensen"));
     CHECK(says(steel + "loading = \"bending\"\nK_t = 0.8\nq = 1\n", "must be"));
+    const std::string marin = steel + "rule = \"shigley\"\nschool = \"marin\"\nfinish = \"ground\"\n";
+    const std::string square = "h = \"20 mm\"\nb = \"20 mm\"\n", stands = "turning = \"standing\"\n";
+    CHECK(says(steel + "loading = \"bending\"\nP_s = 0.99\n", "belong to Marin's school"));
+    CHECK(says(marin + "loading = \"bending\"\nh = \"20 mm\"\n", "height h and width b"));
+    CHECK(says(marin + stands + square + "loading = \"bending\"\nd = \"20 mm\"\n", "height h and width b"));
+    CHECK(says(marin + square + "loading = \"bending\"\n", "of what stands"));
+    CHECK(says(marin + stands + square + "loading = \"torsion\"\n", "of what stands"));
+    CHECK(says(marin + "loading = \"tension\"\nk_c = 0.85\n", "load factors in them"));
+    CHECK(says(steel + "loading = \"bending\"\nK_t = 2\nsensitivity = \"cast-iron\"\n", "q = 0.2 of cast iron"));
     CHECK(says("sigma_W = \"200 MPa\"\ngroup = \"carbon-steel\"\nloading = \"bending\"\nR_z = \"4 um\"\n",
                "depends on the tensile strength"));
   }

@@ -1,0 +1,262 @@
+// Safety and life of a part in one stress cycle that comes again and again, by ten rules for its mean stress.
+//
+// Decides how many times as large the load may be for a life of N cycles, or without end, by the rule that is chosen:
+// mean stress and amplitude grow together, or the mean stays; the life at this load; the amplitude that is allowed; and
+// yielding at the first cycle. All rules stand side by side. Stresses are nominal, as sigma_D is, amplitudes, and N is
+// in cycles. The line of finite life goes from f R_m at 1e3 cycles to the fatigue limit at N_D [Shigley6], by Basquin
+// over reversals 2 N, or with a slope k. Compression is no help. Below 1e3 cycles, of low cycles, nothing is said.
+// Not covered: histories (one cycle alone), shear beside normal stresses (fatigue.combined), creep, corrosion.
+#pragma once
+
+#include "calculators/fatigue/cycle_of.hpp"
+#include "calculators/fatigue/endurance.hpp"
+#include "calculators/fatigue/mean_stress.hpp"
+#include "lib/calculator/heat_treatment.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/figure/figure.hpp"
+
+#include <vector>
+
+namespace loadpath::fatigue {
+
+struct Life {
+  static constexpr auto id = "fatigue.life";
+  static constexpr auto title = "Safety and life in a stress cycle";
+  static constexpr auto scope =
+      "Safety and life of a part in one stress cycle with mean stress: Goodman, Soderberg, Gerber, ASME ellipse, "
+      "Morrow, Smith-Watson-Topper, Walker, FKM and Serensen side by side, of which one decides; yielding at the first "
+      "cycle; the amplitude that is allowed. Not covered: histories, low cycles below 1e3, shear beside normal "
+      "stresses, creep, corrosion. Recalled: the fit of f, of gamma, and of psi.";
+  static constexpr auto source = "[Dowling9], [FKM], [GOST25504], [Shigley6]";
+  static constexpr auto example = R"([project]
+title = "Rod that is pulled"
+
+[rod]
+calculator = "fatigue.life"
+sigma_max = "180 MPa"
+sigma_min = "-20 MPa"
+sigma_D = "190 MPa"
+group = "carbon-steel"
+R_m = "690 MPa"
+R_e = "490 MPa"
+S_D = 1.5
+S_F = 1.5
+)";
+
+  using Group = Endurance::Group;
+  enum class Line { shigley, basquin, slope };
+  enum class Compression { ignored, counted };
+
+  struct Input : Given {
+    Stresses stress = Stresses::normal;
+    Stress sigma_D = unset<Stress>;
+    Group group = Group::other_non_ferrous;  // nothing is promised without end where no group is told
+    Stress R_m = unset<Stress>, R_e = unset<Stress>;
+    Length d_h = unset<Length>;
+    double S_D = unset<double>, S_F = unset<double>;
+    MeanRule rule = MeanRule::goodman;
+    MeanStress mean = MeanStress::proportional;
+    Compression compression = Compression::ignored;
+    double K_m = unset<double>, K_D = unset<double>;
+    Stress sigma_f = unset<Stress>, sigma_fB = unset<Stress>;
+    double gamma = unset<double>, M = unset<double>, psi = unset<double>;
+    double N = unset<double>;
+    Line line = Line::shigley;
+    double f = unset<double>, b = unset<double>, k = unset<double>, N_D = unset<double>;
+  };
+  static bool two_given(const Input& in) { return count(in) == 2; }
+  static bool sound(const Input& in) { return *objection(in).reason == '\0'; }
+  static FieldFault miscount(const Input& in) { return wrong_count(in, ""); }
+  static FieldFault objectionable(const Input& in) { return unsound(in, ""); }
+  static bool rule_has_all(const Input& in);
+  static FieldFault lacking(const Input& in);
+  static bool line_has_all(const Input& in);
+  static FieldFault lacking_of_line(const Input& in);
+  static Applies varies(const Input& in);
+  static bool is_ferrous(const Input& in) { return in.group < Group::wrought_aluminium; }
+
+  template <class Quantity>
+  using F = Field<Input, Quantity>;
+  static constexpr std::tuple inputs = std::tuple_cat(
+      std::tuple{RecordField<Input>{"cycle", "the cycle of a part, whole: cycle = \"=rod.cycle\" of a fatigue.cycle"}},
+      given_fields<Input>(),
+      std::tuple{
+          Choice<Input, Stresses>{&Input::stress, "stress", "what varies"}.may_be_missing(),
+          F<Stress>{&Input::sigma_D, "sigma_D", MPa,
+                    "fatigue limit of the part, r = -1, as nominal stress: of fatigue.endurance"}
+              .positive()
+              .usually(5, 1500)
+              .may_be_missing(),
+          Choice<Input, Group>{&Input::group, "group", "group of materials"},
+          F<Stress>{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m",
+                                                                                                   "d_h"),
+          F<Stress>{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e",
+                                                                                                 "d_h"),
+          diameter_at_heat_treatment(&Input::d_h),
+          F<double>{&Input::S_D, "S_D", ratio, "safety against fatigue, a factor on the load"}
+              .at_least(1)
+              .usually(1, 6)
+              .factor(),
+          F<double>{&Input::S_F, "S_F", ratio, "safety against yielding"}
+              .at_least(1)
+              .usually(1, 6)
+              .may_be_missing()
+              .factor(),
+          Choice<Input, MeanRule>{&Input::rule, "rule", "rule for the mean stress, which decides"}.may_be_missing(),
+          Choice<Input, MeanStress>{&Input::mean, "mean", "what stays while the load grows"}.may_be_missing(),
+          Choice<Input, Compression>{&Input::compression, "compression", "what a mean stress of compression gives"}
+              .may_be_missing(),
+          F<double>{&Input::K_m, "K_m", ratio,
+                    "raises the mean stress at a notch where it is held against a strength: 1 of ductile metals, K_f "
+                    "of brittle ones"}
+              .within(1, 10)
+              .may_be_missing(),
+          F<double>{&Input::K_D, "K_D", ratio, "specimen over part: of fatigue.endurance"}
+              .within(0.2, 50)
+              .may_be_missing(),
+          F<Stress>{&Input::sigma_f, "sigma_f", MPa, "fatigue strength coefficient sigma_f' of Basquin, for Morrow too"}
+              .positive()
+              .usually(200, 4000)
+              .may_be_missing(),
+          F<Stress>{&Input::sigma_fB, "sigma_fB", MPa, "true fracture stress, for Morrow in place of sigma_f"}
+              .positive()
+              .usually(200, 4000)
+              .may_be_missing(),
+          F<double>{&Input::gamma, "gamma", ratio, "Walker's exponent, else by R_m of steels"}
+              .within(0.1, 1)
+              .may_be_missing(),
+          F<double>{&Input::M, "M", ratio, "FKM's sensitivity to mean stress, else by group and R_m"}
+              .at_least(0)
+              .below(1)
+              .may_be_missing(),
+          F<double>{&Input::psi, "psi", ratio, "Serensen's sensitivity to mean stress, else by R_m of steels"}
+              .within(0, 1)
+              .may_be_missing(),
+          F<double>{&Input::N, "N", ratio, "cycles that it must last; without end where missing"}
+              .at_least(1)
+              .usually(1e3, 1e9)
+              .may_be_missing()
+              .most(),
+          Choice<Input, Line>{&Input::line, "line", "line of finite life"}.may_be_missing(),
+          F<double>{&Input::f, "f", ratio, "strength at 1e3 cycles over R_m, else by R_m of steels"}
+              .within(0.5, 1)
+              .may_be_missing(),
+          F<double>{&Input::b, "b", ratio, "Basquin's exponent over reversals, negative"}
+              .within(-0.5, -0.02)
+              .may_be_missing(),
+          F<double>{&Input::k, "k", ratio, "slope of the line: N S^k is constant"}.within(2, 40).may_be_missing(),
+          F<double>{&Input::N_D, "N_D", ratio, "cycles that sigma_D stands for, else 1e6, of non-ferrous metals 1e8"}
+              .within(1e4, 1e10)
+              .may_be_missing()});
+
+  struct Row {
+    Name name;
+    Stress sigma_m = unset<Stress>, sigma_ar = unset<Stress>, sigma_A = unset<Stress>;
+    double n = unset<double>, n_m = unset<double>, N = unset<double>;
+    static constexpr std::tuple fields{
+        NameField{&Row::name, "name", "the rule"},
+        Field{&Row::sigma_m, "sigma_m", MPa, "mean stress, as the rule counts it"},
+        Field{&Row::sigma_ar, "sigma_ar", MPa, "amplitude of symmetric cycles that does the same"},
+        Field{&Row::sigma_A, "sigma_A", MPa, "amplitude that is left where the mean stress stays"},
+        Field{&Row::n, "n", ratio, "safety: factor on the whole load"},
+        Field{&Row::n_m, "n_m", ratio, "safety: factor on the amplitude, the mean stress stays"},
+        Field{&Row::N, "N", ratio, "life in cycles; none below 1e3"}.may_be_infinite()};
+  };
+
+  struct Result : Characteristics {
+    double u_y = unset<double>, u_F = unset<double>, n_y = unset<double>, u_D = unset<double>;
+    Stress S_e = unset<Stress>, sigma_ar = unset<Stress>;
+    double n = unset<double>, n_m = unset<double>, N_f = unset<double>, N_S = unset<double>;
+    Stress S_req = unset<Stress>, sigma_adm = unset<Stress>;
+    double f = unset<double>, b_N = unset<double>;
+    Stress a_N = unset<Stress>;
+    double x_m = unset<double>, x_N = unset<double>, x_D = unset<double>, x_f = unset<double>;
+    List<Row, choices_of(MeanRule{}).size()> rules;
+  };
+  static constexpr std::tuple results = std::tuple_cat(
+      cycle_fields<Result>(),
+      std::tuple{
+          Field{&Result::u_y, "u_y", ratio, "yielding: largest stress over the yield strength"}
+              .check()
+              .where_it_applies(),
+          Field{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F"),
+          Field{&Result::n_y, "n_y", ratio, "safety against yielding at the first cycle (Langer)"},
+          Field{&Result::u_D, "u_D", ratio, "fatigue: required safety over the one that is there"}
+              .check()
+              .where_it_applies(),
+          Field{&Result::S_e, "S_e", MPa, "strength in symmetric cycles for this life"},
+          Field{&Result::sigma_ar, "sigma_ar", MPa, "amplitude of symmetric cycles that does the same, by the rule"},
+          Field{&Result::n, "n", ratio, "safety by the rule: factor on the whole load"},
+          Field{&Result::n_m, "n_m", ratio, "safety by the rule: factor on the amplitude, the mean stress stays"},
+          Field{&Result::N_f, "N_f", ratio, "life in cycles at this load; none below 1e3, N_D where it lasts longer"}
+              .may_be_infinite(),
+          Field{&Result::N_S, "N_S", ratio, "the same at S_D times the load"}.may_be_infinite(),
+          Field{&Result::S_req, "S_req", MPa, "strength in symmetric cycles that S_D times the load needs"},
+          Field{&Result::sigma_adm, "sigma_adm", MPa, "amplitude that is allowed, with its safety, for this life"},
+          Field{&Result::f, "f", ratio, "strength at 1e3 cycles over the tensile one"},
+          Field{&Result::a_N, "a_N", MPa, "of the line of finite life, amplitude = a_N N^b_N: at one cycle"},
+          Field{&Result::b_N, "b_N", ratio, "its exponent, over cycles"},
+          Field{&Result::x_m, "x_m", ratio, "mean stress over the one that leaves no amplitude, by the rule"}
+              .limit(0, 1 - 1e-12)
+              .criterion()
+              .where_it_applies(),
+          Field{&Result::x_N, "x_N", ratio, "1e3 cycles over N: below, lives are those of strains"}.limit(0, 1, "N"),
+          Field{&Result::x_D, "x_D", ratio, "N over N_D, where nothing is told beyond"}
+              .limit(0, 1 + 1e-9, "N")
+              .where_it_applies(),
+          Field{&Result::x_f, "x_f", ratio, "R_m over the highest of the fit of f"}.limit(0, 1, "N").where_it_applies(),
+          ListField<Result, List<Row, choices_of(MeanRule{}).size()>>{&Result::rules, "rules",
+                                                                      "all rules that have what they need"}});
+
+  static constexpr bool turns = true;
+  static constexpr std::array rules{
+      Rule<Input>{&two_given, "sigma_max, sigma_min, sigma_m, sigma_a, r",
+                  "two of sigma_max, sigma_min, sigma_m, sigma_a and r make a cycle", &miscount},
+      Rule<Input>{&sound, "sigma_max, sigma_min, sigma_m, sigma_a, r", "these two do not make a cycle", &objectionable},
+      Rule<Input>{&rule_has_all, "rule", "the rule needs more", &lacking},
+      Rule<Input>{&line_has_all, "line, N", "the line of finite life needs more", &lacking_of_line},
+      Rule<Input>{[](const Input& in) { return is_set(in.sigma_D) || (in.line == Line::basquin && is_set(in.N)); },
+                  "sigma_D", "give the fatigue limit of the part sigma_D; a life N by Basquin's line alone needs none"},
+      Rule<Input>{[](const Input& in) { return is_ferrous(in) || is_set(in.N); }, "group, N",
+                  "non-ferrous metals have no limit without end: give the group of another metal, or the cycles N that "
+                  "it must last"},
+      Rule<Input>{[](const Input& in) { return !(in.sigma_D >= in.R_m); }, "sigma_D, R_m",
+                  "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"},
+      Rule<Input>{[](const Input& in) { return !(in.R_e > in.R_m); }, "R_e, R_m",
+                  "the yield strength is not above the tensile strength"},
+      Rule<Input>{[](const Input& in) { return in.compression == Compression::ignored || in.rule == MeanRule::fkm; },
+                  "compression, rule", "compression is counted by rule = \"fkm\" alone"},
+      Rule<Input>{[](const Input& in) { return in.group != Group::grey_iron || is_set(in.K_m); }, "K_m, group",
+                  "grey iron does not yield at a notch: give K_m, its K_f, or 1 where there is no notch"},
+      Rule<Input>{[](const Input& in) {
+                    return !is_set(in.S_F) || is_set(in.R_e) || (in.group == Group::grey_iron && is_set(in.R_m));
+                  },
+                  "S_F, R_e", "the safety S_F counts against the yield strength R_e: give it, or a material"}};
+
+  static constexpr std::array modes{
+      Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F").wanting("R_e, S_F"),
+      Mode<Input>{"fatigue", "fatigue, in this cycle alone", &varies}.judged_by("u_D, x_m, x_N, x_D, x_f"),
+      Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>},
+      Mode<Input>{"multiaxial", "shear beside normal stresses: a fatigue.combined", &unseen<Input>},
+      Mode<Input>{"history", "larger and smaller cycles beside this one", &unseen<Input>},
+      Mode<Input>{"surroundings", "corrosion, creep, fretting under press fits", &unseen<Input>}.special()};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+constexpr auto choices_of(Life::Line) {
+  using L = Life::Line;
+  return std::array{ChoiceName<L>{L::shigley, "shigley", "from f R_m at 1e3 cycles to sigma_D at N_D"},
+                    ChoiceName<L>{L::basquin, "basquin", "sigma_f' (2 N)^b of the specimen over K_D; N in cycles"},
+                    ChoiceName<L>{L::slope, "slope", "N = N_D (sigma_D/S)^k, as FKM has it"}};
+}
+
+constexpr auto choices_of(Life::Compression) {
+  using C = Life::Compression;
+  return std::array{ChoiceName<C>{C::ignored, "ignored", "nothing: it counts as none"},
+                    ChoiceName<C>{C::counted, "counted", "what the four fields of FKM say"}};
+}
+
+}  // namespace loadpath::fatigue

@@ -1,0 +1,106 @@
+#include "calculators/fatigue/combined.hpp"
+
+#include "calculators/catalogue.hpp"
+#include "lib/project/project.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace loadpath;
+using C = fatigue::Combined;
+
+double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+
+C::Result safety(const C::Input& in) {
+  NoTrace trace;
+  return C::evaluate(in, trace);
+}
+
+/// The bar of problems 6-12 to 6-15 of [Shigley-SM6-8], in MPa.
+C::Input bar(double sigma_a, double tau_m, double tau_a) {
+  C::Input in;
+  in.sigma_m = 0.0 * MPa, in.sigma_a = sigma_a * MPa, in.tau_m = tau_m * MPa, in.tau_a = tau_a * MPa;
+  in.sigma_D = 276.0 * MPa, in.R_m = 551.0 * MPa, in.R_e = 413.0 * MPa;
+  in.S_D = 1.0, in.S_F = 1.0, in.rule = C::Criterion::goodman;
+  return in;
+}
+
+bool says(const std::string& step, const std::string& words) {
+  std::vector<Issue> issues;
+  project::read_project(
+      "[c]\ncalculator = \"fatigue.combined\"\nS_D = 1.5\nsigma_m = \"0 MPa\"\nsigma_a = \"60 MPa\"\ntau_m = \"40 "
+      "MPa\"\ntau_a = \"10 MPa\"\nsigma_D = \"180 MPa\"\n" +
+          step,
+      "case.toml", catalogue(), issues);
+  std::string all;
+  for (const Issue& i : issues) all += i.message.text() + "; " + i.hint.text() + "\n";
+  return all.find(words) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_SUITE("fatigue.combined") {
+  TEST_CASE("solutions of Shigley 6-12 to 6-15") {
+    struct Row {
+      double sigma_a, tau_m, tau_a, n_y, goodman, gerber, elliptic;
+    };
+    for (const Row row : {Row{172, 103, 0, 1.67, 1.06, 1.31, 1.32}, Row{69, 138, 0, 1.66, 1.46, 1.73, 1.59},
+                          Row{83, 103, 69, 1.34, 1.18, 1.47, 1.47}, Row{0, 0, 207, 1.15, 0.77, 0.77, 0.77}}) {
+      const auto r = safety(bar(row.sigma_a, row.tau_m, row.tau_a));
+      CHECK(std::abs(r.n_y - row.n_y) < 5e-3);
+      CHECK(std::abs(r.n_Goodman - row.goodman) < 5e-3);
+      CHECK(std::abs(r.n_Gerber - row.gerber) < 5e-3);
+      CHECK(std::abs(r.n_elliptic - row.elliptic) < 5e-3);
+    }
+  }
+
+  TEST_CASE("Serensen's form: n_sigma n_tau over the root of their squares; the mean stress feels no K_D") {
+    C::Input in = bar(60, 40, 10);
+    in.sigma_m = 20.0 * MPa, in.tau_D = 150.0 * MPa, in.K_sigma = 2.0, in.K_tau = 1.5;
+    in.psi_sigma = 0.2, in.psi_tau = 0.1, in.rule = C::Criterion::serensen;
+    const auto r = safety(in);
+    const double sigma_m1 = 276 * 2.0, tau_m1 = 150 * 1.5;
+    const double n_s = sigma_m1 / (2.0 * 60 + 0.2 * 20), n_t = tau_m1 / (1.5 * 10 + 0.1 * 40);
+    CHECK(rel(r.n_sigma, n_s) < 1e-12);
+    CHECK(rel(r.n_tau, n_t) < 1e-12);
+    CHECK(rel(r.n_Serensen, n_s * n_t / std::hypot(n_s, n_t)) < 1e-12);
+    CHECK(rel(r.u_D, 1.0 / r.n_Serensen) < 1e-12);
+    in.tau_a = in.tau_m = 0.0 * MPa;
+    CHECK(rel(safety(in).n_Serensen, n_s) < 1e-12);
+    CHECK_FALSE(is_set(safety(in).n_tau));
+    in.sigma_m = -200.0 * MPa;  // compression is no help
+    CHECK(rel(safety(in).n_Serensen, 276.0 / 60) < 1e-12);
+  }
+
+  TEST_CASE("where tau_D is that of von Mises, reversed stresses have one safety by all schools") {
+    C::Input in = bar(100, 0, 50);
+    in.tau_D = 276.0 / std::sqrt(3.0) * MPa;
+    const auto r = safety(in);
+    const double n = 276.0 / std::sqrt(100.0 * 100 + 3 * 50 * 50);
+    for (const double one : {r.n_Serensen, r.n_Goodman, r.n_Soderberg, r.n_Gerber, r.n_elliptic, r.n_Gough})
+      CHECK(rel(one, n) < 1e-12);
+    CHECK(rel(r.x_v, 1.0) < 1e-12);
+  }
+
+  TEST_CASE("a fatigue limit in shear below that of von Mises is not covered by it") {
+    C::Input in = bar(100, 0, 50);
+    in.tau_D = 120.0 * MPa;
+    CHECK(safety(in).x_v > 1.3);
+    in.rule = C::Criterion::gough;
+    CHECK_FALSE(is_set(safety(in).x_v));
+  }
+
+  TEST_CASE("what a user gets wrong is said") {
+    const std::string R_m = "R_m = \"690 MPa\"\n", tau_D = "tau_D = \"110 MPa\"\n";
+    CHECK(says(R_m, "its own fatigue limit"));
+    CHECK(says(tau_D, "needs the tensile strength"));
+    CHECK(says(R_m + "rule = \"elliptic\"\n", "needs the yield strength"));
+    CHECK(says(R_m + "tau_D = \"200 MPa\"\n", "not above that in normal"));
+    CHECK(says(tau_D + "R_m = \"170 MPa\"\n", "below the tensile strength"));
+    CHECK(says(tau_D + R_m + "R_e = \"700 MPa\"\n", "not above the tensile"));
+    CHECK(says(tau_D + R_m + "S_F = 1.5\n", "counts against the yield strength"));
+  }
+}

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "lib/calculator/list.hpp"
+#include "lib/calculator/varying.hpp"
 #include "lib/quantity/whole.hpp"
 
 #include <limits>
@@ -114,11 +115,11 @@ struct Described {
 
 }  // namespace detail
 
-/// A quantity or number of an Input or Result.
-template <class Owner, class Quantity>
-struct Field : detail::Described<Field<Owner, Quantity>> {
-  using Base = detail::Described<Field<Owner, Quantity>>;
-  Quantity Owner::*at;
+/// A quantity or number of an Input or Result. Of an Input it may be a Varying one, which takes a series whole.
+template <class Owner, class Quantity, class Member = Quantity>
+struct Field : detail::Described<Field<Owner, Quantity, Member>> {
+  using Base = detail::Described<Field<Owner, Quantity, Member>>;
+  Member Owner::*at;
   Unit<Quantity> unit;
   Range bounds;     // outside: refused (input), not covered (limit)
   Range plausible;  // outside: a warning
@@ -136,7 +137,7 @@ struct Field : detail::Described<Field<Owner, Quantity>> {
   const char* factors = "";       // result: inputs that it holds already, so that none may apply them again: "K_A"
   bool is_factor = false;         // input: raises a load or lowers a strength; the report lists where each is applied
 
-  constexpr Field(Quantity Owner::*member, const char* k, Unit<Quantity> u, const char* d)
+  constexpr Field(Member Owner::*member, const char* k, Unit<Quantity> u, const char* d)
       : Base{k, d}, at{member}, unit{u} {}
 
   [[nodiscard]] constexpr Field within(double low, double high) const { return bounded({low, high, false, false}); }

@@ -69,10 +69,12 @@ struct FieldInfo {
   std::span<const FieldInfo> fields;    // group, list
   std::size_t capacity = 0;             // list: elements, or no_bound; name, formula: bytes
 
-  double* (*address)(void* owner) = nullptr;              // quantity
-  double (*get)(const void* owner) = nullptr;             // quantity, count, choice (its index)
-  void (*set)(void* owner, double si) = nullptr;          // quantity, count, choice
-  std::string_view (*text)(const void* owner) = nullptr;  // name, formula
+  double* (*address)(void* owner) = nullptr;                // quantity
+  double (*get)(const void* owner) = nullptr;               // quantity, count, choice (its index)
+  void (*set)(void* owner, double si) = nullptr;            // quantity, count, choice
+  void (*set_series)(void* owner, Value series) = nullptr;  // quantity that takes a series whole
+  const Value* (*series)(const void* owner) = nullptr;      // the same; null where it is one value
+  std::string_view (*text)(const void* owner) = nullptr;    // name, formula
   void (*set_text)(void* owner, std::string_view text) = nullptr;
   std::size_t (*size)(const void* owner) = nullptr;        // list; a group has size 1
   void* (*element)(void* owner, std::size_t i) = nullptr;  // list, group
@@ -81,6 +83,8 @@ struct FieldInfo {
 
   [[nodiscard]] bool is_leaf() const { return !has_fields() && type != Type::record; }
   [[nodiscard]] bool has_fields() const { return type == Type::group || type == Type::list; }
+  /// Whether a series comes at once, and not position by position.
+  [[nodiscard]] bool takes_whole() const { return set_series != nullptr; }
   [[nodiscard]] bool is_number() const { return type == Type::quantity || type == Type::count; }
   /// Whether "?" finds the largest value that passes: of a load without a sign, and where more is better.
   [[nodiscard]] bool can_be_largest() const {

@@ -37,8 +37,22 @@ inline constexpr auto member_at = std::get<I>(fields).at;
 template <const auto& fields, Role role>
 constexpr std::span<const FieldInfo> infos_of();
 
-template <const auto& fields, Role role, std::size_t I, class Owner, class Quantity>
-constexpr FieldInfo info_of(const Field<Owner, Quantity>& f) {
+/// The one value of a member.
+template <class Quantity>
+constexpr Quantity& one_of(Quantity& member) {
+  return member;
+}
+template <class Quantity>
+constexpr Quantity& one_of(Varying<Quantity>& member) {
+  return member.one;
+}
+template <class Quantity>
+constexpr const Quantity& one_of(const Varying<Quantity>& member) {
+  return member.one;
+}
+
+template <const auto& fields, Role role, std::size_t I, class Owner, class Quantity, class Member>
+constexpr FieldInfo info_of(const Field<Owner, Quantity, Member>& f) {
   FieldInfo info = described(f, FieldInfo::Type::quantity, role);
   info.unit = f.unit.symbol;
   info.factor = in_si(f.unit.one);
@@ -59,10 +73,16 @@ constexpr FieldInfo info_of(const Field<Owner, Quantity>& f) {
   info.signed_load = f.signed_load;
   info.factors = f.factors;
   info.is_factor = f.is_factor;
-  info.get = [](const void* o) { return in_si(static_cast<const Owner*>(o)->*member_at<fields, I>); };
+  info.get = [](const void* o) { return in_si(one_of(static_cast<const Owner*>(o)->*member_at<fields, I>)); };
   info.set = [](void* o, double v) { static_cast<Owner*>(o)->*member_at<fields, I> = from_si<Quantity>(v); };
+  if constexpr (!std::is_same_v<Member, Quantity>) {
+    info.set_series = [](void* o, Value series) {
+      static_cast<Owner*>(o)->*member_at<fields, I> = Varying<Quantity>(std::move(series));
+    };
+    info.series = [](const void* o) { return (static_cast<const Owner*>(o)->*member_at<fields, I>).series.get(); };
+  }
   info.address = [](void* o) {
-    auto& member = static_cast<Owner*>(o)->*member_at<fields, I>;
+    auto& member = one_of(static_cast<Owner*>(o)->*member_at<fields, I>);
     if constexpr (std::is_same_v<Quantity, double>) {
       return &member;
     } else {

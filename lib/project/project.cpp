@@ -174,7 +174,7 @@ void hand_out_warnings(Project& project, const std::vector<Issue>& issues) {
 }
 
 void add_step(const toml::Tree::Entry& entry, Project& project, Catalogue catalogue, std::vector<Issue>& issues) {
-  for (std::string& path : rows_files_in(entry.value)) project.files.push_back({std::move(path), {}});
+  for (std::string& path : files_in(entry.value)) project.files.push_back({std::move(path), {}});
   if (auto step = read_step(entry, project, catalogue, issues)) project.steps.push_back(std::move(step));
 }
 

@@ -89,9 +89,10 @@ class Settling {
     if (form == Form::list) reading_.taken.back().axis = axis_of(taken, *source, rest);
   }
 
-  /// The axis of the series among what the elements of a list give.
+  /// The axis of the series among what the elements of a list give, and that are not taken whole.
   static const Axis* axis_of(const Taken& taken, const Step& source, const std::string& rest) {
     for (const FieldInfo& field : taken.field->fields) {
+      if (field.takes_whole()) continue;
       const auto signature = source.signature(rest + "[1]." + field.key);
       if (signature && signature->axis != nullptr) return signature->axis;
     }

@@ -193,24 +193,28 @@ const Axis* check_operand(const Operand& operand, const std::string& step, const
 
 const Axis* check_operands(const Reading& reading, const std::string& step, bool lifted, const Declared& declared,
                            std::vector<Issue>& issues) {
-  const Axis* shared = nullptr;
-  const auto take = [&](const Axis* axis, const std::string& path, const Place& start, const std::string& text) {
+  const Axis* shared = nullptr;  // of what is lifted
+  const Axis* whole = nullptr;   // of what is taken whole
+  const auto take = [&](const Axis* axis, const std::string& path, const Place& start, const std::string& text,
+                        bool takes_whole = false) {
     if (axis == nullptr) return;
+    const Axis*& other = takes_whole ? whole : shared;
     const auto refuse = [&](Message message, Message hint) {
       issues.push_back({place_in(start, text, 0, text.size()), step + "." + path, std::move(message), std::move(hint),
                         Severity::error});
     };
-    if (!lifted)
+    if (!lifted && !takes_whole)
       refuse(say("'{1}' takes one value, and this is a series over {2}", path, axis->name()),
              say("reduce it with peak, max, min, mean, rms or at"));
-    else if (shared != nullptr && shared != axis)
-      refuse(say("this is a series over {1}, and another input is one over {2}", axis->name(), shared->name()),
+    else if (other != nullptr && other != axis)
+      refuse(say("this is a series over {1}, and another input is one over {2}", axis->name(), other->name()),
              say("reduce one of them with peak, max, min, mean, rms or at"));
     else
-      shared = axis;
+      other = axis;
   };
   for (const Operand& operand : reading.operands)
-    take(check_operand(operand, step, declared, issues), operand.path, operand.place, operand.text);
+    take(check_operand(operand, step, declared, issues), operand.path, operand.place, operand.text,
+         operand.leaf.field->takes_whole());
   for (const Taken& taken : reading.taken) take(taken.axis, taken.path, taken.place, taken.source);
   return shared;
 }
@@ -265,6 +269,7 @@ std::vector<Entry> input_entries(const Record& record,
     if (field.type == FieldInfo::Type::choice) entry.word = field.choices[static_cast<std::size_t>(leaf.get())].key;
     entry.is_factor = field.is_factor;
     if (field.get != nullptr) entry.value.si = {leaf.get()};
+    if (const Value* const series = field.takes_whole() ? field.series(leaf.owner) : nullptr) entry.value = *series;
     const bool unnamed = (is_text || field.type == FieldInfo::Type::choice) && entry.word.empty();
     const bool open = field.type == FieldInfo::Type::quantity && entry.origin.text.empty();
     if (!unnamed && !open) entries.push_back(std::move(entry));

@@ -36,6 +36,7 @@ class Reader {
   void read_text_quantity(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_search(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_special(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
+  void read_history_of(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   /// Keys of a table that are none of these.
   void refuse_others(const toml::Tree& tree, const std::vector<std::string>& keys, const std::string& path);
   void read_spread(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);

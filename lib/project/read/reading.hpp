@@ -7,6 +7,7 @@
 #include "lib/toml/tree.hpp"
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -71,7 +72,8 @@ struct Reading {
   std::vector<Search> searches;
   std::map<std::string, Typed> typed;  // by the path of the leaf; lists and groups by their own path too
   std::set<std::string> faulty;        // top-level fields that an error is about: what else depends on them is not said
-  Place place;                         // of the table
+  std::vector<std::shared_ptr<const Axis>> axes;  // of series that files have given
+  Place place;                                    // of the table
 };
 
 /// "=pick.section" alone: what it refers to; nothing where the text is another. An expression that cannot be read is

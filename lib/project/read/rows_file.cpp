@@ -1,5 +1,7 @@
 #include "lib/project/read/rows_file.hpp"
 
+#include "lib/project/read/history.hpp"
+
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -129,11 +131,12 @@ bool names_rows_file(const Tree& tree) {
          tree.entries[0].value.type == Tree::Type::text;
 }
 
-std::vector<std::string> rows_files_in(const Tree& table) {
-  if (names_rows_file(table)) return {path_of(table.entries[0].value).string()};
+std::vector<std::string> files_in(const Tree& table) {
+  if (names_history_file(table) && table.find("file")->value.text != "-")
+    return {path_of(table.find("file")->value).string()};
   std::vector<std::string> paths;
   const auto add = [&](const Tree& part) {
-    for (std::string& path : rows_files_in(part)) paths.push_back(std::move(path));
+    for (std::string& path : files_in(part)) paths.push_back(std::move(path));
   };
   for (const Tree::Entry& entry : table.entries) add(entry.value);
   for (const Tree& item : table.items) add(item);

@@ -15,8 +15,8 @@ namespace loadpath::project {
 /// Whether this stands in place of the rows themselves.
 bool names_rows_file(const toml::Tree& tree);
 
-/// The paths of all such files that a table of a project names, from where the project was read.
-std::vector<std::string> rows_files_in(const toml::Tree& table);
+/// The paths of all files that a table of a project names, of rows and of histories, from where the project was read.
+std::vector<std::string> files_in(const toml::Tree& table);
 
 /// The rows as they would stand in the project file. The path is taken from the folder of the project.
 Outcome<toml::Tree> read_rows_file(const toml::Tree& tree);

@@ -1,4 +1,5 @@
 #include "lib/calculator/choice_words.hpp"
+#include "lib/project/read/history.hpp"
 #include "lib/project/read/reader.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"
@@ -49,8 +50,9 @@ void Reader::read_expression(const Tree& tree, const FieldInfo& field, void* own
   reading_.operands.push_back({path, {&field, owner}, std::move(*parsed), std::move(text), start});
 }
 
-/// { stock = "R40" }, { mean = ..., sd = ... }, { value = ..., tolerance = ... }.
+/// { file = "gauge.csv" }, { stock = "R40" }, { mean = ..., sd = ... }, { value = ..., tolerance = ... }.
 void Reader::read_special(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  if (field.takes_whole() && is_history(tree)) return read_history_of(tree, field, owner, path);
   if (const auto* stock = tree.find("stock")) {
     if (*field.searched_in == '\0')
       return say_at(stock->place, path, say("'{1}' cannot be searched for", path), say("give a value"));

@@ -35,6 +35,10 @@ bool is_known(const Value& value) {
   return std::any_of(value.si.begin(), value.si.end(), [](double x) { return !std::isnan(x); });
 }
 
+bool is_known_throughout(const Value& value) {
+  return std::none_of(value.si.begin(), value.si.end(), [](double x) { return std::isnan(x); });
+}
+
 /// Whether it is of the dimension, and has a value anywhere.
 bool exists(const Value& value, const Dimension& dimension) {
   return value.signature.dimension == dimension && is_known(value);
@@ -65,16 +69,22 @@ bool Run::evaluate_operands(std::vector<Issue>& issues) {
   for (const Operand& operand : step_.input().reading.operands) {
     auto value = evaluate_operand(operand, step_.name(), known_, issues);
     if (!value || (operand.may_lack && !is_known(*value))) continue;
-    inputs_.push_back(
+    add_input(
         {operand.path, map_leaf(operand.path), std::move(*value), expression_origin(*step_.input().tables, operand)});
   }
   for (const Provided& provided : provided_) {
     if (std::any_of(provided.companions.begin(), provided.companions.end(),
                     [&](const std::string& path) { return exists(known_(path), provided.field->dimension); })) {
-      inputs_.push_back(companion_input(provided));
+      add_input(companion_input(provided));
     }
   }
   return issues.size() == before;
+}
+
+void Run::add_input(Input input) {
+  input.is_whole = input.leaf.field->takes_whole() && input.value.is_series();
+  if (input.is_whole) input.leaf.field->set_series(input.leaf.owner, input.value);
+  inputs_.push_back(std::move(input));
 }
 
 /// Of several things that come along, the largest at each position.
@@ -98,6 +108,10 @@ Run::Input Run::companion_input(const Provided& provided) const {
 bool Run::set_position(std::size_t i) {
   bool available = not_given_.empty();
   for (const Input& input : inputs_) {
+    if (input.is_whole) {
+      available = available && is_known_throughout(input.value);
+      continue;
+    }
     const double si = input.value.si[input.value.is_series() ? i : 0];
     available = available && !std::isnan(si);
     input.leaf.set(si);

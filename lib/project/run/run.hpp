@@ -42,12 +42,13 @@ class Run {
   static constexpr double rounding = 1e-9;
   static bool is_passed(double utilisation) { return utilisation >= -rounding && utilisation <= 1.0 + rounding; }
 
-  /// A leaf that is set anew at every position.
+  /// A leaf that is set anew at every position, or once where it takes a series whole.
   struct Input {
     std::string path;
     Leaf leaf;
     Value value;
     Origin origin;
+    bool is_whole = false;
   };
   /// A result leaf over the positions.
   struct Column {
@@ -62,6 +63,8 @@ class Run {
   void leave_open(const Taken& taken);
   void refuse_length(const Taken& taken, std::vector<Issue>& issues) const;
   void take_row(const std::string& group, const std::string& row, std::vector<Issue>& issues);
+  /// Sets what is taken whole; the rest is set position by position.
+  void add_input(Input input);
   [[nodiscard]] Input companion_input(const Provided& provided) const;
   void add_columns();
   [[nodiscard]] std::size_t positions() const { return axis_ == nullptr ? 1 : axis_->at.size(); }
@@ -137,6 +140,7 @@ class Run {
   [[nodiscard]] bool keeps_rules() const;
   bool has_effect(const Leaf& leaf, std::size_t position);
   [[nodiscard]] bool lacks_checks() const;
+  [[nodiscard]] bool takes_long() const;
   [[nodiscard]] std::vector<std::size_t> probes() const;
   [[nodiscard]] double untyped(const std::string& path, const FieldInfo& field) const;
   bool is_spare(const std::string& path, const Leaf& leaf);

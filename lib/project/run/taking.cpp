@@ -102,7 +102,7 @@ void Run::take_list(const Taken& taken, std::vector<Issue>& issues) {
     if (!leaf || leaf.field->role != Role::input) continue;
     if (leaf.field->is_word()) set_word(leaf, entry->word);
     if (leaf.field->is_number() && !entry->value.si.empty())
-      inputs_.push_back({path, leaf, entry->value, {say("= {1}", taken.source + behind), {}, false}});
+      add_input({path, leaf, entry->value, {say("= {1}", taken.source + behind), {}, false}});
   }
 }
 

@@ -146,8 +146,19 @@ static bool is_of_record(const Reading& reading, const std::string& path) {
          std::any_of(reading.taken.begin(), reading.taken.end(), fills);
 }
 
+/// Whether a series is so long that trying every input would take minutes.
+bool Run::takes_long() const {
+  constexpr std::size_t long_series = 100'000;
+  bool found = false;
+  for_each_leaf(record_, [&](const std::string&, const Leaf& leaf) {
+    const Value* const series = leaf.field->takes_whole() ? leaf.field->series(leaf.owner) : nullptr;
+    found = found || (series != nullptr && series->si.size() > long_series);
+  });
+  return found;
+}
+
 void Run::warn_of_unused(std::vector<Issue>& issues) {
-  if (!traced_ || lacks_checks()) return;
+  if (!traced_ || lacks_checks() || takes_long()) return;
   const std::vector<std::size_t> places = probes();
   for (const auto& entry : step_.input().reading.typed) {
     const std::string& path = entry.first;

@@ -1,0 +1,211 @@
+#include "lib/project/read/history.hpp"
+
+#include "lib/project/read/reader.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/quantity/literal.hpp"
+#include "lib/rainflow/series/reader.hpp"
+#include "lib/rainflow/turning_points.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+namespace loadpath::project {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_turns = 20'000'000;  // of 16 bytes each
+constexpr double largest = 1e30;                // as of a value that is typed: beyond all machines
+
+constexpr std::array<std::pair<std::string_view, rainflow::Format>, 4> forms{{{"csv", rainflow::Format::csv},
+                                                                              {"npy", rainflow::Format::npy},
+                                                                              {"f64", rainflow::Format::f64},
+                                                                              {"f32", rainflow::Format::f32}}};
+
+Fault told(Message message, Message hint) { return {0, 1, std::move(message), std::move(hint)}; }
+
+/// What one stands for: "MPa", or "2.5 MPa".
+Outcome<double> unit_of(const Tree& table, const FieldInfo& field) {
+  const auto* const unit = table.find("unit");
+  if (unit == nullptr && field.dimension.is_number()) return 1.0;
+  const auto wanted = [&](std::string_view text) {
+    return told(say("'{1}' is no {2}", text, name_of(field.dimension)),
+                say("say what 1 of the file stands for: unit = \"{1}\", or unit = \"2.5 {1}\"", field.unit));
+  };
+  if (unit == nullptr || unit->value.type != Tree::Type::text) return wanted(unit == nullptr ? "" : unit->value.text);
+  const std::string& text = unit->value.text;
+  const auto plain = parse_unit(text);
+  const auto scaled = parse_literal(text);
+  const bool fits = (plain && plain->dimension == field.dimension && plain->offset == 0.0) ||
+                    (scaled && scaled->dimension == field.dimension);
+  const double factor = !fits ? 0.0 : plain ? plain->factor : scaled->si;
+  if (!(std::abs(factor) > 1.0 / largest) || std::abs(factor) > largest) return wanted(text);
+  return factor;
+}
+
+Outcome<rainflow::Form> form_of(const Tree& table) {
+  rainflow::Form form;
+  const auto* const told_form = table.find("form");
+  const std::string& path = table.find("file")->value.text;
+  const auto by_name = rainflow::format_of(path);
+  if (told_form != nullptr) {
+    const auto known =
+        std::find_if(forms.begin(), forms.end(), [&](const auto& row) { return row.first == told_form->value.text; });
+    if (known == forms.end())
+      return told(say("'{1}' is no form of a file", told_form->value.text), say("csv, npy, f64 or f32"));
+    form.format = known->second;
+  } else if (by_name) {
+    form.format = *by_name;
+  } else if (path != "-") {
+    return told(say("the name '{1}' does not say what the file is", path), say("add form = \"csv\", npy, f64 or f32"));
+  }
+  const auto* const column = table.find("column");
+  if (column != nullptr && column->value.type == Tree::Type::number)
+    form.column = format_exact(column->value.number);
+  else if (column != nullptr)
+    form.column = column->value.text;
+  return form;
+}
+
+/// Files and pipes alone: a device may have no end.
+Outcome<std::unique_ptr<rainflow::Source>> open(const Tree& table) {
+  const Tree& named = table.find("file")->value;
+  if (named.text == "-") return rainflow::open_source("-");
+  const fs::path path = fs::path(named.place.file).parent_path() / named.text;
+  std::error_code error;
+  const fs::file_type type = fs::status(path, error).type();
+  if (type != fs::file_type::regular && type != fs::file_type::fifo)
+    return told(say("there is no file '{1}' that can be read", path.string()),
+                say("its path goes from the folder of the project file"));
+  return rainflow::open_source(path.string());
+}
+
+/// Where the series turns, in the unit of the file.
+class Turns {
+ public:
+  /// None where all is well.
+  std::optional<Fault> take(std::span<const double> samples) {
+    values_.resize(count_ + samples.size() + 4);
+    at_.resize(values_.size());
+    const auto more = turning_points_.feed(samples, values_.data() + count_, at_.data() + count_);
+    if (!more) return more.fault();
+    count_ += *more;
+    if (count_ > most_turns)
+      return told(say("it turns more than {1} times", std::to_string(most_turns)), say("cut it, and count its parts"));
+    return std::nullopt;
+  }
+  void finish() {
+    count_ += turning_points_.finish(values_.data() + count_, at_.data() + count_);
+    values_.resize(count_);
+    at_.resize(count_);
+  }
+  [[nodiscard]] const std::vector<double>& values() const { return values_; }
+  [[nodiscard]] const std::vector<std::uint64_t>& at() const { return at_; }
+  [[nodiscard]] std::uint64_t samples() const { return turning_points_.samples(); }
+
+ private:
+  rainflow::TurningPoints turning_points_;
+  std::vector<double> values_ = std::vector<double>(4);
+  std::vector<std::uint64_t> at_ = std::vector<std::uint64_t>(4);
+  std::size_t count_ = 0;
+};
+
+std::optional<Fault> read_turns(rainflow::Reader& reader, Turns& turns) {
+  while (true) {
+    const auto samples = reader.next();
+    if (!samples) return samples.fault();
+    if (samples->empty()) break;
+    if (auto fault = turns.take(*samples)) return fault;
+  }
+  turns.finish();
+  if (turns.samples() == 0) return told(say("the file has no values"), {});
+  return std::nullopt;
+}
+
+std::optional<Fault> take_values(const Tree& list, Turns& turns) {
+  std::vector<double> values;
+  for (const Tree& item : list.items) {
+    if (item.type == Tree::Type::number) values.push_back(item.number);
+  }
+  if (values.empty() || values.size() != list.items.size())
+    return told(say("a history is a list of numbers"), say("values = [0, 3, -1], unit = \"MPa\""));
+  if (auto fault = turns.take(values)) return fault;
+  turns.finish();
+  return std::nullopt;
+}
+
+/// In SI, over the samples; a value that the field refuses is a fault.
+std::optional<Fault> put(const Turns& turns, double unit, const FieldInfo& field, History& history) {
+  auto axis = std::make_shared<Axis>();
+  axis->quantity = "sample", axis->unit = "-";
+  for (std::size_t i = 0; i < turns.values().size(); ++i) {
+    const double si = turns.values()[i] * unit;
+    if (!field.bounds.holds(si) || std::abs(si) > largest)
+      return told(say("sample {1} is {2}", std::to_string(turns.at()[i]), format_quantity(si, field.unit)),
+                  say("check the column and the unit"));
+    history.series.si.push_back(si);
+    axis->at.push_back(static_cast<double>(turns.at()[i]));
+  }
+  history.series.signature = {field.dimension, axis.get()};
+  history.axis = std::move(axis);
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool names_history_file(const Tree& tree) {
+  const auto* const file = tree.type == Tree::Type::table ? tree.find("file") : nullptr;
+  return file != nullptr && file->value.type == Tree::Type::text;
+}
+
+bool is_history(const Tree& tree) {
+  return names_history_file(tree) || (tree.type == Tree::Type::table && tree.find("values") != nullptr);
+}
+
+bool read_history(const Tree& table, const FieldInfo& field, History& history, HistoryFault& fault) {
+  const auto refuse = [&](const char* key, const Fault& found) {
+    fault = {key, found};
+    return false;
+  };
+  const auto unit = unit_of(table, field);
+  if (!unit) return refuse("unit", unit.fault());
+  Turns turns;
+  if (!names_history_file(table)) {
+    if (const auto found = take_values(table.find("values")->value, turns)) return refuse("values", *found);
+    if (const auto found = put(turns, *unit, field, history)) return refuse("values", *found);
+    return true;
+  }
+  const auto form = form_of(table);
+  if (!form) return refuse(table.find("form") == nullptr ? "file" : "form", form.fault());
+  auto source = open(table);
+  if (!source) return refuse("file", source.fault());
+  auto reader = rainflow::read_series(std::move(*source), *form);
+  if (!reader) return refuse(table.find("column") == nullptr ? "file" : "column", reader.fault());
+  if (const auto found = read_turns(**reader, turns)) return refuse("file", *found);
+  if (const auto found = put(turns, *unit, field, history)) return refuse("file", *found);
+  return true;
+}
+
+void Reader::read_history_of(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  const bool of_file = names_history_file(tree);
+  refuse_others(
+      tree,
+      of_file ? std::vector<std::string>{"file", "column", "unit", "form"} : std::vector<std::string>{"values", "unit"},
+      path);
+  History history;
+  HistoryFault fault;
+  if (!read_history(tree, field, history, fault)) {
+    const auto* const key = tree.find(fault.key);
+    return say_at(key == nullptr ? tree.place : key->value.place, path, fault.fault.message, fault.fault.hint);
+  }
+  reading_.typed[path].text = of_file ? tree.find("file")->value.text : "values";
+  reading_.axes.push_back(std::move(history.axis));
+  field.set_series(owner, std::move(history.series));
+}
+
+}  // namespace loadpath::project

@@ -21,12 +21,14 @@ std::string text_of(const std::string& path) {
 
 constexpr const char* examples[] = {"slotted-lever",    "line-shaft", "toggle-press",   "geared-press", "cam-valve",
                                     "compressor",       "press-link", "conveyor-drive", "air-receiver", "fan-belt",
-                                    "shouldered-shaft", "gear-stage", "lift",           "gearbox-shaft"};
+                                    "shouldered-shaft", "gear-stage", "lift",           "gearbox-shaft",
+                                    "load-history"};
 
 report::Document report_of(const std::string& name) {
   const std::string file = "examples/" + name + "/project.toml";
   std::vector<Issue> issues;
-  project::Project project = project::read_project(text_of(file), file, catalogue(), issues);
+  project::Project project =
+      project::read_project(text_of(file), std::string(LOADPATH_ROOT) + "/" + file, catalogue(), issues);
   project::solve(project, issues);
   REQUIRE(issues.empty());
   return report::build(project, "loadpath " LOADPATH_VERSION);

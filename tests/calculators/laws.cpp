@@ -89,6 +89,10 @@ const Law fatigue[] = {
     {"fatigue.wohler", "", half_stresses, "S_D", 0.5},
     {"fatigue.wohler", "", half_stresses, "k", 1},
     {"fatigue.wohler", "", half_stresses, "N_P", 1},
+    {"fatigue.history", "", "n_req = 2", "u_D", 2},
+    {"fatigue.history", "", "K_A = 2", "u_y", 2},
+    {"fatigue.history", "mean = \"none\"\nminer = \"elementary\"", "mean = \"none\"\nminer = \"elementary\"\nS_D = 2",
+     "D", 32},
     {"fatigue.din743", "", doubled_section, "u_D", 2},
     {"fatigue.din743", "", doubled_section, "u_F", 2},
     {"fatigue.din743", "", doubled_section, "S_D", 0.5},
@@ -248,9 +252,8 @@ const Law solids[] = {
     {"section.solid_torsion", "", "K_A = 2", "theta", 2},
 };
 
-const std::span<const Law> laws[] = {solids,  twists,  fits,   keys,   sections, bars,
-                                     fatigue, vessels, drives, motion, bearings};
-const std::span<const Law> laws[] = {pins, fits, keys, sections, bars, fatigue, vessels, drives, motion, bearings};
+const std::span<const Law> laws[] = {pins, solids,  twists,  fits,   keys,   sections,
+                                     bars, fatigue, vessels, drives, motion, bearings};
 
 /// What `result` does over the values of a key, one after the other.
 enum class Sense { rises, falls };
@@ -326,6 +329,8 @@ const Trend trends[] = {
     {"fatigue.combined", "n_Serensen", falls, "psi_tau", {"0.05", "0.1", "0.5"}},
     {"fatigue.wohler", "N_P", falls, "P_s", {"0.5", "0.7", "0.9", "0.95"}},
     {"fatigue.wohler", "N_50", falls, "S", {R"("310 MPa")", R"("340 MPa")", R"("380 MPa")", R"("420 MPa")"}},
+    {"fatigue.history", "D", falls, "sigma_D", {R"("100 MPa")", R"("120 MPa")", R"("150 MPa")", R"("175 MPa")"}},
+    {"fatigue.history", "D", falls, "R_m", {R"("500 MPa")", R"("600 MPa")", R"("800 MPa")", R"("1200 MPa")"}},
     {"fatigue.din743", "S_D", falls, "R_z", {R"("1.6 um")", R"("6.3 um")", R"("25 um")", R"("100 um")"}},
     {"fatigue.din743", "S_D", falls, "d_h", {R"("50 mm")", R"("60 mm")", R"("100 mm")", R"("250 mm")"}},
     {"fatigue.din743", "S_D", falls, "M_tm", {R"("0 N*m")", R"("500 N*m")", R"("1500 N*m")", R"("4000 N*m")"}},

@@ -241,6 +241,34 @@ const Case fatigue[] = {
     {"fatigue.din743", "M_ba = \"0 N*m\"\nM_ta = \"0 N*m\"", "u_D", 0.0},
     {"fatigue.din743", "sigma_zdm = \"-100 MPa\"\nsigma_zda = \"0 MPa\"\nM_tm = \"0 N*m\"", "sigma_mv", -100e6},
     {"fatigue.din743", "notch = \"cross-hole\"\nD = \nd = \"40 mm\"\nr = \"5 mm\"", "stresses.bending.alpha", 1.95},
+    {"fatigue.history", "blocks = [{ sigma_a = \"120 MPa\", n = 1 }]", "Z", 1e6},  // at the knee
+    {"fatigue.history", "blocks = [{ sigma_a = \"100 MPa\", sigma_m = \"50 MPa\", n = 1 }]\nmean = \"fkm\"\nM = 0.2",
+     "S_1", 110e6},
+    {"fatigue.history", "blocks = [{ sigma_a = \"100 MPa\", sigma_m = \"200 MPa\", n = 1 }]\nmean = \"fkm\"\nM = 0.2",
+     "S_1", 1.2 * (100e6 + 0.2 / 3 * 200e6) / (1 + 0.2 / 3)},
+    {"fatigue.history", "blocks = [{ sigma_a = \"100 MPa\", sigma_m = \"400 MPa\", n = 1 }]\nmean = \"fkm\"\nM = 0.2",
+     "S_1", 135e6},
+    {"fatigue.history", "blocks = [{ sigma_a = \"100 MPa\", sigma_m = \"-150 MPa\", n = 1 }]\nmean = \"fkm\"\nM = 0.2",
+     "S_1", 80e6},
+    {"fatigue.history", "blocks = [{ sigma_a = \"100 MPa\", sigma_m = \"-150 MPa\", n = 1 }]\nmean = \"swt\"", "S_1",
+     100e6},
+    {"fatigue.history", "blocks = [{ sigma_a = \"100 MPa\", sigma_m = \"300 MPa\", n = 1 }]\nmean = \"swt\"", "S_1",
+     200e6},
+    {"fatigue.history",
+     "blocks = [{ sigma_a = \"100 MPa\", sigma_m = \"-150 MPa\", n = 1 }]\nmean = \"walker\"\ngamma = 0.5", "S_1",
+     100e6},
+    {"fatigue.history",
+     "blocks = [{ sigma_a = \"100 MPa\", sigma_m = \"300 MPa\", n = 1 }]\nmean = \"walker\"\ngamma = 0.5", "S_1",
+     200e6},
+    {"fatigue.history", "blocks = [{ sigma_a = \"100 MPa\", sigma_m = \"345 MPa\", n = 1 }]\nmean = \"gerber\"", "S_1",
+     100e6 / 0.75},
+    {"fatigue.history", "blocks = [{ sigma_a = \"100 MPa\", sigma_m = \"345 MPa\", n = 1 }]\nmean = \"none\"", "S_1",
+     100e6},
+    {"fatigue.history",
+     "R_e = \nS_F = \ncurve = \"en1993\"\nsigma_C = \"71 MPa\"\nsigma_D = \nN_D = \nk = \nmean = \"none\"\nblocks = [{ "
+     "sigma_a = \"35.5 MPa\", n = 1 }]",
+     "Z", 2e6},
+    {"fatigue.history", "blocks = [{ sigma_a = \"119 MPa\", n = 1 }]\nminer = \"original\"", "D", 0.0},
     {"fatigue.wohler", "P_s = 0.5", "A_P", 29.9426882630},  // the mean line, by the normal equations
 };
 
@@ -465,7 +493,6 @@ const Case twists[] = {
     {"section.thin_walled", "cells = \nwalls = [{ l = \"3 m\", t = \"1 mm\" }]", "r_I", 1.0},
 };
 
-const std::span<const Case> groups[] = {twists,  fits,  keys, shapes,     bars,   tubes,  vessels, cycles,
 const Case pins[] = {
     {"pin.joint", R"(F = "0 N")", "sigma_v", 0.0},
     {"pin.joint", "", "M_b", 145.0},                            // integrated load by load
@@ -487,8 +514,8 @@ const Case pins[] = {
     {"link.member", R"(A_v = "200 mm^2")", "tau", 2e6},
 };
 
-const std::span<const Case> groups[] = {pins,    fits,  keys, shapes,     bars,   tubes,  vessels, cycles,
-                                        fatigue, racks, sets, velocities, drives, motion, bearings};
+const std::span<const Case> groups[] = {pins,   twists,  fits,  keys, shapes,     bars,   tubes,  vessels,
+                                        cycles, fatigue, racks, sets, velocities, drives, motion, bearings};
 
 bool is(double value, double expected) {
   return std::abs(value - expected) <= (expected == 0.0 ? 1e-9 : 2e-6 * std::abs(expected));

@@ -149,6 +149,15 @@ const Side fatigue[] = {
     {"fatigue.wohler", "x_0", outside, "N_0", "42600", "42500"},
     {"fatigue.wohler", "x_D", outside, "S_D", R"("239 MPa")", R"("238 MPa")"},
     {"fatigue.wohler", "P_f", outside, "P_s", "0.95", "0.951"},
+    {"fatigue.history", "u_y", over, "R_e", R"("180 MPa")", R"("179 MPa")", "S_F = "},
+    {"fatigue.history", "u_F", over, "R_e", R"("270 MPa")", R"("269 MPa")"},
+    {"fatigue.history", "u_m", over, "R_m", R"("41 MPa")", R"("39.9 MPa")", "R_e = \nS_F = \nn_req = "},
+    {"fatigue.history", "x_g", outside, "gate", R"("120 MPa")", R"("121 MPa")"},
+    {"fatigue.history", "u_D", over, "n_req", "23.4", "23.6"},
+    {"fatigue.history", "x_N", outside, "sigma_D", R"("45.3 MPa")", R"("45.1 MPa")", "n_req = 0.001"},
+    {"fatigue.history", "x_R", outside, "R_e", R"("80 MPa")", R"("79 MPa")",
+     "sigma_D = \nN_D = \nk = \nmean = \"none\"\ncurve = \"en1993\"\nsigma_C = \"71 MPa\"\nS_F = \n"
+     "blocks = [{ sigma_a = \"60 MPa\", n = 100 }]"},
     {"fatigue.din743", "u_D", over, "S_min", "1.69", "1.7"},
     {"fatigue.din743", "u_F", over, "S_min", "2.96", "2.97"},
     {"fatigue.din743", "x_m", over, "M_tm", R"("7300 N*m")", R"("7301 N*m")"},
@@ -334,8 +343,6 @@ const Side twists[] = {
      R"([{ l = "400 mm", t = "40.1 mm" }])", "cells = "},
 };
 
-const std::span<const Side> groups[] = {twists,  fits,  keys,    vessels, sections, bars,
-                                        fatigue, gears, pulleys, v_belts, motion,   bearings};
 const char* const drawn = "replaceable = \"yes\"\ngamma_M6 = 1";
 
 const Side pins[] = {
@@ -385,8 +392,8 @@ const Side links[] = {
      "h = \nb = \nd = \"60 mm\"\nd_bore = \"40 mm\""},
 };
 
-const std::span<const Side> groups[] = {pins,    links, fits,    keys,    vessels, sections, bars,
-                                        fatigue, gears, pulleys, v_belts, motion,  bearings};
+const std::span<const Side> groups[] = {pins, links,   twists, fits,    keys,    vessels, sections,
+                                        bars, fatigue, gears,  pulleys, v_belts, motion,  bearings};
 
 std::string lines_at(const Side& row, const char* value) {
   const std::string last = std::string(row.key) + " = " + value;

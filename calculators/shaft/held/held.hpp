@@ -12,7 +12,7 @@
 #include "calculators/load/shear_strength.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "calculators/shaft/held/members.hpp"
-#include "calculators/shaft/modes.hpp"
+#include "calculators/shaft/parts/modes.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/text/issue.hpp"

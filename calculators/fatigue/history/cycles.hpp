@@ -1,0 +1,24 @@
+// The cycles of a history: of a series by rainflow, or of blocks as they are given.
+#pragma once
+
+#include "calculators/fatigue/history/history.hpp"
+#include "lib/rainflow/cycle.hpp"
+
+#include <vector>
+
+namespace loadpath::fatigue {
+
+/// In Pa, without any factor; `where` of the samples or positions of the series, of blocks their place in the list.
+struct Collective {
+  std::vector<rainflow::Cycle> cycles;
+  double largest = 0.0, least = 0.0;
+};
+Collective collective_of(const History::Input& in);
+
+/// One turn of what turns: it comes again, and begins anywhere.
+bool is_turn(const History::Input& in);
+
+/// Of one passage, where a mechanism says it; else unset.
+Time time_of_turn(const History::Input& in);
+
+}  // namespace loadpath::fatigue

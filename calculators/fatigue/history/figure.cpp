@@ -1,0 +1,59 @@
+#include "calculators/fatigue/history/figure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace loadpath::fatigue {
+
+namespace {
+
+constexpr std::size_t most_points = 400;  // of a curve in a drawing
+constexpr double Pa = 1e6;                // of 1 MPa
+
+/// Steps down from the largest cycle: how many are at least so large. Of many the steps are joined.
+draw::Curve collective(const std::vector<rainflow::Cycle>& cycles, const std::vector<double>& stress, double passages) {
+  std::vector<std::size_t> order(cycles.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return stress[a] != stress[b] ? stress[a] > stress[b] : a < b; });
+  draw::Curve curve{"collective", {}, {}};
+  double sum = 0.0;
+  const std::size_t every = 1 + order.size() / most_points;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const double before = std::max(1.0, sum * passages);
+    sum += cycles[order[i]].count;
+    if (i % every != 0 && i + 1 != order.size()) continue;
+    const double S = stress[order[i]] * Pa;
+    curve.x.insert(curve.x.end(), {before, std::max(1.0, sum * passages)});
+    curve.y.insert(curve.y.end(), {S, S});
+  }
+  return curve;
+}
+
+draw::Curve lives(const rainflow::SnCurve& curve, double most) {
+  draw::Curve line{"S-N curve", {}, {}};
+  constexpr int points = 60;
+  const double from = 3.0, to = std::max(8.0, std::log10(most) + 0.5);
+  for (int i = 0; i <= points; ++i) {
+    const double N = std::pow(10.0, from + (to - from) * i / points);
+    if (const auto S = curve.stress(N)) line.x.push_back(N), line.y.push_back(*S * Pa);
+  }
+  return line;
+}
+
+}  // namespace
+
+std::vector<draw::Figure> collective_figure(const std::vector<rainflow::Cycle>& cycles,
+                                            const std::vector<double>& stress, const rainflow::SnCurve& curve,
+                                            double passages, const std::string& meaning) {
+  draw::Plot plot;
+  plot.x = {"N", "cycles", "-", true};
+  plot.y = {"S", meaning, "MPa", true};
+  plot.curves.push_back(collective(cycles, stress, passages));
+  plot.curves.push_back(lives(curve, plot.curves.front().x.back()));
+  return {
+      {"collective", "How many cycles are at least so large, and the curve they are held against", std::move(plot)}};
+}
+
+}  // namespace loadpath::fatigue

@@ -1,0 +1,331 @@
+#include "calculators/fatigue/history/history.hpp"
+
+#include "calculators/fatigue/history/curve.hpp"
+#include "calculators/fatigue/history/cycles.hpp"
+#include "calculators/fatigue/history/figure.hpp"
+#include "lib/calculator/calculator_of.hpp"
+#include "lib/rainflow/damage.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace loadpath::fatigue {
+
+namespace {
+
+using Input = History::Input;
+using Result = History::Result;
+using Curve = History::Curve;
+using MinerRule = History::MinerRule;
+using rainflow::Cycle;
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+Stress amplitude_of(const Cycle& cycle) { return from_si<Stress>(cycle.range / 2.0); }
+Stress mean_of(const Cycle& cycle) { return from_si<Stress>(cycle.mean); }
+
+/// The mean stress sensitivity of steel by [FKM], of shear that times 0.577, where none is given.
+double sensitivity_of(const Input& in) {
+  if (is_set(in.M) || !is_set(in.R_m)) return in.M;
+  const double M = 0.35e-3 * (in.R_m / MPa) - 0.1;
+  return std::max(0.0, in.stress == Stresses::shear ? 0.577 * M : M);
+}
+
+using Means = History::Means;
+
+/// The rule that is chosen; without one any, for it is not asked.
+MeanRule rule_of(const Input& in) {
+  constexpr std::array rules{MeanRule::goodman, MeanRule::soderberg, MeanRule::gerber, MeanRule::elliptic,
+                             MeanRule::morrow,  MeanRule::swt,       MeanRule::walker, MeanRule::fkm};
+  return in.mean == Means::none ? MeanRule::swt : rules[static_cast<std::size_t>(in.mean) - 1];
+}
+bool counts_means(const Input& in) { return History::is_of_part(in) && in.mean != Means::none; }
+
+Haigh haigh_of(const Input& in) {
+  Haigh h;
+  h.R_m = in.R_m, h.R_e = in.R_e, h.sigma_f = in.sigma_f, h.gamma = in.gamma, h.M = sensitivity_of(in);
+  return h;
+}
+
+/// The stress of a cycle on the curve: amplitude at r = -1, or range, with its factors. Shear has no sign; compression
+/// counts as no mean stress, but by FKM.
+template <class Tracer>
+Stress on_curve(const Input& in, const Haigh& haigh, const Cycle& cycle, Tracer& trace) {
+  const Stress sigma_a0 = trace.value("sigma_a0", amplitude_of(cycle), "amplitude, as counted");
+  const Stress sigma_m0 = trace.value("sigma_m0", mean_of(cycle), "mean stress, as counted");
+  STEP(sigma_a, in.K_A * sigma_a0, "with the service factor");
+  if (!History::is_of_part(in)) return NAMED_STEP("S_1", 2.0 * in.S_D * sigma_a, "range, with the safety on stress");
+  if (!counts_means(in) || sigma_a == 0.0 * MPa)
+    return NAMED_STEP("S_1", in.S_D * sigma_a, "with the safety on stress; its mean is not counted");
+  STEP(sigma_s, in.stress == Stresses::shear ? in.K_A * abs(sigma_m0) : in.K_A * sigma_m0,
+       "with the service factor; of shear its magnitude");
+  STEP(sigma_m, in.mean == History::Means::fkm ? sigma_s : max(sigma_s, 0.0 * MPa),
+       "what compression gives is counted by FKM alone");
+  if (in.mean == Means::fkm)
+    trace.value("M", haigh.M, is_set(in.M) ? "as given" : "0.35e-3 R_m - 0.1 of steel, of shear 0.577 of it, [FKM]");
+  const Stress sigma_ar = equivalent(rule_of(in), haigh, {sigma_a, sigma_m}, trace);
+  return NAMED_STEP("S_1", in.S_D * sigma_ar, "amplitude at r = -1, with the safety on stress");
+}
+
+/// The largest mean stress over the strength that its rule ends at; where it is 1 or more nothing is left to vary.
+double largest_mean(const Input& in, const std::vector<Cycle>& cycles) {
+  const Stress end = counts_means(in) ? fatigue::largest_mean(haigh_of(in), rule_of(in)) : unset<Stress>;
+  double most = unset<double>;
+  for (const Cycle& cycle : cycles) {
+    if (!is_set(end)) break;
+    const Stress mean = in.K_A * mean_of(cycle);
+    const double share = (in.stress == Stresses::shear ? abs(mean) : mean) / end;
+    if (!(share <= most)) most = std::max(share, 0.0);
+  }
+  return most;
+}
+
+/// What each cycle is on the curve, MPa.
+struct OnCurve {
+  std::vector<double> stress;
+  double largest = 0.0;
+};
+OnCurve on_curve(const Input& in, const std::vector<Cycle>& cycles) {
+  const Haigh haigh = haigh_of(in);
+  NoTrace quiet;
+  OnCurve all;
+  all.stress.reserve(cycles.size());
+  for (const Cycle& cycle : cycles) all.stress.push_back(on_curve(in, haigh, cycle, quiet) / MPa);
+  for (const double s : all.stress) all.largest = std::max(all.largest, s);
+  return all;
+}
+
+double damage_by(MinerRule rule, const Input& in, const std::vector<Cycle>& cycles, const OnCurve& on) {
+  if (rule == MinerRule::consistent) {
+    std::vector<rainflow::Level> levels;
+    for (std::size_t i = 0; i < cycles.size(); ++i) levels.push_back({on.stress[i], cycles[i].count});
+    const auto found = rainflow::consistent_damage(curve_of(in), std::move(levels));
+    return found ? *found : unset<double>;
+  }
+  const rainflow::SnCurve curve = curve_by(rule, in, on.largest);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < cycles.size(); ++i) sum += cycles[i].count * curve.damage(on.stress[i]);
+  return sum;
+}
+
+/// The curve that one cycle is weighed with: of the consistent rule, which has none, that of Haibach.
+rainflow::SnCurve weighing_curve(const Input& in, double largest) {
+  return curve_by(in.miner == MinerRule::consistent ? MinerRule::modified : in.miner, in, largest);
+}
+
+/// The places of cycles that do most damage, the worst first; without damage the largest.
+std::vector<std::size_t> worst_of(const Input& in, const std::vector<Cycle>& cycles, const OnCurve& on) {
+  const rainflow::SnCurve curve = weighing_curve(in, on.largest);
+  const auto weight = [&](std::size_t i) {
+    const double damage = cycles[i].count * curve.damage(on.stress[i]);
+    return std::pair(damage, on.stress[i]);
+  };
+  std::vector<std::size_t> places(cycles.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  const auto end = places.begin() + static_cast<std::ptrdiff_t>(std::min(places.size(), History::most_worst));
+  std::partial_sort(places.begin(), end, places.end(), [&](std::size_t a, std::size_t b) {
+    return weight(a) != weight(b) ? weight(a) > weight(b) : a < b;
+  });
+  places.erase(end, places.end());
+  return places;
+}
+
+/// Sample of a file, position of a turn.
+double place_of(const Input& in, std::uint64_t index) {
+  const auto place = static_cast<std::size_t>(index);
+  if (!in.sigma.is_series() || is_turn(in)) return static_cast<double>(place);
+  const auto& at = in.sigma.series->signature.axis->at;
+  return place < at.size() ? at[place] : unset<double>;
+}
+
+void tell_worst(const Input& in, const std::vector<Cycle>& cycles, const OnCurve& on,
+                const std::vector<std::size_t>& places, Result& r) {
+  const rainflow::SnCurve curve = weighing_curve(in, on.largest);
+  double all = 0.0;
+  for (std::size_t i = 0; i < cycles.size(); ++i) all += cycles[i].count * curve.damage(on.stress[i]);
+  for (const std::size_t i : places) {
+    const Cycle& c = cycles[i];
+    const double share = all > 0.0 ? c.count * curve.damage(on.stress[i]) / all : unset<double>;
+    const bool placed = in.blocks.empty();
+    r.worst.push_back({in.K_A * amplitude_of(c), in.K_A * mean_of(c), c.count, share,
+                       placed ? place_of(in, c.where.begin) : unset<double>,
+                       placed ? place_of(in, c.where.end) : unset<double>});
+  }
+}
+
+template <class Tracer>
+void all_rules(const Input& in, const std::vector<Cycle>& cycles, const OnCurve& on, Result& r, Tracer& trace) {
+  const auto by = [&](MinerRule rule) { return damage_by(rule, in, cycles, on); };
+  if (!History::is_of_part(in)) {
+    r.D = trace.value("D", by(MinerRule::original), "sum of n / N over the cycles, [Miner]");
+    return;
+  }
+  r.D_original = trace.value("D_original", by(MinerRule::original), "sum of n / N above the limit, [Miner]");
+  r.D_elementary = trace.value("D_elementary", by(MinerRule::elementary), "the slope k for all cycles");
+  r.D_modified = trace.value("D_modified", by(MinerRule::modified), "2 k - 1 below the limit, [Haibach]");
+  r.D_consistent = trace.value("D_consistent", by(MinerRule::consistent), "the limit falls, [Haibach], recalled");
+  r.D_LZ = trace.value("D_LZ", by(MinerRule::liu_zenner), "slope (k + 3.6)/2, Liu and Zenner, recalled");
+  r.D = in.miner == MinerRule::original     ? NAMED_STEP("D", r.D_original, "the original rule decides")
+        : in.miner == MinerRule::elementary ? NAMED_STEP("D", r.D_elementary, "the elementary rule decides")
+        : in.miner == MinerRule::consistent ? NAMED_STEP("D", r.D_consistent, "the consistent rule decides")
+        : in.miner == MinerRule::liu_zenner ? NAMED_STEP("D", r.D_LZ, "Liu and Zenner decide")
+                                            : NAMED_STEP("D", r.D_modified, "the modified rule decides");
+}
+
+/// The cycle that does most, written out, and the life of the largest one.
+template <class Tracer>
+void largest_cycle(const Input& in, const std::vector<Cycle>& cycles, const OnCurve& on, std::size_t worst, Result& r,
+                   Tracer& trace) {
+  r.S_1 = on_curve(in, haigh_of(in), cycles[worst], trace);
+  r.sigma_a1 = in.K_A * amplitude_of(cycles[worst]), r.sigma_m1 = in.K_A * mean_of(cycles[worst]);
+  const rainflow::SnCurve curve = weighing_curve(in, on.largest);
+  const auto N = curve.cycles(r.S_1 / MPa);
+  r.N_S1 = N ? trace.value("N_S1", *N, "cycles on the curve, not reversals") : endless;
+  if (const auto least = curve.cycles(on.largest))
+    r.x_N = trace.value("x_N", *least, "life of the largest cycle alone");
+}
+
+template <class Tracer>
+void life(const Input& in, Result& r, Tracer& trace) {
+  if (r.D == 0.0) {
+    r.Z = endless;
+  } else {
+    STEP_TO(r, Z, in.D_adm / r.D, "passages until the damage sum is the allowable one");
+  }
+  if (in.gate > 0.0 * MPa) {
+    const Stress S_D1 = trace.value("S_D1", fatigue_limit(in) * MPa, "range of the fatigue limit, or of the knee");
+    STEP_TO(r, x_g, in.K_A * in.S_D * in.gate / S_D1, "below half of the limit a cycle does next to nothing");
+  }
+  if (is_set(in.n_req)) {
+    STEP_TO(r, u_D, in.n_req * r.D / in.D_adm, "damage of all passages, [Miner]");
+  }
+  const Time turn = time_of_turn(in);
+  if (!is_set(in.t) && !is_set(turn)) return;
+  const Time t_1 = trace.value("t_1", is_set(in.t) ? in.t : turn, is_set(in.t) ? "as given" : "one turn at its speed");
+  if (r.D == 0.0) {
+    r.L = from_si<Time>(endless);
+  } else {
+    STEP_TO(r, L, r.Z * t_1, "life");
+  }
+}
+
+template <class Tracer>
+void equivalent(const Input& in, const OnCurve& on, Result& r, Tracer& trace) {
+  if (!is_set(in.N_eq) || !(r.D > 0.0)) return;
+  const double passages = is_set(in.n_req) ? in.n_req : 1.0;
+  const auto found = rainflow::equivalent_stress(weighing_curve(in, on.largest), passages * r.D, in.N_eq);
+  if (found) r.S_eq = trace.value("S_eq", *found * MPa, "on the curve where N_eq cycles do the damage of all passages");
+}
+
+template <class Tracer>
+void yield(const Input& in, const Collective& all, Result& r, Tracer& trace) {
+  const Stress sigma_1 = trace.value("sigma_1", from_si<Stress>(all.largest), "largest of the history");
+  const Stress sigma_2 = trace.value("sigma_2", from_si<Stress>(all.least), "least of the history");
+  STEP_TO(r, sigma_max, in.K_A * sigma_1, "with the service factor");
+  STEP_TO(r, sigma_min, in.K_A * sigma_2, "with the service factor");
+  if (!is_set(in.R_e)) return;
+  STEP(sigma_y, in.stress == Stresses::shear ? in.R_e / sqrt(3.0) : in.R_e, "yield strength; of shear by [Mises]");
+  STEP_TO(r, u_y, max(abs(sigma_max), abs(sigma_min)) / sigma_y, "yield at the first cycle");
+  if (is_set(in.S_F)) {
+    STEP_TO(r, u_F, in.S_F * u_y, "with its safety");
+  }
+  if (in.curve == Curve::en1993) {
+    STEP_TO(r, x_R, (sigma_max - sigma_min) / (1.5 * sigma_y), "ranges up to 1.5 f_y, [EN1993-1-9] 8 (1)");
+  }
+}
+
+bool any_given(std::initializer_list<double> numbers) {
+  return std::any_of(numbers.begin(), numbers.end(), [](double x) { return is_set(x); });
+}
+
+}  // namespace
+
+Applies History::has_tension(const Input& in) {
+  if (!is_of_part(in) || in.mean != Means::none) return Applies::no;
+  const auto all = collective_of(in).cycles;
+  const auto pulls = [&](const Cycle& c) {
+    const double mean = in.stress == Stresses::shear ? std::abs(c.mean) : c.mean;
+    return mean > 1e-9 * c.range;
+  };
+  return where(std::any_of(all.begin(), all.end(), pulls));
+}
+
+bool History::one_source(const Input& in) { return is_set(in.sigma) == in.blocks.empty(); }
+
+bool History::curve_given(const Input& in) {
+  switch (in.curve) {
+    case Curve::en1993:
+      return is_set(in.sigma_C);
+    case Curve::dnv:
+      return is_set(in.lg_a);
+    case Curve::part:
+      break;
+  }
+  return is_set(in.sigma_D) && is_set(in.N_D) && is_set(in.k);
+}
+
+FieldFault History::missing_of_curve(const Input& in) {
+  if (in.curve == Curve::en1993)
+    return {"sigma_C", say("the detail of EN 1993-1-9 needs its category"), say("sigma_C")};
+  if (in.curve == Curve::dnv) return {"lg_a", say("the detail of DNV-RP-C203 needs lg a"), say("12.592 of detail C")};
+  return {"sigma_D", say("the curve of a part needs sigma_D, N_D and k"),
+          say("sigma_D of fatigue.endurance, or curve = \"en1993\" of a welded detail")};
+}
+
+bool History::curve_alone(const Input& in) {
+  const bool of_part = any_given({in_si(in.sigma_D), in.N_D, in.k});
+  const bool of_en = is_set(in.sigma_C), of_dnv = any_given({in.lg_a, in.m_1, in.m_2, in.N_1});
+  return (in.curve == Curve::part || !of_part) && (in.curve == Curve::en1993 || !of_en) &&
+         (in.curve == Curve::dnv || !of_dnv);
+}
+
+bool History::slopes_fall(const Input& in) {
+  return in.curve != Curve::dnv || (is_set(in.m_2) ? in.m_2 : 5.0) > (is_set(in.m_1) ? in.m_1 : 3.0);
+}
+
+bool History::mean_suits(const Input& in) {
+  if (!is_of_part(in)) return in.mean == Means::none;
+  return in.stress == Stresses::normal || (in.mean != Means::swt && in.mean != Means::walker);
+}
+
+bool History::mean_given(const Input& in) { return !counts_means(in) || knows(haigh_of(in), rule_of(in)); }
+
+bool History::may_be_left(const Input& in) { return !is_turn(in) || in.residue == Residue::repeated; }
+
+template <class Tracer>
+History::Result History::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  const Collective all = collective_of(in);
+  yield(in, all, r, trace);
+  double n = 0.0;
+  for (const Cycle& cycle : all.cycles) n += cycle.count;
+  r.n = trace.value("n", n, in.blocks.empty() ? "cycles by rainflow" : "cycles of all blocks");
+  r.u_m = largest_mean(in, all.cycles);
+  if (r.u_m >= 1.0) return r;
+  const OnCurve on = on_curve(in, all.cycles);
+  all_rules(in, all.cycles, on, r, trace);
+  const auto worst = worst_of(in, all.cycles, on);
+  if (!worst.empty()) largest_cycle(in, all.cycles, on, worst.front(), r, trace);
+  tell_worst(in, all.cycles, on, worst, r);
+  life(in, r, trace);
+  equivalent(in, on, r, trace);
+  return r;
+}
+
+template History::Result History::evaluate(const Input&, NoTrace&);
+template History::Result History::evaluate(const Input&, Trace&);
+
+std::vector<draw::Figure> History::figures(const Input& in, const Result& /*r*/) {
+  const auto cycles = collective_of(in).cycles;
+  if (cycles.empty() || largest_mean(in, cycles) >= 1.0) return {};
+  const OnCurve on = on_curve(in, cycles);
+  return collective_figure(cycles, on.stress, weighing_curve(in, on.largest), is_set(in.n_req) ? in.n_req : 1.0,
+                           is_of_part(in) ? "amplitude at r = -1" : "range");
+}
+
+}  // namespace loadpath::fatigue
+
+template const loadpath::Calculator& loadpath::erased<loadpath::fatigue::History>();

@@ -1,0 +1,318 @@
+// A history of stress against fatigue: its cycles by rainflow, their damage by Miner's rule, how often it can be borne.
+//
+// Decides the cycles of a series - one turn of a mechanism, a file of any length - or takes blocks; the equivalent
+// amplitude of each at r = -1; the damage sum by a curve of the part, by a detail of [EN1993-1-9] or of [DNVC203]; the
+// largest stress against yielding. One turn repeats; so does a file, unless its residue is counted otherwise. Stresses
+// are nominal, amplitudes for the curve of a part and ranges for a detail, lives are cycles and not reversals, at the
+// survival probability of the curve. Not covered: several stresses at once, low-cycle fatigue, the order of the loads.
+#pragma once
+
+#include "calculators/fatigue/mean_stress.hpp"
+#include "calculators/load/stress_cycle.hpp"
+#include "lib/calculator/heat_treatment.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
+#include "lib/quantity/drive_units.hpp"
+
+#include <array>
+#include <tuple>
+#include <vector>
+
+namespace loadpath::fatigue {
+
+struct History {
+  static constexpr auto id = "fatigue.history";
+  static constexpr auto title = "Life under a history of stress";
+  static constexpr auto scope =
+      "Rainflow counting of one turn of a mechanism or of a file of any length, or blocks; damage by Miner's rule with "
+      "the curve of a part or of a welded detail; how often the history can be borne; yield. One nominal stress.";
+  static constexpr auto source = "[E1049], [HCM], [Miner], [Haibach], [EN1993-1-9], [DNVC203], [FKM]";
+  static constexpr auto example = R"([project]
+title = "A bracket under three blocks of load"
+
+[bracket]
+calculator = "fatigue.history"
+blocks = [
+  { sigma_a = "180 MPa", n = 500 },
+  { sigma_a = "140 MPa", sigma_m = "40 MPa", n = 8000 },
+  { sigma_a = "90 MPa", sigma_m = "40 MPa", n = 120000 },
+]
+sigma_D = "120 MPa"
+N_D = 1e6
+k = 5
+mean = "goodman"
+R_m = "690 MPa"
+R_e = "490 MPa"
+S_F = 1.5
+n_req = 1
+)";
+
+  enum class Counting { four_point, hcm, astm };
+  enum class Residue { repeated, half_cycles, ignored };
+  enum class Curve { part, en1993, dnv };
+  /// How mean stresses count: not at all, or by a rule.
+  enum class Means { none, goodman, soderberg, gerber, elliptic, morrow, swt, walker, fkm };
+  enum class MinerRule { original, elementary, modified, consistent, liu_zenner };
+
+  struct Block {
+    Name name;
+    Stress sigma_a = unset<Stress>, sigma_m = 0.0 * MPa;
+    double n = unset<double>;
+    static constexpr std::tuple fields{
+        NameField{&Block::name, "name", "name of the block"}.may_be_missing(),
+        Field{&Block::sigma_a, "sigma_a", MPa, "amplitude"}.at_least(0).load(),
+        Field{&Block::sigma_m, "sigma_m", MPa, "mean stress, signed"}.load(),
+        Field{&Block::n, "n", ratio, "cycles, in one passage of the history"}.positive().usually(1e-3, 1e12)};
+  };
+  static constexpr std::size_t most_blocks = 64;
+
+  struct Input {
+    Varying<Stress> sigma;
+    List<Block, most_blocks> blocks;
+    Stresses stress = Stresses::normal;
+    double K_A = 1.0, S_D = 1.0;
+    Counting counting = Counting::four_point;
+    Residue residue = Residue::repeated;
+    Stress gate = 0.0 * MPa;
+    Curve curve = Curve::part;
+    Stress sigma_D = unset<Stress>;
+    double N_D = unset<double>, k = unset<double>;
+    MinerRule miner = MinerRule::modified;
+    Stress sigma_C = unset<Stress>;
+    double lg_a = unset<double>, m_1 = unset<double>, m_2 = unset<double>, N_1 = unset<double>;
+    Means mean = Means::none;
+    double M = unset<double>, gamma = unset<double>;
+    Stress sigma_f = unset<Stress>;
+    Length d_h = unset<Length>;
+    Stress R_m = unset<Stress>, R_e = unset<Stress>;
+    double S_F = unset<double>;
+    double D_adm = 1.0, n_req = unset<double>, N_eq = unset<double>;
+    Time t = unset<Time>;
+  };
+  static bool is_of_part(const Input& in) { return in.curve == Curve::part; }
+  static Applies has_tension(const Input& in);
+  static Applies leaves_residue(const Input& in) {
+    return where(in.sigma.is_series() && in.residue == Residue::ignored);
+  }
+  static constexpr std::tuple inputs{
+      Field{&Input::sigma, "sigma", MPa,
+            "nominal stress over the history: a series, \"=lever.links.rod.N/(200 mm^2)\", or { file = \"gauge.csv\", "
+            "column = \"S2\", unit = \"MPa\" }"}
+          .load()
+          .may_be_missing(),
+      ListField{&Input::blocks, "blocks", "cycles in blocks, in place of a series"}.may_be_missing(),
+      Choice{&Input::stress, "stress", "what varies"}.may_be_missing(),
+      Field{&Input::K_A, "K_A", ratio, "service factor on the stresses: what they do not contain, once"}
+          .positive()
+          .usually(1, 4)
+          .factor(),
+      Field{&Input::S_D, "S_D", ratio, "safety on stress against fatigue: of codes gamma_Ff gamma_Mf"}
+          .at_least(1)
+          .usually(1, 3)
+          .factor(),
+      Choice{&Input::counting, "counting", "method of counting"}.may_be_missing(),
+      Choice{&Input::residue, "residue", "what becomes of what closes no cycle"}.may_be_missing(),
+      Field{&Input::gate, "gate", MPa, "ranges below are not counted"}.at_least(0),
+      Choice{&Input::curve, "curve", "S-N curve"}.may_be_missing(),
+      Field{&Input::sigma_D, "sigma_D", MPa, "curve of a part: fatigue limit, amplitude at r = -1"}
+          .positive()
+          .usually(1, 1500)
+          .may_be_missing(),
+      Field{&Input::N_D, "N_D", ratio, "curve of a part: cycles at its knee"}
+          .at_least(1e3)
+          .usually(1e5, 1e8)
+          .may_be_missing(),
+      Field{&Input::k, "k", ratio, "curve of a part: its slope"}.within(1, 60).usually(3, 20).may_be_missing(),
+      Choice{&Input::miner, "miner", "rule for cycles below the fatigue limit, of the curve of a part"}
+          .may_be_missing(),
+      Field{&Input::sigma_C, "sigma_C", MPa, "detail of EN 1993-1-9: its category, the range at 2e6 cycles"}
+          .positive()
+          .usually(30, 200)
+          .may_be_missing(),
+      Field{&Input::lg_a, "lg_a", ratio,
+            "detail of DNV-RP-C203: lg a of its first branch, N = a S^-m_1, S the range in MPa; in air, edition 2016: "
+            "C 12.592, D 12.164, E 12.010, F 11.855, W3 10.970"}
+          .within(5, 40)
+          .may_be_missing(),
+      Field{&Input::m_1, "m_1", ratio, "the same: slope of the first branch; 3 where missing"}
+          .within(1, 20)
+          .may_be_missing(),
+      Field{&Input::m_2, "m_2", ratio, "the same: slope of the second branch; 5 where missing"}
+          .within(1, 40)
+          .may_be_missing(),
+      Field{&Input::N_1, "N_1", ratio, "the same: cycles where they meet; 1e7 where missing"}
+          .at_least(1e4)
+          .may_be_missing(),
+      Choice{&Input::mean, "mean", "how mean stresses count, with the curve of a part"}.may_be_missing(),
+      Field{&Input::M, "M", ratio, "mean stress sensitivity, for mean = \"fkm\"; of steel from R_m"}
+          .within(0, 1)
+          .may_be_missing(),
+      Field{&Input::gamma, "gamma", ratio, "exponent of Walker"}.within(0, 1).may_be_missing(),
+      Field{&Input::sigma_f, "sigma_f", MPa, "fatigue strength coefficient of Morrow: of the true fracture stress"}
+          .positive()
+          .usually(200, 4000)
+          .may_be_missing(),
+      diameter_at_heat_treatment(&Input::d_h),
+      Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m", "d_h"),
+      Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
+      Field{&Input::S_F, "S_F", ratio, "safety against yielding"}.at_least(1).usually(1, 6).may_be_missing().factor(),
+      Field{&Input::D_adm, "D_adm", ratio, "allowable damage sum"}.positive().usually(0.1, 1),
+      Field{&Input::n_req, "n_req", ratio, "how often the history has to be borne"}.positive().may_be_missing(),
+      Field{&Input::N_eq, "N_eq", ratio, "cycles of the equivalent stress of one size"}.positive().may_be_missing(),
+      Field{&Input::t, "t", hour, "time of one passage; of a mechanism from its speed"}.positive().may_be_missing()};
+
+  /// A cycle that does much of the damage.
+  struct Worst {
+    Stress sigma_a = unset<Stress>, sigma_m = unset<Stress>;
+    double n = unset<double>, share = unset<double>, from = unset<double>, to = unset<double>;
+    static constexpr std::tuple fields{
+        Field{&Worst::sigma_a, "sigma_a", MPa, "amplitude, with the service factor"},
+        Field{&Worst::sigma_m, "sigma_m", MPa, "mean stress, with the service factor"},
+        Field{&Worst::n, "n", ratio, "how often, halves as 0.5"},
+        Field{&Worst::share, "share", ratio, "of the damage"},
+        Field{&Worst::from, "from", ratio, "where it begins: sample of a file, position of a turn, counted from 0"},
+        Field{&Worst::to, "to", ratio, "where it ends"}};
+  };
+  static constexpr std::size_t most_worst = 10;
+
+  struct Result {
+    double n = unset<double>;
+    Stress sigma_max = unset<Stress>, sigma_min = unset<Stress>, sigma_a1 = unset<Stress>, sigma_m1 = unset<Stress>;
+    Stress S_1 = unset<Stress>;
+    double N_S1 = unset<double>;
+    double D_original = unset<double>, D_elementary = unset<double>, D_modified = unset<double>,
+           D_consistent = unset<double>, D_LZ = unset<double>;
+    double D = unset<double>, Z = unset<double>;
+    Time L = unset<Time>;
+    Stress S_eq = unset<Stress>;
+    double u_y = unset<double>, u_F = unset<double>, u_m = unset<double>, u_D = unset<double>, x_N = unset<double>,
+           x_R = unset<double>, x_g = unset<double>;
+    List<Worst, most_worst> worst;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::n, "n", ratio, "cycles of one passage, halves as 0.5"},
+      Field{&Result::sigma_max, "sigma_max", MPa, "largest stress, with the service factor"}.holding("K_A"),
+      Field{&Result::sigma_min, "sigma_min", MPa, "least stress, with the service factor"}.holding("K_A"),
+      Field{&Result::sigma_a1, "sigma_a1", MPa, "amplitude of the cycle that does most damage"}.holding("K_A"),
+      Field{&Result::sigma_m1, "sigma_m1", MPa, "its mean stress"}.holding("K_A"),
+      Field{&Result::S_1, "S_1", MPa, "its stress on the curve, with S_D: amplitude at r = -1, or range of a detail"},
+      Field{&Result::N_S1, "N_S1", ratio, "cycles that the curve gives for it"}.may_be_infinite(),
+      Field{&Result::D_original, "D_original", ratio, "damage of one passage, Miner's original rule"},
+      Field{&Result::D_elementary, "D_elementary", ratio, "the same, elementary: one slope for all"},
+      Field{&Result::D_modified, "D_modified", ratio, "the same, modified by Haibach: 2 k - 1 below the knee"},
+      Field{&Result::D_consistent, "D_consistent", ratio, "the same, consistent: the fatigue limit falls"},
+      Field{&Result::D_LZ, "D_LZ", ratio, "the same by Liu and Zenner"},
+      Field{&Result::D, "D", ratio, "damage of one passage, by the rule that decides"},
+      Field{&Result::Z, "Z", ratio, "passages that are borne; inf: none of its cycles does damage"}.may_be_infinite(),
+      Field{&Result::L, "L", hour, "life"}.may_be_infinite(),
+      Field{
+          &Result::S_eq, "S_eq", MPa,
+          "stress of one size that does in N_eq cycles what n_req passages do: amplitude of a part, range of a detail"},
+      Field{&Result::u_y, "u_y", ratio, "yielding: largest stress over the yield strength"}.check("R_e"),
+      Field{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F"),
+      Field{&Result::u_m, "u_m", ratio, "largest mean stress over the strength that its rule ends at"}
+          .check()
+          .where_it_applies(),
+      Field{&Result::u_D, "u_D", ratio, "damage of n_req passages over the allowable sum"}.check("n_req"),
+      Field{&Result::x_N, "x_N", ratio, "least life of a cycle: below some 1e3 the curve is another one"}
+          .limit(1e3, 1e300)
+          .where_it_applies(),
+      Field{&Result::x_R, "x_R", ratio, "largest range of a detail over 1.5 R_e, [EN1993-1-9] 8"}
+          .limit(0, 1)
+          .where_it_applies(),
+      Field{&Result::x_g, "x_g", ratio, "gate over the range of the fatigue limit: what is larger does damage"}
+          .limit(0, 0.5)
+          .where_it_applies(),
+      ListField{&Result::worst, "worst", "cycles that do most damage"}};
+
+  static bool one_source(const Input& in);
+  static bool is_history(const Input& in) { return !is_set(in.sigma.one); }
+  static bool curve_given(const Input& in);
+  static FieldFault missing_of_curve(const Input& in);
+  static bool curve_alone(const Input& in);
+  static bool mean_given(const Input& in);
+  static bool slopes_fall(const Input& in);
+  static bool mean_suits(const Input& in);
+  static bool may_be_left(const Input& in);
+  static constexpr std::array rules{
+      Rule<Input>{&one_source, "sigma, blocks", "give the stress sigma as a series, or blocks, one of the two"},
+      Rule<Input>{&is_history, "sigma",
+                  "one value is no history: take the series itself, without peak, max or mean, or give blocks"},
+      Rule<Input>{&curve_given, "curve, sigma_D, N_D, k, sigma_C, lg_a", "the curve lacks numbers", &missing_of_curve},
+      Rule<Input>{&curve_alone, "curve, sigma_D, N_D, k, sigma_C, lg_a, m_1, m_2, N_1",
+                  "give the numbers of the curve that is chosen alone: sigma_D, N_D and k of a part; sigma_C of "
+                  "EN 1993-1-9; lg_a of DNV-RP-C203"},
+      Rule<Input>{&slopes_fall, "m_1, m_2", "the second branch falls less than the first: m_2 is above m_1"},
+      Rule<Input>{&mean_suits, "mean, curve, stress",
+                  "a detail counts ranges, whatever their mean; SWT and Walker are of normal stresses"},
+      Rule<Input>{&mean_given, "mean, R_m, R_e, sigma_f, gamma, M",
+                  "the rule for mean stresses needs its number: R_m for goodman and gerber, R_e for soderberg and "
+                  "elliptic, sigma_f "
+                  "for morrow, gamma for walker, M or R_m for fkm"},
+      Rule<Input>{&may_be_left, "residue, sigma", "one turn of a mechanism comes again: its residue is repeated"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.S_F) || is_set(in.R_e); }, "S_F, R_e",
+                  "the safety S_F counts against the yield strength R_e: give it, or a material"},
+      Rule<Input>{[](const Input& in) { return !(in.R_e > in.R_m); }, "R_e, R_m",
+                  "the yield strength is not above the tensile strength"}};
+
+  static constexpr std::array modes{
+      Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),
+      Mode<Input>{"fatigue", "fatigue under the history", &always<Input>}
+          .judged_by("u_D, u_m, x_N, x_R, x_g")
+          .wanting("n_req"),
+      Mode<Input>{"mean", "mean stresses in tension, which the curve of r = -1 does not hold", &has_tension}.wanting(
+          "mean"),
+      Mode<Input>{"residue", "cycles of the residue, which are left out", &leaves_residue},
+      Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>},
+      Mode<Input>{"multiaxial", "other stresses of the same place", &unseen<Input>}.by_companions(),
+      Mode<Input>{"surroundings", "corrosion, heat, fretting", &unseen<Input>}.special()};
+
+  static constexpr bool takes_series = false;
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+constexpr auto choices_of(History::Counting) {
+  using C = History::Counting;
+  return std::array{ChoiceName<C>{C::four_point, "four-point", "rainflow by four points"},
+                    ChoiceName<C>{C::hcm, "hcm", "hysteresis counting of Clormann and Seeger"},
+                    ChoiceName<C>{C::astm, "astm", "ASTM E1049, rainflow"}};
+}
+constexpr auto choices_of(History::Residue) {
+  using R = History::Residue;
+  return std::array{ChoiceName<R>{R::repeated, "repeated", "the history comes again: full cycles alone"},
+                    ChoiceName<R>{R::half_cycles, "half-cycles", "each range is half a cycle, of a history that ends"},
+                    ChoiceName<R>{R::ignored, "ignored", "not counted: on the unsafe side"}};
+}
+constexpr auto choices_of(History::Curve) {
+  using C = History::Curve;
+  return std::array{
+      ChoiceName<C>{C::part, "part", "amplitudes, sigma_D at N_D with the slope k"},
+      ChoiceName<C>{C::en1993, "en1993", "ranges by EN 1993-1-9:2005: slopes 3 and 5, none below the cut-off; shear 5"},
+      ChoiceName<C>{C::dnv, "dnv", "ranges by DNV-RP-C203: two slopes without an end"}};
+}
+constexpr auto choices_of(History::Means) {
+  using M = History::Means;
+  const auto as = [](M means, MeanRule rule) { return ChoiceName<M>{means, word_of(rule), choice_of(rule).doc}; };
+  return std::array{ChoiceName<M>{M::none, "none", "not at all: right without tension, and for welded details"},
+                    as(M::goodman, MeanRule::goodman),
+                    as(M::soderberg, MeanRule::soderberg),
+                    as(M::gerber, MeanRule::gerber),
+                    as(M::elliptic, MeanRule::elliptic),
+                    as(M::morrow, MeanRule::morrow),
+                    as(M::swt, MeanRule::swt),
+                    as(M::walker, MeanRule::walker),
+                    as(M::fkm, MeanRule::fkm)};
+}
+constexpr auto choices_of(History::MinerRule) {
+  using M = History::MinerRule;
+  return std::array{ChoiceName<M>{M::original, "original", "cycles below the fatigue limit do no damage"},
+                    ChoiceName<M>{M::elementary, "elementary", "the slope k for all: no fatigue limit"},
+                    ChoiceName<M>{M::modified, "modified", "Haibach: slope 2 k - 1 below the fatigue limit"},
+                    ChoiceName<M>{M::consistent, "consistent", "the fatigue limit falls with the damage"},
+                    ChoiceName<M>{M::liu_zenner, "liu-zenner", "one slope (k + 3.6)/2, down to half of the limit"}};
+}
+
+}  // namespace loadpath::fatigue

@@ -20,7 +20,7 @@ Ring outline_of(const Input& in, const Slice& s) {
   return ring;
 }
 
-draw::Shaft side(const Input& in, const Slices& slices) {
+draw::Shaft side(const Input& in, const Slices& slices, const Held::Result& r) {
   draw::Shaft shaft;
   for (const Slice& s : slices) {
     const Ring ring = outline_of(in, s);
@@ -29,6 +29,8 @@ draw::Shaft side(const Input& in, const Slices& slices) {
   for (const AxialTorque& t : in.torques) {
     if (in_si(t.T) != 0.0) shaft.torques.push_back({in_si(t.x), in_si(t.T), std::string(t.name.view())});
   }
+  if (in_si(r.R_1) != 0.0) shaft.torques.push_back({0.0, in_si(r.R_1), "R_1"});
+  if (in_si(r.R_2) != 0.0) shaft.torques.push_back({in_si(length_of(in)), in_si(r.R_2), "R_2"});
   return shaft;
 }
 
@@ -69,7 +71,7 @@ std::vector<draw::Figure> Held::figures(const Input& in, const Result& r) {
   const Slices slices = slices_of(in);
   std::vector<draw::Figure> figures;
   if (std::none_of(in.segments.begin(), in.segments.end(), &is_cone))
-    figures.emplace_back("bar", "The bar from the side", side(in, slices));
+    figures.emplace_back("bar", "The bar from the side", side(in, slices, r));
   figures.emplace_back("torque-diagram", "Torque diagram", along({"M", "moment in the bar", "N*m"}, moment(r)));
   figures.emplace_back("rotation", "Rotation along the bar",
                        along({"phi", "rotation", "deg"}, rotation(in, slices, r)));

@@ -204,7 +204,9 @@ void judge(const Input& in, const Slices& slices, Result& r, Tracer& trace) {
     STEP_TO(r, u_phi, phi_max / in.phi_adm, "stiffness condition");
   }
   if (const double slope = steepest(in); slope > 0.0)
-    r.s_max = trace.value("s_max", slope, "half the difference of the diameters over the length");
+    r.s_max = trace.value(
+        "s_max", slope,
+        "half the difference of the diameters over the length; the exact cone of 10 degrees is close, [Foeppl]");
   r.cycle = {Stresses::shear, r.tau_max};
 }
 

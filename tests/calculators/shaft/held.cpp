@@ -186,6 +186,13 @@ TEST_SUITE("shaft held") {
     CHECK(r.stretches.size() == 2);
   }
 
+  TEST_CASE("the example, by quadrature of 1/(G I_p) elsewhere, all digits") {
+    const test::ExampleStep example("shaft.held", "");
+    CHECK(example("R_1") == doctest::Approx(-793.781752038296).epsilon(1e-12));
+    CHECK(example("phi_max") == doctest::Approx(0.324348264177061 * pi / 180).epsilon(1e-12));
+    CHECK(example("phi_2") == doctest::Approx(0.158726734771077 * pi / 180).epsilon(1e-12));
+  }
+
   TEST_CASE("random bars agree with themselves in 4000 slices: reactions, rotations, stress") {
     std::mt19937 random(12);
     const auto draw = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(random); };

@@ -26,7 +26,8 @@ void constants(const Input& in, const Flows& flows, Result& r, Tracer& trace) {
     const ThinWalled::Wall& s = in.walls[i];
     const Length l = trace.value("l", length_of(s), "length of the middle line");
     const double n = trace.value("n", modulus_ratio(in, s), "its shear modulus over that of the section");
-    STEP(I, n * l * pow<3>(s.t) / 3.0, "torsion constant of a thin strip");
+    const Length t = trace.value("t", s.t, "thickness");
+    STEP(I, n * l * pow<3>(t) / 3.0, "torsion constant of a thin strip");
     I_s += I;
   }
   r.I_B = trace.value("I_B", I_B, "sum over the cells");
@@ -50,8 +51,9 @@ ThinWalled::Loaded load(const Input& in, const Flows& flows, const ThinWalled::W
   const Area f_b = trace.value("f_b", flow_of(in, flows, s.beside), "flow of the cell beside over G theta");
   const double n = trace.value("n", modulus_ratio(in, s), "its shear modulus over that of the section");
   STEP_TO(wall, q, in.K_A * in.T * (f_c - f_b) / r.I_t, "shear flow");
-  STEP_TO(wall, tau_m, abs(q) / s.t, "mean through the thickness, [Bredt]");
-  STEP(tau_t, in.K_A * abs(in.T) * n * s.t / r.I_t, "at the surface, by its own twist");
+  const Length t = trace.value("t", s.t, "thickness");
+  STEP_TO(wall, tau_m, abs(q) / t, "mean through the thickness, [Bredt]");
+  STEP(tau_t, in.K_A * abs(in.T) * n * t / r.I_t, "at the surface, by its own twist");
   STEP_TO(wall, tau, tau_m + tau_t, "at the surface");
   const Stress tau_all = wall.tau_all = allowable_shear(in, s.tau_adm, trace);
   STEP_TO(wall, u_tau, tau / tau_all, "strength condition, [B19] (3)");

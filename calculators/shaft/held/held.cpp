@@ -43,6 +43,24 @@ void react(const Input& in, Yielding F, double phi_0, Result& r, Tracer& trace) 
   STEP_TO(r, phi_2, -R_2 * f_b, "the support gives way");
 }
 
+struct StretchEnd {
+  Moment M;
+  double phi;  // against its first end
+};
+
+template <class Tracer>
+StretchEnd end_of(const Slice& s, const Flexibility& f, Moment M_1, Tracer& trace) {
+  const Yielding f_0 = f.f_0;
+  if (!is_spread(s)) {
+    const double phi = NAMED_STEP("phi", M_1 * f_0, "rotation of its second end against its first");
+    return {trace.value("M_2", M_1, "no torque along it"), phi};
+  }
+  const SpreadYielding f_1 = f.f_1;
+  const Force m_s = trace.value("m_s", s.m, "torque per length, with the service factor");
+  STEP(M_2, M_1 - m_s * s.l, "at its second end");
+  return {M_2, NAMED_STEP("phi", M_1 * f_0 - m_s * f_1, "rotation of its second end against its first")};
+}
+
 /// Moments and rotations, stretch by stretch.
 template <class Tracer>
 void along(const Slices& slices, const Yields& yields, Result& r, Tracer& trace) {
@@ -54,9 +72,9 @@ void along(const Slices& slices, const Yields& yields, Result& r, Tracer& trace)
     [[maybe_unused]] const auto scope = trace.scope("stretches", i);
     const Slice& s = slices[i];
     const Flexibility& f = yields[i];
-    const Moment M_1 = NAMED_STEP("M_1", -R_1 - s.Q, "what acts to its right is what acts to its left, turned about");
-    STEP(M_2, M_1 - s.m * s.l, "at its second end");
-    const double dphi = NAMED_STEP("phi", M_1 * f.f_0 - s.m * f.f_1, "rotation of its second end against its first");
+    const Moment Q = trace.value("Q", s.Q, "loads up to its first end, with the service factor");
+    const Moment M_1 = NAMED_STEP("M_1", -R_1 - Q, "what acts to its right is what acts to its left, turned about");
+    const auto [M_2, dphi] = end_of(s, f, M_1, trace);
     r.stretches.push_back({s.x, s.l, M_1, M_2, dphi});
     phi += dphi;
     r.sections.push_back({s.x + s.l, i + 1 < slices.size() ? phi : r.phi_2});

@@ -478,6 +478,11 @@ const Case twists[] = {
     {"shaft.held", spread, "R_1", -1000.0},
     {"shaft.held", spread, "phi_max", 1e3 / (pi / 2 * 1e9) * 4 / 8},
     {"shaft.held", spread, "theta_max", 1e3 / (pi / 2 * 1e9)},
+    // from 2 m to 1 m in diameter over 1 m: the integral of (u - 1)/u^4 from 1 to 2 is 1/12
+    {"shaft.held",
+     "end_2 = \"free\"\nc_2 = \nsleeves = \ntorques = \nG = \"1 GPa\"\nsegments = [{ l = \"1 m\", d = \"2 m\", d_2 = "
+     "\"1 m\", m = \"1 kN*m/m\" }]",
+     "phi_2", 1e3 * 32 / (pi * 1e9) / 12},
     {"shaft.held", unloaded, "R_1", 0.0},
     {"shaft.held", unloaded, "phi_max", 0.0},
     {"shaft.held", "end_1 = \"free\"", "R_2", -960.0},

@@ -113,6 +113,8 @@ std::set<std::string> reached() {
       for (const account::Derived& line : step->account().derivation) {
         names.insert(name_of(folder, line.step.symbol, line.step.formula));
         names.insert(name_of(folder, "", line.step.formula));
+        names.insert(name_of("load", line.step.symbol, line.step.formula));  // what calculators of all folders share
+        names.insert(name_of("load", "", line.step.formula));
       }
     }
   });

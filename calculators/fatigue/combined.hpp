@@ -31,7 +31,7 @@ title = "Shoulder of a shaft that turns and drives"
 
 [shoulder]
 calculator = "fatigue.combined"
-sigma_m = "0 MPa"
+sigma_m = "20 MPa"
 sigma_a = "60 MPa"
 tau_m = "40 MPa"
 tau_a = "10 MPa"

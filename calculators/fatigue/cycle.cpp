@@ -126,7 +126,7 @@ Cycle::Result Cycle::evaluate(const Input& in, Tracer& trace) {
   Result r;
   static_cast<Characteristics&>(r) = cycle_of(in, trace);
   if (is_set(in.R_e)) {
-    r.u_y = part_of_yield(r, in.stress, in.R_e, trace);
+    r.u_y = part_of_yield(in, r, trace);
     if (is_set(in.S_F)) {
       STEP_TO(r, u_F, in.S_F * r.u_y, "with its safety");
     }

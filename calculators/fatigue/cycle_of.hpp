@@ -154,12 +154,12 @@ Characteristics cycle_of(const Given& g, Tracer& trace) {
   return c;
 }
 
-/// The largest stress over the yield strength; of shear stresses by the distortion energy hypothesis.
-template <class Tracer>
-double part_of_yield(const Characteristics& r, Stresses stress, Stress R_e, Tracer& trace) {
-  STEP(k, stress == Stresses::shear ? sqrt(3.0) : 1.0,
-       stress == Stresses::shear ? "shear by the distortion energy hypothesis, [Mises]" : "normal");
-  return NAMED_STEP("u_y", k * max(abs(r.sigma_max), abs(r.sigma_min)) / R_e, "no yielding at the first load");
+/// The largest stress over the yield strength R_e; of shear stresses by the distortion energy hypothesis.
+template <class Input, class Tracer>
+double part_of_yield(const Input& in, const Characteristics& r, Tracer& trace) {
+  STEP(k, in.stress == Stresses::shear ? sqrt(3.0) : 1.0,
+       in.stress == Stresses::shear ? "shear by the distortion energy hypothesis, [Mises]" : "normal");
+  return NAMED_STEP("u_y", k * max(abs(r.sigma_max), abs(r.sigma_min)) / in.R_e, "no yielding at the first load");
 }
 
 constexpr auto choices_of(Kind) {

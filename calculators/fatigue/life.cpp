@@ -36,7 +36,7 @@ Stress yielding(const Input& in, Tracer& trace) {
 template <class Tracer>
 void first_cycle(const Input& in, Result& r, Tracer& trace) {
   if (is_set(in.R_e)) {
-    r.u_y = part_of_yield(r, in.stress, in.R_e, trace);
+    r.u_y = part_of_yield(in, r, trace);
   } else if (is_grey(in) && is_set(in.R_m)) {
     STEP_TO(r, u_y, max(abs(r.sigma_max), abs(r.sigma_min)) / in.R_m, "grey iron breaks at its tensile strength");
   } else {
@@ -81,7 +81,8 @@ template <class Tracer>
 Haigh strengths(const Input& in, const Result& r, Tracer& trace) {
   Haigh h;
   h.R_m = tensile(in, trace), h.R_e = yielding(in, trace), h.n_y = r.n_y;
-  h.sigma_f = is_set(in.sigma_fB) ? in.sigma_fB : in.sigma_f;
+  if (Life::is_ferrous(in)) h.sigma_f = in.sigma_f;  // which fits other metals badly, [Dowling9]
+  if (is_set(in.sigma_fB)) h.sigma_f = in.sigma_fB;
   sensitivities(in, h, trace);
   return h;
 }
@@ -151,19 +152,18 @@ void strength_for_life(const Input& in, Result& r, Tracer& trace) {
 
 /// Cycles that an amplitude of symmetric cycles lasts; none below 1e3, and where no line is known.
 template <class Tracer>
-double life_at(const char* symbol, const Input& in, const Result& r, Stress sigma_ar, Tracer& trace) {
+double life_at(const Input& in, const Result& r, Stress sigma_ar, Tracer& trace) {
   using std::pow;
   const double N_D = cycles_of_limit(in);
   if (!is_set(sigma_ar)) return unset<double>;
   if (is_set(in.sigma_D) && sigma_ar <= in.sigma_D) {
-    return Life::is_ferrous(in)
-               ? trace.value(symbol, std::numeric_limits<double>::infinity(), "below the fatigue limit")
-               : trace.value(symbol, N_D, "as far as the fatigue limit is told, N_D");
+    return Life::is_ferrous(in) ? trace.value("N", std::numeric_limits<double>::infinity(), "below the fatigue limit")
+                                : trace.value("N", N_D, "as far as the fatigue limit is told, N_D");
   }
   const bool outside = fits_f(in) && in.R_m > fit_ends;
   if (!is_set(r.a_N) || outside || !(sigma_ar > 0.0 * MPa) || pow(sigma_ar / r.a_N, 1.0 / r.b_N) < 1000.0)
     return unset<double>;
-  return NAMED_STEP(symbol, min(pow(sigma_ar / r.a_N, 1.0 / r.b_N), N_D), "by the line, as far as N_D; cycles");
+  return NAMED_STEP("N", min(pow(sigma_ar / r.a_N, 1.0 / r.b_N), N_D), "by the line, as far as N_D; cycles");
 }
 
 /// The mean stress as the rule counts it: tension, or shear of either sense.
@@ -197,7 +197,7 @@ Row by_rule(const Input& in, const Haigh& h, const Result& r, MeanRule rule, Tra
   row.sigma_A = amplitude_left(rule, h, s.sigma_m, trace);
   const Stress sigma_A = row.sigma_A;
   row.n_m = NAMED_STEP("n_m", sigma_A / r.sigma_a, "the mean stress stays");
-  row.N = life_at("N", in, r, row.sigma_ar, trace);
+  row.N = life_at(in, r, row.sigma_ar, trace);
   return row;
 }
 
@@ -215,7 +215,9 @@ void decide(const Input& in, const Haigh& h, const Row& row, Result& r, Tracer& 
   const Stress sigma_A = trace.value("sigma_A", row.sigma_A, "of the rule that decides: the mean stress stays");
   r.S_req = required(in, h, r, row);
   if (is_set(r.S_req)) trace.value("S_req", r.S_req, "sigma_ar of S_D times the load, by the rule");
-  r.N_S = life_at("N_S", in, r, r.S_req, trace);
+  NoTrace quiet;
+  r.N_S = life_at(in, r, r.S_req, quiet);
+  if (is_set(r.N_S)) trace.value("N_S", r.N_S, "the life at that amplitude, as N at sigma_ar");
   const Stress most = largest_mean(h, in.rule);
   if (is_set(most) && row.sigma_m >= 0.0 * MPa)
     r.x_m = trace.value("x_m", row.sigma_m / most, "mean stress over the one that leaves no amplitude");
@@ -309,7 +311,7 @@ FieldFault Life::lacking(const Input& in) {
       return lacks("R_e", "this rule needs the tensile and the yield strength", "give R_m and R_e, or a material");
     case MeanRule::morrow:
       return lacks("sigma_f", "Morrow's rule needs the fatigue strength coefficient, or the true fracture stress",
-                   "give sigma_f, or sigma_fB");
+                   "give sigma_f, or sigma_fB; of non-ferrous metals sigma_fB");
     case MeanRule::walker:
       return lacks("gamma", "Walker's rule needs its exponent; of steels it follows from R_m", "give gamma");
     case MeanRule::fkm:

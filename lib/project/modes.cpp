@@ -180,7 +180,7 @@ account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
     mode.wants = wants.empty() ? info.wants : std::move(wants);
     mode.judge = info.judge;
     if (mode.wants.empty() && *info.checks != '\0') mode.note = say("{1} has no value here", info.checks);
-    if (mode.state == State::not_judged && *info.judge != '\0' && mode.wants.empty())
+    if (mode.state == State::not_judged && *info.judge != '\0')
       mode.note = say("left to {1}, of which no step takes {2} whole", info.judge,
                       records_of(info, step.input().calculator->result->fields, step.name()));
     if (rest)

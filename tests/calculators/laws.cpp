@@ -73,7 +73,7 @@ const char* const half_stresses =
 const char* const doubled_section = "M_ba = \"1600 N*m\"\nM_tm = \"1800 N*m\"\nM_ta = \"300 N*m\"";
 
 const char* const half_a_cycle = "sigma_max = \"90 MPa\"\nsigma_min = \"-10 MPa\"";
-const char* const halved_together = "sigma_m = \"0 MPa\"\nsigma_a = \"30 MPa\"\ntau_m = \"20 MPa\"\ntau_a = \"5 MPa\"";
+const char* const halved_together = "sigma_m = \"10 MPa\"\nsigma_a = \"30 MPa\"\ntau_m = \"20 MPa\"\ntau_a = \"5 MPa\"";
 
 const Law fatigue[] = {
     {"fatigue.cycle", "", "sigma_max = \"240 MPa\"\nsigma_min = \"-80 MPa\"", "sigma_a", 2},
@@ -325,7 +325,7 @@ const Trend trends[] = {
      "school = \"marin\"\nR_z = \nfinish = \"ground\""},
     {"fatigue.life", "N_f", falls, "sigma_max", {R"("320 MPa")", R"("360 MPa")", R"("420 MPa")"}},
     {"fatigue.life", "n", falls, "K_m", {"1", "1.5", "2.5"}},
-    {"fatigue.combined", "n_Serensen", rises, "K_sigma", {"1", "1.5", "2.5"}, R"(sigma_m = "20 MPa")"},
+    {"fatigue.combined", "n_Serensen", rises, "K_sigma", {"1", "1.5", "2.5"}},
     {"fatigue.combined", "n_Serensen", falls, "psi_tau", {"0.05", "0.1", "0.5"}},
     {"fatigue.wohler", "N_P", falls, "P_s", {"0.5", "0.7", "0.9", "0.95"}},
     {"fatigue.wohler", "N_50", falls, "S", {R"("310 MPa")", R"("340 MPa")", R"("380 MPa")", R"("420 MPa")"}},

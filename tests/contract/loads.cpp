@@ -47,6 +47,8 @@ constexpr std::array alone{
     Reason{"pin.joint cheek.F", of_a_pin},
     Reason{"pin.lug cycle.sigma_max", of_stress},
     Reason{"link.member cycle.sigma_max", of_stress},
+    Reason{"fatigue.cycle cycle.sigma_max", of_stress},
+    Reason{"fatigue.cycle cycle.sigma_min", of_stress},
     Reason{"dynamics.force R", is_whole},
     Reason{"dynamics.force R_max", is_whole},
     Reason{"dynamics.impulse F_m", is_whole},

@@ -49,6 +49,58 @@ TEST_SUITE("found fatigue") {
     CHECK_FALSE(ExampleStep("fatigue.wohler", "P_s = 0.01").fault().empty());
   }
 
+  TEST_CASE("a cycle with a mean stress: what breaks or yields does not pass, what no rule covers is said") {
+    const auto state = [](const std::string& lines, const std::string& mode) {
+      return mode_with("fatigue.life", lines, mode);
+    };
+    CHECK(state("", "fatigue") == "pass");
+    CHECK(state("", "yield") == "pass");
+    CHECK(state("", "multiaxial") == "open");
+    CHECK(state("S_F = ", "yield") == "not-judged");
+    CHECK(state("S_F = \nR_e = ", "yield") == "not-judged");
+    CHECK(state("sigma_max = \"500 MPa\"\nsigma_min = \"460 MPa\"", "yield") == "fail");
+    CHECK(state("sigma_max = \"20 MPa\"\nsigma_min = \"-700 MPa\"", "yield") == "fail");
+    // mean stresses beyond strength, in either way to grow, and by rules that know no such bound
+    CHECK(state("sigma_max = \"740 MPa\"\nsigma_min = \"739 MPa\"", "fatigue") == "fail");
+    CHECK(state("sigma_max = \"740 MPa\"\nsigma_min = \"739 MPa\"\nmean = \"constant\"", "fatigue") == "fail");
+    CHECK(state("sigma_max = \"740 MPa\"\nsigma_min = \"739 MPa\"\nrule = \"fkm\"", "yield") == "fail");
+    CHECK(state("N = 500", "fatigue") == "not-covered");
+    CHECK(state("N = 100000\nR_m = \"1500 MPa\"", "fatigue") == "not-covered");
+    CHECK(state("group = \"wrought-aluminium\"\nN = 1000000000", "fatigue") == "not-covered");
+    CHECK(state("sigma_max = \"100 MPa\"\nsigma_min = \"100 MPa\"", "fatigue") == "none");
+    CHECK_FALSE(ExampleStep("fatigue.life", "group = \"wrought-aluminium\"").fault().empty());
+    CHECK_FALSE(ExampleStep("fatigue.life", "group = ").fault().empty());
+    CHECK_FALSE(ExampleStep("fatigue.life",
+                            "group = \"cast-aluminium\"\nN = 1e6\nf = 0.8\nrule = \"morrow\"\nsigma_f = "
+                            "\"900 MPa\"")
+                    .fault()
+                    .empty());
+  }
+
+  TEST_CASE("the life that a cycle leaves is settled where fatigue.life takes the cycle whole") {
+    const std::string rod =
+        "[rod]\ncalculator = \"fatigue.cycle\"\nsigma_max = \"180 MPa\"\nsigma_min = \"-20 MPa\"\n"
+        "[lasts]\ncalculator = \"fatigue.life\"\nsigma_D = \"190 MPa\"\ngroup = \"carbon-steel\"\nR_m = \"690 MPa\"\n"
+        "R_e = \"490 MPa\"\nS_F = 1.5\ncycle = \"=rod.cycle\"\n";
+    CHECK(mode_of(solved_as_found(rod + "S_D = 1.5\n"), "rod", "life") == "pass");
+    CHECK(mode_of(solved_as_found(rod + "S_D = 1.6\n"), "rod", "life") == "fail");
+  }
+
+  TEST_CASE("normal and shear stresses together: what breaks does not pass") {
+    const auto state = [](const std::string& lines, const std::string& mode) {
+      return mode_with("fatigue.combined", lines, mode);
+    };
+    CHECK(state("", "fatigue") == "pass");
+    CHECK(state("", "yield") == "pass");
+    CHECK(state("S_F = ", "yield") == "not-judged");
+    CHECK(state("tau_m = \"300 MPa\"", "yield") == "fail");
+    CHECK(state("tau_m = \"-300 MPa\"", "yield") == "fail");
+    CHECK(state("sigma_m = \"-500 MPa\"", "yield") == "fail");
+    CHECK(state("tau_a = \"80 MPa\"", "fatigue") == "fail");
+    CHECK(state("sigma_a = \"0 MPa\"\ntau_a = \"0 MPa\"", "fatigue") == "none");
+    CHECK(state("tau_D = \"60 MPa\"\nrule = \"gerber\"", "fatigue") == "not-covered");
+  }
+
   TEST_CASE("sections of shafts that break do not pass by DIN 743") {
     const auto state = [](const std::string& lines, const std::string& mode) {
       return mode_with("fatigue.din743", lines, mode);

@@ -169,7 +169,7 @@ TEST_SUITE("fatigue.endurance") {
     E::Input in = shoulder();
     in.K_t = 1.0, in.r_n = unset<Length>;
     in.R_m = 49.0 * 6.894757 * MPa, in.loading = E::Loading::tension, in.finish = E::Finish::machined, in.P_s = 0.99;
-    CHECK(std::abs(limit(in).k_a - 0.963) < 5e-4);
+    CHECK(std::abs(limit(in).k_a - 0.963) < 1.5e-3);  // the book has the constants of kpsi
     CHECK(std::abs(limit(in).k_e - 0.814) < 5e-4);
     CHECK(std::abs(in_si(limit(in).sigma_D) / 6.894757e6 - 16.3) < 0.05);
 

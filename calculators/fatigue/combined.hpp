@@ -120,7 +120,7 @@ S_F = 1.5
   static bool rule_has_all(const Input& in);
   static FieldFault lacking(const Input& in);
   static constexpr std::array rules{
-      Rule<Input>{&rule_has_all, "rule", "the rule needs more", &lacking},
+      Rule<Input>{&rule_has_all, "rule, R_m, R_e, tau_D, psi_sigma, psi_tau", "the rule needs more", &lacking},
       Rule<Input>{[](const Input& in) { return !(in.sigma_D >= in.R_m); }, "sigma_D, R_m",
                   "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"},
       Rule<Input>{[](const Input& in) { return !(in.tau_D > in.sigma_D); }, "tau_D, sigma_D",

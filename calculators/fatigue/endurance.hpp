@@ -217,6 +217,8 @@ R_z = "6.3 um"
                   },
                   "h, b, turning, loading",
                   "the size of a rectangle is told of bending and tension of what stands: turning = \"standing\""},
+      Rule<Input>{[](const Input& in) { return !is_set(in.T) || in.group <= Group::cast_steel; }, "T, group",
+                  "the temperature factor is that of steels: give R_m at the temperature of the part in place of T"},
       Rule<Input>{[](const Input& in) { return !is_set(in.k_c) || is_set(in.sigma_W); }, "k_c, sigma_W",
                   "k_c goes with a measured limit sigma_W; the rules have their load factors in them"},
       Rule<Input>{[](const Input& in) { return !(in.sigma_W >= in.R_m); }, "sigma_W, R_m",

@@ -5,6 +5,7 @@
 // yielding at the first cycle. All rules stand side by side. Stresses are nominal, as sigma_D is, amplitudes, and N is
 // in cycles. The line of finite life goes from f R_m at 1e3 cycles to the fatigue limit at N_D [Shigley6], by Basquin
 // over reversals 2 N, or with a slope k. Compression is no help. Below 1e3 cycles, of low cycles, nothing is said.
+// Safety and life are those of the share of parts that sigma_D holds for: one half, but where P_s is in it.
 // Not covered: histories (one cycle alone), shear beside normal stresses (fatigue.combined), creep, corrosion.
 #pragma once
 
@@ -25,8 +26,9 @@ struct Life {
   static constexpr auto scope =
       "Safety and life of a part in one stress cycle with mean stress: Goodman, Soderberg, Gerber, ASME ellipse, "
       "Morrow, Smith-Watson-Topper, Walker, FKM and Serensen side by side, of which one decides; yielding at the first "
-      "cycle; the amplitude that is allowed. Not covered: histories, low cycles below 1e3, shear beside normal "
-      "stresses, creep, corrosion. Recalled: the fit of f, of gamma, and of psi.";
+      "cycle; the amplitude that is allowed, for the share of parts that the fatigue limit holds for. Not covered: "
+      "histories, low cycles below 1e3, shear beside normal stresses, creep, corrosion. Recalled: the fit of f, of "
+      "gamma, and of psi.";
   static constexpr auto source = "[Dowling9], [FKM], [GOST25504], [Shigley6]";
   static constexpr auto example = R"([project]
 title = "Rod that is pulled"
@@ -213,8 +215,9 @@ S_F = 1.5
       Rule<Input>{&two_given, "sigma_max, sigma_min, sigma_m, sigma_a, r",
                   "two of sigma_max, sigma_min, sigma_m, sigma_a and r make a cycle", &miscount},
       Rule<Input>{&sound, "sigma_max, sigma_min, sigma_m, sigma_a, r", "these two do not make a cycle", &objectionable},
-      Rule<Input>{&rule_has_all, "rule", "the rule needs more", &lacking},
-      Rule<Input>{&line_has_all, "line, N", "the line of finite life needs more", &lacking_of_line},
+      Rule<Input>{&rule_has_all, "rule, R_m, R_e, sigma_f, sigma_fB, gamma, M, psi", "the rule needs more", &lacking},
+      Rule<Input>{&line_has_all, "line, N, sigma_D, R_m, f, sigma_f, b, k, K_D", "the line of finite life needs more",
+                  &lacking_of_line},
       Rule<Input>{[](const Input& in) { return is_set(in.sigma_D) || (in.line == Line::basquin && is_set(in.N)); },
                   "sigma_D", "give the fatigue limit of the part sigma_D; a life N by Basquin's line alone needs none"},
       Rule<Input>{[](const Input& in) { return is_ferrous(in) || is_set(in.N); }, "group, N",

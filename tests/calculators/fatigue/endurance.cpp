@@ -252,6 +252,10 @@ TEST_SUITE("fatigue.endurance") {
     CHECK(says(marin + square + "loading = \"bending\"\n", "of what stands"));
     CHECK(says(marin + stands + square + "loading = \"torsion\"\n", "of what stands"));
     CHECK(says(marin + "loading = \"tension\"\nk_c = 0.85\n", "load factors in them"));
+    CHECK(
+        says("R_m = \"300 MPa\"\ngroup = \"cast-aluminium\"\nloading = \"bending\"\nsigma_W = \"80 MPa\"\n"
+             "school = \"marin\"\nT = \"100 degC\"\n",
+             "that of steels"));
     CHECK(says(steel + "loading = \"bending\"\nK_t = 2\nsensitivity = \"cast-iron\"\n", "q = 0.2 of cast iron"));
     CHECK(says("sigma_W = \"200 MPa\"\ngroup = \"carbon-steel\"\nloading = \"bending\"\nR_z = \"4 um\"\n",
                "depends on the tensile strength"));

@@ -206,6 +206,28 @@ TEST_SUITE("fatigue.life") {
     CHECK(rel(life(in).n, 1 / (20 / 80.0 + 1.4 * 40 / 250)) < 1e-12);
   }
 
+  TEST_CASE("\"?\" finds the amplitude and the cycles that a referred fatigue limit bears") {
+    const auto found = [](const std::string& lines, const std::string& path) {
+      std::vector<Issue> issues;
+      project::Project project = project::read_project(
+          "[bar]\ncalculator = \"fatigue.endurance\"\nR_m = \"690 MPa\"\ngroup = \"carbon-steel\"\nloading = "
+          "\"bending\"\nrule = \"shigley\"\n[c]\ncalculator = \"fatigue.life\"\nr = -1\nsigma_D = "
+          "\"=bar.sigma_D\"\ngroup = \"carbon-steel\"\nR_m = \"690 MPa\"\nS_D = 1.5\n" +
+              lines,
+          "case.toml", catalogue(), issues);
+      project::solve(project, issues);
+      for (const Issue& issue : issues) CHECK_MESSAGE(issue.severity != Severity::error, issue.message.text());
+      const Value* const value = project.value(path);
+      REQUIRE(value != nullptr);
+      return value->si[0];
+    };
+    CHECK(rel(found("sigma_a = \"?\"\n", "c.sigma_a"), 345e6 / 1.5) < 0.01);
+    const double N = found("sigma_a = \"300 MPa\"\nN = \"?\"\n", "c.N");
+    L::Input in = steel();
+    in.sigma_D = 345.0 * MPa, in.sigma_a = 450.0 * MPa, in.sigma_m = 0.0 * MPa;
+    CHECK(rel(N, life(in).N_f) < 0.01);
+  }
+
   TEST_CASE("what a user gets wrong is said") {
     const std::string cycle = "sigma_a = \"100 MPa\"\nsigma_m = \"50 MPa\"\n";
     const std::string rod = cycle + "sigma_D = \"190 MPa\"\ngroup = \"carbon-steel\"\n", R_m = "R_m = \"690 MPa\"\n";

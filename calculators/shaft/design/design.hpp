@@ -198,6 +198,7 @@ r_T = 0
   static bool forces_turn_alike(const Input& in);
   static Applies weighed(const Input& in);
   static Applies thin_wall(const Input& in);
+  static Applies abuts(const Input& in);
   static bool treated_thick(const Input& in);
   static bool asks_fatigue(const Input& in) { return is_set(in.S_D); }
   static constexpr std::array rules{
@@ -295,6 +296,9 @@ r_T = 0
           .in_service(),
       Mode<Input>{"weight", "bending by weight", &weighed}.wanting("g_angle").special(),
       Mode<Input>{"wall", "buckling of a thin wall", &thin_wall},
+      Mode<Input>{"abutment", "height of shoulders for what is set against them", &abuts}
+          .judged_by("sections.u_h")
+          .of_shape(),
       Mode<Input>{"hub", "keys, press fits and splines of what sits on it", &unseen<Input>},
       Mode<Input>{"turning_loads", "forces that turn with the shaft: unbalance, a crank", &unseen<Input>}.special(),
       Mode<Input>{"brittle", "brittle fracture", &unseen<Input>}.special(),

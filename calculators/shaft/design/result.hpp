@@ -60,7 +60,7 @@ struct Section {
   Moment M_x = unset<Moment>, M_y = unset<Moment>, M = unset<Moment>, T = unset<Moment>;
   Force N = unset<Force>;
   Stress sigma_b = unset<Stress>, sigma_n = unset<Stress>, tau = unset<Stress>, sigma_v = unset<Stress>;
-  double u_v = unset<double>;
+  double u_v = unset<double>, u_h = unset<double>;
   static constexpr std::tuple fields{
       NameField{&Section::name, "name", "what is there"},
       Field{&Section::x, "x", mm, "place"},
@@ -75,7 +75,10 @@ struct Section {
       Field{&Section::sigma_n, "sigma_n", MPa, "stress of the force along the shaft, signed"},
       Field{&Section::tau, "tau", MPa, "torsional stress"},
       Field{&Section::sigma_v, "sigma_v", MPa, "largest equivalent stress, by von Mises"},
-      Field{&Section::u_v, "u_v", ratio, "yield: largest equivalent stress over the allowable one"}.check("S_F")};
+      Field{&Section::u_v, "u_v", ratio, "yield: largest equivalent stress over the allowable one"}.check("S_F"),
+      Field{&Section::u_h, "u_h", ratio, "height that is asked of the shoulder over its own"}
+          .check()
+          .where_it_applies()};
 };
 
 /// What comes h times in a turn, against the natural frequencies in torsion on both sides of it.

@@ -128,8 +128,6 @@ Message fault_of(const Input& in, const Notched& notch) {
   const bool at_step = find_step(in, [&](Length x, Length, Length) { return are_one(in, x, notch.x); });
   if (notch.kind == Notch::shoulder && (!at_step || before.d == piece.d))
     return say("the diameter does not change at {1}", format(notch.x));
-  if (const Length high = abs(before.d - piece.d) / 2.0; high < (1.0 - same) * notch.h)
-    return say("it is {1} high, and h asks for {2}", format(high), format(notch.h));
   if (notch.kind != Notch::shoulder && !typed && at_step)
     return say("at {1} the diameter changes: a notch of both is one given by K_t and K_ts", format(notch.x));
   return {};
@@ -318,6 +316,10 @@ bool Design::turn_alike(const Input& in) {
 Applies Design::weighed(const Input& in) {
   if (is_set(in.g_angle)) return Applies::no;
   return shown_by(std::any_of(in.seats.begin(), in.seats.end(), [](const Seat& s) { return s.mass > 0.0 * kg.one; }));
+}
+
+Applies Design::abuts(const Input& in) {
+  return where(std::any_of(in.notches.begin(), in.notches.end(), [](const Notched& n) { return is_set(n.h); }));
 }
 
 Applies Design::thin_wall(const Input& in) {

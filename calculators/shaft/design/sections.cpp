@@ -110,6 +110,11 @@ Section section_at(const Input& in, const Loaded& loaded, const There& there, co
   trace.value("d", p.d, "the thinner side, of a groove its ground");
   trace.value("d_bore", p.d_bore, "bore");
   stress(in, loaded.felt(there.node), there.notch, p, trace);
+  if (there.notch != nullptr && is_set(there.notch->h)) {
+    const Length h = trace.value("h", there.notch->h, "asked for, by what is set against the shoulder");
+    const Length high = trace.value("high", (sides.larger() - sides.thinner().d) / 2.0, "of the shoulder");
+    STEP_TO(p, u_h, h / high, "what is set against it finds its face");
+  }
   return p;
 }
 

@@ -113,6 +113,17 @@ TEST_SUITE("shaft design notches") {
     CHECK(contains(errors(R"(kind = "keyway", h = "2 mm")"), "least height of a shoulder"));
   }
 
+  TEST_CASE("a shoulder is as high as what is set against it asks") {
+    const auto state = [](const char* h) {
+      return test::mode_with("shaft.design",
+                             "notches = [{ x = \"60 mm\", kind = \"shoulder\", r = \"2 mm\", h = \"" + std::string(h) +
+                                 "\" }, { x = \"140 mm\", kind = \"shoulder\", r = \"2 mm\" }]",
+                             "abutment");
+    };
+    CHECK(state("5 mm") == "pass");
+    CHECK(state("5.01 mm") == "fail");
+  }
+
   TEST_CASE("notches that stand too near to each other are told") {
     const auto warns = [](const char* gap) {
       return contains(Solved(barred(R"(kind = "groove", t = "2 mm", r = "2 mm" }, { x = ")" + std::string(gap) +

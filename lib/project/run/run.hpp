@@ -121,6 +121,7 @@ class Run {
   bool find_start(Together& all, std::vector<std::size_t>& least);
   void lower(Together& all, std::vector<std::size_t>& least);
   bool lower_one(Together& all, std::vector<std::size_t>& least, std::size_t which);
+  [[nodiscard]] bool has_check();
   bool lay_largest(Together& all, std::vector<std::size_t>& least);
   void search_together(std::vector<Issue>& issues);
   [[nodiscard]] Message fault_of_less(Together& all, const std::vector<std::size_t>& least, std::size_t which);

@@ -7,6 +7,7 @@
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace loadpath::project {
@@ -150,11 +151,22 @@ bool Run::lay_largest(Together& all, std::vector<std::size_t>& least) {
   return false;
 }
 
+/// Whether a check has a value now.
+bool Run::has_check() {
+  bool has = false;
+  for_each_leaf(result_, [&](const std::string&, const Leaf& leaf) {
+    const FieldInfo& f = *leaf.field;
+    has = has || (f.role == Role::check && is_held_against(f, true) && !std::isnan(leaf.get()));
+  });
+  return has;
+}
+
 void Run::search_together(std::vector<Issue>& issues) {
   Together all = sought_together();
   std::vector<std::size_t> least(all.count(), 0);
-  if (fits_together(all, least)) return issues.push_back(aimless(*all.searches.front()));
-  const bool found = find_start(all, least);
+  const bool smallest = fits_together(all, least);
+  if (smallest && !has_check()) return issues.push_back(aimless(*all.searches.front()));
+  const bool found = smallest || find_start(all, least);
   if (found) {
     lower(all, least);
   } else if (!lay_largest(all, least)) {

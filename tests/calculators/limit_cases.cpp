@@ -36,6 +36,16 @@ const char* const bare_bar =
     "\ng_angle = \nS_D = \nr_T = \nmaterial = \nE = \"210 GPa\"\nG = \"81 GPa\"\nR_e = \"400 MPa\"\nrho = \"7850 "
     "kg/m^3\"";
 
+// One bar of 200 mm under 1 kN in its middle: 50 N m where the hole is; a step with its shoulder there.
+const char* const holed_bar =
+    "pieces = [{ l = \"200 mm\", d = \"40 mm\" }]\nsupports = [{ x = \"0 mm\" }, { x = \"200 mm\" }]\n"
+    "seats = [{ x = \"100 mm\", F_x = \"1 kN\" }]\n"
+    "notches = [{ name = \"hole\", x = \"100 mm\", kind = \"cross-hole\", r = \"4 mm\" }]\ng_angle = ";
+const char* const stepped_bar =
+    "pieces = [{ l = \"100 mm\", d = \"40 mm\" }, { l = \"100 mm\", d = \"50 mm\" }]\n"
+    "supports = [{ x = \"0 mm\" }, { x = \"200 mm\" }]\nseats = [{ x = \"100 mm\", F_x = \"1 kN\" }]\n"
+    "notches = [{ name = \"step\", x = \"100 mm\", kind = \"shoulder\", r = \"2 mm\", h = \"4 mm\" }]\ng_angle = ";
+
 const Case shapes[] = {
     {"section.circle", R"(d = "2 m")", "I_t", pi / 2},
     {"section.circle", "d = \"2 m\"", "A", pi},
@@ -82,6 +92,9 @@ const Case bars[] = {
     {"shaft.design", middle_load, "bearings.left.R_x", -50},  // half of it
     {"shaft.design", middle_load, "mass", 7850 * pi / 4 * 1e-4},
     {"shaft.design", bare_bar, "n_T", pi* std::sqrt(81e9 / 7850) / 1.5},  // a standing wave
+    {"shaft.design", "orders = [{ name = \"high\", h = 1000 }]", "harmonics.high.h", 1000},
+    {"shaft.design", holed_bar, "sections.hole.sigma_b", 50 / (pi * 64e-6 / 32 - 0.004 * 16e-4 / 3)},
+    {"shaft.design", stepped_bar, "sections.step.u_h", 0.8},
     {"column.buckling",  // lambda = 142.9 is 4.78 sqrt(E/R_e): a little beyond 4.71, where the bar buckles elastically
      R"(method = "aisc"
 n_st = 1.67

@@ -90,7 +90,7 @@ struct Harmonic {
   static constexpr std::tuple fields{
       NameField{&Harmonic::name, "name", "what comes"}, Field{&Harmonic::h, "h", ratio, "how often in a turn"},
       Field{&Harmonic::n_below, "n_below", rpm,
-            "speed below at which it meets a natural frequency; none: the lowest is above"},
+            "speed below at which it meets a natural frequency; 0: the lowest is above"},
       Field{&Harmonic::n_above, "n_above", rpm, "the next one above"},
       Field{&Harmonic::u_h, "u_h", ratio, "critical speed in torsion: margin k_n over the distance from the nearer one"}
           .check()};

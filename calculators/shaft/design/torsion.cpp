@@ -38,17 +38,17 @@ Harmonic harmonic_of(const Input& in, const beam::Swing& swing, const Order& ord
   const AngularSpeed n = r.n;
   Harmonic o;
   o.name = order.name, o.h = trace.value("h", order.h, "times in a turn");
-  const std::size_t count = swing.below(order.h * in_si(n));
+  const std::size_t count = std::max<std::size_t>(swing.below(order.h * in_si(n)), 1);  // turning as a whole
   const AngularSpeed above = count == 1 ? r.n_T : from_si<AngularSpeed>(swing.natural(count));
   o.n_above = trace.speed("n_above", above / order.h, "the next natural frequency above, over h");
-  STEP(q_above, o.n_above / n, "distance from it");
+  o.n_below = trace.speed("n_below", from_si<AngularSpeed>(swing.natural(count - 1)) / order.h,
+                          "the one below, over h; turning as a whole is at 0");
+  STEP(q_above, o.n_above / n, "distance from the one above");
   if (count < 2) {
     STEP_TO(o, u_h, in.k_n / q_above, "below the lowest natural frequency, with its margin");
     return o;
   }
-  o.n_below = trace.speed("n_below", from_si<AngularSpeed>(swing.natural(count - 1) / order.h),
-                          "the next natural frequency below, over h");
-  STEP(q_below, n / o.n_below, "distance from it");
+  STEP(q_below, n / o.n_below, "distance from the one below");
   STEP_TO(o, u_h, in.k_n / min(q_above, q_below), "between two natural frequencies, with its margin from both");
   return o;
 }

@@ -63,6 +63,7 @@ namespace {
 /// Of each the first size that is not below.
 std::vector<std::size_t> first_from(const std::vector<std::vector<double>>& sizes, double size) {
   std::vector<std::size_t> first;
+  first.reserve(sizes.size());
   for (const std::vector<double>& all : sizes)
     first.push_back(static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), size) - all.begin()));
   return first;

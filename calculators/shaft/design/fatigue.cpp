@@ -71,10 +71,11 @@ void weaken(const Input& in, Length d, Length r_n, Safety& s, Tracer& trace) {
 template <class Tracer>
 void weaken_by_factors(const Input& in, Length d, const Notched& notch, const fatigue::Din743Safety& rated, Safety& s,
                        Tracer& trace) {
-  const auto plain = Endurance::evaluate(endurance_of(in, d, Endurance::Loading::bending, 1.0, d), trace);
+  NoTrace quiet;
+  const auto plain = Endurance::evaluate(endurance_of(in, d, Endurance::Loading::bending, 1.0, d), quiet);
   s.x_d = plain.x_d;
-  const Stress sigma_D = plain.sigma_D;
-  STEP_TO(s, S_e, sigma_D, "without the notch, which stands with the stresses");
+  s.S_e =
+      trace.value("S_e", plain.sigma_D, "without the notch, as fatigue.endurance finds it; that is with the stresses");
   const bool typed = notch.kind == Notch::beta;
   const char* const source =
       typed ? "as given" : "beta of the net section, [DIN743] part 2, as fatigue.din743 finds it";

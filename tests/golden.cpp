@@ -29,6 +29,7 @@ report::Document report_of(const std::string& name) {
   std::vector<Issue> issues;
   project::Project project =
       project::read_project(text_of(file), std::string(LOADPATH_ROOT) + "/" + file, catalogue(), issues);
+  project.file = file;  // as it is approved, wherever the repository lies
   project::solve(project, issues);
   REQUIRE(issues.empty());
   return report::build(project, "loadpath " LOADPATH_VERSION);

@@ -123,6 +123,15 @@ json::object Definitions::quantity(const Dimension& dimension) {
   return reference(name);
 }
 
+json::object Definitions::history(const Dimension& dimension) {
+  const json::object text{{"type", "string"}}, number{{"type", "number"}};
+  const json::object column{{"type", json::array{"string", "integer"}}};
+  const json::object values{{"type", "array"}, {"items", number}, {"minItems", 1}};
+  return {{"anyOf", json::array{quantity(dimension),
+                                closed({"file"}, {{"file", text}, {"column", column}, {"unit", text}, {"form", text}}),
+                                closed({"values"}, {{"values", values}, {"unit", text}})}}};
+}
+
 json::object Definitions::row(const std::string& group) {
   if (!all_.contains(group))
     all_[group] = {{"anyOf", json::array{json::object{{"enum", names_of(group)}}, json::object{{"type", "string"}},

@@ -62,7 +62,7 @@ json::object group(const FieldInfo& field, void* blank, Definitions& definitions
 json::object schema_of(const FieldInfo& field, void* blank, Definitions& definitions) {
   switch (field.type) {
     case Type::quantity:
-      return definitions.quantity(field.dimension);
+      return field.takes_whole() ? definitions.history(field.dimension) : definitions.quantity(field.dimension);
     case Type::count:
       return count(field);
     case Type::choice:

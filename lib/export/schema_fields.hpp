@@ -15,6 +15,8 @@ class Definitions {
  public:
   /// A quantity: a text with a unit of its dimension or an expression, a stock to search in, a spread.
   boost::json::object quantity(const Dimension& dimension);
+  /// A quantity, or a history of it: a file, or values.
+  boost::json::object history(const Dimension& dimension);
   /// A name of a row of the built-in tables of a group, or another text: of the project's own.
   boost::json::object row(const std::string& group);
   [[nodiscard]] boost::json::object take() { return std::move(all_); }

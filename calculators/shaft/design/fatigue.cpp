@@ -197,6 +197,7 @@ Safety safety_of(const Input& in, const There& there, const Sides& sides, const 
   trace.value("sigma_n", p.sigma_n, "of the section");
   trace.value("tau", p.tau, "of the section");
   const bool factors = by_factors(there), steel = in.group <= Endurance::Group::cast_steel;
+  if (there.notch == nullptr) trace.value("K_t", s.K_t, "no notch");
   if (there.notch != nullptr && !factors) concentrate(*there.notch, sides, r_n, p, s, trace);
   fatigue::Din743Safety rated;
   if (steel && (factors || is_set(in.R_z))) rated = rated_by_din743(in, there, sides, p, s);

@@ -59,8 +59,11 @@ int verify(const VerifyOptions& options) {
   Count count;
   bool ran = true;
   if (options.files.empty()) {
-    for (const embedded::File& file : embedded::reference())
+    for (const embedded::File& file : embedded::reference()) {
+      // The rest may need files beside it, which are not built in.
+      if (file.text.find("[[expect]]") == std::string_view::npos) continue;
       ran = verify_one(std::string(file.name), file.text, false, count) && ran;
+    }
   }
   for (const std::string& path : options.files) {
     std::string text;

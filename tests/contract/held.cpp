@@ -140,13 +140,13 @@ std::string held(const project::Step& step, double load_factor) {
 std::vector<Known> known_projects() {
   std::vector<Known> all;
   for (const Calculator* c : calculators()) {
-    all.push_back({c->id, c->example});
-    for (const Template* t : c->templates) all.push_back({t->id, t->example});
+    all.push_back({c->id, c->example, "known.toml"});
+    for (const Template* t : c->templates) all.push_back({t->id, t->example, "known.toml"});
   }
   for (const fs::path& file : toml_files({"examples", "reference"})) {
     std::string text;
     REQUIRE(toml::read_file(file.string(), text));
-    all.push_back({fs::relative(file, LOADPATH_ROOT).string(), std::move(text)});
+    all.push_back({fs::relative(file, LOADPATH_ROOT).string(), std::move(text), file.string()});
   }
   return all;
 }
@@ -154,7 +154,7 @@ std::vector<Known> known_projects() {
 void for_each_step(const std::function<void(const project::Step&, const std::string&)>& visit) {
   for (const Known& known : known_projects()) {
     std::vector<Issue> issues;
-    project::Project project = project::read_project(known.text, known.name, catalogue(), issues);
+    project::Project project = project::read_project(known.text, known.file, catalogue(), issues);
     REQUIRE_MESSAGE(!has_errors(issues), known.name);
     project::solve(project, issues, {.pictures = false, .formulas = false});
     REQUIRE_MESSAGE(!has_errors(issues), known.name);

@@ -20,6 +20,7 @@ std::string held(const project::Step& step, double load_factor);
 struct Known {
   std::string name;
   std::string text;
+  std::string file;  // beside which its histories stand
 };
 std::vector<Known> known_projects();
 /// Every step of them, solved.

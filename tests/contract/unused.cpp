@@ -17,7 +17,7 @@ std::set<std::string> told() {
   std::set<std::string> all;
   for (const test::Known& known : test::known_projects()) {
     std::vector<Issue> issues;
-    project::Project project = project::read_project(known.text, known.name, catalogue(), issues);
+    project::Project project = project::read_project(known.text, known.file, catalogue(), issues);
     project::solve(project, issues, {.pictures = false, .formulas = false});
     for (const Issue& issue : issues) {
       if (issue.message.text().find("has no effect") != std::string::npos) all.insert(known.name + ": " + issue.key);

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t most_points = 400;  // of a curve in a drawing
 constexpr double Pa = 1e6;                // of 1 MPa
+constexpr double least_share = 0.01;      // of the largest cycle: what is smaller would press the rest together
 
 /// Steps down from the largest cycle: how many are at least so large. Of many the steps are joined.
 draw::Curve collective(const std::vector<rainflow::Cycle>& cycles, const std::vector<double>& stress, double passages) {
@@ -25,6 +26,7 @@ draw::Curve collective(const std::vector<rainflow::Cycle>& cycles, const std::ve
     sum += cycles[order[i]].count;
     if (i % every != 0 && i + 1 != order.size()) continue;
     const double S = stress[order[i]] * Pa;
+    if (S < least_share * stress[order.front()] * Pa) break;
     curve.x.insert(curve.x.end(), {before, std::max(1.0, sum * passages)});
     curve.y.insert(curve.y.end(), {S, S});
   }

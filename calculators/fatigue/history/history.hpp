@@ -16,6 +16,7 @@
 #include "lib/quantity/drive_units.hpp"
 
 #include <array>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -97,8 +98,7 @@ n_req = 1
   }
   static constexpr std::tuple inputs{
       Field{&Input::sigma, "sigma", MPa,
-            "nominal stress over the history: a series, \"=lever.links.rod.N/(200 mm^2)\", or { file = \"gauge.csv\", "
-            "column = \"S2\", unit = \"MPa\" }"}
+            "nominal stress over the history: a series, whole, or { file, column, unit }, or { values, unit }"}
           .load()
           .may_be_missing(),
       ListField{&Input::blocks, "blocks", "cycles in blocks, in place of a series"}.may_be_missing(),
@@ -216,7 +216,7 @@ n_req = 1
           .where_it_applies(),
       Field{&Result::u_D, "u_D", ratio, "damage of n_req passages over the allowable sum"}.check("n_req"),
       Field{&Result::x_N, "x_N", ratio, "least life of a cycle: below some 1e3 the curve is another one"}
-          .limit(1e3, 1e300)
+          .limit(1e3, std::numeric_limits<double>::infinity())
           .where_it_applies(),
       Field{&Result::x_R, "x_R", ratio, "largest range of a detail over 1.5 R_e, [EN1993-1-9] 8"}
           .limit(0, 1)

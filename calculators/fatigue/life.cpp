@@ -330,6 +330,9 @@ FieldFault Life::lacking_of_line(const Input& in) {
     return lacks("b", "Basquin's line needs sigma_f, b and K_D", "K_D of fatigue.endurance; 1 of a smooth specimen");
   if (in.line == Line::slope && !is_set(in.k))
     return lacks("k", "this line needs its slope k", "FKM has 5, in shear 8");
+  if (in.line == Line::basquin && is_set(in.sigma_D) && is_set(in.N) && in.N < cycles_of_limit(in) &&
+      in.sigma_f * std::pow(2.0 * in.N, in.b) / in.K_D < in.sigma_D)
+    return lacks("b", "Basquin's line is below sigma_D at N: they are not of one part", "both hold the same K_D");
   if (in.line != Line::shigley || !is_set(in.N) || in.N >= cycles_of_limit(in)) return {};
   if (!is_set(in.R_m)) return lacks("R_m", "the line of finite life needs R_m", "give it, or line = \"slope\" with k");
   if (!is_set(in.f) && !is_steel(in.group))

@@ -53,11 +53,6 @@ double constant_amplitude_limit(const Input& in) {
   return in.stress == Stresses::shear ? C * std::pow(2e6 / 1e8, 1.0 / 5.0) : C * std::cbrt(2.0 / 5.0);
 }
 
-double fatigue_limit(const Input& in) {
-  if (in.curve == Curve::en1993) return constant_amplitude_limit(in);
-  return in.curve == Curve::part ? 2.0 * in_MPa(in.sigma_D) : of_dnv(in).segments().front().from;
-}
-
 SnCurve curve_by(History::MinerRule rule, const Input& in, double largest) {
   const SnCurve curve = curve_of(in);
   if (in.curve == Curve::en1993 && largest <= constant_amplitude_limit(in)) return {};

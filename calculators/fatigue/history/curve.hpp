@@ -16,9 +16,6 @@ rainflow::SnCurve curve_of(const History::Input& in);
 /// fails.
 rainflow::SnCurve curve_by(History::MinerRule rule, const History::Input& in, double largest);
 
-/// The range of the fatigue limit of a part, of the limit of constant amplitude, of the knee, MPa.
-double fatigue_limit(const History::Input& in);
-
 /// The range of a detail of EN 1993-1-9 below which nothing fails where no cycle is larger, MPa.
 double constant_amplitude_limit(const History::Input& in);
 

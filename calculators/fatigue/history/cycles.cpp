@@ -23,7 +23,6 @@ rainflow::Rules rules_of(const Input& in) {
   rules.residue = !halves                         ? rainflow::Residue::ignore
                   : in.counting == Counting::astm ? rainflow::Residue::astm
                                                   : rainflow::Residue::half_cycles;
-  rules.gate = in_si(in.gate);
   rules.placed = true;
   return rules;
 }
@@ -59,7 +58,8 @@ Collective of_blocks(const Input& in) {
 Collective collective_of(const Input& in) {
   if (!in.blocks.empty()) return of_blocks(in);
   if (!in.sigma.is_series()) return {};
-  Collective all{counted(in)};
+  Collective all;
+  for (rainflow::Cycle& cycle : counted(in)) (cycle.range < in_si(in.gate) ? all.small : all.cycles).push_back(cycle);
   if (const Value& series = *in.sigma.series; is_turn(in)) {  // its extremes may lie between two positions
     all.largest = maximum(series).value, all.least = minimum(series).value;
   } else {

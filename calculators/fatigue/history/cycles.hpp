@@ -10,7 +10,7 @@ namespace loadpath::fatigue {
 
 /// In Pa, without any factor; `where` of the samples or positions of the series, of blocks their place in the list.
 struct Collective {
-  std::vector<rainflow::Cycle> cycles;
+  std::vector<rainflow::Cycle> cycles, small;  // of which the gate leaves out the small ones
   double largest = 0.0, least = 0.0;
 };
 Collective collective_of(const History::Input& in);

@@ -27,13 +27,6 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 Stress amplitude_of(const Cycle& cycle) { return from_si<Stress>(cycle.range / 2.0); }
 Stress mean_of(const Cycle& cycle) { return from_si<Stress>(cycle.mean); }
 
-/// The mean stress sensitivity of steel by [FKM], of shear that times 0.577, where none is given.
-double sensitivity_of(const Input& in) {
-  if (is_set(in.M) || !is_set(in.R_m)) return in.M;
-  const double M = 0.35e-3 * (in.R_m / MPa) - 0.1;
-  return std::max(0.0, in.stress == Stresses::shear ? 0.577 * M : M);
-}
-
 using Means = History::Means;
 
 /// The rule that is chosen; without one any, for it is not asked.
@@ -44,9 +37,13 @@ MeanRule rule_of(const Input& in) {
 }
 bool counts_means(const Input& in) { return History::is_of_part(in) && in.mean != Means::none; }
 
+/// Of shear what fatigue.life has: 0.67 R_m, [Shigley6] (6-54), and R_e by [Mises].
 Haigh haigh_of(const Input& in) {
   Haigh h;
-  h.R_m = in.R_m, h.R_e = in.R_e, h.sigma_f = in.sigma_f, h.gamma = in.gamma, h.M = sensitivity_of(in);
+  const bool shear = in.stress == Stresses::shear;
+  h.R_m = shear ? 0.67 * in.R_m : in.R_m;
+  h.R_e = shear ? in.R_e / std::sqrt(3.0) : in.R_e;
+  h.sigma_f = in.sigma_f, h.gamma = in.gamma, h.M = in.M;
   return h;
 }
 
@@ -64,21 +61,23 @@ Stress on_curve(const Input& in, const Haigh& haigh, const Cycle& cycle, Tracer&
        "with the service factor; of shear its magnitude");
   STEP(sigma_m, in.mean == History::Means::fkm ? sigma_s : max(sigma_s, 0.0 * MPa),
        "what compression gives is counted by FKM alone");
-  if (in.mean == Means::fkm)
-    trace.value("M", haigh.M, is_set(in.M) ? "as given" : "0.35e-3 R_m - 0.1 of steel, of shear 0.577 of it, [FKM]");
+  if (in.stress == Stresses::shear && is_set(haigh.R_m)) trace.value("R_m", haigh.R_m, "of shear, [Shigley6] (6-54)");
+  if (in.stress == Stresses::shear && is_set(haigh.R_e)) trace.value("R_e", haigh.R_e, "of shear, [Mises]");
   const Stress sigma_ar = equivalent(rule_of(in), haigh, {sigma_a, sigma_m}, trace);
   return NAMED_STEP("S_1", in.S_D * sigma_ar, "amplitude at r = -1, with the safety on stress");
 }
 
 /// The largest mean stress over the strength that its rule ends at; where it is 1 or more nothing is left to vary.
-double largest_mean(const Input& in, const std::vector<Cycle>& cycles) {
+/// Unset where the rule has no end.
+double largest_mean(const Input& in, const Collective& all) {
   const Stress end = counts_means(in) ? fatigue::largest_mean(haigh_of(in), rule_of(in)) : unset<Stress>;
-  double most = unset<double>;
-  for (const Cycle& cycle : cycles) {
-    if (!is_set(end)) break;
-    const Stress mean = in.K_A * mean_of(cycle);
-    const double share = (in.stress == Stresses::shear ? abs(mean) : mean) / end;
-    if (!(share <= most)) most = std::max(share, 0.0);
+  if (!is_set(end)) return unset<double>;
+  double most = 0.0;
+  for (const auto* const cycles : {&all.cycles, &all.small}) {
+    for (const Cycle& cycle : *cycles) {
+      const Stress mean = in.K_A * mean_of(cycle);
+      most = std::max(most, reduced((in.stress == Stresses::shear ? abs(mean) : mean) / end));
+    }
   }
   return most;
 }
@@ -188,16 +187,24 @@ void largest_cycle(const Input& in, const std::vector<Cycle>& cycles, const OnCu
     r.x_N = trace.value("x_N", *least, "life of the largest cycle alone");
 }
 
+/// What the gate leaves out, by the curve that one cycle is weighed with.
+template <class Tracer>
+void gate(const Input& in, const Collective& all, const OnCurve& on, Result& r, Tracer& trace) {
+  if (!(in.gate > 0.0 * MPa)) return;
+  const rainflow::SnCurve curve = weighing_curve(in, on.largest);
+  const OnCurve small = on_curve(in, all.small);
+  double kept = 0.0, left = 0.0;
+  for (std::size_t i = 0; i < on.stress.size(); ++i) kept += all.cycles[i].count * curve.damage(on.stress[i]);
+  for (std::size_t i = 0; i < small.stress.size(); ++i) left += all.small[i].count * curve.damage(small.stress[i]);
+  r.x_g = trace.value("x_g", left > 0.0 ? left / (left + kept) : 0.0, "damage of what the gate leaves out");
+}
+
 template <class Tracer>
 void life(const Input& in, Result& r, Tracer& trace) {
   if (r.D == 0.0) {
     r.Z = endless;
   } else {
     STEP_TO(r, Z, in.D_adm / r.D, "passages until the damage sum is the allowable one");
-  }
-  if (in.gate > 0.0 * MPa) {
-    const Stress S_D1 = trace.value("S_D1", fatigue_limit(in) * MPa, "range of the fatigue limit, or of the knee");
-    STEP_TO(r, x_g, in.K_A * in.S_D * in.gate / S_D1, "below half of the limit a cycle does next to nothing");
   }
   if (is_set(in.n_req)) {
     STEP_TO(r, u_D, in.n_req * r.D / in.D_adm, "damage of all passages, [Miner]");
@@ -245,12 +252,13 @@ bool any_given(std::initializer_list<double> numbers) {
 
 Applies History::has_tension(const Input& in) {
   if (!is_of_part(in) || in.mean != Means::none) return Applies::no;
-  const auto all = collective_of(in).cycles;
+  const Collective all = collective_of(in);
   const auto pulls = [&](const Cycle& c) {
     const double mean = in.stress == Stresses::shear ? std::abs(c.mean) : c.mean;
     return mean > 1e-9 * c.range;
   };
-  return where(std::any_of(all.begin(), all.end(), pulls));
+  return where(std::any_of(all.cycles.begin(), all.cycles.end(), pulls) ||
+               std::any_of(all.small.begin(), all.small.end(), pulls));
 }
 
 bool History::one_source(const Input& in) { return is_set(in.sigma) == in.blocks.empty(); }
@@ -288,10 +296,17 @@ bool History::slopes_fall(const Input& in) {
 
 bool History::mean_suits(const Input& in) {
   if (!is_of_part(in)) return in.mean == Means::none;
-  return in.stress == Stresses::normal || (in.mean != Means::swt && in.mean != Means::walker);
+  return in.stress == Stresses::normal ||
+         (in.mean != Means::swt && in.mean != Means::walker && in.mean != Means::morrow);
 }
 
 bool History::mean_given(const Input& in) { return !counts_means(in) || knows(haigh_of(in), rule_of(in)); }
+
+bool History::varies(const Input& in) {
+  if (!in.sigma.is_series()) return true;
+  const auto [least, largest] = std::minmax_element(in.sigma.series->si.begin(), in.sigma.series->si.end());
+  return least != in.sigma.series->si.end() && (std::isnan(*largest) || *largest > *least);
+}
 
 bool History::may_be_left(const Input& in) { return !is_turn(in) || in.residue == Residue::repeated; }
 
@@ -303,13 +318,14 @@ History::Result History::evaluate(const Input& in, Tracer& trace) {
   double n = 0.0;
   for (const Cycle& cycle : all.cycles) n += cycle.count;
   r.n = trace.value("n", n, in.blocks.empty() ? "cycles by rainflow" : "cycles of all blocks");
-  r.u_m = largest_mean(in, all.cycles);
+  r.u_m = largest_mean(in, all);
   if (r.u_m >= 1.0) return r;
   const OnCurve on = on_curve(in, all.cycles);
   all_rules(in, all.cycles, on, r, trace);
   const auto worst = worst_of(in, all.cycles, on);
   if (!worst.empty()) largest_cycle(in, all.cycles, on, worst.front(), r, trace);
   tell_worst(in, all.cycles, on, worst, r);
+  gate(in, all, on, r, trace);
   life(in, r, trace);
   equivalent(in, on, r, trace);
   return r;
@@ -319,10 +335,10 @@ template History::Result History::evaluate(const Input&, NoTrace&);
 template History::Result History::evaluate(const Input&, Trace&);
 
 std::vector<draw::Figure> History::figures(const Input& in, const Result& /*r*/) {
-  const auto cycles = collective_of(in).cycles;
-  if (cycles.empty() || largest_mean(in, cycles) >= 1.0) return {};
-  const OnCurve on = on_curve(in, cycles);
-  return collective_figure(cycles, on.stress, weighing_curve(in, on.largest), is_set(in.n_req) ? in.n_req : 1.0,
+  const Collective all = collective_of(in);
+  if (all.cycles.empty() || largest_mean(in, all) >= 1.0) return {};
+  const OnCurve on = on_curve(in, all.cycles);
+  return collective_figure(all.cycles, on.stress, weighing_curve(in, on.largest), is_set(in.n_req) ? in.n_req : 1.0,
                            is_of_part(in) ? "amplitude at r = -1" : "range");
 }
 

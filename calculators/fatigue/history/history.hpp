@@ -123,7 +123,7 @@ n_req = 1
           .at_least(1e3)
           .usually(1e5, 1e8)
           .may_be_missing(),
-      Field{&Input::k, "k", ratio, "curve of a part: its slope"}.within(1, 60).usually(3, 20).may_be_missing(),
+      Field{&Input::k, "k", ratio, "curve of a part: its slope"}.within(1, 32).usually(3, 20).may_be_missing(),
       Choice{&Input::miner, "miner", "rule for cycles below the fatigue limit, of the curve of a part"}
           .may_be_missing(),
       Field{&Input::sigma_C, "sigma_C", MPa, "detail of EN 1993-1-9: its category, the range at 2e6 cycles"}
@@ -145,7 +145,7 @@ n_req = 1
           .at_least(1e4)
           .may_be_missing(),
       Choice{&Input::mean, "mean", "how mean stresses count, with the curve of a part"}.may_be_missing(),
-      Field{&Input::M, "M", ratio, "mean stress sensitivity, for mean = \"fkm\"; of steel from R_m"}
+      Field{&Input::M, "M", ratio, "mean stress sensitivity, for mean = \"fkm\": of steel 0.35e-3 R_m/MPa - 0.1"}
           .within(0, 1)
           .may_be_missing(),
       Field{&Input::gamma, "gamma", ratio, "exponent of Walker"}.within(0, 1).may_be_missing(),
@@ -221,8 +221,8 @@ n_req = 1
       Field{&Result::x_R, "x_R", ratio, "largest range of a detail over 1.5 R_e, [EN1993-1-9] 8"}
           .limit(0, 1)
           .where_it_applies(),
-      Field{&Result::x_g, "x_g", ratio, "gate over the range of the fatigue limit: what is larger does damage"}
-          .limit(0, 0.5)
+      Field{&Result::x_g, "x_g", ratio, "damage of the cycles that the gate leaves out, over that of all"}
+          .limit(0, 0.01)
           .where_it_applies(),
       ListField{&Result::worst, "worst", "cycles that do most damage"}};
 
@@ -235,6 +235,10 @@ n_req = 1
   static bool slopes_fall(const Input& in);
   static bool mean_suits(const Input& in);
   static bool may_be_left(const Input& in);
+  static bool varies(const Input& in);
+  static bool hcm_repeats(const Input& in) {
+    return in.counting != Counting::hcm || in.residue != Residue::half_cycles;
+  }
   static constexpr std::array rules{
       Rule<Input>{&one_source, "sigma, blocks", "give the stress sigma as a series, or blocks, one of the two"},
       Rule<Input>{&is_history, "sigma",
@@ -245,12 +249,17 @@ n_req = 1
                   "EN 1993-1-9; lg_a of DNV-RP-C203"},
       Rule<Input>{&slopes_fall, "m_1, m_2", "the second branch falls less than the first: m_2 is above m_1"},
       Rule<Input>{&mean_suits, "mean, curve, stress",
-                  "a detail counts ranges, whatever their mean; SWT and Walker are of normal stresses"},
+                  "a detail counts ranges, whatever their mean; SWT, Walker and Morrow are of normal stresses"},
       Rule<Input>{&mean_given, "mean, R_m, R_e, sigma_f, gamma, M",
                   "the rule for mean stresses needs its number: R_m for goodman and gerber, R_e for soderberg and "
                   "elliptic, sigma_f "
-                  "for morrow, gamma for walker, M or R_m for fkm"},
+                  "for morrow, gamma for walker, M for fkm"},
       Rule<Input>{&may_be_left, "residue, sigma", "one turn of a mechanism comes again: its residue is repeated"},
+      Rule<Input>{&hcm_repeats, "counting, residue",
+                  "HCM begins on a branch that closes nothing: repeat the history, or count by four points"},
+      Rule<Input>{&varies, "sigma", "a stress that does not vary is no history"},
+      Rule<Input>{[](const Input& in) { return !(in.sigma_D >= in.R_m); }, "sigma_D, R_m",
+                  "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"},
       Rule<Input>{[](const Input& in) { return !is_set(in.S_F) || is_set(in.R_e); }, "S_F, R_e",
                   "the safety S_F counts against the yield strength R_e: give it, or a material"},
       Rule<Input>{[](const Input& in) { return !(in.R_e > in.R_m); }, "R_e, R_m",

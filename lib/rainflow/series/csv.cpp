@@ -125,6 +125,8 @@ class CsvReader final : public Reader {
   std::optional<Fault> find_name(const std::vector<std::string>& fields);
   [[nodiscard]] std::string_view field_of(std::string_view line) const;
   [[nodiscard]] Fault not_a_number(std::string_view line) const;
+  [[nodiscard]] bool runs_over(std::string_view line) const;
+  [[nodiscard]] Fault too_many(std::string_view line) const;
   [[nodiscard]] Fault at_line(Message message, Message hint = {}) const {
     return {lines_.number(), 1, std::move(message), std::move(hint)};
   }
@@ -132,7 +134,8 @@ class CsvReader final : public Reader {
   Lines lines_;
   Form form_;
   char separator_ = ',';
-  std::size_t column_ = 0;  // counted from 0
+  std::size_t column_ = 0;   // counted from 0
+  std::size_t columns_ = 0;  // of the first line
   bool by_name_ = false;
   std::vector<double> values_;
 };
@@ -185,6 +188,7 @@ std::optional<Fault> CsvReader::start() {
   if (!line) return lines_.fault();
   separator_ = form_.separator.value_or(separator_of(*line));
   const auto fields = fields_of(*line, separator_);
+  columns_ = fields.size();
   if (auto fault = find_column(fields)) return fault;
   const bool is_header = by_name_ || std::none_of(fields.begin(), fields.end(), [](const std::string& field) {
                            return field.empty() || number_of(field) || field.find_first_of("0123456789") == 0;
@@ -200,6 +204,20 @@ std::string_view CsvReader::field_of(std::string_view line) const {
     take_field(line, separator_);
   }
   return line.empty() ? std::string_view{} : take_field(line, separator_);
+}
+
+/// Whether a line has more fields than the first: a decimal comma, a unit behind a number. One empty field more ends
+/// it.
+bool CsvReader::runs_over(std::string_view line) const {
+  for (std::size_t i = 0; i < columns_ && !line.empty(); ++i) take_field(line, separator_);
+  return !line.empty() && (separator_ == ' ' || !take_field(line, separator_).empty() || !line.empty());
+}
+
+Fault CsvReader::too_many(std::string_view line) const {
+  const std::string count = std::to_string(fields_of(line, separator_).size());
+  return at_line(say("line {1} has {2} columns, and the first one has {3}", std::to_string(lines_.number()), count,
+                     std::to_string(columns_)),
+                 separator_ == ',' ? say("a decimal sign is a point, not a comma") : Message{});
 }
 
 Fault CsvReader::not_a_number(std::string_view line) const {
@@ -218,6 +236,7 @@ Outcome<std::span<const double>> CsvReader::next() {
     if (!line) break;
     const auto value = number_of(field_of(*line));
     if (!value) return not_a_number(*line);
+    if (runs_over(*line)) return too_many(*line);
     values_.push_back(*value);
   }
   if (values_.empty() && lines_.fault()) return *lines_.fault();

@@ -158,6 +158,9 @@ e_c2 = "35 mm"
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !(in.d_0 < in.d); }, "d_0, d", "the pin must go into its bores"},
+      Rule<Input>{[](const Input& in) { return !(in.d_0 > 1.1 * in.d); }, "d_0, d",
+                  "the bore is more than a tenth wider than the pin: bearing is that of a pin that fits", nullptr,
+                  true},
       Rule<Input>{[](const Input& in) { return in.f_yp <= in.f_up; }, "f_yp, f_up",
                   "the yield strength is not above the tensile strength"},
       Rule<Input>{[](const Input& in) { return is_set(in.gamma_M6) <= (in.replaceable == Replaceable::yes); },

@@ -109,4 +109,11 @@ TEST_SUITE("found thin-walled section") {
                     "fracture") == "fail");
     CHECK(mode_with("section.thin_walled", "K_A = 1.5", "fatigue") == "not-judged");
   }
+
+  TEST_CASE("a cell within a cell is none beside it") {
+    const ExampleStep step("section.thin_walled",
+                           R"(cells = [{ name = "a", A = "1e4 mm^2" }, { name = "b", A = "2500 mm^2" }]
+walls = [{ cell = "a", l = "400 mm", t = "5 mm" }, { cell = "b", beside = "a", l = "200 mm", t = "5 mm" }])");
+    CHECK(step.fault().find("lies within") != std::string::npos);
+  }
 }

@@ -156,4 +156,28 @@ TEST_SUITE("found held bar") {
                     "yield") == "not-covered");
     CHECK(mode_with("shaft.held", "K_A = 1.5", "fatigue") == "not-judged");
   }
+
+  TEST_CASE("the strength is that of the thickest member, of sleeves too") {
+    const ExampleStep step("shaft.held",
+                           "sleeves = [{ x = \"0 mm\", l = \"200 mm\", d = \"200 mm\", d_bore = \"60 mm\" }]");
+    CHECK(step.project().steps[0]->value("d_s")->si[0] == doctest::Approx(0.2));
+  }
+}
+
+TEST_SUITE("found groove") {
+  TEST_CASE("a groove lies within its piece, and is as sharp as it can be made") {
+    const auto fault = [](const std::string& groove) {
+      return ExampleStep("shaft.design",
+                         "notches = [{ x = \"60 mm\", kind = \"shoulder\", r = \"2 mm\" }, { x = \"140 mm\", "
+                         "kind = \"shoulder\", r = \"2 mm\" }, { kind = \"rectangular-groove\", " +
+                             groove + " }]")
+          .fault();
+    };
+    CHECK(fault("x = \"80 mm\", t = \"1.25 mm\", w = \"1.85 mm\", r = \"0.1 mm\"").empty());
+    CHECK(fault("x = \"80 mm\", t = \"1.25 mm\", w = \"1.85 mm\", r = \"1 mm\"").find("rounder") != std::string::npos);
+    CHECK(fault("x = \"80 mm\", t = \"1.25 mm\", w = \"60 mm\", r = \"0.1 mm\"").find("within its piece") !=
+          std::string::npos);
+    CHECK(fault("x = \"98 mm\", t = \"1.25 mm\", w = \"10 mm\", r = \"0.1 mm\"").find("something sits") !=
+          std::string::npos);
+  }
 }

@@ -191,6 +191,8 @@ theta_adm = "0.5 deg/m"
   static bool cells_once(const Input& in);
   static bool cells_close(const Input& in);
   static FieldFault open_cell(const Input& in);
+  static bool no_islands(const Input& in);
+  static FieldFault island(const Input& in);
   static bool areas_fit(const Input& in);
   static FieldFault too_much_area(const Input& in);
   static bool outlines_fit(const Input& in);
@@ -212,6 +214,7 @@ theta_adm = "0.5 deg/m"
       Rule<Input>{&cells_close, "cells, walls",
                   "a cell has walls, and its walls or those of cells beside it have the outside on their other side",
                   &open_cell},
+      Rule<Input>{&no_islands, "cells, walls", "cells lie side by side", &island},
       Rule<Input>{&areas_fit, "cells, walls", "a cell is no larger than a circle that its walls go around",
                   &too_much_area},
       Rule<Input>{&outlines_fit, "cells, walls", "the walls of a cell are not as long as its outline by points",

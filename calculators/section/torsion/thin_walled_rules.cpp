@@ -114,6 +114,32 @@ FieldFault ThinWalled::open_cell(const Input& in) {
           say("give all walls around a cell: cell = its name; beside = the cell on the other side, if any")};
 }
 
+/// The one cell that is beside another along all of its walls; none where there is no such.
+static std::size_t around(const Input& in, std::size_t i) {
+  const std::size_t none = in.cells.size();
+  std::size_t found = none;
+  for (const Wall& w : in.walls) {
+    const std::size_t a = cell_of(in, w.cell), b = cell_of(in, w.beside);
+    if (is_free(w) || (a != i && b != i)) continue;
+    const std::size_t other = a == i ? b : a;
+    if (other == none || (found != none && found != other)) return none;
+    found = other;
+  }
+  return found;
+}
+
+bool ThinWalled::no_islands(const Input& in) { return island(in).path.empty(); }
+
+FieldFault ThinWalled::island(const Input& in) {
+  if (!sizes_and_names(in)) return {};  // another rule says it
+  const std::size_t i = first_without(in, [&](std::size_t k) { return around(in, k) == in.cells.size(); });
+  if (i == in.cells.size()) return {};
+  return {"cells[" + std::to_string(i + 1) + "]",
+          say("cell '{1}' lies within cell '{2}'", std::string(in.cells[i].name.view()),
+              std::string(in.cells[around(in, i)].name.view())),
+          say("a tube within a tube is two sections side by side: give each its own step")};
+}
+
 bool ThinWalled::areas_fit(const Input& in) {
   if (!sizes_and_names(in)) return true;
   return first_without(in, [&](std::size_t i) { return area_fits(in, i); }) == in.cells.size();

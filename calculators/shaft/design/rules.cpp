@@ -108,6 +108,21 @@ Message fault_of_fields(const Notched& notch) {
   return {};
 }
 
+/// What is wrong with the width of a groove, which lies half on each side of its place; empty where nothing is.
+Message fault_of_width(const Input& in, const Notched& notch) {
+  if (!is_set(notch.w)) return {};
+  if (notch.r > notch.t || notch.r > notch.w / 2.0)
+    return say("its root is rounder than the groove is deep, or half as wide");
+  const Length from = notch.x - notch.w / 2.0, to = notch.x + notch.w / 2.0, aside = 10.0 * same * length_of(in);
+  if (from < 0.0 * mm || is_off(in, to) || index_of_piece(in, from + aside) != index_of_piece(in, to - aside))
+    return say("a groove of {1} does not lie within its piece at {2}", format(notch.w), format(notch.x));
+  const auto inside = [&](const auto& element) { return element.x > from && element.x < to; };
+  if (std::any_of(in.seats.begin(), in.seats.end(), inside) ||
+      std::any_of(in.supports.begin(), in.supports.end(), inside))
+    return say("something sits on the shaft within the groove of {1} at {2}", format(notch.w), format(notch.x));
+  return {};
+}
+
 /// What is wrong with a notch where it is; empty where nothing is.
 Message fault_of(const Input& in, const Notched& notch) {
   if (Message fault = fault_of_fields(notch); !fault.empty()) return fault;
@@ -117,6 +132,7 @@ Message fault_of(const Input& in, const Notched& notch) {
   if (!typed && notch.kind != Notch::keyway && is_bored(in, notch.x))
     return say("the charts are of solid shafts: of a bored one give K_t and K_ts");
   if (is_groove(notch.kind) && !(2.0 * notch.t < piece.d)) return say("the groove is deeper than the shaft");
+  if (Message fault = fault_of_width(in, notch); !fault.empty()) return fault;
   if (notch.kind == Notch::cross_hole && !(notch.r < 0.29 * piece.d)) return say("the hole leaves no section");
   if (has_factors(notch.kind) && !typed && in.group > fatigue::Endurance::Group::cast_steel)
     return say("its notch factor is told of steels alone: give K_t and K_ts");

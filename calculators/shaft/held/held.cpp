@@ -211,6 +211,7 @@ template <class Tracer>
 void judge(const Input& in, const Slices& slices, Result& r, Tracer& trace) {
   r.d_s = 0.0 * mm;
   for (const Segment& s : in.segments) r.d_s = max(r.d_s, max(s.d, is_set(s.d_2) ? s.d_2 : s.d));
+  for (const Sleeve& s : in.sleeves) r.d_s = max(r.d_s, s.d);
   judge_members(in, slices, r, trace);
   const Twist theta_max = r.theta_max = trace.value("theta_max", largest_twist(in, slices, r), "largest of the bar");
   if (is_set(in.theta_adm)) {

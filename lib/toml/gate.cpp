@@ -18,16 +18,17 @@ std::string code_of(std::string_view text, std::size_t at) {
   return std::string("U+00") + digits[(point >> 4U) & 0x0FU] + digits[point & 0x0FU];
 }
 
-/// Whether the backslash at `at` ends its line and the next text begins with a letter outside ASCII.
+/// Whether blanks follow the backslash at `at`, or the end of its line, and then a letter outside ASCII.
 bool continues_outside_ascii(std::string_view text, std::size_t at) {
   const std::size_t end = text.find_first_not_of(" \t\r", at + 1);
-  if (end == std::string_view::npos || text[end] != '\n') return false;
+  if (end == std::string_view::npos) return false;
+  if (text[end] != '\n') return is_foreign(text[end]);
   const std::size_t next = text.find_first_not_of(" \t\r\n", end);
   return next != std::string_view::npos && is_foreign(text[next]);
 }
 
-/// The first backslash between two places before a letter outside ASCII, at once or in the next line; npos where there
-/// is none.
+/// The first backslash between two places before a letter outside ASCII, at once, behind blanks or in the next line;
+/// npos where there is none.
 std::size_t first_bad_escape(std::string_view text, std::size_t from, std::size_t to) {
   for (std::size_t i = from; i < to; ++i) {
     if (text[i] != '\\') continue;
@@ -166,7 +167,7 @@ std::optional<Issue> refuse_bare(std::string_view text, const std::string& file)
   if (const std::size_t deep = first_too_deep(text); deep != std::string_view::npos)
     return issue_at(text, deep, file, say("tables lie too deep within one another"), say("at most 64 levels"));
   if (const std::size_t bad = first_bad_escape(text); bad != std::string_view::npos) {
-    if (is_foreign(text[bad + 1]))
+    if (text[text.find_first_not_of(" \t\r", bad + 1)] != '\n')
       return issue_at(text, bad, file, say("not valid TOML: a backslash before a letter outside ASCII"),
                       say("write a backslash twice"));
     return issue_at(text, bad, file, say("a backslash at the end of a line before a letter outside ASCII"),

@@ -141,6 +141,9 @@ TEST_SUITE("toml") {
   |               ^
   = help: write the text in one line
 )");
+    CHECK(issues_of("note = \"\"\"one \\\t \xC8\xB8\"\"\"\n").find("a backslash before a letter outside ASCII") !=
+          std::string::npos);
+    CHECK_FALSE(issues_of("\n\"\"\"#=\\\t\xC8\xB8\r\"").empty());
     CHECK(issues_of("note = \"\"\"one \\\xEF\xBA\xBF\"\"\"\n").find("a backslash before a letter outside ASCII") !=
           std::string::npos);
     CHECK(issues_of("note = 'C:\\я' # \\я\n").empty());

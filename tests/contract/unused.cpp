@@ -29,6 +29,7 @@ std::set<std::string> told() {
 /// Inputs of the reference cases that are right to be told: the book gives them, and nothing comes of them.
 const std::set<std::string> known{
     "reference/drives-khurmi.toml: half_path.shortening",  // the profile shifts make up for one another
+    "reference/histories.toml: astm.counting",             // four points close the same loops
 };
 
 }  // namespace

@@ -114,7 +114,7 @@ ThinWalled::Result ThinWalled::evaluate(const Input& in, Tracer& trace) {
   const Flows flows = flows_of(in);
   constants(in, flows, r, trace);
   for (std::size_t i = 0; i < flows.size(); ++i) {
-    const Area f = flows[i];
+    const Area& f = flows[i];
     r.cells.push_back({in.cells[i].name, area_of(in.cells[i]), in.K_A * in.T * f / r.I_t});
   }
   stresses(in, flows, r, trace);

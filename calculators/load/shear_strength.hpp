@@ -74,4 +74,7 @@ Stress allowable_shear(const ShearStrength& in, Stress own, Tracer& trace) {
   return NAMED_STEP("tau_all", 0.6 * in.sigma_adm, "ductile material, [B19]");
 }
 
+/// The larger of two utilisations; unset where one of them is: what has no strength is not judged by the others.
+inline double larger_use(double a, double b) { return is_set(a) && !(b <= a) ? b : a; }
+
 }  // namespace loadpath

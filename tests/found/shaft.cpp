@@ -161,6 +161,10 @@ TEST_SUITE("found held bar") {
     const ExampleStep step("shaft.held",
                            "sleeves = [{ x = \"0 mm\", l = \"200 mm\", d = \"200 mm\", d_bore = \"60 mm\" }]");
     CHECK(step.project().steps[0]->value("d_s")->si[0] == doctest::Approx(0.2));
+    const std::string beyond = "sigma_adm = \nbehaviour = \nmaterial = \"C45E\"\nS = 1.5\n";  // of its table, 100 mm
+    CHECK(mode_with("shaft.held",
+                    beyond + "G = \nsleeves = [{ x = \"0 mm\", l = \"200 mm\", d = \"200 mm\", d_bore = \"60 mm\" }]",
+                    "yield") == "not-available");
   }
 }
 

@@ -70,7 +70,7 @@ void stresses(const Input& in, const Flows& flows, Result& r, Tracer& trace) {
     const ThinWalled::Wall& s = in.walls[i];
     r.walls.push_back(load(in, flows, s, r, trace));
     r.tau_max = max(r.tau_max, r.walls.back().tau);
-    r.u_tau = max(r.u_tau, r.walls.back().u_tau);
+    r.u_tau = larger_use(r.u_tau, r.walls.back().u_tau);
     r.t_max = max(r.t_max, s.t);
     t_n = max(t_n, modulus_ratio(in, s) * s.t);
     const Area flow = flow_of(in, flows, s.cell) - flow_of(in, flows, s.beside);

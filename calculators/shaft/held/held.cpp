@@ -166,7 +166,7 @@ void judge_members(const Input& in, const Slices& slices, Result& r, Tracer& tra
   r.tau_max = 0.0 * MPa, r.u_tau = 0.0;
   for (const Held::Member& member : r.members) {
     r.tau_max = max(r.tau_max, member.tau);
-    r.u_tau = max(r.u_tau, member.u_tau);
+    r.u_tau = larger_use(r.u_tau, member.u_tau);
   }
   trace.value("tau_max", r.tau_max, "largest of the members");
   trace.value("u_tau", r.u_tau, "largest of the members");

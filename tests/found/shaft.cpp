@@ -164,7 +164,7 @@ TEST_SUITE("found held bar") {
     const std::string beyond = "sigma_adm = \nbehaviour = \nmaterial = \"C45E\"\nS = 1.5\n";  // of its table, 100 mm
     CHECK(mode_with("shaft.held",
                     beyond + "G = \nsleeves = [{ x = \"0 mm\", l = \"200 mm\", d = \"200 mm\", d_bore = \"60 mm\" }]",
-                    "yield") == "not-available");
+                    "yield") == "not-covered");
   }
 }
 

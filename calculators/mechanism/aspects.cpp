@@ -16,6 +16,7 @@ static constexpr std::array list{
     &aspects::courses,
     &aspects::drives,
     &aspects::reactions,
+    &aspects::shafts,
     &aspects::places,
     &aspects::members,
     &aspects::contacts,

@@ -1,5 +1,7 @@
 #include "calculators/shaft/design/bending.hpp"
 
+#include "calculators/shaft/design/turn.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -68,41 +70,63 @@ double mass_on(const Seat& seat) { return is_set(seat.mass) ? in_si(seat.mass) :
 enum class Plane { X, Y };
 
 /// One of two planes: what of each load lies in it.
-beam::Bent bent(const Input& in, const Stations& stations, const beam::Beam& beam, Plane plane) {
+beam::Bent bent(const Input& in, const Elastic& elastic, Plane plane, std::size_t position) {
+  const Stations& stations = elastic.stations;
   const Direction down(is_set(in.g_angle) ? in.g_angle : 0.0);
   const double gravity = !is_set(in.g_angle) ? 0.0 : g_n * (plane == Plane::X ? down.c : down.s);
   List<beam::Load, most_seats> loads;
   for (const Seat& seat : in.seats) {
     const Direction way(seat.angle);
     const double along = plane == Plane::X ? way.c : way.s, across = plane == Plane::X ? -way.s : way.c;
-    const double F = in.K_A * (in_si(seat.F_x) * along + in_si(seat.F_y) * across) + mass_on(seat) * gravity;
-    loads.push_back({stations.at(seat.x), F, -in.K_A * in_si(seat.F_z) * in_si(seat.x_w) * along});
+    const double F_x = in_si(seat.F_x.at(position)), F_y = in_si(seat.F_y.at(position));
+    const double F = in.K_A * (F_x * along + F_y * across) + mass_on(seat) * gravity;
+    loads.push_back({stations.at(seat.x), F, -in.K_A * in_si(seat.F_z.at(position)) * in_si(seat.x_w) * along});
   }
   beam::Row<double> weight;
   for (const std::size_t piece : stations.piece)
     weight.push_back(is_set(in.g_angle) ? in_si(in.rho) * area_of(in.pieces[piece]) * gravity : 0.0);
-  return beam.bend(loads, weight);
+  return elastic.beam.bend(loads, weight);
 }
 
+/// The sum of what acts at the nodes so far; what rounding leaves of it is none.
+class Along {
+ public:
+  explicit Along(const beam::Row<double>& nodes) : nodes_(nodes) {
+    for (const double one : nodes) size_ += std::abs(one);
+  }
+  /// From left to right.
+  double behind(std::size_t node) {
+    sum_ += nodes_[node];
+    if (std::abs(sum_) <= rounding * size_) sum_ = 0.0;
+    return sum_;
+  }
+
+ private:
+  static constexpr double rounding = 1e-13;
+  const beam::Row<double>& nodes_;
+  double sum_ = 0.0, size_ = 0.0;
+};
+
 /// What acts to the left of every span: of torques what drives, of forces along the shaft what pulls it to the left.
-void run_along(const Input& in, Loaded& loaded) {
+void run_along(const Input& in, std::size_t position, Loaded& loaded) {
   const Stations& stations = loaded.stations;
   beam::Row<double> T(stations.x.size()), N(stations.x.size());
   for (std::size_t i = 0; i < in.seats.size(); ++i) {
-    T[stations.at(in.seats[i].x)] += in.K_A * in_si(torque_of(in, i));
-    N[stations.at(in.seats[i].x)] -= in.K_A * in_si(in.seats[i].F_z);
-    loaded.thrust += in.K_A * in_si(in.seats[i].F_z);
+    const double F_z = in.K_A * in_si(in.seats[i].F_z.at(position));
+    T[stations.at(in.seats[i].x)] += in.K_A * in_si(torque_of(in, i, position));
+    N[stations.at(in.seats[i].x)] -= F_z;
+    loaded.thrust += F_z;
   }
   for (const Support& support : in.supports) {
     if (support.holds == Holds::both) N[stations.at(support.x)] += loaded.thrust;
   }
   loaded.phi.assign(1, 0.0);
-  double torque = 0.0, pull = 0.0;
+  Along torque(T), pull(N);
   for (std::size_t s = 0; s + 1 < stations.x.size(); ++s) {
-    loaded.T.push_back(torque += T[s]);
-    loaded.N.push_back(pull += N[s]);
+    loaded.T.push_back(torque.behind(s));
+    loaded.N.push_back(pull.behind(s));
     const double I_p = 2.0 * inertia_of(in.pieces[stations.piece[s]]);
-    loaded.phi.push_back(loaded.phi.back() + torque * (stations.x[s + 1] - stations.x[s]) / (in_si(in.G) * I_p));
+    loaded.phi.push_back(loaded.phi.back() + loaded.T[s] * (stations.x[s + 1] - stations.x[s]) / (in_si(in.G) * I_p));
   }
 }
 
@@ -164,10 +188,10 @@ AngularSpeed speed_of(const Input& in) {
   return turning == in.seats.end() ? unset<AngularSpeed> : abs(turning->n);
 }
 
-Moment torque_of(const Input& in, std::size_t seat) {
-  const auto given = [](const Seat& s) {
+Moment torque_of(const Input& in, std::size_t seat, std::size_t position) {
+  const auto given = [&](const Seat& s) {
     if (!is_set(s.T) || s.way == Way::balances) return 0.0 * N_m.one;
-    return s.way == Way::drives ? s.T : -s.T;
+    return s.way == Way::drives ? s.T.at(position) : -s.T.at(position);
   };
   if (in.seats[seat].way != Way::balances) return given(in.seats[seat]);
   Moment sum = 0.0 * N_m.one;
@@ -194,17 +218,47 @@ Felt Loaded::felt(std::size_t node) const {
 double Loaded::deflection(std::size_t node) const { return std::hypot(x.nodes[node].v, y.nodes[node].v); }
 double Loaded::slope(std::size_t node) const { return std::hypot(x.nodes[node].slope, y.nodes[node].slope); }
 
-bool bears(const Input& in) { return beam_of(in, stations_of(in)).has_value(); }
+bool bears(const Input& in) { return elastic_shaft(in).has_value(); }
+
+std::optional<Elastic> elastic_shaft(const Input& in) {
+  Stations stations = stations_of(in);
+  auto beam = beam_of(in, stations);
+  if (!beam) return std::nullopt;
+  return Elastic{stations, *beam};
+}
+
+Loaded loaded_at(const Input& in, const Elastic& elastic, std::size_t position) {
+  Loaded loaded;
+  loaded.stations = elastic.stations;
+  loaded.x = bent(in, elastic, Plane::X, position);
+  loaded.y = bent(in, elastic, Plane::Y, position);
+  run_along(in, position, loaded);
+  return loaded;
+}
+
+double Loaded::largest_moment() const {
+  double M = 0.0;
+  for (std::size_t n = 0; n < stations.x.size(); ++n) {
+    const Felt there = felt(n);
+    M = std::max(M, std::hypot(there.M_x, there.M_y));
+  }
+  return M;
+}
+
+std::size_t most_bent(const Input& in, const Elastic& elastic) {
+  std::size_t most = 0;
+  double largest = -1.0;
+  for (std::size_t i = 0; varies(in) && i < positions_of(in); ++i) {
+    const double M = loaded_at(in, elastic, i).largest_moment();
+    if (M > largest) largest = M, most = i;
+  }
+  return most;
+}
 
 std::optional<Loaded> loaded_shaft(const Input& in) {
-  Loaded loaded;
-  loaded.stations = stations_of(in);
-  const auto beam = beam_of(in, loaded.stations);
-  if (!beam) return std::nullopt;
-  loaded.x = bent(in, loaded.stations, *beam, Plane::X);
-  loaded.y = bent(in, loaded.stations, *beam, Plane::Y);
-  run_along(in, loaded);
-  return loaded;
+  const auto elastic = elastic_shaft(in);
+  if (!elastic) return std::nullopt;
+  return loaded_at(in, *elastic, most_bent(in, *elastic));
 }
 
 beam::Frequencies critical_speeds(const Input& in) {

@@ -22,7 +22,15 @@ struct Felt {
   double M_x = 0.0, M_y = 0.0, V = 0.0, N = 0.0, T = 0.0;
 };
 
-/// The shaft under all of its loads, with the service factor.
+/// The shaft without its loads.
+struct Elastic {
+  Stations stations;
+  beam::Beam beam;
+};
+/// Nothing where the bearings are so soft beside the shaft that they hold nothing.
+std::optional<Elastic> elastic_shaft(const Design::Input& in);
+
+/// The shaft under all of its loads at a position of its turn, with the service factor.
 struct Loaded {
   Stations stations;
   beam::Bent x, y;
@@ -32,8 +40,12 @@ struct Loaded {
   [[nodiscard]] Felt felt(std::size_t node) const;
   [[nodiscard]] double deflection(std::size_t node) const;
   [[nodiscard]] double slope(std::size_t node) const;
+  [[nodiscard]] double largest_moment() const;
 };
-/// Nothing where the bearings are so soft beside the shaft that they hold nothing.
+Loaded loaded_at(const Design::Input& in, const Elastic& elastic, std::size_t position);
+/// The position at which the shaft is bent most.
+std::size_t most_bent(const Design::Input& in, const Elastic& elastic);
+/// At that one; nothing as above.
 std::optional<Loaded> loaded_shaft(const Design::Input& in);
 bool bears(const Design::Input& in);
 
@@ -46,7 +58,7 @@ Length length_of(const Design::Input& in);
 Mass mass_of(const Design::Input& in);
 /// Of the shaft, or the first seat that has one; its magnitude.
 AngularSpeed speed_of(const Design::Input& in);
-/// What the seat gives to the shaft: positive where it drives.
-Moment torque_of(const Design::Input& in, std::size_t seat);
+/// What the seat gives to the shaft at a position: positive where it drives.
+Moment torque_of(const Design::Input& in, std::size_t seat, std::size_t position);
 
 }  // namespace loadpath::shaft

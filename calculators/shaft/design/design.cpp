@@ -3,6 +3,7 @@
 #include "calculators/shaft/design/bending.hpp"
 #include "calculators/shaft/design/sections.hpp"
 #include "calculators/shaft/design/torsion.hpp"
+#include "calculators/shaft/design/turn.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
@@ -20,50 +21,91 @@ double slope_over(double beta, const Element& element) {
   return is_set(element.beta_adm) ? beta / element.beta_adm : unset<double>;
 }
 
-void carry(const Input& in, const Loaded& loaded, Result& r) {
-  for (std::size_t i = 0; i < in.supports.size(); ++i) {
-    const Support& support = in.supports[i];
-    Carried c;
-    c.name = support.name, c.x = support.x, c.holds = support.holds, c.n = r.n;
-    c.R_x = from_si<Force>(loaded.x.reactions[i]), c.R_y = from_si<Force>(loaded.y.reactions[i]);
-    c.F_r = sqrt(c.R_x * c.R_x + c.R_y * c.R_y);
-    c.F_a = from_si<Force>(support.holds == Holds::both ? loaded.thrust : 0.0);
-    c.F_r0 = in.k_max * c.F_r, c.F_a0 = in.k_max * c.F_a;
-    c.beta = loaded.slope(loaded.stations.at(support.x));
-    c.u_beta = slope_over(c.beta, support);
-    r.bearings.push_back(c);
-  }
-}
+/// Forces of a bearing over the turn, as that constant one under which it lasts as long: with 10/3 as exponent, of
+/// roller bearings, it is never below that with 3, of balls.
+constexpr double p_L = 10.0 / 3.0;
+using OfBearings = List<double, most_supports>;
 
-void seat(const Input& in, const Loaded& loaded, Result& r) {
-  for (std::size_t i = 0; i < in.seats.size(); ++i) {
-    const Seat& seat = in.seats[i];
-    const std::size_t node = loaded.stations.at(seat.x);
-    const double beta = loaded.slope(node);
-    const bool turns = is_set(seat.T) || seat.way == Way::balances;
-    const Moment T = turns ? in.K_A * torque_of(in, i) : unset<Moment>;
-    r.seats.push_back({seat.name, seat.x, T, from_si<Length>(loaded.deflection(node)), beta, slope_over(beta, seat)});
+/// What the bearings carry, and where the shaft moves most, of all positions so far.
+class Movement {
+ public:
+  Movement(const Input& in, Result& r) : in_(in), r_(r), F_r_(in.supports.size(), 0.0), F_a_(in.supports.size(), 0.0) {
+    const Moment none = 0.0 * N_m.one;
+    r.M_max = r.T_max = none, r.v_max = 0.0 * mm, r.theta_max = 0.0 * deg_per_m.one, r.phi = 0.0;
+    for (const Support& support : in.supports) {
+      Carried c;
+      c.name = support.name, c.x = support.x, c.holds = support.holds, c.n = r.n;
+      c.F_r0 = -1.0 * N.one, c.F_a0 = 0.0 * N.one, c.beta = 0.0;
+      r.bearings.push_back(c);
+    }
+    for (std::size_t i = 0; i < in.seats.size(); ++i) {
+      const bool turns = is_set(in.seats[i].T) || in.seats[i].way == Way::balances;
+      r.seats.push_back({in.seats[i].name, in.seats[i].x, turns ? none : unset<Moment>, 0.0 * mm, 0.0, unset<double>});
+    }
   }
-}
 
-/// Of all sections the largest.
-void extremes(const Loaded& loaded, const Input& in, Result& r) {
-  double M = 0.0, T = 0.0, v = 0.0, twist = 0.0;
-  for (std::size_t n = 0; n < loaded.stations.x.size(); ++n) {
-    const Felt felt = loaded.felt(n);
-    M = std::max(M, std::hypot(felt.M_x, felt.M_y));
-    T = std::max(T, std::abs(felt.T));
-    v = std::max(v, loaded.deflection(n));
+  void take(const Loaded& loaded, std::size_t position) {
+    carry(loaded, share_of(in_, position));
+    seat(loaded, position);
+    extremes(loaded);
   }
-  for (std::size_t s = 0; s + 1 < loaded.phi.size(); ++s) {
-    const double l = loaded.stations.x[s + 1] - loaded.stations.x[s];
-    twist = std::max(twist, std::abs(loaded.phi[s + 1] - loaded.phi[s]) / l);
+
+  /// Behind the last position.
+  void finish() {
+    for (std::size_t i = 0; i < in_.supports.size(); ++i) {
+      Carried& c = r_.bearings[i];
+      c.F_r = varies(in_) ? from_si<Force>(std::pow(F_r_[i], 1.0 / p_L)) : c.F_r0;
+      c.F_a = varies(in_) ? from_si<Force>(std::copysign(std::pow(F_a_[i], 1.0 / p_L), in_si(c.F_a0))) : c.F_a0;
+      c.F_r0 *= in_.k_max, c.F_a0 *= in_.k_max;
+      c.u_beta = slope_over(c.beta, in_.supports[i]);
+    }
+    for (std::size_t i = 0; i < in_.seats.size(); ++i) r_.seats[i].u_beta = slope_over(r_.seats[i].beta, in_.seats[i]);
   }
-  const auto [least, most] = std::minmax_element(loaded.phi.begin(), loaded.phi.end());
-  r.M_max = from_si<Moment>(M), r.T_max = from_si<Moment>(T), r.v_max = from_si<Length>(v);
-  r.theta_max = from_si<Twist>(twist), r.phi = *most - *least;
-  r.l = length_of(in);
-}
+
+ private:
+  void carry(const Loaded& loaded, double share) {
+    for (std::size_t i = 0; i < in_.supports.size(); ++i) {
+      Carried& c = r_.bearings[i];
+      const Force R_x = from_si<Force>(loaded.x.reactions[i]), R_y = from_si<Force>(loaded.y.reactions[i]);
+      const Force F_r = sqrt(R_x * R_x + R_y * R_y);
+      const Force F_a = from_si<Force>(in_.supports[i].holds == Holds::both ? loaded.thrust : 0.0);
+      if (F_r > c.F_r0) c.R_x = R_x, c.R_y = R_y, c.F_r0 = F_r;
+      if (abs(F_a) > abs(c.F_a0)) c.F_a0 = F_a;
+      F_r_[i] += share * std::pow(in_si(F_r), p_L), F_a_[i] += share * std::pow(std::abs(in_si(F_a)), p_L);
+      c.beta = std::max(c.beta, loaded.slope(loaded.stations.at(in_.supports[i].x)));
+    }
+  }
+
+  void seat(const Loaded& loaded, std::size_t position) {
+    for (std::size_t i = 0; i < in_.seats.size(); ++i) {
+      const std::size_t node = loaded.stations.at(in_.seats[i].x);
+      Seated& s = r_.seats[i];
+      s.v = max(s.v, from_si<Length>(loaded.deflection(node)));
+      s.beta = std::max(s.beta, loaded.slope(node));
+      const Moment T = in_.K_A * torque_of(in_, i, position);
+      if (is_set(s.T) && abs(T) > abs(s.T)) s.T = T;
+    }
+  }
+
+  /// Of all sections the largest.
+  void extremes(const Loaded& loaded) {
+    double T = 0.0, v = 0.0, twist = 0.0;
+    for (const double there : loaded.T) T = std::max(T, std::abs(there));
+    for (std::size_t n = 0; n < loaded.stations.x.size(); ++n) v = std::max(v, loaded.deflection(n));
+    for (std::size_t s = 0; s + 1 < loaded.phi.size(); ++s) {
+      const double l = loaded.stations.x[s + 1] - loaded.stations.x[s];
+      twist = std::max(twist, std::abs(loaded.phi[s + 1] - loaded.phi[s]) / l);
+    }
+    const auto [least, most] = std::minmax_element(loaded.phi.begin(), loaded.phi.end());
+    r_.M_max = max(r_.M_max, from_si<Moment>(loaded.largest_moment())), r_.T_max = max(r_.T_max, from_si<Moment>(T));
+    r_.v_max = max(r_.v_max, from_si<Length>(v)), r_.theta_max = max(r_.theta_max, from_si<Twist>(twist));
+    r_.phi = std::max(r_.phi, *most - *least);
+  }
+
+  const Input& in_;
+  Result& r_;
+  OfBearings F_r_, F_a_;  // sums of powers
+};
 
 template <class Tracer>
 void stiffness(const Input& in, Result& r, Tracer& trace) {
@@ -98,15 +140,21 @@ Design::Result Design::evaluate(const Input& in, Tracer& trace) {
   r.d_max = 0.0 * mm;
   for (const Piece& piece : in.pieces) r.d_max = max(r.d_max, piece.d);
   r.d_s = is_set(in.d_h) ? in.d_h : r.d_max;
-  const auto found = loaded_shaft(in);
-  if (!found) return r;
-  const Loaded& loaded = *found;
-  extremes(loaded, in, r);
+  const auto elastic = elastic_shaft(in);
+  if (!elastic) return r;
+  r.l = length_of(in);
   r.n = speed_of(in);
+  Movement movement(in, r);
+  Turn turn(in, elastic->stations.x.size());
+  for (std::size_t i = 0; i < turn.positions(); ++i) {
+    const Loaded loaded = loaded_at(in, *elastic, i);
+    movement.take(loaded, i);
+    turn.take(loaded);
+  }
+  movement.finish();
+  r.psi = turn.psi(turn.most_bent());
   if (is_set(r.n)) trace.speed("n", r.n, "of the shaft and all that sits on it");
-  carry(in, loaded, r);
-  seat(in, loaded, r);
-  judge_sections(in, loaded, r, trace);
+  judge_sections(in, elastic->stations, turn, r, trace);
   stiffness(in, r, trace);
   critical_speed(in, r, trace);
   judge_torsion(in, r, trace);

@@ -5,9 +5,11 @@
 // stress of each section (von Mises) against yielding; the safety of each notch against fatigue of a turning shaft by
 // four schools of [Shigley7], with the fatigue limit of the part by Marin, and by [DIN743]; slopes, deflection and the
 // critical speeds in bending and in torsion. Axes: z along the shaft from its left end, X and Y across it, Y a quarter
-// turn from X about z. Forces stand in space while the shaft turns: bending alternates, axial stress stays, torsion
-// runs from r_T T to T. Not covered: forces that turn with the shaft, masses that whirl as discs, press fits but by a
-// given K_t, life.
+// turn from X about z. Constant forces stand in space while the shaft turns: bending alternates, axial stress stays,
+// torsion runs from r_T T to T. Loads over a turn of a mechanism are taken whole: each point of the circumference,
+// which turns with the shaft by psi, has its own amplitude and mean, and the worst decides; amplitudes of bending, of
+// the force along the shaft and of torsion count as if they came at once. Not covered: masses that whirl as discs,
+// life.
 #pragma once
 
 #include "calculators/fatigue/endurance.hpp"
@@ -32,7 +34,7 @@ struct Design {
   static constexpr auto scope =
       "Reactions, moments, deflection, slope and twist of a shaft on two or more bearings, with what sits on it; yield "
       "and fatigue of every section and notch; critical speeds in bending and in torsion. Forces stand in space while "
-      "the shaft turns.";
+      "the shaft turns, or are given over a turn.";
   static constexpr auto source = "[Shigley6], [Shigley7], [DIN743], [Peterson], [Cowper], [Mises]";
   static constexpr auto example = R"([project]
 title = "Shaft of a gear between its bearings"
@@ -112,7 +114,9 @@ r_T = 0
           .usually(1, 6)
           .may_be_missing()
           .factor(),
-      Field{&Input::r_T, "r_T", ratio, "least over largest torque: 1 steady, 0 with starts and stops, -1 reversing"}
+      Field{
+          &Input::r_T, "r_T", ratio,
+          "least over largest torque: 1 steady, 0 with starts and stops, -1 reversing; of torques over a turn besides"}
           .within(-1, 1)
           .may_be_missing(),
       Choice{&Input::method, "method", "school that decides over fatigue"}.may_be_missing(),
@@ -143,7 +147,7 @@ r_T = 0
     Moment M_max = unset<Moment>, T_max = unset<Moment>;
     Length v_max = unset<Length>;
     Twist theta_max = unset<Twist>;
-    double phi = unset<double>;
+    double phi = unset<double>, psi = unset<double>;
     AngularSpeed n_c = unset<AngularSpeed>, n_R = unset<AngularSpeed>, n_D = unset<AngularSpeed>;
     AngularSpeed n_T = unset<AngularSpeed>, n = unset<AngularSpeed>;
     double u_y = unset<double>, u_theta = unset<double>, u_n = unset<double>;
@@ -163,6 +167,7 @@ r_T = 0
       Field{&Result::v_max, "v_max", mm, "largest deflection"},
       Field{&Result::theta_max, "theta_max", deg_per_m, "largest twist per length"},
       Field{&Result::phi, "phi", deg, "largest twist between any two sections"},
+      Field{&Result::psi, "psi", deg, "angle of the shaft at which it is bent most, of loads over a turn"},
       Field{&Result::n, "n", rpm, "speed"},
       Field{&Result::n_c, "n_c", rpm, "first critical speed in bending, of masses without the turning of discs"},
       Field{&Result::n_R, "n_R", rpm, "the same by Rayleigh, never below it"},
@@ -181,6 +186,8 @@ r_T = 0
   static FieldFault off_shaft(const Input& in);
   static bool held(const Input& in);
   static bool stiff_enough(const Input& in);
+  static bool turn_is_known(const Input& in);
+  static FieldFault open_turn(const Input& in);
   static bool torques_close(const Input& in);
   static FieldFault open_sum(const Input& in);
   static bool speeds_agree(const Input& in);
@@ -200,6 +207,7 @@ r_T = 0
   static Applies thin_wall(const Input& in);
   static Applies abuts(const Input& in);
   static bool treated_thick(const Input& in);
+  static bool torque_runs(const Input& in);
   static bool asks_fatigue(const Input& in) { return is_set(in.S_D); }
   static constexpr std::array rules{
       Rule<Input>{&held, "supports", "two bearings at least hold a shaft, all at different places"},
@@ -207,6 +215,7 @@ r_T = 0
                   &off_shaft},
       Rule<Input>{&bores_fit, "pieces",
                   "the bore of a piece is smaller than its diameter, and than that of its neighbours"},
+      Rule<Input>{&turn_is_known, "seats", "loads over a turn are known at all of its positions", &open_turn},
       Rule<Input>{&torques_close, "seats", "what drives the shaft and what it drives take the same torque", &open_sum},
       Rule<Input>{&thrust_is_held, "seats, supports",
                   "one bearing alone takes forces along the shaft: holds = \"both\""},
@@ -234,8 +243,10 @@ r_T = 0
                   "E is between 2 G and 3 G: they belong to one material"},
       Rule<Input>{&treated_thick, "d_h, pieces",
                   "the diameter at heat treatment is not below that of the finished part"},
-      Rule<Input>{[](const Input& in) { return asks_fatigue(in) == is_set(in.r_T); }, "S_D, r_T",
-                  "fatigue needs the safety S_D and how the torque runs, r_T"},
+      Rule<Input>{[](const Input& in) { return asks_fatigue(in) || !is_set(in.r_T); }, "S_D, r_T",
+                  "r_T is of fatigue, which needs the safety S_D"},
+      Rule<Input>{[](const Input& in) { return !asks_fatigue(in) || is_set(in.r_T) || torque_runs(in); },
+                  "S_D, r_T, seats", "fatigue needs to know how the torque runs: r_T, or torques over a turn"},
       Rule<Input>{[](const Input& in) { return !asks_fatigue(in) || is_set(in.R_m); }, "R_m, S_D",
                   "fatigue needs the tensile strength R_m, or a material"},
       Rule<Input>{[](const Input& in) { return !asks_fatigue(in) || is_set(in.R_e); }, "R_e, S_D",
@@ -261,7 +272,7 @@ r_T = 0
   static Applies loaded(const Input& in) { return where(!in.seats.empty() || is_set(in.g_angle)); }
   static Applies running(const Input& in);
   static Applies passes_resonance(const Input& in);
-  static Applies tired(const Input& in) { return min(loaded(in), max(running(in), load_varies(in))); }
+  static Applies tired(const Input& in);
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield of a section", &loaded}.judged_by("sections.u_v"),
       Mode<Input>{"fatigue", "fatigue of a notch or section", &tired}

@@ -15,12 +15,10 @@ namespace {
 using fatigue::Endurance;
 using Input = Design::Input;
 
-/// Notches whose factor is that of tests, or is computed as DIN 743 has it: for all schools alike.
-bool by_factors(const There& there) { return there.notch != nullptr && has_factors(there.notch->kind); }
-
 /// The notch as Peterson has it, and the range that he has it for.
 template <class Tracer>
-void concentrate(const Notched& notch, const Sides& sides, Length r_n, const Section& p, Safety& s, Tracer& trace) {
+void concentrate(const Notched& notch, const Sides& sides, Length r_n, const Section& p, bool twisted, Safety& s,
+                 Tracer& trace) {
   const bool shoulder = notch.kind == Notch::shoulder, fits = shoulder || notch.kind == Notch::groove;
   if (fits) {
     const Length D = shoulder ? sides.larger() : p.d + 2.0 * notch.t;
@@ -31,7 +29,7 @@ void concentrate(const Notched& notch, const Sides& sides, Length r_n, const Sec
                                      : fatigue::concentration(fatigue::groove_in_torsion, h, r_n, D);
     s.K_t = in_bending.K, s.K_ts = in_torsion.K;
     s.x_b = trace.value("x_b", in_bending.place, "place within the fit, [Peterson]");
-    if (abs(p.T) > 0.0 * N_m.one) s.x_t = trace.value("x_t", in_torsion.place, "place within the fit, [Peterson]");
+    if (twisted) s.x_t = trace.value("x_t", in_torsion.place, "place within the fit, [Peterson]");
   } else if (notch.kind == Notch::keyway) {
     s.K_t = 2.14, s.K_ts = 3.0;
   } else {
@@ -144,25 +142,63 @@ double outside_of_din743(const fatigue::Din743Safety& rated) {
 
 /// By DIN 743, with the strengths as they are in this size.
 fatigue::Din743Safety rated_by_din743(const Input& in, const There& there, const Sides& sides, const Section& p,
-                                      const Safety& s) {
+                                      const Swings& swings, const Safety& s) {
   fatigue::Din743Steel steel;
   steel.R_m = in.R_m, steel.R_e = in.R_e;
   fatigue::Din743Loads loads;
-  loads.F_zd = {p.N, 0.0 * N.one};
-  loads.M_b = {0.0 * N_m.one, p.M};
-  loads.M_t = {(1.0 + in.r_T) / 2.0 * abs(p.T), (1.0 - in.r_T) / 2.0 * abs(p.T)};
+  loads.F_zd = {swings.N.m, swings.N.a};
+  loads.M_b = {swings.M.m, swings.M.a};
+  loads.M_t = {abs(swings.T.m), swings.T.a};
   loads.f_max = in.k_max;
   NoTrace quiet;
   return fatigue::din743(steel, section_of_din743(in, there, sides, p, s), loads, quiet);
 }
 
-/// [Shigley7] (7-5) to (7-14), as safeties: bending alternates, the force along the shaft stays, torsion does both.
+/// Of loads that stay in space: bending alternates as the shaft turns, the force along it stays, torsion does both.
+Swings standing(const Input& in, const Section& p) {
+  Swings all;
+  all.M = {p.M, 0.0 * N_m.one};
+  all.N = {0.0 * N.one, p.N};
+  all.T = {(1.0 - in.r_T) / 2.0 * abs(p.T), (1.0 + in.r_T) / 2.0 * abs(p.T)};
+  return all;
+}
+
+/// Normal stresses together, and torsion.
+struct Stresses {
+  Swing<Stress> sigma, tau;
+};
 template <class Tracer>
-void tire(const Input& in, const Section& p, Safety& s, Tracer& trace) {
+Stresses stresses_of(const Input& in, const Section& p, Tracer& trace) {
+  STEP(sigma_na, p.sigma_b, "bending alternates as the shaft turns");
+  STEP(sigma_nm, abs(p.sigma_n), "the force along the shaft stays");
   STEP(tau_a, (1.0 - in.r_T) / 2.0 * p.tau, "amplitude of torsion");
   STEP(tau_m, (1.0 + in.r_T) / 2.0 * p.tau, "mean of torsion");
-  STEP_TO(s, sigma_a, sqrt(pow<2>(s.K_f * p.sigma_b) + 3.0 * pow<2>(s.K_fs * tau_a)), "amplitude, [Shigley7] (7-5)");
-  STEP_TO(s, sigma_m, sqrt(pow<2>(s.K_f * p.sigma_n) + 3.0 * pow<2>(s.K_fs * tau_m)), "mean, [Shigley7] (7-6)");
+  return {{sigma_na, sigma_nm}, {tau_a, tau_m}};
+}
+template <class Tracer>
+Stresses stresses_of(const Section& p, const There& there, const Swings& swings, Tracer& trace) {
+  trace.angle("theta", swings.theta, "of the point on its circumference that decides, from X where psi is 0");
+  const Moment M_a = trace.value("M_a", swings.M.a, "amplitude of bending at that point over a turn");
+  const Moment M_m = trace.value("M_m", swings.M.m, "mean");
+  const Force N_a = trace.value("N_a", swings.N.a, "amplitude of the force along the shaft");
+  const Force N_m = trace.value("N_m", swings.N.m, "mean");
+  const Moment T_a = trace.value("T_a", swings.T.a, "amplitude of the torque, by r_T too where that is given");
+  const Moment T_m = trace.value("T_m", swings.T.m, "mean");
+  trace.value("d_bore", p.d_bore, "bore");
+  const auto [A, W, W_t] = moduli_of(p, there.notch, trace);
+  STEP(sigma_na, M_a / W + N_a / A, "as if both were largest at once");
+  STEP(sigma_nm, abs(M_m) / W + abs(N_m) / A, "pressure counts as pull");
+  STEP(tau_a, T_a / W_t, "amplitude of torsion");
+  STEP(tau_m, abs(T_m) / W_t, "mean of torsion");
+  return {{sigma_na, sigma_nm}, {tau_a, tau_m}};
+}
+
+/// [Shigley7] (7-5) to (7-14), as safeties.
+template <class Tracer>
+void tire(const Input& in, const Stresses& stresses, Safety& s, Tracer& trace) {
+  const Stress sigma_na = stresses.sigma.a, sigma_nm = stresses.sigma.m, tau_a = stresses.tau.a, tau_m = stresses.tau.m;
+  STEP_TO(s, sigma_a, sqrt(pow<2>(s.K_f * sigma_na) + 3.0 * pow<2>(s.K_fs * tau_a)), "amplitude, [Shigley7] (7-5)");
+  STEP_TO(s, sigma_m, sqrt(pow<2>(s.K_f * sigma_nm) + 3.0 * pow<2>(s.K_fs * tau_m)), "mean, [Shigley7] (7-6)");
   if (sigma_a + sigma_m == 0.0 * MPa) {
     s.n_Goodman = s.n_Soderberg = s.n_Gerber = s.n_elliptic = std::numeric_limits<double>::infinity();
     s.u_D = trace.value("u_D", 0.0, "no stress");
@@ -183,37 +219,87 @@ void tire(const Input& in, const Section& p, Safety& s, Tracer& trace) {
   STEP_TO(s, u_D, in.S_D / n_D, "fatigue");
 }
 
-}  // namespace
+/// One section by all schools.
+class Rating {
+ public:
+  Rating(const Input& in, const There& there, const Sides& sides, const Section& p)
+      : in_(in), there_(there), sides_(sides), p_(p) {}
 
+  /// Whether its factor is that of tests, or is computed as DIN 743 has it: for all schools alike.
+  [[nodiscard]] bool by_factors() const { return there_.notch != nullptr && has_factors(there_.notch->kind); }
+  [[nodiscard]] bool by_din743() const { return steel() && is_set(in_.R_z); }
+
+  /// By DIN 743, where that is asked, or has the factors of the notch.
+  [[nodiscard]] fatigue::Din743Safety din743(const Swings& swings, const Safety& s) const {
+    return steel() && (by_factors() || is_set(in_.R_z)) ? rated_by_din743(in_, there_, sides_, p_, swings, s)
+                                                        : fatigue::Din743Safety{};
+  }
+
+  /// The one of all swings under which the section lasts least.
+  [[nodiscard]] const Swings& weakest(std::span<const Swings> all, const Safety& prepared) const {
+    NoTrace quiet;
+    const Swings* found = all.data();
+    double most = -1.0;
+    for (const Swings& swings : all) {
+      Safety s = prepared;
+      if (in_.method == School::din743) s.n_DIN743 = din743(swings, s).S_D;
+      tire(in_, stresses_of(p_, there_, swings, quiet), s, quiet);
+      if (!(s.u_D <= most)) most = s.u_D, found = &swings;
+    }
+    return *found;
+  }
+
+ private:
+  [[nodiscard]] bool steel() const { return in_.group <= Endurance::Group::cast_steel; }
+
+  const Input& in_;
+  const There& there_;
+  const Sides& sides_;
+  const Section& p_;
+};
+
+/// What the section has to do with, told before its notch.
 template <class Tracer>
-Safety safety_of(const Input& in, const There& there, const Sides& sides, const Section& p, Tracer& trace) {
-  Safety s;
-  s.name = p.name, s.x = p.x;
-  const bool own = there.notch != nullptr && is_set(there.notch->r);
-  const Length r_n = own ? there.notch->r : 0.02 * p.d;
+void tell(const Section& p, Length r_n, bool own, bool turns, Tracer& trace) {
   trace.value("d", p.d, "of the section");
   trace.value("r_n", r_n, own ? "of the notch" : "0.02 d, of a keyway; of no account without a notch");
+  if (!turns) return;
   trace.value("sigma_b", p.sigma_b, "of the section");
   trace.value("sigma_n", p.sigma_n, "of the section");
   trace.value("tau", p.tau, "of the section");
-  const bool factors = by_factors(there), steel = in.group <= Endurance::Group::cast_steel;
+}
+
+}  // namespace
+
+template <class Tracer>
+Safety safety_of(const Input& in, const There& there, const Sides& sides, const Section& p,
+                 std::span<const Swings> swings, Tracer& trace) {
+  const Rating rating(in, there, sides, p);
+  Safety s;
+  s.name = p.name, s.x = p.x;
+  const bool own = there.notch != nullptr && is_set(there.notch->r), stands = swings.empty();
+  const Length r_n = own ? there.notch->r : 0.02 * p.d;
+  const Swings some = stands ? standing(in, p) : swings.front();
+  const bool twisted = some.T.a + abs(some.T.m) > 0.0 * N_m.one;
+  tell(p, r_n, own, stands, trace);
   if (there.notch == nullptr) trace.value("K_t", s.K_t, "no notch");
-  if (there.notch != nullptr && !factors) concentrate(*there.notch, sides, r_n, p, s, trace);
-  fatigue::Din743Safety rated;
-  if (steel && (factors || is_set(in.R_z))) rated = rated_by_din743(in, there, sides, p, s);
+  if (there.notch != nullptr && !rating.by_factors()) concentrate(*there.notch, sides, r_n, p, twisted, s, trace);
+  fatigue::Din743Safety rated = rating.din743(some, s);
   const double outside = outside_of_din743(rated);
-  if (factors)
+  if (rating.by_factors())
     weaken_by_factors(in, p.d, *there.notch, rated, s, trace);
   else
     weaken(in, p.d, r_n, s, trace);
-  if (outside == 0.0 && steel && is_set(in.R_z))
+  const Swings* const decides = stands ? nullptr : &rating.weakest(swings, s);
+  if (decides != nullptr) s.theta = decides->theta, rated = rating.din743(*decides, s);
+  if (outside == 0.0 && rating.by_din743())
     s.n_DIN743 = trace.value("n_DIN743", rated.S_D, "DIN 743, as fatigue.din743 finds it");
-  if (in.method == School::din743 || (factors && there.notch->kind != Notch::beta)) s.x_DIN = outside;
-  tire(in, p, s, trace);
+  if (in.method == School::din743 || (rating.by_factors() && there.notch->kind != Notch::beta)) s.x_DIN = outside;
+  tire(in, stands ? stresses_of(in, p, trace) : stresses_of(p, there, *decides, trace), s, trace);
   return s;
 }
 
-template Safety safety_of(const Input&, const There&, const Sides&, const Section&, NoTrace&);
-template Safety safety_of(const Input&, const There&, const Sides&, const Section&, Trace&);
+template Safety safety_of(const Input&, const There&, const Sides&, const Section&, std::span<const Swings>, NoTrace&);
+template Safety safety_of(const Input&, const There&, const Sides&, const Section&, std::span<const Swings>, Trace&);
 
 }  // namespace loadpath::shaft

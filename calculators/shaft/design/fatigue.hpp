@@ -3,6 +3,7 @@
 #pragma once
 
 #include "calculators/shaft/design/design.hpp"
+#include "calculators/shaft/design/turn.hpp"
 
 namespace loadpath::shaft {
 
@@ -21,7 +22,30 @@ struct Sides {
   [[nodiscard]] Length larger() const { return max(left.d, right.d); }
 };
 
+/// Moduli of a section; a cross hole takes a strip off it.
+struct Moduli {
+  Area A;
+  SectionModulus W, W_t;
+};
 template <class Tracer>
-Safety safety_of(const Design::Input& in, const There& there, const Sides& sides, const Section& p, Tracer& trace);
+Moduli moduli_of(const Section& p, const Notched* notch, Tracer& trace) {
+  if (notch != nullptr && notch->kind == Notch::cross_hole) {
+    const Length r = trace.value("r", notch->r, "of the hole");
+    STEP(A, pi / 4.0 * p.d * p.d - 2.0 * r * p.d, "net area, [DIN743] part 2 section 5.2.3");
+    STEP(W, pi / 32.0 * pow<3>(p.d) - r * p.d * p.d / 3.0, "net modulus in bending, [DIN743] part 2 section 5.2.3");
+    STEP(W_t, pi / 16.0 * pow<3>(p.d) - r * p.d * p.d / 3.0, "net modulus in torsion, [DIN743] part 2 section 5.2.3");
+    return {A, W, W_t};
+  }
+  STEP(A, pi / 4.0 * (p.d * p.d - p.d_bore * p.d_bore), "area");
+  STEP(W, pi / 32.0 * (pow<4>(p.d) - pow<4>(p.d_bore)) / p.d, "section modulus in bending");
+  STEP(W_t, 2.0 * W, "the modulus in torsion is twice that in bending");
+  return {A, W, W_t};
+}
+
+/// `swings`: what varies over a turn at points of the circumference, of which the weakest decides; none: loads stay in
+/// space, and the shaft turns.
+template <class Tracer>
+Safety safety_of(const Design::Input& in, const There& there, const Sides& sides, const Section& p,
+                 std::span<const Swings> swings, Tracer& trace);
 
 }  // namespace loadpath::shaft

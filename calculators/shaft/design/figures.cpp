@@ -1,6 +1,7 @@
 // The shaft from the side, with bearings and seats, and its diagrams along it.
-#include "calculators/shaft/design/bending.hpp"
+#include "calculators/shaft/design/turn.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,11 +41,11 @@ double force_y(const Loaded& l, std::size_t s, bool right) {
 }
 double torque(const Loaded& l, std::size_t s, bool) { return l.T[s]; }
 
-draw::Figure side(const Design::Input& in) {
+draw::Figure side(const Design::Input& in, std::size_t position) {
   draw::Shaft shaft;
   for (const Piece& piece : in.pieces) shaft.parts.push_back({in_si(piece.l), in_si(piece.d), in_si(piece.d_bore)});
   for (std::size_t i = 0; i < in.seats.size(); ++i) {
-    const double T = in_si(torque_of(in, i));
+    const double T = in_si(torque_of(in, i, position));
     if (T != 0.0) shaft.torques.push_back({in_si(in.seats[i].x), T, std::string(in.seats[i].name.view())});
   }
   for (std::size_t i = 0; i < in.supports.size(); ++i) {
@@ -65,19 +66,47 @@ draw::Figure elastic_line(const Loaded& loaded) {
   return diagram("elastic-line", "The elastic line in both planes", {"v", "deflection", "mm"}, {x, y});
 }
 
+/// The stresses of the section that decides, at a point that is fixed to the shaft.
+draw::Figure over_turn(const Design::Input& in, const Elastic& elastic, const Section& p, double theta) {
+  const Value& series = *any_series(in);
+  const std::size_t node = elastic.stations.at(p.x);
+  draw::Curve sigma{"sigma", series.signature.axis->at, {}}, tau{"tau", series.signature.axis->at, {}};
+  Turn turn(in, elastic.stations.x.size());
+  for (std::size_t i = 0; i < turn.positions(); ++i) {
+    turn.take(loaded_at(in, elastic, i));
+    sigma.y.push_back(turn.moment(node, i, theta) * in_si(p.sigma_b / p.M));
+    if (in_si(p.T) != 0.0) tau.y.push_back(turn.felt(node, i).T * in_si(p.tau / abs(p.T)));
+  }
+  draw::Plot plot;
+  plot.x = {"phi", series.signature.axis->quantity, series.signature.axis->unit};
+  plot.y = {"sigma", "bending and torsional stress", "MPa"};
+  plot.curves = {sigma};
+  if (!tau.y.empty()) plot.curves.push_back(tau);
+  return {"turn", "Stresses over a turn at a point fixed to the shaft, where it is weakest", std::move(plot)};
+}
+
 }  // namespace
 
-std::vector<draw::Figure> Design::figures(const Input& in, const Result&) {
-  const auto found = loaded_shaft(in);
-  if (!found) return {};
-  const Loaded& loaded = *found;
-  return {side(in),
-          diagram("transverse-force", "Transverse force in both planes", {"V", "transverse force", "N"},
-                  {along(loaded, "V_X", &force_x), along(loaded, "V_Y", &force_y)}),
-          diagram("bending-moment", "Bending moment in both planes", {"M", "bending moment", "N*m"},
-                  {along(loaded, "M_X", &moment_x), along(loaded, "M_Y", &moment_y)}),
-          diagram("torque-diagram", "Torque diagram", {"T", "torque", "N*m"}, {along(loaded, "T", &torque)}),
-          elastic_line(loaded)};
+std::vector<draw::Figure> Design::figures(const Input& in, const Result& r) {
+  const auto elastic = elastic_shaft(in);
+  if (!elastic) return {};
+  const std::size_t position = most_bent(in, *elastic);
+  const Loaded loaded = loaded_at(in, *elastic, position);
+  std::vector<draw::Figure> all{
+      side(in, position),
+      diagram("transverse-force", "Transverse force in both planes", {"V", "transverse force", "N"},
+              {along(loaded, "V_X", &force_x), along(loaded, "V_Y", &force_y)}),
+      diagram("bending-moment", "Bending moment in both planes", {"M", "bending moment", "N*m"},
+              {along(loaded, "M_X", &moment_x), along(loaded, "M_Y", &moment_y)}),
+      diagram("torque-diagram", "Torque diagram", {"T", "torque", "N*m"}, {along(loaded, "T", &torque)}),
+      elastic_line(loaded)};
+  const auto weakest = std::max_element(r.safeties.begin(), r.safeties.end(),
+                                        [](const Safety& a, const Safety& b) { return a.u_D < b.u_D; });
+  if (varies(in) && weakest != r.safeties.end()) {
+    const Section& p = r.sections[static_cast<std::size_t>(weakest - r.safeties.begin())];
+    if (p.M > 0.0 * N_m.one) all.push_back(over_turn(in, *elastic, p, weakest->theta));
+  }
+  return all;
 }
 
 }  // namespace loadpath::shaft

@@ -25,11 +25,19 @@ struct Carried {
       NameField{&Carried::name, "name", "name of the bearing"},
       Field{&Carried::x, "x", mm, "its place"},
       Choice{&Carried::holds, "holds", "what it takes"},
-      Field{&Carried::R_x, "R_x", N, "force on the shaft along X"}.load().with("R_y, F_a").holding("K_A"),
-      Field{&Carried::R_y, "R_y", N, "force on the shaft along Y"}.load().with("R_x, F_a").holding("K_A"),
-      Field{&Carried::F_r, "F_r", N, "radial load of the bearing"}.load().with("F_a").holding("K_A"),
-      Field{&Carried::F_a, "F_a", N, "axial load of the bearing, positive to the right"}.load().with("F_r").holding(
-          "K_A"),
+      Field{&Carried::R_x, "R_x", N, "force on the shaft along X; over a turn where F_r is largest"}
+          .load()
+          .with("R_y, F_a")
+          .holding("K_A"),
+      Field{&Carried::R_y, "R_y", N, "force on the shaft along Y, likewise"}.load().with("R_x, F_a").holding("K_A"),
+      Field{&Carried::F_r, "F_r", N, "radial load of the bearing; over a turn its mean with the exponent 10/3"}
+          .load()
+          .with("F_a")
+          .holding("K_A"),
+      Field{&Carried::F_a, "F_a", N, "axial load of the bearing, positive to the right; over a turn as F_r"}
+          .load()
+          .with("F_r")
+          .holding("K_A"),
       Field{&Carried::F_r0, "F_r0", N, "largest radial load, with k_max"}.load().with("F_a0").holding("K_A"),
       Field{&Carried::F_a0, "F_a0", N, "largest axial load, with k_max"}.load().with("F_r0").holding("K_A"),
       Field{&Carried::n, "n", rpm, "speed of the shaft"},
@@ -47,7 +55,7 @@ struct Seated {
   static constexpr std::tuple fields{
       NameField{&Seated::name, "name", "what sits there"},
       Field{&Seated::x, "x", mm, "its place"},
-      Field{&Seated::T, "T", N_m, "torque that it gives to the shaft"}.holding("K_A"),
+      Field{&Seated::T, "T", N_m, "torque that it gives to the shaft, the largest over a turn"}.holding("K_A"),
       Field{&Seated::v, "v", mm, "deflection"},
       Field{&Seated::beta, "beta", deg, "slope"},
       Field{&Seated::u_beta, "u_beta", ratio, "slope over the allowable one"}.check().where_it_applies()};
@@ -60,10 +68,12 @@ struct Section {
   Moment M_x = unset<Moment>, M_y = unset<Moment>, M = unset<Moment>, T = unset<Moment>;
   Force N = unset<Force>;
   Stress sigma_b = unset<Stress>, sigma_n = unset<Stress>, tau = unset<Stress>, sigma_v = unset<Stress>;
+  double psi = unset<double>;
   double u_v = unset<double>, u_h = unset<double>;
   static constexpr std::tuple fields{
       NameField{&Section::name, "name", "what is there"},
       Field{&Section::x, "x", mm, "place"},
+      Field{&Section::psi, "psi", deg, "angle of the shaft at which it bears most, of loads over a turn"},
       Field{&Section::d, "d", mm, "outer diameter, of a groove the net one"},
       Field{&Section::d_bore, "d_bore", mm, "bore"},
       Field{&Section::M_x, "M_x", N_m, "bending moment in the plane of X"}.holding("K_A"),
@@ -100,6 +110,7 @@ struct Harmonic {
 struct Safety {
   Name name;
   Length x = unset<Length>;
+  double theta = unset<double>;
   double K_t = 1.0, K_ts = 1.0, K_f = unset<double>, K_fs = unset<double>;
   Stress S_e = unset<Stress>, sigma_a = unset<Stress>, sigma_m = unset<Stress>;
   double n_Goodman = unset<double>, n_Soderberg = unset<double>, n_Gerber = unset<double>, n_elliptic = unset<double>;
@@ -110,6 +121,8 @@ struct Safety {
   static constexpr std::tuple fields{
       NameField{&Safety::name, "name", "what is there"},
       Field{&Safety::x, "x", mm, "place"},
+      Field{&Safety::theta, "theta", deg,
+            "direction of the point that decides, fixed to the shaft, from X where psi is 0; of loads over a turn"},
       Field{&Safety::K_t, "K_t", ratio, "stress concentration in bending"},
       Field{&Safety::K_ts, "K_ts", ratio, "stress concentration in torsion"},
       Field{&Safety::K_f, "K_f", ratio, "fatigue notch factor in bending"},

@@ -1,5 +1,6 @@
 // What shaft.design asks of its input beyond the bounds of its fields.
 #include "calculators/shaft/design/bending.hpp"
+#include "calculators/shaft/design/turn.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -53,10 +54,24 @@ bool find_step(const Input& in, const Found& found) {
   return false;
 }
 
+/// The sum of all torques where it is largest.
 Moment balance(const Input& in) {
-  Moment sum = 0.0 * N_m.one;
-  for (std::size_t i = 0; i < in.seats.size(); ++i) sum += torque_of(in, i);
-  return sum;
+  Moment most = 0.0 * N_m.one;
+  for (std::size_t position = 0; position < positions_of(in); ++position) {
+    Moment sum = 0.0 * N_m.one;
+    for (std::size_t i = 0; i < in.seats.size(); ++i) sum += torque_of(in, i, position);
+    if (abs(sum) > abs(most)) most = sum;
+  }
+  return most;
+}
+
+/// Whether a load is anything but zero in a turn.
+template <class Load>
+bool acts(const Load& load) {
+  for (std::size_t i = 0; i < load.positions(); ++i) {
+    if (std::abs(in_si(load.at(i))) > 0.0) return true;
+  }
+  return false;
 }
 
 std::ptrdiff_t count_balancing(const Input& in) {
@@ -75,11 +90,12 @@ std::string format(Length x) { return format_quantity(in_si(x), mm.symbol); }
 
 /// What a force across makes about the axis, where it acts, is the torque, to what tables round; a force along the
 /// shaft that comes with it acts at the same place.
-bool makes_its_torque(const Seat& seat) {
+bool makes_its_torque(const Seat& seat, std::size_t position) {
   constexpr double rounding = 0.05;
-  const bool meshes = abs(seat.F_y) > 0.0 * N.one && abs(seat.F_z) > 0.0 * N.one;
+  const Force F_y = seat.F_y.at(position), F_z = seat.F_z.at(position);
+  const bool meshes = abs(F_y) > 0.0 * N.one && abs(F_z) > 0.0 * N.one;
   if (meshes && seat.x_w == 0.0 * mm) return false;
-  const Moment made = abs(seat.F_y * seat.x_w), T = is_set(seat.T) ? seat.T : 0.0 * N_m.one;
+  const Moment made = abs(F_y * seat.x_w), T = is_set(seat.T) ? abs(seat.T.at(position)) : 0.0 * N_m.one;
   return made == 0.0 * N_m.one || seat.way == Way::balances || abs(made - T) <= rounding * max(made, T);
 }
 
@@ -212,7 +228,10 @@ bool Design::bores_fit(const Input& in) {
 
 bool Design::torques_close(const Input& in) {
   double largest = 0.0;
-  for (const Seat& seat : in.seats) largest = std::max(largest, is_set(seat.T) ? in_si(seat.T) : 0.0);
+  for (const Seat& seat : in.seats) {
+    for (std::size_t i = 0; is_set(seat.T) && i < seat.T.positions(); ++i)
+      largest = std::max(largest, std::abs(in_si(seat.T.at(i))));
+  }
   const bool balanced_alone = std::all_of(in.seats.begin(), in.seats.end(),
                                           [](const Seat& s) { return s.way != Way::balances || !is_set(s.T); });
   return count_balancing(in) <= 1 && balanced_alone && std::abs(in_si(balance(in))) <= 1e-6 * largest;
@@ -242,8 +261,7 @@ Applies Design::running(const Input& in) { return shown_by(is_set(speed_of(in)))
 bool Design::thrust_is_held(const Input& in) {
   const auto fixed =
       std::count_if(in.supports.begin(), in.supports.end(), [](const Support& s) { return s.holds == Holds::both; });
-  const bool pushed =
-      std::any_of(in.seats.begin(), in.seats.end(), [](const Seat& s) { return abs(s.F_z) > 0.0 * N.one; });
+  const bool pushed = std::any_of(in.seats.begin(), in.seats.end(), [](const Seat& s) { return acts(s.F_z); });
   return fixed == 1 || (fixed == 0 && !pushed);
 }
 
@@ -308,17 +326,37 @@ bool Design::slopes_of_all(const Input& in) {
 }
 
 bool Design::forces_make_torques(const Input& in) {
-  return std::all_of(in.seats.begin(), in.seats.end(), &makes_its_torque);
+  for (std::size_t i = 0; i < positions_of(in); ++i) {
+    if (!std::all_of(in.seats.begin(), in.seats.end(), [&](const Seat& s) { return makes_its_torque(s, i); }))
+      return false;
+  }
+  return true;
+}
+
+bool Design::turn_is_known(const Input& in) { return *fault_of_turn(in).key == '\0'; }
+
+FieldFault Design::open_turn(const Input& in) {
+  const TurnFault fault = fault_of_turn(in);
+  return {"seats." + std::string(fault.key), fault.message, fault.hint};
+}
+
+bool Design::torque_runs(const Input& in) { return torque_varies(in); }
+
+Applies Design::tired(const Input& in) {
+  return min(loaded(in), max(max(running(in), shown_by(varies(in))), load_varies(in)));
 }
 
 /// About z what drives has one sign, what is driven the other.
 bool Design::forces_turn_alike(const Input& in) {
-  double sense = 0.0;
-  for (const Seat& seat : in.seats) {
-    const double made = in_si(seat.F_y) * in_si(seat.x_w) * (seat.way == Way::drives ? 1.0 : -1.0);
-    if (made == 0.0 || seat.way == Way::balances) continue;
-    if (made * sense < 0.0) return false;
-    sense = made > 0.0 ? 1.0 : -1.0;
+  for (std::size_t i = 0; i < positions_of(in); ++i) {
+    double sense = 0.0;
+    for (const Seat& seat : in.seats) {
+      const double way = (seat.way == Way::drives ? 1.0 : -1.0) * (in_si(seat.T.at(i)) < 0.0 ? -1.0 : 1.0);
+      const double made = in_si(seat.F_y.at(i)) * in_si(seat.x_w) * way;
+      if (made == 0.0 || seat.way == Way::balances) continue;
+      if (made * sense < 0.0) return false;
+      sense = made > 0.0 ? 1.0 : -1.0;
+    }
   }
   return true;
 }

@@ -1,6 +1,7 @@
 #include "calculators/shaft/design/sections.hpp"
 
 #include "calculators/shaft/design/fatigue.hpp"
+#include "calculators/shaft/design/turn.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,27 +14,27 @@ using Input = Design::Input;
 using Result = Design::Result;
 
 /// Where the moment is largest within a piece.
-Length place_of_most(const Loaded& loaded, std::size_t piece) {
+Length place_of_most(const Stations& stations, const Turn& turn, std::size_t piece) {
   std::size_t most = 0;
   double largest = -1.0;
-  for (std::size_t s = 0; s < loaded.stations.piece.size(); ++s) {
-    if (loaded.stations.piece[s] != piece) continue;
+  for (std::size_t s = 0; s < stations.piece.size(); ++s) {
+    if (stations.piece[s] != piece) continue;
     for (const std::size_t node : {s, s + 1}) {
-      const Felt felt = loaded.felt(node);
+      const Felt& felt = turn.felt(node, turn.most_bent());
       const double M = std::hypot(felt.M_x, felt.M_y);
       if (M > largest) largest = M, most = node;
     }
   }
-  return from_si<Length>(loaded.stations.x[most]);
+  return from_si<Length>(stations.x[most]);
 }
 
 using Changes = List<There, most_places>;
 
 /// Of what stands at one place the notch comes first, then what has a name.
-Changes changes_of(const Input& in, const Loaded& loaded) {
+Changes changes_of(const Input& in, const Stations& stations, const Turn& turn) {
   Changes all;
   const auto add = [&](Length x, const Name& name, const Notched* notch) {
-    const std::size_t node = loaded.stations.at(x);
+    const std::size_t node = stations.at(x);
     const auto same = std::find_if(all.begin(), all.end(), [&](const There& t) { return t.node == node; });
     if (same == all.end()) {
       all.push_back({node, notch, name});
@@ -48,7 +49,8 @@ Changes changes_of(const Input& in, const Loaded& loaded) {
   add(x, {}, nullptr);
   for (const Piece& piece : in.pieces) add(x += piece.l, {}, nullptr);
   if (is_set(in.g_angle)) {  // weight bends most between them
-    for (std::size_t piece = 0; piece < in.pieces.size(); ++piece) add(place_of_most(loaded, piece), {}, nullptr);
+    for (std::size_t piece = 0; piece < in.pieces.size(); ++piece)
+      add(place_of_most(stations, turn, piece), {}, nullptr);
   }
   std::sort(all.begin(), all.end(), [](const There& a, const There& b) { return a.node < b.node; });
   return all;
@@ -57,26 +59,6 @@ Changes changes_of(const Input& in, const Loaded& loaded) {
 Sides sides_of(const Input& in, const Stations& stations, std::size_t node) {
   const std::size_t last = stations.piece.size() - 1;
   return {in.pieces[stations.piece[node == 0 ? 0 : node - 1]], in.pieces[stations.piece[std::min(node, last)]]};
-}
-
-/// Moduli of a section; a cross hole takes a strip off it.
-struct Moduli {
-  Area A;
-  SectionModulus W, W_t;
-};
-template <class Tracer>
-Moduli moduli_of(const Section& p, const Notched* notch, Tracer& trace) {
-  if (notch != nullptr && notch->kind == Notch::cross_hole) {
-    const Length r = trace.value("r", notch->r, "of the hole");
-    STEP(A, pi / 4.0 * p.d * p.d - 2.0 * r * p.d, "net area, [DIN743] part 2 section 5.2.3");
-    STEP(W, pi / 32.0 * pow<3>(p.d) - r * p.d * p.d / 3.0, "net modulus in bending, [DIN743] part 2 section 5.2.3");
-    STEP(W_t, pi / 16.0 * pow<3>(p.d) - r * p.d * p.d / 3.0, "net modulus in torsion, [DIN743] part 2 section 5.2.3");
-    return {A, W, W_t};
-  }
-  STEP(A, pi / 4.0 * (p.d * p.d - p.d_bore * p.d_bore), "area");
-  STEP(W, pi / 32.0 * (pow<4>(p.d) - pow<4>(p.d_bore)) / p.d, "section modulus in bending");
-  STEP(W_t, 2.0 * W, "the modulus in torsion is twice that in bending");
-  return {A, W, W_t};
 }
 
 template <class Tracer>
@@ -100,16 +82,24 @@ void stress(const Input& in, const Felt& felt, const Notched* notch, Section& p,
   STEP_TO(p, u_v, in.S_F * sigma_v / in.R_e, "yield");
 }
 
+/// A place of the turn: the section, and the position at which it bears most.
+struct Place {
+  const There& there;
+  Sides sides;
+  Length x;
+};
+
 template <class Tracer>
-Section section_at(const Input& in, const Loaded& loaded, const There& there, const Sides& sides, Tracer& trace) {
+Section section_at(const Input& in, const Place& place, const Felt& felt, double psi, Tracer& trace) {
+  const auto& [there, sides, x] = place;
   Section p;
-  p.name = there.name;
-  p.x = from_si<Length>(loaded.stations.x[there.node]);
+  p.name = there.name, p.x = x, p.psi = psi;
   p.d = sides.thinner().d, p.d_bore = max(sides.left.d_bore, sides.right.d_bore);
   if (there.notch != nullptr && is_groove(there.notch->kind)) p.d -= 2.0 * there.notch->t;
   trace.value("d", p.d, "the thinner side, of a groove its ground");
   trace.value("d_bore", p.d_bore, "bore");
-  stress(in, loaded.felt(there.node), there.notch, p, trace);
+  if (is_set(psi)) trace.angle("psi", psi, "where in the turn it bears most");
+  stress(in, felt, there.notch, p, trace);
   if (there.notch != nullptr && is_set(there.notch->h)) {
     const Length h = trace.value("h", there.notch->h, "asked for, by what is set against the shoulder");
     const Length high = trace.value("high", (sides.larger() - sides.thinner().d) / 2.0, "of the shoulder");
@@ -126,29 +116,76 @@ std::size_t governing(const Elements& all, const Use& use) {
   return static_cast<std::size_t>(found - all.begin());
 }
 
+/// All sections of the shaft over its turn.
+class Judging {
+ public:
+  Judging(const Input& in, const Stations& stations, const Turn& turn)
+      : in_(in), stations_(stations), turn_(turn), changes_(changes_of(in, stations, turn)) {}
+
+  void judge(Result& r) const {
+    NoTrace quiet;
+    for (std::size_t k = 0; k < changes_.size(); ++k) {
+      r.sections.push_back(section(k, quiet));
+      if (Design::asks_fatigue(in_)) r.safeties.push_back(safety(k, r.sections.back(), quiet));
+    }
+  }
+
+  /// At the position where it bears most.
+  template <class Tracer>
+  Section section(std::size_t k, Tracer& trace) const {
+    const std::size_t position = worst_position(k);
+    return section_at(in_, place(k), turn_.felt(changes_[k].node, position), turn_.psi(position), trace);
+  }
+  template <class Tracer>
+  Safety safety(std::size_t k, const Section& p, Tracer& trace) const {
+    const auto swings = turn_.varies() ? turn_.swings(changes_[k].node, in_.r_T) : std::vector<Swings>();
+    return safety_of(in_, changes_[k], place(k).sides, p, swings, trace);
+  }
+
+ private:
+  [[nodiscard]] Place place(std::size_t k) const {
+    const std::size_t node = changes_[k].node;
+    return {changes_[k], sides_of(in_, stations_, node), from_si<Length>(stations_.x[node])};
+  }
+
+  [[nodiscard]] std::size_t worst_position(std::size_t k) const {
+    NoTrace quiet;
+    std::size_t worst = 0;
+    Stress most = -1.0 * MPa;
+    for (std::size_t i = 0; turn_.varies() && i < turn_.positions(); ++i) {
+      const Felt& felt = turn_.felt(changes_[k].node, i);
+      const Stress sigma_v = section_at(in_, place(k), felt, unset<double>, quiet).sigma_v;
+      if (sigma_v > most) most = sigma_v, worst = i;
+    }
+    return worst;
+  }
+
+  const Input& in_;
+  const Stations& stations_;
+  const Turn& turn_;
+  Changes changes_;
+};
+
 }  // namespace
 
 template <class Tracer>
-void judge_sections(const Input& in, const Loaded& loaded, Result& r, Tracer& trace) {
-  NoTrace quiet;
-  const Changes changes = changes_of(in, loaded);
-  for (const There& there : changes) {
-    const Sides sides = sides_of(in, loaded.stations, there.node);
-    r.sections.push_back(section_at(in, loaded, there, sides, quiet));
-    if (Design::asks_fatigue(in)) r.safeties.push_back(safety_of(in, there, sides, r.sections.back(), quiet));
-  }
-  {
+void judge_sections(const Input& in, const Stations& stations, const Turn& turn, Result& r, Tracer& trace) {
+  const Judging judging(in, stations, turn);
+  judging.judge(r);
+  if constexpr (Tracer::traces) {
     const std::size_t yields = governing(r.sections, [](const Section& p) { return in_si(p.sigma_v); });
-    [[maybe_unused]] const auto here = trace.scope("sections", yields);
-    section_at(in, loaded, changes[yields], sides_of(in, loaded.stations, changes[yields].node), trace);
+    {
+      [[maybe_unused]] const auto here = trace.scope("sections", yields);
+      judging.section(yields, trace);
+    }
+    if (r.safeties.empty()) return;
+    const std::size_t tires = governing(r.safeties, [](const Safety& s) { return s.u_D; });
+    [[maybe_unused]] const auto here = trace.scope("safeties", tires);
+    judging.safety(tires, r.sections[tires], trace);
   }
-  if (r.safeties.empty()) return;
-  const std::size_t tires = governing(r.safeties, [](const Safety& s) { return s.u_D; });
-  [[maybe_unused]] const auto here = trace.scope("safeties", tires);
-  safety_of(in, changes[tires], sides_of(in, loaded.stations, changes[tires].node), r.sections[tires], trace);
 }
 
-template void judge_sections(const Input&, const Loaded&, Result&, NoTrace&);
-template void judge_sections(const Input&, const Loaded&, Result&, Trace&);
+template void judge_sections(const Input&, const Stations&, const Turn&, Result&, NoTrace&);
+template void judge_sections(const Input&, const Stations&, const Turn&, Result&, Trace&);
 
 }  // namespace loadpath::shaft

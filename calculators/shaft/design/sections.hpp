@@ -1,12 +1,13 @@
 // The sections of a shaft where something changes, each against yielding and fatigue.
 #pragma once
 
-#include "calculators/shaft/design/bending.hpp"
+#include "calculators/shaft/design/turn.hpp"
 
 namespace loadpath::shaft {
 
 /// All of them quietly, and those again with their lines that decide over yielding and over fatigue.
 template <class Tracer>
-void judge_sections(const Design::Input& in, const Loaded& loaded, Design::Result& r, Tracer& trace);
+void judge_sections(const Design::Input& in, const Stations& stations, const Turn& turn, Design::Result& r,
+                    Tracer& trace);
 
 }  // namespace loadpath::shaft

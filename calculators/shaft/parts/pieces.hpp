@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/varying.hpp"
 #include "lib/quantity/drive_units.hpp"
 #include "lib/quantity/units.hpp"
 
@@ -46,14 +47,16 @@ struct Support {
 
 enum class Way { takes, drives, balances };
 
-/// What sits on the shaft and loads it: a gear, a pulley, a sprocket, a coupling, a weight.
+/// What sits on the shaft and loads it: a gear, a pulley, a sprocket, a coupling, a weight; a crank, whose forces are
+/// known over a turn.
 struct Seat {
   Name name;
   Length x = unset<Length>;
   Way way = Way::takes;
-  Moment T = unset<Moment>;
+  Varying<Moment> T = unset<Moment>;
   double angle = 0.0;
-  Force F_x = 0.0 * N.one, F_y = 0.0 * N.one, F_z = 0.0 * N.one;
+  Varying<Force> F_x = 0.0 * N.one, F_y = 0.0 * N.one, F_z = 0.0 * N.one;
+  Varying<double> psi = unset<double>;
   Length x_w = 0.0 * mm;
   AngularSpeed n = unset<AngularSpeed>;
   Mass mass = unset<Mass>;
@@ -63,13 +66,20 @@ struct Seat {
   static constexpr std::tuple fields{
       NameField{&Seat::name, "name", "what sits there"}.may_be_missing(),
       Field{&Seat::x, "x", mm, "its middle, from the left end of the shaft"}.at_least(0),
-      RecordField<Seat>{"load", "gear, belt, chain or drive that sits there, whole: load = \"=gears.gear_2\""},
+      RecordField<Seat>{"load",
+                        "gear, belt, chain or crank that sits there, whole: load = \"=gears.gear_2\", "
+                        "\"=press.shafts.O\""},
       Choice{&Seat::way, "way", "what it does with the torque"}.may_be_missing(),
-      Field{&Seat::T, "T", N_m, "its torque"}.load().at_least(0).may_be_missing(),
+      Field{&Seat::T, "T", N_m, "its torque; below zero in a part of a turn where it gives some back"}
+          .load()
+          .may_be_missing(),
       Field{&Seat::angle, "angle", deg, "direction to its mate, or of the pull: F_x against X, from X to Y"},
       Field{&Seat::F_x, "F_x", N, "force toward its mate, or along the pull; negative away from it"}.load(),
       Field{&Seat::F_y, "F_y", N, "force across, a quarter turn further"}.load(),
       Field{&Seat::F_z, "F_z", N, "force along the shaft, positive to the right"}.load(),
+      Field{&Seat::psi, "psi", deg,
+            "angle of the shaft at each position of a turn, from X to Y; one value: the shaft stands"}
+          .may_be_missing(),
       Field{&Seat::x_w, "x_w", mm, "from the axis to the point where the forces act, toward the mate"},
       Field{&Seat::n, "n", rpm, "its speed, which is that of the shaft"}.may_be_missing(),
       Field{&Seat::mass, "mass", kg, "mass, for the critical speed, and the weight where that counts"}

@@ -62,8 +62,8 @@ Sum balance(const Design::Input& in, const Design::Result& r, double turned) {
   };
   for (const Seat& s : in.seats) {
     const double a = s.angle - turned;
-    add(in_si(s.F_x) * std::cos(a) - in_si(s.F_y) * std::sin(a), in_si(s.x),
-        -in_si(s.F_z) * in_si(s.x_w) * std::cos(a));
+    add(in_si(s.F_x.one) * std::cos(a) - in_si(s.F_y.one) * std::sin(a), in_si(s.x),
+        -in_si(s.F_z.one) * in_si(s.x_w) * std::cos(a));
   }
   for (const auto& b : r.bearings)
     add(in_si(b.R_x) * std::cos(turned) + in_si(b.R_y) * std::sin(turned), in_si(b.x), 0.0);
@@ -91,7 +91,7 @@ TEST_SUITE("shaft design") {
         CHECK(std::abs(sum.moment) < 1e-9 * sum.size);
       }
       double thrust = 0.0;
-      for (const Seat& s : in.seats) thrust += in_si(s.F_z);
+      for (const Seat& s : in.seats) thrust += in_si(s.F_z.one);
       CHECK(in_si(r.bearings[0].F_a) == Approx(thrust));
       CHECK(in_si(r.sections.front().M) == Approx(0.0).epsilon(1e-9));
     }

@@ -29,15 +29,7 @@ rainflow::Rules rules_of(const Input& in) {
 
 std::vector<rainflow::Cycle> counted(const Input& in) {
   rainflow::CycleList list;
-  const std::vector<double>& samples = in.sigma.series->si;
-  const rainflow::Rules rules = rules_of(in);
-  if (in.residue == Residue::repeated) {
-    if (rainflow::count_periodic(samples, rules, list)) return {};
-    return list.cycles();
-  }
-  rainflow::Counter counter(rules, list);
-  if (counter.feed(samples)) return {};
-  counter.finish();
+  count_into(in, list);
   return list.cycles();
 }
 
@@ -54,6 +46,17 @@ Collective of_blocks(const Input& in) {
 }
 
 }  // namespace
+
+void count_into(const Input& in, rainflow::Consumer& consumer) {
+  const std::vector<double>& samples = in.sigma.series->si;
+  const rainflow::Rules rules = rules_of(in);
+  if (in.residue == Residue::repeated) {
+    rainflow::count_periodic(samples, rules, consumer);
+    return;
+  }
+  rainflow::Counter counter(rules, consumer);
+  if (!counter.feed(samples)) counter.finish();
+}
 
 Collective collective_of(const Input& in) {
   if (!in.blocks.empty()) return of_blocks(in);

@@ -15,6 +15,9 @@ struct Collective {
 };
 Collective collective_of(const History::Input& in);
 
+/// What a series counts, in Pa and without the gate, by its method and its rule for the residue.
+void count_into(const History::Input& in, rainflow::Consumer& consumer);
+
 /// One turn of what turns: it comes again, and begins anywhere.
 bool is_turn(const History::Input& in);
 

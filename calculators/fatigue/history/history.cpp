@@ -1,5 +1,6 @@
 #include "calculators/fatigue/history/history.hpp"
 
+#include "calculators/fatigue/history/classes.hpp"
 #include "calculators/fatigue/history/curve.hpp"
 #include "calculators/fatigue/history/cycles.hpp"
 #include "calculators/fatigue/history/figure.hpp"
@@ -318,6 +319,7 @@ History::Result History::evaluate(const Input& in, Tracer& trace) {
   double n = 0.0;
   for (const Cycle& cycle : all.cycles) n += cycle.count;
   r.n = trace.value("n", n, in.blocks.empty() ? "cycles by rainflow" : "cycles of all blocks");
+  classify(in, r);
   r.u_m = largest_mean(in, all);
   if (r.u_m >= 1.0) return r;
   const OnCurve on = on_curve(in, all.cycles);
@@ -334,12 +336,16 @@ History::Result History::evaluate(const Input& in, Tracer& trace) {
 template History::Result History::evaluate(const Input&, NoTrace&);
 template History::Result History::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> History::figures(const Input& in, const Result& /*r*/) {
+std::vector<draw::Figure> History::figures(const Input& in, const Result& r) {
   const Collective all = collective_of(in);
-  if (all.cycles.empty() || largest_mean(in, all) >= 1.0) return {};
+  std::vector<draw::Figure> figures = class_figures(r);
+  if (all.cycles.empty() || largest_mean(in, all) >= 1.0) return figures;
   const OnCurve on = on_curve(in, all.cycles);
-  return collective_figure(all.cycles, on.stress, weighing_curve(in, on.largest), is_set(in.n_req) ? in.n_req : 1.0,
-                           is_of_part(in) ? "amplitude at r = -1" : "range");
+  for (draw::Figure& figure :
+       collective_figure(all.cycles, on.stress, weighing_curve(in, on.largest), is_set(in.n_req) ? in.n_req : 1.0,
+                         is_of_part(in) ? "amplitude at r = -1" : "range"))
+    figures.push_back(std::move(figure));
+  return figures;
 }
 
 }  // namespace loadpath::fatigue

@@ -90,7 +90,9 @@ n_req = 1
     double S_F = unset<double>;
     double D_adm = 1.0, n_req = unset<double>, N_eq = unset<double>;
     Time t = unset<Time>;
+    Whole classes = 0;
   };
+  static constexpr int most_classes = 32;
   static bool is_of_part(const Input& in) { return in.curve == Curve::part; }
   static Applies has_tension(const Input& in);
   static Applies leaves_residue(const Input& in) {
@@ -157,10 +159,17 @@ n_req = 1
       Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m", "d_h"),
       Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
       Field{&Input::S_F, "S_F", ratio, "safety against yielding"}.at_least(1).usually(1, 6).may_be_missing().factor(),
-      Field{&Input::D_adm, "D_adm", ratio, "allowable damage sum"}.positive().usually(0.1, 1),
+      Field{&Input::D_adm, "D_adm", ratio,
+            "allowable damage sum: 1 by Miner, of the relative rule what tests of alike parts gave, as 0.3"}
+          .positive()
+          .usually(0.1, 1),
       Field{&Input::n_req, "n_req", ratio, "how often the history has to be borne"}.positive().may_be_missing(),
       Field{&Input::N_eq, "N_eq", ratio, "cycles of the equivalent stress of one size"}.positive().may_be_missing(),
-      Field{&Input::t, "t", hour, "time of one passage; of a mechanism from its speed"}.positive().may_be_missing()};
+      Field{&Input::t, "t", hour, "time of one passage; of a mechanism from its speed"}.positive().may_be_missing(),
+      Count{&Input::classes, "classes", 0, most_classes,
+            "classes of stress, for the rainflow matrix, range pairs and level crossings of a series; what lies on a "
+            "bound belongs to the class below; 0: none of them"}
+          .may_be_missing()};
 
   /// A cycle that does much of the damage.
   struct Worst {
@@ -176,6 +185,30 @@ n_req = 1
   };
   static constexpr std::size_t most_worst = 10;
 
+  /// Cycles of one direction, by the middles of the classes that they begin and end in.
+  struct Cell {
+    Stress from = unset<Stress>, to = unset<Stress>;
+    double n = unset<double>;
+    static constexpr std::tuple fields{Field{&Cell::from, "from", MPa, "begin: middle of the class"},
+                                       Field{&Cell::to, "to", MPa, "end: middle of the class"},
+                                       Field{&Cell::n, "n", ratio, "cycles, halves as 0.5"}};
+  };
+  struct RangePair {
+    Stress from = unset<Stress>, to = unset<Stress>;
+    double n = unset<double>, n_least = unset<double>;
+    static constexpr std::tuple fields{Field{&RangePair::from, "from", MPa, "range of the class, least"},
+                                       Field{&RangePair::to, "to", MPa, "range of the class, largest"},
+                                       Field{&RangePair::n, "n", ratio, "cycles of that range, halves as 0.5"},
+                                       Field{&RangePair::n_least, "n_least", ratio, "cycles at least so large"}};
+  };
+  struct Crossing {
+    Stress sigma = unset<Stress>;
+    double up = unset<double>, down = unset<double>;
+    static constexpr std::tuple fields{Field{&Crossing::sigma, "sigma", MPa, "level: a bound of classes"},
+                                       Field{&Crossing::up, "up", ratio, "crossings upwards"},
+                                       Field{&Crossing::down, "down", ratio, "crossings downwards"}};
+  };
+
   struct Result {
     double n = unset<double>;
     Stress sigma_max = unset<Stress>, sigma_min = unset<Stress>, sigma_a1 = unset<Stress>, sigma_m1 = unset<Stress>;
@@ -189,6 +222,9 @@ n_req = 1
     double u_y = unset<double>, u_F = unset<double>, u_m = unset<double>, u_D = unset<double>, x_N = unset<double>,
            x_R = unset<double>, x_g = unset<double>;
     List<Worst, most_worst> worst;
+    std::vector<Cell> matrix;
+    std::vector<RangePair> range_pairs;
+    std::vector<Crossing> crossings;
   };
   static constexpr std::tuple results{
       Field{&Result::n, "n", ratio, "cycles of one passage, halves as 0.5"},
@@ -224,7 +260,10 @@ n_req = 1
       Field{&Result::x_g, "x_g", ratio, "damage of the cycles that the gate leaves out, over that of all"}
           .limit(0, 0.01)
           .where_it_applies(),
-      ListField{&Result::worst, "worst", "cycles that do most damage"}};
+      ListField{&Result::worst, "worst", "cycles that do most damage"},
+      ListField{&Result::matrix, "matrix", "rainflow matrix, where it is not empty: all with the service factor"},
+      ListField{&Result::range_pairs, "range_pairs", "range pairs, the largest first"},
+      ListField{&Result::crossings, "crossings", "level crossings, the highest first, without the gate"}};
 
   static bool one_source(const Input& in);
   static bool is_history(const Input& in) { return !is_set(in.sigma.one); }
@@ -257,6 +296,8 @@ n_req = 1
       Rule<Input>{&may_be_left, "residue, sigma", "one turn of a mechanism comes again: its residue is repeated"},
       Rule<Input>{&hcm_repeats, "counting, residue",
                   "HCM begins on a branch that closes nothing: repeat the history, or count by four points"},
+      Rule<Input>{[](const Input& in) { return in.classes == 0 || in.sigma.is_series(); }, "classes, blocks",
+                  "classes sort the cycles of a series; blocks are classes already"},
       Rule<Input>{&varies, "sigma", "a stress that does not vary is no history"},
       Rule<Input>{[](const Input& in) { return !(in.sigma_D >= in.R_m); }, "sigma_D, R_m",
                   "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"},

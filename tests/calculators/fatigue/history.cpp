@@ -213,6 +213,31 @@ TEST_SUITE("fatigue.history") {
     CHECK(rel(value_of(project, "worst[1].sigma_a"), 250e6) < 1e-12);
   }
 
+  TEST_CASE("classes: the matrix, range pairs and level crossings of the history of ASTM, counted by hand") {
+    // -2 1 -3 5 -1 3 -4 4 -2 in classes of 1: one cycle of 3 to -1 or back, the rest half cycles
+    const auto p = of_history(R"({ values = [-2, 1, -3, 5, -1, 3, -4, 4, -2], unit = "10 MPa" })",
+                              part + "counting = \"astm\"\nresidue = \"half-cycles\"\nclasses = 9\nK_A = 2\n");
+    const auto& step = *p.steps.front();
+    double cycles = 0.0;
+    for (int i = 1; const Value* n = step.value("matrix[" + std::to_string(i) + "].n"); ++i) cycles += n->si[0];
+    CHECK(cycles == 4.0);
+    CHECK(value_of(p, "range_pairs[1].n") == 0.5);  // of 9
+    CHECK(value_of(p, "range_pairs[2].n") == 1.0);  // of 8
+    CHECK(value_of(p, "range_pairs[4].n") == 0.5);  // of 6
+    CHECK(value_of(p, "range_pairs[6].n") == 1.5);  // of 4
+    CHECK(value_of(p, "range_pairs[7].n") == 0.5);  // of 3
+    CHECK(value_of(p, "range_pairs[9].n_least") == 4.0);
+    CHECK(rel(value_of(p, "range_pairs[1].to"), 180e6) < 1e-9);
+    // the level 0 between the classes: up at -2 to 1, -3 to 5, -1 to 3, -4 to 4
+    CHECK(std::abs(value_of(p, "crossings[5].sigma")) < 1.0);
+    CHECK(value_of(p, "crossings[5].up") == 4.0);
+    CHECK(value_of(p, "crossings[5].down") == 4.0);
+    CHECK(std::isnan(value_of(of_history(R"({ values = [0, 3, -2], unit = "10 MPa" })"), "matrix[1].n")));
+    CHECK(errors_of("[h]\ncalculator = \"fatigue.history\"\nblocks = [{ sigma_a = \"50 MPa\", n = 10 }]\nclasses = 4" +
+                    part)
+              .find("classes sort the cycles of a series") != std::string::npos);
+  }
+
   TEST_CASE("what is left open passes nothing") {
     CHECK(mode_with("fatigue.history", "n_req = ", "fatigue") == "not-judged");
     CHECK(mode_with("fatigue.history", "mean = \"none\"", "mean") == "not-judged");

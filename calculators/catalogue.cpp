@@ -16,7 +16,7 @@ namespace section {
 }
 namespace column { struct Buckling; struct Lightest; struct EffectiveLength; }
 namespace vessel { struct Cylinder; struct Sphere; struct Cone; struct Torus; struct Ellipsoid; struct Shell; }
-namespace fatigue { struct Cycle; struct Endurance; struct Wohler; struct Din743; struct Life; struct Combined; struct History; }
+namespace fatigue { struct Cycle; struct Endurance; struct Wohler; struct Din743; struct Life; struct Combined; struct History; struct Multiaxial; struct Staircase; struct Survival; }
 namespace gear { struct Pair; struct Planetary; }
 namespace chain { struct Roller; }
 namespace drive { struct Train; }
@@ -80,6 +80,9 @@ static constexpr std::array all{
     Row{&erased<fatigue::Life>},
     Row{&erased<fatigue::Combined>},
     Row{&erased<fatigue::History>},
+    Row{&erased<fatigue::Multiaxial>},
+    Row{&erased<fatigue::Staircase>},
+    Row{&erased<fatigue::Survival>},
     Row{&erased<gear::Pair>},
     Row{&erased<gear::Planetary>},
     Row{&erased<chain::Roller>},

@@ -285,6 +285,12 @@ const Case fatigue[] = {
      "sigma_a = \"35.5 MPa\", n = 1 }]",
      "Z", 2e6},
     {"fatigue.history", "blocks = [{ sigma_a = \"119 MPa\", n = 1 }]\nminer = \"original\"", "D", 0.0},
+    {"fatigue.staircase", "tests = [[\"300 MPa\", \"failure\"], [\"290 MPa\", \"runout\"]]", "S_50", 295e6},
+    {"fatigue.survival", "P = 0.5", "sigma_P", 288e6},
+    {"fatigue.survival", "P = 0.9", "sigma_P", 288e6 / std::sqrt(1.25)},
+    {"fatigue.multiaxial", "sigma_x = { values = [240, -240], unit = \"MPa\" }\ntau_xy = ", "n_F", 1.0},
+    {"fatigue.multiaxial", "sigma_x = \ntau_xy = { values = [150, -150], unit = \"MPa\" }", "n_DV", 1.0},
+    {"fatigue.multiaxial", "tau_D = \"138.5640646055102 MPa\"\ntau_xy = ", "n_C", 240 / 86.6},
     {"fatigue.wohler", "P_s = 0.5", "A_P", 29.9426882630},  // the mean line, by the normal equations
 };
 

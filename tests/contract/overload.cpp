@@ -41,6 +41,8 @@ constexpr std::array unbroken{
     Reason{"column.effective_length", "it gives the length that column.buckling takes"},
     Reason{"fatigue.endurance", "it gives the strength that fatigue.cycle takes"},
     Reason{"fatigue.wohler", "it gives the life at a stress that fatigue.cycle judges"},
+    Reason{"fatigue.staircase", "it gives the strength that fatigue.life takes"},
+    Reason{"fatigue.survival", "it gives the strength that fatigue.life takes"},
     Reason{"motion.point", laws},
     Reason{"motion.rotation", laws},
     Reason{"motion.plane", laws},

@@ -20,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_turns = 20'000'000;  // of 16 bytes each
+constexpr std::size_t most_in_step = 5'000;     // each is looked at on thousands of planes
 constexpr double largest = 1e30;                // as of a value that is typed: beyond all machines
 
 constexpr std::array<std::pair<std::string_view, rainflow::Format>, 4> forms{{{"csv", rainflow::Format::csv},
@@ -85,11 +86,14 @@ Outcome<std::unique_ptr<rainflow::Source>> open(const Tree& table) {
   return rainflow::open_source(path.string());
 }
 
-/// Where the series turns, in the unit of the file.
+/// Where the series turns, or all of it, in the unit of the file.
 class Turns {
  public:
+  explicit Turns(Kept kept) : kept_(kept) {}
+
   /// None where all is well.
   std::optional<Fault> take(std::span<const double> samples) {
+    if (kept_ == Kept::all) return take_all(samples);
     values_.resize(count_ + samples.size() + 4);
     at_.resize(values_.size());
     const auto more = turning_points_.feed(samples, values_.data() + count_, at_.data() + count_);
@@ -100,15 +104,28 @@ class Turns {
     return std::nullopt;
   }
   void finish() {
-    count_ += turning_points_.finish(values_.data() + count_, at_.data() + count_);
+    if (kept_ == Kept::turns) count_ += turning_points_.finish(values_.data() + count_, at_.data() + count_);
     values_.resize(count_);
     at_.resize(count_);
   }
   [[nodiscard]] const std::vector<double>& values() const { return values_; }
   [[nodiscard]] const std::vector<std::uint64_t>& at() const { return at_; }
-  [[nodiscard]] std::uint64_t samples() const { return turning_points_.samples(); }
+  [[nodiscard]] bool empty() const { return count_ == 0; }
 
  private:
+  std::optional<Fault> take_all(std::span<const double> samples) {
+    if (count_ + samples.size() > most_in_step)
+      return told(say("it has more than {1} samples", std::to_string(most_in_step)),
+                  say("several series are kept in step whole: cut them to what decides, all alike"));
+    values_.resize(count_), at_.resize(count_);
+    for (const double sample : samples) {
+      if (!std::isfinite(sample)) return told(say("sample {1} is no number", std::to_string(count_)), {});
+      values_.push_back(sample), at_.push_back(count_++);
+    }
+    return std::nullopt;
+  }
+
+  Kept kept_;
   rainflow::TurningPoints turning_points_;
   std::vector<double> values_ = std::vector<double>(4);
   std::vector<std::uint64_t> at_ = std::vector<std::uint64_t>(4);
@@ -123,7 +140,7 @@ std::optional<Fault> read_turns(rainflow::Reader& reader, Turns& turns) {
     if (auto fault = turns.take(*samples)) return fault;
   }
   turns.finish();
-  if (turns.samples() == 0) return told(say("the file has no values"), {});
+  if (turns.empty()) return told(say("the file has no values"), {});
   return std::nullopt;
 }
 
@@ -167,14 +184,14 @@ bool is_history(const Tree& tree) {
   return names_history_file(tree) || (tree.type == Tree::Type::table && tree.find("values") != nullptr);
 }
 
-bool read_history(const Tree& table, const FieldInfo& field, History& history, HistoryFault& fault) {
+bool read_history(const Tree& table, const FieldInfo& field, Kept kept, History& history, HistoryFault& fault) {
   const auto refuse = [&](const char* key, const Fault& found) {
     fault = {key, found};
     return false;
   };
   const auto unit = unit_of(table, field);
   if (!unit) return refuse("unit", unit.fault());
-  Turns turns;
+  Turns turns(kept);
   if (!names_history_file(table)) {
     if (const auto found = take_values(table.find("values")->value, turns)) return refuse("values", *found);
     if (const auto found = put(turns, *unit, field, history)) return refuse("values", *found);
@@ -199,7 +216,7 @@ void Reader::read_history_of(const Tree& tree, const FieldInfo& field, void* own
       path);
   History history;
   HistoryFault fault;
-  if (!read_history(tree, field, history, fault)) {
+  if (!read_history(tree, field, in_step_ ? Kept::all : Kept::turns, history, fault)) {
     const auto* const key = tree.find(fault.key);
     return say_at(key == nullptr ? tree.place : key->value.place, path, fault.fault.message, fault.fault.hint);
   }

@@ -1,6 +1,6 @@
 // A quantity over time that stands in a file beside the project, sigma = { file = "gauge.csv", column = "S2",
 // unit = "MPa" }, or in the project itself: { values = [0, 3, -1], unit = "MPa" }. The file is of any length; where the
-// quantity turns is kept of it, which all counting of cycles rests on.
+// quantity turns is kept of it, which all counting of cycles rests on; where several are taken in step, every sample.
 #pragma once
 
 #include "lib/calculator/record.hpp"
@@ -18,8 +18,11 @@ bool is_history(const toml::Tree& tree);
 
 struct History {
   std::shared_ptr<const Axis> axis;  // samples, counted from 0
-  Value series;                      // the first and the last sample and where it turns between, over that axis
+  Value series;  // the first and the last sample and where it turns between, over that axis; in step all of them
 };
+
+/// What of the samples is kept.
+enum class Kept { turns, all };
 
 struct HistoryFault {
   const char* key = "file";  // that it is about
@@ -27,6 +30,6 @@ struct HistoryFault {
 };
 /// False, and a fault, where the file or a key of the table is wrong. The path of the file is taken from the folder of
 /// the project; "-" is the standard input.
-bool read_history(const toml::Tree& table, const FieldInfo& field, History& history, HistoryFault& fault);
+bool read_history(const toml::Tree& table, const FieldInfo& field, Kept kept, History& history, HistoryFault& fault);
 
 }  // namespace loadpath::project

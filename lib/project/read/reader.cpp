@@ -23,6 +23,10 @@ Message one_of(const std::string& word, const std::vector<std::string>& candidat
   return did_you_mean(word, candidates, there_is(candidates));
 }
 
+static bool takes_several_whole(std::span<const FieldInfo> fields) {
+  return std::count_if(fields.begin(), fields.end(), [](const FieldInfo& field) { return field.takes_whole(); }) > 1;
+}
+
 void Reader::read_fields(const Tree& table, const std::vector<Part>& parts, const std::string& path,
                          const std::vector<std::string>& reserved) {
   for (const Tree::Entry& entry : table.entries) {
@@ -35,6 +39,7 @@ void Reader::read_fields(const Tree& table, const std::vector<Part>& parts, cons
       if (path.empty()) reading_.faulty.insert(nearest(entry.key, keys_of(parts)));
       continue;
     }
+    in_step_ = takes_several_whole(part->fields);
     reading_.typed[inner] = {entry.value.text, entry.value.place, false, entry.value.shared};
     read_value(entry.value, *find_field(part->fields, entry.key), part->owner, inner);
   }

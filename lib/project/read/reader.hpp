@@ -76,6 +76,7 @@ class Reader {
   Reading& reading_;
   std::vector<Issue>& issues_;
   std::string prefix_;
+  bool in_step_ = false;  // whether the fields that are read take several series whole, sample beside sample
 };
 
 /// "links.rod" and "mass": "links.rod.mass".

@@ -1,0 +1,186 @@
+// A point under plane stress that comes and goes out of phase: its safety without end by four criteria side by side.
+//
+// Decides how many times as large the whole path of sigma_x, sigma_y and tau_xy may be: Findley and Matake on planes of
+// all directions in space, Crossland by invariants, Dang Van on the scale of grains; each set by the two fatigue limits
+// sigma_D and tau_D in symmetric cycles. The shear amplitude of a plane is the radius of the smallest circle around its
+// path, that of the deviator the radius of the smallest ball. Yielding by von Mises at every moment. Compression is no
+// help: largest normal and hydrostatic stresses count from 0. Stresses are those of the point, as sigma_D and tau_D
+// are, tension positive; the samples of the three are taken at the same moments, straight between them, and come again.
+// Not covered: finite life, stresses across the surface, brittle and mild metals beyond 0.5 to 0.8 for tau_D/sigma_D.
+#pragma once
+
+#include "lib/calculator/heat_treatment.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
+
+#include <array>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+namespace loadpath::fatigue {
+
+struct Multiaxial {
+  static constexpr auto id = "fatigue.multiaxial";
+  static constexpr auto title = "Plane stress out of phase";
+  static constexpr auto scope =
+      "Safety without end of a point whose stresses sigma_x, sigma_y and tau_xy vary apart: Findley, Matake, Crossland "
+      "and Dang Van side by side, von Mises in phase beside them; the plane, its amplitude by the smallest circle; "
+      "yielding. Not covered: finite life, brittle metals, stresses across the surface.";
+  static constexpr auto source = "[Findley], [Matake], [Crossland], [DangVan], [Mises]";
+  static constexpr auto example = R"([project]
+title = "Hollow shaft, bending and torsion a quarter of a turn apart"
+
+[point]
+calculator = "fatigue.multiaxial"
+sigma_x = { values = [0, 43.3, 75, 86.6, 75, 43.3, 0, -43.3, -75, -86.6, -75, -43.3], unit = "MPa" }
+tau_xy = { values = [95, 89.6, 75, 55, 35, 20.4, 15, 20.4, 35, 55, 75, 89.6], unit = "MPa" }
+sigma_D = "240 MPa"
+tau_D = "150 MPa"
+R_e = "490 MPa"
+S_D = 1.5
+S_F = 1.5
+)";
+
+  /// Which decides; the worst of those that hold for tau_D/sigma_D.
+  enum class Criterion { worst, findley, matake, crossland, dang_van };
+
+  struct Input {
+    Varying<Stress> sigma_x = 0.0 * MPa, sigma_y = 0.0 * MPa, tau_xy = 0.0 * MPa;
+    double K_A = 1.0;
+    Stress sigma_D = unset<Stress>, tau_D = unset<Stress>;
+    Length d_h = unset<Length>;
+    Stress R_e = unset<Stress>;
+    Criterion criterion = Criterion::worst;
+    double S_D = unset<double>, S_F = unset<double>;
+  };
+  static constexpr std::tuple inputs{
+      Field{&Input::sigma_x, "sigma_x", MPa,
+            "normal stress along x: a series, whole, or { file, column, unit }, or { values, unit }; or one value"}
+          .load()
+          .may_be_missing(),
+      Field{&Input::sigma_y, "sigma_y", MPa, "normal stress along y, the same, at the same moments"}
+          .load()
+          .may_be_missing(),
+      Field{&Input::tau_xy, "tau_xy", MPa, "shear stress, the same, at the same moments"}.load().may_be_missing(),
+      Field{&Input::K_A, "K_A", ratio, "service factor on the stresses: what they do not contain, once"}
+          .positive()
+          .usually(1, 4)
+          .factor(),
+      Field{&Input::sigma_D, "sigma_D", MPa, "fatigue limit of the point in normal stresses, r = -1"}
+          .positive()
+          .usually(5, 1500),
+      Field{&Input::tau_D, "tau_D", MPa, "the same in torsion, r = -1"}.positive().usually(3, 1000),
+      diameter_at_heat_treatment(&Input::d_h),
+      Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
+      Choice{&Input::criterion, "criterion", "criterion that decides"}.may_be_missing(),
+      Field{&Input::S_D, "S_D", ratio, "safety against fatigue, a factor on the whole path"}
+          .at_least(1)
+          .usually(1, 6)
+          .factor(),
+      Field{&Input::S_F, "S_F", ratio, "safety against yielding"}.at_least(1).usually(1, 6).may_be_missing().factor()};
+
+  struct Result {
+    double samples = unset<double>;
+    double k = unset<double>, theta_F = unset<double>, phi_F = unset<double>;
+    Stress tau_F = unset<Stress>, sigma_F = unset<Stress>, sigma_eF = unset<Stress>;
+    double mu = unset<double>, theta_M = unset<double>, phi_M = unset<double>;
+    Stress tau_M = unset<Stress>, sigma_M = unset<Stress>, sigma_eM = unset<Stress>;
+    double kappa = unset<double>;
+    Stress tau_C = unset<Stress>, sigma_H = unset<Stress>, sigma_eC = unset<Stress>;
+    double a = unset<double>;
+    Stress tau_DV = unset<Stress>, sigma_eDV = unset<Stress>;
+    Stress sigma_va = unset<Stress>, sigma_v = unset<Stress>;
+    double n_F = unset<double>, n_M = unset<double>, n_C = unset<double>, n_DV = unset<double>, n_v = unset<double>;
+    double n = unset<double>, n_y = unset<double>;
+    double u_D = unset<double>, x_D = unset<double>, x_C = unset<double>, e_p = unset<double>;
+    double u_y = unset<double>, u_F = unset<double>;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::samples, "samples", ratio, "moments at which the path is known"},
+      Field{&Result::k, "k", ratio, "weight of the normal stress by Findley, of both fatigue limits"},
+      Field{&Result::theta_F, "theta_F", deg, "plane of Findley: its normal from that of the surface"},
+      Field{&Result::phi_F, "phi_F", deg, "plane of Findley: its normal along the surface, from x to y"},
+      Field{&Result::tau_F, "tau_F", MPa, "amplitude of its shear stress: radius of the smallest circle"}.holding(
+          "K_A"),
+      Field{&Result::sigma_F, "sigma_F", MPa, "its largest normal stress, compression as 0"}.holding("K_A"),
+      Field{&Result::sigma_eF, "sigma_eF", MPa, "equivalent amplitude in symmetric tension by Findley"}.holding("K_A"),
+      Field{&Result::mu, "mu", ratio, "weight of the normal stress by Matake"},
+      Field{&Result::theta_M, "theta_M", deg, "plane of Matake, of the largest amplitude of shear"},
+      Field{&Result::phi_M, "phi_M", deg, "the same along the surface"},
+      Field{&Result::tau_M, "tau_M", MPa, "amplitude of its shear stress"}.holding("K_A"),
+      Field{&Result::sigma_M, "sigma_M", MPa, "its largest normal stress, compression as 0"}.holding("K_A"),
+      Field{&Result::sigma_eM, "sigma_eM", MPa, "equivalent amplitude in symmetric tension by Matake"}.holding("K_A"),
+      Field{&Result::kappa, "kappa", ratio, "weight of the hydrostatic stress by Crossland"},
+      Field{&Result::tau_C, "tau_C", MPa, "amplitude of the root of J_2: radius of the smallest ball"}.holding("K_A"),
+      Field{&Result::sigma_H, "sigma_H", MPa, "largest hydrostatic stress, compression as 0"}.holding("K_A"),
+      Field{&Result::sigma_eC, "sigma_eC", MPa, "equivalent amplitude in symmetric tension by Crossland"}.holding(
+          "K_A"),
+      Field{&Result::a, "a", ratio, "weight of the hydrostatic stress by Dang Van"},
+      Field{&Result::tau_DV, "tau_DV", MPa, "largest of shear stress in grains and a times hydrostatic stress"}.holding(
+          "K_A"),
+      Field{&Result::sigma_eDV, "sigma_eDV", MPa, "equivalent amplitude in symmetric tension by Dang Van"}.holding(
+          "K_A"),
+      Field{&Result::sigma_va, "sigma_va", MPa, "von Mises stress of the amplitudes, as if all were in phase"}.holding(
+          "K_A"),
+      Field{&Result::sigma_v, "sigma_v", MPa, "largest von Mises stress"}.holding("K_A"),
+      Field{&Result::n_F, "n_F", ratio, "safety by Findley"}.may_be_infinite(),
+      Field{&Result::n_M, "n_M", ratio, "safety by Matake"}.may_be_infinite(),
+      Field{&Result::n_C, "n_C", ratio, "safety by Crossland; none where tau_D is below sigma_D over root of 3"}
+          .may_be_infinite(),
+      Field{&Result::n_DV, "n_DV", ratio, "safety by Dang Van"}.may_be_infinite(),
+      Field{&Result::n_v, "n_v", ratio, "safety by von Mises in phase, without mean stress: to compare, never decides"}
+          .may_be_infinite(),
+      Field{&Result::n, "n", ratio, "safety by the criterion that decides"}.may_be_infinite(),
+      Field{&Result::n_y, "n_y", ratio, "safety against yielding at the most stressed moment"},
+      Field{&Result::u_D, "u_D", ratio, "fatigue: required safety over the one that is there"}
+          .check()
+          .where_it_applies(),
+      Field{&Result::x_D, "x_D", ratio, "tau_D over sigma_D: of the metals that the criteria are of"}.limit(0.5 - 1e-9,
+                                                                                                            0.8 + 1e-9),
+      Field{&Result::x_C, "x_C", ratio, "where Crossland decides: root of 3 tau_D over sigma_D, least 1"}
+          .limit(1 - 1e-9, std::numeric_limits<double>::infinity())
+          .where_it_applies(),
+      Field{&Result::e_p, "e_p", ratio, "planes: difference of two searches from other grids, over the larger"},
+      Field{&Result::u_y, "u_y", ratio, "yielding: largest von Mises stress over the yield strength"}.check("R_e"),
+      Field{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F")};
+
+  static bool in_step(const Input& in);
+  static bool varies(const Input& in);
+  static bool fine_enough(const Input& in);
+  static constexpr std::array rules{
+      Rule<Input>{&in_step, "sigma_x, sigma_y, tau_xy",
+                  "the stresses are of the same moments: series of one mechanism, or as many samples of each"},
+      Rule<Input>{&varies, "sigma_x, sigma_y, tau_xy",
+                  "a stress that does not vary is no history: one of the three is a series that does"},
+      Rule<Input>{
+          &fine_enough, "sigma_x, sigma_y, tau_xy",
+          "between the positions of the turn extremes are more than 1 % of the range larger: take more positions"},
+      Rule<Input>{[](const Input& in) { return !(in.tau_D >= in.sigma_D); }, "tau_D, sigma_D",
+                  "the fatigue limit in torsion is below that in normal stresses"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.S_F) || is_set(in.R_e); }, "S_F, R_e",
+                  "the safety S_F counts against the yield strength R_e: give it, or a material"}};
+
+  static constexpr std::array modes{
+      Mode<Input>{"yield", "yield at the most stressed moment", &always<Input>}.judged_by("u_y, u_F"),
+      Mode<Input>{"fatigue", "fatigue, without end, stresses out of phase", &always<Input>}.judged_by("u_D, x_D, x_C"),
+      Mode<Input>{"across", "stresses across the surface: pressure, fretting, what lies beneath", &unseen<Input>},
+      Mode<Input>{"surroundings", "corrosion, heat", &unseen<Input>}.special()};
+
+  static constexpr bool takes_series = false;
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+constexpr auto choices_of(Multiaxial::Criterion) {
+  using C = Multiaxial::Criterion;
+  return std::array{ChoiceName<C>{C::worst, "worst", "the least safety of all that hold for tau_D/sigma_D"},
+                    ChoiceName<C>{C::findley, "findley", "the plane of the largest tau_a + k sigma_n"},
+                    ChoiceName<C>{C::matake, "matake", "the plane of the largest tau_a, and its sigma_n"},
+                    ChoiceName<C>{C::crossland, "crossland", "root of J_2 of the amplitude and hydrostatic stress"},
+                    ChoiceName<C>{C::dang_van, "dang-van", "shear stress in grains and hydrostatic stress"}};
+}
+
+}  // namespace loadpath::fatigue

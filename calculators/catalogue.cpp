@@ -16,7 +16,7 @@ namespace section {
 }
 namespace column { struct Buckling; struct Lightest; struct EffectiveLength; }
 namespace vessel { struct Cylinder; struct Sphere; struct Cone; struct Torus; struct Ellipsoid; struct Shell; }
-namespace fatigue { struct Cycle; struct Endurance; struct Wohler; struct Din743; struct Life; struct Combined; struct History; struct Multiaxial; struct Staircase; struct Survival; }
+namespace fatigue { struct Cycle; struct Endurance; struct Wohler; struct Din743; struct Life; struct Combined; struct History; struct Multiaxial; struct Staircase; struct Survival; struct Fkm; }
 namespace gear { struct Pair; struct Planetary; }
 namespace chain { struct Roller; }
 namespace drive { struct Train; }
@@ -77,6 +77,7 @@ static constexpr std::array all{
     Row{&erased<fatigue::Endurance>},
     Row{&erased<fatigue::Wohler>},
     Row{&erased<fatigue::Din743>},
+    Row{&erased<fatigue::Fkm>},
     Row{&erased<fatigue::Life>},
     Row{&erased<fatigue::Combined>},
     Row{&erased<fatigue::History>},

@@ -51,44 +51,11 @@ M_ta = "150 N*m"
 f_max = 1.8
 )";
 
-  struct Input : Din743Steel, Din743Section {
-    Force F_zdm = unset<Force>, F_zda = unset<Force>, F_zdmax = unset<Force>;
-    Moment M_bm = unset<Moment>, M_ba = unset<Moment>, M_bmax = unset<Moment>;
-    Moment M_tm = unset<Moment>, M_ta = unset<Moment>, M_tmax = unset<Moment>;
-    Stress sigma_zdm = unset<Stress>, sigma_zda = unset<Stress>, sigma_zdmax = unset<Stress>;
-    Stress sigma_bm = unset<Stress>, sigma_ba = unset<Stress>, sigma_bmax = unset<Stress>;
-    Stress tau_tm = unset<Stress>, tau_ta = unset<Stress>, tau_tmax = unset<Stress>;
-    double f_max = unset<double>, S_min = 1.2;
+  struct Input : Din743Steel, Din743Section, SectionActions {
+    double S_min = 1.2;
     MeanStress mean = MeanStress::proportional;
   };
   static constexpr std::tuple loads{
-      action<Input>(&Input::F_zdm, "F_zdm", N, "mean of the axial force, tension positive").keeps_sign(),
-      action<Input>(&Input::F_zda, "F_zda", N, "amplitude of the axial force").at_least(0),
-      action<Input>(&Input::F_zdmax, "F_zdmax", N, "largest axial force that ever comes"),
-      action<Input>(&Input::M_bm, "M_bm", N_m, "mean of the bending moment, in axes that turn with the shaft"),
-      action<Input>(&Input::M_ba, "M_ba", N_m,
-                    "amplitude of the bending moment; of a shaft that turns under it the moment")
-          .at_least(0),
-      action<Input>(&Input::M_bmax, "M_bmax", N_m, "largest bending moment that ever comes"),
-      action<Input>(&Input::M_tm, "M_tm", N_m, "mean of the torque"),
-      action<Input>(&Input::M_ta, "M_ta", N_m, "amplitude of the torque").at_least(0),
-      action<Input>(&Input::M_tmax, "M_tmax", N_m, "largest torque that ever comes"),
-      action<Input>(&Input::sigma_zdm, "sigma_zdm", MPa, "mean nominal stress of tension, in place of the force")
-          .keeps_sign(),
-      action<Input>(&Input::sigma_zda, "sigma_zda", MPa, "its amplitude").at_least(0),
-      action<Input>(&Input::sigma_zdmax, "sigma_zdmax", MPa, "its largest magnitude"),
-      action<Input>(&Input::sigma_bm, "sigma_bm", MPa, "mean nominal stress of bending, in place of the moment"),
-      action<Input>(&Input::sigma_ba, "sigma_ba", MPa, "its amplitude").at_least(0),
-      action<Input>(&Input::sigma_bmax, "sigma_bmax", MPa, "its largest magnitude"),
-      action<Input>(&Input::tau_tm, "tau_tm", MPa, "mean nominal stress of torsion, in place of the torque"),
-      action<Input>(&Input::tau_ta, "tau_ta", MPa, "its amplitude").at_least(0),
-      action<Input>(&Input::tau_tmax, "tau_tmax", MPa, "its largest magnitude"),
-      Field<Input, double>{&Input::f_max, "f_max", ratio,
-                           "largest load over mean plus amplitude (start, jam), where no largest one is given"}
-          .at_least(1)
-          .usually(1, 5)
-          .may_be_missing()
-          .factor(),
       Choice<Input, MeanStress>{&Input::mean, "mean", "what stays while the load grows: cases 1 and 2"},
       Field<Input, double>{&Input::S_min, "S_min", ratio,
                            "required safety, 1.2 by the standard, more where loads or "
@@ -96,7 +63,8 @@ f_max = 1.8
           .at_least(1.2)
           .usually(1.2, 5)
           .factor()};
-  static constexpr std::tuple inputs = std::tuple_cat(din743_steel<Input>(), din743_section<Input>(), loads);
+  static constexpr std::tuple inputs =
+      std::tuple_cat(din743_steel<Input>(), din743_section<Input>(), section_actions<Input>(), loads);
 
   struct Result : Din743Safety {};
   static constexpr std::tuple results = din743_results<Result>();

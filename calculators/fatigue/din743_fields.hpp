@@ -1,4 +1,4 @@
-// Words and fields of DIN 743 that every calculator has which rates sections by it.
+// Words and fields of DIN 743 that every calculator has which rates sections by it, or sections as it sees them.
 #pragma once
 
 #include "calculators/fatigue/din743_section.hpp"
@@ -90,6 +90,41 @@ constexpr auto din743_section() {
           .positive()
           .usually(0.5, 100)
           .may_be_missing()};
+}
+
+/// Of what is SectionActions.
+template <class Input>
+constexpr auto section_actions() {
+  return std::tuple{
+      action<Input, Force>(&Input::F_zdm, "F_zdm", N, "mean of the axial force, tension positive").keeps_sign(),
+      action<Input, Force>(&Input::F_zda, "F_zda", N, "amplitude of the axial force").at_least(0),
+      action<Input, Force>(&Input::F_zdmax, "F_zdmax", N, "largest axial force that ever comes"),
+      action<Input, Moment>(&Input::M_bm, "M_bm", N_m, "mean of the bending moment, in axes that turn with the shaft"),
+      action<Input, Moment>(&Input::M_ba, "M_ba", N_m,
+                            "amplitude of the bending moment; of a shaft that turns under it the moment")
+          .at_least(0),
+      action<Input, Moment>(&Input::M_bmax, "M_bmax", N_m, "largest bending moment that ever comes"),
+      action<Input, Moment>(&Input::M_tm, "M_tm", N_m, "mean of the torque"),
+      action<Input, Moment>(&Input::M_ta, "M_ta", N_m, "amplitude of the torque").at_least(0),
+      action<Input, Moment>(&Input::M_tmax, "M_tmax", N_m, "largest torque that ever comes"),
+      action<Input, Stress>(&Input::sigma_zdm, "sigma_zdm", MPa,
+                            "mean nominal stress of tension, in place of the force")
+          .keeps_sign(),
+      action<Input, Stress>(&Input::sigma_zda, "sigma_zda", MPa, "its amplitude").at_least(0),
+      action<Input, Stress>(&Input::sigma_zdmax, "sigma_zdmax", MPa, "its largest magnitude"),
+      action<Input, Stress>(&Input::sigma_bm, "sigma_bm", MPa,
+                            "mean nominal stress of bending, in place of the moment"),
+      action<Input, Stress>(&Input::sigma_ba, "sigma_ba", MPa, "its amplitude").at_least(0),
+      action<Input, Stress>(&Input::sigma_bmax, "sigma_bmax", MPa, "its largest magnitude"),
+      action<Input, Stress>(&Input::tau_tm, "tau_tm", MPa, "mean nominal stress of torsion, in place of the torque"),
+      action<Input, Stress>(&Input::tau_ta, "tau_ta", MPa, "its amplitude").at_least(0),
+      action<Input, Stress>(&Input::tau_tmax, "tau_tmax", MPa, "its largest magnitude"),
+      Field<Input, double>{&Input::f_max, "f_max", ratio,
+                           "largest load over mean plus amplitude (start, jam), where no largest one is given"}
+          .at_least(1)
+          .usually(1, 5)
+          .may_be_missing()
+          .factor()};
 }
 
 /// A range that concerns some notches only.

@@ -52,18 +52,25 @@ constexpr auto din743_section_rules() {
                   "the diameter at heat treatment is not below that of the finished part"}};
 }
 
-/// What acts on a section, by the keys of DIN 743.
+/// What acts on a section, by the keys of SectionActions.
+template <class Input>
+Din743Loads acting_loads(const Input& in) {
+  Din743Loads l;
+  l.F_zd = {in.F_zdm, in.F_zda, in.F_zdmax};
+  l.M_b = {in.M_bm, in.M_ba, in.M_bmax};
+  l.M_t = {in.M_tm, in.M_ta, in.M_tmax};
+  l.sigma_zd = {in.sigma_zdm, in.sigma_zda, in.sigma_zdmax};
+  l.sigma_b = {in.sigma_bm, in.sigma_ba, in.sigma_bmax};
+  l.tau_t = {in.tau_tm, in.tau_ta, in.tau_tmax};
+  l.f_max = in.f_max;
+  return l;
+}
+
 template <class Input>
 Din743Loads din743_loads(const Input& in) {
-  return {{in.F_zdm, in.F_zda, in.F_zdmax},
-          {in.M_bm, in.M_ba, in.M_bmax},
-          {in.M_tm, in.M_ta, in.M_tmax},
-          {in.sigma_zdm, in.sigma_zda, in.sigma_zdmax},
-          {in.sigma_bm, in.sigma_ba, in.sigma_bmax},
-          {in.tau_tm, in.tau_ta, in.tau_tmax},
-          in.f_max,
-          in.mean,
-          in.S_min};
+  Din743Loads l = acting_loads(in);
+  l.mean = in.mean, l.S_min = in.S_min;
+  return l;
 }
 
 /// Whether a test holds for each action; of one that does not act it is not asked.
@@ -77,7 +84,7 @@ bool each_acting(const Din743Loads& l, const Test& test) {
 template <class Input>
 Applies any_varies(const Input& in) {
   const auto stands = [](const auto& a) { return !(a.amplitude > 0.0 * a.amplitude.from_value(1.0)); };
-  return where(!each_acting(din743_loads(in), stands));
+  return where(!each_acting(acting_loads(in), stands));
 }
 
 /// Roundings of a sum that was typed must not refuse it.
@@ -90,7 +97,7 @@ template <class Input>
 bool has_typed_factors(const Input& in) {
   if (!is_typed(in.notch)) return true;
   const bool alpha = in.notch == Notch::alpha;
-  for (const Din743Acting& a : acting(din743_loads(in))) {
+  for (const Din743Acting& a : acting(acting_loads(in))) {
     const double typed = alpha ? typed_of(a.kind, in.alpha_zd, in.alpha_b, in.alpha_t)
                                : typed_of(a.kind, in.beta_zd, in.beta_b, in.beta_t);
     if (!is_set(typed)) return false;
@@ -101,23 +108,23 @@ bool has_typed_factors(const Input& in) {
 template <class Input>
 constexpr auto din743_load_rules() {
   return std::array{
-      Rule<Input>{[](const Input& in) { return !acting(din743_loads(in)).empty(); },
+      Rule<Input>{[](const Input& in) { return !acting(acting_loads(in)).empty(); },
                   "M_ba, F_zda, M_ta, sigma_ba, sigma_zda, tau_ta",
                   "give what acts: force or moments, or their nominal stresses"},
       Rule<Input>{[](const Input& in) {
-                    const Din743Loads l = din743_loads(in);
+                    const Din743Loads l = acting_loads(in);
                     return !(l.F_zd.acts() && l.sigma_zd.acts()) && !(l.M_b.acts() && l.sigma_b.acts()) &&
                            !(l.M_t.acts() && l.tau_t.acts());
                   },
                   "sigma_zdm, sigma_bm, tau_tm, F_zdm, M_bm, M_tm",
                   "give a load as force or moment, or as its nominal stress, never both"},
       Rule<Input>{[](const Input& in) {
-                    return each_acting(din743_loads(in), [](const auto& a) { return is_set(a.amplitude); });
+                    return each_acting(acting_loads(in), [](const auto& a) { return is_set(a.amplitude); });
                   },
                   "F_zda, M_ba, M_ta, sigma_zda, sigma_ba, tau_ta",
                   "how much does it vary? Give the amplitude beside mean or largest value, 0 where it stands still"},
       Rule<Input>{[](const Input& in) {
-                    return each_acting(din743_loads(in), [](const auto& a) { return holds_its_cycle(a); });
+                    return each_acting(acting_loads(in), [](const auto& a) { return holds_its_cycle(a); });
                   },
                   "F_zdmax, M_bmax, M_tmax, sigma_zdmax, sigma_bmax, tau_tmax",
                   "the largest load is no smaller than mean and amplitude together"},

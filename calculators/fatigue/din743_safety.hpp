@@ -106,46 +106,47 @@ void hold_amplitude(Din743Stress& k, Stress mean_v, MeanStress mean, Tracer& tra
   STEP_TO(k, u_a, sigma_a / sigma_ADK, "part of the limit that the amplitude takes");
 }
 
-inline const Din743Stress* find_stress(const Din743Safety& r, const Name& name) {
-  for (const Din743Stress& k : r.stresses) {
+template <class Safety>
+const auto* find_stress(const Safety& r, const Name& name) {
+  for (const auto& k : r.stresses) {
     if (k.name == name) return &k;
   }
-  return nullptr;
+  return static_cast<decltype(r.stresses.data())>(nullptr);
 }
-template <class Quantity>
-Quantity of_stress(const Din743Safety& r, const Name& name, Quantity Din743Stress::*at, Quantity none) {
-  const Din743Stress* const k = find_stress(r, name);
+template <class Safety, class Stresses, class Quantity>
+Quantity of_stress(const Safety& r, const Name& name, Quantity Stresses::*at, Quantity none) {
+  const auto* const k = find_stress(r, name);
   return k == nullptr ? none : k->*at;
 }
 
-/// The mean stresses together. Compression that outweighs torsion makes them negative.
+/// The mean stresses as one, by von Mises. Compression that outweighs torsion makes it negative.
+template <class Safety, class Stresses, class Tracer>
+Stress mean_as_one(const Safety& r, Stress Stresses::*at, const char* why, Tracer& trace) {
+  const Stress none = 0.0 * MPa;
+  const Stress sigma_zdm = trace.value("sigma_zdm", of_stress(r, "tension", at, none), "mean of tension");
+  const Stress sigma_bm = trace.value("sigma_bm", of_stress(r, "bending", at, none), "mean of bending");
+  const Stress tau_tm = trace.value("tau_tm", of_stress(r, "torsion", at, none), "mean of torsion");
+  STEP(sigma_n, sigma_zdm + sigma_bm, "where bending pulls");
+  if (sigma_n >= none) return NAMED_STEP("sigma_mv", sqrt(pow<2>(sigma_n) + 3.0 * pow<2>(tau_tm)), why);
+  if (3.0 * pow<2>(tau_tm) >= pow<2>(sigma_n))  // torsion outweighs the compression beside it
+    return NAMED_STEP("sigma_mv", sqrt(3.0 * pow<2>(tau_tm) - pow<2>(sigma_n)), why);
+  return NAMED_STEP("sigma_mv", -sqrt(pow<2>(sigma_n) - 3.0 * pow<2>(tau_tm)), why);
+}
+
 template <class Tracer>
 void equivalent_mean(Din743Safety& r, Tracer& trace) {
-  const Stress none = 0.0 * MPa;
-  const Stress sigma_zdm =
-      trace.value("sigma_zdm", of_stress(r, "tension", &Din743Stress::sigma_m, none), "mean of tension");
-  const Stress sigma_bm =
-      trace.value("sigma_bm", of_stress(r, "bending", &Din743Stress::sigma_m, none), "mean of bending");
-  const Stress tau_tm = trace.value("tau_tm", of_stress(r, "torsion", &Din743Stress::sigma_m, none), "mean of torsion");
-  STEP(sigma_n, sigma_zdm + sigma_bm, "where bending pulls");
-  r.sigma_mv =
-      sigma_n >= none ? NAMED_STEP("sigma_mv", sqrt(pow<2>(sigma_n) + 3.0 * pow<2>(tau_tm)), "[DIN743] part 1 (23)")
-      : 3.0 * pow<2>(tau_tm) >= pow<2>(sigma_n) ? NAMED_STEP("sigma_mv", sqrt(3.0 * pow<2>(tau_tm) - pow<2>(sigma_n)),
-                                                             "torsion beside compression, [DIN743] part 1 (23)")
-                                                : NAMED_STEP("sigma_mv", -sqrt(pow<2>(sigma_n) - 3.0 * pow<2>(tau_tm)),
-                                                             "compression beside torsion, [DIN743] part 1 (23)");
+  r.sigma_mv = mean_as_one(r, &Din743Stress::sigma_m, "of both signs, [DIN743] part 1 (23)", trace);
   const Stress sigma_mv = r.sigma_mv;
   STEP_TO(r, tau_mv, max(sigma_mv, 0.0 * MPa) / sqrt(3.0), "none where it presses, [DIN743] part 1 (24)");
 }
 
 /// Tension and bending of one sign add up, then torsion by squares.
-template <class Tracer>
-double together(const char* symbol, const Din743Safety& r, double Din743Stress::*at, Tracer& trace) {
+template <class Safety, class Stresses, class Tracer>
+double together(const char* symbol, const Safety& r, double Stresses::*at, const char* why, Tracer& trace) {
   const double v_zd = trace.value("v_zd", of_stress(r, "tension", at, 0.0), "of tension");
   const double v_b = trace.value("v_b", of_stress(r, "bending", at, 0.0), "of bending");
   const double v_t = trace.value("v_t", of_stress(r, "torsion", at, 0.0), "of torsion");
-  return NAMED_STEP(symbol, sqrt(pow<2>(v_zd + v_b) + pow<2>(v_t)),
-                    "in phase: the standard takes them together, [DIN743] part 1 sections 4.1, 5.1");
+  return NAMED_STEP(symbol, sqrt(pow<2>(v_zd + v_b) + pow<2>(v_t)), why);
 }
 
 /// Where nothing is taken of a limit any safety is there.
@@ -154,23 +155,25 @@ inline constexpr double any_safety = std::numeric_limits<double>::infinity();
 template <class Tracer>
 void safeties(const Din743Loads& loads, Din743Safety& r, Tracer& trace) {
   const double S_min = loads.S_min;
-  const double v_D = together("v_D", r, &Din743Stress::u_a, trace);
+  const char* const in_phase = "in phase: the standard takes them together, [DIN743] part 1 sections 4.1, 5.1";
+  const double v_D = together("v_D", r, &Din743Stress::u_a, in_phase, trace);
   r.S_D = v_D != 0.0 ? NAMED_STEP("S_D", 1.0 / v_D, "safety against fatigue, [DIN743] part 1 section 4.1")
                      : trace.value("S_D", any_safety, "nothing varies");
   STEP_TO(r, u_D, S_min * v_D, "required safety over the one that is there");
   const bool told = std::all_of(r.stresses.begin(), r.stresses.end(), [](const auto& k) { return is_set(k.u_max); });
   if (!told || r.stresses.empty()) return;
-  const double v_F = together("v_F", r, &Din743Stress::u_max, trace);
+  const double v_F = together("v_F", r, &Din743Stress::u_max, in_phase, trace);
   r.S_F = v_F != 0.0 ? NAMED_STEP("S_F", 1.0 / v_F, "safety against yielding, [DIN743] part 1 section 5.1")
                      : trace.value("S_F", any_safety, "nothing acts");
   STEP_TO(r, u_F, S_min * v_F, "required safety over the one that is there");
 }
 
-/// Where the factors of the standard were found: outside they say nothing.
-template <class Tracer>
-void ranges(const Din743Section& s, Length depth, Din743Safety& r, Tracer& trace) {
+inline double shape_of(const Din743Stress& k) { return k.alpha; }
+
+/// Where the notch factors of the standard were found: outside they say nothing.
+template <class Safety, class Tracer>
+void ranges(const Din743Section& s, Length depth, Safety& r, Tracer& trace) {
   const Length t = depth;
-  STEP_TO(r, x_small, 7.5 * mm / s.d, "K_2 and K_3 are told from 7.5 mm, [DIN743] part 2 (16), (17)");
   if (!is_typed(s.notch) && s.notch != Notch::smooth) {
     STEP_TO(r, x_bore, s.d_bore / s.d, "notch factors are those of solid shafts: type alpha or beta of a hollow one");
   }
@@ -185,7 +188,7 @@ void ranges(const Din743Section& s, Length depth, Din743Safety& r, Tracer& trace
     STEP_TO(r, x_hole, 2.0 * s.r / s.d, "up to 0.3: what the hole takes off the modulus is a strip, own bound");
   }
   double largest = 0.0;
-  for (const Din743Stress& k : r.stresses) largest = is_set(k.alpha) ? std::max(largest, k.alpha) : largest;
+  for (const auto& k : r.stresses) largest = is_set(shape_of(k)) ? std::max(largest, shape_of(k)) : largest;
   if (largest == 0.0) return;
   const double alpha_max = trace.value("alpha_max", largest, "largest shape factor");
   STEP_TO(r, x_alpha, alpha_max / 6.0, "alpha up to 6, [DIN743] part 2 tables 2, 3");
@@ -202,18 +205,24 @@ void hold_mean(Din743Safety& r, Tracer& trace) {
   if (is_set(most)) r.x_m = trace.value("x_m", most, "largest of sigma_mv over sigma_FK where the stress varies");
 }
 
-/// Depth of the notch, and what of the root does not depend on the kind of stress.
+/// Depth of the notch, and whether it is shallow.
 template <class Tracer>
-Din743Root root_of(const Din743Section& s, const Din743Safety& r, Tracer& trace) {
-  Din743Root root;
-  root.sigma_Bd = r.sigma_Bd, root.sigma_Sd = r.sigma_Sd;
-  roughness(s, root, trace);
-  if (!has_depth(s.notch)) return root;
+void depth(const Din743Section& s, Din743Root& root, Tracer& trace) {
+  if (!has_depth(s.notch)) return;
   root.t = NAMED_STEP("t", (s.D - s.d) / 2.0, "depth of the notch");
   const Length t = root.t;
   if (has_shape_factors(s.notch))
     root.phi = NAMED_STEP("phi", s.d / s.D > 0.67 ? 1.0 / (4.0 * sqrt(t / s.r) + 2.0) : 0.0,
                           "a shallow notch, [DIN743] part 2 tables 2, 3");
+}
+
+/// What of the root does not depend on the kind of stress.
+template <class Tracer>
+Din743Root root_of(const Din743Section& s, const Din743Safety& r, Tracer& trace) {
+  Din743Root root;
+  root.sigma_Bd = r.sigma_Bd, root.sigma_Sd = r.sigma_Sd;
+  roughness(s, root, trace);
+  depth(s, root, trace);
   return root;
 }
 
@@ -245,6 +254,7 @@ Din743Safety din743(const Din743Steel& steel, const Din743Section& s, const Din7
   }
   safeties(loads, r, trace);
   hold_mean(r, trace);
+  STEP_TO(r, x_small, 7.5 * mm / s.d, "K_2 and K_3 are told from 7.5 mm, [DIN743] part 2 (16), (17)");
   ranges(s, root.t, r, trace);
   return r;
 }

@@ -60,6 +60,17 @@ struct Din743Action {
   [[nodiscard]] bool acts() const { return is_set(mean) || is_set(amplitude) || is_set(largest); }
 };
 
+/// What acts as it is typed: forces and moments, or their nominal stresses.
+struct SectionActions {
+  Force F_zdm = unset<Force>, F_zda = unset<Force>, F_zdmax = unset<Force>;
+  Moment M_bm = unset<Moment>, M_ba = unset<Moment>, M_bmax = unset<Moment>;
+  Moment M_tm = unset<Moment>, M_ta = unset<Moment>, M_tmax = unset<Moment>;
+  Stress sigma_zdm = unset<Stress>, sigma_zda = unset<Stress>, sigma_zdmax = unset<Stress>;
+  Stress sigma_bm = unset<Stress>, sigma_ba = unset<Stress>, sigma_bmax = unset<Stress>;
+  Stress tau_tm = unset<Stress>, tau_ta = unset<Stress>, tau_tmax = unset<Stress>;
+  double f_max = unset<double>;
+};
+
 /// What acts, as forces and moments, or as nominal stresses where these are set. Where no largest one is told it is
 /// f_max times the sum of mean and amplitude; without f_max nothing is said of it.
 struct Din743Loads {

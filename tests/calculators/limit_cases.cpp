@@ -257,6 +257,13 @@ const Case fatigue[] = {
     {"fatigue.din743", "M_ba = \"0 N*m\"\nM_ta = \"0 N*m\"", "u_D", 0.0},
     {"fatigue.din743", "sigma_zdm = \"-100 MPa\"\nsigma_zda = \"0 MPa\"\nM_tm = \"0 N*m\"", "sigma_mv", -100e6},
     {"fatigue.din743", "notch = \"cross-hole\"\nD = \nd = \"40 mm\"\nr = \"5 mm\"", "stresses.bending.alpha", 1.95},
+    {"fatigue.fkm", "d_Nm = \"60 mm\"", "K_dm", 1.0},
+    {"fatigue.fkm", "a_dp = 0", "K_dp", 1.0},
+    {"fatigue.fkm", "fibre = \"across\"", "K_an", 0.83},  // 942 MPa
+    {"fatigue.fkm", "M_ba = \"0 N*m\"\nM_ta = \"0 N*m\"", "u_D", 0.0},
+    {"fatigue.fkm", "R_pmax = \"11000 MPa\"", "stresses.torsion.n_pl", 4.0 / 3},
+    {"fatigue.fkm", "sigma_zdm = \"-100 MPa\"\nsigma_zda = \"0 MPa\"\nM_tm = \"0 N*m\"", "sigma_mv", -100e6},
+    {"fatigue.fkm", "layer = \"hard\"", "q", 1.0},
     {"fatigue.history", "blocks = [{ sigma_a = \"120 MPa\", n = 1 }]", "Z", 1e6},  // at the knee
     {"fatigue.history", "blocks = [{ sigma_a = \"100 MPa\", sigma_m = \"50 MPa\", n = 1 }]\nmean = \"fkm\"\nM = 0.2",
      "S_1", 110e6},

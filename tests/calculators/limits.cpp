@@ -187,6 +187,20 @@ const Side fatigue[] = {
     {"fatigue.din743", "x_t", outside, "D", R"("58.7 mm")", R"("58.9 mm")", "notch = \"v-groove\"\nr = "},
     {"fatigue.din743", "x_hole", outside, "r", R"("6.2 mm")", R"("6.4 mm")", "notch = \"cross-hole\"\nD = "},
     {"fatigue.din743", "x_bore", outside, "d_bore", R"("0 mm")", R"("1 mm")"},
+    {"fatigue.fkm", "u_D", over, "j_D", "1.79", "1.8"},
+    {"fatigue.fkm", "u_S", over, "f_max", "3.4", "3.42"},
+    {"fatigue.fkm", "x_eff", outside, "d_h", R"("250 mm")", R"("251 mm")"},
+    {"fatigue.fkm", "x_G", outside, "G_b", R"("99.9/mm")", R"("101/mm")",
+     "notch = \"alpha\"\nD = \nr = \nalpha_b = 2\nalpha_t = 2"},
+    {"fatigue.fkm", "x_Rz", outside, "R_z", R"("199 um")", R"("201 um")"},
+    {"fatigue.fkm", "x_N", outside, "N", "10000", "9999"},
+    {"fatigue.fkm", "x_small", outside, "d", R"("7.5 mm")", R"("7.4 mm")", "notch = \"keyway\"\nD = \nr = "},
+    {"fatigue.fkm", "x_r", outside, "r", R"("0.121 mm")", R"("0.119 mm")"},
+    {"fatigue.fkm", "x_D", outside, "D", R"("42.86 mm")", R"("42.85 mm")"},
+    {"fatigue.fkm", "x_alpha", outside, "alpha_b", "6", "6.1", "notch = \"alpha\"\nD = \nr = \nalpha_t = 2"},
+    {"fatigue.fkm", "x_t", outside, "D", R"("46.3 mm")", R"("46.1 mm")", "notch = \"v-groove\"\nr = "},
+    {"fatigue.fkm", "x_hole", outside, "r", R"("6.2 mm")", R"("6.4 mm")", "notch = \"cross-hole\"\nD = "},
+    {"fatigue.fkm", "x_bore", outside, "d_bore", R"("0 mm")", R"("1 mm")"},
 };
 
 const char* const spur = "beta = \"0 deg\"\na_w = \nx_1 = 0";

@@ -137,4 +137,30 @@ TEST_SUITE("found fatigue") {
           "S_min = 1", "r = ", "group = ", "d = \"50 mm\""})
       CHECK_FALSE(ExampleStep("fatigue.din743", refused).fault().empty());
   }
+
+  TEST_CASE("FKM: what breaks does not pass, what is not told is not judged, what it does not know is not covered") {
+    const auto state = [](const std::string& lines, const std::string& mode) {
+      return mode_with("fatigue.fkm", lines, mode);
+    };
+    CHECK(state("", "fatigue") == "pass");
+    CHECK(state("", "yield") == "pass");
+    for (const char* const overload : {"F1", "F2", "F3", "F4"})
+      CHECK(state("M_ba = \"3000 N*m\"\noverload = \"" + std::string(overload) + "\"", "fatigue") == "fail");
+    CHECK(state("f_max = 20", "yield") == "fail");
+    CHECK(state("M_bmax = \"9 kN*m\"", "yield") == "fail");
+    CHECK(state("F_zdm = \"-1300 kN\"\nF_zda = \"0 N\"", "yield") == "fail");
+    CHECK(state("M_tm = \"9000 N*m\"", "yield") == "fail");
+    CHECK(state("f_max = ", "yield") == "not-judged");
+    CHECK(state("f_max = \nM_bmax = \"2 kN*m\"", "yield") == "not-judged");
+    CHECK(state("layer = \"hard\"", "layer") == "not-judged");
+    CHECK(state("d_h = \"260 mm\"", "fatigue") == "not-covered");
+    CHECK(state("d_bore = \"10 mm\"", "fatigue") == "not-covered");
+    CHECK(state("N = 1000", "fatigue") == "not-covered");
+    CHECK(state("N = 100000\nM_ba = \"2000 N*m\"", "fatigue") == "fail");
+    CHECK(state("M_ba = \"0 N*m\"\nM_ta = \"0 N*m\"", "fatigue") == "none");
+    for (const char* const refused :
+         {"R_z = ", "notch = ", "M_ba = \nM_tm = \nM_ta = ", "M_ta = ", "steel = ", "M_tmax = \"1000 N*m\"",
+          "j_D = 0.5", "R_mN = \"5000 MPa\"", "a_dm = 0.9", "d_Nm = \"1 mm\"", "G_b = \"1/mm\"", "R_eN = "})
+      CHECK_FALSE(ExampleStep("fatigue.fkm", refused).fault().empty());
+  }
 }

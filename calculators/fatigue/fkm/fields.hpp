@@ -1,0 +1,158 @@
+// Words and fields of FKM that every calculator has which rates sections by it.
+#pragma once
+
+#include "calculators/fatigue/din743_fields.hpp"
+#include "calculators/fatigue/fkm/section.hpp"
+#include "lib/quantity/motion_units.hpp"
+
+namespace loadpath::fatigue {
+
+template <class Input>
+constexpr auto fkm_strength(Stress Input::*at, const char* key, const char* doc, double low, double high) {
+  return Field<Input, Stress>{at, key, MPa, doc}.positive().below(3000).usually(low, high).may_be_missing();
+}
+/// Within these the size factor stays above zero.
+template <class Input>
+constexpr auto fkm_size_slope(double Input::*at, const char* key, const char* doc) {
+  return Field<Input, double>{at, key, ratio, doc}.within(0, 0.6).may_be_missing();
+}
+template <class Input>
+constexpr auto fkm_reference(Length Input::*at, const char* key, const char* doc) {
+  return Field<Input, Length>{at, key, mm, doc}.within(7.5, 250).may_be_missing();
+}
+
+/// Of what is an FkmSteel.
+template <class Input>
+constexpr auto fkm_steel() {
+  return std::tuple{
+      Choice<Input, FkmSteelGroup>{&Input::steel, "steel", "kind of steel, for size, support and fatigue limit"},
+      fkm_strength<Input>(&Input::R_mN, "R_mN", "tensile strength of the standard, at its reference diameter", 250,
+                          2000),
+      fkm_strength<Input>(&Input::R_eN, "R_eN", "yield strength of the standard, at its reference diameter", 150, 1800),
+      fkm_size_slope<Input>(&Input::a_dm, "a_dm", "slope of the size factor of R_mN, in place of the group's"),
+      fkm_size_slope<Input>(&Input::a_dp, "a_dp", "the same of R_eN; the group's is recalled"),
+      fkm_reference<Input>(&Input::d_Nm, "d_Nm", "diameter that R_mN belongs to, in place of the group's"),
+      fkm_reference<Input>(&Input::d_Np, "d_Np", "diameter that R_eN belongs to; the group's is recalled"),
+      Field<Input, Stress>{&Input::R_m, "R_m", MPa, "tensile strength in a part of this size, in place of R_mN"}
+          .positive()
+          .below(3000)
+          .usually(250, 2000)
+          .from("material", "R_m", "d_h, D, d", "R_mN"),
+      Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength in a part of this size, in place of R_eN"}
+          .positive()
+          .below(3000)
+          .usually(150, 1800)
+          .from("material", "R_e", "d_h, D, d", "R_eN"),
+      diameter_at_heat_treatment<Input>(&Input::d_h),
+      Choice<Input, Fibre>{&Input::fibre, "fibre", "fibre of the rolled or forged steel, against the normal stresses"}
+          .may_be_missing(),
+      Field<Input, double>{&Input::K_an, "K_an", ratio, "anisotropy factor, K_A of the guideline, in place of fibre"}
+          .within(0.5, 1)
+          .may_be_missing()
+          .factor(),
+      limit_of_bars<Input>(&Input::sigma_W, "sigma_W", "fatigue limit in tension in this size, R = -1, else by R_m"),
+      limit_of_bars<Input>(&Input::tau_W, "tau_W", "fatigue limit in shear in this size, R = -1, else by R_m")};
+}
+
+template <class Input>
+constexpr auto fkm_gradient(Twist Input::*at, const char* key, const char* doc) {
+  return Field<Input, Twist>{at, key, per_m, doc}.at_least(0).may_be_missing();
+}
+template <class Input>
+constexpr auto fkm_demand(double Input::*at, const char* key, const char* doc) {
+  return Field<Input, double>{at, key, ratio, doc}.at_least(1).usually(1, 4).factor();
+}
+
+/// Of what is an FkmService.
+template <class Input>
+constexpr auto fkm_service() {
+  return std::tuple{
+      Choice<Input, Overload>{&Input::overload, "overload", "what stays while the load grows"},
+      Choice<Input, Means>{&Input::means, "means", "whose mean stress counts for a stress"}.may_be_missing(),
+      Field<Input, double>{&Input::N, "N", ratio, "cycles that it must last; without end where missing"}
+          .at_least(1)
+          .usually(1e4, 1e9)
+          .may_be_missing(),
+      fkm_demand<Input>(&Input::j_D, "j_D",
+                        "safety against fatigue: 1.5, with inspections 1.35, of small consequence 1.3, 1.2, recalled"),
+      fkm_demand<Input>(&Input::j_m, "j_m", "safety against fracture: 2.0 to 1.6 by consequence and by load"),
+      fkm_demand<Input>(&Input::j_p, "j_p", "safety against yielding: 1.5 to 1.2 by consequence and by load"),
+      Field<Input, Stress>{&Input::R_pmax, "R_pmax", MPa,
+                           "E times the strain that is allowed: 1050 MPa are 0.5 % of steel, recalled"}
+          .positive()
+          .usually(500, 11000),
+      fkm_gradient<Input>(&Input::G_zd, "G_zd", "gradient over stress of alpha_zd; without it no support"),
+      fkm_gradient<Input>(&Input::G_b, "G_b", "gradient over stress of alpha_b, beside that over the diameter"),
+      fkm_gradient<Input>(&Input::G_t, "G_t", "gradient over stress of alpha_t, beside that over the diameter")};
+}
+
+/// Of what is an FkmSafety.
+template <class Result>
+constexpr auto fkm_results() {
+  return std::tuple{
+      Field<Result, Length>{&Result::d_eff, "d_eff", mm, "diameter at heat treatment"},
+      Field<Result, double>{&Result::K_dm, "K_dm", ratio, "size at heat treatment, tensile strength"},
+      Field<Result, double>{&Result::K_dp, "K_dp", ratio, "size at heat treatment, yield strength"},
+      Field<Result, double>{&Result::K_an, "K_an", ratio, "anisotropy, K_A of the guideline"},
+      Field<Result, Stress>{&Result::R_md, "R_md", MPa, "tensile strength of this size and direction"},
+      Field<Result, Stress>{&Result::R_ed, "R_ed", MPa, "yield strength of this size and direction"},
+      Field<Result, Stress>{&Result::sigma_mv, "sigma_mv", MPa, "one mean stress for all; negative: compression"},
+      Field<Result, Stress>{&Result::tau_mv, "tau_mv", MPa, "the same as shear"},
+      Field<Result, double>{&Result::q, "q", ratio, "0: ductile, von Mises; 1: brittle, largest normal stress"},
+      Field<Result, double>{&Result::a_NH, "a_NH", ratio, "utilisation in fatigue by the largest normal stress"},
+      Field<Result, double>{&Result::a_GH, "a_GH", ratio, "utilisation in fatigue by von Mises"},
+      Field<Result, double>{&Result::S_D, "S_D", ratio, "safety against fatigue; infinite where nothing varies"}
+          .may_be_infinite(),
+      Field<Result, double>{&Result::j_ges, "j_ges", ratio, "safety of the static strength, against the yield limit"},
+      Field<Result, double>{&Result::u_D, "u_D", ratio, "fatigue: utilisation with its safety, a_BK"}.check(),
+      Field<Result, double>{&Result::u_S, "u_S", ratio, "largest load: utilisation with its safeties, a_SK"}
+          .check()
+          .where_it_applies(),
+      din743_range<Result>(&Result::x_eff, "x_eff", "diameter at heat treatment over 250 mm, where size factors end"),
+      din743_range<Result>(&Result::x_G, "x_G", "steepest gradient of a notch over 100/mm"),
+      din743_range<Result>(&Result::x_Rz, "x_Rz", "roughness over 200 um; own bound"),
+      din743_range<Result>(&Result::x_N, "x_N", "1e4 cycles over N: below, lives are those of strains; own bound"),
+      din743_range<Result>(&Result::x_small, "x_small", "7.5 mm over the diameter: measured notch factors"),
+      din743_range<Result>(&Result::x_r, "x_r", "0.03 over r/t: shape factors"),
+      din743_range<Result>(&Result::x_D, "x_D", "d/D over 0.98: shape factors"),
+      din743_range<Result>(&Result::x_alpha, "x_alpha", "largest shape factor over 6"),
+      din743_range<Result>(&Result::x_t, "x_t", "depth of a V-groove over the diameter", 0.05, 0.2),
+      din743_range<Result>(&Result::x_hole, "x_hole", "cross hole over the diameter; own bound", 0.0, 0.3),
+      din743_range<Result>(&Result::x_bore, "x_bore", "bore over the diameter: notch factors are of solid shafts", 0.0,
+                           1e-9),
+      ListField<Result, List<FkmStress, 3>>{&Result::stresses, "stresses", "tension, bending, torsion: what acts"}};
+}
+
+constexpr auto choices_of(FkmSteelGroup) {
+  using G = FkmSteelGroup;
+  return std::array{
+      ChoiceName<G>{G::untold, "untold", "not told, which no section is rated by"},
+      ChoiceName<G>{G::structural, "structural", "structural steel, at 40 mm"},
+      ChoiceName<G>{G::quenched_tempered, "quenched-tempered", "quenched and tempered, at 16 mm"},
+      ChoiceName<G>{G::normalised, "normalised", "steel for quenching, normalised, at 16 mm"},
+      ChoiceName<G>{G::case_hardening, "case-hardening", "steel for case hardening, blank hardened, at 11 mm"},
+      ChoiceName<G>{G::nitriding, "nitriding", "nitriding steel, R_mN at 100 mm; type a_dp and d_Np"},
+      ChoiceName<G>{G::stainless, "stainless", "stainless steel; type the constants of size"},
+      ChoiceName<G>{G::forged, "forged", "other forged steel; type the constants of size"}};
+}
+
+constexpr auto choices_of(Fibre) {
+  return std::array{ChoiceName<Fibre>{Fibre::along, "along", "stresses along the fibre, as of a bar"},
+                    ChoiceName<Fibre>{Fibre::across, "across", "stresses across the fibre: weaker"}};
+}
+
+constexpr auto choices_of(Overload) {
+  using O = Overload;
+  return std::array{ChoiceName<O>{O::F1, "F1", "the mean stress stays"},
+                    ChoiceName<O>{O::F2, "F2", "the ratio of least to largest stress stays"},
+                    ChoiceName<O>{O::F3, "F3", "the least stress stays"},
+                    ChoiceName<O>{O::F4, "F4", "the largest stress stays"}};
+}
+
+constexpr auto choices_of(Means) {
+  using M = Means;
+  return std::array{ChoiceName<M>{M::together, "together", "one for all, by von Mises"},
+                    ChoiceName<M>{M::each, "each", "its own"}};
+}
+
+}  // namespace loadpath::fatigue

@@ -1,0 +1,75 @@
+// The utilisation of one section of a shaft or rod in fatigue and under the largest load, by FKM, factor by factor.
+//
+// Decides, after [FKM] chapters 1 and 2, nominal stresses of tension, bending and torsion, what size, anisotropy, notch
+// with its support, roughness and surface treatment leave of the fatigue limit, how the mean stress counts in the four
+// fields and the four ways to grow, what a finite life adds (k = 5, in torsion 8, knee 1e6), and the plastic support of
+// the section. Steel, not welded, up to 100 degC (fine grain 60), stresses in phase, one amplitude. Tension is
+// positive; in bending and torsion the sign is of no account. Not covered: spectra, local stresses, castings, coatings,
+// shear by transverse forces, the crack of a hard layer. The guideline was not read itself: numbers are those of
+// programs and pages that quote it; recalled are size constants of the yield strength, one mean stress for all, support
+// of the diameter beside that of the notch, 250 mm, 1050 MPa.
+#pragma once
+
+#include "calculators/fatigue/fkm/fields.hpp"
+#include "calculators/fatigue/fkm/rules.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/calculator/trace.hpp"
+
+namespace loadpath::fatigue {
+
+struct Fkm {
+  static constexpr auto id = "fatigue.fkm";
+  static constexpr auto title = "Section of a shaft or rod by FKM";
+  static constexpr auto scope =
+      "Utilisation of one section of a steel shaft or rod in fatigue and under the largest load by the FKM guideline, "
+      "nominal stresses, not welded, factor by factor: smooth, shoulder, grooves, keyways, press fit, cross hole, or "
+      "typed factors; overload cases F1 to F4, finite life. Not covered: spectra, local stresses, castings, welds, "
+      "heat, shear by transverse forces, cracks of a hard layer. Recalled: size constants of the yield strength, one "
+      "mean stress for all, both supports in bending, 250 mm, 1050 MPa.";
+  static constexpr auto source = "[FKM], [PragTic], [4ming], [DIN743]";
+  static constexpr auto example = R"([project]
+title = "Shoulder of a gear shaft"
+
+[shoulder]
+calculator = "fatigue.fkm"
+steel = "quenched-tempered"
+R_mN = "1100 MPa"
+R_eN = "900 MPa"
+d_h = "60 mm"
+notch = "shoulder"
+d = "42 mm"
+D = "50 mm"
+r = "2.5 mm"
+R_z = "6.3 um"
+overload = "F2"
+M_ba = "800 N*m"
+M_tm = "900 N*m"
+M_ta = "150 N*m"
+f_max = 1.8
+)";
+
+  struct Input : FkmSteel, Din743Section, SectionActions, FkmService {};
+  static constexpr std::tuple inputs =
+      std::tuple_cat(fkm_steel<Input>(), din743_section<Input>(), section_actions<Input>(), fkm_service<Input>());
+
+  struct Result : FkmSafety {};
+  static constexpr std::tuple results = fkm_results<Result>();
+
+  static constexpr auto rules = fkm_rules<Input>();
+  static constexpr std::array modes{
+      Mode<Input>{"fatigue", "fatigue of the section, at constant amplitudes", &any_varies<Input>}.judged_by(
+          "u_D, x_eff, x_G, x_Rz, x_N, x_small, x_r, x_D, x_alpha, x_t, x_hole, x_bore"),
+      Mode<Input>{"yield", "yield or fracture under the largest load", &always<Input>}.judged_by("u_S").wanting(
+          "f_max"),
+      Mode<Input>{"layer", "cracks of a hard surface layer under the largest load",
+                  [](const Input& in) { return where(in.layer == Layer::hard); }},
+      Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
+      Mode<Input>{"shear", "shear by transverse forces in a short shaft, buckling", &unseen<Input>}.special(),
+      Mode<Input>{"surroundings", "corrosion, fretting under hubs that slip, heat or cold, welds", &unseen<Input>}
+          .special()};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+}  // namespace loadpath::fatigue

@@ -1,0 +1,55 @@
+// What inputs of FKM have to keep between them, for every calculator that rates sections by it.
+#pragma once
+
+#include "calculators/fatigue/din743_rules.hpp"
+#include "calculators/fatigue/fkm/material.hpp"
+
+namespace loadpath::fatigue {
+
+inline bool knows_size(const FkmSteel& s) {
+  const FkmSize size = fkm_size(s);
+  return is_set(size.a_m) && is_set(size.d_m) && is_set(size.a_p) && is_set(size.d_p);
+}
+
+template <class Input>
+constexpr auto fkm_steel_rules() {
+  return std::array{
+      Rule<Input>{[](const Input& in) { return in.steel != FkmSteelGroup::untold; }, "steel",
+                  "say what steel it is: its fatigue limit, its support and its size factors follow from that"},
+      Rule<Input>{[](const Input& in) { return is_set(in.R_mN) != is_set(in.R_m); }, "R_mN, R_m",
+                  "give the tensile strength: R_mN of the standard, or R_m in this size (or a material), never both"},
+      Rule<Input>{
+          [](const Input& in) { return is_set(in.R_mN) == is_set(in.R_eN) && is_set(in.R_m) == is_set(in.R_e); },
+          "R_eN, R_e, R_mN, R_m", "R_mN goes with R_eN, and R_m with R_e"},
+      Rule<Input>{
+          [](const Input& in) { return !is_set(in.R_mN) || in.steel == FkmSteelGroup::untold || knows_size(in); },
+          "a_dm, d_Nm, a_dp, d_Np, steel, R_mN",
+          "of this steel the constants of the size factors are not known here: type a_dm, d_Nm, a_dp and d_Np, "
+          "or give R_m and R_e in this size"},
+      Rule<Input>{[](const Input& in) {
+                    return is_set(in.R_mN) ||
+                           !(is_set(in.a_dm) || is_set(in.a_dp) || is_set(in.d_Nm) || is_set(in.d_Np));
+                  },
+                  "a_dm, a_dp, d_Nm, d_Np, R_m", "R_m of this size needs no constants of size: they belong to R_mN"},
+      Rule<Input>{[](const Input& in) { return !(in.R_eN > in.R_mN || in.R_e > in.R_m); }, "R_eN, R_e, R_mN, R_m",
+                  "a steel yields below its tensile strength"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.K_an) || in.fibre == Fibre::along; }, "K_an, fibre",
+                  "give the anisotropy as K_an or by fibre, never both"},
+      Rule<Input>{[](const Input& in) {
+                    const Stress most = is_set(in.R_mN) ? in.R_mN : in.R_m;
+                    return !(in.sigma_W >= most || in.tau_W >= most);
+                  },
+                  "sigma_W, tau_W",
+                  "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"},
+      Rule<Input>{[](const Input& in) {
+                    return in.notch == Notch::alpha || !(is_set(in.G_zd) || is_set(in.G_b) || is_set(in.G_t));
+                  },
+                  "G_zd, G_b, G_t, notch", "gradients belong to typed shape factors: notch = \"alpha\""}};
+}
+
+template <class Input>
+constexpr auto fkm_rules() {
+  return join(fkm_steel_rules<Input>(), din743_section_rules<Input>(), din743_load_rules<Input>());
+}
+
+}  // namespace loadpath::fatigue

@@ -84,7 +84,7 @@ class Beam {
 
  private:
   /// Unknowns: v and slope of each node in turn.
-  using Matrix = numerics::BandMatrix<3, 2 * most_nodes>;
+  using Matrix = numerics::BandMatrix<2 * most_nodes>;
   Beam(const Row<Span>& spans, const OfSupports<Support>& supports);
   /// The stiffness, less the masses times the square of a frequency.
   [[nodiscard]] Matrix assembled(std::span<const double> masses = {}, double square = 0.0) const;

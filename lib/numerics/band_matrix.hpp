@@ -11,10 +11,14 @@
 
 namespace loadpath::numerics {
 
-/// Of at most `most` unknowns. Entries lie at most `reach` beside the diagonal; of them the lower half is kept, row by
-/// row.
-template <std::size_t reach, std::size_t most>
+/// Of at most `most` unknowns. Entries lie at most three beside the diagonal, as of elements with two unknowns at each
+/// end; of them the lower half is kept, row by row. What a row needs of those before it is held in variables: read
+/// again just after it was written it would hold the work up.
+template <std::size_t most>
 class BandMatrix {
+  static constexpr std::size_t reach = 3;
+  using Row = std::array<double, reach + 1>;
+
  public:
   explicit BandMatrix(std::size_t size) : rows_(size) {}
 
@@ -33,40 +37,44 @@ class BandMatrix {
   /// L D L^T in place of the matrix. False where a pivot is no larger than `least` of its diagonal: it is not positive
   /// definite, to rounding.
   [[nodiscard]] bool factor(double least = 1e-12) {
-    for (std::size_t i = 0; i < size(); ++i) {
-      const double diagonal = at(i, i);
-      const std::size_t first = i - std::min(i, reach);
-      for (std::size_t j = first; j < i; ++j) {
-        for (std::size_t k = std::max(first, j - std::min(j, reach)); k < j; ++k) at(i, j) -= at(i, k) * at(j, k);
-      }
-      for (std::size_t j = first; j < i; ++j) {
-        const double scaled = at(i, j) / at(j, j);
-        at(i, i) -= scaled * at(i, j);
-        at(i, j) = scaled;
-      }
-      if (!(at(i, i) > least * diagonal)) return false;
+    double d1 = 1.0, d2 = 1.0, d3 = 1.0;     // the pivots of the rows before, from the nearest on
+    double l12 = 0.0, l13 = 0.0, l23 = 0.0;  // of L in the row before: to the second and third, in that before it
+    for (Row& row : rows_) {
+      const double a = row[0], b = row[1] - a * l23, c = row[2] - a * l13 - b * l12;
+      const double l3 = a / d3, l2 = b / d2, l1 = c / d1;
+      const double pivot = row[3] - l3 * a - l2 * b - l1 * c;
+      if (!(pivot > least * row[3])) return false;
+      row = {l3, l2, l1, pivot};
+      d3 = d2, d2 = d1, d1 = pivot;
+      l23 = l12, l13 = l2, l12 = l1;
     }
     return true;
   }
 
   /// The solution in place of the right-hand side, after `factor`.
   void solve(std::span<double> x) const {
+    double x1 = 0.0, x2 = 0.0, x3 = 0.0;  // the unknowns before, from the nearest on
     for (std::size_t i = 0; i < size(); ++i) {
-      for (std::size_t j = i - std::min(i, reach); j < i; ++j) x[i] -= at(i, j) * x[j];
+      const Row& row = rows_[i];
+      const double next = x[i] - row[0] * x3 - row[1] * x2 - row[2] * x1;
+      x[i] = next;
+      x3 = x2, x2 = x1, x1 = next;
     }
-    for (std::size_t i = 0; i < size(); ++i) x[i] /= at(i, i);
+    x1 = x2 = x3 = 0.0;
+    const auto below = [&](std::size_t i, std::size_t k) { return i + k < size() ? rows_[i + k][reach - k] : 0.0; };
     for (std::size_t i = size(); i-- > 0;) {
-      for (std::size_t j = i - std::min(i, reach); j < i; ++j) x[j] -= at(i, j) * x[i];
+      const double next = x[i] / rows_[i][reach] - below(i, 3) * x3 - below(i, 2) * x2 - below(i, 1) * x1;
+      x[i] = next;
+      x3 = x2, x2 = x1, x1 = next;
     }
   }
 
   /// The diagonal of the inverse, after `factor`: what each unknown does where it acts alone. From the last row up, of
   /// the inverse no more than lies within the band.
   void inverse_diagonal(std::span<double> diagonal) const {
-    boost::container::static_vector<std::array<double, reach + 1>, most> inverse(size());  // row i: from i to the right
+    boost::container::static_vector<Row, most> inverse(size());  // row i: from i to the right
     for (std::size_t i = size(); i-- > 0;) {
       const std::size_t right = std::min(reach, size() - 1 - i);
-      inverse[i].fill(0.0);
       for (std::size_t k = right; k > 0; --k) {
         for (std::size_t l = 1; l <= right; ++l)
           inverse[i][k] -= at(i + l, i) * (l <= k ? inverse[i + l][k - l] : inverse[i + k][l - k]);
@@ -78,7 +86,7 @@ class BandMatrix {
   }
 
  private:
-  boost::container::static_vector<std::array<double, reach + 1>, most> rows_;
+  boost::container::static_vector<Row, most> rows_;
 };
 
 }  // namespace loadpath::numerics

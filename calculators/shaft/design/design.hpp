@@ -3,13 +3,13 @@
 //
 // Decides what the bearings carry and how the shaft bends in two planes, by beams with shear; the largest equivalent
 // stress of each section (von Mises) against yielding; the safety of each notch against fatigue of a turning shaft by
-// four schools of [Shigley7], with the fatigue limit of the part by Marin, and by [DIN743]; slopes, deflection and the
-// critical speeds in bending and in torsion. Axes: z along the shaft from its left end, X and Y across it, Y a quarter
-// turn from X about z. Constant forces stand in space while the shaft turns: bending alternates, axial stress stays,
-// torsion runs from r_T T to T. Loads over a turn of a mechanism are taken whole: each point of the circumference,
-// which turns with the shaft by psi, has its own amplitude and mean, and the worst decides; amplitudes of bending, of
-// the force along the shaft and of torsion count as if they came at once. Not covered: masses that whirl as discs,
-// life.
+// four schools of [Shigley7], with the fatigue limit of the part by Marin, by [DIN743], [FKM], Serensen; slopes,
+// deflection and the critical speeds in bending and in torsion. Axes: z along the shaft from its left end, X and Y
+// across it, Y a quarter turn from X about z. Constant forces stand in space while the shaft turns: bending alternates,
+// axial stress stays, torsion runs from r_T T to T. Loads over a turn of a mechanism are taken whole: each point of the
+// circumference, which turns with the shaft by psi, has its own amplitude and mean, and the worst decides; amplitudes
+// of bending, of the force along the shaft and of torsion count as if they came at once. Not covered: masses that whirl
+// as discs, life.
 #pragma once
 
 #include "calculators/fatigue/endurance.hpp"
@@ -26,7 +26,7 @@
 
 namespace loadpath::shaft {
 
-enum class School { goodman, soderberg, gerber, elliptic, din743 };
+enum class School { goodman, soderberg, gerber, elliptic, din743, fkm, serensen };
 
 struct Design {
   static constexpr auto id = "shaft.design";
@@ -35,7 +35,7 @@ struct Design {
       "Reactions, moments, deflection, slope and twist of a shaft on two or more bearings, with what sits on it; yield "
       "and fatigue of every section and notch; critical speeds in bending and in torsion. Forces stand in space while "
       "the shaft turns, or are given over a turn.";
-  static constexpr auto source = "[Shigley6], [Shigley7], [DIN743], [Peterson], [Cowper], [Mises]";
+  static constexpr auto source = "[Shigley6], [Shigley7], [DIN743], [FKM], [GOST25504], [Peterson], [Cowper], [Mises]";
   static constexpr auto example = R"([project]
 title = "Shaft of a gear between its bearings"
 
@@ -257,9 +257,9 @@ r_T = 0
                   "sigma_W, group", "the rule for the fatigue limit is for steels: give sigma_W"},
       Rule<Input>{[](const Input& in) {
                     const bool steel = in.group <= fatigue::Endurance::Group::cast_steel;
-                    return in.method != School::din743 || (is_set(in.R_z) && steel);
+                    return in.method < School::din743 || (is_set(in.R_z) && steel);
                   },
-                  "method, R_z, group", "DIN 743 is for steels, and needs the roughness R_z"},
+                  "method, R_z, group", "DIN 743, FKM and Serensen are for steels, and need the roughness R_z"},
       Rule<Input>{[](const Input& in) { return !is_set(in.S_F) || is_set(in.R_e); }, "S_F, R_e",
                   "the safety S_F counts against the yield strength R_e: give it, or a material"},
       Rule<Input>{[](const Input& in) { return is_set(in.E) && is_set(in.G); }, "E, G",
@@ -334,7 +334,9 @@ constexpr auto choices_of(School) {
       ChoiceName<School>{School::soderberg, "soderberg", "a line to the yield strength: on the safe side"},
       ChoiceName<School>{School::gerber, "gerber", "a parabola to the tensile strength"},
       ChoiceName<School>{School::elliptic, "elliptic", "an ellipse to the yield strength, of ASME"},
-      ChoiceName<School>{School::din743, "din743", "DIN 743, its case 2: the ratio stays"}};
+      ChoiceName<School>{School::din743, "din743", "DIN 743, its case 2: the ratio stays"},
+      ChoiceName<School>{School::fkm, "fkm", "FKM, its case F2: the ratio stays; steels, no castings"},
+      ChoiceName<School>{School::serensen, "serensen", "Serensen, with size and surface of DIN 743"}};
 }
 
 }  // namespace loadpath::shaft

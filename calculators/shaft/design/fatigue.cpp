@@ -4,6 +4,7 @@
 #include "calculators/fatigue/din743_safety.hpp"
 #include "calculators/fatigue/mean_stress.hpp"
 #include "calculators/fatigue/peterson.hpp"
+#include "calculators/shaft/design/schools.hpp"
 
 #include <cmath>
 #include <limits>
@@ -130,14 +131,8 @@ fatigue::Din743Section section_of_din743(const Input& in, const There& there, co
 
 /// How many of its ranges the section is outside of.
 double outside_of_din743(const fatigue::Din743Safety& rated) {
-  const auto is_outside = [&](const auto& field) {
-    if constexpr (requires { field.role == Role::limit&& field.bounds.holds(rated.*field.at); })
-      return field.role == Role::limit && !std::isnan(rated.*field.at) && !field.bounds.holds(rated.*field.at);
-    else
-      return false;
-  };
-  return std::apply([&](const auto&... field) { return (0.0 + ... + (is_outside(field) ? 1.0 : 0.0)); },
-                    fatigue::din743_results<fatigue::Din743Safety>());
+  static constexpr auto fields = fatigue::din743_results<fatigue::Din743Safety>();
+  return ranges_left(rated, fields);
 }
 
 /// By DIN 743, with the strengths as they are in this size.
@@ -147,7 +142,7 @@ fatigue::Din743Safety rated_by_din743(const Input& in, const There& there, const
   steel.R_m = in.R_m, steel.R_e = in.R_e;
   fatigue::Din743Loads loads;
   loads.F_zd = {swings.N.m, swings.N.a};
-  loads.M_b = {swings.M.m, swings.M.a};
+  loads.M_b = {abs(swings.M.m), swings.M.a};
   loads.M_t = {abs(swings.T.m), swings.T.a};
   loads.f_max = in.k_max;
   NoTrace quiet;
@@ -215,11 +210,19 @@ void tire(const Input& in, const Stresses& stresses, Safety& s, Tracer& trace) {
                      : in.method == School::soderberg ? NAMED_STEP("n_D", s.n_Soderberg, "Soderberg decides")
                      : in.method == School::gerber    ? NAMED_STEP("n_D", s.n_Gerber, "Gerber decides")
                      : in.method == School::din743    ? NAMED_STEP("n_D", s.n_DIN743, "DIN 743 decides")
+                     : in.method == School::fkm       ? NAMED_STEP("n_D", s.n_FKM, "FKM decides")
+                     : in.method == School::serensen  ? NAMED_STEP("n_D", s.n_Serensen, "Serensen decides")
                                                       : NAMED_STEP("n_D", s.n_elliptic, "the ellipse decides");
   STEP_TO(s, u_D, in.S_D / n_D, "fatigue");
 }
 
-/// One section by all schools.
+Stressed stressed_by(const Swings& swings, const Moduli& of) {
+  return {{swings.M.a / of.W, abs(swings.M.m) / of.W},
+          {swings.N.a / of.A, swings.N.m / of.A},
+          {swings.T.a / of.W_t, abs(swings.T.m) / of.W_t}};
+}
+
+/// One section by the schools that are not of [Shigley7].
 class Rating {
  public:
   Rating(const Input& in, const There& there, const Sides& sides, const Section& p)
@@ -227,12 +230,25 @@ class Rating {
 
   /// Whether its factor is that of tests, or is computed as DIN 743 has it: for all schools alike.
   [[nodiscard]] bool by_factors() const { return there_.notch != nullptr && has_factors(there_.notch->kind); }
-  [[nodiscard]] bool by_din743() const { return steel() && is_set(in_.R_z); }
 
   /// By DIN 743, where that is asked, or has the factors of the notch.
   [[nodiscard]] fatigue::Din743Safety din743(const Swings& swings, const Safety& s) const {
     return steel() && (by_factors() || is_set(in_.R_z)) ? rated_by_din743(in_, there_, sides_, p_, swings, s)
                                                         : fatigue::Din743Safety{};
+  }
+
+  /// Their safeties, and the ranges that the one that decides has left.
+  template <class Tracer>
+  void rate(const Swings& swings, Safety& s, Tracer& trace) const {
+    const fatigue::Din743Safety rated = din743(swings, s);
+    const double outside = outside_of_din743(rated);
+    const bool asked = steel() && is_set(in_.R_z);
+    if (outside == 0.0 && asked) s.n_DIN743 = trace.value("n_DIN743", rated.S_D, "DIN 743, as fatigue.din743 finds it");
+    if (in_.method == School::din743 || (by_factors() && there_.notch->kind != Notch::beta)) s.x_DIN = outside;
+    if (!asked) return;
+    NoTrace quiet;
+    const Stressed stressed = stressed_by(swings, moduli_of(p_, there_.notch, quiet));
+    other_schools(in_, section_of_din743(in_, there_, sides_, p_, s), stressed, rated, outside, s, trace);
   }
 
   /// The one of all swings under which the section lasts least.
@@ -242,7 +258,7 @@ class Rating {
     double most = -1.0;
     for (const Swings& swings : all) {
       Safety s = prepared;
-      if (in_.method == School::din743) s.n_DIN743 = din743(swings, s).S_D;
+      if (in_.method >= School::din743) rate(swings, s, quiet);
       tire(in_, stresses_of(p_, there_, swings, quiet), s, quiet);
       if (!(s.u_D <= most)) most = s.u_D, found = &swings;
     }
@@ -284,18 +300,14 @@ Safety safety_of(const Input& in, const There& there, const Sides& sides, const 
   tell(p, r_n, own, stands, trace);
   if (there.notch == nullptr) trace.value("K_t", s.K_t, "no notch");
   if (there.notch != nullptr && !rating.by_factors()) concentrate(*there.notch, sides, r_n, p, twisted, s, trace);
-  fatigue::Din743Safety rated = rating.din743(some, s);
-  const double outside = outside_of_din743(rated);
   if (rating.by_factors())
-    weaken_by_factors(in, p.d, *there.notch, rated, s, trace);
+    weaken_by_factors(in, p.d, *there.notch, rating.din743(some, s), s, trace);
   else
     weaken(in, p.d, r_n, s, trace);
-  const Swings* const decides = stands ? nullptr : &rating.weakest(swings, s);
-  if (decides != nullptr) s.theta = decides->theta, rated = rating.din743(*decides, s);
-  if (outside == 0.0 && rating.by_din743())
-    s.n_DIN743 = trace.value("n_DIN743", rated.S_D, "DIN 743, as fatigue.din743 finds it");
-  if (in.method == School::din743 || (rating.by_factors() && there.notch->kind != Notch::beta)) s.x_DIN = outside;
-  tire(in, stands ? stresses_of(in, p, trace) : stresses_of(p, there, *decides, trace), s, trace);
+  const Swings decides = stands ? some : rating.weakest(swings, s);
+  s.theta = decides.theta;
+  rating.rate(decides, s, trace);
+  tire(in, stands ? stresses_of(in, p, trace) : stresses_of(p, there, decides, trace), s, trace);
   return s;
 }
 

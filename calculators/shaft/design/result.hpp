@@ -114,7 +114,7 @@ struct Safety {
   double K_t = 1.0, K_ts = 1.0, K_f = unset<double>, K_fs = unset<double>;
   Stress S_e = unset<Stress>, sigma_a = unset<Stress>, sigma_m = unset<Stress>;
   double n_Goodman = unset<double>, n_Soderberg = unset<double>, n_Gerber = unset<double>, n_elliptic = unset<double>;
-  double n_DIN743 = unset<double>;
+  double n_DIN743 = unset<double>, n_FKM = unset<double>, n_Serensen = unset<double>;
   double u_D = unset<double>;
   double x_DIN = unset<double>;
   double x_b = unset<double>, x_t = unset<double>, x_d = unset<double>, x_n = unset<double>;
@@ -136,8 +136,11 @@ struct Safety {
       Field{&Safety::n_elliptic, "n_elliptic", ratio, "safety against fatigue by the ellipse of ASME"}
           .may_be_infinite(),
       Field{&Safety::n_DIN743, "n_DIN743", ratio, "safety against fatigue by DIN 743"}.may_be_infinite(),
+      Field{&Safety::n_FKM, "n_FKM", ratio, "safety against fatigue by FKM"}.may_be_infinite(),
+      Field{&Safety::n_Serensen, "n_Serensen", ratio, "safety against fatigue by Serensen"}.may_be_infinite(),
       Field{&Safety::u_D, "u_D", ratio, "fatigue: safety that is asked for over that of the method"}.check(),
-      Field{&Safety::x_DIN, "x_DIN", ratio, "ranges of DIN 743 that the section is outside of, where that decides"}
+      Field{&Safety::x_DIN, "x_DIN", ratio,
+            "ranges of DIN 743 or FKM that the section is outside of, where they decide"}
           .limit(0, 0.5)
           .where_it_applies(),
       Field{&Safety::x_b, "x_b", ratio, "height over radius of the notch within its fit in bending: 0 least, 1 largest"}

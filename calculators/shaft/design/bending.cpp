@@ -130,6 +130,9 @@ void run_along(const Input& in, std::size_t position, Loaded& loaded) {
   }
 }
 
+/// Of a vector; hypot is exact where these are, and slower.
+double square_of(double a, double b) { return a * a + b * b; }
+
 double larger(double a, double b) { return std::abs(a) < std::abs(b) ? b : a; }
 
 }  // namespace
@@ -205,12 +208,12 @@ Felt Loaded::felt(std::size_t node) const {
     const auto& ends_y = y.spans[span];
     const beam::End& in_x = right_end ? ends_x.right : ends_x.left;
     const beam::End& in_y = right_end ? ends_y.right : ends_y.left;
-    return Felt{in_x.M, in_y.M, std::hypot(in_x.V, in_y.V), N[span], T[span]};
+    return Felt{in_x.M, in_y.M, std::sqrt(square_of(in_x.V, in_y.V)), N[span], T[span]};
   };
   if (node == 0) return side(0, false);
   if (node == T.size()) return side(node - 1, true);
   const Felt left = side(node - 1, true), right = side(node, false);
-  const bool more_left = std::hypot(left.M_x, left.M_y) > std::hypot(right.M_x, right.M_y);
+  const bool more_left = square_of(left.M_x, left.M_y) > square_of(right.M_x, right.M_y);
   const Felt& bent_more = more_left ? left : right;
   return {bent_more.M_x, bent_more.M_y, std::max(left.V, right.V), larger(left.N, right.N), larger(left.T, right.T)};
 }
@@ -237,12 +240,18 @@ Loaded loaded_at(const Input& in, const Elastic& elastic, std::size_t position) 
 }
 
 double Loaded::largest_moment() const {
-  double M = 0.0;
-  for (std::size_t n = 0; n < stations.x.size(); ++n) {
-    const Felt there = felt(n);
-    M = std::max(M, std::hypot(there.M_x, there.M_y));
+  double square = 0.0;
+  for (std::size_t s = 0; s < T.size(); ++s) {
+    for (const auto end : {&beam::Ends::left, &beam::Ends::right})
+      square = std::max(square, square_of((x.spans[s].*end).M, (y.spans[s].*end).M));
   }
-  return M;
+  return std::sqrt(square);
+}
+
+double Loaded::largest_deflection() const {
+  double square = 0.0;
+  for (std::size_t n = 0; n < x.nodes.size(); ++n) square = std::max(square, square_of(x.nodes[n].v, y.nodes[n].v));
+  return std::sqrt(square);
 }
 
 std::size_t most_bent(const Input& in, const Elastic& elastic) {
@@ -261,8 +270,8 @@ std::optional<Loaded> loaded_shaft(const Input& in) {
   return loaded_at(in, *elastic, most_bent(in, *elastic));
 }
 
-beam::Frequencies critical_speeds(const Input& in) {
-  const Stations stations = stations_of(in);
+beam::Frequencies critical_speeds(const Input& in, const Elastic& elastic) {
+  const Stations& stations = elastic.stations;
   beam::Row<double> masses(stations.x.size());
   for (std::size_t s = 0; s + 1 < stations.x.size(); ++s) {
     const double half =
@@ -271,8 +280,7 @@ beam::Frequencies critical_speeds(const Input& in) {
     masses[s + 1] += half;
   }
   for (const Seat& seat : in.seats) masses[stations.at(seat.x)] += mass_on(seat);
-  const auto beam = beam_of(in, stations);
-  return beam ? beam::frequencies(*beam, masses) : beam::Frequencies{};
+  return beam::frequencies(elastic.beam, masses);
 }
 
 }  // namespace loadpath::shaft

@@ -41,6 +41,7 @@ struct Loaded {
   [[nodiscard]] double deflection(std::size_t node) const;
   [[nodiscard]] double slope(std::size_t node) const;
   [[nodiscard]] double largest_moment() const;
+  [[nodiscard]] double largest_deflection() const;
 };
 Loaded loaded_at(const Design::Input& in, const Elastic& elastic, std::size_t position);
 /// The position at which the shaft is bent most.
@@ -50,7 +51,7 @@ std::optional<Loaded> loaded_shaft(const Design::Input& in);
 bool bears(const Design::Input& in);
 
 /// Of the shaft and what sits on it.
-beam::Frequencies critical_speeds(const Design::Input& in);
+beam::Frequencies critical_speeds(const Design::Input& in, const Elastic& elastic);
 
 /// The piece that a place is on; behind the end the last.
 std::size_t index_of_piece(const Design::Input& in, Length x);

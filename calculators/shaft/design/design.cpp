@@ -89,16 +89,16 @@ class Movement {
 
   /// Of all sections the largest.
   void extremes(const Loaded& loaded) {
-    double T = 0.0, v = 0.0, twist = 0.0;
+    double T = 0.0, twist = 0.0;
     for (const double there : loaded.T) T = std::max(T, std::abs(there));
-    for (std::size_t n = 0; n < loaded.stations.x.size(); ++n) v = std::max(v, loaded.deflection(n));
     for (std::size_t s = 0; s + 1 < loaded.phi.size(); ++s) {
       const double l = loaded.stations.x[s + 1] - loaded.stations.x[s];
       twist = std::max(twist, std::abs(loaded.phi[s + 1] - loaded.phi[s]) / l);
     }
     const auto [least, most] = std::minmax_element(loaded.phi.begin(), loaded.phi.end());
     r_.M_max = max(r_.M_max, from_si<Moment>(loaded.largest_moment())), r_.T_max = max(r_.T_max, from_si<Moment>(T));
-    r_.v_max = max(r_.v_max, from_si<Length>(v)), r_.theta_max = max(r_.theta_max, from_si<Twist>(twist));
+    r_.v_max = max(r_.v_max, from_si<Length>(loaded.largest_deflection())),
+    r_.theta_max = max(r_.theta_max, from_si<Twist>(twist));
     r_.phi = std::max(r_.phi, *most - *least);
   }
 
@@ -120,11 +120,11 @@ void stiffness(const Input& in, Result& r, Tracer& trace) {
 }
 
 template <class Tracer>
-void critical_speed(const Input& in, Result& r, Tracer& trace) {
+void critical_speed(const Input& in, const Elastic& elastic, Result& r, Tracer& trace) {
   if (!is_set(in.rho)) return;
   r.mass = trace.value("mass", mass_of(in), "of the cylinders");
   if (std::any_of(in.seats.begin(), in.seats.end(), [](const Seat& s) { return !is_set(s.mass); })) return;
-  const beam::Frequencies found = critical_speeds(in);
+  const beam::Frequencies found = critical_speeds(in, elastic);
   r.n_D = trace.speed("n_D", from_si<AngularSpeed>(found.dunkerley), "Dunkerley: each mass alone");
   r.n_c = trace.speed("n_c", from_si<AngularSpeed>(found.lowest), "of masses on the elastic line");
   r.n_R = trace.speed("n_R", from_si<AngularSpeed>(found.rayleigh), "Rayleigh: bent as by the weights");
@@ -156,7 +156,7 @@ Design::Result Design::evaluate(const Input& in, Tracer& trace) {
   if (is_set(r.n)) trace.speed("n", r.n, "of the shaft and all that sits on it");
   judge_sections(in, elastic->stations, turn, r, trace);
   stiffness(in, r, trace);
-  critical_speed(in, r, trace);
+  critical_speed(in, *elastic, r, trace);
   judge_torsion(in, r, trace);
   return r;
 }

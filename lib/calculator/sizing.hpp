@@ -13,6 +13,7 @@ struct Sought {
   const void* owner = nullptr;
   const char* stock = "";              // that it is taken from, where the user names none; empty: that of the field
   std::size_t note = 0;                // of the calculator's own, from `arrange` on
+  std::size_t like = 0;                // the first of those of one size with it, from `arrange` on
   std::span<const double> sizes = {};  // ascending, SI
   std::size_t at = 0;
   [[nodiscard]] double size() const { return sizes[at]; }
@@ -21,7 +22,7 @@ struct Sought {
 /// What a calculator says of the sizes in one of its lists; the functions see an input in which all else has its value.
 struct Sizing {
   const char* list = "";  // "pieces"; empty: it has no such list
-  /// Before the search: stocks and notes.
+  /// Before the search: stocks, notes, and which are of one size.
   void (*arrange)(const void* input, std::span<Sought> sought) = nullptr;
   /// Raises each no further than the others and what is given ask; false where no size is large enough.
   bool (*raise)(const void* input, std::span<Sought> sought) = nullptr;

@@ -27,12 +27,12 @@ std::string place_of(const char* list, const Elements& all, std::size_t i, const
                       : std::string(list) + "." + std::string(name.view()) + "." + key;
 }
 
-/// Calls with the key and the place of everything that is on the shaft, until one call is true.
+/// Calls with the place of everything that is on the shaft, and what makes its key, until one call is true.
 template <class Found>
 bool find_place(const Input& in, const Found& found) {
   const auto in_list = [&](const char* list, const auto& all) {
     for (std::size_t i = 0; i < all.size(); ++i) {
-      if (found(place_of(list, all, i, "x"), all[i].x)) return true;
+      if (found([&] { return place_of(list, all, i, "x"); }, all[i].x)) return true;
     }
     return false;
   };
@@ -203,14 +203,14 @@ bool Design::stiff_enough(const Input& in) {
 }
 
 bool Design::on_shaft(const Input& in) {
-  return !find_place(in, [&](const std::string&, Length x) { return is_off(in, x); });
+  return !find_place(in, [&](const auto&, Length x) { return is_off(in, x); });
 }
 
 FieldFault Design::off_shaft(const Input& in) {
   FieldFault fault;
-  find_place(in, [&](const std::string& key, Length x) {
+  find_place(in, [&](const auto& key, Length x) {
     if (!is_off(in, x)) return false;
-    fault = {key, say("{1} is beyond the end of the shaft at {2}", format(x), format(length_of(in))),
+    fault = {key(), say("{1} is beyond the end of the shaft at {2}", format(x), format(length_of(in))),
              say("x counts from the left end: correct it, or the lengths of the pieces")};
     return true;
   });

@@ -145,6 +145,7 @@ void Design::arrange(const Input& in, std::span<Sought> sought) {
     if (of[i] == none) continue;
     sought[of[i]].note = top;
     if (is_bearing_seat(in, i)) sought[of[i]].stock = "bearing";
+    if (i > 0 && of[i - 1] != none && joint_after(in, i - 1).tied) sought[of[i]].like = sought[of[i - 1]].like;
   }
 }
 
@@ -173,6 +174,8 @@ Message Design::unsound(const Input& in, std::span<const Sought> sought, std::si
   const auto i = static_cast<std::size_t>(std::find(trial.of.begin(), trial.of.end(), which) - trial.of.begin());
   const auto beside = [&](const Joint& joint, std::size_t k) -> Message {
     const Length step = abs(trial.d(i) - trial.d(k));
+    if (joint.tied && step > same * trial.d(i))
+      return say("nothing is cut at {1}: it is one cylinder with the {2} beyond", format(joint.x), format(trial.d(k)));
     if (joint.steps() && step < (1.0 - same) * joint.least)
       return say("the shoulder at {1} would be {2} high; its fillet, or what is set against it, asks for {3}",
                  format(joint.x), format(step / 2.0), format(joint.least / 2.0));

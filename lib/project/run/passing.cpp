@@ -45,10 +45,12 @@ bool Run::waits_for_search(std::size_t rule) const {
 /// The first rule about the input that is searched for that is broken at a position; none: past the last.
 std::size_t Run::first_broken_rule() {
   const std::size_t count = calculator_.rules.size();
+  for (std::size_t rule = concerned_.size(); rule < count; ++rule)  // once, not for every candidate
+    concerned_.push_back(!calculator_.rules[rule].only_warns && concerns_search(rule));
   for (std::size_t i = 0; i < positions(); ++i) {
     if (!set_position(i)) continue;
     for (std::size_t rule = 0; rule < count; ++rule) {
-      if (calculator_.rules[rule].only_warns || !concerns_search(rule)) continue;
+      if (!concerned_[rule]) continue;
       if (!calculator_.holds(rule, record_.data.get())) return rule;
     }
   }

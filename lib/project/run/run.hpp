@@ -121,10 +121,13 @@ class Run {
   bool find_start(Together& all, std::vector<std::size_t>& least);
   void lower(Together& all, std::vector<std::size_t>& least);
   bool lower_one(Together& all, std::vector<std::size_t>& least, std::size_t which);
+  static bool shrink(Together& all, const std::vector<std::size_t>& laid, std::size_t which);
+  bool lay_smaller(Together& all, const std::vector<std::size_t>& laid, std::size_t which);
+  void lower_alone(Together& all, std::vector<std::size_t>& least);
   [[nodiscard]] bool has_check();
   bool lay_largest(Together& all, std::vector<std::size_t>& least);
   void search_together(std::vector<Issue>& issues);
-  [[nodiscard]] Message fault_of_less(Together& all, const std::vector<std::size_t>& least, std::size_t which);
+  [[nodiscard]] Message fault_of_less(Together& all, const std::vector<std::size_t>& laid, std::size_t which);
   void tell_together(Together& all, const std::vector<std::size_t>& least, bool found);
   void warn_of_passed_over(const Search& wanted, const Candidates& all, std::size_t found, std::vector<Issue>& issues);
   void tell_found(const Search& wanted, const Candidates& all, std::size_t found);
@@ -180,6 +183,7 @@ class Run {
   Message not_given_;  // a word or a list of another step that is not available; empty: there is none
   std::vector<Input> inputs_;
   std::map<std::string, Origin> origins_;  // of provided, kept and searched leaves
+  std::vector<bool> concerned_;            // of every rule whether a search has to keep it, once that was asked
   double settled_ = 0.0;                   // the size that values of tables were asked at last
   Message missing_;                        // why a table's value is not available
   std::vector<Column> columns_;

@@ -148,19 +148,23 @@ Message Run::fault_of_lists(double most) {
 
 Message Run::fault_of_candidate() {
   settle_sizes();
+  const auto evaluated = [&](const FieldInfo& f) {  // of a part without positions from one evaluation
+    return axis_ == nullptr ? f.get(result_.data.get()) : largest_result(f);
+  };
   if (const std::size_t rule = first_broken_rule(); rule < calculator_.rules.size())
     return step_.broken_rule(rule, record_, provided_).message;
+  if (axis_ == nullptr && set_position(0)) calculator_.evaluate(record_.data.get(), result_.data.get());
   const FieldInfo* worst = nullptr;  // a check without a value may be so for a limit that is not kept
   double most = 1.0;
   for (const FieldInfo& f : calculator_.result->fields) {
     if (f.role != Role::check || !is_asked(f) || f.is_beside) continue;
-    const double largest = largest_result(f);
+    const double largest = evaluated(f);
     if (!(largest > most)) continue;
     worst = &f;
     most = largest;
   }
   if (const Message listed = fault_of_lists(most); !listed.empty()) return listed;
-  if (worst != nullptr) return say("{1} = {2}", worst->key, format_number(largest_result(*worst), 4));
+  if (worst != nullptr) return say("{1} = {2}", worst->key, format_number(most, 4));
   return fault_of_limits();
 }
 

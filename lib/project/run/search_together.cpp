@@ -1,5 +1,6 @@
 // The search for several sizes of one part at once: from sizes that pass, all alike but for what their neighbours ask,
-// each is lowered as far as everything holds, the largest first, until none can be.
+// each is lowered as far as everything holds, the largest first, until none can be; at first with those that go down
+// with it, at last alone, so that in the end no single one can be a size smaller.
 //
 // What is lowered is the least that a size may be; the calculator raises it as its neighbours ask (a shoulder, one
 // diameter without a step). For any least sizes there is so one part, the lightest of those that keep to them.
@@ -18,6 +19,13 @@ struct Run::Together {
   std::vector<std::vector<double>> sizes;
   std::vector<Sought> sought;
   [[nodiscard]] std::size_t count() const { return sought.size(); }
+  [[nodiscard]] std::vector<std::size_t> largest_first() const {
+    std::vector<std::size_t> order(count());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return sought[a].size() > sought[b].size(); });
+    return order;
+  }
   [[nodiscard]] std::vector<std::size_t> now() const {
     std::vector<std::size_t> at;
     for (const Sought& s : sought) at.push_back(s.at);
@@ -30,13 +38,17 @@ Run::Together Run::sought_together() {
   for (const Search& search : step_.searches()) {
     all.searches.push_back(&search);
     all.sought.push_back({map_leaf(search.path).owner});
+    all.sought.back().like = all.count() - 1;
   }
   calculator_.sizing.arrange(record_.data.get(), all.sought);
   for (std::size_t i = 0; i < all.count(); ++i) {
     const Search& search = *all.searches[i];
     const std::string_view own = all.sought[i].stock;
     all.stocks.push_back(search.names_stock || own.empty() ? search.stock : std::string(own));
-    all.sizes.push_back(stock_values(*step_.input().tables, all.stocks.back()));
+    const auto before = std::find(all.stocks.begin(), all.stocks.end() - 1, all.stocks.back()) - all.stocks.begin();
+    all.sizes.push_back(before < static_cast<std::ptrdiff_t>(i)
+                            ? all.sizes[static_cast<std::size_t>(before)]
+                            : stock_values(*step_.input().tables, all.stocks.back()));
     std::erase_if(all.sizes.back(), [&](double size) { return !search.leaf.field->bounds.holds(size); });
   }
   for (std::size_t i = 0; i < all.count(); ++i) all.sought[i].sizes = all.sizes[i];
@@ -59,6 +71,8 @@ bool Run::fits_together(Together& all, const std::vector<std::size_t>& least) {
 }
 
 namespace {
+
+constexpr double same = 1e-9;  // of a size, in two stocks
 
 /// Of each the first size that is not below.
 std::vector<std::size_t> first_from(const std::vector<std::vector<double>>& sizes, double size) {
@@ -129,15 +143,51 @@ bool Run::lower_one(Together& all, std::vector<std::size_t>& least, std::size_t 
 void Run::lower(Together& all, std::vector<std::size_t>& least) {
   for (bool lowered = true; lowered;) {
     lay(all, least);
-    std::vector<std::size_t> order(all.count());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return all.sought[a].size() > all.sought[b].size(); });
     lowered = false;
-    for (const std::size_t which : order) lowered = lower_one(all, least, which) || lowered;
+    for (const std::size_t which : all.largest_first()) lowered = lower_one(all, least, which) || lowered;
   }
+  lower_alone(all, least);
   lay(all, least);
   settle_sizes();
+}
+
+/// Makes one of them, with those that are of one size with it, a size smaller than `laid`; false where there is none.
+bool Run::shrink(Together& all, const std::vector<std::size_t>& laid, std::size_t which) {
+  for (std::size_t i = 0; i < all.count(); ++i) all.sought[i].at = laid[i];
+  const auto is_like = [&](std::size_t i) { return all.sought[i].like == all.sought[which].like; };
+  for (std::size_t less = laid[which]; less-- > 0;) {
+    const double size = all.sizes[which][less];
+    bool in_all = true;
+    for (std::size_t i = 0; i < all.count() && in_all; ++i) {
+      if (!is_like(i)) continue;
+      const auto found = std::lower_bound(all.sizes[i].begin(), all.sizes[i].end(), size * (1.0 - same));
+      in_all = found != all.sizes[i].end() && *found <= size * (1.0 + same);
+      all.sought[i].at = static_cast<std::size_t>(found - all.sizes[i].begin());
+    }
+    if (in_all) return true;
+  }
+  return false;
+}
+
+/// Lays it so beside the others as they are; false where they hold it up.
+bool Run::lay_smaller(Together& all, const std::vector<std::size_t>& laid, std::size_t which) {
+  return shrink(all, laid, which) && lay(all, all.now()) && all.sought[which].at < laid[which];
+}
+
+/// Each beside the others as they are: what went down with one may be what failed.
+void Run::lower_alone(Together& all, std::vector<std::size_t>& least) {
+  for (bool lowered = true; lowered;) {
+    lay(all, least);
+    least = all.now();
+    lowered = false;
+    for (const std::size_t which : all.largest_first()) {
+      if (all.sought[which].like != which) continue;
+      while (lay_smaller(all, least, which) && passes_covered()) {
+        least = all.now();
+        lowered = true;
+      }
+    }
+  }
 }
 
 /// Where none pass: the largest with which every rule about them holds.
@@ -178,28 +228,18 @@ void Run::search_together(std::vector<Issue>& issues) {
   tell_together(all, least, found);
 }
 
-/// What one size less of one of them fails: beside the others as they are where that is not sound, else with those that
-/// go down with it.
-Message Run::fault_of_less(Together& all, const std::vector<std::size_t>& least, std::size_t which) {
+/// What one of them fails where it is a size smaller beside the others as they are.
+Message Run::fault_of_less(Together& all, const std::vector<std::size_t>& laid, std::size_t which) {
+  const Message held = say("no smaller one goes with the others");
+  if (!shrink(all, laid, which)) return held;
   const Leaf leaf = map_leaf(all.searches[which]->path);
-  const auto named = [&](const Message& fault) {
-    return say("{1}: {2}", format_quantity(leaf.get(), leaf.field->unit), fault);
-  };
-  lay(all, least);
-  const std::size_t found = all.sought[which].at;
-  --all.sought[which].at;
-  leaf.set(all.sought[which].size());
-  const Message unsound = calculator_.sizing.fault(record_.data.get(), all.sought, which);
-  if (!unsound.empty()) return named(unsound);
+  const std::string less = format_quantity(all.sought[which].size(), leaf.field->unit);
   for (std::size_t i = 0; i < all.count(); ++i) {
-    std::vector<std::size_t> lowered = least;
-    if (lowered[i] == 0) continue;
-    --lowered[i];
-    if (lay(all, lowered) && all.sought[which].at < found) return named(fault_of_candidate());
+    if (all.sought[i].like != all.sought[which].like) continue;
+    const Message unsound = calculator_.sizing.fault(record_.data.get(), all.sought, i);
+    if (!unsound.empty()) return say("{1}: {2}", less, unsound);
   }
-  lay(all, least);
-  leaf.set(all.sizes[which][found - 1]);
-  return named(fault_of_candidate());
+  return lay_smaller(all, laid, which) ? say("{1}: {2}", less, fault_of_candidate()) : held;
 }
 
 /// Of each what was found, and why it is no less.

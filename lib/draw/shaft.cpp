@@ -1,4 +1,6 @@
 #include "lib/draw/canvas/picture.hpp"
+#include "lib/draw/canvas/rows.hpp"
+#include "lib/draw/diagrams.hpp"
 #include "lib/draw/scheme/parts.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/text/issue.hpp"
@@ -10,34 +12,14 @@ namespace loadpath::draw {
 namespace {
 
 constexpr double shaft_left = 30.0, shaft_right = 450.0, least_length = 180.0;
-constexpr double least_depth = 78.0, most_depth = 170.0;  // of the thickest part
-constexpr double torque_reach = 16.0;                     // of a torque's line beyond the thickest part
+constexpr double diagrams_left = 62.0, diagrams_right = 466.0;  // beside the numbers of their scales
+constexpr double least_depth = 78.0, most_depth = 170.0;        // of the thickest part
+constexpr double torque_reach = 16.0;                           // of a torque's line beyond the thickest part
 constexpr double torque_radius = 6.5;
-constexpr double row_height = 17.0;
 constexpr double support_depth = 22.0;  // of the sign of a bearing with its ground
 
 std::string millimetres(double metres) { return format_number(1e3 * metres, 5); }
 std::string diameter_text(double metres) { return "⌀" + millimetres(metres); }
-
-/// Rows of texts that do not touch: each text goes to the first row where it has room.
-class Rows {
- public:
-  std::size_t row_of(double left, double right) {
-    std::size_t row = 0;
-    while (row < taken_.size() && !is_free(taken_[row], left, right)) ++row;
-    if (row == taken_.size()) taken_.emplace_back();
-    taken_[row].push_back({left, right});
-    return row;
-  }
-  [[nodiscard]] double height() const { return row_height * static_cast<double>(taken_.size()); }
-
- private:
-  using Row = std::vector<std::pair<double, double>>;
-  static bool is_free(const Row& row, double left, double right) {
-    return std::none_of(row.begin(), row.end(), [&](const auto& t) { return left < t.second && t.first < right; });
-  }
-  std::vector<Row> taken_;
-};
 
 struct Cylinder {
   const Shaft::Part* part;
@@ -74,22 +56,24 @@ class ShaftPicture {
   void draw_lengths();
   void draw_length(double left, double right, double y);
   void draw_note();
-  [[nodiscard]] double at(double x) const { return 0.5 * (shaft_left + shaft_right) + scale_ * (x - 0.5 * length_); }
+  void draw_place(const Shaft::Place& place);
+  [[nodiscard]] double at(double x) const { return 0.5 * (left_ + right_) + scale_ * (x - 0.5 * length_); }
   [[nodiscard]] double radius_at(double x) const;
   /// How far the signs reach below the thickest part.
   [[nodiscard]] double reach_below() const;
   [[nodiscard]] std::string description() const;
 
+  const Shaft& shaft_;
   std::vector<Cylinder> cylinders_;
   std::vector<TorqueSign> torques_;
   std::vector<BearingSign> bearings_;
   double length_ = 0.0, thickest_ = 0.0;  // m
-  double scale_ = 1.0, radial_scale_ = 1.0;
+  double left_ = shaft_left, right_ = shaft_right, scale_ = 1.0, radial_scale_ = 1.0;
   double radius_ = 0.0, axis_ = 0.0, height_ = 60.0;
   SvgWriter svg_;
 };
 
-ShaftPicture::ShaftPicture(const Shaft& shaft) {
+ShaftPicture::ShaftPicture(const Shaft& shaft) : shaft_(shaft) {
   for (const auto& part : shaft.parts) {
     const bool real = drawable(part.length) && drawable(part.diameter) && part.length > 1e-9 && part.diameter > 1e-9;
     if (!real) continue;
@@ -103,10 +87,13 @@ ShaftPicture::ShaftPicture(const Shaft& shaft) {
   place_bearings(shaft);
 }
 
-/// True to scale where that gives a readable drawing; a slender shaft is drawn thicker, a disc longer.
+/// True to scale where that gives a readable drawing; a slender shaft is drawn thicker, a disc longer. Above diagrams
+/// it is as long as they are.
 void ShaftPicture::place_cylinders() {
-  const double longest = shaft_right - shaft_left;
-  scale_ = std::min(longest / length_, std::max(most_depth / thickest_, least_length / length_));
+  if (!shaft_.diagrams.empty()) left_ = diagrams_left, right_ = diagrams_right;
+  const double longest = right_ - left_;
+  scale_ = longest / length_;
+  if (shaft_.diagrams.empty()) scale_ = std::min(scale_, std::max(most_depth / thickest_, least_length / length_));
   radius_ = 0.5 * std::clamp(scale_ * thickest_, least_depth, most_depth);
   radial_scale_ = 2.0 * radius_ / thickest_;
   for (Cylinder& c : cylinders_) {
@@ -236,6 +223,12 @@ void ShaftPicture::draw_bearing(const BearingSign& sign) {
   svg_.text("halo", {middle, axis_ + radius_ + support_depth + row_height - 4.0}, sign.text, Anchor::middle);
 }
 
+void ShaftPicture::draw_place(const Shaft::Place& place) {
+  constexpr double beyond = 5.0;
+  const double x = at(std::clamp(place.x, 0.0, length_)), reach = radius_at(x) + beyond;
+  svg_.line("light dash c1", {x, axis_ - reach}, {x, axis_ + reach});
+}
+
 void ShaftPicture::draw_length(double left, double right, double y) {
   constexpr double head = 7.0;
   svg_.line("thin", {left, y}, {right, y});
@@ -315,7 +308,11 @@ Picture ShaftPicture::drawn() {
   for (const BearingSign& sign : bearings_) draw_bearing(sign);
   draw_lengths();
   draw_note();
-  return {svg_, height_, description()};
+  if (shaft_.diagrams.empty()) return {svg_, height_, description()};
+  for (const Shaft::Place& place : shaft_.places) draw_place(place);
+  const Picture below = diagrams(shaft_, {at(0.0), at(length_)}, length_, height_ + 8.0);
+  svg_.append(below.svg);
+  return {svg_, below.height, description() + below.description};
 }
 
 }  // namespace

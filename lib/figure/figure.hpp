@@ -258,7 +258,8 @@ struct Motion {
   std::vector<Number> numbers;
 };
 
-/// A shaft seen from the side: cylinders in order along x, with torques and forces at places.
+/// A shaft seen from the side: cylinders in order along x, with torques and bearings at places; under it its diagrams,
+/// each place below that of the shaft.
 struct Shaft {
   struct Part {
     double length = 0.0;  // m
@@ -275,9 +276,15 @@ struct Shaft {
     bool fixed = false;  // it holds the shaft along its axis too
     std::string label;
   };
+  struct Place {  // a section that is told apart: the one that governs
+    double x = 0.0;
+    std::string label;
+  };
   std::vector<Part> parts;
   std::vector<Torque> torques;
   std::vector<Bearing> bearings = {};
+  std::vector<Plot> diagrams = {};
+  std::vector<Place> places = {};
 };
 
 struct Figure {

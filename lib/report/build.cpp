@@ -99,6 +99,12 @@ void append(std::vector<Block>& blocks, const Items& items) {
   for (const auto& item : items) blocks.emplace_back(item);
 }
 
+/// What is covered is told by the verdicts.
+std::vector<Entry> without_limits(std::vector<Entry> entries) {
+  std::erase_if(entries, [](const Entry& e) { return e.role == Role::limit; });
+  return entries;
+}
+
 void add_step(const Step& step, std::vector<Block>& blocks) {
   const Account& account = step.account();
   const auto& input = step.input();
@@ -121,12 +127,14 @@ void add_step(const Step& step, std::vector<Block>& blocks) {
   }
   blocks.emplace_back(Heading{3, "Results", step.name() + "-results"});
   if (account.blocks.empty()) {
+    append(blocks, account.figures);
     blocks.emplace_back(result_table(account));
-    append(blocks, list_tables(account.results));
+    append(blocks, list_tables(without_limits(account.results)));
   }
   append(blocks, account.blocks);
-  append(blocks, account.figures);
-  if (!account.verdicts.empty()) blocks.emplace_back(Verdicts{account.verdicts});
+  if (!account.blocks.empty()) append(blocks, account.figures);
+  if (!account.verdicts.empty())
+    blocks.emplace_back(Verdicts{account.blocks.empty() ? folded(account.verdicts) : account.verdicts});
 }
 
 /// The inputs that the verdicts of a step follow from; none where no formula is written out.

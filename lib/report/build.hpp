@@ -19,6 +19,10 @@ std::vector<Table> list_tables(const std::vector<account::Entry>& entries);
 /// worked out and the others follow in a table.
 std::vector<Block> derivation_blocks(const std::vector<account::Derived>& lines);
 
+/// Of a check that many elements of a list pass the row with the largest value, of a limit that they keep the range of
+/// the values: the tables have them all. What does not pass keeps its row.
+std::vector<Verdict> folded(const std::vector<Verdict>& rows);
+
 /// The keys of sources that a text names in brackets: "[B19] (4)" -> "B19".
 std::set<std::string> keys_in(std::string_view text);
 

@@ -57,7 +57,7 @@ void add_list(const std::vector<Lines>& elements, std::vector<Block>& blocks) {
       std::all_of(elements.begin(), elements.end(), [&](const Lines& l) { return same_formulas(l, elements[0]); });
   if (!alike || elements.size() == 1) {
     for (const Lines& lines : elements) {
-      if (elements.size() > 1) blocks.emplace_back(Paragraph{say("For {1}:", lines[0]->element)});
+      blocks.emplace_back(Paragraph{say("For {1}:", lines[0]->element)});
       blocks.emplace_back(worked(lines));
     }
     return;

@@ -1,5 +1,7 @@
-// The shaft from the side, with bearings and seats, and its diagrams along it.
+// The shaft from the side, with bearings and seats, its diagrams below it, and the sections that govern; over a turn
+// what the weakest of them feels.
 #include "calculators/shaft/design/turn.hpp"
+#include "lib/text/issue.hpp"
 
 #include <algorithm>
 #include <string>
@@ -19,12 +21,12 @@ draw::Curve along(const Loaded& loaded, const char* label, double (*of)(const Lo
   return curve;
 }
 
-draw::Figure diagram(const char* id, const char* caption, draw::Scale up, std::vector<draw::Curve> curves) {
+draw::Plot diagram(draw::Scale up, std::vector<draw::Curve> curves) {
   draw::Plot plot;
   plot.x = {"z", "place along the shaft", "mm"};
   plot.y = std::move(up);
   plot.curves = std::move(curves);
-  return {id, caption, std::move(plot)};
+  return plot;
 }
 
 double moment_x(const Loaded& l, std::size_t s, bool right) {
@@ -40,8 +42,9 @@ double force_y(const Loaded& l, std::size_t s, bool right) {
   return right ? l.y.spans[s].right.V : l.y.spans[s].left.V;
 }
 double torque(const Loaded& l, std::size_t s, bool) { return l.T[s]; }
+double thrust(const Loaded& l, std::size_t s, bool) { return l.N[s]; }
 
-draw::Figure side(const Design::Input& in, std::size_t position) {
+draw::Shaft side(const Design::Input& in, std::size_t position) {
   draw::Shaft shaft;
   for (const Piece& piece : in.pieces) shaft.parts.push_back({in_si(piece.l), in_si(piece.d), in_si(piece.d_bore)});
   for (std::size_t i = 0; i < in.seats.size(); ++i) {
@@ -53,17 +56,36 @@ draw::Figure side(const Design::Input& in, std::size_t position) {
     const std::string name = support.name.empty() ? std::to_string(i + 1) : std::string(support.name.view());
     shaft.bearings.push_back({in_si(support.x), support.holds == Holds::both, name});
   }
-  return {"shaft", "The shaft from the side, with its torques and bearings", std::move(shaft)};
+  return shaft;
 }
 
-draw::Figure elastic_line(const Loaded& loaded) {
+draw::Plot elastic_line(const Loaded& loaded) {
   const std::vector<double> places(loaded.stations.x.begin(), loaded.stations.x.end());
   draw::Curve x{"v_X", places, {}}, y{"v_Y", places, {}};
   for (std::size_t n = 0; n < loaded.stations.x.size(); ++n) {
     x.y.push_back(loaded.x.nodes[n].v);
     y.y.push_back(loaded.y.nodes[n].v);
   }
-  return diagram("elastic-line", "The elastic line in both planes", {"v", "deflection", "mm"}, {x, y});
+  return diagram({"v", "deflection", "mm"}, {x, y});
+}
+
+/// The section that governs, as its line is called: "yield: pulley".
+template <class Elements, class Use>
+draw::Shaft::Place governing(const char* what, const Elements& all, const Use& use) {
+  const auto most =
+      std::max_element(all.begin(), all.end(), [&](const auto& a, const auto& b) { return use(a) < use(b); });
+  std::string name(most->name.view());
+  if (name.empty()) name = std::to_string(most - all.begin() + 1);
+  std::replace(name.begin(), name.end(), '_', ' ');  // else it would be typeset as a symbol
+  return {in_si(most->x), say("{1}: {2}", what, name).text()};
+}
+
+std::vector<draw::Shaft::Place> governing(const Design::Result& r) {
+  std::vector<draw::Shaft::Place> places;
+  if (!r.sections.empty())
+    places.push_back(governing("yield", r.sections, [](const Section& p) { return in_si(p.sigma_v); }));
+  if (!r.safeties.empty()) places.push_back(governing("fatigue", r.safeties, [](const Safety& s) { return s.u_D; }));
+  return places;
 }
 
 /// The stresses of the section that decides, at a point that is fixed to the shaft.
@@ -92,14 +114,21 @@ std::vector<draw::Figure> Design::figures(const Input& in, const Result& r) {
   if (!elastic) return {};
   const std::size_t position = most_bent(in, *elastic);
   const Loaded loaded = loaded_at(in, *elastic, position);
-  std::vector<draw::Figure> all{
-      side(in, position),
-      diagram("transverse-force", "Transverse force in both planes", {"V", "transverse force", "N"},
-              {along(loaded, "V_X", &force_x), along(loaded, "V_Y", &force_y)}),
-      diagram("bending-moment", "Bending moment in both planes", {"M", "bending moment", "N*m"},
-              {along(loaded, "M_X", &moment_x), along(loaded, "M_Y", &moment_y)}),
-      diagram("torque-diagram", "Torque diagram", {"T", "torque", "N*m"}, {along(loaded, "T", &torque)}),
-      elastic_line(loaded)};
+  draw::Shaft shaft = side(in, position);
+  shaft.places = governing(r);
+  if (std::any_of(loaded.N.begin(), loaded.N.end(), [](double N) { return N != 0.0; }))
+    shaft.diagrams.push_back(diagram({"N", "force along the shaft", "N"}, {along(loaded, "N", &thrust)}));
+  shaft.diagrams.push_back(
+      diagram({"V", "transverse force", "N"}, {along(loaded, "V_X", &force_x), along(loaded, "V_Y", &force_y)}));
+  shaft.diagrams.push_back(
+      diagram({"M", "bending moment", "N*m"}, {along(loaded, "M_X", &moment_x), along(loaded, "M_Y", &moment_y)}));
+  shaft.diagrams.push_back(diagram({"T", "torque", "N*m"}, {along(loaded, "T", &torque)}));
+  shaft.diagrams.push_back(elastic_line(loaded));
+  const char* const caption =
+      varies(in) ? "The shaft where it is bent most in a turn: torques, bearings, diagrams in both planes, and the "
+                   "sections that govern"
+                 : "The shaft with its torques and bearings, its diagrams in both planes, and the sections that govern";
+  std::vector<draw::Figure> all{{"shaft", caption, std::move(shaft)}};
   const auto weakest = std::max_element(r.safeties.begin(), r.safeties.end(),
                                         [](const Safety& a, const Safety& b) { return a.u_D < b.u_D; });
   if (varies(in) && weakest != r.safeties.end()) {

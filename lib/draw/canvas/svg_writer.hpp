@@ -29,6 +29,9 @@ class SvgWriter {
   /// Centred in a box of one line.
   void centred_text(std::string_view style, const Box& box, const Text& text);
 
+  /// What another has written, at its places.
+  void append(const SvgWriter& other) { body_ += other.body_; }
+
   /// What stands between belongs together; the attributes' values are escaped.
   void begin_group(const std::vector<std::pair<std::string_view, std::string>>& attributes);
   void end_group() { body_ += "</g>\n"; }

@@ -29,7 +29,7 @@ void Extent::see(double value) {
   if (drawable(value)) range_ = {std::min(range_.low, value), std::max(range_.high, value)};
 }
 
-PlotFrame::PlotFrame(const Plot& plot) : x_(plot.x), y_(plot.y) {
+PlotFrame::PlotFrame(const Plot& plot, const std::optional<Strip>& strip) : x_(plot.x), y_(plot.y) {
   Extent x_seen, y_seen;
   bool filled = false;
   const auto see = [&](double x_si, double y_si) {
@@ -46,9 +46,16 @@ PlotFrame::PlotFrame(const Plot& plot) : x_(plot.x), y_(plot.y) {
     if (y_.has_place(y_.value(bound.y))) y_seen.see(y_.value(bound.y));
   }
   up_ = y_.logarithmic() ? logarithmic_axis(positive(y_seen), Ends::ticks)
-                         : axis(with_zero(y_seen.range(), filled), 6, steps_of(y_), Ends::ticks);
+                         : axis(with_zero(y_seen.range(), filled), strip ? 3 : 6, steps_of(y_), Ends::ticks);
   across_ = x_.logarithmic() ? logarithmic_axis(positive(x_seen), Ends::data)
                              : axis(x_seen.range(), 8, steps_of(x_), Ends::data);
+  if (strip) {
+    across_ = axis({x_.value(strip->across.low), x_.value(strip->across.high)}, 8, steps_of(x_), Ends::data);
+    across_.range = {x_.value(strip->across.low), x_.value(strip->across.high)};
+    std::erase_if(across_.ticks, [&](double t) { return t > across_.range.high; });
+    area_ = strip->area, tells_across_ = strip->last;
+    return;
+  }
   double widest = 0.0;
   for (const double tick : up_.ticks) widest = std::max(widest, width(typeset(up_.text(tick)), text_size));
   area_ = {widest + 10.0, plot_top, plot_right, plot_top + plot_depth};
@@ -88,6 +95,7 @@ void PlotFrame::draw_ticks(SvgWriter& svg) const {
   }
   double free_from = 0.0;
   for (const double t : across_.ticks) {
+    if (!tells_across_) break;
     const Text text = typeset(across_.text(t));
     const double half = 0.5 * width(text, text_size);
     const double x = std::min(at(t, up_.range.low).x, view_width - 2.0 - half);
@@ -98,8 +106,8 @@ void PlotFrame::draw_ticks(SvgWriter& svg) const {
 }
 
 void PlotFrame::draw_titles(SvgWriter& svg) const {
-  svg.text("", {4.0, 16.0}, fitting_title(y_, up_.power));
-  svg.text("", {area_.right, area_.bottom + 36.0}, fitting_title(x_, across_.power), Anchor::end);
+  svg.text("", {4.0, area_.top - 14.0}, fitting_title(y_, up_.power));
+  if (tells_across_) svg.text("", {area_.right, area_.bottom + 36.0}, fitting_title(x_, across_.power), Anchor::end);
 }
 
 void PlotFrame::draw(SvgWriter& svg) const {

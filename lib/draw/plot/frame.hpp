@@ -20,9 +20,17 @@ class Extent {
   Range range_{1e300, -1e300};
 };
 
+/// Where a plot stands that shares its scale across with what is above it; the last one has the scale written out.
+struct Strip {
+  Box area;
+  Range across;  // SI, from the left to the right of the area
+  bool last = false;
+};
+
 class PlotFrame {
  public:
-  explicit PlotFrame(const Plot& plot);
+  /// On a page of its own; or as a strip.
+  explicit PlotFrame(const Plot& plot, const std::optional<Strip>& strip = {});
 
   /// The place of SI values; nothing where one is not available.
   [[nodiscard]] std::optional<Point> place(double x, double y) const;
@@ -31,7 +39,7 @@ class PlotFrame {
   /// The height of zero, or of the end of the range that is nearest to it.
   [[nodiscard]] double zero_line() const;
   [[nodiscard]] const Box& area() const { return area_; }
-  [[nodiscard]] double height() const { return area_.bottom + 44.0; }
+  [[nodiscard]] double height() const { return area_.bottom + (tells_across_ ? 44.0 : 6.0); }
   [[nodiscard]] bool empty() const { return empty_; }
   [[nodiscard]] const Display& x() const { return x_; }
   [[nodiscard]] const Display& y() const { return y_; }
@@ -47,7 +55,7 @@ class PlotFrame {
   Display x_, y_;
   Axis across_, up_;  // display units
   Box area_;
-  bool empty_ = false;
+  bool empty_ = false, tells_across_ = true;
 };
 
 }  // namespace loadpath::draw

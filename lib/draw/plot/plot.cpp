@@ -1,6 +1,7 @@
 #include "lib/draw/canvas/labels.hpp"
 #include "lib/draw/canvas/picture.hpp"
 #include "lib/draw/plot/curve.hpp"
+#include "lib/draw/plot/strip.hpp"
 #include "lib/text/issue.hpp"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ bool is_dots(const DrawnCurve& curve) {
 
 class PlotPicture {
  public:
-  explicit PlotPicture(const Plot& plot);
+  explicit PlotPicture(const Plot& plot, const std::optional<Strip>& strip = {});
   Picture drawn();
 
  private:
@@ -37,14 +38,15 @@ class PlotPicture {
 
   const Plot& plot_;
   PlotFrame frame_;
+  bool is_strip_;
   std::vector<DrawnCurve> curves_;
   Labels labels_;
   SvgWriter svg_;
   double height_;
 };
 
-PlotPicture::PlotPicture(const Plot& plot)
-    : plot_(plot), frame_(plot), labels_(frame_.area().grown(1.0)), height_(frame_.height()) {
+PlotPicture::PlotPicture(const Plot& plot, const std::optional<Strip>& strip)
+    : plot_(plot), frame_(plot, strip), is_strip_(strip), labels_(frame_.area().grown(1.0)), height_(frame_.height()) {
   for (const Curve& curve : plot.curves) curves_.push_back(drawn_curve(curve, frame_));
 }
 
@@ -153,8 +155,9 @@ void PlotPicture::label_curves() {
 }
 
 void PlotPicture::draw_legend() {
-  constexpr double sample = 34.0, left = 8.0, gap = 8.0, spacing = 18.0, row = 20.0;
-  double x = left, y = height_ + gap;
+  constexpr double sample = 34.0, gap = 8.0, spacing = 18.0, row = 20.0;
+  const double left = is_strip_ ? 0.5 * view_width : 8.0;
+  double x = left, y = is_strip_ ? frame_.area().top - 6.0 : height_ + gap;
   for (std::size_t i = 0; i < curves_.size(); ++i) {
     const Text text = typeset(plot_.curves[i].label);
     const double wide = sample + gap + width(text, text_size) + spacing;
@@ -167,7 +170,7 @@ void PlotPicture::draw_legend() {
     svg_.text(fill_style(i), {x + sample + gap, y}, text);
     x += wide;
   }
-  height_ = y + 10.0;
+  height_ = std::max(height_, y + 10.0);
 }
 
 std::string PlotPicture::description() const {
@@ -210,5 +213,6 @@ Picture PlotPicture::drawn() {
 }  // namespace
 
 Picture picture(const Plot& plot) { return PlotPicture(plot).drawn(); }
+Picture picture(const Plot& plot, const Strip& strip) { return PlotPicture(plot, strip).drawn(); }
 
 }  // namespace loadpath::draw

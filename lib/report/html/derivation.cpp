@@ -44,13 +44,18 @@ std::string_view width_class(const Step& step) {
 
 std::string derivation(const Derivation& derivation) {
   std::string out = "<div class=\"derivation\">\n";
+  bool among_values = false;  // that are taken from elsewhere: side by side
   for (const Step& step : derivation.steps) {
+    if (step.formula.empty() != among_values) {
+      among_values = !among_values;
+      out += among_values ? "<div class=\"values\">\n" : "</div>\n";
+    }
     out += "<div class=\"" + std::string(width_class(step)) + "\"><div class=\"formula\"><div class=\"left\">" +
            symbol(step.symbol) + "</div><div class=\"right\">" + sides(step) + "</div></div>";
     if (!step.why.empty()) out += "<p class=\"why\">" + escaped(step.why.text()) + "</p>";
     out += "</div>\n";
   }
-  return out + "</div>\n";
+  return out + (among_values ? "</div>\n</div>\n" : "</div>\n");
 }
 
 }  // namespace loadpath::report::page

@@ -1,7 +1,6 @@
 #include "lib/report/html/html.hpp"
 
 #include "lib/report/conclusion.hpp"
-#include "lib/report/worked.hpp"
 #include "lib/text/embedded.hpp"
 #include "lib/text/markup.hpp"
 
@@ -13,11 +12,6 @@ constexpr std::size_t headings_for_contents = 4;
 std::string numbered(std::string_view kind, int number, const Message& caption) {
   const std::string label = say("{1} {2}", kind, std::to_string(number)).text();
   return "<b>" + escaped(label) + ".</b> " + escaped(caption.text());
-}
-
-std::string head_cell(const Message& head, bool number) {
-  return std::string("<th scope=\"col\"") + (number ? " class=\"number\">" : ">") +
-         (is_symbol(head) ? page::symbol(head.args[0].text()) : escaped(head.text())) + "</th>";
 }
 
 /// Writes block after block; numbers run through the page.
@@ -58,18 +52,8 @@ class Writer {
     return {};
   }
   std::string operator()(const Table& table) {
-    std::string out = "<div class=\"table\">";
-    if (!table.caption.empty()) {
-      out += "<p class=\"caption\">" + numbered("Table", numbering_.table(), table.caption) + "</p>";
-    }
-    constexpr std::size_t many_columns = 7;  // set closer, so that they fit the page
-    out += table.head.size() < many_columns ? "<div class=\"scroll\"><table>\n"
-                                            : "<div class=\"scroll\"><table class=\"dense\">\n";
-    const std::vector<bool> numeric = numeric_columns(table);
-    if (!table.head.empty()) out += "<thead><tr>" + head(table, numeric) + "</tr></thead>\n";
-    out += "<tbody>\n";
-    for (const auto& row : table.rows) out += "<tr>" + cells(row, numeric) + "</tr>\n";
-    return out + "</tbody></table></div></div>\n";
+    if (table.caption.empty()) return page::table(table, "");
+    return page::table(table, "<p class=\"caption\">" + numbered("Table", numbering_.table(), table.caption) + "</p>");
   }
   std::string operator()(const Derivation& derivation) { return page::derivation(derivation); }
   std::string operator()(const Verdicts& verdicts) { return page::verdicts(verdicts, {}); }
@@ -85,18 +69,6 @@ class Writer {
   }
 
  private:
-  static std::string head(const Table& table, const std::vector<bool>& numeric) {
-    std::string out;
-    for (std::size_t i = 0; i < table.head.size(); ++i) out += head_cell(table.head[i], numeric[i]);
-    return out;
-  }
-  static std::string cells(const std::vector<Cell>& row, const std::vector<bool>& numeric) {
-    std::string out;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      out += (numeric[i] ? "<td class=\"number\">" : "<td>") + page::cell(row[i]) + "</td>";
-    }
-    return out;
-  }
   static std::string contents(const Document& document) {
     Numbering numbering;
     std::string out = "<nav aria-label=\"" + escaped(say("Contents").text()) + "\"><ol>\n";

@@ -15,6 +15,9 @@ std::string math(std::string_view fragment);
 std::string symbol(std::string_view path);
 std::string cell(const Cell& cell);
 
+/// One of many columns is set closer, its units in the head; what is still too wide becomes several below each other.
+std::string table(const Table& table, const std::string& caption);
+
 /// The shapes that verdicts refer to; once in a page.
 std::string_view shapes();
 std::string state(State state);

@@ -61,5 +61,23 @@ TEST_SUITE("draw") {
     CHECK(overlap(drawn(shaft)) == "");
   }
 
+  TEST_CASE("the diagrams of a shaft stand below it on its scale, and a line goes through all where it governs") {
+    Shaft shaft = stepped_shaft();
+    shaft.diagrams = {torque_plot(), torque_plot()};
+    shaft.places = {{0.3, "yield: left"}, {0.35, "fatigue: groove"}};
+    const std::string text = drawn(shaft);
+    CHECK(overlap(text) == "");
+    CHECK(says(text, "yield: left"));
+    CHECK(says(text, "fatigue: groove"));
+    CHECK(count(text, "<path class=\"light dash c1\"") == 4);  // on the shaft, and through its diagrams
+    CHECK(count(text, "class=\"area f0\"") == 2);
+    CHECK(has(text, "torque T in N·m over x in mm"));
+    const auto plates = elements(text, "rect");
+    const auto first = std::find_if(plates.begin(), plates.end(),
+                                    [](const Element& e) { return attribute(e.tag, "class") == "plate outline"; });
+    REQUIRE(first != plates.end());
+    CHECK(has(text, "<path class=\"area f0\" d=\"M" + std::string(attribute(first->tag, "x"))));
+  }
+
   TEST_CASE("a shaft without parts says so") { CHECK(says(drawn(Shaft{}), "not available")); }
 }

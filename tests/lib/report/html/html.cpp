@@ -94,6 +94,33 @@ TEST_SUITE("report") {
     }
   }
 
+  TEST_CASE("a table of many columns has its units in the head, four digits, and what has no room below") {
+    Table table{say("sections"), {say("no.")}, {{std::string("left")}, {std::string("right")}}};
+    for (int i = 0; i < 24; ++i) {
+      table.head.push_back(say("{1}", i < 12 ? "M" : "F"));
+      for (auto& row : table.rows) row.push_back(Quantity{1234.56, i < 12 ? "N*m" : "N"});
+    }
+    const std::string out = body({table});
+    CHECK(contains(out, "<br><span class=\"unit\">N·m</span></th>"));
+    CHECK(contains(out, "<span class=\"quantity\">1235</span>"));
+    CHECK_FALSE(contains(out, "1235 N"));
+    std::size_t parts = 0, names = 0;
+    for (std::size_t at = 0; (at = out.find("<table", at)) != std::string::npos; ++at) ++parts;
+    for (std::size_t at = 0; (at = out.find("<td>left</td>", at)) != std::string::npos; ++at) ++names;
+    CHECK(parts == 2);
+    CHECK(names == parts);
+    table.rows[1][3] = Quantity{1.0, "kN"};  // two units in a column stay with their numbers
+    CHECK(contains(body({table}), "<span class=\"quantity\">1235 N·m</span>"));
+  }
+
+  TEST_CASE("values that are taken from elsewhere stand side by side") {
+    const Step taken{"d", "", {}, {0.05, "mm"}, say("of the section")};
+    const std::string out = body({Derivation{{taken, taken, torsion_step(), taken}}});
+    std::size_t groups = 0;
+    for (std::size_t at = 0; (at = out.find("<div class=\"values\">", at)) != std::string::npos; ++at) ++groups;
+    CHECK(groups == 2);
+  }
+
   TEST_CASE("headings are numbered, tables and figures count through the page") {
     const Table table{say("a"), {}, {}};
     const draw::Figure figure{"", "moment", draw::Plot{}};

@@ -1,0 +1,52 @@
+#include "lib/draw/diagrams.hpp"
+
+#include "lib/draw/canvas/rows.hpp"
+#include "lib/draw/plot/strip.hpp"
+
+#include <algorithm>
+
+namespace loadpath::draw {
+namespace {
+
+constexpr double depth = 60.0, gap = 35.0;  // of a diagram, and above it, where its title stands
+
+double at(const Shaft::Place& place, Range along, double length) {
+  return along.low + (along.high - along.low) * std::clamp(place.x / length, 0.0, 1.0);
+}
+
+/// What the lines are called, above them, and how much room that takes.
+double name_places(const Shaft& shaft, Range along, double length, double top, SvgWriter& svg) {
+  Rows rows;
+  for (const Shaft::Place& place : shaft.places) {
+    const Text text = typeset(place.label);
+    const double half = 0.5 * width(text, text_size), x = at(place, along, length);
+    const double middle = std::clamp(x, half + 4.0, view_width - half - 4.0);
+    const double row = static_cast<double>(rows.row_of(middle - half - 5.0, middle + half + 5.0));
+    svg.text("halo f1", {middle, top + row_height * (row + 1.0)}, text, Anchor::middle);
+  }
+  return shaft.places.empty() ? 0.0 : rows.height() + 4.0;
+}
+
+}  // namespace
+
+Picture diagrams(const Shaft& shaft, Range along, double length, double top) {
+  Picture all;
+  double y = top + name_places(shaft, along, length, top, all.svg);
+  const double first = y;
+  for (std::size_t i = 0; i < shaft.diagrams.size(); ++i) {
+    const Box area{along.low, y + gap, along.high, y + gap + depth};
+    const Strip strip{area, {0.0, length}, i + 1 == shaft.diagrams.size()};
+    const Picture drawn = picture(shaft.diagrams[i], strip);
+    all.svg.append(drawn.svg);
+    all.description += "; " + drawn.description;
+    all.height = drawn.height;
+    y = area.bottom;
+  }
+  for (const Shaft::Place& place : shaft.places) {
+    const double x = at(place, along, length);
+    all.svg.line("light dash c1", {x, first + 6.0}, {x, y});
+  }
+  return all;
+}
+
+}  // namespace loadpath::draw

@@ -1,0 +1,159 @@
+#include "lib/formula/formula.hpp"
+#include "lib/report/html/html.hpp"
+#include "lib/report/worked.hpp"
+#include "lib/text/markup.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::report::page {
+namespace {
+
+constexpr std::size_t many_columns = 7;                         // set closer, with units in the head
+constexpr int few_digits = 4;                                   // of their numbers; the calculation and JSON have more
+constexpr double between = 1.6;                                 // two columns, letters
+constexpr double close_letters = 112.0, finer_letters = 126.0;  // of a line that is set closer, and in smaller type
+
+/// A column as it is set: in the head its unit, where all of its numbers have the same.
+struct Column {
+  std::size_t index = 0;
+  bool numeric = false;
+  std::string unit = {};
+  double letters = 0.0;
+};
+
+double letters_of(std::string_view text) {  // of UTF-8 its continuations do not count
+  return static_cast<double>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::string number_of(Quantity q, const Column& column) {
+  if (std::isinf(q.si)) return q.si > 0.0 ? "∞" : "−∞";
+  q.digits = std::min(q.digits, few_digits);
+  formula::Written number = written(q);
+  if (!column.unit.empty()) number.unit.clear();
+  return formula::quantity_plain(number);
+}
+
+std::string shared_unit(const Table& table, std::size_t column) {
+  std::string unit;
+  for (const auto& row : table.rows) {
+    const auto* const q = column < row.size() ? std::get_if<Quantity>(&row[column]) : nullptr;
+    if (q == nullptr || !std::isfinite(q->si)) continue;
+    const std::string own = written(*q).unit;
+    if (own.empty() || (!unit.empty() && own != unit)) return {};
+    unit = own;
+  }
+  return unit;
+}
+
+std::string close_cell(const Cell& of, const Column& column) {
+  const auto* const q = std::get_if<Quantity>(&of);
+  return q == nullptr ? cell(of) : "<span class=\"quantity\">" + escaped(number_of(*q, column)) + "</span>";
+}
+
+double letters_of(const Cell& of, const Column& column) {
+  if (const auto* const q = std::get_if<Quantity>(&of)) return letters_of(number_of(*q, column));
+  constexpr double longest_word = 13.0;  // "not available" breaks
+  if (const auto* const text = std::get_if<std::string>(&of)) return letters_of(*text);
+  return longest_word;
+}
+
+Column column_of(const Table& table, std::size_t index, bool numeric) {
+  Column column{index, numeric, shared_unit(table, index)};
+  constexpr double symbol_share = 0.6;  // its subscript is small
+  column.letters = symbol_share * letters_of(formula::symbol_plain(table.head[index].text()));
+  for (const auto& row : table.rows)
+    column.letters = std::max(column.letters, index < row.size() ? letters_of(row[index], column) : 0.0);
+  return column;
+}
+
+/// Columns beside each other.
+struct Part {
+  std::vector<Column> columns;
+  double letters = 0.0;
+};
+
+/// What has no room beside each other becomes parts of the table; each begins with the name of the row.
+std::vector<Part> parts_of(const Table& table, const std::vector<bool>& numeric) {
+  const Column first = column_of(table, 0, numeric[0]);
+  std::vector<Part> parts{{{first}, first.letters}};
+  for (std::size_t i = 1; i < table.head.size(); ++i) {
+    const Column column = column_of(table, i, numeric[i]);
+    const double more = between + column.letters;
+    if (parts.back().letters + more > finer_letters && parts.back().columns.size() > 1)
+      parts.push_back({{first}, first.letters});
+    parts.back().columns.push_back(column);
+    parts.back().letters += more;
+  }
+  return parts;
+}
+
+std::string head_cell(const Message& head, bool number, const std::string& unit) {
+  std::string out = std::string("<th scope=\"col\"") + (number ? " class=\"number\">" : ">");
+  out += is_symbol(head) ? symbol(head.args[0].text()) : escaped(head.text());
+  if (!unit.empty()) out += "<br><span class=\"unit\">" + escaped(unit) + "</span>";
+  return out + "</th>";
+}
+
+std::string data_cell(const std::string& content, bool number) {
+  return (number ? "<td class=\"number\">" : "<td>") + content + "</td>";
+}
+
+std::string close_part(const Table& table, const Part& part) {
+  const auto& columns = part.columns;
+  std::string out = part.letters > close_letters ? "<div class=\"scroll\"><table class=\"dense finer\">\n<thead><tr>"
+                                                 : "<div class=\"scroll\"><table class=\"dense\">\n<thead><tr>";
+  for (const Column& c : columns) out += head_cell(table.head[c.index], c.numeric, c.unit);
+  out += "</tr></thead>\n<tbody>\n";
+  for (const auto& row : table.rows) {
+    out += "<tr>";
+    for (const Column& c : columns)
+      out += data_cell(c.index < row.size() ? close_cell(row[c.index], c) : "", c.numeric);
+    out += "</tr>\n";
+  }
+  return out + "</tbody></table></div>";
+}
+
+/// What is filled in by hand: the first column alone has words.
+bool is_form(const Table& table) {
+  const auto is_empty = [](const Cell& of) {
+    const auto* const text = std::get_if<std::string>(&of);
+    return text != nullptr && text->empty();
+  };
+  return !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
+    return row.size() > 1 && std::all_of(row.begin() + 1, row.end(), is_empty);
+  });
+}
+
+std::string wide(const Table& table, const std::vector<bool>& numeric) {
+  std::string out =
+      is_form(table) ? "<div class=\"scroll\"><table class=\"form\">\n" : "<div class=\"scroll\"><table>\n";
+  if (!table.head.empty()) {
+    out += "<thead><tr>";
+    for (std::size_t i = 0; i < table.head.size(); ++i) out += head_cell(table.head[i], numeric[i], {});
+    out += "</tr></thead>\n";
+  }
+  out += "<tbody>\n";
+  for (const auto& row : table.rows) {
+    out += "<tr>";
+    for (std::size_t i = 0; i < row.size(); ++i) out += data_cell(cell(row[i]), numeric[i]);
+    out += "</tr>\n";
+  }
+  return out + "</tbody></table></div>";
+}
+
+}  // namespace
+
+std::string table(const Table& table, const std::string& caption) {
+  const std::vector<bool> numeric = numeric_columns(table);
+  std::string out = "<div class=\"table\">" + caption;
+  if (table.head.size() < many_columns) {
+    out += wide(table, numeric);
+  } else {
+    for (const Part& part : parts_of(table, numeric)) out += close_part(table, part);
+  }
+  return out + "</div>\n";
+}
+
+}  // namespace loadpath::report::page

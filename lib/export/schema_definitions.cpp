@@ -13,7 +13,7 @@ namespace json = boost::json;
 constexpr std::string_view sign_and_digit = "[-+\u2212]?[.,]?[0-9]";
 constexpr std::string_view no_letter = "[^A-Za-z\u0410-\u044F\u00B0%\u00B5\u03BC]";
 constexpr std::string_view letter = "[A-Za-z\u0410-\u044F]";
-/// A product, a quotient or a power of units: which dimension it has, a pattern does not tell.
+/// A product, a quotient or a power of units, or one over a unit: which dimension it has, a pattern does not tell.
 constexpr std::string_view composed = "[*\u00B7\u22C5/^\u00B2\u00B3\u2074\u207B0-9]";
 
 std::string escaped(std::string_view text) {
@@ -42,7 +42,8 @@ std::string pattern_of(const Dimension& dimension) {
   const std::string number(sign_and_digit), units = units_of(dimension);
   std::string pattern = "^\\s*(=|\\?$";
   if (!units.empty()) pattern += "|" + number + "(.*" + std::string(no_letter) + ")?(" + units + ")\\s*$";
-  return pattern + "|" + number + ".*" + std::string(letter) + ".*" + std::string(composed) + ")";
+  const std::string a_letter(letter);
+  return pattern + "|" + number + ".*(" + a_letter + ".*" + std::string(composed) + "|/\\s*" + a_letter + "))";
 }
 
 /// A name that can stand behind "#/$defs/".

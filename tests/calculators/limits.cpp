@@ -192,6 +192,7 @@ const Side fatigue[] = {
     {"fatigue.fkm", "x_eff", outside, "d_h", R"("250 mm")", R"("251 mm")"},
     {"fatigue.fkm", "x_G", outside, "G_b", R"("99.9/mm")", R"("101/mm")",
      "notch = \"alpha\"\nD = \nr = \nalpha_b = 2\nalpha_t = 2"},
+    {"fatigue.fkm", "x_G", outside, "d", R"("0.0201 mm")", R"("0.0199 mm")", "notch = \"smooth\"\nD = \nr = "},
     {"fatigue.fkm", "x_Rz", outside, "R_z", R"("199 um")", R"("201 um")"},
     {"fatigue.fkm", "x_N", outside, "N", "10000", "9999"},
     {"fatigue.fkm", "x_small", outside, "d", R"("7.5 mm")", R"("7.4 mm")", "notch = \"keyway\"\nD = \nr = "},

@@ -109,7 +109,7 @@ constexpr auto fkm_results() {
           .check()
           .where_it_applies(),
       din743_range<Result>(&Result::x_eff, "x_eff", "diameter at heat treatment over 250 mm, where size factors end"),
-      din743_range<Result>(&Result::x_G, "x_G", "steepest gradient of a notch over 100/mm"),
+      din743_range<Result>(&Result::x_G, "x_G", "steepest gradient of the stress over 100/mm"),
       din743_range<Result>(&Result::x_Rz, "x_Rz", "roughness over 200 um; own bound"),
       din743_range<Result>(&Result::x_N, "x_N", "1e4 cycles over N: below, lives are those of strains; own bound"),
       din743_range<Result>(&Result::x_small, "x_small", "7.5 mm over the diameter: measured notch factors"),

@@ -6,8 +6,8 @@
 // the section. Steel, not welded, up to 100 degC (fine grain 60), stresses in phase, one amplitude. Tension is
 // positive; in bending and torsion the sign is of no account. Not covered: spectra, local stresses, castings, coatings,
 // shear by transverse forces, the crack of a hard layer. The guideline was not read itself: numbers are those of
-// programs and pages that quote it; recalled are size constants of the yield strength, one mean stress for all, support
-// of the diameter beside that of the notch, 250 mm, 1050 MPa.
+// programs and pages that quote it; recalled are size constants of the yield strength, one mean stress for all, both
+// supports in bending, slopes and knee of finite life, q, plastic support by strain, 250 mm, 1050 MPa.
 #pragma once
 
 #include "calculators/fatigue/fkm/fields.hpp"
@@ -25,7 +25,9 @@ struct Fkm {
       "nominal stresses, not welded, factor by factor: smooth, shoulder, grooves, keyways, press fit, cross hole, or "
       "typed factors; overload cases F1 to F4, finite life. Not covered: spectra, local stresses, castings, welds, "
       "heat, shear by transverse forces, cracks of a hard layer. Recalled: size constants of the yield strength, one "
-      "mean stress for all, both supports in bending, 250 mm, 1050 MPa.";
+      "mean stress for all, both supports in bending, slopes and knee of finite life, q, plastic support by strain, "
+      "250 "
+      "mm, 1050 MPa.";
   static constexpr auto source = "[FKM], [PragTic], [4ming], [DIN743]";
   static constexpr auto example = R"([project]
 title = "Shoulder of a gear shaft"

@@ -17,8 +17,8 @@ using namespace loadpath;
 constexpr std::array lengths{40, 30, 25, 40, 30, 60, 30, 40, 25, 30, 30, 40};  // mm
 constexpr std::array stepped{1, 2, 3, 4, 6, 7, 8, 9};                          // pieces that end with a shoulder
 
-/// Diameters that are searched for, or from 50 mm in the middle down to the ends.
-std::string shaft(bool sought) {
+/// Diameters that are searched for, or from 40 mm at the ends up to the middle.
+std::string shaft(bool sought, const std::string& more) {
   std::string pieces, notches;
   int x = 0, d = 40;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
@@ -37,38 +37,60 @@ std::string shaft(bool sought) {
          "F_y = "
          "\"6400 N\", x_w = \"62.5 mm\", mass = \"4 kg\", J = \"0.01 kg*m^2\" }]\nS_F = 1.5\nS_D = 1.5\nr_T = 0\nv_adm "
          "= "
-         "\"0.1 mm\"\n";
+         "\"0.1 mm\"\n" +
+         more;
 }
 
-project::Project read(bool sought) {
+project::Project read(bool sought, const std::string& more = "") {
   std::vector<Issue> issues;
-  return project::read_project(shaft(sought), "bench.toml", catalogue(), issues);
+  return project::read_project(shaft(sought, more), "bench.toml", catalogue(), issues);
 }
 
-void once_through(benchmark::State& state) {
-  project::Project project = read(false);
+/// The input as it is solved, with the strengths that the material has.
+Record solved_input(const std::string& more = "") {
+  project::Project project = read(false, more);
   std::vector<Issue> issues;
-  project::solve(project, issues);  // strengths are known then
-  const Calculator& design = erased<shaft::Design>();
+  project::solve(project, issues);
   Record in = project.find("axle")->input().reading.record.clone();
   for_each_leaf(in, [&](const std::string& path, const Leaf& leaf) {
     const Value* const known = leaf.field->is_number() ? project.value("axle." + path) : nullptr;
     if (known != nullptr) leaf.set(known->si[0]);
   });
+  return in;
+}
+
+void once_through(benchmark::State& state) {
+  const Calculator& design = erased<shaft::Design>();
+  const Record in = solved_input();
   Record out(*design.result);
   for (auto _ : state) design.evaluate(in.data.get(), out.data.get());
 }
 
-void all_sizes(benchmark::State& state) {
+void all_schools_with_trace(benchmark::State& state) {
+  const Calculator& design = erased<shaft::Design>();
+  const Record in = solved_input("R_z = \"6.3 um\"\n");
+  Record out(*design.result);
   for (auto _ : state) {
-    project::Project project = read(true);
+    Trace trace;
+    design.explain(in.data.get(), out.data.get(), trace);
+  }
+}
+
+/// With all that solving does beside the search, which alone is the difference to given_sizes.
+void solve(benchmark::State& state, bool sought) {
+  for (auto _ : state) {
+    project::Project project = read(sought);
     std::vector<Issue> issues;
     project::solve(project, issues);
     benchmark::DoNotOptimize(project.value("axle.mass"));
   }
 }
+void all_sizes(benchmark::State& state) { solve(state, true); }
+void given_sizes(benchmark::State& state) { solve(state, false); }
 
 BENCHMARK(once_through)->Unit(benchmark::kMicrosecond);
+BENCHMARK(all_schools_with_trace)->Unit(benchmark::kMicrosecond);
+BENCHMARK(given_sizes)->Unit(benchmark::kMillisecond);
 BENCHMARK(all_sizes)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -293,6 +293,11 @@ const Case fatigue[] = {
      "Z", 2e6},
     {"fatigue.history", "blocks = [{ sigma_a = \"119 MPa\", n = 1 }]\nminer = \"original\"", "D", 0.0},
     {"fatigue.staircase", "tests = [[\"300 MPa\", \"failure\"], [\"290 MPa\", \"runout\"]]", "S_50", 295e6},
+    {"fatigue.staircase",  // failures at 110, 121, 121 and 133.1 MPa, half a step above the mean
+     "steps = \"log\"\ntests = [[\"121 MPa\", \"failure\"], [\"110 MPa\", \"failure\"], [\"100 MPa\", \"runout\"], "
+     "[\"110 MPa\", \"runout\"], [\"121 MPa\", \"runout\"], [\"133.1 MPa\", \"failure\"], [\"121 MPa\", \"failure\"], "
+     "[\"110 MPa\", \"runout\"], [\"121 MPa\", \"runout\"]]",
+     "S_50", 110e6 * std::sqrt(1.1)},
     {"fatigue.survival", "P = 0.5", "sigma_P", 288e6},
     {"fatigue.survival", "P = 0.9", "sigma_P", 288e6 / std::sqrt(1.25)},
     {"fatigue.multiaxial", "sigma_x = { values = [240, -240], unit = \"MPa\" }\ntau_xy = ", "n_F", 1.0},

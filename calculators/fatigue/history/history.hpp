@@ -159,16 +159,14 @@ n_req = 1
       Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m", "d_h"),
       Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
       Field{&Input::S_F, "S_F", ratio, "safety against yielding"}.at_least(1).usually(1, 6).may_be_missing().factor(),
-      Field{&Input::D_adm, "D_adm", ratio,
-            "allowable damage sum: 1 by Miner, of the relative rule what tests of alike parts gave, as 0.3"}
+      Field{&Input::D_adm, "D_adm", ratio, "allowable damage sum; of the relative rule below 1, as 0.3"}
           .positive()
           .usually(0.1, 1),
       Field{&Input::n_req, "n_req", ratio, "how often the history has to be borne"}.positive().may_be_missing(),
       Field{&Input::N_eq, "N_eq", ratio, "cycles of the equivalent stress of one size"}.positive().may_be_missing(),
       Field{&Input::t, "t", hour, "time of one passage; of a mechanism from its speed"}.positive().may_be_missing(),
       Count{&Input::classes, "classes", 0, most_classes,
-            "classes of stress, for the rainflow matrix, range pairs and level crossings of a series; what lies on a "
-            "bound belongs to the class below; 0: none of them"}
+            "classes for matrix, range pairs and crossings of a series; a bound belongs below; 0: none"}
           .may_be_missing()};
 
   /// A cycle that does much of the damage.

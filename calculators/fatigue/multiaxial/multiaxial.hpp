@@ -165,6 +165,7 @@ S_F = 1.5
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the most stressed moment", &always<Input>}.judged_by("u_y, u_F"),
       Mode<Input>{"fatigue", "fatigue, without end, stresses out of phase", &always<Input>}.judged_by("u_D, x_D, x_C"),
+      Mode<Input>{"rest", "what else acts at the same place", &unseen<Input>}.by_companions(),
       Mode<Input>{"across", "stresses across the surface: pressure, fretting, what lies beneath", &unseen<Input>},
       Mode<Input>{"surroundings", "corrosion, heat", &unseen<Input>}.special()};
 

@@ -1,5 +1,6 @@
 #include "calculators/bearing/rolling.hpp"
 
+#include "tests/calculators/evaluated.hpp"
 #include "tests/found/modes.hpp"
 #include "tests/lib/project/texts.hpp"
 
@@ -13,12 +14,9 @@ namespace {
 using namespace loadpath;
 using bearing::Rolling;
 
-Rolling::Result solve(const Rolling::Input& in) {
-  NoTrace trace;
-  return Rolling::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<Rolling>;
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+using test::rel;
 
 Rolling::Input bearing_6208() {
   Rolling::Input in;

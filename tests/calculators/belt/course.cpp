@@ -3,6 +3,7 @@
 #include "calculators/belt/flat.hpp"
 #include "calculators/belt/geometry.hpp"
 #include "tests/calculators/belt/steps.hpp"
+#include "tests/calculators/evaluated.hpp"
 #include "tests/lib/project/texts.hpp"
 
 #include <doctest/doctest.h>
@@ -45,10 +46,7 @@ belt::Course::Input machine() {
   return in;
 }
 
-belt::Course::Result solve(const belt::Course::Input& in) {
-  NoTrace trace;
-  return belt::Course::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<belt::Course>;
 
 double in_mm(Length l) { return in_si(l) * 1e3; }
 

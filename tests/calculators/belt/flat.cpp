@@ -1,6 +1,7 @@
 #include "calculators/belt/flat.hpp"
 
 #include "tests/calculators/belt/steps.hpp"
+#include "tests/calculators/evaluated.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,9 +11,8 @@ namespace {
 
 using namespace loadpath;
 using test::BeltStep;
+using test::rel;
 using test::with;
-
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
 
 belt::Flat::Input fan() {
   belt::Flat::Input in;
@@ -26,10 +26,7 @@ belt::Flat::Input fan() {
   return in;
 }
 
-belt::Flat::Result solve(const belt::Flat::Input& in) {
-  NoTrace trace;
-  return belt::Flat::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<belt::Flat>;
 
 const std::string text = R"(calculator = "belt.flat"
 P = "15 kW"

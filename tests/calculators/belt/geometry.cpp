@@ -1,4 +1,5 @@
 #include "calculators/belt/flat.hpp"
+#include "tests/calculators/evaluated.hpp"
 
 #include <doctest/doctest.h>
 
@@ -17,7 +18,7 @@ belt::Flat::Result course(double d_1, double d_2, double a, Arrangement arrangem
   return r;
 }
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+using test::rel;
 
 }  // namespace
 

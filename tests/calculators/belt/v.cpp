@@ -1,6 +1,7 @@
 #include "calculators/belt/v.hpp"
 
 #include "tests/calculators/belt/steps.hpp"
+#include "tests/calculators/evaluated.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,9 +11,8 @@ namespace {
 
 using namespace loadpath;
 using test::BeltStep;
+using test::rel;
 using test::with;
-
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
 
 belt::V::Input wedge() {
   belt::V::Input in;
@@ -37,10 +37,7 @@ belt::V::Input classical() {
   return in;
 }
 
-belt::V::Result solve(const belt::V::Input& in) {
-  NoTrace trace;
-  return belt::V::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<belt::V>;
 
 /// One belt on two equal pulleys, or with a ratio, far enough apart.
 belt::V::Result rated(belt::Basis basis, const char* section, double d, double n, double ratio = 1.0) {

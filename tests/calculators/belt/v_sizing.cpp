@@ -1,6 +1,7 @@
 #include "calculators/belt/v_sizing.hpp"
 
 #include "tests/calculators/belt/steps.hpp"
+#include "tests/calculators/evaluated.hpp"
 
 #include <doctest/doctest.h>
 
@@ -23,10 +24,7 @@ belt::VSizing::Input fan() {
   return in;
 }
 
-belt::VSizing::Result solve(const belt::VSizing::Input& in) {
-  NoTrace trace;
-  return belt::VSizing::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<belt::VSizing>;
 
 const std::string text = R"(calculator = "belt.v_sizing"
 basis = "iso"

@@ -3,6 +3,7 @@
 #include "calculators/catalogue.hpp"
 #include "calculators/chain/links.hpp"
 #include "lib/project/project.hpp"
+#include "tests/calculators/evaluated.hpp"
 #include "tests/lib/project/texts.hpp"
 
 #include <doctest/doctest.h>
@@ -14,12 +15,9 @@ namespace {
 
 using namespace loadpath;
 
-chain::Roller::Result solve(const chain::Roller::Input& in) {
-  NoTrace trace;
-  return chain::Roller::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<chain::Roller>;
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+using test::rel;
 
 chain::Roller::Input conveyor() {
   chain::Roller::Input in;

@@ -4,6 +4,7 @@
 #include "calculators/catalogue.hpp"
 #include "calculators/column/buckling.hpp"
 #include "lib/project/project.hpp"
+#include "tests/calculators/evaluated.hpp"
 
 #include <cmath>
 #include <string>
@@ -11,7 +12,7 @@
 
 namespace loadpath::tests {
 
-inline double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+using test::rel;
 
 /// The bar of [B25]: 40 mm by 60 mm, 1.8 m, of St37.
 inline column::Buckling::Input bar_of_steel(column::Ends ends) {
@@ -32,8 +33,7 @@ inline column::Buckling::Input bar_of_steel(column::Ends ends) {
 }
 
 inline column::Buckling::Result solve(const column::Buckling::Input& in) {
-  NoTrace trace;
-  return column::Buckling::evaluate(in, trace);
+  return test::evaluated<column::Buckling>(in);
 }
 
 inline const column::MethodResult& by(const column::Buckling::Result& r, std::string_view name) {

@@ -2,6 +2,7 @@
 
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"
+#include "tests/calculators/evaluated.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,12 +14,9 @@ namespace {
 using namespace loadpath;
 using StageKind = drive::Train::StageKind;
 
-drive::Train::Result solve(const drive::Train::Input& in) {
-  NoTrace trace;
-  return drive::Train::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<drive::Train>;
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+using test::rel;
 
 drive::Train::Stage stage(StageKind kind, double i, double eta) {
   drive::Train::Stage s;

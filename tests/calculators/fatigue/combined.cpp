@@ -2,6 +2,7 @@
 
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"
+#include "tests/calculators/evaluated.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,13 +12,9 @@ namespace {
 
 using namespace loadpath;
 using C = fatigue::Combined;
+using test::rel;
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
-
-C::Result safety(const C::Input& in) {
-  NoTrace trace;
-  return C::evaluate(in, trace);
-}
+constexpr auto safety = test::evaluated<C>;
 
 /// The bar of problems 6-12 to 6-15 of [Shigley-SM6-8], in MPa.
 C::Input bar(double sigma_a, double tau_m, double tau_a) {

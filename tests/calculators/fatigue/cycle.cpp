@@ -2,6 +2,7 @@
 
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"
+#include "tests/calculators/evaluated.hpp"
 
 #include <doctest/doctest.h>
 
@@ -14,10 +15,7 @@ using namespace loadpath;
 using fatigue::Kind;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-fatigue::Cycle::Result cycle(const fatigue::Cycle::Input& in) {
-  NoTrace trace;
-  return fatigue::Cycle::evaluate(in, trace);
-}
+constexpr auto cycle = test::evaluated<fatigue::Cycle>;
 
 /// One of the five characteristics by its place in the list, MPa.
 void set(fatigue::Given& g, int which, double value) {

@@ -3,6 +3,7 @@
 #include "calculators/catalogue.hpp"
 #include "calculators/fatigue/din743_safety.hpp"
 #include "lib/project/project.hpp"
+#include "tests/calculators/evaluated.hpp"
 
 #include <doctest/doctest.h>
 
@@ -15,14 +16,10 @@ namespace {
 using namespace loadpath;
 using namespace loadpath::fatigue;
 using In = Din743::Input;
-
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+using test::rel;
 double in_MPa(Stress stress) { return in_si(stress) / 1e6; }
 
-Din743::Result rated(const In& in) {
-  NoTrace trace;
-  return Din743::evaluate(in, trace);
-}
+constexpr auto rated = test::evaluated<Din743>;
 
 In of_steel(SteelGroup group, double sigma_B, double sigma_S, double d_h) {
   In in;

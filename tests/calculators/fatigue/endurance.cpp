@@ -3,6 +3,7 @@
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"
 #include "lib/quantity/fit_units.hpp"
+#include "tests/calculators/evaluated.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,13 +14,9 @@ namespace {
 
 using namespace loadpath;
 using E = fatigue::Endurance;
+using test::rel;
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
-
-E::Result limit(const E::Input& in) {
-  NoTrace trace;
-  return E::evaluate(in, trace);
-}
+constexpr auto limit = test::evaluated<E>;
 
 /// The shaft of examples 6-4 and 6-6 of [Shigley6].
 E::Input shoulder() {

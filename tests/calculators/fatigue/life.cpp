@@ -3,6 +3,7 @@
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"
 #include "lib/rainflow/sn_curve.hpp"
+#include "tests/calculators/evaluated.hpp"
 
 #include <doctest/doctest.h>
 
@@ -15,13 +16,9 @@ namespace {
 using namespace loadpath;
 using fatigue::MeanRule;
 using L = fatigue::Life;
+using test::rel;
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
-
-L::Result life(const L::Input& in) {
-  NoTrace trace;
-  return L::evaluate(in, trace);
-}
+constexpr auto life = test::evaluated<L>;
 
 const L::Row& row_of(const L::Result& r, MeanRule rule) {
   for (const auto& row : r.rules) {

@@ -3,6 +3,7 @@
 #include "calculators/catalogue.hpp"
 #include "lib/numerics/quantile.hpp"
 #include "lib/project/project.hpp"
+#include "tests/calculators/evaluated.hpp"
 #include "tests/calculators/step_text.hpp"
 
 #include <doctest/doctest.h>
@@ -13,13 +14,9 @@ namespace {
 
 using namespace loadpath;
 using W = fatigue::Wohler;
+using test::rel;
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
-
-W::Result fitted(const W::Input& in) {
-  NoTrace trace;
-  return W::evaluate(in, trace);
-}
+constexpr auto fitted = test::evaluated<W>;
 
 /// Plastic strain amplitudes and lives of the example of [E739], a strain of 1 told as 1 MPa.
 W::Input example_of_e739() {

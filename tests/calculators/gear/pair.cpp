@@ -2,6 +2,7 @@
 
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"
+#include "tests/calculators/evaluated.hpp"
 
 #include <doctest/doctest.h>
 
@@ -14,12 +15,9 @@ namespace {
 
 using namespace loadpath;
 
-gear::Pair::Result solve(const gear::Pair::Input& in) {
-  NoTrace trace;
-  return gear::Pair::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<gear::Pair>;
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+using test::rel;
 
 gear::Pair::Input pair_of(int z_1, int z_2, double m_n_mm) {
   gear::Pair::Input in;

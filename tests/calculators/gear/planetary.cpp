@@ -2,6 +2,7 @@
 
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"
+#include "tests/calculators/evaluated.hpp"
 #include "tests/lib/project/texts.hpp"
 
 #include <doctest/doctest.h>
@@ -14,12 +15,9 @@ namespace {
 using namespace loadpath;
 using Member = gear::Planetary::Member;
 
-gear::Planetary::Result solve(const gear::Planetary::Input& in) {
-  NoTrace trace;
-  return gear::Planetary::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<gear::Planetary>;
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+using test::rel;
 
 /// Sun 24, planets 30, ring 84: i_0 = -3.5.
 gear::Planetary::Input winch() {

@@ -1,5 +1,6 @@
 #include "calculators/pin/cross.hpp"
 
+#include "tests/calculators/evaluated.hpp"
 #include "tests/found/modes.hpp"
 
 #include <doctest/doctest.h>
@@ -11,12 +12,9 @@ namespace {
 using namespace loadpath;
 using pin::Cross;
 
-Cross::Result solve(const Cross::Input& in) {
-  NoTrace trace;
-  return Cross::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<Cross>;
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+using test::rel;
 
 Cross::Input lever() {
   Cross::Input in;

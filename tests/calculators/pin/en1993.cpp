@@ -1,5 +1,6 @@
 #include "calculators/pin/en1993.hpp"
 
+#include "tests/calculators/evaluated.hpp"
 #include "tests/found/modes.hpp"
 
 #include <doctest/doctest.h>
@@ -11,12 +12,9 @@ namespace {
 using namespace loadpath;
 using pin::En1993;
 
-En1993::Result solve(const En1993::Input& in) {
-  NoTrace trace;
-  return En1993::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<En1993>;
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+using test::rel;
 
 /// The sheet's pin of 16 mm; its thicknesses together give 27.1 N*m.
 En1993::Input sheet() {

@@ -1,5 +1,6 @@
 #include "calculators/pin/joint.hpp"
 
+#include "tests/calculators/evaluated.hpp"
 #include "tests/found/modes.hpp"
 #include "tests/lib/project/texts.hpp"
 
@@ -14,12 +15,9 @@ namespace {
 using namespace loadpath;
 using pin::Joint;
 
-Joint::Result solve(const Joint::Input& in) {
-  NoTrace trace;
-  return Joint::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<Joint>;
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+using test::rel;
 
 /// 50 kN on a pin of 40 mm, an eye of 40 mm between cheeks of 25 mm.
 Joint::Input knuckle() {

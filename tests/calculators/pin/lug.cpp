@@ -1,5 +1,6 @@
 #include "calculators/pin/lug.hpp"
 
+#include "tests/calculators/evaluated.hpp"
 #include "tests/found/modes.hpp"
 
 #include <doctest/doctest.h>
@@ -11,12 +12,9 @@ namespace {
 using namespace loadpath;
 using pin::Lug;
 
-Lug::Result solve(const Lug::Input& in) {
-  NoTrace trace;
-  return Lug::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<Lug>;
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+using test::rel;
 
 Lug::Input eye(double F, double d, double b, double t) {
   Lug::Input in;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calculators/section/properties/properties.hpp"
+#include "tests/calculators/evaluated.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,17 +10,10 @@
 
 namespace loadpath::section {
 
-inline double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
-template <class Quantity>
-double rel(const Quantity& value, const Quantity& expected) {
-  return rel(in_si(value), in_si(expected));
-}
+using test::rel;
 
 template <class C>
-typename C::Result solve(const typename C::Input& in) {
-  NoTrace trace;
-  return C::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<C>;
 
 /// The text of the first rule that an input breaks; empty where it breaks none.
 template <class C>

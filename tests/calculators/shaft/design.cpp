@@ -2,6 +2,7 @@
 #include "calculators/shaft/design/design.hpp"
 
 #include "calculators/fatigue/peterson.hpp"
+#include "tests/calculators/evaluated.hpp"
 #include "tests/found/modes.hpp"
 #include "tests/lib/project/solved.hpp"
 
@@ -23,10 +24,7 @@ using test::contains;
 using test::mode_with;
 using test::Solved;
 
-Design::Result solve(const Design::Input& in) {
-  NoTrace trace;
-  return Design::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<Design>;
 
 /// Three pieces, two or three bearings, forces and thrusts anywhere.
 Design::Input random_shaft(std::mt19937& random) {

@@ -1,5 +1,6 @@
 #include "calculators/shaft/held/held.hpp"
 
+#include "tests/calculators/evaluated.hpp"
 #include "tests/found/modes.hpp"
 
 #include <doctest/doctest.h>
@@ -18,12 +19,9 @@ using shaft::Held;
 using shaft::Segment;
 using shaft::Sleeve;
 
-Held::Result solve(const Held::Input& in) {
-  NoTrace trace;
-  return Held::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<Held>;
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+using test::rel;
 
 Segment segment(double l, double d, double d_2, double b = 0.0, double b_2 = 0.0, double G = 80.0, double m = 0.0) {
   Segment s;

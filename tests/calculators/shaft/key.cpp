@@ -1,6 +1,7 @@
 #include "calculators/shaft/key.hpp"
 
 #include "lib/table/table.hpp"
+#include "tests/calculators/evaluated.hpp"
 #include "tests/found/modes.hpp"
 #include "tests/lib/project/texts.hpp"
 
@@ -14,12 +15,9 @@ namespace {
 using namespace loadpath;
 using shaft::Key;
 
-Key::Result solve(const Key::Input& in) {
-  NoTrace trace;
-  return Key::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<Key>;
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+using test::rel;
 
 /// 12x8x40 with straight ends on a shaft of 40 mm.
 Key::Input key_12x8() {

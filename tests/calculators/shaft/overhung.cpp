@@ -4,6 +4,7 @@
 #include "calculators/shaft/torsion.hpp"
 #include "lib/project/project.hpp"
 #include "lib/toml/tree.hpp"
+#include "tests/calculators/evaluated.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,8 +13,7 @@
 namespace {
 
 using namespace loadpath;
-
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+using test::rel;
 
 shaft::Overhung::Input crank() {
   shaft::Overhung::Input in;
@@ -24,10 +24,7 @@ shaft::Overhung::Input crank() {
   return in;
 }
 
-shaft::Overhung::Result solve(const shaft::Overhung::Input& in) {
-  NoTrace trace;
-  return shaft::Overhung::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<shaft::Overhung>;
 
 project::Project solved(const std::string& text, std::vector<Issue>& issues) {
   project::Project p = project::read_project(text, "case.toml", catalogue(), issues);

@@ -1,5 +1,6 @@
 #include "calculators/shaft/press_fit.hpp"
 
+#include "tests/calculators/evaluated.hpp"
 #include "tests/found/modes.hpp"
 #include "tests/lib/project/texts.hpp"
 
@@ -13,12 +14,9 @@ namespace {
 using namespace loadpath;
 using shaft::PressFit;
 
-PressFit::Result solve(const PressFit::Input& in) {
-  NoTrace trace;
-  return PressFit::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<PressFit>;
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+using test::rel;
 
 /// 50 mm in 80 mm, 40 um, of one material.
 PressFit::Input gear() {

@@ -1,6 +1,7 @@
 #include "calculators/shaft/torsion.hpp"
 
 #include "lib/quantity/units.hpp"
+#include "tests/calculators/evaluated.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,13 +10,9 @@
 namespace {
 
 using namespace loadpath;
+using test::rel;
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
-
-shaft::Torsion::Result solve(const shaft::Torsion::Input& in) {
-  NoTrace trace;
-  return shaft::Torsion::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<shaft::Torsion>;
 
 shaft::Torsion::Input shaft_under(double T, double tau_MPa) {
   shaft::Torsion::Input in;

@@ -4,6 +4,7 @@
 #include "calculators/catalogue.hpp"
 #include "calculators/vessel/wall.hpp"
 #include "lib/project/project.hpp"
+#include "tests/calculators/evaluated.hpp"
 
 #include <cmath>
 #include <string>
@@ -11,13 +12,10 @@
 
 namespace loadpath::tests {
 
-inline double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+using test::rel;
 
 template <class C>
-typename C::Result solve(const typename C::Input& in) {
-  NoTrace trace;
-  return C::evaluate(in, trace);
-}
+constexpr auto solve = test::evaluated<C>;
 
 /// The messages of a step that is not right, with their hints, in one text.
 inline std::string messages(const std::string& step) {

@@ -2,6 +2,7 @@
 
 #include "calculators/column/buckling_parts.hpp"
 #include "calculators/column/member/methods.hpp"
+#include "calculators/section/shapes/torsion.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath::link {
@@ -49,6 +50,12 @@ void yielding(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, u_Q, in.S * sqrt(pow<2>(sigma_N) + 3.0 * pow<2>(tau)) / in.R_e, "neutral axis, [Mises]");
 }
 
+/// That of yield, so that a link hardly pressed is judged as one that is not; else that of buckling.
+template <class Tracer>
+double moment_safety(const Input& in, double n, Tracer& trace) {
+  return trace.value("S_M", is_set(in.S) ? in.S : n, is_set(in.S) ? "safety of the moment" : "no S given: that of N");
+}
+
 /// In the plane of motion by the secant formula; across it by a sum that is on the safe side.
 template <class Tracer>
 void buckling_with_bending(const Input& in, Result& r, Tracer& trace) {
@@ -58,7 +65,8 @@ void buckling_with_bending(const Input& in, Result& r, Tracer& trace) {
   if (!(r.F > 0.0 * kN)) return;
   const auto sigma_M = r.sigma_M;
   STEP(sigma_c, max(r.F / r.A, 1e-9 * in.R_e), "stress of the compression");
-  STEP(eta, sigma_M / sigma_c, "eccentricity ratio: M_b/|N| over W_y/A");
+  const double S_M = moment_safety(in, n, trace);
+  STEP(eta, S_M / n * sigma_M / sigma_c, "eccentricity ratio, M_b/|N| over W_y/A, each load with its safety");
   const auto sigma_s =
       trace.value("sigma_s", column::secant_stress(r.axes[0].lambda, eta, in.E, in.R_e),
                   "mean stress at which the extreme fibre yields, or the link buckles in its plane, [Gere]");
@@ -68,7 +76,28 @@ void buckling_with_bending(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, k, x < 1.0 ? 1.0 / cos(pi / 2.0 * sqrt(x)) : 1.0,
           "moment of an even one in the middle, [Gere]; beyond the critical force buckling has decided");
   const double u = r.u;
-  STEP_TO(r, u_i, u + n * k * sigma_M / in.R_e, "buckling about the weaker axis, and bending: their sum is safe");
+  STEP_TO(r, u_i, u + S_M * k * sigma_M / in.R_e, "buckling about the weaker axis, and bending: their sum is safe");
+}
+
+/// Across the plane of a rectangle that stands on edge: fork ends, an even moment, warping free.
+template <class Tracer>
+void tilting(const Input& in, Result& r, Tracer& trace) {
+  if (!Member::stands_on_edge(in)) return;
+  const double n = column::safety(in, in.method, trace);
+  if (!is_set(in.S) && !is_set(n)) return;
+  const auto sigma_M = r.sigma_M;
+  const double c_t = trace.value("c_t", section::rectangle_factors(in.h / in.b).k_1, "of h/b, Saint-Venant");
+  const auto l_t = trace.value("l_t", max(in.l, max(r.axes[0].s, r.axes[1].s)), "the longest of l and s");
+  STEP(G, in.E / 2.6, "shear modulus of a metal, nu = 0.3");
+  STEP(I_z, in.h * pow<3>(in.b) / 12.0, "bending across");
+  STEP(I_t, c_t * in.h * pow<3>(in.b), "torsion");
+  STEP(M_cr, pi / l_t * sqrt(in.E * I_z * G * I_t), "critical moment of fork ends, Prandtl and Michell, [Narrow-beam]");
+  STEP(lambda_t, sqrt(in.b * pow<2>(in.h) / 6.0 * in.R_e / M_cr), "slenderness, EN 1993-1-1 6.3.2.2, [EN1993-1-1-LTB]");
+  STEP(Phi, 0.5 * (1.0 + 0.76 * (lambda_t - 0.2) + pow<2>(lambda_t)), "curve d, EN 1993-1-1 6.3.2.2, [EN1993-1-1-LTB]");
+  STEP_TO(r, chi_t, lambda_t <= 0.2 ? 1.0 : 1.0 / (Phi + sqrt(pow<2>(Phi) - pow<2>(lambda_t))), "EN 1993-1-1 (6.56)");
+  const double S_M = moment_safety(in, n, trace), k = trace.value("k", is_set(r.k) ? r.k : 1.0, "of the moment");
+  const double u = trace.value("u", is_set(r.u) ? r.u : 0.0, "buckling about the weaker axis");
+  STEP_TO(r, u_t, u + S_M * k * sigma_M / (chi_t * in.R_e), "with buckling, summed on the safe side");
 }
 
 }  // namespace
@@ -96,8 +125,15 @@ Applies Member::compressed_and_bent(const Input& in) {
   return std::min(column::compressed(in), where(abs(in.M_b) > 0.0 * N_m.one));
 }
 
+bool Member::stands_on_edge(const Input& in) {
+  const bool rectangle = !is_set(in.A) && !is_set(in.d) && column::Buckling::outline_of(in) == column::Outline::solid;
+  return rectangle && in.h > in.b;
+}
+
 Applies Member::twisting_when_bent(const Input& in) {
   const column::Outline outline = column::Buckling::outline_of(in);
+  if (stands_on_edge(in)) return where(abs(in.M_b) > 0.0 * N_m.one);
+  if (outline == column::Outline::solid && is_set(in.A) && !is_set(in.d)) return Applies::unseen;
   if (outline <= column::Outline::closed) return Applies::no;
   return std::min(outline == column::Outline::unknown ? Applies::unseen : Applies::yes,
                   where(abs(in.M_b) > 0.0 * N_m.one));
@@ -110,6 +146,7 @@ Result Member::evaluate(const Input& in, Tracer& trace) {
   stresses(in, r, trace);
   yielding(in, r, trace);
   buckling_with_bending(in, r, trace);
+  tilting(in, r, trace);
   return r;
 }
 

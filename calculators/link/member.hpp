@@ -5,8 +5,9 @@
 // M_b/|N|, and by the sum of buckling about the weaker axis and of the bending stress that the compression raises. M_b
 // bends the link about y, in the plane of its height h. It counts as if it were the same along the whole link, which
 // bounds every other moment of hinged ends and of a link built in at one end; N, V and M_b each with the largest size
-// along the link, as mechanisms give them, and as if at one place. N is positive in tension. Not covered: bending out
-// of the plane, sections of class 4, open sections that twist, curved links, what holes take away.
+// along the link, as mechanisms give them, and as if at one place. The moment has the safety of yield, the compression
+// that of buckling. A rectangle on edge is judged against tilting sideways too. N is positive in tension. Not covered:
+// bending out of the plane, sections of class 4, open sections that twist, curved links, what holes take away.
 #pragma once
 
 #include "calculators/column/buckling.hpp"
@@ -32,7 +33,7 @@ struct Member {
       "chosen, and with bending by the secant formula in the plane of motion and by a sum across it. Holes, curved "
       "links "
       "and bending out of the plane are not covered.";
-  static constexpr auto source = "[Gere], [Mises], [B25]";
+  static constexpr auto source = "[Gere], [Mises], [B25], [EN1993-1-1-LTB], [Narrow-beam]";
   static constexpr auto example = R"([project]
 title = "Connecting rod"
 
@@ -83,6 +84,7 @@ S = 1.5
     Stress sigma_N = unset<Stress>, sigma_M = unset<Stress>, sigma_o = unset<Stress>, sigma_u = unset<Stress>,
            tau = unset<Stress>;
     double k = unset<double>, u_y = unset<double>, u_Q = unset<double>, u_p = unset<double>, u_i = unset<double>;
+    double chi_t = unset<double>, u_t = unset<double>;
     LinkCycle cycle;
   };
   static constexpr auto results = std::tuple_cat(
@@ -106,7 +108,13 @@ S = 1.5
                      .check("n_st, gamma_M1, Omega_c"),
                  Field<Result, double>{&Result::u_i, "u_i", ratio,
                                        "buckling about the weaker axis and bending, summed; 0 in tension"}
-                     .check("n_st, gamma_M1, Omega_c")},
+                     .check("n_st, gamma_M1, Omega_c"),
+                 Field<Result, double>{&Result::chi_t, "chi_t", ratio,
+                                       "what tilting sideways leaves of the moment, of a rectangle on edge"},
+                 Field<Result, double>{&Result::u_t, "u_t", ratio,
+                                       "lateral-torsional buckling of a rectangle on edge, with buckling"}
+                     .check("S, n_st, gamma_M1, Omega_c")
+                     .where_it_applies()},
       column::slenderness_limits<Result>(), column::wall_limits<Result>(),
       std::tuple{Group<Result, LinkCycle>{&Result::cycle, "cycle",
                                           "largest nominal stress of the link, for fatigue.cycle: cycle"}
@@ -119,6 +127,7 @@ S = 1.5
   static Applies loaded(const Input& in);
   static Applies sheared(const Input& in);
   static Applies compressed_and_bent(const Input& in);
+  static bool stands_on_edge(const Input& in);
   static Applies twisting_when_bent(const Input& in);
 
   static constexpr auto rules = join<Input>(
@@ -152,7 +161,9 @@ S = 1.5
           .judged_by("r_class, x_E"),
       Mode<Input>{"torsional", "torsional and torsional-flexural buckling of an open section",
                   &column::twisting<Input, &column::Buckling::outline_of>},
-      Mode<Input>{"lateral_torsional", "lateral-torsional buckling by the moment", &twisting_when_bent},
+      Mode<Input>{"lateral_torsional", "lateral-torsional buckling by the moment", &twisting_when_bent}
+          .judged_by("u_t")
+          .wanting("S"),
       Mode<Input>{"net_section", "net section at holes and pins: pin.lug", &unseen<Input>},
       Mode<Input>{"fatigue", "fatigue, at holes and changes of section first", &unseen<Input>}
           .left_to("fatigue.cycle", "cycle.fatigue")

@@ -550,6 +550,9 @@ const Case pins[] = {
     {"link.member", "M_b = \"0 N*m\"\nl = \"4 m\"\nlambda_max = 1000", "u_p",  // Euler, hinged
      3.0 * 18e3 * 12 * 16 / (pi * pi * 210e9 * 0.02 * 0.04 * 0.04 * 0.04)},
     {"link.member", R"(N = "18 kN")", "u_p", 0.0},
+    // a plate on edge that would tilt long before it yields
+    {"link.member", "N = \"0 kN\"\nh = \"200 mm\"\nb = \"5 mm\"\nl = \"2 m\"\nends_z = \"pinned_pinned\"", "M_cr",
+     845.6537815669302},
     {"link.member", R"(A_v = "200 mm^2")", "tau", 2e6},
 };
 

@@ -73,16 +73,17 @@ Outcome<rainflow::Form> form_of(const Tree& table) {
   return form;
 }
 
-/// Files and pipes alone: a device may have no end.
+/// Files alone: a device may have no end, and a pipe that has a name waits for one who writes. "-" is what is piped in.
 Outcome<std::unique_ptr<rainflow::Source>> open(const Tree& table) {
   const Tree& named = table.find("file")->value;
   if (named.text == "-") return rainflow::open_source("-");
   const fs::path path = fs::path(named.place.file).parent_path() / named.text;
   std::error_code error;
   const fs::file_type type = fs::status(path, error).type();
-  if (type != fs::file_type::regular && type != fs::file_type::fifo)
+  if (type != fs::file_type::regular)
     return told(say("there is no file '{1}' that can be read", path.string()),
-                say("its path goes from the folder of the project file"));
+                fs::exists(path, error) ? say("a file that has an end; what is piped in is file = \"-\", with its form")
+                                        : say("its path goes from the folder of the project file"));
   return rainflow::open_source(path.string());
 }
 
@@ -103,14 +104,18 @@ class Turns {
       return told(say("it turns more than {1} times", std::to_string(most_turns)), say("cut it, and count its parts"));
     return std::nullopt;
   }
-  void finish() {
+  /// None where there is a history.
+  std::optional<Fault> finish(const Message& what) {
     if (kept_ == Kept::turns) count_ += turning_points_.finish(values_.data() + count_, at_.data() + count_);
     values_.resize(count_);
     at_.resize(count_);
+    if (samples() == 0) return told(say("{1} has no values", what), {});
+    if (samples() == 1) return told(say("{1} has one value, and a history two at least", what), {});
+    return std::nullopt;
   }
   [[nodiscard]] const std::vector<double>& values() const { return values_; }
   [[nodiscard]] const std::vector<std::uint64_t>& at() const { return at_; }
-  [[nodiscard]] bool empty() const { return count_ == 0; }
+  [[nodiscard]] std::uint64_t samples() const { return kept_ == Kept::all ? count_ : turning_points_.samples(); }
 
  private:
   std::optional<Fault> take_all(std::span<const double> samples) {
@@ -139,9 +144,7 @@ std::optional<Fault> read_turns(rainflow::Reader& reader, Turns& turns) {
     if (samples->empty()) break;
     if (auto fault = turns.take(*samples)) return fault;
   }
-  turns.finish();
-  if (turns.empty()) return told(say("the file has no values"), {});
-  return std::nullopt;
+  return turns.finish(say("the file"));
 }
 
 std::optional<Fault> take_values(const Tree& list, Turns& turns) {
@@ -152,8 +155,7 @@ std::optional<Fault> take_values(const Tree& list, Turns& turns) {
   if (values.empty() || values.size() != list.items.size())
     return told(say("a history is a list of numbers"), say("values = [0, 3, -1], unit = \"MPa\""));
   if (auto fault = turns.take(values)) return fault;
-  turns.finish();
-  return std::nullopt;
+  return turns.finish(say("the list"));
 }
 
 /// In SI, over the samples; a value that the field refuses is a fault.

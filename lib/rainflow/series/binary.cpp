@@ -102,21 +102,19 @@ std::string_view entry(std::string_view header, std::string_view key) {
   return header.substr(from, to == std::string_view::npos ? to : to - from);
 }
 
-/// The numbers of "(1000, 3": one or two; none where they are others.
-std::vector<std::uint64_t> shape_of(std::string_view text) {
+/// The numbers of "(1000, 3" or "(1000,": as many as there are; nothing where it is no such list.
+std::optional<std::vector<std::uint64_t>> shape_of(std::string_view text) {
   std::vector<std::uint64_t> shape;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  while (at != end) {
-    if (*at < '0' || *at > '9') {
-      ++at;
-      continue;
-    }
+  if (!text.starts_with('(')) return std::nullopt;
+  text.remove_prefix(1);
+  while (!text.empty()) {
     std::uint64_t size = 0;
-    const auto [behind, error] = std::from_chars(at, end, size);
-    if (error != std::errc{}) return {};
+    const auto [behind, error] = std::from_chars(text.data(), text.data() + text.size(), size);
+    if (error != std::errc{}) return std::nullopt;
     shape.push_back(size);
-    at = behind;
+    text.remove_prefix(static_cast<std::size_t>(behind - text.data()));
+    if (!text.empty() && text.front() != ',') return std::nullopt;
+    text.remove_prefix(std::min(text.find_first_not_of(' ', 1), text.size()));
   }
   return shape;
 }
@@ -142,7 +140,10 @@ Outcome<Rows> rows_of(std::string_view header, const std::string& column) {
     return at_byte(0, say("the numbers of the array are {1}; float64 and float32, little-endian, are read", type),
                    say("in NumPy: numpy.save(path, x.astype('<f8'))"));
   rows.width = type == "'<f8'" ? sizeof(double) : sizeof(float);
-  const auto shape = shape_of(entry(header, "shape"));
+  const std::string_view text = entry(header, "shape");
+  const auto numbers = shape_of(text);
+  if (!numbers) return at_byte(0, say("the shape {1}) of the array is none", text));
+  const auto& shape = *numbers;
   if (shape.empty() || shape.size() > 2)
     return at_byte(0, say("the array has {1} dimensions; one or two are read", std::to_string(shape.size())));
   rows.rows = shape[0], rows.columns = shape.size() == 2 ? shape[1] : 1;

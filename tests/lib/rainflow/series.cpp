@@ -199,6 +199,8 @@ TEST_SUITE("rainflow series") {
     CHECK(binary(Format::npy, npy("<f8", "(2, 3)", bytes_of(values)), "1").values == Series{1.5, 0.25});
     CHECK(binary(Format::npy, npy("<f8", "(6, 1)", bytes_of(values))).values == values);
     CHECK(binary(Format::npy, npy("<f8", "(0,)", "")).values.empty());
+    CHECK(binary(Format::npy, npy("<f8", "(6,)", bytes_of(values), 1, "True")).values ==
+          values);  // of one column alike
   }
 
   TEST_CASE("what is wrong in an array is told") {
@@ -222,6 +224,10 @@ TEST_SUITE("rainflow series") {
     CHECK(message(npy("<f8", "()", data)) == "the array has 0 dimensions; one or two are read");
     CHECK(message(npy("<f8", "(1, 2, 3)", data)) == "the array has 3 dimensions; one or two are read");
     CHECK(message(npy("<f8", "(3, 0)", data)) == "the array has 0 columns; 1 to 65536 are read");
+    for (const char* const shape : {"(-6,)", "(6.0,)", "(2 3)", "(6L,)", "(,)", "6", "(99999999999999999999,)"})
+      CHECK_MESSAGE(message(npy("<f8", shape, data)).find("of the array is none") != std::string::npos, shape);
+    for (const char* const type : {"|b1", ">f4", "<f2", "<c16", "|S8", "|O"})
+      CHECK(message(npy(type, "(6,)", data)).find("float64 and float32, little-endian, are read") != std::string::npos);
     CHECK(message(npy("<f8", "(7,)", data)) == "byte 176: the file ends after 6 of 7 rows");
     CHECK(message(npy("<f8", "(7,)", data + "abc")) == "byte 179: the file ends after 6 of 7 rows");
   }

@@ -157,4 +157,15 @@ TEST_SUITE("found project") {
               .empty());
     }
   }
+
+  TEST_CASE("a part whose every load is zero has passed nothing") {
+    const auto state = [](const std::string& calculator, const std::string& lines) {
+      return mode_with(calculator, lines, "load");
+    };
+    CHECK(state("shaft.torsion", "torques = \nT = \"0 N*m\"") == "not-judged");
+    CHECK(state("shaft.torsion", "torques = \nT = \"1 N*m\"") == "none");
+    CHECK(state("link.member", "N = \"0 kN\"\nV = \"0 kN\"\nM_b = \"0 N*m\"") == "not-judged");
+    CHECK(state("link.member", "N = \"0 kN\"\nV = \"0 kN\"\nM_b = \"1 N*m\"") == "none");
+    CHECK(state("shaft.key", "T = \"0 N*m\"") == "not-judged");
+  }
 }

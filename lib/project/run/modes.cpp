@@ -4,6 +4,7 @@
 #include "lib/project/run/run.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace loadpath::project {
 
@@ -14,6 +15,13 @@ const FieldInfo* field_of(const RecordType& result, std::string_view key) {
   const std::size_t dot = key.find('.');
   const FieldInfo* field = find_field(result.fields, key.substr(0, dot));
   return field == nullptr || dot == std::string_view::npos ? field : find_field(field->fields, key.substr(dot + 1));
+}
+
+bool acts(double si) { return !std::isnan(si) && si != 0.0; }
+
+bool takes_loads(std::span<const FieldInfo> fields) {
+  return std::any_of(fields.begin(), fields.end(),
+                     [](const FieldInfo& field) { return field.is_load || takes_loads(field.fields); });
 }
 
 void add_words(std::string_view words, std::string& to) {
@@ -61,8 +69,41 @@ void Run::add_missing_input(Account& account) const {
   account.modes.push_back(std::move(mode));
 }
 
+/// Whether a load of the step is anything but zero anywhere; of a formula no one knows.
+bool Run::is_loaded() const {
+  bool loaded = false;
+  for_each_leaf(record_, [&](const std::string&, const Leaf& leaf) {
+    if (leaf.field->is_load && (leaf.field->get == nullptr || acts(leaf.get()))) loaded = true;
+  });
+  return loaded || std::any_of(inputs_.begin(), inputs_.end(), [](const Input& input) {
+           const auto& si = input.value.si;
+           return input.leaf.field->is_load && std::any_of(si.begin(), si.end(), acts);
+         });
+}
+
+/// What holds without a load has not been judged under one: a reference may bring none by mistake. What another load
+/// than those that are declared has utilised, a liquid, its own speed, is loaded.
+void Run::add_missing_load(Account& account) const {
+  const auto is_strength = [](const ModeInfo& mode) { return mode.kind == ModeKind::strength; };
+  const auto is_utilised = [](const account::Verdict* row) { return row->utilisation && *row->utilisation > 0.0; };
+  const auto bears = [&](const ModeInfo& mode) {
+    const auto rows = rows_of(mode, account.verdicts);
+    return is_strength(mode) && std::any_of(rows.begin(), rows.end(), is_utilised);
+  };
+  if (columns_.empty() || !takes_loads(calculator_.input->fields) || is_loaded()) return;
+  if (std::none_of(calculator_.modes.begin(), calculator_.modes.end(), is_strength)) return;
+  if (std::any_of(calculator_.modes.begin(), calculator_.modes.end(), bears)) return;
+  account::Mode mode;
+  mode.step = step_.name();
+  mode.id = "load";
+  mode.title = say("a load that is not zero");
+  mode.note = say("every load is zero: nothing is judged that a load could break");
+  account.modes.push_back(std::move(mode));
+}
+
 void Run::fill_modes(Account& account) const {
   add_missing_input(account);
+  add_missing_load(account);
   for (std::size_t k = 0; k < calculator_.modes.size(); ++k) {
     const ModeInfo& mode = calculator_.modes[k];
     const auto rows = rows_of(mode, account.verdicts);

@@ -160,6 +160,8 @@ class Run {
   void fill_verdicts(Account& account) const;
   void fill_modes(Account& account) const;
   void add_missing_input(Account& account) const;
+  void add_missing_load(Account& account) const;
+  [[nodiscard]] bool is_loaded() const;
   /// Which modes concern the part as it is now in the record.
   void ask_modes();
   /// Of a part that is not known: any may.

@@ -1,5 +1,6 @@
 #include "calculators/section/polygon.hpp"
 
+#include "calculators/section/contour_sides.hpp"
 #include "calculators/section/polygon_moments.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
@@ -12,73 +13,6 @@ namespace {
 
 using Corner = Polygon::Corner;
 using Input = Polygon::Input;
-
-/// Twice the area of the triangle, positive where c lies on the left of the way from a to b.
-double side_of(const Corner& a, const Corner& b, const Corner& c) {
-  return in_si(b.y - a.y) * in_si(c.z - a.z) - in_si(b.z - a.z) * in_si(c.y - a.y);
-}
-
-bool is_between(const Corner& a, const Corner& b, const Corner& c) {
-  return min(a.y, b.y) <= c.y && c.y <= max(a.y, b.y) && min(a.z, b.z) <= c.z && c.z <= max(a.z, b.z);
-}
-
-/// Whether two sides share a point.
-bool meet(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
-  const double c_side = side_of(a, b, c), d_side = side_of(a, b, d), a_side = side_of(c, d, a),
-               b_side = side_of(c, d, b);
-  if (c_side * d_side < 0.0 && a_side * b_side < 0.0) return true;
-  return (c_side == 0.0 && is_between(a, b, c)) || (d_side == 0.0 && is_between(a, b, d)) ||
-         (a_side == 0.0 && is_between(c, d, a)) || (b_side == 0.0 && is_between(c, d, b));
-}
-
-template <class Corners>
-const Corner& next(const Corners& corners, std::size_t i) {
-  return corners[(i + 1) % corners.size()];
-}
-
-struct Sides {
-  std::size_t first = 0, second = 0;
-  bool found = false;
-};
-
-/// Two sides of one contour that touch where they should not; neighbours share their corner only.
-template <class Corners>
-Sides crossing_of(const Corners& corners) {
-  const std::size_t n = corners.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Corner &a = corners[i], &b = next(corners, i), &after = next(corners, (i + 1) % n);
-    const bool no_length = a.y == b.y && a.z == b.z;
-    const bool folds = side_of(a, b, after) == 0.0 && (is_between(a, b, after) || is_between(b, after, a));
-    if (no_length || folds) return {i, (i + 1) % n, true};
-    for (std::size_t j = i + 2; j < n; ++j) {
-      const bool neighbours = (j + 1) % n == i;
-      if (!neighbours && meet(a, b, corners[j], next(corners, j))) return {i, j, true};
-    }
-  }
-  return {};
-}
-
-template <class First, class Second>
-bool contours_meet(const First& first, const Second& second) {
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    for (std::size_t j = 0; j < second.size(); ++j) {
-      if (meet(first[i], next(first, i), second[j], next(second, j))) return true;
-    }
-  }
-  return false;
-}
-
-/// By the number of sides that a ray to the right meets.
-template <class Corners>
-bool is_inside(const Corners& corners, const Corner& p) {
-  bool inside = false;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Corner &a = corners[i], &b = next(corners, i);
-    if ((a.z > p.z) == (b.z > p.z)) continue;
-    if (p.y < a.y + static_cast<double>((p.z - a.z) / (b.z - a.z)) * (b.y - a.y)) inside = !inside;
-  }
-  return inside;
-}
 
 bool is_clear(const Input& in, std::size_t hole) {
   const auto& own = in.holes[hole].points;

@@ -116,4 +116,31 @@ TEST_SUITE("found thin-walled section") {
 walls = [{ cell = "a", l = "400 mm", t = "5 mm" }, { cell = "b", beside = "a", l = "200 mm", t = "5 mm" }])");
     CHECK(step.fault().find("lies within") != std::string::npos);
   }
+
+  TEST_CASE("cells of a thin-walled section that cover one place, or cross themselves, are refused") {
+    const std::string walls =
+        "walls = [{ cell = \"a\", l = \"300 mm\", t = \"4 mm\" }, { cell = \"b\", l = \"300 mm\", t = \"4 mm\" }, "
+        "{ cell = \"a\", beside = \"b\", l = \"100 mm\", t = \"4 mm\" }]\n";
+    const auto fault = [&](const std::string& a, const std::string& b) {
+      const std::string cells =
+          "cells = [{ name = \"a\", points = [" + a + "] }, { name = \"b\", points = [" + b + "] }]";
+      return ExampleStep("section.thin_walled", cells + "\n" + walls).fault();
+    };
+    const auto box = [](int y, int z) {
+      const auto corner = [](int right, int up) {
+        return "[\"" + std::to_string(right) + " mm\", \"" + std::to_string(up) + " mm\"]";
+      };
+      return corner(y, z) + ", " + corner(y + 100, z) + ", " + corner(y + 100, z + 100) + ", " + corner(y, z + 100);
+    };
+    const std::string beside = "have a place in common";
+    CHECK(fault(box(0, 0), box(100, 0)).empty());  // which share a wall
+    CHECK(fault(box(0, 0), box(99, 0)).empty());   // but for rounding
+    for (const auto& at : {std::pair{0, 0}, {50, 0}, {0, -50}, {30, 40}, {90, 90}})
+      CHECK_MESSAGE(fault(box(0, 0), box(at.first, at.second)).find(beside) != std::string::npos, at.first, " ",
+                    at.second);
+    const std::string small = R"(["20 mm", "20 mm"], ["60 mm", "20 mm"], ["60 mm", "60 mm"])";
+    CHECK(fault(box(0, 0), small).find(beside) != std::string::npos);
+    const std::string bow = R"(["0 mm", "0 mm"], ["100 mm", "90 mm"], ["100 mm", "0 mm"], ["0 mm", "100 mm"])";
+    CHECK(fault(bow, box(100, 0)).find("meets itself") != std::string::npos);
+  }
 }

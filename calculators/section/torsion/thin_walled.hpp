@@ -193,6 +193,8 @@ theta_adm = "0.5 deg/m"
   static FieldFault open_cell(const Input& in);
   static bool no_islands(const Input& in);
   static FieldFault island(const Input& in);
+  static bool outlines_apart(const Input& in);
+  static FieldFault covered_twice(const Input& in);
   static bool areas_fit(const Input& in);
   static FieldFault too_much_area(const Input& in);
   static bool outlines_fit(const Input& in);
@@ -215,6 +217,8 @@ theta_adm = "0.5 deg/m"
                   "a cell has walls, and its walls or those of cells beside it have the outside on their other side",
                   &open_cell},
       Rule<Input>{&no_islands, "cells, walls", "cells lie side by side", &island},
+      Rule<Input>{&outlines_apart, "cells", "the outlines of cells neither cross nor cover one another",
+                  &covered_twice},
       Rule<Input>{&areas_fit, "cells, walls", "a cell is no larger than a circle that its walls go around",
                   &too_much_area},
       Rule<Input>{&outlines_fit, "cells, walls", "the walls of a cell are not as long as its outline by points",

@@ -1,10 +1,12 @@
 // What section.thin_walled asks of its input beyond the bounds of its fields.
+#include "calculators/section/contour_sides.hpp"
 #include "calculators/section/torsion/cells.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace loadpath::section {
 
@@ -13,6 +15,7 @@ namespace {
 using Input = ThinWalled::Input;
 using Wall = ThinWalled::Wall;
 using Cell = ThinWalled::Cell;
+using Corners = ThinWalled::Corners;
 
 bool has_size(const Wall& w) {
   return is_set(w.l) ? w.points.empty() : w.points.size() >= 2 && in_si(length_of(w)) > 0.0;
@@ -70,7 +73,47 @@ Length outline_of(const Cell& cell) {
   return length_of(around) + from_si<Length>(std::hypot(in_si(last.y - first.y), in_si(last.z - first.z)));
 }
 
+/// A side of one outline that meets another of it, or two outlines that have a place in common, but for a fiftieth of
+/// their size; equal where there is no such.
+std::pair<std::size_t, std::size_t> doubled(const Input& in) {
+  for (std::size_t i = 0; i < in.cells.size(); ++i) {
+    const Corners& own = in.cells[i].points;
+    for (std::size_t k = 0; k < i; ++k) {
+      const Corners& other = in.cells[k].points;
+      if (own.empty() || other.empty()) continue;
+      const double little = 0.02 * std::sqrt(in_si(min(area_of(in.cells[i]), area_of(in.cells[k]))));
+      if (sides_cross(own, other, little) || reaches_into(own, other, little) || reaches_into(other, own, little))
+        return {k, i};
+    }
+  }
+  return {};
+}
+
+/// The first outline that crosses itself; that behind the last where none does.
+std::size_t crossed(const Input& in) {
+  return first_without(
+      in, [&](std::size_t i) { return in.cells[i].points.empty() || !crossing_of(in.cells[i].points).found; });
+}
+
 }  // namespace
+
+bool ThinWalled::outlines_apart(const Input& in) {
+  if (!sizes_and_names(in)) return true;  // another rule says it
+  const auto [first, second] = doubled(in);
+  return first == second && crossed(in) == in.cells.size();
+}
+
+FieldFault ThinWalled::covered_twice(const Input& in) {
+  const auto named = [&](std::size_t i) { return std::string(in.cells[i].name.view()); };
+  const std::size_t own = crossed(in);
+  if (own != in.cells.size())
+    return {"cells[" + std::to_string(own + 1) + "].points", say("the outline of cell '{1}' meets itself", named(own)),
+            say("give its corners in order around it")};
+  const auto [first, second] = doubled(in);
+  return {"cells[" + std::to_string(second + 1) + "].points",
+          say("the cells '{1}' and '{2}' have a place in common", named(first), named(second)),
+          say("give the corners of all cells in one system of axes, or their areas A")};
+}
 
 bool ThinWalled::sizes_given(const Input& in) {
   return std::all_of(in.walls.begin(), in.walls.end(), [](const Wall& w) { return has_size(w); }) &&

@@ -14,7 +14,8 @@ struct Angle : ShapeCalculator<Angle> {
   static constexpr auto scope =
       "Area, centroid, second moments, principal axes, moduli and torsion constant of an angle: leg h upwards, "
       "leg b to the right. Origin of the sketch: the outer corner. Torsion: the legs as rectangles with their free "
-      "ends, and their joint without the fillet, which only stiffens. A limit keeps the legs thin. Warping torsion and "
+      "ends, and their joint without the fillet, which only stiffens: up to 1.7 % below the solution by Prandtl's "
+      "stress function without it. A limit keeps the legs thin. Warping torsion and "
       "the shear centre are not covered. "
       "The moduli about y and z are those of tables; an angle that is free to bend does so about its principal "
       "axes.";

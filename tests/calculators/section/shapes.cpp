@@ -8,8 +8,10 @@
 #include "calculators/section/shapes/ring.hpp"
 #include "calculators/section/shapes/tee.hpp"
 #include "calculators/section/shapes/torsion.hpp"
+#include "lib/numerics/prandtl.hpp"
 #include "tests/calculators/section/sections.hpp"
 
+#include <array>
 #include <vector>
 
 using namespace loadpath;
@@ -216,6 +218,21 @@ TEST_SUITE("section") {
     CHECK_FALSE(is_set(solve<section::I>({200.0 * mm, 100.0 * mm, 6.0 * mm, 10.0 * mm, 21.0 * mm}).I_t));
     CHECK(is_set(solve<section::Hollow>({60.0 * mm, 60.0 * mm, 9.0 * mm}).I_t));
     CHECK_FALSE(is_set(solve<section::Hollow>({60.0 * mm, 60.0 * mm, 13.0 * mm}).I_t));
+  }
+
+  TEST_CASE("torsion of an angle lies below Prandtl's solution without the fillet, by 1.7 % at most") {
+    for (const double longer : {1.0, 1.25, 1.5, 2.0, 3.0}) {
+      for (const double w : {0.05, 0.1, 0.15, 0.2, 0.25}) {
+        const double b = 100.0, h = longer * b, t = w / (1.0 + w) * b;
+        const std::array<numerics::PlanePoint, 6> corners{{{0, 0}, {b, 0}, {b, t}, {t, t}, {t, h}, {0, h}}};
+        const std::array<numerics::Contour, 1> contour{corners};
+        const double coarse = numerics::torsion_function(contour, 13).I_t,
+                     fine = numerics::torsion_function(contour, 26).I_t;
+        const double exact = fine + (fine - coarse) / 7.0;  // the error falls with the third power
+        const double ratio = in_si(solve<section::Angle>({h * mm, b * mm, t * mm}).I_t) / (exact * 1e-12);
+        CHECK_MESSAGE((ratio < 1.0 && ratio > 0.983), longer, " ", w, " ", ratio);
+      }
+    }
   }
 
   TEST_CASE("sizes that do not fit are refused") {

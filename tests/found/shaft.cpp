@@ -184,4 +184,23 @@ TEST_SUITE("found groove") {
     CHECK(fault("x = \"98 mm\", t = \"1.25 mm\", w = \"10 mm\", r = \"0.1 mm\"").find("something sits") !=
           std::string::npos);
   }
+
+  TEST_CASE("a fillet has room on the thinner side, and leaves a face where something is set against it") {
+    const auto fault = [](const std::string& fillet) {
+      return ExampleStep("shaft.design", "notches = [{ x = \"60 mm\", kind = \"shoulder\", " + fillet +
+                                             " }, { x = \"140 mm\", kind = \"shoulder\", r = \"2 mm\" }]")
+          .fault();
+    };
+    CHECK(fault("r = \"5 mm\", h = \"2 mm\"").empty());  // as high as the step
+    CHECK(fault("r = \"6 mm\"").empty());                // an arc that ends in an edge, as charts have it
+    CHECK(fault("r = \"6 mm\", h = \"2 mm\"").find("rounder than the step") != std::string::npos);
+    CHECK(fault("r = \"360 mm\"").empty());  // sqrt(5 (720 - 5)) = 59.8 mm of the piece's 60
+    CHECK(fault("r = \"365 mm\"").find("along a piece of 60 mm") != std::string::npos);
+  }
+
+  TEST_CASE("a torque told by power and speed is taken where a torque is") {
+    const ExampleStep step("shaft.held", "torques = [{ name = \"lever\", x = \"500 mm\", T = \"=5 kW/(1450 rpm)\" }]");
+    const ExampleStep same("shaft.held", "torques = [{ name = \"lever\", x = \"500 mm\", T = \"32.92860892 N*m\" }]");
+    CHECK(std::abs(step("R_1") / same("R_1") - 1.0) < 1e-6);  // 5000/(1450 pi/30)
+  }
 }

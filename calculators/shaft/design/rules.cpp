@@ -139,6 +139,18 @@ Message fault_of_width(const Input& in, const Notched& notch) {
   return {};
 }
 
+/// What is wrong with the fillet of a shoulder, an arc that leaves the thinner side evenly: one that is rounder than
+/// the step is high ends in an edge, as the charts have it, and leaves no face. Empty where nothing is.
+Message fault_of_fillet(const Notched& notch, const Piece& before, const Piece& after) {
+  const Length high = abs(after.d - before.d) / 2.0, r = notch.r;
+  if (is_set(notch.h) && r > high)
+    return say("its fillet of {1} is rounder than the step of {2} is high: nothing finds a face there", format(r),
+               format(high));
+  const Length run = r > high ? sqrt(high * (2.0 * r - high)) : r, room = before.d < after.d ? before.l : after.l;
+  if (run > room) return say("its fillet runs {1} along a piece of {2}", format(run), format(room));
+  return {};
+}
+
 /// What is wrong with a notch where it is; empty where nothing is.
 Message fault_of(const Input& in, const Notched& notch) {
   if (Message fault = fault_of_fields(notch); !fault.empty()) return fault;
@@ -160,6 +172,9 @@ Message fault_of(const Input& in, const Notched& notch) {
   const bool at_step = find_step(in, [&](Length x, Length, Length) { return are_one(in, x, notch.x); });
   if (notch.kind == Notch::shoulder && (!at_step || before.d == piece.d))
     return say("the diameter does not change at {1}", format(notch.x));
+  if (notch.kind == Notch::shoulder) {
+    if (Message fault = fault_of_fillet(notch, before, piece); !fault.empty()) return fault;
+  }
   if (notch.kind != Notch::shoulder && !typed && at_step)
     return say("at {1} the diameter changes: a notch of both is one given by K_t and K_ts", format(notch.x));
   return {};

@@ -124,8 +124,12 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
                   "the fatigue limit sigma_D and the safety against it S_D belong together"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),
-      Mode<Input>{"fatigue", "fatigue, with an amplitude above the fatigue limit", &varies}.judged_by("u_D, x_m"),
+      Mode<Input>{"yield", "yield at the first cycle", &always<Input>}
+          .judged_by("u_y, u_F")
+          .left_to("fatigue.life", "cycle.yield"),
+      Mode<Input>{"fatigue", "fatigue, with an amplitude above the fatigue limit", &varies}
+          .judged_by("u_D, x_m")
+          .left_to("fatigue.life", "cycle.fatigue"),
       Mode<Input>{"life", "life of what is loaded above its fatigue limit", &unseen<Input>}.left_to("fatigue.life",
                                                                                                     "cycle.fatigue"),
       Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>}};

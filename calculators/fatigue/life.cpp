@@ -132,15 +132,24 @@ void draw_line(const Input& in, const Haigh& h, Result& r, Tracer& trace) {
   STEP_TO(r, a_N, S_3 / pow(1000.0, r.b_N), "[Shigley6] (6-14)");
 }
 
+/// The line at N cycles, no higher than what breaks at once.
+template <class Tracer>
+Stress line_at(const Input& in, const Haigh& h, const Result& r, Tracer& trace) {
+  using std::pow;
+  STEP(S_l, r.a_N * pow(in.N, r.b_N), "strength at N cycles, by the line");
+  if (!is_set(h.R_m)) return NAMED_STEP("S_N", S_l, "no tensile strength is given that bounds it");
+  const Stress S_1 = trace.value("S_1", h.R_m, "tensile strength, of shear in shear: the strength of one cycle");
+  return NAMED_STEP("S_N", min(S_l, S_1), "no line goes above it");
+}
+
 /// The strength in symmetric cycles for the life that is asked for.
 template <class Tracer>
-void strength_for_life(const Input& in, Result& r, Tracer& trace) {
-  using std::pow;
+void strength_for_life(const Input& in, const Haigh& h, Result& r, Tracer& trace) {
   const double N_D = cycles_of_limit(in);
   if (!is_set(in.N) || (in.N >= N_D && is_set(in.sigma_D))) {
     STEP_TO(r, S_e, in.sigma_D, is_set(in.N) ? "N is at N_D or beyond" : "without end");
   } else {
-    STEP(S_N, r.a_N * pow(in.N, r.b_N), "strength at N cycles");
+    const Stress S_N = line_at(in, h, r, trace);
     r.S_e = is_set(in.sigma_D) ? NAMED_STEP("S_e", max(S_N, in.sigma_D), "not below the fatigue limit")
                                : NAMED_STEP("S_e", S_N, "no fatigue limit is given");
     if (fits_f(in)) r.x_f = trace.value("x_f", in.R_m / fit_ends, "over 200 kpsi, where the fit of f ends");
@@ -160,7 +169,9 @@ double life_at(const Input& in, const Result& r, Stress sigma_ar, Tracer& trace)
     return Life::is_ferrous(in) ? trace.value("N", std::numeric_limits<double>::infinity(), "below the fatigue limit")
                                 : trace.value("N", N_D, "as far as the fatigue limit is told, N_D");
   }
-  const bool outside = fits_f(in) && in.R_m > fit_ends;
+  NoTrace quiet;
+  const bool breaks = sigma_ar > tensile(in, quiet);
+  const bool outside = breaks || (fits_f(in) && in.R_m > fit_ends);
   if (!is_set(r.a_N) || outside || !(sigma_ar > 0.0 * MPa) || pow(sigma_ar / r.a_N, 1.0 / r.b_N) < 1000.0)
     return unset<double>;
   return NAMED_STEP("N", min(pow(sigma_ar / r.a_N, 1.0 / r.b_N), N_D), "by the line, as far as N_D; cycles");
@@ -352,7 +363,7 @@ Life::Result Life::evaluate(const Input& in, Tracer& trace) {
   if (r.kind == Kind::constant) return r;
   Haigh h = strengths(in, r, trace);
   draw_line(in, h, r, trace);
-  strength_for_life(in, r, trace);
+  strength_for_life(in, h, r, trace);
   h.S_e = r.S_e;
   Row deciding;
   for (const auto& rule : choices_of(MeanRule{})) {

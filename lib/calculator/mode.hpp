@@ -24,7 +24,7 @@ struct ModeInfo {
   const char* title = "";  // "tooth root of gear 1 in bending"
   ModeKind kind = ModeKind::strength;
   const char* checks = "";  // the checks and limits that judge it, all of them: "u_F1, v_share", "segments.u_tau"
-  const char* judge = "";   // the calculator that judges it; without checks and judge nothing does
+  const char* judge = "";   // the calculator that judges it, or what its checks leave; without both nothing does
   const char* taken = "";   // how that judges it: modes of it, by the record that it takes, "sun_mesh.root_1"
   const char* wants = "";   // inputs that would let it be judged, where its checks do not tell
   bool by_service = false;  // unseen, it applies where what loads the part says that it turns or that the load varies
@@ -44,7 +44,7 @@ struct Mode : ModeInfo {
     return mode;
   }
   /// Judged by steps of another calculator that take records of this part: all of `modes`, each behind the record,
-  /// "sun_mesh.root_2, ring_mesh.root_1".
+  /// "sun_mesh.root_2, ring_mesh.root_1". Where checks of its own judge it too, what they leave is left to these.
   [[nodiscard]] constexpr Mode left_to(const char* calculator, const char* modes) const {
     Mode mode = *this;
     mode.judge = calculator;

@@ -46,6 +46,13 @@ const ModeInfo* info_of(const Step& step, const std::string& mode) {
   return found == all.end() ? nullptr : &*found;
 }
 
+/// But for rounding: what was typed over a value may be the value itself.
+bool is_same(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
+    return x == y || std::abs(x - y) <= 1e-9 * std::max(std::abs(x), std::abs(y));
+  });
+}
+
 /// Whether an input of the judge has what the part says of itself; what that leaves open is the judge's own. `beside`:
 /// the fields that the record fills, "notches[2].", and what is before their keys.
 bool agrees(const Step& judge, const std::string& beside, const Step& part, const Member& member) {
@@ -60,7 +67,7 @@ bool agrees(const Step& judge, const std::string& beside, const Step& part, cons
   const Value* const given = part.value(member.path);
   const bool open =
       given == nullptr || std::all_of(given->si.begin(), given->si.end(), [](double x) { return std::isnan(x); });
-  return !has_field || open || (input != inputs.end() && input->value.si == given->si);
+  return !has_field || open || (input != inputs.end() && is_same(input->value.si, given->si));
 }
 
 /// The ways to name a record of a part: an element of a list by its place, and by its name.
@@ -124,10 +131,11 @@ void settle(account::Mode& mode, const std::vector<const account::Mode*>& judges
     return a->utilisation.value_or(-1.0) < b->utilisation.value_or(-1.0);
   });
   // A judge that sees nothing of the service does not take back what the part has seen.
-  const bool weaker = mode.state == State::not_judged && worst.state == State::open;
+  const bool weaker = mode.state != State::open && worst.state == State::open;
   if (!weaker) mode.state = worst.state;
   mode.utilisation = worst.utilisation;
   mode.wants.clear();
+  mode.governs.clear();
   mode.note = say("by {1}.{2}: {3}", worst.step, worst.id, reason(worst));
 }
 
@@ -138,7 +146,8 @@ void settle_left(Project& project) {
     Step& step = *project.steps[*part];
     for (account::Mode& mode : step.modes()) {
       const ModeInfo* const info = info_of(step, mode.id);
-      const bool waits = mode.state == State::open || mode.state == State::not_judged;
+      const bool waits =
+          mode.state == State::open || mode.state == State::not_judged || mode.state == State::not_covered;
       if (info == nullptr || *info->judge == '\0' || !waits) continue;
       const auto judges = judges_of(*info, step, project);
       if (!judges.empty()) settle(mode, judges);
@@ -180,9 +189,11 @@ account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
     mode.wants = wants.empty() ? info.wants : std::move(wants);
     mode.judge = info.judge;
     if (mode.wants.empty() && *info.checks != '\0') mode.note = say("{1} has no value here", info.checks);
-    if (mode.state == State::not_judged && *info.judge != '\0')
-      mode.note = say("left to {1}, of which no step takes {2} whole", info.judge,
-                      records_of(info, step.input().calculator->result->fields, step.name()));
+    if (mode.state == State::not_judged && *info.judge != '\0') {
+      const std::string records = records_of(info, step.input().calculator->result->fields, step.name());
+      mode.note = mode.wants.empty() ? say("left to {1}, of which no step takes {2} whole", info.judge, records)
+                                     : say("give {1}, or take {2} whole in a {3}", mode.wants, records, info.judge);
+    }
     if (rest)
       mode.note = say("not taken, though it comes with the load: {1}; judge it by hand: accept.{2} = \"...\"",
                       step.left_of_loads(), info.id);

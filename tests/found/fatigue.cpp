@@ -1,5 +1,11 @@
 // What must not pass again of stress cycles: rows of the list of what was found by use.
 #include "tests/found/modes.hpp"
+#include "tests/lib/project/solved.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sys/stat.h>
 
 using namespace loadpath;
 using namespace loadpath::test;
@@ -77,6 +83,20 @@ TEST_SUITE("found fatigue") {
                     .empty());
   }
 
+  TEST_CASE("without a yield strength no rule passes the first cycle, and no line goes above the tensile strength") {
+    const auto state = [](const std::string& lines, const std::string& mode) {
+      return mode_with("fatigue.life", lines, mode);
+    };
+    for (const char* const rule : {"goodman", "gerber", "fkm", "swt", "walker", "serensen"})
+      CHECK_MESSAGE(state("S_F = \nR_e = \nrule = \"" + std::string(rule) + "\"", "yield") == "not-judged", rule);
+    CHECK(state("S_F = \nR_e = \nR_m = \nrule = \"swt\"", "yield") == "not-judged");
+    // N S^5 through 190 MPa at 1e6 cycles is at 756 MPa at 1e3: above the 690 MPa that break at once
+    const std::string slope = "line = \"slope\"\nk = 5\nN = 1000\nsigma_min = \"-180 MPa\"\n";
+    CHECK(std::abs(ExampleStep("fatigue.life", slope)("S_e") - 690e6) < 1.0);
+    CHECK(std::abs(ExampleStep("fatigue.life", slope + "N = 10000")("S_e") - 190e6 * std::pow(100.0, 0.2)) < 1.0);
+    CHECK(std::isnan(ExampleStep("fatigue.life", slope + "sigma_max = \"700 MPa\"\nsigma_min = \"-700 MPa\"")("N_f")));
+  }
+
   TEST_CASE("the life that a cycle leaves is settled where fatigue.life takes the cycle whole") {
     const std::string rod =
         "[rod]\ncalculator = \"fatigue.cycle\"\nsigma_max = \"180 MPa\"\nsigma_min = \"-20 MPa\"\n"
@@ -84,6 +104,21 @@ TEST_SUITE("found fatigue") {
         "R_e = \"490 MPa\"\nS_F = 1.5\ncycle = \"=rod.cycle\"\n";
     CHECK(mode_of(solved_as_found(rod + "S_D = 1.5\n"), "rod", "life") == "pass");
     CHECK(mode_of(solved_as_found(rod + "S_D = 1.6\n"), "rod", "life") == "fail");
+    // what the cycle itself has no input for is judged there too
+    CHECK(mode_of(solved_as_found(rod + "S_D = 1.5\n"), "rod", "fatigue") == "pass");
+    CHECK(mode_of(solved_as_found(rod + "S_D = 1.6\n"), "rod", "fatigue") == "fail");
+    CHECK(mode_of(solved_as_found(rod + "S_D = 1.5\n"), "rod", "yield") == "pass");
+    // a value typed over the one of the cycle: another cycle, unless it is the same one
+    const auto typed = [&](const std::string& most) {
+      return mode_of(solved_as_found(rod + "S_D = 1.5\nsigma_max = \"" + most + "\"\n"), "rod", "fatigue");
+    };
+    CHECK(typed("180 MPa") == "pass");
+    CHECK(typed("0.18 GPa") == "pass");
+    CHECK(typed("100 MPa") == "not-judged");
+    CHECK(mode_of(solved_as_found(rod + "S_D = 1.5\nstress = \"shear\"\n"), "rod", "fatigue") == "not-judged");
+    // a cycle with a limit of its own, which its mean stress leaves uncovered
+    const std::string limited = "[rod]\nsigma_D = \"190 MPa\"\nS_D = 1.5\n" + rod.substr(6);
+    CHECK(mode_of(solved_as_found(limited + "S_D = 1.5\n"), "rod", "fatigue") == "pass");
   }
 
   TEST_CASE("normal and shear stresses together: what breaks does not pass") {
@@ -162,5 +197,27 @@ TEST_SUITE("found fatigue") {
          {"R_z = ", "notch = ", "M_ba = \nM_tm = \nM_ta = ", "M_ta = ", "steel = ", "M_tmax = \"1000 N*m\"",
           "j_D = 0.5", "R_mN = \"5000 MPa\"", "a_dm = 0.9", "d_Nm = \"1 mm\"", "G_b = \"1/mm\"", "R_eN = "})
       CHECK_FALSE(ExampleStep("fatigue.fkm", refused).fault().empty());
+  }
+
+  TEST_CASE("a history that ends: no pipe with a name, no device, no single value") {
+    const auto folder = std::filesystem::temp_directory_path() / "loadpath_found_fatigue";
+    std::filesystem::create_directories(folder);
+    const std::string pipe = (folder / "pipe.csv").string(), one = (folder / "one.csv").string();
+    std::filesystem::remove(pipe);
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    std::ofstream(one) << "S\n180\n";
+    const auto errors = [](const std::string& sigma) {
+      return Solved("[h]\ncalculator = \"fatigue.history\"\nsigma_D = \"120 MPa\"\nN_D = 1e6\nk = 5\nsigma = " + sigma)
+          .errors();
+    };
+    for (const char* const told : {"there is no file", "file = \"-\""})
+      CHECK(contains(errors("{ file = \"" + pipe + "\", unit = \"MPa\" }"), told));
+    CHECK(contains(errors("{ file = \"/dev/null\", unit = \"MPa\", form = \"f64\" }"), "there is no file"));
+    CHECK(
+        contains(errors("{ file = \"" + folder.string() + "\", unit = \"MPa\", form = \"csv\" }"), "there is no file"));
+    CHECK(contains(errors("{ file = \"" + one + "\", unit = \"MPa\" }"), "the file has one value"));
+    CHECK(contains(errors("{ values = [180], unit = \"MPa\" }"), "the list has one value"));
+    CHECK(contains(errors("{ values = [], unit = \"MPa\" }"), "a history is a list of numbers"));
+    std::filesystem::remove_all(folder);
   }
 }

@@ -5,6 +5,8 @@
 // of the part by one school: Serensen's K_D (GOST 25.504, the school of [B20]) or Marin's factors (Shigley): surface
 // by either edition, size of parts that turn or stand, load, temperature, reliability. Torsion alike, with tau for
 // sigma. Limits hold for r = -1 and one half of the parts, unless P_s says more.
+// Without size or roughness it is a specimen's limit still, and not judged as a part's; of what is as small and as
+// smooth say epsilon = 1, beta_F = 1.
 // Not covered: mean stress, life (fatigue.life), histories, safety, corrosion, press fits.
 #pragma once
 
@@ -225,10 +227,20 @@ R_z = "6.3 um"
                   "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"},
       heat_treated_before_turning<Input>()};
 
+  /// Tension knows no size effect; a size factor that is typed is the user's word.
+  static Applies has_size(const Input& in) {
+    return where(is_set(in.d) || is_set(in.h) || (in.loading != Loading::tension && !is_set(in.epsilon)));
+  }
+  static Applies surface_is_untold(const Input& in) {
+    return where(in.school == School::serensen && !is_set(in.R_z) && !is_set(in.beta_F));
+  }
   static constexpr std::array modes{
-      Mode<Input>{"size", "a diameter for which no size factor was measured",
-                  [](const Input& in) { return where(is_set(in.d) || is_set(in.h)); }}
+      Mode<Input>{"size", "a part larger than specimens, by a size factor that was measured", &has_size}
           .judged_by("x_d")
+          .wanting("d, epsilon")
+          .of_shape(),
+      Mode<Input>{"surface", "a part rougher than specimens, which are polished", &surface_is_untold}
+          .wanting("R_z, beta_F")
           .of_shape(),
       Mode<Input>{"notch", "a strength for which no notch sensitivity was measured",
                   [](const Input& in) { return where(is_set(in.r_n)); }}

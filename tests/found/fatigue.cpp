@@ -83,6 +83,23 @@ TEST_SUITE("found fatigue") {
                     .empty());
   }
 
+  TEST_CASE("a limit that is told no size or no surface is not judged as that of a part") {
+    const auto state = [](const std::string& lines, const std::string& mode) {
+      return mode_with("fatigue.endurance", lines, mode);
+    };
+    CHECK(state("", "size") == "pass");
+    CHECK(state("", "surface") == "none");
+    CHECK(state("d = ", "size") == "not-judged");
+    CHECK(state("R_z = ", "surface") == "not-judged");
+    // the user's word: as small, and as smooth as a specimen
+    CHECK(state("d = \nepsilon = 1", "size") == "none");
+    CHECK(state("R_z = \nbeta_F = 1", "surface") == "none");
+    CHECK(state("d = \nloading = \"tension\"", "size") == "none");  // which knows no size effect
+    CHECK(state("d = \nloading = \"torsion\"", "size") == "not-judged");
+    CHECK(state("school = \"marin\"\nR_z = \nd = ", "size") == "not-judged");
+    CHECK(state("school = \"marin\"\nR_z = \nfinish = \"machined\"", "surface") == "none");
+  }
+
   TEST_CASE("without a yield strength no rule passes the first cycle, and no line goes above the tensile strength") {
     const auto state = [](const std::string& lines, const std::string& mode) {
       return mode_with("fatigue.life", lines, mode);

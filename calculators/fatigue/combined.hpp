@@ -9,6 +9,7 @@
 #pragma once
 
 #include "calculators/fatigue/mean_stress.hpp"
+#include "calculators/load/limit_meanings.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/text/issue.hpp"
@@ -129,6 +130,9 @@ S_F = 1.5
                   "the yield strength is not above the tensile strength"},
       Rule<Input>{[](const Input& in) { return !is_set(in.S_F) || is_set(in.R_e); }, "S_F, R_e",
                   "the safety S_F counts against the yield strength R_e: give it, or a material"}};
+
+  static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal}, Meaning{"tau_D", limit_in_shear},
+                                       Meaning{"K_sigma", factor_in_normal}, Meaning{"K_tau", factor_in_shear}};
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "calculators/fatigue/cycle_of.hpp"
+#include "calculators/load/limit_meanings.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
@@ -122,6 +123,9 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
                   "the safety S_F counts against the yield strength R_e: give it, or a material"},
       Rule<Input>{[](const Input& in) { return is_set(in.S_D) == is_set(in.sigma_D); }, "sigma_D, S_D",
                   "the fatigue limit sigma_D and the safety against it S_D belong together"}};
+
+  static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal, "stress", "normal"},
+                                       Meaning{"sigma_D", limit_in_shear, "stress", "shear"}};
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}

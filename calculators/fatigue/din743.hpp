@@ -11,6 +11,7 @@
 
 #include "calculators/fatigue/din743_fields.hpp"
 #include "calculators/fatigue/din743_rules.hpp"
+#include "calculators/load/limit_meanings.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -70,6 +71,9 @@ f_max = 1.8
   static constexpr std::tuple results = din743_results<Result>();
 
   static constexpr auto rules = din743_rules<Input>();
+  static constexpr std::array meanings{Meaning{"sigma_bW", specimen_in_bending},
+                                       Meaning{"sigma_zdW", specimen_in_tension},
+                                       Meaning{"tau_tW", specimen_in_torsion}};
   static constexpr std::array modes{
       Mode<Input>{"fatigue", "fatigue of the section, at constant amplitudes", &any_varies<Input>}.judged_by(
           "u_D, x_m, x_small, x_eff, x_r, x_D, x_alpha, x_t, x_hole, x_bore"),

@@ -11,6 +11,7 @@
 #pragma once
 
 #include "calculators/fatigue/size_and_surface.hpp"
+#include "calculators/load/limit_meanings.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
@@ -234,6 +235,15 @@ R_z = "6.3 um"
   static Applies surface_is_untold(const Input& in) {
     return where(in.school == School::serensen && !is_set(in.R_z) && !is_set(in.beta_F));
   }
+  static constexpr auto normal = "bending, tension", shear = "torsion";
+  static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal, "loading", normal},
+                                       Meaning{"sigma_D", limit_in_shear, "loading", shear},
+                                       Meaning{"sigma_W, sigma_m1", specimen_in_bending, "loading", "bending"},
+                                       Meaning{"sigma_W, sigma_m1", specimen_in_tension, "loading", "tension"},
+                                       Meaning{"sigma_W, sigma_m1", specimen_in_torsion, "loading", "torsion"},
+                                       Meaning{"K_D", factor_in_normal, "loading", normal},
+                                       Meaning{"K_D", factor_in_shear, "loading", shear}};
+
   static constexpr std::array modes{
       Mode<Input>{"size", "a part larger than specimens, by a size factor that was measured", &has_size}
           .judged_by("x_d")

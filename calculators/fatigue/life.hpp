@@ -12,6 +12,7 @@
 #include "calculators/fatigue/cycle_of.hpp"
 #include "calculators/fatigue/endurance.hpp"
 #include "calculators/fatigue/mean_stress.hpp"
+#include "calculators/load/limit_meanings.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/figure/figure.hpp"
@@ -235,6 +236,10 @@ S_F = 1.5
                     return !is_set(in.S_F) || is_set(in.R_e) || (in.group == Group::grey_iron && is_set(in.R_m));
                   },
                   "S_F, R_e", "the safety S_F counts against the yield strength R_e: give it, or a material"}};
+
+  static constexpr std::array meanings{
+      Meaning{"sigma_D", limit_in_normal, "stress", "normal"}, Meaning{"sigma_D", limit_in_shear, "stress", "shear"},
+      Meaning{"K_D", factor_in_normal, "stress", "normal"}, Meaning{"K_D", factor_in_shear, "stress", "shear"}};
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F").wanting("R_e, S_F"),

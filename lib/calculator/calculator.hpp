@@ -1,6 +1,7 @@
 // A calculator without its C++ types: what the program's commands, readers, searches, sweeps and reports know of it.
 #pragma once
 
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/record.hpp"
 #include "lib/calculator/sizing.hpp"
@@ -80,6 +81,7 @@ struct Calculator {
   void (*sweep)(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out,
                 std::size_t count) = nullptr;
   Sizing sizing;
+  std::span<const Meaning> meanings;
   /// Whether an input may be a series: not where it decides on one thing for all its loads, a belt and its tension, a
   /// section. At every position of a cycle it would find another.
   bool takes_series = true;

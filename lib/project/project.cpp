@@ -288,6 +288,7 @@ void solve(Project& project, std::vector<Issue>& issues, Wanted wanted) {
   wanted.compared = compared_series(project);
   for (const std::size_t i : project.order) {
     check_factors(*project.steps[i], project, issues);
+    check_meanings(*project.steps[i], project, issues);
     if (!has_errors(issues)) project.steps[i]->solve(known, wanted, issues);
     if (has_errors(issues)) return;
   }

@@ -83,6 +83,55 @@ TEST_SUITE("found fatigue") {
                     .empty());
   }
 
+  TEST_CASE("the fatigue limit of one loading is none of another") {
+    const auto limit = [](const std::string& loading) {
+      return "[limit]\ncalculator = \"fatigue.endurance\"\nR_m = \"690 MPa\"\ngroup = \"carbon-steel\"\nrule = "
+             "\"din743\"\nschool = \"serensen\"\nd = \"32 mm\"\nR_z = \"6.3 um\"\nloading = \"" +
+             loading + "\"\n";
+    };
+    const auto says = [&](const std::string& loading, const std::string& taker, const std::string& what) {
+      const std::string error = Solved(limit(loading) + "[part]\n" + taker).errors();
+      CHECK_MESSAGE(contains(error, what), error);
+      if (what.empty()) CHECK_MESSAGE(error.empty(), error);
+    };
+    const std::string life =
+        "calculator = \"fatigue.life\"\nsigma_max = \"90 MPa\"\nsigma_min = \"-20 MPa\"\ngroup = \"carbon-steel\"\nR_m "
+        "= \"690 MPa\"\nR_e = \"490 MPa\"\nS_D = 1.2\nS_F = 1.5\n";
+    const std::string in_shear =
+        "'sigma_D' takes a fatigue limit of a part in shear, and 'limit.sigma_D' is a fatigue limit of a part in "
+        "normal stresses";
+    says("bending", life + "sigma_D = \"=limit.sigma_D\"\n", "");
+    says("tension", life + "sigma_D = \"=limit.sigma_D\"\n", "");
+    says("torsion", life + "sigma_D = \"=limit.sigma_D\"\nstress = \"shear\"\n", "");
+    says("bending", life + "sigma_D = \"=limit.sigma_D\"\nstress = \"shear\"\n", in_shear);
+    says("bending", life + "sigma_D = \"=min(limit.sigma_D, 300 MPa)\"\nstress = \"shear\"\n", in_shear);
+    says("torsion", life + "sigma_D = \"=limit.sigma_D\"\n", "is a fatigue limit of a part in shear");
+    says("bending", life + "sigma_D = \"=limit.sigma_m1\"\n", "is a fatigue limit of smooth specimens in bending");
+    says("torsion", life + "sigma_D = \"190 MPa\"\nK_D = \"=limit.K_D\"\n", "'K_D' takes a factor");
+    // what a product makes is the user's word: shear from bending by von Mises
+    says("bending", life + "sigma_D = \"=limit.sigma_D/sqrt(3)\"\nstress = \"shear\"\n", "");
+
+    const std::string cycle =
+        "calculator = \"fatigue.cycle\"\nsigma_max = \"90 MPa\"\nr = -1\nS_D = 1.2\nsigma_D = "
+        "\"=limit.sigma_D\"\nstress = \"shear\"\n";
+    says("bending", cycle, in_shear);
+    says("torsion", cycle, "");
+    const std::string history =
+        "calculator = \"fatigue.history\"\nblocks = [{ sigma_a = \"90 MPa\", n = 100 }]\nN_D = 1e6\nk = 5\nsigma_D = "
+        "\"=limit.sigma_D\"\nstress = \"shear\"\n";
+    says("bending", history, in_shear);
+    says("torsion", history, "");
+    const std::string combined =
+        "calculator = \"fatigue.combined\"\nsigma_m = \"20 MPa\"\nsigma_a = \"60 MPa\"\ntau_m = \"40 MPa\"\ntau_a = "
+        "\"10 MPa\"\nR_m = \"690 MPa\"\nR_e = \"490 MPa\"\nS_D = 1.8\nS_F = 1.5\n";
+    says("bending", combined + "sigma_D = \"180 MPa\"\ntau_D = \"=limit.sigma_D\"\nK_sigma = 1.7\nK_tau = 1.5\n",
+         "'tau_D' takes a fatigue limit of a part in shear");
+    says("torsion", combined + "sigma_D = \"=limit.sigma_D\"\ntau_D = \"90 MPa\"\nK_sigma = 1.7\nK_tau = 1.5\n",
+         "'sigma_D' takes a fatigue limit of a part in normal stresses");
+    says("bending", combined + "sigma_D = \"180 MPa\"\ntau_D = \"110 MPa\"\nK_sigma = 1.7\nK_tau = \"=limit.K_D\"\n",
+         "'K_tau' takes a factor");
+  }
+
   TEST_CASE("a limit that is told no size or no surface is not judged as that of a part") {
     const auto state = [](const std::string& lines, const std::string& mode) {
       return mode_with("fatigue.endurance", lines, mode);

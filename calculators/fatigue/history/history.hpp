@@ -8,6 +8,7 @@
 #pragma once
 
 #include "calculators/fatigue/mean_stress.hpp"
+#include "calculators/load/limit_meanings.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
@@ -303,6 +304,9 @@ n_req = 1
                   "the safety S_F counts against the yield strength R_e: give it, or a material"},
       Rule<Input>{[](const Input& in) { return !(in.R_e > in.R_m); }, "R_e, R_m",
                   "the yield strength is not above the tensile strength"}};
+
+  static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal, "stress", "normal"},
+                                       Meaning{"sigma_D", limit_in_shear, "stress", "shear"}};
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),

@@ -273,6 +273,7 @@ r_T = 0
   static Applies running(const Input& in);
   static Applies passes_resonance(const Input& in);
   static Applies tired(const Input& in);
+  static constexpr std::array meanings{Meaning{"sigma_W", fatigue::specimen_in_bending}};
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield of a section", &loaded}.judged_by("sections.u_v"),
       Mode<Input>{"fatigue", "fatigue of a notch or section", &tired}

@@ -53,6 +53,23 @@ bool holds(const Node& node, const Dimension& dimension, const Expression::Decla
                      [&](const Node& kid) { return holds(kid, dimension, declared); });
 }
 
+/// Whether a function gives one of what it is given.
+bool keeps_quantity(expression::Rule rule) {
+  using expression::Rule;
+  return rule == Rule::reduction || rule == Rule::cycle_reduction || rule == Rule::place || rule == Rule::selection ||
+         rule == Rule::same;
+}
+
+void add_handed_on(const Node& node, std::vector<Expression::Reference>& references) {
+  if (node.operation == Operation::reference) references.push_back({node.path, node.at});
+  const bool keeps = node.operation == Operation::negate || node.operation == Operation::add ||
+                     node.operation == Operation::subtract ||
+                     (node.operation == Operation::call && keeps_quantity(node.function->rule));
+  if (!keeps) return;
+  const bool is_place = node.operation == Operation::call && node.function->rule == expression::Rule::place;
+  for (std::size_t kid = 0; kid < (is_place ? 1 : node.kids.size()); ++kid) add_handed_on(node.kids[kid], references);
+}
+
 }  // namespace
 
 Expression::Expression() = default;
@@ -72,6 +89,12 @@ Outcome<Expression> Expression::parse(std::string_view text) {
 const std::vector<Expression::Reference>& Expression::references() const { return references_; }
 
 bool Expression::is_reference() const { return tree_->root.operation == Operation::reference; }
+
+std::vector<Expression::Reference> Expression::handed_on() const {
+  std::vector<Reference> references;
+  add_handed_on(tree_->root, references);
+  return references;
+}
 
 Outcome<Signature> Expression::check(const Declared& declared) const { return expression::check(*tree_, declared); }
 

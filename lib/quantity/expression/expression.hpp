@@ -63,6 +63,9 @@ class Expression {
   [[nodiscard]] const std::vector<Reference>& references() const;
   /// Whether it is one reference and nothing else: it may stand for what is no number.
   [[nodiscard]] bool is_reference() const;
+  /// The references whose value it hands on as it is, or as one of several: alone, "peak(limit.sigma_D)", in a sum.
+  /// What they are the whole is too; a product says itself what it makes.
+  [[nodiscard]] std::vector<Reference> handed_on() const;
   /// Dimension and axis of the result, or the first fault: unknown names, unlike dimensions or axes, °C, wrong
   /// arguments.
   [[nodiscard]] Outcome<Signature> check(const Declared& declared) const;

@@ -1,0 +1,15 @@
+// What a value is beyond its dimension, where two of one dimension must not be taken for one another: a fatigue limit
+// in bending is none in shear. Declared beside the fields that give it and those that take it; lib/project compares
+// them.
+#pragma once
+
+namespace loadpath {
+
+struct Meaning {
+  const char* fields;       // of the input or the result: "sigma_D, S_req"
+  const char* what;         // "a fatigue limit of a part in shear": equal texts are one meaning
+  const char* choice = "";  // the input whose word decides; empty: it is always that
+  const char* words = "";   // the words at which it is that: "bending, tension"
+};
+
+}  // namespace loadpath

@@ -86,7 +86,7 @@ void tilting(const Input& in, Result& r, Tracer& trace) {
   const double n = column::safety(in, in.method, trace);
   if (!is_set(in.S) && !is_set(n)) return;
   const auto sigma_M = r.sigma_M;
-  const double c_t = trace.value("c_t", section::rectangle_factors(in.h / in.b).k_1, "of h/b, Saint-Venant");
+  const double c_t = trace.value("c_t", section::rectangle_factors(in.h / in.b).k_1, "of h/b, in torsion");
   const auto l_t = trace.value("l_t", max(in.l, max(r.axes[0].s, r.axes[1].s)), "the longest of l and s");
   STEP(G, in.E / 2.6, "shear modulus of a metal, nu = 0.3");
   STEP(I_z, in.h * pow<3>(in.b) / 12.0, "bending across");

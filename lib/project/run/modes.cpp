@@ -19,11 +19,6 @@ const FieldInfo* field_of(const RecordType& result, std::string_view key) {
 
 bool acts(double si) { return !std::isnan(si) && si != 0.0; }
 
-bool takes_loads(std::span<const FieldInfo> fields) {
-  return std::any_of(fields.begin(), fields.end(),
-                     [](const FieldInfo& field) { return field.is_load || takes_loads(field.fields); });
-}
-
 void add_words(std::string_view words, std::string& to) {
   if (!words.empty() && to.find(words) == std::string::npos) to += (to.empty() ? "" : ", ") + std::string(words);
 }
@@ -81,6 +76,15 @@ bool Run::is_loaded() const {
          });
 }
 
+/// Whether a load is told at all; what is left out, or is zero where nobody says else, asks for no verdict on loads.
+bool Run::is_load_told() const {
+  bool told = false;
+  for_each_leaf(record_, [&](const std::string& path, const Leaf& leaf) {
+    told = told || (leaf.field->is_load && step_.input().reading.typed.contains(path));
+  });
+  return told;
+}
+
 /// What holds without a load has not been judged under one: a reference may bring none by mistake. What another load
 /// than those that are declared has utilised, a liquid, its own speed, is loaded.
 void Run::add_missing_load(Account& account) const {
@@ -90,7 +94,7 @@ void Run::add_missing_load(Account& account) const {
     const auto rows = rows_of(mode, account.verdicts);
     return is_strength(mode) && std::any_of(rows.begin(), rows.end(), is_utilised);
   };
-  if (columns_.empty() || !takes_loads(calculator_.input->fields) || is_loaded()) return;
+  if (columns_.empty() || !is_load_told() || is_loaded()) return;
   if (std::none_of(calculator_.modes.begin(), calculator_.modes.end(), is_strength)) return;
   if (std::any_of(calculator_.modes.begin(), calculator_.modes.end(), bears)) return;
   account::Mode mode;

@@ -162,6 +162,7 @@ class Run {
   void add_missing_input(Account& account) const;
   void add_missing_load(Account& account) const;
   [[nodiscard]] bool is_loaded() const;
+  [[nodiscard]] bool is_load_told() const;
   /// Which modes concern the part as it is now in the record.
   void ask_modes();
   /// Of a part that is not known: any may.

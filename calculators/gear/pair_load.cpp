@@ -21,12 +21,13 @@ void speeds(const Pair::Input& in, PairResult& r, Tracer& trace) {
 }
 
 /// What the shafts take, each in its own frame. The axes of the results point from axis 1 to the pitch point, which is
-/// toward axis 2 where that is of a wheel, away from it where a ring is around gear 1.
-void hand_over(const Pair::Input& in, Moment T_1, PairResult& r) {
+/// toward axis 2 where that is of a wheel, away from it where a ring is around gear 1. `w`: 1 where gear 1 turns
+/// counter-clockwise, else -1.
+void hand_over(const Pair::Input& in, Moment T_1, double w, PairResult& r) {
   const double K_A = in.K_A, to_2 = K_A * sign_of(in.mesh);
-  r.gear_1 = shaft_load(K_A * T_1, {to_2 * r.F_x1, to_2 * r.F_y1, K_A * r.F_z1}, r.d_w1, in.n_1, sign_of(in.mesh));
+  r.gear_1 = shaft_load(K_A * T_1, {to_2 * r.F_x1, to_2 * r.F_y1, K_A * r.F_z1}, r.d_w1, w * in.n_1, sign_of(in.mesh));
   if (in.mesh == Mesh::rack) return;
-  r.gear_2 = shaft_load(K_A * r.T_2, {-to_2 * r.F_x2, -to_2 * r.F_y2, K_A * r.F_z2}, r.d_w2, r.n_2);
+  r.gear_2 = shaft_load(K_A * r.T_2, {-to_2 * r.F_x2, -to_2 * r.F_y2, K_A * r.F_z2}, r.d_w2, w * r.n_2);
 }
 
 /// [Vortarus], with the hand of the helix and the sense of rotation; the working circle gives what the bearings feel.
@@ -47,7 +48,7 @@ void forces(const Pair::Input& in, Moment T_1, PairResult& r, Tracer& trace) {
   if (in.mesh != Mesh::rack) {
     STEP_TO(r, T_2, abs(T_1) * r.u, "without losses");
   }
-  hand_over(in, T_1, r);
+  hand_over(in, T_1, w, r);
 }
 
 /// [Shigley14] (14-4a) to (14-6b); the speeds up to which they are used are recalled.

@@ -39,7 +39,7 @@ struct ShaftLoad {
           .holding("K_A"),
       Field{&ShaftLoad::d_w, "d_w", mm, "diameter that the forces act at"},
       Field{&ShaftLoad::x_w, "x_w", mm, "from the axis to the point where the forces act, along x"},
-      Field{&ShaftLoad::n, "n", rpm, "speed of the shaft"}};
+      Field{&ShaftLoad::n, "n", rpm, "speed of the shaft; of gears counter-clockwise positive"}};
 };
 
 /// Forces on a shaft in its own frame.

@@ -45,7 +45,7 @@ constexpr std::array turning_rows{
         "shafts.NAME.psi", "angle of the shaft, counter-clockwise", deg,
         [](const Turning& t, const Position& p) { return p.pose[t.link].phi; }, nullptr, turning)};
 
-constexpr Declaration speed = declare("shafts.NAME.n", "speed of the shaft", rpm,
+constexpr Declaration speed = declare("shafts.NAME.n", "speed of the shaft, counter-clockwise positive", rpm,
                                       "revolute joints of driven links with the ground, at constant speed");
 
 void list(std::vector<ResultPattern>& patterns) {
@@ -53,13 +53,13 @@ void list(std::vector<ResultPattern>& patterns) {
   patterns.push_back(speed.pattern);
 }
 
-/// Its magnitude, where it is the same at all positions.
+/// Where it is the same at all positions.
 Output::Values speed_of(const Solved& solved, std::size_t link) {
   constexpr double even = 1e-9;
   const auto& positions = solved.cycle.positions;
-  const double first = positions.empty() ? 0.0 : std::abs(positions.front().velocity[link].phi);
+  const double first = positions.empty() ? 0.0 : positions.front().velocity[link].phi;
   for (const Position& p : positions) {
-    if (!(std::abs(std::abs(p.velocity[link].phi) - first) <= even * first))
+    if (!(std::abs(p.velocity[link].phi - first) <= even * std::abs(first)))
       return {{}, say("its speed varies over the turn")};
   }
   if (first == 0.0) return {{}, say("the mechanism rests")};

@@ -1,8 +1,7 @@
 // How the diameters of a shaft go together when they are searched for: they fall from one piece to both ends, so that
 // all that sits on the shaft can be pushed onto it; a shoulder is no lower than its fillet, and than what is set
 // against it asks; where nothing is cut between two pieces they are one cylinder; bearings sit on bores of bearings.
-#include "calculators/shaft/design/bending.hpp"
-#include "lib/quantity/format.hpp"
+#include "calculators/shaft/design/places.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +11,6 @@ namespace loadpath::shaft {
 namespace {
 
 using Input = Design::Input;
-
-constexpr double same = 1e-6;  // of the length: places that are meant to be one
 
 /// Of a piece that is searched for its place among them, else none.
 constexpr std::size_t none = most_pieces;
@@ -38,7 +35,7 @@ Length end_of(const Input& in, std::size_t i) {
 
 const Notched* notch_at(const Input& in, Length x) {
   const auto found = std::find_if(in.notches.begin(), in.notches.end(),
-                                  [&](const Notched& n) { return abs(n.x - x) <= same * length_of(in); });
+                                  [&](const Notched& n) { return abs(n.x - x) <= one_place * length_of(in); });
   return found == in.notches.end() ? nullptr : &*found;
 }
 
@@ -119,7 +116,7 @@ struct Trial {
   [[nodiscard]] Length asked_by(const Joint& joint, std::size_t i, std::size_t neighbour) const {
     if (joint.tied) return d(neighbour);
     if (away(i) < away(neighbour)) return d(neighbour) + joint.least;
-    const bool passes_neck = !is_sought(neighbour) && abs(d(i) - d(neighbour)) < (1.0 - same) * joint.least;
+    const bool passes_neck = !is_sought(neighbour) && abs(d(i) - d(neighbour)) < (1.0 - one_place) * joint.least;
     return passes_neck ? d(neighbour) + joint.least : 0.0 * mm;
   }
   [[nodiscard]] Length asked(std::size_t i) const {
@@ -130,11 +127,9 @@ struct Trial {
   }
   /// One cylinder of one diameter.
   [[nodiscard]] bool agrees(std::size_t i) const {
-    return !joint_after(in, i).tied || abs(d(i) - d(i + 1)) <= same * d(i);
+    return !joint_after(in, i).tied || abs(d(i) - d(i + 1)) <= one_place * d(i);
   }
 };
-
-std::string format(Length x) { return format_quantity(in_si(x), mm.symbol); }
 
 }  // namespace
 
@@ -156,7 +151,7 @@ bool Design::raise(const Input& in, std::span<Sought> sought) {
     for (std::size_t i = 0; i < trial.of.size(); ++i) {
       if (!trial.is_sought(i)) continue;
       Sought& own = sought[trial.of[i]];
-      const double least = (1.0 - same) * in_si(trial.asked(i));
+      const double least = (1.0 - one_place) * in_si(trial.asked(i));
       while (own.size() < least) {
         raised = true;
         if (++own.at == own.sizes.size()) return false;
@@ -174,12 +169,12 @@ Message Design::unsound(const Input& in, std::span<const Sought> sought, std::si
   const auto i = static_cast<std::size_t>(std::find(trial.of.begin(), trial.of.end(), which) - trial.of.begin());
   const auto beside = [&](const Joint& joint, std::size_t k) -> Message {
     const Length step = abs(trial.d(i) - trial.d(k));
-    if (joint.tied && step > same * trial.d(i))
+    if (joint.tied && step > one_place * trial.d(i))
       return say("nothing is cut at {1}: it is one cylinder with the {2} beyond", format(joint.x), format(trial.d(k)));
-    if (joint.steps() && step < (1.0 - same) * joint.least)
+    if (joint.steps() && step < (1.0 - one_place) * joint.least)
       return say("the shoulder at {1} would be {2} high; its fillet, or what is set against it, asks for {3}",
                  format(joint.x), format(step / 2.0), format(joint.least / 2.0));
-    if (!joint.tied && trial.away(i) < trial.away(k) && trial.d(i) < trial.d(k) + joint.least * (1.0 - same))
+    if (!joint.tied && trial.away(i) < trial.away(k) && trial.d(i) < trial.d(k) + joint.least * (1.0 - one_place))
       return say("what sits on it cannot be pushed over the {1} beyond {2}", format(trial.d(k)), format(joint.x));
     return {};
   };

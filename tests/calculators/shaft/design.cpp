@@ -302,7 +302,8 @@ TEST_SUITE("shaft design") {
     CHECK(contains(says(pieces + "notches = [{ x = \"50 mm\", kind = \"keyway\", r = \"0.1 mm\" }]\n"), "leave out r"));
     CHECK(
         contains(says(pieces + "seats = [{ x = \"50 mm\", F_y = \"10 kN\", x_w = \"200 mm\" }]\n"), "belong together"));
-    CHECK(contains(says(pieces + "seats = [{ x = \"50 mm\", n = \"100 rpm\" }, { x = \"60 mm\", n = \"-100 rpm\" }]\n"),
+    CHECK(contains(says(pieces + "seats = [{ x = \"50 mm\", x_w = \"20 mm\", n = \"100 rpm\" }, { x = \"60 mm\", x_w = "
+                                 "\"20 mm\", n = \"-100 rpm\" }]\n"),
                    "one way in one step and the other way"));
     CHECK(Solved(shell + pieces + "n = \"100 rpm\"\nseats = [{ x = \"50 mm\", F_x = \"1 N\" }]\n")
               .mode("axle.critical_bending")

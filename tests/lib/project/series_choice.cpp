@@ -69,9 +69,10 @@ TEST_SUITE("series choice") {
     CHECK(said(press, "link.*.N") == "there is no series 'link.*.N'; did you mean 'links.*.N'?");
     CHECK(said(press, "links.rot*.N") == "there is no series 'links.rot*.N'; did you mean 'links.rod.N'?");
     CHECK(said(press, "joints.*.FF") == "there is no series 'joints.*.FF'; did you mean 'joints.*.F'?");
-    CHECK(said(press, "") == "there is no series ''; there is: drive.*, joints.*, links.*, points.*, frame.*");
+    CHECK(said(press, "") ==
+          "there is no series ''; there is: drive.*, joints.*, shafts.*, links.*, points.*, frame.*");
     CHECK(said(press, "zzzzzzzzz") ==
-          "there is no series 'zzzzzzzzz'; there is: drive.*, joints.*, links.*, points.*, frame.*");
+          "there is no series 'zzzzzzzzz'; there is: drive.*, joints.*, shafts.*, links.*, points.*, frame.*");
   }
 
   TEST_CASE("a single value is no series, and where there are none that is said") {

@@ -1,0 +1,170 @@
+// What shaft.design asks of notches: that they fit where they are, stand apart, and leave no step untold.
+#include "calculators/shaft/design/places.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace loadpath::shaft {
+
+namespace {
+
+using Input = Design::Input;
+
+/// What a notch lacks, or has and should not have; empty where nothing is.
+Message fault_of_fields(const Notched& notch) {
+  using Kind = Notch;
+  const Kind kind = notch.kind;
+  const bool rounded = kind == Kind::shoulder || kind == Kind::groove || kind == Kind::rectangular_groove;
+  if (rounded && !is_set(notch.r)) return say("this notch needs the radius r of its root");
+  if (kind == Kind::cross_hole && !is_set(notch.r)) return say("a cross hole needs its radius r");
+  if (is_groove(kind) != is_set(notch.t)) return say("a groove has a depth t, and nothing else has");
+  if ((kind == Kind::rectangular_groove) != is_set(notch.w))
+    return say("a rectangular groove has a width w, and nothing else has");
+  if ((kind == Kind::given) != is_set(notch.K_t) || is_set(notch.K_t) != is_set(notch.K_ts))
+    return say("K_t and K_ts go together, with kind = \"given\" alone");
+  if ((kind == Kind::beta) != is_set(notch.beta_b) || is_set(notch.beta_b) != is_set(notch.beta_t))
+    return say("beta_b and beta_t go together, with kind = \"beta\" alone");
+  if (is_set(notch.h) && kind != Kind::shoulder) return say("h is the least height of a shoulder");
+  if (kind == Kind::keyway && is_set(notch.r))
+    return say("K_t of a keyway is that of r = 0.02 d: leave out r, or give K_t and K_ts of another");
+  if (const bool rootless = kind == Kind::v_groove || kind == Kind::press_fit || kind == Kind::beta;
+      rootless && is_set(notch.r))
+    return say("its notch factor is of no radius: leave out r");
+  if (kind == Kind::given && notch.K_t > 1.0 && !is_set(notch.r))
+    return say("a given notch needs the radius r of its root, for the sensitivity to it");
+  return {};
+}
+
+/// What is wrong with the width of a groove, which lies half on each side of its place; empty where nothing is.
+Message fault_of_width(const Input& in, const Notched& notch) {
+  if (!is_set(notch.w)) return {};
+  if (notch.r > notch.t || notch.r > notch.w / 2.0)
+    return say("its root is rounder than the groove is deep, or half as wide");
+  const Length from = notch.x - notch.w / 2.0, to = notch.x + notch.w / 2.0, aside = 10.0 * one_place * length_of(in);
+  if (from < 0.0 * mm || is_off(in, to) || index_of_piece(in, from + aside) != index_of_piece(in, to - aside))
+    return say("a groove of {1} does not lie within its piece at {2}", format(notch.w), format(notch.x));
+  const auto inside = [&](const auto& element) { return element.x > from && element.x < to; };
+  if (std::any_of(in.seats.begin(), in.seats.end(), inside) ||
+      std::any_of(in.supports.begin(), in.supports.end(), inside))
+    return say("something sits on the shaft within the groove of {1} at {2}", format(notch.w), format(notch.x));
+  return {};
+}
+
+/// What is wrong with the fillet of a shoulder, an arc that leaves the thinner side evenly: one that is rounder than
+/// the step is high ends in an edge, as the charts have it, and leaves no face. Empty where nothing is.
+Message fault_of_fillet(const Notched& notch, const Piece& before, const Piece& after) {
+  const Length high = abs(after.d - before.d) / 2.0, r = notch.r;
+  if (is_set(notch.h) && r > high)
+    return say("its fillet of {1} is rounder than the step of {2} is high: nothing finds a face there", format(r),
+               format(high));
+  const Length run = r > high ? sqrt(high * (2.0 * r - high)) : r, room = before.d < after.d ? before.l : after.l;
+  if (run > room) return say("its fillet runs {1} along a piece of {2}", format(run), format(room));
+  return {};
+}
+
+/// What is wrong with a notch where it is; empty where nothing is.
+Message fault_of(const Input& in, const Notched& notch) {
+  if (Message fault = fault_of_fields(notch); !fault.empty()) return fault;
+  const bool typed = notch.kind == Notch::given || notch.kind == Notch::beta;
+  const Length aside = 10.0 * one_place * length_of(in);
+  const Piece &before = piece_at(in, notch.x - aside), &piece = piece_at(in, notch.x + aside);
+  if (!typed && notch.kind != Notch::keyway && is_bored(in, notch.x))
+    return say("the charts are of solid shafts: of a bored one give K_t and K_ts");
+  if (is_groove(notch.kind) && !(2.0 * notch.t < piece.d)) return say("the groove is deeper than the shaft");
+  if (Message fault = fault_of_width(in, notch); !fault.empty()) return fault;
+  if (notch.kind == Notch::cross_hole && !(notch.r < 0.29 * piece.d)) return say("the hole leaves no section");
+  if (has_factors(notch.kind) && !typed && in.group > fatigue::Endurance::Group::cast_steel)
+    return say("its notch factor is told of steels alone: give K_t and K_ts");
+  if (is_set(notch.d) && abs(notch.d - piece.d) > one_place * piece.d)
+    return say("it is made for {1}, and the shaft has {2} at {3}", format(notch.d), format(piece.d), format(notch.x));
+  if (notch.r_T < in.r_T)
+    return say("its torque runs back to {1} of the largest, and that of the shaft, r_T, to {2}",
+               format_number(notch.r_T, 3), format_number(in.r_T, 3));
+  const bool at_step = find_step(in, [&](Length x, Length, Length) { return are_one(in, x, notch.x); });
+  if (notch.kind == Notch::shoulder && (!at_step || before.d == piece.d))
+    return say("the diameter does not change at {1}", format(notch.x));
+  if (notch.kind == Notch::shoulder) {
+    if (Message fault = fault_of_fillet(notch, before, piece); !fault.empty()) return fault;
+  }
+  if (notch.kind != Notch::shoulder && !typed && at_step)
+    return say("at {1} the diameter changes: a notch of both is one given by K_t and K_ts", format(notch.x));
+  return {};
+}
+
+/// How far along the shaft a notch is felt: as far as it is deep, twice. Of a keyway a tenth of the diameter counts as
+/// its depth.
+Length reach_of(const Input& in, const Notched& notch) {
+  const Length aside = 10.0 * one_place * length_of(in), none = 0.0 * mm;
+  const Length d = piece_at(in, notch.x - aside).d, next = piece_at(in, notch.x + aside).d;
+  const Length root = is_set(notch.r) ? notch.r : none, deep = is_set(notch.t) ? notch.t : none;
+  const Length cut = notch.kind == Notch::keyway ? 0.1 * d : abs(d - next) / 2.0;
+  return 2.0 * max(max(root, deep), cut);
+}
+
+/// The first notch behind which another begins before it has died down; null where there is none.
+const Notched* crowded(const Input& in) {
+  for (const Notched& notch : in.notches) {
+    for (const Notched& other : in.notches) {
+      const Length gap = other.x - notch.x;
+      if (gap > 0.0 * mm && gap < max(reach_of(in, notch), reach_of(in, other)) * (1.0 - one_place)) return &notch;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+bool Design::notches_fit(const Input& in) {
+  for (std::size_t i = 0; i < in.notches.size(); ++i) {
+    if (!fault_of(in, in.notches[i]).empty()) return false;
+    for (std::size_t k = 0; k < i; ++k) {
+      if (are_one(in, in.notches[i].x, in.notches[k].x)) return false;
+    }
+  }
+  return true;
+}
+
+FieldFault Design::misfit(const Input& in) {
+  for (std::size_t i = 0; i < in.notches.size(); ++i) {
+    const Message fault = fault_of(in, in.notches[i]);
+    if (!fault.empty()) return {place_of("notches", in.notches, i, "kind"), fault, {}};
+  }
+  return {"notches", say("two notches stand at one place"),
+          say("a notch in a notch is one given by its K_t and K_ts: kind = \"given\"")};
+}
+
+bool Design::notches_apart(const Input& in) { return crowded(in) == nullptr; }
+
+FieldFault Design::crowd(const Input& in) {
+  const Notched* const notch = crowded(in);
+  if (notch == nullptr) return {};
+  const auto i = static_cast<std::size_t>(notch - in.notches.data());
+  return {place_of("notches", in.notches, i, "x"),
+          say("the next notch is nearer than twice the depth or the radius of one of them: each is rated alone"),
+          say("keep them apart, or give K_t and K_ts of both together")};
+}
+
+bool Design::steps_are_notched(const Input& in) { return bare_step(in).path.empty(); }
+
+FieldFault Design::bare_step(const Input& in) {
+  FieldFault fault;
+  if (!asks_fatigue(in)) return fault;
+  find_step(in, [&](Length x, Length d, Length D) {
+    const bool known = std::any_of(in.notches.begin(), in.notches.end(),
+                                   [&](const Notched& notch) { return are_one(in, notch.x, x); });
+    if (known) return false;
+    fault = {"notches",
+             d == D ? say("at {1} the bore changes, and no notch says how", format(x))
+                    : say("at {1} the diameter changes from {2} to {3}, and no notch says how", format(x), format(d),
+                          format(D)),
+             say("add {1} to notches", "{ x = \"" + format(x) + "\", " +
+                                           (is_bored(in, x) ? "kind = \"given\", K_t = ..., K_ts = ..., r = \"...\" }"
+                                                            : "kind = \"shoulder\", r = \"...\" }"))};
+    return true;
+  });
+  return fault;
+}
+
+}  // namespace loadpath::shaft

@@ -9,6 +9,7 @@
 // Not covered: finite life, stresses across the surface, brittle and mild metals beyond 0.5 to 0.8 for tau_D/sigma_D.
 #pragma once
 
+#include "calculators/load/limit_meanings.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -162,6 +163,7 @@ S_F = 1.5
       Rule<Input>{[](const Input& in) { return !is_set(in.S_F) || is_set(in.R_e); }, "S_F, R_e",
                   "the safety S_F counts against the yield strength R_e: give it, or a material"}};
 
+  static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal}, Meaning{"tau_D", limit_in_shear}};
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the most stressed moment", &always<Input>}.judged_by("u_y, u_F"),
       Mode<Input>{"fatigue", "fatigue, without end, stresses out of phase", &always<Input>}.judged_by("u_D, x_D, x_C"),

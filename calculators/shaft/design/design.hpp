@@ -153,7 +153,7 @@ r_T = 0
     double u_y = unset<double>, u_theta = unset<double>, u_n = unset<double>;
     List<Carried, most_supports> bearings;
     List<Seated, most_seats> seats;
-    List<Harmonic, most_orders + 1> harmonics;
+    List<Harmonic, 2 * most_orders + 1> harmonics;
     List<Section, most_places> sections;
     List<Safety, most_places> safeties;
   };
@@ -178,7 +178,8 @@ r_T = 0
       Field{&Result::u_n, "u_n", ratio, "critical speed: speed with its margin over it"}.check().where_it_applies(),
       ListField{&Result::bearings, "bearings", "what each bearing carries"},
       ListField{&Result::seats, "seats", "how the shaft moves where something sits on it"},
-      ListField{&Result::harmonics, "harmonics", "what can make the shaft swing about its axis, its turning first"},
+      ListField{&Result::harmonics, "harmonics",
+                "what can make the shaft swing about its axis: its turning, its orders, and the torques over a turn"},
       ListField{&Result::sections, "sections", "sections where something changes, left to right"},
       ListField{&Result::safeties, "safeties", "the same sections against fatigue"}};
 

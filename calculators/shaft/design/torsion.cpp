@@ -1,9 +1,11 @@
 #include "calculators/shaft/design/torsion.hpp"
 
-#include "calculators/shaft/design/bending.hpp"
+#include "calculators/shaft/design/turn.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 
 namespace loadpath::shaft {
 
@@ -53,11 +55,52 @@ Harmonic harmonic_of(const Input& in, const beam::Swing& swing, const Order& ord
   return o;
 }
 
+/// The largest amplitude with which the torque of a seat swings k times over all positions.
+double swing_of_torque(const Input& in, std::size_t k) {
+  const std::size_t n = positions_of(in);
+  double largest = 0.0;
+  for (std::size_t seat = 0; seat < in.seats.size(); ++seat) {
+    std::complex<double> sum = 0.0;
+    for (std::size_t i = 0; i < n; ++i)
+      sum += in_si(torque_of(in, seat, i)) *
+             std::polar(1.0, -2.0 * pi * static_cast<double>(k) * static_cast<double>(i) / static_cast<double>(n));
+    largest = std::max(largest, 2.0 / static_cast<double>(n) * std::abs(sum));
+  }
+  return largest;
+}
+
+double largest_torque(const Input& in) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < positions_of(in); ++i) {
+    for (std::size_t seat = 0; seat < in.seats.size(); ++seat)
+      largest = std::max(largest, std::abs(in_si(torque_of(in, seat, i))));
+  }
+  return largest;
+}
+
+constexpr std::array<const char*, most_orders> harmonic_names{"torque_1", "torque_2",  "torque_3",  "torque_4",
+                                                              "torque_5", "torque_6",  "torque_7",  "torque_8",
+                                                              "torque_9", "torque_10", "torque_11", "torque_12"};
+
+/// Of what the torque over a turn swings with: its harmonics of 1 % of the largest torque and more.
+template <class Judge>
+void for_each_harmonic(const Input& in, const Judge& judge) {
+  constexpr double felt = 0.01;
+  const double turns = std::abs(turns_of(in));
+  if (!torque_varies(in) || turns == 0.0) return;
+  const double least = felt * largest_torque(in);
+  for (std::size_t k = 1; k <= most_orders; ++k) {
+    const double h = static_cast<double>(k) / turns;
+    if (h != 1.0 && swing_of_torque(in, k) >= least) judge(Order{harmonic_names[k - 1], h});
+  }
+}
+
 /// Of all orders, that of the turning itself first.
 template <class Judge>
 void for_each_order(const Input& in, const Judge& judge) {
   judge(Order{"turning", 1.0});
   for (const Order& order : in.orders) judge(order);
+  for_each_harmonic(in, judge);
 }
 
 }  // namespace

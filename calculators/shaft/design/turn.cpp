@@ -132,6 +132,13 @@ double psi_of(const Input& in, std::size_t position) {
   return told == nullptr ? 0.0 : told->psi.at(position);
 }
 
+double turns_of(const Input& in) {
+  const std::size_t n = positions_of(in);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < n; ++i) sum += wrapped(psi_of(in, (i + 1) % n) - psi_of(in, i));
+  return std::round(sum / (2.0 * pi));
+}
+
 TurnFault fault_of_turn(const Input& in) {
   for (const Seat& seat : in.seats) {
     if (!seat.T.is_series() && seat.T.one < 0.0 * N_m.one)

@@ -21,6 +21,9 @@ double share_of(const Design::Input& in, std::size_t position);
 /// Angle of the shaft; 0 where no seat tells it.
 double psi_of(const Design::Input& in, std::size_t position);
 
+/// How often the shaft turns over all positions, signed; 0 where it swings or stands.
+double turns_of(const Design::Input& in);
+
 /// What may be wrong with loads over a turn; empty: nothing.
 struct TurnFault {
   const char* key = "";

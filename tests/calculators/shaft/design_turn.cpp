@@ -157,6 +157,25 @@ TEST_SUITE("shaft over a turn") {
     CHECK(torsion(-1.0).second == Approx(0.0));
   }
 
+  TEST_CASE("the harmonics of the torque can make it swing, and are judged") {
+    const Cycle cycle;
+    Design::Input in = simple();
+    in.rho = 7850.0 * kg_per_m3;
+    in.seats[0].T =
+        cycle.of<Moment>([](double phi) { return 300.0 + 100.0 * std::cos(2.0 * phi) + std::sin(3.0 * phi); });
+    in.seats[0].psi = cycle.of<double>([](double phi) { return phi; });
+    Seat wheel;
+    wheel.x = 0.0 * mm, wheel.way = shaft::Way::balances;
+    wheel.J = in.seats[0].J = 0.1 * kg_m2;
+    in.seats.push_back(wheel);
+    const auto& all = solve(in).harmonics;
+    REQUIRE(all.size() == 2);  // the third is 1/300 of the torque
+    CHECK(all[1].h == Approx(2.0));
+    CHECK(all[1].u_h == Approx(2.0 * all[0].u_h));
+    in.seats[0].psi = cycle.of<double>([](double phi) { return 2.0 * phi; });
+    CHECK(solve(in).harmonics.size() == 1);  // two swings in two turns
+  }
+
   TEST_CASE("bearings: over the turn the mean with 10/3, and the largest") {
     const Cycle cycle;
     Design::Input in = simple();

@@ -146,7 +146,7 @@ TEST_SUITE("shaft over a turn") {
     const double W_t = 2.0 * W_b;
     const auto torsion = [&](double r_T) {
       in.r_T = r_T;
-      const auto& s = solve(in).safeties[0];
+      const auto s = solve(in).safeties[0];
       return std::pair{in_si(s.sigma_a) / std::sqrt(3.0) * W_t, in_si(s.sigma_m) / std::sqrt(3.0) * W_t};
     };
     CHECK(torsion(unset<double>).first == Approx(100.0));
@@ -182,7 +182,7 @@ TEST_SUITE("shaft over a turn") {
     in.k_max = 2.0;
     in.seats[0].F_x = cycle.of<Force>([](double phi) { return phi < pi - 1e-9 ? F : 0.0; });
     in.seats[0].psi = cycle.of<double>([](double phi) { return phi; });
-    const auto& bearing = solve(in).bearings[0];
+    const auto bearing = solve(in).bearings[0];
     CHECK(in_si(bearing.F_r) == Approx(F / 2.0 * std::pow(0.5, 0.3)));  // half of the turn
     CHECK(in_si(bearing.F_r0) == Approx(2.0 * F / 2.0));
     CHECK(in_si(bearing.R_x) == Approx(-F / 2.0));

@@ -3,6 +3,7 @@
 #include "lib/text/utf8.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 
 namespace loadpath::toml {
@@ -138,6 +139,15 @@ std::size_t first_too_deep(std::string_view text) {
   });
 }
 
+/// The first quote that opens no text, where a letter outside ASCII comes behind it: whether that is in a text the
+/// parser sees otherwise.
+std::size_t first_glued_quote(std::string_view text) {
+  const std::size_t glued = find_bare(text, [](char c) { return c == '"' || c == '\''; });
+  const bool matters = glued != std::string_view::npos &&
+                       std::any_of(text.begin() + static_cast<std::ptrdiff_t>(glued), text.end(), is_foreign);
+  return matters ? glued : std::string_view::npos;
+}
+
 Issue issue_at(std::string_view text, std::size_t at, const std::string& file, Message message, Message hint) {
   const std::string_view before = text.substr(0, at);
   const std::size_t start = before.rfind('\n') + 1;  // npos + 1 is 0
@@ -173,9 +183,11 @@ std::optional<Issue> refuse_bare(std::string_view text, const std::string& file)
     return issue_at(text, bad, file, say("a backslash at the end of a line before a letter outside ASCII"),
                     say("write the text in one line"));
   }
-  const std::size_t at = find_bare(text, is_foreign);
-  if (at == std::string_view::npos) return std::nullopt;
-  return issue_at(text, at, file, say("not valid TOML: a character outside ASCII stands outside of quotes"), {});
+  if (const std::size_t at = find_bare(text, is_foreign); at != std::string_view::npos)
+    return issue_at(text, at, file, say("not valid TOML: a character outside ASCII stands outside of quotes"), {});
+  if (const std::size_t glued = first_glued_quote(text); glued != std::string_view::npos)
+    return issue_at(text, glued, file, say("not valid TOML: a quote is glued to what stands before it"), {});
+  return std::nullopt;
 }
 
 }  // namespace loadpath::toml

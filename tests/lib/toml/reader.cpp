@@ -93,6 +93,14 @@ TEST_SUITE("toml") {
       const bool is_bare = issues_of(fine).find("outside of quotes") != std::string::npos;
       CHECK_MESSAGE(is_bare == (std::string(fine).find(".б") != std::string::npos), fine);
     }
+    // where one is glued, what follows may be a text to one and none to the other
+    for (const char* glued : {"H=0'{{{{{\"B={{'AA\xEF\xBB\xBD"
+                              "BA",
+                              "a = b'\nc = \"\xC3\xA4\"\n"})
+      CHECK_MESSAGE(issues_of(glued).find("a quote is glued") != std::string::npos, glued);
+    for (const char* fine : {"\"a\".\"b\" = [{\"c\"=\"\xC3\xA4\"},\"\xC3\xA4\"]\n", "a = '\xC3\xA4' # it's \xC3\xA4\n",
+                             "[a.\"b\"]\nc = {'d' = {e.\"f\" = \"\"\"x\"\" \xC3\xA4\"\"\"}, \"g\" = 1}\n"})
+      CHECK_MESSAGE(issues_of(fine).empty(), fine);
     // a quote that is glued to a word opens no text, and the parser is not asked for the letter behind it
     for (const char* glued : {"a = 0i'\xEF\xBB\xBB\"=n\n", "a = 0=\"\xC9\xA7\n", "a = 0[\"\xC9\xA7\"]\n",
                               "a = 1.'\xEF\xBB\xBB'\n", "a = [1, 2.\"\xEF\xBB\xBB\"]\n", "a'\xEF\xBB\xBB' = 1\n",

@@ -19,26 +19,6 @@ std::string code_of(std::string_view text, std::size_t at) {
   return std::string("U+00") + digits[(point >> 4U) & 0x0FU] + digits[point & 0x0FU];
 }
 
-/// Whether blanks follow the backslash at `at`, or the end of its line, and then a letter outside ASCII.
-bool continues_outside_ascii(std::string_view text, std::size_t at) {
-  const std::size_t end = text.find_first_not_of(" \t\r", at + 1);
-  if (end == std::string_view::npos) return false;
-  if (text[end] != '\n') return is_foreign(text[end]);
-  const std::size_t next = text.find_first_not_of(" \t\r\n", end);
-  return next != std::string_view::npos && is_foreign(text[next]);
-}
-
-/// The first backslash between two places before a letter outside ASCII, at once, behind blanks or in the next line;
-/// npos where there is none.
-std::size_t first_bad_escape(std::string_view text, std::size_t from, std::size_t to) {
-  for (std::size_t i = from; i < to; ++i) {
-    if (text[i] != '\\') continue;
-    if ((i + 1 < text.size() && is_foreign(text[i + 1])) || continues_outside_ascii(text, i)) return i;
-    ++i;  // an escaped backslash escapes nothing
-  }
-  return std::string_view::npos;
-}
-
 /// Behind the text in quotes that starts at `at`; npos where it is not closed.
 std::size_t behind_quotes(std::string_view text, std::size_t at) {
   const char quote = text[at];
@@ -86,18 +66,15 @@ class Openings {
 };
 
 /// The first character outside of quotes and comments for which `found` holds; npos where there is none, or a text
-/// before it is not closed, which the parser tells. Of a comment its end alone is seen. `quoted` is told where a text
-/// in quotes begins, and what comes behind it.
-template <class Found, class Quoted>
-std::size_t find_bare(std::string_view text, Found found, Quoted quoted) {
+/// before it is not closed, which the parser tells. Of a comment its end alone is seen.
+template <class Found>
+std::size_t find_bare(std::string_view text, Found found) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   std::size_t i = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
   Openings openings;
   while (i < text.size()) {
     if ((text[i] == '"' || text[i] == '\'') && openings.opens()) {
-      const std::size_t from = i;
-      i = behind_quotes(text, from);
-      quoted(from, std::min(i, text.size()));
+      i = behind_quotes(text, i);
       openings.pass_text();
     } else if (text[i] == '#') {
       i = text.find('\n', i);
@@ -108,21 +85,6 @@ std::size_t find_bare(std::string_view text, Found found, Quoted quoted) {
     }
   }
   return std::string_view::npos;
-}
-
-template <class Found>
-std::size_t find_bare(std::string_view text, Found found) {
-  return find_bare(text, found, [](std::size_t, std::size_t) {});
-}
-
-std::size_t first_bad_escape(std::string_view text) {
-  std::size_t bad = std::string_view::npos;
-  const auto look = [&](std::size_t from, std::size_t to) {
-    if (bad == std::string_view::npos && text.substr(from, 3) == "\"\"\"") bad = first_bad_escape(text, from, to);
-  };
-  find_bare(
-      text, [](char) { return false; }, look);
-  return bad;
 }
 
 /// Where keys have more parts, or brackets lie deeper within one another, than any project has: the parser goes down by
@@ -137,15 +99,6 @@ std::size_t first_too_deep(std::string_view text) {
     if (c == ']' || c == '}') --depth;
     return parts > most || depth > most;
   });
-}
-
-/// The first quote that opens no text, where a letter outside ASCII comes behind it: whether that is in a text the
-/// parser sees otherwise.
-std::size_t first_glued_quote(std::string_view text) {
-  const std::size_t glued = find_bare(text, [](char c) { return c == '"' || c == '\''; });
-  const bool matters = glued != std::string_view::npos &&
-                       std::any_of(text.begin() + static_cast<std::ptrdiff_t>(glued), text.end(), is_foreign);
-  return matters ? glued : std::string_view::npos;
 }
 
 Issue issue_at(std::string_view text, std::size_t at, const std::string& file, Message message, Message hint) {
@@ -176,17 +129,8 @@ std::optional<Issue> refuse_text(std::string_view text, const std::string& file)
 std::optional<Issue> refuse_bare(std::string_view text, const std::string& file) {
   if (const std::size_t deep = first_too_deep(text); deep != std::string_view::npos)
     return issue_at(text, deep, file, say("tables lie too deep within one another"), say("at most 64 levels"));
-  if (const std::size_t bad = first_bad_escape(text); bad != std::string_view::npos) {
-    if (text[text.find_first_not_of(" \t\r", bad + 1)] != '\n')
-      return issue_at(text, bad, file, say("not valid TOML: a backslash before a letter outside ASCII"),
-                      say("write a backslash twice"));
-    return issue_at(text, bad, file, say("a backslash at the end of a line before a letter outside ASCII"),
-                    say("write the text in one line"));
-  }
   if (const std::size_t at = find_bare(text, is_foreign); at != std::string_view::npos)
     return issue_at(text, at, file, say("not valid TOML: a character outside ASCII stands outside of quotes"), {});
-  if (const std::size_t glued = first_glued_quote(text); glued != std::string_view::npos)
-    return issue_at(text, glued, file, say("not valid TOML: a quote is glued to what stands before it"), {});
   return std::nullopt;
 }
 

@@ -1,4 +1,5 @@
 #include "lib/text/utf8.hpp"
+#include "lib/toml/ascii.hpp"
 #include "lib/toml/gate.hpp"
 #include "lib/toml/tree.hpp"
 
@@ -16,66 +17,77 @@ namespace loadpath::toml {
 
 namespace {
 
-Place place_of(const ::toml::source_region& source, const std::string& file) {
-  const int length =
-      source.end.line == source.begin.line ? static_cast<int>(source.end.column - source.begin.column) : 1;
-  return {file, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column), std::max(1, length)};
-}
+/// What the parser has found, with the letters and places of the file.
+class Conversion {
+ public:
+  Conversion(const Ascii& ascii, const std::string& file) : ascii_(ascii), file_(file) {}
 
-Tree convert(const ::toml::node& node, const std::string& file);
-
-Tree convert_table(const ::toml::table& table, const std::string& file) {
-  Tree tree;
-  for (const auto& [key, value] : table) {
-    tree.entries.push_back({std::string(key.str()), place_of(key.source(), file), convert(value, file)});
+  [[nodiscard]] Place place_of(const ::toml::source_region& source) const {
+    const int begin = column_of(source.begin);
+    const int length = source.end.line == source.begin.line ? column_of(source.end) - begin : 1;
+    return {file_, static_cast<int>(source.begin.line), begin, std::max(1, length)};
   }
-  std::stable_sort(tree.entries.begin(), tree.entries.end(), [](const Tree::Entry& a, const Tree::Entry& b) {
-    return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
-  });
-  return tree;
-}
 
-Tree convert_array(const ::toml::array& array, const std::string& file) {
-  Tree tree;
-  tree.type = Tree::Type::array;
-  for (const ::toml::node& item : array) tree.items.push_back(convert(item, file));
-  return tree;
-}
+  [[nodiscard]] Tree table(const ::toml::table& table) const {
+    Tree tree;
+    for (const auto& [key, value] : table)
+      tree.entries.push_back({ascii_.original(key.str()), place_of(key.source()), node(value)});
+    std::stable_sort(tree.entries.begin(), tree.entries.end(), [](const Tree::Entry& a, const Tree::Entry& b) {
+      return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
+    });
+    return tree;
+  }
 
-Tree convert_value(const ::toml::node& node) {
-  Tree tree;
-  if (const auto* text = node.as_string()) {
-    tree.type = Tree::Type::text;
-    tree.text = text->get();
-  } else if (const auto* flag = node.as_boolean()) {
-    tree.type = Tree::Type::boolean;
-    tree.text = flag->get() ? "true" : "false";
-  } else if (const std::optional<double> number = node.value<double>()) {
-    tree.type = Tree::Type::number;
-    tree.number = *number;
-  } else {  // a date or a time: no field takes one
-    tree.type = Tree::Type::boolean;
-    tree.text = "a date";
+ private:
+  [[nodiscard]] int column_of(const ::toml::source_position& position) const {
+    return ascii_.column(static_cast<int>(position.line), static_cast<int>(position.column));
   }
-  return tree;
-}
 
-Tree convert(const ::toml::node& node, const std::string& file) {
-  Tree tree;
-  if (const auto* table = node.as_table()) {
-    tree = convert_table(*table, file);
-  } else if (const auto* array = node.as_array()) {
-    tree = convert_array(*array, file);
-  } else {
-    tree = convert_value(node);
+  [[nodiscard]] Tree array(const ::toml::array& array) const {
+    Tree tree;
+    tree.type = Tree::Type::array;
+    for (const ::toml::node& item : array) tree.items.push_back(node(item));
+    return tree;
   }
-  tree.place = place_of(node.source(), file);
-  if (tree.type == Tree::Type::text) {  // the caret points inside the quotes
-    ++tree.place.column;
-    tree.place.length = std::max(1, tree.place.length - 2);
+
+  [[nodiscard]] Tree value(const ::toml::node& node) const {
+    Tree tree;
+    if (const auto* text = node.as_string()) {
+      tree.type = Tree::Type::text;
+      tree.text = ascii_.original(text->get());
+    } else if (const auto* flag = node.as_boolean()) {
+      tree.type = Tree::Type::boolean;
+      tree.text = flag->get() ? "true" : "false";
+    } else if (const std::optional<double> number = node.value<double>()) {
+      tree.type = Tree::Type::number;
+      tree.number = *number;
+    } else {  // a date or a time: no field takes one
+      tree.type = Tree::Type::boolean;
+      tree.text = "a date";
+    }
+    return tree;
   }
-  return tree;
-}
+
+  [[nodiscard]] Tree node(const ::toml::node& node) const {
+    Tree tree;
+    if (const auto* inner = node.as_table()) {
+      tree = table(*inner);
+    } else if (const auto* items = node.as_array()) {
+      tree = array(*items);
+    } else {
+      tree = value(node);
+    }
+    tree.place = place_of(node.source());
+    if (tree.type == Tree::Type::text) {  // the caret points inside the quotes
+      ++tree.place.column;
+      tree.place.length = std::max(1, tree.place.length - 2);
+    }
+    return tree;
+  }
+
+  const Ascii& ascii_;
+  const std::string& file_;
+};
 
 /// `T = 900 N*m` without quotes is the commonest slip, and the parser's own words do not help there.
 Message hint_for(std::string_view line) {
@@ -122,6 +134,17 @@ std::optional<char> open_quote(std::string_view line) {
   return open;
 }
 
+/// Whether a backslash stands at a column, or before it, and a letter outside ASCII behind the backslash.
+bool is_escaped_foreign(std::string_view line, int column) {
+  const std::u32string letters = code_points(line);
+  constexpr char32_t first_foreign = 0x80;
+  for (const int at : {column - 1, column - 2}) {  // from 0
+    const auto i = static_cast<std::size_t>(at);
+    if (at >= 0 && i + 1 < letters.size() && letters[i] == U'\\' && letters[i + 1] >= first_foreign) return true;
+  }
+  return false;
+}
+
 /// "Error while parsing key-value pair: expected ..." without what the place shows already.
 std::string_view what_of(std::string_view description) {
   const std::size_t colon = description.find(": ");
@@ -163,14 +186,16 @@ Tree read_toml(std::string_view text, const std::string& file, std::vector<Issue
     issues.push_back(std::move(*refused));
     return {};
   }
+  const Ascii ascii(text);
+  const Conversion conversion(ascii, file);
   try {
-    Tree tree = convert_table(::toml::parse(text, file), file);
+    Tree tree = conversion.table(::toml::parse(ascii.text(), file));
     tree.place = {file, 1, 1, 1};
     const std::size_t before = issues.size();
     refuse_controls(tree, issues);
     return issues.size() == before ? tree : Tree{};
   } catch (const ::toml::parse_error& error) {
-    const Place place = place_of(error.source(), file);
+    const Place place = conversion.place_of(error.source());
     const std::string_view line = line_of(text, place.line);
     const auto open = open_quote(line);
     if (open && static_cast<std::size_t>(place.column) > code_points(line).size()) {
@@ -178,8 +203,13 @@ Tree read_toml(std::string_view text, const std::string& file, std::vector<Issue
                         Severity::error});
       return {};
     }
-    issues.push_back(
-        {place, "", say("not valid TOML: {1}", what_of(error.description())), hint_for(line), Severity::error});
+    if (is_escaped_foreign(line, place.column)) {
+      issues.push_back({place, "", say("not valid TOML: a backslash before a letter outside ASCII"),
+                        say("write a backslash twice"), Severity::error});
+      return {};
+    }
+    const std::string what = ascii.original(what_of(error.description()));
+    issues.push_back({place, "", say("not valid TOML: {1}", what), hint_for(line), Severity::error});
     return {};
   }
 }

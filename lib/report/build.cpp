@@ -114,6 +114,7 @@ void add_step(const Step& step, std::vector<Block>& blocks) {
                 Paragraph::Tone::note});
   for (const Message& warning : account.warnings) blocks.emplace_back(Paragraph{warning, Paragraph::Tone::warning});
   if (!input.note.empty()) blocks.emplace_back(Paragraph{say("{1}", input.note)});
+  if (account.blocks.empty()) append(blocks, account.figures);
   if (account.input_blocks.empty()) {
     blocks.emplace_back(input_table(account));
     append(blocks, list_tables(account.inputs));
@@ -123,11 +124,14 @@ void add_step(const Step& step, std::vector<Block>& blocks) {
   if (!account.derivation.empty()) {
     blocks.emplace_back(Heading{3, "Calculation", step.name() + "-calculation"});
     if (!account.governing.empty()) blocks.emplace_back(Paragraph{say("Worked out {1}.", account.governing)});
-    append(blocks, derivation_blocks(account.derivation));
+    const auto lines = deciding_lines(account);
+    if (lines.size() < account.derivation.size())
+      blocks.emplace_back(
+          Paragraph{say("What no check follows from stands in the tables alone."), Paragraph::Tone::note});
+    append(blocks, derivation_blocks(lines));
   }
   blocks.emplace_back(Heading{3, "Results", step.name() + "-results"});
   if (account.blocks.empty()) {
-    append(blocks, account.figures);
     blocks.emplace_back(result_table(account));
     append(blocks, list_tables(without_limits(account.results)));
   }

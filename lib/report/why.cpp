@@ -28,19 +28,28 @@ std::vector<std::string> scopes_from(std::string scope) {
   return scopes;
 }
 
+/// ".key_end" of "safeties.key_end", "[2]" of "segments[2]".
+std::string name_within(const std::string& element) {
+  const std::size_t at = element.find_first_of("[.");
+  return at == std::string::npos ? element : element.substr(at);
+}
+
 /// Follows names from a line back to the lines and inputs that they come from.
 class Tracing {
  public:
   explicit Tracing(const Account& account) : account_(account) {}
 
-  Reasons of(const std::string& path) {
-    const std::size_t count = account_.derivation.size();
-    for (std::size_t i = count; i-- > 0;) {
+  void add(const std::string& path) {
+    for (std::size_t i = account_.derivation.size(); i-- > 0;) {
       const Derived& line = account_.derivation[i];
-      if (joined(line.scope, line.step.symbol) != path && joined(line.element, line.step.symbol) != path) continue;
-      follow(i);
-      break;
+      if (joined(line.scope, line.step.symbol) == path || joined(line.element, line.step.symbol) == path)
+        return follow(i);
     }
+  }
+
+  [[nodiscard]] bool has(std::size_t line) const { return lines_.contains(line); }
+
+  [[nodiscard]] Reasons reasons() const {
     Reasons reasons;
     for (const std::size_t i : lines_) reasons.lines.push_back(account_.derivation[i]);
     for (const Entry& entry : account_.inputs) {
@@ -59,13 +68,21 @@ class Tracing {
     if (line.step.formula.empty()) follow_taken(i);
   }
 
+  /// An element takes from others of its own name, or from the whole: not from a neighbour with the same number.
+  static bool may_take(const Derived& line, const Derived& from) {
+    return line.scope.empty() || from.scope.empty() || line.scope == from.scope ||
+           name_within(line.element) == name_within(from.element);
+  }
+
   /// A line that takes the value of another over, "sigma_F" of "sigma_F1", or of the method that decides.
   void follow_taken(std::size_t i) {
     const account::Step& taken = account_.derivation[i].step;
     for (std::size_t k = i; k-- > 0;) {
       const account::Step& other = account_.derivation[k].step;
       const bool named_so = other.symbol.starts_with(taken.symbol) || taken.symbol.starts_with(other.symbol);
-      if (named_so && !other.formula.empty() && other.value.si == taken.value.si) return follow(k);
+      if (named_so && may_take(account_.derivation[i], account_.derivation[k]) && !other.formula.empty() &&
+          other.value.si == taken.value.si)
+        return follow(k);
     }
   }
 
@@ -93,7 +110,28 @@ class Tracing {
 
 }  // namespace
 
-Reasons reasons_of(const Account& account, const std::string& path) { return Tracing(account).of(path); }
+Reasons reasons_of(const Account& account, const std::string& path) {
+  Tracing tracing(account);
+  tracing.add(path);
+  return tracing.reasons();
+}
+
+std::vector<Derived> deciding_lines(const Account& account) {
+  Tracing tracing(account);
+  std::set<std::string> judged;  // elements
+  for (const Entry& result : account.results) {
+    const std::size_t dot = result.path.rfind('.');
+    if (result.role == Role::check && dot != std::string::npos) judged.insert(result.path.substr(0, dot));
+    if (result.role == Role::check || dot == std::string::npos) tracing.add(result.path);
+  }
+  std::vector<Derived> lines;
+  for (std::size_t i = 0; i < account.derivation.size(); ++i) {
+    const Derived& line = account.derivation[i];
+    const bool of_judged = judged.contains(line.scope) || judged.contains(line.element);
+    if (!of_judged || tracing.has(i)) lines.push_back(line);
+  }
+  return lines;
+}
 
 std::vector<const Entry*> chosen(const Account& account) {
   std::vector<const Entry*> found;

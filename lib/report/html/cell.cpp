@@ -3,6 +3,8 @@
 #include "lib/report/worked.hpp"
 #include "lib/text/markup.hpp"
 
+#include <algorithm>
+
 namespace loadpath::report::page {
 namespace {
 
@@ -19,6 +21,11 @@ struct CellText {
 }  // namespace
 
 std::string math(std::string_view fragment) { return "<math>" + std::string(fragment) + "</math>"; }
+
+double letters_of(std::string_view text) {
+  return static_cast<double>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
 
 std::string symbol(std::string_view path) {
   const NamedSymbol named = named_symbol(path);

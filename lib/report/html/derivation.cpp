@@ -31,10 +31,21 @@ std::string sides(const Step& step) {
   return symbolic + "<wbr><span class=\"numbers\">" + (says_more ? numeric + "<wbr>" : "") + value + "</span>";
 }
 
+/// What is taken from elsewhere, and a short formula with a short reason, has room beside its like.
+bool is_half(const Step& step, const Worked& w) {
+  constexpr double formula = 34.0, reason = 30.0;  // letters
+  if (step.formula.empty()) return true;
+  if (!w.tree || letters_of(step.why.text()) > reason) return false;
+  const auto sides =
+      static_cast<double>(formula::breadth(*w.tree, {}, w.known) + formula::breadth(*w.tree, w.substituted, w.known));
+  return sides + letters_of(formula::quantity_plain(written(step.value))) <= formula;
+}
+
 /// A formula that cannot be broken to fit beside its reason, or on a page at all, is given room.
 std::string_view width_class(const Step& step) {
   constexpr std::size_t beside_reason = 58, page = 84;  // letters
   const Worked w = worked(step);
+  if (is_half(step, w)) return "step half";
   const std::size_t letters = w.tree ? formula::breadth(*w.tree, w.substituted, w.known) : step.formula.size();
   if (letters > page) return "step wide small";
   return letters > beside_reason ? "step wide" : "step";
@@ -44,18 +55,13 @@ std::string_view width_class(const Step& step) {
 
 std::string derivation(const Derivation& derivation) {
   std::string out = "<div class=\"derivation\">\n";
-  bool among_values = false;  // that are taken from elsewhere: side by side
   for (const Step& step : derivation.steps) {
-    if (step.formula.empty() != among_values) {
-      among_values = !among_values;
-      out += among_values ? "<div class=\"values\">\n" : "</div>\n";
-    }
     out += "<div class=\"" + std::string(width_class(step)) + "\"><div class=\"formula\"><div class=\"left\">" +
            symbol(step.symbol) + "</div><div class=\"right\">" + sides(step) + "</div></div>";
     if (!step.why.empty()) out += "<p class=\"why\">" + escaped(step.why.text()) + "</p>";
     out += "</div>\n";
   }
-  return out + (among_values ? "</div>\n</div>\n" : "</div>\n");
+  return out + "</div>\n";
 }
 
 }  // namespace loadpath::report::page

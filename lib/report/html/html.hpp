@@ -12,6 +12,9 @@ namespace loadpath::report::page {
 /// One inline formula from MathML fragments.
 std::string math(std::string_view fragment);
 
+/// How many letters stand in a text: of UTF-8 its continuations do not count.
+double letters_of(std::string_view text);
+
 std::string symbol(std::string_view path);
 std::string cell(const Cell& cell);
 

@@ -25,7 +25,7 @@ std::string quoted(std::string_view words) {
 std::string page_rules(std::string_view header, std::string_view footer) {
   const std::string face =
       "font:9pt Cambria,\"STIX Two Text\",STIX,\"Liberation Serif\",\"Times New Roman\",serif;color:#5b626b;";
-  return "@page{size:A4;margin:21mm 19mm 20mm;@top-left{" + face + "content:" + quoted(header) + "}@bottom-left{" +
+  return "@page{size:A4;margin:18mm 18mm 17mm;@top-left{" + face + "content:" + quoted(header) + "}@bottom-left{" +
          face + "content:" + quoted(footer) + "}@bottom-right{" + face +
          "content:counter(page) \" / \" counter(pages)}}\n@page:first{@top-left{content:none}}\n";
 }

@@ -22,11 +22,6 @@ struct Column {
   double letters = 0.0;
 };
 
-double letters_of(std::string_view text) {  // of UTF-8 its continuations do not count
-  return static_cast<double>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
-
 std::string number_of(Quantity q, const Column& column) {
   if (std::isinf(q.si)) return q.si > 0.0 ? "∞" : "−∞";
   q.digits = std::min(q.digits, few_digits);
@@ -52,7 +47,7 @@ std::string close_cell(const Cell& of, const Column& column) {
   return q == nullptr ? cell(of) : "<span class=\"quantity\">" + escaped(number_of(*q, column)) + "</span>";
 }
 
-double letters_of(const Cell& of, const Column& column) {
+double letters_in(const Cell& of, const Column& column) {
   if (const auto* const q = std::get_if<Quantity>(&of)) return letters_of(number_of(*q, column));
   constexpr double longest_word = 13.0;  // "not available" breaks
   if (const auto* const text = std::get_if<std::string>(&of)) return letters_of(*text);
@@ -64,7 +59,7 @@ Column column_of(const Table& table, std::size_t index, bool numeric) {
   constexpr double symbol_share = 0.6;  // its subscript is small
   column.letters = symbol_share * letters_of(formula::symbol_plain(table.head[index].text()));
   for (const auto& row : table.rows)
-    column.letters = std::max(column.letters, index < row.size() ? letters_of(row[index], column) : 0.0);
+    column.letters = std::max(column.letters, index < row.size() ? letters_in(row[index], column) : 0.0);
   return column;
 }
 
@@ -126,6 +121,23 @@ bool is_form(const Table& table) {
   });
 }
 
+/// Numbers and names that fill less than half of a line: such a table stands beside the next one.
+bool is_narrow(const Table& table, const std::vector<bool>& numeric) {
+  constexpr double half = 46.0;  // letters
+  const auto breaks = [](const Cell& of) {
+    return !std::holds_alternative<Quantity>(of) && !std::holds_alternative<std::string>(of);
+  };
+  if (table.head.empty() || is_form(table)) return false;
+  double letters = 0.0;
+  for (std::size_t i = 0; i < table.head.size(); ++i) {
+    letters += between + column_of(table, i, numeric[i]).letters;
+    for (const auto& row : table.rows) {
+      if (i < row.size() && breaks(row[i])) return false;
+    }
+  }
+  return letters <= half;
+}
+
 std::string wide(const Table& table, const std::vector<bool>& numeric) {
   std::string out =
       is_form(table) ? "<div class=\"scroll\"><table class=\"form\">\n" : "<div class=\"scroll\"><table>\n";
@@ -147,8 +159,9 @@ std::string wide(const Table& table, const std::vector<bool>& numeric) {
 
 std::string table(const Table& table, const std::string& caption) {
   const std::vector<bool> numeric = numeric_columns(table);
-  std::string out = "<div class=\"table\">" + caption;
-  if (table.head.size() < many_columns) {
+  const bool narrow = is_narrow(table, numeric);
+  std::string out = (narrow ? "<div class=\"table beside\">" : "<div class=\"table\">") + caption;
+  if (!narrow && table.head.size() < many_columns) {
     out += wide(table, numeric);
   } else {
     for (const Part& part : parts_of(table, numeric)) out += close_part(table, part);

@@ -113,12 +113,29 @@ TEST_SUITE("report") {
     CHECK(contains(body({table}), "<span class=\"quantity\">1235 N·m</span>"));
   }
 
-  TEST_CASE("values that are taken from elsewhere stand side by side") {
+  TEST_CASE("what is taken from elsewhere, and short formulas, stand side by side") {
     const Step taken{"d", "", {}, {0.05, "mm"}, say("of the section")};
-    const std::string out = body({Derivation{{taken, taken, torsion_step(), taken}}});
-    std::size_t groups = 0;
-    for (std::size_t at = 0; (at = out.find("<div class=\"values\">", at)) != std::string::npos; ++at) ++groups;
-    CHECK(groups == 2);
+    const Step brief{"r", "d / 2", {{"d", 0.05, "mm"}}, {0.025, "mm"}, say("radius")};
+    const auto halves = [](const Derivation& derivation) {
+      const std::string out = body({derivation});
+      std::size_t count = 0;
+      for (std::size_t at = 0; (at = out.find("<div class=\"step half\">", at)) != std::string::npos; ++at) ++count;
+      return count;
+    };
+    CHECK(halves({{taken, taken, torsion_step(), brief}}) == 3);
+    Step wordy = brief;
+    wordy.why = say("a reason that takes more room than half of a line has");
+    CHECK(halves({{taken, wordy}}) == 1);
+  }
+
+  TEST_CASE("a narrow table stands beside the next one, its units in the head") {
+    const Table narrow{
+        say("pieces"), {say("no."), say("d")}, {{"a", Quantity{0.03, "mm"}}, {"b", Quantity{0.04, "mm"}}}};
+    CHECK(contains(body({narrow}), "<div class=\"table beside\">"));
+    CHECK(contains(body({narrow}), "<span class=\"unit\">mm</span>"));
+    Table sentences = narrow;
+    sentences.rows[0][0] = say("a sentence that breaks");
+    CHECK_FALSE(contains(body({sentences}), "beside"));
   }
 
   TEST_CASE("headings are numbered, tables and figures count through the page") {

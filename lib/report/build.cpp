@@ -105,6 +105,14 @@ std::vector<Entry> without_limits(std::vector<Entry> entries) {
   return entries;
 }
 
+/// One paragraph, for each is a few words.
+void add_remarks(const std::vector<Message>& remarks, std::vector<Block>& blocks) {
+  if (remarks.empty()) return;
+  Message all = remarks.front();
+  for (std::size_t i = 1; i < remarks.size(); ++i) all = say("{1}; {2}", all, remarks[i]);
+  blocks.emplace_back(Paragraph{all, Paragraph::Tone::note});
+}
+
 void add_step(const Step& step, std::vector<Block>& blocks) {
   const Account& account = step.account();
   const auto& input = step.input();
@@ -120,14 +128,14 @@ void add_step(const Step& step, std::vector<Block>& blocks) {
     append(blocks, list_tables(account.inputs));
   }
   append(blocks, account.input_blocks);
-  for (const Message& remark : step.remarks()) blocks.emplace_back(Paragraph{remark, Paragraph::Tone::note});
+  add_remarks(step.remarks(), blocks);
   if (!account.derivation.empty()) {
     blocks.emplace_back(Heading{3, "Calculation", step.name() + "-calculation"});
     if (!account.governing.empty()) blocks.emplace_back(Paragraph{say("Worked out {1}.", account.governing)});
     const auto lines = deciding_lines(account);
     if (lines.size() < account.derivation.size())
       blocks.emplace_back(
-          Paragraph{say("What no check follows from stands in the tables alone."), Paragraph::Tone::note});
+          Paragraph{say("Of lists, what decides is written out; the tables have the rest."), Paragraph::Tone::note});
     append(blocks, derivation_blocks(lines));
   }
   blocks.emplace_back(Heading{3, "Results", step.name() + "-results"});

@@ -3,6 +3,7 @@
 #include "lib/report/conclusion.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace loadpath::report {
@@ -34,17 +35,57 @@ std::string name_within(const std::string& element) {
   return at == std::string::npos ? element : element.substr(at);
 }
 
+/// "safeties.key_end" of "safeties.key_end.u_D", empty where a path is of no element.
+std::string element_of(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string::npos ? std::string() : path.substr(0, dot);
+}
+
+/// What a part's results and calculation say of the elements of lists.
+class Elements {
+ public:
+  explicit Elements(const Account& account) {
+    std::set<std::string> all, written;
+    for (const Entry& result : account.results) {
+      const std::string element = element_of(result.path);
+      if (result.role == Role::check && !element.empty()) judged_.insert(element);
+      if (all.insert(element).second) ++more_[list_of(element)];
+    }
+    for (const Derived& line : account.derivation) {
+      if (written.insert(line.scope).second) --more_[list_of(line.scope)];
+    }
+  }
+
+  [[nodiscard]] bool are_judged(const Derived& line) const {
+    return judged_.contains(line.scope) || judged_.contains(line.element);
+  }
+  /// Whether the calculation has some elements of the list only.
+  [[nodiscard]] bool are_chosen(const std::string& element) const {
+    const auto found = more_.find(list_of(element));
+    return !element.empty() && found != more_.end() && found->second > 0;
+  }
+
+ private:
+  static std::string list_of(const std::string& element) { return element.substr(0, element.find_first_of("[.")); }
+
+  std::set<std::string> judged_;
+  std::map<std::string, int> more_;  // elements of a list than are written out
+};
+
 /// Follows names from a line back to the lines and inputs that they come from.
 class Tracing {
  public:
   explicit Tracing(const Account& account) : account_(account) {}
 
-  void add(const std::string& path) {
+  /// Whether a line gives the value at the path.
+  bool add(const std::string& path) {
     for (std::size_t i = account_.derivation.size(); i-- > 0;) {
       const Derived& line = account_.derivation[i];
-      if (joined(line.scope, line.step.symbol) == path || joined(line.element, line.step.symbol) == path)
-        return follow(i);
+      if (joined(line.scope, line.step.symbol) != path && joined(line.element, line.step.symbol) != path) continue;
+      follow(i);
+      return true;
     }
+    return false;
   }
 
   [[nodiscard]] bool has(std::size_t line) const { return lines_.contains(line); }
@@ -117,18 +158,19 @@ Reasons reasons_of(const Account& account, const std::string& path) {
 }
 
 std::vector<Derived> deciding_lines(const Account& account) {
+  const Elements elements(account);
   Tracing tracing(account);
-  std::set<std::string> judged;  // elements
   for (const Entry& result : account.results) {
-    const std::size_t dot = result.path.rfind('.');
-    if (result.role == Role::check && dot != std::string::npos) judged.insert(result.path.substr(0, dot));
-    if (result.role == Role::check || dot == std::string::npos) tracing.add(result.path);
+    const std::string element = element_of(result.path);
+    const bool is_check = result.role == Role::check && !elements.are_chosen(element);
+    if (element.empty() || is_check) tracing.add(result.path);
+  }
+  for (const account::Mode& mode : account::in_order(account.modes)) {
+    if (elements.are_chosen(element_of(mode.governs)) && tracing.add(mode.governs)) break;
   }
   std::vector<Derived> lines;
   for (std::size_t i = 0; i < account.derivation.size(); ++i) {
-    const Derived& line = account.derivation[i];
-    const bool of_judged = judged.contains(line.scope) || judged.contains(line.element);
-    if (!of_judged || tracing.has(i)) lines.push_back(line);
+    if (!elements.are_judged(account.derivation[i]) || tracing.has(i)) lines.push_back(account.derivation[i]);
   }
   return lines;
 }

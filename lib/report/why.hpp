@@ -18,8 +18,9 @@ struct Reasons {
 /// What the value at a path follows from: "u_tau", "segments.journal.tau". Empty where no formula gives it.
 Reasons reasons_of(const account::Account& account, const std::string& path);
 
-/// The lines of a calculation as a report writes it out. Of an element of a list that a check judges these are the lines
-/// that checks, or results of the whole part, follow from: what other methods find stands in the tables.
+/// The lines of a calculation as a report writes it out: all but those of elements of lists that checks judge. Of these
+/// the lines stay that checks, or results of the whole part, follow from, for what other methods find stands in the
+/// tables; where a calculator writes out a few elements only, what decides most, for the rest is as far as `why`.
 std::vector<account::Derived> deciding_lines(const account::Account& account);
 
 /// Inputs that were searched for, with what the search says of them: rows, sizes, loads.

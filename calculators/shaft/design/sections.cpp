@@ -174,12 +174,14 @@ void judge_sections(const Input& in, const Stations& stations, const Turn& turn,
   judging.judge(r);
   if constexpr (Tracer::traces) {
     const std::size_t yields = governing(r.sections, [](const Section& p) { return in_si(p.sigma_v); });
-    {
-      [[maybe_unused]] const auto here = trace.scope("sections", yields);
-      judging.section(yields, trace);
+    const std::size_t tires =
+        r.safeties.empty() ? yields : governing(r.safeties, [](const Safety& s) { return s.u_D; });
+    for (const std::size_t k : {std::min(yields, tires), std::max(yields, tires)}) {
+      [[maybe_unused]] const auto here = trace.scope("sections", k);
+      judging.section(k, trace);
+      if (yields == tires) break;
     }
     if (r.safeties.empty()) return;
-    const std::size_t tires = governing(r.safeties, [](const Safety& s) { return s.u_D; });
     [[maybe_unused]] const auto here = trace.scope("safeties", tires);
     judging.safety(tires, r.sections[tires], trace);
   }

@@ -33,12 +33,13 @@ std::string sides(const Step& step) {
 
 /// What is taken from elsewhere, and a short formula with a short reason, has room beside its like.
 bool is_half(const Step& step, const Worked& w) {
-  constexpr double formula = 34.0, reason = 30.0;  // letters
+  constexpr double half = 46.0, formula = 34.0;  // letters
   if (step.formula.empty()) return true;
-  if (!w.tree || letters_of(step.why.text()) > reason) return false;
+  if (!w.tree) return false;
   const auto sides =
       static_cast<double>(formula::breadth(*w.tree, {}, w.known) + formula::breadth(*w.tree, w.substituted, w.known));
-  return sides + letters_of(formula::quantity_plain(written(step.value))) <= formula;
+  const double letters = sides + letters_of(formula::quantity_plain(written(step.value)));
+  return letters <= formula && letters + letters_of(step.why.text()) <= half;
 }
 
 /// A formula that cannot be broken to fit beside its reason, or on a page at all, is given room.

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t many_columns = 7;                         // set closer, with units in the head
 constexpr int few_digits = 4;                                   // of their numbers; the calculation and JSON have more
 constexpr double between = 1.6;                                 // two columns, letters
-constexpr double close_letters = 112.0, finer_letters = 126.0;  // of a line that is set closer, and in smaller type
+constexpr double close_letters = 112.0, finer_letters = 140.0;  // of a line that is set closer, and in smaller type
 
 /// A column as it is set: in the head its unit, where all of its numbers have the same.
 struct Column {
@@ -121,9 +121,12 @@ bool is_form(const Table& table) {
   });
 }
 
+/// Symbols with what they mean: in print two columns of them stand on a page.
+bool is_of_values(const Table& table) { return table.head.size() == 3 && table.head[0].id == "symbol"; }
+
 /// Numbers and names that fill less than half of a line: such a table stands beside the next one.
 bool is_narrow(const Table& table, const std::vector<bool>& numeric) {
-  constexpr double half = 46.0;  // letters
+  constexpr double half = 50.0;  // letters
   const auto breaks = [](const Cell& of) {
     return !std::holds_alternative<Quantity>(of) && !std::holds_alternative<std::string>(of);
   };
@@ -139,8 +142,8 @@ bool is_narrow(const Table& table, const std::vector<bool>& numeric) {
 }
 
 std::string wide(const Table& table, const std::vector<bool>& numeric) {
-  std::string out =
-      is_form(table) ? "<div class=\"scroll\"><table class=\"form\">\n" : "<div class=\"scroll\"><table>\n";
+  const std::string style = is_form(table) ? " class=\"form\"" : is_of_values(table) ? " class=\"of-values\"" : "";
+  std::string out = "<div class=\"scroll\"><table" + style + ">\n";
   if (!table.head.empty()) {
     out += "<thead><tr>";
     for (std::size_t i = 0; i < table.head.size(); ++i) out += head_cell(table.head[i], numeric[i], {});

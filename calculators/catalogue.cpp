@@ -9,7 +9,7 @@
 namespace loadpath {
 
 // clang-format off
-namespace shaft { struct Torsion; struct Overhung; struct Design; struct Key; struct PressFit; struct Held; }
+namespace shaft { struct Torsion; struct Overhung; struct Design; struct Key; struct Spline; struct SetScrew; struct Circlip; struct PressFit; struct Held; }
 namespace section {
   struct Circle; struct Ellipse; struct Ring; struct Rectangle; struct I; struct Channel; struct Angle; struct Tee; struct Hollow;
   struct Polygon; struct BuiltUp; struct ThinWalled; struct SolidTorsion;
@@ -49,6 +49,9 @@ static constexpr std::array all{
     Row{&erased<shaft::Overhung>},
     Row{&erased<shaft::Design>},
     Row{&erased<shaft::Key>},
+    Row{&erased<shaft::Spline>},
+    Row{&erased<shaft::SetScrew>},
+    Row{&erased<shaft::Circlip>},
     Row{&erased<shaft::PressFit>},
     Row{&erased<shaft::Held>},
     Row{&erased<section::Circle>},

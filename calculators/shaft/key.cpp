@@ -9,22 +9,14 @@ namespace {
 using Input = Key::Input;
 using Result = Key::Result;
 
-/// What a side allows: typed, or 0.9 of its yield strength; none where neither is given.
-template <class Tracer>
-Stress allowed(const char* symbol, Stress typed, Stress R_e, Tracer& trace) {
-  if (is_set(typed)) return trace.value(symbol, typed, "given");
-  if (!is_set(R_e)) return typed;
-  return trace.value(symbol, 0.9 * R_e, "0.9 R_e, method C of [DIN6892]");
-}
-
 /// Pressures and the shear stress at the force that counts.
 template <class Tracer>
 void stresses(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, l_tr, in.form == Key::Form::A ? in.l - in.b : in.l,
           in.form == Key::Form::A ? "between the round ends" : "up to the straight ends");
   STEP_TO(r, phi, in.i > 1 ? 0.75 : 1.0, "two keys do not bear alike, method C of [DIN6892]");
-  STEP_TO(r, T_eq, is_set(in.T_max) ? max(in.K_A * abs(in.T), abs(in.T_max)) : in.K_A * abs(in.T),
-          "torque that counts");
+  torque_that_counts(in, r, trace);
+  const Moment T_eq = r.T_eq;
   STEP_TO(r, F_t, 2.0 * T_eq / in.d, "at the surface of the shaft");
   STEP_TO(r, p_1, F_t / (in.t_1 * l_tr * in.i * phi), "on what stands in the shaft");
   STEP_TO(r, p_2, F_t / ((in.h - in.t_1) * l_tr * in.i * phi), "on what stands out of it, method C of [DIN6892]");
@@ -35,9 +27,9 @@ void stresses(const Input& in, Result& r, Tracer& trace) {
 template <class Tracer>
 void strengths(const Input& in, Result& r, Tracer& trace) {
   const Stress p_1 = r.p_1, p_2 = r.p_2, tau = r.tau;
-  const Stress p_a1 = allowed("p_a1", in.p_adm_1, in.R_e_1, trace);
-  const Stress p_a2 = allowed("p_a2", in.p_adm_2, in.R_e_2, trace);
-  const Stress p_ak = allowed("p_ak", in.p_adm_k, in.R_e_k, trace);
+  const Stress p_a1 = allowed_pressure("p_a1", in.p_adm_1, in.R_e_1, trace);
+  const Stress p_a2 = allowed_pressure("p_a2", in.p_adm_2, in.R_e_2, trace);
+  const Stress p_ak = allowed_pressure("p_ak", in.p_adm_k, in.R_e_k, trace);
   if (is_set(p_a1)) {
     STEP_TO(r, u_1, p_1 / p_a1, "against what the shaft allows");
   }
@@ -78,17 +70,6 @@ void fits(const Input& in, Result& r, Tracer& trace) {
 }  // namespace
 
 bool Key::sizes_given(const Input& in) { return is_set(in.b) && is_set(in.h) && is_set(in.t_1); }
-
-Applies Key::loaded(const Input& in) {
-  return where(abs(in.T) > 0.0 * N_m.one || (is_set(in.T_max) && abs(in.T_max) > 0.0 * N_m.one));
-}
-
-Applies Key::reverses(const Input& in) {
-  if (in.torque == Sense::unknown) return Applies::unseen;
-  return where(in.torque == Sense::reversing);
-}
-
-Applies Key::varies(const Input& in) { return shown_by(in.K_A > 1.0 || in.torque == Sense::reversing); }
 
 template <class Tracer>
 Key::Result Key::evaluate(const Input& in, Tracer& trace) {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "calculators/shaft/parts/pieces.hpp"
+#include "calculators/shaft/parts/torque.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -43,7 +44,6 @@ R_e_2 = "300 MPa"
 R_e_k = "420 MPa"
 )";
 
-  enum class Sense { unknown, one_way, reversing };
   enum class Form { A, B };
 
   struct Input {
@@ -61,9 +61,6 @@ R_e_k = "420 MPa"
     double f_W = unset<double>;
   };
   static bool sizes_given(const Input& in);
-  static Applies loaded(const Input& in);
-  static Applies reverses(const Input& in);
-  static Applies varies(const Input& in);
   static constexpr std::tuple inputs{
       RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
       Field{&Input::T, "T", N_m, "torque"}.load(),
@@ -176,18 +173,20 @@ R_e_k = "420 MPa"
                   "the standard has no key of this section in that length", nullptr, true}};
 
   static constexpr std::array modes{
-      Mode<Input>{"shaft", "side of the seat in the shaft crushed", &loaded}.judged_by("u_1"),
-      Mode<Input>{"hub", "side of the seat in the hub crushed", &loaded}.judged_by("u_2"),
-      Mode<Input>{"key", "side of the key crushed", &loaded}.judged_by("u_k"),
-      Mode<Input>{"shear", "key sheared off", &loaded}.judged_by("u_tau"),
-      Mode<Input>{"reversal", "sides beaten out where the torque changes its sense", &reverses}
+      Mode<Input>{"shaft", "side of the seat in the shaft crushed", &torque_loads<Input>}.judged_by("u_1"),
+      Mode<Input>{"hub", "side of the seat in the hub crushed", &torque_loads<Input>}.judged_by("u_2"),
+      Mode<Input>{"key", "side of the key crushed", &torque_loads<Input>}.judged_by("u_k"),
+      Mode<Input>{"shear", "key sheared off", &torque_loads<Input>}.judged_by("u_tau"),
+      Mode<Input>{"reversal", "sides beaten out where the torque changes its sense", &torque_reverses<Input>}
           .judged_by("u_W")
           .in_service(),
-      Mode<Input>{"length", "a key so long that its end does not bear", &loaded}.judged_by("x_l").of_shape(),
+      Mode<Input>{"length", "a key so long that its end does not bear", &torque_loads<Input>}
+          .judged_by("x_l")
+          .of_shape(),
       Mode<Input>{"hub_length", "a key that sticks out of the hub", &always<Input>}.judged_by("u_n").of_shape(),
       Mode<Input>{"fit", "a key that does not belong to the shaft", &always<Input>}.judged_by("x_d").of_shape(),
       Mode<Input>{"depth", "a key that is too high for its seats", &always<Input>}.judged_by("x_h").of_shape(),
-      Mode<Input>{"fatigue", "fatigue of the shaft at the end of the seat", &varies}
+      Mode<Input>{"fatigue", "fatigue of the shaft at the end of the seat", &torque_varies<Input>}
           .left_to("shaft.design", "notch.fatigue")
           .in_service(),
       Mode<Input>{"seat", "a hub that shifts or tilts by the forces that come with the torque: no key holds it",
@@ -201,13 +200,6 @@ R_e_k = "420 MPa"
   static Result evaluate(const Input& in, Tracer& trace);
 };
 
-constexpr auto choices_of(Key::Sense) {
-  using Sense = Key::Sense;
-  return std::array{
-      ChoiceName<Sense>{Sense::unknown, "unknown", "it is not known"},
-      ChoiceName<Sense>{Sense::one_way, "one_way", "it never does"},
-      ChoiceName<Sense>{Sense::reversing, "reversing", "it does: starts both ways, or torsional vibration"}};
-}
 constexpr auto choices_of(Key::Form) {
   using Form = Key::Form;
   return std::array{ChoiceName<Form>{Form::A, "A", "round ends: l - b bears"},

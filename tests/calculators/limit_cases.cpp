@@ -485,6 +485,12 @@ const Case keys[] = {
     {"shaft.key", "T = \"0 N*m\"", "F_t", 0.0},
     {"shaft.key", "T_max = \"-1 kN*m\"", "F_t", 40e3},
     {"shaft.key", "d = \"50 mm\"", "x_d", 1.0},
+    {"shaft.spline", "T = \"0 N*m\"", "p", 0.0},
+    {"shaft.spline", "phi = 1\nl = \"100 mm\"\nK_A = 1", "p", 640.0 / 0.028 / (8 * 4e-3 * 0.1)},
+    {"shaft.set_screw", "T = \"0 N*m\"\nF_a = \"-500 N\"", "F", 500.0},
+    {"shaft.set_screw", "F_a = \"600 N\"", "F", 1000.0},  // 3 4 5
+    {"shaft.circlip", "c = \"0 mm\"", "F_ring", 17e3},
+    {"shaft.circlip", "c = \"0.01 mm\"", "F_ring", 17e3},  // never more than against a sharp edge
 };
 
 const char* const solid =  // of one material: p = U E (1 - (d/D)^2)/(2 d)

@@ -187,4 +187,26 @@ struct KeyNotch {
                                      Field{&KeyNotch::r_T, "r_T", ratio, "-1 where the torque changes its sense"}};
 };
 
+/// The end of a spline, for a shaft to take whole; its notch factors are those of tests.
+struct SplineNotch {
+  Notch kind = Notch::beta;
+  Length d = unset<Length>;
+  double beta_b = unset<double>, beta_t = unset<double>, r_T = unset<double>;
+  static constexpr std::tuple fields{Choice{&SplineNotch::kind, "kind", "kind of notch"},
+                                     Field{&SplineNotch::d, "d", mm, "diameter that it is made for"},
+                                     Field{&SplineNotch::beta_b, "beta_b", ratio, "notch factor in bending"},
+                                     Field{&SplineNotch::beta_t, "beta_t", ratio, "notch factor in torsion"},
+                                     Field{&SplineNotch::r_T, "r_T", ratio, "-1 where the torque changes its sense"}};
+};
+
+/// The groove of a retaining ring, for a shaft to take whole.
+struct RingNotch {
+  Notch kind = Notch::rectangular_groove;
+  Length d = unset<Length>, t = unset<Length>, w = unset<Length>, r = unset<Length>;
+  static constexpr std::tuple fields{
+      Choice{&RingNotch::kind, "kind", "kind of notch"},
+      Field{&RingNotch::d, "d", mm, "diameter of the shaft beside it"}, Field{&RingNotch::t, "t", mm, "its depth"},
+      Field{&RingNotch::w, "w", mm, "its width"}, Field{&RingNotch::r, "r", mm, "radius at its edges"}};
+};
+
 }  // namespace loadpath::shaft

@@ -1,0 +1,134 @@
+// A retaining ring in the groove of a shaft (DIN 471): groove and shoulder, the ring, the speed at which it opens.
+//
+// Decides as the standard's load columns do: the groove yields at F_N = R_e A/q, where A is the ring of the groove's
+// side and q = 1.2 for a shoulder of three depths or more, which its printed F_N at 200 MPa follow, [DIN471];
+// shorter shoulders need a q that is typed. The ring bears F_R against a sharp edge and F_Rg g/c against a chamfer c,
+// never more than F_R, and opens at n_abl: a maker's values, or those of `circlip = "18x1.2"`. Neither holds a safety:
+// S does. K_A acts once. Not covered: impact, the ring in assembly, rings in bores.
+#pragma once
+
+#include "calculators/shaft/parts/pieces.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/quantity/drive_units.hpp"
+
+#include <array>
+
+namespace loadpath::shaft {
+
+struct Circlip {
+  static constexpr auto id = "shaft.circlip";
+  static constexpr auto title = "Retaining ring on a shaft";
+  static constexpr auto scope =
+      "What the groove of a retaining ring, its shoulder and the ring itself bear along the shaft, and the speed at "
+      "which the ring opens. Impact and assembly are not covered, the shaft's fatigue at the groove is shaft.design's.";
+  static constexpr auto source = "[DIN471]";
+  static constexpr auto example = R"([project]
+title = "Ring beside a bearing on a shaft of 18 mm"
+
+[ring]
+calculator = "shaft.circlip"
+F_a = "2.2 kN"
+K_A = 1.25
+circlip = "18x1.2"
+w = "2 mm"
+c = "1 mm"
+R_e = "340 MPa"
+n = "1500 rpm"
+)";
+
+  struct Input {
+    Force F_a = unset<Force>;
+    double K_A = 1.0, S = 1.5;
+    Length d_1 = unset<Length>, d_2 = unset<Length>, m = unset<Length>, r = unset<Length>, w = unset<Length>;
+    double q = unset<double>;
+    Stress R_e = unset<Stress>;
+    Length c = unset<Length>, g = unset<Length>;
+    Force F_R = unset<Force>, F_Rg = unset<Force>;
+    AngularSpeed n = unset<AngularSpeed>, n_abl = unset<AngularSpeed>;
+  };
+  static Applies loaded(const Input& in);
+  static Applies turns_round(const Input& in);
+  static Applies varies(const Input& in);
+  static constexpr std::tuple inputs{
+      Field{&Input::F_a, "F_a", N, "force along the shaft against the ring; its size counts"}.load(),
+      Field{&Input::K_A, "K_A", ratio, "service factor on F_a: what it does not contain, once"}
+          .positive()
+          .usually(1, 4)
+          .factor(),
+      Field{&Input::S, "S", ratio, "safety that is asked for; neither F_N nor F_R holds one"}
+          .at_least(1)
+          .usually(1, 5)
+          .factor(),
+      Field{&Input::d_1, "d_1", mm, "diameter of the shaft"}.positive().usually(3, 300).from("circlip", "d_1"),
+      Field{&Input::d_2, "d_2", mm, "diameter of the groove"}.positive().from("circlip", "d_2"),
+      Field{&Input::m, "m", mm, "width of the groove"}.positive().from("circlip", "m").where_it_has(),
+      Field{&Input::r, "r", mm, "radius at the edges of the groove's ground, for the shaft's notch"}
+          .positive()
+          .may_be_missing(),
+      Field{&Input::w, "w", mm, "width of the shoulder from the groove to the shaft's end"}.positive(),
+      Field{&Input::q, "q", ratio, "load factor of a shoulder shorter than three depths, in place of 1.2"}
+          .within(1.2, 20)
+          .may_be_missing()
+          .factor(),
+      Field{&Input::R_e, "R_e", MPa, "yield strength of the shaft"}.positive().usually(150, 2000).from("material",
+                                                                                                       "R_e", "d_1"),
+      Field{&Input::c, "c", mm, "chamfer, radius or play of the part that the ring holds; 0 of a sharp edge"}
+          .at_least(0)
+          .may_be_missing(),
+      Field{&Input::g, "g", mm, "chamfer that F_Rg is for"}.positive().from("circlip", "g").where_it_has(),
+      Field{&Input::F_R, "F_R", N, "what the ring bears against a sharp edge"}
+          .positive()
+          .from("circlip", "F_R")
+          .where_it_has(),
+      Field{&Input::F_Rg, "F_Rg", N, "what the ring bears against a part with the chamfer g"}
+          .positive()
+          .from("circlip", "F_Rg")
+          .where_it_has(),
+      Field{&Input::n, "n", rpm, "speed of the shaft"}.at_least(0).may_be_missing(),
+      Field{&Input::n_abl, "n_abl", rpm, "speed at which the ring opens"}
+          .positive()
+          .from("circlip", "n_abl")
+          .where_it_has()};
+
+  struct Result {
+    Force F_d = unset<Force>, F_N = unset<Force>, F_ring = unset<Force>;
+    Length t = unset<Length>;
+    double u_N = unset<double>, u_R = unset<double>, u_n = unset<double>, x_w = unset<double>;
+    RingNotch notch;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::F_d, "F_d", N, "force that counts: with the service factor"}.holding("K_A"),
+      Field{&Result::t, "t", mm, "depth of the groove"},
+      Field{&Result::F_N, "F_N", N, "what the groove bears until it yields"},
+      Field{&Result::F_ring, "F_ring", N, "what the ring bears against the edge that it holds"},
+      Field{&Result::u_N, "u_N", ratio, "groove: force with its safety over F_N"}.check(),
+      Field{&Result::u_R, "u_R", ratio, "ring: force with its safety over F_ring"}.check("c").where_it_applies(),
+      Field{&Result::u_n, "u_n", ratio, "speed over that at which the ring opens"}.check("n, n_abl"),
+      Field{&Result::x_w, "x_w", ratio, "width of the shoulder over the groove's depth: shorter ones need a q"}
+          .limit(3 - 1e-9, 1e6)
+          .where_it_applies(),
+      Group{&Result::notch, "notch", "the groove, for a notch of shaft.design: part"}.handed_over()};
+
+  static constexpr std::array rules{Rule<Input>{[](const Input& in) { return !(in.d_1 <= in.d_2); }, "d_1, d_2",
+                                                "the groove must be thinner than the shaft"},
+                                    Rule<Input>{[](const Input& in) { return !is_set(in.F_Rg) || is_set(in.g); },
+                                                "F_Rg, g", "F_Rg is for a chamfer g: give both"}};
+
+  static constexpr std::array modes{
+      Mode<Input>{"groove", "side of the groove crushed, or its shoulder sheared off", &loaded}.judged_by("u_N, x_w"),
+      Mode<Input>{"ring", "ring dished or pushed out", &loaded}.judged_by("u_R").wanting("c, F_R"),
+      Mode<Input>{"opening", "a ring that opens by its speed", &turns_round}.judged_by("u_n").in_service(),
+      Mode<Input>{"fatigue", "fatigue of the shaft at the groove", &varies}
+          .left_to("shaft.design", "notch.fatigue")
+          .in_service(),
+      Mode<Input>{"other_loads", "what comes along with the force, and no ring bears", &unseen<Input>}.by_companions(),
+      Mode<Input>{"impact", "a part that strikes the ring", &unseen<Input>}.special(),
+      Mode<Input>{"assembly", "a ring that is stretched too far when it is put on", &unseen<Input>}.special()};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+}  // namespace loadpath::shaft

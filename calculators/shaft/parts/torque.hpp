@@ -1,0 +1,55 @@
+// What keys and splines have in common: which torque counts, whether it changes its sense, what their sides allow.
+#pragma once
+
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/quantity/units.hpp"
+
+#include <array>
+
+namespace loadpath::shaft {
+
+/// Whether a torque changes its sense.
+enum class Sense { unknown, one_way, reversing };
+
+constexpr auto choices_of(Sense) {
+  return std::array{
+      ChoiceName<Sense>{Sense::unknown, "unknown", "it is not known"},
+      ChoiceName<Sense>{Sense::one_way, "one_way", "it never does"},
+      ChoiceName<Sense>{Sense::reversing, "reversing", "it does: starts both ways, or torsional vibration"}};
+}
+
+/// Something to carry: T, or T_max where it is given.
+template <class Input>
+Applies torque_loads(const Input& in) {
+  return where(abs(in.T) > 0.0 * N_m.one || (is_set(in.T_max) && abs(in.T_max) > 0.0 * N_m.one));
+}
+
+template <class Input>
+Applies torque_reverses(const Input& in) {
+  if (in.torque == Sense::unknown) return Applies::unseen;
+  return where(in.torque == Sense::reversing);
+}
+
+template <class Input>
+Applies torque_varies(const Input& in) {
+  return shown_by(in.K_A > 1.0 || in.torque == Sense::reversing);
+}
+
+/// K_A acts once, on T and not on T_max, which is what the largest shock brings, whole.
+template <class Input, class Result, class Tracer>
+void torque_that_counts(const Input& in, Result& r, Tracer& trace) {
+  STEP_TO(r, T_eq, is_set(in.T_max) ? max(in.K_A * abs(in.T), abs(in.T_max)) : in.K_A * abs(in.T),
+          "torque that counts");
+}
+
+/// What a side allows: typed, or 0.9 of its yield strength; none where neither is given.
+template <class Tracer>
+Stress allowed_pressure(const char* symbol, Stress typed, Stress R_e, Tracer& trace) {
+  if (is_set(typed)) return trace.value(symbol, typed, "given");
+  if (!is_set(R_e)) return typed;
+  return trace.value(symbol, 0.9 * R_e, "0.9 R_e, method C of [DIN6892]");
+}
+
+}  // namespace loadpath::shaft

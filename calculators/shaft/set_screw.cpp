@@ -1,0 +1,62 @@
+#include "calculators/shaft/set_screw.hpp"
+
+#include "lib/calculator/calculator_of.hpp"
+
+namespace loadpath::shaft {
+
+namespace {
+
+using Input = SetScrew::Input;
+using Result = SetScrew::Result;
+
+/// What a point holds over what a cup point does, [SPS].
+double share_of(SetScrew::Point point) {
+  using Point = SetScrew::Point;
+  switch (point) {
+    case Point::cup:
+      return 1.0;
+    case Point::cone:
+      return 1.07;
+    case Point::flat:
+    case Point::dog:
+      return 0.92;
+    case Point::oval:
+      return 0.90;
+  }
+  return unset<double>;
+}
+
+double least_safety(SetScrew::Case load_case) { return load_case == SetScrew::Case::dynamic ? 4.0 : 1.5; }
+
+}  // namespace
+
+Applies SetScrew::loaded(const Input& in) { return where(abs(in.T) > 0.0 * N_m.one || abs(in.F_a) > 0.0 * N.one); }
+
+Applies SetScrew::asks_safety(const Input& in) {
+  if (in.load_case == Case::unsaid) return shown_by(in.K_A > 1.0);
+  return Applies::yes;
+}
+
+template <class Tracer>
+SetScrew::Result SetScrew::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  STEP_TO(r, F_t, 2.0 * in.K_A * abs(in.T) / in.d, "at the surface of the shaft");
+  STEP_TO(r, F, sqrt(pow<2>(F_t) + pow<2>(in.K_A * in.F_a)), "around and along the shaft together");
+  const double k_P = trace.value("k_P", share_of(in.point), "of the point, [SPS]");
+  const double k_i = trace.value("k_i", in.i > 1 ? 2.0 * in.phi : 1.0, "of the screws");
+  STEP_TO(r, F_zul, k_P * in.k_H * k_i * in.F_h, "what they hold, [SPS]");
+  STEP_TO(r, T_h, F_zul * in.d / 2.0, "without a force along the shaft");
+  STEP_TO(r, u, in.S * F / F_zul, "against slip");
+  if (in.load_case != Case::unsaid) {
+    const double S_min = trace.value("S_min", least_safety(in.load_case), "of this load case, [SPS]");
+    STEP_TO(r, u_S, S_min / in.S, "the safety is no less");
+  }
+  return r;
+}
+
+template SetScrew::Result SetScrew::evaluate(const Input&, NoTrace&);
+template SetScrew::Result SetScrew::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath::shaft
+
+template const loadpath::Calculator& loadpath::erased<loadpath::shaft::SetScrew>();

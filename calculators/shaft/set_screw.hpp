@@ -1,0 +1,129 @@
+// Set screws that hold a hub on its shaft: torque and force along the shaft against what the points hold.
+//
+// Decides by the holding power of a screw with a cup point, which bears along and around the shaft alike, at its
+// surface: tests of makers, [SPS], at the seating torque of the table; other points hold 1.07 (cone),
+// 0.92 (flat, dog) and 0.90 (oval) of it, [SPS]. Two screws hold phi times two, typed: with an angle between them they
+// hold less than twice one. These are mean values of tests: a safety of 1.5 to 2 for loads at rest and 4 to 8 for
+// others, [SPS]. K_A acts once. Not covered: screws that loosen by vibration, a screw in tension.
+#pragma once
+
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/quantity/units.hpp"
+
+#include <array>
+
+namespace loadpath::shaft {
+
+struct SetScrew {
+  static constexpr auto id = "shaft.set_screw";
+  static constexpr auto title = "Set screws of a hub";
+  static constexpr auto scope =
+      "Torque and force along the shaft that one set screw or two hold by their points, with the safety that tests of "
+      "makers ask for. Loosening by vibration and the dent in the shaft are not covered.";
+  static constexpr auto source = "[SPS]";
+  static constexpr auto example = R"([project]
+title = "Pulley of a small fan"
+
+[pulley]
+calculator = "shaft.set_screw"
+T = "8 N*m"
+load_case = "static"
+set_screw = "3/8"
+d = "20 mm"
+S = 2
+)";
+
+  enum class Case { unsaid, at_rest, dynamic };
+  enum class Point { cup, cone, flat, dog, oval };
+
+  struct Input {
+    Moment T = unset<Moment>;
+    Force F_a = 0.0 * N;
+    double K_A = 1.0;
+    Case load_case = Case::unsaid;
+    Length d = unset<Length>;
+    Force F_h = unset<Force>;
+    Point point = Point::cup;
+    Whole i = 1;
+    double phi = unset<double>;
+    double k_H = 1.0;
+    double S = unset<double>;
+  };
+  static Applies loaded(const Input& in);
+  static Applies asks_safety(const Input& in);
+  static constexpr std::tuple inputs{
+      RecordField<Input>{"load", "what belt, chain or drive sits on it, whole: load = \"=belts.shaft_2\""},
+      Field{&Input::T, "T", N_m, "torque; its size counts"}.load(),
+      Field{&Input::F_a, "F_a", N, "force along the shaft; its size counts"}.load(),
+      Field{&Input::K_A, "K_A", ratio, "service factor on both: what they do not contain, once"}
+          .positive()
+          .usually(1, 4)
+          .factor(),
+      Choice{&Input::load_case, "load_case", "how the loads come"}.may_be_missing(),
+      Field{&Input::d, "d", mm, "diameter of the shaft"}.positive().usually(1.5, 120),
+      Field{&Input::F_h, "F_h", N, "what one screw with a cup point holds at the surface of the shaft"}.positive().from(
+          "set_screw", "F_h"),
+      Choice{&Input::point, "point", "point of the screw"},
+      Count{&Input::i, "i", 1, 2, "screws"}.may_be_missing(),
+      Field{&Input::phi, "phi", ratio, "what two screws hold over twice one: by the angle between them, of tests"}
+          .within(0.5, 1)
+          .may_be_missing()
+          .factor(),
+      Field{&Input::k_H, "k_H", ratio, "0.85 where the shaft is not 10 HRC softer than the screw"}
+          .within(0.5, 1)
+          .factor(),
+      Field{&Input::S, "S", ratio, "safety that is asked for: 1.5 to 2 at rest, 4 to 8 of dynamic loads"}
+          .at_least(1)
+          .usually(1.5, 8)
+          .factor()};
+
+  struct Result {
+    Force F_t = unset<Force>, F = unset<Force>, F_zul = unset<Force>;
+    Moment T_h = unset<Moment>;
+    double u = unset<double>, u_S = unset<double>;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::F_t, "F_t", N, "force around the shaft at its surface"}.holding("K_A"),
+      Field{&Result::F, "F", N, "that and the force along the shaft together"}.holding("K_A"),
+      Field{&Result::F_zul, "F_zul", N, "what the screws hold"},
+      Field{&Result::T_h, "T_h", N_m, "torque that they hold alone"},
+      Field{&Result::u, "u", ratio, "force with its safety over what the screws hold"}.check(),
+      Field{&Result::u_S, "u_S", ratio, "least safety of this load case over that which is asked for"}
+          .check()
+          .where_it_applies()};
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return (in.i > 1) == is_set(in.phi); }, "i, phi",
+                  "two screws hold less than twice one: give phi with i = 2, and with nothing else"}};
+
+  static constexpr std::array modes{
+      Mode<Input>{"slip", "hub that slips around or along the shaft", &loaded}.judged_by("u"),
+      Mode<Input>{"safety", "a safety below that which tests of this load case ask for", &asks_safety}
+          .judged_by("u_S")
+          .in_service(),
+      Mode<Input>{"seat", "a hub that tilts by the forces that come with the torque", &unseen<Input>}.by_companions(),
+      Mode<Input>{"loosening", "screws that loosen by vibration", &unseen<Input>}.special(),
+      Mode<Input>{"shaft", "fatigue of the shaft at the dent of the point", &unseen<Input>}.in_service()};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+constexpr auto choices_of(SetScrew::Case) {
+  using Case = SetScrew::Case;
+  return std::array{ChoiceName<Case>{Case::unsaid, "unsaid", "it is not said"},
+                    ChoiceName<Case>{Case::at_rest, "static", "they stay, without shocks: a safety of 1.5 at least"},
+                    ChoiceName<Case>{Case::dynamic, "dynamic", "they vary or shake: a safety of 4 at least"}};
+}
+constexpr auto choices_of(SetScrew::Point) {
+  using Point = SetScrew::Point;
+  return std::array{ChoiceName<Point>{Point::cup, "cup", "cup point, the usual one"},
+                    ChoiceName<Point>{Point::cone, "cone", "cone point: 1.07 of a cup point"},
+                    ChoiceName<Point>{Point::flat, "flat", "flat point: 0.92"},
+                    ChoiceName<Point>{Point::dog, "dog", "dog point: 0.92"},
+                    ChoiceName<Point>{Point::oval, "oval", "oval point: 0.90"}};
+}
+
+}  // namespace loadpath::shaft

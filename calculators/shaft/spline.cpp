@@ -1,0 +1,88 @@
+#include "calculators/shaft/spline.hpp"
+
+#include "lib/calculator/calculator_of.hpp"
+
+namespace loadpath::shaft {
+
+namespace {
+
+using Input = Spline::Input;
+using Result = Spline::Result;
+
+template <class Tracer>
+double bearing_share(const Input& in, Tracer& trace) {
+  if (is_set(in.phi)) return trace.value("share", in.phi, "given");
+  return trace.value("share", in.centring == Spline::Centring::inner ? 0.75 : 0.9, "by what centres it, [WelleNabe]");
+}
+
+template <class Tracer>
+void stresses(const Input& in, Result& r, Tracer& trace) {
+  torque_that_counts(in, r, trace);
+  const Moment T_eq = r.T_eq;
+  STEP_TO(r, d_m, (in.d_1 + in.d_2) / 2.0, "mean diameter of the flanks, [Bhandari-9]");
+  STEP_TO(r, h_w, (in.d_2 - in.d_1) / 2.0 - 2.0 * in.g, "of a flank, without its chamfers");
+  const double share = r.share = bearing_share(in, trace);
+  STEP_TO(r, F_t, 2.0 * T_eq / d_m, "at the middle of the flanks");
+  STEP(p_m, F_t / (in.z * h_w * in.l * share), "mean pressure on those that bear, [Bhandari-9]");
+  STEP_TO(r, p, is_set(in.k_l) ? in.k_l * p_m : p_m, "where it is largest along them");
+  if (is_set(in.b)) {
+    STEP_TO(r, tau, F_t / (in.z * in.b * in.l * share) * (is_set(in.k_l) ? in.k_l : 1.0), "across a tooth");
+  }
+  if (!is_set(in.k_l)) {
+    STEP_TO(r, x_l, in.l / d_m, "up to 1.3 it bears evenly, as keys do, [DIN6892]");
+  }
+}
+
+/// Against what shaft and hub allow.
+template <class Tracer>
+void strengths(const Input& in, Result& r, Tracer& trace) {
+  const Stress p = r.p, tau = r.tau;
+  const Stress p_a1 = allowed_pressure("p_a1", in.p_adm_1, in.R_e_1, trace);
+  const Stress p_a2 = allowed_pressure("p_a2", in.p_adm_2, in.R_e_2, trace);
+  if (is_set(p_a1)) {
+    STEP_TO(r, u_1, p / p_a1, "against what the shaft allows");
+  }
+  if (is_set(p_a2)) {
+    STEP_TO(r, u_2, p / p_a2, "against what the hub allows");
+  }
+  if (is_set(in.p_adm_w)) {
+    STEP_TO(r, u_w, p / in.p_adm_w, "against what a hub that slides allows");
+  }
+  if (!is_set(tau)) return;
+  if (is_set(in.tau_adm)) {
+    STEP_TO(r, u_tau, tau / in.tau_adm, "against what a tooth allows in shear");
+  } else if (is_set(p_a1)) {
+    STEP_TO(r, u_tau, sqrt(3.0) * tau / p_a1, "equivalent stress of pure shear, [Mises]");
+  }
+}
+
+}  // namespace
+
+Applies Spline::slides(const Input& in) {
+  if (in.hub == Hub::unknown) return Applies::unseen;
+  return where(in.hub == Hub::slides);
+}
+
+/// Where nothing is said of how uneven they bear.
+Applies Spline::bears_evenly(const Input& in) { return is_set(in.k_l) ? Applies::no : torque_loads(in); }
+
+template <class Tracer>
+Spline::Result Spline::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  stresses(in, r, trace);
+  strengths(in, r, trace);
+  if (is_set(in.f_W) && is_set(r.u_1) && is_set(r.u_2)) {
+    STEP_TO(r, u_W, max(r.u_1, r.u_2) / in.f_W, "the worse side, by the factor of the reversal");
+  }
+  r.notch.d = in.d_1;
+  r.notch.beta_b = in.beta_b, r.notch.beta_t = in.beta_t;
+  if (in.torque == Sense::reversing) r.notch.r_T = -1.0;
+  return r;
+}
+
+template Spline::Result Spline::evaluate(const Input&, NoTrace&);
+template Spline::Result Spline::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath::shaft
+
+template const loadpath::Calculator& loadpath::erased<loadpath::shaft::Spline>();

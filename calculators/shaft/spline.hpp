@@ -1,0 +1,211 @@
+// A splined shaft in its hub: pressure on the flanks, shear of the teeth, wear where the hub slides.
+//
+// Decides by the mean pressure on the flanks, p = 2 T/(d_m z h_w l phi): phi is the share of them that bears, 0.75
+// centred inside and 0.9 on the flanks, [WelleNabe], or typed (1/k_phi of DIN 5466); k_l what the pressure is more at
+// one end. Each side against what it allows, 0.9 R_e or typed; a hub that slides under its torque against a pressure
+// that is typed. Profiles of ISO 14 by `spline = "8x52x60"`; those of DIN 5480 by their diameters. K_A acts once, on T
+// and not on T_max. Not covered: bending of the teeth, the burst of a thin hub, DIN 5466 but by its factors.
+#pragma once
+
+#include "calculators/shaft/parts/pieces.hpp"
+#include "calculators/shaft/parts/torque.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/quantity/units.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace loadpath::shaft {
+
+struct Spline {
+  static constexpr auto id = "shaft.spline";
+  static constexpr auto title = "Splined shaft and hub";
+  static constexpr auto scope =
+      "Mean pressure on the flanks of straight-sided or involute splines in shaft and hub, shear of the teeth, wear of "
+      "a hub that slides. Bending of teeth, the hub's wall and the shaft at the end of the splines are not covered.";
+  static constexpr auto source = "[Bhandari-9], [WelleNabe], [DIN6892], [Mises]";
+  static constexpr auto example = R"([project]
+title = "Gear of a lathe on its splined shaft"
+
+[seat]
+calculator = "shaft.spline"
+T = "640 N*m"
+torque = "one_way"
+K_A = 1.25
+spline = "8x52x60"
+l = "50 mm"
+hub = "fixed"
+centring = "inner"
+R_e_1 = "370 MPa"
+R_e_2 = "300 MPa"
+)";
+
+  enum class Hub { unknown, fixed, slides };
+  enum class Centring { inner, flanks };
+
+  struct Input {
+    Moment T = unset<Moment>, T_max = unset<Moment>;
+    Sense torque = Sense::unknown;
+    double K_A = 1.0;
+    double z = unset<double>;
+    Length d_1 = unset<Length>, d_2 = unset<Length>, b = unset<Length>, g = 0.0 * mm;
+    Length l = unset<Length>;
+    Hub hub = Hub::unknown;
+    Centring centring = Centring::inner;
+    double phi = unset<double>, k_l = unset<double>;
+    Stress R_e_1 = unset<Stress>, R_e_2 = unset<Stress>;
+    Stress p_adm_1 = unset<Stress>, p_adm_2 = unset<Stress>, p_adm_w = unset<Stress>, tau_adm = unset<Stress>;
+    double f_W = unset<double>, beta_b = unset<double>, beta_t = unset<double>;
+  };
+  static Applies slides(const Input& in);
+  static Applies bears_evenly(const Input& in);
+  static constexpr std::tuple inputs{
+      RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
+      Field{&Input::T, "T", N_m, "torque"}.load(),
+      Field{&Input::T_max, "T_max", N_m, "largest torque of a start or a shock, where it is more than K_A T"}
+          .load()
+          .may_be_missing(),
+      Choice{&Input::torque, "torque", "whether the torque changes its sense"}.may_be_missing(),
+      Field{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
+          .positive()
+          .usually(1, 4)
+          .factor(),
+      Field{&Input::z, "z", ratio, "teeth of the spline"}.within(3, 500).from("spline", "z"),
+      Field{&Input::d_1, "d_1", mm, "inner diameter of the flanks that bear; of an involute one the hub's tip diameter"}
+          .positive()
+          .usually(5, 500)
+          .from("spline", "d_1"),
+      Field{&Input::d_2, "d_2", mm, "outer diameter of these flanks; of an involute one the shaft's tip diameter"}
+          .positive()
+          .usually(6, 500)
+          .from("spline", "d_2"),
+      Field{&Input::b, "b", mm, "thickness of a tooth, for its shear"}.positive().from("spline", "b").where_it_has(),
+      Field{&Input::g, "g", mm, "chamfer of a flank, taken off at its top and at its root"}.at_least(0).usually(0, 2),
+      Field{&Input::l, "l", mm, "length that bears"}.positive().usually(5, 1000),
+      Choice{&Input::hub, "hub", "whether the hub slides on the shaft"}.may_be_missing(),
+      Choice{&Input::centring, "centring", "what centres the hub: how many flanks bear"},
+      Field{&Input::phi, "phi", ratio, "share of the flanks that bears, in place of that of the centring"}
+          .within(0.1, 1)
+          .may_be_missing()
+          .factor(),
+      Field{&Input::k_l, "k_l", ratio, "largest over mean pressure along the length; missing: even, up to 1.3 d_m"}
+          .within(1, 5)
+          .may_be_missing()
+          .factor(),
+      Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft"}.positive().usually(150, 2000).may_be_missing(),
+      Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub, at its thickness; none of a brittle one"}
+          .positive()
+          .usually(100, 2000)
+          .may_be_missing(),
+      Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable pressure on the shaft, in place of R_e_1"}
+          .positive()
+          .usually(2, 1500)
+          .may_be_missing(),
+      Field{&Input::p_adm_2, "p_adm_2", MPa, "allowable pressure on the hub, in place of R_e_2: of cast iron always"}
+          .positive()
+          .usually(2, 1500)
+          .may_be_missing(),
+      Field{&Input::p_adm_w, "p_adm_w", MPa, "allowable pressure of a hub that slides: few MPa under its torque"}
+          .positive()
+          .usually(1, 150)
+          .may_be_missing(),
+      Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress of a tooth; by Mises from its pressure if missing"}
+          .positive()
+          .usually(10, 1000)
+          .may_be_missing(),
+      Field{&Input::f_W, "f_W", ratio, "factor of a torque that changes its sense; lowers what is allowed"}
+          .within(0.1, 1)
+          .may_be_missing()
+          .factor(),
+      Field{&Input::beta_b, "beta_b", ratio, "notch factor of the shaft at the end of the spline in bending, of tests"}
+          .within(1, 10)
+          .may_be_missing(),
+      Field{&Input::beta_t, "beta_t", ratio, "the same in torsion"}.within(1, 10).may_be_missing()};
+
+  struct Result {
+    Moment T_eq = unset<Moment>;
+    Length d_m = unset<Length>, h_w = unset<Length>;
+    double share = unset<double>;
+    Force F_t = unset<Force>;
+    Stress p = unset<Stress>, tau = unset<Stress>;
+    double u_1 = unset<double>, u_2 = unset<double>, u_w = unset<double>, u_tau = unset<double>, u_W = unset<double>;
+    double x_l = unset<double>;
+    SplineNotch notch;
+  };
+  static constexpr std::tuple results{
+      Field{&Result::T_eq, "T_eq", N_m, "torque that counts: with the service factor, or that of the shock"}.holding(
+          "K_A"),
+      Field{&Result::d_m, "d_m", mm, "mean diameter of the flanks"},
+      Field{&Result::h_w, "h_w", mm, "height of a flank that bears"},
+      Field{&Result::share, "share", ratio, "share of the flanks that bears"},
+      Field{&Result::F_t, "F_t", N, "force at the mean diameter"}.holding("K_A"),
+      Field{&Result::p, "p", MPa, "largest pressure on the flanks"},
+      Field{&Result::tau, "tau", MPa, "shear stress of the teeth"},
+      Field{&Result::u_1, "u_1", ratio, "shaft: pressure over the allowable one"}.check("p_adm_1, R_e_1"),
+      Field{&Result::u_2, "u_2", ratio, "hub: pressure over the allowable one"}.check("p_adm_2, R_e_2"),
+      Field{&Result::u_w, "u_w", ratio, "hub that slides: pressure over the allowable one"}.check("p_adm_w"),
+      Field{&Result::u_tau, "u_tau", ratio, "shear of the teeth over the allowable one"}
+          .check("tau_adm, p_adm_1, R_e_1")
+          .where_it_applies(),
+      Field{&Result::u_W, "u_W", ratio, "sides under a torque that changes its sense: the worse of them over f_W"}
+          .check("f_W")
+          .where_it_applies(),
+      Field{&Result::x_l, "x_l", ratio, "length over d_m: longer ones do not bear evenly"}
+          .limit(0, 1.3 + 1e-9)
+          .where_it_applies(),
+      Group{&Result::notch, "notch", "the end of the spline, for a notch of shaft.design: part"}.handed_over()};
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return !is_set(in.z) || in.z == std::floor(in.z); }, "z",
+                  "a spline has a whole number of teeth"},
+      Rule<Input>{[](const Input& in) { return !(in.d_2 <= in.d_1); }, "d_1, d_2", "d_2 must be the larger"},
+      Rule<Input>{[](const Input& in) { return !(in.d_2 - in.d_1 <= 4.0 * in.g); }, "g, d_1, d_2",
+                  "the chamfers leave nothing of the flank"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.b) || !(in.z * in.b >= pi * in.d_2); }, "b, z, d_2",
+                  "the teeth leave no room for those of the hub"},
+      Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_1) && is_set(in.R_e_1)); }, "p_adm_1, R_e_1",
+                  "give p_adm_1 or R_e_1, never both"},
+      Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_2) && is_set(in.R_e_2)); }, "p_adm_2, R_e_2",
+                  "give p_adm_2 or R_e_2, never both"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.p_adm_w) || in.hub == Hub::slides; }, "p_adm_w, hub",
+                  "p_adm_w belongs to a hub that slides: hub = \"slides\""},
+      Rule<Input>{[](const Input& in) { return is_set(in.beta_b) == is_set(in.beta_t); }, "beta_b, beta_t",
+                  "give beta_b and beta_t, or none of them"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.f_W) || in.torque == Sense::reversing; }, "f_W, torque",
+                  "f_W belongs to a torque that changes its sense: torque = \"reversing\""}};
+
+  static constexpr std::array modes{
+      Mode<Input>{"shaft", "flanks of the shaft crushed", &torque_loads<Input>}.judged_by("u_1"),
+      Mode<Input>{"hub", "flanks of the hub crushed", &torque_loads<Input>}.judged_by("u_2"),
+      Mode<Input>{"teeth", "teeth sheared off", &torque_loads<Input>}.judged_by("u_tau").wanting("b"),
+      Mode<Input>{"reversal", "sides beaten out where the torque changes its sense", &torque_reverses<Input>}
+          .judged_by("u_W")
+          .in_service(),
+      Mode<Input>{"wear", "wear of a hub that slides on the shaft", &slides}.judged_by("u_w"),
+      Mode<Input>{"length", "splines so long that their end does not bear", &bears_evenly}.judged_by("x_l").of_shape(),
+      Mode<Input>{"fatigue", "fatigue of the shaft at the end of the splines", &torque_varies<Input>}
+          .left_to("shaft.design", "notch.fatigue")
+          .in_service(),
+      Mode<Input>{"seat", "a hub that tilts by the forces that come with the torque", &unseen<Input>}.by_companions(),
+      Mode<Input>{"burst", "the wall of the hub, which flanks at an angle press outwards", &unseen<Input>},
+      Mode<Input>{"fretting", "fretting of the flanks", &unseen<Input>}.special()};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+constexpr auto choices_of(Spline::Hub) {
+  using Hub = Spline::Hub;
+  return std::array{ChoiceName<Hub>{Hub::unknown, "unknown", "it is not known"},
+                    ChoiceName<Hub>{Hub::fixed, "fixed", "it stays where it is"},
+                    ChoiceName<Hub>{Hub::slides, "slides", "it is shifted along the shaft"}};
+}
+constexpr auto choices_of(Spline::Centring) {
+  using Centring = Spline::Centring;
+  return std::array{ChoiceName<Centring>{Centring::inner, "inner", "the inner diameter: 0.75 of the flanks bear"},
+                    ChoiceName<Centring>{Centring::flanks, "flanks", "the flanks: 0.9 of them bear"}};
+}
+
+}  // namespace loadpath::shaft

@@ -1,5 +1,5 @@
 // Sweeps of the shaft calculators beside plain loops over doubles, written by hand for the one case.
-#include "calculators/shaft/torsion.hpp"
+#include "calculators/shaft/torsion/torsion.hpp"
 
 #include "calculators/shaft/overhung.hpp"
 #include "tests/bench/sweep.hpp"

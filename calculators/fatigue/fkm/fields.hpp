@@ -1,7 +1,7 @@
 // Words and fields of FKM that every calculator has which rates sections by it.
 #pragma once
 
-#include "calculators/fatigue/din743_fields.hpp"
+#include "calculators/fatigue/din743/fields.hpp"
 #include "calculators/fatigue/fkm/section.hpp"
 #include "lib/quantity/motion_units.hpp"
 

@@ -4,7 +4,7 @@
 // on the safe side. That both gradients are counted one after the other is recalled.
 #pragma once
 
-#include "calculators/fatigue/din743_notch.hpp"
+#include "calculators/fatigue/din743/notch.hpp"
 #include "calculators/fatigue/fkm/material.hpp"
 
 namespace loadpath::fatigue {

@@ -1,7 +1,7 @@
 // What inputs of FKM have to keep between them, for every calculator that rates sections by it.
 #pragma once
 
-#include "calculators/fatigue/din743_rules.hpp"
+#include "calculators/fatigue/din743/rules.hpp"
 #include "calculators/fatigue/fkm/material.hpp"
 
 namespace loadpath::fatigue {

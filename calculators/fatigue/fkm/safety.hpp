@@ -4,7 +4,7 @@
 // sign is of no account: a round section has a fibre of each sign.
 #pragma once
 
-#include "calculators/fatigue/din743_safety.hpp"
+#include "calculators/fatigue/din743/safety.hpp"
 #include "calculators/fatigue/fkm/mean.hpp"
 #include "calculators/fatigue/fkm/notch.hpp"
 

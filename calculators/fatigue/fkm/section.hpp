@@ -3,7 +3,7 @@
 // shaft can have its sections rated one by one.
 #pragma once
 
-#include "calculators/fatigue/din743_section.hpp"
+#include "calculators/fatigue/din743/section.hpp"
 
 namespace loadpath::fatigue {
 

@@ -1,7 +1,7 @@
 #include "calculators/shaft/design/fatigue.hpp"
 
-#include "calculators/fatigue/din743_fields.hpp"
-#include "calculators/fatigue/din743_safety.hpp"
+#include "calculators/fatigue/din743/fields.hpp"
+#include "calculators/fatigue/din743/safety.hpp"
 #include "calculators/fatigue/mean_stress.hpp"
 #include "calculators/fatigue/peterson.hpp"
 #include "calculators/shaft/design/schools.hpp"

@@ -1,7 +1,7 @@
 #include "calculators/shaft/design/schools.hpp"
 
 #include "calculators/fatigue/combined.hpp"
-#include "calculators/fatigue/din743_safety.hpp"
+#include "calculators/fatigue/din743/safety.hpp"
 #include "calculators/fatigue/fkm/fields.hpp"
 #include "calculators/fatigue/fkm/safety.hpp"
 

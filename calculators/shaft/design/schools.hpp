@@ -1,7 +1,7 @@
 // A section of a shaft by schools that stand beside those of [Shigley7] and DIN 743: FKM and Serensen.
 #pragma once
 
-#include "calculators/fatigue/din743_section.hpp"
+#include "calculators/fatigue/din743/section.hpp"
 #include "calculators/shaft/design/turn.hpp"
 
 #include <cmath>

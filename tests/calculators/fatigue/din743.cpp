@@ -1,7 +1,7 @@
-#include "calculators/fatigue/din743.hpp"
+#include "calculators/fatigue/din743/din743.hpp"
 
 #include "calculators/catalogue.hpp"
-#include "calculators/fatigue/din743_safety.hpp"
+#include "calculators/fatigue/din743/safety.hpp"
 #include "lib/project/project.hpp"
 #include "tests/calculators/evaluated.hpp"
 

@@ -1,7 +1,7 @@
 #include "calculators/shaft/overhung.hpp"
 
 #include "calculators/catalogue.hpp"
-#include "calculators/shaft/torsion.hpp"
+#include "calculators/shaft/torsion/torsion.hpp"
 #include "lib/project/project.hpp"
 #include "lib/toml/tree.hpp"
 #include "tests/calculators/evaluated.hpp"

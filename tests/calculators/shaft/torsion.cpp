@@ -1,4 +1,4 @@
-#include "calculators/shaft/torsion.hpp"
+#include "calculators/shaft/torsion/torsion.hpp"
 
 #include "lib/quantity/units.hpp"
 #include "tests/calculators/evaluated.hpp"

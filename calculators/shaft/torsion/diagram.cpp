@@ -1,4 +1,4 @@
-#include "calculators/shaft/torque_diagram.hpp"
+#include "calculators/shaft/torsion/diagram.hpp"
 
 #include <utility>
 

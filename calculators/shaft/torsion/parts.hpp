@@ -1,7 +1,7 @@
 // The shaft of shaft.torsion as it is given: its length, its torques and the stretches between them.
 #pragma once
 
-#include "calculators/shaft/torsion.hpp"
+#include "calculators/shaft/torsion/torsion.hpp"
 
 namespace loadpath::shaft {
 

@@ -5,9 +5,9 @@
 // which the standard leaves to the static proof.
 #pragma once
 
-#include "calculators/fatigue/din743_material.hpp"
-#include "calculators/fatigue/din743_nominal.hpp"
-#include "calculators/fatigue/din743_notch.hpp"
+#include "calculators/fatigue/din743/material.hpp"
+#include "calculators/fatigue/din743/nominal.hpp"
+#include "calculators/fatigue/din743/notch.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/shaft/round_sizing.hpp"
-#include "calculators/shaft/torsion.hpp"
+#include "calculators/shaft/torsion/torsion.hpp"
 
 namespace loadpath::shaft {
 

@@ -2,7 +2,7 @@
 // from the formulas; the rules that two programs give differently are those of the table of the standard.
 #pragma once
 
-#include "calculators/fatigue/din743_section.hpp"
+#include "calculators/fatigue/din743/section.hpp"
 
 namespace loadpath::fatigue {
 

@@ -1,7 +1,7 @@
 // What inputs of DIN 743 have to keep between them, for every calculator that rates sections by it.
 #pragma once
 
-#include "calculators/fatigue/din743_nominal.hpp"
+#include "calculators/fatigue/din743/nominal.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/rules.hpp"
 

@@ -9,8 +9,8 @@
 // that two keyways count 1.15 in torsion as they do in bending.
 #pragma once
 
-#include "calculators/fatigue/din743_fields.hpp"
-#include "calculators/fatigue/din743_rules.hpp"
+#include "calculators/fatigue/din743/fields.hpp"
+#include "calculators/fatigue/din743/rules.hpp"
 #include "calculators/load/limit_meanings.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"

@@ -9,7 +9,7 @@
 #include "calculators/load/shear_strength.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "calculators/shaft/parts/modes.hpp"
-#include "calculators/shaft/torque_diagram.hpp"
+#include "calculators/shaft/torsion/diagram.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/trace.hpp"

@@ -3,7 +3,7 @@
 // as well is how the program does it that was seen, and recalled of no text.
 #pragma once
 
-#include "calculators/fatigue/din743_section.hpp"
+#include "calculators/fatigue/din743/section.hpp"
 #include "calculators/fatigue/size_and_surface.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
-#include "calculators/fatigue/din743.hpp"
+#include "calculators/fatigue/din743/din743.hpp"
 
-#include "calculators/fatigue/din743_safety.hpp"
+#include "calculators/fatigue/din743/safety.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath::fatigue {

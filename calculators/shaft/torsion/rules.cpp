@@ -1,5 +1,5 @@
 // What shaft.torsion asks of its input beyond the bounds of its fields.
-#include "calculators/shaft/torsion_parts.hpp"
+#include "calculators/shaft/torsion/parts.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>

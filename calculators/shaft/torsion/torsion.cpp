@@ -1,7 +1,7 @@
-#include "calculators/shaft/torsion.hpp"
+#include "calculators/shaft/torsion/torsion.hpp"
 
-#include "calculators/shaft/torsion_parts.hpp"
-#include "calculators/shaft/torsion_stretch.hpp"
+#include "calculators/shaft/torsion/parts.hpp"
+#include "calculators/shaft/torsion/stretch.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath::shaft {

@@ -1,7 +1,7 @@
 // Words and fields of DIN 743 that every calculator has which rates sections by it, or sections as it sees them.
 #pragma once
 
-#include "calculators/fatigue/din743_section.hpp"
+#include "calculators/fatigue/din743/section.hpp"
 #include "calculators/fatigue/size_and_surface.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 

@@ -1,7 +1,7 @@
 // Nominal stresses of a section for DIN 743: of what acts there over the net section, or as they are given.
 #pragma once
 
-#include "calculators/fatigue/din743_section.hpp"
+#include "calculators/fatigue/din743/section.hpp"
 
 namespace loadpath::fatigue {
 

@@ -1,8 +1,7 @@
 #include "calculators/fatigue/combined.hpp"
 
-#include "calculators/catalogue.hpp"
-#include "lib/project/project.hpp"
 #include "tests/calculators/evaluated.hpp"
+#include "tests/lib/project/says.hpp"
 
 #include <doctest/doctest.h>
 
@@ -25,16 +24,12 @@ C::Input bar(double sigma_a, double tau_m, double tau_a) {
   return in;
 }
 
-bool says(const std::string& step, const std::string& words) {
-  std::vector<Issue> issues;
-  project::read_project(
-      "[c]\ncalculator = \"fatigue.combined\"\nS_D = 1.5\nsigma_m = \"0 MPa\"\nsigma_a = \"60 MPa\"\ntau_m = \"40 "
-      "MPa\"\ntau_a = \"10 MPa\"\nsigma_D = \"180 MPa\"\n" +
-          step,
-      "case.toml", catalogue(), issues);
-  std::string all;
-  for (const Issue& i : issues) all += i.message.text() + "; " + i.hint.text() + "\n";
-  return all.find(words) != std::string::npos;
+bool says(const std::string& lines, const std::string& words) {
+  return test::says(
+      "[c]\ncalculator = \"fatigue.combined\"\nS_D = 1.5\nsigma_m = \"0 MPa\"\nsigma_a = \"60 MPa\"\n"
+      "tau_m = \"40 MPa\"\ntau_a = \"10 MPa\"\nsigma_D = \"180 MPa\"\n" +
+          lines,
+      words);
 }
 
 }  // namespace

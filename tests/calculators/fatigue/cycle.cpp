@@ -3,6 +3,7 @@
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"
 #include "tests/calculators/evaluated.hpp"
+#include "tests/lib/project/says.hpp"
 
 #include <doctest/doctest.h>
 
@@ -32,17 +33,9 @@ double get(const fatigue::Characteristics& c, int which) {
   return values[which];
 }
 
-std::string messages(const std::string& step) {
-  std::vector<Issue> issues;
-  project::Project p =
-      project::read_project("[c]\ncalculator = \"fatigue.cycle\"\n" + step, "case.toml", catalogue(), issues);
-  if (!has_errors(issues)) project::solve(p, issues);
-  std::string all;
-  for (const Issue& i : issues) all += i.key + ": " + i.message.text() + "; " + i.hint.text() + "\n";
-  return all;
+bool says(const std::string& lines, const std::string& words) {
+  return test::says("[c]\ncalculator = \"fatigue.cycle\"\n" + lines, words);
 }
-
-bool says(const std::string& step, const std::string& words) { return messages(step).find(words) != std::string::npos; }
 
 struct Known {
   double values[5];

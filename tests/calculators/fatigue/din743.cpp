@@ -1,9 +1,8 @@
 #include "calculators/fatigue/din743/din743.hpp"
 
-#include "calculators/catalogue.hpp"
 #include "calculators/fatigue/din743/safety.hpp"
-#include "lib/project/project.hpp"
 #include "tests/calculators/evaluated.hpp"
+#include "tests/lib/project/says.hpp"
 
 #include <doctest/doctest.h>
 
@@ -60,13 +59,7 @@ In bar_of_40(Notch notch, double D, double r, double w = unset<double>) {
 constexpr double no = unset<double>;
 
 bool says(const std::string& lines, const std::string& words) {
-  std::vector<Issue> issues;
-  project::read_project("[c]\ncalculator = \"fatigue.din743\"\n" + lines, "case.toml", catalogue(), issues);
-  std::string all;
-  for (const Issue& i : issues) all += i.message.text() + "; " + i.hint.text() + "\n";
-  const bool said = all.find(words) != std::string::npos;
-  if (!said) MESSAGE(all);
-  return said;
+  return test::says("[c]\ncalculator = \"fatigue.din743\"\n" + lines, words);
 }
 
 }  // namespace

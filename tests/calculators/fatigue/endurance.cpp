@@ -1,9 +1,8 @@
 #include "calculators/fatigue/endurance.hpp"
 
-#include "calculators/catalogue.hpp"
-#include "lib/project/project.hpp"
 #include "lib/quantity/fit_units.hpp"
 #include "tests/calculators/evaluated.hpp"
+#include "tests/lib/project/says.hpp"
 
 #include <doctest/doctest.h>
 
@@ -30,12 +29,8 @@ E::Input shoulder() {
   return in;
 }
 
-bool says(const std::string& step, const std::string& words) {
-  std::vector<Issue> issues;
-  project::read_project("[c]\ncalculator = \"fatigue.endurance\"\n" + step, "case.toml", catalogue(), issues);
-  std::string all;
-  for (const Issue& i : issues) all += i.message.text() + "; " + i.hint.text() + "\n";
-  return all.find(words) != std::string::npos;
+bool says(const std::string& lines, const std::string& words) {
+  return test::says("[c]\ncalculator = \"fatigue.endurance\"\n" + lines, words);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include "calculators/fatigue/fkm/fkm.hpp"
 
-#include "calculators/catalogue.hpp"
 #include "calculators/fatigue/fkm/safety.hpp"
-#include "lib/project/project.hpp"
+#include "tests/calculators/evaluated.hpp"
+#include "tests/lib/project/says.hpp"
 
 #include <doctest/doctest.h>
 
@@ -16,13 +16,10 @@ using namespace loadpath;
 using namespace loadpath::fatigue;
 using In = Fkm::Input;
 
-double rel(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
+using test::rel;
 double in_MPa(Stress stress) { return in_si(stress) / 1e6; }
 
-Fkm::Result rated(const In& in) {
-  NoTrace trace;
-  return Fkm::evaluate(in, trace);
-}
+constexpr auto rated = test::evaluated<Fkm>;
 
 /// Two examples of trainings and of the guideline's authors, as they stand in the tests of boschresearch/pylife: local
 /// stresses there, which over K_t are the nominal ones of here.
@@ -53,13 +50,7 @@ In smooth(double R_m, double d = 40) {
 }
 
 bool says(const std::string& lines, const std::string& words) {
-  std::vector<Issue> issues;
-  project::read_project("[c]\ncalculator = \"fatigue.fkm\"\n" + lines, "case.toml", catalogue(), issues);
-  std::string all;
-  for (const Issue& i : issues) all += i.message.text() + "; " + i.hint.text() + "\n";
-  const bool said = all.find(words) != std::string::npos;
-  if (!said) MESSAGE(all);
-  return said;
+  return test::says("[c]\ncalculator = \"fatigue.fkm\"\n" + lines, words);
 }
 
 }  // namespace

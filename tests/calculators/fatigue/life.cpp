@@ -4,6 +4,7 @@
 #include "lib/project/project.hpp"
 #include "lib/rainflow/sn_curve.hpp"
 #include "tests/calculators/evaluated.hpp"
+#include "tests/lib/project/says.hpp"
 
 #include <doctest/doctest.h>
 
@@ -38,12 +39,8 @@ L::Input steel() {
   return in;
 }
 
-bool says(const std::string& step, const std::string& words) {
-  std::vector<Issue> issues;
-  project::read_project("[c]\ncalculator = \"fatigue.life\"\nS_D = 1.5\n" + step, "case.toml", catalogue(), issues);
-  std::string all;
-  for (const Issue& i : issues) all += i.message.text() + "; " + i.hint.text() + "\n";
-  return all.find(words) != std::string::npos;
+bool says(const std::string& lines, const std::string& words) {
+  return test::says("[c]\ncalculator = \"fatigue.life\"\nS_D = 1.5\n" + lines, words);
 }
 
 }  // namespace

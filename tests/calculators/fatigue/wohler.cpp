@@ -1,10 +1,9 @@
 #include "calculators/fatigue/wohler.hpp"
 
-#include "calculators/catalogue.hpp"
 #include "lib/numerics/quantile.hpp"
-#include "lib/project/project.hpp"
 #include "tests/calculators/evaluated.hpp"
 #include "tests/calculators/step_text.hpp"
+#include "tests/lib/project/says.hpp"
 
 #include <doctest/doctest.h>
 
@@ -36,12 +35,8 @@ W::Input on_a_line(double factor) {
   return in;
 }
 
-bool says(const std::string& step, const std::string& words) {
-  std::vector<Issue> issues;
-  project::read_project("[c]\ncalculator = \"fatigue.wohler\"\n" + step, "case.toml", catalogue(), issues);
-  std::string all;
-  for (const Issue& i : issues) all += i.message.text() + "; " + i.hint.text() + "\n";
-  return all.find(words) != std::string::npos;
+bool says(const std::string& lines, const std::string& words) {
+  return test::says("[c]\ncalculator = \"fatigue.wohler\"\n" + lines, words);
 }
 
 }  // namespace

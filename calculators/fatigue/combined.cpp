@@ -1,5 +1,6 @@
 #include "calculators/fatigue/combined.hpp"
 
+#include "calculators/fatigue/tensile_strength.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath::fatigue {
@@ -14,12 +15,10 @@ using Criterion = Combined::Criterion;
 template <class Tracer>
 void serensen(const Input& in, Stress sigma_t, Stress tau_t, Result& r, Tracer& trace) {
   if (!is_set(in.tau_D) || (!is_set(in.R_m) && !(is_set(in.psi_sigma) && is_set(in.psi_tau)))) return;
-  const double psi_sigma = is_set(in.psi_sigma)
-                               ? trace.value("psi_sigma", in.psi_sigma, "as given")
-                               : NAMED_STEP("psi_sigma", 0.02 + 2e-4 * (in.R_m / MPa), "steels, [GOST25504], recalled");
-  const double psi_tau = is_set(in.psi_tau)
-                             ? trace.value("psi_tau", in.psi_tau, "as given")
-                             : NAMED_STEP("psi_tau", 0.5 * psi_sigma, "half of it in shear, [GOST25504], recalled");
+  const double psi_sigma = is_set(in.psi_sigma) ? trace.value("psi_sigma", in.psi_sigma, "as given")
+                                                : psi_of_steels("psi_sigma", in.R_m, trace);
+  const double psi_tau =
+      is_set(in.psi_tau) ? trace.value("psi_tau", in.psi_tau, "as given") : psi_in_shear("psi_tau", psi_sigma, trace);
   STEP(v_sigma, (in.sigma_a + psi_sigma / in.K_sigma * sigma_t) / in.sigma_D, "what normal stresses take, [GOST25504]");
   STEP(v_tau, (in.tau_a + psi_tau / in.K_tau * tau_t) / in.tau_D, "what shear takes, [GOST25504]");
   if (v_sigma > 0.0) {
@@ -52,7 +51,8 @@ template <class Tracer>
 void gough(const Input& in, Stress sigma_t, Stress tau_t, Result& r, Tracer& trace) {
   if (!is_set(in.R_m) || !is_set(in.tau_D)) return;
   STEP(w_sigma, in.sigma_a / in.sigma_D + sigma_t / in.R_m, "normal stresses by Goodman");
-  STEP(w_tau, in.tau_a / in.tau_D + tau_t / (0.67 * in.R_m), "shear by Goodman, [Shigley6] (6-54)");
+  const Stress S_su = tensile_in_shear(in.R_m, trace);
+  STEP(w_tau, in.tau_a / in.tau_D + tau_t / S_su, "shear by Goodman");
   STEP_TO(r, n_Gough, 1.0 / sqrt(pow<2>(w_sigma) + pow<2>(w_tau)), "ellipse of ductile metals, [Gough]");
 }
 
@@ -76,9 +76,13 @@ double of(const Result& r, Criterion rule) {
 
 template <class Tracer>
 void first_cycle(const Input& in, Result& r, Tracer& trace) {
+  STEP(sigma_v, sqrt(pow<2>(abs(in.sigma_m) + in.sigma_a) + 3.0 * pow<2>(abs(in.tau_m) + in.tau_a)),
+       "largest stresses at one time, [Mises]");
+  if (is_set(in.R_m)) {
+    STEP_TO(r, x_B, sigma_v / in.R_m, "what breaks at once lasts no cycles");
+  }
   if (!is_set(in.R_e)) return;
-  STEP_TO(r, u_y, sqrt(pow<2>(abs(in.sigma_m) + in.sigma_a) + 3.0 * pow<2>(abs(in.tau_m) + in.tau_a)) / in.R_e,
-          "largest stresses at one time, [Mises]");
+  STEP_TO(r, u_y, sigma_v / in.R_e, "yielding at the first cycle");
   if (u_y > 0.0) {
     STEP_TO(r, n_y, 1.0 / u_y, "no yielding at the first load");
   }

@@ -10,6 +10,7 @@
 
 #include "calculators/fatigue/mean_stress.hpp"
 #include "calculators/load/limit_meanings.hpp"
+#include "calculators/load/strength_rules.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/text/issue.hpp"
@@ -94,7 +95,7 @@ S_F = 1.5
     Stress sigma_va = unset<Stress>, sigma_vm = unset<Stress>;
     double n_Goodman = unset<double>, n_Soderberg = unset<double>, n_Gerber = unset<double>, n_elliptic = unset<double>;
     double n_Gough = unset<double>, n = unset<double>, n_y = unset<double>;
-    double u_D = unset<double>, x_v = unset<double>, u_y = unset<double>, u_F = unset<double>;
+    double u_D = unset<double>, x_v = unset<double>, x_B = unset<double>, u_y = unset<double>, u_F = unset<double>;
   };
   static constexpr std::tuple results{
       Field{&Result::n_sigma, "n_sigma", ratio, "Serensen's safety in normal stresses; none without them"},
@@ -115,6 +116,9 @@ S_F = 1.5
       Field{&Result::x_v, "x_v", ratio, "limit in shear by von Mises over tau_D: above 1 shear is not covered by it"}
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
+      Field{&Result::x_B, "x_B", ratio, "largest von Mises stress over the tensile strength: what breaks at once"}
+          .limit(0, 1, "R_m")
+          .criterion(),
       Field{&Result::u_y, "u_y", ratio, "yielding: largest von Mises stress over the yield strength"}.check("R_e"),
       Field{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F")};
 
@@ -122,14 +126,10 @@ S_F = 1.5
   static FieldFault lacking(const Input& in);
   static constexpr std::array rules{
       Rule<Input>{&rule_has_all, "rule, R_m, R_e, tau_D, psi_sigma, psi_tau", "the rule needs more", &lacking},
-      Rule<Input>{[](const Input& in) { return !(in.sigma_D >= in.R_m); }, "sigma_D, R_m",
-                  "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"},
+      lasts_below_tensile<&Input::sigma_D, Input>("sigma_D, R_m"),
       Rule<Input>{[](const Input& in) { return !(in.tau_D > in.sigma_D); }, "tau_D, sigma_D",
                   "the fatigue limit in shear is not above that in normal stresses"},
-      Rule<Input>{[](const Input& in) { return !(in.R_e > in.R_m); }, "R_e, R_m",
-                  "the yield strength is not above the tensile strength"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.S_F) || is_set(in.R_e); }, "S_F, R_e",
-                  "the safety S_F counts against the yield strength R_e: give it, or a material"}};
+      yields_before_it_breaks<Input>(), safety_has_its_yield<Input>()};
 
   static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal}, Meaning{"tau_D", limit_in_shear},
                                        Meaning{"K_sigma", factor_in_normal}, Meaning{"K_tau", factor_in_shear}};
@@ -138,7 +138,7 @@ S_F = 1.5
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),
       Mode<Input>{"fatigue", "fatigue, without end, stresses in phase",
                   [](const Input& in) { return where(varies(in)); }}
-          .judged_by("u_D, x_v"),
+          .judged_by("u_D, x_v, x_B"),
       Mode<Input>{"phase", "stresses that rise and fall apart, other cycles beside these", &unseen<Input>},
       Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>},
       Mode<Input>{"surroundings", "corrosion, heat, fretting under press fits", &unseen<Input>}.special()};

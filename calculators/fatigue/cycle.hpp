@@ -9,6 +9,7 @@
 
 #include "calculators/fatigue/cycle_of.hpp"
 #include "calculators/load/limit_meanings.hpp"
+#include "calculators/load/strength_rules.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
@@ -119,8 +120,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
       Rule<Input>{&two_given, "sigma_max, sigma_min, sigma_m, sigma_a, r",
                   "two of sigma_max, sigma_min, sigma_m, sigma_a and r make a cycle", &miscount},
       Rule<Input>{&sound, "sigma_max, sigma_min, sigma_m, sigma_a, r", "these two do not make a cycle", &objectionable},
-      Rule<Input>{[](const Input& in) { return !is_set(in.S_F) || is_set(in.R_e); }, "S_F, R_e",
-                  "the safety S_F counts against the yield strength R_e: give it, or a material"},
+      safety_has_its_yield<Input>(),
       Rule<Input>{[](const Input& in) { return is_set(in.S_D) == is_set(in.sigma_D); }, "sigma_D, S_D",
                   "the fatigue limit sigma_D and the safety against it S_D belong together"}};
 

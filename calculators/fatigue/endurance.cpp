@@ -3,6 +3,7 @@
 #include "calculators/fatigue/estimate.hpp"
 #include "calculators/fatigue/marin.hpp"
 #include "calculators/fatigue/size_and_surface.hpp"
+#include "calculators/fatigue/tensile_strength.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 #include <cmath>
@@ -19,7 +20,7 @@ using School = Endurance::School;
 /// Neuber's constant in the units of its source: Shigley fits it over kpsi, in root inches.
 template <class Tracer>
 Length neuber_length(const Input& in, Result& r, Tracer& trace) {
-  STEP(S_k, in.R_m / (6.894757 * MPa), "R_m in kpsi, in which the fit is published");
+  const double S_k = in_kpsi(in.R_m, trace);
   const double R_top = trace.value("R_top", in.loading == Loading::torsion ? 1500.0 : 1700.0,
                                    "in MPa, to which Neuber's constant was measured; in torsion less, [Shigley6]");
   STEP_TO(r, x_n, (in.R_m / MPa - 340.0) / (R_top - 340.0), "of steels from 340 MPa on, [Shigley6]");
@@ -70,9 +71,8 @@ template <class Tracer>
 void size_and_surface(const Input& in, Result& r, Tracer& trace) {
   if (is_set(in.d) && in.loading == Loading::tension) r.x_d = 0.0;
   if (is_set(in.d) && in.loading != Loading::tension) {
-    const double x_d = place_of_size(in.d, trace);
-    r.x_d = x_d;
-    STEP_TO(r, epsilon, 1.0 - 0.2 * x_d, "size in bending and torsion, [DIN743]");
+    const SizeFactor size = size_factor("epsilon", in.d, "size in bending and torsion, [DIN743]", trace);
+    r.x_d = size.x_d, r.epsilon = size.K;
   } else {
     STEP_TO(r, epsilon, is_set(in.epsilon) ? in.epsilon : 1.0,
             is_set(in.epsilon) ? "as given" : "no size effect: tension, or no d given");

@@ -10,13 +10,13 @@
 // Not covered: mean stress, life (fatigue.life), histories, safety, corrosion, press fits.
 #pragma once
 
-#include "calculators/fatigue/size_and_surface.hpp"
 #include "calculators/load/limit_meanings.hpp"
+#include "calculators/load/strength_rules.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
-#include "lib/figure/figure.hpp"
+#include "lib/quantity/fit_units.hpp"
 #include "lib/text/issue.hpp"
 
 #include <array>
@@ -30,7 +30,8 @@ struct Endurance {
   static constexpr auto scope =
       "Fatigue limit in symmetric cycles of a smooth specimen, measured or estimated, and of a part with its shape, "
       "size and surface, by Marin at a temperature and a reliability. Mean stress and life: fatigue.life. Corrosion is "
-      "not covered.";
+      "not covered. Recalled: Peterson's notch sensitivity, that of cast iron, the 11th edition but for ground "
+      "surfaces.";
   static constexpr auto source = "[B20], [DIN743], [FKM], [GOST25504], [Shigley6]";
   static constexpr auto example = R"([project]
 title = "Shoulder of a shaft"
@@ -224,8 +225,7 @@ R_z = "6.3 um"
                   "the temperature factor is that of steels: give R_m at the temperature of the part in place of T"},
       Rule<Input>{[](const Input& in) { return !is_set(in.k_c) || is_set(in.sigma_W); }, "k_c, sigma_W",
                   "k_c goes with a measured limit sigma_W; the rules have their load factors in them"},
-      Rule<Input>{[](const Input& in) { return !(in.sigma_W >= in.R_m); }, "sigma_W, R_m",
-                  "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"},
+      lasts_below_tensile<&Input::sigma_W, Input>("sigma_W, R_m"),
       heat_treated_before_turning<Input>()};
 
   /// Tension knows no size effect; a size factor that is typed is the user's word.

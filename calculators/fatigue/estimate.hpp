@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calculators/fatigue/endurance.hpp"
+#include "calculators/fatigue/size_and_surface.hpp"
 
 namespace loadpath::fatigue {
 
@@ -27,9 +28,10 @@ inline Factors textbook(const Endurance::Input& in) {
 inline Factors din743(const Endurance::Input& in) {
   using L = Endurance::Loading;
   if (!is_steel(in.group) || in.group == Endurance::Group::cast_steel) return {};
-  if (in.loading == L::bending) return {0.5, 0.5, "bending, half of R_m, [DIN743]"};
-  if (in.loading == L::tension) return {0.4, 0.4, "tension and compression, 0.4 of R_m, [DIN743]"};
-  return {0.3, 0.3, "torsion, 0.3 of R_m, [DIN743]"};
+  const auto& [tension, bending, torsion] = polished_bar;
+  if (in.loading == L::bending) return {bending, bending, "bending, half of R_m, [DIN743]"};
+  if (in.loading == L::tension) return {tension, tension, "tension and compression, 0.4 of R_m, [DIN743]"};
+  return {torsion, torsion, "torsion, 0.3 of R_m, [DIN743]"};
 }
 
 /// A row of FKM: limit in tension over tensile strength, in torsion over that in tension, and how a mean stress weighs,

@@ -1,6 +1,7 @@
 #include "calculators/fatigue/life.hpp"
 
 #include "calculators/fatigue/estimate.hpp"
+#include "calculators/fatigue/tensile_strength.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ using Result = Life::Result;
 using Row = Life::Row;
 using Line = Life::Line;
 
-constexpr Stress fit_ends = from_si<Stress>(200.0 * 6.894757e6);  // 200 kpsi: the fit of f goes no further
+constexpr Stress fit_ends = 200.0 * kpsi;  // the fit of f goes no further
 
 bool in_shear(const Input& in) { return in.stress == Stresses::shear; }
 bool is_grey(const Input& in) { return in.group == Life::Group::grey_iron; }
@@ -24,17 +25,22 @@ bool is_grey(const Input& in) { return in.group == Life::Group::grey_iron; }
 template <class Tracer>
 Stress tensile(const Input& in, Tracer& trace) {
   if (!is_set(in.R_m) || !in_shear(in)) return in.R_m;
-  return NAMED_STEP("S_su", 0.67 * in.R_m, "strength in shear, [Shigley6] (6-54)");
+  return tensile_in_shear(in.R_m, trace);
 }
 template <class Tracer>
 Stress yielding(const Input& in, Tracer& trace) {
   if (!is_set(in.R_e) || !in_shear(in)) return in.R_e;
-  return NAMED_STEP("S_sy", in.R_e / sqrt(3.0), "yield strength in shear, [Mises]");
+  return yield_in_shear(in.R_e, trace);
 }
 
 /// Grey iron breaks where others yield.
 template <class Tracer>
 void first_cycle(const Input& in, Result& r, Tracer& trace) {
+  if (is_set(in.R_m)) {
+    const Stress S_B = trace.value("S_B", tensile(in, trace), "tensile strength, of shear in shear: that of one cycle");
+    STEP_TO(r, x_B, in_shear(in) ? max(abs(r.sigma_max), abs(r.sigma_min)) / S_B : max(r.sigma_max, 0.0 * MPa) / S_B,
+            "what breaks at once lasts no cycles");
+  }
   if (is_set(in.R_e)) {
     r.u_y = part_of_yield(in, r, trace);
   } else if (is_grey(in) && is_set(in.R_m)) {
@@ -60,8 +66,8 @@ void sensitivities(const Input& in, Haigh& h, Tracer& trace) {
     h.gamma = NAMED_STEP("gamma", max(0.8818 - 0.0002 * (in.R_m / MPa), 0.1), "Walker, steels, [Dowling9], recalled");
   if (is_set(in.psi)) h.psi_D = in.psi;
   if (!is_set(in.psi) && steel) {
-    const double c_s = trace.value("c_s", shear ? 0.5 : 1.0, "half in shear, [GOST25504], recalled");
-    h.psi_D = NAMED_STEP("psi", c_s * (0.02 + 2e-4 * (in.R_m / MPa)), "steels, [GOST25504], recalled");
+    h.psi_D = psi_of_steels(shear ? "psi_sigma" : "psi", in.R_m, trace);
+    if (shear) h.psi_D = psi_in_shear("psi", h.psi_D, trace);
   }
   if (is_set(h.psi_D)) {
     const double psi = h.psi_D, K_D = trace.value("K_D", is_set(in.K_D) ? in.K_D : 1.0, "specimen over part");
@@ -102,7 +108,7 @@ bool fits_f(const Input& in) { return in.line == Line::shigley && !is_set(in.f) 
 template <class Tracer>
 double fraction(const Input& in, Tracer& trace) {
   if (is_set(in.f)) return trace.value("f", in.f, "as given");
-  STEP(S_k, in.R_m / (6.894757 * MPa), "R_m in kpsi, in which the fit is published");
+  const double S_k = in_kpsi(in.R_m, trace);
   if (S_k < 70.0) return trace.value("f", 0.9, "below 70 kpsi, [Shigley6] example 6-8");
   const double S_f = trace.value("S_f", std::min(S_k, 200.0), "the fit goes from 70 to 200 kpsi");
   return NAMED_STEP("f", 1.06 - 2.8e-3 * S_f + 6.9e-6 * pow<2>(S_f), "fit of the 10th edition of [Shigley6], recalled");
@@ -125,7 +131,8 @@ void draw_line(const Input& in, const Haigh& h, Result& r, Tracer& trace) {
   }
   if (!is_set(h.R_m) || !(is_set(in.f) || fits_f(in))) return;
   const double f = r.f = fraction(in, trace);
-  const Stress S_3 = in_shear(in) ? NAMED_STEP("S_3", f * 0.67 * in.R_m, "strength at 1e3 cycles, in shear")
+  const Stress S_su = h.R_m;  // in shear that of shear
+  const Stress S_3 = in_shear(in) ? NAMED_STEP("S_3", f * S_su, "strength at 1e3 cycles, in shear")
                                   : NAMED_STEP("S_3", f * in.R_m, "strength at 1e3 cycles, [Shigley6]");
   if (!(S_3 > in.sigma_D)) return;
   STEP_TO(r, b_N, -log(S_3 / in.sigma_D) / log(N_D / 1000.0), "straight in logarithms, [Shigley6] (6-15)");

@@ -13,6 +13,7 @@
 #include "calculators/fatigue/endurance.hpp"
 #include "calculators/fatigue/mean_stress.hpp"
 #include "calculators/load/limit_meanings.hpp"
+#include "calculators/load/strength_rules.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/figure/figure.hpp"
@@ -173,7 +174,7 @@ S_F = 1.5
     Stress S_req = unset<Stress>, sigma_adm = unset<Stress>;
     double f = unset<double>, b_N = unset<double>;
     Stress a_N = unset<Stress>;
-    double x_m = unset<double>, x_N = unset<double>, x_D = unset<double>, x_f = unset<double>;
+    double x_m = unset<double>, x_B = unset<double>, x_N = unset<double>, x_D = unset<double>, x_f = unset<double>;
     List<Row, choices_of(MeanRule{}).size()> rules;
   };
   static constexpr std::tuple results = std::tuple_cat(
@@ -203,6 +204,9 @@ S_F = 1.5
               .limit(0, 1 - 1e-12)
               .criterion()
               .where_it_applies(),
+          Field{&Result::x_B, "x_B", ratio, "largest stress over the tensile strength: what breaks at once"}
+              .limit(0, 1, "R_m")
+              .criterion(),
           Field{&Result::x_N, "x_N", ratio, "1e3 cycles over N: below, lives are those of strains"}.limit(0, 1, "N"),
           Field{&Result::x_D, "x_D", ratio, "N over N_D, where nothing is told beyond"}
               .limit(0, 1 + 1e-9, "N")
@@ -224,10 +228,8 @@ S_F = 1.5
       Rule<Input>{[](const Input& in) { return is_ferrous(in) || is_set(in.N); }, "group, N",
                   "non-ferrous metals have no limit without end: give the group of another metal, or the cycles N that "
                   "it must last"},
-      Rule<Input>{[](const Input& in) { return !(in.sigma_D >= in.R_m); }, "sigma_D, R_m",
-                  "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"},
-      Rule<Input>{[](const Input& in) { return !(in.R_e > in.R_m); }, "R_e, R_m",
-                  "the yield strength is not above the tensile strength"},
+      lasts_below_tensile<&Input::sigma_D, Input>("sigma_D, R_m"),
+      yields_before_it_breaks<Input>(),
       Rule<Input>{[](const Input& in) { return in.compression == Compression::ignored || in.rule == MeanRule::fkm; },
                   "compression, rule", "compression is counted by rule = \"fkm\" alone"},
       Rule<Input>{[](const Input& in) { return in.group != Group::grey_iron || is_set(in.K_m); }, "K_m, group",
@@ -243,7 +245,7 @@ S_F = 1.5
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F").wanting("R_e, S_F"),
-      Mode<Input>{"fatigue", "fatigue, in this cycle alone", &varies}.judged_by("u_D, x_m, x_N, x_D, x_f"),
+      Mode<Input>{"fatigue", "fatigue, in this cycle alone", &varies}.judged_by("u_D, x_m, x_B, x_N, x_D, x_f"),
       Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>},
       Mode<Input>{"multiaxial", "shear beside normal stresses: a fatigue.combined", &unseen<Input>},
       Mode<Input>{"history", "larger and smaller cycles beside this one", &unseen<Input>},

@@ -1,5 +1,6 @@
-// What the size of a section and its roughness leave of a fatigue limit, by DIN 743-2: shared by those who take the
-// tables of Serensen for theirs, term for term, and by those who rate a section by the standard.
+// What a polished bar of steel bears by DIN 743-3, and what the size of a section and its roughness leave of that by
+// DIN 743-2: shared by those who take the tables of Serensen for theirs, term for term, and by those who rate a section
+// by the standard.
 #pragma once
 
 #include "lib/calculator/trace.hpp"
@@ -19,6 +20,16 @@ double place_of_size(Length d, Tracer& trace) {
                     "d from 7.5 to 150 mm on a logarithmic scale; it stays at 1 beyond, [DIN743]");
 }
 
+/// How much weaker than a small bar a thick one is in bending and torsion; tension knows no such effect.
+struct SizeFactor {
+  double x_d, K;
+};
+template <class Tracer>
+SizeFactor size_factor(const char* symbol, Length d, const char* why, Tracer& trace) {
+  const double x_d = place_of_size(d, trace);
+  return {x_d, NAMED_STEP(symbol, 1.0 - 0.2 * x_d, why)};
+}
+
 /// K_F in tension and bending, of what is as rough as that.
 template <class Tracer>
 double roughness_factor(const char* symbol, Stress R_m, Length R_z, const char* why, Tracer& trace) {
@@ -26,5 +37,11 @@ double roughness_factor(const char* symbol, Stress R_m, Length R_z, const char* 
   const double lg_S = trace.value("lg_S", std::log10(R_m / (20.0 * MPa)), "lg of R_m/20 MPa");
   return NAMED_STEP(symbol, 1.0 - 0.22 * lg_R * (lg_S - 1.0), why);
 }
+
+/// What of the tensile strength a polished bar of steel bears in symmetric cycles, part 3.
+struct PolishedBar {
+  double tension, bending, torsion;
+};
+inline constexpr PolishedBar polished_bar{0.4, 0.5, 0.3};
 
 }  // namespace loadpath::fatigue

@@ -83,6 +83,32 @@ TEST_SUITE("found fatigue") {
                     .empty());
   }
 
+  TEST_CASE("what breaks at once has not lasted, whatever its curve or its rule says, yield judged or not") {
+    const std::string unknown = "R_e = \nS_F = \n";
+    const auto history = [&](const std::string& peak) {
+      return mode_with(
+          "fatigue.history",
+          unknown + "mean = \"none\"\nsigma_D = \"300 MPa\"\nk = 3\nblocks = [{ sigma_a = \"" + peak + "\", n = 1 }]",
+          "fatigue");
+    };
+    CHECK(history("690 MPa") == "pass");
+    CHECK(history("691 MPa") == "fail");
+    CHECK(mode_with("fatigue.history", unknown + "blocks = [{ sigma_a = \"20 MPa\", sigma_m = \"-900 MPa\", n = 1 }]",
+                    "fatigue") == "pass");
+    const auto life = [&](const std::string& rule, const std::string& peak) {
+      return mode_with("fatigue.life", unknown + rule + "\nsigma_max = \"" + peak + "\"\nsigma_min = \"640 MPa\"",
+                       "fatigue");
+    };
+    for (const char* rule : {"rule = \"fkm\"", "rule = \"serensen\"\nK_D = 2"}) {
+      INFO(rule);
+      CHECK(life(rule, "690 MPa") == "pass");
+      CHECK(life(rule, "691 MPa") == "fail");
+    }
+    const std::string heavy = unknown + "S_D = 1.1\nsigma_m = ";
+    CHECK(mode_with("fatigue.combined", heavy + "\"624 MPa\"", "fatigue") == "pass");
+    CHECK(mode_with("fatigue.combined", heavy + "\"625 MPa\"", "fatigue") == "fail");
+  }
+
   TEST_CASE("the fatigue limit of one loading is none of another") {
     const auto limit = [](const std::string& loading) {
       return "[limit]\ncalculator = \"fatigue.endurance\"\nR_m = \"690 MPa\"\ngroup = \"carbon-steel\"\nrule = "

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "calculators/fatigue/din743/section.hpp"
+#include "calculators/fatigue/size_and_surface.hpp"
 
 namespace loadpath::fatigue {
 
@@ -64,15 +65,16 @@ void strengths(const Din743Steel& s, Length d_eff, Din743Safety& r, Tracer& trac
 /// of the tensile strength.
 template <class Tracer>
 Stress smooth_limit(const Din743Steel& s, Stressing kind, const Din743Safety& strength, Tracer& trace) {
-  const bool zd = kind == Stressing::tension, b = kind == Stressing::bending;
-  const Stress typed = zd ? s.sigma_zdW : b ? s.sigma_bW : s.tau_tW;
+  const Stress typed = typed_of(kind, s.sigma_zdW, s.sigma_bW, s.tau_tW);
   if (is_set(typed)) {
     const double K_1B = strength.K_1B;
     const Stress sigma_W0 = trace.value("sigma_W0", typed, "of a polished bar, as given");
     return NAMED_STEP("sigma_W", K_1B * sigma_W0, "in this size, [DIN743] part 1 (5) to (7)");
   }
   const Stress sigma_Bd = strength.sigma_Bd;
-  const double f_W = trace.value("f_W", zd ? 0.4 : b ? 0.5 : 0.3, "part of the tensile strength, [DIN743] part 3");
+  const double f_W =
+      trace.value("f_W", typed_of(kind, polished_bar.tension, polished_bar.bending, polished_bar.torsion),
+                  "part of the tensile strength, [DIN743] part 3");
   return NAMED_STEP("sigma_W", f_W * sigma_Bd, "of a polished bar of this size, [DIN743] part 1 (5) to (7)");
 }
 

@@ -5,20 +5,29 @@
 
 namespace loadpath::fatigue {
 
-/// Moduli of the net section; the strip of a cross hole is taken off.
+/// Of a bar with a hole of radius r across, which takes a strip off it.
+template <class Tracer>
+Area area_beside_hole(const char* symbol, Length d, Length r, Tracer& trace) {
+  return NAMED_STEP(symbol, pi * pow<2>(d) / 4.0 - 2.0 * r * d, "net area, [DIN743] part 2 section 5.2.3");
+}
+template <class Tracer>
+SectionModulus modulus_beside_hole(const char* symbol, double c, Length d, Length r, Tracer& trace) {
+  const double c_W = trace.value("c_W", c, "bending 32, torsion 16");
+  return NAMED_STEP(symbol, pi * pow<3>(d) / c_W - r * pow<2>(d) / 3.0, "net modulus, [DIN743] part 2 section 5.2.3");
+}
+
+/// Moduli of the net section.
 template <class Tracer>
 Area net_area(const Din743Section& s, Tracer& trace) {
-  if (s.notch == Notch::cross_hole)
-    return NAMED_STEP("Z", pi * pow<2>(s.d) / 4.0 - 2.0 * s.r * s.d, "net area, [DIN743] part 2 section 5.2.3");
+  if (s.notch == Notch::cross_hole) return area_beside_hole("Z", s.d, s.r, trace);
   return NAMED_STEP("Z", pi * (pow<2>(s.d) - pow<2>(s.d_bore)) / 4.0, "area of the section");
 }
 
 template <class Tracer>
 SectionModulus net_modulus(const Din743Section& s, Stressing kind, Tracer& trace) {
-  const double c_W = trace.value("c_W", kind == Stressing::torsion ? 16.0 : 32.0, "bending 32, torsion 16");
-  if (s.notch == Notch::cross_hole)
-    return NAMED_STEP("Z", pi * pow<3>(s.d) / c_W - s.r * pow<2>(s.d) / 3.0,
-                      "net modulus, [DIN743] part 2 section 5.2.3");
+  const double c = kind == Stressing::torsion ? 16.0 : 32.0;
+  if (s.notch == Notch::cross_hole) return modulus_beside_hole("Z", c, s.d, s.r, trace);
+  const double c_W = trace.value("c_W", c, "bending 32, torsion 16");
   return NAMED_STEP("Z", pi * (pow<4>(s.d) - pow<4>(s.d_bore)) / (c_W * s.d), "modulus of the section");
 }
 

@@ -42,8 +42,7 @@ double surface_of(const Din743Root& root, Stressing kind, Tracer& trace) {
 template <class Tracer>
 double geometric_size(Length d, Stressing kind, Tracer& trace) {
   if (kind == Stressing::tension) return trace.value("K_2", 1.0, "tension, [DIN743] part 2 (15)");
-  const double x_d = place_of_size(d, trace);
-  return NAMED_STEP("K_2", 1.0 - 0.2 * x_d, "size in bending and torsion, [DIN743] part 2 (16)");
+  return size_factor("K_2", d, "size in bending and torsion, [DIN743] part 2 (16)", trace).K;
 }
 
 /// The fatigue limit of the section in symmetric cycles, and how much a mean stress takes off it.

@@ -112,17 +112,22 @@ struct Din743Stress {
       Field<K, double>{&K::u_max, "u_max", ratio, "largest stress over the yield limit"}};
 };
 
-/// The safeties are infinite where nothing varies, or nothing acts. Of the x those are set whose range concerns the
-/// notch.
-struct Din743Safety {
+/// How the notch stands within the ranges of what was measured or fitted of its kind: of the x those are set that
+/// concern it.
+struct NotchRanges {
+  double x_r = unset<double>, x_D = unset<double>, x_alpha = unset<double>, x_t = unset<double>;
+  double x_hole = unset<double>, x_bore = unset<double>;
+};
+
+/// The safeties are infinite where nothing varies, or nothing acts.
+struct Din743Safety : NotchRanges {
   Length d_eff = unset<Length>;
   double K_1B = unset<double>, K_1S = unset<double>;
   Stress sigma_Bd = unset<Stress>, sigma_Sd = unset<Stress>;
   Stress sigma_mv = unset<Stress>, tau_mv = unset<Stress>;
   double S_D = unset<double>, S_F = unset<double>;
   double u_D = unset<double>, u_F = unset<double>;
-  double x_m = unset<double>, x_small = unset<double>, x_eff = unset<double>, x_r = unset<double>, x_D = unset<double>;
-  double x_alpha = unset<double>, x_t = unset<double>, x_hole = unset<double>, x_bore = unset<double>;
+  double x_m = unset<double>, x_small = unset<double>, x_eff = unset<double>;
   List<Din743Stress, 3> stresses;
 };
 
@@ -140,8 +145,9 @@ constexpr bool needs_radius(Notch n) {
   return has_shape_factors(n) || n == Notch::rectangular_groove || n == Notch::cross_hole;
 }
 
-/// One of three that are typed by kind of stress.
-constexpr double typed_of(Stressing kind, double zd, double b, double t) {
+/// One of three, by kind of stress.
+template <class Quantity>
+constexpr Quantity typed_of(Stressing kind, Quantity zd, Quantity b, Quantity t) {
   return kind == Stressing::tension ? zd : kind == Stressing::bending ? b : t;
 }
 

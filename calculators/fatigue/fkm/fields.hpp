@@ -89,38 +89,36 @@ constexpr auto fkm_service() {
 /// Of what is an FkmSafety.
 template <class Result>
 constexpr auto fkm_results() {
-  return std::tuple{
-      Field<Result, Length>{&Result::d_eff, "d_eff", mm, "diameter at heat treatment"},
-      Field<Result, double>{&Result::K_dm, "K_dm", ratio, "size at heat treatment, tensile strength"},
-      Field<Result, double>{&Result::K_dp, "K_dp", ratio, "size at heat treatment, yield strength"},
-      Field<Result, double>{&Result::K_an, "K_an", ratio, "anisotropy, K_A of the guideline"},
-      Field<Result, Stress>{&Result::R_md, "R_md", MPa, "tensile strength of this size and direction"},
-      Field<Result, Stress>{&Result::R_ed, "R_ed", MPa, "yield strength of this size and direction"},
-      Field<Result, Stress>{&Result::sigma_mv, "sigma_mv", MPa, "one mean stress for all; negative: compression"},
-      Field<Result, Stress>{&Result::tau_mv, "tau_mv", MPa, "the same as shear"},
-      Field<Result, double>{&Result::q, "q", ratio, "0: ductile, von Mises; 1: brittle, largest normal stress"},
-      Field<Result, double>{&Result::a_NH, "a_NH", ratio, "utilisation in fatigue by the largest normal stress"},
-      Field<Result, double>{&Result::a_GH, "a_GH", ratio, "utilisation in fatigue by von Mises"},
-      Field<Result, double>{&Result::S_D, "S_D", ratio, "safety against fatigue; infinite where nothing varies"}
-          .may_be_infinite(),
-      Field<Result, double>{&Result::j_ges, "j_ges", ratio, "safety of the static strength, against the yield limit"},
-      Field<Result, double>{&Result::u_D, "u_D", ratio, "fatigue: utilisation with its safety, a_BK"}.check(),
-      Field<Result, double>{&Result::u_S, "u_S", ratio, "largest load: utilisation with its safeties, a_SK"}
-          .check()
-          .where_it_applies(),
-      din743_range<Result>(&Result::x_eff, "x_eff", "diameter at heat treatment over 250 mm, where size factors end"),
-      din743_range<Result>(&Result::x_G, "x_G", "steepest gradient of the stress over 100/mm"),
-      din743_range<Result>(&Result::x_Rz, "x_Rz", "roughness over 200 um; own bound"),
-      din743_range<Result>(&Result::x_N, "x_N", "1e4 cycles over N: below, lives are those of strains; own bound"),
-      din743_range<Result>(&Result::x_small, "x_small", "7.5 mm over the diameter: measured notch factors"),
-      din743_range<Result>(&Result::x_r, "x_r", "0.03 over r/t: shape factors"),
-      din743_range<Result>(&Result::x_D, "x_D", "d/D over 0.98: shape factors"),
-      din743_range<Result>(&Result::x_alpha, "x_alpha", "largest shape factor over 6"),
-      din743_range<Result>(&Result::x_t, "x_t", "depth of a V-groove over the diameter", 0.05, 0.2),
-      din743_range<Result>(&Result::x_hole, "x_hole", "cross hole over the diameter; own bound", 0.0, 0.3),
-      din743_range<Result>(&Result::x_bore, "x_bore", "bore over the diameter: notch factors are of solid shafts", 0.0,
-                           1e-9),
-      ListField<Result, List<FkmStress, 3>>{&Result::stresses, "stresses", "tension, bending, torsion: what acts"}};
+  return std::tuple_cat(
+      std::tuple{
+          Field<Result, Length>{&Result::d_eff, "d_eff", mm, "diameter at heat treatment"},
+          Field<Result, double>{&Result::K_dm, "K_dm", ratio, "size at heat treatment, tensile strength"},
+          Field<Result, double>{&Result::K_dp, "K_dp", ratio, "size at heat treatment, yield strength"},
+          Field<Result, double>{&Result::K_an, "K_an", ratio, "anisotropy, K_A of the guideline"},
+          Field<Result, Stress>{&Result::R_md, "R_md", MPa, "tensile strength of this size and direction"},
+          Field<Result, Stress>{&Result::R_ed, "R_ed", MPa, "yield strength of this size and direction"},
+          Field<Result, Stress>{&Result::sigma_mv, "sigma_mv", MPa, "one mean stress for all; negative: compression"},
+          Field<Result, Stress>{&Result::tau_mv, "tau_mv", MPa, "the same as shear"},
+          Field<Result, double>{&Result::q, "q", ratio, "0: ductile, von Mises; 1: brittle, largest normal stress"},
+          Field<Result, double>{&Result::a_NH, "a_NH", ratio, "utilisation in fatigue by the largest normal stress"},
+          Field<Result, double>{&Result::a_GH, "a_GH", ratio, "utilisation in fatigue by von Mises"},
+          Field<Result, double>{&Result::S_D, "S_D", ratio, "safety against fatigue; infinite where nothing varies"}
+              .may_be_infinite(),
+          Field<Result, double>{&Result::j_ges, "j_ges", ratio,
+                                "safety of the static strength, against the yield limit"},
+          Field<Result, double>{&Result::u_D, "u_D", ratio, "fatigue: utilisation with its safety, a_BK"}.check(),
+          Field<Result, double>{&Result::u_S, "u_S", ratio, "largest load: utilisation with its safeties, a_SK"}
+              .check()
+              .where_it_applies(),
+          din743_range<Result>(&Result::x_eff, "x_eff",
+                               "diameter at heat treatment over 250 mm, where size factors end"),
+          din743_range<Result>(&Result::x_G, "x_G", "steepest gradient of the stress over 100/mm"),
+          din743_range<Result>(&Result::x_Rz, "x_Rz", "roughness over 200 um; own bound"),
+          din743_range<Result>(&Result::x_N, "x_N", "1e4 cycles over N: below, lives are those of strains; own bound"),
+          din743_range<Result>(&Result::x_small, "x_small", "7.5 mm over the diameter: measured notch factors")},
+      notch_ranges<Result>(),
+      std::tuple{ListField<Result, List<FkmStress, 3>>{&Result::stresses, "stresses",
+                                                       "tension, bending, torsion: what acts"}});
 }
 
 constexpr auto choices_of(FkmSteelGroup) {

@@ -7,26 +7,17 @@
 
 namespace loadpath::fatigue {
 
-/// Least stress held: along it sigma_m is sigma_min + sigma_A.
+/// Least or largest stress held: along it sigma_m is sigma_c + c_A sigma_A, c_A 1 or -1.
 template <class Tracer>
-Stress amplitude_above(Stress sigma_min, Stress S_e, double M, Tracer& trace) {
+Stress amplitude_along(Stress held, double way, const Haigh& h, const char* why, Tracer& trace) {
+  const Stress S_e = h.S_e, sigma_c = trace.value("sigma_c", held, "of the cycle, which is held");
+  const double M = h.M, c_A = trace.value("c_A", way, "of the amplitude, in the mean stress that goes with it");
   return NAMED_STEP(
       "sigma_A",
-      min(S_e / (1.0 - M), max(max((S_e - M * sigma_min) / (1.0 + M),
-                                   (S_e * (1.0 + M / 3.0) / (1.0 + M) - M / 3.0 * sigma_min) / (1.0 + M / 3.0)),
+      min(S_e / (1.0 - M), max(max((S_e - M * sigma_c) / (1.0 + c_A * M),
+                                   (S_e * (1.0 + M / 3.0) / (1.0 + M) - M / 3.0 * sigma_c) / (1.0 + c_A * M / 3.0)),
                                S_e * (3.0 + M) / (3.0 * pow<2>(1.0 + M)))),
-      "the least stress stays, F3: the fields of [FKM] 2.4 along it");
-}
-
-/// Largest stress held: along it sigma_m is sigma_hold - sigma_A.
-template <class Tracer>
-Stress amplitude_below(Stress sigma_hold, Stress S_e, double M, Tracer& trace) {
-  return NAMED_STEP(
-      "sigma_A",
-      min(S_e / (1.0 - M), max(max((S_e - M * sigma_hold) / (1.0 - M),
-                                   (S_e * (1.0 + M / 3.0) / (1.0 + M) - M / 3.0 * sigma_hold) / (1.0 - M / 3.0)),
-                               S_e * (3.0 + M) / (3.0 * pow<2>(1.0 + M)))),
-      "the largest stress stays, F4: the fields of [FKM] 2.4 along it");
+      why);
 }
 
 /// K_AK: the amplitude that lasts over that of symmetric cycles. The stress varies.
@@ -45,11 +36,11 @@ double mean_stress_factor(Overload overload, FkmStress& k, Tracer& trace) {
   if (overload == Overload::F1) {
     sigma_A = amplitude_left(MeanRule::fkm, h, sigma_m, trace);
   } else if (overload == Overload::F3) {
-    STEP(sigma_min, sigma_m - sigma_a, "least stress of the cycle");
-    sigma_A = amplitude_above(sigma_min, S_e, M, trace);
+    sigma_A = amplitude_along(sigma_m - sigma_a, 1.0, h, "the least stress stays, F3: the fields of [FKM] 2.4 along it",
+                              trace);
   } else {
-    STEP(sigma_hold, sigma_m + sigma_a, "largest stress of the cycle");
-    sigma_A = amplitude_below(sigma_hold, S_e, M, trace);
+    sigma_A = amplitude_along(sigma_m + sigma_a, -1.0, h,
+                              "the largest stress stays, F4: the fields of [FKM] 2.4 along it", trace);
   }
   return NAMED_STEP("K_AK", sigma_A / S_e, "mean stress factor, [FKM] 2.4");
 }

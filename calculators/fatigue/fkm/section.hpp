@@ -96,7 +96,7 @@ struct FkmStress {
 inline double shape_of(const FkmStress& k) { return k.K_t; }
 
 /// S_D is infinite where nothing varies. Of the x those are set whose range concerns the section.
-struct FkmSafety {
+struct FkmSafety : NotchRanges {
   Length d_eff = unset<Length>;
   double K_dm = unset<double>, K_dp = unset<double>, K_an = unset<double>;
   Stress R_md = unset<Stress>, R_ed = unset<Stress>;
@@ -104,8 +104,7 @@ struct FkmSafety {
   double q = unset<double>, a_NH = unset<double>, a_GH = unset<double>, S_D = unset<double>, j_ges = unset<double>;
   double u_D = unset<double>, u_S = unset<double>;
   double x_eff = unset<double>, x_G = unset<double>, x_Rz = unset<double>, x_N = unset<double>;
-  double x_small = unset<double>, x_r = unset<double>, x_D = unset<double>, x_alpha = unset<double>;
-  double x_t = unset<double>, x_hole = unset<double>, x_bore = unset<double>;
+  double x_small = unset<double>;
   List<FkmStress, 3> stresses;
 };
 

@@ -4,6 +4,7 @@
 #include "calculators/fatigue/history/curve.hpp"
 #include "calculators/fatigue/history/cycles.hpp"
 #include "calculators/fatigue/history/figure.hpp"
+#include "calculators/fatigue/tensile_strength.hpp"
 #include "lib/calculator/calculator_of.hpp"
 #include "lib/rainflow/damage.hpp"
 
@@ -38,12 +39,13 @@ MeanRule rule_of(const Input& in) {
 }
 bool counts_means(const Input& in) { return History::is_of_part(in) && in.mean != Means::none; }
 
-/// Of shear what fatigue.life has: 0.67 R_m, [Shigley6] (6-54), and R_e by [Mises].
+/// Of shear its own strengths.
 Haigh haigh_of(const Input& in) {
   Haigh h;
+  NoTrace quiet;
   const bool shear = in.stress == Stresses::shear;
-  h.R_m = shear ? 0.67 * in.R_m : in.R_m;
-  h.R_e = shear ? in.R_e / std::sqrt(3.0) : in.R_e;
+  h.R_m = shear ? tensile_in_shear(in.R_m, quiet) : in.R_m;
+  h.R_e = shear ? yield_in_shear(in.R_e, quiet) : in.R_e;
   h.sigma_f = in.sigma_f, h.gamma = in.gamma, h.M = in.M;
   return h;
 }
@@ -245,6 +247,19 @@ void yield(const Input& in, const Collective& all, Result& r, Tracer& trace) {
   }
 }
 
+/// Whatever a cycle lasts on the curve, it lasts none beyond the strength of one. `largest`: amplitude on the curve of
+/// a part, with its safety.
+template <class Tracer>
+void fracture(const Input& in, Stress largest, Result& r, Tracer& trace) {
+  if (!is_set(in.R_m)) return;
+  const Stress sigma_max = r.sigma_max, sigma_min = r.sigma_min;
+  const Stress S_B = trace.value("S_B", haigh_of(in).R_m, "tensile strength, of shear in shear: that of one cycle");
+  const Stress S_l = trace.value("S_l", largest, "largest amplitude on the curve of a part");
+  STEP(sigma_p, in.stress == Stresses::shear ? max(abs(sigma_max), abs(sigma_min)) : sigma_max,
+       "largest stress; of normal ones tension breaks");
+  STEP_TO(r, x_B, max(max(sigma_p, S_l), 0.0 * MPa) / S_B, "what breaks at once lasts no cycles");
+}
+
 bool any_given(std::initializer_list<double> numbers) {
   return std::any_of(numbers.begin(), numbers.end(), [](double x) { return is_set(x); });
 }
@@ -321,8 +336,10 @@ History::Result History::evaluate(const Input& in, Tracer& trace) {
   r.n = trace.value("n", n, in.blocks.empty() ? "cycles by rainflow" : "cycles of all blocks");
   classify(in, r);
   r.u_m = largest_mean(in, all);
-  if (r.u_m >= 1.0) return r;
-  const OnCurve on = on_curve(in, all.cycles);
+  const bool left = !(r.u_m >= 1.0);  // by the mean stresses
+  const OnCurve on = left ? on_curve(in, all.cycles) : OnCurve{};
+  fracture(in, History::is_of_part(in) ? on.largest * MPa.one : 0.0 * MPa, r, trace);
+  if (!left) return r;
   all_rules(in, all.cycles, on, r, trace);
   const auto worst = worst_of(in, all.cycles, on);
   if (!worst.empty()) largest_cycle(in, all.cycles, on, worst.front(), r, trace);

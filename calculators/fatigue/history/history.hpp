@@ -9,6 +9,7 @@
 
 #include "calculators/fatigue/mean_stress.hpp"
 #include "calculators/load/limit_meanings.hpp"
+#include "calculators/load/strength_rules.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
@@ -28,7 +29,8 @@ struct History {
   static constexpr auto title = "Life under a history of stress";
   static constexpr auto scope =
       "Rainflow counting of one turn of a mechanism or of a file of any length, or blocks; damage by Miner's rule with "
-      "the curve of a part or of a welded detail; how often the history can be borne; yield. One nominal stress.";
+      "the curve of a part or of a welded detail; how often the history can be borne; yield. One nominal stress. "
+      "Recalled: the consistent rule and that of Liu and Zenner.";
   static constexpr auto source = "[E1049], [HCM], [Miner], [Haibach], [EN1993-1-9], [DNVC203], [FKM]";
   static constexpr auto example = R"([project]
 title = "A bracket under three blocks of load"
@@ -219,7 +221,7 @@ n_req = 1
     Time L = unset<Time>;
     Stress S_eq = unset<Stress>;
     double u_y = unset<double>, u_F = unset<double>, u_m = unset<double>, u_D = unset<double>, x_N = unset<double>,
-           x_R = unset<double>, x_g = unset<double>;
+           x_B = unset<double>, x_R = unset<double>, x_g = unset<double>;
     List<Worst, most_worst> worst;
     std::vector<Cell> matrix;
     std::vector<RangePair> range_pairs;
@@ -253,6 +255,10 @@ n_req = 1
       Field{&Result::x_N, "x_N", ratio, "least life of a cycle: below some 1e3 the curve is another one"}
           .limit(1e3, std::numeric_limits<double>::infinity())
           .where_it_applies(),
+      Field{&Result::x_B, "x_B", ratio,
+            "largest stress, or amplitude on the curve of a part, over the tensile strength, where every curve ends"}
+          .limit(0, 1, "R_m")
+          .criterion(),
       Field{&Result::x_R, "x_R", ratio, "largest range of a detail over 1.5 R_e, [EN1993-1-9] 8"}
           .limit(0, 1)
           .where_it_applies(),
@@ -298,12 +304,9 @@ n_req = 1
       Rule<Input>{[](const Input& in) { return in.classes == 0 || in.sigma.is_series(); }, "classes, blocks",
                   "classes sort the cycles of a series; blocks are classes already"},
       Rule<Input>{&varies, "sigma", "a stress that does not vary is no history"},
-      Rule<Input>{[](const Input& in) { return !(in.sigma_D >= in.R_m); }, "sigma_D, R_m",
-                  "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.S_F) || is_set(in.R_e); }, "S_F, R_e",
-                  "the safety S_F counts against the yield strength R_e: give it, or a material"},
-      Rule<Input>{[](const Input& in) { return !(in.R_e > in.R_m); }, "R_e, R_m",
-                  "the yield strength is not above the tensile strength"}};
+      lasts_below_tensile<&Input::sigma_D, Input>("sigma_D, R_m"),
+      safety_has_its_yield<Input>(),
+      yields_before_it_breaks<Input>()};
 
   static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal, "stress", "normal"},
                                        Meaning{"sigma_D", limit_in_shear, "stress", "shear"}};
@@ -311,7 +314,7 @@ n_req = 1
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),
       Mode<Input>{"fatigue", "fatigue under the history", &always<Input>}
-          .judged_by("u_D, u_m, x_N, x_R, x_g")
+          .judged_by("u_D, u_m, x_N, x_B, x_R, x_g")
           .wanting("n_req"),
       Mode<Input>{"mean", "mean stresses in tension, which the curve of r = -1 does not hold", &has_tension}.wanting(
           "mean"),

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "calculators/load/limit_meanings.hpp"
+#include "calculators/load/strength_rules.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -160,8 +161,7 @@ S_F = 1.5
           "between the positions of the turn extremes are more than 1 % of the range larger: take more positions"},
       Rule<Input>{[](const Input& in) { return !(in.tau_D >= in.sigma_D); }, "tau_D, sigma_D",
                   "the fatigue limit in torsion is below that in normal stresses"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.S_F) || is_set(in.R_e); }, "S_F, R_e",
-                  "the safety S_F counts against the yield strength R_e: give it, or a material"}};
+      safety_has_its_yield<Input>()};
 
   static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal}, Meaning{"tau_D", limit_in_shear}};
   static constexpr std::array modes{

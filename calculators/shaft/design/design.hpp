@@ -13,6 +13,7 @@
 #pragma once
 
 #include "calculators/fatigue/endurance.hpp"
+#include "calculators/load/strength_rules.hpp"
 #include "calculators/shaft/design/result.hpp"
 #include "calculators/shaft/parts/modes.hpp"
 #include "lib/calculator/heat_treatment.hpp"
@@ -236,10 +237,8 @@ r_T = 0
           "what sits on the shaft turns one way in one step and the other way in another: turns = \"cw\" of the "
           "gears makes their forces fit",
           nullptr, true},
-      Rule<Input>{[](const Input& in) { return !(in.R_e > in.R_m); }, "R_e, R_m",
-                  "the yield strength is not above the tensile strength"},
-      Rule<Input>{[](const Input& in) { return !(in.sigma_W >= in.R_m); }, "sigma_W, R_m",
-                  "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"},
+      yields_before_it_breaks<Input>(),
+      lasts_below_tensile<&Input::sigma_W, Input>("sigma_W, R_m"),
       Rule<Input>{[](const Input& in) { return !(in.E < 2.0 * in.G || in.E > 3.0 * in.G); }, "E, G",
                   "E is between 2 G and 3 G: they belong to one material"},
       Rule<Input>{&treated_thick, "d_h, pieces",
@@ -261,8 +260,7 @@ r_T = 0
                     return in.method < School::din743 || (is_set(in.R_z) && steel);
                   },
                   "method, R_z, group", "DIN 743, FKM and Serensen are for steels, and need the roughness R_z"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.S_F) || is_set(in.R_e); }, "S_F, R_e",
-                  "the safety S_F counts against the yield strength R_e: give it, or a material"},
+      safety_has_its_yield<Input>(),
       Rule<Input>{[](const Input& in) { return is_set(in.E) && is_set(in.G); }, "E, G",
                   "bending needs the moduli E and G, or a material"},
       Rule<Input>{&stiff_enough, "supports, pieces, E, G",

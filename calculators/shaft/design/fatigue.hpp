@@ -2,6 +2,7 @@
 // measured, what the part lasts, and how the schools see it.
 #pragma once
 
+#include "calculators/fatigue/din743/nominal.hpp"
 #include "calculators/shaft/design/design.hpp"
 #include "calculators/shaft/design/turn.hpp"
 
@@ -31,10 +32,8 @@ template <class Tracer>
 Moduli moduli_of(const Section& p, const Notched* notch, Tracer& trace) {
   if (notch != nullptr && notch->kind == Notch::cross_hole) {
     const Length r = trace.value("r", notch->r, "of the hole");
-    STEP(A, pi / 4.0 * p.d * p.d - 2.0 * r * p.d, "net area, [DIN743] part 2 section 5.2.3");
-    STEP(W, pi / 32.0 * pow<3>(p.d) - r * p.d * p.d / 3.0, "net modulus in bending, [DIN743] part 2 section 5.2.3");
-    STEP(W_t, pi / 16.0 * pow<3>(p.d) - r * p.d * p.d / 3.0, "net modulus in torsion, [DIN743] part 2 section 5.2.3");
-    return {A, W, W_t};
+    return {fatigue::area_beside_hole("A", p.d, r, trace), fatigue::modulus_beside_hole("W", 32.0, p.d, r, trace),
+            fatigue::modulus_beside_hole("W_t", 16.0, p.d, r, trace)};
   }
   STEP(A, pi / 4.0 * (p.d * p.d - p.d_bore * p.d_bore), "area");
   STEP(W, pi / 32.0 * (pow<4>(p.d) - pow<4>(p.d_bore)) / p.d, "section modulus in bending");

@@ -1,0 +1,27 @@
+// What strengths of one material keep between them, and what a safety needs, for every calculator that asks for them.
+#pragma once
+
+#include "lib/calculator/field.hpp"
+
+namespace loadpath {
+
+template <class Input>
+constexpr Rule<Input> yields_before_it_breaks() {
+  return {[](const Input& in) { return !(in.R_e > in.R_m); }, "R_e, R_m",
+          "the yield strength is not above the tensile strength"};
+}
+
+/// `limit`: the member that is a fatigue limit; `fields`: its key and that of the tensile strength.
+template <auto limit, class Input>
+constexpr Rule<Input> lasts_below_tensile(const char* fields) {
+  return {[](const Input& in) { return !(in.*limit >= in.R_m); }, fields,
+          "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"};
+}
+
+template <class Input>
+constexpr Rule<Input> safety_has_its_yield() {
+  return {[](const Input& in) { return !is_set(in.S_F) || is_set(in.R_e); }, "S_F, R_e",
+          "the safety S_F counts against the yield strength R_e: give it, or a material"};
+}
+
+}  // namespace loadpath

@@ -128,6 +128,9 @@ TEST_SUITE("fatigue.fkm") {
       k.sigma_WK = 1.0 * MPa, k.M = 0.5, k.sigma_a = 1.0 * MPa, k.sigma_mv = row.sigma_m * MPa;
       NoTrace trace;
       CHECK(std::abs(mean_stress_factor(Overload::F2, k, trace) - row.K_AK) < 5e-4);
+      if (std::abs(row.sigma_m) < 3.0) continue;  // beyond, the limit runs level: it is met whatever is held
+      for (const Overload overload : {Overload::F1, Overload::F3, Overload::F4})
+        CHECK(std::abs(mean_stress_factor(overload, k, trace) - row.K_AK) < 5e-4);
     }
   }
 

@@ -117,6 +117,22 @@ TEST_SUITE("fatigue.life") {
     CHECK(rel(life(in).n, 1 / (100 / 190.0 + 60 / (0.67 * 690))) < 1e-12);
   }
 
+  TEST_CASE("psi of steels by their strength, half of it in shear; the last field of FKM runs level") {
+    L::Input in = steel();
+    in.rule = MeanRule::serensen;
+    CHECK(rel(in_si(life(in).sigma_ar), (100 + 0.158 * 80) * 1e6) < 1e-12);  // 0.02 + 0.0002 690
+    in.K_D = 2.0;
+    CHECK(rel(in_si(life(in).sigma_ar), (100 + 0.079 * 80) * 1e6) < 1e-12);
+    in.K_D = unset<double>, in.stress = Stresses::shear;
+    CHECK(rel(in_si(life(in).sigma_ar), (100 + 0.079 * 80) * 1e6) < 1e-12);
+    in = steel();
+    in.rule = MeanRule::fkm, in.M = 0.5, in.sigma_a = 10.0 * MPa;
+    for (const double sigma_m : {330.0, 400.0}) {
+      in.sigma_m = sigma_m * MPa;
+      CHECK(rel(in_si(row_of(life(in), MeanRule::fkm).sigma_A), 190e6 * 3.5 / 6.75) < 1e-12);
+    }
+  }
+
   TEST_CASE("the fields of FKM meet where they do") {
     L::Input in = steel();
     in.rule = MeanRule::fkm;

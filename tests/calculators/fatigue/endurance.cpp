@@ -80,6 +80,9 @@ TEST_SUITE("fatigue.endurance") {
     const auto r = limit(shoulder());
     CHECK(std::abs(r.k_a - 0.906473) < 5e-6);
     CHECK(std::abs(r.k_b - 0.855797) < 5e-6);
+    E::Input thick = shoulder();
+    thick.d = 100.0 * mm;
+    CHECK(std::abs(limit(thick).k_b - 0.732786) < 5e-7);  // 1.51 100^-0.157, by hand
     CHECK(std::abs(r.K_f - 1.55) < 5e-3);
     CHECK(rel(in_si(r.sigma_D), 345e6 * r.k_a * r.k_b / r.K_f) < 1e-12);
   }

@@ -140,6 +140,8 @@ TEST_SUITE("fatigue.history") {
     in.stress = Stresses::shear, in.mean = History::Means::soderberg, in.R_m = 690.0 * MPa, in.R_e = 490.0 * MPa;
     in.blocks = {{{}, 60.0 * MPa, -200.0 * MPa, 1}};
     CHECK(rel(counted(in).S_1 / MPa, 60.0 / (1.0 - 200.0 * std::sqrt(3.0) / 490.0)) < 1e-12);
+    CHECK(rel(counted(in).u_y, 260.0 * std::sqrt(3.0) / 490.0) < 1e-12);
+    CHECK(rel(counted(in).x_B, 260.0 / (0.67 * 690.0)) < 1e-12);
     in.mean = History::Means::goodman;
     CHECK(rel(counted(in).S_1 / MPa, 60.0 / (1.0 - 200.0 / (0.67 * 690.0))) < 1e-12);
     in.mean = History::Means::morrow;

@@ -117,6 +117,15 @@ TEST_SUITE("fatigue.life") {
     CHECK(rel(life(in).n, 1 / (100 / 190.0 + 60 / (0.67 * 690))) < 1e-12);
   }
 
+  TEST_CASE("modified Goodman leaves the amplitude of its line up to yielding, and that of yielding beyond") {
+    L::Input in = steel();
+    in.rule = MeanRule::modified_goodman;
+    for (const auto& [sigma_m, sigma_A] : {std::pair(80.0, 190.0 * (1 - 80.0 / 690)), std::pair(450.0, 40.0)}) {
+      in.sigma_m = sigma_m * MPa;
+      CHECK(rel(in_si(row_of(life(in), MeanRule::modified_goodman).sigma_A), sigma_A * 1e6) < 1e-12);
+    }
+  }
+
   TEST_CASE("psi of steels by their strength, half of it in shear; the last field of FKM runs level") {
     L::Input in = steel();
     in.rule = MeanRule::serensen;

@@ -106,6 +106,25 @@ TEST_SUITE("shaft over a turn") {
     CHECK(r.safeties[middle].theta == Approx(0.0));
   }
 
+  TEST_CASE(
+      "a force along the shaft adds to bending: its swing to the amplitude, its mean to the mean, pressure as pull") {
+    const Cycle cycle;
+    const double A = pi / 4.0 * 0.04 * 0.04, along = 20e3;
+    Design::Input in = simple();
+    in.seats[0].F_x = cycle.of<Force>([](double) { return F; });
+    in.seats[0].F_z = cycle.of<Force>([&](double phi) { return along * (0.5 + std::cos(phi)); });
+    in.seats[0].psi = cycle.of<double>([](double phi) { return phi; });
+    const shaft::Safety swings = solve(in).safeties[middle];
+    CHECK(in_si(swings.sigma_a) == Approx(M_0 / W_b + along / A));
+    CHECK(in_si(swings.sigma_m) == Approx(0.5 * along / A));
+    in.seats[0].F_x = cycle.of<Force>([](double phi) { return F * std::cos(phi); });
+    in.seats[0].F_y = cycle.of<Force>([](double phi) { return F * std::sin(phi); });
+    in.seats[0].F_z = cycle.of<Force>([&](double) { return -along; });
+    const shaft::Safety stays = solve(in).safeties[middle];
+    CHECK(in_si(stays.sigma_a) == Approx(0.0).scale(M_0 / W_b).epsilon(1e-12));
+    CHECK(in_si(stays.sigma_m) == Approx(M_0 / W_b + along / A));
+  }
+
   TEST_CASE("where it turns the other way it alternates twice in a turn; a shaft that stands feels the swing alone") {
     const Cycle cycle;
     Design::Input in = simple();

@@ -117,6 +117,16 @@ TEST_SUITE("fatigue.life") {
     CHECK(rel(life(in).n, 1 / (100 / 190.0 + 60 / (0.67 * 690))) < 1e-12);
   }
 
+  TEST_CASE("the strength at 1e3 cycles by the fit over R_m in kpsi, by hand; 0.9 below 70") {
+    L::Input in = steel();
+    in.N = 1e5;
+    for (const auto& [S_k, f] :
+         {std::pair(60.0, 0.9), std::pair(90.0, 0.86389), std::pair(150.0, 0.79525), std::pair(200.0, 0.776)}) {
+      in.R_m = S_k * 6.894757 * MPa;
+      CHECK(std::abs(life(in).f - f) < 1e-9);
+    }
+  }
+
   TEST_CASE("modified Goodman leaves the amplitude of its line up to yielding, and that of yielding beyond") {
     L::Input in = steel();
     in.rule = MeanRule::modified_goodman;

@@ -49,6 +49,18 @@ TEST_SUITE("fatigue.combined") {
     }
   }
 
+  TEST_CASE("without psi that of steels, half of it in shear; Gough and Pollard hold mean shear against 0.67 R_m") {
+    C::Input in;
+    in.sigma_m = 20.0 * MPa, in.sigma_a = 60.0 * MPa, in.tau_m = -40.0 * MPa, in.tau_a = 10.0 * MPa;
+    in.sigma_D = 180.0 * MPa, in.tau_D = 110.0 * MPa, in.K_sigma = 1.7, in.K_tau = 1.5, in.R_m = 690.0 * MPa;
+    in.S_D = 1.0, in.rule = C::Criterion::gough;
+    const auto r = safety(in);
+    // psi is 0.02 + 0.0002 690 = 0.158
+    CHECK(rel(r.n_Serensen, 1 / std::hypot((60 + 0.158 / 1.7 * 20) / 180, (10 + 0.079 / 1.5 * 40) / 110)) < 1e-12);
+    CHECK(rel(r.n_Gough, 1 / std::hypot(60 / 180.0 + 20 / 690.0, 10 / 110.0 + 40 / (0.67 * 690))) < 1e-12);
+    CHECK(r.n == r.n_Gough);
+  }
+
   TEST_CASE("Serensen's form: n_sigma n_tau over the root of their squares; the mean stress feels no K_D") {
     C::Input in = bar(60, 40, 10);
     in.sigma_m = 20.0 * MPa, in.tau_D = 150.0 * MPa, in.K_sigma = 2.0, in.K_tau = 1.5;

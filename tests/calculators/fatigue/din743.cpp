@@ -197,6 +197,14 @@ TEST_SUITE("fatigue.din743") {
     CHECK(rel(rated(in).S_D, 1.5145361426) < 1e-9);
   }
 
+  TEST_CASE("a mean stress that stays leaves no more than what is left to yielding") {
+    In in = bar_of_40(Notch::shoulder, 50, 2);
+    in.mean = MeanStress::constant;
+    in.sigma_zdm = in.sigma_zda = in.sigma_zdmax = in.tau_tm = in.tau_ta = in.tau_tmax = unset<Stress>;
+    in.sigma_bm = 680.0 * MPa, in.sigma_ba = 20.0 * MPa, in.sigma_bmax = unset<Stress>;
+    CHECK(rel(rated(in).S_D, 3.18311684653) < 1e-9);  // by the independent program: (1.32 sigma_Sd - 680 MPa)/20 MPa
+  }
+
   TEST_CASE("in bending and torsion the sign of the mean is of no account: there is a fibre of either sign") {
     In in = bar_of_40(Notch::shoulder, 50, 2);
     const double S_D = rated(in).S_D;

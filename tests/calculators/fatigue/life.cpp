@@ -127,6 +127,13 @@ TEST_SUITE("fatigue.life") {
     }
   }
 
+  TEST_CASE("shear is held against shear: 0.67 R_m in the line of finite life, R_e over the root of 3 by Soderberg") {
+    L::Input in = steel();
+    in.stress = Stresses::shear, in.rule = MeanRule::soderberg, in.f = 0.9;
+    CHECK(rel(life(in).n, 1 / (100 / 190.0 + 80 * std::sqrt(3.0) / 490)) < 1e-12);
+    CHECK(rel(life(in).b_N, -0.113470933974859) < 1e-12);  // -lg(0.9 0.67 690/190)/3
+  }
+
   TEST_CASE("modified Goodman leaves the amplitude of its line up to yielding, and that of yielding beyond") {
     L::Input in = steel();
     in.rule = MeanRule::modified_goodman;

@@ -121,6 +121,21 @@ TEST_SUITE("found mechanism") {
     CHECK(mode_of(solved_as_found(tight(7200)), "press", "resolution") != "not-covered");
   }
 
+  TEST_CASE("a punch that strikes between two positions: the peak of the drive is not passed over") {
+    const auto punched = [](const std::string& positions) {
+      return solved_as_found(
+          "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"40 mm\"\nl = \"300 "
+          "mm\"\ncrank = { speed "
+          "= \"120 rpm\", positions = " +
+          positions +
+          " }\nloads = [{ name = \"punch\", link = \"slider\", at = \"B\", F_x = \"-60 kN\", F_y = \"0 N\", over = "
+          "[[\"0 deg\", 0], "
+          "[\"318 deg\", 0], [\"322 deg\", 1], [\"358 deg\", 1], [\"360 deg\", 0]] }]\n");
+    };
+    CHECK(mode_of(punched("36"), "press", "resolution") == "not-covered");
+    CHECK(mode_of(punched("180"), "press", "resolution") == "pass");
+  }
+
   TEST_CASE("A31: the mass of a drawn link is that of the bar it draws, or its centre and inertia are given") {
     const double length = std::hypot(0.35, 0.18), J = 2.0 * length * length / 12.0;
     const auto bar = solved_as_found(drawn("mass = \"2 kg\"\n"));

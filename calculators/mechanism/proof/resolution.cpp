@@ -40,47 +40,117 @@ std::optional<std::size_t> sharp_peak(const Cycle& cycle) {
   return sharp ? std::optional(top) : std::nullopt;
 }
 
+double largest_effort(const mechanism::Position& at) {
+  double most = 0.0;
+  for (const double effort : at.effort) most = std::max(most, std::abs(effort));
+  return most;
+}
+
 struct Peak {
   double force = 0.0;
   double at = 0.0;
+  void take(double other, double place) {
+    if (other > force) force = other, at = place;
+  }
 };
+struct Peaks {
+  Peak reaction, effort;
+};
+
+Peaks peaks_of(const Cycle& cycle, const Axis& axis) {
+  Peaks peaks;
+  for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
+    if (!cycle.has_forces(k)) continue;
+    peaks.reaction.take(largest_reaction(cycle.positions[k]), axis.at[k]);
+    peaks.effort.take(largest_effort(cycle.positions[k]), axis.at[k]);
+  }
+  return peaks;
+}
+
+/// The same mechanism at these crank angles.
+Peaks peaks_at(const Solved& solved, const std::vector<double>& angles) {
+  const auto other = std::make_unique<Mechanism::Input>(solved.in);
+  other->crank.at = {};
+  for (const double angle : angles) other->crank.at.push_back({angle});
+  Axis axis = *solved.axis;
+  return peaks_of(solve_cycle(*other, solved.given, !solved.structure.redundant.empty(), &axis), axis);
+}
 
 /// The largest reaction between the neighbours of a position.
 Peak peak_beside(const Solved& solved, std::size_t top) {
-  const auto closer = std::make_unique<Mechanism::Input>(solved.in);
   const double step = solved.axis->at[1] - solved.axis->at[0];
-  closer->crank.at = {};
+  std::vector<double> angles;
   for (std::size_t i = 0; i <= parts; ++i) {
     const double share = 2.0 * static_cast<double>(i) / static_cast<double>(parts) - 1.0;
-    closer->crank.at.push_back({solved.axis->at[top] + share * step});
+    angles.push_back(solved.axis->at[top] + share * step);
   }
-  Axis axis = *solved.axis;
-  const Cycle cycle = solve_cycle(*closer, solved.given, !solved.structure.redundant.empty(), &axis);
-  Peak peak;
-  for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
-    if (!cycle.has_forces(k)) continue;
-    const double force = largest_reaction(cycle.positions[k]);
-    if (force > peak.force) peak = {force, axis.at[k]};
+  return peaks_at(solved, angles).reaction;
+}
+
+/// Crank angles of the turn on both sides of those at which the share of a load bends or jumps, rising.
+std::vector<double> corners_of_loads(const Solved& solved) {
+  constexpr double beside = 1e-7;  // rad
+  const double first = solved.axis->at.front(), period = std::abs(solved.axis->period);
+  std::vector<double> corners;
+  for (const auto& load : solved.in.loads) {
+    for (const auto& corner : load.over) {
+      for (const double angle : {corner.angle - beside, corner.angle + beside})
+        corners.push_back(angle - period * std::floor((angle - first) / period));
+    }
   }
-  return peak;
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
+account::Verdict verdict_of(const Solved& solved, Message meaning, double over, Message note) {
+  return {.step = solved.step,
+          .symbol = "resolution",
+          .meaning = std::move(meaning),
+          .value = account::Quantity{std::max(1.0, over), "-", 4},
+          .bound = say("covered up to {1}", format_quantity(1.0 + most_missed, "-")),
+          .state = over <= 1.0 + most_missed ? account::State::pass : account::State::not_covered,
+          .note = std::move(note)};
+}
+
+Message more_positions(const Solved& solved, const Peak& peak, double shown, const char* unit) {
+  return say("{1} at {2}, {3} at the positions; more of them show it: crank = { positions = ... }",
+             format_quantity(peak.force, unit, 4), format_quantity(peak.at, solved.axis->unit, 5),
+             format_quantity(shown, unit, 4));
+}
+
+/// What a load that rises or falls between two positions hides of its peak; nothing where it hides little.
+std::optional<account::Verdict> hidden_corner(const Solved& solved) {
+  constexpr double no_arm = 1e-6;  // m
+  const std::vector<double> corners = corners_of_loads(solved);
+  if (corners.empty()) return std::nullopt;
+  const Peaks shown = peaks_of(solved.cycle, *solved.axis), there = peaks_at(solved, corners);
+  const auto over = [](const Peak& one, const Peak& other) {
+    return other.force > 0.0 ? one.force / other.force : 0.0;
+  };
+  const bool driven = there.effort.force > no_arm * there.reaction.force;
+  const double by_reaction = over(there.reaction, shown.reaction);
+  const double by_effort = driven ? over(there.effort, shown.effort) : 0.0;
+  if (std::max(by_reaction, by_effort) <= 1.0 + most_missed) return std::nullopt;
+  const Message meaning = say("largest reaction or effort where loads rise and fall, over the one at the positions");
+  return by_effort > by_reaction
+             ? verdict_of(solved, meaning, by_effort, more_positions(solved, there.effort, shown.effort.force, "N*m"))
+             : verdict_of(solved, meaning, by_reaction,
+                          more_positions(solved, there.reaction, shown.reaction.force, "N"));
 }
 
 void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
   if (solved.axis == nullptr || !is_whole_turn(solved.in) || !solved.in.cylinders.empty()) return;
+  if (auto hidden = hidden_corner(solved)) {
+    verdicts.push_back(std::move(*hidden));
+    return;
+  }
   const auto top = sharp_peak(solved.cycle);
   if (!top) return;
   const Peak peak = peak_beside(solved, *top);
   const double shown = largest_reaction(solved.cycle.positions[*top]);
-  const bool enough = peak.force <= (1.0 + most_missed) * shown;
-  verdicts.push_back({.step = solved.step,
-                      .symbol = "resolution",
-                      .meaning = say("the largest reaction between the positions over the one at them"),
-                      .value = account::Quantity{std::max(1.0, peak.force / shown), "-", 4},
-                      .bound = say("covered up to {1}", format_quantity(1.0 + most_missed, "-")),
-                      .state = enough ? account::State::pass : account::State::not_covered,
-                      .note = say("{1} at {2}, {3} at the positions; more of them show it: crank = { positions = ... }",
-                                  format_quantity(peak.force, "N", 4), format_quantity(peak.at, solved.axis->unit, 5),
-                                  format_quantity(shown, "N", 4))});
+  verdicts.push_back(verdict_of(solved, say("the largest reaction between the positions over the one at them"),
+                                peak.force / shown, more_positions(solved, peak, shown, "N")));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "calculators/fatigue/mean_stress.hpp"
 #include "calculators/load/limit_meanings.hpp"
+#include "calculators/load/steel.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
@@ -53,7 +54,7 @@ S_F = 1.5
     Stress sigma_m = unset<Stress>, sigma_a = unset<Stress>, tau_m = unset<Stress>, tau_a = unset<Stress>;
     Stress sigma_D = unset<Stress>, tau_D = unset<Stress>;
     double K_sigma = 1.0, K_tau = 1.0, psi_sigma = unset<double>, psi_tau = unset<double>;
-    Stress R_m = unset<Stress>, R_e = unset<Stress>;
+    Stress R_m = unset<Stress>, R_e = unset<Stress>, E = unset<Stress>;
     Length d_h = unset<Length>;
     Criterion rule = Criterion::serensen;
     double S_D = unset<double>, S_F = unset<double>;
@@ -82,6 +83,7 @@ S_F = 1.5
       Field{&Input::psi_tau, "psi_tau", ratio, "the same in shear, else half of it"}.within(0, 1).may_be_missing(),
       Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m", "d_h"),
       Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
+      modulus_of_material(&Input::E),
       diameter_at_heat_treatment(&Input::d_h),
       Choice{&Input::rule, "rule", "rule that decides"}.may_be_missing(),
       Field{&Input::S_D, "S_D", ratio, "safety against fatigue, a factor on the load"}
@@ -96,6 +98,7 @@ S_F = 1.5
     double n_Goodman = unset<double>, n_Soderberg = unset<double>, n_Gerber = unset<double>, n_elliptic = unset<double>;
     double n_Gough = unset<double>, n = unset<double>, n_y = unset<double>;
     double u_D = unset<double>, x_v = unset<double>, x_B = unset<double>, u_y = unset<double>, u_F = unset<double>;
+    double x_E = unset<double>;
   };
   static constexpr std::tuple results{
       Field{&Result::n_sigma, "n_sigma", ratio, "Serensen's safety in normal stresses; none without them"},
@@ -120,7 +123,8 @@ S_F = 1.5
           .limit(0, 1, "R_m")
           .criterion(),
       Field{&Result::u_y, "u_y", ratio, "yielding: largest von Mises stress over the yield strength"}.check("R_e"),
-      Field{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F")};
+      Field{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F"),
+      modulus_over_steel<Result>(&Result::x_E)};
 
   static bool rule_has_all(const Input& in);
   static FieldFault lacking(const Input& in);
@@ -138,7 +142,7 @@ S_F = 1.5
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),
       Mode<Input>{"fatigue", "fatigue, without end, stresses in phase",
                   [](const Input& in) { return where(varies(in)); }}
-          .judged_by("u_D, x_v, x_B"),
+          .judged_by("u_D, x_v, x_B, x_E"),
       Mode<Input>{"phase", "stresses that rise and fall apart, other cycles beside these", &unseen<Input>},
       Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>},
       Mode<Input>{"surroundings", "corrosion, heat, fretting under press fits", &unseen<Input>}.special()};

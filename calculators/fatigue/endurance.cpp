@@ -47,11 +47,13 @@ double sensitivity(const Input& in, Result& r, Tracer& trace) {
   if (in.sensitivity == Endurance::Sensitivity::cast_iron)
     return trace.value("q", 0.2, "all grades of cast iron, [Shigley6], recalled");
   if (is_set(in.r_n) && in.sensitivity == Endurance::Sensitivity::peterson) {
+    STEP_TO(r, x_r, 0.1 * mm / in.r_n, "sharper notches count as cracks, own bound");
     const Length a_P = peterson_length(in, r, trace);
     return NAMED_STEP("q", 1.0 / (1.0 + a_P / in.r_n), "notch sensitivity, Peterson, recalled");
   }
   if (!is_set(in.r_n))
     return NAMED_STEP("q", is_set(in.q) ? in.q : 1.0, is_set(in.q) ? "as given" : "of no account: there is no notch");
+  STEP_TO(r, x_r, 0.1 * mm / in.r_n, "sharper notches count as cracks, own bound");
   const Length a_N = neuber_length(in, r, trace);
   return NAMED_STEP("q", 1.0 / (1.0 + sqrt(a_N / in.r_n)), "notch sensitivity, Neuber, [Shigley6] (6-34)");
 }
@@ -81,6 +83,7 @@ void size_and_surface(const Input& in, Result& r, Tracer& trace) {
     STEP_TO(r, beta_F, is_set(in.beta_F) ? in.beta_F : 1.0, is_set(in.beta_F) ? "as given" : "polished: no R_z given");
     return;
   }
+  STEP_TO(r, x_Rz, in.R_z / (0.2 * mm), "rougher than a rolled skin, own bound");
   const double K_F = roughness_factor("K_F", in.R_m, in.R_z, "roughness, [DIN743], [GOST25504]", trace);
   if (in.loading == Loading::torsion) {
     STEP_TO(r, beta_F, 0.575 * K_F + 0.425, "roughness in torsion, [DIN743]");
@@ -145,6 +148,9 @@ Endurance::Result Endurance::evaluate(const Input& in, Tracer& trace) {
   r.N_0 = trace.value("N_0", ferrous ? 1e7 : 1e8,
                       ferrous ? "the curve runs level from about here, [B20]"
                               : "non-ferrous: no asymptote, the limit is conventional, [B20]");
+  if (is_set(in.E) && is_steel(in.group)) {
+    STEP_TO(r, x_E, in.E / (210.0 * GPa), "the group is one of steels");
+  }
   notch(in, r, trace);
   if (in.school == School::serensen) {
     serensen(in, r, trace);

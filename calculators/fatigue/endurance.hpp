@@ -11,6 +11,7 @@
 #pragma once
 
 #include "calculators/load/limit_meanings.hpp"
+#include "calculators/load/steel.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/heat_treatment.hpp"
@@ -77,6 +78,7 @@ R_z = "6.3 um"
     RuleOf rule = RuleOf::textbook;
     Stress sigma_W = unset<Stress>;
     School school = School::serensen;
+    Stress E = unset<Stress>;
     Length d = unset<Length>, d_h = unset<Length>;
     double epsilon = unset<double>, K_t = 1.0, q = unset<double>;
     Length r_n = unset<Length>;
@@ -96,6 +98,7 @@ R_z = "6.3 um"
   static FieldFault misfit(const Input& in);
   static constexpr std::tuple inputs{
       Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m", "d_h, d"),
+      modulus_of_material(&Input::E),
       Choice{&Input::group, "group", "group of materials"},
       Choice{&Input::loading, "loading", "kind of stress that varies"},
       Choice{&Input::rule, "rule", "rule that estimates the fatigue limit"}.may_be_missing(),
@@ -148,7 +151,8 @@ R_z = "6.3 um"
     double k_a = unset<double>, k_b = unset<double>, k_c = unset<double>, k_d = unset<double>, k_e = unset<double>;
     Length d_e = unset<Length>;
     Stress sigma_D = unset<Stress>;
-    double x_d = unset<double>, x_n = unset<double>, x_T = unset<double>;
+    double x_d = unset<double>, x_n = unset<double>, x_r = unset<double>, x_Rz = unset<double>, x_T = unset<double>;
+    double x_E = unset<double>;
   };
   static constexpr std::tuple results{
       Field{&Result::sigma_m1, "sigma_m1", MPa, "fatigue limit of the smooth specimen; shear in torsion"},
@@ -170,8 +174,13 @@ R_z = "6.3 um"
           0, 1 + 1e-9, "d, h"),
       Field{&Result::x_n, "x_n", ratio, "R_m within the range of the notch sensitivity: 0 least, 1 largest strength"}
           .limit(0, 1, "r_n"),
+      Field{&Result::x_r, "x_r", ratio, "0.1 mm over r_n: a sharper notch counts as a crack; own bound"}
+          .limit(0, 1 + 1e-9)
+          .where_it_applies(),
+      Field{&Result::x_Rz, "x_Rz", ratio, "roughness over 200 um; own bound"}.limit(0, 1, "R_z"),
       Field{&Result::x_T, "x_T", ratio, "T within the range of the temperature factor: 0 least, 1 highest"}.limit(
-          -1e-9, 1 + 1e-9, "T")};
+          -1e-9, 1 + 1e-9, "T"),
+      modulus_over_steel<Result>(&Result::x_E)};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return is_set(in.R_m) || is_set(in.sigma_W); }, "R_m, sigma_W",
@@ -232,9 +241,8 @@ R_z = "6.3 um"
   static Applies has_size(const Input& in) {
     return where(is_set(in.d) || is_set(in.h) || (in.loading != Loading::tension && !is_set(in.epsilon)));
   }
-  static Applies surface_is_untold(const Input& in) {
-    return where(in.school == School::serensen && !is_set(in.R_z) && !is_set(in.beta_F));
-  }
+  static Applies has_surface(const Input& in) { return where(in.school == School::serensen && !is_set(in.beta_F)); }
+  static bool is_steel(Group group) { return group <= Group::cast_steel; }
   static constexpr auto normal = "bending, tension", shear = "torsion";
   static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal, "loading", normal},
                                        Meaning{"sigma_D", limit_in_shear, "loading", shear},
@@ -249,12 +257,17 @@ R_z = "6.3 um"
           .judged_by("x_d")
           .wanting("d, epsilon")
           .of_shape(),
-      Mode<Input>{"surface", "a part rougher than specimens, which are polished", &surface_is_untold}
+      Mode<Input>{"surface", "a part rougher than specimens, which are polished", &has_surface}
+          .judged_by("x_Rz")
           .wanting("R_z, beta_F")
           .of_shape(),
-      Mode<Input>{"notch", "a strength for which no notch sensitivity was measured",
+      Mode<Input>{"notch", "a strength or a radius for which no notch sensitivity was measured",
                   [](const Input& in) { return where(is_set(in.r_n)); }}
-          .judged_by("x_n")
+          .judged_by("x_n, x_r")
+          .of_shape(),
+      Mode<Input>{"metal", "another metal than its group of steels",
+                  [](const Input& in) { return where(is_set(in.E) && is_steel(in.group)); }}
+          .judged_by("x_E")
           .of_shape(),
       Mode<Input>{"temperature", "a temperature for which no strength was measured",
                   [](const Input& in) { return where(is_set(in.T)); }}

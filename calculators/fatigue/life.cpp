@@ -368,6 +368,9 @@ Life::Result Life::evaluate(const Input& in, Tracer& trace) {
   static_cast<Characteristics&>(r) = cycle_of(in, trace);
   first_cycle(in, r, trace);
   if (r.kind == Kind::constant) return r;
+  if (is_set(in.E) && in.group <= Group::cast_steel) {
+    STEP_TO(r, x_E, in.E / (210.0 * GPa), "the group is one of steels");
+  }
   Haigh h = strengths(in, r, trace);
   draw_line(in, h, r, trace);
   strength_for_life(in, h, r, trace);

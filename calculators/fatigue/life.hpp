@@ -13,6 +13,7 @@
 #include "calculators/fatigue/endurance.hpp"
 #include "calculators/fatigue/mean_stress.hpp"
 #include "calculators/load/limit_meanings.hpp"
+#include "calculators/load/steel.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
@@ -62,7 +63,7 @@ S_F = 1.5
     MeanStress mean = MeanStress::proportional;
     Compression compression = Compression::ignored;
     double K_m = unset<double>, K_D = unset<double>;
-    Stress sigma_f = unset<Stress>, sigma_fB = unset<Stress>;
+    Stress E = unset<Stress>, sigma_f = unset<Stress>, sigma_fB = unset<Stress>;
     double gamma = unset<double>, M = unset<double>, psi = unset<double>;
     double N = unset<double>;
     Line line = Line::shigley;
@@ -96,6 +97,7 @@ S_F = 1.5
                                                                                                    "d_h"),
           F<Stress>{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e",
                                                                                                  "d_h"),
+          modulus_of_material(&Input::E),
           diameter_at_heat_treatment(&Input::d_h),
           F<double>{&Input::S_D, "S_D", ratio, "safety against fatigue, a factor on the load"}
               .at_least(1)
@@ -175,6 +177,7 @@ S_F = 1.5
     double f = unset<double>, b_N = unset<double>;
     Stress a_N = unset<Stress>;
     double x_m = unset<double>, x_B = unset<double>, x_N = unset<double>, x_D = unset<double>, x_f = unset<double>;
+    double x_E = unset<double>;
     List<Row, choices_of(MeanRule{}).size()> rules;
   };
   static constexpr std::tuple results = std::tuple_cat(
@@ -212,6 +215,7 @@ S_F = 1.5
               .limit(0, 1 + 1e-9, "N")
               .where_it_applies(),
           Field{&Result::x_f, "x_f", ratio, "R_m over the highest of the fit of f"}.limit(0, 1, "N").where_it_applies(),
+          modulus_over_steel<Result>(&Result::x_E),
           ListField<Result, List<Row, choices_of(MeanRule{}).size()>>{&Result::rules, "rules",
                                                                       "all rules that have what they need"}});
 
@@ -245,7 +249,7 @@ S_F = 1.5
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F").wanting("R_e, S_F"),
-      Mode<Input>{"fatigue", "fatigue, in this cycle alone", &varies}.judged_by("u_D, x_m, x_B, x_N, x_D, x_f"),
+      Mode<Input>{"fatigue", "fatigue, in this cycle alone", &varies}.judged_by("u_D, x_m, x_B, x_N, x_D, x_f, x_E"),
       Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>},
       Mode<Input>{"multiaxial", "shear beside normal stresses: a fatigue.combined", &unseen<Input>},
       Mode<Input>{"history", "larger and smaller cycles beside this one", &unseen<Input>},

@@ -35,7 +35,7 @@ template <class Tracer>
 double roughness_factor(const char* symbol, Stress R_m, Length R_z, const char* why, Tracer& trace) {
   const double lg_R = trace.value("lg_R", std::log10(std::max(R_z / um, 1.0)), "lg of R_z in micrometres, 0 below 1");
   const double lg_S = trace.value("lg_S", std::log10(R_m / (20.0 * MPa)), "lg of R_m/20 MPa");
-  return NAMED_STEP(symbol, 1.0 - 0.22 * lg_R * (lg_S - 1.0), why);
+  return NAMED_STEP(symbol, 1.0 - 0.22 * lg_R * max(lg_S - 1.0, 0.0), why);
 }
 
 /// What of the tensile strength a polished bar of steel bears in symmetric cycles, part 3.

@@ -7,6 +7,7 @@
 // diameter and lower allowable values, the notch of the hole in fatigue, the wall of the hub, bending of the shaft.
 #pragma once
 
+#include "calculators/load/steel.hpp"
 #include "calculators/pin/loading.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
@@ -45,8 +46,8 @@ tau_adm_1 = "40 MPa"
     double K_A = 1.0;
     Loading loading = Loading::unsaid;
     Length d = unset<Length>, d_w = unset<Length>, D = unset<Length>;
-    Stress R_m = unset<Stress>, tau_adm = unset<Stress>, p_adm_1 = unset<Stress>, p_adm_2 = unset<Stress>,
-           tau_adm_1 = unset<Stress>;
+    Stress E = unset<Stress>, R_m = unset<Stress>, tau_adm = unset<Stress>, p_adm_1 = unset<Stress>,
+           p_adm_2 = unset<Stress>, tau_adm_1 = unset<Stress>;
   };
   static Applies loaded(const Input& in);
   static Applies varies(const Input& in);
@@ -68,6 +69,7 @@ tau_adm_1 = "40 MPa"
           .usually(200, 2500)
           .from("material", "R_m", "d")
           .where_it_has(),
+      modulus_of_material(&Input::E),
       Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress of the pin under this loading, in place of R_m"}
           .positive()
           .usually(5, 1000)
@@ -89,6 +91,7 @@ tau_adm_1 = "40 MPa"
     Moment T_d = unset<Moment>;
     Stress tau = unset<Stress>, p_1 = unset<Stress>, p_2 = unset<Stress>, tau_t = unset<Stress>;
     double u_tau = unset<double>, u_1 = unset<double>, u_2 = unset<double>, u_t = unset<double>, x_d = unset<double>;
+    double x_E = unset<double>;
   };
   static constexpr std::tuple results{
       Field{&Result::T_d, "T_d", N_m, "torque that counts: with the service factor"}.holding("K_A"),
@@ -101,7 +104,8 @@ tau_adm_1 = "40 MPa"
       Field{&Result::u_2, "u_2", ratio, "pressure in the hub over the allowable one"}.check("p_adm_2"),
       Field{&Result::u_t, "u_t", ratio, "torsion of the shaft over the allowable stress"}.check("tau_adm_1"),
       Field{&Result::x_d, "x_d", ratio, "pin over shaft: thicker pins leave no shaft to calculate with"}.limit(
-          0, 0.3 + 1e-9)};
+          0, 0.3 + 1e-9),
+      modulus_over_steel<Result>(&Result::x_E)};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return in.d < in.d_w; }, "d, d_w", "the pin must be thinner than the shaft"},
@@ -111,7 +115,7 @@ tau_adm_1 = "40 MPa"
           "R_m, loading", "the share of R_m that is allowed follows from how the torque varies: say loading"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"shear", "pin sheared off", &loaded}.judged_by("u_tau"),
+      Mode<Input>{"shear", "pin sheared off", &loaded}.judged_by("u_tau, x_E"),
       Mode<Input>{"shaft_bore", "bore of the shaft crushed", &loaded}.judged_by("u_1"),
       Mode<Input>{"hub_bore", "bores of the hub crushed", &loaded}.judged_by("u_2"),
       Mode<Input>{"shaft", "shaft twisted off beside its hole", &loaded}.judged_by("u_t, x_d"),

@@ -9,6 +9,7 @@
 // heat, what keeps it in its place.
 #pragma once
 
+#include "calculators/load/steel.hpp"
 #include "calculators/pin/loading.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/heat_treatment.hpp"
@@ -68,7 +69,7 @@ p_adm_2 = "100 MPa"
     Length d = unset<Length>, d_i = unset<Length>;
     Length t_1 = unset<Length>, t_2 = unset<Length>, c = from_si<Length>(0.0);
     Length d_h = unset<Length>;
-    Stress R_m = unset<Stress>, sigma_adm = unset<Stress>, tau_adm = unset<Stress>;
+    Stress E = unset<Stress>, R_m = unset<Stress>, sigma_adm = unset<Stress>, tau_adm = unset<Stress>;
     Stress p_adm_1 = unset<Stress>, p_adm_2 = unset<Stress>;
     AngularSpeed n = unset<AngularSpeed>;
     PressureSpeed pv_adm = unset<PressureSpeed>;
@@ -102,6 +103,7 @@ p_adm_2 = "100 MPa"
           .usually(200, 2500)
           .from("material", "R_m", "d_h, d")
           .where_it_has(),
+      modulus_of_material(&Input::E),
       diameter_at_heat_treatment(&Input::d_h),
       Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable bending stress under this loading, in place of R_m"}
           .positive()
@@ -135,7 +137,7 @@ p_adm_2 = "100 MPa"
     Speed v = unset<Speed>;
     PressureSpeed pv = unset<PressureSpeed>;
     double u_b = unset<double>, u_v = unset<double>, u_tau = unset<double>, u_1 = unset<double>, u_2 = unset<double>,
-           u_pv = unset<double>;
+           u_pv = unset<double>, x_E = unset<double>;
     LugLoad eye, cheek;
   };
   static constexpr std::tuple results{
@@ -158,6 +160,7 @@ p_adm_2 = "100 MPa"
       Field{&Result::u_pv, "u_pv", ratio, "pressure times speed over the allowable one"}
           .check("pv_adm")
           .where_it_applies(),
+      modulus_over_steel<Result>(&Result::x_E),
       Group{&Result::eye, "eye", "what the eye carries, for pin.lug: load"}.handed_over(),
       Group{&Result::cheek, "cheek", "what one cheek of the fork carries, for pin.lug: load"}.handed_over()};
 
@@ -178,8 +181,8 @@ p_adm_2 = "100 MPa"
       heat_treated_before_turning<Input>()};
 
   static constexpr std::array modes{
-      Mode<Input>{"bending", "pin bent", &loaded}.judged_by("u_b, u_v"),
-      Mode<Input>{"shear", "pin sheared off", &loaded}.judged_by("u_tau"),
+      Mode<Input>{"bending", "pin bent", &loaded}.judged_by("u_b, u_v, x_E"),
+      Mode<Input>{"shear", "pin sheared off", &loaded}.judged_by("u_tau, x_E"),
       Mode<Input>{"eye", "pin or bore of the eye crushed", &loaded}.judged_by("u_1"),
       Mode<Input>{"fork", "pin or bore of fork or wall crushed", &loaded}.judged_by("u_2"),
       Mode<Input>{"fatigue", "fatigue of the pin, by what the loading allows", &varies}.judged_by("u_b, u_tau"),

@@ -78,6 +78,7 @@ Key::Result Key::evaluate(const Input& in, Tracer& trace) {
   strengths(in, r, trace);
   reversal(in, r, trace);
   fits(in, r, trace);
+  r.notch.kind = in.i == 2 ? Notch::two_keyways : Notch::keyway;
   r.notch.d = in.d;
   if (in.torque == Sense::reversing) r.notch.r_T = -1.0;
   return r;

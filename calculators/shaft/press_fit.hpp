@@ -141,6 +141,7 @@ dT_adm = "250 K"
     Force F_e = unset<Force>;
     Heating dT_A = unset<Heating>;
     double u_s = unset<double>, u_1 = unset<double>, u_2 = unset<double>, u_F = unset<double>, u_A = unset<double>;
+    double x_l = unset<double>;
   };
   static constexpr std::tuple results{
       Field{&Result::Q_1, "Q_1", ratio, "bore of the shaft over the fit"},
@@ -163,7 +164,10 @@ dT_adm = "250 K"
           "S_F"),
       Field{&Result::u_2, "u_2", ratio, "hub: equivalent stress with its safety over the yield strength"}.check("S_F"),
       Field{&Result::u_F, "u_F", ratio, "force to press it on over that of the press"}.check("F_adm"),
-      Field{&Result::u_A, "u_A", ratio, "heating of the hub over what it allows"}.check("dT_adm")};
+      Field{&Result::u_A, "u_A", ratio, "heating of the hub over what it allows"}.check("dT_adm"),
+      Field{&Result::x_l, "x_l", ratio,
+            "length over diameter: the torque does not come through to the end of longer fits"}
+          .limit(0, 1.5 + 1e-9)};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return in.d_i < in.d && in.d < in.D; }, "d_i, d, D",
@@ -187,7 +191,7 @@ dT_adm = "250 K"
                   "the smallest fit has no usable interference", &nothing_left}};
 
   static constexpr std::array modes{
-      Mode<Input>{"slip", "slip of the hub", &loaded}.judged_by("u_s"),
+      Mode<Input>{"slip", "slip of the hub", &loaded}.judged_by("u_s, x_l"),
       Mode<Input>{"shaft", "yield of the shaft under the hub", &always<Input>}.judged_by("u_1"),
       Mode<Input>{"hub", "yield of the hub at its bore", &always<Input>}.judged_by("u_2"),
       Mode<Input>{"pressing", "a hub that the press does not get on", &always<Input>}.judged_by("u_F").of_service(),

@@ -232,6 +232,15 @@ Extreme minimum(const Value& series) {
   return low;
 }
 
+bool tells_its_extremes(const Value& series) {
+  constexpr std::size_t fewest = 36;
+  constexpr double most_missed = 0.01;
+  if (!series.is_series() || !series.signature.axis->cyclic() || !available(series) || is_constant(series)) return true;
+  const auto [least, largest] = std::minmax_element(series.si.begin(), series.si.end());
+  const double missed = std::max(maximum(series).value - *largest, *least - minimum(series).value);
+  return series.si.size() >= fewest && missed <= most_missed * (*largest - *least);
+}
+
 bool is_constant(const Value& series) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const double x : series.si) {

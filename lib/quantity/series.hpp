@@ -48,6 +48,9 @@ Extreme maximum(const Value& series);
 Extreme minimum(const Value& series);
 /// The value of largest magnitude, with its sign (`peak` of the expressions is its magnitude).
 Extreme largest(const Value& series);
+/// Whether the positions of a cycle stand so near one another that they tell its extremes: 36 of them at least, and
+/// what lies higher between them is no more than 1 % of the range. Of what is no cycle always.
+bool tells_its_extremes(const Value& series);
 /// Whether its values differ by nothing but rounding. Not of a series that holds NaN.
 bool is_constant(const Value& series);
 

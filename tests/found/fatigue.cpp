@@ -163,8 +163,8 @@ TEST_SUITE("found fatigue") {
       return mode_with("fatigue.endurance", lines, mode);
     };
     CHECK(state("", "size") == "pass");
-    CHECK(state("", "surface") == "none");
     CHECK(state("d = ", "size") == "not-judged");
+    CHECK(state("", "surface") == "pass");
     CHECK(state("R_z = ", "surface") == "not-judged");
     // the user's word: as small, and as smooth as a specimen
     CHECK(state("d = \nepsilon = 1", "size") == "none");
@@ -173,6 +173,69 @@ TEST_SUITE("found fatigue") {
     CHECK(state("d = \nloading = \"torsion\"", "size") == "not-judged");
     CHECK(state("school = \"marin\"\nR_z = \nd = ", "size") == "not-judged");
     CHECK(state("school = \"marin\"\nR_z = \nfinish = \"machined\"", "surface") == "none");
+  }
+
+  TEST_CASE("formulas of steels are none of irons, aluminium and bronze, which their modulus tells") {
+    const std::string din =
+        "group = \nsigma_B = \nsigma_S = \nd_h = \"50 mm\"\nM_ba = \"10 N*m\"\nM_tm = \"0 N*m\"\nM_ta = \"5 N*m\"\n";
+    const std::string fkm =
+        "R_mN = \nR_eN = \nd_h = \"50 mm\"\nM_ba = \"10 N*m\"\nM_tm = \"0 N*m\"\nM_ta = \"5 N*m\"\n";
+    for (const char* const metal : {"EN-GJS-400-15", "EN-GJS-700-2", "EN AW-6082-T6", "CuSn12-C"}) {
+      const std::string of = "material = \"" + std::string(metal) + "\"\n";
+      for (const char* const mode : {"fatigue", "yield"}) {
+        CHECK_MESSAGE(mode_with("fatigue.din743", din + of, mode) == "not-covered", metal);
+        CHECK_MESSAGE(mode_with("fatigue.fkm", fkm + of, mode) == "not-covered", metal);
+      }
+      CHECK_MESSAGE(mode_with("fatigue.endurance", "R_m = \n" + of, "metal") == "not-covered", metal);
+      CHECK_MESSAGE(mode_with("shaft.design", of, "fatigue") == "not-covered", metal);
+      CHECK_MESSAGE(mode_with("pin.joint", "R_m = \nF = \"1 kN\"\n" + of, "shear") == "not-covered", metal);
+    }
+    CHECK(mode_with("fatigue.din743", din + "material = \"C45E\"", "fatigue") == "pass");
+    CHECK(mode_with("fatigue.endurance", "", "metal") == "none");
+    CHECK(mode_with("fatigue.endurance", "R_m = \nmaterial = \"C45E\"", "metal") == "pass");
+    const std::string iron = "R_m = \nR_e = \nmaterial = \"EN-GJS-400-15\"\nsigma_D = \"60 MPa\"\n";
+    CHECK(mode_with("fatigue.life", iron + "sigma_max = \"20 MPa\"", "fatigue") == "not-covered");
+    CHECK(mode_with("fatigue.life", iron + "sigma_max = \"20 MPa\"\ngroup = \"ductile-iron\"", "fatigue") == "pass");
+    const std::string gentle = "tau_D = \"35 MPa\"\nsigma_a = \"10 MPa\"\nsigma_m = \"2 MPa\"\ntau_m = \"3 MPa\"\n";
+    CHECK(mode_with("fatigue.combined", iron + gentle, "fatigue") == "not-covered");
+    CHECK(mode_with("fatigue.combined", iron + gentle + "psi_sigma = 0.2\npsi_tau = 0.1", "fatigue") == "pass");
+  }
+
+  TEST_CASE("a notch as sharp as a crack has no sensitivity, a surface rougher than a rolled skin no factor") {
+    CHECK(mode_with("fatigue.endurance", "r_n = \"0.001 mm\"", "notch") == "not-covered");
+    CHECK(mode_with("fatigue.endurance", "R_z = \"5 mm\"", "surface") == "not-covered");
+    CHECK(mode_with("fatigue.din743", "R_z = \"250 um\"", "fatigue") == "not-covered");
+    const std::string given =
+        "notches = [{ x = \"60 mm\", r = \"2 mm\" }, { x = \"140 mm\", r = \"2 mm\" }, { x = \"100 mm\", kind = "
+        "\"given\", K_t = 4, K_ts = 4, r = \"";
+    CHECK(mode_with("shaft.design", given + "0.1 mm\" }]", "fatigue") == "pass");
+    CHECK(mode_with("shaft.design", given + "0.001 mm\" }]", "fatigue") == "not-covered");  // K_f of 1.2
+  }
+
+  TEST_CASE("no category of EN 1993-1-9 is above 160 MPa") {
+    const std::string detail = "sigma_D = \nN_D = \nk = \nmean = \ncurve = \"en1993\"\n";
+    CHECK(ExampleStep("fatigue.history", detail + "sigma_C = \"160 MPa\"").fault().empty());
+    CHECK_FALSE(ExampleStep("fatigue.history", detail + "sigma_C = \"710 MPa\"").fault().empty());
+    CHECK_FALSE(ExampleStep("fatigue.history", detail + "stress = \"shear\"\nsigma_C = \"125 MPa\"").fault().empty());
+  }
+
+  TEST_CASE("a turn at a few positions hides its peak") {
+    const auto errors = [](const std::string& positions) {
+      return Solved(
+                 "[m]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"40 mm\"\nl = \"90 mm\"\n"
+                 "crank = { speed = \"60 rpm\", positions = " +
+                 positions +
+                 " }\nloads = [{ name = \"F\", link = \"slider\", at = \"B\", F_x = \"-2 kN\", F_y = \"0 N\" }]\n"
+                 "[h]\ncalculator = \"fatigue.history\"\nsigma = \"=m.drive.M/(1 cm^3)\"\nsigma_D = \"120 MPa\"\nN_D = "
+                 "1e6\n"
+                 "k = 5\n[p]\ncalculator = \"fatigue.multiaxial\"\ntau_xy = \"=m.drive.M/(1 cm^3)\"\nsigma_D = \"240 "
+                 "MPa\"\n"
+                 "tau_D = \"150 MPa\"\nS_D = 1\n")
+          .errors();
+    };
+    CHECK(errors("72").empty());
+    const std::string few = errors("12");
+    CHECK_MESSAGE(few.find("36 positions of a turn at least") != std::string::npos, few);
   }
 
   TEST_CASE("without a yield strength no rule passes the first cycle, and no line goes above the tensile strength") {

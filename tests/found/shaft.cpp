@@ -204,3 +204,65 @@ TEST_SUITE("found groove") {
     CHECK(std::abs(step("R_1") / same("R_1") - 1.0) < 1e-6);  // 5000/(1450 pi/30)
   }
 }
+
+TEST_SUITE("found shaft between bearings") {
+  TEST_CASE("two keys weaken the shaft more than one, by 1.15") {
+    CHECK(ExampleStep("shaft.key", "")("notch.kind") != ExampleStep("shaft.key", "i = 2")("notch.kind"));
+    const auto K_f = [](const std::string& kind) {
+      const ExampleStep step("shaft.design",
+                             "notches = [{ x = \"60 mm\", r = \"2 mm\" }, { x = \"140 mm\", r = \"2 mm\" }, { name = "
+                             "\"key\", x = \"120 mm\", kind = \"" +
+                                 kind + "\" }]");
+      return std::pair(step("safeties.key.K_t"), step("safeties.key.K_ts"));
+    };
+    CHECK(std::abs(K_f("two-keyways").first - 1.15 * 2.14) < 1e-12);
+    CHECK(std::abs(K_f("two-keyways").second / K_f("keyway").second - 1.15) < 1e-12);
+  }
+
+  TEST_CASE("notches that feel one another are not judged each alone; a grey iron may break") {
+    const auto state = [](const std::string& x, const std::string& mode) {
+      return mode_with(
+          "shaft.design",
+          "R_z = \"6.3 um\"\nnotches = [{ x = \"60 mm\", r = \"2 mm\" }, { x = \"140 mm\", r = \"2 mm\" }, { x = "
+          "\"100 mm\", kind = \"keyway\" }, { x = \"" +
+              x + "\", kind = \"press-fit\" }]",
+          mode);
+    };
+    CHECK(state("101 mm", "neighbours") == "not-judged");
+    CHECK(state("112 mm", "neighbours") == "none");
+    const std::string iron =
+        "material = \nE = \"120 GPa\"\nG = \"46 GPa\"\nrho = \"7200 kg/m^3\"\nR_e = \"249 MPa\"\nR_m = \"250 "
+        "MPa\"\nsigma_W = \"100 MPa\"\ngroup = ";
+    CHECK(mode_with("shaft.design", iron + "\"grey-iron\"", "brittle") == "not-judged");
+    CHECK(mode_with("shaft.design", iron + "\"ductile-iron\"", "brittle") == "open");
+  }
+
+  TEST_CASE("a turn at few positions hides the peak of what loads the shaft") {
+    const auto errors = [](const std::string& positions) {
+      std::vector<Issue> issues;
+      project::Project project = project::read_project(
+          "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"40 mm\"\nl = \"90 "
+          "mm\"\ncrank = { "
+          "speed = \"60 rpm\", positions = " +
+              positions +
+              " }\nloads = [{ name = \"F\", link = \"slider\", at = \"B\", F_x = \"-2 kN\", F_y = \"0 N\" }]\n[shaft]\n"
+              "calculator = \"shaft.design\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\nS_F = 1.5\nS_D = "
+              "1.5\npieces = [{ l "
+              "= \"400 mm\", d = \"70 mm\" }]\nsupports = [{ x = \"50 mm\", holds = \"both\" }, { x = \"350 mm\" "
+              "}]\nseats = [{ "
+              "x = \"200 mm\", load = \"=press.shafts.O\" }, { x = \"0 mm\", way = \"balances\" }]\n",
+          "found.toml", catalogue(), issues);
+      if (!has_errors(issues)) project::solve(project, issues);
+      std::string all;
+      for (const Issue& issue : issues) all += issue.severity == Severity::error ? issue.message.text() : "";
+      return all;
+    };
+    CHECK(errors("72").empty());
+    CHECK(errors("12").find("between the positions of the turn") != std::string::npos);
+  }
+
+  TEST_CASE("the torque does not come through to the end of a long fit") {
+    CHECK(mode_with("shaft.press_fit", "", "slip") == "pass");
+    CHECK(mode_with("shaft.press_fit", "l = \"200 mm\"", "slip") == "not-covered");
+  }
+}

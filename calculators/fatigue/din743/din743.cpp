@@ -7,7 +7,11 @@ namespace loadpath::fatigue {
 
 template <class Tracer>
 Din743::Result Din743::evaluate(const Input& in, Tracer& trace) {
-  return {din743(in, in, din743_loads(in), trace)};
+  Result r{din743(in, in, din743_loads(in), trace)};
+  if (is_set(in.E)) {
+    STEP_TO(r, x_E, in.E / (210.0 * GPa), "its formulas are those of steels");
+  }
+  return r;
 }
 
 template Din743::Result Din743::evaluate(const Input&, NoTrace&);

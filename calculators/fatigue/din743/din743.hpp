@@ -12,6 +12,7 @@
 #include "calculators/fatigue/din743/fields.hpp"
 #include "calculators/fatigue/din743/rules.hpp"
 #include "calculators/load/limit_meanings.hpp"
+#include "calculators/load/steel.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -53,6 +54,7 @@ f_max = 1.8
 )";
 
   struct Input : Din743Steel, Din743Section, SectionActions {
+    Stress E = unset<Stress>;
     double S_min = 1.2;
     MeanStress mean = MeanStress::proportional;
   };
@@ -65,10 +67,14 @@ f_max = 1.8
           .usually(1.2, 5)
           .factor()};
   static constexpr std::tuple inputs =
-      std::tuple_cat(din743_steel<Input>(), din743_section<Input>(), section_actions<Input>(), loads);
+      std::tuple_cat(din743_steel<Input>(), std::tuple{modulus_of_material<Input>(&Input::E)}, din743_section<Input>(),
+                     section_actions<Input>(), loads);
 
-  struct Result : Din743Safety {};
-  static constexpr std::tuple results = din743_results<Result>();
+  struct Result : Din743Safety {
+    double x_E = unset<double>;
+  };
+  static constexpr std::tuple results =
+      std::tuple_cat(din743_results<Result>(), std::tuple{modulus_over_steel<Result>(&Result::x_E)});
 
   static constexpr auto rules = din743_rules<Input>();
   static constexpr std::array meanings{Meaning{"sigma_bW", specimen_in_bending},
@@ -76,9 +82,10 @@ f_max = 1.8
                                        Meaning{"tau_tW", specimen_in_torsion}};
   static constexpr std::array modes{
       Mode<Input>{"fatigue", "fatigue of the section, at constant amplitudes", &any_varies<Input>}.judged_by(
-          "u_D, x_m, x_small, x_eff, x_r, x_D, x_alpha, x_t, x_hole, x_bore"),
-      Mode<Input>{"yield", "yield or fracture under the largest load", &always<Input>}.judged_by("u_F").wanting(
-          "f_max"),
+          "u_D, x_m, x_small, x_eff, x_Rz, x_r, x_D, x_alpha, x_t, x_hole, x_bore, x_E"),
+      Mode<Input>{"yield", "yield or fracture under the largest load", &always<Input>}
+          .judged_by("u_F, x_E")
+          .wanting("f_max"),
       Mode<Input>{"layer", "cracks of a hard surface layer under the largest load",
                   [](const Input& in) { return where(in.layer == Layer::hard); }},
       Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),

@@ -176,6 +176,9 @@ void ranges(const Din743Section& s, Length depth, Safety& r, Tracer& trace) {
   if (!is_typed(s.notch) && s.notch != Notch::smooth) {
     STEP_TO(r, x_bore, s.d_bore / s.d, "notch factors are those of solid shafts: type alpha or beta of a hollow one");
   }
+  if (needs_roughness(s.notch)) {
+    STEP_TO(r, x_Rz, s.R_z / (0.2 * mm), "rougher than a rolled skin, own bound");
+  }
   if (has_shape_factors(s.notch)) {
     STEP_TO(r, x_r, 0.03 * t / s.r, "r/t from 0.03, [DIN743] part 2 tables 2, 3");
     STEP_TO(r, x_D, s.d / (0.98 * s.D), "d/D up to 0.98, [DIN743] part 2 tables 2, 3");

@@ -127,7 +127,7 @@ struct Din743Safety : NotchRanges {
   Stress sigma_mv = unset<Stress>, tau_mv = unset<Stress>;
   double S_D = unset<double>, S_F = unset<double>;
   double u_D = unset<double>, u_F = unset<double>;
-  double x_m = unset<double>, x_small = unset<double>, x_eff = unset<double>;
+  double x_m = unset<double>, x_small = unset<double>, x_eff = unset<double>, x_Rz = unset<double>;
   List<Din743Stress, 3> stresses;
 };
 

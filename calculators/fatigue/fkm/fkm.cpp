@@ -7,7 +7,11 @@ namespace loadpath::fatigue {
 
 template <class Tracer>
 Fkm::Result Fkm::evaluate(const Input& in, Tracer& trace) {
-  return {fkm_section(in, in, acting_loads(in), in, trace)};
+  Result r{fkm_section(in, in, acting_loads(in), in, trace)};
+  if (is_set(in.E)) {
+    STEP_TO(r, x_E, in.E / (210.0 * GPa), "its formulas here are those of steels");
+  }
+  return r;
 }
 
 template Fkm::Result Fkm::evaluate(const Input&, NoTrace&);

@@ -12,6 +12,7 @@
 
 #include "calculators/fatigue/fkm/fields.hpp"
 #include "calculators/fatigue/fkm/rules.hpp"
+#include "calculators/load/steel.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 
@@ -50,19 +51,26 @@ M_ta = "150 N*m"
 f_max = 1.8
 )";
 
-  struct Input : FkmSteel, Din743Section, SectionActions, FkmService {};
+  struct Input : FkmSteel, Din743Section, SectionActions, FkmService {
+    Stress E = unset<Stress>;
+  };
   static constexpr std::tuple inputs =
-      std::tuple_cat(fkm_steel<Input>(), din743_section<Input>(), section_actions<Input>(), fkm_service<Input>());
+      std::tuple_cat(fkm_steel<Input>(), std::tuple{modulus_of_material<Input>(&Input::E)}, din743_section<Input>(),
+                     section_actions<Input>(), fkm_service<Input>());
 
-  struct Result : FkmSafety {};
-  static constexpr std::tuple results = fkm_results<Result>();
+  struct Result : FkmSafety {
+    double x_E = unset<double>;
+  };
+  static constexpr std::tuple results =
+      std::tuple_cat(fkm_results<Result>(), std::tuple{modulus_over_steel<Result>(&Result::x_E)});
 
   static constexpr auto rules = fkm_rules<Input>();
   static constexpr std::array modes{
       Mode<Input>{"fatigue", "fatigue of the section, at constant amplitudes", &any_varies<Input>}.judged_by(
-          "u_D, x_eff, x_G, x_Rz, x_N, x_small, x_r, x_D, x_alpha, x_t, x_hole, x_bore"),
-      Mode<Input>{"yield", "yield or fracture under the largest load", &always<Input>}.judged_by("u_S").wanting(
-          "f_max"),
+          "u_D, x_eff, x_G, x_Rz, x_N, x_small, x_r, x_D, x_alpha, x_t, x_hole, x_bore, x_E"),
+      Mode<Input>{"yield", "yield or fracture under the largest load", &always<Input>}
+          .judged_by("u_S, x_E")
+          .wanting("f_max"),
       Mode<Input>{"layer", "cracks of a hard surface layer under the largest load",
                   [](const Input& in) { return where(in.layer == Layer::hard); }},
       Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),

@@ -161,9 +161,6 @@ void fkm_ranges(const Din743Section& s, const FkmService& l, const FkmRoot& root
   const double x_notch = trace.value("x_notch", notched, "steepest gradient of a notch over 100/mm");
   STEP(x_d, 2.0 / s.d * (0.01 * mm), "gradient over the diameter over 100/mm");
   STEP_TO(r, x_G, max(x_notch, x_d), "support is told up to 100/mm, [FKM] 2.3");
-  if (needs_roughness(s.notch)) {
-    STEP_TO(r, x_Rz, s.R_z / (0.2 * mm), "rougher than a rolled skin, own bound");
-  }
   if (is_set(l.N)) {
     const double N = l.N;
     STEP_TO(r, x_N, 1e4 / N, "below 1e4 cycles lives are those of strains, own bound");

@@ -292,6 +292,9 @@ n_req = 1
                   "give the numbers of the curve that is chosen alone: sigma_D, N_D and k of a part; sigma_C of "
                   "EN 1993-1-9; lg_a of DNV-RP-C203"},
       Rule<Input>{&slopes_fall, "m_1, m_2", "the second branch falls less than the first: m_2 is above m_1"},
+      Rule<Input>{
+          [](const Input& in) { return !(in.sigma_C > (in.stress == Stresses::shear ? 100.0 * MPa : 160.0 * MPa)); },
+          "sigma_C, stress", "categories of EN 1993-1-9 end at 160 MPa, of shear at 100 MPa"},
       Rule<Input>{&mean_suits, "mean, curve, stress",
                   "a detail counts ranges, whatever their mean; SWT, Walker and Morrow are of normal stresses"},
       Rule<Input>{&mean_given, "mean, R_m, R_e, sigma_f, gamma, M",
@@ -299,6 +302,10 @@ n_req = 1
                   "elliptic, sigma_f "
                   "for morrow, gamma for walker, M for fkm"},
       Rule<Input>{&may_be_left, "residue, sigma", "one turn of a mechanism comes again: its residue is repeated"},
+      Rule<Input>{[](const Input& in) { return !in.sigma.is_series() || tells_its_extremes(*in.sigma.series); },
+                  "sigma",
+                  "36 positions of a turn at least, and between them extremes no more than 1 % of the range larger: "
+                  "take more"},
       Rule<Input>{&hcm_repeats, "counting, residue",
                   "HCM begins on a branch that closes nothing: repeat the history, or count by four points"},
       Rule<Input>{[](const Input& in) { return in.classes == 0 || in.sigma.is_series(); }, "classes, blocks",

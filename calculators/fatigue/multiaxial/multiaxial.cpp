@@ -124,13 +124,6 @@ void decide(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, u_D, in.S_D / r.n, "required safety over the one that is there");
 }
 
-/// What the extremes of a turn that lie between its positions add to them, over the range.
-double missed_between(const Value& turn) {
-  const auto [least, largest] = std::minmax_element(turn.si.begin(), turn.si.end());
-  const double missed = std::max(maximum(turn).value - *largest, *least - minimum(turn).value);
-  return *largest > *least ? missed / (*largest - *least) : 0.0;
-}
-
 draw::Curve circle(const numerics::Ball<2>& ball, double K_A) {
   draw::Curve curve{"smallest circle", {}, {}};
   constexpr int points = 96;
@@ -166,11 +159,9 @@ bool Multiaxial::varies(const Input& in) {
 }
 
 bool Multiaxial::fine_enough(const Input& in) {
-  constexpr double most_missed = 0.01;
   const auto all = stresses(in);
-  return std::none_of(all.begin(), all.end(), [](const Varying<Stress>* stress) {
-    return stress->is_series() && stress->series->signature.axis->cyclic() &&
-           missed_between(*stress->series) > most_missed;
+  return std::all_of(all.begin(), all.end(), [](const Varying<Stress>* stress) {
+    return !stress->is_series() || tells_its_extremes(*stress->series);
   });
 }
 

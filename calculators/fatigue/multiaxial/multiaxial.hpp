@@ -158,7 +158,7 @@ S_F = 1.5
                   "a stress that does not vary is no history: one of the three is a series that does"},
       Rule<Input>{
           &fine_enough, "sigma_x, sigma_y, tau_xy",
-          "between the positions of the turn extremes are more than 1 % of the range larger: take more positions"},
+          "36 positions of a turn at least, and between them extremes no more than 1 % of the range larger: take more"},
       Rule<Input>{[](const Input& in) { return !(in.tau_D >= in.sigma_D); }, "tau_D, sigma_D",
                   "the fatigue limit in torsion is below that in normal stresses"},
       safety_has_its_yield<Input>()};

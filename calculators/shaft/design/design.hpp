@@ -13,6 +13,7 @@
 #pragma once
 
 #include "calculators/fatigue/endurance.hpp"
+#include "calculators/load/steel.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "calculators/shaft/design/result.hpp"
 #include "calculators/shaft/parts/modes.hpp"
@@ -151,7 +152,7 @@ r_T = 0
     double phi = unset<double>, psi = unset<double>;
     AngularSpeed n_c = unset<AngularSpeed>, n_R = unset<AngularSpeed>, n_D = unset<AngularSpeed>;
     AngularSpeed n_T = unset<AngularSpeed>, n = unset<AngularSpeed>;
-    double u_y = unset<double>, u_theta = unset<double>, u_n = unset<double>;
+    double u_y = unset<double>, u_theta = unset<double>, u_n = unset<double>, x_E = unset<double>;
     List<Carried, most_supports> bearings;
     List<Seated, most_seats> seats;
     List<Harmonic, 2 * most_orders + 1> harmonics;
@@ -177,6 +178,7 @@ r_T = 0
       Field{&Result::u_y, "u_y", ratio, "deflection over the allowable one"}.check("v_adm"),
       Field{&Result::u_theta, "u_theta", ratio, "twist per length over the allowable one"}.check("theta_adm"),
       Field{&Result::u_n, "u_n", ratio, "critical speed: speed with its margin over it"}.check().where_it_applies(),
+      modulus_over_steel<Result>(&Result::x_E),
       ListField{&Result::bearings, "bearings", "what each bearing carries"},
       ListField{&Result::seats, "seats", "how the shaft moves where something sits on it"},
       ListField{&Result::harmonics, "harmonics",
@@ -272,13 +274,17 @@ r_T = 0
   static Applies running(const Input& in);
   static Applies passes_resonance(const Input& in);
   static Applies tired(const Input& in);
+  static Applies crowds(const Input& in) { return where(asks_fatigue(in) && !notches_apart(in)); }
+  static Applies brittle(const Input& in) { return shown_by(in.group == fatigue::Endurance::Group::grey_iron); }
   static constexpr std::array meanings{Meaning{"sigma_W", fatigue::specimen_in_bending}};
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield of a section", &loaded}.judged_by("sections.u_v"),
       Mode<Input>{"fatigue", "fatigue of a notch or section", &tired}
-          .judged_by("safeties.u_D, safeties.x_b, safeties.x_t, safeties.x_d, safeties.x_n, safeties.x_DIN")
+          .judged_by(
+              "safeties.u_D, safeties.x_b, safeties.x_t, safeties.x_d, safeties.x_n, safeties.x_r, safeties.x_DIN, x_E")
           .wanting("S_D, r_T")
           .in_service(),
+      Mode<Input>{"neighbours", "fatigue where one notch feels the next", &crowds},
       Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
       Mode<Input>{"deflection", "deflection", &loaded}.judged_by("u_y").of_service(),
       Mode<Input>{"slope_bearings", "slope of the shaft in its bearings", &loaded}
@@ -312,7 +318,7 @@ r_T = 0
           .of_shape(),
       Mode<Input>{"hub", "keys, press fits and splines of what sits on it", &unseen<Input>},
       Mode<Input>{"turning_loads", "forces that turn with the shaft: unbalance, a crank", &unseen<Input>}.special(),
-      Mode<Input>{"brittle", "brittle fracture", &unseen<Input>}.special(),
+      Mode<Input>{"brittle", "brittle fracture", &brittle}.special(),
       Mode<Input>{"corrosion", "corrosion and fretting", &unseen<Input>}.special()};
 
   /// Diameters that are searched for together; calculators/shaft/design/sizing.cpp says how.

@@ -31,14 +31,17 @@ void concentrate(const Notched& notch, const Sides& sides, Length r_n, const Sec
     s.K_t = in_bending.K, s.K_ts = in_torsion.K;
     s.x_b = trace.value("x_b", in_bending.place, "place within the fit, [Peterson]");
     if (twisted) s.x_t = trace.value("x_t", in_torsion.place, "place within the fit, [Peterson]");
-  } else if (notch.kind == Notch::keyway) {
-    s.K_t = 2.14, s.K_ts = 3.0;
+  } else if (is_keyed(notch.kind)) {
+    const double k_2 = notch.kind == Notch::two_keyways ? 1.15 : 1.0;
+    s.K_t = k_2 * 2.14, s.K_ts = k_2 * 3.0;
   } else {
     s.K_t = notch.K_t, s.K_ts = notch.K_ts;
   }
   const char* const source = fits                          ? "of the net section, [Peterson]"
                              : notch.kind == Notch::keyway ? "end-milled, r = 0.02 d, [Shigley7] table 7-1"
-                                                           : "as given";
+                             : notch.kind == Notch::two_keyways
+                                 ? "1.15 of one keyway, as [DIN743] has it; one by [Shigley7] table 7-1"
+                                 : "as given";
   trace.value("K_t", s.K_t, source);
   trace.value("K_ts", s.K_ts, source);
 }
@@ -60,7 +63,7 @@ void weaken(const Input& in, Length d, Length r_n, Safety& s, Tracer& trace) {
   const auto bending = Endurance::evaluate(endurance_of(in, d, Endurance::Loading::bending, s.K_t, r_n), trace);
   const auto torsion = Endurance::evaluate(endurance_of(in, d, Endurance::Loading::torsion, s.K_ts, r_n), quiet);
   s.K_f = bending.K_f, s.x_d = bending.x_d;
-  s.x_n = max(bending.x_n, torsion.x_n);
+  s.x_n = max(bending.x_n, torsion.x_n), s.x_r = bending.x_r;
   s.K_fs = trace.value("K_fs", torsion.K_f, "in torsion, as fatigue.endurance finds it");
   const Stress sigma_D = bending.sigma_D;
   STEP_TO(s, S_e, s.K_f * sigma_D, "the notch stands with the stresses");
@@ -112,6 +115,9 @@ fatigue::Din743Section section_of_din743(const Input& in, const There& there, co
       break;
     case Notch::keyway:
       section.notch = Kind::keyway;
+      break;
+    case Notch::two_keyways:
+      section.notch = Kind::two_keyways;
       break;
     case Notch::press_fit:
       section.notch = Kind::press_fit;

@@ -27,7 +27,7 @@ Message fault_of_fields(const Notched& notch) {
   if ((kind == Kind::beta) != is_set(notch.beta_b) || is_set(notch.beta_b) != is_set(notch.beta_t))
     return say("beta_b and beta_t go together, with kind = \"beta\" alone");
   if (is_set(notch.h) && kind != Kind::shoulder) return say("h is the least height of a shoulder");
-  if (kind == Kind::keyway && is_set(notch.r))
+  if (is_keyed(kind) && is_set(notch.r))
     return say("K_t of a keyway is that of r = 0.02 d: leave out r, or give K_t and K_ts of another");
   if (const bool rootless = kind == Kind::v_groove || kind == Kind::press_fit || kind == Kind::beta;
       rootless && is_set(notch.r))
@@ -70,7 +70,7 @@ Message fault_of(const Input& in, const Notched& notch) {
   const bool typed = notch.kind == Notch::given || notch.kind == Notch::beta;
   const Length aside = 10.0 * one_place * length_of(in);
   const Piece &before = piece_at(in, notch.x - aside), &piece = piece_at(in, notch.x + aside);
-  if (!typed && notch.kind != Notch::keyway && is_bored(in, notch.x))
+  if (!typed && !is_keyed(notch.kind) && is_bored(in, notch.x))
     return say("the charts are of solid shafts: of a bored one give K_t and K_ts");
   if (is_groove(notch.kind) && !(2.0 * notch.t < piece.d)) return say("the groove is deeper than the shaft");
   if (Message fault = fault_of_width(in, notch); !fault.empty()) return fault;
@@ -99,7 +99,7 @@ Length reach_of(const Input& in, const Notched& notch) {
   const Length aside = 10.0 * one_place * length_of(in), none = 0.0 * mm;
   const Length d = piece_at(in, notch.x - aside).d, next = piece_at(in, notch.x + aside).d;
   const Length root = is_set(notch.r) ? notch.r : none, deep = is_set(notch.t) ? notch.t : none;
-  const Length cut = notch.kind == Notch::keyway ? 0.1 * d : abs(d - next) / 2.0;
+  const Length cut = is_keyed(notch.kind) ? 0.1 * d : abs(d - next) / 2.0;
   return 2.0 * max(max(root, deep), cut);
 }
 

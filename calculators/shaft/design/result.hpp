@@ -118,6 +118,7 @@ struct Safety {
   double u_D = unset<double>;
   double x_DIN = unset<double>;
   double x_b = unset<double>, x_t = unset<double>, x_d = unset<double>, x_n = unset<double>;
+  double x_r = unset<double>;
   static constexpr std::tuple fields{
       NameField{&Safety::name, "name", "what is there"},
       Field{&Safety::x, "x", mm, "place"},
@@ -152,6 +153,9 @@ struct Safety {
           .where_it_applies(),
       Field{&Safety::x_n, "x_n", ratio, "R_m within the range of Neuber's constant: 0 least, 1 largest"}
           .limit(0, 1)
+          .where_it_applies(),
+      Field{&Safety::x_r, "x_r", ratio, "0.1 mm over the radius: a sharper notch counts as a crack; own bound"}
+          .limit(0, 1 + 1e-9)
           .where_it_applies()};
 };
 

@@ -41,6 +41,9 @@ TurnFault fault_of_series(const Input& in) {
     else if (std::any_of(si.begin(), si.end(), [](double x) { return !std::isfinite(x); }))
       fault = {key, say("it is not known at all positions of the turn"),
                say("look at the step that it comes from: `loadpath why` tells what is wrong there")};
+    else if (!tells_its_extremes(*load.series))
+      fault = {key, say("between the positions of the turn its extremes may be more than 1 % of the range larger"),
+               say("take more positions in the step that it comes from: 36 at least")};
   };
   for (const Seat& seat : in.seats) {
     look("psi", seat.psi);

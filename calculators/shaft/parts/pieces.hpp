@@ -109,7 +109,19 @@ struct Order {
       Field{&Order::h, "h", ratio, "how often in a turn of the shaft"}.positive().usually(0.5, 500)};
 };
 
-enum class Notch { shoulder, groove, rectangular_groove, v_groove, keyway, press_fit, cross_hole, given, beta };
+enum class Notch {
+  shoulder,
+  groove,
+  rectangular_groove,
+  v_groove,
+  keyway,
+  two_keyways,
+  press_fit,
+  cross_hole,
+  given,
+  beta
+};
+constexpr bool is_keyed(Notch n) { return n == Notch::keyway || n == Notch::two_keyways; }
 constexpr bool is_groove(Notch n) {
   return n == Notch::groove || n == Notch::rectangular_groove || n == Notch::v_groove;
 }
@@ -171,6 +183,7 @@ constexpr auto choices_of(Notch) {
                                       "groove of depth t and width w with r at its edges, of a retaining ring"},
                     ChoiceName<Notch>{Notch::v_groove, "v-groove", "V-groove of depth t; a thread of that depth"},
                     ChoiceName<Notch>{Notch::keyway, "keyway", "end of a keyway, end-milled"},
+                    ChoiceName<Notch>{Notch::two_keyways, "two-keyways", "ends of two keyways around the shaft"},
                     ChoiceName<Notch>{Notch::press_fit, "press-fit", "end of a hub that is pressed on"},
                     ChoiceName<Notch>{Notch::cross_hole, "cross-hole", "hole of radius r across the shaft"},
                     ChoiceName<Notch>{Notch::given, "given", "anything else, by its K_t, K_ts and r"},

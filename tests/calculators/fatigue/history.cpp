@@ -105,10 +105,13 @@ TEST_SUITE("fatigue.history") {
     Axis turn;
     turn.quantity = "crank angle";
     turn.period = 2.0 * std::numbers::pi, turn.speed = 10.0 * std::numbers::pi;
-    for (int i = 0; i < 12; ++i) turn.at.push_back(i * std::numbers::pi / 6.0);
+    std::vector<double> values;
+    for (int i = 0; i < 36; ++i) {
+      turn.at.push_back(i * std::numbers::pi / 18.0);
+      values.push_back(100.0 * std::sin(turn.at.back()));
+    }
     In in = of_part(50, 1e6, 5);
-    std::vector<double> values = sine(1);
-    for (int shift = 0; shift < 12; ++shift) {
+    for (int shift = 0; shift < 36; ++shift) {
       in.sigma = series(turn, values);
       const auto r = counted(in);
       CHECK(r.n == 1.0);

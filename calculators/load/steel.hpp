@@ -1,0 +1,28 @@
+// What tells that a material is a steel, where formulas are those of steels alone: its modulus of elasticity, which the
+// row of a material brings along. That of irons, aluminium, bronzes and titanium lies outside.
+#pragma once
+
+#include "lib/calculator/field.hpp"
+#include "lib/quantity/units.hpp"
+
+namespace loadpath {
+
+inline constexpr Stress modulus_of_steel = from_si<Stress>(210e9);
+
+template <class Input>
+constexpr auto modulus_of_material(Stress Input::*at) {
+  return Field<Input, Stress>{at, "E", GPa, "modulus of elasticity, which tells a steel"}
+      .positive()
+      .usually(1, 500)
+      .from("material", "E")
+      .where_it_has();
+}
+
+template <class Result>
+constexpr auto modulus_over_steel(double Result::*at) {
+  return Field<Result, double>{at, "x_E", ratio, "modulus over the 210 GPa of steel, which the formulas are of"}
+      .limit(0.85, 1.1)
+      .where_it_applies();
+}
+
+}  // namespace loadpath

@@ -3,21 +3,30 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace loadpath {
+
+/// Calls with each of the eight places of Gauss's rule, and its weight.
+template <class Take>
+void for_each_gauss_8(double from, double to, const Take& take) {
+  constexpr std::array<double, 4> place{0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
+  constexpr std::array<double, 4> weight{0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
+                                         0.1012285362903763};
+  const double middle = (from + to) / 2.0, half = (to - from) / 2.0;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    take(middle - half * place[i], half * weight[i]);
+    take(middle + half * place[i], half * weight[i]);
+  }
+}
 
 namespace detail {
 
 template <class Function>
 double gauss_8(const Function& f, double from, double to) {
-  constexpr std::array<double, 4> place{0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
-  constexpr std::array<double, 4> weight{0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
-                                         0.1012285362903763};
-  const double middle = (from + to) / 2.0, half = (to - from) / 2.0;
   double sum = 0.0;
-  for (std::size_t i = 0; i < place.size(); ++i)
-    sum += weight[i] * (f(middle - half * place[i]) + f(middle + half * place[i]));
-  return sum * half;
+  for_each_gauss_8(from, to, [&](double x, double weight) { sum += weight * f(x); });
+  return sum;
 }
 
 template <class Function>

@@ -21,9 +21,22 @@ constexpr double support_depth = 22.0;  // of the sign of a bearing with its gro
 std::string millimetres(double metres) { return format_number(1e3 * metres, 5); }
 std::string diameter_text(double metres) { return "⌀" + millimetres(metres); }
 
+/// "40 mm", of a taper "40 mm to 30 mm".
+std::string diameters(const Shaft::Part& part) {
+  const std::string left = format_quantity(part.diameter, "mm", 5);
+  if (part.right_diameter() == part.diameter) return left;
+  return say("{1} to {2}", left, format_quantity(part.right_diameter(), "mm", 5)).text();
+}
+
 struct Cylinder {
   const Shaft::Part* part;
   double left, right, radius, bore;  // view units
+  double right_radius = 0.0;         // of a taper another one
+  [[nodiscard]] bool tapers() const { return part->right_diameter() != part->diameter; }
+  [[nodiscard]] double radius_at(double x) const {
+    return tapers() ? radius + (right_radius - radius) * std::clamp((x - left) / (right - left), 0.0, 1.0) : radius;
+  }
+  [[nodiscard]] double largest() const { return std::max(radius, right_radius); }
 };
 
 struct TorqueSign {
@@ -75,11 +88,12 @@ class ShaftPicture {
 
 ShaftPicture::ShaftPicture(const Shaft& shaft) : shaft_(shaft) {
   for (const auto& part : shaft.parts) {
-    const bool real = drawable(part.length) && drawable(part.diameter) && part.length > 1e-9 && part.diameter > 1e-9;
+    const bool real = drawable(part.length) && drawable(part.diameter) && part.length > 1e-9 && part.diameter > 1e-9 &&
+                      drawable(part.right);
     if (!real) continue;
-    cylinders_.push_back({&part, length_, length_ + part.length, 0.0, 0.0});
+    cylinders_.push_back({&part, length_, length_ + part.length, 0.0, 0.0, 0.0});
     length_ += part.length;
-    thickest_ = std::max(thickest_, part.diameter);
+    thickest_ = std::max({thickest_, part.diameter, part.right_diameter()});
   }
   if (cylinders_.empty()) return;
   place_cylinders();
@@ -99,6 +113,7 @@ void ShaftPicture::place_cylinders() {
   for (Cylinder& c : cylinders_) {
     c.left = at(c.left), c.right = at(c.right);
     c.radius = 0.5 * radial_scale_ * c.part->diameter;
+    c.right_radius = 0.5 * radial_scale_ * c.part->right_diameter();
     c.bore = drawable(c.part->bore) ? 0.5 * radial_scale_ * std::clamp(c.part->bore, 0.0, c.part->diameter) : 0.0;
   }
 }
@@ -134,14 +149,21 @@ double ShaftPicture::reach_below() const {
 double ShaftPicture::radius_at(double x) const {
   double radius = 0.0;
   for (const Cylinder& c : cylinders_) {
-    if (x >= c.left - 0.01 && x <= c.right + 0.01) radius = std::max(radius, c.radius);
+    if (x >= c.left - 0.01 && x <= c.right + 0.01) radius = std::max(radius, c.radius_at(x));
   }
   return radius;
 }
 
 void ShaftPicture::draw_cylinders() {
   for (const Cylinder& c : cylinders_) {
-    svg_.rectangle("plate outline", {c.left, axis_ - c.radius, c.right, axis_ + c.radius});
+    if (c.tapers()) {
+      svg_.polygon("plate outline", {{c.left, axis_ - c.radius},
+                                     {c.right, axis_ - c.right_radius},
+                                     {c.right, axis_ + c.right_radius},
+                                     {c.left, axis_ + c.radius}});
+    } else {
+      svg_.rectangle("plate outline", {c.left, axis_ - c.radius, c.right, axis_ + c.radius});
+    }
   }
   svg_.line("centre", {cylinders_.front().left - 14.0, axis_}, {cylinders_.back().right + 14.0, axis_});
 }
@@ -161,18 +183,20 @@ void ShaftPicture::draw_bores() {
 
 void ShaftPicture::draw_diameter(const Cylinder& c) {
   constexpr double head = 7.0, gap = 5.0;
-  const Text text = typeset(diameter_text(c.part->diameter));
+  const std::string size = diameter_text(c.part->diameter);
+  const Text text = typeset(c.tapers() ? size + "…" + millimetres(c.part->right_diameter()) : size);
   const std::string bore = diameter_text(c.part->bore);
   const double wide = width(text, text_size), room = c.right - c.left, middle = 0.5 * (c.left + c.right);
   if (room < 24.0) {
-    svg_.text("quiet", {middle + 4.0, axis_ - c.radius - 4.0}, text, Anchor::start, true);
+    svg_.text("quiet", {middle + 4.0, axis_ - c.largest() - 4.0}, text, Anchor::start, true);
     return;
   }
   const bool lies = room > wide + 3.0 * gap;
   const double x = lies ? middle - 0.5 * (wide + gap) : middle + 7.0;
-  svg_.line("thin", {x, axis_ - c.radius}, {x, axis_ + c.radius});
-  arrow_head(svg_, "solid", {x, axis_ - c.radius}, {0.0, -1.0}, head);
-  arrow_head(svg_, "solid", {x, axis_ + c.radius}, {0.0, 1.0}, head);
+  const double radius = c.radius_at(x);
+  svg_.line("thin", {x, axis_ - radius}, {x, axis_ + radius});
+  arrow_head(svg_, "solid", {x, axis_ - radius}, {0.0, -1.0}, head);
+  arrow_head(svg_, "solid", {x, axis_ + radius}, {0.0, 1.0}, head);
   if (!lies) {
     svg_.text("", {x - 4.0, axis_ - 4.0}, text, Anchor::start, true);
     if (c.bore > 0.0) svg_.text("quiet", {x - 4.0, axis_ + 4.0}, typeset(bore), Anchor::end, true);
@@ -263,7 +287,7 @@ void ShaftPicture::draw_lengths() {
     svg_.text("", {0.5 * (from + to), last - 5.0}, typeset(millimetres(length_)), Anchor::middle);
   }
   for (const Cylinder& c : cylinders_) {
-    const double start = axis_ + (reach > 0.0 ? radius_ + reach : c.radius) + 3.0;
+    const double start = axis_ + (reach > 0.0 ? radius_ + reach : c.largest()) + 3.0;
     svg_.line("light", {c.right, start}, {c.right, &c == &cylinders_.back() ? last + 4.0 : first + 4.0});
     if (&c == &cylinders_.front()) svg_.line("light", {c.left, start}, {c.left, last + 4.0});
   }
@@ -281,7 +305,7 @@ std::string ShaftPicture::description() const {
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
   for (const Cylinder& c : cylinders_) {
-    const std::string length = format_quantity(c.part->length, "mm", 5), d = format_quantity(c.part->diameter, "mm", 5);
+    const std::string length = format_quantity(c.part->length, "mm", 5), d = diameters(*c.part);
     add(c.bore > 0.0
             ? say("length {1}, diameter {2}, bore {3}", length, d, format_quantity(c.part->bore, "mm", 5)).text()
             : say("length {1}, diameter {2}", length, d).text());

@@ -258,13 +258,15 @@ struct Motion {
   std::vector<Number> numbers;
 };
 
-/// A shaft seen from the side: cylinders in order along x, with torques and bearings at places; under it its diagrams,
-/// each place below that of the shaft.
+/// A shaft seen from the side: cylinders and tapers in order along x, with torques and bearings at places; under it its
+/// diagrams, each place below that of the shaft.
 struct Shaft {
   struct Part {
     double length = 0.0;  // m
     double diameter = 0.0;
     double bore = 0.0;
+    double right = 0.0;  // diameter at the right end, of a taper; 0: the same
+    [[nodiscard]] double right_diameter() const { return right > 0.0 ? right : diameter; }
   };
   struct Torque {
     double x = 0.0;

@@ -32,6 +32,17 @@ TEST_SUITE("draw") {
     }
   }
 
+  TEST_CASE("a taper is drawn as one, with both of its diameters") {
+    Shaft shaft = stepped_shaft();
+    shaft.parts[1].right = 0.055;
+    const std::string text = drawn(shaft);
+    CHECK(count(text, "<rect class=\"plate ") == 2);
+    CHECK(count(text, "class=\"plate outline\" d=\"") == 1);
+    CHECK(says(text, "⌀70…55"));
+    CHECK(has(text, "length 500 mm, diameter 70 mm to 55 mm, bore 20 mm"));
+    CHECK(overlap(text) == "");
+  }
+
   TEST_CASE("a slender shaft is drawn thicker and says so") {
     CHECK(says(drawn(stepped_shaft()), "in mm; diameters not to the scale of the lengths"));
     Shaft stout;

@@ -11,16 +11,15 @@ namespace {
 using Unknowns = boost::container::static_vector<double, 2 * most_nodes>;
 using Stiffness = std::array<std::array<double, 4>, 4>;
 
-/// Forces and couples on the two ends of a span per displacement and slope of them.
+/// Forces and couples on the two ends of a span per displacement and slope of them: a couple where the ends turn
+/// against each other, and a force through the centre where they shift against each other there.
 Stiffness stiffness_of(const Span& span) {
-  const double l = span.l, phi = 12.0 * span.EI / (span.GA * l * l), c = span.EI / ((1.0 + phi) * l * l * l);
-  const double a = 12.0 * c, b = 6.0 * l * c, near = (4.0 + phi) * l * l * c, far = (2.0 - phi) * l * l * c;
-  return {{{a, b, -a, b}, {b, near, -b, far}, {-a, -b, a, -b}, {b, far, -b, near}}};
-}
-
-/// What an even load does to the two ends of a span that are held.
-std::array<double, 4> held(const Span& span, double q) {
-  return {q * span.l / 2.0, q * span.l * span.l / 12.0, q * span.l / 2.0, -q * span.l * span.l / 12.0};
+  const double turned = 1.0 / span.bending, shifted = 1.0 / span.shifting;
+  const double left = span.centre, right = span.l - left, a = shifted * left, b = shifted * right;
+  return {{{shifted, a, -shifted, b},
+           {a, turned + a * left, -a, a * right - turned},
+           {-shifted, -a, shifted, -b},
+           {b, a * right - turned, -b, turned + b * right}}};
 }
 
 /// What is nothing beside the largest of its kind is rounding.
@@ -78,15 +77,13 @@ std::optional<Beam> Beam::of(const Row<Span>& spans, const OfSupports<Support>& 
   return beam;
 }
 
-Ends Beam::ends_of(std::size_t span, std::span<const double> u, double q) const {
-  const Stiffness k = stiffness_of(spans_[span]);
-  const std::array<double, 4> even = held(spans_[span], q);
-  std::array<double, 4> f{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) f[i] += k[i][j] * u[2 * span + j];
-    f[i] -= even[i];
-  }
-  return {{f[0], -f[1]}, {-f[2], f[3]}};
+Ends Beam::ends_of(std::size_t span, std::span<const double> u, const OfEnds& along) const {
+  const Span& own = spans_[span];
+  const double* const left = &u[2 * span];
+  const double* const right = left + 2;
+  const double V = (left[0] - right[0] + own.centre * left[1] + (own.l - own.centre) * right[1]) / own.shifting;
+  const double M = (right[1] - left[1]) / own.bending;  // at the centre
+  return {{V - along[0], M - V * own.centre + along[1]}, {V + along[2], M + V * (own.l - own.centre) - along[3]}};
 }
 
 bool Beam::is_held(std::size_t node) const {
@@ -101,7 +98,7 @@ void Beam::displace(std::span<double> unknowns) const {
   factors_.solve(unknowns);
 }
 
-Bent Beam::bend(std::span<const Load> loads, std::span<const double> q) const {
+Bent Beam::bend(std::span<const Load> loads, std::span<const OfEnds> along) const {
   Row<double> forces(nodes());
   Unknowns u(2 * nodes());
   for (const Load& load : loads) {
@@ -109,14 +106,14 @@ Bent Beam::bend(std::span<const Load> loads, std::span<const double> q) const {
     u[2 * load.node + 1] += load.M;
     forces[load.node] += load.F;
   }
-  for (std::size_t s = 0; s < q.size(); ++s) {
-    const std::array<double, 4> even = held(spans_[s], q[s]);
-    for (std::size_t i = 0; i < 4; ++i) u[2 * s + i] += even[i];
+  for (std::size_t s = 0; s < along.size(); ++s) {
+    for (std::size_t i = 0; i < 4; ++i) u[2 * s + i] += along[s][i];
   }
   displace(u);
   Bent bent;
   for (std::size_t n = 0; n < nodes(); ++n) bent.nodes.push_back({u[2 * n], u[2 * n + 1]});
-  for (std::size_t s = 0; s < spans_.size(); ++s) bent.spans.push_back(ends_of(s, u, s < q.size() ? q[s] : 0.0));
+  for (std::size_t s = 0; s < spans_.size(); ++s)
+    bent.spans.push_back(ends_of(s, u, s < along.size() ? along[s] : OfEnds{}));
   for (const Support& support : supports_) {
     const double right = support.node < spans_.size() ? bent.spans[support.node].left.V : 0.0;
     const double left = support.node > 0 ? bent.spans[support.node - 1].right.V : 0.0;

@@ -1,5 +1,6 @@
 // A straight beam on any number of supports, in one plane: what it carries, how it bends, how it hums. By the elements
-// of Timoshenko, which are exact at their ends for forces, couples and even loads.
+// of Timoshenko, which are exact at their ends whatever their section and their load are: of a span its flexibility
+// counts, not its stiffness. varying.hpp finds it where the section varies.
 //
 // SI throughout. v is positive like the forces F, slopes and couples M like the slope of v; V is the sum of all forces
 // to the left, and M bends a beam hollow on the side that v points to: M' = V.
@@ -9,6 +10,7 @@
 
 #include <boost/container/static_vector.hpp>
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -25,10 +27,26 @@ using OfSupports = boost::container::static_vector<Element, most_supports>;
 
 inline constexpr double rigid = std::numeric_limits<double>::infinity();
 
-/// A uniform stretch between two neighbouring nodes. GA: shear stiffness over the shear factor; rigid: no shear.
+/// A stretch between two neighbouring nodes by how it gives way. A force across it at its centre turns its ends by
+/// nothing against each other, and a couple shifts them by nothing.
 struct Span {
-  double l = 0.0, EI = 0.0, GA = rigid;
+  double l = 0.0;
+  double bending = 0.0;   // the integral of 1/EI, rad/(N m): turns by a couple
+  double centre = 0.0;    // that of x/EI over it, from the left
+  double shifting = 0.0;  // the integrals of (x - centre)^2/EI and of 1/GA, m/N: shifts by a force
 };
+/// GA: shear stiffness, with the shear factor; rigid: no shear.
+inline Span uniform(double l, double EI, double GA = rigid) {
+  const double bending = l / EI;
+  return {l, bending, l / 2.0, bending * l * l / 12.0 + l / GA};
+}
+
+/// Forces and couples at the two ends of a span: those of the left first.
+using OfEnds = std::array<double, 4>;
+/// What an even load q, N/m, does to the ends of a uniform span.
+inline OfEnds even(const Span& span, double q) {
+  return {q * span.l / 2.0, q * span.l * span.l / 12.0, q * span.l / 2.0, -q * span.l * span.l / 12.0};
+}
 
 /// What holds a node: stiffness against v, N/m, or rigid.
 struct Support {
@@ -67,8 +85,9 @@ class Beam {
 
   [[nodiscard]] std::size_t nodes() const { return spans_.size() + 1; }
 
-  /// Under forces and couples at nodes, and an even load q on each span, N/m; no q: none.
-  [[nodiscard]] Bent bend(std::span<const Load> loads, std::span<const double> q = {}) const;
+  /// Under forces and couples at nodes, and what the load along each span does to its ends; `along` empty: there is
+  /// none.
+  [[nodiscard]] Bent bend(std::span<const Load> loads, std::span<const OfEnds> along = {}) const;
 
   /// Forces and couples at each node in turn, in place of them its displacement and slope.
   void displace(std::span<double> unknowns) const;
@@ -88,7 +107,7 @@ class Beam {
   Beam(const Row<Span>& spans, const OfSupports<Support>& supports);
   /// The stiffness, less the masses times the square of a frequency.
   [[nodiscard]] Matrix assembled(std::span<const double> masses = {}, double square = 0.0) const;
-  [[nodiscard]] Ends ends_of(std::size_t span, std::span<const double> u, double q) const;
+  [[nodiscard]] Ends ends_of(std::size_t span, std::span<const double> u, const OfEnds& along) const;
 
   Row<Span> spans_;
   OfSupports<Support> supports_;

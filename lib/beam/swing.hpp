@@ -27,7 +27,7 @@ struct Disc {
 
 class Swing {
  public:
-  static constexpr std::size_t most_rods = 64, most_discs = 32;
+  static constexpr std::size_t most_rods = 2112, most_discs = 32;
   using Rods = boost::container::static_vector<Rod, most_rods>;
   using Discs = boost::container::static_vector<Disc, most_discs>;
 

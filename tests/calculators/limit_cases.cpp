@@ -31,6 +31,13 @@ const char* const middle_load =
     "pieces = [{ l = \"1 m\", d = \"10 mm\" }]\nsupports = [{ name = \"left\", x = \"0 m\" }, { x = \"1 m\" }]\n"
     "seats = [{ x = \"0.5 m\", F_x = \"100 N\" }]\nnotches = \ng_angle = \nrho = \"7850 kg/m^3\"";
 
+// The same force on the small end of a cone of 400 mm, 40 mm thick there and 80 mm where a bearing holds it.
+const char* const overhung_cone =
+    "pieces = [{ name = \"cone\", l = \"400 mm\", d = \"40 mm\", d_2 = \"80 mm\" }, { l = \"300 mm\", d = \"80 mm\" "
+    "}]\nsupports = [{ x = \"400 mm\", holds = \"both\" }, { x = \"700 mm\" }]\nseats = [{ x = \"0 m\", F_x = \"100 "
+    "N\" }]\n"
+    "notches = \ng_angle = \nrho = \"7850 kg/m^3\"";
+
 const char* const bare_bar =
     "pieces = [{ l = \"1.5 m\", d = \"10 mm\" }]\nsupports = [{ x = \"0 m\" }, { x = \"1.5 m\" }]\nseats = \nnotches = "
     "\ng_angle = \nS_D = \nr_T = \nmaterial = \nE = \"210 GPa\"\nG = \"81 GPa\"\nR_e = \"400 MPa\"\nrho = \"7850 "
@@ -91,6 +98,10 @@ const Case bars[] = {
     {"shaft.design", middle_load, "M_max", 25.0},             // F l/4
     {"shaft.design", middle_load, "bearings.left.R_x", -50},  // half of it
     {"shaft.design", middle_load, "mass", 7850 * pi / 4 * 1e-4},
+    {"shaft.design", overhung_cone, "mass", 7850 * pi / 4 * (112e-4 / 3 * 0.4 + 64e-4 * 0.3)},
+    {"shaft.design", overhung_cone, "sections.cone.d", 0.06},  // half as thick again
+    {"shaft.design", overhung_cone, "sections.cone.sigma_b", 128 * 100 * 0.4 / (27 * pi * 64e-6)},
+    {"shaft.design", overhung_cone, "s_max", 0.05},
     {"shaft.design", bare_bar, "n_T", pi* std::sqrt(81e9 / 7850) / 1.5},  // a standing wave
     {"shaft.design", "orders = [{ name = \"high\", h = 1000 }]", "harmonics.high.h", 1000},
     {"shaft.design", holed_bar, "sections.hole.sigma_b", 50 / (pi * 64e-6 / 32 - 0.004 * 16e-4 / 3)},

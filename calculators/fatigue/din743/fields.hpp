@@ -169,7 +169,8 @@ constexpr auto din743_results() {
           din743_range<Result>(&Result::x_m, "x_m", "equivalent mean stress over the yield limit").criterion(),
           din743_range<Result>(&Result::x_small, "x_small",
                                "7.5 mm over the diameter: K_2 and K_3 are told from there on"),
-          din743_range<Result>(&Result::x_eff, "x_eff", "diameter at heat treatment over 500 mm, where K_1 ends")},
+          din743_range<Result>(&Result::x_eff, "x_eff", "diameter at heat treatment over 500 mm, where K_1 ends"),
+          din743_range<Result>(&Result::x_Rz, "x_Rz", "roughness over 200 um; own bound")},
       notch_ranges<Result>(),
       std::tuple{ListField<Result, List<Din743Stress, 3>>{&Result::stresses, "stresses",
                                                           "tension, bending, torsion: what acts"}});

@@ -15,40 +15,24 @@ constexpr double g_n = 9.80665;  // standard gravity, m/s^2
 constexpr double finest = 1e-6;  // of the length: what is nearer is one place
 constexpr double parts = 120.0;  // of the length, at least: deflection and masses between the places
 
-double area_of(const Piece& piece) {
-  const double d = in_si(piece.d), b = in_si(piece.d_bore);
-  return pi / 4.0 * (d * d - b * b);
-}
-
-double inertia_of(const Piece& piece) {
-  const double d = in_si(piece.d), b = in_si(piece.d_bore);
-  return pi / 64.0 * (d * d * d * d - b * b * b * b);
-}
-
-/// Stiffness in shear: that of the area over Cowper's factor, of a circle about 1.13, of a thin ring about 2.
-double shear_stiffness(const Input& in, const Piece& piece) {
-  const double nu = in_si(in.E) / (2.0 * in_si(in.G)) - 1.0, m = in_si(piece.d_bore) / in_si(piece.d);
-  const double a = (1.0 + m * m) * (1.0 + m * m);
-  const double k = 6.0 * (1.0 + nu) * a / ((7.0 + 6.0 * nu) * a + (20.0 + 12.0 * nu) * m * m);
-  return k * in_si(in.G) * area_of(piece);
-}
-
-beam::Row<double> named_places(const Input& in) {
+beam::Row<double> named_places(const Input& in, const Weakest& weakest) {
   beam::Row<double> x{0.0};
   for (const Piece& piece : in.pieces) x.push_back(x.back() + in_si(piece.l));
   for (const Support& support : in.supports) x.push_back(in_si(support.x));
   for (const Seat& seat : in.seats) x.push_back(in_si(seat.x));
   for (const Notched& notch : in.notches) x.push_back(in_si(notch.x));
+  const std::size_t named = x.size();
+  for (const Weak& weak : weakest) {  // beside what has a name it is that
+    const auto is_near = [&](double place) { return std::abs(place - weak.x) <= finest * in_si(length_of(in)); };
+    if (std::none_of(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(named), is_near)) x.push_back(weak.x);
+  }
   std::sort(x.begin(), x.end());
   return x;
 }
 
-std::optional<beam::Beam> beam_of(const Input& in, const Stations& stations) {
+std::optional<beam::Beam> beam_of(const Input& in, const Stations& stations, const beam::Row<Stretch>& stretches) {
   beam::Row<beam::Span> spans;
-  for (std::size_t s = 0; s + 1 < stations.x.size(); ++s) {
-    const Piece& piece = in.pieces[stations.piece[s]];
-    spans.push_back({stations.x[s + 1] - stations.x[s], in_si(in.E) * inertia_of(piece), shear_stiffness(in, piece)});
-  }
+  for (const Stretch& stretch : stretches) spans.push_back(stretch.bends);
   beam::OfSupports<beam::Support> supports;
   for (const Support& support : in.supports)
     supports.push_back({stations.at(support.x), is_set(support.k) ? in_si(support.k) : beam::rigid});
@@ -82,9 +66,11 @@ beam::Bent bent(const Input& in, const Elastic& elastic, Plane plane, std::size_
     const double F = in.K_A * (F_x * along + F_y * across) + mass_on(seat) * gravity;
     loads.push_back({stations.at(seat.x), F, -in.K_A * in_si(seat.F_z.at(position)) * in_si(seat.x_w) * along});
   }
-  beam::Row<double> weight;
-  for (const std::size_t piece : stations.piece)
-    weight.push_back(is_set(in.g_angle) ? in_si(in.rho) * area_of(in.pieces[piece]) * gravity : 0.0);
+  beam::Row<beam::OfEnds> weight;
+  for (std::size_t i = 0; is_set(in.g_angle) && i < elastic.stretches.size(); ++i) {
+    weight.push_back(elastic.stretches[i].weighs);
+    for (double& at_end : weight.back()) at_end *= gravity;
+  }
   return elastic.beam.bend(loads, weight);
 }
 
@@ -108,7 +94,7 @@ class Along {
 };
 
 /// What acts to the left of every span: of torques what drives, of forces along the shaft what pulls it to the left.
-void run_along(const Input& in, std::size_t position, Loaded& loaded) {
+void run_along(const Input& in, const Elastic& elastic, std::size_t position, Loaded& loaded) {
   const Stations& stations = loaded.stations;
   beam::Row<double> T(stations.x.size()), N(stations.x.size());
   for (std::size_t i = 0; i < in.seats.size(); ++i) {
@@ -125,8 +111,9 @@ void run_along(const Input& in, std::size_t position, Loaded& loaded) {
   for (std::size_t s = 0; s + 1 < stations.x.size(); ++s) {
     loaded.T.push_back(torque.behind(s));
     loaded.N.push_back(pull.behind(s));
-    const double I_p = 2.0 * inertia_of(in.pieces[stations.piece[s]]);
-    loaded.phi.push_back(loaded.phi.back() + loaded.T[s] * (stations.x[s + 1] - stations.x[s]) / (in_si(in.G) * I_p));
+    const Stretch& stretch = elastic.stretches[s];
+    loaded.phi.push_back(loaded.phi.back() + loaded.T[s] * stretch.twists);
+    loaded.twist = std::max(loaded.twist, std::abs(loaded.T[s]) * stretch.most_twist);
   }
 }
 
@@ -146,10 +133,11 @@ std::size_t Stations::at(Length place) const {
   return x[index] - wanted < wanted - x[index - 1] ? index : index - 1;
 }
 
-Stations stations_of(const Input& in) {
+Stations stations_of(const Input& in, const Weakest& weakest) {
   Stations stations;
+  stations.weakest = weakest;
   const double length = in_si(length_of(in));
-  for (const double x : named_places(in)) {
+  for (const double x : named_places(in, weakest)) {
     if (stations.x.empty()) {
       stations.x.push_back(x);
       continue;
@@ -173,16 +161,21 @@ std::size_t index_of_piece(const Input& in, Length x) {
   return in.pieces.size() - 1;
 }
 
-Length length_of(const Input& in) {
+Length length_of(const Input& in) { return start_of(in, in.pieces.size()); }
+
+Length start_of(const Input& in, std::size_t piece) {
   Length sum = 0.0 * m.one;
-  for (const Piece& piece : in.pieces) sum += piece.l;
+  for (std::size_t i = 0; i < piece; ++i) sum += in.pieces[i].l;
   return sum;
 }
 
 Mass mass_of(const Input& in) {
-  double sum = 0.0;
-  for (const Piece& piece : in.pieces) sum += in_si(in.rho) * area_of(piece) * in_si(piece.l);
-  return from_si<Mass>(sum);
+  Mass sum = 0.0 * kg.one;
+  for (const Piece& p : in.pieces) {
+    const Length d_2 = right_diameter(p);
+    sum += pi / 4.0 * ((p.d * p.d + p.d * d_2 + d_2 * d_2) / 3.0 - p.d_bore * p.d_bore) * p.l * in.rho;
+  }
+  return sum;
 }
 
 AngularSpeed speed_of(const Input& in) {
@@ -202,14 +195,15 @@ Moment torque_of(const Input& in, std::size_t seat, std::size_t position) {
   return -sum;
 }
 
+Felt Loaded::side(std::size_t span, bool right_end) const {
+  const auto& ends_x = x.spans[span];
+  const auto& ends_y = y.spans[span];
+  const beam::End& in_x = right_end ? ends_x.right : ends_x.left;
+  const beam::End& in_y = right_end ? ends_y.right : ends_y.left;
+  return {in_x.M, in_y.M, std::sqrt(square_of(in_x.V, in_y.V)), N[span], T[span]};
+}
+
 Felt Loaded::felt(std::size_t node) const {
-  const auto side = [&](std::size_t span, bool right_end) {
-    const auto& ends_x = x.spans[span];
-    const auto& ends_y = y.spans[span];
-    const beam::End& in_x = right_end ? ends_x.right : ends_x.left;
-    const beam::End& in_y = right_end ? ends_y.right : ends_y.left;
-    return Felt{in_x.M, in_y.M, std::sqrt(square_of(in_x.V, in_y.V)), N[span], T[span]};
-  };
   if (node == 0) return side(0, false);
   if (node == T.size()) return side(node - 1, true);
   const Felt left = side(node - 1, true), right = side(node, false);
@@ -223,11 +217,12 @@ double Loaded::slope(std::size_t node) const { return std::hypot(x.nodes[node].s
 
 bool bears(const Input& in) { return elastic_shaft(in).has_value(); }
 
-std::optional<Elastic> elastic_shaft(const Input& in) {
-  Stations stations = stations_of(in);
-  auto beam = beam_of(in, stations);
+std::optional<Elastic> elastic_shaft(const Input& in, const Weakest& weakest) {
+  const Stations stations = stations_of(in, weakest);
+  const beam::Row<Stretch> stretches = stretches_of(in, stations);
+  const auto beam = beam_of(in, stations, stretches);
   if (!beam) return std::nullopt;
-  return Elastic{stations, *beam};
+  return Elastic{stations, stretches, *beam};
 }
 
 Loaded loaded_at(const Input& in, const Elastic& elastic, std::size_t position) {
@@ -235,7 +230,7 @@ Loaded loaded_at(const Input& in, const Elastic& elastic, std::size_t position) 
   loaded.stations = elastic.stations;
   loaded.x = bent(in, elastic, Plane::X, position);
   loaded.y = bent(in, elastic, Plane::Y, position);
-  run_along(in, position, loaded);
+  run_along(in, elastic, position, loaded);
   return loaded;
 }
 
@@ -274,10 +269,8 @@ beam::Frequencies critical_speeds(const Input& in, const Elastic& elastic) {
   const Stations& stations = elastic.stations;
   beam::Row<double> masses(stations.x.size());
   for (std::size_t s = 0; s + 1 < stations.x.size(); ++s) {
-    const double half =
-        in_si(in.rho) * area_of(in.pieces[stations.piece[s]]) * (stations.x[s + 1] - stations.x[s]) / 2.0;
-    masses[s] += half;
-    masses[s + 1] += half;
+    masses[s] += elastic.stretches[s].left_mass;
+    masses[s + 1] += elastic.stretches[s].right_mass;
   }
   for (const Seat& seat : in.seats) masses[stations.at(seat.x)] += mass_on(seat);
   return beam::frequencies(elastic.beam, masses);

@@ -1,21 +1,13 @@
 // The shaft as a beam in two planes: where its nodes are, what its bearings carry, and what every section feels.
 #pragma once
 
-#include "calculators/shaft/design/design.hpp"
-#include "lib/beam/beam.hpp"
+#include "calculators/shaft/design/stretches.hpp"
 
 #include <optional>
 
 namespace loadpath::shaft {
 
-/// The places where something changes, and points between them; the piece of every span. SI.
-struct Stations {
-  beam::Row<double> x;
-  beam::Row<std::size_t> piece;  // of the span to the right of each x but the last
-
-  [[nodiscard]] std::size_t at(Length place) const;  // the nearest
-};
-Stations stations_of(const Design::Input& in);
+Stations stations_of(const Design::Input& in, const Weakest& weakest = {});
 
 /// What a section feels, of both sides the larger: planes X and Y, along the shaft and around it.
 struct Felt {
@@ -25,10 +17,11 @@ struct Felt {
 /// The shaft without its loads.
 struct Elastic {
   Stations stations;
+  beam::Row<Stretch> stretches;
   beam::Beam beam;
 };
 /// Nothing where the bearings are so soft beside the shaft that they hold nothing.
-std::optional<Elastic> elastic_shaft(const Design::Input& in);
+std::optional<Elastic> elastic_shaft(const Design::Input& in, const Weakest& weakest = {});
 
 /// The shaft under all of its loads at a position of its turn, with the service factor.
 struct Loaded {
@@ -37,6 +30,9 @@ struct Loaded {
   beam::Row<double> T, N;  // of every span
   beam::Row<double> phi;   // twist of every node against the first
   double thrust = 0.0;     // that the fixed bearing takes, signed
+  double twist = 0.0;      // the largest per length, rad/m
+  /// Of a span at its left end, or its right one.
+  [[nodiscard]] Felt side(std::size_t span, bool right_end) const;
   [[nodiscard]] Felt felt(std::size_t node) const;
   [[nodiscard]] double deflection(std::size_t node) const;
   [[nodiscard]] double slope(std::size_t node) const;
@@ -53,10 +49,6 @@ bool bears(const Design::Input& in);
 /// Of the shaft and what sits on it.
 beam::Frequencies critical_speeds(const Design::Input& in, const Elastic& elastic);
 
-/// The piece that a place is on; behind the end the last.
-std::size_t index_of_piece(const Design::Input& in, Length x);
-Length length_of(const Design::Input& in);
-Mass mass_of(const Design::Input& in);
 /// Of the shaft, or the first seat that has one; its magnitude.
 AngularSpeed speed_of(const Design::Input& in);
 /// What the seat gives to the shaft at a position: positive where it drives.

@@ -2,6 +2,7 @@
 
 #include "calculators/shaft/design/bending.hpp"
 #include "calculators/shaft/design/sections.hpp"
+#include "calculators/shaft/design/tapers.hpp"
 #include "calculators/shaft/design/torsion.hpp"
 #include "calculators/shaft/design/turn.hpp"
 #include "lib/calculator/calculator_of.hpp"
@@ -89,16 +90,12 @@ class Movement {
 
   /// Of all sections the largest.
   void extremes(const Loaded& loaded) {
-    double T = 0.0, twist = 0.0;
+    double T = 0.0;
     for (const double there : loaded.T) T = std::max(T, std::abs(there));
-    for (std::size_t s = 0; s + 1 < loaded.phi.size(); ++s) {
-      const double l = loaded.stations.x[s + 1] - loaded.stations.x[s];
-      twist = std::max(twist, std::abs(loaded.phi[s + 1] - loaded.phi[s]) / l);
-    }
     const auto [least, most] = std::minmax_element(loaded.phi.begin(), loaded.phi.end());
     r_.M_max = max(r_.M_max, from_si<Moment>(loaded.largest_moment())), r_.T_max = max(r_.T_max, from_si<Moment>(T));
     r_.v_max = max(r_.v_max, from_si<Length>(loaded.largest_deflection())),
-    r_.theta_max = max(r_.theta_max, from_si<Twist>(twist));
+    r_.theta_max = max(r_.theta_max, from_si<Twist>(loaded.twist));
     r_.phi = std::max(r_.phi, *most - *least);
   }
 
@@ -119,10 +116,19 @@ void stiffness(const Input& in, Result& r, Tracer& trace) {
   }
 }
 
+/// Of tapers alone.
+template <class Tracer>
+double steepest(const Input& in, Tracer& trace) {
+  double slope = 0.0;
+  for (const Piece& piece : in.pieces) slope = std::max(slope, std::abs(slope_of(piece)));
+  if (slope == 0.0) return unset<double>;
+  return trace.value("s_max", slope, "of the tapers, half the difference of the diameters over the length");
+}
+
 template <class Tracer>
 void critical_speed(const Input& in, const Elastic& elastic, Result& r, Tracer& trace) {
   if (!is_set(in.rho)) return;
-  r.mass = trace.value("mass", mass_of(in), "of the cylinders");
+  r.mass = trace.value("mass", mass_of(in), "of its pieces");
   if (std::any_of(in.seats.begin(), in.seats.end(), [](const Seat& s) { return !is_set(s.mass); })) return;
   const beam::Frequencies found = critical_speeds(in, elastic);
   r.n_D = trace.speed("n_D", from_si<AngularSpeed>(found.dunkerley), "Dunkerley: each mass alone");
@@ -138,10 +144,11 @@ template <class Tracer>
 Design::Result Design::evaluate(const Input& in, Tracer& trace) {
   Result r;
   r.d_max = 0.0 * mm;
-  for (const Piece& piece : in.pieces) r.d_max = max(r.d_max, piece.d);
+  for (const Piece& piece : in.pieces) r.d_max = max(r.d_max, thickest(piece));
   r.d_s = is_set(in.d_h) ? in.d_h : r.d_max;
-  const auto elastic = elastic_shaft(in);
+  const auto elastic = elastic_shaft(in, weakest_of_tapers(in));
   if (!elastic) return r;
+  r.s_max = steepest(in, trace);
   r.l = length_of(in);
   r.n = speed_of(in);
   Movement movement(in, r);

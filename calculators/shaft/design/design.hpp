@@ -8,8 +8,9 @@
 // across it, Y a quarter turn from X about z. Constant forces stand in space while the shaft turns: bending alternates,
 // axial stress stays, torsion runs from r_T T to T. Loads over a turn of a mechanism are taken whole: each point of the
 // circumference, which turns with the shaft by psi, has its own amplitude and mean, and the worst decides; amplitudes
-// of bending, of the force along the shaft and of torsion count as if they came at once. Not covered: masses that whirl
-// as discs, life.
+// of bending, of the force along the shaft and of torsion count as if they came at once. Tapers bend and twist
+// by the flexibility of their sections, and are judged where they are weakest, up to 10 degrees; notches on them are
+// those of a cylinder as thick. Not covered: masses that whirl as discs, life.
 #pragma once
 
 #include "calculators/fatigue/endurance.hpp"
@@ -17,6 +18,7 @@
 #include "calculators/load/strength_rules.hpp"
 #include "calculators/shaft/design/result.hpp"
 #include "calculators/shaft/parts/modes.hpp"
+#include "calculators/shaft/parts/ring.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/sizing.hpp"
 #include "lib/calculator/trace.hpp"
@@ -34,10 +36,13 @@ struct Design {
   static constexpr auto id = "shaft.design";
   static constexpr auto title = "Shaft on its bearings";
   static constexpr auto scope =
-      "Reactions, moments, deflection, slope and twist of a shaft on two or more bearings, with what sits on it; yield "
+      "Reactions, moments, deflection, slope and twist of a shaft of cylinders and tapers on two or more bearings, "
+      "with "
+      "what sits on it; yield "
       "and fatigue of every section and notch; critical speeds in bending and in torsion. Forces stand in space while "
       "the shaft turns, or are given over a turn.";
-  static constexpr auto source = "[Shigley6], [Shigley7], [DIN743], [FKM], [GOST25504], [Peterson], [Cowper], [Mises]";
+  static constexpr auto source =
+      "[Shigley6], [Shigley7], [DIN743], [FKM], [GOST25504], [Peterson], [Cowper], [Mises], [Foeppl]";
   static constexpr auto example = R"([project]
 title = "Shaft of a gear between its bearings"
 
@@ -85,7 +90,7 @@ r_T = 0
     double k_n = 1.25;
   };
   static constexpr std::tuple inputs{
-      ListField{&Input::pieces, "pieces", "cylinders from left to right"},
+      ListField{&Input::pieces, "pieces", "cylinders and tapers from left to right"},
       ListField{&Input::supports, "supports", "bearings"},
       ListField{&Input::seats, "seats", "what sits on the shaft and loads it"}.may_be_missing(),
       ListField{&Input::notches, "notches", "where stress concentrates"}.may_be_missing(),
@@ -145,6 +150,7 @@ r_T = 0
 
   struct Result {
     Length l = unset<Length>, d_max = unset<Length>, d_s = unset<Length>;
+    double s_max = unset<double>;
     Mass mass = unset<Mass>;
     Moment M_max = unset<Moment>, T_max = unset<Moment>;
     Length v_max = unset<Length>;
@@ -162,6 +168,9 @@ r_T = 0
   static constexpr std::tuple results{
       Field{&Result::l, "l", mm, "length"},
       Field{&Result::d_max, "d_max", mm, "largest diameter"},
+      Field{&Result::s_max, "s_max", ratio, "steepest slope of a taper against the axis"}
+          .limit(0, steepest_cone)
+          .where_it_applies(),
       Field{&Result::d_s, "d_s", mm, "diameter whose strength the material has: at heat treatment, else the largest"},
       Field{&Result::mass, "mass", kg, "mass of the shaft itself"},
       Field{&Result::M_max, "M_max", N_m, "largest bending moment"}.holding("K_A"),
@@ -197,6 +206,8 @@ r_T = 0
   static bool speeds_agree(const Input& in);
   static bool thrust_is_held(const Input& in);
   static bool bores_fit(const Input& in);
+  static bool bearings_sit(const Input& in);
+  static FieldFault slips(const Input& in);
   static bool notches_fit(const Input& in);
   static FieldFault misfit(const Input& in);
   static bool notches_apart(const Input& in);
@@ -219,6 +230,7 @@ r_T = 0
                   &off_shaft},
       Rule<Input>{&bores_fit, "pieces",
                   "the bore of a piece is smaller than its diameter, and than that of its neighbours"},
+      Rule<Input>{&bearings_sit, "supports, pieces", "bearings sit on cylinders", &slips},
       Rule<Input>{&turn_is_known, "seats", "loads over a turn are known at all of its positions", &open_turn},
       Rule<Input>{&torques_close, "seats", "what drives the shaft and what it drives take the same torque", &open_sum},
       Rule<Input>{&thrust_is_held, "seats, supports",
@@ -278,30 +290,30 @@ r_T = 0
   static Applies brittle(const Input& in) { return shown_by(in.group == fatigue::Endurance::Group::grey_iron); }
   static constexpr std::array meanings{Meaning{"sigma_W", fatigue::specimen_in_bending}};
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield of a section", &loaded}.judged_by("sections.u_v"),
+      Mode<Input>{"yield", "yield of a section", &loaded}.judged_by("sections.u_v, s_max"),
       Mode<Input>{"fatigue", "fatigue of a notch or section", &tired}
-          .judged_by(
-              "safeties.u_D, safeties.x_b, safeties.x_t, safeties.x_d, safeties.x_n, safeties.x_r, safeties.x_DIN, x_E")
+          .judged_by("safeties.u_D, safeties.x_b, safeties.x_t, safeties.x_d, safeties.x_n, safeties.x_r, "
+                     "safeties.x_DIN, x_E, s_max")
           .wanting("S_D, r_T")
           .in_service(),
       Mode<Input>{"neighbours", "fatigue where one notch feels the next", &crowds},
       Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
-      Mode<Input>{"deflection", "deflection", &loaded}.judged_by("u_y").of_service(),
+      Mode<Input>{"deflection", "deflection", &loaded}.judged_by("u_y, s_max").of_service(),
       Mode<Input>{"slope_bearings", "slope of the shaft in its bearings", &loaded}
-          .judged_by("bearings.u_beta")
+          .judged_by("bearings.u_beta, s_max")
           .wanting("supports beta_adm")
           .of_service(),
       Mode<Input>{"slope_seats", "slope of the shaft under gears", &loaded}
-          .judged_by("seats.u_beta")
+          .judged_by("seats.u_beta, s_max")
           .wanting("seats beta_adm")
           .of_service(),
-      Mode<Input>{"twist", "twist", &loaded}.judged_by("u_theta").of_service(),
+      Mode<Input>{"twist", "twist", &loaded}.judged_by("u_theta, s_max").of_service(),
       Mode<Input>{"critical_bending", "critical speed in bending", &running}
-          .judged_by("u_n")
+          .judged_by("u_n, s_max")
           .wanting("rho, seats mass")
           .in_service(),
       Mode<Input>{"critical_torsion", "critical speed in torsion", &running}
-          .judged_by("harmonics.u_h")
+          .judged_by("harmonics.u_h, s_max")
           .wanting("rho, seats J")
           .in_service(),
       Mode<Input>{"resonance", "running through a resonance in torsion", &passes_resonance}.special(),

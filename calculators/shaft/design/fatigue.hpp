@@ -15,14 +15,6 @@ struct There {
   Name name;
 };
 
-/// The piece on each side of a place; the same at the ends of the shaft.
-struct Sides {
-  const Piece& left;
-  const Piece& right;
-  [[nodiscard]] const Piece& thinner() const { return left.d < right.d ? left : right; }
-  [[nodiscard]] Length larger() const { return max(left.d, right.d); }
-};
-
 /// Moduli of a section; a cross hole takes a strip off it.
 struct Moduli {
   Area A;

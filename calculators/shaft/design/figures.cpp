@@ -46,7 +46,8 @@ double thrust(const Loaded& l, std::size_t s, bool) { return l.N[s]; }
 
 draw::Shaft side(const Design::Input& in, std::size_t position) {
   draw::Shaft shaft;
-  for (const Piece& piece : in.pieces) shaft.parts.push_back({in_si(piece.l), in_si(piece.d), in_si(piece.d_bore)});
+  for (const Piece& piece : in.pieces)
+    shaft.parts.push_back({in_si(piece.l), in_si(piece.d), in_si(piece.d_bore), in_si(right_diameter(piece))});
   for (std::size_t i = 0; i < in.seats.size(); ++i) {
     const double T = in_si(torque_of(in, i, position));
     if (T != 0.0) shaft.torques.push_back({in_si(in.seats[i].x), T, std::string(in.seats[i].name.view())});

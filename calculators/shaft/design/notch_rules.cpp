@@ -54,13 +54,51 @@ Message fault_of_width(const Input& in, const Notched& notch) {
 
 /// What is wrong with the fillet of a shoulder, an arc that leaves the thinner side evenly: one that is rounder than
 /// the step is high ends in an edge, as the charts have it, and leaves no face. Empty where nothing is.
-Message fault_of_fillet(const Notched& notch, const Piece& before, const Piece& after) {
-  const Length high = abs(after.d - before.d) / 2.0, r = notch.r;
+Message fault_of_fillet(const Notched& notch, const Around& there) {
+  const Length high = (there.sides.larger() - there.sides.thinner().d) / 2.0, r = notch.r;
   if (is_set(notch.h) && r > high)
     return say("its fillet of {1} is rounder than the step of {2} is high: nothing finds a face there", format(r),
                format(high));
-  const Length run = r > high ? sqrt(high * (2.0 * r - high)) : r, room = before.d < after.d ? before.l : after.l;
+  const Length run = r > high ? sqrt(high * (2.0 * r - high)) : r;
+  const Length room = there.sides.left.d < there.sides.right.d ? there.before.l : there.after.l;
   if (run > room) return say("its fillet runs {1} along a piece of {2}", format(run), format(room));
+  return {};
+}
+
+/// What is wrong with the diameter that a notch is made for, or with its taper; empty where nothing is. A key on a
+/// taper is made for a diameter of it.
+Message fault_of_size(const Notched& notch, const Around& there) {
+  const bool on_taper = is_taper(there.before) && &there.before == &there.after;
+  if (on_taper && notch.kind == Notch::press_fit)
+    return say("its notch factor is that of a hub pressed on a cylinder: on a taper give beta_b and beta_t");
+  if (!is_set(notch.d)) return {};
+  if (on_taper && notch.kind == Notch::keyway) {
+    const bool among =
+        notch.d >= (1.0 - one_place) * thinnest(there.before) && notch.d <= (1.0 + one_place) * thickest(there.before);
+    return among ? Message{}
+                 : say("it is made for {1}, and the shaft tapers from {2} to {3} at {4}", format(notch.d),
+                       format(there.before.d), format(right_diameter(there.before)), format(notch.x));
+  }
+  const Length own = there.sides.right.d;
+  if (abs(notch.d - own) <= one_place * own) return {};
+  return say("it is made for {1}, and the shaft has {2} at {3}", format(notch.d), format(own), format(notch.x));
+}
+
+/// What is wrong with a notch where pieces meet: a shoulder is where their diameters differ, others are not.
+Message fault_of_meeting(const Input& in, const Notched& notch, const Around& there) {
+  const bool typed = notch.kind == Notch::given || notch.kind == Notch::beta;
+  const auto here = [&](const Meeting& m) { return are_one(in, m.x, notch.x); };
+  const bool at_step = find_meeting(in, [&](const Meeting& m) { return here(m) && m.steps(); });
+  const bool at_edge = find_meeting(in, [&](const Meeting& m) { return here(m) && m.is_hollow(); });
+  if (notch.kind == Notch::shoulder) {
+    if (!at_step || there.sides.left.d == there.sides.right.d)
+      return say("the diameter does not change at {1}", format(notch.x));
+    return fault_of_fillet(notch, there);
+  }
+  if (at_step && !typed)
+    return say("at {1} the diameter changes: a notch of both is one given by K_t and K_ts", format(notch.x));
+  if (at_edge && !typed)
+    return say("at {1} a taper begins: a notch of both is one given by K_t and K_ts", format(notch.x));
   return {};
 }
 
@@ -68,36 +106,28 @@ Message fault_of_fillet(const Notched& notch, const Piece& before, const Piece& 
 Message fault_of(const Input& in, const Notched& notch) {
   if (Message fault = fault_of_fields(notch); !fault.empty()) return fault;
   const bool typed = notch.kind == Notch::given || notch.kind == Notch::beta;
-  const Length aside = 10.0 * one_place * length_of(in);
-  const Piece &before = piece_at(in, notch.x - aside), &piece = piece_at(in, notch.x + aside);
+  const Around there = around(in, notch.x);
+  const Length d = there.sides.right.d;
   if (!typed && !is_keyed(notch.kind) && is_bored(in, notch.x))
     return say("the charts are of solid shafts: of a bored one give K_t and K_ts");
-  if (is_groove(notch.kind) && !(2.0 * notch.t < piece.d)) return say("the groove is deeper than the shaft");
+  if (is_groove(notch.kind) && !(2.0 * notch.t < d)) return say("the groove is deeper than the shaft");
   if (Message fault = fault_of_width(in, notch); !fault.empty()) return fault;
-  if (notch.kind == Notch::cross_hole && !(notch.r < 0.29 * piece.d)) return say("the hole leaves no section");
+  if (notch.kind == Notch::cross_hole && !(notch.r < 0.29 * d)) return say("the hole leaves no section");
   if (has_factors(notch.kind) && !typed && in.group > fatigue::Endurance::Group::cast_steel)
     return say("its notch factor is told of steels alone: give K_t and K_ts");
-  if (is_set(notch.d) && abs(notch.d - piece.d) > one_place * piece.d)
-    return say("it is made for {1}, and the shaft has {2} at {3}", format(notch.d), format(piece.d), format(notch.x));
+  if (Message fault = fault_of_size(notch, there); !fault.empty()) return fault;
   if (notch.r_T < in.r_T)
     return say("its torque runs back to {1} of the largest, and that of the shaft, r_T, to {2}",
                format_number(notch.r_T, 3), format_number(in.r_T, 3));
-  const bool at_step = find_step(in, [&](Length x, Length, Length) { return are_one(in, x, notch.x); });
-  if (notch.kind == Notch::shoulder && (!at_step || before.d == piece.d))
-    return say("the diameter does not change at {1}", format(notch.x));
-  if (notch.kind == Notch::shoulder) {
-    if (Message fault = fault_of_fillet(notch, before, piece); !fault.empty()) return fault;
-  }
-  if (notch.kind != Notch::shoulder && !typed && at_step)
-    return say("at {1} the diameter changes: a notch of both is one given by K_t and K_ts", format(notch.x));
-  return {};
+  return fault_of_meeting(in, notch, there);
 }
 
 /// How far along the shaft a notch is felt: as far as it is deep, twice. Of a keyway a tenth of the diameter counts as
 /// its depth.
 Length reach_of(const Input& in, const Notched& notch) {
-  const Length aside = 10.0 * one_place * length_of(in), none = 0.0 * mm;
-  const Length d = piece_at(in, notch.x - aside).d, next = piece_at(in, notch.x + aside).d;
+  const Length none = 0.0 * mm;
+  const Sides sides = around(in, notch.x).sides;
+  const Length d = sides.left.d, next = sides.right.d;
   const Length root = is_set(notch.r) ? notch.r : none, deep = is_set(notch.t) ? notch.t : none;
   const Length cut = is_keyed(notch.kind) ? 0.1 * d : abs(d - next) / 2.0;
   return 2.0 * max(max(root, deep), cut);
@@ -151,17 +181,21 @@ bool Design::steps_are_notched(const Input& in) { return bare_step(in).path.empt
 FieldFault Design::bare_step(const Input& in) {
   FieldFault fault;
   if (!asks_fatigue(in)) return fault;
-  find_step(in, [&](Length x, Length d, Length D) {
+  find_meeting(in, [&](const Meeting& m) {
     const bool known = std::any_of(in.notches.begin(), in.notches.end(),
-                                   [&](const Notched& notch) { return are_one(in, notch.x, x); });
-    if (known) return false;
+                                   [&](const Notched& notch) { return are_one(in, notch.x, m.x); });
+    if (known || !(m.steps() || m.is_hollow())) return false;
+    const Sides sides = m.sides();
+    const Length d = sides.thinner().d, D = sides.larger();
+    const char* const given = "kind = \"given\", K_t = ..., K_ts = ..., r = \"...\" }";
+    const bool charted = d != D && !is_bored(in, m.x);
     fault = {"notches",
-             d == D ? say("at {1} the bore changes, and no notch says how", format(x))
-                    : say("at {1} the diameter changes from {2} to {3}, and no notch says how", format(x), format(d),
-                          format(D)),
-             say("add {1} to notches", "{ x = \"" + format(x) + "\", " +
-                                           (is_bored(in, x) ? "kind = \"given\", K_t = ..., K_ts = ..., r = \"...\" }"
-                                                            : "kind = \"shoulder\", r = \"...\" }"))};
+             m.is_hollow() ? say("at {1} a taper begins in a hollow edge, and no notch says how", format(m.x))
+             : d == D      ? say("at {1} the bore changes, and no notch says how", format(m.x))
+                           : say("at {1} the diameter changes from {2} to {3}, and no notch says how", format(m.x),
+                                 format(d), format(D)),
+             say("add {1} to notches",
+                 "{ x = \"" + format(m.x) + "\", " + (charted ? "kind = \"shoulder\", r = \"...\" }" : given))};
     return true;
   });
   return fault;

@@ -62,6 +62,18 @@ bool makes_its_torque(const Seat& seat, std::size_t position) {
   return made == 0.0 * N_m.one || seat.way == Way::balances || abs(made - T) <= rounding * max(made, T);
 }
 
+/// Of the bearings the first that sits on a taper, and does not say so; null where there is none. At the ends of a
+/// taper a bearing can have a neck of its own.
+const Support* slipping(const Input& in) {
+  const Length aside = 10.0 * one_place * length_of(in);
+  for (const Support& support : in.supports) {
+    const std::size_t i = index_of_piece(in, support.x);
+    const bool inside = support.x > start_of(in, i) + aside && support.x < start_of(in, i + 1) - aside;
+    if (inside && is_taper(in.pieces[i]) && support.on != On::taper) return &support;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 bool Design::held(const Input& in) {
@@ -94,12 +106,23 @@ FieldFault Design::off_shaft(const Input& in) {
 }
 
 bool Design::bores_fit(const Input& in) {
-  for (std::size_t i = 0; i < in.pieces.size(); ++i) {
-    const Length bore = in.pieces[i].d_bore;
-    if (!(bore < in.pieces[i].d) || (i > 0 && !(bore < in.pieces[i - 1].d))) return false;
-    if (i + 1 < in.pieces.size() && !(bore < in.pieces[i + 1].d)) return false;
-  }
-  return true;
+  const bool within =
+      std::all_of(in.pieces.begin(), in.pieces.end(), [](const Piece& p) { return p.d_bore < thinnest(p); });
+  return within && !find_meeting(in, [](const Meeting& m) {
+           return !(m.before.d_bore < m.after.d) || !(m.after.d_bore < right_diameter(m.before));
+         });
+}
+
+bool Design::bearings_sit(const Input& in) { return slipping(in) == nullptr; }
+
+FieldFault Design::slips(const Input& in) {
+  const Support* const support = slipping(in);
+  if (support == nullptr) return {};
+  const Piece& taper = piece_at(in, support->x);
+  return {place_of("supports", in.supports, static_cast<std::size_t>(support - in.supports.data()), "x"),
+          say("at {1} the shaft tapers from {2} to {3}, and bores of bearings are cylinders", format(support->x),
+              format(taper.d), format(right_diameter(taper))),
+          say("give the bearing a piece of its own; if its own bore is a taper, or it has a sleeve: on = \"taper\"")};
 }
 
 bool Design::torques_close(const Input& in) {
@@ -208,12 +231,12 @@ Applies Design::abuts(const Input& in) {
 
 Applies Design::thin_wall(const Input& in) {
   Applies applies = Applies::no;
-  for (const Piece& p : in.pieces) applies = std::max(applies, thin_wall_of(p.d, unset<double>, p.d_bore));
+  for (const Piece& p : in.pieces) applies = std::max(applies, thin_wall_of(thinnest(p), unset<double>, p.d_bore));
   return applies;
 }
 
 bool Design::treated_thick(const Input& in) {
-  return std::none_of(in.pieces.begin(), in.pieces.end(), [&](const Piece& p) { return in.d_h < p.d; });
+  return std::none_of(in.pieces.begin(), in.pieces.end(), [&](const Piece& p) { return in.d_h < thickest(p); });
 }
 
 }  // namespace loadpath::shaft

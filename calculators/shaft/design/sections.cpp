@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace loadpath::shaft {
 
@@ -30,35 +31,61 @@ Length place_of_most(const Stations& stations, const Turn& turn, std::size_t pie
 
 using Changes = List<There, most_places>;
 
+/// Of the taper; where it tires first, told apart from where it is stressed most.
+Name name_of(const Input& in, const Weak& weak) {
+  constexpr std::string_view apart = "_tires";
+  const Name& piece = in.pieces[weak.piece].name;
+  if (!weak.tires || piece.empty()) return piece;
+  List<char, Name::capacity + apart.size()> text(piece.view().begin(), piece.view().end());
+  text.insert(text.end(), apart.begin(), apart.end());
+  return std::string_view(text.data(), text.size());
+}
+
 /// Of what stands at one place the notch comes first, then what has a name.
-Changes changes_of(const Input& in, const Stations& stations, const Turn& turn) {
-  Changes all;
-  const auto add = [&](Length x, const Name& name, const Notched* notch) {
-    const std::size_t node = stations.at(x);
-    const auto same = std::find_if(all.begin(), all.end(), [&](const There& t) { return t.node == node; });
-    if (same == all.end()) {
-      all.push_back({node, notch, name});
+class Gathering {
+ public:
+  explicit Gathering(const Stations& stations) : stations_(stations) {}
+  void add(Length x, const Name& name, const Notched* notch = nullptr) {
+    const std::size_t node = stations_.at(x);
+    const auto same = std::find_if(all_.begin(), all_.end(), [&](const There& t) { return t.node == node; });
+    if (same == all_.end()) {
+      all_.push_back({node, notch, name});
     } else if (same->name.empty()) {
       same->name = name;
     }
-  };
-  for (const Notched& notch : in.notches) add(notch.x, notch.name, &notch);
-  for (const Seat& seat : in.seats) add(seat.x, seat.name, nullptr);
-  for (const Support& support : in.supports) add(support.x, support.name, nullptr);
-  Length x = 0.0 * mm;
-  add(x, {}, nullptr);
-  for (const Piece& piece : in.pieces) add(x += piece.l, {}, nullptr);
-  if (is_set(in.g_angle)) {  // weight bends most between them
-    for (std::size_t piece = 0; piece < in.pieces.size(); ++piece)
-      add(place_of_most(stations, turn, piece), {}, nullptr);
   }
-  std::sort(all.begin(), all.end(), [](const There& a, const There& b) { return a.node < b.node; });
-  return all;
+  [[nodiscard]] Changes sorted() {
+    std::sort(all_.begin(), all_.end(), [](const There& a, const There& b) { return a.node < b.node; });
+    return all_;
+  }
+
+ private:
+  const Stations& stations_;
+  Changes all_;
+};
+
+Changes changes_of(const Input& in, const Stations& stations, const Turn& turn) {
+  Gathering gathering(stations);
+  for (const Notched& notch : in.notches) gathering.add(notch.x, notch.name, &notch);
+  for (const Seat& seat : in.seats) gathering.add(seat.x, seat.name);
+  for (const Support& support : in.supports) gathering.add(support.x, support.name);
+  Length x = 0.0 * mm;
+  gathering.add(x, {});
+  for (const Piece& piece : in.pieces) gathering.add(x += piece.l, {});
+  for (std::size_t piece = 0; is_set(in.g_angle) && piece < in.pieces.size(); ++piece) {  // it bends most between them
+    if (!is_taper(in.pieces[piece])) gathering.add(place_of_most(stations, turn, piece), {});
+  }
+  for (const Weak& weak : stations.weakest) gathering.add(from_si<Length>(weak.x), name_of(in, weak));
+  return gathering.sorted();
 }
 
 Sides sides_of(const Input& in, const Stations& stations, std::size_t node) {
   const std::size_t last = stations.piece.size() - 1;
-  return {in.pieces[stations.piece[node == 0 ? 0 : node - 1]], in.pieces[stations.piece[std::min(node, last)]]};
+  const auto side = [&](std::size_t span) {
+    const std::size_t piece = stations.piece[span];
+    return ring_at(in.pieces[piece], from_si<Length>(stations.x[node]) - start_of(in, piece));
+  };
+  return {side(node == 0 ? 0 : node - 1), side(std::min(node, last))};
 }
 
 template <class Tracer>
@@ -167,6 +194,13 @@ class Judging {
 };
 
 }  // namespace
+
+Section section_within(const Input& in, std::size_t piece, Length x, const Felt& felt) {
+  NoTrace quiet;
+  const Ring ring = ring_at(in.pieces[piece], x - start_of(in, piece));
+  const There there;
+  return section_at(in, {there, {ring, ring}, x}, felt, unset<double>, quiet);
+}
 
 template <class Tracer>
 void judge_sections(const Input& in, const Stations& stations, const Turn& turn, Result& r, Tracer& trace) {

@@ -5,6 +5,9 @@
 
 namespace loadpath::shaft {
 
+/// A section within a piece, where nothing changes.
+Section section_within(const Design::Input& in, std::size_t piece, Length x, const Felt& felt);
+
 /// All of them quietly, and those again with their lines that decide over yielding and over fatigue.
 template <class Tracer>
 void judge_sections(const Design::Input& in, const Stations& stations, const Turn& turn, Design::Result& r,

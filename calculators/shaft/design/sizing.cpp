@@ -1,6 +1,7 @@
 // How the diameters of a shaft go together when they are searched for: they fall from one piece to both ends, so that
 // all that sits on the shaft can be pushed onto it; a shoulder is no lower than its fillet, and than what is set
 // against it asks; where nothing is cut between two pieces they are one cylinder; bearings sit on bores of bearings.
+// Tapers are given, and their ends ask of the cylinders beside them what other cylinders do.
 #include "calculators/shaft/design/places.hpp"
 
 #include <algorithm>
@@ -74,17 +75,17 @@ bool is_bearing_seat(const Input& in, std::size_t i) {
 
 /// The piece from which the diameters fall to both ends: the thickest that is given between the ends and carries no
 /// bearing, a collar or a seat; else the one that is bent most, as it is of one diameter.
-std::size_t thickest(const Input& in, const OfPieces& sought) {
+std::size_t top_of(const Input& in, const OfPieces& sought) {
   std::size_t found = none;
   for (std::size_t i = 1; i + 1 < in.pieces.size(); ++i) {
     if (sought[i] != none || is_bearing_seat(in, i)) continue;
-    if (found == none || in.pieces[i].d > in.pieces[found].d) found = i;
+    if (found == none || thickest(in.pieces[i]) > thickest(in.pieces[found])) found = i;
   }
   if (found != none) return found;
   Input alike = in;
   Length d = 0.1 * length_of(in);
   for (const Piece& piece : in.pieces) d = max(d, 2.0 * piece.d_bore);
-  for (Piece& piece : alike.pieces) piece.d = d;
+  for (Piece& piece : alike.pieces) piece.d = d, piece.d_2 = unset<Length>;
   const auto loaded = loaded_shaft(alike);
   found = in.pieces.size() / 2;
   if (!loaded) return found;
@@ -103,9 +104,14 @@ struct Trial {
   std::span<const Sought> sought;
   OfPieces of;
   [[nodiscard]] bool is_sought(std::size_t i) const { return of[i] != none; }
-  [[nodiscard]] Length d(std::size_t i) const {
-    return is_sought(i) ? from_si<Length>(sought[of[i]].size()) : in.pieces[i].d;
+  [[nodiscard]] Length d(std::size_t i) const { return from_si<Length>(sought[of[i]].size()); }
+  /// Where it meets another piece, of a taper the end that does.
+  [[nodiscard]] Length end(std::size_t i, std::size_t neighbour) const {
+    if (is_sought(i)) return d(i);
+    return neighbour < i ? in.pieces[i].d : right_diameter(in.pieces[i]);
   }
+  /// What has to be passed over.
+  [[nodiscard]] Length over(std::size_t i) const { return is_sought(i) ? d(i) : thickest(in.pieces[i]); }
   /// From the thickest piece.
   [[nodiscard]] std::size_t away(std::size_t i) const {
     const std::size_t top = sought.front().note;
@@ -114,10 +120,11 @@ struct Trial {
   /// What a neighbour asks of a piece at least. One that is given, further in, is a collar, or a neck to be passed
   /// over.
   [[nodiscard]] Length asked_by(const Joint& joint, std::size_t i, std::size_t neighbour) const {
-    if (joint.tied) return d(neighbour);
-    if (away(i) < away(neighbour)) return d(neighbour) + joint.least;
-    const bool passes_neck = !is_sought(neighbour) && abs(d(i) - d(neighbour)) < (1.0 - one_place) * joint.least;
-    return passes_neck ? d(neighbour) + joint.least : 0.0 * mm;
+    const Length beyond = end(neighbour, i);
+    if (joint.tied) return beyond;
+    if (away(i) < away(neighbour)) return max(beyond + joint.least, over(neighbour));
+    const bool passes_neck = !is_sought(neighbour) && abs(d(i) - beyond) < (1.0 - one_place) * joint.least;
+    return passes_neck ? beyond + joint.least : 0.0 * mm;
   }
   [[nodiscard]] Length asked(std::size_t i) const {
     Length least = 0.0 * mm;
@@ -127,7 +134,7 @@ struct Trial {
   }
   /// One cylinder of one diameter.
   [[nodiscard]] bool agrees(std::size_t i) const {
-    return !joint_after(in, i).tied || abs(d(i) - d(i + 1)) <= one_place * d(i);
+    return !joint_after(in, i).tied || abs(end(i, i + 1) - end(i + 1, i)) <= one_place * end(i, i + 1);
   }
 };
 
@@ -135,7 +142,7 @@ struct Trial {
 
 void Design::arrange(const Input& in, std::span<Sought> sought) {
   const OfPieces of = sought_of(in, sought);
-  const std::size_t top = thickest(in, of);
+  const std::size_t top = top_of(in, of);
   for (std::size_t i = 0; i < of.size(); ++i) {
     if (of[i] == none) continue;
     sought[of[i]].note = top;
@@ -146,6 +153,9 @@ void Design::arrange(const Input& in, std::span<Sought> sought) {
 
 bool Design::raise(const Input& in, std::span<Sought> sought) {
   const Trial trial{in, sought, sought_of(in, sought)};
+  for (std::size_t i = 0; i < trial.of.size(); ++i) {
+    if (trial.is_sought(i) && is_set(in.pieces[i].d_2)) return false;  // of a taper both ends are given
+  }
   for (bool raised = true; raised;) {
     raised = false;
     for (std::size_t i = 0; i < trial.of.size(); ++i) {
@@ -168,14 +178,15 @@ Message Design::unsound(const Input& in, std::span<const Sought> sought, std::si
   const Trial trial{in, sought, sought_of(in, sought)};
   const auto i = static_cast<std::size_t>(std::find(trial.of.begin(), trial.of.end(), which) - trial.of.begin());
   const auto beside = [&](const Joint& joint, std::size_t k) -> Message {
-    const Length step = abs(trial.d(i) - trial.d(k));
-    if (joint.tied && step > one_place * trial.d(i))
-      return say("nothing is cut at {1}: it is one cylinder with the {2} beyond", format(joint.x), format(trial.d(k)));
+    const Length own = trial.d(i), beyond = trial.end(k, i), step = abs(own - beyond);
+    if (joint.tied && step > one_place * own)
+      return say("nothing is cut at {1}: it is one cylinder with the {2} beyond", format(joint.x), format(beyond));
     if (joint.steps() && step < (1.0 - one_place) * joint.least)
       return say("the shoulder at {1} would be {2} high; its fillet, or what is set against it, asks for {3}",
                  format(joint.x), format(step / 2.0), format(joint.least / 2.0));
-    if (!joint.tied && trial.away(i) < trial.away(k) && trial.d(i) < trial.d(k) + joint.least * (1.0 - one_place))
-      return say("what sits on it cannot be pushed over the {1} beyond {2}", format(trial.d(k)), format(joint.x));
+    const Length passed = max(beyond + joint.least * (1.0 - one_place), trial.over(k));
+    if (!joint.tied && trial.away(i) < trial.away(k) && own < passed)
+      return say("what sits on it cannot be pushed over the {1} beyond {2}", format(trial.over(k)), format(joint.x));
     return {};
   };
   Message fault = i == 0 ? Message{} : beside(joint_after(in, i - 1), i - 1);

@@ -111,11 +111,7 @@ std::optional<beam::Swing> swing_of(const Input& in) {
   if (!known) return std::nullopt;
   const Places places = places_of(in);
   beam::Swing::Rods rods;
-  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    const Piece& piece = in.pieces[index_of_piece(in, from_si<Length>((places[i] + places[i + 1]) / 2.0))];
-    const double d = in_si(piece.d), b = in_si(piece.d_bore), I_p = pi / 32.0 * (d * d * d * d - b * b * b * b);
-    rods.push_back({places[i + 1] - places[i], in_si(in.G) * I_p, in_si(in.rho) * I_p});
-  }
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) add_rods(in, places[i], places[i + 1], rods);
   beam::Swing::Discs discs;
   for (const Seat& s : in.seats)
     discs.push_back({nearest(places, s.x), in_si(s.J), is_set(s.k_T) ? in_si(s.k_T) : beam::rigid});

@@ -2,8 +2,7 @@
 // times in a turn stays from them.
 #pragma once
 
-#include "calculators/shaft/design/design.hpp"
-#include "lib/beam/swing.hpp"
+#include "calculators/shaft/design/stretches.hpp"
 
 #include <optional>
 

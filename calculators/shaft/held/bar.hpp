@@ -11,15 +11,6 @@ using TorsionalStiffness = decltype(Stress() * SecondMoment());
 using Yielding = decltype(1.0 / Moment());             // rotation by a moment
 using SpreadYielding = decltype(Length() / Moment());  // by a torque per length
 
-/// The section of a member at one place.
-struct Ring {
-  Length d, d_bore;
-};
-
-inline SecondMoment polar(const Ring& r) {
-  return pi / 32.0 * (r.d - r.d_bore) * (r.d + r.d_bore) * (r.d * r.d + r.d_bore * r.d_bore);
-}
-
 /// Between two neighbouring cuts.
 struct Slice {
   Length x, l;

@@ -1,6 +1,7 @@
 // What a bar held in torsion is made of: segments in series, sleeves beside them, torques.
 #pragma once
 
+#include "calculators/shaft/parts/ring.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/quantity/units.hpp"
 
@@ -12,9 +13,6 @@ namespace loadpath::shaft {
 inline constexpr std::size_t most_segments = 16, most_sleeves = 8, most_twisting = 24;
 inline constexpr std::size_t most_members = most_segments + most_sleeves;
 inline constexpr std::size_t most_cuts = most_segments + 2 * most_sleeves + most_twisting;
-
-/// Up to a half-angle of 10 degrees.
-inline constexpr double steepest_cone = 0.176;
 
 inline constexpr Unit<Force> N_m_per_m{"N*m/m", from_si<Force>(1.0)};
 

@@ -11,19 +11,26 @@
 
 namespace loadpath::shaft {
 
-/// A cylinder of the shaft.
+/// A cylinder or a taper of the shaft.
 struct Piece {
   Name name;
   Length l = unset<Length>, d = unset<Length>;
   Length d_bore = 0.0 * mm;
+  Length d_2 = unset<Length>;
   static constexpr std::tuple fields{
       NameField{&Piece::name, "name", "what the piece is"}.may_be_missing(),
       Field{&Piece::l, "l", mm, "length"}.positive(),
-      Field{&Piece::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).findable("R40"),
+      Field{&Piece::d, "d", mm, "outer diameter; of a taper at its left end"}.positive().usually(1, 2000).findable(
+          "R40"),
+      Field{&Piece::d_2, "d_2", mm, "outer diameter at its right end, of a taper"}
+          .positive()
+          .usually(1, 2000)
+          .may_be_missing(),
       Field{&Piece::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0)};
 };
 
 enum class Holds { radial, both };
+enum class On { cylinder, taper };
 
 /// A bearing, in both planes alike.
 struct Support {
@@ -32,10 +39,12 @@ struct Support {
   Holds holds = Holds::radial;
   Stiffness k = unset<Stiffness>;
   double beta_adm = unset<double>;
+  On on = On::cylinder;
   static constexpr std::tuple fields{
       NameField{&Support::name, "name", "name of the bearing"}.may_be_missing(),
       Field{&Support::x, "x", mm, "its middle, from the left end of the shaft"}.at_least(0),
       Choice{&Support::holds, "holds", "what the bearing takes"}.may_be_missing(),
+      Choice{&Support::on, "on", "what it sits on"}.may_be_missing(),
       Field{&Support::k, "k", N_per_mm, "radial stiffness of bearing and housing; missing: rigid"}
           .positive()
           .may_be_missing(),
@@ -170,6 +179,10 @@ struct Notched {
 constexpr auto choices_of(Holds) {
   return std::array{ChoiceName<Holds>{Holds::radial, "radial", "forces across the shaft: a floating bearing"},
                     ChoiceName<Holds>{Holds::both, "both", "forces across and along: the fixed bearing"}};
+}
+constexpr auto choices_of(On) {
+  return std::array{ChoiceName<On>{On::cylinder, "cylinder", "a cylinder, as bores of bearings are"},
+                    ChoiceName<On>{On::taper, "taper", "a taper: its own bore is one, or that of its sleeve"}};
 }
 constexpr auto choices_of(Way) {
   return std::array{ChoiceName<Way>{Way::takes, "takes", "takes the torque from the shaft"},

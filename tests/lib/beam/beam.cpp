@@ -1,8 +1,9 @@
 // Beams on supports, against closed forms, a double integration of M/EI, equilibrium and superposition.
-#include "lib/beam/beam.hpp"
+#include "lib/beam/varying.hpp"
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -16,7 +17,7 @@ using doctest::Approx;
 constexpr double E_I = 5000.0;
 
 Row<Span> spans(std::size_t count, double length, double GA = rigid) {
-  return Row<Span>(count, Span{length / static_cast<double>(count), E_I, GA});
+  return Row<Span>(count, uniform(length / static_cast<double>(count), E_I, GA));
 }
 
 Beam beam_of(const Row<Span>& all, const OfSupports<Support>& supports) {
@@ -42,8 +43,9 @@ std::vector<double> integrated(const Row<Span>& all, const std::vector<Load>& lo
       const double here = x[s] + (k + 0.5) * h;
       double M = at_left * here;
       for (const Load& load : loads) M += here > x[load.node] ? load.F * (here - x[load.node]) - load.M : 0.0;
-      at += slope * h + M / all[s].EI * h * h / 2.0;
-      slope += M / all[s].EI * h;
+      const double curved = M * all[s].bending / all[s].l;
+      at += slope * h + curved * h * h / 2.0;
+      slope += curved * h;
     }
     v.push_back(at);
   }
@@ -69,12 +71,50 @@ TEST_SUITE("beam") {
   }
 
   TEST_CASE("an even load over three supports: 3/8, 10/8, 3/8 of a field, and -q l^2/8 over the middle") {
-    const std::vector<double> q(4, -600.0);
-    const Bent bent = beam_of(spans(4, 4.0), {{0}, {2}, {4}}).bend({}, q);
+    const Row<Span> all = spans(4, 4.0);
+    const std::vector<OfEnds> q(4, even(all.front(), -600.0));
+    const Bent bent = beam_of(all, {{0}, {2}, {4}}).bend({}, q);
     CHECK(bent.reactions[0] == Approx(450.0));
     CHECK(bent.reactions[1] == Approx(1500.0));
     CHECK(bent.reactions[2] == Approx(450.0));
     CHECK(bent.spans[1].right.M == Approx(-600.0 * 4.0 / 8.0));
+  }
+
+  // A cone from 20 to 40 mm, 1 m long and held at its large end: a force on its small end F l^3/(3 E I) d_2/d, a couple
+  // M l/(3 E I) (d_2/d) (1 + d_2/d + (d_2/d)^2), with I of the large end.
+  TEST_CASE("a span that varies is found by integrals, in one part or in many") {
+    const auto section = [](double x) { return std::array{std::pow(0.02 + 0.02 * x, 4.0), rigid}; };
+    const double EI = std::pow(0.04, 4.0);
+    const std::array<double, 3> even{1.0, 0.0, 0.0}, like_section{1.0, 2.0, 1.0};
+    for (const int parts : {2, 3, 8}) {
+      std::vector<double> cuts;
+      for (int k = 0; k <= parts; ++k) cuts.push_back(static_cast<double>(k) / parts);
+      const Span cone = varying(cuts, section, Spread(even)).span;
+      const double arm = cone.centre, turned = cone.bending, shifted = cone.shifting;
+      CHECK(shifted + arm * arm * turned == Approx(2.0 / (3.0 * EI)).epsilon(1e-10));
+      CHECK(turned == Approx(14.0 / (3.0 * EI)).epsilon(1e-10));
+    }
+    const Span straight = uniform(2.0, E_I, 1e5);
+    const std::vector<double> whole{0.0, 2.0};
+    const auto same = [](double) { return std::array{E_I, 1e5}; };
+    const Varying one = varying(whole, same, Spread({-600.0, 0.0, 0.0}));
+    CHECK(one.span.bending == Approx(straight.bending).epsilon(1e-14));
+    CHECK(one.span.centre == Approx(straight.centre).epsilon(1e-14));
+    CHECK(one.span.shifting == Approx(straight.shifting).epsilon(1e-14));
+    for (std::size_t i = 0; i < 4; ++i)
+      CHECK(one.along[i] == Approx(loadpath::beam::even(straight, -600.0)[i]).epsilon(1e-12));
+    // a load that grows from nothing, q l/2 in all: 3/20, 7/20 of q l at the ends that are held, q l^2/30 and q l^2/20
+    const Varying grown = varying(
+        whole,
+        [](double) {
+          return std::array{E_I, rigid};
+        },
+        Spread({0.0, 300.0, 0.0}));
+    CHECK(grown.along[0] == Approx(0.15 * 600.0 * 2.0));
+    CHECK(grown.along[1] == Approx(600.0 * 4.0 / 30.0));
+    CHECK(grown.along[2] == Approx(0.35 * 600.0 * 2.0));
+    CHECK(grown.along[3] == Approx(-600.0 * 4.0 / 20.0));
+    CHECK(Spread(like_section).force(1.0) == Approx(1.0 + 1.0 + 1.0 / 3.0));
   }
 
   TEST_CASE("an overhang, a couple and a spring") {
@@ -98,7 +138,7 @@ TEST_SUITE("beam") {
     std::uniform_real_distribution<double> part(0.05, 0.4), stiff(1e3, 1e6), force(-5e3, 5e3);
     for (int k = 0; k < 40; ++k) {
       Row<Span> all;
-      for (int s = 0; s < 6; ++s) all.push_back({part(random), stiff(random), rigid});
+      for (int s = 0; s < 6; ++s) all.push_back(uniform(part(random), stiff(random)));
       const std::vector<Load> one{{2, force(random), 0.0}, {4, force(random), force(random)}};
       const std::vector<Load> two{{1, force(random), force(random)}, {5, force(random), 0.0}};
       std::vector<Load> both = one;

@@ -101,9 +101,11 @@ class Beam {
   /// Whether a node cannot move.
   [[nodiscard]] bool is_held(std::size_t node) const;
 
- private:
   /// Unknowns: v and slope of each node in turn.
   using Matrix = numerics::BandMatrix<2 * most_nodes>;
+  [[nodiscard]] Matrix stiffness() const { return assembled(); }
+
+ private:
   Beam(const Row<Span>& spans, const OfSupports<Support>& supports);
   /// The stiffness, less the masses times the square of a frequency.
   [[nodiscard]] Matrix assembled(std::span<const double> masses = {}, double square = 0.0) const;

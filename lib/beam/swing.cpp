@@ -1,10 +1,8 @@
 #include "lib/beam/swing.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <utility>
 
 namespace loadpath::beam {
 
@@ -31,9 +29,9 @@ Passed pass(const Rod& rod, double omega, double left) {
 
 }  // namespace
 
-Swing::Walked Swing::walk(double omega) const {
+numerics::Counted Swing::walk(double omega) const {
   boost::container::static_vector<double, most_rods + 1> own(rods_.size() + 1);  // of the discs of each node
-  Walked walked{0, 1.0};
+  numerics::Counted walked{0, 1.0};
   for (const Disc& disc : discs_) {
     const double inertia = omega * omega * disc.J;
     const double softened = 1.0 - inertia / disc.k;  // 0 where it swings by itself: no number is next to that
@@ -53,34 +51,11 @@ Swing::Walked Swing::walk(double omega) const {
   return walked;
 }
 
-/// Between two values of which the count tells that they hold it; where it is alone, by the false position after
-/// Illinois, else by halves.
 double Swing::natural(std::size_t i) const {
-  if (i == 0) return 0.0;
-  constexpr double first = 256.0, highest = 1e12, finest = 1e-13;
-  double high = first;
-  while (below(high) <= i) {
-    high *= 2.0;
-    if (high > highest) return std::numeric_limits<double>::quiet_NaN();
-  }
-  double low = high / 2.0;
-  while (below(low) > i) low = (high = low) / 2.0;
-  Walked left = walk(low), right = walk(high);
-  int kept = 0;  // which end stayed last: -1 low, 1 high
-  while (high - low > finest * high) {
-    const bool alone = right.below == left.below + 1 && (left.rest < 0.0) != (right.rest < 0.0);
-    const double guess = alone ? low + (high - low) * left.rest / (left.rest - right.rest) : 0.5 * (low + high);
-    const double least = 0.3 * finest * high, next = std::clamp(guess, low + least, high - least);
-    const Walked here = walk(next);
-    if (here.below > i) {
-      high = next, right = here;
-      if (std::exchange(kept, -1) == -1) left.rest *= 0.5;
-    } else {
-      low = next, left = here;
-      if (std::exchange(kept, 1) == 1) right.rest *= 0.5;
-    }
-  }
-  return 0.5 * (low + high);
+  constexpr double first = 256.0;
+  return i == 0 ? 0.0
+                : numerics::counted_root(
+                      i, [&](double omega) { return walk(omega); }, first);
 }
 
 }  // namespace loadpath::beam

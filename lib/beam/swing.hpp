@@ -7,6 +7,7 @@
 #pragma once
 
 #include "lib/beam/beam.hpp"
+#include "lib/numerics/counted_root.hpp"
 
 #include <boost/container/static_vector.hpp>
 
@@ -39,12 +40,7 @@ class Swing {
   [[nodiscard]] double natural(std::size_t i) const;
 
  private:
-  /// How many lie below, and a function of omega without poles that is 0 at each.
-  struct Walked {
-    std::size_t below;
-    double rest;
-  };
-  [[nodiscard]] Walked walk(double omega) const;
+  [[nodiscard]] numerics::Counted walk(double omega) const;
 
   Rods rods_;
   Discs discs_;

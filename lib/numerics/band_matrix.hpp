@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 namespace loadpath::numerics {
@@ -18,6 +19,22 @@ template <std::size_t most>
 class BandMatrix {
   static constexpr std::size_t reach = 3;
   using Row = std::array<double, reach + 1>;
+
+  /// What a row of L D L^T needs of those before it.
+  struct Before {
+    double d1 = 1.0, d2 = 1.0, d3 = 1.0;     // the pivots, from the nearest on
+    double l12 = 0.0, l13 = 0.0, l23 = 0.0;  // of L in the row before: to the second and third, in that before it
+
+    /// The next row of L, with its pivot at the end, of a row of the matrix whose diagonal is given.
+    Row next(const Row& row, double diagonal) {
+      const double a = row[0], b = row[1] - a * l23, c = row[2] - a * l13 - b * l12;
+      const double l3 = a / d3, l2 = b / d2, l1 = c / d1;
+      const double pivot = diagonal - l3 * a - l2 * b - l1 * c;
+      d3 = d2, d2 = d1, d1 = pivot;
+      l23 = l12, l13 = l2, l12 = l1;
+      return {l3, l2, l1, pivot};
+    }
+  };
 
  public:
   explicit BandMatrix(std::size_t size) : rows_(size) {}
@@ -37,18 +54,27 @@ class BandMatrix {
   /// L D L^T in place of the matrix. False where a pivot is no larger than `least` of its diagonal: it is not positive
   /// definite, to rounding.
   [[nodiscard]] bool factor(double least = 1e-12) {
-    double d1 = 1.0, d2 = 1.0, d3 = 1.0;     // the pivots of the rows before, from the nearest on
-    double l12 = 0.0, l13 = 0.0, l23 = 0.0;  // of L in the row before: to the second and third, in that before it
+    Before before;
     for (Row& row : rows_) {
-      const double a = row[0], b = row[1] - a * l23, c = row[2] - a * l13 - b * l12;
-      const double l3 = a / d3, l2 = b / d2, l1 = c / d1;
-      const double pivot = row[3] - l3 * a - l2 * b - l1 * c;
-      if (!(pivot > least * row[3])) return false;
-      row = {l3, l2, l1, pivot};
-      d3 = d2, d2 = d1, d1 = pivot;
-      l23 = l12, l13 = l2, l12 = l1;
+      const Row next = before.next(row, row[reach]);
+      if (!(next[reach] > least * row[reach])) return false;
+      row = next;
     }
     return true;
+  }
+
+  /// Of the matrix less a diagonal each pivot of L D L^T in turn, whatever its sign: as many are negative as
+  /// eigenvalues. One that is zero, as happens by chance alone, is taken for next to nothing.
+  template <class Less, class Take>
+  void for_each_pivot(const Less& less, const Take& take) const {
+    Before before;
+    for (std::size_t i = 0; i < size(); ++i) {
+      const double diagonal = rows_[i][reach] - less(i);
+      double& pivot = before.d1;
+      before.next(rows_[i], diagonal);
+      if (pivot == 0.0) pivot = std::numeric_limits<double>::epsilon() * (diagonal != 0.0 ? diagonal : 1.0);
+      take(i, pivot);
+    }
   }
 
   /// The solution in place of the right-hand side, after `factor`.

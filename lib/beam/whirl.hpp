@@ -1,0 +1,47 @@
+// A beam that turns about its axis with discs on it, and whirls: its elastic line goes around with the turning or
+// against it. Beam, discs and supports are alike in all planes, so that v and slope of one plane tell the other, and
+// with K, M, G of stiffness, inertia and I_p a whirl at w of a beam that turns at W is K + w W G - w^2 M = 0, w below
+// zero against the turning. As K holds the beam, the count of negative pivots of this is that of frequencies below w.
+//
+// SI throughout; frequencies are magnitudes. Masses and moments of inertia stand at the nodes.
+#pragma once
+
+#include "lib/beam/beam.hpp"
+#include "lib/numerics/counted_root.hpp"
+
+#include <cstddef>
+
+namespace loadpath::beam {
+
+/// Of a body at a node, about its own middle: mass, moments of inertia about a diameter and about the axis.
+struct Inertia {
+  double m = 0.0, I_d = 0.0, I_p = 0.0;
+};
+
+enum class Sense { forward, backward };
+
+class Whirl {
+ public:
+  Whirl(const Beam& beam, const Row<Inertia>& inertias);
+
+  /// Number i, from 0 on, of the frequencies of a beam that turns at `spin`, rad/s; `near`: about where it is. NaN
+  /// where there is none, or it does not settle.
+  [[nodiscard]] double natural(std::size_t i, Sense sense, double spin, double near = 256.0) const;
+  /// The same of the speeds at which it whirls as fast as it turns. A disc of I_p > I_d has none of its own forward.
+  [[nodiscard]] double critical(std::size_t i, Sense sense, double near = 256.0) const;
+
+  /// Of the frequencies of a beam that turns at `spin` how many lie below w.
+  [[nodiscard]] std::size_t below(double w, Sense sense, double spin) const;
+  /// Of the critical speeds.
+  [[nodiscard]] std::size_t below(double w, Sense sense) const;
+
+ private:
+  /// Less `square` of masses and of I_d, and with `gyro` of I_p.
+  [[nodiscard]] numerics::Counted walk(double square, double gyro) const;
+
+  Beam::Matrix stiffness_;
+  Row<Inertia> inertias_;
+  Row<Node> standing_;  // the pivots of both unknowns of each node without inertia
+};
+
+}  // namespace loadpath::beam

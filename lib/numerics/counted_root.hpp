@@ -1,0 +1,53 @@
+// Roots of which it is known how many lie below any value, so that none is missed: natural frequencies.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace loadpath::numerics {
+
+/// Of a value how many roots lie below it, and there a function without poles that is 0 at each.
+struct Counted {
+  std::size_t below = 0;
+  double rest = 0.0;
+};
+
+/// Root number i, from 0 on, of those above zero; NaN where there is none. Between two values of which the count tells
+/// that they hold it, the upper one `first` or its doubles and halves; where it is alone, by the false position after
+/// Illinois, else by halves.
+template <class Count>
+double counted_root(std::size_t i, const Count& count, double first) {
+  constexpr double highest = 1e12, finest = 1e-13;
+  double high = first;
+  while (count(high).below <= i) {
+    high *= 2.0;
+    if (high > highest) return std::numeric_limits<double>::quiet_NaN();
+  }
+  double low = high / 2.0;
+  while (count(low).below > i) {
+    low = (high = low) / 2.0;
+    if (low < std::numeric_limits<double>::min()) return std::numeric_limits<double>::quiet_NaN();
+  }
+  Counted left = count(low), right = count(high);
+  int kept = 0;  // which end stayed last: -1 low, 1 high
+  while (high - low > finest * high) {
+    const bool alone =
+        right.below == left.below + 1 && (left.rest < 0.0) != (right.rest < 0.0) && std::isfinite(right.rest);
+    const double guess = alone ? low + (high - low) * left.rest / (left.rest - right.rest) : 0.5 * (low + high);
+    const double least = 0.3 * finest * high, next = std::clamp(guess, low + least, high - least);
+    const Counted here = count(next);
+    if (here.below > i) {
+      high = next, right = here;
+      if (std::exchange(kept, -1) == -1) left.rest *= 0.5;
+    } else {
+      low = next, left = here;
+      if (std::exchange(kept, 1) == 1) right.rest *= 0.5;
+    }
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace loadpath::numerics

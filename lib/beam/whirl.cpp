@@ -10,8 +10,8 @@ namespace {
 /// One that is found, where the count changes beside it; else it did not settle.
 template <class Count>
 double settled(std::size_t i, const Count& count, double near) {
-  constexpr double beside = 1e-6;
-  const double found = numerics::counted_root(i, count, near);
+  constexpr double beside = 1e-6, finest = 1e-11;
+  const double found = numerics::counted_root(i, count, near, finest);
   const bool is_there = count((1.0 - beside) * found).below <= i && count((1.0 + beside) * found).below > i;
   return is_there ? found : std::numeric_limits<double>::quiet_NaN();
 }

@@ -15,23 +15,24 @@ struct Counted {
   double rest = 0.0;
 };
 
-/// Root number i, from 0 on, of those above zero; NaN where there is none. Between two values of which the count tells
-/// that they hold it, the upper one `first` or its doubles and halves; where it is alone, by the false position after
-/// Illinois, else by halves.
+/// Root number i, from 0 on, of those above zero, to `finest` of it; NaN where there is none. Between two values of
+/// which the count tells that they hold it, the upper one `first` or its doubles and halves; where it is alone, by the
+/// false position after Illinois, else by halves.
 template <class Count>
-double counted_root(std::size_t i, const Count& count, double first) {
-  constexpr double highest = 1e12, finest = 1e-13;
-  double high = first;
-  while (count(high).below <= i) {
-    high *= 2.0;
-    if (high > highest) return std::numeric_limits<double>::quiet_NaN();
+double counted_root(std::size_t i, const Count& count, double first, double finest = 1e-13) {
+  constexpr double highest = 1e12, least_of_all = 1e-200, none = std::numeric_limits<double>::quiet_NaN();
+  double low = 0.0, high = first;
+  Counted left, right = count(high);
+  while (right.below <= i) {
+    low = high, left = right;
+    if ((high *= 2.0) > highest) return none;
+    right = count(high);
   }
-  double low = high / 2.0;
-  while (count(low).below > i) {
-    low = (high = low) / 2.0;
-    if (low < std::numeric_limits<double>::min()) return std::numeric_limits<double>::quiet_NaN();
+  while (low == 0.0 || left.below > i) {
+    if (low > 0.0) high = low, right = left;
+    if ((low = high / 2.0) < least_of_all) return none;
+    left = count(low);
   }
-  Counted left = count(low), right = count(high);
   int kept = 0;  // which end stayed last: -1 low, 1 high
   while (high - low > finest * high) {
     const bool alone =

@@ -51,6 +51,7 @@ const Law bars[] = {
     {"shaft.design", "", "K_A = 2", "phi", 2},
     {"shaft.design", "", "E = \"420 GPa\"\nG = \"162 GPa\"", "v_max", 1.0 / 2},
     {"shaft.design", "E = \"210 GPa\"\nG = \"81 GPa\"", "E = \"840 GPa\"\nG = \"324 GPa\"", "n_c", 2},
+    {"shaft.design", "E = \"210 GPa\"\nG = \"81 GPa\"", "E = \"840 GPa\"\nG = \"324 GPa\"", "n_F", 2},
     {"shaft.design", "E = \"210 GPa\"\nG = \"81 GPa\"", "E = \"840 GPa\"\nG = \"324 GPa\"", "n_T", 2},
     {"column.buckling", "", R"(l = "1800 mm")", "N_cr", 1.0 / 4},
     {"column.buckling", "", R"(d = "90 mm")", "N_cr", 16},

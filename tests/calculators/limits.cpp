@@ -77,6 +77,7 @@ const Side bars[] = {
      R"([{ l = "100 mm", d = "80 mm" }, { l = "100 mm", d = "80 mm", d_2 = "44.9 mm" }])",
      R"([{ l = "100 mm", d = "80 mm" }, { l = "100 mm", d = "80 mm", d_2 = "44.7 mm" }])",
      "notches = \nsupports = [{ x = \"15 mm\", holds = \"both\" }, { x = \"200 mm\" }]"},
+    {"shaft.design", "u_n", over, "n", R"("76800 rpm")", R"("77000 rpm")"},  // n_F/1.25
     {"shaft.overhung", "u_tau", over, "tau_adm", R"("8.8 MPa")", R"("8.7 MPa")", R"(d = "40 mm")"},
     {"column.buckling", "u", over, "P", R"("42 kN")", R"("43 kN")"},
     {"column.buckling", "r_lambda", outside, "lambda_max", "160", "159"},

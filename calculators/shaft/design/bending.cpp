@@ -265,7 +265,7 @@ std::optional<Loaded> loaded_shaft(const Input& in) {
   return loaded_at(in, *elastic, most_bent(in, *elastic));
 }
 
-beam::Frequencies critical_speeds(const Input& in, const Elastic& elastic) {
+beam::Row<double> masses_of(const Input& in, const Elastic& elastic) {
   const Stations& stations = elastic.stations;
   beam::Row<double> masses(stations.x.size());
   for (std::size_t s = 0; s + 1 < stations.x.size(); ++s) {
@@ -273,7 +273,11 @@ beam::Frequencies critical_speeds(const Input& in, const Elastic& elastic) {
     masses[s + 1] += elastic.stretches[s].right_mass;
   }
   for (const Seat& seat : in.seats) masses[stations.at(seat.x)] += mass_on(seat);
-  return beam::frequencies(elastic.beam, masses);
+  return masses;
+}
+
+beam::Frequencies critical_speeds(const Input& in, const Elastic& elastic) {
+  return beam::frequencies(elastic.beam, masses_of(in, elastic));
 }
 
 }  // namespace loadpath::shaft

@@ -46,7 +46,8 @@ std::size_t most_bent(const Design::Input& in, const Elastic& elastic);
 std::optional<Loaded> loaded_shaft(const Design::Input& in);
 bool bears(const Design::Input& in);
 
-/// Of the shaft and what sits on it.
+/// Of the shaft and what sits on it, at the nodes.
+beam::Row<double> masses_of(const Design::Input& in, const Elastic& elastic);
 beam::Frequencies critical_speeds(const Design::Input& in, const Elastic& elastic);
 
 /// Of the shaft, or the first seat that has one; its magnitude.

@@ -5,6 +5,7 @@
 #include "calculators/shaft/design/tapers.hpp"
 #include "calculators/shaft/design/torsion.hpp"
 #include "calculators/shaft/design/turn.hpp"
+#include "calculators/shaft/design/whirl.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
@@ -134,8 +135,13 @@ void critical_speed(const Input& in, const Elastic& elastic, Result& r, Tracer& 
   r.n_D = trace.speed("n_D", from_si<AngularSpeed>(found.dunkerley), "Dunkerley: each mass alone");
   r.n_c = trace.speed("n_c", from_si<AngularSpeed>(found.lowest), "of masses on the elastic line");
   r.n_R = trace.speed("n_R", from_si<AngularSpeed>(found.rayleigh), "Rayleigh: bent as by the weights");
+  judge_whirl(in, elastic, r, trace);
   if (!is_set(r.n)) return;
-  STEP_TO(r, u_n, in.k_n * r.n / r.n_c, "below the first critical speed, with its margin");
+  if (r.whirls.empty()) {
+    STEP_TO(r, u_n, in.k_n * r.n / r.n_c, "below the first critical speed, with its margin");
+  } else if (is_set(r.n_F)) {
+    STEP_TO(r, u_n, in.k_n * r.n / r.n_F, "below the first critical speed of forward whirl, with its margin");
+  }
 }
 
 }  // namespace

@@ -10,7 +10,8 @@
 // circumference, which turns with the shaft by psi, has its own amplitude and mean, and the worst decides; amplitudes
 // of bending, of the force along the shaft and of torsion count as if they came at once. Tapers bend and twist
 // by the flexibility of their sections, and are judged where they are weakest, up to 10 degrees; notches on them are
-// those of a cylinder as thick. Not covered: masses that whirl as discs, life.
+// those of a cylinder as thick. Critical speeds in bending are those of forward whirl with the moments that turn discs
+// out of their planes. Not covered: bearings that are softer in one plane, or damp; life.
 #pragma once
 
 #include "calculators/fatigue/endurance.hpp"
@@ -54,8 +55,8 @@ n = "1450 rpm"
 pieces = [{ l = "60 mm", d = "30 mm" }, { l = "80 mm", d = "40 mm" }, { l = "60 mm", d = "30 mm" }]
 supports = [{ name = "left", x = "15 mm", holds = "both" }, { name = "right", x = "185 mm" }]
 seats = [
-  { name = "coupling", x = "0 mm", way = "balances", mass = "2 kg", J = "0.002 kg*m^2" },
-  { name = "gear", x = "100 mm", T = "50 N*m", F_x = "-600 N", F_y = "1429 N", F_z = "300 N", x_w = "35 mm", mass = "1 kg", J = "0.0006 kg*m^2" },
+  { name = "coupling", x = "0 mm", way = "balances", mass = "2 kg", J = "0.002 kg*m^2", I_p = "0.002 kg*m^2", b = "40 mm" },
+  { name = "gear", x = "100 mm", T = "50 N*m", F_x = "-600 N", F_y = "1429 N", F_z = "300 N", x_w = "35 mm", mass = "1 kg", J = "0.0006 kg*m^2", I_p = "0.0006 kg*m^2", b = "30 mm" },
 ]
 g_angle = "-90 deg"
 notches = [
@@ -88,6 +89,7 @@ r_T = 0
     Length v_adm = unset<Length>;
     Twist theta_adm = unset<Twist>;
     double k_n = 1.25;
+    Whole whirl_modes = 1;
   };
   static constexpr std::tuple inputs{
       ListField{&Input::pieces, "pieces", "cylinders and tapers from left to right"},
@@ -146,7 +148,8 @@ r_T = 0
             "least critical speed over the speed; 1.25 is a custom. In torsion distance from any"}
           .at_least(1)
           .usually(1.1, 2)
-          .factor()};
+          .factor(),
+      Count{&Input::whirl_modes, "whirl_modes", 1, most_whirls, "modes of whirl that are listed"}.may_be_missing()};
 
   struct Result {
     Length l = unset<Length>, d_max = unset<Length>, d_s = unset<Length>;
@@ -157,11 +160,13 @@ r_T = 0
     Twist theta_max = unset<Twist>;
     double phi = unset<double>, psi = unset<double>;
     AngularSpeed n_c = unset<AngularSpeed>, n_R = unset<AngularSpeed>, n_D = unset<AngularSpeed>;
+    AngularSpeed n_F = unset<AngularSpeed>;
     AngularSpeed n_T = unset<AngularSpeed>, n = unset<AngularSpeed>;
     double u_y = unset<double>, u_theta = unset<double>, u_n = unset<double>, x_E = unset<double>;
     List<Carried, most_supports> bearings;
     List<Seated, most_seats> seats;
     List<Harmonic, 2 * most_orders + 1> harmonics;
+    List<Whirled, most_whirls> whirls;
     List<Section, most_places> sections;
     List<Safety, most_places> safeties;
   };
@@ -183,6 +188,8 @@ r_T = 0
       Field{&Result::n_c, "n_c", rpm, "first critical speed in bending, of masses without the turning of discs"},
       Field{&Result::n_R, "n_R", rpm, "the same by Rayleigh, never below it"},
       Field{&Result::n_D, "n_D", rpm, "the same by Dunkerley, never above it"},
+      Field{&Result::n_F, "n_F", rpm,
+            "first critical speed in bending with the turning of discs: of forward whirl, where a seat tells I_p"},
       Field{&Result::n_T, "n_T", rpm, "first critical speed in torsion, of the shaft and what sits on it alone"},
       Field{&Result::u_y, "u_y", ratio, "deflection over the allowable one"}.check("v_adm"),
       Field{&Result::u_theta, "u_theta", ratio, "twist per length over the allowable one"}.check("theta_adm"),
@@ -192,6 +199,7 @@ r_T = 0
       ListField{&Result::seats, "seats", "how the shaft moves where something sits on it"},
       ListField{&Result::harmonics, "harmonics",
                 "what can make the shaft swing about its axis: its turning, its orders, and the torques over a turn"},
+      ListField{&Result::whirls, "whirls", "how the bent shaft whirls with the turning of discs, slowest first"},
       ListField{&Result::sections, "sections", "sections where something changes, left to right"},
       ListField{&Result::safeties, "safeties", "the same sections against fatigue"}};
 
@@ -217,6 +225,8 @@ r_T = 0
   static bool slopes_of_all(const Input& in);
   static bool forces_make_torques(const Input& in);
   static bool turn_alike(const Input& in);
+  static bool discs_are_bodies(const Input& in);
+  static FieldFault no_body(const Input& in);
   static bool forces_turn_alike(const Input& in);
   static Applies weighed(const Input& in);
   static Applies thin_wall(const Input& in);
@@ -253,6 +263,7 @@ r_T = 0
           nullptr, true},
       yields_before_it_breaks<Input>(),
       lasts_below_tensile<&Input::sigma_W, Input>("sigma_W, R_m"),
+      Rule<Input>{&discs_are_bodies, "seats", "what turns as a disc is a body of revolution", &no_body},
       Rule<Input>{[](const Input& in) { return !(in.E < 2.0 * in.G || in.E > 3.0 * in.G); }, "E, G",
                   "E is between 2 G and 3 G: they belong to one material"},
       Rule<Input>{&treated_thick, "d_h, pieces",
@@ -285,6 +296,7 @@ r_T = 0
   static Applies loaded(const Input& in) { return where(!in.seats.empty() || is_set(in.g_angle)); }
   static Applies running(const Input& in);
   static Applies passes_resonance(const Input& in);
+  static Applies bears_discs(const Input& in);
   static Applies tired(const Input& in);
   static Applies crowds(const Input& in) { return where(asks_fatigue(in) && !notches_apart(in)); }
   static Applies brittle(const Input& in) { return shown_by(in.group == fatigue::Endurance::Group::grey_iron); }
@@ -312,6 +324,13 @@ r_T = 0
           .judged_by("u_n, s_max")
           .wanting("rho, seats mass")
           .in_service(),
+      Mode<Input>{"discs", "turning of what sits on it out of its plane: long hubs lower the critical speed",
+                  &bears_discs}
+          .wanting("seats I_p, I_d")
+          .special(),
+      Mode<Input>{"whirl_orders", "forces that come more often than once in a turn, at a frequency of whirl",
+                  &unseen<Input>}
+          .special(),
       Mode<Input>{"critical_torsion", "critical speed in torsion", &running}
           .judged_by("harmonics.u_h, s_max")
           .wanting("rho, seats J")

@@ -1,6 +1,7 @@
 // The shaft from the side, with bearings and seats, its diagrams below it, and the sections that govern; over a turn
 // what the weakest of them feels.
 #include "calculators/shaft/design/turn.hpp"
+#include "calculators/shaft/design/whirl.hpp"
 #include "lib/text/issue.hpp"
 
 #include <algorithm>
@@ -130,6 +131,7 @@ std::vector<draw::Figure> Design::figures(const Input& in, const Result& r) {
                    "sections that govern"
                  : "The shaft with its torques and bearings, its diagrams in both planes, and the sections that govern";
   std::vector<draw::Figure> all{{"shaft", caption, std::move(shaft)}};
+  if (auto whirl = campbell(in, *elastic, r)) all.push_back(*std::move(whirl));
   const auto weakest = std::max_element(r.safeties.begin(), r.safeties.end(),
                                         [](const Safety& a, const Safety& b) { return a.u_D < b.u_D; });
   if (varies(in) && weakest != r.safeties.end()) {

@@ -9,7 +9,7 @@
 namespace loadpath::shaft {
 
 inline constexpr std::size_t most_pieces = 32, most_supports = 8, most_seats = 24, most_notches = 32;
-inline constexpr std::size_t most_orders = 12;
+inline constexpr std::size_t most_orders = 12, most_whirls = 3;
 inline constexpr std::size_t most_places = 3 * most_pieces + 1 + most_supports + most_seats + most_notches;
 
 /// What a bearing carries, for bearing calculators to take whole.
@@ -104,6 +104,21 @@ struct Harmonic {
       Field{&Harmonic::n_above, "n_above", rpm, "the next one above"},
       Field{&Harmonic::u_h, "u_h", ratio, "critical speed in torsion: margin k_n over the distance from the nearer one"}
           .check()};
+};
+
+/// A mode in which the bent shaft goes around, forward with its turning or backward.
+struct Whirled {
+  Name name;
+  AngularSpeed f_0 = unset<AngularSpeed>;
+  AngularSpeed n_F = unset<AngularSpeed>, n_B = unset<AngularSpeed>;
+  AngularSpeed f_F = unset<AngularSpeed>, f_B = unset<AngularSpeed>;
+  static constexpr std::tuple fields{
+      NameField{&Whirled::name, "name", "which of its kind"},
+      Field{&Whirled::f_0, "f_0", Hz, "natural frequency of the shaft that does not turn, discs counted"},
+      Field{&Whirled::n_F, "n_F", rpm, "critical speed of forward whirl, which unbalance excites"},
+      Field{&Whirled::n_B, "n_B", rpm, "critical speed of backward whirl"},
+      Field{&Whirled::f_F, "f_F", Hz, "frequency of forward whirl at the speed of the shaft"},
+      Field{&Whirled::f_B, "f_B", Hz, "frequency of backward whirl there"}};
 };
 
 /// How a section stands against fatigue, by each school.

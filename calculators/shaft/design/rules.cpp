@@ -74,6 +74,26 @@ const Support* slipping(const Input& in) {
   return nullptr;
 }
 
+/// What may be wrong with what sits there as a body that turns; empty: nothing.
+struct BodyFault {
+  const char* key = "";
+  Message message = {};
+};
+BodyFault fault_of_body(const Seat& s) {
+  constexpr double rounding = 1.0 + 1e-6;
+  const bool across = is_set(s.I_d) || is_set(s.b);
+  if (across && !is_set(s.I_p)) return {"I_p", say("how it turns about its axis is missing: give I_p")};
+  if (is_set(s.I_p) && !across) return {"I_p", say("it turns about a diameter too: give I_d, or its width b")};
+  if (is_set(s.I_d) && is_set(s.b)) return {"b", say("the width is in place of I_d: give one of them")};
+  if (s.I_p > rounding * 2.0 * s.I_d)
+    return {"I_d", say("of no body is the moment of inertia about a diameter below half of that about the axis")};
+  if (!is_set(s.k_T) && s.I_p > rounding * s.J)
+    return {"I_p", say("J is of all that turns with it, and this is a part of that")};
+  if (s.mass == 0.0 * kg.one && (s.I_p > 0.0 * kg_m2.one || s.I_d > 0.0 * kg_m2.one))
+    return {"mass", say("what has a moment of inertia has a mass")};
+  return {};
+}
+
 }  // namespace
 
 bool Design::held(const Input& in) {
@@ -218,6 +238,30 @@ bool Design::turn_alike(const Input& in) {
     sense = in_si(seat.n);
   }
   return true;
+}
+
+bool Design::discs_are_bodies(const Input& in) {
+  return std::all_of(in.seats.begin(), in.seats.end(), [](const Seat& s) { return *fault_of_body(s).key == '\0'; });
+}
+
+FieldFault Design::no_body(const Input& in) {
+  for (std::size_t i = 0; i < in.seats.size(); ++i) {
+    const BodyFault fault = fault_of_body(in.seats[i]);
+    if (*fault.key != '\0') return {place_of("seats", in.seats, i, fault.key), fault.message, {}};
+  }
+  return {};
+}
+
+/// Points of mass stand for discs between bearings, where these hardly turn as the shaft first bends; not beyond them,
+/// and not beside seats that tell how they turn.
+Applies Design::bears_discs(const Input& in) {
+  const auto is_point = [](const Seat& s) { return s.mass > 0.0 * kg.one && !is_set(s.I_p); };
+  if (!is_set(speed_of(in)) || std::none_of(in.seats.begin(), in.seats.end(), is_point)) return Applies::no;
+  const auto ends = std::minmax_element(in.supports.begin(), in.supports.end(),
+                                        [](const Support& a, const Support& b) { return a.x < b.x; });
+  return shown_by(std::any_of(in.seats.begin(), in.seats.end(), [&](const Seat& s) {
+    return is_set(s.I_p) || (is_point(s) && (s.x < ends.first->x || s.x > ends.second->x));
+  }));
 }
 
 Applies Design::weighed(const Input& in) {

@@ -1,6 +1,7 @@
 #include "calculators/shaft/design/stretches.hpp"
 
 #include "lib/beam/varying.hpp"
+#include "lib/numerics/quadrature.hpp"
 
 #include <algorithm>
 #include <array>
@@ -31,6 +32,7 @@ Stretch of_cylinder(const Input& in, const Ring& ring, double l) {
   s.most_twist = 1.0 / (2.0 * in_si(in.G) * I);
   s.twists = s.most_twist * l;
   s.left_mass = s.right_mass = per_length * l / 2.0;
+  s.left_I_d = s.right_I_d = in_si(in.rho) * I * l / 2.0;
   s.weighs = beam::even(s.bends, per_length);
   return s;
 }
@@ -58,6 +60,12 @@ Stretch of_taper(const Input& in, const Piece& piece, double from, double l) {
   s.most_twist = 1.0 / (2.0 * in_si(in.G) * std::min(inertia_of(ring(0.0)), inertia_of(ring(l))));
   s.right_mass = weight.force(l) - weight.moment(l) / l;
   s.left_mass = weight.force(l) - s.right_mass;
+  const auto turning = [&](double begin, double end) {
+    double sum = 0.0;
+    for_each_gauss_8(begin, end, [&](double x, double part) { sum += part * in_si(in.rho) * inertia_of(ring(x)); });
+    return sum;
+  };
+  s.left_I_d = turning(0.0, l / 2.0), s.right_I_d = turning(l / 2.0, l);
   return s;
 }
 

@@ -28,6 +28,7 @@ struct Stretch {
   double twists = 0.0;                       // the integral of 1/(G I_p), rad/(N m)
   double most_twist = 0.0;                   // 1/(G I_p) where it is thinnest, rad/(N m^2)
   double left_mass = 0.0, right_mass = 0.0;  // of its ends, together its own, kg; NaN without the density
+  double left_I_d = 0.0, right_I_d = 0.0;    // of its halves, slice by slice about their diameters, kg m^2
   beam::OfEnds weighs{};                     // forces and couples on its ends under gravity of 1 m/s^2
 };
 beam::Row<Stretch> stretches_of(const Design::Input& in, const Stations& stations);

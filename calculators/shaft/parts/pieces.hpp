@@ -69,7 +69,8 @@ struct Seat {
   Length x_w = 0.0 * mm;
   AngularSpeed n = unset<AngularSpeed>;
   Mass mass = unset<Mass>;
-  MassMoment J = unset<MassMoment>;
+  MassMoment J = unset<MassMoment>, I_p = unset<MassMoment>, I_d = unset<MassMoment>;
+  Length b = unset<Length>;
   Moment k_T = unset<Moment>;
   double beta_adm = unset<double>;
   static constexpr std::tuple fields{
@@ -96,6 +97,17 @@ struct Seat {
           .may_be_missing(),
       Field{&Seat::J, "J", kg_m2,
             "moment of inertia about the axis of all that turns with it, for the critical speed in torsion"}
+          .at_least(0)
+          .may_be_missing(),
+      Field{&Seat::I_p, "I_p", kg_m2,
+            "of what sits there alone: moment of inertia about the axis, with I_d or b, for the critical speed in "
+            "bending"}
+          .at_least(0)
+          .may_be_missing(),
+      Field{&Seat::I_d, "I_d", kg_m2, "the same about a diameter through its middle; of a thin disc I_p/2"}
+          .at_least(0)
+          .may_be_missing(),
+      Field{&Seat::b, "b", mm, "width of its body along the shaft, mass even along it, in place of I_d"}
           .at_least(0)
           .may_be_missing(),
       Field{&Seat::k_T, "k_T", N_m_per_rad,

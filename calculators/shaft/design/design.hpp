@@ -326,7 +326,7 @@ r_T = 0
           .in_service(),
       Mode<Input>{"discs", "turning of what sits on it out of its plane: long hubs lower the critical speed",
                   &bears_discs}
-          .wanting("seats I_p, I_d")
+          .wanting("seats I_p, seats I_d")
           .special(),
       Mode<Input>{"whirl_orders", "forces that come more often than once in a turn, at a frequency of whirl",
                   &unseen<Input>}

@@ -38,8 +38,9 @@ template <class Tracer>
 void first_cycle(const Input& in, Result& r, Tracer& trace) {
   if (is_set(in.R_m)) {
     const Stress S_B = trace.value("S_B", tensile(in, trace), "tensile strength, of shear in shear: that of one cycle");
-    STEP_TO(r, x_B, in_shear(in) ? max(abs(r.sigma_max), abs(r.sigma_min)) / S_B : max(r.sigma_max, 0.0 * MPa) / S_B,
-            "what breaks at once lasts no cycles");
+    STEP(sigma_p, in.stress == Stresses::shear ? max(abs(r.sigma_max), abs(r.sigma_min)) : max(r.sigma_max, 0.0 * MPa),
+         "largest stress; of normal ones tension breaks");
+    STEP_TO(r, x_B, sigma_p / S_B, "what breaks at once lasts no cycles");
   }
   if (is_set(in.R_e)) {
     r.u_y = part_of_yield(in, r, trace);

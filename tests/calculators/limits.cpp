@@ -72,7 +72,6 @@ const Side bars[] = {
     {"shaft.design", "u_y", over, "v_adm", R"("0.0089 mm")", R"("0.00889 mm")"},
     {"shaft.design", "u_theta", over, "theta_adm", R"("0.445 deg/m")", R"("0.444 deg/m")"},
     {"shaft.design", "x_E", outside, "E", R"("179 GPa")", R"("178 GPa")"},
-    {"shaft.design", "u_n", over, "n", R"("70800 rpm")", R"("71000 rpm")"},
     {"shaft.design", "s_max", outside, "pieces",
      R"([{ l = "100 mm", d = "80 mm" }, { l = "100 mm", d = "80 mm", d_2 = "44.9 mm" }])",
      R"([{ l = "100 mm", d = "80 mm" }, { l = "100 mm", d = "80 mm", d_2 = "44.7 mm" }])",

@@ -55,4 +55,7 @@ AngularSpeed speed_of(const Design::Input& in);
 /// What the seat gives to the shaft at a position: positive where it drives.
 Moment torque_of(const Design::Input& in, std::size_t seat, std::size_t position);
 
+/// Of each taper the place where it is stressed most, and where it tires first if that is elsewhere.
+Weakest weakest_of_tapers(const Design::Input& in);
+
 }  // namespace loadpath::shaft

@@ -2,7 +2,6 @@
 
 #include "calculators/shaft/design/bending.hpp"
 #include "calculators/shaft/design/sections.hpp"
-#include "calculators/shaft/design/tapers.hpp"
 #include "calculators/shaft/design/torsion.hpp"
 #include "calculators/shaft/design/turn.hpp"
 #include "calculators/shaft/design/whirl.hpp"

@@ -1,5 +1,4 @@
-#include "calculators/shaft/design/tapers.hpp"
-
+#include "calculators/shaft/design/bending.hpp"
 #include "calculators/shaft/design/fatigue.hpp"
 #include "calculators/shaft/design/sections.hpp"
 #include "calculators/shaft/design/turn.hpp"

@@ -31,7 +31,7 @@ struct Overhung {
   [[nodiscard]] Whirl whirl() const {
     Row<Inertia> inertias(3);
     inertias[2] = disc;
-    return {beam_of({{a, E_I}, {c, E_I}}, {{0}, {1}}), inertias};
+    return {beam_of({uniform(a, E_I), uniform(c, E_I)}, {{0}, {1}}), inertias};
   }
   [[nodiscard]] double by_force() const { return c * c * (a + c) / (3.0 * E_I); }
   [[nodiscard]] double across() const { return c * (2.0 * a + 3.0 * c) / (6.0 * E_I); }
@@ -54,7 +54,10 @@ struct Overhung {
 Whirl random_shaft(std::mt19937& random) {
   std::uniform_real_distribution<double> part(0.1, 1.0);
   Row<Span> spans;
-  for (int s = 0; s < 5; ++s) spans.push_back({part(random), 1e5 * part(random), 1e8 * part(random)});
+  for (int s = 0; s < 5; ++s) {
+    const double l = part(random), EI = 1e5 * part(random);
+    spans.push_back(uniform(l, EI, 1e8 * part(random)));
+  };
   Row<Inertia> inertias;
   for (int n = 0; n < 6; ++n) {
     const double I_d = 0.5 * part(random);
@@ -114,7 +117,7 @@ TEST_SUITE("whirl") {
 
   TEST_CASE("a disc in the middle turns about no diameter in the first mode, and only so in the second") {
     Row<Inertia> inertias(3);
-    const Beam beam = beam_of({{0.5, E_I}, {0.5, E_I}}, {{0}, {2}});
+    const Beam beam = beam_of({uniform(0.5, E_I), uniform(0.5, E_I)}, {{0}, {2}});
     for (const double I_p : {0.0, 0.2, 0.39}) {
       inertias[1] = {25.0, 0.2, I_p};
       const Whirl whirl(beam, inertias);
@@ -136,7 +139,7 @@ TEST_SUITE("whirl") {
     const double l = length / count;
     Row<Inertia> inertias(count + 1, Inertia{mass * l, own * l, 2.0 * own * l});
     for (Inertia* end : {&inertias.front(), &inertias.back()}) *end = {mass * l / 2.0, own * l / 2.0, own * l};
-    const Whirl whirl(beam_of(Row<Span>(count, Span{l, E_I}), {{0}, {count}}), inertias);
+    const Whirl whirl(beam_of(Row<Span>(count, uniform(l, E_I)), {{0}, {count}}), inertias);
     for (std::size_t i = 0; i < 3; ++i) {
       const double k = (static_cast<double>(i) + 1.0) * pi / length, square = k * k * k * k * E_I;
       CHECK(whirl.critical(i, Sense::forward) == Approx(std::sqrt(square / (mass - own * k * k))).epsilon(1e-5));
@@ -149,7 +152,7 @@ TEST_SUITE("whirl") {
     std::vector<double> masses(41, 0.0);
     Row<Inertia> inertias(41);
     for (std::size_t n = 0; n < 41; ++n) inertias[n].m = masses[n] = 0.3 + 0.1 * std::sin(static_cast<double>(n));
-    const Beam beam = beam_of(Row<Span>(40, Span{0.05, E_I, 1e7}), {{4}, {33, 5e5}});
+    const Beam beam = beam_of(Row<Span>(40, uniform(0.05, E_I, 1e7)), {{4}, {33, 5e5}});
     const double lowest = frequencies(beam, masses).lowest;
     const Whirl whirl(beam, inertias);
     for (const Sense sense : both) {
@@ -187,7 +190,7 @@ TEST_SUITE("whirl") {
 
   TEST_CASE("a disc of immense inertia clamps the shaft; nothing whirls without mass") {
     Row<Inertia> inertias(4);
-    const Row<Span> spans{{0.5, E_I}, {0.5, E_I}, {0.3, E_I}};
+    const Row<Span> spans{uniform(0.5, E_I), uniform(0.5, E_I), uniform(0.3, E_I)};
     inertias[1] = {25.0, 0.0, 0.0}, inertias[3] = {1e14, 1e14, 2e14};
     const Whirl clamped(beam_of(spans, {{0}, {2}}), inertias);
     CHECK(clamped.critical(0, Sense::forward) < 1e-4);

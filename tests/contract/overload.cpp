@@ -88,8 +88,10 @@ constexpr std::array without_load{
     Reason{"machine.run_up stall", "its points are of motor and load alike, and are no single load"},
     Reason{"shaft.design critical_bending", by_speed},
     Reason{"shaft.design critical_torsion", by_speed},
+    Reason{"shaft.circlip opening", by_speed},
     Reason{"shaft.press_fit hub", by_sizes},
     Reason{"shaft.press_fit shaft", by_sizes},
+    Reason{"shaft.set_screw safety", "the safety that is asked for is given, not found; slip judges the load with it"},
     Reason{"vessel.ellipsoid knuckle", "its proof is a bound of the slenderness"},
 };
 

@@ -241,7 +241,7 @@ n_req = 1
       Field{&Result::D_consistent, "D_consistent", ratio, "the same, consistent: the fatigue limit falls"},
       Field{&Result::D_LZ, "D_LZ", ratio, "the same by Liu and Zenner"},
       Field{&Result::D, "D", ratio, "damage of one passage, by the rule that decides"},
-      Field{&Result::Z, "Z", ratio, "passages that are borne; inf: none of its cycles does damage"}.may_be_infinite(),
+      Field{&Result::Z, "Z", ratio, "passages that are borne; endless if no cycle does any damage"}.may_be_infinite(),
       Field{&Result::L, "L", hour, "life"}.may_be_infinite(),
       Field{
           &Result::S_eq, "S_eq", MPa,

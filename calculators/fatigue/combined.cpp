@@ -15,9 +15,8 @@ using Criterion = Combined::Criterion;
 template <class Tracer>
 void serensen(const Input& in, Stress sigma_t, Stress tau_t, Result& r, Tracer& trace) {
   if (!is_set(in.tau_D) || (!is_set(in.R_m) && !(is_set(in.psi_sigma) && is_set(in.psi_tau)))) return;
-  if (is_set(in.E) && !is_set(in.psi_sigma) && in.rule == Criterion::serensen) {
-    STEP_TO(r, x_E, in.E / (210.0 * GPa), "psi by R_m is that of steels");
-  }
+  if (!is_set(in.psi_sigma) && in.rule == Criterion::serensen)
+    compare_with_steel(in.E, r, "psi by R_m is that of steels", trace);
   const double psi_sigma = is_set(in.psi_sigma) ? trace.value("psi_sigma", in.psi_sigma, "as given")
                                                 : psi_of_steels("psi_sigma", in.R_m, trace);
   const double psi_tau =

@@ -148,9 +148,7 @@ Endurance::Result Endurance::evaluate(const Input& in, Tracer& trace) {
   r.N_0 = trace.value("N_0", ferrous ? 1e7 : 1e8,
                       ferrous ? "the curve runs level from about here, [B20]"
                               : "non-ferrous: no asymptote, the limit is conventional, [B20]");
-  if (is_set(in.E) && is_steel(in.group)) {
-    STEP_TO(r, x_E, in.E / (210.0 * GPa), "the group is one of steels");
-  }
+  if (is_steel(in.group)) compare_with_steel(in.E, r, "the group is one of steels", trace);
   notch(in, r, trace);
   if (in.school == School::serensen) {
     serensen(in, r, trace);

@@ -16,8 +16,6 @@ using Result = Life::Result;
 using Row = Life::Row;
 using Line = Life::Line;
 
-constexpr Stress fit_ends = 200.0 * kpsi;  // the fit of f goes no further
-
 bool in_shear(const Input& in) { return in.stress == Stresses::shear; }
 bool is_grey(const Input& in) { return in.group == Life::Group::grey_iron; }
 
@@ -109,10 +107,7 @@ bool fits_f(const Input& in) { return in.line == Line::shigley && !is_set(in.f) 
 template <class Tracer>
 double fraction(const Input& in, Tracer& trace) {
   if (is_set(in.f)) return trace.value("f", in.f, "as given");
-  const double S_k = in_kpsi(in.R_m, trace);
-  if (S_k < 70.0) return trace.value("f", 0.9, "below 70 kpsi, [Shigley6] example 6-8");
-  const double S_f = trace.value("S_f", std::min(S_k, 200.0), "the fit goes from 70 to 200 kpsi");
-  return NAMED_STEP("f", 1.06 - 2.8e-3 * S_f + 6.9e-6 * pow<2>(S_f), "fit of the 10th edition of [Shigley6], recalled");
+  return fraction_at_1e3(in.R_m, trace);
 }
 
 /// The line of finite life, amplitude = a_N N^b_N over cycles; none where what it needs is not given.
@@ -160,7 +155,7 @@ void strength_for_life(const Input& in, const Haigh& h, Result& r, Tracer& trace
     const Stress S_N = line_at(in, h, r, trace);
     r.S_e = is_set(in.sigma_D) ? NAMED_STEP("S_e", max(S_N, in.sigma_D), "not below the fatigue limit")
                                : NAMED_STEP("S_e", S_N, "no fatigue limit is given");
-    if (fits_f(in)) r.x_f = trace.value("x_f", in.R_m / fit_ends, "over 200 kpsi, where the fit of f ends");
+    if (fits_f(in)) r.x_f = trace.value("x_f", in.R_m / fit_of_f_ends, "over 200 kpsi, where the fit of f ends");
   }
   if (!is_set(in.N)) return;
   STEP_TO(r, x_N, 1000.0 / in.N, "low cycles are those of strains");
@@ -179,7 +174,7 @@ double life_at(const Input& in, const Result& r, Stress sigma_ar, Tracer& trace)
   }
   NoTrace quiet;
   const bool breaks = sigma_ar > tensile(in, quiet);
-  const bool outside = breaks || (fits_f(in) && in.R_m > fit_ends);
+  const bool outside = breaks || (fits_f(in) && in.R_m > fit_of_f_ends);
   if (!is_set(r.a_N) || outside || !(sigma_ar > 0.0 * MPa) || pow(sigma_ar / r.a_N, 1.0 / r.b_N) < 1000.0)
     return unset<double>;
   return NAMED_STEP("N", min(pow(sigma_ar / r.a_N, 1.0 / r.b_N), N_D), "by the line, as far as N_D; cycles");
@@ -369,9 +364,7 @@ Life::Result Life::evaluate(const Input& in, Tracer& trace) {
   static_cast<Characteristics&>(r) = cycle_of(in, trace);
   first_cycle(in, r, trace);
   if (r.kind == Kind::constant) return r;
-  if (is_set(in.E) && in.group <= Group::cast_steel) {
-    STEP_TO(r, x_E, in.E / (210.0 * GPa), "the group is one of steels");
-  }
+  if (in.group <= Group::cast_steel) compare_with_steel(in.E, r, "the group is one of steels", trace);
   Haigh h = strengths(in, r, trace);
   draw_line(in, h, r, trace);
   strength_for_life(in, h, r, trace);

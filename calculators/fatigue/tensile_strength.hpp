@@ -5,6 +5,8 @@
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
 
+#include <algorithm>
+
 namespace loadpath::fatigue {
 
 inline constexpr Stress kpsi = from_si<Stress>(6.894757e6);
@@ -12,6 +14,17 @@ inline constexpr Stress kpsi = from_si<Stress>(6.894757e6);
 template <class Tracer>
 double in_kpsi(Stress R_m, Tracer& trace) {
   return NAMED_STEP("S_k", R_m / (6.894757 * MPa), "R_m in kpsi, in which the fit is published");
+}
+
+inline constexpr Stress fit_of_f_ends = 200.0 * kpsi;
+
+/// Strength at 1e3 cycles over the tensile strength, of steels.
+template <class Tracer>
+double fraction_at_1e3(Stress R_m, Tracer& trace) {
+  const double S_k = in_kpsi(R_m, trace);
+  if (S_k < 70.0) return trace.value("f", 0.9, "below 70 kpsi, [Shigley6] example 6-8");
+  const double S_f = trace.value("S_f", std::min(S_k, 200.0), "the fit goes from 70 to 200 kpsi");
+  return NAMED_STEP("f", 1.06 - 2.8e-3 * S_f + 6.9e-6 * pow<2>(S_f), "fit of the 10th edition of [Shigley6], recalled");
 }
 
 template <class Tracer>

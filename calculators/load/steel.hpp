@@ -3,11 +3,10 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
 
 namespace loadpath {
-
-inline constexpr Stress modulus_of_steel = from_si<Stress>(210e9);
 
 template <class Input>
 constexpr auto modulus_of_material(Stress Input::*at) {
@@ -23,6 +22,13 @@ constexpr auto modulus_over_steel(double Result::*at) {
   return Field<Result, double>{at, "x_E", ratio, "modulus over the 210 GPa of steel, which the formulas are of"}
       .limit(0.85, 1.1)
       .where_it_applies();
+}
+
+/// Where it is known whose formulas they are; `why` says of what.
+template <class Result, class Tracer>
+void compare_with_steel(Stress E, Result& r, const char* why, Tracer& trace) {
+  if (!is_set(E)) return;
+  STEP_TO(r, x_E, E / (210.0 * GPa), why);
 }
 
 }  // namespace loadpath

@@ -51,9 +51,8 @@ Cross::Result Cross::evaluate(const Input& in, Tracer& trace) {
   STEP(W_t, pi / 16.0 * pow<3>(in.d_w) - in.d * pow<2>(in.d_w) / 6.0, "shaft less its cross hole, [DIN743]");
   STEP_TO(r, tau_t, T_d / W_t, "torsion of the shaft, nominal");
   strength(in, r, trace);
-  if (is_set(in.E) && is_set(in.R_m) && !is_set(in.tau_adm)) {
-    STEP_TO(r, x_E, in.E / (210.0 * GPa), "the shares of R_m are those of steels");
-  }
+  if (is_set(in.R_m) && !is_set(in.tau_adm))
+    compare_with_steel(in.E, r, "the shares of R_m are those of steels", trace);
   STEP_TO(r, x_d, in.d / in.d_w, "pins of 0.2 to 0.3 of the shaft are usual, [RM-9]");
   return r;
 }

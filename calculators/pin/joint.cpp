@@ -130,9 +130,8 @@ Joint::Result Joint::evaluate(const Input& in, Tracer& trace) {
   stresses(in, r, trace);
   pressures(in, r, trace);
   strength(in, r, trace);
-  if (is_set(in.E) && is_set(in.R_m) && !(is_set(in.sigma_adm) && is_set(in.tau_adm))) {
-    STEP_TO(r, x_E, in.E / (210.0 * GPa), "the shares of R_m are those of steels");
-  }
+  if (is_set(in.R_m) && !(is_set(in.sigma_adm) && is_set(in.tau_adm)))
+    compare_with_steel(in.E, r, "the shares of R_m are those of steels", trace);
   seats(in, r, trace);
   return r;
 }

@@ -15,6 +15,7 @@ template <class Tracer>
 void groove(const Input& in, Result& r, Tracer& trace) {
   const Force F_d = r.F_d;
   STEP_TO(r, t, (in.d_1 - in.d_2) / 2.0, "depth of the groove");
+  STEP_TO(r, x_t, t / in.d_1, "deeper ones weaken the shaft under it");
   STEP(A, pi / 4.0 * (pow<2>(in.d_1) - pow<2>(in.d_2)), "side of the groove");
   const double q = trace.value("q", is_set(in.q) ? in.q : q_long, is_set(in.q) ? "given" : "[DIN471]");
   STEP_TO(r, F_N, in.R_e * A / q, "at yield, [DIN471]");

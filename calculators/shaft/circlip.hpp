@@ -95,7 +95,7 @@ n = "1500 rpm"
   struct Result {
     Force F_d = unset<Force>, F_N = unset<Force>, F_ring = unset<Force>;
     Length t = unset<Length>;
-    double u_N = unset<double>, u_R = unset<double>, u_n = unset<double>, x_w = unset<double>;
+    double u_N = unset<double>, u_R = unset<double>, u_n = unset<double>, x_w = unset<double>, x_t = unset<double>;
     RingNotch notch;
   };
   static constexpr std::tuple results{
@@ -109,6 +109,9 @@ n = "1500 rpm"
       Field{&Result::x_w, "x_w", ratio, "width of the shoulder over the groove's depth: shorter ones need a q"}
           .limit(3 - 1e-9, 1e6)
           .where_it_applies(),
+      Field{&Result::x_t, "x_t", ratio,
+            "depth over the shaft's diameter: the standard's grooves have up to 0.034, own bound"}
+          .limit(0, 0.04),
       Group{&Result::notch, "notch", "the groove, for a notch of shaft.design: part"}.handed_over()};
 
   static constexpr std::array rules{Rule<Input>{[](const Input& in) { return !(in.d_1 <= in.d_2); }, "d_1, d_2",
@@ -117,7 +120,8 @@ n = "1500 rpm"
                                                 "F_Rg, g", "F_Rg is for a chamfer g: give both"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"groove", "side of the groove crushed, or its shoulder sheared off", &loaded}.judged_by("u_N, x_w"),
+      Mode<Input>{"groove", "side of the groove crushed, or its shoulder sheared off", &loaded}.judged_by(
+          "u_N, x_w, x_t"),
       Mode<Input>{"ring", "ring dished or pushed out", &loaded}.judged_by("u_R").wanting("c, F_R"),
       Mode<Input>{"opening", "a ring that opens by its speed", &turns_round}.judged_by("u_n").in_service(),
       Mode<Input>{"fatigue", "fatigue of the shaft at the groove", &varies}

@@ -61,56 +61,63 @@ R_e_k = "420 MPa"
     double f_W = unset<double>;
   };
   static bool sizes_given(const Input& in);
-  static constexpr std::tuple inputs{
-      RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
-      Field{&Input::T, "T", N_m, "torque"}.load(),
-      Field{&Input::T_max, "T_max", N_m, "largest torque of a start or a shock, where it is more than K_A T"}
-          .load()
-          .may_be_missing(),
-      Choice{&Input::torque, "torque", "whether the torque changes its sense"}.may_be_missing(),
-      Field{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
-          .positive()
-          .usually(1, 4)
-          .factor(),
-      Field{&Input::d, "d", mm, "diameter of the shaft"}.positive().usually(6, 500),
-      Field{&Input::b, "b", mm, "width of the key"}.positive().from("key", "b"),
-      Field{&Input::h, "h", mm, "height of the key"}.positive().from("key", "h"),
-      Field{&Input::t_1, "t_1", mm, "depth of the seat in the shaft"}.positive().from("key", "t_1"),
-      Field{&Input::t_2, "t_2", mm, "depth of the seat in the hub"}.positive().from("key", "t_2"),
-      Field{&Input::d_over, "d_over", mm, "shafts that the key belongs to: above"}.positive().from("key", "d_over"),
-      Field{&Input::d_to, "d_to", mm, "shafts that the key belongs to: up to"}.positive().from("key", "d_to"),
-      Field{&Input::l_min, "l_min", mm, "shortest key of this section"}.positive().from("key", "l_min").where_it_has(),
-      Field{&Input::l_max, "l_max", mm, "longest key of this section"}.positive().from("key", "l_max").where_it_has(),
-      Choice{&Input::form, "form", "ends of the key"}.may_be_missing(),
-      Field{&Input::l, "l", mm, "length of the key"}.positive().usually(6, 400).findable("key"),
-      Field{&Input::l_n, "l_n", mm, "length of the hub"}.positive().usually(5, 1000).may_be_missing(),
-      Count{&Input::i, "i", 1, 2, "keys around the shaft"}.may_be_missing(),
-      Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft"}.positive().usually(150, 2000).may_be_missing(),
-      Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub, at its thickness; none of a brittle one"}
-          .positive()
-          .usually(100, 2000)
-          .may_be_missing(),
-      Field{&Input::R_e_k, "R_e_k", MPa, "yield strength of the key"}.positive().usually(150, 2000).may_be_missing(),
-      Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable pressure in the shaft, in place of R_e_1"}
-          .positive()
-          .usually(20, 1500)
-          .may_be_missing(),
-      Field{&Input::p_adm_2, "p_adm_2", MPa, "allowable pressure in the hub, in place of R_e_2: of cast iron always"}
-          .positive()
-          .usually(20, 1500)
-          .may_be_missing(),
-      Field{&Input::p_adm_k, "p_adm_k", MPa, "allowable pressure on the key, in place of R_e_k"}
-          .positive()
-          .usually(20, 1500)
-          .may_be_missing(),
-      Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress of the key; by Mises from its pressure if missing"}
-          .positive()
-          .usually(10, 1000)
-          .may_be_missing(),
-      Field{&Input::f_W, "f_W", ratio, "factor of a torque that changes its sense, of method B; lowers what is allowed"}
-          .within(0.1, 1)
-          .may_be_missing()
-          .factor()};
+  static constexpr std::tuple inputs = std::tuple_cat(
+      torque_inputs<Input>(),
+      std::tuple{
+          Field{&Input::d, "d", mm, "diameter of the shaft"}.positive().usually(6, 500),
+          Field{&Input::b, "b", mm, "width of the key"}.positive().from("key", "b"),
+          Field{&Input::h, "h", mm, "height of the key"}.positive().from("key", "h"),
+          Field{&Input::t_1, "t_1", mm, "depth of the seat in the shaft"}.positive().from("key", "t_1"),
+          Field{&Input::t_2, "t_2", mm, "depth of the seat in the hub"}.positive().from("key", "t_2"),
+          Field{&Input::d_over, "d_over", mm, "shafts that the key belongs to: above"}.positive().from("key", "d_over"),
+          Field{&Input::d_to, "d_to", mm, "shafts that the key belongs to: up to"}.positive().from("key", "d_to"),
+          Field{&Input::l_min, "l_min", mm, "shortest key of this section"}
+              .positive()
+              .from("key", "l_min")
+              .where_it_has(),
+          Field{&Input::l_max, "l_max", mm, "longest key of this section"}
+              .positive()
+              .from("key", "l_max")
+              .where_it_has(),
+          Choice{&Input::form, "form", "ends of the key"}.may_be_missing(),
+          Field{&Input::l, "l", mm, "length of the key"}.positive().usually(6, 400).findable("key"),
+          Field{&Input::l_n, "l_n", mm, "length of the hub"}.positive().usually(5, 1000).may_be_missing(),
+          Count{&Input::i, "i", 1, 2, "keys around the shaft"}.may_be_missing(),
+          Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft"}
+              .positive()
+              .usually(150, 2000)
+              .may_be_missing(),
+          Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub, at its thickness; none of a brittle one"}
+              .positive()
+              .usually(100, 2000)
+              .may_be_missing(),
+          Field{&Input::R_e_k, "R_e_k", MPa, "yield strength of the key"}
+              .positive()
+              .usually(150, 2000)
+              .may_be_missing(),
+          Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable pressure in the shaft, in place of R_e_1"}
+              .positive()
+              .usually(20, 1500)
+              .may_be_missing(),
+          Field{&Input::p_adm_2, "p_adm_2", MPa,
+                "allowable pressure in the hub, in place of R_e_2: of cast iron always"}
+              .positive()
+              .usually(20, 1500)
+              .may_be_missing(),
+          Field{&Input::p_adm_k, "p_adm_k", MPa, "allowable pressure on the key, in place of R_e_k"}
+              .positive()
+              .usually(20, 1500)
+              .may_be_missing(),
+          Field{&Input::tau_adm, "tau_adm", MPa,
+                "allowable shear stress of the key; by Mises from its pressure if missing"}
+              .positive()
+              .usually(10, 1000)
+              .may_be_missing(),
+          Field{&Input::f_W, "f_W", ratio,
+                "factor of a torque that changes its sense, of method B; lowers what is allowed"}
+              .within(0.1, 1)
+              .may_be_missing()
+              .factor()});
 
   struct Result {
     Moment T_eq = unset<Moment>;
@@ -151,26 +158,23 @@ R_e_k = "420 MPa"
           .where_it_applies(),
       Group{&Result::notch, "notch", "the end of its seat, for a notch of shaft.design: part"}.handed_over()};
 
-  static constexpr std::array rules{
-      Rule<Input>{&sizes_given, "b, h, t_1", "give a key: key = \"14x9\", or b, h and t_1"},
-      Rule<Input>{[](const Input& in) { return !sizes_given(in) || in.t_1 < in.h; }, "t_1, h",
-                  "the seat in the shaft must be less deep than the key is high"},
-      Rule<Input>{[](const Input& in) { return !sizes_given(in) || 2.0 * in.t_1 < in.d; }, "t_1, d",
-                  "the seat cuts the shaft through"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.b) || !is_set(in.l) || in.form == Form::B || in.l > in.b; },
-                  "l, b, form", "a key with round ends must be longer than it is wide"},
-      Rule<Input>{[](const Input& in) { return is_set(in.d_over) == is_set(in.d_to) && !(in.d_to <= in.d_over); },
-                  "d_over, d_to", "d_over and d_to belong together, and d_to is the larger"},
-      Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_1) && is_set(in.R_e_1)); }, "p_adm_1, R_e_1",
-                  "give p_adm_1 or R_e_1, never both"},
-      Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_2) && is_set(in.R_e_2)); }, "p_adm_2, R_e_2",
-                  "give p_adm_2 or R_e_2, never both"},
-      Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_k) && is_set(in.R_e_k)); }, "p_adm_k, R_e_k",
-                  "give p_adm_k or R_e_k, never both"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.f_W) || in.torque == Sense::reversing; }, "f_W, torque",
-                  "f_W belongs to a torque that changes its sense: torque = \"reversing\""},
-      Rule<Input>{[](const Input& in) { return !(in.l < in.l_min) && !(in.l > in.l_max); }, "l, l_min, l_max",
-                  "the standard has no key of this section in that length", nullptr, true}};
+  static constexpr auto rules = join(
+      rules_of_sides<Input>(),
+      std::array{
+          Rule<Input>{&sizes_given, "b, h, t_1", "give a key: key = \"14x9\", or b, h and t_1"},
+          Rule<Input>{[](const Input& in) { return !sizes_given(in) || in.t_1 < in.h; }, "t_1, h",
+                      "the seat in the shaft must be less deep than the key is high"},
+          Rule<Input>{[](const Input& in) { return !sizes_given(in) || 2.0 * in.t_1 < in.d; }, "t_1, d",
+                      "the seat cuts the shaft through"},
+          Rule<Input>{
+              [](const Input& in) { return !is_set(in.b) || !is_set(in.l) || in.form == Form::B || in.l > in.b; },
+              "l, b, form", "a key with round ends must be longer than it is wide"},
+          Rule<Input>{[](const Input& in) { return is_set(in.d_over) == is_set(in.d_to) && !(in.d_to <= in.d_over); },
+                      "d_over, d_to", "d_over and d_to belong together, and d_to is the larger"},
+          Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_k) && is_set(in.R_e_k)); }, "p_adm_k, R_e_k",
+                      "give p_adm_k or R_e_k, never both"},
+          Rule<Input>{[](const Input& in) { return !(in.l < in.l_min) && !(in.l > in.l_max); }, "l, l_min, l_max",
+                      "the standard has no key of this section in that length", nullptr, true}});
 
   static constexpr std::array modes{
       Mode<Input>{"shaft", "side of the seat in the shaft crushed", &torque_loads<Input>}.judged_by("u_1"),

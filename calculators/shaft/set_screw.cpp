@@ -26,16 +26,15 @@ double share_of(SetScrew::Point point) {
   return unset<double>;
 }
 
-double least_safety(SetScrew::Case load_case) { return load_case == SetScrew::Case::dynamic ? 4.0 : 1.5; }
+double least_safety(const Input& in) {
+  const bool shaken =
+      in.load_case == SetScrew::Case::dynamic || (in.load_case == SetScrew::Case::unsaid && in.K_A > 1.0);
+  return shaken ? 4.0 : 1.5;
+}
 
 }  // namespace
 
 Applies SetScrew::loaded(const Input& in) { return where(abs(in.T) > 0.0 * N_m.one || abs(in.F_a) > 0.0 * N.one); }
-
-Applies SetScrew::asks_safety(const Input& in) {
-  if (in.load_case == Case::unsaid) return shown_by(in.K_A > 1.0);
-  return Applies::yes;
-}
 
 template <class Tracer>
 SetScrew::Result SetScrew::evaluate(const Input& in, Tracer& trace) {
@@ -47,10 +46,8 @@ SetScrew::Result SetScrew::evaluate(const Input& in, Tracer& trace) {
   STEP_TO(r, F_zul, k_P * in.k_H * k_i * in.F_h, "what they hold, [SPS]");
   STEP_TO(r, T_h, F_zul * in.d / 2.0, "without a force along the shaft");
   STEP_TO(r, u, in.S * F / F_zul, "against slip");
-  if (in.load_case != Case::unsaid) {
-    const double S_min = trace.value("S_min", least_safety(in.load_case), "of this load case, [SPS]");
-    STEP_TO(r, u_S, S_min / in.S, "the safety is no less");
-  }
+  const double S_min = trace.value("S_min", least_safety(in), "of this load case, [SPS]");
+  STEP_TO(r, u_S, S_min / in.S, "the safety is no less");
   return r;
 }
 

@@ -48,6 +48,11 @@ void strengths(const Input& in, Result& r, Tracer& trace) {
   if (is_set(in.p_adm_w)) {
     STEP_TO(r, u_w, p / in.p_adm_w, "against what a hub that slides allows");
   }
+  STEP_TO(r, tau_t, 16.0 / pi * r.T_eq * in.d_1 / (pow<4>(in.d_1) - pow<4>(in.d_bore)),
+          "the shaft inside of its teeth");
+  if (is_set(in.R_e_1)) {
+    STEP_TO(r, u_t, sqrt(3.0) * tau_t / in.R_e_1, "equivalent stress of pure shear, [Mises]");
+  }
   if (!is_set(tau)) return;
   if (is_set(in.tau_adm)) {
     STEP_TO(r, u_tau, tau / in.tau_adm, "against what a tooth allows in shear");

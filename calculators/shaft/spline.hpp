@@ -1,4 +1,5 @@
-// A splined shaft in its hub: pressure on the flanks, shear of the teeth, wear where the hub slides.
+// A splined shaft in its hub: pressure on the flanks, shear of the teeth, the shaft in torsion, wear where
+// the hub slides.
 //
 // Decides by the mean pressure on the flanks, p = 2 T/(d_m z h_w l phi): phi is the share of them that bears, 0.75
 // centred inside and 0.9 on the flanks, [WelleNabe], or typed (1/k_phi of DIN 5466); k_l what the pressure is more at
@@ -50,7 +51,7 @@ R_e_2 = "300 MPa"
     Sense torque = Sense::unknown;
     double K_A = 1.0;
     double z = unset<double>;
-    Length d_1 = unset<Length>, d_2 = unset<Length>, b = unset<Length>, g = 0.0 * mm;
+    Length d_1 = unset<Length>, d_2 = unset<Length>, b = unset<Length>, g = 0.0 * mm, d_bore = 0.0 * mm;
     Length l = unset<Length>;
     Hub hub = Hub::unknown;
     Centring centring = Centring::inner;
@@ -61,77 +62,81 @@ R_e_2 = "300 MPa"
   };
   static Applies slides(const Input& in);
   static Applies bears_evenly(const Input& in);
-  static constexpr std::tuple inputs{
-      RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
-      Field{&Input::T, "T", N_m, "torque"}.load(),
-      Field{&Input::T_max, "T_max", N_m, "largest torque of a start or a shock, where it is more than K_A T"}
-          .load()
-          .may_be_missing(),
-      Choice{&Input::torque, "torque", "whether the torque changes its sense"}.may_be_missing(),
-      Field{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
-          .positive()
-          .usually(1, 4)
-          .factor(),
-      Field{&Input::z, "z", ratio, "teeth of the spline"}.within(3, 500).from("spline", "z"),
-      Field{&Input::d_1, "d_1", mm, "inner diameter of the flanks that bear; of an involute one the hub's tip diameter"}
-          .positive()
-          .usually(5, 500)
-          .from("spline", "d_1"),
-      Field{&Input::d_2, "d_2", mm, "outer diameter of these flanks; of an involute one the shaft's tip diameter"}
-          .positive()
-          .usually(6, 500)
-          .from("spline", "d_2"),
-      Field{&Input::b, "b", mm, "thickness of a tooth, for its shear"}.positive().from("spline", "b").where_it_has(),
-      Field{&Input::g, "g", mm, "chamfer of a flank, taken off at its top and at its root"}.at_least(0).usually(0, 2),
-      Field{&Input::l, "l", mm, "length that bears"}.positive().usually(5, 1000),
-      Choice{&Input::hub, "hub", "whether the hub slides on the shaft"}.may_be_missing(),
-      Choice{&Input::centring, "centring", "what centres the hub: how many flanks bear"},
-      Field{&Input::phi, "phi", ratio, "share of the flanks that bears, in place of that of the centring"}
-          .within(0.1, 1)
-          .may_be_missing()
-          .factor(),
-      Field{&Input::k_l, "k_l", ratio, "largest over mean pressure along the length; missing: even, up to 1.3 d_m"}
-          .within(1, 5)
-          .may_be_missing()
-          .factor(),
-      Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft"}.positive().usually(150, 2000).may_be_missing(),
-      Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub, at its thickness; none of a brittle one"}
-          .positive()
-          .usually(100, 2000)
-          .may_be_missing(),
-      Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable pressure on the shaft, in place of R_e_1"}
-          .positive()
-          .usually(2, 1500)
-          .may_be_missing(),
-      Field{&Input::p_adm_2, "p_adm_2", MPa, "allowable pressure on the hub, in place of R_e_2: of cast iron always"}
-          .positive()
-          .usually(2, 1500)
-          .may_be_missing(),
-      Field{&Input::p_adm_w, "p_adm_w", MPa, "allowable pressure of a hub that slides: few MPa under its torque"}
-          .positive()
-          .usually(1, 150)
-          .may_be_missing(),
-      Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress of a tooth; by Mises from its pressure if missing"}
-          .positive()
-          .usually(10, 1000)
-          .may_be_missing(),
-      Field{&Input::f_W, "f_W", ratio, "factor of a torque that changes its sense; lowers what is allowed"}
-          .within(0.1, 1)
-          .may_be_missing()
-          .factor(),
-      Field{&Input::beta_b, "beta_b", ratio, "notch factor of the shaft at the end of the spline in bending, of tests"}
-          .within(1, 10)
-          .may_be_missing(),
-      Field{&Input::beta_t, "beta_t", ratio, "the same in torsion"}.within(1, 10).may_be_missing()};
+  static constexpr std::tuple inputs = std::tuple_cat(
+      torque_inputs<Input>(),
+      std::tuple{
+          Field{&Input::z, "z", ratio, "teeth of the spline"}.within(3, 500).from("spline", "z"),
+          Field{&Input::d_1, "d_1", mm,
+                "inner diameter of the flanks that bear; of an involute one the hub's tip diameter"}
+              .positive()
+              .usually(5, 500)
+              .from("spline", "d_1"),
+          Field{&Input::d_2, "d_2", mm, "outer diameter of these flanks; of an involute one the shaft's tip diameter"}
+              .positive()
+              .usually(6, 500)
+              .from("spline", "d_2"),
+          Field{&Input::b, "b", mm, "thickness of a tooth, for its shear"}
+              .positive()
+              .from("spline", "b")
+              .where_it_has(),
+          Field{&Input::g, "g", mm, "chamfer of a flank, taken off at its top and at its root"}.at_least(0).usually(0,
+                                                                                                                    2),
+          Field{&Input::d_bore, "d_bore", mm, "bore of the shaft"}.at_least(0),
+          Field{&Input::l, "l", mm, "length that bears"}.positive().usually(5, 1000),
+          Choice{&Input::hub, "hub", "whether the hub slides on the shaft"}.may_be_missing(),
+          Choice{&Input::centring, "centring", "what centres the hub: how many flanks bear"},
+          Field{&Input::phi, "phi", ratio, "share of the flanks that bears, in place of that of the centring"}
+              .within(0.1, 1)
+              .may_be_missing()
+              .factor(),
+          Field{&Input::k_l, "k_l", ratio, "largest over mean pressure along the length; missing: even, up to 1.3 d_m"}
+              .within(1, 5)
+              .may_be_missing()
+              .factor(),
+          Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft"}
+              .positive()
+              .usually(150, 2000)
+              .may_be_missing(),
+          Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub, at its thickness; none of a brittle one"}
+              .positive()
+              .usually(100, 2000)
+              .may_be_missing(),
+          Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable pressure on the shaft, in place of R_e_1"}
+              .positive()
+              .usually(2, 1500)
+              .may_be_missing(),
+          Field{&Input::p_adm_2, "p_adm_2", MPa,
+                "allowable pressure on the hub, in place of R_e_2: of cast iron always"}
+              .positive()
+              .usually(2, 1500)
+              .may_be_missing(),
+          Field{&Input::p_adm_w, "p_adm_w", MPa, "allowable pressure of a hub that slides: few MPa under its torque"}
+              .positive()
+              .usually(1, 150)
+              .may_be_missing(),
+          Field{&Input::tau_adm, "tau_adm", MPa,
+                "allowable shear stress of a tooth; by Mises from its pressure if missing"}
+              .positive()
+              .usually(10, 1000)
+              .may_be_missing(),
+          Field{&Input::f_W, "f_W", ratio, "factor of a torque that changes its sense; lowers what is allowed"}
+              .within(0.1, 1)
+              .may_be_missing()
+              .factor(),
+          Field{&Input::beta_b, "beta_b", ratio,
+                "notch factor of the shaft at the end of the spline in bending, of tests"}
+              .within(1, 10)
+              .may_be_missing(),
+          Field{&Input::beta_t, "beta_t", ratio, "the same in torsion"}.within(1, 10).may_be_missing()});
 
   struct Result {
     Moment T_eq = unset<Moment>;
     Length d_m = unset<Length>, h_w = unset<Length>;
     double share = unset<double>;
     Force F_t = unset<Force>;
-    Stress p = unset<Stress>, tau = unset<Stress>;
+    Stress p = unset<Stress>, tau = unset<Stress>, tau_t = unset<Stress>;
     double u_1 = unset<double>, u_2 = unset<double>, u_w = unset<double>, u_tau = unset<double>, u_W = unset<double>;
-    double x_l = unset<double>;
+    double u_t = unset<double>, x_l = unset<double>;
     SplineNotch notch;
   };
   static constexpr std::tuple results{
@@ -143,6 +148,7 @@ R_e_2 = "300 MPa"
       Field{&Result::F_t, "F_t", N, "force at the mean diameter"}.holding("K_A"),
       Field{&Result::p, "p", MPa, "largest pressure on the flanks"},
       Field{&Result::tau, "tau", MPa, "shear stress of the teeth"},
+      Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the shaft inside of its teeth"}.holding("K_A"),
       Field{&Result::u_1, "u_1", ratio, "shaft: pressure over the allowable one"}.check("p_adm_1, R_e_1"),
       Field{&Result::u_2, "u_2", ratio, "hub: pressure over the allowable one"}.check("p_adm_2, R_e_2"),
       Field{&Result::u_w, "u_w", ratio, "hub that slides: pressure over the allowable one"}.check("p_adm_w"),
@@ -152,34 +158,35 @@ R_e_2 = "300 MPa"
       Field{&Result::u_W, "u_W", ratio, "sides under a torque that changes its sense: the worse of them over f_W"}
           .check("f_W")
           .where_it_applies(),
+      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft: equivalent stress over its yield strength"}.check(
+          "R_e_1"),
       Field{&Result::x_l, "x_l", ratio, "length over d_m: longer ones do not bear evenly"}
           .limit(0, 1.3 + 1e-9)
           .where_it_applies(),
       Group{&Result::notch, "notch", "the end of the spline, for a notch of shaft.design: part"}.handed_over()};
 
-  static constexpr std::array rules{
-      Rule<Input>{[](const Input& in) { return !is_set(in.z) || in.z == std::floor(in.z); }, "z",
-                  "a spline has a whole number of teeth"},
-      Rule<Input>{[](const Input& in) { return !(in.d_2 <= in.d_1); }, "d_1, d_2", "d_2 must be the larger"},
-      Rule<Input>{[](const Input& in) { return !(in.d_2 - in.d_1 <= 4.0 * in.g); }, "g, d_1, d_2",
-                  "the chamfers leave nothing of the flank"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.b) || !(in.z * in.b >= pi * in.d_2); }, "b, z, d_2",
-                  "the teeth leave no room for those of the hub"},
-      Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_1) && is_set(in.R_e_1)); }, "p_adm_1, R_e_1",
-                  "give p_adm_1 or R_e_1, never both"},
-      Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_2) && is_set(in.R_e_2)); }, "p_adm_2, R_e_2",
-                  "give p_adm_2 or R_e_2, never both"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.p_adm_w) || in.hub == Hub::slides; }, "p_adm_w, hub",
-                  "p_adm_w belongs to a hub that slides: hub = \"slides\""},
-      Rule<Input>{[](const Input& in) { return is_set(in.beta_b) == is_set(in.beta_t); }, "beta_b, beta_t",
-                  "give beta_b and beta_t, or none of them"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.f_W) || in.torque == Sense::reversing; }, "f_W, torque",
-                  "f_W belongs to a torque that changes its sense: torque = \"reversing\""}};
+  static constexpr auto rules = join(
+      rules_of_sides<Input>(),
+      std::array{Rule<Input>{[](const Input& in) { return !is_set(in.z) || in.z == std::floor(in.z); }, "z",
+                             "a spline has a whole number of teeth"},
+                 Rule<Input>{[](const Input& in) { return !(in.d_2 <= in.d_1); }, "d_1, d_2", "d_2 must be the larger"},
+                 Rule<Input>{[](const Input& in) { return !(in.d_2 - in.d_1 <= 4.0 * in.g); }, "g, d_1, d_2",
+                             "the chamfers leave nothing of the flank"},
+                 Rule<Input>{[](const Input& in) { return !is_set(in.b) || !(in.z * in.b >= pi * in.d_2); },
+                             "b, z, d_2", "the teeth leave no room for those of the hub"},
+                 Rule<Input>{[](const Input& in) { return !(in.d_bore >= in.d_1); }, "d_bore, d_1",
+                             "the bore leaves nothing of the shaft"},
+                 Rule<Input>{[](const Input& in) { return !is_set(in.p_adm_w) || in.hub == Hub::slides; },
+                             "p_adm_w, hub", "p_adm_w belongs to a hub that slides: hub = \"slides\""},
+                 Rule<Input>{[](const Input& in) { return is_set(in.beta_b) == is_set(in.beta_t); }, "beta_b, beta_t",
+                             "give beta_b and beta_t, or none of them"}});
 
   static constexpr std::array modes{
       Mode<Input>{"shaft", "flanks of the shaft crushed", &torque_loads<Input>}.judged_by("u_1"),
       Mode<Input>{"hub", "flanks of the hub crushed", &torque_loads<Input>}.judged_by("u_2"),
       Mode<Input>{"teeth", "teeth sheared off", &torque_loads<Input>}.judged_by("u_tau").wanting("b"),
+      Mode<Input>{"core", "shaft twisted off inside of its teeth", &torque_loads<Input>}.judged_by("u_t").left_to(
+          "shaft.design", "notch.yield"),
       Mode<Input>{"reversal", "sides beaten out where the torque changes its sense", &torque_reverses<Input>}
           .judged_by("u_W")
           .in_service(),

@@ -367,12 +367,14 @@ const Side keys[] = {
     {"shaft.spline", "u_w", over, "p_adm_w", R"("23.9 MPa")", R"("23.8 MPa")", R"(hub = "slides")"},
     {"shaft.spline", "u_tau", over, "tau_adm", R"("9.6 MPa")", R"("9.5 MPa")"},
     {"shaft.spline", "u_W", over, "f_W", "0.265", "0.264", "torque = \"reversing\"\nR_e_2 = \"100 MPa\""},
+    {"shaft.spline", "u_t", over, "d_bore", R"("49.8 mm")", R"("49.9 mm")"},
     {"shaft.spline", "x_l", outside, "l", R"("72.8 mm")", R"("72.9 mm")"},
     {"shaft.set_screw", "u", over, "T", R"("44.4 N*m")", R"("44.5 N*m")"},
     {"shaft.set_screw", "u_S", over, "S", "1.5", "1.49"},
     {"shaft.circlip", "u_N", over, "R_e", R"("180.1 MPa")", R"("180 MPa")"},
     {"shaft.circlip", "u_R", over, "c", R"("1.36 mm")", R"("1.37 mm")"},
     {"shaft.circlip", "u_n", over, "n", R"("39000 rpm")", R"("39001 rpm")"},
+    {"shaft.circlip", "x_t", outside, "d_2", R"("16.57 mm")", R"("16.55 mm")", R"(w = "3 mm")"},
     {"shaft.circlip", "x_w", outside, "w", R"("1.5 mm")", R"("1.49 mm")"},
 };
 

@@ -8,9 +8,7 @@ namespace loadpath::fatigue {
 template <class Tracer>
 Din743::Result Din743::evaluate(const Input& in, Tracer& trace) {
   Result r{din743(in, in, din743_loads(in), trace)};
-  if (is_set(in.E)) {
-    STEP_TO(r, x_E, in.E / (210.0 * GPa), "its formulas are those of steels");
-  }
+  compare_with_steel(in.E, r, "its formulas are those of steels", trace);
   return r;
 }
 

@@ -8,9 +8,7 @@ namespace loadpath::fatigue {
 template <class Tracer>
 Fkm::Result Fkm::evaluate(const Input& in, Tracer& trace) {
   Result r{fkm_section(in, in, acting_loads(in), in, trace)};
-  if (is_set(in.E)) {
-    STEP_TO(r, x_E, in.E / (210.0 * GPa), "its formulas here are those of steels");
-  }
+  compare_with_steel(in.E, r, "its formulas here are those of steels", trace);
   return r;
 }
 

@@ -166,9 +166,8 @@ Design::Result Design::evaluate(const Input& in, Tracer& trace) {
   movement.finish();
   r.psi = turn.psi(turn.most_bent());
   if (is_set(r.n)) trace.speed("n", r.n, "of the shaft and all that sits on it");
-  if (asks_fatigue(in) && in.group <= fatigue::Endurance::Group::cast_steel) {
-    STEP_TO(r, x_E, in.E / (210.0 * GPa), "the group is one of steels");
-  }
+  if (asks_fatigue(in) && in.group <= fatigue::Endurance::Group::cast_steel)
+    compare_with_steel(in.E, r, "the group is one of steels", trace);
   judge_sections(in, elastic->stations, turn, r, trace);
   stiffness(in, r, trace);
   critical_speed(in, *elastic, r, trace);

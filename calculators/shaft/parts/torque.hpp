@@ -20,6 +20,35 @@ constexpr auto choices_of(Sense) {
       ChoiceName<Sense>{Sense::reversing, "reversing", "it does: starts both ways, or torsional vibration"}};
 }
 
+/// What is carried; of what has T, T_max, torque and K_A.
+template <class Input>
+constexpr auto torque_inputs() {
+  return std::tuple{
+      RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
+      Field<Input, Moment>{&Input::T, "T", N_m, "torque"}.load(),
+      Field<Input, Moment>{&Input::T_max, "T_max", N_m,
+                           "largest torque of a start or a shock, where it is more than K_A T"}
+          .load()
+          .may_be_missing(),
+      Choice{&Input::torque, "torque", "whether the torque changes its sense"}.may_be_missing(),
+      Field<Input, double>{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
+          .positive()
+          .usually(1, 4)
+          .factor()};
+}
+
+/// Each side has one strength, and a factor of the reversal wants one.
+template <class Input>
+constexpr auto rules_of_sides() {
+  return std::array{
+      Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_1) && is_set(in.R_e_1)); }, "p_adm_1, R_e_1",
+                  "give p_adm_1 or R_e_1, never both"},
+      Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_2) && is_set(in.R_e_2)); }, "p_adm_2, R_e_2",
+                  "give p_adm_2 or R_e_2, never both"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.f_W) || in.torque == Sense::reversing; }, "f_W, torque",
+                  "f_W belongs to a torque that changes its sense: torque = \"reversing\""}};
+}
+
 /// Something to carry: T, or T_max where it is given.
 template <class Input>
 Applies torque_loads(const Input& in) {

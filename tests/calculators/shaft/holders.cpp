@@ -49,7 +49,8 @@ TEST_SUITE("set screws") {
     CHECK(mode_with("shaft.set_screw", "K_A = 6", "slip") == "fail");
     CHECK(mode_with("shaft.set_screw", "load_case = \"dynamic\"", "safety") == "fail");
     CHECK(mode_with("shaft.set_screw", "load_case = \"dynamic\"\nS = 4", "safety") == "pass");
-    CHECK(mode_with("shaft.set_screw", "load_case = \nK_A = 1.5", "safety") == "not-judged");
+    CHECK(mode_with("shaft.set_screw", "load_case = \nK_A = 1.5", "safety") == "fail");
+    CHECK(mode_with("shaft.set_screw", "load_case = \nS = 1", "safety") == "fail");
   }
 }
 
@@ -75,6 +76,7 @@ TEST_SUITE("retaining rings") {
     CHECK(mode_with("shaft.circlip", "w = \"1 mm\"", "groove") == "not-covered");
     CHECK(mode_with("shaft.circlip", "w = \"1 mm\"\nq = 3", "groove") == "fail");
     CHECK(mode_with("shaft.circlip", "c = \"2 mm\"", "ring") == "fail");
+    CHECK(mode_with("shaft.circlip", "d_2 = \"8 mm\"\nw = \"20 mm\"", "groove") == "not-covered");  // a neck
     CHECK(mode_with("shaft.circlip", "c = ", "ring") == "not-judged");
     CHECK(mode_with("shaft.circlip", "n = \"40000 rpm\"", "opening") == "fail");
   }

@@ -76,6 +76,13 @@ TEST_SUITE("spline") {
     CHECK(mode_with("shaft.spline", "l = \"80 mm\"", "length") == "not-covered");
     CHECK(mode_with("shaft.spline", "l = \"80 mm\"\nk_l = 1.4", "length") == "none");
     CHECK(mode_with("shaft.spline", "T = \"0 N*m\"", "hub") == "none");
+    // its flanks bear what twists the shaft off
+    const std::string strong = "T = \"9 kN*m\"\nl = \"72 mm\"\nR_e_2 = \"370 MPa\"";
+    CHECK(mode_with("shaft.spline", strong, "shaft") == "pass");
+    CHECK(mode_with("shaft.spline", strong, "core") == "fail");
+    CHECK(mode_with("shaft.spline", "T = \"3 kN*m\"", "core") == "pass");
+    CHECK(mode_with("shaft.spline", "T = \"3 kN*m\"\nd_bore = \"46 mm\"", "core") == "fail");
+    CHECK(mode_with("shaft.spline", "R_e_1 = \np_adm_1 = \"100 MPa\"", "core") == "not-judged");
   }
 
   TEST_CASE("what contradicts is said") {

@@ -24,5 +24,5 @@ install_missing() {
   $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing
 }
 
-build_packages="g++ cmake ninja-build libboost1.81-dev libboost-json1.81-dev libcli11-dev libtomlplusplus-dev libeigen3-dev"
+build_packages="g++ cmake ninja-build libboost1.81-dev libboost-json1.81-dev libcli11-dev libtomlplusplus-dev libeigen3-dev librandom123-dev libnlopt-dev libnlopt-cxx-dev"
 test_packages="doctest-dev"

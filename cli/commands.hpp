@@ -30,6 +30,13 @@ struct RunOptions {
 };
 int run(const RunOptions& options);
 
+struct SweepOptions {
+  std::string file;
+  std::vector<std::string> results;
+  unsigned jobs = 0;  // threads; 0: as many as the machine has
+};
+int sweep(const SweepOptions& options);
+
 /// Why a project, a step, a result or a mode of failure came out as it did.
 struct WhyOptions {
   std::string file;

@@ -55,6 +55,18 @@ void setup_run(CLI::App& app, RunOptions& options, Action& action) {
   run_app->callback([&] { action = [&] { return run(options); }; });
 }
 
+void setup_sweep(CLI::App& app, SweepOptions& options, Action& action) {
+  CLI::App* sub = app.add_subcommand("sweep", "solve a project at every point of its ranges and distributions");
+  sub->add_option("file", options.file, "project file; - is standard input")->required();
+  sub->add_option("--results", options.results, "a result to read off every point: rod.u, or \"m = rod.mass + pin.mass\"")
+      ->type_name("RESULT")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  sub->add_option("--jobs", options.jobs, "threads; as many as the machine has where missing")->type_name("N");
+  sub->callback([&] { action = [&] { return sweep(options); }; });
+}
+
 void setup_why(CLI::App& app, WhyOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("why", "what decides over a step: what was chosen, what judges it, its formulas");
   sub->add_option("file", options.file, "project file; - is standard input")->required();
@@ -318,6 +330,7 @@ int dispatch(int argc, char** argv) {
   app.require_subcommand(0, 1);
   Action action;
   RunOptions run_options;
+  SweepOptions sweep_options;
   WhyOptions why_options;
   ListOptions list_options;
   DescribeOptions describe_options;
@@ -326,6 +339,7 @@ int dispatch(int argc, char** argv) {
   TablesOptions tables_options;
   CalculateOptions calculate_options;
   setup_run(app, run_options, action);
+  setup_sweep(app, sweep_options, action);
   setup_why(app, why_options, action);
   setup_list(app, list_options, action);
   setup_describe(app, describe_options, action);

@@ -42,7 +42,7 @@ void MechanismStep::prepare(const project::Declared& declared, const project::Co
   add_faults_of_names(issues);
   const auto typed = [this](const std::string& path) { return is_typed(path); };
   if (std::none_of(issues.begin(), issues.end(), is_own)) add_faults(name_mass_centres(data(), typed), issues);
-  const bool known = input().reading.operands.empty();
+  const bool known = is_known();
   if (known && !std::any_of(issues.begin(), issues.end(), is_own)) expand_template(issues);
   if (std::any_of(issues.begin(), issues.end(), is_own)) return;  // the model has holes: nothing more can be said of it
   complete();
@@ -60,6 +60,19 @@ void MechanismStep::prepare(const project::Declared& declared, const project::Co
 
 void MechanismStep::add_faults(const std::vector<FieldFault>& faults, std::vector<Issue>& issues) const {
   for (const FieldFault& fault : faults) issues.push_back(issue_at(input(), fault.path, fault.message, fault.hint));
+}
+
+/// A step may be solved again, with other values: what the template and the bars made of the last ones is taken back.
+void MechanismStep::restore() {
+  const Record& record = input().reading.record;
+  if (as_read_.type == nullptr) {
+    as_read_ = record.clone();
+    return;
+  }
+  std::vector<double> values;
+  for (const project::Varied& varied : input().reading.varied) values.push_back(varied.leaf.get());
+  record.type->copy(as_read_.data.get(), record.data.get());
+  for (std::size_t i = 0; i < values.size(); ++i) input().reading.varied[i].leaf.set(values[i]);
 }
 
 void MechanismStep::complete() {
@@ -227,13 +240,14 @@ bool MechanismStep::diagnose_model(const mechanism::Model& model, std::vector<Is
 
 void MechanismStep::solve(const project::Known& known, const project::Wanted& wanted, std::vector<Issue>& issues) {
   const std::size_t before = issues.size();
+  restore();
   for (const project::Operand& operand : input().reading.operands) {
     if (const auto value = evaluate_operand(operand, name(), known, issues)) operand.leaf.set(value->si[0]);
   }
   if (issues.size() != before || !expand_template(issues)) return;
   complete();
   mechanism::Model model = model_of(in_);
-  if (!input().reading.operands.empty() && !diagnose_model(model, issues)) return;
+  if (!is_known() && !diagnose_model(model, issues)) return;
   add_faults(choose_assembly(in_, structure_, model), issues);
   if (issues.size() != before) return;
   const bool redundant = !structure_.redundant.empty();

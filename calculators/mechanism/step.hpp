@@ -38,6 +38,9 @@ class MechanismStep : public project::Step {
   /// Puts the template's values, if there is one, into the input; false where they do not fit together.
   bool expand_template(std::vector<Issue>& issues);
   [[nodiscard]] bool is_typed(const std::string& path) const { return input().reading.typed.count(path) != 0; }
+  /// Whether every value is known before the project is solved.
+  [[nodiscard]] bool is_known() const { return input().reading.operands.empty() && input().reading.varied.empty(); }
+  void restore();
   /// What is solved, from what is given: with the inertia and middles of bars, and the parts of cylinders.
   void complete();
   [[nodiscard]] account::Origin origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const;
@@ -46,6 +49,7 @@ class MechanismStep : public project::Step {
   void tell(const Solved& solved, const project::Wanted& wanted);
   void illustrate(const Solved& solved);
 
+  Record as_read_;       // before it was solved for the first time
   Mechanism::Input in_;  // as it is solved
   std::vector<Output> outputs_;
   mechanism::Structure structure_;

@@ -2,11 +2,13 @@
 
 #include "lib/project/accept.hpp"
 #include "lib/quantity/number.hpp"
+#include "lib/table/tables.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace loadpath::project {
 
@@ -15,7 +17,7 @@ namespace {
 using toml::Tree;
 
 constexpr std::array reserved{"project", "values", "tables", "expect"};
-constexpr std::array keys_of_heading{"title", "number", "revision", "author", "checker", "date", "note", "tables"};
+constexpr std::array keys_of_heading{"title", "number", "revision", "author", "checker", "date", "note", "tables", "sweep"};
 const std::vector<std::string> step_keys{"calculator", "template", "title", "note", "display", "accept"};
 
 void add(std::vector<Issue>& issues, const Place& place, const std::string& key, Message message, Message hint = {}) {
@@ -67,9 +69,66 @@ bool read_template(const Tree& table, StepInput& input, std::vector<Issue>& issu
   return false;
 }
 
+/// 0, 1, 2... for words.
+sweep::Axis numbers_of(const std::vector<std::string>& words) {
+  std::vector<double> numbers(words.size());
+  std::iota(numbers.begin(), numbers.end(), 0.0);
+  return *sweep::Axis::list(std::move(numbers));
+}
+
+/// The rows that a step takes one after another: material = ["C45E", "42CrMo4"], section = { each = "ipe" }.
+void read_rows_in_turn(const Tree::Entry& row, StepInput& input, std::vector<Issue>& issues) {
+  const std::string key = input.name + "." + row.key;
+  Varied varied{.path = row.key, .leaf = {}, .place = row.value.place, .shared = row.value.shared};
+  for (const Tree& item : row.value.items) {
+    const auto found = item.type == Tree::Type::text ? input.tables->find_row(row.key, item.text)
+                                                     : Outcome<table::Entry>(Fault{0, 1, say("a row is a text"), {}});
+    if (!found)
+      return add(issues, place_in(item.place, item.text, found.fault().at, found.fault().length), key,
+                 found.fault().message, found.fault().hint);
+    varied.words.push_back(item.text);
+  }
+  if (const auto* each = row.value.find("each")) {
+    for (const table::Entry& found : input.tables->ordered_rows(row.key, each->value.text))
+      varied.words.push_back(found.row->name);
+    if (varied.words.empty())
+      return add(issues, each->value.place, key, say("there is no table or kind of {1} '{2}'", row.key, each->value.text),
+                 did_you_mean(each->value.text, input.tables->names_of(row.key)));
+  }
+  if (varied.words.empty()) return add(issues, row.value.place, key, say("a list of rows has one at least"));
+  input.rows[row.key] = {"", row.value.place};
+  varied.axis = numbers_of(varied.words);
+  input.reading.varied.push_back(std::move(varied));
+}
+
+/// The sizes of a stock that an input goes through, between its ends.
+void fill_stocks(StepInput& input, std::vector<Issue>& issues) {
+  for (Varied& varied : input.reading.varied) {
+    if (varied.stock.empty()) continue;
+    const std::string key = input.name + "." + varied.path;
+    const auto series = input.tables->find_series(varied.stock);
+    if (!series) {
+      add(issues, varied.place, key, say("there is no stock '{1}'", varied.stock),
+          did_you_mean(varied.stock, input.tables->series_names()));
+      continue;
+    }
+    std::vector<double> sizes = table::members_in_si(**series);
+    std::erase_if(sizes, [&](double si) {
+      return !(varied.from <= si && si <= varied.to) || !varied.leaf.field->bounds.holds(si);
+    });
+    if (sizes.empty()) {
+      add(issues, varied.place, key, say("the stock '{1}' has no size between these ends", varied.stock));
+      continue;
+    }
+    varied.leaf.set(sizes.front());
+    varied.axis = *sweep::Axis::list(std::move(sizes));
+  }
+}
+
 /// The row of one table: by its name, of another step, or the first that passes.
 void read_row(const Tree::Entry& row, StepInput& input, std::vector<Issue>& issues) {
   const std::string key = input.name + "." + row.key;
+  if (row.value.type == Tree::Type::array || row.value.find("each") != nullptr) return read_rows_in_turn(row, input, issues);
   const auto* stock = row.value.find("stock");
   for (const Tree::Entry& other : row.value.entries) {
     if (stock != nullptr && other.key != "stock")
@@ -300,6 +359,10 @@ void read_heading(const Tree::Entry& entry, Project& project, std::vector<Issue>
       continue;
     }
     if (e.key == "tables") continue;  // read before the steps
+    if (e.key == "sweep") {
+      read_sweep_settings(e.value, project.sweep, issues);
+      continue;
+    }
     const std::string text = text_of(e, "project." + e.key, issues);
     if (e.key == "title")
       project.title = text;
@@ -333,6 +396,7 @@ std::unique_ptr<Step> read_step(const Tree::Entry& entry, const Project& project
   input.reading = read_record(entry.value, *input.calculator->input, input.from, entry.key + ".",
                               keys_beside_fields(*input.calculator), issues);
   read_rows(entry.value, input, issues);
+  fill_stocks(input, issues);
   return known->make_step(std::move(input));
 }
 

@@ -173,6 +173,25 @@ void hand_out_warnings(Project& project, const std::vector<Issue>& issues) {
   }
 }
 
+void refuse_ranges(const Project& project, std::vector<Issue>& issues) {
+  for (const auto& step : project.steps) {
+    for (const Varied& varied : step->input().reading.varied) {
+      const std::string key = step->name() + "." + varied.path;
+      if (varied.distribution)
+        issues.push_back({varied.place,
+                          key,
+                          say("'{1}' is uncertain; computed at its middle value", varied.path),
+                          {},
+                          Severity::warning});
+      else
+        issues.push_back(
+            {varied.place, key, say("these are {1} values, and one is taken here", std::to_string(varied.axis.size())),
+             say("`loadpath sweep` goes through all of them, `loadpath run FILE --point 0` takes the first"),
+             Severity::error});
+    }
+  }
+}
+
 void add_step(const toml::Tree::Entry& entry, Project& project, Catalogue catalogue, std::vector<Issue>& issues) {
   for (std::string& path : files_in(entry.value)) project.files.push_back({std::move(path), {}});
   if (auto step = read_step(entry, project, catalogue, issues)) project.steps.push_back(std::move(step));
@@ -202,6 +221,8 @@ void check_expectations(Project& project, std::vector<Issue>& issues) {
 
 }  // namespace
 
+Outcome<Signature> Project::signature(const std::string& path) { return signature_of(*this, path); }
+
 const Step* Project::find(std::string_view name) const {
   const auto found = std::find_if(steps.begin(), steps.end(), [&](const auto& s) { return s->name() == name; });
   return found == steps.end() ? nullptr : found->get();
@@ -223,13 +244,15 @@ const Value* Project::value(const std::string& path) const {
   return step == nullptr ? nullptr : step->value(rest);
 }
 
-Project read_project(std::string_view text, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues) {
+Project read_project(std::string_view text, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues,
+                     Ranges ranges) {
   const toml::Tree tree = toml::read_toml(text, file, issues);
   if (has_errors(issues)) return {};
-  return read_project(tree, file, catalogue, issues);
+  return read_project(tree, file, catalogue, issues, ranges);
 }
 
-Project read_project(const toml::Tree& tree, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues) {
+Project read_project(const toml::Tree& tree, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues,
+                     Ranges ranges) {
   Project project;
   project.file = file;
   if (tree.entries.size() > most_tables) {
@@ -265,6 +288,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
                       Severity::error});
   }
   for (const auto& step : project.steps) refuse_own_rows(*step, issues);
+  if (ranges == Ranges::refused) refuse_ranges(project, issues);
   project.order = order_of_evaluation(project, issues);
   const Declared declared = [&](const std::string& path) { return signature_of(project, path); };
   for (const std::size_t i : project.order) {
@@ -282,10 +306,19 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
   return project;
 }
 
+Wanted with_references(const Project& project, Wanted wanted) {
+  wanted.taken.merge(taken_series(project));
+  wanted.compared.merge(compared_series(project));
+  return wanted;
+}
+
 void solve(Project& project, std::vector<Issue>& issues, Wanted wanted) {
+  solve_again(project, issues, with_references(project, std::move(wanted)));
+}
+
+void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wanted) {
   const Known known = known_of(project);
-  wanted.taken = taken_series(project);
-  wanted.compared = compared_series(project);
+  for (const auto& step : project.steps) step->forget();
   for (const std::size_t i : project.order) {
     check_factors(*project.steps[i], project, issues);
     check_meanings(*project.steps[i], project, issues);

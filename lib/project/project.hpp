@@ -3,6 +3,7 @@
 
 #include "lib/project/own_tables.hpp"
 #include "lib/project/read/shared.hpp"
+#include "lib/project/read/sweep_settings.hpp"
 #include "lib/quantity/literal.hpp"
 
 #include <map>
@@ -41,23 +42,35 @@ struct Project {
   std::vector<NamedFile> files;                 // that were read beside its own
   std::map<std::string, Value> table_values;    // that expressions name: "tables.materials.S355.E"
   std::vector<Expectation> expectations;
+  SweepSettings sweep;
   bool strict = false;  // what is open counts as not judged
 
   [[nodiscard]] const Step* find(std::string_view name) const;
   /// That there is no step of a path's name, and which there may be.
   [[nodiscard]] Fault unknown_step(const std::string& path) const;
+  /// Dimension and axis of "step.path", "values.n", "tables.materials.S355.E"; a Fault where there is none.
+  [[nodiscard]] Outcome<Signature> signature(const std::string& path);
   /// The value at "step.path" after solving, or nothing.
   [[nodiscard]] const Value* value(const std::string& path) const;
 };
 
+/// Whether an input may be a range or a list of values: `run` takes one value, a sweep goes through all.
+enum class Ranges { refused, taken };
+
 /// Reads a whole project and checks everything that can be known before it runs. With an error among the issues the
 /// project must not be solved.
-Project read_project(std::string_view text, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues);
+Project read_project(std::string_view text, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues,
+                     Ranges ranges = Ranges::refused);
 /// The same from a tree that is not a file's: the words of the shell.
-Project read_project(const toml::Tree& tree, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues);
+Project read_project(const toml::Tree& tree, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues,
+                     Ranges ranges = Ranges::refused);
 
 /// Solves the steps in order; stops at the first step with an issue.
 void solve(Project& project, std::vector<Issue>& issues, Wanted wanted = {});
+/// What is wanted, and what steps and expectations take of one another.
+Wanted with_references(const Project& project, Wanted wanted);
+/// The same as `solve`, as often as inputs are changed: of wants with references.
+void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wanted);
 
 /// The checks and limits of all steps.
 std::vector<account::Verdict> verdicts(const Project& project);

@@ -19,6 +19,8 @@ class SeriesChoice {
   /// "drive.M", "links.*.N"; with the step's name in front, "lever.links.*.N", those of that step. None: every series.
   explicit SeriesChoice(std::vector<std::string> patterns) : patterns_(std::move(patterns)) {}
 
+  static SeriesChoice none() { return SeriesChoice({std::string()}); }
+
   /// Whether the series of this path in this step is one of them.
   [[nodiscard]] bool holds(std::string_view step, std::string_view path) const;
   /// The patterns that choose no series of a solved project, with what they may have meant.

@@ -27,6 +27,7 @@ struct Wanted {
   bool pictures = true;                 // tables and figures
   bool formulas = true;                 // the derivation, written out
   bool unused = true;                   // which inputs have no effect
+  bool words = true;                    // where values come from, which lines a calculation has
   SeriesChoice series = {};             // of those that could be written
   std::set<std::string> taken = {};     // those that other steps refer to, "lever.drive.M": solve() fills it
   std::set<std::string> compared = {};  // those that expectations refer to: solve() fills it too
@@ -125,6 +126,11 @@ class Step {
   /// What the report says of the step's inputs.
   void remark(Message remark) { remarks_.push_back(std::move(remark)); }
   [[nodiscard]] const std::vector<Message>& remarks() const { return remarks_; }
+  /// Of what it was solved to before, nothing is left.
+  void forget() {
+    account_ = {};
+    rows_found_.clear();
+  }
   void warn(Message warning) { account_.warnings.push_back(std::move(warning)); }
 
  protected:

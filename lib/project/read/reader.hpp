@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lib/project/read/reading.hpp"
+#include "lib/project/read/spread.hpp"
 
 #include <span>
 #include <string>
@@ -39,7 +40,12 @@ class Reader {
   void read_history_of(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   /// Keys of a table that are none of these.
   void refuse_others(const toml::Tree& tree, const std::vector<std::string>& keys, const std::string& path);
-  void read_spread(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
+  void read_grid_of(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
+  void read_uncertain_of(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
+  Refuse refusing(const std::string& path);
+  void read_stock(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
+  void read_words(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
+  bool read_one(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path, double& si);
   void read_literal(const std::string& text, const Tree& tree, const FieldInfo& field, void* owner,
                     const std::string& path);
   void read_count(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);

@@ -4,8 +4,11 @@
 #include "lib/calculator/calculator.hpp"
 #include "lib/calculator/record.hpp"
 #include "lib/quantity/expression/expression.hpp"
+#include "lib/sweep/point/axis.hpp"
+#include "lib/sweep/point/distribution.hpp"
 #include "lib/toml/tree.hpp"
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -46,6 +49,20 @@ struct Search {
   bool names_stock = false;  // the user, not the field
 };
 
+/// An input that takes many values: a range, a list, words, what a distribution has. `run` takes one of them.
+struct Varied {
+  std::string path;
+  Leaf leaf;  // without field: the row of a table
+  Place place;
+  std::string shared = {};              // "values.n", where all that refer to it take the same
+  sweep::Axis axis = {};                // SI, of choices their numbers
+  std::vector<std::string> words = {};  // of a row or a choice
+  std::optional<sweep::Distribution> distribution = {};
+  std::string stock = {};               // whose sizes are the values: filled in where the tables are known
+  double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();
+  std::size_t at = 0;  // of the words, the one that it has now
+};
+
 /// A field that has no value yet, and must have one.
 struct Lacking {
   std::string path;
@@ -70,6 +87,7 @@ struct Reading {
   std::vector<Taken> records;    // that are among the operands and the words now, field by field
   std::vector<Lacking> lacking;  // that a record may fill, which is known when all steps are read
   std::vector<Search> searches;
+  std::vector<Varied> varied;
   std::map<std::string, Typed> typed;  // by the path of the leaf; lists and groups by their own path too
   std::set<std::string> faulty;        // top-level fields that an error is about: what else depends on them is not said
   std::vector<std::shared_ptr<const Axis>> axes;  // of series that files have given

@@ -1,6 +1,7 @@
 #include "lib/project/read/shared.hpp"
 
 #include "lib/project/read/reading.hpp"
+#include "lib/project/read/spread.hpp"
 #include "lib/quantity/literal.hpp"
 #include "lib/quantity/number.hpp"
 
@@ -49,7 +50,7 @@ void Values::read(const Tree::Entry& table, std::vector<Issue>& issues) {
              say("a name has Latin letters, digits and '_', and does not start with a digit"));
       continue;
     }
-    Shared shared{entry.value, entry.place, {}, false, false, false};
+    Shared shared{entry.value, entry.place, {}, std::nullopt, false, false, false};
     if (auto literal = literal_of(entry.value)) {
       shared.literal = std::move(*literal);
       shared.is_literal = true;
@@ -128,10 +129,55 @@ Outcome<Signature> Values::signature(const std::string& name) {
   if (found == all_.end() && told_.contains(name)) return Fault{};
   if (found == all_.end()) return Fault{0, name.size(), say("there is no value '{1}'", name), nearest_to(name)};
   found->second.is_used = true;
+  if (!found->second.is_literal) read_several(name, found->second);
   if (found->second.is_literal) return found->second.literal.signature;
   return Fault{0, name.size(), say("'values.{1}' is no literal to calculate with", name),
                say("it can stand alone: \"=values.{1}\"", name)};
 }
+
+/// A range, a list, an uncertain value, where an expression asks for it.
+void Values::read_several(const std::string& name, Shared& shared) {
+  const Tree& tree = shared.tree;
+  std::optional<Dimension> dimension;
+  const auto to_si = [&](const Tree& text, double& si) {
+    const auto one = literal_of(text);
+    if (!one || (dimension && one->signature.dimension != *dimension)) return false;
+    dimension = one->signature.dimension;
+    si = one->si[0];
+    return true;
+  };
+  const auto silent = [](const Place&, const Message&, const Message&) {};  // the caller tells that it is no literal
+  const auto of_first = [&](const Tree& text) {
+    const auto one = literal_of(text);
+    return one ? one->signature.dimension : Dimension{};
+  };
+  Several several{name, shared.place, {}, {}};
+  if (is_grid(tree) && (tree.type == Tree::Type::table || !tree.items.empty())) {
+    const Tree& first = tree.type == Tree::Type::table ? tree.find("from")->value : tree.items.front();
+    auto axis = read_grid(tree, of_first(first), to_si, silent);
+    if (!axis || !dimension) return;
+    several.axis = std::move(*axis);
+  } else if (is_uncertain(tree)) {
+    several.distribution = read_uncertain(tree, of_first(tree.entries.front().value), to_si, silent);
+    if (!several.distribution || !dimension) return;
+  } else {
+    return;
+  }
+  const double first = several.distribution ? several.distribution->mean() : several.axis.at(0);
+  shared.literal = {{*dimension, nullptr}, {first}};
+  shared.is_literal = true;
+  shared.several = std::move(several);
+}
+
+std::vector<Values::Several> Values::several() const {
+  std::vector<Several> all;
+  for (const auto& [name, shared] : all_) {
+    if (shared.several) all.push_back(*shared.several);
+  }
+  return all;
+}
+
+void Values::set(const std::string& name, double si) { all_.at(name).literal.si[0] = si; }
 
 const Value* Values::literal(const std::string& name) const {
   const auto found = all_.find(name);

@@ -3,10 +3,13 @@
 #pragma once
 
 #include "lib/quantity/series.hpp"
+#include "lib/sweep/point/axis.hpp"
+#include "lib/sweep/point/distribution.hpp"
 #include "lib/text/issue.hpp"
 #include "lib/toml/tree.hpp"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -18,6 +21,14 @@ bool is_shared(const toml::Tree::Entry& entry);
 
 class Values {
  public:
+  /// A value that is a range or a list, or uncertain, and that an expression calculates with.
+  struct Several {
+    std::string name;
+    Place place;
+    sweep::Axis axis;  // SI
+    std::optional<sweep::Distribution> distribution;
+  };
+
   /// Takes the table [values]; names that are none and references in a circle become issues.
   void read(const toml::Tree::Entry& table, std::vector<Issue>& issues);
   [[nodiscard]] bool empty() const { return all_.empty(); }
@@ -28,6 +39,10 @@ class Values {
   [[nodiscard]] Outcome<Signature> signature(const std::string& name);
   /// Null where there is none.
   [[nodiscard]] const Value* literal(const std::string& name) const;
+
+  [[nodiscard]] std::vector<Several> several() const;
+  /// Gives such a value one of them.
+  void set(const std::string& name, double si);
   /// A warning for every value that nothing refers to.
   void warn_of_unused(std::vector<Issue>& issues) const;
 
@@ -36,10 +51,12 @@ class Values {
     toml::Tree tree;
     Place place;  // of its name
     Value literal;
+    std::optional<Several> several = {};  // of which the literal is one
     bool is_literal = false;
     bool is_used = false;
     bool in_circle = false;  // which has been told
   };
+  static void read_several(const std::string& name, Shared& shared);
   [[nodiscard]] Message nearest_to(const std::string& name) const;
   void refuse_circle(const std::string& name, std::vector<Issue>& issues);
   void refuse_circles(std::vector<Issue>& issues);

@@ -1,6 +1,7 @@
 #include "lib/calculator/choice_words.hpp"
 #include "lib/project/read/history.hpp"
 #include "lib/project/read/reader.hpp"
+#include "lib/project/read/spread.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"
 
@@ -21,8 +22,7 @@ void Reader::read_quantity(const Tree& tree, const FieldInfo& field, void* owner
     case Tree::Type::table:
       return read_special(tree, field, owner, path);
     case Tree::Type::array:
-      return say_at(tree.place, path, say("a list of values makes this a range, and `run` takes one value"),
-                    say("give one of its values"));
+      return read_grid_of(tree, field, owner, path);
     case Tree::Type::boolean:
       return say_at(tree.place, path, say("a quantity is expected, not {1}", tree.text),
                     say("write a text with a unit, \"30 {1}\"", field.unit));
@@ -50,7 +50,7 @@ void Reader::read_expression(const Tree& tree, const FieldInfo& field, void* own
   reading_.operands.push_back({path, {&field, owner}, std::move(*parsed), std::move(text), start});
 }
 
-/// { file = "gauge.csv" }, { stock = "R40" }, { mean = ..., sd = ... }, { value = ..., tolerance = ... }.
+/// { file = "gauge.csv" }, { stock = "R40" }, { from = ..., to = ..., count = 11 }, { mean = ..., sd = ... }, { value = ..., tolerance = ... }.
 void Reader::read_special(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   if (field.takes_whole() && is_history(tree)) return read_history_of(tree, field, owner, path);
   if (const auto* stock = tree.find("stock")) {
@@ -60,10 +60,9 @@ void Reader::read_special(const Tree& tree, const FieldInfo& field, void* owner,
     reading_.searches.push_back({path, {&field, owner}, stock->value.text, stock->value.place, true});
     return;
   }
-  if (tree.find("from") != nullptr) {
-    return say_at(tree.place, path, say("this is a range, and `run` takes one value"), say("give one of its values"));
-  }
-  if (tree.find("mean") != nullptr || tree.find("value") != nullptr) return read_spread(tree, field, owner, path);
+  if (tree.find("each") != nullptr) return read_stock(tree, field, owner, path);
+  if (is_grid(tree)) return read_grid_of(tree, field, owner, path);
+  if (is_uncertain(tree)) return read_uncertain_of(tree, field, owner, path);
   say_at(tree.place, path, say("a quantity is expected, not {1}", toml::word_for(tree.type)),
          say("write a text with a unit, \"30 {1}\"", field.unit));
 }
@@ -73,27 +72,6 @@ void Reader::refuse_others(const Tree& tree, const std::vector<std::string>& key
     if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
     say_at(entry.place, path, say("'{1}' is no field here", entry.key), one_of(entry.key, keys));
   }
-}
-
-void Reader::read_spread(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
-  refuse_others(tree,
-                tree.find("mean") != nullptr ? std::vector<std::string>{"mean", "sd"}
-                                             : std::vector<std::string>{"value", "tolerance"},
-                path);
-  for (const char* key : {"sd", "tolerance"}) {
-    const auto* spread = tree.find(key);
-    if (spread == nullptr) continue;
-    if (spread->value.type == toml::Tree::Type::number && field.dimension.is_number()) continue;
-    const auto literal = parse_literal(spread->value.text);
-    const bool part = literal && literal->dimension.is_number() && spread->value.text.ends_with('%');
-    if (spread->value.type != Tree::Type::text || !literal || (!part && literal->dimension != field.dimension))
-      say_at(spread->value.place, path, say("'{1}' is a spread of a {2}", key, name_of(field.dimension)),
-             say("write a text in {1}, or a part of the value, \"5 %\"", field.unit));
-  }
-  const auto* middle = tree.find("mean") != nullptr ? tree.find("mean") : tree.find("value");
-  read_quantity(middle->value, field, owner, path);
-  reading_.typed[path].mean_of_uncertain = true;
-  say_at(tree.place, path, say("'{1}' is uncertain; computed at its middle value", path), {}, Severity::warning);
 }
 
 /// Whether a text that is no quantity refers to other steps, as expressions do.
@@ -149,6 +127,7 @@ void Reader::read_literal(const std::string& text, const Tree& tree, const Field
 
 void Reader::read_count(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   if (tree.type == Tree::Type::text && tree.text.starts_with('=')) return read_expression(tree, field, owner, path);
+  if (is_grid(tree)) return read_grid_of(tree, field, owner, path);
   const double n = tree.number;
   if (tree.type != Tree::Type::number || n != std::floor(n)) {
     const bool number = tree.type == Tree::Type::number;
@@ -165,6 +144,7 @@ void Reader::read_count(const Tree& tree, const FieldInfo& field, void* owner, c
 
 void Reader::read_choice(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   if (takes(tree, field, path)) return;
+  if (tree.type == Tree::Type::array) return read_words(tree, field, owner, path);
   const std::vector<std::string> words = words_to_type(field);
   if (tree.type != Tree::Type::text || std::find(words.begin(), words.end(), tree.text) == words.end()) {
     const std::string written =

@@ -100,6 +100,7 @@ bool CalculatorStep::is_open(const std::string& field) const {
   return reading.faulty.count(field) != 0 || names_row_for(field) ||
          std::any_of(reading.operands.begin(), reading.operands.end(), concerns) ||
          std::any_of(reading.taken.begin(), reading.taken.end(), concerns) ||
+         std::any_of(reading.varied.begin(), reading.varied.end(), concerns) ||
          std::any_of(searches_.begin(), searches_.end(), concerns) ||
          std::any_of(provided_.begin(), provided_.end(), concerns);
 }
@@ -266,6 +267,7 @@ void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector
   if (!run.check_rules(issues)) return;
   if (!run.search(issues)) return;
   run.evaluate();
+  run.trace_governing(wanted.words);
   if (wanted.unused) run.warn_of_unused(issues);
   run.fill(wanted, own_account());
   for (const auto& [group, row] : run.rows()) name_row(group, row.text);

@@ -230,7 +230,6 @@ void Run::evaluate() {
       columns_[order_[column++]].si[i] = std::isinf(si) && !field.infinite ? nan : si;
     });
   }
-  trace_governing();
 }
 
 /// Columns for the leaves of the result as it is now, in the order of a walk; those that are known keep their values.
@@ -260,10 +259,13 @@ std::size_t Run::governing_position() const {
   return best;
 }
 
-void Run::trace_governing() {
+void Run::trace_governing(bool in_words) {
   governing_ = governing_position();
   traced_ = !columns_.empty() && set_position(governing_);
-  if (traced_) calculator_.explain(record_.data.get(), result_.data.get(), trace_);
+  if (traced_ && in_words)
+    calculator_.explain(record_.data.get(), result_.data.get(), trace_);
+  else if (traced_ && positions() > 1)
+    calculator_.evaluate(record_.data.get(), result_.data.get());
 }
 
 }  // namespace loadpath::project

@@ -31,6 +31,8 @@ class Run {
   bool search(std::vector<Issue>& issues);
   /// All results at all positions.
   void evaluate();
+  /// What the calculation says where it governs; without words the results there alone.
+  void trace_governing(bool in_words);
   /// A warning for every typed input that could have been left out and has no effect.
   void warn_of_unused(std::vector<Issue>& issues);
   void fill(const Wanted& wanted, Account& account) const;
@@ -148,7 +150,6 @@ class Run {
   [[nodiscard]] std::vector<std::size_t> probes() const;
   [[nodiscard]] double untyped(const std::string& path, const FieldInfo& field) const;
   bool is_spare(const std::string& path, const Leaf& leaf);
-  void trace_governing();
   [[nodiscard]] std::size_t governing_position() const;
   void fill_inputs(Account& account) const;
   void fill_rows(Account& account) const;

@@ -30,6 +30,9 @@ bool Run::take_from_others(std::vector<Issue>& issues) {
     else
       take_word(taken, issues);
   }
+  for (const Varied& varied : step_.input().reading.varied) {
+    if (!varied.leaf) take_row(varied.path, varied.words[varied.at], issues);
+  }
   return issues.size() == before;
 }
 

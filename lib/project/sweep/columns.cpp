@@ -1,0 +1,121 @@
+#include "lib/project/sweep/columns.hpp"
+
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::project {
+
+namespace {
+
+using Kind = ResultColumn::Kind;
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// "m" and "rod.mass" of "m = rod.mass"; a comparison has none.
+std::pair<std::string, std::string> named(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) return {trimmed(text), trimmed(text)};
+  return {trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1))};
+}
+
+std::optional<Kind> kind_of_word(std::string_view word) {
+  if (word == "state") return Kind::state;
+  if (word == "utilisation") return Kind::utilisation;
+  if (word == "passes") return Kind::passes;
+  return std::nullopt;
+}
+
+/// "rod", "buckling", "utilisation" of "rod.modes.buckling.utilisation"; false where the text speaks of no verdict.
+bool read_verdict(const std::string& text, const Project& project, ResultColumn& column) {
+  const std::size_t last = text.rfind('.');
+  if (const auto kind = kind_of_word(text)) {
+    column.kind = *kind;
+    return true;
+  }
+  constexpr std::string_view modes = ".modes.";
+  const std::size_t at = text.find(modes);
+  const auto kind = last == std::string::npos ? std::nullopt : kind_of_word(std::string_view(text).substr(last + 1));
+  const std::string of = kind ? text.substr(0, last) : text;
+  if (!kind && at == std::string::npos) return false;
+  column.step = of.substr(0, std::min(at, of.size()));
+  if (at != std::string::npos && at < of.size()) column.mode = of.substr(at + modes.size());
+  column.kind = kind.value_or(Kind::utilisation);
+  const Step* const step = project.find(column.step);
+  return step != nullptr && (at != std::string::npos || step->field(text.substr(last + 1)) == nullptr);
+}
+
+/// The unit that a result is shown in.
+std::string unit_of(const ResultColumn& column, const Project& project) {
+  if (!column.expression.is_reference()) return si_unit(column.dimension);
+  const std::string path = column.expression.references().front().path;
+  const Step* const step = project.find(path.substr(0, path.find('.')));
+  const FieldInfo* const field = step == nullptr ? nullptr : step->field(path.substr(path.find('.') + 1));
+  return field == nullptr ? si_unit(column.dimension) : field->unit;
+}
+
+}  // namespace
+
+std::vector<std::string> modes_of(const Step& step) {
+  std::vector<std::string> modes;
+  for (const ModeInfo& mode : step.input().calculator->modes) modes.emplace_back(mode.id);
+  for (const char* id : {"inputs", "load"}) modes.emplace_back(id);  // without a value, without a load
+  return modes;
+}
+
+std::vector<ResultColumn> verdict_columns(const Project& project) {
+  const auto verdict = [](Kind kind, const std::string& name, const std::string& step, const std::string& mode) {
+    ResultColumn column;
+    column.kind = kind;
+    column.name = column.text = name;
+    column.unit = "-";
+    column.step = step;
+    column.mode = mode;
+    return column;
+  };
+  std::vector<ResultColumn> columns;
+  columns.push_back(verdict(Kind::state, "state", "", ""));
+  columns.push_back(verdict(Kind::utilisation, "utilisation", "", ""));
+  for (const auto& step : project.steps) {
+    for (const std::string& mode : modes_of(*step)) {
+      const std::string name = step->name() + ".modes." + mode;
+      columns.push_back(verdict(Kind::state, name + ".state", step->name(), mode));
+      columns.push_back(verdict(Kind::utilisation, name + ".utilisation", step->name(), mode));
+    }
+  }
+  return columns;
+}
+
+Outcome<ResultColumn> read_column(const std::string& given, Project& project) {
+  ResultColumn column;
+  auto [name, text] = named(given);
+  column.name = name;
+  column.text = text;
+  if (text.empty()) return Fault{0, 1, say("a result is expected"), say("name one: \"rod.u\"")};
+  if (read_verdict(text, project, column)) {
+    const Step* const step = project.find(column.step);
+    const auto modes = step == nullptr ? std::vector<std::string>{} : modes_of(*step);
+    if (!column.mode.empty() && std::find(modes.begin(), modes.end(), column.mode) == modes.end())
+      return Fault{0, text.size(), say("'{1}' has no mode '{2}'", column.step, column.mode),
+                   did_you_mean(column.mode, modes, there_is(modes))};
+    return column;
+  }
+  auto parsed = Expression::parse(text);
+  if (!parsed) return parsed.fault();
+  column.expression = std::move(*parsed);
+  const auto signature = column.expression.check([&](const std::string& path) { return project.signature(path); });
+  if (!signature) return signature.fault();
+  if (signature->axis != nullptr)
+    return Fault{0, text.size(), say("'{1}' is a series over {2}", text, signature->axis->name()),
+                 say("reduce it with peak, max, min, mean, rms or at")};
+  column.dimension = signature->dimension;
+  column.unit = unit_of(column, project);
+  return column;
+}
+
+}  // namespace loadpath::project

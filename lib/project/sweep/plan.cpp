@@ -1,0 +1,195 @@
+#include "lib/project/sweep/plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <optional>
+
+namespace loadpath::project {
+
+namespace {
+
+Issue refusal(const Place& place, const std::string& key, Message message, Message hint = {}) {
+  return {place, key, std::move(message), std::move(hint), Severity::error};
+}
+
+class Planning {
+ public:
+  Planning(const std::vector<SweptInput>& inputs, const SweepSettings& settings, std::vector<Issue>& issues)
+      : inputs_(inputs), settings_(settings), issues_(issues), variables_(inputs.size()) {}
+
+  sweep::Space space();
+  [[nodiscard]] std::vector<std::size_t> variables() const { return variables_; }
+
+ private:
+  std::optional<std::size_t> input_of(const Placed& name);
+  void add_level(const std::vector<std::size_t>& together);
+  void add_levels();
+  void add_random();
+  void correlate();
+
+  const std::vector<SweptInput>& inputs_;
+  const SweepSettings& settings_;
+  std::vector<Issue>& issues_;
+  std::vector<std::size_t> variables_;
+  std::vector<sweep::Space::Level> levels_;
+  sweep::Space::Random random_;
+  std::vector<std::size_t> uncertain_;  // inputs, in the order of the random variables
+  std::size_t next_ = 0;                // variable
+};
+
+std::optional<std::size_t> Planning::input_of(const Placed& name) {
+  const auto found =
+      std::find_if(inputs_.begin(), inputs_.end(), [&](const SweptInput& input) { return input.name == name.text; });
+  if (found != inputs_.end()) return static_cast<std::size_t>(found - inputs_.begin());
+  std::vector<std::string> names;
+  for (const SweptInput& input : inputs_) names.push_back(input.name);
+  issues_.push_back(refusal(name.place, "project.sweep", say("'{1}' is no input that takes many values", name.text),
+                            did_you_mean(name.text, names, there_is(names))));
+  return std::nullopt;
+}
+
+void Planning::add_level(const std::vector<std::size_t>& together) {
+  sweep::Space::Level level;
+  for (const std::size_t i : together) {
+    level.push_back(inputs_[i].axis);
+    variables_[i] = next_++;
+  }
+  levels_.push_back(std::move(level));
+}
+
+/// Inputs that run together stand where the first of them does.
+void Planning::add_levels() {
+  std::vector<std::vector<std::size_t>> zips;
+  for (const std::vector<Placed>& zip : settings_.zip) {
+    std::vector<std::size_t> together;
+    for (const Placed& name : zip) {
+      const auto input = input_of(name);
+      if (!input) return;
+      if (inputs_[*input].distribution)
+        return issues_.push_back(refusal(name.place, "project.sweep",
+                                         say("'{1}' is uncertain: it does not run along with others", name.text),
+                                         say("correlations let it go with them")));
+      const bool twice = std::any_of(zips.begin(), zips.end(), [&](const auto& other) {
+        return std::find(other.begin(), other.end(), *input) != other.end();
+      });
+      if (twice || std::find(together.begin(), together.end(), *input) != together.end())
+        return issues_.push_back(refusal(name.place, "project.sweep", say("'{1}' is named twice", name.text)));
+      if (!together.empty() && inputs_[together[0]].axis.size() != inputs_[*input].axis.size())
+        return issues_.push_back(refusal(
+            name.place, "project.sweep",
+            say("'{1}' has {2} values, '{3}' has {4}: they cannot run together", inputs_[together[0]].name,
+                std::to_string(inputs_[together[0]].axis.size()), name.text,
+                std::to_string(inputs_[*input].axis.size()))));
+      together.push_back(*input);
+    }
+    if (!together.empty()) zips.push_back(std::move(together));
+  }
+  std::vector<bool> placed(inputs_.size());
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    if (placed[i] || inputs_[i].distribution) continue;
+    const auto zip = std::find_if(zips.begin(), zips.end(), [&](const auto& together) {
+      return std::find(together.begin(), together.end(), i) != together.end();
+    });
+    const std::vector<std::size_t> together = zip == zips.end() ? std::vector<std::size_t>{i} : *zip;
+    for (const std::size_t k : together) placed[k] = true;
+    add_level(together);
+  }
+}
+
+void Planning::add_random() {
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    if (!inputs_[i].distribution) continue;
+    random_.variables.push_back(*inputs_[i].distribution);
+    uncertain_.push_back(i);
+    variables_[i] = next_++;
+  }
+  random_.samples = uncertain_.empty() ? 1 : settings_.samples;
+  random_.seed = settings_.seed;
+  random_.sampling = settings_.latin ? sweep::Sampling::latin_hypercube : sweep::Sampling::random;
+}
+
+void Planning::correlate() {
+  if (settings_.correlations.empty()) return;
+  const std::size_t n = uncertain_.size();
+  std::vector<double> matrix(n * n);
+  for (std::size_t i = 0; i < n; ++i) matrix[i * n + i] = 1.0;
+  for (const Correlated& pair : settings_.correlations) {
+    std::array<std::size_t, 2> at{};
+    for (const auto& [name, place] : {std::pair{&pair.first, &at[0]}, {&pair.second, &at[1]}}) {
+      const auto input = input_of(*name);
+      if (!input) return;
+      const auto found = std::find(uncertain_.begin(), uncertain_.end(), *input);
+      if (found == uncertain_.end())
+        return issues_.push_back(
+            refusal(name->place, "project.sweep", say("'{1}' is not uncertain: it has no correlation", name->text)));
+      *place = static_cast<std::size_t>(found - uncertain_.begin());
+    }
+    matrix[at[0] * n + at[1]] = matrix[at[1] * n + at[0]] = pair.r;
+  }
+  std::vector<std::string> names;
+  for (const std::size_t i : uncertain_) names.push_back(inputs_[i].name);
+  auto correlation = sweep::Correlation::of(std::move(matrix), names);
+  if (correlation)
+    random_.correlation = std::move(*correlation);
+  else
+    issues_.push_back(refusal(settings_.correlations.front().first.place, "project.sweep",
+                              correlation.fault().message, correlation.fault().hint));
+}
+
+sweep::Space Planning::space() {
+  add_levels();
+  add_random();
+  correlate();
+  if (has_errors(issues_)) return {};
+  auto space = sweep::Space::of(std::move(levels_), std::move(random_));
+  if (space) return std::move(*space);
+  issues_.push_back(refusal(inputs_.empty() ? Place{} : inputs_.front().place, "project.sweep", space.fault().message,
+                            space.fault().hint));
+  return {};
+}
+
+}  // namespace
+
+std::vector<double> SweepPlan::at(std::uint64_t index) const {
+  const std::vector<double> point = space.point(index);
+  std::vector<double> values;
+  for (const std::size_t variable : variables) values.push_back(point[variable]);
+  return values;
+}
+
+void SweepPlan::fill(std::uint64_t first, std::size_t n, std::span<double* const> of_inputs) const {
+  std::vector<double*> ordered(of_inputs.size());
+  for (std::size_t i = 0; i < of_inputs.size(); ++i) ordered[variables[i]] = of_inputs[i];
+  space.fill(first, n, ordered);
+}
+
+SweepPlan plan_sweep(Project& project, const SweepSettings& settings, std::vector<Issue>& issues) {
+  SweepPlan plan;
+  plan.inputs = swept_inputs(project);
+  for (const Placed& result : settings.results) {
+    auto column = read_column(result.text, project);
+    if (!column) {
+      const Fault& fault = column.fault();
+      issues.push_back(refusal(result.place, "project.sweep", fault.message, fault.hint));
+      continue;
+    }
+    const auto same = [&](const ResultColumn& other) { return other.name == column->name; };
+    if (std::any_of(plan.columns.begin(), plan.columns.end(), same))
+      issues.push_back(refusal(result.place, "project.sweep", say("there are two results '{1}'", column->name),
+                               say("name one of them: \"second = {1}\"", column->text)));
+    plan.columns.push_back(std::move(*column));
+  }
+  Planning planning(plan.inputs, settings, issues);
+  plan.space = planning.space();
+  plan.variables = planning.variables();
+  return plan;
+}
+
+void set_point(Project& project, const SweepPlan& plan, std::uint64_t index, std::vector<Issue>& issues) {
+  const std::vector<double> values = plan.at(index);
+  const std::vector<SweptInput> inputs = swept_inputs(project);
+  for (std::size_t i = 0; i < inputs.size(); ++i) set_input(project, inputs[i], values[i], issues);
+}
+
+}  // namespace loadpath::project

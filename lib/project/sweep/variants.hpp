@@ -1,0 +1,48 @@
+// A project as one function of its point: every input that takes many values in, every result that is asked for out,
+// through the whole path of the loads. A point gives the same bits wherever it is solved: `loadpath run --point` takes
+// the same way.
+#pragma once
+
+#include "lib/project/sweep/axes.hpp"
+#include "lib/project/sweep/columns.hpp"
+#include "lib/sweep/function.hpp"
+
+#include <vector>
+
+namespace loadpath::project {
+
+/// A point that was not solved, and why.
+struct Refusal {
+  std::size_t row;  // of the block
+  Issue issue;
+};
+
+class Variants final : public sweep::Function {
+ public:
+  /// `results`: columns as they were asked for, which have been read without a fault; then come the verdicts, see
+  /// verdict_columns().
+  Variants(Project project, const std::vector<std::string>& results);
+
+  [[nodiscard]] const std::vector<SweptInput>& axes() const { return axes_; }
+  [[nodiscard]] const std::vector<ResultColumn>& columns() const { return columns_; }
+  [[nodiscard]] const Project& project() const { return project_; }
+  [[nodiscard]] std::size_t inputs() const override { return axes_.size(); }
+  [[nodiscard]] std::size_t outputs() const override { return columns_.size(); }
+  void evaluate(std::span<const double* const> in, std::span<double* const> out, std::size_t n) override;
+  /// Of the points that were evaluated last, in their order.
+  [[nodiscard]] const std::vector<Refusal>& refusals() const { return refusals_; }
+
+ private:
+  bool solve_point(std::span<const double* const> in, std::size_t row);
+  [[nodiscard]] double read(const ResultColumn& column) const;
+  [[nodiscard]] double state_of(const ResultColumn& column) const;
+  [[nodiscard]] double utilisation_of(const ResultColumn& column) const;
+
+  Project project_;
+  std::vector<SweptInput> axes_;
+  std::vector<ResultColumn> columns_;
+  Wanted wanted_;
+  std::vector<Refusal> refusals_;
+};
+
+}  // namespace loadpath::project

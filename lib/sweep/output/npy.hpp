@@ -1,0 +1,36 @@
+// Columns of numbers as numpy reads them, at once or mapped into memory: NAME.npy, version 1.0, little-endian doubles.
+#pragma once
+
+#include "lib/text/issue.hpp"
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <span>
+
+namespace loadpath::sweep {
+
+/// Numbers are appended; how many there are stands in the header, which `flush` sets.
+class NpyColumn {
+ public:
+  /// A new file, or the first `rows` numbers of one that is there.
+  static Outcome<NpyColumn> open(const std::filesystem::path& path, std::uint64_t rows = 0);
+
+  [[nodiscard]] bool append(std::span<const double> values);
+  /// Everything that was appended is on the disk afterwards; false where that cannot be.
+  [[nodiscard]] bool flush();
+  [[nodiscard]] std::uint64_t rows() const { return rows_; }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::unique_ptr<std::FILE, Close> file_;
+  std::uint64_t rows_ = 0;
+};
+
+/// The numbers of such a file; a Fault where it is none.
+Outcome<std::vector<double>> read_npy(const std::filesystem::path& path);
+
+}  // namespace loadpath::sweep

@@ -1,0 +1,141 @@
+// What ranges, lists, stocks, words and distributions of a project make of it, point by point.
+#include "tests/lib/project/solved.hpp"
+#include "tests/lib/project/sweep/swept.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+using namespace loadpath;
+using account::State;
+using doctest::Approx;
+using test::contains;
+using test::Solved;
+using test::Swept;
+
+namespace {
+
+const std::string shaft = "[shaft]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nG = \"81 GPa\"\ntheta_adm = "
+                          "\"0.25 deg/m\"\nl = \"1 m\"\n";
+
+double number_of(State state) { return static_cast<double>(state); }
+
+}  // namespace
+
+TEST_SUITE("points of a sweep") {
+  TEST_CASE("a range, crossed with a list: the last in the file runs fastest") {
+    const Swept swept(shaft + "T = { from = \"100 N*m\", to = \"300 N*m\", step = \"100 N*m\" }\nd = [\"40 mm\", \"60 "
+                              "mm\"]\n",
+                      {"shaft.tau_max", "shaft.passes"});
+    REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
+    CHECK(swept.input("shaft.T") == std::vector<double>{100, 100, 200, 200, 300, 300});
+    CHECK(swept.input("shaft.d") == std::vector<double>{0.04, 0.06, 0.04, 0.06, 0.04, 0.06});
+    for (std::size_t i = 0; i < 6; ++i) {
+      const double T = swept.input("shaft.T")[i], d = swept.input("shaft.d")[i];
+      CHECK(swept.column("shaft.tau_max")[i] == Approx(16.0 * T / (M_PI * d * d * d)).epsilon(1e-12));
+    }
+  }
+
+  TEST_CASE("a point is the machine with its values typed, to the bit") {
+    const std::string text = shaft + "d = [\"20 mm\", \"60 mm\"]\nT = { from = \"100 N*m\", to = \"1 kN*m\", log = 5 "
+                                     "}\n";
+    const Swept swept(text, {"shaft.tau_max", "shaft.theta_max"});
+    REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
+    for (std::size_t i = 0; i < 10; ++i) {
+      std::vector<Issue> issues;
+      project::Project alone = swept.read(issues);
+      project::set_point(alone, swept.plan, i, issues);
+      project::solve(alone, issues);
+      REQUIRE(!has_errors(issues));
+      CHECK(alone.value("shaft.tau_max")->si[0] == swept.column("shaft.tau_max")[i]);
+      CHECK(alone.value("shaft.theta_max")->si[0] == swept.column("shaft.theta_max")[i]);
+      const auto modes = project::modes(alone);
+      CHECK(number_of(account::overall(modes)) == swept.column("state")[i]);
+      for (const account::Mode& mode : modes)
+        CHECK(number_of(mode.state) == swept.column(mode.step + ".modes." + mode.id + ".state")[i]);
+    }
+  }
+
+  TEST_CASE("any number of threads gives the same bits in the same order") {
+    const std::string text = shaft + "d = { from = \"20 mm\", to = \"60 mm\", count = 41 }\nT = { mean = \"200 N*m\", sd "
+                                     "= \"10 %\" }\n[project]\nsweep = { samples = 20, seed = 7 }\n";
+    const Swept one(text, {"shaft.tau_max"}, 1), three(text, {"shaft.tau_max"}, 3);
+    REQUIRE_MESSAGE(one.errors().empty(), one.errors());
+    REQUIRE(one.column("shaft.tau_max").size() == 820);
+    CHECK(one.column("shaft.tau_max") == three.column("shaft.tau_max"));
+    CHECK(one.input("shaft.T") == three.input("shaft.T"));
+  }
+
+  TEST_CASE("sizes of a stock, rows of tables, words") {
+    const Swept sizes(shaft + "T = \"100 N*m\"\nd = { each = \"R40\", from = \"30 mm\", to = \"34 mm\" }\n",
+                      {"shaft.tau_max"});
+    REQUIRE_MESSAGE(sizes.errors().empty(), sizes.errors());
+    CHECK(sizes.input("shaft.d").size() == 3);  // 30, 32, 34
+    const std::string rows =
+        "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"100 N*m\"\nd = \"30 mm\"\nS = 2\ntau_adm = \"30 "
+        "MPa\"\ntheta_adm = \"0.25 deg/m\"\nmaterial = [\"C45E\", \"S355\"]\n";
+    const Swept materials(rows, {"shaft.tau_max", "shaft.G"});
+    CHECK_MESSAGE(materials.errors().empty(), materials.errors());
+  }
+
+  TEST_CASE("inputs that run together") {
+    const Swept swept(shaft + "T = [\"100 N*m\", \"200 N*m\"]\nd = [\"40 mm\", \"60 mm\"]\n[project]\nsweep = { zip = "
+                              "[[\"shaft.T\", \"shaft.d\"]] }\n",
+                      {"shaft.tau_max"});
+    REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
+    CHECK(swept.input("shaft.T") == std::vector<double>{100, 200});
+    CHECK(swept.input("shaft.d") == std::vector<double>{0.04, 0.06});
+  }
+
+  TEST_CASE("a value of [values] is one input, alone and in expressions") {
+    const Swept swept("[values]\nT = [\"100 N*m\", \"200 N*m\"]\n[a]\ncalculator = \"shaft.torsion\"\nT = "
+                      "\"=values.T\"\ntau_adm = \"30 MPa\"\n[b]\ncalculator = \"shaft.torsion\"\nT = "
+                      "\"=2*values.T\"\ntau_adm = \"30 MPa\"\n",
+                      {"a.T", "b.T"});
+    REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
+    CHECK(swept.plan.inputs.size() == 1);
+    CHECK(swept.column("a.T") == std::vector<double>{100, 200});
+    CHECK(swept.column("b.T") == std::vector<double>{200, 400});
+  }
+
+  TEST_CASE("points that break a rule are marked, and the next ones do not feel it") {
+    const Swept swept("[shaft]\ncalculator = \"shaft.torsion\"\nT = \"100 N*m\"\ntau_adm = \"30 MPa\"\nd = \"30 "
+                      "mm\"\nd_i = [\"10 mm\", \"35 mm\", \"10 mm\"]\n",
+                      {"shaft.tau_max"});
+    REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
+    CHECK(swept.column("state")[1] == project::refused);
+    CHECK(std::isnan(swept.column("shaft.tau_max")[1]));
+    CHECK(swept.refusals.size() == 1);
+    CHECK(swept.column("shaft.tau_max")[0] == swept.column("shaft.tau_max")[2]);
+  }
+
+  TEST_CASE("what is wrong with a range is told") {
+    const auto fault = [](const std::string& T, const std::string& more = "") {
+      return Swept(shaft + "d = \"40 mm\"\nT = " + T + "\n" + more, {}).errors();
+    };
+    CHECK(contains(fault("{ from = \"100 N*m\", to = \"300 N*m\" }"), "one of step, count, log"));
+    CHECK(contains(fault("{ from = \"100 N*m\", to = \"300 N*m\", step = \"-1 N*m\" }"), "leads away"));
+    CHECK(contains(fault("{ from = \"100 N*m\", to = \"300 mm\", count = 3 }"), "300 mm"));
+    CHECK(contains(fault("{ from = \"100 N*m\", to = \"300 N*m\", count = 2.5 }"), "whole number"));
+    CHECK(contains(fault("[]"), "empty"));
+    CHECK(contains(fault("{ mean = \"100 N*m\", sd = \"-5 N*m\" }"), "> 0"));
+    CHECK(contains(fault("{ mean = \"100 N*m\", sd = \"5 mm\" }"), "moment"));
+    CHECK(contains(fault("{ mean = \"100 N*m\" }"), "'sd' is missing"));
+    CHECK(contains(fault("[\"1 N*m\", \"2 N*m\"]", "[project]\nsweep = { zip = [[\"shaft.X\"]] }\n"), "'shaft.X'"));
+    CHECK(contains(Solved(shaft + "d = \"40 mm\"\nT = [\"1 N*m\", \"2 N*m\"]\n").errors(), "loadpath sweep"));
+    CHECK(contains(Solved(shaft + "d = \"40 mm\"\nT = { mean = \"1 N*m\", sd = \"5 %\" }\n").messages(), "middle value"));
+  }
+
+  TEST_CASE("results that cannot be read off are told") {
+    const auto fault = [](const std::string& result) {
+      return Swept(shaft + "d = \"40 mm\"\nT = [\"1 N*m\", \"2 N*m\"]\n", {result}).errors();
+    };
+    CHECK(contains(fault("shaft.tau"), "tau_max"));
+    CHECK(contains(fault("axle.tau_max"), "there is no step 'axle'"));
+    CHECK(contains(fault("shaft.modes.yields"), "did you mean"));
+    CHECK(contains(fault("2*"), "project.sweep"));
+    CHECK(fault("m = 2*shaft.tau_max").empty());
+    CHECK(fault("shaft.utilisation").empty());
+  }
+}

@@ -1,0 +1,23 @@
+// Latin hypercubes without a table: which part of its range a variable takes in a sample is a permutation by a key.
+#pragma once
+
+#include <cstdint>
+
+namespace loadpath::sweep {
+
+/// A permutation of 0 ... size - 1.
+class Permutation {
+ public:
+  Permutation(std::uint64_t size, std::uint64_t seed, std::uint64_t variable, std::uint64_t cube);
+
+  /// Where i < size goes.
+  [[nodiscard]] std::uint64_t operator()(std::uint64_t i) const;
+
+ private:
+  [[nodiscard]] std::uint64_t shuffle(std::uint64_t i) const;
+
+  std::uint64_t size_, key_[4];
+  unsigned half_;  // bits of each half of a number
+};
+
+}  // namespace loadpath::sweep

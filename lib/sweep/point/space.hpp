@@ -1,0 +1,60 @@
+// The points of a sweep: a grid of levels, and samples of uncertain inputs at each of its points.
+//
+// A point is a pure function of its index: which values the grid takes is told by the digits of the index, the first
+// level being the slowest, and what is drawn at random by a counter generator. So points can be made in any order, by
+// any number of threads and machines, and again.
+#pragma once
+
+#include "lib/sweep/point/axis.hpp"
+#include "lib/sweep/point/correlation.hpp"
+#include "lib/sweep/point/distribution.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace loadpath::sweep {
+
+enum class Sampling {
+  random,           // plain Monte Carlo
+  latin_hypercube,  // each variable once in each of `samples` parts of equal probability
+};
+
+class Space {
+ public:
+  struct Random {
+    std::vector<Distribution> variables;
+    Correlation correlation;    // empty, or of the size of `variables`
+    std::uint64_t samples = 1;  // at each point of the grid
+    std::uint64_t seed = 0;
+    Sampling sampling = Sampling::random;
+    bool common = false;  // the same samples at each point of the grid; else others at each
+  };
+  using Level = std::vector<Axis>;  // they run together, and have as many values
+
+  /// One point without variables.
+  Space() = default;
+  static Outcome<Space> of(std::vector<Level> levels, Random random);
+
+  /// Variables in their order: those of the levels, one level after the other, then the random ones.
+  [[nodiscard]] std::size_t variables() const { return digits_.size() + random_.variables.size(); }
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+  /// A column for each variable takes the values of the points first ... first + n - 1.
+  void fill(std::uint64_t first, std::size_t n, std::span<double* const> columns) const;
+  [[nodiscard]] std::vector<double> point(std::uint64_t index) const;
+
+ private:
+  struct Digit {
+    Axis axis;
+    std::uint64_t stride;  // points for which it stands still
+  };
+  void sample(std::uint64_t first, std::size_t n, std::span<double* const> columns) const;
+  void draw(std::uint64_t first, std::size_t variable, std::span<double> column) const;
+
+  std::vector<Digit> digits_;
+  Random random_;
+  std::uint64_t count_ = 1;
+};
+
+}  // namespace loadpath::sweep

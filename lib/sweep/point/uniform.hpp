@@ -1,0 +1,24 @@
+// Random numbers that are a function of their place: Philox4x64 with ten rounds of Random123 (Salmon et al., SC11).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace loadpath::sweep {
+
+/// What numbers are for: another use of the same seed gives others.
+enum class Purpose : std::uint64_t { samples, strata, scramble, search };
+
+/// 256 random bits of a counter and a key.
+std::array<std::uint64_t, 4> random_bits(const std::array<std::uint64_t, 4>& counter,
+                                         const std::array<std::uint64_t, 2>& key);
+
+/// A number of 0 < u < 1 for a variable of a point: the middle of one of 2^52 parts.
+double uniform(std::uint64_t seed, std::uint64_t index, std::uint64_t variable, Purpose purpose = Purpose::samples);
+
+/// The same to the bit for the points first, first + 1... of a column.
+void uniform(std::uint64_t seed, std::uint64_t first, std::uint64_t variable, std::span<double> column,
+             Purpose purpose = Purpose::samples);
+
+}  // namespace loadpath::sweep

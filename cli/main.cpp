@@ -58,7 +58,8 @@ void setup_run(CLI::App& app, RunOptions& options, Action& action) {
 void setup_sweep(CLI::App& app, SweepOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("sweep", "solve a project at every point of its ranges and distributions");
   sub->add_option("file", options.file, "project file; - is standard input")->required();
-  sub->add_option("--results", options.results, "a result to read off every point: rod.u, or \"m = rod.mass + pin.mass\"")
+  sub->add_option("--results", options.results,
+                  "a result to read off every point: rod.u, or \"m = rod.mass + pin.mass\"")
       ->type_name("RESULT")
       ->expected(1)
       ->take_all()

@@ -55,11 +55,14 @@ void read_accepted(const Tree& table, StepInput& input, std::vector<Issue>& issu
 }
 
 void accept(const StepInput& input, account::Mode& mode) {
-  const auto accepted = input.accepted.find(mode.id);
-  const bool waits = mode.state == account::State::open || mode.state == account::State::not_judged;
-  if (accepted == input.accepted.end() || !waits) return;
+  if (!is_accepted(input, mode.id, mode.state)) return;
   mode.state = account::State::accepted;
-  mode.note = say("{1}", accepted->second.text);
+  mode.note = say("{1}", input.accepted.at(mode.id).text);
+}
+
+bool is_accepted(const StepInput& input, const std::string& mode, account::State state) {
+  const bool waits = state == account::State::open || state == account::State::not_judged;
+  return waits && input.accepted.contains(mode);
 }
 
 void warn_of_idle_acceptances(const Step& step, std::vector<Issue>& issues) {

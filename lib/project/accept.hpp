@@ -15,6 +15,8 @@ void read_accepted(const toml::Tree& table, StepInput& input, std::vector<Issue>
 
 /// The mode as it stands with what the step accepts: never in place of a failure, nor beyond what a method covers.
 void accept(const StepInput& input, account::Mode& mode);
+/// Whether a mode of this state is accepted.
+bool is_accepted(const StepInput& input, const std::string& mode, account::State state);
 
 /// A warning for every mode that a solved step accepts in vain: it passes, fails, or does not concern the part.
 void warn_of_idle_acceptances(const Step& step, std::vector<Issue>& issues);

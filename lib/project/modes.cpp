@@ -174,17 +174,22 @@ std::vector<const account::Verdict*> rows_of(const ModeInfo& mode, const std::ve
   return rows;
 }
 
+State state_of(const Step& step, const ModeInfo& info, Applies applies, std::optional<State> worst, bool enough) {
+  const bool rest = info.by_rest && !step.left_of_loads().empty();
+  if (applies == Applies::unseen && (rest || (info.by_service && step.load_varies()))) applies = Applies::yes;
+  return worst && (*worst != State::pass || enough) ? *worst : unjudged(info, applies);
+}
+
 account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
                      const std::vector<const account::Verdict*>& rows, std::string wants, bool enough) {
   const bool rest = info.by_rest && !step.left_of_loads().empty();
-  if (applies == Applies::unseen && (rest || (info.by_service && step.load_varies()))) applies = Applies::yes;
   account::Mode mode;
   mode.step = step.name();
   mode.id = info.id;
   mode.title = say(info.title);
   mode.kind = info.kind;
-  mode.state = rows.empty() ? unjudged(info, applies) : governing(rows).state;
-  if (mode.state == State::pass && !enough) mode.state = unjudged(info, applies);
+  mode.state =
+      state_of(step, info, applies, rows.empty() ? std::nullopt : std::optional(governing(rows).state), enough);
   if (mode.state == State::open || mode.state == State::not_judged) {
     mode.wants = wants.empty() ? info.wants : std::move(wants);
     mode.judge = info.judge;

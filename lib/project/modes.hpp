@@ -16,6 +16,11 @@ std::vector<const account::Verdict*> rows_of(const ModeInfo& mode, const std::ve
 /// Whether the key names the row.
 bool names_row(std::string_view key, std::string_view symbol);
 
+/// How a mode comes out that applies, or may, by its worst row; nothing: it has none. `enough`: whether rows that pass
+/// judge it. What the user accepts is not asked.
+account::State state_of(const Step& step, const ModeInfo& mode, Applies applies, std::optional<account::State> worst,
+                        bool enough);
+
 /// What the step says of a mode that applies, or may. `wants`: inputs without which a check of it is missing; `enough`:
 /// whether the rows judge it if they pass.
 account::Mode judged(const Step& step, const ModeInfo& mode, Applies applies,

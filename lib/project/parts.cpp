@@ -17,7 +17,8 @@ namespace {
 using toml::Tree;
 
 constexpr std::array reserved{"project", "values", "tables", "expect"};
-constexpr std::array keys_of_heading{"title", "number", "revision", "author", "checker", "date", "note", "tables", "sweep"};
+constexpr std::array keys_of_heading{"title", "number", "revision", "author", "checker",
+                                     "date",  "note",   "tables",   "sweep"};
 const std::vector<std::string> step_keys{"calculator", "template", "title", "note", "display", "accept"};
 
 void add(std::vector<Issue>& issues, const Place& place, const std::string& key, Message message, Message hint = {}) {
@@ -92,7 +93,8 @@ void read_rows_in_turn(const Tree::Entry& row, StepInput& input, std::vector<Iss
     for (const table::Entry& found : input.tables->ordered_rows(row.key, each->value.text))
       varied.words.push_back(found.row->name);
     if (varied.words.empty())
-      return add(issues, each->value.place, key, say("there is no table or kind of {1} '{2}'", row.key, each->value.text),
+      return add(issues, each->value.place, key,
+                 say("there is no table or kind of {1} '{2}'", row.key, each->value.text),
                  did_you_mean(each->value.text, input.tables->names_of(row.key)));
   }
   if (varied.words.empty()) return add(issues, row.value.place, key, say("a list of rows has one at least"));
@@ -128,7 +130,8 @@ void fill_stocks(StepInput& input, std::vector<Issue>& issues) {
 /// The row of one table: by its name, of another step, or the first that passes.
 void read_row(const Tree::Entry& row, StepInput& input, std::vector<Issue>& issues) {
   const std::string key = input.name + "." + row.key;
-  if (row.value.type == Tree::Type::array || row.value.find("each") != nullptr) return read_rows_in_turn(row, input, issues);
+  if (row.value.type == Tree::Type::array || row.value.find("each") != nullptr)
+    return read_rows_in_turn(row, input, issues);
   const auto* stock = row.value.find("stock");
   for (const Tree::Entry& other : row.value.entries) {
     if (stock != nullptr && other.key != "stock")

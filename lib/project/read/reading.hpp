@@ -58,7 +58,7 @@ struct Varied {
   sweep::Axis axis = {};                // SI, of choices their numbers
   std::vector<std::string> words = {};  // of a row or a choice
   std::optional<sweep::Distribution> distribution = {};
-  std::string stock = {};               // whose sizes are the values: filled in where the tables are known
+  std::string stock = {};  // whose sizes are the values: filled in where the tables are known
   double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();
   std::size_t at = 0;  // of the words, the one that it has now
 };

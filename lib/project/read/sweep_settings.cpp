@@ -86,8 +86,7 @@ class Reader {
 
 void read_sweep_settings(const Tree& table, SweepSettings& settings, std::vector<Issue>& issues) {
   if (table.type != Tree::Type::table) {
-    issues.push_back(
-        {table.place, "project.sweep", say("'sweep' is a table of settings"), {}, Severity::error});
+    issues.push_back({table.place, "project.sweep", say("'sweep' is a table of settings"), {}, Severity::error});
     return;
   }
   Reader reader(settings, issues);

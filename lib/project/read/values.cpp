@@ -50,7 +50,8 @@ void Reader::read_expression(const Tree& tree, const FieldInfo& field, void* own
   reading_.operands.push_back({path, {&field, owner}, std::move(*parsed), std::move(text), start});
 }
 
-/// { file = "gauge.csv" }, { stock = "R40" }, { from = ..., to = ..., count = 11 }, { mean = ..., sd = ... }, { value = ..., tolerance = ... }.
+/// { file = "gauge.csv" }, { stock = "R40" }, { from = ..., to = ..., count = 11 }, { mean = ..., sd = ... }, { value =
+/// ..., tolerance = ... }.
 void Reader::read_special(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   if (field.takes_whole() && is_history(tree)) return read_history_of(tree, field, owner, path);
   if (const auto* stock = tree.find("stock")) {

@@ -116,6 +116,22 @@ void CalculatorStep::check_rules_of_literals(std::vector<Issue>& issues) {
   }
 }
 
+bool CalculatorStep::is_asked(const FieldInfo& check, const Record& record) const {
+  std::string_view inputs = check.asked_by;
+  if (inputs.empty()) return true;
+  // Whether a row that the step names is to give the input, and must have it.
+  const auto comes_from_row = [&](std::string_view input, const FieldInfo& field) {
+    return names_row_for(std::string(input)) && !field.provider.may_lack;
+  };
+  while (!inputs.empty()) {  // asked for every candidate of a search: no list of keys is made
+    const std::string_view input = inputs.substr(0, inputs.find(", "));
+    const Leaf asking = find_leaf(record, input);
+    if (asking && (!std::isnan(asking.get()) || comes_from_row(input, *asking.field))) return true;
+    inputs.remove_prefix(std::min(input.size() + 2, inputs.size()));
+  }
+  return false;
+}
+
 bool CalculatorStep::is_about(std::size_t rule, const std::string& path) const {
   const auto fields = listed_keys(input().calculator->rules[rule].fields);
   return std::find(fields.begin(), fields.end(), head(path)) != fields.end();

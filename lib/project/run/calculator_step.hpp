@@ -29,6 +29,10 @@ class CalculatorStep : public Step {
   [[nodiscard]] Issue broken_rule(std::size_t rule, const Record& record, const std::vector<Provided>& provided) const;
   /// Whether a table is to fill the input, be there such a row or not.
   [[nodiscard]] bool names_row_for(const std::string& field) const;
+  /// Whether a check or a limit is asked for: by an input that has a value, or that a row is to give.
+  [[nodiscard]] bool is_asked(const FieldInfo& check, const Record& record) const;
+  /// Whether something comes along with its loads that it does not take.
+  [[nodiscard]] bool leaves_loads() const { return !rest_.empty(); }
   /// Whether a rule of the calculator concerns an input, or the list that it is in.
   [[nodiscard]] bool is_about(std::size_t rule, const std::string& path) const;
 

@@ -6,22 +6,7 @@
 
 namespace loadpath::project {
 
-bool Run::is_asked(const FieldInfo& check) const {
-  std::string_view inputs = check.asked_by;
-  if (inputs.empty()) return true;
-  while (!inputs.empty()) {  // asked for every candidate of a search: no list of keys is made
-    const std::string_view input = inputs.substr(0, inputs.find(", "));
-    const Leaf asking = find_leaf(record_, input);
-    if (asking && (!std::isnan(asking.get()) || comes_from_row(input, *asking.field))) return true;
-    inputs.remove_prefix(std::min(input.size() + 2, inputs.size()));
-  }
-  return false;
-}
-
-/// Whether a row that the step names is to give the input, and must have it.
-bool Run::comes_from_row(std::string_view input, const FieldInfo& field) const {
-  return step_.names_row_for(std::string(input)) && !field.provider.may_lack;
-}
+bool Run::is_asked(const FieldInfo& check) const { return step_.is_asked(check, record_); }
 
 /// Whether a rule is about the input that is searched for, or about those that the row gives which is. Of a load it may
 /// be any: what a part needs is asked where it is loaded.

@@ -85,7 +85,6 @@ class Run {
   /// The largest value of a result over the positions, refined between them; NaN where one is not available.
   double largest_result(const FieldInfo& field);
   [[nodiscard]] bool is_asked(const FieldInfo& check) const;
-  [[nodiscard]] bool comes_from_row(std::string_view input, const FieldInfo& field) const;
   [[nodiscard]] bool is_any_asked() const;
   [[nodiscard]] Issue aimless(const Search& wanted) const;
   [[nodiscard]] bool concerns_search(std::size_t rule) const;

@@ -66,9 +66,9 @@ bool set_input(Project& project, const SweptInput& input, double value, std::vec
     const FieldInfo& field = *varied.leaf.field;
     const double si = varied.words.empty() ? value : varied.axis.at(varied.at);
     if (field.type != FieldInfo::Type::choice && !field.bounds.holds(si)) {
-      issues.push_back(issue_at(target.step->input(), varied.path,
-                                say("{1} = {2}: {3}", varied.path, format_quantity(si, field.unit),
-                                    bounds_message(field))));
+      issues.push_back(
+          issue_at(target.step->input(), varied.path,
+                   say("{1} = {2}: {3}", varied.path, format_quantity(si, field.unit), bounds_message(field))));
       allowed = false;
     } else {
       varied.leaf.set(si);

@@ -12,9 +12,9 @@ struct SweptInput {
   std::string name;  // "crankshaft.T", "values.n"
   std::string unit;  // that its field is shown in
   Dimension dimension;
-  sweep::Axis axis;                // SI; of words 0, 1, 2...
+  sweep::Axis axis;                                 // SI; of words 0, 1, 2...
   std::optional<sweep::Distribution> distribution;  // in place of the axis
-  std::vector<std::string> words;  // in place of numbers
+  std::vector<std::string> words;                   // in place of numbers
   Place place;
 
   /// Where it goes: fields of steps, and a literal of [values].

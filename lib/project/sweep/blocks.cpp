@@ -1,64 +1,52 @@
 #include "lib/project/sweep/blocks.hpp"
 
-#include "lib/sweep/ordered.hpp"
-
 #include <algorithm>
 
 namespace loadpath::project {
 
 namespace {
 
-/// The solver of one thread.
-class Solver {
- public:
-  Solver(const SweepPlan& plan, Project project, const std::vector<std::string>& results)
-      : plan_(plan), variants_(std::move(project), results) {}
-
-  SolvedBlock solve(std::uint64_t block) {
-    SolvedBlock solved;
-    solved.first = block * block_size;
-    solved.count = static_cast<std::size_t>(std::min(block_size, plan_.space.count() - solved.first));
-    const std::vector<double*> in = columns(solved.inputs, variants_.inputs(), solved.count);
-    const std::vector<double*> out = columns(solved.results, variants_.outputs(), solved.count);
-    plan_.fill(solved.first, solved.count, in);
-    const std::vector<const double*> given(in.begin(), in.end());
-    variants_.evaluate(given, out, solved.count);
-    solved.refusals = variants_.refusals();
-    return solved;
+std::vector<double*> starts_of(std::vector<std::vector<double>>& columns, std::size_t rows) {
+  std::vector<double*> starts;
+  for (std::vector<double>& column : columns) {
+    column.resize(rows);
+    starts.push_back(column.data());
   }
+  return starts;
+}
 
- private:
-  static std::vector<double*> columns(std::vector<std::vector<double>>& all, std::size_t count, std::size_t rows) {
-    all.assign(count, std::vector<double>(rows));
-    std::vector<double*> starts;
-    for (std::vector<double>& column : all) starts.push_back(column.data());
-    return starts;
-  }
-
-  const SweepPlan& plan_;
-  Variants variants_;
-};
+std::vector<std::string> texts_of(const SweepPlan& plan) {
+  std::vector<std::string> texts;
+  for (const SweptResult& column : plan.columns) texts.push_back(column.name + " = " + column.text);
+  return texts;
+}
 
 }  // namespace
 
 BlockRange all_blocks(const SweepPlan& plan) { return {0, (plan.space.count() + block_size - 1) / block_size}; }
 
 BlockRange shard_of(BlockRange all, std::uint64_t k, std::uint64_t n) {
-  const std::uint64_t blocks = all.last - all.first, each = blocks / n, more = blocks % n;
+  const std::uint64_t each = all.count() / n, more = all.count() % n;
   const auto start = [&](std::uint64_t i) { return all.first + i * each + std::min(i, more); };
   return {start(k - 1), start(k)};
 }
 
-void solve_blocks(const SweepPlan& plan, const ReadAgain& read, const std::vector<std::string>& results,
-                  BlockRange blocks, unsigned jobs, const std::function<bool(const SolvedBlock& block)>& take) {
-  using Parts = sweep::Ordered<SolvedBlock>;
-  Parts parts(blocks.first, blocks.last, jobs);
-  parts.run(
-      [&]() -> Parts::Worker {
-        const auto solver = std::make_shared<Solver>(plan, read(), results);
-        return [solver](std::uint64_t block) { return solver->solve(block); };
-      },
-      [&](std::uint64_t, SolvedBlock&& block) { return take(block); });
+BlockSolver::BlockSolver(const SweepPlan& plan, Project project)
+    : plan_(plan), variants_(std::move(project), texts_of(plan)) {
+  solved_.inputs.resize(variants_.inputs());
+  solved_.results.resize(variants_.outputs());
+}
+
+const SolvedBlock& BlockSolver::solve(std::uint64_t block) {
+  solved_.first = block * block_size;
+  solved_.count = static_cast<std::size_t>(std::min(block_size, plan_.space.count() - solved_.first));
+  const std::vector<double*> in = starts_of(solved_.inputs, solved_.count);
+  const std::vector<double*> out = starts_of(solved_.results, solved_.count);
+  plan_.fill(solved_.first, solved_.count, in);
+  const std::vector<const double*> given(in.begin(), in.end());
+  variants_.evaluate(given, out, solved_.count);
+  solved_.refusals = variants_.refusals();
+  return solved_;
 }
 
 }  // namespace loadpath::project

@@ -9,7 +9,7 @@ namespace loadpath::project {
 
 namespace {
 
-using Kind = ResultColumn::Kind;
+using Kind = SweptResult::Kind;
 
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(' ');
@@ -32,7 +32,7 @@ std::optional<Kind> kind_of_word(std::string_view word) {
 }
 
 /// "rod", "buckling", "utilisation" of "rod.modes.buckling.utilisation"; false where the text speaks of no verdict.
-bool read_verdict(const std::string& text, const Project& project, ResultColumn& column) {
+bool read_verdict(const std::string& text, const Project& project, SweptResult& column) {
   const std::size_t last = text.rfind('.');
   if (const auto kind = kind_of_word(text)) {
     column.kind = *kind;
@@ -51,7 +51,7 @@ bool read_verdict(const std::string& text, const Project& project, ResultColumn&
 }
 
 /// The unit that a result is shown in.
-std::string unit_of(const ResultColumn& column, const Project& project) {
+std::string unit_of(const SweptResult& column, const Project& project) {
   if (!column.expression.is_reference()) return si_unit(column.dimension);
   const std::string path = column.expression.references().front().path;
   const Step* const step = project.find(path.substr(0, path.find('.')));
@@ -68,9 +68,9 @@ std::vector<std::string> modes_of(const Step& step) {
   return modes;
 }
 
-std::vector<ResultColumn> verdict_columns(const Project& project) {
+std::vector<SweptResult> verdict_columns(const Project& project) {
   const auto verdict = [](Kind kind, const std::string& name, const std::string& step, const std::string& mode) {
-    ResultColumn column;
+    SweptResult column;
     column.kind = kind;
     column.name = column.text = name;
     column.unit = "-";
@@ -78,7 +78,7 @@ std::vector<ResultColumn> verdict_columns(const Project& project) {
     column.mode = mode;
     return column;
   };
-  std::vector<ResultColumn> columns;
+  std::vector<SweptResult> columns;
   columns.push_back(verdict(Kind::state, "state", "", ""));
   columns.push_back(verdict(Kind::utilisation, "utilisation", "", ""));
   for (const auto& step : project.steps) {
@@ -91,8 +91,8 @@ std::vector<ResultColumn> verdict_columns(const Project& project) {
   return columns;
 }
 
-Outcome<ResultColumn> read_column(const std::string& given, Project& project) {
-  ResultColumn column;
+Outcome<SweptResult> read_column(const std::string& given, Project& project) {
+  SweptResult column;
   auto [name, text] = named(given);
   column.name = name;
   column.text = text;

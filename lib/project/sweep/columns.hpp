@@ -10,15 +10,16 @@
 namespace loadpath::project {
 
 /// How a point, a part or a mode of failure came out, as a number of a column: those of account::State, and
-constexpr double refused = 7.0;   // the point breaks a rule between inputs, or a value is none that its field takes
-constexpr double absent = -1.0;   // the mode does not concern the part
+constexpr double refused_state =
+    7.0;  // the point breaks a rule between inputs, or a value is none that its field takes
+constexpr double absent_state = -1.0;  // the mode does not concern the part
 
-struct ResultColumn {
+struct SweptResult {
   enum class Kind {
-    expression,       // of results: "rod.mass", "peak(lever.drive.M)"
-    state,            // of the project, a step or a mode: a number of account::State
-    utilisation,      // the largest of it; of modes that have none NaN
-    passes            // 1 where all that applies is judged or accepted, else 0
+    expression,   // of results: "rod.mass", "peak(lever.drive.M)"
+    state,        // of the project, a step or a mode: a number of account::State
+    utilisation,  // the largest of it; of modes that have none NaN
+    passes        // 1 where all that applies is judged or accepted, else 0
   };
   Kind kind = Kind::expression;
   std::string name;  // of the column
@@ -32,10 +33,10 @@ struct ResultColumn {
 /// A column from "rod.mass" or "m = rod.mass + pin.mass". Besides expressions there are "state", "utilisation" and
 /// "passes" of the whole, of a step ("rod.utilisation") and of a mode of failure ("rod.modes.buckling.utilisation",
 /// or "rod.modes.buckling" alone). A Fault tells what is wrong with the text.
-Outcome<ResultColumn> read_column(const std::string& text, Project& project);
+Outcome<SweptResult> read_column(const std::string& text, Project& project);
 
 /// What is read off every point: state and utilisation of the whole, then of every mode of failure.
-std::vector<ResultColumn> verdict_columns(const Project& project);
+std::vector<SweptResult> verdict_columns(const Project& project);
 
 /// The modes of failure that a step may have, in the order of its calculator.
 std::vector<std::string> modes_of(const Step& step);

@@ -76,11 +76,11 @@ void Planning::add_levels() {
       if (twice || std::find(together.begin(), together.end(), *input) != together.end())
         return issues_.push_back(refusal(name.place, "project.sweep", say("'{1}' is named twice", name.text)));
       if (!together.empty() && inputs_[together[0]].axis.size() != inputs_[*input].axis.size())
-        return issues_.push_back(refusal(
-            name.place, "project.sweep",
-            say("'{1}' has {2} values, '{3}' has {4}: they cannot run together", inputs_[together[0]].name,
-                std::to_string(inputs_[together[0]].axis.size()), name.text,
-                std::to_string(inputs_[*input].axis.size()))));
+        return issues_.push_back(
+            refusal(name.place, "project.sweep",
+                    say("'{1}' has {2} values, '{3}' has {4}: they cannot run together", inputs_[together[0]].name,
+                        std::to_string(inputs_[together[0]].axis.size()), name.text,
+                        std::to_string(inputs_[*input].axis.size()))));
       together.push_back(*input);
     }
     if (!together.empty()) zips.push_back(std::move(together));
@@ -133,8 +133,8 @@ void Planning::correlate() {
   if (correlation)
     random_.correlation = std::move(*correlation);
   else
-    issues_.push_back(refusal(settings_.correlations.front().first.place, "project.sweep",
-                              correlation.fault().message, correlation.fault().hint));
+    issues_.push_back(refusal(settings_.correlations.front().first.place, "project.sweep", correlation.fault().message,
+                              correlation.fault().hint));
 }
 
 sweep::Space Planning::space() {
@@ -174,7 +174,7 @@ SweepPlan plan_sweep(Project& project, const SweepSettings& settings, std::vecto
       issues.push_back(refusal(result.place, "project.sweep", fault.message, fault.hint));
       continue;
     }
-    const auto same = [&](const ResultColumn& other) { return other.name == column->name; };
+    const auto same = [&](const SweptResult& other) { return other.name == column->name; };
     if (std::any_of(plan.columns.begin(), plan.columns.end(), same))
       issues.push_back(refusal(result.place, "project.sweep", say("there are two results '{1}'", column->name),
                                say("name one of them: \"second = {1}\"", column->text)));

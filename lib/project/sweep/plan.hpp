@@ -11,9 +11,9 @@
 namespace loadpath::project {
 
 struct SweepPlan {
-  std::vector<SweptInput> inputs;         // in the order of the file
-  std::vector<std::size_t> variables;     // of the space, that of each input
-  std::vector<ResultColumn> columns;      // as they were asked for
+  std::vector<SweptInput> inputs;      // in the order of the file
+  std::vector<std::size_t> variables;  // of the space, that of each input
+  std::vector<SweptResult> columns;    // as they were asked for
   sweep::Space space;
 
   /// The values of all inputs at a point.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace loadpath::project {
 
@@ -12,28 +13,27 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<ResultColumn> columns_of(Project& project, const std::vector<std::string>& results) {
-  std::vector<ResultColumn> columns;
+std::vector<SweptResult> columns_of(Project& project, const std::vector<std::string>& results) {
+  std::vector<SweptResult> columns;
   for (const std::string& text : results) columns.push_back(std::move(*read_column(text, project)));
-  for (ResultColumn& verdict : verdict_columns(project)) columns.push_back(std::move(verdict));
+  for (SweptResult& verdict : verdict_columns(project)) columns.push_back(std::move(verdict));
   return columns;
 }
 
 /// Numbers alone: what people read is made for the points that they ask for.
-Wanted wanted_by(const Project& project, const std::vector<ResultColumn>& columns) {
-  Wanted wanted{
-      .pictures = false, .formulas = false, .unused = false, .words = false, .series = SeriesChoice::none()};
-  for (const ResultColumn& column : columns) {
+Wanted wanted_by(const Project& project, const std::vector<SweptResult>& columns) {
+  Wanted wanted{.pictures = false, .formulas = false, .unused = false, .words = false, .series = SeriesChoice::none()};
+  for (const SweptResult& column : columns) {
     for (const auto& reference : column.expression.references()) wanted.compared.insert(reference.path);
   }
   return with_references(project, std::move(wanted));
 }
 
-bool concerns(const ResultColumn& column, const account::Mode& mode) {
+bool concerns(const SweptResult& column, const account::Mode& mode) {
   return (column.step.empty() || column.step == mode.step) && (column.mode.empty() || column.mode == mode.id);
 }
 
-account::Modes modes_in(const Project& project, const ResultColumn& column) {
+account::Modes modes_in(const Project& project, const SweptResult& column) {
   account::Modes modes;
   for (const auto& step : project.steps) {
     for (const account::Mode& mode : step->account().modes) {
@@ -53,15 +53,140 @@ Variants::Variants(Project project, const std::vector<std::string>& results)
 
 void Variants::evaluate(std::span<const double* const> in, std::span<double* const> out, std::size_t n) {
   refusals_.clear();
+  const bool by_columns = solve_columns(in, out, n);
   for (std::size_t row = 0; row < n; ++row) {
-    const bool solved = solve_point(in, row);
-    for (std::size_t k = 0; k < columns_.size(); ++k) {
-      const ResultColumn& column = columns_[k];
-      const bool is_state = column.kind == ResultColumn::Kind::state;
-      const bool is_flag = column.kind == ResultColumn::Kind::passes;
-      out[k][row] = solved ? read(column) : is_state ? refused : is_flag ? 0.0 : nan;
+    if (!by_columns || points_.is_other[row] != 0) solve_alone(in, out, row);
+  }
+}
+
+void Variants::solve_alone(std::span<const double* const> in, std::span<double* const> out, std::size_t row) {
+  const bool solved = solve_point(in, row);
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    const SweptResult& column = columns_[k];
+    const bool is_state = column.kind == SweptResult::Kind::state;
+    const bool is_flag = column.kind == SweptResult::Kind::passes;
+    out[k][row] = solved ? read(column) : is_state ? refused_state : is_flag ? 0.0 : nan;
+  }
+}
+
+namespace {
+
+/// Whether a part leaves a mode to a calculator of which there is a step: its verdict hangs on more than the part.
+bool leaves_modes(const Project& project) {
+  const auto runs = [&](std::string_view calculator) {
+    return std::any_of(project.steps.begin(), project.steps.end(),
+                       [&](const auto& step) { return step->input().calculator->id == calculator; });
+  };
+  return std::any_of(project.steps.begin(), project.steps.end(), [&](const auto& step) {
+    const auto& modes = step->input().calculator->modes;
+    return std::any_of(modes.begin(), modes.end(),
+                       [&](const ModeInfo& mode) { return *mode.judge != '\0' && runs(mode.judge); });
+  });
+}
+
+std::set<std::string> referred_to(const Project& project, const std::vector<SweptResult>& columns) {
+  std::set<std::string> paths(project.references.begin(), project.references.end());
+  for (const SweptResult& column : columns) {
+    for (const auto& reference : column.expression.references()) paths.insert(reference.path);
+  }
+  return paths;
+}
+
+}  // namespace
+
+/// Kernels of all steps, laid out at the first point that is solved.
+bool Variants::find_kernels(std::span<const double* const> in) {
+  way_ = Way::alone;
+  if (leaves_modes(project_) || !solve_point(in, 0)) return false;
+  const std::set<std::string> wanted = referred_to(project_, columns_);
+  for (const std::size_t i : project_.order) {
+    auto* const step = dynamic_cast<CalculatorStep*>(project_.steps[i].get());
+    auto kernel = step == nullptr ? nullptr : ColumnStep::of(*step, wanted);
+    if (!kernel) {
+      kernels_.clear();
+      return false;
+    }
+    kernels_.push_back(std::move(kernel));
+  }
+  for (const std::string& path : wanted) {
+    const Value* const value = project_.value(path);
+    if (value != nullptr && !value->si.empty()) points_.constants[path] = value->si[0];
+  }
+  way_ = Way::columns;
+  modes_.resize(kernels_.size());
+  return true;
+}
+
+bool Variants::solve_columns(std::span<const double* const> in, std::span<double* const> out, std::size_t n) {
+  if (way_ == Way::unknown && !find_kernels(in)) refusals_.clear();
+  if (way_ == Way::alone) return false;
+  points_.count = n;
+  points_.is_other.assign(n, 0);
+  points_.values.clear();
+  for (std::size_t k = 0; k < axes_.size(); ++k) {
+    const auto put = [&](const std::string& path) { points_.values[path].assign(in[k], in[k] + n); };
+    put(axes_[k].name);
+    for (const SweptInput::Target& target : axes_[k].targets)
+      put(target.step->name() + "." + target.step->input().reading.varied[target.varied].path);
+  }
+  for (std::size_t k = 0; k < kernels_.size(); ++k) kernels_[k]->evaluate(points_, modes_[k]);
+  const Expression::Column column_of = [this](const std::string& path) { return points_.of(path); };
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    if (columns_[k].kind != SweptResult::Kind::expression) continue;
+    if (!columns_[k].expression.evaluate(column_of, {out[k], n}))
+      std::fill(points_.is_other.begin(), points_.is_other.end(), char{1});
+  }
+  read_verdicts(out, n);
+  return true;
+}
+
+/// What columns of verdicts say, from the modes of all steps.
+void Variants::read_verdicts(std::span<double* const> out, std::size_t n) {
+  if (of_column_.empty()) find_modes_of_columns();
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    if (columns_[k].kind == SweptResult::Kind::expression) continue;
+    for (std::size_t row = 0; row < n; ++row) out[k][row] = verdict(columns_[k], of_column_[k], row);
+  }
+}
+
+void Variants::find_modes_of_columns() {
+  for (const SweptResult& column : columns_) {
+    std::vector<const ModeColumns*>& modes = of_column_.emplace_back();
+    for (std::size_t s = 0; s < kernels_.size(); ++s) {
+      const Step& step = *project_.steps[project_.order[s]];
+      for (std::size_t m = 0; m < modes_[s].size(); ++m) {
+        if ((column.step.empty() || column.step == step.name()) &&
+            (column.mode.empty() || column.mode == step.input().calculator->modes[m].id))
+          modes.push_back(&modes_[s][m]);
+      }
     }
   }
+}
+
+/// As read() says it of a machine that was solved alone.
+double Variants::verdict(const SweptResult& column, const std::vector<const ModeColumns*>& modes,
+                         std::size_t row) const {
+  using account::State;
+  using Kind = SweptResult::Kind;
+  State worst = State::pass;
+  bool any = false, judged = false;
+  double utilisation = nan;
+  for (const ModeColumns* mode : modes) {
+    if (mode->state[row] == absent_state) continue;
+    auto state = static_cast<State>(static_cast<int>(mode->state[row]));
+    if (project_.strict && state == State::open) state = State::not_judged;
+    worst = account::worse(worst, state);
+    any = true;
+    judged = judged || state != State::open;
+    if (!std::isnan(mode->utilisation[row]) && !(utilisation >= mode->utilisation[row]))
+      utilisation = mode->utilisation[row];
+  }
+  const bool passes = account::rank(worst) <= account::rank(State::open);
+  if (column.kind == Kind::utilisation) return utilisation;
+  if (column.kind == Kind::passes) return passes ? 1.0 : 0.0;
+  if (!any) return column.mode.empty() ? static_cast<double>(State::open) : absent_state;
+  if (!column.mode.empty() || !passes) return static_cast<double>(worst);
+  return static_cast<double>(judged ? State::pass : State::open);
 }
 
 /// False, with a refusal, where the point is none that can be solved.
@@ -76,8 +201,8 @@ bool Variants::solve_point(std::span<const double* const> in, std::size_t row) {
   return false;
 }
 
-double Variants::read(const ResultColumn& column) const {
-  using Kind = ResultColumn::Kind;
+double Variants::read(const SweptResult& column) const {
+  using Kind = SweptResult::Kind;
   if (column.kind == Kind::utilisation) return utilisation_of(column);
   if (column.kind == Kind::state) return state_of(column);
   if (column.kind == Kind::passes)
@@ -90,13 +215,13 @@ double Variants::read(const ResultColumn& column) const {
   return value.si[0];
 }
 
-double Variants::state_of(const ResultColumn& column) const {
+double Variants::state_of(const SweptResult& column) const {
   const account::Modes modes = modes_in(project_, column);
-  if (modes.empty()) return column.mode.empty() ? static_cast<double>(account::State::open) : absent;
+  if (modes.empty()) return column.mode.empty() ? static_cast<double>(account::State::open) : absent_state;
   return static_cast<double>(column.mode.empty() ? account::overall(modes) : account::worst(modes));
 }
 
-double Variants::utilisation_of(const ResultColumn& column) const {
+double Variants::utilisation_of(const SweptResult& column) const {
   double most = nan;
   for (const account::Mode& mode : modes_in(project_, column)) {
     if (mode.utilisation && !(most >= *mode.utilisation)) most = *mode.utilisation;

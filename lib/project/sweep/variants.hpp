@@ -4,9 +4,11 @@
 #pragma once
 
 #include "lib/project/sweep/axes.hpp"
+#include "lib/project/sweep/column_step.hpp"
 #include "lib/project/sweep/columns.hpp"
 #include "lib/sweep/function.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace loadpath::project {
@@ -24,7 +26,7 @@ class Variants final : public sweep::Function {
   Variants(Project project, const std::vector<std::string>& results);
 
   [[nodiscard]] const std::vector<SweptInput>& axes() const { return axes_; }
-  [[nodiscard]] const std::vector<ResultColumn>& columns() const { return columns_; }
+  [[nodiscard]] const std::vector<SweptResult>& columns() const { return columns_; }
   [[nodiscard]] const Project& project() const { return project_; }
   [[nodiscard]] std::size_t inputs() const override { return axes_.size(); }
   [[nodiscard]] std::size_t outputs() const override { return columns_.size(); }
@@ -33,15 +35,30 @@ class Variants final : public sweep::Function {
   [[nodiscard]] const std::vector<Refusal>& refusals() const { return refusals_; }
 
  private:
+  /// The ordinary points of a block, column by column; which are not ordinary stays marked. False where a step needs
+  /// more than columns.
+  bool solve_columns(std::span<const double* const> in, std::span<double* const> out, std::size_t n);
+  bool find_kernels(std::span<const double* const> in);
+  void read_verdicts(std::span<double* const> out, std::size_t n);
+  void find_modes_of_columns();
+  [[nodiscard]] double verdict(const SweptResult& column, const std::vector<const ModeColumns*>& modes,
+                               std::size_t row) const;
+  void solve_alone(std::span<const double* const> in, std::span<double* const> out, std::size_t row);
   bool solve_point(std::span<const double* const> in, std::size_t row);
-  [[nodiscard]] double read(const ResultColumn& column) const;
-  [[nodiscard]] double state_of(const ResultColumn& column) const;
-  [[nodiscard]] double utilisation_of(const ResultColumn& column) const;
+  [[nodiscard]] double read(const SweptResult& column) const;
+  [[nodiscard]] double state_of(const SweptResult& column) const;
+  [[nodiscard]] double utilisation_of(const SweptResult& column) const;
 
   Project project_;
   std::vector<SweptInput> axes_;
-  std::vector<ResultColumn> columns_;
+  std::vector<SweptResult> columns_;
   Wanted wanted_;
+  enum class Way { unknown, columns, alone };
+  Way way_ = Way::unknown;
+  std::vector<std::unique_ptr<ColumnStep>> kernels_;  // in order of evaluation
+  PointColumns points_;
+  std::vector<std::vector<ModeColumns>> modes_;             // of each step in order of evaluation
+  std::vector<std::vector<const ModeColumns*>> of_column_;  // that a column speaks of
   std::vector<Refusal> refusals_;
 };
 

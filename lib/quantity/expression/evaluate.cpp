@@ -83,6 +83,57 @@ Value numbers(const Node& node, const Expression::Known& known) {
   }
 }
 
+namespace {
+
+bool called(const Node& node, const Expression::Column& column, std::span<double> out) {
+  const Function& f = *node.function;
+  if (f.rule == Rule::place || !numbers(node.kids.front(), column, out)) return false;
+  if (f.map != nullptr) {
+    for (double& x : out) x = finite(f.map(x));
+    return true;
+  }
+  if (node.kids.size() == 1) {
+    Value one{{}, {0.0}};
+    for (double& x : out) {
+      one.si[0] = x;
+      x = finite(f.reduce(one));
+    }
+    return true;
+  }
+  std::vector<double> other(out.size());
+  for (std::size_t k = 1; k < node.kids.size(); ++k) {
+    if (!numbers(node.kids[k], column, other)) return false;
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = finite(f.join(out[i], other[i]));
+  }
+  return true;
+}
+
+}  // namespace
+
+bool numbers(const Node& node, const Expression::Column& column, std::span<double> out) {
+  switch (node.operation) {
+    case Operation::literal:
+      std::fill(out.begin(), out.end(), finite(node.si));
+      return true;
+    case Operation::reference:
+      std::transform(out.begin(), out.end(), column(node.path), out.begin(), [](double, double x) { return finite(x); });
+      return true;
+    case Operation::negate:
+      if (!numbers(node.kids[0], column, out)) return false;
+      for (double& x : out) x = -x;
+      return true;
+    case Operation::call:
+      return called(node, column, out);
+    default:
+      break;
+  }
+  std::vector<double> right(out.size());
+  if (!numbers(node.kids[0], column, out) || !numbers(node.kids[1], column, right)) return false;
+  const Join join = join_of(node.operation);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = finite(join(out[i], right[i]));
+  return true;
+}
+
 bool is_constant(const Node& node) {
   return node.operation != Operation::reference && std::all_of(node.kids.begin(), node.kids.end(), is_constant);
 }

@@ -115,4 +115,8 @@ Value Expression::evaluate(const Known& known) const {
   return value;
 }
 
+bool Expression::evaluate(const Column& column, std::span<double> out) const {
+  return expression::numbers(tree_->root, column, out);
+}
+
 }  // namespace loadpath

@@ -19,6 +19,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,6 +80,10 @@ class Expression {
   [[nodiscard]] Outcome<Factors> factors(const FactorsOf& of) const;
   /// The value. A result that is not finite is NaN (never an infinity).
   [[nodiscard]] Value evaluate(const Known& known) const;
+  /// The same, to the bit, where every reference is one value, for many points at once: `column` gives the n values of
+  /// a path. False where it takes a place of a series.
+  using Column = std::function<const double*(const std::string& path)>;
+  bool evaluate(const Column& column, std::span<double> out) const;
 
  private:
   std::unique_ptr<const expression::Tree> tree_;

@@ -72,6 +72,9 @@ Outcome<Signature> check(const Tree& tree, const Expression::Declared& declared)
 /// The numbers and the axis of a tree that passed its check; the dimension is left to the check.
 Value numbers(const Node& node, const Expression::Known& known);
 
+/// The same of single values, for as many points as `out` holds; false where it asks for a place of a series.
+bool numbers(const Node& node, const Expression::Column& column, std::span<double> out);
+
 /// The value of a tree without references.
 double constant(const Node& node);
 bool is_constant(const Node& node);

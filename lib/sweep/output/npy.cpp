@@ -56,8 +56,10 @@ bool NpyColumn::flush() {
   std::FILE* const file = file_.get();
   const auto bytes = header(rows_);
   return std::fseek(file, 0, SEEK_SET) == 0 && std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() &&
-         std::fseek(file, end_of(rows_), SEEK_SET) == 0 && std::fflush(file) == 0 && ::fsync(::fileno(file)) == 0;
+         std::fseek(file, end_of(rows_), SEEK_SET) == 0 && flush_to_disk(file);
 }
+
+bool flush_to_disk(std::FILE* file) { return std::fflush(file) == 0 && ::fsync(::fileno(file)) == 0; }
 
 Outcome<std::vector<double>> read_npy(const std::filesystem::path& path) {
   const auto refuse = [&](const char* what) { return Fault{0, 1, say("'{1}': {2}", path.string(), what), {}}; };

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace loadpath::sweep {
 
@@ -29,6 +30,9 @@ class NpyColumn {
   std::unique_ptr<std::FILE, Close> file_;
   std::uint64_t rows_ = 0;
 };
+
+/// Everything that was written to the file is on the disk afterwards; false where that cannot be.
+bool flush_to_disk(std::FILE* file);
 
 /// The numbers of such a file; a Fault where it is none.
 Outcome<std::vector<double>> read_npy(const std::filesystem::path& path);

@@ -16,8 +16,9 @@ using test::Swept;
 
 namespace {
 
-const std::string shaft = "[shaft]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nG = \"81 GPa\"\ntheta_adm = "
-                          "\"0.25 deg/m\"\nl = \"1 m\"\n";
+const std::string shaft =
+    "[shaft]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nG = \"81 GPa\"\ntheta_adm = "
+    "\"0.25 deg/m\"\nl = \"1 m\"\n";
 
 double number_of(State state) { return static_cast<double>(state); }
 
@@ -25,8 +26,9 @@ double number_of(State state) { return static_cast<double>(state); }
 
 TEST_SUITE("points of a sweep") {
   TEST_CASE("a range, crossed with a list: the last in the file runs fastest") {
-    const Swept swept(shaft + "T = { from = \"100 N*m\", to = \"300 N*m\", step = \"100 N*m\" }\nd = [\"40 mm\", \"60 "
-                              "mm\"]\n",
+    const Swept swept(shaft +
+                          "T = { from = \"100 N*m\", to = \"300 N*m\", step = \"100 N*m\" }\nd = [\"40 mm\", \"60 "
+                          "mm\"]\n",
                       {"shaft.tau_max", "shaft.passes"});
     REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
     CHECK(swept.input("shaft.T") == std::vector<double>{100, 100, 200, 200, 300, 300});
@@ -38,8 +40,9 @@ TEST_SUITE("points of a sweep") {
   }
 
   TEST_CASE("a point is the machine with its values typed, to the bit") {
-    const std::string text = shaft + "d = [\"20 mm\", \"60 mm\"]\nT = { from = \"100 N*m\", to = \"1 kN*m\", log = 5 "
-                                     "}\n";
+    const std::string text = shaft +
+                             "d = [\"20 mm\", \"60 mm\"]\nT = { from = \"100 N*m\", to = \"1 kN*m\", log = 5 "
+                             "}\n";
     const Swept swept(text, {"shaft.tau_max", "shaft.theta_max"});
     REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
     for (std::size_t i = 0; i < 10; ++i) {
@@ -58,8 +61,9 @@ TEST_SUITE("points of a sweep") {
   }
 
   TEST_CASE("any number of threads gives the same bits in the same order") {
-    const std::string text = shaft + "d = { from = \"20 mm\", to = \"60 mm\", count = 41 }\nT = { mean = \"200 N*m\", sd "
-                                     "= \"10 %\" }\n[project]\nsweep = { samples = 20, seed = 7 }\n";
+    const std::string text = shaft +
+                             "d = { from = \"20 mm\", to = \"60 mm\", count = 41 }\nT = { mean = \"200 N*m\", sd "
+                             "= \"10 %\" }\n[project]\nsweep = { samples = 20, seed = 7 }\n";
     const Swept one(text, {"shaft.tau_max"}, 1), three(text, {"shaft.tau_max"}, 3);
     REQUIRE_MESSAGE(one.errors().empty(), one.errors());
     REQUIRE(one.column("shaft.tau_max").size() == 820);
@@ -80,8 +84,9 @@ TEST_SUITE("points of a sweep") {
   }
 
   TEST_CASE("inputs that run together") {
-    const Swept swept(shaft + "T = [\"100 N*m\", \"200 N*m\"]\nd = [\"40 mm\", \"60 mm\"]\n[project]\nsweep = { zip = "
-                              "[[\"shaft.T\", \"shaft.d\"]] }\n",
+    const Swept swept(shaft +
+                          "T = [\"100 N*m\", \"200 N*m\"]\nd = [\"40 mm\", \"60 mm\"]\n[project]\nsweep = { zip = "
+                          "[[\"shaft.T\", \"shaft.d\"]] }\n",
                       {"shaft.tau_max"});
     REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
     CHECK(swept.input("shaft.T") == std::vector<double>{100, 200});
@@ -89,10 +94,11 @@ TEST_SUITE("points of a sweep") {
   }
 
   TEST_CASE("a value of [values] is one input, alone and in expressions") {
-    const Swept swept("[values]\nT = [\"100 N*m\", \"200 N*m\"]\n[a]\ncalculator = \"shaft.torsion\"\nT = "
-                      "\"=values.T\"\ntau_adm = \"30 MPa\"\n[b]\ncalculator = \"shaft.torsion\"\nT = "
-                      "\"=2*values.T\"\ntau_adm = \"30 MPa\"\n",
-                      {"a.T", "b.T"});
+    const Swept swept(
+        "[values]\nT = [\"100 N*m\", \"200 N*m\"]\n[a]\ncalculator = \"shaft.torsion\"\nT = "
+        "\"=values.T\"\ntau_adm = \"30 MPa\"\n[b]\ncalculator = \"shaft.torsion\"\nT = "
+        "\"=2*values.T\"\ntau_adm = \"30 MPa\"\n",
+        {"a.T", "b.T"});
     REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
     CHECK(swept.plan.inputs.size() == 1);
     CHECK(swept.column("a.T") == std::vector<double>{100, 200});
@@ -100,11 +106,12 @@ TEST_SUITE("points of a sweep") {
   }
 
   TEST_CASE("points that break a rule are marked, and the next ones do not feel it") {
-    const Swept swept("[shaft]\ncalculator = \"shaft.torsion\"\nT = \"100 N*m\"\ntau_adm = \"30 MPa\"\nd = \"30 "
-                      "mm\"\nd_i = [\"10 mm\", \"35 mm\", \"10 mm\"]\n",
-                      {"shaft.tau_max"});
+    const Swept swept(
+        "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"100 N*m\"\ntau_adm = \"30 MPa\"\nd = \"30 "
+        "mm\"\nd_i = [\"10 mm\", \"35 mm\", \"10 mm\"]\n",
+        {"shaft.tau_max"});
     REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
-    CHECK(swept.column("state")[1] == project::refused);
+    CHECK(swept.column("state")[1] == project::refused_state);
     CHECK(std::isnan(swept.column("shaft.tau_max")[1]));
     CHECK(swept.refusals.size() == 1);
     CHECK(swept.column("shaft.tau_max")[0] == swept.column("shaft.tau_max")[2]);
@@ -124,7 +131,8 @@ TEST_SUITE("points of a sweep") {
     CHECK(contains(fault("{ mean = \"100 N*m\" }"), "'sd' is missing"));
     CHECK(contains(fault("[\"1 N*m\", \"2 N*m\"]", "[project]\nsweep = { zip = [[\"shaft.X\"]] }\n"), "'shaft.X'"));
     CHECK(contains(Solved(shaft + "d = \"40 mm\"\nT = [\"1 N*m\", \"2 N*m\"]\n").errors(), "loadpath sweep"));
-    CHECK(contains(Solved(shaft + "d = \"40 mm\"\nT = { mean = \"1 N*m\", sd = \"5 %\" }\n").messages(), "middle value"));
+    CHECK(
+        contains(Solved(shaft + "d = \"40 mm\"\nT = { mean = \"1 N*m\", sd = \"5 %\" }\n").messages(), "middle value"));
   }
 
   TEST_CASE("results that cannot be read off are told") {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/catalogue.hpp"
-#include "lib/project/sweep/blocks.hpp"
+#include "lib/project/sweep/sweep.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,22 +13,24 @@
 namespace loadpath::test {
 
 struct Swept {
-  explicit Swept(std::string of, const std::vector<std::string>& results = {}, unsigned jobs = 1)
-      : text(std::move(of)) {
+  explicit Swept(std::string of, const std::vector<std::string>& results = {}, unsigned jobs = 1,
+                 project::Keep kept = {})
+      : text(std::move(of)), keep(std::move(kept)) {
     project::Project project = read(issues);
     if (has_errors(issues)) return;
     for (const std::string& result : results) project.sweep.results.push_back({result, {"--results", 1, 1, 1}});
-    for (const auto& result : project.sweep.results) asked.push_back(result.text);
     plan = project::plan_sweep(project, project.sweep, issues);
     if (has_errors(issues)) return;
     inputs.resize(plan.inputs.size());
     columns.resize(plan.columns.size() + project::verdict_columns(project).size());
     for (const auto& column : project::verdict_columns(project)) verdicts.push_back(column.name);
-    project::solve_blocks(plan, [this] { return read_again(); }, asked, project::all_blocks(plan), jobs,
-                          [this](const project::SolvedBlock& block) {
-                            take(block);
-                            return true;
-                          });
+    sum = project::nothing_found(plan, project, keep);
+    const project::SweepWork work{plan, [this] { return read_again(); }, keep, project::all_blocks(plan), jobs, true};
+    project::solve(work, [this](project::SweptPart&& part) {
+      for (const project::SolvedBlock& block : part.rows) take(block);
+      CHECK(sum.merge(part.found));
+      return true;
+    });
   }
 
   [[nodiscard]] project::Project read(std::vector<Issue>& found) const {
@@ -63,9 +65,11 @@ struct Swept {
   }
 
   std::string text;
+  project::Keep keep;
   std::vector<Issue> issues;
+  project::Found sum;
   project::SweepPlan plan;
-  std::vector<std::string> asked, verdicts;
+  std::vector<std::string> verdicts;
   std::vector<std::vector<double>> inputs, columns;
   std::vector<std::string> refusals;  // "17: message"
 

@@ -1,0 +1,90 @@
+// What a sweep keeps of all its points: how the parts came out, what every result is like, the points worth a look.
+//
+// It is the same to the bit however the points were shared out, and can be stored and taken up again.
+#pragma once
+
+#include "lib/project/sweep/blocks.hpp"
+#include "lib/sweep/statistics/covariances.hpp"
+#include "lib/sweep/statistics/forest.hpp"
+#include "lib/sweep/statistics/pareto.hpp"
+#include "lib/sweep/statistics/summary.hpp"
+#include "lib/sweep/statistics/worst.hpp"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace loadpath::project {
+
+/// An objective of a Pareto set: a result that was asked for, by its number.
+struct Objective {
+  std::size_t column = 0;
+  sweep::Aim aim = sweep::Aim::min;
+};
+
+struct Keep {
+  std::size_t worst = 5;              // points with the largest utilisation
+  std::vector<Objective> objectives;  // none: no Pareto set
+};
+
+/// How often a mode, or the whole, came out as what, and where its utilisation is largest.
+struct Tally {
+  static constexpr std::size_t states = 8;  // of account::State, and refused_state
+  std::array<std::uint64_t, states> counts{};
+  sweep::Extreme largest;
+
+  void add(std::uint64_t first, std::span<const double> state, std::span<const double> utilisation);
+  void merge(const Tally& other);
+  [[nodiscard]] std::uint64_t of(account::State state) const { return counts[static_cast<std::size_t>(state)]; }
+  [[nodiscard]] std::uint64_t refused_points() const { return counts[static_cast<std::size_t>(refused_state)]; }
+  /// Points that it concerns.
+  [[nodiscard]] std::uint64_t total() const;
+  /// Those that are judged and pass, or are accepted or open.
+  [[nodiscard]] std::uint64_t passing() const;
+};
+
+/// Points that were refused for one reason.
+struct Refused {
+  std::uint64_t count = 0, first = 0;
+  std::string key, message;  // of the first
+};
+
+class Found {
+ public:
+  Found() = default;
+  /// For a plan with so many inputs and results; the columns behind them are those of verdict_columns().
+  Found(std::size_t inputs, std::size_t results, std::size_t verdicts, Keep keep);
+
+  void add(const SolvedBlock& block);
+  /// Of other blocks; false where both have one.
+  bool merge(const Found& other);
+
+  [[nodiscard]] std::uint64_t points() const { return points_; }
+  [[nodiscard]] const std::vector<sweep::Summary>& results() const { return results_; }
+  /// The first of the whole, then of every mode, in the order of verdict_columns().
+  [[nodiscard]] const std::vector<Tally>& tallies() const { return tallies_; }
+  [[nodiscard]] const std::map<std::string, Refused>& refusals() const { return refusals_; }
+  /// Rows hold inputs, then results.
+  [[nodiscard]] std::vector<sweep::Worst::Row> worst() const { return worst_.rows(); }
+  [[nodiscard]] std::vector<sweep::Pareto::Point> pareto() const { return pareto_.points(); }
+  /// Of inputs and results, in this order.
+  [[nodiscard]] sweep::Covariances covariances() const { return covariances_.total(); }
+  [[nodiscard]] const Keep& keep() const { return keep_; }
+
+  void store(sweep::Writer& writer) const;
+  void load(sweep::Reader& reader);
+
+ private:
+  std::uint64_t points_ = 0;
+  Keep keep_;
+  std::vector<sweep::Summary> results_;
+  std::vector<Tally> tallies_;
+  std::map<std::string, Refused> refusals_;
+  sweep::Worst worst_;
+  sweep::Pareto pareto_;
+  sweep::Forest<sweep::Covariances> covariances_;
+};
+
+}  // namespace loadpath::project

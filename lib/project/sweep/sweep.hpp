@@ -1,0 +1,32 @@
+// A sweep at work: threads solve its points, what they find is put together in the order of the points.
+#pragma once
+
+#include "lib/project/sweep/found.hpp"
+
+#include <functional>
+
+namespace loadpath::project {
+
+/// A part of a sweep that is done.
+struct SweptPart {
+  BlockRange blocks;
+  Found found;
+  std::vector<SolvedBlock> rows;  // where they are wanted
+};
+
+struct SweepWork {
+  const SweepPlan& plan;
+  ReadAgain read;
+  Keep keep;
+  BlockRange blocks;  // those that are to be solved
+  unsigned jobs = 1;
+  bool rows = false;  // whether points are wanted one by one
+};
+
+/// Nothing found yet.
+Found nothing_found(const SweepPlan& plan, const Project& project, const Keep& keep);
+
+/// Solves the blocks; `take` is given the parts in their order, and ends the work with false.
+void solve(const SweepWork& work, const std::function<bool(SweptPart&& part)>& take);
+
+}  // namespace loadpath::project

@@ -1,0 +1,260 @@
+#include "lib/report/sweep.hpp"
+
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace loadpath::report {
+
+namespace {
+
+using project::Found;
+using project::Project;
+using project::SweepPlan;
+using project::SweptInput;
+using project::SweptResult;
+using project::Tally;
+
+constexpr double confidence = 0.95;
+constexpr std::size_t most_rows = 40;  // of the Pareto set, on paper
+constexpr std::size_t bins = 30;
+
+std::string number(std::uint64_t n) { return std::to_string(n); }
+
+/// "12.5 %", with as many digits as a share near 0 or 1 needs.
+std::string percent(double share) { return format_number(100.0 * share, 3) + " %"; }
+
+/// "2.1 % (1.9 % to 2.3 %)"; of a grid, which is no sample, without bounds.
+std::string share_text(std::uint64_t met, std::uint64_t n, bool is_sample) {
+  if (n == 0) return "-";
+  const std::string share = percent(static_cast<double>(met) / static_cast<double>(n));
+  if (!is_sample) return share;
+  const sweep::Interval bounds = sweep::share_bounds(met, n, confidence);
+  return share + " (" + percent(bounds.low) + " to " + percent(bounds.high) + ")";
+}
+
+bool is_sample(const SweepPlan& plan) {
+  return std::any_of(plan.inputs.begin(), plan.inputs.end(), [](const SweptInput& i) { return i.distribution; });
+}
+
+Quantity quantity(double si, const std::string& unit, int digits = 4) {
+  return {si, unit.empty() ? std::string("-") : unit, digits};
+}
+
+/// What an input goes through: "20 mm to 60 mm, 41 values"; "normal, mean 200 N*m, sd 20 N*m".
+Message course_of(const SweptInput& input) {
+  if (!input.words.empty()) {
+    std::string all;
+    for (const std::string& word : input.words) all += (all.empty() ? "" : ", ") + word;
+    return say("{1}", all);
+  }
+  if (!input.distribution) {
+    const std::uint64_t n = input.axis.size();
+    if (n == 1) return say("{1}", written(input, input.axis.at(0)));
+    return say("{1} to {2}, {3} values", written(input, input.axis.at(0)), written(input, input.axis.at(n - 1)),
+               number(n));
+  }
+  static constexpr std::array names{"normal", "uniform", "triangular", "lognormal", "Weibull"};
+  return say("{1}, mean {2}, standard deviation {3}", names[input.distribution->law().index()],
+             written(input, input.distribution->mean()), format_quantity(input.distribution->sd(), input.unit, 4));
+}
+
+Table input_table(const SweepPlan& plan) {
+  Table table{say("Inputs"), {say("input"), say("values")}, {}};
+  for (const SweptInput& input : plan.inputs) table.rows.push_back({input.name, course_of(input)});
+  return table;
+}
+
+Cell with_point(double si, const std::string& unit, std::uint64_t point) {
+  if (std::isnan(si)) return say("not available");
+  return say("{1} (point {2})", format_quantity(si, unit.empty() ? "-" : unit, 4), number(point));
+}
+
+Table result_table(const SweepPlan& plan, const Found& found) {
+  Table table{say("Results"),
+              {say("result"), say("mean"), say("standard deviation"), say("least"), say("5 %"), say("median"),
+               say("95 %"), say("largest"), say("missing")},
+              {}};
+  for (std::size_t k = 0; k < plan.columns.size(); ++k) {
+    const SweptResult& column = plan.columns[k];
+    const sweep::Summary& summary = found.results()[k];
+    const sweep::Moments moments = summary.moments();
+    const sweep::Ranks ranks = summary.ranks();
+    const std::string& unit = column.unit;
+    table.rows.push_back({column.name, quantity(moments.mean(), unit), quantity(moments.sd(), unit),
+                          with_point(summary.min().value, unit, summary.min().index),
+                          quantity(ranks.quantile(0.05), unit), quantity(ranks.quantile(0.5), unit),
+                          quantity(ranks.quantile(0.95), unit),
+                          with_point(summary.max().value, unit, summary.max().index), number(summary.missing())});
+  }
+  return table;
+}
+
+/// The name of a mode, from that of its column: "shaft.yield" of "shaft.modes.yield.state".
+std::string mode_name(const SweptResult& column) { return column.step + "." + column.mode; }
+
+Table mode_table(const Project& project, const SweepPlan& plan, const Found& found) {
+  Table table{say("Modes of failure"),
+              {say("mode"), say("fails"), say("not judged, not covered or not available"), say("passes"),
+               say("largest utilisation")},
+              {}};
+  const auto columns = project::verdict_columns(project);
+  for (std::size_t t = 1; t < found.tallies().size(); ++t) {
+    const Tally& tally = found.tallies()[t];
+    const std::uint64_t n = tally.total() - tally.refused_points(), fails = tally.of(State::fail);
+    if (n == 0) continue;
+    const std::uint64_t gaps = n - fails - tally.passing();
+    const bool remote = fails == 0 && gaps == 0 && tally.of(State::open) == n;
+    if (remote) continue;  // told at the end of a run of one point
+    table.rows.push_back({mode_name(columns[2 * t]), share_text(fails, n, is_sample(plan)), share_text(gaps, n, false),
+                          share_text(tally.passing(), n, false),
+                          with_point(tally.largest.value, "-", tally.largest.index)});
+  }
+  return table;
+}
+
+Table refused_table(const Found& found) {
+  Table table{say("Points that are no machine"), {say("why"), say("points"), say("first")}, {}};
+  for (const auto& [id, refused] : found.refusals())
+    table.rows.push_back({refused.key + ": " + refused.message, number(refused.count), number(refused.first)});
+  return table;
+}
+
+std::vector<Cell> row_of_point(const SweepPlan& plan, std::uint64_t index, const std::vector<double>& values) {
+  std::vector<Cell> row{number(index)};
+  const std::size_t inputs = plan.inputs.size();
+  for (std::size_t i = 0; i < inputs; ++i) row.emplace_back(written(plan.inputs[i], values[i]));
+  for (std::size_t k = 0; k < plan.columns.size(); ++k)
+    row.emplace_back(quantity(values[inputs + k], plan.columns[k].unit, 5));
+  return row;
+}
+
+Table table_of_points(const SweepPlan& plan, Message caption) {
+  Table table{std::move(caption), {say("point")}, {}};
+  for (const SweptInput& input : plan.inputs) table.head.push_back(say("{1}", input.name));
+  for (const SweptResult& column : plan.columns) table.head.push_back(say("{1}", column.name));
+  return table;
+}
+
+Table worst_table(const SweepPlan& plan, const Found& found) {
+  Table table = table_of_points(plan, say("Points with the largest utilisation"));
+  table.head.insert(table.head.begin() + 1, say("utilisation"));
+  for (const auto& worst : found.worst()) {
+    auto row = row_of_point(plan, worst.index, worst.values);
+    row.insert(row.begin() + 1, quantity(worst.key, "-"));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Table pareto_table(const SweepPlan& plan, const Found& found) {
+  const auto points = found.pareto();
+  Table table = table_of_points(plan, points.size() > most_rows ? say("Pareto set: {1} points, {2} of them",
+                                                                      number(points.size()), number(most_rows))
+                                                                : say("Pareto set: {1} points", number(points.size())));
+  const std::size_t shown = std::min(points.size(), most_rows);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const std::size_t which = shown == points.size() ? i : i * (points.size() - 1) / (shown - 1);
+    table.rows.push_back(row_of_point(plan, points[which].index, points[which].values));
+  }
+  return table;
+}
+
+/// How much of the scatter of a result each uncertain input brings, where they are not correlated and act evenly.
+std::optional<Table> correlation_table(const SweepPlan& plan, const Found& found) {
+  const sweep::Covariances all = found.covariances();
+  if (!is_sample(plan) || plan.columns.empty() || all.size() == 0) return std::nullopt;
+  Table table{say("Correlation of inputs and results"), {say("input")}, {}};
+  for (const SweptResult& column : plan.columns) table.head.push_back(say("{1}", column.name));
+  for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
+    std::vector<Cell> row{plan.inputs[i].name};
+    for (std::size_t k = 0; k < plan.columns.size(); ++k) {
+      const double r = all.correlation(i, plan.inputs.size() + k);
+      row.emplace_back(std::isnan(r) ? std::string("-") : format_number(r, 3));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+/// Bars of a histogram as one line.
+draw::Figure histogram_of(const SweptResult& column, const sweep::Summary& summary, std::size_t number_of_column) {
+  const sweep::Histogram histogram = summary.ranks().histogram(bins);
+  draw::Plot plot(draw::Scale{column.name, "", column.unit}, draw::Scale{"", "share of the points in a class", "%"});
+  draw::Curve curve;
+  curve.filled = true;
+  for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+    const double share = static_cast<double>(histogram.counts[i]) / static_cast<double>(summary.count());
+    for (const double x : {histogram.edges[i], histogram.edges[i + 1]}) {
+      curve.x.push_back(x);
+      curve.y.push_back(share);
+    }
+  }
+  curve.x.insert(curve.x.begin(), curve.x.front());
+  curve.y.insert(curve.y.begin(), 0.0);
+  curve.x.push_back(curve.x.back());
+  curve.y.push_back(0.0);
+  plot.curves.push_back(std::move(curve));
+  return {"histogram-" + number(number_of_column + 1), "Histogram of a result over all points", std::move(plot)};
+}
+
+/// The Pareto set over its first two objectives.
+std::optional<draw::Figure> front_of(const SweepPlan& plan, const Found& found) {
+  const auto& objectives = found.keep().objectives;
+  if (objectives.size() < 2 || found.pareto().size() < 2) return std::nullopt;
+  const auto scale = [&](std::size_t which) {
+    const SweptResult& column = plan.columns[objectives[which].column];
+    return draw::Scale{column.name, "", column.unit};
+  };
+  draw::Plot plot(scale(0), scale(1));
+  draw::Curve curve;
+  for (const auto& point : found.pareto()) {
+    curve.x.push_back(point.objectives[0]);
+    curve.y.push_back(point.objectives[1]);
+  }
+  plot.curves.push_back(std::move(curve));
+  return draw::Figure{"pareto", "Pareto set: no point is better in both", std::move(plot)};
+}
+
+Paragraph conclusion(const SweepPlan& plan, const Found& found) {
+  const Tally& all = found.tallies().front();
+  const std::uint64_t n = all.total(), fails = all.of(State::fail);
+  const std::uint64_t gaps = n - fails - all.passing() - all.refused_points();
+  std::string text = "of " + number(n) + " points " + number(all.passing()) + " pass (" +
+                     share_text(all.passing(), n, is_sample(plan)) + "), " + number(fails) + " fail";
+  if (gaps > 0) text += ", " + number(gaps) + " are not judged, not covered or not available";
+  if (all.refused_points() > 0) text += ", " + number(all.refused_points()) + " are no machine";
+  return {say("{1}", text), Paragraph::Tone::plain};
+}
+
+}  // namespace
+
+Document sweep_document(const Project& project, const SweepPlan& plan, const Found& found, std::string_view program) {
+  Document document;
+  document.title = project.title.empty() ? project.file : project.title;
+  document.meta.emplace_back(say("Project file"), project.file);
+  for (const auto& [key, value] : project.meta) document.meta.emplace_back(say("{1}", key), value);
+  document.meta.emplace_back(say("Points"), number(found.points()));
+  if (is_sample(plan)) document.meta.emplace_back(say("Seed"), number(project.sweep.seed));
+  document.meta.emplace_back(say("Program"), std::string(program));
+  auto& blocks = document.blocks;
+  blocks.emplace_back(Heading{2, "Sweep", "sweep"});
+  blocks.emplace_back(conclusion(plan, found));
+  blocks.emplace_back(input_table(plan));
+  if (!plan.columns.empty()) blocks.emplace_back(result_table(plan, found));
+  blocks.emplace_back(mode_table(project, plan, found));
+  if (!found.refusals().empty()) blocks.emplace_back(refused_table(found));
+  if (!found.worst().empty()) blocks.emplace_back(worst_table(plan, found));
+  if (!found.keep().objectives.empty()) blocks.emplace_back(pareto_table(plan, found));
+  if (auto table = correlation_table(plan, found)) blocks.emplace_back(std::move(*table));
+  if (auto figure = front_of(plan, found)) blocks.emplace_back(std::move(*figure));
+  for (std::size_t k = 0; k < plan.columns.size(); ++k) {
+    if (found.results()[k].count() > 1 && found.results()[k].min().value < found.results()[k].max().value)
+      blocks.emplace_back(histogram_of(plan.columns[k], found.results()[k], k));
+  }
+  return document;
+}
+
+}  // namespace loadpath::report

@@ -1,0 +1,14 @@
+// What a sweep has found, as a document: how often the parts fail, what the results are like, which points are worth a
+// look, and how to solve one of them alone.
+#pragma once
+
+#include "lib/project/sweep/found.hpp"
+#include "lib/report/document.hpp"
+
+namespace loadpath::report {
+
+/// `found` holds all points of the plan, or those of a shard.
+Document sweep_document(const project::Project& project, const project::SweepPlan& plan, const project::Found& found,
+                        std::string_view program);
+
+}  // namespace loadpath::report

@@ -1,0 +1,21 @@
+// How far a sample can be trusted: exact bounds of a share and of a quantile, whatever the distribution.
+#pragma once
+
+#include <cstdint>
+
+namespace loadpath::sweep {
+
+struct Interval {
+  double low, high;
+};
+
+/// Bounds of the probability behind `met` of n, n > 0: Clopper and Pearson 1934, never less sure than asked for.
+Interval share_bounds(std::uint64_t met, std::uint64_t n, double confidence);
+
+/// Ranks 1 ... n of the values between which the quantile lies; 0 and n + 1 where the sample is too small to tell.
+struct RankBounds {
+  std::uint64_t low, high;
+};
+RankBounds rank_bounds(std::uint64_t n, double p, double confidence);
+
+}  // namespace loadpath::sweep

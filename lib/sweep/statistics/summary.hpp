@@ -1,0 +1,43 @@
+// What is kept of a result over all points of a sweep, without keeping the points.
+#pragma once
+
+#include "lib/sweep/statistics/forest.hpp"
+#include "lib/sweep/statistics/moments.hpp"
+#include "lib/sweep/statistics/sketch.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace loadpath::sweep {
+
+struct Extreme {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  std::uint64_t index = 0;  // of its point; the first where there are several
+};
+
+class Summary {
+ public:
+  /// The values of a block, the first of which is of point `first`. False, and nothing is done, where the block is
+  /// there already; so with merge().
+  bool add(std::uint64_t block, std::uint64_t first, std::span<const double> values);
+  bool merge(const Summary& other);
+
+  [[nodiscard]] std::uint64_t count() const { return count_; }      // of finite values
+  [[nodiscard]] std::uint64_t missing() const { return missing_; }  // of points without one
+  [[nodiscard]] Moments moments() const { return moments_.total(); }
+  [[nodiscard]] Extreme min() const { return min_; }  // NaN where there is no value
+  [[nodiscard]] Extreme max() const { return max_; }
+  [[nodiscard]] Ranks ranks() const { return Ranks(sketch_); }
+
+  void store(Writer& writer) const;
+  void load(Reader& reader);
+
+ private:
+  std::uint64_t count_ = 0, missing_ = 0;
+  Extreme min_, max_;
+  Forest<Moments> moments_;
+  Sketch sketch_;
+};
+
+}  // namespace loadpath::sweep

@@ -3,6 +3,8 @@
 
 #include "lib/calculator/calculator.hpp"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,8 +26,17 @@ struct OutputOptions {
   bool strict = false;  // what is open counts as not judged
 };
 
+/// The points of a sweep, where the project does not say them.
+struct PointOptions {
+  std::optional<std::uint64_t> samples, seed;
+  bool latin = false;
+  std::vector<std::string> zip;  // "shaft.T,shaft.n"
+};
+
 struct RunOptions {
   std::string file;
+  std::optional<std::uint64_t> point;  // of a sweep
+  PointOptions points;
   OutputOptions output;
 };
 int run(const RunOptions& options);
@@ -33,7 +44,20 @@ int run(const RunOptions& options);
 struct SweepOptions {
   std::string file;
   std::vector<std::string> results;
-  unsigned jobs = 0;  // threads; 0: as many as the machine has
+  PointOptions points;
+  unsigned jobs = 0;                 // threads; 0: as many as the machine has
+  std::size_t worst = 5;             // points that are told
+  std::string pareto;                // "m:min,u:min"
+  std::string csv;                   // file
+  std::vector<std::string> reports;  // .html, .md, .pdf
+  std::string out;                   // folder of columns and state
+  std::string shard;                 // "2/10"
+  std::vector<std::string> merge;    // folders of shards
+  bool resume = false;
+  bool no_columns = false;
+  bool json = false;
+  bool quiet = false;
+  bool strict = false;
 };
 int sweep(const SweepOptions& options);
 

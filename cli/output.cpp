@@ -102,7 +102,8 @@ bool refuse(const fs::path& path, const char* why) {
   return true;
 }
 
-/// Whether an output would take the place of what the program reads, or of another output.
+}  // namespace
+
 bool overwrites(const std::vector<fs::path>& outputs, const project::Project& project) {
   std::set<fs::path> seen;
   for (const fs::path& path : outputs) {
@@ -115,8 +116,6 @@ bool overwrites(const std::vector<fs::path>& outputs, const project::Project& pr
   }
   return false;
 }
-
-}  // namespace
 
 bool can_write(const OutputOptions& options) {
   if (!options.series.empty() && options.csv.empty() && !options.json) {
@@ -145,20 +144,11 @@ bool can_write(const OutputOptions& options) {
   return true;
 }
 
-bool write(const project::Project& project, const OutputOptions& options) {
-  std::vector<File> files;
-  std::vector<std::string> prints;
-  report::Document document;
-  if (!options.reports.empty()) document = report::build(project, program());
-  for (const std::string& path : options.reports) {
-    if (ending(path) == ".pdf") {
-      prints.push_back(path);
-    } else {
-      for (File& file : report_files(document, path)) files.push_back(std::move(file));
-    }
-  }
-  if (!options.csv.empty() && !add_series(project, options, files)) return false;
-  if (!add_drawings(project, options, files)) return false;
+namespace {
+
+/// Files, and what the browser prints, all or none of them; which reports there are is told.
+bool put(const std::vector<File>& files, const std::vector<std::string>& prints, const report::Document& document,
+         const project::Project& project) {
   if (files.empty() && prints.empty()) return true;
   std::vector<fs::path> outputs(prints.begin(), prints.end());
   for (const File& file : files) outputs.push_back(file.path);
@@ -172,10 +162,48 @@ bool write(const project::Project& project, const OutputOptions& options) {
       return false;
     }
   }
-  if (!staged.finish()) return false;
-  for (const std::string& path : options.reports) {
-    if (!options.quiet) std::cerr << "report: " << path << "\n";
+  return staged.finish();
+}
+
+void sort_reports(const report::Document& document, const std::vector<std::string>& paths, std::vector<File>& files,
+                  std::vector<std::string>& prints) {
+  for (const std::string& path : paths) {
+    if (ending(path) == ".pdf") {
+      prints.push_back(path);
+    } else {
+      for (File& file : report_files(document, path)) files.push_back(std::move(file));
+    }
   }
+}
+
+void tell_reports(const std::vector<std::string>& paths, bool quiet) {
+  for (const std::string& path : paths) {
+    if (!quiet) std::cerr << "report: " << path << "\n";
+  }
+}
+
+}  // namespace
+
+bool write_reports(const report::Document& document, const std::vector<std::string>& paths,
+                   const project::Project& project, bool quiet) {
+  std::vector<File> files;
+  std::vector<std::string> prints;
+  sort_reports(document, paths, files, prints);
+  if (!put(files, prints, document, project)) return false;
+  tell_reports(paths, quiet);
+  return true;
+}
+
+bool write(const project::Project& project, const OutputOptions& options) {
+  std::vector<File> files;
+  std::vector<std::string> prints;
+  report::Document document;
+  if (!options.reports.empty()) document = report::build(project, program());
+  sort_reports(document, options.reports, files, prints);
+  if (!options.csv.empty() && !add_series(project, options, files)) return false;
+  if (!add_drawings(project, options, files)) return false;
+  if (!put(files, prints, document, project)) return false;
+  tell_reports(options.reports, options.quiet);
   return true;
 }
 

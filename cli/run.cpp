@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "cli/points.hpp"
 #include "cli/solving.hpp"
 #include "lib/toml/tree.hpp"
 
@@ -16,7 +17,14 @@ int run(const RunOptions& options) {
   }
   const std::string name = options.file == "-" ? "standard input" : options.file;
   return solve_and_show(
-      [&](std::vector<Issue>& issues) { return project::read_project(text, name, catalogue(), issues); },
+      [&](std::vector<Issue>& issues) {
+        using project::Ranges;
+        project::Project project =
+            project::read_project(text, name, catalogue(), issues, options.point ? Ranges::taken : Ranges::refused);
+        take_points(options.points, project.sweep);
+        if (options.point && !has_errors(issues)) take_point(project, *options.point, issues);
+        return project;
+      },
       {{name, text}}, options.output, false);
 }
 

@@ -1,5 +1,272 @@
+#include "lib/report/sweep.hpp"
+
+#include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
+#include "cli/output.hpp"
+#include "cli/points.hpp"
+#include "cli/progress.hpp"
+#include "cli/solving.hpp"
+#include "cli/staged.hpp"
+#include "lib/export/sweep/csv.hpp"
+#include "lib/export/sweep/json.hpp"
+#include "lib/export/sweep/store.hpp"
+#include "lib/toml/tree.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+#include <thread>
 
 namespace loadpath::cli {
-int sweep(const SweepOptions& options) { return options.file.empty() ? passed : fault; }
+
+namespace {
+
+namespace fs = std::filesystem;
+using exports::SweepStore;
+
+std::atomic<bool> interrupted_by_user = false;
+
+int refuse(const std::string& message, const std::string& hint = {}) {
+  std::cerr << "loadpath: " << message << "\n";
+  if (!hint.empty()) std::cerr << "  = help: " << hint << "\n";
+  return wrong_input;
+}
+
+/// What the command line says against itself.
+std::string contradiction(const SweepOptions& options) {
+  if (options.out.empty() && (options.resume || !options.shard.empty() || !options.merge.empty() || options.no_columns))
+    return "'--resume', '--shard', '--merge' and '--no-columns' are about a folder: name it with --out DIR";
+  if (!options.merge.empty() && (!options.shard.empty() || options.resume))
+    return "'--merge' puts shards together; it solves none";
+  if (!options.csv.empty() && (options.resume || !options.merge.empty()))
+    return "'--csv' has every point from the first: it does not go with --resume or --merge";
+  return {};
+}
+
+/// One command at work.
+class Sweeping {
+ public:
+  explicit Sweeping(const SweepOptions& options) : options_(options) {}
+  int run();
+
+ private:
+  [[nodiscard]] project::Project read(std::vector<Issue>& issues) const;
+  bool prepare();
+  bool read_aims(std::vector<Issue>& issues);
+  bool read_shard();
+  [[nodiscard]] std::string identity() const;
+  [[nodiscard]] Outcome<SweepStore> open_store() const;
+  [[nodiscard]] bool solve(SweepStore* store, project::Found& found);
+  [[nodiscard]] int tell(const project::Found& found) const;
+
+  const SweepOptions& options_;
+  std::string text_;
+  project::Project project_;
+  project::SweepPlan plan_;
+  project::Keep keep_;
+  project::BlockRange blocks_;
+};
+
+project::Project Sweeping::read(std::vector<Issue>& issues) const {
+  project::Project project = project::read_project(text_, options_.file, catalogue(), issues, project::Ranges::taken);
+  project.strict = options_.strict;
+  return project;
+}
+
+/// "m:min,u:max": names of results, each with an aim.
+bool Sweeping::read_aims(std::vector<Issue>& issues) {
+  for (std::size_t from = 0; !options_.pareto.empty() && from <= options_.pareto.size();) {
+    const std::size_t to = std::min(options_.pareto.find(',', from), options_.pareto.size());
+    const std::string part = options_.pareto.substr(from, to - from);
+    const std::size_t colon = part.rfind(':');
+    const std::string name = part.substr(0, colon);
+    const std::string aim = colon == std::string::npos ? "min" : part.substr(colon + 1);
+    const auto column =
+        std::find_if(plan_.columns.begin(), plan_.columns.end(), [&](const auto& c) { return c.name == name; });
+    if (column == plan_.columns.end() || (aim != "min" && aim != "max")) {
+      std::vector<std::string> names;
+      for (const auto& c : plan_.columns) names.push_back(c.name);
+      issues.push_back({{"--pareto", 0, 0, 1},
+                        "",
+                        aim == "min" || aim == "max" ? say("'{1}' is none of the results", name)
+                                                     : say("'{1}' is no aim: min or max", aim),
+                        names.empty() ? say("read it off first: --results {1}", name) : there_is(names),
+                        Severity::error});
+      return false;
+    }
+    keep_.objectives.push_back(
+        {static_cast<std::size_t>(column - plan_.columns.begin()), aim == "min" ? sweep::Aim::min : sweep::Aim::max});
+    from = to + 1;
+  }
+  return true;
+}
+
+bool Sweeping::read_shard() {
+  blocks_ = project::all_blocks(plan_);
+  if (options_.shard.empty()) return true;
+  std::uint64_t k = 0, n = 0;
+  const char* const end = options_.shard.data() + options_.shard.size();
+  const auto first = std::from_chars(options_.shard.data(), end, k);
+  const bool parted = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
+  const auto second = parted ? std::from_chars(first.ptr + 1, end, n) : first;
+  if (!parted || second.ec != std::errc() || second.ptr != end || k < 1 || k > n) {
+    refuse("'" + options_.shard + "' is no share of a sweep", "write --shard 2/10, counted from 1");
+    return false;
+  }
+  blocks_ = project::shard_of(blocks_, k, n);
+  return true;
+}
+
+bool Sweeping::prepare() {
+  std::vector<Issue> issues;
+  project_ = read(issues);
+  take_points(options_.points, project_.sweep);
+  for (const std::string& result : options_.results) project_.sweep.results.push_back({result, {"--results", 1, 1, 1}});
+  if (!has_errors(issues)) plan_ = project::plan_sweep(project_, project_.sweep, issues);
+  keep_.worst = options_.worst;
+  if (!has_errors(issues)) read_aims(issues);
+  if (!options_.quiet || has_errors(issues)) {
+    std::vector<terminal::SourceText> sources{{options_.file, text_}, {"--pareto", options_.pareto}};
+    for (const std::string& result : options_.results) sources.push_back({"--results", result});
+    terminal::show_issues(issues, with_files_of(project_, sources));
+  }
+  return !has_errors(issues) && read_shard();
+}
+
+/// Everything that the numbers follow from.
+std::string Sweeping::identity() const {
+  std::string all = program() + "\n" + text_ + "\n";
+  for (const project::NamedFile& file : project_.files) all += file.name + "\n" + file.text + "\n";
+  const project::SweepSettings& s = project_.sweep;
+  for (const auto& column : plan_.columns) all += column.name + " = " + column.text + "\n";
+  for (const std::uint64_t n : {s.samples, s.seed, std::uint64_t{s.latin}, std::uint64_t{keep_.worst},
+                                std::uint64_t{options_.strict}, std::uint64_t{!options_.no_columns}})
+    all += std::to_string(n) + "\n";
+  for (const auto& zip : s.zip) {
+    for (const project::Placed& name : zip) all += name.text + ",";
+    all += "\n";
+  }
+  return all + options_.pareto;
+}
+
+Outcome<SweepStore> Sweeping::open_store() const {
+  const exports::StoredSweep stored{program(),  fs::path(options_.file).filename().string(),
+                                    identity(), project_.sweep.seed,
+                                    blocks_,    !options_.no_columns};
+  const project::Found none = project::nothing_found(plan_, project_, keep_);
+  if (!options_.merge.empty())
+    return SweepStore::merge({options_.merge.begin(), options_.merge.end()}, options_.out, plan_, stored, none);
+  if (options_.resume) return SweepStore::resume(options_.out, plan_, stored, none);
+  return SweepStore::create(options_.out, plan_, stored, none);
+}
+
+/// False where an output cannot be written, which is told, or the user has stopped it.
+bool Sweeping::solve(SweepStore* store, project::Found& found) {
+  constexpr std::chrono::seconds between{2};  // states on the disk
+  Scratch scratch;
+  Staged staged(scratch);
+  std::FILE* csv = nullptr;
+  if (!options_.csv.empty()) {
+    csv = std::fopen(staged.aside(options_.csv).c_str(), "wb");
+    if (csv == nullptr) return refuse("cannot write '" + options_.csv + "'"), false;
+    const std::string head = exports::csv_head(plan_);
+    std::fwrite(head.data(), 1, head.size(), csv);
+  }
+  const unsigned jobs = options_.jobs != 0 ? options_.jobs : std::max(1U, std::thread::hardware_concurrency());
+  const project::BlockRange blocks = store != nullptr ? store->left() : blocks_;
+  const project::SweepWork work{plan_,
+                                [this] {
+                                  std::vector<Issue> told;
+                                  return read(told);
+                                },
+                                keep_,
+                                blocks,
+                                jobs,
+                                csv != nullptr || (store != nullptr && !options_.no_columns)};
+  Progress progress(blocks.count() * project::block_size, !options_.quiet);
+  auto saved = std::chrono::steady_clock::now();
+  bool whole = true;
+  std::string lines;
+  project::solve(work, [&](project::SweptPart&& part) {
+    lines.clear();
+    for (const project::SolvedBlock& block : part.rows) {
+      if (csv != nullptr) exports::append_csv(plan_, block, lines);
+    }
+    if (csv != nullptr && std::fwrite(lines.data(), 1, lines.size(), csv) != lines.size()) {
+      refuse("cannot write '" + options_.csv + "'");
+      return whole = false;
+    }
+    Message wrong;
+    if (store != nullptr)
+      wrong = store->take(part);
+    else
+      whole = found.merge(part.found);
+    const auto now = std::chrono::steady_clock::now();
+    if (wrong.empty() && store != nullptr && now - saved >= between) {
+      wrong = store->save();
+      saved = now;
+    }
+    if (!wrong.empty()) {
+      refuse(wrong.text());
+      return whole = false;
+    }
+    progress.show((part.blocks.last - blocks.first) * project::block_size);
+    return !interrupted_by_user;
+  });
+  progress.end();
+  if (csv != nullptr && std::fclose(csv) != 0) return refuse("cannot write '" + options_.csv + "'"), false;
+  if (store != nullptr && whole) {
+    if (const Message wrong = store->save(); !wrong.empty()) return refuse(wrong.text()), false;
+  }
+  return whole && (interrupted_by_user || options_.csv.empty() || staged.finish());
+}
+
+int Sweeping::tell(const project::Found& found) const {
+  const report::Document document = report::sweep_document(project_, plan_, found, program());
+  if (!write_reports(document, options_.reports, project_, options_.quiet)) return wrong_input;
+  if (options_.json) {
+    std::cout << exports::json_of(project_, plan_, found, program());
+  } else if (!options_.quiet) {
+    terminal::show_tables(document.blocks);
+    const std::string file = options_.file == "-" ? "FILE" : options_.file;
+    if (!found.worst().empty())
+      std::cout << "\none of the points as a machine: loadpath run " << file << " --point "
+                << found.worst().front().index << "\n";
+  }
+  return passed;
+}
+
+int Sweeping::run() {
+  if (const std::string wrong = contradiction(options_); !wrong.empty()) return refuse(wrong);
+  OutputOptions reports;
+  reports.reports = options_.reports;
+  if (!can_write(reports)) return wrong_input;
+  if (!toml::read_file(options_.file, text_)) return refuse("cannot read '" + options_.file + "'");
+  if (!prepare()) return wrong_input;
+  std::vector<fs::path> outputs(options_.reports.begin(), options_.reports.end());
+  if (!options_.csv.empty()) outputs.emplace_back(options_.csv);
+  if (overwrites(outputs, project_)) return wrong_input;
+  project::Found found = project::nothing_found(plan_, project_, keep_);
+  if (options_.out.empty()) {
+    if (!solve(nullptr, found)) return wrong_input;
+    return interrupted_by_user ? int{interrupted} : tell(found);
+  }
+  auto store = open_store();
+  if (!store) return refuse(store.fault().message.text(), store.fault().hint.text());
+  std::signal(SIGINT, [](int) { interrupted_by_user = true; });
+  if (store->left().count() != 0 && !solve(&*store, found)) return wrong_input;
+  if (store->left().count() == 0) return tell(store->found());
+  std::cerr << "stopped at " << store->found().points() << " points: loadpath sweep " << options_.file << " --out "
+            << options_.out << " --resume goes on, with the same options\n";
+  return interrupted;
+}
+
+}  // namespace
+
+int sweep(const SweepOptions& options) { return Sweeping(options).run(); }
+
 }  // namespace loadpath::cli

@@ -125,6 +125,13 @@ bool colours(Stream stream) {
   return wanted && isatty(stream == Stream::out ? STDOUT_FILENO : STDERR_FILENO) != 0;
 }
 
+void show_tables(const std::vector<account::Block>& blocks) {
+  for (const account::Block& block : blocks) {
+    if (const auto* text = std::get_if<account::Paragraph>(&block)) std::cout << paragraph(text->text.text()) << "\n";
+    if (const auto* table = std::get_if<account::Table>(&block)) show_table(*table);
+  }
+}
+
 void show_issues(const std::vector<Issue>& issues, const std::vector<SourceText>& sources) {
   const std::string text = render(issues, [&](const std::string& file) {
     const auto found =

@@ -23,6 +23,9 @@ bool colours(Stream stream);
 /// The results and verdicts of a solved project; `in_full`: its formulas too, and of a mechanism its tables.
 void show_project(const project::Project& project, bool in_full);
 
+/// Paragraphs and tables of a document; its figures are not shown.
+void show_tables(const std::vector<account::Block>& blocks);
+
 /// One coloured word for a state: "pass", "FAIL".
 std::string state_word(account::State state);
 

@@ -77,7 +77,7 @@ TEST_SUITE("points of a sweep") {
     REQUIRE_MESSAGE(sizes.errors().empty(), sizes.errors());
     CHECK(sizes.input("shaft.d").size() == 3);  // 30, 32, 34
     const std::string rows =
-        "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"100 N*m\"\nd = \"30 mm\"\nS = 2\ntau_adm = \"30 "
+        "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"100 N*m\"\nd = \"30 mm\"\ntau_adm = \"30 "
         "MPa\"\ntheta_adm = \"0.25 deg/m\"\nmaterial = [\"C45E\", \"S355\"]\n";
     const Swept materials(rows, {"shaft.tau_max", "shaft.G"});
     CHECK_MESSAGE(materials.errors().empty(), materials.errors());
@@ -108,7 +108,7 @@ TEST_SUITE("points of a sweep") {
   TEST_CASE("points that break a rule are marked, and the next ones do not feel it") {
     const Swept swept(
         "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"100 N*m\"\ntau_adm = \"30 MPa\"\nd = \"30 "
-        "mm\"\nd_i = [\"10 mm\", \"35 mm\", \"10 mm\"]\n",
+        "mm\"\nd_h = [\"10 mm\", \"35 mm\", \"10 mm\"]\n",
         {"shaft.tau_max"});
     REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
     CHECK(swept.column("state")[1] == project::refused_state);
@@ -139,7 +139,7 @@ TEST_SUITE("points of a sweep") {
     const auto fault = [](const std::string& result) {
       return Swept(shaft + "d = \"40 mm\"\nT = [\"1 N*m\", \"2 N*m\"]\n", {result}).errors();
     };
-    CHECK(contains(fault("shaft.tau"), "tau_max"));
+    CHECK(contains(fault("shaft.tau_mex"), "tau_max"));
     CHECK(contains(fault("axle.tau_max"), "there is no step 'axle'"));
     CHECK(contains(fault("shaft.modes.yields"), "did you mean"));
     CHECK(contains(fault("2*"), "project.sweep"));

@@ -1,0 +1,14 @@
+// What a sweep has found, as JSON: numbers in SI.
+#pragma once
+
+#include "lib/project/sweep/found.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace loadpath::exports {
+
+std::string json_of(const project::Project& project, const project::SweepPlan& plan, const project::Found& found,
+                    std::string_view program);
+
+}  // namespace loadpath::exports

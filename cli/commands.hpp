@@ -54,6 +54,7 @@ struct SweepOptions {
   std::string shard;                 // "2/10"
   std::vector<std::string> merge;    // folders of shards
   bool resume = false;
+  double save_every = 2.0;  // seconds between states on the disk
   bool no_columns = false;
   bool json = false;
   bool quiet = false;

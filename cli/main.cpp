@@ -97,6 +97,9 @@ void setup_sweep(CLI::App& app, SweepOptions& options, Action& action) {
       ->type_name("DIR");
   sub->add_flag("--no-columns", options.no_columns, "keep no columns in that folder");
   sub->add_flag("--resume", options.resume, "go on with the sweep in that folder");
+  sub->add_option("--save-every", options.save_every, "seconds between states on the disk; 2 where missing")
+      ->type_name("S")
+      ->check(CLI::NonNegativeNumber);
   sub->add_option("--shard", options.shard, "solve the share K of N of the points")->type_name("K/N");
   sub->add_option("--merge", options.merge, "put the folders of shards together")->type_name("DIR")->expected(1, -1);
   sub->add_option("--jobs", options.jobs, "threads; as many as the machine has where missing")

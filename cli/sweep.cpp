@@ -166,7 +166,7 @@ Outcome<SweepStore> Sweeping::open_store() const {
 
 /// False where an output cannot be written, which is told, or the user has stopped it.
 bool Sweeping::solve(SweepStore* store, project::Found& found) {
-  constexpr std::chrono::seconds between{2};  // states on the disk
+  const std::chrono::duration<double> between(options_.save_every);
   Scratch scratch;
   Staged staged(scratch);
   std::FILE* csv = nullptr;

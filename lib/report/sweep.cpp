@@ -67,27 +67,25 @@ Table input_table(const SweepPlan& plan) {
   return table;
 }
 
-Cell with_point(double si, const std::string& unit, std::uint64_t point) {
-  if (std::isnan(si)) return say("not available");
-  return say("{1} (point {2})", format_quantity(si, unit.empty() ? "-" : unit, 4), number(point));
+/// The number of a point where there is a value.
+Cell point_of(const sweep::Extreme& extreme) {
+  return std::isnan(extreme.value) ? std::string("-") : number(extreme.index);
 }
 
 Table result_table(const SweepPlan& plan, const Found& found) {
   Table table{say("Results"),
-              {say("result"), say("mean"), say("standard deviation"), say("least"), say("5 %"), say("median"),
-               say("95 %"), say("largest"), say("missing")},
+              {say("result"), say("mean"), say("sd"), say("least"), say("at point"), say("5 %"), say("median"),
+               say("95 %"), say("largest"), say("at point")},
               {}};
   for (std::size_t k = 0; k < plan.columns.size(); ++k) {
     const SweptResult& column = plan.columns[k];
     const sweep::Summary& summary = found.results()[k];
     const sweep::Moments moments = summary.moments();
     const sweep::Ranks ranks = summary.ranks();
-    const std::string& unit = column.unit;
-    table.rows.push_back({column.name, quantity(moments.mean(), unit), quantity(moments.sd(), unit),
-                          with_point(summary.min().value, unit, summary.min().index),
-                          quantity(ranks.quantile(0.05), unit), quantity(ranks.quantile(0.5), unit),
-                          quantity(ranks.quantile(0.95), unit),
-                          with_point(summary.max().value, unit, summary.max().index), number(summary.missing())});
+    const auto shown = [&](double si) { return quantity(si, column.unit); };
+    table.rows.push_back({column.name, shown(moments.mean()), shown(moments.sd()), shown(summary.min().value),
+                          point_of(summary.min()), shown(ranks.quantile(0.05)), shown(ranks.quantile(0.5)),
+                          shown(ranks.quantile(0.95)), shown(summary.max().value), point_of(summary.max())});
   }
   return table;
 }
@@ -96,10 +94,10 @@ Table result_table(const SweepPlan& plan, const Found& found) {
 std::string mode_name(const SweptResult& column) { return column.step + "." + column.mode; }
 
 Table mode_table(const Project& project, const SweepPlan& plan, const Found& found) {
-  Table table{say("Modes of failure"),
-              {say("mode"), say("fails"), say("not judged, not covered or not available"), say("passes"),
-               say("largest utilisation")},
-              {}};
+  Table table{
+      say("Modes of failure"),
+      {say("mode"), say("fails"), say("no verdict"), say("passes"), say("largest utilisation"), say("at point")},
+      {}};
   const auto columns = project::verdict_columns(project);
   for (std::size_t t = 1; t < found.tallies().size(); ++t) {
     const Tally& tally = found.tallies()[t];
@@ -108,9 +106,11 @@ Table mode_table(const Project& project, const SweepPlan& plan, const Found& fou
     const std::uint64_t gaps = n - fails - tally.passing();
     const bool remote = fails == 0 && gaps == 0 && tally.of(State::open) == n;
     if (remote) continue;  // told at the end of a run of one point
-    table.rows.push_back({mode_name(columns[2 * t]), share_text(fails, n, is_sample(plan)), share_text(gaps, n, false),
-                          share_text(tally.passing(), n, false),
-                          with_point(tally.largest.value, "-", tally.largest.index)});
+    table.rows.push_back(
+        {mode_name(columns[2 * t]), share_text(fails, n, is_sample(plan)), share_text(gaps, n, false),
+         share_text(tally.passing(), n, false),
+         std::isnan(tally.largest.value) ? Cell(std::string("-")) : Cell(quantity(tally.largest.value, "-")),
+         point_of(tally.largest)});
   }
   return table;
 }

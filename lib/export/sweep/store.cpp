@@ -153,19 +153,19 @@ Outcome<SweepStore> SweepStore::merge(const std::vector<fs::path>& shards, const
   }
   std::sort(all.begin(), all.end(),
             [](const SweepStore& a, const SweepStore& b) { return a.sweep_.blocks.first < b.sweep_.blocks.first; });
+  std::uint64_t next = sweep.blocks.first;  // nothing is made where something is missing
+  for (const SweepStore& shard : all) {
+    if (shard.sweep_.blocks.first < next) return refused(shard.folder_, say("its points are in another shard too"));
+    if (shard.sweep_.blocks.first > next) break;
+    next = shard.sweep_.blocks.last;
+  }
+  if (next != sweep.blocks.last)
+    return refused(folder, say("the points from {1} on are in no shard", std::to_string(next * project::block_size)));
   auto merged = create(folder, plan, sweep, none);
   if (!merged) return merged;
   for (const SweepStore& shard : all) {
-    if (shard.sweep_.blocks.first != merged->next_)
-      return refused(shard.folder_, shard.sweep_.blocks.first > merged->next_
-                                        ? say("the points from {1} on are in no shard",
-                                              std::to_string(merged->next_ * project::block_size))
-                                        : say("its points are in another shard too"));
     if (Message wrong = merged->append_shard(shard); !wrong.empty()) return Fault{0, 1, std::move(wrong), {}};
   }
-  if (merged->left().count() != 0)
-    return refused(folder,
-                   say("the points from {1} on are in no shard", std::to_string(merged->next_ * project::block_size)));
   if (Message wrong = merged->save(); !wrong.empty()) return Fault{0, 1, std::move(wrong), {}};
   return merged;
 }
@@ -178,11 +178,19 @@ Message SweepStore::append(std::size_t column, std::span<const double> values) {
 
 Message SweepStore::append_shard(const SweepStore& shard) {
   for (std::size_t k = 0; k < columns_.size(); ++k) {
-    const auto values = sweep::read_npy(shard.folder_ / columns_[k].file);
-    if (!values) return values.fault().message;
-    if (values->size() != shard.found_.points() || checked(0, *values) != shard.columns_[k].check)
-      return say("'{1}' is not what was written", (shard.folder_ / columns_[k].file).string());
-    if (Message wrong = append(k, *values); !wrong.empty()) return wrong;
+    const fs::path path = shard.folder_ / columns_[k].file;
+    std::uint64_t rows = 0, check = 0;
+    Message wrong;
+    const Message unread = sweep::read_npy(path, [&](std::span<const double> values) {
+      rows += values.size();
+      check = checked(check, values);
+      wrong = append(k, values);
+      return wrong.empty();
+    });
+    if (!unread.empty()) return unread;
+    if (!wrong.empty()) return wrong;
+    if (rows != shard.found_.points() || check != shard.columns_[k].check)
+      return say("'{1}' is not what was written", path.string());
   }
   if (!found_.merge(shard.found_)) return say("'{1}': its points are in another shard too", shard.folder_.string());
   next_ = shard.next_;

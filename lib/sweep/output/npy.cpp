@@ -1,8 +1,10 @@
 #include "lib/sweep/output/npy.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 #include <unistd.h>
@@ -61,23 +63,26 @@ bool NpyColumn::flush() {
 
 bool flush_to_disk(std::FILE* file) { return std::fflush(file) == 0 && ::fsync(::fileno(file)) == 0; }
 
-Outcome<std::vector<double>> read_npy(const std::filesystem::path& path) {
-  const auto refuse = [&](const char* what) { return Fault{0, 1, say("'{1}': {2}", path.string(), what), {}}; };
+Message read_npy(const std::filesystem::path& path, const std::function<bool(std::span<const double> values)>& take) {
+  const auto wrong = [&](const char* what) { return say("'{1}': {2}", path.string(), what); };
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file) return refuse("cannot be read");
+  if (!file) return wrong("cannot be read");
   std::array<char, header_size> found{};
-  if (std::fread(found.data(), 1, header_size, file.get()) != header_size) return refuse("it is no column");
+  if (std::fread(found.data(), 1, header_size, file.get()) != header_size) return wrong("it is no column");
   const std::string_view text(found.data(), found.size());
-  const std::size_t shape = text.find("'shape': (");
-  if (shape == std::string_view::npos) return refuse("it is no column");
-  const std::uint64_t rows = std::strtoull(found.data() + shape + 10, nullptr, 10);
-  if (header(rows) != found) return refuse("it is no column of this program");
-  std::error_code error;
-  if (std::filesystem::file_size(path, error) < static_cast<std::uint64_t>(end_of(rows)) || error)
-    return refuse("its end is missing");
-  std::vector<double> values(rows);
-  if (std::fread(values.data(), sizeof(double), rows, file.get()) != rows) return refuse("cannot be read");
-  return values;
+  constexpr std::string_view shape = "'shape': (";
+  const std::size_t at = text.find(shape);
+  if (at == std::string_view::npos) return wrong("it is no column");
+  std::uint64_t left = std::strtoull(found.data() + at + shape.size(), nullptr, 10);
+  if (header(left) != found) return wrong("it is no column of this program");
+  std::array<double, 8192> values{};
+  while (left > 0) {
+    const std::size_t wanted = static_cast<std::size_t>(std::min<std::uint64_t>(left, values.size()));
+    if (std::fread(values.data(), sizeof(double), wanted, file.get()) != wanted) return wrong("its end is missing");
+    if (!take(std::span(values).first(wanted))) return {};
+    left -= wanted;
+  }
+  return {};
 }
 
 }  // namespace loadpath::sweep

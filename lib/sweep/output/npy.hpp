@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
-#include <vector>
 
 namespace loadpath::sweep {
 
@@ -34,7 +34,8 @@ class NpyColumn {
 /// Everything that was written to the file is on the disk afterwards; false where that cannot be.
 bool flush_to_disk(std::FILE* file);
 
-/// The numbers of such a file; a Fault where it is none.
-Outcome<std::vector<double>> read_npy(const std::filesystem::path& path);
+/// Hands the numbers of such a file on, some at a time, until `take` ends it with false. What is wrong with the file,
+/// or nothing.
+Message read_npy(const std::filesystem::path& path, const std::function<bool(std::span<const double> values)>& take);
 
 }  // namespace loadpath::sweep

@@ -1,0 +1,147 @@
+// The command `sweep`: the same bytes by any number of threads and shards, after every kind of end; and its words.
+#include "tests/cli/process.hpp"
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <random>
+#include <spawn.h>
+#include <string>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+using namespace loadpath::test;
+
+namespace {
+
+const std::string shaft = R"(
+[shaft]
+calculator = "shaft.torsion"
+tau_adm = "30 MPa"
+G = "81 GPa"
+theta_adm = "0.25 deg/m"
+l = "1 m"
+d = { from = "30 mm", to = "60 mm", count = 7 }
+T = { mean = "200 N*m", sd = "10 %" }
+[project.sweep]
+samples = 2000
+results = ["tau = shaft.tau_max", "shaft.theta_max"]
+)";
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// Every file of two folders, byte by byte.
+bool same_folders(const Desk& desk, const std::string& a, const std::string& b) {
+  return desk.shell("diff -r " + a + " " + b).code == 0;
+}
+
+pid_t start(const Desk& desk, const std::vector<std::string>& words) {
+  std::vector<char*> all;
+  const std::string program = LOADPATH_PROGRAM, folder = desk.folder().string();
+  std::vector<std::string> kept{"sh", "-c", "cd '" + folder + "' && exec '" + program + "' \"$@\" 2>/dev/null", "sh"};
+  kept.insert(kept.end(), words.begin(), words.end());
+  for (std::string& word : kept) all.push_back(word.data());
+  all.push_back(nullptr);
+  pid_t child = 0;
+  REQUIRE(posix_spawn(&child, "/bin/sh", nullptr, nullptr, all.data(), environ) == 0);
+  return child;
+}
+
+}  // namespace
+
+TEST_SUITE("sweep command") {
+  TEST_CASE("threads, shards and one process write the same bytes") {
+    const Desk desk;
+    desk.put("a.toml", shaft);
+    CHECK(desk.run({"sweep", "a.toml", "--out", "one", "--jobs", "1", "--quiet"}).code == 0);
+    CHECK(desk.run({"sweep", "a.toml", "--out", "three", "--jobs", "3", "--quiet"}).code == 0);
+    CHECK(same_folders(desk, "one", "three"));
+    for (const char* k : {"1", "2", "3", "4", "5"})
+      CHECK(desk.run({"sweep", "a.toml", "--out", std::string("s") + k, "--shard", std::string(k) + "/5", "--quiet"})
+                .code == 0);
+    CHECK(desk.run({"sweep", "a.toml", "--out", "merged", "--merge", "s3", "s1", "s5", "s2", "s4", "--quiet"}).code ==
+          0);
+    CHECK(same_folders(desk, "one", "merged"));
+    const Ran json = desk.run({"sweep", "a.toml", "--json"});
+    CHECK(json.out == desk.run({"sweep", "a.toml", "--json", "--jobs", "1"}).out);
+    CHECK(contains(json.out, "\"points\": 14000"));
+    CHECK(desk.run({"sweep", "a.toml", "--out", "gap", "--merge", "s1", "s2", "s4", "s5"}).code == 2);
+    CHECK(!desk.has("gap"));
+    CHECK(desk.run({"sweep", "a.toml", "--out", "twice", "--merge", "s1", "s1", "s2", "s3", "s4", "s5"}).code == 2);
+    CHECK(desk.run({"sweep", "a.toml", "--out", "one"}).code == 2);
+  }
+
+  TEST_CASE("what is killed or interrupted goes on, and ends with the same bytes") {
+    const Desk desk;
+    desk.put("a.toml", shaft);
+    REQUIRE(desk.run({"sweep", "a.toml", "--out", "one", "--quiet", "--no-columns"}).code == 0);
+    REQUIRE(desk.run({"sweep", "a.toml", "--out", "whole", "--quiet"}).code == 0);
+    std::mt19937 random(5);
+    int ended_early = 0;
+    for (int i = 0; i < 100; ++i) {
+      std::filesystem::remove_all(desk.folder() / "part");
+      const int signal = i % 4 == 0 ? SIGINT : SIGKILL;
+      const pid_t child =
+          start(desk, {"sweep", "a.toml", "--out", "part", "--quiet", "--jobs", "1", "--save-every", "0"});
+      std::this_thread::sleep_for(std::chrono::microseconds(5000 + random() % 150000));
+      kill(child, signal);
+      int status = 0;
+      REQUIRE(waitpid(child, &status, 0) == child);
+      const bool begun = desk.has("part/state");
+      ended_early += !WIFEXITED(status) || WEXITSTATUS(status) != 0 ? 1 : 0;
+      if (!begun) std::filesystem::remove_all(desk.folder() / "part");
+      std::vector<std::string> words{"sweep", "a.toml", "--out", "part", "--quiet"};
+      if (begun) words.emplace_back("--resume");
+      const Ran again = desk.run(words);
+      CHECK_MESSAGE(again.code == 0, again.error);
+      CHECK(same_folders(desk, "whole", "part"));
+    }
+    CHECK(ended_early > 20);
+  }
+
+  TEST_CASE("a point is solved alone with the values of its line") {
+    const Desk desk;
+    desk.put("a.toml", shaft);
+    REQUIRE(desk.run({"sweep", "a.toml", "--csv", "a.csv", "--quiet"}).code == 0);
+    CHECK(contains(desk.get("a.csv"), "point,shaft.d [mm],shaft.T [N*m],tau [MPa],shaft.theta_max [deg/m],state,"));
+    const Ran point = desk.run({"run", "a.toml", "--point", "13999", "--json"});
+    CHECK(contains(point.out, "\"d\""));
+    CHECK(contains(desk.run({"run", "a.toml", "--point", "14000"}).error, "there is no point 14000"));
+    CHECK(contains(desk.run({"run", "a.toml"}).error, "--point 0"));
+    CHECK(desk.run({"run", "a.toml", "--point", "5", "--samples", "3", "--quiet"}).code == 1);
+  }
+
+  TEST_CASE("numpy reads the columns") {
+    const Desk desk;
+    desk.put("a.toml", shaft);
+    REQUIRE(desk.run({"sweep", "a.toml", "--out", "one", "--quiet"}).code == 0);
+    const std::string file = desk.get("one/columns/3-tau.npy");
+    REQUIRE(file.size() == 128 + 8 * 14000);
+    CHECK(file.substr(1, 5) == "NUMPY");
+    CHECK(contains(file, "'descr': '<f8', 'fortran_order': False, 'shape': (14000,), }"));
+  }
+
+  TEST_CASE("what is wrong with the words is told, and nothing is written") {
+    const Desk desk;
+    desk.put("a.toml", shaft);
+    const auto refused = [&](std::vector<std::string> words, const char* part) {
+      words.insert(words.begin(), {"sweep", "a.toml"});
+      const Ran ran = desk.run(words);
+      CHECK_MESSAGE(contains(ran.error, part), ran.error);
+      CHECK(ran.code == 2);
+    };
+    refused({"--results", "shaft.tau_mux"}, "shaft.tau_max");
+    refused({"--pareto", "m:min"}, "'m' is none of the results");
+    refused({"--pareto", "tau:least"}, "'least' is no aim");
+    refused({"--shard", "1/2"}, "--out DIR");
+    refused({"--out", "x", "--shard", "3/2"}, "'3/2' is no share");
+    refused({"--out", "x", "--resume"}, "no sweep stands there");
+    refused({"--out", "x", "--merge", "y"}, "no sweep stands there");
+    refused({"--zip", "shaft.d,shaft.T"}, "uncertain");
+    refused({"--report", "a.txt"}, "a report is written as");
+    refused({"--csv", "a.toml"}, "is the project itself");
+    refused({"--samples", "0"}, "--samples");
+    CHECK(desk.files() == std::vector<std::string>{"a.toml"});
+  }
+}

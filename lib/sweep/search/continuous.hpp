@@ -1,0 +1,18 @@
+// The continuous variables of a design at their best while the discrete ones stay.
+#pragma once
+
+#include "lib/sweep/search/trials.hpp"
+
+namespace loadpath::sweep {
+
+enum class Care {
+  quick,    // by gradients, and by linear models where that finds nothing allowed
+  thorough  // by both, and then by polling around the best, which flags and kinks need
+};
+
+/// The best point that a descent from `start` saw, `start` included; a local optimum. Gradients are central
+/// differences, and steer by the utilisations (SLSQP and COBYLA of NLopt); what counts as best is judged with all
+/// constraints. `scale` is the usual size of the objective.
+[[nodiscard]] Trial descended(Trials& trials, const Trial& start, double scale, Care care);
+
+}  // namespace loadpath::sweep

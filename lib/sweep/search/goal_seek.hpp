@@ -1,0 +1,44 @@
+// The value of one input at which an output has a wanted value.
+#pragma once
+
+#include "lib/sweep/function.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace loadpath::sweep {
+
+struct Goal {
+  std::size_t input = 0;
+  double from = 0.0, to = 0.0;  // from < to
+  std::size_t output = 0;
+  double target = 0.0;
+  std::size_t points = 257;  // at which the range is looked at, >= 2
+};
+
+/// Where the output has the target, or leaps over it.
+struct Meeting {
+  enum class Kind {
+    crossing,  // to rounding: `within` is what is left of the bracket
+    touching,  // without going through; to a millionth of what the output differs from the target beside it
+    stretch,   // from `at` to `to` at every point that was looked at
+    leap       // past it: the output has the target on neither side
+  };
+  Kind kind = Kind::crossing;
+  double at = 0.0, to = 0.0;
+  double value = 0.0;   // of the output at `at`
+  double within = 0.0;  // of the true place
+};
+
+struct Sought {
+  std::vector<Meeting> meetings;  // in order; two closer than the points apart may be missed
+  double nearest = 0.0;           // where the output is nearest to the target; NaN where it is never there
+  double value = 0.0;             // there
+  std::uint64_t evaluations = 0;
+};
+
+/// The other inputs stay as `base` says. Brackets by points over the range and at the edges of what is not available;
+/// roots by TOMS 748 of Boost.Math.
+[[nodiscard]] Sought seek(Function& function, const std::vector<double>& base, const Goal& goal);
+
+}  // namespace loadpath::sweep

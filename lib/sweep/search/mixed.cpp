@@ -1,0 +1,175 @@
+#include "lib/sweep/search/mixed.hpp"
+
+#include "lib/sweep/search/continuous.hpp"
+#include "lib/sweep/search/enumeration.hpp"
+#include "lib/sweep/search/neighbours.hpp"
+#include "lib/sweep/search/spread.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::sweep {
+
+namespace {
+
+constexpr std::uint64_t few_combinations = 64;
+
+bool before(const Trial& a, const Trial& b) { return better(a.standing, b.standing); }
+
+std::vector<Trial> trials_at(std::vector<Places> places) {
+  std::vector<Trial> all;
+  for (Places& at : places) all.push_back({std::move(at), {}});
+  return all;
+}
+
+/// The middle size of the objectives that are there; 1 where it would be 0.
+double usual_objective(const std::vector<Trial>& scan) {
+  std::vector<double> sizes;
+  for (const Trial& trial : scan) {
+    if (trial.standing.objective != 0.0) sizes.push_back(std::abs(trial.standing.objective));
+  }
+  if (sizes.empty()) return 1.0;
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return *middle;
+}
+
+/// How far apart two points are in their continuous variables, as a share of the ranges; 1 where their stocks differ.
+double distance(const std::vector<Variable>& variables, const Places& a, const Places& b) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (variables[i].is_discrete() && a[i] != b[i]) return 1.0;
+    most = std::max(most, std::abs(a[i] - b[i]));
+  }
+  return most;
+}
+
+}  // namespace
+
+MixedSearch::MixedSearch(Trials& at_work) : trials(at_work) {
+  for (const Variable& variable : trials.problem().variables) continuous += variable.is_discrete() ? 0 : 1;
+}
+
+std::vector<Trial> MixedSearch::scan(std::uint64_t count, const Places* fixed) {
+  const auto& variables = trials.problem().variables;
+  const Spread spread(variables.size());
+  std::vector<Trial> all(std::clamp<std::uint64_t>(count, 1, std::max<std::uint64_t>(trials.left(), 1)));
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    all[k].at = fixed != nullptr ? *fixed : Places(variables.size());
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+      const double share = spread(k, i);
+      if (!variables[i].is_discrete()) all[k].at[i] = share;
+      if (variables[i].is_discrete() && fixed == nullptr)
+        all[k].at[i] = std::floor(share * static_cast<double>(variables[i].values.size()));
+    }
+  }
+  trials.judge(all);
+  std::stable_sort(all.begin(), all.end(), before);
+  return all;
+}
+
+Trial MixedSearch::settled(const Trial& from) {
+  Trial found = continuous > 0 ? descended(trials, from, scale, Care::thorough) : from;
+  remember(found);
+  return found;
+}
+
+std::vector<double> MixedSearch::stock_of(const Places& at) const {
+  std::vector<double> places;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (trials.problem().variables[i].is_discrete()) places.push_back(at[i]);
+  }
+  return places;
+}
+
+void MixedSearch::remember(const Trial& trial) {
+  const auto [known, is_new] = solved.try_emplace(stock_of(trial.at), trial);
+  if (!is_new && before(trial, known->second)) known->second = trial;
+}
+
+Trial MixedSearch::each_combination(std::uint64_t count) {
+  constexpr std::size_t starts = 2;
+  const auto& variables = trials.problem().variables;
+  Trial best;
+  every = true;
+  for (std::uint64_t index = 0; index < count; ++index) {
+    Places at(variables.size());
+    set_combination(variables, index, at);
+    const auto points = scan(64 * continuous, &at);
+    for (std::size_t k = 0; k < std::min(starts, points.size()); ++k) {
+      const Trial found = settled(points[k]);
+      if (best.at.empty() || before(found, best)) best = found;
+    }
+    every = every && trials.left() > 0;
+  }
+  return best;
+}
+
+Trial MixedSearch::from_scan(std::size_t starts) {
+  const auto& variables = trials.problem().variables;
+  const auto points = scan(std::min<std::uint64_t>(256 * variables.size(), 8192), nullptr);
+  scale = usual_objective(points);
+  Trial best = points.front();
+  std::vector<const Trial*> taken;
+  for (std::size_t k = 0; k < points.size() && taken.size() < starts && trials.left() > 0; ++k) {
+    const bool apart = std::all_of(taken.begin(), taken.end(), [&](const Trial* other) {
+      return distance(variables, points[k].at, other->at) > 0.15;
+    });
+    if (!apart) continue;
+    taken.push_back(&points[k]);
+    const Trial found = climb(settled(points[k]));
+    if (before(found, best)) best = found;
+  }
+  return best;
+}
+
+Trial MixedSearch::run(std::size_t starts) {
+  Trial best = from_scan(starts);
+  const std::uint64_t count = combinations(trials.problem().variables, few_combinations);
+  if (continuous > 0 && count > 1 && count <= few_combinations) {
+    const Trial found = each_combination(count);
+    if (!found.at.empty() && before(found, best)) best = found;
+  }
+  return settled(best);
+}
+
+Trial MixedSearch::climb(Trial from) {
+  while (trials.left() > 0 && step(from)) {
+  }
+  return from;
+}
+
+bool MixedSearch::step(Trial& current) {
+  const auto& variables = trials.problem().variables;
+  return step_to(current, trials_at(beside(variables, current.at, 2))) ||
+         step_to(current, trials_at(across(variables, current.at)));
+}
+
+/// Goes on to a neighbour that is better; the nearest to being so is looked at first. What was solved once stays so.
+bool MixedSearch::step_to(Trial& current, std::vector<Trial> around) {
+  std::vector<Trial> known;
+  std::erase_if(around, [&](const Trial& trial) {
+    const auto found = solved.find(stock_of(trial.at));
+    if (found != solved.end()) known.push_back(found->second);
+    return found != solved.end();
+  });
+  trials.judge(around);
+  std::stable_sort(around.begin(), around.end(), before);
+  const auto best_known = std::min_element(known.begin(), known.end(), before);
+  if (best_known != known.end() && before(*best_known, current)) {
+    current = *best_known;
+    return true;
+  }
+  for (const Trial& trial : around) {
+    if (trials.left() == 0) return false;
+    const Trial found = continuous > 0 ? descended(trials, trial, scale, Care::quick) : trial;
+    remember(found);
+    if (before(found, current)) {
+      current = found;
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace loadpath::sweep

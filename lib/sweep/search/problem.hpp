@@ -1,0 +1,71 @@
+// A search: which inputs of a function may be chosen from what, which output shall be small or large, which must pass.
+#pragma once
+
+#include "lib/sweep/function.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace loadpath::sweep {
+
+/// One input of the function. A place says where in its range it stands: a share from 0 to 1, or the number of the
+/// value.
+struct Variable {
+  double from = 0.0, to = 0.0;  // continuous; both belong to it
+  std::vector<double> values;   // a stock, in order of size; not empty: discrete
+  bool ordered = true;          // false: words, of which each is a neighbour of each
+
+  [[nodiscard]] bool is_discrete() const { return !values.empty(); }
+  [[nodiscard]] double at(double place) const;
+};
+
+/// An output that decides whether a point is allowed. What is not finite is not.
+struct Constraint {
+  enum class Kind {
+    at_most_one,  // a utilisation
+    is_one        // a flag, 1 where it passes
+  };
+  std::size_t output = 0;
+  Kind kind = Kind::at_most_one;
+};
+
+/// The variables are the inputs of the function, in their order.
+struct Problem {
+  Function& function;
+  std::vector<Variable> variables;
+  std::size_t objective = 0;  // an output
+  bool maximise = false;
+  std::vector<Constraint> constraints;
+};
+
+/// A place of each variable.
+using Places = std::vector<double>;
+
+/// What a point is worth to a search.
+struct Standing {
+  int missing = 0;         // constraints, and the objective, that are not finite
+  double violation = 0.0;  // the sum by which utilisations exceed 1, and 1 for each flag that does not pass
+  double objective = 0.0;  // less is better, whether it is minimised or maximised
+
+  [[nodiscard]] bool allowed() const { return missing == 0 && violation == 0.0; }
+};
+
+/// Whether a is better than b: allowed points by their objective; before them, what lacks less, then what breaks less.
+[[nodiscard]] bool better(const Standing& a, const Standing& b);
+
+/// The standing of a point with these outputs.
+[[nodiscard]] Standing judge(const Problem& problem, std::span<const double> outputs);
+
+/// By how much a value of this output breaks it; 0 where it does not, infinity where the value is not finite.
+[[nodiscard]] double excess(Constraint::Kind kind, double value);
+
+/// The number of the constraint that is broken most: one that is not finite before utilisations, flags last; none: the
+/// number of constraints.
+[[nodiscard]] std::size_t worst_broken(const Problem& problem, std::span<const double> outputs);
+
+/// How many points the discrete variables have together, at most `most` + 1.
+[[nodiscard]] std::uint64_t combinations(const std::vector<Variable>& variables, std::uint64_t most);
+
+}  // namespace loadpath::sweep

@@ -1,0 +1,18 @@
+// What stands beside the best point, each with the reason why it is not taken.
+#pragma once
+
+#include "lib/sweep/search/minimise.hpp"
+#include "lib/sweep/search/mixed.hpp"
+
+namespace loadpath::sweep {
+
+struct Proof {
+  std::vector<Neighbour> neighbours;
+  std::vector<Trial> better;  // those that are better than the point
+};
+
+/// One place up and down of each variable, `step` of their range for continuous ones. Neighbours in the stock are told
+/// twice where there are continuous variables: as they are, and resized by `search`.
+[[nodiscard]] Proof proof_of(Trials& trials, MixedSearch& search, const Trial& best, double step);
+
+}  // namespace loadpath::sweep

@@ -56,6 +56,12 @@ struct SweepOptions {
   bool resume = false;
   double save_every = 2.0;  // seconds between states on the disk
   bool no_columns = false;
+  std::string minimise, maximise;      // a result; the best machine in place of all
+  std::vector<std::string> such_that;  // "every mode passes", "rod.mass <= 5 kg"
+  double quantile = 0.0;               // of what is uncertain, that both hold with; 0: at the mean
+  std::string seek;                    // "shaft.u_tau = 0.9"
+  bool influence = false;              // tornado, slopes, budget of the scatter
+  std::uint64_t sobol = 0;             // rows; 0: no Sobol indices
   bool json = false;
   bool quiet = false;
   bool strict = false;

@@ -1,5 +1,6 @@
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
+#include "cli/setup.hpp"
 #include "lib/text/issue.hpp"
 
 #include <CLI/CLI.hpp>
@@ -14,8 +15,6 @@
 namespace loadpath::cli {
 
 namespace {
-
-using Action = std::function<int()>;
 
 constexpr auto footer = R"(Examples:
   loadpath run examples/slotted-lever/project.toml --report report.html
@@ -49,19 +48,6 @@ void add_output(CLI::App& app, OutputOptions& output) {
   app.add_flag("--strict", output.strict, "count modes of failure that are open as not judged: exit code 1");
 }
 
-void add_points(CLI::App& app, PointOptions& options) {
-  app.add_option("--samples", options.samples, "samples of uncertain inputs, at each point of the ranges")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--seed", options.seed, "another seed gives other samples")->type_name("N");
-  app.add_flag("--latin", options.latin, "samples of a Latin hypercube: spread evenly over each input");
-  app.add_option("--zip", options.zip, "inputs that run together: shaft.T,shaft.n")
-      ->type_name("INPUTS")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
-}
-
 void setup_run(CLI::App& app, RunOptions& options, Action& action) {
   CLI::App* run_app = app.add_subcommand("run", "solve a project file");
   run_app->add_option("file", options.file, "project file; - is standard input")->required();
@@ -70,45 +56,6 @@ void setup_run(CLI::App& app, RunOptions& options, Action& action) {
   add_points(*run_app, options.points);
   add_output(*run_app, options.output);
   run_app->callback([&] { action = [&] { return run(options); }; });
-}
-
-void setup_sweep(CLI::App& app, SweepOptions& options, Action& action) {
-  CLI::App* sub = app.add_subcommand("sweep", "solve a project at every point of its ranges and distributions");
-  sub->add_option("file", options.file, "project file; - is standard input")->required();
-  sub->add_option("--results", options.results,
-                  "a result to read off every point: rod.u, or \"m = rod.mass + pin.mass\"")
-      ->type_name("RESULT")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
-  add_points(*sub, options.points);
-  sub->add_option("--worst", options.worst, "how many of the points with the largest utilisation are told")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1'000'000));
-  sub->add_option("--pareto", options.pareto, "the points that no other beats in all of these: m:min,u:min")
-      ->type_name("AIMS");
-  sub->add_option("--csv", options.csv, "write every point as a line")->type_name("FILE");
-  sub->add_option("--report", options.reports, "write a report: FILE.html, FILE.md or FILE.pdf")
-      ->type_name("FILE")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
-  sub->add_option("--out", options.out, "keep the sweep in a folder: columns for numpy, and what it goes on from")
-      ->type_name("DIR");
-  sub->add_flag("--no-columns", options.no_columns, "keep no columns in that folder");
-  sub->add_flag("--resume", options.resume, "go on with the sweep in that folder");
-  sub->add_option("--save-every", options.save_every, "seconds between states on the disk; 2 where missing")
-      ->type_name("S")
-      ->check(CLI::NonNegativeNumber);
-  sub->add_option("--shard", options.shard, "solve the share K of N of the points")->type_name("K/N");
-  sub->add_option("--merge", options.merge, "put the folders of shards together")->type_name("DIR")->expected(1, -1);
-  sub->add_option("--jobs", options.jobs, "threads; as many as the machine has where missing")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
-  sub->add_flag("--json", options.json, "print what is found as one JSON object");
-  sub->add_flag("--quiet", options.quiet, "print errors only");
-  sub->add_flag("--strict", options.strict, "count modes of failure that are open as not judged");
-  sub->callback([&] { action = [&] { return sweep(options); }; });
 }
 
 void setup_why(CLI::App& app, WhyOptions& options, Action& action) {

@@ -10,6 +10,8 @@
 #include "lib/export/sweep/csv.hpp"
 #include "lib/export/sweep/json.hpp"
 #include "lib/export/sweep/store.hpp"
+#include "lib/report/best.hpp"
+#include "lib/report/influence.hpp"
 #include "lib/toml/tree.hpp"
 
 #include <algorithm>
@@ -38,6 +40,13 @@ int refuse(const std::string& message, const std::string& hint = {}) {
 
 /// What the command line says against itself.
 std::string contradiction(const SweepOptions& options) {
+  const int aims = !options.minimise.empty() + !options.maximise.empty() + !options.seek.empty() +
+                   (options.influence || options.sobol != 0);
+  if (aims > 1) return "'--minimise', '--maximise', '--seek' and '--influence' are asked for one at a time";
+  if (aims == 1 && (!options.out.empty() || !options.csv.empty() || !options.pareto.empty() || options.json))
+    return "'--out', '--csv', '--json' and '--pareto' are about a sweep over all points";
+  if (options.minimise.empty() && options.maximise.empty() && (!options.such_that.empty() || options.quantile > 0.0))
+    return "'--such-that' and '--quantile' say what a machine must meet that --minimise or --maximise chooses";
   if (options.out.empty() && (options.resume || !options.shard.empty() || !options.merge.empty() || options.no_columns))
     return "'--resume', '--shard', '--merge' and '--no-columns' are about a folder: name it with --out DIR";
   if (!options.merge.empty() && (!options.shard.empty() || options.resume))
@@ -62,6 +71,12 @@ class Sweeping {
   [[nodiscard]] Outcome<SweepStore> open_store() const;
   [[nodiscard]] bool solve(SweepStore* store, project::Found& found);
   [[nodiscard]] int tell(const project::Found& found) const;
+  [[nodiscard]] int tell_blocks(const char* title, std::vector<report::Block> blocks) const;
+  [[nodiscard]] int refuse_all(const std::vector<Issue>& issues) const;
+  [[nodiscard]] int choose() const;
+  [[nodiscard]] int seek() const;
+  [[nodiscard]] int ask_influence() const;
+  [[nodiscard]] project::ReadAgain reading() const;
 
   const SweepOptions& options_;
   std::string text_;
@@ -178,15 +193,8 @@ bool Sweeping::solve(SweepStore* store, project::Found& found) {
   }
   const unsigned jobs = options_.jobs != 0 ? options_.jobs : std::max(1U, std::thread::hardware_concurrency());
   const project::BlockRange blocks = store != nullptr ? store->left() : blocks_;
-  const project::SweepWork work{plan_,
-                                [this] {
-                                  std::vector<Issue> told;
-                                  return read(told);
-                                },
-                                keep_,
-                                blocks,
-                                jobs,
-                                csv != nullptr || (store != nullptr && !options_.no_columns)};
+  const project::SweepWork work{plan_,  reading(), keep_,
+                                blocks, jobs,      csv != nullptr || (store != nullptr && !options_.no_columns)};
   Progress progress(blocks.count() * project::block_size, !options_.quiet);
   auto saved = std::chrono::steady_clock::now();
   bool whole = true;
@@ -240,6 +248,65 @@ int Sweeping::tell(const project::Found& found) const {
   return passed;
 }
 
+project::ReadAgain Sweeping::reading() const {
+  return [this] {
+    std::vector<Issue> told;
+    return read(told);
+  };
+}
+
+int Sweeping::refuse_all(const std::vector<Issue>& issues) const {
+  std::vector<terminal::SourceText> sources{{options_.file, text_},
+                                            {"--minimise", options_.minimise},
+                                            {"--maximise", options_.maximise},
+                                            {"--seek", options_.seek}};
+  for (const std::string& demand : options_.such_that) sources.push_back({"--such-that", demand});
+  terminal::show_issues(issues, sources);
+  return wrong_input;
+}
+
+/// What is no sweep over all points.
+int Sweeping::tell_blocks(const char* title, std::vector<report::Block> blocks) const {
+  if (!options_.quiet) terminal::show_tables(blocks);
+  if (options_.reports.empty()) return passed;
+  report::Document document;
+  document.title = project_.title.empty() ? project_.file : project_.title;
+  document.meta.emplace_back(say("Project file"), project_.file);
+  document.meta.emplace_back(say("Program"), program());
+  blocks.insert(blocks.begin(), report::Heading{2, title, "sweep"});
+  document.blocks = std::move(blocks);
+  return write_reports(document, options_.reports, project_, options_.quiet) ? passed : wrong_input;
+}
+
+int Sweeping::choose() const {
+  const bool most = !options_.maximise.empty();
+  project::BestAsked asked;
+  asked.objective = {most ? options_.maximise : options_.minimise, {most ? "--maximise" : "--minimise", 1, 1, 1}};
+  asked.maximise = most;
+  for (const std::string& demand : options_.such_that) asked.such_that.push_back({demand, {"--such-that", 1, 1, 1}});
+  if (options_.quantile > 0.0) asked.quantile = options_.quantile;
+  std::vector<Issue> issues;
+  const auto best = project::find_best(reading(), asked, project_.sweep.samples, project_.sweep.seed, issues);
+  if (!best) return refuse_all(issues);
+  const int code = tell_blocks("The best machine", report::best_blocks(*best, asked));
+  return code == passed && !best->optimum.allowed ? int{not_passed} : code;
+}
+
+int Sweeping::seek() const {
+  std::vector<Issue> issues;
+  const auto sought = project::seek_value(reading(), {options_.seek, {"--seek", 1, 1, 1}}, issues);
+  if (!sought) return refuse_all(issues);
+  const int code = tell_blocks("The value that is sought", report::seek_blocks(*sought));
+  return code == passed && sought->sought.meetings.empty() ? int{not_passed} : code;
+}
+
+int Sweeping::ask_influence() const {
+  std::vector<Issue> issues;
+  const auto influence = project::find_influence(reading(), plan_, project_.sweep, options_.sobol, issues);
+  if (!influence) return refuse_all(issues);
+  return tell_blocks("What the results hang on", report::influence_blocks(*influence));
+}
+
 int Sweeping::run() {
   if (const std::string wrong = contradiction(options_); !wrong.empty()) return refuse(wrong);
   OutputOptions reports;
@@ -250,6 +317,9 @@ int Sweeping::run() {
   std::vector<fs::path> outputs(options_.reports.begin(), options_.reports.end());
   if (!options_.csv.empty()) outputs.emplace_back(options_.csv);
   if (overwrites(outputs, project_)) return wrong_input;
+  if (!options_.minimise.empty() || !options_.maximise.empty()) return choose();
+  if (!options_.seek.empty()) return seek();
+  if (options_.influence || options_.sobol != 0) return ask_influence();
   project::Found found = project::nothing_found(plan_, project_, keep_);
   if (options_.out.empty()) {
     if (!solve(nullptr, found)) return wrong_input;

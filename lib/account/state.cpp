@@ -7,34 +7,29 @@ namespace {
 
 struct Words {
   const char *word, *mark;
-  int rank;
 };
 
 Words words(State state) {
   switch (state) {
     case State::pass:
-      return {"pass", "✓", 0};
+      return {"pass", "✓"};
     case State::accepted:
-      return {"accepted", "≈", 1};
+      return {"accepted", "≈"};
     case State::open:
-      return {"open", "○", 2};
+      return {"open", "○"};
     case State::not_judged:
-      return {"not judged", "?", 3};
+      return {"not judged", "?"};
     case State::not_covered:
-      return {"not covered", "◇", 4};
+      return {"not covered", "◇"};
     case State::not_available:
-      return {"not available", "–", 5};
+      return {"not available", "–"};
     case State::fail:
-      return {"fail", "✗", 6};
+      return {"fail", "✗"};
   }
-  return {"", "", 0};
+  return {"", ""};
 }
 
 }  // namespace
-
-int rank(State state) { return words(state).rank; }
-
-State worse(State a, State b) { return rank(a) < rank(b) ? b : a; }
 
 Message word(State state) { return say(words(state).word); }
 

@@ -5,6 +5,7 @@
 #include "lib/project/sweep/columns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -43,7 +44,29 @@ struct Judging {
   std::size_t mode;
   std::vector<std::size_t> rows = {};
   bool has_checks = false;
-  bool lacks_input = false;  // of a check that nobody asks for
+  bool lacks_input = false;            // of a check that nobody asks for
+  std::array<State, 3> unjudged = {};  // where nothing judges it, by Applies
+};
+
+/// What the rows of a mode come to, point by point.
+struct Fold {
+  std::vector<signed char> worst;  // a State; -1: there is no row
+  std::vector<char> checked;
+  std::vector<double> utilisation;  // of what governs; NaN of a limit
+
+  void clear(std::size_t n) {
+    worst.assign(n, -1);
+    checked.assign(n, 0);
+    utilisation.assign(n, nan);
+  }
+  /// A row: of the worst ones the most utilised governs.
+  void take(std::size_t i, State state, double used) {
+    const bool worse = worst[i] < 0 || account::rank(state) > account::rank(static_cast<State>(worst[i]));
+    const bool as_bad = static_cast<State>(worst[i]) == state && used == used && !(utilisation[i] >= used);
+    if (!worse && !as_bad) return;
+    worst[i] = static_cast<signed char>(state);
+    utilisation[i] = used;
+  }
 };
 
 std::string head_of(std::string_view path) { return std::string(path.substr(0, path.find_first_of(".["))); }
@@ -82,6 +105,8 @@ struct ColumnStep::Parts {
   std::vector<Judging> judging;
   std::vector<InputColumn> in;
   std::vector<ResultColumn> out;
+  std::vector<std::vector<Applies>> applies;  // of each mode, point by point
+  Fold fold;
   bool is_loaded = false;  // whatever varies
   bool is_load_told = false;
 
@@ -105,7 +130,8 @@ struct ColumnStep::Parts {
   void run(PointColumns& points);
   void check_inputs(PointColumns& points);
   void judge(const PointColumns& points, std::vector<ModeColumns>& modes);
-  void judge_point(std::size_t row, std::vector<ModeColumns>& modes) const;
+  void fold_rows(const Judging& judged, std::size_t n);
+  void judge_mode(const Judging& judged, std::size_t n, ModeColumns& column);
   void set_point(std::size_t row) const;
 };
 
@@ -227,6 +253,11 @@ void ColumnStep::Parts::add_judging() {
         if (read[i].is_row && names_row(key, read[i].field->key)) judged.rows.push_back(i);
       }
     }
+    for (const Applies when : {Applies::no, Applies::unseen, Applies::yes}) {
+      const State state = state_of(step, calculator.modes[k], when, std::nullopt, false);
+      const bool accepted = is_accepted(step.input(), calculator.modes[k].id, state);
+      judged.unjudged[static_cast<std::size_t>(when)] = accepted ? State::accepted : state;
+    }
     judging.push_back(std::move(judged));
   }
 }
@@ -262,8 +293,10 @@ void ColumnStep::Parts::set_point(std::size_t row) const {
   for (const InputColumn& column : in) std::memcpy(base + column.offset, column.si + row, sizeof(double));
 }
 
-/// Rules, and loads that are all zero.
+/// Rules, loads that are all zero, and which modes concern the part.
 void ColumnStep::Parts::check_inputs(PointColumns& points) {
+  applies.resize(calculator.modes.size());
+  for (std::vector<Applies>& of_mode : applies) of_mode.assign(points.count, Applies::no);
   for (std::size_t row = 0; row < points.count; ++row) {
     if (points.is_other[row] != 0) continue;
     set_point(row);
@@ -272,6 +305,7 @@ void ColumnStep::Parts::check_inputs(PointColumns& points) {
     }
     const auto loads = [&](const Fed& f) { return f.field->is_load && acts(f.si[row]); };
     if (!is_loaded && is_load_told && std::none_of(fed.begin(), fed.end(), loads)) points.is_other[row] = 1;
+    for (std::size_t k = 0; k < applies.size(); ++k) applies[k][row] = calculator.applies(k, record.data.get());
   }
 }
 
@@ -305,50 +339,42 @@ State state_of_row(const FieldInfo& field, double si) {
 
 }  // namespace
 
-void ColumnStep::Parts::judge_point(std::size_t row, std::vector<ModeColumns>& modes) const {
-  for (const Judging& judged : judging) {
-    const ModeInfo& mode = calculator.modes[judged.mode];
-    std::optional<State> worst;
-    double utilisation = nan;
-    bool checked = false;
-    for (const std::size_t which : judged.rows) {
-      const FieldInfo& field = *read[which].field;
-      const double si = read[which].si[row];
-      if (std::isnan(si)) continue;  // it was left unset, and is no row then
-      const State state = state_of_row(field, si);
-      const double used = field.role == Role::check ? si : -1.0;
-      checked = checked || field.role == Role::check;
-      const bool decides = !worst || account::rank(state) > account::rank(*worst) ||
-                           (state == *worst && used > (std::isnan(utilisation) ? -1.0 : utilisation));
-      if (!decides) continue;
-      worst = state;
-      utilisation = field.role == Role::check ? si : nan;
+void ColumnStep::Parts::fold_rows(const Judging& judged, std::size_t n) {
+  fold.clear(n);
+  for (const std::size_t which : judged.rows) {
+    const FieldInfo& field = *read[which].field;
+    const std::vector<double>& si = read[which].si;
+    const bool is_check = field.role == Role::check;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (si[i] != si[i]) continue;  // it was left unset, and is no row then
+      fold.take(i, state_of_row(field, si[i]), is_check ? si[i] : nan);
+      fold.checked[i] |= static_cast<char>(is_check);
     }
-    const Applies applies = calculator.applies(judged.mode, record.data.get());
-    ModeColumns& column = modes[judged.mode];
-    if (applies == Applies::no && (!worst || *worst == State::pass)) {
-      column.state[row] = absent_state;
-      column.utilisation[row] = nan;
-      continue;
-    }
-    const bool enough = !judged.lacks_input && (checked || !judged.has_checks);
-    const State state = state_of(step, mode, applies, worst, enough);
-    const bool waits = state == State::open || state == State::not_judged;
-    column.state[row] = static_cast<double>(is_accepted(step.input(), mode.id, state) ? State::accepted : state);
-    column.utilisation[row] = waits ? nan : utilisation;
+  }
+}
+
+/// As judged() says it of one machine.
+void ColumnStep::Parts::judge_mode(const Judging& judged, std::size_t n, ModeColumns& column) {
+  fold_rows(judged, n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Applies when = applies[judged.mode][i];
+    const bool passes = fold.worst[i] <= static_cast<signed char>(State::pass);  // or has no row
+    const bool enough = !judged.lacks_input && (fold.checked[i] != 0 || !judged.has_checks);
+    const bool decided = fold.worst[i] >= 0 && (!passes || enough);
+    const bool concerns = when != Applies::no || !passes;
+    const State state = decided ? static_cast<State>(fold.worst[i]) : judged.unjudged[static_cast<std::size_t>(when)];
+    const bool waits = state == State::open || state == State::not_judged || state == State::accepted;
+    column.state[i] = concerns ? static_cast<double>(state) : absent_state;
+    column.utilisation[i] = concerns && !waits ? fold.utilisation[i] : nan;
   }
 }
 
 void ColumnStep::Parts::judge(const PointColumns& points, std::vector<ModeColumns>& modes) {
   modes.resize(calculator.modes.size());
-  for (ModeColumns& mode : modes) {
-    mode.state.resize(points.count);
-    mode.utilisation.resize(points.count);
-  }
-  for (std::size_t row = 0; row < points.count; ++row) {
-    if (points.is_other[row] != 0) continue;
-    set_point(row);
-    judge_point(row, modes);
+  for (const Judging& judged : judging) {
+    modes[judged.mode].state.resize(points.count);
+    modes[judged.mode].utilisation.resize(points.count);
+    judge_mode(judged, points.count, modes[judged.mode]);
   }
 }
 

@@ -143,9 +143,34 @@ bool Variants::solve_columns(std::span<const double* const> in, std::span<double
 /// What columns of verdicts say, from the modes of all steps.
 void Variants::read_verdicts(std::span<double* const> out, std::size_t n) {
   if (of_column_.empty()) find_modes_of_columns();
+  const SweptResult* before = nullptr;
   for (std::size_t k = 0; k < columns_.size(); ++k) {
-    if (columns_[k].kind == SweptResult::Kind::expression) continue;
-    for (std::size_t row = 0; row < n; ++row) out[k][row] = verdict(columns_[k], of_column_[k], row);
+    const SweptResult& column = columns_[k];
+    if (column.kind == SweptResult::Kind::expression) continue;
+    if (before == nullptr || before->step != column.step || before->mode != column.mode) fold(of_column_[k], n);
+    before = &column;
+    for (std::size_t i = 0; i < n; ++i) out[k][i] = verdict(column, i);
+  }
+}
+
+/// Of one mode, or of several together.
+void Variants::fold(const std::vector<const ModeColumns*>& modes, std::size_t n) {
+  using account::State;
+  folded_.worst.assign(n, State::pass);
+  folded_.any.assign(n, 0);
+  folded_.judged.assign(n, 0);
+  folded_.utilisation.assign(n, nan);
+  for (const ModeColumns* mode : modes) {
+    for (std::size_t i = 0; i < n; ++i) {
+      if (mode->state[i] < 0.0) continue;  // it does not concern the point
+      auto state = static_cast<State>(static_cast<int>(mode->state[i]));
+      if (project_.strict && state == State::open) state = State::not_judged;
+      folded_.worst[i] = account::worse(folded_.worst[i], state);
+      folded_.any[i] = 1;
+      folded_.judged[i] |= static_cast<char>(state != State::open);
+      const double used = mode->utilisation[i];
+      if (used == used && !(folded_.utilisation[i] >= used)) folded_.utilisation[i] = used;
+    }
   }
 }
 
@@ -164,29 +189,15 @@ void Variants::find_modes_of_columns() {
 }
 
 /// As read() says it of a machine that was solved alone.
-double Variants::verdict(const SweptResult& column, const std::vector<const ModeColumns*>& modes,
-                         std::size_t row) const {
+double Variants::verdict(const SweptResult& column, std::size_t i) const {
   using account::State;
   using Kind = SweptResult::Kind;
-  State worst = State::pass;
-  bool any = false, judged = false;
-  double utilisation = nan;
-  for (const ModeColumns* mode : modes) {
-    if (mode->state[row] == absent_state) continue;
-    auto state = static_cast<State>(static_cast<int>(mode->state[row]));
-    if (project_.strict && state == State::open) state = State::not_judged;
-    worst = account::worse(worst, state);
-    any = true;
-    judged = judged || state != State::open;
-    if (!std::isnan(mode->utilisation[row]) && !(utilisation >= mode->utilisation[row]))
-      utilisation = mode->utilisation[row];
-  }
-  const bool passes = account::rank(worst) <= account::rank(State::open);
-  if (column.kind == Kind::utilisation) return utilisation;
+  const bool passes = account::rank(folded_.worst[i]) <= account::rank(State::open);
+  if (column.kind == Kind::utilisation) return folded_.utilisation[i];
   if (column.kind == Kind::passes) return passes ? 1.0 : 0.0;
-  if (!any) return column.mode.empty() ? static_cast<double>(State::open) : absent_state;
-  if (!column.mode.empty() || !passes) return static_cast<double>(worst);
-  return static_cast<double>(judged ? State::pass : State::open);
+  if (folded_.any[i] == 0) return column.mode.empty() ? static_cast<double>(State::open) : absent_state;
+  if (!column.mode.empty() || !passes) return static_cast<double>(folded_.worst[i]);
+  return static_cast<double>(folded_.judged[i] != 0 ? State::pass : State::open);
 }
 
 /// False, with a refusal, where the point is none that can be solved.

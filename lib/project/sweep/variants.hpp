@@ -41,8 +41,8 @@ class Variants final : public sweep::Function {
   bool find_kernels(std::span<const double* const> in);
   void read_verdicts(std::span<double* const> out, std::size_t n);
   void find_modes_of_columns();
-  [[nodiscard]] double verdict(const SweptResult& column, const std::vector<const ModeColumns*>& modes,
-                               std::size_t row) const;
+  void fold(const std::vector<const ModeColumns*>& modes, std::size_t n);
+  [[nodiscard]] double verdict(const SweptResult& column, std::size_t i) const;
   void solve_alone(std::span<const double* const> in, std::span<double* const> out, std::size_t row);
   bool solve_point(std::span<const double* const> in, std::size_t row);
   [[nodiscard]] double read(const SweptResult& column) const;
@@ -53,6 +53,13 @@ class Variants final : public sweep::Function {
   std::vector<SweptInput> axes_;
   std::vector<SweptResult> columns_;
   Wanted wanted_;
+  /// What several modes come to together, point by point.
+  struct Folded {
+    std::vector<account::State> worst;
+    std::vector<char> any, judged;
+    std::vector<double> utilisation;
+  };
+  Folded folded_;
   enum class Way { unknown, columns, alone };
   Way way_ = Way::unknown;
   std::vector<std::unique_ptr<ColumnStep>> kernels_;  // in order of evaluation

@@ -108,7 +108,7 @@ TEST_SUITE("points of a sweep") {
   TEST_CASE("points that break a rule are marked, and the next ones do not feel it") {
     const Swept swept(
         "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"100 N*m\"\ntau_adm = \"30 MPa\"\nd = \"30 "
-        "mm\"\nd_h = [\"10 mm\", \"35 mm\", \"10 mm\"]\n",
+        "mm\"\nd_h = [\"35 mm\", \"10 mm\", \"35 mm\"]\n",
         {"shaft.tau_max"});
     REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
     CHECK(swept.column("state")[1] == project::refused_state);

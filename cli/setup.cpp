@@ -1,0 +1,90 @@
+#include "cli/setup.hpp"
+
+namespace loadpath::cli {
+
+void add_points(CLI::App& app, PointOptions& options) {
+  app.add_option("--samples", options.samples, "samples of uncertain inputs, at each point of the ranges")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seed", options.seed, "another seed gives other samples")->type_name("N");
+  app.add_flag("--latin", options.latin, "samples of a Latin hypercube: spread evenly over each input");
+  app.add_option("--zip", options.zip, "inputs that run together: shaft.T,shaft.n")
+      ->type_name("INPUTS")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+namespace {
+
+/// What is asked for in place of all points.
+void add_aims(CLI::App& app, SweepOptions& options) {
+  app.add_option("--minimise", options.minimise,
+                 "choose the machine with the least of a result: from lists, stocks, words, { min, max }")
+      ->type_name("RESULT");
+  app.add_option("--maximise", options.maximise, "the same, the most")->type_name("RESULT");
+  app.add_option("--such-that", options.such_that,
+                 "what it must meet: \"every mode passes\" (where missing), \"rod passes\", \"rod.mass <= 5 kg\"")
+      ->type_name("DEMAND")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_option("--quantile", options.quantile, "objective and demands with this probability over what is uncertain")
+      ->type_name("P")
+      ->check(CLI::Range(0.5, 0.999999));
+  app.add_option("--seek", options.seek, "where a result has a value: \"shaft.u_tau = 0.9\"")->type_name("GOAL");
+  app.add_flag("--influence", options.influence,
+               "which inputs the results hang on, and where their scatter comes from");
+  app.add_option("--sobol", options.sobol, "with it, Sobol indices from so many rows of samples")
+      ->type_name("ROWS")
+      ->check(CLI::Range(100, 100'000'000));
+}
+
+/// What is kept on the disk.
+void add_folder(CLI::App& app, SweepOptions& options) {
+  app.add_option("--out", options.out, "keep the sweep in a folder: columns for numpy, and what it goes on from")
+      ->type_name("DIR");
+  app.add_flag("--no-columns", options.no_columns, "keep no columns in that folder");
+  app.add_flag("--resume", options.resume, "go on with the sweep in that folder");
+  app.add_option("--save-every", options.save_every, "seconds between states on the disk; 2 where missing")
+      ->type_name("S")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--shard", options.shard, "solve the share K of N of the points")->type_name("K/N");
+  app.add_option("--merge", options.merge, "put the folders of shards together")->type_name("DIR")->expected(1, -1);
+}
+
+}  // namespace
+
+void setup_sweep(CLI::App& app, SweepOptions& options, Action& action) {
+  CLI::App* sub = app.add_subcommand("sweep", "solve a project at every point of its ranges and distributions");
+  sub->add_option("file", options.file, "project file; - is standard input")->required();
+  sub->add_option("--results", options.results,
+                  "a result to read off every point: rod.u, or \"m = rod.mass + pin.mass\"")
+      ->type_name("RESULT")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  add_points(*sub, options.points);
+  sub->add_option("--worst", options.worst, "how many of the points with the largest utilisation are told")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1'000'000));
+  sub->add_option("--pareto", options.pareto, "the points that no other beats in all of these: m:min,u:min")
+      ->type_name("AIMS");
+  add_aims(*sub, options);
+  sub->add_option("--csv", options.csv, "write every point as a line")->type_name("FILE");
+  sub->add_option("--report", options.reports, "write a report: FILE.html, FILE.md or FILE.pdf")
+      ->type_name("FILE")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  add_folder(*sub, options);
+  sub->add_option("--jobs", options.jobs, "threads; as many as the machine has where missing")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  sub->add_flag("--json", options.json, "print what is found as one JSON object");
+  sub->add_flag("--quiet", options.quiet, "print errors only");
+  sub->add_flag("--strict", options.strict, "count modes of failure that are open as not judged");
+  sub->callback([&] { action = [&] { return sweep(options); }; });
+}
+
+}  // namespace loadpath::cli

@@ -1,0 +1,23 @@
+// A middle of what the inputs of a sweep go through, and how far they go to either side.
+#pragma once
+
+#include "lib/project/sweep/axes.hpp"
+#include "lib/project/sweep/plan.hpp"
+
+#include <vector>
+
+namespace loadpath::project {
+
+/// The mean of what is uncertain, the middle one of values, the first word.
+double middle_of(const SweptInput& input);
+/// Where 5 % and 95 % of what is uncertain lie, else the ends.
+double low_of(const SweptInput& input);
+double high_of(const SweptInput& input);
+/// Standard deviation; of values that are given, 0.
+double sd_of(const SweptInput& input);
+/// Whether it is { min, max }: a range that a search may choose from.
+bool is_continuous(const SweptInput& input);
+
+std::vector<double> middles_of(const std::vector<SweptInput>& inputs);
+
+}  // namespace loadpath::project

@@ -1,0 +1,246 @@
+#include "lib/project/sweep/best.hpp"
+
+#include "lib/project/sweep/base.hpp"
+#include "lib/quantity/literal.hpp"
+#include "lib/sweep/point/uniform.hpp"
+#include "lib/sweep/sensitivity/robust.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::project {
+
+namespace {
+
+using Kind = sweep::Constraint::Kind;
+
+Issue refusal(const Placed& at, Message message, Message hint = {}) {
+  return {at.place, at.place.file.substr(std::min<std::size_t>(2, at.place.file.size())), std::move(message),
+          std::move(hint), Severity::error};
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// "rod.mass <= 5 kg" as a utilisation: (rod.mass)/(5 kg).
+std::optional<Demand> bound_of(const Placed& asked, std::vector<Issue>& issues) {
+  for (const char* sign : {"<=", ">="}) {
+    const std::size_t at = asked.text.find(sign);
+    if (at == std::string::npos) continue;
+    const std::string left = trimmed(asked.text.substr(0, at)), right = trimmed(asked.text.substr(at + 2));
+    const auto literal = parse_literal(right);
+    if (literal && !(literal->si > 0.0)) {
+      issues.push_back(
+          refusal(asked, say("'{1}' is no bound above zero", right), say("write the demand so that its bound is > 0")));
+      return std::nullopt;
+    }
+    const bool below = *sign == '<';
+    return Demand{asked.text, "(" + (below ? left : right) + ")/(" + (below ? right : left) + ")", Kind::at_most_one};
+  }
+  issues.push_back(refusal(asked, say("'{1}' is no demand", asked.text),
+                           say("write \"every mode passes\", \"rod passes\" or \"rod.mass <= 5 kg\"")));
+  return std::nullopt;
+}
+
+/// What a design is held against. A verdict is a flag; its utilisation shows a search the way.
+std::vector<Demand> demands_of(const std::vector<Placed>& such_that, std::vector<Issue>& issues) {
+  std::vector<Demand> demands;
+  const auto passes = [&](const std::string& text, const std::string& step) {
+    demands.push_back({text, step + "utilisation", Kind::at_most_one});
+    demands.push_back({text, step + "passes", Kind::is_one});
+  };
+  if (such_that.empty()) passes("every mode passes", "");
+  for (const Placed& asked : such_that) {
+    constexpr std::string_view verb = " passes";
+    const std::string text = trimmed(asked.text);
+    if (text == "every mode passes") {
+      passes(text, "");
+    } else if (text.ends_with(verb)) {
+      passes(text, trimmed(text.substr(0, text.size() - verb.size())) + ".");
+    } else if (auto bound = bound_of({text, asked.place}, issues)) {
+      demands.push_back(std::move(*bound));
+    }
+  }
+  return demands;
+}
+
+sweep::Variable variable_of(const SweptInput& input) {
+  sweep::Variable variable;
+  if (is_continuous(input)) {
+    const auto& ends = std::get<sweep::Uniform>(input.distribution->law());
+    variable.from = ends.min;
+    variable.to = ends.max;
+    return variable;
+  }
+  for (std::uint64_t i = 0; i < input.axis.size(); ++i) variable.values.push_back(input.axis.at(i));
+  variable.ordered = input.words.empty();
+  if (variable.ordered) std::sort(variable.values.begin(), variable.values.end());
+  return variable;
+}
+
+bool is_chosen(const SweptInput& input) { return is_continuous(input) || !input.distribution; }
+
+/// The machine as a function of what is chosen alone; the rest stays.
+class Chosen final : public sweep::Function {
+ public:
+  Chosen(Variants& all, std::vector<std::size_t> chosen, std::vector<double> rest)
+      : all_(all), chosen_(std::move(chosen)), rest_(std::move(rest)) {}
+
+  [[nodiscard]] std::size_t inputs() const override { return chosen_.size(); }
+  [[nodiscard]] std::size_t outputs() const override { return all_.outputs(); }
+  void evaluate(std::span<const double* const> in, std::span<double* const> out, std::size_t n) override {
+    std::vector<std::vector<double>> same(rest_.size());
+    std::vector<const double*> columns(rest_.size());
+    for (std::size_t i = 0; i < rest_.size(); ++i) {
+      const auto found = std::find(chosen_.begin(), chosen_.end(), i);
+      if (found == chosen_.end()) same[i].assign(n, rest_[i]);
+      columns[i] = found == chosen_.end() ? same[i].data() : in[static_cast<std::size_t>(found - chosen_.begin())];
+    }
+    all_.evaluate(columns, out, n);
+  }
+
+ private:
+  Variants& all_;
+  std::vector<std::size_t> chosen_;
+  std::vector<double> rest_;
+};
+
+/// Samples of the inputs that scatter, the same for every design.
+sweep::Sampler sampler_of(const std::vector<SweptInput>& inputs, std::uint64_t seed) {
+  std::vector<sweep::Distribution> laws;
+  for (const SweptInput& input : inputs) {
+    if (!is_chosen(input)) laws.push_back(*input.distribution);
+  }
+  return [laws, seed](std::uint64_t first, std::size_t n, std::span<double* const> columns) {
+    for (std::size_t k = 0; k < laws.size(); ++k) {
+      const std::span<double> column(columns[k], n);
+      sweep::uniform(seed, first, k, column, sweep::Purpose::search);
+      laws[k].quantile(column, column);
+    }
+  };
+}
+
+std::vector<sweep::Scattered> scatter_of(const std::vector<SweptInput>& inputs) {
+  std::vector<sweep::Scattered> all;
+  std::size_t design = 0, scatter = 0;
+  for (const SweptInput& input : inputs) {
+    sweep::Scattered& one = all.emplace_back();
+    if (is_chosen(input))
+      one.design = design++;
+    else
+      one.scatter = scatter++;
+  }
+  return all;
+}
+
+std::vector<sweep::Statistic> statistics_of(const BestAsked& asked, const std::vector<Demand>& demands) {
+  using Statistic = sweep::Statistic;
+  const double p = *asked.quantile;
+  std::vector<Statistic> all{{0, Statistic::Kind::quantile, asked.maximise ? 1.0 - p : p}};
+  for (std::size_t i = 0; i < demands.size(); ++i) {
+    const bool is_flag = demands[i].kind == Kind::is_one;
+    all.push_back({i + 1, is_flag ? Statistic::Kind::not_one : Statistic::Kind::quantile, is_flag ? 1.0 - p : p});
+  }
+  return all;
+}
+
+std::vector<sweep::Constraint> constraints_of(const BestAsked& asked, const std::vector<Demand>& demands) {
+  std::vector<sweep::Constraint> all;
+  for (std::size_t i = 0; i < demands.size(); ++i)
+    all.push_back({i + 1, asked.quantile ? Kind::at_most_one : demands[i].kind});  // the share over what is allowed
+  return all;
+}
+
+/// Columns that can be read, or issues.
+bool can_read(const ReadAgain& read, const std::vector<Placed>& columns, std::vector<std::string>& units,
+              std::vector<Issue>& issues) {
+  Project project = read();
+  for (const Placed& asked : columns) {
+    const auto column = read_column(asked.text, project);
+    if (!column) issues.push_back(refusal(asked, column.fault().message, column.fault().hint));
+    const bool is_demand = &asked != &columns.front();
+    if (column && is_demand && !column->dimension.without_angle().is_number())
+      issues.push_back(refusal(asked, say("both sides of '{1}' are of unlike dimensions", asked.text)));
+    units.push_back(column ? column->unit : std::string());
+  }
+  return !has_errors(issues);
+}
+
+}  // namespace
+
+std::optional<Best> find_best(const ReadAgain& read, const BestAsked& asked, std::uint64_t samples, std::uint64_t seed,
+                              std::vector<Issue>& issues) {
+  Best best;
+  best.demands = demands_of(asked.such_that, issues);
+  std::vector<Placed> columns{asked.objective};
+  std::vector<std::string> texts{"objective = " + asked.objective.text}, units;
+  for (std::size_t i = 0; i < best.demands.size(); ++i) {
+    columns.push_back(
+        {best.demands[i].column, asked.such_that.empty() ? asked.objective.place : asked.such_that.front().place});
+    texts.push_back("demand " + std::to_string(i + 1) + " = " + best.demands[i].column);
+  }
+  if (has_errors(issues) || !can_read(read, columns, units, issues)) return std::nullopt;
+  best.unit = units.front();
+  Variants variants(read(), texts);
+  best.inputs = variants.axes();
+  for (std::size_t i = 0; i < best.inputs.size(); ++i) {
+    if (is_chosen(best.inputs[i])) best.chosen.push_back(i);
+  }
+  if (best.chosen.empty()) {
+    issues.push_back(refusal(asked.objective, say("there is nothing to choose"),
+                             say("let an input be a list, a range, { each = \"R40\" } or { min = ..., max = ... }")));
+    return std::nullopt;
+  }
+  best.point = middles_of(best.inputs);
+  Chosen chosen(variants, best.chosen, best.point);
+  std::optional<sweep::Robust> robust;
+  if (asked.quantile)
+    robust.emplace(variants, best.chosen.size(), scatter_of(best.inputs), best.inputs.size() - best.chosen.size(),
+                   sampler_of(best.inputs, seed), static_cast<std::size_t>(samples),
+                   statistics_of(asked, best.demands));
+  sweep::Problem problem{robust ? static_cast<sweep::Function&>(*robust) : chosen,
+                         {},
+                         0,
+                         asked.maximise,
+                         constraints_of(asked, best.demands)};
+  for (const std::size_t i : best.chosen) problem.variables.push_back(variable_of(best.inputs[i]));
+  best.optimum = sweep::minimise(problem);
+  for (std::size_t k = 0; k < best.chosen.size(); ++k) best.point[best.chosen[k]] = best.optimum.point[k];
+  return best;
+}
+
+std::optional<SoughtValue> seek_value(const ReadAgain& read, const Placed& goal, std::vector<Issue>& issues) {
+  const std::size_t equals = goal.text.find('=');
+  const std::string result = trimmed(goal.text.substr(0, equals));
+  const auto target = parse_literal(equals == std::string::npos ? "" : trimmed(goal.text.substr(equals + 1)));
+  if (equals == std::string::npos || !target) {
+    issues.push_back(refusal(goal, say("'{1}' is no goal", goal.text), say("write \"shaft.u_tau = 0.9\"")));
+    return std::nullopt;
+  }
+  std::vector<std::string> units;
+  if (!can_read(read, {{result, goal.place}}, units, issues)) return std::nullopt;
+  Variants variants(read(), {result});
+  std::vector<std::size_t> ranges;
+  for (std::size_t i = 0; i < variants.axes().size(); ++i) {
+    const SweptInput& input = variants.axes()[i];
+    if (input.words.empty() && (is_continuous(input) || (!input.distribution && input.axis.size() > 1)))
+      ranges.push_back(i);
+  }
+  if (ranges.size() != 1) {
+    issues.push_back(refusal(goal,
+                             say("one input must go through a range; here are {1}", std::to_string(ranges.size())),
+                             say("give the others a value")));
+    return std::nullopt;
+  }
+  SoughtValue sought{variants.axes()[ranges[0]], units[0], target->si, {}};
+  const bool free = is_continuous(sought.input);
+  const auto ends = free ? std::get<sweep::Uniform>(sought.input.distribution->law()) : sweep::Uniform{};
+  sweep::Goal wanted{ranges[0], free ? ends.min : low_of(sought.input), free ? ends.max : high_of(sought.input), 0,
+                     target->si};
+  sought.sought = sweep::seek(variants, middles_of(variants.axes()), wanted);
+  return sought;
+}
+
+}  // namespace loadpath::project

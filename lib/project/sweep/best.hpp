@@ -1,0 +1,52 @@
+// The best machine of those that a project allows: which of its inputs are chosen, what is to be small or large, which
+// demands it meets, and why none beside it is better.
+#pragma once
+
+#include "lib/project/sweep/blocks.hpp"
+#include "lib/sweep/search/goal_seek.hpp"
+#include "lib/sweep/search/minimise.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace loadpath::project {
+
+/// What is asked for, as the user writes it.
+struct BestAsked {
+  Placed objective;  // "rod.mass"
+  bool maximise = false;
+  std::vector<Placed> such_that;   // "every mode passes", "rod passes", "rod.mass <= 5 kg"; none: the first
+  std::optional<double> quantile;  // objective and demands hold with this probability over what is uncertain
+};
+
+struct Demand {
+  std::string text;  // as asked for
+  std::string column;
+  sweep::Constraint::Kind kind;
+};
+
+struct Best {
+  std::vector<SweptInput> inputs;
+  std::vector<std::size_t> chosen;  // those that the search was free in; the others stay at their middle
+  std::vector<double> point;        // of all inputs
+  std::string unit;                 // of the objective
+  std::vector<Demand> demands;
+  sweep::Optimum optimum;  // over the chosen ones; its outputs are the objective, then the demands
+};
+
+/// Inputs with values, words and stocks are chosen from these, { min, max } from between; other uncertain inputs stay
+/// at their mean, or scatter where a quantile is asked for. Issues where what is asked for cannot be read.
+std::optional<Best> find_best(const ReadAgain& read, const BestAsked& asked, std::uint64_t samples, std::uint64_t seed,
+                              std::vector<Issue>& issues);
+
+struct SoughtValue {
+  SweptInput input;
+  std::string unit;  // of the result
+  double target = 0.0;
+  sweep::Sought sought;
+};
+/// "rod.u = 0.9" over the one input that goes through a range; the others stay at their middle.
+std::optional<SoughtValue> seek_value(const ReadAgain& read, const Placed& goal, std::vector<Issue>& issues);
+
+}  // namespace loadpath::project

@@ -1,0 +1,122 @@
+#include "lib/project/sweep/influence.hpp"
+
+#include "lib/project/sweep/base.hpp"
+#include "lib/sweep/point/uniform.hpp"
+
+#include <algorithm>
+
+namespace loadpath::project {
+
+namespace {
+
+/// The results as a function of some inputs; the others stay.
+class Part final : public sweep::Function {
+ public:
+  Part(Variants& all, std::vector<std::size_t> inputs, std::size_t outputs)
+      : all_(all), inputs_(std::move(inputs)), outputs_(outputs), rest_(middles_of(all.axes())) {}
+
+  [[nodiscard]] std::size_t inputs() const override { return inputs_.size(); }
+  [[nodiscard]] std::size_t outputs() const override { return outputs_; }
+  void evaluate(std::span<const double* const> in, std::span<double* const> out, std::size_t n) override {
+    std::vector<std::vector<double>> same(rest_.size()), unseen(all_.outputs() - outputs_, std::vector<double>(n));
+    std::vector<const double*> columns;
+    for (std::size_t i = 0; i < rest_.size(); ++i) {
+      same[i].assign(n, rest_[i]);
+      columns.push_back(same[i].data());
+    }
+    for (std::size_t k = 0; k < inputs_.size(); ++k) columns[inputs_[k]] = in[k];
+    std::vector<double*> all(out.begin(), out.end());
+    for (std::vector<double>& column : unseen) all.push_back(column.data());
+    all_.evaluate(columns, all, n);
+  }
+
+ private:
+  Variants& all_;
+  std::vector<std::size_t> inputs_;
+  std::size_t outputs_;
+  std::vector<double> rest_;
+};
+
+/// Samples of what is uncertain, each as if the others were not there.
+sweep::Sampler sampler_of(const std::vector<SweptInput>& inputs, const std::vector<std::size_t>& which,
+                          std::uint64_t seed) {
+  std::vector<sweep::Distribution> laws;
+  for (const std::size_t i : which) laws.push_back(*inputs[i].distribution);
+  return [laws, seed](std::uint64_t first, std::size_t n, std::span<double* const> columns) {
+    for (std::size_t k = 0; k < laws.size(); ++k) {
+      const std::span<double> column(columns[k], n);
+      sweep::uniform(seed, first, k, column, sweep::Purpose::search);
+      laws[k].quantile(column, column);
+    }
+  };
+}
+
+/// The matrix of what goes together, among these inputs.
+std::vector<double> correlations_of(const std::vector<SweptInput>& inputs, const SweepSettings& settings) {
+  const std::size_t n = inputs.size();
+  std::vector<double> matrix(n * n);
+  for (std::size_t i = 0; i < n; ++i) matrix[i * n + i] = 1.0;
+  const auto place = [&](const std::string& name) {
+    return static_cast<std::size_t>(
+        std::find_if(inputs.begin(), inputs.end(), [&](const SweptInput& input) { return input.name == name; }) -
+        inputs.begin());
+  };
+  for (const Correlated& pair : settings.correlations) {
+    const std::size_t i = place(pair.first.text), j = place(pair.second.text);
+    if (i < n && j < n) matrix[i * n + j] = matrix[j * n + i] = pair.r;
+  }
+  return settings.correlations.empty() ? std::vector<double>{} : matrix;
+}
+
+}  // namespace
+
+std::optional<Influence> find_influence(const ReadAgain& read, const SweepPlan& plan, const SweepSettings& settings,
+                                        std::uint64_t sobol_rows, std::vector<Issue>& issues) {
+  const auto refuse = [&](Message message, Message hint) {
+    issues.push_back({{}, "", std::move(message), std::move(hint), Severity::error});
+    return std::nullopt;
+  };
+  if (plan.columns.empty())
+    return refuse(say("there is no result to ask about"), say("name one: --results shaft.u_tau"));
+  std::vector<std::string> texts;
+  for (const SweptResult& column : plan.columns) texts.push_back(column.name + " = " + column.text);
+  Variants variants(read(), texts);
+  Influence influence;
+  std::vector<std::size_t> numbers, scattering;
+  for (std::size_t i = 0; i < variants.axes().size(); ++i) {
+    const SweptInput& input = variants.axes()[i];
+    if (!input.words.empty() || (!input.distribution && input.axis.size() < 2)) continue;
+    if (input.distribution) {
+      influence.scattering.push_back(influence.inputs.size());
+      scattering.push_back(i);
+    }
+    numbers.push_back(i);
+    influence.inputs.push_back(input);
+  }
+  if (numbers.empty()) return refuse(say("no input goes through numbers"), say("let one be a range, or uncertain"));
+  for (const SweptResult& column : plan.columns) {
+    influence.names.push_back(column.name);
+    influence.units.push_back(column.unit);
+  }
+  std::vector<double> steps, sd;
+  for (const SweptInput& input : influence.inputs) {
+    influence.low.push_back(low_of(input));
+    influence.high.push_back(high_of(input));
+    steps.push_back((influence.high.back() - influence.low.back()) / 100.0);
+    sd.push_back(sd_of(input));
+  }
+  Part all(variants, numbers, plan.columns.size());
+  const std::vector<double> base = middles_of(influence.inputs);
+  influence.tornados = sweep::tornado(all, base, influence.low, influence.high);
+  influence.slopes = sweep::slopes(all, base, steps);
+  if (scattering.empty()) return influence;
+  const std::vector<double> correlation = correlations_of(influence.inputs, settings);
+  for (std::size_t k = 0; k < plan.columns.size(); ++k)
+    influence.budgets.push_back(sweep::variance_budget(influence.slopes, k, sd, correlation));
+  if (sobol_rows == 0) return influence;
+  Part uncertain(variants, scattering, plan.columns.size());
+  influence.sobol = sweep::sobol_indices(uncertain, sampler_of(variants.axes(), scattering, settings.seed), sobol_rows);
+  return influence;
+}
+
+}  // namespace loadpath::project

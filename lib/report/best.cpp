@@ -1,0 +1,108 @@
+#include "lib/report/best.hpp"
+
+#include "lib/quantity/format.hpp"
+
+#include <cmath>
+
+namespace loadpath::report {
+
+namespace {
+
+using project::Best;
+using project::SweptInput;
+
+Quantity in_unit_of(double si, const std::string& unit) { return {si, unit.empty() ? std::string("-") : unit, 5}; }
+
+/// How far the result can be trusted.
+Message reach_of(const sweep::Optimum& optimum) {
+  using Reach = sweep::Optimum::Reach;
+  const std::string n = std::to_string(optimum.evaluations);
+  if (optimum.budget_spent) return say("the search ended after {1} machines, before it was done", n);
+  if (optimum.reach == Reach::every_point) return say("the best of all {1} machines", n);
+  if (optimum.reach == Reach::every_combination)
+    return say("the best of every combination of the values, {1} machines", n);
+  return say("better than every machine beside it, and than what was found from other starts; {1} machines", n);
+}
+
+Table chosen_table(const Best& best) {
+  Table table{say("Chosen"), {say("input"), say("value"), say("from")}, {}};
+  for (std::size_t i = 0; i < best.inputs.size(); ++i) {
+    const SweptInput& input = best.inputs[i];
+    const bool chosen = std::find(best.chosen.begin(), best.chosen.end(), i) != best.chosen.end();
+    const Message from = !chosen              ? say("uncertain")
+                         : input.distribution ? say("a range")
+                                              : say("{1} values", std::to_string(input.axis.size()));
+    table.rows.push_back({input.name, written(input, best.point[i]), from});
+  }
+  return table;
+}
+
+/// Why the machine beside the best one is no better.
+Message lot_of(const Best& best, const sweep::Neighbour& neighbour) {
+  using Outcome = sweep::Neighbour::Outcome;
+  if (neighbour.outcome == Outcome::better) return say("better: the search ended before it");
+  if (neighbour.outcome == Outcome::no_better) return say("no better");
+  if (neighbour.broken >= best.demands.size()) return say("no nearer to what is asked for");
+  const double value = neighbour.outputs[neighbour.broken + 1];
+  return say("breaks '{1}' ({2})", best.demands[neighbour.broken].text,
+             std::isfinite(value) ? format_number(value, 4) : std::string("not available"));
+}
+
+Table neighbour_table(const Best& best, const project::BestAsked& asked) {
+  Table table{say("Beside it"), {say("input"), say("value"), say("{1}", asked.objective.text), say("why not")}, {}};
+  for (const sweep::Neighbour& neighbour : best.optimum.neighbours) {
+    const SweptInput& input = best.inputs[best.chosen[neighbour.variable]];
+    table.rows.push_back({input.name, written(input, neighbour.point[neighbour.variable]),
+                          in_unit_of(neighbour.outputs[0], best.unit), lot_of(best, neighbour)});
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<Block> best_blocks(const Best& best, const project::BestAsked& asked) {
+  std::vector<Block> blocks;
+  const sweep::Optimum& optimum = best.optimum;
+  const std::string value = format_quantity(optimum.outputs[0], best.unit.empty() ? "-" : best.unit, 6);
+  if (optimum.allowed) {
+    blocks.emplace_back(
+        Paragraph{say("{1} = {2}: {3}", asked.objective.text, value, reach_of(optimum)), Paragraph::Tone::plain});
+  } else {
+    const std::string worst =
+        optimum.worst < best.demands.size() ? best.demands[optimum.worst].text : asked.objective.text;
+    blocks.emplace_back(
+        Paragraph{say("no machine meets what is asked for; the nearest breaks '{1}'; {2}", worst, reach_of(optimum)),
+                  Paragraph::Tone::warning});
+  }
+  blocks.emplace_back(chosen_table(best));
+  blocks.emplace_back(neighbour_table(best, asked));
+  return blocks;
+}
+
+std::vector<Block> seek_blocks(const project::SoughtValue& sought) {
+  using Kind = sweep::Meeting::Kind;
+  std::vector<Block> blocks;
+  const auto shown = [&](double si) { return written(sought.input, si); };
+  const std::string unit = sought.unit.empty() ? "-" : sought.unit;
+  if (sought.sought.meetings.empty()) {
+    blocks.emplace_back(Paragraph{std::isnan(sought.sought.nearest)
+                                      ? say("no value of {1} has a result at all", sought.input.name)
+                                      : say("no value of {1} gives {2}; {3} comes nearest, with {4}", sought.input.name,
+                                            format_quantity(sought.target, unit, 6), shown(sought.sought.nearest),
+                                            format_quantity(sought.sought.value, unit, 6)),
+                                  Paragraph::Tone::warning});
+    return blocks;
+  }
+  Table table{say("Where it is met"), {say("{1}", sought.input.name), say("result"), say("how")}, {}};
+  for (const sweep::Meeting& meeting : sought.sought.meetings) {
+    const Message how = meeting.kind == Kind::crossing   ? say("goes through")
+                        : meeting.kind == Kind::touching ? say("touches")
+                        : meeting.kind == Kind::stretch  ? say("stays up to {1}", shown(meeting.to))
+                                                         : say("leaps over it");
+    table.rows.push_back({shown(meeting.at), in_unit_of(meeting.value, unit), how});
+  }
+  blocks.emplace_back(std::move(table));
+  return blocks;
+}
+
+}  // namespace loadpath::report

@@ -1,0 +1,111 @@
+#include "lib/report/influence.hpp"
+
+#include "lib/quantity/format.hpp"
+
+#include <cmath>
+
+namespace loadpath::report {
+
+namespace {
+
+using project::Influence;
+
+std::string percent(double share) { return std::isnan(share) ? "-" : format_number(100.0 * share, 3) + " %"; }
+
+Quantity shown(double si, const std::string& unit) { return {si, unit.empty() ? std::string("-") : unit, 4}; }
+
+const char* kind_of(sweep::Slope::Kind kind) {
+  using Kind = sweep::Slope::Kind;
+  switch (kind) {
+    case Kind::smooth:
+      return "";
+    case Kind::kink:
+      return "a kink";
+    case Kind::below:
+      return "from below alone";
+    case Kind::above:
+      return "from above alone";
+    case Kind::unsettled:
+      return "a leap, or noise";
+    case Kind::none:
+      return "not available";
+  }
+  return "";
+}
+
+Table tornado_table(const Influence& influence, std::size_t k) {
+  const sweep::Tornado& tornado = influence.tornados[k];
+  const std::string& unit = influence.units[k];
+  Table table{say("{1}: each input alone, low and high; {2} in the middle", influence.names[k],
+                  format_quantity(tornado.base, unit.empty() ? "-" : unit, 4)),
+              {say("input"), say("low"), say("result"), say("high"), say("result"), say("swing"), say("relative slope"),
+               say("remark")},
+              {}};
+  for (const sweep::Bar& bar : tornado.bars) {
+    const auto& input = influence.inputs[bar.input];
+    const sweep::Slope& slope = influence.slopes.at(k, bar.input);
+    table.rows.push_back({input.name, written(input, influence.low[bar.input]), shown(bar.low, unit),
+                          written(input, influence.high[bar.input]), shown(bar.high, unit), shown(bar.swing, unit),
+                          std::isnan(slope.elasticity) ? Cell(std::string("-")) : Cell(shown(slope.elasticity, "-")),
+                          std::string(kind_of(slope.kind))});
+  }
+  return table;
+}
+
+Table budget_table(const Influence& influence, std::size_t k) {
+  const sweep::Budget& budget = influence.budgets[k];
+  const std::string unit = influence.units[k].empty() ? "-" : influence.units[k];
+  const double sd = std::sqrt(budget.variance);
+  Table table{say("{1}: where its scatter comes from, standard deviation {2} by slopes{3}", influence.names[k],
+                  format_quantity(sd, unit, 4), budget.certain ? "" : "; some are not smooth, so it is a guess"),
+              {say("input"), say("share of the variance"), say("standard deviation left if it scattered half as much")},
+              {}};
+  for (const sweep::BudgetLine& line : budget.lines) {
+    if (!influence.inputs[line.input].distribution) continue;
+    table.rows.push_back(
+        {influence.inputs[line.input].name, percent(line.share), shown(std::sqrt(line.variance), unit)});
+  }
+  return table;
+}
+
+Table sobol_table(const Influence& influence, std::size_t k) {
+  const sweep::SobolIndices& indices = influence.sobol[k];
+  Table table{say("{1}: Sobol indices, {2} rows", influence.names[k], std::to_string(indices.rows)),
+              {say("input"), say("alone"), say("within"), say("with all it acts with"), say("within")},
+              {}};
+  for (std::size_t i = 0; i < indices.inputs.size(); ++i) {
+    const sweep::SobolIndex& index = indices.inputs[i];
+    table.rows.push_back({influence.inputs[influence.scattering[i]].name, percent(index.first),
+                          "±" + percent(index.first_within), percent(index.total), "±" + percent(index.total_within)});
+  }
+  return table;
+}
+
+/// A bar for each input, the longest on top: its result from low to high.
+draw::Figure tornado_figure(const Influence& influence, std::size_t k) {
+  const sweep::Tornado& tornado = influence.tornados[k];
+  draw::Plot plot(draw::Scale{influence.names[k], "", influence.units[k]}, draw::Scale{"", "input", "-"});
+  const auto count = static_cast<double>(tornado.bars.size());
+  for (std::size_t b = 0; b < tornado.bars.size(); ++b) {
+    const sweep::Bar& bar = tornado.bars[b];
+    if (std::isnan(bar.swing)) continue;
+    const double y = count - static_cast<double>(b);
+    plot.curves.push_back({influence.inputs[bar.input].name, {bar.low, tornado.base, bar.high}, {y, y, y}, false});
+  }
+  return {"tornado-" + std::to_string(k + 1), "Each input alone, from low to high", std::move(plot)};
+}
+
+}  // namespace
+
+std::vector<Block> influence_blocks(const Influence& influence) {
+  std::vector<Block> blocks;
+  for (std::size_t k = 0; k < influence.names.size(); ++k) {
+    blocks.emplace_back(tornado_table(influence, k));
+    blocks.emplace_back(tornado_figure(influence, k));
+    if (!influence.budgets.empty()) blocks.emplace_back(budget_table(influence, k));
+    if (!influence.sobol.empty()) blocks.emplace_back(sobol_table(influence, k));
+  }
+  return blocks;
+}
+
+}  // namespace loadpath::report

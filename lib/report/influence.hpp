@@ -1,0 +1,11 @@
+// Which inputs a result hangs on, as tables and figures.
+#pragma once
+
+#include "lib/project/sweep/influence.hpp"
+#include "lib/report/document.hpp"
+
+namespace loadpath::report {
+
+std::vector<Block> influence_blocks(const project::Influence& influence);
+
+}  // namespace loadpath::report

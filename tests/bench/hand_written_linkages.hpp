@@ -1,129 +1,139 @@
-// Closed forms of three linkages, as one would write them for these alone: the floor for the general solver.
-// Positions, velocities, accelerations, all joint forces and the driving moment at constant crank speed.
+// Closed forms of three linkages, as one would write them for these alone: the floor for the general solver. Positions,
+// velocities, accelerations, all joint forces and the driving moment at constant crank speed; the numbers are known to
+// the compiler, and what is not asked for is not kept.
 #pragma once
 
 #include "lib/mechanism/model/vec.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace loadpath::mechanism::hand_written {
 
-inline constexpr Vec g{0.0, -9.81};
+inline constexpr double g = 9.81;
 
-/// A bar from `from` with the unit vector `u`; `inertia_force`: mass * (acceleration - g) of its middle.
+/// A slender bar from a pin; what it needs is m (a - g) of its middle, and about its start.
 struct Bar {
   double length, mass;
-  Vec u{}, a_from{};
-  double omega = 0.0, epsilon = 0.0;
-
-  [[nodiscard]] Vec reach() const { return length * u; }
-  [[nodiscard]] Vec velocity(double share) const { return share * length * omega * normal(u); }
-  [[nodiscard]] Vec acceleration(double share) const {
-    return a_from + share * length * (epsilon * normal(u) - omega * omega * u);
-  }
-  [[nodiscard]] Vec inertia_force() const { return mass * (acceleration(0.5) - g); }
-  /// About the start of the bar.
-  [[nodiscard]] double inertia_moment() const {
-    return cross(0.5 * reach(), inertia_force()) + mass * length * length / 12.0 * epsilon;
+  [[nodiscard]] constexpr double inertia() const { return mass * length * length / 12.0; }
+  [[nodiscard]] Vec force(Vec a_start, Vec a_end) const {
+    return {0.5 * mass * (a_start.x + a_end.x), mass * (0.5 * (a_start.y + a_end.y) + g)};
   }
 };
 
-inline Bar crank_at(double phi, double omega) {
-  Bar crank{.length = 0.1, .mass = 1.0};
-  crank.u = {std::cos(phi), std::sin(phi)};
-  crank.omega = omega;
-  return crank;
-}
+inline constexpr Bar crank{0.1, 1.0}, coupler{0.35, 1.5}, rocker{0.3, 1.2};
+inline constexpr Vec foot{0.4, 0.0};
+
+struct Crank {
+  Vec pin, velocity, acceleration;
+  Crank(double phi, double omega)
+      : pin{crank.length * std::cos(phi), crank.length * std::sin(phi)},
+        velocity{-omega * pin.y, omega * pin.x},
+        acceleration{-omega * omega * pin.x, -omega * omega * pin.y} {}
+  /// Of the drive, with this force on what hangs on the crank's pin.
+  double forces(Vec at_pin, Vec& at_ground) const {
+    const Vec own = crank.force({}, acceleration);
+    at_ground = own + at_pin;
+    return 0.5 * cross(pin, own) + cross(pin, at_pin);
+  }
+};
 
 /// Rod and piston on the line y = `line`, from a pin that moves; `push`: on the piston, along x.
 struct SlidingDyad {
-  Bar rod;
-  double piston_mass, line, push;
-  Vec pin_force{};     // on the rod, at the moving pin
-  Vec piston_force{};  // on the piston, from the rod
-  double guide_force = 0.0, x = 0.0, v = 0.0, a = 0.0;
+  Vec pin_force, piston_force;  // on the rod at the moving pin, on the piston from the rod
+  double guide_force;
 
-  void solve(Vec pin, Vec v_pin, Vec a_pin) {
-    const double sine = (line - pin.y) / rod.length;
-    rod.u = {std::sqrt(1.0 - sine * sine), sine};
-    const double reach = rod.length * rod.u.x;
-    rod.omega = -v_pin.y / reach;
-    rod.epsilon = (rod.length * sine * rod.omega * rod.omega - a_pin.y) / reach;
-    rod.a_from = a_pin;
-    x = pin.x + reach;
-    v = v_pin.x + rod.velocity(1.0).x;
-    a = rod.acceleration(1.0).x;
-    piston_force.x = piston_mass * a - push;
-    piston_force.y = (rod.u.y * rod.length * piston_force.x - rod.inertia_moment()) / reach;
-    pin_force = rod.inertia_force() + piston_force;
-    guide_force = -piston_mass * g.y - piston_force.y;
+  void solve(Bar rod, double piston, double line, double push, Vec pin, Vec v, Vec a) {
+    const double sine = (line - pin.y) / rod.length, cosine = std::sqrt(1.0 - sine * sine);
+    const double across = rod.length * sine, along = rod.length * cosine;
+    const double omega = -v.y / along, epsilon = (across * omega * omega - a.y) / along;
+    const double a_piston = a.x - across * epsilon - along * omega * omega;
+    const Vec needed = rod.force(a, {a_piston, 0.0});
+    piston_force.x = piston * a_piston - push;
+    piston_force.y =
+        -(rod.inertia() * epsilon + 0.5 * (along * needed.y - across * needed.x) - across * piston_force.x) / along;
+    guide_force = piston * g - piston_force.y;
+    pin_force = needed + piston_force;
   }
 };
 
-struct SliderCrank {
-  SlidingDyad dyad{.rod = {.length = 0.3, .mass = 1.5}, .piston_mass = 2.0, .line = 0.0, .push = -1000.0};
-  Vec ground_force{};
+/// Coupler and rocker.
+struct PinnedDyad {
+  Vec u, w;          // from the crank's pin and from the foot to their joint
+  Vec v_tip, a_tip;  // of the joint
+  double epsilon_u, epsilon_w, inverse;
+  Vec at_crank, at_joint, at_foot;  // on coupler, rocker, rocker
 
+  void move(const Crank& driven) {
+    const Vec e = foot - driven.pin, v = driven.velocity, a = driven.acceleration;
+    constexpr double uu = coupler.length * coupler.length, ww = rocker.length * rocker.length;
+    const double d2 = dot(e, e), t = (uu - ww + d2) / (2.0 * d2), h = std::sqrt(uu / d2 - t * t);
+    u = {t * e.x - h * e.y, t * e.y + h * e.x};
+    w = u - e;
+    inverse = 1.0 / cross(u, w);
+    const double omega_u = -dot(v, w) * inverse, omega_w = -dot(v, u) * inverse;
+    const Vec known = omega_u * omega_u * u - omega_w * omega_w * w - a;
+    epsilon_u = dot(known, w) * inverse;
+    epsilon_w = dot(known, u) * inverse;
+    v_tip = omega_w * normal(w);
+    a_tip = epsilon_w * normal(w) - omega_w * omega_w * w;
+  }
+
+  /// `tip`: what the rocker needs besides at the joint; `couple`: on the rocker.
+  void find_forces(Vec a_pin, Vec tip, double couple) {
+    const Vec needed_u = coupler.force(a_pin, a_tip), needed_w = rocker.force({}, a_tip);
+    const double of_u = 0.5 * cross(u, needed_u) + coupler.inertia() * epsilon_u;
+    const double of_w = 0.5 * cross(w, needed_w) + rocker.inertia() * epsilon_w - couple + cross(w, tip);
+    at_joint = -inverse * (of_u * w + of_w * u);
+    at_crank = needed_u + at_joint;
+    at_foot = needed_w - at_joint + tip;
+  }
+};
+
+/// Forces in the order of the joints of the models, on link i of the joint.
+struct SliderCrank {
+  std::array<Vec, 4> forces;
   double solve(double phi, double omega) {
-    const Bar crank = crank_at(phi, omega);
-    dyad.solve(crank.reach(), crank.velocity(1.0), crank.acceleration(1.0));
-    ground_force = crank.inertia_force() + dyad.pin_force;
-    return crank.inertia_moment() + cross(crank.reach(), dyad.pin_force);
+    const Crank driven(phi, omega);
+    SlidingDyad dyad;
+    dyad.solve({0.3, 1.5}, 2.0, 0.0, -1000.0, driven.pin, driven.velocity, driven.acceleration);
+    forces[1] = dyad.pin_force;
+    forces[2] = dyad.piston_force;
+    forces[3] = {0.0, dyad.guide_force};
+    return driven.forces(dyad.pin_force, forces[0]);
   }
 };
 
 struct FourBar {
-  Bar crank{.length = 0.1, .mass = 1.0}, coupler{.length = 0.35, .mass = 1.5}, rocker{.length = 0.3, .mass = 1.2};
-  Vec force_o{}, force_a{}, force_b{}, force_c{};  // on crank, coupler, rocker, rocker
-  static constexpr Vec foot{0.4, 0.0};
-
-  void move(double phi, double omega) {
-    crank = crank_at(phi, omega);
-    const Vec across = foot - crank.reach();
-    const double d2 = dot(across, across);
-    const double along = (coupler.length * coupler.length - rocker.length * rocker.length + d2) / (2.0 * d2);
-    const double aside = std::sqrt(coupler.length * coupler.length / d2 - along * along);
-    const Vec coupled = along * across + aside * normal(across);
-    coupler.u = (1.0 / coupler.length) * coupled;
-    rocker.u = (1.0 / rocker.length) * (coupled - across);
-    const double inverse = 1.0 / cross(coupler.u, rocker.u);
-    const Vec v = crank.velocity(1.0);
-    coupler.omega = -dot(v, rocker.u) * inverse / coupler.length;
-    rocker.omega = -dot(v, coupler.u) * inverse / rocker.length;
-    coupler.a_from = crank.acceleration(1.0);
-    const Vec known = coupler.a_from - coupler.length * coupler.omega * coupler.omega * coupler.u +
-                      rocker.length * rocker.omega * rocker.omega * rocker.u;
-    coupler.epsilon = -dot(known, rocker.u) * inverse / coupler.length;
-    rocker.epsilon = -dot(known, coupler.u) * inverse / rocker.length;
-  }
-
-  /// `tip`: force on the rocker's tip; `couple`: on the rocker. Returns the driving moment.
-  double forces(Vec tip, double couple) {
-    const double coupler_moment = -coupler.inertia_moment() / coupler.length;
-    const double rocker_moment = (rocker.inertia_moment() - couple) / rocker.length - cross(rocker.u, tip);
-    const double inverse = 1.0 / cross(coupler.u, rocker.u);
-    force_b = inverse * (coupler_moment * rocker.u - rocker_moment * coupler.u);
-    force_c = rocker.inertia_force() - force_b - tip;
-    force_a = coupler.inertia_force() + force_b;
-    force_o = crank.inertia_force() + force_a;
-    return crank.inertia_moment() + cross(crank.reach(), force_a);
-  }
-
+  std::array<Vec, 4> forces;
   double solve(double phi, double omega) {
-    move(phi, omega);
-    return forces({}, -20.0);
+    const Crank driven(phi, omega);
+    PinnedDyad dyad;
+    dyad.move(driven);
+    dyad.find_forces(driven.acceleration, {}, -20.0);
+    forces[1] = dyad.at_crank;
+    forces[2] = dyad.at_joint;
+    forces[3] = dyad.at_foot;
+    return driven.forces(dyad.at_crank, forces[0]);
   }
 };
 
 struct SixBar {
-  FourBar four_bar;
-  SlidingDyad dyad{.rod = {.length = 0.5, .mass = 1.0}, .piston_mass = 2.0, .line = 0.25, .push = -1000.0};
-
+  std::array<Vec, 7> forces;
   double solve(double phi, double omega) {
-    four_bar.move(phi, omega);
-    const Bar& rocker = four_bar.rocker;
-    dyad.solve(FourBar::foot + rocker.reach(), rocker.velocity(1.0), rocker.acceleration(1.0));
-    return four_bar.forces(-dyad.pin_force, 0.0);
+    const Crank driven(phi, omega);
+    PinnedDyad first;
+    first.move(driven);
+    SlidingDyad second;
+    second.solve({0.5, 1.0}, 2.0, 0.25, -1000.0, foot + first.w, first.v_tip, first.a_tip);
+    first.find_forces(driven.acceleration, second.pin_force, 0.0);
+    forces[1] = first.at_crank;
+    forces[2] = first.at_joint;
+    forces[3] = first.at_foot;
+    forces[4] = second.pin_force;
+    forces[5] = second.piston_force;
+    forces[6] = {0.0, second.guide_force};
+    return driven.forces(first.at_crank, forces[0]);
   }
 };
 

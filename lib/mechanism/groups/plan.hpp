@@ -14,6 +14,11 @@ namespace loadpath::mechanism {
 
 inline constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
+/// The sine below which a group is near its other side even where the drives hardly move; beyond it by as much as they
+/// move, rad or parts of the mechanism's size. A way of `longest_way` is followed in small steps.
+inline constexpr double near_change = 0.1;
+inline constexpr double longest_way = 1.0;
+
 /// The model's links keep their numbers, the ground comes next, then massless ones: a link that neither a turning nor a
 /// sliding joint leads to hangs on two crossed slides.
 struct TreeJoint {

@@ -9,8 +9,6 @@ namespace loadpath::mechanism {
 namespace {
 
 constexpr double whole_turn = 2.0 * std::numbers::pi;
-// The sine below which a group is near its other side even where the drives hardly move.
-constexpr double near_change = 0.1;
 
 double side(double value) { return value < 0.0 ? -1.0 : 1.0; }
 

@@ -1,12 +1,16 @@
 #include "lib/mechanism/groups/system.hpp"
 
 #include "lib/mechanism/equations/kinematics.hpp"
+#include "lib/mechanism/groups/chain.hpp"
+#include "lib/mechanism/groups/chain_output.hpp"
+#include "lib/mechanism/groups/chain_solver.hpp"
 #include "lib/mechanism/groups/motion.hpp"
 #include "lib/mechanism/groups/plan.hpp"
 #include "lib/mechanism/groups/positions.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace loadpath::mechanism {
@@ -16,6 +20,7 @@ struct GroupSystem::Work {
       : model(given),
         length(characteristic_length(given)),
         plan(plan_of(given)),
+        chain(chain_of(model, plan)),
         positions(plan, length),
         motion(model, plan, positions),
         induced(model),
@@ -25,20 +30,27 @@ struct GroupSystem::Work {
         drives(given.drivers.size()),
         way(given.drivers.size()) {
     iterates = std::ranges::any_of(plan.groups, [](const auto& g) { return g.closing == Closing::by_newton; });
+    if (chain) now.emplace(*chain);
   }
 
   Status go_to(std::span<const Drive> goal);
   bool go_by_groups(std::span<const Drive> goal);
   double find_way(std::span<const Drive> goal);
   Status adopt();
+  void take_sides();
   void hold(std::span<const Drive> goal);
   void find_tendency(std::span<const Drive> goal, Position& out);
   void store(Position& out) const;
   bool find_forces(bool statics, Position& out);
 
+  bool go_by_chain(std::span<const Drive> goal);
+  void solve_chain(std::span<const Drive> goal, bool statics, Position& out);
+
   Model model;
   double length;
   Plan plan;
+  std::optional<Chain> chain;  // where the mechanism is one: it does what positions and motion do, but for long moves
+  std::optional<ChainState<1>> now;
   GroupPositions positions;
   GroupMotion motion;
   InducedForces induced;
@@ -76,6 +88,10 @@ double GroupSystem::coordinate(std::size_t driver) const { return work_->drives[
 
 Status GroupSystem::solve(std::span<const Drive> drives, Position& out, bool statics) {
   Work& w = *work_;
+  if (w.go_by_chain(drives)) {
+    w.solve_chain(drives, statics, out);
+    return Status::closed;
+  }
   if (const Status status = w.go_to(drives); status != Status::closed) return status;
   const bool rubs = !w.induced.none();
   if (rubs && !moves(drives)) w.find_tendency(drives, out);
@@ -90,12 +106,13 @@ Status GroupSystem::solve(std::span<const Drive> drives, Position& out, bool sta
 Status GroupSystem::Work::adopt() {
   positions.adopt(held);
   closed = positions.factor();
+  take_sides();
   return closed ? Status::closed : Status::singular;
 }
 
 Status GroupSystem::Work::go_to(std::span<const Drive> goal) {
   if (!closed) return Status::does_not_close;
-  in_steps = !go_by_groups(goal);
+  in_steps = chain || !go_by_groups(goal);
   if (!in_steps) {
     hold(goal);
     return Status::closed;
@@ -107,6 +124,7 @@ Status GroupSystem::Work::go_to(std::span<const Drive> goal) {
     whole.store_poses(reached);
     positions.adopt(reached);
     if (positions.factor()) {
+      take_sides();
       std::ranges::copy(goal, drives.begin());
       std::ranges::copy(reached, held.begin());
       return status;
@@ -118,12 +136,57 @@ Status GroupSystem::Work::go_to(std::span<const Drive> goal) {
 
 bool GroupSystem::Work::go_by_groups(std::span<const Drive> goal) {
   const double change = find_way(goal);
-  if (!(change < 1.0)) return false;
+  if (!(change < longest_way)) return false;
   if (iterates) {
     motion.find_velocities(way);
     motion.find_accelerations(way);
   }
   return positions.move(goal, change, motion.rates()) && positions.factor();
+}
+
+void GroupSystem::Work::take_sides() {
+  if (!chain) return;
+  for (std::size_t s = 0; s < chain->steps.size(); ++s) now->sides[s] = positions.branch(chain->steps[s].group);
+}
+
+/// Only what moves: the forces come after. False where it has to be followed in small steps.
+bool GroupSystem::Work::go_by_chain(std::span<const Drive> goal) {
+  if (!chain || !closed) return false;
+  const double change = find_way(goal);
+  if (!(change < longest_way)) return false;
+  now->least_sine[0] = near_change + change;
+  for (std::size_t s = 0; s < chain->steps.size(); ++s) {
+    const ChainStep& step = chain->steps[s];
+    if (step.driver != none) set_drive(step, goal[step.driver], 0, now->drives[s]);
+  }
+  ChainSolver<1>(*chain, *now).move();
+  return now->clear[0] != 0.0;
+}
+
+/// After the move.
+void GroupSystem::Work::solve_chain(std::span<const Drive> goal, bool statics, Position& out) {
+  for (std::size_t n = 0; n < model.loads.size(); ++n) {
+    now->loads[n].force.set(0, model.loads[n].force);
+    now->loads[n].moment[0] = model.loads[n].moment;
+    out.loads[n] = {model.loads[n].force, model.loads[n].moment};
+  }
+  ChainSolver<1>(*chain, *now).find_forces(statics);
+  follow_poses(*chain, *now, 0, held);
+  std::ranges::copy(goal, drives.begin());
+  in_steps = false;
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    out.pose[k] = held[k];
+    out.velocity[k] = velocity_of(*chain, *now, k, 0);
+    out.acceleration[k] = acceleration_of(*chain, *now, k, 0);
+  }
+  for (std::size_t k = 0; k < out.reactions.size(); ++k) {
+    const ReactionLanes<1>& r = now->reactions[k];
+    out.reactions[k].force = r.force[0];
+    out.reactions[k].couple = r.couple[0];
+    out.reactions[k].touch = Profile::anywhere;
+  }
+  take_pins(*chain, *now, 0, out.reactions);
+  for (std::size_t d = 0; d < out.effort.size(); ++d) out.effort[d] = now->effort[d][0];
 }
 
 /// The largest change of a drive, in rad or parts of the mechanism's size.

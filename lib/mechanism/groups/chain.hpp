@@ -1,0 +1,90 @@
+// A mechanism of drives, rigid links and dyads in closed form, with all its numbers ready: what can be computed for
+// many positions at once (chain_solver.hpp). Each link is seen from a frame of its own choice: it starts at the pin by
+// which the link hangs, or at the inner joint of a slider, and looks along its bar, its guide or its slot, so that a
+// closed dyad gives the turns of its links as they are.
+//
+// Not among them, and followed by GroupPositions and GroupMotion: groups that are closed by iteration, slides across
+// slides, a guide between a turning and a sliding link, springs, and joints whose reactions bring forces with them.
+#pragma once
+
+#include "lib/mechanism/groups/plan.hpp"
+#include "lib/mechanism/model/model.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace loadpath::mechanism {
+
+struct ChainLink {
+  Turn own;    // from the model's frame to this one
+  Vec base;    // where it starts, frame of the model
+  Vec start;   // of the model's frame, in this one
+  Vec centre;  // of mass
+  double mass = 0.0;
+  double inertia = 0.0;
+};
+
+/// By which a link hangs on what is there before it.
+struct Hinge {
+  std::size_t tree = none;  // of the plan; none: no link, but a line of `on`
+  std::size_t link = none;
+  std::size_t on = 0;
+  std::size_t joint = none;  // of the model
+  bool grounded = false;     // it hangs on the ground
+  bool link_is_i = true;     // of the joint
+  Vec seat;                  // frame of `on`: the pin; of a slider where its inner joint is when it has not slid
+  Vec along{1.0, 0.0};       // frame of `on`, of a slider
+  Vec mount;                 // of a slider: where its reaction is taken, the joint's point of link i, in i's frame
+  bool centred = false;      // of a slider: that point is where its frame starts
+  double length = 0.0;       // from the pin to the inner joint
+  double angle = 0.0;        // of a slider's frame in the model against that of `on`
+};
+
+/// What is computed at once. The sides of dyads are those of GroupPositions.
+struct ChainStep {
+  enum class Kind {
+    turned,        // by a drive, as the first hinge has it
+    slid,          // by a drive
+    fixed,         // to what it hangs on
+    two_arms,      // two pinned bars; the first is link i of the inner joint
+    arm_and_line,  // a pinned bar, and a slider or a slot
+    slot,          // a pinned link, the second hinge, whose slot takes a pin of another
+    guide          // two pinned links that slide in each other
+  };
+  Kind kind = Kind::turned;
+  std::size_t group = 0;  // of the plan
+  Hinge first, second;
+  std::size_t cut = none;    // of the plan
+  std::size_t joint = none;  // the inner one
+  std::size_t driver = none;
+  double sense = 1.0;   // of the drive; of the inner joint: its force is that on the first link
+  double offset = 0.0;  // of the drive's coordinate
+  Vec pin;              // slot: in the frame of the link that it belongs to; guide: in that of the first
+  double angle = 0.0;   // guide: of the first link against the second
+  double aside = 0.0;   // slot, guide: by which the line misses the pivot of the second link
+};
+
+struct ChainLoad {
+  std::size_t link = 0;
+  bool turns_with_link = false;
+  bool at_start = false;  // it has no lever
+  Vec point;
+};
+
+struct Chain {
+  std::size_t ground = 0;
+  std::vector<ChainLink> links;  // the ground is the last
+  std::vector<ChainStep> steps;
+  std::vector<ChainLoad> loads;
+  std::size_t joints = 0, drivers = 0;
+  Vec gravity;
+
+  /// Of a model of the same structure, for which the plan has taken the dimensions.
+  void take_dimensions(const Model& model, const Plan& plan);
+};
+
+/// Nothing where the mechanism is not such a one.
+std::optional<Chain> chain_of(const Model& model, const Plan& plan);
+
+}  // namespace loadpath::mechanism

@@ -20,6 +20,9 @@ class SparseLu {
   /// Factors the matrix with these values, in the order of the pattern. False when it is singular to rounding.
   [[nodiscard]] bool factor(std::span<const double> values);
 
+  /// The next matrix is ordered anew, as if it were the first.
+  void forget_order() { ordered_ = false; }
+
   /// Replaces the right side by the solution of A x = b, or of A^T x = b.
   void solve(std::span<double> right);
   void solve_transposed(std::span<double> right);

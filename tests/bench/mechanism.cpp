@@ -1,6 +1,7 @@
 // A cycle of 720 positions through the general solvers, by groups and by the whole system at once, beside closed forms
 // written for the one linkage. Per position: coordinates, velocities, accelerations, all reactions, driving moment.
 #include "lib/mechanism/accuracy/sensitivity.hpp"
+#include "lib/mechanism/groups/columns.hpp"
 #include "lib/mechanism/groups/system.hpp"
 #include "lib/mechanism/studies/causes.hpp"
 #include "lib/mechanism/whole/system.hpp"
@@ -13,6 +14,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace {
 
@@ -96,6 +98,32 @@ bool agree(GeneralCycle<System>& cycle, Linkage& linkage) {
   return true;
 }
 
+std::vector<Drive> whole_turn() {
+  std::vector<Drive> drives;
+  for (int k = 0; k < positions; ++k) drives.push_back({1.0 + k * step, speed, 0.0});
+  return drives;
+}
+
+/// Of a variant: what it takes before the first position, and each position with all joint forces in columns.
+struct InColumns {
+  double ns_position = 0.0, ns_variant = 0.0;
+  bool in_lanes = true;
+};
+
+InColumns in_columns(const Model& model) {
+  InColumns result;
+  const std::vector<Drive> drives = whole_turn();
+  CycleColumns columns(model, drives.size());
+  const double both = fastest([&] {
+    const Status status = columns.take(model);
+    result.in_lanes = columns.solve(drives) == Status::closed && columns.in_lanes() && result.in_lanes;
+    return status;
+  });
+  result.ns_variant = positions * fastest([&] { return columns.take(model); });
+  result.ns_position = both - result.ns_variant / positions;
+  return result;
+}
+
 template <class Linkage>
 void compare(benchmark::State& state, const Model& model) {
   GeneralCycle<GroupSystem> groups(model);
@@ -114,6 +142,11 @@ void compare(benchmark::State& state, const Model& model) {
   state.counters["ns_at_once"] = at_once;
   state.counters["groups_by_hand"] = by_groups / by_hand;
   state.counters["at_once_by_hand"] = at_once / by_hand;
+  const InColumns columns = in_columns(model);
+  if (!columns.in_lanes) state.SkipWithError("not in lanes");
+  state.counters["ns_in_lanes"] = columns.ns_position;
+  state.counters["lanes_by_hand"] = columns.ns_position / by_hand;
+  state.counters["ns_of_variant"] = columns.ns_variant;
 }
 
 void slider_crank(benchmark::State& state) { compare<hand_written::SliderCrank>(state, models::slider_crank()); }

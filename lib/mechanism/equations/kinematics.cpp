@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <optional>
 
 namespace loadpath::mechanism {
 namespace {
@@ -30,8 +29,13 @@ const BasicJoint<Scalar>* slide_of(const BasicModel<Scalar>& model, const BasicD
 }  // namespace
 
 double characteristic_length(const Model& model) {
+  std::vector<std::optional<Vec>> first_points;
+  return characteristic_length(model, first_points);
+}
+
+double characteristic_length(const Model& model, std::vector<std::optional<Vec>>& first) {
   double extent = 0.0;
-  std::vector<std::optional<Vec>> first(model.links.size() + 1);
+  first.assign(model.links.size() + 1, std::nullopt);
   const auto reach = [&](int link, Vec point) {
     auto& start = first[link == ground ? model.links.size() : static_cast<std::size_t>(link)];
     if (!start) start = point;
@@ -195,6 +199,7 @@ void BasicConstraints<Scalar>::centripetal(std::span<const Scalar> velocity, std
   }
 }
 
+template void change_unit_of_length(BasicModel<double>&, double);
 template void change_unit_of_length(BasicModel<Dual>&, double);
 template class BasicConstraints<double>;
 template class BasicConstraints<Dual>;

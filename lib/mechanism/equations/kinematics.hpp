@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,8 @@ namespace loadpath::mechanism {
 
 /// The size of the mechanism, as a power of two in m: independent of where the axes are.
 double characteristic_length(const Model& model);
+/// With memory to use again.
+double characteristic_length(const Model& model, std::vector<std::optional<Vec>>& first_points);
 /// Lengths in this unit, m, from now on; kg and s stay.
 template <class Scalar>
 void change_unit_of_length(BasicModel<Scalar>& model, double unit);

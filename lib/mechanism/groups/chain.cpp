@@ -33,8 +33,7 @@ class Reader {
   Reader(const Model& model, const Plan& plan) : model_(model), plan_(plan) {}
 
   bool read(Chain& chain) {
-    const auto brings_forces = [](const Joint& joint) { return modes_of(joint) > 0; };
-    if (!model_.springs.empty() || std::ranges::any_of(model_.joints, brings_forces)) return false;
+    if (!is_chain(model_)) return false;
     for (group_ = 0; group_ < plan_.groups.size(); ++group_) {
       const GroupPlan& group = plan_.groups[group_];
       if (!(group.unknowns.empty() ? read_driven(group, chain) : read_dyad(group, chain))) return false;
@@ -172,6 +171,7 @@ class Dimensions {
     link.own = turned;
     link.base = base;
     link.start = own(k, {});
+    link.shifted = link.start.x != 0.0 || link.start.y != 0.0;
     link.mass = given.mass;
     link.inertia = given.inertia;
     link.centre = own(k, given.centre);
@@ -214,6 +214,10 @@ class Dimensions {
 };
 
 }  // namespace
+
+bool is_chain(const Model& model) {
+  return model.springs.empty() && std::ranges::none_of(model.joints, [](const Joint& j) { return modes_of(j) > 0; });
+}
 
 void Chain::take_dimensions(const Model& model, const Plan& plan) { Dimensions(model, plan, *this).take(); }
 

@@ -17,10 +17,11 @@
 namespace loadpath::mechanism {
 
 struct ChainLink {
-  Turn own;    // from the model's frame to this one
-  Vec base;    // where it starts, frame of the model
-  Vec start;   // of the model's frame, in this one
-  Vec centre;  // of mass
+  Turn own;              // from the model's frame to this one
+  Vec base;              // where it starts, frame of the model
+  bool shifted = false;  // it does not start where the model's frame does
+  Vec start;             // of the model's frame, in this one
+  Vec centre;            // of mass
   double mass = 0.0;
   double inertia = 0.0;
 };
@@ -84,6 +85,8 @@ struct Chain {
   void take_dimensions(const Model& model, const Plan& plan);
 };
 
+/// Whether it has neither springs nor joints whose reactions bring forces with them.
+bool is_chain(const Model& model);
 /// Nothing where the mechanism is not such a one.
 std::optional<Chain> chain_of(const Model& model, const Plan& plan);
 

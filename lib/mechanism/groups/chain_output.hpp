@@ -26,21 +26,26 @@ void set_drive(const ChainStep& step, const Drive& drive, std::size_t lane, Driv
 
 template <std::size_t Count>
 Vec place_of(const Chain& chain, const ChainState<Count>& now, std::size_t link, std::size_t lane) {
-  return now.links[link].origin[lane] + now.links[link].turned[lane](chain.links[link].start);
+  const ChainMotion<Count>& m = now.links[link];
+  return chain.links[link].shifted ? m.origin[lane] + m.turned[lane](chain.links[link].start) : m.origin[lane];
 }
 
 /// Velocity and acceleration of the model's frame of a link.
 template <std::size_t Count>
 Pose velocity_of(const Chain& chain, const ChainState<Count>& now, std::size_t link, std::size_t lane) {
   const ChainMotion<Count>& m = now.links[link];
-  const Vec v = m.velocity[lane] + m.omega[lane] * normal(m.turned[lane](chain.links[link].start));
+  Vec v = m.velocity[lane];
+  if (chain.links[link].shifted) v = v + m.omega[lane] * normal(m.turned[lane](chain.links[link].start));
   return {v.x, v.y, m.omega[lane]};
 }
 template <std::size_t Count>
 Pose acceleration_of(const Chain& chain, const ChainState<Count>& now, std::size_t link, std::size_t lane) {
   const ChainMotion<Count>& m = now.links[link];
-  const Vec arm = m.turned[lane](chain.links[link].start);
-  const Vec a = m.acceleration[lane] + m.epsilon[lane] * normal(arm) - m.omega[lane] * m.omega[lane] * arm;
+  Vec a = m.acceleration[lane];
+  if (chain.links[link].shifted) {
+    const Vec arm = m.turned[lane](chain.links[link].start);
+    a = a + m.epsilon[lane] * normal(arm) - m.omega[lane] * m.omega[lane] * arm;
+  }
   return {a.x, a.y, m.epsilon[lane]};
 }
 

@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace loadpath::mechanism {
@@ -74,6 +75,7 @@ struct ChainState {
   std::vector<ReactionLanes<Count>> reactions;  // on link i of the joint, about its pin
   std::vector<Lanes<Count>> effort;
   std::vector<double> sides;  // of the steps, +1 or -1
+  ChainMotion<Count> spare;   // of a slot, what a slider would be
   Lanes<Count> least_sine{};  // up to which a dyad is not clear
   Lanes<Count> clear{};       // 1, or 0
 };
@@ -96,79 +98,103 @@ class ChainSolver {
 
  private:
   using Motion = ChainMotion<Count>;
-  /// Where something is and how it moves.
+  /// Where something is and how it moves, in one lane.
   struct Course {
-    VecLanes<Count> at, velocity, acceleration;
+    Vec at, velocity, acceleration;
   };
 
   void move(const ChainStep& step, std::size_t s) {
     switch (step.kind) {
       case ChainStep::Kind::turned:
-        return turn_by_drive(step.first, s);
+        return on_ground(step.first, [&](auto grounded) { turn_by_drive<grounded>(step.first, s); });
       case ChainStep::Kind::slid:
         return slide_by_drive(step.first, s);
       case ChainStep::Kind::fixed:
         return fix(step.first);
       case ChainStep::Kind::two_arms:
-        return close_two_arms(step, s);
+        return on_grounds(step, [&](auto a, auto b) { close_two_arms<a, b>(step, s); });
       case ChainStep::Kind::arm_and_line:
-        return close_arm_and_line(step, s);
+        return on_grounds(step, [&](auto a, auto b) { close_arm_and_line<a, b>(step, s); });
       case ChainStep::Kind::slot:
       case ChainStep::Kind::guide:
-        return close_on_line(step, s);
+        return on_grounds(step, [&](auto a, auto b) { close_on_line<a, b>(step, s); });
     }
   }
 
   void supply(const ChainStep& step, std::size_t s) {
     switch (step.kind) {
       case ChainStep::Kind::turned:
+        return on_ground(step.first, [&](auto grounded) { supply_turned<grounded>(step); });
       case ChainStep::Kind::slid:
       case ChainStep::Kind::fixed:
-        return supply_driven(step, s);
+        return supply_slid(step, s);
       case ChainStep::Kind::two_arms:
-        return supply_two_arms(step, s);
+        return on_grounds(step, [&](auto a, auto b) { supply_two_arms<a, b>(step, s); });
       case ChainStep::Kind::arm_and_line:
-        return supply_arm_and_line(step, s);
+        return on_ground(step.first, [&](auto grounded) { supply_arm_and_line<grounded>(step, s); });
       case ChainStep::Kind::slot:
+        return on_ground(step.second, [&](auto grounded) { supply_slot<grounded>(step, s); });
       case ChainStep::Kind::guide:
-        return supply_on_line(step, s);
+        return on_grounds(step, [&](auto a, auto b) { supply_guide<a, b>(step, s); });
     }
+  }
+
+  /// With what hangs on the ground known when it is compiled: most of its arithmetic is with zeros.
+  template <class Do>
+  static void on_ground(const Hinge& hinge, Do what) {
+    hinge.grounded ? what(std::true_type{}) : what(std::false_type{});
+  }
+  template <class Do>
+  static void on_grounds(const ChainStep& step, Do what) {
+    on_ground(step.first, [&](auto first) { on_ground(step.second, [&](auto second) { what(first, second); }); });
   }
 
   // ---- motion
 
-  /// Of a point of what the hinge hangs on.
-  void follow(const Hinge& hinge, Vec point, Course& out) const {
-    if (hinge.grounded) {
-      return each_lane<Count>([&](std::size_t n) {
-        out.at.set(n, point);
-        out.velocity.set(n, {});
-        out.acceleration.set(n, {});
-      });
-    }
-    const Motion& on = now_.links[hinge.on];
-    each_lane<Count>([&](std::size_t n) {
+  /// Of a point of a link.
+  template <bool Grounded>
+  static Course follow(const Motion& on, Vec point, std::size_t n) {
+    if constexpr (Grounded) {
+      return {point, {}, {}};
+    } else {
       const Vec arm = on.turned[n](point);
       const double omega = on.omega[n];
-      out.at.set(n, on.origin[n] + arm);
-      out.velocity.set(n, on.velocity[n] + omega * normal(arm));
-      out.acceleration.set(n, on.acceleration[n] + on.epsilon[n] * normal(arm) - omega * omega * arm);
-    });
+      return {on.origin[n] + arm, on.velocity[n] + omega * normal(arm),
+              on.acceleration[n] + on.epsilon[n] * normal(arm) - omega * omega * arm};
+    }
+  }
+  template <bool Grounded>
+  static Turn turned(const Motion& on, std::size_t n) {
+    if constexpr (Grounded) {
+      return {};
+    } else {
+      return on.turned[n];
+    }
   }
 
+  static void put(const Course& course, std::size_t n, Motion& link) {
+    link.origin.set(n, course.at);
+    link.velocity.set(n, course.velocity);
+    link.acceleration.set(n, course.acceleration);
+  }
+
+  template <bool Grounded>
   void turn_by_drive(const Hinge& hinge, std::size_t s) {
-    Course pin;
-    follow(hinge, hinge.seat, pin);
     const DriveLanes<Count>& drive = now_.drives[s];
     Motion& link = now_.links[hinge.link];
     const Motion& on = now_.links[hinge.on];
+    const Vec seat = hinge.seat;
     each_lane<Count>([&](std::size_t n) {
-      link.origin.set(n, pin.at[n]);
-      link.velocity.set(n, pin.velocity[n]);
-      link.acceleration.set(n, pin.acceleration[n]);
-      link.turned.set(n, on.turned[n] * drive.turned[n]);
-      link.omega[n] = on.omega[n] + drive.speed[n];
-      link.epsilon[n] = on.epsilon[n] + drive.acceleration[n];
+      put(follow<Grounded>(on, seat, n), n, link);
+      if constexpr (Grounded) {
+        link.turned.set(n, drive.turned[n]);
+        link.omega[n] = drive.speed[n];
+        link.epsilon[n] = drive.acceleration[n];
+      } else {
+        link.turned.set(n, on.turned[n] * drive.turned[n]);
+        link.omega[n] = on.omega[n] + drive.speed[n];
+        link.epsilon[n] = on.epsilon[n] + drive.acceleration[n];
+      }
     });
   }
 
@@ -187,166 +213,175 @@ class ChainSolver {
              VecLanes<Count>& along) {
     const Motion& on = now_.links[hinge.on];
     Motion& link = now_.links[hinge.link];
+    const Vec direction = hinge.along, seat = hinge.seat;
     each_lane<Count>([&](std::size_t n) {
-      const Vec way = on.turned[n](hinge.along);
-      const Vec lever = on.turned[n](hinge.seat) + value[n] * way;
+      const Vec way = on.turned[n](direction);
+      const Vec lever = on.turned[n](seat) + value[n] * way;
       const double omega = on.omega[n], epsilon = on.epsilon[n];
       along.set(n, way);
-      link.origin.set(n, on.origin[n] + lever);
       link.turned.set(n, on.turned[n]);
       link.omega[n] = omega;
       link.epsilon[n] = epsilon;
+      link.origin.set(n, on.origin[n] + lever);
       link.velocity.set(n, on.velocity[n] + omega * normal(lever) + speed[n] * way);
       link.acceleration.set(n, on.acceleration[n] + epsilon * normal(lever) - omega * omega * lever +
                                    2.0 * omega * speed[n] * normal(way) + acceleration[n] * way);
     });
   }
 
+  template <bool FirstGrounded, bool SecondGrounded>
   void close_two_arms(const ChainStep& step, std::size_t s) {
-    Course a, b;
-    follow(step.first, step.first.seat, a);
-    follow(step.second, step.second.seat, b);
-    Motion &i = now_.links[step.first.link], &j = now_.links[step.second.link];
+    const Hinge &first = step.first, &second = step.second;
+    const Motion &on_first = now_.links[first.on], &on_second = now_.links[second.on];
+    Motion &i = now_.links[first.link], &j = now_.links[second.link];
     StepMotion<Count>& keep = now_.steps[s];
-    const double to_i = 1.0 / step.first.length, to_j = 1.0 / step.second.length;
-    const double ii = step.first.length * step.first.length, jj = step.second.length * step.second.length;
-    const double difference = ii - jj, sine_of = 1.0 / (step.first.length * step.second.length), side = now_.sides[s];
+    const double to_i = 1.0 / first.length, to_j = 1.0 / second.length;
+    const double ii = first.length * first.length, jj = second.length * second.length;
+    const Vec seat_i = first.seat, seat_j = second.seat;
+    const double difference = ii - jj, sine_of = to_i * to_j, side = now_.sides[s];
     each_lane<Count>([&](std::size_t n) {
-      const Vec across = b.at[n] - a.at[n];
+      const Course a = follow<FirstGrounded>(on_first, seat_i, n);
+      const Course b = follow<SecondGrounded>(on_second, seat_j, n);
+      const Vec across = b.at - a.at;
       const double square = dot(across, across), inverse_square = 1.0 / square;
       const double along = 0.5 + 0.5 * (difference * inverse_square);
       const double aside = std::sqrt(ii * inverse_square - along * along);
       now_.clear[n] = aside * square * sine_of > now_.least_sine[n] ? now_.clear[n] : 0.0;
       const Vec u = along * across + (side * aside) * normal(across), w = u - across;
-      i.turned.set(n, {to_i * u.x, to_i * u.y});
-      j.turned.set(n, {to_j * w.x, to_j * w.y});
       const double inverse = 1.0 / cross(u, w);
       keep.inverse[n] = inverse;
-      const Vec parting = b.velocity[n] - a.velocity[n];
+      const Vec parting = b.velocity - a.velocity;
       const double omega_i = dot(parting, w) * inverse, omega_j = dot(parting, u) * inverse;
-      const Vec gaining = b.acceleration[n] - a.acceleration[n] + omega_i * omega_i * u - omega_j * omega_j * w;
+      const Vec gaining = b.acceleration - a.acceleration + omega_i * omega_i * u - omega_j * omega_j * w;
+      put(a, n, i);
+      put(b, n, j);
+      i.turned.set(n, {to_i * u.x, to_i * u.y});
+      j.turned.set(n, {to_j * w.x, to_j * w.y});
       i.omega[n] = omega_i;
       j.omega[n] = omega_j;
       i.epsilon[n] = dot(gaining, w) * inverse;
       j.epsilon[n] = dot(gaining, u) * inverse;
     });
-    take(a, i);
-    take(b, j);
   }
 
-  static void take(const Course& pin, Motion& link) {
-    link.origin = pin.at;
-    link.velocity = pin.velocity;
-    link.acceleration = pin.acceleration;
-  }
-
+  template <bool ArmGrounded, bool LineGrounded>
   void close_arm_and_line(const ChainStep& step, std::size_t s) {
-    Course a;
-    follow(step.first, step.first.seat, a);
-    Motion& arm = now_.links[step.first.link];
-    const Motion& on = now_.links[step.second.on];
+    const Hinge &bar = step.first, &line = step.second;
+    const Motion &on_arm = now_.links[bar.on], &on = now_.links[line.on];
+    Motion& arm = now_.links[bar.link];
+    Motion& slider = line.tree == none ? now_.spare : now_.links[line.link];
     StepMotion<Count>& keep = now_.steps[s];
-    Course slider;
-    const Hinge& line = step.second;
-    const double length = step.first.length, to_arm = 1.0 / length, side = now_.sides[s];
+    const double length = bar.length, to_arm = 1.0 / length, side = now_.sides[s];
+    const Vec pin = bar.seat, base = line.seat, direction = line.along;
     each_lane<Count>([&](std::size_t n) {
-      const Vec along = on.turned[n](line.along), aside = normal(along);
-      const Vec start = on.origin[n] + on.turned[n](line.seat);
-      const double distance = dot(start - a.at[n], aside);
+      const Course a = follow<ArmGrounded>(on_arm, pin, n);
+      const Turn frame = turned<LineGrounded>(on, n);
+      const Vec along = frame(direction), aside = normal(along);
+      const Vec start = LineGrounded ? base : on.origin[n] + frame(base);
+      const double distance = dot(start - a.at, aside);
       const double half = std::sqrt(length * length - distance * distance), ahead = side * half;
       now_.clear[n] = half * to_arm > now_.least_sine[n] ? now_.clear[n] : 0.0;
-      const Vec u = ahead * along + distance * aside;
+      const Vec u = ahead * along + distance * aside, at = a.at + u;
+      const double inverse = 1.0 / ahead;
+      // Of the line's point that the slider is at.
+      Vec velocity, acceleration;
+      double carried = 0.0;
+      if constexpr (!LineGrounded) {
+        const Vec lever = at - on.origin[n];
+        carried = on.omega[n];
+        velocity = on.velocity[n] + carried * normal(lever);
+        acceleration = on.acceleration[n] + on.epsilon[n] * normal(lever) - carried * carried * lever;
+      }
+      const Vec parting = velocity - a.velocity;
+      const double omega = dot(parting, aside) * inverse;
+      Vec gaining = acceleration - a.acceleration + omega * omega * u;
+      if constexpr (!LineGrounded) gaining = gaining - (2.0 * carried * dot(parting, u) * inverse) * aside;
+      const double epsilon = dot(gaining, aside) * inverse;
+      put(a, n, arm);
       arm.turned.set(n, {to_arm * u.x, to_arm * u.y});
-      const Vec at = a.at[n] + u;
-      const double inverse = 1.0 / ahead, carried = on.omega[n];
+      arm.omega[n] = omega;
+      arm.epsilon[n] = epsilon;
+      put({at, a.velocity + omega * normal(u), a.acceleration + epsilon * normal(u) - omega * omega * u}, n, slider);
+      slider.turned.set(n, frame);
+      slider.omega[n] = carried;
+      slider.epsilon[n] = LineGrounded ? 0.0 : on.epsilon[n];
       keep.along.set(n, along);
       keep.inverse[n] = inverse;
       keep.distance[n] = distance;
-      // Of the line's point that the slider is at.
-      const Vec lever = at - on.origin[n];
-      const Vec velocity = on.velocity[n] + carried * normal(lever);
-      const Vec acceleration = on.acceleration[n] + on.epsilon[n] * normal(lever) - carried * carried * lever;
-      const Vec parting = velocity - a.velocity[n];
-      const double omega = dot(parting, aside) * inverse, speed = -dot(parting, u) * inverse;
-      const Vec gaining = acceleration - a.acceleration[n] + (2.0 * carried * speed) * aside + omega * omega * u;
-      const double epsilon = dot(gaining, aside) * inverse;
-      arm.omega[n] = omega;
-      arm.epsilon[n] = epsilon;
-      slider.at.set(n, at);
-      slider.velocity.set(n, a.velocity[n] + omega * normal(u));
-      slider.acceleration.set(n, a.acceleration[n] + epsilon * normal(u) - omega * omega * u);
     });
-    take(a, arm);
-    if (line.tree == none) return;
-    Motion& link = now_.links[line.link];
-    take(slider, link);
-    link.turned = on.turned;
-    link.omega = on.omega;
-    link.epsilon = on.epsilon;
   }
 
   /// From the pivot of the second link to what its line passes at `aside`: the pin in its slot, or the other pivot.
+  template <bool FirstGrounded, bool SecondGrounded>
   void close_on_line(const ChainStep& step, std::size_t s) {
+    const Hinge &first = step.first, &second = step.second;
     const bool guide = step.kind == ChainStep::Kind::guide;
-    Course to, from;
-    follow(step.first, guide ? step.first.seat : step.pin, to);
-    follow(step.second, step.second.seat, from);
-    Motion& link = now_.links[step.second.link];
+    const Vec point = guide ? first.seat : step.pin, pivot = second.seat;
+    const Motion &on_first = now_.links[first.on], &on_second = now_.links[second.on];
+    Motion& link = now_.links[second.link];
+    Motion& other = guide ? now_.links[first.link] : now_.spare;
     StepMotion<Count>& keep = now_.steps[s];
     const double aside = step.aside, side = now_.sides[s];
     each_lane<Count>([&](std::size_t n) {
-      const Vec way = to.at[n] - from.at[n];
+      const Course to = follow<FirstGrounded>(on_first, point, n);
+      const Course from = follow<SecondGrounded>(on_second, pivot, n);
+      const Vec way = to.at - from.at;
       const double square = dot(way, way), half = std::sqrt(square - aside * aside), ahead = side * half;
       now_.clear[n] = half > now_.least_sine[n] * std::sqrt(square) ? now_.clear[n] : 0.0;
       const double inverse_square = 1.0 / square, inverse = 1.0 / ahead;
       const Vec along = inverse_square * (ahead * way - aside * normal(way)), across = normal(along);
-      const Vec parting = to.velocity[n] - from.velocity[n];
+      const Vec parting = to.velocity - from.velocity, gaining = to.acceleration - from.acceleration;
       const double omega = dot(parting, across) * inverse, speed = dot(parting, along) + omega * aside;
-      const Vec gaining = to.acceleration[n] - from.acceleration[n];
-      link.turned.set(n, {along.x, along.y});
-      link.omega[n] = omega;
-      link.epsilon[n] = (dot(gaining, across) - 2.0 * speed * omega + omega * omega * aside) * inverse;
+      const double epsilon = (dot(gaining, across) - 2.0 * speed * omega + omega * omega * aside) * inverse;
+      for (Motion* m : {&link, &other}) {
+        m->turned.set(n, {along.x, along.y});
+        m->omega[n] = omega;
+        m->epsilon[n] = epsilon;
+      }
+      put(from, n, link);
+      put(to, n, other);
       keep.along.set(n, along);
       keep.inverse[n] = inverse;
     });
-    take(from, link);
-    if (!guide) return;
-    Motion& first = now_.links[step.first.link];
-    take(to, first);
-    first.turned = link.turned;
-    first.omega = link.omega;
-    first.epsilon = link.epsilon;
   }
 
   // ---- forces
 
   void need(const ChainLink& link, Motion& m, bool statics) const {
-    const Vec gravity = chain_.gravity;
-    if (link.mass == 0.0 && link.inertia == 0.0) {
+    const Vec gravity = chain_.gravity, to_centre = link.centre;
+    const double mass = link.mass, inertia = link.inertia;
+    if (mass == 0.0 && inertia == 0.0) {
       m.force = {};
       m.moment = {};
       return;
     }
     if (statics) {
-      const Vec weight = -link.mass * gravity;
+      const Vec weight = -mass * gravity;
       return each_lane<Count>([&](std::size_t n) {
         m.force.set(n, weight);
-        m.moment[n] = cross(m.turned[n](link.centre), weight);
+        m.moment[n] = cross(m.turned[n](to_centre), weight);
+      });
+    }
+    if (to_centre.x == 0.0 && to_centre.y == 0.0) {
+      return each_lane<Count>([&](std::size_t n) {
+        m.force.set(n, mass * (m.acceleration[n] - gravity));
+        m.moment[n] = inertia * m.epsilon[n];
       });
     }
     each_lane<Count>([&](std::size_t n) {
       const double omega = m.omega[n], epsilon = m.epsilon[n];
-      const Vec arm = m.turned[n](link.centre);
+      const Vec arm = m.turned[n](to_centre);
       const Vec centre = m.acceleration[n] + epsilon * normal(arm) - omega * omega * arm;
-      const Vec force = link.mass * (centre - gravity);
+      const Vec force = mass * (centre - gravity);
       m.force.set(n, force);
-      m.moment[n] = link.inertia * epsilon + cross(arm, force);
+      m.moment[n] = inertia * epsilon + cross(arm, force);
     });
   }
 
   void load(const ChainLoad& load, const LoadLanes<Count>& given) {
     Motion& m = now_.links[load.link];
     const Turn own = chain_.links[load.link].own;
+    const Vec point = load.point;
     if (load.at_start && !load.turns_with_link) {
       return each_lane<Count>([&](std::size_t n) {
         m.force.set(n, m.force[n] - given.force[n]);
@@ -357,50 +392,45 @@ class ChainSolver {
       return each_lane<Count>([&](std::size_t n) {
         const Vec force = given.force[n];
         m.force.set(n, m.force[n] - force);
-        m.moment[n] -= given.moment[n] + cross(m.turned[n](load.point), force);
+        m.moment[n] -= given.moment[n] + cross(m.turned[n](point), force);
       });
     }
     each_lane<Count>([&](std::size_t n) {
       const Vec force = m.turned[n](own(given.force[n]));
       m.force.set(n, m.force[n] - force);
-      m.moment[n] -= given.moment[n] + cross(m.turned[n](load.point), force);
+      m.moment[n] -= given.moment[n] + cross(m.turned[n](point), force);
     });
   }
 
-  /// What a link pinned at its origin still needs comes through the pin.
-  void pass_pin(const Hinge& hinge) {
-    Motion& link = now_.links[hinge.link];
-    const double sense = hinge.link_is_i ? 1.0 : -1.0;
-    ReactionLanes<Count>& out = now_.reactions[hinge.joint];
-    each_lane<Count>([&](std::size_t n) {
-      out.force.set(n, sense * link.force[n]);
-      out.couple[n] = 0.0;
-    });
-    if (hinge.grounded) return;
-    Motion& on = now_.links[hinge.on];
-    each_lane<Count>([&](std::size_t n) {
-      const Vec force = link.force[n];
+  /// What a link pinned at its origin needs comes through the pin.
+  template <bool Grounded>
+  static void pass_pin(Vec force, Vec origin, double sense, std::size_t n, Motion& on, ReactionLanes<Count>& out) {
+    out.force.set(n, sense * force);
+    if constexpr (!Grounded) {
       on.force.set(n, on.force[n] + force);
-      on.moment[n] += cross(link.origin[n] - on.origin[n], force);
-    });
+      on.moment[n] += cross(origin - on.origin[n], force);
+    }
   }
+  static double sense_of(const Hinge& hinge) { return hinge.link_is_i ? 1.0 : -1.0; }
 
   /// What a slider still needs, its guide gives: what it needs along the guide is with its drive, or nothing.
   void pass_guide(const Hinge& hinge, const VecLanes<Count>& along, bool whole) {
     Motion& link = now_.links[hinge.link];
     Motion& on = now_.links[hinge.on];
-    const double sense = hinge.link_is_i ? 1.0 : -1.0;
+    const double sense = sense_of(hinge);
     ReactionLanes<Count>& out = now_.reactions[hinge.joint];
     each_lane<Count>([&](std::size_t n) {
       const Vec aside = normal(along[n]), force = link.force[n];
-      const Vec across = whole ? force : dot(force, aside) * aside;
+      const Vec across = dot(force, aside) * aside;
       out.force.set(n, sense * across);
       out.couple[n] = sense * link.moment[n];
     });
+    if (whole) each_lane<Count>([&](std::size_t n) { out.force.set(n, sense * link.force[n]); });
     if (!hinge.centred) {
       const Motion& frame = hinge.link_is_i ? link : on;
+      const Vec own = hinge.mount;
       each_lane<Count>([&](std::size_t n) {
-        const Vec mount = frame.origin[n] + frame.turned[n](hinge.mount);
+        const Vec mount = frame.origin[n] + frame.turned[n](own);
         out.couple[n] += sense * cross(link.origin[n] - mount, link.force[n]);
       });
     }
@@ -412,117 +442,119 @@ class ChainSolver {
     });
   }
 
-  void supply_driven(const ChainStep& step, std::size_t s) {
-    const Hinge& hinge = step.first;
-    Motion& link = now_.links[hinge.link];
-    const double sense = step.sense;
-    if (step.kind != ChainStep::Kind::turned) {
-      const VecLanes<Count>& along = now_.steps[s].along;
-      pass_guide(hinge, along, step.kind == ChainStep::Kind::fixed);
-      if (step.driver == none) return;
-      Lanes<Count>& effort = now_.effort[step.driver];
-      return each_lane<Count>([&](std::size_t n) { effort[n] = sense * dot(link.force[n], along[n]); });
-    }
+  template <bool Grounded>
+  void supply_turned(const ChainStep& step) {
+    const Motion& link = now_.links[step.first.link];
+    Motion& on = now_.links[step.first.on];
+    ReactionLanes<Count>& out = now_.reactions[step.first.joint];
     Lanes<Count>& effort = now_.effort[step.driver];
-    each_lane<Count>([&](std::size_t n) { effort[n] = sense * link.moment[n]; });
-    pass_pin(hinge);
-    if (hinge.grounded) return;
-    Motion& on = now_.links[hinge.on];
-    each_lane<Count>([&](std::size_t n) { on.moment[n] += link.moment[n]; });
-  }
-
-  void supply_two_arms(const ChainStep& step, std::size_t s) {
-    Motion &i = now_.links[step.first.link], &j = now_.links[step.second.link];
-    const StepMotion<Count>& kept = now_.steps[s];
-    ReactionLanes<Count>& out = now_.reactions[step.joint];
-    const double length_i = step.first.length, length_j = step.second.length;
+    const double sense = sense_of(step.first), of_drive = step.sense;
     each_lane<Count>([&](std::size_t n) {
-      const double of_i = length_j * i.moment[n] * kept.inverse[n], of_j = length_i * j.moment[n] * kept.inverse[n];
-      const Turn u = i.turned[n], w = j.turned[n];
-      const Vec force{of_i * w.cosine + of_j * u.cosine, of_i * w.sine + of_j * u.sine};
-      out.force.set(n, force);
-      out.couple[n] = 0.0;
-      i.force.set(n, i.force[n] - force);
-      j.force.set(n, j.force[n] + force);
+      effort[n] = of_drive * link.moment[n];
+      pass_pin<Grounded>(link.force[n], link.origin[n], sense, n, on, out);
+      if constexpr (!Grounded) on.moment[n] += link.moment[n];
     });
-    pass_pin(step.first);
-    pass_pin(step.second);
   }
 
-  void supply_arm_and_line(const ChainStep& step, std::size_t s) {
-    Motion& arm = now_.links[step.first.link];
-    const StepMotion<Count>& kept = now_.steps[s];
-    ReactionLanes<Count>& out = now_.reactions[step.joint];
-    const Hinge& line = step.second;
+  void supply_slid(const ChainStep& step, std::size_t s) {
+    const VecLanes<Count>& along = now_.steps[s].along;
+    pass_guide(step.first, along, step.kind == ChainStep::Kind::fixed);
+    if (step.driver == none) return;
+    const Motion& link = now_.links[step.first.link];
+    Lanes<Count>& effort = now_.effort[step.driver];
     const double sense = step.sense;
-    if (line.tree != none) {
-      Motion& slider = now_.links[line.link];
-      each_lane<Count>([&](std::size_t n) {
-        const Vec along = kept.along[n];
-        const double pushed = -dot(slider.force[n], along);
-        const double pressed = (arm.moment[n] + pushed * kept.distance[n]) * kept.inverse[n];
-        const Vec force = pushed * along + pressed * normal(along);
-        out.force.set(n, sense * force);
-        out.couple[n] = 0.0;
-        arm.force.set(n, arm.force[n] - force);
-        slider.force.set(n, slider.force[n] + force);
-      });
-      pass_guide(line, kept.along, false);
-      return pass_pin(step.first);
-    }
-    each_lane<Count>([&](std::size_t n) {
-      const Vec force = (arm.moment[n] * kept.inverse[n]) * normal(kept.along[n]);
-      out.force.set(n, sense * force);
-      out.couple[n] = 0.0;
-      arm.force.set(n, arm.force[n] - force);
-    });
-    if (!line.grounded) {
-      Motion& on = now_.links[line.on];
-      const double length = step.first.length;
-      each_lane<Count>([&](std::size_t n) {
-        const Vec force = sense * out.force[n];
-        const Turn u = arm.turned[n];
-        const Vec at = arm.origin[n] + Vec{length * u.cosine, length * u.sine};
-        on.force.set(n, on.force[n] + force);
-        on.moment[n] += cross(at - on.origin[n], force);
-      });
-    }
-    pass_pin(step.first);
+    each_lane<Count>([&](std::size_t n) { effort[n] = sense * dot(link.force[n], along[n]); });
   }
 
-  void supply_on_line(const ChainStep& step, std::size_t s) {
-    Motion& link = now_.links[step.second.link];
+  template <bool FirstGrounded, bool SecondGrounded>
+  void supply_two_arms(const ChainStep& step, std::size_t s) {
+    const Motion &i = now_.links[step.first.link], &j = now_.links[step.second.link];
+    Motion &on_i = now_.links[step.first.on], &on_j = now_.links[step.second.on];
     const StepMotion<Count>& kept = now_.steps[s];
-    ReactionLanes<Count>& out = now_.reactions[step.joint];
-    if (step.kind == ChainStep::Kind::guide) {
-      Motion& first = now_.links[step.first.link];
-      const double reach = step.pin.x;
-      each_lane<Count>([&](std::size_t n) {
-        const double pressed = -(first.moment[n] + link.moment[n]) * kept.inverse[n];
-        const Vec force = pressed * normal(kept.along[n]);
-        out.force.set(n, force);
-        out.couple[n] = first.moment[n] - pressed * reach;
-        first.force.set(n, first.force[n] - force);
-        link.force.set(n, link.force[n] + force);
-      });
-      pass_pin(step.first);
-      return pass_pin(step.second);
-    }
+    ReactionLanes<Count>&out = now_.reactions[step.joint], &of_i = now_.reactions[step.first.joint],
+    &of_j = now_.reactions[step.second.joint];
+    const double length_i = step.first.length, length_j = step.second.length;
+    const double sense_i = sense_of(step.first), sense_j = sense_of(step.second);
+    each_lane<Count>([&](std::size_t n) {
+      const double inverse = kept.inverse[n];
+      const double along_j = length_j * i.moment[n] * inverse, along_i = length_i * j.moment[n] * inverse;
+      const Turn u = i.turned[n], w = j.turned[n];
+      const Vec force{along_j * w.cosine + along_i * u.cosine, along_j * w.sine + along_i * u.sine};
+      out.force.set(n, force);
+      pass_pin<FirstGrounded>(i.force[n] - force, i.origin[n], sense_i, n, on_i, of_i);
+      pass_pin<SecondGrounded>(j.force[n] + force, j.origin[n], sense_j, n, on_j, of_j);
+    });
+  }
+
+  template <bool ArmGrounded>
+  void supply_arm_and_line(const ChainStep& step, std::size_t s) {
+    const Hinge &bar = step.first, &line = step.second;
+    const Motion& arm = now_.links[bar.link];
+    const bool slot = line.tree == none;
+    Motion &on_arm = now_.links[bar.on], &slider = slot ? now_.spare : now_.links[line.link];
+    const StepMotion<Count>& kept = now_.steps[s];
+    ReactionLanes<Count>&out = now_.reactions[step.joint], &of_pin = now_.reactions[bar.joint];
+    const double sense = step.sense, sense_pin = sense_of(bar);
+    if (slot) slider.force = {};
+    each_lane<Count>([&](std::size_t n) {
+      const Vec along = kept.along[n], needed = slider.force[n];
+      const double pushed = -dot(needed, along);
+      const double pressed = (arm.moment[n] + pushed * kept.distance[n]) * kept.inverse[n];
+      const Vec force = pushed * along + pressed * normal(along);
+      out.force.set(n, sense * force);
+      slider.force.set(n, needed + force);
+      pass_pin<ArmGrounded>(arm.force[n] - force, arm.origin[n], sense_pin, n, on_arm, of_pin);
+    });
+    if (!slot) return pass_guide(line, kept.along, false);
+    if (line.grounded) return;
+    Motion& on = now_.links[line.on];
+    const double length = bar.length;
+    each_lane<Count>([&](std::size_t n) {
+      const Turn u = arm.turned[n];
+      const Vec at = arm.origin[n] + Vec{length * u.cosine, length * u.sine}, force = slider.force[n];
+      on.force.set(n, on.force[n] + force);
+      on.moment[n] += cross(at - on.origin[n], force);
+    });
+  }
+
+  template <bool Grounded>
+  void supply_slot(const ChainStep& step, std::size_t s) {
+    const Motion& link = now_.links[step.second.link];
+    Motion& on = now_.links[step.second.on];
+    const StepMotion<Count>& kept = now_.steps[s];
+    ReactionLanes<Count>&out = now_.reactions[step.joint], &of_pin = now_.reactions[step.second.joint];
+    const double sense = sense_of(step.second);
     each_lane<Count>([&](std::size_t n) {
       const Vec force = (-link.moment[n] * kept.inverse[n]) * normal(kept.along[n]);
       out.force.set(n, force);
-      out.couple[n] = 0.0;
-      link.force.set(n, link.force[n] + force);
+      pass_pin<Grounded>(link.force[n] + force, link.origin[n], sense, n, on, of_pin);
     });
-    if (!step.first.grounded) {
-      Motion& held = now_.links[step.first.on];
-      each_lane<Count>([&](std::size_t n) {
-        const Vec force = out.force[n];
-        held.force.set(n, held.force[n] - force);
-        held.moment[n] -= cross(held.turned[n](step.pin), force);
-      });
-    }
-    pass_pin(step.second);
+    if (step.first.grounded) return;
+    Motion& held = now_.links[step.first.on];
+    const Vec pin = step.pin;
+    each_lane<Count>([&](std::size_t n) {
+      const Vec force = out.force[n];
+      held.force.set(n, held.force[n] - force);
+      held.moment[n] -= cross(held.turned[n](pin), force);
+    });
+  }
+
+  template <bool FirstGrounded, bool SecondGrounded>
+  void supply_guide(const ChainStep& step, std::size_t s) {
+    const Motion &first = now_.links[step.first.link], &second = now_.links[step.second.link];
+    Motion &on_first = now_.links[step.first.on], &on_second = now_.links[step.second.on];
+    const StepMotion<Count>& kept = now_.steps[s];
+    ReactionLanes<Count>&out = now_.reactions[step.joint], &of_first = now_.reactions[step.first.joint],
+    &of_second = now_.reactions[step.second.joint];
+    const double reach = step.pin.x, sense_first = sense_of(step.first), sense_second = sense_of(step.second);
+    each_lane<Count>([&](std::size_t n) {
+      const double pressed = -(first.moment[n] + second.moment[n]) * kept.inverse[n];
+      const Vec force = pressed * normal(kept.along[n]);
+      out.force.set(n, force);
+      out.couple[n] = first.moment[n] - pressed * reach;
+      pass_pin<FirstGrounded>(first.force[n] - force, first.origin[n], sense_first, n, on_first, of_first);
+      pass_pin<SecondGrounded>(second.force[n] + force, second.origin[n], sense_second, n, on_second, of_second);
+    });
   }
 
   const Chain& chain_;

@@ -9,6 +9,21 @@ namespace {
 
 Vec unit(double direction) { return turn(direction)({1.0, 0.0}); }
 
+void take_dimensions_of(const Joint& joint, TreeJoint& tree) {
+  tree.pin = tree.link_is_i ? joint.point_i : joint.point_j;
+  tree.seat = tree.link_is_i ? joint.point_j : joint.point_i;
+  if (tree.kind == TreeJoint::Kind::turn) return;
+  tree.angle = tree.link_is_i ? joint.angle : -joint.angle;
+  tree.turned = turn(tree.angle);
+  tree.along = tree.link_is_i ? unit(joint.direction) : -unit(joint.direction - joint.angle);
+}
+
+/// Of a drive that closes a loop.
+PairShape shape_of_drive(const Model& model, const Driver& driver) {
+  const bool linear = driver.kind == Driver::Kind::linear;
+  return shape_of(driver, linear ? &model.joints[static_cast<std::size_t>(driver.joint)] : nullptr);
+}
+
 class Planner {
  public:
   explicit Planner(const Model& model) : model_(model), ground_(model.links.size()), placed_(ground_ + 1, false) {
@@ -86,16 +101,11 @@ class Planner {
     TreeJoint tree{.link = index(link_is_i ? joint.i : joint.j),
                    .on = index(link_is_i ? joint.j : joint.i),
                    .joint = k,
-                   .link_is_i = link_is_i,
-                   .pin = link_is_i ? joint.point_i : joint.point_j,
-                   .seat = link_is_i ? joint.point_j : joint.point_i};
+                   .link_is_i = link_is_i};
     used_joints_[k] = true;
-    if (joint.kind != JointKind::revolute) {
+    if (joint.kind != JointKind::revolute)
       tree.kind = joint.kind == JointKind::rigid ? TreeJoint::Kind::fixed : TreeJoint::Kind::slide;
-      tree.angle = link_is_i ? joint.angle : -joint.angle;
-      tree.turned = turn(tree.angle);
-      tree.along = link_is_i ? unit(joint.direction) : -unit(joint.direction - joint.angle);
-    }
+    take_dimensions_of(joint, tree);
     give_drive(driver_of(group, joint, k), tree);
     push(tree);
   }
@@ -168,7 +178,7 @@ class Planner {
     const Driver& driver = model_.drivers[d];
     const bool linear = driver.kind == Driver::Kind::linear;
     const Joint* slide = linear ? &model_.joints[index(driver.joint)] : nullptr;
-    return {.shape = shape_of(driver, slide),
+    return {.shape = shape_of_drive(model_, driver),
             .i = index(linear ? slide->i : driver.i),
             .j = index(linear ? slide->j : driver.j),
             .driver = d};
@@ -252,5 +262,16 @@ std::size_t first_link(const Plan& plan, const GroupPlan& group) {
 }
 
 Plan plan_of(const Model& model) { return Planner(model).run(); }
+
+void take_dimensions(const Model& model, Plan& plan) {
+  for (TreeJoint& tree : plan.tree) {
+    if (tree.joint != none) take_dimensions_of(model.joints[tree.joint], tree);
+    if (tree.driver != none) tree.offset = model.drivers[tree.driver].offset;
+  }
+  for (Cut& cut : plan.cuts) {
+    cut.shape =
+        cut.joint != none ? shape_of(model.joints[cut.joint]) : shape_of_drive(model, model.drivers[cut.driver]);
+  }
+}
 
 }  // namespace loadpath::mechanism

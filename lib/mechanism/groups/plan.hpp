@@ -87,5 +87,7 @@ std::size_t first_link(const Plan& plan, const GroupPlan& group);
 
 /// The model has passed `diagnose`.
 Plan plan_of(const Model& model);
+/// Of a model of the same structure, for which the plan was made.
+void take_dimensions(const Model& model, Plan& plan);
 
 }  // namespace loadpath::mechanism

@@ -38,6 +38,8 @@ class GroupPositions {
   /// The plan must outlive this; `length`: the size of the mechanism, m.
   GroupPositions(const Plan& plan, double length);
 
+  /// The size of the mechanism, where the plan has taken other dimensions.
+  void take_length(double length) { length_ = length; }
   /// Takes over an assembly: from now on the groups are closed on its side.
   void adopt(std::span<const Pose> poses);
   /// To the drives' coordinates; `change`: the largest of theirs, rad or parts of the mechanism's size. False where a

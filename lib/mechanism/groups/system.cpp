@@ -31,11 +31,14 @@ struct GroupSystem::Work {
         way(given.drivers.size()) {
     iterates = std::ranges::any_of(plan.groups, [](const auto& g) { return g.closing == Closing::by_newton; });
     if (chain) now.emplace(*chain);
+    first_points.reserve(given.links.size() + 1);
   }
 
   Status go_to(std::span<const Drive> goal);
   bool go_by_groups(std::span<const Drive> goal);
   double find_way(std::span<const Drive> goal);
+  [[nodiscard]] double change(std::span<const Drive> from, std::span<const Drive> to) const;
+  void take_dimensions(const Model& given);
   Status adopt();
   void take_sides();
   void hold(std::span<const Drive> goal);
@@ -62,11 +65,29 @@ struct GroupSystem::Work {
   bool closed = false;
   bool in_steps = false;
   FrictionTaken friction;
+  std::vector<std::optional<Vec>> first_points;  // of the links, to find the length
 };
 
 GroupSystem::GroupSystem(const Model& model) : work_(std::make_unique<Work>(model)) {}
 GroupSystem::~GroupSystem() = default;
 GroupSystem::GroupSystem(GroupSystem&&) noexcept = default;
+
+void GroupSystem::take_dimensions(const Model& model) {
+  if (work_->chain && is_chain(model)) return work_->take_dimensions(model);
+  const FrictionTaken friction = work_->friction;
+  work_ = std::make_unique<Work>(model);
+  work_->friction = friction;
+}
+
+void GroupSystem::Work::take_dimensions(const Model& given) {
+  model = given;
+  length = characteristic_length(given, first_points);
+  mechanism::take_dimensions(model, plan);
+  chain->take_dimensions(model, plan);
+  positions.take_length(length);
+  whole.take_dimensions(given, length);
+  closed = false;
+}
 
 Status GroupSystem::assemble() {
   Work& w = *work_;
@@ -189,13 +210,17 @@ void GroupSystem::Work::solve_chain(std::span<const Drive> goal, bool statics, P
   for (std::size_t d = 0; d < out.effort.size(); ++d) out.effort[d] = now->effort[d][0];
 }
 
-/// The largest change of a drive, in rad or parts of the mechanism's size.
 double GroupSystem::Work::find_way(std::span<const Drive> goal) {
+  for (std::size_t k = 0; k < goal.size(); ++k) way[k].speed = goal[k].coordinate - drives[k].coordinate;
+  return change(drives, goal);
+}
+
+double GroupSystem::Work::change(std::span<const Drive> from, std::span<const Drive> to) const {
+  const auto way_of = [&](std::size_t k) { return to[k].coordinate - from[k].coordinate; };
   double most = 0.0;
-  for (std::size_t k = 0; k < goal.size(); ++k) {
-    way[k].speed = goal[k].coordinate - drives[k].coordinate;
+  for (std::size_t k = 0; k < to.size(); ++k) {
     const bool linear = model.drivers[k].kind == Driver::Kind::linear;
-    const double share = std::abs(way[k].speed) / (linear ? length : 1.0);
+    const double share = linear ? std::abs(way_of(k)) / length : std::abs(way_of(k));
     if (!(share <= most)) most = share;  // what is no number stays so
   }
   return most;
@@ -246,6 +271,16 @@ void GroupSystem::take_friction(FrictionTaken taken) { work_->friction = taken; 
 void GroupSystem::set_load(std::size_t load, Vec force, double moment) {
   work_->model.loads[load].force = force;
   work_->model.loads[load].moment = moment;
+}
+
+const Chain* GroupSystem::chain() const { return work_->chain ? &*work_->chain : nullptr; }
+
+std::span<const double> GroupSystem::sides() const {
+  return work_->now ? std::span<const double>(work_->now->sides) : std::span<const double>();
+}
+
+double GroupSystem::change(std::span<const Drive> from, std::span<const Drive> to) const {
+  return work_->change(from, to);
 }
 
 WholeSystem::Gap GroupSystem::gap() const { return work_->whole.gap(); }

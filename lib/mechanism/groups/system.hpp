@@ -17,11 +17,16 @@
 
 namespace loadpath::mechanism {
 
+struct Chain;
+
 class GroupSystem {
  public:
   explicit GroupSystem(const Model& model);
   ~GroupSystem();
   GroupSystem(GroupSystem&&) noexcept;
+  /// Takes a model of the same structure, as if made from it. Allocates nothing where the mechanism is a chain of
+  /// drives and dyads without springs and friction. It is to be assembled then.
+  void take_dimensions(const Model& model);
 
   /// Closes the mechanism near the stated poses, at the drivers' coordinates that those poses have.
   Status assemble();
@@ -40,6 +45,11 @@ class GroupSystem {
   [[nodiscard]] bool some_joint_rests() const;
   /// For loads that vary over the cycle: the force (in the axes the load has) and the moment from the next `solve` on.
   void set_load(std::size_t load, Vec force, double moment);
+  /// The mechanism as a chain of drives and dyads, if it is one; on which sides these are assembled now, step by step.
+  [[nodiscard]] const Chain* chain() const;
+  [[nodiscard]] std::span<const double> sides() const;
+  /// The largest change of a drive on the way, rad or parts of the mechanism's size; no number where that is none.
+  [[nodiscard]] double change(std::span<const Drive> from, std::span<const Drive> to) const;
   /// After a failure, as WholeSystem::gap.
   [[nodiscard]] WholeSystem::Gap gap() const;
 

@@ -36,6 +36,12 @@ Continuation::Continuation(const Model& model)
   for (auto* x : {&held_, &target_, &held_at_start_}) x->resize(model.drivers.size());
 }
 
+void Continuation::take_dimensions(const Model& model) {
+  constraints_.take_dimensions(model);
+  factors_.forget_order();
+  assembled_ = false;
+}
+
 void Continuation::take_poses(const Model& model) {
   for (std::size_t k = 0; k < model.links.size(); ++k) {
     const Pose& pose = model.links[k].pose;

@@ -48,6 +48,14 @@ WholeSystem::WholeSystem(const Model& model) : work_(std::make_unique<Work>(mode
 WholeSystem::~WholeSystem() = default;
 WholeSystem::WholeSystem(WholeSystem&&) noexcept = default;
 
+void WholeSystem::take_dimensions(const Model& model, double length) {
+  Work& w = *work_;
+  w.model = w.scaled = model;
+  w.length = length;
+  change_unit_of_length(w.scaled, length);
+  w.continuation.take_dimensions(w.scaled);
+}
+
 Status WholeSystem::assemble() { return work_->continuation.assemble(work_->scaled); }
 
 double WholeSystem::coordinate(std::size_t driver) const {

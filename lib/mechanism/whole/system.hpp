@@ -22,6 +22,9 @@ class WholeSystem {
   ~WholeSystem();
   WholeSystem(WholeSystem&&) noexcept;
 
+  /// Takes a model of the same structure and of this `characteristic_length`, without springs and friction, as if made
+  /// from it; it is to be assembled then.
+  void take_dimensions(const Model& model, double length);
   /// Closes the mechanism near the stated poses, at the drivers' coordinates that those poses have.
   Status assemble();
   /// The drivers' coordinates of the position held now (after `assemble` or `move`).

@@ -1,7 +1,7 @@
 // A cycle of 720 positions through the general solvers, by groups and by the whole system at once, beside closed forms
 // written for the one linkage. Per position: coordinates, velocities, accelerations, all reactions, driving moment.
 #include "lib/mechanism/accuracy/sensitivity.hpp"
-#include "lib/mechanism/groups/columns.hpp"
+#include "lib/mechanism/columns/cycle.hpp"
 #include "lib/mechanism/groups/system.hpp"
 #include "lib/mechanism/studies/causes.hpp"
 #include "lib/mechanism/whole/system.hpp"

@@ -1,7 +1,7 @@
 // A mechanism of drives, rigid links and dyads in closed form, with all its numbers ready: what can be computed for
-// many positions at once (chain_solver.hpp). Each link is seen from a frame of its own choice: it starts at the pin by
-// which the link hangs, or at the inner joint of a slider, and looks along its bar, its guide or its slot, so that a
-// closed dyad gives the turns of its links as they are.
+// many positions at once (chain_motion.hpp, chain_forces.hpp). Each link is seen from a frame of its own choice: it
+// starts at the pin by which the link hangs, or at the inner joint of a slider, and looks along its bar, its guide or
+// its slot, so that a closed dyad gives the turns of its links as they are.
 //
 // Not among them, and followed by GroupPositions and GroupMotion: groups that are closed by iteration, slides across
 // slides, a guide between a turning and a sliding link, springs, and joints whose reactions bring forces with them.

@@ -1,7 +1,7 @@
 // What a chain of dyads takes from the drives of its model, and tells of its links and joints in the model's terms.
 #pragma once
 
-#include "lib/mechanism/groups/chain_solver.hpp"
+#include "lib/mechanism/groups/chain_state.hpp"
 #include "lib/mechanism/model/position.hpp"
 
 #include <cmath>

@@ -2,8 +2,9 @@
 
 #include "lib/mechanism/equations/kinematics.hpp"
 #include "lib/mechanism/groups/chain.hpp"
+#include "lib/mechanism/groups/chain_forces.hpp"
+#include "lib/mechanism/groups/chain_motion.hpp"
 #include "lib/mechanism/groups/chain_output.hpp"
-#include "lib/mechanism/groups/chain_solver.hpp"
 #include "lib/mechanism/groups/motion.hpp"
 #include "lib/mechanism/groups/plan.hpp"
 #include "lib/mechanism/groups/positions.hpp"
@@ -180,7 +181,7 @@ bool GroupSystem::Work::go_by_chain(std::span<const Drive> goal) {
     const ChainStep& step = chain->steps[s];
     if (step.driver != none) set_drive(step, goal[step.driver], 0, now->drives[s]);
   }
-  ChainSolver<1>(*chain, *now).move();
+  ChainMover<1>(*chain, *now).move();
   return now->clear[0] != 0.0;
 }
 
@@ -191,7 +192,7 @@ void GroupSystem::Work::solve_chain(std::span<const Drive> goal, bool statics, P
     now->loads[n].moment[0] = model.loads[n].moment;
     out.loads[n] = {model.loads[n].force, model.loads[n].moment};
   }
-  ChainSolver<1>(*chain, *now).find_forces(statics);
+  ChainForces<1>(*chain, *now).find(statics);
   follow_poses(*chain, *now, 0, held);
   std::ranges::copy(goal, drives.begin());
   in_steps = false;

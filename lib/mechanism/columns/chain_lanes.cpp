@@ -1,16 +1,17 @@
-#include "lib/mechanism/groups/chain_lanes.hpp"
+#include "lib/mechanism/columns/chain_lanes.hpp"
+
+#include "lib/mechanism/groups/chain_forces.hpp"
+#include "lib/mechanism/groups/chain_motion.hpp"
 
 #include <algorithm>
 
 namespace loadpath::mechanism {
 namespace {
 
-LOADPATH_LANES void move(const Chain& chain, ChainState<lane_count>& now) {
-  ChainSolver<lane_count>(chain, now).move();
-}
+LOADPATH_LANES void move(const Chain& chain, ChainState<lane_count>& now) { ChainMover<lane_count>(chain, now).move(); }
 
 LOADPATH_LANES void find_forces(const Chain& chain, ChainState<lane_count>& now, bool statics) {
-  ChainSolver<lane_count>(chain, now).find_forces(statics);
+  ChainForces<lane_count>(chain, now).find(statics);
 }
 
 }  // namespace

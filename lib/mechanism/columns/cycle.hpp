@@ -7,7 +7,7 @@
 // done for the whole cycle.
 #pragma once
 
-#include "lib/mechanism/groups/chain_lanes.hpp"
+#include "lib/mechanism/columns/chain_lanes.hpp"
 #include "lib/mechanism/groups/system.hpp"
 #include "lib/mechanism/model/model.hpp"
 #include "lib/mechanism/model/position.hpp"

@@ -1,5 +1,5 @@
 // Cycles in columns against one position after the other: the same bits, for one variant after another.
-#include "lib/mechanism/groups/columns.hpp"
+#include "lib/mechanism/columns/cycle.hpp"
 
 #include "tests/allocations.hpp"
 #include "tests/lib/mechanism/cam_models.hpp"

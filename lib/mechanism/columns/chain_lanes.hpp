@@ -1,7 +1,7 @@
 // Eight positions of a chain of dyads side by side.
 #pragma once
 
-#include "lib/mechanism/groups/chain_solver.hpp"
+#include "lib/mechanism/groups/chain_state.hpp"
 
 #include <cstddef>
 

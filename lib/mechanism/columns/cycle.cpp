@@ -1,4 +1,4 @@
-#include "lib/mechanism/groups/columns.hpp"
+#include "lib/mechanism/columns/cycle.hpp"
 
 #include "lib/mechanism/groups/chain_output.hpp"
 

@@ -39,3 +39,11 @@ function(loadpath_quick_start target)
     target_link_options(${target} PRIVATE $<$<CONFIG:Release>:-no-pie;-static-libstdc++;-static-libgcc>)
   endif()
 endfunction()
+
+# For sources with the loops of sweeps. The elimination of partial redundancies leaves truth values where paths meet, and
+# g++ 12 puts no such loop into wide registers.
+function(loadpath_sweeps target)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-fno-tree-pre>)
+  endif()
+endfunction()

@@ -193,20 +193,20 @@ Result Buckling::evaluate(const Input& in, Tracer& trace) {
   take_section(in, r, trace);
   take_tension(in, r, trace);
   const Material material = material_of(in);
-  for (const AxisName axis : {AxisName::y, AxisName::z}) {
+  const auto about = [&](AxisName axis) {
     [[maybe_unused]] const auto here = trace.scope("axes", r.axes.size());
     slenderness(in, axis, r, trace);
     take_curves(in, material, axis, r.axes.back(), trace);
-  }
+  };
+  about(AxisName::y);
+  about(AxisName::z);
   r.axis = r.axes[1].lambda >= r.axes[0].lambda ? AxisName::z : AxisName::y;
   const double lambda = r.lambda = std::max(r.axes[0].lambda, r.axes[1].lambda);
   trace.value("lambda", lambda, "the larger of both axes governs, [B25]");
   STEP_TO(r, sigma_E, pow<2>(pi) * in.E / pow<2>(lambda), "Euler's stress, whether it holds or not");
   STEP_TO(r, N_cr, sigma_E * r.A, "least critical force of the elastic bar");
   take_limits(in, material, r, trace);
-  for (const auto& name : choices_of(Method{})) {
-    if (has_method(in, material, r, name.value)) add_method(in, material, name.value, r, trace);
-  }
+  add_methods(in, material, r, trace, std::make_index_sequence<most_methods>{});
   conclude(in, r, trace);
   return r;
 }

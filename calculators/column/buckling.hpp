@@ -14,6 +14,7 @@
 #include "calculators/column/member/result.hpp"
 #include "calculators/column/member/rules.hpp"
 #include "calculators/column/member/section.hpp"
+#include "lib/calculator/form.hpp"
 #include "lib/calculator/rules.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -75,6 +76,9 @@ n_st = 3
                       "something is missing that the method needs", &missing_for_method}},
       method_rules<Input>(), eccentricity_rules<Input>());
   static constexpr auto modes = member_modes<Input, &outline_of>("u, r_1, r_0");
+
+  static constexpr std::array forms{
+      Form{"P, l, d, ends, E, sigma_P, method = euler, n_st", "F, A, lambda, sigma_cr, P_all, u, r_lambda, r_1"}};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

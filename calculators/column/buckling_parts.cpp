@@ -2,33 +2,6 @@
 
 namespace loadpath::column {
 
-Material material_of(const Buckling::Input& in) {
-  Material material = material_of(static_cast<const Member&>(in));
-  material.sp16 = sp16_type(in.kind);
-  return material;
-}
-
-const Sp16Type& sp16_type(Profile kind) {
-  static constexpr Sp16Type a{0.03, 0.06}, b{0.04, 0.09}, c{0.04, 0.14}, none{};
-  switch (kind) {
-    case Profile::hot_hollow:
-    case Profile::cold_hollow:
-    case Profile::welded_box:
-      return a;
-    case Profile::rolled_I:
-    case Profile::welded_I:
-      return b;
-    case Profile::channel:
-    case Profile::tee:
-    case Profile::angle:
-      return c;
-    case Profile::solid:
-    case Profile::unsaid:
-      return none;
-  }
-  return none;
-}
-
 /// By its kind; without one a bar of d, or of h and b, is known too.
 Outline Buckling::outline_of(const Input& in) {
   switch (in.kind) {

@@ -7,10 +7,35 @@
 
 namespace loadpath::column {
 
-/// With what its section adds.
-Material material_of(const Buckling::Input& in);
 /// The type of section of SP 16.13330; unset for a kind that is none of them.
-const Sp16Type& sp16_type(Profile kind);
+inline const Sp16Type& sp16_type(Profile kind) {
+  static constexpr Sp16Type a{0.03, 0.06}, b{0.04, 0.09}, c{0.04, 0.14}, none{};
+  switch (kind) {
+    case Profile::hot_hollow:
+    case Profile::cold_hollow:
+    case Profile::welded_box:
+      return a;
+    case Profile::rolled_I:
+    case Profile::welded_I:
+      return b;
+    case Profile::channel:
+    case Profile::tee:
+    case Profile::angle:
+      return c;
+    case Profile::solid:
+    case Profile::unsaid:
+      return none;
+  }
+  return none;
+}
+
+/// With what its section adds.
+inline Material material_of(const Buckling::Input& in) {
+  Material material = material_of(static_cast<const Member&>(in));
+  material.sp16 = sp16_type(in.kind);
+  return material;
+}
+
 Plates plates_of(const Buckling::Input& in);
 /// Its distance from the axis: as given, else half the side of a section that is symmetric to the axis; unset of a
 /// channel about z, of a tee about y, of an angle.

@@ -11,6 +11,7 @@
 #include "calculators/load/limit_meanings.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "calculators/load/stress_cycle.hpp"
+#include "lib/calculator/form.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/figure/figure.hpp"
@@ -137,6 +138,8 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
       Mode<Input>{"life", "life of what is loaded above its fatigue limit", &unseen<Input>}.left_to("fatigue.life",
                                                                                                     "cycle.fatigue"),
       Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>}};
+
+  static constexpr std::array forms{Form{"sigma_max, sigma_min, R_e"}};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <limits>
 
 namespace loadpath::vessel {
@@ -28,31 +27,38 @@ struct GrowingStresses {
   Growing o, M, r;
 };
 
-/// The load at which one of these reaches sigma; 0 where one does without it, infinite where none ever does.
-inline double load_at(std::initializer_list<Growing> stresses, double sigma) {
+/// The load at which it reaches sigma; 0 where it does without one, infinite (by a division) where it never does.
+inline double load_of(Growing stress, double sigma) {
+  const auto [at, by] = stress;
+  const double load = (sigma - std::copysign(1.0, by) * at) / std::abs(by);
+  return std::abs(at) < sigma && std::isfinite(by) ? load : 0.0;
+}
+
+/// The load at which the first of these does.
+template <class... Stresses>
+double load_at(double sigma, const Stresses&... stresses) {
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& [at, by] : stresses) {
-    if (!(std::abs(at) < sigma) || !std::isfinite(by)) return 0.0;
-    if (by != 0.0) least = std::min(least, (sigma - std::copysign(1.0, by) * at) / std::abs(by));
-  }
+  ((least = std::min(least, load_of(stresses, sigma))), ...);
   return least;
 }
 
 /// The same for the root of half the sum of their squares.
-inline double load_at_mises(std::initializer_list<Growing> differences, double sigma) {
-  double a = 0.0, b = 0.0, c = -2.0 * sigma * sigma;  // coefficients of a quadratic, the middle one halved
-  for (const auto& [at, by] : differences) a += by * by, b += at * by, c += at * at;
-  if (!(c < 0.0) || !std::isfinite(a)) return 0.0;
+template <class... Stresses>
+double load_at_mises(double sigma, const Stresses&... differences) {
+  const double a = (0.0 + ... + (differences.by * differences.by));  // a quadratic, its middle coefficient halved
+  const double b = (0.0 + ... + (differences.at * differences.by));
+  const double c = ((-2.0 * sigma * sigma) + ... + (differences.at * differences.at));
   const double root = std::sqrt(b * b - a * c);
-  return b > 0.0 ? -c / (b + root) : a > 0.0 ? (root - b) / a : std::numeric_limits<double>::infinity();
+  const double rising = a > 0.0 ? (root - b) / a : std::numeric_limits<double>::infinity();
+  return c < 0.0 && std::isfinite(a) ? (b > 0.0 ? -c / (b + root) : rising) : 0.0;
 }
 
 /// The load at which stresses are just strong enough: 0 where they are too large without it.
 inline double largest_load(const GrowingStresses& s, const Strength& strength) {
   const double sigma = in_si(strength.sigma_all);
-  if (strength.hypothesis == Hypothesis::membrane) return load_at({s.o, s.M}, sigma);
-  if (strength.hypothesis == Hypothesis::mises) return load_at_mises({s.o - s.M, s.o - s.r, s.M - s.r}, sigma);
-  return load_at({s.o - s.M, s.o - s.r, s.M - s.r}, sigma);
+  if (strength.hypothesis == Hypothesis::membrane) return load_at(sigma, s.o, s.M);
+  if (strength.hypothesis == Hypothesis::mises) return load_at_mises(sigma, s.o - s.M, s.o - s.r, s.M - s.r);
+  return load_at(sigma, s.o - s.M, s.o - s.r, s.M - s.r);
 }
 
 /// From the stresses without load and at a load.
@@ -93,10 +99,14 @@ Length needed_thickness(const Shape& shape, Stress p, Length unit, const Strengt
 template <class Make>
 Length least_thickness(const Make& make, Stress p, Length scale, const Strength& strength) {
   constexpr double thickest = 16.0, thinnest = 1e-9;  // beside rings a wall of no thickness would need none
-  const auto needed = [&](double delta_c) {
-    return in_si(needed_thickness(make(max(from_si<Length>(delta_c), thinnest * scale)), p, scale, strength));
-  };
-  return from_si<Length>(fixed_point(needed, thickest * in_si(scale)));
+  const double most = thickest * in_si(scale);
+  const auto needed = [&](Length delta_c) { return in_si(needed_thickness(make(delta_c), p, scale, strength)); };
+  if constexpr (requires { make(scale).is_straight(); }) {
+    const auto by_si = [&](double delta_c) { return needed(from_si<Length>(delta_c)); };
+    if (make(scale).is_straight()) return from_si<Length>(straight_fixed_point(by_si, most));
+  }
+  const auto of_some = [&](double delta_c) { return needed(max(from_si<Length>(delta_c), thinnest * scale)); };
+  return from_si<Length>(fixed_point(of_some, most));
 }
 
 }  // namespace loadpath::vessel

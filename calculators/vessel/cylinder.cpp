@@ -21,6 +21,8 @@ class CylinderShape {
   [[nodiscard]] std::size_t places() const { return 1; }
   [[nodiscard]] double place(std::size_t) const { return 0.0; }  // the bottom, where the liquid presses most
   [[nodiscard]] Length sharpest() const { return R_m_; }
+  /// Whether the thickness that it needs is a straight line over that which gives its radius: not beside rings.
+  [[nodiscard]] bool is_straight() const { return in_.ends != Ends::ringed; }
 
   template <class Tracer>
   Place at(double t, Tracer& trace) const {

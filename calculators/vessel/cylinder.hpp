@@ -7,6 +7,7 @@
 
 #include "calculators/vessel/lame.hpp"
 #include "calculators/vessel/modes.hpp"
+#include "lib/calculator/form.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>
@@ -84,6 +85,9 @@ sigma_adm = "140 MPa"
   static constexpr std::array modes = wall_modes<Input>(
       "u_v, t_R, w_r",
       Mode<Input>{"rings", "rings too far apart to help the wall", &ringed}.judged_by("w_r").wanting("A_r, l_r"));
+
+  static constexpr std::array forms{
+      Form{"p, R, delta, sigma_adm", "sigma_o, sigma_M, sigma_v, t_R, delta_min, p_max, u_v, sigma_L, delta_L"}};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -75,7 +75,9 @@ double least_thickness_ratio(const Thick& thick, Stress p_i, const Strength& str
   const double x = largest_load(
       {growing(solid.s_o, half.s_o, x_half), growing(solid.s_M, half.s_M, x_half), {in_si(-p_i), 0.0}}, strength);
   if (!(x > 0.0)) return unset<double>;
-  const double wall = -std::expm1(-std::log1p(1.0 / x) / Thick::power);  // over the outer radius
+  // 1 - 1/c of the ratio c of the radii, c^power = 1 + 1/x, without the cancellation of thin walls
+  const double c = Thick::power == 2 ? std::sqrt(1.0 + 1.0 / x) : cube_root(1.0 + 1.0 / x);
+  const double wall = 1.0 / (x * c * (Thick::power == 2 ? c + 1.0 : c * c + c + 1.0));  // over the outer radius
   return 2.0 * wall / (2.0 - wall);
 }
 
@@ -84,8 +86,8 @@ template <class Mean>
 Length thickness_of_ratio(double ratio, const Mean& mean) {
   const Length thin = mean(0.0 * m);
   const double slope = (mean(thin) - thin) / thin;
-  const Length delta_c = ratio * thin / (1.0 - ratio * slope);
-  return delta_c >= 0.0 * m ? delta_c : unset<Length>;
+  const double delta_c = in_si(ratio * thin / (1.0 - ratio * slope));
+  return from_si<Length>(delta_c >= 0.0 ? delta_c : unset<double>);
 }
 
 /// Checks and sizes the wall by Lamé; `mean(delta_c)` is the middle radius of a wall of this thickness.

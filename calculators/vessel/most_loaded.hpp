@@ -17,13 +17,13 @@ template <class Shape, class Function>
 Peak largest_over(const Shape& shape, const Function& f) {
   Peak best;
   const std::size_t count = shape.places();
+  if (count == 1) return {shape.place(0), f(shape.place(0))};
   for (std::size_t i = 0; i < count; ++i) {
     const Peak here{shape.place(i), f(shape.place(i))};
     if (std::isnan(here.f)) return here;
     if (here.f > best.f) best = here;
   }
   if constexpr (requires { Shape::continuous; }) {
-    if (count == 1) return best;
     constexpr double worth = 0.99, flat = 1e-12;  // of the largest: a lower peak stays lower; no peak, but rounding
     const double low = worth * best.f;
     Peak before, here{shape.place(0), f(shape.place(0))};

@@ -1,6 +1,7 @@
 // A calculator without its C++ types: what the program's commands, readers, searches, sweeps and reports know of it.
 #pragma once
 
+#include "lib/calculator/form.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/record.hpp"
@@ -55,6 +56,10 @@ struct ResultColumn {
   double* si;
 };
 
+/// `count` evaluations; `input` is the base record, of which only what varies is changed. Allocates nothing.
+using SweepLoop = void (*)(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out,
+                           std::size_t count);
+
 struct Calculator {
   const char* id = "";       // "shaft.torsion"
   const char* title = "";    // "Torsion of a shaft"
@@ -77,9 +82,13 @@ struct Calculator {
   void (*evaluate)(const void* input, void* result) = nullptr;
   void (*explain)(const void* input, void* result, Trace& trace) = nullptr;
   std::vector<draw::Figure> (*figures)(const void* input, const void* result) = nullptr;
-  /// `count` evaluations; `input` is the base record and holds the last point afterwards. Allocates nothing.
-  void (*sweep)(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out,
-                std::size_t count) = nullptr;
+  /// The fastest loop for what the base gives, what varies and what is asked for. It serves every block of columns of
+  /// these offsets: a sweep of many blocks asks once.
+  SweepLoop (*loop)(const void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out) = nullptr;
+  /// The forms that have a loop of their own.
+  std::span<const Form> forms;
+  /// That loop, asked for and run.
+  SweepLoop sweep = nullptr;
   Sizing sizing;
   std::span<const Meaning> meanings;
   /// Whether an input may be a series: not where it decides on one thing for all its loads, a belt and its tension, a

@@ -7,9 +7,10 @@
 //     static constexpr std::array rules{Rule<Input>{...}...};
 //     static constexpr std::array modes{Mode<Input>{...}...};  // in which its part can fail
 //     template <class Tracer> static Result evaluate(const Input&, Tracer&);   // defined in the source
-//     static constexpr bool takes_series = false;              // where it decides on one thing for all its loads
-//     static constexpr bool turns = true;                      // of a part that turns
-//     static constexpr auto sized = "pieces";                  // a list whose sizes are found together; with arrange,
+//     static constexpr std::array forms{Form{"T, tau_adm"}};   // that sweeps are compiled for
+//     (lib/calculator/form.hpp) static constexpr bool takes_series = false;              // where it decides on one
+//     thing for all its loads static constexpr bool turns = true;                      // of a part that turns static
+//     constexpr auto sized = "pieces";                  // a list whose sizes are found together; with arrange,
 //                                                              // raise and unsound (lib/calculator/sizing.hpp)
 //     static constexpr std::array meanings{Meaning{...}...};   // what its values are, where others are like them
 //     static std::vector<draw::Figure> figures(const Input&, const Result&);
@@ -18,16 +19,7 @@
 
 #include "lib/calculator/calculator.hpp"
 #include "lib/calculator/record_of.hpp"
-
-#include <cstring>
-
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) && \
-    !defined(__SANITIZE_ADDRESS__)
-/// The loop of a sweep: inlined whole, and compiled for wide registers too; the machine chooses when it starts.
-#define LOADPATH_SWEEP __attribute__((flatten, target_clones("default", "arch=x86-64-v3")))
-#else
-#define LOADPATH_SWEEP
-#endif
+#include "lib/calculator/sweep_of.hpp"
 
 namespace loadpath {
 
@@ -46,19 +38,6 @@ FieldFault fault_of(const Rule<Input>& rule, const Input& in) {
   FieldFault fault = rule.particulars == nullptr ? FieldFault{} : rule.particulars(in);
   if (fault.message.empty()) fault.message = say(rule.text);
   return fault;
-}
-
-template <class C>
-LOADPATH_SWEEP void sweep_loop(typename C::Input& input, std::span<const InputColumn> in,
-                               std::span<const ResultColumn> out, std::size_t count) {
-  NoTrace trace;
-  char* const base = reinterpret_cast<char*>(&input);
-  for (std::size_t i = 0; i < count; ++i) {
-    for (const InputColumn& column : in) std::memcpy(base + column.offset, column.si + i, sizeof(double));
-    const typename C::Result result = C::evaluate(input, trace);
-    const char* const values = reinterpret_cast<const char*>(&result);
-    for (const ResultColumn& column : out) std::memcpy(column.si + i, values + column.offset, sizeof(double));
-  }
 }
 
 template <class C>
@@ -106,8 +85,10 @@ constexpr Calculator calculator_of() {
       return C::figures(*static_cast<const Input*>(in), *static_cast<const Result*>(out));
     };
   }
+  if constexpr (requires { C::forms; }) c.forms = C::forms;
+  c.loop = &detail::loop_of<C>;
   c.sweep = [](void* in, std::span<const InputColumn> columns, std::span<const ResultColumn> out, std::size_t count) {
-    detail::sweep_loop<C>(*static_cast<Input*>(in), columns, out, count);
+    detail::loop_of<C>(in, columns, out)(in, columns, out, count);
   };
   if constexpr (requires { C::sized; }) c.sizing = detail::sizing_of<C>();
   if constexpr (requires { C::meanings; }) c.meanings = C::meanings;

@@ -4,15 +4,20 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace loadpath {
 
-/// Within 0.67 units in the last place. A third of the exponent gives t to 4 %; a quartic (minimax) of t^3/|x| about 1
-/// makes it 23 bits; rounded to 26 bits its square is exact, and a step of third order does the rest.
+/// Within 0.67 units in the last place, without a branch, so that it goes in lanes. A third of the exponent gives t to
+/// 4 %; a quartic (minimax) of t^3/|x| about 1 makes it 23 bits; rounded to 26 bits its square is exact, and a step of
+/// third order does the rest.
 inline double cube_root(double x) {
-  if (!std::isnormal(x)) return std::cbrt(x);
-  const double size = std::abs(x), reciprocal = 1.0 / size;
-  double t = std::bit_cast<double>(std::bit_cast<std::uint64_t>(size) / 3 + 0x2a9f710000000000);
+  const double magnitude = std::abs(x);
+  const bool tiny = magnitude < std::numeric_limits<double>::min();
+  const double size = tiny ? magnitude * 0x1p54 : magnitude;
+  const double reciprocal = 1.0 / size;
+  const std::uint64_t high = std::bit_cast<std::uint64_t>(size) >> 32;
+  double t = std::bit_cast<double>((((high * 0x55555556) >> 32) << 32) + 0x2a9f710000000000);
   const double z = t * t * (t * reciprocal), z2 = z * z;
   t *= (1.8756464067550622 + z2 * (1.619902617494929 + z2 * 0.14579451079410702)) +
        z * (-1.8838587060888095 + z2 * -0.7574848246843525);
@@ -20,7 +25,9 @@ inline double cube_root(double x) {
   const double square = t * t;
   const double step = (size / square - t) * (1.0 / 3.0);
   t += step - step * step * (square * reciprocal);
-  return std::copysign(t, x);
+  t = tiny ? t * 0x1p-18 : t;
+  const bool itself = !(magnitude > 0.0 && magnitude <= std::numeric_limits<double>::max());
+  return itself ? x : std::copysign(t, x);
 }
 
 }  // namespace loadpath

@@ -86,6 +86,16 @@ void compare(benchmark::State& state, Swept swept, ByHand by_hand) {
   state.counters["ns"] = general;
   state.counters["ns_by_hand"] = floor;
   state.counters["ratio"] = general / floor;
+  state.counters["M_per_s"] = 1e3 / general;
+}
+
+/// Beside a loop in wide registers too, which computes the same.
+template <class InLanes>
+void compare_in_lanes(benchmark::State& state, InLanes in_lanes) {
+  double floor = ns_per_point(in_lanes);
+  for (int k = 0; k < 500; ++k) floor = std::min(floor, ns_per_point(in_lanes));
+  state.counters["ns_in_lanes"] = floor;
+  state.counters["ratio_in_lanes"] = state.counters["ns"] / floor;
 }
 
 /// Columns of results agree to a part of their value.

@@ -2,6 +2,10 @@
 #include "tests/allocations.hpp"
 #include "tests/contract/calculators.hpp"
 
+#include <array>
+#include <limits>
+#include <random>
+
 namespace {
 
 using namespace loadpath;
@@ -51,6 +55,114 @@ void check_sweep(const Calculator& c, const SolvedExample& s, const std::string&
   }
 }
 
+/// Numbers of a form, as `any` of a few wild ones: what the bounds of a field let through is not asked here.
+double some_value(const FieldInfo& f, std::mt19937& random, bool wild) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const std::array any{0.0, -0.0, -f.factor, 1e-310, inf, std::nan("")};
+  if (wild) return any[random() % any.size()];
+  const double low = std::isfinite(f.plausible.low) ? f.plausible.low : 0.5 * f.factor;
+  const double high = std::isfinite(f.plausible.high) ? f.plausible.high : 2.0 * f.factor;
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+bool alike(double a, double b) { return same_bits(a, b) || (std::isnan(a) && std::isnan(b)); }
+
+/// A sweep of a form: which inputs it gives vary, and which of its results are asked for, is drawn.
+class FormSweep {
+ public:
+  FormSweep(const Calculator& c, const Form& form, std::size_t points, std::mt19937& random)
+      : c_(c), input_(*c.input), result_(*c.result), points_(points) {
+    detail::any_of(form.given, [&](std::string_view entry) { return give(entry, random), false; });
+    for_each_leaf(result_, [&](const std::string& path, const Leaf& leaf) {
+      const bool is_asked = *form.asked == '\0' || detail::names(form.asked, path);
+      if (leaf.field->type != Type::quantity || !is_asked || random() % 4 == 0) return;
+      results_.push_back(leaf);
+    });
+    swept_.assign(results_.size(), std::vector<double>(points_));
+  }
+
+  void check() {
+    std::vector<InputColumn> in;
+    std::vector<ResultColumn> out;
+    for (std::size_t k = 0; k < varied_.size(); ++k) in.push_back({offset_of(input_, varied_[k]), columns_[k].data()});
+    for (std::size_t k = 0; k < results_.size(); ++k)
+      out.push_back({offset_of(result_, results_[k]), swept_[k].data()});
+    const InputColumn nowhere{no_bound, nullptr};
+    const bool has_its_own = c_.loop(input_.data.get(), in, out) != c_.loop(input_.data.get(), {&nowhere, 1}, {});
+    CHECK(has_its_own);
+    const std::size_t before = tests::allocations();
+    c_.sweep(input_.data.get(), in, out, points_);
+    CHECK(tests::allocations() == before);
+    for (std::size_t i = 0; i < points_; ++i) check_point(i);
+  }
+
+ private:
+  void give(std::string_view entry, std::mt19937& random) {
+    const std::string key(entry.substr(0, entry.find(detail::equals)));
+    const Leaf leaf = find_leaf(input_, key);
+    const std::string_view word = detail::word_in(entry, key);
+    if (!word.empty()) CHECK(set_word(leaf, word));
+    if (leaf.field->type == Type::choice && word.empty())
+      leaf.set(static_cast<double>(random() % leaf.field->choices.size()));
+    if (leaf.field->type == Type::count) leaf.set(leaf.field->bounds.low);
+    if (leaf.field->type != Type::quantity) return;
+    leaf.set(some_value(*leaf.field, random, false));
+    if (random() % 3 == 0) return;
+    varied_.push_back(leaf);
+    std::vector<double>& column = columns_.emplace_back(points_);
+    for (double& x : column) x = some_value(*leaf.field, random, random() % 97 == 0);
+  }
+
+  void check_point(std::size_t i) {
+    for (std::size_t k = 0; k < varied_.size(); ++k) varied_[k].set(columns_[k][i]);
+    c_.evaluate(input_.data.get(), result_.data.get());
+    for (std::size_t k = 0; k < results_.size(); ++k) {
+      CAPTURE(results_[k].field->key);
+      CAPTURE(i);
+      CHECK(alike(swept_[k][i], results_[k].get()));
+    }
+  }
+
+  const Calculator& c_;
+  Record input_, result_;
+  std::size_t points_;
+  std::vector<Leaf> varied_, results_;
+  std::vector<std::vector<double>> columns_, swept_;
+};
+
+/// Several leaves at once, and some of the results.
+void check_subsets(const Calculator& c, const SolvedExample& s, std::mt19937& random) {
+  constexpr std::size_t points = 7;
+  Record input = s.input.clone(), single = s.input.clone(), result(*c.result);
+  std::vector<Leaf> leaves, outputs;
+  std::vector<std::vector<double>> columns, swept;
+  for_each_leaf(single, [&](const std::string&, const Leaf& leaf) {
+    if (leaf.field->type != Type::quantity || std::isnan(leaf.get()) || random() % 3 != 0) return;
+    leaves.push_back(leaf);
+    for (double& x : columns.emplace_back(points, leaf.get())) x *= 1.0 + 1e-3 * static_cast<double>(random() % 10);
+  });
+  for (const FieldInfo& f : c.result->fields) {
+    if (f.type == Type::quantity && random() % 2 == 0) outputs.push_back({&f, result.data.get()});
+  }
+  swept.assign(outputs.size(), std::vector<double>(points));
+  std::vector<InputColumn> in;
+  std::vector<ResultColumn> out;
+  for (std::size_t k = 0; k < leaves.size(); ++k) {
+    // its place inside of the record, or inside of a list's own memory, which a sweep does not reach
+    const auto place = reinterpret_cast<std::size_t>(leaves[k].field->address(leaves[k].owner)) -
+                       reinterpret_cast<std::size_t>(single.data.get());
+    if (place < (std::size_t{1} << 20U)) in.push_back({place, columns[k].data()});
+  }
+  if (in.size() != leaves.size()) return;
+  for (std::size_t k = 0; k < outputs.size(); ++k) out.push_back({offset_of(result, outputs[k]), swept[k].data()});
+  c.sweep(input.data.get(), in, out, points);
+  for (std::size_t i = 0; i < points; ++i) {
+    for (std::size_t k = 0; k < leaves.size(); ++k) leaves[k].set(columns[k][i]);
+    c.evaluate(single.data.get(), result.data.get());
+    for (std::size_t k = 0; k < outputs.size(); ++k) CHECK(alike(swept[k][i], outputs[k].get()));
+  }
+}
+
 }  // namespace
 
 TEST_SUITE("contract") {
@@ -75,6 +187,26 @@ TEST_SUITE("contract") {
         CAPTURE(path);
         check_sweep(*c, s, path, leaf.get());
       });
+    }
+  }
+
+  TEST_CASE("a sweep of several inputs gives some of the results, to the bit") {
+    std::mt19937 random(1);
+    for (const Calculator* c : plain_calculators()) {
+      CAPTURE(c->id);
+      const SolvedExample s = solved_example(*c);
+      for (int draw = 0; draw < 3; ++draw) check_subsets(*c, s, random);
+    }
+  }
+
+  TEST_CASE("a sweep that is compiled for its form equals single points to the bit") {
+    std::mt19937 random(2);
+    for (const Calculator* c : plain_calculators()) {
+      for (const Form& form : c->forms) {
+        CAPTURE(c->id);
+        CAPTURE(form.given);
+        for (const std::size_t points : {1U, 3U, 255U, 256U, 700U}) FormSweep(*c, form, points, random).check();
+      }
     }
   }
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace loadpath::column {
 
@@ -14,7 +15,7 @@ inline bool has_method(const Member& in, const Material& material, const MemberR
   const bool yields = is_set(in.R_e);
   switch (method) {
     case Method::euler:
-      return is_set(material.lambda_1);
+      return is_set(in.E) && (is_set(in.sigma_P) || is_set(material.lambda_T));
     case Method::tetmajer:
       return is_set(in.a_T);
     case Method::johnson:
@@ -79,6 +80,17 @@ void add_method(const Member& in, const Material& material, Method method, Membe
   }
   r.methods.push_back(by);
   if (method == in.method) r.sigma_cr = by.sigma_cr, r.P_all = by.P_all, r.u = by.u;
+}
+
+/// Those that the input says enough for, in the order of their words; without a loop, so that the compiler of a sweep
+/// knows which of them there are.
+template <class Tracer, std::size_t... k>
+void add_methods(const Member& in, const Material& material, MemberResult& r, Tracer& trace,
+                 std::index_sequence<k...>) {
+  const auto add = [&](Method method) {
+    if (has_method(in, material, r, method)) add_method(in, material, method, r, trace);
+  };
+  (add(choices_of(Method{})[k].value), ...);
 }
 
 /// How far the methods that hold here lie apart.

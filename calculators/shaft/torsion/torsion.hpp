@@ -11,6 +11,7 @@
 #include "calculators/shaft/parts/modes.hpp"
 #include "calculators/shaft/torsion/diagram.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/form.hpp"
 #include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -238,6 +239,9 @@ theta_adm = "0.004 rad/m"
                                           .wanting("F")
                                           .in_service(),
                                       fatigue_of_shaft<Input>().left_to("fatigue.cycle", "cycle.fatigue")});
+
+  static constexpr std::array forms{Form{"T, K_A, G, tau_adm, theta_adm",
+                                         "d_strength, d_stiffness, d_min, D_star, tau_max, theta_max, u_tau, u_theta"}};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

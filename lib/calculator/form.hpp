@@ -1,0 +1,56 @@
+// Forms of an input that sweeps are compiled for. With what is given known to the compiler, the tests for presence and
+// all that serves other inputs or results vanish from `evaluate`, and what is left goes through wide registers.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace loadpath {
+
+/// Keys, separated by ", ". A choice stands with its word, "method = euler", or alone, with whatever word it has. All
+/// that is not named is as in a blank input. Of several forms that serve a sweep the first is taken.
+struct Form {
+  const char* given;       // inputs: quantities, counts, choices of the input itself, of no list
+  const char* asked = "";  // results: "u_tau, cycle.sigma_max"; empty: every quantity outside of lists
+};
+
+namespace detail {
+
+/// Whether an entry of the list is such.
+template <class IsSuch>
+constexpr bool any_of(std::string_view list, IsSuch is_such) {
+  while (!list.empty()) {
+    const std::string_view entry = list.substr(0, list.find(", "));
+    if (is_such(entry)) return true;
+    list.remove_prefix(entry.size() == list.size() ? entry.size() : entry.size() + 2);
+  }
+  return false;
+}
+
+constexpr std::string_view equals = " = ";
+
+/// Whether the list names this key, with a word or without.
+constexpr bool names(std::string_view list, std::string_view key) {
+  return any_of(list, [&](std::string_view entry) { return entry.substr(0, entry.find(equals)) == key; });
+}
+
+/// The word that the list gives a choice; empty where it gives none.
+constexpr std::string_view word_in(std::string_view list, std::string_view key) {
+  std::string_view word;
+  any_of(list, [&](std::string_view entry) {
+    const std::size_t end = entry.find(equals);
+    if (end != std::string_view::npos && entry.substr(0, end) == key) word = entry.substr(end + equals.size());
+    return false;
+  });
+  return word;
+}
+
+constexpr std::size_t count_of(std::string_view list) {
+  std::size_t n = 0;
+  any_of(list, [&](std::string_view) { return ++n == 0; });
+  return n;
+}
+
+}  // namespace detail
+
+}  // namespace loadpath

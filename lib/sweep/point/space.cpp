@@ -18,6 +18,19 @@ constexpr std::size_t chunk = 1024;
 
 Fault refused(Message message) { return {0, 1, std::move(message), {}}; }
 
+Message refusal_of(const Space::Random& random) {
+  const std::size_t variables = random.variables.size(), rows = random.correlation.size();
+  if (random.samples == 0) return say("the number of samples must be > 0");
+  if (random.samples > most_points) return say("these are more than 2^63 points");
+  if (variables == 0 && random.samples != 1) return say("samples are given, and nothing is random");
+  if (rows != 0 && rows != variables) return say("the correlation matrix must have a row for each random variable");
+  if (random.sampling == Sampling::sobol &&
+      (variables > Sobol::most_variables || random.samples > Sobol::most_samples)) {
+    return say("a Sobol sequence has {1} variables and 2^52 samples at most", std::to_string(Sobol::most_variables));
+  }
+  return {};
+}
+
 /// The share u of one of `parts` parts of (0, 1); rounding must not reach 1.
 double inside_part(std::uint64_t part, double u, std::uint64_t parts) {
   return std::min((static_cast<double>(part) + u) / static_cast<double>(parts), 1.0 - 0x1p-53);
@@ -37,29 +50,31 @@ void in_runs(std::uint64_t left, std::uint64_t longest, std::size_t n, const Wor
 }  // namespace
 
 Outcome<Space> Space::of(std::vector<Level> levels, Random random) {
+  if (Message message = refusal_of(random); !message.empty()) return refused(std::move(message));
   Space space;
-  if (random.samples == 0) return refused(say("the number of samples must be > 0"));
-  if (random.variables.empty() && random.samples != 1) return refused(say("samples are given, and nothing is random"));
-  if (random.correlation.size() != 0 && random.correlation.size() != random.variables.size())
-    return refused(say("the correlation matrix must have a row for each random variable"));
   space.count_ = random.samples;
   for (std::size_t i = levels.size(); i-- > 0;) {
-    if (levels[i].empty()) continue;
-    const std::uint64_t size = levels[i].front().size();
-    for (const Axis& axis : levels[i]) {
-      if (axis.size() != size) {
-        return refused(say("values that run together must be as many: {1} and {2}", std::to_string(size),
-                           std::to_string(axis.size())));
-      }
-    }
-    if (space.count_ > most_points / size) return refused(say("these are more than 2^63 points"));
-    for (std::size_t k = levels[i].size(); k-- > 0;) space.digits_.push_back({std::move(levels[i][k]), space.count_});
-    space.count_ *= size;
+    if (Message message = space.put_above(std::move(levels[i])); !message.empty()) return refused(std::move(message));
   }
-  if (space.count_ > most_points) return refused(say("these are more than 2^63 points"));
   std::reverse(space.digits_.begin(), space.digits_.end());
+  if (random.sampling == Sampling::sobol) space.sobol_ = Sobol(random.variables.size(), random.seed);
   space.random_ = std::move(random);
   return space;
+}
+
+/// A level that is slower than those that there are; the digits stand in reverse until all levels are there.
+Message Space::put_above(Level level) {
+  if (level.empty()) return {};
+  const std::uint64_t size = level.front().size();
+  for (const Axis& axis : level) {
+    if (axis.size() == size) continue;
+    return say("values that run together must be as many: {1} and {2}", std::to_string(size),
+               std::to_string(axis.size()));
+  }
+  if (count_ > most_points / size) return say("these are more than 2^63 points");
+  std::for_each(level.rbegin(), level.rend(), [&](Axis& axis) { digits_.push_back({std::move(axis), count_}); });
+  count_ *= size;
+  return {};
 }
 
 void Space::fill(std::uint64_t first, std::size_t n, std::span<double* const> columns) const {
@@ -81,8 +96,8 @@ void Space::fill(std::uint64_t first, std::size_t n, std::span<double* const> co
 
 std::vector<double> Space::point(std::uint64_t index) const {
   std::vector<double> values(variables());
-  std::vector<double*> columns;
-  for (double& value : values) columns.push_back(&value);
+  std::vector<double*> columns(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k) columns[k] = &values[k];
   fill(index, 1, columns);
   return values;
 }
@@ -109,15 +124,23 @@ void Space::draw(std::uint64_t first, std::size_t variable, std::span<double> co
   const std::uint64_t samples = random_.samples, within = first % samples;
   std::uint64_t cube = first / samples, at_sample = within;
   in_runs(samples - within, samples, column.size(), [&](std::size_t at, std::size_t run) {
-    const auto part = column.subspan(at, run);
-    uniform(random_.seed, random_.common ? at_sample : first + at, variable, part);
-    if (random_.sampling == Sampling::latin_hypercube) {
-      const Permutation stratum(samples, random_.seed, variable, random_.common ? 0 : cube);
-      for (std::size_t i = 0; i < run; ++i) part[i] = inside_part(stratum(at_sample + i), part[i], samples);
-    }
+    draw_run(variable, first + at, random_.common ? 0 : cube, at_sample, column.subspan(at, run));
     ++cube;
     at_sample = 0;
   });
+}
+
+/// Samples that follow one another at one point of the grid.
+void Space::draw_run(std::size_t variable, std::uint64_t first, std::uint64_t cube, std::uint64_t sample,
+                     std::span<double> column) const {
+  if (random_.sampling == Sampling::sobol) {
+    sobol_.fill(variable, sample, cube, column);
+    return;
+  }
+  uniform(random_.seed, random_.common ? sample : first, variable, column);
+  if (random_.sampling == Sampling::random) return;
+  const Permutation stratum(random_.samples, random_.seed, variable, cube);
+  for (double& u : column) u = inside_part(stratum(sample++), u, random_.samples);
 }
 
 }  // namespace loadpath::sweep

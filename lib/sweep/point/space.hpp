@@ -8,6 +8,7 @@
 #include "lib/sweep/point/axis.hpp"
 #include "lib/sweep/point/correlation.hpp"
 #include "lib/sweep/point/distribution.hpp"
+#include "lib/sweep/point/sobol.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +20,7 @@ namespace loadpath::sweep {
 enum class Sampling {
   random,           // plain Monte Carlo
   latin_hypercube,  // each variable once in each of `samples` parts of equal probability
+  sobol,            // all variables together spread evenly, best with a power of two of samples
 };
 
 class Space {
@@ -49,11 +51,15 @@ class Space {
     Axis axis;
     std::uint64_t stride;  // points for which it stands still
   };
+  Message put_above(Level level);
   void sample(std::uint64_t first, std::size_t n, std::span<double* const> columns) const;
   void draw(std::uint64_t first, std::size_t variable, std::span<double> column) const;
+  void draw_run(std::size_t variable, std::uint64_t first, std::uint64_t cube, std::uint64_t sample,
+                std::span<double> column) const;
 
   std::vector<Digit> digits_;
   Random random_;
+  Sobol sobol_;
   std::uint64_t count_ = 1;
 };
 

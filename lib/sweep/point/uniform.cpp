@@ -2,7 +2,6 @@
 
 #include <Random123/philox.h>
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 
 namespace loadpath::sweep {
@@ -17,11 +16,6 @@ inline Philox::ctr_type four(std::uint64_t seed, std::uint64_t group, std::uint6
                   Philox::key_type{{seed, static_cast<std::uint64_t>(purpose)}});
 }
 
-/// Between 1 and 2 by the upper 52 bits, and what makes of it the middle of a part between 0 and 1; nothing is rounded.
-inline double inside(std::uint64_t bits) {
-  return std::bit_cast<double>((bits >> 12) | 0x3ff0000000000000) - (1.0 - 0x1p-53);
-}
-
 }  // namespace
 
 std::array<std::uint64_t, 4> random_bits(const std::array<std::uint64_t, 4>& counter,
@@ -32,7 +26,7 @@ std::array<std::uint64_t, 4> random_bits(const std::array<std::uint64_t, 4>& cou
 }
 
 double uniform(std::uint64_t seed, std::uint64_t index, std::uint64_t variable, Purpose purpose) {
-  return inside(four(seed, index >> 2, variable, purpose)[index & 3]);
+  return unit(four(seed, index >> 2, variable, purpose)[index & 3]);
 }
 
 void uniform(std::uint64_t seed, std::uint64_t first, std::uint64_t variable, std::span<double> column,
@@ -42,7 +36,7 @@ void uniform(std::uint64_t seed, std::uint64_t first, std::uint64_t variable, st
   for (; i < head; ++i) column[i] = uniform(seed, first + i, variable, purpose);
   for (; i + 4 <= n; i += 4) {
     const auto bits = four(seed, (first + i) >> 2, variable, purpose);
-    for (std::size_t k = 0; k < 4; ++k) column[i + k] = inside(bits[k]);
+    for (std::size_t k = 0; k < 4; ++k) column[i + k] = unit(bits[k]);
   }
   for (; i < n; ++i) column[i] = uniform(seed, first + i, variable, purpose);
 }

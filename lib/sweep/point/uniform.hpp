@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -14,7 +15,13 @@ enum class Purpose : std::uint64_t { samples, strata, scramble, search };
 std::array<std::uint64_t, 4> random_bits(const std::array<std::uint64_t, 4>& counter,
                                          const std::array<std::uint64_t, 2>& key);
 
-/// A number of 0 < u < 1 for a variable of a point: the middle of one of 2^52 parts.
+/// The middle of one of 2^52 parts of (0, 1), by the upper bits: they make a number between 1 and 2. Nothing is
+/// rounded.
+inline double unit(std::uint64_t bits) {
+  return std::bit_cast<double>((bits >> 12) | 0x3ff0000000000000) - (1.0 - 0x1p-53);
+}
+
+/// A number of 0 < u < 1 for a variable of a point.
 double uniform(std::uint64_t seed, std::uint64_t index, std::uint64_t variable, Purpose purpose = Purpose::samples);
 
 /// The same to the bit for the points first, first + 1... of a column.

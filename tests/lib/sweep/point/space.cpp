@@ -139,7 +139,7 @@ TEST_SUITE("points of sweeps") {
   }
 
   TEST_CASE("a point is a function of its index alone, however points are asked for") {
-    for (const auto sampling : {Sampling::random, Sampling::latin_hypercube}) {
+    for (const auto sampling : {Sampling::random, Sampling::latin_hypercube, Sampling::sobol}) {
       for (const bool common : {false, true}) {
         Space::Random random = two_normals(0.6, 37);
         random.sampling = sampling;

@@ -5,7 +5,7 @@
     !defined(__SANITIZE_ADDRESS__)
 /// A loop over a column: inlined whole, and compiled for wide registers too; the machine chooses when it starts. The
 /// bits are the same, for nothing is contracted.
-#define LOADPATH_COLUMNS __attribute__((flatten, target_clones("default", "arch=x86-64-v3")))
+#define LOADPATH_COLUMNS __attribute__((flatten, target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
 #else
 #define LOADPATH_COLUMNS
 #endif

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 
 namespace loadpath::sweep {
 
@@ -20,15 +21,15 @@ std::uint64_t mixed(std::uint64_t x) {
 
 Permutation::Permutation(std::uint64_t size, std::uint64_t seed, std::uint64_t variable, std::uint64_t cube)
     : size_(size), half_(std::max(1U, (static_cast<unsigned>(std::bit_width(size - 1)) + 1) / 2)) {
-  const auto key = random_bits({cube, variable, 0, 0}, {seed, static_cast<std::uint64_t>(Purpose::strata)});
-  std::copy(key.begin(), key.end(), key_);
+  const auto bits = random_bits(seed, cube, variable, Purpose::strata);
+  for (std::size_t round = 0; round < keys_.size(); ++round) keys_[round] = mixed(bits[round % 2] + round);
 }
 
 /// Feistel's network: four rounds permute the numbers of 2 half_ bits (Luby and Rackoff 1988).
 std::uint64_t Permutation::shuffle(std::uint64_t i) const {
   const std::uint64_t mask = (std::uint64_t{1} << half_) - 1;
   std::uint64_t left = i >> half_, right = i & mask;
-  for (const std::uint64_t key : key_) {
+  for (const std::uint64_t key : keys_) {
     const std::uint64_t next = left ^ (mixed(right ^ key) & mask);
     left = right;
     right = next;

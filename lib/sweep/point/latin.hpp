@@ -1,6 +1,7 @@
 // Latin hypercubes without a table: which part of its range a variable takes in a sample is a permutation by a key.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace loadpath::sweep {
@@ -16,8 +17,9 @@ class Permutation {
  private:
   [[nodiscard]] std::uint64_t shuffle(std::uint64_t i) const;
 
-  std::uint64_t size_, key_[4];
-  unsigned half_;  // bits of each half of a number
+  std::uint64_t size_;
+  std::array<std::uint64_t, 4> keys_;  // of the rounds
+  unsigned half_;                      // bits of each half of a number
 };
 
 }  // namespace loadpath::sweep

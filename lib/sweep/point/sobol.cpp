@@ -10,7 +10,6 @@ namespace loadpath::sweep {
 
 namespace {
 
-constexpr auto purpose = static_cast<std::uint64_t>(Purpose::scramble);
 constexpr unsigned digits = 52;
 
 /// Each digit of a number becomes the sum of itself and some of those above it.
@@ -18,7 +17,7 @@ std::array<std::uint64_t, digits> triangle(std::uint64_t seed, std::uint64_t var
   std::array<std::uint64_t, digits> rows{};
   for (unsigned row = 0; row < digits; ++row) {
     const std::uint64_t own = std::uint64_t{1} << (63 - row), above = ~(own | (own - 1));
-    rows[row] = own | (random_bits({row, variable, 0, 0}, {seed, purpose})[0] & above);
+    rows[row] = own | (random_bits(seed, row, variable, Purpose::triangle)[0] & above);
   }
   return rows;
 }
@@ -55,7 +54,7 @@ Sobol::Sobol(std::size_t variables, std::uint64_t seed) : seed_(seed), direction
 void Sobol::fill(std::size_t variable, std::uint64_t first, std::uint64_t shift, std::span<double> column) const {
   const Directions& directions = directions_[variable];
   Directions up_to;  // what counting up flips: a bit and all below it
-  std::uint64_t flipped = 0, x = random_bits({shift, variable, 1, 0}, {seed_, purpose})[0];
+  std::uint64_t flipped = 0, x = random_bits(seed_, shift, variable, Purpose::shift)[0];
   for (unsigned bit = 0; bit < digits; ++bit) {
     up_to[bit] = flipped ^= directions[bit];
     if ((first >> bit & 1) != 0) x ^= directions[bit];

@@ -1,5 +1,6 @@
 #include "lib/sweep/point/axis.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -27,7 +28,7 @@ Steps steps_between(double from, double to, double step) {
   const double steps = (to - from) / step, nearest = std::round(steps);
   const double rounding =
       16.0 * std::numeric_limits<double>::epsilon() * ((std::abs(from) + std::abs(to)) / std::abs(step) + steps);
-  return std::abs(steps - nearest) <= rounding ? Steps{nearest, true} : Steps{std::floor(steps), false};
+  return std::abs(steps - nearest) <= std::min(rounding, 1e-3) ? Steps{nearest, true} : Steps{std::floor(steps), false};
 }
 
 Fault no_range() { return refused(say("the ends of a range must be numbers below 1e290")); }

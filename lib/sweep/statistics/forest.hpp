@@ -70,7 +70,7 @@ class Forest {
       const std::uint64_t first = reader.number(), level = reader.number();
       Tree tree{level, {}};
       tree.part.load(reader);
-      const bool whole = level < 64 && (first & ((std::uint64_t{1} << level) - 1)) == 0;
+      const bool whole = level < 63 && (first & ((std::uint64_t{1} << level) - 1)) == 0;
       if (!whole || overlaps(first, level))
         reader.fail();
       else
@@ -91,7 +91,7 @@ class Forest {
   }
 
   void insert(std::uint64_t first, Tree tree) {
-    for (;;) {
+    while (tree.level < 63) {
       const std::uint64_t size = std::uint64_t{1} << tree.level;
       const auto sibling = trees_.find(first ^ size);
       if (sibling == trees_.end() || sibling->second.level != tree.level) break;

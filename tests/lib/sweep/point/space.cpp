@@ -99,6 +99,7 @@ TEST_SUITE("points of sweeps") {
     CHECK(values_of(*Axis::by_step(0.0, 1.0, 0.4)).back() == 0.8);
     CHECK(values_of(*Axis::by_step(2.0, 1.0, -0.5)) == std::vector<double>{2.0, 1.5, 1.0});
     CHECK(values_of(*Axis::by_step(2.0, 2.0, 0.5)) == std::vector<double>{2.0});
+    CHECK(values_of(*Axis::by_step(1e17, 1e17 + 16.0, 64.0)) == std::vector<double>{1e17});
     CHECK(Axis::by_step(0.0, 1e9, 1.0)->size() == 1'000'000'001);
   }
 

@@ -12,8 +12,9 @@ namespace {
 
 bool is_finite_set(const Problem& problem, const Effort& effort) {
   const auto& variables = problem.variables;
+  const std::uint64_t most = std::min(effort.enumerated, effort.budget);
   return std::all_of(variables.begin(), variables.end(), [](const Variable& v) { return v.is_discrete(); }) &&
-         combinations(variables, effort.enumerated) <= effort.enumerated;
+         combinations(variables, most) <= most;
 }
 
 Trial best_in(const std::vector<Trial>& trials) {

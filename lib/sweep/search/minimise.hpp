@@ -8,8 +8,8 @@ namespace loadpath::sweep {
 
 struct Effort {
   std::uint64_t budget = 1'000'000;      // evaluations, after which the search ends; the proof comes on top
-  std::uint64_t enumerated = 1'000'000;  // a finite set of designs up to this size is gone through
-  std::size_t starts = 8;                // of the search
+  std::uint64_t enumerated = 1'000'000;  // a finite set of designs up to this size, and the budget, is gone through
+  std::size_t starts = 16;               // of the search
   double step = 1e-3;                    // of a continuous variable's range, to its neighbours
 };
 

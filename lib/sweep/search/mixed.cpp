@@ -87,37 +87,54 @@ void MixedSearch::remember(const Trial& trial) {
   if (!is_new && before(trial, known->second)) known->second = trial;
 }
 
-Trial MixedSearch::each_combination(std::uint64_t count) {
-  constexpr std::size_t starts = 2;
-  const auto& variables = trials.problem().variables;
-  Trial best;
-  every = true;
-  for (std::uint64_t index = 0; index < count; ++index) {
-    Places at(variables.size());
-    set_combination(variables, index, at);
-    const auto points = scan(64 * continuous, &at);
-    for (std::size_t k = 0; k < std::min(starts, points.size()); ++k) {
-      const Trial found = settled(points[k]);
-      if (best.at.empty() || before(found, best)) best = found;
-    }
-    every = every && trials.left() > 0;
+std::vector<Trial> MixedSearch::apart(const std::vector<Trial>& points, std::size_t most) const {
+  constexpr double far = 0.15;  // of the ranges
+  std::vector<Trial> taken;
+  for (const Trial& point : points) {
+    if (taken.size() == most) break;
+    const bool is_far = std::all_of(taken.begin(), taken.end(), [&](const Trial& other) {
+      return distance(trials.problem().variables, point.at, other.at) > far;
+    });
+    if (is_far) taken.push_back(point);
   }
-  return best;
+  return taken;
+}
+
+/// The best with this stock, from several points of the continuous variables.
+void MixedSearch::spread_out(const Places& stock, Trial& best) {
+  constexpr std::size_t starts = 3;
+  for (const Trial& start : apart(scan(64 * continuous, &stock), starts)) {
+    if (trials.left() == 0) return;
+    const Trial found = settled(start);
+    if (before(found, best)) best = found;
+  }
+}
+
+void MixedSearch::each_combination(std::uint64_t count, Trial& best) {
+  Places stock(best.at.size());
+  for (std::uint64_t index = 0; index < count; ++index) {
+    set_combination(trials.problem().variables, index, stock);
+    spread_out(stock, best);
+  }
+  every = trials.left() > 0;
+}
+
+/// Other valleys of the continuous variables, with the stock of the best and of its neighbours.
+bool MixedSearch::widen(Trial& best) {
+  const Standing before_it = best.standing;
+  auto stocks = beside(trials.problem().variables, best.at, 1);
+  stocks.insert(stocks.begin(), best.at);
+  for (const Places& stock : stocks) spread_out(stock, best);
+  return better(best.standing, before_it);
 }
 
 Trial MixedSearch::from_scan(std::size_t starts) {
-  const auto& variables = trials.problem().variables;
-  const auto points = scan(std::min<std::uint64_t>(256 * variables.size(), 8192), nullptr);
+  const auto points = scan(std::min<std::uint64_t>(256 * trials.problem().variables.size(), 8192), nullptr);
   scale = usual_objective(points);
   Trial best = points.front();
-  std::vector<const Trial*> taken;
-  for (std::size_t k = 0; k < points.size() && taken.size() < starts && trials.left() > 0; ++k) {
-    const bool apart = std::all_of(taken.begin(), taken.end(), [&](const Trial* other) {
-      return distance(variables, points[k].at, other->at) > 0.15;
-    });
-    if (!apart) continue;
-    taken.push_back(&points[k]);
-    const Trial found = climb(settled(points[k]));
+  for (const Trial& start : apart(points, starts)) {
+    if (trials.left() == 0) break;
+    const Trial found = climb(settled(start));
     if (before(found, best)) best = found;
   }
   return best;
@@ -125,10 +142,12 @@ Trial MixedSearch::from_scan(std::size_t starts) {
 
 Trial MixedSearch::run(std::size_t starts) {
   Trial best = from_scan(starts);
+  if (continuous == 0) return best;
   const std::uint64_t count = combinations(trials.problem().variables, few_combinations);
-  if (continuous > 0 && count > 1 && count <= few_combinations) {
-    const Trial found = each_combination(count);
-    if (!found.at.empty() && before(found, best)) best = found;
+  if (count > 1 && count <= few_combinations) {
+    each_combination(count, best);
+  } else if (count > 1) {
+    while (trials.left() > 0 && widen(best)) best = climb(best);
   }
   return settled(best);
 }

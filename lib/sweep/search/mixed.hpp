@@ -24,7 +24,10 @@ class MixedSearch {
 
  private:
   [[nodiscard]] std::vector<Trial> scan(std::uint64_t count, const Places* fixed);
-  [[nodiscard]] Trial each_combination(std::uint64_t count);
+  [[nodiscard]] std::vector<Trial> apart(const std::vector<Trial>& points, std::size_t most) const;
+  void spread_out(const Places& stock, Trial& best);
+  void each_combination(std::uint64_t count, Trial& best);
+  [[nodiscard]] bool widen(Trial& best);
   [[nodiscard]] Trial from_scan(std::size_t starts);
   [[nodiscard]] bool step(Trial& current);
   [[nodiscard]] bool step_to(Trial& current, std::vector<Trial> around);

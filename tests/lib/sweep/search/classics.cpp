@@ -200,7 +200,7 @@ TEST_SUITE("designs of the literature") {
     });
     const Problem problem{gears, {whole(12, 60), whole(12, 60), whole(12, 60), whole(12, 60)}, 0, false, {}};
     Effort all;
-    all.enumerated = 6'000'000;
+    all.budget = all.enumerated = 6'000'000;
     const Optimum found = minimise(problem, all);
     const double miss = 1.0 / 6.931 - 16.0 * 19.0 / (43.0 * 49.0);
     CHECK(miss * miss == doctest::Approx(2.700857e-12).epsilon(1e-6));

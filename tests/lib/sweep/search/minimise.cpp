@@ -254,6 +254,29 @@ TEST_SUITE("search for the best design") {
     }
   }
 
+  TEST_CASE("the size of numbers changes nothing") {
+    for (const double unit : {1e-9, 1.0, 1e12}) {
+      for (const double size : {1e-12, 1.0, 1e9}) {
+        Formula rod(2, 2, [&](const double* x, double* y) {
+          const double d = x[0] / unit, l = x[1] / unit;
+          y[0] = size * (d * d * (1.0 + l) + 4.0 / l);
+          y[1] = 9.0 * l / (d * d * d * d);
+        });
+        // d^2 = 3 sqrt l; then 3 (l^(1/2) + l^(3/2)) + 4 / l is least where 4.5 l^(5/2) + 1.5 l^(3/2) = 4
+        double l = 1.0;
+        for (int i = 0; i < 60; ++i)
+          l -= (4.5 * std::pow(l, 2.5) + 1.5 * std::pow(l, 1.5) - 4.0) /
+               (11.25 * std::pow(l, 1.5) + 2.25 * std::sqrt(l));
+        const Optimum found = minimise(
+            {rod, {range(0.5 * unit, 4.0 * unit), range(0.1 * unit, 5.0 * unit)}, 0, false, {{1, at_most_one}}});
+        CHECK(found.allowed);
+        CHECK(found.outputs[0] / size ==
+              doctest::Approx(3.0 * (std::sqrt(l) + std::pow(l, 1.5)) + 4.0 / l).epsilon(1e-8));
+        CHECK(found.point[1] / unit == doctest::Approx(l).epsilon(1e-4));
+      }
+    }
+  }
+
   TEST_CASE("an error of the function comes through") {
     Formula angry(2, 1, [](const double* x, double* y) {
       if (x[0] > 0.74 && x[0] < 0.76) throw std::runtime_error("stopped");

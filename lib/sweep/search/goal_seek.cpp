@@ -83,8 +83,9 @@ Look Seeker::edge(Look there, double not_there) {
 /// The points of the range with the edges of what is not available between them.
 std::vector<Look> Seeker::over_the_range() {
   std::vector<double> places;
-  const auto last = static_cast<double>(goal.points - 1);
-  for (std::size_t k = 0; k < goal.points; ++k)
+  const std::size_t points = std::max<std::size_t>(goal.points, 2);
+  const auto last = static_cast<double>(points - 1);
+  for (std::size_t k = 0; k < points; ++k)
     places.push_back(std::lerp(goal.from, goal.to, static_cast<double>(k) / last));
   const auto looks = look_at(places);
   std::vector<Look> all{looks.front()};

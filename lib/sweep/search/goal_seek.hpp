@@ -13,7 +13,7 @@ struct Goal {
   double from = 0.0, to = 0.0;  // from < to
   std::size_t output = 0;
   double target = 0.0;
-  std::size_t points = 257;  // at which the range is looked at, >= 2
+  std::size_t points = 257;  // at which the range is looked at, 2 at least
 };
 
 /// Where the output has the target, or leaps over it.

@@ -18,6 +18,7 @@ bool before(const Trial& a, const Trial& b) { return better(a.standing, b.standi
 
 std::vector<Trial> trials_at(std::vector<Places> places) {
   std::vector<Trial> all;
+  all.reserve(places.size());
   for (Places& at : places) all.push_back({std::move(at), {}});
   return all;
 }

@@ -1,6 +1,7 @@
 #include "lib/sweep/sensitivity/robust.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -52,6 +53,7 @@ Robust::Robust(Function& inner, std::size_t designs, std::vector<Scattered> inpu
       scatter_(columns, samples),
       in_(inner.inputs(), samples),
       out_(inner.outputs(), samples) {
+  assert(samples >= 2);
   sampler(0, samples, scatter_.write());
 }
 

@@ -277,6 +277,20 @@ TEST_SUITE("search for the best design") {
     }
   }
 
+  TEST_CASE("variables without a choice, a flat objective and no variable at all") {
+    Formula flat(3, 2, [](const double* x, double* y) { y[0] = 4.0, y[1] = x[0] + x[1] - x[2]; });
+    const Optimum found = minimise({flat, {range(2, 2), stock({3}), range(0, 9)}, 0, false, {{1, at_most_one}}});
+    CHECK(found.allowed);
+    CHECK(found.point[0] == 2.0);
+    CHECK(found.point[1] == 3.0);
+    CHECK(found.point[2] >= 4.0);
+    Formula constant(0, 1, [](const double*, double* y) { y[0] = 7.0; });
+    const Optimum only = minimise({constant, {}, 0, false, {}});
+    CHECK(only.allowed);
+    CHECK(only.outputs[0] == 7.0);
+    CHECK(only.neighbours.empty());
+  }
+
   TEST_CASE("an error of the function comes through") {
     Formula angry(2, 1, [](const double* x, double* y) {
       if (x[0] > 0.74 && x[0] < 0.76) throw std::runtime_error("stopped");

@@ -60,11 +60,26 @@ json::object closed(json::array required, json::object properties) {
           {"properties", std::move(properties)}};
 }
 
+/// Ranges, lists and distributions: what a sweep goes through (lib/project/read/spread.hpp).
+void add_spreads(const json::object& one, json::array& forms) {
+  const json::object any{{"type", json::array{"string", "number"}}}, whole{{"type", "integer"}, {"minimum", 2}};
+  const json::object law{{"enum", json::array{"normal", "lognormal", "uniform", "triangular", "weibull"}}};
+  forms.push_back(json::object{{"type", "array"}, {"items", one}, {"minItems", 1}});
+  forms.push_back(closed({"from", "to", "step"}, {{"from", any}, {"to", any}, {"step", any}}));
+  forms.push_back(closed({"from", "to", "count"}, {{"from", any}, {"to", any}, {"count", whole}}));
+  forms.push_back(closed({"from", "to", "log"}, {{"from", any}, {"to", any}, {"log", whole}}));
+  forms.push_back(closed({"each"}, {{"each", any}, {"from", any}, {"to", any}}));
+  forms.push_back(closed({"mean", "sd"}, {{"mean", any}, {"sd", any}, {"distribution", law}}));
+  forms.push_back(closed({"value", "tolerance"}, {{"value", any}, {"tolerance", any}, {"distribution", law}}));
+  forms.push_back(closed({"min", "max"}, {{"min", any}, {"mode", any}, {"max", any}, {"distribution", law}}));
+  forms.push_back(
+      closed({"scale", "shape"}, {{"scale", any}, {"shape", any}, {"location", any}, {"distribution", law}}));
+}
+
 json::array forms_of(const Dimension& dimension) {
-  const json::object any{{"type", json::array{"string", "number"}}};
-  json::array forms{json::object{{"type", "string"}, {"pattern", pattern_of(dimension)}}, of_one_text("stock"),
-                    closed({"mean", "sd"}, {{"mean", any}, {"sd", any}}),
-                    closed({"value", "tolerance"}, {{"value", any}, {"tolerance", any}})};
+  const json::object text{{"type", "string"}, {"pattern", pattern_of(dimension)}};
+  json::array forms{text, of_one_text("stock")};
+  add_spreads(dimension.is_number() ? json::object{{"type", json::array{"string", "number"}}} : text, forms);
   if (dimension.is_number()) forms.push_back(json::object{{"type", "number"}});
   return forms;
 }
@@ -135,8 +150,10 @@ json::object Definitions::history(const Dimension& dimension) {
 
 json::object Definitions::row(const std::string& group) {
   if (!all_.contains(group))
-    all_[group] = {{"anyOf", json::array{json::object{{"enum", names_of(group)}}, json::object{{"type", "string"}},
-                                         of_one_text("stock")}}};
+    all_[group] = {
+        {"anyOf", json::array{json::object{{"enum", names_of(group)}}, json::object{{"type", "string"}},
+                              of_one_text("stock"), of_one_text("each"),
+                              json::object{{"type", "array"}, {"items", json::object{{"type", "string"}}}}}}};
   return reference(group);
 }
 

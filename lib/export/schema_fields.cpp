@@ -18,14 +18,23 @@ json::object either(json::object one, json::object other) {
   return {{"anyOf", json::array{std::move(one), std::move(other)}}};
 }
 
+/// One of them, or a list that a sweep goes through.
+json::object one_or_more(json::object one) {
+  json::object list{{"type", "array"}, {"items", one}, {"minItems", 1}};
+  return either(std::move(one), std::move(list));
+}
+
 json::object choice(const FieldInfo& field) {
   json::array words;
   for (std::string& word : words_to_type(field)) words.emplace_back(std::move(word));
-  return either({{"enum", std::move(words)}}, expression());
+  return either(one_or_more({{"enum", std::move(words)}}), expression());
 }
 
 json::object count(const FieldInfo& field) {
-  return either({{"type", "integer"}, {"minimum", field.bounds.low}, {"maximum", field.bounds.high}}, expression());
+  const json::object range{{"type", "object"}, {"required", json::array{"from", "to"}}};
+  return either(
+      either(one_or_more({{"type", "integer"}, {"minimum", field.bounds.low}, {"maximum", field.bounds.high}}), range),
+      expression());
 }
 
 /// A table of named elements: what is behind a name has none.

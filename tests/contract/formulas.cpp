@@ -27,7 +27,7 @@ void use_file(const fs::path& file, const Use& use) {
   std::string text;
   REQUIRE(toml::read_file(file.string(), text));
   std::vector<Issue> issues;
-  project::Project p = project::read_project(text, file.string(), catalogue(), issues);
+  project::Project p = project::read_project(text, file.string(), catalogue(), issues, project::Ranges::taken);
   if (!has_errors(issues)) project::solve(p, issues);
   INFO(file.string());
   REQUIRE(!has_errors(issues));

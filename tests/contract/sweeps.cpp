@@ -1,0 +1,159 @@
+// A point of a sweep is the machine with these values typed, to the bit: results, verdicts, what is refused. For every
+// calculator and every example, some of their numbers varied at random.
+#include "calculators/catalogue.hpp"
+#include "lib/project/sweep/variants.hpp"
+#include "lib/sweep/point/uniform.hpp"
+#include "lib/toml/tree.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace loadpath;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_inputs = 4;
+
+/// Numbers that were typed as such, and may be a little larger or smaller.
+std::vector<std::pair<std::string, Leaf>> numbers_of(project::Step& step) {
+  std::vector<std::pair<std::string, Leaf>> numbers;
+  project::Reading& reading = step.input().reading;
+  for (Record* record : {&reading.parameters, &reading.record}) {
+    if (record->type == nullptr) continue;
+    for_each_leaf(*record, [&](const std::string& path, const Leaf& leaf) {
+      const auto typed = reading.typed.find(path);
+      const bool literal = typed != reading.typed.end() && !typed->second.text.empty() &&
+                           typed->second.text.find_first_of("=?{") == std::string::npos;
+      if (!literal || leaf.field->type != FieldInfo::Type::quantity || !std::isfinite(leaf.get()) || leaf.get() == 0.0)
+        return;
+      if (leaf.field->bounds.holds(0.97 * leaf.get()) && leaf.field->bounds.holds(1.03 * leaf.get()))
+        numbers.emplace_back(path, leaf);
+    });
+  }
+  return numbers;
+}
+
+/// The project with some of its numbers as inputs of a sweep; which of them `seed` says.
+project::Project varied(const std::string& text, const std::string& file, std::uint64_t seed) {
+  std::vector<Issue> issues;
+  project::Project project = project::read_project(text, file, catalogue(), issues, project::Ranges::taken);
+  REQUIRE_MESSAGE(!has_errors(issues), file);
+  std::vector<std::pair<project::Step*, std::pair<std::string, Leaf>>> all;
+  for (const auto& step : project.steps) {
+    for (auto& number : numbers_of(*step)) all.push_back({step.get(), std::move(number)});
+  }
+  for (std::size_t k = 0; k < most_inputs && !all.empty(); ++k) {
+    const auto which = static_cast<std::size_t>(sweep::uniform(seed, k, 0) * static_cast<double>(all.size()));
+    auto& [step, number] = all[which];
+    const double middle = number.second.get(), wide = 0.03 * std::abs(middle);
+    project::Varied input{.path = number.first, .leaf = number.second, .place = {}};
+    input.distribution = sweep::Distribution(sweep::Uniform{middle - wide, middle + wide});
+    step->input().reading.varied.push_back(std::move(input));
+    all.erase(all.begin() + static_cast<std::ptrdiff_t>(which));
+  }
+  return project;
+}
+
+/// Results that are one number.
+std::vector<std::string> columns_of(project::Project& project) {
+  std::vector<std::string> columns;
+  for (const auto& step : project.steps) {
+    if (step->input().calculator->result == nullptr) continue;
+    for (const FieldInfo& field : step->input().calculator->result->fields) {
+      const std::string path = step->name() + "." + field.key;
+      const auto signature = field.is_number() ? project.signature(path) : Outcome<Signature>(Fault{});
+      if (signature && signature->axis == nullptr)
+        columns.push_back("r" + std::to_string(columns.size()) + " = " + path);
+    }
+  }
+  return columns;
+}
+
+bool same(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (a != a && b != b);
+}
+
+/// What a machine of its own says of a column.
+double alone(project::Project& project, const project::SweptResult& column, bool refused) {
+  using Kind = project::SweptResult::Kind;
+  if (refused) return column.kind == Kind::state ? project::refused_state : std::nan("");
+  if (column.kind == Kind::expression) {
+    const Value* const value = project.value(column.text);
+    return value == nullptr ? std::nan("") : std::isfinite(value->si[0]) ? value->si[0] : std::nan("");
+  }
+  account::Modes modes;
+  for (const account::Mode& mode : project::modes(project)) {
+    if ((column.step.empty() || mode.step == column.step) && (column.mode.empty() || mode.id == column.mode))
+      modes.push_back(mode);
+  }
+  if (column.kind == Kind::state) {
+    if (modes.empty()) return column.mode.empty() ? static_cast<double>(account::State::open) : project::absent_state;
+    return static_cast<double>(column.mode.empty() ? account::overall(modes) : account::worst(modes));
+  }
+  double most = std::nan("");
+  for (const account::Mode& mode : modes) {
+    if (mode.utilisation && !(most >= *mode.utilisation)) most = *mode.utilisation;
+  }
+  return most;
+}
+
+void compare(const std::string& text, const std::string& file, std::size_t points, std::uint64_t seed) {
+  CAPTURE(file);
+  project::Project swept = varied(text, file, seed);
+  const std::vector<std::string> results = columns_of(swept);
+  project::Variants variants(std::move(swept), results);
+  const std::size_t inputs = variants.inputs();
+  std::vector<std::vector<double>> in(inputs, std::vector<double>(points)),
+      out(variants.outputs(), std::vector<double>(points));
+  std::vector<const double*> given;
+  std::vector<double*> taken;
+  for (std::size_t k = 0; k < inputs; ++k) {
+    for (std::size_t i = 0; i < points; ++i)
+      in[k][i] = variants.axes()[k].distribution->quantile(sweep::uniform(seed + 1, i, k));
+    given.push_back(in[k].data());
+  }
+  for (std::vector<double>& column : out) taken.push_back(column.data());
+  variants.evaluate(given, taken, points);
+  for (std::size_t i = 0; i < points; ++i) {
+    project::Project machine = varied(text, file, seed);
+    const auto axes = project::swept_inputs(machine);
+    std::vector<Issue> issues;
+    for (std::size_t k = 0; k < inputs; ++k) project::set_input(machine, axes[k], in[k][i], issues);
+    if (issues.empty()) project::solve(machine, issues);
+    for (std::size_t k = 0; k < variants.outputs(); ++k) {
+      const project::SweptResult& column = variants.columns()[k];
+      const double here = alone(machine, column, has_errors(issues));
+      CHECK_MESSAGE(same(out[k][i], here), column.text, " at point ", i, ": ", out[k][i], " and ", here);
+      if (!same(out[k][i], here)) return;
+    }
+  }
+}
+
+}  // namespace
+
+TEST_SUITE("sweeps and machines of their own") {
+  TEST_CASE("every calculator at its example, some numbers varied") {
+    for (const Calculator* calculator : calculators()) {
+      for (const std::uint64_t seed : {1, 2}) compare(calculator->example, calculator->id, 5, seed);
+    }
+  }
+
+  TEST_CASE("every example, some numbers varied") {
+    for (const auto& entry : fs::directory_iterator(LOADPATH_ROOT "/examples")) {
+      std::string text;
+      const fs::path file = entry.path() / "project.toml";
+      REQUIRE(toml::read_file(file.string(), text));
+      compare(text, file.string(), 3, 3);
+    }
+  }
+}

@@ -1,0 +1,144 @@
+// The best machine against all machines, values that are sought against closed forms, influence against derivatives.
+#include "lib/project/sweep/best.hpp"
+
+#include "lib/project/sweep/influence.hpp"
+#include "tests/lib/project/solved.hpp"
+#include "tests/lib/project/sweep/swept.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+using namespace loadpath;
+using doctest::Approx;
+using test::contains;
+using test::Swept;
+
+namespace {
+
+const std::string tube =
+    "[strut]\ncalculator = \"column.buckling\"\nmethod = \"ec3\"\ncurve_y = \"c\"\ncurve_z = \"c\"\nl = \"1.5 "
+    "m\"\nends = "
+    "\"pinned_pinned\"\ngamma_M1 = 1\ngamma_F = 1\nE = \"210 GPa\"\nR_e = \"260 MPa\"\naccept = { local = \"thick "
+    "enough\" "
+    "}\n";
+const std::string sizes =
+    "d = { each = \"R20\", from = \"30 mm\", to = \"60 mm\" }\nd_bore = { from = \"20 mm\", to = \"50 mm\", step = \"5 "
+    "mm\" "
+    "}\n";
+const std::string area = "(strut.d^2 - strut.d_bore^2)";
+
+project::ReadAgain reader(const std::string& text) {
+  return [text] {
+    std::vector<Issue> issues;
+    return project::read_project(text, "part.toml", catalogue(), issues, project::Ranges::taken);
+  };
+}
+
+project::Placed asked(const std::string& text) { return {text, {"--asked", 1, 1, 1}}; }
+
+}  // namespace
+
+TEST_SUITE("the best machine") {
+  TEST_CASE("is that of all which passes with the least") {
+    for (const char* load : {"20 kN", "40 kN", "70 kN"}) {
+      const std::string text = tube + sizes + "P = \"" + load + "\"\n";
+      const Swept all(text, {"a = " + area, "strut.passes"});
+      double least = INFINITY;
+      for (std::size_t i = 0; i < all.column("a").size(); ++i) {
+        if (all.column("strut.passes")[i] == 1.0) least = std::min(least, all.column("a")[i]);
+      }
+      std::vector<Issue> issues;
+      const auto best = project::find_best(reader(text), {asked(area), false, {}, {}}, 10, 1, issues);
+      REQUIRE(best);
+      CHECK(best->optimum.allowed);
+      CHECK(best->optimum.reach == sweep::Optimum::Reach::every_point);
+      CHECK(best->optimum.outputs[0] == least);
+    }
+  }
+
+  TEST_CASE("of continuous sizes lies on the bound that governs") {
+    const std::string text =
+        "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"500 N*m\"\ntau_adm = \"30 MPa\"\nd = { min = \"20 mm\", max = "
+        "\"90 "
+        "mm\" }\n";
+    std::vector<Issue> issues;
+    const auto best = project::find_best(reader(text), {asked("shaft.d"), false, {}, {}}, 10, 1, issues);
+    REQUIRE(best);
+    CHECK(best->optimum.allowed);
+    CHECK(best->point[0] == Approx(std::cbrt(16.0 * 500.0 / (M_PI * 30e6))).epsilon(1e-5));
+    const auto bounded = project::find_best(
+        reader(text), {asked("shaft.tau_max"), false, {asked("shaft.d <= 60 mm"), asked("every mode passes")}, {}}, 10,
+        1, issues);
+    REQUIRE(bounded);
+    CHECK(bounded->point[0] == Approx(0.06).epsilon(1e-5));
+  }
+
+  TEST_CASE("with a probability over what is uncertain") {
+    const std::string text =
+        "[shaft]\ncalculator = \"shaft.torsion\"\nT = { mean = \"500 N*m\", sd = \"50 N*m\" }\ntau_adm = \"30 MPa\"\nd "
+        "= { "
+        "min = \"20 mm\", max = \"90 mm\" }\n";
+    std::vector<Issue> issues;
+    const auto best = project::find_best(reader(text), {asked("shaft.d"), false, {}, 0.99}, 20000, 1, issues);
+    REQUIRE(best);
+    const double T_99 = 500.0 + 2.326347874 * 50.0;
+    CHECK(best->point[0] == Approx(std::cbrt(16.0 * T_99 / (M_PI * 30e6))).epsilon(2e-3));
+  }
+
+  TEST_CASE("a value that is sought") {
+    const std::string text =
+        "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"500 N*m\"\ntau_adm = \"30 MPa\"\nd = { min = \"20 mm\", max = "
+        "\"90 "
+        "mm\" }\n";
+    std::vector<Issue> issues;
+    const auto sought = project::seek_value(reader(text), asked("shaft.tau_max = 20 MPa"), issues);
+    REQUIRE(sought);
+    REQUIRE(sought->sought.meetings.size() == 1);
+    CHECK(sought->sought.meetings[0].at == Approx(std::cbrt(16.0 * 500.0 / (M_PI * 20e6))).epsilon(1e-12));
+    const auto none = project::seek_value(reader(text), asked("shaft.tau_max = 1 Pa"), issues);
+    REQUIRE(none);
+    CHECK(none->sought.meetings.empty());
+    CHECK(none->sought.nearest == Approx(0.09));
+  }
+
+  TEST_CASE("what a result hangs on: tau = 16 T/(pi d^3)") {
+    const std::string text =
+        "[shaft]\ncalculator = \"shaft.torsion\"\nT = { mean = \"500 N*m\", sd = \"5 %\" }\ntau_adm = \"30 MPa\"\nd = "
+        "{ mean "
+        "= \"50 mm\", sd = \"1 %\" }\n";
+    std::vector<Issue> issues;
+    project::Project project = reader(text)();
+    project.sweep.results.push_back(asked("shaft.tau_max"));
+    const auto plan = project::plan_sweep(project, project.sweep, issues);
+    const auto influence = project::find_influence(reader(text), plan, project.sweep, 4000, issues);
+    REQUIRE(influence);
+    REQUIRE(influence->inputs.size() == 2);
+    CHECK(influence->slopes.at(0, 0).elasticity == Approx(1.0).epsilon(1e-6));
+    CHECK(influence->slopes.at(0, 1).elasticity == Approx(-3.0).epsilon(1e-6));
+    double share_of_T = 0.0;
+    for (const auto& line : influence->budgets[0].lines) {
+      if (influence->inputs[line.input].name == "shaft.T") share_of_T = line.share;
+    }
+    CHECK(share_of_T == Approx(25.0 / 34.0).epsilon(1e-6));
+    CHECK(influence->sobol[0].inputs[0].first == Approx(25.0 / 34.0).epsilon(0.1));
+  }
+
+  TEST_CASE("what cannot be asked is told") {
+    const std::string text = tube + sizes + "P = \"40 kN\"\n";
+    const auto fault = [&](const std::string& objective, const std::vector<project::Placed>& such_that) {
+      std::vector<Issue> issues;
+      CHECK_FALSE(project::find_best(reader(text), {asked(objective), false, such_that, {}}, 10, 1, issues));
+      return issues.empty() ? std::string() : issues.front().message.text() + " = " + issues.front().hint.text();
+    };
+    CHECK(contains(fault("strut.m", {}), "strut"));
+    CHECK(contains(fault("strut.d", {asked("strut.lambda small")}), "is no demand"));
+    CHECK(contains(fault("strut.d", {asked("strut.d <= 5 kg")}), "unlike"));
+    CHECK(contains(fault("strut.d", {asked("strut.d <= 0 mm")}), "above zero"));
+    CHECK(contains(fault("strut.d", {asked("axle passes")}), "axle"));
+    std::vector<Issue> issues;
+    CHECK_FALSE(project::seek_value(reader(text), asked("strut.lambda = 90"), issues));
+    CHECK(contains(issues.front().message.text(), "one input must go through a range"));
+  }
+}

@@ -367,7 +367,7 @@ const Side keys[] = {
     {"shaft.spline", "u_w", over, "p_adm_w", R"("23.9 MPa")", R"("23.8 MPa")", R"(hub = "slides")"},
     {"shaft.spline", "u_tau", over, "tau_adm", R"("9.6 MPa")", R"("9.5 MPa")"},
     {"shaft.spline", "u_W", over, "f_W", "0.265", "0.264", "torque = \"reversing\"\nR_e_2 = \"100 MPa\""},
-    {"shaft.spline", "u_t", over, "d_bore", R"("49.8 mm")", R"("49.9 mm")"},
+    {"shaft.spline", "u_t", over, "d_bore", R"("50.1 mm")", R"("50.2 mm")"},
     {"shaft.spline", "x_l", outside, "l", R"("72.8 mm")", R"("72.9 mm")"},
     {"shaft.set_screw", "u", over, "T", R"("44.4 N*m")", R"("44.5 N*m")"},
     {"shaft.set_screw", "u_S", over, "S", "1.5", "1.49"},

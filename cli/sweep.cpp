@@ -285,6 +285,7 @@ int Sweeping::choose() const {
   asked.maximise = most;
   for (const std::string& demand : options_.such_that) asked.such_that.push_back({demand, {"--such-that", 1, 1, 1}});
   if (options_.quantile > 0.0) asked.quantile = options_.quantile;
+  for (const project::SweptResult& column : plan_.columns) asked.results.emplace_back(column.name, column.text);
   std::vector<Issue> issues;
   const auto best = project::find_best(reading(), asked, project_.sweep.samples, project_.sweep.seed, issues);
   if (!best) return refuse_all(issues);

@@ -24,12 +24,21 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
+using Names = std::vector<std::pair<std::string, std::string>>;
+
+/// What a name of a result stands for; other texts as they are.
+std::string meant(const std::string& text, const Names& results) {
+  const auto found = std::find_if(results.begin(), results.end(), [&](const auto& r) { return r.first == text; });
+  return found == results.end() ? text : found->second;
+}
+
 /// "rod.mass <= 5 kg" as a utilisation: (rod.mass)/(5 kg).
-std::optional<Demand> bound_of(const Placed& asked, std::vector<Issue>& issues) {
+std::optional<Demand> bound_of(const Placed& asked, const Names& results, std::vector<Issue>& issues) {
   for (const char* sign : {"<=", ">="}) {
     const std::size_t at = asked.text.find(sign);
     if (at == std::string::npos) continue;
-    const std::string left = trimmed(asked.text.substr(0, at)), right = trimmed(asked.text.substr(at + 2));
+    const std::string left = meant(trimmed(asked.text.substr(0, at)), results);
+    const std::string right = trimmed(asked.text.substr(at + 2));
     const auto literal = parse_literal(right);
     if (literal && !(literal->si > 0.0)) {
       issues.push_back(
@@ -45,7 +54,8 @@ std::optional<Demand> bound_of(const Placed& asked, std::vector<Issue>& issues) 
 }
 
 /// What a design is held against. A verdict is a flag; its utilisation shows a search the way.
-std::vector<Demand> demands_of(const std::vector<Placed>& such_that, std::vector<Issue>& issues) {
+std::vector<Demand> demands_of(const BestAsked& asked_for, std::vector<Issue>& issues) {
+  const std::vector<Placed>& such_that = asked_for.such_that;
   std::vector<Demand> demands;
   const auto passes = [&](const std::string& text, const std::string& step) {
     demands.push_back({text, step + "utilisation", Kind::at_most_one});
@@ -59,7 +69,7 @@ std::vector<Demand> demands_of(const std::vector<Placed>& such_that, std::vector
       passes(text, "");
     } else if (text.ends_with(verb)) {
       passes(text, trimmed(text.substr(0, text.size() - verb.size())) + ".");
-    } else if (auto bound = bound_of({text, asked.place}, issues)) {
+    } else if (auto bound = bound_of({text, asked.place}, asked_for.results, issues)) {
       demands.push_back(std::move(*bound));
     }
   }
@@ -173,9 +183,10 @@ bool can_read(const ReadAgain& read, const std::vector<Placed>& columns, std::ve
 std::optional<Best> find_best(const ReadAgain& read, const BestAsked& asked, std::uint64_t samples, std::uint64_t seed,
                               std::vector<Issue>& issues) {
   Best best;
-  best.demands = demands_of(asked.such_that, issues);
-  std::vector<Placed> columns{asked.objective};
-  std::vector<std::string> texts{"objective = " + asked.objective.text}, units;
+  best.demands = demands_of(asked, issues);
+  const std::string objective = meant(asked.objective.text, asked.results);
+  std::vector<Placed> columns{{objective, asked.objective.place}};
+  std::vector<std::string> texts{"objective = " + objective}, units;
   for (std::size_t i = 0; i < best.demands.size(); ++i) {
     columns.push_back(
         {best.demands[i].column, asked.such_that.empty() ? asked.objective.place : asked.such_that.front().place});

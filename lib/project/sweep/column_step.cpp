@@ -214,8 +214,9 @@ bool ColumnStep::Parts::add_read(const std::set<std::string>& wanted) {
   for (const FieldInfo& field : calculator.result->fields) {
     const std::string path = step.name() + "." + field.key;
     const bool judges = (field.role == Role::check || field.role == Role::limit) && field.is_leaf();
-    const bool is_row = judges && step.is_asked(field, record);
-    const bool is_wanted = left.erase(path) != 0;
+    const bool is_asked = step.is_asked(field, record);  // else it has no value, whatever the calculator says
+    const bool is_row = judges && is_asked;
+    const bool is_wanted = left.erase(path) != 0 && is_asked;
     if (!is_row && !is_wanted) continue;
     if (!is_fixed(calculator.result->fields, field.key)) return false;
     read.push_back({path, &field, offset_in(result, find_leaf(result, field.key)), is_row, is_wanted});

@@ -178,6 +178,14 @@ struct Change {
   double by = 0.0;  // of the effort
 };
 
+/// To nine digits: changes that differ by rounding alone are as large as each other.
+double size_of(const Change& change) {
+  constexpr int bits = 30;
+  int exponent = 0;
+  const double mantissa = std::frexp(std::abs(change.by), &exponent);
+  return std::ldexp(std::round(std::ldexp(mantissa, bits)), exponent - bits);
+}
+
 std::vector<Change> changes_of(const mechanism::Model& model, const Position& at, bool statics) {
   mechanism::Sensitivity sensitivity(model);
   if (sensitivity.find(at, statics) != mechanism::Status::closed) return {};
@@ -197,7 +205,7 @@ std::vector<Change> changes_of(const mechanism::Model& model, const Position& at
     if (std::abs(by) > 1e-9 * std::abs(at.effort[0])) changes.push_back({std::move(parameter), by});
   }
   std::stable_sort(changes.begin(), changes.end(),
-                   [](const Change& a, const Change& b) { return std::abs(a.by) > std::abs(b.by); });
+                   [](const Change& a, const Change& b) { return size_of(a) > size_of(b); });
   if (changes.size() > most_parameters) changes.resize(most_parameters);
   return changes;
 }

@@ -1,5 +1,6 @@
 // A cycle of 720 positions through the general solvers, by groups and by the whole system at once, beside closed forms
-// written for the one linkage. Per position: coordinates, velocities, accelerations, all reactions, driving moment.
+// written for the one linkage. Per position: coordinates, velocities, accelerations, all reactions, driving moment; in
+// lanes all reactions and the driving moment, in columns. By groups at most 4 times as long as by hand.
 #include "lib/mechanism/accuracy/sensitivity.hpp"
 #include "lib/mechanism/columns/cycle.hpp"
 #include "lib/mechanism/groups/system.hpp"

@@ -55,7 +55,7 @@ void check_sweep(const Calculator& c, const SolvedExample& s, const std::string&
   }
 }
 
-/// Numbers of a form, as `any` of a few wild ones: what the bounds of a field let through is not asked here.
+/// A value of a usual size; or a wild one, which need not be within the bounds of the field.
 double some_value(const FieldInfo& f, std::mt19937& random, bool wild) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   const std::array any{0.0, -0.0, -f.factor, 1e-310, inf, std::nan("")};
@@ -132,7 +132,7 @@ class FormSweep {
 
 /// Several leaves at once, and some of the results.
 void check_subsets(const Calculator& c, const SolvedExample& s, std::mt19937& random) {
-  constexpr std::size_t points = 7;
+  constexpr std::size_t points = 5;
   Record input = s.input.clone(), single = s.input.clone(), result(*c.result);
   std::vector<Leaf> leaves, outputs;
   std::vector<std::vector<double>> columns, swept;
@@ -195,7 +195,7 @@ TEST_SUITE("contract") {
     for (const Calculator* c : plain_calculators()) {
       CAPTURE(c->id);
       const SolvedExample s = solved_example(*c);
-      for (int draw = 0; draw < 3; ++draw) check_subsets(*c, s, random);
+      check_subsets(*c, s, random);
     }
   }
 

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
@@ -57,6 +58,26 @@ TEST_SUITE("tooth form") {
          {Factor{12, 0.245}, {16, 0.296}, {20, 0.322}, {30, 0.359}, {50, 0.409}, {100, 0.447}, {400, 0.480}}) {
       CAPTURE(row.z);
       CHECK(std::abs(lewis(row.z) / row.Y - 1.0) < 0.06);
+    }
+  }
+
+  TEST_CASE("no section of the fillet is weaker than that of Lewis' factor") {
+    for (const double shift : {-0.2, 0.0, 0.6, 1.0}) {
+      for (const double z : {14.0, 17.3, 31.0, 150.0}) {
+        CAPTURE(shift);
+        CAPTURE(z);
+        const double r_a = 0.5 * z + 1.0 + shift, base = 0.5 * z * std::cos(iso.alpha);
+        const double load = base / std::cos(std::acos(base / r_a) - half_angle(iso.alpha, z, shift, r_a));
+        double least = 1e9;
+        constexpr int steps = 20000;
+        for (int i = 0; i <= steps; ++i) {
+          const FormPoint p = fillet_point(iso, z, shift, (0.5 * pi - iso.alpha) * i / steps);
+          least = std::min(least, 2.0 * p.x * p.x / (3.0 * (load - p.y)));
+        }
+        const double Y = lewis_factor(iso, z, shift, r_a);
+        CHECK(Y <= least * (1.0 + 1e-14));
+        CHECK(Y >= least * (1.0 - 1e-7));
+      }
     }
   }
 

@@ -41,4 +41,15 @@ TEST_SUITE("fixed point") {
     CHECK(std::isnan(fixed_point([](double) { return 101.0; }, 100.0)));
     CHECK(std::isnan(fixed_point([](double) { return std::nan(""); }, 100.0)));
   }
+
+  TEST_CASE("a straight line is met without a search") {
+    CHECK(straight_fixed_point([](double) { return 0.7; }, 100.0) == 0.7);
+    CHECK(straight_fixed_point([](double) { return 0.0; }, 100.0) == 0.0);
+    CHECK(std::abs(straight_fixed_point([](double x) { return 0.7 + 0.3 * x; }, 100.0) - 1.0) < 1e-15);
+    CHECK(std::abs(straight_fixed_point([](double x) { return 3.0 - 0.5 * x; }, 100.0) - 2.0) < 1e-15);
+    CHECK(std::isnan(straight_fixed_point([](double x) { return 1.0 + x; }, 100.0)));
+    CHECK(std::isnan(straight_fixed_point([](double x) { return 1.0 + 2.0 * x; }, 100.0)));
+    CHECK(std::isnan(straight_fixed_point([](double) { return 101.0; }, 100.0)));
+    CHECK(std::isnan(straight_fixed_point([](double) { return std::nan(""); }, 100.0)));
+  }
 }

@@ -102,8 +102,9 @@ std::vector<Block> influence_blocks(const Influence& influence) {
   for (std::size_t k = 0; k < influence.names.size(); ++k) {
     blocks.emplace_back(tornado_table(influence, k));
     blocks.emplace_back(tornado_figure(influence, k));
-    if (!influence.budgets.empty()) blocks.emplace_back(budget_table(influence, k));
-    if (!influence.sobol.empty()) blocks.emplace_back(sobol_table(influence, k));
+    const bool scatters = !influence.budgets.empty() && influence.budgets[k].variance > 0.0;
+    if (scatters) blocks.emplace_back(budget_table(influence, k));
+    if (scatters && !influence.sobol.empty()) blocks.emplace_back(sobol_table(influence, k));
   }
   return blocks;
 }

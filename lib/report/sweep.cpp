@@ -26,13 +26,13 @@ std::string number(std::uint64_t n) { return std::to_string(n); }
 /// "12.5 %", with as many digits as a share near 0 or 1 needs.
 std::string percent(double share) { return format_number(100.0 * share, 3) + " %"; }
 
-/// "2.1 % (1.9 % to 2.3 %)"; of a grid, which is no sample, without bounds.
+/// "2.1 % (1.9 to 2.3 %)"; of a grid, which is no sample, without bounds.
 std::string share_text(std::uint64_t met, std::uint64_t n, bool is_sample) {
   if (n == 0) return "-";
   const std::string share = percent(static_cast<double>(met) / static_cast<double>(n));
   if (!is_sample) return share;
   const sweep::Interval bounds = sweep::share_bounds(met, n, confidence);
-  return share + " (" + percent(bounds.low) + " to " + percent(bounds.high) + ")";
+  return share + " (" + format_number(100.0 * bounds.low, 3) + " to " + percent(bounds.high) + ")";
 }
 
 bool is_sample(const SweepPlan& plan) {
@@ -182,7 +182,8 @@ std::optional<Table> correlation_table(const SweepPlan& plan, const Found& found
 /// Bars of a histogram as one line.
 draw::Figure histogram_of(const SweptResult& column, const sweep::Summary& summary, std::size_t number_of_column) {
   const sweep::Histogram histogram = summary.ranks().histogram(bins);
-  draw::Plot plot(draw::Scale{column.name, "", column.unit}, draw::Scale{"", "share of the points in a class", "%"});
+  draw::Plot plot(draw::Scale{column.name, "", column.unit},
+                  draw::Scale{"share", "share of the points in a class", "%"});
   draw::Curve curve;
   curve.filled = true;
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
@@ -222,10 +223,11 @@ Paragraph conclusion(const SweepPlan& plan, const Found& found) {
   const Tally& all = found.tallies().front();
   const std::uint64_t n = all.total(), fails = all.of(State::fail);
   const std::uint64_t gaps = n - fails - all.passing() - all.refused_points();
-  std::string text = "of " + number(n) + " points " + number(all.passing()) + " pass (" +
-                     share_text(all.passing(), n, is_sample(plan)) + "), " + number(fails) + " fail";
-  if (gaps > 0) text += ", " + number(gaps) + " are not judged, not covered or not available";
-  if (all.refused_points() > 0) text += ", " + number(all.refused_points()) + " are no machine";
+  std::string text = "Of " + number(n) + " points " + number(all.passing()) +
+                     " pass: " + share_text(all.passing(), n, is_sample(plan)) + "; " + number(fails) + " fail";
+  if (gaps > 0) text += "; " + number(gaps) + " are not judged, not covered or not available";
+  if (all.refused_points() > 0) text += "; " + number(all.refused_points()) + " are no machine";
+  text += ".";
   return {say("{1}", text), Paragraph::Tone::plain};
 }
 

@@ -278,12 +278,12 @@ void CalculatorStep::leave_what_acts(const Known& known) {
 
 void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) {
   leave_what_acts(known);
-  Run run(*this, known);
+  Run run(*this, known, wanted.words);
   if (!run.take_from_others(issues) || !run.evaluate_operands(issues)) return;
   if (!run.check_rules(issues)) return;
   if (!run.search(issues)) return;
   run.evaluate();
-  run.trace_governing(wanted.words);
+  run.trace_governing();
   if (wanted.unused) run.warn_of_unused(issues);
   run.fill(wanted, own_account());
   for (const auto& [group, row] : run.rows()) name_row(group, row.text);

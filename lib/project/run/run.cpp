@@ -52,8 +52,9 @@ Value fitted(const Value& value, const Axis* axis) {
 
 }  // namespace
 
-Run::Run(const CalculatorStep& step, const Known& known)
-    : step_(step),
+Run::Run(const CalculatorStep& step, const Known& known, bool in_words)
+    : in_words_(in_words),
+      step_(step),
       calculator_(*step.input().calculator),
       known_(known),
       axis_(step.axis()),
@@ -259,10 +260,10 @@ std::size_t Run::governing_position() const {
   return best;
 }
 
-void Run::trace_governing(bool in_words) {
+void Run::trace_governing() {
   governing_ = governing_position();
   traced_ = !columns_.empty() && set_position(governing_);
-  if (traced_ && in_words)
+  if (traced_ && in_words_)
     calculator_.explain(record_.data.get(), result_.data.get(), trace_);
   else if (traced_ && positions() > 1)
     calculator_.evaluate(record_.data.get(), result_.data.get());

@@ -17,7 +17,8 @@ struct Effects {
 
 class Run {
  public:
-  Run(const CalculatorStep& step, const Known& known);
+  /// `in_words`: why what a search finds is no smaller, where it comes from.
+  Run(const CalculatorStep& step, const Known& known, bool in_words);
 
   /// Words, lists and rows of other steps; what a field refuses becomes an issue at the reference.
   bool take_from_others(std::vector<Issue>& issues);
@@ -32,7 +33,7 @@ class Run {
   /// All results at all positions.
   void evaluate();
   /// What the calculation says where it governs; without words the results there alone.
-  void trace_governing(bool in_words);
+  void trace_governing();
   /// A warning for every typed input that could have been left out and has no effect.
   void warn_of_unused(std::vector<Issue>& issues);
   void fill(const Wanted& wanted, Account& account) const;
@@ -175,6 +176,7 @@ class Run {
   [[nodiscard]] Value value_of(const Column& column) const;
   [[nodiscard]] Origin origin_of(const std::string& path, const Leaf& leaf) const;
 
+  bool in_words_;
   const CalculatorStep& step_;
   const Calculator& calculator_;
   const Known& known_;

@@ -200,11 +200,11 @@ void Run::search_first(const Search& wanted, std::vector<Issue>& issues) {
     return issues.push_back(std::move(issue));
   }
   if (found < all.count()) {
-    warn_of_passed_over(wanted, all, found, issues);
+    if (in_words_) warn_of_passed_over(wanted, all, found, issues);
     try_candidate(all, found);
     settle_sizes();
   }
-  tell_found(wanted, all, found);
+  if (in_words_) tell_found(wanted, all, found);
 }
 
 /// What was found, and why the one before it is too small.

@@ -225,7 +225,9 @@ void Run::search_together(std::vector<Issue>& issues) {
     return issues.push_back(issue_at(step_.input(), path, say("no sizes go together with what is given"),
                                      say("give '{1}' a value, or let more of them be searched for", path)));
   }
-  tell_together(all, least, found);
+  if (in_words_) return tell_together(all, least, found);
+  lay(all, least);
+  settle_sizes();
 }
 
 /// What one of them fails where it is a size smaller beside the others as they are.

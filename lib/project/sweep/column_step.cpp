@@ -365,7 +365,7 @@ void ColumnStep::Parts::judge_mode(const Judging& judged, std::size_t n, ModeCol
     const bool concerns = when != Applies::no || !passes;
     const State state = decided ? static_cast<State>(fold.worst[i]) : judged.unjudged[static_cast<std::size_t>(when)];
     const bool waits = state == State::open || state == State::not_judged || state == State::accepted;
-    column.state[i] = concerns ? static_cast<double>(state) : absent_state;
+    column.state[i] = concerns ? static_cast<signed char>(state) : static_cast<signed char>(absent_state);
     column.utilisation[i] = concerns && !waits ? fold.utilisation[i] : nan;
   }
 }

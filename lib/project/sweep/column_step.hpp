@@ -25,9 +25,11 @@ struct PointColumns {
   const double* of(const std::string& path);
 };
 
-/// How one mode of failure came out, point by point: numbers of account::State, or `absent_state`.
+/// How one mode of failure came out, point by point: a number of account::State, below zero where it does not concern
+/// the point.
 struct ModeColumns {
-  std::vector<double> state, utilisation;
+  std::vector<signed char> state;
+  std::vector<double> utilisation;
 };
 
 class ColumnStep {

@@ -45,11 +45,18 @@ void take_larger(sweep::Extreme& largest, double value, std::uint64_t index) {
 }  // namespace
 
 void Tally::add(std::uint64_t first, std::span<const double> state, std::span<const double> utilisation) {
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    if (state[i] < 0.0) continue;  // it does not concern the point
-    ++counts[static_cast<std::size_t>(state[i])];
-    take_larger(largest, utilisation[i], first + i);
+  const auto [least, most] = std::minmax_element(state.begin(), state.end());
+  if (*least == *most && *least >= 0.0) {  // as of most blocks
+    counts[static_cast<std::size_t>(*least)] += state.size();
+  } else {
+    for (const double s : state) {
+      if (s >= 0.0) ++counts[static_cast<std::size_t>(s)];  // else it does not concern the point
+    }
   }
+  double largest_here = -INFINITY;
+  for (const double used : utilisation) largest_here = used > largest_here ? used : largest_here;
+  if (largest_here <= largest.value) return;  // a later point is not the first of equal ones
+  for (std::size_t i = 0; i < utilisation.size(); ++i) take_larger(largest, utilisation[i], first + i);
 }
 
 void Tally::merge(const Tally& other) {

@@ -149,28 +149,35 @@ void Variants::read_verdicts(std::span<double* const> out, std::size_t n) {
     if (column.kind == SweptResult::Kind::expression) continue;
     if (before == nullptr || before->step != column.step || before->mode != column.mode) fold(of_column_[k], n);
     before = &column;
-    for (std::size_t i = 0; i < n; ++i) out[k][i] = verdict(column, i);
+    read_verdict(column, {out[k], n});
   }
 }
 
+static_assert(account::rank(account::State::pass) == static_cast<int>(account::State::pass) &&
+                  account::rank(account::State::not_judged) == static_cast<int>(account::State::not_judged) &&
+                  account::rank(account::State::fail) == static_cast<int>(account::State::fail),
+              "the worst of several is the largest number");
+
 /// Of one mode, or of several together.
 void Variants::fold(const std::vector<const ModeColumns*>& modes, std::size_t n) {
-  using account::State;
-  folded_.worst.assign(n, State::pass);
-  folded_.any.assign(n, 0);
+  constexpr auto open = static_cast<signed char>(account::State::open);
+  const signed char instead = project_.strict ? static_cast<signed char>(account::State::not_judged) : open;
+  folded_.worst.assign(n, static_cast<signed char>(absent_state));
   folded_.judged.assign(n, 0);
   folded_.utilisation.assign(n, nan);
+  signed char* const worst = folded_.worst.data();
+  signed char* const judged = folded_.judged.data();
+  double* const utilisation = folded_.utilisation.data();
   for (const ModeColumns* mode : modes) {
+    const signed char* const state = mode->state.data();
+    const double* const used = mode->utilisation.data();
     for (std::size_t i = 0; i < n; ++i) {
-      if (mode->state[i] < 0.0) continue;  // it does not concern the point
-      auto state = static_cast<State>(static_cast<int>(mode->state[i]));
-      if (project_.strict && state == State::open) state = State::not_judged;
-      folded_.worst[i] = account::worse(folded_.worst[i], state);
-      folded_.any[i] = 1;
-      folded_.judged[i] |= static_cast<char>(state != State::open);
-      const double used = mode->utilisation[i];
-      if (used == used && !(folded_.utilisation[i] >= used)) folded_.utilisation[i] = used;
+      const signed char here = state[i] == open ? instead : state[i];
+      worst[i] = std::max(worst[i], here);
+      judged[i] = static_cast<signed char>(judged[i] | ((here >= 0) & (here != open)));
     }
+    for (std::size_t i = 0; i < n; ++i)
+      utilisation[i] = used[i] > utilisation[i] || utilisation[i] != utilisation[i] ? used[i] : utilisation[i];
   }
 }
 
@@ -189,15 +196,25 @@ void Variants::find_modes_of_columns() {
 }
 
 /// As read() says it of a machine that was solved alone.
-double Variants::verdict(const SweptResult& column, std::size_t i) const {
+void Variants::read_verdict(const SweptResult& column, std::span<double> out) const {
   using account::State;
-  using Kind = SweptResult::Kind;
-  const bool passes = account::rank(folded_.worst[i]) <= account::rank(State::open);
-  if (column.kind == Kind::utilisation) return folded_.utilisation[i];
-  if (column.kind == Kind::passes) return passes ? 1.0 : 0.0;
-  if (folded_.any[i] == 0) return column.mode.empty() ? static_cast<double>(State::open) : absent_state;
-  if (!column.mode.empty() || !passes) return static_cast<double>(folded_.worst[i]);
-  return static_cast<double>(folded_.judged[i] != 0 ? State::pass : State::open);
+  constexpr auto open = static_cast<signed char>(State::open);
+  const bool is_whole = column.mode.empty();
+  switch (column.kind) {
+    case SweptResult::Kind::utilisation:
+      std::copy_n(folded_.utilisation.begin(), out.size(), out.begin());
+      break;
+    case SweptResult::Kind::passes:
+      std::transform(out.begin(), out.end(), folded_.worst.begin(), out.begin(),
+                     [](double, signed char worst) { return worst <= open ? 1.0 : 0.0; });
+      break;
+    default:
+      for (std::size_t i = 0; i < out.size(); ++i) {
+        const signed char worst = folded_.worst[i];
+        const signed char passed = folded_.judged[i] != 0 ? static_cast<signed char>(State::pass) : open;
+        out[i] = is_whole && worst <= open ? passed : worst;
+      }
+  }
 }
 
 /// False, with a refusal, where the point is none that can be solved.

@@ -42,7 +42,7 @@ class Variants final : public sweep::Function {
   void read_verdicts(std::span<double* const> out, std::size_t n);
   void find_modes_of_columns();
   void fold(const std::vector<const ModeColumns*>& modes, std::size_t n);
-  [[nodiscard]] double verdict(const SweptResult& column, std::size_t i) const;
+  void read_verdict(const SweptResult& column, std::span<double> out) const;
   void solve_alone(std::span<const double* const> in, std::span<double* const> out, std::size_t row);
   bool solve_point(std::span<const double* const> in, std::size_t row);
   [[nodiscard]] double read(const SweptResult& column) const;
@@ -55,8 +55,7 @@ class Variants final : public sweep::Function {
   Wanted wanted_;
   /// What several modes come to together, point by point.
   struct Folded {
-    std::vector<account::State> worst;
-    std::vector<char> any, judged;
+    std::vector<signed char> worst, judged;  // below zero: none concerns the point
     std::vector<double> utilisation;
   };
   Folded folded_;

@@ -46,7 +46,7 @@ TEST_SUITE("cli help") {
     CHECK(loadpath_with({"runn", "a.toml"}).error ==
           "loadpath: there is no command 'runn'\n  = help: did you mean 'run'?\n");
     CHECK(loadpath_with({"teapot"})
-              .error.starts_with("loadpath: there is no command 'teapot'\n  = help: there is: run, why, list, "
+              .error.starts_with("loadpath: there is no command 'teapot'\n  = help: there is: run, sweep, why, list, "
                                  "describe, convert, verify, tables, "
                                  "schema, mechanism, shaft"));
     CHECK(loadpath_with({"teapot"}).code == 2);

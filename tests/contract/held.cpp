@@ -154,7 +154,8 @@ std::vector<Known> known_projects() {
 void for_each_step(const std::function<void(const project::Step&, const std::string&)>& visit) {
   for (const Known& known : known_projects()) {
     std::vector<Issue> issues;
-    project::Project project = project::read_project(known.text, known.file, catalogue(), issues);
+    project::Project project =
+        project::read_project(known.text, known.file, catalogue(), issues, project::Ranges::taken);
     REQUIRE_MESSAGE(!has_errors(issues), known.name);
     project::solve(project, issues, {.pictures = false, .formulas = false});
     REQUIRE_MESSAGE(!has_errors(issues), known.name);

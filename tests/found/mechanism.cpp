@@ -184,7 +184,8 @@ TEST_SUITE("found mechanism") {
     const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\n";
     CHECK(contains(messages_of(axle + "T = \"1 N*m\"\nd = { stock = \"R20\", max = \"50 mm\" }\n"),
                    "'max' is no field here"));
-    CHECK(contains(messages_of(axle + "T = { mean = \"1 N*m\", sd = \"100 kg\" }\n"), "'sd' is a spread of a moment"));
+    CHECK(contains(messages_of(axle + "T = { mean = \"1 N*m\", sd = \"100 kg\" }\n"),
+                   "'sd' is a difference of two values: a moment"));
     CHECK(contains(messages_of(axle + "T = \"1 N*m\"\n[[expect]]\nvalue = \"axle.d\"\nis = \"1 mm\"\nwithin = \"10000 "
                                       "%\"\nsource = \"x\"\n"),
                    "within must be < 100 %"));

@@ -3,6 +3,7 @@
 #include "lib/project/accept.hpp"
 #include "lib/project/modes.hpp"
 #include "lib/project/sweep/columns.hpp"
+#include "lib/project/sweep/fold.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +18,6 @@ namespace {
 using account::State;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double rounding = 1e-9;  // of a utilisation, as in a single run
 
 /// An input that has another value at every point.
 struct Fed {
@@ -46,27 +46,6 @@ struct Judging {
   bool has_checks = false;
   bool lacks_input = false;            // of a check that nobody asks for
   std::array<State, 3> unjudged = {};  // where nothing judges it, by Applies
-};
-
-/// What the rows of a mode come to, point by point.
-struct Fold {
-  std::vector<signed char> worst;  // a State; -1: there is no row
-  std::vector<char> checked;
-  std::vector<double> utilisation;  // of what governs; NaN of a limit
-
-  void clear(std::size_t n) {
-    worst.assign(n, -1);
-    checked.assign(n, 0);
-    utilisation.assign(n, nan);
-  }
-  /// A row: of the worst ones the most utilised governs.
-  void take(std::size_t i, State state, double used) {
-    const bool worse = worst[i] < 0 || account::rank(state) > account::rank(static_cast<State>(worst[i]));
-    const bool as_bad = static_cast<State>(worst[i]) == state && used == used && !(utilisation[i] >= used);
-    if (!worse && !as_bad) return;
-    worst[i] = static_cast<signed char>(state);
-    utilisation[i] = used;
-  }
 };
 
 std::string head_of(std::string_view path) { return std::string(path.substr(0, path.find_first_of(".["))); }
@@ -131,6 +110,7 @@ struct ColumnStep::Parts {
   void check_inputs(PointColumns& points);
   void judge(const PointColumns& points, std::vector<ModeColumns>& modes);
   void fold_rows(const Judging& judged, std::size_t n);
+  void leave_mode(const Judging& judged, std::size_t n, ModeColumns& column) const;
   void judge_mode(const Judging& judged, std::size_t n, ModeColumns& column);
   void set_point(std::size_t row) const;
 };
@@ -326,36 +306,37 @@ void ColumnStep::Parts::run(PointColumns& points) {
   }
 }
 
-namespace {
-
-/// How a check or a limit came out that has a value; a check is negative where no method covers it.
-State state_of_row(const FieldInfo& field, double si) {
-  if (field.role == Role::check) {
-    if (si < -rounding) return State::not_covered;
-    return account::pass_if(si <= 1.0 + rounding);
-  }
-  if (field.bounds.holds(si)) return State::pass;
-  return field.is_criterion ? State::fail : State::not_covered;
-}
-
-}  // namespace
-
 void ColumnStep::Parts::fold_rows(const Judging& judged, std::size_t n) {
   fold.clear(n);
   for (const std::size_t which : judged.rows) {
     const FieldInfo& field = *read[which].field;
     const std::vector<double>& si = read[which].si;
     const bool is_check = field.role == Role::check;
+    const auto state_of = [is_check, bounds = field.bounds, is_criterion = field.is_criterion](double x) {
+      return is_check ? state_of_check(x) : state_of_limit(bounds, is_criterion, x);
+    };
     for (std::size_t i = 0; i < n; ++i) {
       if (si[i] != si[i]) continue;  // it was left unset, and is no row then
-      fold.take(i, state_of_row(field, si[i]), is_check ? si[i] : nan);
+      fold.take(i, state_of(si[i]), is_check ? si[i] : nan);
       fold.checked[i] |= static_cast<char>(is_check);
     }
   }
 }
 
+/// A mode that nothing is held against.
+void ColumnStep::Parts::leave_mode(const Judging& judged, std::size_t n, ModeColumns& column) const {
+  std::array<signed char, 3> state{};
+  for (const Applies when : {Applies::unseen, Applies::yes})
+    state[static_cast<std::size_t>(when)] = static_cast<signed char>(judged.unjudged[static_cast<std::size_t>(when)]);
+  state[static_cast<std::size_t>(Applies::no)] = static_cast<signed char>(absent_state);
+  const Applies* const when = applies[judged.mode].data();
+  for (std::size_t i = 0; i < n; ++i) column.state[i] = state[static_cast<std::size_t>(when[i])];
+  column.utilisation.assign(n, nan);
+}
+
 /// As judged() says it of one machine.
 void ColumnStep::Parts::judge_mode(const Judging& judged, std::size_t n, ModeColumns& column) {
+  if (judged.rows.empty()) return leave_mode(judged, n, column);
   fold_rows(judged, n);
   for (std::size_t i = 0; i < n; ++i) {
     const Applies when = applies[judged.mode][i];

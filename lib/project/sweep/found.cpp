@@ -45,9 +45,11 @@ void take_larger(sweep::Extreme& largest, double value, std::uint64_t index) {
 }  // namespace
 
 void Tally::add(std::uint64_t first, std::span<const double> state, std::span<const double> utilisation) {
-  const auto [least, most] = std::minmax_element(state.begin(), state.end());
-  if (*least == *most && *least >= 0.0) {  // as of most blocks
-    counts[static_cast<std::size_t>(*least)] += state.size();
+  unsigned others = 0;
+  for (const double s : state) others += static_cast<unsigned>(s != state.front());
+  if (others == 0) {  // as in most blocks
+    if (state.front() < 0.0) return;
+    counts[static_cast<std::size_t>(state.front())] += state.size();
   } else {
     for (const double s : state) {
       if (s >= 0.0) ++counts[static_cast<std::size_t>(s)];  // else it does not concern the point

@@ -1,0 +1,47 @@
+// From checks and limits to the state of a mode, for many points: numbers in, numbers out.
+#pragma once
+
+#include "lib/account/state.hpp"
+#include "lib/calculator/field.hpp"
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace loadpath::project {
+
+/// What the rows of a mode come to, point by point.
+struct Fold {
+  std::vector<signed char> worst;  // a State; -1: there is no row
+  std::vector<char> checked;
+  std::vector<double> utilisation;  // of what governs; NaN of a limit
+
+  void clear(std::size_t n) {
+    worst.assign(n, -1);
+    checked.assign(n, 0);
+    utilisation.assign(n, std::numeric_limits<double>::quiet_NaN());
+  }
+  /// A row: of the worst ones the most utilised governs.
+  void take(std::size_t i, account::State state, double used) {
+    const bool worse = worst[i] < 0 || account::rank(state) > account::rank(static_cast<account::State>(worst[i]));
+    const bool as_bad = static_cast<account::State>(worst[i]) == state && used == used && !(utilisation[i] >= used);
+    if (!worse && !as_bad) return;
+    worst[i] = static_cast<signed char>(state);
+    utilisation[i] = used;
+  }
+};
+
+constexpr double rounding_of_utilisation = 1e-9;  // as in a single run
+
+/// How a check came out that has a value: it is negative where no method covers it.
+inline account::State state_of_check(double si) {
+  if (si < -rounding_of_utilisation) return account::State::not_covered;
+  return account::pass_if(si <= 1.0 + rounding_of_utilisation);
+}
+
+inline account::State state_of_limit(const Range& bounds, bool is_criterion, double si) {
+  if (bounds.holds(si)) return account::State::pass;
+  return is_criterion ? account::State::fail : account::State::not_covered;
+}
+
+}  // namespace loadpath::project

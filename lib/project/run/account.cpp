@@ -161,8 +161,7 @@ account::Verdict Run::check_verdict(const Column& column) const {
                      .bound = say("passes at 1 or less"),
                      .state = beyond_table                ? account::State::not_covered
                               : std::isnan(largest.value) ? account::State::not_available
-                              : largest.value < -rounding ? account::State::not_covered  // no utilisation is negative
-                                                          : account::pass_if(is_passed(largest.value))};
+                                                          : state_of_check(largest.value)};
   if (std::isnan(largest.value))
     v.note = missing_.empty() ? missing_input() : missing_;
   else
@@ -185,10 +184,8 @@ account::Verdict Run::limit_verdict(const Column& column) const {
           .meaning = say(column.field->doc),
           .value = account::Quantity{*worst, column.field->unit, 4},
           .bound = bounds_of(*column.field),
-          .state = std::isnan(*worst)           ? account::State::not_available
-                   : bounds.holds(*worst)       ? account::State::pass
-                   : column.field->is_criterion ? account::State::fail
-                                                : account::State::not_covered};
+          .state = std::isnan(*worst) ? account::State::not_available
+                                      : state_of_limit(bounds, column.field->is_criterion, *worst)};
 }
 
 /// Where a limit is not kept, a check without a value is no gap in the input: the formula does not reach so far.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lib/project/run/calculator_step.hpp"
+#include "lib/project/run/row_state.hpp"
 
 #include <optional>
 #include <string>
@@ -41,10 +42,6 @@ class Run {
   [[nodiscard]] const Rows& rows() const { return rows_; }
 
  private:
-  /// Of a utilisation: a size that is just the least one passes, and what is just zero may have a sign.
-  static constexpr double rounding = 1e-9;
-  static bool is_passed(double utilisation) { return utilisation >= -rounding && utilisation <= 1.0 + rounding; }
-
   /// A leaf that is set anew at every position, or once where it takes a series whole.
   struct Input {
     std::string path;

@@ -2,6 +2,7 @@
 
 #include "lib/project/accept.hpp"
 #include "lib/project/modes.hpp"
+#include "lib/project/run/row_state.hpp"
 #include "lib/project/sweep/columns.hpp"
 #include "lib/project/sweep/fold.hpp"
 

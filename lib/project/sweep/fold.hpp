@@ -2,7 +2,6 @@
 #pragma once
 
 #include "lib/account/state.hpp"
-#include "lib/calculator/field.hpp"
 
 #include <cstddef>
 #include <limits>
@@ -30,18 +29,5 @@ struct Fold {
     utilisation[i] = used;
   }
 };
-
-constexpr double rounding_of_utilisation = 1e-9;  // as in a single run
-
-/// How a check came out that has a value: it is negative where no method covers it.
-inline account::State state_of_check(double si) {
-  if (si < -rounding_of_utilisation) return account::State::not_covered;
-  return account::pass_if(si <= 1.0 + rounding_of_utilisation);
-}
-
-inline account::State state_of_limit(const Range& bounds, bool is_criterion, double si) {
-  if (bounds.holds(si)) return account::State::pass;
-  return is_criterion ? account::State::fail : account::State::not_covered;
-}
 
 }  // namespace loadpath::project

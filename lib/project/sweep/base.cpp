@@ -27,6 +27,7 @@ bool is_continuous(const SweptInput& input) {
 
 std::vector<double> middles_of(const std::vector<SweptInput>& inputs) {
   std::vector<double> middles;
+  middles.reserve(inputs.size());
   for (const SweptInput& input : inputs) middles.push_back(middle_of(input));
   return middles;
 }

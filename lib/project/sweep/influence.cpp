@@ -41,6 +41,7 @@ class Part final : public sweep::Function {
 sweep::Sampler sampler_of(const std::vector<SweptInput>& inputs, const std::vector<std::size_t>& which,
                           std::uint64_t seed) {
   std::vector<sweep::Distribution> laws;
+  laws.reserve(which.size());
   for (const std::size_t i : which) laws.push_back(*inputs[i].distribution);
   return [laws, seed](std::uint64_t first, std::size_t n, std::span<double* const> columns) {
     for (std::size_t k = 0; k < laws.size(); ++k) {

@@ -15,6 +15,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<SweptResult> columns_of(Project& project, const std::vector<std::string>& results) {
   std::vector<SweptResult> columns;
+  columns.reserve(results.size());
   for (const std::string& text : results) columns.push_back(std::move(*read_column(text, project)));
   for (SweptResult& verdict : verdict_columns(project)) columns.push_back(std::move(verdict));
   return columns;

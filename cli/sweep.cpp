@@ -21,6 +21,7 @@
 #include <csignal>
 #include <cstdio>
 #include <iostream>
+#include <optional>
 #include <thread>
 
 namespace loadpath::cli {
@@ -182,11 +183,12 @@ Outcome<SweepStore> Sweeping::open_store() const {
 /// False where an output cannot be written, which is told, or the user has stopped it.
 bool Sweeping::solve(SweepStore* store, project::Found& found) {
   const std::chrono::duration<double> between(options_.save_every);
-  Scratch scratch;
-  Staged staged(scratch);
+  std::optional<Scratch> scratch;  // where it watches for Ctrl-C there is no stop between two parts
+  std::optional<Staged> staged;
   std::FILE* csv = nullptr;
   if (!options_.csv.empty()) {
-    csv = std::fopen(staged.aside(options_.csv).c_str(), "wb");
+    staged.emplace(scratch.emplace());
+    csv = std::fopen(staged->aside(options_.csv).c_str(), "wb");
     if (csv == nullptr) return refuse("cannot write '" + options_.csv + "'"), false;
     const std::string head = exports::csv_head(plan_);
     std::fwrite(head.data(), 1, head.size(), csv);
@@ -230,7 +232,7 @@ bool Sweeping::solve(SweepStore* store, project::Found& found) {
   if (store != nullptr && whole) {
     if (const Message wrong = store->save(); !wrong.empty()) return refuse(wrong.text()), false;
   }
-  return whole && (interrupted_by_user || options_.csv.empty() || staged.finish());
+  return whole && (interrupted_by_user || options_.csv.empty() || staged->finish());
 }
 
 int Sweeping::tell(const project::Found& found) const {

@@ -8,7 +8,10 @@ std::vector<project::Placed> split(const std::string& list, const char* option) 
   std::vector<project::Placed> all;
   for (std::size_t from = 0; from <= list.size();) {
     const std::size_t to = std::min(list.find(',', from), list.size());
-    all.push_back({list.substr(from, to - from), {option, 1, 1, 1}});
+    std::string name = list.substr(from, to - from);
+    while (name.starts_with(' ')) name.erase(0, 1);
+    while (name.ends_with(' ')) name.pop_back();
+    all.push_back({std::move(name), {option, 1, 1, 1}});
     from = to + 1;
   }
   return all;

@@ -1,12 +1,32 @@
 #include "cli/setup.hpp"
 
+#include <charconv>
+#include <cstdint>
+#include <string>
+
 namespace loadpath::cli {
+
+namespace {
+
+/// A whole number that a project file could hold as well.
+CLI::Validator whole_from(std::int64_t least) {
+  return {[least](const std::string& text) {
+            std::int64_t number = 0;
+            const char* const end = text.data() + text.size();
+            const auto read = std::from_chars(text.data(), end, number);
+            const bool fits = read.ec == std::errc() && read.ptr == end && number >= least;
+            return fits ? std::string() : "'" + text + "' is no whole number of " + std::to_string(least) + " or more";
+          },
+          ""};
+}
+
+}  // namespace
 
 void add_points(CLI::App& app, PointOptions& options) {
   app.add_option("--samples", options.samples, "samples of uncertain inputs, at each point of the ranges")
       ->type_name("N")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--seed", options.seed, "another seed gives other samples")->type_name("N");
+      ->check(whole_from(1));
+  app.add_option("--seed", options.seed, "another seed gives other samples")->type_name("N")->check(whole_from(0));
   app.add_flag("--latin", options.latin, "samples of a Latin hypercube: spread evenly over each input");
   app.add_option("--zip", options.zip, "inputs that run together: shaft.T,shaft.n")
       ->type_name("INPUTS")

@@ -100,6 +100,32 @@ TEST_SUITE("sweep command") {
     CHECK(ended_early > 20);
   }
 
+  TEST_CASE("Ctrl-C keeps what has been solved, and tells how to go on") {
+    const Desk desk;
+    desk.put("a.toml", shaft);
+    const Ran ran = desk.shell("timeout --preserve-status -s INT 0.8 '" + std::string(LOADPATH_PROGRAM) +
+                               "' sweep a.toml --samples 10000000 --out part --save-every 1000 --no-columns --quiet");
+    CHECK(ran.code == 130);
+    CHECK(contains(ran.error, "stopped at "));
+    CHECK(!contains(ran.error, "stopped at 0 points"));
+    CHECK(contains(ran.error, "--out part --resume goes on"));
+  }
+
+  TEST_CASE("a column that was cut short is not filled up, and a merge that fails leaves nothing") {
+    const Desk desk;
+    desk.put("a.toml", shaft);
+    REQUIRE(desk.run({"sweep", "a.toml", "--out", "s1", "--shard", "1/2", "--quiet"}).code == 0);
+    REQUIRE(desk.run({"sweep", "a.toml", "--out", "s2", "--shard", "2/2", "--quiet"}).code == 0);
+    std::filesystem::resize_file(desk.folder() / "s2/columns/3-tau.npy", 5000);
+    const Ran merged = desk.run({"sweep", "a.toml", "--out", "all", "--merge", "s1", "s2"});
+    CHECK(merged.code == 2);
+    CHECK(contains(merged.error, "its end is missing"));
+    CHECK(!desk.has("all"));
+    const Ran again = desk.run({"sweep", "a.toml", "--out", "s2", "--shard", "2/2", "--resume"});
+    CHECK(again.code == 2);
+    CHECK(contains(again.error, "its end is missing"));
+  }
+
   TEST_CASE("a point is solved alone with the values of its line") {
     const Desk desk;
     desk.put("a.toml", shaft);
@@ -141,7 +167,14 @@ TEST_SUITE("sweep command") {
     refused({"--zip", "shaft.d,shaft.T"}, "uncertain");
     refused({"--report", "a.txt"}, "a report is written as");
     refused({"--csv", "a.toml"}, "is the project itself");
-    refused({"--samples", "0"}, "--samples");
+    refused({"--samples", "0"}, "'0' is no whole number of 1 or more");
+    refused({"--samples", "1e6"}, "'1e6' is no whole number of 1 or more");
+    refused({"--seed", "-1"}, "'-1' is no whole number of 0 or more");
+    refused({"--seed", "9223372036854775808"}, "is no whole number of 0 or more");
     CHECK(desk.files() == std::vector<std::string>{"a.toml"});
+    desk.put("two.toml",
+             "[a]\ncalculator = \"shaft.torsion\"\nT = [\"1 N*m\", \"2 N*m\"]\nd = [\"9 mm\", \"8 mm\"]\n"
+             "tau_adm = \"30 MPa\"\n");
+    CHECK(contains(desk.run({"sweep", "two.toml", "--zip", "a.T, a.d"}).out, "of 2 points"));
   }
 }

@@ -163,11 +163,15 @@ Outcome<SweepStore> SweepStore::merge(const std::vector<fs::path>& shards, const
     return refused(folder, say("the points from {1} on are in no shard", std::to_string(next * project::block_size)));
   auto merged = create(folder, plan, sweep, none);
   if (!merged) return merged;
+  Message wrong;
   for (const SweepStore& shard : all) {
-    if (Message wrong = merged->append_shard(shard); !wrong.empty()) return Fault{0, 1, std::move(wrong), {}};
+    if (wrong.empty()) wrong = merged->append_shard(shard);
   }
-  if (Message wrong = merged->save(); !wrong.empty()) return Fault{0, 1, std::move(wrong), {}};
-  return merged;
+  if (wrong.empty()) wrong = merged->save();
+  if (wrong.empty()) return merged;
+  std::error_code error;  // create() has made all of it
+  fs::remove_all(folder, error);
+  return Fault{0, 1, std::move(wrong), {}};
 }
 
 Message SweepStore::append(std::size_t column, std::span<const double> values) {

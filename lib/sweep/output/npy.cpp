@@ -44,6 +44,8 @@ Outcome<NpyColumn> NpyColumn::open(const std::filesystem::path& path, std::uint6
   if (!column.file_) return fault(path);
   column.rows_ = rows;
   std::FILE* const file = column.file_.get();
+  if (rows != 0 && (std::fseek(file, 0, SEEK_END) != 0 || std::ftell(file) < end_of(rows)))
+    return Fault{0, 1, say("'{1}': its end is missing", path.string()), {}};
   const bool cut = rows == 0 || ::ftruncate(::fileno(file), end_of(rows)) == 0;
   if (!cut || !column.flush() || std::fseek(file, end_of(rows), SEEK_SET) != 0) return fault(path);
   return column;

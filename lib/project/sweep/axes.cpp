@@ -3,6 +3,7 @@
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace loadpath::project {
 
@@ -53,6 +54,9 @@ std::vector<SweptInput> swept_inputs(Project& project) {
       take(varied[i], *step, i, input_of(all, name));
     }
   }
+  std::stable_sort(all.begin(), all.end(), [](const SweptInput& a, const SweptInput& b) {
+    return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
+  });
   return all;
 }
 

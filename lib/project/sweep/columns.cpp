@@ -17,11 +17,25 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// "m" and "rod.mass" of "m = rod.mass"; a comparison has none.
+/// "m" and "rod.mass" of "m = rod.mass".
 std::pair<std::string, std::string> named(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) return {trimmed(text), trimmed(text)};
   return {trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1))};
+}
+
+/// What is wrong with "m" of "m = rod.mass"; a column that every sweep has keeps its name.
+std::optional<Fault> wrong_name(const std::string& name, const std::string& text) {
+  const auto fault = [&](Message message, Message hint) {
+    return Fault{0, std::max<std::size_t>(1, name.size()), std::move(message), std::move(hint)};
+  };
+  if (name.empty()) return fault(say("a name is missing before '='"), say("write m = {1}", text));
+  if (name.find_first_of("<>!") != std::string::npos || text.starts_with('='))
+    return fault(say("a result is a number, not a comparison"),
+                 say("\"passes\" is 1 or 0; --such-that and --seek compare"));
+  if (name != text && (name == "point" || name == "state" || name == "utilisation"))
+    return fault(say("'{1}' is a column of every sweep", name), say("name it otherwise: \"my_{1} = {2}\"", name, text));
+  return std::nullopt;
 }
 
 std::optional<Kind> kind_of_word(std::string_view word) {
@@ -50,13 +64,15 @@ bool read_verdict(const std::string& text, const Project& project, SweptResult& 
   return step != nullptr && (at != std::string::npos || step->field(text.substr(last + 1)) == nullptr);
 }
 
-/// The unit that a result is shown in.
+/// The unit that a result is shown in: of the first number in it that is of its kind.
 std::string unit_of(const SweptResult& column, const Project& project) {
-  if (!column.expression.is_reference()) return si_unit(column.dimension);
-  const std::string path = column.expression.references().front().path;
-  const Step* const step = project.find(path.substr(0, path.find('.')));
-  const FieldInfo* const field = step == nullptr ? nullptr : step->field(path.substr(path.find('.') + 1));
-  return field == nullptr ? si_unit(column.dimension) : field->unit;
+  for (const auto& reference : column.expression.references()) {
+    const std::string& path = reference.path;
+    const Step* const step = project.find(path.substr(0, path.find('.')));
+    const FieldInfo* const field = step == nullptr ? nullptr : step->field(path.substr(path.find('.') + 1));
+    if (field != nullptr && field->dimension == column.dimension) return field->unit;
+  }
+  return si_unit(column.dimension);
 }
 
 }  // namespace
@@ -97,10 +113,11 @@ Outcome<SweptResult> read_column(const std::string& given, Project& project) {
   column.name = name;
   column.text = text;
   if (text.empty()) return Fault{0, 1, say("a result is expected"), say("name one: \"rod.u\"")};
+  if (auto wrong = wrong_name(name, text)) return std::move(*wrong);
   if (read_verdict(text, project, column)) {
     const Step* const step = project.find(column.step);
     const auto modes = step == nullptr ? std::vector<std::string>{} : modes_of(*step);
-    if (!column.mode.empty() && std::find(modes.begin(), modes.end(), column.mode) == modes.end())
+    if (text.find(".modes.") != std::string::npos && std::find(modes.begin(), modes.end(), column.mode) == modes.end())
       return Fault{0, text.size(), say("'{1}' has no mode '{2}'", column.step, column.mode),
                    did_you_mean(column.mode, modes, there_is(modes))};
     return column;

@@ -146,4 +146,39 @@ TEST_SUITE("points of a sweep") {
     CHECK(fault("m = 2*shaft.tau_max").empty());
     CHECK(fault("shaft.utilisation").empty());
   }
+
+  TEST_CASE("words and rows of tables keep their place in the file too") {
+    const Swept swept(
+        "[strut]\ncalculator = \"column.buckling\"\nsection = [\"HEA 160\", \"HEA 200\"]\nl = [\"3 m\", \"4 m\"]\n"
+        "P = \"300 kN\"\nmaterial = [\"S235JR\", \"S355J2\"]\nends = \"pinned_pinned\"\n"
+        "method = [\"ec3\", \"euler\"]\nsigma_P = \"190 MPa\"\nn_st = 3\ngamma_M1 = 1\ngamma_F = 1.4\n");
+    REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
+    std::vector<std::string> names;
+    for (const auto& input : swept.plan.inputs) names.push_back(input.name);
+    CHECK(names == std::vector<std::string>{"strut.section", "strut.l", "strut.material", "strut.method"});
+    CHECK(swept.plan.at(1) == std::vector<double>{0, 3, 0, 1});
+    CHECK(swept.plan.at(8) == std::vector<double>{1, 3, 0, 0});
+  }
+
+  TEST_CASE("a result is shown in the unit of the numbers that it is made of") {
+    const Swept swept(shaft + "T = [\"100 N*m\", \"200 N*m\"]\nd = \"60 mm\"\n",
+                      {"twice = 2*shaft.T", "shaft.tau_max", "p = shaft.T*shaft.theta_max"});
+    REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
+    CHECK(swept.plan.columns[0].unit == "N*m");
+    CHECK(swept.plan.columns[1].unit == "MPa");
+    CHECK(swept.plan.columns[2].unit == "kg*m*rad/s^2");
+  }
+
+  TEST_CASE("what is no result is refused") {
+    const auto refusal = [](const std::string& result) {
+      return Swept(shaft + "T = [\"100 N*m\", \"200 N*m\"]\nd = \"60 mm\"\n", {result}).errors();
+    };
+    CHECK(contains(refusal("shaft.tau_max >= 3 MPa"), "a result is a number, not a comparison"));
+    CHECK(contains(refusal("m == shaft.tau_max"), "a result is a number, not a comparison"));
+    CHECK(contains(refusal("= shaft.tau_max"), "a name is missing before '='"));
+    CHECK(contains(refusal("state = shaft.tau_max"), "'state' is a column of every sweep"));
+    CHECK(contains(refusal("shaft.modes."), "'shaft' has no mode ''"));
+    CHECK(refusal("state").empty());
+    CHECK(refusal("utilisation = utilisation").empty());
+  }
 }

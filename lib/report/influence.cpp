@@ -14,11 +14,16 @@ std::string percent(double share) { return std::isnan(share) ? "-" : format_numb
 
 Quantity shown(double si, const std::string& unit) { return {si, unit.empty() ? std::string("-") : unit, 4}; }
 
-const char* kind_of(sweep::Slope::Kind kind) {
+/// A result that keeps its value nearby and has another at the ends, as a size of a stock has.
+bool is_in_steps(const sweep::Slope& slope, double swing) {
+  return slope.kind == sweep::Slope::Kind::smooth && slope.value == 0.0 && swing > 0.0;
+}
+
+const char* kind_of(const sweep::Slope& slope, double swing) {
   using Kind = sweep::Slope::Kind;
-  switch (kind) {
+  switch (slope.kind) {
     case Kind::smooth:
-      return "";
+      return is_in_steps(slope, swing) ? "in steps, no slope" : "";
     case Kind::kink:
       return "a kink";
     case Kind::below:
@@ -47,7 +52,7 @@ Table tornado_table(const Influence& influence, std::size_t k) {
     table.rows.push_back({input.name, written(input, influence.low[bar.input]), shown(bar.low, unit),
                           written(input, influence.high[bar.input]), shown(bar.high, unit), shown(bar.swing, unit),
                           std::isnan(slope.elasticity) ? Cell(std::string("-")) : Cell(shown(slope.elasticity, "-")),
-                          std::string(kind_of(slope.kind))});
+                          std::string(kind_of(slope, bar.swing))});
   }
   return table;
 }
@@ -56,8 +61,13 @@ Table budget_table(const Influence& influence, std::size_t k) {
   const sweep::Budget& budget = influence.budgets[k];
   const std::string unit = influence.units[k].empty() ? "-" : influence.units[k];
   const double sd = std::sqrt(budget.variance);
+  bool certain = budget.certain;
+  for (const sweep::Bar& bar : influence.tornados[k].bars) {
+    const bool scatters = influence.inputs[bar.input].distribution.has_value();
+    certain = certain && !(scatters && is_in_steps(influence.slopes.at(k, bar.input), bar.swing));
+  }
   Table table{say("{1}: where its scatter comes from, standard deviation {2} by slopes{3}", influence.names[k],
-                  format_quantity(sd, unit, 4), budget.certain ? "" : "; some are not smooth, so it is a guess"),
+                  format_quantity(sd, unit, 4), certain ? "" : "; some are not smooth, so it is a guess"),
               {say("input"), say("share of the variance"), say("standard deviation left if it scattered half as much")},
               {}};
   for (const sweep::BudgetLine& line : budget.lines) {

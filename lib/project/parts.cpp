@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace loadpath::project {
 
@@ -70,13 +69,6 @@ bool read_template(const Tree& table, StepInput& input, std::vector<Issue>& issu
   return false;
 }
 
-/// 0, 1, 2... for words.
-sweep::Axis numbers_of(const std::vector<std::string>& words) {
-  std::vector<double> numbers(words.size());
-  std::iota(numbers.begin(), numbers.end(), 0.0);
-  return *sweep::Axis::list(std::move(numbers));
-}
-
 /// The rows that a step takes one after another: material = ["C45E", "42CrMo4"], section = { each = "ipe" }.
 void read_rows_in_turn(const Tree::Entry& row, StepInput& input, std::vector<Issue>& issues) {
   const std::string key = input.name + "." + row.key;
@@ -99,7 +91,6 @@ void read_rows_in_turn(const Tree::Entry& row, StepInput& input, std::vector<Iss
   }
   if (varied.words.empty()) return add(issues, row.value.place, key, say("a list of rows has one at least"));
   input.rows[row.key] = {"", row.value.place};
-  varied.axis = numbers_of(varied.words);
   input.reading.varied.push_back(std::move(varied));
 }
 

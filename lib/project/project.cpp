@@ -185,7 +185,9 @@ void refuse_ranges(const Project& project, std::vector<Issue>& issues) {
                           Severity::warning});
       else
         issues.push_back(
-            {varied.place, key, say("these are {1} values, and one is taken here", std::to_string(varied.axis.size())),
+            {varied.place, key,
+             say("these are {1} values, and one is taken here",
+                 std::to_string(varied.words.empty() ? varied.axis.size() : varied.words.size())),
              say("`loadpath sweep` goes through all of them, `loadpath run FILE --point 0` takes the first"),
              Severity::error});
     }

@@ -116,7 +116,8 @@ bool numbers(const Node& node, const Expression::Column& column, std::span<doubl
       std::fill(out.begin(), out.end(), finite(node.si));
       return true;
     case Operation::reference:
-      std::transform(out.begin(), out.end(), column(node.path), out.begin(), [](double, double x) { return finite(x); });
+      std::transform(out.begin(), out.end(), column(node.path), out.begin(),
+                     [](double, double x) { return finite(x); });
       return true;
     case Operation::negate:
       if (!numbers(node.kids[0], column, out)) return false;

@@ -107,6 +107,10 @@ double alone(project::Project& project, const project::SweptResult& column, bool
   return most;
 }
 
+double value_of(const project::SweptInput& input, std::size_t point, double p) {
+  return input.distribution ? input.distribution->quantile(p) : input.axis.at(point % input.axis.size());
+}
+
 void compare(const std::string& text, const std::string& file, std::size_t points, std::uint64_t seed) {
   CAPTURE(file);
   project::Project swept = varied(text, file, seed);
@@ -118,8 +122,7 @@ void compare(const std::string& text, const std::string& file, std::size_t point
   std::vector<const double*> given;
   std::vector<double*> taken;
   for (std::size_t k = 0; k < inputs; ++k) {
-    for (std::size_t i = 0; i < points; ++i)
-      in[k][i] = variants.axes()[k].distribution->quantile(sweep::uniform(seed + 1, i, k));
+    for (std::size_t i = 0; i < points; ++i) in[k][i] = value_of(variants.axes()[k], i, sweep::uniform(seed + 1, i, k));
     given.push_back(in[k].data());
   }
   for (std::vector<double>& column : out) taken.push_back(column.data());

@@ -331,7 +331,11 @@ int Sweeping::run() {
   auto store = open_store();
   if (!store) return refuse(store.fault().message.text(), store.fault().hint.text());
   std::signal(SIGINT, [](int) { interrupted_by_user = true; });
-  if (store->left().count() != 0 && !solve(&*store, found)) return wrong_input;
+  if (store->left().count() != 0) {
+    if (!solve(&*store, found)) return wrong_input;
+  } else if (const Message wrong = store->save(); !wrong.empty()) {  // what was killed behind its last state
+    return refuse(wrong.text());
+  }
   if (store->left().count() == 0) return tell(store->found());
   std::cerr << "stopped at " << store->found().points() << " points: loadpath sweep " << options_.file << " --out "
             << options_.out << " --resume goes on, with the same options\n";

@@ -72,6 +72,7 @@ bool read_template(const Tree& table, StepInput& input, std::vector<Issue>& issu
 /// The rows that a step takes one after another: material = ["C45E", "42CrMo4"], section = { each = "ipe" }.
 void read_rows_in_turn(const Tree::Entry& row, StepInput& input, std::vector<Issue>& issues) {
   const std::string key = input.name + "." + row.key;
+  input.rows[row.key] = {"", row.value.place};  // that there is one, right or wrong
   Varied varied{.path = row.key, .leaf = {}, .place = row.value.place, .shared = row.value.shared};
   for (const Tree& item : row.value.items) {
     const auto found = item.type == Tree::Type::text ? input.tables->find_row(row.key, item.text)
@@ -90,7 +91,6 @@ void read_rows_in_turn(const Tree::Entry& row, StepInput& input, std::vector<Iss
                  did_you_mean(each->value.text, input.tables->names_of(row.key)));
   }
   if (varied.words.empty()) return add(issues, row.value.place, key, say("a list of rows has one at least"));
-  input.rows[row.key] = {"", row.value.place};
   input.reading.varied.push_back(std::move(varied));
 }
 

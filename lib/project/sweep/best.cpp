@@ -1,8 +1,8 @@
 #include "lib/project/sweep/best.hpp"
 
 #include "lib/project/sweep/base.hpp"
+#include "lib/project/sweep/part.hpp"
 #include "lib/quantity/literal.hpp"
-#include "lib/sweep/point/uniform.hpp"
 #include "lib/sweep/sensitivity/robust.hpp"
 
 #include <algorithm>
@@ -92,46 +92,6 @@ sweep::Variable variable_of(const SweptInput& input) {
 
 bool is_chosen(const SweptInput& input) { return is_continuous(input) || !input.distribution; }
 
-/// The machine as a function of what is chosen alone; the rest stays.
-class Chosen final : public sweep::Function {
- public:
-  Chosen(Variants& all, std::vector<std::size_t> chosen, std::vector<double> rest)
-      : all_(all), chosen_(std::move(chosen)), rest_(std::move(rest)) {}
-
-  [[nodiscard]] std::size_t inputs() const override { return chosen_.size(); }
-  [[nodiscard]] std::size_t outputs() const override { return all_.outputs(); }
-  void evaluate(std::span<const double* const> in, std::span<double* const> out, std::size_t n) override {
-    std::vector<std::vector<double>> same(rest_.size());
-    std::vector<const double*> columns(rest_.size());
-    for (std::size_t i = 0; i < rest_.size(); ++i) {
-      const auto found = std::find(chosen_.begin(), chosen_.end(), i);
-      if (found == chosen_.end()) same[i].assign(n, rest_[i]);
-      columns[i] = found == chosen_.end() ? same[i].data() : in[static_cast<std::size_t>(found - chosen_.begin())];
-    }
-    all_.evaluate(columns, out, n);
-  }
-
- private:
-  Variants& all_;
-  std::vector<std::size_t> chosen_;
-  std::vector<double> rest_;
-};
-
-/// Samples of the inputs that scatter, the same for every design.
-sweep::Sampler sampler_of(const std::vector<SweptInput>& inputs, std::uint64_t seed) {
-  std::vector<sweep::Distribution> laws;
-  for (const SweptInput& input : inputs) {
-    if (!is_chosen(input)) laws.push_back(*input.distribution);
-  }
-  return [laws, seed](std::uint64_t first, std::size_t n, std::span<double* const> columns) {
-    for (std::size_t k = 0; k < laws.size(); ++k) {
-      const std::span<double> column(columns[k], n);
-      sweep::uniform(seed, first, k, column, sweep::Purpose::search);
-      laws[k].quantile(column, column);
-    }
-  };
-}
-
 std::vector<sweep::Scattered> scatter_of(const std::vector<SweptInput>& inputs) {
   std::vector<sweep::Scattered> all;
   std::size_t design = 0, scatter = 0;
@@ -196,8 +156,9 @@ std::optional<Best> find_best(const ReadAgain& read, const BestAsked& asked, std
   best.unit = units.front();
   Variants variants(read(), texts);
   best.inputs = variants.axes();
+  std::vector<std::size_t> scattering;
   for (std::size_t i = 0; i < best.inputs.size(); ++i) {
-    if (is_chosen(best.inputs[i])) best.chosen.push_back(i);
+    (is_chosen(best.inputs[i]) ? best.chosen : scattering).push_back(i);
   }
   if (best.chosen.empty()) {
     issues.push_back(refusal(asked.objective, say("there is nothing to choose"),
@@ -205,11 +166,11 @@ std::optional<Best> find_best(const ReadAgain& read, const BestAsked& asked, std
     return std::nullopt;
   }
   best.point = middles_of(best.inputs);
-  Chosen chosen(variants, best.chosen, best.point);
+  Part chosen(variants, best.chosen, 1 + best.demands.size());
   std::optional<sweep::Robust> robust;
   if (asked.quantile)
     robust.emplace(variants, best.chosen.size(), scatter_of(best.inputs), best.inputs.size() - best.chosen.size(),
-                   sampler_of(best.inputs, seed), static_cast<std::size_t>(samples),
+                   sampler_of(best.inputs, scattering, seed), static_cast<std::size_t>(samples),
                    statistics_of(asked, best.demands));
   sweep::Problem problem{robust ? static_cast<sweep::Function&>(*robust) : chosen,
                          {},

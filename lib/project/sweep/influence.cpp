@@ -1,56 +1,13 @@
 #include "lib/project/sweep/influence.hpp"
 
 #include "lib/project/sweep/base.hpp"
-#include "lib/sweep/point/uniform.hpp"
+#include "lib/project/sweep/part.hpp"
 
 #include <algorithm>
 
 namespace loadpath::project {
 
 namespace {
-
-/// The results as a function of some inputs; the others stay.
-class Part final : public sweep::Function {
- public:
-  Part(Variants& all, std::vector<std::size_t> inputs, std::size_t outputs)
-      : all_(all), inputs_(std::move(inputs)), outputs_(outputs), rest_(middles_of(all.axes())) {}
-
-  [[nodiscard]] std::size_t inputs() const override { return inputs_.size(); }
-  [[nodiscard]] std::size_t outputs() const override { return outputs_; }
-  void evaluate(std::span<const double* const> in, std::span<double* const> out, std::size_t n) override {
-    std::vector<std::vector<double>> same(rest_.size()), unseen(all_.outputs() - outputs_, std::vector<double>(n));
-    std::vector<const double*> columns;
-    for (std::size_t i = 0; i < rest_.size(); ++i) {
-      same[i].assign(n, rest_[i]);
-      columns.push_back(same[i].data());
-    }
-    for (std::size_t k = 0; k < inputs_.size(); ++k) columns[inputs_[k]] = in[k];
-    std::vector<double*> all(out.begin(), out.end());
-    for (std::vector<double>& column : unseen) all.push_back(column.data());
-    all_.evaluate(columns, all, n);
-  }
-
- private:
-  Variants& all_;
-  std::vector<std::size_t> inputs_;
-  std::size_t outputs_;
-  std::vector<double> rest_;
-};
-
-/// Samples of what is uncertain, each as if the others were not there.
-sweep::Sampler sampler_of(const std::vector<SweptInput>& inputs, const std::vector<std::size_t>& which,
-                          std::uint64_t seed) {
-  std::vector<sweep::Distribution> laws;
-  laws.reserve(which.size());
-  for (const std::size_t i : which) laws.push_back(*inputs[i].distribution);
-  return [laws, seed](std::uint64_t first, std::size_t n, std::span<double* const> columns) {
-    for (std::size_t k = 0; k < laws.size(); ++k) {
-      const std::span<double> column(columns[k], n);
-      sweep::uniform(seed, first, k, column, sweep::Purpose::search);
-      laws[k].quantile(column, column);
-    }
-  };
-}
 
 /// The matrix of what goes together, among these inputs.
 std::vector<double> correlations_of(const std::vector<SweptInput>& inputs, const SweepSettings& settings) {

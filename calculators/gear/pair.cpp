@@ -1,7 +1,10 @@
 #include "calculators/gear/pair.hpp"
 
 #include "calculators/gear/involute.hpp"
-#include "calculators/gear/pair_parts.hpp"
+#include "calculators/gear/pair_layout.hpp"
+#include "calculators/gear/pair_load.hpp"
+#include "calculators/gear/pair_mesh.hpp"
+#include "calculators/gear/pair_teeth.hpp"
 #include "lib/calculator/calculator_of.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -11,15 +14,15 @@ namespace {
 
 /// Sum of the base radii of two wheels, difference of ring and wheel.
 Length base_distance(const Pair::Input& in) {
-  const double alpha_t = std::atan(std::tan(in.alpha_n) / std::cos(in.beta));
-  return in.m_n * (in.z_2 + sign_of(in.mesh) * in.z_1) / 2.0 * std::cos(alpha_t) / std::cos(in.beta);
+  const double alpha_t = atan(tan(in.alpha_n) / cos(in.beta));
+  return in.m_n * (in.z_2 + sign_of(in.mesh) * in.z_1) / 2.0 * cos(alpha_t) / cos(in.beta);
 }
 
 /// Involute function of the working pressure angle that the profile shifts ask for.
 double working_involute(const Pair::Input& in) {
   const double g = sign_of(in.mesh), x_2 = is_set(in.x_2) ? in.x_2 : 0.0;
-  const double alpha_t = std::atan(std::tan(in.alpha_n) / std::cos(in.beta));
-  return involute(alpha_t) + 2.0 * (in.x_1 + x_2) * std::tan(in.alpha_n) * g / (in.z_2 + g * in.z_1);
+  const double alpha_t = atan(tan(in.alpha_n) / cos(in.beta));
+  return involute(alpha_t) + 2.0 * (in.x_1 + x_2) * tan(in.alpha_n) * g / (in.z_2 + g * in.z_1);
 }
 
 }  // namespace

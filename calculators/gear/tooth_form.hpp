@@ -27,8 +27,4 @@ struct FormPoint {
 /// The radius that the straight flank of the rack reaches down to: where the fillet begins.
 [[nodiscard]] double form_radius(const Rack& rack, double z, double x);
 
-/// Lewis' factor Y of a tooth with the tip radius r_a under its tip: the least s^2/(6 h) over the fillet, which is the
-/// section that the inscribed parabola of equal strength touches.
-[[nodiscard]] double lewis_factor(const Rack& rack, double z, double x, double r_a);
-
 }  // namespace loadpath::gear

@@ -1,10 +1,12 @@
 // Reference circles, centre distance or profile shift, diameters and clearances of a pair of gears.
+#pragma once
+
 #include "calculators/gear/involute.hpp"
 #include "calculators/gear/pair_parts.hpp"
 
 namespace loadpath::gear {
 
-namespace {
+namespace layout {
 
 template <class Tracer>
 void reference_circles(const Pair::Input& in, PairResult& r, Tracer& trace) {
@@ -86,10 +88,12 @@ void lay_out_rack(const Pair::Input& in, PairResult& r, Tracer& trace) {
   STEP_TO(r, c_2, r.a_w - in.h_aP * in.m_n - d_f1 / 2.0, "from the tip of the rack to the root of gear 1");
 }
 
-}  // namespace
+}  // namespace layout
 
+/// Reference circles, centre distance or profile shift, diameters and clearances.
 template <class Tracer>
 void lay_out(const Pair::Input& in, PairResult& r, Tracer& trace) {
+  using namespace layout;
   reference_circles(in, r, trace);
   if (in.mesh == Mesh::rack) return lay_out_rack(in, r, trace);
   const double g = sign_of(in.mesh);
@@ -102,8 +106,5 @@ void lay_out(const Pair::Input& in, PairResult& r, Tracer& trace) {
   }
   diameters(in, g, r, trace);
 }
-
-template void lay_out(const Pair::Input&, PairResult&, NoTrace&);
-template void lay_out(const Pair::Input&, PairResult&, Trace&);
 
 }  // namespace loadpath::gear

@@ -1,10 +1,12 @@
 // Speeds, torques, tooth forces and Lewis' bending stress of a pair of gears.
+#pragma once
+
+#include "calculators/gear/lewis.hpp"
 #include "calculators/gear/pair_parts.hpp"
-#include "calculators/gear/tooth_form.hpp"
 
 namespace loadpath::gear {
 
-namespace {
+namespace load {
 
 template <class Tracer>
 Moment torque(const Pair::Input& in, Tracer& trace) {
@@ -23,7 +25,7 @@ void speeds(const Pair::Input& in, PairResult& r, Tracer& trace) {
 /// What the shafts take, each in its own frame. The axes of the results point from axis 1 to the pitch point, which is
 /// toward axis 2 where that is of a wheel, away from it where a ring is around gear 1. `w`: 1 where gear 1 turns
 /// counter-clockwise, else -1.
-void hand_over(const Pair::Input& in, Moment T_1, double w, PairResult& r) {
+inline void hand_over(const Pair::Input& in, Moment T_1, double w, PairResult& r) {
   const double K_A = in.K_A, to_2 = K_A * sign_of(in.mesh);
   r.gear_1 = shaft_load(K_A * T_1, {to_2 * r.F_x1, to_2 * r.F_y1, K_A * r.F_z1}, r.d_w1, w * in.n_1, sign_of(in.mesh));
   if (in.mesh == Mesh::rack) return;
@@ -74,13 +76,13 @@ void velocity_factor(const Pair::Input& in, PairResult& r, Tracer& trace) {
 }
 
 /// Lewis' factor of a wheel, from the spur gear with the same normal section.
-double form_factor(const Pair::Input& in, double z, double x, double k) {
-  const double z_n = z / std::pow(std::cos(in.beta), 3);
+inline double form_factor(const Pair::Input& in, double z, double x, double k) {
+  const double c = cos(in.beta), z_n = z / (c * c * c);
   const Rack rack{in.alpha_n, in.h_fP, in.rho_fP};
   return lewis_factor(rack, z_n, x, 0.5 * z_n + in.h_aP + x - k);
 }
 
-constexpr const char* from_form =
+inline constexpr const char* from_form =
     "least s^2/(6 h m_n) of the tooth with the load at its tip, z/cos^3(beta) teeth, [Lewis]";
 
 /// A tooth that Lewis' formula is applied to, and the symbols that its results are told under.
@@ -127,10 +129,12 @@ void bend_all(const Pair::Input& in, PairResult& r, Tracer& trace) {
   r.Y_2 = two.Y, r.sigma_F2 = two.sigma, r.u_F2 = two.u;
 }
 
-}  // namespace
+}  // namespace load
 
+/// Speeds, torques, forces, bending by Lewis; only what the load that is given allows.
 template <class Tracer>
 void load_teeth(const Pair::Input& in, PairResult& r, Tracer& trace) {
+  using namespace load;
   if (is_set(in.n_1)) speeds(in, r, trace);
   const Moment T_1 = torque(in, trace);
   if (is_set(T_1)) forces(in, T_1, r, trace);
@@ -138,8 +142,5 @@ void load_teeth(const Pair::Input& in, PairResult& r, Tracer& trace) {
   if (!is_set(T_1) || !is_set(r.b) || !has_teeth(in, r)) return;
   bend_all(in, r, trace);
 }
-
-template void load_teeth(const Pair::Input&, PairResult&, NoTrace&);
-template void load_teeth(const Pair::Input&, PairResult&, Trace&);
 
 }  // namespace loadpath::gear

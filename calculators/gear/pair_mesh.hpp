@@ -1,9 +1,11 @@
 // Path of contact, contact ratios, undercut and interference of a pair of gears.
+#pragma once
+
 #include "calculators/gear/pair_parts.hpp"
 
 namespace loadpath::gear {
 
-namespace {
+namespace mesh {
 
 template <class Tracer>
 double tips_over_bases(const Pair::Input& in, const PairResult& r, Tracer& trace) {
@@ -97,10 +99,12 @@ void interference(const Pair::Input& in, double h_Ff, PairResult& r, Tracer& tra
   trace.value("f_int", r.f_int, "the least of them");
 }
 
-}  // namespace
+}  // namespace mesh
 
+/// Path of contact and contact ratios; undercut and interference.
 template <class Tracer>
 void bring_to_mesh(const Pair::Input& in, PairResult& r, Tracer& trace) {
+  using namespace mesh;
   path_of_contact(in, r, trace);
   overlap(in, r, trace);
   STEP(h_Ff, in.h_fP - in.rho_fP * (1.0 - sin(in.alpha_n)),
@@ -108,8 +112,5 @@ void bring_to_mesh(const Pair::Input& in, PairResult& r, Tracer& trace) {
   undercut(in, h_Ff, r, trace);
   interference(in, h_Ff, r, trace);
 }
-
-template void bring_to_mesh(const Pair::Input&, PairResult&, NoTrace&);
-template void bring_to_mesh(const Pair::Input&, PairResult&, Trace&);
 
 }  // namespace loadpath::gear

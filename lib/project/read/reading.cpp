@@ -1,6 +1,7 @@
 #include "lib/project/read/reading.hpp"
 
 #include "lib/project/read/reader.hpp"
+#include "lib/project/read/records.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -15,8 +16,9 @@ static std::size_t code_points(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-Reading read_record(const toml::Tree& table, const RecordType& type, const Template* from, const std::string& prefix,
-                    const std::vector<std::string>& reserved, std::vector<Issue>& issues) {
+static Reading read_one(const toml::Tree& table, const RecordType& type, const Template* from,
+                        const std::string& prefix, const std::vector<std::string>& reserved,
+                        std::vector<Issue>& issues) {
   Reading reading;
   reading.record = Record(type);
   reading.place = table.place;
@@ -28,6 +30,14 @@ Reading read_record(const toml::Tree& table, const RecordType& type, const Templ
   }
   Reader(reading, issues, prefix).read_fields(table, parts, "", reserved);
   return reading;
+}
+
+Reading read_record(const toml::Tree& table, const RecordType& type, const Template* from, const std::string& prefix,
+                    const std::vector<std::string>& reserved, std::vector<Issue>& issues) {
+  const ReadOne read = [&](const toml::Tree& tree, std::vector<Issue>& told) {
+    return read_one(tree, type, from, prefix, reserved, told);
+  };
+  return read_in_turn(table, prefix, read, issues);
 }
 
 std::optional<std::string> lone_reference(const toml::Tree& tree) {

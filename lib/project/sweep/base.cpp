@@ -32,4 +32,21 @@ std::vector<double> middles_of(const std::vector<SweptInput>& inputs) {
   return middles;
 }
 
+std::vector<double> correlation_matrix(const std::vector<SweptInput>& inputs, const std::vector<std::size_t>& among,
+                                       const std::vector<Correlated>& pairs) {
+  const std::size_t n = among.size();
+  std::vector<double> matrix(n * n);
+  for (std::size_t i = 0; i < n; ++i) matrix[i * n + i] = 1.0;
+  const auto place = [&](const Placed& name) {
+    const auto found =
+        std::find_if(among.begin(), among.end(), [&](std::size_t i) { return inputs[i].name == name.text; });
+    return static_cast<std::size_t>(found - among.begin());
+  };
+  for (const Correlated& pair : pairs) {
+    const std::size_t i = place(pair.first), j = place(pair.second);
+    if (i < n && j < n) matrix[i * n + j] = matrix[j * n + i] = pair.r;
+  }
+  return matrix;
+}
+
 }  // namespace loadpath::project

@@ -20,4 +20,8 @@ bool is_continuous(const SweptInput& input);
 
 std::vector<double> middles_of(const std::vector<SweptInput>& inputs);
 
+/// The matrix of what goes together, among some of the inputs, row by row; pairs with another are passed over.
+std::vector<double> correlation_matrix(const std::vector<SweptInput>& inputs, const std::vector<std::size_t>& among,
+                                       const std::vector<Correlated>& pairs);
+
 }  // namespace loadpath::project

@@ -1,8 +1,8 @@
 #include "lib/project/sweep/plan.hpp"
 
+#include "lib/project/sweep/base.hpp"
+
 #include <algorithm>
-#include <array>
-#include <numeric>
 #include <optional>
 
 namespace loadpath::project {
@@ -111,22 +111,16 @@ void Planning::add_random() {
 
 void Planning::correlate() {
   if (settings_.correlations.empty()) return;
-  const std::size_t n = uncertain_.size();
-  std::vector<double> matrix(n * n);
-  for (std::size_t i = 0; i < n; ++i) matrix[i * n + i] = 1.0;
   for (const Correlated& pair : settings_.correlations) {
-    std::array<std::size_t, 2> at{};
-    for (const auto& [name, place] : {std::pair{&pair.first, &at[0]}, {&pair.second, &at[1]}}) {
+    for (const Placed* name : {&pair.first, &pair.second}) {
       const auto input = input_of(*name);
       if (!input) return;
-      const auto found = std::find(uncertain_.begin(), uncertain_.end(), *input);
-      if (found == uncertain_.end())
+      if (std::find(uncertain_.begin(), uncertain_.end(), *input) == uncertain_.end())
         return issues_.push_back(
             refusal(name->place, "project.sweep", say("'{1}' is not uncertain: it has no correlation", name->text)));
-      *place = static_cast<std::size_t>(found - uncertain_.begin());
     }
-    matrix[at[0] * n + at[1]] = matrix[at[1] * n + at[0]] = pair.r;
   }
+  std::vector<double> matrix = correlation_matrix(inputs_, uncertain_, settings_.correlations);
   std::vector<std::string> names;
   for (const std::size_t i : uncertain_) names.push_back(inputs_[i].name);
   auto correlation = sweep::Correlation::of(std::move(matrix), names);

@@ -60,6 +60,11 @@ struct ResultColumn {
 using SweepLoop = void (*)(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out,
                            std::size_t count);
 
+/// Which of `count` points break a rule among those that are asked for, by their numbers, and which modes concern the
+/// part there, mode by mode. `other`: points that are passed over; those that break a rule join them.
+using Survey = void (*)(void* input, std::span<const InputColumn> in, std::span<const char> rules,
+                        std::span<Applies* const> modes, std::size_t count, char* other);
+
 struct Calculator {
   const char* id = "";       // "shaft.torsion"
   const char* title = "";    // "Torsion of a shaft"
@@ -85,6 +90,8 @@ struct Calculator {
   /// The fastest loop for what the base gives, what varies and what is asked for. It serves every block of columns of
   /// these offsets: a sweep of many blocks asks once.
   SweepLoop (*loop)(const void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out) = nullptr;
+  /// `holds` and `applies` for a block of points.
+  Survey survey = nullptr;
   /// The forms that have a loop of their own.
   std::span<const Form> forms;
   /// That loop, asked for and run.

@@ -19,6 +19,7 @@
 
 #include "lib/calculator/calculator.hpp"
 #include "lib/calculator/record_of.hpp"
+#include "lib/calculator/survey_of.hpp"
 #include "lib/calculator/sweep_of.hpp"
 
 namespace loadpath {
@@ -86,6 +87,7 @@ constexpr Calculator calculator_of() {
     };
   }
   if constexpr (requires { C::forms; }) c.forms = C::forms;
+  c.survey = &detail::survey<C>;
   c.loop = &detail::loop_of<C>;
   c.sweep = [](void* in, std::span<const InputColumn> columns, std::span<const ResultColumn> out, std::size_t count) {
     detail::loop_of<C>(in, columns, out)(in, columns, out, count);

@@ -43,8 +43,9 @@ void use_runs(const std::vector<Run>& runs, const Use& use) {
 
 /// Every project of the examples and of the reference cases, and every row of the tests.
 void for_each_project(const Use& use) {
-  for (const auto& entry : fs::directory_iterator(LOADPATH_ROOT "/examples"))
-    use_file(entry.path() / "project.toml", use);
+  for (const auto& entry : fs::directory_iterator(LOADPATH_ROOT "/examples")) {
+    if (fs::exists(entry.path() / "project.toml")) use_file(entry.path() / "project.toml", use);
+  }
   for (const auto& entry : fs::directory_iterator(LOADPATH_ROOT "/reference")) {
     if (entry.path().extension() == ".toml") use_file(entry.path(), use);
   }

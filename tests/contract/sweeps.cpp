@@ -1,5 +1,5 @@
 // A point of a sweep is the machine with these values typed, to the bit: results, verdicts, what is refused. For every
-// calculator and every example, some of their numbers varied at random.
+// calculator, and at 200 points of every example, some of their numbers varied at random.
 #include "calculators/catalogue.hpp"
 #include "lib/project/sweep/variants.hpp"
 #include "lib/sweep/point/uniform.hpp"
@@ -111,8 +111,24 @@ double value_of(const project::SweptInput& input, std::size_t point, double p) {
   return input.distribution ? input.distribution->quantile(p) : input.axis.at(point % input.axis.size());
 }
 
-void compare(const std::string& text, const std::string& file, std::size_t points, std::uint64_t seed) {
+/// Numbers alone: pictures and formulas are not compared, and take nine tenths of the time of a machine.
+project::Wanted numbers_alone(const project::Project& project, const std::vector<project::SweptResult>& columns) {
+  project::Wanted wanted{
+      .pictures = false, .formulas = false, .unused = false, .words = false, .series = project::SeriesChoice::none()};
+  for (const project::SweptResult& column : columns) {
+    for (const auto& reference : column.expression.references()) wanted.compared.insert(reference.path);
+  }
+  return project::with_references(project, std::move(wanted));
+}
+
+struct Points {
+  std::size_t all;         // that are compared
+  std::size_t as_run = 1;  // of them, the first ones: with all that `run` makes of a machine
+};
+
+void compare(const std::string& text, const std::string& file, Points points_asked, std::uint64_t seed) {
   CAPTURE(file);
+  const std::size_t points = points_asked.all;
   project::Project swept = varied(text, file, seed);
   const std::vector<std::string> results = columns_of(swept);
   project::Variants variants(std::move(swept), results);
@@ -132,7 +148,9 @@ void compare(const std::string& text, const std::string& file, std::size_t point
     const auto axes = project::swept_inputs(machine);
     std::vector<Issue> issues;
     for (std::size_t k = 0; k < inputs; ++k) project::set_input(machine, axes[k], in[k][i], issues);
-    if (issues.empty()) project::solve(machine, issues);
+    const bool as_run = i < points_asked.as_run;
+    if (issues.empty())
+      project::solve(machine, issues, as_run ? project::Wanted{} : numbers_alone(machine, variants.columns()));
     for (std::size_t k = 0; k < variants.outputs(); ++k) {
       const project::SweptResult& column = variants.columns()[k];
       const double here = alone(machine, column, has_errors(issues));
@@ -142,21 +160,35 @@ void compare(const std::string& text, const std::string& file, std::size_t point
   }
 }
 
+void compare_examples(Points points, std::uint64_t seed) {
+  for (const auto& entry : fs::directory_iterator(LOADPATH_ROOT "/examples")) {
+    std::string text;
+    const fs::path file = entry.path() / "project.toml";
+    if (!fs::exists(file)) continue;
+    REQUIRE(toml::read_file(file.string(), text));
+    compare(text, file.string(), points, seed);
+  }
+}
+
 }  // namespace
 
 TEST_SUITE("sweeps and machines of their own") {
   TEST_CASE("every calculator at its example, some numbers varied") {
     for (const Calculator* calculator : calculators()) {
-      for (const std::uint64_t seed : {1, 2}) compare(calculator->example, calculator->id, 5, seed);
+      for (const std::uint64_t seed : {1, 2}) compare(calculator->example, calculator->id, {5}, seed);
     }
   }
 
-  TEST_CASE("every example, some numbers varied") {
-    for (const auto& entry : fs::directory_iterator(LOADPATH_ROOT "/examples")) {
-      std::string text;
-      const fs::path file = entry.path() / "project.toml";
-      REQUIRE(toml::read_file(file.string(), text));
-      compare(text, file.string(), 3, 3);
-    }
-  }
+  TEST_CASE("every example, some numbers varied") { compare_examples({3}, 3); }
+}
+
+// Of each machine everything is solved again: that takes long where the compiler does not optimise.
+#ifdef __OPTIMIZE__
+constexpr bool is_fast = true;
+#else
+constexpr bool is_fast = false;
+#endif
+
+TEST_SUITE("two hundred points of every example") {
+  TEST_CASE("a sweep is what a machine of its own says" * doctest::skip(!is_fast)) { compare_examples({200, 3}, 4); }
 }

@@ -241,6 +241,8 @@ theta_adm = "0.004 rad/m"
                                       fatigue_of_shaft<Input>().left_to("fatigue.cycle", "cycle.fatigue")});
 
   static constexpr std::array forms{Form{"T, K_A, G, tau_adm, theta_adm",
+                                         "d_strength, d_stiffness, d_min, D_star, tau_max, theta_max, u_tau, u_theta"},
+                                    Form{"T, d, K_A, G, tau_adm, theta_adm",
                                          "d_strength, d_stiffness, d_min, D_star, tau_max, theta_max, u_tau, u_theta"}};
 
   template <class Tracer>

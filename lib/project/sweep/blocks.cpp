@@ -25,12 +25,6 @@ std::vector<std::string> texts_of(const SweepPlan& plan) {
 
 BlockRange all_blocks(const SweepPlan& plan) { return {0, (plan.space.count() + block_size - 1) / block_size}; }
 
-BlockRange shard_of(BlockRange all, std::uint64_t k, std::uint64_t n) {
-  const std::uint64_t each = all.count() / n, more = all.count() % n;
-  const auto start = [&](std::uint64_t i) { return all.first + i * each + std::min(i, more); };
-  return {start(k - 1), start(k)};
-}
-
 BlockSolver::BlockSolver(const SweepPlan& plan, Project project)
     : plan_(plan), variants_(std::move(project), texts_of(plan)) {
   solved_.inputs.resize(variants_.inputs());

@@ -30,8 +30,6 @@ struct BlockRange {
 };
 /// All blocks of a plan.
 BlockRange all_blocks(const SweepPlan& plan);
-/// The share K of N, counted from 1: as many blocks in each as in any other, but for one.
-BlockRange shard_of(BlockRange all, std::uint64_t k, std::uint64_t n);
 
 /// The solver of one thread.
 class BlockSolver {

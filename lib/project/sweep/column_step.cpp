@@ -2,9 +2,7 @@
 
 #include "lib/project/accept.hpp"
 #include "lib/project/modes.hpp"
-#include "lib/project/run/row_state.hpp"
 #include "lib/project/sweep/columns.hpp"
-#include "lib/project/sweep/fold.hpp"
 
 #include <algorithm>
 #include <array>
@@ -44,9 +42,7 @@ struct Read {
 struct Judging {
   std::size_t mode;
   std::vector<std::size_t> rows = {};
-  bool has_checks = false;
-  bool lacks_input = false;            // of a check that nobody asks for
-  std::array<State, 3> unjudged = {};  // where nothing judges it, by Applies
+  Fold::Unjudged unjudged = {};
 };
 
 std::string head_of(std::string_view path) { return std::string(path.substr(0, path.find_first_of(".["))); }
@@ -81,11 +77,12 @@ struct ColumnStep::Parts {
   Record record, result;
   std::vector<Fed> fed;
   std::vector<Read> read;
-  std::vector<std::size_t> rules;  // that what varies can break
+  std::vector<char> rules;  // of each whether what varies can break it
   std::vector<Judging> judging;
   std::vector<InputColumn> in;
   std::vector<ResultColumn> out;
   std::vector<std::vector<Applies>> applies;  // of each mode, point by point
+  std::vector<Applies*> applies_at;
   Fold fold;
   bool is_loaded = false;  // whatever varies
   bool is_load_told = false;
@@ -110,10 +107,8 @@ struct ColumnStep::Parts {
   void run(PointColumns& points);
   void check_inputs(PointColumns& points);
   void judge(const PointColumns& points, std::vector<ModeColumns>& modes);
+  void leave_unloaded(PointColumns& points) const;
   void fold_rows(const Judging& judged, std::size_t n);
-  void leave_mode(const Judging& judged, std::size_t n, ModeColumns& column) const;
-  void judge_mode(const Judging& judged, std::size_t n, ModeColumns& column);
-  void set_point(std::size_t row) const;
 };
 
 bool ColumnStep::Parts::lay_out(const std::set<std::string>& wanted) {
@@ -212,6 +207,7 @@ bool ColumnStep::Parts::add_read(const std::set<std::string>& wanted) {
 }
 
 void ColumnStep::Parts::add_rules() {
+  rules.assign(calculator.rules.size(), 0);
   for (std::size_t rule = 0; rule < calculator.rules.size(); ++rule) {
     if (calculator.rules[rule].only_warns) continue;
     const auto fields = listed_keys(calculator.rules[rule].fields);
@@ -219,7 +215,7 @@ void ColumnStep::Parts::add_rules() {
       const std::string head = head_of(std::string_view(f.path).substr(step.name().size() + 1));
       return fields.empty() || std::find(fields.begin(), fields.end(), head) != fields.end();
     });
-    if (concerned) rules.push_back(rule);
+    rules[rule] = static_cast<char>(concerned);
   }
 }
 
@@ -229,8 +225,8 @@ void ColumnStep::Parts::add_judging() {
     for (const std::string& key : listed_keys(calculator.modes[k].checks)) {
       const FieldInfo* const field = find_field(calculator.result->fields, key);
       const bool checks = field != nullptr && field->role == Role::check;
-      judged.has_checks = judged.has_checks || checks;
-      judged.lacks_input = judged.lacks_input || (checks && *field->asked_by != '\0' && !step.is_asked(*field, record));
+      judged.unjudged.needs_checks = judged.unjudged.needs_checks || checks;
+      if (checks && *field->asked_by != '\0' && !step.is_asked(*field, record)) judged.unjudged.never = true;
       for (std::size_t i = 0; i < read.size(); ++i) {
         if (read[i].is_row && names_row(key, read[i].field->key)) judged.rows.push_back(i);
       }
@@ -238,7 +234,7 @@ void ColumnStep::Parts::add_judging() {
     for (const Applies when : {Applies::no, Applies::unseen, Applies::yes}) {
       const State state = state_of(step, calculator.modes[k], when, std::nullopt, false);
       const bool accepted = is_accepted(step.input(), calculator.modes[k].id, state);
-      judged.unjudged[static_cast<std::size_t>(when)] = accepted ? State::accepted : state;
+      judged.unjudged.state[static_cast<std::size_t>(when)] = static_cast<double>(accepted ? State::accepted : state);
     }
     judging.push_back(std::move(judged));
   }
@@ -261,34 +257,37 @@ void ColumnStep::Parts::feed(PointColumns& points) {
     } else if (!input.expression->evaluate([&](const std::string& path) { return points.of(path); }, input.si)) {
       std::fill(points.is_other.begin(), points.is_other.end(), char{1});
     }
-    for (std::size_t i = 0; i < points.count; ++i) {
-      const bool known = !std::isnan(input.si[i]);
-      if (known == input.is_open || (known && !input.field->bounds.holds(input.si[i]))) points.is_other[i] = 1;
+    if (input.is_open || !all_within(input.field->bounds, input.si)) {
+      for (std::size_t i = 0; i < points.count; ++i) {
+        const bool known = !std::isnan(input.si[i]);
+        if (known == input.is_open || (known && !input.field->bounds.holds(input.si[i]))) points.is_other[i] = 1;
+      }
     }
     if (!input.is_open) in.push_back({input.offset, input.si.data()});
     if (input.expression != nullptr) points.values[input.path] = input.si;
   }
 }
 
-void ColumnStep::Parts::set_point(std::size_t row) const {
-  char* const base = static_cast<char*>(record.data.get());
-  for (const InputColumn& column : in) std::memcpy(base + column.offset, column.si + row, sizeof(double));
+/// Where every load is zero.
+void ColumnStep::Parts::leave_unloaded(PointColumns& points) const {
+  if (is_loaded || !is_load_told) return;
+  if (std::any_of(fed.begin(), fed.end(), [](const Fed& f) { return f.field->is_load && all_act(f.si); })) return;
+  for (std::size_t row = 0; row < points.count; ++row) {
+    const auto loads = [&](const Fed& f) { return f.field->is_load && acts(f.si[row]); };
+    if (std::none_of(fed.begin(), fed.end(), loads)) points.is_other[row] = 1;
+  }
 }
 
 /// Rules, loads that are all zero, and which modes concern the part.
 void ColumnStep::Parts::check_inputs(PointColumns& points) {
+  leave_unloaded(points);
   applies.resize(calculator.modes.size());
-  for (std::vector<Applies>& of_mode : applies) of_mode.assign(points.count, Applies::no);
-  for (std::size_t row = 0; row < points.count; ++row) {
-    if (points.is_other[row] != 0) continue;
-    set_point(row);
-    for (const std::size_t rule : rules) {
-      if (!calculator.holds(rule, record.data.get())) points.is_other[row] = 1;
-    }
-    const auto loads = [&](const Fed& f) { return f.field->is_load && acts(f.si[row]); };
-    if (!is_loaded && is_load_told && std::none_of(fed.begin(), fed.end(), loads)) points.is_other[row] = 1;
-    for (std::size_t k = 0; k < applies.size(); ++k) applies[k][row] = calculator.applies(k, record.data.get());
+  applies_at.clear();
+  for (std::vector<Applies>& of_mode : applies) {
+    of_mode.assign(points.count, Applies::no);
+    applies_at.push_back(of_mode.data());
   }
+  calculator.survey(record.data.get(), in, rules, applies_at, points.count, points.is_other.data());
 }
 
 void ColumnStep::Parts::run(PointColumns& points) {
@@ -299,9 +298,11 @@ void ColumnStep::Parts::run(PointColumns& points) {
   }
   calculator.sweep(record.data.get(), in, out, points.count);
   for (Read& number : read) {
-    for (std::size_t i = 0; i < points.count; ++i) {
-      if (std::isinf(number.si[i]) && !number.field->infinite) number.si[i] = nan;
-      if (number.is_row && std::isnan(number.si[i]) && !number.field->where_set) points.is_other[i] = 1;
+    if (!all_finite(number.si)) {
+      for (std::size_t i = 0; i < points.count; ++i) {
+        if (std::isinf(number.si[i]) && !number.field->infinite) number.si[i] = nan;
+        if (number.is_row && std::isnan(number.si[i]) && !number.field->where_set) points.is_other[i] = 1;
+      }
     }
     if (number.is_wanted) points.values[number.path] = number.si;
   }
@@ -311,53 +312,22 @@ void ColumnStep::Parts::fold_rows(const Judging& judged, std::size_t n) {
   fold.clear(n);
   for (const std::size_t which : judged.rows) {
     const FieldInfo& field = *read[which].field;
-    const std::vector<double>& si = read[which].si;
-    const bool is_check = field.role == Role::check;
-    const auto state_of = [is_check, bounds = field.bounds, is_criterion = field.is_criterion](double x) {
-      return is_check ? state_of_check(x) : state_of_limit(bounds, is_criterion, x);
-    };
-    for (std::size_t i = 0; i < n; ++i) {
-      if (si[i] != si[i]) continue;  // it was left unset, and is no row then
-      fold.take(i, state_of(si[i]), is_check ? si[i] : nan);
-      fold.checked[i] |= static_cast<char>(is_check);
-    }
-  }
-}
-
-/// A mode that nothing is held against.
-void ColumnStep::Parts::leave_mode(const Judging& judged, std::size_t n, ModeColumns& column) const {
-  std::array<signed char, 3> state{};
-  for (const Applies when : {Applies::unseen, Applies::yes})
-    state[static_cast<std::size_t>(when)] = static_cast<signed char>(judged.unjudged[static_cast<std::size_t>(when)]);
-  state[static_cast<std::size_t>(Applies::no)] = static_cast<signed char>(absent_state);
-  const Applies* const when = applies[judged.mode].data();
-  for (std::size_t i = 0; i < n; ++i) column.state[i] = state[static_cast<std::size_t>(when[i])];
-  column.utilisation.assign(n, nan);
-}
-
-/// As judged() says it of one machine.
-void ColumnStep::Parts::judge_mode(const Judging& judged, std::size_t n, ModeColumns& column) {
-  if (judged.rows.empty()) return leave_mode(judged, n, column);
-  fold_rows(judged, n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Applies when = applies[judged.mode][i];
-    const bool passes = fold.worst[i] <= static_cast<signed char>(State::pass);  // or has no row
-    const bool enough = !judged.lacks_input && (fold.checked[i] != 0 || !judged.has_checks);
-    const bool decided = fold.worst[i] >= 0 && (!passes || enough);
-    const bool concerns = when != Applies::no || !passes;
-    const State state = decided ? static_cast<State>(fold.worst[i]) : judged.unjudged[static_cast<std::size_t>(when)];
-    const bool waits = state == State::open || state == State::not_judged || state == State::accepted;
-    column.state[i] = concerns ? static_cast<signed char>(state) : static_cast<signed char>(absent_state);
-    column.utilisation[i] = concerns && !waits ? fold.utilisation[i] : nan;
+    if (field.role == Role::check)
+      fold.take_check(read[which].si);
+    else
+      fold.take_limit(field.bounds, field.is_criterion, read[which].si);
   }
 }
 
 void ColumnStep::Parts::judge(const PointColumns& points, std::vector<ModeColumns>& modes) {
   modes.resize(calculator.modes.size());
   for (const Judging& judged : judging) {
-    modes[judged.mode].state.resize(points.count);
-    modes[judged.mode].utilisation.resize(points.count);
-    judge_mode(judged, points.count, modes[judged.mode]);
+    if (judged.rows.empty()) {
+      leave_mode(applies[judged.mode], judged.unjudged, modes[judged.mode]);
+    } else {
+      fold_rows(judged, points.count);
+      fold.judge(applies[judged.mode], judged.unjudged, modes[judged.mode]);
+    }
   }
 }
 

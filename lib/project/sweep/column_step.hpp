@@ -6,6 +6,7 @@
 
 #include "lib/project/project.hpp"
 #include "lib/project/run/calculator_step.hpp"
+#include "lib/project/sweep/loops.hpp"
 
 #include <map>
 #include <memory>
@@ -23,13 +24,6 @@ struct PointColumns {
 
   /// The values of a path, NaN where it has none.
   const double* of(const std::string& path);
-};
-
-/// How one mode of failure came out, point by point: a number of account::State, below zero where it does not concern
-/// the point.
-struct ModeColumns {
-  std::vector<signed char> state;
-  std::vector<double> utilisation;
 };
 
 class ColumnStep {

@@ -64,7 +64,8 @@ bool read_verdict(const std::string& text, const Project& project, SweptResult& 
   return step != nullptr && (at != std::string::npos || step->field(text.substr(last + 1)) == nullptr);
 }
 
-/// The unit that a result is shown in: of the first number in it that is of its kind.
+/// The unit that a result is shown in: of the first number in it that is of its kind, else the custom of that kind, as
+/// the results of a mechanism have it.
 std::string unit_of(const SweptResult& column, const Project& project) {
   for (const auto& reference : column.expression.references()) {
     const std::string& path = reference.path;
@@ -72,7 +73,7 @@ std::string unit_of(const SweptResult& column, const Project& project) {
     const FieldInfo* const field = step == nullptr ? nullptr : step->field(path.substr(path.find('.') + 1));
     if (field != nullptr && field->dimension == column.dimension) return field->unit;
   }
-  return si_unit(column.dimension);
+  return readable_unit(0.0, column.dimension);
 }
 
 }  // namespace

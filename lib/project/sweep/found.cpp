@@ -1,5 +1,8 @@
 #include "lib/project/sweep/found.hpp"
 
+#include "lib/sweep/columns.hpp"
+#include "lib/sweep/statistics/lanes.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -44,20 +47,40 @@ void take_larger(sweep::Extreme& largest, double value, std::uint64_t index) {
 
 }  // namespace
 
+namespace {
+
+LOADPATH_COLUMNS double count_of(double state, const double* states, std::size_t n) {
+  sweep::Lanes count{};
+  sweep::in_lanes(n, [&](std::size_t i, std::size_t lane) { count[lane] += states[i] == state ? 1.0 : 0.0; });
+  return sweep::sum_of(count);
+}
+
+LOADPATH_COLUMNS double largest_of(const double* values, std::size_t n) {
+  sweep::Lanes largest;
+  largest.fill(-INFINITY);
+  sweep::in_lanes(n, [&](std::size_t i, std::size_t lane) {
+    largest[lane] = values[i] > largest[lane] ? values[i] : largest[lane];
+  });
+  return *std::max_element(largest.begin(), largest.end());
+}
+
+}  // namespace
+
+/// A block has few states, most have one.
 void Tally::add(std::uint64_t first, std::span<const double> state, std::span<const double> utilisation) {
-  unsigned others = 0;
-  for (const double s : state) others += static_cast<unsigned>(s != state.front());
-  if (others == 0) {  // as in most blocks
-    if (state.front() < 0.0) return;
-    counts[static_cast<std::size_t>(state.front())] += state.size();
-  } else {
-    for (const double s : state) {
-      if (s >= 0.0) ++counts[static_cast<std::size_t>(s)];  // else it does not concern the point
-    }
+  std::size_t left = state.size();
+  const auto count = [&](double which) {
+    const double found = count_of(which, state.data(), state.size());
+    if (which >= 0.0) counts[static_cast<std::size_t>(which)] += static_cast<std::uint64_t>(found);
+    left -= static_cast<std::size_t>(found);
+  };
+  const double front = state.front();
+  count(front);
+  for (double which = absent_state; left > 0 && which < static_cast<double>(states); ++which) {
+    if (which != front) count(which);
   }
-  double largest_here = -INFINITY;
-  for (const double used : utilisation) largest_here = used > largest_here ? used : largest_here;
-  if (largest_here <= largest.value) return;  // a later point is not the first of equal ones
+  const double here = largest_of(utilisation.data(), utilisation.size());
+  if (here == -INFINITY || here <= largest.value) return;  // there is none, or the first of equal ones is known
   for (std::size_t i = 0; i < utilisation.size(); ++i) take_larger(largest, utilisation[i], first + i);
 }
 

@@ -3,30 +3,7 @@
 #include "lib/project/sweep/base.hpp"
 #include "lib/project/sweep/part.hpp"
 
-#include <algorithm>
-
 namespace loadpath::project {
-
-namespace {
-
-/// The matrix of what goes together, among these inputs.
-std::vector<double> correlations_of(const std::vector<SweptInput>& inputs, const SweepSettings& settings) {
-  const std::size_t n = inputs.size();
-  std::vector<double> matrix(n * n);
-  for (std::size_t i = 0; i < n; ++i) matrix[i * n + i] = 1.0;
-  const auto place = [&](const std::string& name) {
-    return static_cast<std::size_t>(
-        std::find_if(inputs.begin(), inputs.end(), [&](const SweptInput& input) { return input.name == name; }) -
-        inputs.begin());
-  };
-  for (const Correlated& pair : settings.correlations) {
-    const std::size_t i = place(pair.first.text), j = place(pair.second.text);
-    if (i < n && j < n) matrix[i * n + j] = matrix[j * n + i] = pair.r;
-  }
-  return settings.correlations.empty() ? std::vector<double>{} : matrix;
-}
-
-}  // namespace
 
 std::optional<Influence> find_influence(const ReadAgain& read, const SweepPlan& plan, const SweepSettings& settings,
                                         std::uint64_t sobol_rows, std::vector<Issue>& issues) {
@@ -68,7 +45,9 @@ std::optional<Influence> find_influence(const ReadAgain& read, const SweepPlan& 
   influence.tornados = sweep::tornado(all, base, influence.low, influence.high);
   influence.slopes = sweep::slopes(all, base, steps);
   if (scattering.empty()) return influence;
-  const std::vector<double> correlation = correlations_of(influence.inputs, settings);
+  const bool correlated = !settings.correlations.empty();
+  const std::vector<double> correlation =
+      correlated ? correlation_matrix(variants.axes(), numbers, settings.correlations) : std::vector<double>{};
   for (std::size_t k = 0; k < plan.columns.size(); ++k)
     influence.budgets.push_back(sweep::variance_budget(influence.slopes, k, sd, correlation));
   if (sobol_rows == 0) return influence;

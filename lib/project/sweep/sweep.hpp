@@ -3,6 +3,7 @@
 
 #include "lib/project/sweep/found.hpp"
 
+#include <atomic>
 #include <functional>
 
 namespace loadpath::project {
@@ -20,7 +21,24 @@ struct SweepWork {
   Keep keep;
   BlockRange blocks;  // those that are to be solved
   unsigned jobs = 1;
-  bool rows = false;  // whether points are wanted one by one
+  bool rows = false;                        // whether points are wanted one by one
+  const std::atomic<bool>* stop = nullptr;  // ends the work between two blocks, once it is true
+};
+
+/// What solves parts in one thread: it has read the project for itself.
+class PartSolver {
+ public:
+  explicit PartSolver(const SweepWork& work);
+  /// Of what is stopped, the blocks before: `blocks` of the part says which.
+  [[nodiscard]] SweptPart solve(BlockRange blocks);
+
+ private:
+  PartSolver(const SweepWork& work, Project project);
+
+  bool rows_;
+  const std::atomic<bool>* stop_;
+  Found none_;
+  BlockSolver solver_;
 };
 
 /// Nothing found yet.

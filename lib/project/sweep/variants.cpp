@@ -95,17 +95,28 @@ std::set<std::string> referred_to(const Project& project, const std::vector<Swep
 
 }  // namespace
 
-/// Kernels of all steps, laid out at the first point that is solved.
-bool Variants::find_kernels(std::span<const double* const> in) {
+/// The first of a few points that is a machine is solved; false where none is.
+bool Variants::solve_first(std::span<const double* const> in, std::size_t n) {
+  constexpr std::size_t most = 16;
+  bool solved = false;
+  for (std::size_t row = 0; row < std::min(n, most) && !solved; ++row) solved = solve_point(in, row);
+  refusals_.clear();  // they are told when the block is solved
+  return solved;
+}
+
+/// Kernels of all steps, laid out at the first point that is solved; without one the next block is asked.
+void Variants::find_kernels(std::span<const double* const> in, std::size_t n) {
+  const bool hangs_on_others = leaves_modes(project_);
+  if (!hangs_on_others && !solve_first(in, n)) return;
   way_ = Way::alone;
-  if (leaves_modes(project_) || !solve_point(in, 0)) return false;
+  if (hangs_on_others) return;
   const std::set<std::string> wanted = referred_to(project_, columns_);
   for (const std::size_t i : project_.order) {
     auto* const step = dynamic_cast<CalculatorStep*>(project_.steps[i].get());
     auto kernel = step == nullptr ? nullptr : ColumnStep::of(*step, wanted);
     if (!kernel) {
       kernels_.clear();
-      return false;
+      return;
     }
     kernels_.push_back(std::move(kernel));
   }
@@ -115,15 +126,14 @@ bool Variants::find_kernels(std::span<const double* const> in) {
   }
   way_ = Way::columns;
   modes_.resize(kernels_.size());
-  return true;
 }
 
 bool Variants::solve_columns(std::span<const double* const> in, std::span<double* const> out, std::size_t n) {
-  if (way_ == Way::unknown && !find_kernels(in)) refusals_.clear();
-  if (way_ == Way::alone) return false;
+  if (way_ == Way::unknown) find_kernels(in, n);
+  if (way_ != Way::columns) return false;
+  if (n > points_.count) points_.values.clear();  // else what is the same everywhere is there
   points_.count = n;
   points_.is_other.assign(n, 0);
-  points_.values.clear();
   for (std::size_t k = 0; k < axes_.size(); ++k) {
     const auto put = [&](const std::string& path) { points_.values[path].assign(in[k], in[k] + n); };
     put(axes_[k].name);
@@ -148,37 +158,10 @@ void Variants::read_verdicts(std::span<double* const> out, std::size_t n) {
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     const SweptResult& column = columns_[k];
     if (column.kind == SweptResult::Kind::expression) continue;
-    if (before == nullptr || before->step != column.step || before->mode != column.mode) fold(of_column_[k], n);
+    if (before == nullptr || before->step != column.step || before->mode != column.mode)
+      together_.fold(of_column_[k], n, project_.strict);
     before = &column;
     read_verdict(column, {out[k], n});
-  }
-}
-
-static_assert(account::rank(account::State::pass) == static_cast<int>(account::State::pass) &&
-                  account::rank(account::State::not_judged) == static_cast<int>(account::State::not_judged) &&
-                  account::rank(account::State::fail) == static_cast<int>(account::State::fail),
-              "the worst of several is the largest number");
-
-/// Of one mode, or of several together.
-void Variants::fold(const std::vector<const ModeColumns*>& modes, std::size_t n) {
-  constexpr auto open = static_cast<signed char>(account::State::open);
-  const signed char instead = project_.strict ? static_cast<signed char>(account::State::not_judged) : open;
-  folded_.worst.assign(n, static_cast<signed char>(absent_state));
-  folded_.judged.assign(n, 0);
-  folded_.utilisation.assign(n, nan);
-  signed char* const worst = folded_.worst.data();
-  signed char* const judged = folded_.judged.data();
-  double* const utilisation = folded_.utilisation.data();
-  for (const ModeColumns* mode : modes) {
-    const signed char* const state = mode->state.data();
-    const double* const used = mode->utilisation.data();
-    for (std::size_t i = 0; i < n; ++i) {
-      const signed char here = state[i] == open ? instead : state[i];
-      worst[i] = std::max(worst[i], here);
-      judged[i] = static_cast<signed char>(judged[i] | ((here >= 0) & (here != open)));
-    }
-    for (std::size_t i = 0; i < n; ++i)
-      utilisation[i] = used[i] > utilisation[i] || utilisation[i] != utilisation[i] ? used[i] : utilisation[i];
   }
 }
 
@@ -198,23 +181,15 @@ void Variants::find_modes_of_columns() {
 
 /// As read() says it of a machine that was solved alone.
 void Variants::read_verdict(const SweptResult& column, std::span<double> out) const {
-  using account::State;
-  constexpr auto open = static_cast<signed char>(State::open);
-  const bool is_whole = column.mode.empty();
   switch (column.kind) {
     case SweptResult::Kind::utilisation:
-      std::copy_n(folded_.utilisation.begin(), out.size(), out.begin());
+      std::ranges::copy(together_.utilisation(), out.begin());
       break;
     case SweptResult::Kind::passes:
-      std::transform(out.begin(), out.end(), folded_.worst.begin(), out.begin(),
-                     [](double, signed char worst) { return worst <= open ? 1.0 : 0.0; });
+      together_.write_passes(out);
       break;
     default:
-      for (std::size_t i = 0; i < out.size(); ++i) {
-        const signed char worst = folded_.worst[i];
-        const signed char passed = folded_.judged[i] != 0 ? static_cast<signed char>(State::pass) : open;
-        out[i] = is_whole && worst <= open ? passed : worst;
-      }
+      together_.write_state(column.mode.empty(), out);
   }
 }
 

@@ -38,10 +38,10 @@ class Variants final : public sweep::Function {
   /// The ordinary points of a block, column by column; which are not ordinary stays marked. False where a step needs
   /// more than columns.
   bool solve_columns(std::span<const double* const> in, std::span<double* const> out, std::size_t n);
-  bool find_kernels(std::span<const double* const> in);
+  bool solve_first(std::span<const double* const> in, std::size_t n);
+  void find_kernels(std::span<const double* const> in, std::size_t n);
   void read_verdicts(std::span<double* const> out, std::size_t n);
   void find_modes_of_columns();
-  void fold(const std::vector<const ModeColumns*>& modes, std::size_t n);
   void read_verdict(const SweptResult& column, std::span<double> out) const;
   void solve_alone(std::span<const double* const> in, std::span<double* const> out, std::size_t row);
   bool solve_point(std::span<const double* const> in, std::size_t row);
@@ -53,12 +53,7 @@ class Variants final : public sweep::Function {
   std::vector<SweptInput> axes_;
   std::vector<SweptResult> columns_;
   Wanted wanted_;
-  /// What several modes come to together, point by point.
-  struct Folded {
-    std::vector<signed char> worst, judged;  // below zero: none concerns the point
-    std::vector<double> utilisation;
-  };
-  Folded folded_;
+  Together together_;
   enum class Way { unknown, columns, alone };
   Way way_ = Way::unknown;
   std::vector<std::unique_ptr<ColumnStep>> kernels_;  // in order of evaluation

@@ -15,7 +15,7 @@ static_assert(std::endian::native == std::endian::little, "the columns are writt
 
 namespace {
 
-constexpr std::size_t header_size = 128;
+constexpr std::size_t header_size = npy_header_size;
 
 /// Of one size, whatever the number: it is written again when there are more.
 std::array<char, header_size> header(std::uint64_t rows) {

@@ -12,6 +12,9 @@
 
 namespace loadpath::sweep {
 
+/// Bytes before the first number.
+constexpr std::size_t npy_header_size = 128;
+
 /// Numbers are appended; how many there are stands in the header, which `flush` sets.
 class NpyColumn {
  public:

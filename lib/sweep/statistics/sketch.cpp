@@ -36,9 +36,9 @@ void Sketch::add(std::span<const double> values) {
       page(number);
     }
     ValueClass& of = pages_[number][key & (page_size - 1)];
-    ++of.count;
-    if (x < of.least) of.least = x;
-    if (x > of.largest) of.largest = x;
+    ++of.count;  // no branches: in a class of few values they go either way
+    of.least = x < of.least ? x : of.least;
+    of.largest = x > of.largest ? x : of.largest;
   }
 }
 

@@ -87,6 +87,24 @@ TEST_SUITE("the best machine") {
     CHECK(best->point[1] == Approx(std::cbrt(16.0 * T_99 / (M_PI * 30e6))).epsilon(2e-3));
   }
 
+  TEST_CASE("of a mechanism: Hoeken's linkage, the straightest path of a point") {
+    const std::string text =
+        "[values]\nb = { min = \"21 mm\", max = \"30 mm\" }\n[bar]\ncalculator = \"mechanism.planar\"\ntemplate = "
+        "\"four_bar\"\na = \"10 mm\"\nb = \"=values.b\"\nc = \"=values.b\"\nd = \"20 mm\"\n"
+        "crank = { speed = \"60 rpm\", at = [{ angle = \"100 deg\" }, { angle = \"140 deg\" }, { angle = \"180 deg\" "
+        "}, "
+        "{ angle = \"220 deg\" }, { angle = \"260 deg\" }] }\n"
+        "[bar.links.coupler.points]\nK = [\"=2*values.b\", \"0 mm\"]\n";
+    std::vector<Issue> issues;
+    const auto best = project::find_best(
+        reader(text), {asked("range(bar.points.K.y)"), false, {asked("range(bar.points.K.x) >= 30 mm")}, {}, {}}, 10, 1,
+        issues);
+    REQUIRE(best);
+    CHECK(best->optimum.allowed);
+    CHECK(best->point[0] == Approx(25.0513e-3).epsilon(1e-5));  // of 90,000 lengths, by the circles through A and C
+    CHECK(best->optimum.outputs[0] == Approx(7.8219e-5).epsilon(1e-3));
+  }
+
   TEST_CASE("a value that is sought") {
     const std::string text =
         "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"500 N*m\"\ntau_adm = \"30 MPa\"\nd = { min = \"20 mm\", max = "

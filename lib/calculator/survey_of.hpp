@@ -1,0 +1,38 @@
+// What a block of points does to the rules and modes of a calculator class. Included by the source of a calculator,
+// through calculator_of.hpp.
+#pragma once
+
+#include "lib/calculator/calculator.hpp"
+
+#include <cstring>
+#include <utility>
+
+namespace loadpath::detail {
+
+/// Whether one of the rules that are asked for is broken.
+template <class C, std::size_t... rule>
+bool breaks_any(const typename C::Input& in, std::span<const char> asked, std::index_sequence<rule...>) {
+  return ((asked[rule] != 0 && !C::rules[rule].holds(in)) || ...);
+}
+
+template <class C, std::size_t... mode>
+void ask_modes(const typename C::Input& in, std::span<Applies* const> applies, std::size_t i,
+               std::index_sequence<mode...>) {
+  ((applies[mode][i] = C::modes[mode].applies(in)), ...);
+}
+
+/// As Calculator::survey says it: the rules and modes are known when this is compiled.
+template <class C>
+void survey(void* input, std::span<const InputColumn> in, std::span<const char> rules, std::span<Applies* const> modes,
+            std::size_t count, char* other) {
+  char* const base = static_cast<char*>(input);
+  const auto& point = *static_cast<const typename C::Input*>(input);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (other[i] != 0) continue;
+    for (const InputColumn& column : in) std::memcpy(base + column.offset, column.si + i, sizeof(double));
+    if (breaks_any<C>(point, rules, std::make_index_sequence<C::rules.size()>{})) other[i] = 1;
+    if constexpr (requires { C::modes; }) ask_modes<C>(point, modes, i, std::make_index_sequence<C::modes.size()>{});
+  }
+}
+
+}  // namespace loadpath::detail

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -289,12 +290,17 @@ struct Shaft {
   std::vector<Place> places = {};
 };
 
+/// Many machines over two scales, see lib/figure/chart.hpp; too large to be copied with each figure.
+struct Chart;
+using Charted = std::shared_ptr<const Chart>;
+
 struct Figure {
   Figure(std::string name, std::string words, Plot drawn);
   Figure(std::string name, std::string words, Scheme drawn);
   Figure(std::string name, std::string words, Shaft drawn);
   Figure(std::string name, std::string words, Plans drawn);
   Figure(std::string name, std::string words, Motion drawn);
+  Figure(std::string name, std::string words, Charted drawn);
   Figure(const Figure&);
   Figure(Figure&&) noexcept;
   Figure& operator=(const Figure&);
@@ -303,7 +309,7 @@ struct Figure {
 
   std::string id;       // unique in a step, a file-name part: "torque-diagram"
   std::string caption;  // a message id, without numbers
-  std::variant<Plot, Scheme, Shaft, Plans, Motion> content;
+  std::variant<Plot, Scheme, Shaft, Plans, Motion, Charted> content;
 };
 
 /// The figure as one <svg> element: no script, no external reference, colours by CSS variables with fallbacks,

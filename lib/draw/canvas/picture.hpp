@@ -20,5 +20,7 @@ Picture picture(const Shaft& shaft);
 Picture picture(const Plans& plans);
 /// At the position that is printed.
 Picture picture(const Motion& motion);
+/// The chart that it holds.
+Picture picture(const Charted& chart);
 
 }  // namespace loadpath::draw

@@ -87,6 +87,19 @@ void SvgWriter::strokes(std::string_view style, const std::vector<std::pair<Poin
   body_ += "\"/>\n";
 }
 
+void SvgWriter::dots(std::string_view style, const std::vector<Point>& places) {
+  if (places.empty()) return;
+  open("path", style);
+  body_ += " d=\"";
+  for (const Point& place : places) {
+    body_ += 'M';
+    append_coordinate(body_, place.x);
+    append_coordinate(body_, place.y);
+    body_ += "h0";
+  }
+  body_ += "\"/>\n";
+}
+
 void SvgWriter::circle(std::string_view style, Point centre, double radius) {
   open("circle", style);
   attribute("cx", centre.x);

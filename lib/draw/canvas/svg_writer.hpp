@@ -20,6 +20,8 @@ class SvgWriter {
   void polygon(std::string_view style, const std::vector<Point>& points);
   /// Strokes that belong together, each from first to second: a grid, a hatching.
   void strokes(std::string_view style, const std::vector<std::pair<Point, Point>>& strokes);
+  /// Many dots as one path: strokes without length, which the round ends of the style make visible.
+  void dots(std::string_view style, const std::vector<Point>& places);
   void circle(std::string_view style, Point centre, double radius);
   /// Counter-clockwise on the page by `sweep` radians from `start`, also negative.
   void arc(std::string_view style, Point centre, double radius, double start, double sweep);

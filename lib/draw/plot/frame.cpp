@@ -56,6 +56,24 @@ PlotFrame::PlotFrame(const Plot& plot, const std::optional<Strip>& strip) : x_(p
     area_ = strip->area, tells_across_ = strip->last;
     return;
   }
+  take_page();
+}
+
+/// The range in the unit of the display.
+static Axis close_axis(const Display& display, const Extent& seen, int most) {
+  Extent shown;
+  if (!seen.empty()) shown.see(display.value(seen.range().low)), shown.see(display.value(seen.range().high));
+  return display.logarithmic() ? logarithmic_axis(positive(shown), Ends::data)
+                               : axis(shown.range(), most, steps_of(display), Ends::data);
+}
+
+PlotFrame::PlotFrame(const Scale& x, const Scale& y, const Extent& across, const Extent& up)
+    : x_(x), y_(y), across_(close_axis(x_, across, 8)), up_(close_axis(y_, up, 6)), empty_(across.empty()) {
+  take_page();
+}
+
+/// Beside the widest of the numbers on the left.
+void PlotFrame::take_page() {
   double widest = 0.0;
   for (const double tick : up_.ticks) widest = std::max(widest, width(typeset(up_.text(tick)), text_size));
   area_ = {widest + 10.0, plot_top, plot_right, plot_top + plot_depth};

@@ -31,6 +31,8 @@ class PlotFrame {
  public:
   /// On a page of its own; or as a strip.
   explicit PlotFrame(const Plot& plot, const std::optional<Strip>& strip = {});
+  /// On a page of its own, around these SI values and nothing else.
+  PlotFrame(const Scale& x, const Scale& y, const Extent& across, const Extent& up);
 
   /// The place of SI values; nothing where one is not available.
   [[nodiscard]] std::optional<Point> place(double x, double y) const;
@@ -48,6 +50,7 @@ class PlotFrame {
 
  private:
   [[nodiscard]] Point at(double x, double y) const;
+  void take_page();
   void draw_grid(SvgWriter& svg) const;
   void draw_ticks(SvgWriter& svg) const;
   void draw_titles(SvgWriter& svg) const;

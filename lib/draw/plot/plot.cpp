@@ -13,6 +13,7 @@ std::string curve_style(std::size_t i) { return "curve c" + std::to_string(i % 3
 std::string fill_style(std::size_t i) { return "f" + std::to_string(i % 3); }
 
 constexpr double dot_radius = 2.5;
+constexpr std::size_t most_levels = 16;  // that have their value written on them
 /// Whether nothing of a curve hangs together: points of a test.
 bool is_dots(const DrawnCurve& curve) {
   return !curve.pieces.empty() &&
@@ -203,6 +204,7 @@ Picture PlotPicture::drawn() {
   for (const Mark& mark : plot_.marks) label_mark(mark);
   for (const Bound& bound : plot_.bounds) label_bound(bound);
   for (const DrawnCurve& curve : curves_) {
+    if (curve.levels.size() > most_levels) continue;  // a histogram
     for (const Level& level : curve.levels) label_level(level);
   }
   label_curves();

@@ -1,0 +1,42 @@
+// A chart drawn, and where its dots lie.
+#pragma once
+
+#include "lib/draw/canvas/picture.hpp"
+#include "lib/draw/plot/frame.hpp"
+#include "lib/figure/chart.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace loadpath::draw {
+
+struct ChartPicture {
+  Picture picture;
+  std::vector<std::optional<Point>> places;  // of the dots; none of what has none
+};
+
+ChartPicture chart_picture(const Chart& chart);
+
+// What the two kinds share.
+PlotFrame frame_of(const Chart& chart);
+/// How many dots pass, fail by which mode...
+std::string counts_of(const Chart& chart);
+/// One row below the figure: a sign and what it means.
+class Legend {
+ public:
+  Legend(SvgWriter& svg, double top) : svg_(svg), y_(top) {}
+  /// The middle of the sign; the words are written beside it.
+  Point next(std::string_view words);
+  [[nodiscard]] double bottom() const { return y_ + 10.0; }
+
+ private:
+  SvgWriter& svg_;
+  double x_ = 14.0, y_;
+};
+
+/// Over two results: dots, and the front that none of them is beyond.
+Picture cloud_picture(const Chart& chart, const PlotFrame& frame, const std::vector<std::optional<Point>>& places);
+/// Over two inputs: lines of level, and what fails hatched.
+Picture field_picture(const Chart& chart, const PlotFrame& frame);
+
+}  // namespace loadpath::draw

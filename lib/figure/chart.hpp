@@ -1,0 +1,48 @@
+// Many machines over two scales: which of them pass, and what each of them is. A cloud of points, or the points of a
+// grid with lines of equal level between them.
+#pragma once
+
+#include "lib/figure/figure.hpp"
+
+#include <cstdint>
+
+namespace loadpath::draw {
+
+struct Chart {
+  enum class Verdict : char { passes, fails, open, none };  // open: not judged; none: no machine
+  struct Dot {
+    double x = 0.0;  // SI
+    double y = 0.0;
+    Verdict verdict = Verdict::none;
+    std::size_t mode = 0;  // of those that fail, of `modes`
+  };
+  /// What is told of each dot: a quantity, or one of several words.
+  struct Told {
+    std::string name;
+    std::string unit;
+    std::vector<double> si;
+    std::vector<std::string> words = {};
+  };
+  Scale x;
+  Scale y;
+  std::vector<Dot> dots;
+  std::vector<std::string> modes;
+  // Of a cloud: the dots that no other beats, from the least x on, and those that are used the most.
+  std::vector<std::size_t> front;
+  std::vector<std::size_t> worst;
+  bool more_x = false, more_y = false;  // is better
+  bool steps = false;                   // whether the front is one of these two scales alone
+  // Of a grid: rows of so many dots, x and y rising; none: a cloud.
+  std::size_t columns = 0;
+  std::string level;           // what the lines are of
+  std::string level_unit;      // and its unit
+  std::vector<double> levels;  // of each dot, SI; NaN where there is none
+  bool is_limited = false;     // at the level 1, if that is what decides
+
+  std::vector<std::uint64_t> points;  // the number of each dot
+  std::vector<Told> told;
+  std::string command;    // that solves a point as a machine of its own, but for its number
+  std::size_t shown = 0;  // the dot that is told first
+};
+
+}  // namespace loadpath::draw

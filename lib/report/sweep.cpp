@@ -1,6 +1,7 @@
 #include "lib/report/sweep.hpp"
 
 #include "lib/quantity/format.hpp"
+#include "lib/report/sweep_charts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,8 +19,9 @@ using project::SweptResult;
 using project::Tally;
 
 constexpr double confidence = 0.95;
-constexpr std::size_t most_rows = 40;  // of the Pareto set, on paper
+constexpr std::size_t most_rows = 12;  // of the Pareto set, on paper
 constexpr std::size_t bins = 30;
+constexpr std::uint64_t most_listed = 12;  // values of an input
 
 std::string number(std::uint64_t n) { return std::to_string(n); }
 
@@ -43,16 +45,19 @@ Quantity quantity(double si, const std::string& unit, int digits = 4) {
   return {si, unit.empty() ? std::string("-") : unit, digits};
 }
 
-/// What an input goes through: "20 mm to 60 mm, 41 values"; "normal, mean 200 N*m, sd 20 N*m".
+/// All values: "20 mm, 25 mm, 32 mm"; of many words the first ones, and how many there are.
+std::string listed(const SweptInput& input, std::uint64_t n) {
+  std::string all;
+  for (std::uint64_t i = 0; i < std::min(n, most_listed); ++i)
+    all += (all.empty() ? "" : ", ") + written(input, input.words.empty() ? input.axis.at(i) : static_cast<double>(i));
+  return n <= most_listed ? all : all + "... " + say("{1} of them", number(n)).text();
+}
+
+/// What an input goes through: "20 mm, 25 mm, 32 mm"; "20 mm to 60 mm, 41 values"; "normal, mean 200 N*m, sd 20 N*m".
 Message course_of(const SweptInput& input) {
-  if (!input.words.empty()) {
-    std::string all;
-    for (const std::string& word : input.words) all += (all.empty() ? "" : ", ") + word;
-    return say("{1}", all);
-  }
   if (!input.distribution) {
-    const std::uint64_t n = input.axis.size();
-    if (n == 1) return say("{1}", written(input, input.axis.at(0)));
+    const std::uint64_t n = input.words.empty() ? input.axis.size() : input.words.size();
+    if (n <= most_listed || !input.words.empty()) return say("{1}", listed(input, n));
     return say("{1} to {2}, {3} values", written(input, input.axis.at(0)), written(input, input.axis.at(n - 1)),
                number(n));
   }
@@ -182,8 +187,7 @@ std::optional<Table> correlation_table(const SweepPlan& plan, const Found& found
 /// Bars of a histogram as one line.
 draw::Figure histogram_of(const SweptResult& column, const sweep::Summary& summary, std::size_t number_of_column) {
   const sweep::Histogram histogram = summary.ranks().histogram(bins);
-  draw::Plot plot(draw::Scale{column.name, "", column.unit},
-                  draw::Scale{"share", "share of the points in a class", "%"});
+  draw::Plot plot(draw::Scale{column.name, "", column.unit}, draw::Scale{"", "share of the points in a class", "%"});
   draw::Curve curve;
   curve.filled = true;
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
@@ -201,24 +205,6 @@ draw::Figure histogram_of(const SweptResult& column, const sweep::Summary& summa
   return {"histogram-" + number(number_of_column + 1), "Histogram of a result over all points", std::move(plot)};
 }
 
-/// The Pareto set over its first two objectives.
-std::optional<draw::Figure> front_of(const SweepPlan& plan, const Found& found) {
-  const auto& objectives = found.keep().objectives;
-  if (objectives.size() < 2 || found.pareto().size() < 2) return std::nullopt;
-  const auto scale = [&](std::size_t which) {
-    const SweptResult& column = plan.columns[objectives[which].column];
-    return draw::Scale{column.name, "", column.unit};
-  };
-  draw::Plot plot(scale(0), scale(1));
-  draw::Curve curve;
-  for (const auto& point : found.pareto()) {
-    curve.x.push_back(point.objectives[0]);
-    curve.y.push_back(point.objectives[1]);
-  }
-  plot.curves.push_back(std::move(curve));
-  return draw::Figure{"pareto", "Pareto set: no point is better in both", std::move(plot)};
-}
-
 Paragraph conclusion(const SweepPlan& plan, const Found& found) {
   const Tally& all = found.tallies().front();
   const std::uint64_t n = all.total(), fails = all.of(State::fail);
@@ -233,7 +219,8 @@ Paragraph conclusion(const SweepPlan& plan, const Found& found) {
 
 }  // namespace
 
-Document sweep_document(const Project& project, const SweepPlan& plan, const Found& found, std::string_view program) {
+Document sweep_document(const Project& project, const SweepPlan& plan, const Found& found, std::string_view program,
+                        const DrawnPoints& drawn) {
   Document document;
   document.title = project.title.empty() ? project.file : project.title;
   document.meta.emplace_back(say("Project file"), project.file);
@@ -244,6 +231,7 @@ Document sweep_document(const Project& project, const SweepPlan& plan, const Fou
   auto& blocks = document.blocks;
   blocks.emplace_back(Heading{2, "Sweep", "sweep"});
   blocks.emplace_back(conclusion(plan, found));
+  for (Block& block : sweep_charts(project, plan, found, drawn)) blocks.push_back(std::move(block));
   blocks.emplace_back(input_table(plan));
   if (!plan.columns.empty()) blocks.emplace_back(result_table(plan, found));
   blocks.emplace_back(mode_table(project, plan, found));
@@ -251,7 +239,6 @@ Document sweep_document(const Project& project, const SweepPlan& plan, const Fou
   if (!found.worst().empty()) blocks.emplace_back(worst_table(plan, found));
   if (!found.keep().objectives.empty()) blocks.emplace_back(pareto_table(plan, found));
   if (auto table = correlation_table(plan, found)) blocks.emplace_back(std::move(*table));
-  if (auto figure = front_of(plan, found)) blocks.emplace_back(std::move(*figure));
   for (std::size_t k = 0; k < plan.columns.size(); ++k) {
     if (found.results()[k].count() > 1 && found.results()[k].min().value < found.results()[k].max().value)
       blocks.emplace_back(histogram_of(plan.columns[k], found.results()[k], k));

@@ -4,11 +4,13 @@
 
 #include "lib/project/sweep/found.hpp"
 #include "lib/report/document.hpp"
+#include "lib/report/sweep_points.hpp"
 
 namespace loadpath::report {
 
-/// `found` holds all points of the plan, or those of a shard.
+/// `found` holds all points of the plan, or those of a shard; `drawn` those of its figures, none where nobody looks at
+/// them.
 Document sweep_document(const project::Project& project, const project::SweepPlan& plan, const project::Found& found,
-                        std::string_view program);
+                        std::string_view program, const DrawnPoints& drawn = {});
 
 }  // namespace loadpath::report

@@ -59,13 +59,20 @@ class Writer {
   std::string operator()(const Verdicts& verdicts) { return page::verdicts(verdicts, {}); }
   std::string operator()(const draw::Figure& figure) {
     const bool moves = std::holds_alternative<draw::Motion>(figure.content);
+    const bool tells = std::holds_alternative<draw::Charted>(figure.content);
     has_motion_ = has_motion_ || moves;
-    return (moves ? "<figure class=\"moving\">" + page::motion(figure) : "<figure>" + draw::svg(figure)) +
+    has_chart_ = has_chart_ || tells;
+    return (moves   ? "<figure class=\"moving\">" + page::motion(figure)
+            : tells ? "<figure>" + page::chart(figure)
+                    : "<figure>" + draw::svg(figure)) +
            "<figcaption>" + numbered("Figure", numbering_.figure(), say(figure.caption)) + "</figcaption></figure>\n";
   }
   /// The pictures stand in the page as they are printed. To show another frame the script moves every part from there.
   [[nodiscard]] std::string script() const {
-    return has_motion_ ? "<script>\n" + std::string(embedded::asset("motion.js")) + "</script>\n" : "";
+    const auto script_of = [](bool wanted, std::string_view name) {
+      return wanted ? "<script>\n" + std::string(embedded::asset(name)) + "</script>\n" : "";
+    };
+    return script_of(has_motion_, "motion.js") + script_of(has_chart_, "chart.js");
   }
 
  private:
@@ -85,7 +92,7 @@ class Writer {
 
   std::set<std::string> anchors_;
   Numbering numbering_;
-  bool has_motion_ = false;
+  bool has_motion_ = false, has_chart_ = false;
 };
 
 }  // namespace

@@ -37,6 +37,8 @@ std::string modes(const Modes& modes, const std::set<std::string>& anchors);
 
 /// A figure that holds a Motion; without scripts it is a picture.
 std::string motion(const draw::Figure& figure);
+/// A figure that holds a chart: its points can be told where scripts run.
+std::string chart(const draw::Figure& figure);
 
 /// The style sheet with the math font in it; `header` and `footer` stand on every printed page.
 std::string style(std::string_view header, std::string_view footer);

@@ -126,7 +126,7 @@ bool is_of_values(const Table& table) { return table.head.size() == 3 && table.h
 
 /// Numbers and names that fill less than half of a line: such a table stands beside the next one.
 bool is_narrow(const Table& table, const std::vector<bool>& numeric) {
-  constexpr double half = 50.0;  // letters
+  constexpr double half = 45.0;  // letters
   const auto breaks = [](const Cell& of) {
     return !std::holds_alternative<Quantity>(of) && !std::holds_alternative<std::string>(of);
   };

@@ -1,0 +1,38 @@
+// A chart whose points are told: the one under the pointer, or that the arrow keys have gone to, in a table beside it.
+#include "lib/draw/chart/chart.hpp"
+
+#include "lib/quantity/format.hpp"
+#include "lib/report/html/html.hpp"
+#include "lib/text/markup.hpp"
+
+namespace loadpath::report::page {
+namespace {
+
+using draw::Chart;
+
+std::string told_row(const Chart::Told& told, std::size_t k) {
+  const bool is_word = !told.words.empty();
+  const std::string unit = told.unit == "-" ? "" : escaped(pretty_unit(told.unit));
+  return "<tr><th scope=\"row\">" + escaped(told.name) + "</th><td class=\"number\" data-told=\"" + std::to_string(k) +
+         "\"></td><td>" + (is_word ? "" : unit) + "</td></tr>\n";
+}
+
+/// Without scripts it stays hidden; it is not printed.
+std::string told(const Chart& chart) {
+  std::string out = "<div class=\"told\" hidden><p class=\"said\" role=\"status\">" + escaped(say("Point").text()) +
+                    " <b data-point></b> <span data-verdict></span></p>\n<table class=\"numbers-now\"><tbody>\n";
+  for (std::size_t k = 0; k + 1 < chart.told.size(); ++k) out += told_row(chart.told[k], k);
+  return out + "</tbody></table>\n<p><code>" + escaped(chart.command) + "<span data-point></span></code></p></div>\n";
+}
+
+}  // namespace
+
+std::string chart(const draw::Figure& figure) {
+  const Chart& content = *std::get<draw::Charted>(figure.content);
+  const draw::ToldChart drawn = draw::told_chart(figure);
+  return "<div class=\"chart\">\n<div class=\"picture\" role=\"group\" aria-label=\"" +
+         escaped(say("Arrow keys go from point to point").text()) + "\">" + drawn.svg + "</div>\n" + told(content) +
+         "<script type=\"application/json\">" + drawn.data + "</script>\n</div>\n";
+}
+
+}  // namespace loadpath::report::page

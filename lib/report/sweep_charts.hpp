@@ -1,0 +1,17 @@
+// Figures of a sweep whose points can be told: results against each other with the Pareto set, and two inputs with what
+// passes.
+#pragma once
+
+#include "lib/report/document.hpp"
+#include "lib/report/sweep_points.hpp"
+
+#include <string>
+#include <vector>
+
+namespace loadpath::report {
+
+/// None, one or both, each with a sentence.
+std::vector<Block> sweep_charts(const project::Project& project, const project::SweepPlan& plan,
+                                const project::Found& found, const DrawnPoints& drawn);
+
+}  // namespace loadpath::report

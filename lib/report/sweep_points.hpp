@@ -1,0 +1,35 @@
+// Which points of a sweep its figures show: a bounded number, however many there are, the same on every machine. They
+// are solved once more, for a point is a function of its number.
+#pragma once
+
+#include "lib/project/sweep/found.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace loadpath::report {
+
+struct SolvedPoints {
+  std::vector<std::uint64_t> numbers;                // rising
+  std::vector<std::vector<double>> inputs, results;  // column by column; results asked for, then verdicts
+  [[nodiscard]] std::size_t size() const { return numbers.size(); }
+};
+
+/// The points of two inputs that are crossed, and nothing else is.
+struct Plane {
+  std::size_t across = 0, up = 0;  // inputs
+  std::size_t columns = 0;
+  SolvedPoints points;  // row by row, both rising
+};
+
+struct DrawnPoints {
+  SolvedPoints cloud;  // for two objectives: evenly out of all, the Pareto set, the worst
+  std::optional<Plane> plane;
+};
+
+/// `blocks`: those that were solved.
+DrawnPoints points_to_draw(const project::SweepPlan& plan, const project::Found& found,
+                           const project::BlockRange& blocks, const project::ReadAgain& read);
+
+}  // namespace loadpath::report

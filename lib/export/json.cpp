@@ -1,13 +1,12 @@
 #include "lib/export/json.hpp"
 
 #include "lib/export/json_writer.hpp"
+#include "lib/export/unit_name.hpp"
 #include "lib/project/project.hpp"
 #include "lib/quantity/format.hpp"
-#include "lib/quantity/unit.hpp"
 #include "lib/report/build.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace loadpath::exports {
@@ -21,19 +20,6 @@ constexpr int schema_version = 2;
 
 /// A state by its word in English, whatever the language of the report.
 std::string word_of(account::State state) { return std::string(account::word(state).id); }
-
-/// The SI unit by its name where it has one: Pa, not kg/(m*s^2).
-std::string unit_of(const Dimension& dimension) {
-  constexpr std::array words{"N", "Pa", "N*m", "W", "N/m"};
-  static const auto units = [&] {
-    std::array<Dimension, words.size()> dimensions;
-    std::transform(words.begin(), words.end(), dimensions.begin(),
-                   [](auto word) { return parse_unit(word)->dimension; });
-    return dimensions;
-  }();
-  const auto found = std::find(units.begin(), units.end(), dimension);
-  return found == units.end() ? si_unit(dimension) : words[static_cast<std::size_t>(found - units.begin())];
-}
 
 /// A value, with its reason where it does not exist.
 void write_value(double si, const Message& missing, JsonWriter& out) {
@@ -55,7 +41,7 @@ void write_entry(const Entry& e, JsonWriter& out) {
   if (!e.word.empty()) {
     out.member("value", e.word);
   } else {
-    out.member("unit", unit_of(e.value.signature.dimension));
+    out.member("unit", unit_name(e.value.signature.dimension));
     if (e.value.is_series())
       write_series(e, out);
     else

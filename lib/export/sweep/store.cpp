@@ -1,9 +1,8 @@
 #include "lib/export/sweep/store.hpp"
 
 #include "lib/export/json_writer.hpp"
+#include "lib/export/sweep/folder.hpp"
 #include "lib/quantity/dimension.hpp"
-
-#include <boost/crc.hpp>
 
 #include <algorithm>
 #include <array>
@@ -18,19 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* state_name = "state";
 constexpr const char* manifest_name = "manifest.json";
 constexpr std::uint64_t state_format = 1;
-
-/// CRC-64 of ECMA-182, taken up where it stopped.
-std::uint64_t checked(std::uint64_t before, std::string_view bytes) {
-  boost::crc_optimal<64, 0x42F0E1EBA9EA3693, 0, 0, false, false> crc(before);
-  crc.process_bytes(bytes.data(), bytes.size());
-  return crc.checksum();
-}
-std::uint64_t checked(std::uint64_t before, std::span<const double> values) {
-  return checked(before, std::string_view(reinterpret_cast<const char*>(values.data()), values.size_bytes()));
-}
 
 std::string hexadecimal(std::uint64_t number) {
   constexpr std::string_view digits = "0123456789abcdef";
@@ -66,11 +54,25 @@ bool read_whole(const fs::path& path, std::string& bytes) {
   return in.good() || in.eof();
 }
 
-Fault refused(const fs::path& folder, Message message, Message hint = {}) {
-  return {0, 1, say("'{1}': {2}", folder.string(), std::move(message)), std::move(hint)};
+/// The first lines in which two texts differ, cut short.
+Message difference(std::string_view there, std::string_view here) {
+  while (!there.empty() && !here.empty()) {
+    const auto next = [](std::string_view& text) {
+      const std::string_view line = text.substr(0, text.find('\n'));
+      text.remove_prefix(std::min(line.size() + 1, text.size()));
+      return line;
+    };
+    const std::string_view theirs = next(there), ours = next(here);
+    constexpr std::size_t width = 80;
+    if (theirs != ours)
+      return say("'{1}' there, '{2}' here", std::string(theirs.substr(0, width)), std::string(ours.substr(0, width)));
+  }
+  return say("one ends where the other goes on");
 }
 
 }  // namespace
+
+std::string fingerprint(std::string_view identity) { return hexadecimal(checked(0, identity)); }
 
 SweepStore::SweepStore(fs::path folder, const SweepPlan& plan, StoredSweep sweep, Found none)
     : folder_(std::move(folder)), points_(plan.space.count()), sweep_(std::move(sweep)), found_(std::move(none)) {
@@ -90,7 +92,8 @@ void SweepStore::name_columns(const SweepPlan& plan) {
 }
 
 std::uint64_t SweepStore::points_until(std::uint64_t block) const {
-  return std::min(block * project::block_size, points_) - sweep_.blocks.first * project::block_size;
+  const std::uint64_t first = std::min(sweep_.blocks.first * project::block_size, points_);
+  return std::min(block * project::block_size, points_) - first;
 }
 
 Message SweepStore::open_columns(std::uint64_t rows) {
@@ -98,6 +101,8 @@ Message SweepStore::open_columns(std::uint64_t rows) {
   fs::create_directories(folder_ / "columns", error);
   if (error) return say("cannot make '{1}': {2}", (folder_ / "columns").string(), error.message());
   for (Column& column : columns_) {
+    if (rows != 0 && !fs::exists(folder_ / column.file, error))
+      return say("'{1}' is missing", (folder_ / column.file).string());
     auto file = sweep::NpyColumn::open(folder_ / column.file, rows);
     if (!file) return file.fault().message;
     column.numbers = std::move(*file);
@@ -105,100 +110,84 @@ Message SweepStore::open_columns(std::uint64_t rows) {
   return {};
 }
 
-Outcome<SweepStore> SweepStore::create(const fs::path& folder, const SweepPlan& plan, StoredSweep sweep, Found none) {
+/// The first state of a new sweep.
+Message SweepStore::begin() {
   std::error_code error;
-  if (fs::exists(folder, error) && (!fs::is_directory(folder, error) || !fs::is_empty(folder, error)))
+  fs::remove_all(folder_ / "columns", error);  // of what was killed before it had a state
+  if (Message wrong = open_columns(0); !wrong.empty()) return wrong;
+  return save();
+}
+
+Outcome<SweepStore> SweepStore::create(const fs::path& folder, const SweepPlan& plan, StoredSweep sweep, Found none) {
+  const auto taken = [&] {
     return refused(folder, say("there is something already"),
                    say("name a new folder, or go on with what stands there: --resume"));
+  };
+  std::error_code error;
+  if (fs::exists(folder, error) && !is_unbegun(folder)) {
+    const auto unlocked = FolderLock::to_read(folder);
+    return unlocked ? taken() : unlocked.fault();
+  }
   SweepStore store(folder, plan, std::move(sweep), std::move(none));
   fs::create_directories(folder, error);
   if (error) return refused(folder, say("{1}", error.message()));
-  if (Message wrong = store.open_columns(0); !wrong.empty()) return Fault{0, 1, std::move(wrong), {}};
-  if (Message wrong = store.save(); !wrong.empty()) return Fault{0, 1, std::move(wrong), {}};
+  auto lock = FolderLock::to_write(folder);
+  if (!lock) return lock.fault();
+  if (!is_unbegun(folder)) return taken();
+  store.lock_ = std::move(*lock);
+  if (Message wrong = store.begin(); !wrong.empty()) return Fault{0, 1, std::move(wrong), {}};
   return store;
 }
 
 Outcome<SweepStore> SweepStore::resume(const fs::path& folder, const SweepPlan& plan, const StoredSweep& sweep,
                                        Found none) {
-  std::string bytes;
-  std::error_code error;
-  if (!fs::exists(folder / state_name, error) || !read_whole(folder / state_name, bytes))
+  const auto none_there = [&] {
     return refused(folder, say("no sweep stands there"), say("begin it without --resume"));
+  };
+  std::error_code error;
+  const auto has_state = [&] { return fs::exists(folder / state_name, error); };
+  if (!has_state() && !is_unbegun(folder)) return none_there();
   SweepStore store(folder, plan, sweep, std::move(none));
-  if (!store.load(bytes, true))
-    return refused(folder, say("the sweep of another project, of other settings, or of another program stands there"),
-                   say("name another folder"));
-  const std::uint64_t rows = store.points_until(store.next_);
-  if (Message wrong = store.open_columns(rows); !wrong.empty()) return Fault{0, 1, std::move(wrong), {}};
+  auto lock = FolderLock::to_write(folder);
+  if (!lock) return lock.fault();
+  store.lock_ = std::move(*lock);
+  Message wrong;
+  if (!has_state()) {
+    wrong = store.begin();
+    return wrong.empty() ? Outcome<SweepStore>(std::move(store)) : Fault{0, 1, std::move(wrong), {}};
+  }
+  const std::string bytes = store.read_state(wrong);
+  if (wrong.empty()) wrong = store.load(bytes);
+  if (!wrong.empty()) return refused(folder, std::move(wrong), say("begin in another folder"));
+  const BlockRange there = store.sweep_.blocks, asked = sweep.blocks;
+  if (there.first != asked.first || there.last != asked.last) {
+    const std::string points = points_of(there, store.points_);
+    return refused(folder, say("it is another share: points {1}, not {2}", points, points_of(asked, store.points_)),
+                   say("go on with it: --shard {1}; or name another folder", points));
+  }
+  wrong = store.open_columns(store.points_until(store.next_));
+  if (wrong.empty()) wrong = store.check_columns();
+  if (!wrong.empty()) return Fault{0, 1, std::move(wrong), say("begin in another folder")};
   return store;
 }
 
-Outcome<SweepStore> SweepStore::merge(const std::vector<fs::path>& shards, const fs::path& folder,
-                                      const SweepPlan& plan, StoredSweep sweep, const Found& none) {
-  std::vector<SweepStore> all;
-  for (const fs::path& path : shards) {
-    std::string bytes;
-    std::error_code error;
-    SweepStore shard(path, plan, sweep, none);
-    if (!fs::exists(path / state_name, error) || !read_whole(path / state_name, bytes))
-      return refused(path, say("no sweep stands there"));
-    if (!shard.load(bytes, false)) return refused(path, say("it is no shard of this sweep"));
-    if (shard.left().count() != 0)
-      return refused(
-          path,
-          say("it is not done: {1} points are left",
-              std::to_string(shard.points_until(shard.sweep_.blocks.last) - shard.points_until(shard.next_))),
-          say("go on with it: --resume"));
-    all.push_back(std::move(shard));
+Message SweepStore::check_columns() const {
+  for (const Column& column : columns_) {
+    std::uint64_t check = 0;
+    Message wrong = sweep::read_npy(folder_ / column.file, [&](std::span<const double> values) {
+      check = checked(check, values);
+      return true;
+    });
+    if (!wrong.empty()) return wrong;
+    if (check != column.check) return not_what_was_written(folder_ / column.file);
   }
-  std::sort(all.begin(), all.end(),
-            [](const SweepStore& a, const SweepStore& b) { return a.sweep_.blocks.first < b.sweep_.blocks.first; });
-  std::uint64_t next = sweep.blocks.first;  // nothing is made where something is missing
-  for (const SweepStore& shard : all) {
-    if (shard.sweep_.blocks.first < next) return refused(shard.folder_, say("its points are in another shard too"));
-    if (shard.sweep_.blocks.first > next) break;
-    next = shard.sweep_.blocks.last;
-  }
-  if (next != sweep.blocks.last)
-    return refused(folder, say("the points from {1} on are in no shard", std::to_string(next * project::block_size)));
-  auto merged = create(folder, plan, sweep, none);
-  if (!merged) return merged;
-  Message wrong;
-  for (const SweepStore& shard : all) {
-    if (wrong.empty()) wrong = merged->append_shard(shard);
-  }
-  if (wrong.empty()) wrong = merged->save();
-  if (wrong.empty()) return merged;
-  std::error_code error;  // create() has made all of it
-  fs::remove_all(folder, error);
-  return Fault{0, 1, std::move(wrong), {}};
+  return {};
 }
 
 Message SweepStore::append(std::size_t column, std::span<const double> values) {
   Column& to = columns_[column];
   to.check = checked(to.check, values);
   return to.numbers.append(values) ? Message{} : say("cannot write '{1}'", (folder_ / to.file).string());
-}
-
-Message SweepStore::append_shard(const SweepStore& shard) {
-  for (std::size_t k = 0; k < columns_.size(); ++k) {
-    const fs::path path = shard.folder_ / columns_[k].file;
-    std::uint64_t rows = 0, check = 0;
-    Message wrong;
-    const Message unread = sweep::read_npy(path, [&](std::span<const double> values) {
-      rows += values.size();
-      check = checked(check, values);
-      wrong = append(k, values);
-      return wrong.empty();
-    });
-    if (!unread.empty()) return unread;
-    if (!wrong.empty()) return wrong;
-    if (rows != shard.found_.points() || check != shard.columns_[k].check)
-      return say("'{1}' is not what was written", path.string());
-  }
-  if (!found_.merge(shard.found_)) return say("'{1}': its points are in another shard too", shard.folder_.string());
-  next_ = shard.next_;
-  return {};
 }
 
 Message SweepStore::take(const SweptPart& part) {
@@ -232,23 +221,38 @@ std::string SweepStore::state() const {
   return bytes + end.bytes();
 }
 
-/// False where the bytes are damaged or tell of another sweep.
-bool SweepStore::load(std::string_view bytes, bool same_blocks) {
+std::string SweepStore::read_state(Message& wrong) const {
+  std::string bytes;
+  if (!read_whole(folder_ / state_name, bytes)) wrong = say("its state cannot be read");
+  return bytes;
+}
+
+/// What is wrong with the bytes of a state: they are damaged, or tell of another sweep.
+Message SweepStore::load(std::string_view bytes) {
   constexpr std::size_t end = sizeof(std::uint64_t);
-  if (bytes.size() < end) return false;
+  Message damaged = say("its state is damaged");
+  if (bytes.size() < end) return damaged;
   sweep::Reader check(bytes.substr(bytes.size() - end));
   bytes.remove_suffix(end);
-  if (check.number() != checked(0, bytes)) return false;
+  if (check.number() != checked(0, bytes)) return damaged;
   sweep::Reader reader(bytes);
-  if (reader.number() != state_format || read_text(reader) != sweep_.identity) return false;
-  const BlockRange blocks{reader.number(), reader.number()};
-  if (same_blocks && (blocks.first != sweep_.blocks.first || blocks.last != sweep_.blocks.last)) return false;
-  sweep_.blocks = blocks;
+  if (reader.number() != state_format) return say("its state is of another version of the program");
+  const std::string identity = read_text(reader);
+  if (identity != sweep_.identity) return say("another sweep stands there: {1}", difference(identity, sweep_.identity));
+  return load_known(reader) ? Message{} : damaged;
+}
+
+bool SweepStore::load_known(sweep::Reader& reader) {
+  sweep_.blocks.first = reader.number();
+  sweep_.blocks.last = reader.number();
   next_ = reader.number();
   if (reader.number() != columns_.size()) return false;
   for (Column& column : columns_) column.check = reader.number();
   found_.load(reader);
-  return !reader.failed() && reader.at_end();
+  const BlockRange& blocks = sweep_.blocks;
+  const std::uint64_t all = (points_ + project::block_size - 1) / project::block_size;
+  const bool in_order = blocks.first <= next_ && next_ <= blocks.last && blocks.last <= all;
+  return !reader.failed() && reader.at_end() && in_order;
 }
 
 std::string SweepStore::manifest() const {
@@ -256,10 +260,10 @@ std::string SweepStore::manifest() const {
   json.open_object();
   json.member("program", sweep_.program);
   json.member("project", sweep_.file);
-  json.member("input", hexadecimal(checked(0, sweep_.identity)));
+  json.member("input", fingerprint(sweep_.identity));
   json.member("seed", static_cast<std::int64_t>(sweep_.seed));
   json.member("points", static_cast<std::int64_t>(points_));
-  json.member("first", static_cast<std::int64_t>(sweep_.blocks.first * project::block_size));
+  json.member("first", static_cast<std::int64_t>(std::min(sweep_.blocks.first * project::block_size, points_)));
   json.member("rows", static_cast<std::int64_t>(points_until(next_)));
   json.member("state", next_ == sweep_.blocks.last ? "done" : "begun");
   json.key("columns").open_array();
@@ -279,7 +283,7 @@ std::string SweepStore::manifest() const {
 
 /// Written aside, and put in place whole.
 Message SweepStore::put(const std::string& name, const std::string& bytes) const {
-  const fs::path aside = folder_ / ("." + name + ".part");
+  const fs::path aside = folder_ / aside_of(name);
   const auto wrong = [&] { return say("cannot write '{1}': {2}", (folder_ / name).string(), std::strerror(errno)); };
   {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(aside.c_str(), "wb"), &std::fclose);

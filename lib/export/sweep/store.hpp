@@ -5,14 +5,16 @@
 //   columns/        one file for each input and result, doubles in SI as numpy reads them
 //   state           what a sweep goes on from; the same bytes for the same points, however they were shared out
 //
-// The state is put in place whole, after the columns that it tells of are on the disk.
+// The state is put in place whole, after the columns that it tells of are on the disk. One process writes at a time.
 #pragma once
 
+#include "lib/export/sweep/lock.hpp"
 #include "lib/project/sweep/sweep.hpp"
 #include "lib/sweep/output/npy.hpp"
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace loadpath::exports {
@@ -32,17 +34,22 @@ struct StoredSweep {
   bool columns = true;
 };
 
+/// What stands for everything that the numbers follow from.
+std::string fingerprint(std::string_view identity);
+
 class SweepStore {
  public:
   SweepStore() = default;
-  /// A new folder; a Fault where there is something in it already, or it cannot be written.
+  /// A new folder, or one in which a sweep was killed before it had a state; a Fault where there is something else in
+  /// it, another process is at work on it, or it cannot be written.
   static Outcome<SweepStore> create(const std::filesystem::path& folder, const SweepPlan& plan, StoredSweep sweep,
                                     Found none);
-  /// A folder that is there, of the same sweep: a Fault where it is another's. What was written after its last state is
-  /// cut off.
+  /// A folder that is there, of the same sweep: a Fault where it is another's, or damaged: its columns are read again.
+  /// What was written after its last state is cut off.
   static Outcome<SweepStore> resume(const std::filesystem::path& folder, const SweepPlan& plan,
                                     const StoredSweep& sweep, Found none);
-  /// Folders of shards as one new folder: they must be done, of the same sweep, and make the whole.
+  /// Folders of shards as one new folder: they must be of the same sweep, and of those that are done some must make the
+  /// whole, each point in one of them. The others are left out.
   static Outcome<SweepStore> merge(const std::vector<std::filesystem::path>& shards,
                                    const std::filesystem::path& folder, const SweepPlan& plan, StoredSweep sweep,
                                    const Found& none);
@@ -54,6 +61,8 @@ class SweepStore {
 
   [[nodiscard]] const Found& found() const { return found_; }
   [[nodiscard]] BlockRange left() const { return {next_, sweep_.blocks.last}; }
+  /// Of shards that were to be put together, those whose points are in others, and those that have none.
+  [[nodiscard]] const std::vector<std::filesystem::path>& left_out() const { return left_out_; }
 
  private:
   struct Column {
@@ -65,20 +74,29 @@ class SweepStore {
   SweepStore(std::filesystem::path folder, const SweepPlan& plan, StoredSweep sweep, Found none);
   void name_columns(const SweepPlan& plan);
   Message open_columns(std::uint64_t rows);
+  Message begin();
+  [[nodiscard]] Message check_columns() const;
+  static std::vector<const SweepStore*> chain_of(const std::vector<SweepStore>& shards, BlockRange blocks,
+                                                 std::uint64_t points, Fault& missing);
+  static Outcome<SweepStore> open_shard(const std::filesystem::path& folder, SweepStore shard);
   Message append(std::size_t column, std::span<const double> values);
   Message append_shard(const SweepStore& shard);
   [[nodiscard]] std::string state() const;
-  bool load(std::string_view bytes, bool same_blocks);
+  [[nodiscard]] std::string read_state(Message& wrong) const;
+  Message load(std::string_view bytes);
+  bool load_known(sweep::Reader& reader);
   [[nodiscard]] std::string manifest() const;
   [[nodiscard]] std::uint64_t points_until(std::uint64_t block) const;
   [[nodiscard]] Message put(const std::string& name, const std::string& bytes) const;
 
   std::filesystem::path folder_;
+  FolderLock lock_;
   std::uint64_t points_ = 0;  // of the whole sweep
   StoredSweep sweep_;
   Found found_;
   std::uint64_t next_ = 0;  // block
   std::vector<Column> columns_;
+  std::vector<std::filesystem::path> left_out_;
 };
 
 }  // namespace loadpath::exports

@@ -1,0 +1,31 @@
+// What is in the folder of a sweep, and how it is spoken of.
+#pragma once
+
+#include "lib/project/sweep/blocks.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace loadpath::exports {
+
+constexpr const char* state_name = "state";
+
+/// What is written before it is put in place.
+std::string aside_of(const std::string& name);
+
+/// CRC-64 of ECMA-182, taken up where it stopped.
+std::uint64_t checked(std::uint64_t before, std::string_view bytes);
+std::uint64_t checked(std::uint64_t before, std::span<const double> values);
+
+/// Whether a folder holds nothing, or no more than what was killed before its first state has made.
+bool is_unbegun(const std::filesystem::path& folder);
+
+Fault refused(const std::filesystem::path& folder, Message message, Message hint = {});
+Message not_what_was_written(const std::filesystem::path& column);
+/// "512-1023" of so many points, as --shard takes it.
+std::string points_of(project::BlockRange blocks, std::uint64_t points);
+
+}  // namespace loadpath::exports

@@ -1,0 +1,13 @@
+// SI units as other programs are told them.
+#pragma once
+
+#include "lib/quantity/dimension.hpp"
+
+#include <string>
+
+namespace loadpath::exports {
+
+/// The SI unit by its name where it has one: Pa, not kg/(m*s^2); empty for a number.
+std::string unit_name(const Dimension& dimension);
+
+}  // namespace loadpath::exports

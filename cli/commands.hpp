@@ -49,6 +49,7 @@ struct SweepOptions {
   std::size_t worst = 5;             // points that are told
   std::string pareto;                // "m:min,u:min"
   std::string csv;                   // file
+  std::string hdf5;                  // file
   std::vector<std::string> reports;  // .html, .md, .pdf
   std::string out;                   // folder of columns and state
   std::string shard;                 // "2/10"

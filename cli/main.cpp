@@ -1,5 +1,6 @@
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
+#include "cli/parts/parts.hpp"
 #include "cli/setup.hpp"
 #include "lib/text/issue.hpp"
 
@@ -314,6 +315,10 @@ std::vector<std::string> words_of(int argc, char** argv) {
 }
 
 int dispatch(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "--version") {  // asked by scripts, again and again: nothing is set up
+    std::cout << program() << "\n";
+    return passed;
+  }
   CLI::App app(
       "loadpath: design calculator for machine elements, from the loads of a mechanism to the sizes of its parts",
       "loadpath");
@@ -353,6 +358,18 @@ int dispatch(int argc, char** argv) {
   return action && app.remaining().empty() ? action() : unknown_command(app, deepest(app));
 }
 
+int guarded(int argc, char** argv) {
+  try {
+    const int code = dispatch(argc, argv);
+    if (std::cout.flush()) return code;
+    std::cerr << "loadpath: standard output cannot be written\n";
+    return fault;
+  } catch (const std::exception& error) {
+    std::cerr << "loadpath: a fault of the program: " << error.what() << "\n";
+    return fault;
+  }
+}
+
 }  // namespace
 
 std::string program() { return "loadpath " LOADPATH_VERSION; }
@@ -360,18 +377,6 @@ std::string program() { return "loadpath " LOADPATH_VERSION; }
 }  // namespace loadpath::cli
 
 int main(int argc, char** argv) {
-  if (argc > 1 && std::string_view(argv[1]) == "--version") {  // asked by scripts, again and again: nothing is set up
-    std::cout << loadpath::cli::program() << "\n";
-    return std::cout.flush() ? loadpath::cli::passed : loadpath::cli::fault;
-  }
   std::signal(SIGINT, [](int) { std::_Exit(loadpath::cli::interrupted); });
-  try {
-    const int code = loadpath::cli::dispatch(argc, argv);
-    if (std::cout.flush()) return code;
-    std::cerr << "loadpath: standard output cannot be written\n";
-    return loadpath::cli::fault;
-  } catch (const std::exception& error) {
-    std::cerr << "loadpath: a fault of the program: " << error.what() << "\n";
-    return loadpath::cli::fault;
-  }
+  return loadpath::cli::run_program([&] { return loadpath::cli::guarded(argc, argv); });
 }

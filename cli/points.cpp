@@ -1,5 +1,8 @@
 #include "cli/points.hpp"
 
+#include <algorithm>
+#include <charconv>
+
 namespace loadpath::cli {
 
 namespace {
@@ -15,6 +18,21 @@ std::vector<project::Placed> split(const std::string& list, const char* option) 
     from = to + 1;
   }
   return all;
+}
+
+/// Two whole numbers and what stands between them; 0 where it is something else.
+char parted(const std::string& text, std::uint64_t& a, std::uint64_t& b) {
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, a);
+  if (first.ec != std::errc() || first.ptr == end) return 0;
+  const auto second = std::from_chars(first.ptr + 1, end, b);
+  return second.ec == std::errc() && second.ptr == end ? *first.ptr : '\0';
+}
+
+/// The share K of N, counted from 1. Where N becomes twice as many, each becomes two: what is done already still fits.
+project::BlockRange share_of(std::uint64_t blocks, std::uint64_t k, std::uint64_t n) {
+  const auto start = [&](std::uint64_t i) { return blocks / n * i + blocks % n * i / n; };
+  return {start(k - 1), start(k)};
 }
 
 }  // namespace
@@ -40,6 +58,24 @@ void take_point(project::Project& project, std::uint64_t point, std::vector<Issu
   }
   project::set_point(project, plan, point, issues);
   project.meta.emplace_back("point", std::to_string(point) + " of " + std::to_string(plan.space.count()));
+}
+
+Outcome<project::BlockRange> read_share(const std::string& text, const project::SweepPlan& plan) {
+  const auto wrong = [&](Message hint) {
+    return Fault{0, 1, say("'{1}' is no share of a sweep", text), std::move(hint)};
+  };
+  std::uint64_t a = 0, b = 0;
+  const char between = parted(text, a, b);
+  constexpr std::uint64_t most = 1'000'000'000;  // shares
+  if (between == '/' && a >= 1 && a <= b && b <= most) return share_of(project::all_blocks(plan).count(), a, b);
+  if (between != '-') return wrong(say("write --shard 2/10, counted from 1, or points: --shard 512-1023"));
+  constexpr std::uint64_t size = project::block_size;
+  const std::uint64_t count = plan.space.count();
+  if (a > b || b >= count) return wrong(say("the points are 0 to {1}", std::to_string(count - 1)));
+  if (a % size != 0 || ((b + 1) % size != 0 && b + 1 != count))
+    return wrong(say("points are solved by blocks of {1}: it begins with one, and ends with one or with the last point",
+                     std::to_string(size)));
+  return project::BlockRange{a / size, b / size + 1};
 }
 
 }  // namespace loadpath::cli

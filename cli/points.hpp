@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/commands.hpp"
-#include "lib/project/sweep/plan.hpp"
+#include "lib/project/sweep/blocks.hpp"
 
 namespace loadpath::cli {
 
@@ -11,5 +11,8 @@ void take_points(const PointOptions& options, project::SweepSettings& settings);
 
 /// The machine of one point, with its number in the heading; issues where there is no such point.
 void take_point(project::Project& project, std::uint64_t point, std::vector<Issue>& issues);
+
+/// The blocks of a share, "2/10" or its points, "512-1023". A Fault where there is none such.
+Outcome<project::BlockRange> read_share(const std::string& text, const project::SweepPlan& plan);
 
 }  // namespace loadpath::cli

@@ -69,7 +69,7 @@ void add_folder(CLI::App& app, SweepOptions& options) {
   app.add_option("--save-every", options.save_every, "seconds between states on the disk; 2 where missing")
       ->type_name("S")
       ->check(CLI::NonNegativeNumber);
-  app.add_option("--shard", options.shard, "solve the share K of N of the points")->type_name("K/N");
+  app.add_option("--shard", options.shard, "solve the share K of N of the points, or FROM-TO")->type_name("K/N");
   app.add_option("--merge", options.merge, "put the folders of shards together")->type_name("DIR")->expected(1, -1);
 }
 
@@ -92,6 +92,7 @@ void setup_sweep(CLI::App& app, SweepOptions& options, Action& action) {
       ->type_name("AIMS");
   add_aims(*sub, options);
   sub->add_option("--csv", options.csv, "write every point as a line")->type_name("FILE");
+  sub->add_option("--hdf5", options.hdf5, "write every point, a dataset for each column")->type_name("FILE");
   sub->add_option("--report", options.reports, "write a report: FILE.html, FILE.md or FILE.pdf")
       ->type_name("FILE")
       ->expected(1)

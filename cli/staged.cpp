@@ -63,7 +63,7 @@ bool cannot_write(const fs::path& path, int error) {
 
 }  // namespace
 
-Scratch::Scratch() {
+Scratch::Scratch(std::atomic<bool>* asked) : asked_(asked) {
   const sigset_t set = watched();
   pthread_sigmask(SIG_BLOCK, &set, &before_);
   watcher_ = std::thread([this] { take_signals(); });
@@ -80,9 +80,17 @@ void Scratch::take_signals() {
   const sigset_t set = watched();
   int signal = 0;
   sigwait(&set, &signal);
+  if (asked_ != nullptr && signal != SIGUSR1) {
+    *asked_ = true;
+    sigwait(&set, &signal);
+  }
   if (signal == SIGUSR1) return;
   mutex_.lock();  // for good: nothing comes into being any more
   remove_all();
+  for (std::string_view word = word_; !word.empty();) {
+    const ssize_t written = ::write(STDERR_FILENO, word.data(), word.size());
+    word.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : word.size());
+  }
   _exit(interrupted);
 }
 
@@ -109,6 +117,11 @@ fs::path Scratch::create_folder() {
 void Scratch::release(const fs::path& path) {
   const std::lock_guard lock(mutex_);
   std::erase(paths_, path);
+}
+
+void Scratch::leave_word(std::string word) {
+  const std::lock_guard lock(mutex_);
+  word_ = std::move(word);
 }
 
 pid_t Scratch::start(const std::vector<std::string>& words) {

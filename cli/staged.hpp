@@ -3,6 +3,7 @@
 // is killed the next run removes the rest.
 #pragma once
 
+#include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <mutex>
@@ -14,10 +15,11 @@
 namespace loadpath::cli {
 
 /// What must not outlive the program, however it ends: files, folders, a child. While one lives, SIGINT, SIGTERM and
-/// SIGHUP are taken by a thread that removes all of it and ends the program with the exit code for interrupted.
+/// SIGHUP are taken by a thread that removes all of it and ends the program with the exit code for interrupted. With
+/// `asked` the first of them only sets it, and the program comes to an end of its own; the second ends it at once.
 class Scratch {
  public:
-  Scratch();
+  explicit Scratch(std::atomic<bool>* asked = nullptr);
   ~Scratch();
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
@@ -29,6 +31,8 @@ class Scratch {
   void release(const std::filesystem::path& path);
   /// A new folder; empty where there can be none.
   std::filesystem::path create_folder();
+  /// What is said on standard error where a signal ends the program at once.
+  void leave_word(std::string word);
   /// Starts another program, which says nothing; 0 where that fails. Killed where this one is ended.
   pid_t start(const std::vector<std::string>& words);
   /// Its exit code, once it has ended; -1 where a signal has ended it.
@@ -38,8 +42,10 @@ class Scratch {
   void remove_all();
   void take_signals();
 
+  std::atomic<bool>* asked_;
   std::mutex mutex_;
   std::vector<std::filesystem::path> paths_;
+  std::string word_;
   pid_t child_ = 0;
   sigset_t before_;
   std::thread watcher_;

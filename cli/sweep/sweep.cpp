@@ -3,11 +3,14 @@
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "cli/parts/parts.hpp"
 #include "cli/points.hpp"
-#include "cli/progress.hpp"
 #include "cli/solving.hpp"
 #include "cli/staged.hpp"
+#include "cli/sweep/point_files.hpp"
+#include "cli/sweep/progress.hpp"
 #include "lib/export/sweep/csv.hpp"
+#include "lib/export/sweep/hdf5.hpp"
 #include "lib/export/sweep/json.hpp"
 #include "lib/export/sweep/store.hpp"
 #include "lib/report/best.hpp"
@@ -16,12 +19,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <charconv>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <iostream>
-#include <optional>
 #include <thread>
 
 namespace loadpath::cli {
@@ -44,8 +44,9 @@ std::string contradiction(const SweepOptions& options) {
   const int aims = !options.minimise.empty() + !options.maximise.empty() + !options.seek.empty() +
                    (options.influence || options.sobol != 0);
   if (aims > 1) return "'--minimise', '--maximise', '--seek' and '--influence' are asked for one at a time";
-  if (aims == 1 && (!options.out.empty() || !options.csv.empty() || !options.pareto.empty() || options.json))
-    return "'--out', '--csv', '--json' and '--pareto' are about a sweep over all points";
+  if (aims == 1 && (!options.out.empty() || !options.csv.empty() || !options.hdf5.empty() || !options.pareto.empty() ||
+                    options.json))
+    return "'--out', '--csv', '--hdf5', '--json' and '--pareto' are about a sweep over all points";
   if (options.minimise.empty() && options.maximise.empty() && (!options.such_that.empty() || options.quantile > 0.0))
     return "'--such-that' and '--quantile' say what a machine must meet that --minimise or --maximise chooses";
   if (options.out.empty() && (options.resume || !options.shard.empty() || !options.merge.empty() || options.no_columns))
@@ -54,6 +55,10 @@ std::string contradiction(const SweepOptions& options) {
     return "'--merge' puts shards together; it solves none";
   if (!options.csv.empty() && (options.resume || !options.merge.empty()))
     return "'--csv' has every point from the first: it does not go with --resume or --merge";
+  if (!options.hdf5.empty() && (options.resume || !options.merge.empty() || !options.shard.empty()))
+    return "'--hdf5' has every point of the sweep: it does not go with --resume, --shard or --merge";
+  if (!options.hdf5.empty() && !exports::Hdf5File::is_there())
+    return "this program was built without HDF5 (LOADPATH_HDF5); '--out DIR' writes columns that numpy reads";
   return {};
 }
 
@@ -62,14 +67,19 @@ class Sweeping {
  public:
   explicit Sweeping(const SweepOptions& options) : options_(options) {}
   int run();
+  /// On a rank that helps another with its sweep.
+  int help(const std::string& text);
 
  private:
   [[nodiscard]] project::Project read(std::vector<Issue>& issues) const;
+  void plan(std::vector<Issue>& issues);
   bool prepare();
   bool read_aims(std::vector<Issue>& issues);
   bool read_shard();
   [[nodiscard]] std::string identity() const;
+  [[nodiscard]] exports::StoredSweep stored() const;
   [[nodiscard]] Outcome<SweepStore> open_store() const;
+  [[nodiscard]] std::string what_is_left(const SweepStore& store) const;
   [[nodiscard]] bool solve(SweepStore* store, project::Found& found);
   [[nodiscard]] int tell(const project::Found& found) const;
   [[nodiscard]] int tell_blocks(const char* title, std::vector<report::Block> blocks) const;
@@ -124,27 +134,24 @@ bool Sweeping::read_aims(std::vector<Issue>& issues) {
 bool Sweeping::read_shard() {
   blocks_ = project::all_blocks(plan_);
   if (options_.shard.empty()) return true;
-  std::uint64_t k = 0, n = 0;
-  const char* const end = options_.shard.data() + options_.shard.size();
-  const auto first = std::from_chars(options_.shard.data(), end, k);
-  const bool parted = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
-  const auto second = parted ? std::from_chars(first.ptr + 1, end, n) : first;
-  if (!parted || second.ec != std::errc() || second.ptr != end || k < 1 || k > n) {
-    refuse("'" + options_.shard + "' is no share of a sweep", "write --shard 2/10, counted from 1");
-    return false;
-  }
-  blocks_ = project::shard_of(blocks_, k, n);
+  const auto share = read_share(options_.shard, plan_);
+  if (!share) return refuse(share.fault().message.text(), share.fault().hint.text()), false;
+  blocks_ = *share;
   return true;
 }
 
-bool Sweeping::prepare() {
-  std::vector<Issue> issues;
+void Sweeping::plan(std::vector<Issue>& issues) {
   project_ = read(issues);
   take_points(options_.points, project_.sweep);
   for (const std::string& result : options_.results) project_.sweep.results.push_back({result, {"--results", 1, 1, 1}});
   if (!has_errors(issues)) plan_ = project::plan_sweep(project_, project_.sweep, issues);
   keep_.worst = options_.worst;
   if (!has_errors(issues)) read_aims(issues);
+}
+
+bool Sweeping::prepare() {
+  std::vector<Issue> issues;
+  plan(issues);
   if (!options_.quiet || has_errors(issues)) {
     std::vector<terminal::SourceText> sources{{options_.file, text_}, {"--pareto", options_.pareto}};
     for (const std::string& result : options_.results) sources.push_back({"--results", result});
@@ -153,26 +160,34 @@ bool Sweeping::prepare() {
   return !has_errors(issues) && read_shard();
 }
 
-/// Everything that the numbers follow from.
+/// Everything that the numbers follow from, so that two of them that differ say in which line.
 std::string Sweeping::identity() const {
-  std::string all = program() + "\n" + text_ + "\n";
-  for (const project::NamedFile& file : project_.files) all += file.name + "\n" + file.text + "\n";
   const project::SweepSettings& s = project_.sweep;
-  for (const auto& column : plan_.columns) all += column.name + " = " + column.text + "\n";
-  for (const std::uint64_t n : {s.samples, s.seed, std::uint64_t{s.latin}, std::uint64_t{keep_.worst},
-                                std::uint64_t{options_.strict}, std::uint64_t{!options_.no_columns}})
-    all += std::to_string(n) + "\n";
+  std::string all = program() + "\n";
+  const auto add = [&](const char* name, std::uint64_t number) {
+    all += std::string(name) + " = " + std::to_string(number) + "\n";
+  };
+  add("samples", s.samples), add("seed", s.seed), add("latin", std::uint64_t{s.latin}), add("worst", keep_.worst);
+  add("strict", std::uint64_t{options_.strict}), add("no-columns", std::uint64_t{options_.no_columns});
+  all += "pareto = " + options_.pareto + "\n";
   for (const auto& zip : s.zip) {
+    all += "zip = ";
     for (const project::Placed& name : zip) all += name.text + ",";
     all += "\n";
   }
-  return all + options_.pareto;
+  for (const auto& column : plan_.columns) all += column.name + " = " + column.text + "\n";
+  all += text_ + "\n";
+  for (const project::NamedFile& file : project_.files) all += file.name + "\n" + file.text + "\n";
+  return all;
+}
+
+exports::StoredSweep Sweeping::stored() const {
+  return {program(),           fs::path(options_.file).filename().string(), identity(), project_.sweep.seed, blocks_,
+          !options_.no_columns};
 }
 
 Outcome<SweepStore> Sweeping::open_store() const {
-  const exports::StoredSweep stored{program(),  fs::path(options_.file).filename().string(),
-                                    identity(), project_.sweep.seed,
-                                    blocks_,    !options_.no_columns};
+  const exports::StoredSweep stored = this->stored();
   const project::Found none = project::nothing_found(plan_, project_, keep_);
   if (!options_.merge.empty())
     return SweepStore::merge({options_.merge.begin(), options_.merge.end()}, options_.out, plan_, stored, none);
@@ -180,36 +195,31 @@ Outcome<SweepStore> Sweeping::open_store() const {
   return SweepStore::create(options_.out, plan_, stored, none);
 }
 
+std::string Sweeping::what_is_left(const SweepStore& store) const {
+  const std::uint64_t first = store.left().first * project::block_size;
+  const std::uint64_t last = std::min(store.left().last * project::block_size, plan_.space.count()) - 1;
+  return "stopped at " + std::to_string(store.found().points()) + " points; " + std::to_string(first) + " to " +
+         std::to_string(last) + " are missing: loadpath sweep " + options_.file + " --out " + options_.out +
+         " --resume goes on, with the same options\n";
+}
+
 /// False where an output cannot be written, which is told, or the user has stopped it.
 bool Sweeping::solve(SweepStore* store, project::Found& found) {
   const std::chrono::duration<double> between(options_.save_every);
-  std::optional<Scratch> scratch;  // where it watches for Ctrl-C there is no stop between two parts
-  std::optional<Staged> staged;
-  std::FILE* csv = nullptr;
-  if (!options_.csv.empty()) {
-    staged.emplace(scratch.emplace());
-    csv = std::fopen(staged->aside(options_.csv).c_str(), "wb");
-    if (csv == nullptr) return refuse("cannot write '" + options_.csv + "'"), false;
-    const std::string head = exports::csv_head(plan_);
-    std::fwrite(head.data(), 1, head.size(), csv);
-  }
+  Scratch scratch(store != nullptr && is_waited_for() ? &interrupted_by_user
+                                                      : nullptr);  // a folder keeps what is solved
+  PointFiles files(options_, plan_, scratch);
+  if (!files.open(stored())) return false;
   const unsigned jobs = options_.jobs != 0 ? options_.jobs : std::max(1U, std::thread::hardware_concurrency());
   const project::BlockRange blocks = store != nullptr ? store->left() : blocks_;
-  const project::SweepWork work{plan_,  reading(), keep_,
-                                blocks, jobs,      csv != nullptr || (store != nullptr && !options_.no_columns)};
+  const bool rows = files.any() || (store != nullptr && !options_.no_columns);
+  const project::SweepWork work{plan_, reading(), keep_, blocks, jobs, rows, &interrupted_by_user};
   Progress progress(blocks.count() * project::block_size, !options_.quiet);
   auto saved = std::chrono::steady_clock::now();
   bool whole = true;
-  std::string lines;
-  project::solve(work, [&](project::SweptPart&& part) {
-    lines.clear();
-    for (const project::SolvedBlock& block : part.rows) {
-      if (csv != nullptr) exports::append_csv(plan_, block, lines);
-    }
-    if (csv != nullptr && std::fwrite(lines.data(), 1, lines.size(), csv) != lines.size()) {
-      refuse("cannot write '" + options_.csv + "'");
-      return whole = false;
-    }
+  if (store != nullptr) scratch.leave_word(what_is_left(*store));
+  const auto take = [&](project::SweptPart&& part) {
+    if (!files.take(part)) return whole = false;
     Message wrong;
     if (store != nullptr)
       wrong = store->take(part);
@@ -219,6 +229,7 @@ bool Sweeping::solve(SweepStore* store, project::Found& found) {
     if (wrong.empty() && store != nullptr && now - saved >= between) {
       wrong = store->save();
       saved = now;
+      if (store->left().count() != 0) scratch.leave_word(what_is_left(*store));
     }
     if (!wrong.empty()) {
       refuse(wrong.text());
@@ -226,17 +237,21 @@ bool Sweeping::solve(SweepStore* store, project::Found& found) {
     }
     progress.show((part.blocks.last - blocks.first) * project::block_size);
     return !interrupted_by_user;
-  });
+  };
+  const std::string unsolved =
+      solve_parts(work, {text_, identity()}, {take, [&](const std::string& late) { progress.wait_for(late); }});
   progress.end();
-  if (csv != nullptr && std::fclose(csv) != 0) return refuse("cannot write '" + options_.csv + "'"), false;
+  if (!unsolved.empty()) return refuse(unsolved), false;
   if (store != nullptr && whole) {
     if (const Message wrong = store->save(); !wrong.empty()) return refuse(wrong.text()), false;
   }
-  return whole && (interrupted_by_user || options_.csv.empty() || staged->finish());
+  return whole && (interrupted_by_user || files.finish());
 }
 
 int Sweeping::tell(const project::Found& found) const {
-  const report::Document document = report::sweep_document(project_, plan_, found, program());
+  report::DrawnPoints drawn;
+  if (!options_.reports.empty()) drawn = report::points_to_draw(plan_, found, blocks_, reading());
+  const report::Document document = report::sweep_document(project_, plan_, found, program(), drawn);
   if (!write_reports(document, options_.reports, project_, options_.quiet)) return wrong_input;
   if (options_.json) {
     std::cout << exports::json_of(project_, plan_, found, program());
@@ -310,6 +325,15 @@ int Sweeping::ask_influence() const {
   return tell_blocks("What the results hang on", report::influence_blocks(*influence));
 }
 
+int Sweeping::help(const std::string& text) {
+  text_ = text;
+  std::vector<Issue> issues;
+  plan(issues);
+  const project::SweepWork work{plan_, reading(), keep_, {}, std::max(1U, options_.jobs)};
+  const bool read = !has_errors(issues);
+  return help_parts(work, read ? identity() : "", read ? "" : "finds errors in what the first rank has read without");
+}
+
 int Sweeping::run() {
   if (const std::string wrong = contradiction(options_); !wrong.empty()) return refuse(wrong);
   OutputOptions reports;
@@ -319,6 +343,7 @@ int Sweeping::run() {
   if (!prepare()) return wrong_input;
   std::vector<fs::path> outputs(options_.reports.begin(), options_.reports.end());
   if (!options_.csv.empty()) outputs.emplace_back(options_.csv);
+  if (!options_.hdf5.empty()) outputs.emplace_back(options_.hdf5);
   if (overwrites(outputs, project_)) return wrong_input;
   if (!options_.minimise.empty() || !options_.maximise.empty()) return choose();
   if (!options_.seek.empty()) return seek();
@@ -330,20 +355,23 @@ int Sweeping::run() {
   }
   auto store = open_store();
   if (!store) return refuse(store.fault().message.text(), store.fault().hint.text());
-  std::signal(SIGINT, [](int) { interrupted_by_user = true; });
+  for (const fs::path& folder : store->left_out())
+    if (!options_.quiet) std::cerr << "loadpath: left out, the points are in others: '" << folder.string() << "'\n";
   if (store->left().count() != 0) {
     if (!solve(&*store, found)) return wrong_input;
   } else if (const Message wrong = store->save(); !wrong.empty()) {  // what was killed behind its last state
     return refuse(wrong.text());
   }
   if (store->left().count() == 0) return tell(store->found());
-  std::cerr << "stopped at " << store->found().points() << " points: loadpath sweep " << options_.file << " --out "
-            << options_.out << " --resume goes on, with the same options\n";
+  std::cerr << what_is_left(*store);
   return interrupted;
 }
 
 }  // namespace
 
-int sweep(const SweepOptions& options) { return Sweeping(options).run(); }
+int sweep(const SweepOptions& options) {
+  const std::string* const text = helped_text();
+  return text != nullptr ? Sweeping(options).help(*text) : Sweeping(options).run();
+}
 
 }  // namespace loadpath::cli

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 
 namespace loadpath::cli {
 
@@ -13,13 +14,15 @@ class Progress {
 
   /// At most a few times a second.
   void show(std::uint64_t done);
+  /// What everything else is done but for. Without a terminal too: a job that hangs is looked for in what it has told.
+  void wait_for(const std::string& late);
   /// Takes the line away.
   void end();
 
  private:
   using Clock = std::chrono::steady_clock;
   std::uint64_t total_;
-  bool shown_;
+  bool wanted_, shown_;
   Clock::time_point begun_, last_;
 };
 

@@ -1,4 +1,4 @@
-#include "cli/progress.hpp"
+#include "cli/sweep/progress.hpp"
 
 #include "lib/quantity/format.hpp"
 #include "lib/report/terminal/terminal.hpp"
@@ -21,7 +21,11 @@ std::string in_words(double seconds) {
 }  // namespace
 
 Progress::Progress(std::uint64_t total, bool wanted)
-    : total_(total), shown_(wanted && ::isatty(STDERR_FILENO) != 0), begun_(Clock::now()), last_(begun_) {}
+    : total_(total),
+      wanted_(wanted),
+      shown_(wanted && ::isatty(STDERR_FILENO) != 0),
+      begun_(Clock::now()),
+      last_(begun_) {}
 
 void Progress::show(std::uint64_t done) {
   constexpr std::chrono::milliseconds between{200};
@@ -33,6 +37,13 @@ void Progress::show(std::uint64_t done) {
   std::cerr << "\r" << format_number(100.0 * share, 3) << " %, "
             << format_number(static_cast<double>(done) / seconds, 3) << " points a second, "
             << in_words(seconds * (1.0 - share) / share) << " left\033[K" << std::flush;
+}
+
+void Progress::wait_for(const std::string& late) {
+  if (shown_)
+    std::cerr << "\rwaits for " << late << "\033[K" << std::flush;
+  else if (wanted_)
+    std::cerr << "loadpath: waits for " << late << std::endl;
 }
 
 void Progress::end() {

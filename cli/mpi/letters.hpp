@@ -1,0 +1,39 @@
+// What the letters between ranks hold, as bytes. All ranks are of one program on one kind of processor.
+#pragma once
+
+#include "cli/parts/parts.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace loadpath::cli {
+
+/// The sweep that ranks are to help with.
+struct Order {
+  SharedSweep shared;
+  bool rows = false;  // whether points are wanted one by one
+};
+std::string bytes_of(const Order& order);
+Order order_from(std::string_view bytes);
+
+/// How many parts a rank takes at once; none, and why.
+struct Hello {
+  std::uint64_t parts = 0;
+  std::string name, wrong;  // "rank 3 on node7"
+};
+std::string bytes_of(const Hello& hello);
+Hello hello_from(std::string_view bytes);
+
+std::string bytes_of(project::BlockRange blocks);
+project::BlockRange blocks_from(std::string_view bytes);
+
+/// A part that is solved, and in which time.
+struct Solved {
+  project::SweptPart part;
+  double seconds = 0.0;
+};
+std::string bytes_of(const Solved& solved);
+/// `none`: nothing found yet, of the same plan. Throws where the bytes are no such part.
+Solved solved_from(std::string_view bytes, const project::Found& none);
+
+}  // namespace loadpath::cli

@@ -1,0 +1,52 @@
+// The processes of one run, numbered from 0, and letters between them. Calls come from the main thread alone. Who waits
+// sleeps: MPI's own waiting would take the core from a rank that solves.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace loadpath::cli {
+
+enum class Kind : std::uint8_t {
+  sweep,   // from the first rank: the project and what is wanted of it; empty: there are no more
+  hello,   // to the first rank: how many parts are taken at once, or why none
+  part,    // from the first rank: blocks; none: the sweep is over
+  solved,  // to the first rank
+  failed,  // to the first rank: what was thrown
+};
+
+struct Letter {
+  int from = 0;
+  Kind kind = Kind::sweep;
+  std::string bytes;
+};
+
+class Ranks {
+ public:
+  /// Starts MPI, and ends it.
+  Ranks();
+  ~Ranks();
+  Ranks(const Ranks&) = delete;
+  Ranks& operator=(const Ranks&) = delete;
+
+  [[nodiscard]] int count() const { return count_; }
+  [[nodiscard]] int own() const { return own_; }
+  [[nodiscard]] bool is_first() const { return own_ == 0; }
+  /// "rank 3 on node7"
+  [[nodiscard]] std::string name() const;
+
+  void send(int to, Kind kind, const std::string& bytes) const;
+  /// A letter that has come.
+  [[nodiscard]] std::optional<Letter> look() const;
+  [[nodiscard]] Letter wait() const;
+  /// For a moment.
+  static void sleep();
+  /// Ends all ranks, wherever they are.
+  [[noreturn]] static void abort(int code);
+
+ private:
+  int own_ = 0, count_ = 1;
+};
+
+}  // namespace loadpath::cli

@@ -1,0 +1,47 @@
+// What a call gives a calculator, as a project of one step; columns as inputs that take many values.
+#pragma once
+
+#include "api/translate.hpp"
+#include "lib/calculator/calculator.hpp"
+#include "lib/project/project.hpp"
+#include "lib/quantity/unit.hpp"
+#include "lib/toml/tree.hpp"
+
+#include <cstdint>
+#include <loadpath/calculator.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace loadpath::api {
+
+/// An input with a value for each row.
+struct GivenColumn {
+  std::string name;
+  std::span<const double> numbers;   // or the numbers of words
+  std::vector<double> own;           // where the numbers stand that the caller does not have
+  std::optional<ParsedUnit> unit;    // nothing: SI
+  const FieldInfo* field = nullptr;  // null: rows of a table
+  double stand_in = 0.0;             // SI: a value that the field takes, for rows that have none
+  bool is_words = false;
+
+  /// The value of a row in SI, and whether it is one: finite, whole where it counts.
+  [[nodiscard]] bool take(std::size_t row, double& si) const;
+};
+
+struct Call {
+  toml::Tree project;
+  std::string step;
+  std::vector<GivenColumn> columns;
+  std::size_t rows = 1;
+  Sources sources;
+};
+
+/// An Error where a name, a unit, a type or a length is wrong; what values are wrong says who reads the project.
+Call read_call(const loadpath::Calculator& calculator, std::span<const Given> inputs);
+
+/// The unit in which a number of the field is SI: "kg*m^2/s^2".
+std::string si_text(const FieldInfo& field);
+
+}  // namespace loadpath::api

@@ -1,0 +1,78 @@
+// A machine that was solved: its numbers by name, and what is said of its parts. Numbers are SI.
+#pragma once
+
+#include <limits>
+#include <loadpath/error.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loadpath::api {
+
+/// How a part, a mode of failure or a check came out. Columns of sweeps hold the number.
+enum class State {
+  absent = -1,  // the mode does not concern the part
+  pass = 0,
+  accepted,       // by the user, with a reason
+  open,           // it may concern the part, and nothing says so
+  not_judged,     // it concerns the part, and nothing was held against it
+  not_covered,    // outside of what the method covers
+  not_available,  // a value is missing
+  fail,
+  refused  // the point of a sweep breaks a rule: it is no machine
+};
+/// "not covered"
+std::string word_of(State state);
+
+enum class Role { input, result, check, limit };
+
+/// A value with its unit; an input or a result of a step.
+struct Quantity {
+  std::string name;     // "crankshaft.d_min"
+  std::string meaning;  // "least diameter"
+  Role role = Role::result;
+  std::string kind;                                         // "stress", "moment"
+  std::string si_unit;                                      // "Pa"; "1" of a number
+  std::string unit;                                         // that people read it in: "MPa"
+  double value = std::numeric_limits<double>::quiet_NaN();  // not available; of a series NaN
+  std::vector<double> series;                               // over the cycle; empty where there is one value
+  std::string axis;                                         // that the series goes over: "lever: crank angle"
+  std::vector<double> positions;                            // of the axis
+  std::string word;                                         // a choice or a name in place of a number
+  std::string text;                                         // "12.5 mm"
+  std::string reason;                                       // why there is no value
+};
+
+struct Mode {
+  std::string step, id, meaning;
+  State state = State::not_judged;
+  double utilisation = std::numeric_limits<double>::quiet_NaN();  // where there is one
+  std::string governs;                                            // the check that decides
+  std::string reason;
+};
+
+struct Check {
+  std::string step, name, meaning;
+  double value = std::numeric_limits<double>::quiet_NaN();
+  std::string bound;  // "passes at 1 or less"
+  State state = State::not_available;
+};
+
+struct Solution {
+  std::vector<Quantity> quantities;  // inputs, then results, step by step
+  std::vector<Mode> modes;           // of failure, the worst first
+  std::vector<Check> checks;
+  std::vector<Issue> warnings;
+  State state = State::open;
+  std::string verdict;  // "fail: rod.buckling; not judged: rod.bending"
+
+  /// Whether everything that applies is judged or accepted: what the exit code 0 of the program says.
+  bool passes = false;
+
+  /// Null where there is none of the name.
+  [[nodiscard]] const Quantity* find(std::string_view name) const;
+  /// An Error with the nearest name where there is none.
+  const Quantity& operator[](std::string_view name) const;
+};
+
+}  // namespace loadpath::api

@@ -26,3 +26,8 @@ install_missing() {
 
 build_packages="g++ cmake ninja-build libboost1.81-dev libboost-json1.81-dev libcli11-dev libtomlplusplus-dev libeigen3-dev librandom123-dev libnlopt-dev libnlopt-cxx-dev"
 test_packages="doctest-dev"
+mpi_packages="openmpi-bin libopenmpi-dev"  # for LOADPATH_MPI=ON
+python_packages="python3-dev python3-numpy pybind11-dev"  # LOADPATH_PYTHON
+hdf5_packages="libhdf5-dev"  # LOADPATH_HDF5
+binding_test_packages="python3-h5py"
+count_packages="valgrind"

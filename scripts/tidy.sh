@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 . scripts/packages.sh
 install_missing clang-14 clang-tidy-14 $build_packages
 
-folders=$(echo "${*:-lib calculators cli build/tidy/calculators}" | tr ' ' '|')
+folders=$(echo "${*:-lib calculators cli api build/tidy/calculators}" | tr ' ' '|')
 batches=ON
 [ $# = 0 ] || batches=OFF
 cmake --preset tidy -DLOADPATH_BATCHES=$batches >/dev/null

@@ -51,6 +51,21 @@ TEST_SUITE("readme") {
     }
   }
 
+  TEST_CASE("every command line about sweeps works, one after the other") {
+    std::string text;
+    REQUIRE(toml::read_file(LOADPATH_ROOT "/docs/sweeps.md", text));
+    const auto commands = commands_of(text);
+    CHECK(commands.size() >= 5);
+    const Desk desk;
+    std::filesystem::copy_file(LOADPATH_ROOT "/examples/strut-sweep/project.toml", desk.folder() / "project.toml");
+    for (const Command& command : commands) {
+      CAPTURE(command.line);
+      const Ran ran = desk.shell(command.line);
+      CAPTURE(ran.error);
+      CHECK(ran.code == command.code);
+    }
+  }
+
   TEST_CASE("the words that cannot name a step are those of the program, in its order") {
     std::string words;
     for (const char* word : project::reserved_names()) words += (words.empty() ? "" : " ") + std::string(word);

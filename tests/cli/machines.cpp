@@ -1,6 +1,6 @@
 // The program loadpath-mpi: the same bytes by any number of ranks, after a rank that is killed, and nothing but one
 // voice.
-#include "tests/cli/process.hpp"
+#include "tests/cli/sweeps.hpp"
 
 #include <chrono>
 #include <csignal>
@@ -14,20 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string shaft = R"(
-[shaft]
-calculator = "shaft.torsion"
-tau_adm = "30 MPa"
-G = "81 GPa"
-theta_adm = "0.25 deg/m"
-l = "1 m"
-d = { from = "30 mm", to = "60 mm", count = 7 }
-T = { mean = "200 N*m", sd = "10 %" }
-[project.sweep]
-samples = 2000
-results = ["tau = shaft.tau_max", "shaft.theta_max"]
-)";
-
 fs::path mpi_program() { return fs::path(LOADPATH_PROGRAM).parent_path() / "loadpath-mpi"; }
 
 bool is_built() {
@@ -35,8 +21,6 @@ bool is_built() {
   MESSAGE("skipped: no loadpath-mpi");
   return false;
 }
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// A line of the shell in which `ranks N WORDS` runs the program so often; each rank leaves its process in a file. An
 /// mpirun whose ranks are killed while it starts may wait for ever: it is ended.
@@ -49,17 +33,13 @@ Ran shell(const Desk& desk, const std::string& line) {
   return desk.shell(as_any_user + ranks + line);
 }
 
-bool same_folders(const Desk& desk, const std::string& a, const std::string& b) {
-  return desk.shell("diff -r " + a + " " + b).code == 0;
-}
-
 }  // namespace
 
 TEST_SUITE("sweep over machines") {
   TEST_CASE("any number of ranks writes the bytes of one process") {
     if (!is_built()) return;
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     REQUIRE(desk.run({"sweep", "a.toml", "--out", "plain", "--csv", "plain.csv", "--quiet"}).code == 0);
     const std::string told = desk.run({"sweep", "a.toml", "--pareto", "tau:min,shaft.theta_max:min"}).out;
     for (const char* n : {"1", "2", "4"}) {
@@ -80,7 +60,7 @@ TEST_SUITE("sweep over machines") {
   TEST_CASE("one rank alone reads standard input, prints and writes") {
     if (!is_built()) return;
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     const Ran json = desk.run({"sweep", "a.toml", "--json", "--no-columns", "--samples", "300"});
     const Ran typed = shell(desk, "cat a.toml | ranks 3 sweep - --json --samples 300");
     CHECK_MESSAGE(typed.code == 0, typed.error);
@@ -108,7 +88,7 @@ E = 212
 G = 8)";
     for (const std::string rank : {"0", "1", "2"}) {
       fs::create_directory(desk.folder() / rank);
-      desk.put(rank + "/a.toml", "[project]\ntables = [\"t.toml\"]\n" + shaft);
+      desk.put(rank + "/a.toml", "[project]\ntables = [\"t.toml\"]\n" + swept_shaft);
       desk.put(rank + "/t.toml", table + (rank == "2" ? "2" : "1") + "\nsources = [\"certificate\"]\n" +
                                      "[sources]\ncertificate = \"Certificate of the maker\"\n");
     }
@@ -128,9 +108,9 @@ G = 8)";
   TEST_CASE("a rank that all others wait for is told with its points") {
     if (!is_built()) return;
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     const Ran ran = shell(desk,
-                          "ranks 3 sweep a.toml --samples 20000 --out by --save-every 0 & "
+                          "ranks 3 sweep a.toml --samples 100000 --out by --save-every 0 & "
                           "while [ ! -e by/state ]; do sleep 0.02; done; sleep 0.3; "
                           "kill -STOP $(cat rank.2); sleep 4; kill -CONT $(cat rank.2); wait $!");
     CHECK_MESSAGE(ran.code == 0, ran.error);
@@ -141,7 +121,7 @@ G = 8)";
   TEST_CASE("more ranks than blocks, and a folder that goes on by other ranks") {
     if (!is_built()) return;
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     REQUIRE(desk.run({"sweep", "a.toml", "--samples", "100", "--out", "plain", "--quiet"}).code == 0);  // 3 blocks
     const Ran many = shell(desk, "ranks 7 sweep a.toml --samples 100 --out by --quiet");
     CHECK_MESSAGE(many.code == 0, many.error);
@@ -162,7 +142,7 @@ G = 8)";
   TEST_CASE("the script for MPI, twice, and that of a job array under Slurm") {
     if (!is_built()) return;
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     REQUIRE(desk.run({"sweep", "a.toml", "--out", "plain", "--quiet"}).code == 0);
     const std::string path = "export PATH='" + mpi_program().parent_path().string() + "':$PATH:/usr/sbin; ";
     const std::string scripts = LOADPATH_ROOT "/examples/cluster/";
@@ -186,7 +166,7 @@ G = 8)";
   TEST_CASE("Ctrl-C on mpirun keeps what was saved, and tells what is missing") {
     if (!is_built()) return;
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     const Ran ran = shell(desk,
                           "ranks 3 sweep a.toml --samples 100000000 --no-columns --out by --save-every 0.1 --quiet & "
                           "while [ ! -e by/state ]; do sleep 0.02; done; sleep 1; "
@@ -199,7 +179,7 @@ G = 8)";
   TEST_CASE("where a rank is lost, the first tells what is missing") {
     if (!is_built()) return;
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     const Ran ran = shell(desk,
                           "ranks 3 sweep a.toml --samples 100000000 --no-columns --out by --save-every 0.1 --quiet & "
                           "while [ ! -e by/state ]; do sleep 0.02; done; sleep 1; kill -9 $(cat rank.2); wait $!");
@@ -212,15 +192,18 @@ G = 8)";
   TEST_CASE("of a sweep whose ranks are killed a hundred times nothing is lost that --resume does not restore") {
     if (!is_built()) return;
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     REQUIRE(desk.run({"sweep", "a.toml", "--samples", "1000", "--out", "whole", "--quiet"}).code == 0);
     const std::string words = "4 sweep a.toml --samples 1000 --out part --quiet --save-every 0 ";
+    const auto lasts = duration_of([&] { REQUIRE(shell(desk, "ranks " + words).code == 0); });
+    CHECK(same_folders(desk, "whole", "part"));
+    fs::remove_all(desk.folder() / "part");
     std::mt19937 random(7);
     int killed = 0, told = 0, finished = 0;
     for (int i = 0; i < 100; ++i) {
       CAPTURE(i);
       const std::string rank = std::to_string(i % 4),
-                        after = std::to_string(0.1 + 0.001 * static_cast<double>(random() % 600));
+                        after = std::to_string(1e-9 * static_cast<double>(lasts.count() * (random() % 1000)));
       const Ran ran = shell(
           desk, "rm -f rank.*; export OMPI_MCA_odls_base_sigkill_timeout=0; ranks " + words +
                     (desk.has("part") ? "--resume" : "") +
@@ -233,7 +216,7 @@ G = 8)";
       CHECK(same_folders(desk, "whole", "part"));
       fs::remove_all(desk.folder() / "part");
     }
-    CHECK(killed > 50);
+    CHECK(killed > 20);
     MESSAGE(killed << " killed, " << told << " told what is missing, " << finished << " ended before");
     const Ran last = shell(desk, "ranks " + words + (desk.has("part") ? "--resume" : ""));
     CHECK_MESSAGE(last.code == 0, last.error);

@@ -1,5 +1,5 @@
 // The command `sweep`: the same bytes by any number of threads and shards, after every kind of end; and its words.
-#include "tests/cli/process.hpp"
+#include "tests/cli/sweeps.hpp"
 
 #include <array>
 #include <chrono>
@@ -14,27 +14,6 @@
 using namespace loadpath::test;
 
 namespace {
-
-const std::string shaft = R"(
-[shaft]
-calculator = "shaft.torsion"
-tau_adm = "30 MPa"
-G = "81 GPa"
-theta_adm = "0.25 deg/m"
-l = "1 m"
-d = { from = "30 mm", to = "60 mm", count = 7 }
-T = { mean = "200 N*m", sd = "10 %" }
-[project.sweep]
-samples = 2000
-results = ["tau = shaft.tau_max", "shaft.theta_max"]
-)";
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-/// Every file of two folders, byte by byte.
-bool same_folders(const Desk& desk, const std::string& a, const std::string& b) {
-  return desk.shell("diff -r " + a + " " + b).code == 0;
-}
 
 pid_t start(const Desk& desk, const std::vector<std::string>& words) {
   std::vector<char*> all;
@@ -53,7 +32,7 @@ pid_t start(const Desk& desk, const std::vector<std::string>& words) {
 TEST_SUITE("sweep command") {
   TEST_CASE("threads, shards and one process write the same bytes") {
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     CHECK(desk.run({"sweep", "a.toml", "--out", "one", "--jobs", "1", "--quiet"}).code == 0);
     CHECK(desk.run({"sweep", "a.toml", "--out", "three", "--jobs", "3", "--quiet"}).code == 0);
     CHECK(same_folders(desk, "one", "three"));
@@ -76,17 +55,22 @@ TEST_SUITE("sweep command") {
 
   TEST_CASE("what is killed or interrupted goes on, and ends with the same bytes") {
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     REQUIRE(desk.run({"sweep", "a.toml", "--out", "one", "--quiet", "--no-columns"}).code == 0);
-    REQUIRE(desk.run({"sweep", "a.toml", "--out", "whole", "--quiet"}).code == 0);
+    const std::vector<std::string> slow{"sweep", "a.toml", "--quiet", "--jobs", "1", "--save-every", "0", "--out"};
+    const auto into = [&](const std::string& folder) {
+      std::vector<std::string> words = slow;
+      words.push_back(folder);
+      return words;
+    };
+    const auto lasts = duration_of([&] { REQUIRE(desk.run(into("whole")).code == 0); });
     std::mt19937 random(5);
     int ended_early = 0;
     for (int i = 0; i < 100; ++i) {
       std::filesystem::remove_all(desk.folder() / "part");
       const int signal = i % 4 == 0 ? SIGINT : SIGKILL;
-      const pid_t child =
-          start(desk, {"sweep", "a.toml", "--out", "part", "--quiet", "--jobs", "1", "--save-every", "0"});
-      std::this_thread::sleep_for(std::chrono::microseconds(5000 + random() % 150000));
+      const pid_t child = start(desk, into("part"));
+      std::this_thread::sleep_for(lasts * (random() % 1000) / 1000);
       kill(child, signal);
       int status = 0;
       REQUIRE(waitpid(child, &status, 0) == child);
@@ -102,7 +86,7 @@ TEST_SUITE("sweep command") {
 
   TEST_CASE("Ctrl-C keeps what has been solved, and tells how to go on") {
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     const Ran ran = desk.shell("timeout --preserve-status -s INT 0.8 '" + std::string(LOADPATH_PROGRAM) +
                                "' sweep a.toml --samples 10000000 --out part --save-every 1000 --no-columns --quiet");
     CHECK(ran.code == 130);
@@ -113,7 +97,7 @@ TEST_SUITE("sweep command") {
 
   TEST_CASE("a column that was cut short is not filled up, and a merge that fails leaves nothing") {
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     REQUIRE(desk.run({"sweep", "a.toml", "--out", "s1", "--shard", "1/2", "--quiet"}).code == 0);
     REQUIRE(desk.run({"sweep", "a.toml", "--out", "s2", "--shard", "2/2", "--quiet"}).code == 0);
     std::filesystem::resize_file(desk.folder() / "s2/columns/3-tau.npy", 5000);
@@ -128,7 +112,7 @@ TEST_SUITE("sweep command") {
 
   TEST_CASE("a point is solved alone with the values of its line") {
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     REQUIRE(desk.run({"sweep", "a.toml", "--csv", "a.csv", "--quiet"}).code == 0);
     CHECK(contains(desk.get("a.csv"), "point,shaft.d [mm],shaft.T [N*m],tau [MPa],shaft.theta_max [deg/m],state,"));
     const Ran point = desk.run({"run", "a.toml", "--point", "13999", "--json"});
@@ -140,7 +124,7 @@ TEST_SUITE("sweep command") {
 
   TEST_CASE("numpy reads the columns") {
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     REQUIRE(desk.run({"sweep", "a.toml", "--out", "one", "--quiet"}).code == 0);
     const std::string file = desk.get("one/columns/3-tau.npy");
     REQUIRE(file.size() == 128 + 8 * 14000);
@@ -150,7 +134,7 @@ TEST_SUITE("sweep command") {
 
   TEST_CASE("what is wrong with the words is told, and nothing is written") {
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     const auto refused = [&](std::vector<std::string> words, const char* part) {
       words.insert(words.begin(), {"sweep", "a.toml"});
       const Ran ran = desk.run(words);

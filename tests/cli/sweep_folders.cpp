@@ -1,6 +1,6 @@
 // Folders of sweeps in rough hands: two processes in one, damage, an end before the first state, a disk without room,
 // shards that are missing, changed in number, or of something else.
-#include "tests/cli/process.hpp"
+#include "tests/cli/sweeps.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -15,27 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string shaft = R"(
-[shaft]
-calculator = "shaft.torsion"
-tau_adm = "30 MPa"
-G = "81 GPa"
-theta_adm = "0.25 deg/m"
-l = "1 m"
-d = { from = "30 mm", to = "60 mm", count = 7 }
-T = { mean = "200 N*m", sd = "10 %" }
-[project.sweep]
-samples = 2000
-results = ["tau = shaft.tau_max", "shaft.theta_max"]
-)";
-
 using Words = std::vector<std::string>;
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-bool same_folders(const Desk& desk, const std::string& a, const std::string& b) {
-  return desk.shell("diff -r " + a + " " + b).code == 0;
-}
 
 Ran sweep(const Desk& desk, const std::string& out, const Words& more = {}) {
   Words words{"sweep", "a.toml", "--quiet", "--out", out};
@@ -71,7 +51,7 @@ std::string while_at_work(const std::string& meanwhile) {
 TEST_SUITE("folders of sweeps") {
   TEST_CASE("two processes do not work in one folder") {
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     const std::string again = "$P sweep a.toml --samples 30000000 --no-columns --quiet --out busy";
     refused(shell(desk, while_at_work(again)), " is at work on it");
     fs::remove_all(desk.folder() / "busy");
@@ -83,22 +63,23 @@ TEST_SUITE("folders of sweeps") {
 
   TEST_CASE("the lock of a process that is dead stands in nobody's way, and is gone at the end") {
     const Desk desk;
-    desk.put("a.toml", shaft);
-    REQUIRE(sweep(desk, "whole").code == 0);
+    desk.put("a.toml", swept_shaft);
+    const Words many{"--samples", "60000"};  // so many blocks that no machine ends before it is killed
+    REQUIRE(sweep(desk, "whole", many).code == 0);
     CHECK(!desk.has("whole/.loadpath.lock"));
     const Ran killed = shell(desk,
-                             "$P sweep a.toml --quiet --out part --save-every 0 & at=$!; "
+                             "$P sweep a.toml --samples 60000 --quiet --out part --save-every 0 & at=$!; "
                              "while [ ! -e part/state ]; do sleep 0.005; done; kill -9 $at; wait $at");
     CHECK(killed.code == 137);
     CHECK(desk.has("part/.loadpath.lock"));
-    const Ran again = sweep(desk, "part", {"--resume"});
+    const Ran again = sweep(desk, "part", {"--samples", "60000", "--resume"});
     CHECK_MESSAGE(again.code == 0, again.error);
     CHECK(same_folders(desk, "whole", "part"));
   }
 
   TEST_CASE("what was killed before its first state is taken by a new run and by --resume") {
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     REQUIRE(sweep(desk, "whole").code == 0);
     for (const std::string left :
          {"mkdir part", "mkdir part; echo 1 on node > part/.loadpath.lock",
@@ -126,7 +107,7 @@ TEST_SUITE("folders of sweeps") {
 
   TEST_CASE("damage is told as damage") {
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     REQUIRE(sweep(desk, "s").code == 0);
     damage(desk.folder() / "s/columns/3-tau.npy", 50000);
     refused(sweep(desk, "s", {"--resume"}), "'s/columns/3-tau.npy' is not what was written");
@@ -152,7 +133,7 @@ TEST_SUITE("folders of sweeps") {
 
   TEST_CASE("a column that is damaged while the sweep stands still is found before it goes on") {
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     const Ran ran = shell(desk,
                           "$P sweep a.toml --samples 3000000 --quiet --out s & at=$!; "
                           "while [ ! -e s/state ]; do sleep 0.005; done; sleep 0.3; kill -INT $at; wait $at");
@@ -164,17 +145,17 @@ TEST_SUITE("folders of sweeps") {
 
   TEST_CASE("Ctrl-C keeps in the folder what is solved where there is a --csv too") {
     const Desk desk;
-    desk.put("a.toml", shaft);
-    REQUIRE(sweep(desk, "whole", {"--samples", "60000"}).code == 0);
+    desk.put("a.toml", swept_shaft);
+    REQUIRE(sweep(desk, "whole", {"--samples", "300000"}).code == 0);
     const Ran ran = shell(desk,
-                          "$P sweep a.toml --samples 60000 --quiet --out part --csv all.csv --save-every 1000 & "
+                          "$P sweep a.toml --samples 300000 --quiet --out part --csv all.csv --save-every 1000 & "
                           "at=$!; while [ ! -e part/state ]; do sleep 0.005; done; sleep 0.2; kill -INT $at; wait $at");
     CHECK(ran.code == 130);
     CHECK(contains(ran.error, "stopped at "));
     CHECK(!contains(ran.error, "stopped at 0 points"));
     CHECK(contains(ran.error, "--out part --resume goes on"));
     CHECK(desk.shell("ls -A").out == "a.toml\npart\nwhole\n");
-    CHECK(sweep(desk, "part", {"--samples", "60000", "--resume"}).code == 0);
+    CHECK(sweep(desk, "part", {"--samples", "300000", "--resume"}).code == 0);
     CHECK(same_folders(desk, "whole", "part"));
   }
 
@@ -195,7 +176,7 @@ TEST_SUITE("folders of sweeps") {
 
   TEST_CASE("shards of changed number: those that fit are taken, what is missing can be typed") {
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     REQUIRE(sweep(desk, "whole").code == 0);
     for (const char* k : {"1", "2", "3"})
       REQUIRE(sweep(desk, std::string("s") + k, {"--shard", k + std::string("/5")}).code == 0);
@@ -217,32 +198,35 @@ TEST_SUITE("folders of sweeps") {
 
   TEST_CASE("a shard that is missing, not done, or of something else") {
     const Desk desk;
-    desk.put("a.toml", shaft);
+    // So many blocks that no machine ends before it is killed.
+    const std::string many = std::string(swept_shaft).replace(swept_shaft.find("2000\n"), 4, "60000");
+    desk.put("a.toml", many);
     REQUIRE(sweep(desk, "s1", {"--shard", "1/3"}).code == 0);
     REQUIRE(sweep(desk, "s3", {"--shard", "3/3"}).code == 0);
-    refused(sweep(desk, "m", {"--merge", "s1", "s3"}), "the points 4608-9215 are in no shard");
+    refused(sweep(desk, "m", {"--merge", "s1", "s3"}), "the points 140032-280063 are in no shard");
     refused(sweep(desk, "m", {"--merge", "s1", "s2", "s3"}), "'s2': no sweep stands there");
     const Ran killed = shell(desk,
                              "$P sweep a.toml --quiet --out s2 --shard 2/3 --save-every 0 & at=$!; "
                              "while [ ! -e s2/state ]; do :; done; kill -9 $at; wait $at");
     CHECK(killed.code == 137);
     refused(sweep(desk, "m", {"--merge", "s1", "s2", "s3"}), "'s2': it is not done: ");
-    refused(sweep(desk, "s2", {"--resume", "--shard", "1/3"}), "it is another share: points 4608-9215, not 0-4607");
-    REQUIRE(sweep(desk, "s2", {"--resume", "--shard", "4608-9215"}).code == 0);
+    refused(sweep(desk, "s2", {"--resume", "--shard", "1/3"}),
+            "it is another share: points 140032-280063, not 0-140031");
+    REQUIRE(sweep(desk, "s2", {"--resume", "--shard", "140032-280063"}).code == 0);
     REQUIRE(sweep(desk, "seed", {"--shard", "2/3", "--seed", "2"}).code == 0);
     refused(sweep(desk, "m", {"--merge", "s1", "seed", "s3"}), "'seed = 2' there, 'seed = 1' here");
-    desk.put("b.toml", "\n[shaft]\n# thicker" + shaft.substr(8));
+    desk.put("b.toml", "\n[shaft]\n# thicker" + many.substr(8));
     REQUIRE(desk.run({"sweep", "b.toml", "--quiet", "--out", "other", "--shard", "2/3"}).code == 0);
     refused(sweep(desk, "m", {"--merge", "s1", "other", "s3"}), "'# thicker' there");
     CHECK(!desk.has("m"));
     REQUIRE(desk.shell("mkdir empty").code == 0);
-    refused(sweep(desk, "n", {"--merge", "empty"}), "the points 0-13999 are in no shard");
+    refused(sweep(desk, "n", {"--merge", "empty"}), "the points 0-419999 are in no shard");
     CHECK(sweep(desk, "m", {"--merge", "s1", "s2", "empty", "s3"}).code == 0);
   }
 
   TEST_CASE("more shards than blocks: some have nothing to do") {
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     const Words few{"--samples", "100"};  // 700 points, 3 blocks
     REQUIRE(sweep(desk, "whole", few).code == 0);
     Words merge{"--samples", "100", "--merge"};
@@ -260,7 +244,7 @@ TEST_SUITE("folders of sweeps") {
 
   TEST_CASE("shares that are none") {
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     for (const std::string share : {"", "0/3", "4/3", "1", "1/", "/3", "-1/3", "1/0", "1.5/3", "1/3x", "5-4", "0-14000",
                                     "1-255", "0-254", "99999999999999999999/3", "0-"}) {
       CAPTURE(share);
@@ -272,7 +256,7 @@ TEST_SUITE("folders of sweeps") {
 
   TEST_CASE("a disk without room, a folder that cannot be written") {
     const Desk desk;
-    desk.put("a.toml", shaft);
+    desk.put("a.toml", swept_shaft);
     desk.put("file", "");
     refused(sweep(desk, "file/x"), "'file/x': ");
     refused(sweep(desk, "file"), "there is something already");

@@ -16,7 +16,7 @@ Quantity in_unit_of(double si, const std::string& unit) { return {si, unit.empty
 /// How far the result can be trusted.
 Message reach_of(const sweep::Optimum& optimum) {
   using Reach = sweep::Optimum::Reach;
-  const std::string n = std::to_string(optimum.evaluations);
+  const std::string n = std::to_string(optimum.candidates > 0 ? optimum.candidates : optimum.evaluations);
   if (optimum.budget_spent) return say("the search ended after {1} machines, before it was done", n);
   if (optimum.reach == Reach::every_point) return say("the best of all {1} machines", n);
   if (optimum.reach == Reach::every_combination)

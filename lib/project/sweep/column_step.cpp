@@ -3,6 +3,7 @@
 #include "lib/project/accept.hpp"
 #include "lib/project/modes.hpp"
 #include "lib/project/sweep/columns.hpp"
+#include "lib/sweep/statistics/lanes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -298,7 +299,7 @@ void ColumnStep::Parts::run(PointColumns& points) {
   }
   calculator.sweep(record.data.get(), in, out, points.count);
   for (Read& number : read) {
-    if (!all_finite(number.si)) {
+    if (!sweep::all_finite(number.si)) {
       for (std::size_t i = 0; i < points.count; ++i) {
         if (std::isinf(number.si[i]) && !number.field->infinite) number.si[i] = nan;
         if (number.is_row && std::isnan(number.si[i]) && !number.field->where_set) points.is_other[i] = 1;

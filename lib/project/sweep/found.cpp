@@ -1,6 +1,5 @@
 #include "lib/project/sweep/found.hpp"
 
-#include "lib/sweep/columns.hpp"
 #include "lib/sweep/statistics/lanes.hpp"
 
 #include <algorithm>
@@ -47,30 +46,11 @@ void take_larger(sweep::Extreme& largest, double value, std::uint64_t index) {
 
 }  // namespace
 
-namespace {
-
-LOADPATH_COLUMNS double count_of(double state, const double* states, std::size_t n) {
-  sweep::Lanes count{};
-  sweep::in_lanes(n, [&](std::size_t i, std::size_t lane) { count[lane] += states[i] == state ? 1.0 : 0.0; });
-  return sweep::sum_of(count);
-}
-
-LOADPATH_COLUMNS double largest_of(const double* values, std::size_t n) {
-  sweep::Lanes largest;
-  largest.fill(-INFINITY);
-  sweep::in_lanes(n, [&](std::size_t i, std::size_t lane) {
-    largest[lane] = values[i] > largest[lane] ? values[i] : largest[lane];
-  });
-  return *std::max_element(largest.begin(), largest.end());
-}
-
-}  // namespace
-
 /// A block has few states, most have one.
 void Tally::add(std::uint64_t first, std::span<const double> state, std::span<const double> utilisation) {
   std::size_t left = state.size();
   const auto count = [&](double which) {
-    const double found = count_of(which, state.data(), state.size());
+    const double found = sweep::count_of(which, state);
     if (which >= 0.0) counts[static_cast<std::size_t>(which)] += static_cast<std::uint64_t>(found);
     left -= static_cast<std::size_t>(found);
   };
@@ -79,7 +59,7 @@ void Tally::add(std::uint64_t first, std::span<const double> state, std::span<co
   for (double which = absent_state; left > 0 && which < static_cast<double>(states); ++which) {
     if (which != front) count(which);
   }
-  const double here = largest_of(utilisation.data(), utilisation.size());
+  const double here = sweep::largest_of(utilisation);
   if (here == -INFINITY || here <= largest.value) return;  // there is none, or the first of equal ones is known
   for (std::size_t i = 0; i < utilisation.size(); ++i) take_larger(largest, utilisation[i], first + i);
 }

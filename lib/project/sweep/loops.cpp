@@ -15,7 +15,6 @@ namespace {
 using account::State;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double most = std::numeric_limits<double>::max();
 
 constexpr double number(State state) { return static_cast<double>(static_cast<int>(state)); }
 constexpr double pass = number(State::pass), accepted = number(State::accepted), open = number(State::open),
@@ -152,8 +151,6 @@ bool all_within(const Range& bounds, std::span<const double> si) {
   const Range within = closed(bounds);
   return count_outside(within.low, within.high, si.data(), si.size()) == 0.0;
 }
-
-bool all_finite(std::span<const double> si) { return count_outside(-most, most, si.data(), si.size()) == 0.0; }
 
 bool all_act(std::span<const double> si) {
   const double least = std::numeric_limits<double>::denorm_min(), infinity = std::numeric_limits<double>::infinity();

@@ -20,7 +20,6 @@ struct ModeColumns {
 
 /// Whether every value is a number within the bounds.
 bool all_within(const Range& bounds, std::span<const double> si);
-bool all_finite(std::span<const double> si);
 /// Whether all are above zero, or all below.
 bool all_act(std::span<const double> si);
 

@@ -49,6 +49,7 @@ Optimum minimise(const Problem& problem, const Effort& effort) {
                 : search.saw_every_combination() ? Optimum::Reach::every_combination
                                                  : Optimum::Reach::local;
   found.budget_spent = !finite && trials.left() == 0;
+  found.candidates = finite ? combinations(problem.variables, effort.enumerated) : 0;
   found.evaluations = trials.count();
   found.neighbours = std::move(proof.neighbours);
   return found;

@@ -25,16 +25,10 @@ LOADPATH_COLUMNS double product_of(const double* x, const double* y, std::size_t
   return sum_of(sum);
 }
 
-LOADPATH_COLUMNS bool all_finite(const double* x, std::size_t n) {
-  Lanes missing{};
-  in_lanes(n, [&](std::size_t i, std::size_t lane) { missing[lane] += is_finite(x[i]) ? 0.0 : 1.0; });
-  return sum_of(missing) == 0.0;
-}
-
 /// The points at which every column is finite, column after column.
 std::vector<std::vector<double>> complete(std::span<const double* const> columns, std::size_t n) {
   std::vector<std::vector<double>> kept(columns.size());
-  if (std::all_of(columns.begin(), columns.end(), [&](const double* x) { return all_finite(x, n); })) {
+  if (std::all_of(columns.begin(), columns.end(), [&](const double* x) { return all_finite({x, n}); })) {
     for (std::size_t k = 0; k < columns.size(); ++k) kept[k].assign(columns[k], columns[k] + n);
     return kept;
   }

@@ -1,11 +1,12 @@
-// Sums over a column in eight lanes, added in one order at the end: as fast as the registers are wide, and the same
-// bits with registers of any width.
+// Sums, counts and extremes of a column in eight lanes, added in one order at the end: as fast as the registers are
+// wide, and the same bits with registers of any width.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 
 namespace loadpath::sweep {
 
@@ -27,5 +28,11 @@ inline void in_lanes(std::size_t n, const Each& each) {
   }
   for (std::size_t lane = 0; i < n; ++i, ++lane) each(i, lane);
 }
+
+[[nodiscard]] bool all_finite(std::span<const double> column);
+/// How many are equal to `value`.
+[[nodiscard]] double count_of(double value, std::span<const double> column);
+/// NaN is passed over; minus infinity where there is nothing else.
+[[nodiscard]] double largest_of(std::span<const double> column);
 
 }  // namespace loadpath::sweep

@@ -54,6 +54,7 @@ TEST_SUITE("the best machine") {
       REQUIRE(best);
       CHECK(best->optimum.allowed);
       CHECK(best->optimum.reach == sweep::Optimum::Reach::every_point);
+      CHECK(best->optimum.candidates == all.column("a").size());
       CHECK(best->optimum.outputs[0] == least);
     }
   }

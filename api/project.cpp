@@ -46,7 +46,8 @@ class Keeping {
   Keeping(const project::SweepPlan& plan, bool rows) : rows_(rows) {
     sweep_.points = plan.space.count();
     for (const project::SweptInput& input : plan.inputs) sweep_.columns.push_back(column_of(input));
-    for (const project::SweptResult& result : plan.columns) sweep_.columns.push_back(column_of(result));
+    results_ = plan.kept_results();
+    for (const std::size_t k : plan.beside_inputs()) sweep_.columns.push_back(column_of(plan.columns[k]));
     for (const char* const name : {"state", "utilisation"}) sweep_.columns.push_back({name, "1", "-", {}, {}});
     if (!rows) return;
     for (Column& column : sweep_.columns) column.values.resize(sweep_.points);
@@ -59,7 +60,7 @@ class Keeping {
                   sweep_.columns[column++].values.begin() + static_cast<std::ptrdiff_t>(block.first));
     };
     for (const auto& values : block.inputs) put(values);
-    for (std::size_t k = 0; column < sweep_.columns.size(); ++k) put(block.results[k]);
+    for (const std::size_t result : results_) put(block.results[result]);
   }
 
   Sweep finish(const project::Found& found, std::string summary) {
@@ -73,6 +74,7 @@ class Keeping {
 
  private:
   bool rows_;
+  std::vector<std::size_t> results_;  // of a block, that have a column
   Sweep sweep_;
 };
 

@@ -23,9 +23,12 @@ if(LOADPATH_SANITIZE)
   target_link_options(loadpath_flags INTERFACE -fsanitize=address,undefined)
 endif()
 
-if(LOADPATH_FUZZ)
-  target_compile_options(loadpath_flags INTERFACE -fsanitize=fuzzer-no-link)
-endif()
+# A target whose branches the fuzz targets follow: of commands and tests they would learn nothing.
+function(loadpath_followed target)
+  if(LOADPATH_FUZZ)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
+endfunction()
 
 # A release build of a target with little optimisation: of what runs once a command. Solver and sweeps keep -O3.
 function(loadpath_cold target)

@@ -24,10 +24,13 @@ install_missing() {
   $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing
 }
 
-build_packages="g++ cmake ninja-build libboost1.81-dev libboost-json1.81-dev libcli11-dev libtomlplusplus-dev libeigen3-dev librandom123-dev libnlopt-dev libnlopt-cxx-dev"
+build_packages="g++ cmake ninja-build libboost1.81-dev libcli11-dev libtomlplusplus-dev libeigen3-dev librandom123-dev libnlopt-dev libnlopt-cxx-dev"
 test_packages="doctest-dev"
 mpi_packages="openmpi-bin libopenmpi-dev"  # for LOADPATH_MPI=ON
 python_packages="python3-dev python3-numpy pybind11-dev"  # LOADPATH_PYTHON
 hdf5_packages="libhdf5-dev"  # LOADPATH_HDF5
 binding_test_packages="python3-h5py"
 count_packages="valgrind"
+latex_packages="texlive-latex-base texlive-latex-recommended texlive-pictures lmodern poppler-utils"  # for tests of .tex reports; without them these are skipped
+schema_packages="python3-jsonschema"  # for tests/schema.py; without it its test is skipped
+extension_packages="nodejs npm"  # for scripts/extension.sh; without them its test is skipped

@@ -14,6 +14,8 @@ struct File {
 std::span<const File> tables();     // tables/
 std::span<const File> assets();     // lib/report/assets/
 std::span<const File> reference();  // reference/ and examples/: the verification manual
+std::span<const File> shells();     // cli/shell: scripts of completion
+std::span<const File> live();       // cli/watch: the script of a page that is kept up to date
 
 /// The text of a file of assets(), which is there.
 std::string_view asset(std::string_view name);

@@ -1,5 +1,7 @@
 #include "lib/numerics/sparse_lu.hpp"
 
+#include "lib/numerics/dense_inverse.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -10,10 +12,6 @@ namespace {
 
 constexpr double poor_growth = 64.0;  // of a row over its pivot
 constexpr double rounding = 1e-13;
-
-double magnitude(std::span<const double> x) {
-  return std::accumulate(x.begin(), x.end(), 0.0, [](double sum, double v) { return sum + std::abs(v); });
-}
 
 }  // namespace
 
@@ -162,7 +160,10 @@ void SparseLu::solve_transposed(std::span<double> right) {
 
 double SparseLu::reciprocal_condition(std::span<const double> values) {
   if (size_ == 0) return 1.0;
-  return 1.0 / (norm(values) * norm_of_inverse());
+  const double norm_of_inverse = estimated_inverse_norm(
+      probe_, [this](std::span<double> right) { solve(right); },
+      [this](std::span<double> right) { solve_transposed(right); });
+  return 1.0 / (norm(values) * norm_of_inverse);
 }
 
 double SparseLu::norm(std::span<const double> values) {
@@ -171,29 +172,6 @@ double SparseLu::norm(std::span<const double> values) {
     probe_[static_cast<std::size_t>(pattern_[k].column)] += std::abs(values[k]);
   }
   return *std::ranges::max_element(probe_);
-}
-
-// Hager's estimate: climbs from corner to corner of the unit ball of the 1-norm.
-double SparseLu::norm_of_inverse() {
-  constexpr int most_climbs = 5;
-  std::ranges::fill(probe_, 1.0 / static_cast<double>(size_));
-  double estimate = 0.0;
-  std::size_t corner = size_;
-  for (int climb = 0; climb < most_climbs; ++climb) {
-    solve(probe_);
-    const double size = magnitude(probe_);
-    if (size <= estimate) break;
-    estimate = size;
-    for (double& x : probe_) x = std::copysign(1.0, x);
-    solve_transposed(probe_);
-    const auto steepest = std::ranges::max_element(probe_, {}, [](double x) { return std::abs(x); });
-    const auto next = static_cast<std::size_t>(steepest - probe_.begin());
-    if (next == corner) break;
-    corner = next;
-    std::ranges::fill(probe_, 0.0);
-    probe_[corner] = 1.0;
-  }
-  return estimate;
 }
 
 }  // namespace loadpath

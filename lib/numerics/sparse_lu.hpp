@@ -44,7 +44,6 @@ class SparseLu {
   void compile();
   void compile_source(std::size_t step);
   double norm(std::span<const double> values);
-  double norm_of_inverse();
 
   std::size_t size_;
   std::vector<MatrixEntry> pattern_;

@@ -30,6 +30,7 @@ bool is_constant(const Dual& a) {
 
 Differential::Differential(const Instant& instant)
     : instant_(instant),
+      motions_(instant),
       model_(as_dual(instant.model())),
       scaled_(model_),
       constraints_(model_),
@@ -53,6 +54,7 @@ Differential::Differential(const Instant& instant)
 
 bool Differential::start(bool statics) {
   statics_ = statics;
+  motions_.find(instant_);
   for (std::size_t n = 0; n < model_.loads.size(); ++n) {  // they may vary over the cycle
     const LoadNow& now = instant_.at().loads[n];
     model_.loads[n].force = {now.force.x, now.force.y};
@@ -62,7 +64,7 @@ bool Differential::start(bool statics) {
   for (std::size_t row = 0; row < powers_.size(); ++row) {
     double sum = 0.0;
     for (const ActiveForce& force : instant_.external()) {
-      sum += power(force, instant_.virtual_velocity(row, force.link));
+      sum += power(force, motions_.velocity(row, force.link));
     }
     powers_[row] = sum / (length * length);
   }
@@ -93,7 +95,7 @@ double Differential::mode_power(const InducedMode& mode, std::size_t row) const 
     if (link == ground) return 0.0;
     const auto k = static_cast<std::size_t>(link);
     const Pose& pose = instant_.at().pose[k];
-    const Pose velocity = instant_.virtual_velocity(row, k);
+    const Pose velocity = motions_.velocity(row, k);
     return dot(mode.force, point_velocity(velocity, mode.at - Vec{pose.x, pose.y})) + mode.couple * velocity.phi;
   };
   return on(joint.i) - on(joint.j);
@@ -193,7 +195,7 @@ void Differential::find_forces() {
   take_transposed_product();
   for (std::size_t row = 0; row < multipliers_.size(); ++row) {
     multipliers_[row] = multiplier_[row];
-    const std::span<const double> motion = instant_.virtual_motion(row);
+    const std::span<const double> motion = motions_.of(row);
     for (std::size_t c = 0; c < motion.size(); ++c) add(multipliers_[row], motion[c], right_[c]);
   }
   share_out(model_, constraints_, multipliers_, instant_.length(), reactions_, effort_);
@@ -222,7 +224,7 @@ void Differential::induce() {
 void Differential::subtract_solution(std::span<const Dual> right, std::span<Dual> x) const {
   for (std::size_t row = 0; row < right.size(); ++row) {
     if (is_constant(right[row])) continue;
-    const std::span<const double> motion = instant_.virtual_motion(row);
+    const std::span<const double> motion = motions_.of(row);
     for (std::size_t c = 0; c < motion.size(); ++c) add(x[c], -motion[c], right[row]);
   }
 }

@@ -6,7 +6,7 @@
 #include "lib/mechanism/equations/kinematics.hpp"
 #include "lib/mechanism/forces/induced.hpp"
 #include "lib/mechanism/model/position.hpp"
-#include "lib/mechanism/proof/instant.hpp"
+#include "lib/mechanism/proof/virtual_motions.hpp"
 #include "lib/numerics/dual.hpp"
 #include "lib/numerics/small_lu.hpp"
 
@@ -47,6 +47,7 @@ class Differential {
   void store_motion(std::span<const Dual> x, std::span<BasicPose<Dual>> poses) const;
 
   const Instant& instant_;
+  VirtualMotions motions_;
   BasicModel<Dual> model_, scaled_;
   BasicConstraints<Dual> constraints_;
   bool statics_ = false, has_belt_ = false;

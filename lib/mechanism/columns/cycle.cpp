@@ -30,13 +30,15 @@ CycleColumns::CycleColumns(const Model& model, std::size_t positions, Kept kept)
       first_pose_(first_effort_ + (kept.forces ? drivers_ : 0)),
       first_velocity_(first_pose_ + (kept.poses ? 3 * links_ : 0)),
       first_acceleration_(first_velocity_ + (kept.velocities ? 3 * links_ : 0)),
+      first_pin_(first_acceleration_ + (kept.accelerations ? 3 * links_ : 0)),
       system_(model),
       model_(model),
       position_(blank_position(model)),
       courses_(model.loads.size()),
-      columns_((first_acceleration_ + (kept.accelerations ? 3 * links_ : 0)) * room_),
+      columns_((first_pin_ + (kept.pins ? 2 * joints_ : 0)) * room_),
       status_(positions),
       poses_(links_),
+      pins_(joints_),
       least_sine_(room_) {
   assemble();
   const Chain* const chain = system_.chain();
@@ -65,6 +67,13 @@ Status CycleColumns::assemble() {
   const Status status = system_.assemble();
   assembled_ = status == Status::closed;
   return status;
+}
+
+bool CycleColumns::stands_clear() {
+  if (!assembled_ || system_.chain() == nullptr) return false;
+  std::vector<Drive> here(drivers_);
+  for (std::size_t d = 0; d < drivers_; ++d) here[d].coordinate = coordinate(d);
+  return system_.solve(here, position_) == Status::closed && !system_.followed_in_steps();
 }
 
 Status CycleColumns::solve(std::span<const Drive> drives, bool statics) {
@@ -134,6 +143,40 @@ void CycleColumns::write(std::size_t position, bool has_motion, bool has_forces)
     if (kept_.accelerations)
       write(first_acceleration_ + 3 * k, position, has_motion ? position_.acceleration[k] : nowhere);
   }
+  for (std::size_t j = 0; kept_.pins && j < joints_; ++j)
+    pins_[j].at = has_motion ? position_.reactions[j].at : Vec{no_number, no_number};
+  write_pins(position);
+}
+
+void CycleColumns::write_pins(std::size_t position) {
+  for (std::size_t j = 0; kept_.pins && j < joints_; ++j) {
+    *at(first_pin_ + 2 * j, position) = pins_[j].at.x;
+    *at(first_pin_ + 2 * j + 1, position) = pins_[j].at.y;
+  }
+}
+
+Pose CycleColumns::frame(std::size_t column, std::size_t position) const {
+  const double* const first = &columns_[column * room_ + position];
+  return {first[0], first[room_], first[2 * room_]};
+}
+
+void CycleColumns::read(std::size_t position, const Kept& what, Position& out) const {
+  for (std::size_t k = 0; k < links_; ++k) {
+    if (what.poses) out.pose[k] = frame(first_pose_ + 3 * k, position);
+    if (what.velocities) out.velocity[k] = frame(first_velocity_ + 3 * k, position);
+    if (what.accelerations) out.acceleration[k] = frame(first_acceleration_ + 3 * k, position);
+  }
+  for (std::size_t j = 0; what.forces && j < joints_; ++j) {
+    const Pose reaction = frame(3 * j, position);
+    out.reactions[j] = {.at = {}, .force = {reaction.x, reaction.y}, .couple = reaction.phi};
+  }
+  for (std::size_t j = 0; what.pins && j < joints_; ++j) {
+    const Vectors pins = pin(j);
+    out.reactions[j].at = {pins.x[position], pins.y[position]};
+  }
+  for (std::size_t d = 0; what.forces && d < drivers_; ++d) out.effort[d] = effort(d)[position];
+  for (std::size_t n = 0; n < courses_.size(); ++n)
+    out.loads[n] = courses_[n].empty() ? LoadNow{model_.loads[n].force, model_.loads[n].moment} : courses_[n][position];
 }
 
 /// False where some position is not clear.
@@ -237,19 +280,45 @@ void CycleColumns::write_lanes(std::size_t first) {
   }
   for (std::size_t d = 0; kept_.forces && d < drivers_; ++d) copy(now_[0].effort[d], at(first_effort_ + d, first));
   if (kept_.poses || kept_.velocities || kept_.accelerations) write_motion(first);
+  for (std::size_t lane = 0; kept_.pins && lane < lane_count; ++lane) {
+    take_pins(*system_.chain(), now_[0], lane, pins_);
+    write_pins(first + lane);
+  }
 }
 
 void CycleColumns::write_motion(std::size_t first) {
   const Chain& chain = *system_.chain();
-  for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    if (kept_.poses && first + lane > 0) follow_poses(chain, now_[0], lane, poses_);
-    for (std::size_t k = 0; k < links_; ++k) {
-      if (kept_.poses) write(first_pose_ + 3 * k, first + lane, poses_[k]);
-      if (kept_.velocities) write(first_velocity_ + 3 * k, first + lane, velocity_of(chain, now_[0], k, lane));
-      if (kept_.accelerations)
-        write(first_acceleration_ + 3 * k, first + lane, acceleration_of(chain, now_[0], k, lane));
-    }
+  for (std::size_t lane = 0; kept_.poses && kept_.angles && lane < lane_count; ++lane) {
+    if (first + lane > 0) follow_poses(chain, now_[0], lane, poses_);
+    for (std::size_t k = 0; k < links_; ++k) write(first_pose_ + 3 * k, first + lane, poses_[k]);
   }
+  for (std::size_t k = 0; k < links_; ++k) {
+    if (kept_.poses && !kept_.angles) {
+      write_frames(first_pose_ + 3 * k, first, [&](std::size_t lane) {
+        const Vec place = place_of(chain, now_[0], k, lane);
+        return Pose{place.x, place.y, no_number};
+      });
+    }
+    if (kept_.velocities)
+      write_frames(first_velocity_ + 3 * k, first,
+                   [&](std::size_t lane) { return velocity_of(chain, now_[0], k, lane); });
+    if (kept_.accelerations)
+      write_frames(first_acceleration_ + 3 * k, first,
+                   [&](std::size_t lane) { return acceleration_of(chain, now_[0], k, lane); });
+  }
+}
+
+template <class FrameOf>
+void CycleColumns::write_frames(std::size_t column, std::size_t first, FrameOf frame_of) {
+  double* const x = at(column, first);
+  double* const y = at(column + 1, first);
+  double* const phi = at(column + 2, first);
+  each_lane<lane_count>([&](std::size_t lane) {
+    const Pose frame = frame_of(lane);
+    x[lane] = frame.x;
+    y[lane] = frame.y;
+    phi[lane] = frame.phi;
+  });
 }
 
 }  // namespace loadpath::mechanism

@@ -22,8 +22,10 @@ namespace loadpath::mechanism {
 struct Kept {
   bool forces = true;
   bool poses = false;
+  bool angles = true;  // of the poses; without them their angles are no numbers
   bool velocities = false;
   bool accelerations = false;
+  bool pins = false;  // where the joints' forces act
 };
 
 class CycleColumns {
@@ -35,6 +37,8 @@ class CycleColumns {
   Status take(const Model& model);
   /// The drivers' coordinates of that assembly.
   [[nodiscard]] double coordinate(std::size_t driver) const { return system_.coordinate(driver); }
+  /// Whether that assembly keeps clear of change points, of a chain of dyads.
+  [[nodiscard]] bool stands_clear();
   /// A load as it is at every position, in the axes that it has; it must outlive the next `solve`.
   void vary_load(std::size_t load, std::span<const LoadNow> course) { courses_[load] = course; }
 
@@ -60,6 +64,14 @@ class CycleColumns {
   [[nodiscard]] Frames pose(std::size_t link) const { return frames(first_pose_ + 3 * link); }
   [[nodiscard]] Frames velocity(std::size_t link) const { return frames(first_velocity_ + 3 * link); }
   [[nodiscard]] Frames acceleration(std::size_t link) const { return frames(first_acceleration_ + 3 * link); }
+  [[nodiscard]] Vectors pin(std::size_t joint) const {
+    return {column(first_pin_ + 2 * joint), column(first_pin_ + 2 * joint + 1)};
+  }
+  /// A position as GroupSystem gives it, of a cycle that was solved in lanes: `what` of all that is kept. `out` is made
+  /// by `blank_position`.
+  void read(std::size_t position, const Kept& what, Position& out) const;
+  /// The first position, whole.
+  [[nodiscard]] const Position& first() const { return position_; }
 
  private:
   /// A drive of a step of the chain at all positions.
@@ -76,6 +88,8 @@ class CycleColumns {
   Status go_on_alone(std::span<const Drive> drives, bool statics);
   void write(std::size_t position, bool has_motion, bool has_forces);
   void write(std::size_t column, std::size_t position, const Pose& frame);
+  void write_pins(std::size_t position);
+  [[nodiscard]] Pose frame(std::size_t column, std::size_t position) const;
 
   bool solve_in_lanes(std::span<const Drive> drives, bool statics);
   void take_drives(std::span<const Drive> drives);
@@ -86,11 +100,14 @@ class CycleColumns {
   void set_loads(std::size_t first);
   void write_lanes(std::size_t first);
   void write_motion(std::size_t first);
+  /// A frame's three columns, from a function of the lane.
+  template <class FrameOf>
+  void write_frames(std::size_t column, std::size_t first, FrameOf frame_of);
 
   std::size_t positions_, room_;  // room: in whole blocks of lanes
   Kept kept_;
   std::size_t joints_, drivers_, links_;
-  std::size_t first_effort_, first_pose_, first_velocity_, first_acceleration_;
+  std::size_t first_effort_, first_pose_, first_velocity_, first_acceleration_, first_pin_;
   GroupSystem system_;
   Model model_;
   Position position_;
@@ -103,6 +120,7 @@ class CycleColumns {
 
   std::vector<ChainState<lane_count>> now_;  // one, of a chain
   std::vector<Pose> poses_;                  // of the last position that was written
+  std::vector<Reaction> pins_;               // likewise
   std::vector<Drive> drives_;                // that the courses below are of
   std::vector<double> offsets_;              // and of their steps
   std::vector<Course> course_;               // of the steps

@@ -49,6 +49,15 @@ void find_active_forces(const Model& model, const Position& at, bool statics, st
   }
 }
 
+void add_up(std::span<const ActiveForce> active, double length, std::span<double> acting) {
+  for (const ActiveForce& a : active) {
+    double* const on_link = &acting[3 * a.link];
+    on_link[0] += a.force.x;
+    on_link[1] += a.force.y;
+    on_link[2] += (cross(a.arm, a.force) + a.couple) / length;
+  }
+}
+
 double power(const ActiveForce& active, const Pose& velocity) {
   return dot(active.force, point_velocity(velocity, active.arm)) + active.couple * velocity.phi;
 }

@@ -6,6 +6,7 @@
 #include "lib/mechanism/model/position.hpp"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace loadpath::mechanism {
@@ -23,6 +24,10 @@ struct ActiveForce {
 /// Weights, loads, springs and, unless `statics`, forces of inertia (D'Alembert) act at the mass centre; what is zero
 /// is left out.
 void find_active_forces(const Model& model, const Position& at, bool statics, std::vector<ActiveForce>& active);
+
+/// Adds them up, coordinate by coordinate: forces, N, and moments about the origins of the links' frames over this
+/// length, m.
+void add_up(std::span<const ActiveForce> active, double length, std::span<double> acting);
 
 /// W, when the link moves so.
 double power(const ActiveForce& active, const Pose& velocity);

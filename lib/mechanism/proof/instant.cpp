@@ -7,13 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace loadpath::mechanism {
 namespace {
-
-// Equations beyond which the inverse is found column by column: elimination of a full matrix takes the cube of them.
-constexpr std::size_t most_dense = 300;
 
 using Row = Eigen::Vector3d;  // a force and a couple in units of length
 
@@ -37,15 +33,23 @@ Instant::Instant(const Model& model)
     : model_(&model),
       has_wheels_(std::ranges::any_of(model.joints, [](const Joint& joint) { return joint.radius_i != 0.0; })),
       length_(characteristic_length(model)),
-      constraints_(in_unit_of_length(model, length_)),
+      scaled_(in_unit_of_length(model, length_)),
+      constraints_(scaled_),
       q_(3 * (model.links.size() + 1)),  // the ground's stay zero
       no_targets_(model.drivers.size()),
       beside_(model.joints.size()),
-      inverse_(constraints_.rows()),
-      column_sums_(constraints_.columns()),
-      motions_(constraints_.rows() * constraints_.columns()) {
-  if (constraints_.rows() > most_dense) factors_.emplace(constraints_.columns(), constraints_.pattern());
+      inverse_(constraints_, groups(model)),
+      rates_(constraints_.rows()),
+      motions_(model.drivers.size() * constraints_.columns()) {
   active_.reserve(2 * model.links.size() + model.loads.size() + 2 * model.springs.size() + 2 * model.joints.size());
+}
+
+void Instant::take_dimensions(const Model& model) {
+  model_ = &model;
+  length_ = characteristic_length(model);
+  scaled_ = model;
+  change_unit_of_length(scaled_, length_);
+  constraints_.take_dimensions(scaled_);
 }
 
 void Instant::take(const Position& at, bool statics) {
@@ -92,49 +96,23 @@ void Instant::add_induced(int link, std::size_t joint, const Reaction& acting, d
 }
 
 void Instant::find_motions() {
-  const double norm = factors_ ? invert_sparse() : invert_dense();
-  const std::size_t size = constraints_.rows();
-  condition_ = size == 0 ? 1.0 : norm * largest_row_sum(motions_, size);
-}
-
-/// Column after column. The 1-norm of the Jacobian, NaN where it is singular.
-double Instant::invert_sparse() {
-  const std::size_t size = constraints_.rows();
-  if (!factors_->factor(constraints_.jacobian())) return std::numeric_limits<double>::quiet_NaN();
-  std::ranges::fill(motions_, 0.0);
-  for (std::size_t row = 0; row < size; ++row) {
-    const auto column = std::span(motions_).subspan(row * size, size);
-    column[row] = 1.0;
-    factors_->solve(column);
+  inverse_.invert(constraints_);
+  condition_ = inverse_.condition();
+  const std::size_t size = constraints_.columns();
+  for (std::size_t k = 0; k < model_->drivers.size(); ++k) {
+    std::ranges::fill(rates_, 0.0);
+    rates_[constraints_.first_driver_row() + k] = 1.0;
+    inverse_.find_motion(rates_, std::span(motions_).subspan(k * size, size));
   }
-  std::ranges::fill(column_sums_, 0.0);
-  const auto pattern = constraints_.pattern();
-  for (std::size_t n = 0; n < pattern.size(); ++n)
-    column_sums_[static_cast<std::size_t>(pattern[n].column)] += std::abs(constraints_.jacobian()[n]);
-  return *std::ranges::max_element(column_sums_);
-}
-
-/// Column after column, so that the largest sums of columns, the 1-norms, are those of what the inverse takes for rows.
-double Instant::invert_dense() {
-  const std::size_t size = constraints_.rows();
-  std::ranges::fill(motions_, 0.0);
-  const auto pattern = constraints_.pattern();
-  for (std::size_t n = 0; n < pattern.size(); ++n) {
-    const auto row = static_cast<std::size_t>(pattern[n].row), column = static_cast<std::size_t>(pattern[n].column);
-    motions_[column * size + row] = constraints_.jacobian()[n];
-  }
-  const double norm = largest_row_sum(motions_, size);
-  inverse_.invert(motions_);
-  return norm;
 }
 
 double Instant::effort_arm(std::size_t driver) const {
   return model_->drivers[driver].kind == Driver::Kind::rotary ? length_ : 1.0;
 }
 
-double Instant::virtual_power(std::size_t row) const {
+double Instant::virtual_power(std::size_t driver) const {
   double sum = 0.0;
-  for (const ActiveForce& active : active_) sum += power(active, virtual_velocity(row, active.link));
+  for (const ActiveForce& active : active_) sum += power(active, virtual_velocity(driver, active.link));
   return sum;
 }
 

@@ -1,15 +1,14 @@
-// A mechanism at one position, as the proofs see it: its constraints there, what acts on it, and its virtual
-// velocities. Poses, velocities and accelerations are taken from the position, reactions and efforts are not; but for
-// what a reaction brings with it that its constraints cannot supply: friction, what presses teeth apart, slack sides.
+// A mechanism at one position, as the proofs see it: its constraints there, what acts on it, and the virtual velocities
+// of its drivers. Poses, velocities and accelerations are taken from the position, reactions and efforts are not; but
+// for what a reaction brings with it that its constraints cannot supply: friction, what presses teeth apart, slack
+// sides.
 #pragma once
 
 #include "lib/mechanism/equations/kinematics.hpp"
+#include "lib/mechanism/inverse/group_inverse.hpp"
 #include "lib/mechanism/proof/active_forces.hpp"
-#include "lib/numerics/dense_inverse.hpp"
-#include "lib/numerics/sparse_lu.hpp"
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,9 +18,11 @@ class Instant {
  public:
   /// The model is referred to: its loads may change between positions.
   explicit Instant(const Model& model);
+  /// Takes over the dimensions of a model of the same structure, which is referred to from now on.
+  void take_dimensions(const Model& model);
   /// Goes to this position, which is referred to. `statics`: without inertia. Takes no memory.
   void take(const Position& at, bool statics);
-  /// The same without virtual velocities and the condition number.
+  /// The same without virtual velocities, the inverse and the condition number.
   void take_forces(const Position& at, bool statics);
 
   [[nodiscard]] const Model& model() const { return *model_; }
@@ -42,22 +43,20 @@ class Instant {
   /// A driver's effort over the force that is compared with others: that unit for a moment, 1 for a force.
   [[nodiscard]] double effort_arm(std::size_t driver) const;
 
-  /// How this link moves, m/s and 1/s, when the constraint of this row alone gives way, at a rate of 1 rad or one unit
-  /// of length per second. With a driver's row: when this driver alone moves.
-  [[nodiscard]] Pose virtual_velocity(std::size_t row, std::size_t link) const {
-    const double* v = &motions_[row * constraints_.columns() + 3 * link];
+  /// How this link moves, m/s and 1/s, when this driver alone moves, at 1 rad or one unit of length per second.
+  [[nodiscard]] Pose virtual_velocity(std::size_t driver, std::size_t link) const {
+    const double* v = &motions_[driver * constraints_.columns() + 3 * link];
     return {length_ * v[0], length_ * v[1], v[2]};
-  }
-  /// The same of all coordinates, in units of length: what the inverse of the Jacobian has in this column.
-  [[nodiscard]] std::span<const double> virtual_motion(std::size_t row) const {
-    return std::span(motions_).subspan(row * constraints_.columns(), constraints_.columns());
   }
   /// The rate of a driver in its virtual velocities, rad/s or m/s.
   [[nodiscard]] double virtual_rate(std::size_t driver) const { return length_ / effort_arm(driver); }
-  /// W, of everything that acts, in the virtual velocities of this row.
-  [[nodiscard]] double virtual_power(std::size_t row) const;
+  /// W, of everything that acts, in the virtual velocities of this driver.
+  [[nodiscard]] double virtual_power(std::size_t driver) const;
+  /// Of the constraints' Jacobian here, with the groups that it goes by.
+  [[nodiscard]] const GroupInverse& inverse() const { return inverse_; }
 
-  /// Of the position: condition number of its constraint equations with this unit of length, 1-norm.
+  /// Of the position: condition number of its constraint equations with this unit of length, 1-norm, as GroupInverse
+  /// finds it.
   [[nodiscard]] double condition() const { return condition_; }
   /// To rounding: at most three digits of what the inverse gives are left.
   [[nodiscard]] bool is_singular() const { return !(condition_ <= 1e13); }
@@ -67,23 +66,21 @@ class Instant {
   void find_induced_forces();
   void add_induced(int link, std::size_t joint, const Reaction& acting, double sense);
   void find_motions();
-  [[nodiscard]] double invert_dense();
-  [[nodiscard]] double invert_sparse();
 
   const Model* model_;
   const Position* at_ = nullptr;
   bool statics_ = false;
   bool has_wheels_;
   double length_;
+  Model scaled_;  // in the unit of length
   Constraints constraints_;
   std::vector<double> q_, no_targets_;
   std::vector<ActiveForce> active_;
   std::size_t external_ = 0;
   std::vector<Reaction> beside_;
-  DenseInverse inverse_;
-  std::optional<SparseLu> factors_;  // in place of it where there are many links
-  std::vector<double> column_sums_;
-  std::vector<double> motions_;  // a column of the inverse of the dense Jacobian after the other
+  GroupInverse inverse_;
+  std::vector<double> rates_;
+  std::vector<double> motions_;  // of all links for one driver after the other
   double condition_ = 0.0;
 };
 

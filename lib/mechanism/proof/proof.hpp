@@ -39,6 +39,8 @@ struct Proof {
 class Prover {
  public:
   explicit Prover(const Model& model);
+  /// From now on positions of this model, of the same structure.
+  void take_dimensions(const Model& model) { instant_.take_dimensions(model); }
   /// `statics`: without inertia.
   Proof prove(std::span<const Drive> drives, bool statics, const Position& at);
 

@@ -5,16 +5,16 @@
 namespace loadpath::mechanism {
 
 double effort_by_virtual_power(const Instant& instant, std::size_t driver) {
-  const std::size_t row = instant.constraints().first_driver_row() + driver;
-  return -instant.virtual_power(row) / instant.virtual_rate(driver);
+  return -instant.virtual_power(driver) / instant.virtual_rate(driver);
 }
 
 void ReleasedConstraints::find_forces(const Instant& instant, Forces& forces) {
   const double length = instant.length();
+  acting_.assign(instant.constraints().columns(), 0.0);
   multipliers_.resize(instant.constraints().rows());
-  for (std::size_t row = 0; row < multipliers_.size(); ++row) {
-    multipliers_[row] = -instant.virtual_power(row) / (length * length);
-  }
+  add_up(instant.active(), length, acting_);
+  instant.inverse().find_supply(acting_, multipliers_);
+  for (double& multiplier : multipliers_) multiplier /= -length;
   share_out(instant.model(), instant.constraints(), multipliers_, length, forces.reactions, forces.effort);
 }
 

@@ -13,13 +13,13 @@ namespace loadpath::mechanism {
 double effort_by_virtual_power(const Instant& instant, std::size_t driver);
 
 /// Reactions, each component of which does work where its constraint alone is released and all drivers are held; the
-/// efforts likewise.
+/// efforts likewise. Group after group, the last first: what a later group presses with is a force on those before.
 class ReleasedConstraints {
  public:
   void find_forces(const Instant& instant, Forces& forces);
 
  private:
-  std::vector<double> multipliers_;
+  std::vector<double> acting_, multipliers_;
 };
 
 }  // namespace loadpath::mechanism

@@ -43,7 +43,7 @@ class Lever {
 }  // namespace
 
 Vec image(const Instant& instant, std::size_t driver, std::size_t link, Vec arm) {
-  const Pose velocity = instant.virtual_velocity(instant.constraints().first_driver_row() + driver, link);
+  const Pose velocity = instant.virtual_velocity(driver, link);
   return (-1.0 / instant.virtual_rate(driver)) * normal(point_velocity(velocity, arm));
 }
 

@@ -66,10 +66,14 @@ std::vector<Misfit> misfits_of(const Constraints& constraints, double length) {
   return misfits;
 }
 
+bool needs_distance(const Joint& joint) {
+  return joint.kind == JointKind::gear || joint.kind == JointKind::belt || joint.kind == JointKind::rack;
+}
+
 /// The distance that other joints must hold for this one; of other kinds 0.
 double centre_distance(const Constraints& constraints, const Joint& joint) {
-  const bool two = joint.kind == JointKind::gear || joint.kind == JointKind::belt;
-  if (!two && joint.kind != JointKind::rack) return 0.0;
+  if (!needs_distance(joint)) return 0.0;
+  const bool two = joint.kind != JointKind::rack;
   const Placed& j = constraints.placed(joint.j);
   const Vec apart = constraints.placed(joint.i).point(joint.point_i) - j.point(joint.point_j);
   return two ? length(apart) : std::abs(dot(apart, normal(j.turned(turn(joint.direction)({1.0, 0.0})))));
@@ -78,6 +82,7 @@ double centre_distance(const Constraints& constraints, const Joint& joint) {
 // A little further on in every motion at once, so that a distance that is extreme here is seen to change too.
 std::vector<std::size_t> parting_joints(FreeMechanism mechanism, const std::vector<Joint>& joints) {
   constexpr double little = 1e-2, negligible = 1e-7;
+  if (std::ranges::none_of(joints, needs_distance)) return {};
   std::vector<double> before;
   before.reserve(joints.size());
   for (const Joint& joint : joints) before.push_back(centre_distance(mechanism.constraints(), joint));

@@ -6,7 +6,7 @@
 namespace loadpath::mechanism {
 
 CauseSplit::CauseSplit(const Model& model)
-    : instant_(model), induced_(model.joints.size()), multipliers_(instant_.constraints().rows()) {
+    : instant_(model), motions_(instant_), induced_(model.joints.size()), multipliers_(instant_.constraints().rows()) {
   causes_.push_back({Cause::Kind::weights});
   for (std::size_t k = 0; k < model.links.size(); ++k) causes_.push_back({Cause::Kind::inertia, k});
   first_load_ = causes_.size();
@@ -39,6 +39,7 @@ std::size_t CauseSplit::cause_of(const ActiveForce& force) const {
 bool CauseSplit::find(const Position& at, bool statics) {
   instant_.take(at, statics);
   if (instant_.is_singular()) return false;
+  motions_.find(instant_);
   for (std::size_t cause = 0; cause < causes_.size(); ++cause) find_share(cause);
   return true;
 }
@@ -51,7 +52,7 @@ void CauseSplit::find_share(std::size_t cause) {
   for (const ActiveForce& force : instant_.active()) {
     if (cause_of(force) != cause) continue;
     for (std::size_t row = 0; row < multipliers_.size(); ++row) {
-      multipliers_[row] -= power(force, instant_.virtual_velocity(row, force.link)) / (length * length);
+      multipliers_[row] -= power(force, motions_.velocity(row, force.link)) / (length * length);
     }
   }
   share_out(instant_.model(), instant_.constraints(), multipliers_, length, share.reactions, share.effort);

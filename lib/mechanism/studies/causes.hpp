@@ -6,7 +6,7 @@
 #include "lib/mechanism/model/model.hpp"
 #include "lib/mechanism/model/position.hpp"
 #include "lib/mechanism/proof/forces.hpp"
-#include "lib/mechanism/proof/instant.hpp"
+#include "lib/mechanism/proof/virtual_motions.hpp"
 
 #include <cstddef>
 #include <span>
@@ -27,8 +27,7 @@ class CauseSplit {
 
   /// All that the model can have: weights first, then links, loads, springs and joints in their order.
   [[nodiscard]] std::span<const Cause> causes() const { return causes_; }
-  /// Splits a solved position. False where the position is singular to rounding. Takes no memory but the
-  /// scratch of an inverse.
+  /// Splits a solved position. False where the position is singular to rounding. Takes no memory.
   [[nodiscard]] bool find(const Position& at, bool statics = false);
   /// The reactions, at the position's pins, and the efforts of one cause alone. What is induced is taken at its amount
   /// there, and counts with the joint that induces it.
@@ -39,6 +38,7 @@ class CauseSplit {
   void find_share(std::size_t cause);
 
   Instant instant_;
+  VirtualMotions motions_;
   std::vector<Cause> causes_;
   std::size_t first_load_ = 0, first_spring_ = 0;
   std::vector<std::size_t> induced_;  // by joint, among the causes

@@ -247,6 +247,7 @@ void MechanismStep::solve(const project::Known& known, const project::Wanted& wa
   if (issues.size() != before || !expand_template(issues)) return;
   complete();
   mechanism::Model model = model_of(in_);
+  if (solve_ordinary(model, wanted)) return;
   if (!is_known() && !diagnose_model(model, issues)) return;
   add_faults(choose_assembly(in_, structure_, model), issues);
   if (issues.size() != before) return;
@@ -262,6 +263,28 @@ void MechanismStep::solve(const project::Known& known, const project::Wanted& wa
   Solved solved{name(), in_, structure_, model, free, proved, cycle, kinematics, axis_.get()};
   ask_all(&Aspect::find, solved, solved.found);
   tell(solved, wanted);
+  if (wanted.words) return ordinary_.reset();
+  ordinary_ = Ordinary::of(solved, account(), asked(wanted));
+  ordinary_for_ = wanted;
+}
+
+bool MechanismStep::solve_ordinary(const mechanism::Model& model, const project::Wanted& wanted) {
+  const bool is_same = wanted.taken == ordinary_for_.taken && wanted.compared == ordinary_for_.compared;
+  if (wanted.words || ordinary_ == nullptr || !is_same) return false;
+  if (in_si(in_.crank.acceleration) == 0.0) axis_->speed = std::abs(in_si(in_.crank.speed));
+  std::vector<Issue> found;
+  return in_order(in_.crank) && check_values(model, found) && ordinary_->solve(in_, model, *axis_, own_account());
+}
+
+/// Its own paths that somebody refers to.
+std::set<std::string> MechanismStep::asked(const project::Wanted& wanted) const {
+  std::set<std::string> paths;
+  for (const std::set<std::string>* all : {&wanted.taken, &wanted.compared}) {
+    for (const std::string& path : *all) {
+      if (path.starts_with(name() + ".")) paths.insert(path.substr(name().size() + 1));
+    }
+  }
+  return paths;
 }
 
 void MechanismStep::tell(const Solved& solved, const project::Wanted& wanted) {
@@ -271,7 +294,8 @@ void MechanismStep::tell(const Solved& solved, const project::Wanted& wanted) {
   outputs_ = outputs_of(in_, solved.given);
   const auto wants = [&](const std::string& path) { return wanted.holds(name(), path); };
   // What was released of the given model is read from what was solved.
-  fill_results(outputs_, outputs_of(in_, solved.model), solved, wants, account);
+  fill_results(outputs_, outputs_of(in_, solved.model), solved, magnitudes_of(solved.given, solved.cycle), wants,
+               account);
   fill_inputs();
   account.modes = modes_of(*this, in_, wanted);
   account.sources = sources_used(in_, structure_);

@@ -1,12 +1,15 @@
 // The step of a planar mechanism in a project: its paths come from the names in its model.
 #pragma once
 
+#include "calculators/mechanism/ordinary.hpp"
 #include "calculators/mechanism/results/output.hpp"
 #include "calculators/mechanism/results/solved.hpp"
 #include "lib/mechanism/structure/structure.hpp"
 #include "lib/project/step.hpp"
 
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace loadpath::planar {
@@ -23,6 +26,9 @@ class MechanismStep : public project::Step {
   /// With the moment or power of a drive comes the force of its joint.
   [[nodiscard]] std::vector<std::string> companions_of(const std::string& path) const override;
   void solve(const project::Known& known, const project::Wanted& wanted, std::vector<Issue>& issues) override;
+
+  /// Whether other numbers would be solved without what people read: see Ordinary.
+  [[nodiscard]] bool is_ordinary() const { return ordinary_ != nullptr; }
 
  private:
   [[nodiscard]] Mechanism::Input& data() { return *static_cast<Mechanism::Input*>(own().reading.record.data.get()); }
@@ -45,6 +51,9 @@ class MechanismStep : public project::Step {
   void complete();
   [[nodiscard]] account::Origin origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const;
   void fill_inputs();
+  /// A mechanism like the one before, of which numbers alone are wanted; false where it is to be solved whole.
+  bool solve_ordinary(const mechanism::Model& model, const project::Wanted& wanted);
+  [[nodiscard]] std::set<std::string> asked(const project::Wanted& wanted) const;
   /// Verdicts, results, inputs; tables and figures where they are wanted.
   void tell(const Solved& solved, const project::Wanted& wanted);
   void illustrate(const Solved& solved);
@@ -53,7 +62,9 @@ class MechanismStep : public project::Step {
   Mechanism::Input in_;  // as it is solved
   std::vector<Output> outputs_;
   mechanism::Structure structure_;
-  std::unique_ptr<Axis> axis_;  // null: one position
+  std::unique_ptr<Axis> axis_;          // null: one position
+  std::unique_ptr<Ordinary> ordinary_;  // of the last mechanism that was solved whole for numbers alone; null: none
+  project::Wanted ordinary_for_;        // what was wanted then
 };
 
 std::unique_ptr<project::Step> make_step(project::StepInput&& input);

@@ -49,6 +49,6 @@ void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Out
 
 }  // namespace
 
-constinit const Aspect aspects::drives{.list = &list, .add_outputs = &add};
+constinit const Aspect aspects::drives{.list = &list, .add_outputs = &add, .reads_forces_alone = true};
 
 }  // namespace loadpath::planar

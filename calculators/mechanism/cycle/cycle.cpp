@@ -17,13 +17,6 @@ namespace {
 using mechanism::Drive;
 using mechanism::Status;
 
-void fill_axis(const Schedule& schedule, Axis& axis) {
-  axis.at = schedule.at;
-  axis.period = schedule.period;
-  if (!axis.cyclic()) return;
-  axis.share.assign(axis.at.size(), 1.0 / static_cast<double>(axis.at.size()));  // the drive turns evenly
-}
-
 // What differs less is where it was, rad or parts of its size.
 constexpr double returning = 1e-6;
 
@@ -147,7 +140,7 @@ Cycle solve_cycle(const Mechanism::Input& in, const mechanism::Model& model, boo
   mechanism::ReleasedSystem system(model, redundant);
   Cycle cycle;
   cycle.first_failure = system.assemble();
-  const Schedule schedule = schedule_of(in, system);
+  const Schedule schedule = schedule_of(in, [&](std::size_t driver) { return system.coordinate(driver); });
   if (axis != nullptr) fill_axis(schedule, *axis);
   cycle.positions.assign(schedule.drives.size(), mechanism::blank_position(model));
   cycle.proofs.assign(schedule.drives.size(), {});

@@ -13,36 +13,8 @@ namespace {
 
 constexpr double rounding = 1e-13;  // of the largest term: some hundred times the spacing of doubles
 
-/// The largest magnitudes over the positions of a cycle; what is not known there counts for nothing.
-struct Largest {
-  double length = 0.0, speed = 0.0, acceleration = 0.0;  // of links' origins
-  double turning = 0.0, angular_acceleration = 0.0;      // of links
-  double force = 0.0, couple = 0.0;                      // of joints, drives and loads
-  static void see(double magnitude, double& most) { most = magnitude > most ? magnitude : most; }
-  static double length_of(const mechanism::Pose& pose) { return mechanism::length(mechanism::Vec{pose.x, pose.y}); }
-
-  void see(const mechanism::Position& p, const std::vector<mechanism::Driver>& drivers) {
-    for (std::size_t k = 0; k < p.pose.size(); ++k) {
-      see(length_of(p.pose[k]), length);
-      see(length_of(p.velocity[k]), speed);
-      see(length_of(p.acceleration[k]), acceleration);
-      see(std::abs(p.velocity[k].phi), turning);
-      see(std::abs(p.acceleration[k].phi), angular_acceleration);
-    }
-    for (const mechanism::Reaction& r : p.reactions) see_force(r.force, r.couple);
-    for (const mechanism::LoadNow& load : p.loads) see_force(load.force, load.moment);
-    for (std::size_t d = 0; d < drivers.size(); ++d) {
-      const bool turns = drivers[d].kind == mechanism::Driver::Kind::rotary;
-      see(std::abs(p.effort[d]), turns ? couple : force);
-    }
-  }
-
- private:
-  void see_force(mechanism::Vec acting, double turning_moment) {
-    see(mechanism::length(acting), force);
-    see(std::abs(turning_moment), couple);
-  }
-};
+void take(double magnitude, double& most) { most = magnitude > most ? magnitude : most; }
+void take_square(double x, double y, double& most) { take(x * x + y * y, most); }
 
 /// Of all links, with their masses at this distance.
 double inertia_within(const mechanism::Model& model, double distance) {
@@ -70,24 +42,50 @@ double direction_of(mechanism::Vec v) {
   return std::atan2(v.y, v.x);
 }
 
-ResultRounding::ResultRounding(const mechanism::Model& model, const Cycle& cycle) {
-  Largest of;
+void Magnitudes::see(const mechanism::Position& p, const std::vector<mechanism::Driver>& drivers) {
+  const auto see_force = [this](mechanism::Vec acting, double turning_moment) {
+    take_square(acting.x, acting.y, force);
+    take(std::abs(turning_moment), couple);
+  };
+  for (std::size_t k = 0; k < p.pose.size(); ++k) {
+    take_square(p.pose[k].x, p.pose[k].y, length);
+    take_square(p.velocity[k].x, p.velocity[k].y, speed);
+    take_square(p.acceleration[k].x, p.acceleration[k].y, acceleration);
+    take(std::abs(p.velocity[k].phi), turning);
+    take(std::abs(p.acceleration[k].phi), angular_acceleration);
+  }
+  for (const mechanism::Reaction& r : p.reactions) see_force(r.force, r.couple);
+  for (const mechanism::LoadNow& load : p.loads) see_force(load.force, load.moment);
+  for (std::size_t d = 0; d < drivers.size(); ++d) {
+    const bool turns = drivers[d].kind == mechanism::Driver::Kind::rotary;
+    turns ? take(std::abs(p.effort[d]), couple) : take_square(p.effort[d], 0.0, force);
+  }
+}
+
+Magnitudes magnitudes_of(const mechanism::Model& model, const Cycle& cycle) {
+  Magnitudes of;
   for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
     if (cycle.closed[k]) of.see(cycle.positions[k], model.drivers);
   }
-  const double reach = mechanism::characteristic_length(model), length = of.length + reach;
-  const double speed = of.speed + of.turning * reach, turned = of.turning * of.turning + of.angular_acceleration;
-  const double moment = std::max(of.couple, of.force * length);
+  return of;
+}
+
+ResultRounding::ResultRounding(const mechanism::Model& model, const Magnitudes& of) {
+  const double force = std::sqrt(of.force);
+  const double reach = mechanism::characteristic_length(model), length = std::sqrt(of.length) + reach;
+  const double speed = std::sqrt(of.speed) + of.turning * reach,
+               turned = of.turning * of.turning + of.angular_acceleration;
+  const double moment = std::max(of.couple, force * length);
   scales_ = {{mm.dimension(), length},
              {deg.dimension(), 1.0},
              {m_per_s.dimension(), speed},
              {rad_per_s.dimension(), of.turning},
-             {m_per_s2.dimension(), of.acceleration + turned * reach},
+             {m_per_s2.dimension(), std::sqrt(of.acceleration) + turned * reach},
              {rad_per_s2.dimension(), turned},
-             {N.dimension(), std::max(of.force, of.couple / length)},
+             {N.dimension(), std::max(force, of.couple / length)},
              {N_m.dimension(), moment},
              {kg_m2.dimension(), inertia_within(model, length)},
-             {W.dimension(), std::max(of.force * speed, moment * of.turning)}};
+             {W.dimension(), std::max(force * speed, moment * of.turning)}};
 }
 
 void ResultRounding::clear(Value& value, bool direction) const {

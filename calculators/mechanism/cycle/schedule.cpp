@@ -18,8 +18,7 @@ std::vector<double> crank_angles(const planar::Crank& crank) {
   std::vector<double> angles;
   for (const auto& place : crank.at) angles.push_back(place.angle);
   if (!angles.empty()) return angles;
-  const double sense = in_si(crank.speed) < 0.0 ? -1.0 : 1.0;
-  const double cycle = sense * 2.0 * pi * crank.turns;
+  const double cycle = turning_sense(crank) * 2.0 * pi * crank.turns;
   for (int k = 0; k < crank.positions; ++k) angles.push_back(crank.start + cycle * k / crank.positions);
   return angles;
 }
@@ -37,26 +36,23 @@ double sense_of(planar::Impending impending) {
   return impending == planar::Impending::either ? 0.0 : impending == planar::Impending::forward ? 1.0 : -1.0;
 }
 
-Schedule schedule_by_speeds(const Mechanism::Input& in, const mechanism::ReleasedSystem& system) {
+Schedule schedule_by_speeds(const Mechanism::Input& in, const Assembled& assembled) {
   Schedule schedule;
   const std::vector<double> angles = has_crank(in) ? crank_angles(in.crank) : std::vector<double>{};
   const std::size_t count = has_crank(in) ? angles.size() : static_cast<std::size_t>(in.positions);
-  const double turns = has_crank(in) ? whole_turns(angles[0], system.coordinate(0)) : 0.0;
+  const double turns = has_crank(in) ? whole_turns(angles[0], assembled(0)) : 0.0;
   for (std::size_t k = 0; k < count; ++k) {
     std::vector<Drive> drives;
-    if (has_crank(in)) {
-      drives.push_back(
-          {angles[k] + turns, in_si(in.crank.speed), in_si(in.crank.acceleration), sense_of(in.crank.impending)});
-    }
+    if (has_crank(in)) drives.push_back(drive_of(in.crank, angles[k] + turns));
     for (const planar::Cylinder& c : in.cylinders) {
-      drives.push_back({place_of(c, system.coordinate(drives.size()), k, count), in_si(c.speed), in_si(c.acceleration),
+      drives.push_back({place_of(c, assembled(drives.size()), k, count), in_si(c.speed), in_si(c.acceleration),
                         sense_of(c.impending)});
     }
     schedule.at.push_back(has_crank(in) ? angles[k] : drives.empty() ? 0.0 : drives[0].coordinate);
     schedule.drives.push_back(std::move(drives));
   }
   schedule.turns = turns;
-  if (is_whole_turn(in)) schedule.period = (in_si(in.crank.speed) < 0.0 ? -2.0 : 2.0) * pi * in.crank.turns;
+  if (is_whole_turn(in)) schedule.period = turning_sense(in.crank) * 2.0 * pi * in.crank.turns;
   return schedule;
 }
 
@@ -83,7 +79,7 @@ void let_rest(Schedule& schedule) {
 }
 
 /// Equal steps of time, from the first moment of a law to the last of one.
-Schedule schedule_by_laws(const Mechanism::Input& in, const mechanism::ReleasedSystem& system) {
+Schedule schedule_by_laws(const Mechanism::Input& in, const Assembled& assembled) {
   std::vector<DriveLaw> laws;
   std::vector<Drive> starts;
   if (has_crank(in)) {
@@ -92,7 +88,7 @@ Schedule schedule_by_laws(const Mechanism::Input& in, const mechanism::ReleasedS
   }
   for (const planar::Cylinder& c : in.cylinders) {
     laws.emplace_back(c);
-    const double from = is_set(c.from) ? in_si(c.from) : system.coordinate(starts.size());
+    const double from = is_set(c.from) ? in_si(c.from) : assembled(starts.size());
     starts.push_back({from, in_si(c.speed), in_si(c.acceleration)});
   }
   double first = std::numeric_limits<double>::infinity(), last = -first;
@@ -102,8 +98,7 @@ Schedule schedule_by_laws(const Mechanism::Input& in, const mechanism::ReleasedS
     last = std::max(last, law.last());
   }
   Schedule schedule;
-  if (has_crank(in))
-    schedule.turns = whole_turns(drive_at(laws[0], starts[0], first, first).coordinate, system.coordinate(0));
+  if (has_crank(in)) schedule.turns = whole_turns(drive_at(laws[0], starts[0], first, first).coordinate, assembled(0));
   const Whole count = has_crank(in) ? in.crank.positions : in.positions;
   for (int k = 0; k < count; ++k) {
     const double t = count > 1 ? first + (last - first) * k / (count - 1) : first;
@@ -123,8 +118,21 @@ bool has_crank(const Mechanism::Input& in) { return !in.crank.joint.empty(); }
 
 bool is_whole_turn(const Mechanism::Input& in) { return has_crank(in) && in.crank.at.empty() && !has_law(in); }
 
-Schedule schedule_of(const Mechanism::Input& in, const mechanism::ReleasedSystem& system) {
-  return has_law(in) ? schedule_by_laws(in, system) : schedule_by_speeds(in, system);
+double turning_sense(const planar::Crank& crank) { return in_si(crank.speed) < 0.0 ? -1.0 : 1.0; }
+
+Drive drive_of(const planar::Crank& crank, double coordinate) {
+  return {coordinate, in_si(crank.speed), in_si(crank.acceleration), sense_of(crank.impending)};
+}
+
+Schedule schedule_of(const Mechanism::Input& in, const Assembled& assembled) {
+  return has_law(in) ? schedule_by_laws(in, assembled) : schedule_by_speeds(in, assembled);
+}
+
+void fill_axis(const Schedule& schedule, Axis& axis) {
+  axis.at = schedule.at;
+  axis.period = schedule.period;
+  if (!axis.cyclic()) return;
+  axis.share.assign(axis.at.size(), 1.0 / static_cast<double>(axis.at.size()));  // the drive turns evenly
 }
 
 void set_loads(const CycleTask& task, mechanism::ReleasedSystem& system, const std::vector<Drive>& drives,

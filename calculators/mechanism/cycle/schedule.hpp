@@ -4,8 +4,10 @@
 #include "calculators/mechanism/completion/courses.hpp"
 #include "calculators/mechanism/words/mechanism.hpp"
 #include "lib/mechanism/groups/released_system.hpp"
+#include "lib/quantity/series.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace loadpath::planar {
@@ -21,8 +23,18 @@ struct Schedule {
 bool has_crank(const Mechanism::Input& in);
 /// Whether the positions are those of a whole turn of the crank.
 bool is_whole_turn(const Mechanism::Input& in);
-/// The system is assembled: drives without a stated place begin where they are.
-Schedule schedule_of(const Mechanism::Input& in, const mechanism::ReleasedSystem& system);
+/// The coordinate of a driver where the mechanism was assembled.
+using Assembled = std::function<double(std::size_t driver)>;
+/// Drives without a stated place begin where they are.
+Schedule schedule_of(const Mechanism::Input& in, const Assembled& assembled);
+
+/// 1 forward, -1 backward: in which order the positions follow.
+double turning_sense(const planar::Crank& crank);
+/// The crank at a place.
+mechanism::Drive drive_of(const planar::Crank& crank, double coordinate);
+
+/// The places of the axis.
+void fill_axis(const Schedule& schedule, Axis& axis);
 
 /// What is solved: a mechanism, its drives at every position, with inertia or without.
 struct CycleTask {

@@ -35,12 +35,16 @@ struct Aspect {
   void (*add_outputs)(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) = nullptr;
   // When the positions are solved: what it finds for its own results and tables, and its verdicts.
   void (*find)(const Solved& solved, Findings& found) = nullptr;
+  /// Of an aspect without `find` it is asked at most points of a sweep too (Ordinary): of forces and closing alone, for
+  /// poses, pins and kinematics may be missing there.
   void (*judge)(const Solved& solved, std::vector<account::Verdict>& verdicts) = nullptr;
   // In a report: tables of what is given and of what is found, notes of what is missing, figures.
   void (*show_input)(const Mechanism::Input& in, std::vector<account::Block>& blocks) = nullptr;
   void (*show)(const Solved& solved, const Results& results, std::vector<account::Block>& blocks) = nullptr;
   void (*draw)(const Solved& solved, const Results& results, std::vector<draw::Figure>& figures) = nullptr;
   std::span<const Citation> citations = {};
+  /// Its results are read off forces, efforts and velocities alone, and hang on no number of the model.
+  bool reads_forces_alone = false;
 };
 
 namespace aspects {

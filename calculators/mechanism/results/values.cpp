@@ -1,6 +1,5 @@
 #include "calculators/mechanism/results/values.hpp"
 
-#include "calculators/mechanism/cycle/rounding.hpp"
 #include "calculators/mechanism/results/missing.hpp"
 
 #include <algorithm>
@@ -74,7 +73,7 @@ const Output& same_of(const std::vector<Output>& outputs, const Output& output) 
 }  // namespace
 
 void fill_results(const std::vector<Output>& told, const std::vector<Output>& read, const Solved& solved,
-                  const Wants& wants, account::Account& account) {
+                  const Magnitudes& magnitudes, const Wants& wants, account::Account& account) {
   Columns columns(solved);
   const auto needed = [&](const Output& output) {
     return solved.axis == nullptr || output.is_single || wants(output.path) ||
@@ -105,7 +104,7 @@ void fill_results(const std::vector<Output>& told, const std::vector<Output>& re
   const auto ratios = std::find_if(told.begin(), told.end(), &reads_results);
   const Results none_yet(told, account.results);
   std::for_each(told.begin(), ratios, [&](const Output& output) { add(output, none_yet); });
-  const ResultRounding rounding(solved.given, solved.cycle);
+  const ResultRounding rounding(solved.given, magnitudes);
   for (std::size_t n = 0; n < account.results.size(); ++n)
     rounding.clear(account.results[n].value, told[n].what.facts.kind == Kind::direction);
   const Results before(told, account.results);  // ratios are of what is there now

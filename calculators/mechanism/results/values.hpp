@@ -1,6 +1,7 @@
 // The results of a solved mechanism, as values of its account.
 #pragma once
 
+#include "calculators/mechanism/cycle/rounding.hpp"
 #include "calculators/mechanism/results/output.hpp"
 #include "calculators/mechanism/results/solved.hpp"
 #include "lib/account/account.hpp"
@@ -18,6 +19,6 @@ using Wants = std::function<bool(const std::string& path)>;
 /// no values. `read`: outputs of what was solved, which tell what they can of those; where joints held too much it is
 /// less than was given.
 void fill_results(const std::vector<Output>& told, const std::vector<Output>& read, const Solved& solved,
-                  const Wants& wants, account::Account& account);
+                  const Magnitudes& magnitudes, const Wants& wants, account::Account& account);
 
 }  // namespace loadpath::planar

@@ -31,7 +31,7 @@ TEST_SUITE("mechanism rounding") {
   TEST_CASE("what is far below what the links have is a zero, of a moment of inertia too") {
     const Resting resting;
     Value inertia{{kg_m2.dimension(), nullptr}, {7.4e-69, 0.033, 1e-9}};
-    ResultRounding(resting.model, resting.cycle).clear(inertia, false);
+    ResultRounding(resting.model, magnitudes_of(resting.model, resting.cycle)).clear(inertia, false);
     CHECK(inertia.si == std::vector<double>{0.0, 0.033, 1e-9});
     CHECK(inertia.rounding > 0.0);
   }
@@ -47,7 +47,7 @@ TEST_SUITE("mechanism rounding") {
 
   TEST_CASE("the angle of a link at half a turn is positive, unless it comes there from below") {
     const Resting resting;
-    const ResultRounding rounding(resting.model, resting.cycle);
+    const ResultRounding rounding(resting.model, magnitudes_of(resting.model, resting.cycle));
     Value phi{{deg.dimension(), nullptr}, {-pi, pi, -3.0, -pi + 1e-16}}, plain = phi;
     rounding.clear(phi, true);
     rounding.clear(plain, false);

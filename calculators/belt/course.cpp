@@ -2,6 +2,7 @@
 
 #include "calculators/belt/course_parts.hpp"
 #include "lib/calculator/calculator_of.hpp"
+#include "lib/figure/drawing.hpp"
 
 #include <cmath>
 
@@ -141,23 +142,59 @@ Course::Result Course::evaluate(const Input& in, Tracer& trace) {
 template Course::Result Course::evaluate(const Input&, NoTrace&);
 template Course::Result Course::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Course::figures(const Input& in, const Result& r) {
-  Circles circles = circles_of(in);
-  draw::Scheme drive;
-  for (std::size_t k = 0; k < r.pulleys.size(); ++k) {
-    circles[k].at = {in_si(r.pulleys[k].x), in_si(r.pulleys[k].y)};
-    draw::Scheme::Wheel pulley;
-    pulley.at = circles[k].at, pulley.radius = circles[k].radius;
-    drive.wheels.push_back(pulley);
-    const auto name = in.pulleys[k].name.view();
-    drive.joints.push_back(
-        {name.empty() ? std::to_string(k + 1) : std::string(name), circles[k].at, draw::Scheme::Pin::revolute, true});
-    if (!is_set(r.pulleys[k].R)) continue;
-    drive.arrows.push_back({circles[k].at, {in_si(r.pulleys[k].R_x), in_si(r.pulleys[k].R_y)}, "R"});
+namespace {
+
+using draw::Drawing;
+
+/// The way of the pulley that moves, and where it came from.
+void draw_way(const Input& in, const Result& r, Drawing::View& view) {
+  if (!is_set(in.L)) return;
+  const std::size_t moving = moving_one(in);
+  const auto& p = in.pulleys[moving];
+  const draw::Point given{in_si(p.x), in_si(p.y)}, there{in_si(r.pulleys[moving].x), in_si(r.pulleys[moving].y)};
+  const double reach = 0.8 * in_si(p.d);
+  const draw::Point e{reach * std::cos(p.along), reach * std::sin(p.along)};
+  view.paths.push_back({{{there.x - e.x, there.y - e.y}, {there.x + e.x, there.y + e.y}}, Drawing::Line::hidden});
+  if (std::abs(in_si(r.s)) > 0.05 * in_si(p.d)) {
+    view.circles.push_back({given, 0.5 * in_si(p.d), Drawing::Line::hidden});
+    view.lengths.push_back({given, there, {"s", in_si(r.s), "mm"}, Drawing::Side::in_place});
   }
+}
+
+void draw_pulley(const Input& in, const Result& r, std::size_t k, const Circle& circle, const Loop& loop,
+                 Drawing::View& view) {
+  const auto& pulley = r.pulleys[k];
+  const LoopSpan& before = loop.spans[(k + loop.count - 1) % loop.count];
+  view.circles.push_back({circle.at, circle.radius, Drawing::Line::outline, true});
+  for (const draw::Point touch : {before.to, loop.spans[k].from})
+    view.paths.push_back({{circle.at, touch}, Drawing::Line::thin});
+  const auto given = in.pulleys[k].name.view();
+  const std::string name = given.empty() ? std::to_string(k + 1) : std::string(given);
+  view.names.push_back({circle.at, name, Drawing::Value{"alpha", pulley.alpha, "deg"}});
+  Drawing::Turn turn{circle.at, 0.7 * circle.radius, sense_of(in, in.pulleys[k]) > 0.0, 1.5 * pi};
+  if (k == 0 && is_set(in.n_1)) turn.value = Drawing::Value{"n_1", in_si(in.n_1), "rpm"};
+  view.turns.push_back(std::move(turn));
+  if (is_set(pulley.R) && pulley.R > 0.0 * N) {
+    view.forces.push_back({circle.at, {in_si(pulley.R_x), in_si(pulley.R_y)}, {"R", in_si(pulley.R), "N"}, false});
+  }
+}
+
+}  // namespace
+
+std::vector<draw::Figure> Course::figures(const Input& in, const Result& r) {
+  if (r.pulleys.empty()) return {};
+  Circles circles = circles_of(in);
+  for (std::size_t k = 0; k < r.pulleys.size(); ++k) circles[k].at = {in_si(r.pulleys[k].x), in_si(r.pulleys[k].y)};
   const Loop loop = lay_loop(circles, turn_of(in));
-  drive.outlines.push_back({circles[0].at, belt_line(circles, turn_of(in), loop)});
-  return {{"course", "The belt to scale, with the loads of the shafts", std::move(drive)}};
+  if (loop.flaw != Flaw::none) return {};
+  auto drawing = std::make_shared<Drawing>();
+  Drawing::View view;
+  view.most_height = 420.0;
+  for (std::size_t k = 0; k < r.pulleys.size(); ++k) draw_pulley(in, r, k, circles[k], loop, view);
+  view.paths.push_back({belt_line(circles, turn_of(in), loop), Drawing::Line::belt, true});
+  draw_way(in, r, view);
+  drawing->views = {std::move(view)};
+  return {{"course", "The belt to scale with its wraps, and the loads of the shafts", draw::Drawn(std::move(drawing))}};
 }
 
 }  // namespace loadpath::belt

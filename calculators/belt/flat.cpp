@@ -119,7 +119,15 @@ template Flat::Result Flat::evaluate(const Input&, NoTrace&);
 template Flat::Result Flat::evaluate(const Input&, Trace&);
 
 std::vector<draw::Figure> Flat::figures(const Input& in, const Result& r) {
-  return {drive_figure(in.d_1, in.d_2, r.a, in.arrangement)};
+  TwoWheels w;
+  w.d_1 = in_si(in.d_1), w.d_2 = in_si(in.d_2), w.a = in_si(r.a);
+  w.crossed = in.arrangement == Arrangement::crossed;
+  w.alpha_1 = r.alpha_1, w.alpha_2 = r.alpha_2;
+  w.n_1 = in_si(in.n_1), w.n_2 = in_si(r.n_2);
+  Pulls pulls;
+  pulls.tight = in_si(r.S_1), pulls.slack = in_si(r.S_2);
+  pulls.R = in_si(r.R), pulls.R_x = in_si(r.R_x), pulls.R_y = in_si(r.R_y);
+  return {drive_figure(w, pulls)};
 }
 
 }  // namespace loadpath::belt

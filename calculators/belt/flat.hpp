@@ -173,9 +173,10 @@ E_b = "40 MPa"
           .limit(0, 1e6)
           .criterion()
           .where_it_applies(),
-      Field{&Result::v_range, "v_range", m_per_s, "speed, against the range of flat belts"}.limit(5, 100),
-      Field{&Result::x_v, "x_v", ratio, "speed over the largest one of its kind: 30 m/s, synthetic 100 m/s"}.limit(0,
-                                                                                                                   1)};
+      Field{&Result::v_range, "v_range", m_per_s, "speed, against the range of flat belts"}.limit(5, 100).sizeless(),
+      Field{&Result::x_v, "x_v", ratio, "speed over the largest one of its kind: 30 m/s, synthetic 100 m/s"}
+          .limit(0, 1)
+          .sizeless()};
 
   static bool clear_of_each_other(const Input& in);
   static FieldFault touching(const Input& in);

@@ -122,7 +122,16 @@ template V::Result V::evaluate(const Input&, NoTrace&);
 template V::Result V::evaluate(const Input&, Trace&);
 
 std::vector<draw::Figure> V::figures(const Input& in, const Result& r) {
-  return {drive_figure(in.d_1, in.d_2, r.a, Arrangement::open)};
+  TwoWheels w;
+  w.d_1 = in_si(in.d_1), w.d_2 = in_si(in.d_2), w.a = in_si(r.a);
+  w.d_a1 = in_si(r.d_a1), w.d_a2 = in_si(r.d_a2);
+  w.alpha_1 = r.alpha_1, w.alpha_2 = r.alpha_2;
+  w.n_1 = in_si(in.n_1), w.n_2 = in_si(r.n_2);
+  w.farther = in_si(r.Delta_1), w.nearer = in_si(r.Delta_2);
+  Pulls pulls;
+  pulls.tight = in_si(r.S_1), pulls.slack = in_si(r.S_2), pulls.of_one_belt = true;
+  pulls.R = in_si(r.R), pulls.R_x = in_si(r.R_x), pulls.R_y = in_si(r.R_y);
+  return {drive_figure(w, pulls)};
 }
 
 }  // namespace loadpath::belt

@@ -104,7 +104,9 @@ template VSizing::Result VSizing::evaluate(const Input&, Trace&);
 
 std::vector<draw::Figure> VSizing::figures(const Input&, const Result& r) {
   if (!is_set(r.d_1)) return {};
-  return {drive_figure(r.d_1, r.d_2, r.a, Arrangement::open)};
+  TwoWheels w;
+  w.d_1 = in_si(r.d_1), w.d_2 = in_si(r.d_2), w.a = in_si(r.a);
+  return {drive_figure(w, {})};
 }
 
 }  // namespace loadpath::belt

@@ -1,5 +1,6 @@
 #include "calculators/chain/roller.hpp"
 
+#include "calculators/belt/figures.hpp"
 #include "calculators/chain/links.hpp"
 #include "lib/calculator/calculator_of.hpp"
 #include "lib/quantity/format.hpp"
@@ -154,17 +155,19 @@ Roller::Result Roller::evaluate(const Input& in, Tracer& trace) {
 template Roller::Result Roller::evaluate(const Input&, NoTrace&);
 template Roller::Result Roller::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Roller::figures(const Input&, const Result& r) {
+std::vector<draw::Figure> Roller::figures(const Input& in, const Result& r) {
   if (!is_set(r.a)) return {};
-  draw::Scheme s;
-  const double a = in_si(r.a), r_1 = in_si(r.d_1) / 2.0, r_2 = in_si(r.d_2) / 2.0;
-  s.wheels = {{{}, r_1, 0.5 * pi}, {{a, 0.0}, r_2, 0.5 * pi}};
-  s.belts.push_back({{}, {a, 0.0}, r_1, r_2});
-  s.joints = {{"O1", {}, draw::Scheme::Pin::revolute, true}, {"O2", {a, 0.0}, draw::Scheme::Pin::revolute, true}};
-  if (is_set(r.F_W) && r.F_W > 0.0 * N) {
-    s.arrows = {{{}, {in_si(r.F_W), 0.0}, "F_W1", false}, {{a, 0.0}, {-in_si(r.F_W), 0.0}, "F_W2", false}};
-  }
-  return {{"chain", "The pitch circles, the chain and what it pulls on the shafts", std::move(s)}};
+  belt::TwoWheels w;
+  w.d_1 = in_si(r.d_1), w.d_2 = in_si(r.d_2), w.a = in_si(r.a);
+  w.alpha_1 = r.alpha_1, w.alpha_2 = r.alpha_2;
+  w.n_1 = in_si(in.n_1), w.n_2 = in_si(r.n_2);
+  belt::Pulls pulls;
+  pulls.tight_symbol = "F", pulls.tight = in_si(r.F);
+  pulls.symbol = "F_W", pulls.R = pulls.R_x = in_si(r.F_W), pulls.R_y = 0.0;
+  auto drawing = std::make_shared<draw::Drawing>();
+  drawing->views = {belt::drive_view(w, pulls)};
+  return {{"chain", "The drive on its pitch circles: 1 drives, clockwise as drawn, so that its tight span lies below",
+           draw::Drawn(std::move(drawing))}};
 }
 
 }  // namespace loadpath::chain

@@ -4,6 +4,9 @@
 #include "calculators/column/buckling.hpp"
 #include "calculators/column/codes/eurocode.hpp"
 #include "calculators/column/member/parts.hpp"
+#include "lib/figure/figure.hpp"
+
+#include <optional>
 
 namespace loadpath::column {
 
@@ -44,5 +47,8 @@ Length extreme_fibre(const Buckling::Input& in, AxisName axis);
 bool fibre_known(const Buckling::Input& in);
 /// About an axis: as given, else by the kind of section.
 Curve curve_of(const Buckling::Input& in, AxisName axis);
+
+/// The bar as it buckles about each axis whose ends are known, beside its section; nothing where none is.
+std::optional<draw::Figure> bar_figure(const Buckling::Input& in, const MemberResult& r);
 
 }  // namespace loadpath::column

@@ -11,7 +11,7 @@ namespace {
 using draw::Point;
 using std::numbers::pi;
 
-constexpr int on_flank = 8, on_fillet = 6, on_arc = 3;
+constexpr int on_flank = 16, on_fillet = 6, on_arc = 3;
 
 /// A place on half a tooth: its angle from the middle of the tooth, and its radius.
 struct Polar {

@@ -1,6 +1,6 @@
 #include "calculators/gear/planetary.hpp"
 
-#include "calculators/gear/pair.hpp"
+#include "calculators/gear/planetary_meshes.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath::gear {
@@ -141,20 +141,7 @@ constexpr const char* as_pair = "as gear.pair finds it";
 /// Sun with planet, and planet with ring at the same centre distance.
 template <class Tracer>
 void meshes(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
-  NoTrace quiet;
-  Pair::Input sun;
-  sun.m_n = is_set(in.m_n) ? in.m_n : 1.0 * mm, sun.beta = in.beta, sun.h_aP = in.h_aP;
-  Pair::Input ring = sun;
-  sun.z_1 = in.z_s, sun.z_2 = in.z_p, sun.x_1 = in.x_s, sun.x_2 = in.x_p;
-  const PairResult with_sun = Pair::evaluate(sun, quiet);
-  ring.mesh = Mesh::internal, ring.z_1 = in.z_p, ring.z_2 = Planetary::ring_teeth(in), ring.x_1 = in.x_p;
-  ring.a_w = with_sun.a_w;
-  PairResult with_ring = Pair::evaluate(ring, quiet);
-  const Length full = with_ring.d_a2;  // its tips with the addendum of the basic rack
-  if (is_set(in.h_ar)) {
-    ring.d_a2 = full + 2.0 * (in.h_aP - in.h_ar) * ring.m_n;
-    with_ring = Pair::evaluate(ring, quiet);
-  }
+  const auto [sun, ring, with_sun, with_ring, full] = meshes_of(in);
   r.f_sp = trace.value("f_sp", with_sun.f_int, as_pair);
   r.eps_sp = trace.value("eps_sp", with_sun.eps_alpha, as_pair);
   r.x_free = trace.value("x_free", with_sun.x_free, as_pair);

@@ -13,11 +13,13 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
 #include "lib/quantity/drive_units.hpp"
 #include "lib/text/issue.hpp"
 
 #include <array>
 #include <cstdlib>
+#include <vector>
 
 namespace loadpath::gear {
 
@@ -227,6 +229,7 @@ h_ar = 0.9
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 
 constexpr auto choices_of(Planetary::Member) {

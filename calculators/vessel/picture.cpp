@@ -21,21 +21,12 @@ draw::Figure stresses_along(const std::vector<Sample>& along) {
   return {"stresses", "Hoop and meridional stress along the meridian", std::move(plot)};
 }
 
-draw::Figure section(const std::vector<Sample>& along) {
-  draw::Scheme scheme;
-  for (const double side : {1.0, -1.0}) {
-    draw::Scheme::Path meridian{"", {}};
-    for (const Sample& s : along) meridian.points.push_back({side * s.r, s.z});
-    scheme.paths.push_back(std::move(meridian));
-  }
-  return {"section", "Section of the shell through its axis", std::move(scheme)};
-}
-
 }  // namespace
 
-std::vector<draw::Figure> pictures(const std::vector<Sample>& along, const WallResult& r) {
-  if (!is_set(r.sigma_v)) return {};
-  return {section(along), stresses_along(along)};
+std::vector<draw::Figure> pictures(const std::vector<Sample>& along, const WallInput& in, const WallResult& r,
+                                   const Section& section) {
+  if (!is_set(r.sigma_v) || !std::isfinite(in_si(r.delta)) || along.size() < 2) return {};
+  return {section_figure(in, r, section), stresses_along(along)};
 }
 
 }  // namespace loadpath::vessel

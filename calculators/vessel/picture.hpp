@@ -1,7 +1,8 @@
-// What the figures of the vessels share: stresses along the meridian, and the meridian itself.
+// What the figures of the vessels share: stresses along the meridian.
 #pragma once
 
 #include "calculators/vessel/assess.hpp"
+#include "calculators/vessel/section.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>
@@ -27,7 +28,8 @@ std::vector<Sample> samples(const Shape& shape, const WallInput& in, const WallR
   return all;
 }
 
-/// The stresses over the length of the meridian with the governing place, and the half section of the shell.
-std::vector<draw::Figure> pictures(const std::vector<Sample>& along, const WallResult& r);
+/// The section of the vessel, and the stresses over the length of its meridian; nothing where none were computed.
+std::vector<draw::Figure> pictures(const std::vector<Sample>& along, const WallInput& in, const WallResult& r,
+                                   const Section& section);
 
 }  // namespace loadpath::vessel

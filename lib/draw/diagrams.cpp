@@ -15,14 +15,14 @@ double at(const Shaft::Place& place, Range along, double length) {
 }
 
 /// What the lines are called, above them, and how much room that takes.
-double name_places(const Shaft& shaft, Range along, double length, double top, SvgWriter& svg) {
+double name_places(const Shaft& shaft, Range along, double length, double top, Canvas& canvas) {
   Rows rows;
   for (const Shaft::Place& place : shaft.places) {
     const Text text = typeset(place.label);
     const double half = 0.5 * width(text, text_size), x = at(place, along, length);
     const double middle = std::clamp(x, half + 4.0, view_width - half - 4.0);
     const double row = static_cast<double>(rows.row_of(middle - half - 5.0, middle + half + 5.0));
-    svg.text("halo f1", {middle, top + row_height * (row + 1.0)}, text, Anchor::middle);
+    canvas.text("halo f1", {middle, top + row_height * (row + 1.0)}, text, Anchor::middle);
   }
   return shaft.places.empty() ? 0.0 : rows.height() + 4.0;
 }
@@ -31,20 +31,20 @@ double name_places(const Shaft& shaft, Range along, double length, double top, S
 
 Picture diagrams(const Shaft& shaft, Range along, double length, double top) {
   Picture all;
-  double y = top + name_places(shaft, along, length, top, all.svg);
+  double y = top + name_places(shaft, along, length, top, all.canvas);
   const double first = y;
   for (std::size_t i = 0; i < shaft.diagrams.size(); ++i) {
     const Box area{along.low, y + gap, along.high, y + gap + depth};
     const Strip strip{area, {0.0, length}, i + 1 == shaft.diagrams.size()};
     const Picture drawn = picture(shaft.diagrams[i], strip);
-    all.svg.append(drawn.svg);
+    all.canvas.append(drawn.canvas);
     all.description += "; " + drawn.description;
     all.height = drawn.height;
     y = area.bottom;
   }
   for (const Shaft::Place& place : shaft.places) {
     const double x = at(place, along, length);
-    all.svg.line("light dash c1", {x, first + 6.0}, {x, y});
+    all.canvas.line("light dash c1", {x, first + 6.0}, {x, y});
   }
   return all;
 }

@@ -83,7 +83,7 @@ class ShaftPicture {
   double length_ = 0.0, thickest_ = 0.0;  // m
   double left_ = shaft_left, right_ = shaft_right, scale_ = 1.0, radial_scale_ = 1.0;
   double radius_ = 0.0, axis_ = 0.0, height_ = 60.0;
-  SvgWriter svg_;
+  Canvas canvas_;
 };
 
 ShaftPicture::ShaftPicture(const Shaft& shaft) : shaft_(shaft) {
@@ -157,15 +157,15 @@ double ShaftPicture::radius_at(double x) const {
 void ShaftPicture::draw_cylinders() {
   for (const Cylinder& c : cylinders_) {
     if (c.tapers()) {
-      svg_.polygon("plate outline", {{c.left, axis_ - c.radius},
-                                     {c.right, axis_ - c.right_radius},
-                                     {c.right, axis_ + c.right_radius},
-                                     {c.left, axis_ + c.radius}});
+      canvas_.polygon("plate outline", {{c.left, axis_ - c.radius},
+                                        {c.right, axis_ - c.right_radius},
+                                        {c.right, axis_ + c.right_radius},
+                                        {c.left, axis_ + c.radius}});
     } else {
-      svg_.rectangle("plate outline", {c.left, axis_ - c.radius, c.right, axis_ + c.radius});
+      canvas_.rectangle("plate outline", {c.left, axis_ - c.radius, c.right, axis_ + c.radius});
     }
   }
-  svg_.line("centre", {cylinders_.front().left - 14.0, axis_}, {cylinders_.back().right + 14.0, axis_});
+  canvas_.line("centre", {cylinders_.front().left - 14.0, axis_}, {cylinders_.back().right + 14.0, axis_});
 }
 
 void ShaftPicture::draw_bores() {
@@ -178,7 +178,7 @@ void ShaftPicture::draw_bores() {
     }
     before = c.bore;
   }
-  svg_.strokes("thin dash", hidden);
+  canvas_.strokes("thin dash", hidden);
 }
 
 void ShaftPicture::draw_diameter(const Cylinder& c) {
@@ -188,25 +188,25 @@ void ShaftPicture::draw_diameter(const Cylinder& c) {
   const std::string bore = diameter_text(c.part->bore);
   const double wide = width(text, text_size), room = c.right - c.left, middle = 0.5 * (c.left + c.right);
   if (room < 24.0) {
-    svg_.text("quiet", {middle + 4.0, axis_ - c.largest() - 4.0}, text, Anchor::start, true);
+    canvas_.text("quiet", {middle + 4.0, axis_ - c.largest() - 4.0}, text, Anchor::start, true);
     return;
   }
   const bool lies = room > wide + 3.0 * gap;
   const double x = lies ? middle - 0.5 * (wide + gap) : middle + 7.0;
   const double radius = c.radius_at(x);
-  svg_.line("thin", {x, axis_ - radius}, {x, axis_ + radius});
-  arrow_head(svg_, "solid", {x, axis_ - radius}, {0.0, -1.0}, head);
-  arrow_head(svg_, "solid", {x, axis_ + radius}, {0.0, 1.0}, head);
+  canvas_.line("thin", {x, axis_ - radius}, {x, axis_ + radius});
+  arrow_head(canvas_, "solid", {x, axis_ - radius}, {0.0, -1.0}, head);
+  arrow_head(canvas_, "solid", {x, axis_ + radius}, {0.0, 1.0}, head);
   if (!lies) {
-    svg_.text("", {x - 4.0, axis_ - 4.0}, text, Anchor::start, true);
-    if (c.bore > 0.0) svg_.text("quiet", {x - 4.0, axis_ + 4.0}, typeset(bore), Anchor::end, true);
+    canvas_.text("", {x - 4.0, axis_ - 4.0}, text, Anchor::start, true);
+    if (c.bore > 0.0) canvas_.text("quiet", {x - 4.0, axis_ + 4.0}, typeset(bore), Anchor::end, true);
     return;
   }
-  svg_.text("", {x + gap, axis_ - 5.0}, text);
+  canvas_.text("", {x + gap, axis_ - 5.0}, text);
   if (c.bore > 0.0) {
     const Text named = typeset(say("bore {1}", bore).text());
     const bool fits = x + gap + width(named, text_size) < c.right;
-    svg_.text("quiet", {x + gap, axis_ + 14.0}, fits ? named : typeset(bore));
+    canvas_.text("quiet", {x + gap, axis_ + 14.0}, fits ? named : typeset(bore));
   }
 }
 
@@ -216,19 +216,19 @@ void ShaftPicture::draw_torque(const TorqueSign& sign) {
   const double dot_side = sign.torque->value > 0.0 ? -1.0 : 1.0;
   for (const double side : {-1.0, 1.0}) {
     const Point centre{sign.x, axis_ + side * level};
-    svg_.line("force c1", {sign.x, axis_ + side * surface}, {sign.x, centre.y - side * torque_radius});
-    svg_.circle("pin c1", centre, torque_radius);
+    canvas_.line("force c1", {sign.x, axis_ + side * surface}, {sign.x, centre.y - side * torque_radius});
+    canvas_.circle("pin c1", centre, torque_radius);
     if (side == dot_side) {
-      svg_.circle("f1", centre, 2.4);
+      canvas_.circle("f1", centre, 2.4);
     } else {
       const double r = torque_radius * std::sqrt(0.5);
       const Point down{r, r}, up{r, -r};
-      svg_.strokes("outline c1", {{centre - down, centre + down}, {centre - up, centre + up}});
+      canvas_.strokes("outline c1", {{centre - down, centre + down}, {centre - up, centre + up}});
     }
   }
   const double middle = std::clamp(sign.x, sign.half_width + 4.0, view_width - sign.half_width - 4.0);
   const double y = axis_ - level - torque_radius - 6.0 - row_height * static_cast<double>(sign.row);
-  svg_.text("halo f1", {middle, y}, sign.text, Anchor::middle);
+  canvas_.text("halo f1", {middle, y}, sign.text, Anchor::middle);
 }
 
 /// A triangle on hatched ground; above a line on which it slides, where it lets the shaft move along.
@@ -236,33 +236,33 @@ void ShaftPicture::draw_bearing(const BearingSign& sign) {
   constexpr double depth = 15.0, half = 8.5, slide = 3.0;
   const Point foot{sign.x, axis_ + radius_at(sign.x)};
   if (sign.bearing->fixed) {
-    support(svg_, foot, {0.0, 1.0});
+    support(canvas_, foot, {0.0, 1.0});
   } else {
     const Point left{foot.x - half, foot.y + depth}, right{foot.x + half, foot.y + depth}, down{0.0, slide};
-    svg_.polygon("pin", {foot, right, left});
-    svg_.line("outline", left + down, right + down);
+    canvas_.polygon("pin", {foot, right, left});
+    canvas_.line("outline", left + down, right + down);
   }
   const double half_text = 0.5 * width(sign.text, text_size);
   const double middle = std::clamp(sign.x, half_text + 4.0, view_width - half_text - 4.0);
-  svg_.text("halo", {middle, axis_ + radius_ + support_depth + row_height - 4.0}, sign.text, Anchor::middle);
+  canvas_.text("halo", {middle, axis_ + radius_ + support_depth + row_height - 4.0}, sign.text, Anchor::middle);
 }
 
 void ShaftPicture::draw_place(const Shaft::Place& place) {
   constexpr double beyond = 5.0;
   const double x = at(std::clamp(place.x, 0.0, length_)), reach = radius_at(x) + beyond;
-  svg_.line("light dash c1", {x, axis_ - reach}, {x, axis_ + reach});
+  canvas_.line("light dash c1", {x, axis_ - reach}, {x, axis_ + reach});
 }
 
 void ShaftPicture::draw_length(double left, double right, double y) {
   constexpr double head = 7.0;
-  svg_.line("thin", {left, y}, {right, y});
+  canvas_.line("thin", {left, y}, {right, y});
   if (right - left > 3.0 * head) {
-    arrow_head(svg_, "solid", {left, y}, {-1.0, 0.0}, head);
-    arrow_head(svg_, "solid", {right, y}, {1.0, 0.0}, head);
+    arrow_head(canvas_, "solid", {left, y}, {-1.0, 0.0}, head);
+    arrow_head(canvas_, "solid", {right, y}, {1.0, 0.0}, head);
   } else {
     const Point stroke{3.0, -3.0};
-    svg_.strokes("thin", {{Point{left, y} - stroke, Point{left, y} + stroke},
-                          {Point{right, y} - stroke, Point{right, y} + stroke}});
+    canvas_.strokes("thin", {{Point{left, y} - stroke, Point{left, y} + stroke},
+                             {Point{right, y} - stroke, Point{right, y} + stroke}});
   }
 }
 
@@ -277,19 +277,19 @@ void ShaftPicture::draw_lengths() {
     const bool inside = c.right - c.left > 2.0 * half + 4.0;
     const double drop =
         inside ? -5.0 : 15.0 + row_height * static_cast<double>(below.row_of(middle - half - 4.0, middle + half + 4.0));
-    svg_.text("", {middle, first + drop}, text, Anchor::middle);
+    canvas_.text("", {middle, first + drop}, text, Anchor::middle);
   }
   const double from = cylinders_.front().left, to = cylinders_.back().right;
   const bool several = cylinders_.size() > 1;
   const double last = several ? first + below.height() + 26.0 : first;
   if (several) {
     draw_length(from, to, last);
-    svg_.text("", {0.5 * (from + to), last - 5.0}, typeset(millimetres(length_)), Anchor::middle);
+    canvas_.text("", {0.5 * (from + to), last - 5.0}, typeset(millimetres(length_)), Anchor::middle);
   }
   for (const Cylinder& c : cylinders_) {
     const double start = axis_ + (reach > 0.0 ? radius_ + reach : c.largest()) + 3.0;
-    svg_.line("light", {c.right, start}, {c.right, &c == &cylinders_.back() ? last + 4.0 : first + 4.0});
-    if (&c == &cylinders_.front()) svg_.line("light", {c.left, start}, {c.left, last + 4.0});
+    canvas_.line("light", {c.right, start}, {c.right, &c == &cylinders_.back() ? last + 4.0 : first + 4.0});
+    if (&c == &cylinders_.front()) canvas_.line("light", {c.left, start}, {c.left, last + 4.0});
   }
   height_ = last + 14.0;
 }
@@ -297,7 +297,7 @@ void ShaftPicture::draw_lengths() {
 void ShaftPicture::draw_note() {
   const bool true_to_scale = std::fabs(radial_scale_ - scale_) < 1e-6 * scale_;
   const auto note = true_to_scale ? say("in mm") : say("in mm; diameters not to the scale of the lengths");
-  svg_.text("quiet", {view_width - 6.0, height_ + 8.0}, typeset(note.text()), Anchor::end);
+  canvas_.text("quiet", {view_width - 6.0, height_ + 8.0}, typeset(note.text()), Anchor::end);
   height_ += 16.0;
 }
 
@@ -322,8 +322,8 @@ std::string ShaftPicture::description() const {
 
 Picture ShaftPicture::drawn() {
   if (cylinders_.empty()) {
-    svg_.centred_text("quiet", {0.0, 0.0, view_width, height_}, typeset(say("not available").text()));
-    return {svg_, height_, say("not available").text()};
+    canvas_.centred_text("quiet", {0.0, 0.0, view_width, height_}, typeset(say("not available").text()));
+    return {std::move(canvas_), height_, say("not available").text()};
   }
   draw_cylinders();
   draw_bores();
@@ -332,11 +332,11 @@ Picture ShaftPicture::drawn() {
   for (const BearingSign& sign : bearings_) draw_bearing(sign);
   draw_lengths();
   draw_note();
-  if (shaft_.diagrams.empty()) return {svg_, height_, description()};
+  if (shaft_.diagrams.empty()) return {std::move(canvas_), height_, description()};
   for (const Shaft::Place& place : shaft_.places) draw_place(place);
   const Picture below = diagrams(shaft_, {at(0.0), at(length_)}, length_, height_ + 8.0);
-  svg_.append(below.svg);
-  return {svg_, below.height, description() + below.description};
+  canvas_.append(below.canvas);
+  return {std::move(canvas_), below.height, description() + below.description};
 }
 
 }  // namespace

@@ -1,12 +1,15 @@
-#include "lib/draw/canvas/picture.hpp"
-#include "lib/figure/figure.hpp"
+#include "lib/draw/canvas/svg_writer.hpp"
+#include "lib/draw/page.hpp"
 #include "lib/text/issue.hpp"
 
 namespace loadpath::draw {
 
-std::string svg(const Figure& figure) {
-  const Picture drawn = std::visit([](const auto& content) { return picture(content); }, figure.content);
-  return drawn.svg.document(drawn.height, say(figure.caption).text(), drawn.description);
+Picture picture(const Figure& figure) {
+  return std::visit([](const auto& content) { return picture(content); }, figure.content);
 }
+
+std::string svg(const Figure& figure) { return svg_file(picture(figure), say(figure.caption).text()); }
+
+std::string svg_in_page(const Figure& figure) { return svg_part(picture(figure), say(figure.caption).text()); }
 
 }  // namespace loadpath::draw

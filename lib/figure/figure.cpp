@@ -31,6 +31,8 @@ Figure::Figure(std::string name, std::string words, Motion drawn)
     : id(std::move(name)), caption(std::move(words)), content(std::move(drawn)) {}
 Figure::Figure(std::string name, std::string words, Charted drawn)
     : id(std::move(name)), caption(std::move(words)), content(std::move(drawn)) {}
+Figure::Figure(std::string name, std::string words, Drawn drawn)
+    : id(std::move(name)), caption(std::move(words)), content(std::move(drawn)) {}
 Figure::Figure(const Figure&) = default;
 Figure::Figure(Figure&&) noexcept = default;
 Figure& Figure::operator=(const Figure&) = default;

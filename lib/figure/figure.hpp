@@ -294,6 +294,10 @@ struct Shaft {
 struct Chart;
 using Charted = std::shared_ptr<const Chart>;
 
+/// Parts to scale with their dimensions, see lib/figure/drawing.hpp.
+struct Drawing;
+using Drawn = std::shared_ptr<const Drawing>;
+
 struct Figure {
   Figure(std::string name, std::string words, Plot drawn);
   Figure(std::string name, std::string words, Scheme drawn);
@@ -301,6 +305,7 @@ struct Figure {
   Figure(std::string name, std::string words, Plans drawn);
   Figure(std::string name, std::string words, Motion drawn);
   Figure(std::string name, std::string words, Charted drawn);
+  Figure(std::string name, std::string words, Drawn drawn);
   Figure(const Figure&);
   Figure(Figure&&) noexcept;
   Figure& operator=(const Figure&);
@@ -309,7 +314,7 @@ struct Figure {
 
   std::string id;       // unique in a step, a file-name part: "torque-diagram"
   std::string caption;  // a message id, without numbers
-  std::variant<Plot, Scheme, Shaft, Plans, Motion, Charted> content;
+  std::variant<Plot, Scheme, Shaft, Plans, Motion, Charted, Drawn> content;
 };
 
 /// The figure as one <svg> element: no script, no external reference, colours by CSS variables with fallbacks,

@@ -6,7 +6,8 @@
 namespace loadpath::draw {
 namespace {
 
-constexpr double hit = 1e3, outside = 1e4, crowded = 3.0, close_by = 4.0;
+// A name with a halo can be read over lines; over another name neither can be.
+constexpr double hit = 1e3, over_text = 4e3, outside = 1e4, crowded = 3.0, close_by = 4.0;
 
 /// Whether one box lies wholly on one side of the other.
 bool is_apart(const Box& a, const Box& b) {
@@ -63,7 +64,7 @@ bool Labels::Line::crosses(const Box& box) const {
 double Labels::cost(const Candidate& candidate, double enough) const {
   const Box& box = candidate.box;
   double hits = area_.contains(box) ? 0.0 : outside;
-  for (const Box& other : boxes_) hits += box.meets(other) ? 2.0 * hit : 0.0;
+  for (const Box& other : boxes_) hits += box.meets(other) ? over_text : 0.0;
   for (const Line& line : lines_) {
     if (candidate.cost + hits >= enough) break;
     if (line.crosses(box.grown(close_by))) hits += line.weight() * (line.crosses(box) ? hit : crowded);
@@ -91,7 +92,7 @@ std::optional<Box> Labels::place_free(const std::vector<Candidate>& candidates) 
 }
 
 std::vector<Candidate> around(Point point, double gap, double width, double height) {
-  constexpr int directions = 16;
+  constexpr int directions = 32;
   std::vector<Candidate> candidates;
   for (const double far : {0.0, 6.0, 14.0, 24.0, 36.0}) {
     for (int i = 0; i < directions; ++i) {

@@ -1,7 +1,7 @@
-// A figure's content drawn: what lib/draw/svg.cpp puts into one element.
+// A figure's content drawn: what the writers (svg_writer.hpp, lib/draw/tikz) put into a file.
 #pragma once
 
-#include "lib/draw/canvas/svg_writer.hpp"
+#include "lib/draw/canvas/canvas.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <string>
@@ -9,9 +9,10 @@
 namespace loadpath::draw {
 
 struct Picture {
-  SvgWriter svg;
+  Canvas canvas;
   double height = 0.0;
   std::string description;  // for screen readers
+  double width = view_width;
 };
 
 Picture picture(const Plot& plot);
@@ -22,5 +23,9 @@ Picture picture(const Plans& plans);
 Picture picture(const Motion& motion);
 /// The chart that it holds.
 Picture picture(const Charted& chart);
+/// The drawing that it holds.
+Picture picture(const Drawn& drawing);
+/// Of its content.
+Picture picture(const Figure& figure);
 
 }  // namespace loadpath::draw

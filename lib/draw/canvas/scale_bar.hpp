@@ -1,7 +1,7 @@
 // Bars of a round length with what they stand for.
 #pragma once
 
-#include "lib/draw/canvas/svg_writer.hpp"
+#include "lib/draw/canvas/canvas.hpp"
 
 #include <string>
 
@@ -11,6 +11,6 @@ std::string force_text(double newton);
 std::string length_text(double metre);
 
 /// A bar from `from` to the right; returns where the next one may begin.
-double scale_bar(SvgWriter& svg, Point from, double view_per_si, std::string (*written)(double));
+double scale_bar(Canvas& canvas, Point from, double view_per_si, std::string (*written)(double));
 
 }  // namespace loadpath::draw

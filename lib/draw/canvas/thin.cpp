@@ -81,4 +81,8 @@ std::vector<Point> thin(const std::vector<Point>& points, double tolerance) {
   return kept;
 }
 
+std::vector<Point> simplified(const std::vector<Point>& points, double tolerance) {
+  return points.size() < 3 ? points : without_straight_parts(points, tolerance);
+}
+
 }  // namespace loadpath::draw

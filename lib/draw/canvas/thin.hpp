@@ -11,4 +11,8 @@ namespace loadpath::draw {
 /// each narrow column. Ends are kept.
 std::vector<Point> thin(const std::vector<Point>& points, double tolerance = 0.08);
 
+/// The polyline without points that lie closer than `tolerance` to it, however many remain: of outlines, which go back
+/// and forth.
+std::vector<Point> simplified(const std::vector<Point>& points, double tolerance = 0.08);
+
 }  // namespace loadpath::draw

@@ -1,5 +1,6 @@
 #include "lib/draw/chart/chart.hpp"
 
+#include "lib/draw/canvas/svg_writer.hpp"
 #include "lib/draw/chart/picture.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/text/issue.hpp"
@@ -65,12 +66,12 @@ ToldChart told_chart(const Figure& figure) {
     if (i == chart.shown) shown = dots.size();
     if (drawn.places[i]) dots.push_back(i);
   }
-  drawn.picture.svg.begin_group({{"data-here", ""}, {"visibility", "hidden"}});
-  drawn.picture.svg.circle("here", {0.0, 0.0}, 7.0);
-  drawn.picture.svg.end_group();
+  drawn.picture.canvas.begin_group({{"data-here", ""}, {"visibility", "hidden"}});
+  drawn.picture.canvas.circle("here", {0.0, 0.0}, 7.0);
+  drawn.picture.canvas.end_group();
   const auto place = [&](std::size_t i) { return *drawn.places[dots[i]]; };
   ToldChart out;
-  out.svg = drawn.picture.svg.document(drawn.picture.height, say(figure.caption).text(), drawn.picture.description);
+  out.svg = svg_part(drawn.picture, say(figure.caption).text());
   out.data = "{\"shown\":" + std::to_string(dots.empty() ? 0 : std::min(shown, dots.size() - 1)) +
              ",\n\"x\":" + list(dots.size(), [&](std::size_t i) { return tenths(place(i).x); }) +
              ",\n\"y\":" + list(dots.size(), [&](std::size_t i) { return tenths(place(i).y); }) + ",\n\"points\":" +

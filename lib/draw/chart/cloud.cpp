@@ -19,9 +19,9 @@ void add_cross(Strokes& strokes, Point at) {
   strokes.push_back({at + Point{-arm, arm}, at + Point{arm, -arm}});
 }
 
-void draw_ring(SvgWriter& svg, const std::vector<Point>& at) {
-  svg.dots("ring", at);
-  svg.dots("hole", at);
+void draw_ring(Canvas& canvas, const std::vector<Point>& at) {
+  canvas.dots("ring", at);
+  canvas.dots("hole", at);
 }
 
 std::vector<Point> of_verdict(const Chart& chart, const Places& places, Verdict verdict) {
@@ -54,18 +54,18 @@ std::vector<Point> stairs(const Chart& chart, const std::vector<Point>& front) {
   return line;
 }
 
-void draw_worst(SvgWriter& svg, Point at) { svg.rectangle("thin", Box::around(at, 2.0 * around, 2.0 * around)); }
+void draw_worst(Canvas& canvas, Point at) { canvas.rectangle("thin", Box::around(at, 2.0 * around, 2.0 * around)); }
 
-void draw_legend(const Chart& chart, SvgWriter& svg, Legend& legend, const std::vector<std::vector<Point>>& groups) {
-  if (!groups[0].empty()) svg.dots("passing", {legend.next(say("passes").text())});
+void draw_legend(const Chart& chart, Canvas& canvas, Legend& legend, const std::vector<std::vector<Point>>& groups) {
+  if (!groups[0].empty()) canvas.dots("passing", {legend.next(say("passes").text())});
   if (!groups[1].empty()) {
     Strokes cross;
     add_cross(cross, legend.next(say("fails").text()));
-    svg.strokes("failing", cross);
+    canvas.strokes("failing", cross);
   }
-  if (!groups[2].empty()) draw_ring(svg, {legend.next(say("no verdict").text())});
-  if (!chart.front.empty()) svg.dots("front", {legend.next(say("Pareto set").text())});
-  if (!chart.worst.empty()) draw_worst(svg, legend.next(say("largest utilisation").text()));
+  if (!groups[2].empty()) draw_ring(canvas, {legend.next(say("no verdict").text())});
+  if (!chart.front.empty()) canvas.dots("front", {legend.next(say("Pareto set").text())});
+  if (!chart.worst.empty()) draw_worst(canvas, legend.next(say("largest utilisation").text()));
 }
 
 /// "less is better" of both scales.
@@ -80,26 +80,26 @@ std::string aims(const Chart& chart) {
 }  // namespace
 
 Picture cloud_picture(const Chart& chart, const PlotFrame& frame, const Places& places) {
-  SvgWriter svg;
-  frame.draw(svg);
+  Canvas canvas;
+  frame.draw(canvas);
   const std::vector<std::vector<Point>> groups{of_verdict(chart, places, Verdict::passes),
                                                of_verdict(chart, places, Verdict::fails),
                                                of_verdict(chart, places, Verdict::open)};
-  draw_ring(svg, groups[2]);
+  draw_ring(canvas, groups[2]);
   Strokes crosses;
   for (const Point at : groups[1]) add_cross(crosses, at);
-  svg.strokes("failing", crosses);
-  svg.dots("passing", groups[0]);
+  canvas.strokes("failing", crosses);
+  canvas.dots("passing", groups[0]);
   const std::vector<Point> front = of_dots(chart.front, places);
-  if (chart.steps) svg.polyline("thin", stairs(chart, front));
-  svg.dots("front", front);
-  for (const Point at : of_dots(chart.worst, places)) draw_worst(svg, at);
-  Legend legend(svg, frame.height() + 12.0);
-  draw_legend(chart, svg, legend, groups);
+  if (chart.steps) canvas.polyline("thin", stairs(chart, front));
+  canvas.dots("front", front);
+  for (const Point at : of_dots(chart.worst, places)) draw_worst(canvas, at);
+  Legend legend(canvas, frame.height() + 12.0);
+  draw_legend(chart, canvas, legend, groups);
   const std::string description =
       say("{1} over {2}", plain(frame.y().title(0)), plain(frame.x().title(0))).text() + "; " + counts_of(chart) +
       "; " + say("{1} of them in the Pareto set: {2}", std::to_string(chart.front.size()), aims(chart)).text();
-  return {std::move(svg), legend.bottom(), description};
+  return {std::move(canvas), legend.bottom(), description};
 }
 
 }  // namespace loadpath::draw

@@ -76,7 +76,7 @@ class FieldPicture {
   Regions regions_;
   Box area_;
   Labels labels_;
-  SvgWriter svg_;
+  Canvas canvas_;
 };
 
 bool FieldPicture::fails_by(Point at, std::size_t mode) const {
@@ -95,7 +95,7 @@ void FieldPicture::hatch() {
       const Chart::Dot& dot = regions_.at(at);
       return dot.verdict == Verdict::fails && dot.mode % 2 == odd;
     };
-    svg_.strokes("hatch", hatching(area_, hatch_spacing, odd == 0, holds));
+    canvas_.strokes("hatch", hatching(area_, hatch_spacing, odd == 0, holds));
   }
 }
 
@@ -108,11 +108,11 @@ void FieldPicture::speckle() {
       if (is_open({x, y})) specks.push_back({x, y});
     }
   }
-  svg_.dots("speckle", specks);
+  canvas_.dots("speckle", specks);
 }
 
 void FieldPicture::draw_lines(std::string_view style, const Lines& lines) {
-  for (const auto& line : lines) svg_.polyline(style, line);
+  for (const auto& line : lines) canvas_.polyline(style, line);
 }
 
 /// In the middle of what it names, if there is a place that lies in it whole.
@@ -137,7 +137,7 @@ void FieldPicture::label_region(const std::string& words, const std::function<bo
       whole = whole && holds({x, box.top}) && holds({x, box.bottom});
     if (whole) places.push_back({box, length(at - middle)});
   }
-  if (const auto box = labels_.place_free(places)) svg_.centred_text("halo", *box, text);
+  if (const auto box = labels_.place_free(places)) canvas_.centred_text("halo", *box, text);
 }
 
 /// On the line, where it is long, away from other labels.
@@ -152,7 +152,7 @@ void FieldPicture::label_level(double level, const Lines& lines) {
       places.push_back({Box::around(line[i], width(text, text_size) + 4.0, 13.0), std::fabs(share - 0.5)});
     }
   }
-  if (const auto box = labels_.place_free(places)) svg_.centred_text("halo", *box, text);
+  if (const auto box = labels_.place_free(places)) canvas_.centred_text("halo", *box, text);
 }
 
 void FieldPicture::draw_levels() {
@@ -171,7 +171,7 @@ void FieldPicture::draw_levels() {
 void FieldPicture::draw_legend(Legend& legend) {
   if (!chart_.level.empty()) {
     const Point at = legend.next(display_.title(0));
-    svg_.line("level", at + Point{-9.0, 0.0}, at + Point{9.0, 0.0});
+    canvas_.line("level", at + Point{-9.0, 0.0}, at + Point{9.0, 0.0});
   }
   const auto has = [&](Verdict verdict) {
     return std::any_of(chart_.dots.begin(), chart_.dots.end(), [&](const auto& dot) { return dot.verdict == verdict; });
@@ -179,29 +179,29 @@ void FieldPicture::draw_legend(Legend& legend) {
   if (has(Verdict::fails)) {
     const Point at = legend.next(say("fails").text());
     const Box box = Box::around(at, 18.0, 10.0);
-    svg_.strokes("hatch", hatching(box, 0.5 * hatch_spacing, true, [](Point) { return true; }));
-    svg_.rectangle("thin", box);
+    canvas_.strokes("hatch", hatching(box, 0.5 * hatch_spacing, true, [](Point) { return true; }));
+    canvas_.rectangle("thin", box);
   }
   if (has(Verdict::open) || has(Verdict::none)) {
     const Point at = legend.next(say("no verdict, or no machine").text());
-    svg_.dots("speckle", {at + Point{-6.0, 2.0}, at + Point{0.0, -2.0}, at + Point{6.0, 2.0}});
+    canvas_.dots("speckle", {at + Point{-6.0, 2.0}, at + Point{0.0, -2.0}, at + Point{6.0, 2.0}});
   }
 }
 
 Picture FieldPicture::drawn() {
-  frame_.draw(svg_);
+  frame_.draw(canvas_);
   hatch();
   speckle();
   draw_lines("thin", regions_.between_modes());
   for (std::size_t mode = 0; mode < chart_.modes.size(); ++mode)
     label_region(chart_.modes[mode], [&](Point at) { return fails_by(at, mode); });
   label_region(say("passes").text(), [&](Point at) { return regions_.at(at).verdict == Verdict::passes; });
-  SvgWriter labels = std::move(svg_);  // above the lines
-  svg_ = SvgWriter();
+  Canvas labels = std::move(canvas_);  // above the lines
+  canvas_ = Canvas();
   draw_levels();
-  Legend legend(svg_, frame_.height() + 12.0);
+  Legend legend(canvas_, frame_.height() + 12.0);
   draw_legend(legend);
-  labels.append(svg_);
+  labels.append(canvas_);
   const std::string what = chart_.level.empty() ? say("What passes").text() : plain(display_.title(0));
   const std::string over =
       say("{1} over {2} and {3}", what, plain(frame_.x().title(0)), plain(frame_.y().title(0))).text();

@@ -61,7 +61,7 @@ Point Legend::next(std::string_view words) {
   const double wide = sign + width(text, text_size);
   if (x_ > left && x_ + wide > view_width) x_ = left, y_ += row;
   const Point middle{x_, y_ - 4.5};
-  svg_.text("", {x_ + sign, y_}, text);
+  canvas_.text("", {x_ + sign, y_}, text);
   x_ += wide + spacing;
   return middle;
 }
@@ -72,7 +72,7 @@ ChartPicture chart_picture(const Chart& chart) {
   for (const Chart::Dot& dot : chart.dots)
     places.push_back(chart.columns == 0 && dot.verdict == Verdict::none ? std::nullopt : frame.place(dot.x, dot.y));
   Picture drawn = chart.columns == 0 ? cloud_picture(chart, frame, places) : field_picture(chart, frame);
-  if (frame.empty()) drawn.svg.centred_text("quiet", frame.area(), typeset(say("not available").text()));
+  if (frame.empty()) drawn.canvas.centred_text("quiet", frame.area(), typeset(say("not available").text()));
   return {std::move(drawn), std::move(places)};
 }
 

@@ -24,13 +24,13 @@ std::string counts_of(const Chart& chart);
 /// One row below the figure: a sign and what it means.
 class Legend {
  public:
-  Legend(SvgWriter& svg, double top) : svg_(svg), y_(top) {}
+  Legend(Canvas& canvas, double top) : canvas_(canvas), y_(top) {}
   /// The middle of the sign; the words are written beside it.
   Point next(std::string_view words);
   [[nodiscard]] double bottom() const { return y_ + 10.0; }
 
  private:
-  SvgWriter& svg_;
+  Canvas& canvas_;
   double x_ = 14.0, y_;
 };
 

@@ -1,5 +1,6 @@
 #include "lib/draw/motion/motion.hpp"
 
+#include "lib/draw/canvas/svg_writer.hpp"
 #include "lib/draw/motion/data.hpp"
 #include "lib/draw/scheme/picture.hpp"
 #include "lib/quantity/format.hpp"
@@ -47,19 +48,19 @@ PlanFit plan_fit(const Motion& motion, const Motion::LinkPlan& plan) {
 }
 
 std::string plan_picture(const Motion& motion, const std::vector<PlanFit>& fits) {
-  SvgWriter svg;
+  Canvas canvas;
   std::string words;
   for (std::size_t k = 0; k < fits.size(); ++k) {
     const Plan plan = plan_at(motion, motion.plans[k], motion.shown);
     const bool shown = k == motion.shown_plan;
-    svg.begin_group({{"data-plan", std::to_string(k)}, {"visibility", shown ? "visible" : "hidden"}});
-    draw_plan(svg, plan, fits[k], Findable::yes);
-    draw_plan_scales(svg, plan, fits[k]);
-    svg.end_group();
+    canvas.begin_group({{"data-plan", std::to_string(k)}, {"visibility", shown ? "visible" : "hidden"}});
+    draw_plan(canvas, plan, fits[k], Findable::yes);
+    draw_plan_scales(canvas, plan, fits[k]);
+    canvas.end_group();
     if (shown) words = description(plan);
   }
   const std::string title = say("Force plan of the link {1}", plain(motion.plans[motion.shown_plan].link)).text();
-  return svg.document(plan_height + plan_bar, title, words, plan_width);
+  return svg_part({std::move(canvas), plan_height + plan_bar, words, plan_width}, title);
 }
 
 }  // namespace
@@ -81,7 +82,7 @@ MotionPictures motion_pictures(const Figure& figure) {
   std::vector<PlanFit> fits;
   for (const auto& plan : motion.plans) fits.push_back(plan_fit(motion, plan));
   MotionPictures out;
-  out.scheme = drawn.svg.document(drawn.height, say(figure.caption).text(), drawn.description);
+  out.scheme = svg_part(drawn, say(figure.caption).text());
   if (!fits.empty()) out.plan = plan_picture(motion, fits);
   out.data = motion_data(motion, placed, fits);
   return out;

@@ -81,8 +81,8 @@ std::string (*text_in(const std::string& unit))(double) {
 
 class PlanPicture {
  public:
-  PlanPicture(SvgWriter& svg, const Plan& plan, const PlanFit& fit, Findable findable)
-      : svg_(svg),
+  PlanPicture(Canvas& canvas, const Plan& plan, const PlanFit& fit, Findable findable)
+      : canvas_(canvas),
         plan_(plan),
         fit_(fit),
         findable_(findable == Findable::yes),
@@ -104,7 +104,7 @@ class PlanPicture {
   void draw_title() {
     Point foot{fit_.area.left + title_margin, fit_.area.top + 14.0};
     for (const Text& line : title_lines(plan_.title, fit_.area.width())) {
-      svg_.text("quiet", foot, line);
+      canvas_.text("quiet", foot, line);
       foot.y += line_height;
     }
   }
@@ -117,33 +117,39 @@ class PlanPicture {
     const Point left{fit_.area.left + 8.0, pole.y}, right{fit_.area.right - 8.0, pole.y};
     const Point high{pole.x, top + 2.0}, low{pole.x, fit_.area.bottom - bar_height};
     for (const auto& [from, to] : {std::pair(left, right), std::pair(high, low)}) {
-      svg_.line("axis", from, to);
+      canvas_.line("axis", from, to);
       labels_.keep_off({from, to}, 1.0, 0.3);
     }
     for (const auto& trace : plan_.traces) {
       std::vector<Point> points;
       for (const Point p : trace.points) points.push_back(fit_.at(p));
       points = thin(points);
-      svg_.polyline("curve c1", points);
+      canvas_.polyline("curve c1", points);
       for (const auto& mark : trace.marks) {
-        svg_.circle(mark.governing ? "f0" : "f1", fit_.at(mark.at), 2.6);
+        canvas_.circle(mark.governing ? "f0" : "f1", fit_.at(mark.at), 2.6);
         labels_.keep_off(Box::around(fit_.at(mark.at), 6.0, 6.0));
       }
       labels_.keep_off(points, 2.0);
     }
   }
 
+  /// Those that govern are always named, and first; of the others those that have room.
   void name_marks() {
     for (const auto& trace : plan_.traces) {
       for (const auto& mark : trace.marks) {
-        const Text text = typeset(mark.label);
-        const auto places = close_to(fit_.at(mark.at), width(text, text_size));
-        if (mark.governing)  // always named; of the others those that have room
-          svg_.centred_text("halo f0", labels_.place(places), text);
-        else if (const auto free = labels_.place_free(places))
-          svg_.centred_text("quiet halo", *free, text);
+        if (mark.governing) canvas_.centred_text("halo f0", labels_.place(places_of(mark)), typeset(mark.label));
       }
     }
+    for (const auto& trace : plan_.traces) {
+      for (const auto& mark : trace.marks) {
+        if (mark.governing) continue;
+        if (const auto free = labels_.place_free(places_of(mark)))
+          canvas_.centred_text("quiet halo", *free, typeset(mark.label));
+      }
+    }
+  }
+  [[nodiscard]] std::vector<Candidate> places_of(const Plan::Mark& mark) const {
+    return close_to(fit_.at(mark.at), width(typeset(mark.label), text_size));
   }
 
   void draw_images() {
@@ -151,8 +157,8 @@ class PlanPicture {
       std::vector<Point> points;
       for (const Point p : image.points) points.push_back(fit_.at(p));
       points = convex_hull(points);
-      if (points.size() > 2) svg_.polygon("image", points);
-      if (points.size() == 2) svg_.line("light", points[0], points[1]);
+      if (points.size() > 2) canvas_.polygon("image", points);
+      if (points.size() == 2) canvas_.line("light", points[0], points[1]);
       if (points.size() > 1) labels_.keep_off(points, 1.0);
     }
   }
@@ -168,26 +174,26 @@ class PlanPicture {
     for (std::size_t i = 0; i < plan_.vectors.size(); ++i) {
       const auto& v = plan_.vectors[i];
       const Point from = fit_.at(v.from) + shift(v), to = fit_.at(v.to) + shift(v);
-      if (findable_) svg_.begin_group({{"data-side", std::to_string(i)}});
+      if (findable_) canvas_.begin_group({{"data-side", std::to_string(i)}});
       if (v.tone == Plan::Tone::part) {
         const double head = std::min(8.0, 0.7 * length(to - from));
-        svg_.line("light dash", from, to);
-        arrow_head(svg_, "dot", to, unit(to - from), head);
+        canvas_.line("light dash", from, to);
+        arrow_head(canvas_, "dot", to, unit(to - from), head);
       } else {
-        arrow(svg_, static_cast<int>(v.tone), from, to);
+        arrow(canvas_, static_cast<int>(v.tone), from, to);
       }
-      if (findable_) svg_.end_group();
+      if (findable_) canvas_.end_group();
       labels_.keep_off({from, to}, 2.0);
     }
   }
 
   void draw_forces() {
     for (const auto& force : plan_.forces) {
-      arrow(svg_, force.load ? 1 : 0, fit_.at(force.at), tip(force));
+      arrow(canvas_, force.load ? 1 : 0, fit_.at(force.at), tip(force));
       labels_.keep_off({fit_.at(force.at), tip(force)}, 2.0);
     }
     for (const auto& moment : plan_.moments) {
-      couple(svg_, fit_.at(moment.at), {0.0, 1.0}, moment.value > 0.0);
+      couple(canvas_, fit_.at(moment.at), {0.0, 1.0}, moment.value > 0.0);
       labels_.keep_off(ring(fit_.at(moment.at), couple_radius), 2.0);
     }
   }
@@ -196,11 +202,11 @@ class PlanPicture {
   void draw_points() {
     for (const auto& point : plan_.points) {
       const bool pole = point.at.x == 0.0 && point.at.y == 0.0;
-      pole ? svg_.circle("pin", fit_.at({}), 3.6) : svg_.circle("solid", fit_.at(point.at), 2.2);
+      pole ? canvas_.circle("pin", fit_.at({}), 3.6) : canvas_.circle("solid", fit_.at(point.at), 2.2);
     }
     for (const auto& point : plan_.points) {
       const Text text = typeset(point.name);
-      svg_.centred_text("halo", labels_.place(around(fit_.at(point.at), 3.5, width(text, 1.1 * text_size))), text);
+      canvas_.centred_text("halo", labels_.place(around(fit_.at(point.at), 3.5, width(text, 1.1 * text_size))), text);
     }
   }
 
@@ -214,9 +220,9 @@ class PlanPicture {
       auto places = beside(from + aside, to + aside, 4.0, wide);
       for (Candidate& c : around(to, 4.0, wide)) places.push_back({c.box, 6.0 + c.cost});
       const std::string colour = v.tone == Plan::Tone::part ? "quiet" : "f" + std::to_string(static_cast<int>(v.tone));
-      if (findable_) svg_.begin_group({{"data-side-name", std::to_string(i)}});
-      svg_.centred_text("halo " + colour, labels_.place(places), text);
-      if (findable_) svg_.end_group();
+      if (findable_) canvas_.begin_group({{"data-side-name", std::to_string(i)}});
+      canvas_.centred_text("halo " + colour, labels_.place(places), text);
+      if (findable_) canvas_.end_group();
     }
   }
 
@@ -224,12 +230,12 @@ class PlanPicture {
     for (const auto& force : plan_.forces) {
       const Text text = typeset(force.label);
       const auto places = around(tip(force), 3.0, width(text, 1.1 * text_size));
-      svg_.centred_text(force.load ? "halo f1" : "halo f0", labels_.place(places), text);
+      canvas_.centred_text(force.load ? "halo f1" : "halo f0", labels_.place(places), text);
     }
     for (const auto& moment : plan_.moments) {
       const Text text = typeset(moment.label);
       const auto places = around(fit_.at(moment.at), couple_radius + 3.0, width(text, text_size));
-      svg_.centred_text("halo f1", labels_.place(places), text);
+      canvas_.centred_text("halo f1", labels_.place(places), text);
     }
   }
 
@@ -237,7 +243,7 @@ class PlanPicture {
     return fit_.at(force.at) + fit_.newton * Point{force.force.x, -force.force.y};
   }
 
-  SvgWriter& svg_;
+  Canvas& canvas_;
   const Plan& plan_;
   const PlanFit& fit_;
   bool findable_;
@@ -266,14 +272,14 @@ PlanFit fit(const Plan& plan, Point corner, double width, double most_height) {
   return fit;
 }
 
-void draw_plan(SvgWriter& svg, const Plan& plan, const PlanFit& fit, Findable findable) {
-  PlanPicture(svg, plan, fit, findable).draw();
+void draw_plan(Canvas& canvas, const Plan& plan, const PlanFit& fit, Findable findable) {
+  PlanPicture(canvas, plan, fit, findable).draw();
 }
 
-void draw_plan_scales(SvgWriter& svg, const Plan& plan, const PlanFit& fit) {
+void draw_plan_scales(Canvas& canvas, const Plan& plan, const PlanFit& fit) {
   const double y = fit.area.bottom - 12.0;
-  const double x = scale_bar(svg, {fit.area.left + 10.0, y}, fit.scale, text_in(plan.unit));
-  if (fit.newton > 0.0) scale_bar(svg, {x, y}, fit.newton, force_text);
+  const double x = scale_bar(canvas, {fit.area.left + 10.0, y}, fit.scale, text_in(plan.unit));
+  if (fit.newton > 0.0) scale_bar(canvas, {x, y}, fit.newton, force_text);
 }
 
 std::string description(const Plan& plan) {

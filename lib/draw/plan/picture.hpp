@@ -1,8 +1,8 @@
 // One plan drawn into a part of the page.
 #pragma once
 
+#include "lib/draw/canvas/canvas.hpp"
 #include "lib/draw/canvas/labels.hpp"
-#include "lib/draw/canvas/svg_writer.hpp"
 
 #include <string>
 
@@ -24,9 +24,9 @@ PlanFit fit(const Plan& plan, Point corner, double width, double most_height);
 /// What a vector and its name are: the parts of a picture that a script finds again.
 enum class Findable { no, yes };
 
-void draw_plan(SvgWriter& svg, const Plan& plan, const PlanFit& fit, Findable findable = Findable::no);
+void draw_plan(Canvas& canvas, const Plan& plan, const PlanFit& fit, Findable findable = Findable::no);
 /// The bars at the foot of the panel.
-void draw_plan_scales(SvgWriter& svg, const Plan& plan, const PlanFit& fit);
+void draw_plan_scales(Canvas& canvas, const Plan& plan, const PlanFit& fit);
 
 /// For screen readers.
 std::string description(const Plan& plan);

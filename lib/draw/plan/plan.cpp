@@ -27,7 +27,7 @@ Picture picture(const Plans& plans) {
     if (n % columns == 0) out.height = row_end + (n == 0 ? 0.0 : gap);
     const double left = static_cast<double>(n % columns) * (width + gap);
     const PlanFit placed = fit(plan, {left, out.height}, width, columns == 1 ? alone : in_row);
-    if (drawable(plan)) draw_plan(out.svg, plan, placed), draw_plan_scales(out.svg, plan, placed);
+    if (drawable(plan)) draw_plan(out.canvas, plan, placed), draw_plan_scales(out.canvas, plan, placed);
     row_end = std::max(row_end, placed.area.bottom);
     out.description += (n == 0 ? "" : ". ") + description(plan);
   }

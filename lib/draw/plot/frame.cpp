@@ -95,21 +95,21 @@ std::optional<Point> PlotFrame::left_end(double y) const {
 
 double PlotFrame::zero_line() const { return at(0.0, std::clamp(0.0, up_.range.low, up_.range.high)).y; }
 
-void PlotFrame::draw_grid(SvgWriter& svg) const {
+void PlotFrame::draw_grid(Canvas& canvas) const {
   std::vector<std::pair<Point, Point>> lines;
   for (const double t : across_.ticks) lines.push_back({at(t, up_.range.low), at(t, up_.range.high)});
   for (const double t : up_.ticks) lines.push_back({at(across_.range.low, t), at(across_.range.high, t)});
-  svg.strokes("grid", lines);
+  canvas.strokes("grid", lines);
   const Point corner{area_.left, area_.bottom};
-  svg.strokes("axis", {{{area_.left, area_.top}, corner}, {corner, {area_.right, area_.bottom}}});
+  canvas.strokes("axis", {{{area_.left, area_.top}, corner}, {corner, {area_.right, area_.bottom}}});
   if (up_.range.low <= 0.0 && up_.range.high >= 0.0) {
-    svg.line("zero", at(across_.range.low, 0.0), at(across_.range.high, 0.0));
+    canvas.line("zero", at(across_.range.low, 0.0), at(across_.range.high, 0.0));
   }
 }
 
-void PlotFrame::draw_ticks(SvgWriter& svg) const {
+void PlotFrame::draw_ticks(Canvas& canvas) const {
   for (const double t : up_.ticks) {
-    svg.text("", at(across_.range.low, t) + Point{-6.0, 4.5}, typeset(up_.text(t)), Anchor::end);
+    canvas.text("", at(across_.range.low, t) + Point{-6.0, 4.5}, typeset(up_.text(t)), Anchor::end);
   }
   double free_from = 0.0;
   for (const double t : across_.ticks) {
@@ -118,20 +118,20 @@ void PlotFrame::draw_ticks(SvgWriter& svg) const {
     const double half = 0.5 * width(text, text_size);
     const double x = std::min(at(t, up_.range.low).x, view_width - 2.0 - half);
     if (x - half < free_from) continue;
-    svg.text("", {x, area_.bottom + 17.0}, text, Anchor::middle);
+    canvas.text("", {x, area_.bottom + 17.0}, text, Anchor::middle);
     free_from = x + half + 6.0;
   }
 }
 
-void PlotFrame::draw_titles(SvgWriter& svg) const {
-  svg.text("", {4.0, area_.top - 14.0}, fitting_title(y_, up_.power));
-  if (tells_across_) svg.text("", {area_.right, area_.bottom + 36.0}, fitting_title(x_, across_.power), Anchor::end);
+void PlotFrame::draw_titles(Canvas& canvas) const {
+  canvas.text("", {4.0, area_.top - 14.0}, fitting_title(y_, up_.power));
+  if (tells_across_) canvas.text("", {area_.right, area_.bottom + 36.0}, fitting_title(x_, across_.power), Anchor::end);
 }
 
-void PlotFrame::draw(SvgWriter& svg) const {
-  draw_grid(svg);
-  draw_ticks(svg);
-  draw_titles(svg);
+void PlotFrame::draw(Canvas& canvas) const {
+  draw_grid(canvas);
+  draw_ticks(canvas);
+  draw_titles(canvas);
 }
 
 }  // namespace loadpath::draw

@@ -1,8 +1,8 @@
 // The frame of a plot: ranges, axes, and where a value stands on the page.
 #pragma once
 
+#include "lib/draw/canvas/canvas.hpp"
 #include "lib/draw/canvas/display.hpp"
-#include "lib/draw/canvas/svg_writer.hpp"
 #include "lib/draw/canvas/ticks.hpp"
 
 #include <optional>
@@ -46,14 +46,14 @@ class PlotFrame {
   [[nodiscard]] const Display& x() const { return x_; }
   [[nodiscard]] const Display& y() const { return y_; }
 
-  void draw(SvgWriter& svg) const;
+  void draw(Canvas& canvas) const;
 
  private:
   [[nodiscard]] Point at(double x, double y) const;
   void take_page();
-  void draw_grid(SvgWriter& svg) const;
-  void draw_ticks(SvgWriter& svg) const;
-  void draw_titles(SvgWriter& svg) const;
+  void draw_grid(Canvas& canvas) const;
+  void draw_ticks(Canvas& canvas) const;
+  void draw_titles(Canvas& canvas) const;
 
   Display x_, y_;
   Axis across_, up_;  // display units

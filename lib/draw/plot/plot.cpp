@@ -42,7 +42,7 @@ class PlotPicture {
   bool is_strip_;
   std::vector<DrawnCurve> curves_;
   Labels labels_;
-  SvgWriter svg_;
+  Canvas canvas_;
   double height_;
 };
 
@@ -52,14 +52,14 @@ PlotPicture::PlotPicture(const Plot& plot, const std::optional<Strip>& strip)
 }
 
 void PlotPicture::draw_piece(std::size_t i, const std::vector<Point>& piece) {
-  if (piece.size() == 1) return svg_.circle(fill_style(i), piece.front(), dot_radius);
+  if (piece.size() == 1) return canvas_.circle(fill_style(i), piece.front(), dot_radius);
   std::vector<Point> outline = piece;
   if (plot_.curves[i].filled) {
     outline.insert(outline.begin(), {piece.front().x, frame_.zero_line()});
     outline.push_back({piece.back().x, frame_.zero_line()});
-    svg_.polygon("area " + fill_style(i), outline);
+    canvas_.polygon("area " + fill_style(i), outline);
   }
-  svg_.polyline(curve_style(i), outline);
+  canvas_.polyline(curve_style(i), outline);
   labels_.keep_off(outline, 1.5);
 }
 
@@ -68,7 +68,7 @@ void PlotPicture::draw_bounds() {
     const auto from = frame_.left_end(bound.y);
     if (!from) continue;
     const Point to{frame_.area().right, from->y};
-    svg_.line("bound", *from, to);
+    canvas_.line("bound", *from, to);
     labels_.keep_off({*from, to});
   }
 }
@@ -85,14 +85,14 @@ void PlotPicture::label_bound(const Bound& bound) {
     places.push_back({Box::around({x, end->y - 10.0}, wide, 14.0), share});
     places.push_back({Box::around({x, end->y + 10.0}, wide, 14.0), share + 0.1});
   }
-  svg_.centred_text("halo", labels_.place(places), text);
+  canvas_.centred_text("halo", labels_.place(places), text);
 }
 
 void PlotPicture::draw_marks() {
   for (const Mark& mark : plot_.marks) {
     const auto dot = frame_.place(mark.x, mark.y);
     if (!dot) continue;
-    svg_.circle("solid", *dot, 3.2);
+    canvas_.circle("solid", *dot, 3.2);
     labels_.keep_off(Box::around(*dot, 9.0, 9.0));
   }
 }
@@ -102,7 +102,7 @@ void PlotPicture::label_mark(const Mark& mark) {
   if (!dot) return;
   const std::string value = symbol(mark.label) + " " + frame_.y().quantity(mark.y);
   const Text text = typeset(say("{1} at {2}", value, frame_.x().quantity(mark.x)).text());
-  svg_.centred_text("halo", labels_.place(around(*dot, 7.0, width(text, text_size))), text);
+  canvas_.centred_text("halo", labels_.place(around(*dot, 7.0, width(text, text_size))), text);
 }
 
 /// The value in the middle of its stretch: in the area, or beyond it where the area is too low.
@@ -117,7 +117,7 @@ void PlotPicture::label_level(const Level& level) {
     places.push_back(
         {Box::around({middle, y}, width(text, text_size), line_height), static_cast<double>(places.size())});
   }
-  svg_.centred_text("halo", labels_.place(places), text);
+  canvas_.centred_text("halo", labels_.place(places), text);
 }
 
 /// Places on both sides all along the curve; level stretches on the right first.
@@ -151,7 +151,7 @@ void PlotPicture::label_curves() {
     found.emplace_back(*box, i);
   }
   for (const auto& [box, i] : found) {
-    svg_.centred_text("halo " + fill_style(i), box, typeset(plot_.curves[i].label));
+    canvas_.centred_text("halo " + fill_style(i), box, typeset(plot_.curves[i].label));
   }
 }
 
@@ -164,11 +164,11 @@ void PlotPicture::draw_legend() {
     const double wide = sample + gap + width(text, text_size) + spacing;
     if (x > left && x + wide > view_width) x = left, y += row;
     if (is_dots(curves_[i])) {
-      svg_.circle(fill_style(i), {x + 0.5 * sample, y - 4.5}, dot_radius);
+      canvas_.circle(fill_style(i), {x + 0.5 * sample, y - 4.5}, dot_radius);
     } else {
-      svg_.line(curve_style(i), {x, y - 4.5}, {x + sample, y - 4.5});
+      canvas_.line(curve_style(i), {x, y - 4.5}, {x + sample, y - 4.5});
     }
-    svg_.text(fill_style(i), {x + sample + gap, y}, text);
+    canvas_.text(fill_style(i), {x + sample + gap, y}, text);
     x += wide;
   }
   height_ = std::max(height_, y + 10.0);
@@ -195,7 +195,7 @@ std::string PlotPicture::description() const {
 }
 
 Picture PlotPicture::drawn() {
-  frame_.draw(svg_);
+  frame_.draw(canvas_);
   for (std::size_t i = 0; i < curves_.size(); ++i) {
     for (const auto& piece : curves_[i].pieces) draw_piece(i, piece);
   }
@@ -208,8 +208,8 @@ Picture PlotPicture::drawn() {
     for (const Level& level : curve.levels) label_level(level);
   }
   label_curves();
-  if (frame_.empty()) svg_.centred_text("quiet", frame_.area(), typeset(say("not available").text()));
-  return {svg_, height_, description()};
+  if (frame_.empty()) canvas_.centred_text("quiet", frame_.area(), typeset(say("not available").text()));
+  return {std::move(canvas_), height_, description()};
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ void SchemePicture::label_points() {
     if (text.empty() || !done.insert(text).second) return;
     const Box place = labels_.place(around(at(p), gap, width(typeset(text), 1.1 * text_size)));
     // It goes round with its link, so that it stays off that.
-    carried({by, -1}, fit_.back(place.centre()), [&] { svg_.centred_text("halo", place, typeset(text)); });
+    carried({by, -1}, fit_.back(place.centre()), [&] { canvas_.centred_text("halo", place, typeset(text)); });
   };
   for (std::size_t n = 0; n < scheme_.joints.size(); ++n)
     name(scheme_.joints[n].name, scheme_.joints[n].at, pin_radius + 2.5, carrier(&Motion::joints, n).place);
@@ -81,13 +81,13 @@ void SchemePicture::label_bodies() {
     }
     const Box place = labels_.place(places);
     const Point centre = fit_.back(place.centre());
-    carried({static_cast<int>(k), -1}, centre, [&] { svg_.centred_text("quiet halo", place, text); });
+    carried({static_cast<int>(k), -1}, centre, [&] { canvas_.centred_text("quiet halo", place, text); });
   }
 }
 
 /// A bar of a round length with what it stands for; returns where the next one may begin.
 double SchemePicture::draw_scale(double x, double view_per_si, std::string (*written)(double)) {
-  return scale_bar(svg_, {x, fit_.height - 13.0}, view_per_si, written);
+  return scale_bar(canvas_, {x, fit_.height - 13.0}, view_per_si, written);
 }
 
 void SchemePicture::draw_scales() {

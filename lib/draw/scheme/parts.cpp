@@ -64,7 +64,7 @@ std::vector<Point> block(Point centre, Point direction) {
   return {centre + a + b, centre + a - b, centre - a - b, centre - a + b};
 }
 
-void hatch(SvgWriter& svg, Point from, Point to) {
+void hatch(Canvas& canvas, Point from, Point to) {
   constexpr double spacing = 6.0, size = 6.0;
   const Point d = unit(to - from);
   const Point stroke = size * (across(d) - d);
@@ -73,43 +73,43 @@ void hatch(SvgWriter& svg, Point from, Point to) {
   for (double s = spacing; s <= whole + 1e-9 && strokes.size() < 200; s += spacing) {
     strokes.push_back({from + s * d, from + s * d + stroke});
   }
-  svg.strokes("light", strokes);
+  canvas.strokes("light", strokes);
 }
 
-void support(SvgWriter& svg, Point pin, Point direction) {
+void support(Canvas& canvas, Point pin, Point direction) {
   constexpr double depth = 15.0, half = 8.5, ground_half = 13.0;
   const Point foot = pin + depth * direction, side = across(direction);
-  svg.polygon("pin", {pin, foot + half * side, foot - half * side});
+  canvas.polygon("pin", {pin, foot + half * side, foot - half * side});
   const Point from = foot + ground_half * side, to = foot - ground_half * side;
-  svg.line("outline", from, to);
-  hatch(svg, from, to);
+  canvas.line("outline", from, to);
+  hatch(canvas, from, to);
 }
 
-void arrow_head(SvgWriter& svg, std::string_view fill, Point tip, Point direction, double size) {
+void arrow_head(Canvas& canvas, std::string_view fill, Point tip, Point direction, double size) {
   const Point back = tip - size * direction, side = 0.34 * size * across(direction);
-  svg.polygon(fill, {tip, back + side, back - side});
+  canvas.polygon(fill, {tip, back + side, back - side});
 }
 
-void arrow(SvgWriter& svg, int colour, Point from, Point to) {
+void arrow(Canvas& canvas, int colour, Point from, Point to) {
   constexpr double head = 11.0;
   const double size = std::min(head, 0.7 * length(to - from));
   const Point direction = unit(to - from);
   const std::string number = std::to_string(colour);
-  svg.line("force c" + number, from, to - 0.8 * size * direction);
-  arrow_head(svg, "f" + number, to, direction, size);
+  canvas.line("force c" + number, from, to - 0.8 * size * direction);
+  arrow_head(canvas, "f" + number, to, direction, size);
 }
 
-void couple(SvgWriter& svg, Point at, Point opening, bool positive) {
+void couple(Canvas& canvas, Point at, Point opening, bool positive) {
   constexpr double pi = std::numbers::pi, head = 10.0;
   const double gap = std::atan2(-opening.y, opening.x), side = positive ? 1.0 : -1.0;
   const double start = gap + side * 0.25 * pi, sweep = side * 1.5 * pi;
   const double lead = head / couple_radius;  // the head follows the arc by its length
-  svg.arc("force c1", at, couple_radius, start, sweep - 0.7 * side * lead);
+  canvas.arc("force c1", at, couple_radius, start, sweep - 0.7 * side * lead);
   const double end = start + sweep;
   const Point tip = at + couple_radius * Point{std::cos(end), -std::sin(end)};
   const double behind = end - side * lead;
   const Point back = at + couple_radius * Point{std::cos(behind), -std::sin(behind)};
-  arrow_head(svg, "f1", tip, unit(tip - back), head);
+  arrow_head(canvas, "f1", tip, unit(tip - back), head);
 }
 
 }  // namespace loadpath::draw

@@ -1,7 +1,7 @@
 // The signs of a mechanism scheme, in view units: supports, blocks, hatched lines, arrows.
 #pragma once
 
-#include "lib/draw/canvas/svg_writer.hpp"
+#include "lib/draw/canvas/canvas.hpp"
 
 namespace loadpath::draw {
 
@@ -19,26 +19,26 @@ std::vector<Point> convex_hull(std::vector<Point> points);
 std::vector<Point> block(Point centre, Point direction);
 
 /// Short strokes on the right of the way from `from` to `to`: the side of the ground.
-void hatch(SvgWriter& svg, Point from, Point to);
+void hatch(Canvas& canvas, Point from, Point to);
 
 /// A triangle with its tip in the pin, on hatched ground that lies in `direction`.
-void support(SvgWriter& svg, Point pin, Point direction);
+void support(Canvas& canvas, Point pin, Point direction);
 
 /// A triangle filled between two directions from a corner: links that are one piece.
-void weld(SvgWriter& svg, Point corner, Point along, Point other);
+void weld(Canvas& canvas, Point corner, Point along, Point other);
 /// A link that is built into hatched ground; `direction` from the ground into the link.
-void clamp(SvgWriter& svg, Point end, Point direction);
+void clamp(Canvas& canvas, Point end, Point direction);
 
 /// A spring, a damper, or one beside the other, from point to point.
-void spring(SvgWriter& svg, Point from, Point to, bool pulls, bool damps);
+void spring(Canvas& canvas, Point from, Point to, bool pulls, bool damps);
 /// A spring, or damper, that turns about a point.
-void coil(SvgWriter& svg, Point at, bool pulls);
+void coil(Canvas& canvas, Point at, bool pulls);
 
 /// A filled head with its tip at `tip`.
-void arrow_head(SvgWriter& svg, std::string_view fill, Point tip, Point direction, double size);
+void arrow_head(Canvas& canvas, std::string_view fill, Point tip, Point direction, double size);
 /// `colour`: the number of the accent.
-void arrow(SvgWriter& svg, int colour, Point from, Point to);
+void arrow(Canvas& canvas, int colour, Point from, Point to);
 /// Three quarters of a turn around the point, open towards `opening`, counter-clockwise on the page when positive.
-void couple(SvgWriter& svg, Point at, Point opening, bool positive);
+void couple(Canvas& canvas, Point at, Point opening, bool positive);
 
 }  // namespace loadpath::draw

@@ -1,9 +1,9 @@
 // A mechanism drawn in one position: what lib/draw/scheme*.cpp share.
 #pragma once
 
+#include "lib/draw/canvas/canvas.hpp"
 #include "lib/draw/canvas/labels.hpp"
 #include "lib/draw/canvas/picture.hpp"
-#include "lib/draw/canvas/svg_writer.hpp"
 #include "lib/draw/scheme/fit.hpp"
 
 namespace loadpath::draw {
@@ -49,7 +49,7 @@ class SchemePicture {
   [[nodiscard]] bool lies_on(Point p, const Scheme::Guide& guide) const;
   [[nodiscard]] bool carries_block(const Scheme::Guide& guide) const;
   void label(std::string_view style, const std::vector<Candidate>& places, const Text& text) {
-    svg_.centred_text(style, labels_.place(places), text);
+    canvas_.centred_text(style, labels_.place(places), text);
   }
   double draw_scale(double x, double view_per_si, std::string (*written)(double));
   [[nodiscard]] std::string description() const;
@@ -62,17 +62,17 @@ class SchemePicture {
   template <class Draw>
   void carried(Motion::Carried by, Point anchor, const Draw& draw) {
     const bool moves = motion_ != nullptr && (by.place >= 0 || by.turn >= 0);
-    if (moves) svg_.begin_group({{"data-carried", text_of(by, at(anchor))}});
+    if (moves) canvas_.begin_group({{"data-carried", text_of(by, at(anchor))}});
     draw();
-    if (moves) svg_.end_group();
+    if (moves) canvas_.end_group();
   }
   template <class Draw>
   void force_group(const char* kind, std::size_t index, const Draw& draw) {
     if (motion_ == nullptr) return draw();
     const Motion::Carried by = motion_->forces[index].carried;
-    svg_.begin_group({{kind, std::to_string(index)}, {"data-at", text_of(by, at(scheme_.arrows[index].at))}});
+    canvas_.begin_group({{kind, std::to_string(index)}, {"data-at", text_of(by, at(scheme_.arrows[index].at))}});
     draw();
-    svg_.end_group();
+    canvas_.end_group();
   }
   static std::string text_of(Motion::Carried by, Point anchor);
   static std::string text_of(Motion::Between by, Point from, Point to);
@@ -81,7 +81,7 @@ class SchemePicture {
   Fit fit_;
   const Motion* motion_;
   Labels labels_;
-  SvgWriter svg_;
+  Canvas canvas_;
 };
 
 }  // namespace loadpath::draw

@@ -22,8 +22,8 @@ void SchemePicture::draw_guides() {
       from = from + below, to = to + below;
     }
     carried(carrier(&Motion::guides, n), guide.from, [&, from = from, to = to] {
-      svg_.line(guide.fixed ? "outline" : "rail", from, to);
-      if (guide.fixed) hatch(svg_, from, to);
+      canvas_.line(guide.fixed ? "outline" : "rail", from, to);
+      if (guide.fixed) hatch(canvas_, from, to);
     });
     labels_.keep_off({from, to}, guide.fixed ? 5.0 : 2.0);
   }
@@ -34,8 +34,8 @@ void SchemePicture::draw_paths() {
     std::vector<Point> points;
     for (const Point p : path.points) points.push_back(at(p));
     points = thin(points);
-    svg_.polyline("light dash", points);
-    for (const Point p : path.positions) svg_.circle("dot", at(p), 1.7);
+    canvas_.polyline("light dash", points);
+    for (const Point p : path.positions) canvas_.circle("dot", at(p), 1.7);
     labels_.keep_off(points, 1.0, 0.1);
   }
 }
@@ -46,7 +46,7 @@ void SchemePicture::draw_bodies() {
     if (points.size() < 2) continue;
     const int link = static_cast<int>(k);
     carried({link, link}, scheme_.bodies[k].points.front(),
-            [&] { points.size() == 2 ? svg_.line("bar", points[0], points[1]) : svg_.polygon("plate", points); });
+            [&] { points.size() == 2 ? canvas_.line("bar", points[0], points[1]) : canvas_.polygon("plate", points); });
     if (points.size() > 2) points.push_back(points.front());
     labels_.keep_off(points, 3.0);
   }
@@ -90,7 +90,7 @@ void SchemePicture::draw_supports() {
       carried(carrier(&Motion::joints, n), joint.at, [&] { draw_weld(joint); });
     } else if (joint.fixed) {
       const Point direction = support_direction(joint);
-      support(svg_, at(joint.at), direction);
+      support(canvas_, at(joint.at), direction);
       labels_.keep_off(Box::around(at(joint.at) + 13.0 * direction, 26.0, 26.0));
     }
   }
@@ -116,11 +116,11 @@ void SchemePicture::draw_block(const Scheme::Joint& joint) {
                                   [&](const Scheme::Guide& guide) { return guide.fixed && lies_on(joint.at, guide); });
   if (joint.fixed && !guided) {
     const Point below = centre + (0.5 * block_width + 1.0) * across(direction), half = 1.3 * block_length * direction;
-    svg_.line("outline", below - half, below + half);
-    hatch(svg_, below - half, below + half);
+    canvas_.line("outline", below - half, below + half);
+    hatch(canvas_, below - half, below + half);
     labels_.keep_off({below - half, below + half}, 6.0);
   }
-  svg_.polygon("pin", corners);
+  canvas_.polygon("pin", corners);
   labels_.keep_off({corners[0], corners[1], corners[2], corners[3], corners[0]}, 2.0);
 }
 
@@ -129,12 +129,12 @@ void SchemePicture::draw_pins() {
     const auto& joint = scheme_.joints[n];
     const Motion::Carried by{carrier(&Motion::joints, n).place, -1};
     if (joint.pin == Scheme::Pin::revolute)
-      carried(by, joint.at, [&] { svg_.circle("pin", at(joint.at), pin_radius); });
+      carried(by, joint.at, [&] { canvas_.circle("pin", at(joint.at), pin_radius); });
     labels_.keep_off(Box::around(at(joint.at), 2.0 * pin_radius, 2.0 * pin_radius));
   }
   for (std::size_t n = 0; n < scheme_.points.size(); ++n) {
     const Point place = scheme_.points[n].at;
-    carried(carrier(&Motion::points, n), place, [&] { svg_.circle("solid", at(place), 3.0); });
+    carried(carrier(&Motion::points, n), place, [&] { canvas_.circle("solid", at(place), 3.0); });
     labels_.keep_off(Box::around(at(place), 7.0, 7.0));
   }
 }
@@ -151,7 +151,7 @@ Point SchemePicture::couple_opening(Point p) const {
 void SchemePicture::draw_forces() {
   for (std::size_t n = 0; n < scheme_.arrows.size(); ++n) {
     const auto& a = scheme_.arrows[n];
-    force_group("data-force", n, [&] { arrow(svg_, a.load ? 1 : 0, at(a.at), fit_.tip(a)); });
+    force_group("data-force", n, [&] { arrow(canvas_, a.load ? 1 : 0, at(a.at), fit_.tip(a)); });
     labels_.keep_off({at(a.at), fit_.tip(a)}, 3.0);
   }
 }
@@ -161,16 +161,16 @@ void SchemePicture::draw_couples() {
     const auto& moment = scheme_.moments[n];
     const Point centre = at(moment.at), opening = couple_opening(moment.at);
     if (motion_ == nullptr) {
-      couple(svg_, centre, opening, moment.value > 0.0);
+      couple(canvas_, centre, opening, moment.value > 0.0);
     } else {  // both senses are there, one is shown
       const std::string place = text_of(motion_->couples[n].carried, centre);
       for (const bool positive : {true, false}) {
         const bool shown = positive == (moment.value > 0.0);
-        svg_.begin_group({{"data-couple", std::to_string(n) + (positive ? " +" : " -")},
-                          {"data-carried", place},
-                          {"visibility", shown ? "visible" : "hidden"}});
-        couple(svg_, centre, opening, positive);
-        svg_.end_group();
+        canvas_.begin_group({{"data-couple", std::to_string(n) + (positive ? " +" : " -")},
+                             {"data-carried", place},
+                             {"visibility", shown ? "visible" : "hidden"}});
+        couple(canvas_, centre, opening, positive);
+        canvas_.end_group();
       }
     }
     labels_.keep_off(ring(centre, couple_radius), 2.0);
@@ -196,7 +196,7 @@ Picture SchemePicture::drawn() {
   label_bodies();
   label_springs();
   draw_scales();
-  return {svg_, fit_.height, description()};
+  return {std::move(canvas_), fit_.height, description()};
 }
 
 Picture picture(const Scheme& scheme) {

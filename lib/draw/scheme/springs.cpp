@@ -11,7 +11,7 @@ constexpr double spring_half = 6.0;  // across
 constexpr double least_length = 4.0;
 constexpr int windings = 6;
 
-void zigzag(SvgWriter& svg, Point from, Point to) {
+void zigzag(Canvas& canvas, Point from, Point to) {
   const Point d = unit(to - from), side = spring_half * across(d);
   const double whole = length(to - from), lead = std::min(10.0, 0.15 * whole);
   const double pitch = (whole - 2.0 * lead) / windings;
@@ -23,61 +23,61 @@ void zigzag(SvgWriter& svg, Point from, Point to) {
   }
   points.push_back(to - lead * d);
   points.push_back(to);
-  svg.polyline("outline", points);
+  canvas.polyline("outline", points);
 }
 
 /// A cylinder, open towards `to`, with the piston in its middle.
-void dashpot(SvgWriter& svg, Point from, Point to) {
+void dashpot(Canvas& canvas, Point from, Point to) {
   const Point d = unit(to - from), side = spring_half * across(d);
   const double whole = length(to - from), half = std::min(14.0, 0.3 * whole);
   const Point middle = 0.5 * (from + to), bottom = middle - half * d, mouth = middle + half * d;
-  svg.line("outline", from, bottom);
-  svg.polyline("outline", {mouth + side, bottom + side, bottom - side, mouth - side});
-  svg.line("rail", middle + 0.75 * side, middle - 0.75 * side);
-  svg.line("outline", middle, to);
+  canvas.line("outline", from, bottom);
+  canvas.polyline("outline", {mouth + side, bottom + side, bottom - side, mouth - side});
+  canvas.line("rail", middle + 0.75 * side, middle - 0.75 * side);
+  canvas.line("outline", middle, to);
 }
 
 }  // namespace
 
-void spring(SvgWriter& svg, Point from, Point to, bool pulls, bool damps) {
+void spring(Canvas& canvas, Point from, Point to, bool pulls, bool damps) {
   if (length(to - from) < least_length) return;
-  if (!damps) return zigzag(svg, from, to);
-  if (!pulls) return dashpot(svg, from, to);
+  if (!damps) return zigzag(canvas, from, to);
+  if (!pulls) return dashpot(canvas, from, to);
   const Point d = unit(to - from), aside = 1.5 * spring_half * across(d);
   const Point first = from + 0.12 * (to - from), last = to - 0.12 * (to - from);
-  svg.line("outline", from, first);
-  svg.line("outline", last, to);
-  svg.line("outline", first + aside, first - aside);
-  svg.line("outline", last + aside, last - aside);
-  zigzag(svg, first + aside, last + aside);
-  dashpot(svg, first - aside, last - aside);
+  canvas.line("outline", from, first);
+  canvas.line("outline", last, to);
+  canvas.line("outline", first + aside, first - aside);
+  canvas.line("outline", last + aside, last - aside);
+  zigzag(canvas, first + aside, last + aside);
+  dashpot(canvas, first - aside, last - aside);
 }
 
-void coil(SvgWriter& svg, Point at, bool pulls) {
+void coil(Canvas& canvas, Point at, bool pulls) {
   constexpr int steps = 40;
   constexpr double turns = 2.25;
   if (!pulls) {  // a damper: a drum
-    svg.circle("outline", at, coil_radius);
-    return svg.circle("outline", at, 0.65 * coil_radius);
+    canvas.circle("outline", at, coil_radius);
+    return canvas.circle("outline", at, 0.65 * coil_radius);
   }
   std::vector<Point> points;
   for (int n = 0; n <= steps; ++n) {
     const double part = static_cast<double>(n) / steps, radius = pin_radius + part * (coil_radius - pin_radius);
     points.push_back(at + radius * along(2.0 * std::numbers::pi * turns * part));
   }
-  svg.polyline("outline", points);
+  canvas.polyline("outline", points);
 }
 
-void weld(SvgWriter& svg, Point corner, Point along, Point other) {
+void weld(Canvas& canvas, Point corner, Point along, Point other) {
   constexpr double leg = 14.0;
-  svg.polygon("solid", {corner, corner + leg * along, corner + leg * other});
+  canvas.polygon("solid", {corner, corner + leg * along, corner + leg * other});
 }
 
-void clamp(SvgWriter& svg, Point end, Point direction) {
+void clamp(Canvas& canvas, Point end, Point direction) {
   constexpr double half = 14.0;
   const Point side = half * across(direction);
-  svg.line("outline", end + side, end - side);
-  hatch(svg, end - side, end + side);
+  canvas.line("outline", end + side, end - side);
+  hatch(canvas, end - side, end + side);
 }
 
 void SchemePicture::draw_springs() {
@@ -85,14 +85,14 @@ void SchemePicture::draw_springs() {
     const auto& s = scheme_.springs[n];
     const Point from = at(s.from), to = at(s.to);
     const bool moves = motion_ != nullptr;
-    if (moves) svg_.begin_group({{"data-between", text_of(motion_->springs[n], from, to)}});
-    spring(svg_, from, to, s.pulls, s.damps);
-    if (moves) svg_.end_group();
+    if (moves) canvas_.begin_group({{"data-between", text_of(motion_->springs[n], from, to)}});
+    spring(canvas_, from, to, s.pulls, s.damps);
+    if (moves) canvas_.end_group();
     labels_.keep_off({from, to}, (s.pulls && s.damps ? 2.5 : 1.0) * spring_half);
   }
   for (std::size_t n = 0; n < scheme_.coils.size(); ++n) {
     const auto& c = scheme_.coils[n];
-    carried(carrier(&Motion::coils, n), c.at, [&] { coil(svg_, at(c.at), c.pulls); });
+    carried(carrier(&Motion::coils, n), c.at, [&] { coil(canvas_, at(c.at), c.pulls); });
     labels_.keep_off(ring(at(c.at), coil_radius), 2.0);
   }
 }
@@ -121,10 +121,10 @@ void SchemePicture::draw_weld(const Scheme::Joint& joint) {
       if (fit > most) most = fit, first = directions[a], second = directions[b];
     }
   }
-  if (joint.fixed) return clamp(svg_, at(joint.at), first);
-  if (std::fabs(cross(first, second)) > 0.1) return weld(svg_, at(joint.at), first, second);
+  if (joint.fixed) return clamp(canvas_, at(joint.at), first);
+  if (std::fabs(cross(first, second)) > 0.1) return weld(canvas_, at(joint.at), first, second);
   const Point side = 6.0 * across(first);  // in one line: a seam across
-  svg_.line("rail", at(joint.at) + side, at(joint.at) - side);
+  canvas_.line("rail", at(joint.at) + side, at(joint.at) - side);
 }
 
 void SchemePicture::label_springs() {
@@ -134,7 +134,7 @@ void SchemePicture::label_springs() {
     const auto places = beside(at(s.from), at(s.to), 3.0 + spring_half, width(text, text_size));
     const int by = motion_ == nullptr ? -1 : motion_->springs[n].from;
     const Box place = labels_.place(places);
-    carried({by, -1}, fit_.back(place.centre()), [&] { svg_.centred_text("quiet halo", place, text); });
+    carried({by, -1}, fit_.back(place.centre()), [&] { canvas_.centred_text("quiet halo", place, text); });
   }
   for (std::size_t n = 0; n < scheme_.coils.size(); ++n) {
     const auto& c = scheme_.coils[n];

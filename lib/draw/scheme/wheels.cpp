@@ -27,7 +27,7 @@ std::vector<Span> spans(const Scheme::Belt& belt) {
 void SchemePicture::draw_belts() {
   for (const auto& belt : scheme_.belts) {
     for (const auto& [from, to] : spans(belt)) {
-      svg_.line("outline", at(from), at(to));
+      canvas_.line("outline", at(from), at(to));
       labels_.keep_off({at(from), at(to)}, 2.0);
     }
   }
@@ -39,10 +39,10 @@ void SchemePicture::draw_racks() {
     const Point from = at(rack.from), to = at(rack.to);
     const Point away = (rack.left ? 1.0 : -1.0) * across(unit(to - from));  // the page counts downwards
     carried(carrier(&Motion::racks, n), rack.from, [&] {
-      if (rack.toothed) svg_.line("centre", from, to);
+      if (rack.toothed) canvas_.line("centre", from, to);
       const Point shift = (rack.toothed ? 4.0 : 0.0) * away;
-      svg_.line("outline", from + shift, to + shift);
-      if (rack.fixed) rack.left ? hatch(svg_, from + shift, to + shift) : hatch(svg_, to + shift, from + shift);
+      canvas_.line("outline", from + shift, to + shift);
+      if (rack.fixed) rack.left ? hatch(canvas_, from + shift, to + shift) : hatch(canvas_, to + shift, from + shift);
     });
     labels_.keep_off({from, to}, 8.0);
   }
@@ -51,10 +51,10 @@ void SchemePicture::draw_racks() {
 void SchemePicture::draw_wheel(const Scheme::Wheel& wheel) {
   const Point centre = at(wheel.at);
   const double radius = fit_.scale * std::fabs(wheel.radius);
-  svg_.circle("wheel", centre, radius);
+  canvas_.circle("wheel", centre, radius);
   if (wheel.fixed) return;
   const Point towards{std::cos(wheel.angle), -std::sin(wheel.angle)};
-  svg_.line("light", centre, centre + radius * towards);
+  canvas_.line("light", centre, centre + radius * towards);
 }
 
 void SchemePicture::draw_outlines() {
@@ -62,7 +62,7 @@ void SchemePicture::draw_outlines() {
     const auto& outline = scheme_.outlines[n];
     std::vector<Point> points;
     for (const Point p : outline.points) points.push_back(at(p));
-    carried(carrier(&Motion::outlines, n), outline.at, [&] { svg_.polygon("wheel", points); });
+    carried(carrier(&Motion::outlines, n), outline.at, [&] { canvas_.polygon("wheel", points); });
     labels_.keep_off(points, 2.0);
   }
 }

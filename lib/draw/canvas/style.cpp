@@ -1,28 +1,16 @@
-#include "lib/draw/canvas/svg_style.hpp"
-
-#include <string_view>
+#include "lib/draw/canvas/style.hpp"
 
 namespace loadpath::draw {
 namespace {
 
-// `var` stands in a second declaration, so that viewers without CSS variables keep the first.
-struct Colour {
-  std::string_view variable, fallback;
-};
 namespace colour {
-constexpr Colour ink{"--ink", "#1b2530"}, muted{"--muted", "#56616d"}, grid{"--grid", "#dfe4ea"},
+constexpr StyleColour ink{"--ink", "#1b2530"}, muted{"--muted", "#56616d"}, grid{"--grid", "#dfe4ea"},
     paper{"--paper", "#ffffff"}, accent{"--accent", "#0b5fa5"}, accent2{"--accent2", "#b4451c"},
     accent3{"--accent3", "#2a7a48"};
 }
 
-struct Rule {
-  std::string_view selector;
-  const Colour* stroke;
-  const Colour* fill;
-  std::string_view rest;
-};
 constexpr std::string_view crisp = "stroke-width:1;shape-rendering:crispEdges;vector-effect:non-scaling-stroke";
-constexpr Rule sheet[] = {
+constexpr StyleRule sheet[] = {
     {".page", nullptr, &colour::paper, ""},
     {".grid", &colour::grid, nullptr, crisp},
     {".axis", &colour::muted, nullptr, crisp},
@@ -40,6 +28,11 @@ constexpr Rule sheet[] = {
     {".pin", &colour::ink, &colour::paper, "stroke-width:1.7;stroke-linejoin:round"},
     {".outline", &colour::ink, nullptr, "stroke-width:1.6;stroke-linejoin:round"},
     {".wheel", &colour::ink, &colour::muted, "stroke-width:1.6;fill-opacity:.06"},
+    {".body", nullptr, &colour::muted, "fill-opacity:.1"},
+    {".liquid", nullptr, &colour::accent, "fill-opacity:.13"},
+    {".worn", nullptr, &colour::accent2, "fill-opacity:.2"},
+    {".belt", &colour::accent, nullptr, "stroke-width:3;stroke-linejoin:round"},
+    {".contact", &colour::accent2, nullptr, "stroke-width:3.4;stroke-linecap:round"},
     {".rail", &colour::ink, nullptr, "stroke-width:2.2;stroke-linecap:round"},
     {".dot", nullptr, &colour::muted, ""},
     {".image", &colour::muted, &colour::muted, "stroke-width:1;stroke-linejoin:round;fill-opacity:.08"},
@@ -71,7 +64,8 @@ constexpr Rule sheet[] = {
     {".u", nullptr, nullptr, "font-size:.74em"},
 };
 
-void append_colour(std::string& out, std::string_view property, const Colour* given) {
+// `var` stands in a second declaration, so that viewers without CSS variables keep the first.
+void append_colour(std::string& out, std::string_view property, const StyleColour* given) {
   if (given == nullptr) return;
   for (const bool variable : {false, true}) {
     out.append(property).append(":");
@@ -82,9 +76,11 @@ void append_colour(std::string& out, std::string_view property, const Colour* gi
 
 }  // namespace
 
+std::span<const StyleRule> style_rules() { return sheet; }
+
 std::string style_sheet() {
   std::string css;
-  for (const Rule& rule : sheet) {
+  for (const StyleRule& rule : sheet) {
     css.append(".lp ").append(rule.selector).append("{");
     append_colour(css, "stroke", rule.stroke);
     append_colour(css, "fill", rule.fill);

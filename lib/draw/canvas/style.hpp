@@ -1,0 +1,26 @@
+// The styles of all figures: colours by CSS variables that a page may redefine, with fallbacks for a figure alone.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace loadpath::draw {
+
+struct StyleColour {
+  std::string_view variable, fallback;  // "--ink", "#1b2530"
+};
+
+/// What a class of elements looks like; of two rules the later one has its way.
+struct StyleRule {
+  std::string_view selector;  // ".grid"; "text"
+  const StyleColour* stroke;  // null: it says nothing of it
+  const StyleColour* fill;
+  std::string_view rest;  // declarations of CSS: "stroke-width:1.9;stroke-linejoin:round"
+};
+std::span<const StyleRule> style_rules();
+
+/// The rules for the classes that figures use, within an element of class "lp".
+std::string style_sheet();
+
+}  // namespace loadpath::draw

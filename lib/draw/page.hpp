@@ -1,0 +1,13 @@
+// Figures within a page of HTML: one style sheet for all of them.
+#pragma once
+
+#include "lib/figure/figure.hpp"
+
+#include <string>
+
+namespace loadpath::draw {
+
+/// The figure as `svg` draws it, without its style sheet (lib/draw/canvas/style.hpp).
+std::string svg_in_page(const Figure& figure);
+
+}  // namespace loadpath::draw

@@ -1,0 +1,9 @@
+#include "lib/draw/tikz.hpp"
+
+#include "lib/draw/tikz/writer.hpp"
+
+namespace loadpath::draw {
+
+std::string tikz(const Figure& figure) { return tikz(picture(figure)); }
+
+}  // namespace loadpath::draw

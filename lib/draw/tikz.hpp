@@ -1,0 +1,13 @@
+// Figures in LaTeX.
+#pragma once
+
+#include "lib/figure/figure.hpp"
+
+#include <string>
+
+namespace loadpath::draw {
+
+/// The figure as `svg` draws it, a tikzpicture; the document has the styles of lib/draw/tikz/style.hpp once.
+std::string tikz(const Figure& figure);
+
+}  // namespace loadpath::draw

@@ -1,0 +1,137 @@
+// Parts to scale with their dimensions, as on a workshop drawing: sections with cut walls, drives, teeth in mesh. All
+// places in metres. Where dimension lines and names stand, the drawing finds (lib/draw/drawing).
+#pragma once
+
+#include "lib/figure/figure.hpp"
+
+#include <optional>
+
+namespace loadpath::draw {
+
+struct Drawing {
+  /// How a line is drawn: what is there, thin edges and breaks, what is hidden, axes and pitch lines, and lines of
+  /// accent: a belt, a line of action, a path of contact.
+  enum class Line { outline, thin, hidden, centre, belt, action, contact };
+  /// What a dimension, a force, a pressure says: "R = 600 mm". Without a symbol the number alone.
+  struct Value {
+    std::string symbol;
+    double si = 0.0;
+    std::string unit;
+  };
+  struct Path {
+    std::vector<Point> points;
+    Line line = Line::outline;
+    bool closed = false;
+  };
+  struct Circle {
+    Point centre;
+    double radius = 0.0;
+    Line line = Line::outline;
+    bool filled = false;  // a body: a pulley, a wheel
+  };
+  /// A closed outline: a cut face, hatched or, of a thin wall, filled; and, without a line, a body seen from the side,
+  /// a liquid, what a wall loses.
+  enum class Kind { cut, body, liquid, lost };
+  struct Area {
+    std::vector<Point> outline;
+    Kind kind = Kind::body;
+    std::string name = {};         // for screen readers
+    std::vector<Point> hole = {};  // a closed outline within the other
+  };
+  /// A length between two points with its line beside the drawing, on a side of it, or in place, where it is measured
+  /// along the two points themselves.
+  enum class Side { below, above, left, right, in_place };
+  struct Length {
+    Point from, to;
+    Value value;
+    Side side = Side::below;
+  };
+  /// A radius, or a diameter through the centre: a line with heads at the circle.
+  struct Radius {
+    Point centre;
+    double radius = 0.0;
+    double angle = 0.0;  // of the line
+    Value value;
+    bool diameter = false;
+  };
+  /// An angle about a corner from `start` over `sweep`, counter-clockwise positive; at the radius of its arc, m.
+  struct Angle {
+    Point corner;
+    double radius = 0.0;
+    double start = 0.0, sweep = 0.0;
+    Value value;
+    bool legs = false;  // with thin lines from the corner to the arc
+  };
+  /// A force at a point; arrows of one view share one scale.
+  struct Force {
+    Point at;
+    Point force;  // N
+    Value value;
+    bool load = true;      // load or reaction
+    double offset = 0.0;   // of the arrow from the line that it belongs to, one, to its left
+    bool towards = false;  // the arrow ends at the point
+  };
+  /// The sign of what holds a place: `into` points into the ground. A roller lets it move across `into`, a sleeve along
+  /// it; a plate lets it move across but not turn.
+  struct Support {
+    enum class Kind { hinge, clamp, roller, sleeve, plate };
+    Point at, into;
+    Kind kind = Kind::hinge;
+  };
+  /// Which way something turns: an arc about its axis.
+  struct Turn {
+    Point centre;
+    double radius = 0.0;
+    bool counter_clockwise = true;
+    double around = 1.5707963267948966;  // the direction of its middle
+    std::optional<Value> value = {};
+  };
+  /// A pressure on a surface: arrows that end at it.
+  struct Pressure {
+    struct At {
+      Point foot;       // on the surface
+      Point direction;  // of the arrow
+    };
+    std::vector<At> arrows;
+    Value value;
+    Point label;  // about where it is said
+  };
+  struct Name {  // a point that is named, with a dot
+    Point at;
+    std::string words;
+    std::optional<Value> value = {};
+    bool dot = true;
+  };
+  /// The surface of a liquid.
+  struct Surface {
+    Point from, to;
+  };
+  struct View {
+    std::string title;   // empty where it is the only one
+    double share = 1.0;  // of the page's width; those that fit stand side by side
+    double most_height = 330.0;
+    bool is_scaled = true;  // else its places are proportions, without a scale bar
+    double room = 26.0;     // of the page around the parts, for names and arrows
+    std::vector<Area> areas = {};
+    std::vector<Path> paths = {};
+    std::vector<Circle> circles = {};
+    std::vector<Surface> surfaces = {};
+    std::vector<Length> lengths = {};
+    std::vector<Radius> radii = {};
+    std::vector<Angle> angles = {};
+    std::vector<Force> forces = {};
+    std::vector<Support> supports = {};
+    std::vector<Turn> turns = {};
+    std::vector<Pressure> pressures = {};
+    std::vector<Name> names = {};
+    /// What is shown of a view that is larger: paths are clipped to it.
+    struct Window {
+      Point low, high;
+    };
+    std::optional<Window> window = {};
+    std::string note = {};  // below it
+  };
+  std::vector<View> views;
+};
+
+}  // namespace loadpath::draw

@@ -154,6 +154,11 @@ Outcome<Literal> parse_literal(std::string_view text) {
   return in_si(*w);
 }
 
+bool counts_anything(const Dimension& dimension, std::string_view text) {
+  return dimension == frequency && text.find("Hz") == std::string_view::npos &&
+         text.find('s') == std::string_view::npos;
+}
+
 Outcome<UnitValue> parse_unit(std::string_view text) {
   if (auto fault = unreadable(text)) return *std::move(fault);
   if (text == "-" || text == "1") return UnitValue{};

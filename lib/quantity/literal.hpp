@@ -28,6 +28,10 @@ Outcome<Literal> parse_literal(std::string_view text, const Expected& expected);
 /// A literal of any dimension (for `convert` and for expressions' own tests).
 Outcome<Literal> parse_literal(std::string_view text);
 
+/// Whether a text of this dimension leaves open what it counts, revolutions or cycles: "120 1/min", not "2 Hz", "2
+/// 1/s".
+bool counts_anything(const Dimension& dimension, std::string_view text);
+
 struct UnitValue {
   double factor = 1.0;  // SI value of one unit
   double offset = 0.0;  // SI value of zero: 273.15 for °C, else 0

@@ -3,6 +3,11 @@
 #include "lib/toml/gate.hpp"
 #include "lib/toml/tree.hpp"
 
+// toml++ 3.3 asserts what a text may not keep to, as that a name follows the bracket of a table, and checks it in the
+// next line. So its assertions say nothing: neither do they stop a debug build, nor does clang build a release upon
+// them.
+#undef NDEBUG
+#define TOML_ASSERT(claim) static_cast<void>(0)
 #include <toml++/toml.h>
 
 #include <algorithm>

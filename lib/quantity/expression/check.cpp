@@ -221,7 +221,11 @@ class Check {
 }  // namespace
 
 Outcome<Signature> check(const Tree& tree, const Expression::Declared& declared) {
-  return Check{tree, declared}.of(tree.root);
+  return check(tree, tree.root, declared);
+}
+
+Outcome<Signature> check(const Tree& tree, const Node& node, const Expression::Declared& declared) {
+  return Check{tree, declared}.of(node);
 }
 
 }  // namespace loadpath::expression

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 namespace loadpath {
 
@@ -51,6 +52,25 @@ bool holds(const Node& node, const Dimension& dimension, const Expression::Decla
   }
   return std::any_of(node.kids.begin(), node.kids.end(),
                      [&](const Node& kid) { return holds(kid, dimension, declared); });
+}
+
+bool holds_pi(const Node& node) {
+  const bool is_pi = node.operation == Operation::literal && node.si == std::numbers::pi && node.dimension.is_number();
+  return is_pi || std::any_of(node.kids.begin(), node.kids.end(), holds_pi);
+}
+
+/// Null where there is none.
+const Node* power_over_frequency(const expression::Tree& tree, const Node& node, const Expression::Declared& declared) {
+  if (node.operation == Operation::divide) {
+    const auto power = check(tree, node.kids[0], declared), frequency = check(tree, node.kids[1], declared);
+    if (power && frequency && power->dimension == Dimension::of(2, 1, -3) &&
+        frequency->dimension == Dimension::of(0, 0, -1))
+      return &node;
+  }
+  for (const Node& kid : node.kids) {
+    if (const Node* const found = power_over_frequency(tree, kid, declared)) return found;
+  }
+  return nullptr;
 }
 
 /// Whether a function gives one of what it is given.
@@ -104,6 +124,11 @@ std::string_view Expression::unsigned_part(const Declared& declared) const {
 
 bool Expression::speaks_of(const Dimension& dimension, const Declared& declared) const {
   return holds(tree_->root, dimension, declared);
+}
+
+std::string Expression::work_of_cycle(const Declared& declared) const {
+  const Node* const work = power_over_frequency(*tree_, tree_->root, declared);
+  return work == nullptr || holds_pi(tree_->root) ? std::string() : tree_->written(*work);
 }
 
 Value Expression::evaluate(const Known& known) const {

@@ -75,6 +75,9 @@ class Expression {
   [[nodiscard]] std::string_view unsigned_part(const Declared& declared) const;
   /// Whether a number or a reference in it is of the dimension: 5 kW/(1450 rpm) speaks of a speed.
   [[nodiscard]] bool speaks_of(const Dimension& dimension, const Declared& declared) const;
+  /// A power over a frequency in it, "5.5 kW/(2 Hz)", the energy of a cycle and no moment; empty where there is none,
+  /// or where pi in it makes radians of cycles.
+  [[nodiscard]] std::string work_of_cycle(const Declared& declared) const;
   /// Those of its references: of a product all, of a quotient without those of the divisor, of a root of a square once.
   /// A factor that would count twice, and a sum of what holds one and what does not, are faults.
   [[nodiscard]] Outcome<Factors> factors(const FactorsOf& of) const;

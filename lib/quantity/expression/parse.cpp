@@ -1,5 +1,6 @@
 #include "lib/quantity/expression/parser.hpp"
 #include "lib/quantity/expression/scan.hpp"
+#include "lib/quantity/literal.hpp"
 #include "lib/quantity/unit.hpp"
 
 #include <charconv>
@@ -129,8 +130,7 @@ void Parser::unit(Node& literal) {
     return fail(from, end - from, say("'{1}' is a point on a scale and cannot stand in an expression", written),
                 say("write a temperature difference in K"));
   }
-  if (unit->dimension == Dimension::of(0, 0, -1) && written.find("Hz") == std::string::npos &&
-      written.find('s') == std::string::npos) {
+  if (counts_anything(unit->dimension, written)) {
     return fail(from, end - from, say("'{1}' is a speed in revolutions to some and a frequency to others", written),
                 say("write rpm for a speed of rotation"));
   }

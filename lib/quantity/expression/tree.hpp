@@ -68,6 +68,8 @@ struct Parsed {
 Outcome<Parsed> parse(std::string_view text, std::string_view variable = {});
 
 Outcome<Signature> check(const Tree& tree, const Expression::Declared& declared);
+/// Of a part of it.
+Outcome<Signature> check(const Tree& tree, const Node& node, const Expression::Declared& declared);
 
 /// The numbers and the axis of a tree that passed its check; the dimension is left to the check.
 Value numbers(const Node& node, const Expression::Known& known);

@@ -242,6 +242,28 @@ TEST_SUITE("shared values") {
         "[values]\nm = \"HEA 160\"\n[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = "
         "\"=2*values.m\"\n");
     CHECK_MESSAGE(contains(word.messages(), "'values.m' is no literal to calculate with"), word.messages());
+    const Solved unit(
+        "[values]\nP = \"5,5 KW\"\n[shaft]\ncalculator = \"shaft.torsion\"\nT = \"=values.P/(120 rpm)\"\n"
+        "tau_adm = \"30 MPa\"\n");
+    CHECK_MESSAGE(contains(unit.messages(), "to calculate with: unknown unit 'KW'"), unit.messages());
+    CHECK_MESSAGE(contains(unit.messages(), "did you mean 'kW'?"), unit.messages());
+  }
+
+  TEST_CASE("revolutions are meant by a field that takes 120 1/min, and by no expression") {
+    const std::string belt =
+        "[belt]\ncalculator = \"belt.course\"\npulleys = [{ x = \"0 mm\", y = \"0 mm\", d = \"160 mm\" }, "
+        "{ x = \"600 mm\", y = \"0 mm\", d = \"250 mm\" }]\n";
+    const std::string shaft = "[shaft]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\n";
+    const Solved taken("[values]\nn = \"120 1/min\"\n" + belt + "n_1 = \"=values.n\"\n");
+    CHECK_MESSAGE(!has_errors(taken.issues), taken.messages());
+    for (const char* n : {"\"120 1/min\"", "{ from = \"100 min^-1\", to = \"120 min^-1\", count = 2 }"}) {
+      const Solved used("[values]\nn = " + std::string(n) + "\n" + shaft + "T = \"=5.5 kW/values.n\"\n");
+      CHECK_MESSAGE(contains(used.messages(), "is a speed in revolutions to some and a frequency to others"),
+                    used.messages());
+      CHECK(contains(used.messages(), "write rpm"));
+    }
+    const Solved right("[values]\nn = \"120 rpm\"\n" + shaft + "T = \"=5.5 kW/values.n\"\n");
+    CHECK_MESSAGE(!has_errors(right.issues), right.messages());
   }
 
   TEST_CASE("a value may be an expression, a list or another value") {

@@ -105,6 +105,18 @@ TEST_SUITE("toml") {
     }
   }
 
+  TEST_CASE("what the parser takes for granted is told where a text does not keep to it") {
+    CHECK(issues_of("[a]\n[.roject]\n") ==
+          "a.toml:2:2: error: not valid TOML: expected bare key starting character or string delimiter, saw '.'\n"
+          "2 | [.roject]\n  |  ^\n");
+    CHECK(issues_of("a = [1, }\n").starts_with("a.toml:1:9: error: not valid TOML: "));
+    CHECK(issues_of("a = 1979-05-27TV7:30\n").starts_with("a.toml:1:16: error: not valid TOML: "));
+    for (const char* wrong : {"[\n", "[[\r\n", "[[", "[", "[ {a}]\n", "[ [a]]\n", "[[[a]]]\n", "[ # b\n", "[a.=]\n",
+                              "a = [\n}]\n", "a = { b = [ } }\n", "a = [[1], # }\n }", "a = 1979-05-2x\n",
+                              "a = 1979-05-27 0", "a = 07:3x:01\n", "a = 07:30:01.x\n", "a = 1979-05-27T07:30:01+x\n"})
+      CHECK_MESSAGE(issues_of(wrong).find("error: not valid TOML: ") != std::string::npos, wrong);
+  }
+
   TEST_CASE("a key that stands twice is refused") {
     CHECK(issues_of("d = 1\nd = 2\n").starts_with("a.toml:2:5: error: not valid TOML: cannot redefine existing"));
   }

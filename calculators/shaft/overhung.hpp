@@ -8,6 +8,7 @@
 
 #include "calculators/shaft/parts/modes.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/form.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 
@@ -114,6 +115,10 @@ tau_adm = "30 MPa"
       Mode<Input>{"torsion", "torsion alone", [](const Input& in) { return where(is_set(in.tau_adm)); }}.judged_by(
           "u_tau"),
       fatigue_of_shaft<Input>()});
+
+  static constexpr std::array forms{Form{"F, a, T, K_A, sigma_adm, tau_adm"},
+                                    Form{"F, a, T, K_A, d, sigma_adm, tau_adm"}, Form{"F, a, T, K_A, sigma_adm"},
+                                    Form{"F, a, T, K_A, d, sigma_adm"}};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -128,6 +128,7 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   bool infinite = false;          // input: a plain number that may be typed as inf
   bool where_set = false;         // check or limit: exists only where the calculator gives it a value
   bool is_criterion = false;      // limit: outside its bounds the part fails
+  bool is_sizeless = false;       // limit: no size that is searched for changes it
   const char* searched_in = "";   // input: where missing, the smallest value of this stock that passes every check
   bool sought_unasked = false;    // input: searched for where it is missing, too, not only where it is "?"
   bool larger_is_better = false;  // input: "?" is the largest value that passes
@@ -180,6 +181,12 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   [[nodiscard]] constexpr Field criterion() const {
     Field f = *this;
     f.is_criterion = true;
+    return f;
+  }
+  /// A limit that no size changes which is searched for, of the loads alone: where it is not kept, none keeps it.
+  [[nodiscard]] constexpr Field sizeless() const {
+    Field f = *this;
+    f.is_sizeless = true;
     return f;
   }
   /// A plain number whose infinity means something: the ratio of a stress cycle that ends in zero.

@@ -55,6 +55,7 @@ struct FieldInfo {
   bool infinite = false;
   bool where_set = false;
   bool is_criterion = false;
+  bool is_sizeless = false;
   const char* searched_in = "";
   bool sought_unasked = false;
   bool larger_is_better = false;

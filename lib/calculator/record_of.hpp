@@ -65,6 +65,7 @@ constexpr FieldInfo info_of(const Field<Owner, Quantity, Member>& f) {
   info.infinite = f.infinite;
   info.where_set = f.where_set;
   info.is_criterion = f.is_criterion;
+  info.is_sizeless = f.is_sizeless;
   info.searched_in = f.searched_in;
   info.sought_unasked = f.sought_unasked;
   info.larger_is_better = f.larger_is_better;

@@ -1,13 +1,11 @@
 #include "lib/project/parts.hpp"
 
 #include "lib/project/accept.hpp"
-#include "lib/quantity/number.hpp"
+#include "lib/project/read/errors.hpp"
 #include "lib/table/tables.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 namespace loadpath::project {
 
@@ -17,25 +15,15 @@ using toml::Tree;
 
 constexpr std::array reserved{"project", "values", "tables", "expect"};
 constexpr std::array keys_of_heading{"title", "number", "revision", "author", "checker",
-                                     "date",  "note",   "tables",   "sweep"};
+                                     "date",  "note",   "paper",    "tables", "sweep"};
+constexpr std::array papers{"A4", "letter"};
 const std::vector<std::string> step_keys{"calculator", "template", "title", "note", "display", "accept"};
-
-void add(std::vector<Issue>& issues, const Place& place, const std::string& key, Message message, Message hint = {}) {
-  issues.push_back({place, key, std::move(message), std::move(hint), Severity::error});
-}
-
-/// The text of an entry, or an issue and an empty text.
-std::string text_of(const Tree::Entry& entry, const std::string& key, std::vector<Issue>& issues) {
-  if (entry.value.type == Tree::Type::text) return entry.value.text;
-  add(issues, entry.value.place, key, say("'{1}' takes a text, not {2}", key, toml::word_for(entry.value.type)));
-  return {};
-}
 
 const CatalogueEntry* entry_of_step(const Tree::Entry& entry, Catalogue catalogue, std::vector<Issue>& issues) {
   const auto* id = entry.value.find("calculator");
   if (id == nullptr) {
-    add(issues, entry.place, entry.key, say("the step '{1}' has no calculator", entry.key),
-        say("write calculator = \"shaft.torsion\"; `loadpath list` shows all"));
+    add_error(issues, entry.place, entry.key, say("the step '{1}' has no calculator", entry.key),
+              say("write calculator = \"shaft.torsion\"; `loadpath list` shows all"));
     return nullptr;
   }
   const std::string text = text_of(*id, entry.key + ".calculator", issues);
@@ -43,8 +31,8 @@ const CatalogueEntry* entry_of_step(const Tree::Entry& entry, Catalogue catalogu
   if (found == nullptr && !text.empty()) {
     std::vector<std::string> ids;
     for (const CatalogueEntry& known : catalogue) ids.emplace_back(known.calculator->id);
-    add(issues, id->value.place, entry.key + ".calculator", say("there is no calculator '{1}'", text),
-        did_you_mean(text, ids, say("`loadpath list` shows all")));
+    add_error(issues, id->value.place, entry.key + ".calculator", say("there is no calculator '{1}'", text),
+              did_you_mean(text, ids, say("`loadpath list` shows all")));
   }
   return found;
 }
@@ -55,7 +43,7 @@ bool read_template(const Tree& table, StepInput& input, std::vector<Issue>& issu
   if (named == nullptr) return true;
   const std::string key = input.name + ".template";
   if (input.calculator->templates.empty()) {
-    add(issues, named->place, key, say("'{1}' has no templates", input.calculator->id));
+    add_error(issues, named->place, key, say("'{1}' has no templates", input.calculator->id));
     return false;
   }
   const std::size_t before = issues.size();
@@ -64,8 +52,8 @@ bool read_template(const Tree& table, StepInput& input, std::vector<Issue>& issu
   if (input.from != nullptr || issues.size() != before) return input.from != nullptr;
   std::vector<std::string> ids;
   for (const Template* t : input.calculator->templates) ids.emplace_back(t->id);
-  add(issues, place_in(named->value.place, id, 0, id.size()), key, say("there is no template '{1}'", id),
-      did_you_mean(id, ids, there_is(ids)));
+  add_error(issues, place_in(named->value.place, id, 0, id.size()), key, say("there is no template '{1}'", id),
+            did_you_mean(id, ids, there_is(ids)));
   return false;
 }
 
@@ -78,19 +66,19 @@ void read_rows_in_turn(const Tree::Entry& row, StepInput& input, std::vector<Iss
     const auto found = item.type == Tree::Type::text ? input.tables->find_row(row.key, item.text)
                                                      : Outcome<table::Entry>(Fault{0, 1, say("a row is a text"), {}});
     if (!found)
-      return add(issues, place_in(item.place, item.text, found.fault().at, found.fault().length), key,
-                 found.fault().message, found.fault().hint);
+      return add_error(issues, place_in(item.place, item.text, found.fault().at, found.fault().length), key,
+                       found.fault().message, found.fault().hint);
     varied.words.push_back(item.text);
   }
   if (const auto* each = row.value.find("each")) {
     for (const table::Entry& found : input.tables->ordered_rows(row.key, each->value.text))
       varied.words.push_back(found.row->name);
     if (varied.words.empty())
-      return add(issues, each->value.place, key,
-                 say("there is no table or kind of {1} '{2}'", row.key, each->value.text),
-                 did_you_mean(each->value.text, input.tables->names_of(row.key)));
+      return add_error(issues, each->value.place, key,
+                       say("there is no table or kind of {1} '{2}'", row.key, each->value.text),
+                       did_you_mean(each->value.text, input.tables->names_of(row.key)));
   }
-  if (varied.words.empty()) return add(issues, row.value.place, key, say("a list of rows has one at least"));
+  if (varied.words.empty()) return add_error(issues, row.value.place, key, say("a list of rows has one at least"));
   input.reading.varied.push_back(std::move(varied));
 }
 
@@ -101,8 +89,8 @@ void fill_stocks(StepInput& input, std::vector<Issue>& issues) {
     const std::string key = input.name + "." + varied.path;
     const auto series = input.tables->find_series(varied.stock);
     if (!series) {
-      add(issues, varied.place, key, say("there is no stock '{1}'", varied.stock),
-          did_you_mean(varied.stock, input.tables->series_names()));
+      add_error(issues, varied.place, key, say("there is no stock '{1}'", varied.stock),
+                did_you_mean(varied.stock, input.tables->series_names()));
       continue;
     }
     std::vector<double> sizes = table::members_in_si(**series);
@@ -110,7 +98,7 @@ void fill_stocks(StepInput& input, std::vector<Issue>& issues) {
       return !(varied.from <= si && si <= varied.to) || !varied.leaf.field->bounds.holds(si);
     });
     if (sizes.empty()) {
-      add(issues, varied.place, key, say("the stock '{1}' has no size between these ends", varied.stock));
+      add_error(issues, varied.place, key, say("the stock '{1}' has no size between these ends", varied.stock));
       continue;
     }
     varied.leaf.set(sizes.front());
@@ -126,7 +114,7 @@ void read_row(const Tree::Entry& row, StepInput& input, std::vector<Issue>& issu
   const auto* stock = row.value.find("stock");
   for (const Tree::Entry& other : row.value.entries) {
     if (stock != nullptr && other.key != "stock")
-      add(issues, other.place, key, say("'{1}' is no field here", other.key), say("give the stock alone"));
+      add_error(issues, other.place, key, say("'{1}' is no field here", other.key), say("give the stock alone"));
   }
   const Tree::Entry& named = stock == nullptr ? row : *stock;
   const std::string text = text_of(named, key, issues);
@@ -138,8 +126,9 @@ void read_row(const Tree::Entry& row, StepInput& input, std::vector<Issue>& issu
     ++start.column;
     const auto source = lone_reference(named.value);
     if (!source)
-      return add(issues, place_in(start, text, 0, text.size() - 1), key, say("'{1}' takes the name of a row", row.key),
-                 say("refer to one that another step has: {1} = \"=step.{1}\"", row.key));
+      return add_error(issues, place_in(start, text, 0, text.size() - 1), key,
+                       say("'{1}' takes the name of a row", row.key),
+                       say("refer to one that another step has: {1} = \"=step.{1}\"", row.key));
     input.reading.taken.push_back({row.key, nullptr, *source, start});
   } else {
     input.rows[row.key].text = text;
@@ -153,8 +142,8 @@ void read_rows(const Tree& table, StepInput& input, std::vector<Issue>& issues) 
   }
   const auto* material = table.find("material");
   if (material == nullptr || input.rows.count("material") != 0) return;
-  add(issues, material->place, input.name + ".material",
-      say("'{1}' takes nothing from a material", input.calculator->id));
+  add_error(issues, material->place, input.name + ".material",
+            say("'{1}' takes nothing from a material", input.calculator->id));
 }
 
 /// The keys of a step that are no fields of its calculator.
@@ -171,14 +160,14 @@ void read_display(const Tree& table, StepInput& input, std::vector<Issue>& issue
   const auto* display = table.find("display");
   if (display == nullptr) return;
   if (display->value.type != Tree::Type::table) {
-    return add(issues, display->value.place, input.name + ".display",
-               say("'{1}' is a table of units, not {2}", "display", toml::word_for(display->value.type)),
-               say("name the results: display = { d = \"in\" }"));
+    return add_error(issues, display->value.place, input.name + ".display",
+                     say("'{1}' is a table of units, not {2}", "display", toml::word_for(display->value.type)),
+                     say("name the results: display = { d = \"in\" }"));
   }
   if (input.calculator->result == nullptr) {
-    return add(issues, display->place, input.name + ".display",
-               say("'{1}' shows its results in readable units of its own", input.calculator->id),
-               say("leave out 'display'; the JSON output is in SI units"));
+    return add_error(issues, display->place, input.name + ".display",
+                     say("'{1}' shows its results in readable units of its own", input.calculator->id),
+                     say("leave out 'display'; the JSON output is in SI units"));
   }
   for (const Tree::Entry& entry : display->value.entries) {
     const std::string key = input.name + ".display." + entry.key;
@@ -190,17 +179,17 @@ void read_display(const Tree& table, StepInput& input, std::vector<Issue>& issue
     if (field == nullptr || field->type != FieldInfo::Type::quantity) {
       std::vector<std::string> results;
       for (const FieldInfo& f : fields) results.emplace_back(f.key);
-      add(issues, entry.place, key, say("'{1}' has no result '{2}'", input.name, entry.key),
-          did_you_mean(entry.key, results, there_is(results)));
+      add_error(issues, entry.place, key, say("'{1}' has no result '{2}'", input.name, entry.key),
+                did_you_mean(entry.key, results, there_is(results)));
       continue;
     }
     const auto parsed = parse_unit(unit);
     if (!parsed) {
-      add(issues, place_in(entry.value.place, unit, parsed.fault().at, parsed.fault().length), key,
-          parsed.fault().message, parsed.fault().hint);
+      add_error(issues, place_in(entry.value.place, unit, parsed.fault().at, parsed.fault().length), key,
+                parsed.fault().message, parsed.fault().hint);
     } else if (parsed->dimension != field->dimension) {
-      add(issues, entry.value.place, key,
-          say("'{1}' is shown in a unit like {2}, not in {3}", entry.key, field->unit, unit));
+      add_error(issues, entry.value.place, key,
+                say("'{1}' is shown in a unit like {2}, not in {3}", entry.key, field->unit, unit));
     } else {
       input.display[entry.key] = unit;
     }
@@ -209,128 +198,28 @@ void read_display(const Tree& table, StepInput& input, std::vector<Issue>& issue
 
 bool name_is_free(const Tree::Entry& entry, std::vector<Issue>& issues) {
   if (!is_name(entry.key)) {
-    add(issues, entry.place, entry.key, say("'{1}' is no name for a step", entry.key),
-        say("a name has Latin letters, digits and '_', and does not start with a digit"));
+    add_error(issues, entry.place, entry.key, say("'{1}' is no name for a step", entry.key),
+              say("a name has Latin letters, digits and '_', and does not start with a digit"));
   } else if (is_reserved(entry.key)) {
-    add(issues, entry.place, entry.key, say("'{1}' is a word of the program and cannot name a step", entry.key),
-        say("call it '{1}_1' or by its part of the machine", entry.key));
+    add_error(issues, entry.place, entry.key, say("'{1}' is a word of the program and cannot name a step", entry.key),
+              say("call it '{1}_1' or by its part of the machine", entry.key));
   } else if (entry.value.type != Tree::Type::table) {
-    add(issues, entry.place, entry.key, say("'{1}' stands outside of a step", entry.key),
-        say("a project file consists of tables: [crankshaft]"));
+    add_error(issues, entry.place, entry.key, say("'{1}' stands outside of a step", entry.key),
+              say("a project file consists of tables: [crankshaft]"));
   } else {
     return true;
   }
   return false;
 }
 
-/// within = "0.5 %", a part of the value, or a quantity like it: "0.1 mm", of a plain number with a sign, "±0.01".
-void read_within(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
-  const Message remedy = e.unit.empty() || e.unit == "-"
-                             ? say("write a part of the value, \"0.5 %\", or a difference from it, \"±0.01\"")
-                             : say("write a part of the value, \"0.5 %\", or a quantity like it, \"0.1 {1}\"", e.unit);
-  if (tree.type != Tree::Type::text) {
-    return add(issues, tree.place, "expect.within", say("within is a text with a unit"), remedy);
+void read_paper(const Tree::Entry& entry, const std::string& text, Project& project, std::vector<Issue>& issues) {
+  if (std::find(papers.begin(), papers.end(), text) != papers.end()) {
+    project.paper = text;
+  } else if (!text.empty()) {
+    const std::vector<std::string> names(papers.begin(), papers.end());
+    add_error(issues, entry.value.place, "project.paper", say("there is no paper '{1}'", text),
+              did_you_mean(text, names, there_is(names)));
   }
-  constexpr std::string_view sign = "±";
-  const bool is_difference = tree.text.starts_with(sign);
-  const std::size_t start = is_difference ? sign.size() : 0;
-  auto literal = parse_literal(std::string_view(tree.text).substr(start));
-  if (literal && literal->dimension == Dimension::of(0, 0, 0, 1))  // 0.1 K, never a point on the scale
-    literal = parse_literal(tree.text, Expected{literal->dimension, Kind::difference, "K"});
-  if (!literal) {
-    const Fault& fault = literal.fault();
-    return add(issues, place_in(tree.place, tree.text, start + fault.at, fault.length), "expect.within", fault.message,
-               fault.hint.empty() ? remedy : fault.hint);
-  }
-  const Place place = place_in(tree.place, tree.text, 0, tree.text.size());
-  if (!(literal->si > 0.0)) return add(issues, place, "expect.within", say("within must be > 0"), remedy);
-  if (tree.text.find('%') != std::string::npos) {
-    if (literal->si >= 1.0) return add(issues, place, "expect.within", say("within must be < 100 %"), remedy);
-    e.within = literal->si;
-  } else if (literal->dimension.is_number() && !is_difference) {
-    add(issues, place, "expect.within", say("'{1}' may be a part of the value or a difference from it", tree.text),
-        remedy);
-  } else if (literal->dimension == e.is.dimension) {
-    e.within_si = literal->si;
-  } else if (!e.unit.empty()) {  // else `is` has been told already
-    add(issues, place, "expect.within",
-        say("'{1}' ({2}) is no tolerance of '{3}' ({4})", tree.text, name_of(literal->dimension), e.is_text,
-            name_of(e.is.dimension)),
-        remedy);
-  }
-}
-
-/// digits = 3, or within = "0.5 %" or "0.1 mm"; neither of an infinite value.
-void read_tolerance(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
-  if (const auto* digits = tree.find("digits")) {
-    const double n = digits->value.number;
-    if (digits->value.type != Tree::Type::number || n < 1 || n > 15 || n != std::floor(n)) {
-      add(issues, digits->value.place, "expect.digits", say("digits is a whole number from 1 to 15"));
-    } else {
-      e.digits = static_cast<int>(n);
-    }
-  }
-  if (const auto* within = tree.find("within")) read_within(within->value, e, issues);
-  const bool has_digits = tree.find("digits") != nullptr, has_within = tree.find("within") != nullptr;
-  if (std::isinf(e.is.si)) {
-    if (has_digits || has_within) add(issues, tree.place, "expect", say("an infinite value has no tolerance"));
-  } else if (has_digits == has_within) {
-    add(issues, tree.place, "expect", say("an expectation has either digits or within"));
-  }
-}
-
-/// What is expected: a quantity, or "inf" of a plain number.
-void read_expected(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
-  if (e.is_text == "inf" || e.is_text == "-inf") {
-    e.number = e.is.si = (e.is_text[0] == '-' ? -1.0 : 1.0) * std::numeric_limits<double>::infinity();
-    e.unit = "-";
-    return;
-  }
-  const auto is = parse_literal(e.is_text);
-  if (!is) {
-    add(issues, place_in(tree.place, e.is_text, is.fault().at, is.fault().length), "expect.is", is.fault().message,
-        is.fault().hint);
-    return;
-  }
-  e.is = *is;
-  const auto number = read_number(e.is_text, 0);
-  e.number = number->value;
-  e.unit = e.is_text.substr(std::min(e.is_text.find_first_not_of(' ', number->end), e.is_text.size()));
-  if (e.unit.empty()) e.unit = "-";
-}
-
-std::optional<Expectation> read_expectation(const Tree& tree, std::vector<Issue>& issues) {
-  const std::size_t before = issues.size();
-  Expectation e;
-  for (const Tree::Entry& entry : tree.entries) {
-    static const std::vector<std::string> keys{"value", "is", "digits", "within", "source", "note"};
-    if (std::find(keys.begin(), keys.end(), entry.key) == keys.end()) {
-      add(issues, entry.place, "expect", say("'{1}' is no field here", entry.key), did_you_mean(entry.key, keys));
-    }
-  }
-  for (const auto& [key, target] :
-       {std::pair{"value", &e.text}, {"is", &e.is_text}, {"source", &e.source}, {"note", &e.note}}) {
-    if (const auto* entry = tree.find(key)) *target = text_of(*entry, std::string("expect.") + key, issues);
-  }
-  if (e.text.empty() || e.is_text.empty() || e.source.empty()) {
-    add(issues, tree.place, "expect", say("an expectation needs value, is and source"));
-    return std::nullopt;
-  }
-  e.place = tree.find("value")->value.place;
-  if (e.text.starts_with('=')) {
-    e.text.erase(0, 1);
-    ++e.place.column;
-  }
-  auto parsed = Expression::parse(e.text);
-  if (!parsed) {
-    add(issues, place_in(e.place, e.text, parsed.fault().at, parsed.fault().length), "expect.value",
-        parsed.fault().message, parsed.fault().hint);
-  } else {
-    e.value = std::move(*parsed);
-  }
-  read_expected(tree.find("is")->value, e, issues);
-  read_tolerance(tree, e, issues);
-  return issues.size() == before ? std::optional(std::move(e)) : std::nullopt;
 }
 
 }  // namespace
@@ -343,13 +232,13 @@ bool is_reserved(std::string_view name) { return std::find(reserved.begin(), res
 
 void read_heading(const Tree::Entry& entry, Project& project, std::vector<Issue>& issues) {
   if (entry.value.type != Tree::Type::table) {
-    return add(issues, entry.place, "project",
-               say("'{1}' is a table of fields, not {2}", "project", toml::word_for(entry.value.type)));
+    return add_error(issues, entry.place, "project",
+                     say("'{1}' is a table of fields, not {2}", "project", toml::word_for(entry.value.type)));
   }
   for (const Tree::Entry& e : entry.value.entries) {
     if (std::find(keys_of_heading.begin(), keys_of_heading.end(), e.key) == keys_of_heading.end()) {
-      add(issues, e.place, "project." + e.key, say("'{1}' is no field here", e.key),
-          did_you_mean(e.key, heading_keys()));
+      add_error(issues, e.place, "project." + e.key, say("'{1}' is no field here", e.key),
+                did_you_mean(e.key, heading_keys()));
       continue;
     }
     if (e.key == "tables") continue;  // read before the steps
@@ -360,15 +249,10 @@ void read_heading(const Tree::Entry& entry, Project& project, std::vector<Issue>
     const std::string text = text_of(e, "project." + e.key, issues);
     if (e.key == "title")
       project.title = text;
+    else if (e.key == "paper")
+      read_paper(e, text, project, issues);
     else
       project.meta.emplace_back(e.key, text);
-  }
-}
-
-void read_expectations(const Tree& tree, Project& project, std::vector<Issue>& issues) {
-  if (tree.type != Tree::Type::array) return add(issues, tree.place, "expect", say("write expectations as [[expect]]"));
-  for (const Tree& item : tree.items) {
-    if (auto expectation = read_expectation(item, issues)) project.expectations.push_back(std::move(*expectation));
   }
 }
 

@@ -1,4 +1,4 @@
-// The parts of a project file: its heading, its steps, what it expects.
+// The parts of a project file: its heading and its steps.
 #pragma once
 
 #include "lib/project/project.hpp"
@@ -11,7 +11,6 @@
 namespace loadpath::project {
 
 void read_heading(const toml::Tree::Entry& entry, Project& project, std::vector<Issue>& issues);
-void read_expectations(const toml::Tree& tree, Project& project, std::vector<Issue>& issues);
 /// The step of a table, not yet prepared; nothing where name or calculator are wrong.
 std::unique_ptr<Step> read_step(const toml::Tree::Entry& entry, const Project& project, Catalogue catalogue,
                                 std::vector<Issue>& issues);

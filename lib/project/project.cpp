@@ -280,7 +280,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
     if (entry.key == "project") {
       read_heading(entry, project, issues);
     } else if (entry.key == "expect") {
-      read_expectations(entry.value, project, issues);
+      read_expectations(entry.value, project.expectations, issues);
     } else {
       add_step(written_out(entry), project, catalogue, issues);
     }

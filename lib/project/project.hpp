@@ -2,9 +2,9 @@
 #pragma once
 
 #include "lib/project/own_tables.hpp"
+#include "lib/project/read/expectations.hpp"
 #include "lib/project/read/shared.hpp"
 #include "lib/project/read/sweep_settings.hpp"
-#include "lib/quantity/literal.hpp"
 
 #include <map>
 #include <memory>
@@ -14,26 +14,11 @@
 
 namespace loadpath::project {
 
-/// A reference value of an [[expect]] entry, for `verify`.
-struct Expectation {
-  std::string text;  // "crankshaft.d_min", as written
-  Expression value;
-  Literal is;
-  std::string is_text;              // as written
-  double number = 0.0;              // of `is` in its own unit: what its digits count
-  std::string unit;                 // of `is`; "-" for a number
-  std::optional<int> digits;        // half a unit of this significant digit
-  std::optional<double> within;     // relative
-  std::optional<double> within_si;  // absolute
-  std::string source;
-  std::string note;  // "printed 15 N*m: erratum 0.4"
-  Place place;
-};
-
 struct Project {
   std::string file;
   std::string title;
   std::vector<std::pair<std::string, std::string>> meta;  // number, revision, author, checker, date, note: as typed
+  std::string paper = "A4";                               // that reports are printed on; or "letter"
   Values values;
   std::vector<std::unique_ptr<Step>> steps;     // in the order of the file
   std::vector<std::size_t> order;               // of evaluation

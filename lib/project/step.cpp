@@ -158,6 +158,16 @@ FieldFault lost_angle(const Operand& operand, const Dimension& given) {
           hint};
 }
 
+/// The dimension of a moment is that of an energy: who forgets the radians is off by 2 pi.
+FieldFault energy_of_cycle(const Operand& operand, const Declared& declared) {
+  if (operand.leaf.field->kind != Kind::moment) return {};
+  const std::string work = operand.expression.work_of_cycle(declared);
+  if (work.empty()) return {};
+  return {operand.path,
+          say("'{1}' is a moment, and '{2}' is a power over a frequency: the energy of one cycle", operand.path, work),
+          say("divide by a speed in rpm or rad/s, or by the frequency times 2*pi rad")};
+}
+
 /// The axis of one operand after its dimension has been compared with that of its field.
 const Axis* check_operand(const Operand& operand, const std::string& step, const Declared& declared,
                           std::vector<Issue>& issues) {
@@ -180,7 +190,8 @@ const Axis* check_operand(const Operand& operand, const std::string& step, const
                       Severity::error});
     return nullptr;
   }
-  for (const FieldFault& fault : {lost_sign(operand, declared), lost_angle(operand, signature->dimension)}) {
+  for (const FieldFault& fault :
+       {lost_sign(operand, declared), lost_angle(operand, signature->dimension), energy_of_cycle(operand, declared)}) {
     if (fault.message.empty()) continue;
     issues.push_back({place_in(operand.place, operand.text, 0, operand.text.size()), key, fault.message, fault.hint,
                       Severity::error});

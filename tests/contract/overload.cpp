@@ -131,7 +131,7 @@ bool can_be_held(const project::Step& step) {
 
 }  // namespace
 
-TEST_SUITE("contract") {
+TEST_SUITE("contract: overload") {
   TEST_CASE("a calculator of what no load breaks stands in a list with the reason") {
     for (const Calculator* c : calculators()) {
       INFO(std::string(c->id));

@@ -189,8 +189,9 @@ theta_adm = "0.004 rad/m"
       Field{&Result::u_tau, "u_tau", ratio, "strength: largest shear stress over the allowable one"}.check(),
       Field{&Result::u_theta, "u_theta", ratio, "stiffness: largest twist per length over the allowable one"}.check(
           "theta_adm"),
-      Field{&Result::F_bend, "F_bend", N, "bending: transverse force, which torsion alone does not cover"}.limit(
-          0, 1e-3, "F"),
+      Field{&Result::F_bend, "F_bend", N, "bending: transverse force, which torsion alone does not cover"}
+          .limit(0, 1e-3, "F")
+          .sizeless(),
       Group{&Result::cycle, "cycle", "largest stress of the shaft, for fatigue.cycle: cycle"}.handed_over(),
       ListField{&Result::segments, "segments", "stretches of constant moment and diameter, left to right"},
       ListField{&Result::sections, "sections", "sections between the stretches"}};

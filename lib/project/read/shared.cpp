@@ -33,6 +33,29 @@ std::optional<Value> literal_of(const Tree& tree) {
   return Value{{literal->dimension, nullptr}, {literal->si}};
 }
 
+/// What is wrong with a text that begins as a quantity does: "5,5 KW"; nothing of a word.
+std::optional<Fault> fault_of(const Tree& tree) {
+  const std::size_t begin = tree.type == Tree::Type::text ? tree.text.find_first_not_of(" +-") : std::string::npos;
+  if (begin == std::string::npos || tree.text[begin] < '0' || tree.text[begin] > '9') return std::nullopt;
+  const auto literal = parse_literal(tree.text);
+  return literal ? std::nullopt : std::optional<Fault>{literal.fault()};
+}
+
+/// A speed whose unit a field would know to be of revolutions, and an expression does not.
+std::optional<std::string> open_count(const Tree& tree) {
+  if (tree.type == Tree::Type::text) {
+    const auto literal = parse_literal(tree.text);
+    return literal && counts_anything(literal->dimension, tree.text) ? std::optional(tree.text) : std::nullopt;
+  }
+  for (const Tree& item : tree.items) {
+    if (auto text = open_count(item)) return text;
+  }
+  for (const Tree::Entry& entry : tree.entries) {
+    if (auto text = open_count(entry.value)) return text;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool is_shared(const Tree::Entry& entry) { return entry.key == "values" && entry.value.find("calculator") == nullptr; }
@@ -130,7 +153,13 @@ Outcome<Signature> Values::signature(const std::string& name) {
   if (found == all_.end()) return Fault{0, name.size(), say("there is no value '{1}'", name), nearest_to(name)};
   found->second.is_used = true;
   if (!found->second.is_literal) read_several(name, found->second);
+  if (const auto text = found->second.is_literal ? open_count(found->second.tree) : std::nullopt)
+    return Fault{0, name.size(), say("'{1}' is a speed in revolutions to some and a frequency to others", *text),
+                 say("write rpm for a speed of rotation")};
   if (found->second.is_literal) return found->second.literal.signature;
+  if (const auto fault = fault_of(found->second.tree))
+    return Fault{0, name.size(), say("'values.{1}' is no literal to calculate with: {2}", name, fault->message.text()),
+                 fault->hint};
   return Fault{0, name.size(), say("'values.{1}' is no literal to calculate with", name),
                say("it can stand alone: \"=values.{1}\"", name)};
 }

@@ -172,20 +172,14 @@ account::Verdict Run::check_verdict(const Column& column) const {
 
 account::Verdict Run::limit_verdict(const Column& column) const {
   const Range& bounds = column.field->bounds;
-  const auto distance = [&](double x) {  // beyond the nearer bound; what cannot be negative is never near zero
-    if (std::isnan(x)) return static_cast<double>(INFINITY);
-    const bool from_zero = bounds.low == 0.0 && x >= 0.0 && !std::isinf(bounds.high);
-    return std::max(from_zero ? -INFINITY : bounds.low - x, x - bounds.high);
-  };
-  const auto worst = std::max_element(column.si.begin(), column.si.end(),
-                                      [&](double a, double b) { return distance(a) < distance(b); });
+  const double worst = farthest_from(bounds, column.si);
   return {.step = step_.name(),
           .symbol = column.path,
           .meaning = say(column.field->doc),
-          .value = account::Quantity{*worst, column.field->unit, 4},
+          .value = account::Quantity{worst, column.field->unit, 4},
           .bound = bounds_of(*column.field),
-          .state = std::isnan(*worst) ? account::State::not_available
-                                      : state_of_limit(bounds, column.field->is_criterion, *worst)};
+          .state = std::isnan(worst) ? account::State::not_available
+                                     : state_of_limit(bounds, column.field->is_criterion, worst)};
 }
 
 /// Where a limit is not kept, a check without a value is no gap in the input: the formula does not reach so far.

@@ -193,7 +193,10 @@ Outcome<Signature> CalculatorStep::signature(const std::string& path) const {
   if (found == nullptr || !found->is_number()) return unknown_path(path);
   const bool is_result = find_field_at(input().calculator->result->fields, path) != nullptr;
   if (!is_result && has_no_element(path)) return missing_element(path);
-  const bool varies = is_result || is_open(head(path));
+  // A size that is found and a value of a row are the same at all positions.
+  const auto is_it = [&](const auto& one) { return one.path == path; };
+  const bool is_found = std::any_of(searches_.begin(), searches_.end(), is_it) || names_row_for(path);
+  const bool varies = is_result || (is_open(head(path)) && !is_found);
   return Signature{found->dimension, varies ? axis_ : nullptr, found->is_load && !found->signed_load};
 }
 

@@ -17,8 +17,6 @@ const FieldInfo* field_of(const RecordType& result, std::string_view key) {
   return field == nullptr || dot == std::string_view::npos ? field : find_field(field->fields, key.substr(dot + 1));
 }
 
-bool acts(double si) { return !std::isnan(si) && si != 0.0; }
-
 void add_words(std::string_view words, std::string& to) {
   if (!words.empty() && to.find(words) == std::string::npos) to += (to.empty() ? "" : ", ") + std::string(words);
 }

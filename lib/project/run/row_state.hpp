@@ -4,6 +4,11 @@
 #include "lib/account/state.hpp"
 #include "lib/calculator/field.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
 namespace loadpath::project {
 
 /// Of a utilisation: a size that is just the least one passes, and what is just zero may have a sign.
@@ -22,6 +27,21 @@ constexpr account::State state_of_check(double utilisation) {
 constexpr account::State state_of_limit(const Range& bounds, bool is_criterion, double si) {
   if (bounds.holds(si)) return account::State::pass;
   return is_criterion ? account::State::fail : account::State::not_covered;
+}
+
+/// Whether a load is there and not zero.
+inline bool acts(double si) { return !std::isnan(si) && si != 0.0; }
+
+/// Of the values of a limit the one that is farthest beyond the nearer bound, or nearest to it; what cannot be negative
+/// is never near zero, and what is no number is beyond all.
+inline double farthest_from(const Range& bounds, std::span<const double> si) {
+  const auto distance = [&](double x) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (std::isnan(x)) return infinity;
+    const bool from_zero = bounds.low == 0.0 && x >= 0.0 && !std::isinf(bounds.high);
+    return std::max(from_zero ? -infinity : bounds.low - x, x - bounds.high);
+  };
+  return *std::max_element(si.begin(), si.end(), [&](double a, double b) { return distance(a) < distance(b); });
 }
 
 }  // namespace loadpath::project

@@ -53,7 +53,8 @@ std::optional<Demand> bound_of(const Placed& asked, const Names& results, std::v
   return std::nullopt;
 }
 
-/// What a design is held against. A verdict is a flag; its utilisation shows a search the way.
+/// What a design is held against. A verdict is a flag; its utilisation, before it, shows a search the way where there
+/// is one: a mechanism alone has none.
 std::vector<Demand> demands_of(const BestAsked& asked_for, std::vector<Issue>& issues) {
   const std::vector<Placed>& such_that = asked_for.such_that;
   std::vector<Demand> demands;
@@ -118,8 +119,12 @@ std::vector<sweep::Statistic> statistics_of(const BestAsked& asked, const std::v
 
 std::vector<sweep::Constraint> constraints_of(const BestAsked& asked, const std::vector<Demand>& demands) {
   std::vector<sweep::Constraint> all;
-  for (std::size_t i = 0; i < demands.size(); ++i)
-    all.push_back({i + 1, asked.quantile ? Kind::at_most_one : demands[i].kind});  // the share over what is allowed
+  for (std::size_t i = 0; i < demands.size(); ++i) {
+    const bool is_followed = i + 1 < demands.size() && demands[i + 1].kind == Kind::is_one;  // by its flag: see above
+    const bool is_shown = demands[i].kind == Kind::at_most_one && is_followed && demands[i].text == demands[i + 1].text;
+    all.push_back({i + 1, asked.quantile ? Kind::at_most_one : demands[i].kind,  // the share over what is allowed
+                   is_shown ? i + 1 : sweep::Constraint::itself});
+  }
   return all;
 }
 
@@ -136,6 +141,39 @@ bool can_read(const ReadAgain& read, const std::vector<Placed>& columns, std::ve
     units.push_back(column ? column->unit : std::string());
   }
   return !has_errors(issues);
+}
+
+/// Why a point is no machine, or which mode of failure it has no verdict for.
+Message lack_of(Variants& variants, const std::vector<double>& point) {
+  std::vector<double> found(variants.outputs());
+  std::vector<const double*> in(point.size());
+  std::vector<double*> out(found.size());
+  std::ranges::transform(point, in.begin(), [](const double& value) { return &value; });
+  std::ranges::transform(found, out.begin(), [](double& value) { return &value; });
+  variants.evaluate(in, out, 1);
+  if (!variants.refusals().empty()) {
+    const Issue& issue = variants.refusals().front().issue;
+    return say("no machine: {1}: {2}", issue.key, issue.message);
+  }
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const SweptResult& column = variants.columns()[k];
+    const bool is_mode = column.kind == SweptResult::Kind::state && !column.mode.empty();
+    if (is_mode && found[k] == static_cast<double>(account::State::not_available))
+      return say("{1}.{2} is not available", column.step, column.mode);
+  }
+  return {};
+}
+
+/// What searches make nothing of, and the reader wants to know.
+void find_lacks(Variants& variants, Best& best) {
+  for (const sweep::Neighbour& neighbour : best.optimum.neighbours) {
+    Message& lack = best.lacks.emplace_back();
+    const bool breaks = neighbour.broken < best.demands.size();
+    if (!breaks || std::isfinite(neighbour.outputs[neighbour.broken + 1])) continue;
+    std::vector<double> point = best.point;
+    for (std::size_t k = 0; k < best.chosen.size(); ++k) point[best.chosen[k]] = neighbour.point[k];
+    lack = lack_of(variants, point);
+  }
 }
 
 }  // namespace
@@ -180,6 +218,7 @@ std::optional<Best> find_best(const ReadAgain& read, const BestAsked& asked, std
   for (const std::size_t i : best.chosen) problem.variables.push_back(variable_of(best.inputs[i]));
   best.optimum = sweep::minimise(problem);
   for (std::size_t k = 0; k < best.chosen.size(); ++k) best.point[best.chosen[k]] = best.optimum.point[k];
+  find_lacks(variants, best);
   return best;
 }
 

@@ -33,7 +33,8 @@ struct Best {
   std::vector<double> point;        // of all inputs
   std::string unit;                 // of the objective
   std::vector<Demand> demands;
-  sweep::Optimum optimum;  // over the chosen ones; its outputs are the objective, then the demands
+  sweep::Optimum optimum;      // over the chosen ones; its outputs are the objective, then the demands
+  std::vector<Message> lacks;  // of each neighbour why it has no value for what it breaks; empty where it has one
 };
 
 /// Inputs with values, words and stocks are chosen from these, { min, max } from between; other uncertain inputs stay

@@ -2,17 +2,13 @@
 #pragma once
 
 #include "lib/project/project.hpp"
+#include "lib/project/sweep/points/loops.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace loadpath::project {
-
-/// How a point, a part or a mode of failure came out, as a number of a column: those of account::State, and
-constexpr double refused_state =
-    7.0;  // the point breaks a rule between inputs, or a value is none that its field takes
-constexpr double absent_state = -1.0;  // the mode does not concern the part
 
 struct SweptResult {
   enum class Kind {

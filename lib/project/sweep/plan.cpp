@@ -13,6 +13,21 @@ Issue refusal(const Place& place, const std::string& key, Message message, Messa
   return {place, key, std::move(message), std::move(hint), Severity::error};
 }
 
+std::vector<SweptInput>::const_iterator input_named(const std::vector<SweptInput>& inputs, const std::string& name) {
+  return std::find_if(inputs.begin(), inputs.end(), [&](const SweptInput& input) { return input.name == name; });
+}
+
+/// What is wrong with the name of a column beside those before it and the inputs.
+void check_name(const SweepPlan& plan, const SweptResult& column, const Place& place, std::vector<Issue>& issues) {
+  const auto same = [&](const SweptResult& other) { return other.name == column.name; };
+  if (std::any_of(plan.columns.begin(), plan.columns.end(), same))
+    issues.push_back(refusal(place, "project.sweep", say("there are two results '{1}'", column.name),
+                             say("name one of them: \"second = {1}\"", column.text)));
+  if (column.text != column.name && input_named(plan.inputs, column.name) != plan.inputs.end())
+    issues.push_back(refusal(place, "project.sweep", say("'{1}' is an input that the sweep goes through", column.name),
+                             say("give the result a name of its own: \"my_result = {1}\"", column.text)));
+}
+
 class Planning {
  public:
   Planning(const std::vector<SweptInput>& inputs, const SweepSettings& settings, std::vector<Issue>& issues)
@@ -39,8 +54,7 @@ class Planning {
 };
 
 std::optional<std::size_t> Planning::input_of(const Placed& name) {
-  const auto found =
-      std::find_if(inputs_.begin(), inputs_.end(), [&](const SweptInput& input) { return input.name == name.text; });
+  const auto found = input_named(inputs_, name.text);
   if (found != inputs_.end()) return static_cast<std::size_t>(found - inputs_.begin());
   std::vector<std::string> names;
   for (const SweptInput& input : inputs_) names.push_back(input.name);
@@ -145,6 +159,21 @@ sweep::Space Planning::space() {
 
 }  // namespace
 
+std::vector<std::size_t> SweepPlan::beside_inputs() const {
+  std::vector<std::size_t> beside;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    if (input_named(inputs, columns[k].name) == inputs.end()) beside.push_back(k);
+  }
+  return beside;
+}
+
+std::vector<std::size_t> SweepPlan::kept_results() const {
+  std::vector<std::size_t> kept = beside_inputs();
+  kept.push_back(columns.size());
+  kept.push_back(columns.size() + 1);
+  return kept;
+}
+
 std::vector<double> SweepPlan::at(std::uint64_t index) const {
   const std::vector<double> point = space.point(index);
   std::vector<double> values;
@@ -168,10 +197,7 @@ SweepPlan plan_sweep(Project& project, const SweepSettings& settings, std::vecto
       issues.push_back(refusal(result.place, "project.sweep", fault.message, fault.hint));
       continue;
     }
-    const auto same = [&](const SweptResult& other) { return other.name == column->name; };
-    if (std::any_of(plan.columns.begin(), plan.columns.end(), same))
-      issues.push_back(refusal(result.place, "project.sweep", say("there are two results '{1}'", column->name),
-                               say("name one of them: \"second = {1}\"", column->text)));
+    check_name(plan, *column, result.place, issues);
     plan.columns.push_back(std::move(*column));
   }
   Planning planning(plan.inputs, settings, issues);

@@ -16,6 +16,11 @@ struct SweepPlan {
   std::vector<SweptResult> columns;    // as they were asked for
   sweep::Space space;
 
+  /// What a table of points has beside the inputs, as numbers of the results: one that is an input stands there
+  /// already.
+  [[nodiscard]] std::vector<std::size_t> beside_inputs() const;
+  /// The same with how the whole came out behind them, which has two columns.
+  [[nodiscard]] std::vector<std::size_t> kept_results() const;
   /// The values of all inputs at a point.
   [[nodiscard]] std::vector<double> at(std::uint64_t index) const;
   /// A column for each input, for the points first ... first + n - 1.

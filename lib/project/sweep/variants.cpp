@@ -1,6 +1,8 @@
 #include "lib/project/sweep/variants.hpp"
 
 #include "lib/project/modes.hpp"
+#include "lib/project/sweep/points/alone.hpp"
+#include "lib/project/sweep/points/column_step.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,24 +46,60 @@ account::Modes modes_in(const Project& project, const SweptResult& column) {
   return project.strict ? account::strictly(std::move(modes)) : modes;
 }
 
+/// What is expected of the project is not held against its points.
+Project without_expectations(Project project) {
+  project.expectations.clear();
+  return project;
+}
+
 }  // namespace
 
 Variants::Variants(Project project, const std::vector<std::string>& results)
-    : project_(std::move(project)),
+    : project_(without_expectations(std::move(project))),
       axes_(swept_inputs(project_)),
       columns_(columns_of(project_, results)),
       wanted_(wanted_by(project_, columns_)) {}
 
 void Variants::evaluate(std::span<const double* const> in, std::span<double* const> out, std::size_t n) {
   refusals_.clear();
-  const bool by_columns = solve_columns(in, out, n);
-  for (std::size_t row = 0; row < n; ++row) {
-    if (!by_columns || points_.is_other[row] != 0) solve_alone(in, out, row);
+  if (way_ == Way::unknown) find_way(in, n);
+  for (std::size_t start = 0; start < n;) {
+    const std::size_t count = std::min(batch(), n - start);
+    solve_batch(in, out, start, count);
+    start += count;
   }
+}
+
+void Variants::solve_batch(std::span<const double* const> in, std::span<double* const> out, std::size_t start,
+                           std::size_t count) {
+  const bool one_alone = points_.axes_differ;
+  from_.assign(in.begin(), in.end());
+  to_.assign(out.begin(), out.end());
+  for (const double*& column : from_) column += start;
+  for (double*& column : to_) column += start;
+  if (way_ == Way::columns) solve_columns(from_, to_, count);
+  if (points_.axes_differ && !one_alone) {  // their series have other places, and are told one by one from now on
+    for (std::size_t row = 0; row < count; ++row) solve_batch(in, out, start + row, 1);
+    return;
+  }
+  for (std::size_t row = 0; row < count; ++row) {
+    if (way_ != Way::columns || points_.is_other[row] != 0) solve_alone(in, out, start + row);
+  }
+}
+
+/// Points that are solved together: with their series they stay in the cache.
+std::size_t Variants::batch() const {
+  constexpr std::size_t most_rows = 4096, most = 1024;
+  if (points_.axes_differ) return 1;
+  std::size_t positions = 1;
+  for (const auto& [path, signature] : points_.signatures)
+    positions = std::max(positions, positions_of(signature.axis));
+  return way_ == Way::columns && positions > 1 ? std::max<std::size_t>(1, most_rows / positions) : most;
 }
 
 void Variants::solve_alone(std::span<const double* const> in, std::span<double* const> out, std::size_t row) {
   const bool solved = solve_point(in, row);
+  ++alone_;
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     const SweptResult& column = columns_[k];
     const bool is_state = column.kind == SweptResult::Kind::state;
@@ -85,14 +123,6 @@ bool leaves_modes(const Project& project) {
   });
 }
 
-std::set<std::string> referred_to(const Project& project, const std::vector<SweptResult>& columns) {
-  std::set<std::string> paths(project.references.begin(), project.references.end());
-  for (const SweptResult& column : columns) {
-    for (const auto& reference : column.expression.references()) paths.insert(reference.path);
-  }
-  return paths;
-}
-
 }  // namespace
 
 /// The first of a few points that is a machine is solved; false where none is.
@@ -104,33 +134,48 @@ bool Variants::solve_first(std::span<const double* const> in, std::size_t n) {
   return solved;
 }
 
-/// Kernels of all steps, laid out at the first point that is solved; without one the next block is asked.
-void Variants::find_kernels(std::span<const double* const> in, std::size_t n) {
+/// Laid out at the first point that is solved; without one the next block is asked.
+void Variants::find_way(std::span<const double* const> in, std::size_t n) {
   const bool hangs_on_others = leaves_modes(project_);
   if (!hangs_on_others && !solve_first(in, n)) return;
-  way_ = Way::alone;
-  if (hangs_on_others) return;
-  const std::set<std::string> wanted = referred_to(project_, columns_);
+  way_ = !hangs_on_others && find_kernels() ? Way::columns : Way::alone;
+}
+
+/// Of all steps; false where one of them takes more of others than numbers, or columns would bring nothing.
+bool Variants::find_kernels() {
+  std::set<std::string> referred = wanted_.taken;
+  referred.insert(wanted_.compared.begin(), wanted_.compared.end());
+  for (const std::string& path : referred) {
+    const Value* const value = project_.value(path);
+    if (value == nullptr || value->si.empty()) {  // it may have one at another point
+      const auto signature = project_.signature(path);
+      if (signature && signature->axis != nullptr) return false;
+      if (signature) points_.signatures[path] = *signature;
+      continue;
+    }
+    points_.signatures[path] = value->signature;
+    if (!value->is_series()) points_.constants[path] = value->si[0];
+  }
+  bool brings = false;
   for (const std::size_t i : project_.order) {
-    auto* const step = dynamic_cast<CalculatorStep*>(project_.steps[i].get());
-    auto kernel = step == nullptr ? nullptr : ColumnStep::of(*step, wanted);
+    Step& step = *project_.steps[i];
+    auto* const calculator = dynamic_cast<CalculatorStep*>(&step);
+    std::unique_ptr<PointStep> kernel;
+    if (calculator != nullptr) kernel = ColumnStep::of(*calculator, referred, points_);
+    brings = brings || kernel != nullptr;
+    if (!kernel) kernel = AloneStep::of(step, wanted_, referred, points_);
     if (!kernel) {
       kernels_.clear();
-      return;
+      return false;
     }
     kernels_.push_back(std::move(kernel));
   }
-  for (const std::string& path : wanted) {
-    const Value* const value = project_.value(path);
-    if (value != nullptr && !value->si.empty()) points_.constants[path] = value->si[0];
-  }
-  way_ = Way::columns;
+  points_.speeds_matter = std::any_of(kernels_.begin(), kernels_.end(), [](const auto& k) { return k->reads_axes(); });
   modes_.resize(kernels_.size());
+  return brings;
 }
 
-bool Variants::solve_columns(std::span<const double* const> in, std::span<double* const> out, std::size_t n) {
-  if (way_ == Way::unknown) find_kernels(in, n);
-  if (way_ != Way::columns) return false;
+void Variants::solve_columns(std::span<const double* const> in, std::span<double* const> out, std::size_t n) {
   if (n > points_.count) points_.values.clear();  // else what is the same everywhere is there
   points_.count = n;
   points_.is_other.assign(n, 0);
@@ -140,15 +185,17 @@ bool Variants::solve_columns(std::span<const double* const> in, std::span<double
     for (const SweptInput::Target& target : axes_[k].targets)
       put(target.step->name() + "." + target.step->input().reading.varied[target.varied].path);
   }
-  for (std::size_t k = 0; k < kernels_.size(); ++k) kernels_[k]->evaluate(points_, modes_[k]);
-  const Expression::Column column_of = [this](const std::string& path) { return points_.of(path); };
+  const bool one_alone = points_.axes_differ;
+  for (std::size_t k = 0; k < kernels_.size(); ++k) {
+    kernels_[k]->evaluate(points_, modes_[k]);
+    if (points_.axes_differ && !one_alone) return;  // their series have other places: one by one
+  }
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     if (columns_[k].kind != SweptResult::Kind::expression) continue;
-    if (!columns_[k].expression.evaluate(column_of, {out[k], n}))
+    if (!PointExpression(columns_[k].expression, points_.signatures).fill(points_, {out[k], n}))
       std::fill(points_.is_other.begin(), points_.is_other.end(), char{1});
   }
   read_verdicts(out, n);
-  return true;
 }
 
 /// What columns of verdicts say, from the modes of all steps.

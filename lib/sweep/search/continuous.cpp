@@ -20,7 +20,7 @@ class Descent {
       if (!variables[i].is_discrete()) free.push_back(i);
     }
     for (const Constraint& constraint : trials.problem().constraints) {
-      if (constraint.kind == Constraint::Kind::at_most_one) limited.push_back(constraint.output);
+      if (constraint.kind == Constraint::Kind::at_most_one) limited.push_back(&constraint);
     }
   }
 
@@ -46,7 +46,8 @@ class Descent {
   Trials& trials;
   Trial best, last;  // last: where NLopt looked last
   double scale, inside = 0.0;
-  std::vector<std::size_t> free, limited;
+  std::vector<std::size_t> free;
+  std::vector<const Constraint*> limited;
   std::vector<double> seen, values, sloped, slopes;  // the last point and what is there: objective, then constraints
   nlopt::opt* running = nullptr;
   std::exception_ptr failure;
@@ -67,8 +68,9 @@ void Descent::take(std::span<const double> outputs, double* into) const {
   const double signed_f = trials.problem().maximise ? -f : f;
   into[0] = std::isfinite(f) ? signed_f / scale : 1e3;
   for (std::size_t i = 0; i < limited.size(); ++i) {
-    const double u = outputs[limited[i]];
-    into[i + 1] = (std::isfinite(u) ? tamed(u - 1.0) : unknown) + inside;
+    const double u = outputs[limited[i]->output];
+    const bool holds = !std::isfinite(u) && excess(trials.problem(), *limited[i], outputs) == 0.0;
+    into[i + 1] = holds ? -1.0 : (std::isfinite(u) ? tamed(u - 1.0) : unknown) + inside;
   }
 }
 

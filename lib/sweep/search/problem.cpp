@@ -21,10 +21,19 @@ double excess(Constraint::Kind kind, double value) {
   return value > 1.0 ? value - 1.0 : 0.0;
 }
 
+double excess(const Problem& problem, const Constraint& constraint, std::span<const double> outputs) {
+  const double value = outputs[constraint.output];
+  if (!std::isfinite(value) && constraint.decided_by != Constraint::itself) {
+    const Constraint& other = problem.constraints[constraint.decided_by];
+    if (excess(other.kind, outputs[other.output]) == 0.0) return 0.0;
+  }
+  return excess(constraint.kind, value);
+}
+
 Standing judge(const Problem& problem, std::span<const double> outputs) {
   Standing standing;
-  for (const auto& [output, kind] : problem.constraints) {
-    const double by = excess(kind, outputs[output]);
+  for (const Constraint& constraint : problem.constraints) {
+    const double by = excess(problem, constraint, outputs);
     if (std::isfinite(by)) {
       standing.violation += by;
     } else {
@@ -45,9 +54,9 @@ std::size_t worst_broken(const Problem& problem, std::span<const double> outputs
   double most = 0.0;
   bool flag = false;
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
-    const auto& [output, kind] = problem.constraints[i];
-    const double by = excess(kind, outputs[output]);
-    const bool is_flag = kind == Constraint::Kind::is_one && std::isfinite(by);
+    const Constraint& constraint = problem.constraints[i];
+    const double by = excess(problem, constraint, outputs);
+    const bool is_flag = constraint.kind == Constraint::Kind::is_one && std::isfinite(by);
     if (by == 0.0 || (is_flag && most > 0.0) || (is_flag == flag && by <= most)) continue;
     worst = i, most = by, flag = is_flag;
   }

@@ -27,8 +27,10 @@ struct Constraint {
     at_most_one,  // a utilisation
     is_one        // a flag, 1 where it passes
   };
+  static constexpr std::size_t itself = static_cast<std::size_t>(-1);
   std::size_t output = 0;
   Kind kind = Kind::at_most_one;
+  std::size_t decided_by = itself;  // the constraint that alone counts where this has no value and that one holds
 };
 
 /// The variables are the inputs of the function, in their order.
@@ -60,6 +62,9 @@ struct Standing {
 
 /// By how much a value of this output breaks it; 0 where it does not, infinity where the value is not finite.
 [[nodiscard]] double excess(Constraint::Kind kind, double value);
+
+/// The same of one constraint of a problem.
+[[nodiscard]] double excess(const Problem& problem, const Constraint& constraint, std::span<const double> outputs);
 
 /// The number of the constraint that is broken most: one that is not finite before utilisations, flags last; none: the
 /// number of constraints.

@@ -90,6 +90,31 @@ TEST_SUITE("project steps") {
     CHECK(value(project, "axle.M_max") == doctest::Approx(6000.0 / (2.0 * std::acos(-1.0))));
   }
 
+  TEST_CASE("a power over a frequency is the energy of a cycle and no moment") {
+    const std::string strength = "tau_adm = \"30 MPa\"\n";
+    CHECK(
+        issues_of(axle + "T = \"=1.4*5.5 kW/(2 Hz)\"\n" + strength) ==
+        R"says(a.toml:3:7: error: 'T' is a moment, and '1.4*5.5 kW/(2 Hz)' is a power over a frequency: the energy of one cycle
+3 | T = "=1.4*5.5 kW/(2 Hz)"
+  |       ^^^^^^^^^^^^^^^^^
+  = help: divide by a speed in rpm or rad/s, or by the frequency times 2*pi rad
+)says");
+    const auto is_refused = [&](const std::string& t, const std::string& values) {
+      const std::string all = values.empty() ? "" : "[values]\n" + values;
+      return issues_of(all + axle + "T = \"=" + t + "\"\n" + strength).find("the energy of one cycle") !=
+             std::string::npos;
+    };
+    CHECK(is_refused("values.P/values.f", "P = \"5.5 kW\"\nf = \"2 Hz\"\n"));
+    CHECK(is_refused("values.T", "T = \"=5.5 kW/(2 Hz)\"\n"));
+    CHECK(is_refused("5.5 kW/(12.6 1/s)", ""));  // in radians or in revolutions
+    CHECK_FALSE(is_refused("5.5 kW/(2*pi*2 Hz)", ""));
+    CHECK_FALSE(is_refused("5.5 kW/(2 Hz)/(2*pi)", ""));
+    CHECK_FALSE(is_refused("5.5 kW/(2 Hz*(6.2832 rad))", ""));
+    CHECK_FALSE(is_refused("2 N*m*(5 kW/(4 kW))*(2 Hz/(3 Hz))", ""));
+    const auto project = solved(axle + "T = \"=6 kW / (2*pi*1 Hz)\"\n" + strength);
+    CHECK(value(project, "axle.M_max") == doctest::Approx(6000.0 / (2.0 * std::acos(-1.0))));
+  }
+
   TEST_CASE("a faulty expression is told at its character") {
     CHECK(issues_of(axle + "T = \"= 3 N*m + \"\ntau_adm = \"30 MPa\"\n") ==
           R"says(a.toml:3:15: error: a value is missing at the end

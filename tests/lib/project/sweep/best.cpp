@@ -2,12 +2,14 @@
 #include "lib/project/sweep/best.hpp"
 
 #include "lib/project/sweep/influence.hpp"
+#include "lib/report/sweep/best.hpp"
 #include "tests/lib/project/solved.hpp"
 #include "tests/lib/project/sweep/swept.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 using namespace loadpath;
@@ -104,6 +106,48 @@ TEST_SUITE("the best machine") {
     CHECK(best->optimum.allowed);
     CHECK(best->point[0] == Approx(25.0513e-3).epsilon(1e-5));  // of 90,000 lengths, by the circles through A and C
     CHECK(best->optimum.outputs[0] == Approx(7.8219e-5).epsilon(1e-3));
+  }
+
+  TEST_CASE("of machines whose verdicts have no utilisation is held against the verdicts alone") {
+    const std::string text =
+        "[bar]\ncalculator = \"mechanism.planar\"\ntemplate = \"four_bar\"\na = \"10 mm\"\nb = [\"21 mm\", \"25 "
+        "mm\", \"2 mm\"]\nc = \"25 mm\"\nd = \"20 mm\"\ncrank.speed = \"60 rpm\"\n"
+        "crank.at = [{ angle = \"100 deg\" }, { angle = \"180 deg\" }]\n";
+    for (const std::optional<double> quantile : {std::optional<double>(), std::optional<double>(0.9)}) {
+      std::vector<Issue> issues;
+      const auto best =
+          project::find_best(reader(text), {asked("min(bar.joints.B.gamma)"), true, {}, quantile, {}}, 10, 1, issues);
+      REQUIRE(best);
+      CHECK(best->optimum.allowed);
+      CHECK(best->optimum.candidates == 3);
+      CHECK(best->point[0] == Approx(0.021));
+    }
+  }
+
+  TEST_CASE("a neighbour that is no machine says why") {
+    const std::string text = tube + "d = [\"45 mm\", \"50 mm\"]\nd_bore = [\"20 mm\", \"50 mm\"]\nP = \"20 kN\"\n";
+    std::vector<Issue> issues;
+    const project::BestAsked wanted{asked(area), false, {asked("strut passes")}, {}, {}};
+    const auto best = project::find_best(reader(text), wanted, 10, 1, issues);
+    REQUIRE(best);
+    REQUIRE(best->optimum.allowed);
+    REQUIRE(best->lacks.size() == best->optimum.neighbours.size());
+    std::size_t none = 0;
+    for (std::size_t i = 0; i < best->lacks.size(); ++i) {
+      const std::string why = best->lacks[i].text();
+      CHECK(why.empty() == std::isfinite(best->optimum.neighbours[i].outputs[1]));
+      if (why.empty()) continue;
+      ++none;
+      CHECK_MESSAGE(why.starts_with("no machine: strut.d"), why);
+      CHECK_MESSAGE(contains(why, "bore"), why);
+    }
+    CHECK(none == 1);
+    const auto blocks = report::best_blocks(*best, wanted);
+    const auto& table = std::get<report::Table>(blocks.back());
+    const auto told = std::count_if(table.rows.begin(), table.rows.end(), [](const auto& row) {
+      return contains(std::get<Message>(row.back()).text(), "no machine: ");
+    });
+    CHECK(told == 1);
   }
 
   TEST_CASE("a value that is sought") {

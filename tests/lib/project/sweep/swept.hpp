@@ -14,8 +14,8 @@ namespace loadpath::test {
 
 struct Swept {
   explicit Swept(std::string of, const std::vector<std::string>& results = {}, unsigned jobs = 1,
-                 project::Keep kept = {})
-      : text(std::move(of)), keep(std::move(kept)) {
+                 project::Keep kept = {}, project::Catalogue of_program = catalogue())
+      : text(std::move(of)), keep(std::move(kept)), known(of_program) {
     project::Project project = read(issues);
     if (has_errors(issues)) return;
     for (const std::string& result : results) project.sweep.results.push_back({result, {"--results", 1, 1, 1}});
@@ -34,7 +34,7 @@ struct Swept {
   }
 
   [[nodiscard]] project::Project read(std::vector<Issue>& found) const {
-    return project::read_project(text, "part.toml", catalogue(), found, project::Ranges::taken);
+    return project::read_project(text, "part.toml", known, found, project::Ranges::taken);
   }
   [[nodiscard]] project::Project read_again() const {
     std::vector<Issue> none;
@@ -66,6 +66,7 @@ struct Swept {
 
   std::string text;
   project::Keep keep;
+  project::Catalogue known;
   std::vector<Issue> issues;
   project::Found sum;
   project::SweepPlan plan;

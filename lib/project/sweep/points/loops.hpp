@@ -13,6 +13,11 @@
 
 namespace loadpath::project {
 
+/// How a point, a part or a mode of failure came out, as a number of a column: that of account::State, or one of these.
+constexpr double refused_state =
+    7.0;  // the point breaks a rule between inputs, or a value is none that its field takes
+constexpr double absent_state = -1.0;  // the mode does not concern the part
+
 /// How one mode of failure came out, point by point: absent_state where it does not concern the point.
 struct ModeColumns {
   std::vector<double> state, utilisation;

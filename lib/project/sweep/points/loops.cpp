@@ -1,7 +1,6 @@
-#include "lib/project/sweep/loops.hpp"
+#include "lib/project/sweep/points/loops.hpp"
 
 #include "lib/project/run/row_state.hpp"
-#include "lib/project/sweep/columns.hpp"
 #include "lib/sweep/columns.hpp"
 
 #include <algorithm>

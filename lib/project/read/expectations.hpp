@@ -1,0 +1,34 @@
+// What a project expects of itself: [[expect]].
+#pragma once
+
+#include "lib/quantity/expression/expression.hpp"
+#include "lib/quantity/literal.hpp"
+#include "lib/text/issue.hpp"
+#include "lib/toml/tree.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace loadpath::project {
+
+/// A reference value of an [[expect]] entry, for `verify`.
+struct Expectation {
+  std::string text;  // "crankshaft.d_min", as written
+  Expression value;
+  Literal is;
+  std::string is_text;              // as written
+  double number = 0.0;              // of `is` in its own unit: what its digits count
+  std::string unit;                 // of `is`; "-" for a number
+  std::optional<int> digits;        // half a unit of this significant digit
+  std::optional<double> within;     // relative
+  std::optional<double> within_si;  // absolute
+  std::string source;
+  std::string note;  // "printed 15 N*m: erratum 0.4"
+  Place place;
+};
+
+/// Those that can be read are added.
+void read_expectations(const toml::Tree& tree, std::vector<Expectation>& expectations, std::vector<Issue>& issues);
+
+}  // namespace loadpath::project

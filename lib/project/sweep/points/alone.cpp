@@ -1,0 +1,144 @@
+#include "lib/project/sweep/points/alone.hpp"
+
+#include "lib/project/run/calculator_step.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Whether all that it takes of others are numbers, and no factor that decides what may be combined.
+bool takes_numbers(const Step& step) {
+  const Reading& reading = step.input().reading;
+  const auto is_number = [](const Varied& v) { return v.leaf && v.words.empty() && !v.leaf.field->is_factor; };
+  const auto is_factor = [](const Operand& o) { return o.leaf.field->is_factor; };
+  return reading.taken.empty() && std::all_of(reading.varied.begin(), reading.varied.end(), is_number) &&
+         std::none_of(reading.operands.begin(), reading.operands.end(), is_factor);
+}
+
+}  // namespace
+
+AloneStep::AloneStep(Step& step, const Wanted& wanted) : step_(step), wanted_(wanted) {}
+
+std::unique_ptr<AloneStep> AloneStep::of(Step& step, const Wanted& wanted, const std::set<std::string>& referred,
+                                         const PointColumns& points) {
+  const auto* const calculator = dynamic_cast<const CalculatorStep*>(&step);
+  if (!takes_numbers(step) || (calculator != nullptr && calculator->leaves_loads())) return nullptr;
+  std::unique_ptr<AloneStep> alone(new AloneStep(step, wanted));
+  for_each_reference(step.input().reading, [&](const std::string& path) { alone->refer_to(path, points); });
+  if (calculator != nullptr) {
+    for (const Provided& provided : calculator->provided()) {
+      for (const std::string& path : provided.companions) alone->refer_to(path, points);
+    }
+  }
+  for (const std::string& path : referred) {
+    const auto signature = points.signatures.find(path);
+    if (path.starts_with(step.name() + ".") && signature != points.signatures.end())
+      alone->told_.push_back({path.substr(step.name().size() + 1), path, signature->second});
+  }
+  return alone;
+}
+
+void AloneStep::refer_to(const std::string& path, const PointColumns& points) {
+  const auto signature = points.signatures.find(path);
+  if (signature != points.signatures.end()) referred_[path] = {signature->second, {}};
+}
+
+Known AloneStep::known() const {
+  static const Value none{{}, {nan}};
+  return {.value = [this](const std::string& path) -> const Value& {
+            const auto found = referred_.find(path);
+            return found == referred_.end() ? none : found->second;
+          },
+          .word = [](const std::string&) { return std::string(); },
+          .within = [](const std::string&) { return std::vector<std::pair<std::string, const Entry*>>(); }};
+}
+
+void AloneStep::evaluate(PointColumns& points, std::vector<ModeColumns>& modes) {
+  modes.resize(step_.input().calculator->modes.size());
+  for (ModeColumns& mode : modes) {
+    mode.state.assign(points.count, absent_state);
+    mode.utilisation.assign(points.count, nan);
+  }
+  for (const Told& told : told_) {
+    if (told.signature.axis == nullptr) points.values[told.path].assign(points.count, nan);
+  }
+  axes_.clear();
+  for (std::size_t point = 0; point < points.count; ++point) {
+    if (points.is_other[point] != 0) continue;
+    const bool solved = set_inputs(points, point) && solve(points, point);
+    if (!solved || !take_modes(point, modes) || !take_values(points, point)) points.is_other[point] = 1;
+    if (!keeps_axes(points.speeds_matter)) points.axes_differ = true;
+  }
+}
+
+bool AloneStep::reads_axes() const {
+  return std::any_of(referred_.begin(), referred_.end(), [](const auto& r) { return r.second.is_series(); });
+}
+
+/// Whether all series lie over the places of the first point.
+bool AloneStep::keeps_axes(bool with_speed) {
+  const auto same = [with_speed](const Axis& a, const Axis& b) {
+    return a.at == b.at && a.share == b.share && a.period == b.period && (!with_speed || a.speed == b.speed);
+  };
+  return std::all_of(told_.begin(), told_.end(), [&](const Told& told) {
+    const Axis* const axis = told.signature.axis;
+    return axis == nullptr || same(axes_.try_emplace(axis, *axis).first->second, *axis);
+  });
+}
+
+/// False where a field refuses its value.
+bool AloneStep::set_inputs(const PointColumns& points, std::size_t point) {
+  for (const Varied& varied : step_.input().reading.varied) {
+    const double si = points.values.find(step_.name() + "." + varied.path)->second[point];
+    if (!varied.leaf.field->bounds.holds(si)) return false;
+    varied.leaf.set(si);
+  }
+  return true;
+}
+
+bool AloneStep::solve(PointColumns& points, std::size_t point) {
+  for (auto& [path, value] : referred_) points.read(path, point, value);
+  std::vector<Issue> issues;
+  step_.forget();
+  step_.solve(known(), wanted_, issues);
+  return !has_errors(issues);
+}
+
+bool AloneStep::take_modes(std::size_t point, std::vector<ModeColumns>& modes) const {
+  const auto& known = step_.input().calculator->modes;
+  for (const account::Mode& mode : step_.account().modes) {
+    const auto same =
+        std::find_if(known.begin(), known.end(), [&](const ModeInfo& info) { return info.id == mode.id; });
+    if (same == known.end()) return false;  // that an input or a load is missing
+    ModeColumns& columns = modes[static_cast<std::size_t>(same - known.begin())];
+    columns.state[point] = static_cast<double>(mode.state);
+    columns.utilisation[point] = mode.utilisation.value_or(nan);
+  }
+  return true;
+}
+
+/// False where a series is not as long as its axis.
+bool AloneStep::take_values(PointColumns& points, std::size_t point) {
+  for (const Told& told : told_) {
+    const Value* const value = step_.value(told.within);
+    if (told.signature.axis == nullptr) {
+      if (value != nullptr) points.values[told.path][point] = value->si[0];
+      continue;
+    }
+    const std::size_t positions = positions_of(told.signature.axis);
+    if (value == nullptr || value->si.size() != positions) return false;
+    SeriesColumn& column = points.series[told.path];
+    column.si.resize(points.count * positions);
+    column.rounding.resize(points.count);
+    std::ranges::copy(value->si, column.si.begin() + static_cast<std::ptrdiff_t>(point * positions));
+    column.rounding[point] = value->rounding;
+  }
+  return true;
+}
+
+}  // namespace loadpath::project

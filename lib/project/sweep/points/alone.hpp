@@ -1,0 +1,48 @@
+// A step that is solved point by point, between steps that go by columns: a mechanism, a list of another step.
+#pragma once
+
+#include "lib/project/step.hpp"
+#include "lib/project/sweep/points/point_step.hpp"
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace loadpath::project {
+
+class AloneStep final : public PointStep {
+ public:
+  /// Of a step that was solved at one point; null where it takes more of others than numbers. `wanted`: of all steps,
+  /// for as long as this lives. `referred`: full paths of values that somebody refers to.
+  static std::unique_ptr<AloneStep> of(Step& step, const Wanted& wanted, const std::set<std::string>& referred,
+                                       const PointColumns& points);
+
+  void evaluate(PointColumns& points, std::vector<ModeColumns>& modes) override;
+  [[nodiscard]] bool reads_axes() const override;
+
+ private:
+  AloneStep(Step& step, const Wanted& wanted);
+  void refer_to(const std::string& path, const PointColumns& points);
+  [[nodiscard]] Known known() const;
+  bool set_inputs(const PointColumns& points, std::size_t point);
+  bool solve(PointColumns& points, std::size_t point);
+  bool take_values(PointColumns& points, std::size_t point);
+  [[nodiscard]] bool keeps_axes(bool with_speed);
+  bool take_modes(std::size_t point, std::vector<ModeColumns>& modes) const;
+
+  /// A value that others refer to.
+  struct Told {
+    std::string within, path;  // of the step, and full
+    Signature signature;
+  };
+
+  Step& step_;
+  const Wanted& wanted_;
+  std::map<std::string, Value> referred_;  // of other steps, at the point
+  std::vector<Told> told_;
+  std::map<const Axis*, Axis> axes_;  // of what is told, as they were at the first point
+};
+
+}  // namespace loadpath::project

@@ -1,0 +1,229 @@
+// What a ColumnStep finds out when its step was solved at one point.
+#include "lib/project/accept.hpp"
+#include "lib/project/modes.hpp"
+#include "lib/project/run/row_state.hpp"
+#include "lib/project/sweep/points/column_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::project {
+
+namespace {
+
+using account::State;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+std::string head_of(std::string_view path) { return std::string(path.substr(0, path.find_first_of(".["))); }
+
+}  // namespace
+
+bool is_fixed(std::span<const FieldInfo> fields, std::string_view path) {
+  const FieldInfo* const head = find_field(fields, head_of(path));
+  const FieldInfo* const field = find_field_at(fields, path);
+  return head != nullptr && head->type != FieldInfo::Type::list && field != nullptr && field->address != nullptr;
+}
+
+std::size_t offset_in(const Record& record, const Leaf& leaf) {
+  const char* const start = static_cast<const char*>(record.data.get());
+  return static_cast<std::size_t>(reinterpret_cast<const char*>(leaf.field->address(leaf.owner)) - start);
+}
+
+bool ColumnStep::Parts::lay_out(const std::set<std::string>& wanted, const PointColumns& points) {
+  if (!is_plain() || !add_fed(points) || !add_companions(points) || !add_search() || !add_values_of_rows() ||
+      !add_read(wanted))
+    return false;
+  add_rules();
+  add_rules_of_search();
+  add_judging();
+  look_for_loads();
+  return true;
+}
+
+/// Nothing taken whole, nothing that acts and is not taken.
+bool ColumnStep::Parts::is_plain() const {
+  return step.input().reading.taken.empty() && !step.leaves_loads() && !step.account().results.empty();
+}
+
+bool ColumnStep::Parts::is_fed(std::string_view field) const {
+  return std::any_of(fed.begin(), fed.end(),
+                     [&](const Fed& f) { return std::string_view(f.path()).substr(step.name().size() + 1) == field; });
+}
+
+/// Where an input that varies lies in the record; nothing where that is not fixed, or more hangs on it than numbers.
+std::optional<std::size_t> ColumnStep::Parts::place_of(const FieldInfo& field, const std::string& path) const {
+  if (field.is_factor || field.takes_whole() || !is_fixed(calculator.input->fields, path)) return std::nullopt;
+  const Leaf leaf = find_leaf(record, path);
+  const Value* const now = step.value(path);
+  if (now != nullptr && !now->si.empty()) leaf.set(now->si[0]);  // what asks for checks has a value
+  return offset_in(record, leaf);
+}
+
+bool ColumnStep::Parts::add_fed(const PointColumns& points) {
+  const Reading& reading = step.input().reading;
+  for (const Varied& varied : reading.varied) {
+    const auto place = varied.leaf && varied.words.empty() ? place_of(*varied.leaf.field, varied.path) : std::nullopt;
+    if (!place) return false;
+    fed.emplace_back(step.name() + "." + varied.path, *varied.leaf.field, *place);
+  }
+  for (const Operand& operand : reading.operands) {
+    const auto place = place_of(*operand.leaf.field, operand.path);
+    if (!place) return false;
+    const Value* const now = step.value(operand.path);
+    const bool is_open = operand.may_lack && (now == nullptr || std::isnan(now->si[0]));
+    fed.emplace_back(step.name() + "." + operand.path, *operand.leaf.field, *place, operand.expression, is_open,
+                     points);
+  }
+  return true;
+}
+
+/// What does not come along now; false where that is a series.
+bool ColumnStep::Parts::add_absent(const Provided& provided, const PointColumns& points) {
+  for (const std::string& path : provided.companions) {
+    const auto signature = points.signatures.find(path);
+    if (signature == points.signatures.end() || signature->second.dimension != provided.field->dimension) continue;
+    if (signature->second.axis != nullptr) return false;
+    absent.push_back(path);
+  }
+  return true;
+}
+
+/// What comes along with loads, where there is such a thing.
+bool ColumnStep::Parts::add_companions(const PointColumns& points) {
+  for (const Provided& provided : step.provided()) {
+    if (!provided.row.empty()) continue;
+    if (step.value(provided.path) == nullptr) {
+      if (!add_absent(provided, points)) return false;
+      continue;
+    }
+    const auto place = place_of(*provided.field, provided.path);
+    if (!place) return false;
+    fed.emplace_back(step.name() + "." + provided.path, *provided.field, *place, provided.companions, points);
+  }
+  return true;
+}
+
+/// The first of the sizes that rows are asked at which is given, "d_h, d", else the last; empty where none is asked.
+std::string ColumnStep::Parts::size_field() const {
+  for (const Provided& provided : step.provided()) {
+    if (provided.row.empty() || *provided.field->provider.size == '\0') continue;
+    const auto keys = listed_keys(provided.field->provider.size);
+    for (const std::string& key : keys) {
+      const Leaf leaf = find_leaf(record, key);
+      if (is_fed(key) || (leaf && !std::isnan(leaf.get()))) return key;
+    }
+    return keys.back();
+  }
+  return {};
+}
+
+Size ColumnStep::Parts::size_of(const std::string& field) const {
+  const bool is_sought = sought && step.searches().front().path == field;
+  if (const FieldInfo* const found = find_field(calculator.result->fields, field))
+    return {.result = offset_in(result, find_leaf(result, field)), .field = found};
+  for (std::size_t k = 0; k < fed.size(); ++k) {
+    if (fed[k].path() == step.name() + "." + field) return {.fed = k};
+  }
+  const Leaf given = find_leaf(record, field);
+  return {.is_sought = is_sought, .same = given ? given.get() : nan};
+}
+
+/// False where a row lacks a value.
+bool ColumnStep::Parts::add_values_of_rows() {
+  const std::string field = size_field();
+  const Size all = field.empty() ? Size{} : size_of(field);
+  const bool varies = all.result || all.fed || all.is_sought;
+  for (const Provided& provided : step.provided()) {
+    if (provided.row.empty()) continue;
+    const Leaf leaf = find_leaf(record, provided.path);
+    if (!varies || !Sized::is_one(provided)) {
+      leaf.set(look_up(provided, all.same).si);
+      if (std::isnan(leaf.get())) return false;
+      continue;
+    }
+    const Value* const now = step.value(provided.path);
+    leaf.set(now == nullptr || now->si.empty() ? nan : now->si[0]);  // what asks for checks has a value
+    sized.emplace_back(provided, offset_in(record, leaf));
+  }
+  if (!sized.empty()) size = all;
+  return true;
+}
+
+/// Checks and limits that are asked for, and what others refer to. Lists must be empty, or judge nothing.
+bool ColumnStep::Parts::add_read(const std::set<std::string>& wanted) {
+  std::set<std::string> left;
+  for (const std::string& path : wanted) {
+    if (path.starts_with(step.name() + ".") &&
+        find_field_at(calculator.result->fields, path.substr(step.name().size() + 1)))
+      left.insert(path);
+  }
+  for (const account::Verdict& row : step.account().verdicts) {
+    if (row.symbol.find_first_of(".[") != std::string::npos) return false;
+  }
+  for (const FieldInfo& field : calculator.result->fields) {
+    const std::string path = step.name() + "." + field.key;
+    const bool judges = (field.role == Role::check || field.role == Role::limit) && field.is_leaf();
+    const bool is_asked = step.is_asked(field, record);  // else it has no value, whatever the calculator says
+    const bool is_row = judges && is_asked;
+    const bool is_wanted = left.erase(path) != 0 && is_asked;
+    if (!is_row && !is_wanted) continue;
+    if (!is_fixed(calculator.result->fields, field.key)) return false;
+    read.push_back({path, &field, offset_in(result, find_leaf(result, field.key)), is_row, is_wanted});
+  }
+  for (const std::string& path : left) {  // of groups
+    const std::string within = path.substr(step.name().size() + 1);
+    if (!is_fixed(calculator.result->fields, within)) return false;
+    const Leaf leaf = find_leaf(result, within);
+    read.push_back({path, leaf.field, offset_in(result, leaf), false, true});
+  }
+  return true;
+}
+
+void ColumnStep::Parts::add_rules() {
+  rules.assign(calculator.rules.size(), 0);
+  no_rules = rules;
+  for (std::size_t rule = 0; rule < calculator.rules.size(); ++rule) {
+    if (calculator.rules[rule].only_warns) continue;
+    const auto fields = listed_keys(calculator.rules[rule].fields);
+    const auto names = [&](const std::string& key) {
+      return fields.empty() || std::find(fields.begin(), fields.end(), head_of(key)) != fields.end();
+    };
+    const bool concerned =
+        std::any_of(fed.begin(), fed.end(),
+                    [&](const Fed& f) { return names(f.path().substr(step.name().size() + 1)); }) ||
+        std::any_of(sized.begin(), sized.end(), [&](const Sized& value) { return names(value.field()); });
+    rules[rule] = static_cast<char>(concerned);
+  }
+}
+
+void ColumnStep::Parts::add_judging() {
+  for (std::size_t k = 0; k < calculator.modes.size(); ++k) {
+    Judging judged{k};
+    for (const std::string& key : listed_keys(calculator.modes[k].checks)) {
+      const FieldInfo* const field = find_field(calculator.result->fields, key);
+      const bool checks = field != nullptr && field->role == Role::check;
+      judged.unjudged.needs_checks = judged.unjudged.needs_checks || checks;
+      if (checks && *field->asked_by != '\0' && !step.is_asked(*field, record)) judged.unjudged.never = true;
+      for (std::size_t i = 0; i < read.size(); ++i) {
+        if (read[i].is_row && names_row(key, read[i].field->key)) judged.rows.push_back(i);
+      }
+    }
+    for (const Applies when : {Applies::no, Applies::unseen, Applies::yes}) {
+      const State state = state_of(step, calculator.modes[k], when, std::nullopt, false);
+      const bool accepted = is_accepted(step.input(), calculator.modes[k].id, state);
+      judged.unjudged.state[static_cast<std::size_t>(when)] = static_cast<double>(accepted ? State::accepted : state);
+    }
+    judging.push_back(std::move(judged));
+  }
+}
+
+void ColumnStep::Parts::look_for_loads() {
+  for_each_leaf(record, [&](const std::string& path, const Leaf& leaf) {
+    if (!leaf.field->is_load) return;
+    is_load_told = is_load_told || step.input().reading.typed.contains(path);
+    if (!is_fed(path) && (leaf.field->get == nullptr || acts(leaf.get()))) is_loaded = true;
+  });
+}
+
+}  // namespace loadpath::project

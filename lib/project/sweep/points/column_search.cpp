@@ -1,0 +1,179 @@
+// A size that is searched for in a stock, at every point: the smallest with which every check passes.
+#include "lib/project/run/row_state.hpp"
+#include "lib/project/sweep/points/column_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+/// False where it is no search for one size.
+bool ColumnStep::Parts::add_search() {
+  const auto& searches = step.searches();
+  if (searches.empty()) return true;
+  const Search& wanted = searches.front();
+  const bool is_size = searches.size() == 1 && wanted.leaf && !wanted.stock.empty() && !wanted.leaf.field->is_load;
+  if (!is_size || step.sizes_together() || !is_fixed(calculator.input->fields, wanted.path)) return false;
+  const Value* const now = step.value(wanted.path);
+  if (now == nullptr || now->si.empty()) return false;
+  Sought own{.leaf = find_leaf(record, wanted.path), .stock = stock_values(*step.input().tables, wanted.stock)};
+  std::erase_if(own.stock, [&](double si) { return !own.leaf.field->bounds.holds(si); });
+  own.offset = offset_in(record, own.leaf);
+  own.leaf.set(now->si[0]);  // what asks for checks has a value
+  if (const FieldInfo* const least = find_field(calculator.result->fields, wanted.path)) {
+    if (!is_fixed(calculator.result->fields, wanted.path)) return false;
+    own.least = least;
+    own.least_offset = offset_in(result, find_leaf(result, wanted.path));
+  }
+  for (const FieldInfo& field : calculator.input->fields) {
+    const FieldInfo* const found = find_field(calculator.result->fields, field.key);
+    if (field.kept && found != nullptr && std::isnan(find_leaf(record, field.key).get()))
+      own.kept.push_back(offset_in(result, find_leaf(result, field.key)));
+  }
+  sought = std::move(own);
+  return true;
+}
+
+/// Which rules a candidate has to keep, and which hold before there is one.
+void ColumnStep::Parts::add_rules_of_search() {
+  if (!sought) return;
+  sought->rules.assign(calculator.rules.size(), 0);
+  for (std::size_t rule = 0; rule < calculator.rules.size(); ++rule) {
+    if (calculator.rules[rule].only_warns || !step.is_about(rule, step.searches().front().path)) continue;
+    sought->rules[rule] = 1;
+    rules[rule] = static_cast<char>(sought->leaf.field->sought_unasked ? rules[rule] : 0);
+  }
+}
+
+/// What a search begins with: the least size that is calculated without one.
+void ColumnStep::Parts::find_first_candidates(PointColumns& points) {
+  Sought& wanted = *sought;
+  const double found = wanted.leaf.get();
+  wanted.leaf.set(nan);
+  start_sizes(points);
+  if (rules != no_rules) ask(points, rules);
+  settle_sizes(points);
+  wanted.at.assign(points.count, {});
+  if (wanted.least != nullptr) {
+    run_for_least(points);
+    for (std::size_t point = 0; point < points.count; ++point) {
+      const double least = largest_of(size_rows, point, wanted.least->dimension).value;
+      const auto start = std::lower_bound(wanted.stock.begin(), wanted.stock.end(), least * (1.0 - 1e-12));
+      wanted.at[point].first = wanted.at[point].now = static_cast<std::size_t>(start - wanted.stock.begin());
+      if (std::isnan(least) || start == wanted.stock.end()) leave(points, point);
+    }
+  }
+  wanted.leaf.set(found);
+}
+
+/// The least size over all rows. What the sizing finds for inputs that were left open would stay when the size is
+/// rounded up: such a point is another's.
+void ColumnStep::Parts::run_for_least(PointColumns& points) {
+  const std::size_t rows = points.count * positions();
+  size_rows.resize(rows);
+  out.assign(1, {sought->least_offset, size_rows.data()});
+  sought->of_kept.resize(sought->kept.size(), {});
+  for (std::size_t k = 0; k < sought->kept.size(); ++k) {
+    sought->of_kept[k].resize(rows);
+    out.push_back({sought->kept[k], sought->of_kept[k].data()});
+  }
+  calculator.sweep(record.data.get(), in, out, rows);
+  for (const std::vector<double>& found : sought->of_kept) {
+    for (std::size_t row = 0; row < rows; ++row) {
+      if (!std::isnan(found[row]) && found[row] != 0.0) leave(points, row / positions());
+    }
+  }
+}
+
+/// Sets the size of every point; the results are those of the last candidates, which pass.
+void ColumnStep::Parts::search(PointColumns& points) {
+  Sought& wanted = *sought;
+  find_first_candidates(points);
+  wanted.si.resize(points.count * positions());
+  in.resize(inputs_fed);
+  in.push_back({wanted.offset, wanted.si.data()});
+  ++inputs_fed;
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t row = 0; row < wanted.si.size(); ++row)
+      wanted.si[row] = wanted.stock[std::min(wanted.at[row / positions()].now, wanted.stock.size() - 1)];
+    start_sizes(points);
+    settle_sizes(points);
+    evaluate_read(points.count * positions());
+    ask_candidates(points);
+    for (std::size_t point = 0; point < points.count; ++point) {
+      if (is_other(points, point) || is_found(point)) continue;
+      again = true;
+      if (wanted.at[point].now == wanted.stock.size()) leave(points, point);
+    }
+  }
+}
+
+/// Whether the candidate of a point is the one; else it has the next one to be tried. As the search of a single
+/// machine: the first that fits within the limits of all methods, and where there is none the first that fits without
+/// them.
+bool ColumnStep::Parts::is_found(std::size_t point) {
+  Candidate& at = sought->at[point];
+  if (at.now == at.first && at.may_be_covered) at.may_be_covered = may_be_covered(point);
+  const Fit fit = fit_of(point);
+  if (fit == Fit::covered || (fit == Fit::uncovered && !at.may_be_covered)) return true;
+  if (fit == Fit::uncovered && at.beyond == Candidate::none) at.beyond = at.now;
+  ++at.now;
+  if (at.now == sought->stock.size() && at.beyond != Candidate::none) {
+    at.now = at.beyond;
+    at.may_be_covered = false;
+  }
+  return false;
+}
+
+/// False where a limit is not kept that no size changes.
+bool ColumnStep::Parts::may_be_covered(std::size_t point) {
+  return std::all_of(read.begin(), read.end(), [&](Read& number) {
+    const FieldInfo& field = *number.field;
+    const bool limits = number.is_row && field.role == Role::limit && !field.is_criterion && !field.is_beside;
+    return !limits || !field.is_sizeless || is_kept(number, point);
+  });
+}
+
+/// Which candidates break a rule, and which modes concern the part with them.
+void ColumnStep::Parts::ask_candidates(PointColumns& points) {
+  const std::vector<char> others = points.is_other;
+  ask(points, sought->rules);
+  sought->breaks.resize(points.count);
+  for (std::size_t point = 0; point < points.count; ++point)
+    sought->breaks[point] = static_cast<char>(points.is_other[point] != others[point]);
+  points.is_other = others;
+}
+
+Fit ColumnStep::Parts::fit_of(std::size_t point) {
+  if (sought->breaks[point] != 0) return Fit::no;
+  Fit fit = Fit::covered;
+  for (Read& number : read) {
+    const FieldInfo& field = *number.field;
+    if (!number.is_row || field.is_beside || is_kept(number, point)) continue;
+    if (field.role == Role::check || field.is_criterion) return Fit::no;
+    fit = Fit::uncovered;
+  }
+  return fit;
+}
+
+bool ColumnStep::Parts::is_kept(Read& number, std::size_t point) {
+  const FieldInfo& field = *number.field;
+  if (field.role == Role::check) {
+    const double most = largest_of(number.si, point, field.dimension).value;
+    if (axis != nullptr) number.worst[point] = most;
+    return is_passed(most) || (field.where_set && std::isnan(most));
+  }
+  const auto here = std::span(number.si).subspan(point * positions(), positions());
+  return std::all_of(here.begin(), here.end(),
+                     [&](double si) { return std::isnan(si) ? field.where_set : field.bounds.holds(si); });
+}
+
+}  // namespace loadpath::project

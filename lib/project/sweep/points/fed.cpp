@@ -1,0 +1,125 @@
+#include "lib/project/sweep/points/fed.hpp"
+
+#include "lib/project/sweep/points/loops.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace loadpath::project {
+
+Fed::Fed(std::string path, const FieldInfo& field, std::size_t offset)
+    : path_(std::move(path)), field_(&field), offset_(offset) {}
+
+Fed::Fed(std::string path, const FieldInfo& field, std::size_t offset, const Expression& expression, bool is_open,
+         const PointColumns& points)
+    : path_(std::move(path)),
+      field_(&field),
+      offset_(offset),
+      is_open_(is_open),
+      expression_(std::in_place, expression, points.signatures) {}
+
+Fed::Fed(std::string path, const FieldInfo& field, std::size_t offset, const std::vector<std::string>& companions,
+         const PointColumns& points)
+    : path_(std::move(path)), field_(&field), offset_(offset) {
+  for (const std::string& companion : companions) {
+    const auto signature = points.signatures.find(companion);
+    if (signature != points.signatures.end() && signature->second.dimension == field.dimension)
+      companions_.push_back({companion, {signature->second, {}}});
+  }
+}
+
+void Fed::fill(PointColumns& points, const Axis* axis) {
+  const std::size_t positions = positions_of(axis);
+  si_.resize(points.count * positions);
+  rounding_.assign(points.count, 0.0);
+  if (!companions_.empty())
+    fill_from_companions(points, axis);
+  else if (expression_)
+    fill_from_expression(points, positions);
+  else
+    fill_from_sweep(points, positions);
+  if (is_open_ || !all_within(field_->bounds, si_)) refuse(points, positions);
+}
+
+void Fed::fill_from_sweep(PointColumns& points, std::size_t positions) {
+  const std::vector<double>& values = points.values.find(path_)->second;
+  spread({values.data(), points.count}, positions);
+}
+
+/// The same at all positions of a point.
+void Fed::spread(std::span<const double> of_points, std::size_t positions) {
+  if (positions == 1) {
+    std::ranges::copy(of_points, si_.begin());
+    return;
+  }
+  for (std::size_t point = 0; point < of_points.size(); ++point)
+    std::fill_n(si_.begin() + static_cast<std::ptrdiff_t>(point * positions), positions, of_points[point]);
+}
+
+void Fed::fill_from_expression(PointColumns& points, std::size_t positions) {
+  if (expression_->reads_series()) {
+    for (std::size_t point = 0; point < points.count; ++point) {
+      if (points.is_other[point] == 0) put(point, expression_->at(points, point), positions);
+    }
+    return;
+  }
+  std::vector<double>& to = positions == 1 ? si_ : of_points_;
+  to.resize(points.count);
+  if (!expression_->fill(points, to)) std::fill(points.is_other.begin(), points.is_other.end(), char{1});
+  if (positions > 1) spread(of_points_, positions);
+}
+
+void Fed::put(std::size_t point, const Value& value, std::size_t positions) {
+  const auto first = si_.begin() + static_cast<std::ptrdiff_t>(point * positions);
+  rounding_[point] = value.rounding;
+  if (value.is_series())
+    std::ranges::copy(value.si, first);
+  else
+    std::fill_n(first, positions, value.si[0]);
+}
+
+/// Of several things, the largest at each position.
+void Fed::fill_from_companions(PointColumns& points, const Axis* axis) {
+  const std::size_t positions = positions_of(axis);
+  std::fill(si_.begin(), si_.end(), 0.0);
+  for (std::size_t point = 0; point < points.count; ++point) {
+    if (points.is_other[point] != 0) continue;
+    std::size_t there = 0;
+    for (auto& [path, value] : companions_) {
+      points.read(path, point, value);
+      if (std::ranges::all_of(value.si, [](double x) { return std::isnan(x); })) continue;
+      ++there;
+      const bool over_it = value.is_series() && value.signature.axis == axis;
+      const double same = over_it ? 0.0 : std::abs(value.is_series() ? largest(value).value : value.si[0]);
+      for (std::size_t k = 0; k < positions; ++k) {
+        const double size = over_it ? std::abs(value.si[k]) : same;
+        double& most = si_[point * positions + k];
+        if (!(size <= most)) most = size;
+      }
+    }
+    if (there == 0) points.is_other[point] = 1;  // nothing comes along
+  }
+}
+
+void Fed::refuse(PointColumns& points, std::size_t positions) const {
+  for (std::size_t i = 0; i < si_.size(); ++i) {
+    const bool known = !std::isnan(si_[i]);
+    if (known == is_open_ || (known && !field_->bounds.holds(si_[i]))) points.is_other[i / positions] = 1;
+  }
+}
+
+void Fed::tell(PointColumns& points, const Axis* axis) const {
+  const auto told = points.signatures.find(path_);
+  if (told == points.signatures.end() || (!expression_ && companions_.empty())) return;  // else it is there
+  if (told->second.axis != nullptr) {
+    points.series[path_] = {si_, rounding_};
+    return;
+  }
+  std::vector<double>& values = points.values[path_];
+  values.resize(points.count);
+  const std::size_t positions = positions_of(axis);
+  for (std::size_t point = 0; point < points.count; ++point) values[point] = si_[point * positions];
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,58 @@
+// Inputs of a step that have other values at every point: of the sweep, by expressions, with what comes along.
+#pragma once
+
+#include "lib/project/run/calculator_step.hpp"
+#include "lib/project/sweep/points/point_columns.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace loadpath::project {
+
+class Fed {
+ public:
+  /// An input of the sweep.
+  Fed(std::string path, const FieldInfo& field, std::size_t offset);
+  /// `is_open`: a record of another step leaves it out.
+  Fed(std::string path, const FieldInfo& field, std::size_t offset, const Expression& expression, bool is_open,
+      const PointColumns& points);
+  /// The largest of what comes along with other inputs.
+  Fed(std::string path, const FieldInfo& field, std::size_t offset, const std::vector<std::string>& companions,
+      const PointColumns& points);
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] const FieldInfo& field() const { return *field_; }
+  [[nodiscard]] std::size_t offset() const { return offset_; }
+  [[nodiscard]] bool is_open() const { return is_open_; }
+  /// At every position of every point.
+  [[nodiscard]] const std::vector<double>& si() const { return si_; }
+
+  /// Over the positions of `axis`, which is null where there is one. Points where it has no value, or one that its
+  /// field refuses, become another's.
+  void fill(PointColumns& points, const Axis* axis);
+  /// What others may refer to.
+  void tell(PointColumns& points, const Axis* axis) const;
+
+ private:
+  void fill_from_sweep(PointColumns& points, std::size_t positions);
+  void fill_from_expression(PointColumns& points, std::size_t positions);
+  void fill_from_companions(PointColumns& points, const Axis* axis);
+  void put(std::size_t point, const Value& value, std::size_t positions);
+  void spread(std::span<const double> of_points, std::size_t positions);
+  void refuse(PointColumns& points, std::size_t positions) const;
+
+  std::string path_;  // full
+  const FieldInfo* field_;
+  std::size_t offset_;  // in the record
+  bool is_open_ = false;
+  std::optional<PointExpression> expression_;
+  std::vector<std::pair<std::string, Value>> companions_;
+  std::vector<double> si_;
+  std::vector<double> of_points_;
+  std::vector<double> rounding_;  // of each point
+};
+
+}  // namespace loadpath::project

@@ -1,0 +1,61 @@
+// What the steps of a project have at many points at once: columns of numbers, and of series.
+#pragma once
+
+#include "lib/quantity/expression/expression.hpp"
+#include "lib/quantity/series.hpp"
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace loadpath::project {
+
+/// A series at every point: the positions of the first, of the second...
+struct SeriesColumn {
+  std::vector<double> si;
+  std::vector<double> rounding;  // of each point (Value::rounding)
+};
+
+/// Columns by full paths, and which points are out of the ordinary.
+struct PointColumns {
+  std::size_t count = 0;
+  std::map<std::string, std::vector<double>, std::less<>> values;
+  std::map<std::string, SeriesColumn, std::less<>> series;
+  std::map<std::string, double, std::less<>> constants;      // what is the same at every point
+  std::map<std::string, Signature, std::less<>> signatures;  // of what is referred to
+  std::vector<char> is_other;
+  bool axes_differ = false;   // from point to point: no two of them can be told by one series
+  bool speeds_matter = true;  // somebody reads how fast an axis runs
+
+  /// The values of a path, NaN where it has none.
+  const double* of(const std::string& path);
+  /// A number or a series at one point, as the step gives it there alone; `value` keeps its memory.
+  void read(const std::string& path, std::size_t point, Value& value);
+};
+
+/// An expression at one point after another.
+class PointExpression {
+ public:
+  /// `signatures`: of all that it refers to.
+  PointExpression(const Expression& expression, const std::map<std::string, Signature, std::less<>>& signatures);
+
+  /// Whether it is made of series.
+  [[nodiscard]] bool reads_series() const { return reads_series_; }
+  Value at(PointColumns& points, std::size_t point);
+  /// Of one number a point; without series in lanes. False where it takes a place of a series of numbers.
+  bool fill(PointColumns& points, std::span<double> out);
+
+ private:
+  const Expression& expression_;
+  std::vector<std::pair<std::string, Value>> referred_;
+  bool reads_series_ = false;
+};
+
+/// The positions of an axis; 1 where there is none.
+std::size_t positions_of(const Axis* axis);
+
+}  // namespace loadpath::project

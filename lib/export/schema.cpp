@@ -104,6 +104,7 @@ json::object any_step(Calculators calculators, Definitions& definitions) {
 json::object heading_schema() {
   json::object properties;
   for (const std::string& key : project::heading_keys()) properties[key] = text();
+  properties["paper"] = {{"enum", json::array{"A4", "letter"}}, {"description", "what reports are printed on"}};
   properties["tables"] = {{"type", "array"},
                           {"items", text()},
                           {"description", "files with rows of the project's own, relative to this one"}};

@@ -1,4 +1,5 @@
 #include "lib/export/schema_fields.hpp"
+#include "lib/quantity/format.hpp"
 #include "lib/quantity/unit_table.hpp"
 #include "lib/table/tables.hpp"
 
@@ -84,6 +85,12 @@ json::array forms_of(const Dimension& dimension) {
   return forms;
 }
 
+/// One as it is typed, one of another step.
+json::array examples_of(const Dimension& dimension) {
+  const std::string unit = readable_unit(1.0, dimension);
+  return {dimension.is_number() || unit.empty() ? json::value(2) : json::value("2 " + unit), "=step.result"};
+}
+
 json::array names_of(const std::string& group) {
   json::array names;
   for (const table::Table* table : table::tables_of(group)) {
@@ -135,7 +142,7 @@ json::object of_one_text(const char* key) { return closed({key}, {{key, json::ob
 
 json::object Definitions::quantity(const Dimension& dimension) {
   const std::string name = "quantity_" + slug(dimension.is_number() ? "number" : si_unit(dimension));
-  if (!all_.contains(name)) all_[name] = {{"anyOf", forms_of(dimension)}};
+  if (!all_.contains(name)) all_[name] = {{"anyOf", forms_of(dimension)}, {"examples", examples_of(dimension)}};
   return reference(name);
 }
 
@@ -163,7 +170,8 @@ json::object tables_schema(Calculators calculators, Definitions& definitions) {
     for (const std::string& group : table_groups(*calculator)) {
       if (groups.contains(group)) continue;
       definitions.add(group + "_row", row_schema(group, definitions));
-      groups[group] = groups[group + "s"] = rows(Definitions::reference(group + "_row"));
+      groups[group + "s"] = rows(Definitions::reference(group + "_row"));
+      groups[group] = rows(Definitions::reference(group + "_row"));  // the other may move when this one comes
     }
   }
   groups["series"] = rows(series_schema());

@@ -1,6 +1,8 @@
 #include "lib/report/build.hpp"
 
 #include "lib/quantity/format.hpp"
+#include "lib/report/answer.hpp"
+#include "lib/report/fingerprint.hpp"
 #include "lib/report/why.hpp"
 #include "lib/table/table.hpp"
 
@@ -75,16 +77,6 @@ std::set<std::string> available_fields(const std::vector<Entry>& entries) {
   return fields;
 }
 
-/// What searches have found, of all steps.
-Table found_table(const Project& project) {
-  Table table{say("Found"), {say("step"), say("symbol"), say("value"), say("why")}, {}};
-  for (const auto& step : project.steps) {
-    for (const Entry* e : chosen(step->account()))
-      table.rows.push_back({step->name(), symbol_cell(*e), cell_of(*e), origin_cell(e->origin)});
-  }
-  return table;
-}
-
 Table input_table(const Account& account) {
   Table table{say("Given"), {say("symbol"), say("meaning"), say("value"), say("from")}, {}};
   for (const Entry& e : account.inputs) {
@@ -113,15 +105,29 @@ void add_remarks(const std::vector<Message>& remarks, std::vector<Block>& blocks
   blocks.emplace_back(Paragraph{all, Paragraph::Tone::note});
 }
 
-void add_step(const Step& step, std::vector<Block>& blocks) {
-  const Account& account = step.account();
+/// What part it is, what warns of it, what it says of itself.
+void add_head(const Step& step, std::vector<Block>& blocks) {
   const auto& input = step.input();
   blocks.emplace_back(Heading{2, input.title.empty() ? step.name() : input.title, step.name()});
   blocks.emplace_back(
       Paragraph{say("{1} ({2}). {3}", input.calculator->title, input.calculator->id, input.calculator->scope),
                 Paragraph::Tone::note});
-  for (const Message& warning : account.warnings) blocks.emplace_back(Paragraph{warning, Paragraph::Tone::warning});
+  for (const Message& warning : step.account().warnings)
+    blocks.emplace_back(Paragraph{warning, Paragraph::Tone::warning});
   if (!input.note.empty()) blocks.emplace_back(Paragraph{say("{1}", input.note)});
+}
+
+/// Its first figure and its verdicts.
+void add_step_in_brief(const Step& step, std::vector<Block>& blocks) {
+  const Account& account = step.account();
+  add_head(step, blocks);
+  if (!account.figures.empty()) blocks.emplace_back(account.figures.front());
+  if (!account.verdicts.empty()) blocks.emplace_back(Verdicts{folded(account.verdicts)});
+}
+
+void add_step(const Step& step, Detail detail, std::vector<Block>& blocks) {
+  const Account& account = step.account();
+  add_head(step, blocks);
   if (account.blocks.empty()) append(blocks, account.figures);
   if (account.input_blocks.empty()) {
     blocks.emplace_back(input_table(account));
@@ -132,7 +138,7 @@ void add_step(const Step& step, std::vector<Block>& blocks) {
   if (!account.derivation.empty()) {
     blocks.emplace_back(Heading{3, "Calculation", step.name() + "-calculation"});
     if (!account.governing.empty()) blocks.emplace_back(Paragraph{say("Worked out {1}.", account.governing)});
-    const auto lines = deciding_lines(account);
+    const auto lines = detail == Detail::full ? account.derivation : deciding_lines(account);
     if (lines.size() < account.derivation.size())
       blocks.emplace_back(
           Paragraph{say("Of lists, what decides is written out; the tables have the rest."), Paragraph::Tone::note});
@@ -195,12 +201,20 @@ void add_sources(const Project& project, std::vector<Block>& blocks) {
   blocks.emplace_back(std::move(sources));
 }
 
-void add_signatures(std::vector<Block>& blocks) {
+std::string heading_of(const Project& project, std::string_view key) {
+  for (const auto& [name, text] : project.meta) {
+    if (name == key) return text;
+  }
+  return {};
+}
+
+/// Who prepared it stands in the project, with the date; who checks signs with another.
+void add_signatures(const Project& project, std::vector<Block>& blocks) {
   blocks.emplace_back(Heading{2, "Signatures", "signatures"});
   Table table{{}, {say("part"), say("name"), say("date"), say("signature")}, {}};
-  for (const Message& part : {say("prepared"), say("checked"), say("approved")}) {
-    table.rows.push_back({part, std::string(), std::string(), std::string()});
-  }
+  table.rows.push_back({say("prepared"), heading_of(project, "author"), heading_of(project, "date"), std::string()});
+  table.rows.push_back({say("checked"), heading_of(project, "checker"), std::string(), std::string()});
+  table.rows.push_back({say("approved"), std::string(), std::string(), std::string()});
   blocks.emplace_back(std::move(table));
 }
 
@@ -247,20 +261,25 @@ std::vector<Table> list_tables(const std::vector<Entry>& entries) {
   return tables;
 }
 
-Document build(const Project& project, std::string_view program) {
+Document build(const Project& project, std::string_view program, Detail detail, std::string_view input) {
   Document document;
   document.title = project.title.empty() ? project.file : project.title;
   document.meta.emplace_back(say("Project file"), project.file);
   for (const auto& [key, value] : project.meta) document.meta.emplace_back(say("{1}", key), value);
   if (project.strict)
     document.meta.emplace_back(say("Judged strictly"), say("what is open counts as not judged").text());
+  if (!input.empty()) document.meta.emplace_back(say("Input"), fingerprint(input, project));
   document.meta.emplace_back(say("Program"), std::string(program));
-  document.found = found_table(project);
+  document.paper = project.paper;
+  document.chosen = chosen_table(project);
+  document.path = load_path(project);
   document.summary = project::modes(project);
   add_factors(project, document.blocks);
-  for (const auto& step : project.steps) add_step(*step, document.blocks);
+  for (const auto& step : project.steps)
+    detail == Detail::brief ? add_step_in_brief(*step, document.blocks) : add_step(*step, detail, document.blocks);
   add_sources(project, document.blocks);
-  add_signatures(document.blocks);
+  if (detail == Detail::full) document.input = input;
+  add_signatures(project, document.blocks);
   return document;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lib/project/project.hpp"
+#include "lib/report/detail.hpp"
 #include "lib/report/document.hpp"
 
 #include <set>
@@ -10,7 +11,9 @@
 
 namespace loadpath::report {
 
-Document build(const project::Project& project, std::string_view program);
+/// `input`: the text of the project, for its fingerprint, and for the appendix of a full report.
+Document build(const project::Project& project, std::string_view program, Detail detail = Detail::normal,
+               std::string_view input = {});
 
 /// The elements of lists, a table for each list, under its key.
 std::vector<Table> list_tables(const std::vector<account::Entry>& entries);

@@ -31,17 +31,40 @@ Message utilisation(const Mode& mode) {
              mode.step, mode.title);
 }
 
-Modes told(const Modes& modes) {
+bool is_proved(const Mode& mode) { return mode.state == State::pass && !mode.utilisation; }
+
+Modes doubtful(const Modes& modes) {
   Modes rows = account::in_order(modes);
-  std::erase_if(rows, account::is_remote);
+  std::erase_if(rows, [](const Mode& mode) { return account::is_remote(mode) || mode.state == State::pass; });
   return rows;
 }
 
-Message remote(const Modes& modes) {
+Modes passing(const Modes& modes) {
+  Modes rows = account::in_order(modes);
+  std::erase_if(rows, [](const Mode& mode) { return mode.state != State::pass || is_proved(mode); });
+  return rows;
+}
+
+namespace {
+
+/// "lever: wear of pins, shaft: brittle fracture"
+std::string names_of(const Modes& modes, bool (*is_meant)(const Mode&)) {
   std::string names;
   for (const Mode& mode : modes) {
-    if (account::is_remote(mode)) names += (names.empty() ? "" : ", ") + mode.step + ": " + mode.title.text();
+    if (is_meant(mode)) names += (names.empty() ? "" : ", ") + mode.step + ": " + mode.title.text();
   }
+  return names;
+}
+
+}  // namespace
+
+Message proved(const Modes& modes) {
+  const std::string names = names_of(modes, is_proved);
+  return names.empty() ? Message{} : say("Excluded by conditions that hold and by proofs: {1}.", names);
+}
+
+Message remote(const Modes& modes) {
+  const std::string names = names_of(modes, account::is_remote);
   return names.empty()
              ? Message{}
              : say("Open, where nothing says that they concern the part, and judged by nothing here: {1}.", names);

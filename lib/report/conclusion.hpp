@@ -14,9 +14,13 @@ Message tally(const Modes& modes);
 const Mode* most_utilised(const Modes& modes);
 Message utilisation(const Mode& mode);
 
-/// The modes that have a row of their own, in order; those that are open and judged by nothing are told in one line,
-/// empty where there are none.
-Modes told(const Modes& modes);
+/// Whether the mode passes by a proof or a condition, without a utilisation: worth no row of its own.
+bool is_proved(const Mode& mode);
+/// The modes that have a row of their own, in order: those that do not pass, and those that do. What passes by proof,
+/// and what is open and judged by nothing, is told in a line each, empty where there is none.
+Modes doubtful(const Modes& modes);
+Modes passing(const Modes& modes);
+Message proved(const Modes& modes);
 Message remote(const Modes& modes);
 
 /// Counts through a document.

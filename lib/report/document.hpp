@@ -1,8 +1,9 @@
-// A report as data: what is said, in which order. Writers (html.cpp, markdown.cpp) decide how it looks.
+// A report as data: what is said, in which order. Writers (html, markdown, latex) decide how it looks.
 #pragma once
 
 #include "lib/account/block.hpp"
 #include "lib/account/mode.hpp"
+#include "lib/draw/flow/flow.hpp"
 #include "lib/text/issue.hpp"
 
 #include <string>
@@ -31,13 +32,16 @@ using account::Verdicts;
 struct Document {
   std::string title;
   std::vector<std::pair<Message, std::string>> meta;  // "Project file" "lever.toml", "Program" "loadpath 0.1.0"...
-  Table found;                                        // first page: what was searched for
+  std::string paper = "A4";                           // that it is printed on; or "letter"
+  Table chosen;                                       // first page: the sizes of parts, and what governs them
+  draw::Flow path;                                    // first page: what loads what
   Modes summary;                                      // first page
   std::vector<Block> blocks;
+  std::string input;  // last page: the project as it was typed; may be empty
 };
 
-/// One self-contained page: no network; embedded math font; light, dark and print. A script only where a mechanism
-/// moves, and the page reads without it.
+/// One self-contained page: no network; embedded math font; light, dark and print. It reads without
+/// its scripts, which move mechanisms, tell points of charts and let keys scroll what is wide.
 std::string html(const Document& document);
 /// Markdown with $$ formulas; figures are named `figures[i].first` and hold SVG text, to be written beside it.
 struct Markdown {
@@ -45,5 +49,7 @@ struct Markdown {
   std::vector<std::pair<std::string, std::string>> figures;
 };
 Markdown markdown(const Document& document, std::string_view stem);
+/// One file for pdflatex, its figures in it.
+std::string latex(const Document& document);
 
 }  // namespace loadpath::report

@@ -1,5 +1,6 @@
 #include "lib/report/worked.hpp"
 
+#include "lib/formula/names.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -48,11 +49,28 @@ NamedSymbol named_symbol(std::string_view path) {
   return {path.substr(0, dot), path.substr(dot + 1)};
 }
 
+bool is_word(std::string_view name) {
+  constexpr std::size_t longest_symbol = 2;
+  const formula::Symbol symbol = formula::symbol(name);
+  return symbol.base.greek == nullptr && symbol.base.text.size() > longest_symbol;
+}
+
 bool is_symbol(const Message& head) {
   if (head.id != "{1}" || head.args.empty()) return false;
   const std::string name = head.args[0].text();
   if (!is_name(name)) return false;
   return name.size() == 1 || name.find('_') != std::string::npos || formula::symbol_plain(name) != name;
+}
+
+std::vector<const Heading*> listed_headings(const Document& document) {
+  constexpr std::size_t least = 4;
+  std::vector<const Heading*> headings;
+  for (const Block& block : document.blocks) {
+    const auto* heading = std::get_if<Heading>(&block);
+    if (heading != nullptr && heading->level <= 2) headings.push_back(heading);
+  }
+  if (headings.size() < least) headings.clear();
+  return headings;
 }
 
 std::vector<bool> numeric_columns(const Table& table) {

@@ -28,8 +28,14 @@ struct NamedSymbol {
 };
 NamedSymbol named_symbol(std::string_view path);
 
+/// Whether a name is a word and no symbol of the field: "roller", "force_balance"; not "tau_adm", "KA".
+bool is_word(std::string_view name);
+
 /// A heading of a table that is nothing but a symbol: "tau_t", "d".
 bool is_symbol(const Message& head);
+
+/// Those of steps and chapters, which contents list; none where a document is too short for contents.
+std::vector<const Heading*> listed_headings(const Document& document);
 
 /// Columns that hold quantities, where they hold anything, are set flush right.
 std::vector<bool> numeric_columns(const Table& table);

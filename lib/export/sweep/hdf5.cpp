@@ -101,7 +101,8 @@ struct Hdf5File::Parts {
   Handle file;
   std::vector<Column> columns;
   std::vector<std::string> names;
-  std::uint64_t written = 0;  // rows
+  std::vector<std::size_t> results;  // that have a column
+  std::uint64_t written = 0;         // rows
 
   bool describe(const SweepPlan& plan, const StoredSweep& sweep);
   bool add(const std::string& name, const std::string& unit, const std::string& shown_in,
@@ -139,7 +140,9 @@ bool Hdf5File::Parts::add_columns(const SweepPlan& plan) {
   for (const project::SweptInput& input : plan.inputs) {
     if (!add(input.name, unit_or_one(input.dimension), input.unit, input.words, rows)) return false;
   }
-  for (const project::SweptResult& result : plan.columns) {
+  results = plan.kept_results();
+  for (const std::size_t k : plan.beside_inputs()) {
+    const project::SweptResult& result = plan.columns[k];
     if (!add(result.name, unit_or_one(result.dimension), result.unit, {}, rows)) return false;
   }
   return add("state", "1", "-", {}, rows) && add("utilisation", "1", "-", {}, rows);
@@ -187,7 +190,7 @@ Message Hdf5File::append(const project::SolvedBlock& block) {
     waiting.insert(waiting.end(), values.begin(), values.begin() + static_cast<std::ptrdiff_t>(block.count));
   };
   for (const auto& values : block.inputs) add(values);
-  for (std::size_t r = 0; k < parts_->columns.size(); ++r) add(block.results[r]);
+  for (const std::size_t result : parts_->results) add(block.results[result]);
   const bool full = parts_->columns.front().waiting.size() + project::block_size > rows_at_once;
   return !full || parts_->write() ? Message{} : unwritten(parts_->path);
 }

@@ -86,7 +86,11 @@ void SweepStore::name_columns(const SweepPlan& plan) {
     columns_.push_back({name, unit, si, "columns/" + file_name(columns_.size(), name), 0, {}});
   };
   for (const project::SweptInput& input : plan.inputs) add(input.name, input.unit, si_unit(input.dimension));
-  for (const project::SweptResult& column : plan.columns) add(column.name, column.unit, si_unit(column.dimension));
+  results_ = plan.kept_results();
+  for (const std::size_t k : plan.beside_inputs()) {
+    const project::SweptResult& column = plan.columns[k];
+    add(column.name, column.unit, si_unit(column.dimension));
+  }
   add("state", "-", "");
   add("utilisation", "-", "");
 }
@@ -194,13 +198,12 @@ Message SweepStore::take(const SweptPart& part) {
   for (const project::SolvedBlock& block : part.rows) {
     std::size_t column = 0;
     const auto add = [&](const std::vector<double>& values) { return append(column++, values); };
-    const std::size_t results = columns_.empty() ? 0 : columns_.size() - block.inputs.size();
     for (const auto& values : block.inputs) {
       if (columns_.empty()) break;
       if (Message wrong = add(values); !wrong.empty()) return wrong;
     }
-    for (std::size_t k = 0; k < results; ++k) {
-      if (Message wrong = add(block.results[k]); !wrong.empty()) return wrong;
+    for (const std::size_t result : results_) {
+      if (Message wrong = add(block.results[result]); !wrong.empty()) return wrong;
     }
   }
   next_ = part.blocks.last;

@@ -96,6 +96,7 @@ class SweepStore {
   Found found_;
   std::uint64_t next_ = 0;  // block
   std::vector<Column> columns_;
+  std::vector<std::size_t> results_;  // of a block, that have a column behind those of the inputs
   std::vector<std::filesystem::path> left_out_;
 };
 

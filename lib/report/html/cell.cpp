@@ -3,8 +3,6 @@
 #include "lib/report/worked.hpp"
 #include "lib/text/markup.hpp"
 
-#include <algorithm>
-
 namespace loadpath::report::page {
 namespace {
 
@@ -22,14 +20,10 @@ struct CellText {
 
 std::string math(std::string_view fragment) { return "<math>" + std::string(fragment) + "</math>"; }
 
-double letters_of(std::string_view text) {
-  return static_cast<double>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
-
 std::string symbol(std::string_view path) {
   const NamedSymbol named = named_symbol(path);
   const std::string where = named.where.empty() ? "" : "<span class=\"where\">" + escaped(named.where) + "</span> ";
+  if (is_word(named.symbol)) return where + escaped(named.symbol);
   return where + math(formula::symbol_mathml(named.symbol));
 }
 

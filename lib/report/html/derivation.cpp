@@ -1,4 +1,5 @@
 #include "lib/formula/formula.hpp"
+#include "lib/report/columns.hpp"
 #include "lib/report/html/html.hpp"
 #include "lib/report/worked.hpp"
 #include "lib/text/markup.hpp"

@@ -1,13 +1,13 @@
 #include "lib/report/html/html.hpp"
 
+#include "lib/draw/page.hpp"
 #include "lib/report/conclusion.hpp"
+#include "lib/report/worked.hpp"
 #include "lib/text/embedded.hpp"
 #include "lib/text/markup.hpp"
 
 namespace loadpath::report {
 namespace {
-
-constexpr std::size_t headings_for_contents = 4;
 
 std::string numbered(std::string_view kind, int number, const Message& caption) {
   const std::string label = say("{1} {2}", kind, std::to_string(number)).text();
@@ -29,8 +29,9 @@ class Writer {
       out += "<div><dt>" + escaped(name.text()) + "</dt><dd>" + escaped(text) + "</dd></div>\n";
     }
     out += "</dl>\n</header>\n" + page::conclusion(document.summary);
-    if (!document.found.rows.empty()) out += (*this)(document.found);
-    return out + page::modes(document.summary, anchors_) + contents(document);
+    if (!document.chosen.rows.empty()) out += (*this)(document.chosen);
+    return out + page::doubts(document.summary, anchors_) + path(document.path) +
+           page::passes(document.summary, anchors_) + contents(document);
   }
 
   std::string operator()(const Heading& heading) {
@@ -64,30 +65,42 @@ class Writer {
     has_chart_ = has_chart_ || tells;
     return (moves   ? "<figure class=\"moving\">" + page::motion(figure)
             : tells ? "<figure>" + page::chart(figure)
-                    : "<figure>" + draw::svg(figure)) +
+                    : "<figure>" + draw::svg_in_page(figure)) +
            "<figcaption>" + numbered("Figure", numbering_.figure(), say(figure.caption)) + "</figcaption></figure>\n";
+  }
+  std::string appendix(const std::string& input) {
+    if (input.empty()) return {};
+    return (*this)(Heading{2, say("Input").text(), "input"}) + "<pre class=\"input\" tabindex=\"0\">" + escaped(input) +
+           "</pre>\n";
   }
   /// The pictures stand in the page as they are printed. To show another frame the script moves every part from there.
   [[nodiscard]] std::string script() const {
     const auto script_of = [](bool wanted, std::string_view name) {
       return wanted ? "<script>\n" + std::string(embedded::asset(name)) + "</script>\n" : "";
     };
-    return script_of(has_motion_, "motion.js") + script_of(has_chart_, "chart.js");
+    return script_of(true, "scroll.js") + script_of(has_motion_, "motion.js") + script_of(has_chart_, "chart.js");
   }
 
  private:
+  std::string path(const draw::Flow& flow) {
+    if (flow.parts.empty()) return {};
+    const Message caption = say("What loads what, and with how much");
+    return "<figure class=\"path\">" + draw::flow_in_page(flow, caption.text()) + "<figcaption>" +
+           numbered("Figure", numbering_.figure(), caption) + "</figcaption></figure>\n";
+  }
   static std::string contents(const Document& document) {
+    const std::vector<const Heading*> headings = listed_headings(document);
+    if (headings.empty()) return {};
     Numbering numbering;
     std::string out = "<nav aria-label=\"" + escaped(say("Contents").text()) + "\"><ol>\n";
-    std::size_t count = 0;
-    for (const Block& block : document.blocks) {
-      const auto* heading = std::get_if<Heading>(&block);
-      if (heading == nullptr || heading->level > 2) continue;
-      ++count;
+    for (const Heading* heading : headings) {
       out += "<li><span class=\"no\">" + numbering.heading(2) + "</span> <a href=\"#" + escaped(heading->anchor) +
              "\">" + escaped(heading->text) + "</a></li>\n";
     }
-    return count < headings_for_contents ? std::string() : out + "</ol></nav>\n";
+    if (!document.input.empty())
+      out += "<li><span class=\"no\">" + numbering.heading(2) + "</span> <a href=\"#input\">" +
+             escaped(say("Input").text()) + "</a></li>\n";
+    return out + "</ol></nav>\n";
   }
 
   std::set<std::string> anchors_;
@@ -104,9 +117,10 @@ std::string html(const Document& document) {
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
-      escaped(document.title) + "</title>\n<style>\n" + page::style(document.title, footer) +
+      escaped(document.title) + "</title>\n<style>\n" + page::style(document.title, footer, document.paper) +
       "</style>\n</head>\n<body>\n" + std::string(page::shapes()) + "<main>\n" + writer.front(document);
   for (const Block& block : document.blocks) out += std::visit([&](const auto& b) { return writer(b); }, block);
+  out += writer.appendix(document.input);
   return out + "</main>\n" + writer.script() + "</body>\n</html>\n";
 }
 

@@ -12,9 +12,6 @@ namespace loadpath::report::page {
 /// One inline formula from MathML fragments.
 std::string math(std::string_view fragment);
 
-/// How many letters stand in a text: of UTF-8 its continuations do not count.
-double letters_of(std::string_view text);
-
 std::string symbol(std::string_view path);
 std::string cell(const Cell& cell);
 
@@ -31,9 +28,12 @@ std::string verdicts(const Verdicts& verdicts, const std::set<std::string>& anch
 /// A bar beside a utilisation.
 std::string bar(double utilisation);
 
-/// The outcome of all modes in a sentence, and each in a row.
+/// The outcome of all modes in a sentence.
 std::string conclusion(const Modes& modes);
-std::string modes(const Modes& modes, const std::set<std::string>& anchors);
+/// Each that does not pass in a row, those excluded by proof and those that are open and remote in a line each.
+std::string doubts(const Modes& modes, const std::set<std::string>& anchors);
+/// Each that passes in a row.
+std::string passes(const Modes& modes, const std::set<std::string>& anchors);
 
 /// A figure that holds a Motion; without scripts it is a picture.
 std::string motion(const draw::Figure& figure);
@@ -41,6 +41,6 @@ std::string motion(const draw::Figure& figure);
 std::string chart(const draw::Figure& figure);
 
 /// The style sheet with the math font in it; `header` and `footer` stand on every printed page.
-std::string style(std::string_view header, std::string_view footer);
+std::string style(std::string_view header, std::string_view footer, std::string_view paper);
 
 }  // namespace loadpath::report::page

@@ -18,6 +18,22 @@ std::string value(const Mode& mode) {
   return mode.utilisation ? escaped(format_number(*mode.utilisation, 3)) + bar(*mode.utilisation) : "–";
 }
 
+std::string table_of(const Modes& rows, const std::set<std::string>& anchors) {
+  if (rows.empty()) return {};
+  std::string out = "<div class=\"scroll\"><table class=\"verdicts\">\n<thead><tr>";
+  for (const Message& head : {say("mode of failure"), say("utilisation"), say("verdict")}) {
+    out += std::string("<th scope=\"col\"") + (head.id == "utilisation" ? " class=\"number\">" : ">") +
+           escaped(head.text()) + "</th>";
+  }
+  out += "</tr></thead>\n<tbody>\n";
+  for (const Mode& mode : rows) {
+    out += "<tr><td class=\"subject\">" + subject(mode, anchors) + "</td><td class=\"number\">" + value(mode) +
+           "</td><td class=\"verdict\">" + state(mode.state) + "</td></tr>\n";
+  }
+  out += "</tbody></table></div>\n";
+  return out;
+}
+
 }  // namespace
 
 std::string conclusion(const Modes& modes) {
@@ -27,21 +43,16 @@ std::string conclusion(const Modes& modes) {
   return out + "</span></p>\n";
 }
 
-std::string modes(const Modes& modes, const std::set<std::string>& anchors) {
-  if (modes.empty()) return {};
-  std::string out = "<div class=\"scroll\"><table class=\"verdicts\">\n<thead><tr>";
-  for (const Message& head : {say("mode of failure"), say("utilisation"), say("verdict")}) {
-    out += std::string("<th scope=\"col\"") + (head.id == "utilisation" ? " class=\"number\">" : ">") +
-           escaped(head.text()) + "</th>";
+std::string doubts(const Modes& modes, const std::set<std::string>& anchors) {
+  std::string out = table_of(doubtful(modes), anchors);
+  for (const Message& rest : {proved(modes), remote(modes)}) {
+    if (!rest.empty()) out += "<p class=\"note\">" + escaped(rest.text()) + "</p>\n";
   }
-  out += "</tr></thead>\n<tbody>\n";
-  for (const Mode& mode : told(modes)) {
-    out += "<tr><td class=\"subject\">" + subject(mode, anchors) + "</td><td class=\"number\">" + value(mode) +
-           "</td><td class=\"verdict\">" + state(mode.state) + "</td></tr>\n";
-  }
-  out += "</tbody></table></div>\n";
-  const Message rest = remote(modes);
-  return rest.empty() ? out : out + "<p class=\"note\">" + escaped(rest.text()) + "</p>\n";
+  return out;
+}
+
+std::string passes(const Modes& modes, const std::set<std::string>& anchors) {
+  return table_of(passing(modes), anchors);
 }
 
 }  // namespace loadpath::report::page

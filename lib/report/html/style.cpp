@@ -1,3 +1,5 @@
+#include "lib/draw/canvas/style.hpp"
+
 #include "lib/report/html/base64.hpp"
 #include "lib/report/html/html.hpp"
 #include "lib/text/embedded.hpp"
@@ -22,11 +24,11 @@ std::string quoted(std::string_view words) {
   return out + "\"";
 }
 
-std::string page_rules(std::string_view header, std::string_view footer) {
+std::string page_rules(std::string_view header, std::string_view footer, std::string_view paper) {
   const std::string face =
       "font:9pt Cambria,\"STIX Two Text\",STIX,\"Liberation Serif\",\"Times New Roman\",serif;color:#5b626b;";
-  return "@page{size:A4;margin:18mm 18mm 17mm;@top-left{" + face + "content:" + quoted(header) + "}@bottom-left{" +
-         face + "content:" + quoted(footer) + "}@bottom-right{" + face +
+  return "@page{size:" + std::string(paper) + ";margin:18mm 18mm 17mm;@top-left{" + face + "content:" + quoted(header) +
+         "}@bottom-left{" + face + "content:" + quoted(footer) + "}@bottom-right{" + face +
          "content:counter(page) \" / \" counter(pages)}}\n@page:first{@top-left{content:none}}\n";
 }
 
@@ -37,8 +39,9 @@ std::string math_font() {
 
 }  // namespace
 
-std::string style(std::string_view header, std::string_view footer) {
-  return math_font() + std::string(embedded::asset("report.css")) + page_rules(header, footer);
+std::string style(std::string_view header, std::string_view footer, std::string_view paper) {
+  return math_font() + std::string(embedded::asset("report.css")) + draw::style_sheet() + "\n" +
+         page_rules(header, footer, paper);
 }
 
 }  // namespace loadpath::report::page

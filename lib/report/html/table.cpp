@@ -1,87 +1,18 @@
-#include "lib/formula/formula.hpp"
+#include "lib/report/columns.hpp"
 #include "lib/report/html/html.hpp"
 #include "lib/report/worked.hpp"
 #include "lib/text/markup.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace loadpath::report::page {
 namespace {
 
-constexpr std::size_t many_columns = 7;                         // set closer, with units in the head
-constexpr int few_digits = 4;                                   // of their numbers; the calculation and JSON have more
-constexpr double between = 1.6;                                 // two columns, letters
 constexpr double close_letters = 112.0, finer_letters = 140.0;  // of a line that is set closer, and in smaller type
-
-/// A column as it is set: in the head its unit, where all of its numbers have the same.
-struct Column {
-  std::size_t index = 0;
-  bool numeric = false;
-  std::string unit = {};
-  double letters = 0.0;
-};
-
-std::string number_of(Quantity q, const Column& column) {
-  if (std::isinf(q.si)) return q.si > 0.0 ? "∞" : "−∞";
-  q.digits = std::min(q.digits, few_digits);
-  formula::Written number = written(q);
-  if (!column.unit.empty()) number.unit.clear();
-  return formula::quantity_plain(number);
-}
-
-std::string shared_unit(const Table& table, std::size_t column) {
-  std::string unit;
-  for (const auto& row : table.rows) {
-    const auto* const q = column < row.size() ? std::get_if<Quantity>(&row[column]) : nullptr;
-    if (q == nullptr || !std::isfinite(q->si)) continue;
-    const std::string own = written(*q).unit;
-    if (own.empty() || (!unit.empty() && own != unit)) return {};
-    unit = own;
-  }
-  return unit;
-}
 
 std::string close_cell(const Cell& of, const Column& column) {
   const auto* const q = std::get_if<Quantity>(&of);
   return q == nullptr ? cell(of) : "<span class=\"quantity\">" + escaped(number_of(*q, column)) + "</span>";
-}
-
-double letters_in(const Cell& of, const Column& column) {
-  if (const auto* const q = std::get_if<Quantity>(&of)) return letters_of(number_of(*q, column));
-  constexpr double longest_word = 13.0;  // "not available" breaks
-  if (const auto* const text = std::get_if<std::string>(&of)) return letters_of(*text);
-  return longest_word;
-}
-
-Column column_of(const Table& table, std::size_t index, bool numeric) {
-  Column column{index, numeric, shared_unit(table, index)};
-  constexpr double symbol_share = 0.6;  // its subscript is small
-  column.letters = symbol_share * letters_of(formula::symbol_plain(table.head[index].text()));
-  for (const auto& row : table.rows)
-    column.letters = std::max(column.letters, index < row.size() ? letters_in(row[index], column) : 0.0);
-  return column;
-}
-
-/// Columns beside each other.
-struct Part {
-  std::vector<Column> columns;
-  double letters = 0.0;
-};
-
-/// What has no room beside each other becomes parts of the table; each begins with the name of the row.
-std::vector<Part> parts_of(const Table& table, const std::vector<bool>& numeric) {
-  const Column first = column_of(table, 0, numeric[0]);
-  std::vector<Part> parts{{{first}, first.letters}};
-  for (std::size_t i = 1; i < table.head.size(); ++i) {
-    const Column column = column_of(table, i, numeric[i]);
-    const double more = between + column.letters;
-    if (parts.back().letters + more > finer_letters && parts.back().columns.size() > 1)
-      parts.push_back({{first}, first.letters});
-    parts.back().columns.push_back(column);
-    parts.back().letters += more;
-  }
-  return parts;
 }
 
 std::string head_cell(const Message& head, bool number, const std::string& unit) {
@@ -133,7 +64,7 @@ bool is_narrow(const Table& table, const std::vector<bool>& numeric) {
   if (table.head.empty() || is_form(table)) return false;
   double letters = 0.0;
   for (std::size_t i = 0; i < table.head.size(); ++i) {
-    letters += between + column_of(table, i, numeric[i]).letters;
+    letters += between_columns + column_of(table, i, numeric[i]).letters;
     for (const auto& row : table.rows) {
       if (i < row.size() && breaks(row[i])) return false;
     }
@@ -167,7 +98,9 @@ std::string table(const Table& table, const std::string& caption) {
   if (!narrow && table.head.size() < many_columns) {
     out += wide(table, numeric);
   } else {
-    for (const Part& part : parts_of(table, numeric)) out += close_part(table, part);
+    std::vector<Column> columns;
+    for (std::size_t i = 0; i < table.head.size(); ++i) columns.push_back(column_of(table, i, numeric[i]));
+    for (const Part& part : parts_of(columns, finer_letters)) out += close_part(table, part);
   }
   return out + "</div>\n";
 }

@@ -15,7 +15,8 @@ using md::text;
 
 std::string symbol(std::string_view path) {
   const NamedSymbol named = named_symbol(path);
-  return (named.where.empty() ? "" : text(named.where) + " ") + inline_math(formula::symbol_tex(named.symbol));
+  const std::string where = named.where.empty() ? "" : text(named.where) + " ";
+  return where + (is_word(named.symbol) ? text(named.symbol) : inline_math(formula::symbol_tex(named.symbol)));
 }
 
 std::string state(State s) {
@@ -56,18 +57,24 @@ std::string conclusion(const Modes& all) {
   return out + "\n\n";
 }
 
-std::string modes(const Modes& all) {
-  if (all.empty()) return {};
+std::string table_of(const Modes& rows) {
+  if (rows.empty()) return {};
   Grid grid{{text(say("mode of failure").text()), text(say("utilisation").text()), text(say("verdict").text())},
             {},
             {false, true, false}};
-  for (const Mode& mode : told(all)) {
+  for (const Mode& mode : rows) {
     const std::string subject = mode.step + ": " + mode.title.text() + "; " + account::reason(mode).text();
     const std::string value = mode.utilisation ? format_number(*mode.utilisation, 3) : "–";
     grid.rows.push_back({text(subject), text(value), state(mode.state)});
   }
-  const Message rest = remote(all);
-  return md::table(grid) + (rest.empty() ? "" : text(rest.text()) + "\n\n");
+  return md::table(grid);
+}
+
+/// Each that does not pass in a row, those excluded by proof and those that are open and remote in a line each.
+std::string doubts(const Modes& all) {
+  std::string out = table_of(doubtful(all));
+  for (const Message& words : {proved(all), remote(all)}) out += words.empty() ? "" : text(words.text()) + "\n\n";
+  return out;
 }
 
 /// The formula on one line; its numbers, where they say more, on the next.
@@ -118,15 +125,21 @@ class Writer {
     for (const Step& step : derivation.steps) out_.text += step_text(step);
   }
   void operator()(const Verdicts& rows) { out_.text += verdicts(rows); }
-  void operator()(const draw::Figure& figure) {
-    const int number = numbering_.figure();
-    const std::string words = caption("Figure", number, say(figure.caption));
-    std::string name = stem_ + "-" + std::to_string(number) + "-" + figure.id + ".svg";
-    out_.text += "![" + text(say(figure.caption).text()) + "](" + md::address(name) + ")\n\n" + words + "\n\n";
-    out_.figures.emplace_back(std::move(name), draw::svg(figure));
+  void operator()(const draw::Flow& flow) {
+    const std::string caption = say("What loads what, and with how much").text();
+    add_figure("path", caption, draw::flow_file(flow, caption));
   }
+  void operator()(const draw::Figure& figure) { add_figure(figure.id, say(figure.caption).text(), draw::svg(figure)); }
 
  private:
+  void add_figure(const std::string& id, const std::string& words_of_it, std::string svg) {
+    const int number = numbering_.figure();
+    const std::string words = caption("Figure", number, say("{1}", words_of_it));
+    std::string name = stem_ + "-" + std::to_string(number) + "-" + id + ".svg";
+    out_.text += "![" + text(words_of_it) + "](" + md::address(name) + ")\n\n" + words + "\n\n";
+    out_.figures.emplace_back(std::move(name), std::move(svg));
+  }
+
   static std::string caption(std::string_view kind, int number, const Message& words) {
     return "**" + text(say("{1} {2}", kind, std::to_string(number)).text()) + ".** " + text(words.text());
   }
@@ -144,9 +157,18 @@ Markdown markdown(const Document& document, std::string_view stem) {
   for (const auto& [name, value] : document.meta) out.text += "- " + text(name.text()) + ": " + text(value) + "\n";
   out.text += (document.meta.empty() ? "" : "\n") + conclusion(document.summary);
   Writer writer(stem, out);
-  if (!document.found.rows.empty()) writer(document.found);
-  out.text += modes(document.summary);
+  if (!document.chosen.rows.empty()) writer(document.chosen);
+  out.text += doubts(document.summary);
+  if (!document.path.parts.empty()) writer(document.path);
+  out.text += table_of(passing(document.summary));
   for (const Block& block : document.blocks) std::visit(writer, block);
+  if (document.input.empty()) return out;
+  writer(Heading{2, say("Input").text(), "input"});
+  for (std::size_t at = 0; at < document.input.size();) {  // set in: nothing in it can end the block
+    const std::size_t end = std::min(document.input.find('\n', at), document.input.size());
+    out.text += "    " + document.input.substr(at, end - at) + "\n";
+    at = end + 1;
+  }
   return out;
 }
 

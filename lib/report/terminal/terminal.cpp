@@ -2,6 +2,7 @@
 
 #include "lib/quantity/format.hpp"
 #include "lib/report/build.hpp"
+#include "lib/report/terminal/answer.hpp"
 #include "lib/report/terminal/rows.hpp"
 #include "lib/report/why.hpp"
 
@@ -118,6 +119,18 @@ std::string with_short_hints(const std::string& text) {
   return all;
 }
 
+void show_step(const project::Step& step, bool in_full) {
+  std::cout << step.name() << ": " << step.input().calculator->title << " (" << step.input().calculator->id << ")\n";
+  show_found(step);
+  if (in_full) show_derivation(step);
+  if (in_full && !step.account().blocks.empty())
+    show_tables(step);
+  else
+    show_results(step);
+  if (in_full) show_lists(step);
+  std::cout << "\n";
+}
+
 }  // namespace
 
 bool colours(Stream stream) {
@@ -132,12 +145,16 @@ void show_tables(const std::vector<account::Block>& blocks) {
   }
 }
 
-void show_issues(const std::vector<Issue>& issues, const std::vector<SourceText>& sources) {
-  const std::string text = render(issues, [&](const std::string& file) {
+std::string issues_text(const std::vector<Issue>& issues, const std::vector<SourceText>& sources) {
+  return render(issues, [&](const std::string& file) {
     const auto found =
         std::find_if(sources.begin(), sources.end(), [&](const SourceText& s) { return s.file == file; });
     return found == sources.end() ? std::string() : found->text;
   });
+}
+
+void show_issues(const std::vector<Issue>& issues, const std::vector<SourceText>& sources) {
+  const std::string text = issues_text(issues, sources);
   std::cerr << (isatty(STDERR_FILENO) != 0 ? with_short_hints(text) : text);
 }
 
@@ -146,28 +163,18 @@ std::string state_word(account::State state) {
   return in_colour(account::word(state).text(), state == account::State::pass ? "32" : "33");
 }
 
-void show_project(const project::Project& project, bool in_full) {
+void show_project(const project::Project& project, report::Detail detail) {
+  const bool in_full = detail == report::Detail::full;
   if (!project.title.empty()) std::cout << project.title << "\n\n";
-  for (const auto& step : project.steps) {
-    std::cout << step->name() << ": " << step->input().calculator->title << " (" << step->input().calculator->id
-              << ")\n";
-    show_found(*step);
-    if (in_full) show_derivation(*step);
-    if (in_full && !step->account().blocks.empty())
-      show_tables(*step);
-    else
-      show_results(*step);
-    show_lists(*step);
-    std::cout << "\n";
+  if (detail != report::Detail::brief) {
+    for (const auto& step : project.steps) show_step(*step, in_full);
   }
   const auto verdicts = project::verdicts(project);
   if (in_full && !verdicts.empty()) {
     show_verdicts(verdicts);
     std::cout << "\n";
   }
-  const auto modes = project::modes(project);
-  if (modes.empty()) return;
-  std::cout << mode_columns(modes, true) << "\n" << paragraph(account::brief_scope(modes).text(), 2);
+  show_answer(project, in_full);
 }
 
 }  // namespace loadpath::terminal

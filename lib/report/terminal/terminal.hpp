@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lib/project/project.hpp"
+#include "lib/report/detail.hpp"
 #include "lib/report/terminal/layout.hpp"
 
 #include <string>
@@ -9,19 +10,22 @@
 
 namespace loadpath::terminal {
 
-/// Issues on standard error. `sources` gives the text of what they point into.
+/// What issues point into.
 struct SourceText {
   std::string file;
   std::string text;
 };
+/// Issues with their lines of these texts, as they are shown where nobody looks at a terminal.
+std::string issues_text(const std::vector<Issue>& issues, const std::vector<SourceText>& sources);
+/// The same on standard error.
 void show_issues(const std::vector<Issue>& issues, const std::vector<SourceText>& sources);
 
 /// Whether text on this stream may be coloured: a terminal, and NO_COLOR is not set.
 enum class Stream { out, error };
 bool colours(Stream stream);
 
-/// The results and verdicts of a solved project; `in_full`: its formulas too, and of a mechanism its tables.
-void show_project(const project::Project& project, bool in_full);
+/// A solved project: its parts, and last the answer. Brief: that alone; full: with lists, formulas, every verdict.
+void show_project(const project::Project& project, report::Detail detail);
 
 /// Paragraphs and tables of a document; its figures are not shown.
 void show_tables(const std::vector<account::Block>& blocks);

@@ -1,8 +1,7 @@
 // The figures of a sweep: which points they have, that these are those of the sweep, and that they stay small.
-#include "lib/report/sweep_charts.hpp"
-
 #include "lib/figure/chart.hpp"
-#include "lib/report/sweep.hpp"
+#include "lib/report/sweep/charts.hpp"
+#include "lib/report/sweep/sweep.hpp"
 #include "tests/lib/project/sweep/swept.hpp"
 
 #include <doctest/doctest.h>

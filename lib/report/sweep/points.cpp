@@ -1,4 +1,4 @@
-#include "lib/report/sweep_points.hpp"
+#include "lib/report/sweep/points.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lib/report/document.hpp"
-#include "lib/report/sweep_points.hpp"
+#include "lib/report/sweep/points.hpp"
 
 #include <string>
 #include <vector>

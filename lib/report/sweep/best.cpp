@@ -1,4 +1,4 @@
-#include "lib/report/best.hpp"
+#include "lib/report/sweep/best.hpp"
 
 #include "lib/quantity/format.hpp"
 
@@ -38,22 +38,25 @@ Table chosen_table(const Best& best) {
 }
 
 /// Why the machine beside the best one is no better.
-Message lot_of(const Best& best, const sweep::Neighbour& neighbour) {
+Message lot_of(const Best& best, const sweep::Neighbour& neighbour, const Message& lack) {
   using Outcome = sweep::Neighbour::Outcome;
   if (neighbour.outcome == Outcome::better) return say("better: the search ended before it");
   if (neighbour.outcome == Outcome::no_better) return say("no better");
   if (neighbour.broken >= best.demands.size()) return say("no nearer to what is asked for");
+  const std::string& demand = best.demands[neighbour.broken].text;
   const double value = neighbour.outputs[neighbour.broken + 1];
-  return say("breaks '{1}' ({2})", best.demands[neighbour.broken].text,
-             std::isfinite(value) ? format_number(value, 4) : std::string("not available"));
+  if (std::isfinite(value)) return say("breaks '{1}' ({2})", demand, format_number(value, 4));
+  if (lack.empty()) return say("breaks '{1}' ({2})", demand, say("not available"));
+  return lack;
 }
 
 Table neighbour_table(const Best& best, const project::BestAsked& asked) {
   Table table{say("Beside it"), {say("input"), say("value"), say("{1}", asked.objective.text), say("why not")}, {}};
-  for (const sweep::Neighbour& neighbour : best.optimum.neighbours) {
+  for (std::size_t i = 0; i < best.optimum.neighbours.size(); ++i) {
+    const sweep::Neighbour& neighbour = best.optimum.neighbours[i];
     const SweptInput& input = best.inputs[best.chosen[neighbour.variable]];
     table.rows.push_back({input.name, written(input, neighbour.point[neighbour.variable]),
-                          in_unit_of(neighbour.outputs[0], best.unit), lot_of(best, neighbour)});
+                          in_unit_of(neighbour.outputs[0], best.unit), lot_of(best, neighbour, best.lacks[i])});
   }
   return table;
 }

@@ -1,4 +1,4 @@
-#include "lib/report/influence.hpp"
+#include "lib/report/sweep/influence.hpp"
 
 #include "lib/quantity/format.hpp"
 

@@ -1,7 +1,7 @@
-#include "lib/report/sweep.hpp"
+#include "lib/report/sweep/sweep.hpp"
 
 #include "lib/quantity/format.hpp"
-#include "lib/report/sweep_charts.hpp"
+#include "lib/report/sweep/charts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -131,7 +131,7 @@ std::vector<Cell> row_of_point(const SweepPlan& plan, std::uint64_t index, const
   std::vector<Cell> row{number(index)};
   const std::size_t inputs = plan.inputs.size();
   for (std::size_t i = 0; i < inputs; ++i) row.emplace_back(written(plan.inputs[i], values[i]));
-  for (std::size_t k = 0; k < plan.columns.size(); ++k)
+  for (const std::size_t k : plan.beside_inputs())
     row.emplace_back(quantity(values[inputs + k], plan.columns[k].unit, 5));
   return row;
 }
@@ -139,7 +139,7 @@ std::vector<Cell> row_of_point(const SweepPlan& plan, std::uint64_t index, const
 Table table_of_points(const SweepPlan& plan, Message caption) {
   Table table{std::move(caption), {say("point")}, {}};
   for (const SweptInput& input : plan.inputs) table.head.push_back(say("{1}", input.name));
-  for (const SweptResult& column : plan.columns) table.head.push_back(say("{1}", column.name));
+  for (const std::size_t k : plan.beside_inputs()) table.head.push_back(say("{1}", plan.columns[k].name));
   return table;
 }
 
@@ -214,6 +214,7 @@ Paragraph conclusion(const SweepPlan& plan, const Found& found) {
   if (gaps > 0) text += "; " + number(gaps) + " are not judged, not covered or not available";
   if (all.refused_points() > 0) text += "; " + number(all.refused_points()) + " are no machine";
   text += ".";
+  if (plan.inputs.empty()) text += " Nothing varies: it is the one machine of the project.";
   return {say("{1}", text), Paragraph::Tone::plain};
 }
 
@@ -232,7 +233,7 @@ Document sweep_document(const Project& project, const SweepPlan& plan, const Fou
   blocks.emplace_back(Heading{2, "Sweep", "sweep"});
   blocks.emplace_back(conclusion(plan, found));
   for (Block& block : sweep_charts(project, plan, found, drawn)) blocks.push_back(std::move(block));
-  blocks.emplace_back(input_table(plan));
+  if (!plan.inputs.empty()) blocks.emplace_back(input_table(plan));
   if (!plan.columns.empty()) blocks.emplace_back(result_table(plan, found));
   blocks.emplace_back(mode_table(project, plan, found));
   if (!found.refusals().empty()) blocks.emplace_back(refused_table(found));

@@ -1,4 +1,4 @@
-#include "lib/report/sweep_charts.hpp"
+#include "lib/report/sweep/charts.hpp"
 
 #include "lib/figure/chart.hpp"
 
@@ -59,7 +59,7 @@ Chart chart_of(const Project& project, const SweepPlan& plan, const SolvedPoints
   chart.command = "loadpath run " + (project.file == "-" ? "FILE" : project.file) + " --point ";
   for (std::size_t k = 0; k < plan.inputs.size(); ++k)
     chart.told.push_back({plan.inputs[k].name, plan.inputs[k].unit, points.inputs[k], plan.inputs[k].words});
-  for (std::size_t k = 0; k < asked; ++k)
+  for (const std::size_t k : plan.beside_inputs())
     chart.told.push_back({plan.columns[k].name, plan.columns[k].unit, points.results[k]});
   Chart::Told used{say("utilisation").text(), "-", points.results[asked + 1]}, said{say("verdict").text(), "", {}};
   std::map<std::size_t, std::size_t> modes;  // number of a mode in the chart

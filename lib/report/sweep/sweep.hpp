@@ -4,7 +4,7 @@
 
 #include "lib/project/sweep/found.hpp"
 #include "lib/report/document.hpp"
-#include "lib/report/sweep_points.hpp"
+#include "lib/report/sweep/points.hpp"
 
 namespace loadpath::report {
 

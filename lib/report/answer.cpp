@@ -1,0 +1,247 @@
+#include "lib/report/answer.hpp"
+
+#include "lib/quantity/format.hpp"
+#include "lib/report/why.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace loadpath::report {
+
+namespace {
+
+using account::Entry;
+using project::Project;
+using project::Step;
+
+constexpr int digits = 4;
+
+/// A value that is not broken between lines, with the sign that is longer than a hyphen.
+std::string set(std::string text) {
+  for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at)) text.replace(at, 1, "\u00A0");
+  const std::string minus = "\u00A0-";
+  for (std::size_t at = text.find(minus); at != std::string::npos; at = text.find(minus, at))
+    text.replace(at, minus.size(), "\u00A0\u2212");
+  return text;
+}
+
+/// A number, a word, or what a series amounts to: its value of the largest magnitude.
+std::string short_text(const Entry& entry) {
+  if (!entry.word.empty()) return entry.word;
+  if (entry.value.si.empty()) return {};
+  if (!entry.value.is_series() || is_constant(entry.value))
+    return format_quantity(entry.value.si.front(), entry.unit, digits);
+  const double low = minimum(entry.value).value, high = maximum(entry.value).value;
+  return say("up to {1}", format_quantity(std::fabs(low) > std::fabs(high) ? low : high, entry.unit, digits)).text();
+}
+
+/// A row of a table may leave a size out that other rows have: a square tube has no diameter.
+bool is_known(const Entry& entry) {
+  return !entry.word.empty() || (!entry.value.si.empty() && !std::isnan(entry.value.si.front()));
+}
+
+/// A size with its symbol; a long path may stand on a line of its own, or a column for it leaves none for the reasons.
+std::string size_text(const Entry& entry) {
+  constexpr std::size_t short_path = 8;
+  const std::string text = short_text(entry);
+  if (!entry.word.empty()) return set(text);
+  return entry.path + (entry.path.size() > short_path ? " " : "\u00A0") + set("= " + text);
+}
+
+/// The sizes of a part: what was searched for, and what was given where it might have been.
+std::vector<const Entry*> sizes_of(const Step& step) {
+  std::vector<const Entry*> sizes = chosen(step.account());
+  const auto& fields = step.input().calculator->input->fields;  // a result may have the same key
+  for (const Entry& entry : step.account().inputs) {
+    const FieldInfo* const field = find_field_at(fields, entry.path);
+    const bool is_size = field != nullptr && *field->searched_in != '\0' && !entry.origin.searched;
+    if (is_size && is_known(entry)) sizes.push_back(&entry);
+  }
+  return sizes;
+}
+
+/// Whether a row has the shape of the part, and not what it is made of: it fills a length, an area.
+bool is_shape(const Step& step, std::string_view group) {
+  const auto& fields = step.input().calculator->input->fields;
+  return std::any_of(fields.begin(), fields.end(), [&](const FieldInfo& field) {
+    if (field.provider.kind != Provider::Kind::table || field.provider.table != group) return false;
+    Dimension rest = field.dimension;
+    rest.twelfths[Dimension::length] = 0;
+    return rest.is_number() && !field.dimension.is_number();
+  });
+}
+
+/// The rows of tables that give the part its shape: "section" "IPE 200".
+std::vector<std::pair<std::string, std::string>> rows_of(const Step& step) {
+  std::vector<std::pair<std::string, std::string>> rows;
+  for (const auto& [group, row] : step.input().rows) {
+    if (is_shape(step, group) && !row.text.empty()) rows.emplace_back(group, row.text);
+  }
+  return rows;
+}
+
+constexpr std::size_t most_sizes = 3;
+
+std::string sizes_text(const Step& step) {
+  std::vector<std::string> words;
+  for (const auto& [group, row] : rows_of(step)) words.push_back(row);
+  for (const Entry* entry : sizes_of(step)) words.push_back(size_text(*entry));
+  std::string all;
+  for (std::size_t i = 0; i < std::min(words.size(), most_sizes); ++i) all += (i == 0 ? "" : ", ") + words[i];
+  return words.size() > most_sizes ? say("{1} and {2} more", all, std::to_string(words.size() - most_sizes)).text()
+                                   : all;
+}
+
+/// Why it is these: what the search says, "given" where nothing was searched for.
+std::string reasons_text(const Step& step) {
+  std::string all;
+  for (const Entry* entry : chosen(step.account())) {
+    std::string text = entry->origin.text.text();
+    for (const std::string& key : entry->origin.sources) text += " [" + key + "]";
+    if (all.find(text) == std::string::npos) all += (all.empty() ? "" : "; ") + text;
+  }
+  return all.empty() && !sizes_text(step).empty() ? say("given").text() : all;
+}
+
+/// The modes of one step, judged as strictly as the project is.
+Modes modes_of(const Step& step, const Modes& all) {
+  Modes own;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(own), [&](const Mode& m) { return m.step == step.name(); });
+  return own;
+}
+
+using Tone = draw::Flow::Tone;
+Tone tone_of(State state) {
+  switch (state) {
+    case State::pass:
+    case State::accepted:
+      return Tone::sound;
+    case State::fail:
+      return Tone::failing;
+    case State::open:
+      return Tone::quiet;
+    case State::not_judged:
+    case State::not_covered:
+    case State::not_available:
+      return Tone::doubtful;
+  }
+  return Tone::quiet;
+}
+
+/// What one step takes of others, by the step that it comes from, each once.
+class Taking {
+ public:
+  explicit Taking(const Step& step) : step_(step) {
+    for (const project::Operand& operand : step.input().reading.operands) take(operand);
+    for (const project::Taken& taken : step.input().reading.taken) {
+      if (!taken.of_record) add(taken.source, named(taken.path));
+    }
+    for (const project::Taken& record : step.input().reading.records) add(record.source, named_record(record));
+  }
+
+  [[nodiscard]] const std::map<std::string, std::vector<std::string>>& labels() const { return labels_; }
+
+ private:
+  void take(const project::Operand& operand) {
+    if (operand.of_record) return;
+    for (const auto& reference : operand.expression.references()) add(reference.path, named(operand.path));
+  }
+
+  void add(const std::string& source, const std::string& label) {
+    auto& labels = labels_[source.substr(0, source.find('.'))];
+    if (std::find(labels.begin(), labels.end(), label) == labels.end()) labels.push_back(label);
+  }
+
+  [[nodiscard]] const Entry* entry(const std::string& path) const {
+    const auto& inputs = step_.account().inputs;
+    const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const Entry& e) { return e.path == path; });
+    return found == inputs.end() ? nullptr : &*found;
+  }
+
+  [[nodiscard]] std::string named(const std::string& path) const {
+    const Entry* const found = entry(path);
+    const std::string value = found == nullptr ? "" : short_text(*found);
+    return value.empty() ? path : set(path + " = " + value);
+  }
+
+  /// A record by its leading number: what else it holds comes along.
+  [[nodiscard]] std::string named_record(const project::Taken& record) const {
+    for (const project::Operand& operand : step_.input().reading.operands) {
+      if (!operand.of_record) continue;
+      const auto& references = operand.expression.references();
+      const bool is_of = std::any_of(references.begin(), references.end(), [&](const auto& reference) {
+        return reference.path.starts_with(record.source + ".");
+      });
+      const Entry* const found = is_of ? entry(operand.path) : nullptr;
+      const bool counts = found != nullptr && !found->value.si.empty() && !short_text(*found).empty() &&
+                          std::fabs(maximum(found->value).value) + std::fabs(minimum(found->value).value) > 0.0;
+      if (counts) return named(operand.path) + ", …";
+    }
+    return record.path.empty() ? record.source : record.path;
+  }
+
+  const Step& step_;
+  std::map<std::string, std::vector<std::string>> labels_;
+};
+
+std::string name_of(const Step& step) { return step.input().title.empty() ? step.name() : step.input().title; }
+
+draw::Flow::Part part_of(const Step& step, const Modes& all) {
+  const Modes modes = modes_of(step, all);
+  const State state = modes.empty() ? State::open : overall(modes);
+  std::string below = sizes_text(step);
+  if (below.empty()) below = step.input().calculator->title;
+  return {name_of(step), std::move(below), modes.empty() ? "" : word(state).text(), tone_of(state)};
+}
+
+}  // namespace
+
+std::vector<ChosenPart> chosen_parts(const Project& project) {
+  std::vector<ChosenPart> parts;
+  const Modes all = project::modes(project);
+  for (const auto& step : project.steps) {
+    const Modes modes = modes_of(*step, all);
+    ChosenPart part{step->name(), sizes_text(*step), reasons_text(*step), telling(modes),
+                    modes.empty() ? State::open : overall(modes)};
+    if (part.governing && !part.governing->utilisation) part.governing.reset();
+    if (!part.sizes.empty() || part.governing) parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+Table chosen_table(const Project& project) {
+  Table table{say("Chosen"),
+              {say("part"), say("size"), say("because"), say("governs"), say("utilisation"), say("verdict")},
+              {}};
+  for (const ChosenPart& part : chosen_parts(project)) {
+    const auto& mode = part.governing;
+    const Cell governs = mode ? Cell(say("{1}; {2}", mode->title, account::reason(*mode))) : Cell("–");
+    const Cell value = mode ? Cell(Quantity{mode->utilisation.value_or(NAN), "-", 3}) : Cell("–");
+    table.rows.push_back({part.step, part.sizes.empty() ? "–" : part.sizes, part.reasons, governs, value, part.state});
+  }
+  return table;
+}
+
+draw::Flow load_path(const Project& project) {
+  draw::Flow flow;
+  const Modes all = project::modes(project);
+  std::map<std::string, std::size_t> places;
+  for (const std::size_t i : project.order) {
+    const project::Step& step = *project.steps[i];
+    const std::size_t to = flow.parts.size();
+    places[step.name()] = to;
+    flow.parts.push_back(part_of(step, all));
+    const Taking taking(step);
+    for (const auto& [from, labels] : taking.labels()) {
+      const auto source = places.find(from);
+      if (source == places.end() || source->second == to) continue;
+      for (const std::string& label : labels) flow.arrows.push_back({source->second, to, label});
+    }
+  }
+  if (flow.arrows.empty()) flow.parts.clear();
+  return flow;
+}
+
+}  // namespace loadpath::report

@@ -1,0 +1,38 @@
+#include "lib/formula/formula.hpp"
+#include "lib/report/latex/tex.hpp"
+#include "lib/report/worked.hpp"
+#include "lib/text/latex.hpp"
+
+namespace loadpath::report::tex {
+namespace {
+
+struct CellText {
+  std::string operator()(const std::string& text) const { return latex_text(text); }
+  std::string operator()(const Message& message) const { return latex_text(message.text()); }
+  std::string operator()(const Quantity& q) const { return latex_text(formula::quantity_plain(written(q))); }
+  std::string operator()(const Symbol& s) const { return symbol(s.name); }
+  std::string operator()(State s) const { return state(s); }
+};
+
+std::string_view colour_of(State state) {
+  if (state == State::pass || state == State::accepted) return "lpaccent3";
+  return state == State::open ? "lpmuted" : "lpaccent2";
+}
+
+}  // namespace
+
+std::string symbol(std::string_view path) {
+  const NamedSymbol named = named_symbol(path);
+  const std::string where = named.where.empty() ? "" : latex_text(named.where) + " ";
+  if (is_word(named.symbol)) return where + latex_text(named.symbol);
+  return where + "$" + formula::symbol_tex(named.symbol) + "$";
+}
+
+std::string cell(const Cell& cell) { return std::visit(CellText{}, cell); }
+
+std::string state(State state) {
+  return "\\lpstate{" + std::string(colour_of(state)) + "}{" + account::mark(state) + "}{" +
+         latex_text(word(state).text()) + "}";
+}
+
+}  // namespace loadpath::report::tex

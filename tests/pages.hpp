@@ -1,0 +1,55 @@
+// Pages of the documentation as a reader follows them: files to write, commands to type, what is then printed.
+#pragma once
+
+#include "tests/cli/process.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace loadpath::test {
+
+/// "```toml" and what stands in it, or what stands between two such blocks, without a language.
+struct Block {
+  std::string language;  ///< empty of plain text
+  std::string text;
+};
+
+struct Command {
+  std::string line;
+  int code = 0;  ///< of "# exit 1" behind it
+};
+
+/// A link as it is written: [words](target).
+struct Link {
+  std::string words;
+  std::string target;
+};
+
+std::vector<Block> blocks_of(const std::string& page);
+
+/// The lines of code that start with the program's name; a backslash at the end goes on in the next.
+std::vector<Command> commands_of(const std::string& code);
+
+/// Those outside of code.
+std::vector<Link> links_of(const std::string& page);
+
+/// The names that a "#..." can have: of the headings, as GitHub makes them.
+std::vector<std::string> anchors_of(const std::string& page);
+
+/// README.md, CONTRIBUTING.md, CHANGELOG.md, and what lies under docs, by their paths within the repository.
+std::vector<std::string> documents();
+
+std::string text_of(const std::filesystem::path& path);
+
+/// Runs a command; `watch` until its page is there, and ends it by Ctrl-C. CHECKs its exit code, gives what it printed.
+std::string typed(const Desk& desk, const Command& command);
+
+/// What is wrong with the lines that are shown, "..." standing for some that are left out; empty where nothing is.
+std::string difference(const std::string& shown, const std::string& printed);
+
+/// Goes through a page: writes the files whose first line is "# NAME.toml", or "# NAME.toml, continued"; types the
+/// commands; holds what a block of text shows against what the commands before it printed.
+void follow(const Desk& desk, const std::string& page);
+
+}  // namespace loadpath::test

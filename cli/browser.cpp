@@ -40,6 +40,7 @@ bool print_to_pdf(const std::string& html, const fs::path& path, Scratch& scratc
                                  "--disable-sync",
                                  "--user-data-dir=" + (folder / "profile").string(),
                                  "--no-pdf-header-footer",
+                                 "--generate-pdf-document-outline",
                                  "--print-to-pdf=" + target.string(),
                                  "file://" + page.string()};
   if (geteuid() == 0) words.insert(words.begin() + 1, "--no-sandbox");  // Chromium refuses its sandbox to root

@@ -1,4 +1,5 @@
 #include "cli/output.hpp"
+#include "cli/settings/settings.hpp"
 #include "cli/solving.hpp"
 #include "lib/project/selection.hpp"
 #include "lib/toml/tree.hpp"
@@ -147,7 +148,9 @@ Tree tree_of_flags(const CalculateOptions& options, std::vector<Issue>& issues) 
 
 Tree tree_of_file(const CalculateOptions& options, const terminal::SourceText& source, std::vector<Issue>& issues) {
   const std::string id = options.calculator->id;
-  Tree part = project::part_for(toml::read_toml(source.text, source.file, issues), id);
+  Tree project = toml::read_toml(source.text, source.file, issues);
+  if (!has_errors(issues)) put_settings(project, options.settings, issues);
+  Tree part = project::part_for(project, id);
   if (part.entries.empty() && !has_errors(issues)) {
     issues.push_back({{source.file, 0, 0, 1}, "", say("the project has no step of '{1}'", id), {}, Severity::error});
   }
@@ -161,6 +164,11 @@ Tree tree_of_file(const CalculateOptions& options, const terminal::SourceText& s
 
 int calculate(const CalculateOptions& options) {
   if (!can_write(options.output)) return wrong_input;
+  if (!options.settings.empty() && options.file.empty()) {
+    std::cerr << "loadpath: '--set' is about the steps of a file\n  = help: name it with --file, or write the field as "
+                 "a flag: --T \"900 N*m\"\n";
+    return wrong_input;
+  }
   std::vector<terminal::SourceText> sources;
   for (const auto& [key, text] : options.values) sources.push_back({"--" + key, text});
   sources.push_back({"--at", options.at});
@@ -170,13 +178,17 @@ int calculate(const CalculateOptions& options) {
     return wrong_input;
   }
   sources.push_back(file);
+  sources.push_back(source_of(options.settings));
   return solve_and_show(
       [&](std::vector<Issue>& issues) {
         const Tree tree = options.file.empty() ? tree_of_flags(options, issues) : tree_of_file(options, file, issues);
         if (has_errors(issues)) return project::Project{};
-        return project::read_project(tree, options.file.empty() ? "command line" : file.file, catalogue(), issues);
+        const std::string name = options.file.empty() ? "command line" : file.file;
+        project::Project project = project::read_project(tree, name, catalogue(), issues);
+        if (!options.settings.empty()) project.meta.emplace_back("set", told(options.settings));
+        return project;
       },
-      sources, options.output, true);
+      sources, options.output, report::Detail::full);
 }
 
 }  // namespace loadpath::cli

@@ -16,12 +16,13 @@ enum Exit : int { passed = 0, not_passed = 1, wrong_input = 2, fault = 3, interr
 
 /// What every solving command can write.
 struct OutputOptions {
-  std::vector<std::string> reports;  // .html, .md, .pdf
+  std::vector<std::string> reports;  // .html, .md, .tex, .pdf
   bool json = false;
   std::string csv;                  // folder, or a .csv file for the one step that has series
-  std::string svg;                  // folder for every figure, or an .svg file for the first drawing of a mechanism
-  std::string dxf;                  // file for that drawing, or folder for those of several mechanisms
+  std::string svg;                  // folder for every figure, or an .svg file for the leading one
+  std::string dxf;                  // file for the drawing to scale, or folder for several
   std::vector<std::string> series;  // patterns of those that JSON and CSV hold; none: all
+  std::string detail;               // brief, normal, full; empty: as the command has it
   bool quiet = false;
   bool strict = false;  // what is open counts as not judged
 };
@@ -34,9 +35,11 @@ struct PointOptions {
 };
 
 struct RunOptions {
-  std::string file;
+  std::vector<std::string> files;      // and folders of them
   std::optional<std::uint64_t> point;  // of a sweep
   PointOptions points;
+  /// Fields in place of what the file says: "shaft.d=45 mm".
+  std::vector<std::string> settings;
   OutputOptions output;
 };
 int run(const RunOptions& options);
@@ -45,12 +48,14 @@ struct SweepOptions {
   std::string file;
   std::vector<std::string> results;
   PointOptions points;
+  /// Fields in place of what the file says: "shaft.d=45 mm".
+  std::vector<std::string> settings;
   unsigned jobs = 0;                 // threads; 0: as many as the machine has
   std::size_t worst = 5;             // points that are told
   std::string pareto;                // "m:min,u:min"
   std::string csv;                   // file
   std::string hdf5;                  // file
-  std::vector<std::string> reports;  // .html, .md, .pdf
+  std::vector<std::string> reports;  // .html, .md, .tex, .pdf
   std::string out;                   // folder of columns and state
   std::string shard;                 // "2/10"
   std::vector<std::string> merge;    // folders of shards
@@ -73,6 +78,8 @@ int sweep(const SweepOptions& options);
 struct WhyOptions {
   std::string file;
   std::string of;  // "rod", "rod.u", "rod.buckling"; empty: every step in a line
+  /// Fields in place of what the file says: "shaft.d=45 mm".
+  std::vector<std::string> settings;
 };
 int why(const WhyOptions& options);
 
@@ -83,6 +90,8 @@ struct CalculateOptions {
   std::string file;
   std::string at;                                           // crank angles, in place of those of the file
   std::vector<std::pair<std::string, std::string>> values;  // key, text as typed
+  /// Fields of any step of the file: "shaft.d=45 mm".
+  std::vector<std::string> settings;
   std::vector<std::string> accepted;  // modes of failure with reasons: "pitting=rated by the maker"
   OutputOptions output;
 };
@@ -90,12 +99,15 @@ int calculate(const CalculateOptions& options);
 
 struct ListOptions {
   std::string element;  // empty: all
+  bool json = false;
 };
 int list(const ListOptions& options);
 
 struct DescribeOptions {
   std::string id;
-  std::string name;  // behind an element: shaft torsion
+  std::string name;  // behind an element: shaft torsion; else a part of what is told: loads, modes
+  std::string part;  // behind both
+  bool json = false;
 };
 int describe(const DescribeOptions& options);
 
@@ -107,6 +119,7 @@ int convert(const ConvertOptions& options);
 
 struct VerifyOptions {
   std::vector<std::string> files;
+  bool json = false;
 };
 int verify(const VerifyOptions& options);
 
@@ -116,10 +129,33 @@ struct TablesOptions {
   std::string where;  // "I_min >= 300 cm^4 and h <= 200 mm"
   std::string sort;   // "m", "-m"
   bool audit = false;
+  bool json = false;
 };
 int tables(const TablesOptions& options);
 
+/// A project that is solved whenever it is saved, its report in a browser.
+struct WatchOptions {
+  std::string file;
+  unsigned short port = 0;  // 0: a free one
+  bool open = false;
+  bool strict = false;
+};
+int watch(const WatchOptions& options);
+
+/// A completion script for a shell; or the candidates that it asks for.
+struct CompletionOptions {
+  std::string shell;               // bash, zsh, fish; candidates
+  std::vector<std::string> words;  // up to the one that is begun
+};
+int completion(const CompletionOptions& options);
+
+/// The manual page, as roff.
+int man();
+
 int schema();
+
+/// A language server on standard input and output, for editors, until it is told to exit.
+int language_server();
 
 /// "loadpath 0.1.0"
 std::string program();

@@ -1,14 +1,14 @@
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
-#include "lib/calculator/choice_words.hpp"
+#include "cli/fields/words.hpp"
+#include "lib/export/json_catalogue.hpp"
 #include "lib/project/parts.hpp"
-#include "lib/project/read/reading.hpp"
-#include "lib/quantity/format.hpp"
 #include "lib/report/build.hpp"
 #include "lib/report/terminal/terminal.hpp"
 #include "lib/table/table.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <iostream>
 
 namespace loadpath::cli {
@@ -25,54 +25,14 @@ std::string joined(const std::vector<std::string>& words) {
   return all;
 }
 
-std::string bounds_of(const FieldInfo& field) {
-  const bool open = std::isinf(field.bounds.low) && std::isinf(field.bounds.high);
-  return open || field.type == Type::choice ? "" : project::bounds_message(field).text();
-}
-
-std::string words_of(const FieldInfo& field) {
-  std::string all;
-  for (const std::string& word : words_to_type(field)) all += (all.empty() ? "" : " | ") + word;
-  return all;
-}
-
-std::string default_of(const FieldInfo& field, void* owner) {
-  if (*field.searched_in != '\0') return std::string("searched in ") + field.searched_in;
-  if (field.provider.kind == Provider::Kind::table) return std::string("from ") + field.provider.table;
-  if (field.provider.kind == Provider::Kind::companion) return std::string("comes with ") + field.provider.column;
-  if (field.type == Type::choice) {
-    const std::string word = field.choices[static_cast<std::size_t>(field.get(owner))].key;
-    return word.empty() ? "optional" : word;
-  }
-  const bool number = field.type == Type::quantity || field.type == Type::count;
-  if (number && !is_missing(field, owner))
-    return "default " + format_quantity(field.get(owner), field.type == Type::count ? "-" : field.unit);
-  return field.optional ? "optional" : "required";
-}
-
-/// What "?" finds, where it is no size of a stock.
-std::string searched_of(const FieldInfo& field) {
-  const bool is_input = field.role == Role::input && *field.searched_in == '\0';
-  return is_input && field.can_be_largest() ? "; \"?\" finds the largest" : "";
-}
-
-std::string list_of(const FieldInfo& field) {
-  return field.capacity == no_bound ? "list" : "list, at most " + std::to_string(field.capacity);
-}
-
 void add_fields(std::span<const FieldInfo> fields, void* owner, const std::string& prefix, Rows& rows) {
   for (const FieldInfo& f : fields) {
     const std::string key = "  " + prefix + f.key;
     if (f.type == Type::record) rows.push_back({key, "record", "optional", f.doc});
     if (f.type == Type::record) continue;
     if (f.is_leaf()) {
-      const std::string unit = f.type == Type::choice    ? words_of(f)
-                               : f.type == Type::name    ? "name"
-                               : f.type == Type::formula ? "formula"
-                               : f.type == Type::count   ? "whole number"
-                                                         : f.unit;
       const std::string rule = bounds_of(f);
-      rows.push_back({key, unit, f.role == Role::input ? default_of(f, owner) : "",
+      rows.push_back({key, type_of(f), f.role == Role::input ? default_of(f, owner) : "",
                       f.doc + (rule.empty() ? "" : " (" + rule + ")") + searched_of(f)});
       continue;
     }
@@ -212,7 +172,7 @@ Message remedy(const std::string& id) {
     if (std::string_view(known->id).ends_with("." + id)) return say("did you mean '{1}'?", known->id);
     for (const Template* t : known->templates) ids.push_back(std::string(known->id) + "." + t->id);
   }
-  if (!own.empty()) return say("'{1}' has the calculators {2}", id, joined(own));
+  if (!own.empty()) return say("'{1}' is an element; `loadpath describe` takes one of {2}", id, joined(own));
   return did_you_mean(id, ids, say("`loadpath list` shows all"));
 }
 
@@ -230,22 +190,75 @@ void show_rules(const Calculator& calculator) {
   if (!calculator.rules.empty()) std::cout << "\n";
 }
 
+void show_inputs(const Calculator& c) { show_type("Inputs", *c.input); }
+
+void show_results(const Calculator& c) {
+  if (c.result != nullptr) show_type("Results", *c.result);
+  if (const auto patterns = c.patterns(); !patterns.empty()) show_patterns(patterns);
+}
+
+void show_example(const Calculator& c) { std::cout << "Example, a project file that runs:\n\n" << c.example; }
+
+struct Part {
+  const char* name;
+  void (*show)(const Calculator&);
+};
+constexpr std::array parts{Part{"inputs", show_inputs},       Part{"keys", show_keys},
+                           Part{"templates", show_templates}, Part{"rules", show_rules},
+                           Part{"results", show_results},     Part{"modes", show_modes},
+                           Part{"sources", show_sources},     Part{"example", show_example}};
+
+/// One input with all that it holds: "loads"; a part of what is told: "modes".
+int show_part(const Calculator& c, const std::string& name) {
+  const auto part = std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return name == p.name; });
+  const FieldInfo* const field = find_field(c.input->fields, name);
+  if (part == parts.end() && field == nullptr) {
+    std::vector<std::string> names;
+    names.reserve(parts.size() + c.input->fields.size());
+    for (const Part& p : parts) names.emplace_back(p.name);
+    for (const FieldInfo& f : c.input->fields) names.emplace_back(f.key);
+    std::cerr << "loadpath: '" << c.id << "' has no part and no input '" << name
+              << "'\n  = help: " << did_you_mean(name, names, there_is(names)).text() << "\n";
+    return wrong_input;
+  }
+  std::cout << c.id << ": " << c.title << "\n\n";
+  if (part != parts.end()) {
+    part->show(c);
+    return passed;
+  }
+  const Record blank(*c.input);
+  Rows rows;
+  add_fields({field, 1}, blank.data.get(), "", rows);
+  std::cout << terminal::columns(rows);
+  return passed;
+}
+
+void show(const Calculator& c) {
+  std::cout << c.id << ": " << c.title << "\n\n" << terminal::paragraph(c.scope) << "\n";
+  show_sources(c);
+  show_inputs(c);
+  show_keys(c);
+  if (!c.templates.empty()) show_templates(c);
+  show_rules(c);
+  show_results(c);
+  show_modes(c);
+  show_example(c);
+}
+
 }  // namespace
 
 int describe(const DescribeOptions& options) {
-  const std::string id = options.id + (options.name.empty() ? "" : "." + options.name);
+  const Calculator* whole = find_calculator(calculators(), options.id);
+  const std::string id = whole != nullptr || options.name.empty() ? options.id : options.id + "." + options.name;
+  const std::string part = whole != nullptr ? options.name : options.part;
   const Calculator* c = find_calculator(calculators(), id);
   if (c == nullptr) return describe_template(id) ? passed : refuse(id, remedy(id));
-  std::cout << c->id << ": " << c->title << "\n\n" << terminal::paragraph(c->scope) << "\n";
-  show_sources(*c);
-  show_type("Inputs", *c->input);
-  show_keys(*c);
-  if (!c->templates.empty()) show_templates(*c);
-  show_rules(*c);
-  if (c->result != nullptr) show_type("Results", *c->result);
-  if (const auto patterns = c->patterns(); !patterns.empty()) show_patterns(patterns);
-  show_modes(*c);
-  std::cout << "Example, a project file that runs:\n\n" << c->example;
+  if (options.json) {
+    std::cout << exports::json_of(*c);
+    return passed;
+  }
+  if (!part.empty()) return show_part(*c, part);
+  show(*c);
   return passed;
 }
 

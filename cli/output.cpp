@@ -23,10 +23,46 @@ struct File {
   std::string text;
 };
 
-std::string ending(const std::string& path) { return fs::path(path).extension().string(); }
+constexpr const char* html_out = "html:-";  // a report on standard output
+
+bool is_standard_output(const std::string& path) { return path == "-" || path == html_out; }
+std::string ending(const std::string& path) { return path == html_out ? ".html" : fs::path(path).extension().string(); }
+/// Whether a path names one file of this kind, and no folder.
+bool is_file(const std::string& path, const char* kind) { return path == "-" || ending(path) == kind; }
+
+/// The options that ask for standard output.
+std::vector<std::string> on_standard_output(const OutputOptions& options) {
+  std::vector<std::string> all;
+  for (const std::string& report : options.reports) {
+    if (is_standard_output(report)) all.push_back("--report " + report);
+  }
+  for (const auto& [flag, path] :
+       {std::pair{"--csv", &options.csv}, {"--svg", &options.svg}, {"--dxf", &options.dxf}}) {
+    if (is_standard_output(*path)) all.push_back(std::string(flag) + " " + *path);
+  }
+  return all;
+}
+
+/// What cannot stand on standard output together, or at all; which is told.
+bool can_stream(const OutputOptions& options) {
+  auto all = on_standard_output(options);
+  for (const std::string& report : options.reports) {
+    if (report == "-" || (report.ends_with(":-") && report != html_out)) {
+      std::cerr << "loadpath: '--report " << report
+                << "' is no report: on standard output it is HTML\n  = help: write --report html:-, or name a file\n";
+      return false;
+    }
+  }
+  if (options.json) all.push_back("--json");
+  if (all.size() < 2 || (options.json && all.size() == 1)) return true;
+  std::cerr << "loadpath: '" << all[0] << "' and '" << all[1]
+            << "' both ask for standard output\n  = help: name a file for one of them\n";
+  return false;
+}
 
 std::vector<File> report_files(const report::Document& document, const std::string& path) {
   if (ending(path) == ".html") return {{path, report::html(document)}};
+  if (ending(path) == ".tex") return {{path, report::latex(document)}};
   const fs::path base(path);
   const report::Markdown markdown = report::markdown(document, base.stem().string());
   std::vector<File> files{{path, markdown.text}};
@@ -39,7 +75,7 @@ bool add_series(const project::Project& project, const OutputOptions& options, s
   const std::string& path = options.csv;
   auto tables = exports::csv_of(project, project::SeriesChoice(options.series));
   if (tables.empty()) std::cerr << "no series, so nothing to write as CSV\n";
-  const bool one_file = ending(path) == ".csv";
+  const bool one_file = is_file(path, ".csv");
   if (one_file && tables.size() > 1) {
     std::cerr << "loadpath: '" << path << "' is one file, and " << tables.size()
               << " steps have series\n  = help: name a folder\n";
@@ -55,44 +91,64 @@ struct Drawing {
   const draw::Figure* figure;
 };
 
-/// The drawing of every mechanism at its first position, but for those that close nowhere.
+/// The first drawing to scale of every step: of a mechanism at its first position, of a section, of a drive.
 std::vector<Drawing> drawings_of(const project::Project& project) {
   std::vector<Drawing> drawings;
   for (const auto& step : project.steps) {
     const auto& figures = step->account().figures;
-    const auto scheme = std::find_if(figures.begin(), figures.end(), [](const draw::Figure& figure) {
-      return std::holds_alternative<draw::Scheme>(figure.content);
-    });
-    if (scheme != figures.end()) drawings.push_back({step->name(), &*scheme});
+    const auto drawing = std::find_if(figures.begin(), figures.end(), draw::is_to_scale);
+    if (drawing != figures.end()) drawings.push_back({step->name(), &*drawing});
   }
   return drawings;
 }
 
-/// Whether one file is named for the drawings of several mechanisms, which is told.
+/// What one file shows: the drawing of the mechanism, or, where there is none, the first figure of the step that has
+/// any.
+std::vector<Drawing> leading_figures(const project::Project& project) {
+  std::vector<Drawing> figures = drawings_of(project);
+  if (!figures.empty()) return figures;
+  for (const auto& step : project.steps) {
+    if (!step->account().figures.empty()) figures.push_back({step->name(), &step->account().figures.front()});
+  }
+  return figures;
+}
+
+/// Whether one file is named for the drawings of several steps, which is told.
 bool is_one_for_several(const std::string& path, const char* kind, const std::vector<Drawing>& drawings) {
-  if (ending(path) != kind || drawings.size() < 2) return false;
+  if (!is_file(path, kind) || drawings.size() < 2) return false;
   std::cerr << "loadpath: '" << path << "' is one file, and " << drawings.size()
-            << " mechanisms are drawn\n  = help: name a folder\n";
+            << " steps are drawn\n  = help: name a folder\n";
   return true;
 }
 
-/// FILE.svg with the drawing of the mechanism, or every figure in a folder; FILE.dxf with that drawing, or, of
-/// several mechanisms, a folder with a file for each. False where one file cannot hold them.
-bool add_drawings(const project::Project& project, const OutputOptions& options, std::vector<File>& files) {
-  if (options.svg.empty() && options.dxf.empty()) return true;
-  const std::vector<Drawing> drawings = drawings_of(project);
-  if (drawings.empty()) std::cerr << "the mechanism closes nowhere, so there is nothing to draw\n";
-  if (is_one_for_several(options.svg, ".svg", drawings) || is_one_for_several(options.dxf, ".dxf", drawings))
-    return false;
-  for (const auto& [step, figure] : drawings) {
-    const fs::path dxf = drawings.size() == 1 ? fs::path(options.dxf) : fs::path(options.dxf) / (step + ".dxf");
-    if (!options.dxf.empty()) files.push_back({dxf, draw::dxf_of(std::get<draw::Scheme>(figure->content))});
-    if (ending(options.svg) == ".svg") files.push_back({options.svg, draw::svg(*figure)});
+/// FILE.svg with the leading figure, or every figure in a folder. False where one file cannot hold them.
+bool add_figures(const project::Project& project, const std::string& path, std::vector<File>& files) {
+  if (path.empty()) return true;
+  const std::vector<Drawing> figures = leading_figures(project);
+  if (figures.empty()) std::cerr << "no step has a figure, so there is nothing to draw\n";
+  if (is_one_for_several(path, ".svg", figures)) return false;
+  if (figures.empty()) return true;
+  if (is_file(path, ".svg")) {
+    files.push_back({path, draw::svg(*figures[0].figure)});
+    return true;
   }
-  if (drawings.empty() || options.svg.empty() || ending(options.svg) == ".svg") return true;
   for (const auto& step : project.steps) {
     for (const draw::Figure& figure : step->account().figures)
-      files.push_back({fs::path(options.svg) / (step->name() + "-" + figure.id + ".svg"), draw::svg(figure)});
+      files.push_back({fs::path(path) / (step->name() + "-" + figure.id + ".svg"), draw::svg(figure)});
+  }
+  return true;
+}
+
+/// FILE.dxf with what is drawn to scale, or, of several, a folder with a file for each. False where one file cannot
+/// hold them.
+bool add_drawings(const project::Project& project, const std::string& path, std::vector<File>& files) {
+  if (path.empty()) return true;
+  const std::vector<Drawing> drawings = drawings_of(project);
+  if (drawings.empty()) std::cerr << "nothing is drawn to scale, so there is nothing to write as DXF\n";
+  if (is_one_for_several(path, ".dxf", drawings)) return false;
+  for (const auto& [step, figure] : drawings) {
+    const fs::path file = drawings.size() == 1 ? fs::path(path) : fs::path(path) / (step + ".dxf");
+    files.push_back({file, draw::dxf_of(*figure)});
   }
   return true;
 }
@@ -117,7 +173,10 @@ bool overwrites(const std::vector<fs::path>& outputs, const project::Project& pr
   return false;
 }
 
+bool takes_standard_output(const OutputOptions& options) { return !on_standard_output(options).empty(); }
+
 bool can_write(const OutputOptions& options) {
+  if (!can_stream(options)) return false;
   if (!options.series.empty() && options.csv.empty() && !options.json) {
     std::cerr << "loadpath: '--series' says which series --csv and --json hold, and neither is given\n  = help: add "
                  "--csv PATH or --json\n";
@@ -125,8 +184,8 @@ bool can_write(const OutputOptions& options) {
   }
   for (const std::string& path : options.reports) {
     const std::string kind = ending(path);
-    if (kind != ".html" && kind != ".md" && kind != ".pdf") {
-      std::cerr << "loadpath: a report is written as .html, .md or .pdf, not as '" << path << "'\n";
+    if (kind != ".html" && kind != ".md" && kind != ".tex" && kind != ".pdf") {
+      std::cerr << "loadpath: a report is written as .html, .md, .tex or .pdf, not as '" << path << "'\n";
       return false;
     }
     if (kind == ".pdf" && find_browser().empty()) {
@@ -135,6 +194,7 @@ bool can_write(const OutputOptions& options) {
                    "an .html report and print it\n";
       return false;
     }
+    if (is_standard_output(path)) continue;
     const fs::path folder = fs::path(path).parent_path();
     if (fs::is_directory(path) || (fs::exists(folder) && !fs::is_directory(folder))) {
       std::cerr << "loadpath: cannot write '" << path << "': it is a folder, or lies in a file\n";
@@ -151,18 +211,27 @@ bool put(const std::vector<File>& files, const std::vector<std::string>& prints,
          const project::Project& project) {
   if (files.empty() && prints.empty()) return true;
   std::vector<fs::path> outputs(prints.begin(), prints.end());
-  for (const File& file : files) outputs.push_back(file.path);
+  for (const File& file : files) {
+    if (!is_standard_output(file.path.string())) outputs.push_back(file.path);
+  }
   if (overwrites(outputs, project)) return false;
   Scratch scratch;
   Staged staged(scratch);
-  if (!std::all_of(files.begin(), files.end(), [&](const File& f) { return staged.add(f.path, f.text); })) return false;
+  const auto is_staged = [&](const File& f) {
+    return is_standard_output(f.path.string()) || staged.add(f.path, f.text);
+  };
+  if (!std::all_of(files.begin(), files.end(), is_staged)) return false;
   for (const std::string& path : prints) {
     if (!print_to_pdf(report::html(document), staged.aside(path), scratch)) {
       std::cerr << "loadpath: the browser did not write '" << path << "'\n";
       return false;
     }
   }
-  return staged.finish();
+  if (!staged.finish()) return false;
+  for (const File& file : files) {
+    if (is_standard_output(file.path.string())) std::cout << file.text;
+  }
+  return true;
 }
 
 void sort_reports(const report::Document& document, const std::vector<std::string>& paths, std::vector<File>& files,
@@ -178,7 +247,7 @@ void sort_reports(const report::Document& document, const std::vector<std::strin
 
 void tell_reports(const std::vector<std::string>& paths, bool quiet) {
   for (const std::string& path : paths) {
-    if (!quiet) std::cerr << "report: " << path << "\n";
+    if (!quiet && !is_standard_output(path)) std::cerr << "report: " << path << "\n";
   }
 }
 
@@ -194,14 +263,22 @@ bool write_reports(const report::Document& document, const std::vector<std::stri
   return true;
 }
 
-bool write(const project::Project& project, const OutputOptions& options) {
+report::Detail detail_of(const OutputOptions& options, report::Detail usual) {
+  if (options.detail.empty()) return usual;
+  return options.detail == "brief"  ? report::Detail::brief
+         : options.detail == "full" ? report::Detail::full
+                                    : report::Detail::normal;
+}
+
+bool write(const project::Project& project, const OutputOptions& options, const std::string& input) {
   std::vector<File> files;
   std::vector<std::string> prints;
   report::Document document;
-  if (!options.reports.empty()) document = report::build(project, program());
+  if (!options.reports.empty())
+    document = report::build(project, program(), detail_of(options, report::Detail::normal), input);
   sort_reports(document, options.reports, files, prints);
   if (!options.csv.empty() && !add_series(project, options, files)) return false;
-  if (!add_drawings(project, options, files)) return false;
+  if (!add_figures(project, options.svg, files) || !add_drawings(project, options.dxf, files)) return false;
   if (!put(files, prints, document, project)) return false;
   tell_reports(options.reports, options.quiet);
   return true;

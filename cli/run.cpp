@@ -1,31 +1,142 @@
 #include "cli/commands.hpp"
+#include "cli/inputs/projects.hpp"
 #include "cli/output.hpp"
 #include "cli/points.hpp"
+#include "cli/settings/settings.hpp"
 #include "cli/solving.hpp"
 #include "lib/toml/tree.hpp"
 
+#include <algorithm>
 #include <iostream>
+#include <set>
+#include <sstream>
 
 namespace loadpath::cli {
 
-int run(const RunOptions& options) {
-  if (!can_write(options.output)) return wrong_input;
+namespace {
+
+int refuse(const std::string& message, const std::string& hint = {}) {
+  std::cerr << "loadpath: " << message << "\n";
+  if (!hint.empty()) std::cerr << "  = help: " << hint << "\n";
+  return wrong_input;
+}
+
+int run_one(const std::string& file, const RunOptions& options, const OutputOptions& output) {
   std::string text;
-  if (!toml::read_file(options.file, text)) {
-    std::cerr << "loadpath: cannot read '" << options.file << "'\n";
-    return wrong_input;
-  }
-  const std::string name = options.file == "-" ? "standard input" : options.file;
+  if (!toml::read_file(file, text)) return refuse("cannot read '" + file + "'");
+  const std::string name = file == "-" ? "standard input" : file;
   return solve_and_show(
       [&](std::vector<Issue>& issues) {
         using project::Ranges;
         project::Project project =
-            project::read_project(text, name, catalogue(), issues, options.point ? Ranges::taken : Ranges::refused);
+            read_set(text, name, options.settings, issues, options.point ? Ranges::taken : Ranges::refused);
         take_points(options.points, project.sweep);
         if (options.point && !has_errors(issues)) take_point(project, *options.point, issues);
         return project;
       },
-      {{name, text}}, options.output, false);
+      {{name, text}, source_of(options.settings)}, output, report::Detail::normal);
+}
+
+/// What one of several projects writes: the name of the project stands for each *.
+OutputOptions output_for(const ProjectFile& project, OutputOptions output) {
+  for (std::string& report : output.reports) report = path_for(report, project);
+  for (std::string* const path : {&output.csv, &output.svg, &output.dxf}) *path = path_for(*path, project);
+  return output;
+}
+
+std::vector<std::string> paths_of(const OutputOptions& output) {
+  std::vector<std::string> paths = output.reports;
+  for (const std::string& path : {output.csv, output.svg, output.dxf}) {
+    if (!path.empty()) paths.push_back(path);
+  }
+  return paths;
+}
+
+/// The first output that all projects would write to, though each has its own.
+std::string shared_output(const std::vector<std::string>& paths) {
+  const auto shared = std::find_if(paths.begin(), paths.end(),
+                                   [](const std::string& path) { return path.find('*') == std::string::npos; });
+  return shared == paths.end() ? "" : *shared;
+}
+
+/// What is asked of several projects and can be had of one alone; empty where nothing is.
+int refuse_for_several(const RunOptions& options, const std::vector<ProjectFile>& projects) {
+  if (options.point) return refuse("'--point' is about the sweep of one project", "name one file");
+  const std::vector<std::string> paths = paths_of(options.output);
+  const std::string shared = shared_output(paths);
+  if (!shared.empty())
+    return refuse("'" + shared + "' is one output, and every project has its own",
+                  "a * stands for the name of each: 'reports/*.html'");
+  std::set<std::string> names;
+  for (const ProjectFile& project : projects) {
+    if (!names.insert(project.name).second && !paths.empty())
+      return refuse("two projects would write to '" + path_for(paths[0], project) + "'",
+                    "name the folder that both lie in, or run them apart");
+  }
+  return passed;
+}
+
+/// What is printed by commands that print an object each, or nothing, as one list.
+class Objects {
+ public:
+  template <class Solve>
+  int add(const Solve& solve) {
+    std::ostringstream printed;
+    auto* const before = std::cout.rdbuf(printed.rdbuf());
+    int code = fault;
+    try {
+      code = solve();
+    } catch (...) {
+      std::cout.rdbuf(before);
+      throw;
+    }
+    std::cout.rdbuf(before);
+    std::string object = std::move(printed).str();
+    while (object.ends_with('\n')) object.pop_back();
+    if (!object.empty()) all_ += (all_.empty() ? "" : ",\n") + object;
+    return code;
+  }
+  [[nodiscard]] std::string list() const { return "[\n" + all_ + "\n]\n"; }
+
+ private:
+  std::string all_;
+};
+
+/// How every project came out, in a line each.
+void tell_all(const std::vector<ProjectFile>& projects, const std::vector<int>& codes) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < projects.size(); ++i) {
+    const char* const word = codes[i] == passed ? "pass" : codes[i] == not_passed ? "does not pass" : "not solved";
+    rows.push_back({"  " + std::string(word), projects[i].path});
+  }
+  std::cout << projects.size() << " projects\n" << terminal::columns(rows);
+}
+
+/// One block each, and at the end a line each; with --json a list of objects. What is wrong with one holds no other up.
+int run_several(const RunOptions& options) {
+  std::string wrong;
+  const auto projects = projects_of(options.files, wrong);
+  if (!wrong.empty()) return refuse(wrong, "a project file ends with .toml, and has a step: a table with a calculator");
+  if (const int refused = refuse_for_several(options, projects); refused != passed) return refused;
+  const bool shown = !options.output.json && !options.output.quiet;
+  std::vector<int> codes;
+  Objects objects;
+  for (const ProjectFile& project : projects) {
+    if (shown) std::cout << "== " << project.path << "\n" << std::flush;
+    const auto solve = [&] { return run_one(project.path, options, output_for(project, options.output)); };
+    codes.push_back(options.output.json ? objects.add(solve) : solve());
+    if (shown) std::cout << "\n" << std::flush;
+  }
+  if (options.output.json) std::cout << objects.list();
+  if (shown) tell_all(projects, codes);
+  return *std::max_element(codes.begin(), codes.end());
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  if (!can_write(options.output)) return wrong_input;
+  return are_several(options.files) ? run_several(options) : run_one(options.files[0], options, options.output);
 }
 
 }  // namespace loadpath::cli

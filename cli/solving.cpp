@@ -19,8 +19,9 @@ void tell(const std::vector<Issue>& issues, const std::vector<terminal::SourceTe
 }
 
 /// What is only looked at is made where somebody looks: the terminal shows the extremes of every series.
-project::Wanted wanted_by(const OutputOptions& output, bool in_full) {
-  const bool shown = !output.json && !output.quiet;
+project::Wanted wanted_by(const OutputOptions& output, report::Detail detail) {
+  const bool in_full = detail == report::Detail::full;
+  const bool shown = !output.json && !output.quiet && !takes_standard_output(output);
   const bool drawn = !output.reports.empty() || !output.svg.empty() || !output.dxf.empty();
   return {.pictures = drawn || (shown && in_full),
           .formulas = !output.reports.empty() || output.json || (shown && in_full),
@@ -31,6 +32,17 @@ project::Wanted wanted_by(const OutputOptions& output, bool in_full) {
 void check_series(const project::Project& project, const OutputOptions& output, std::vector<Issue>& issues) {
   for (const FieldFault& fault : project::SeriesChoice(output.series).check(project))
     issues.push_back({{"--series", 0, 0, 1}, "", fault.message, fault.hint, Severity::error});
+}
+
+/// What the user gave, as it was: files, and the words of the shell.
+std::string input_of(const std::vector<terminal::SourceText>& sources) {
+  std::string all;
+  for (const terminal::SourceText& source : sources) {
+    if (source.text.empty()) continue;
+    const bool typed = source.file.starts_with("--");
+    all += typed ? source.file + " " + source.text + "\n" : source.text;
+  }
+  return all;
 }
 
 /// That values which the project expects are others: no part of its verdict.
@@ -55,19 +67,20 @@ int exit_for(const account::Modes& modes) {
 }
 
 int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceText>& sources,
-                   const OutputOptions& output, bool in_full) {
+                   const OutputOptions& output, report::Detail usual) {
+  const report::Detail detail = detail_of(output, usual);
   std::vector<Issue> issues;
   project::Project project = read(issues);
   project.strict = output.strict;
-  if (!has_errors(issues)) project::solve(project, issues, wanted_by(output, in_full));
+  if (!has_errors(issues)) project::solve(project, issues, wanted_by(output, detail));
   if (!has_errors(issues)) check_series(project, output, issues);
   tell(issues, with_files_of(project, sources), output);
   if (has_errors(issues)) return wrong_input;
-  if (!write(project, output)) return wrong_input;
+  if (!write(project, output, input_of(sources))) return wrong_input;
   if (output.json) {
     std::cout << exports::json_of(project, program(), project::SeriesChoice(output.series));
-  } else if (!output.quiet) {
-    terminal::show_project(project, in_full);
+  } else if (!output.quiet && !takes_standard_output(output)) {
+    terminal::show_project(project, detail);
   }
   if (!output.quiet) tell_misses(project);
   return exit_for(project::modes(project));

@@ -11,9 +11,9 @@ namespace loadpath::cli {
 
 using ReadProject = std::function<project::Project(std::vector<Issue>& issues)>;
 
-/// `in_full`: the terminal shows the formulas too, and of a mechanism its tables.
+/// `usual`: how much the terminal tells where the shell does not say it.
 int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceText>& sources,
-                   const OutputOptions& output, bool in_full);
+                   const OutputOptions& output, report::Detail usual);
 
 /// What issues point into: these, and the files that the project was read from beside its own.
 std::vector<terminal::SourceText> with_files_of(const project::Project& project,

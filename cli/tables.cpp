@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "lib/export/json_catalogue.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/terminal/terminal.hpp"
 #include "lib/table/search.hpp"
@@ -120,13 +121,19 @@ int show_audit(const Library& library) {
   return passed;
 }
 
-int show_row(const std::string& group, const std::string& name) {
-  const auto entry = table::find_row(group, name);
+int print(const std::string& text) {
+  std::cout << text;
+  return passed;
+}
+
+int show_row(const std::string& group, const TablesOptions& options) {
+  const auto entry = table::find_row(group, options.key);
   if (!entry) {
     std::cerr << "loadpath: " << entry.fault().message.text() << "\n";
     if (!entry.fault().hint.empty()) std::cerr << "  = help: " << entry.fault().hint.text() << "\n";
     return wrong_input;
   }
+  if (options.json) return print(exports::json_of(std::vector<table::Entry>{*entry}));
   show_table(*entry->table, entry->row);
   show_details(*entry->row);
   return passed;
@@ -189,6 +196,7 @@ int show_search(const Tables& chosen, const TablesOptions& options) {
   }
   const auto order = table::read_order(options.sort, chosen);
   if (!order) return wrong_word("--sort", options.sort, order.fault());
+  if (options.json) return print(exports::json_of(table::search(chosen, condition, *order)));
   return show_found(chosen, table::search(chosen, condition, *order), columns_to_show(chosen, condition, *order));
 }
 
@@ -219,15 +227,31 @@ const table::Series* series_of(const TablesOptions& options) {
 
 }  // namespace
 
+namespace {
+
+/// Every row of some tables.
+std::vector<table::Entry> rows_of(const Tables& tables) {
+  std::vector<table::Entry> rows;
+  for (const Table* t : tables) {
+    for (const Row& row : t->rows) rows.push_back({t, &row});
+  }
+  return rows;
+}
+
+}  // namespace
+
 /// Tables are named whole ("materials/steel_aisi"), by their folder ("materials"), or a series by its own name ("R40").
 int tables(const TablesOptions& options) {
   if (!options.where.empty() || !options.sort.empty()) return search_tables(options);
-  if (options.audit) return show_audit(table::built_in());
-  if (options.table.empty()) return show_index(table::built_in());
-  if (const auto* series = series_of(options)) return show_series(*series);
+  const Library& library = table::built_in();
+  if (options.audit) return options.json ? print(exports::json_of(table::audit(library))) : show_audit(library);
+  if (options.table.empty()) return options.json ? print(exports::json_index(library)) : show_index(library);
+  if (const auto* series = series_of(options))
+    return options.json ? print(exports::json_of(*series)) : show_series(*series);
   const Table* const first = table::first_table_in(options.table);
   if (first == nullptr) return unknown_table(options.table);
-  if (!options.key.empty()) return show_row(first->group, options.key);
+  if (!options.key.empty()) return show_row(first->group, options);
+  if (options.json) return print(exports::json_of(rows_of(table::tables_in(options.table))));
   for (const Table* t : table::tables_in(options.table)) show_table(*t, nullptr);
   return passed;
 }

@@ -2,6 +2,8 @@
 
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
+#include "lib/export/json_writer.hpp"
+#include "lib/export/unit_name.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/terminal/terminal.hpp"
 #include "lib/text/embedded.hpp"
@@ -27,8 +29,40 @@ std::string deviation_of(const project::Comparison& c) {
   return absolute ? format_quantity(c.ours - e.is.si, e.unit, 2) : format_quantity(c.deviation, "%", 2);
 }
 
-/// One case: its lines, and how many hold. False where it cannot be run, or expects nothing though it was asked for.
-bool verify_one(const std::string& file, std::string_view text, bool asked_for, Count& count) {
+/// The lines of one case.
+void show(const project::Project& project, const std::vector<project::Comparison>& all) {
+  std::cout << project.file << (project.title.empty() ? "" : ": " + project.title) << "\n";
+  std::vector<std::vector<std::string>> rows{{"  ", "quantity", "published", "ours", "deviation", "source"}};
+  for (const project::Comparison& c : all) {
+    const project::Expectation& e = *c.expectation;
+    const int digits = e.digits ? std::max(*e.digits, 6) : 6;
+    rows.push_back({c.holds ? "  ok" : "  MISS", e.text, e.is_text, format_quantity(c.ours, e.unit, digits),
+                    deviation_of(c), e.source + (e.note.empty() ? "" : "; " + e.note)});
+  }
+  std::cout << terminal::columns(rows) << "\n";
+}
+
+void write(const project::Project& project, const std::vector<project::Comparison>& all, exports::JsonWriter& out) {
+  for (const project::Comparison& c : all) {
+    const project::Expectation& e = *c.expectation;
+    out.open_object();
+    out.member("file", project.file);
+    out.member("quantity", e.text);
+    out.member("holds", c.holds);
+    out.member("unit", exports::unit_name(e.is.dimension));
+    out.member("published", e.is.si);
+    out.member("ours", c.ours);
+    out.member("as_printed", e.is_text);
+    out.member("source", e.source);
+    if (!e.note.empty()) out.member("note", e.note);
+    out.close_object();
+  }
+}
+
+/// One case: its lines, or its objects where JSON is written, and how many hold. False where it cannot be run, or
+/// expects nothing though it was asked for.
+bool verify_one(const std::string& file, std::string_view text, bool asked_for, Count& count,
+                exports::JsonWriter* out) {
   std::vector<Issue> issues;
   project::Project project = project::read_project(text, file, catalogue(), issues);
   if (!has_errors(issues)) project::solve(project, issues, {.pictures = false, .formulas = false, .unused = false});
@@ -40,16 +74,9 @@ bool verify_one(const std::string& file, std::string_view text, bool asked_for, 
     if (asked_for) std::cerr << "loadpath: '" << file << "' has no [[expect]] entry\n";
     return !asked_for;
   }
-  std::cout << file << (project.title.empty() ? "" : ": " + project.title) << "\n";
-  std::vector<std::vector<std::string>> rows{{"  ", "quantity", "published", "ours", "deviation", "source"}};
-  for (const project::Comparison& c : project::compare(project)) {
-    const project::Expectation& e = *c.expectation;
-    ++(c.holds ? count.holds : count.misses);
-    const int digits = e.digits ? std::max(*e.digits, 6) : 6;
-    rows.push_back({c.holds ? "  ok" : "  MISS", e.text, e.is_text, format_quantity(c.ours, e.unit, digits),
-                    deviation_of(c), e.source + (e.note.empty() ? "" : "; " + e.note)});
-  }
-  std::cout << terminal::columns(rows) << "\n";
+  const auto all = project::compare(project);
+  for (const project::Comparison& c : all) ++(c.holds ? count.holds : count.misses);
+  out != nullptr ? write(project, all, *out) : show(project, all);
   return true;
 }
 
@@ -58,11 +85,17 @@ bool verify_one(const std::string& file, std::string_view text, bool asked_for, 
 int verify(const VerifyOptions& options) {
   Count count;
   bool ran = true;
+  exports::JsonWriter writer;
+  exports::JsonWriter* const out = options.json ? &writer : nullptr;
+  if (out != nullptr) {
+    out->open_object();
+    out->key("cases").open_array();
+  }
   if (options.files.empty()) {
     for (const embedded::File& file : embedded::reference()) {
       // The rest may need files beside it, which are not built in.
       if (file.text.find("[[expect]]") == std::string_view::npos) continue;
-      ran = verify_one(std::string(file.name), file.text, false, count) && ran;
+      ran = verify_one(std::string(file.name), file.text, false, count, out) && ran;
     }
   }
   for (const std::string& path : options.files) {
@@ -71,9 +104,17 @@ int verify(const VerifyOptions& options) {
       std::cerr << "loadpath: cannot read '" << path << "'\n";
       return wrong_input;
     }
-    ran = verify_one(path, text, true, count) && ran;
+    ran = verify_one(path, text, true, count, out) && ran;
   }
   if (!ran) return wrong_input;
+  if (out != nullptr) {
+    out->close_array();
+    out->member("hold", count.holds);
+    out->member("miss", count.misses);
+    out->close_object();
+    std::cout << out->take();
+    return count.misses == 0 ? passed : not_passed;
+  }
   std::cout << count.holds << " hold, " << count.misses << " miss\n";
   return count.misses == 0 ? passed : not_passed;
 }

@@ -1,6 +1,7 @@
 #include "lib/report/terminal/why.hpp"
 
 #include "cli/commands.hpp"
+#include "cli/settings/settings.hpp"
 #include "cli/solving.hpp"
 #include "lib/toml/tree.hpp"
 
@@ -27,10 +28,10 @@ int why(const WhyOptions& options) {
   }
   const std::string name = options.file == "-" ? "standard input" : options.file;
   std::vector<Issue> issues;
-  project::Project project = project::read_project(text, name, catalogue(), issues);
+  project::Project project = read_set(text, name, options.settings, issues);
   const project::SeriesChoice asked({options.of});
   if (!has_errors(issues)) project::solve(project, issues, {.pictures = false, .formulas = true, .series = asked});
-  terminal::show_issues(issues, with_files_of(project, {{name, text}}));
+  terminal::show_issues(issues, with_files_of(project, {{name, text}, source_of(options.settings)}));
   if (has_errors(issues)) return wrong_input;
   if (options.of.empty()) {
     terminal::show_deciding(project);

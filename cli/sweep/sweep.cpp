@@ -1,10 +1,11 @@
-#include "lib/report/sweep.hpp"
+#include "lib/report/sweep/sweep.hpp"
 
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "cli/parts/parts.hpp"
 #include "cli/points.hpp"
+#include "cli/settings/settings.hpp"
 #include "cli/solving.hpp"
 #include "cli/staged.hpp"
 #include "cli/sweep/point_files.hpp"
@@ -13,8 +14,8 @@
 #include "lib/export/sweep/hdf5.hpp"
 #include "lib/export/sweep/json.hpp"
 #include "lib/export/sweep/store.hpp"
-#include "lib/report/best.hpp"
-#include "lib/report/influence.hpp"
+#include "lib/report/sweep/best.hpp"
+#include "lib/report/sweep/influence.hpp"
 #include "lib/toml/tree.hpp"
 
 #include <algorithm>
@@ -37,6 +38,13 @@ int refuse(const std::string& message, const std::string& hint = {}) {
   std::cerr << "loadpath: " << message << "\n";
   if (!hint.empty()) std::cerr << "  = help: " << hint << "\n";
   return wrong_input;
+}
+
+/// A sweep is asked for, and the project is of one machine.
+void tell_nothing_varies(const std::string& file) {
+  std::cerr << "loadpath: nothing varies in '" << file << "': this sweep has one point, the machine of `loadpath run`\n"
+            << "  = help: give an input many values: d = { from = \"20 mm\", to = \"40 mm\", count = 11 }, or "
+               "d = [\"20 mm\", \"25 mm\"]\n";
 }
 
 /// What the command line says against itself.
@@ -98,7 +106,7 @@ class Sweeping {
 };
 
 project::Project Sweeping::read(std::vector<Issue>& issues) const {
-  project::Project project = project::read_project(text_, options_.file, catalogue(), issues, project::Ranges::taken);
+  project::Project project = read_set(text_, options_.file, options_.settings, issues, project::Ranges::taken);
   project.strict = options_.strict;
   return project;
 }
@@ -153,7 +161,8 @@ bool Sweeping::prepare() {
   std::vector<Issue> issues;
   plan(issues);
   if (!options_.quiet || has_errors(issues)) {
-    std::vector<terminal::SourceText> sources{{options_.file, text_}, {"--pareto", options_.pareto}};
+    std::vector<terminal::SourceText> sources{
+        {options_.file, text_}, {"--pareto", options_.pareto}, source_of(options_.settings)};
     for (const std::string& result : options_.results) sources.push_back({"--results", result});
     terminal::show_issues(issues, with_files_of(project_, sources));
   }
@@ -176,6 +185,7 @@ std::string Sweeping::identity() const {
     all += "\n";
   }
   for (const auto& column : plan_.columns) all += column.name + " = " + column.text + "\n";
+  for (const std::string& setting : options_.settings) all += "set = " + setting + "\n";
   all += text_ + "\n";
   for (const project::NamedFile& file : project_.files) all += file.name + "\n" + file.text + "\n";
   return all;
@@ -274,6 +284,7 @@ project::ReadAgain Sweeping::reading() const {
 
 int Sweeping::refuse_all(const std::vector<Issue>& issues) const {
   std::vector<terminal::SourceText> sources{{options_.file, text_},
+                                            source_of(options_.settings),
                                             {"--minimise", options_.minimise},
                                             {"--maximise", options_.maximise},
                                             {"--seek", options_.seek}};
@@ -289,6 +300,7 @@ int Sweeping::tell_blocks(const char* title, std::vector<report::Block> blocks) 
   report::Document document;
   document.title = project_.title.empty() ? project_.file : project_.title;
   document.meta.emplace_back(say("Project file"), project_.file);
+  if (!options_.settings.empty()) document.meta.emplace_back(say("set"), told(options_.settings));
   document.meta.emplace_back(say("Program"), program());
   blocks.insert(blocks.begin(), report::Heading{2, title, "sweep"});
   document.blocks = std::move(blocks);
@@ -339,6 +351,7 @@ int Sweeping::run() {
   OutputOptions reports;
   reports.reports = options_.reports;
   if (!can_write(reports)) return wrong_input;
+  if (takes_standard_output(reports)) return refuse("a report of a sweep is a file: --report FILE.html");
   if (!toml::read_file(options_.file, text_)) return refuse("cannot read '" + options_.file + "'");
   if (!prepare()) return wrong_input;
   std::vector<fs::path> outputs(options_.reports.begin(), options_.reports.end());
@@ -348,6 +361,7 @@ int Sweeping::run() {
   if (!options_.minimise.empty() || !options_.maximise.empty()) return choose();
   if (!options_.seek.empty()) return seek();
   if (options_.influence || options_.sobol != 0) return ask_influence();
+  if (plan_.inputs.empty() && !options_.quiet) tell_nothing_varies(options_.file);
   project::Found found = project::nothing_found(plan_, project_, keep_);
   if (options_.out.empty()) {
     if (!solve(nullptr, found)) return wrong_input;

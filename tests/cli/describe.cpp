@@ -60,7 +60,8 @@ TEST_SUITE("cli describe") {
   TEST_CASE("an element alone is told with its calculators, and behind it a name makes an id") {
     const Ran shaft = loadpath_with({"describe", "shaft"});
     CHECK(shaft.code == 2);
-    CHECK(contains(shaft.error, "= help: 'shaft' has the calculators shaft.torsion, shaft.overhung"));
+    CHECK(contains(shaft.error,
+                   "= help: 'shaft' is an element; `loadpath describe` takes one of shaft.torsion, shaft.overhung"));
     CHECK(contains(loadpath_with({"describe", "torsion"}).error, "= help: did you mean 'shaft.torsion'?"));
     CHECK(loadpath_with({"describe", "shaft", "torsion"}).out == loadpath_with({"describe", "shaft.torsion"}).out);
     const std::string list = loadpath_with({"list", "shaft"}).out;

@@ -115,7 +115,7 @@ TEST_SUITE("cli mechanism") {
       const std::string file = std::string("two.") + kind, option = std::string("--") + kind;
       const Ran one = desk.run({"mechanism", "planar", "--file", "-", option, file}, two);
       CHECK(contains(one.error,
-                     "loadpath: '" + file + "' is one file, and 2 mechanisms are drawn\n  = help: name a folder\n"));
+                     "loadpath: '" + file + "' is one file, and 2 steps are drawn\n  = help: name a folder\n"));
       CHECK(one.code == 2);
       CHECK(desk.files().empty());
       CHECK(desk.run({"mechanism", "planar", "--file", "-", option, "out"}, two).code == 0);

@@ -1,5 +1,6 @@
 // The mechanism that moves in a report, in a real browser: it moves, and the numbers under it are those of --json.
 #include "lib/draw/motion/motion.hpp"
+#include "tests/browser/browser.hpp"
 #include "tests/cli/process.hpp"
 
 #include <boost/json.hpp>
@@ -14,13 +15,6 @@ using namespace loadpath::test;
 namespace {
 
 namespace json = boost::json;
-
-/// The first browser on the path, or an empty text.
-std::string browser() {
-  const Ran found =
-      loadpath::test::Desk().shell("command -v chromium || command -v chromium-browser || command -v google-chrome");
-  return found.out.substr(0, found.out.find('\n'));
-}
 
 /// The page as it stands after its scripts have run.
 std::string opened(const Desk& desk, const std::string& browser, const std::string& page) {
@@ -65,7 +59,7 @@ std::string drawn_at(const std::string& page, const std::string& mark) {
 
 TEST_SUITE("moving report in a browser") {
   TEST_CASE("the mechanism moves with the slider and the numbers under it are those of --json at that angle") {
-    const std::string chromium = browser();
+    const std::string chromium = browser_there();
     if (chromium.empty()) {
       MESSAGE("skipped: no Chromium");
       return;
@@ -111,7 +105,7 @@ TEST_SUITE("moving report in a browser") {
     const std::string page = desk.get("r.html");
     CHECK(page.find("<div class=\"controls\" hidden>") != std::string::npos);
     CHECK(after(page, "data-axis>", '<') == "203");
-    const std::string chromium = browser();
+    const std::string chromium = browser_there();
     if (chromium.empty()) {
       MESSAGE("skipped: no Chromium");
       return;
@@ -122,7 +116,7 @@ TEST_SUITE("moving report in a browser") {
   }
 
   TEST_CASE("a point of a sweep is told in the page as the line of its table says it") {
-    const std::string chromium = browser();
+    const std::string chromium = browser_there();
     if (chromium.empty()) {
       MESSAGE("skipped: no Chromium");
       return;

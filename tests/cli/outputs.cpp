@@ -123,4 +123,31 @@ TEST_SUITE("cli outputs") {
     CHECK(ran.code == 2);
     CHECK(contains(ran.error, "too deep"));
   }
+
+  TEST_CASE("figures of any step: one in a file, all in a folder") {
+    const Desk desk;
+    const std::vector<std::string> beam{"section", "I",     "--h",    "200 mm", "--b",   "100 mm", "--t_w",
+                                        "5.6 mm",  "--t_f", "8.5 mm", "--r",    "12 mm", "--quiet"};
+    auto with = [&](std::vector<std::string> more) {
+      more.insert(more.begin(), beam.begin(), beam.end());
+      return desk.run(more);
+    };
+    CHECK(with({"--svg", "a.svg"}).code == 0);
+    CHECK(desk.get("a.svg").starts_with("<svg"));
+    CHECK(with({"--svg", "all"}).code == 0);
+    CHECK(with({"--dxf", "a.dxf"}).code == 0);
+    CHECK(desk.get("a.dxf").find("SECTION") != std::string::npos);
+    const Ran none =
+        desk.run({"fatigue", "cycle", "--sigma_max", "120 MPa", "--sigma_min", "-40 MPa", "--dxf", "c.dxf"});
+    CHECK(none.error.find("nothing to write as DXF") != std::string::npos);
+    CHECK(!desk.has("c.dxf"));
+    const std::string gearbox = LOADPATH_ROOT "/examples/gearbox-shaft/project.toml";
+    const Ran one = desk.run({"run", gearbox, "--quiet", "--svg", "b.svg"});
+    CHECK(one.code == 2);
+    CHECK(one.error.find("steps are drawn") != std::string::npos);
+    CHECK(!desk.has("b.svg"));
+    const auto before = desk.files().size();
+    CHECK(desk.run({"run", gearbox, "--quiet", "--svg", "figures"}).code != 2);
+    CHECK(desk.files().size() > before + 1);
+  }
 }

@@ -114,7 +114,7 @@ TEST_SUITE("cli run") {
     const Desk desk;
     desk.put("file", "");
     CHECK(desk.run({"run", "-", "--report", "a.doc"}, passing).error ==
-          "loadpath: a report is written as .html, .md or .pdf, not as 'a.doc'\n");
+          "loadpath: a report is written as .html, .md, .tex or .pdf, not as 'a.doc'\n");
     CHECK(desk.run({"run", "-", "--report", "file/a.html"}, passing).error ==
           "loadpath: cannot write 'file/a.html': it is a folder, or lies in a file\n");
     CHECK(desk.run({"run", "-", "--report", "/proc/a.html"}, passing).code == 2);
@@ -162,10 +162,19 @@ TEST_SUITE("cli run") {
     CHECK(contains(loadpath_with({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 MPa"}).out,
                    ")\n  found  d = 80 mm  " + reason + "\n"));
     const std::string page = desk.get("a.md");
-    CHECK(page.find("**Table 1.** Found") < page.find("mode of failure |"));
-    CHECK(contains(page, "80 mm | smallest of R40 that passes every check; 75 mm fails"));
-    CHECK(contains(desk.get("a.html"), "</b> Found</p>"));
+    CHECK(page.find("**Table 1.** Chosen") < page.find("mode of failure "));
+    CHECK(contains(page, "smallest of R40 that passes every check; 75 mm fails"));
+    CHECK(contains(desk.get("a.html"), "</b> Chosen</p>"));
     CHECK_FALSE(contains(run(failing).out, "found"));
+  }
+
+  TEST_CASE("a size that the row of a table leaves out is no size of the part") {
+    const Ran ran =
+        run("[stay]\ncalculator = \"column.buckling\"\nP = \"60 kN\"\nl = \"2.2 m\"\nends = \"pinned_pinned\"\n"
+            "section = \"SHS 60x60x3\"\nmaterial = \"S235JR\"\nmethod = \"ec3\"\ncurve_y = \"a\"\ncurve_z = \"a\"\n"
+            "gamma_M1 = 1\ngamma_F = 1.4\n");
+    CHECK_MESSAGE(contains(ran.out, "  pass  stay  SHS 60x60x3  "), ran.out);
+    CHECK_FALSE(contains(ran.out, "not available"));
   }
 
   TEST_CASE("expectations that miss are told in a line, and decide over nothing") {
@@ -227,7 +236,7 @@ TEST_SUITE("cli run") {
     desk.put("a.toml", "[project]\ntitle = \"" + script + "\"\nauthor = \"a & b <i>\"\n" + passing + "title = \"" +
                            script + "\"\nnote = \"" + script + "\"\n");
     REQUIRE(desk.run({"run", "a.toml", "--report", "a.html", "--report", "a.md"}).code == 0);
-    CHECK_FALSE(contains(desk.get("a.html"), "<script"));
+    CHECK_FALSE(contains(desk.get("a.html"), "<script>alert"));
     CHECK_FALSE(contains(desk.get("a.html"), "<i>"));
     CHECK(contains(desk.get("a.html"), "&lt;script&gt;"));
     CHECK_FALSE(contains(desk.get("a.md"), "<script"));
@@ -284,5 +293,48 @@ TEST_SUITE("cli run") {
       CHECK_FALSE(has_no_number(as_json.out));
       CHECK_NOTHROW(json::parse(as_json.out));
     }
+  }
+
+  TEST_CASE("the paper of a report: A4, or letter where the project says so") {
+    const Desk desk;
+    desk.put("a.toml", passing);
+    desk.put("b.toml", "[project]\npaper = \"letter\"\n" + passing);
+    desk.put("c.toml", "[project]\npaper = \"lettre\"\n" + passing);
+    REQUIRE(desk.run({"run", "a.toml", "--report", "a.html"}).code == 0);
+    REQUIRE(desk.run({"run", "b.toml", "--report", "b.html"}).code == 0);
+    CHECK(contains(desk.get("a.html"), "@page{size:A4;"));
+    CHECK(contains(desk.get("b.html"), "@page{size:letter;"));
+    const Ran wrong = desk.run({"run", "c.toml", "--report", "c.html"});
+    CHECK(wrong.code == 2);
+    CHECK(contains(wrong.error, "did you mean 'letter'?"));
+    CHECK(!desk.has("c.html"));
+  }
+
+  TEST_CASE("how much is told: brief is the answer, full has the input, and the answer is the same") {
+    const Desk desk;
+    desk.put("a.toml", "# my words\n" + passing);
+    const Ran brief = desk.run({"run", "a.toml", "--detail", "brief", "--report", "b.html"});
+    const Ran normal = desk.run({"run", "a.toml", "--report", "n.html"});
+    const Ran full = desk.run({"run", "a.toml", "--detail", "full", "--report", "f.html"});
+    CHECK(brief.out.size() < normal.out.size());
+    CHECK(normal.out.size() < full.out.size());
+    CHECK(desk.get("b.html").size() < desk.get("n.html").size());
+    CHECK(contains(desk.get("f.html"), "# my words"));
+    CHECK(!contains(desk.get("n.html"), "# my words"));
+    for (const Ran* ran : {&brief, &normal, &full}) {
+      CHECK(ran->code == 0);
+      CHECK(contains(ran->out, "d = 80 mm"));
+      CHECK(contains(ran->out, "█"));
+    }
+    CHECK(desk.run({"run", "a.toml", "--detail", "much"}).code == 2);
+  }
+
+  TEST_CASE("a size that was given stands beside those that were found") {
+    const Desk desk;
+    desk.put("a.toml",
+             "[axle]\ncalculator = \"shaft.torsion\"\nT = \"2700 N*m\"\ntau_adm = \"30 MPa\"\nd = \"85 mm\"\n");
+    const Ran ran = desk.run({"run", "a.toml", "--detail", "brief", "--report", "a.md"});
+    CHECK(contains(ran.out, "d = 85 mm"));
+    CHECK(contains(desk.get("a.md"), "| given "));
   }
 }

@@ -1,5 +1,6 @@
 // The command `sweep`: the same bytes by any number of threads and shards, after every kind of end; and its words.
 #include "tests/cli/sweeps.hpp"
+#include "tests/tries.hpp"
 
 #include <array>
 #include <chrono>
@@ -66,7 +67,7 @@ TEST_SUITE("sweep command") {
     const auto lasts = duration_of([&] { REQUIRE(desk.run(into("whole")).code == 0); });
     std::mt19937 random(5);
     int ended_early = 0;
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < tries(100); ++i) {
       std::filesystem::remove_all(desk.folder() / "part");
       const int signal = i % 4 == 0 ? SIGINT : SIGKILL;
       const pid_t child = start(desk, into("part"));
@@ -81,14 +82,21 @@ TEST_SUITE("sweep command") {
       CHECK_MESSAGE(again.code == 0, again.error);
       CHECK(same_folders(desk, "whole", "part"));
     }
-    CHECK(ended_early > 20);
+    CHECK(ended_early > tries(100) / 5);
   }
 
   TEST_CASE("Ctrl-C keeps what has been solved, and tells how to go on") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
-    const Ran ran = desk.shell("timeout --preserve-status -s INT 0.8 '" + std::string(LOADPATH_PROGRAM) +
-                               "' sweep a.toml --samples 10000000 --out part --save-every 1000 --no-columns --quiet");
+    Ran ran;
+    for (const char* const seconds :
+         {"0.8", "3", "12", "48"}) {  // a machine that does other things as well needs longer
+      std::filesystem::remove_all(desk.folder() / "part");
+      ran =
+          desk.shell("timeout --preserve-status -s INT " + std::string(seconds) + " '" + std::string(LOADPATH_PROGRAM) +
+                     "' sweep a.toml --samples 10000000 --out part --save-every 1000 --no-columns --quiet");
+      if (!contains(ran.error, "stopped at 0 points")) break;
+    }
     CHECK(ran.code == 130);
     CHECK(contains(ran.error, "stopped at "));
     CHECK(!contains(ran.error, "stopped at 0 points"));
@@ -130,6 +138,38 @@ TEST_SUITE("sweep command") {
     REQUIRE(file.size() == 128 + 8 * 14000);
     CHECK(file.substr(1, 5) == "NUMPY");
     CHECK(contains(file, "'descr': '<f8', 'fortran_order': False, 'shape': (14000,), }"));
+  }
+
+  TEST_CASE("a result that is an input has one column, and a name of an input is no other result's") {
+    const Desk desk;
+    desk.put("a.toml", swept_shaft);
+    const std::vector<std::string> words{"sweep", "a.toml", "--results", "shaft.d", "--quiet"};
+    const auto with = [&](std::vector<std::string> more) {
+      more.insert(more.begin(), words.begin(), words.end());
+      return desk.run(more);
+    };
+    REQUIRE(with({"--csv", "a.csv", "--out", "one", "--pareto", "shaft.d:min,tau:min"}).code == 0);
+    CHECK(desk.get("a.csv").starts_with(
+        "point,shaft.d [mm],shaft.T [N*m],tau [MPa],shaft.theta_max [deg/m],state,utilisation\n0,30,"));
+    CHECK(desk.has("one/columns/6-utilisation.npy"));
+    CHECK(!desk.has("one/columns/7-utilisation.npy"));
+    REQUIRE(desk.run({"sweep", "a.toml", "--csv", "b.csv", "--quiet"}).code == 0);
+    CHECK(desk.get("a.csv") == desk.get("b.csv"));
+    const Ran other = desk.run({"sweep", "a.toml", "--results", "shaft.d = 2*shaft.tau_max"});
+    CHECK(other.code == 2);
+    CHECK_MESSAGE(contains(other.error, "'shaft.d' is an input that the sweep goes through"), other.error);
+  }
+
+  TEST_CASE("a project in which nothing varies is one point, and says so") {
+    const Desk desk;
+    desk.put("a.toml", "[a]\ncalculator = \"shaft.torsion\"\nT = \"1 N*m\"\nd = \"9 mm\"\ntau_adm = \"30 MPa\"\n");
+    const Ran ran = desk.run({"sweep", "a.toml", "--results", "a.tau_max"});
+    CHECK(ran.code == 0);
+    CHECK_MESSAGE(contains(ran.error, "nothing varies in 'a.toml'"), ran.error);
+    CHECK(contains(ran.error, "d = { from = "));
+    CHECK_MESSAGE(contains(ran.out, "Of 1 points 1 pass"), ran.out);
+    CHECK(contains(ran.out, "Nothing varies"));
+    CHECK(desk.run({"sweep", "a.toml", "--quiet"}).error.empty());
   }
 
   TEST_CASE("what is wrong with the words is told, and nothing is written") {

@@ -1,39 +1,6 @@
-#include "cli/setup.hpp"
-
-#include <charconv>
-#include <cstdint>
-#include <string>
+#include "cli/program/words.hpp"
 
 namespace loadpath::cli {
-
-namespace {
-
-/// A whole number that a project file could hold as well.
-CLI::Validator whole_from(std::int64_t least) {
-  return {[least](const std::string& text) {
-            std::int64_t number = 0;
-            const char* const end = text.data() + text.size();
-            const auto read = std::from_chars(text.data(), end, number);
-            const bool fits = read.ec == std::errc() && read.ptr == end && number >= least;
-            return fits ? std::string() : "'" + text + "' is no whole number of " + std::to_string(least) + " or more";
-          },
-          ""};
-}
-
-}  // namespace
-
-void add_points(CLI::App& app, PointOptions& options) {
-  app.add_option("--samples", options.samples, "samples of uncertain inputs, at each point of the ranges")
-      ->type_name("N")
-      ->check(whole_from(1));
-  app.add_option("--seed", options.seed, "another seed gives other samples")->type_name("N")->check(whole_from(0));
-  app.add_flag("--latin", options.latin, "samples of a Latin hypercube: spread evenly over each input");
-  app.add_option("--zip", options.zip, "inputs that run together: shaft.T,shaft.n")
-      ->type_name("INPUTS")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
-}
 
 namespace {
 
@@ -85,6 +52,7 @@ void setup_sweep(CLI::App& app, SweepOptions& options, Action& action) {
       ->take_all()
       ->allow_extra_args(false);
   add_points(*sub, options.points);
+  add_settings(*sub, options.settings);
   sub->add_option("--worst", options.worst, "how many of the points with the largest utilisation are told")
       ->type_name("N")
       ->check(CLI::Range(0, 1'000'000));
@@ -93,7 +61,7 @@ void setup_sweep(CLI::App& app, SweepOptions& options, Action& action) {
   add_aims(*sub, options);
   sub->add_option("--csv", options.csv, "write every point as a line")->type_name("FILE");
   sub->add_option("--hdf5", options.hdf5, "write every point, a dataset for each column")->type_name("FILE");
-  sub->add_option("--report", options.reports, "write a report: FILE.html, FILE.md or FILE.pdf")
+  sub->add_option("--report", options.reports, "write a report: FILE.html, FILE.md, FILE.tex or FILE.pdf")
       ->type_name("FILE")
       ->expected(1)
       ->take_all()

@@ -1,0 +1,147 @@
+#include "cli/commands.hpp"
+#include "cli/files/commands.hpp"
+#include "cli/files/starters.hpp"
+#include "cli/settings/settings.hpp"
+#include "cli/staged.hpp"
+
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <unistd.h>
+
+namespace loadpath::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+int refuse(const std::string& message, const std::string& hint) {
+  std::cerr << "loadpath: " << message << "\n  = help: " << hint << "\n";
+  return wrong_input;
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> all;
+  for (const Starter& starter : starters()) all.push_back(starter.name);
+  return all;
+}
+
+/// Whether a file of this name would take the place of something; a link into nowhere is something too.
+bool is_there(const std::string& file) {
+  std::error_code error;
+  return file != "-" && fs::exists(fs::symlink_status(file, error));
+}
+
+/// One line of an answer; the proposal where it is empty, nothing where there is no more to read.
+std::optional<std::string> ask(const std::string& question, const std::string& proposal) {
+  std::cerr << question << (proposal.empty() ? "" : " [" + proposal + "]") << ": " << std::flush;
+  std::string answer;
+  if (!std::getline(std::cin, answer)) return std::nullopt;
+  while (!answer.empty() && (answer.back() == ' ' || answer.back() == '\r')) answer.pop_back();
+  answer.erase(0, std::min(answer.find_first_not_of(' '), answer.size()));
+  return answer.empty() ? proposal : answer;
+}
+
+/// The template that is asked for, by its name or its number.
+const Starter* ask_for_starter() {
+  std::cerr << "What is it?\n";
+  for (std::size_t i = 0; i < starters().size(); ++i)
+    std::cerr << "  " << i + 1 << "  " << starters()[i].name << ": " << starters()[i].title << "\n";
+  while (const auto answer = ask("name or number", "")) {
+    if (const Starter* const named = find_starter(*answer)) return named;
+    const bool digit = answer->size() == 1 && *answer >= "1" && *answer <= std::to_string(starters().size());
+    if (digit) return &starters()[static_cast<std::size_t>((*answer)[0] - '1')];
+    std::cerr << "  " << did_you_mean(*answer, names(), there_is(names())).text() << "\n";
+  }
+  return nullptr;
+}
+
+bool ask_for_file(const Starter& starter, std::string& file) {
+  while (auto answer = ask("file", starter.name + ".toml")) {
+    file = std::move(*answer);
+    if (!is_there(file)) return true;
+    std::cerr << "  '" << file << "' is there already, and stays as it is: name another\n";
+  }
+  return false;
+}
+
+/// The main numbers, each asked again until the project solves with it.
+bool ask_for_values(const Starter& starter, const std::string& file, std::vector<std::string>& settings) {
+  for (const MainValue& value : starter.values) {
+    for (;;) {
+      const auto answer = ask(value.question, value.text);
+      if (!answer) return false;
+      if (*answer == value.text) break;
+      settings.push_back(value.key + "=" + *answer);
+      std::vector<Issue> issues;
+      filled(starter, file, settings, issues);
+      if (!has_errors(issues)) break;
+      terminal::show_issues(issues, {source_of(with_table(settings)), {file, starter.text}});
+      settings.pop_back();
+    }
+  }
+  return true;
+}
+
+/// A name as the shell takes it.
+std::string shell_word(const std::string& name) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._/-+";
+  if (name.find_first_not_of(plain) == std::string::npos) return name;
+  std::string word = "'";
+  for (const char c : name) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+void tell_next(const Starter& starter, const std::string& file) {
+  const std::string name = shell_word(file), report = shell_word(fs::path(file).replace_extension(".html").string());
+  const MainValue& first = starter.values.front();
+  std::cout << "written: " << file << "\n\nNext, with other numbers and steps in it as you need them:\n"
+            << "  loadpath run " << name << " --report " << report << "\n"
+            << "  loadpath why " << name << "\n"
+            << "  loadpath run " << name << " --set values." << first.key << "=\"" << first.text << "\"\n"
+            << "  loadpath --help\n";
+}
+
+int write(const Starter& starter, const std::string& file, const std::vector<std::string>& settings) {
+  std::vector<Issue> issues;
+  const std::string text = filled(starter, file == "-" ? starter.name + ".toml" : file, settings, issues);
+  if (has_errors(issues)) {
+    terminal::show_issues(issues, {source_of(with_table(settings)), {file, starter.text}});
+    return wrong_input;
+  }
+  if (file == "-") {
+    std::cout << text;
+    return passed;
+  }
+  Scratch scratch;
+  Staged staged(scratch);
+  if (!staged.add(file, text) || !staged.finish()) return wrong_input;
+  tell_next(starter, file);
+  return passed;
+}
+
+int ended() { return refuse("the questions were not answered to the end", "nothing is written"); }
+
+}  // namespace
+
+int init(const InitOptions& options) {
+  std::vector<std::string> settings = options.settings;
+  if (options.starter.empty()) {
+    if (isatty(STDIN_FILENO) == 0)
+      return refuse("which template?", there_is(names()).text() + "; as in `loadpath init shaft`");
+    const Starter* const starter = ask_for_starter();
+    std::string file;
+    if (starter == nullptr || !ask_for_file(*starter, file) || !ask_for_values(*starter, file, settings))
+      return ended();
+    return write(*starter, file, settings);
+  }
+  const Starter* const starter = find_starter(options.starter);
+  if (starter == nullptr)
+    return refuse("there is no template '" + options.starter + "'",
+                  did_you_mean(options.starter, names(), there_is(names())).text());
+  const std::string file = options.file.empty() ? starter->name + ".toml" : options.file;
+  if (is_there(file)) return refuse("'" + file + "' is there already, and stays as it is", "name another file");
+  return write(*starter, file, settings);
+}
+
+}  // namespace loadpath::cli

@@ -1,0 +1,38 @@
+// Project files to start from: commented, with their main numbers in [values], each with a comment that asks for it.
+#pragma once
+
+#include "lib/text/issue.hpp"
+
+#include <string>
+#include <vector>
+
+namespace loadpath::cli {
+
+/// A number to begin with: "torque" "T" "120 N*m".
+struct MainValue {
+  std::string key;
+  std::string question;
+  std::string text;
+};
+
+struct Starter {
+  std::string name;   // "shaft"
+  std::string title;  // "Shaft on two bearings"
+  std::string text;
+  std::vector<MainValue> values;
+};
+
+/// Those that are built in, by their names.
+const std::vector<Starter>& starters();
+/// Null where there is none of this name.
+const Starter* find_starter(const std::string& name);
+
+/// Its text with these fields in place of its own, "T=80 N*m" for "values.T=80 N*m". What it does not have, or what
+/// does not solve, is an issue.
+std::string filled(const Starter& starter, const std::string& file, std::vector<std::string> settings,
+                   std::vector<Issue>& issues);
+
+/// The settings as `filled` understands them: what issues point into.
+std::vector<std::string> with_table(std::vector<std::string> settings);
+
+}  // namespace loadpath::cli

@@ -1,0 +1,30 @@
+// Messages as they go between an editor and the server: JSON behind a head that tells its length.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace loadpath::cli::lsp {
+
+/// What the editor writes to standard input.
+class Input {
+ public:
+  /// The body of the next message: empty where its head tells no length that is taken; nothing at the end.
+  std::optional<std::string> next();
+  /// Whether something can be read without waiting for it.
+  [[nodiscard]] bool has_more() const;
+
+ private:
+  bool read_more();
+  bool has_line(std::size_t& end) const;
+
+  std::string bytes_;
+  std::size_t at_ = 0;
+};
+
+/// Writes a message to standard output; false where nobody reads it.
+bool send(std::string_view body);
+
+}  // namespace loadpath::cli::lsp

@@ -1,0 +1,12 @@
+// What an expression may refer to where the cursor stands in it: steps and their results, values, functions.
+#pragma once
+
+#include "cli/lsp/completion.hpp"
+#include "lib/calculator/record.hpp"
+
+namespace loadpath::cli::lsp {
+
+/// `field`: that the expression is for, whose dimension comes first; null where it is none.
+Completions references_at(const OpenFile& file, const Spot& spot, std::size_t offset, const FieldInfo* field);
+
+}  // namespace loadpath::cli::lsp

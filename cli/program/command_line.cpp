@@ -1,0 +1,155 @@
+#include "cli/program/command_line.hpp"
+
+namespace loadpath::cli {
+
+namespace {
+
+constexpr auto footer = R"(Examples:
+  loadpath run examples/slotted-lever/project.toml --report report.html
+  loadpath sweep examples/strut-sweep/project.toml --report sweep.html
+  loadpath why examples/press-link/project.toml lever
+  loadpath shaft torsion --T "2700 N*m" --tau_adm "30 MPa"
+  loadpath mechanism planar --file examples/toggle-press/project.toml --svg press.svg
+  loadpath convert "2700 lbf*in" "N*m"
+
+Exit codes: 0 solved, and every mode of failure that applies is judged and passes, or accepted; 1 solved, but one fails,
+is not judged, not covered or not available;
+2 the input is wrong, nothing is written; 3 a fault of the program, or of standard output; 130 interrupted.)";
+
+void setup_run(CLI::App& app, RunOptions& options, Action& action) {
+  CLI::App* run_app = app.add_subcommand("run", "solve project files");
+  run_app->add_option("file", options.files, "project files, and folders of them; - is standard input")->required();
+  run_app->add_option("--point", options.point, "the point of this number of the project's sweep, counted from 0")
+      ->type_name("N");
+  add_points(*run_app, options.points);
+  add_settings(*run_app, options.settings);
+  add_output(*run_app, options.output);
+  run_app->footer(
+      "Of several projects a * in the name of a report or of a table stands for the name of each: 'reports/*.html'.");
+  run_app->callback([&] { action = [&] { return run(options); }; });
+}
+
+void setup_why(CLI::App& app, WhyOptions& options, Action& action) {
+  CLI::App* sub = app.add_subcommand("why", "what decides over a step: what was chosen, what judges it, its formulas");
+  sub->add_option("file", options.file, "project file; - is standard input")->required();
+  sub->add_option("of", options.of,
+                  "step, or a result or mode of failure of one: rod, rod.u; every step where missing");
+  add_settings(*sub, options.settings);
+  sub->callback([&] { action = [&] { return why(options); }; });
+}
+
+void setup_watch(CLI::App& app, WatchOptions& options, Action& action) {
+  CLI::App* sub = app.add_subcommand("watch", "solve a project file on every save, its report in the browser");
+  sub->add_option("file", options.file, "project file")->required();
+  sub->add_flag("--open", options.open, "open the report in the browser");
+  sub->add_option("--port", options.port, "port on the loopback address; a free one where missing")
+      ->type_name("N")
+      ->check(CLI::Range(1, 65535));
+  sub->add_flag("--strict", options.strict, "count modes of failure that are open as not judged");
+  sub->footer(
+      "The page keeps up with the file, at the place that it is read at; what is wrong with the file lies over "
+      "it. Ends by Ctrl-C.");
+  sub->callback([&] { action = [&] { return watch(options); }; });
+}
+
+void setup_describe(CLI::App& app, DescribeOptions& options, Action& action) {
+  CLI::App* sub = app.add_subcommand("describe", "fields, sources, limits and an example of one calculator");
+  sub->add_option("id", options.id, "calculator, for example shaft.torsion")->required();
+  sub->add_option(
+      "name", options.name,
+      "its name where the id is an element alone, as in shaft torsion; or one part: inputs, results, modes, "
+      "sources, example, or an input, as in mechanism.planar loads");
+  sub->add_option("part", options.part, "the part, where the id is two words");
+  sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
+  sub->callback([&] { action = [&] { return describe(options); }; });
+}
+
+void setup_list(CLI::App& app, ListOptions& options, Action& action) {
+  CLI::App* sub = app.add_subcommand("list", "all calculators, or those of an element");
+  sub->add_option("element", options.element, "for example shaft");
+  sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
+  sub->callback([&] { action = [&] { return list(options); }; });
+}
+
+void setup_convert(CLI::App& app, ConvertOptions& options, Action& action) {
+  CLI::App* sub = app.add_subcommand("convert", "convert a quantity, or an expression that starts with =");
+  sub->add_option("quantity", options.quantity, "for example \"2700 lbf*in\", \"2,5 kN·m\", \"=30 kW / (1500 rpm)\"")
+      ->required();
+  sub->add_option("unit", options.unit, "target unit; a readable one where missing");
+  sub->footer(R"(Numbers: 30  1e6  2·10^6  1 200  1'200  2,5 (decimal comma)  1/2 in  1-1/2 in
+Units:   SI with prefixes, N·m N*m Nm, mm² mm^2, min⁻¹ 1/min, parentheses after a /; deg rad rev rpm rev/s min h d
+         bar atm psi ksi in ft mil lbf lb kip hp PS kgf t % °C K, and Н·м кН МПа мм кВт об/мин
+What can be read in two ways is refused: 1,250 mm; N/m*s.)");
+  sub->callback([&] { action = [&] { return convert(options); }; });
+}
+
+void setup_verify(CLI::App& app, VerifyOptions& options, Action& action) {
+  CLI::App* sub = app.add_subcommand("verify", "published reference cases: published value, ours, deviation, source");
+  sub->add_option("file", options.files, "project files with [[expect]] entries; the built-in manual where missing");
+  sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
+  sub->callback([&] { action = [&] { return verify(options); }; });
+}
+
+void setup_tables(CLI::App& app, TablesOptions& options, Action& action) {
+  CLI::App* sub = app.add_subcommand("tables", "materials, preferred sizes and their sources");
+  sub->add_option("table", options.table, "table, for example materials");
+  sub->add_option("key", options.key, "row, for example C45E");
+  sub->add_option("--where", options.where,
+                  "rows that hold this, as in \"I_min >= 300 cm^4 and h <= 200 mm\"; a value that depends on the size "
+                  "counts at the smallest")
+      ->type_name("CONDITION");
+  sub->add_option("--sort", options.sort, "column to sort by, as in mass or h; with - before it from the largest")
+      ->type_name("COLUMN");
+  sub->add_flag("--audit", options.audit, "every value whose source was not seen");
+  sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
+  sub->callback([&] { action = [&] { return tables(options); }; });
+}
+
+void setup_completion(CLI::App& app, CompletionOptions& options, Action& action) {
+  CLI::App* sub = app.add_subcommand("completion", "completion of words for bash, zsh or fish");
+  sub->add_option("shell", options.shell, "bash, zsh or fish; candidates: what their scripts ask for")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish", "candidates"}));
+  sub->add_option("words", options.words, "of candidates: the words behind loadpath, the last one begun")
+      ->type_name("");
+  sub->footer(
+      "For this shell: source <(loadpath completion bash). For good: write it into the folder of its completions.");
+  sub->callback([&] { action = [&] { return completion(options); }; });
+}
+
+}  // namespace
+
+void CommandLine::set_up(const CLI::App& command) {
+  const auto found = late.find(&command);
+  if (found != late.end()) found->second();
+}
+
+CommandLine::CommandLine()
+    : app("loadpath: design calculator for machine elements, from the loads of a mechanism to the sizes of its parts",
+          "loadpath") {
+  app.set_version_flag("--version", program());
+  app.require_subcommand(0, 1);
+  setup_run(app, options.run, action);
+  setup_sweep(app, options.sweep, action);
+  setup_why(app, options.why, action);
+  setup_watch(app, options.watch, action);
+  setup_list(app, options.list, action);
+  setup_describe(app, options.describe, action);
+  setup_convert(app, options.convert, action);
+  setup_verify(app, options.verify, action);
+  setup_tables(app, options.tables, action);
+  setup_completion(app, options.completion, action);
+  app.add_subcommand("man", "manual page, as roff: loadpath man | man -l -")->callback([this] { action = man; });
+  app.add_subcommand("schema", "JSON Schema of a project file, for editors")->callback([this] { action = schema; });
+  setup_init(app, options.init, action);
+  setup_diff(app, options.diff, action);
+  setup_fmt(app, options.fmt, action);
+  app.add_subcommand("lsp", "language server for editors, on standard input and output")->callback([this] {
+    action = language_server;
+  });
+  setup_elements(app, options.calculate, action, late);
+  app.footer(footer);  // both only here: commands inherit what is set before they are made
+  app.allow_extras();
+}
+
+}  // namespace loadpath::cli

@@ -1,0 +1,65 @@
+#include "calculators/catalogue.hpp"
+#include "cli/parts/parts.hpp"
+#include "cli/program/command_line.hpp"
+#include "cli/program/refusals.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <iostream>
+
+namespace loadpath::cli {
+
+namespace {
+
+/// What was typed; the id of a calculator, shaft.torsion, as the two words that it is here.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  const Calculator* const named = words.empty() ? nullptr : find_calculator(calculators(), words[0]);
+  if (named == nullptr) return words;
+  words[0] = name_in_element(*named);
+  words.insert(words.begin(), std::string(named->element()));
+  return words;
+}
+
+int dispatch(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "--version") {  // asked by scripts, again and again: nothing is set up
+    std::cout << program() << "\n";
+    return passed;
+  }
+  CommandLine line;
+  std::vector<std::string> words = words_of(argc, argv);
+  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  try {
+    line.app.parse(std::move(words));
+  } catch (const CLI::Success& success) {  // --help, --version
+    return line.app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    return wrong_words(line.app, error);
+  }
+  if (line.action && line.app.remaining().empty()) return line.action();
+  return unknown_command(line.app, deepest(line.app));
+}
+
+int guarded(int argc, char** argv) {
+  try {
+    const int code = dispatch(argc, argv);
+    if (std::cout.flush()) return code;
+    std::cerr << "loadpath: standard output cannot be written\n";
+    return fault;
+  } catch (const std::exception& error) {
+    std::cerr << "loadpath: a fault of the program: " << error.what() << "\n";
+    return fault;
+  }
+}
+
+}  // namespace
+
+std::string program() { return "loadpath " LOADPATH_VERSION; }
+
+}  // namespace loadpath::cli
+
+int main(int argc, char** argv) {
+  std::signal(SIGINT, [](int) { std::_Exit(loadpath::cli::interrupted); });
+  return loadpath::cli::run_program([&] { return loadpath::cli::guarded(argc, argv); });
+}

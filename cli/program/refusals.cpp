@@ -1,0 +1,80 @@
+#include "cli/program/refusals.hpp"
+
+#include "cli/commands.hpp"
+#include "lib/text/issue.hpp"
+
+#include <iostream>
+
+namespace loadpath::cli {
+
+namespace {
+
+int refuse(const std::string& what, const std::string& help) {
+  std::cerr << "loadpath: " << what << "\n  = help: " << help << "\n";
+  return wrong_input;
+}
+
+/// "loadpath shaft torsion"
+std::string path_of(const CLI::App& command) {
+  return command.get_parent() == nullptr ? command.get_name()
+                                         : path_of(*command.get_parent()) + " " + command.get_name();
+}
+
+int unknown_option(const CLI::App& command, const std::string& word) {
+  const std::string name = word.substr(0, word.find('='));
+  std::vector<std::string> options;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& long_name : option->get_lnames()) options.push_back("--" + long_name);
+  }
+  return refuse("there is no option '" + name + "'",
+                did_you_mean(name, options, say("`{1} --help` shows what there is", path_of(command))).text());
+}
+
+/// An option of the command that takes one value and was given several; null where there is none.
+const CLI::Option* repeated_option(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() > 1 && option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw) return option;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const CLI::App& deepest(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? app : deepest(*chosen.front());
+}
+
+int unknown_command(const CLI::App& app, const CLI::App& command) {
+  const auto words = command.remaining();
+  if (words.empty()) {
+    std::cerr << app.help();
+    return wrong_input;
+  }
+  if (words[0].starts_with('-')) return unknown_option(command, words[0]);
+  std::vector<std::string> names;
+  for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(sub->get_name());
+  }
+  const bool top = &app == &command;
+  const std::string prefix = top ? "" : command.get_name() + " ";
+  return refuse((top ? "there is no command '" : "there is no calculator '") + prefix + words[0] + "'",
+                did_you_mean(words[0], names, there_is(names), prefix).text());
+}
+
+int wrong_words(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& command = deepest(app);
+  const auto words = app.remaining(true);
+  if (!words.empty() && words[0].starts_with("--")) return unknown_option(command, words[0]);
+  const std::string help = "`" + path_of(command) + " --help` shows what there is";
+  if (!words.empty()) return refuse("'" + words[0] + "' is not expected here", help);
+  if (const CLI::Option* option = repeated_option(command)) {
+    return refuse("'" + option->get_name() + "' is given more than once", "it takes one value: leave out all but one");
+  }
+  const std::string said = error.what();
+  if (error.get_name() == "ArgumentMismatch")
+    return refuse("'" + said.substr(0, said.find(':')) + "' needs a value", help);
+  return refuse(said, help);
+}
+
+}  // namespace loadpath::cli

@@ -1,0 +1,79 @@
+#include "cli/program/words.hpp"
+
+#include <charconv>
+#include <cstdint>
+#include <string>
+
+namespace loadpath::cli {
+
+namespace {
+
+/// A whole number that a project file could hold as well.
+CLI::Validator whole_from(std::int64_t least) {
+  return {[least](const std::string& text) {
+            std::int64_t number = 0;
+            const char* const end = text.data() + text.size();
+            const auto read = std::from_chars(text.data(), end, number);
+            const bool fits = read.ec == std::errc() && read.ptr == end && number >= least;
+            return fits ? std::string() : "'" + text + "' is no whole number of " + std::to_string(least) + " or more";
+          },
+          ""};
+}
+
+}  // namespace
+
+void add_output(CLI::App& app, OutputOptions& output) {
+  app.add_option("--report", output.reports,
+                 "write a report: FILE.html, FILE.md, FILE.tex or FILE.pdf; html:- is standard output")
+      ->type_name("FILE")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_option("--detail", output.detail,
+                 "how much reports and the terminal tell: brief, the answer alone; normal; full, with every list and "
+                 "formula, and the input")
+      ->type_name("WORD")
+      ->check(CLI::IsMember({"brief", "normal", "full"}));
+  app.add_flag("--json", output.json, "print the results as one JSON object, of several projects as a list");
+  app.add_option("--csv", output.csv, "write the series: each step's into a folder, or the one's into FILE.csv or -")
+      ->type_name("PATH");
+  app.add_option("--series", output.series,
+                 "the series that CSV and JSON hold, by name: drive.M,links.*.N; * is any characters")
+      ->type_name("NAMES")
+      ->delimiter(',')
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_option("--svg", output.svg,
+                 "write every figure into a folder; or, as FILE.svg, the drawing to scale, of a mechanism at its first "
+                 "position, or the first figure")
+      ->type_name("PATH");
+  app.add_option("--dxf", output.dxf,
+                 "write the drawing to scale for CAD (DXF R12, mm) as FILE.dxf; several into a folder")
+      ->type_name("PATH");
+  app.add_flag("--quiet", output.quiet, "print errors only");
+  app.add_flag("--strict", output.strict, "count modes of failure that are open as not judged: exit code 1");
+}
+
+void add_settings(CLI::App& app, std::vector<std::string>& settings) {
+  app.add_option("--set", settings, "a field in place of what the file says: --set shaft.d=\"45 mm\"")
+      ->type_name("STEP.FIELD=VALUE")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+void add_points(CLI::App& app, PointOptions& options) {
+  app.add_option("--samples", options.samples, "samples of uncertain inputs, at each point of the ranges")
+      ->type_name("N")
+      ->check(whole_from(1));
+  app.add_option("--seed", options.seed, "another seed gives other samples")->type_name("N")->check(whole_from(0));
+  app.add_flag("--latin", options.latin, "samples of a Latin hypercube: spread evenly over each input");
+  app.add_option("--zip", options.zip, "inputs that run together: shaft.T,shaft.n")
+      ->type_name("INPUTS")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+}  // namespace loadpath::cli

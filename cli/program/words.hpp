@@ -1,0 +1,39 @@
+// The words of commands that have many: what the shell takes, as options.
+#pragma once
+
+#include "cli/commands.hpp"
+#include "cli/files/commands.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <map>
+
+namespace loadpath::cli {
+
+/// What the program does once all words are read.
+using Action = std::function<int()>;
+
+/// What every solving command can write.
+void add_output(CLI::App& app, OutputOptions& output);
+/// Fields that the command line sets.
+void add_settings(CLI::App& app, std::vector<std::string>& settings);
+/// Which points a sweep has.
+void add_points(CLI::App& app, PointOptions& options);
+void setup_sweep(CLI::App& app, SweepOptions& options, Action& action);
+
+/// What sets up the words of a command, once it is named.
+using Late = std::map<const CLI::App*, std::function<void()>>;
+/// Commands about project files as texts.
+void setup_init(CLI::App& app, InitOptions& options, Action& action);
+void setup_diff(CLI::App& app, DiffOptions& options, Action& action);
+void setup_fmt(CLI::App& app, FmtOptions& options, Action& action);
+
+/// Every element of the catalogue. Its calculators and their flags are set up once it is named: those of all would take
+/// longer than what most commands do.
+void setup_elements(CLI::App& app, CalculateOptions& options, Action& action, Late& late);
+
+/// "torsion" of shaft.torsion
+std::string name_in_element(const Calculator& calculator);
+
+}  // namespace loadpath::cli

@@ -1,0 +1,24 @@
+// What can follow on a command line: out of the commands, the catalogue, the tables and the project that is named.
+#pragma once
+
+#include "cli/program/command_line.hpp"
+
+#include <string>
+#include <vector>
+
+namespace loadpath::cli {
+
+struct Candidate {
+  std::string word;
+  std::string meaning;  // in a line; may be empty
+};
+
+struct Candidates {
+  std::vector<Candidate> words;
+  bool files = false;  // a file may follow as well
+};
+
+/// What fits in place of the last word, which may be empty, behind those before it.
+Candidates candidates(CommandLine& line, std::vector<std::string> words);
+
+}  // namespace loadpath::cli

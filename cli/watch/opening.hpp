@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace loadpath::cli {
+
+/// Has the desktop open a page, by the first of its programs for that; false where there is none.
+bool open_page(const std::string& address);
+
+}  // namespace loadpath::cli

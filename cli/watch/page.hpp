@@ -1,0 +1,22 @@
+// What the browser is shown while somebody edits a project.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace loadpath::cli {
+
+/// The project as it was last read.
+struct Revision {
+  std::uint64_t number = 0;
+  std::string page;     // the report of the last one that could be solved; empty before
+  std::string problem;  // issues with their places; empty where it was solved
+};
+
+/// The page of a revision, with the script that keeps it up to date.
+std::string live_page(const Revision& revision);
+
+/// What the script is told of a revision: "7 solved", "8 problem".
+std::string news_of(const Revision& revision);
+
+}  // namespace loadpath::cli

@@ -1,0 +1,45 @@
+// Files that somebody edits while the program looks.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace loadpath::cli {
+
+/// A file as it was read.
+struct ReadFile {
+  std::string path;
+  std::string text;
+  bool is_there = true;
+};
+
+/// Reads a file; of one that cannot be read that it is not there.
+ReadFile read_watched(const std::string& path);
+
+/// Whether files hold what was read of them. They are looked at by number, size and date, and read again where one of
+/// these is new: an editor may write in place or put another file there, and a save without a change is none.
+class WatchedFiles {
+ public:
+  /// From now on these.
+  void watch(std::vector<ReadFile> files);
+  /// Whether one holds something else than what was read.
+  bool have_changed();
+
+ private:
+  struct Stamp {
+    std::uint64_t inode = 0;
+    std::int64_t size = -1, seconds = 0, nanoseconds = 0;
+    bool operator==(const Stamp&) const = default;
+  };
+  struct Watched {
+    ReadFile read;
+    std::optional<Stamp> stamp;  // none: not looked at since it was read
+  };
+  static Stamp stamp_of(const std::string& path);
+
+  std::vector<Watched> files_;
+};
+
+}  // namespace loadpath::cli

@@ -1,0 +1,110 @@
+// Every page of every example, as a browser lays it out.
+#include "tests/browser/examples.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace loadpath::test;
+
+namespace {
+
+/// What stands out of its column: of the page where it is wider than the window, of a box that cannot be scrolled.
+const std::string beyond = R"((() => {
+  const said = [];
+  const width = document.documentElement.clientWidth;
+  if (document.documentElement.scrollWidth > width) said.push(`page ${document.documentElement.scrollWidth} > ${width}`);
+  const scrolls = (e) => {
+    for (; e && e !== document.body; e = e.parentElement) if (/auto|scroll/.test(getComputedStyle(e).overflowX)) return true;
+    return false;
+  };
+  for (const e of document.querySelectorAll("main *")) {
+    if (e.closest("svg") && e.tagName !== "svg") continue;
+    const box = e.getBoundingClientRect();
+    if (box.width === 0 || box.right <= width + 0.5 || scrolls(e)) continue;
+    said.push(`${e.tagName}.${e.className} ends at ${Math.round(box.right)}: ${e.textContent.slice(0, 40)}`);
+  }
+  return said.slice(0, 5).join("\n");
+})())";
+
+const std::string broken_links = R"((() => {
+  const said = [], ids = new Set();
+  for (const e of document.querySelectorAll("[id]")) {
+    if (ids.has(e.id)) said.push("twice: " + e.id);
+    ids.add(e.id);
+  }
+  for (const a of document.querySelectorAll("a[href^='#']"))
+    if (!ids.has(decodeURIComponent(a.getAttribute("href").slice(1)))) said.push("nowhere: " + a.getAttribute("href"));
+  for (const u of document.querySelectorAll("use"))
+    if (!ids.has(u.getAttribute("href").slice(1))) said.push("no shape: " + u.getAttribute("href"));
+  return said.slice(0, 5).join("\n");
+})())";
+
+/// Text in figures that stands over other text of the same figure, or out of it.
+const std::string covered_text = R"((() => {
+  const said = [];
+  for (const svg of document.querySelectorAll("figure svg")) {
+    const frame = svg.getBoundingClientRect();
+    const texts = [...svg.querySelectorAll("text")].filter((t) => t.textContent.trim() && getComputedStyle(t).visibility !== "hidden");
+    const boxes = texts.map((t) => t.getBoundingClientRect());
+    boxes.forEach((a, i) => {
+      if (a.left < frame.left - 1 || a.right > frame.right + 1 || a.top < frame.top - 1 || a.bottom > frame.bottom + 1)
+        said.push(`out of the figure: ${texts[i].textContent}`);
+      for (let k = i + 1; k < boxes.length; ++k) {
+        const b = boxes[k];
+        const w = Math.min(a.right, b.right) - Math.max(a.left, b.left), h = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+        if (w > 2 && h > 0.35 * Math.min(a.height, b.height)) said.push(`over each other: ${texts[i].textContent} | ${texts[k].textContent}`);
+      }
+    });
+  }
+  return said.slice(0, 8).join("\n");
+})())";
+
+/// Reasons beside a formula, letter below letter: half of a word wide.
+const std::string squeezed = R"((() => {
+  const said = [];
+  for (const p of document.querySelectorAll("main p")) {
+    const box = p.getBoundingClientRect(), letter = parseFloat(getComputedStyle(p).fontSize);
+    if (box.width > 0 && box.width < 4 * letter && p.textContent.length > 8) said.push(p.textContent.slice(0, 40));
+  }
+  return said.slice(0, 5).join("\n");
+})())";
+
+const std::string small_text = R"((() => {
+  const said = [];
+  for (const m of document.querySelectorAll("math")) {
+    const size = parseFloat(getComputedStyle(m).fontSize) * 0.75;
+    if (size < 8) said.push(`${size.toFixed(1)} pt: ${m.textContent.slice(0, 30)}`);
+  }
+  return said.slice(0, 3).join("\n");
+})())";
+
+}  // namespace
+
+TEST_SUITE("pages in a browser") {
+  TEST_CASE("nothing stands out of the page, over other text, letter below letter, or leads nowhere") {
+    if (browser_there().empty()) {
+      MESSAGE("skipped: no Chromium");
+      return;
+    }
+    const Desk desk;
+    Browser browser;
+    for (const std::string& name : examples()) {
+      CAPTURE(name);
+      if (!write_report(desk, name, "r.html")) continue;
+      for (const int width : {1280, 768, 390}) {
+        CAPTURE(width);
+        browser.look(width, 900);
+        browser.open(address_of(desk, "r.html"));
+        CHECK(text_of(browser, beyond) == "");
+        CHECK(text_of(browser, squeezed) == "");
+        if (width == 1280) {
+          CHECK(text_of(browser, broken_links) == "");
+          CHECK(text_of(browser, covered_text) == "");
+        }
+      }
+      browser.look_as_print(673);  // A4 between margins of 16 mm
+      CHECK(text_of(browser, beyond) == "");
+      CHECK(text_of(browser, squeezed) == "");
+      CHECK(text_of(browser, small_text) == "");
+    }
+  }
+}

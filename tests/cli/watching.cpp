@@ -1,0 +1,51 @@
+#include "tests/cli/watching.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace loadpath::test {
+
+Watching::Watching(const Desk& desk, const std::string& file) : desk_(desk) {
+  const std::string folder = desk.folder().string();
+  child_ = fork();
+  REQUIRE(child_ >= 0);
+  if (child_ == 0) {
+    if (chdir(folder.c_str()) != 0) _exit(127);
+    const int said = open("said", O_WRONLY | O_CREAT | O_TRUNC, 0600),
+              errors = open("errors", O_WRONLY | O_CREAT, 0600);
+    if (dup2(said, STDOUT_FILENO) >= 0 && dup2(errors, STDERR_FILENO) >= 0)
+      execl(LOADPATH_PROGRAM, LOADPATH_PROGRAM, "watch", file.c_str(), static_cast<char*>(nullptr));
+    _exit(127);
+  }
+  REQUIRE(says("1: "));
+  const std::string text = desk.get("said"), mark = "report: ";
+  REQUIRE(text.starts_with(mark));
+  address_ = text.substr(mark.size(), text.find('\n') - mark.size());
+}
+
+Watching::~Watching() {
+  if (child_ != 0) end();
+}
+
+bool Watching::says(const std::string& word) const {
+  for (int tries = 0; tries < 200; ++tries) {
+    if (("\n" + desk_.get("said")).find("\n" + word) != std::string::npos) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return false;
+}
+
+int Watching::end() {
+  kill(child_, SIGINT);
+  int status = 0;
+  waitpid(child_, &status, 0);
+  child_ = 0;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+}  // namespace loadpath::test

@@ -27,7 +27,8 @@ CONSTANT = re.compile(r'(?<![\w.])\d+\.\d+(?![\w.])')
 COMPARISON = re.compile(r'(?<= )[<>](?= )')
 OTHER = {'+': '-', '-': '+', '<': '>', '>': '<'}
 SUITE = re.compile(r'TEST_SUITE\("([^"]*)"')
-NOTICING = ('contract', 'laws', 'limits', 'limit cases')  # the suites that see every calculator
+# The suites that see every calculator.
+NOTICING = ('contract', 'contract: evaluation', 'contract: formulas', 'contract: overload', 'laws', 'limits', 'limit cases')
 LONGEST = 300  # seconds that a suite may take
 
 

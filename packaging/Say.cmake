@@ -1,0 +1,11 @@
+# cmake -DPROGRAM=FILE -DOUTPUT=DIR -P Say.cmake: what the program says of itself, as files
+file(MAKE_DIRECTORY ${OUTPUT})
+function(say file)
+  execute_process(COMMAND ${PROGRAM} ${ARGN} OUTPUT_FILE ${OUTPUT}/${file} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+say(loadpath.1 man)
+say(loadpath.schema.json schema)
+foreach(shell bash zsh fish)
+  say(loadpath.${shell} completion ${shell})
+endforeach()
+execute_process(COMMAND gzip -9nf ${OUTPUT}/loadpath.1 COMMAND_ERROR_IS_FATAL ANY)

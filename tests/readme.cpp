@@ -1,10 +1,9 @@
 // What README.md says that can be typed works as it says.
 #include "lib/project/parts.hpp"
 #include "lib/toml/tree.hpp"
-#include "tests/cli/process.hpp"
+#include "tests/pages.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <sstream>
 
 using namespace loadpath;
@@ -12,23 +11,11 @@ using namespace loadpath::test;
 
 namespace {
 
-struct Command {
-  std::string line;
-  int code = 0;
-};
-
-/// The lines of code blocks that start with the program's name; "# exit 1" behind one tells its exit code.
-std::vector<Command> commands_of(const std::string& text) {
+std::vector<Command> commands_of_page(const std::string& page) {
   std::vector<Command> commands;
-  bool code = false;
-  for (std::size_t from = 0; from < text.size();) {
-    const std::size_t end = std::min(text.find('\n', from), text.size());
-    const std::string line = text.substr(from, end - from);
-    from = end + 1;
-    if (line.starts_with("```")) code = !code;
-    if (!code || !line.starts_with("loadpath ")) continue;
-    const std::size_t exit = line.find("# exit ");
-    commands.push_back({line, exit == std::string::npos ? 0 : std::atoi(line.c_str() + exit + 7)});
+  for (const Block& block : blocks_of(page)) {
+    if (block.language.empty()) continue;
+    for (const Command& command : commands_of(block.text)) commands.push_back(command);
   }
   return commands;
 }
@@ -39,31 +26,20 @@ TEST_SUITE("readme") {
   TEST_CASE("every command line exits with the code that it is said to") {
     std::string text;
     REQUIRE(toml::read_file(LOADPATH_ROOT "/README.md", text));
-    const auto commands = commands_of(text);
+    const auto commands = commands_of_page(text);
     CHECK(commands.size() > 5);
     const Desk desk;
     std::filesystem::create_directory_symlink(LOADPATH_ROOT "/examples", desk.folder() / "examples");
-    for (const Command& command : commands) {
-      CAPTURE(command.line);
-      const Ran ran = desk.shell(command.line);
-      CAPTURE(ran.error);
-      CHECK(ran.code == command.code);
-    }
+    for (const Command& command : commands) typed(desk, command);
   }
 
-  TEST_CASE("every command line about sweeps works, one after the other") {
+  TEST_CASE("what docs/sweeps.md shows works, one command after the other") {
     std::string text;
     REQUIRE(toml::read_file(LOADPATH_ROOT "/docs/sweeps.md", text));
-    const auto commands = commands_of(text);
-    CHECK(commands.size() >= 5);
+    CHECK(commands_of_page(text).size() >= 5);
     const Desk desk;
     std::filesystem::copy_file(LOADPATH_ROOT "/examples/strut-sweep/project.toml", desk.folder() / "project.toml");
-    for (const Command& command : commands) {
-      CAPTURE(command.line);
-      const Ran ran = desk.shell(command.line);
-      CAPTURE(ran.error);
-      CHECK(ran.code == command.code);
-    }
+    follow(desk, text);
   }
 
   TEST_CASE("the words that cannot name a step are those of the program, in its order") {

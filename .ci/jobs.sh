@@ -1,0 +1,62 @@
+# How .ci/run counts its jobs and ends. Sourced by bash.
+passed=0
+failed=0
+table=""  # of the jobs that have run: seconds, name, outcome
+logs=build/ci
+rm -rf "$logs"
+mkdir -p "$logs"
+
+# job NAME COMMAND...: runs a command, counts it and keeps what it prints. Its status is the command's.
+job() {
+  local name=$1 started=$SECONDS status outcome=passed
+  shift
+  log="$logs/$name.log"
+  printf '\n== %s\n' "$name"
+  (set -o pipefail; "$@" 2>&1 | tee "$log")
+  status=$?
+  if [ $status = 0 ]; then passed=$((passed + 1)); else failed=$((failed + 1)) outcome=FAILED; fi
+  table+="$((SECONDS - started))|$name|$outcome"$'\n'
+  printf '== %s: %s after %d s\n' "$name" $outcome $((SECONDS - started))
+  return $status
+}
+
+# tests NAME COMMAND...: the same for a command that runs ctest, whose tests count too.
+tests() {
+  job "$@"
+  local status=$? total bad
+  total=$(sed -n 's/.*tests failed out of \([0-9]*\).*/\1/p' "$log" | tail -n 1)
+  bad=$(sed -n 's/.*[^0-9]\([0-9][0-9]*\) tests failed out of.*/\1/p' "$log" | tail -n 1)
+  passed=$((passed + ${total:-0} - ${bad:-0}))
+  failed=$((failed + ${bad:-0}))
+  return $status
+}
+
+# What a failed job printed: of ctest the failed tests alone, of others the end.
+explain() {
+  if grep -q 'tests failed out of' "$1"; then
+    awk '/^ *[0-9]+\/[0-9]+ Test +#[0-9]+: / { shown = /\*\*\*/ } /^ +Start +[0-9]+: / { next } /^[0-9]+% tests passed/ { shown = 1 } shown' "$1" |
+      tail -n 400
+  else
+    tail -n 60 "$1"
+  fi
+}
+
+# The table of the jobs, then what failed, so that the end of the log explains the failure.
+finish() {
+  local seconds name outcome
+  printf '\n%-36s %8s %6s\n' job seconds share
+  while IFS='|' read -r seconds name outcome; do
+    [ -n "$name" ] || continue
+    [ "$outcome" = FAILED ] || outcome=""
+    printf '%-36s %8d %5d%% %s\n' "$name" "$seconds" $((100 * seconds / (SECONDS > 0 ? SECONDS : 1))) "$outcome"
+  done <<<"$table"
+  printf '%-36s %8d\n' "whole run" $SECONDS
+  while IFS='|' read -r seconds name outcome; do
+    [ "$outcome" = FAILED ] || continue
+    printf '\n== %s: FAILED\n' "$name"
+    explain "$logs/$name.log"
+  done <<<"$table"
+  printf '\n%d passed, %d failed\n' "$passed" "$failed"
+  [ "$failed" = 0 ]
+  exit
+}

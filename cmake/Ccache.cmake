@@ -1,0 +1,15 @@
+# Where ccache is installed, what was compiled before is taken from it, from other clones too: their paths are relative to
+# the sources. What ccache cannot see of a precompiled header does not matter here: nothing uses __DATE__ or __TIME__, and no
+# macro changes the meaning of a precompiled header.
+find_program(LOADPATH_CCACHE ccache)
+mark_as_advanced(LOADPATH_CCACHE)
+if(LOADPATH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+      ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
+      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${LOADPATH_CCACHE})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    add_compile_options(-fpch-preprocess)  # else it does not see which precompiled header a source reads
+  else()
+    add_compile_options("SHELL:-Xclang -fno-pch-timestamp")
+  endif()
+endif()

@@ -2,7 +2,8 @@
 # -ffp-contract=off keeps results equal to the bit on every instruction set; never -ffast-math, for NaN means "unset".
 add_library(loadpath_flags INTERFACE)
 target_compile_options(loadpath_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
-                                                -fno-math-errno -fno-trapping-math -ffp-contract=off)
+                                                -fno-math-errno -fno-trapping-math -ffp-contract=off
+                                                -fno-semantic-interposition)
 target_compile_features(loadpath_flags INTERFACE cxx_std_20)
 target_include_directories(loadpath_flags INTERFACE ${PROJECT_SOURCE_DIR})
 

@@ -17,7 +17,7 @@ struct GroupRows {
     std::size_t column;  // in this group where the link is its own, else in the whole Jacobian
   };
   std::vector<std::size_t> links, joints, drivers;
-  std::vector<std::size_t> rows;    // in the whole Jacobian: of the joints, then of the drivers; of a determinate one as many as columns
+  std::vector<std::size_t> rows;    // in the whole Jacobian: of the joints, then of the drivers
   std::vector<Entry> own, earlier;  // of the group's links, and of those that it hangs on
 };
 

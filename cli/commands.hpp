@@ -60,6 +60,7 @@ struct SweepOptions {
   std::string shard;                 // "2/10"
   std::vector<std::string> merge;    // folders of shards
   bool resume = false;
+  std::string status;       // folder whose sweep is asked about
   double save_every = 2.0;  // seconds between states on the disk
   bool no_columns = false;
   std::string minimise, maximise;      // a result; the best machine in place of all

@@ -175,6 +175,14 @@ bool overwrites(const std::vector<fs::path>& outputs, const project::Project& pr
 
 bool takes_standard_output(const OutputOptions& options) { return !on_standard_output(options).empty(); }
 
+bool can_place(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  std::error_code error;
+  if (!fs::is_directory(path, error) && (!fs::exists(folder, error) || fs::is_directory(folder, error))) return true;
+  std::cerr << "loadpath: cannot write '" << path << "': it is a folder, or lies in a file\n";
+  return false;
+}
+
 bool can_write(const OutputOptions& options) {
   if (!can_stream(options)) return false;
   if (!options.series.empty() && options.csv.empty() && !options.json) {
@@ -194,12 +202,7 @@ bool can_write(const OutputOptions& options) {
                    "an .html report and print it\n";
       return false;
     }
-    if (is_standard_output(path)) continue;
-    const fs::path folder = fs::path(path).parent_path();
-    if (fs::is_directory(path) || (fs::exists(folder) && !fs::is_directory(folder))) {
-      std::cerr << "loadpath: cannot write '" << path << "': it is a folder, or lies in a file\n";
-      return false;
-    }
+    if (!is_standard_output(path) && !can_place(path)) return false;
   }
   return true;
 }
@@ -222,6 +225,11 @@ bool put(const std::vector<File>& files, const std::vector<std::string>& prints,
   };
   if (!std::all_of(files.begin(), files.end(), is_staged)) return false;
   for (const std::string& path : prints) {
+    std::error_code error;
+    if (fs::is_other(path, error)) {
+      std::cerr << "loadpath: '" << path << "' is a device or a pipe, and the browser prints to a file\n";
+      return false;
+    }
     if (!print_to_pdf(report::html(document), staged.aside(path), scratch)) {
       std::cerr << "loadpath: the browser did not write '" << path << "'\n";
       return false;

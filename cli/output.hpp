@@ -15,6 +15,9 @@ namespace loadpath::cli {
 /// Whether the files that are asked for can be made at all; says why not on standard error.
 bool can_write(const OutputOptions& options);
 
+/// Whether a file can be put there: a folder cannot be written, nor what lies in a file; which is told.
+bool can_place(const std::string& path);
+
 /// Whether an output is meant for standard output, where the results are not shown then.
 bool takes_standard_output(const OutputOptions& options);
 

@@ -193,6 +193,8 @@ fs::path Staged::place_beside(const fs::path& path) {
 }
 
 fs::path Staged::aside(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_other(path, error)) return path;
   fs::path beside = place_beside(path);
   scratch_.add(beside);
   return beside;

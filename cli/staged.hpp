@@ -58,7 +58,7 @@ class Staged {
 
   /// Writes the text beside the path. False, with a word on standard error, where that is not possible.
   bool add(const std::filesystem::path& path, const std::string& text);
-  /// A path beside it, for another program to write to; `finish` moves it.
+  /// A path beside it to be written to; `finish` moves it. A device or a pipe itself: there is nothing old to keep.
   std::filesystem::path aside(const std::filesystem::path& path);
   /// Puts every file in its place. False, with a word, where one cannot be put there.
   bool finish();

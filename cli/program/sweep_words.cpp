@@ -33,6 +33,8 @@ void add_folder(CLI::App& app, SweepOptions& options) {
       ->type_name("DIR");
   app.add_flag("--no-columns", options.no_columns, "keep no columns in that folder");
   app.add_flag("--resume", options.resume, "go on with the sweep in that folder");
+  app.add_option("--status", options.status, "how far the sweep in a folder is, and which points are missing")
+      ->type_name("DIR");
   app.add_option("--save-every", options.save_every, "seconds between states on the disk; 2 where missing")
       ->type_name("S")
       ->check(CLI::NonNegativeNumber);
@@ -44,7 +46,7 @@ void add_folder(CLI::App& app, SweepOptions& options) {
 
 void setup_sweep(CLI::App& app, SweepOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("sweep", "solve a project at every point of its ranges and distributions");
-  sub->add_option("file", options.file, "project file; - is standard input")->required();
+  sub->add_option("file", options.file, "project file; - is standard input");
   sub->add_option("--results", options.results,
                   "a result to read off every point: rod.u, or \"m = rod.mass + pin.mass\"")
       ->type_name("RESULT")
@@ -73,7 +75,10 @@ void setup_sweep(CLI::App& app, SweepOptions& options, Action& action) {
   sub->add_flag("--json", options.json, "print what is found as one JSON object");
   sub->add_flag("--quiet", options.quiet, "print errors only");
   sub->add_flag("--strict", options.strict, "count modes of failure that are open as not judged");
-  sub->callback([&] { action = [&] { return sweep(options); }; });
+  sub->callback([&] {
+    if (options.file.empty() && options.status.empty()) throw CLI::RequiredError("file");
+    action = [&] { return sweep(options); };
+  });
 }
 
 }  // namespace loadpath::cli

@@ -10,6 +10,7 @@
 #include "cli/staged.hpp"
 #include "cli/sweep/point_files.hpp"
 #include "cli/sweep/progress.hpp"
+#include "cli/sweep/status.hpp"
 #include "lib/export/sweep/csv.hpp"
 #include "lib/export/sweep/hdf5.hpp"
 #include "lib/export/sweep/json.hpp"
@@ -49,6 +50,8 @@ void tell_nothing_varies(const std::string& file) {
 
 /// What the command line says against itself.
 std::string contradiction(const SweepOptions& options) {
+  if (!options.status.empty() && !(options.file + options.out).empty())
+    return "'--status' is about a folder as it is: it takes neither a project file nor --out";
   const int aims = !options.minimise.empty() + !options.maximise.empty() + !options.seek.empty() +
                    (options.influence || options.sobol != 0);
   if (aims > 1) return "'--minimise', '--maximise', '--seek' and '--influence' are asked for one at a time";
@@ -318,7 +321,7 @@ int Sweeping::choose() const {
   std::vector<Issue> issues;
   const auto best = project::find_best(reading(), asked, project_.sweep.samples, project_.sweep.seed, issues);
   if (!best) return refuse_all(issues);
-  const int code = tell_blocks("The best machine", report::best_blocks(*best, asked));
+  const int code = tell_blocks("The best machine", report::best_blocks(*best));
   return code == passed && !best->optimum.allowed ? int{not_passed} : code;
 }
 
@@ -348,9 +351,12 @@ int Sweeping::help(const std::string& text) {
 
 int Sweeping::run() {
   if (const std::string wrong = contradiction(options_); !wrong.empty()) return refuse(wrong);
+  if (!options_.status.empty()) return tell_status(options_);
   OutputOptions reports;
   reports.reports = options_.reports;
-  if (!can_write(reports)) return wrong_input;
+  if (!can_write(reports) || !can_place(options_.csv) || !can_place(options_.hdf5)) return wrong_input;
+  if (!options_.hdf5.empty() && fs::is_other(options_.hdf5))
+    return refuse("'" + options_.hdf5 + "' is a device or a pipe, and HDF5 needs a file", "write --csv there");
   if (takes_standard_output(reports)) return refuse("a report of a sweep is a file: --report FILE.html");
   if (!toml::read_file(options_.file, text_)) return refuse("cannot read '" + options_.file + "'");
   if (!prepare()) return wrong_input;

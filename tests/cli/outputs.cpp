@@ -11,6 +11,8 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\nT = \"2700 N*m\"\ntau_adm = \"30 MPa\"\n";
+const std::string two_axles =
+    "[axle]\ncalculator = \"shaft.torsion\"\nT = [\"2 kN*m\", \"3 kN*m\"]\ntau_adm = \"30 MPa\"\n";
 const std::string old_report = "an old report\n";
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -98,6 +100,49 @@ TEST_SUITE("cli outputs") {
         CHECK(contains(ran.error, "standard output cannot be written"));
       }
     }
+  }
+
+  TEST_CASE("a pipe is written through, by every option that names a file") {
+    const Desk desk;
+    desk.put("a.toml", axle);
+    desk.put("s.toml", two_axles);
+    const std::string lever = LOADPATH_ROOT "/examples/slotted-lever/project.toml";
+    for (const std::string words :
+         {"run a.toml --report p.html", "run a.toml --report p.md", "run a.toml --report p.tex",
+          "sweep s.toml --csv p.csv", "sweep s.toml --report p.html", "run '" + lever + "' --svg p.svg",
+          "run '" + lever + "' --dxf p.dxf", "run '" + lever + "' --csv p.csv"}) {
+      CAPTURE(words);
+      const std::string pipe = words.substr(words.rfind(' ') + 1);
+      const Ran ran =
+          desk.shell("mkfifo " + pipe + "; cat " + pipe + " > read & loadpath " + words +
+                     " --quiet > /dev/null; echo code $?; wait; test -p " + pipe + " && echo is a pipe; rm " + pipe);
+      CHECK_MESSAGE((contains(ran.out, "code 0") || contains(ran.out, "code 1")), ran.error);
+      CHECK(contains(ran.out, "is a pipe"));
+      CHECK(desk.get("read").size() > 100);
+    }
+  }
+
+  TEST_CASE("a device stays one") {
+    const Desk desk;
+    desk.put("s.toml", two_axles);
+    if (desk.shell("mknod null.csv c 1 3 && echo > null.csv").code != 0) return;  // who is not root makes no devices
+    const Ran ran =
+        desk.shell("loadpath sweep s.toml --quiet --csv null.csv; echo code $?; test -c null.csv && echo stays");
+    CHECK_MESSAGE(ran.out == "code 0\nstays\n", ran.error);
+    desk.shell("ln null.csv null.pdf; ln null.csv null.h5");
+    for (const char* option : {"--hdf5 null.h5", "--report null.pdf"}) {
+      CHECK(desk.shell(std::string("loadpath sweep s.toml --quiet ") + option).code == 2);
+    }
+    CHECK(desk.shell("test -c null.h5 && test -c null.pdf").code == 0);
+  }
+
+  TEST_CASE("a folder is no file of a sweep") {
+    const Desk desk;
+    desk.put("s.toml", two_axles);
+    fs::create_directory(desk.folder() / "d");
+    const Ran ran = desk.run({"sweep", "s.toml", "--csv", "d"});
+    CHECK(ran.code == 2);
+    CHECK(contains(ran.error, "cannot write 'd': it is a folder"));
   }
 
   TEST_CASE("a project that never ends is refused by its size") {

@@ -103,6 +103,25 @@ TEST_SUITE("sweep command") {
     CHECK(contains(ran.error, "--out part --resume goes on"));
   }
 
+  TEST_CASE("how far a folder is, is told by the folder") {
+    const Desk desk;
+    desk.put("a.toml", swept_shaft);
+    CHECK(desk.run({"sweep", "--status", "by"}).code == 2);
+    CHECK(desk.run({"sweep"}).code == 2);
+    CHECK(desk.run({"sweep", "a.toml", "--status", "by"}).code == 2);
+    REQUIRE(desk.run({"sweep", "a.toml", "--out", "by", "--quiet"}).code == 0);
+    const Ran done = desk.run({"sweep", "--status", "by"});
+    CHECK(done.code == 0);
+    CHECK(done.out == "project  a.toml\npoints   0 to 13999 of 14000\nsolved   0 to 13999\nmissing  none\n");
+    CHECK(contains(desk.run({"sweep", "--status", "by", "--json"}).out, "\"missing\": 0"));
+    REQUIRE(desk.run({"sweep", "a.toml", "--out", "part", "--shard", "2/2", "--quiet"}).code == 0);
+    CHECK(contains(desk.run({"sweep", "--status", "part"}).out, " to 13999 of 14000"));
+    desk.put("by/manifest.json", "{}");
+    const Ran damaged = desk.run({"sweep", "--status", "by"});
+    CHECK(damaged.code == 2);
+    CHECK(contains(damaged.error, "'by/manifest.json' is damaged"));
+  }
+
   TEST_CASE("a column that was cut short is not filled up, and a merge that fails leaves nothing") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);

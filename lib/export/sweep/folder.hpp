@@ -12,6 +12,7 @@
 namespace loadpath::exports {
 
 constexpr const char* state_name = "state";
+constexpr const char* manifest_name = "manifest.json";
 
 /// What is written before it is put in place.
 std::string aside_of(const std::string& name);

@@ -17,7 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* manifest_name = "manifest.json";
 constexpr std::uint64_t state_format = 1;
 
 std::string hexadecimal(std::uint64_t number) {
@@ -267,6 +266,7 @@ std::string SweepStore::manifest() const {
   json.member("seed", static_cast<std::int64_t>(sweep_.seed));
   json.member("points", static_cast<std::int64_t>(points_));
   json.member("first", static_cast<std::int64_t>(std::min(sweep_.blocks.first * project::block_size, points_)));
+  json.member("end", static_cast<std::int64_t>(std::min(sweep_.blocks.last * project::block_size, points_)));
   json.member("rows", static_cast<std::int64_t>(points_until(next_)));
   json.member("state", next_ == sweep_.blocks.last ? "done" : "begun");
   json.key("columns").open_array();

@@ -1,6 +1,7 @@
 #include "lib/project/sweep/best.hpp"
 
 #include "lib/project/sweep/base.hpp"
+#include "lib/project/sweep/columns.hpp"
 #include "lib/project/sweep/part.hpp"
 #include "lib/quantity/literal.hpp"
 #include "lib/sweep/sensitivity/robust.hpp"
@@ -37,7 +38,7 @@ std::optional<Demand> bound_of(const Placed& asked, const Names& results, std::v
   for (const char* sign : {"<=", ">="}) {
     const std::size_t at = asked.text.find(sign);
     if (at == std::string::npos) continue;
-    const std::string left = meant(trimmed(asked.text.substr(0, at)), results);
+    const std::string left = meant(name_and_text(asked.text.substr(0, at)).second, results);
     const std::string right = trimmed(asked.text.substr(at + 2));
     const auto literal = parse_literal(right);
     if (literal && !(literal->si > 0.0)) {
@@ -69,7 +70,7 @@ std::vector<Demand> demands_of(const BestAsked& asked_for, std::vector<Issue>& i
     if (text == "every mode passes") {
       passes(text, "");
     } else if (text.ends_with(verb)) {
-      passes(text, trimmed(text.substr(0, text.size() - verb.size())) + ".");
+      passes(text, name_and_text(text.substr(0, text.size() - verb.size())).second + ".");
     } else if (auto bound = bound_of({text, asked.place}, asked_for.results, issues)) {
       demands.push_back(std::move(*bound));
     }
@@ -184,13 +185,14 @@ std::optional<Best> find_best(const ReadAgain& read, const BestAsked& asked, std
   best.demands = demands_of(asked, issues);
   const std::string objective = meant(asked.objective.text, asked.results);
   std::vector<Placed> columns{{objective, asked.objective.place}};
-  std::vector<std::string> texts{"objective = " + objective}, units;
+  std::vector<std::string> texts{"objective = " + name_and_text(objective).second}, units;
   for (std::size_t i = 0; i < best.demands.size(); ++i) {
     columns.push_back(
         {best.demands[i].column, asked.such_that.empty() ? asked.objective.place : asked.such_that.front().place});
     texts.push_back("demand " + std::to_string(i + 1) + " = " + best.demands[i].column);
   }
   if (has_errors(issues) || !can_read(read, columns, units, issues)) return std::nullopt;
+  best.objective = name_and_text(asked.objective.text).first;
   best.unit = units.front();
   Variants variants(read(), texts);
   best.inputs = variants.axes();

@@ -14,7 +14,7 @@ namespace loadpath::project {
 
 /// What is asked for, as the user writes it.
 struct BestAsked {
-  Placed objective;  // "rod.mass"
+  Placed objective;  // "rod.mass", or "m = rod.mass"
   bool maximise = false;
   std::vector<Placed> such_that;        // "every mode passes", "rod passes", "rod.mass <= 5 kg"; none: the first
   std::optional<double> quantile = {};  // objective and demands hold with this probability over what is uncertain
@@ -31,6 +31,7 @@ struct Best {
   std::vector<SweptInput> inputs;
   std::vector<std::size_t> chosen;  // those that the search was free in; the others stay at their middle
   std::vector<double> point;        // of all inputs
+  std::string objective;            // its name
   std::string unit;                 // of the objective
   std::vector<Demand> demands;
   sweep::Optimum optimum;      // over the chosen ones; its outputs are the objective, then the demands

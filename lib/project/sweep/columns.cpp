@@ -17,13 +17,6 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// "m" and "rod.mass" of "m = rod.mass".
-std::pair<std::string, std::string> named(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos) return {trimmed(text), trimmed(text)};
-  return {trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1))};
-}
-
 /// What is wrong with "m" of "m = rod.mass"; a column that every sweep has keeps its name.
 std::optional<Fault> wrong_name(const std::string& name, const std::string& text) {
   const auto fault = [&](Message message, Message hint) {
@@ -108,9 +101,15 @@ std::vector<SweptResult> verdict_columns(const Project& project) {
   return columns;
 }
 
+std::pair<std::string, std::string> name_and_text(const std::string& column) {
+  const std::size_t equals = column.find('=');
+  if (equals == std::string::npos) return {trimmed(column), trimmed(column)};
+  return {trimmed(column.substr(0, equals)), trimmed(column.substr(equals + 1))};
+}
+
 Outcome<SweptResult> read_column(const std::string& given, Project& project) {
   SweptResult column;
-  auto [name, text] = named(given);
+  auto [name, text] = name_and_text(given);
   column.name = name;
   column.text = text;
   if (text.empty()) return Fault{0, 1, say("a result is expected"), say("name one: \"rod.u\"")};

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace loadpath::project {
@@ -25,6 +26,9 @@ struct SweptResult {
   Expression expression;
   std::string step, mode;  // empty: of all
 };
+
+/// "m" and "rod.mass" of "m = rod.mass"; a text without a name is its own.
+std::pair<std::string, std::string> name_and_text(const std::string& column);
 
 /// A column from "rod.mass" or "m = rod.mass + pin.mass". Besides expressions there are "state", "utilisation" and
 /// "passes" of the whole, of a step ("rod.utilisation") and of a mode of failure ("rod.modes.buckling.utilisation",

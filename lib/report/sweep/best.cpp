@@ -50,8 +50,8 @@ Message lot_of(const Best& best, const sweep::Neighbour& neighbour, const Messag
   return lack;
 }
 
-Table neighbour_table(const Best& best, const project::BestAsked& asked) {
-  Table table{say("Beside it"), {say("input"), say("value"), say("{1}", asked.objective.text), say("why not")}, {}};
+Table neighbour_table(const Best& best) {
+  Table table{say("Beside it"), {say("input"), say("value"), say("{1}", best.objective), say("why not")}, {}};
   for (std::size_t i = 0; i < best.optimum.neighbours.size(); ++i) {
     const sweep::Neighbour& neighbour = best.optimum.neighbours[i];
     const SweptInput& input = best.inputs[best.chosen[neighbour.variable]];
@@ -63,22 +63,21 @@ Table neighbour_table(const Best& best, const project::BestAsked& asked) {
 
 }  // namespace
 
-std::vector<Block> best_blocks(const Best& best, const project::BestAsked& asked) {
+std::vector<Block> best_blocks(const Best& best) {
   std::vector<Block> blocks;
   const sweep::Optimum& optimum = best.optimum;
   const std::string value = format_quantity(optimum.outputs[0], best.unit.empty() ? "-" : best.unit, 6);
   if (optimum.allowed) {
     blocks.emplace_back(
-        Paragraph{say("{1} = {2}: {3}", asked.objective.text, value, reach_of(optimum)), Paragraph::Tone::plain});
+        Paragraph{say("{1} = {2}: {3}", best.objective, value, reach_of(optimum)), Paragraph::Tone::plain});
   } else {
-    const std::string worst =
-        optimum.worst < best.demands.size() ? best.demands[optimum.worst].text : asked.objective.text;
+    const std::string worst = optimum.worst < best.demands.size() ? best.demands[optimum.worst].text : best.objective;
     blocks.emplace_back(
         Paragraph{say("no machine meets what is asked for; the nearest breaks '{1}'; {2}", worst, reach_of(optimum)),
                   Paragraph::Tone::warning});
   }
   blocks.emplace_back(chosen_table(best));
-  blocks.emplace_back(neighbour_table(best, asked));
+  blocks.emplace_back(neighbour_table(best));
   return blocks;
 }
 

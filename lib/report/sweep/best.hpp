@@ -7,7 +7,7 @@
 namespace loadpath::report {
 
 /// What was chosen, how good it is, and for every machine beside it what it fails or loses.
-std::vector<Block> best_blocks(const project::Best& best, const project::BestAsked& asked);
+std::vector<Block> best_blocks(const project::Best& best);
 
 std::vector<Block> seek_blocks(const project::SoughtValue& sought);
 

@@ -142,7 +142,7 @@ TEST_SUITE("the best machine") {
       CHECK_MESSAGE(contains(why, "bore"), why);
     }
     CHECK(none == 1);
-    const auto blocks = report::best_blocks(*best, wanted);
+    const auto blocks = report::best_blocks(*best);
     const auto& table = std::get<report::Table>(blocks.back());
     const auto told = std::count_if(table.rows.begin(), table.rows.end(), [](const auto& row) {
       return contains(std::get<Message>(row.back()).text(), "no machine: ");
@@ -188,6 +188,26 @@ TEST_SUITE("the best machine") {
     CHECK(influence->sobol[0].inputs[0].first == Approx(25.0 / 34.0).epsilon(0.1));
   }
 
+  TEST_CASE("an objective and a demand may bear a name") {
+    const std::string text = tube + sizes + "P = \"40 kN\"\n";
+    const auto find = [&](const std::string& objective, const std::string& demand) {
+      std::vector<Issue> issues;
+      auto best = project::find_best(reader(text), {asked(objective), false, {asked(demand)}, {}, {}}, 10, 1, issues);
+      CHECK(issues.empty());
+      REQUIRE(best);
+      return std::move(*best);
+    };
+    const project::Best plain = find(area, "strut passes");
+    for (const std::string demand : {"strut passes", "well = strut passes"}) {
+      const project::Best named = find("A = " + area, demand);
+      CHECK(named.objective == "A");
+      CHECK(named.optimum.outputs[0] == plain.optimum.outputs[0]);
+      CHECK(named.optimum.point == plain.optimum.point);
+    }
+    const project::Best bound = find("A = " + area, "thin = strut.d <= 50 mm");
+    CHECK(bound.optimum.outputs == find(area, "strut.d <= 50 mm").optimum.outputs);
+  }
+
   TEST_CASE("what cannot be asked is told") {
     const std::string text = tube + sizes + "P = \"40 kN\"\n";
     const auto fault = [&](const std::string& objective, const std::vector<project::Placed>& such_that) {
@@ -196,6 +216,10 @@ TEST_SUITE("the best machine") {
       return issues.empty() ? std::string() : issues.front().message.text() + " = " + issues.front().hint.text();
     };
     CHECK(contains(fault("strut.m", {}), "strut"));
+    CHECK(contains(fault("A = strut.m", {}), "strut"));
+    CHECK(contains(fault("= strut.d", {}), "a name is missing"));
+    CHECK(contains(fault("A =", {}), "a result is expected"));
+    CHECK(contains(fault("strut.d <= 5 mm", {}), "not a comparison"));
     CHECK(contains(fault("strut.d", {asked("strut.lambda small")}), "is no demand"));
     CHECK(contains(fault("strut.d", {asked("strut.d <= 5 kg")}), "unlike"));
     CHECK(contains(fault("strut.d", {asked("strut.d <= 0 mm")}), "above zero"));

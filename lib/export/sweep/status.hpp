@@ -1,0 +1,29 @@
+// How far the sweep in a folder is, read from its manifest: what a sweep that was killed could not say itself.
+#pragma once
+
+#include "lib/text/issue.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace loadpath::exports {
+
+struct FolderStatus {
+  std::string project;       // the name of its file
+  std::uint64_t points = 0;  // of the whole sweep
+  std::uint64_t first = 0;   // of this folder
+  std::uint64_t end = 0;     // behind its last point
+  std::uint64_t solved = 0;  // points on the disk, from the first
+  Message at_work;           // who writes there now; empty: nobody
+
+  [[nodiscard]] bool is_done() const { return first + solved == end; }
+  [[nodiscard]] bool is_share() const { return first != 0 || end != points; }
+};
+
+/// A Fault where no sweep is in the folder, or its manifest cannot be read.
+Outcome<FolderStatus> status_of(const std::filesystem::path& folder);
+
+std::string json_of(const FolderStatus& status);
+
+}  // namespace loadpath::exports

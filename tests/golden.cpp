@@ -4,6 +4,7 @@
 #include "lib/project/project.hpp"
 #include "lib/report/build.hpp"
 #include "lib/toml/tree.hpp"
+#include "tests/parts.hpp"
 
 #include <doctest/doctest.h>
 
@@ -37,7 +38,7 @@ report::Document report_of(const std::string& name) {
 
 }  // namespace
 
-TEST_SUITE("golden") {
+TEST_SUITE("golden" * test::by_case) {
   TEST_CASE("the reports of the examples are as they were approved") {
     for (const std::string name : examples) {
       CAPTURE(name);

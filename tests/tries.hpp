@@ -1,15 +1,18 @@
-// How often a test tries what depends on chance, or what others try as well.
+// How often a test tries what depends on chance, or what takes long and is much the same every time.
 #pragma once
+
+#include <cstdlib>
+#include <string_view>
 
 namespace loadpath::test {
 
-/// Under sanitizers, where a process takes ten times as long, a fifth of it.
-constexpr int tries(int usual) {
-#ifdef LOADPATH_SANITIZED
-  return usual < 5 ? 1 : usual / 5;
-#else
-  return usual;
-#endif
+/// Whether all is tried: LOADPATH_IN_FULL=1, as `.ci/run --all` has it for the ctests of the label "share".
+inline bool in_full() {
+  const char* const said = std::getenv("LOADPATH_IN_FULL");
+  return said != nullptr && std::string_view(said) == "1";
 }
+
+/// All, or one of `of`. A suite that calls it is marked takes_share (tests/parts.hpp).
+inline int tries(int all, int of = 10) { return in_full() || all <= of ? all : all / of; }
 
 }  // namespace loadpath::test

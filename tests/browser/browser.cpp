@@ -1,15 +1,14 @@
 #include "tests/browser/browser.hpp"
 
 #include "tests/cli/process.hpp"
+#include "tests/waiting.hpp"
 
 #include <doctest/doctest.h>
 
 #include <array>
-#include <chrono>
 #include <csignal>
 #include <fcntl.h>
 #include <sys/wait.h>
-#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -85,10 +84,10 @@ Browser::~Browser() {
   kill(child_, SIGKILL);
   waitpid(child_, nullptr, 0);
   std::error_code ignored;
-  for (int tries = 0; tries < 20 && fs::exists(profile_); ++tries) {  // its children may write for a moment more
+  becomes([&] {  // its children may write for a moment more
     fs::remove_all(profile_, ignored);
-    if (ignored) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  }
+    return !fs::exists(profile_, ignored);
+  });
 }
 
 std::string Browser::read_message() {
@@ -146,11 +145,10 @@ json::value Browser::value(const std::string& expression) {
 }
 
 bool Browser::becomes_true(const std::string& expression) {
-  for (int tries = 0; tries < 200; ++tries) {
-    if (const json::value now = value(expression); now.is_bool() && now.as_bool()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  }
-  return false;
+  return becomes([&] {
+    const json::value now = value(expression);
+    return now.is_bool() && now.as_bool();
+  });
 }
 
 }  // namespace loadpath::test

@@ -2,6 +2,7 @@
 // shape becomes a simpler one.
 #include "tests/calculators/rows.hpp"
 #include "tests/calculators/step_text.hpp"
+#include "tests/parts.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -590,10 +591,11 @@ std::vector<Run> loadpath::test::runs_of_limit_cases() {
   return runs;
 }
 
-TEST_SUITE("limit cases") {
+TEST_SUITE("limit cases" * by_element) {
   TEST_CASE("what is known without the calculator") {
     for (const auto& group : groups) {
       for (const Case& row : group) {
+        if (!takes_id(row.calculator)) continue;
         const std::string what = std::string(row.calculator) + "." + row.result + " with " + row.lines;
         INFO(what);
         const ExampleStep step(row.calculator, row.lines);

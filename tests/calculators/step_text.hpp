@@ -37,13 +37,13 @@ inline std::string with_lines(std::string text, const std::string& lines) {
   return text;
 }
 
-/// A calculator's example with other lines.
+/// A calculator's example with other lines: its results, derivation and verdicts.
 class ExampleStep {
  public:
   ExampleStep(std::string_view calculator, const std::string& lines)
       : project_(
             project::read_project(with_lines(find(calculator).example, lines), "part.toml", catalogue(), issues_)) {
-    if (!has_errors(issues_)) project::solve(project_, issues_);
+    if (!has_errors(issues_)) project::solve(project_, issues_, {.pictures = false, .unused = false});
     for (const Issue& issue : issues_) {
       if (issue.severity == Severity::error) fault_ += issue.key + ": " + issue.message.text() + "\n";
     }

@@ -1,5 +1,6 @@
 // However the program is ended while it writes, every output is the old file or a whole new one.
 #include "tests/cli/process.hpp"
+#include "tests/parts.hpp"
 #include "tests/tries.hpp"
 
 #include <algorithm>
@@ -114,14 +115,14 @@ std::chrono::microseconds writing_time(const Desk& desk) {
 
 }  // namespace
 
-TEST_SUITE("cli crashes") {
+TEST_SUITE("cli crashes" * by_case * takes_share) {
   TEST_CASE("kills while it writes lose no old file, and the next run removes what they left") {
     const Desk desk;
     std::mt19937 random(11);
     desk.put("a.toml", press);
     const std::chrono::microseconds whole = writing_time(desk);
     std::array<int, 3> ended{};  // with so many new outputs
-    constexpr int kills = tries(500);
+    const int kills = tries(500);
     for (int k = 0; k < kills; ++k) {
       end_while_writing(desk, SIGKILL, whole * (random() % 1000) / 1000);
       check_outputs(desk);
@@ -140,7 +141,7 @@ TEST_SUITE("cli crashes") {
     desk.put("a.toml", press);
     const std::chrono::microseconds whole = writing_time(desk);
     constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
-    for (std::size_t k = 0; k < tries(300); ++k) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(tries(300)); ++k) {
       end_while_writing(desk, signals.at(k % signals.size()), whole * (random() % 1000) / 1000);
       check_outputs(desk);
       REQUIRE_FALSE(has_parts(desk));

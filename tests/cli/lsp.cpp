@@ -319,7 +319,7 @@ TEST_SUITE("lsp") {
     desk.put("said", editor.said());
     const Ran ran = desk.shell(
         "mkfifo in out; loadpath lsp < in > out & exec 3> in; cat said >&3; "
-        "timeout 20 head -c 600 < out | grep -q publishDiag; echo heard $?; exec 3>&-; wait");
+        "timeout 600 head -c 600 < out | grep -q publishDiag; echo heard $?; exec 3>&-; wait");
     CHECK(contains(ran.out, "heard 0"));
   }
 

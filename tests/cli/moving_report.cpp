@@ -20,7 +20,7 @@ namespace json = boost::json;
 std::string opened(const Desk& desk, const std::string& browser, const std::string& page) {
   const std::string root = "$([ \"$(id -u)\" = 0 ] && echo --no-sandbox)";  // its sandbox refuses root
   const Ran ran =
-      desk.shell("timeout 60 '" + browser + "' --headless " + root +
+      desk.shell("timeout 600 '" + browser + "' --headless " + root +
                  " --disable-gpu --disable-quic --no-first-run --disable-background-networking "
                  "--disable-component-update --disable-sync --user-data-dir=\"$PWD/profile\" --dump-dom 'file://" +
                  desk.folder().string() + "/" + page + "'");

@@ -1,5 +1,6 @@
 // The command `sweep`: the same bytes by any number of threads and shards, after every kind of end; and its words.
 #include "tests/cli/sweeps.hpp"
+#include "tests/parts.hpp"
 #include "tests/tries.hpp"
 
 #include <array>
@@ -30,7 +31,7 @@ pid_t start(const Desk& desk, const std::vector<std::string>& words) {
 
 }  // namespace
 
-TEST_SUITE("sweep command") {
+TEST_SUITE("sweep command" * by_case) {
   TEST_CASE("threads, shards and one process write the same bytes") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
@@ -53,7 +54,9 @@ TEST_SUITE("sweep command") {
     CHECK(same_folders(desk, "one", "twice"));
     CHECK(desk.run({"sweep", "a.toml", "--out", "one"}).code == 2);
   }
+}
 
+TEST_SUITE("killed sweeps" * takes_share) {
   TEST_CASE("what is killed or interrupted goes on, and ends with the same bytes") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
@@ -84,7 +87,9 @@ TEST_SUITE("sweep command") {
     }
     CHECK(ended_early > tries(100) / 5);
   }
+}
 
+TEST_SUITE("sweep command" * by_case) {
   TEST_CASE("Ctrl-C keeps what has been solved, and tells how to go on") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);

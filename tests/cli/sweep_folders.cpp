@@ -1,6 +1,7 @@
 // Folders of sweeps in rough hands: two processes in one, damage, an end before the first state, a disk without room,
 // shards that are missing, changed in number, or of something else.
 #include "tests/cli/sweeps.hpp"
+#include "tests/parts.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -48,7 +49,7 @@ std::string while_at_work(const std::string& meanwhile) {
 
 }  // namespace
 
-TEST_SUITE("folders of sweeps") {
+TEST_SUITE("folders of sweeps" * by_case) {
   TEST_CASE("two processes do not work in one folder") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);

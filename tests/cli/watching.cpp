@@ -1,11 +1,11 @@
 #include "tests/cli/watching.hpp"
 
-#include <chrono>
+#include "tests/waiting.hpp"
+
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
 #include <sys/wait.h>
-#include <thread>
 #include <unistd.h>
 
 namespace loadpath::test {
@@ -33,11 +33,7 @@ Watching::~Watching() {
 }
 
 bool Watching::says(const std::string& word) const {
-  for (int tries = 0; tries < 200; ++tries) {
-    if (("\n" + desk_.get("said")).find("\n" + word) != std::string::npos) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  }
-  return false;
+  return becomes([&] { return ("\n" + desk_.get("said")).find("\n" + word) != std::string::npos; });
 }
 
 int Watching::end() {

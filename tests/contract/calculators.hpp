@@ -3,6 +3,7 @@
 
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"
+#include "tests/parts.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,10 +14,10 @@
 
 namespace loadpath::test {
 
-/// Those that are one function from a record to a record.
+/// Those of this run that are one function from a record to a record.
 inline std::vector<const Calculator*> plain_calculators() {
   std::vector<const Calculator*> plain;
-  for (const Calculator* c : calculators()) {
+  for (const Calculator* c : calculators_taken()) {
     if (c->evaluate != nullptr) plain.push_back(c);
   }
   return plain;

@@ -166,7 +166,7 @@ void check_subsets(const Calculator& c, const SolvedExample& s, std::mt19937& ra
 
 }  // namespace
 
-TEST_SUITE("contract: evaluation") {
+TEST_SUITE("contract: evaluation" * by_element) {
   TEST_CASE("with and without a trace the results are the same to the bit") {
     for (const Calculator* c : plain_calculators()) {
       const SolvedExample s = solved_example(*c);
@@ -211,12 +211,12 @@ TEST_SUITE("contract: evaluation") {
         }
       });
     }
-    CHECK(seen >= 3);
+    if (!is_part()) CHECK(seen >= 3);
   }
 
   TEST_CASE("a sweep of several inputs gives some of the results, to the bit") {
-    std::mt19937 random(1);
     for (const Calculator* c : plain_calculators()) {
+      std::mt19937 random(1);
       CAPTURE(c->id);
       const SolvedExample s = solved_example(*c);
       check_subsets(*c, s, random);
@@ -224,8 +224,8 @@ TEST_SUITE("contract: evaluation") {
   }
 
   TEST_CASE("a sweep that is compiled for its form equals single points to the bit") {
-    std::mt19937 random(2);
     for (const Calculator* c : plain_calculators()) {
+      std::mt19937 random(2);
       for (const Form& form : c->forms) {
         CAPTURE(c->id);
         CAPTURE(form.given);

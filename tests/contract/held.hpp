@@ -23,7 +23,7 @@ struct Known {
   std::string file;  // beside which its histories stand
 };
 std::vector<Known> known_projects();
-/// Every step of them, solved.
+/// Every step of them whose element this run covers, solved.
 void for_each_step(const std::function<void(const project::Step& step, const std::string& where)>& visit);
 
 }  // namespace loadpath::test

@@ -18,9 +18,9 @@ bool has_word(const Calculator& c, const char* choice, const std::string& word) 
 
 }  // namespace
 
-TEST_SUITE("contract") {
+TEST_SUITE("contract" * test::by_element) {
   TEST_CASE("a meaning is of fields and words that are there, and each is given or taken by two") {
-    for (const Calculator* c : calculators()) {
+    for (const Calculator* c : test::calculators_taken()) {
       for (const Meaning& meaning : c->meanings) {
         INFO(std::string(c->id), " ", std::string(meaning.fields), ": ", std::string(meaning.what));
         for (const std::string& key : listed_keys(meaning.fields)) {

@@ -63,9 +63,9 @@ void check_left(const Calculator& calculator, const ModeInfo& mode) {
 
 }  // namespace
 
-TEST_SUITE("contract") {
+TEST_SUITE("contract" * test::by_element) {
   TEST_CASE("a mode of failure has an id of its own, words, and judges that exist") {
-    for (const Calculator* c : calculators()) {
+    for (const Calculator* c : test::calculators_taken()) {
       const auto judges = judges_of(*c);
       std::set<std::string> ids;
       for (const ModeInfo& mode : c->modes) {
@@ -89,7 +89,7 @@ TEST_SUITE("contract") {
   }
 
   TEST_CASE("every check and limit judges a mode of failure, or is said to stand beside") {
-    for (const Calculator* c : calculators()) {
+    for (const Calculator* c : test::calculators_taken()) {
       for (const auto& judge : judges_of(*c)) {
         INFO(std::string(c->id), " ", judge.first);
         CHECK_MESSAGE(is_named(*c, judge.first) != judge.second->is_beside,
@@ -100,6 +100,7 @@ TEST_SUITE("contract") {
 
   // The aspects of a mechanism make its rows when it is solved, so that only projects show them.
   TEST_CASE("every row that judges a mechanism is named by a mode") {
+    if (!test::takes("mechanism")) return;
     for_each_step([](const project::Step& step, const std::string& where) {
       const Calculator& calculator = *step.input().calculator;
       if (calculator.result != nullptr) return;
@@ -115,7 +116,7 @@ TEST_SUITE("contract") {
   }
 
   TEST_CASE("a calculator without modes judges nothing") {
-    for (const Calculator* c : calculators()) {
+    for (const Calculator* c : test::calculators_taken()) {
       INFO(std::string(c->id));
       if (c->modes.empty()) CHECK(judges_of(*c).empty());
     }

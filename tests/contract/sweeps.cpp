@@ -1,9 +1,10 @@
 // A point of a sweep is the machine with these values typed, to the bit: results, verdicts, what is refused. For every
-// calculator, and at 200 points of every example, some of their numbers varied at random.
+// calculator, and at 200 points, or 40 of them, of every example, some of their numbers varied at random.
 #include "calculators/catalogue.hpp"
 #include "lib/project/sweep/variants.hpp"
 #include "lib/sweep/point/uniform.hpp"
 #include "lib/toml/tree.hpp"
+#include "tests/parts.hpp"
 #include "tests/tries.hpp"
 
 #include <doctest/doctest.h>
@@ -190,27 +191,33 @@ void compare(const std::string& text, const std::string& file, Points points_ask
   }
 }
 
-void compare_examples(Points points, std::uint64_t seed) {
+/// The examples of which `taken(name, text)` says that this run covers them.
+template <class Taken>
+void compare_examples(Points points, std::uint64_t seed, const Taken& taken) {
   for (const auto& entry : fs::directory_iterator(LOADPATH_ROOT "/examples")) {
     std::string text;
     const fs::path file = entry.path() / "project.toml";
     if (!fs::exists(file)) continue;
     REQUIRE(toml::read_file(file.string(), text));
-    compare(text, file.string(), points, seed);
+    if (taken(entry.path().filename().string(), text)) compare(text, file.string(), points, seed);
   }
 }
 
 }  // namespace
 
-TEST_SUITE("sweeps and machines of their own") {
+TEST_SUITE("sweeps and machines of their own" * test::by_element) {
   TEST_CASE("every calculator at its example, some numbers varied") {
-    for (const Calculator* calculator : calculators()) {
-      for (int seed = 1; seed <= test::tries(2); ++seed)
+    for (const Calculator* calculator : test::calculators_taken()) {
+      for (int seed = 1; seed <= 2; ++seed)
         compare(calculator->example, calculator->id, {5}, static_cast<std::uint64_t>(seed));
     }
   }
 
-  TEST_CASE("every example, some numbers varied") { compare_examples({3}, 3); }
+  TEST_CASE("every example, some numbers varied") {
+    compare_examples({3}, 3, [](const std::string&, const std::string& text) {
+      return test::takes(test::elements_of_project(text).front());
+    });
+  }
 }
 
 // Of each machine everything is solved again: that takes long where the compiler does not optimise.
@@ -220,6 +227,9 @@ constexpr bool is_fast = true;
 constexpr bool is_fast = false;
 #endif
 
-TEST_SUITE("two hundred points of every example") {
-  TEST_CASE("a sweep is what a machine of its own says" * doctest::skip(!is_fast)) { compare_examples({200, 3}, 4); }
+TEST_SUITE("two hundred points of every example" * test::by_example * test::takes_share) {
+  TEST_CASE("a sweep is what a machine of its own says" * doctest::skip(!is_fast)) {
+    const auto points = static_cast<std::size_t>(test::tries(200, 5));
+    compare_examples({points, 3}, 4, [](const std::string& name, const std::string&) { return test::takes(name); });
+  }
 }

@@ -1,9 +1,9 @@
 // What must not pass again of stress cycles: rows of the list of what was found by use.
+#include "tests/cli/process.hpp"
 #include "tests/found/modes.hpp"
 #include "tests/lib/project/solved.hpp"
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <sys/stat.h>
 
@@ -355,10 +355,9 @@ TEST_SUITE("found fatigue") {
   }
 
   TEST_CASE("a history that ends: no pipe with a name, no device, no single value") {
-    const auto folder = std::filesystem::temp_directory_path() / "loadpath_found_fatigue";
-    std::filesystem::create_directories(folder);
+    const test::Desk desk;
+    const auto& folder = desk.folder();
     const std::string pipe = (folder / "pipe.csv").string(), one = (folder / "one.csv").string();
-    std::filesystem::remove(pipe);
     REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
     std::ofstream(one) << "S\n180\n";
     const auto errors = [](const std::string& sigma) {
@@ -373,6 +372,5 @@ TEST_SUITE("found fatigue") {
     CHECK(contains(errors("{ file = \"" + one + "\", unit = \"MPa\" }"), "the file has one value"));
     CHECK(contains(errors("{ values = [180], unit = \"MPa\" }"), "the list has one value"));
     CHECK(contains(errors("{ values = [], unit = \"MPa\" }"), "a history is a list of numbers"));
-    std::filesystem::remove_all(folder);
   }
 }

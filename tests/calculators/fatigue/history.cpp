@@ -1,10 +1,10 @@
 #include "calculators/fatigue/history/history.hpp"
 
 #include "tests/calculators/evaluated.hpp"
+#include "tests/cli/process.hpp"
 #include "tests/found/modes.hpp"
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <string>
@@ -178,8 +178,8 @@ TEST_SUITE("fatigue.history") {
   }
 
   TEST_CASE("a file is as long as it is: forms, columns, units") {
-    const auto folder = std::filesystem::temp_directory_path() / "loadpath_history_test";
-    std::filesystem::create_directories(folder);
+    const test::Desk desk;
+    const auto& folder = desk.folder();
     const std::vector<double> values{0, 1.5, 0.5, 3, -2, 1, -1, 2.5, 0};
     std::ofstream csv(folder / "gauge.csv");
     csv << "t;S1;S2\n";
@@ -208,7 +208,6 @@ TEST_SUITE("fatigue.history") {
     CHECK(errors_of_history("{ file = \"/dev/zero\", unit = \"MPa\", form = \"f64\" }").find("there is no file") == 0);
     CHECK(errors_of_history("{ values = [1, \"2\"], unit = \"MPa\" }").size() > 0);
     CHECK(errors_of_history("{ values = [1, 2], unit = \"MPa\", column = 1 }").size() > 0);
-    std::filesystem::remove_all(folder);
   }
 
   TEST_CASE("the worst cycle stands where it is in the file") {

@@ -2,10 +2,10 @@
 
 #include "calculators/fatigue/multiaxial/planes.hpp"
 #include "tests/calculators/evaluated.hpp"
+#include "tests/cli/process.hpp"
 #include "tests/found/modes.hpp"
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <string>
@@ -190,8 +190,8 @@ TEST_SUITE("fatigue.multiaxial") {
   }
 
   TEST_CASE("columns of a file, of bounded length") {
-    const auto folder = std::filesystem::temp_directory_path() / "loadpath_multiaxial_test";
-    std::filesystem::create_directories(folder);
+    const test::Desk desk;
+    const auto& folder = desk.folder();
     std::ofstream file(folder / "rosette.csv"), longer(folder / "long.csv");
     file << "sx,sy,txy\n";
     for (int i = 0; i < 12; ++i) file << 10 * i << "," << 5 << "," << 100 - i * i << "\n";
@@ -206,7 +206,6 @@ TEST_SUITE("fatigue.multiaxial") {
     const std::string too_long = (folder / "long.csv").string();
     CHECK(errors_of("sigma_x = { file = \"" + too_long + "\", column = \"sx\", unit = \"MPa\" }\n")
               .find("more than 5000 samples") != std::string::npos);
-    std::filesystem::remove_all(folder);
   }
 
   TEST_CASE("a turn whose positions miss its extremes is refused") {

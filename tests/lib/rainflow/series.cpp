@@ -1,5 +1,6 @@
 #include "lib/rainflow/counter.hpp"
 #include "lib/rainflow/series/reader.hpp"
+#include "tests/cli/process.hpp"
 
 #include <doctest/doctest.h>
 
@@ -289,7 +290,8 @@ TEST_SUITE("rainflow series") {
   }
 
   TEST_CASE("files are opened, and what cannot be is told with the reason") {
-    const auto path = std::filesystem::temp_directory_path() / "loadpath_series_test.csv";
+    const test::Desk desk;
+    const auto path = desk.folder() / "series.csv";
     std::ofstream(path) << "x\n1\n2\n";
     auto source = open_source(path.string());
     REQUIRE(source);

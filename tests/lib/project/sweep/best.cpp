@@ -5,6 +5,7 @@
 #include "lib/report/sweep/best.hpp"
 #include "tests/lib/project/solved.hpp"
 #include "tests/lib/project/sweep/swept.hpp"
+#include "tests/parts.hpp"
 
 #include <doctest/doctest.h>
 
@@ -42,7 +43,7 @@ project::Placed asked(const std::string& text) { return {text, {"--asked", 1, 1,
 
 }  // namespace
 
-TEST_SUITE("the best machine") {
+TEST_SUITE("the best machine" * test::by_case) {
   TEST_CASE("is that of all which passes with the least") {
     for (const char* load : {"20 kN", "40 kN", "70 kN"}) {
       const std::string text = tube + sizes + "P = \"" + load + "\"\n";
